@@ -1,0 +1,35 @@
+# Shared by every package of the workspace.
+
+# C++17, all warnings, and warnings are errors in our own code.
+# -ffp-contract=off: a fused multiply-add rounds once where two operations round twice, and whether
+# the compiler fuses depends on the target; without it the same source gives the same bits everywhere.
+function(workspace_target target)
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Werror -ffp-contract=off)
+endfunction()
+
+# A pybind11 module of this package, importable as NAME from the devel and the install space:
+#   workspace_python_module(NAME source.cpp ...)
+# Needs find_package(pybind11) after set(PYBIND11_FINDPYTHON OFF) and the package's own library linked to it.
+function(workspace_python_module name)
+  pybind11_add_module(${name} MODULE ${ARGN})
+  workspace_target(${name})
+  set_target_properties(${name} PROPERTIES
+    LIBRARY_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_PYTHON_DESTINATION})
+  install(TARGETS ${name} LIBRARY DESTINATION ${CATKIN_GLOBAL_PYTHON_DESTINATION})
+endfunction()
+
+# Run pytest over PATHS... as one test target with a JUnit file:
+#   workspace_add_pytest(test/test_a.py test/test_b.py)
+function(workspace_add_pytest)
+  set(paths)
+  foreach(path IN LISTS ARGN)
+    list(APPEND paths "${CMAKE_CURRENT_SOURCE_DIR}/${path}")
+  endforeach()
+  string(REPLACE ";" " " path_arguments "${paths}")
+  set(junit "${CATKIN_TEST_RESULTS_DIR}/${PROJECT_NAME}/pytest-${PROJECT_NAME}.xml")
+  catkin_run_tests_target("pytest" "${PROJECT_NAME}" "pytest-${PROJECT_NAME}.xml"
+    COMMAND "${PYTHON_EXECUTABLE} -m pytest -q -p no:cacheprovider --junitxml=${junit} ${path_arguments}"
+    DEPENDENCIES ${${PROJECT_NAME}_EXPORTED_TARGETS})
+endfunction()

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <ignition/math/Pose3.hh>
+#include <vector>
+
+#include "f1tenth_sim2d/geometry.h"
+#include "f1tenth_sim2d/world_model.h"
+
+namespace f1tenth_sim2d
+{
+/// A circle of a section or footprint, kept exact instead of as a polygon; m.
+struct Circle
+{
+  Vec2 centre;
+  double radius{0.0};
+};
+
+/// What a horizontal cut leaves of solids.
+struct Section
+{
+  std::vector<Outline> outlines;
+  std::vector<Circle> circles;
+};
+
+/// Cross-section of a solid at height z, m: what a level lidar at that height sees.
+/// @param pose  of the solid in the frame in which z and the result are given
+/// A Plane has no section.
+Section sectionAt(const Solid & solid, const ignition::math::Pose3d & pose, double z);
+
+/// Shadow on the ground of the part of a solid between z_min and z_max, m: what a body of that vertical span touches.
+/// Convex pieces; outlines that are not convex come decomposed.
+Section footprintBetween(const Solid & solid, const ignition::math::Pose3d & pose, double z_min, double z_max);
+
+/// Splits a simple outline into convex polygons (their union is the outline).
+std::vector<ConvexPolygon> convexDecomposition(const Outline & outline);
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,138 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "f1tenth_sim2d/car_model.h"
+#include "f1tenth_sim2d/geometry.h"
+#include "f1tenth_sim2d/vehicle_parameters.h"
+#include "f1tenth_sim2d/world_model.h"
+
+/// The simulator's core: no ROS, no wall clock, no global state, no unseeded randomness.
+namespace f1tenth_sim2d
+{
+/// Simulated time, ns since the start.
+using SimTime = std::int64_t;
+
+struct SimulationOptions
+{
+  double physics_step{0.001};  ///< s
+  std::uint64_t seed{0};
+};
+
+/// True state of a car. Pose and velocity are those of base_footprint (below the middle of the rear axle).
+struct CarState
+{
+  Pose2 pose;                        ///< in the world
+  Vec2 velocity;                     ///< m/s, in the frame of the car
+  double yaw_rate{0.0};              ///< rad/s
+  Vec2 acceleration;                 ///< m/s^2, of the centre of mass, in the frame of the car
+  double steering_angle{0.0};        ///< rad, of the single-track front wheel
+  std::array<double, 4> wheel_angles{};  ///< rad: front left, front right, rear left, rear right
+  std::array<double, 4> wheel_speeds{};  ///< rad/s, same order
+};
+
+/// What a driver asks for.
+struct DriveCommand
+{
+  double speed{0.0};           ///< m/s
+  double steering_angle{0.0};  ///< rad
+};
+
+/// Wheel odometry: dead reckoning from noisy speed and steering, from the spawn pose.
+struct WheelOdometry
+{
+  Pose2 pose;
+  double speed{0.0};     ///< m/s, along the car
+  double yaw_rate{0.0};  ///< rad/s
+};
+
+struct ImuSample
+{
+  double yaw{0.0};       ///< rad
+  double yaw_rate{0.0};  ///< rad/s
+  Vec2 acceleration;     ///< m/s^2, in the frame of the car; z is gravity
+};
+
+/// One contact of a car's collision element with another body, accumulated since the previous control period.
+struct Contact
+{
+  std::string own_collision;    ///< scoped name
+  std::string other_collision;  ///< scoped name
+  std::string other_model;      ///< name of the model or car
+  std::vector<Vec2> positions;  ///< m, world
+  std::vector<Vec2> normals;    ///< unit, world, from the other body towards the car
+  std::vector<double> depths;   ///< m
+  Vec2 force;                   ///< N, world, on the car, mean over the time step
+  double torque{0.0};           ///< N m, about the car's centre of mass
+};
+
+using CarIndex = std::size_t;
+
+/// A world with cars in it, advanced in fixed steps. Same calls, same seed: same states, bit for bit.
+class Simulation
+{
+public:
+  /// @throws Error for options out of range
+  explicit Simulation(const WorldDescription & world, const SimulationOptions & options = {});
+  ~Simulation();
+  Simulation(Simulation &&) noexcept;
+  Simulation & operator=(Simulation &&) noexcept;
+
+  /// Puts a car with its base_footprint at pose.
+  /// @throws Error if the name is taken or the place is not free (the message names what is in the way)
+  CarIndex addCar(const CarDescription & car, const VehicleParameters & parameters, const Pose2 & pose);
+
+  std::size_t carCount() const;
+  const CarDescription & car(CarIndex index) const;
+  const VehicleParameters & parameters(CarIndex index) const;
+
+  SimTime time() const;       ///< ns
+  SimTime stepLength() const; ///< ns
+
+  /// Advances by one physics step.
+  void step();
+  /// Steps until time() >= end.
+  void advanceTo(SimTime end);
+  /// Back to time 0, the state after construction and all addCar calls, with the same seed: as from fresh.
+  void reset();
+
+  /// Takes effect after the car's actuation latency; clamped to the car's limits.
+  /// @throws Error for a value that is not finite; the command is then not taken
+  void command(CarIndex index, const DriveCommand & command);
+  /// A Twist as in cmd_vel: the steering angle follows from v and omega over the wheelbase.
+  void commandTwist(CarIndex index, double linear_x, double angular_z);
+
+  const CarState & state(CarIndex index) const;
+  WheelOdometry wheelOdometry(CarIndex index) const;
+  /// Noise depends on seed, car and time only, so reading or not reading a sensor changes nothing.
+  ImuSample imu(CarIndex index) const;
+
+  /// Ranges of a lidar now, m, +inf where nothing is hit within range_max. Writes beam_count floats; allocates nothing.
+  /// A hit nearer than range_min is reported as -inf (REP-117).
+  void scan(CarIndex index, std::size_t lidar, float * ranges) const;
+  /// The same without noise.
+  void exactScan(CarIndex index, std::size_t lidar, float * ranges) const;
+
+  /// Contacts of the car in the physics steps since the last call to clearContacts, ground excluded.
+  const std::vector<Contact> & contacts(CarIndex index) const;
+  void clearContacts(CarIndex index);
+
+  /// Least distance from the car's outline to anything it could touch, m; 0 in contact; at most limit.
+  double clearance(CarIndex index, double limit) const;
+
+  /// Pose of a model of the world now (movable ones move). @throws Error for an unknown name
+  Pose2 modelPose(const std::string & model) const;
+  std::vector<std::string> modelNames() const;
+
+  /// Little-endian bytes of all car states, for the trajectory hash.
+  void appendStateBytes(std::vector<std::uint8_t> & bytes) const;
+
+private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <ignition/math/Pose3.hh>
+#include <ignition/math/Vector3.hh>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "f1tenth_sim2d/geometry.h"
+
+/// What the loaders produce and the simulation consumes: plain data, no SDF, no Box2D, no ROS.
+namespace f1tenth_sim2d
+{
+struct Box
+{
+  ignition::math::Vector3d size;  ///< edge lengths, m
+};
+struct Cylinder
+{
+  double radius{0.0};  ///< m
+  double length{0.0};  ///< m, along z, centred
+};
+struct Sphere
+{
+  double radius{0.0};  ///< m
+};
+/// A polygon extruded along z from 0 to height.
+struct Polyline
+{
+  Outline outline;     ///< m
+  double height{0.0};  ///< m
+};
+/// The half space below z = 0 of its pose: the ground.
+struct Plane
+{
+};
+using Shape = std::variant<Box, Cylinder, Sphere, Polyline, Plane>;
+
+/// One collision element.
+struct Solid
+{
+  std::string name;             ///< scoped name, "model::link::collision"
+  Shape shape;
+  ignition::math::Pose3d pose;  ///< in the frame of the model
+  double mu{1.0};               ///< Coulomb friction coefficient
+  double restitution{0.0};
+};
+
+/// One rigid model of the world. A model of several links counts as one rigid body in its start configuration.
+struct ModelDescription
+{
+  std::string name;             ///< unique in the world; nested models are "outer::inner"
+  ignition::math::Pose3d pose;  ///< in the world
+  bool is_static{false};
+  double mass{0.0};             ///< kg, all links
+  double inertia_zz{0.0};       ///< kg m^2, about the centre of mass
+  Vec2 centre_of_mass;          ///< m, in the frame of the model
+  std::vector<Solid> solids;
+};
+
+/// A <plugin> element: its tags as they stand, so that a plugin reads its own parameters.
+struct PluginElement
+{
+  std::string name;
+  std::string filename;                                       ///< as written, "libf1tenth_perfect_odometry.so"
+  std::string place;                                          ///< element path, for error messages
+  std::vector<std::pair<std::string, std::string>> parameters;  ///< tag and text, in order
+};
+
+struct WorldDescription
+{
+  std::string file;  ///< where it came from
+  std::string name;
+  double gravity{9.8};  ///< m/s^2, downwards
+  std::vector<ModelDescription> models;
+  std::vector<PluginElement> plugins;
+  std::vector<std::string> warnings;  ///< what cannot be represented: one entry a kind, with its element path
+};
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,60 @@
+# The commands of the workspace; `make help` lists them.
+SHELL := /bin/bash
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+
+# ROS belongs to the system's Python, whatever stands first on PATH.
+export PATH := /usr/bin:$(PATH)
+
+BUILD_DIR := build
+DEVEL_DIR := $(CURDIR)/devel
+JOBS ?= $(shell nproc)
+CIRCUIT ?= circuit1
+
+IN_WORKSPACE := source $(DEVEL_DIR)/setup.bash &&
+CPP_FILES = $(shell git ls-files '*.cpp' '*.h')
+PYTHON_FILES = $(shell git ls-files '*.py'; git grep -lI '^\#!/usr/bin/\(env python3\|python3\)' -- ':!*.py')
+
+.PHONY: help setup configure build race test lint format bench clean
+
+help: ## list the commands
+	@sed -n 's/^\([a-z]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 16
+	@echo "  Variables: CIRCUIT=circuit1 … circuit5, circuit_detailed; JOBS=$(JOBS)"
+
+setup: ## install what is missing from Debian and PyPI
+	@tools/setup
+
+configure: setup
+	@cmake -S . -B $(BUILD_DIR) -DCATKIN_DEVEL_PREFIX=$(DEVEL_DIR) -DPYTHON_EXECUTABLE=/usr/bin/python3 \
+	  > $(BUILD_DIR).log 2>&1 || { cat $(BUILD_DIR).log; exit 1; }
+	@mv $(BUILD_DIR).log $(BUILD_DIR)/configure.log
+
+build: configure ## build the workspace
+	@cmake --build $(BUILD_DIR) -j $(JOBS) -- --no-print-directory
+
+race: build ## one headless race: make race CIRCUIT=circuit3
+	@$(IN_WORKSPACE) exec rosrun f1tenth_scenarios scenario run $(CIRCUIT)
+
+test: build ## every test; ends with `N passed, N failed, N skipped`
+	@rm -rf $(BUILD_DIR)/test_results
+	@cmake --build $(BUILD_DIR) -j $(JOBS) --target tests -- --no-print-directory
+	@cmake --build $(BUILD_DIR) -j 1 --target run_tests -- --no-print-directory
+	@tools/test_summary $(BUILD_DIR)/test_results
+
+lint: setup ## check format and style of all files
+	@clang-format --dry-run --Werror $(CPP_FILES)
+	@ruff check $(PYTHON_FILES)
+	@ruff format --check $(PYTHON_FILES)
+	@catkin_lint -q -W2 --strict --pkg-path src src
+
+format: setup ## format all files
+	@clang-format -i $(CPP_FILES)
+	@ruff check --fix-only -q $(PYTHON_FILES)
+	@ruff format -q $(PYTHON_FILES)
+
+bench: build ## measure the simulator; writes results/bench.json
+	@$(IN_WORKSPACE) exec rosrun f1tenth_sim2d bench --output results/bench.json
+
+clean: ## remove everything that was built
+	@rm -rf $(BUILD_DIR) $(BUILD_DIR).log $(DEVEL_DIR) install logs .catkin_tools
+	@git clean -fdXq -- src

@@ -38,6 +38,7 @@ race: build ## one headless race: make race CIRCUIT=circuit3
 test: build ## every test; ends with `N passed, N failed, N skipped`
 	@rm -rf $(BUILD_DIR)/test_results
 	@cmake --build $(BUILD_DIR) -j $(JOBS) --target tests -- --no-print-directory
+	@-/usr/bin/python3 -m pytest -q tools/test --junitxml=$(BUILD_DIR)/test_results/workspace/pytest-tools.xml
 	@cmake --build $(BUILD_DIR) -j 1 --target run_tests -- --no-print-directory
 	@tools/test_summary $(BUILD_DIR)/test_results
 

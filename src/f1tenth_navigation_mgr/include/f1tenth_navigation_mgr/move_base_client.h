@@ -1,0 +1,93 @@
+#pragma once
+
+#include <actionlib/client/action_client.h>
+#include <actionlib_msgs/GoalStatusArray.h>
+#include <move_base_msgs/MoveBaseAction.h>
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "f1tenth_navigation_mgr/goal_result.h"
+#include "f1tenth_navigation_mgr/timeouts.h"
+
+namespace f1tenth_navigation_mgr
+{
+/// One goal at a time on a move_base action server, watched until it is over, whatever becomes of the server.
+/// Serves its own callback queue: nothing happens outside its calls. Not thread-safe.
+class MoveBaseClient
+{
+public:
+  /// @param ns  namespace of the action `move_base`, resolved as any ROS name
+  MoveBaseClient(const std::string & ns, const Timeouts & timeouts);
+
+  /// Handles the messages that have arrived; waits for the first one up to max_wait (wall time).
+  void Serve(ros::WallDuration max_wait);
+
+  /// Whether every topic of the action is connected, as of the last Serve().
+  bool IsConnected() const;
+
+  /// Whether a goal is in flight and its server has been gone for longer than Timeouts::disconnect.
+  bool IsServerGone() const;
+
+  /// @pre connected, no goal in flight
+  void Send(const Goal & goal, const ros::Time & now);
+
+  /// How the goal in flight ended, once; sends the goal or the cancel again where the server took no notice.
+  std::optional<GoalResult> Check(const ros::Time & now);
+
+  /// Asks the server to give up the goal in flight; Check() tells when it has.
+  void Cancel(const ros::Time & now);
+
+  bool HasGoal() const { return flight_.has_value(); }
+
+  /// "/robot1/move_base"
+  std::string ActionName() const { return nh_.resolveName("move_base"); }
+
+  /// What the frame `odom` of this car is called: its namespace and "odom", "robot1/odom".
+  std::string OdomFrame() const;
+
+private:
+  using Client = actionlib::ActionClient<move_base_msgs::MoveBaseAction>;
+
+  /// A moment on both clocks.
+  struct Moment
+  {
+    ros::WallTime wall;
+    ros::Time ros;
+  };
+
+  struct Flight
+  {
+    Client::GoalHandle handle;
+    Goal goal;
+    ros::Time sent;
+    Moment asked;  ///< when the goal, or else its cancellation, was sent first
+    ros::WallTime last_attempt;
+    std::optional<ros::WallTime> over_since;  ///< when the status said that the goal is over
+    bool cancelled{false};
+  };
+
+  static bool BothPassed(const Moment & since, const Moment & now, double seconds);
+
+  void Connect();
+  void WatchConnection();
+  void AskAgain(const ros::WallTime & now);
+  bool IsResultOverdue(const Moment & now);
+  std::optional<GoalResult> CheckAlive(const Moment & now);
+  GoalResult EndAsServerSays(const ros::Time & now);
+  GoalResult EndAsLost(const std::string & what, double seconds, const ros::Time & now);
+  GoalResult End(GoalOutcome outcome, const std::string & text, const ros::Time & now);
+
+  const Timeouts timeouts_;
+  ros::NodeHandle nh_;
+  ros::CallbackQueue queue_;
+  std::unique_ptr<Client> client_;  ///< null until there is a clock: its constructor blocks without
+  ros::Subscriber status_;
+  Moment last_status_;
+  std::optional<ros::WallTime> gone_since_;
+  std::optional<Flight> flight_;
+};
+}  // namespace f1tenth_navigation_mgr

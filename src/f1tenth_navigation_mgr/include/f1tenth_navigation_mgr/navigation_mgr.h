@@ -1,0 +1,116 @@
+#pragma once
+
+#include <ros/duration.h>
+#include <ros/time.h>
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "f1tenth_navigation_mgr/goal_result.h"
+#include "f1tenth_navigation_mgr/goals_file.h"
+#include "f1tenth_navigation_mgr/move_base_client.h"
+#include "f1tenth_navigation_mgr/timeouts.h"
+
+namespace f1tenth_navigation_mgr
+{
+/// What one Spin() did.
+enum class SpinResult
+{
+  kNotConnected,  ///< nothing: there is no clock yet, or the action server is not connected
+  kDriving,       ///< checked the goal in flight: not over yet
+  kSent,          ///< sent the front of the queue
+  kReached,       ///< the goal in flight was reached
+  kFailed,        ///< the goal in flight ended otherwise
+  kQueueEmpty,    ///< found the queue empty, for the first time since it had goals
+  kIdle,          ///< nothing: the queue is still empty
+};
+
+/// "not_connected", "driving", "sent", "reached", "failed", "queue_empty", "idle"
+const char * ToString(SpinResult result);
+
+/// Sends a car's goals to its move_base, one after the other.
+///
+///     NavigationMgr navmgr{"robot1"};
+///     navmgr.LoadGoals("navigation_goals.txt");
+///     while (ros::ok()) navmgr.Spin();
+///
+/// Serves its own callback queue inside Spin() and WaitForServer(), so it works with and without ros::spin(), and
+/// nothing changes between two calls. Not thread-safe.
+class NavigationMgr
+{
+public:
+  using ResultCallback = std::function<void(const GoalResult &)>;
+
+  /// @param robot  the car's namespace, resolved as any ROS name: the action is `<robot>/move_base`; empty: the
+  ///               namespace of the node. ros::init() comes before.
+  explicit NavigationMgr(const std::string & robot, const Timeouts & timeouts = {});
+
+  /// Appends the goals of a file to the queue. Frames known: `map` and the car's `odom`.
+  /// @throws GoalsFileError; the queue is then as it was
+  void LoadGoals(const std::string & path);
+  void AddGoal(const Goal & goal);
+
+  /// Drops the goals not yet sent; the goal in flight stays.
+  void ClearGoals();
+
+  /// In loop mode a reached goal goes to the back of the queue instead of leaving it.
+  void SetLoopMode(bool loop) { loop_mode_ = loop; }
+  bool LoopMode() const { return loop_mode_; }
+
+  /// Does at most one thing: nothing while the action server is not connected; else checks the goal in flight; else
+  /// sends the front of the queue; else reports an empty queue. A goal that failed leaves the queue, in loop mode too.
+  /// Waits up to 10 ms of wall time for a message, so that a bare loop around it does not burn a processor.
+  SpinResult Spin();
+
+  /// The same without waiting, at the ROS time that the caller has: for lockstep, where the period's stamp counts.
+  SpinResult Spin(const ros::Time & now);
+
+  /// Blocks until there is a clock and the action server is connected, or timeout (wall time) has passed.
+  /// @return whether it is connected
+  bool WaitForServer(ros::WallDuration timeout);
+
+  /// Whether a goal is in flight and its server has been gone for longer than Timeouts::disconnect: the next Spin()
+  /// reports it as lost. For those who spin only when the clock moves; may have stopped with the server.
+  bool IsServerGone();
+
+  /// Asks for the end of the goal in flight; a later Spin() reports it, as kPreempted unless it was over before.
+  void Cancel();
+
+  /// Where it goes now.
+  std::optional<Goal> GoalInFlight() const;
+
+  /// Not reached yet, the one in flight included.
+  std::size_t GoalsLeft() const { return queue_.size(); }
+
+  /// One entry a goal that is over, in order.
+  const std::vector<GoalResult> & Results() const { return results_; }
+
+  /// Called inside Spin(). What they throw comes out of Spin(), which has then done its work.
+  void OnGoalReached(ResultCallback callback) { on_reached_ = std::move(callback); }
+  void OnGoalFailed(ResultCallback callback) { on_failed_ = std::move(callback); }
+
+  /// "/robot1/move_base"
+  std::string ActionName() const { return client_.ActionName(); }
+
+private:
+  SpinResult SpinOnce(const ros::Time & now);
+  SpinResult SendFront(const ros::Time & now);
+  SpinResult ReportEmpty();
+  SpinResult Finish(const GoalResult & result);
+
+  MoveBaseClient client_;
+  std::deque<Goal> queue_;  ///< its front is the goal in flight when there is one
+  std::vector<GoalResult> results_;
+  ResultCallback on_reached_;
+  ResultCallback on_failed_;
+  bool loop_mode_{false};
+  bool empty_reported_{false};
+};
+}  // namespace f1tenth_navigation_mgr
+
+// The class is used by its bare name.
+using f1tenth_navigation_mgr::NavigationMgr;

@@ -1,0 +1,84 @@
+#include "f1tenth_navigation_mgr/move_base_client.h"
+
+namespace f1tenth_navigation_mgr
+{
+namespace
+{
+move_base_msgs::MoveBaseGoal toMessage(const Goal & goal, const ros::Time & stamp)
+{
+  move_base_msgs::MoveBaseGoal message;
+  message.target_pose.header.frame_id = goal.frame_id;
+  message.target_pose.header.stamp = stamp;
+  auto & pose = message.target_pose.pose;
+  pose.position.x = goal.x;
+  pose.position.y = goal.y;
+  pose.position.z = goal.z;
+  pose.orientation.x = goal.qx;
+  pose.orientation.y = goal.qy;
+  pose.orientation.z = goal.qz;
+  pose.orientation.w = goal.qw;
+  return message;
+}
+}  // namespace
+
+MoveBaseClient::MoveBaseClient(const std::string & ns, const Timeouts & timeouts) : timeouts_{timeouts}, nh_{ns} {}
+
+std::string MoveBaseClient::OdomFrame() const
+{
+  return nh_.resolveName("odom", false).substr(1);
+}
+
+void MoveBaseClient::Connect()
+{
+  client_ = std::make_unique<Client>(nh_, "move_base", &queue_);
+  auto options = ros::SubscribeOptions::create<actionlib_msgs::GoalStatusArray>(
+    "move_base/status", 1,
+    [this](const actionlib_msgs::GoalStatusArray::ConstPtr &) {
+      last_status_ = {ros::WallTime::now(), ros::Time::now()};
+    },
+    ros::VoidPtr{}, &queue_);
+  status_ = nh_.subscribe(options);
+}
+
+void MoveBaseClient::Serve(ros::WallDuration max_wait)
+{
+  if (!client_ && ros::Time::isValid()) Connect();
+  queue_.callAvailable(max_wait);
+  if (client_) WatchConnection();
+}
+
+void MoveBaseClient::WatchConnection()
+{
+  if (client_->isServerConnected()) {
+    gone_since_.reset();
+  } else if (!gone_since_) {
+    gone_since_ = ros::WallTime::now();
+  }
+}
+
+bool MoveBaseClient::IsConnected() const
+{
+  return client_ && !gone_since_;
+}
+
+bool MoveBaseClient::IsServerGone() const
+{
+  return flight_ && gone_since_ && (ros::WallTime::now() - *gone_since_).toSec() > timeouts_.disconnect;
+}
+
+void MoveBaseClient::Send(const Goal & goal, const ros::Time & now)
+{
+  const Moment moment{ros::WallTime::now(), now};
+  last_status_ = moment;
+  flight_ = Flight{client_->sendGoal(toMessage(goal, now)), goal, now, moment, moment.wall, {}, false};
+}
+
+void MoveBaseClient::Cancel(const ros::Time & now)
+{
+  if (!flight_ || flight_->cancelled) return;
+  flight_->cancelled = true;
+  flight_->asked = {ros::WallTime::now(), now};
+  flight_->last_attempt = flight_->asked.wall;
+  flight_->handle.cancel();
+}
+}  // namespace f1tenth_navigation_mgr

@@ -1,0 +1,126 @@
+#include "f1tenth_navigation_mgr/navigation_mgr.h"
+
+#include <ros/init.h>
+
+#include <algorithm>
+
+namespace f1tenth_navigation_mgr
+{
+namespace
+{
+const ros::WallDuration kSpinWait{0.01};
+}  // namespace
+
+const char * ToString(SpinResult result)
+{
+  switch (result) {
+    case SpinResult::kNotConnected:
+      return "not_connected";
+    case SpinResult::kDriving:
+      return "driving";
+    case SpinResult::kSent:
+      return "sent";
+    case SpinResult::kReached:
+      return "reached";
+    case SpinResult::kFailed:
+      return "failed";
+    case SpinResult::kQueueEmpty:
+      return "queue_empty";
+    case SpinResult::kIdle:
+      break;
+  }
+  return "idle";
+}
+
+NavigationMgr::NavigationMgr(const std::string & robot, const Timeouts & timeouts) : client_{robot, timeouts} {}
+
+void NavigationMgr::LoadGoals(const std::string & path)
+{
+  const Goals goals = LoadGoalsFile(path, {"map", client_.OdomFrame()});
+  queue_.insert(queue_.end(), goals.begin(), goals.end());
+  empty_reported_ = false;
+}
+
+void NavigationMgr::AddGoal(const Goal & goal)
+{
+  queue_.push_back(goal);
+  empty_reported_ = false;
+}
+
+void NavigationMgr::ClearGoals()
+{
+  queue_.resize(client_.HasGoal() ? 1 : 0);
+}
+
+SpinResult NavigationMgr::Spin()
+{
+  client_.Serve(kSpinWait);
+  return SpinOnce(ros::Time::isValid() ? ros::Time::now() : ros::Time{});
+}
+
+SpinResult NavigationMgr::Spin(const ros::Time & now)
+{
+  client_.Serve(ros::WallDuration{0.0});
+  return SpinOnce(now);
+}
+
+SpinResult NavigationMgr::SpinOnce(const ros::Time & now)
+{
+  if (!client_.IsConnected() && !client_.IsServerGone()) return SpinResult::kNotConnected;
+  if (client_.HasGoal()) {
+    const auto result = client_.Check(now);
+    return result ? Finish(*result) : SpinResult::kDriving;
+  }
+  return queue_.empty() ? ReportEmpty() : SendFront(now);
+}
+
+SpinResult NavigationMgr::SendFront(const ros::Time & now)
+{
+  client_.Send(queue_.front(), now);
+  return SpinResult::kSent;
+}
+
+SpinResult NavigationMgr::ReportEmpty()
+{
+  if (empty_reported_) return SpinResult::kIdle;
+  empty_reported_ = true;
+  return SpinResult::kQueueEmpty;
+}
+
+SpinResult NavigationMgr::Finish(const GoalResult & result)
+{
+  const bool reached = result.outcome == GoalOutcome::kSucceeded;
+  results_.push_back(result);
+  queue_.pop_front();
+  if (reached && loop_mode_) queue_.push_back(result.goal);
+  const auto & callback = reached ? on_reached_ : on_failed_;
+  if (callback) callback(result);
+  return reached ? SpinResult::kReached : SpinResult::kFailed;
+}
+
+bool NavigationMgr::WaitForServer(ros::WallDuration timeout)
+{
+  const auto end = ros::WallTime::now() + timeout;
+  do {
+    client_.Serve(std::min(kSpinWait, timeout));
+    if (client_.IsConnected()) return true;
+  } while (ros::ok() && ros::WallTime::now() < end);
+  return false;
+}
+
+bool NavigationMgr::IsServerGone()
+{
+  client_.Serve(ros::WallDuration{0.0});
+  return client_.IsServerGone();
+}
+
+void NavigationMgr::Cancel()
+{
+  client_.Cancel(ros::Time::now());
+}
+
+std::optional<Goal> NavigationMgr::GoalInFlight() const
+{
+  return client_.HasGoal() ? std::optional<Goal>{queue_.front()} : std::nullopt;
+}
+}  // namespace f1tenth_navigation_mgr

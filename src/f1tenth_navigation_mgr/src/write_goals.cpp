@@ -1,0 +1,78 @@
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <sstream>
+
+#include "f1tenth_navigation_mgr/goals_file.h"
+
+namespace f1tenth_navigation_mgr
+{
+namespace
+{
+/// The fewest digits that read back as the same number.
+std::string shortest(double number)
+{
+  std::array<char, 32> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
+  return {buffer.data(), result.ptr};
+}
+
+void writeLine(std::ostream & text, std::initializer_list<double> numbers)
+{
+  const char * separator = "";
+  for (const double number : numbers) {
+    text << separator << shortest(number);
+    separator = " ";
+  }
+  text << '\n';
+}
+
+void writeGoal(std::ostream & text, const Goal & goal)
+{
+  // The short form only where nothing is lost by it.
+  if (PlanarGoal(goal.x, goal.y, goal.Yaw(), goal.frame_id) == goal) {
+    writeLine(text, {goal.x, goal.y, goal.Yaw()});
+  } else {
+    writeLine(text, {goal.x, goal.y, goal.z, goal.qx, goal.qy, goal.qz, goal.qw});
+  }
+}
+
+[[noreturn]] void failWriting(const std::string & path, const std::string & temporary)
+{
+  const std::string reason{std::strerror(errno)};
+  std::error_code ignored;
+  std::filesystem::remove(temporary, ignored);
+  throw GoalsFileError{path + ": cannot be written: " + reason};
+}
+}  // namespace
+
+void WriteGoals(std::ostream & text, const std::string & name, const Goals & goals)
+{
+  if (goals.empty()) throw GoalsFileError{name + ": no goals to save"};
+  for (const auto & goal : goals) {
+    if (goal.frame_id == goals.front().frame_id) continue;
+    throw GoalsFileError{
+      name + ": a goals file has one frame, found \"" + goals.front().frame_id + "\" and \"" + goal.frame_id + "\""};
+  }
+  text << "frame_id: " << goals.front().frame_id << '\n';
+  for (const auto & goal : goals) writeGoal(text, goal);
+}
+
+void SaveGoalsFile(const std::string & path, const Goals & goals)
+{
+  std::ostringstream text;
+  WriteGoals(text, path, goals);
+
+  const std::string temporary{path + ".tmp"};
+  errno = 0;
+  std::ofstream file{temporary, std::ios::trunc};
+  file << text.str();
+  file.close();
+  if (!file || std::rename(temporary.c_str(), path.c_str()) != 0) failWriting(path, temporary);
+}
+}  // namespace f1tenth_navigation_mgr

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <ignition/math/Pose3.hh>
+#include <ignition/math/Vector3.hh>
+#include <utility>
+#include <vector>
+
+#include "f1tenth_sim2d/geometry.h"
+
+namespace f1tenth_sim2d
+{
+/// A convex polyhedron: corners in m and the edges between them. Whatever has flat faces is made of these.
+struct ConvexBody
+{
+  std::vector<ignition::math::Vector3d> corners;
+  std::vector<std::pair<std::size_t, std::size_t>> edges;
+};
+
+/// The upright prism over base between z_min and z_max, put at pose.
+ConvexBody prism(const ConvexPolygon & base, double z_min, double z_max, const ignition::math::Pose3d & pose);
+
+/// Cut of a body at height z; empty where it has no area. A body owns its lowest height, but not its highest one:
+/// of two bodies that stand on each other exactly one is cut at their common height.
+ConvexPolygon cut(const ConvexBody & body, double z);
+
+/// Shadow on the ground of the part between two heights; empty if the body only touches one of them.
+ConvexPolygon shadow(const ConvexBody & body, double z_min, double z_max);
+}  // namespace f1tenth_sim2d

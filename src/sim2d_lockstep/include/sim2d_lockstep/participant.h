@@ -1,7 +1,6 @@
 #pragma once
 
-#include <ros/callback_queue.h>
-#include <ros/node_handle.h>
+#include <ros/duration.h>
 #include <ros/time.h>
 
 #include <memory>
@@ -13,17 +12,26 @@
 /// The protocol is docs/lockstep.md.
 namespace sim2d_lockstep
 {
-/// Moves everything that has already reached this process's sockets into its callback queues.
-/// roscpp's poll thread reads the sockets in no particular order; after drain() whatever was sent before a message
-/// that this process has seen is in its queue. Blocks for some 10 us of wall time. Thread-safe.
+/// Stamp of a participant that has left for good.
+inline const ros::Time kLeft{2147483647, 0};
+
+/// Lets roscpp's poll thread go round twice, so that what lay in this process's sockets is in its callback queues and
+/// what it had published is in the sockets. roscpp promises neither: the poll thread reads and writes its sockets in
+/// no particular order, whatever the order of sending or publishing.
+///  - Before acting on a message: whatever was sent before it, over any connection, has arrived.
+///  - Before publishing a message that announces others (/clock, done): the others are on their way before it.
+/// A message larger than the sockets' buffers (some MB) may take longer; such messages do not belong into a period.
 class InboxDrain
 {
 public:
+  /// Needs a started ROS (a ros::NodeHandle exists).
   InboxDrain();
   ~InboxDrain();
   InboxDrain(const InboxDrain &) = delete;
   InboxDrain & operator=(const InboxDrain &) = delete;
 
+  /// Blocks for some 10 us of wall time; returns at once when ROS shuts down. Thread-safe, but not to be called from
+  /// roscpp's poll thread.
   void drain();
 
 private:
@@ -32,23 +40,36 @@ private:
 };
 
 /// A node that is named in the simulator's `participants`.
+/// Listens to /clock and /sim2d/done on a callback queue of its own that is served inside waitForPeriod(), so it needs
+/// no spinner and does not touch the node's own queues. Use an object from one thread at a time.
+/// Subscribe what must be there in a period with ros::TransportHints().tcpNoDelay(), or the kernel may hold it back.
 class Participant
 {
 public:
   /// @param name   as in `participants`: the node's name without the leading slash ("robot1/move_base")
   /// @param after  participants that act before this one in every period; their messages of a period have arrived
   ///               when this one acts on it. Empty: acts as soon as the period's /clock is there.
+  /// @throws std::invalid_argument for an empty name, one with a leading slash, or one that is after itself
   explicit Participant(std::string name, std::vector<std::string> after = {});
   ~Participant();
+  Participant(const Participant &) = delete;
+  Participant & operator=(const Participant &) = delete;
 
   /// Blocks until the next period that has not been answered. On return everything published in that period by the
-  /// simulator and by `after`, and in earlier periods by anyone, is in the callback queues of this process.
-  /// Say the first done() only when the node is ready to act (map there, servers connected): the simulator waits.
+  /// simulator and by `after`, and in earlier periods by anyone, is in the callback queues of this process, and
+  /// ros::Time::now() is the period's stamp if ROS runs on simulated time.
+  /// A period that was answered already and whose /clock comes again (the simulator repeats the first one until
+  /// everybody is there) is answered again in here. A clock that jumps back starts a new run.
   /// @return the period's stamp; nothing when timeout (wall time) has passed or ROS shuts down
   std::optional<ros::Time> waitForPeriod(ros::WallDuration timeout);
 
-  /// Publishes on /sim2d/done that this node has acted up to stamp.
+  /// Publishes on /sim2d/done that this node has acted up to stamp, after everything it has published before.
+  /// Say the first one only when the node is ready to act (map there, servers connected): the simulator waits.
   void done(const ros::Time & stamp);
+
+  /// Leaves for good: the simulator and all that come after this participant never wait for it again. The process
+  /// may end right afterwards. waitForPeriod() returns nothing from then on.
+  void leave();
 
 private:
   class Impl;

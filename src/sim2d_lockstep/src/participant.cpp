@@ -1,0 +1,147 @@
+#include "sim2d_lockstep/participant.h"
+
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <rosgraph_msgs/Clock.h>
+#include <std_msgs/Header.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "done_ledger.h"
+
+namespace sim2d_lockstep
+{
+namespace
+{
+const ros::WallDuration kShutdownCheck{0.1};
+const ros::WallDuration kClockCheck{20e-6};
+
+void checkNames(const std::string & name, const std::vector<std::string> & after)
+{
+  if (name.empty() || name.front() == '/') {
+    throw std::invalid_argument(
+      "name of a lockstep participant: found \"" + name + "\", expected a node's name without the leading slash");
+  }
+  if (std::find(after.begin(), after.end(), name) != after.end()) {
+    throw std::invalid_argument("lockstep participant \"" + name + "\" cannot act after itself");
+  }
+}
+}  // namespace
+
+class Participant::Impl
+{
+public:
+  Impl(std::string name, std::vector<std::string> after) : name_(std::move(name)), ledger_(std::move(after))
+  {
+    node_.setCallbackQueue(&queue_);
+    const auto hints = ros::TransportHints().tcpNoDelay();
+    // Latched: whoever connects after the first answer still gets it.
+    done_publisher_ = node_.advertise<std_msgs::Header>("/sim2d/done", 100, true);
+    // Unlimited, as a lost done would never come again; lockstep itself bounds them to a few a period.
+    done_subscriber_ = node_.subscribe("/sim2d/done", 0, &Impl::onDone, this, hints);
+    clock_subscriber_ = node_.subscribe("/clock", 0, &Impl::onClock, this, hints);
+  }
+
+  std::optional<ros::Time> waitForPeriod(ros::WallDuration timeout)
+  {
+    const ros::WallTime deadline = ros::WallTime::now() + timeout;
+    queue_.callAvailable();
+    while (!ready()) {
+      const ros::WallDuration left = deadline - ros::WallTime::now();
+      if (left <= ros::WallDuration(0.0) || !ros::ok() || left_) {
+        return std::nullopt;
+      }
+      queue_.callAvailable(std::min(left, kShutdownCheck));
+    }
+    drain_.drain();
+    return clockReached(deadline) ? period_ : std::nullopt;
+  }
+
+  void done(const ros::Time & stamp)
+  {
+    drain_.drain();
+    answered_ = stamp;
+    publish(stamp);
+  }
+
+  void leave()
+  {
+    drain_.drain();
+    left_ = true;
+    publish(kLeft);
+    drain_.drain();
+  }
+
+private:
+  bool ready() const { return !left_ && period_ && answered_ != period_ && ledger_.allDone(*period_); }
+
+  // roscpp follows /clock on a thread of its own.
+  bool clockReached(const ros::WallTime & deadline) const
+  {
+    while (ros::Time::isSimTime() && ros::Time::now() != *period_) {
+      if (ros::WallTime::now() > deadline || !ros::ok()) {
+        return false;
+      }
+      kClockCheck.sleep();
+    }
+    return true;
+  }
+
+  void onClock(const rosgraph_msgs::Clock::ConstPtr & message)
+  {
+    if (left_) {
+      return;
+    }
+    if (answered_ == message->clock) {
+      publish(*answered_);
+    } else if (period_ && message->clock < *period_) {
+      ledger_.startAgain(message->clock);
+      answered_.reset();
+    }
+    period_ = message->clock;
+  }
+
+  void onDone(const std_msgs::Header::ConstPtr & message) { ledger_.note(message->frame_id, message->stamp); }
+
+  void publish(const ros::Time & stamp)
+  {
+    std_msgs::Header message;
+    message.frame_id = name_;
+    message.stamp = stamp;
+    done_publisher_.publish(message);
+  }
+
+  const std::string name_;
+  ros::CallbackQueue queue_;  // before what refers to it
+  ros::NodeHandle node_;
+  InboxDrain drain_;
+  DoneLedger ledger_;
+  ros::Publisher done_publisher_;
+  ros::Subscriber done_subscriber_;
+  ros::Subscriber clock_subscriber_;
+  std::optional<ros::Time> period_;
+  std::optional<ros::Time> answered_;
+  bool left_{false};
+};
+
+Participant::Participant(std::string name, std::vector<std::string> after)
+{
+  checkNames(name, after);
+  impl_ = std::make_unique<Impl>(std::move(name), std::move(after));
+}
+Participant::~Participant() = default;
+std::optional<ros::Time> Participant::waitForPeriod(ros::WallDuration timeout)
+{
+  return impl_->waitForPeriod(timeout);
+}
+void Participant::done(const ros::Time & stamp)
+{
+  impl_->done(stamp);
+}
+void Participant::leave()
+{
+  impl_->leave();
+}
+}  // namespace sim2d_lockstep

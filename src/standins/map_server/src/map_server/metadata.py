@@ -1,0 +1,139 @@
+"""The YAML file of a map: read, checked, never half believed."""
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+import yaml
+
+from map_server.errors import MapMetadataError, MapNotFoundError
+
+MODES = ("trinary", "scale", "raw")
+REQUIRED_KEYS = ("image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh")
+
+
+@dataclass(frozen=True)
+class MapMetadata:
+    """How to understand a map's image."""
+
+    image: Path
+    resolution: float  # m, edge length of a cell
+    origin: tuple[float, float, float] = (0.0, 0.0, 0.0)  # x m, y m, yaw rad of the lower left corner
+    negate: bool = False
+    occupied_thresh: float = 0.65
+    free_thresh: float = 0.196
+    mode: str = "trinary"
+    unknown_keys: tuple[str, ...] = ()
+
+
+def read_metadata(path):
+    """Read a map's YAML file.
+
+    Raises MapNotFoundError if there is no such file, MapMetadataError naming file and key otherwise.
+    """
+    path = Path(path)
+    document = _document(path)
+    for key in REQUIRED_KEYS:
+        if key not in document:
+            raise MapMetadataError(path, key, f"missing; required are {', '.join(REQUIRED_KEYS)}")
+    return metadata_from(document, path)
+
+
+def metadata_from(values, source):
+    """Build the metadata from a mapping.
+
+    `source` is the file it came from: errors name it, and the image is relative to its folder.
+    Raises MapMetadataError.
+    """
+    check = _Checker(values, source)
+    metadata = MapMetadata(
+        image=Path(source).parent / check.text("image"),
+        resolution=check.positive("resolution"),
+        origin=check.pose("origin"),
+        negate=check.flag("negate"),
+        occupied_thresh=check.fraction("occupied_thresh"),
+        free_thresh=check.fraction("free_thresh"),
+        mode=check.mode(),
+        unknown_keys=tuple(sorted(str(key) for key in values if key not in (*REQUIRED_KEYS, "mode"))),
+    )
+    _check_order(metadata, source)
+    return metadata
+
+
+def _document(path):
+    try:
+        document = yaml.safe_load(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise MapNotFoundError(f"{path}: cannot be opened: {error.strerror}") from error
+    except UnicodeDecodeError as error:
+        raise MapMetadataError(path, "", "not a YAML file: not UTF-8 text") from error
+    except yaml.YAMLError as error:
+        raise MapMetadataError(path, "", f"not a YAML file: {' '.join(str(error).split())}") from error
+    if not isinstance(document, dict):
+        raise MapMetadataError(path, "", "not a map description: a mapping of keys to values is needed")
+    return document
+
+
+def _check_order(metadata, source):
+    free, occupied = metadata.free_thresh, metadata.occupied_thresh
+    if free > occupied:
+        raise MapMetadataError(source, "free_thresh", f"{free} is above occupied_thresh {occupied}")
+    if metadata.mode == "scale" and free == occupied:
+        raise MapMetadataError(
+            source, "free_thresh", f"must be below occupied_thresh {occupied} in mode scale"
+        )
+
+
+class _Checker:
+    def __init__(self, values, source):
+        self._values = values
+        self._source = source
+
+    def _fail(self, key, allowed):
+        raise MapMetadataError(self._source, key, f"found {self._values[key]!r}, allowed is {allowed}")
+
+    def _number(self, value):
+        # YAML 1.1 takes 5e-2 for a string, other readers of map files take it for a number.
+        if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+            return math.nan
+        try:
+            return float(value)
+        except (ValueError, OverflowError):
+            return math.nan
+
+    def text(self, key):
+        value = self._values[key]
+        if not isinstance(value, str) or not value:
+            self._fail(key, "a file name")
+        return value
+
+    def positive(self, key):
+        value = self._number(self._values[key])
+        if not (0.0 < value < math.inf):
+            self._fail(key, "a positive number of metres")
+        return value
+
+    def fraction(self, key):
+        value = self._number(self._values[key])
+        if not 0.0 <= value <= 1.0:
+            self._fail(key, "a number from 0 to 1")
+        return value
+
+    def flag(self, key):
+        value = self._values[key]
+        if isinstance(value, (bool, int)) and value in (0, 1):
+            return bool(value)
+        return self._fail(key, "0 or 1")
+
+    def pose(self, key):
+        value = self._values[key]
+        numbers = [self._number(number) for number in value] if isinstance(value, list) else []
+        if len(numbers) != 3 or not all(math.isfinite(number) for number in numbers):
+            self._fail(key, "three numbers: x, y, yaw")
+        return tuple(numbers)
+
+    def mode(self):
+        value = self._values.get("mode", "trinary")
+        if value not in MODES:
+            self._fail("mode", " or ".join(MODES))
+        return value

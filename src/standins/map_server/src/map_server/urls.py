@@ -1,0 +1,25 @@
+"""Where a map_url of nav_msgs/LoadMap points to."""
+
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+from map_server.errors import MapNotFoundError
+
+
+def path_of(url, package_folder):
+    """Return the file of a plain path, file:///PATH or package://PACKAGE/PATH.
+
+    `package_folder` finds the folder of a package and raises LookupError for an unknown one.
+    Raises MapNotFoundError.
+    """
+    parts = urlsplit(url)
+    if not parts.scheme:
+        return Path(url)
+    if parts.scheme == "file" and not parts.netloc:
+        return Path(unquote(parts.path))
+    if parts.scheme != "package" or not parts.netloc:
+        raise MapNotFoundError(f"{url}: allowed are a path, file:///PATH and package://PACKAGE/PATH")
+    try:
+        return Path(package_folder(parts.netloc)) / unquote(parts.path).lstrip("/")
+    except LookupError as error:
+        raise MapNotFoundError(f"{url}: there is no package {parts.netloc}") from error

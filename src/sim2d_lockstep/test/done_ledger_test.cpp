@@ -1,0 +1,55 @@
+#include "done_ledger.h"
+
+#include <gtest/gtest.h>
+
+#include "sim2d_lockstep/participant.h"
+
+using sim2d_lockstep::DoneLedger;
+using sim2d_lockstep::kLeft;
+
+TEST(DoneLedger, WithoutNamesIsAlwaysDone)
+{
+  EXPECT_TRUE(DoneLedger({}).allDone(ros::Time(1.0)));
+}
+
+TEST(DoneLedger, IsDoneWhenEveryNameHasReachedTheStamp)
+{
+  DoneLedger ledger({"a", "b"});
+  ledger.note("a", ros::Time(1.0));
+  EXPECT_FALSE(ledger.allDone(ros::Time(1.0)));
+  ledger.note("b", ros::Time(2.0));
+  EXPECT_TRUE(ledger.allDone(ros::Time(1.0)));
+  EXPECT_FALSE(ledger.allDone(ros::Time(1.5)));
+}
+
+TEST(DoneLedger, IgnoresOtherNames)
+{
+  DoneLedger ledger({"a"});
+  ledger.note("b", ros::Time(1.0));
+  EXPECT_FALSE(ledger.allDone(ros::Time(1.0)));
+}
+
+TEST(DoneLedger, DoesNotWaitForWhoHasLeft)
+{
+  DoneLedger ledger({"a"});
+  ledger.note("a", kLeft);
+  EXPECT_TRUE(ledger.allDone(ros::Time(1e9)));
+}
+
+TEST(DoneLedger, StartAgainForgetsTheOldRunOnly)
+{
+  DoneLedger ledger({"old", "new", "left"});
+  ledger.note("old", ros::Time(7.0));
+  ledger.note("new", ros::Time(1.0));
+  ledger.note("left", kLeft);
+  ledger.startAgain(ros::Time(1.0));
+  EXPECT_FALSE(ledger.allDone(ros::Time(1.0)));
+  ledger.note("old", ros::Time(1.0));
+  EXPECT_TRUE(ledger.allDone(ros::Time(1.0)));
+}
+
+int main(int argc, char ** argv)
+{
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

@@ -4,11 +4,13 @@
 import threading
 import unittest
 
+import pytest
 import rospy
 import rostest
-import sim2d_lockstep
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Header
+
+import sim2d_lockstep
 
 PERIOD_NS = 25_000_000
 LEFT_SECS = 2147483647
@@ -58,9 +60,9 @@ class PythonModuleTest(unittest.TestCase):
         for period in range(1, 21):
             stamp = rospy.Time(0, period * PERIOD_NS)
             got = simulator.publish_clock_until(lambda: participant.wait_for_period(0.05), stamp)
-            self.assertEqual(got, stamp)
+            assert got == stamp
             participant.done(got)
-            self.assertTrue(simulator.wait_for(("robot1/race_mgr", stamp)))
+            assert simulator.wait_for(("robot1/race_mgr", stamp))
 
     def test_waiting_lets_other_python_threads_run(self):
         participant = sim2d_lockstep.Participant("patient")
@@ -69,25 +71,24 @@ class PythonModuleTest(unittest.TestCase):
         turns = 0
         while waiting.is_alive():
             turns += 1
-        self.assertGreater(turns, 1000)
+        assert turns > 1000
 
     def test_leaving_is_heard(self):
         simulator = self.start_simulator()
         participant = sim2d_lockstep.Participant("leaver")
         participant.leave()
-        self.assertTrue(simulator.wait_for(("leaver", rospy.Time(LEFT_SECS, 0))))
-        self.assertIsNone(participant.wait_for_period(LONG))
+        assert simulator.wait_for(("leaver", rospy.Time(LEFT_SECS, 0)))
+        assert participant.wait_for_period(LONG) is None
 
     def test_answer_reaches_one_who_connects_later(self):
         stamp = rospy.Time(0, PERIOD_NS)
-        sim2d_lockstep.Participant("early").done(stamp)
+        participant = sim2d_lockstep.Participant("early")
+        participant.done(stamp)
         late = self.start_simulator()
-        self.assertTrue(late.wait_for(("early", stamp)))
+        assert late.wait_for(("early", stamp))
 
     def test_wrong_name_is_a_value_error(self):
-        with self.assertRaisesRegex(
-            ValueError, 'found "/a", expected a node\'s name without the leading slash'
-        ):
+        with pytest.raises(ValueError, match='found "/a", expected a node\'s name without the leading slash'):
             sim2d_lockstep.Participant("/a")
 
 

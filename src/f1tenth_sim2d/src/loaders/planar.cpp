@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/geometry/algorithms/convex_hull.hpp>
+#include <boost/geometry/algorithms/is_valid.hpp>
 #include <boost/geometry/geometries/register/multi_point.hpp>
 #include <boost/geometry/geometries/register/point.hpp>
 #include <boost/geometry/geometries/ring.hpp>
@@ -15,6 +16,9 @@ namespace f1tenth_sim2d
 {
 namespace
 {
+/// Counter-clockwise, without its closing corner.
+using Ring = boost::geometry::model::ring<Vec2, false, false>;
+
 /// Whether b adds nothing to the line from a to c: on it, a spike, or a copy of a neighbour.
 bool isRedundant(const Vec2 & a, const Vec2 & b, const Vec2 & c)
 {
@@ -60,12 +64,18 @@ Outline withoutRedundantCorners(Outline outline)
   return outline.size() >= 3 ? outline : Outline{};
 }
 
+bool isSimple(const Outline & outline)
+{
+  const Outline corners = withoutRedundantCorners(outline);
+  return !corners.empty() && boost::geometry::is_valid(Ring(corners.begin(), corners.end()));
+}
+
 ConvexPolygon convexHull(const std::vector<Vec2> & points)
 {
   if (points.size() < 3) {
     return {};
   }
-  boost::geometry::model::ring<Vec2, false, false> hull;
+  Ring hull;
   boost::geometry::convex_hull(points, hull);
   return withoutRedundantCorners({hull.begin(), hull.end()});
 }

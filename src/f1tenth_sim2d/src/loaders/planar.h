@@ -20,6 +20,9 @@ double signedArea(const Outline & outline);
 /// Empty if nothing with an area is left.
 Outline withoutRedundantCorners(Outline outline);
 
+/// Whether an outline encloses an area and does not cross or touch itself.
+bool isSimple(const Outline & outline);
+
 /// Convex hull of points; empty if they lie on a line.
 ConvexPolygon convexHull(const std::vector<Vec2> & points);
 }  // namespace f1tenth_sim2d

@@ -1,0 +1,94 @@
+#include <filesystem>
+#include <sdf/World.hh>
+
+#include "f1tenth_sim2d/errors.h"
+#include "f1tenth_sim2d/loaders.h"
+#include "sdf_document.h"
+#include "sdf_models.h"
+#include "uri_lookup.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+using ignition::math::Pose3d;
+
+void requireFile(const std::string & path)
+{
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) {
+    throw LoadError(path, "", "no such file");
+  }
+  if (!std::filesystem::is_regular_file(status)) {
+    throw LoadError(path, "", "is not a file");
+  }
+}
+
+const sdf::World & onlyWorld(const sdf::Root & root, const std::string & path)
+{
+  if (root.WorldCount() != 1) {
+    throw LoadError(path, "", "holds " + std::to_string(root.WorldCount()) + " worlds, allowed is one <world>");
+  }
+  return *root.WorldByIndex(0);
+}
+
+/// A world that Gazebo saved carries its models' last poses in <state>, and Gazebo starts from those.
+Pose3d startPose(const sdf::World & world, const sdf::Model & model, const std::string & file)
+{
+  const sdf::ElementPtr state = world.Element()->FindElement("state");
+  for (auto saved = state ? state->FindElement("model") : nullptr; saved; saved = saved->GetNextElement("model")) {
+    if (saved->Get<std::string>("name") == model.Name() && saved->HasElement("pose")) {
+      return saved->Get<Pose3d>("pose");
+    }
+  }
+  return resolvePose(model.SemanticPose(), "", model.Element(), file);
+}
+
+void readWorldChildren(const sdf::World & world, WorldDescription & description, WarningCollector & warnings)
+{
+  for (auto child = world.Element()->GetFirstElement(); child; child = child->GetNextElement()) {
+    const std::string tag = child->GetName();
+    if (tag == "population") {
+      throw LoadError(description.file, elementPath(child), "is not supported; write its models one by one");
+    }
+    if (tag == "light") {
+      warnings.add("<light> is left out: a lidar needs none", elementPath(child));
+    } else if (tag == "actor" || tag == "road") {
+      warnings.add("<" + tag + "> is left out: it has no collision", elementPath(child));
+    } else if (tag == "plugin") {
+      description.plugins.push_back(readPlugin(child));
+      warnings.add("<plugin> of a world is left out: only cars have plugins", elementPath(child));
+    }
+  }
+}
+
+WorldDescription describe(const sdf::World & world, const std::string & path, WarningCollector & warnings)
+{
+  WorldDescription description;
+  description.file = path;
+  description.name = world.Name();
+  description.gravity = -world.Gravity().Z();
+  readWorldChildren(world, description, warnings);
+  for (std::uint64_t i = 0; i < world.ModelCount(); ++i) {
+    const sdf::Model & model = *world.ModelByIndex(i);
+    appendModel(model, startPose(world, model, path), path, description.models, warnings);
+  }
+  return description;
+}
+}  // namespace
+
+WorldDescription loadWorld(const std::string & path, const ModelPath & model_path)
+{
+  requireFile(path);
+  const SdfMessages messages;
+  const UriLookup uris(model_path, path);
+  WarningCollector warnings;
+  sdf::Root root;
+  const sdf::Errors errors = root.Load(path, parserConfig([&uris](const std::string & uri) { return uris.find(uri); }));
+  checkSdfErrors(errors, messages, root, path, "; searched: " + uris.searchedFolders(), warnings);
+  WorldDescription description = describe(onlyWorld(root, path), path, warnings);
+  description.warnings = warnings.messages();
+  return description;
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,168 @@
+#include "sdf_shapes.h"
+
+#include <cmath>
+#include <ignition/math/Vector2.hh>
+#include <sdf/Geometry.hh>
+#include <sdf/Plane.hh>
+
+#include "f1tenth_sim2d/errors.h"
+#include "planar.h"
+#include "sdf_document.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+using ignition::math::Vector2d;
+using ignition::math::Vector3d;
+
+std::string toText(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+/// Reads the children of one element, and says where they are when they are wrong.
+class ElementReader
+{
+public:
+  ElementReader(sdf::ElementPtr element, const std::string & file) : element_(std::move(element)), file_(file) {}
+
+  [[noreturn]] void fail(const std::string & reason) const { throw LoadError(file_, elementPath(element_), reason); }
+
+  /// A child that SDF would silently give a default size is asked for.
+  template <typename T>
+  T required(const std::string & tag) const
+  {
+    if (!element_->HasElement(tag) || !element_->GetElement(tag)->GetExplicitlySetInFile()) {
+      fail("has no <" + tag + ">");
+    }
+    return element_->Get<T>(tag);
+  }
+
+  double positive(const std::string & tag) const
+  {
+    const double value = required<double>(tag);
+    requirePositive(tag, value);
+    return value;
+  }
+
+  void requirePositive(const std::string & tag, double value) const
+  {
+    if (!std::isfinite(value) || value <= 0.0) {
+      fail("<" + tag + "> is " + toText(value) + ", allowed are finite numbers greater than 0");
+    }
+  }
+
+  double notNegative(const std::string & tag, double fallback) const
+  {
+    const double value = element_->Get<double>(tag, fallback).first;
+    if (!std::isfinite(value) || value < 0.0) {
+      fail("<" + tag + "> is " + toText(value) + ", allowed are finite numbers from 0");
+    }
+    return value;
+  }
+
+private:
+  sdf::ElementPtr element_;
+  const std::string & file_;
+};
+
+Box readBox(const ElementReader & element)
+{
+  const auto size = element.required<Vector3d>("size");
+  for (const double edge : {size.X(), size.Y(), size.Z()}) {
+    element.requirePositive("size", edge);
+  }
+  return {size};
+}
+
+/// A plane is a half space; its pose turns z to the normal.
+Plane readPlane(const ElementReader & element, const sdf::ElementPtr & plane, ignition::math::Pose3d & pose)
+{
+  const auto normal = plane->Get<Vector3d>("normal", Vector3d::UnitZ).first;
+  if (!normal.IsFinite() || normal.Length() < kTolerance) {
+    element.fail("<normal> has no direction");
+  }
+  pose.Rot().From2Axes(Vector3d::UnitZ, normal);
+  return {};
+}
+
+Polyline readPolyline(const ElementReader & element, const sdf::ElementPtr & polyline)
+{
+  if (polyline->GetNextElement("polyline")) {
+    element.fail("has a second <polyline> beside it; allowed is one, holes are not supported");
+  }
+  Outline outline;
+  for (auto point = polyline->FindElement("point"); point; point = point->GetNextElement("point")) {
+    const auto corner = point->Get<Vector2d>();
+    if (!corner.IsFinite()) {
+      element.fail("<point> is not finite");
+    }
+    outline.push_back({corner.X(), corner.Y()});
+  }
+  if (!isSimple(outline)) {
+    element.fail("is not an outline: allowed are at least three points whose edges enclose an area and do not cross");
+  }
+  return {withoutRedundantCorners(outline), element.positive("height")};
+}
+
+Shape readShape(const sdf::ElementPtr & geometry, const std::string & file, ignition::math::Pose3d & pose)
+{
+  const sdf::ElementPtr kind = geometry->GetFirstElement();
+  if (!kind) {
+    ElementReader(geometry, file).fail("is empty; allowed are <box>, <cylinder>, <sphere>, <polyline> and <plane>");
+  }
+  const ElementReader element(kind, file);
+  const std::string name = kind->GetName();
+  if (name == "box") {
+    return readBox(element);
+  }
+  if (name == "cylinder") {
+    return Cylinder{element.positive("radius"), element.positive("length")};
+  }
+  if (name == "sphere") {
+    return Sphere{element.positive("radius")};
+  }
+  if (name == "polyline") {
+    return readPolyline(element, kind);
+  }
+  if (name == "plane") {
+    return readPlane(element, kind, pose);
+  }
+  element.fail("is not supported as a collision; allowed are <box>, <cylinder>, <sphere>, <polyline> and <plane>");
+}
+
+/// The element at the end of a path of tags; null if there is none.
+sdf::ElementPtr descend(sdf::ElementPtr element, std::initializer_list<const char *> tags)
+{
+  for (const char * const tag : tags) {
+    if (!element || !element->HasElement(tag)) {
+      return nullptr;
+    }
+    element = element->GetElement(tag);
+  }
+  return element;
+}
+}  // namespace
+
+Solid readCollision(const sdf::Collision & collision, const std::string & scoped_name, const std::string & file)
+{
+  Solid solid;
+  solid.name = scoped_name;
+  const sdf::ElementPtr element = collision.Element();
+  const sdf::ElementPtr geometry = descend(element, {"geometry"});
+  if (!geometry) {
+    ElementReader(element, file).fail("has no <geometry>");
+  }
+  solid.shape = readShape(geometry, file, solid.pose);
+  if (const auto friction = descend(element, {"surface", "friction", "ode"})) {
+    solid.mu = ElementReader(friction, file).notNegative("mu", solid.mu);
+  }
+  if (const auto bounce = descend(element, {"surface", "bounce"})) {
+    solid.restitution = ElementReader(bounce, file).notNegative("restitution_coefficient", solid.restitution);
+  }
+  return solid;
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,122 @@
+#include <pybind11/stl.h>
+
+#include <optional>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "f1tenth_sim2d/loaders.h"
+#include "f1tenth_sim2d/section.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+namespace py = pybind11;
+
+Section sectionOfStaticModels(const WorldDescription & world, double z)
+{
+  Section all;
+  for (const ModelDescription & model : world.models) {
+    for (const Solid & solid : model.solids) {
+      if (model.is_static) {
+        const Section section = sectionAt(solid, model.pose * solid.pose, z);
+        all.outlines.insert(all.outlines.end(), section.outlines.begin(), section.outlines.end());
+        all.circles.insert(all.circles.end(), section.circles.begin(), section.circles.end());
+      }
+    }
+  }
+  return all;
+}
+
+py::array_t<double> toArray(const std::vector<Circle> & circles)
+{
+  py::array_t<double> array({static_cast<py::ssize_t>(circles.size()), py::ssize_t{3}});
+  auto cells = array.mutable_unchecked<2>();
+  for (std::size_t i = 0; i < circles.size(); ++i) {
+    const auto row = static_cast<py::ssize_t>(i);
+    cells(row, 0) = circles[i].centre.x;
+    cells(row, 1) = circles[i].centre.y;
+    cells(row, 2) = circles[i].radius;
+  }
+  return array;
+}
+
+py::tuple section(const WorldDescription & world, double z)
+{
+  if (!std::isfinite(z)) {
+    throw py::value_error("z is not finite");
+  }
+  const Section section = sectionOfStaticModels(world, z);
+  py::list outlines;
+  for (const Outline & outline : section.outlines) {
+    outlines.append(f1tenth_sim2d::toArray(outline));
+  }
+  return py::make_tuple(outlines, toArray(section.circles));
+}
+
+WorldDescription load(const std::string & path, const std::optional<ModelPath> & model_path)
+{
+  return loadWorld(path, model_path ? *model_path : modelPathFromEnvironment());
+}
+}  // namespace
+
+void bindWorld(py::module_ & module)
+{
+  py::class_<ModelDescription>(module, "Model", "A rigid model of a world.")
+    .def_readonly("name", &ModelDescription::name, "Name; that of a nested model is \"outer::inner\".")
+    .def_readonly("is_static", &ModelDescription::is_static, "Whether it stays where it is whatever pushes it.")
+    .def_readonly("mass", &ModelDescription::mass, "Mass of all links, kg.")
+    .def_property_readonly(
+      "pose",
+      [](const ModelDescription & model) {
+        return py::make_tuple(model.pose.Pos().X(), model.pose.Pos().Y(), model.pose.Rot().Yaw());
+      },
+      "Pose in the world at the start: (x, y, yaw), m and rad.")
+    .def_property_readonly(
+      "collisions",
+      [](const ModelDescription & model) {
+        std::vector<std::string> names;
+        for (const Solid & solid : model.solids) {
+          names.push_back(solid.name);
+        }
+        return names;
+      },
+      "Scoped names of the collision elements, \"model::link::collision\".");
+
+  py::class_<WorldDescription>(module, "World", "A world as its file describes it; see load_world.")
+    .def_readonly("file", &WorldDescription::file, "Path it was read from.")
+    .def_readonly("name", &WorldDescription::name)
+    .def_readonly("gravity", &WorldDescription::gravity, "Downwards, m/s^2.")
+    .def_readonly("models", &WorldDescription::models, "All models.")
+    .def_readonly("warnings", &WorldDescription::warnings, "What was left out: one line a kind.")
+    .def(
+      "section", &section, py::arg("z"),
+      R"(What a level lidar at height z sees of the static models.
+
+Args:
+    z: height in the world, m.
+
+Returns:
+    (outlines, circles): outlines is a list of float64 arrays of shape (n, 2), the corners of a closed outline
+    in the world, m, counter-clockwise around solid matter; circles is a float64 array of shape (m, 3) of centres
+    and radii (x, y, radius), m. Outlines may overlap or share edges.
+
+Raises:
+    ValueError: z is not finite.
+)");
+
+  module.def(
+    "load_world", &load, py::arg("path"), py::arg("model_path") = py::none(),
+    R"(Read an SDF world file.
+
+Args:
+    path: the .world file.
+    model_path: folders in which model:// URIs are looked up, in order; default: those of GAZEBO_MODEL_PATH.
+        Afterwards the world file's folder, the folder models in it and the one beside it are looked through.
+
+Raises:
+    LoadError: a missing or malformed file, or something that would make the simulation wrong.
+)",
+    py::call_guard<py::gil_scoped_release>());
+}
+}  // namespace f1tenth_sim2d

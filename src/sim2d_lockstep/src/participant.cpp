@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "done_ledger.h"
+#include "sim2d_lockstep/done_ledger.h"
 
 namespace sim2d_lockstep
 {

@@ -1,4 +1,4 @@
-#include "done_ledger.h"
+#include "sim2d_lockstep/done_ledger.h"
 
 #include <gtest/gtest.h>
 
@@ -34,6 +34,13 @@ TEST(DoneLedger, DoesNotWaitForWhoHasLeft)
   DoneLedger ledger({"a"});
   ledger.note("a", kLeft);
   EXPECT_TRUE(ledger.allDone(ros::Time(1e9)));
+}
+
+TEST(DoneLedger, NamesWhoIsMissingInTheOrderGiven)
+{
+  DoneLedger ledger({"c", "a", "b"});
+  ledger.note("a", ros::Time(1.0));
+  EXPECT_EQ(ledger.missing(ros::Time(1.0)), (std::vector<std::string>{"c", "b"}));
 }
 
 TEST(DoneLedger, StartAgainForgetsTheOldRunOnly)

@@ -2,14 +2,14 @@
 
 #include <ros/time.h>
 
-#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sim2d_lockstep
 {
-/// Up to which simulated time each of some participants has acted.
+/// Up to which simulated time each of some participants has acted. Stamps as in /sim2d/done.
 class DoneLedger
 {
 public:
@@ -18,10 +18,13 @@ public:
   /// Names that are not in the ledger are ignored. The latest word counts, even if it is an earlier time.
   void note(const std::string & name, const ros::Time & stamp);
   bool allDone(const ros::Time & stamp) const;
+  /// Names that have not acted up to stamp, in the order given.
+  std::vector<std::string> missing(const ros::Time & stamp) const;
   /// Time has jumped back to stamp: forgets what was said for later times, but not who has left.
   void startAgain(const ros::Time & stamp);
 
 private:
-  std::map<std::string, std::optional<ros::Time>> done_;
+  // A handful of names: searching in order is quicker than a map and keeps the order.
+  std::vector<std::pair<std::string, std::optional<ros::Time>>> done_;
 };
 }  // namespace sim2d_lockstep

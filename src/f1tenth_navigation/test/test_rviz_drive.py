@@ -1,0 +1,109 @@
+"""A user's first minute: simulator, rviz, a click on the map, and the car drives there."""
+
+import contextlib
+import math
+import os
+
+import pytest
+import rosgraph
+import rospy
+from geometry_msgs.msg import PoseStamped
+from nav_msgs.msg import Odometry
+from PIL import Image
+from ros_session import Latest, free_port, launched, missing_nodes, wait_until
+from screen import Screen, missing_programs
+
+NODES = [("f1tenth_sim2d", "sim2d"), ("map_server", "map_server"), ("move_base", "move_base")]
+MISSING = ", ".join([*missing_programs(), *missing_nodes(NODES)])
+
+# Where one_car.rviz shows the map.
+VIEW_CENTRE = (1.0, 2.5)  # m
+VIEW_CENTRE_PIXEL = (874, 466)
+PIXELS_PER_METRE = 55
+
+# How one_car.rviz shows what there is.
+COLOURS = {
+    "map": (199, 201, 202),
+    "car model": (18, 59, 140),
+    "scan": (255, 60, 60),
+    "global plan": (0, 200, 80),
+    "local plan": (255, 170, 0),
+}
+TOPICS = {
+    "/map",
+    "/robot1/scan",
+    "/robot1/perfect_odom",
+    "/robot1/move_base/global_plan",
+    "/robot1/move_base/local_plan",
+}
+GOAL = (5.0, 0.0)  # m, straight on from the start
+
+
+def pixel(x, y):
+    return (
+        round(VIEW_CENTRE_PIXEL[0] + (x - VIEW_CENTRE[0]) * PIXELS_PER_METRE),
+        round(VIEW_CENTRE_PIXEL[1] - (y - VIEW_CENTRE[1]) * PIXELS_PER_METRE),
+    )
+
+
+def near(wanted, colour):
+    """Whether colours differ by no more than light and blending explain."""
+    return all(abs(a - b) <= 10 for a, b in zip(wanted, colour))
+
+
+class User:
+    """Looks at the screen, and uses mouse and keyboard."""
+
+    def __init__(self, screen, folder):
+        self.screen = screen
+        self.picture = os.path.join(folder, "rviz.png")
+        self.odometry = Latest("/robot1/perfect_odom", Odometry)
+        self.goal = Latest("/robot1/move_base_simple/goal", PoseStamped)
+
+    def wait_for_rviz(self):
+        self.odometry.get(60)
+        self.screen.focus("RViz")
+        wait_until(lambda: self.rviz_subscriptions() >= TOPICS, 30, "rviz listens to everything")
+        wait_until(lambda: self.sees("map", "car model", "scan"), 30, "map, car and scan are in the picture")
+
+    def rviz_subscriptions(self):
+        _, subscribers, _ = rosgraph.Master(rospy.get_name()).getSystemState()
+        return {topic for topic, nodes in subscribers if "/rviz" in nodes}
+
+    def sees(self, *things):
+        self.screen.save_picture(self.picture)
+        with Image.open(self.picture) as image:
+            colours = [colour for _, colour in image.convert("RGB").getcolors(1 << 24)]
+        return all(any(near(COLOURS[thing], colour) for colour in colours) for thing in things)
+
+    def distance_to(self, place):
+        position = self.odometry.get(5).pose.pose.position
+        return math.dist((position.x, position.y), place)
+
+
+@pytest.fixture
+def user(tmp_path, monkeypatch):
+    monkeypatch.setenv("ROS_MASTER_URI", f"http://localhost:{free_port()}")
+    with contextlib.ExitStack() as resources:
+        screen = resources.enter_context(contextlib.closing(Screen()))
+        resources.enter_context(launched("f1tenth_gazebo", "sim_one_car.launch", "world_file_name:=circuit1"))
+        wait_until(rosgraph.is_master_online, 30, "there is a master")
+        rospy.init_node("rviz_drive_test", disable_signals=True)
+        resources.callback(rospy.signal_shutdown, "the test has ended")
+        resources.enter_context(launched("f1tenth_navigation", "rviz.launch", environment=screen.environment))
+        yield User(screen, os.environ.get("F1TENTH_PICTURES", tmp_path))
+
+
+@pytest.mark.skipif(bool(MISSING), reason=f"not there: {MISSING}")
+def test_car_drives_to_the_place_that_is_clicked_on(user):
+    user.wait_for_rviz()
+    user.screen.press_key("g")
+    user.screen.drag(pixel(*GOAL), pixel(GOAL[0] + 1.0, GOAL[1]))
+
+    goal = user.goal.get(10).pose
+    assert math.dist((goal.position.x, goal.position.y), GOAL) < 0.2
+    assert abs(goal.orientation.z) < 0.1
+
+    wait_until(lambda: user.distance_to(GOAL) < 4.0, 30, "the car is on its way")
+    assert user.sees(*COLOURS)
+    wait_until(lambda: user.distance_to(GOAL) < 0.5, 30, "the car is at its goal")

@@ -15,19 +15,22 @@ def replace_files(contents):
     temporary = {path: path.with_name(f".{path.name}.{os.getpid()}.tmp") for path in contents}
     try:
         for path, content in contents.items():
-            _guard(path, _check_replaceable)
-            _guard(path, lambda _, place=temporary[path], data=content: _write(place, data))
+            with _naming(path):
+                _check_replaceable(path)
+                _write(temporary[path], content)
         for path in contents:
-            _guard(path, lambda place, source=temporary[path]: os.replace(source, place))
+            with _naming(path):
+                os.replace(temporary[path], path)
     finally:
         for path in temporary.values():
             with contextlib.suppress(OSError):
                 path.unlink()
 
 
-def _guard(path, action):
+@contextlib.contextmanager
+def _naming(path):
     try:
-        action(path)
+        yield
     except OSError as error:
         raise MapSaveError(f"{path}: cannot be written: {error.strerror}") from error
 
@@ -40,7 +43,7 @@ def _check_replaceable(path):
 
 
 def _write(path, content):
-    with open(path, "xb") as file:
+    with path.open("xb") as file:
         file.write(content)
         file.flush()
         os.fsync(file.fileno())

@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+"""Drives the Python class as navigation_mgr_driver.cpp drives the C++ one.
+
+navigation_mgr_driver.py ROBOT GOALS_FILE [loop|cancel]
+"""
+
+import sys
+
+import rospy
+
+from f1tenth_navigation_mgr import NavigationError, NavigationMgr, SpinResult, Timeouts
+
+LOOPED_GOALS = 5
+SPINS_AFTER_END = 5
+NO_EVENT = (SpinResult.NOT_CONNECTED, SpinResult.DRIVING, SpinResult.IDLE)
+
+
+def say(text):
+    print(text, flush=True)
+
+
+def say_result(result):
+    say(f"goal {result.goal.x:g} {result.outcome.name.lower()}: {result.text}")
+
+
+def drive(navmgr, mode):
+    over = False
+    left = SPINS_AFTER_END
+    while not rospy.is_shutdown() and left > 0:
+        did = navmgr.spin()
+        if did not in NO_EVENT:
+            say(did.name.lower())
+        if did == SpinResult.SENT and (mode == "cancel" or len(navmgr.results) >= LOOPED_GOALS):
+            navmgr.clear_goals()
+            navmgr.cancel()
+        over = over or did == SpinResult.QUEUE_EMPTY
+        left -= over
+
+
+def short_timeouts():
+    timeouts = Timeouts()
+    timeouts.resend, timeouts.acknowledge, timeouts.disconnect = 0.2, 1.0, 0.5
+    timeouts.silence, timeouts.result = 1.0, 0.5
+    return timeouts
+
+
+def main():
+    # In the same process, to prove that they get along.
+    rospy.init_node("driver", anonymous=True)
+    arguments = rospy.myargv()[1:]
+    mode = arguments[2] if len(arguments) > 2 else ""
+    try:
+        navmgr = NavigationMgr(arguments[0], short_timeouts())
+        navmgr.load_goals(arguments[1])
+    except NavigationError as error:
+        say(error)
+        return 2
+    navmgr.loop_mode = mode == "loop"
+    navmgr.on_goal_reached(say_result)
+    navmgr.on_goal_failed(say_result)
+    drive(navmgr, mode)
+    return 0
+
+
+sys.exit(main())

@@ -1,0 +1,1 @@
+"""A car's race: start signal, goals in order, status."""

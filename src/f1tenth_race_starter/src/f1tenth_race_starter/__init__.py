@@ -1,0 +1,1 @@
+"""The countdown to the start of a race."""

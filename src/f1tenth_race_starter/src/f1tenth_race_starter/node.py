@@ -1,0 +1,88 @@
+"""The node race_starter: announces what the Countdown says is due."""
+
+import time
+import warnings
+
+import rospy
+from std_msgs.msg import Int32
+
+from f1tenth_race_starter.countdown import Countdown
+from f1tenth_race_starter.parameters import ParameterError, parse_parameters
+
+EXIT_STARTED = 0
+EXIT_STOPPED = 1
+EXIT_BAD_INPUT = 2
+
+POLL_PERIOD = 0.005  # wall s
+PERIOD_TIMEOUT = 0.1  # wall s, how long a stop request may wait
+
+
+class RaceStarter:
+    """Publishes the countdown, by the clock or once per period in lockstep."""
+
+    def __init__(self, parameters):
+        self._parameters = parameters
+        self._countdown = Countdown(parameters.time_to_start)
+        self._publisher = _synchronous_publisher("time_to_start", Int32)
+
+    def run(self):
+        """Block until the 0 is announced and `linger` is over, or ROS shuts down; return the exit code."""
+        if self._parameters.lockstep:
+            self._run_in_lockstep()
+        else:
+            self._run_by_clock()
+        if not self._countdown.finished:
+            return EXIT_STOPPED
+        self._linger()
+        return EXIT_STARTED
+
+    def _run_by_clock(self):
+        # Not rospy.sleep: it does not return when the clock stops.
+        while not (rospy.is_shutdown() or self._countdown.finished):
+            self._announce(rospy.get_rostime())
+            time.sleep(POLL_PERIOD)
+
+    def _run_in_lockstep(self):
+        from sim2d_lockstep import Participant
+
+        participant = Participant(rospy.get_name().lstrip("/"))
+        while not (rospy.is_shutdown() or self._countdown.finished):
+            stamp = participant.wait_for_period(PERIOD_TIMEOUT)
+            if stamp is not None:
+                self._announce(stamp)
+                participant.done(stamp)
+        participant.leave()
+
+    def _announce(self, now):
+        for seconds_left in self._countdown.update(now.to_nsec()):
+            self._publisher.publish(seconds_left)
+            rospy.loginfo("%d s to the start", seconds_left)
+
+    def _linger(self):
+        # A latched message is gone with its node; who connects a little late is to get the start signal too.
+        end = time.monotonic() + self._parameters.linger
+        while not rospy.is_shutdown() and time.monotonic() < end:
+            time.sleep(POLL_PERIOD)
+
+
+def _synchronous_publisher(topic, message_type):
+    """Return a latched publisher whose publish() has written to every subscriber's socket when it returns.
+
+    With a queue, rospy writes in a thread of its own: the message could be overtaken by the `done` that says
+    it was sent, and could be lost when the node ends. rospy warns of a stalled subscriber blocking the
+    publisher; six messages of four bytes fill no buffer.
+    """
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", SyntaxWarning)
+        return rospy.Publisher(topic, message_type, latch=True, queue_size=None)
+
+
+def main():
+    """Run the node; return its exit code."""
+    rospy.init_node("race_starter")
+    try:
+        parameters = parse_parameters(rospy.get_param("~", {}), rospy.get_name())
+    except ParameterError as error:
+        rospy.logfatal("%s", error)
+        return EXIT_BAD_INPUT
+    return RaceStarter(parameters).run()

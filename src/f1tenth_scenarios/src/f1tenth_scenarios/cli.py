@@ -1,0 +1,128 @@
+"""The command `scenario`: list, check, run, keys."""
+
+import argparse
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Optional
+
+from f1tenth_scenarios import places
+from f1tenth_scenarios.console import ProgressLine, summary
+from f1tenth_scenarios.describe import describe_keys
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.plan import make_plan
+from f1tenth_scenarios.private_master import private_master
+from f1tenth_scenarios.scenario import Scenario, read_scenario
+from f1tenth_scenarios.stop_request import StopRequest
+
+# Exit codes.
+PASSED, NOT_PASSED, BAD_INPUT = 0, 1, 2
+
+
+def main(arguments: Optional[Sequence[str]] = None) -> int:
+    """Run the command; returns the exit code."""
+    options = _parser().parse_args(arguments)
+    try:
+        return options.action(options)
+    except ScenarioError as error:
+        print(f"scenario: {error}", file=sys.stderr)
+        return BAD_INPUT
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="scenario", description="Runs and judges scenarios of the F1/10 car."
+    )
+    commands = parser.add_subparsers(metavar="COMMAND", required=True)
+    _add(commands, "list", _list, "print the scenarios and what each of them tests")
+    _add(commands, "keys", _keys, "print all keys of a scenario file")
+    check = _add(commands, "check", _check, "validate scenarios without running them")
+    check.add_argument("names", nargs="*", metavar="NAME", help="scenario or file; default: all")
+    run = _add(commands, "run", _run, "run scenarios; exit code 0 if each ended as expected")
+    run.add_argument("names", nargs="+", metavar="NAME", help="scenario or file")
+    run.add_argument(
+        "--results",
+        type=Path,
+        metavar="FOLDER",
+        help="write to FOLDER/NAME; default: $F1TENTH_RESULTS/NAME or results/NAME of the workspace",
+    )
+    return parser
+
+
+def _add(commands, name, action, text):
+    command = commands.add_parser(name, help=text, description=text)
+    command.set_defaults(action=action)
+    return command
+
+
+def _list(_options) -> int:
+    for name in places.scenario_names():
+        scenario = read_scenario(places.scenario_file(name))
+        print(f"{name:24}{scenario.expected.value:11}{scenario.description}")
+    return PASSED
+
+
+def _keys(_options) -> int:
+    print(describe_keys(Scenario))
+    return PASSED
+
+
+def _check(options) -> int:
+    failed = 0
+    for name in options.names or places.scenario_names():
+        try:
+            print(f"{make_plan(name).name}: ok")
+        except ScenarioError as error:
+            failed += 1
+            print(error, file=sys.stderr)
+    return BAD_INPUT if failed else PASSED
+
+
+def _run(options) -> int:
+    if len(options.names) == 1:
+        return _run_one(options.names[0], options.results)
+    for name in options.names:
+        make_plan(name)
+    return _run_each(options.names, options.results)
+
+
+def _run_one(name: str, results: Optional[Path]) -> int:
+    plan = make_plan(name, results.resolve() / places.scenario_file(name).stem if results else None)
+    # Imported late: rospy takes longer than listing and checking.
+    from f1tenth_scenarios.ros_session import run_with_ros
+
+    progress = ProgressLine(plan.name)
+    with StopRequest().listening() as stop, private_master():
+        result = run_with_ros(plan, stop, progress.update)
+    progress.clear()
+    print(summary(result, plan), flush=True)
+    if stop.signal:
+        return 128 + stop.signal
+    return PASSED if result.passed else NOT_PASSED
+
+
+def _run_each(names: Sequence[str], results: Optional[Path]) -> int:
+    """A process for each, because a process can be a ROS node only once."""
+    options = ["--results", str(results)] if results else []
+    codes = []
+    with StopRequest().listening() as stop:
+        for name in names:
+            with subprocess.Popen([sys.executable, sys.argv[0], "run", *options, name]) as child:
+                codes.append(_wait(child, stop))
+            if stop.signal:
+                return 128 + stop.signal
+    passed = codes.count(PASSED)
+    print(f"{passed} of {len(codes)} scenarios passed")
+    return PASSED if passed == len(codes) else NOT_PASSED
+
+
+def _wait(child, stop) -> int:
+    told = False
+    while True:
+        try:
+            return child.wait(0.1)
+        except subprocess.TimeoutExpired:
+            if stop.signal and not told:
+                child.send_signal(stop.signal)
+                told = True

@@ -1,0 +1,89 @@
+"""What a person or a script reads of a run."""
+
+import sys
+import time
+from typing import Optional, TextIO
+
+from f1tenth_scenarios import criteria
+from f1tenth_scenarios.criteria import Status
+from f1tenth_scenarios.plan import Plan
+from f1tenth_scenarios.result import PICTURE_FILE, RESULT_FILE, Result
+
+_REDRAW_INTERVAL = 0.2  # wall s
+
+
+class ProgressLine:
+    """One line that is drawn over and over; nothing where the output is no terminal."""
+
+    def __init__(self, name: str, stream: TextIO = sys.stderr):
+        self._name = name
+        self._stream = stream
+        self._shown = stream.isatty()
+        self._next = 0.0
+        self._first: Optional[tuple[float, float]] = None
+
+    def update(self, simulated: Optional[float], wall: float) -> None:
+        """Show how far the run is: simulated and wall time, s."""
+        if not self._shown or time.monotonic() < self._next:
+            return
+        self._next = time.monotonic() + _REDRAW_INTERVAL
+        self._stream.write(f"\r\033[K{self._name}  {self._text(simulated, wall)}")
+        self._stream.flush()
+
+    def clear(self) -> None:
+        """Leave an empty line."""
+        if self._shown:
+            self._stream.write("\r\033[K")
+            self._stream.flush()
+
+    def _text(self, simulated, wall):
+        if simulated is None:
+            return f"starting  {wall:.0f} s"
+        if self._first is None:
+            self._first = (simulated, wall)
+        passed = wall - self._first[1]
+        factor = f"  {(simulated - self._first[0]) / passed:.1f}x real time" if passed > 0.5 else ""
+        return f"{simulated:.1f} s simulated{factor}"
+
+
+def summary(result: Result, plan: Plan) -> str:
+    """The outcome in lines of `name: value`, for a person and for grep."""
+    decision = result.judgement.decision
+    laps = [time for car in plan.scenario.cars for time in result.lap_times(car.name)]
+    lines = [
+        ("scenario", result.name),
+        ("verdict", f"{decision.verdict.value} (expected {plan.scenario.expected.value})"),
+        ("passed", "yes" if result.passed else "no"),
+        ("reason", result.reason),
+        ("lap time", _unit(min(laps, default=None), "s", 3)),
+        ("minimum clearance", _unit(criteria.minimum_clearance(result.judgement), "m", 3)),
+        ("real-time factor", _unit(result.real_time_factor, "", 1)),
+        *_failed_criteria(result),
+        *_culprit_log(result),
+        ("result", str(plan.folder / RESULT_FILE)),
+        ("picture", str(plan.folder / PICTURE_FILE)),
+    ]
+    return "\n".join(f"{name + ':' if name else '':19}{value}" for name, value in lines)
+
+
+def _failed_criteria(result):
+    for criterion in result.criteria:
+        if criterion.status is Status.FAILED:
+            yield (
+                "failed",
+                (
+                    f"{criterion.name}: {criterion.actual} {criterion.unit}".rstrip()
+                    + f", limit {criterion.limit} {criterion.unit}".rstrip()
+                ),
+            )
+
+
+def _culprit_log(result):
+    failure = result.judgement.failure
+    if failure and failure.log_file:
+        yield "log", failure.log_file
+        yield from (("", line) for line in failure.log_lines)
+
+
+def _unit(value, unit, digits):
+    return "none" if value is None else f"{value:.{digits}f} {unit}".rstrip()

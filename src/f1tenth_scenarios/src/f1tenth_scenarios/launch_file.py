@@ -1,0 +1,66 @@
+"""The launch file of a run: one that a person can start again with `roslaunch log/run.launch`."""
+
+import xml.etree.ElementTree as ElementTree
+from typing import Any
+
+from f1tenth_scenarios import places
+from f1tenth_scenarios.participants import participants
+from f1tenth_scenarios.plan import Plan
+from f1tenth_scenarios.scenario import Car, Driver
+
+# wall s that a node has after SIGINT, and then after SIGTERM
+_SIGINT_TIMEOUT, _SIGTERM_TIMEOUT = 4.0, 2.0
+
+
+def launch_command(plan: Plan) -> list[str]:
+    """The command that starts the launch file of a run."""
+    timeouts = [f"--sigint-timeout={_SIGINT_TIMEOUT}", f"--sigterm-timeout={_SIGTERM_TIMEOUT}"]
+    return ["roslaunch", *timeouts, "--disable-title", str(plan.launch_file)]
+
+
+def write_launch_file(plan: Plan) -> None:
+    """Write the launch file that starts everything the scenario describes."""
+    launch = ElementTree.Element("launch")
+    _include(launch, "scenario.launch", _shared_arguments(plan))
+    for car in plan.scenario.cars:
+        _include(launch, "scenario_car.launch", _car_arguments(plan, car))
+    ElementTree.indent(launch)
+    ElementTree.ElementTree(launch).write(plan.launch_file, encoding="utf-8")
+
+
+def _shared_arguments(plan: Plan) -> dict[str, Any]:
+    scenario = plan.scenario
+    return {
+        "world_file_name": plan.world,
+        "map_file": plan.map or "",
+        "lockstep": scenario.lockstep,
+        "participants": f"[{', '.join(participants(scenario))}]",
+        "real_time_factor": scenario.real_time_factor,
+        "seed": scenario.seed,
+        "record": plan.record_file,
+        "result_file": plan.simulator_result_file,
+        "race": any(car.driver is Driver.RACE for car in scenario.cars),
+        "time_to_start": scenario.time_to_start,
+    }
+
+
+def _car_arguments(plan: Plan, car: Car) -> dict[str, Any]:
+    return {
+        "car_name": car.name,
+        "x": car.start.x,
+        "y": car.start.y,
+        "yaw": car.start.yaw,
+        "lockstep": plan.scenario.lockstep,
+        "driver": car.driver.value,
+        "goals_file": plan.goals_files.get(car.name, ""),
+        "loop_mode": plan.scenario.laps > 1,
+        "scenario_file": plan.file,
+    }
+
+
+def _include(launch: ElementTree.Element, name: str, arguments: dict[str, Any]) -> None:
+    file = f"$(find {places.PACKAGE})/launch/{name}"
+    include = ElementTree.SubElement(launch, "include", file=file)
+    for key, value in arguments.items():
+        text = str(value).lower() if isinstance(value, bool) else str(value)
+        ElementTree.SubElement(include, "arg", name=key, value=text)

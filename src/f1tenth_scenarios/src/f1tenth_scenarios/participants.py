@@ -1,0 +1,24 @@
+"""Whom the simulator waits for in lockstep."""
+
+from f1tenth_scenarios.scenario import Driver, Scenario
+
+DIRECTOR = "scenario"
+STARTER = "race_starter"
+
+
+def participants(scenario: Scenario) -> list[str]:
+    """The names of docs/lockstep.md that take part in a scenario; none without lockstep."""
+    if not scenario.lockstep:
+        return []
+    names = [name for car in scenario.cars for name in _of_car(car)]
+    if any(car.driver is Driver.RACE for car in scenario.cars):
+        names.append(STARTER)
+    if scenario.faults:
+        names.append(DIRECTOR)
+    return names
+
+
+def _of_car(car):
+    if car.driver is Driver.COMMANDS:
+        return [car.name]
+    return [f"{car.name}/move_base", f"{car.name}/race_mgr"]

@@ -1,0 +1,86 @@
+"""A scenario with everything that it names found and read: ready to run."""
+
+import dataclasses
+from pathlib import Path
+from typing import Optional
+
+from f1tenth_scenarios import places
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.goals import read_goals
+from f1tenth_scenarios.scenario import Driver, Pose, Scenario, read_scenario
+
+
+@dataclasses.dataclass(frozen=True)
+class Plan:
+    """What a run needs to know."""
+
+    name: str
+    file: Path
+    scenario: Scenario
+    world: Path
+    map: Optional[Path]  # YAML
+    goals_files: dict[str, Path]  # per car that races
+    goals: dict[str, tuple[Pose, ...]]  # per car that races, of one lap
+    folder: Path  # for the results
+
+    @property
+    def log_folder(self) -> Path:
+        """Where the processes write."""
+        return self.folder / "log"
+
+    @property
+    def record_file(self) -> Path:
+        """What the simulator records, uncut."""
+        return self.log_folder / "record.csv"
+
+    @property
+    def simulator_result_file(self) -> Path:
+        """What the simulator says at its end."""
+        return self.log_folder / "simulator.json"
+
+    @property
+    def launch_file(self) -> Path:
+        """What roslaunch starts."""
+        return self.log_folder / "run.launch"
+
+    @property
+    def launch_log(self) -> Path:
+        """The output of roslaunch, and what the nodes write to stderr."""
+        return self.log_folder / "roslaunch.log"
+
+    @property
+    def all_goals(self) -> dict[str, tuple[Pose, ...]]:
+        """Per car that races, the goals of all laps."""
+        return {car: goals * self.scenario.laps for car, goals in self.goals.items()}
+
+
+def make_plan(name: str, folder: Optional[Path] = None) -> Plan:
+    """Read a scenario and check everything that it names.
+
+    Args:
+        name: of a scenario of this package, or the path of a scenario file
+        folder: for the results, default results/NAME
+
+    Raises:
+        ScenarioError: with the place and what is allowed there.
+    """
+    file = places.scenario_file(name)
+    scenario = read_scenario(file)
+    try:
+        return _find_files(file, scenario, folder or places.results_folder(file.stem))
+    except ScenarioError as error:
+        raise ScenarioError(f"{file}: {error}") from error
+
+
+def _find_files(file, scenario, folder):
+    goals_files = {
+        car.name: places.goals_file(car.goals, file.parent)
+        for car in scenario.cars
+        if car.driver is Driver.RACE
+    }
+    goals = {car: tuple(read_goals(path)) for car, path in goals_files.items()}
+    world = places.world_file(scenario.world, file.parent)
+    map_file = places.map_file(world)
+    if goals and map_file is None:
+        raise ScenarioError(f"the driver 'race' needs a map, and {world} has none beside it or in ../maps")
+    return Plan(file.stem, file, scenario, world, map_file, goals_files, goals, folder)

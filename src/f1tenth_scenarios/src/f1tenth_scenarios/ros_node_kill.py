@@ -1,0 +1,58 @@
+"""Killing a ROS node for certain."""
+
+import os
+import signal
+import time
+import xmlrpc.client
+
+import psutil
+import rosgraph
+
+from f1tenth_scenarios.errors import ScenarioError
+
+_CALLER = "/scenario"
+
+
+def kill_node(name: str, timeout: float = 2.0) -> None:
+    """End a node of this machine with SIGKILL and return when it is gone.
+
+    Args:
+        name: without the leading slash, as in `robot1/move_base`
+        timeout: wall seconds
+
+    Raises:
+        ScenarioError: there is no such node, or it does not go.
+    """
+    pid = node_pid(name)
+    try:
+        os.kill(pid, signal.SIGKILL)
+    except OSError as error:
+        raise ScenarioError(f"cannot kill {name}: {error.strerror}") from error
+    deadline = time.monotonic() + timeout
+    while _runs(pid):
+        if time.monotonic() > deadline:
+            raise ScenarioError(f"cannot kill {name}: it is still there after {timeout:g} s")
+        time.sleep(0.002)
+
+
+def node_pid(name: str) -> int:
+    """The process id of a node, by its own word.
+
+    Raises:
+        ScenarioError: there is no such node, or it does not answer.
+    """
+    try:
+        uri = rosgraph.Master(_CALLER).lookupNode(f"/{name}")
+        code, message, pid = xmlrpc.client.ServerProxy(uri).getPid(_CALLER)
+    except (rosgraph.MasterException, OSError, xmlrpc.client.Error) as error:
+        raise ScenarioError(f"cannot find {name}: {error}") from error
+    if code != 1:
+        raise ScenarioError(f"cannot find {name}: {message}")
+    return pid
+
+
+def _runs(pid: int) -> bool:
+    try:
+        return psutil.Process(pid).status() != psutil.STATUS_ZOMBIE
+    except psutil.NoSuchProcess:
+        return False

@@ -1,0 +1,35 @@
+"""A run of a scenario with ROS around it."""
+
+import rospy
+
+from f1tenth_scenarios.launch_file import launch_command
+from f1tenth_scenarios.plan import Plan
+from f1tenth_scenarios.result import Result
+from f1tenth_scenarios.ros_watch import RosWatch
+from f1tenth_scenarios.run import execute
+from f1tenth_scenarios.stop_request import StopRequest
+from f1tenth_scenarios.supervisor import Progress
+
+# Every line of a node's output names the node, so that its last words can be found among the others'.
+_CONSOLE_FORMAT = "[${severity}] [${time}] [${node}]: ${message}"
+
+
+def run_with_ros(plan: Plan, stop: StopRequest, progress: Progress = lambda simulated, wall: None) -> Result:
+    """Run a scenario on the master that ROS_MASTER_URI names; once per process, from the main thread.
+
+    Raises:
+        ScenarioError: the results folder cannot be used.
+    """
+    # Before anything sets use_sim_time, because this node lives in wall time.
+    rospy.init_node("scenario", anonymous=True, disable_signals=True, disable_rosout=True)
+    environment = {
+        "ROS_LOG_DIR": str(plan.log_folder),
+        "ROSCONSOLE_FORMAT": _CONSOLE_FORMAT,
+        "PYTHONUNBUFFERED": "1",
+    }
+    try:
+        return execute(
+            plan, launch_command(plan), environment, lambda: RosWatch(plan.scenario), stop, progress
+        )
+    finally:
+        rospy.signal_shutdown("the run is over")

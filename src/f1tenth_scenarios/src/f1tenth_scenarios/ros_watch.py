@@ -1,0 +1,59 @@
+"""What is heard of a run on topics."""
+
+import queue
+from typing import Optional
+
+import rospy
+
+from f1tenth_race_mgr.msg import RaceStatus
+from f1tenth_scenarios.director import Director
+from f1tenth_scenarios.observations import Failure, RaceState, RaceUpdate
+from f1tenth_scenarios.scenario import Driver, Scenario
+
+_STATES = {
+    RaceStatus.WAITING: RaceState.WAITING,
+    RaceStatus.RACING: RaceState.RACING,
+    RaceStatus.FINISHED: RaceState.FINISHED,
+    RaceStatus.ABORTED: RaceState.ABORTED,
+    RaceStatus.STOPPED: RaceState.STOPPED,
+    RaceStatus.LOST: RaceState.LOST,
+}
+
+
+def to_update(car: str, message: RaceStatus) -> RaceUpdate:
+    """A message of a car's race_mgr in our own words."""
+    return RaceUpdate(
+        car, message.header.stamp.to_sec(), _STATES[message.state], message.goals_reached, message.text
+    )
+
+
+class RosWatch:
+    """Subscribes to race_status, and breaks what the scenario wants broken. Needs a running rospy node."""
+
+    def __init__(self, scenario: Scenario):
+        self._updates: queue.SimpleQueue = queue.SimpleQueue()
+        self._subscribers = [self._subscribe(car.name) for car in scenario.cars if car.driver is Driver.RACE]
+        self._director = Director(scenario) if scenario.faults else None
+
+    def take(self) -> list[RaceUpdate]:
+        """The updates since the last call, in the order of their arrival."""
+        return [self._updates.get() for _ in range(self._updates.qsize())]
+
+    def failure(self) -> Optional[Failure]:
+        """What went wrong on this side, if anything did."""
+        return self._director.failure if self._director else None
+
+    def close(self) -> None:
+        """Stop listening."""
+        for each in self._subscribers:
+            each.unregister()
+        if self._director:
+            self._director.close()
+
+    def _subscribe(self, car: str) -> rospy.Subscriber:
+        return rospy.Subscriber(
+            f"/{car}/race_status",
+            RaceStatus,
+            lambda message: self._updates.put(to_update(car, message)),
+            tcp_nodelay=True,
+        )

@@ -1,0 +1,128 @@
+"""One run of a scenario: start, watch, end, judge, keep."""
+
+import contextlib
+import fcntl
+import shutil
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Callable, Optional
+
+from f1tenth_scenarios import criteria, result, versions
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.judge import judge
+from f1tenth_scenarios.launch_file import write_launch_file
+from f1tenth_scenarios.observations import Failure, Observations
+from f1tenth_scenarios.picture import write_picture
+from f1tenth_scenarios.plan import Plan
+from f1tenth_scenarios.processes import ProcessTree
+from f1tenth_scenarios.record import Record, read_record
+from f1tenth_scenarios.result import Result
+from f1tenth_scenarios.stop_request import StopRequest
+from f1tenth_scenarios.supervisor import Progress, Supervisor, Watch, read_json
+from f1tenth_scenarios.track_map import read_track_map
+
+_SHUTDOWN_GRACE = 12.0  # wall s, for roslaunch to end its nodes
+
+
+def execute(
+    plan: Plan,
+    command: Sequence[str],
+    environment: Mapping[str, str],
+    make_watch: Callable[[], Watch],
+    stop: StopRequest,
+    progress: Progress = lambda simulated, wall: None,
+) -> Result:
+    """Run a scenario and write its results.
+
+    Args:
+        plan: what to run
+        command: starts everything
+        environment: variables for it besides our own
+        make_watch: begins to listen; called before anything is started
+        stop: tells the run to end
+        progress: is called with simulated time (s, nothing before the first period) and wall time (s)
+
+    Raises:
+        ScenarioError: the results folder cannot be used, or another run is using it.
+    """
+    with _claimed(plan):
+        started = time.monotonic()
+        seen = _observe(plan, command, environment, make_watch, stop, progress)
+        judgement = judge(plan.scenario, plan.all_goals, seen)
+        done = Result(
+            plan.name,
+            plan.scenario,
+            judgement,
+            tuple(criteria.evaluate(plan.scenario, judgement)),
+            seen.updates,
+            time.monotonic() - started,
+            _real_time_factor(plan),
+        )
+        _write(plan, done)
+    return done
+
+
+def _observe(plan, command, environment, make_watch, stop, progress) -> Observations:
+    write_launch_file(plan)
+    watch = make_watch()
+    try:
+        tree = ProcessTree(command, plan.launch_log, environment)
+        try:
+            supervisor = Supervisor(plan, tree, watch, stop, progress)
+            failure = supervisor.wait()
+        finally:
+            tree.stop(_SHUTDOWN_GRACE)
+    finally:
+        watch.close()
+    return _with_record(plan, tuple(supervisor.updates), failure)
+
+
+def _with_record(plan, updates, failure):
+    try:
+        return Observations(read_record(plan.record_file), updates, failure)
+    except ScenarioError as error:
+        return Observations(Record({}), updates, failure or Failure("sim2d", str(error)))
+
+
+@contextlib.contextmanager
+def _claimed(plan: Plan) -> Iterator[None]:
+    """Make the results folder ours, without the results of an earlier run."""
+    try:
+        plan.folder.mkdir(parents=True, exist_ok=True)
+        lock = open(plan.folder / ".lock", "w", encoding="utf-8")  # noqa: SIM115, closed below, after the block
+    except OSError as error:
+        raise ScenarioError(f"{plan.folder}: cannot write results: {error.strerror}") from error
+    with lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError as error:
+            raise ScenarioError(
+                f"{plan.folder}: another run of {plan.name} is writing its results there"
+            ) from error
+        result.clear(plan.folder)
+        shutil.rmtree(plan.log_folder, ignore_errors=True)
+        plan.log_folder.mkdir()
+        yield
+
+
+def _real_time_factor(plan: Plan) -> Optional[float]:
+    said = read_json(plan.simulator_result_file)
+    simulated, wall = said.get("sim_time"), said.get("wall_time")
+    return simulated / wall if simulated and wall else None
+
+
+def _write(plan: Plan, done: Result) -> None:
+    result.write_trajectory(plan.folder / result.TRAJECTORY_FILE, done.judgement.record)
+    subtitle = (
+        f"{done.judgement.decision.verdict.value} (expected {plan.scenario.expected.value}): {done.reason}"
+    )
+    write_picture(
+        plan.folder / result.PICTURE_FILE,
+        plan.name,
+        subtitle,
+        done.judgement.record,
+        plan.goals,
+        read_track_map(plan.map) if plan.map else None,
+    )
+    # Last, because who sees a result.json may rely on the other files.
+    result.write_json(plan.folder / result.RESULT_FILE, result.as_dict(done, versions.collect()))

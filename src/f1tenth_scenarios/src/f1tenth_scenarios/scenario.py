@@ -1,0 +1,164 @@
+"""What a scenario file says: the schema of `scenarios/NAME.yaml`."""
+
+import dataclasses
+import enum
+import re
+from pathlib import Path
+from typing import Optional
+
+from f1tenth_scenarios import yaml_source
+from f1tenth_scenarios.schema import key, read
+
+Problem = Optional[tuple[str, str]]
+
+
+class Verdict(enum.Enum):
+    """How a run ended."""
+
+    SUCCESS = "success"
+    COLLISION = "collision"
+    TIMEOUT = "timeout"
+    ABORTED = "aborted"
+    ERROR = "error"
+
+
+class Driver(enum.Enum):
+    """Who drives a car."""
+
+    RACE = "race"
+    COMMANDS = "commands"
+
+
+@dataclasses.dataclass(frozen=True)
+class Pose:
+    """A pose in the map frame."""
+
+    x: float = key("Position in the map frame.", unit="m")
+    y: float = key("Position in the map frame.", unit="m")
+    yaw: float = key("Heading, counter-clockwise from the x axis.", unit="rad", default=0.0)
+
+
+@dataclasses.dataclass(frozen=True)
+class Command:
+    """What a car is told from a moment on."""
+
+    at: float = key("Simulated time from which the command holds.", unit="s", at_least=0)
+    speed: float = key("Speed along the car.", unit="m/s", at_least=-5, at_most=20)
+    steering_angle: float = key(
+        "Steering angle, left is positive.", unit="rad", at_least=-0.4189, at_most=0.4189, default=0.0
+    )
+
+
+@dataclasses.dataclass(frozen=True)
+class Car:
+    """One car of a scenario."""
+
+    name: str = key("Name and ROS namespace of the car.")
+    start: Pose = key("Where the car's base_footprint is put.", default=Pose(0.0, 0.0))
+    driver: Driver = key(
+        "`race`: move_base and race_mgr drive to the goals; `commands`: a fixed command profile.",
+        default=Driver.RACE,
+    )
+    goals: Optional[str] = key(
+        "Goals file: a name under f1tenth_gazebo/goals without .txt, or a path relative to the"
+        " scenario file. Required with the driver `race`.",
+        default=None,
+    )
+    commands: tuple[Command, ...] = key("What the driver `commands` does, in order of time.", default=())
+
+    def problem(self) -> Problem:
+        """What is wrong between the keys: the key and the text, or nothing."""
+        if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", self.name):
+            return "name", f"is '{self.name}', must be a letter followed by letters, digits and underscores"
+        if self.driver is Driver.RACE and self.goals is None:
+            return "goals", "is missing; the driver 'race' needs a goals file"
+        if self.driver is Driver.RACE and self.commands:
+            return "commands", "is for the driver 'commands' only"
+        if self.driver is Driver.COMMANDS and not self.commands:
+            return "commands", "is missing; the driver 'commands' needs at least one"
+        times = [command.at for command in self.commands]
+        if times != sorted(set(times)):
+            return "commands", "must be in order of time ('at'), each time once"
+        return None
+
+
+@dataclasses.dataclass(frozen=True)
+class Limits:
+    """When a run is over at the latest."""
+
+    timeout: float = key("Simulated time after which the verdict is `timeout`.", unit="s", above=0)
+    wall: float = key(
+        "Wall time after which the run counts as hung and the verdict is `error`.",
+        unit="s",
+        above=0,
+        default=300.0,
+    )
+
+
+@dataclasses.dataclass(frozen=True)
+class Criteria:
+    """What a run is measured by besides its verdict."""
+
+    goal_tolerance: float = key(
+        "A goal counts as passed within this distance.", unit="m", above=0, default=0.5
+    )
+    goal_yaw_tolerance: float = key(
+        "A goal counts as passed within this difference of heading.",
+        unit="rad",
+        above=0,
+        at_most=3.1416,
+        default=0.8,
+    )
+    minimum_clearance: Optional[float] = key(
+        "No car may come closer to anything than this.", unit="m", at_least=0, default=None
+    )
+
+
+@dataclasses.dataclass(frozen=True)
+class Fault:
+    """Something that is broken on purpose."""
+
+    kill: str = key("Node that is killed (SIGKILL), as in `robot1/move_base`.")
+    at: float = key("Simulated time at which it happens.", unit="s", at_least=0)
+
+
+@dataclasses.dataclass(frozen=True)
+class Scenario:
+    """One test case."""
+
+    description: str = key("One sentence that says what is tested.")
+    world: str = key(
+        "A name under f1tenth_gazebo/worlds without .world, or a path relative to the scenario file."
+    )
+    cars: tuple[Car, ...] = key("The cars, each with its driver.")
+    limits: Limits = key("When the run is over at the latest.")
+    expected: Verdict = key("The verdict that makes the scenario pass.")
+    seed: int = key("Seed of all noise.", at_least=0)
+    laps: int = key("How often the goals are driven through.", at_least=1, default=1)
+    time_to_start: int = key("Countdown before the start.", unit="s", at_least=0, default=2)
+    lockstep: bool = key("Whether the simulator waits for every participant in every period.", default=True)
+    real_time_factor: float = key(
+        "Simulated seconds per wall second without lockstep; 0: as fast as it goes.", at_least=0, default=1.0
+    )
+    criteria: Criteria = key("What the run is measured by besides its verdict.", default=Criteria())
+    faults: tuple[Fault, ...] = key("What is broken on purpose.", default=())
+
+    def problem(self) -> Problem:
+        """What is wrong between the keys: the key and the text, or nothing."""
+        names = [car.name for car in self.cars]
+        if not names:
+            return "cars", "is empty; at least one car is needed"
+        if len(set(names)) != len(names):
+            return "cars", f"has a name twice: {', '.join(names)}"
+        if any(fault.at > self.limits.timeout for fault in self.faults):
+            return "faults", f"has a time after limits.timeout ({self.limits.timeout:g} s)"
+        return None
+
+
+def read_scenario(path: Path) -> Scenario:
+    """Read and validate a scenario file.
+
+    Raises:
+        ScenarioError: with the place and what is allowed there.
+    """
+    return read(Scenario, yaml_source.compose(path))

@@ -1,0 +1,132 @@
+"""Watching a run until something decides it."""
+
+import json
+import time
+from pathlib import Path
+from typing import Callable, Optional, Protocol
+
+from f1tenth_scenarios.culprit import Signs, failure_of
+from f1tenth_scenarios.file_tail import RecordTail, last_lines
+from f1tenth_scenarios.judge import is_decided
+from f1tenth_scenarios.launch_log import LaunchLog, NodeEnd
+from f1tenth_scenarios.observations import Failure, RaceState, RaceUpdate
+from f1tenth_scenarios.plan import Plan
+from f1tenth_scenarios.processes import ProcessTree
+from f1tenth_scenarios.scenario import Driver
+from f1tenth_scenarios.stop_request import StopRequest
+
+_POLL_INTERVAL = 0.02  # wall s
+# A node that ends may have said why on a topic just before; its words get this long (wall s) to arrive.
+_LAST_WORDS = 1.0
+
+
+class Watch(Protocol):
+    """What is heard on topics."""
+
+    def take(self) -> list[RaceUpdate]:
+        """The updates since the last call."""
+
+    def failure(self) -> Optional[Failure]:
+        """What went wrong on this side, if anything did."""
+
+    def close(self) -> None:
+        """Stop listening."""
+
+
+Progress = Callable[[Optional[float], float], None]
+
+
+class Supervisor:
+    """Looks at record, topics and processes until the run is decided."""
+
+    def __init__(self, plan: Plan, tree: ProcessTree, watch: Watch, stop: StopRequest, progress: Progress):
+        """`progress` is called with the simulated time and the wall time since the start, both s."""
+        self._plan = plan
+        self._tree = tree
+        self._watch = watch
+        self._stop = stop
+        self._progress = progress
+        self._started = time.monotonic()
+        self._record = RecordTail(plan.record_file)
+        self._launch_log = LaunchLog(plan.launch_log)
+        self._end_seen_at: Optional[float] = None
+        self.updates: list[RaceUpdate] = []
+
+    def wait(self) -> Optional[Failure]:
+        """Return when the run is decided; with a failure if the set-up broke."""
+        while not self._decided():
+            failure = self._failure()
+            if failure:
+                self._poll()
+                return failure
+            self._progress(self._record.time, self._elapsed())
+            time.sleep(_POLL_INTERVAL)
+        return None
+
+    def _decided(self) -> bool:
+        self._poll()
+        simulated = self._record.time
+        return (
+            self._record.touched
+            or (simulated is not None and simulated >= self._plan.scenario.limits.timeout)
+            or is_decided(self._plan.scenario, self._plan.all_goals, self.updates)
+        )
+
+    def _poll(self) -> None:
+        self.updates += self._watch.take()
+        self._record.poll()
+        self._launch_log.poll()
+
+    def _elapsed(self) -> float:
+        return time.monotonic() - self._started
+
+    def _failure(self) -> Optional[Failure]:
+        if self._stop.signal:
+            return Failure("runner", f"was told to stop by {self._stop.signal.name}")
+        if self._elapsed() > self._plan.scenario.limits.wall:
+            return self._hang()
+        return self._watch.failure() or self._breakdown()
+
+    def _hang(self) -> Failure:
+        simulated = "nothing" if self._record.time is None else f"{self._record.time:.3f} s"
+        limit = self._plan.scenario.limits.wall
+        return Failure(
+            "runner",
+            f"not decided after {limit:g} s of wall time (limits.wall), {simulated} simulated",
+            str(self._plan.launch_log),
+            tuple(last_lines(self._plan.launch_log, 10)),
+        )
+
+    def _breakdown(self) -> Optional[Failure]:
+        ends = [end for end in self._launch_log.ends if self._is_fatal(end)]
+        lost = [each for each in self.updates if each.state in (RaceState.LOST, RaceState.STOPPED)]
+        exit_code = self._tree.exit_code()
+        if not (ends or lost or exit_code is not None):
+            return None
+        if self._end_seen_at is None:
+            self._end_seen_at = time.monotonic()
+        if time.monotonic() - self._end_seen_at < _LAST_WORDS:
+            return None
+        return failure_of(
+            self._plan, Signs(ends, lost, exit_code, read_json(self._plan.simulator_result_file))
+        )
+
+    def _is_fatal(self, end: NodeEnd) -> bool:
+        return end.exit_code != 0 or end.node in self._must_live()
+
+    def _must_live(self) -> set[str]:
+        finished = {update.car for update in self.updates if update.state is RaceState.FINISHED}
+        alive = {"sim2d"}
+        for car in self._plan.scenario.cars:
+            if car.driver is Driver.RACE:
+                alive |= {f"{car.name}/move_base"}
+                alive |= set() if car.name in finished else {f"{car.name}/race_mgr"}
+        return alive
+
+
+def read_json(path: Path) -> dict:
+    """What a JSON file holds; empty when it is missing or broken."""
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}

@@ -1,0 +1,42 @@
+"""Which versions a result was made with."""
+
+import platform
+import subprocess
+from pathlib import Path
+from typing import Optional
+
+import rospkg
+
+from f1tenth_scenarios import places
+
+_PACKAGES = (
+    "f1tenth_scenarios",
+    "f1tenth_sim2d",
+    "f1tenth_gazebo",
+    "f1tenth_description",
+    "f1tenth_race_mgr",
+    "move_base",
+)
+
+
+def collect() -> dict[str, Optional[str]]:
+    """The commit of the workspace (nothing outside of git) and the versions of the packages."""
+    versions = {"commit": _commit(places.package_path(places.PACKAGE)), "python": platform.python_version()}
+    versions.update((package, _package_version(package)) for package in _PACKAGES)
+    return versions
+
+
+def _commit(folder: Path) -> Optional[str]:
+    command = ["git", "-C", str(folder), "describe", "--always", "--dirty", "--abbrev=12"]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=10, check=True)
+    except (OSError, subprocess.SubprocessError):
+        return None
+    return done.stdout.strip()
+
+
+def _package_version(package: str) -> Optional[str]:
+    try:
+        return rospkg.RosPack().get_manifest(package).version
+    except rospkg.ResourceNotFound:
+        return None

@@ -1,0 +1,76 @@
+"""A run without ROS: a program in roslaunch's place that writes what simulator and roslaunch would write."""
+
+import json
+import sys
+from pathlib import Path
+
+from f1tenth_scenarios.plan import Plan
+from f1tenth_scenarios.run import execute
+from f1tenth_scenarios.stop_request import StopRequest
+from scenario_samples import GOALS, rows, scenario, write_record
+
+SHUTDOWN = "import signal, sys; signal.signal(signal.SIGINT, lambda *_: sys.exit(0))\n"
+STAY = "import time\nwhile True: time.sleep(0.05)\n"
+
+
+class FakeWatch:
+    """Hands out its updates once, as soon as a file is there."""
+
+    def __init__(self, ready: Path, updates=(), failure=None):
+        self._ready = ready
+        self._updates = list(updates)
+        self._failure = failure
+        self.closed = False
+
+    def take(self):
+        if not self._ready.exists():
+            return []
+        updates, self._updates = self._updates, []
+        return updates
+
+    def failure(self):
+        return self._failure if self._ready.exists() else None
+
+    def close(self):
+        self.closed = True
+
+
+class FakeRun:
+    """Builds the program step by step."""
+
+    def __init__(self, folder: Path, wanted=None):
+        self.folder = folder
+        wanted = wanted or scenario()
+        goals = {car.name: GOALS["robot1"] for car in wanted.cars}
+        file = folder / "sample.yaml"
+        self.plan = Plan("sample", file, wanted, folder / "w.world", None, {}, goals, folder / "sample")
+        self.ready = folder / "ready"
+        self.watch = FakeWatch(self.ready)
+        self.stop = StopRequest()
+        self._program = SHUTDOWN
+
+    def records(self, *arguments, **others):
+        source = write_record(self.folder / "source.csv", rows(*arguments, **others))
+        return self._do(f"import shutil; shutil.copy({str(source)!r}, {str(self.plan.record_file)!r})\n")
+
+    def simulator_says(self, **result):
+        path, text = str(self.plan.simulator_result_file), json.dumps(result)
+        return self._do(f"open({path!r}, 'w').write({text!r})\n")
+
+    def prints(self, text):
+        return self._do(f"print({text!r}, flush=True)\n")
+
+    def hears(self, *updates, failure=None):
+        self.watch = FakeWatch(self.ready, updates, failure)
+        return self._do(f"open({str(self.ready)!r}, 'w').close()\n")
+
+    def ends(self, exit_code):
+        return self._do(f"sys.exit({exit_code})\n")
+
+    def execute(self, **others):
+        command = [sys.executable, "-c", self._program + STAY]
+        return execute(self.plan, command, {}, lambda: self.watch, self.stop, **others)
+
+    def _do(self, line):
+        self._program += line
+        return self

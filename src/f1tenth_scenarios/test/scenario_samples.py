@@ -1,0 +1,84 @@
+"""Scenarios and records made up for tests."""
+
+import csv
+
+from f1tenth_scenarios.observations import Failure, Observations, RaceState, RaceUpdate
+from f1tenth_scenarios.record import COLUMNS, read_record
+from f1tenth_scenarios.scenario import Car, Criteria, Limits, Pose, Scenario, Verdict
+
+PERIOD = 0.025
+GOALS = {"robot1": (Pose(1.0, 0.0), Pose(2.0, 0.0), Pose(3.0, 0.0))}
+
+SCENARIO_TEXT = """\
+description: A car drives a metre.
+world: circuit1
+cars:
+  - name: robot1
+    goals: circuit1
+limits:
+  timeout: 10.0
+expected: success
+seed: 1
+"""
+
+
+def scenario(expected=Verdict.SUCCESS, timeout=10.0, cars=("robot1",), **others):
+    return Scenario(
+        description="a test",
+        world="circuit1",
+        cars=tuple(Car(name, goals="circuit1") for name in cars),
+        limits=Limits(timeout=timeout),
+        expected=expected,
+        seed=1,
+        **others,
+    )
+
+
+def with_clearance(limit, **others):
+    return scenario(criteria=Criteria(minimum_clearance=limit), **others)
+
+
+def rows(end, car="robot1", speed=1.0, contacts=None, clearance=0.5, y=0.0):
+    """A car on the x axis, one row a period up to `end` (s); contacts: {stamp: names}."""
+    contacts = contacts or {}
+    for index in range(1, round(end / PERIOD) + 1):
+        time = index * PERIOD
+        names = next((value for stamp, value in contacts.items() if abs(stamp - time) < 1e-6), "")
+        yield [f"{time:.9f}", car, speed * time, y, 0, speed, 0, 0, 0, clearance, names, f"hash{index}"]
+
+
+def write_record(path, *cars):
+    with open(path, "w", encoding="utf-8", newline="") as stream:
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow(COLUMNS)
+        for car_rows in cars:
+            writer.writerows(car_rows)
+    return path
+
+
+def record(folder, *cars):
+    return read_record(write_record(folder / "record.csv", *cars))
+
+
+def racing(stamp=0.0, car="robot1"):
+    return RaceUpdate(car, stamp, RaceState.RACING, 0)
+
+
+def reached(stamp, count, car="robot1"):
+    return RaceUpdate(car, stamp, RaceState.RACING, count)
+
+
+def finished(stamp, car="robot1", count=3):
+    return RaceUpdate(car, stamp, RaceState.FINISHED, count)
+
+
+def aborted(stamp, car="robot1", reason="goal 2 of 3 aborted: Failed to find a valid plan."):
+    return RaceUpdate(car, stamp, RaceState.ABORTED, 1, reason)
+
+
+def seen(run_record, *updates, failure=None):
+    return Observations(run_record, updates, failure)
+
+
+def died(culprit="robot1/move_base"):
+    return Failure(culprit, "was killed by signal 9", "/log/move_base.log", ("last words",))

@@ -1,0 +1,96 @@
+"""Each criterion reports what was measured and what is asked for, and each can fail."""
+
+import pytest
+from f1tenth_scenarios.criteria import Status, evaluate
+from f1tenth_scenarios.judge import judge
+from f1tenth_scenarios.record import Record
+from f1tenth_scenarios.scenario import Verdict
+from scenario_samples import GOALS, aborted, died, finished, record, rows, scenario, seen, with_clearance
+
+from f1tenth_scenarios import criteria
+
+
+def results(wanted, run):
+    return {each.name: each for each in evaluate(wanted, judge(wanted, GOALS, run))}
+
+
+@pytest.fixture
+def runs(tmp_path):
+    return {
+        Verdict.SUCCESS: seen(record(tmp_path, rows(4.0)), finished(3.0)),
+        Verdict.COLLISION: seen(record(tmp_path, rows(4.0, contacts={2.0: "Wall_1"})), finished(3.0)),
+        Verdict.TIMEOUT: seen(record(tmp_path, rows(10.0, speed=0.1))),
+        Verdict.ABORTED: seen(record(tmp_path, rows(4.0)), aborted(2.0)),
+        Verdict.ERROR: seen(record(tmp_path, rows(2.0)), failure=died()),
+    }
+
+
+@pytest.mark.parametrize("expected", Verdict)
+def test_expected_ending_passes(runs, expected):
+    found = results(scenario(expected), runs[expected])
+    assert found["verdict"].status is Status.PASSED
+    assert all(each.status is not Status.FAILED for each in found.values())
+
+
+@pytest.mark.parametrize("expected", Verdict)
+@pytest.mark.parametrize("actual", Verdict)
+def test_wrong_expectation_fails(runs, expected, actual):
+    verdict = results(scenario(expected), runs[actual])["verdict"]
+    assert (verdict.status is Status.PASSED) == (expected is actual)
+    assert (verdict.actual, verdict.limit) == (actual.value, expected.value)
+
+
+def test_missed_goals_fail_with_their_number(runs):
+    found = results(scenario(), runs[Verdict.ABORTED])["goals_in_order"]
+    assert (found.status, found.actual, found.limit, found.unit) == (Status.FAILED, 2, 3, "goals")
+    assert found.reason == "not all goals passed by robot1"
+
+
+def test_contact_fails_unless_expected(runs):
+    found = results(scenario(), runs[Verdict.COLLISION])["collision"]
+    assert (found.status, found.actual, found.limit) == (Status.FAILED, 1, 0)
+    assert found.reason == "robot1 touched Wall_1 at 2.000 s with 1.00 m/s"
+
+
+def test_missing_contact_fails_if_expected(runs):
+    found = results(scenario(Verdict.COLLISION), runs[Verdict.SUCCESS])["collision"]
+    assert (found.status, found.actual, found.limit) == (Status.FAILED, 0, "at least 1")
+
+
+def test_timeout_fails_unless_expected(runs):
+    found = results(scenario(), runs[Verdict.TIMEOUT])["timeout"]
+    assert (found.status, found.actual, found.limit, found.unit) == (Status.FAILED, 10.0, 10.0, "s")
+
+
+def test_timeout_that_did_not_come_fails_if_expected(runs):
+    assert results(scenario(Verdict.TIMEOUT), runs[Verdict.SUCCESS])["timeout"].status is Status.FAILED
+
+
+@pytest.mark.parametrize(("limit", "status"), [(0.5, Status.PASSED), (0.51, Status.FAILED)])
+def test_clearance_is_held_against_its_limit(runs, limit, status):
+    found = results(with_clearance(limit), runs[Verdict.SUCCESS])["minimum_clearance"]
+    assert (found.status, found.actual, found.limit, found.unit) == (status, 0.5, limit, "m")
+
+
+def test_clearance_after_the_end_does_not_count(tmp_path):
+    late = [*rows(3.0, clearance=0.5), *list(rows(4.0, clearance=0.0))[120:]]
+    run = seen(record(tmp_path, late), finished(3.0))
+    assert results(with_clearance(0.4), run)["minimum_clearance"].actual == 0.5
+
+
+def test_clearance_without_a_record_fails():
+    run = seen(Record({}), aborted(0.0))
+    assert (
+        results(with_clearance(0.1, expected=Verdict.ABORTED), run)["minimum_clearance"].status
+        is Status.FAILED
+    )
+
+
+def test_clearance_is_judged_only_with_a_limit():
+    assert "minimum_clearance" not in criteria.names(scenario())
+    assert "minimum_clearance" in criteria.names(with_clearance(0.1))
+
+
+def test_goals_are_judged_only_if_success_is_expected(runs):
+    found = results(scenario(Verdict.ABORTED), runs[Verdict.ABORTED])["goals_in_order"]
+    assert found.status is Status.NOT_JUDGED

@@ -1,0 +1,11 @@
+"""The README's table of keys is the schema's."""
+
+from pathlib import Path
+
+from f1tenth_scenarios.describe import describe_keys
+from f1tenth_scenarios.scenario import Scenario
+
+
+def test_readme_holds_every_key_as_the_schema_has_it():
+    readme = Path(__file__).parent.parent / "README.md"
+    assert describe_keys(Scenario) in readme.read_text(encoding="utf-8")

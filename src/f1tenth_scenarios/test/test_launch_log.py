@@ -1,0 +1,124 @@
+"""Reading off roslaunch's output which node ended, and who is to blame."""
+
+from f1tenth_scenarios.culprit import Signs, failure_of
+from f1tenth_scenarios.launch_log import LaunchLog, NodeEnd
+from f1tenth_scenarios.observations import RaceState, RaceUpdate
+from f1tenth_scenarios.plan import Plan
+from scenario_samples import GOALS, scenario
+
+# As roslaunch 1.15 prints it.
+DIED = (
+    "\033[31m[robot1/move_base-5] process has died [pid 4711, exit code -9, cmd /x/move_base].\n"
+    "log file: {log}/robot1-move_base-5*.log\033[0m\n"
+)
+REQUIRED = (
+    "\033[31m" + "=" * 80 + "REQUIRED process [sim2d-2] has died!\n"
+    "process has died [pid 4712, exit code 3, cmd /x/sim2d __name:=sim2d].\nlog file: {log}/sim2d-2*.log\n"
+    "Initiating shutdown!\n" + "=" * 80 + "\033[0m\n"
+)
+FINISHED = (
+    "\033[1m[race_starter-3] process has finished cleanly\nlog file: {log}/race_starter-3*.log\033[0m\n"
+)
+REQUIRED_FINISHED = DIED[:5] + "====REQUIRED process [sim2d-2] has died!\nprocess has finished cleanly\n"
+
+
+def ends_of(tmp_path, *texts):
+    path = tmp_path / "roslaunch.log"
+    path.write_text("".join(texts).replace("{log}", str(tmp_path)), encoding="utf-8")
+    log = LaunchLog(path)
+    log.poll()
+    return log.ends
+
+
+def plan(folder):
+    made = Plan("sample", folder / "sample.yaml", scenario(), folder / "w.world", None, {}, GOALS, folder)
+    made.log_folder.mkdir()
+    return made
+
+
+def signs(ends=(), lost=(), exit_code=None, simulator=None):
+    return Signs(ends, lost, exit_code, simulator or {})
+
+
+def test_killed_node_is_seen(tmp_path):
+    (end,) = ends_of(tmp_path, DIED)
+    assert end == NodeEnd("robot1/move_base", -9, f"{tmp_path}/robot1-move_base-5*.log")
+    assert end.describe() == "was killed by signal 9"
+
+
+def test_end_of_a_required_node_is_seen(tmp_path):
+    (end,) = ends_of(tmp_path, REQUIRED)
+    assert end == NodeEnd("sim2d", 3, f"{tmp_path}/sim2d-2*.log")
+    assert end.describe() == "ended with exit code 3"
+
+
+def test_clean_ends_are_seen(tmp_path):
+    assert [(end.node, end.exit_code) for end in ends_of(tmp_path, FINISHED, REQUIRED_FINISHED)] == [
+        ("race_starter", 0),
+        ("sim2d", 0),
+    ]
+
+
+def test_words_of_nodes_are_no_ends(tmp_path):
+    assert ends_of(tmp_path, "[ERROR] [1.0] [/robot1/x]: my process has died\n", "process has died\n") == []
+
+
+def test_participant_that_the_simulator_missed_is_the_culprit(tmp_path):
+    simulator = {"participant": "robot1/move_base", "error": "robot1/move_base did not answer period 200"}
+    ends = [NodeEnd("sim2d", 3)]
+    failure = failure_of(plan(tmp_path), signs(ends, exit_code=1, simulator=simulator))
+    assert (failure.culprit, failure.reason) == (
+        "robot1/move_base",
+        "robot1/move_base did not answer period 200",
+    )
+
+
+def test_its_own_end_says_more_than_the_simulator(tmp_path):
+    simulator = {"participant": "robot1/move_base", "error": "silent"}
+    ends = [NodeEnd("robot1/move_base", -9), NodeEnd("sim2d", 3)]
+    assert failure_of(plan(tmp_path), signs(ends, simulator=simulator)).reason == "was killed by signal 9"
+
+
+def test_simulator_is_the_culprit_of_its_own_error(tmp_path):
+    failure = failure_of(plan(tmp_path), signs([NodeEnd("sim2d", 2)], simulator={"error": "no such world"}))
+    assert (failure.culprit, failure.reason) == ("sim2d", "no such world")
+
+
+def test_first_node_that_ended_is_the_culprit(tmp_path):
+    ends = [NodeEnd("map_server", 255), NodeEnd("robot1/move_base", 1)]
+    failure = failure_of(plan(tmp_path), signs(ends))
+    assert (failure.culprit, failure.reason) == ("map_server", "ended with exit code 255")
+
+
+def test_race_manager_that_lost_its_planner_names_the_planner(tmp_path):
+    lost = [RaceUpdate("robot1", 5.0, RaceState.LOST, 1, "goal 2 of 3 lost: the action server is gone")]
+    failure = failure_of(plan(tmp_path), signs(lost=lost))
+    assert failure.culprit == "robot1/move_base"
+    assert failure.reason == "goal 2 of 3 lost: the action server is gone"
+
+
+def test_roslaunch_that_fails_is_quoted(tmp_path):
+    made = plan(tmp_path)
+    made.launch_log.write_text("\033[31mRLException: no such file\033[0m\n", encoding="utf-8")
+    failure = failure_of(made, signs(exit_code=1))
+    assert (failure.culprit, failure.reason) == ("roslaunch", "ended with exit code 1")
+    assert failure.log_lines == ("RLException: no such file",)
+
+
+def test_last_words_come_from_the_nodes_log(tmp_path):
+    made = plan(tmp_path)
+    (made.log_folder / "robot1-move_base-5.log").write_text("", encoding="utf-8")
+    (made.log_folder / "robot1-move_base-5-stdout.log").write_text("one\ntwo\n", encoding="utf-8")
+    end = NodeEnd("robot1/move_base", -9, f"{made.log_folder}/robot1-move_base-5*.log")
+    failure = failure_of(made, signs([end]))
+    assert failure.log_file == str(made.log_folder / "robot1-move_base-5-stdout.log")
+    assert failure.log_lines == ("one", "two")
+
+
+def test_last_words_without_an_own_log_come_from_the_common_one(tmp_path):
+    made = plan(tmp_path)
+    made.launch_log.write_text(
+        "[WARN] [1] [/sim2d]: a\n[WARN] [1] [/robot1/move_base]: b\n", encoding="utf-8"
+    )
+    failure = failure_of(made, signs([NodeEnd("robot1/move_base", 1)]))
+    assert failure.log_lines == ("[WARN] [1] [/robot1/move_base]: b",)

@@ -1,0 +1,134 @@
+"""Whatever a run started is gone when it is over."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import psutil
+import pytest
+from f1tenth_scenarios.processes import ProcessTree
+
+PATIENCE = 10.0  # wall s
+SLEEP = "import time; time.sleep(600)"
+IGNORE = "import signal; [signal.signal(s, signal.SIG_IGN) for s in (signal.SIGINT, signal.SIGTERM)]"
+
+
+def start(tmp_path, program, **environment):
+    return ProcessTree([sys.executable, "-c", program], tmp_path / "log", environment)
+
+
+def starts_child(folder, program, own_session=False):
+    """A program that starts another one and writes its process id."""
+    return (
+        "import pathlib, subprocess, sys\n"
+        f"child = subprocess.Popen([sys.executable, '-c', {program!r}], start_new_session={own_session})\n"
+        f"path = pathlib.Path({str(folder)!r})\n"
+        "(path / 'new').write_text(str(child.pid))\n"
+        "(path / 'new').rename(path / 'pid')\n"
+    )
+
+
+def pid_of_child(folder):
+    return int(wait_for(lambda: (folder / "pid").exists() and (folder / "pid").read_text()))
+
+
+def wait_for(condition):
+    deadline = time.monotonic() + PATIENCE
+    while time.monotonic() < deadline:
+        value = condition()
+        if value:
+            return value
+        time.sleep(0.01)
+    raise AssertionError("waited in vain")
+
+
+def is_gone(pid):
+    try:
+        return psutil.Process(pid).status() == psutil.STATUS_ZOMBIE
+    except psutil.NoSuchProcess:
+        return True
+
+
+def test_output_goes_to_the_log_file(tmp_path):
+    tree = start(tmp_path, "import sys; print('out'); print('err', file=sys.stderr); sys.exit(3)")
+    assert wait_for(lambda: tree.exit_code() is not None)
+    assert tree.exit_code() == 3
+    assert set((tmp_path / "log").read_text().split()) == {"out", "err"}
+
+
+def test_environment_is_passed_on(tmp_path):
+    tree = start(tmp_path, "import os; print(os.environ['COLOUR'])", COLOUR="red")
+    wait_for(lambda: tree.exit_code() is not None)
+    assert (tmp_path / "log").read_text() == "red\n"
+
+
+def test_child_may_end_what_it_started(tmp_path):
+    program = (
+        "import pathlib, time\n"
+        f"path = pathlib.Path({str(tmp_path)!r})\n"
+        "try:\n    (path / 'ready').touch(); time.sleep(600)\n"
+        "except KeyboardInterrupt:\n    (path / 'ended').touch()"
+    )
+    tree = start(tmp_path, program)
+    wait_for((tmp_path / "ready").exists)
+    tree.stop(PATIENCE)
+    assert (tmp_path / "ended").exists()
+    assert tree.exit_code() == 0
+
+
+@pytest.mark.parametrize("own_session", [False, True])
+def test_grandchild_is_ended(tmp_path, own_session):
+    tree = start(tmp_path, starts_child(tmp_path, SLEEP, own_session) + SLEEP)
+    pid = pid_of_child(tmp_path)
+    tree.stop(0.1)
+    assert is_gone(pid)
+
+
+def test_grandchild_that_outlived_its_parent_is_ended(tmp_path):
+    tree = start(tmp_path, starts_child(tmp_path, SLEEP, own_session=True))
+    pid = pid_of_child(tmp_path)
+    wait_for(lambda: tree.exit_code() is not None)
+    assert not is_gone(pid)
+    tree.stop(0.1)
+    assert is_gone(pid)
+
+
+def test_process_that_ignores_signals_is_killed(tmp_path):
+    tree = start(tmp_path, f"{IGNORE}\nprint('deaf', flush=True)\n{SLEEP}")
+    wait_for(lambda: (tmp_path / "log").read_text())
+    tree.stop(0.1, last_grace=0.1)
+    assert tree.exit_code() == -signal.SIGKILL
+
+
+def test_stopping_twice_does_no_harm(tmp_path):
+    tree = start(tmp_path, SLEEP)
+    tree.stop(0.5)
+    tree.stop(0.5)
+
+
+def test_other_trees_are_left_alone(tmp_path):
+    (tmp_path / "one").mkdir()
+    (tmp_path / "two").mkdir()
+    one, two = start(tmp_path / "one", SLEEP), start(tmp_path / "two", SLEEP)
+    one.stop(0.5)
+    assert two.exit_code() is None
+    two.stop(0.5)
+
+
+def test_child_ends_when_its_parent_is_killed(tmp_path):
+    program = (
+        "import pathlib, sys, time\n"
+        "from f1tenth_scenarios.processes import ProcessTree\n"
+        f"path = pathlib.Path({str(tmp_path)!r})\n"
+        f"tree = ProcessTree([sys.executable, '-c', {SLEEP!r}], path / 'log', {{}})\n"
+        "import psutil\n"
+        "pid = psutil.Process().children()[0].pid\n"
+        "(path / 'new').write_text(str(pid)); (path / 'new').rename(path / 'pid'); time.sleep(600)\n"
+    )
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    with subprocess.Popen([sys.executable, "-c", program], env=environment) as parent:
+        pid = pid_of_child(tmp_path)
+        parent.kill()
+    wait_for(lambda: is_gone(pid))

@@ -1,0 +1,97 @@
+"""Reading what the simulator recorded, whole and while it grows."""
+
+import pytest
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.file_tail import LineTail, RecordTail, last_lines
+from f1tenth_scenarios.record import COLUMNS, read_record
+from scenario_samples import record, rows, write_record
+
+HEADER = ",".join(COLUMNS) + "\n"
+ROW = "0.025,robot1,1,0,0,1,0,0,0,0.5,,abc\n"
+
+
+def test_cars_are_told_apart(tmp_path):
+    both = record(tmp_path, rows(1.0), rows(2.0, car="robot2"))
+    assert set(both.tracks) == {"robot1", "robot2"}
+    assert both.end == 2.0
+    assert both.until(1.0).end == 1.0
+
+
+def test_unfinished_last_line_is_left_out(tmp_path):
+    path = tmp_path / "record.csv"
+    path.write_text(HEADER + ROW + "0.050,robot1,1,0", encoding="utf-8")
+    assert read_record(path).end == 0.025
+
+
+def test_record_that_was_never_begun_is_empty(tmp_path):
+    assert read_record(tmp_path / "record.csv").end is None
+    assert read_record(tmp_path / "record.csv").hash_at_end() is None
+
+
+def test_header_alone_is_empty(tmp_path):
+    (tmp_path / "record.csv").write_text(HEADER, encoding="utf-8")
+    assert read_record(tmp_path / "record.csv").end is None
+
+
+@pytest.mark.parametrize(
+    ("text", "answer"),
+    [
+        ("a,b\n1,2\n", f"FILE:1: not a record of the simulator: the columns must be {','.join(COLUMNS)}"),
+        (HEADER + "1,2\n", "FILE:2: 2 values, must be 12"),
+        (HEADER + ROW.replace("0.5", "near"), "FILE: could not convert string to float: 'near'"),
+    ],
+)
+def test_what_is_no_record_is_refused(tmp_path, text, answer):
+    path = tmp_path / "record.csv"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(ScenarioError) as caught:
+        read_record(path)
+    assert str(caught.value).replace(str(path), "FILE") == answer
+
+
+def test_contacts_in_neighbouring_periods_are_one(tmp_path):
+    touching = {1.0: "Wall_1", 1.025: "Wall_1", 1.05: "Wall_1;Wall_2", 1.5: "Wall_1"}
+    contacts = record(tmp_path, rows(2.0, contacts=touching)).tracks["robot1"].contact_list()
+    assert [(each.start, each.end, each.touched) for each in contacts] == [
+        (1.0, 1.025, ("Wall_1",)),
+        (1.05, 1.05, ("Wall_1", "Wall_2")),
+        (1.5, 1.5, ("Wall_1",)),
+    ]
+    assert (contacts[0].x, contacts[0].speed) == (1.0, 1.0)
+
+
+def test_tail_follows_a_growing_record(tmp_path):
+    path = tmp_path / "record.csv"
+    tail = RecordTail(path)
+    tail.poll()
+    assert (tail.time, tail.touched) == (None, False)
+    path.write_text(HEADER + ROW + ROW.replace("0.025", "0.050")[:9], encoding="utf-8")
+    tail.poll()
+    assert (tail.time, tail.touched) == (0.025, False)
+    path.write_text(HEADER + ROW + ROW.replace("0.025", "0.050").replace(",,", ",Wall_1,"), encoding="utf-8")
+    tail.poll()
+    assert (tail.time, tail.touched) == (0.05, True)
+
+
+def test_tail_agrees_with_the_reader(tmp_path):
+    tail = RecordTail(write_record(tmp_path / "record.csv", rows(2.0, contacts={1.0: "Wall_1"})))
+    tail.poll()
+    assert (tail.time, tail.touched) == (2.0, True)
+
+
+def test_lines_are_handed_out_once(tmp_path):
+    path = tmp_path / "log"
+    path.write_text("one\ntw", encoding="utf-8")
+    tail = LineTail(path)
+    assert tail.new_lines() == ["one"]
+    with open(path, "a", encoding="utf-8") as stream:
+        stream.write("o\n")
+    assert tail.new_lines() == ["two"]
+    assert tail.new_lines() == []
+
+
+def test_last_lines_leave_out_empty_ones(tmp_path):
+    path = tmp_path / "log"
+    path.write_text("one\n\ntwo  \nthree\n\n", encoding="utf-8")
+    assert last_lines(path, 2) == ["two", "three"]
+    assert last_lines(tmp_path / "none", 2) == []

@@ -1,0 +1,233 @@
+"""A run from start to results, with a program in roslaunch's place."""
+
+import csv
+import json
+import signal
+
+import psutil
+import pytest
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.record import COLUMNS
+from f1tenth_scenarios.scenario import Limits, Verdict
+from fake_run import FakeRun
+from PIL import Image
+from scenario_samples import aborted, died, finished, racing, reached, scenario
+
+
+def result_of(run, **others):
+    run.execute(**others)
+    return json.loads((run.plan.folder / "result.json").read_text(encoding="utf-8"))
+
+
+def succeeding(tmp_path):
+    run = FakeRun(tmp_path).records(9.0).simulator_says(sim_time=9.0, wall_time=0.5)
+    return run.hears(racing(2.0), reached(2.2, 1), reached(2.5, 2), finished(3.0))
+
+
+def test_success_is_written_with_all_that_was_measured(tmp_path):
+    result = result_of(succeeding(tmp_path))
+    assert (result["verdict"], result["expected"], result["passed"]) == ("success", "success", True)
+    assert result["reason"] == "every goal was passed in order"
+    assert result["times"]["start"] == 2.0
+    assert result["times"]["finish"] == 3.0
+    assert result["times"]["lap_time"] == 1.0
+    assert result["cars"] == {"robot1": {"lap_times": [1.0], "goals_passed": [0.5, 1.5, 2.5]}}
+    assert result["minimum_clearance"] == 0.5
+    assert result["contacts"] == []
+    assert result["real_time_factor"] == 18.0
+    assert (result["seed"], result["trajectory_hash"]) == (1, "hash120")
+    assert result["culprit"] is None
+    assert [each["name"] for each in result["criteria"]] == [
+        "verdict",
+        "goals_in_order",
+        "collision",
+        "timeout",
+    ]
+    assert {each["status"] for each in result["criteria"]} == {"passed"}
+    assert result["versions"]["f1tenth_scenarios"] == "0.1.0"
+
+
+def test_trajectory_ends_with_the_deciding_stamp(tmp_path):
+    run = succeeding(tmp_path)
+    run.execute()
+    with open(run.plan.folder / "trajectory.csv", encoding="utf-8", newline="") as stream:
+        written = list(csv.reader(stream))
+    assert tuple(written[0]) == COLUMNS
+    assert float(written[-1][0]) == 3.0
+    assert len(written) == 121
+
+
+def test_picture_is_written(tmp_path):
+    run = succeeding(tmp_path)
+    run.execute()
+    with Image.open(run.plan.folder / "trajectory.png") as picture:
+        assert min(picture.size) > 500
+
+
+def test_same_run_noticed_earlier_or_later_gives_the_same_result(tmp_path):
+    results = []
+    for name, length in (("early", 3.0), ("late", 9.5)):
+        (tmp_path / name).mkdir()
+        run = FakeRun(tmp_path / name).records(length).hears(racing(2.0), finished(3.0))
+        result = result_of(run)
+        result["times"].pop("wall")
+        results.append((result, (run.plan.folder / "trajectory.csv").read_bytes()))
+    assert results[0] == results[1]
+
+
+def test_contact_ends_the_run_without_any_topic(tmp_path):
+    result = result_of(FakeRun(tmp_path).records(4.0, contacts={1.0: "Wall_1", 1.025: "Wall_1"}))
+    assert (result["verdict"], result["passed"]) == ("collision", False)
+    assert result["contacts"] == [
+        {"car": "robot1", "start": 1.0, "end": 1.0, "touched": ["Wall_1"], "x": 1.0, "y": 0.0, "speed": 1.0}
+    ]
+    assert result["trajectory_hash"] == "hash40"
+
+
+def test_timeout_ends_the_run(tmp_path):
+    result = result_of(FakeRun(tmp_path).records(10.5))
+    assert (result["verdict"], result["times"]["finish"]) == ("timeout", 10.0)
+
+
+def test_planner_that_gives_up_ends_the_run(tmp_path):
+    result = result_of(
+        FakeRun(tmp_path, scenario(Verdict.ABORTED)).records(4.0).hears(racing(), aborted(2.0))
+    )
+    assert (result["verdict"], result["passed"]) == ("aborted", True)
+
+
+def test_dead_node_is_named_with_its_last_words(tmp_path):
+    run = FakeRun(tmp_path).records(4.0).prints("[ERROR] [1] [/robot1/move_base]: cannot go on")
+    run.prints("[robot1/move_base-5] process has died [pid 12, exit code -9, cmd x].")
+    result = result_of(run)
+    assert result["verdict"] == "error"
+    assert result["reason"] == "robot1/move_base: was killed by signal 9"
+    assert result["culprit"]["culprit"] == "robot1/move_base"
+    assert result["culprit"]["log_lines"] == ["[ERROR] [1] [/robot1/move_base]: cannot go on"]
+
+
+def test_clean_end_of_a_planner_is_an_error_too(tmp_path):
+    run = FakeRun(tmp_path).records(4.0).prints("[robot1/move_base-5] process has finished cleanly")
+    assert result_of(run)["reason"] == "robot1/move_base: ended with exit code 0"
+
+
+def test_clean_end_of_a_helper_is_none(tmp_path):
+    run = FakeRun(tmp_path).records(4.0).prints("[race_starter-3] process has finished cleanly")
+    assert result_of(run.hears(racing(), finished(3.0)))["verdict"] == "success"
+
+
+def test_race_that_ends_in_the_moment_its_manager_dies_counts(tmp_path):
+    run = (
+        FakeRun(tmp_path)
+        .records(4.0)
+        .prints("[robot1/race_mgr-5] process has died [pid 1, exit code 3, cmd x].")
+    )
+    assert result_of(run.hears(racing(), aborted(2.0)))["verdict"] == "aborted"
+
+
+def test_silent_participant_is_named(tmp_path):
+    run = FakeRun(tmp_path).records(4.0)
+    run.simulator_says(participant="robot1/move_base", error="robot1/move_base did not answer period 200")
+    result = result_of(run.ends(1))
+    assert result["reason"] == "robot1/move_base: robot1/move_base did not answer period 200"
+
+
+def test_launch_that_fails_is_quoted(tmp_path):
+    result = result_of(FakeRun(tmp_path).prints("RLException: no such package").ends(1))
+    assert result["reason"] == "roslaunch: ended with exit code 1"
+    assert result["culprit"]["log_lines"] == ["RLException: no such package"]
+    assert (result["trajectory_hash"], result["minimum_clearance"]) == (None, None)
+
+
+def test_failure_of_the_watch_ends_the_run(tmp_path):
+    run = FakeRun(tmp_path).records(4.0).hears(failure=died("runner"))
+    assert result_of(run)["reason"] == "runner: was killed by signal 9"
+
+
+def test_record_that_is_none_is_the_simulators_fault(tmp_path):
+    run = FakeRun(tmp_path).records(4.0)
+    (tmp_path / "source.csv").write_text("nonsense\n", encoding="utf-8")
+    result = result_of(run.hears(racing(), finished(3.0)))
+    assert result["verdict"] == "error"
+    assert result["culprit"]["culprit"] == "sim2d"
+
+
+def test_hang_is_an_error_after_the_wall_limit(tmp_path):
+    wanted = scenario()
+    hanging = type(wanted)(**{**vars(wanted), "limits": Limits(timeout=10.0, wall=0.5)})
+    result = result_of(FakeRun(tmp_path, hanging).records(2.0).prints("waiting"))
+    assert result["reason"] == (
+        "runner: not decided after 0.5 s of wall time (limits.wall), 2.000 s simulated"
+    )
+    assert result["culprit"]["log_lines"] == ["waiting"]
+
+
+def test_signal_ends_the_run_and_leaves_a_result(tmp_path):
+    run = FakeRun(tmp_path).records(2.0)
+
+    def interrupt(simulated, _wall):
+        if simulated is not None:
+            signal.raise_signal(signal.SIGTERM)
+
+    with run.stop.listening():
+        result = result_of(run, progress=interrupt)
+    assert result["reason"] == "runner: was told to stop by SIGTERM"
+
+
+def test_nothing_is_left_behind(tmp_path):
+    run = succeeding(tmp_path)
+    run.execute()
+    assert sorted(path.name for path in run.plan.folder.iterdir()) == [
+        ".lock", "log", "result.json", "trajectory.csv", "trajectory.png",
+    ]  # fmt: skip
+    assert psutil.Process().children(recursive=True) == []
+    assert run.watch.closed
+
+
+def test_old_results_do_not_survive_a_run_that_breaks(tmp_path):
+    succeeding(tmp_path).execute()
+    run = FakeRun(tmp_path)
+
+    def fail(*_):
+        raise RuntimeError("progress cannot be shown")
+
+    with pytest.raises(RuntimeError):
+        run.execute(progress=fail)
+    assert not (run.plan.folder / "result.json").exists()
+
+
+def test_second_run_into_the_same_folder_is_refused(tmp_path):
+    answers = []
+
+    def second(*_):
+        if not answers:
+            with pytest.raises(ScenarioError) as caught:
+                FakeRun(tmp_path).execute()
+            answers.append(str(caught.value))
+
+        run.stop.signal = signal.SIGINT
+
+    run = FakeRun(tmp_path)
+    run.execute(progress=second)
+    assert answers == [f"{run.plan.folder}: another run of sample is writing its results there"]
+
+
+def test_results_that_cannot_be_written_are_refused(tmp_path):
+    (tmp_path / "sample").write_text("a file in the way", encoding="utf-8")
+    with pytest.raises(ScenarioError, match="sample: cannot write results: File exists"):
+        FakeRun(tmp_path).execute()
+
+
+def test_progress_is_reported(tmp_path):
+    reports = []
+    run = FakeRun(tmp_path).records(1.0)
+
+    def report(simulated, wall):
+        reports.append((simulated, wall))
+        if simulated is not None:
+            run.stop.signal = signal.SIGINT
+
+    run.execute(progress=report)
+    assert reports[0][0] is None
+    assert reports[-1][0] == 1.0
+    assert 0.0 <= reports[0][1] < reports[-1][1]

@@ -1,0 +1,1 @@
+"""Circuits: from a centreline to a world, a map and goals."""

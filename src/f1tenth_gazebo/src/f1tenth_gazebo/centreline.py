@@ -1,0 +1,83 @@
+"""The centreline of a circuit: a polygon whose bends are short straight pieces."""
+
+import math
+from dataclasses import dataclass
+
+from f1tenth_gazebo.errors import CircuitError
+
+MAX_TURN = math.radians(12.0)
+"""Largest turn from one piece of the centreline to the next, rad."""
+
+
+@dataclass(frozen=True)
+class Vertex:
+    """A vertex of the centreline, where the road is `width` wide (m)."""
+
+    x: float  # m
+    y: float  # m
+    width: float  # m
+    in_bend: bool
+
+
+def centreline(circuit):
+    """Vertices of the closed centreline in driving order, from the end of the start straight on.
+
+    Bends are tangential polygons: each piece touches the arc, so straights run into bends without a kink.
+
+    Raises:
+        CircuitError: if two bends need more room than there is between their corners.
+    """
+    _check_room_for_bends(circuit)
+    corners = circuit.corners
+    vertices = []
+    for i, corner in enumerate(corners):
+        vertices += _rounded(corners[i - 1], corner, corners[(i + 1) % len(corners)])
+    return vertices
+
+
+def wrap_angle(angle):
+    """The same angle between -pi and pi, rad."""
+    return math.remainder(angle, 2 * math.pi)
+
+
+def _turn(before, corner, after):
+    heading_in = math.atan2(corner.y - before.y, corner.x - before.x)
+    heading_out = math.atan2(after.y - corner.y, after.x - corner.x)
+    return heading_in, wrap_angle(heading_out - heading_in)
+
+
+def _tangent_length(before, corner, after):
+    _, turn = _turn(before, corner, after)
+    return corner.radius * math.tan(abs(turn) / 2)
+
+
+def _check_room_for_bends(circuit):
+    corners = circuit.corners
+    count = len(corners)
+    lengths = [_tangent_length(corners[i - 1], corners[i], corners[(i + 1) % count]) for i in range(count)]
+    for i in range(count):
+        a, b = corners[i - 1], corners[i]
+        distance = math.hypot(b.x - a.x, b.y - a.y)
+        if lengths[i - 1] + lengths[i] > distance + 1e-9:
+            raise CircuitError(
+                f"{circuit.name}: corners[{(i - 1) % count}] and corners[{i}]: their bends need "
+                f"{lengths[i - 1] + lengths[i]:.3f} m of the {distance:.3f} m between them"
+            )
+
+
+def _rounded(before, corner, after):
+    heading, turn = _turn(before, corner, after)
+    if turn == 0.0:
+        return [Vertex(corner.x, corner.y, corner.width, in_bend=False)]
+    pieces = math.ceil(abs(turn) / MAX_TURN - 1e-9)
+    step = turn / pieces
+    reach = corner.radius * math.tan(abs(turn) / 2)
+    half = corner.radius * math.tan(abs(step) / 2)
+    x = corner.x - (reach - half) * math.cos(heading)
+    y = corner.y - (reach - half) * math.sin(heading)
+    vertices = [Vertex(x, y, corner.width, in_bend=True)]
+    for i in range(1, pieces):
+        x += 2 * half * math.cos(heading + i * step)
+        y += 2 * half * math.sin(heading + i * step)
+        vertices.append(Vertex(x, y, corner.width, in_bend=True))
+    return vertices

@@ -1,0 +1,5 @@
+"""What this package raises for a user's mistake."""
+
+
+class CircuitError(Exception):
+    """A circuit that cannot be built; the message is one line: file, place, what was found, what is allowed."""

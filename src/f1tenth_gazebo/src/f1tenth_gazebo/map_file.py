@@ -1,0 +1,34 @@
+"""A map as map_saver writes it: NAME.pgm and NAME.yaml."""
+
+from pathlib import Path
+
+from f1tenth_gazebo.occupancy import RESOLUTION
+
+_YAML = """image: {image}
+resolution: {resolution:.6f}
+origin: [{x:.6f}, {y:.6f}, 0.000000]
+negate: 0
+occupied_thresh: 0.65
+free_thresh: 0.196
+
+"""
+
+
+def pgm_bytes(grid):
+    """The image, top row first."""
+    rows, columns = grid.pixels.shape
+    header = f"P5\n# CREATOR: make_map {RESOLUTION:.3f} m/pix\n{columns} {rows}\n255\n"
+    return header.encode() + grid.pixels[::-1].tobytes()
+
+
+def yaml_text(grid, image):
+    """What map_server needs to know of the image."""
+    return _YAML.format(image=image, resolution=RESOLUTION, x=grid.x, y=grid.y)
+
+
+def save_map(grid, stem):
+    """Write STEM.pgm and STEM.yaml; STEM is a path without extension."""
+    stem = Path(stem)
+    image = stem.with_name(f"{stem.name}.pgm")
+    image.write_bytes(pgm_bytes(grid))
+    stem.with_name(f"{stem.name}.yaml").write_text(yaml_text(grid, image.name))

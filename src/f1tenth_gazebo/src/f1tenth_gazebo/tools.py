@@ -1,0 +1,82 @@
+"""The command lines of make_world, make_goals and make_map."""
+
+import argparse
+import sys
+from pathlib import Path
+
+import f1tenth_sim2d
+from f1tenth_gazebo.centreline import centreline
+from f1tenth_gazebo.circuit import load_circuit
+from f1tenth_gazebo.errors import CircuitError
+from f1tenth_gazebo.goals import goals_text, lap_goals
+from f1tenth_gazebo.map_file import save_map
+from f1tenth_gazebo.occupancy import occupancy_grid
+from f1tenth_gazebo.world_file import world_text
+
+LIDAR_HEIGHT = 0.16
+"""Of the car's scan plane above the ground, m."""
+
+
+def make_world(arguments=None):
+    """Write the world of a circuit; return the exit code."""
+    parser = argparse.ArgumentParser(prog="make_world", description="Write the Gazebo world of a circuit.")
+    parser.add_argument("circuit", help="YAML file of the circuit")
+    parser.add_argument("-o", dest="output", required=True, metavar="FILE", help="world file to write")
+    options = parser.parse_args(arguments)
+    return _run(lambda: Path(options.output).write_text(world_text(load_circuit(options.circuit))))
+
+
+def make_goals(arguments=None):
+    """Write the goals for one lap of a circuit; return the exit code."""
+    parser = argparse.ArgumentParser(
+        prog="make_goals", description="Write the goals for one lap of a circuit."
+    )
+    parser.add_argument("circuit", help="YAML file of the circuit")
+    parser.add_argument("-o", dest="output", required=True, metavar="FILE", help="goals file to write")
+    options = parser.parse_args(arguments)
+    return _run(lambda: Path(options.output).write_text(circuit_goals_text(load_circuit(options.circuit))))
+
+
+def make_map(arguments=None):
+    """Write the map of a world; return the exit code."""
+    parser = argparse.ArgumentParser(
+        prog="make_map", description="Write the map of a world as map_saver does."
+    )
+    parser.add_argument("world", help="world file")
+    parser.add_argument(
+        "-o", dest="output", required=True, metavar="NAME", help="writes NAME.pgm and NAME.yaml"
+    )
+    parser.add_argument(
+        "--height", type=float, default=LIDAR_HEIGHT, help="of the section, m (default %(default)s)"
+    )
+    options = parser.parse_args(arguments)
+    return _run(lambda: save_map(world_grid(options.world, options.height), options.output))
+
+
+def circuit_goals_text(circuit):
+    """The goals file of a circuit."""
+    return goals_text(lap_goals(centreline(circuit)), circuit.name)
+
+
+def world_grid(world, height=LIDAR_HEIGHT):
+    """Occupancy grid of what stands still in a world, at a height (m).
+
+    Raises:
+        CircuitError: if the world cannot be read, or is not closed around the origin.
+    """
+    try:
+        outlines, circles = f1tenth_sim2d.load_world(str(world)).section(height)
+        return occupancy_grid(outlines, circles)
+    except f1tenth_sim2d.Error as error:
+        raise CircuitError(str(error)) from error
+    except CircuitError as error:
+        raise CircuitError(f"{world}: {error}") from error
+
+
+def _run(action):
+    try:
+        action()
+    except (CircuitError, OSError) as error:
+        print(error, file=sys.stderr)
+        return 1
+    return 0

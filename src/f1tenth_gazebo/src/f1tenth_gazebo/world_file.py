@@ -1,0 +1,134 @@
+"""A circuit as an SDF world, written as Gazebo writes it."""
+
+from f1tenth_gazebo.centreline import centreline
+from f1tenth_gazebo.openings import blocks, place_openings
+from f1tenth_gazebo.walls import THICKNESS, road_walls, wall_chain
+
+_WORLD = """<?xml version='1.0'?>
+<sdf version='1.7'>
+  <world name='default'>
+    <include>
+      <uri>model://sun</uri>
+    </include>
+    <include>
+      <uri>model://ground_plane</uri>
+    </include>
+    <gravity>0 0 -9.8</gravity>
+    <physics type='ode'>
+      <max_step_size>0.001</max_step_size>
+      <real_time_factor>1</real_time_factor>
+      <real_time_update_rate>1000</real_time_update_rate>
+    </physics>
+    <scene>
+      <ambient>0.4 0.4 0.4 1</ambient>
+      <background>0.7 0.7 0.7 1</background>
+      <shadows>1</shadows>
+    </scene>
+    <model name='{name}'>
+      <pose>0 0 0 0 -0 0</pose>
+{links}      <static>1</static>
+    </model>
+{props}  </world>
+</sdf>
+"""
+
+_LINK = """      <link name='{name}'>
+{blocks}        <pose>{x} {y} 0 0 -0 {yaw}</pose>
+      </link>
+"""
+
+_BLOCK = """        <collision name='{name}_Collision{suffix}'>
+          <geometry>
+            <box>
+              <size>{size}</size>
+            </box>
+          </geometry>
+          <pose>{pose}</pose>
+        </collision>
+        <visual name='{name}_Visual{suffix}'>
+          <pose>{pose}</pose>
+          <geometry>
+            <box>
+              <size>{size}</size>
+            </box>
+          </geometry>
+          <material>
+            <script>
+              <uri>file://media/materials/scripts/gazebo.material</uri>
+              <name>{material}</name>
+            </script>
+            <ambient>1 1 1 1</ambient>
+          </material>
+          <meta>
+            <layer>0</layer>
+          </meta>
+        </visual>
+"""
+
+_PROP = """    <include>
+      <uri>model://{model}</uri>
+      <name>{name}</name>
+      <pose>{x} {y} 0 0 -0 {yaw}</pose>
+    </include>
+"""
+
+
+def circuit_walls(circuit):
+    """All walls of a circuit, those of its rooms last."""
+    walls = road_walls(circuit, centreline(circuit))
+    for room in circuit.rooms:
+        walls += wall_chain(room.points, room.material, closed=room.points[0] == room.points[-1])
+    return walls
+
+
+def world_text(circuit):
+    """The world file of a circuit: one static model with a link for each wall, and its props as includes.
+
+    Raises:
+        CircuitError: if the walls of the circuit cannot be built.
+    """
+    walls = circuit_walls(circuit)
+    openings = place_openings(circuit, walls)
+    links = [_link(f"Wall_{i}", wall, openings.get(i, [])) for i, wall in enumerate(walls)]
+    return _WORLD.format(name=circuit.name, links="".join(links), props="".join(_props(circuit)))
+
+
+def _link(name, wall, openings):
+    parts = blocks(wall, openings)
+    suffixes = [""] if len(parts) == 1 else [f"_{i}" for i in range(len(parts))]
+    text = [_block(name, suffix, wall, part) for suffix, part in zip(suffixes, parts)]
+    return _LINK.format(
+        name=name, blocks="".join(text), x=_number(wall.x), y=_number(wall.y), yaw=_number(wall.yaw)
+    )
+
+
+def _block(name, suffix, wall, part):
+    size = (part.end - part.start, THICKNESS, part.top - part.bottom)
+    x, z = (part.start + part.end) / 2, (part.bottom + part.top) / 2
+    return _BLOCK.format(
+        name=name,
+        suffix=suffix,
+        size=" ".join(map(_number, size)),
+        pose=f"{_number(x)} 0 {_number(z)} 0 -0 0",
+        material=wall.material,
+    )
+
+
+def _props(circuit):
+    counts = {}
+    for prop in circuit.props:
+        number = counts.get(prop.model, 0)
+        counts[prop.model] = number + 1
+        yield _PROP.format(
+            model=prop.model,
+            name=prop.model if number == 0 else f"{prop.model}_{number}",
+            x=_number(prop.x),
+            y=_number(prop.y),
+            yaw=_number(prop.yaw),
+        )
+
+
+def _number(value):
+    """Micrometres are enough; no trailing zeros, and no negative zero."""
+    text = f"{value:.6f}".rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text

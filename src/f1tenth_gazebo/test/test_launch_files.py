@@ -1,0 +1,173 @@
+"""Every launch file must parse in each of its uses, and say what its arguments mean."""
+
+import subprocess
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import pytest
+from roslaunch import substitution_args
+from roslaunch.config import load_config_default
+
+PACKAGE = Path(__file__).parent.parent
+LAUNCH_FILES = sorted((PACKAGE / "launch").glob("*.launch"))
+WORLDS = sorted(world.stem for world in (PACKAGE / "worlds").glob("*.world"))
+
+
+def load(name, *arguments):
+    return load_config_default([(str(PACKAGE / "launch" / name), list(arguments))], port=None, verbose=False)
+
+
+def value(config, name):
+    return config.params[name].value
+
+
+def node_names(config):
+    return {node.namespace + node.name for node in config.nodes}
+
+
+@pytest.mark.parametrize("path", LAUNCH_FILES, ids=lambda path: path.name)
+def test_every_argument_is_documented(path):
+    arguments = ElementTree.parse(path).getroot().findall("arg")
+    assert arguments
+    assert not [a.get("name") for a in arguments if not a.get("doc")]
+
+
+@pytest.mark.parametrize("path", LAUNCH_FILES, ids=lambda path: path.name)
+def test_defaults_are_enough(path):
+    assert load(path.name).nodes
+
+
+@pytest.mark.parametrize("world", WORLDS)
+def test_a_named_world_brings_its_map(world):
+    config = load("sim_one_car.launch", f"world_file_name:={world}")
+    assert value(config, "/sim2d/world") == str(PACKAGE / "worlds" / f"{world}.world")
+    (server,) = [node for node in config.nodes if node.type == "map_server"]
+    assert server.args == f"'{PACKAGE}/maps/{world}.yaml'"
+
+
+def test_a_relative_path_is_a_world_too(tmp_path, monkeypatch):
+    (tmp_path / "mine.world").write_text("<sdf/>")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("PWD", str(tmp_path))
+    config = load("sim_one_car.launch", "world_file_name:=mine.world")
+    assert value(config, "/sim2d/world") == str(tmp_path / "mine.world")
+    (server,) = [node for node in config.nodes if node.type == "map_server"]
+    assert server.args == f"'{tmp_path}/mine.yaml'"
+
+
+def test_a_map_can_be_named():
+    config = load("sim_one_car.launch", "map_file:=/elsewhere/a.yaml")
+    (server,) = [node for node in config.nodes if node.type == "map_server"]
+    assert server.args == "'/elsewhere/a.yaml'"
+
+
+def test_a_wrong_world_is_named_with_the_known_ones_before_anything_starts():
+    command = ["roslaunch", "f1tenth_gazebo", "sim_one_car.launch", "world_file_name:=circuit9", "--nodes"]
+    result = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert result.returncode != 0
+    lines = [line for line in result.stderr.splitlines() if line.startswith("world_file_name: ")]
+    known = ", ".join(WORLDS)
+    assert lines == [
+        f"world_file_name: there is no world named 'circuit9'; known names: {known}; a path works, too"
+    ]
+    assert "Traceback" not in result.stderr
+
+
+def test_a_wrong_simulator_is_refused():
+    with pytest.raises(ValueError, match="simulator must be sim2d or gazebo"):
+        load("sim_one_car.launch", "simulator:=stage")
+
+
+def test_one_car_stands_on_the_start_line_with_navigation():
+    config = load("sim_one_car.launch")
+    assert node_names(config) == {
+        "/sim2d",
+        "/map_server",
+        "/robot1/robot_state_publisher",
+        "/robot1/collision_detection",
+        "/robot1/map_to_odom",
+        "/robot1/move_base",
+    }
+    start = [value(config, f"/sim2d/cars/robot1/{key}") for key in ("x", "y", "yaw", "frame_prefix")]
+    assert start == [0.0, 0.0, 0.0, "robot1/"]
+    assert value(config, "/use_sim_time") is True
+
+
+def test_simulator_gets_its_parameters_with_the_right_types():
+    config = load(
+        "sim_one_car.launch",
+        *(
+            "real_time_factor:=0",
+            "lockstep:=true",
+            "seed:=7",
+            "record:=/tmp/r.csv",
+            "result_file:=/tmp/r.json",
+        ),
+        *("lockstep_timeout:=3", "lockstep_startup_timeout:=9", "odometry:=wheel"),
+    )
+    values = {name[7:]: p.value for name, p in config.params.items() if name.startswith("/sim2d/")}
+    assert values["real_time_factor"] == 0.0
+    assert isinstance(values["real_time_factor"], float)
+    assert values["lockstep"] is True
+    assert values["participants"] == ["robot1/move_base"]
+    assert (values["lockstep_timeout"], values["lockstep_startup_timeout"]) == (3.0, 9.0)
+    assert values["seed"] == 7
+    assert (values["record"], values["result_file"]) == ("/tmp/r.csv", "/tmp/r.json")
+    assert values["odometry"] == "wheel"
+
+
+def test_without_navigation_the_car_is_the_participant():
+    config = load("sim_one_car.launch", "navigation:=false", "lockstep:=true")
+    assert "/robot1/move_base" not in node_names(config)
+    assert value(config, "/sim2d/participants") == ["robot1"]
+
+
+def test_participants_can_be_named():
+    config = load("sim_one_car.launch", "participants:=[robot1/move_base, robot1/race_mgr]")
+    assert value(config, "/sim2d/participants") == ["robot1/move_base", "robot1/race_mgr"]
+
+
+def test_wheel_odometry_leaves_map_to_odom_to_a_localizer():
+    assert "/robot1/map_to_odom" not in node_names(load("sim_one_car.launch", "odometry:=wheel"))
+
+
+def test_frame_prefix_can_be_empty():
+    assert value(load("sim_one_car.launch", "frame_prefix:=/"), "/sim2d/cars/robot1/frame_prefix") == ""
+
+
+def test_vehicle_is_passed_on_only_when_named():
+    assert "/sim2d/cars/robot1/vehicle" not in load("sim_one_car.launch").params
+    config = load("sim_one_car.launch", "vehicle:=/cars/fast.yaml")
+    assert value(config, "/sim2d/cars/robot1/vehicle") == "/cars/fast.yaml"
+
+
+def test_two_cars_start_side_by_side():
+    config = load("sim_two_cars.launch", "lockstep:=true")
+    assert [value(config, f"/sim2d/cars/robot{n}/y") for n in (1, 2)] == [0.3, -0.3]
+    assert {"/robot1/move_base", "/robot2/move_base"} <= node_names(config)
+    assert value(config, "/sim2d/participants") == ["robot1/move_base", "robot2/move_base"]
+
+
+def test_gui_starts_rviz():
+    assert "/rviz" in node_names(load("sim_one_car.launch", "gui:=true"))
+    assert "/rviz" in node_names(load("sim_two_cars.launch", "gui:=true"))
+
+
+def test_gazebo_takes_the_place_of_the_simulator(tmp_path, monkeypatch):
+    """With a gazebo_ros of the original's interface."""
+    launch = tmp_path / "gazebo_ros" / "launch"
+    launch.mkdir(parents=True)
+    (tmp_path / "gazebo_ros" / "package.xml").write_text("<package><name>gazebo_ros</name></package>")
+    (launch / "empty_world.launch").write_text(
+        '<launch><arg name="world_name"/><arg name="gui"/>'
+        '<node pkg="gazebo_ros" type="gzserver" name="gazebo" args="$(arg world_name)"/></launch>'
+    )
+    monkeypatch.setenv("ROS_PACKAGE_PATH", f"{PACKAGE.parent}:{tmp_path}")
+    monkeypatch.setattr(substitution_args, "_rospack", None)  # else it remembers the packages of other tests
+    config = load("sim_one_car.launch", "simulator:=gazebo", "y:=0.5")
+    (server,) = [node for node in config.nodes if node.type == "gzserver"]
+    assert server.args == f"{PACKAGE}/worlds/circuit1.world"
+    assert dict(server.env_args)["GAZEBO_MODEL_PATH"].startswith(f"{PACKAGE}/models")
+    (spawn,) = [node for node in config.nodes if node.type == "spawn_model"]
+    assert "-model robot1 -robot_namespace robot1 -x 0.0 -y 0.5 -Y 0.0" in spawn.args
+    assert "/sim2d" not in node_names(config)

@@ -1,9 +1,10 @@
 #include <filesystem>
 #include <sdf/World.hh>
 
+#include "element_reader.h"
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
-#include "sdf_document.h"
+#include "sdf_errors.h"
 #include "sdf_models.h"
 #include "uri_lookup.h"
 
@@ -85,7 +86,9 @@ WorldDescription loadWorld(const std::string & path, const ModelPath & model_pat
   const UriLookup uris(model_path, path);
   WarningCollector warnings;
   sdf::Root root;
-  const sdf::Errors errors = root.Load(path, parserConfig([&uris](const std::string & uri) { return uris.find(uri); }));
+  sdf::ParserConfig config = parserConfig();
+  config.SetFindCallback([&uris](const std::string & uri) { return uris.find(uri); });
+  const sdf::Errors errors = root.Load(path, config);
   checkSdfErrors(errors, messages, root, path, "; searched: " + uris.searchedFolders(), warnings);
   WorldDescription description = describe(onlyWorld(root, path), path, warnings);
   description.warnings = warnings.messages();

@@ -1,5 +1,6 @@
 #include "sdf_messages.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <optional>
 #include <regex>
@@ -47,9 +48,17 @@ std::vector<std::string> linesLabelled(const std::string & label, const std::str
   return lines;
 }
 
+/// Said of every document that is not URDF, and of every file that is not found: more is known elsewhere.
+bool saysNothing(const std::string & line)
+{
+  return line.find("Could not find the 'robot' element") != std::string::npos ||
+         line.find("Tried to use callback in sdf::findFile()") != std::string::npos;
+}
+
 std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string> & second)
 {
   first.insert(first.end(), second.begin(), second.end());
+  first.erase(std::remove_if(first.begin(), first.end(), saysNothing), first.end());
   return first;
 }
 }  // namespace

@@ -5,8 +5,8 @@
 #include <sdf/Joint.hh>
 #include <sdf/Link.hh>
 
+#include "element_reader.h"
 #include "f1tenth_sim2d/errors.h"
-#include "sdf_document.h"
 #include "sdf_shapes.h"
 
 namespace f1tenth_sim2d

@@ -5,9 +5,8 @@
 #include <sdf/Geometry.hh>
 #include <sdf/Plane.hh>
 
-#include "f1tenth_sim2d/errors.h"
+#include "element_reader.h"
 #include "planar.h"
-#include "sdf_document.h"
 
 namespace f1tenth_sim2d
 {
@@ -15,59 +14,6 @@ namespace
 {
 using ignition::math::Vector2d;
 using ignition::math::Vector3d;
-
-std::string toText(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
-/// Reads the children of one element, and says where they are when they are wrong.
-class ElementReader
-{
-public:
-  ElementReader(sdf::ElementPtr element, const std::string & file) : element_(std::move(element)), file_(file) {}
-
-  [[noreturn]] void fail(const std::string & reason) const { throw LoadError(file_, elementPath(element_), reason); }
-
-  /// A child that SDF would silently give a default size is asked for.
-  template <typename T>
-  T required(const std::string & tag) const
-  {
-    if (!element_->HasElement(tag) || !element_->GetElement(tag)->GetExplicitlySetInFile()) {
-      fail("has no <" + tag + ">");
-    }
-    return element_->Get<T>(tag);
-  }
-
-  double positive(const std::string & tag) const
-  {
-    const double value = required<double>(tag);
-    requirePositive(tag, value);
-    return value;
-  }
-
-  void requirePositive(const std::string & tag, double value) const
-  {
-    if (!std::isfinite(value) || value <= 0.0) {
-      fail("<" + tag + "> is " + toText(value) + ", allowed are finite numbers greater than 0");
-    }
-  }
-
-  double notNegative(const std::string & tag, double fallback) const
-  {
-    const double value = element_->Get<double>(tag, fallback).first;
-    if (!std::isfinite(value) || value < 0.0) {
-      fail("<" + tag + "> is " + toText(value) + ", allowed are finite numbers from 0");
-    }
-    return value;
-  }
-
-private:
-  sdf::ElementPtr element_;
-  const std::string & file_;
-};
 
 Box readBox(const ElementReader & element)
 {
@@ -132,18 +78,6 @@ Shape readShape(const sdf::ElementPtr & geometry, const std::string & file, igni
     return readPlane(element, kind, pose);
   }
   element.fail("is not supported as a collision; allowed are <box>, <cylinder>, <sphere>, <polyline> and <plane>");
-}
-
-/// The element at the end of a path of tags; null if there is none.
-sdf::ElementPtr descend(sdf::ElementPtr element, std::initializer_list<const char *> tags)
-{
-  for (const char * const tag : tags) {
-    if (!element || !element->HasElement(tag)) {
-      return nullptr;
-    }
-    element = element->GetElement(tag);
-  }
-  return element;
 }
 }  // namespace
 

@@ -1,0 +1,100 @@
+#include "element_reader.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "f1tenth_sim2d/errors.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+std::string toText(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+std::string withoutBlanksAround(const std::string & text)
+{
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+}  // namespace
+
+std::string elementPath(sdf::ElementPtr element)
+{
+  std::string path;
+  for (; element && element->GetName() != "sdf"; element = element->GetParent()) {
+    const std::string name = element->HasAttribute("name") ? "[" + element->Get<std::string>("name") + "]" : "";
+    path = element->GetName() + name + (path.empty() ? "" : "/") + path;
+  }
+  return path;
+}
+
+sdf::ElementPtr descend(sdf::ElementPtr element, std::initializer_list<const char *> tags)
+{
+  for (const char * const tag : tags) {
+    if (!element || !element->HasElement(tag)) {
+      return nullptr;
+    }
+    element = element->GetElement(tag);
+  }
+  return element;
+}
+
+ElementReader::ElementReader(sdf::ElementPtr element, const std::string & file)
+: element_(std::move(element)), file_(file)
+{
+}
+
+void ElementReader::fail(const std::string & reason) const
+{
+  throw LoadError(file_, elementPath(element_), reason);
+}
+
+void ElementReader::requireGiven(const std::string & tag) const
+{
+  if (!element_->HasElement(tag) || !element_->GetElement(tag)->GetExplicitlySetInFile()) {
+    fail("has no <" + tag + ">");
+  }
+}
+
+std::string ElementReader::requiredText(const std::string & tag) const
+{
+  const std::string text = withoutBlanksAround(required<std::string>(tag));
+  if (text.empty()) {
+    fail("<" + tag + "> is empty");
+  }
+  return text;
+}
+
+double ElementReader::positive(const std::string & tag) const
+{
+  const auto value = required<double>(tag);
+  requirePositive(tag, value);
+  return value;
+}
+
+double ElementReader::notNegative(const std::string & tag, double fallback) const
+{
+  const double value = element_->Get<double>(tag, fallback).first;
+  requireNotNegative(tag, value);
+  return value;
+}
+
+void ElementReader::requirePositive(const std::string & tag, double value) const
+{
+  if (!std::isfinite(value) || value <= 0.0) {
+    fail("<" + tag + "> is " + toText(value) + ", allowed are finite numbers greater than 0");
+  }
+}
+
+void ElementReader::requireNotNegative(const std::string & tag, double value) const
+{
+  if (!std::isfinite(value) || value < 0.0) {
+    fail("<" + tag + "> is " + toText(value) + ", allowed are finite numbers from 0");
+  }
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <sdf/Element.hh>
+#include <string>
+
+namespace f1tenth_sim2d
+{
+/// "world[default]/model[walls]/link[Wall_0]"
+std::string elementPath(sdf::ElementPtr element);
+
+/// Element at the end of a path of tags below element; null if there is none.
+sdf::ElementPtr descend(sdf::ElementPtr element, std::initializer_list<const char *> tags);
+
+/// Reads the children of one element, and says where they are when they are wrong.
+class ElementReader
+{
+public:
+  /// @param file  what error messages call the file; must outlive the reader
+  ElementReader(sdf::ElementPtr element, const std::string & file);
+
+  /// @throws LoadError with file and element path
+  [[noreturn]] void fail(const std::string & reason) const;
+
+  /// A child without which SDF would silently take a default.
+  template <typename T>
+  T required(const std::string & tag) const
+  {
+    requireGiven(tag);
+    return element_->Get<T>(tag);
+  }
+
+  /// Text of a child; blanks around it are dropped.
+  std::string requiredText(const std::string & tag) const;
+
+  /// Numbers of children.
+  double positive(const std::string & tag) const;
+  double notNegative(const std::string & tag, double fallback) const;
+
+  /// Checks of numbers that came from elsewhere, said to be those of a tag.
+  void requirePositive(const std::string & tag, double value) const;
+  void requireNotNegative(const std::string & tag, double value) const;
+
+private:
+  void requireGiven(const std::string & tag) const;
+
+  sdf::ElementPtr element_;
+  const std::string & file_;
+};
+}  // namespace f1tenth_sim2d

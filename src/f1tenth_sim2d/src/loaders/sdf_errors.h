@@ -1,0 +1,22 @@
+#pragma once
+
+#include <sdf/ParserConfig.hh>
+#include <sdf/Root.hh>
+#include <string>
+
+#include "sdf_messages.h"
+#include "warning_collector.h"
+
+namespace f1tenth_sim2d
+{
+/// Settings for reading: elements unknown to SDF are reported instead of being copied in silence.
+sdf::ParserConfig parserConfig();
+
+/// Turns what libsdformat reported of reading a document into one LoadError. What can be left out becomes a warning.
+/// @param file      the file as the user named it
+/// @param uri_hint  said after the name of a URI that was not found
+/// @throws LoadError
+void checkSdfErrors(
+  const sdf::Errors & errors, const SdfMessages & messages, const sdf::Root & root, const std::string & file,
+  const std::string & uri_hint, WarningCollector & warnings);
+}  // namespace f1tenth_sim2d

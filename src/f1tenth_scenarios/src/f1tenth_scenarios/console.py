@@ -49,13 +49,12 @@ class ProgressLine:
 def summary(result: Result, plan: Plan) -> str:
     """The outcome in lines of `name: value`, for a person and for grep."""
     decision = result.judgement.decision
-    laps = [time for car in plan.scenario.cars for time in result.lap_times(car.name)]
     lines = [
         ("scenario", result.name),
         ("verdict", f"{decision.verdict.value} (expected {plan.scenario.expected.value})"),
         ("passed", "yes" if result.passed else "no"),
         ("reason", result.reason),
-        ("lap time", _unit(min(laps, default=None), "s", 3)),
+        ("lap time", _unit(result.best_lap_time, "s", 3)),
         ("minimum clearance", _unit(criteria.minimum_clearance(result.judgement), "m", 3)),
         ("real-time factor", _unit(result.real_time_factor, "", 1)),
         *_failed_criteria(result),

@@ -1,5 +1,6 @@
 """The picture of a run: path over the map, coloured by speed, with start, goals and contacts."""
 
+import textwrap
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Optional
@@ -18,6 +19,7 @@ from f1tenth_scenarios.track_map import TrackMap
 _MARGIN = 1.0  # m, around what is drawn
 _LONG_SIDE = 11.0  # inch
 _DOTS_PER_INCH = 130
+_TEXT_WIDTH = 110  # characters
 _CONTACT_COLOUR = "#d62728"
 _GOAL_COLOUR = "#1f3b57"
 
@@ -25,12 +27,21 @@ _GOAL_COLOUR = "#1f3b57"
 def write_picture(
     path: Path,
     title: str,
-    subtitle: str,
+    lines: Sequence[str],
     record: Record,
     goals: Mapping[str, Sequence[Pose]],
     track_map: Optional[TrackMap],
 ) -> None:
-    """Draw a run into a PNG file, which replaces the old one when it is complete."""
+    """Draw a run into a PNG file, which replaces the old one when it is complete.
+
+    Args:
+        path: of the file
+        title: above the picture
+        lines: below the title
+        record: what the cars did
+        goals: per car
+        track_map: drawn beneath, if there is one
+    """
     tracks = [track for track in record.tracks.values() if len(track.time)]
     box = _bounding_box(tracks, goals, track_map)
     figure = Figure(figsize=_figure_size(box), layout="constrained")
@@ -40,9 +51,9 @@ def write_picture(
     _draw_paths(figure, axes, tracks)
     _draw_goals(axes, goals)
     _draw_contacts(axes, tracks)
-    _finish(figure, axes, box, title, subtitle)
+    _finish(figure, axes, box, title, lines)
     with replacing(path) as temporary:
-        figure.savefig(temporary, dpi=_DOTS_PER_INCH)
+        figure.savefig(temporary, dpi=_DOTS_PER_INCH, bbox_inches="tight", pad_inches=0.2)
 
 
 def _bounding_box(tracks, goals, track_map):
@@ -176,12 +187,30 @@ def _draw_contacts(axes, tracks):
         )
 
 
-def _finish(figure, axes, box, title, subtitle):
+def _finish(figure, axes, box, title, lines):
     axes.set(xlim=box[:2], ylim=box[2:], aspect="equal", xlabel="x (m)", ylabel="y (m)")
     axes.set_facecolor("#ededed")
-    axes.grid(color="white", linewidth=0.6, zorder=1)
+    axes.grid(color="black", alpha=0.07, linewidth=0.6)
     axes.spines[["top", "right"]].set_visible(False)
-    axes.set_title(subtitle, fontsize=9.5, color="#555555", loc="left")
-    figure.suptitle(title, fontsize=14, fontweight="bold", ha="left", x=0.02)
+    text = "\n".join(part for line in lines for part in textwrap.wrap(line, _TEXT_WIDTH))
+    height = 13 * (text.count("\n") + 1)  # points
+    axes.set_title(title, fontsize=14, fontweight="bold", loc="left", pad=height + 10, parse_math=False)
+    axes.annotate(
+        text,
+        (0, 1),
+        (0, 6),
+        "axes fraction",
+        "offset points",
+        fontsize=9.5,
+        color="#444444",
+        parse_math=False,
+    )
     if axes.get_legend_handles_labels()[0]:
-        axes.legend(loc="best", fontsize=8, framealpha=0.9, edgecolor="none", markerscale=0.75)
+        axes.legend(
+            loc="lower right",
+            bbox_to_anchor=(1.0, 1.0),
+            ncols=3,
+            fontsize=8.5,
+            frameon=False,
+            markerscale=0.75,
+        )

@@ -61,6 +61,11 @@ class Result:
         marks = [start, *(end for end in ends if end is not None)]
         return [later - earlier for earlier, later in zip(marks, marks[1:])]
 
+    @property
+    def best_lap_time(self) -> Optional[float]:
+        """The fastest lap of any car, s; nothing when none was completed."""
+        return min((time for car in self.scenario.cars for time in self.lap_times(car.name)), default=None)
+
     def _reached(self, car, count):
         return next((update.stamp for update in self._seen(car) if update.goals_reached >= count), None)
 
@@ -87,7 +92,7 @@ def as_dict(result: Result, versions: Mapping[str, Optional[str]]) -> dict[str, 
         "times": {
             "start": min(starts, default=None),
             "finish": _stamp(decision.stamp),
-            "lap_time": _stamp(min((time for times in laps.values() for time in times), default=None)),
+            "lap_time": _stamp(result.best_lap_time),
             "wall": _stamp(result.wall_time),
         },
         "cars": {

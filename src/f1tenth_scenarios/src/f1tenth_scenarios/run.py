@@ -113,16 +113,17 @@ def _real_time_factor(plan: Plan) -> Optional[float]:
 
 def _write(plan: Plan, done: Result) -> None:
     result.write_trajectory(plan.folder / result.TRAJECTORY_FILE, done.judgement.record)
-    subtitle = (
-        f"{done.judgement.decision.verdict.value} (expected {plan.scenario.expected.value}): {done.reason}"
-    )
-    write_picture(
-        plan.folder / result.PICTURE_FILE,
-        plan.name,
-        subtitle,
-        done.judgement.record,
-        plan.goals,
-        read_track_map(plan.map) if plan.map else None,
-    )
+    track_map = read_track_map(plan.map) if plan.map else None
+    lines = (f"{done.judgement.decision.verdict.value}: {done.reason}", _facts(done))
+    picture = plan.folder / result.PICTURE_FILE
+    write_picture(picture, plan.name, lines, done.judgement.record, plan.goals, track_map)
     # Last, because who sees a result.json may rely on the other files.
     result.write_json(plan.folder / result.RESULT_FILE, result.as_dict(done, versions.collect()))
+
+
+def _facts(done: Result) -> str:
+    facts = [
+        ("lap time", done.best_lap_time, "s"),
+        ("minimum clearance", criteria.minimum_clearance(done.judgement), "m"),
+    ]
+    return ", ".join(f"{name} {value:.3f} {unit}" for name, value, unit in facts if value is not None)

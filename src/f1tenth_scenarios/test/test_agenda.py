@@ -1,0 +1,77 @@
+"""What is to happen when, and when a period may go on."""
+
+import pytest
+from f1tenth_scenarios.agenda import Agenda, PeriodGate
+from f1tenth_scenarios.participants import participants
+from f1tenth_scenarios.profile import STANDING, command_at
+from f1tenth_scenarios.scenario import Car, Command, Driver, Fault
+from scenario_samples import scenario
+
+
+def test_actions_happen_in_order_of_time_and_once():
+    done = []
+    agenda = Agenda([(2.0, lambda: done.append("late")), (1.0, lambda: done.append("early"))])
+    for now in (0.975, 1.0, 1.025, 2.5, 3.0):
+        agenda.act(now)
+        done.append(now)
+    assert done == [0.975, "early", 1.0, 1.025, "late", 2.5, 3.0]
+    assert agenda.empty
+
+
+def test_action_is_due_from_its_time_on():
+    agenda = Agenda([(1.0, lambda: None)])
+    assert not agenda.is_due(0.999)
+    assert agenda.is_due(1.0)
+    assert not Agenda([]).is_due(1.0)
+
+
+def test_gate_opens_when_all_that_matter_have_answered():
+    gate = PeriodGate(["robot1/move_base", "robot2/move_base"])
+    gate.answer("robot1/move_base", 1.0)
+    gate.answer("race_starter", 1.0)
+    assert not gate.is_open(1.0)
+    gate.answer("robot2/move_base", 1.025)
+    assert gate.is_open(1.0)
+    assert not gate.is_open(1.025)
+
+
+def test_gate_that_nobody_matters_to_is_open():
+    assert PeriodGate([]).is_open(1.0)
+
+
+COMMANDS = (Command(1.0, 2.0), Command(3.0, 0.5, 0.1))
+
+
+@pytest.mark.parametrize(
+    ("now", "command"),
+    [
+        (0.0, STANDING),
+        (0.975, STANDING),
+        (1.0, COMMANDS[0]),
+        (2.999, COMMANDS[0]),
+        (3.0, COMMANDS[1]),
+        (9.0, COMMANDS[1]),
+    ],
+)
+def test_command_holds_until_the_next(now, command):
+    assert command_at(COMMANDS, now) == command
+
+
+def test_participants_of_a_race():
+    assert participants(scenario(cars=("robot1", "robot2"))) == [
+        "robot1/move_base", "robot1/race_mgr", "robot2/move_base", "robot2/race_mgr", "race_starter",
+    ]  # fmt: skip
+
+
+def test_car_on_a_profile_takes_part_as_itself():
+    wanted = scenario()
+    driven = Car("robot1", driver=Driver.COMMANDS, commands=COMMANDS)
+    assert participants(type(wanted)(**{**vars(wanted), "cars": (driven,)})) == ["robot1"]
+
+
+def test_faults_make_the_runner_a_participant():
+    assert participants(scenario(faults=(Fault("robot1/move_base", 5.0),)))[-1] == "scenario"
+
+
+def test_without_lockstep_nobody_takes_part():
+    assert participants(scenario(lockstep=False, faults=(Fault("robot1/move_base", 5.0),))) == []

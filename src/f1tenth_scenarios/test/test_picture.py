@@ -1,0 +1,82 @@
+"""The picture shows the whole run, with and without a map, and never half a file."""
+
+import numpy as np
+import pytest
+from f1tenth_scenarios.picture import write_picture
+from f1tenth_scenarios.record import Record
+from f1tenth_scenarios.scenario import Pose
+from f1tenth_scenarios.track_map import TrackMap, read_track_map
+from PIL import Image
+from scenario_samples import GOALS, record, rows
+
+WHITE, RED = (255, 255, 255), (214, 39, 40)
+
+
+def write_map(folder, negate=0):
+    pixels = np.full((40, 80), 254, dtype=np.uint8)
+    pixels[[0, -1], :] = 0
+    Image.fromarray(255 - pixels if negate else pixels).save(folder / "track.pgm")
+    path = folder / "track.yaml"
+    path.write_text(
+        f"image: track.pgm\nresolution: 0.1\norigin: [-1.0, -2.0, 0.0]\nnegate: {negate}\n"
+        "occupied_thresh: 0.65\nfree_thresh: 0.196\n",
+        encoding="utf-8",
+    )
+    return path
+
+
+def colours(path):
+    with Image.open(path) as picture:
+        return {colour[:3] for _, colour in picture.convert("RGB").getcolors(1 << 24)}
+
+
+def draw(path, run, track_map=None, goals=GOALS, title="sample"):
+    write_picture(
+        path, title, ("success: every goal was passed in order", "lap time 3 s"), run, goals, track_map
+    )
+    return path
+
+
+@pytest.mark.parametrize("negate", [0, 1])
+def test_map_covers_the_rectangle_that_its_description_says(tmp_path, negate):
+    track_map = read_track_map(write_map(tmp_path, negate))
+    assert track_map.extent == pytest.approx((-1.0, 7.0, -2.0, 2.0))
+    assert (track_map.pixels[0, 0], track_map.pixels[20, 40]) == (0, 254)
+
+
+def test_contact_is_marked(tmp_path):
+    run = record(tmp_path, rows(3.0, contacts={2.0: "Wall_1"}))
+    assert RED in colours(draw(tmp_path / "picture.png", run, read_track_map(write_map(tmp_path))))
+
+
+def test_run_without_contact_has_no_mark(tmp_path):
+    assert RED not in colours(draw(tmp_path / "picture.png", record(tmp_path, rows(3.0))))
+
+
+@pytest.mark.parametrize("run_length", [0.0, 0.025, 3.0])
+def test_every_length_of_run_can_be_drawn(tmp_path, run_length):
+    with Image.open(draw(tmp_path / "picture.png", record(tmp_path, rows(run_length)))) as picture:
+        assert min(picture.size) > 400
+
+
+def test_nothing_at_all_can_be_drawn(tmp_path):
+    free = TrackMap(np.full((4, 4), 254, dtype=np.uint8), (0.0, 1.0, 0.0, 1.0))
+    assert WHITE in colours(draw(tmp_path / "picture.png", Record({}), free, goals={}))
+
+
+def test_two_cars_share_one_scale(tmp_path):
+    run = record(tmp_path, rows(3.0), rows(3.0, car="robot2", y=1.0, speed=2.0))
+    draw(tmp_path / "picture.png", run, goals={**GOALS, "robot2": (Pose(3.0, 1.0),)})
+
+
+def test_text_that_is_no_mathematics_is_drawn_as_it_is(tmp_path):
+    draw(tmp_path / "picture.png", record(tmp_path, rows(1.0)), title="$\\nothing$")
+
+
+def test_picture_that_cannot_be_drawn_leaves_the_old_one(tmp_path):
+    path = tmp_path / "picture.png"
+    path.write_bytes(b"old")
+    with pytest.raises(AttributeError):
+        draw(path, None)
+    assert [each.name for each in tmp_path.iterdir()] == ["picture.png"]
+    assert path.read_bytes() == b"old"

@@ -1,0 +1,60 @@
+"""Every shipped scenario can be run: its file is valid, what it names is there, its launch file loads."""
+
+import pytest
+import roslaunch.config
+from f1tenth_scenarios.launch_file import launch_command, write_launch_file
+from f1tenth_scenarios.participants import participants
+from f1tenth_scenarios.plan import make_plan
+from f1tenth_scenarios.scenario import Driver
+
+from f1tenth_scenarios import places
+
+NAMES = places.scenario_names()
+
+
+@pytest.fixture(params=NAMES)
+def plan(request, tmp_path):
+    made = make_plan(request.param, tmp_path)
+    made.log_folder.mkdir()
+    return made
+
+
+def load(plan):
+    write_launch_file(plan)
+    return roslaunch.config.load_config_default([str(plan.launch_file)], None)
+
+
+def test_there_is_one_for_each_circuit():
+    circuits = {f"circuit{number}" for number in range(1, 6)} | {"circuit_detailed"}
+    assert circuits <= set(NAMES)
+
+
+def test_each_has_its_rostest_file():
+    tests = {path.stem for path in (places.package_path(places.PACKAGE) / "test").glob("*.test")}
+    assert set(NAMES) <= tests
+
+
+def test_launch_file_starts_what_the_scenario_says(plan):
+    config = load(plan)
+    nodes = {f"{node.namespace}{node.name}".lstrip("/") for node in config.nodes}
+    assert "sim2d" in nodes
+    for car in plan.scenario.cars:
+        driven_by = {"move_base", "race_mgr"} if car.driver is Driver.RACE else {"command_driver"}
+        assert {f"{car.name}/{node}" for node in driven_by} <= nodes
+    assert ("race_starter" in nodes) == bool(plan.goals)
+
+
+def test_launch_file_hands_the_scenario_to_the_simulator(plan):
+    parameters = {name: each.value for name, each in load(plan).params.items()}
+    assert parameters["/sim2d/world"] == str(plan.world)
+    assert parameters["/sim2d/participants"] == participants(plan.scenario)
+    assert parameters["/sim2d/lockstep"] is plan.scenario.lockstep
+    assert parameters["/sim2d/seed"] == plan.scenario.seed
+    assert parameters["/sim2d/record"] == str(plan.record_file)
+    assert parameters["/sim2d/result_file"] == str(plan.simulator_result_file)
+    for car in plan.scenario.cars:
+        assert parameters[f"/sim2d/cars/{car.name}/x"] == car.start.x
+
+
+def test_command_names_the_launch_file(plan):
+    assert launch_command(plan)[-1] == str(plan.launch_file)

@@ -7,7 +7,10 @@ namespace f1tenth_sim2d
 namespace
 {
 /// Tangent of the steering angle of a front wheel at lateral offset y from the middle of the car.
-double tangentAt(double y, double tangent, double wheelbase) { return tangent / (1.0 - tangent * y / wheelbase); }
+double tangentAt(double y, double tangent, double wheelbase)
+{
+  return tangent / (1.0 - tangent * y / wheelbase);
+}
 }  // namespace
 
 SteeringAngles ackermannSteering(double steering_angle, double wheelbase, double track_width)

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <deque>
+
+#include "f1tenth_sim2d/simulation.h"
+#include "single_track.h"
+
+namespace f1tenth_sim2d
+{
+/// A Twist as a drive command: the steering angle under which a car of this wheelbase turns with angular_z at
+/// linear_x. A car cannot turn on the spot: at linear_x = 0 the wheels go to the side of angular_z.
+DriveCommand commandFromTwist(double linear_x, double angular_z, double wheelbase);
+
+/// Acceleration that the motor can give at speed v, m/s and m/s^2; the limits of CommonRoad's models.
+double limitedAcceleration(double v, double acceleration, const VehicleParameters & parameters);
+
+/// Between the driver's commands and the inputs of the single-track model: latency, timeout, speed control, limits.
+class Actuation
+{
+public:
+  explicit Actuation(const VehicleParameters & parameters);
+
+  /// Takes a command at now; it takes effect after the latency. Its values must be finite.
+  void command(const DriveCommand & command, SimTime now);
+
+  /// Inputs for a step of dt seconds that starts at now.
+  SingleTrackInput input(const SingleTrackState & state, SimTime now, double dt);
+
+private:
+  struct Pending
+  {
+    SimTime issued;
+    DriveCommand command;
+  };
+
+  void takeEffect(SimTime now);
+  double speedControl(const SingleTrackState & state, double dt) const;
+
+  VehicleParameters parameters_;
+  SimTime latency_;
+  SimTime timeout_;
+  std::deque<Pending> pending_;
+  DriveCommand active_;
+  SimTime active_issued_{0};
+};
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,28 @@
+#include "beam_table.h"
+
+#include <cmath>
+
+#include "planar_pose.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+double beamsPerRadian(const LidarDescription & lidar)
+{
+  return lidar.beam_count > 1 ? (lidar.beam_count - 1) / (lidar.angle_max - lidar.angle_min) : 1.0;
+}
+}  // namespace
+
+BeamTable::BeamTable(const LidarDescription & lidar)
+: angle_min(lidar.angle_min), beams_per_radian(beamsPerRadian(lidar)), beams_per_turn(2.0 * kPi * beams_per_radian)
+{
+  cosine.reserve(lidar.beam_count);
+  sine.reserve(lidar.beam_count);
+  for (int i = 0; i < lidar.beam_count; ++i) {
+    const double angle = angle_min + i / beams_per_radian;
+    cosine.push_back(std::cos(angle));
+    sine.push_back(std::sin(angle));
+  }
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,124 @@
+#include "car.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "f1tenth_sim2d/ackermann.h"
+#include "planar_pose.h"
+
+namespace f1tenth_sim2d
+{
+Car::Car(
+  CarIndex index, const CarDescription & description, const VehicleParameters & parameters, const Pose2 & start,
+  std::uint64_t seed, WorldPieces & world)
+: description_(description),
+  parameters_(parameters),
+  start_(start),
+  pieces_(carPieces(description.solids, parameters.l_r, static_cast<std::uint32_t>(index), world)),
+  layer_count_(world.layerCount()),
+  outer_radius_(outerRadius(pieces_)),
+  model_(parameters),
+  actuation_(parameters),
+  odometry_(parameters, seed, index)
+{
+}
+
+PlacedCar Car::placed() const
+{
+  return {pieces_, outer_radius_, {state_.x, state_.y, state_.psi}};
+}
+
+void Car::restart(SimTime now)
+{
+  const Pose2 centre = compose(start_, {parameters_.l_r, 0.0, 0.0});
+  state_ = {};
+  state_.x = centre.x;
+  state_.y = centre.y;
+  state_.psi = centre.yaw;
+  predicted_ = state_;
+  acceleration_ = {};
+  wheel_angles_ = {};
+  wheel_speeds_ = {};
+  actuation_ = Actuation(parameters_);
+  odometry_.restart(start_, 0.0, now);
+  contacts_.clear();
+  reported_is_current_ = false;
+}
+
+void Car::predict(SimTime now, double dt)
+{
+  predicted_ = state_;
+  model_.advance(predicted_, actuation_.input(state_, now, dt), dt);
+}
+
+double Car::predictedTravel() const
+{
+  return std::hypot(predicted_.x - state_.x, predicted_.y - state_.y) +
+         std::abs(predicted_.psi - state_.psi) * outer_radius_;
+}
+
+CarMotion Car::predictedMotion() const
+{
+  return {{state_.x, state_.y, state_.psi}, worldVelocity(predicted_), predicted_.psi_dot};
+}
+
+void Car::apply(const ContactEffect & effect)
+{
+  const Vec2 before = worldVelocity(predicted_);
+  predicted_.x += effect.shift.x;
+  predicted_.y += effect.shift.y;
+  predicted_.psi += effect.shift.yaw;
+  predicted_.psi_dot += effect.yaw_rate_change;
+  const Vec2 after{before.x + effect.velocity_change.x, before.y + effect.velocity_change.y};
+  setBodyVelocity(predicted_, Transform2({0.0, 0.0, predicted_.psi}).rotateBack(after));
+}
+
+void Car::commit(SimTime now, double dt)
+{
+  const Vec2 before = worldVelocity(state_);
+  const Vec2 after = worldVelocity(predicted_);
+  acceleration_ = {(after.x - before.x) / dt, (after.y - before.y) / dt};
+  state_ = predicted_;
+  turnWheels(dt);
+  odometry_.advance(bodyVelocity(state_).x, state_.delta, dt, now);
+  reported_is_current_ = false;
+}
+
+void Car::turnWheels(double dt)
+{
+  wheel_speeds_ = wheelSpeeds(
+    bodyVelocity(state_).x, state_.psi_dot, state_.delta, parameters_.wheelbase(), description_.track_width,
+    description_.wheel_radius);
+  for (std::size_t i = 0; i < wheel_angles_.size(); ++i) {
+    wheel_angles_[i] += wheel_speeds_[i] * dt;
+  }
+}
+
+Pose2 Car::pose() const
+{
+  return {
+    state_.x - parameters_.l_r * std::cos(state_.psi), state_.y - parameters_.l_r * std::sin(state_.psi),
+    wrapAngle(state_.psi)};
+}
+
+const CarState & Car::state() const
+{
+  if (!reported_is_current_) {
+    updateState();
+  }
+  return reported_;
+}
+
+void Car::updateState() const
+{
+  const Vec2 velocity = bodyVelocity(state_);
+  reported_.pose = pose();
+  reported_.velocity = {velocity.x, velocity.y - parameters_.l_r * state_.psi_dot};
+  reported_.yaw_rate = state_.psi_dot;
+  reported_.acceleration = Transform2({0.0, 0.0, state_.psi}).rotateBack(acceleration_);
+  reported_.steering_angle = state_.delta;
+  reported_.wheel_angles = wheel_angles_;
+  reported_.wheel_speeds = wheel_speeds_;
+  reported_is_current_ = true;
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "actuation.h"
+#include "clearance.h"
+#include "collision_world.h"
+#include "contact_log.h"
+#include "f1tenth_sim2d/simulation.h"
+#include "lidar_sensor.h"
+#include "single_track.h"
+#include "wheel_odometry.h"
+
+namespace f1tenth_sim2d
+{
+/// One car: the truth about it, in double precision, and its actuators and sensors.
+class Car
+{
+public:
+  /// @param start  pose of base_footprint
+  Car(
+    CarIndex index, const CarDescription & description, const VehicleParameters & parameters, const Pose2 & start,
+    std::uint64_t seed, WorldPieces & world);
+
+  const CarDescription & description() const { return description_; }
+  const VehicleParameters & parameters() const { return parameters_; }
+  const std::vector<Piece> & pieces() const { return pieces_; }
+  CarBody body() const { return {pieces_, parameters_.m, parameters_.I_z}; }
+  /// How many layers the world has with this car and those before it.
+  std::size_t layerCount() const { return layer_count_; }
+  PlacedCar placed() const;
+  const SingleTrackState & dynamicState() const { return state_; }
+  const WheelOdometry & wheelOdometry() const { return odometry_.current(); }
+  ContactLog & contactLog() { return contacts_; }
+  const ContactLog & contactLog() const { return contacts_; }
+  std::vector<LidarSensor> & lidars() { return lidars_; }
+
+  /// Back to the start pose, at rest.
+  void restart(SimTime now);
+  Actuation & actuation() { return actuation_; }
+
+  /// Works out where the car goes in a step of dt seconds that starts at now, contacts left aside.
+  void predict(SimTime now, double dt);
+  /// The farthest that a point of the car goes in the predicted step, m.
+  double predictedTravel() const;
+  /// Where the car is, with the velocity that it has at the end of the predicted step.
+  CarMotion predictedMotion() const;
+  /// Adds what contacts change to the prediction.
+  void apply(const ContactEffect & effect);
+  /// Makes the prediction true, at time now.
+  void commit(SimTime now, double dt);
+
+  /// Pose of base_footprint, m and rad.
+  Pose2 pose() const;
+  const CarState & state() const;
+
+private:
+  void turnWheels(double dt);
+  void updateState() const;
+
+  CarDescription description_;
+  VehicleParameters parameters_;
+  Pose2 start_;
+  std::vector<Piece> pieces_;
+  std::size_t layer_count_;
+  double outer_radius_;
+  SingleTrack model_;
+  Actuation actuation_;
+  WheelOdometryIntegrator odometry_;
+  std::vector<LidarSensor> lidars_;
+  ContactLog contacts_;
+  SingleTrackState state_;
+  SingleTrackState predicted_;
+  Vec2 acceleration_;                     ///< m/s^2, of the centre of mass, in the world
+  std::array<double, 4> wheel_angles_{};  ///< rad
+  std::array<double, 4> wheel_speeds_{};  ///< rad/s
+  mutable CarState reported_;             ///< made from the above when somebody asks
+  mutable bool reported_is_current_{false};
+};
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,236 @@
+#include "collision_world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "planar_pose.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+constexpr int kVelocityIterations = 8;
+constexpr int kPositionIterations = 3;
+
+bool isOfModel(const Piece & piece, std::size_t model)
+{
+  return piece.owner == Piece::Owner::kModel && piece.body == model;
+}
+
+std::vector<Piece> piecesOfModel(const WorldPieces & pieces, std::size_t model)
+{
+  std::vector<Piece> result;
+  std::copy_if(
+    pieces.ofWholeSolids().begin(), pieces.ofWholeSolids().end(), std::back_inserter(result),
+    [&](const Piece & piece) { return isOfModel(piece, model); });
+  return result;
+}
+
+/// Friction coefficient of the ground planes, infinite where the world has none: then that of the model decides.
+double groundFriction(const WorldDescription & world)
+{
+  double mu = std::numeric_limits<double>::infinity();
+  for (const ModelDescription & model : world.models) {
+    for (const Solid & solid : model.solids) {
+      if (std::holds_alternative<Plane>(solid.shape)) {
+        mu = std::min(mu, solid.mu);
+      }
+    }
+  }
+  return mu;
+}
+
+/// Friction coefficient of the lowest solid: the one that the model stands on.
+double footFriction(const std::vector<Piece> & pieces)
+{
+  const auto lowest = std::min_element(
+    pieces.begin(), pieces.end(), [](const Piece & a, const Piece & b) { return a.span.bottom < b.span.bottom; });
+  return lowest != pieces.end() ? lowest->friction : 1.0;
+}
+}  // namespace
+
+bool CollisionWorld::PieceFilter::ShouldCollide(b2Fixture * a, b2Fixture * b)
+{
+  return canTouch(pieceOf(*a), pieceOf(*b));
+}
+
+CollisionWorld::CollisionWorld(const WorldDescription & world, const WorldPieces & pieces)
+: description_(world), pieces_(pieces)
+{
+  world_.SetContactFilter(&filter_);
+  world_.SetContactListener(&recorder_);
+  // Substeps keep a car from passing through a wall; see docs/core.md.
+  world_.SetContinuousPhysics(false);
+  addBodies();
+  addPieces(pieces.ofWholeSolids());
+  addGroundFriction();
+}
+
+void CollisionWorld::addBodies()
+{
+  b2BodyDef definition;
+  static_body_ = world_.CreateBody(&definition);
+  for (std::size_t i = 0; i < description_.models.size(); ++i) {
+    const ModelDescription & model = description_.models[i];
+    b2Body * body = model.is_static ? static_body_ : addMovable(model, pieces_.bodies()[i]);
+    model_bodies_.push_back(body);
+    if (!model.is_static) {
+      movables_.push_back({body, i, outerRadius(piecesOfModel(pieces_, i))});
+    }
+  }
+}
+
+b2Body * CollisionWorld::addMovable(const ModelDescription & model, const ModelBody & start)
+{
+  b2BodyDef definition;
+  definition.type = b2_dynamicBody;
+  definition.position = toBox(Transform2(start.frame).apply(start.centre_of_mass));
+  definition.angle = static_cast<float>(start.frame.yaw);
+  definition.awake = false;
+  b2Body * body = world_.CreateBody(&definition);
+  b2MassData mass;
+  mass.mass = static_cast<float>(model.mass);
+  mass.center = b2Vec2_zero;
+  mass.I = toBoxSquared(model.inertia_zz);
+  body->SetMassData(&mass);
+  return body;
+}
+
+void CollisionWorld::addPieces(const std::vector<Piece> & pieces)
+{
+  for (const Piece & piece : pieces) {
+    b2FixtureDef definition;
+    definition.shape = &piece.boxShape();
+    definition.userData.pointer = reinterpret_cast<std::uintptr_t>(&piece);
+    b2Body * body = piece.owner == Piece::Owner::kCar ? cars_[piece.body].body : model_bodies_[piece.body];
+    body->CreateFixture(&definition);
+  }
+}
+
+// As a joint, so that Box2D solves friction with the ground together with the contacts: what is pushed less than
+// friction holds stays where it is.
+void CollisionWorld::addGroundFriction()
+{
+  const double ground = groundFriction(description_);
+  for (const Movable & movable : movables_) {
+    const std::vector<Piece> pieces = piecesOfModel(pieces_, movable.model);
+    const double mu = std::min(ground, footFriction(pieces));
+    const double force = mu * description_.models[movable.model].mass * description_.gravity;
+    b2FrictionJointDef definition;
+    definition.Initialize(static_body_, movable.body, movable.body->GetPosition());
+    definition.collideConnected = true;
+    definition.maxForce = toBox(force);
+    definition.maxTorque = toBoxSquared(force * meanRadius(pieces));
+    world_.CreateJoint(&definition);
+    movable.body->SetAwake(false);
+  }
+}
+
+void CollisionWorld::addLayers(std::size_t count)
+{
+  for (; layers_added_ < count; ++layers_added_) {
+    addPieces(pieces_.ofLayer(layers_added_));
+  }
+}
+
+void CollisionWorld::addCar(const CarBody & car)
+{
+  b2BodyDef definition;
+  definition.type = b2_dynamicBody;
+  definition.allowSleep = false;
+  definition.enabled = false;
+  cars_.push_back({world_.CreateBody(&definition), {}});
+  addPieces(car.pieces);
+  b2MassData mass;
+  mass.mass = static_cast<float>(car.mass);
+  mass.center = b2Vec2_zero;
+  mass.I = toBoxSquared(car.inertia);
+  cars_.back().body->SetMassData(&mass);
+  recorder_.setCarCount(cars_.size());
+}
+
+void CollisionWorld::place(CarIndex car, const CarMotion & motion)
+{
+  b2Body * body = cars_[car].body;
+  cars_[car].placed = motion;
+  body->SetTransform(toBox(Vec2{motion.pose.x, motion.pose.y}), static_cast<float>(motion.pose.yaw));
+  if (!body->IsEnabled()) {
+    body->SetEnabled(true);
+  }
+  body->SetLinearVelocity(toBox(motion.velocity));
+  body->SetAngularVelocity(static_cast<float>(motion.yaw_rate));
+}
+
+void CollisionWorld::remove(CarIndex car)
+{
+  if (cars_[car].body->IsEnabled()) {
+    cars_[car].body->SetEnabled(false);
+  }
+}
+
+void CollisionWorld::step(double dt, int substeps)
+{
+  recorder_.beginStep();
+  for (int i = 0; i < substeps; ++i) {
+    recorder_.beginSubstep();
+    world_.Step(static_cast<float>(dt / substeps), kVelocityIterations, kPositionIterations);
+  }
+}
+
+// Relative to where Box2D started, in its own precision: a car that rests is not moved by rounding.
+ContactEffect CollisionWorld::effect(CarIndex car, double dt) const
+{
+  const b2Body & body = *cars_[car].body;
+  const CarMotion & placed = cars_[car].placed;
+  const Vec2 start = fromBox(toBox(Vec2{placed.pose.x, placed.pose.y}));
+  const Vec2 velocity = fromBox(toBox(placed.velocity));
+  const double yaw_rate = static_cast<float>(placed.yaw_rate);
+  const Vec2 end = fromBox(body.GetPosition());
+  const Vec2 end_velocity = fromBox(body.GetLinearVelocity());
+  ContactEffect effect;
+  effect.shift = {
+    end.x - start.x - velocity.x * dt, end.y - start.y - velocity.y * dt,
+    static_cast<double>(body.GetAngle()) - static_cast<float>(placed.pose.yaw) - yaw_rate * dt};
+  effect.velocity_change = {end_velocity.x - velocity.x, end_velocity.y - velocity.y};
+  effect.yaw_rate_change = static_cast<double>(body.GetAngularVelocity()) - yaw_rate;
+  return effect;
+}
+
+bool CollisionWorld::isAwake() const
+{
+  return std::any_of(
+    movables_.begin(), movables_.end(), [](const Movable & movable) { return movable.body->IsAwake(); });
+}
+
+double CollisionWorld::movableTravel(double dt) const
+{
+  double travel = 0.0;
+  for (const Movable & movable : movables_) {
+    if (movable.body->IsAwake()) {
+      const double speed = fromBox(movable.body->GetLinearVelocity().Length());
+      const double turning = std::abs(movable.body->GetAngularVelocity()) * movable.outer_radius;
+      travel = std::max(travel, (speed + turning) * dt);
+    }
+  }
+  return travel;
+}
+
+Pose2 CollisionWorld::modelPose(std::size_t model) const
+{
+  const ModelDescription & description = description_.models[model];
+  const b2Body & body = *model_bodies_[model];
+  if (description.is_static) {
+    return planar(description.pose);
+  }
+  const ModelBody & start = pieces_.bodies()[model];
+  if (
+    body.GetAngle() == static_cast<float>(start.frame.yaw) &&
+    body.GetPosition() == toBox(Transform2(start.frame).apply(start.centre_of_mass))) {
+    return start.frame;
+  }
+  const Vec2 position = fromBox(body.GetPosition());
+  const Pose2 centre{position.x, position.y, body.GetAngle()};
+  return compose(centre, {-start.centre_of_mass.x, -start.centre_of_mass.y, 0.0});
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,135 @@
+#pragma once
+
+#include <box2d/box2d.h>
+
+#include <memory>
+#include <vector>
+
+#include "box_units.h"
+#include "contact_recorder.h"
+#include "f1tenth_sim2d/geometry.h"
+#include "piece.h"
+#include "world_pieces.h"
+
+namespace f1tenth_sim2d
+{
+/// What Box2D needs to know of a car.
+struct CarBody
+{
+  const std::vector<Piece> & pieces;  ///< outlive the world
+  double mass;                        ///< kg
+  double inertia;                     ///< kg m^2, about the centre of mass
+};
+
+/// Pose of a car's centre of mass and its velocity in the world, m/s and rad/s.
+struct CarMotion
+{
+  Pose2 pose;
+  Vec2 velocity;
+  double yaw_rate{0.0};
+};
+
+/// What contacts did to a car in a step, on top of its own motion.
+struct ContactEffect
+{
+  Pose2 shift;  ///< m, rad
+  Vec2 velocity_change;
+  double yaw_rate_change{0.0};
+};
+
+/// The world as rigid bodies in the plane. Cars take part only while they are near something they could touch: the
+/// single-track model moves them, and Box2D adds what contacts change.
+class CollisionWorld
+{
+public:
+  /// @param world, pieces  outlive this
+  CollisionWorld(const WorldDescription & world, const WorldPieces & pieces);
+
+  /// Cuts the world for the first `count` layers of car solids.
+  void addLayers(std::size_t count);
+  /// Adds a car that takes no part yet. Its layers must be there.
+  void addCar(const CarBody & car);
+
+  /// Lets a car take part in the next step, from this pose and with this velocity.
+  void place(CarIndex car, const CarMotion & motion);
+  /// Takes a car out.
+  void remove(CarIndex car);
+
+  /// Advances by dt seconds in equal substeps.
+  void step(double dt, int substeps);
+  /// Contacts of the last step.
+  const std::vector<StepContact> & contacts(CarIndex car) const { return recorder_.contacts(car); }
+  /// Effect of the last step on a car that took part in it.
+  ContactEffect effect(CarIndex car, double dt) const;
+
+  /// Whether any movable model moves.
+  bool isAwake() const;
+  /// The farthest that a point of a movable model goes within dt seconds, m.
+  double movableTravel(double dt) const;
+  /// Pose of a model in the world.
+  Pose2 modelPose(std::size_t model) const;
+
+  /// Calls visit(piece, transform of its body) for the pieces of models whose bounds touch the square around a point,
+  /// `reach` metres to each side.
+  template <typename Visit>
+  void forEachModelPieceNear(const Vec2 & point, double reach, Visit visit) const
+  {
+    PieceQuery<Visit> query(visit);
+    const b2Vec2 centre = toBox(point);
+    const b2Vec2 half(toBox(reach), toBox(reach));
+    world_.QueryAABB(&query, {centre - half, centre + half});
+  }
+
+private:
+  template <typename Visit>
+  class PieceQuery : public b2QueryCallback
+  {
+  public:
+    explicit PieceQuery(Visit & visit) : visit_(visit) {}
+    bool ReportFixture(b2Fixture * fixture) override
+    {
+      const Piece & piece = pieceOf(*fixture);
+      if (piece.owner == Piece::Owner::kModel) {
+        visit_(piece, fixture->GetBody()->GetTransform());
+      }
+      return true;
+    }
+
+  private:
+    Visit & visit_;
+  };
+
+  struct Movable
+  {
+    b2Body * body;
+    std::size_t model;
+    double outer_radius;  ///< m
+  };
+  struct Car
+  {
+    b2Body * body;
+    CarMotion placed;
+  };
+
+  void addBodies();
+  b2Body * addMovable(const ModelDescription & model, const ModelBody & start);
+  void addPieces(const std::vector<Piece> & pieces);
+  void addGroundFriction();
+
+  class PieceFilter : public b2ContactFilter
+  {
+    bool ShouldCollide(b2Fixture * a, b2Fixture * b) override;
+  };
+
+  const WorldDescription & description_;
+  const WorldPieces & pieces_;
+  PieceFilter filter_;
+  ContactRecorder recorder_;
+  b2World world_{b2Vec2_zero};
+  b2Body * static_body_;
+  std::vector<b2Body *> model_bodies_;  ///< by model; the static body for all static ones
+  std::vector<Movable> movables_;
+  std::vector<Car> cars_;
+  std::size_t layers_added_{0};
+};
+}  // namespace f1tenth_sim2d

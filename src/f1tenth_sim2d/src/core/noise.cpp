@@ -1,0 +1,109 @@
+#include "noise.h"
+
+#include <array>
+#include <cmath>
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+constexpr std::uint64_t kGoldenGamma = 0x9e3779b97f4a7c15ULL;
+
+double density(double x)
+{
+  return std::exp(-0.5 * x * x);
+}
+
+/// The ziggurat of Marsaglia and Tsang (2000): equal areas under the half normal density, stacked.
+/// Layer 0 is the base with the tail; layer i spans density(edge[i]) to density(edge[i + 1]).
+struct Ziggurat
+{
+  static constexpr int kLayers = 256;
+  static constexpr double kTailStart = 3.6541528853610088;
+  static constexpr double kArea = 0.00492867323399;
+
+  std::array<double, kLayers + 1> edge{};
+  std::array<double, kLayers + 1> height{};
+  std::array<double, kLayers> accept{};  ///< share of a layer's width that lies under the density all over
+
+  Ziggurat()
+  {
+    edge[0] = kArea / density(kTailStart);
+    edge[1] = kTailStart;
+    for (int i = 2; i < kLayers; ++i) {
+      edge[i] = std::sqrt(-2.0 * std::log(kArea / edge[i - 1] + density(edge[i - 1])));
+    }
+    edge[kLayers] = 0.0;
+    for (int i = 0; i <= kLayers; ++i) {
+      height[i] = density(edge[i]);
+    }
+    for (int i = 0; i < kLayers; ++i) {
+      accept[i] = edge[i + 1] / edge[i];
+    }
+  }
+};
+
+const Ziggurat kZiggurat;
+
+/// Uniform in (0, 1).
+double openUniform(std::uint64_t bits)
+{
+  return (static_cast<double>(bits >> 12) + 0.5) * 0x1p-52;
+}
+
+/// Marsaglia's tail: beyond kTailStart.
+double tail(std::uint64_t bits)
+{
+  for (;;) {
+    bits = mixBits(bits + kGoldenGamma);
+    const double x = -std::log(openUniform(bits)) / Ziggurat::kTailStart;
+    bits = mixBits(bits + kGoldenGamma);
+    const double y = -std::log(openUniform(bits));
+    if (2.0 * y > x * x) {
+      return Ziggurat::kTailStart + x;
+    }
+  }
+}
+
+/// The one sample in a hundred that the fast path leaves open.
+double gaussianSlow(std::uint64_t bits)
+{
+  for (;;) {
+    const int layer = static_cast<int>(bits & 255U);
+    const double u = static_cast<double>(static_cast<std::int64_t>(bits) >> 11) * 0x1p-52;
+    const double x = u * kZiggurat.edge[layer];
+    if (std::abs(u) < kZiggurat.accept[layer]) {
+      return x;
+    }
+    if (layer == 0) {
+      return std::copysign(tail(bits), u);
+    }
+    bits = mixBits(bits + kGoldenGamma);
+    const double low = kZiggurat.height[layer];
+    const double high = kZiggurat.height[layer + 1];
+    if (low + openUniform(bits) * (high - low) < density(x)) {
+      return x;
+    }
+    bits = mixBits(bits + kGoldenGamma);
+  }
+}
+}  // namespace
+
+std::uint64_t noiseKey(
+  std::uint64_t seed, std::uint64_t car, NoiseStream stream, std::uint64_t sensor, std::uint64_t instant)
+{
+  std::uint64_t key = mixBits(seed + kGoldenGamma);
+  for (const std::uint64_t part : {car, static_cast<std::uint64_t>(stream), sensor, instant}) {
+    key = mixBits(key ^ mixBits(part + kGoldenGamma));
+  }
+  return key;
+}
+
+double gaussian(std::uint64_t key, std::uint64_t index)
+{
+  const std::uint64_t bits = mixBits(key + (index + 1) * kGoldenGamma);
+  const int layer = static_cast<int>(bits & 255U);
+  const double u = static_cast<double>(static_cast<std::int64_t>(bits) >> 11) * 0x1p-52;
+  return std::abs(u) < kZiggurat.accept[layer] ? u * kZiggurat.edge[layer] : gaussianSlow(bits);
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+/// Counter-based noise: a sample is a function of its key and its index only. Nothing is remembered between
+/// samples, so which sensors are read, and how often, changes nothing.
+namespace f1tenth_sim2d
+{
+/// What draws noise; keeps the streams of one car apart.
+enum class NoiseStream : std::uint64_t
+{
+  kLidar,
+  kImu,
+  kOdometry
+};
+
+/// 64 well-mixed bits (the finalizer of SplitMix64).
+inline std::uint64_t mixBits(std::uint64_t z)
+{
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+  return z ^ (z >> 31);
+}
+
+/// @param sensor   which one of that kind
+/// @param instant  time or number of the sample
+std::uint64_t noiseKey(
+  std::uint64_t seed, std::uint64_t car, NoiseStream stream, std::uint64_t sensor, std::uint64_t instant);
+
+/// Sample `index` of the standard normal distribution under a key.
+double gaussian(std::uint64_t key, std::uint64_t index);
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "car.h"
+#include "collision_world.h"
+#include "encounters.h"
+#include "f1tenth_sim2d/simulation.h"
+#include "lidar_scene.h"
+#include "world_pieces.h"
+
+namespace f1tenth_sim2d
+{
+class Simulation::Impl
+{
+public:
+  Impl(const WorldDescription & world, const SimulationOptions & options);
+
+  CarIndex addCar(const CarDescription & description, const VehicleParameters & parameters, const Pose2 & pose);
+  void step();
+  void reset();
+  void scan(CarIndex index, std::size_t lidar, bool noisy, float * ranges);
+  ImuSample imu(CarIndex index) const;
+
+  Car & car(CarIndex index) { return *cars_.at(index); }
+  const Car & car(CarIndex index) const { return *cars_.at(index); }
+  const Cars & cars() const { return cars_; }
+  const WorldDescription & world() const { return world_; }
+  const CollisionWorld & collisions() const { return *collisions_; }
+  SimTime time() const { return time_; }
+  SimTime stepLength() const { return step_length_; }
+
+private:
+  std::size_t sceneAt(double height);
+  void addLidars(Car & car);
+  void refuseOccupiedPlace(const Car & car, const Pose2 & pose) const;
+  std::string nameOf(const Piece & piece) const;
+  void logContacts();
+  void describe(const Car & car, const StepContact & step, Contact & contact) const;
+  const MovingPoses & movingPoses();
+
+  WorldDescription world_;
+  SimulationOptions options_;
+  SimTime step_length_;
+  double dt_;  ///< s
+  SimTime time_{0};
+  WorldPieces pieces_;
+  std::unique_ptr<CollisionWorld> collisions_;
+  Cars cars_;
+  Encounters encounters_;
+  std::vector<LidarScene> scenes_;
+  MovingPoses moving_poses_;
+  bool moving_poses_are_current_{false};
+};
+}  // namespace f1tenth_sim2d

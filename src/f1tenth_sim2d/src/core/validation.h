@@ -1,0 +1,15 @@
+#pragma once
+
+#include "f1tenth_sim2d/car_model.h"
+#include "f1tenth_sim2d/simulation.h"
+#include "f1tenth_sim2d/world_model.h"
+
+/// What the simulation refuses to be built from. Each throws Error with one line that says what is allowed.
+namespace f1tenth_sim2d
+{
+const WorldDescription & validated(const WorldDescription & world);
+const SimulationOptions & validated(const SimulationOptions & options);
+void validate(const CarDescription & car, const Pose2 & start);
+/// @param car  name of the car
+void validate(const DriveCommand & command, const std::string & car);
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+
+#include "f1tenth_sim2d/simulation.h"
+
+namespace f1tenth_sim2d
+{
+/// Dead reckoning as a car does it: distance from the wheels, curvature from the steering angle, both with noise and
+/// systematic errors. Sampled at a fixed rate whether anybody reads it or not.
+class WheelOdometryIntegrator
+{
+public:
+  WheelOdometryIntegrator(const VehicleParameters & parameters, std::uint64_t seed, CarIndex car);
+
+  /// @param now  the first sample falls on the first multiple of the sampling period after it
+  void restart(const Pose2 & pose, double steering_angle, SimTime now);
+
+  /// Tells what happened in a step of dt seconds that ends at now.
+  /// @param speed  m/s, of the middle of the rear axle along the car
+  void advance(double speed, double steering_angle, double dt, SimTime now);
+
+  const WheelOdometry & current() const { return current_; }
+
+private:
+  void sample(double steering_angle);
+  SimTime sampleTime(std::int64_t number) const;
+
+  VehicleParameters parameters_;
+  std::uint64_t seed_;
+  CarIndex car_;
+  WheelOdometry current_;
+  std::int64_t next_sample_{1};
+  SimTime next_time_{0};
+  double distance_{0.0};
+  double elapsed_{0.0};
+  double last_steering_angle_{0.0};
+};
+}  // namespace f1tenth_sim2d

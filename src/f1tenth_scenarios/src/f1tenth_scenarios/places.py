@@ -1,5 +1,6 @@
 """Where scenarios, worlds, maps, goals and results are."""
 
+import functools
 import os
 from pathlib import Path
 from typing import Optional
@@ -19,9 +20,16 @@ def package_path(package: str) -> Path:
         ScenarioError: it is not installed, or the workspace is not sourced.
     """
     try:
-        return Path(rospkg.RosPack().get_path(package))
+        return Path(packages().get_path(package))
     except rospkg.ResourceNotFound as error:
         raise ScenarioError(f"package {package} not found; is the workspace's setup.bash sourced?") from error
+
+
+@functools.lru_cache(maxsize=1)
+def packages() -> rospkg.RosPack:
+    """What is known of the installed packages."""
+    # It walks through all of ROS_PACKAGE_PATH when it is asked first.
+    return rospkg.RosPack()
 
 
 def scenario_names() -> list[str]:

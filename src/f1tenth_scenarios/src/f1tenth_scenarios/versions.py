@@ -37,6 +37,6 @@ def _commit(folder: Path) -> Optional[str]:
 
 def _package_version(package: str) -> Optional[str]:
     try:
-        return rospkg.RosPack().get_manifest(package).version
+        return places.packages().get_manifest(package).version
     except rospkg.ResourceNotFound:
         return None

@@ -1,0 +1,157 @@
+"""The command `scenario`."""
+
+import io
+import os
+import re
+
+import pytest
+from f1tenth_scenarios.console import ProgressLine, summary
+from f1tenth_scenarios.describe import describe_keys
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.private_master import private_master
+from f1tenth_scenarios.scenario import Scenario
+from fake_run import FakeRun
+from scenario_samples import SCENARIO_TEXT, died, finished, racing
+
+from f1tenth_scenarios import cli, places
+
+
+class Terminal(io.StringIO):
+    def isatty(self):
+        return True
+
+
+def test_list_names_every_scenario_with_verdict_and_description(capsys):
+    assert cli.main(["list"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split()[0] for line in lines] == places.scenario_names()
+    (line,) = (line for line in lines if line.startswith("into_the_wall"))
+    assert re.fullmatch(r"into_the_wall +collision +A car that is driven into a wall .*", line)
+
+
+def test_keys_prints_the_schema(capsys):
+    assert cli.main(["keys"]) == 0
+    assert capsys.readouterr().out == describe_keys(Scenario) + "\n"
+
+
+def test_check_of_a_good_file(capsys):
+    assert cli.main(["check", "circuit1"]) == 0
+    assert capsys.readouterr().out == "circuit1: ok\n"
+
+
+def test_check_answers_every_bad_file(capsys, tmp_path):
+    colour, world = tmp_path / "colour.yaml", tmp_path / "world.yaml"
+    colour.write_text(SCENARIO_TEXT + "colour: red\n", encoding="utf-8")
+    world.write_text(SCENARIO_TEXT.replace("world: circuit1", "world: circuit9"), encoding="utf-8")
+    assert cli.main(["check", str(colour), "circuit1", str(world)]) == 2
+    out, err = capsys.readouterr()
+    assert out == "circuit1: ok\n"
+    first, second = err.splitlines()
+    assert first.startswith(f"{colour}:10: unknown key 'colour'; allowed: description, world, ")
+    assert re.fullmatch(
+        rf"{world}: no circuit9\.world under .*/worlds; there are: circuit1, circuit2, .*", second
+    )
+
+
+@pytest.mark.parametrize("command", ["run", "check"])
+def test_unknown_scenario_is_answered_with_the_known_ones(capsys, command):
+    assert cli.main([command, "nowhere"]) == 2
+    err = capsys.readouterr().err
+    assert "no scenario 'nowhere'; there are: circuit1, circuit2" in err
+
+
+def test_nothing_runs_if_one_of_several_is_unknown(capsys):
+    assert cli.main(["run", "circuit1", "nowhere"]) == 2
+    assert capsys.readouterr().out == ""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "answer"),
+    [
+        ("world: circuit1", "world: there/my.world", "no such file: {folder}/there/my.world"),
+        ("goals: circuit1", "goals: ./my.txt", "no such file: {folder}/my.txt"),
+        ("goals: circuit1", "goals: bad.txt", "{folder}/bad.txt:1: "),
+        (
+            "world: circuit1",
+            "world: my.world",
+            "the driver 'race' needs a map, and {folder}/my.world has none",
+        ),
+    ],
+)
+def test_files_beside_the_scenario_are_looked_up(tmp_path, old, new, answer):
+    (tmp_path / "my.world").touch()
+    (tmp_path / "bad.txt").write_text("1 2\n", encoding="utf-8")
+    path = tmp_path / "sample.yaml"
+    path.write_text(SCENARIO_TEXT.replace(old, new), encoding="utf-8")
+    with pytest.raises(ScenarioError, match=re.escape(f"{path}: " + answer.format(folder=tmp_path))):
+        cli.make_plan(str(path))
+
+
+def test_results_go_where_the_environment_says(monkeypatch, tmp_path):
+    monkeypatch.setenv("F1TENTH_RESULTS", str(tmp_path))
+    assert cli.make_plan("circuit1").folder == tmp_path / "circuit1"
+    monkeypatch.delenv("F1TENTH_RESULTS")
+    assert cli.make_plan("circuit1").folder == places.workspace_root() / "results" / "circuit1"
+
+
+def test_summary_has_all_that_make_race_prints(tmp_path):
+    run = FakeRun(tmp_path).records(4.0).simulator_says(sim_time=4.0, wall_time=0.5)
+    result = run.hears(racing(1.0), finished(3.0)).execute()
+    assert summary(result, run.plan).splitlines() == [
+        "scenario:          sample",
+        "verdict:           success (expected success)",
+        "passed:            yes",
+        "reason:            every goal was passed in order",
+        "lap time:          2.000 s",
+        "minimum clearance: 0.500 m",
+        "real-time factor:  8.0",
+        f"result:            {run.plan.folder}/result.json",
+        f"picture:           {run.plan.folder}/trajectory.png",
+    ]
+
+
+def test_summary_of_a_failure_quotes_the_culprit(tmp_path):
+    run = FakeRun(tmp_path).records(1.0).hears(failure=died())
+    lines = summary(run.execute(), run.plan).splitlines()
+    assert "failed:            verdict: error, limit success" in lines
+    assert "failed:            goals_in_order: 1 goals, limit 3 goals" in lines
+    assert "log:               /log/move_base.log" in lines
+    assert "                   last words" in lines
+    assert "lap time:          none" in lines
+
+
+def test_progress_is_drawn_on_a_terminal():
+    terminal = Terminal()
+    line = ProgressLine("sample", terminal)
+    line.update(None, 1.0)
+    line.clear()
+    assert terminal.getvalue() == "\r\033[Ksample  starting  1 s\r\033[K"
+
+
+def test_progress_shows_the_real_time_factor_since_the_first_period(monkeypatch):
+    terminal = Terminal()
+    monkeypatch.setattr("f1tenth_scenarios.console._REDRAW_INTERVAL", 0.0)
+    line = ProgressLine("sample", terminal)
+    line.update(1.0, 5.0)
+    line.update(21.0, 6.0)
+    assert terminal.getvalue().endswith("sample  21.0 s simulated  20.0x real time")
+
+
+def test_progress_is_silent_elsewhere():
+    stream = io.StringIO()
+    line = ProgressLine("sample", stream)
+    line.update(1.0, 1.0)
+    line.clear()
+    assert stream.getvalue() == ""
+
+
+def test_masters_of_our_own_do_not_meet(monkeypatch):
+    monkeypatch.setenv("ROS_MASTER_URI", "http://elsewhere:11311")
+    monkeypatch.setenv("ROS_IP", "10.0.0.1")
+    with private_master() as one:
+        assert os.environ["ROS_MASTER_URI"] == one
+        assert "ROS_IP" not in os.environ
+        with private_master() as two:
+            assert one != two
+    assert os.environ["ROS_MASTER_URI"] == "http://elsewhere:11311"
+    assert os.environ["ROS_IP"] == "10.0.0.1"

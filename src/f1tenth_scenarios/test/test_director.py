@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+"""Faults happen in exactly their control period, under a real master with a real victim."""
+
+import queue
+import sys
+import time
+import unittest
+
+import pytest
+import rospy
+import rostest
+from f1tenth_scenarios.director import Director
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.observations import RaceState, RaceUpdate
+from f1tenth_scenarios.ros_node_kill import kill_node, node_pid
+from f1tenth_scenarios.ros_watch import RosWatch
+from f1tenth_scenarios.scenario import Car, Fault, Limits, Scenario, Verdict
+from rosgraph_msgs.msg import Clock
+from std_msgs.msg import Header
+
+from f1tenth_race_mgr.msg import RaceStatus
+
+PATIENCE = 20.0  # wall s
+VICTIM = "robot1/move_base"
+
+
+def scenario(faults=(), lockstep=True):
+    cars = (Car("robot1", goals="circuit1"),)
+    return Scenario(
+        "a test", "circuit1", cars, Limits(9.0), Verdict.ERROR, 1, lockstep=lockstep, faults=tuple(faults)
+    )
+
+
+class DirectorTest(unittest.TestCase):
+    def setUp(self):
+        self._answers = queue.SimpleQueue()
+        self._clock = rospy.Publisher("/clock", Clock, queue_size=10)
+        self._done = rospy.Publisher("/sim2d/done", Header, queue_size=10)
+        self._listener = rospy.Subscriber("/sim2d/done", Header, self._hear)
+        self._directors = []
+
+    def tearDown(self):
+        for director in self._directors:
+            director.close()
+        self._listener.unregister()
+
+    def test_every_period_is_answered_until_the_last_fault(self):
+        self._direct(scenario([Fault("robot1/nobody", 1.0)]))
+        self._tick(0.025)
+        assert self._answer() == 0.025
+        self._tick(0.05)
+        assert self._answer() == 0.05
+
+    def test_victim_dies_after_it_has_answered_its_period_and_before_the_next(self):
+        self._wait_for(self._victim_lives)
+        self._direct(scenario([Fault(VICTIM, 1.0)]))
+        self._tick(0.975)
+        assert self._answer() == 0.975
+        self._tick(1.0)
+        assert self._victim_lives()
+        self._done.publish(Header(stamp=rospy.Time(1), frame_id=VICTIM))
+        assert self._answer() == 2147483647.0
+        assert not self._victim_lives()
+
+    def test_fault_that_cannot_happen_is_reported(self):
+        director = self._direct(scenario([Fault("robot1/nobody", 1.0)], lockstep=False))
+        self._tick(1.0)
+        self._wait_for(lambda: director.failure)
+        assert director.failure.culprit == "runner"
+        assert "cannot find robot1/nobody: " in director.failure.reason
+
+    def test_unknown_node_cannot_be_killed(self):
+        with pytest.raises(ScenarioError, match="cannot find robot1/nobody: "):
+            kill_node("robot1/nobody")
+
+    def test_status_of_the_race_is_heard_in_order(self):
+        watch = RosWatch(scenario())
+        publisher = rospy.Publisher("/robot1/race_status", RaceStatus, queue_size=10)
+        self._wait_for(lambda: publisher.get_num_connections() > 0)
+        for state, reached in ((RaceStatus.RACING, 1), (RaceStatus.ABORTED, 1)):
+            message = RaceStatus(state=state, goals_reached=reached, text="why")
+            message.header.stamp = rospy.Time(2, 500000000)
+            publisher.publish(message)
+        heard = []
+        self._wait_for(lambda: heard.extend(watch.take()) or len(heard) == 2)
+        assert heard[0] == RaceUpdate("robot1", 2.5, RaceState.RACING, 1, "why")
+        assert heard[1].state == RaceState.ABORTED
+        assert watch.failure() is None
+        watch.close()
+
+    def _direct(self, wanted):
+        self._directors.append(Director(wanted))
+        # One connection serves all subscribers of a process.
+        self._wait_for(lambda: self._clock.get_num_connections() and self._done.get_num_connections())
+        return self._directors[-1]
+
+    def _victim_lives(self):
+        try:
+            return node_pid(VICTIM) > 0
+        except ScenarioError:
+            return False
+
+    def _tick(self, seconds):
+        self._clock.publish(Clock(rospy.Time.from_sec(seconds)))
+
+    def _hear(self, message):
+        if message.frame_id == "scenario":
+            self._answers.put(message.stamp.to_sec())
+
+    def _answer(self):
+        return self._answers.get(timeout=PATIENCE)
+
+    def _wait_for(self, condition):
+        end = time.monotonic() + PATIENCE
+        while not condition():
+            assert time.monotonic() < end, "waited in vain"
+            time.sleep(0.01)
+
+
+if __name__ == "__main__":
+    rospy.init_node("test_director")
+    rostest.rosrun("f1tenth_scenarios", "test_director", DirectorTest, sys.argv)

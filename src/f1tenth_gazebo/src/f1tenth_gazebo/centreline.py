@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from typing import Optional
 
 from f1tenth_gazebo.errors import CircuitError
 
@@ -16,7 +17,7 @@ class Vertex:
     x: float  # m
     y: float  # m
     width: float  # m
-    in_bend: bool
+    bend: Optional[int]  # number of the corner that is rounded off here
 
 
 def centreline(circuit):
@@ -31,7 +32,7 @@ def centreline(circuit):
     corners = circuit.corners
     vertices = []
     for i, corner in enumerate(corners):
-        vertices += _rounded(corners[i - 1], corner, corners[(i + 1) % len(corners)])
+        vertices += _rounded(i, corners[i - 1], corner, corners[(i + 1) % len(corners)])
     return vertices
 
 
@@ -65,19 +66,19 @@ def _check_room_for_bends(circuit):
             )
 
 
-def _rounded(before, corner, after):
+def _rounded(number, before, corner, after):
     heading, turn = _turn(before, corner, after)
     if turn == 0.0:
-        return [Vertex(corner.x, corner.y, corner.width, in_bend=False)]
+        return [Vertex(corner.x, corner.y, corner.width, bend=None)]
     pieces = math.ceil(abs(turn) / MAX_TURN - 1e-9)
     step = turn / pieces
     reach = corner.radius * math.tan(abs(turn) / 2)
     half = corner.radius * math.tan(abs(step) / 2)
     x = corner.x - (reach - half) * math.cos(heading)
     y = corner.y - (reach - half) * math.sin(heading)
-    vertices = [Vertex(x, y, corner.width, in_bend=True)]
+    vertices = [Vertex(x, y, corner.width, bend=number)]
     for i in range(1, pieces):
         x += 2 * half * math.cos(heading + i * step)
         y += 2 * half * math.sin(heading + i * step)
-        vertices.append(Vertex(x, y, corner.width, in_bend=True))
+        vertices.append(Vertex(x, y, corner.width, bend=number))
     return vertices

@@ -2,4 +2,4 @@
 
 
 class CircuitError(Exception):
-    """A circuit that cannot be built; the message is one line: file, place, what was found, what is allowed."""
+    """A circuit that cannot be built; one line: file, place, what was found, what is allowed."""

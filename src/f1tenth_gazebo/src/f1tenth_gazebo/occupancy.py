@@ -36,7 +36,7 @@ def occupancy_grid(outlines, circles, start=(0.0, 0.0)):
         start: (x, y) in m, a place on the road.
 
     Raises:
-        CircuitError: if the start is inside of something solid or the road is not closed.
+        CircuitError: if nothing is solid, the start is inside of something solid or the road is not closed.
     """
     low, high = _bounds(outlines, circles)
     shape = tuple(int(n) for n in np.ceil((high - low) / RESOLUTION - 1e-9))[::-1]
@@ -57,6 +57,8 @@ def occupancy_grid(outlines, circles, start=(0.0, 0.0)):
 def _bounds(outlines, circles):
     points = [*outlines]
     points += [np.array([[x - r, y - r], [x + r, y + r]]) for x, y, r in circles]
+    if not points:
+        raise CircuitError("nothing is solid at this height")
     everything = np.concatenate(points)
     low = np.floor((everything.min(axis=0) - MARGIN) / RESOLUTION + 1e-9) * RESOLUTION
     return low, everything.max(axis=0) + MARGIN

@@ -9,6 +9,8 @@ from f1tenth_gazebo.walls import HEIGHT
 
 _MARGIN = 0.2
 """Least length of wall beside an opening, m."""
+_OVERLAP = 0.001
+"""Of the blocks below and above an opening with those beside it, m: rounding shall leave no slit."""
 
 
 @dataclass(frozen=True)
@@ -33,15 +35,15 @@ def place_openings(circuit, walls):
         along, _ = _in_wall(walls[index], opening)
         if abs(along) + opening.width / 2 + _MARGIN > walls[index].length / 2:
             raise CircuitError(
-                f"{circuit.name}: openings[{number}]: a {opening.kind} of {opening.width} m does not "
-                f"fit into the wall nearest to ({opening.x}, {opening.y}), which is {walls[index].length:.2f} m long"
+                f"{circuit.name}: openings[{number}]: {opening.width} m do not fit into the wall nearest to "
+                f"({opening.x}, {opening.y}), which is {walls[index].length:.2f} m long"
             )
         placed.setdefault(index, []).append((along, opening))
     return placed
 
 
 def blocks(wall, openings):
-    """What is left of a wall around its openings, without overlaps."""
+    """What is left of a wall around its openings."""
     left = []
     start = -wall.length / 2
     for along, opening in sorted(openings, key=lambda placed: placed[0]):
@@ -49,8 +51,8 @@ def blocks(wall, openings):
         begin, end = along - opening.width / 2, along + opening.width / 2
         left.append(Block(start, begin, 0.0, HEIGHT))
         if bottom > 0:
-            left.append(Block(begin, end, 0.0, bottom))
-        left.append(Block(begin, end, top, HEIGHT))
+            left.append(Block(begin - _OVERLAP, end + _OVERLAP, 0.0, bottom))
+        left.append(Block(begin - _OVERLAP, end + _OVERLAP, top, HEIGHT))
         start = end
     left.append(Block(start, wall.length / 2, 0.0, HEIGHT))
     return left

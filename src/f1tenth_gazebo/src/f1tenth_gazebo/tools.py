@@ -8,7 +8,7 @@ import f1tenth_sim2d
 from f1tenth_gazebo.centreline import centreline
 from f1tenth_gazebo.circuit import load_circuit
 from f1tenth_gazebo.errors import CircuitError
-from f1tenth_gazebo.goals import goals_text, lap_goals
+from f1tenth_gazebo.goals_file import goals_text, lap_goals
 from f1tenth_gazebo.map_file import save_map
 from f1tenth_gazebo.occupancy import occupancy_grid
 from f1tenth_gazebo.world_file import world_text

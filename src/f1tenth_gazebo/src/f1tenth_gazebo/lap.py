@@ -1,0 +1,47 @@
+"""The centreline by the distance driven."""
+
+import bisect
+import math
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Pose:
+    """A pose in the map frame."""
+
+    x: float  # m
+    y: float  # m
+    yaw: float  # rad
+
+
+class Lap:
+    """One lap along the centreline, from the start line to the start line."""
+
+    def __init__(self, vertices):
+        """Take the vertices of `centreline()`, which begin at the end of the start straight."""
+        self._points = [(0.0, 0.0)] + [(v.x, v.y) for v in vertices] + [(0.0, 0.0)]
+        self._distances = [0.0]
+        for (ax, ay), (bx, by) in zip(self._points, self._points[1:]):
+            self._distances.append(self._distances[-1] + math.hypot(bx - ax, by - ay))
+        self._bends = {}
+        for vertex, distance in zip(vertices, self._distances[1:]):
+            if vertex.bend is not None:
+                begin, _ = self._bends.get(vertex.bend, (distance, distance))
+                self._bends[vertex.bend] = (begin, distance)
+
+    @property
+    def length(self):
+        """Length of the lap, m."""
+        return self._distances[-1]
+
+    def pose(self, distance):
+        """Pose on the centreline after this distance, m, in driving direction."""
+        distance %= self.length
+        i = bisect.bisect_right(self._distances, distance) - 1
+        (ax, ay), (bx, by) = self._points[i], self._points[i + 1]
+        part = (distance - self._distances[i]) / (self._distances[i + 1] - self._distances[i])
+        return Pose(ax + part * (bx - ax), ay + part * (by - ay), math.atan2(by - ay, bx - ax))
+
+    def straightness(self, distance):
+        """How far the nearest bend is, m; in a bend, minus the distance to its nearer end."""
+        return min(max(begin - distance, distance - end) for begin, end in self._bends.values())

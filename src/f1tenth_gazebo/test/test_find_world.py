@@ -1,0 +1,54 @@
+"""A world must be found by name or path, or be refused with the names there are."""
+
+import re
+
+import pytest
+from f1tenth_gazebo.find_world import WorldNotFoundError, find_world, main
+
+
+@pytest.fixture
+def worlds(tmp_path):
+    folder = tmp_path / "package" / "worlds"
+    folder.mkdir(parents=True)
+    for name in ("b", "a"):
+        (folder / f"{name}.world").write_text("")
+    return folder
+
+
+def test_a_name_means_a_world_of_the_package(worlds, tmp_path):
+    assert find_world("a", worlds, tmp_path) == worlds / "a.world"
+
+
+def test_a_path_may_be_relative_or_absolute(worlds, tmp_path):
+    (tmp_path / "mine.world").write_text("")
+    assert find_world("mine.world", worlds, tmp_path) == tmp_path / "mine.world"
+    assert find_world("./mine.world", worlds, tmp_path) == tmp_path / "mine.world"
+    assert find_world(str(tmp_path / "mine.world"), worlds, "/") == tmp_path / "mine.world"
+
+
+def test_a_wrong_name_is_answered_with_the_known_ones(worlds, tmp_path):
+    message = "world_file_name: there is no world named 'c'; known names: a, b; a path works, too"
+    with pytest.raises(WorldNotFoundError, match="^" + re.escape(message) + "$"):
+        find_world("c", worlds, tmp_path)
+
+
+def test_a_wrong_path_is_named_in_full(worlds, tmp_path):
+    with pytest.raises(
+        WorldNotFoundError, match=f"there is no world file {tmp_path}/sub/c.world; known names: a, b;"
+    ):
+        find_world("sub/c.world", worlds, tmp_path)
+
+
+def test_command_prints_the_path_and_nothing_else(worlds, capsys):
+    assert main(worlds.parent, ["a"]) == 0
+    assert capsys.readouterr().out == str(worlds / "a.world")
+
+
+def test_command_fails_with_one_line(worlds, capsys):
+    assert main(worlds.parent, ["c"]) == 1
+    assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_command_without_an_argument_shows_its_usage(worlds, capsys):
+    assert main(worlds.parent, []) == 2
+    assert capsys.readouterr().err == "usage: find_world NAME|PATH\n"

@@ -1,0 +1,72 @@
+"""The shipped worlds, maps and goals must be what the tools make of the circuits."""
+
+import circuits
+import numpy as np
+import pytest
+from f1tenth_gazebo.errors import CircuitError
+from f1tenth_gazebo.occupancy import FREE, OCCUPIED
+from f1tenth_gazebo.tools import make_goals, make_map, make_world, world_grid
+from PIL import Image
+from shapely.geometry import Point
+
+
+@pytest.mark.parametrize("name", circuits.NAMES)
+class TestShippedFiles:
+    def test_world_is_made_from_the_circuit(self, name, tmp_path):
+        assert make_world([str(circuits.PACKAGE / f"circuits/{name}.yaml"), "-o", str(tmp_path / "w")]) == 0
+        assert (tmp_path / "w").read_text() == (circuits.PACKAGE / f"worlds/{name}.world").read_text()
+
+    def test_goals_are_made_from_the_circuit(self, name, tmp_path):
+        assert make_goals([str(circuits.PACKAGE / f"circuits/{name}.yaml"), "-o", str(tmp_path / "g")]) == 0
+        assert (tmp_path / "g").read_text() == (circuits.PACKAGE / f"goals/{name}.txt").read_text()
+
+    def test_map_is_made_from_the_world(self, name, tmp_path):
+        assert make_map([str(circuits.PACKAGE / f"worlds/{name}.world"), "-o", str(tmp_path / name)]) == 0
+        for suffix in (".pgm", ".yaml"):
+            assert (tmp_path / name).with_suffix(suffix).read_bytes() == (
+                (circuits.PACKAGE / f"maps/{name}").with_suffix(suffix).read_bytes()
+            )
+
+    def test_map_agrees_with_the_section_of_the_world(self, name):
+        """Measured with another library than the one that made it."""
+        grid = world_grid(circuits.PACKAGE / f"worlds/{name}.world")
+        pixels = np.asarray(Image.open(circuits.PACKAGE / f"maps/{name}.pgm"))[::-1]
+        solid = circuits.solid(name)
+        cells = np.random.default_rng(1).integers((0, 0), pixels.shape, size=(1500, 2))
+        for row, column in cells:
+            centre = Point(grid.x + (column + 0.5) * 0.05, grid.y + (row + 0.5) * 0.05)
+            if pixels[row, column] == OCCUPIED:
+                assert solid.distance(centre) < 0.036
+            elif pixels[row, column] == FREE:
+                assert solid.distance(centre) > 0.014
+
+
+def test_a_wrong_circuit_ends_in_one_line_and_exit_code_1(tmp_path, capsys):
+    (tmp_path / "bad.yaml").write_text("corners: 3\n")
+    assert make_world([str(tmp_path / "bad.yaml"), "-o", str(tmp_path / "w")]) == 1
+    assert capsys.readouterr().err == f"{tmp_path}/bad.yaml: corners: found 3, allowed: a list\n"
+    assert not (tmp_path / "w").exists()
+
+
+def test_a_missing_world_ends_in_one_line_and_exit_code_1(tmp_path, capsys):
+    assert make_map([str(tmp_path / "none.world"), "-o", str(tmp_path / "m")]) == 1
+    error = capsys.readouterr().err
+    assert "none.world" in error
+    assert error.count("\n") == 1
+
+
+def test_an_unwritable_output_ends_in_one_line_and_exit_code_1(tmp_path, capsys):
+    circuit = str(circuits.PACKAGE / "circuits/circuit1.yaml")
+    assert make_goals([circuit, "-o", str(tmp_path / "none" / "g")]) == 1
+    assert "No such file" in capsys.readouterr().err
+
+
+def test_a_world_that_is_not_closed_is_named():
+    """At this height its windows are open."""
+    with pytest.raises(CircuitError, match="circuit_detailed.world: the walls around .* have a gap"):
+        world_grid(circuits.PACKAGE / "worlds/circuit_detailed.world", height=1.6)
+
+
+def test_a_height_above_everything_is_refused():
+    with pytest.raises(CircuitError, match="circuit1.world: nothing is solid at this height"):
+        world_grid(circuits.PACKAGE / "worlds/circuit1.world", height=2.6)

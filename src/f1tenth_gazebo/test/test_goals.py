@@ -1,0 +1,66 @@
+"""Goals must lie on the road in driving order, where a car can reach and pass them."""
+
+import math
+
+import circuits
+import pytest
+from f1tenth_gazebo.centreline import centreline
+from f1tenth_gazebo.goals_file import goals_text, lap_goals
+from f1tenth_gazebo.lap import Lap, Pose
+from shapely.geometry import Point
+
+CLEARANCE = 0.3
+
+
+def place_on_lap(lap, goal):
+    """Distance driven from the start line to a goal, m."""
+    steps = int(lap.length / 0.02)
+    places = [i * lap.length / steps for i in range(steps)]
+    return min(places, key=lambda s: math.hypot(lap.pose(s).x - goal[0], lap.pose(s).y - goal[1]))
+
+
+@pytest.mark.parametrize("name", circuits.NAMES)
+class TestGoals:
+    def test_are_in_driving_order_and_a_few_metres_apart(self, name):
+        lap = circuits.lap(name)
+        places = [place_on_lap(lap, goal) for goal in circuits.goals(name)]
+        places[-1] += lap.length
+        gaps = [b - a for a, b in zip([0.0, *places], places)]
+        assert min(gaps) >= 4.9
+        assert max(gaps) <= 8.1
+
+    def test_last_one_is_a_little_past_the_start_line(self, name):
+        assert circuits.goals(name)[-1] == pytest.approx((1.0, 0.0, 0.0))
+
+    def test_have_clearance(self, name):
+        for x, y, _ in circuits.goals(name):
+            assert circuits.solid(name).distance(Point(x, y)) >= CLEARANCE
+
+    def test_face_the_driving_direction(self, name):
+        lap = circuits.lap(name)
+        for goal in circuits.goals(name):
+            yaw = lap.pose(place_on_lap(lap, goal)).yaw
+            assert abs(math.remainder(goal[2] - yaw, 2 * math.pi)) < 0.25
+
+
+def test_goals_prefer_straights():
+    lap = circuits.lap("circuit5")
+    goals = lap_goals(centreline(circuits.circuit("circuit5")))
+    on_straight = [lap.straightness(place_on_lap(lap, (g.x, g.y))) > -0.05 for g in goals]
+    assert sum(on_straight) > len(goals) / 2
+
+
+def test_lap_knows_how_far_bends_are():
+    lap = circuits.lap("circuit1")
+    assert lap.straightness(0.0) == pytest.approx(5.2, abs=0.3)
+    assert lap.straightness(lap.length / 4) < 0
+
+
+def test_pose_repeats_after_a_lap():
+    lap = Lap(centreline(circuits.circuit("circuit2")))
+    assert lap.pose(lap.length + 2.0).x == pytest.approx(lap.pose(2.0).x)
+
+
+def test_goals_file_has_frame_and_one_goal_a_line():
+    text = goals_text([Pose(1, -2, 0.5)], "circuit1")
+    assert text == "frame_id: map\n# One lap of circuit1: x (m) y (m) yaw (rad)\n1.000 -2.000 0.5000\n"

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "move_base/costmap.h"
+#include "move_base/hybrid_a_star.h"
+#include "move_base/path.h"
+
+namespace move_base
+{
+/// A way to a goal, and, where asked for, beyond it.
+struct Plan
+{
+  SearchStatus status{SearchStatus::kUnreachable};
+  Path path;           ///< empty unless found
+  double goal_s{0.0};  ///< m along the path, where the goal is
+  int expansions{0};   ///< of the searches
+
+  bool found() const { return status == SearchStatus::kFound; }
+};
+
+struct PlanRequest
+{
+  Pose2 start;
+  Pose2 goal;
+  double start_curvature{0.0};   ///< 1/m, how the wheels are set at the start
+  double extension_length{0.0};  ///< m, wanted beyond the goal
+};
+
+/// Plans paths that the car can drive and that keep to the middle where there is room.
+class GlobalPlanner
+{
+public:
+  /// @throws OptionError
+  explicit GlobalPlanner(const PlannerOptions & options);
+
+  /// Tries with the clearance of the options, then with as little as the map is exact.
+  Plan plan(const Costmap & costmap, const PlanRequest & request) const;
+
+private:
+  Plan planWithClearance(const Costmap & costmap, const PlanRequest & request, double clearance) const;
+
+  PlannerOptions options_;
+  ShortestCurves curves_;
+};
+}  // namespace move_base

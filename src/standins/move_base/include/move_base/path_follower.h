@@ -1,0 +1,89 @@
+#pragma once
+
+#include <vector>
+
+#include "move_base/costmap.h"
+#include "move_base/path_tracker.h"
+#include "move_base/speed_profile.h"
+
+namespace move_base
+{
+struct FollowerOptions
+{
+  SpeedLimits limits;
+  double max_steering_angle{0.4189};  ///< rad
+  double latency{0.05};               ///< s, from measuring a pose to the wheels acting on the command
+  double tracking_distance{0.45};     ///< m, in which an error of the path is driven out when standing
+  double tracking_time{0.12};         ///< s, added to it per m/s
+  double stop_clearance{0.0};         ///< m, with less on its predicted way the car stops before
+  double replan_distance{2.5};        ///< m beyond the braking distance, an obstacle on the path there is reported
+  double max_path_deviation{0.5};     ///< m, farther from its path the car has lost it
+
+  /// @throws OptionError
+  void validate() const;
+};
+
+/// A car's motion, in the map.
+struct CarState
+{
+  Pose2 pose;
+  double speed{0.0};  ///< m/s, negative backwards
+};
+
+struct DriveCommand
+{
+  double speed{0.0};      ///< m/s, negative backwards
+  double curvature{0.0};  ///< 1/m, positive is steering to the left
+
+  double yawRate() const { return speed * curvature; }
+};
+
+/// What one step of following gives.
+struct FollowStep
+{
+  DriveCommand command;
+  PathPosition position;          ///< of the car now
+  bool lost{false};               ///< the car is off its path
+  bool blocked{false};            ///< an obstacle lies on the path ahead
+  bool stuck{false};              ///< the car cannot drive on without touching it
+  bool at_end{false};             ///< the path is driven to its end
+  std::vector<Pose2> prediction;  ///< where the car is going to be
+};
+
+/// Steers a car along a path at the speed that path, obstacles and the car allow.
+class PathFollower
+{
+public:
+  /// @throws OptionError
+  explicit PathFollower(const FollowerOptions & options);
+
+  const FollowerOptions & options() const { return options_; }
+
+  /// Starts on a path, which must have at least two points.
+  void setPath(const Path & path, const Costmap & costmap);
+  bool hasPath() const { return !path_.empty(); }
+  const Path & path() const { return path_; }
+  void clear();
+  const DriveCommand & lastCommand() const { return last_; }
+
+  /// @param period  s since the last step
+  /// @param brake   whether to come to a stand along the path as soon as possible
+  FollowStep step(const CarState & car, const Costmap & costmap, double period, bool brake = false);
+
+private:
+  double maxCurvature() const;
+  double steer(const PathPosition & position, double speed) const;
+  double profileAt(double s, std::size_t from) const;
+  double wantedSpeed(const PathPosition & position, double speed) const;
+  double distanceToObstacle(const CarState & car, const Costmap & costmap, std::vector<Pose2> & prediction) const;
+  bool pathBlocked(const PathPosition & position, double speed, const Costmap & costmap) const;
+  void changeDirectionWhenStanding(const CarState & car);
+  double slewed(double wanted, double speed, double period) const;
+
+  FollowerOptions options_;
+  Path path_;
+  std::vector<double> speeds_;
+  PathTracker tracker_;
+  DriveCommand last_;
+};
+}  // namespace move_base

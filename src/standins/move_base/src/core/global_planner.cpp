@@ -1,0 +1,69 @@
+#include "move_base/global_planner.h"
+
+#include <algorithm>
+
+#include "arc_price.h"
+#include "path_extension.h"
+#include "path_smoother.h"
+
+namespace move_base
+{
+namespace
+{
+constexpr double kSpacing = 0.1;          // m, between points of a path
+constexpr double kLeastClearance = 0.02;  // m
+
+const PlannerOptions & validated(const PlannerOptions & options)
+{
+  options.validate();
+  return options;
+}
+
+// The point of the path nearest to the goal, among those near where it was before smoothing.
+double locate(const Path & path, const Pose2 & goal, double near_s)
+{
+  const auto off = [&](const PathPoint & point) {
+    return distance(point.pose, goal) + 0.01 * std::abs(point.s - near_s);
+  };
+  const auto nearest = std::min_element(
+    path.begin(), path.end(), [&](const PathPoint & a, const PathPoint & b) { return off(a) < off(b); });
+  return nearest->s;
+}
+}  // namespace
+
+GlobalPlanner::GlobalPlanner(const PlannerOptions & options)
+: options_(validated(options)), curves_(options.min_turning_radius, options.allow_reversing)
+{
+}
+
+Plan GlobalPlanner::plan(const Costmap & costmap, const PlanRequest & request) const
+{
+  const Plan wanted = planWithClearance(costmap, request, std::max(options_.min_obstacle_dist, kLeastClearance));
+  if (wanted.status != SearchStatus::kUnreachable || options_.min_obstacle_dist <= kLeastClearance) {
+    return wanted;
+  }
+  return planWithClearance(costmap, request, kLeastClearance);
+}
+
+Plan GlobalPlanner::planWithClearance(const Costmap & costmap, const PlanRequest & request, double clearance) const
+{
+  const SearchQuery query{request.start, request.goal, request.start_curvature, clearance};
+  SearchResult result = searchHybridAStar(costmap, options_, curves_, query);
+  Plan plan;
+  plan.status = result.status;
+  plan.expansions = result.expansions;
+  if (!plan.found()) {
+    return plan;
+  }
+  const ClearanceRule rule(costmap, request.start, request.goal, clearance);
+  const double goal_s = length(result.arcs);
+  if (result.arcs.empty() || result.arcs.back().length > 0.0) {
+    const std::vector<Arc> beyond = extensionFrom(request.goal, costmap, rule, options_, request.extension_length);
+    result.arcs.insert(result.arcs.end(), beyond.begin(), beyond.end());
+  }
+  const Path path = samplePath(request.start, result.arcs, kSpacing);
+  plan.path = smoothPath(path, costmap, rule, 1.0 / options_.min_turning_radius, goal_s);
+  plan.goal_s = locate(plan.path, request.goal, goal_s);
+  return plan;
+}
+}  // namespace move_base

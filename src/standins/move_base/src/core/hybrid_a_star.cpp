@@ -1,0 +1,215 @@
+#include "move_base/hybrid_a_star.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <queue>
+
+#include "arc_price.h"
+#include "move_base/cost_to_go.h"
+#include "option_checks.h"
+#include "search_nodes.h"
+
+namespace move_base
+{
+namespace
+{
+constexpr double kArcLength = 0.3;
+constexpr std::array<double, 7> kSteering{-1.0, -0.5, -0.2, 0.0, 0.2, 0.5, 1.0};  // parts of the greatest curvature
+// Within these many least radii of the goal, the length of the shortest curve tells more than the way of a point does.
+constexpr double kCurveRadii = 5.0;
+// Distance from the goal beyond which no curves are tried, m.
+constexpr double kCurveRange = 6.0;
+// Expansions between two curves tried, per metre from the goal.
+constexpr double kCurveInterval = 3.0;
+// A point may pass where the car does not fit; less than half of the car's width keeps the lead optimistic.
+constexpr double kPointClearance = 0.1;
+
+class Search
+{
+public:
+  Search(
+    const Costmap & costmap, const PlannerOptions & options, const ShortestCurves & curves, const SearchQuery & query)
+  : costmap_(costmap),
+    options_(options),
+    curves_(curves),
+    query_(query),
+    rule_(costmap, query.start, query.goal, query.clearance),
+    cost_to_go_(costmap, query.goal.position(), kPointClearance),
+    nodes_(costmap.geometry())
+  {
+  }
+
+  SearchResult run()
+  {
+    if (rule_.startClearance() < 0.0) {
+      return {SearchStatus::kStartBlocked, {}, 0};
+    }
+    if (rule_.goalClearance() < 0.0) {
+      return {SearchStatus::kGoalBlocked, {}, 0};
+    }
+    open({query_.start, 0.0, -1, {0.0, query_.start_curvature}, false, false});
+    return searchGoal();
+  }
+
+private:
+  struct Entry
+  {
+    double estimate;
+    int node;
+    bool operator>(const Entry & other) const
+    {
+      return estimate != other.estimate ? estimate > other.estimate : node > other.node;
+    }
+  };
+
+  SearchResult searchGoal()
+  {
+    int expansions = 0;
+    while (!open_.empty()) {
+      const int index = open_.top().node;
+      open_.pop();
+      if (nodes_[index].at_goal) {
+        return {SearchStatus::kFound, arcsTo(index), expansions};
+      }
+      if (nodes_[index].closed) {
+        continue;
+      }
+      if (++expansions > options_.max_expansions) {
+        return {SearchStatus::kBudgetSpent, {}, expansions};
+      }
+      nodes_[index].closed = true;
+      tryCurve(index);
+      expand(index);
+    }
+    return {SearchStatus::kUnreachable, {}, expansions};
+  }
+
+  double estimateFrom(const Pose2 & pose)
+  {
+    const double way = cost_to_go_.at(pose.position());
+    if (distance(pose, query_.goal) > kCurveRadii * options_.min_turning_radius) {
+      return way;
+    }
+    return std::max(way, curves_.length(pose, query_.goal));
+  }
+
+  void open(const SearchNode & node)
+  {
+    int & bin = nodes_.binOf(node.pose);
+    if (bin >= 0 && (nodes_[bin].closed || nodes_[bin].cost <= node.cost)) {
+      return;
+    }
+    const double estimate = node.cost + estimateFrom(node.pose);
+    if (estimate < std::numeric_limits<double>::infinity()) {
+      if (bin >= 0) {
+        nodes_[bin].closed = true;
+      }
+      bin = nodes_.add(node);
+      open_.push({estimate, bin});
+    }
+  }
+
+  void expand(int index)
+  {
+    const SearchNode from = nodes_[index];
+    for (const double direction : {1.0, -1.0}) {
+      if (direction < 0.0 && !options_.allow_reversing) {
+        continue;
+      }
+      for (const double steering : kSteering) {
+        const Arc arc{direction * kArcLength, steering / options_.min_turning_radius};
+        const double price = priceOf(costmap_, rule_, from.pose, arc);
+        if (price < std::numeric_limits<double>::infinity()) {
+          const Pose2 pose = advance(from.pose, arc.length, arc.curvature);
+          open({pose, from.cost + weighted(price, from.arc, arc), index, arc, false, false});
+        }
+      }
+    }
+  }
+
+  double weighted(double price, const Arc & before, const Arc & arc) const
+  {
+    const double radius = options_.min_turning_radius;
+    double cost = arc.length < 0.0 ? options_.reverse_penalty * price : price;
+    cost += options_.curvature_penalty * std::abs(arc.length * arc.curvature) * radius;
+    cost += options_.steering_penalty * std::abs(arc.curvature - before.curvature) * radius;
+    return before.length * arc.length < 0.0 ? cost + options_.direction_penalty : cost;
+  }
+
+  void tryCurve(int index)
+  {
+    const SearchNode & from = nodes_[index];
+    const double away = distance(from.pose, query_.goal);
+    if (away > kCurveRange || --expansions_to_curve_ > 0) {
+      return;
+    }
+    expansions_to_curve_ = static_cast<int>(kCurveInterval * away);
+    SearchNode reached{query_.goal, from.cost, index, from.arc, false, true};
+    Pose2 pose = from.pose;
+    for (const Arc & arc : curves_.arcs(from.pose, query_.goal)) {
+      reached.cost += weighted(priceOf(costmap_, rule_, pose, arc), reached.arc, arc);
+      reached.arc = arc;
+      pose = advance(pose, arc.length, arc.curvature);
+    }
+    if (reached.cost < std::numeric_limits<double>::infinity()) {
+      open_.push({reached.cost, nodes_.add(reached)});
+    }
+  }
+
+  std::vector<Arc> arcsTo(int goal) const
+  {
+    const int last = nodes_[goal].parent;
+    std::vector<Arc> arcs = curves_.arcs(nodes_[last].pose, query_.goal);
+    for (int index = last; nodes_[index].parent >= 0; index = nodes_[index].parent) {
+      arcs.insert(arcs.begin(), nodes_[index].arc);
+    }
+    return arcs;
+  }
+
+  const Costmap & costmap_;
+  const PlannerOptions & options_;
+  const ShortestCurves & curves_;
+  const SearchQuery & query_;
+  ClearanceRule rule_;
+  CostToGo cost_to_go_;
+  SearchNodes nodes_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
+  int expansions_to_curve_{0};
+};
+}  // namespace
+
+void PlannerOptions::validate() const
+{
+  requirePositive("min_turning_radius", min_turning_radius);
+  requireOption(reverse_penalty >= 1.0, "reverse_penalty", reverse_penalty, "at least 1");
+  requireNotNegative("direction_penalty", direction_penalty);
+  requireNotNegative("steering_penalty", steering_penalty);
+  requireNotNegative("curvature_penalty", curvature_penalty);
+  requireNotNegative("min_obstacle_dist", min_obstacle_dist);
+  requireOption(max_expansions > 0, "max_expansions", max_expansions, "above 0");
+}
+
+const char * describe(SearchStatus status)
+{
+  switch (status) {
+    case SearchStatus::kFound:
+      return "found";
+    case SearchStatus::kStartBlocked:
+      return "the car touches an obstacle where it stands";
+    case SearchStatus::kGoalBlocked:
+      return "the car would touch an obstacle at the goal";
+    case SearchStatus::kUnreachable:
+      return "no way leads to the goal";
+    case SearchStatus::kBudgetSpent:
+      return "no way to the goal was found within max_expansions";
+  }
+  return "";
+}
+
+SearchResult searchHybridAStar(
+  const Costmap & costmap, const PlannerOptions & options, const ShortestCurves & curves, const SearchQuery & query)
+{
+  return Search(costmap, options, curves, query).run();
+}
+}  // namespace move_base

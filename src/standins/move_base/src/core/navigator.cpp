@@ -1,0 +1,301 @@
+#include "move_base/navigator.h"
+
+#include <algorithm>
+
+#include "option_checks.h"
+
+namespace move_base
+{
+namespace
+{
+constexpr double kRetryInterval = 0.5;    // s between plans for the same goal: the world changes no faster
+constexpr double kStandingSpeed = 0.05;   // m/s
+constexpr double kLongestPeriod = 0.2;    // s, taken for a step after a pause
+constexpr double kExtensionMargin = 1.0;  // m, of a plan beyond the goal, on top of the way of braking
+}  // namespace
+
+void NavigatorOptions::validate() const
+{
+  requireNotNegative("planner_frequency", planner_frequency);
+  requireNotNegative("planner_patience", planner_patience);
+  requireNotNegative("controller_patience", controller_patience);
+  requireOption(max_planning_retries >= -1, "max_planning_retries", max_planning_retries, "at least -1");
+  requireNotNegative("oscillation_timeout", oscillation_timeout);
+  requireNotNegative("oscillation_distance", oscillation_distance);
+  requireNotNegative("conservative_reset_dist", conservative_reset_dist);
+  requirePositive("xy_goal_tolerance", xy_goal_tolerance);
+  requirePositive("yaw_goal_tolerance", yaw_goal_tolerance);
+  requireNotNegative("coast_time", coast_time);
+  planner.validate();
+  follower.validate();
+  const double least = follower.limits.wheelbase / std::tan(follower.max_steering_angle);
+  requireOption(
+    planner.min_turning_radius >= least, "min_turning_radius", planner.min_turning_radius,
+    "at least wheelbase / tan(max_steering_angle) = " + std::to_string(least));
+}
+
+Navigator::Navigator(const NavigatorOptions & options)
+: options_(options),
+  planner_(options.planner),
+  follower_(options.follower),
+  behaviors_(recoveryBehaviors(options.clearing_rotation_allowed))
+{
+  options_.validate();
+}
+
+void Navigator::setGoal(const Pose2 & goal, double time)
+{
+  goal_ = goal;
+  state_ = State::kPlanning;
+  recovery_index_ = 0;
+  planning_retries_ = 0;
+  last_valid_plan_ = last_valid_control_ = last_oscillation_reset_ = next_plan_ = time;
+  oscillation_pose_.reset();
+  previous_pose_.reset();
+  coast_until_.reset();
+}
+
+void Navigator::cancel()
+{
+  goal_.reset();
+  coast_until_.reset();
+  follower_.clear();
+}
+
+CycleOutput Navigator::cycle(const CycleInput & input, Costmap & costmap)
+{
+  CycleOutput output;
+  if (!input.sensors_current) {
+    if (goal_ || coast_until_) {
+      output.command = DriveCommand{};
+    }
+  } else if (goal_) {
+    pursue(input, costmap, output);
+  } else if (coast_until_) {
+    coast(input, costmap, output);
+  }
+  previous_time_ = input.time;
+  previous_pose_ = input.car.pose;
+  return output;
+}
+
+Plan Navigator::makePlan(const Costmap & costmap, const Pose2 & start, const Pose2 & goal) const
+{
+  return planner_.plan(costmap, {start, goal, 0.0, 0.0});
+}
+
+void Navigator::pursue(const CycleInput & input, Costmap & costmap, CycleOutput & output)
+{
+  watchOscillation(input);
+  switch (state_) {
+    case State::kPlanning:
+      planAhead(input, costmap, output);
+      break;
+    case State::kControlling:
+      control(input, costmap, output);
+      break;
+    case State::kBackingUp:
+      driveBack(input, costmap, output);
+      break;
+  }
+}
+
+void Navigator::planAhead(const CycleInput & input, Costmap & costmap, CycleOutput & output)
+{
+  if (input.time < next_plan_) {
+    hold(input, costmap, output);
+    return;
+  }
+  next_plan_ = input.time + kRetryInterval;
+  const double curvature = follower_.lastCommand().curvature;
+  const Pose2 start = advance(input.car.pose, input.car.speed * options_.follower.latency, curvature);
+  Plan plan = planner_.plan(costmap, {start, *goal_, curvature, options_.free_goal_vel ? extensionLength() : 0.0});
+  if (!plan.found()) {
+    output.plan_failure = describe(plan.status);
+    planFailed(input, costmap, output);
+    return;
+  }
+  plan_ = std::move(plan);
+  output.new_plan = true;
+  planning_retries_ = 0;
+  last_valid_plan_ = input.time;
+  if (trigger_ == Trigger::kPlanning) {
+    recovery_index_ = 0;
+  }
+  follower_.setPath(plan_.path, costmap);
+  state_ = State::kControlling;
+  control(input, costmap, output);
+}
+
+void Navigator::planFailed(const CycleInput & input, Costmap & costmap, CycleOutput & output)
+{
+  ++planning_retries_;
+  const bool spent = options_.max_planning_retries >= 0 && planning_retries_ > options_.max_planning_retries;
+  if (spent || input.time > last_valid_plan_ + options_.planner_patience) {
+    recover(Trigger::kPlanning, input, costmap, output);
+  } else {
+    hold(input, costmap, output);
+  }
+}
+
+void Navigator::control(const CycleInput & input, Costmap & costmap, CycleOutput & output)
+{
+  FollowStep step = follower_.step(input.car, costmap, period(input.time));
+  output.command = step.command;
+  if (finishIfReached(input, output)) {
+    return;
+  }
+  output.prediction = std::move(step.prediction);
+  if (!step.lost && !step.stuck) {
+    last_valid_control_ = input.time;
+    if (trigger_ == Trigger::kControlling) {
+      recovery_index_ = 0;
+    }
+  }
+  if (options_.oscillation_timeout > 0.0 && input.time > last_oscillation_reset_ + options_.oscillation_timeout) {
+    recover(Trigger::kOscillation, input, costmap, output);
+  } else if (input.time > last_valid_control_ + options_.controller_patience) {
+    recover(Trigger::kControlling, input, costmap, output);
+  } else if (needsPlan(input, step)) {
+    state_ = State::kPlanning;
+  }
+}
+
+bool Navigator::needsPlan(const CycleInput & input, const FollowStep & step) const
+{
+  if (input.time < next_plan_) {
+    return false;
+  }
+  const bool passed = step.position.s > plan_.goal_s + options_.xy_goal_tolerance;
+  const bool due =
+    options_.planner_frequency > 0.0 && input.time >= last_valid_plan_ + 1.0 / options_.planner_frequency;
+  return step.lost || step.blocked || step.at_end || passed || due;
+}
+
+bool Navigator::finishIfReached(const CycleInput & input, CycleOutput & output)
+{
+  const bool stopped = std::abs(input.car.speed) < kStandingSpeed;
+  if (!reached(input.car.pose) || !(options_.free_goal_vel || stopped)) {
+    return false;
+  }
+  goal_.reset();
+  output.outcome = Outcome{true, "Goal reached."};
+  if (options_.free_goal_vel) {
+    coast_until_ = input.time + options_.coast_time;
+  } else {
+    output.command = DriveCommand{};
+    follower_.clear();
+  }
+  return true;
+}
+
+// A fast car may be within the tolerance between two cycles only.
+bool Navigator::reached(const Pose2 & pose) const
+{
+  const Vec2 from = previous_pose_.value_or(pose).position();
+  const Vec2 way = pose.position() - from;
+  const double squared = dot(way, way);
+  const double part = squared > 0.0 ? std::clamp(dot(goal_->position() - from, way) / squared, 0.0, 1.0) : 1.0;
+  return distance(from + part * way, goal_->position()) <= options_.xy_goal_tolerance &&
+         std::abs(normalizeAngle(pose.yaw - goal_->yaw)) <= options_.yaw_goal_tolerance;
+}
+
+void Navigator::coast(const CycleInput & input, const Costmap & costmap, CycleOutput & output)
+{
+  FollowStep step = follower_.step(input.car, costmap, period(input.time), input.time >= *coast_until_);
+  output.command = step.command;
+  output.prediction = std::move(step.prediction);
+  if (std::abs(input.car.speed) < kStandingSpeed && step.command.speed == 0.0) {
+    cancel();
+  }
+}
+
+// Without a plan for the new goal the car comes to a stand along the old one, not wherever its wheels point.
+void Navigator::hold(const CycleInput & input, const Costmap & costmap, CycleOutput & output)
+{
+  output.command =
+    follower_.hasPath() ? follower_.step(input.car, costmap, period(input.time), true).command : DriveCommand{};
+}
+
+void Navigator::recover(Trigger trigger, const CycleInput & input, Costmap & costmap, CycleOutput & output)
+{
+  trigger_ = trigger;
+  output.command = DriveCommand{};
+  follower_.clear();
+  if (!options_.recovery_behavior_enabled || recovery_index_ >= behaviors_.size()) {
+    goal_.reset();
+    output.outcome = Outcome{false, failureOf(trigger)};
+    return;
+  }
+  const RecoveryBehavior behavior = behaviors_[recovery_index_];
+  output.recovery = RecoveryNotice{recovery_index_, static_cast<unsigned>(behaviors_.size()), nameOf(behavior)};
+  ++recovery_index_;
+  begin(behavior, input, costmap);
+}
+
+void Navigator::begin(RecoveryBehavior behavior, const CycleInput & input, Costmap & costmap)
+{
+  if (behavior == RecoveryBehavior::kBackUp) {
+    back_up_ = BackUp(input.car.pose, input.time);
+    state_ = State::kBackingUp;
+    return;
+  }
+  const bool conservative = behavior == RecoveryBehavior::kConservativeReset;
+  costmap.forgetBeyond(input.car.pose.position(), conservative ? options_.conservative_reset_dist : 0.0);
+  endRecovery(input.time);
+}
+
+void Navigator::driveBack(const CycleInput & input, const Costmap & costmap, CycleOutput & output)
+{
+  const double speed = options_.follower.limits.max_vel_x_backwards;
+  output.command = back_up_->step(input.car.pose, input.time, speed, costmap);
+  if (!output.command) {
+    output.command = DriveCommand{};
+    endRecovery(input.time);
+  }
+}
+
+void Navigator::endRecovery(double time)
+{
+  state_ = State::kPlanning;
+  planning_retries_ = 0;
+  last_valid_plan_ = next_plan_ = time;
+}
+
+void Navigator::watchOscillation(const CycleInput & input)
+{
+  if (oscillation_pose_ && distance(*oscillation_pose_, input.car.pose) < options_.oscillation_distance) {
+    return;
+  }
+  oscillation_pose_ = input.car.pose;
+  last_oscillation_reset_ = input.time;
+  if (trigger_ == Trigger::kOscillation) {
+    recovery_index_ = 0;
+  }
+}
+
+const char * Navigator::failureOf(Trigger trigger)
+{
+  switch (trigger) {
+    case Trigger::kPlanning:
+      return "Failed to find a valid plan. Even after executing recovery behaviors.";
+    case Trigger::kControlling:
+      return "Failed to find a valid control. Even after executing recovery behaviors.";
+    case Trigger::kOscillation:
+      return "Robot is oscillating. Even after executing recovery behaviors.";
+  }
+  return "";
+}
+
+double Navigator::extensionLength() const
+{
+  const SpeedLimits & limits = options_.follower.limits;
+  return limits.max_vel_x * limits.max_vel_x / (2.0 * limits.dec_lim_x) + limits.max_vel_x * options_.coast_time +
+         kExtensionMargin;
+}
+
+double Navigator::period(double time) const
+{
+  return previous_time_ ? std::clamp(time - *previous_time_, 0.0, kLongestPeriod) : 0.0;
+}
+}  // namespace move_base

@@ -1,0 +1,139 @@
+#include "conversions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "move_base/errors.h"
+
+namespace move_base
+{
+namespace
+{
+double yawOf(const geometry_msgs::Quaternion & q)
+{
+  return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
+}
+}  // namespace
+
+Pose2 fromPose(const geometry_msgs::Pose & pose)
+{
+  return {pose.position.x, pose.position.y, yawOf(pose.orientation)};
+}
+
+Pose2 fromTransform(const geometry_msgs::Transform & transform)
+{
+  return {transform.translation.x, transform.translation.y, yawOf(transform.rotation)};
+}
+
+geometry_msgs::Pose toPose(const Pose2 & pose)
+{
+  geometry_msgs::Pose message;
+  message.position.x = pose.x;
+  message.position.y = pose.y;
+  message.orientation.z = std::sin(0.5 * pose.yaw);
+  message.orientation.w = std::cos(0.5 * pose.yaw);
+  return message;
+}
+
+geometry_msgs::PoseStamped toPoseStamped(const Pose2 & pose, const std_msgs::Header & header)
+{
+  geometry_msgs::PoseStamped message;
+  message.header = header;
+  message.pose = toPose(pose);
+  return message;
+}
+
+bool isPlanar(const geometry_msgs::Quaternion & q)
+{
+  const double squared = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  if (!std::isfinite(squared) || squared < 1e-6) {
+    return false;
+  }
+  const double upright = 1.0 - 2.0 * (q.x * q.x + q.y * q.y) / squared;  // z component of the turned z axis
+  return std::abs(upright - 1.0) <= 1e-3;
+}
+
+OccupancyGrid fromOccupancyGrid(const nav_msgs::OccupancyGrid & message)
+{
+  const Pose2 origin = fromPose(message.info.origin);
+  if (std::abs(origin.yaw) > 1e-6) {
+    throw Error("map: origin has the yaw " + std::to_string(origin.yaw) + ", must be 0");
+  }
+  OccupancyGrid grid;
+  grid.geometry.width = static_cast<int>(message.info.width);
+  grid.geometry.height = static_cast<int>(message.info.height);
+  grid.geometry.resolution = message.info.resolution;
+  grid.geometry.origin = origin.position();
+  grid.cells.assign(message.data.begin(), message.data.end());
+  return grid;
+}
+
+LaserScan fromLaserScan(const sensor_msgs::LaserScan & message, const Pose2 & sensor)
+{
+  return {sensor, message.angle_min, message.angle_increment, message.range_min, message.range_max, message.ranges};
+}
+
+geometry_msgs::Twist toTwist(const DriveCommand & command)
+{
+  geometry_msgs::Twist twist;
+  twist.linear.x = command.speed;
+  twist.angular.z = command.yawRate();
+  return twist;
+}
+
+nav_msgs::Path toPath(const std::vector<Pose2> & poses, const std_msgs::Header & header)
+{
+  nav_msgs::Path path;
+  path.header = header;
+  for (const Pose2 & pose : poses) {
+    path.poses.push_back(toPoseStamped(pose, header));
+  }
+  return path;
+}
+
+std::vector<Pose2> posesOf(const Path & path)
+{
+  std::vector<Pose2> poses(path.size());
+  std::transform(path.begin(), path.end(), poses.begin(), [](const PathPoint & point) { return point.pose; });
+  return poses;
+}
+
+geometry_msgs::PolygonStamped toPolygon(
+  const std::vector<Vec2> & footprint, const Pose2 & pose, const std_msgs::Header & header)
+{
+  geometry_msgs::PolygonStamped polygon;
+  polygon.header = header;
+  for (const Vec2 & corner : footprint) {
+    const Vec2 at = transform(pose, corner);
+    geometry_msgs::Point32 point;
+    point.x = static_cast<float>(at.x);
+    point.y = static_cast<float>(at.y);
+    polygon.polygon.points.push_back(point);
+  }
+  return polygon;
+}
+
+nav_msgs::OccupancyGrid toOccupancyGrid(
+  const Costmap & costmap, const Cell & from, const Cell & to, const Pose2 & frame_pose,
+  const std_msgs::Header & header)
+{
+  const GridGeometry & geometry = costmap.geometry();
+  const Cell first{std::max(from.x, 0), std::max(from.y, 0)};
+  const Cell last{std::min(to.x, geometry.width - 1), std::min(to.y, geometry.height - 1)};
+  const Vec2 corner{
+    geometry.origin.x + first.x * geometry.resolution, geometry.origin.y + first.y * geometry.resolution};
+  nav_msgs::OccupancyGrid message;
+  message.header = header;
+  message.info.map_load_time = header.stamp;
+  message.info.resolution = static_cast<float>(geometry.resolution);
+  message.info.width = static_cast<std::uint32_t>(std::max(0, last.x - first.x + 1));
+  message.info.height = static_cast<std::uint32_t>(std::max(0, last.y - first.y + 1));
+  message.info.origin = toPose(compose(frame_pose, {corner.x, corner.y, 0.0}));
+  for (int y = first.y; y <= last.y; ++y) {
+    for (int x = first.x; x <= last.x; ++x) {
+      message.data.push_back(costmap.occupancy(geometry.index({x, y})));
+    }
+  }
+  return message;
+}
+}  // namespace move_base

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <geometry_msgs/PolygonStamped.h>
+#include <geometry_msgs/Pose.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/TransformStamped.h>
+#include <geometry_msgs/Twist.h>
+#include <nav_msgs/OccupancyGrid.h>
+#include <nav_msgs/Path.h>
+#include <sensor_msgs/LaserScan.h>
+
+#include <string>
+#include <vector>
+
+#include "move_base/costmap.h"
+#include "move_base/path_follower.h"
+
+/// Between messages and the core's types. Quaternions count as rotations about z.
+namespace move_base
+{
+Pose2 fromPose(const geometry_msgs::Pose & pose);
+Pose2 fromTransform(const geometry_msgs::Transform & transform);
+geometry_msgs::Pose toPose(const Pose2 & pose);
+geometry_msgs::PoseStamped toPoseStamped(const Pose2 & pose, const std_msgs::Header & header);
+
+/// Whether it is a rotation about z alone, as a goal must have.
+bool isPlanar(const geometry_msgs::Quaternion & rotation);
+
+/// @throws Error for a map that is turned
+OccupancyGrid fromOccupancyGrid(const nav_msgs::OccupancyGrid & message);
+
+/// @param sensor  in the map, when the scan was taken
+LaserScan fromLaserScan(const sensor_msgs::LaserScan & message, const Pose2 & sensor);
+
+geometry_msgs::Twist toTwist(const DriveCommand & command);
+nav_msgs::Path toPath(const std::vector<Pose2> & poses, const std_msgs::Header & header);
+std::vector<Pose2> posesOf(const Path & path);
+
+/// The footprint of a car at pose.
+geometry_msgs::PolygonStamped toPolygon(
+  const std::vector<Vec2> & footprint, const Pose2 & pose, const std_msgs::Header & header);
+
+/// Part of a costmap for display.
+/// @param from, to     its first and last cell, clipped to the costmap
+/// @param frame_pose   of the costmap's frame in that of header
+nav_msgs::OccupancyGrid toOccupancyGrid(
+  const Costmap & costmap, const Cell & from, const Cell & to, const Pose2 & frame_pose,
+  const std_msgs::Header & header);
+}  // namespace move_base

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <optional>
+#include <vector>
+
+#include "move_base/path.h"
+#include "parameters.h"
+#include "perception.h"
+
+namespace move_base
+{
+/// Publishes what a person wants to see: plans, costmaps, footprint. Nothing decides on it.
+class Displays
+{
+public:
+  Displays(ros::NodeHandle private_node, const MoveBaseParameters & parameters, const Perception & perception);
+
+  void showGlobalPlan(const Path & path, const ros::Time & stamp);
+  void showLocalPlan(const std::vector<Pose2> & prediction, const ros::Time & stamp);
+  /// Costmaps and footprint, as far as anybody looks and their time has come.
+  void showSurroundings(const Pose2 & car, const ros::Time & stamp);
+
+private:
+  /// A topic that is published at most at a given rate, and only for subscribers.
+  struct Throttled
+  {
+    ros::Publisher publisher;
+    double frequency;
+    std::optional<ros::Time> last;
+
+    bool due(const ros::Time & stamp);
+  };
+
+  void showGlobalCostmap(const ros::Time & stamp);
+  void showLocalCostmap(const Pose2 & car, const ros::Time & stamp);
+  /// Pose of the map in the local frame, or nothing while the transform is missing.
+  std::optional<Pose2> mapInLocalFrame() const;
+
+  const MoveBaseParameters & parameters_;
+  const Perception & perception_;
+  ros::Publisher global_plan_;
+  ros::Publisher local_plan_;
+  Throttled global_costmap_;
+  Throttled local_costmap_;
+  Throttled footprint_;
+};
+}  // namespace move_base

@@ -1,0 +1,86 @@
+#include <ros/ros.h>
+#include <sim2d_lockstep/participant.h>
+
+#include <iostream>
+
+#include "move_base/errors.h"
+#include "move_base_node.h"
+
+namespace
+{
+const ros::WallDuration kPatience{0.1};
+const ros::WallDuration kPoll{0.002};
+
+move_base::MoveBaseParameters readParameters()
+{
+  move_base::ParameterReader reader{ros::NodeHandle("~")};
+  const move_base::MoveBaseParameters parameters = move_base::readParameters(reader);
+  std::string unused;
+  for (const std::string & name : reader.unused()) {
+    unused += (unused.empty() ? "" : ", ") + name;
+  }
+  if (!unused.empty()) {
+    ROS_WARN("This stand-in has no use for these parameters: %s", unused.c_str());
+  }
+  return parameters;
+}
+
+void reportMissing(const move_base::MoveBaseNode & node)
+{
+  if (!node.ready()) {
+    ROS_WARN_DELAYED_THROTTLE(5.0, "Waiting for %s", node.missing().c_str());
+  }
+}
+
+void spin(move_base::MoveBaseNode & node, ros::CallbackQueue & queue)
+{
+  while (ros::ok()) {
+    queue.callAvailable(kPoll);
+    node.handleCallbacks();
+    reportMissing(node);
+    if (ros::Time::isValid()) {
+      node.cycle(ros::Time::now());
+    }
+  }
+}
+
+void spinInLockstep(move_base::MoveBaseNode & node)
+{
+  sim2d_lockstep::Participant participant(ros::this_node::getName().substr(1));
+  bool ready = false;
+  while (ros::ok()) {
+    const auto stamp = participant.waitForPeriod(kPatience);
+    if (!stamp) {
+      continue;
+    }
+    node.handleCallbacks();
+    reportMissing(node);
+    ready = ready || node.ready();
+    if (ready) {
+      node.cycle(*stamp);
+      participant.done(*stamp);
+    } else {
+      kPoll.sleep();
+    }
+  }
+}
+}  // namespace
+
+int main(int argc, char ** argv)
+{
+  ros::init(argc, argv, "move_base_node");
+  try {
+    const move_base::MoveBaseParameters parameters = readParameters();
+    ros::CallbackQueue queue;
+    move_base::MoveBaseNode node(parameters, queue);
+    if (parameters.lockstep) {
+      spinInLockstep(node);
+    } else {
+      spin(node, queue);
+    }
+  } catch (const move_base::Error & error) {
+    std::cerr << "move_base: " << error.what() << std::endl;
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,255 @@
+#include "move_base_node.h"
+
+#include <move_base_msgs/MoveBaseActionGoal.h>
+#include <move_base_msgs/RecoveryStatus.h>
+#include <ros/console.h>
+
+#include "conversions.h"
+
+namespace move_base
+{
+namespace
+{
+ros::NodeHandle onQueue(const std::string & name, ros::CallbackQueue & queue)
+{
+  ros::NodeHandle node(name);
+  node.setCallbackQueue(&queue);
+  return node;
+}
+}  // namespace
+
+MoveBaseNode::MoveBaseNode(const MoveBaseParameters & parameters, ros::CallbackQueue & queue)
+: parameters_(parameters),
+  queue_(queue),
+  node_(onQueue("", queue)),
+  private_node_(onQueue("~", queue)),
+  perception_(node_, parameters_),
+  navigator_(parameters_.navigator),
+  displays_(private_node_, parameters_, perception_),
+  velocity_publisher_(node_.advertise<geometry_msgs::Twist>("cmd_vel", 1)),
+  goal_publisher_(private_node_.advertise<geometry_msgs::PoseStamped>("current_goal", 1)),
+  recovery_publisher_(node_.advertise<move_base_msgs::RecoveryStatus>("move_base/recovery_status", 1)),
+  action_goal_publisher_(node_.advertise<move_base_msgs::MoveBaseActionGoal>("move_base/goal", 1)),
+  server_(node_, "move_base", false)
+{
+  simple_goal_subscriber_ = node_.subscribe("move_base_simple/goal", 1, &MoveBaseNode::relayGoal, this);
+  make_plan_service_ = private_node_.advertiseService("make_plan", &MoveBaseNode::makePlan, this);
+  clear_costmaps_service_ = private_node_.advertiseService("clear_costmaps", &MoveBaseNode::clearCostmaps, this);
+  server_.start();
+}
+
+void MoveBaseNode::handleCallbacks()
+{
+  // A relayed goal comes back to this queue.
+  while (!queue_.isEmpty()) {
+    queue_.callAvailable();
+  }
+}
+
+void MoveBaseNode::cycle(const ros::Time & now)
+{
+  watchClock(now);
+  if (!ready() || !due(now)) {
+    return;
+  }
+  if (navigator_.active() || !parameters_.shutdown_costmaps) {
+    perception_.updateCostmap();
+  }
+  updateGoal(now);
+  drive(now);
+}
+
+void MoveBaseNode::stop()
+{
+  if (navigator_.active()) {
+    navigator_.cancel();
+    publishZero();
+  }
+}
+
+bool MoveBaseNode::due(const ros::Time & now)
+{
+  // Half a millisecond early counts: a stamp is not a multiple of the period to the last bit.
+  const ros::Duration tolerance(0.0005);
+  if (last_cycle_ && now - *last_cycle_ + tolerance < ros::Duration(parameters_.controller_period)) {
+    return false;
+  }
+  last_cycle_ = now;
+  return true;
+}
+
+void MoveBaseNode::watchClock(const ros::Time & now)
+{
+  if (now_ && now < *now_) {
+    ROS_WARN("Time jumped back: everything measured before is forgotten");
+    perception_.startAgain();
+    last_cycle_.reset();
+    if (server_.isActive()) {
+      abort("Aborting on goal because time jumped back");
+    }
+    navigator_.cancel();
+  }
+  now_ = now;
+}
+
+void MoveBaseNode::updateGoal(const ros::Time & now)
+{
+  if (server_.isNewGoalAvailable()) {
+    const auto goal = server_.acceptNewGoal();
+    if (server_.isPreemptRequested()) {
+      navigator_.cancel();
+      publishZero();
+      server_.setPreempted();
+    } else {
+      accept(goal->target_pose, now);
+    }
+  } else if (server_.isActive() && server_.isPreemptRequested()) {
+    navigator_.cancel();
+    publishZero();
+    server_.setPreempted();
+  }
+}
+
+void MoveBaseNode::accept(const geometry_msgs::PoseStamped & target, const ros::Time & now)
+{
+  if (!isPlanar(target.pose.orientation)) {
+    abort("Aborting on goal because it was sent with an invalid quaternion");
+    return;
+  }
+  try {
+    const Pose2 goal = inMap(target);
+    goal_publisher_.publish(toPoseStamped(goal, mapHeader(now)));
+    navigator_.setGoal(goal, now.toSec());
+  } catch (const tf2::TransformException & error) {
+    abort(
+      "Aborting on goal because it cannot be transformed from frame \"" + target.header.frame_id + "\" to \"" +
+      parameters_.global_frame + "\": " + error.what());
+  }
+}
+
+void MoveBaseNode::abort(const std::string & text)
+{
+  ROS_ERROR("%s", text.c_str());
+  navigator_.cancel();
+  publishZero();
+  server_.setAborted(move_base_msgs::MoveBaseResult(), text);
+}
+
+void MoveBaseNode::drive(const ros::Time & now)
+{
+  const CycleInput input = perception_.input(now);
+  if (!input.sensors_current && navigator_.active()) {
+    ROS_WARN_THROTTLE(1.0, "The car stands still because %s is too old", perception_.stale(now).c_str());
+  }
+  const CycleOutput output = navigator_.cycle(input, perception_.costmap());
+  publish(output, input, now);
+  report(output, input, now);
+  if (output.outcome) {
+    finish(*output.outcome);
+  }
+}
+
+void MoveBaseNode::publish(const CycleOutput & output, const CycleInput & input, const ros::Time & now)
+{
+  if (output.command) {
+    velocity_publisher_.publish(toTwist(*output.command));
+  }
+  if (output.new_plan) {
+    displays_.showGlobalPlan(navigator_.plan().path, now);
+  }
+  displays_.showLocalPlan(output.prediction, now);
+  displays_.showSurroundings(input.car.pose, now);
+}
+
+void MoveBaseNode::report(const CycleOutput & output, const CycleInput & input, const ros::Time & now)
+{
+  const auto pose = toPoseStamped(input.car.pose, mapHeader(now));
+  if (server_.isActive()) {
+    move_base_msgs::MoveBaseFeedback feedback;
+    feedback.base_position = pose;
+    server_.publishFeedback(feedback);
+  }
+  if (!output.plan_failure.empty()) {
+    ROS_WARN_THROTTLE(1.0, "No plan: %s", output.plan_failure.c_str());
+  }
+  if (output.recovery) {
+    ROS_WARN(
+      "Recovery behavior %u of %u: %s", output.recovery->number + 1, output.recovery->total,
+      output.recovery->name.c_str());
+    move_base_msgs::RecoveryStatus status;
+    status.pose_stamped = pose;
+    status.current_recovery_number = static_cast<std::uint16_t>(output.recovery->number);
+    status.total_number_of_recoveries = static_cast<std::uint16_t>(output.recovery->total);
+    status.recovery_behavior_name = output.recovery->name;
+    recovery_publisher_.publish(status);
+  }
+}
+
+void MoveBaseNode::finish(const Outcome & outcome)
+{
+  if (outcome.succeeded) {
+    server_.setSucceeded(move_base_msgs::MoveBaseResult(), outcome.text);
+  } else {
+    ROS_ERROR("%s", outcome.text.c_str());
+    server_.setAborted(move_base_msgs::MoveBaseResult(), outcome.text);
+  }
+}
+
+void MoveBaseNode::publishZero()
+{
+  velocity_publisher_.publish(geometry_msgs::Twist());
+}
+
+void MoveBaseNode::relayGoal(const geometry_msgs::PoseStamped::ConstPtr & target)
+{
+  move_base_msgs::MoveBaseActionGoal action_goal;
+  action_goal.header.stamp = ros::Time::now();
+  action_goal.goal.target_pose = *target;
+  action_goal_publisher_.publish(action_goal);
+}
+
+bool MoveBaseNode::makePlan(nav_msgs::GetPlan::Request & request, nav_msgs::GetPlan::Response & response)
+{
+  if (server_.isActive() || !ready()) {
+    ROS_ERROR(
+      "make_plan: %s",
+      server_.isActive() ? "must not be called while a goal is pursued" : ("still waits for " + missing()).c_str());
+    return false;
+  }
+  try {
+    const bool from_car = request.start.header.frame_id.empty();
+    const Pose2 start =
+      from_car ? perception_.poseIn(parameters_.global_frame, parameters_.base_frame) : inMap(request.start);
+    const Plan plan = navigator_.makePlan(perception_.costmap(), start, inMap(request.goal));
+    response.plan = toPath(posesOf(plan.path), mapHeader(ros::Time::now()));
+    return true;
+  } catch (const tf2::TransformException & error) {
+    ROS_ERROR("make_plan: %s", error.what());
+    return false;
+  }
+}
+
+bool MoveBaseNode::clearCostmaps(std_srvs::Empty::Request &, std_srvs::Empty::Response &)
+{
+  if (ready()) {
+    perception_.costmap().forgetBeyond({}, -1.0);
+  }
+  return true;
+}
+
+Pose2 MoveBaseNode::inMap(const geometry_msgs::PoseStamped & pose) const
+{
+  if (pose.header.frame_id == parameters_.global_frame) {
+    return fromPose(pose.pose);
+  }
+  return compose(perception_.poseIn(parameters_.global_frame, pose.header.frame_id), fromPose(pose.pose));
+}
+
+std_msgs::Header MoveBaseNode::mapHeader(const ros::Time & stamp) const
+{
+  std_msgs::Header header;
+  header.frame_id = parameters_.global_frame;
+  header.stamp = stamp;
+  return header;
+}
+}  // namespace move_base

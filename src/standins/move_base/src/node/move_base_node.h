@@ -1,0 +1,76 @@
+#pragma once
+
+#include <actionlib/server/simple_action_server.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <move_base_msgs/MoveBaseAction.h>
+#include <nav_msgs/GetPlan.h>
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <std_srvs/Empty.h>
+
+#include <optional>
+
+#include "displays.h"
+#include "move_base/navigator.h"
+#include "parameters.h"
+#include "perception.h"
+
+namespace move_base
+{
+/// The ROS side of the Navigator: action server, topics, services. Everything happens on the thread that calls
+/// handleCallbacks() and cycle().
+class MoveBaseNode
+{
+public:
+  /// @param queue  served by handleCallbacks() only
+  MoveBaseNode(const MoveBaseParameters & parameters, ros::CallbackQueue & queue);
+
+  /// Handles everything that has arrived, and what follows from it.
+  void handleCallbacks();
+  /// Whether everything needed for driving has been there.
+  bool ready() const { return perception_.ready(); }
+  std::string missing() const { return perception_.missing(); }
+  /// Acts, if a control cycle is due at now.
+  void cycle(const ros::Time & now);
+  /// Zero velocity, if a goal is being pursued.
+  void stop();
+
+private:
+  using Server = actionlib::SimpleActionServer<move_base_msgs::MoveBaseAction>;
+
+  bool due(const ros::Time & now);
+  void watchClock(const ros::Time & now);
+  void updateGoal(const ros::Time & now);
+  void accept(const geometry_msgs::PoseStamped & target, const ros::Time & now);
+  void abort(const std::string & text);
+  void drive(const ros::Time & now);
+  void publish(const CycleOutput & output, const CycleInput & input, const ros::Time & now);
+  void report(const CycleOutput & output, const CycleInput & input, const ros::Time & now);
+  void finish(const Outcome & outcome);
+  void publishZero();
+  void relayGoal(const geometry_msgs::PoseStamped::ConstPtr & target);
+  bool makePlan(nav_msgs::GetPlan::Request & request, nav_msgs::GetPlan::Response & response);
+  bool clearCostmaps(std_srvs::Empty::Request & request, std_srvs::Empty::Response & response);
+  /// @throws tf2::TransformException
+  Pose2 inMap(const geometry_msgs::PoseStamped & pose) const;
+  std_msgs::Header mapHeader(const ros::Time & stamp) const;
+
+  MoveBaseParameters parameters_;
+  ros::CallbackQueue & queue_;
+  ros::NodeHandle node_;
+  ros::NodeHandle private_node_;
+  Perception perception_;
+  Navigator navigator_;
+  Displays displays_;
+  ros::Publisher velocity_publisher_;
+  ros::Publisher goal_publisher_;
+  ros::Publisher recovery_publisher_;
+  ros::Publisher action_goal_publisher_;
+  ros::Subscriber simple_goal_subscriber_;
+  ros::ServiceServer make_plan_service_;
+  ros::ServiceServer clear_costmaps_service_;
+  Server server_;
+  std::optional<ros::Time> now_;
+  std::optional<ros::Time> last_cycle_;
+};
+}  // namespace move_base

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+#include "move_base/navigator.h"
+#include "parameter_reader.h"
+
+namespace move_base
+{
+/// Everything that the node is told at its start. Names and defaults are in the README.
+struct MoveBaseParameters
+{
+  std::string global_frame{"map"};
+  std::string local_frame{"odom"};
+  std::string base_frame{"base_link"};
+  double transform_tolerance{0.3};  ///< s, a pose of the car older than this is stale
+  double sensor_timeout{0.5};       ///< s, a scan or odometry older than this is stale
+  double controller_period{0.05};   ///< s; 0: every period of the lockstep
+  bool shutdown_costmaps{false};    ///< whether scans are ignored without a goal
+  bool lockstep{false};
+  double global_publish_frequency{1.0};  ///< Hz; 0: never
+  double local_publish_frequency{5.0};   ///< Hz; 0: never
+  double local_width{10.0};              ///< m
+  double local_height{10.0};             ///< m
+  std::vector<Vec2> footprint;
+  double footprint_padding{0.01};  ///< m
+  CostmapOptions costmap;
+  NavigatorOptions navigator;
+};
+
+/// @throws OptionError for a parameter of a wrong type or out of range
+MoveBaseParameters readParameters(ParameterReader & reader);
+}  // namespace move_base

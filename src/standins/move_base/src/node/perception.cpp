@@ -1,0 +1,127 @@
+#include "perception.h"
+
+#include <ros/console.h>
+
+#include "conversions.h"
+#include "move_base/errors.h"
+
+namespace move_base
+{
+namespace
+{
+const ros::TransportHints kNoDelay = ros::TransportHints().tcpNoDelay();
+}
+
+Perception::Perception(ros::NodeHandle node, const MoveBaseParameters & parameters)
+: parameters_(parameters),
+  footprint_(parameters.footprint, parameters.footprint_padding),
+  listener_(buffer_, node, false, kNoDelay)
+{
+  map_subscriber_ = node.subscribe("map", 1, &Perception::onMap, this, kNoDelay);
+  odometry_subscriber_ = node.subscribe("odom", 10, &Perception::onOdometry, this, kNoDelay);
+  scan_subscriber_ = node.subscribe("scan", 2, &Perception::onScan, this, kNoDelay);
+}
+
+bool Perception::ready() const
+{
+  return missing().empty();
+}
+
+std::string Perception::missing() const
+{
+  if (!costmap_) {
+    return "a map on " + map_subscriber_.getTopic();
+  }
+  if (!odometry_) {
+    return "odometry on " + odometry_subscriber_.getTopic();
+  }
+  if (!scan_) {
+    return "a scan on " + scan_subscriber_.getTopic();
+  }
+  return baseTransform() ? "" : "the transform from " + parameters_.global_frame + " to " + parameters_.base_frame;
+}
+
+CycleInput Perception::input(const ros::Time & now) const
+{
+  CycleInput input;
+  input.time = now.toSec();
+  input.sensors_current = stale(now).empty();
+  if (const auto base = baseTransform()) {
+    input.car.pose = fromTransform(base->transform);
+  }
+  input.car.speed = odometry_ ? odometry_->twist.twist.linear.x : 0.0;
+  return input;
+}
+
+std::string Perception::stale(const ros::Time & now) const
+{
+  const auto old = [&](const ros::Time & stamp, double limit) { return (now - stamp).toSec() > limit; };
+  const auto base = baseTransform();
+  if (!base || old(base->header.stamp, parameters_.transform_tolerance)) {
+    return "the transform from " + parameters_.global_frame + " to " + parameters_.base_frame;
+  }
+  if (!odometry_ || old(odometry_->header.stamp, parameters_.sensor_timeout)) {
+    return "the odometry on " + odometry_subscriber_.getTopic();
+  }
+  if (!scan_ || old(scan_->header.stamp, parameters_.sensor_timeout)) {
+    return "the scan on " + scan_subscriber_.getTopic();
+  }
+  return "";
+}
+
+void Perception::updateCostmap()
+{
+  if (!new_scan_ || !costmap_) {
+    return;
+  }
+  std::string error;
+  const std::string & frame = new_scan_->header.frame_id;
+  if (buffer_.canTransform(parameters_.global_frame, frame, new_scan_->header.stamp, &error)) {
+    const auto sensor = buffer_.lookupTransform(parameters_.global_frame, frame, new_scan_->header.stamp);
+    costmap_->observe(fromLaserScan(*new_scan_, fromTransform(sensor.transform)));
+    new_scan_.reset();
+  }
+}
+
+void Perception::startAgain()
+{
+  buffer_.clear();
+  odometry_.reset();
+  scan_.reset();
+  new_scan_.reset();
+}
+
+Pose2 Perception::poseIn(const std::string & target, const std::string & frame) const
+{
+  return fromTransform(buffer_.lookupTransform(target, frame, ros::Time(0)).transform);
+}
+
+void Perception::onMap(const nav_msgs::OccupancyGrid::ConstPtr & map)
+{
+  if (map->header.frame_id != parameters_.global_frame) {
+    ROS_ERROR(
+      "The map is in frame \"%s\", must be in global_costmap/global_frame \"%s\"; it is not used",
+      map->header.frame_id.c_str(), parameters_.global_frame.c_str());
+    return;
+  }
+  try {
+    costmap_ = std::make_unique<Costmap>(fromOccupancyGrid(*map), parameters_.costmap, footprint_);
+  } catch (const Error & error) {
+    ROS_ERROR("%s; it is not used", error.what());
+  }
+}
+
+void Perception::onScan(const sensor_msgs::LaserScan::ConstPtr & scan)
+{
+  scan_ = scan;
+  new_scan_ = scan;
+}
+
+std::optional<geometry_msgs::TransformStamped> Perception::baseTransform() const
+{
+  if (!buffer_.canTransform(parameters_.global_frame, parameters_.base_frame, ros::Time(0))) {
+    return std::nullopt;
+  }
+  return buffer_.lookupTransform(parameters_.global_frame, parameters_.base_frame, ros::Time(0));
+}
+}  // namespace move_base

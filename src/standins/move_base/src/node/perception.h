@@ -1,0 +1,64 @@
+#pragma once
+
+#include <nav_msgs/OccupancyGrid.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/node_handle.h>
+#include <sensor_msgs/LaserScan.h>
+#include <tf2/buffer_core.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "move_base/navigator.h"
+#include "parameters.h"
+
+namespace move_base
+{
+/// What the car knows: its map, where it is, how fast, and what the lidar sees. All callbacks are on the queue of node.
+class Perception
+{
+public:
+  Perception(ros::NodeHandle node, const MoveBaseParameters & parameters);
+
+  /// Whether map, odometry, scan and the car's pose have been there once.
+  bool ready() const;
+  /// What is missing until ready, for a person to read.
+  std::string missing() const;
+
+  /// The car's state and whether everything is young enough at now to drive by.
+  CycleInput input(const ros::Time & now) const;
+  /// Why input() is stale, for a person to read; empty when it isn't.
+  std::string stale(const ros::Time & now) const;
+
+  /// Takes the latest scan into the costmap, as soon as its transform is known.
+  void updateCostmap();
+  /// Forgets what was measured before time jumped back.
+  void startAgain();
+
+  Costmap & costmap() { return *costmap_; }
+  const Costmap & costmap() const { return *costmap_; }
+
+  /// The latest pose of frame in target. @throws tf2::TransformException
+  Pose2 poseIn(const std::string & target, const std::string & frame) const;
+
+private:
+  void onMap(const nav_msgs::OccupancyGrid::ConstPtr & map);
+  void onOdometry(const nav_msgs::Odometry::ConstPtr & odometry) { odometry_ = odometry; }
+  void onScan(const sensor_msgs::LaserScan::ConstPtr & scan);
+  std::optional<geometry_msgs::TransformStamped> baseTransform() const;
+
+  const MoveBaseParameters & parameters_;
+  Footprint footprint_;
+  tf2::BufferCore buffer_;
+  tf2_ros::TransformListener listener_;
+  std::unique_ptr<Costmap> costmap_;
+  nav_msgs::Odometry::ConstPtr odometry_;
+  sensor_msgs::LaserScan::ConstPtr scan_;      // the latest
+  sensor_msgs::LaserScan::ConstPtr new_scan_;  // the same until it is in the costmap
+  ros::Subscriber map_subscriber_;
+  ros::Subscriber odometry_subscriber_;
+  ros::Subscriber scan_subscriber_;
+};
+}  // namespace move_base

@@ -56,6 +56,12 @@ def test_lap_knows_how_far_bends_are():
     assert lap.straightness(lap.length / 4) < 0
 
 
+def test_middle_of_a_hairpin_is_no_straight():
+    lap = circuits.lap("circuit3")
+    apex = place_on_lap(lap, (12.0, 1.5))
+    assert lap.straightness(apex) == pytest.approx(-2.2, abs=0.2)
+
+
 def test_pose_repeats_after_a_lap():
     lap = Lap(centreline(circuits.circuit("circuit2")))
     assert lap.pose(lap.length + 2.0).x == pytest.approx(lap.pose(2.0).x)

@@ -7,14 +7,14 @@ import pytest
 
 PACKAGE = Path(__file__).parent.parent
 MODELS = sorted(path.parent for path in (PACKAGE / "models").glob("*/model.config"))
-NOT_INSTALLED = {"src", "test"}
+NOT_INSTALLED = {"docs", "scripts", "src", "test"}
 
 
 def test_every_folder_is_installed():
     cmake = (PACKAGE / "CMakeLists.txt").read_text()
     installed = cmake[cmake.index("install(DIRECTORY ") :].split("DESTINATION")[0].split()
     folders = {path.name for path in PACKAGE.iterdir() if path.is_dir() and not path.name.startswith(".")}
-    assert folders - NOT_INSTALLED - {"scripts"} <= set(installed)
+    assert folders - NOT_INSTALLED <= set(installed)
 
 
 def test_every_script_is_installed():

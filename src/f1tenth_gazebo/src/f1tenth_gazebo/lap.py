@@ -4,6 +4,9 @@ import bisect
 import math
 from dataclasses import dataclass
 
+MIN_STRAIGHT = 0.8
+"""What is shorter between two bends is no straight, m."""
+
 
 @dataclass(frozen=True)
 class Pose:
@@ -23,11 +26,7 @@ class Lap:
         self._distances = [0.0]
         for (ax, ay), (bx, by) in zip(self._points, self._points[1:]):
             self._distances.append(self._distances[-1] + math.hypot(bx - ax, by - ay))
-        self._bends = {}
-        for vertex, distance in zip(vertices, self._distances[1:]):
-            if vertex.bend is not None:
-                begin, _ = self._bends.get(vertex.bend, (distance, distance))
-                self._bends[vertex.bend] = (begin, distance)
+        self._bends = _bends(vertices, self._distances[1:])
 
     @property
     def length(self):
@@ -44,4 +43,19 @@ class Lap:
 
     def straightness(self, distance):
         """How far the nearest bend is, m; in a bend, minus the distance to its nearer end."""
-        return min(max(begin - distance, distance - end) for begin, end in self._bends.values())
+        return min(max(begin - distance, distance - end) for begin, end in self._bends)
+
+
+def _bends(vertices, distances):
+    """Begin and end of each bend, m from the start line; without a straight between, two count as one."""
+    bends = []
+    number = None
+    for vertex, distance in zip(vertices, distances):
+        if vertex.bend is None:
+            continue
+        if bends and (vertex.bend == number or distance - bends[-1][1] < MIN_STRAIGHT):
+            bends[-1][1] = distance
+        else:
+            bends.append([distance, distance])
+        number = vertex.bend
+    return bends

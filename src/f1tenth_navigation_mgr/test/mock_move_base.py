@@ -17,7 +17,7 @@ from move_base_msgs.msg import MoveBaseActionFeedback, MoveBaseActionGoal, MoveB
 SUCCEED, ABORT, REJECT, DROP, DELAY, DIE, LOSE_RESULT, HANG, FORGET, IGNORE, DRIVE = range(11)
 
 STATUS_PERIOD = 0.05  # s
-DELAY_TIME = 0.5  # s
+DELAY_TIME = 2.0  # s
 ABORT_TEXT = "Failed to find a valid plan. Even after executing recovery behaviors."
 
 

@@ -44,7 +44,7 @@ int main(int argc, char ** argv)
   ros::start();
   const std::string mode{argc > 3 ? argv[3] : ""};
   try {
-    NavigationMgr navmgr{argv[1], Timeouts{0.2, 1.0, 0.5, 1.0, 0.5}};
+    NavigationMgr navmgr{argv[1], Timeouts{1.0, 4.0, 1.0, 4.0, 1.0}};
     navmgr.LoadGoals(argv[2]);
     navmgr.SetLoopMode(mode == "loop");
     navmgr.OnGoalReached(print);

@@ -39,8 +39,8 @@ def drive(navmgr, mode):
 
 def short_timeouts():
     timeouts = Timeouts()
-    timeouts.resend, timeouts.acknowledge, timeouts.disconnect = 0.2, 1.0, 0.5
-    timeouts.silence, timeouts.result = 1.0, 0.5
+    timeouts.resend, timeouts.acknowledge, timeouts.disconnect = 1.0, 4.0, 1.0
+    timeouts.silence, timeouts.result = 4.0, 1.0
     return timeouts
 
 

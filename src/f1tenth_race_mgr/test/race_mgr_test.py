@@ -1,0 +1,171 @@
+#!/usr/bin/env python3
+"""The node race_mgr, seen from outside."""
+
+import sys
+
+import pytest
+import rospy
+from actionlib_msgs.msg import GoalStatus
+from f1tenth_race_mgr.race import State
+from std_srvs.srv import Trigger
+from support import (
+    LIMIT,
+    MOCK,
+    QUIET,
+    RACE_MGR,
+    Node,
+    StartSignal,
+    listen_to_results,
+    listen_to_status,
+    read_status,
+)
+
+from f1tenth_race_mgr.msg import RaceStatus
+
+# The y of a goal is an order to the mock: see mock_move_base.py.
+REACHED, ABORTED, DIES, DRIVES_ON = "1 0 0\n", "1 1 0\n", "1 5 0\n", "1 10 0\n"
+NODE = "/robot1/race_mgr"
+
+
+@pytest.fixture
+def planner():
+    with Node(MOCK) as node:
+        yield node
+
+
+@pytest.fixture
+def start(tmp_path):
+    """Return a function that starts the node on goals, with parameters."""
+    nodes = []
+
+    def start_node(goals, **parameters):
+        path = tmp_path / "goals.txt"
+        path.write_text(goals)
+        given = {"use_absolute_fpath": True, "fpath": str(path), "wait_for_start": False}
+        rospy.set_param(NODE, {**given, **parameters})
+        nodes.append(Node(RACE_MGR))
+        return nodes[-1]
+
+    yield start_node
+    for node in nodes:
+        node.__exit__()
+    rospy.delete_param(NODE)
+
+
+def test_the_states_are_those_of_the_message():
+    assert {state.name: int(state) for state in State} == {
+        name: getattr(RaceStatus, name) for name in vars(RaceStatus) if name.isupper()
+    }
+
+
+def test_waits_for_the_start_then_drives_to_every_goal_and_stays(start, planner):
+    with listen_to_status() as status, StartSignal() as starter:
+        node = start(REACHED * 2, wait_for_start=True)
+        assert status.wait_for((State.WAITING, 0))
+        starter.publish(1)
+        assert not status.wait_for((State.RACING, 0), QUIET)
+        starter.publish(0)
+        assert status.wait_for((State.FINISHED, 2))
+        states = [State.WAITING, State.RACING, State.RACING, State.RACING, State.FINISHED]
+        assert status.heard == list(zip(states, [0, 0, 1, 2, 2]))
+    latched = read_status()
+    assert (latched.state, latched.goals_total, latched.laps) == (State.FINISHED, 2, 1)
+    assert latched.header.stamp > rospy.Time(0)
+    node.interrupt()
+    assert node.finish()[0] == 0
+
+
+def test_says_what_the_planner_said_when_it_gave_up(start, planner):
+    node = start(REACHED + ABORTED + REACHED)
+    with listen_to_status() as status:
+        assert status.wait_for((State.ABORTED, 1))
+    text = "goal 2 of 3 aborted: Failed to find a valid plan. Even after executing recovery behaviors."
+    assert read_status().text == text
+    assert node.is_alive()
+    node.interrupt()
+    assert node.finish()[0] == 3
+
+
+def test_ends_with_the_race_when_told_to(start, planner):
+    assert start(REACHED, exit_when_done=True).finish()[0] == 0
+    assert start(ABORTED, exit_when_done=True).finish()[0] == 3
+
+
+def test_says_that_the_planner_is_lost_when_it_dies(start, planner):
+    assert start(DIES, exit_when_done=True).finish()[0] == 4
+
+
+def test_the_stop_service_cancels_the_goal_and_leaves_the_status(start, planner):
+    with listen_to_status() as status, listen_to_results() as results:
+        node = start(DRIVES_ON)
+        assert status.wait_for((State.RACING, 0))
+        rospy.wait_for_service(f"{NODE}/stop", LIMIT)
+        assert rospy.ServiceProxy(f"{NODE}/stop", Trigger)().success
+        assert status.wait_for((State.STOPPED, 0))
+        assert node.is_alive()
+        node.interrupt()
+        assert node.finish()[0] == 0
+        assert set(results.heard) <= {GoalStatus.PREEMPTED}
+
+
+def test_an_interrupt_stops_the_car_before_the_node_ends(start, planner):
+    with listen_to_status() as status, listen_to_results() as results:
+        node = start(REACHED + DRIVES_ON)
+        assert status.wait_for((State.RACING, 1))
+        assert results.wait_for(GoalStatus.SUCCEEDED)
+        node.interrupt()
+        assert node.finish()[0] == 0
+        assert status.wait_for((State.STOPPED, 1))
+        assert results.wait_for(GoalStatus.PREEMPTED)
+
+
+def test_an_interrupt_ends_it_while_it_waits(start):
+    with listen_to_status() as status:
+        node = start(REACHED, wait_for_start=True)
+        assert status.wait_for((State.WAITING, 0))
+        node.interrupt()
+        assert node.finish()[0] == 0
+        assert status.wait_for((State.STOPPED, 0))
+
+
+def test_loop_mode_never_finishes_and_counts_laps(start, planner):
+    with listen_to_status() as status:
+        start(REACHED * 2, loop_mode=True)
+        assert status.wait_for((State.RACING, 5))
+    assert read_status().laps >= 2
+
+
+@pytest.mark.parametrize(
+    ("goals", "parameters", "message"),
+    [
+        (REACHED, {"loop": True}, f"{NODE}/loop: unknown parameter, expected one of: use_absolute_fpath, "),
+        (REACHED, {"loop_mode": "yes"}, f"{NODE}/loop_mode: expected true or false, found 'yes'"),
+        (REACHED, {"f1tenth_race_mgr": {"a": 1}}, f"{NODE}/f1tenth_race_mgr/a: unknown parameter"),
+        (
+            REACHED,
+            {"use_absolute_fpath": False, "package_name": "no_such_package"},
+            "package_name: no package 'no_such_package'",
+        ),
+        (REACHED + "1 2\n", {}, "goals.txt:2: too few numbers: 2, expected 3 or 7"),
+        (REACHED, {"fpath": "/nowhere/goals.txt"}, "/nowhere/goals.txt: cannot be read: No such file"),
+    ],
+)
+def test_wrong_input_is_one_line_and_code_2(start, goals, parameters, message):
+    code, errors = start(goals, **parameters).finish()
+    assert code == 2
+    assert message in errors
+    assert errors.count("\n") == 1
+
+
+def test_reads_the_block_beside_the_node(start):
+    rospy.set_param("/robot1/f1tenth_race_mgr", {"looop_mode": True})
+    code, errors = start(REACHED).finish()
+    rospy.delete_param("/robot1/f1tenth_race_mgr")
+    assert code == 2
+    assert "/robot1/f1tenth_race_mgr/looop_mode: unknown parameter" in errors
+
+
+if __name__ == "__main__":
+    rospy.init_node("race_mgr_test")
+    junit = [a.replace("--gtest_output=xml:", "--junitxml=") for a in sys.argv if "_output=xml:" in a]
+    sys.exit(pytest.main([__file__, *junit]))

@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+"""The node race_starter, seen from outside."""
+
+import signal
+import subprocess
+import sys
+import threading
+import warnings
+
+import pytest
+import rospkg
+import rospy
+from rosgraph_msgs.msg import Clock
+from std_msgs.msg import Header, Int32
+
+SCRIPT = rospkg.RosPack().get_path("f1tenth_race_starter") + "/scripts/race_starter"
+LIMIT = 60.0  # wall s, against hangs
+QUIET = 0.5  # wall s in which something must not happen
+FAR_FUTURE = 2147483647  # s
+
+
+class Listener:
+    """Collects what a topic says."""
+
+    def __init__(self, topic, message_type, convert):
+        self.heard = []
+        self._changed = threading.Condition()
+        self._convert = convert
+        self._subscriber = rospy.Subscriber(topic, message_type, self._on_message)
+
+    def _on_message(self, message):
+        with self._changed:
+            self.heard.append(self._convert(message))
+            self._changed.notify_all()
+
+    def wait_for(self, heard, timeout=LIMIT):
+        with self._changed:
+            return self._changed.wait_for(lambda: self.heard == heard, timeout)
+
+    def wait_for_one(self, item, timeout=LIMIT):
+        with self._changed:
+            return self._changed.wait_for(lambda: item in self.heard, timeout)
+
+    def close(self):
+        self._subscriber.unregister()
+
+
+@pytest.fixture
+def seconds():
+    listener = Listener("/time_to_start", Int32, lambda message: message.data)
+    yield listener
+    listener.close()
+
+
+@pytest.fixture
+def start():
+    """Return a function that starts the node with parameters."""
+    processes = []
+
+    def start_node(**parameters):
+        rospy.set_param("/race_starter", {"linger": 0.2, **parameters})
+        processes.append(subprocess.Popen([sys.executable, SCRIPT], stderr=subprocess.PIPE, text=True))
+        return processes[-1]
+
+    yield start_node
+    for process in processes:
+        process.kill()
+        process.communicate()
+    rospy.delete_param("/race_starter")
+
+
+@pytest.fixture
+def clock():
+    """Return a function that sets simulated time, s."""
+    rospy.set_param("/use_sim_time", True)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", SyntaxWarning)
+        publisher = rospy.Publisher("/clock", Clock, latch=True, queue_size=None)
+    yield lambda time: publisher.publish(rospy.Time.from_sec(time))
+    publisher.unregister()
+    rospy.delete_param("/use_sim_time")
+
+
+def test_counts_down_and_ends_with_code_0(start, seconds):
+    node = start(time_to_start=2)
+    assert node.wait(LIMIT) == 0
+    assert seconds.wait_for([2, 1, 0])
+
+
+def test_counts_in_ros_time_once_there_is_a_clock(start, seconds, clock):
+    node = start(time_to_start=2)
+    assert not seconds.wait_for_one(2, QUIET)
+    for time, heard in ((10.0, [2]), (10.9, [2]), (11.0, [2, 1]), (12.0, [2, 1, 0])):
+        clock(time)
+        assert seconds.wait_for(heard)
+    assert node.wait(LIMIT) == 0
+
+
+def test_a_late_subscriber_gets_the_start(start, seconds):
+    start(time_to_start=0, linger=LIMIT)
+    assert seconds.wait_for([0])
+    late = Listener("/time_to_start", Int32, lambda message: message.data)
+    assert late.wait_for([0])
+    late.close()
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_ends_when_told_to_while_the_clock_stands(start, seconds, clock, number):
+    node = start(time_to_start=2)
+    clock(10.0)
+    assert seconds.wait_for([2])
+    node.send_signal(number)
+    assert node.wait(LIMIT) == 1
+
+
+@pytest.mark.parametrize("value", [-1, 1.5, "soon"])
+def test_a_wrong_parameter_is_one_line_and_code_2(start, value):
+    node = start(time_to_start=value)
+    _, errors = node.communicate(timeout=LIMIT)
+    assert node.returncode == 2
+    assert errors.count("\n") == 1
+    expected = "a whole number of seconds from 0 to 2147483647"
+    assert f"/race_starter/time_to_start: expected {expected}, found {value!r}" in errors
+
+
+def test_in_lockstep_each_number_is_out_before_the_answer_to_its_period(start, seconds, clock):
+    answers = Listener("/sim2d/done", Header, lambda message: (message.frame_id, message.stamp.to_sec()))
+    node = start(time_to_start=1, lockstep=True)
+    for time, heard in ((0.5, [1]), (1.0, [1]), (1.5, [1, 0])):
+        clock(time)
+        assert answers.wait_for_one(("race_starter", time))
+        assert seconds.wait_for(heard)
+    assert answers.wait_for_one(("race_starter", FAR_FUTURE))
+    assert node.wait(LIMIT) == 0
+    answers.close()
+
+
+if __name__ == "__main__":
+    rospy.init_node("race_starter_test")
+    junit = [a.replace("--gtest_output=xml:", "--junitxml=") for a in sys.argv if "_output=xml:" in a]
+    sys.exit(pytest.main([__file__, *junit]))

@@ -118,5 +118,5 @@ class DirectorTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    rospy.init_node("test_director")
-    rostest.rosrun("f1tenth_scenarios", "test_director", DirectorTest, sys.argv)
+    rospy.init_node("director_test")
+    rostest.rosrun("f1tenth_scenarios", "director_test", DirectorTest, sys.argv)

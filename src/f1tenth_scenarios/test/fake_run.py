@@ -48,10 +48,15 @@ class FakeRun:
         self.watch = FakeWatch(self.ready)
         self.stop = StopRequest()
         self._program = SHUTDOWN
+        self._sources = 0
 
     def records(self, *arguments, **others):
-        source = write_record(self.folder / "source.csv", rows(*arguments, **others))
+        self._sources += 1
+        source = write_record(self.folder / f"source{self._sources}.csv", rows(*arguments, **others))
         return self._do(f"import shutil; shutil.copy({str(source)!r}, {str(self.plan.record_file)!r})\n")
+
+    def waits(self, seconds):
+        return self._do(f"import time; time.sleep({seconds})\n")
 
     def simulator_says(self, **result):
         path, text = str(self.plan.simulator_result_file), json.dumps(result)

@@ -20,7 +20,7 @@ def result_of(run, **others):
 
 
 def succeeding(tmp_path):
-    run = FakeRun(tmp_path).records(9.0).simulator_says(sim_time=9.0, wall_time=0.5)
+    run = FakeRun(tmp_path).records(1.0).waits(0.5).records(9.0)
     return run.hears(racing(2.0), reached(2.2, 1), reached(2.5, 2), finished(3.0))
 
 
@@ -34,7 +34,7 @@ def test_success_is_written_with_all_that_was_measured(tmp_path):
     assert result["cars"] == {"robot1": {"lap_times": [1.0], "goals_passed": [0.5, 1.5, 2.5]}}
     assert result["minimum_clearance"] == 0.5
     assert result["contacts"] == []
-    assert result["real_time_factor"] == 18.0
+    assert 0.5 < result["real_time_factor"] < 16.0
     assert (result["seed"], result["trajectory_hash"]) == (1, "hash120")
     assert result["culprit"] is None
     assert [each["name"] for each in result["criteria"]] == [
@@ -146,7 +146,7 @@ def test_failure_of_the_watch_ends_the_run(tmp_path):
 
 def test_record_that_is_none_is_the_simulators_fault(tmp_path):
     run = FakeRun(tmp_path).records(4.0)
-    (tmp_path / "source.csv").write_text("nonsense\n", encoding="utf-8")
+    (tmp_path / "source1.csv").write_text("nonsense\n", encoding="utf-8")
     result = result_of(run.hears(racing(), finished(3.0)))
     assert result["verdict"] == "error"
     assert result["culprit"]["culprit"] == "sim2d"

@@ -6,6 +6,7 @@ from typing import Optional, TextIO
 
 from f1tenth_scenarios import criteria
 from f1tenth_scenarios.criteria import Status
+from f1tenth_scenarios.pace import Pace
 from f1tenth_scenarios.plan import Plan
 from f1tenth_scenarios.result import PICTURE_FILE, RESULT_FILE, Result
 
@@ -20,10 +21,11 @@ class ProgressLine:
         self._stream = stream
         self._shown = stream.isatty()
         self._next = 0.0
-        self._first: Optional[tuple[float, float]] = None
+        self._pace = Pace()
 
     def update(self, simulated: Optional[float], wall: float) -> None:
         """Show how far the run is: simulated and wall time, s."""
+        self._pace.note(simulated, wall)
         if not self._shown or time.monotonic() < self._next:
             return
         self._next = time.monotonic() + _REDRAW_INTERVAL
@@ -39,10 +41,7 @@ class ProgressLine:
     def _text(self, simulated, wall):
         if simulated is None:
             return f"starting  {wall:.0f} s"
-        if self._first is None:
-            self._first = (simulated, wall)
-        passed = wall - self._first[1]
-        factor = f"  {(simulated - self._first[0]) / passed:.1f}x real time" if passed > 0.5 else ""
+        factor = f"  {self._pace.factor:.1f}x real time" if self._pace.factor else ""
         return f"{simulated:.1f} s simulated{factor}"
 
 

@@ -5,7 +5,7 @@ import fcntl
 import shutil
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Callable, Optional
+from typing import Callable
 
 from f1tenth_scenarios import criteria, result, versions
 from f1tenth_scenarios.errors import ScenarioError
@@ -18,7 +18,7 @@ from f1tenth_scenarios.processes import ProcessTree
 from f1tenth_scenarios.record import Record, read_record
 from f1tenth_scenarios.result import Result
 from f1tenth_scenarios.stop_request import StopRequest
-from f1tenth_scenarios.supervisor import Progress, Supervisor, Watch, read_json
+from f1tenth_scenarios.supervisor import Progress, Supervisor, Watch
 from f1tenth_scenarios.track_map import read_track_map
 
 _SHUTDOWN_GRACE = 12.0  # wall s, for roslaunch to end its nodes
@@ -47,7 +47,7 @@ def execute(
     """
     with _claimed(plan):
         started = time.monotonic()
-        seen = _observe(plan, command, environment, make_watch, stop, progress)
+        seen, real_time_factor = _observe(plan, command, environment, make_watch, stop, progress)
         judgement = judge(plan.scenario, plan.all_goals, seen)
         done = Result(
             plan.name,
@@ -56,13 +56,13 @@ def execute(
             tuple(criteria.evaluate(plan.scenario, judgement)),
             seen.updates,
             time.monotonic() - started,
-            _real_time_factor(plan),
+            real_time_factor,
         )
         _write(plan, done)
     return done
 
 
-def _observe(plan, command, environment, make_watch, stop, progress) -> Observations:
+def _observe(plan, command, environment, make_watch, stop, progress):
     write_launch_file(plan)
     watch = make_watch()
     try:
@@ -74,7 +74,7 @@ def _observe(plan, command, environment, make_watch, stop, progress) -> Observat
             tree.stop(_SHUTDOWN_GRACE)
     finally:
         watch.close()
-    return _with_record(plan, tuple(supervisor.updates), failure)
+    return _with_record(plan, tuple(supervisor.updates), failure), supervisor.pace.factor
 
 
 def _with_record(plan, updates, failure):
@@ -103,12 +103,6 @@ def _claimed(plan: Plan) -> Iterator[None]:
         shutil.rmtree(plan.log_folder, ignore_errors=True)
         plan.log_folder.mkdir()
         yield
-
-
-def _real_time_factor(plan: Plan) -> Optional[float]:
-    said = read_json(plan.simulator_result_file)
-    simulated, wall = said.get("sim_time"), said.get("wall_time")
-    return simulated / wall if simulated and wall else None
 
 
 def _write(plan: Plan, done: Result) -> None:

@@ -10,6 +10,7 @@ from f1tenth_scenarios.file_tail import RecordTail, last_lines
 from f1tenth_scenarios.judge import is_decided
 from f1tenth_scenarios.launch_log import LaunchLog, NodeEnd
 from f1tenth_scenarios.observations import Failure, RaceState, RaceUpdate
+from f1tenth_scenarios.pace import Pace
 from f1tenth_scenarios.plan import Plan
 from f1tenth_scenarios.processes import ProcessTree
 from f1tenth_scenarios.scenario import Driver
@@ -51,6 +52,7 @@ class Supervisor:
         self._launch_log = LaunchLog(plan.launch_log)
         self._end_seen_at: Optional[float] = None
         self.updates: list[RaceUpdate] = []
+        self.pace = Pace()
 
     def wait(self) -> Optional[Failure]:
         """Return when the run is decided; with a failure if the set-up broke."""
@@ -76,6 +78,7 @@ class Supervisor:
         self.updates += self._watch.take()
         self._record.poll()
         self._launch_log.poll()
+        self.pace.note(self._record.time, self._elapsed())
 
     def _elapsed(self) -> float:
         return time.monotonic() - self._started

@@ -1,0 +1,188 @@
+#include "car_outputs.h"
+
+#include <cmath>
+
+#include "conversions.h"
+#include "f1tenth_sim2d/ackermann.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+// A scan is large and only the newest ones are of use. A contact must not be lost on a watcher that lags behind in a
+// fast simulation: ten minutes of a bumper are a few MB at most.
+constexpr double kScanQueue = 5.0;
+constexpr double kStateQueue = 60.0;
+constexpr double kBumperQueue = 600.0;
+
+// Height, roll and pitch of a car in the plane are known.
+constexpr double kExact = 1e-9;
+
+double square(double value)
+{
+  return value * value;
+}
+
+// Indices of the diagonal of a 6 x 6 covariance: x, y, z, roll, pitch, yaw.
+void setPlanarVariances(boost::array<double, 36> & covariance, double x, double y, double yaw)
+{
+  covariance[0] = x;
+  covariance[7] = y;
+  covariance[14] = covariance[21] = covariance[28] = kExact;
+  covariance[35] = yaw;
+}
+}  // namespace
+
+ScanOutput::ScanOutput(CarHandle car, std::size_t lidar)
+: MessageOutput(car.node, car.description().lidars[lidar].topic, car.description().lidars[lidar].rate_hz, kScanQueue),
+  car_(std::move(car)),
+  lidar_(lidar)
+{
+  const LidarDescription & description = car_.description().lidars[lidar_];
+  message_.header.frame_id = car_.frame_prefix + description.frame;
+  message_.angle_min = static_cast<float>(description.angle_min);
+  message_.angle_max = static_cast<float>(description.angle_max);
+  message_.angle_increment =
+    static_cast<float>((description.angle_max - description.angle_min) / (description.beam_count - 1));
+  message_.scan_time = static_cast<float>(1.0 / description.rate_hz);
+  message_.range_min = static_cast<float>(description.range_min);
+  message_.range_max = static_cast<float>(description.range_max);
+  message_.ranges.resize(static_cast<std::size_t>(description.beam_count));
+}
+
+void ScanOutput::fill(sensor_msgs::LaserScan & message, SimTime now)
+{
+  message.header.stamp = toRosTime(now);
+  car_.simulation.scan(car_.index, lidar_, message.ranges.data());
+}
+
+OdometryOutput::OdometryOutput(CarHandle car)
+: MessageOutput(car.node, "odom", car.simulation.parameters(car.index).odometry_rate_hz, kStateQueue),
+  car_(std::move(car))
+{
+  message_.header.frame_id = car_.frame_prefix + "odom";
+  message_.child_frame_id = car_.frame_prefix + "base_footprint";
+}
+
+void OdometryOutput::fill(nav_msgs::Odometry & message, SimTime now)
+{
+  const WheelOdometry odometry = car_.simulation.wheelOdometry(car_.index);
+  const VehicleParameters & parameters = car_.simulation.parameters(car_.index);
+  message.header.stamp = toRosTime(now);
+  message.pose.pose = toPose(odometry.pose);
+  message.twist.twist = toTwist({odometry.speed, 0.0}, odometry.yaw_rate);
+  // yaw_rate = speed * tan(steering) / wheelbase, to first order in the steering angle's noise
+  const double turn = odometry.yaw_rate * parameters.wheelbase();
+  const double speed = std::max(std::abs(odometry.speed), kExact);
+  const double slope = (square(speed) + square(turn)) / (speed * parameters.wheelbase());
+  setPlanarVariances(
+    message.twist.covariance, square(parameters.odometry_speed_noise_stddev), kExact,
+    square(slope * parameters.odometry_steering_noise_stddev));
+}
+
+OdometryTransformOutput::OdometryTransformOutput(CarHandle car, tf2_ros::TransformBroadcaster & broadcaster)
+: car_(std::move(car)), broadcaster_(broadcaster)
+{
+  message_.header.frame_id = car_.frame_prefix + "odom";
+  message_.child_frame_id = car_.frame_prefix + "base_footprint";
+}
+
+double OdometryTransformOutput::rate() const
+{
+  return car_.simulation.parameters(car_.index).odometry_rate_hz;
+}
+
+void OdometryTransformOutput::update(SimTime now)
+{
+  message_.header.stamp = toRosTime(now);
+  message_.transform = toTransform(car_.simulation.wheelOdometry(car_.index).pose);
+  broadcaster_.sendTransform(message_);
+}
+
+void OdometryTransformOutput::repeat()
+{
+  if (!message_.header.stamp.isZero()) {
+    broadcaster_.sendTransform(message_);
+  }
+}
+
+ImuOutput::ImuOutput(CarHandle car, double gravity)
+: MessageOutput(car.node, car.description().imu->topic, car.description().imu->rate_hz, kStateQueue),
+  car_(std::move(car))
+{
+  const ImuDescription & description = *car_.description().imu;
+  const double acceleration_variance = square(description.acceleration_noise_stddev);
+  message_.header.frame_id = car_.frame_prefix + description.frame;
+  message_.orientation_covariance = {kExact, 0, 0, 0, kExact, 0, 0, 0, kExact};
+  message_.angular_velocity_covariance = {kExact, 0, 0, 0, kExact, 0, 0, 0, square(description.yaw_rate_noise_stddev)};
+  message_.linear_acceleration_covariance = {acceleration_variance, 0, 0, 0, acceleration_variance, 0, 0, 0, kExact};
+  message_.linear_acceleration.z = gravity;
+}
+
+void ImuOutput::fill(sensor_msgs::Imu & message, SimTime now)
+{
+  const ImuSample sample = car_.simulation.imu(car_.index);
+  message.header.stamp = toRosTime(now);
+  message.orientation = toQuaternion(sample.yaw);
+  message.angular_velocity.z = sample.yaw_rate;
+  message.linear_acceleration.x = sample.acceleration.x;
+  message.linear_acceleration.y = sample.acceleration.y;
+}
+
+JointStatesOutput::JointStatesOutput(CarHandle car)
+: MessageOutput(car.node, "joint_states", car.description().joint_state_rate_hz, kStateQueue), car_(std::move(car))
+{
+  for (const auto & joint : car_.description().joints) {
+    message_.name.push_back(joint.name);
+  }
+  message_.position.resize(message_.name.size());
+  message_.velocity.resize(message_.name.size());
+}
+
+void JointStatesOutput::fill(sensor_msgs::JointState & message, SimTime now)
+{
+  using Role = JointDescription::Role;
+  const CarState & state = car_.simulation.state(car_.index);
+  const CarDescription & description = car_.description();
+  const SteeringAngles steering = ackermannSteering(
+    state.steering_angle, car_.simulation.parameters(car_.index).wheelbase(), description.track_width);
+  message.header.stamp = toRosTime(now);
+  for (std::size_t i = 0; i < description.joints.size(); ++i) {
+    const Role role = description.joints[i].role;
+    if (role == Role::kSteeringLeft || role == Role::kSteeringRight) {
+      message.position[i] = role == Role::kSteeringLeft ? steering.left : steering.right;
+    } else {
+      const auto wheel = static_cast<std::size_t>(role);
+      message.position[i] = state.wheel_angles[wheel];
+      message.velocity[i] = state.wheel_speeds[wheel];
+    }
+  }
+}
+
+BumperOutput::BumperOutput(CarHandle car, std::size_t bumper)
+: MessageOutput(
+    car.node, car.description().bumpers[bumper].topic, car.description().bumpers[bumper].rate_hz, kBumperQueue),
+  collisions_(
+    car.description().bumpers[bumper].collision_names.begin(), car.description().bumpers[bumper].collision_names.end())
+{
+  // As in Gazebo, all vectors are in the world, whatever frame the sensor is in.
+  message_.header.frame_id = "map";
+}
+
+void BumperOutput::note(const Contact & contact)
+{
+  if (collisions_.count(contact.own_collision) > 0) {
+    touches_[{contact.own_collision, contact.other_collision}] = contact;
+  }
+}
+
+void BumperOutput::fill(gazebo_msgs::ContactsState & message, SimTime now)
+{
+  message.header.stamp = toRosTime(now);
+  message.states.clear();
+  for (const auto & [pair, contact] : touches_) {
+    message.states.push_back(toContactState(contact));
+  }
+  touches_.clear();
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <gazebo_msgs/ContactsState.h>
+#include <nav_msgs/Odometry.h>
+#include <sensor_msgs/Imu.h>
+#include <sensor_msgs/JointState.h>
+#include <sensor_msgs/LaserScan.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "output.h"
+
+/// What a car publishes. Frames and topics come from its description.
+namespace f1tenth_sim2d
+{
+/// A car, where it publishes, and the prefix of its frames.
+struct CarHandle
+{
+  const Simulation & simulation;
+  CarIndex index;
+  ros::NodeHandle node;  ///< in the car's namespace
+  std::string frame_prefix;
+
+  const CarDescription & description() const { return simulation.car(index); }
+};
+
+class ScanOutput : public MessageOutput<sensor_msgs::LaserScan>
+{
+public:
+  ScanOutput(CarHandle car, std::size_t lidar);
+
+private:
+  void fill(sensor_msgs::LaserScan & message, SimTime now) override;
+
+  const CarHandle car_;
+  const std::size_t lidar_;
+};
+
+/// Wheel odometry on the topic `odom`.
+class OdometryOutput : public MessageOutput<nav_msgs::Odometry>
+{
+public:
+  explicit OdometryOutput(CarHandle car);
+
+private:
+  void fill(nav_msgs::Odometry & message, SimTime now) override;
+
+  const CarHandle car_;
+};
+
+/// odom -> base_footprint from wheel odometry.
+class OdometryTransformOutput : public Output
+{
+public:
+  OdometryTransformOutput(CarHandle car, tf2_ros::TransformBroadcaster & broadcaster);
+  double rate() const override;
+  void update(SimTime now) override;
+  void repeat() override;
+
+private:
+  const CarHandle car_;
+  tf2_ros::TransformBroadcaster & broadcaster_;
+  geometry_msgs::TransformStamped message_;
+};
+
+class ImuOutput : public MessageOutput<sensor_msgs::Imu>
+{
+public:
+  /// @param gravity  m/s^2, what the accelerometer reads upwards
+  ImuOutput(CarHandle car, double gravity);
+
+private:
+  void fill(sensor_msgs::Imu & message, SimTime now) override;
+
+  const CarHandle car_;
+};
+
+class JointStatesOutput : public MessageOutput<sensor_msgs::JointState>
+{
+public:
+  explicit JointStatesOutput(CarHandle car);
+
+private:
+  void fill(sensor_msgs::JointState & message, SimTime now) override;
+
+  const CarHandle car_;
+};
+
+/// A contact sensor. Each message carries what has touched since the one before, however short; of a pair of
+/// collisions that touched more than once, the last touch.
+class BumperOutput : public MessageOutput<gazebo_msgs::ContactsState>
+{
+public:
+  BumperOutput(CarHandle car, std::size_t bumper);
+
+  /// Every contact of the car, once; those of other collisions are ignored.
+  void note(const Contact & contact);
+  void restart() { touches_.clear(); }
+
+private:
+  void fill(gazebo_msgs::ContactsState & message, SimTime now) override;
+  void skip() override { touches_.clear(); }
+
+  const std::set<std::string> collisions_;
+  std::map<std::pair<std::string, std::string>, Contact> touches_;  // by own and other collision
+};
+}  // namespace f1tenth_sim2d

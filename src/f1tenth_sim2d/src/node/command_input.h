@@ -1,0 +1,42 @@
+#pragma once
+
+#include <ackermann_msgs/AckermannDriveStamped.h>
+#include <geometry_msgs/Twist.h>
+#include <ros/node_handle.h>
+
+#include <functional>
+#include <string>
+
+#include "f1tenth_sim2d/simulation.h"
+
+namespace f1tenth_sim2d
+{
+/// The driver's side of a car: the topics `cmd_vel` and `drive`. A command that is not finite is refused and counted;
+/// it never reaches the physics.
+class CommandInput
+{
+public:
+  /// @param node        in the car's namespace; its callback queue must be served by the simulation's thread
+  /// @param on_command  called for every message, also for a refused one: the driver has answered
+  CommandInput(Simulation & simulation, CarIndex car, ros::NodeHandle node, std::function<void()> on_command);
+
+  std::size_t accepted() const { return accepted_; }
+  std::size_t refused() const { return refused_; }
+  /// Why the last one was refused; empty if none was.
+  const std::string & lastRefusal() const { return last_refusal_; }
+
+private:
+  void onTwist(const geometry_msgs::Twist & message);
+  void onDrive(const ackermann_msgs::AckermannDriveStamped & message);
+  void take(const std::function<void()> & command);
+
+  Simulation & simulation_;
+  const CarIndex car_;
+  const std::function<void()> on_command_;
+  std::size_t accepted_{0};
+  std::size_t refused_{0};
+  std::string last_refusal_;
+  ros::Subscriber twist_subscriber_;
+  ros::Subscriber drive_subscriber_;
+};
+}  // namespace f1tenth_sim2d

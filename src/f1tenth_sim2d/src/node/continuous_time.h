@@ -1,0 +1,44 @@
+#pragma once
+
+#include <ros/callback_queue.h>
+
+#include "pacer.h"
+#include "simulated_world.h"
+#include "time_keeper.h"
+
+namespace f1tenth_sim2d
+{
+/// As fast as it goes.
+class FreeTime : public TimeKeeper
+{
+public:
+  FreeTime(SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control)
+  : world_(world), queue_(queue), control_(control)
+  {
+  }
+  void advance() override;
+  void restart() override {}
+
+private:
+  SimulatedWorld & world_;
+  ros::CallbackQueue & queue_;
+  const TimeControl & control_;
+};
+
+/// A fixed number of simulated seconds per wall second, if the machine can.
+class PacedTime : public TimeKeeper
+{
+public:
+  PacedTime(SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control, double factor);
+  void advance() override;
+  void restart() override;
+
+private:
+  bool serveCallbacksUntilDue(SimTime next);
+
+  SimulatedWorld & world_;
+  ros::CallbackQueue & queue_;
+  const TimeControl & control_;
+  Pacer pacer_;
+};
+}  // namespace f1tenth_sim2d

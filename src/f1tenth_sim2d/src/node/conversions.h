@@ -1,0 +1,26 @@
+#pragma once
+
+#include <gazebo_msgs/ContactState.h>
+#include <geometry_msgs/Pose.h>
+#include <geometry_msgs/TransformStamped.h>
+#include <geometry_msgs/Twist.h>
+
+#include "f1tenth_sim2d/geometry.h"
+#include "f1tenth_sim2d/simulation.h"
+
+/// From the core's types to messages. All on the ground, z = 0.
+namespace f1tenth_sim2d
+{
+geometry_msgs::Quaternion toQuaternion(double yaw);
+geometry_msgs::Pose toPose(const Pose2 & pose);
+geometry_msgs::Transform toTransform(const Pose2 & pose);
+/// @param velocity  m/s, in the frame of the twist
+geometry_msgs::Twist toTwist(const Vec2 & velocity, double yaw_rate);
+/// The force is spread evenly over the contact points.
+gazebo_msgs::ContactState toContactState(const Contact & contact);
+
+/// A vector given in a frame turned by yaw, in the frame that it is turned against.
+Vec2 rotated(const Vec2 & vector, double yaw);
+/// Pose of `pose` in the frame `reference`, both in the world.
+Pose2 relativeTo(const Pose2 & pose, const Pose2 & reference);
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,102 @@
+#include "diagnostics_output.h"
+
+#include <cstdio>
+#include <utility>
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+using diagnostic_msgs::DiagnosticStatus;
+using diagnostic_msgs::KeyValue;
+
+constexpr double kRate = 1.0;         // Hz
+constexpr double kQueue = 60.0;       // s
+constexpr double kFastEnough = 0.95;  // of the factor that is asked for
+
+KeyValue value(const std::string & key, const std::string & text)
+{
+  KeyValue entry;
+  entry.key = key;
+  entry.value = text;
+  return entry;
+}
+
+std::string shown(double number)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f", number);
+  return text;
+}
+
+const char * nameOf(TimeMode mode)
+{
+  switch (mode) {
+    case TimeMode::kPaced:
+      return "paced";
+    case TimeMode::kFree:
+      return "free";
+    case TimeMode::kLockstep:
+      return "lockstep";
+  }
+  return "";
+}
+}  // namespace
+
+DiagnosticsOutput::DiagnosticsOutput(ros::NodeHandle & node, TimeMode mode, double factor, std::vector<Driver> drivers)
+: MessageOutput(node, "/diagnostics", kRate, kQueue), mode_(mode), wanted_factor_(factor), drivers_(std::move(drivers))
+{
+}
+
+void DiagnosticsOutput::update(SimTime now)
+{
+  const ros::WallTime wall = ros::WallTime::now();
+  factor_ = static_cast<double>(now - last_time_) * 1e-9 / (wall - last_wall_).toSec();
+  last_time_ = now;
+  last_wall_ = wall;
+  MessageOutput::update(now);
+}
+
+void DiagnosticsOutput::fill(diagnostic_msgs::DiagnosticArray & message, SimTime now)
+{
+  message.header.stamp = toRosTime(now);
+  message.status.clear();
+  message.status.push_back(timeStatus());
+  for (const auto & driver : drivers_) {
+    message.status.push_back(commandStatus(driver));
+  }
+}
+
+DiagnosticStatus DiagnosticsOutput::timeStatus() const
+{
+  DiagnosticStatus status;
+  status.name = "sim2d: time";
+  status.hardware_id = "sim2d";
+  status.values = {value("mode", nameOf(mode_)), value("real_time_factor", shown(factor_))};
+  status.message = "real-time factor " + shown(factor_);
+  if (mode_ == TimeMode::kPaced) {
+    status.values.push_back(value("wanted_real_time_factor", shown(wanted_factor_)));
+    if (factor_ < kFastEnough * wanted_factor_) {
+      status.level = DiagnosticStatus::WARN;
+      status.message += ", cannot keep up with " + shown(wanted_factor_);
+    }
+  }
+  return status;
+}
+
+DiagnosticStatus DiagnosticsOutput::commandStatus(const Driver & driver)
+{
+  DiagnosticStatus status;
+  status.name = "sim2d: commands of " + driver.car;
+  status.hardware_id = "sim2d";
+  status.values = {
+    value("accepted", std::to_string(driver.commands.accepted())),
+    value("refused", std::to_string(driver.commands.refused()))};
+  status.message = "OK";
+  if (driver.commands.refused() > 0) {
+    status.level = DiagnosticStatus::WARN;
+    status.message = "refused: " + driver.commands.lastRefusal();
+  }
+  return status;
+}
+}  // namespace f1tenth_sim2d

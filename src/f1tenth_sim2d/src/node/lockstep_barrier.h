@@ -1,0 +1,75 @@
+#pragma once
+
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <sim2d_lockstep/done_ledger.h>
+#include <sim2d_lockstep/participant.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "f1tenth_sim2d/errors.h"
+#include "f1tenth_sim2d/simulation.h"
+
+namespace f1tenth_sim2d
+{
+/// A participant of lockstep has not answered in time.
+class ParticipantSilent : public Error
+{
+public:
+  ParticipantSilent(std::string participant, const std::string & message);
+  /// The first that is missing in the order of `participants`: the others may only be waiting for it.
+  const std::string & participant() const { return participant_; }
+
+private:
+  std::string participant_;
+};
+
+struct LockstepOptions
+{
+  std::vector<std::string> participants;
+  double timeout_sec{5.0};           ///< wall time, per period
+  double startup_timeout_sec{60.0};  ///< wall time, until everybody has answered once
+};
+
+/// Where the simulation waits until every participant has answered a period; docs/lockstep.md.
+class LockstepBarrier
+{
+public:
+  struct Hooks
+  {
+    std::function<bool()> interrupted;  ///< true: stop waiting
+    std::function<void()> repeat;       ///< publishes the first period again
+  };
+
+  /// @param queue  served while waiting; node delivers into it, and so must the command inputs
+  LockstepBarrier(ros::NodeHandle & node, ros::CallbackQueue & queue, LockstepOptions options);
+
+  /// Answers count for the period that ends at `end`, the `number`-th, from now on. To be called before it is published.
+  void open(SimTime end, std::int64_t number);
+  /// The driver of this car has answered the open period.
+  void noteCommand(const std::string & car) { ledger_.note(car, stamp_); }
+  bool hasAnswered(const std::string & participant) const;
+  /// Blocks until everybody has answered and everything sent before has been handled, or interrupted() is true.
+  /// @throws ParticipantSilent
+  void wait(const Hooks & hooks);
+  /// A new run from time 0.
+  void restart();
+
+private:
+  void waitForAnswers(const Hooks & hooks, const ros::WallTime & deadline);
+  void settle();
+  [[noreturn]] void fail() const;
+
+  const LockstepOptions options_;
+  ros::CallbackQueue & queue_;
+  sim2d_lockstep::InboxDrain drain_;
+  sim2d_lockstep::DoneLedger ledger_;
+  ros::Subscriber subscriber_;
+  ros::Time stamp_;
+  std::int64_t number_{0};
+  bool started_{false};
+  int repeats_{0};
+};
+}  // namespace f1tenth_sim2d

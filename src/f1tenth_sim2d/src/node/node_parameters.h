@@ -1,0 +1,62 @@
+#pragma once
+
+#include <xmlrpcpp/XmlRpc.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "f1tenth_sim2d/geometry.h"
+#include "f1tenth_sim2d/simulation.h"
+
+namespace f1tenth_sim2d
+{
+/// How simulated time advances.
+enum class TimeMode
+{
+  kPaced,     ///< real_time_factor times as fast as the wall clock
+  kFree,      ///< as fast as it goes
+  kLockstep,  ///< one control period, then wait for all participants
+};
+
+/// Who publishes odom -> base_footprint.
+enum class OdometryOwner
+{
+  kPerfect,
+  kWheel,
+};
+
+struct CarParameters
+{
+  std::string name;          ///< and ROS namespace
+  Pose2 pose;                ///< start, in the world
+  std::string vehicle_file;  ///< empty: the defaults of VehicleParameters
+  std::string frame_prefix;  ///< "robot1/" or ""
+};
+
+/// Everything the node is told, read once.
+struct NodeParameters
+{
+  std::string world_file;
+  std::vector<CarParameters> cars;
+  TimeMode time_mode{TimeMode::kPaced};
+  double real_time_factor{1.0};               ///< of paced time
+  std::vector<std::string> participants;      ///< in the order in which they act
+  double lockstep_timeout_sec{5.0};           ///< wall time
+  double lockstep_startup_timeout_sec{60.0};  ///< wall time
+  double control_period_sec{0.025};
+  SimulationOptions simulation;
+  double clock_rate_hz{200.0};  ///< of simulated time
+  OdometryOwner odometry{OdometryOwner::kPerfect};
+  std::string record_file;  ///< empty: none
+};
+
+/// @param name  of the node, "/sim2d"
+/// @param all   its private parameters
+/// @throws Error naming the parameter, what was found and what is allowed
+NodeParameters parseNodeParameters(const std::string & name, const XmlRpc::XmlRpcValue & all);
+
+/// Apart from the others, because it also serves to report that they are wrong. Empty: none.
+/// @throws Error
+std::string parseResultFile(const std::string & name, const XmlRpc::XmlRpcValue & all);
+}  // namespace f1tenth_sim2d

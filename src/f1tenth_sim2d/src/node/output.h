@@ -1,0 +1,79 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/time.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "f1tenth_sim2d/simulation.h"
+
+namespace f1tenth_sim2d
+{
+/// Something that is published at a fixed rate of simulated time.
+class Output
+{
+public:
+  virtual ~Output() = default;
+  virtual double rate() const = 0;  ///< Hz
+  virtual void update(SimTime now) = 0;
+  /// Publishes the last message again, for subscribers that have come since.
+  virtual void repeat() = 0;
+};
+
+inline ros::Time toRosTime(SimTime time)
+{
+  return ros::Time().fromNSec(static_cast<std::uint64_t>(time));
+}
+
+/// An output of one topic with one message that is reused. Costs nothing while nobody subscribes.
+template <class Message>
+class MessageOutput : public Output
+{
+public:
+  double rate() const override { return rate_hz_; }
+
+  void update(SimTime now) override
+  {
+    // The first message is always made, so that there is one to repeat.
+    if (filled_ && publisher_.getNumSubscribers() == 0) {
+      skip();
+      return;
+    }
+    fill(message_, now);
+    filled_ = true;
+    publisher_.publish(message_);
+  }
+
+  void repeat() override
+  {
+    if (filled_) {
+      publisher_.publish(message_);
+    }
+  }
+
+protected:
+  /// @param queue_sec  s of simulated time that a subscriber may lag behind before it loses messages, oldest first
+  MessageOutput(ros::NodeHandle & node, const std::string & topic, double rate_hz, double queue_sec)
+  : rate_hz_(rate_hz), publisher_(node.advertise<Message>(topic, queueSize(rate_hz, queue_sec)))
+  {
+  }
+
+  virtual void fill(Message & message, SimTime now) = 0;
+  /// Instead of fill() when nobody subscribes.
+  virtual void skip() {}
+
+  Message message_;
+
+private:
+  static std::uint32_t queueSize(double rate_hz, double queue_sec)
+  {
+    return static_cast<std::uint32_t>(rate_hz * queue_sec) + 1;
+  }
+
+  const double rate_hz_;
+  ros::Publisher publisher_;
+  bool filled_{false};
+};
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,63 @@
+#include "scene.h"
+
+#include <ros/console.h>
+#include <ros/param.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "f1tenth_sim2d/errors.h"
+#include "f1tenth_sim2d/loaders.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+void warn(const std::string & source, const std::vector<std::string> & warnings)
+{
+  if (warnings.empty()) {
+    return;
+  }
+  std::string text;
+  for (const auto & warning : warnings) {
+    text += "\n  " + warning;
+  }
+  ROS_WARN("%s: not represented:%s", source.c_str(), text.c_str());
+}
+
+std::vector<std::string> worldWarnings(const WorldDescription & world)
+{
+  std::vector<std::string> warnings = world.warnings;
+  for (const auto & plugin : world.plugins) {
+    warnings.push_back(plugin.place + ": plugin " + plugin.filename + " of the world");
+  }
+  return warnings;
+}
+
+CarDescription describe(const CarParameters & car)
+{
+  const std::string parameter = "/" + car.name + "/robot_description";
+  std::string xml;
+  if (!ros::param::get(parameter, xml)) {
+    throw Error("parameter " + parameter + ": not set, expected the URDF or SDF text of the car");
+  }
+  return loadCar(xml, car.name, parameter);
+}
+}  // namespace
+
+Scene buildScene(const NodeParameters & parameters)
+{
+  const WorldDescription world = loadWorld(parameters.world_file, modelPathFromEnvironment());
+  warn(world.file, worldWarnings(world));
+  Scene scene{Simulation(world, parameters.simulation), world.gravity};
+  for (const auto & car : parameters.cars) {
+    const CarDescription description = describe(car);
+    warn(description.source, description.warnings);
+    const VehicleParameters vehicle =
+      car.vehicle_file.empty() ? VehicleParameters{} : loadVehicleParameters(car.vehicle_file);
+    scene.simulation.addCar(description, vehicle, car.pose);
+  }
+  return scene;
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <memory>
+#include <vector>
+
+#include "clock_publisher.h"
+#include "command_input.h"
+#include "gazebo_api.h"
+#include "lockstep_barrier.h"
+#include "node_parameters.h"
+#include "plugin_host.h"
+#include "run_result.h"
+#include "scene.h"
+#include "simulated_world.h"
+#include "time_keeper.h"
+
+namespace f1tenth_sim2d
+{
+/// The simulator as a ROS node: builds everything, then lets time pass. One thread; every callback runs on it, between
+/// physics steps.
+class Sim2dNode
+{
+public:
+  /// @throws Error for what cannot be used
+  explicit Sim2dNode(const NodeParameters & parameters);
+
+  /// Until somebody asks for the end.
+  /// @throws ParticipantSilent
+  void run();
+  /// What has happened so far, without a reason for the end.
+  RunResult result() const;
+
+private:
+  void addCarOutputs(CarIndex car);
+  void addPlugins(CarIndex car);
+  void addCommands(CarIndex car);
+  void addGlobalOutputs();
+  void makeTimeKeeper();
+  void restart();
+  ros::NodeHandle carNode(CarIndex car);
+
+  const NodeParameters parameters_;
+  ros::CallbackQueue queue_;  // before everything that refers to it
+  ros::NodeHandle node_;
+  tf2_ros::TransformBroadcaster broadcaster_;
+  Scene scene_;
+  PluginHost plugins_;
+  SimulatedWorld world_;
+  TimeControl control_;
+  ClockPublisher clock_;
+  std::unique_ptr<LockstepBarrier> barrier_;  // in lockstep only
+  std::vector<std::unique_ptr<CommandInput>> commands_;
+  std::unique_ptr<GazeboServices> services_;
+  std::unique_ptr<TimeKeeper> time_;
+  ros::WallTime wall_start_;
+};
+}  // namespace f1tenth_sim2d

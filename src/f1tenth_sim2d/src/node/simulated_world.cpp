@@ -1,0 +1,99 @@
+#include "simulated_world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace f1tenth_sim2d
+{
+SimulatedWorld::SimulatedWorld(Simulation & simulation, double control_period_sec, const std::string & record_file)
+: simulation_(simulation),
+  period_ns_(control_period_sec * 1e9),
+  log_(simulation, record_file),
+  scans_(simulation.carCount()),
+  bumpers_(simulation.carCount())
+{
+  schedule_.add(period_ns_, [this](SimTime) { log_.endPeriod(); });
+}
+
+void SimulatedWorld::schedule(Output & output)
+{
+  schedule_.add(periodOf(output.rate()), [&output](SimTime now) { output.update(now); });
+}
+
+void SimulatedWorld::addScan(CarIndex car, std::unique_ptr<ScanOutput> output)
+{
+  schedule(*output);
+  scans_[car].push_back(std::move(output));
+}
+
+void SimulatedWorld::addBumper(CarIndex car, std::unique_ptr<BumperOutput> output)
+{
+  schedule(*output);
+  bumpers_[car].push_back(std::move(output));
+}
+
+void SimulatedWorld::add(std::unique_ptr<Output> output)
+{
+  schedule(*output);
+  others_.push_back(std::move(output));
+}
+
+SimTime SimulatedWorld::periodEnd() const
+{
+  return std::llround(static_cast<double>(log_.periods() + 1) * period_ns_);
+}
+
+void SimulatedWorld::advanceTo(SimTime end)
+{
+  while (simulation_.time() < end) {
+    simulation_.advanceTo(std::min(end, schedule_.nextDue()));
+    distributeContacts();
+    schedule_.run(simulation_.time());
+  }
+}
+
+void SimulatedWorld::distributeContacts()
+{
+  for (CarIndex car = 0; car < simulation_.carCount(); ++car) {
+    for (const auto & contact : simulation_.contacts(car)) {
+      log_.note(car, contact);
+      for (auto & bumper : bumpers_[car]) {
+        bumper->note(contact);
+      }
+    }
+    simulation_.clearContacts(car);
+  }
+}
+
+void SimulatedWorld::repeatScans(CarIndex car)
+{
+  for (auto & scan : scans_[car]) {
+    scan->repeat();
+  }
+}
+
+void SimulatedWorld::repeatOthers()
+{
+  for (auto & bumpers : bumpers_) {
+    for (auto & bumper : bumpers) {
+      bumper->repeat();
+    }
+  }
+  for (auto & output : others_) {
+    output->repeat();
+  }
+}
+
+void SimulatedWorld::restart()
+{
+  simulation_.reset();
+  schedule_.restart();
+  log_.restart();
+  for (auto & bumpers : bumpers_) {
+    for (auto & bumper : bumpers) {
+      bumper->restart();
+    }
+  }
+}
+}  // namespace f1tenth_sim2d

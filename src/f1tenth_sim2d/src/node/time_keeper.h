@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+
+namespace f1tenth_sim2d
+{
+/// Lets simulated time advance, and serves the node's callbacks in between: one of the three ways of docs/contracts.md.
+class TimeKeeper
+{
+public:
+  virtual ~TimeKeeper() = default;
+  /// Advances to the next simulated time at which something happens. Blocks for 0.1 s of wall time at a time at most
+  /// while it waits, then looks whether to stop.
+  virtual void advance() = 0;
+  /// After a pause, or when simulated time has gone back to 0.
+  virtual void restart() = 0;
+};
+
+/// What others may do to the flow of time; all on the simulation's thread.
+struct TimeControl
+{
+  bool paused{false};
+  int restarts{0};  ///< how often simulated time has gone back to 0
+};
+}  // namespace f1tenth_sim2d

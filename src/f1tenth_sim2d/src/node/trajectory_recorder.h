@@ -1,0 +1,31 @@
+#pragma once
+
+#include <fstream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "f1tenth_sim2d/simulation.h"
+
+namespace f1tenth_sim2d
+{
+/// Writes one CSV row a car and control period, with all digits of every number. Columns: docs/contracts.md.
+class TrajectoryRecorder
+{
+public:
+  /// @throws Error if the file cannot be written
+  explicit TrajectoryRecorder(const std::string & file);
+
+  /// @param touched  by car, the names of the models touched in the period
+  void write(
+    const Simulation & simulation, const std::vector<std::set<std::string>> & touched, const std::string & hash);
+  /// Begins the file anew.
+  void restart();
+
+private:
+  void open();
+
+  const std::string file_;
+  std::ofstream stream_;
+};
+}  // namespace f1tenth_sim2d

@@ -28,16 +28,24 @@ std::string MoveBaseClient::OdomFrame() const
   return nh_.resolveName("odom", false).substr(1);
 }
 
+template <typename Message>
+void MoveBaseClient::Listen(const std::string & topic, const std::function<void()> & heard)
+{
+  auto options = ros::SubscribeOptions::create<Message>(
+    "move_base/" + topic, 1, [heard](const typename Message::ConstPtr &) { heard(); }, ros::VoidPtr{}, &queue_);
+  options.transport_hints.tcpNoDelay();
+  listeners_.push_back(nh_.subscribe(options));
+}
+
 void MoveBaseClient::Connect()
 {
+  // The subscriptions of a process to one topic share one connection, made with the hints of the first. actionlib
+  // gives none, and without TCP_NODELAY a small message may wait 40 ms in the sender: in lockstep, for many periods.
+  Listen<actionlib_msgs::GoalStatusArray>("status", [this] {
+    last_status_ = {ros::WallTime::now(), ros::Time::now()};
+  });
+  Listen<move_base_msgs::MoveBaseActionResult>("result", [] {});
   client_ = std::make_unique<Client>(nh_, "move_base", &queue_);
-  auto options = ros::SubscribeOptions::create<actionlib_msgs::GoalStatusArray>(
-    "move_base/status", 1,
-    [this](const actionlib_msgs::GoalStatusArray::ConstPtr &) {
-      last_status_ = {ros::WallTime::now(), ros::Time::now()};
-    },
-    ros::VoidPtr{}, &queue_);
-  status_ = nh_.subscribe(options);
 }
 
 void MoveBaseClient::Serve(ros::WallDuration max_wait)

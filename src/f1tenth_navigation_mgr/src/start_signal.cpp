@@ -13,6 +13,8 @@ StartSignal::StartSignal(const std::string & topic)
       started_ = started_ || message->data <= 0;
     },
     ros::VoidPtr{}, &queue_);
+  // In lockstep two announcements may follow each other within the 40 ms for which TCP holds small messages back.
+  options.transport_hints.tcpNoDelay();
   subscriber_ = ros::NodeHandle{}.subscribe(options);
 }
 

@@ -6,9 +6,11 @@
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "f1tenth_navigation_mgr/goal_result.h"
 #include "f1tenth_navigation_mgr/timeouts.h"
@@ -72,6 +74,8 @@ private:
 
   static bool BothPassed(const Moment & since, const Moment & now, double seconds);
 
+  template <typename Message>
+  void Listen(const std::string & topic, const std::function<void()> & heard);
   void Connect();
   void WatchConnection();
   void AskAgain(const ros::WallTime & now);
@@ -85,7 +89,7 @@ private:
   ros::NodeHandle nh_;
   ros::CallbackQueue queue_;
   std::unique_ptr<Client> client_;  ///< null until there is a clock: its constructor blocks without
-  ros::Subscriber status_;
+  std::vector<ros::Subscriber> listeners_;
   Moment last_status_;
   std::optional<ros::WallTime> gone_since_;
   std::optional<Flight> flight_;

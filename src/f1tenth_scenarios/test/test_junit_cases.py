@@ -39,7 +39,7 @@ def test_failed_criterion_fails_its_case_and_says_all(tmp_path):
     result = run_cases(cases_of(run.execute(), run.plan))
     assert names(result.failures) == ["test_goals_in_order", "test_verdict"]
     (text,) = [text for test, text in result.failures if test.id().endswith("test_verdict")]
-    assert "verdict: aborted , limit success : robot1 gave up at 2.000 s: goal 2 of 3 aborted" in text
+    assert "verdict: aborted, limit success: robot1 gave up at 2.000 s: goal 2 of 3 aborted" in text
     assert "trajectory.png" in text
 
 

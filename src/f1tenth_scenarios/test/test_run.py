@@ -34,7 +34,7 @@ def test_success_is_written_with_all_that_was_measured(tmp_path):
     assert result["cars"] == {"robot1": {"lap_times": [1.0], "goals_passed": [0.5, 1.5, 2.5]}}
     assert result["minimum_clearance"] == 0.5
     assert result["contacts"] == []
-    assert 0.5 < result["real_time_factor"] < 16.0
+    assert 0.1 < result["real_time_factor"] < 20.0
     assert (result["seed"], result["trajectory_hash"]) == (1, "hash120")
     assert result["culprit"] is None
     assert [each["name"] for each in result["criteria"]] == [
@@ -209,7 +209,7 @@ def test_second_run_into_the_same_folder_is_refused(tmp_path):
 
     run = FakeRun(tmp_path)
     run.execute(progress=second)
-    assert answers == [f"{run.plan.folder}: another run of sample is writing its results there"]
+    assert answers == [f"{run.plan.folder}: another run is writing its results there"]
 
 
 def test_results_that_cannot_be_written_are_refused(tmp_path):

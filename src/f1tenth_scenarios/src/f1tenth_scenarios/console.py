@@ -67,13 +67,7 @@ def summary(result: Result, plan: Plan) -> str:
 def _failed_criteria(result):
     for criterion in result.criteria:
         if criterion.status is Status.FAILED:
-            yield (
-                "failed",
-                (
-                    f"{criterion.name}: {criterion.actual} {criterion.unit}".rstrip()
-                    + f", limit {criterion.limit} {criterion.unit}".rstrip()
-                ),
-            )
+            yield "failed", f"{criterion.name}: {criterion.comparison}"
 
 
 def _culprit_log(result):

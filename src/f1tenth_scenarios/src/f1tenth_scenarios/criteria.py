@@ -32,6 +32,12 @@ class Criterion:
     unit: str
     reason: str
 
+    @property
+    def comparison(self) -> str:
+        """What was measured and what is asked for, in words."""
+        actual, limit = (f"{value} {self.unit}".rstrip() for value in (self.actual, self.limit))
+        return f"{actual}, limit {limit}"
+
 
 def evaluate(scenario: Scenario, judgement: Judgement) -> list[Criterion]:
     """All criteria of a scenario, the verdict first."""

@@ -30,9 +30,6 @@ def _check(criterion: Criterion, text: str) -> Callable[[unittest.TestCase], Non
         if criterion.status is Status.NOT_JUDGED:
             self.skipTest(criterion.reason)
         if criterion.status is Status.FAILED:
-            self.fail(
-                f"{criterion.name}: {criterion.actual} {criterion.unit}, limit {criterion.limit}"
-                f" {criterion.unit}: {criterion.reason}\n{text}"
-            )
+            self.fail(f"{criterion.name}: {criterion.comparison}: {criterion.reason}\n{text}")
 
     return check

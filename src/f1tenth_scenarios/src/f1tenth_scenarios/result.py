@@ -132,12 +132,6 @@ def write_trajectory(path: Path, record: Record) -> None:
         writer.writerows(rows)
 
 
-def clear(folder: Path) -> None:
-    """Take away the results of an earlier run, so that nobody takes them for those of this one."""
-    for name in (RESULT_FILE, TRAJECTORY_FILE, PICTURE_FILE):
-        (folder / name).unlink(missing_ok=True)
-
-
 def _stamp(value: Optional[float]) -> Optional[float]:
     """Seconds without the noise of binary fractions."""
     return None if value is None else round(value, 9)

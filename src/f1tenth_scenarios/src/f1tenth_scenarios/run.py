@@ -1,10 +1,7 @@
 """One run of a scenario: start, watch, end, judge, keep."""
 
-import contextlib
-import fcntl
-import shutil
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Callable
 
 from f1tenth_scenarios import criteria, result, versions
@@ -17,6 +14,7 @@ from f1tenth_scenarios.plan import Plan
 from f1tenth_scenarios.processes import ProcessTree
 from f1tenth_scenarios.record import Record, read_record
 from f1tenth_scenarios.result import Result
+from f1tenth_scenarios.results_folder import claimed
 from f1tenth_scenarios.stop_request import StopRequest
 from f1tenth_scenarios.supervisor import Progress, Supervisor, Watch
 from f1tenth_scenarios.track_map import read_track_map
@@ -45,19 +43,10 @@ def execute(
     Raises:
         ScenarioError: the results folder cannot be used, or another run is using it.
     """
-    with _claimed(plan):
-        started = time.monotonic()
+    started = time.monotonic()
+    with claimed(plan.folder, plan.log_folder):
         seen, real_time_factor = _observe(plan, command, environment, make_watch, stop, progress)
-        judgement = judge(plan.scenario, plan.all_goals, seen)
-        done = Result(
-            plan.name,
-            plan.scenario,
-            judgement,
-            tuple(criteria.evaluate(plan.scenario, judgement)),
-            seen.updates,
-            time.monotonic() - started,
-            real_time_factor,
-        )
+        done = _judge(plan, seen, time.monotonic() - started, real_time_factor)
         _write(plan, done)
     return done
 
@@ -84,25 +73,10 @@ def _with_record(plan, updates, failure):
         return Observations(Record({}), updates, failure or Failure("sim2d", str(error)))
 
 
-@contextlib.contextmanager
-def _claimed(plan: Plan) -> Iterator[None]:
-    """Make the results folder ours, without the results of an earlier run."""
-    try:
-        plan.folder.mkdir(parents=True, exist_ok=True)
-        lock = open(plan.folder / ".lock", "w", encoding="utf-8")  # noqa: SIM115, closed below, after the block
-    except OSError as error:
-        raise ScenarioError(f"{plan.folder}: cannot write results: {error.strerror}") from error
-    with lock:
-        try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError as error:
-            raise ScenarioError(
-                f"{plan.folder}: another run of {plan.name} is writing its results there"
-            ) from error
-        result.clear(plan.folder)
-        shutil.rmtree(plan.log_folder, ignore_errors=True)
-        plan.log_folder.mkdir()
-        yield
+def _judge(plan, seen, wall_time, real_time_factor) -> Result:
+    judgement = judge(plan.scenario, plan.all_goals, seen)
+    judged = tuple(criteria.evaluate(plan.scenario, judgement))
+    return Result(plan.name, plan.scenario, judgement, judged, seen.updates, wall_time, real_time_factor)
 
 
 def _write(plan: Plan, done: Result) -> None:

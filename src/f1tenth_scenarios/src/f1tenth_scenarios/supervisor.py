@@ -121,9 +121,10 @@ class Supervisor:
         finished = {update.car for update in self.updates if update.state is RaceState.FINISHED}
         alive = {"sim2d"}
         for car in self._plan.scenario.cars:
-            if car.driver is Driver.RACE:
-                alive |= {f"{car.name}/move_base"}
-                alive |= set() if car.name in finished else {f"{car.name}/race_mgr"}
+            if car.driver is Driver.COMMANDS:
+                alive.add(f"{car.name}/command_driver")
+            elif car.name not in finished:
+                alive |= {f"{car.name}/move_base", f"{car.name}/race_mgr"}
         return alive
 
 

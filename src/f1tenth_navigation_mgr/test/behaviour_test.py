@@ -30,7 +30,7 @@ from rosgraph_msgs.msg import Clock
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 DRIVERS = {
-    "cpp": ["rosrun", "f1tenth_navigation_mgr", "navigation_mgr_driver"],
+    "cpp": ["rosrun", "f1tenth_navigation_mgr", "navigation_mgr_test_driver"],
     "python": [sys.executable, os.path.join(HERE, "navigation_mgr_driver.py")],
 }
 LIMIT = 60.0  # wall s, against hangs

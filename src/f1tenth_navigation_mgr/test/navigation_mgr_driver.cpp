@@ -1,5 +1,5 @@
 // Drives the C++ class as navigation_mgr_driver.py drives the Python one; behaviour_test.py compares what they print.
-//   navigation_mgr_driver ROBOT GOALS_FILE [loop|cancel]
+//   navigation_mgr_test_driver ROBOT GOALS_FILE [loop|cancel]
 #include <ros/ros.h>
 
 #include <iostream>

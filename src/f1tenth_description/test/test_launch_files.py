@@ -28,7 +28,12 @@ def test_description_is_in_the_namespace_of_the_car():
 
 @pytest.mark.parametrize(
     ("arguments", "tf_prefix"),
-    [([], "robot1"), (["car_name:=robot2"], "robot2"), (["frame_prefix:=/"], ""), (["frame_prefix:=a/"], "a")],
+    [
+        ([], "robot1"),
+        (["car_name:=robot2"], "robot2"),
+        (["frame_prefix:=/"], ""),
+        (["frame_prefix:=a/"], "a"),
+    ],
 )
 def test_frame_prefix_reaches_robot_state_publisher(arguments, tf_prefix):
     config = load(*arguments)

@@ -4,7 +4,7 @@ import re
 
 import pytest
 from f1tenth_gazebo.centreline import MAX_TURN, centreline, wrap_angle
-from f1tenth_gazebo.circuit import load_circuit
+from f1tenth_gazebo.circuit_file import load_circuit
 from f1tenth_gazebo.errors import CircuitError
 from f1tenth_gazebo.lap import Lap
 
@@ -72,6 +72,10 @@ def test_mistakes_are_named_with_their_place(tmp_path, old, new, message):
         ),
         ("props: [{model: chair, at: [0, 1]}]\n", "props[0].at: found [0, 1], allowed: a list of 3 numbers"),
         ("rooms: [{points: [[0, 1], 2]}]\n", "rooms[0].points[1]: found 2, allowed: a list of 2 numbers"),
+        ("rooms: [{points: 3}]\n", "rooms[0].points: found 3, allowed: a list"),
+        ("rooms: [{points: [[0, 1]]}]\n", "rooms[0].points: found 1, allowed: at least 2"),
+        ("left_material: 7\n", "left_material: found 7, allowed: a text"),
+        ("props: [{model: 1, at: [0, 1, 2]}]\n", "props[0].model: found 1, allowed: a text"),
         ("colour: red\n", "the file: unknown key 'colour', allowed: corners, left_material"),
     ],
 )

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import f1tenth_sim2d
 from f1tenth_gazebo.centreline import centreline
-from f1tenth_gazebo.circuit import load_circuit
+from f1tenth_gazebo.circuit_file import load_circuit
 from f1tenth_gazebo.errors import CircuitError
 from f1tenth_gazebo.goals_file import goals_text, lap_goals
 from f1tenth_gazebo.map_file import save_map

@@ -115,9 +115,10 @@ bool becomesWarning(
     throw LoadError(file, "", printed);
   }
   const bool elsewhere = match[1].matched && match[1] != file;
+  const std::string line = match[3] == "0" ? "" : "line " + match[3].str();  // an empty document has no line
   const std::string detail = match[4].matched ? ", " + match[4].str() : "";
   throw LoadError(
-    file, (elsewhere ? match[1].str() + ", " : "") + "line " + match[3].str(),
+    file, elsewhere ? match[1].str() + (line.empty() ? "" : ", ") + line : line,
     "malformed XML: " + match[2].str() + detail);
 }
 
@@ -126,7 +127,10 @@ bool becomesWarning(
   const std::string & uri_hint)
 {
   const std::string place = placeOf(error, root, file);
-  const std::string & message = error.Message();
+  std::string message = error.Message();
+  if (!message.empty() && message.back() == '.') {
+    message.pop_back();
+  }
   if (error.Code() == sdf::ErrorCode::DUPLICATE_NAME) {
     throw LoadError(file, place, "this name is taken; names are unique among the elements of one parent");
   }

@@ -9,5 +9,6 @@ void bindErrors(pybind11::module_ & module);
 void bindVehicleParameters(pybind11::module_ & module);
 void bindWorld(pybind11::module_ & module);
 void bindCar(pybind11::module_ & module);
+void bindSamples(pybind11::module_ & module);
 void bindSimulation(pybind11::module_ & module);
 }  // namespace f1tenth_sim2d

@@ -1,0 +1,94 @@
+#include "robot_text.h"
+
+#include <tinyxml2.h>
+#include <urdf_model/model.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include "f1tenth_sim2d/errors.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+using ignition::math::Pose3d;
+
+Pose3d toPose(const urdf::Pose & pose)
+{
+  return {
+    {pose.position.x, pose.position.y, pose.position.z},
+    {pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z}};
+}
+
+Pose3d poseInRoot(urdf::LinkConstSharedPtr link)
+{
+  Pose3d pose;
+  for (; link->parent_joint; link = link->getParent()) {
+    pose = toPose(link->parent_joint->parent_to_joint_origin_transform) * pose;
+  }
+  return pose;
+}
+
+bool canVanish(const urdf::Link & link)
+{
+  const bool has_mass = link.inertial && link.inertial->mass > 0.0;
+  return !has_mass && (!link.parent_joint || link.parent_joint->type != urdf::Joint::FIXED);
+}
+}  // namespace
+
+std::string rootElement(const std::string & xml, const std::string & source)
+{
+  tinyxml2::XMLDocument document;
+  if (document.Parse(xml.c_str(), xml.size()) != tinyxml2::XML_SUCCESS) {
+    const int line = document.ErrorLineNum();
+    throw LoadError(
+      source, line > 0 ? "line " + std::to_string(line) : "", std::string("malformed XML: ") + document.ErrorName());
+  }
+  const tinyxml2::XMLElement * const root = document.RootElement();
+  return root ? root->Name() : "";
+}
+
+UrdfFacts readUrdf(const std::string & xml, const std::string & source, const SdfMessages & messages)
+{
+  const urdf::ModelInterfaceSharedPtr robot = urdf::parseURDF(xml);
+  if (const auto errors = messages.errors(); !robot || !errors.empty()) {
+    throw LoadError(source, "robot", errors.empty() ? "is not a URDF" : errors.front());
+  }
+  UrdfFacts facts;
+  for (const auto & [name, link] : robot->links_) {
+    facts.links.push_back(name);
+    if (!link->collision_array.empty()) {
+      facts.links_with_collisions.push_back({name, link->collision_array.size(), canVanish(*link)});
+    }
+  }
+  const urdf::LinkConstSharedPtr base = robot->getLink("base_footprint");
+  if (!base) {
+    throw LoadError(
+      source, "robot[" + robot->getName() + "]",
+      "has no link base_footprint, the one on the ground below the middle of the rear axle");
+  }
+  facts.base_footprint = poseInRoot(base);
+  return facts;
+}
+
+void requireAllCollisions(const UrdfFacts & facts, const std::vector<Solid> & solids, const std::string & source)
+{
+  std::size_t expected = 0;
+  for (const auto & link : facts.links_with_collisions) {
+    expected += link.collisions;
+  }
+  if (solids.size() >= expected) {
+    return;
+  }
+  for (const auto & link : facts.links_with_collisions) {
+    if (link.can_vanish) {
+      throw LoadError(
+        source, "link[" + link.name + "]",
+        "has a <collision> but no mass, so that Gazebo leaves it out; needed is an <inertial> with a mass above 0");
+    }
+  }
+  throw LoadError(
+    source, "robot",
+    "has " + std::to_string(expected) + " <collision>, of which " + std::to_string(solids.size()) +
+      " were left when converted to SDF");
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,89 @@
+#include <pybind11/stl.h>
+
+#include "bindings.h"
+#include "f1tenth_sim2d/loaders.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+namespace py = pybind11;
+
+void bindSensors(py::module_ & module)
+{
+  py::class_<LidarDescription>(module, "Lidar", "A planar lidar of a car.")
+    .def_readonly("name", &LidarDescription::name)
+    .def_readonly("topic", &LidarDescription::topic)
+    .def_readonly("frame", &LidarDescription::frame, "Frame id without the car's prefix.")
+    .def_property_readonly(
+      "pose",
+      [](const LidarDescription & lidar) {
+        const auto & place = lidar.pose.Pos();
+        return py::make_tuple(place.X(), place.Y(), place.Z(), lidar.pose.Rot().Yaw());
+      },
+      "(x, y, z, yaw) in base_footprint, m and rad.")
+    .def_readonly("rate_hz", &LidarDescription::rate_hz)
+    .def_readonly("beam_count", &LidarDescription::beam_count)
+    .def_readonly("angle_min", &LidarDescription::angle_min, "Angle of the first beam, rad.")
+    .def_readonly("angle_max", &LidarDescription::angle_max, "Angle of the last beam, rad.")
+    .def_readonly("range_min", &LidarDescription::range_min, "m.")
+    .def_readonly("range_max", &LidarDescription::range_max, "m.")
+    .def_readonly("noise_mean", &LidarDescription::noise_mean, "m.")
+    .def_readonly("noise_stddev", &LidarDescription::noise_stddev, "m.");
+
+  py::class_<BumperDescription>(module, "Bumper", "A contact sensor of a car.")
+    .def_readonly("name", &BumperDescription::name)
+    .def_readonly("topic", &BumperDescription::topic)
+    .def_readonly("frame", &BumperDescription::frame, "Frame id without the car's prefix.")
+    .def_readonly("rate_hz", &BumperDescription::rate_hz)
+    .def_readonly("collision_names", &BumperDescription::collision_names, "Scoped names of what it watches.");
+}
+
+std::vector<std::string> jointNames(const CarDescription & car)
+{
+  std::vector<std::string> names;
+  for (const JointDescription & joint : car.joints) {
+    names.push_back(joint.name);
+  }
+  return names;
+}
+}  // namespace
+
+void bindCar(py::module_ & module)
+{
+  bindSensors(module);
+  py::class_<CarDescription>(module, "Car", "A car as its robot description gives it; see load_car.")
+    .def_readonly("name", &CarDescription::name)
+    .def_readonly("links", &CarDescription::links, "All links of the robot description.")
+    .def_readonly("lidars", &CarDescription::lidars)
+    .def_readonly("bumpers", &CarDescription::bumpers)
+    .def_property_readonly("joints", &jointNames, "Names of the joints whose state is published.")
+    .def_readonly("wheel_radius", &CarDescription::wheel_radius, "m.")
+    .def_readonly("track_width", &CarDescription::track_width, "Between the steering joints, m.")
+    .def_property_readonly(
+      "plugins",
+      [](const CarDescription & car) {
+        std::vector<std::string> filenames;
+        for (const PluginElement & plugin : car.plugins) {
+          filenames.push_back(plugin.filename);
+        }
+        return filenames;
+      },
+      "File names of the plugins that are not built in.")
+    .def_readonly("warnings", &CarDescription::warnings, "What was left out: one line a kind.");
+
+  module.def(
+    "load_car", &loadCar, py::arg("xml"), py::arg("name"), py::arg("source"),
+    R"(Read a robot description: URDF with <gazebo> tags, or an SDF model.
+
+Args:
+    xml: the text.
+    name: name of the car.
+    source: what error messages call the text, for example its path.
+
+Raises:
+    LoadError: malformed text, or something that would make the simulation wrong.
+)",
+    py::call_guard<py::gil_scoped_release>());
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,168 @@
+#include "python_simulation.h"
+
+#include <cmath>
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+namespace py = pybind11;
+
+/// Indices that users give are answered with IndexError.
+void requireIndex(const std::string & what, std::size_t index, std::size_t count)
+{
+  if (index >= count) {
+    const std::string allowed = count == 0 ? "there is none" : "allowed are 0 to " + std::to_string(count - 1);
+    throw py::index_error(what + " is " + std::to_string(index) + ", " + allowed);
+  }
+}
+
+/// A scan is written into the caller's memory, so the array has to be just that memory.
+py::array requireScanArray(const py::object & out, py::ssize_t beam_count)
+{
+  const std::string allowed =
+    "allowed is a writeable, contiguous numpy array of dtype float32 and shape (" + std::to_string(beam_count) + ",)";
+  if (!py::isinstance<py::array>(out)) {
+    throw py::value_error("out is no numpy array, " + allowed);
+  }
+  const auto array = py::reinterpret_borrow<py::array>(out);
+  const bool fits = array.dtype().is(py::dtype::of<float>()) && array.ndim() == 1 && array.shape(0) == beam_count &&
+                    (array.flags() & py::array::c_style) != 0 && array.writeable();
+  if (!fits) {
+    const auto dtype = py::str(array.dtype()).cast<std::string>();
+    const auto shape = py::str(array.attr("shape")).cast<std::string>();
+    throw py::value_error("out has dtype " + dtype + " and shape " + shape + ", " + allowed);
+  }
+  return array;
+}
+}  // namespace
+
+PythonSimulation::PythonSimulation(const WorldDescription & world, double physics_step, std::uint64_t seed)
+: simulation_(world, {physics_step, seed})
+{
+}
+
+void PythonSimulation::requireCar(CarIndex index) const
+{
+  requireIndex("car", index, simulation_.carCount());
+}
+
+CarIndex PythonSimulation::addCar(
+  const CarDescription & car, const std::optional<VehicleParameters> & parameters, double x, double y, double yaw)
+{
+  return simulation_.addCar(car, parameters.value_or(VehicleParameters{}), {x, y, yaw});
+}
+
+const CarDescription & PythonSimulation::car(CarIndex index) const
+{
+  requireCar(index);
+  return simulation_.car(index);
+}
+
+double PythonSimulation::time() const
+{
+  return static_cast<double>(simulation_.time()) * 1e-9;
+}
+
+void PythonSimulation::step()
+{
+  simulation_.step();
+}
+
+void PythonSimulation::advanceTo(double end)
+{
+  if (!std::isfinite(end) || std::abs(end) > 1e9) {
+    throw py::value_error("the time to advance to is not finite or beyond 1e9 s");
+  }
+  simulation_.advanceTo(std::llround(end * 1e9));
+  hash_.add(simulation_);
+}
+
+void PythonSimulation::reset()
+{
+  simulation_.reset();
+  hash_.reset();
+}
+
+void PythonSimulation::command(CarIndex index, double speed, double steering_angle)
+{
+  requireCar(index);
+  simulation_.command(index, {speed, steering_angle});
+}
+
+void PythonSimulation::commandTwist(CarIndex index, double linear_x, double angular_z)
+{
+  requireCar(index);
+  simulation_.commandTwist(index, linear_x, angular_z);
+}
+
+CarState PythonSimulation::state(CarIndex index) const
+{
+  requireCar(index);
+  return simulation_.state(index);
+}
+
+WheelOdometry PythonSimulation::wheelOdometry(CarIndex index) const
+{
+  requireCar(index);
+  return simulation_.wheelOdometry(index);
+}
+
+ImuSample PythonSimulation::imu(CarIndex index) const
+{
+  requireCar(index);
+  return simulation_.imu(index);
+}
+
+std::vector<Contact> PythonSimulation::contacts(CarIndex index) const
+{
+  requireCar(index);
+  return simulation_.contacts(index);
+}
+
+void PythonSimulation::clearContacts(CarIndex index)
+{
+  requireCar(index);
+  simulation_.clearContacts(index);
+}
+
+double PythonSimulation::clearance(CarIndex index, double limit) const
+{
+  requireCar(index);
+  return simulation_.clearance(index, limit);
+}
+
+py::array_t<double> PythonSimulation::poses() const
+{
+  py::array_t<double> array({static_cast<py::ssize_t>(simulation_.carCount()), py::ssize_t{3}});
+  auto cells = array.mutable_unchecked<2>();
+  for (CarIndex i = 0; i < simulation_.carCount(); ++i) {
+    const Pose2 & pose = simulation_.state(i).pose;
+    const auto row = static_cast<py::ssize_t>(i);
+    cells(row, 0) = pose.x;
+    cells(row, 1) = pose.y;
+    cells(row, 2) = pose.yaw;
+  }
+  return array;
+}
+
+py::array PythonSimulation::scan(CarIndex index, std::size_t lidar, const py::object & out, bool exact) const
+{
+  const std::vector<LidarDescription> & lidars = car(index).lidars;
+  requireIndex("lidar", lidar, lidars.size());
+  const py::ssize_t beam_count = lidars[lidar].beam_count;
+  py::array array = out.is_none() ? py::array_t<float>(beam_count) : requireScanArray(out, beam_count);
+  auto * const ranges = static_cast<float *>(array.mutable_data());
+  {
+    const py::gil_scoped_release release;
+    exact ? simulation_.exactScan(index, lidar, ranges) : simulation_.scan(index, lidar, ranges);
+  }
+  return array;
+}
+
+py::tuple PythonSimulation::modelPose(const std::string & name) const
+{
+  const Pose2 pose = simulation_.modelPose(name);
+  return py::make_tuple(pose.x, pose.y, pose.yaw);
+}
+}  // namespace f1tenth_sim2d

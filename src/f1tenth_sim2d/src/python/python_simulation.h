@@ -1,0 +1,53 @@
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "f1tenth_sim2d/simulation.h"
+#include "f1tenth_sim2d/trajectory_hash.h"
+
+namespace f1tenth_sim2d
+{
+/// A Simulation as Python sees it: seconds, numpy arrays, checked indices.
+class PythonSimulation
+{
+public:
+  PythonSimulation(const WorldDescription & world, double physics_step, std::uint64_t seed);
+
+  CarIndex addCar(
+    const CarDescription & car, const std::optional<VehicleParameters> & parameters, double x, double y, double yaw);
+  std::size_t carCount() const { return simulation_.carCount(); }
+  const CarDescription & car(CarIndex index) const;
+
+  double time() const;
+  void step();
+  void advanceTo(double end);
+  void reset();
+  std::string trajectoryHash() const { return hash_.hexDigest(); }
+
+  void command(CarIndex index, double speed, double steering_angle);
+  void commandTwist(CarIndex index, double linear_x, double angular_z);
+
+  CarState state(CarIndex index) const;
+  WheelOdometry wheelOdometry(CarIndex index) const;
+  ImuSample imu(CarIndex index) const;
+  std::vector<Contact> contacts(CarIndex index) const;
+  void clearContacts(CarIndex index);
+  double clearance(CarIndex index, double limit) const;
+  pybind11::array_t<double> poses() const;
+  /// Into out, a float32 array of shape (beam_count,), or into a new one.
+  pybind11::array scan(CarIndex index, std::size_t lidar, const pybind11::object & out, bool exact) const;
+
+  std::vector<std::string> modelNames() const { return simulation_.modelNames(); }
+  pybind11::tuple modelPose(const std::string & name) const;
+
+private:
+  void requireCar(CarIndex index) const;
+
+  Simulation simulation_;
+  TrajectoryHash hash_;
+};
+}  // namespace f1tenth_sim2d

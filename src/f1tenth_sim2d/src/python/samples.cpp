@@ -1,0 +1,83 @@
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "f1tenth_sim2d/simulation.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+namespace py = pybind11;
+
+void bindCarState(py::module_ & module)
+{
+  py::class_<CarState>(module, "CarState", "True state of a car: that of base_footprint, below the rear axle.")
+    .def_property_readonly(
+      "x", [](const CarState & state) { return state.pose.x; }, "In the world, m.")
+    .def_property_readonly(
+      "y", [](const CarState & state) { return state.pose.y; }, "In the world, m.")
+    .def_property_readonly(
+      "yaw", [](const CarState & state) { return state.pose.yaw; }, "In the world, rad.")
+    .def_property_readonly(
+      "v_x", [](const CarState & state) { return state.velocity.x; }, "Along the car, m/s.")
+    .def_property_readonly(
+      "v_y", [](const CarState & state) { return state.velocity.y; }, "To its left, m/s.")
+    .def_readonly("yaw_rate", &CarState::yaw_rate, "rad/s.")
+    .def_property_readonly(
+      "a_x", [](const CarState & state) { return state.acceleration.x; },
+      "Of the centre of mass, along the car, m/s^2.")
+    .def_property_readonly(
+      "a_y", [](const CarState & state) { return state.acceleration.y; }, "Of the centre of mass, to its left, m/s^2.")
+    .def_readonly("steering_angle", &CarState::steering_angle, "Of the single-track front wheel, rad.")
+    .def_readonly("wheel_angles", &CarState::wheel_angles, "Front left, front right, rear left, rear right; rad.")
+    .def_readonly("wheel_speeds", &CarState::wheel_speeds, "The same order; rad/s.");
+}
+
+void bindReadings(py::module_ & module)
+{
+  py::class_<WheelOdometry>(module, "WheelOdometry", "Dead reckoning from noisy speed and steering.")
+    .def_property_readonly(
+      "x", [](const WheelOdometry & odometry) { return odometry.pose.x; }, "m.")
+    .def_property_readonly(
+      "y", [](const WheelOdometry & odometry) { return odometry.pose.y; }, "m.")
+    .def_property_readonly(
+      "yaw", [](const WheelOdometry & odometry) { return odometry.pose.yaw; }, "rad.")
+    .def_readonly("speed", &WheelOdometry::speed, "Along the car, m/s.")
+    .def_readonly("yaw_rate", &WheelOdometry::yaw_rate, "rad/s.");
+
+  py::class_<ImuSample>(module, "ImuSample", "A reading of the IMU.")
+    .def_readonly("yaw", &ImuSample::yaw, "rad.")
+    .def_readonly("yaw_rate", &ImuSample::yaw_rate, "rad/s.")
+    .def_property_readonly(
+      "a_x", [](const ImuSample & imu) { return imu.acceleration.x; }, "Along the car, m/s^2.")
+    .def_property_readonly(
+      "a_y", [](const ImuSample & imu) { return imu.acceleration.y; }, "To its left, m/s^2.");
+}
+
+void bindContact(py::module_ & module)
+{
+  py::class_<Contact>(module, "Contact", "A touch of a car's collision element with another body.")
+    .def_readonly("own_collision", &Contact::own_collision, "Scoped name.")
+    .def_readonly("other_collision", &Contact::other_collision, "Scoped name.")
+    .def_readonly("other_model", &Contact::other_model, "Name of the model or car.")
+    .def_property_readonly(
+      "positions", [](const Contact & contact) { return toArray(contact.positions); }, "Shape (n, 2), world, m.")
+    .def_property_readonly(
+      "normals", [](const Contact & contact) { return toArray(contact.normals); },
+      "Shape (n, 2), unit vectors in the world, from the other body towards the car.")
+    .def_readonly("depths", &Contact::depths, "m.")
+    .def_property_readonly(
+      "force", [](const Contact & contact) { return py::make_tuple(contact.force.x, contact.force.y); },
+      "(x, y) on the car, world, N.")
+    .def_readonly("torque", &Contact::torque, "About the car's centre of mass, N m.");
+}
+}  // namespace
+
+void bindSamples(py::module_ & module)
+{
+  bindCarState(module);
+  bindReadings(module);
+  bindContact(module);
+}
+}  // namespace f1tenth_sim2d

@@ -15,7 +15,7 @@ namespace
 // A listener runs between two rounds. The first run after the call may come from the round under way, so the rounds
 // that count lie between the first and the third.
 constexpr std::uint64_t kListenerRuns = 3;
-constexpr std::chrono::milliseconds kShutdownCheck{100};
+constexpr std::chrono::milliseconds kStartedCheck{100};
 }  // namespace
 
 class InboxDrain::Impl
@@ -35,7 +35,7 @@ public:
     wanted_ = target;
     poll_manager_->getPollSet().signal();
     while (runs_ < target && ros::isStarted() && !ros::isShuttingDown()) {
-      round_done_.wait_for(lock, kShutdownCheck);
+      round_done_.wait_for(lock, kStartedCheck);
     }
   }
 

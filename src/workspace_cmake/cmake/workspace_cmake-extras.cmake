@@ -3,9 +3,11 @@
 # C++17, all warnings, and warnings are errors in our own code.
 # -ffp-contract=off: a fused multiply-add rounds once where two operations round twice, and whether
 # the compiler fuses depends on the target; without it the same source gives the same bits everywhere.
+# One translation unit a target: the headers of ROS, libsdformat and Ignition cost 3 to 6 s a file, and the templates
+# behind them as much again; the core of the simulator compiles in 16 s of processor time instead of 300.
 function(workspace_target target)
   target_compile_features(${target} PUBLIC cxx_std_17)
-  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Werror -ffp-contract=off)
 endfunction()
 

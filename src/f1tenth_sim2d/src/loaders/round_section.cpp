@@ -114,7 +114,7 @@ private:
   Vec2 direction_;
 };
 
-Section ofPolygon(const std::vector<Vec2> & points)
+Section ofPoints(const std::vector<Vec2> & points)
 {
   ConvexPolygon hull = convexHull(points);
   return hull.empty() ? Section{} : Section{{std::move(hull)}, {}};
@@ -157,7 +157,7 @@ Section cut(const Cylinder & cylinder, const Pose3d & pose, double z)
   }
   std::vector<Vec2> points;
   leaning.appendCut(z, points);
-  return ofPolygon(points);
+  return ofPoints(points);
 }
 
 Section shadow(const Cylinder & cylinder, const Pose3d & pose, double z_min, double z_max)
@@ -176,6 +176,6 @@ Section shadow(const Cylinder & cylinder, const Pose3d & pose, double z_min, dou
       leaning.appendCut(z, points);
     }
   }
-  return ofPolygon(points);
+  return ofPoints(points);
 }
 }  // namespace f1tenth_sim2d

@@ -11,7 +11,7 @@ namespace f1tenth_sim2d
 namespace
 {
 // Commands are handled between steps; more than one between two steps is rare, and the last one counts.
-constexpr std::uint32_t kQueueSize = 100;
+constexpr std::uint32_t kCommandQueueSize = 100;
 }  // namespace
 
 CommandInput::CommandInput(
@@ -20,11 +20,12 @@ CommandInput::CommandInput(
 {
   const auto hints = ros::TransportHints().tcpNoDelay();
   twist_subscriber_ = node.subscribe<geometry_msgs::Twist>(
-    "cmd_vel", kQueueSize, [this](const geometry_msgs::Twist::ConstPtr & message) { onTwist(*message); },
+    "cmd_vel", kCommandQueueSize, [this](const geometry_msgs::Twist::ConstPtr & message) { onTwist(*message); },
     ros::VoidConstPtr(), hints);
   drive_subscriber_ = node.subscribe<ackermann_msgs::AckermannDriveStamped>(
-    "drive", kQueueSize, [this](const ackermann_msgs::AckermannDriveStamped::ConstPtr & message) { onDrive(*message); },
-    ros::VoidConstPtr(), hints);
+    "drive", kCommandQueueSize,
+    [this](const ackermann_msgs::AckermannDriveStamped::ConstPtr & message) { onDrive(*message); }, ros::VoidConstPtr(),
+    hints);
 }
 
 void CommandInput::onTwist(const geometry_msgs::Twist & message)

@@ -8,8 +8,8 @@ namespace move_base
 {
 namespace
 {
-constexpr double kArcLength = 0.3;
-constexpr std::array<double, 5> kSteering{0.0, -0.3, 0.3, -1.0, 1.0};  // parts of the greatest curvature
+constexpr double kExtensionArcLength = 0.3;
+constexpr std::array<double, 5> kExtensionSteering{0.0, -0.3, 0.3, -1.0, 1.0};  // parts of the greatest curvature
 // Ways kept after each arc; more of them only differ by less than the car's width.
 constexpr std::size_t kBeamWidth = 60;
 
@@ -25,11 +25,11 @@ std::vector<Way> grow(
 {
   std::vector<Way> grown;
   for (const Way & way : ways) {
-    for (const double steering : kSteering) {
-      const Arc arc{kArcLength, steering / options.min_turning_radius};
+    for (const double steering : kExtensionSteering) {
+      const Arc arc{kExtensionArcLength, steering / options.min_turning_radius};
       const double price = priceOf(costmap, rule, way.end, arc);
       if (price < std::numeric_limits<double>::infinity()) {
-        const double bend = options.curvature_penalty * kArcLength * std::abs(steering);
+        const double bend = options.curvature_penalty * kExtensionArcLength * std::abs(steering);
         grown.push_back({advance(way.end, arc.length, arc.curvature), way.cost + price + bend, way.arcs});
         grown.back().arcs.push_back(arc);
       }
@@ -46,7 +46,7 @@ std::vector<Arc> extensionFrom(
   double wanted_length)
 {
   std::vector<Way> ways{{pose, 0.0, {}}};
-  for (double driven = 0.0; driven < wanted_length; driven += kArcLength) {
+  for (double driven = 0.0; driven < wanted_length; driven += kExtensionArcLength) {
     const std::vector<Way> grown = grow(ways, costmap, rule, options);
     if (grown.empty()) {
       break;

@@ -9,7 +9,7 @@ namespace move_base
 {
 namespace
 {
-constexpr double kStandingSpeed = 0.05;   // m/s
+constexpr double kStoppedSpeed = 0.05;    // m/s
 constexpr double kEndReached = 0.03;      // m
 constexpr double kPredictionStep = 0.05;  // s
 constexpr double kPredictionTime = 0.8;   // s beyond the time needed for braking
@@ -71,8 +71,9 @@ FollowStep PathFollower::step(const CarState & car, const Costmap & costmap, dou
   const PathPosition predicted = tracker_.locate(path_, ahead);
 
   const double free = distanceToObstacle(car, costmap, result.prediction);
-  const double stoppable = std::sqrt(2.0 * options_.limits.dec_lim_x * std::max(0.0, free - kStopMargin));
-  result.stuck = stoppable < kStandingSpeed;
+  const double stoppable =
+    std::sqrt(2.0 * options_.limits.dec_lim_x * std::max(0.0, free - kStopMargin - std::abs(car.speed) * kSpeedLead));
+  result.stuck = stoppable < kStoppedSpeed;
   result.blocked = result.stuck || pathBlocked(result.position, car.speed, costmap);
 
   const bool stop = brake || result.lost || result.position.remaining <= kEndReached;
@@ -164,7 +165,7 @@ bool PathFollower::pathBlocked(const PathPosition & position, double speed, cons
 void PathFollower::changeDirectionWhenStanding(const CarState & car)
 {
   const PathPosition position = tracker_.locate(path_, car.pose);
-  if (position.remaining <= kEndReached && std::abs(car.speed) < kStandingSpeed) {
+  if (position.remaining <= kEndReached && std::abs(car.speed) < kStoppedSpeed) {
     tracker_.nextStretch();
   }
 }

@@ -1,0 +1,1 @@
+"""Judging contacts: the core of the node collision_detection."""

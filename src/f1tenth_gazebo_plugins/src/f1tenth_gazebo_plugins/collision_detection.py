@@ -1,0 +1,90 @@
+"""The node collision_detection: contact sensors in, one verdict out."""
+
+import threading
+
+import rospy
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
+from std_msgs.msg import Bool, UInt32
+
+from f1tenth_gazebo_plugins.collision_monitor import SECOND, CollisionMonitor
+from f1tenth_gazebo_plugins.contacts_message import ContactsBytes, read_contacts
+from f1tenth_gazebo_plugins.parameters import ParameterError, parse_parameters
+
+BAD_INPUT = 2
+# Wall time, s, between looks at the clock, which counts only while no sensor speaks.
+CLOCK_CHECK = 0.02
+
+
+class CollisionDetection:
+    """Connects a CollisionMonitor to its topics. rospy calls back from a thread for each connection."""
+
+    def __init__(self, parameters):
+        self._monitor = CollisionMonitor(parameters.topics, parameters.ground_models)
+        self._lock = threading.Lock()
+        self._next_diagnosis = 0
+        self._collision = rospy.Publisher("collision", Bool, queue_size=100, latch=True)
+        self._collisions = rospy.Publisher("collisions", UInt32, queue_size=100, latch=True)
+        self._diagnostics = rospy.Publisher("/diagnostics", DiagnosticArray, queue_size=10)
+        self._subscribers = [self._subscribe(topic) for topic in parameters.topics]
+
+    def _subscribe(self, topic):
+        return rospy.Subscriber(
+            topic, ContactsBytes, self._on_contacts, callback_args=topic, tcp_nodelay=True
+        )
+
+    def _on_contacts(self, message, topic):
+        stamp, contacts = read_contacts(message.data)
+        with self._lock:
+            self._publish(self._monitor.hear(topic, stamp, contacts))
+
+    def spin(self):
+        """Watch for silence until the node is shut down."""
+        pause = threading.Event()
+        while not rospy.is_shutdown():
+            now = rospy.get_rostime().to_nsec()
+            if now > 0:
+                with self._lock:
+                    self._publish(self._monitor.tick(now))
+                    self._diagnose(now)
+            pause.wait(CLOCK_CHECK)
+
+    def _publish(self, report):
+        if report.collision is not None:
+            self._collision.publish(report.collision)
+        if report.collisions is not None:
+            self._collisions.publish(report.collisions)
+
+    def _diagnose(self, now):
+        # A clock that has gone back belongs to a new run.
+        if self._next_diagnosis - SECOND <= now < self._next_diagnosis:
+            return
+        self._next_diagnosis = (now // SECOND + 1) * SECOND
+        message = DiagnosticArray(status=[diagnosis(self._monitor.silent_sensors())])
+        message.header.stamp = rospy.Time(0, now)
+        self._diagnostics.publish(message)
+
+
+def diagnosis(silent):
+    """Make a status of CollisionMonitor.silent_sensors(), with a value for each sensor that says nothing."""
+    status = DiagnosticStatus(
+        name=rospy.get_name() + ": contact sensors", message="all contact sensors speak"
+    )
+    for sensor, silence in silent.items():
+        text = "never spoke" if silence is None else f"silent for {silence / SECOND:.1f} s"
+        status.values.append(KeyValue(key=sensor, value=text))
+    if silent:
+        status.level = DiagnosticStatus.ERROR
+        status.message = "no word from " + ", ".join(silent)
+    return status
+
+
+def main():
+    """Run the node; return its exit code."""
+    rospy.init_node("collision_detection")
+    try:
+        parameters = parse_parameters(rospy.get_name(), rospy.get_param("~", None))
+    except ParameterError as error:
+        rospy.logfatal(str(error))
+        return BAD_INPUT
+    CollisionDetection(parameters).spin()
+    return 0

@@ -1,0 +1,155 @@
+#include "odometry_parameters.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <functional>
+#include <locale>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "f1tenth_sim2d/errors.h"
+
+namespace f1tenth_gazebo_plugins
+{
+namespace
+{
+using ros::console::levels::Level;
+
+// The pose that the simulator keeps.
+constexpr const char * kRootLink = "base_footprint";
+
+std::string joined(const std::vector<std::string> & words)
+{
+  std::string result;
+  for (const auto & word : words) {
+    result += (result.empty() ? "" : ", ") + word;
+  }
+  return result;
+}
+
+std::string lowered(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+std::string trimmed(const std::string & text)
+{
+  const auto begin = text.find_first_not_of(" \t\r\n");
+  const auto end = text.find_last_not_of(" \t\r\n");
+  return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
+}
+
+/// One tag of the element, for reading and for refusing it.
+struct Tag
+{
+  const std::string & place;
+  std::string name;
+  std::string text;
+
+  [[noreturn]] void refuse(const std::string & expected) const
+  {
+    throw f1tenth_sim2d::Error(place + ": <" + name + ">: found \"" + text + "\", expected " + expected);
+  }
+
+  bool flag() const
+  {
+    const std::string value = lowered(text);
+    if (value == "true" || value == "1") {
+      return true;
+    }
+    if (value == "false" || value == "0") {
+      return false;
+    }
+    refuse("true or false");
+  }
+
+  double rate(double max_rate_hz) const
+  {
+    std::istringstream stream(text);
+    stream.imbue(std::locale::classic());
+    double value = 0.0;
+    if (
+      !(stream >> value) || !(stream >> std::ws).eof() || !std::isfinite(value) || value <= 0.0 ||
+      value > max_rate_hz * (1.0 + 1e-9)) {
+      std::ostringstream limit;
+      limit << max_rate_hz;
+      refuse("a number of Hz > 0 and at most " + limit.str() + ", the rate of the physics steps");
+    }
+    return value;
+  }
+
+  std::string word() const
+  {
+    if (text.empty() || text.find_first_of(" \t\r\n") != std::string::npos) {
+      refuse("a name without spaces");
+    }
+    return text;
+  }
+
+  std::string link(const std::vector<std::string> & links) const
+  {
+    if (std::find(links.begin(), links.end(), text) == links.end()) {
+      refuse("a link of the robot description: " + joined(links));
+    }
+    if (text != kRootLink) {
+      refuse(std::string(kRootLink) + ": every other link gets its transform from the robot description");
+    }
+    return text;
+  }
+
+  std::optional<Level> logLevel() const
+  {
+    static const std::map<std::string, std::optional<Level>> kLevels{
+      {"debug", ros::console::levels::Debug}, {"info", ros::console::levels::Info},
+      {"warn", ros::console::levels::Warn},   {"error", ros::console::levels::Error},
+      {"fatal", ros::console::levels::Fatal}, {"na", std::nullopt}};
+    const auto level = kLevels.find(lowered(text));
+    if (level == kLevels.end()) {
+      refuse("one of Debug, Info, Warn, Error, Fatal, na");
+    }
+    return level->second;
+  }
+};
+
+using Readers = std::vector<std::pair<std::string, std::function<void(const Tag &)>>>;
+
+const std::function<void(const Tag &)> & readerOf(const Readers & readers, const Tag & tag)
+{
+  std::vector<std::string> allowed;
+  for (const auto & [name, reader] : readers) {
+    if (name == tag.name) {
+      return reader;
+    }
+    allowed.push_back(name);
+  }
+  throw f1tenth_sim2d::Error(tag.place + ": <" + tag.name + ">: unknown; allowed: " + joined(allowed));
+}
+}  // namespace
+
+OdometryParameters parseOdometryParameters(
+  const f1tenth_sim2d::PluginElement & element, const std::vector<std::string> & links, double max_rate_hz)
+{
+  OdometryParameters parameters;
+  const Readers readers{
+    {"alwaysOn", [&](const Tag & tag) { parameters.always_on = tag.flag(); }},
+    {"updateRate", [&](const Tag & tag) { parameters.update_rate_hz = tag.rate(max_rate_hz); }},
+    {"odometryTopic", [&](const Tag & tag) { parameters.topic = tag.word(); }},
+    {"odometryFrame", [&](const Tag & tag) { parameters.odometry_frame = tag.word(); }},
+    {"robotBaseFrame", [&](const Tag & tag) { parameters.base_frame = tag.link(links); }},
+    {"rosDebugLevel", [&](const Tag & tag) { parameters.log_level = tag.logLevel(); }},
+  };
+  std::set<std::string> seen;
+  for (const auto & [name, text] : element.parameters) {
+    const Tag tag{element.place, name, trimmed(text)};
+    const auto & read = readerOf(readers, tag);
+    if (!seen.insert(name).second) {
+      throw f1tenth_sim2d::Error(element.place + ": <" + name + ">: found twice, expected once");
+    }
+    read(tag);
+  }
+  return parameters;
+}
+}  // namespace f1tenth_gazebo_plugins

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <ros/console.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "f1tenth_sim2d/world_model.h"
+
+namespace f1tenth_gazebo_plugins
+{
+/// The tags of the plugin's element.
+struct OdometryParameters
+{
+  bool always_on{true};          ///< false: publishes, transform included, only while somebody subscribes
+  double update_rate_hz{200.0};  ///< of simulated time
+  std::string topic{"perfect_odom"};
+  std::string odometry_frame{"odom"};
+  std::string base_frame{"base_footprint"};
+  std::optional<ros::console::levels::Level> log_level;  ///< none: leaves the logger as it is
+};
+
+/// @param links         of the robot description, the first of them its root: only the root has a free pose
+/// @param max_rate_hz   of the physics steps
+/// @throws f1tenth_sim2d::Error naming the element's place, the tag, what was found and what is allowed
+OdometryParameters parseOdometryParameters(
+  const f1tenth_sim2d::PluginElement & element, const std::vector<std::string> & links, double max_rate_hz);
+}  // namespace f1tenth_gazebo_plugins

@@ -1,0 +1,82 @@
+#include "perfect_odometry.h"
+
+#include <class_loader/class_loader.hpp>
+#include <cmath>
+
+namespace f1tenth_gazebo_plugins
+{
+namespace
+{
+constexpr double kQueueSec = 60.0;  // s of simulated time that a subscriber may lag behind before it loses messages
+constexpr const char * kLogger = ROSCONSOLE_DEFAULT_NAME ".perfect_odometry";
+
+void setLogLevel(ros::console::levels::Level level)
+{
+  if (ros::console::set_logger_level(kLogger, level)) {
+    ros::console::notifyLoggerLevelsChanged();
+  }
+}
+
+geometry_msgs::Quaternion toQuaternion(double yaw)
+{
+  geometry_msgs::Quaternion message;
+  message.z = std::sin(yaw / 2.0);
+  message.w = std::cos(yaw / 2.0);
+  return message;
+}
+}  // namespace
+
+void PerfectOdometry::load(
+  const f1tenth_sim2d::PluginElement & element, const f1tenth_sim2d::CarPluginContext & context)
+{
+  const auto & simulation = context.simulation;
+  parameters_ = parseOdometryParameters(
+    element, simulation.car(context.car).links, 1e9 / static_cast<double>(simulation.stepLength()));
+  context_.emplace(context);
+  if (parameters_.log_level) {
+    setLogLevel(*parameters_.log_level);
+  }
+  odometry_.header.frame_id = context.frame_prefix + parameters_.odometry_frame;
+  odometry_.child_frame_id = context.frame_prefix + parameters_.base_frame;
+  transform_.header.frame_id = odometry_.header.frame_id;
+  transform_.child_frame_id = odometry_.child_frame_id;
+  const auto queue_size = static_cast<std::uint32_t>(kQueueSec * parameters_.update_rate_hz) + 1;
+  publisher_ = context_->node.advertise<nav_msgs::Odometry>(parameters_.topic, queue_size);
+  ROS_INFO_NAMED("perfect_odometry", "%s at %g Hz", publisher_.getTopic().c_str(), parameters_.update_rate_hz);
+}
+
+void PerfectOdometry::update(const ros::Time & stamp)
+{
+  const bool subscribed = publisher_.getNumSubscribers() > 0;
+  const auto & state = context_->simulation.state(context_->car);
+  if (subscribed) {
+    publishOdometry(stamp, state);
+  }
+  if (context_->owns_odometry_transform && (parameters_.always_on || subscribed)) {
+    publishTransform(stamp, state);
+  }
+}
+
+void PerfectOdometry::publishOdometry(const ros::Time & stamp, const f1tenth_sim2d::CarState & state)
+{
+  odometry_.header.stamp = stamp;
+  odometry_.pose.pose.position.x = state.pose.x;
+  odometry_.pose.pose.position.y = state.pose.y;
+  odometry_.pose.pose.orientation = toQuaternion(state.pose.yaw);
+  odometry_.twist.twist.linear.x = state.velocity.x;
+  odometry_.twist.twist.linear.y = state.velocity.y;
+  odometry_.twist.twist.angular.z = state.yaw_rate;
+  publisher_.publish(odometry_);
+}
+
+void PerfectOdometry::publishTransform(const ros::Time & stamp, const f1tenth_sim2d::CarState & state)
+{
+  transform_.header.stamp = stamp;
+  transform_.transform.translation.x = state.pose.x;
+  transform_.transform.translation.y = state.pose.y;
+  transform_.transform.rotation = toQuaternion(state.pose.yaw);
+  context_->tf_broadcaster.sendTransform(transform_);
+}
+}  // namespace f1tenth_gazebo_plugins
+
+CLASS_LOADER_REGISTER_CLASS(f1tenth_gazebo_plugins::PerfectOdometry, f1tenth_sim2d::CarPlugin)

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <f1tenth_sim2d/plugin.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/publisher.h>
+
+#include <optional>
+
+#include "odometry_parameters.h"
+
+namespace f1tenth_gazebo_plugins
+{
+/// Publishes a car's exact pose and twist: nav_msgs/Odometry with the pose in odometryFrame, which is the world, and
+/// the twist in robotBaseFrame; and, if it owns it, the transform between the two.
+class PerfectOdometry : public f1tenth_sim2d::CarPlugin
+{
+public:
+  void load(const f1tenth_sim2d::PluginElement & element, const f1tenth_sim2d::CarPluginContext & context) override;
+  double updateRate() const override { return parameters_.update_rate_hz; }
+  void update(const ros::Time & stamp) override;
+
+private:
+  void publishOdometry(const ros::Time & stamp, const f1tenth_sim2d::CarState & state);
+  void publishTransform(const ros::Time & stamp, const f1tenth_sim2d::CarState & state);
+
+  OdometryParameters parameters_;
+  std::optional<f1tenth_sim2d::CarPluginContext> context_;
+  ros::Publisher publisher_;
+  nav_msgs::Odometry odometry_;
+  geometry_msgs::TransformStamped transform_;
+};
+}  // namespace f1tenth_gazebo_plugins

@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+"""Driving into a wall: which bumper says so, and how soon `collision` is true."""
+
+import unittest
+
+import rospy
+import rostest
+from diagnostic_msgs.msg import DiagnosticArray
+from gazebo_msgs.msg import ContactsState
+from geometry_msgs.msg import Twist
+from simulator import Collector, Sim2d, Stepper, car_description
+from std_msgs.msg import Bool, UInt32
+
+SECOND = 1_000_000_000
+PERIOD = 25_000_000
+BUMPER_PERIOD = SECOND // 50
+SIDES = ("front", "rear", "left", "right")
+
+
+class CollisionDetectionTest(unittest.TestCase):
+    def start(self, **place):
+        self.stepper = Stepper()
+        self.addCleanup(self.stepper.close)
+        self.collector = Collector(
+            robot1__collision=Bool,
+            robot1__collisions=UInt32,
+            diagnostics=DiagnosticArray,
+            **{f"robot1__bumper_{side}": ContactsState for side in SIDES},
+        )
+        self.addCleanup(self.collector.close)
+        self.commands = rospy.Publisher("/robot1/cmd_vel", Twist, queue_size=10, latch=True)
+        self.addCleanup(self.commands.unregister)
+        self.sim2d = Sim2d(
+            car_description(),
+            lockstep=True,
+            participants=["test"],
+            cars={"robot1": place},
+            lockstep_timeout=60.0,
+        )
+        self.addCleanup(self.sim2d.kill)
+        self.collector.wait_until_connected()
+
+    def drive(self, speed):
+        command = Twist()
+        command.linear.x = speed
+        self.commands.publish(command)
+
+    def state(self):
+        return [message.data for message in self.collector.messages["/robot1/collision"]]
+
+    def touched(self, side):
+        return [m for m in self.collector.messages[f"/robot1/bumper_{side}"] if m.states]
+
+    def drive_until_collision(self, limit):
+        """Advance period by period; return the end of the period in which `collision` became true."""
+        for end in range(2 * PERIOD, limit, PERIOD):
+            self.stepper.advance_to(end)
+            last = end // BUMPER_PERIOD * BUMPER_PERIOD
+            assert self.collector.wait_for(
+                lambda seen, last=last: all(
+                    seen[f"/robot1/bumper_{side}"][-1].header.stamp.to_nsec() >= last for side in SIDES
+                )
+            )
+            if any(self.touched(side) for side in SIDES):
+                assert self.collector.wait_for(lambda seen: seen["/robot1/collision"][-1].data)
+                return end
+        raise AssertionError("the car has not touched anything")
+
+    def test_front_bumper_tells_of_the_wall_ahead_within_its_period(self):
+        self.start(x=2.5)
+        self.drive(2.0)
+        self.drive_until_collision(2 * SECOND)
+        self.sim2d.stop()
+        assert [side for side in SIDES if self.touched(side)] == ["front"]
+        contact = self.touched("front")[0]
+        first = next(row for row in self.sim2d.record() if row["contacts"])
+        assert contact.header.stamp.to_nsec() <= round(float(first["time"]) * SECOND) + BUMPER_PERIOD
+        state = contact.states[0]
+        assert state.collision1_name == "robot1::base_footprint::bumper_front_collision"
+        assert state.collision2_name == "walls::east::collision"
+        assert abs(state.contact_positions[0].x - 4.0) < 0.02
+        assert state.contact_normals[0].x < -0.99
+        assert len(state.wrenches) == len(state.contact_positions) == len(state.depths)
+        assert state.total_wrench.force.x < 0.0
+        assert self.collector.messages["/robot1/collisions"][-1].data == 1
+
+    def test_rear_bumper_tells_of_the_wall_behind(self):
+        self.start(x=-3.5)
+        self.drive(-1.0)
+        self.drive_until_collision(2 * SECOND)
+        assert [side for side in SIDES if self.touched(side)] == ["rear"]
+
+    def test_no_collision_is_said_at_10_hz_while_nothing_touches(self):
+        self.start(x=0.0)
+        before = len(self.state())
+        self.stepper.advance_to(SECOND)
+        assert self.collector.wait_for(lambda seen: len(seen["/robot1/collision"]) >= before + 9)
+        assert not any(self.state()[before:])
+
+    def test_all_sensors_speak(self):
+        self.start(x=0.0)
+        self.stepper.advance_to(3 * SECOND)
+
+        def said(seen):
+            return any(
+                status.name.endswith("collision_detection: contact sensors") and status.level == 0
+                for message in seen["/diagnostics"]
+                for status in message.status
+            )
+
+        assert self.collector.wait_for(said)
+
+
+if __name__ == "__main__":
+    rospy.init_node("collision_detection_test")
+    rostest.rosrun("f1tenth_gazebo_plugins", "collision_detection", CollisionDetectionTest)

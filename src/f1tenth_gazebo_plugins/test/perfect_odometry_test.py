@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+"""The plugin in the simulator: its rate, its exactness, its transform, its errors."""
+
+import math
+import unittest
+
+import rospy
+import rostest
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+from simulator import Collector, Sim2d, Stepper, car_description, perfect_odometry
+from tf2_msgs.msg import TFMessage
+
+SECOND = 1_000_000_000
+TOPIC = "/robot1/perfect_odom"
+
+
+class PerfectOdometryTest(unittest.TestCase):
+    def start(self, description, **parameters):
+        self.stepper = Stepper()
+        self.addCleanup(self.stepper.close)
+        self.collector = Collector(robot1__perfect_odom=Odometry, tf=TFMessage)
+        self.addCleanup(self.collector.close)
+        self.commands = rospy.Publisher("/robot1/cmd_vel", Twist, queue_size=10)
+        self.addCleanup(self.commands.unregister)
+        self.sim2d = Sim2d(description, lockstep=True, participants=["test"], **parameters)
+        self.addCleanup(self.sim2d.kill)
+
+    def run_until(self, end):
+        self.collector.wait_until_connected()
+        assert self.collector.wait_for(lambda seen: seen[TOPIC])
+        self.stepper.advance_to(end)
+        assert self.collector.wait_for(lambda seen: seen[TOPIC][-1].header.stamp.to_nsec() >= end)
+
+    def drive(self):
+        while not self.commands.get_num_connections():
+            rospy.rostime.wallsleep(0.01)
+        command = Twist()
+        command.linear.x, command.angular.z = 1.0, 0.6
+        self.commands.publish(command)
+
+    def test_200_hz_with_stamps_at_exact_multiples(self):
+        self.start(car_description(perfect_odometry()))
+        self.run_until(SECOND)
+        stamps = [message.header.stamp.to_nsec() for message in self.collector.messages[TOPIC]]
+        assert stamps == sorted(stamps)
+        assert list(dict.fromkeys(stamps)) == [n * SECOND // 200 for n in range(1, 201)]
+
+    def test_pose_and_twist_are_the_simulators_own_state(self):
+        self.start(car_description(perfect_odometry()), cars={"robot1": {"x": -1.0, "y": -0.5, "yaw": 0.3}})
+        self.drive()
+        self.run_until(SECOND)
+        self.sim2d.stop()
+        messages = {message.header.stamp.to_nsec(): message for message in self.collector.messages[TOPIC]}
+        rows = self.sim2d.record()
+        assert len(rows) == 40
+        assert float(rows[-1]["x"]) > -0.9
+        for row in rows:
+            message = messages[round(float(row["time"]) * SECOND)]
+            pose, twist = message.pose.pose, message.twist.twist
+            yaw = 2.0 * math.atan2(pose.orientation.z, pose.orientation.w)
+            found = (pose.position.x, pose.position.y, yaw, twist.linear.x, twist.linear.y, twist.angular.z)
+            expected = [float(row[key]) for key in ("x", "y", "yaw", "v_x", "v_y", "yaw_rate")]
+            for actual, exact in zip(found, expected):
+                assert abs(actual - exact) < 1e-9
+
+    def test_frames_carry_the_prefix_and_the_transform_is_there(self):
+        self.start(car_description(perfect_odometry()))
+        self.run_until(SECOND // 5)
+        message = self.collector.messages[TOPIC][-1]
+        assert (message.header.frame_id, message.child_frame_id) == ("robot1/odom", "robot1/base_footprint")
+        assert self.collector.wait_for(
+            lambda seen: any(
+                t.header.stamp == message.header.stamp for m in seen["/tf"] for t in m.transforms
+            )
+        )
+        transforms = [transform for m in self.collector.messages["/tf"] for transform in m.transforms]
+        assert {(t.header.frame_id, t.child_frame_id) for t in transforms} == {
+            ("robot1/odom", "robot1/base_footprint")
+        }
+
+    def test_tags_change_topic_rate_and_frame(self):
+        self.start(
+            car_description(perfect_odometry(odometryTopic="truth", updateRate="50", odometryFrame="origin"))
+        )
+        truth = Collector(robot1__truth=Odometry)
+        self.addCleanup(truth.close)
+        truth.wait_until_connected()
+        self.stepper.advance_to(SECOND)
+        assert truth.wait_for(lambda seen: len(seen["/robot1/truth"]) >= 50)
+        stamps = dict.fromkeys(message.header.stamp.to_nsec() for message in truth.messages["/robot1/truth"])
+        assert list(stamps) == [n * SECOND // 50 for n in range(1, 51)]
+        assert truth.messages["/robot1/truth"][0].header.frame_id == "robot1/origin"
+
+    def test_wrong_tag_ends_the_simulator_with_one_line(self):
+        self.start(car_description(perfect_odometry(robotBaseFrame="base")))
+        assert self.sim2d.wait() == 2
+        error = self.sim2d.result()["error"]
+        assert (
+            '<robotBaseFrame>: found "base", expected a link of the robot description: base_footprint, '
+            in error
+        )
+        assert "perfect_odometry" in error
+        assert error in self.sim2d.stderr
+
+
+if __name__ == "__main__":
+    rospy.init_node("perfect_odometry_test")
+    rostest.rosrun("f1tenth_gazebo_plugins", "perfect_odometry", PerfectOdometryTest)

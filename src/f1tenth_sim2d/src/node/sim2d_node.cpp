@@ -1,6 +1,7 @@
 #include "sim2d_node.h"
 
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
 #include "car_outputs.h"
@@ -30,9 +31,10 @@ void checkScanEveryPeriod(const CarDescription & car, double control_period_sec)
     return lidar.rate_hz * control_period_sec > 1.0 - 1e-9;
   });
   if (!has_scan) {
-    throw Error(
-      "parameter participants: " + car.name + " has no lidar that scans in every control_period (" +
-      std::to_string(control_period_sec) + " s)");
+    std::ostringstream message;
+    message << "parameter participants: " << car.name << " has no lidar that scans in every control_period of "
+            << control_period_sec << " s";
+    throw Error(message.str());
   }
 }
 }  // namespace

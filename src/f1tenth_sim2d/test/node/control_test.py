@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+"""Paced time, the services of gazebo_ros, the record, and how the node ends."""
+
+import math
+import signal
+import unittest
+
+import rospy
+import rostest
+from diagnostic_msgs.msg import DiagnosticArray
+from gazebo_msgs.srv import GetModelState
+from geometry_msgs.msg import Twist
+from rosgraph_msgs.msg import Clock
+from sim2d_process import LONG, Collector, Sim2d, Stepper, car_description
+from std_srvs.srv import Empty
+
+SECOND = 1_000_000_000
+PERIOD = 25_000_000
+
+
+def service(name, kind):
+    rospy.wait_for_service("/gazebo/" + name, LONG)
+    return rospy.ServiceProxy("/gazebo/" + name, kind)
+
+
+class ControlTest(unittest.TestCase):
+    def start(self, **parameters):
+        sim2d = Sim2d(car_description(), **parameters)
+        self.addCleanup(sim2d.kill)
+        return sim2d
+
+    def collect(self, **topics):
+        collector = Collector(**topics)
+        self.addCleanup(collector.close)
+        return collector
+
+    def start_lockstep(self, **parameters):
+        self.stepper = Stepper()
+        self.addCleanup(self.stepper.close)
+        return self.start(lockstep=True, participants=["test"], **parameters)
+
+    def wait_for_clock(self, collector, condition):
+        assert collector.wait_for(lambda seen: any(condition(m.clock.to_nsec()) for m in seen["/clock"]))
+
+    def test_clock_runs_at_its_rate(self):
+        collector = self.collect(clock=Clock)
+        self.start(real_time_factor=5.0, clock_rate=100)
+        self.wait_for_clock(collector, lambda now: now >= SECOND)
+        times = [message.clock.to_nsec() for message in collector.messages["/clock"]]
+        assert all(later - earlier == SECOND // 100 for earlier, later in zip(times, times[1:]))
+
+    def test_paced_time_goes_no_faster_than_told(self):
+        collector = self.collect(diagnostics=DiagnosticArray)
+        self.start(real_time_factor=4.0)
+        assert collector.wait_for(lambda messages: len(messages["/diagnostics"]) >= 3)
+        values = {entry.key: entry.value for entry in collector.messages["/diagnostics"][2].status[0].values}
+        assert (values["mode"], values["wanted_real_time_factor"]) == ("paced", "4.000")
+        assert float(values["real_time_factor"]) < 4.4
+
+    def test_factor_that_cannot_be_reached_is_reported(self):
+        collector = self.collect(diagnostics=DiagnosticArray)
+        self.start(real_time_factor=1e6)
+        assert collector.wait_for(lambda messages: messages["/diagnostics"])
+        status = collector.messages["/diagnostics"][0].status[0]
+        assert status.level == 1
+        assert status.message.endswith("cannot keep up with 1000000.000")
+
+    def test_pause_stops_the_clock_and_unpause_starts_it(self):
+        collector = self.collect(clock=Clock)
+        self.start(real_time_factor=1.0)
+        self.wait_for_clock(collector, lambda now: now > 0)
+        service("pause_physics", Empty)()
+        state = service("get_model_state", GetModelState)
+        paused_at = state("robot1", "").header.stamp
+        for _ in range(20):
+            assert state("robot1", "").header.stamp == paused_at
+        service("unpause_physics", Empty)()
+        self.wait_for_clock(collector, lambda now: now > paused_at.to_nsec() + SECOND // 5)
+
+    def test_reset_in_lockstep_repeats_the_run(self):
+        sim2d = self.start_lockstep()
+        self.stepper.advance_to(8 * PERIOD)
+        reset = service("reset_simulation", Empty)
+        reset()
+        self.stepper.restart()
+        self.stepper.advance_to(8 * PERIOD)
+        assert sim2d.stop() == 0
+        again = self.start_lockstep()
+        self.stepper.advance_to(8 * PERIOD)
+        assert again.stop() == 0
+        assert sim2d.result()["periods"] == again.result()["periods"] == 8
+        assert sim2d.result()["trajectory_hash"] == again.result()["trajectory_hash"]
+
+    def test_model_state_of_cars_and_models(self):
+        self.start_lockstep(cars={"robot1": {"x": 1.0, "y": -1.0, "yaw": math.pi / 2}})
+        state = service("get_model_state", GetModelState)
+        car = state("robot1", "")
+        assert car.success
+        assert (car.pose.position.x, car.pose.position.y) == (1.0, -1.0)
+        assert math.isclose(car.pose.orientation.z, math.sqrt(0.5))
+        crate = state("crate", "robot1")
+        assert crate.success
+        assert math.isclose(crate.pose.position.x, -0.5, abs_tol=1e-9)
+        assert math.isclose(crate.pose.position.y, 4.0, abs_tol=1e-9)
+
+    def test_unknown_models_are_named(self):
+        self.start_lockstep()
+        state = service("get_model_state", GetModelState)
+        answer = state("robot9", "")
+        assert not answer.success
+        assert answer.status_message == "GetModelState: model [robot9] does not exist"
+        answer = state("robot1", "table")
+        assert not answer.success
+        assert answer.status_message == "GetModelState: reference [table] does not exist"
+
+    def test_record_has_a_row_a_period_with_the_contacts(self):
+        commands = rospy.Publisher("/robot1/cmd_vel", Twist, queue_size=10, latch=True)
+        self.addCleanup(commands.unregister)
+        command = Twist()
+        command.linear.x = 2.0
+        commands.publish(command)
+        sim2d = self.start_lockstep(cars={"robot1": {"x": 3.0}})
+        self.stepper.advance_to(20 * PERIOD)
+        assert sim2d.stop() == 0
+        rows = sim2d.record()
+        assert [float(row["time"]) for row in rows] == [n * 0.025 for n in range(1, 21)]
+        assert rows[0]["car"] == "robot1"
+        assert rows[0]["contacts"] == ""
+        assert float(rows[0]["clearance"]) > 0.3
+        touching = [row for row in rows if row["contacts"]]
+        assert {row["contacts"] for row in touching} == {"walls"}
+        assert min(float(row["clearance"]) for row in touching) < 0.02
+        assert rows[-1]["hash"] == sim2d.result()["trajectory_hash"]
+
+    def test_interrupt_ends_with_result_and_hash(self):
+        collector = self.collect(clock=Clock)
+        sim2d = self.start(real_time_factor=0, seed=5)
+        self.wait_for_clock(collector, lambda now: now >= SECOND)
+        sim2d.send(signal.SIGINT)
+        assert sim2d.wait() == 0
+        result = sim2d.result()
+        assert (result["reason"], result["error"], result["seed"]) == ("requested", "", 5)
+        assert result["sim_time"] >= 1.0
+        assert f"trajectory hash {result['trajectory_hash']}" in sim2d.stdout
+
+
+if __name__ == "__main__":
+    rospy.init_node("control_test")
+    rostest.rosrun("f1tenth_sim2d", "sim2d_control", ControlTest)

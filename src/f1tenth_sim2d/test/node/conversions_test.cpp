@@ -1,0 +1,49 @@
+#include "conversions.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace f1tenth_sim2d;
+
+TEST(Conversions, YawBecomesAUnitQuaternionAboutZ)
+{
+  const auto quaternion = toQuaternion(M_PI / 3.0);
+  EXPECT_DOUBLE_EQ(quaternion.z, 0.5);
+  EXPECT_DOUBLE_EQ(quaternion.w, std::sqrt(0.75));
+}
+
+TEST(Conversions, ContactForceIsSharedByItsPoints)
+{
+  Contact contact;
+  contact.own_collision = "robot1::base_footprint::bumper_front_collision";
+  contact.other_collision = "walls::east::collision";
+  contact.positions = {{1.0, 2.0}, {1.0, 2.5}};
+  contact.normals = {{-1.0, 0.0}, {-1.0, 0.0}};
+  contact.depths = {0.01, 0.02};
+  contact.force = {-8.0, 2.0};
+  contact.torque = 3.0;
+  const auto state = toContactState(contact);
+  EXPECT_EQ(state.info, "robot1::base_footprint::bumper_front_collision touches walls::east::collision");
+  EXPECT_EQ(state.collision1_name, contact.own_collision);
+  EXPECT_EQ(state.collision2_name, contact.other_collision);
+  EXPECT_EQ(state.total_wrench.force.x, -8.0);
+  EXPECT_EQ(state.total_wrench.torque.z, 3.0);
+  ASSERT_EQ(state.wrenches.size(), 2u);
+  EXPECT_EQ(state.wrenches[1].force.x, -4.0);
+  EXPECT_EQ(state.wrenches[1].force.y, 1.0);
+  EXPECT_EQ(state.wrenches[1].torque.z, 1.5);
+  ASSERT_EQ(state.contact_positions.size(), 2u);
+  EXPECT_EQ(state.contact_positions[1].y, 2.5);
+  ASSERT_EQ(state.contact_normals.size(), 2u);
+  EXPECT_EQ(state.contact_normals[0].x, -1.0);
+  EXPECT_EQ(state.depths, contact.depths);
+}
+
+TEST(Conversions, PoseRelativeToAnother)
+{
+  const Pose2 pose = relativeTo({2.0, 3.0, M_PI}, {2.0, 1.0, M_PI / 2.0});
+  EXPECT_NEAR(pose.x, 2.0, 1e-15);
+  EXPECT_NEAR(pose.y, 0.0, 1e-15);
+  EXPECT_NEAR(pose.yaw, M_PI / 2.0, 1e-15);
+}

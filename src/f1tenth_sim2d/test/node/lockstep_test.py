@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+"""Lockstep: the same run on a busy and on an idle machine, and an end when somebody falls silent."""
+
+import os
+import re
+import signal
+import subprocess
+import sys
+import unittest
+
+import rospy
+import rostest
+from ackermann_msgs.msg import AckermannDriveStamped
+from rosgraph_msgs.msg import Clock
+from sensor_msgs.msg import LaserScan
+from sim2d_process import Collector, Sim2d, Stepper, car_description
+
+SECOND = 1_000_000_000
+PERIOD = 25_000_000
+
+
+class Driver:
+    """A reactive driver: one command a scan, towards where there is more room. It falls silent in the end."""
+
+    def __init__(self, periods):
+        self._periods = periods
+        self._publisher = rospy.Publisher("/robot1/drive", AckermannDriveStamped, queue_size=10)
+        self._subscriber = rospy.Subscriber("/robot1/scan", LaserScan, self._on_scan, tcp_nodelay=True)
+
+    def _on_scan(self, scan):
+        if scan.header.stamp.to_nsec() > self._periods * PERIOD:
+            return
+        left, right = sum(scan.ranges[720:800]), sum(scan.ranges[280:360])
+        command = AckermannDriveStamped()
+        command.drive.speed = 1.5
+        command.drive.steering_angle = max(-0.4, min(0.4, (left - right) * 0.005))
+        self._publisher.publish(command)
+
+    def close(self):
+        self._subscriber.unregister()
+        self._publisher.unregister()
+
+
+def busy_core():
+    return subprocess.Popen([sys.executable, "-c", "while True: pass"])
+
+
+class LockstepTest(unittest.TestCase):
+    def start(self, **parameters):
+        sim2d = Sim2d(car_description(), lockstep=True, **parameters)
+        self.addCleanup(sim2d.kill)
+        return sim2d
+
+    def drive(self, periods, **parameters):
+        """Return the result of a run that is stopped when the driver has stopped answering."""
+        driver = Driver(periods)
+        clock = Collector(clock=Clock)
+        sim2d = self.start(participants=["robot1"], **parameters)
+        end = (periods + 1) * PERIOD
+        assert clock.wait_for(lambda seen: any(message.clock.to_nsec() == end for message in seen["/clock"]))
+        assert sim2d.stop() == 0, sim2d.stderr
+        driver.close()
+        clock.close()
+        assert sim2d.result()["periods"] == periods + 1
+        return sim2d.result()
+
+    def test_same_seed_gives_the_same_run_also_on_a_busy_machine(self):
+        first = self.drive(200)
+        loads = [busy_core() for _ in range(os.cpu_count())]
+        try:
+            second = self.drive(200)
+        finally:
+            for load in loads:
+                load.kill()
+                load.wait()
+        assert first["trajectory_hash"] == second["trajectory_hash"]
+
+    def test_another_seed_gives_another_run(self):
+        hashes = {self.drive(40, seed=seed)["trajectory_hash"] for seed in (1, 2)}
+        assert len(hashes) == 2
+
+    def test_driver_that_falls_silent_ends_the_run(self):
+        driver = Driver(10)
+        self.addCleanup(driver.close)
+        sim2d = self.start(participants=["robot1"], lockstep_timeout=3.0)
+        assert sim2d.wait() == 3
+        message = (
+            "lockstep: participant robot1 has not answered period 11 (0.275 s of simulated time) within 3 s"
+        )
+        assert message in sim2d.stderr
+        result = sim2d.result()
+        assert result["reason"] == "participant_silent"
+        assert result["participant"] == "robot1"
+        assert result["error"] == message
+        assert result["sim_time"] == 0.275
+        assert re.fullmatch("[0-9a-f]{64}", result["trajectory_hash"])
+
+    def test_participant_that_never_comes_ends_the_start(self):
+        sim2d = self.start(participants=["robot1/move_base", "robot1/race_mgr"], lockstep_startup_timeout=0.5)
+        assert sim2d.wait() == 3
+        assert sim2d.result()["participant"] == "robot1/move_base"
+        assert (
+            "lockstep: participants robot1/move_base, robot1/race_mgr have not answered period 1 "
+            "(0.025 s of simulated time) within 0.5 s" in sim2d.stderr
+        )
+
+    def test_one_who_has_left_is_not_waited_for(self):
+        stepper = Stepper()
+        self.addCleanup(stepper.close)
+        leaver = Stepper("leaver")
+        self.addCleanup(leaver.close)
+        self.start(participants=["leaver", "test"], lockstep_timeout=10.0)
+        leaver.leave()
+        stepper.advance_to(SECOND)
+
+    def test_clock_of_a_period_comes_once_and_in_order(self):
+        stepper = Stepper()
+        self.addCleanup(stepper.close)
+        collector = Collector(clock=Clock)
+        self.addCleanup(collector.close)
+        self.start(participants=["test"])
+        stepper.advance_to(SECOND)
+        assert collector.wait_for(lambda messages: messages["/clock"][-1].clock.to_nsec() >= SECOND)
+        times = [message.clock.to_nsec() for message in collector.messages["/clock"]]
+        assert list(dict.fromkeys(times)) == [n * PERIOD for n in range(1, 41)]
+        assert times[times.index(2 * PERIOD) :] == sorted(set(times))[1:]
+
+    def test_stop_while_waiting_is_no_error(self):
+        stepper = Stepper()
+        self.addCleanup(stepper.close)
+        sim2d = self.start(participants=["test"])
+        stepper.advance_to(4 * PERIOD)
+        sim2d.send(signal.SIGTERM)
+        assert sim2d.wait() == 0
+        assert sim2d.result()["reason"] == "requested"
+        assert sim2d.result()["periods"] == 4
+
+
+if __name__ == "__main__":
+    rospy.init_node("lockstep_test")
+    rostest.rosrun("f1tenth_sim2d", "sim2d_lockstep", LockstepTest)

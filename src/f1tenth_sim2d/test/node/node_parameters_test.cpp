@@ -1,0 +1,191 @@
+#include "node_parameters.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "f1tenth_sim2d/errors.h"
+
+using namespace f1tenth_sim2d;
+using XmlRpc::XmlRpcValue;
+
+namespace
+{
+XmlRpcValue minimal()
+{
+  XmlRpcValue value;
+  value["world"] = "circuit1.world";
+  value["cars"]["robot1"]["x"] = 1;
+  return value;
+}
+
+std::string errorOf(const std::function<void(XmlRpcValue &)> & change)
+{
+  XmlRpcValue value = minimal();
+  change(value);
+  try {
+    parseNodeParameters("/sim2d", value);
+  } catch (const Error & error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// Error for one wrong parameter.
+template <class Value>
+std::string errorFor(const std::string & key, const Value & wrong)
+{
+  return errorOf([&](XmlRpcValue & value) { value[key] = wrong; });
+}
+
+XmlRpcValue list(const std::vector<XmlRpcValue> & entries)
+{
+  XmlRpcValue value;
+  value.setSize(static_cast<int>(entries.size()));
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    value[static_cast<int>(i)] = entries[i];
+  }
+  return value;
+}
+}  // namespace
+
+TEST(NodeParameters, DefaultsAreThoseOfTheDocumentation)
+{
+  const auto parameters = parseNodeParameters("/sim2d", minimal());
+  EXPECT_EQ(parameters.world_file, "circuit1.world");
+  EXPECT_EQ(parameters.time_mode, TimeMode::kPaced);
+  EXPECT_EQ(parameters.real_time_factor, 1.0);
+  EXPECT_TRUE(parameters.participants.empty());
+  EXPECT_EQ(parameters.lockstep_timeout_sec, 5.0);
+  EXPECT_EQ(parameters.lockstep_startup_timeout_sec, 60.0);
+  EXPECT_EQ(parameters.control_period_sec, 0.025);
+  EXPECT_EQ(parameters.simulation.physics_step, 0.001);
+  EXPECT_EQ(parameters.simulation.seed, 0u);
+  EXPECT_EQ(parameters.clock_rate_hz, 200.0);
+  EXPECT_EQ(parameters.odometry, OdometryOwner::kPerfect);
+  EXPECT_EQ(parameters.record_file, "");
+  ASSERT_EQ(parameters.cars.size(), 1u);
+  EXPECT_EQ(parameters.cars[0].name, "robot1");
+  EXPECT_EQ(parameters.cars[0].pose.x, 1.0);
+  EXPECT_EQ(parameters.cars[0].vehicle_file, "");
+  EXPECT_EQ(parameters.cars[0].frame_prefix, "robot1/");
+}
+
+TEST(NodeParameters, FactorZeroIsFreeAndLockstepComesFirst)
+{
+  XmlRpcValue value = minimal();
+  value["real_time_factor"] = 0;
+  EXPECT_EQ(parseNodeParameters("/sim2d", value).time_mode, TimeMode::kFree);
+  value["lockstep"] = true;
+  EXPECT_EQ(parseNodeParameters("/sim2d", value).time_mode, TimeMode::kLockstep);
+}
+
+TEST(NodeParameters, ReadsEverythingThatIsThere)
+{
+  XmlRpcValue value = minimal();
+  value["participants"] = list({"robot1", "robot1/race_mgr"});
+  value["seed"] = 7;
+  value["odometry"] = "wheel";
+  value["cars"]["robot1"]["yaw"] = 0.5;
+  value["cars"]["robot1"]["frame_prefix"] = "";
+  value["cars"]["robot1"]["vehicle"] = "car.yaml";
+  const auto parameters = parseNodeParameters("/sim2d", value);
+  EXPECT_EQ(parameters.participants, (std::vector<std::string>{"robot1", "robot1/race_mgr"}));
+  EXPECT_EQ(parameters.simulation.seed, 7u);
+  EXPECT_EQ(parameters.odometry, OdometryOwner::kWheel);
+  EXPECT_EQ(parameters.cars[0].pose.yaw, 0.5);
+  EXPECT_EQ(parameters.cars[0].frame_prefix, "");
+  EXPECT_EQ(parameters.cars[0].vehicle_file, "car.yaml");
+}
+
+TEST(NodeParameters, RefusesUnknownKeysNamingTheAllowedOnes)
+{
+  EXPECT_EQ(
+    errorFor("wrld", "x"),
+    "parameter /sim2d/wrld: unknown; allowed: world, cars, real_time_factor, lockstep, participants, lockstep_timeout, "
+    "lockstep_startup_timeout, control_period, physics_step, seed, clock_rate, odometry, record, result_file");
+  EXPECT_EQ(
+    errorOf([](XmlRpcValue & value) { value["cars"]["robot1"]["z"] = 0.0; }),
+    "parameter /sim2d/cars/robot1/z: unknown; allowed: x, y, yaw, vehicle, frame_prefix");
+}
+
+TEST(NodeParameters, NamesWhatIsMissing)
+{
+  EXPECT_EQ(
+    errorOf([](XmlRpcValue & value) { value = XmlRpcValue(); }),
+    "parameter /sim2d/world: not set, expected a text that is not empty");
+  EXPECT_EQ(
+    errorOf([](XmlRpcValue & value) {
+      value = XmlRpcValue();
+      value["world"] = "w";
+    }),
+    "parameter /sim2d/cars: not set, expected a map that is not empty");
+}
+
+TEST(NodeParameters, RefusesWrongNumbers)
+{
+  EXPECT_EQ(
+    errorFor("real_time_factor", -1.0),
+    "parameter /sim2d/real_time_factor: found -1, expected a number >= 0 (0: as fast as it goes)");
+  EXPECT_EQ(
+    errorFor("real_time_factor", "fast"),
+    "parameter /sim2d/real_time_factor: found \"fast\", expected a number >= 0 (0: as fast as it goes)");
+  EXPECT_EQ(errorFor("lockstep_timeout", 0), "parameter /sim2d/lockstep_timeout: found 0, expected a number > 0");
+  EXPECT_EQ(
+    errorFor("lockstep_startup_timeout", -2),
+    "parameter /sim2d/lockstep_startup_timeout: found -2, expected a number > 0");
+  EXPECT_EQ(errorFor("physics_step", 0.0), "parameter /sim2d/physics_step: found 0, expected a number > 0");
+  EXPECT_EQ(errorFor("clock_rate", true), "parameter /sim2d/clock_rate: found true, expected a number > 0");
+  EXPECT_EQ(
+    errorFor("control_period", 0.0255),
+    "parameter /sim2d/control_period: found 0.0255, expected a multiple of physics_step (s)");
+  EXPECT_EQ(errorFor("seed", -3), "parameter /sim2d/seed: found -3, expected a whole number >= 0");
+  EXPECT_EQ(errorFor("seed", 1.5), "parameter /sim2d/seed: found 1.5, expected a whole number >= 0");
+  EXPECT_EQ(
+    errorOf([](XmlRpcValue & value) { value["cars"]["robot1"]["x"] = std::numeric_limits<double>::quiet_NaN(); }),
+    "parameter /sim2d/cars/robot1/x: found nan, expected a finite number");
+}
+
+TEST(NodeParameters, RefusesWrongTypes)
+{
+  EXPECT_EQ(errorFor("lockstep", 1), "parameter /sim2d/lockstep: found 1, expected true or false");
+  EXPECT_EQ(errorFor("record", 1), "parameter /sim2d/record: found 1, expected a text");
+  EXPECT_EQ(errorFor("world", ""), "parameter /sim2d/world: found \"\", expected a text that is not empty");
+  EXPECT_EQ(
+    errorFor("odometry", "visual"), "parameter /sim2d/odometry: found \"visual\", expected one of perfect, wheel");
+  EXPECT_EQ(
+    errorFor("cars", list({"robot1"})), "parameter /sim2d/cars: found a list, expected a map that is not empty");
+  EXPECT_EQ(
+    errorOf([](XmlRpcValue & value) { value["cars"]["robot1"] = 3; }),
+    "parameter /sim2d/cars/robot1: found 3, expected a map");
+}
+
+TEST(NodeParameters, RefusesWrongParticipants)
+{
+  EXPECT_EQ(
+    errorFor("participants", "robot1"), "parameter /sim2d/participants: found \"robot1\", expected a list of names");
+  EXPECT_EQ(errorFor("participants", list({"a", 3})), "parameter /sim2d/participants[1]: found 3, expected a name");
+  EXPECT_EQ(
+    errorFor("participants", list({"a", "a"})),
+    "parameter /sim2d/participants[1]: found \"a\" twice, expected different names");
+}
+
+TEST(NodeParameters, RefusesCarsThatCannotBeToldApartOrNamed)
+{
+  EXPECT_EQ(
+    errorOf([](XmlRpcValue & value) { value["cars"]["1st"]["x"] = 0; }),
+    "parameter /sim2d/cars: found the car name \"1st\", expected letters, digits and _, a letter first");
+  EXPECT_EQ(
+    errorOf([](XmlRpcValue & value) { value["cars"]["robot2"]["frame_prefix"] = "robot1/"; }),
+    "parameter /sim2d/cars/robot2/frame_prefix: found \"robot1/\" twice, expected a different one for each car");
+}
+
+TEST(NodeParameters, ResultFileIsReadApart)
+{
+  XmlRpcValue value = minimal();
+  EXPECT_EQ(parseResultFile("/sim2d", value), "");
+  value["result_file"] = "result.json";
+  value["seed"] = -1;
+  EXPECT_EQ(parseResultFile("/sim2d", value), "result.json");
+}

@@ -65,9 +65,9 @@ CarMotion Car::predictedMotion() const
 void Car::apply(const ContactEffect & effect)
 {
   const Vec2 before = worldVelocity(predicted_);
-  predicted_.x += effect.shift.x;
-  predicted_.y += effect.shift.y;
-  predicted_.psi += effect.shift.yaw;
+  predicted_.x = state_.x + effect.displacement.x;
+  predicted_.y = state_.y + effect.displacement.y;
+  predicted_.psi = state_.psi + effect.displacement.yaw;
   predicted_.psi_dot += effect.yaw_rate_change;
   const Vec2 after{before.x + effect.velocity_change.x, before.y + effect.velocity_change.y};
   setBodyVelocity(predicted_, Transform2({0.0, 0.0, predicted_.psi}).rotateBack(after));
@@ -78,9 +78,10 @@ void Car::commit(SimTime now, double dt)
   const Vec2 before = worldVelocity(state_);
   const Vec2 after = worldVelocity(predicted_);
   acceleration_ = {(after.x - before.x) / dt, (after.y - before.y) / dt};
+  const double mean_speed = 0.5 * (bodyVelocity(state_).x + bodyVelocity(predicted_).x);
   state_ = predicted_;
   turnWheels(dt);
-  odometry_.advance(bodyVelocity(state_).x, state_.delta, dt, now);
+  odometry_.advance(mean_speed * dt, state_.delta, dt, now);
   reported_is_current_ = false;
 }
 

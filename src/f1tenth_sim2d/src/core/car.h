@@ -47,7 +47,7 @@ public:
   double predictedTravel() const;
   /// Where the car is, with the velocity that it has at the end of the predicted step.
   CarMotion predictedMotion() const;
-  /// Adds what contacts change to the prediction.
+  /// Puts what contacts made of it in place of the predicted motion.
   void apply(const ContactEffect & effect);
   /// Makes the prediction true, at time now.
   void commit(SimTime now, double dt);

@@ -179,21 +179,19 @@ void CollisionWorld::step(double dt, int substeps)
 }
 
 // Relative to where Box2D started, in its own precision: a car that rests is not moved by rounding.
-ContactEffect CollisionWorld::effect(CarIndex car, double dt) const
+ContactEffect CollisionWorld::effect(CarIndex car) const
 {
   const b2Body & body = *cars_[car].body;
   const CarMotion & placed = cars_[car].placed;
   const Vec2 start = fromBox(toBox(Vec2{placed.pose.x, placed.pose.y}));
   const Vec2 velocity = fromBox(toBox(placed.velocity));
-  const double yaw_rate = static_cast<float>(placed.yaw_rate);
   const Vec2 end = fromBox(body.GetPosition());
   const Vec2 end_velocity = fromBox(body.GetLinearVelocity());
   ContactEffect effect;
-  effect.shift = {
-    end.x - start.x - velocity.x * dt, end.y - start.y - velocity.y * dt,
-    static_cast<double>(body.GetAngle()) - static_cast<float>(placed.pose.yaw) - yaw_rate * dt};
+  effect.displacement = {
+    end.x - start.x, end.y - start.y, static_cast<double>(body.GetAngle()) - static_cast<float>(placed.pose.yaw)};
   effect.velocity_change = {end_velocity.x - velocity.x, end_velocity.y - velocity.y};
-  effect.yaw_rate_change = static_cast<double>(body.GetAngularVelocity()) - yaw_rate;
+  effect.yaw_rate_change = static_cast<double>(body.GetAngularVelocity()) - static_cast<float>(placed.yaw_rate);
   return effect;
 }
 

@@ -29,12 +29,12 @@ struct CarMotion
   double yaw_rate{0.0};
 };
 
-/// What contacts did to a car in a step, on top of its own motion.
+/// What became of a car that touched something in a step.
 struct ContactEffect
 {
-  Pose2 shift;  ///< m, rad
-  Vec2 velocity_change;
-  double yaw_rate_change{0.0};
+  Pose2 displacement;           ///< m, rad: how far the car went in the step, contacts included
+  Vec2 velocity_change;         ///< m/s, by contacts alone
+  double yaw_rate_change{0.0};  ///< rad/s, by contacts alone
 };
 
 /// The world as rigid bodies in the plane. Cars take part only while they are near something they could touch: the
@@ -60,7 +60,7 @@ public:
   /// Contacts of the last step.
   const std::vector<StepContact> & contacts(CarIndex car) const { return recorder_.contacts(car); }
   /// Effect of the last step on a car that took part in it.
-  ContactEffect effect(CarIndex car, double dt) const;
+  ContactEffect effect(CarIndex car) const;
 
   /// Whether any movable model moves.
   bool isAwake() const;

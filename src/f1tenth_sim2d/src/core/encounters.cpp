@@ -45,7 +45,7 @@ bool Encounters::advance(const Cars & cars, CollisionWorld & world, double dt)
   world.step(dt, std::max(1, static_cast<int>(std::ceil(travel / kSubstepTravel))));
   for (CarIndex i = 0; i < cars.size(); ++i) {
     if (cars_[i].is_near && !world.contacts(i).empty()) {
-      cars[i]->apply(world.effect(i, dt));
+      cars[i]->apply(world.effect(i));
     }
   }
   return true;

@@ -92,11 +92,11 @@ double gaussianSlow(std::uint64_t bits)
 std::uint64_t noiseKey(
   std::uint64_t seed, std::uint64_t car, NoiseStream stream, std::uint64_t sensor, std::uint64_t instant)
 {
-  std::uint64_t key = mixBits(seed + kGoldenGamma);
+  std::uint64_t key = seed;
   for (const std::uint64_t part : {car, static_cast<std::uint64_t>(stream), sensor, instant}) {
-    key = mixBits(key ^ mixBits(part + kGoldenGamma));
+    key = mixBits(key + kGoldenGamma) + part;
   }
-  return key;
+  return mixBits(key + kGoldenGamma);
 }
 
 double gaussian(std::uint64_t key, std::uint64_t index)

@@ -138,6 +138,9 @@ bool WallGrid::isOutOfRange(int column, int row, const RangeRaster & raster) con
 
 void WallGrid::draw(RangeRaster & raster)
 {
+  if (items_.empty()) {
+    return;
+  }
   if (++scan_number_ == 0) {
     std::fill(drawn_.begin(), drawn_.end(), 0);
     scan_number_ = 1;

@@ -23,9 +23,9 @@ void WheelOdometryIntegrator::restart(const Pose2 & pose, double steering_angle,
   last_steering_angle_ = steering_angle;
 }
 
-void WheelOdometryIntegrator::advance(double speed, double steering_angle, double dt, SimTime now)
+void WheelOdometryIntegrator::advance(double distance, double steering_angle, double dt, SimTime now)
 {
-  distance_ += speed * dt;
+  distance_ += distance;
   elapsed_ += dt;
   if (now >= next_time_) {
     sample(steering_angle);
@@ -47,7 +47,9 @@ void WheelOdometryIntegrator::sample(double steering_angle)
   const double mean_steering_angle = 0.5 * (last_steering_angle_ + steering_angle);
   const double measured_angle =
     mean_steering_angle + p.odometry_steering_offset + p.odometry_steering_noise_stddev * gaussian(key, 0);
-  current_.speed = p.odometry_speed_scale * distance_ / elapsed_ + p.odometry_speed_noise_stddev * gaussian(key, 1);
+  // A wheel that stands counts nothing.
+  const double noise = distance_ == 0.0 ? 0.0 : p.odometry_speed_noise_stddev * gaussian(key, 1);
+  current_.speed = p.odometry_speed_scale * distance_ / elapsed_ + noise;
   current_.yaw_rate = current_.speed * std::tan(measured_angle) / p.wheelbase();
 
   const double turn = current_.yaw_rate * elapsed_;

@@ -17,8 +17,8 @@ public:
   void restart(const Pose2 & pose, double steering_angle, SimTime now);
 
   /// Tells what happened in a step of dt seconds that ends at now.
-  /// @param speed  m/s, of the middle of the rear axle along the car
-  void advance(double speed, double steering_angle, double dt, SimTime now);
+  /// @param distance  m, that the middle of the rear axle rolled
+  void advance(double distance, double steering_angle, double dt, SimTime now);
 
   const WheelOdometry & current() const { return current_; }
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <random>
 
+#include "f1tenth_sim2d/section.h"
 #include "sample_world.h"
 
 namespace f1tenth_sim2d::test
@@ -22,6 +23,7 @@ double castAtSegment(const Vec2 & from, double angle, const Vec2 & a, const Vec2
   return denominator < 0.0 && range >= 0.0 && along >= 0.0 && along <= 1.0 ? range : kInfinity;
 }
 
+/// Range to a circle, which is not seen from inside.
 double castAtCircle(const Vec2 & from, double angle, const Circle & circle)
 {
   const Vec2 d{std::cos(angle), std::sin(angle)};
@@ -29,7 +31,8 @@ double castAtCircle(const Vec2 & from, double angle, const Circle & circle)
   const double along = f.x * d.x + f.y * d.y;
   const double aside = f.x * d.y - f.y * d.x;
   const double half_squared = circle.radius * circle.radius - aside * aside;
-  return half_squared >= 0.0 && along > 0.0 ? along - std::sqrt(half_squared) : kInfinity;
+  const bool inside = std::hypot(f.x, f.y) < circle.radius;
+  return half_squared >= 0.0 && along > 0.0 && !inside ? along - std::sqrt(half_squared) : kInfinity;
 }
 
 struct Scenery

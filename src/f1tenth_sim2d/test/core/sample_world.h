@@ -34,10 +34,10 @@ inline ModelDescription movableBox(const std::string & name, double size, double
   return model;
 }
 
-/// A wall of 0.15 m across the x axis, its near face at x.
+/// A wall of 0.15 m x 80 m across the x axis, its near face at x.
 inline ModelDescription wallAcross(double x)
 {
-  return staticModel("walls", box("walls::Wall_0::Wall_0_Collision", 0.15, 20, 2.5, x + 0.075, 0, 1.25));
+  return staticModel("walls", box("walls::Wall_0::Wall_0_Collision", 0.15, 80, 2.5, x + 0.075, 0, 1.25));
 }
 
 /// A square room of inner half width `half`, as the Building Editor writes it: one model, one link a wall.

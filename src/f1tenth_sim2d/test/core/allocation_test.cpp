@@ -1,0 +1,36 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "allocation_count.h"
+#include "sample_world.h"
+
+namespace f1tenth_sim2d::test
+{
+TEST(Allocation, ScanningAllocatesNothing)
+{
+  Simulation simulation(world({room(3.0), movableBox("crate", 0.3, 1.5, 0.0)}));
+  simulation.addCar(car("robot1"), {}, {});
+  simulation.addCar(car("robot2"), {}, {0, 1, 0});
+  std::vector<float> ranges(1081);
+  simulation.scan(0, 0, ranges.data());
+  simulation.step();
+  const std::size_t before = allocationCount();
+  simulation.scan(0, 0, ranges.data());
+  simulation.exactScan(1, 0, ranges.data());
+  EXPECT_EQ(allocationCount(), before);
+}
+
+TEST(Allocation, SteppingFarFromEverythingAllocatesNothing)
+{
+  Simulation simulation(world({room(30.0)}));
+  simulation.addCar(car("robot1"), {}, {});
+  drive(simulation, 0, {1.0, 0.1}, 0.5);
+  const std::size_t before = allocationCount();
+  for (int i = 0; i < 300; ++i) {
+    simulation.step();
+    simulation.state(0);
+  }
+  EXPECT_EQ(allocationCount(), before);
+}
+}  // namespace f1tenth_sim2d::test

@@ -1,0 +1,192 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "f1tenth_sim2d/ackermann.h"
+#include "noise.h"
+#include "planar_pose.h"
+#include "sample_world.h"
+
+namespace f1tenth_sim2d::test
+{
+VehicleParameters withoutOdometryNoise()
+{
+  VehicleParameters parameters;
+  parameters.odometry_speed_noise_stddev = 0.0;
+  parameters.odometry_steering_noise_stddev = 0.0;
+  return parameters;
+}
+
+TEST(WheelOdometry, FollowsTheCarWhenItIsExact)
+{
+  Simulation simulation(world());
+  simulation.addCar(car("robot1"), withoutOdometryNoise(), {1.0, 2.0, 0.5});
+  EXPECT_EQ(simulation.wheelOdometry(0).pose.x, 1.0);
+  EXPECT_EQ(simulation.wheelOdometry(0).pose.yaw, 0.5);
+  drive(simulation, 0, {0.4, 0.1}, 5.0);
+  const Pose2 truth = simulation.state(0).pose;
+  const WheelOdometry odometry = simulation.wheelOdometry(0);
+  EXPECT_NEAR(odometry.pose.x, truth.x, 0.05);
+  EXPECT_NEAR(odometry.pose.y, truth.y, 0.05);
+  EXPECT_NEAR(wrapAngle(odometry.pose.yaw - truth.yaw), 0.0, 0.05);
+  EXPECT_NEAR(odometry.speed, simulation.state(0).velocity.x, 1e-3);
+  EXPECT_NEAR(odometry.yaw_rate, simulation.state(0).yaw_rate, 0.02);
+}
+
+TEST(WheelOdometry, DriftsBySystematicErrors)
+{
+  VehicleParameters parameters = withoutOdometryNoise();
+  parameters.odometry_speed_scale = 1.1;
+  Simulation simulation(world());
+  simulation.addCar(car("scaled"), parameters, {});
+  parameters.odometry_speed_scale = 1.0;
+  parameters.odometry_steering_offset = 0.02;
+  simulation.addCar(car("skewed"), parameters, {0, 3, 0});
+  for (int i = 0; i < 3000; ++i) {
+    simulation.command(0, {1.0, 0.0});
+    simulation.command(1, {1.0, 0.0});
+    simulation.step();
+  }
+  EXPECT_NEAR(simulation.wheelOdometry(0).pose.x, 1.1 * simulation.state(0).pose.x, 1e-6);
+  EXPECT_GT(simulation.wheelOdometry(1).pose.yaw, 0.1);
+}
+
+TEST(WheelOdometry, IsSampledAtItsRate)
+{
+  Simulation simulation(world());
+  simulation.addCar(car("robot1"), {}, {});
+  drive(simulation, 0, {1.0, 0.0}, 0.5);
+  int changes = 0;
+  double last = simulation.wheelOdometry(0).pose.x;
+  for (int i = 0; i < 1000; ++i) {
+    simulation.command(0, {1.0, 0.0});
+    simulation.step();
+    changes += simulation.wheelOdometry(0).pose.x != last ? 1 : 0;
+    last = simulation.wheelOdometry(0).pose.x;
+  }
+  EXPECT_EQ(changes, 50);
+}
+
+TEST(WheelOdometry, StandsStillWithTheWheels)
+{
+  Simulation simulation(world());
+  simulation.addCar(car("robot1"), {}, {});
+  simulation.advanceTo(1'000'000'000);
+  EXPECT_EQ(simulation.wheelOdometry(0).speed, 0.0);
+  EXPECT_EQ(simulation.wheelOdometry(0).pose.x, 0.0);
+}
+
+TEST(WheelOdometry, IsTheSameWhetherItIsReadOrNot)
+{
+  Simulation read(world());
+  Simulation unread(world());
+  read.addCar(car("robot1"), {}, {});
+  unread.addCar(car("robot1"), {}, {});
+  std::vector<float> ranges(1081);
+  for (int i = 0; i < 500; ++i) {
+    read.command(0, {1.0, 0.1});
+    unread.command(0, {1.0, 0.1});
+    read.step();
+    unread.step();
+    read.scan(0, 0, ranges.data());
+    read.wheelOdometry(0);
+    read.imu(0);
+  }
+  EXPECT_EQ(read.wheelOdometry(0).pose.x, unread.wheelOdometry(0).pose.x);
+  EXPECT_EQ(read.wheelOdometry(0).pose.yaw, unread.wheelOdometry(0).pose.yaw);
+}
+
+CarDescription carWithImu(double stddev)
+{
+  CarDescription description = car("robot1");
+  description.imu = ImuDescription{};
+  description.imu->yaw_rate_noise_stddev = stddev;
+  description.imu->acceleration_noise_stddev = stddev;
+  return description;
+}
+
+TEST(Imu, MeasuresWhatTheCarDoes)
+{
+  Simulation simulation(world());
+  simulation.addCar(carWithImu(0.0), {}, {});
+  drive(simulation, 0, {2.0, 0.15}, 3.0);
+  const CarState & state = simulation.state(0);
+  const ImuSample sample = simulation.imu(0);
+  EXPECT_EQ(sample.yaw, state.pose.yaw);
+  EXPECT_EQ(sample.yaw_rate, state.yaw_rate);
+  EXPECT_NEAR(sample.acceleration.y, state.velocity.x * state.yaw_rate, 0.05);
+}
+
+TEST(Imu, NoiseIsAFunctionOfTime)
+{
+  Simulation simulation(world());
+  simulation.addCar(carWithImu(0.1), {}, {});
+  const double first = simulation.imu(0).yaw_rate;
+  EXPECT_NE(first, 0.0);
+  EXPECT_EQ(simulation.imu(0).yaw_rate, first);
+  simulation.step();
+  EXPECT_NE(simulation.imu(0).yaw_rate, first);
+}
+
+TEST(CarState, PoseIsThatOfTheRearAxle)
+{
+  Simulation simulation(world());
+  simulation.addCar(car("robot1"), {}, {1.0, -2.0, 0.7});
+  EXPECT_NEAR(simulation.state(0).pose.x, 1.0, 1e-12);
+  EXPECT_NEAR(simulation.state(0).pose.y, -2.0, 1e-12);
+  EXPECT_NEAR(simulation.state(0).pose.yaw, 0.7, 1e-12);
+  drive(simulation, 0, {0.5, 0.3}, 3.0);
+  EXPECT_NEAR(simulation.state(0).velocity.y, 0.0, 0.01) << "at low speed the rear axle does not slip";
+}
+
+TEST(CarState, VelocityIsTheDerivativeOfThePose)
+{
+  Simulation simulation(world());
+  simulation.addCar(car("robot1"), {}, {});
+  drive(simulation, 0, {3.0, 0.15}, 2.0);
+  const CarState before = simulation.state(0);
+  simulation.command(0, {3.0, 0.15});
+  simulation.step();
+  const CarState & after = simulation.state(0);
+  const double yaw = 0.5 * (before.pose.yaw + after.pose.yaw);
+  const double dx = (after.pose.x - before.pose.x) / 0.001;
+  const double dy = (after.pose.y - before.pose.y) / 0.001;
+  EXPECT_NEAR(after.velocity.x, std::cos(yaw) * dx + std::sin(yaw) * dy, 1e-3);
+  EXPECT_NEAR(after.velocity.y, std::cos(yaw) * dy - std::sin(yaw) * dx, 1e-3);
+  EXPECT_NEAR(after.yaw_rate, (after.pose.yaw - before.pose.yaw) / 0.001, 1e-3);
+}
+
+TEST(CarState, WheelsRollAsFarAsTheCarGoes)
+{
+  Simulation simulation(world());
+  simulation.addCar(car("robot1"), {}, {});
+  drive(simulation, 0, {2.0, 0.0}, 2.0);
+  const CarState & state = simulation.state(0);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NEAR(state.wheel_angles[i] * 0.05, state.pose.x, 1e-3);
+    EXPECT_NEAR(state.wheel_speeds[i] * 0.05, 2.0, 0.01);
+  }
+}
+
+TEST(Ackermann, WheelsTurnAboutOnePoint)
+{
+  const SteeringAngles angles = ackermannSteering(0.3, 0.33, 0.2);
+  const double radius = 0.33 / std::tan(0.3);
+  EXPECT_NEAR(std::tan(angles.left), 0.33 / (radius - 0.1), 1e-12);
+  EXPECT_NEAR(std::tan(angles.right), 0.33 / (radius + 0.1), 1e-12);
+  EXPECT_EQ(ackermannSteering(0.0, 0.33, 0.2).left, 0.0);
+  EXPECT_DOUBLE_EQ(ackermannSteering(-0.3, 0.33, 0.2).right, -angles.left);
+}
+
+TEST(Ackermann, WheelSpeedsAreThoseOfCirclesAboutThatPoint)
+{
+  const double radius = 0.33 / std::tan(0.3);
+  const double yaw_rate = 2.0 / radius;
+  const auto speeds = wheelSpeeds(2.0, yaw_rate, 0.3, 0.33, 0.2, 0.05);
+  EXPECT_NEAR(speeds[0], yaw_rate * std::hypot(radius - 0.1, 0.33) / 0.05, 1e-9);
+  EXPECT_NEAR(speeds[1], yaw_rate * std::hypot(radius + 0.1, 0.33) / 0.05, 1e-9);
+  EXPECT_NEAR(speeds[2], yaw_rate * (radius - 0.1) / 0.05, 1e-9);
+  EXPECT_NEAR(speeds[3], yaw_rate * (radius + 0.1) / 0.05, 1e-9);
+}
+}  // namespace f1tenth_sim2d::test

@@ -39,9 +39,12 @@ std::string rootElement(const std::string & xml, const std::string & source)
 {
   tinyxml2::XMLDocument document;
   if (document.Parse(xml.c_str(), xml.size()) != tinyxml2::XML_SUCCESS) {
+    static const std::string prefix = "XML_ERROR_";
+    const std::string name = document.ErrorName();
     const int line = document.ErrorLineNum();
     throw LoadError(
-      source, line > 0 ? "line " + std::to_string(line) : "", std::string("malformed XML: ") + document.ErrorName());
+      source, line > 0 ? "line " + std::to_string(line) : "",
+      "malformed XML: " + (name.rfind(prefix, 0) == 0 ? name.substr(prefix.size()) : name));
   }
   const tinyxml2::XMLElement * const root = document.RootElement();
   return root ? root->Name() : "";

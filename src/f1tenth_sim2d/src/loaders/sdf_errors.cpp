@@ -122,15 +122,18 @@ bool becomesWarning(
     "malformed XML: " + match[2].str() + detail);
 }
 
+/// Further words may follow what libsdformat says.
+std::string withoutFullStop(const std::string & message)
+{
+  return !message.empty() && message.back() == '.' ? message.substr(0, message.size() - 1) : message;
+}
+
 [[noreturn]] void throwError(
   const sdf::Error & error, const std::vector<std::string> & printed, const sdf::Root & root, const std::string & file,
   const std::string & uri_hint)
 {
   const std::string place = placeOf(error, root, file);
-  std::string message = error.Message();
-  if (!message.empty() && message.back() == '.') {
-    message.pop_back();
-  }
+  const std::string message = withoutFullStop(error.Message());
   if (error.Code() == sdf::ErrorCode::DUPLICATE_NAME) {
     throw LoadError(file, place, "this name is taken; names are unique among the elements of one parent");
   }
@@ -139,7 +142,7 @@ bool becomesWarning(
   }
   // What failed in detail is printed only, not returned.
   const bool says_little = startsWith(message, "Error reading") || startsWith(message, "Unable to read");
-  throw LoadError(file, place, says_little && !printed.empty() ? printed.front() : message);
+  throw LoadError(file, place, says_little && !printed.empty() ? withoutFullStop(printed.front()) : message);
 }
 }  // namespace
 
@@ -166,7 +169,7 @@ void checkSdfErrors(
     }
   }
   if (!printed.empty()) {
-    throw LoadError(file, "", printed.front());
+    throw LoadError(file, "", withoutFullStop(printed.front()));
   }
   for (const std::string & warning : messages.warnings()) {
     warnings.add(warning, file);

@@ -43,9 +43,6 @@ Polyline readPolyline(const ElementReader & element, const sdf::ElementPtr & pol
   Outline outline;
   for (auto point = polyline->FindElement("point"); point; point = point->GetNextElement("point")) {
     const auto corner = point->Get<Vector2d>();
-    if (!corner.IsFinite()) {
-      element.fail("<point> is not finite");
-    }
     outline.push_back({corner.X(), corner.Y()});
   }
   if (!isSimple(outline)) {

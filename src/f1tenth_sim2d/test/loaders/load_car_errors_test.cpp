@@ -1,0 +1,131 @@
+#include <gtest/gtest.h>
+
+#include "f1tenth_sim2d/loaders.h"
+#include "small_car.h"
+#include "temp_folder.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+struct BadCar
+{
+  const char * name;
+  std::string xml;
+  std::string message;
+};
+
+void PrintTo(const BadCar & bad, std::ostream * out)
+{
+  *out << bad.name;
+}
+
+const std::string kLidar = "test.urdf: model[small_car]/link[base_footprint]/sensor[lidar]";
+const std::string kPublisher = "test.urdf: model[small_car]/plugin[joint_state_publisher]";
+
+std::string robot(const std::string & inside)
+{
+  return "<robot name='r'>" + inside + "</robot>";
+}
+
+std::vector<BadCar> badCars()
+{
+  return {
+    {"Empty", "", "test.urdf: malformed XML: EMPTY_DOCUMENT"},
+    {"Malformed", "<robot name='r'>\n<link name='l'>\n</robot>",
+     "test.urdf: line 2: malformed XML: MISMATCHED_ELEMENT"},
+    {"NotARobot", "<car/>", "test.urdf: car: is no robot description, allowed are <robot> (URDF) and <sdf>"},
+    {"NoLinks", robot(""), "test.urdf: robot: No link elements found in urdf file"},
+    {"NoName", "<robot><link name='base_footprint'/></robot>", "test.urdf: robot: No name given for the robot."},
+    {"LinkTwice", robot("<link name='base_footprint'/><link name='base_footprint'/>"),
+     "test.urdf: robot: link 'base_footprint' is not unique."},
+    {"TwoRoots", robot("<link name='a'/><link name='b'/>"),
+     "test.urdf: robot: Failed to find root link: Two root links found: [a] and [b]"},
+    {"BoxOfTwoNumbers",
+     robot("<link name='base_footprint'><collision><geometry><box size='1 1'/></geometry></collision></link>"),
+     "test.urdf: robot: Parser found 2 elements but 3 expected while parsing vector [1 1]"},
+    {"NoBaseFootprint", robot("<link name='base_link'/>"),
+     "test.urdf: robot[r]: has no link base_footprint, the one on the ground below the middle of the rear axle"},
+    {"SdfWithoutBaseFootprint", "<sdf version='1.6'><model name='m'><link name='l'/></model></sdf>",
+     "test.urdf: model[m]: has no link base_footprint, the one on the ground below the middle of the rear axle"},
+    {"SdfWithoutModel", "<sdf version='1.6'><world name='w'/></sdf>", "test.urdf: holds no <model>"},
+    {"NestedModel",
+     "<sdf version='1.9'><model name='m'><link name='base_footprint'/><model name='n'><link name='l'/></model></model>"
+     "</sdf>",
+     "test.urdf: model[m]/model[n]: a model nested in a car is not supported"},
+    {"PlaneInACar",
+     "<sdf version='1.6'><model name='m'><link name='base_footprint'><collision name='c'><geometry><plane><normal>"
+     "0 0 1</normal><size>1 1</size></plane></geometry></collision></link></model></sdf>",
+     "test.urdf: robot1::base_footprint::c: a <plane> has no end and cannot be part of a car"},
+    {"ZeroSize", smallCarWith("<box size=\"0.02 0.2 0.06\"/>", "<box size=\"0.02 0 0.06\"/>"),
+     "test.urdf: model[small_car]/link[bumper_front]/collision[bumper_front_collision]/geometry/box: <size> is 0, "
+     "allowed are finite numbers greater than 0"},
+    {"MeshInACar", smallCarWith("<box size=\"0.02 0.2 0.06\"/>", "<mesh filename=\"package://p/m.stl\"/>"),
+     "test.urdf: model[small_car]/link[bumper_front]/collision[bumper_front_collision]/geometry/mesh: is not supported "
+     "as a collision; allowed are <box>, <cylinder>, <sphere>, <polyline> and <plane>"},
+    {"WheelWithoutMass",
+     smallCarWith(
+       "<link name=\"rear_left_wheel\">\n    <inertial><mass value=\"0.1\"/>",
+       "<link name=\"rear_left_wheel\">\n    <inertial><mass value=\"0\"/>"),
+     "test.urdf: link[rear_left_wheel]: has a <collision> but no mass, so that Gazebo leaves it out; needed is an "
+     "<inertial> with a mass above 0"},
+    {"TiltedLidar", smallCarWith("<origin xyz=\"0.27 0 0.11\"/>", "<origin xyz=\"0.27 0 0.11\" rpy=\"0 0.1 0\"/>"),
+     kLidar + ": is tilted; a lidar has to be level, with its z axis upwards"},
+    {"LidarUpsideDown",
+     smallCarWith("<origin xyz=\"0.27 0 0.11\"/>", "<origin xyz=\"0.27 0 0.11\" rpy=\"3.14159265 0 0\"/>"),
+     kLidar + ": is tilted; a lidar has to be level, with its z axis upwards"},
+    {"NoTopicName", smallCarWith("<topicName>scan</topicName>", ""),
+     kLidar + "/plugin[lidar_plugin]: has no <topicName>"},
+    {"EmptyFrameName", smallCarWith("<frameName>laser</frameName>", "<frameName> </frameName>"),
+     kLidar + "/plugin[lidar_plugin]: <frameName> is empty"},
+    {"NoRate", smallCarWith("<update_rate>40</update_rate>", ""), kLidar + ": has no <update_rate>"},
+    {"ZeroRate", smallCarWith("<update_rate>40</update_rate>", "<update_rate>0</update_rate>"),
+     kLidar + ": <update_rate> is 0, allowed are finite numbers greater than 0"},
+    {"OneBeam", smallCarWith("<samples>1081</samples>", "<samples>1</samples>"),
+     kLidar + ": has 1 <samples>, allowed are 2 and more"},
+    {"AnglesSwapped", smallCarWith("<max_angle>2.35</max_angle>", "<max_angle>-2.5</max_angle>"),
+     kLidar + ": <min_angle> has to be less than <max_angle>, both finite"},
+    {"NegativeRange", smallCarWith("<min>0.06</min>", "<min>-1</min>"),
+     kLidar + ": <range/min> is -1, allowed are finite numbers from 0"},
+    {"InfiniteRange", smallCarWith("<max>10</max>", "<max>inf</max>"),
+     kLidar + ": <range/max> is inf, allowed are finite numbers greater than 0"},
+    {"RangeSwapped", smallCarWith("<max>10</max>", "<max>0.01</max>"),
+     kLidar + ": <range> has a <min> that is not less than its <max>"},
+    {"NegativeNoise", smallCarWith("<stddev>0.01</stddev>", "<stddev>-1</stddev>"),
+     kLidar + ": <noise/stddev> is -1, allowed are finite numbers from 0"},
+    {"UnknownCollision", smallCarWith("<collision>bumper_left_collision", "<collision>nothing"),
+     "test.urdf: model[small_car]/link[base_footprint]/sensor[bumper_left]: there is no <collision> 'nothing'; the car "
+     "has base_footprint_fixed_joint_lump__base_link_collision, "
+     "base_footprint_fixed_joint_lump__bumper_left_collision_1, "
+     "base_footprint_fixed_joint_lump__bumper_right_collision_2, bumper_front_collision, bumper_rear_collision, "
+     "front_left_wheel_collision, front_right_wheel_collision, rear_left_wheel_collision, rear_right_wheel_collision"},
+    {"ContactWithoutCollision", smallCarWith("<contact><collision>bumper_left_collision</collision></contact>", ""),
+     "test.urdf: model[small_car]/link[base_footprint]/sensor[bumper_left]: has no <contact> with a <collision>"},
+    {"SensorNameTwice", smallCarWith("<sensor name=\"imu\"", "<sensor name=\"bumper_front\""),
+     "test.urdf: model[small_car]/link[bumper_front]/sensor[bumper_front]: this name is taken; names are unique among "
+     "the sensors of a car"},
+    {"UnknownJoint", smallCarWith("<jointName>front_left_steering_joint", "<jointName>nose_joint"),
+     kPublisher + ": <jointName> names 'nose_joint', which is no joint that moves"},
+    {"JointTwice", smallCarWith("<jointName>front_left_steering_joint,", "<jointName>front_right_steering_joint,"),
+     kPublisher + ": <jointName> names 'front_right_steering_joint' twice"},
+    {"TwoJointsAtOneCorner", smallCarWith("xyz=\"0.32 -0.1 0\"", "xyz=\"0.32 0.2 0\""),
+     kPublisher + ": <jointName> names both 'front_left_steering_joint' and 'front_right_steering_joint' at the same "
+                  "corner of the car"},
+    {"NoJointStateRate", smallCarWith("<updateRate>50</updateRate>", ""), kPublisher + ": has no <updateRate>"},
+  };
+}
+
+class LoadCarErrors : public testing::TestWithParam<BadCar>
+{
+};
+
+TEST_P(LoadCarErrors, NameSourcePlaceAndReason)
+{
+  EXPECT_EQ(loadErrorOf([] { loadCar(GetParam().xml, "robot1", "test.urdf"); }), GetParam().message);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  BadCars, LoadCarErrors, testing::ValuesIn(badCars()),
+  [](const testing::TestParamInfo<BadCar> & bad) { return bad.param.name; });
+}  // namespace
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,244 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "f1tenth_sim2d/loaders.h"
+#include "small_car.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+CarDescription load(const std::string & xml)
+{
+  return loadCar(xml, "robot1", "test.urdf");
+}
+
+bool contains(const std::vector<std::string> & list, const std::string & text)
+{
+  return std::find(list.begin(), list.end(), text) != list.end();
+}
+
+const Solid & solidNamed(const CarDescription & car, const std::string & name)
+{
+  const auto found =
+    std::find_if(car.solids.begin(), car.solids.end(), [&name](const Solid & solid) { return solid.name == name; });
+  if (found == car.solids.end()) {
+    throw std::logic_error("no solid " + name);
+  }
+  return *found;
+}
+
+TEST(LoadCar, KeepsEverySolidInBaseFootprint)
+{
+  const CarDescription car = load(smallCar());
+  EXPECT_EQ(car.name, "robot1");
+  EXPECT_EQ(car.source, "test.urdf");
+  EXPECT_EQ(car.solids.size(), 9u);
+  const Solid & wheel = solidNamed(car, "robot1::front_left_wheel::front_left_wheel_collision");
+  EXPECT_NEAR(wheel.pose.Pos().X(), 0.32, 1e-9);
+  EXPECT_NEAR(wheel.pose.Pos().Y(), 0.1, 1e-9);
+  EXPECT_NEAR(wheel.pose.Pos().Z(), 0.05, 1e-9);
+  const Solid & bumper = solidNamed(car, "robot1::bumper_front::bumper_front_collision");
+  EXPECT_NEAR(bumper.pose.Pos().X(), 0.43, 1e-9);
+  EXPECT_NEAR(bumper.pose.Pos().Z(), 0.07, 1e-9);
+}
+
+TEST(LoadCar, KnowsLinksThatFixedJointsMakeVanish)
+{
+  const CarDescription car = load(smallCar());
+  for (const char * const link : {"base_footprint", "base_link", "laser", "imu", "bumper_left", "rear_left_wheel"}) {
+    EXPECT_TRUE(contains(car.links, link)) << link;
+  }
+  EXPECT_EQ(car.links.size(), 14u);
+}
+
+TEST(LoadCar, ReadsTheLidar)
+{
+  const CarDescription car = load(smallCar());
+  ASSERT_EQ(car.lidars.size(), 1u);
+  const LidarDescription & lidar = car.lidars[0];
+  EXPECT_EQ(lidar.name, "lidar");
+  EXPECT_EQ(lidar.topic, "scan");
+  EXPECT_EQ(lidar.frame, "laser");
+  EXPECT_NEAR(lidar.pose.Pos().X(), 0.27, 1e-9);
+  EXPECT_NEAR(lidar.pose.Pos().Z(), 0.16, 1e-9);
+  EXPECT_EQ(lidar.rate_hz, 40.0);
+  EXPECT_EQ(lidar.beam_count, 1081);
+  EXPECT_EQ(lidar.angle_min, -2.35);
+  EXPECT_EQ(lidar.angle_max, 2.35);
+  EXPECT_EQ(lidar.range_min, 0.06);
+  EXPECT_EQ(lidar.range_max, 10.0);
+  EXPECT_EQ(lidar.noise_mean, 0.001);
+  EXPECT_EQ(lidar.noise_stddev, 0.01);
+}
+
+TEST(LoadCar, TakesEveryKindOfLidar)
+{
+  const std::pair<std::string, std::string> kinds[] = {
+    {"ray", "libgazebo_ros_gpu_laser.so"},
+    {"gpu_ray", "libgazebo_ros_gpu_laser.so"},
+    {"lidar", "libgazebo_ros_laser.so"},
+    {"gpu_lidar", "/opt/lib/libgazebo_ros_laser.so"}};
+  for (const auto & [type, library] : kinds) {
+    std::string xml = smallCarWith("type=\"ray\"", "type=\"" + type + "\"");
+    xml.replace(xml.find("libgazebo_ros_laser.so"), std::string("libgazebo_ros_laser.so").size(), library);
+    EXPECT_EQ(load(xml).lidars.size(), 1u) << type;
+  }
+}
+
+TEST(LoadCar, ContactSensorsWatchTheirCollisionWhetherItsLinkIsKeptOrNot)
+{
+  const CarDescription car = load(smallCar());
+  ASSERT_EQ(car.bumpers.size(), 4u);
+  for (const BumperDescription & bumper : car.bumpers) {
+    EXPECT_EQ(bumper.topic, bumper.name);
+    EXPECT_EQ(bumper.frame, bumper.name);
+    EXPECT_EQ(bumper.rate_hz, 50.0);
+    ASSERT_EQ(bumper.collision_names.size(), 1u);
+    const Solid & solid = solidNamed(car, bumper.collision_names[0]);
+    EXPECT_NE(solid.name.find(bumper.name + "_collision"), std::string::npos);
+  }
+}
+
+TEST(LoadCar, ReadsTheImu)
+{
+  const CarDescription car = load(smallCar());
+  ASSERT_TRUE(car.imu.has_value());
+  EXPECT_EQ(car.imu->topic, "imu");
+  EXPECT_EQ(car.imu->frame, "imu");
+  EXPECT_EQ(car.imu->rate_hz, 100.0);
+  EXPECT_EQ(car.imu->yaw_rate_noise_stddev, 0.005);
+  EXPECT_EQ(car.imu->acceleration_noise_stddev, 0.05);
+}
+
+TEST(LoadCar, TakesAnImuPluginOfTheModel)
+{
+  const std::string plugin =
+    "<gazebo><plugin name='old_imu' filename='libgazebo_ros_imu.so'><topicName>imu/data</topicName>"
+    "<bodyName>imu</bodyName><updateRate>50</updateRate><gaussianNoise>0.01</gaussianNoise></plugin></gazebo>";
+  std::string xml = smallCarWith("</robot>", plugin + "</robot>");
+  const CarDescription with_two = load(xml);
+  EXPECT_TRUE(contains(with_two.warnings, "model[small_car]/plugin[old_imu]: is a second IMU and left out"));
+  const std::size_t sensor = xml.find("<gazebo reference=\"imu\">");
+  xml.erase(sensor, xml.find("</gazebo>", sensor) + std::string("</gazebo>").size() - sensor);
+  const CarDescription car = load(xml);
+  ASSERT_TRUE(car.imu.has_value());
+  EXPECT_EQ(car.imu->topic, "imu/data");
+  EXPECT_EQ(car.imu->frame, "base_footprint");  // libsdformat names the link that bodyName has become part of
+  EXPECT_EQ(car.imu->rate_hz, 50.0);
+  EXPECT_EQ(car.imu->yaw_rate_noise_stddev, 0.01);
+  EXPECT_TRUE(car.plugins.size() == 1);
+}
+
+TEST(LoadCar, TellsJointsApartByAxisAndPlace)
+{
+  using Role = JointDescription::Role;
+  const CarDescription car = load(smallCar());
+  const std::vector<std::pair<std::string, Role>> expected{
+    {"front_left_steering_joint", Role::kSteeringLeft}, {"front_right_steering_joint", Role::kSteeringRight},
+    {"front_left_wheel_joint", Role::kWheelFrontLeft},  {"front_right_wheel_joint", Role::kWheelFrontRight},
+    {"rear_left_wheel_joint", Role::kWheelRearLeft},    {"rear_right_wheel_joint", Role::kWheelRearRight}};
+  ASSERT_EQ(car.joints.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(car.joints[i].name, expected[i].first);
+    EXPECT_EQ(car.joints[i].role, expected[i].second);
+  }
+  EXPECT_EQ(car.joint_state_rate_hz, 50.0);
+  EXPECT_NEAR(car.wheel_radius, 0.05, 1e-12);
+  EXPECT_NEAR(car.track_width, 0.2, 1e-9);
+}
+
+TEST(LoadCar, KeepsPluginsThatAreNotBuiltInWithTheirTags)
+{
+  const CarDescription car = load(smallCar());
+  ASSERT_EQ(car.plugins.size(), 1u);
+  EXPECT_EQ(car.plugins[0].name, "perfect_odometry");
+  EXPECT_EQ(car.plugins[0].filename, "libf1tenth_perfect_odometry.so");
+  EXPECT_EQ(car.plugins[0].place, "model[small_car]/plugin[perfect_odometry]");
+  const std::vector<std::pair<std::string, std::string>> parameters{
+    {"updateRate", "200"}, {"robotBaseFrame", "base_footprint"}};
+  EXPECT_EQ(car.plugins[0].parameters, parameters);
+}
+
+TEST(LoadCar, FrameIdsHaveNoPrefix)
+{
+  EXPECT_EQ(load(smallCarWith("<frameName>laser", "<frameName>robot1/laser")).lidars[0].frame, "laser");
+  EXPECT_EQ(load(smallCarWith("<frameName>laser", "<frameName>/laser")).lidars[0].frame, "laser");
+  EXPECT_EQ(load(smallCarWith("<frameName>laser", "<frameName>/robot1/laser")).lidars[0].frame, "laser");
+}
+
+TEST(LoadCar, BaseFootprintNeedNotBeTheRoot)
+{
+  std::string xml = smallCarWith("<parent link=\"base_footprint\"/>", "<parent link=\"base_link\"/>");
+  xml.replace(xml.find("<child link=\"base_link\"/>"), 25, "<child link=\"base_footprint\"/>");
+  xml.replace(xml.find("xyz=\"0 0 0.05\""), 14, "xyz=\"0 0 -0.05\"");
+  const CarDescription car = load(xml);
+  EXPECT_NEAR(car.lidars.at(0).pose.Pos().Z(), 0.16, 1e-9);
+  EXPECT_NEAR(solidNamed(car, "robot1::rear_left_wheel::rear_left_wheel_collision").pose.Pos().Z(), 0.05, 1e-9);
+}
+
+TEST(LoadCar, TakesAnSdfModel)
+{
+  const CarDescription car = load(
+    "<sdf version='1.6'><model name='m'><link name='base_footprint'><collision name='c'><pose>0.1 0 0.1 0 0 0</pose>"
+    "<geometry><box><size>0.4 0.2 0.1</size></box></geometry></collision></link></model></sdf>");
+  EXPECT_EQ(car.links, std::vector<std::string>{"base_footprint"});
+  EXPECT_EQ(car.solids.at(0).name, "robot1::base_footprint::c");
+  EXPECT_TRUE(car.joints.empty());
+}
+
+TEST(LoadCarWarnings, NameTheCamera)
+{
+  const std::vector<std::string> expected{
+    "model[small_car]/link[base_footprint]/sensor[camera]: a sensor of type camera is left out: in 2-D it has nothing "
+    "to see"};
+  EXPECT_EQ(load(smallCar()).warnings, expected);
+}
+
+TEST(LoadCarWarnings, NameSensorsWithoutRosPlugin)
+{
+  const CarDescription car = load(smallCarWith("libgazebo_ros_laser.so", "libother.so"));
+  EXPECT_TRUE(car.lidars.empty());
+  EXPECT_TRUE(contains(
+    car.warnings,
+    "model[small_car]/link[base_footprint]/sensor[lidar]: has no <plugin> libgazebo_ros_laser.so or "
+    "libgazebo_ros_gpu_laser.so to publish it and is left out"));
+}
+
+TEST(LoadCarWarnings, NameSensorsThatAreNotSimulated)
+{
+  const std::string sonar =
+    "<gazebo reference=\"base_link\"><sensor name=\"height\" type=\"altimeter\"/></gazebo></robot>";
+  EXPECT_TRUE(contains(
+    load(smallCarWith("</robot>", sonar)).warnings,
+    "model[small_car]/link[base_footprint]/sensor[height]: a sensor of type altimeter is left out: not simulated"));
+}
+
+TEST(LoadCarWarnings, NameSensorsOfAnUnknownType)
+{
+  const std::string crystal =
+    "<gazebo reference=\"base_link\"><sensor name=\"ball\" type=\"crystal\"/></gazebo></robot>";
+  EXPECT_TRUE(contains(
+    load(smallCarWith("</robot>", crystal)).warnings,
+    "model[small_car]/link[base_footprint]/sensor[ball]: is no type of sensor of SDF and left out"));
+}
+
+TEST(LoadCarWarnings, NameFurtherLayersOfALidar)
+{
+  const CarDescription car = load(smallCarWith(
+    "</horizontal>",
+    "</horizontal><vertical><samples>4</samples><min_angle>-0.1</min_angle><max_angle>0.1</max_angle></vertical>"));
+  EXPECT_TRUE(contains(
+    car.warnings,
+    "model[small_car]/link[base_footprint]/sensor[lidar]: <vertical> is left out: a lidar has one level layer"));
+}
+
+TEST(LoadCar, PrintsNothing)
+{
+  testing::internal::CaptureStderr();
+  load(smallCar());
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+}  // namespace
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,233 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "f1tenth_sim2d/loaders.h"
+#include "f1tenth_sim2d/section.h"
+#include "temp_folder.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+std::string world(const std::string & inside, const std::string & version = "1.6")
+{
+  return "<?xml version='1.0'?>\n<sdf version='" + version + "'>\n<world name='test'>\n" + inside +
+         "\n</world>\n</sdf>\n";
+}
+
+std::string model(const std::string & name, const std::string & before_link, const std::string & geometry)
+{
+  return "<model name='" + name + "'>" + before_link + "<link name='link'><collision name='collision'><geometry>" +
+         geometry + "</geometry></collision></link></model>";
+}
+
+const char * const kUnitBox = "<box><size>1 1 1</size></box>";
+
+WorldDescription loadText(const std::string & inside, const std::string & version = "1.6")
+{
+  const TempFolder folder;
+  return loadWorld(folder.write("test.world", world(inside, version)));
+}
+
+TEST(LoadWorld, ReadsEveryShape)
+{
+  const WorldDescription description = loadText(
+    model("box", "<static>true</static>", "<box><size>1 2 3</size></box>") +
+    model("cylinder", "", "<cylinder><radius>0.5</radius><length>2</length></cylinder>") +
+    model("sphere", "", "<sphere><radius>0.25</radius></sphere>") +
+    model(
+      "polyline", "",
+      "<polyline><point>0 0</point><point>0 1</point><point>1 0</point><point>0 0</point>"
+      "<height>2</height></polyline>") +
+    model("plane", "", "<plane><normal>0 0 1</normal><size>10 10</size></plane>"));
+  ASSERT_EQ(description.models.size(), 5u);
+  EXPECT_EQ(description.name, "test");
+  EXPECT_EQ(std::get<Box>(description.models[0].solids.at(0).shape).size, ignition::math::Vector3d(1, 2, 3));
+  EXPECT_TRUE(description.models[0].is_static);
+  EXPECT_FALSE(description.models[1].is_static);
+  EXPECT_EQ(std::get<Cylinder>(description.models[1].solids.at(0).shape).length, 2.0);
+  EXPECT_EQ(std::get<Sphere>(description.models[2].solids.at(0).shape).radius, 0.25);
+  const Polyline polyline = std::get<Polyline>(description.models[3].solids.at(0).shape);
+  EXPECT_EQ(polyline.outline.size(), 3u);
+  EXPECT_EQ(polyline.height, 2.0);
+  EXPECT_TRUE(std::holds_alternative<Plane>(description.models[4].solids.at(0).shape));
+  EXPECT_TRUE(description.warnings.empty());
+}
+
+TEST(LoadWorld, ReadsFrictionAndBounce)
+{
+  const WorldDescription description = loadText(
+    "<model name='ball'><link name='link'><collision name='collision'><geometry><sphere><radius>1</radius></sphere>"
+    "</geometry><surface><friction><ode><mu>0.4</mu></ode></friction><bounce><restitution_coefficient>0.7"
+    "</restitution_coefficient></bounce></surface></collision></link></model>");
+  EXPECT_EQ(description.models[0].solids[0].mu, 0.4);
+  EXPECT_EQ(description.models[0].solids[0].restitution, 0.7);
+}
+
+TEST(LoadWorld, PosesAddUpFromModelOverLinkToCollision)
+{
+  const WorldDescription description = loadText(
+    "<model name='m'><pose>10 0 0 0 0 1.5707963267948966</pose><link name='l'><pose>1 0 0 0 0 0</pose>"
+    "<collision name='c'><pose>0 2 0.5 0 0 0</pose><geometry><sphere><radius>1</radius></sphere></geometry>"
+    "</collision></link></model>");
+  const ModelDescription & m = description.models[0];
+  EXPECT_EQ(m.solids[0].name, "m::l::c");
+  EXPECT_EQ(m.solids[0].pose.Pos(), ignition::math::Vector3d(1, 2, 0.5));
+  const auto in_world = (m.pose * m.solids[0].pose).Pos();
+  EXPECT_NEAR(in_world.X(), 8.0, 1e-9);
+  EXPECT_NEAR(in_world.Y(), 1.0, 1e-9);
+}
+
+TEST(LoadWorld, ResolvesFramesAndRelativePoses)
+{
+  const WorldDescription description = loadText(
+    "<frame name='corner'><pose>5 5 0 0 0 0</pose></frame>"
+    "<model name='m'><pose relative_to='corner'>1 0 0 0 0 0</pose><frame name='f'><pose>0 0 2 0 0 0</pose></frame>"
+    "<link name='l'><pose relative_to='f'>0 0 1 0 0 0</pose><collision name='c'><pose relative_to='f'>0 1 0 0 0 0"
+    "</pose><geometry><sphere><radius>1</radius></sphere></geometry></collision></link></model>",
+    "1.9");
+  EXPECT_EQ(description.models[0].pose.Pos(), ignition::math::Vector3d(6, 5, 0));
+  EXPECT_EQ(description.models[0].solids[0].pose.Pos(), ignition::math::Vector3d(0, 1, 2));
+}
+
+TEST(LoadWorld, LinksOfAModelAreOneRigidBody)
+{
+  const std::string inertial =
+    "<inertial><mass>2</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>0.5</izz></inertia></inertial>";
+  const WorldDescription description = loadText(
+    "<model name='m'><link name='a'><pose>-1 0 0 0 0 0</pose>" + inertial +
+    "</link><link name='b'><pose>3 0 0 0 0 0</pose>" + inertial + "</link></model>");
+  const ModelDescription & m = description.models[0];
+  EXPECT_NEAR(m.mass, 4.0, 1e-12);
+  EXPECT_NEAR(m.centre_of_mass.x, 1.0, 1e-12);
+  EXPECT_NEAR(m.centre_of_mass.y, 0.0, 1e-12);
+  EXPECT_NEAR(m.inertia_zz, 2 * 0.5 + 4.0 * 2.0 * 2.0, 1e-9);
+}
+
+TEST(LoadWorld, NestedModelsGetScopedNamesAndTheOutermostPose)
+{
+  const WorldDescription description = loadText(
+    "<model name='outer'><static>true</static><pose>1 0 0 0 0 0</pose><link name='l'/><model name='inner'>"
+    "<pose>0 1 0 0 0 0</pose><link name='l'><collision name='c'><geometry><sphere><radius>1</radius></sphere>"
+    "</geometry></collision></link></model></model>",
+    "1.9");
+  ASSERT_EQ(description.models.size(), 2u);
+  EXPECT_EQ(description.models[1].name, "outer::inner");
+  EXPECT_TRUE(description.models[1].is_static);
+  EXPECT_EQ(description.models[1].pose.Pos(), ignition::math::Vector3d(1, 1, 0));
+  EXPECT_EQ(description.models[1].solids[0].name, "outer::inner::l::c");
+}
+
+TEST(LoadWorld, TurnsAPlaneToItsNormal)
+{
+  const WorldDescription description =
+    loadText(model("m", "", "<plane><normal>1 0 0</normal><size>1 1</size></plane>"));
+  const auto up = description.models[0].solids[0].pose.Rot().RotateVector(ignition::math::Vector3d::UnitZ);
+  EXPECT_NEAR(up.X(), 1.0, 1e-12);
+}
+
+TEST(LoadWorld, StartsFromTheStateThatGazeboSaved)
+{
+  const WorldDescription description = loadText(
+    model("m", "<pose>1 1 0 0 0 0</pose>", kUnitBox) +
+    "<state world_name='test'><model name='m'><pose>7 8 0 0 0 0.5</pose></model></state>");
+  EXPECT_EQ(description.models[0].pose.Pos(), ignition::math::Vector3d(7, 8, 0));
+  EXPECT_NEAR(description.models[0].pose.Rot().Yaw(), 0.5, 1e-12);
+}
+
+TEST(LoadWorld, ReadsGravity)
+{
+  EXPECT_NEAR(loadText("<gravity>0 0 -1.62</gravity>").gravity, 1.62, 1e-12);
+}
+
+TEST(LoadWorld, FindsModelsOnTheModelPathFirstThenBesideTheWorld)
+{
+  const TempFolder folder;
+  const auto add_model = [&folder](const std::string & place, const std::string & size) {
+    folder.write(place + "/model.config", "<model><name>block</name><sdf version='1.6'>model.sdf</sdf></model>");
+    folder.write(
+      place + "/model.sdf",
+      "<sdf version='1.6'><model name='block'><link name='link'><collision name='c'><geometry>"
+      "<box><size>" +
+        size + "</size></box></geometry></collision></link></model></sdf>");
+  };
+  add_model("path/block", "1 1 1");
+  add_model("worlds/block", "2 2 2");
+  add_model("models/crate", "3 3 3");
+  const std::string file = folder.write(
+    "worlds/test.world", world(
+                           "<include><uri>model://block</uri></include><include><name>c</name><pose>4 0 0 0 0 0"
+                           "</pose><uri>model://crate</uri></include><include><name>f</name><uri>file://" +
+                           folder.path() + "/models/crate</uri></include>"));
+  const auto size_of = [](const ModelDescription & m) { return std::get<Box>(m.solids.at(0).shape).size.X(); };
+  const WorldDescription with_path = loadWorld(file, {folder.path() + "/path"});
+  EXPECT_EQ(size_of(with_path.models.at(0)), 1.0);
+  EXPECT_EQ(size_of(with_path.models.at(1)), 3.0);
+  EXPECT_EQ(with_path.models.at(1).name, "c");
+  EXPECT_EQ(with_path.models.at(1).pose.Pos().X(), 4.0);
+  EXPECT_EQ(size_of(with_path.models.at(2)), 3.0);
+  EXPECT_EQ(size_of(loadWorld(file).models.at(0)), 2.0);
+}
+
+TEST(LoadWorld, KeepsPluginsWithTheirTags)
+{
+  const WorldDescription description =
+    loadText("<plugin name='p' filename='libp.so'><a>1</a><b><c>two</c></b></plugin>");
+  ASSERT_EQ(description.plugins.size(), 1u);
+  EXPECT_EQ(description.plugins[0].name, "p");
+  EXPECT_EQ(description.plugins[0].filename, "libp.so");
+  EXPECT_EQ(description.plugins[0].place, "world[test]/plugin[p]");
+  const std::vector<std::pair<std::string, std::string>> parameters{{"a", "1"}, {"b", ""}, {"b/c", "two"}};
+  EXPECT_EQ(description.plugins[0].parameters, parameters);
+}
+
+TEST(LoadWorldWarnings, AreOneAKindWithTheFirstPlaceAndACount)
+{
+  const WorldDescription description = loadText(
+    "<light name='sun' type='directional'><direction>0 0 -1</direction></light>"
+    "<light name='lamp' type='point'/><light name='bulb' type='point'/>"
+    "<plugin name='p' filename='libp.so'/>"
+    "<actor name='walker'><skin><filename>x.dae</filename></skin></actor>"
+    "<model name='door'><link name='a'><light name='eye' type='point'/><sensor name='s' type='altimeter'/></link>"
+    "<link name='b'/><joint name='hinge' type='revolute'><parent>a</parent><child>b</child><axis><xyz>0 0 1</xyz>"
+    "</axis></joint><plugin name='opener' filename='libo.so'/><colour>red</colour></model>");
+  const std::vector<std::string> expected{
+    "world[test]/model[door]/colour: is not an element of SDF and left out",
+    "world[test]/light[sun] and 3 more: <light> is left out: a lidar needs none",
+    "world[test]/plugin[p]: <plugin> of a world is left out: only cars have plugins",
+    "world[test]/actor[walker]: <actor> is left out: it has no collision",
+    "world[test]/model[door]/plugin[opener]: <plugin> of a model is left out: only cars have plugins",
+    "world[test]/model[door]/link[a]/sensor[s]: <sensor> is left out: only cars have sensors",
+    "world[test]/model[door]/joint[hinge]: <joint> does not move: a model is one rigid body",
+  };
+  EXPECT_EQ(description.warnings, expected);
+}
+
+TEST(LoadWorldWarnings, PhysicsSceneAndGuiAreSilent)
+{
+  const WorldDescription description = loadText(
+    "<physics type='ode'><max_step_size>0.001</max_step_size></physics><scene><shadows>1</shadows></scene>"
+    "<gui fullscreen='0'/><spherical_coordinates><surface_model>EARTH_WGS84</surface_model></spherical_coordinates>"
+    "<magnetic_field>0 0 0</magnetic_field><atmosphere type='adiabatic'/><wind/>");
+  EXPECT_TRUE(description.warnings.empty()) << description.warnings.front();
+}
+
+TEST(LoadWorld, PrintsNothing)
+{
+  testing::internal::CaptureStderr();
+  testing::internal::CaptureStdout();
+  const std::string message = loadErrorOf([] { loadText("<model name='m'><pose>1 2 x 0 0 0</pose></model>"); });
+  EXPECT_EQ(testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr(), "");
+  EXPECT_NE(message, "nothing thrown");
+}
+
+TEST(ModelPathFromEnvironment, IsSplitAtColons)
+{
+  setenv("GAZEBO_MODEL_PATH", "/a:/b::/c", 1);
+  EXPECT_EQ(modelPathFromEnvironment(), (ModelPath{"/a", "/b", "/c"}));
+  unsetenv("GAZEBO_MODEL_PATH");
+  EXPECT_TRUE(modelPathFromEnvironment().empty());
+}
+}  // namespace
+}  // namespace f1tenth_sim2d

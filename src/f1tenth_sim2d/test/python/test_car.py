@@ -1,0 +1,41 @@
+import pytest
+
+import f1tenth_sim2d
+
+
+def test_car_has_the_sensors_of_its_description(car):
+    assert car.name == "robot1"
+    assert [(lidar.topic, lidar.frame, lidar.beam_count) for lidar in car.lidars] == [("scan", "laser", 1081)]
+    assert car.lidars[0].pose == pytest.approx((0.27, 0.0, 0.16, 0.0))
+    assert sorted(bumper.topic for bumper in car.bumpers) == [
+        "bumper_front",
+        "bumper_left",
+        "bumper_rear",
+        "bumper_right",
+    ]
+    assert car.plugins == ["libf1tenth_perfect_odometry.so"]
+    assert len(car.joints) == 6
+    assert car.wheel_radius == pytest.approx(0.05)
+    assert car.track_width == pytest.approx(0.2)
+
+
+def test_text_that_is_no_robot_is_a_load_error_with_its_source():
+    with pytest.raises(f1tenth_sim2d.LoadError, match="^my text: car: is no robot description"):
+        f1tenth_sim2d.load_car("<car/>", "robot1", "my text")
+
+
+def test_vehicle_parameters_have_defaults_and_can_be_changed():
+    parameters = f1tenth_sim2d.VehicleParameters()
+    assert parameters.m == 3.74
+    assert parameters.wheelbase == pytest.approx(0.3302)
+    parameters.mu = 0.5
+    assert parameters.mu == 0.5
+
+
+def test_vehicle_parameters_are_read_from_a_file(tmp_path):
+    path = tmp_path / "car.yaml"
+    path.write_text("m: 4.5\n")
+    assert f1tenth_sim2d.VehicleParameters.load(str(path)).m == 4.5
+    path.write_text("weight: 4.5\n")
+    with pytest.raises(f1tenth_sim2d.LoadError, match=f"^{path}:1: unknown key 'weight', allowed are m, l_f"):
+        f1tenth_sim2d.VehicleParameters.load(str(path))

@@ -1,0 +1,195 @@
+import sys
+import threading
+
+import numpy as np
+import pytest
+
+import f1tenth_sim2d
+
+
+def drive(simulation, seconds=1.0, speed=2.0):
+    simulation.command(0, speed=speed, steering_angle=0.1)
+    start = simulation.time
+    for period in range(1, round(seconds / 0.025) + 1):
+        simulation.advance_to(start + 0.025 * period)
+        simulation.command(0, speed=speed, steering_angle=0.1)
+
+
+def test_time_advances_in_steps(simulation):
+    assert simulation.time == 0.0
+    simulation.step()
+    assert simulation.time == pytest.approx(0.001)
+    simulation.advance_to(0.5)
+    assert simulation.time == pytest.approx(0.5)
+
+
+def test_car_drives_as_commanded(simulation):
+    drive(simulation)
+    state = simulation.state(0)
+    assert 0.5 < state.x < 2.0
+    assert state.yaw > 0.05
+    assert state.v_x > 1.0
+    assert len(state.wheel_speeds) == 4
+    np.testing.assert_allclose(simulation.poses(), [[state.x, state.y, state.yaw]])
+
+
+def test_twist_steers_as_cmd_vel_does(simulation):
+    for _ in range(20):
+        simulation.command_twist(0, linear_x=1.0, angular_z=0.5)
+        simulation.advance_to(simulation.time + 0.1)
+    assert simulation.state(0).yaw_rate == pytest.approx(0.5, rel=0.1)
+
+
+def test_scan_sees_the_wall(simulation):
+    ranges = simulation.scan(0, exact=True)
+    assert ranges.dtype == np.float32
+    assert ranges.shape == (1081,)
+    assert ranges[540] == pytest.approx(4.9 - 0.27, abs=1e-3)
+
+
+def test_scan_writes_into_the_array_given(simulation):
+    out = np.full(1081, -1.0, dtype=np.float32)
+    result = simulation.scan(0, out=out)
+    assert np.shares_memory(result, out)
+    assert (out != -1.0).all()
+    np.testing.assert_array_equal(out, simulation.scan(0))
+
+
+def read_only(array):
+    array.flags.writeable = False
+    return array
+
+
+@pytest.mark.parametrize(
+    ("out", "found"),
+    [
+        (np.zeros(1081), r"dtype float64 and shape \(1081,\)"),
+        (np.zeros(1080, dtype=np.float32), r"dtype float32 and shape \(1080,\)"),
+        (np.zeros((1081, 1), dtype=np.float32), r"dtype float32 and shape \(1081, 1\)"),
+        (np.zeros(2162, dtype=np.float32)[::2], r"dtype float32 and shape \(1081,\)"),
+        (read_only(np.zeros(1081, dtype=np.float32)), r"dtype float32 and shape \(1081,\)"),
+    ],
+)
+def test_scan_refuses_arrays_that_do_not_fit(simulation, out, found):
+    allowed = r"allowed is a writeable, contiguous numpy array of dtype float32 and shape \(1081,\)"
+    with pytest.raises(ValueError, match=f"^out has {found}, {allowed}$"):
+        simulation.scan(0, out=out)
+
+
+def test_scan_refuses_what_is_no_array(simulation):
+    with pytest.raises(ValueError, match="^out is no numpy array, allowed is a writeable"):
+        simulation.scan(0, out=[0.0] * 1081)
+
+
+def test_unknown_cars_and_lidars_are_index_errors(simulation):
+    with pytest.raises(IndexError, match="^car is 1, allowed are 0 to 0$"):
+        simulation.state(1)
+    with pytest.raises(IndexError, match="^lidar is 1, allowed are 0 to 0$"):
+        simulation.scan(0, lidar=1)
+
+
+def test_a_simulation_without_cars_says_so(world):
+    with pytest.raises(IndexError, match="^car is 0, there is none$"):
+        f1tenth_sim2d.Simulation(world).state(0)
+
+
+def test_same_seed_gives_the_same_trajectory_and_readings(world, car):
+    def run(seed):
+        simulation = f1tenth_sim2d.Simulation(world, seed=seed)
+        simulation.add_car(car)
+        drive(simulation)
+        return simulation.trajectory_hash(), simulation.scan(0).tobytes(), simulation.wheel_odometry(0).x
+
+    assert run(1) == run(1)
+    assert run(1)[1:] != run(2)[1:]
+
+
+def test_reset_starts_afresh(simulation):
+    drive(simulation)
+    first = simulation.trajectory_hash()
+    simulation.reset()
+    assert simulation.time == 0.0
+    np.testing.assert_array_equal(simulation.poses(), [[0.0, 0.0, 0.0]])
+    drive(simulation)
+    assert simulation.trajectory_hash() == first
+
+
+def test_driving_into_the_wall_is_a_contact_of_the_front_bumper(simulation):
+    touched = []
+    while not touched and simulation.time < 5.0:
+        simulation.command(0, speed=3.0, steering_angle=0.0)
+        simulation.advance_to(simulation.time + 0.025)
+        touched = simulation.contacts(0)
+    assert touched[0].other_model == "wall"
+    assert "bumper_front" in touched[0].own_collision
+    assert touched[0].positions.shape[1] == 2
+    assert touched[0].normals.shape == touched[0].positions.shape
+    assert simulation.clearance(0) == pytest.approx(0.0, abs=1e-2)
+    simulation.clear_contacts(0)
+    assert simulation.contacts(0) == []
+
+
+def test_clearance_is_the_distance_to_the_nearest_thing(simulation):
+    assert simulation.clearance(0, limit=1.0) == 1.0
+    assert simulation.clearance(0) == pytest.approx(2.55, abs=0.2)
+
+
+def test_sensors_give_readings(simulation):
+    drive(simulation, seconds=0.5)
+    assert simulation.wheel_odometry(0).speed == pytest.approx(simulation.state(0).v_x, abs=0.2)
+    assert simulation.imu(0).yaw_rate == pytest.approx(simulation.state(0).yaw_rate, abs=0.1)
+
+
+def test_models_have_poses(simulation):
+    assert simulation.model_names() == ["wall", "post", "crate"]
+    assert simulation.model_pose("crate") == pytest.approx((0.0, -3.0, 0.5), abs=1e-6)
+    with pytest.raises(f1tenth_sim2d.Error, match="there is no model nothing"):
+        simulation.model_pose("nothing")
+
+
+def test_a_place_that_is_not_free_is_refused(simulation, world, car):
+    with pytest.raises(f1tenth_sim2d.Error, match="wall"):
+        f1tenth_sim2d.Simulation(world).add_car(car, x=5.0)
+
+
+def test_commands_that_are_not_finite_are_refused(simulation):
+    with pytest.raises(f1tenth_sim2d.Error):
+        simulation.command(0, speed=float("nan"), steering_angle=0.0)
+
+
+@pytest.mark.parametrize("end", [float("nan"), float("inf"), 1e12])
+def test_advancing_to_no_time_is_a_value_error(simulation, end):
+    with pytest.raises(ValueError, match="^the time to advance to is not finite or beyond 1e9 s$"):
+        simulation.advance_to(end)
+
+
+@pytest.fixture
+def selfish_threads():
+    """Let a thread of Python keep the interpreter until it gives it away."""
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1000.0)
+    yield
+    sys.setswitchinterval(interval)
+
+
+@pytest.mark.usefixtures("selfish_threads")
+def test_other_threads_run_while_the_simulation_advances(simulation):
+    go = threading.Event()
+    ran = []
+    thread = threading.Thread(target=lambda: (go.wait(), ran.append(True)))
+    thread.start()
+    go.set()
+    assert ran == []
+    for _ in range(1000):
+        simulation.advance_to(simulation.time + 1.0)
+        if ran:
+            break
+    assert ran == [True]
+    thread.join()
+
+
+def test_everything_public_has_a_docstring():
+    undocumented = [
+        name for name, thing in vars(f1tenth_sim2d).items() if not name.startswith("_") and not thing.__doc__
+    ]
+    assert undocumented == []

@@ -85,6 +85,13 @@ void MoveBaseClient::Cancel(const ros::Time & now)
 {
   if (!flight_ || flight_->cancelled) return;
   flight_->cancelled = true;
+  // Not before the goal is acknowledged: actionlib would take the next status without it for a loss, and the goal
+  // might still arrive, with nobody to watch it. Check() cancels it then.
+  if (flight_->handle.getCommState() != actionlib::CommState::WAITING_FOR_GOAL_ACK) SendCancel(now);
+}
+
+void MoveBaseClient::SendCancel(const ros::Time & now)
+{
   flight_->asked = {ros::WallTime::now(), now};
   flight_->last_attempt = flight_->asked.wall;
   flight_->handle.cancel();

@@ -74,6 +74,10 @@ std::optional<GoalResult> MoveBaseClient::Check(const ros::Time & now)
       }
       AskAgain(moment.wall);
       break;
+    case CommState::PENDING:
+    case CommState::ACTIVE:
+      if (flight_->cancelled) SendCancel(now);
+      break;
     default:
       break;
   }
@@ -90,7 +94,7 @@ void MoveBaseClient::AskAgain(const ros::WallTime & now)
 {
   if ((now - flight_->last_attempt).toSec() < timeouts_.resend) return;
   flight_->last_attempt = now;
-  if (flight_->cancelled) {
+  if (flight_->handle.getCommState() == CommState::WAITING_FOR_CANCEL_ACK) {
     flight_->handle.cancel();
   } else {
     flight_->handle.resend();

@@ -15,6 +15,7 @@ import rospy
 from mock_move_base import (
     ABORT,
     ABORT_TEXT,
+    ACCEPT_LATE,
     DELAY,
     DIE,
     DRIVE,
@@ -187,6 +188,11 @@ def test_a_server_that_dies_loses_the_goal():
 
 def test_a_cancelled_goal_is_preempted():
     lines = run_goals(DRIVE, SUCCEED, mode="cancel")
+    assert lines == ["sent", "goal 0 preempted: cancelled", "failed", "queue_empty"]
+
+
+def test_a_goal_cancelled_before_it_was_taken_is_preempted_and_not_left_behind():
+    lines = run_goals(ACCEPT_LATE, mode="cancel")
     assert lines == ["sent", "goal 0 preempted: cancelled", "failed", "queue_empty"]
 
 

@@ -14,10 +14,11 @@ import rospy
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 from move_base_msgs.msg import MoveBaseActionFeedback, MoveBaseActionGoal, MoveBaseActionResult
 
-SUCCEED, ABORT, REJECT, DROP, DELAY, DIE, LOSE_RESULT, HANG, FORGET, IGNORE, DRIVE = range(11)
+SUCCEED, ABORT, REJECT, DROP, DELAY, DIE, LOSE_RESULT, HANG, FORGET, IGNORE, DRIVE, ACCEPT_LATE = range(12)
 
 STATUS_PERIOD = 0.05  # s
 DELAY_TIME = 2.0  # s
+ACCEPT_TIME = 0.5  # s, less than a client waits before it sends the goal again
 ABORT_TEXT = "Failed to find a valid plan. Even after executing recovery behaviors."
 
 
@@ -55,6 +56,9 @@ class MockMoveBase:
             self._copies[goal_id.id] += 1
             dropped = behaviour == DROP and self._copies[goal_id.id] == 1
             if goal_id.id in self._goals or behaviour == IGNORE or dropped:
+                return
+            if behaviour == ACCEPT_LATE:
+                threading.Timer(ACCEPT_TIME, self._set, (goal_id, GoalStatus.ACTIVE)).start()
                 return
             self._set(goal_id, GoalStatus.ACTIVE)
             self._behave(behaviour, goal_id)

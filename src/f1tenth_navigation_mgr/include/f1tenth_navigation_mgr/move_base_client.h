@@ -40,7 +40,7 @@ public:
   /// How the goal in flight ended, once; sends the goal or the cancel again where the server took no notice.
   std::optional<GoalResult> Check(const ros::Time & now);
 
-  /// Asks the server to give up the goal in flight; Check() tells when it has.
+  /// Asks the server to give up the goal in flight, as soon as it has taken it; Check() tells when that is done.
   void Cancel(const ros::Time & now);
 
   bool HasGoal() const { return flight_.has_value(); }
@@ -78,6 +78,7 @@ private:
   void Listen(const std::string & topic, const std::function<void()> & heard);
   void Connect();
   void WatchConnection();
+  void SendCancel(const ros::Time & now);
   void AskAgain(const ros::WallTime & now);
   bool IsResultOverdue(const Moment & now);
   std::optional<GoalResult> CheckAlive(const Moment & now);

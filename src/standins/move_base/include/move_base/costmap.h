@@ -60,7 +60,7 @@ public:
     return (1.0 - fy) * ((1.0 - fx) * low[0] + fx * low[1]) + fy * ((1.0 - fx) * high[0] + fx * high[1]) - half_cell_;
   }
 
-  /// Least distance from the car's outline to an obstacle, m, to the safe side by up to 16 mm; negative on contact.
+  /// Least distance from the car's outline to an obstacle, m, to the safe side by what the discs stick out; negative on contact.
   double clearance(const Pose2 & base) const;
 
   /// What a metre costs beyond its length when the obstacle next to the car's axis is at this clearance, m.

@@ -6,7 +6,14 @@
 
 namespace move_base
 {
-/// The car's outline in its base frame (below the rear axle), covered by discs of one radius along its length.
+struct Disc
+{
+  Vec2 centre;         ///< m
+  double radius{0.0};  ///< m
+};
+
+/// The car's outline in its base frame (below the rear axle), and discs that cover it: large ones along its axis, small
+/// ones at its ends. They stick out by up to 4 cm at the ends and 2 cm at the sides.
 class Footprint
 {
 public:
@@ -16,16 +23,16 @@ public:
   explicit Footprint(std::vector<Vec2> corners, double padding = 0.0);
 
   const std::vector<Vec2> & corners() const { return corners_; }
-  /// Centres of the discs along the base frame's x axis; the lateral offset of all is the same.
-  const std::vector<Vec2> & discs() const { return discs_; }
-  double discRadius() const { return disc_radius_; }
+  const std::vector<Disc> & discs() const { return discs_; }
+  /// Half of the width, m.
+  double halfWidth() const { return half_width_; }
 
 private:
   void coverWithDiscs();
 
   std::vector<Vec2> corners_;
-  std::vector<Vec2> discs_;
-  double disc_radius_{0.0};
+  std::vector<Disc> discs_;
+  double half_width_{0.0};
 };
 
 /// 0.58 m x 0.31 m, the rear axle 0.125 m before the rear end.

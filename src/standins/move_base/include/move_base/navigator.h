@@ -113,6 +113,7 @@ private:
   void begin(RecoveryBehavior behavior, const CycleInput & input, Costmap & costmap);
   void endRecovery(double time);
   void watchOscillation(const CycleInput & input);
+  void watchProgress(const CycleInput & input);
   bool reached(const Pose2 & pose) const;
   double extensionLength() const;
   double period(double time) const;
@@ -126,7 +127,6 @@ private:
 
   std::optional<Pose2> goal_;
   State state_{State::kPlanning};
-  Trigger trigger_{Trigger::kPlanning};
   unsigned recovery_index_{0};
   int planning_retries_{0};
   double last_valid_plan_{0.0};
@@ -138,5 +138,6 @@ private:
   std::optional<double> previous_time_;
   std::optional<double> coast_until_;
   std::optional<BackUp> back_up_;
+  Pose2 recovery_pose_;
 };
 }  // namespace move_base

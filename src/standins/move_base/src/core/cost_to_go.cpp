@@ -99,7 +99,7 @@ double CostToGo::pricePerMetre(std::size_t cell)
 {
   if (prices_[cell] == kNotPriced) {
     const double room = costmap_.obstacleDistance(geometry_.centre(geometry_.cell(cell)));
-    const double clearance = room - costmap_.footprint().discRadius();
+    const double clearance = room - costmap_.footprint().halfWidth();
     prices_[cell] = room < passable_clearance_ ? std::numeric_limits<float>::infinity()
                                                : static_cast<float>(1.0 + costmap_.proximityCost(clearance));
   }

@@ -36,7 +36,7 @@ Costmap::Costmap(const OccupancyGrid & map, const CostmapOptions & options, cons
   options_(options),
   footprint_(footprint),
   half_cell_(0.5 * geometry_.resolution),
-  free_clearance_(options.inflation_radius - footprint.discRadius()),
+  free_clearance_(options.inflation_radius - footprint.halfWidth()),
   unknown_(geometry_.size(), 0),
   live_(geometry_, options.live)
 {
@@ -53,7 +53,7 @@ Costmap::Costmap(const OccupancyGrid & map, const CostmapOptions & options, cons
   distances_ = map_distances_;
 
   // Beyond this, a live obstacle changes neither cost nor collision.
-  const double reach = options.inflation_radius + footprint.discRadius();
+  const double reach = options.inflation_radius + footprint.halfWidth();
   const int cells = static_cast<int>(std::ceil(reach / geometry_.resolution));
   for (int dy = -cells; dy <= cells; ++dy) {
     for (int dx = -cells; dx <= cells; ++dx) {
@@ -111,16 +111,17 @@ double Costmap::clearance(const Pose2 & base) const
   const double c = std::cos(base.yaw);
   const double s = std::sin(base.yaw);
   double least = HUGE_VAL;
-  for (const Vec2 & disc : footprint_.discs()) {
-    const Vec2 centre{base.x + c * disc.x - s * disc.y, base.y + s * disc.x + c * disc.y};
-    least = std::min(least, obstacleDistance(centre));
+  for (const Disc & disc : footprint_.discs()) {
+    const Vec2 & at = disc.centre;
+    const Vec2 centre{base.x + c * at.x - s * at.y, base.y + s * at.x + c * at.y};
+    least = std::min(least, obstacleDistance(centre) - disc.radius);
   }
-  return least - footprint_.discRadius();
+  return least;
 }
 
 std::int8_t Costmap::occupancy(std::size_t index) const
 {
-  const double clearance = distances_[index] - half_cell_ - footprint_.discRadius();
+  const double clearance = distances_[index] - half_cell_ - footprint_.halfWidth();
   if (distances_[index] == 0.0F) {
     return unknown_[index] != 0 ? -1 : 100;
   }

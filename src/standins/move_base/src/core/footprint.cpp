@@ -8,8 +8,19 @@ namespace move_base
 {
 namespace
 {
-// More discs follow the rectangle closer and cost more look-ups: four stick out by 16 mm beside the default footprint.
-constexpr int kDiscCount = 4;
+// More discs follow the rectangle closer and cost more look-ups.
+constexpr int kDiscsAlong = 3;
+constexpr double kEndPart = 0.375;  // length of each end in widths of the car
+
+// One disc for each of count equal parts of a rectangle's length.
+void coverRectangle(const Vec2 & low, const Vec2 & high, int count, std::vector<Disc> & discs)
+{
+  const double part = (high.x - low.x) / count;
+  const double radius = 0.5 * std::hypot(part, high.y - low.y);
+  for (int i = 0; i < count; ++i) {
+    discs.push_back({{low.x + (i + 0.5) * part, 0.5 * (low.y + high.y)}, radius});
+  }
+}
 
 double areaOf(const std::vector<Vec2> & corners)
 {
@@ -39,10 +50,14 @@ void Footprint::coverWithDiscs()
     std::minmax_element(corners_.begin(), corners_.end(), [](auto & a, auto & b) { return a.x < b.x; });
   const auto [right, left] =
     std::minmax_element(corners_.begin(), corners_.end(), [](auto & a, auto & b) { return a.y < b.y; });
-  const double spacing = (front->x - rear->x) / kDiscCount;
-  disc_radius_ = 0.5 * std::hypot(spacing, left->y - right->y);
-  for (int i = 0; i < kDiscCount; ++i) {
-    discs_.push_back({rear->x + (i + 0.5) * spacing, 0.5 * (left->y + right->y)});
+  const double width = left->y - right->y;
+  const double middle = 0.5 * (left->y + right->y);
+  const double end = std::min(kEndPart * width, 0.25 * (front->x - rear->x));
+  half_width_ = 0.5 * width;
+  coverRectangle({rear->x + end, right->y}, {front->x - end, left->y}, kDiscsAlong, discs_);
+  for (const double x : {rear->x, front->x - end}) {
+    coverRectangle({x, right->y}, {x + end, middle}, 1, discs_);
+    coverRectangle({x, middle}, {x + end, left->y}, 1, discs_);
   }
 }
 

@@ -11,6 +11,7 @@ namespace
 constexpr double kRetryInterval = 0.5;    // s between plans for the same goal: the world changes no faster
 constexpr double kStandingSpeed = 0.05;   // m/s
 constexpr double kLongestPeriod = 0.2;    // s, taken for a step after a pause
+constexpr double kProgress = 1.0;         // m from where recovery began
 constexpr double kExtensionMargin = 1.0;  // m, of a plan beyond the goal, on top of the way of braking
 }  // namespace
 
@@ -87,6 +88,7 @@ Plan Navigator::makePlan(const Costmap & costmap, const Pose2 & start, const Pos
 void Navigator::pursue(const CycleInput & input, Costmap & costmap, CycleOutput & output)
 {
   watchOscillation(input);
+  watchProgress(input);
   switch (state_) {
     case State::kPlanning:
       planAhead(input, costmap, output);
@@ -119,9 +121,6 @@ void Navigator::planAhead(const CycleInput & input, Costmap & costmap, CycleOutp
   output.new_plan = true;
   planning_retries_ = 0;
   last_valid_plan_ = input.time;
-  if (trigger_ == Trigger::kPlanning) {
-    recovery_index_ = 0;
-  }
   follower_.setPath(plan_.path, costmap);
   state_ = State::kControlling;
   control(input, costmap, output);
@@ -148,9 +147,6 @@ void Navigator::control(const CycleInput & input, Costmap & costmap, CycleOutput
   output.prediction = std::move(step.prediction);
   if (!step.lost && !step.stuck) {
     last_valid_control_ = input.time;
-    if (trigger_ == Trigger::kControlling) {
-      recovery_index_ = 0;
-    }
   }
   if (options_.oscillation_timeout > 0.0 && input.time > last_oscillation_reset_ + options_.oscillation_timeout) {
     recover(Trigger::kOscillation, input, costmap, output);
@@ -169,7 +165,8 @@ bool Navigator::needsPlan(const CycleInput & input, const FollowStep & step) con
   const bool passed = step.position.s > plan_.goal_s + options_.xy_goal_tolerance;
   const bool due =
     options_.planner_frequency > 0.0 && input.time >= last_valid_plan_ + 1.0 / options_.planner_frequency;
-  return step.lost || step.blocked || step.at_end || passed || due;
+  const bool missed = step.at_end && std::abs(input.car.speed) < kStandingSpeed;
+  return step.lost || step.blocked || missed || passed || due;
 }
 
 bool Navigator::finishIfReached(const CycleInput & input, CycleOutput & output)
@@ -219,7 +216,7 @@ void Navigator::hold(const CycleInput & input, const Costmap & costmap, CycleOut
 
 void Navigator::recover(Trigger trigger, const CycleInput & input, Costmap & costmap, CycleOutput & output)
 {
-  trigger_ = trigger;
+  recovery_pose_ = input.car.pose;
   output.command = DriveCommand{};
   follower_.clear();
   if (!options_.recovery_behavior_enabled || recovery_index_ >= behaviors_.size()) {
@@ -269,7 +266,12 @@ void Navigator::watchOscillation(const CycleInput & input)
   }
   oscillation_pose_ = input.car.pose;
   last_oscillation_reset_ = input.time;
-  if (trigger_ == Trigger::kOscillation) {
+}
+
+// Recovery has helped when the car gets farther than recovery itself has moved it.
+void Navigator::watchProgress(const CycleInput & input)
+{
+  if (recovery_index_ > 0 && distance(recovery_pose_, input.car.pose) > kProgress) {
     recovery_index_ = 0;
   }
 }

@@ -94,6 +94,7 @@ void readLocalPlanner(ParameterReader & reader, const std::string & name, Naviga
   reader.read(ofPlanner(name, "latency"), follower.latency);
   reader.read(ofPlanner(name, "tracking_distance"), follower.tracking_distance);
   reader.read(ofPlanner(name, "tracking_time"), follower.tracking_time);
+  reader.read(ofPlanner(name, "stop_clearance"), follower.stop_clearance);
   reader.read(ofPlanner(name, "replan_distance"), follower.replan_distance);
   reader.read(ofPlanner(name, "max_path_deviation"), follower.max_path_deviation);
 

@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""The node without lockstep: it keeps to its rate while time runs, and passes goals at speed."""
+
+import sys
+import unittest
+
+import actionlib
+import pytest
+import rospy
+import rostest
+from actionlib_msgs.msg import GoalStatus, GoalStatusArray
+from fake_robot import FakeRobot, Room
+from geometry_msgs.msg import PoseStamped
+from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
+
+PATIENCE = rospy.Duration(120.0)  # simulated
+
+
+def goal_at(x, y):
+    """A goal heading along x."""
+    pose = PoseStamped()
+    pose.header.frame_id = "map"
+    pose.pose.position.x = x
+    pose.pose.position.y = y
+    pose.pose.orientation.w = 1.0
+    return MoveBaseGoal(pose)
+
+
+class ContinuousTimeTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.robot = FakeRobot(Room(20.0, 3.0))
+        cls.robot.start()
+        cls.client = actionlib.SimpleActionClient("move_base", MoveBaseAction)
+        assert cls.client.wait_for_server(PATIENCE)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.robot.stop()
+
+    def setUp(self):
+        self.robot.put(1.0, 1.5)
+
+    def reach(self, goal):
+        self.client.send_goal(goal)
+        assert self.client.wait_for_result(PATIENCE)
+        assert self.client.get_state() == GoalStatus.SUCCEEDED
+        assert self.client.get_goal_status_text() == "Goal reached."
+
+    def test_goals_are_passed_at_speed_and_the_last_one_ends_in_a_stop(self):
+        for x in (5.0, 8.0, 11.0):
+            self.reach(goal_at(x, 1.5))
+            assert self.robot.speed > 0.8
+        while self.robot.speed > 0.0:
+            rospy.sleep(0.05)
+        assert self.robot.pose[0] < 18.0
+        assert not self.robot.touched
+
+    def test_commands_come_at_the_controller_frequency_and_status_at_5_hz(self):
+        status = []
+        subscriber = rospy.Subscriber("move_base/status", GoalStatusArray, status.append)
+        self.client.send_goal(goal_at(15.0, 1.5))
+        rospy.sleep(4.0)
+        subscriber.unregister()
+        self.client.cancel_goal()
+        driving = [time for time, _ in self.robot.commands]
+        assert len(driving) / (driving[-1] - driving[0]) == pytest.approx(20.0, abs=4.0)
+        assert len(status) / 4.0 == pytest.approx(5.0, abs=1.5)
+
+
+if __name__ == "__main__":
+    rospy.init_node("continuous_time_test")
+    rostest.rosrun("move_base", "continuous_time_test", ContinuousTimeTest, sys.argv)

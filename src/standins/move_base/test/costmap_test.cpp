@@ -1,0 +1,168 @@
+#include "move_base/costmap.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "expect_throws.h"
+#include "move_base/errors.h"
+#include "rooms.h"
+
+namespace move_base
+{
+namespace
+{
+using testing::drawRoom;
+using testing::makeCostmap;
+using testing::scanFrom;
+
+constexpr double kCell = 0.05;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+TEST(Footprint, discsCoverTheOutline)
+{
+  const Footprint footprint(defaultFootprint());
+  for (double x = -0.125; x <= 0.455; x += 0.01) {
+    for (const double y : {-0.155, 0.0, 0.155}) {
+      double least = kInfinite;
+      for (const Disc & disc : footprint.discs()) {
+        least = std::min(least, distance(disc.centre, Vec2{x, y}) - disc.radius);
+      }
+      EXPECT_LE(least, 1e-9) << x << ", " << y;
+    }
+  }
+}
+
+TEST(Footprint, discsStickOutLittle)
+{
+  const Footprint footprint(defaultFootprint());
+  for (const Disc & disc : footprint.discs()) {
+    EXPECT_LE(disc.centre.x + disc.radius, 0.455 + 0.04);
+    EXPECT_GE(disc.centre.x - disc.radius, -0.125 - 0.04);
+    EXPECT_LE(std::abs(disc.centre.y) + disc.radius, 0.155 + 0.02);
+  }
+}
+
+TEST(Footprint, paddingGrowsEverySide)
+{
+  EXPECT_NEAR(Footprint(defaultFootprint(), 0.02).corners()[0].x, 0.475, 1e-12);
+  EXPECT_NEAR(Footprint(defaultFootprint(), 0.02).corners()[2].y, -0.175, 1e-12);
+}
+
+TEST(Footprint, refusesAnOutlineWithoutAnArea)
+{
+  const std::string text = "footprint: needs at least three corners that enclose an area";
+  EXPECT_THROWS_MESSAGE(Footprint({{0.0, 0.0}, {1.0, 0.0}}), OptionError, text);
+  EXPECT_THROWS_MESSAGE(Footprint({{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}}), OptionError, text);
+}
+
+TEST(Costmap, tellsTheDistanceToAWall)
+{
+  const Costmap costmap = makeCostmap(drawRoom(6.0, 4.0));
+  EXPECT_NEAR(costmap.obstacleDistance({3.0, 1.1}), 1.0, 0.01);
+  EXPECT_LE(costmap.obstacleDistance({3.0, 0.05}), 0.0);
+  EXPECT_LE(costmap.obstacleDistance({-1.0, 2.0}), 0.0);
+}
+
+TEST(Costmap, clearanceOfTheCarIsThatOfItsOutline)
+{
+  const Costmap costmap = makeCostmap(drawRoom(6.0, 4.0));
+  EXPECT_NEAR(costmap.clearance({3.0, 1.0, 0.0}), 1.0 - 0.1 - 0.155, 0.021);
+  EXPECT_NEAR(costmap.clearance({3.0, 1.0, -M_PI / 2.0}), 1.0 - 0.1 - 0.455, 0.04);
+  EXPECT_LT(costmap.clearance({3.0, 0.2, 0.0}), 0.0);
+}
+
+TEST(Costmap, unknownIsAnObstacleUnlessAllowed)
+{
+  OccupancyGrid map = drawRoom(6.0, 4.0);
+  for (int y = 0; y < map.geometry.height; ++y) {
+    map.cells[map.geometry.index({60, y})] = -1;
+  }
+  EXPECT_LE(makeCostmap(map).obstacleDistance({3.02, 2.0}), 0.0);
+  CostmapOptions options;
+  options.allow_unknown = true;
+  EXPECT_GT(makeCostmap(map, options).obstacleDistance({3.02, 2.0}), 1.0);
+}
+
+TEST(Costmap, costFallsWithClearanceToNothingAtTheInflationRadius)
+{
+  const Costmap costmap = makeCostmap(drawRoom(6.0, 4.0));
+  EXPECT_DOUBLE_EQ(costmap.proximityCost(-0.1), costmap.options().clearance_weight);
+  EXPECT_GT(costmap.proximityCost(0.1), costmap.proximityCost(0.3));
+  EXPECT_EQ(costmap.proximityCost(0.8), 0.0);
+}
+
+TEST(Costmap, marksWhatTheMapDoesNotKnow)
+{
+  Costmap costmap = makeCostmap(drawRoom(10.0, 4.0));
+  const auto wall = [](double angle) { return std::abs(normalizeAngle(angle)) < 0.1 ? 2.0 : kInfinite; };
+  costmap.observe(scanFrom({2.0, 2.0, 0.3}, wall));
+  EXPECT_NEAR(costmap.obstacleDistance({4.0, 2.0}), 0.0, kCell);
+  EXPECT_NEAR(costmap.obstacleDistance({3.6, 2.0}), 0.4, 1.01 * kCell);
+  EXPECT_EQ(costmap.revision(), 1U);
+}
+
+TEST(Costmap, doesNotMarkTheWallsOfTheMap)
+{
+  Costmap costmap = makeCostmap(drawRoom(10.0, 4.0));
+  costmap.observe(scanFrom({2.0, 2.0, 0.0}, [](double angle) { return 1.95 / std::abs(std::sin(angle)); }));
+  EXPECT_EQ(costmap.revision(), 0U);
+}
+
+TEST(Costmap, clearsWhatTheLidarSeesThrough)
+{
+  Costmap costmap = makeCostmap(drawRoom(10.0, 4.0));
+  const double before = costmap.obstacleDistance({4.0, 2.0});
+  costmap.observe(scanFrom({2.0, 2.0, 0.0}, [](double angle) { return std::abs(angle) < 0.1 ? 2.0 : kInfinite; }));
+  costmap.observe(scanFrom({2.0, 2.0, 0.0}, [](double angle) { return std::abs(angle) < 0.1 ? 1.0 : kInfinite; }));
+  EXPECT_LT(costmap.obstacleDistance({4.0, 2.0}), kCell) << "hidden is not gone";
+  costmap.observe(scanFrom({2.0, 2.0, 0.0}, [](double) { return kInfinite; }));
+  EXPECT_DOUBLE_EQ(costmap.obstacleDistance({4.0, 2.0}), before);
+}
+
+TEST(Costmap, ignoresHitsBeyondTheObstacleRange)
+{
+  CostmapOptions options;
+  options.live.obstacle_range = 1.5;
+  Costmap costmap = makeCostmap(drawRoom(10.0, 4.0), options);
+  costmap.observe(scanFrom({2.0, 2.0, 0.0}, [](double angle) { return std::abs(angle) < 0.1 ? 2.0 : kInfinite; }));
+  EXPECT_EQ(costmap.revision(), 0U);
+}
+
+TEST(Costmap, forgetsWhatIsFartherThanTheRadius)
+{
+  Costmap costmap = makeCostmap(drawRoom(10.0, 4.0));
+  costmap.observe(scanFrom({4.0, 2.0, 0.0}, [](double angle) {
+    return std::abs(angle) < 0.1 ? 1.0 : std::abs(angle) > 3.0 ? 3.0 : kInfinite;
+  }));
+  costmap.forgetBeyond({4.0, 2.0}, 2.0);
+  EXPECT_LT(costmap.obstacleDistance({5.0, 2.0}), kCell);
+  EXPECT_GT(costmap.obstacleDistance({1.0, 2.0}), 0.5);
+}
+
+TEST(Costmap, showsObstaclesUnknownAndFree)
+{
+  OccupancyGrid map = drawRoom(6.0, 4.0);
+  map.cells[map.geometry.index({60, 40})] = -1;
+  const Costmap costmap = makeCostmap(map);
+  EXPECT_EQ(costmap.occupancy(map.geometry.index({0, 0})), 100);
+  EXPECT_EQ(costmap.occupancy(map.geometry.index({60, 40})), -1);
+  EXPECT_EQ(costmap.occupancy(map.geometry.index({61, 40})), 99);
+  EXPECT_EQ(costmap.occupancy(map.geometry.index({30, 40})), 0);
+}
+
+TEST(Costmap, refusesMapsAndOptionsThatCannotBe)
+{
+  const Footprint footprint(defaultFootprint());
+  EXPECT_THROWS_MESSAGE(
+    Costmap(OccupancyGrid{}, {}, footprint), Error,
+    "map: 0 x 0 cells with 0 values, must be at least 2 x 2 with one value each");
+  CostmapOptions options;
+  options.inflation_radius = -1.0;
+  EXPECT_THROWS_MESSAGE(options.validate(), OptionError, "inflation_radius: found -1, must be a number above 0");
+  options = {};
+  options.lethal_cost_threshold = 0;
+  EXPECT_THROWS_MESSAGE(options.validate(), OptionError, "lethal_cost_threshold: found 0, must be 1 to 100");
+}
+}  // namespace
+}  // namespace move_base

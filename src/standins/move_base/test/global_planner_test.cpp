@@ -1,0 +1,211 @@
+#include "move_base/global_planner.h"
+
+#include <gtest/gtest.h>
+
+#include "expect_throws.h"
+#include "move_base/errors.h"
+#include "rooms.h"
+
+namespace move_base
+{
+namespace
+{
+using testing::drawHairpin;
+using testing::drawMap;
+using testing::drawOval;
+using testing::drawRoom;
+using testing::inRectangle;
+using testing::makeCostmap;
+using testing::onOval;
+
+// Three points of a path that was rounded give a curvature this much off.
+constexpr double kCurvatureTolerance = 1.02;
+
+PlannerOptions forwardOnly()
+{
+  PlannerOptions options;
+  options.allow_reversing = false;
+  return options;
+}
+
+Plan planOn(const Costmap & costmap, const PlannerOptions & options, const PlanRequest & request)
+{
+  return GlobalPlanner(options).plan(costmap, request);
+}
+
+void expectDrivable(const Plan & plan, const Costmap & costmap, const PlannerOptions & options)
+{
+  ASSERT_TRUE(plan.found()) << describe(plan.status);
+  for (std::size_t i = 0; i < plan.path.size(); ++i) {
+    const PathPoint & point = plan.path[i];
+    EXPECT_LE(std::abs(point.curvature), kCurvatureTolerance / options.min_turning_radius) << i;
+    EXPECT_GE(costmap.clearance(point.pose), 0.0) << i;
+    if (i > 0) {
+      const PathPoint & before = plan.path[i - 1];
+      EXPECT_NEAR(point.s - before.s, distance(before.pose, point.pose), 0.005) << i;
+      EXPECT_LE(point.s - before.s, 0.15) << i;
+      const Vec2 along = transform({0.0, 0.0, -before.pose.yaw}, point.pose.position() - before.pose.position());
+      EXPECT_LE(std::abs(along.y), 0.01) << "sideways at " << i;
+    }
+  }
+}
+
+void expectReaches(const Plan & plan, const Pose2 & goal)
+{
+  ASSERT_TRUE(plan.found());
+  EXPECT_NEAR(plan.path.back().pose.x, goal.x, 1e-3);
+  EXPECT_NEAR(plan.path.back().pose.y, goal.y, 1e-3);
+  EXPECT_NEAR(normalizeAngle(plan.path.back().pose.yaw - goal.yaw), 0.0, 1e-3);
+}
+
+TEST(GlobalPlanner, drivesAStraightCorridorStraight)
+{
+  const Costmap costmap = makeCostmap(drawRoom(10.0, 1.6));
+  const Plan plan = planOn(costmap, forwardOnly(), {{1.0, 0.8, 0.0}, {8.0, 0.8, 0.0}});
+  expectDrivable(plan, costmap, forwardOnly());
+  expectReaches(plan, {8.0, 0.8, 0.0});
+  EXPECT_NEAR(length(plan.path), 7.0, 0.05);
+}
+
+TEST(GlobalPlanner, keepsToTheMiddleOfACorridor)
+{
+  const Costmap costmap = makeCostmap(drawRoom(12.0, 1.6));
+  const Plan plan = planOn(costmap, forwardOnly(), {{1.0, 0.5, 0.0}, {10.0, 0.5, 0.0}});
+  expectDrivable(plan, costmap, forwardOnly());
+  EXPECT_NEAR(plan.path[plan.path.size() / 2].pose.y, 0.8, 0.06);
+}
+
+TEST(GlobalPlanner, takesAHairpinWithinTheTurningRadius)
+{
+  const Costmap costmap = makeCostmap(drawHairpin());
+  const Plan plan = planOn(costmap, forwardOnly(), {{1.0, 0.8, 0.0}, {1.0, 2.8, M_PI}});
+  expectDrivable(plan, costmap, forwardOnly());
+  expectReaches(plan, {1.0, 2.8, M_PI});
+}
+
+TEST(GlobalPlanner, goesAllAroundWhenTheGoalIsBehindAndItMayNotReverse)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  const Plan plan = planOn(costmap, forwardOnly(), {onOval(4.0), onOval(2.0)});
+  expectDrivable(plan, costmap, forwardOnly());
+  EXPECT_GT(length(plan.path), 30.0);
+}
+
+TEST(GlobalPlanner, reversesWhenTheGoalIsBehindAndItMay)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  const Plan plan = planOn(costmap, {}, {onOval(4.0), onOval(2.0)});
+  expectDrivable(plan, costmap, {});
+  expectReaches(plan, onOval(2.0));
+  EXPECT_LT(length(plan.path), 3.0);
+  EXPECT_TRUE(plan.path.front().reverse);
+}
+
+TEST(GlobalPlanner, turnsInThreePointsWhereTheRoadIsNarrow)
+{
+  const Costmap costmap = makeCostmap(drawRoom(8.0, 1.8));
+  const Plan plan = planOn(costmap, {}, {{3.0, 0.9, 0.0}, {3.0, 0.9, M_PI}});
+  expectDrivable(plan, costmap, {});
+  expectReaches(plan, {3.0, 0.9, M_PI});
+  EXPECT_GE(stretches(plan.path).size(), 3U);
+}
+
+TEST(GlobalPlanner, findsNoWayOutOfADeadEndWithoutReversing)
+{
+  const Costmap costmap = makeCostmap(drawRoom(6.0, 1.4));
+  const Plan plan = planOn(costmap, forwardOnly(), {{4.0, 0.7, 0.0}, {1.0, 0.7, 0.0}});
+  EXPECT_EQ(plan.status, SearchStatus::kUnreachable);
+  EXPECT_TRUE(plan.path.empty());
+}
+
+TEST(GlobalPlanner, saysAtOnceThatAGoalBehindAWallIsUnreachable)
+{
+  const Costmap costmap =
+    makeCostmap(drawMap(8.0, 4.0, [](const Vec2 & p) { return std::abs(p.x - 4.0) < 0.1 || p.y < 0.1 || p.y > 3.9; }));
+  const Plan plan = planOn(costmap, {}, {{2.0, 2.0, 0.0}, {6.0, 2.0, 0.0}});
+  EXPECT_EQ(plan.status, SearchStatus::kUnreachable);
+  EXPECT_EQ(plan.expansions, 0);
+}
+
+TEST(GlobalPlanner, refusesAGoalInAWallOrOutsideOfTheMap)
+{
+  const Costmap costmap = makeCostmap(drawRoom(6.0, 4.0));
+  EXPECT_EQ(planOn(costmap, {}, {{2.0, 2.0, 0.0}, {5.9, 2.0, 0.0}}).status, SearchStatus::kGoalBlocked);
+  EXPECT_EQ(planOn(costmap, {}, {{2.0, 2.0, 0.0}, {60.0, 2.0, 0.0}}).status, SearchStatus::kGoalBlocked);
+}
+
+TEST(GlobalPlanner, refusesAStartInAWall)
+{
+  const Costmap costmap = makeCostmap(drawRoom(6.0, 4.0));
+  EXPECT_EQ(planOn(costmap, {}, {{5.6, 2.0, 0.0}, {2.0, 2.0, 0.0}}).status, SearchStatus::kStartBlocked);
+}
+
+TEST(GlobalPlanner, leavesAPlaceCloserToAWallThanItWouldGo)
+{
+  const Costmap costmap = makeCostmap(drawRoom(6.0, 4.0));
+  const Pose2 start{2.0, 0.32, 0.0};
+  ASSERT_LT(costmap.clearance(start), PlannerOptions{}.min_obstacle_dist);
+  const Plan plan = planOn(costmap, forwardOnly(), {start, {5.0, 2.0, 0.0}});
+  expectDrivable(plan, costmap, forwardOnly());
+}
+
+TEST(GlobalPlanner, passesAGapThatIsNarrowerThanWanted)
+{
+  const Costmap costmap = makeCostmap(drawMap(8.0, 3.0, [](const Vec2 & p) {
+    return !inRectangle(p, {0.1, 0.1}, {7.9, 2.9}) || (std::abs(p.x - 4.0) < 0.2 && std::abs(p.y - 1.5) > 0.25);
+  }));
+  const Plan plan = planOn(costmap, forwardOnly(), {{1.0, 1.5, 0.0}, {7.0, 1.5, 0.0}});
+  expectDrivable(plan, costmap, forwardOnly());
+}
+
+TEST(GlobalPlanner, goesOnBeyondTheGoalWhenAsked)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  const Plan plan = planOn(costmap, forwardOnly(), {onOval(1.0), onOval(6.0), 0.0, 4.0});
+  expectDrivable(plan, costmap, forwardOnly());
+  EXPECT_NEAR(plan.goal_s, 5.0, 0.2);
+  EXPECT_GE(length(plan.path), 8.8);
+}
+
+TEST(GlobalPlanner, endsAtTheGoalWhereTheRoadEnds)
+{
+  const Costmap costmap = makeCostmap(drawRoom(6.0, 1.4));
+  const Plan plan = planOn(costmap, forwardOnly(), {{1.0, 0.7, 0.0}, {4.5, 0.7, 0.0}, 0.0, 4.0});
+  expectDrivable(plan, costmap, forwardOnly());
+  EXPECT_LT(length(plan.path), 5.0);
+}
+
+TEST(GlobalPlanner, givesTheSamePlanAgain)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  const Plan one = planOn(costmap, {}, {onOval(0.0), onOval(17.0)});
+  const Plan two = planOn(costmap, {}, {onOval(0.0), onOval(17.0)});
+  ASSERT_EQ(one.path.size(), two.path.size());
+  for (std::size_t i = 0; i < one.path.size(); ++i) {
+    EXPECT_EQ(one.path[i].pose.x, two.path[i].pose.x);
+    EXPECT_EQ(one.path[i].pose.yaw, two.path[i].pose.yaw);
+  }
+}
+
+TEST(GlobalPlanner, givesUpWhenItsBudgetIsSpent)
+{
+  PlannerOptions options = forwardOnly();
+  options.max_expansions = 10;
+  const Costmap costmap = makeCostmap(drawOval());
+  EXPECT_EQ(planOn(costmap, options, {onOval(4.0), onOval(2.0)}).status, SearchStatus::kBudgetSpent);
+}
+
+TEST(PlannerOptions, areChecked)
+{
+  PlannerOptions options;
+  options.min_turning_radius = 0.0;
+  EXPECT_THROWS_MESSAGE(options.validate(), OptionError, "min_turning_radius: found 0, must be a number above 0");
+  options = {};
+  options.reverse_penalty = 0.5;
+  EXPECT_THROWS_MESSAGE(options.validate(), OptionError, "reverse_penalty: found 0.5, must be at least 1");
+  options = {};
+  options.max_expansions = 0;
+  EXPECT_THROWS_MESSAGE(options.validate(), OptionError, "max_expansions: found 0, must be above 0");
+}
+}  // namespace
+}  // namespace move_base

@@ -1,0 +1,290 @@
+#!/usr/bin/env python3
+"""The node's action, topics and services, to the letter of the original, with a car in lockstep."""
+
+import copy
+import subprocess
+import sys
+import threading
+import unittest
+
+import actionlib
+import pytest
+import rospy
+import rostest
+from actionlib_msgs.msg import GoalStatus
+from fake_robot import FakeRobot, Room
+from geometry_msgs.msg import PoseStamped, Quaternion
+from move_base_msgs.msg import MoveBaseAction, MoveBaseActionFeedback, MoveBaseGoal, RecoveryStatus
+from nav_msgs.msg import OccupancyGrid, Path
+from nav_msgs.srv import GetPlan
+from std_srvs.srv import Empty
+from tf.transformations import quaternion_from_euler
+
+PATIENCE = rospy.Duration(120.0)  # simulated
+WALL_PATIENCE = 60.0  # s
+ENDED = (GoalStatus.PREEMPTED, GoalStatus.SUCCEEDED, GoalStatus.ABORTED, GoalStatus.REJECTED)
+
+
+def make_room():
+    """A hall with a divider, a closet behind a gap of 0.6 m, and a cell without a door."""
+    room = Room(12.0, 6.0)
+    room.add_wall(4.0, 0.0, 4.2, 3.5)
+    room.add_wall(9.0, 0.0, 9.2, 0.7)
+    room.add_wall(9.0, 1.3, 9.2, 2.0)
+    room.add_wall(9.0, 2.0, 12.0, 2.2)
+    room.add_wall(9.0, 4.0, 12.0, 4.2)
+    room.add_wall(9.0, 4.0, 9.2, 6.0)
+    return room
+
+
+def pose_at(x, y, yaw=0.0, frame="map"):
+    """A pose message."""
+    pose = PoseStamped()
+    pose.header.frame_id = frame
+    pose.pose.position.x = x
+    pose.pose.position.y = y
+    pose.pose.orientation = Quaternion(*quaternion_from_euler(0.0, 0.0, yaw))
+    return pose
+
+
+class Listener:
+    """Collects the messages of a topic."""
+
+    def __init__(self, topic, message_type):
+        self.messages = []
+        self._arrived = threading.Condition()
+        self._subscriber = rospy.Subscriber(topic, message_type, self._note)
+
+    def _note(self, message):
+        with self._arrived:
+            self.messages.append(message)
+            self._arrived.notify_all()
+
+    def wait(self, condition=lambda messages: messages):
+        """Until the condition holds for the messages; fails after a while."""
+        with self._arrived:
+            assert self._arrived.wait_for(lambda: condition(self.messages), WALL_PATIENCE), "nothing arrived"
+            return list(self.messages)
+
+
+class MoveBaseTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.room = make_room()
+        cls.robot = FakeRobot(cls.room, "move_base")
+        cls.robot.start()
+        cls.client = actionlib.SimpleActionClient("move_base", MoveBaseAction)
+        assert cls.client.wait_for_server(PATIENCE)
+        rospy.wait_for_service("move_base/clear_costmaps")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.robot.stop()
+
+    def setUp(self):
+        self.robot.real_room = self.room
+        self.robot.put(1.0, 1.0)
+        rospy.ServiceProxy("move_base/clear_costmaps", Empty)()
+
+    def send(self, pose):
+        self.client.send_goal(MoveBaseGoal(pose))
+
+    def result(self):
+        assert self.client.wait_for_result(PATIENCE), "no result"
+        return self.client.get_state(), self.client.get_goal_status_text()
+
+    def wait_until(self, condition):
+        """Let simulated time run until the condition holds."""
+        end = self.robot.now + PATIENCE.to_sec()
+        while not condition():
+            assert self.robot.now < end
+            rospy.sleep(0.05)
+
+    def drive_off(self, pose):
+        self.send(pose)
+        self.wait_until(lambda: self.robot.speed > 0.5)
+
+    def assert_stopped(self):
+        self.wait_until(lambda: self.robot.commands and self.robot.commands[-1][1].linear.x == 0.0)
+        assert self.robot.commands[-1][1].angular.z == 0.0
+
+    def test_a_goal_is_reached(self):
+        feedback = Listener("move_base/feedback", MoveBaseActionFeedback)
+        self.send(pose_at(6.0, 2.0))
+        assert self.result() == (GoalStatus.SUCCEEDED, "Goal reached.")
+        self.assert_stopped()
+        assert self.robot.pose[0] == pytest.approx(6.0, abs=0.2)
+        assert self.robot.pose[1] == pytest.approx(2.0, abs=0.2)
+        assert self.robot.pose[2] == pytest.approx(0.0, abs=0.2)
+        assert not self.robot.touched
+        assert feedback.wait()[0].feedback.base_position.header.frame_id == "map"
+
+    def test_a_goal_may_come_in_another_frame(self):
+        self.send(pose_at(1.5, 0.0, frame="base_footprint"))
+        assert self.result()[0] == GoalStatus.SUCCEEDED
+        assert self.robot.pose[0] == pytest.approx(2.5, abs=0.2)
+
+    def test_a_goal_in_an_unknown_frame_is_aborted(self):
+        self.send(pose_at(2.0, 1.0, frame="nowhere"))
+        state, text = self.result()
+        assert state == GoalStatus.ABORTED
+        assert 'cannot be transformed from frame "nowhere" to "map"' in text
+
+    def test_an_invalid_quaternion_is_aborted(self):
+        for quaternion in (
+            Quaternion(),
+            Quaternion(0.5, 0.5, 0.5, 0.5),
+            Quaternion(0.0, 0.0, float("nan"), 1.0),
+        ):
+            pose = pose_at(2.0, 1.0)
+            pose.pose.orientation = quaternion
+            self.send(pose)
+            text = "Aborting on goal because it was sent with an invalid quaternion"
+            assert self.result() == (GoalStatus.ABORTED, text)
+
+    def test_without_a_plan_it_is_aborted_after_recovery(self):
+        recoveries = Listener("move_base/recovery_status", RecoveryStatus)
+        self.send(pose_at(10.5, 5.0))
+        text = "Failed to find a valid plan. Even after executing recovery behaviors."
+        assert self.result() == (GoalStatus.ABORTED, text)
+        self.assert_stopped()
+        names = [m.recovery_behavior_name for m in recoveries.wait(lambda messages: len(messages) == 4)]
+        assert names == ["conservative_reset", "back_up", "aggressive_reset", "back_up"]
+        assert [m.current_recovery_number for m in recoveries.messages] == [0, 1, 2, 3]
+        assert {m.total_number_of_recoveries for m in recoveries.messages} == {4}
+
+    def test_a_goal_in_a_wall_is_aborted(self):
+        self.send(pose_at(4.1, 1.0))
+        text = "Failed to find a valid plan. Even after executing recovery behaviors."
+        assert self.result() == (GoalStatus.ABORTED, text)
+
+    def test_without_control_it_is_aborted_after_recovery(self):
+        self.robot.put(6.0, 1.0)
+        self.send(pose_at(10.5, 1.0))
+        text = "Failed to find a valid control. Even after executing recovery behaviors."
+        assert self.result() == (GoalStatus.ABORTED, text)
+        self.assert_stopped()
+
+    def test_a_car_that_gets_nowhere_is_aborted_after_recovery(self):
+        self.robot.wheels_grip = False
+        self.send(pose_at(3.0, 1.0))
+        text = "Robot is oscillating. Even after executing recovery behaviors."
+        assert self.result() == (GoalStatus.ABORTED, text)
+        self.assert_stopped()
+
+    def test_cancelling_stops_the_car(self):
+        self.drive_off(pose_at(6.0, 2.0))
+        self.client.cancel_goal()
+        assert self.result()[0] == GoalStatus.PREEMPTED
+        self.assert_stopped()
+
+    def test_a_new_goal_preempts_the_old_one(self):
+        self.drive_off(pose_at(6.0, 2.0))
+        other = actionlib.SimpleActionClient("move_base", MoveBaseAction)
+        assert other.wait_for_server(PATIENCE)
+        other.send_goal(MoveBaseGoal(pose_at(3.0, 4.5)))
+        assert self.result()[0] == GoalStatus.PREEMPTED
+        assert other.wait_for_result(PATIENCE)
+        assert other.get_state() == GoalStatus.SUCCEEDED
+        assert self.robot.pose[1] == pytest.approx(4.5, abs=0.2)
+
+    def test_the_car_stands_still_while_the_scan_is_stale(self):
+        self.drive_off(pose_at(6.0, 2.0))
+        self.robot.scan_works = False
+        silence = self.robot.now
+        rospy.sleep(1.5)
+        late = [command for time, command in self.robot.commands if time > silence + 0.6]
+        assert late
+        assert {command.linear.x for command in late} == {0.0}
+        self.robot.scan_works = True
+        assert self.result() == (GoalStatus.SUCCEEDED, "Goal reached.")
+
+    def test_what_the_map_does_not_know_is_driven_around(self):
+        room = copy.deepcopy(self.room)
+        room.add_wall(5.8, 3.3, 6.2, 4.5)
+        self.robot.real_room = room
+        self.robot.put(5.0, 4.0)
+        self.send(pose_at(8.0, 3.5))
+        assert self.result() == (GoalStatus.SUCCEEDED, "Goal reached.")
+        assert not self.robot.touched
+
+    def test_a_simple_goal_is_relayed_to_the_action(self):
+        goals = Listener("move_base/current_goal", PoseStamped)
+        publisher = rospy.Publisher("move_base_simple/goal", PoseStamped, queue_size=1)
+        self.wait_until(lambda: publisher.get_num_connections() > 0)
+        publisher.publish(pose_at(2.5, 1.0))
+        assert goals.wait()[0].pose.position.x == pytest.approx(2.5)
+        self.wait_until(lambda: self.robot.pose[0] > 2.3 and self.robot.speed == 0.0)
+
+    def test_make_plan_plans_without_driving(self):
+        make_plan = rospy.ServiceProxy("move_base/make_plan", GetPlan)
+        plan = make_plan(start=pose_at(1.0, 1.0), goal=pose_at(6.0, 2.0), tolerance=0.0).plan
+        assert plan.header.frame_id == "map"
+        assert plan.poses[0].pose.position.x == pytest.approx(1.0, abs=1e-3)
+        assert plan.poses[-1].pose.position.x == pytest.approx(6.0, abs=1e-3)
+        assert self.robot.speed == 0.0
+
+    def test_make_plan_starts_at_the_car_unless_told(self):
+        make_plan = rospy.ServiceProxy("move_base/make_plan", GetPlan)
+        plan = make_plan(start=PoseStamped(), goal=pose_at(3.0, 1.0), tolerance=0.0).plan
+        assert plan.poses[0].pose.position.x == pytest.approx(1.0, abs=0.05)
+
+    def test_make_plan_is_empty_where_no_way_leads(self):
+        make_plan = rospy.ServiceProxy("move_base/make_plan", GetPlan)
+        assert make_plan(start=pose_at(1.0, 1.0), goal=pose_at(10.5, 5.0), tolerance=0.0).plan.poses == []
+
+    def test_make_plan_fails_while_a_goal_is_pursued(self):
+        make_plan = rospy.ServiceProxy("move_base/make_plan", GetPlan)
+        self.drive_off(pose_at(6.0, 2.0))
+        with pytest.raises(rospy.ServiceException):
+            make_plan(start=pose_at(1.0, 1.0), goal=pose_at(6.0, 2.0), tolerance=0.0)
+        self.client.cancel_goal()
+        self.result()
+
+    def test_plans_and_costmaps_are_shown(self):
+        listeners = {
+            "global_plan": Listener("move_base/global_plan", Path),
+            "local_plan": Listener("move_base/local_plan", Path),
+            "global_costmap": Listener("move_base/global_costmap/costmap", OccupancyGrid),
+            "local_costmap": Listener("move_base/local_costmap/costmap", OccupancyGrid),
+        }
+        self.send(pose_at(6.0, 2.0))
+        self.result()
+        frames = {name: listener.wait()[-1].header.frame_id for name, listener in listeners.items()}
+        assert frames == {
+            "global_plan": "map",
+            "local_plan": "odom",
+            "global_costmap": "map",
+            "local_costmap": "odom",
+        }
+        assert len(listeners["global_costmap"].messages[-1].data) == self.room.cells.size
+        assert listeners["local_costmap"].messages[-1].info.width < 90
+
+    def test_a_wrong_parameter_ends_the_node_with_one_clear_line(self):
+        wrong = {
+            "max_vel_x": ("fast", "must be a number"),
+            "controller_frequency": (0.0, "controller_frequency: found 0.000000, must be above 0"),
+            "footprint": ([[0.0]], "must be a list of points, [[x, y], ...]"),
+            "lockstep": (3, "must be true or false"),
+            "max_planning_retries": (0.5, "must be an integer"),
+            "base_local_planner": (1, "must be a string"),
+            "min_turning_radius": (0.1, "min_turning_radius: found 0.1, must be at least"),
+        }
+        for name, (value, message) in wrong.items():
+            rospy.set_param("wrong", {name: value})
+            run = subprocess.run(
+                ["rosrun", "move_base", "move_base", "__name:=wrong"],
+                capture_output=True,
+                text=True,
+                timeout=WALL_PATIENCE,
+                check=False,
+            )
+            assert run.returncode == 1, name
+            assert message in run.stderr
+            assert name in run.stderr
+            assert run.stderr.count("move_base: ") == 1, run.stderr
+
+
+if __name__ == "__main__":
+    rospy.init_node("move_base_test")
+    rostest.rosrun("move_base", "move_base_test", MoveBaseTest, sys.argv)

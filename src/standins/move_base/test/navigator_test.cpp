@@ -1,0 +1,292 @@
+#include "move_base/navigator.h"
+
+#include <gtest/gtest.h>
+
+#include "expect_throws.h"
+#include "kinematic_car.h"
+#include "move_base/errors.h"
+#include "rooms.h"
+
+namespace move_base
+{
+namespace
+{
+using testing::drawMap;
+using testing::drawOval;
+using testing::drawRoom;
+using testing::inRectangle;
+using testing::KinematicCar;
+using testing::makeCostmap;
+using testing::onOval;
+using testing::scanFrom;
+
+constexpr double kCycle = 0.05;  // s
+
+NavigatorOptions racingNavigator()
+{
+  NavigatorOptions options;
+  options.follower.limits.max_vel_x = 3.0;
+  options.follower.limits.max_vel_x_backwards = 0.5;
+  options.follower.limits.max_vel_theta = 4.0;
+  options.follower.limits.acc_lim_x = 3.0;
+  options.follower.limits.dec_lim_x = 3.0;
+  options.planner_patience = 1.0;
+  options.controller_patience = 2.0;
+  return options;
+}
+
+// A car that drives where a navigator takes it.
+class Journey
+{
+public:
+  Journey(const NavigatorOptions & options, Costmap costmap, const Pose2 & start)
+  : navigator(options), costmap_(std::move(costmap)), car(start)
+  {
+  }
+
+  CycleOutput cycle()
+  {
+    CycleOutput output = navigator.cycle({time, car.state(), sensors_current}, costmap_);
+    if (wheels_grip) {
+      car.drive(output.command.value_or(DriveCommand{}), kCycle);
+    }
+    if (output.recovery) {
+      recoveries.push_back(output.recovery->name);
+    }
+    if (output.command) {
+      command = *output.command;
+    }
+    clearance = std::min(clearance, costmap_.clearance(car.state().pose));
+    time += kCycle;
+    return output;
+  }
+
+  Outcome untilOutcome(double limit = 60.0)
+  {
+    for (const double end = time + limit; time < end;) {
+      if (const auto outcome = cycle().outcome) {
+        return *outcome;
+      }
+    }
+    return {false, "nothing within the limit"};
+  }
+
+  Costmap & costmap() { return costmap_; }
+
+  Navigator navigator;
+  double time{10.0};
+  bool sensors_current{true};
+  bool wheels_grip{true};
+  double clearance{HUGE_VAL};
+  DriveCommand command;
+  std::vector<std::string> recoveries;
+
+private:
+  Costmap costmap_;
+
+public:
+  KinematicCar car;
+};
+
+const std::vector<std::string> kAllRecoveries{"conservative_reset", "back_up", "aggressive_reset", "back_up"};
+
+TEST(Navigator, reachesAGoalAndStandsThere)
+{
+  Journey journey(racingNavigator(), makeCostmap(drawOval()), onOval(0.0));
+  journey.navigator.setGoal(onOval(20.0), journey.time);
+  const Outcome outcome = journey.untilOutcome();
+  EXPECT_TRUE(outcome.succeeded);
+  EXPECT_EQ(outcome.text, "Goal reached.");
+  EXPECT_EQ(journey.command.speed, 0.0);
+  EXPECT_LT(std::abs(journey.car.state().speed), 0.05);
+  EXPECT_LT(distance(journey.car.state().pose, onOval(20.0)), 0.1);
+  EXPECT_FALSE(journey.navigator.active());
+  EXPECT_FALSE(journey.cycle().command);
+}
+
+TEST(Navigator, passesGoalsWithoutStoppingWhenTheirSpeedIsFree)
+{
+  NavigatorOptions options = racingNavigator();
+  options.free_goal_vel = true;
+  Journey journey(options, makeCostmap(drawOval()), onOval(0.0));
+  double slowest = HUGE_VAL;
+  for (int i = 1; i <= 14; ++i) {
+    journey.navigator.setGoal(onOval(5.0 * i), journey.time);
+    ASSERT_TRUE(journey.untilOutcome().succeeded) << i;
+    slowest = std::min(slowest, journey.car.state().speed);
+  }
+  EXPECT_GT(slowest, 2.0);
+  EXPECT_GT(journey.clearance, 0.4);
+}
+
+TEST(Navigator, comesToAStandBehindAFreeGoalWithoutANextOne)
+{
+  NavigatorOptions options = racingNavigator();
+  options.free_goal_vel = true;
+  Journey journey(options, makeCostmap(drawOval()), onOval(0.0));
+  journey.navigator.setGoal(onOval(6.0), journey.time);
+  ASSERT_TRUE(journey.untilOutcome().succeeded);
+  const Pose2 passed = journey.car.state().pose;
+  for (int i = 0; i < 100 && journey.cycle().command; ++i) {
+  }
+  EXPECT_LT(std::abs(journey.car.state().speed), 0.05);
+  EXPECT_EQ(journey.command.speed, 0.0);
+  EXPECT_GT(distance(passed, journey.car.state().pose), 1.0);
+  EXPECT_GT(journey.clearance, 0.4);
+}
+
+TEST(Navigator, abortsWithoutAPlanAfterAllRecoveries)
+{
+  Journey journey(racingNavigator(), makeCostmap(drawOval()), onOval(0.0));
+  journey.navigator.setGoal({9.0, 5.0, 0.0}, journey.time);
+  const Outcome outcome = journey.untilOutcome();
+  EXPECT_FALSE(outcome.succeeded);
+  EXPECT_EQ(outcome.text, "Failed to find a valid plan. Even after executing recovery behaviors.");
+  EXPECT_EQ(journey.recoveries, kAllRecoveries);
+  EXPECT_EQ(journey.command.speed, 0.0);
+}
+
+TEST(Navigator, abortsAtOnceWithoutRecoveryBehaviors)
+{
+  NavigatorOptions options = racingNavigator();
+  options.recovery_behavior_enabled = false;
+  options.max_planning_retries = 0;
+  Journey journey(options, makeCostmap(drawOval()), onOval(0.0));
+  journey.navigator.setGoal({9.0, 5.0, 0.0}, journey.time);
+  EXPECT_EQ(journey.untilOutcome(0.1).text, "Failed to find a valid plan. Even after executing recovery behaviors.");
+  EXPECT_TRUE(journey.recoveries.empty());
+}
+
+TEST(Navigator, doesNotBackUpWhereRecoveryMayNotMoveTheCar)
+{
+  NavigatorOptions options = racingNavigator();
+  options.clearing_rotation_allowed = false;
+  Journey journey(options, makeCostmap(drawOval()), onOval(0.0));
+  journey.navigator.setGoal({9.0, 5.0, 0.0}, journey.time);
+  journey.untilOutcome();
+  EXPECT_EQ(journey.recoveries, (std::vector<std::string>{"conservative_reset", "aggressive_reset"}));
+  EXPECT_NEAR(distance(journey.car.state().pose, onOval(0.0)), 0.0, 1e-9);
+}
+
+TEST(Navigator, abortsWithoutControlWhereTheFollowerSeesNoWay)
+{
+  // The planner goes through a gap as wide as the car, the follower wants 0.3 m.
+  NavigatorOptions options = racingNavigator();
+  options.follower.stop_clearance = 0.3;
+  const OccupancyGrid gap = drawMap(8.0, 3.0, [](const Vec2 & p) {
+    return !inRectangle(p, {0.1, 0.1}, {7.9, 2.9}) || (std::abs(p.x - 4.0) < 0.2 && std::abs(p.y - 1.5) > 0.3);
+  });
+  Journey journey(options, makeCostmap(gap), {1.0, 1.5, 0.0});
+  journey.navigator.setGoal({7.0, 1.5, 0.0}, journey.time);
+  EXPECT_EQ(
+    journey.untilOutcome(120.0).text, "Failed to find a valid control. Even after executing recovery behaviors.");
+  EXPECT_EQ(journey.recoveries, kAllRecoveries);
+}
+
+TEST(Navigator, abortsWhenTheCarDoesNotGetAnywhere)
+{
+  NavigatorOptions options = racingNavigator();
+  options.oscillation_timeout = 1.0;
+  Journey journey(options, makeCostmap(drawOval()), onOval(0.0));
+  journey.wheels_grip = false;
+  journey.navigator.setGoal(onOval(6.0), journey.time);
+  EXPECT_EQ(journey.untilOutcome().text, "Robot is oscillating. Even after executing recovery behaviors.");
+  EXPECT_EQ(journey.recoveries, kAllRecoveries);
+}
+
+TEST(Navigator, standsStillWhileSensorsAreStaleAndGoesOnAfterwards)
+{
+  Journey journey(racingNavigator(), makeCostmap(drawOval()), onOval(0.0));
+  journey.navigator.setGoal(onOval(15.0), journey.time);
+  for (int i = 0; i < 40; ++i) {
+    journey.cycle();
+  }
+  EXPECT_GT(journey.car.state().speed, 2.0);
+  journey.sensors_current = false;
+  for (int i = 0; i < 20; ++i) {
+    const auto command = journey.cycle().command;
+    ASSERT_TRUE(command);
+    EXPECT_EQ(command->speed, 0.0);
+  }
+  journey.sensors_current = true;
+  EXPECT_TRUE(journey.untilOutcome().succeeded);
+}
+
+TEST(Navigator, plansAroundAnObstacleThatAppears)
+{
+  Journey journey(racingNavigator(), makeCostmap(drawRoom(14.0, 4.0)), {1.0, 2.0, 0.0});
+  journey.navigator.setGoal({13.0, 2.0, 0.0}, journey.time);
+  int plans = 0;
+  Outcome outcome{false, "nothing"};
+  for (int i = 0; i < 400 && outcome.text == "nothing"; ++i) {
+    if (i == 20) {
+      const Pose2 eye = journey.car.state().pose;
+      const double away = 8.0 - eye.x;
+      journey.costmap().observe(scanFrom(eye, [&](double angle) { return std::abs(angle) < 0.06 ? away : 20.0; }));
+    }
+    const CycleOutput output = journey.cycle();
+    plans += output.new_plan ? 1 : 0;
+    outcome = output.outcome.value_or(outcome);
+  }
+  EXPECT_TRUE(outcome.succeeded);
+  EXPECT_GE(plans, 2);
+  EXPECT_GT(journey.clearance, 0.0);
+}
+
+TEST(Navigator, aNewGoalTakesOverWhileDriving)
+{
+  Journey journey(racingNavigator(), makeCostmap(drawOval()), onOval(0.0));
+  journey.navigator.setGoal(onOval(6.0), journey.time);
+  for (int i = 0; i < 20; ++i) {
+    journey.cycle();
+  }
+  journey.navigator.setGoal(onOval(12.0), journey.time);
+  const CycleOutput output = journey.cycle();
+  EXPECT_TRUE(output.new_plan);
+  EXPECT_GT(output.command->speed, 1.5) << "without a stop";
+  EXPECT_TRUE(journey.untilOutcome().succeeded);
+  EXPECT_LT(distance(journey.car.state().pose, onOval(12.0)), 0.2);
+}
+
+TEST(Navigator, brakesAlongTheOldPathWhenThereIsNoPlanForTheNewGoal)
+{
+  Journey journey(racingNavigator(), makeCostmap(drawOval()), onOval(6.0));
+  journey.navigator.setGoal(onOval(16.0), journey.time);
+  for (int i = 0; i < 30; ++i) {
+    journey.cycle();
+  }
+  journey.navigator.setGoal({9.0, 5.0, 0.0}, journey.time);
+  journey.untilOutcome();
+  EXPECT_GT(journey.clearance, 0.3);
+}
+
+TEST(Navigator, drivesTheSameWayEveryTime)
+{
+  std::vector<Pose2> ends;
+  for (int i = 0; i < 2; ++i) {
+    Journey journey(racingNavigator(), makeCostmap(drawOval()), onOval(0.0));
+    journey.navigator.setGoal(onOval(18.0), journey.time);
+    ASSERT_TRUE(journey.untilOutcome().succeeded);
+    ends.push_back(journey.car.state().pose);
+  }
+  EXPECT_EQ(ends[0].x, ends[1].x);
+  EXPECT_EQ(ends[0].y, ends[1].y);
+  EXPECT_EQ(ends[0].yaw, ends[1].yaw);
+}
+
+TEST(NavigatorOptions, areChecked)
+{
+  NavigatorOptions options;
+  options.max_planning_retries = -2;
+  EXPECT_THROWS_MESSAGE(options.validate(), OptionError, "max_planning_retries: found -2, must be at least -1");
+  options = {};
+  options.planner.min_turning_radius = 0.5;
+  EXPECT_THROWS_MESSAGE(
+    options.validate(), OptionError,
+    "min_turning_radius: found 0.5, must be at least wheelbase / tan(max_steering_angle) = 0.741599");
+  options = {};
+  options.xy_goal_tolerance = 0.0;
+  EXPECT_THROWS_MESSAGE(options.validate(), OptionError, "xy_goal_tolerance: found 0, must be a number above 0");
+}
+}  // namespace
+}  // namespace move_base

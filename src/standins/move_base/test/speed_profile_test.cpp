@@ -1,0 +1,102 @@
+#include "move_base/speed_profile.h"
+
+#include <gtest/gtest.h>
+
+#include "expect_throws.h"
+#include "move_base/errors.h"
+#include "rooms.h"
+
+namespace move_base
+{
+namespace
+{
+using testing::drawRoom;
+using testing::makeCostmap;
+
+SpeedLimits racingLimits()
+{
+  SpeedLimits limits;
+  limits.max_vel_x = 4.0;
+  limits.max_vel_theta = 10.0;
+  limits.acc_lim_x = 2.0;
+  limits.dec_lim_x = 3.0;
+  return limits;
+}
+
+const Costmap & hall()
+{
+  static const Costmap costmap = makeCostmap(drawRoom(40.0, 12.0));
+  return costmap;
+}
+
+TEST(SpeedProfile, standsAtTheEnd)
+{
+  const Path path = samplePath({1.0, 5.0, 0.0}, {{20.0, 0.0}}, 0.1);
+  const std::vector<double> speeds = speedProfile(path, hall(), racingLimits());
+  EXPECT_DOUBLE_EQ(speeds.back(), 0.0);
+  EXPECT_DOUBLE_EQ(speeds.front(), 4.0);
+}
+
+TEST(SpeedProfile, neverChangesFasterThanTheLimits)
+{
+  const Path path = samplePath({1.0, 5.0, 0.0}, {{10.0, 0.0}, {2.0, 1.2}, {10.0, 0.0}}, 0.1);
+  const std::vector<double> speeds = speedProfile(path, hall(), racingLimits());
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const double step = path[i].s - path[i - 1].s;
+    const double acceleration = (speeds[i] * speeds[i] - speeds[i - 1] * speeds[i - 1]) / (2.0 * step);
+    EXPECT_LE(acceleration, 2.0 + 1e-6) << i;
+    EXPECT_GE(acceleration, -3.0 - 1e-6) << i;
+  }
+}
+
+TEST(SpeedProfile, keepsTheLateralAccelerationInBends)
+{
+  const Path path = samplePath({20.0, 1.0, 0.0}, {{3.0, 0.5}}, 0.1);
+  const std::vector<double> speeds = speedProfile(path, hall(), racingLimits());
+  EXPECT_NEAR(speeds.front(), std::sqrt(3.0 / 0.5), 1e-9);
+}
+
+TEST(SpeedProfile, keepsTheYawRateInBends)
+{
+  SpeedLimits limits = racingLimits();
+  limits.max_vel_theta = 0.5;
+  const Path path = samplePath({20.0, 1.0, 0.0}, {{3.0, 0.5}}, 0.1);
+  EXPECT_NEAR(speedProfile(path, hall(), limits).front(), 1.0, 1e-9);
+}
+
+TEST(SpeedProfile, slowsWhereTheWheelsMustTurnQuickly)
+{
+  const Path path = samplePath({20.0, 5.0, 0.0}, {{3.0, 1.0}, {3.0, -1.0}}, 0.1);
+  const std::vector<double> speeds = speedProfile(path, hall(), racingLimits());
+  EXPECT_LT(speeds[30], std::sqrt(3.0 / 1.0) - 0.1);
+}
+
+TEST(SpeedProfile, slowsBesideObstacles)
+{
+  const Path path = samplePath({2.0, 0.4, 0.0}, {{20.0, 0.0}}, 0.1);
+  EXPECT_LT(speedProfile(path, hall(), racingLimits()).front(), 2.0);
+}
+
+TEST(SpeedProfile, standsWhereTheDirectionChangesAndReversesSlowly)
+{
+  const Path path = samplePath({20.0, 5.0, 0.0}, {{3.0, 0.0}, {-3.0, 0.0}}, 0.1);
+  const std::vector<double> speeds = speedProfile(path, hall(), racingLimits());
+  EXPECT_DOUBLE_EQ(speeds[30], 0.0);
+  EXPECT_DOUBLE_EQ(speeds[40], racingLimits().max_vel_x_backwards);
+}
+
+TEST(SpeedLimits, areChecked)
+{
+  SpeedLimits limits;
+  limits.max_vel_x = -1.0;
+  EXPECT_THROWS_MESSAGE(limits.validate(), OptionError, "max_vel_x: found -1, must be a number above 0");
+  limits = {};
+  limits.min_vel_x = 1.0;
+  EXPECT_THROWS_MESSAGE(limits.validate(), OptionError, "min_vel_x: found 1, must be above 0 and at most max_vel_x");
+  limits = {};
+  limits.full_speed_clearance = 0.01;
+  EXPECT_THROWS_MESSAGE(
+    limits.validate(), OptionError, "full_speed_clearance: found 0.01, must be above slowest_clearance");
+}
+}  // namespace
+}  // namespace move_base

@@ -16,7 +16,7 @@ from f1tenth_scenarios.ros_node_kill import kill_node, node_pid
 from f1tenth_scenarios.ros_watch import RosWatch
 from f1tenth_scenarios.scenario import Car, Fault, Limits, Scenario, Verdict
 from rosgraph_msgs.msg import Clock
-from std_msgs.msg import Header
+from std_msgs.msg import Bool, Header
 
 from f1tenth_race_mgr.msg import RaceStatus
 
@@ -86,6 +86,17 @@ class DirectorTest(unittest.TestCase):
         assert heard[0] == RaceUpdate("robot1", 2.5, RaceState.RACING, 1, "why")
         assert heard[1].state == RaceState.ABORTED
         assert watch.failure() is None
+        watch.close()
+
+    def test_collision_is_heard(self):
+        watch = RosWatch(scenario())
+        publisher = rospy.Publisher("/robot1/collision", Bool, queue_size=10)
+        self._wait_for(lambda: publisher.get_num_connections() > 0)
+        publisher.publish(False)
+        publisher.publish(True)
+        publisher.publish(False)
+        self._wait_for(watch.collided)
+        assert watch.collided() == {"robot1"}
         watch.close()
 
     def _direct(self, wanted):

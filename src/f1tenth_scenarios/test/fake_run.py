@@ -16,7 +16,8 @@ STAY = "import time\nwhile True: time.sleep(0.05)\n"
 class FakeWatch:
     """Hands out its updates once, as soon as a file is there."""
 
-    def __init__(self, ready: Path, updates=(), failure=None):
+    def __init__(self, ready: Path, updates=(), failure=None, collided=()):
+        self._collided = collided
         self._ready = ready
         self._updates = list(updates)
         self._failure = failure
@@ -27,6 +28,9 @@ class FakeWatch:
             return []
         updates, self._updates = self._updates, []
         return updates
+
+    def collided(self):
+        return frozenset(self._collided) if self._ready.exists() else frozenset()
 
     def failure(self):
         return self._failure if self._ready.exists() else None
@@ -65,8 +69,8 @@ class FakeRun:
     def prints(self, text):
         return self._do(f"print({text!r}, flush=True)\n")
 
-    def hears(self, *updates, failure=None):
-        self.watch = FakeWatch(self.ready, updates, failure)
+    def hears(self, *updates, failure=None, collided=()):
+        self.watch = FakeWatch(self.ready, updates, failure, collided)
         return self._do(f"open({str(self.ready)!r}, 'w').close()\n")
 
     def ends(self, exit_code):

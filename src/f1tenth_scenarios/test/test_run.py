@@ -84,6 +84,19 @@ def test_contact_ends_the_run_without_any_topic(tmp_path):
     assert result["trajectory_hash"] == "hash40"
 
 
+def test_collision_that_is_only_reported_is_no_verdict_on_the_planner(tmp_path):
+    result = result_of(FakeRun(tmp_path).records(2.0).hears(collided=["robot1"]))
+    assert result["verdict"] == "error"
+    assert result["reason"] == (
+        "robot1/collision_detection: reports a collision that the record does not show"
+    )
+
+
+def test_contact_after_the_finish_is_none(tmp_path):
+    run = FakeRun(tmp_path).records(4.0, contacts={3.5: "Wall_1"})
+    assert result_of(run.hears(racing(), finished(3.0), collided=["robot1"]))["verdict"] == "success"
+
+
 def test_timeout_ends_the_run(tmp_path):
     result = result_of(FakeRun(tmp_path).records(10.5))
     assert (result["verdict"], result["times"]["finish"]) == ("timeout", 10.0)

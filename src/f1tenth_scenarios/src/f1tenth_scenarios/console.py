@@ -1,6 +1,7 @@
 """What a person or a script reads of a run."""
 
 import sys
+import textwrap
 import time
 from typing import Optional, TextIO
 
@@ -11,6 +12,7 @@ from f1tenth_scenarios.plan import Plan
 from f1tenth_scenarios.result import PICTURE_FILE, RESULT_FILE, Result
 
 _REDRAW_INTERVAL = 0.2  # wall s
+_LINE_WIDTH = 200  # characters, of a log's lines
 
 
 class ProgressLine:
@@ -74,7 +76,7 @@ def _culprit_log(result):
     failure = result.judgement.failure
     if failure and failure.log_file:
         yield "log", failure.log_file
-        yield from (("", line) for line in failure.log_lines)
+        yield from (("", textwrap.shorten(line, _LINE_WIDTH)) for line in failure.log_lines)
 
 
 def _unit(value, unit, digits):

@@ -115,8 +115,16 @@ def _timeouts(scenario, seen):
 
 
 def _breakdowns(seen):
-    if seen.failure:
-        yield Decision(_end(seen.record), Verdict.ERROR, f"{seen.failure.culprit}: {seen.failure.reason}")
+    failure = seen.failure or _false_alarm(seen)
+    if failure:
+        yield Decision(_end(seen.record), Verdict.ERROR, f"{failure.culprit}: {failure.reason}")
+
+
+def _false_alarm(seen) -> Optional[Failure]:
+    for car in sorted(seen.collided):
+        if car not in seen.record.tracks or not seen.record.tracks[car].contact_list():
+            return Failure(f"{car}/collision_detection", "reports a collision that the record does not show")
+    return None
 
 
 def _undecided(seen):

@@ -46,3 +46,4 @@ class Observations:
     record: Record
     updates: tuple[RaceUpdate, ...] = ()
     failure: Optional[Failure] = None
+    collided: frozenset[str] = frozenset()  # cars of which the topic `collision` said so

@@ -38,7 +38,7 @@ class Contact:
     touched: tuple[str, ...]  # names of models or cars
     x: float  # m, where the car was at the start
     y: float  # m
-    speed: float  # m/s, of the car at the start
+    speed: float  # m/s, of the car at the end of the period before
 
 
 @dataclasses.dataclass(frozen=True)
@@ -84,16 +84,9 @@ class CarTrack:
         return found
 
     def _contact(self, index: int, names: str) -> Contact:
-        stamp = float(self.time[index])
-        return Contact(
-            self.car,
-            stamp,
-            stamp,
-            tuple(names.split(";")),
-            float(self.x[index]),
-            float(self.y[index]),
-            float(self.speed[index]),
-        )
+        stamp, speed = float(self.time[index]), float(self.speed[max(index - 1, 0)])
+        touched = tuple(names.split(";"))
+        return Contact(self.car, stamp, stamp, touched, float(self.x[index]), float(self.y[index]), speed)
 
 
 @dataclasses.dataclass(frozen=True)

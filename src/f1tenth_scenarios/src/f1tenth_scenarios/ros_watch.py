@@ -4,6 +4,7 @@ import queue
 from typing import Optional
 
 import rospy
+from std_msgs.msg import Bool
 
 from f1tenth_race_mgr.msg import RaceStatus
 from f1tenth_scenarios.director import Director
@@ -28,16 +29,22 @@ def to_update(car: str, message: RaceStatus) -> RaceUpdate:
 
 
 class RosWatch:
-    """Subscribes to race_status, and breaks what the scenario wants broken. Needs a running rospy node."""
+    """Listens to race_status and collision, and breaks what is to be broken. Needs a running rospy node."""
 
     def __init__(self, scenario: Scenario):
         self._updates: queue.SimpleQueue = queue.SimpleQueue()
         self._subscribers = [self._subscribe(car.name) for car in scenario.cars if car.driver is Driver.RACE]
+        self._collided: set[str] = set()
+        self._subscribers += [self._subscribe_collision(car.name) for car in scenario.cars]
         self._director = Director(scenario) if scenario.faults else None
 
     def take(self) -> list[RaceUpdate]:
         """The updates since the last call, in the order of their arrival."""
         return [self._updates.get() for _ in range(self._updates.qsize())]
+
+    def collided(self) -> frozenset[str]:
+        """The cars that have reported a collision so far."""
+        return frozenset(self._collided)
 
     def failure(self) -> Optional[Failure]:
         """What went wrong on this side, if anything did."""
@@ -56,4 +63,9 @@ class RosWatch:
             RaceStatus,
             lambda message: self._updates.put(to_update(car, message)),
             tcp_nodelay=True,
+        )
+
+    def _subscribe_collision(self, car: str) -> rospy.Subscriber:
+        return rospy.Subscriber(
+            f"/{car}/collision", Bool, lambda message: self._collided.add(car) if message.data else None
         )

@@ -63,14 +63,16 @@ def _observe(plan, command, environment, make_watch, stop, progress):
             tree.stop(_SHUTDOWN_GRACE)
     finally:
         watch.close()
-    return _with_record(plan, tuple(supervisor.updates), failure), supervisor.pace.factor
+    record, failure = _read_record(plan, failure)
+    seen = Observations(record, tuple(supervisor.updates), failure, watch.collided())
+    return seen, supervisor.pace.factor
 
 
-def _with_record(plan, updates, failure):
+def _read_record(plan, failure):
     try:
-        return Observations(read_record(plan.record_file), updates, failure)
+        return read_record(plan.record_file), failure
     except ScenarioError as error:
-        return Observations(Record({}), updates, failure or Failure("sim2d", str(error)))
+        return Record({}), failure or Failure("sim2d", str(error))
 
 
 def _judge(plan, seen, wall_time, real_time_factor) -> Result:

@@ -17,7 +17,7 @@ from f1tenth_scenarios.scenario import Driver
 from f1tenth_scenarios.stop_request import StopRequest
 
 _POLL_INTERVAL = 0.02  # wall s
-# A node that ends may have said why on a topic just before; its words get this long (wall s) to arrive.
+# What was said or recorded just before a node ended or a car collided gets this long (wall s) to arrive.
 _LAST_WORDS = 1.0
 
 
@@ -26,6 +26,9 @@ class Watch(Protocol):
 
     def take(self) -> list[RaceUpdate]:
         """The updates since the last call."""
+
+    def collided(self) -> frozenset[str]:
+        """The cars that have reported a collision so far."""
 
     def failure(self) -> Optional[Failure]:
         """What went wrong on this side, if anything did."""
@@ -51,6 +54,7 @@ class Supervisor:
         self._record = RecordTail(plan.record_file)
         self._launch_log = LaunchLog(plan.launch_log)
         self._end_seen_at: Optional[float] = None
+        self._alarm_at: Optional[float] = None
         self.updates: list[RaceUpdate] = []
         self.pace = Pace()
 
@@ -70,9 +74,16 @@ class Supervisor:
         simulated = self._record.time
         return (
             self._record.touched
+            or self._is_alarm_over()
             or (simulated is not None and simulated >= self._plan.scenario.limits.timeout)
             or is_decided(self._plan.scenario, self._plan.all_goals, self.updates)
         )
+
+    def _is_alarm_over(self) -> bool:
+        """Whether a collision was reported that the record has had its time to show."""
+        if self._watch.collided() and self._alarm_at is None:
+            self._alarm_at = time.monotonic()
+        return self._alarm_at is not None and time.monotonic() - self._alarm_at > _LAST_WORDS
 
     def _poll(self) -> None:
         self.updates += self._watch.take()

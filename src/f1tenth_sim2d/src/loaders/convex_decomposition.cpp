@@ -6,8 +6,8 @@
 #include "f1tenth_sim2d/section.h"
 #include "planar.h"
 
-/// Ear clipping (Meisters 1975), then Hertel and Mehlhorn 1983: drop each diagonal whose two sides stay convex together;
-/// at most four times the least number of pieces.
+/// Ear clipping (Meisters 1975), then Hertel and Mehlhorn 1983: drop each diagonal whose two sides stay convex
+/// together; at most four times the least number of pieces.
 namespace f1tenth_sim2d
 {
 namespace

@@ -13,7 +13,7 @@ namespace
 using ignition::math::Pose3d;
 using ignition::math::Vector3d;
 
-/// Of the axis, dimensionless: a cylinder that leans less is upright, its sides off by a micrometre per metre of height.
+/// Of the axis: a cylinder that leans less is upright, its sides off by less than a micrometre per metre of height.
 constexpr double kUprightSine = 1e-6;
 
 /// A cylinder seen along the direction in which its axis leans: u is that direction in the ground plane, v is to its

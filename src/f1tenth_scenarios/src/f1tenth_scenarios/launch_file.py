@@ -35,6 +35,7 @@ def _shared_arguments(plan: Plan) -> dict[str, Any]:
         "map_file": plan.map or "",
         "lockstep": scenario.lockstep,
         "participants": f"[{', '.join(participants(scenario))}]",
+        "lockstep_timeout": scenario.limits.answer,
         "real_time_factor": scenario.real_time_factor,
         "seed": scenario.seed,
         "record": plan.record_file,

@@ -87,6 +87,12 @@ class Limits:
     """When a run is over at the latest."""
 
     timeout: float = key("Simulated time after which the verdict is `timeout`.", unit="s", above=0)
+    answer: float = key(
+        "Wall time in which each participant of lockstep must answer a control period.",
+        unit="s",
+        above=0,
+        default=20.0,
+    )
     wall: float = key(
         "Wall time after which the run counts as hung and the verdict is `error`.",
         unit="s",

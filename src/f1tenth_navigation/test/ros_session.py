@@ -12,6 +12,8 @@ import roslib.packages
 import rospkg
 import rospy
 
+PATIENCE = 120  # s of wall time for whatever has to happen, on a busy machine too
+
 
 def missing_nodes(nodes):
     """Return which of the (package, executable) pairs are not built."""
@@ -42,11 +44,11 @@ def launched(*arguments, environment=None):
         process.wait()
 
 
-def wait_until(condition, seconds, what):
+def wait_until(condition, what):
     """Wait in wall time: the simulated clock may not run yet."""
-    end = time.monotonic() + seconds
+    end = time.monotonic() + PATIENCE
     while not condition():
-        assert time.monotonic() < end, f"not within {seconds} s: {what}"
+        assert time.monotonic() < end, f"not within {PATIENCE} s: {what}"
         time.sleep(0.05)
 
 
@@ -63,7 +65,7 @@ class Latest:
         self._message = message
         self._arrived.set()
 
-    def get(self, seconds):
-        """Return it; wait for the first one, at most so long."""
-        assert self._arrived.wait(seconds), f"nothing on {self._topic} within {seconds} s"
+    def get(self):
+        """Return it; wait for the first one."""
+        assert self._arrived.wait(PATIENCE), f"nothing on {self._topic} within {PATIENCE} s"
         return self._message

@@ -31,7 +31,7 @@ class Screen:
         self._server.terminate()
         self._server.wait()
 
-    def run(self, *command, timeout=30):
+    def run(self, *command, timeout=120):
         """Run a program on this screen and return its output."""
         environment = {**os.environ, **self.environment}
         result = subprocess.run(

@@ -12,6 +12,8 @@ function(workspace_target target)
   list(LENGTH sources source_count)
   if(source_count GREATER 1)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+    # The compiler takes the files of one unit for headers, where an anonymous namespace would be a mistake.
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endif()
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Werror -ffp-contract=off)
 endfunction()

@@ -46,7 +46,7 @@ lint: setup ## check format and style of all files
 	@clang-format --dry-run --Werror $(CPP_FILES)
 	@ruff check $(PYTHON_FILES)
 	@ruff format --check $(PYTHON_FILES)
-	@catkin_lint -q -W2 --strict --offline src 2> >(grep -v rosdep >&2)
+	@catkin_lint -q -W0 --offline src
 
 format: setup ## format all files
 	@clang-format -i $(CPP_FILES)

@@ -21,19 +21,19 @@ struct LidarDescription
   ignition::math::Pose3d pose;  ///< in base_footprint; must be level
   double rate_hz{40.0};
   int beam_count{1081};
-  double angle_min{0.0};        ///< rad
-  double angle_max{0.0};        ///< rad
-  double range_min{0.06};       ///< m
-  double range_max{10.0};       ///< m
-  double noise_mean{0.0};       ///< m
-  double noise_stddev{0.0};     ///< m
+  double angle_min{0.0};     ///< rad
+  double angle_max{0.0};     ///< rad
+  double range_min{0.06};    ///< m
+  double range_max{10.0};    ///< m
+  double noise_mean{0.0};    ///< m
+  double noise_stddev{0.0};  ///< m
 };
 
 /// A contact sensor: reports what touches the named collision elements.
 struct BumperDescription
 {
   std::string name;
-  std::string topic;                         ///< "bumper_front"
+  std::string topic;  ///< "bumper_front"
   std::string frame;
   double rate_hz{50.0};
   std::vector<std::string> collision_names;  ///< scoped names of Solids of the car
@@ -66,18 +66,18 @@ struct JointDescription
 
 struct CarDescription
 {
-  std::string name;                       ///< namespace of the car, "robot1"
-  std::string source;                     ///< where the description came from, for error messages
-  std::vector<Solid> solids;              ///< in base_footprint, bumpers among them
-  std::vector<std::string> links;         ///< all links of the robot description
+  std::string name;                ///< namespace of the car, "robot1"
+  std::string source;              ///< where the description came from, for error messages
+  std::vector<Solid> solids;       ///< in base_footprint, bumpers among them
+  std::vector<std::string> links;  ///< all links of the robot description
   std::vector<LidarDescription> lidars;
   std::vector<BumperDescription> bumpers;
   std::optional<ImuDescription> imu;
   std::vector<JointDescription> joints;
   double joint_state_rate_hz{50.0};
-  double wheel_radius{0.05};              ///< m
-  double track_width{0.2};                ///< m, between the steering joints
-  std::vector<PluginElement> plugins;     ///< not built in: to be looked up as shared libraries
+  double wheel_radius{0.05};           ///< m
+  double track_width{0.2};             ///< m, between the steering joints
+  std::vector<PluginElement> plugins;  ///< not built in: to be looked up as shared libraries
   std::vector<std::string> warnings;
 };
 }  // namespace f1tenth_sim2d

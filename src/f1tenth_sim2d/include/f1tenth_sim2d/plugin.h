@@ -16,10 +16,10 @@ struct CarPluginContext
 {
   const Simulation & simulation;
   CarIndex car;
-  ros::NodeHandle node;                             ///< in the car's namespace
+  ros::NodeHandle node;  ///< in the car's namespace
   tf2_ros::TransformBroadcaster & tf_broadcaster;
-  std::string frame_prefix;                         ///< put before every frame id, "robot1/" or ""
-  bool owns_odometry_transform;                     ///< whether perfect odometry publishes odom -> base_footprint
+  std::string frame_prefix;      ///< put before every frame id, "robot1/" or ""
+  bool owns_odometry_transform;  ///< whether perfect odometry publishes odom -> base_footprint
 };
 
 /// Base class of car plugins. Register with CLASS_LOADER_REGISTER_CLASS(MyPlugin, f1tenth_sim2d::CarPlugin).

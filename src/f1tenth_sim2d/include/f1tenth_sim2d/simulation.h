@@ -26,11 +26,11 @@ struct SimulationOptions
 /// True state of a car. Pose and velocity are those of base_footprint (below the middle of the rear axle).
 struct CarState
 {
-  Pose2 pose;                        ///< in the world
-  Vec2 velocity;                     ///< m/s, in the frame of the car
-  double yaw_rate{0.0};              ///< rad/s
-  Vec2 acceleration;                 ///< m/s^2, of the centre of mass, in the frame of the car
-  double steering_angle{0.0};        ///< rad, of the single-track front wheel
+  Pose2 pose;                            ///< in the world
+  Vec2 velocity;                         ///< m/s, in the frame of the car
+  double yaw_rate{0.0};                  ///< rad/s
+  Vec2 acceleration;                     ///< m/s^2, of the centre of mass, in the frame of the car
+  double steering_angle{0.0};            ///< rad, of the single-track front wheel
   std::array<double, 4> wheel_angles{};  ///< rad: front left, front right, rear left, rear right
   std::array<double, 4> wheel_speeds{};  ///< rad/s, same order
 };
@@ -90,8 +90,8 @@ public:
   const CarDescription & car(CarIndex index) const;
   const VehicleParameters & parameters(CarIndex index) const;
 
-  SimTime time() const;       ///< ns
-  SimTime stepLength() const; ///< ns
+  SimTime time() const;        ///< ns
+  SimTime stepLength() const;  ///< ns
 
   /// Advances by one physics step.
   void step();

@@ -27,9 +27,9 @@ struct VehicleParameters
   double command_timeout{0.5};     ///< s of simulated time, then the car brakes to a stop
 
   double odometry_rate_hz{50.0};
-  double odometry_speed_scale{1.0};           ///< measured over true distance: a systematic drift
-  double odometry_speed_noise_stddev{0.02};   ///< m/s, white, per sample
-  double odometry_steering_offset{0.0};       ///< rad, systematic
+  double odometry_speed_scale{1.0};              ///< measured over true distance: a systematic drift
+  double odometry_speed_noise_stddev{0.02};      ///< m/s, white, per sample
+  double odometry_steering_offset{0.0};          ///< rad, systematic
   double odometry_steering_noise_stddev{0.005};  ///< rad, white, per sample
 
   double wheelbase() const { return l_f + l_r; }

@@ -40,7 +40,7 @@ using Shape = std::variant<Box, Cylinder, Sphere, Polyline, Plane>;
 /// One collision element.
 struct Solid
 {
-  std::string name;             ///< scoped name, "model::link::collision"
+  std::string name;  ///< scoped name, "model::link::collision"
   Shape shape;
   ignition::math::Pose3d pose;  ///< in the frame of the model
   double mu{1.0};               ///< Coulomb friction coefficient
@@ -53,9 +53,9 @@ struct ModelDescription
   std::string name;             ///< unique in the world; nested models are "outer::inner"
   ignition::math::Pose3d pose;  ///< in the world
   bool is_static{false};
-  double mass{0.0};             ///< kg, all links
-  double inertia_zz{0.0};       ///< kg m^2, about the centre of mass
-  Vec2 centre_of_mass;          ///< m, in the frame of the model
+  double mass{0.0};        ///< kg, all links
+  double inertia_zz{0.0};  ///< kg m^2, about the centre of mass
+  Vec2 centre_of_mass;     ///< m, in the frame of the model
   std::vector<Solid> solids;
 };
 
@@ -63,8 +63,8 @@ struct ModelDescription
 struct PluginElement
 {
   std::string name;
-  std::string filename;                                       ///< as written, "libf1tenth_perfect_odometry.so"
-  std::string place;                                          ///< element path, for error messages
+  std::string filename;                                         ///< as written, "libf1tenth_perfect_odometry.so"
+  std::string place;                                            ///< element path, for error messages
   std::vector<std::pair<std::string, std::string>> parameters;  ///< tag and text, in order
 };
 

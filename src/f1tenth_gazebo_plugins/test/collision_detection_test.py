@@ -39,6 +39,9 @@ class CollisionDetectionTest(unittest.TestCase):
         )
         self.addCleanup(self.sim2d.kill)
         self.collector.wait_until_connected()
+        # The first message of a run clears what collision_detection knows of the run before.
+        assert self.collector.wait_for(lambda seen: all(seen[f"/robot1/bumper_{side}"] for side in SIDES))
+        assert self.collector.wait_for(lambda seen: self.state()[-1:] == [False])
 
     def drive(self, speed):
         command = Twist()

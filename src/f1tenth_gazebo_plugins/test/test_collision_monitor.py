@@ -82,3 +82,13 @@ def test_stamp_that_goes_back_begins_a_new_run():
     watched.hear("front", 500 * MS, [WALL])
     assert watched.hear("front", 20 * MS) == Report(collision=False, collisions=0)
     assert watched.silent_sensors() == {"rear": None}
+
+
+def test_old_clock_that_is_read_once_more_does_not_hold_up_a_new_run():
+    watched = monitor()
+    watched.hear("rear", 5 * SECOND)
+    watched.tick(5 * SECOND)
+    watched.hear("rear", 20 * MS)
+    watched.tick(5 * SECOND)
+    assert watched.tick(25 * MS) == Report(collision=False)
+    assert watched.silent_sensors() == {"front": None}

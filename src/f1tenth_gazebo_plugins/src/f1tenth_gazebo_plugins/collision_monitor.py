@@ -40,6 +40,7 @@ class CollisionMonitor:
         self._collision = False
         self._collisions = 0
         self._now = None
+        self._clock = None
         self._next_report = 0
 
     def hear(self, name, stamp, contacts=()):
@@ -58,7 +59,16 @@ class CollisionMonitor:
 
     def tick(self, now):
         """Let time pass without a message and return the Report that is due."""
+        if self._clock is not None and now < self._clock:
+            self._follow_sensors(now)
+        self._clock = now
         return self._report(now) if self._now is None or now > self._now else Report()
+
+    def _follow_sensors(self, now):
+        # The clock of the old run may have been read once more after the first message of the new one.
+        stamps = [sensor.last_stamp for sensor in self._sensors.values() if sensor.last_stamp is not None]
+        self._now = max(stamps, default=now)
+        self._next_report = 0
 
     def silent_sensors(self):
         """Map each sensor that says nothing to the ns since it last spoke, or to None if it never did."""

@@ -92,7 +92,7 @@ double OdometryTransformOutput::rate() const
   return car_.simulation.parameters(car_.index).odometry_rate_hz;
 }
 
-void OdometryTransformOutput::update(SimTime now)
+void OdometryTransformOutput::update(SimTime now, bool /*anyway*/)
 {
   message_.header.stamp = toRosTime(now);
   message_.transform = toTransform(car_.simulation.wheelOdometry(car_.index).pose);

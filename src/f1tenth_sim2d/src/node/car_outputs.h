@@ -58,7 +58,7 @@ class OdometryTransformOutput : public Output
 public:
   OdometryTransformOutput(CarHandle car, tf2_ros::TransformBroadcaster & broadcaster);
   double rate() const override;
-  void update(SimTime now) override;
+  void update(SimTime now, bool anyway) override;
   void repeat() override;
 
 private:

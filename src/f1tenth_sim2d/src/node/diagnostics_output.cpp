@@ -48,13 +48,13 @@ DiagnosticsOutput::DiagnosticsOutput(ros::NodeHandle & node, TimeMode mode, doub
 {
 }
 
-void DiagnosticsOutput::update(SimTime now)
+void DiagnosticsOutput::update(SimTime now, bool anyway)
 {
   const ros::WallTime wall = ros::WallTime::now();
   factor_ = static_cast<double>(now - last_time_) * 1e-9 / (wall - last_wall_).toSec();
   last_time_ = now;
   last_wall_ = wall;
-  MessageOutput::update(now);
+  MessageOutput::update(now, anyway);
 }
 
 void DiagnosticsOutput::fill(diagnostic_msgs::DiagnosticArray & message, SimTime now)

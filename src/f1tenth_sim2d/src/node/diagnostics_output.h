@@ -24,7 +24,7 @@ public:
 
   /// @param factor  that is asked for; only for paced time
   DiagnosticsOutput(ros::NodeHandle & node, TimeMode mode, double factor, std::vector<Driver> drivers);
-  void update(SimTime now) override;
+  void update(SimTime now, bool anyway) override;
 
 private:
   void fill(diagnostic_msgs::DiagnosticArray & message, SimTime now) override;

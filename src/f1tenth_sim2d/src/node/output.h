@@ -17,7 +17,8 @@ class Output
 public:
   virtual ~Output() = default;
   virtual double rate() const = 0;  ///< Hz
-  virtual void update(SimTime now) = 0;
+  /// @param anyway  also if nobody subscribes: somebody may ask for it to be repeated
+  virtual void update(SimTime now, bool anyway) = 0;
   /// Publishes the last message again, for subscribers that have come since.
   virtual void repeat() = 0;
 };
@@ -34,10 +35,9 @@ class MessageOutput : public Output
 public:
   double rate() const override { return rate_hz_; }
 
-  void update(SimTime now) override
+  void update(SimTime now, bool anyway) override
   {
-    // The first message is always made, so that there is one to repeat.
-    if (filled_ && publisher_.getNumSubscribers() == 0) {
+    if (!anyway && publisher_.getNumSubscribers() == 0) {
       skip();
       return;
     }

@@ -15,7 +15,7 @@ public:
   explicit PluginOutput(std::shared_ptr<CarPlugin> plugin) : plugin_(std::move(plugin)) {}
   double rate() const override { return plugin_->updateRate(); }
 
-  void update(SimTime now) override
+  void update(SimTime now, bool /*anyway*/) override
   {
     stamp_ = toRosTime(now);
     plugin_->update(stamp_);

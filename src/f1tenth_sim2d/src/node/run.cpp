@@ -2,11 +2,13 @@
 
 #include <ros/console.h>
 #include <ros/master.h>
+#include <ros/node_handle.h>
 #include <ros/param.h>
 #include <ros/this_node.h>
 
 #include <cstdio>
 #include <optional>
+#include <string>
 
 #include "sim2d_node.h"
 #include "stop_signal.h"
@@ -54,12 +56,13 @@ public:
 private:
   void simulate()
   {
+    handleStopSignals();
     requireMaster();
+    keeps_ros_running_.emplace();
     const auto & name = ros::this_node::getName();
     const auto all = privateParameters();
     result_file_ = parseResultFile(name, all);
     Sim2dNode node(parseNodeParameters(name, all));
-    handleStopSignals();
     try {
       node.run();
     } catch (const Error &) {
@@ -98,6 +101,7 @@ private:
     return code;
   }
 
+  std::optional<ros::NodeHandle> keeps_ros_running_;  // without one, nothing is logged
   std::string result_file_;
   RunResult result_;
 };

@@ -18,7 +18,10 @@ SimulatedWorld::SimulatedWorld(Simulation & simulation, double control_period_se
 
 void SimulatedWorld::schedule(Output & output)
 {
-  schedule_.add(periodOf(output.rate()), [&output](SimTime now) { output.update(now); });
+  const SimTime first_period_end = std::llround(period_ns_);
+  // In lockstep the first period is repeated for those who come late.
+  schedule_.add(
+    periodOf(output.rate()), [&output, first_period_end](SimTime now) { output.update(now, now <= first_period_end); });
 }
 
 void SimulatedWorld::addScan(CarIndex car, std::unique_ptr<ScanOutput> output)

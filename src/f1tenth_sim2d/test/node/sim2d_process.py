@@ -95,6 +95,15 @@ class Sim2d:
         return [dict(zip(header, row)) for row in rows]
 
 
+def wait_for_subscriber(publisher):
+    """Wait until somebody listens."""
+    deadline = time.monotonic() + LONG
+    while not publisher.get_num_connections():
+        if time.monotonic() > deadline:
+            raise AssertionError(f"nobody listens to {publisher.name}")
+        time.sleep(0.01)
+
+
 class Collector:
     """Keeps all messages of some topics, in the order in which they came."""
 

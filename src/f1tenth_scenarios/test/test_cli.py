@@ -11,7 +11,7 @@ from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.private_master import private_master
 from f1tenth_scenarios.scenario import Scenario
 from fake_run import FakeRun
-from scenario_samples import SCENARIO_TEXT, died, finished, racing
+from scenario_samples import SCENARIO_TEXT, died, finished, racing, reached, scenario
 
 from f1tenth_scenarios import cli, places
 
@@ -108,6 +108,14 @@ def test_summary_has_all_that_make_race_prints(tmp_path):
         f"result:            {run.plan.folder}/result.json",
         f"picture:           {run.plan.folder}/trajectory.png",
     ]
+
+
+def test_summary_lists_the_laps_if_there_are_several(tmp_path):
+    run = FakeRun(tmp_path, scenario(laps=2, timeout=20.0)).records(8.0, speed=0.5)
+    run.hears(racing(1.0), reached(4.0, 3), reached(7.5, 6))
+    lines = summary(run.execute(), run.plan).splitlines()
+    assert "lap time:          3.000 s" in lines
+    assert "laps of robot1:    3.000 s, 3.500 s" in lines
 
 
 def test_summary_of_a_failure_quotes_the_culprit(tmp_path):

@@ -56,6 +56,7 @@ def summary(result: Result, plan: Plan) -> str:
         ("passed", "yes" if result.passed else "no"),
         ("reason", result.reason),
         ("lap time", _unit(result.best_lap_time, "s", 3)),
+        *_all_laps(result, plan),
         ("minimum clearance", _unit(criteria.minimum_clearance(result.judgement), "m", 3)),
         ("real-time factor", _unit(result.real_time_factor, "", 1)),
         *_failed_criteria(result),
@@ -64,6 +65,13 @@ def summary(result: Result, plan: Plan) -> str:
         ("picture", str(plan.folder / PICTURE_FILE)),
     ]
     return "\n".join(f"{name + ':' if name else '':19}{value}" for name, value in lines)
+
+
+def _all_laps(result, plan):
+    if plan.scenario.laps > 1:
+        for car in plan.scenario.cars:
+            times = ", ".join(_unit(time, "s", 3) for time in result.lap_times(car.name))
+            yield f"laps of {car.name}", times or "none"
 
 
 def _failed_criteria(result):

@@ -34,7 +34,7 @@ DRIVERS = {
     "cpp": ["rosrun", "f1tenth_navigation_mgr", "navigation_mgr_test_driver"],
     "python": [sys.executable, os.path.join(HERE, "navigation_mgr_driver.py")],
 }
-LIMIT = 60.0  # wall s, against hangs
+LIMIT = 120.0  # wall s, against hangs
 REACHED = "Goal reached."
 
 

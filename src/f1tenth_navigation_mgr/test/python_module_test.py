@@ -15,7 +15,7 @@ from std_msgs.msg import Int32
 import f1tenth_navigation_mgr as nav
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-LIMIT = 60.0  # wall s, against hangs
+LIMIT = 120.0  # wall s, against hangs
 
 
 def wait_until(condition):

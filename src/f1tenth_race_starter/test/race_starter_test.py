@@ -14,7 +14,7 @@ from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Header, Int32
 
 SCRIPT = rospkg.RosPack().get_path("f1tenth_race_starter") + "/scripts/race_starter"
-LIMIT = 60.0  # wall s, against hangs
+LIMIT = 120.0  # wall s, against hangs
 QUIET = 0.5  # wall s in which something must not happen
 FAR_FUTURE = 2147483647  # s
 

@@ -8,7 +8,7 @@ import rostest
 from diagnostic_msgs.msg import DiagnosticArray
 from gazebo_msgs.msg import ContactsState
 from geometry_msgs.msg import Twist
-from simulator import Collector, Sim2d, Stepper, car_description
+from simulator import Collector, Sim2d, Stepper, car_description, wait_for_subscriber
 from std_msgs.msg import Bool, UInt32
 
 SECOND = 1_000_000_000
@@ -28,7 +28,7 @@ class CollisionDetectionTest(unittest.TestCase):
             **{f"robot1__bumper_{side}": ContactsState for side in SIDES},
         )
         self.addCleanup(self.collector.close)
-        self.commands = rospy.Publisher("/robot1/cmd_vel", Twist, queue_size=10, latch=True)
+        self.commands = rospy.Publisher("/robot1/cmd_vel", Twist, queue_size=10)
         self.addCleanup(self.commands.unregister)
         self.sim2d = Sim2d(
             car_description(),
@@ -43,20 +43,19 @@ class CollisionDetectionTest(unittest.TestCase):
         assert self.collector.wait_for(lambda seen: all(seen[f"/robot1/bumper_{side}"] for side in SIDES))
         assert self.collector.wait_for(lambda seen: self.state()[-1:] == [False])
 
-    def drive(self, speed):
-        command = Twist()
-        command.linear.x = speed
-        self.commands.publish(command)
-
     def state(self):
         return [message.data for message in self.collector.messages["/robot1/collision"]]
 
     def touched(self, side):
         return [m for m in self.collector.messages[f"/robot1/bumper_{side}"] if m.states]
 
-    def drive_until_collision(self, limit):
-        """Advance period by period; return the end of the period in which `collision` became true."""
-        for end in range(2 * PERIOD, limit, PERIOD):
+    def drive_until_collision(self, speed):
+        """Drive period by period until `collision` is true; at most 2 s."""
+        wait_for_subscriber(self.commands)
+        command = Twist()
+        command.linear.x = speed
+        for end in range(2 * PERIOD, 2 * SECOND, PERIOD):
+            self.commands.publish(command)
             self.stepper.advance_to(end)
             last = end // BUMPER_PERIOD * BUMPER_PERIOD
             assert self.collector.wait_for(
@@ -66,13 +65,12 @@ class CollisionDetectionTest(unittest.TestCase):
             )
             if any(self.touched(side) for side in SIDES):
                 assert self.collector.wait_for(lambda seen: seen["/robot1/collision"][-1].data)
-                return end
+                return
         raise AssertionError("the car has not touched anything")
 
     def test_front_bumper_tells_of_the_wall_ahead_within_its_period(self):
         self.start(x=2.5)
-        self.drive(2.0)
-        self.drive_until_collision(2 * SECOND)
+        self.drive_until_collision(2.0)
         self.sim2d.stop()
         assert [side for side in SIDES if self.touched(side)] == ["front"]
         contact = self.touched("front")[0]
@@ -89,8 +87,7 @@ class CollisionDetectionTest(unittest.TestCase):
 
     def test_rear_bumper_tells_of_the_wall_behind(self):
         self.start(x=-3.5)
-        self.drive(-1.0)
-        self.drive_until_collision(2 * SECOND)
+        self.drive_until_collision(-1.0)
         assert [side for side in SIDES if self.touched(side)] == ["rear"]
 
     def test_no_collision_is_said_at_10_hz_while_nothing_touches(self):

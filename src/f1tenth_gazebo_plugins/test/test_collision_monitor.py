@@ -58,10 +58,12 @@ def test_passing_time_alone_reports_at_10_hz():
     assert [report.collision for report in reports].count(False) == 10
 
 
-def test_clock_behind_the_newest_stamp_changes_nothing():
+def test_clock_leaves_reporting_to_sensors_that_speak():
     watched = monitor()
     watched.hear("front", 500 * MS)
     assert watched.tick(400 * MS) == Report()
+    assert watched.tick(650 * MS) == Report()
+    assert watched.hear("front", 600 * MS) == Report(collision=False)
 
 
 def test_sensor_that_never_spoke_is_silent():
@@ -84,11 +86,14 @@ def test_stamp_that_goes_back_begins_a_new_run():
     assert watched.silent_sensors() == {"rear": None}
 
 
-def test_old_clock_that_is_read_once_more_does_not_hold_up_a_new_run():
+def test_old_clock_that_is_read_once_more_does_not_disturb_a_new_run():
     watched = monitor()
     watched.hear("rear", 5 * SECOND)
     watched.tick(5 * SECOND)
     watched.hear("rear", 20 * MS)
-    watched.tick(5 * SECOND)
-    assert watched.tick(25 * MS) == Report(collision=False)
+    assert watched.tick(5 * SECOND) == Report()
     assert watched.silent_sensors() == {"front": None}
+    assert watched.hear("rear", 100 * MS) == Report(collision=False)
+    watched.tick(125 * MS)
+    watched.tick(2 * SECOND)
+    assert watched.silent_sensors() == {"front": None, "rear": 1900 * MS}

@@ -27,7 +27,7 @@ def names(entries):
 def test_each_criterion_is_a_case(tmp_path):
     run = FakeRun(tmp_path, with_clearance(0.1)).records(4.0).hears(racing(), finished(3.0))
     case = cases_of(run.execute(), run.plan)
-    assert case.__name__ == "sample"
+    assert (case.__module__, case.__name__) == ("f1tenth_scenarios", "sample")
     assert sorted(name for name in vars(case) if name.startswith("test_")) == [
         "test_collision", "test_goals_in_order", "test_minimum_clearance", "test_timeout", "test_verdict",
     ]  # fmt: skip

@@ -33,15 +33,18 @@ class CollisionMonitor:
     def __init__(self, sensors, ground_models=()):
         self._names = tuple(sensors)
         self._ground_models = frozenset(ground_models)
+        self._clock = 0
         self._restart()
 
     def _restart(self):
         self._sensors = {name: _Sensor() for name in self._names}
         self._collision = False
         self._collisions = 0
-        self._now = None
-        self._clock = None
+        self._newest_stamp = 0
         self._next_report = 0
+        self._reported = False
+        # Until the clock has followed the sensors into the new run, it is not to be believed.
+        self._clock_of_old_run, self._clock = self._clock, 0
 
     def hear(self, name, stamp, contacts=()):
         """Take in one message of a sensor and return the Report that is due.
@@ -49,31 +52,29 @@ class CollisionMonitor:
         contacts: for each contact the scoped names of the two collision elements.
         A stamp older than the sensor's last one begins a new run.
         """
-        sensor = self._sensors[name]
-        if sensor.last_stamp is not None and stamp < sensor.last_stamp:
+        last_stamp = self._sensors[name].last_stamp
+        if last_stamp is not None and stamp < last_stamp:
             self._restart()
-            sensor = self._sensors[name]
+        sensor = self._sensors[name]
         sensor.last_stamp = stamp
         sensor.touching = any(not self._with_ground(pair) for pair in contacts)
-        return self._report(stamp)
+        # Sensors are read one after the other: a stamp may be a little older than the newest.
+        self._newest_stamp = max(stamp, self._newest_stamp)
+        return self._update(self._newest_stamp >= self._next_report, self._newest_stamp)
 
-    def tick(self, now):
-        """Let time pass without a message and return the Report that is due."""
-        if self._clock is not None and now < self._clock:
-            self._follow_sensors(now)
-        self._clock = now
-        return self._report(now) if self._now is None or now > self._now else Report()
-
-    def _follow_sensors(self, now):
-        # The clock of the old run may have been read once more after the first message of the new one.
-        stamps = [sensor.last_stamp for sensor in self._sensors.values() if sensor.last_stamp is not None]
-        self._now = max(stamps, default=now)
-        self._next_report = 0
+    def tick(self, clock):
+        """Let time pass without a message and return the Report that is due, if the sensors do not see to that."""
+        if self._clock_of_old_run and self._newest_stamp < self._clock_of_old_run <= clock:
+            return Report()
+        self._clock_of_old_run = 0
+        self._clock = clock
+        return self._update(clock >= self._next_report + REPORT_PERIOD, clock)
 
     def silent_sensors(self):
         """Map each sensor that says nothing to the ns since it last spoke, or to None if it never did."""
+        now = max(self._clock, self._newest_stamp)
         silence = {
-            name: None if sensor.last_stamp is None else (self._now or 0) - sensor.last_stamp
+            name: None if sensor.last_stamp is None else now - sensor.last_stamp
             for name, sensor in self._sensors.items()
         }
         return {name: time for name, time in silence.items() if time is None or time > SILENCE_LIMIT}
@@ -81,18 +82,16 @@ class CollisionMonitor:
     def _with_ground(self, pair):
         return any(name.split("::", 1)[0] in self._ground_models for name in pair)
 
-    def _report(self, now):
-        first = self._now is None
-        # Sensors are read one after the other: a stamp may be a little older than the newest.
-        self._now = now if first else max(now, self._now)
+    def _update(self, due, now):
         collision = any(sensor.touching for sensor in self._sensors.values())
+        began = collision and not self._collision
         changed = collision != self._collision
+        first, self._reported = not self._reported, True
         self._collision = collision
-        self._collisions += changed and collision
-        due = first or changed or self._now >= self._next_report
+        self._collisions += began
         if due:
-            self._next_report = (self._now // REPORT_PERIOD + 1) * REPORT_PERIOD
+            self._next_report = (now // REPORT_PERIOD + 1) * REPORT_PERIOD
         return Report(
-            collision=collision if due else None,
-            collisions=self._collisions if first or (changed and collision) else None,
+            collision=collision if due or changed or first else None,
+            collisions=self._collisions if began or first else None,
         )

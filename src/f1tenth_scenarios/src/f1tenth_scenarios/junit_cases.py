@@ -5,6 +5,7 @@ from typing import Callable
 
 from f1tenth_scenarios.console import summary
 from f1tenth_scenarios.criteria import Criterion, Status
+from f1tenth_scenarios.places import PACKAGE
 from f1tenth_scenarios.plan import Plan
 from f1tenth_scenarios.result import Result
 
@@ -13,7 +14,7 @@ def cases_of(result: Result, plan: Plan) -> type[unittest.TestCase]:
     """A test case class, named after the scenario, with a method a criterion."""
     text = summary(result, plan)
     methods = {f"test_{criterion.name}": _check(criterion, text) for criterion in result.criteria}
-    return type(plan.name, (unittest.TestCase,), methods)
+    return _case_class(plan.name, methods)
 
 
 def case_of_error(name: str, message: str) -> type[unittest.TestCase]:
@@ -22,7 +23,12 @@ def case_of_error(name: str, message: str) -> type[unittest.TestCase]:
     def test_verdict(self):
         self.fail(f"verdict error: {message}")
 
-    return type(name, (unittest.TestCase,), {"test_verdict": test_verdict})
+    return _case_class(name, {"test_verdict": test_verdict})
+
+
+def _case_class(name, methods):
+    # JUnit shows module and class together.
+    return type(name, (unittest.TestCase,), {"__module__": PACKAGE, **methods})
 
 
 def _check(criterion: Criterion, text: str) -> Callable[[unittest.TestCase], None]:

@@ -15,7 +15,9 @@ double beamsPerRadian(const LidarDescription & lidar)
 }  // namespace
 
 BeamTable::BeamTable(const LidarDescription & lidar)
-: angle_min(lidar.angle_min), beams_per_radian(beamsPerRadian(lidar)), beams_per_turn(2.0 * kPi * beams_per_radian)
+: angle_min(wrapAngle(lidar.angle_min)),
+  beams_per_radian(beamsPerRadian(lidar)),
+  beams_per_turn(2.0 * kPi * beams_per_radian)
 {
   cosine.reserve(lidar.beam_count);
   sine.reserve(lidar.beam_count);

@@ -176,6 +176,8 @@ void CollisionWorld::step(double dt, int substeps)
     recorder_.beginSubstep();
     world_.Step(static_cast<float>(dt / substeps), kVelocityIterations, kPositionIterations);
   }
+  is_awake_ =
+    std::any_of(movables_.begin(), movables_.end(), [](const Movable & movable) { return movable.body->IsAwake(); });
 }
 
 // Relative to where Box2D started, in its own precision: a car that rests is not moved by rounding.
@@ -195,14 +197,11 @@ ContactEffect CollisionWorld::effect(CarIndex car) const
   return effect;
 }
 
-bool CollisionWorld::isAwake() const
-{
-  return std::any_of(
-    movables_.begin(), movables_.end(), [](const Movable & movable) { return movable.body->IsAwake(); });
-}
-
 double CollisionWorld::movableTravel(double dt) const
 {
+  if (!is_awake_) {
+    return 0.0;
+  }
   double travel = 0.0;
   for (const Movable & movable : movables_) {
     if (movable.body->IsAwake()) {

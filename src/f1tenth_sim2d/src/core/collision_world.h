@@ -63,7 +63,7 @@ public:
   ContactEffect effect(CarIndex car) const;
 
   /// Whether any movable model moves.
-  bool isAwake() const;
+  bool isAwake() const { return is_awake_; }
   /// The farthest that a point of a movable model goes within dt seconds, m.
   double movableTravel(double dt) const;
   /// Pose of a model in the world.
@@ -131,5 +131,6 @@ private:
   std::vector<Movable> movables_;
   std::vector<Car> cars_;
   std::size_t layers_added_{0};
+  bool is_awake_{false};  ///< models wake and fall asleep in steps only
 };
 }  // namespace f1tenth_sim2d

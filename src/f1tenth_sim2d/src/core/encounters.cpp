@@ -7,7 +7,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-constexpr double kNear = 0.01;            // m, from where on a car takes part
+constexpr double kNear = 0.02;            // m, from where on a car takes part
 constexpr double kLookAhead = 1.0;        // m, farther away need not be told apart
 constexpr int kStepsNear = 10;            // after which a near car looks again
 constexpr double kSubstepTravel = 0.005;  // m, so that even thin bodies cannot be passed through
@@ -43,7 +43,10 @@ bool Encounters::advance(const Cars & cars, CollisionWorld & world, double dt)
     }
   }
   world.step(dt, std::max(1, static_cast<int>(std::ceil(travel / kSubstepTravel))));
+  // A model that was struck in this step moved, though it stood still before.
+  const double struck = world.movableTravel(dt);
   for (CarIndex i = 0; i < cars.size(); ++i) {
+    cars_[i].free -= struck;
     if (cars_[i].is_near && !world.contacts(i).empty()) {
       cars[i]->apply(world.effect(i));
     }

@@ -19,7 +19,7 @@ class RangeRaster
 public:
   explicit RangeRaster(const LidarDescription & lidar);
 
-  /// Starts a scan from sensor, in the world. Nothing is hit within range_max.
+  /// Starts a scan from sensor, in the world.
   void begin(const Pose2 & sensor);
 
   /// Draws a wall from a to b, m, in the world; it is seen from its right side only, as is the outline of a solid.
@@ -27,7 +27,7 @@ public:
   /// Draws a full circle, m, in the world. From inside it is not seen.
   void addCircle(const Vec2 & centre, double radius);
 
-  /// Writes range i to ranges[i], m; +inf where nothing was hit.
+  /// Writes the range of beam i to ranges[i], m; +inf where nothing was drawn. May exceed rangeMax().
   void finish(double * ranges) const;
 
   int beamCount() const { return beams_.count(); }
@@ -36,8 +36,9 @@ public:
 
 private:
   template <typename Draw>
-  void forEachInterval(double angle_begin, double span, Draw draw) const;
-  double angleOf(const Vec2 & point);
+  void forEachInterval(double begin, double width, Draw draw) const;
+  double beamOf(double angle) const;
+  double beamOf(const Vec2 & point);
 
   BeamTable beams_;
   double range_max_;
@@ -45,6 +46,6 @@ private:
   std::vector<double> inverse_ranges_;
   // The directions of neighbouring walls meet in a corner: keep the last one.
   Vec2 last_point_{std::numeric_limits<double>::quiet_NaN(), 0.0};
-  double last_angle_{0.0};
+  double last_beam_{0.0};
 };
 }  // namespace f1tenth_sim2d

@@ -90,7 +90,7 @@ class MoveBaseTest(unittest.TestCase):
         self.client.send_goal(MoveBaseGoal(pose))
 
     def result(self):
-        assert self.client.wait_for_result(PATIENCE), "no result"
+        assert self.client.wait_for_result(PATIENCE)
         return self.client.get_state(), self.client.get_goal_status_text()
 
     def wait_until(self, condition):

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Writes single_track_reference.csv: manoeuvres driven by CommonRoad's own single-track model.
 
-Needs the PyPI package commonroad-vehicle-models. The model is integrated with Runge-Kutta steps of 0.1 ms; the
-inputs of a row hold until the next row.
+Needs the PyPI package commonroad-vehicle-models. The model is integrated with Runge-Kutta steps of 0.1 ms;
+the inputs of a row hold until the next row.
 """
 
 import csv
@@ -31,7 +31,7 @@ COLUMNS = [
 
 
 class TireOfTwoAxles:
-    """Lets the model see the F1/10 car's two cornering stiffnesses, though it reads one parameter for both axles.
+    """Lets the model see the two cornering stiffnesses of the F1/10 car, though it has one for both axles.
 
     The model works out C_Sf first and C_Sr second, both as -p_ky1 / p_dy1.
     """

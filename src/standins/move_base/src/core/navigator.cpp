@@ -256,7 +256,7 @@ void Navigator::endRecovery(double time)
 {
   state_ = State::kPlanning;
   planning_retries_ = 0;
-  last_valid_plan_ = next_plan_ = time;
+  last_valid_plan_ = last_oscillation_reset_ = next_plan_ = time;
 }
 
 void Navigator::watchOscillation(const CycleInput & input)

@@ -53,8 +53,9 @@ format: setup ## format all files
 	@ruff check --fix-only -q $(PYTHON_FILES)
 	@ruff format -q $(PYTHON_FILES)
 
-bench: build ## measure the simulator; writes results/bench.json
-	@$(IN_WORKSPACE) exec rosrun f1tenth_sim2d bench --output results/bench.json
+bench: build ## measure the core of the simulator on a ring of walls
+	@cmake --build $(BUILD_DIR) -j $(JOBS) --target f1tenth_sim2d_core_bench -- --no-print-directory
+	@$$(find $(DEVEL_DIR)/lib $(BUILD_DIR) -name f1tenth_sim2d_core_bench -type f -perm -u+x | head -n 1)
 
 clean: ## remove everything that was built
 	@rm -rf $(BUILD_DIR) $(BUILD_DIR).log $(DEVEL_DIR) install logs .catkin_tools

@@ -23,6 +23,10 @@ class _Sensor:
     touching: bool = False
 
 
+def _next_multiple(time):
+    return (time // REPORT_PERIOD + 1) * REPORT_PERIOD
+
+
 class CollisionMonitor:
     """Joins the contact sensors of a car into one state and counts how often it began to touch something.
 
@@ -42,6 +46,7 @@ class CollisionMonitor:
         self._collisions = 0
         self._newest_stamp = 0
         self._next_report = 0
+        self._next_tick = 0
         self._reported = False
         # Until the clock has followed the sensors into the new run, it is not to be believed.
         self._clock_of_old_run, self._clock = self._clock, 0
@@ -60,15 +65,22 @@ class CollisionMonitor:
         sensor.touching = any(not self._with_ground(pair) for pair in contacts)
         # Sensors are read one after the other: a stamp may be a little older than the newest.
         self._newest_stamp = max(stamp, self._newest_stamp)
-        return self._update(self._newest_stamp >= self._next_report, self._newest_stamp)
+        due = self._newest_stamp >= self._next_report
+        if due:
+            self._next_report = _next_multiple(self._newest_stamp)
+            self._next_tick = self._next_report + REPORT_PERIOD
+        return self._update(due)
 
     def tick(self, clock):
-        """Let time pass without a message and return the Report that is due, if the sensors do not see to that."""
+        """Let time pass without a message and return the Report that is due, unless the sensors see to that."""
         if self._clock_of_old_run and self._newest_stamp < self._clock_of_old_run <= clock:
             return Report()
         self._clock_of_old_run = 0
         self._clock = clock
-        return self._update(clock >= self._next_report + REPORT_PERIOD, clock)
+        due = clock >= self._next_tick
+        if due:
+            self._next_tick = _next_multiple(clock)
+        return self._update(due)
 
     def silent_sensors(self):
         """Map each sensor that says nothing to the ns since it last spoke, or to None if it never did."""
@@ -82,15 +94,13 @@ class CollisionMonitor:
     def _with_ground(self, pair):
         return any(name.split("::", 1)[0] in self._ground_models for name in pair)
 
-    def _update(self, due, now):
+    def _update(self, due):
         collision = any(sensor.touching for sensor in self._sensors.values())
         began = collision and not self._collision
         changed = collision != self._collision
         first, self._reported = not self._reported, True
         self._collision = collision
         self._collisions += began
-        if due:
-            self._next_report = (now // REPORT_PERIOD + 1) * REPORT_PERIOD
         return Report(
             collision=collision if due or changed or first else None,
             collisions=self._collisions if began or first else None,

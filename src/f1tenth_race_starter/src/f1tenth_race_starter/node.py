@@ -1,5 +1,6 @@
 """The node race_starter: announces what the Countdown says is due."""
 
+import signal
 import time
 import warnings
 
@@ -20,8 +21,9 @@ PERIOD_TIMEOUT = 0.1  # wall s, how long a stop request may wait
 class RaceStarter:
     """Publishes the countdown, by the clock or once per period in lockstep."""
 
-    def __init__(self, parameters):
+    def __init__(self, parameters, stop_requests):
         self._parameters = parameters
+        self._stop_requests = stop_requests
         self._countdown = Countdown(parameters.time_to_start)
         self._publisher = _synchronous_publisher("time_to_start", Int32)
 
@@ -36,9 +38,12 @@ class RaceStarter:
         self._linger()
         return EXIT_STARTED
 
+    def _stopping(self):
+        return rospy.is_shutdown() or bool(self._stop_requests)
+
     def _run_by_clock(self):
         # Not rospy.sleep: it does not return when the clock stops.
-        while not (rospy.is_shutdown() or self._countdown.finished):
+        while not (self._stopping() or self._countdown.finished):
             self._announce(rospy.get_rostime())
             time.sleep(POLL_PERIOD)
 
@@ -46,7 +51,7 @@ class RaceStarter:
         from sim2d_lockstep import Participant
 
         participant = Participant(rospy.get_name().lstrip("/"))
-        while not (rospy.is_shutdown() or self._countdown.finished):
+        while not (self._stopping() or self._countdown.finished):
             stamp = participant.wait_for_period(PERIOD_TIMEOUT)
             if stamp is not None:
                 self._announce(stamp)
@@ -61,7 +66,7 @@ class RaceStarter:
     def _linger(self):
         # A latched message is gone with its node; who connects a little late is to get the start signal too.
         end = time.monotonic() + self._parameters.linger
-        while not rospy.is_shutdown() and time.monotonic() < end:
+        while not self._stopping() and time.monotonic() < end:
             time.sleep(POLL_PERIOD)
 
 
@@ -77,12 +82,26 @@ def _synchronous_publisher(topic, message_type):
         return rospy.Publisher(topic, message_type, latch=True, queue_size=None)
 
 
+def _note_stop_signals():
+    """Return a list that grows with each SIGINT and SIGTERM.
+
+    rospy's own handler shuts down inside the signal, and hangs when that interrupts a log or a publish.
+    """
+    requests = []
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda received, _: requests.append(received))
+    return requests
+
+
 def main():
     """Run the node; return its exit code."""
-    rospy.init_node("race_starter")
+    stop_requests = _note_stop_signals()
+    rospy.init_node("race_starter", disable_signals=True)
     try:
         parameters = parse_parameters(rospy.get_param("~", {}), rospy.get_name())
     except ParameterError as error:
         rospy.logfatal("%s", error)
         return EXIT_BAD_INPUT
-    return RaceStarter(parameters).run()
+    code = RaceStarter(parameters, stop_requests).run()
+    rospy.signal_shutdown("the countdown is over")
+    return code

@@ -72,7 +72,7 @@ class CollisionMonitor:
         return self._update(due)
 
     def tick(self, clock):
-        """Let time pass without a message and return the Report that is due, unless the sensors see to that."""
+        """Let time pass without a message; return the Report that is due unless the sensors see to it."""
         if self._clock_of_old_run and self._newest_stamp < self._clock_of_old_run <= clock:
             return Report()
         self._clock_of_old_run = 0

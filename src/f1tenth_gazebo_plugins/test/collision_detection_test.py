@@ -7,8 +7,7 @@ import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
 from gazebo_msgs.msg import ContactsState
-from geometry_msgs.msg import Twist
-from simulator import Collector, Sim2d, Stepper, car_description, wait_for_subscriber
+from simulator import Collector, Driver, Sim2d, Stepper, car_description
 from std_msgs.msg import Bool, UInt32
 
 SECOND = 1_000_000_000
@@ -18,7 +17,7 @@ SIDES = ("front", "rear", "left", "right")
 
 
 class CollisionDetectionTest(unittest.TestCase):
-    def start(self, **place):
+    def start(self, participants=("test",), **place):
         self.stepper = Stepper()
         self.addCleanup(self.stepper.close)
         self.collector = Collector(
@@ -28,12 +27,12 @@ class CollisionDetectionTest(unittest.TestCase):
             **{f"robot1__bumper_{side}": ContactsState for side in SIDES},
         )
         self.addCleanup(self.collector.close)
-        self.commands = rospy.Publisher("/robot1/cmd_vel", Twist, queue_size=10)
-        self.addCleanup(self.commands.unregister)
+        self.driver = Driver("robot1", self.stepper)
+        self.addCleanup(self.driver.close)
         self.sim2d = Sim2d(
             car_description(),
             lockstep=True,
-            participants=["test"],
+            participants=list(participants),
             cars={"robot1": place},
             lockstep_timeout=60.0,
         )
@@ -51,12 +50,8 @@ class CollisionDetectionTest(unittest.TestCase):
 
     def drive_until_collision(self, speed):
         """Drive period by period until `collision` is true; at most 2 s."""
-        wait_for_subscriber(self.commands)
-        command = Twist()
-        command.linear.x = speed
         for end in range(2 * PERIOD, 2 * SECOND, PERIOD):
-            self.commands.publish(command)
-            self.stepper.advance_to(end)
+            self.driver.drive_to(end, linear_x=speed)
             last = end // BUMPER_PERIOD * BUMPER_PERIOD
             assert self.collector.wait_for(
                 lambda seen, last=last: all(
@@ -69,7 +64,7 @@ class CollisionDetectionTest(unittest.TestCase):
         raise AssertionError("the car has not touched anything")
 
     def test_front_bumper_tells_of_the_wall_ahead_within_its_period(self):
-        self.start(x=2.5)
+        self.start(participants=("robot1", "test"), x=2.5)
         self.drive_until_collision(2.0)
         self.sim2d.stop()
         assert [side for side in SIDES if self.touched(side)] == ["front"]
@@ -77,7 +72,7 @@ class CollisionDetectionTest(unittest.TestCase):
         first = next(row for row in self.sim2d.record() if row["contacts"])
         assert contact.header.stamp.to_nsec() <= round(float(first["time"]) * SECOND) + BUMPER_PERIOD
         state = contact.states[0]
-        assert state.collision1_name == "robot1::base_footprint::bumper_front_collision"
+        assert state.collision1_name == "robot1::bumper_front::bumper_front_collision"
         assert state.collision2_name == "walls::east::collision"
         assert abs(state.contact_positions[0].x - 4.0) < 0.02
         assert state.contact_normals[0].x < -0.99
@@ -86,7 +81,7 @@ class CollisionDetectionTest(unittest.TestCase):
         assert self.collector.messages["/robot1/collisions"][-1].data == 1
 
     def test_rear_bumper_tells_of_the_wall_behind(self):
-        self.start(x=-3.5)
+        self.start(participants=("robot1", "test"), x=-3.5)
         self.drive_until_collision(-1.0)
         assert [side for side in SIDES if self.touched(side)] == ["rear"]
 

@@ -6,9 +6,8 @@ import unittest
 
 import rospy
 import rostest
-from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from simulator import Collector, Sim2d, Stepper, car_description, perfect_odometry, wait_for_subscriber
+from simulator import Collector, Driver, Sim2d, Stepper, car_description, perfect_odometry
 from tf2_msgs.msg import TFMessage
 
 SECOND = 1_000_000_000
@@ -17,14 +16,12 @@ TOPIC = "/robot1/perfect_odom"
 
 
 class PerfectOdometryTest(unittest.TestCase):
-    def start(self, description, **parameters):
+    def start(self, description, participants=("test",), **parameters):
         self.stepper = Stepper()
         self.addCleanup(self.stepper.close)
         self.collector = Collector(robot1__perfect_odom=Odometry, tf=TFMessage)
         self.addCleanup(self.collector.close)
-        self.commands = rospy.Publisher("/robot1/cmd_vel", Twist, queue_size=10)
-        self.addCleanup(self.commands.unregister)
-        self.sim2d = Sim2d(description, lockstep=True, participants=["test"], **parameters)
+        self.sim2d = Sim2d(description, lockstep=True, participants=list(participants), **parameters)
         self.addCleanup(self.sim2d.kill)
 
     def run_until(self, end):
@@ -32,12 +29,6 @@ class PerfectOdometryTest(unittest.TestCase):
         assert self.collector.wait_for(lambda seen: seen[TOPIC])
         self.stepper.advance_to(end)
         assert self.collector.wait_for(lambda seen: seen[TOPIC][-1].header.stamp.to_nsec() >= end)
-
-    def drive(self):
-        wait_for_subscriber(self.commands)
-        command = Twist()
-        command.linear.x, command.angular.z = 1.0, 0.6
-        self.commands.publish(command)
 
     def test_200_hz_with_stamps_at_exact_multiples(self):
         self.start(car_description(perfect_odometry()))
@@ -49,9 +40,16 @@ class PerfectOdometryTest(unittest.TestCase):
         assert list(dict.fromkeys(stamps)) == list(range(stamps[0], SECOND + 1, SECOND // 200))
 
     def test_pose_and_twist_are_the_simulators_own_state(self):
-        self.start(car_description(perfect_odometry()), cars={"robot1": {"x": -1.0, "y": -0.5, "yaw": 0.3}})
-        self.drive()
-        self.run_until(SECOND)
+        self.start(
+            car_description(perfect_odometry()),
+            participants=("robot1", "test"),
+            cars={"robot1": {"x": -1.0, "y": -0.5, "yaw": 0.3}},
+        )
+        assert self.collector.wait_for(lambda seen: seen[TOPIC])
+        driver = Driver("robot1", self.stepper)
+        self.addCleanup(driver.close)
+        driver.drive_to(SECOND, linear_x=1.0, angular_z=0.6)
+        assert self.collector.wait_for(lambda seen: seen[TOPIC][-1].header.stamp.to_nsec() == SECOND)
         self.sim2d.stop()
         messages = {message.header.stamp.to_nsec(): message for message in self.collector.messages[TOPIC]}
         rows = self.sim2d.record()

@@ -7,9 +7,9 @@ import rospkg
 
 sys.path.insert(0, str(pathlib.Path(rospkg.RosPack().get_path("f1tenth_sim2d")) / "test" / "node"))
 
-from sim2d_process import Collector, Sim2d, Stepper, car_description, wait_for_subscriber  # noqa: E402
+from sim2d_process import Collector, Driver, Sim2d, Stepper, car_description  # noqa: E402
 
-__all__ = ["Collector", "Sim2d", "Stepper", "car_description", "perfect_odometry", "wait_for_subscriber"]
+__all__ = ["Collector", "Driver", "Sim2d", "Stepper", "car_description", "perfect_odometry"]
 
 
 def perfect_odometry(**tags):

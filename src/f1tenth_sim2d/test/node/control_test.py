@@ -9,9 +9,8 @@ import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
 from gazebo_msgs.srv import GetModelState
-from geometry_msgs.msg import Twist
 from rosgraph_msgs.msg import Clock
-from sim2d_process import LONG, Collector, Sim2d, Stepper, car_description, wait_for_subscriber
+from sim2d_process import LONG, Collector, Driver, Sim2d, Stepper, car_description
 from std_srvs.srv import Empty
 
 SECOND = 1_000_000_000
@@ -34,10 +33,10 @@ class ControlTest(unittest.TestCase):
         self.addCleanup(collector.close)
         return collector
 
-    def start_lockstep(self, **parameters):
+    def start_lockstep(self, participants=("test",), **parameters):
         self.stepper = Stepper()
         self.addCleanup(self.stepper.close)
-        return self.start(lockstep=True, participants=["test"], **parameters)
+        return self.start(lockstep=True, participants=list(participants), **parameters)
 
     def wait_for_clock(self, collector, condition):
         assert collector.wait_for(lambda seen: any(condition(m.clock.to_nsec()) for m in seen["/clock"]))
@@ -117,14 +116,10 @@ class ControlTest(unittest.TestCase):
         assert answer.status_message == "GetModelState: reference [table] does not exist"
 
     def test_record_has_a_row_a_period_with_the_contacts(self):
-        commands = rospy.Publisher("/robot1/cmd_vel", Twist, queue_size=10, latch=True)
-        self.addCleanup(commands.unregister)
-        command = Twist()
-        command.linear.x = 2.0
-        commands.publish(command)
-        sim2d = self.start_lockstep(cars={"robot1": {"x": 3.0}})
-        wait_for_subscriber(commands)
-        self.stepper.advance_to(20 * PERIOD)
+        sim2d = self.start_lockstep(participants=["robot1", "test"], cars={"robot1": {"x": 3.0}})
+        driver = Driver("robot1", self.stepper)
+        self.addCleanup(driver.close)
+        driver.drive_to(20 * PERIOD, linear_x=2.0)
         assert sim2d.stop() == 0
         rows = sim2d.record()
         assert [row["time"] for row in rows] == [f"{n * 0.025:.9f}" for n in range(1, 21)]

@@ -8,10 +8,9 @@ import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
 from gazebo_msgs.msg import ContactsState, ModelStates
-from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import Imu, JointState, LaserScan
-from sim2d_process import Collector, Sim2d, Stepper, car_description, wait_for_subscriber
+from sim2d_process import Collector, Driver, Sim2d, Stepper, car_description
 from tf2_msgs.msg import TFMessage
 
 SECOND = 1_000_000_000
@@ -34,18 +33,19 @@ def expected_stamps(first, rate):
 
 
 class OutputsTest(unittest.TestCase):
-    def start(self, odometry="perfect", **topics):
+    def start(self, odometry="perfect", participants=("test",), **topics):
         """Hold the simulation in its first period until every subscriber is served."""
         self.stepper = Stepper()
         self.addCleanup(self.stepper.close)
         self.collector = Collector(**{f"robot1__{topic}": kind for topic, kind in TYPES.items()}, **topics)
         self.addCleanup(self.collector.close)
-        self.commands = rospy.Publisher("/robot1/cmd_vel", Twist, queue_size=10)
-        self.addCleanup(self.commands.unregister)
-        self.sim2d = Sim2d(car_description(), lockstep=True, participants=["test"], odometry=odometry)
+        self.driver = Driver("robot1", self.stepper)
+        self.addCleanup(self.driver.close)
+        self.sim2d = Sim2d(
+            car_description(), lockstep=True, participants=list(participants), odometry=odometry
+        )
         self.addCleanup(self.sim2d.kill)
         self.collector.wait_until_connected()
-        wait_for_subscriber(self.commands)
         self.wait_for_all_until(PERIOD)
 
     def advance_to(self, end):
@@ -91,11 +91,9 @@ class OutputsTest(unittest.TestCase):
             assert all(message.states == [] for message in self.messages(bumper))
 
     def test_car_that_drives_turns_its_wheels_and_feels_gravity(self):
-        self.start()
-        command = Twist()
-        command.linear.x, command.angular.z = 1.0, 0.5
-        self.commands.publish(command)
-        self.advance_to(SECOND // 2)
+        self.start(participants=("robot1", "test"))
+        self.driver.drive_to(SECOND // 2, linear_x=1.0, angular_z=0.5)
+        self.wait_for_all_until(SECOND // 2)
         joints = self.messages("joint_states")[-1]
         positions = dict(zip(joints.name, joints.position))
         velocities = dict(zip(joints.name, joints.velocity))
@@ -121,18 +119,16 @@ class OutputsTest(unittest.TestCase):
                 self.doCleanups()
 
     def test_refused_commands_are_counted_and_never_reach_the_car(self):
-        self.start(diagnostics=DiagnosticArray)
-        for value in (math.nan, math.inf, -math.inf):
-            command = Twist()
-            command.linear.x = value
-            self.commands.publish(command)
-        self.advance_to(SECOND)
+        self.start(participants=("robot1", "test"), diagnostics=DiagnosticArray)
+        for end, value in ((SECOND // 4, math.nan), (SECOND // 2, math.inf), (SECOND, -math.inf)):
+            self.driver.drive_to(end, linear_x=value)
+        self.wait_for_all_until(SECOND)
         assert self.collector.wait_for(lambda messages: messages["/diagnostics"])
         status = {s.name: s for s in self.collector.messages["/diagnostics"][-1].status}
         commands = status["sim2d: commands of robot1"]
         assert commands.level == 1
         assert commands.message.startswith("refused: ")
-        assert {entry.key: entry.value for entry in commands.values} == {"accepted": "0", "refused": "3"}
+        assert {entry.key: entry.value for entry in commands.values} == {"accepted": "0", "refused": "39"}
         assert abs(self.messages("odom")[-1].twist.twist.linear.x) < 0.2
         values = {entry.key: entry.value for entry in status["sim2d: time"].values}
         assert values["mode"] == "lockstep"

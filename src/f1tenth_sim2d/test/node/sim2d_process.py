@@ -11,9 +11,11 @@ import time
 
 import rospkg
 import rospy
+from geometry_msgs.msg import Twist
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Header
 
+PERIOD_NS = 25_000_000
 LONG = 60.0  # wall s: only a hang takes that long
 DATA = pathlib.Path(__file__).resolve().parent / "data"
 WORLD = str(DATA / "room.world")
@@ -143,6 +145,29 @@ class Collector:
             subscriber.unregister()
 
 
+class Driver:
+    """Answers for a car, which is a participant: one command a period, so that none comes late."""
+
+    def __init__(self, car, stepper):
+        self._stepper = stepper
+        self._commands = rospy.Publisher(f"/{car}/cmd_vel", Twist, queue_size=10)
+
+    def drive_to(self, end_ns, linear_x, angular_z=0.0):
+        """Advance period by period until the one that ends at end_ns is there."""
+        wait_for_subscriber(self._commands)
+        command = Twist()
+        command.linear.x, command.angular.z = linear_x, angular_z
+        if not self._stepper.now:
+            self._stepper.advance_to(PERIOD_NS)
+        for end in range(self._stepper.now + PERIOD_NS, end_ns + 1, PERIOD_NS):
+            self._commands.publish(command)
+            self._stepper.advance_to(end)
+
+    def close(self):
+        """Stop answering."""
+        self._commands.unregister()
+
+
 class Stepper:
     """The lockstep participant `test`: lets the simulation advance period by period.
 
@@ -152,27 +177,27 @@ class Stepper:
     def __init__(self, name="test"):
         self._name = name
         self._allowed = 0
-        self._now = 0
+        self.now = 0
         self._changed = threading.Condition()
         self._done = rospy.Publisher("/sim2d/done", Header, queue_size=100)
         self._clock = rospy.Subscriber("/clock", Clock, self._on_clock, tcp_nodelay=True)
 
     def _on_clock(self, message):
         with self._changed:
-            self._now = message.clock.to_nsec()
+            self.now = message.clock.to_nsec()
             self._changed.notify_all()
             self._answer()
 
     def _answer(self):
-        if 0 < self._now <= self._allowed:
+        if 0 < self.now <= self._allowed:
             header = Header(frame_id=self._name)
-            header.stamp = rospy.Time(0, self._allowed if self._allowed == LEFT_NS else self._now)
+            header.stamp = rospy.Time(0, self._allowed if self._allowed == LEFT_NS else self.now)
             self._done.publish(header)
 
     def restart(self):
         """Hold the simulation in its first period again."""
         with self._changed:
-            self._allowed = self._now = 0
+            self._allowed = self.now = 0
 
     def leave(self):
         """Answer whatever comes from now on."""
@@ -185,9 +210,9 @@ class Stepper:
         with self._changed:
             self._allowed = end_ns - 1
             self._answer()
-            reached = self._changed.wait_for(lambda: self._now >= end_ns, LONG)
+            reached = self._changed.wait_for(lambda: self.now >= end_ns, LONG)
         if not reached:
-            raise AssertionError(f"the simulator has not reached {end_ns} ns, it is at {self._now} ns")
+            raise AssertionError(f"the simulator has not reached {end_ns} ns, it is at {self.now} ns")
 
     def close(self):
         """Stop answering."""

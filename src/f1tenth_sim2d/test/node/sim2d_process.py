@@ -41,9 +41,9 @@ class Sim2d:
 
     def __init__(self, description=None, environment=None, **parameters):
         """description: URDF of robot1; None leaves its parameter alone."""
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="sim2d_test_"))
-        self.result_file = self.folder / "result.json"
-        self.record_file = self.folder / "record.csv"
+        self._folder = tempfile.TemporaryDirectory(prefix="sim2d_test_")
+        self.result_file = pathlib.Path(self._folder.name, "result.json")
+        self.record_file = pathlib.Path(self._folder.name, "record.csv")
         defaults = {
             "world": WORLD,
             "cars": {"robot1": {"x": 0.0}},

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "f1tenth_sim2d/ackermann.h"
+#include "piece_extent.h"
 #include "planar_pose.h"
 
 namespace f1tenth_sim2d

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "ground_friction.h"
+#include "piece_extent.h"
 #include "planar_pose.h"
 
 namespace f1tenth_sim2d
@@ -13,41 +14,6 @@ namespace
 constexpr int kVelocityIterations = 8;
 constexpr int kPositionIterations = 3;
 
-bool isOfModel(const Piece & piece, std::size_t model)
-{
-  return piece.owner == Piece::Owner::kModel && piece.body == model;
-}
-
-std::vector<Piece> piecesOfModel(const WorldPieces & pieces, std::size_t model)
-{
-  std::vector<Piece> result;
-  std::copy_if(
-    pieces.ofWholeSolids().begin(), pieces.ofWholeSolids().end(), std::back_inserter(result),
-    [&](const Piece & piece) { return isOfModel(piece, model); });
-  return result;
-}
-
-/// Friction coefficient of the ground planes, infinite where the world has none: then that of the model decides.
-double groundFriction(const WorldDescription & world)
-{
-  double mu = std::numeric_limits<double>::infinity();
-  for (const ModelDescription & model : world.models) {
-    for (const Solid & solid : model.solids) {
-      if (std::holds_alternative<Plane>(solid.shape)) {
-        mu = std::min(mu, solid.mu);
-      }
-    }
-  }
-  return mu;
-}
-
-/// Friction coefficient of the lowest solid: the one that the model stands on.
-double footFriction(const std::vector<Piece> & pieces)
-{
-  const auto lowest = std::min_element(
-    pieces.begin(), pieces.end(), [](const Piece & a, const Piece & b) { return a.span.bottom < b.span.bottom; });
-  return lowest != pieces.end() ? lowest->friction : 1.0;
-}
 }  // namespace
 
 bool CollisionWorld::PieceFilter::ShouldCollide(b2Fixture * a, b2Fixture * b)
@@ -108,22 +74,13 @@ void CollisionWorld::addPieces(const std::vector<Piece> & pieces)
   }
 }
 
-// As a joint, so that Box2D solves friction with the ground together with the contacts: what is pushed less than
-// friction holds stays where it is.
 void CollisionWorld::addGroundFriction()
 {
   const double ground = groundFriction(description_);
   for (const Movable & movable : movables_) {
-    const std::vector<Piece> pieces = piecesOfModel(pieces_, movable.model);
-    const double mu = std::min(ground, footFriction(pieces));
-    const double force = mu * description_.models[movable.model].mass * description_.gravity;
-    b2FrictionJointDef definition;
-    definition.Initialize(static_body_, movable.body, movable.body->GetPosition());
-    definition.collideConnected = true;
-    definition.maxForce = toBox(force);
-    definition.maxTorque = toBoxSquared(force * meanRadius(pieces));
-    world_.CreateJoint(&definition);
-    movable.body->SetAwake(false);
+    const ModelDescription & model = description_.models[movable.model];
+    const double weight = model.mass * description_.gravity;
+    addFrictionJoint(*static_body_, *movable.body, piecesOfModel(pieces_, movable.model), ground, weight);
   }
 }
 

@@ -50,10 +50,4 @@ bool canTouch(const Piece & a, const Piece & b);
 
 /// Shapes of a footprint, its points moved by -origin; slivers without area are left out.
 std::vector<PieceShape> pieceShapes(const Section & footprint, const Vec2 & origin);
-
-/// Radius of the circle about the origin of the body that holds all pieces, m.
-double outerRadius(const std::vector<Piece> & pieces);
-
-/// Mean distance of the pieces' area from the origin of the body, m: the lever of friction with the ground.
-double meanRadius(const std::vector<Piece> & pieces);
 }  // namespace f1tenth_sim2d

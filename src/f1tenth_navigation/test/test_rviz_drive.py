@@ -111,4 +111,4 @@ def test_car_drives_to_the_place_that_is_clicked_on(user):
 
     wait_until(lambda: user.sees(*COLOURS), "both plans are in the picture")
     assert user.result.get().status.status == GoalStatus.SUCCEEDED
-    assert user.closest_to_goal < 0.4
+    wait_until(lambda: user.closest_to_goal < 0.4, "the car was at its goal")

@@ -23,6 +23,8 @@ seed: 1
 
 
 def scenario(expected=Verdict.SUCCESS, timeout=10.0, cars=("robot1",), **others):
+    if expected is Verdict.ERROR:
+        others.setdefault("culprit", "robot1/move_base")
     return Scenario(
         description="a test",
         world="circuit1",

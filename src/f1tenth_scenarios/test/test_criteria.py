@@ -40,6 +40,16 @@ def test_wrong_expectation_fails(runs, expected, actual):
     assert (verdict.actual, verdict.limit) == (actual.value, expected.value)
 
 
+def test_error_of_somebody_else_fails(runs):
+    found = results(scenario(Verdict.ERROR, culprit="sim2d"), runs[Verdict.ERROR])
+    assert found["verdict"].status is Status.PASSED
+    assert (found["culprit"].status, found["culprit"].actual) == (Status.FAILED, "robot1/move_base")
+
+
+def test_culprit_is_judged_only_if_an_error_is_expected(runs):
+    assert "culprit" not in results(scenario(), runs[Verdict.ERROR])
+
+
 def test_missed_goals_fail_with_their_number(runs):
     found = results(scenario(), runs[Verdict.ABORTED])["goals_in_order"]
     assert (found.status, found.actual, found.limit, found.unit) == (Status.FAILED, 2, 3, "goals")

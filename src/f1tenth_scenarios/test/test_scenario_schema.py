@@ -6,7 +6,7 @@ from f1tenth_scenarios.scenario import Driver, Pose, Verdict, read_scenario
 from scenario_samples import SCENARIO_TEXT
 
 TOP_KEYS = (
-    "description, world, cars, limits, expected, seed, laps, time_to_start, lockstep, real_time_factor,"
+    "description, world, cars, limits, expected, seed, culprit, laps, time_to_start, lockstep, real_time_factor,"
     " criteria, faults"
 )
 CAR_KEYS = "name, start, driver, goals, commands"
@@ -136,6 +136,16 @@ ANSWERS = {
         "    goals: circuit1",
         "    driver: commands\n    commands: [{at: 1, speed: 21}]",
         "FILE:6: cars[0].commands[0].speed is 21, must be at least -5 m/s and at most 20 m/s",
+    ),
+    "no culprit": (
+        "expected: success",
+        "expected: error",
+        "FILE:1: culprit is missing; an expected error must say whose it is",
+    ),
+    "culprit of no error": (
+        "seed: 1",
+        "seed: 1\nculprit: robot1/move_base",
+        "FILE:10: culprit is for the expected verdict 'error' only",
     ),
     "late fault": (
         "seed: 1",

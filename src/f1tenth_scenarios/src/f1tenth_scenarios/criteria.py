@@ -48,7 +48,10 @@ def evaluate(scenario: Scenario, judgement: Judgement) -> list[Criterion]:
 
 def names(scenario: Scenario) -> list[str]:
     """The names of a scenario's criteria, known before it runs."""
-    optional = {"minimum_clearance": scenario.criteria.minimum_clearance is not None}
+    optional = {
+        "culprit": scenario.culprit is not None,
+        "minimum_clearance": scenario.criteria.minimum_clearance is not None,
+    }
     return [name for name in _CRITERIA if optional.get(name, True)]
 
 
@@ -64,6 +67,12 @@ def _verdict(scenario, judgement):
     return Criterion(
         "verdict", _status(met), decision.verdict.value, scenario.expected.value, "", decision.reason
     )
+
+
+def _culprit(scenario, judgement):
+    actual = judgement.failure.culprit if judgement.failure else None
+    status = _status(actual == scenario.culprit)
+    return Criterion("culprit", status, actual, scenario.culprit, "", judgement.decision.reason)
 
 
 def _goals_in_order(scenario, judgement):
@@ -117,6 +126,7 @@ def _status(met: bool) -> Status:
 
 _CRITERIA: dict[str, Callable[[Scenario, Judgement], Criterion]] = {
     "verdict": _verdict,
+    "culprit": _culprit,
     "goals_in_order": _goals_in_order,
     "collision": _collision,
     "timeout": _timeout,

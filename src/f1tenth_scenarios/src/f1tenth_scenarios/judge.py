@@ -53,7 +53,7 @@ def judge(scenario: Scenario, goals: Goals, seen: Observations) -> Judgement:
     passes = {car: _passes(scenario, record, car, poses) for car, poses in goals.items()}
     if decision.verdict is Verdict.SUCCESS:
         decision = _verify_success(decision, seen.record, passes)
-    failure = seen.failure if decision.verdict is Verdict.ERROR else None
+    failure = _failure(seen) if decision.verdict is Verdict.ERROR else None
     return Judgement(decision, record, passes, failure)
 
 
@@ -115,9 +115,13 @@ def _timeouts(scenario, seen):
 
 
 def _breakdowns(seen):
-    failure = seen.failure or _false_alarm(seen)
+    failure = _failure(seen)
     if failure:
         yield Decision(_end(seen.record), Verdict.ERROR, f"{failure.culprit}: {failure.reason}")
+
+
+def _failure(seen) -> Optional[Failure]:
+    return seen.failure or _false_alarm(seen)
 
 
 def _false_alarm(seen) -> Optional[Failure]:

@@ -140,6 +140,9 @@ class Scenario:
     limits: Limits = key("When the run is over at the latest.")
     expected: Verdict = key("The verdict that makes the scenario pass.")
     seed: int = key("Seed of all noise.", at_least=0)
+    culprit: Optional[str] = key(
+        "Node that an expected `error` must name, as in `robot1/move_base`; required then.", default=None
+    )
     laps: int = key("How often the goals are driven through.", at_least=1, default=1)
     time_to_start: int = key("Countdown before the start.", unit="s", at_least=0, default=2)
     lockstep: bool = key("Whether the simulator waits for every participant in every period.", default=True)
@@ -156,6 +159,10 @@ class Scenario:
             return "cars", "is empty; at least one car is needed"
         if len(set(names)) != len(names):
             return "cars", f"has a name twice: {', '.join(names)}"
+        if self.expected is Verdict.ERROR and self.culprit is None:
+            return "culprit", "is missing; an expected error must say whose it is"
+        if self.expected is not Verdict.ERROR and self.culprit is not None:
+            return "culprit", "is for the expected verdict 'error' only"
         if any(fault.at > self.limits.timeout for fault in self.faults):
             return "faults", f"has a time after limits.timeout ({self.limits.timeout:g} s)"
         return None

@@ -1,3 +1,4 @@
+import contextlib
 import resource
 
 import pytest
@@ -5,13 +6,15 @@ from map_server.errors import MapSaveError
 from map_server.files import replace_files
 
 
-@pytest.fixture
+@contextlib.contextmanager
 def full_disk():
-    """Files may not grow beyond 10 bytes."""
+    """Within it files may not grow beyond 10 bytes, the one to which pytest may be writing included."""
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (10, limits[1]))
-    yield
-    resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
 
 
 def content(folder):
@@ -29,10 +32,9 @@ def test_replaces_existing_files(tmp_path):
     assert content(tmp_path) == {"a": b"new"}
 
 
-@pytest.mark.usefixtures("full_disk")
 def test_full_disk_leaves_the_old_files_and_no_new_one(tmp_path):
     (tmp_path / "a").write_bytes(b"old")
-    with pytest.raises(MapSaveError) as raised:
+    with full_disk(), pytest.raises(MapSaveError) as raised:
         replace_files({tmp_path / "a": b"new", tmp_path / "b": b"too much for it"})
     assert str(raised.value) == f"{tmp_path}/b: cannot be written: File too large"
     assert content(tmp_path) == {"a": b"old"}

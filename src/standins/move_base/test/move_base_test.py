@@ -93,6 +93,10 @@ class MoveBaseTest(unittest.TestCase):
         assert self.client.wait_for_result(PATIENCE)
         return self.client.get_state(), self.client.get_goal_status_text()
 
+    def assert_result(self, state, text):
+        result = self.result()
+        assert result == (state, text), result
+
     def wait_until(self, condition):
         """Let simulated time run until the condition holds."""
         end = self.robot.now + PATIENCE.to_sec()
@@ -111,7 +115,7 @@ class MoveBaseTest(unittest.TestCase):
     def test_a_goal_is_reached(self):
         feedback = Listener("move_base/feedback", MoveBaseActionFeedback)
         self.send(pose_at(6.0, 2.0))
-        assert self.result() == (GoalStatus.SUCCEEDED, "Goal reached.")
+        self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
         self.assert_stopped()
         assert self.robot.pose[0] == pytest.approx(6.0, abs=0.2)
         assert self.robot.pose[1] == pytest.approx(2.0, abs=0.2)
@@ -140,13 +144,13 @@ class MoveBaseTest(unittest.TestCase):
             pose.pose.orientation = quaternion
             self.send(pose)
             text = "Aborting on goal because it was sent with an invalid quaternion"
-            assert self.result() == (GoalStatus.ABORTED, text)
+            self.assert_result(GoalStatus.ABORTED, text)
 
     def test_without_a_plan_it_is_aborted_after_recovery(self):
         recoveries = Listener("move_base/recovery_status", RecoveryStatus)
         self.send(pose_at(10.5, 5.0))
         text = "Failed to find a valid plan. Even after executing recovery behaviors."
-        assert self.result() == (GoalStatus.ABORTED, text)
+        self.assert_result(GoalStatus.ABORTED, text)
         self.assert_stopped()
         names = [m.recovery_behavior_name for m in recoveries.wait(lambda messages: len(messages) == 4)]
         assert names == ["conservative_reset", "back_up", "aggressive_reset", "back_up"]
@@ -156,20 +160,20 @@ class MoveBaseTest(unittest.TestCase):
     def test_a_goal_in_a_wall_is_aborted(self):
         self.send(pose_at(4.1, 1.0))
         text = "Failed to find a valid plan. Even after executing recovery behaviors."
-        assert self.result() == (GoalStatus.ABORTED, text)
+        self.assert_result(GoalStatus.ABORTED, text)
 
     def test_without_control_it_is_aborted_after_recovery(self):
         self.robot.put(6.0, 1.0)
         self.send(pose_at(10.5, 1.0))
         text = "Failed to find a valid control. Even after executing recovery behaviors."
-        assert self.result() == (GoalStatus.ABORTED, text)
+        self.assert_result(GoalStatus.ABORTED, text)
         self.assert_stopped()
 
     def test_a_car_that_gets_nowhere_is_aborted_after_recovery(self):
         self.robot.wheels_grip = False
         self.send(pose_at(3.0, 1.0))
         text = "Robot is oscillating. Even after executing recovery behaviors."
-        assert self.result() == (GoalStatus.ABORTED, text)
+        self.assert_result(GoalStatus.ABORTED, text)
         self.assert_stopped()
 
     def test_cancelling_stops_the_car(self):
@@ -197,7 +201,7 @@ class MoveBaseTest(unittest.TestCase):
         assert late
         assert {command.linear.x for command in late} == {0.0}
         self.robot.scan_works = True
-        assert self.result() == (GoalStatus.SUCCEEDED, "Goal reached.")
+        self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
 
     def test_what_the_map_does_not_know_is_driven_around(self):
         room = copy.deepcopy(self.room)
@@ -205,7 +209,7 @@ class MoveBaseTest(unittest.TestCase):
         self.robot.real_room = room
         self.robot.put(5.0, 4.0)
         self.send(pose_at(8.0, 3.5))
-        assert self.result() == (GoalStatus.SUCCEEDED, "Goal reached.")
+        self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
         assert not self.robot.touched
 
     def test_a_simple_goal_is_relayed_to_the_action(self):

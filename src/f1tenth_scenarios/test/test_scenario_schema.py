@@ -6,8 +6,8 @@ from f1tenth_scenarios.scenario import Driver, Pose, Verdict, read_scenario
 from scenario_samples import SCENARIO_TEXT
 
 TOP_KEYS = (
-    "description, world, cars, limits, expected, seed, culprit, laps, time_to_start, lockstep, real_time_factor,"
-    " criteria, faults"
+    "description, world, cars, limits, expected, seed, culprit, laps, time_to_start, lockstep,"
+    " real_time_factor, criteria, faults"
 )
 CAR_KEYS = "name, start, driver, goals, commands"
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <ignition/math/Pose3.hh>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,7 +10,11 @@
 #include "f1tenth_sim2d/vehicle_parameters.h"
 #include "f1tenth_sim2d/world_model.h"
 
-/// A car as the robot description gives it; frames of the car have no prefix here.
+/// A car as the robot description gives it.
+///
+/// Poses are in the frame of the car: on the ground below the middle of the rear axle, x forwards, z upwards.
+/// Frame ids of the car have no prefix here. Topics without slash in front belong into the namespace of the car; a
+/// <robotNamespace> of the description has become part of the topic ("/racecar/scan").
 namespace f1tenth_sim2d
 {
 /// A planar lidar. Beam i points at angle_min + i * (angle_max - angle_min) / (beam_count - 1).
@@ -18,7 +23,7 @@ struct LidarDescription
   std::string name;
   std::string topic{"scan"};
   std::string frame{"laser"};
-  ignition::math::Pose3d pose;  ///< in base_footprint; must be level
+  ignition::math::Pose3d pose;  ///< must be level
   double rate_hz{40.0};
   int beam_count{1081};
   double angle_min{0.0};     ///< rad
@@ -49,7 +54,21 @@ struct ImuDescription
   double acceleration_noise_stddev{0.0};  ///< m/s^2
 };
 
-/// Names of the joints that joint_states carries. Wheels turn, steering joints follow Ackermann's geometry.
+/// The true pose of a link as nav_msgs/Odometry: libgazebo_ros_p3d.so.
+struct PoseSensorDescription
+{
+  std::string name;
+  std::string topic;
+  std::string frame{"world"};           ///< header.frame_id; the world's, so without prefix
+  std::string link;                     ///< child_frame_id
+  ignition::math::Pose3d pose;          ///< of the link
+  ignition::math::Vector3d xyz_offset;  ///< m, added to the position in the world
+  ignition::math::Vector3d rpy_offset;  ///< rad, turns the orientation in the world
+  double rate_hz{0.0};                  ///< 0: at every physics step
+  double noise_stddev{0.0};             ///< m/s and rad/s, of the twist
+};
+
+/// A wheel or a steering joint. Wheels turn, steering joints follow Ackermann's geometry.
 struct JointDescription
 {
   std::string name;
@@ -62,21 +81,84 @@ struct JointDescription
     kSteeringLeft,
     kSteeringRight
   } role;
+  double direction{1.0};                 ///< +1: grows when the wheel rolls forwards or steers to the left; -1: falls
+  double lower{-ignition::math::INF_D};  ///< rad
+  double upper{ignition::math::INF_D};   ///< rad
+  double velocity_max{ignition::math::INF_D};  ///< rad/s
+  double effort_max{ignition::math::INF_D};    ///< N m
+};
+
+/// A plugin that drives the car by geometry_msgs/Twist and publishes its odometry.
+struct DriveDescription
+{
+  enum class Kind
+  {
+    kAckermann,     ///< libgazebo_ros_ackermann_drive.so
+    kDifferential,  ///< libgazebo_ros_diff_drive.so
+    kSkidSteer,     ///< libgazebo_ros_skid_steer_drive.so
+    kPlanarMove     ///< libgazebo_ros_planar_move.so
+  } kind{Kind::kAckermann};
+  std::string name;
+  std::string command_topic{"cmd_vel"};
+  std::string odometry_topic{"odom"};
+  std::string odometry_frame{"odom"};
+  std::string base_frame{"base_footprint"};  ///< child of odometry_frame
+  double odometry_rate_hz{100.0};            ///< 0: at every physics step
+  bool publishes_odometry{true};
+  bool publishes_transform{true};
+};
+
+/// A <transmission>: how ros_control reaches a joint.
+struct TransmissionDescription
+{
+  enum class Interface
+  {
+    kEffort,
+    kVelocity,
+    kPosition
+  };
+  std::string name;
+  std::string joint;
+  std::vector<Interface> interfaces;
+  double mechanical_reduction{1.0};
+};
+
+/// libgazebo_ros_control.so: the controllers of a controller_manager move the joints of the transmissions.
+struct RosControlDescription
+{
+  std::string ros_namespace;  ///< as topics: without slash in front it belongs into the car's; empty: the car's itself
+  std::string robot_param{"robot_description"};
+  double control_period_sec{0.0};  ///< 0: the physics step
 };
 
 struct CarDescription
 {
-  std::string name;                ///< namespace of the car, "robot1"
-  std::string source;              ///< where the description came from, for error messages
-  std::vector<Solid> solids;       ///< in base_footprint, bumpers among them
-  std::vector<std::string> links;  ///< all links of the robot description
+  std::string name;                                          ///< namespace of the car, "robot1"
+  std::string source;                                        ///< where the description came from, for error messages
+  std::vector<Solid> solids;                                 ///< bumpers among them
+  std::vector<std::string> links;                            ///< all links of the robot description
+  std::map<std::string, ignition::math::Pose3d> link_poses;  ///< of all links, joints at zero
+
+  /// The link that stands for the car: base_footprint, or else base_link, or else the root. Child of odom in tf.
+  std::string base_frame{"base_footprint"};
+  ignition::math::Pose3d base_frame_pose;
+  ignition::math::Pose3d model_pose;  ///< of the model's own frame, the one that Gazebo's spawn and model states mean
+
   std::vector<LidarDescription> lidars;
   std::vector<BumperDescription> bumpers;
   std::optional<ImuDescription> imu;
-  std::vector<JointDescription> joints;
+  std::vector<PoseSensorDescription> pose_sensors;
+  std::optional<DriveDescription> drive;
+  std::optional<RosControlDescription> ros_control;
+  std::vector<TransmissionDescription> transmissions;
+
+  std::vector<JointDescription> mechanism;  ///< all wheels and steering joints
+  std::vector<JointDescription> joints;     ///< those of them that joint_states carries
+  std::string joint_state_topic{"joint_states"};
   double joint_state_rate_hz{50.0};
   double wheel_radius{0.05};           ///< m
   double track_width{0.2};             ///< m, between the steering joints
+  VehicleParameters parameters;        ///< dynamics as the description gives them; what it lacks is the F1/10 car's
   std::vector<PluginElement> plugins;  ///< not built in: to be looked up as shared libraries
   std::vector<std::string> warnings;
 };

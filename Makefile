@@ -53,9 +53,8 @@ format: setup ## format all files
 	@ruff check --fix-only -q $(PYTHON_FILES)
 	@ruff format -q $(PYTHON_FILES)
 
-bench: build ## measure the core of the simulator on a ring of walls
-	@cmake --build $(BUILD_DIR) -j $(JOBS) --target f1tenth_sim2d_core_bench -- --no-print-directory
-	@$$(find $(DEVEL_DIR)/lib $(BUILD_DIR) -name f1tenth_sim2d_core_bench -type f -perm -u+x | head -n 1)
+bench: build ## measure the simulator: results/bench.json; make bench KEYS="core_rtf walls"
+	@$(IN_WORKSPACE) cd src/f1tenth_sim2d/bench && exec /usr/bin/python3 -m sim2d_bench $(KEYS)
 
 clean: ## remove everything that was built
 	@rm -rf $(BUILD_DIR) $(BUILD_DIR).log $(DEVEL_DIR) install logs .catkin_tools

@@ -86,6 +86,10 @@ public:
   /// @throws Error if the name is taken or the place is not free (the message names what is in the way)
   CarIndex addCar(const CarDescription & car, const VehicleParameters & parameters, const Pose2 & pose);
 
+  /// Puts a car somewhere else, at rest, as a hand would. Its commands stay in force; wheel odometry does not notice.
+  /// @throws Error if the pose is not finite or the place is not free; the car then stays where it is
+  void placeCar(CarIndex index, const Pose2 & pose);
+
   std::size_t carCount() const;
   const CarDescription & car(CarIndex index) const;
   const VehicleParameters & parameters(CarIndex index) const;

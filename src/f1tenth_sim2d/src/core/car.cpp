@@ -29,21 +29,26 @@ PlacedCar Car::placed() const
   return {pieces_, outer_radius_, {state_.x, state_.y, state_.psi}};
 }
 
-void Car::restart(SimTime now)
+void Car::place(const Pose2 & pose)
 {
-  const Pose2 centre = compose(start_, {parameters_.l_r, 0.0, 0.0});
+  const Pose2 centre = compose(pose, {parameters_.l_r, 0.0, 0.0});
   state_ = {};
   state_.x = centre.x;
   state_.y = centre.y;
   state_.psi = centre.yaw;
   predicted_ = state_;
   acceleration_ = {};
-  wheel_angles_ = {};
   wheel_speeds_ = {};
+  reported_is_current_ = false;
+}
+
+void Car::restart(SimTime now)
+{
+  place(start_);
+  wheel_angles_ = {};
   actuation_ = Actuation(parameters_);
   odometry_.restart(start_, 0.0, now);
   contacts_.clear();
-  reported_is_current_ = false;
 }
 
 void Car::predict(SimTime now, double dt)

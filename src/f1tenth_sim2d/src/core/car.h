@@ -37,6 +37,8 @@ public:
   const ContactLog & contactLog() const { return contacts_; }
   std::vector<LidarSensor> & lidars() { return lidars_; }
 
+  /// Puts base_footprint at a pose, at rest.
+  void place(const Pose2 & pose);
   /// Back to the start pose, at rest.
   void restart(SimTime now);
   Actuation & actuation() { return actuation_; }

@@ -21,6 +21,11 @@ CarIndex Simulation::addCar(const CarDescription & car, const VehicleParameters 
   return impl_->addCar(car, parameters, pose);
 }
 
+void Simulation::placeCar(CarIndex index, const Pose2 & pose)
+{
+  impl_->placeCar(index, pose);
+}
+
 std::size_t Simulation::carCount() const
 {
   return impl_->cars().size();

@@ -52,7 +52,9 @@ CarIndex Simulation::Impl::addCar(
   auto car = std::make_unique<Car>(index, description, parameters, pose, options_.seed, pieces_);
   car->restart(time_);
   collisions_->addLayers(car->layerCount());
-  refuseOccupiedPlace(*car, pose);
+  std::vector<PlacedCar> places = placedCars(cars_);
+  places.push_back(car->placed());
+  refuseOccupiedPlace(places, index, description.name + ": the start pose " + text(pose));
 
   collisions_->addCar(car->body());
   encounters_.addCar();
@@ -65,13 +67,23 @@ CarIndex Simulation::Impl::addCar(
   return index;
 }
 
-void Simulation::Impl::refuseOccupiedPlace(const Car & car, const Pose2 & pose) const
+void Simulation::Impl::placeCar(CarIndex index, const Pose2 & pose)
 {
+  const CarDescription & description = car(index).description();
+  validate(description, pose);
   std::vector<PlacedCar> places = placedCars(cars_);
-  places.push_back(car.placed());
-  if (const Piece * piece = firstOverlap(places, places.size() - 1, *collisions_)) {
-    throw Error(
-      car.description().name + ": the start pose " + text(pose) + " is not free: it overlaps " + nameOf(*piece));
+  places[index].pose = compose(pose, {car(index).parameters().l_r, 0.0, 0.0});
+  refuseOccupiedPlace(places, index, description.name + ": the pose " + text(pose));
+  car(index).place(pose);
+  encounters_.restart();
+  moving_poses_are_current_ = false;
+}
+
+void Simulation::Impl::refuseOccupiedPlace(
+  const std::vector<PlacedCar> & places, CarIndex own, const std::string & what) const
+{
+  if (const Piece * piece = firstOverlap(places, own, *collisions_)) {
+    throw Error(what + " is not free: it overlaps " + nameOf(*piece));
   }
 }
 

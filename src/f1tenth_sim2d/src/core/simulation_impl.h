@@ -18,6 +18,7 @@ public:
   Impl(const WorldDescription & world, const SimulationOptions & options);
 
   CarIndex addCar(const CarDescription & description, const VehicleParameters & parameters, const Pose2 & pose);
+  void placeCar(CarIndex index, const Pose2 & pose);
   void step();
   void reset();
   void scan(CarIndex index, std::size_t lidar, bool noisy, float * ranges);
@@ -34,7 +35,7 @@ public:
 private:
   std::size_t sceneAt(double height);
   void addLidars(Car & car);
-  void refuseOccupiedPlace(const Car & car, const Pose2 & pose) const;
+  void refuseOccupiedPlace(const std::vector<PlacedCar> & places, CarIndex own, const std::string & what) const;
   std::string nameOf(const Piece & piece) const;
   void logContacts();
   void describe(const Car & car, const StepContact & step, Contact & contact) const;

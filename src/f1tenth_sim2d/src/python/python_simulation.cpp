@@ -53,6 +53,12 @@ CarIndex PythonSimulation::addCar(
   return simulation_.addCar(car, parameters.value_or(VehicleParameters{}), {x, y, yaw});
 }
 
+void PythonSimulation::placeCar(CarIndex index, double x, double y, double yaw)
+{
+  requireCar(index);
+  simulation_.placeCar(index, {x, y, yaw});
+}
+
 const CarDescription & PythonSimulation::car(CarIndex index) const
 {
   requireCar(index);

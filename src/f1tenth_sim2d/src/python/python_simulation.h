@@ -20,6 +20,7 @@ public:
   CarIndex addCar(
     const CarDescription & car, const std::optional<VehicleParameters> & parameters, double x, double y, double yaw);
   std::size_t carCount() const { return simulation_.carCount(); }
+  void placeCar(CarIndex index, double x, double y, double yaw);
   const CarDescription & car(CarIndex index) const;
 
   double time() const;

@@ -44,6 +44,9 @@ Returns:
 Raises:
     Error: the name is taken, or the place is not free.
 )")
+    .def(
+      "place_car", &S::placeCar, py::arg("car"), py::arg("x"), py::arg("y"), py::arg("yaw"),
+      "Put a car somewhere else, at rest. Raises Error if the place is not free; the car then stays where it is.")
     .def_property_readonly("car_count", &S::carCount)
     .def("car", &S::car, py::arg("car"), py::return_value_policy::copy, "Description of a car.")
     .def(

@@ -107,7 +107,50 @@ TEST(Simulation, StartThatIsNotFiniteIsRefused)
     messageOf([&] {
       simulation.addCar(car("robot1"), {}, {0, kNan, 0});
     }),
-    "robot1: y (m) of the start pose is nan, allowed is a finite number");
+    "robot1: y (m) of the pose is nan, allowed is a finite number");
+}
+
+TEST(Simulation, CarPlacedElsewhereStandsThereAndResetBringsItBack)
+{
+  Simulation simulation(world({room(3.0)}));
+  simulation.addCar(car("robot1"), {}, {});
+  drive(simulation, 0, {2.0, 0.0}, 0.5);
+  simulation.placeCar(0, {-1.0, 0.5, 1.0});
+  EXPECT_NEAR(simulation.state(0).pose.x, -1.0, 1e-12);
+  EXPECT_NEAR(simulation.state(0).pose.y, 0.5, 1e-12);
+  EXPECT_NEAR(simulation.state(0).pose.yaw, 1.0, 1e-12);
+  EXPECT_EQ(simulation.state(0).velocity.x, 0.0);
+  simulation.reset();
+  EXPECT_NEAR(simulation.state(0).pose.x, 0.0, 1e-12);
+}
+
+TEST(Simulation, CarPlacedBesideAWallTouchesItAtOnce)
+{
+  Simulation simulation(world({room(3.0)}));
+  simulation.addCar(car("robot1"), {}, {});
+  simulation.step();
+  simulation.placeCar(0, {2.598, 0.0, 0.0});
+  drive(simulation, 0, {1.0, 0.0}, 0.2);
+  EXPECT_FALSE(simulation.contacts(0).empty());
+  EXPECT_LT(simulation.state(0).pose.x, 2.605);
+}
+
+TEST(Simulation, CarIsNotPlacedWhereItDoesNotFit)
+{
+  Simulation simulation(world({room(3.0)}));
+  simulation.addCar(car("robot1"), {}, {});
+  simulation.addCar(car("robot2"), {}, {1, 0, 0});
+  EXPECT_EQ(
+    messageOf([&] {
+      simulation.placeCar(0, {1.2, 0.1, 0});
+    }),
+    "robot1: the pose (1.2, 0.1, 0) is not free: it overlaps car robot2");
+  EXPECT_EQ(
+    messageOf([&] {
+      simulation.placeCar(0, {1.2, kNan, 0});
+    }),
+    "robot1: y (m) of the pose is nan, allowed is a finite number");
+  EXPECT_NEAR(simulation.state(0).pose.x, 0.0, 1e-12);
 }
 
 TEST(Simulation, TiltedLidarIsRefused)

@@ -1,0 +1,63 @@
+"""Cars for the benchmarks."""
+
+from dataclasses import dataclass
+from xml.etree import ElementTree
+
+import f1tenth_sim2d
+import xacro
+
+from .places import REPOSITORY
+
+URDF = REPOSITORY / "src" / "f1tenth_description" / "urdf" / "f1tenth.urdf.xacro"
+
+
+@dataclass(frozen=True)
+class LidarSetting:
+    """A planar lidar that looks ahead, to both sides alike."""
+
+    samples: int
+    max_angle: float  # rad
+    range_max: float  # m
+
+    def set_in(self, ray):
+        """Write it into a <ray> element."""
+        values = {
+            "samples": self.samples,
+            "min_angle": -self.max_angle,
+            "max_angle": self.max_angle,
+            "max": self.range_max,
+        }
+        for tag, value in values.items():
+            for element in ray.iter(tag):
+                element.text = str(value)
+
+
+F1TENTH = LidarSetting(1081, 2.356194490192345, 10.0)
+"""The lidar of the workspace's car."""
+SPIELBERG = LidarSetting(1080, 2.35, 30.0)
+"""The lidar with which the peers were measured."""
+
+BARE_LIDAR = """<sdf version="1.7"><model name="lidar"><link name="base_footprint">
+<sensor name="lidar" type="ray"><pose>0 0 0.16 0 0 0</pose><update_rate>40</update_rate><ray>
+  <scan><horizontal><samples/><min_angle/><max_angle/></horizontal></scan>
+  <range><min>0</min><max/></range>
+</ray>
+<plugin name="laser" filename="libgazebo_ros_laser.so">
+  <topicName>scan</topicName><frameName>laser</frameName>
+</plugin></sensor></link></model></sdf>"""
+
+
+def f1tenth_car(lidar=F1TENTH, name="robot1"):
+    """Return the workspace's car as the simulator knows it."""
+    robot = ElementTree.fromstring(xacro.process_file(str(URDF)).toxml())
+    for ray in robot.iter("ray"):
+        lidar.set_in(ray)
+    return f1tenth_sim2d.load_car(ElementTree.tostring(robot, "unicode"), name, str(URDF))
+
+
+def bare_lidar(lidar):
+    """Return a car that is nothing but a lidar at its origin, 0.16 m above the ground, so that it fits anywhere."""
+    robot = ElementTree.fromstring(BARE_LIDAR)
+    for ray in robot.iter("ray"):
+        lidar.set_in(ray)
+    return f1tenth_sim2d.load_car(ElementTree.tostring(robot, "unicode"), "lidar", "bare lidar")

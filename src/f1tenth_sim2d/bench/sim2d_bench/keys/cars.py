@@ -1,0 +1,26 @@
+"""cars: what one more car costs."""
+
+import f1tenth_sim2d
+
+from ..benchmark import Measured, benchmark
+from ..cars import f1tenth_car
+from ..core_speed import measure_laps
+from ..generated_worlds import ring_track, ring_pose
+
+COUNTS = (1, 2, 4, 8, 16)
+SECONDS = 10.0
+
+
+@benchmark("cars", "x a car", at_most=1.5)
+def cars():
+    """Cost per car with 16 cars over that with 1, all on one ring track, where they see and touch each other."""
+    costs = {}
+    details = {}
+    for count in COUNTS:
+        simulation = f1tenth_sim2d.Simulation(ring_track(), seed=1)
+        for i in range(count):
+            simulation.add_car(f1tenth_car(name=f"robot{i + 1}"), None, *ring_pose(i, count))
+        spent, laps, problem = measure_laps(simulation, SECONDS)
+        costs[count] = spent.cpu / count
+        details[str(count)] = laps["real_time_factor"]
+    return Measured(costs[16] / costs[1], {"real_time_factor": details})

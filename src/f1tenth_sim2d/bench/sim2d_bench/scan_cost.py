@@ -1,0 +1,34 @@
+"""What a scan costs."""
+
+import f1tenth_sim2d
+import numpy as np
+
+from .cars import bare_lidar
+from .timing import least_cost
+
+REPEATS = 5
+
+
+class Scanner:
+    """A lidar without a car, which can be put anywhere in a world."""
+
+    def __init__(self, world, lidar):
+        """Take a World and a LidarSetting."""
+        self._simulation = f1tenth_sim2d.Simulation(world)
+        self._simulation.add_car(bare_lidar(lidar))
+        self.ranges = np.empty(lidar.samples, np.float32)
+
+    def scan(self, pose):
+        """Write the exact scan from pose (x, y, yaw), m and rad, into ranges."""
+        self._simulation.place_car(0, *pose)
+        self._simulation.scan(0, 0, self.ranges, True)
+
+    def microseconds(self, poses):
+        """Processor time of a scan, us, mean over the poses; putting the lidar there is included."""
+        rows = [tuple(map(float, pose)) for pose in poses]
+
+        def scan_all():
+            for row in rows:
+                self.scan(row)
+
+        return least_cost(scan_all, REPEATS).cpu / len(rows) * 1e6

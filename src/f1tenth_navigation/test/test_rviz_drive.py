@@ -39,6 +39,7 @@ TOPICS = {
     "/robot1/move_base/local_plan",
 }
 GOAL = (3.0, 5.0)  # m, half a lap from the start, where the driving direction is -x
+HALFWAY = 5.0  # m from the goal
 
 
 def pixel(x, y):
@@ -109,6 +110,7 @@ def test_car_drives_to_the_place_that_is_clicked_on(user):
     assert math.dist((goal.position.x, goal.position.y), GOAL) < 0.2
     assert abs(goal.orientation.z) > 0.99
 
+    wait_until(lambda: user.closest_to_goal < HALFWAY, "the car is on its way")
     wait_until(lambda: user.sees(*COLOURS), "both plans are in the picture")
     assert user.result.get().status.status == GoalStatus.SUCCEEDED
     wait_until(lambda: user.closest_to_goal < 0.4, "the car was at its goal")

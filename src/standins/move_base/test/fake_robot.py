@@ -77,6 +77,9 @@ class FakeRobot:
         self.commands = []  # (time in s, Twist), all so far
         self.touched = False  # whether the middle of the car was ever in a wall
         self._participant = participant
+        self._period = (
+            threading.Lock()
+        )  # held while a period is published or moved on: a car is put in between
         self._done = threading.Condition()
         self._done_stamp = rospy.Time(0)
         self._time = rospy.Time(0)
@@ -103,13 +106,14 @@ class FakeRobot:
 
     def put(self, x, y, yaw=0.0):
         """Stand at a pose, with everything in order."""
-        self.pose = (x, y, yaw)
-        self.speed = 0.0
-        self.scan_works = True
-        self.wheels_grip = True
-        self.touched = False
-        self.commands.clear()
-        self._command = Twist()
+        with self._period:
+            self.pose = (x, y, yaw)
+            self.speed = 0.0
+            self.scan_works = True
+            self.wheels_grip = True
+            self.touched = False
+            self.commands.clear()
+            self._command = Twist()
 
     @property
     def now(self):
@@ -129,8 +133,11 @@ class FakeRobot:
     def _run(self):
         self._time += PERIOD
         while self._running and not rospy.is_shutdown():
-            self._publish()
-            if self._period_over():
+            with self._period:
+                self._publish()
+            while self._running and not self._period_over():
+                self._publish_again()
+            with self._period:
                 self._move(PERIOD.to_sec())
                 self._time += PERIOD
 
@@ -160,6 +167,13 @@ class FakeRobot:
             x + along * math.cos(yaw) - across * math.sin(yaw),
             y + along * math.sin(yaw) + across * math.cos(yaw),
         ).any()
+
+    def _publish_again(self):
+        """Who connects late must find a scan and tf to become ready; who thinks for long must not hear them twice."""
+        if self._done_stamp.is_zero():
+            self._publish()
+        else:
+            self._clock.publish(Clock(self._time))
 
     def _publish(self):
         self._tf.publish(self._transforms())

@@ -17,6 +17,7 @@ from geometry_msgs.msg import PoseStamped, Quaternion
 from move_base_msgs.msg import MoveBaseAction, MoveBaseActionFeedback, MoveBaseGoal, RecoveryStatus
 from nav_msgs.msg import OccupancyGrid, Path
 from nav_msgs.srv import GetPlan
+from rosgraph_msgs.msg import Log
 from std_srvs.srv import Empty
 from tf.transformations import quaternion_from_euler
 
@@ -26,11 +27,11 @@ ENDED = (GoalStatus.PREEMPTED, GoalStatus.SUCCEEDED, GoalStatus.ABORTED, GoalSta
 
 
 def make_room():
-    """A hall with a divider, a closet behind a gap of 0.6 m, and a cell without a door."""
+    """A hall with a divider, a closet behind a gap of 0.8 m, and a cell without a door."""
     room = Room(12.0, 6.0)
     room.add_wall(4.0, 0.0, 4.2, 3.5)
-    room.add_wall(9.0, 0.0, 9.2, 0.7)
-    room.add_wall(9.0, 1.3, 9.2, 2.0)
+    room.add_wall(9.0, 0.0, 9.2, 0.6)
+    room.add_wall(9.0, 1.4, 9.2, 2.0)
     room.add_wall(9.0, 2.0, 12.0, 2.2)
     room.add_wall(9.0, 4.0, 12.0, 4.2)
     room.add_wall(9.0, 4.0, 9.2, 6.0)
@@ -148,12 +149,14 @@ class MoveBaseTest(unittest.TestCase):
 
     def test_without_a_plan_it_is_aborted_after_recovery(self):
         recoveries = Listener("move_base/recovery_status", RecoveryStatus)
+        log = Listener("/rosout", Log)
         self.send(pose_at(10.5, 5.0))
         text = "Failed to find a valid plan. Even after executing recovery behaviors."
         self.assert_result(GoalStatus.ABORTED, text)
         self.assert_stopped()
         names = [m.recovery_behavior_name for m in recoveries.wait(lambda messages: len(messages) == 4)]
         assert names == ["conservative_reset", "back_up", "aggressive_reset", "back_up"]
+        log.wait(lambda messages: any(m.name == "/move_base" and m.msg == text for m in messages))
         assert [m.current_recovery_number for m in recoveries.messages] == [0, 1, 2, 3]
         assert {m.total_number_of_recoveries for m in recoveries.messages} == {4}
 

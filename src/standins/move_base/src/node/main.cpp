@@ -11,9 +11,9 @@ namespace
 const ros::WallDuration kPatience{0.1};
 const ros::WallDuration kPoll{0.002};
 
-move_base::MoveBaseParameters readParameters()
+move_base::MoveBaseParameters readParameters(const ros::NodeHandle & node)
 {
-  move_base::ParameterReader reader{ros::NodeHandle("~")};
+  move_base::ParameterReader reader{node};
   const move_base::MoveBaseParameters parameters = move_base::readParameters(reader);
   std::string unused;
   for (const std::string & name : reader.unused()) {
@@ -69,8 +69,10 @@ void spinInLockstep(move_base::MoveBaseNode & node)
 int main(int argc, char ** argv)
 {
   ros::init(argc, argv, "move_base_node");
+  // Lives as long as the node: with the last handle roscpp shuts down, and its console would stay silent after a restart.
+  const ros::NodeHandle private_node("~");
   try {
-    const move_base::MoveBaseParameters parameters = readParameters();
+    const move_base::MoveBaseParameters parameters = readParameters(private_node);
     ros::CallbackQueue queue;
     move_base::MoveBaseNode node(parameters, queue);
     if (parameters.lockstep) {

@@ -35,7 +35,14 @@ struct Polyline
 struct Plane
 {
 };
-using Shape = std::variant<Box, Cylinder, Sphere, Polyline, Plane>;
+/// Walls of any number and shape, extruded along z from 0 to height; always upright.
+struct WallPlan
+{
+  std::vector<Outline> outlines;      ///< m; clockwise around holes, so that matter is always to the left
+  std::vector<ConvexPolygon> pieces;  ///< m; the same area in convex pieces
+  double height{0.0};                 ///< m
+};
+using Shape = std::variant<Box, Cylinder, Sphere, Polyline, Plane, WallPlan>;
 
 /// One collision element.
 struct Solid
@@ -73,6 +80,7 @@ struct WorldDescription
   std::string file;  ///< where it came from
   std::string name;
   double gravity{9.8};  ///< m/s^2, downwards
+  Pose2 start;          ///< where a car starts unless told otherwise; that of a race track is on its centreline
   std::vector<ModelDescription> models;
   std::vector<PluginElement> plugins;
   std::vector<std::string> warnings;  ///< what cannot be represented: one entry a kind, with its element path

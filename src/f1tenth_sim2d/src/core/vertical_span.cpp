@@ -53,6 +53,11 @@ struct SpanOf
     }
     return span;
   }
+  VerticalSpan operator()(const WallPlan & walls) const
+  {
+    return walls.outlines.empty() ? VerticalSpan{1.0, -1.0}
+                                  : around(pose * Pose3d(0, 0, walls.height / 2.0, 0, 0, 0), walls.height / 2.0);
+  }
   VerticalSpan operator()(const Plane &) const { return {1.0, -1.0}; }
 };
 }  // namespace

@@ -4,6 +4,7 @@
 #include "element_reader.h"
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
+#include "map_world.h"
 #include "sdf_errors.h"
 #include "sdf_models.h"
 #include "uri_lookup.h"
@@ -79,9 +80,20 @@ WorldDescription describe(const sdf::World & world, const std::string & path, Wa
 }
 }  // namespace
 
+WorldDescription emptyWorld()
+{
+  WorldDescription world;
+  world.file = "empty world";
+  world.name = "empty";
+  return world;
+}
+
 WorldDescription loadWorld(const std::string & path, const ModelPath & model_path)
 {
   requireFile(path);
+  if (isMapFile(path)) {
+    return loadMapWorld(path);
+  }
   const SdfMessages messages;
   const UriLookup uris(model_path, path);
   WarningCollector warnings;

@@ -20,6 +20,23 @@ bool isUpright(const Pose3d & pose)
   return up.Z() > 0.0 && std::hypot(up.X(), up.Y()) < kTolerance;
 }
 
+/// Polygons of a frame that stands upright, in the world.
+std::vector<Outline> moved(std::vector<Outline> polygons, const Pose3d & pose)
+{
+  for (Outline & polygon : polygons) {
+    for (Vec2 & corner : polygon) {
+      const ignition::math::Vector3d there = pose.CoordPositionAdd({corner.x, corner.y, 0.0});
+      corner = {there.X(), there.Y()};
+    }
+  }
+  return polygons;
+}
+
+Heights heightsOf(const WallPlan & walls, const Pose3d & pose)
+{
+  return {pose.Pos().Z(), pose.Pos().Z() + walls.height};
+}
+
 ConvexBody body(const Box & box, const Pose3d & pose)
 {
   const double x = box.size.X() / 2.0;
@@ -61,6 +78,10 @@ struct CutAt
     }
     return ofPieces(polyline, pose, [this](const ConvexBody & piece) { return cut(piece, z); });
   }
+  Section operator()(const WallPlan & walls) const
+  {
+    return heightsOf(walls, pose).contain(z) ? Section{moved(walls.outlines, pose), {}} : Section{};
+  }
   Section operator()(const Plane &) const { return {}; }
 
   /// In one piece: a cut has no seams where the solid has none.
@@ -71,11 +92,7 @@ struct CutAt
       return {};
     }
     Outline outline = withoutRedundantCorners(polyline.outline);
-    for (Vec2 & corner : outline) {
-      const ignition::math::Vector3d moved = pose.CoordPositionAdd({corner.x, corner.y, 0.0});
-      corner = {moved.X(), moved.Y()};
-    }
-    return ofPolygon(std::move(outline));
+    return outline.empty() ? Section{} : Section{moved({std::move(outline)}, pose), {}};
   }
 };
 
@@ -91,6 +108,10 @@ struct ShadowBetween
   Section operator()(const Polyline & polyline) const
   {
     return ofPieces(polyline, pose, [this](const ConvexBody & piece) { return shadow(piece, z_min, z_max); });
+  }
+  Section operator()(const WallPlan & walls) const
+  {
+    return heightsOf(walls, pose).overlap(z_min, z_max) ? Section{moved(walls.pieces, pose), {}} : Section{};
   }
   Section operator()(const Plane &) const { return {}; }
 };

@@ -39,6 +39,13 @@ bool isCarName(const std::string & name)
          std::all_of(name.begin(), name.end(), isWordCharacter);
 }
 
+std::optional<Pose2> parsePose(ParameterReader & reader, const XmlRpc::XmlRpcValue & car)
+{
+  const Pose2 pose{reader.number("x", 0.0, kAny), reader.number("y", 0.0, kAny), reader.number("yaw", 0.0, kAny)};
+  const bool told = car.hasMember("x") || car.hasMember("y") || car.hasMember("yaw");
+  return told ? std::optional<Pose2>(pose) : std::nullopt;
+}
+
 CarParameters parseCar(const std::string & cars_name, const std::string & name, const XmlRpc::XmlRpcValue & value)
 {
   if (name.empty() || !isCarName(name)) {
@@ -49,9 +56,7 @@ CarParameters parseCar(const std::string & cars_name, const std::string & name, 
   ParameterReader reader(cars_name + "/" + name, value, kCarKeys);
   CarParameters car;
   car.name = name;
-  car.pose.x = reader.number("x", 0.0, kAny);
-  car.pose.y = reader.number("y", 0.0, kAny);
-  car.pose.yaw = reader.number("yaw", 0.0, kAny);
+  car.pose = parsePose(reader, value);
   car.vehicle_file = reader.text("vehicle", "");
   car.frame_prefix = reader.text("frame_prefix", name + "/");
   return car;

@@ -3,6 +3,7 @@
 #include <xmlrpcpp/XmlRpc.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,10 +29,10 @@ enum class OdometryOwner
 
 struct CarParameters
 {
-  std::string name;          ///< and ROS namespace
-  Pose2 pose;                ///< start, in the world
-  std::string vehicle_file;  ///< empty: the defaults of VehicleParameters
-  std::string frame_prefix;  ///< "robot1/" or ""
+  std::string name;           ///< and ROS namespace
+  std::optional<Pose2> pose;  ///< start, in the world; unless told: that of the world
+  std::string vehicle_file;   ///< empty: the defaults of VehicleParameters
+  std::string frame_prefix;   ///< "robot1/" or ""
 };
 
 /// Everything the node is told, read once.

@@ -56,7 +56,7 @@ Scene buildScene(const NodeParameters & parameters)
     warn(description.source, description.warnings);
     const VehicleParameters vehicle =
       car.vehicle_file.empty() ? VehicleParameters{} : loadVehicleParameters(car.vehicle_file);
-    scene.simulation.addCar(description, vehicle, car.pose);
+    scene.simulation.addCar(description, vehicle, car.pose.value_or(world.start));
   }
   return scene;
 }

@@ -87,6 +87,10 @@ void bindWorld(py::module_ & module)
     .def_readonly("file", &WorldDescription::file, "Path it was read from.")
     .def_readonly("name", &WorldDescription::name)
     .def_readonly("gravity", &WorldDescription::gravity, "Downwards, m/s^2.")
+    .def_property_readonly(
+      "start",
+      [](const WorldDescription & world) { return py::make_tuple(world.start.x, world.start.y, world.start.yaw); },
+      "(x, y, yaw) where a car starts unless told otherwise, m and rad.")
     .def_readonly("models", &WorldDescription::models, "All models.")
     .def_readonly("warnings", &WorldDescription::warnings, "What was left out: one line a kind.")
     .def(
@@ -107,10 +111,13 @@ Raises:
 
   module.def(
     "load_world", &load, py::arg("path"), py::arg("model_path") = py::none(),
-    R"(Read an SDF world file.
+    R"(Read a world: an SDF file, or an occupancy-grid map in map_server's format.
+
+The occupied cells of a map are walls, exactly along the edges of the pixels. Its start is on the centreline of the
+track if X_centerline.csv lies beside X_map.yaml.
 
 Args:
-    path: the .world file.
+    path: a .world file, or a .yaml file with a PNG or PGM image.
     model_path: folders in which model:// URIs are looked up, in order; default: those of GAZEBO_MODEL_PATH.
         Afterwards the world file's folder, the folder models in it and the one beside it are looked through.
 
@@ -118,5 +125,6 @@ Raises:
     LoadError: a missing or malformed file, or something that would make the simulation wrong.
 )",
     py::call_guard<py::gil_scoped_release>());
+  module.def("empty_world", &emptyWorld, "The ground and nothing on it.");
 }
 }  // namespace f1tenth_sim2d

@@ -67,7 +67,7 @@ TEST(NodeParameters, DefaultsAreThoseOfTheDocumentation)
   EXPECT_EQ(parameters.record_file, "");
   ASSERT_EQ(parameters.cars.size(), 1u);
   EXPECT_EQ(parameters.cars[0].name, "robot1");
-  EXPECT_EQ(parameters.cars[0].pose.x, 1.0);
+  EXPECT_EQ(parameters.cars[0].pose.value().x, 1.0);
   EXPECT_EQ(parameters.cars[0].vehicle_file, "");
   EXPECT_EQ(parameters.cars[0].frame_prefix, "robot1/");
 }
@@ -94,9 +94,17 @@ TEST(NodeParameters, ReadsEverythingThatIsThere)
   EXPECT_EQ(parameters.participants, (std::vector<std::string>{"robot1", "robot1/race_mgr"}));
   EXPECT_EQ(parameters.simulation.seed, 7u);
   EXPECT_EQ(parameters.odometry, OdometryOwner::kWheel);
-  EXPECT_EQ(parameters.cars[0].pose.yaw, 0.5);
+  EXPECT_EQ(parameters.cars[0].pose.value().yaw, 0.5);
   EXPECT_EQ(parameters.cars[0].frame_prefix, "");
   EXPECT_EQ(parameters.cars[0].vehicle_file, "car.yaml");
+}
+
+TEST(NodeParameters, CarWithoutAPoseStartsWhereTheWorldSays)
+{
+  XmlRpcValue value;
+  value["world"] = "a.world";
+  value["cars"]["robot1"]["frame_prefix"] = "";
+  EXPECT_FALSE(parseNodeParameters("/sim2d", value).cars[0].pose.has_value());
 }
 
 TEST(NodeParameters, RefusesUnknownKeysNamingTheAllowedOnes)

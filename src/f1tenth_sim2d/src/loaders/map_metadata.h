@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "f1tenth_sim2d/geometry.h"
+
+namespace f1tenth_sim2d
+{
+/// The YAML file of a map, in map_server's format.
+struct MapMetadata
+{
+  enum class Mode
+  {
+    kTrinary,
+    kScale,
+    kRaw
+  };
+
+  std::string image;       ///< path
+  double resolution{0.0};  ///< m, edge length of a cell
+  Pose2 origin;            ///< of the lower left corner of the image
+  bool negate{false};
+  double occupied_thresh{0.65};
+  Mode mode{Mode::kTrinary};
+  std::vector<std::string> warnings;  ///< keys that have no meaning
+};
+
+/// @throws LoadError naming file, line and key
+MapMetadata readMapMetadata(const std::string & path);
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,254 @@
+import math
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+from shapely.geometry import Polygon, box
+from shapely.ops import unary_union
+
+import f1tenth_sim2d
+
+DATA = Path(os.environ.get("F1TENTH_DATA", Path(__file__).parents[5] / "shared" / "data"))
+YAML = """image: room.png
+resolution: 0.5
+origin: [-1.0, 2.0, 0.0]
+negate: 0
+occupied_thresh: 0.65
+free_thresh: 0.196
+"""
+ROOM = np.array([[0, 0, 0, 0], [0, 254, 205, 0], [0, 0, 0, 254]], np.uint8)
+
+
+@pytest.fixture
+def write(tmp_path):
+    """Return a function that writes the files of a map and returns the path of its YAML file."""
+
+    def write(yaml=YAML, pixels=ROOM, name="room.png", mode=None):
+        image = Image.fromarray(pixels)
+        (image.convert(mode) if mode else image).save(tmp_path / name)
+        path = tmp_path / "room_map.yaml"
+        path.write_text(yaml.replace("room.png", name))
+        return str(path)
+
+    return write
+
+
+def area(path, z=0.16):
+    """The walls of a world as a shapely geometry: what has matter to its left, less the holes."""
+    outlines, circles = f1tenth_sim2d.load_world(path).section(z)
+    assert len(circles) == 0
+    rings = [Polygon(outline) for outline in outlines]
+    solid = unary_union([ring for ring in rings if ring.exterior.is_ccw])
+    return solid.difference(unary_union([ring for ring in rings if not ring.exterior.is_ccw]))
+
+
+def cells(occupied, resolution=0.5, x=-1.0, y=2.0):
+    """The occupied cells of an image, top row first, as a shapely geometry."""
+    rows = occupied.shape[0]
+    squares = [
+        box(
+            x + column * resolution,
+            y + (rows - 1 - row) * resolution,
+            x + (column + 1) * resolution,
+            y + (rows - row) * resolution,
+        )
+        for row, column in zip(*np.nonzero(occupied))
+    ]
+    return unary_union(squares)
+
+
+def test_occupied_cells_are_walls_along_the_edges_of_the_pixels(write):
+    assert area(write()).symmetric_difference(cells(ROOM == 0)).area == pytest.approx(0.0, abs=1e-12)
+
+
+def test_walls_reach_above_every_lidar_and_end(write):
+    assert not area(write(), 2.4).is_empty
+    assert area(write(), 2.6).is_empty
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_any_pattern_of_cells_is_kept_exactly(write, seed):
+    pixels = np.random.default_rng(seed).choice(np.array([0, 254], np.uint8), (13, 9))
+    assert area(write(pixels=pixels)).symmetric_difference(cells(pixels == 0)).area == pytest.approx(0, abs=1e-12)
+
+
+@pytest.mark.parametrize("mode", ["1", "L", "LA", "P", "RGB", "RGBA", "I;16"])
+def test_every_kind_of_png_reads_the_same(write, mode):
+    occupied = ROOM == 0
+    if mode == "I;16":
+        path = write(pixels=(ROOM.astype(np.uint16) << 8))
+    elif mode == "1":
+        path = write(pixels=np.where(occupied, 0, 255).astype(np.uint8), mode="1")
+    else:
+        path = write(yaml=YAML + "mode: scale\n", mode=mode)
+    assert area(path).symmetric_difference(cells(occupied)).area == pytest.approx(0.0, abs=1e-12)
+
+
+def test_alpha_counts_like_a_colour_in_trinary_mode(write):
+    yaml = YAML.replace("0.65", "0.8")
+    assert area(write(yaml, mode="RGBA")).area == 0.0, "(0 + 0 + 0 + 255) / 4 is bright enough"
+
+
+def pgm(kind, white, values):
+    head = f"{kind}\n# made by hand\n{values.shape[1]} {values.shape[0]}\n{white}\n".encode()
+    if kind == "P2":
+        return head + " ".join(str(value) for value in values.flat).encode()
+    return head + values.astype(">u2" if white > 255 else np.uint8).tobytes()
+
+
+@pytest.mark.parametrize(("kind", "white"), [("P5", 255), ("P2", 255), ("P5", 65535), ("P2", 15)])
+def test_every_kind_of_pgm_reads_the_same(write, tmp_path, kind, white):
+    path = write(name="room.pgm")
+    (tmp_path / "room.pgm").write_bytes(pgm(kind, white, ROOM.astype(int) * white // 255))
+    assert area(path).symmetric_difference(cells(ROOM == 0)).area == pytest.approx(0.0, abs=1e-12)
+
+
+def test_negate_and_threshold_decide_what_is_occupied(write):
+    negated = area(write(YAML.replace("negate: 0", "negate: 1")))
+    assert negated.symmetric_difference(cells(ROOM > 0.65 * 255)).area == pytest.approx(0.0, abs=1e-12)
+    grey = area(write(YAML.replace("0.65", "0.19")))
+    assert grey.symmetric_difference(cells(ROOM < 254)).area == pytest.approx(0.0, abs=1e-12)
+
+
+def test_origin_may_be_turned(write):
+    turned = area(write(YAML.replace("2.0, 0.0]", "2.0, 1.5707963267948966]")))
+    assert turned.bounds == pytest.approx((-2.5, 2.0, -1.0, 4.0))
+
+
+def test_car_meets_the_walls_it_sees(write, car):
+    pixels = np.full((40, 60), 254, np.uint8)
+    pixels[:, 50] = 0
+    world = f1tenth_sim2d.load_world(write(pixels=pixels))
+    simulation = f1tenth_sim2d.Simulation(world)
+    simulation.add_car(car, None, 18.0, 10.0, 0.0)
+    lidar = car.lidars[0]
+    ahead = simulation.scan(0, exact=True)[lidar.beam_count // 2]
+    assert 18.0 + lidar.pose[0] + ahead == pytest.approx(24.0, abs=1e-3)
+    simulation.command(0, 5.0, 0.0)
+    while simulation.time < 3.0:
+        simulation.command(0, 5.0, 0.0)
+        simulation.step()
+    contacts = simulation.contacts(0)
+    assert {contact.other_model for contact in contacts} == {"map"}
+    assert {contact.other_collision for contact in contacts} == {"map::walls::occupied"}
+    assert contacts[0].positions[0][0] == pytest.approx(24.0, abs=0.01)
+
+
+def test_start_is_on_the_centreline(write, tmp_path):
+    path = write()
+    assert f1tenth_sim2d.load_world(path).start == (0.0, 0.0, 0.0)
+    (tmp_path / "room_centerline.csv").write_text("# x_m, y_m, w_tr_right_m, w_tr_left_m\n1.5, 2.5, 1, 1\n1.5, 3.5, 1, 1\n")
+    assert f1tenth_sim2d.load_world(path).start == pytest.approx((1.5, 2.5, math.pi / 2))
+
+
+def error(path):
+    with pytest.raises(f1tenth_sim2d.LoadError) as raised:
+        f1tenth_sim2d.load_world(path)
+    return str(raised.value).replace(str(Path(path).parent) + "/", "")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("resolution: 0.5\n", "", "room_map.yaml: resolution: is missing"),
+        ("0.5", "0", "room_map.yaml:2: resolution: found '0', allowed is a positive number of metres"),
+        ("0.5", ".nan", "room_map.yaml:2: resolution: found '.nan', allowed is a positive number of metres"),
+        (
+            "[-1.0, 2.0, 0.0]",
+            "[-1.0, 2.0]",
+            "room_map.yaml:3: origin: found no single value, allowed is three numbers: x (m), y (m), yaw (rad)",
+        ),
+        ("negate: 0", "negate: 2", "room_map.yaml:4: negate: found '2', allowed is 0 or 1"),
+        ("0.65", "65", "room_map.yaml:5: occupied_thresh: found '65', allowed is a number from 0 to 1"),
+        ("0.196", "-1", "room_map.yaml:6: free_thresh: found '-1', allowed is a number from 0 to 1"),
+        ("free", "mode: grey\nfree", "room_map.yaml:6: mode: found 'grey', allowed is trinary, scale or raw"),
+        ("image: room.png", "image: []", "room_map.yaml:1: image: found no single value, allowed is a file name"),
+        ("room.png", "none.png", "none.png: no such image, or it cannot be read"),
+        ("room.png", "room_map.yaml", "room_map.yaml: is no image that is known here, allowed are PNG and PGM"),
+        ("image: ", "image: [", "room_map.yaml:2: not YAML: end of sequence flow not found"),
+    ],
+)
+def test_mistakes_in_the_yaml_file_are_named(write, tmp_path, old, new, message):
+    path = write()
+    Path(path).write_text(YAML.replace(old, new, 1))
+    assert error(path) == message
+
+
+def test_yaml_file_that_is_no_map_is_named(write):
+    path = write()
+    Path(path).write_text("- a\n- b\n")
+    assert error(path) == "room_map.yaml: not a map description, allowed are lines 'key: value'"
+
+
+@pytest.mark.parametrize(
+    ("image", "message"),
+    [
+        (b"P5\n3 3\n255\n12345678", "PGM image: ends too early"),
+        (b"P2\n3 x\n255\n", "PGM image: the height is not a number"),
+        (b"P2\n3 1\n255\n1 2 256", "PGM image: a pixel is above 255"),
+        (b"P5\n3 3\n0\n", "PGM image: the greatest value is 0, allowed are 1 to 65535"),
+        (b"P5\n0 3\n255\n", "has 0 x 3 pixels, allowed are 1 to 100000000"),
+        (b"P5\n99999 99999\n255\n", "has 99999 x 99999 pixels, allowed are 1 to 100000000"),
+        (b"\x89PNG\r\n\x1a\n", "PNG image: ends too early"),
+        (b"\x89PNG nothing of the kind", "PNG image: PNG file corrupted by ASCII conversion"),
+        (b"GIF89a", "is no image that is known here, allowed are PNG and PGM"),
+    ],
+)
+def test_broken_images_are_named(write, tmp_path, image, message):
+    path = write()
+    (tmp_path / "room.png").write_bytes(image)
+    assert error(path) == f"room.png: {message}"
+
+
+@pytest.mark.parametrize("keep", [40, 60, -20, -5])
+def test_png_that_was_cut_off_is_an_error(write, tmp_path, keep):
+    path = write(pixels=np.random.default_rng(0).integers(0, 255, (50, 50), np.uint8))
+    image = tmp_path / "room.png"
+    image.write_bytes(image.read_bytes()[:keep])
+    if keep == -5:
+        f1tenth_sim2d.load_world(path)
+    else:
+        assert error(path) == "room.png: PNG image: ends too early"
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("# x_m, y_m\n1.0; 2.0\n", ":2: found '1.0; 2.0', allowed is x (m), y (m), …"),
+        ("1.0, 2.0\n1.0, nan\n", ":2: found '1.0, nan', allowed is x (m), y (m), …"),
+        ("1.0, 2.0\n", ": has 1 points, allowed are 2 or more"),
+    ],
+)
+def test_broken_centreline_is_named(write, tmp_path, text, message):
+    path = write()
+    (tmp_path / "room_centerline.csv").write_text(text)
+    assert error(path) == "room_centerline.csv" + message
+
+
+def test_keys_without_a_meaning_are_said(write):
+    warnings = f1tenth_sim2d.load_world(write(YAML + "colour: red\n")).warnings
+    assert [warning.split("/")[-1] for warning in warnings] == ["room_map.yaml:7: key 'colour' has no meaning"]
+
+
+def test_empty_world_is_the_ground_and_nothing_on_it(car):
+    world = f1tenth_sim2d.empty_world()
+    assert world.models == []
+    simulation = f1tenth_sim2d.Simulation(world)
+    simulation.add_car(car)
+    assert np.all(np.isinf(simulation.scan(0)))
+
+
+@pytest.mark.parametrize("track", ["Spielberg", "Austin", "Oschersleben"])
+def test_tracks_load_with_their_start(track, car):
+    folder = DATA / "tracks" / track
+    if not folder.exists():
+        pytest.skip(f"no {folder}; F1TENTH_DATA says where the data are")
+    world = f1tenth_sim2d.load_world(str(folder / f"{track}_map.yaml"))
+    points = np.loadtxt(folder / f"{track}_centerline.csv", delimiter=",")
+    heading = math.atan2(*(points[1, :2] - points[0, :2])[::-1])
+    assert world.start == pytest.approx((points[0, 0], points[0, 1], heading))
+    simulation = f1tenth_sim2d.Simulation(world)
+    simulation.add_car(car, None, *world.start)
+    assert simulation.clearance(0) > 0.3

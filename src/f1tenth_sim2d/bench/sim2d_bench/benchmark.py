@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Optional
 
 
-class NotAvailable(Exception):
+class NotAvailable(Exception):  # noqa: N818  it is no error
     """Something that a measurement needs is not on this machine; the message says what."""
 
 

@@ -3,8 +3,9 @@
 from dataclasses import dataclass
 from xml.etree import ElementTree
 
-import f1tenth_sim2d
 import xacro
+
+import f1tenth_sim2d
 
 from .places import REPOSITORY
 
@@ -56,7 +57,7 @@ def f1tenth_car(lidar=F1TENTH, name="robot1"):
 
 
 def bare_lidar(lidar):
-    """Return a car that is nothing but a lidar at its origin, 0.16 m above the ground, so that it fits anywhere."""
+    """Return a car that is only a lidar, 0.16 m above the ground, so that it fits anywhere."""
     robot = ElementTree.fromstring(BARE_LIDAR)
     for ray in robot.iter("ray"):
         lidar.set_in(ray)

@@ -28,13 +28,13 @@ def ring_track(boxes_a_side=50):
 
 
 def ring_pose(car, count):
-    """(x, y, yaw) of one of several cars that stand at equal distances on the centre line of the ring track."""
+    """(x, y, yaw) of one of several cars at equal distances on the centre line of the ring track."""
     angle = 2.0 * math.pi * car / count - 0.5 * math.pi
     return RING_RADIUS * math.cos(angle), RING_RADIUS * (1.0 + math.sin(angle)), angle + 0.5 * math.pi
 
 
 def rooms(count):
-    """Return so many closed rooms of SEGMENTS_A_ROOM wall segments side by side, one of them around the origin."""
+    """Return closed rooms of SEGMENTS_A_ROOM wall segments side by side, one of them around the origin."""
     columns = math.ceil(math.sqrt(count))
     pitch = ROOM_SIZE + 2.0 * WALL_THICKNESS
     boxes = []

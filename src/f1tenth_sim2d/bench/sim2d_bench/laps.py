@@ -1,6 +1,6 @@
 """Laps: driven once by a driver who looks at the scan, then measured by giving the same commands again.
 
-So the measured time is that of the simulator alone, and the trajectory hash shows that the same laps were driven.
+So the measured time is that of the simulator alone; the trajectory hash shows that the laps are the same.
 """
 
 import math

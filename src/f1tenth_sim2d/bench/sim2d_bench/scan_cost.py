@@ -1,7 +1,8 @@
 """What a scan costs."""
 
-import f1tenth_sim2d
 import numpy as np
+
+import f1tenth_sim2d
 
 from .cars import bare_lidar
 from .timing import least_cost

@@ -71,7 +71,9 @@ def test_walls_reach_above_every_lidar_and_end(write):
 @pytest.mark.parametrize("seed", range(5))
 def test_any_pattern_of_cells_is_kept_exactly(write, seed):
     pixels = np.random.default_rng(seed).choice(np.array([0, 254], np.uint8), (13, 9))
-    assert area(write(pixels=pixels)).symmetric_difference(cells(pixels == 0)).area == pytest.approx(0, abs=1e-12)
+    assert area(write(pixels=pixels)).symmetric_difference(cells(pixels == 0)).area == pytest.approx(
+        0, abs=1e-12
+    )
 
 
 @pytest.mark.parametrize("mode", ["1", "L", "LA", "P", "RGB", "RGBA", "I;16"])
@@ -139,7 +141,9 @@ def test_car_meets_the_walls_it_sees(write, car):
 def test_start_is_on_the_centreline(write, tmp_path):
     path = write()
     assert f1tenth_sim2d.load_world(path).start == (0.0, 0.0, 0.0)
-    (tmp_path / "room_centerline.csv").write_text("# x_m, y_m, w_tr_right_m, w_tr_left_m\n1.5, 2.5, 1, 1\n1.5, 3.5, 1, 1\n")
+    (tmp_path / "room_centerline.csv").write_text(
+        "# x_m, y_m, w_tr_right_m, w_tr_left_m\n1.5, 2.5, 1, 1\n1.5, 3.5, 1, 1\n"
+    )
     assert f1tenth_sim2d.load_world(path).start == pytest.approx((1.5, 2.5, math.pi / 2))
 
 
@@ -158,15 +162,24 @@ def error(path):
         (
             "[-1.0, 2.0, 0.0]",
             "[-1.0, 2.0]",
-            "room_map.yaml:3: origin: found no single value, allowed is three numbers: x (m), y (m), yaw (rad)",
+            "room_map.yaml:3: origin: found no single value, "
+            "allowed is three numbers: x (m), y (m), yaw (rad)",
         ),
         ("negate: 0", "negate: 2", "room_map.yaml:4: negate: found '2', allowed is 0 or 1"),
         ("0.65", "65", "room_map.yaml:5: occupied_thresh: found '65', allowed is a number from 0 to 1"),
         ("0.196", "-1", "room_map.yaml:6: free_thresh: found '-1', allowed is a number from 0 to 1"),
         ("free", "mode: grey\nfree", "room_map.yaml:6: mode: found 'grey', allowed is trinary, scale or raw"),
-        ("image: room.png", "image: []", "room_map.yaml:1: image: found no single value, allowed is a file name"),
+        (
+            "image: room.png",
+            "image: []",
+            "room_map.yaml:1: image: found no single value, allowed is a file name",
+        ),
         ("room.png", "none.png", "none.png: no such image, or it cannot be read"),
-        ("room.png", "room_map.yaml", "room_map.yaml: is no image that is known here, allowed are PNG and PGM"),
+        (
+            "room.png",
+            "room_map.yaml",
+            "room_map.yaml: is no image that is known here, allowed are PNG and PGM",
+        ),
         ("image: ", "image: [", "room_map.yaml:2: not YAML: end of sequence flow not found"),
     ],
 )
@@ -229,7 +242,9 @@ def test_broken_centreline_is_named(write, tmp_path, text, message):
 
 def test_keys_without_a_meaning_are_said(write):
     warnings = f1tenth_sim2d.load_world(write(YAML + "colour: red\n")).warnings
-    assert [warning.split("/")[-1] for warning in warnings] == ["room_map.yaml:7: key 'colour' has no meaning"]
+    assert [warning.split("/")[-1] for warning in warnings] == [
+        "room_map.yaml:7: key 'colour' has no meaning"
+    ]
 
 
 def test_empty_world_is_the_ground_and_nothing_on_it(car):

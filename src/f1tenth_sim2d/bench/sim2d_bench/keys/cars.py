@@ -5,7 +5,7 @@ import f1tenth_sim2d
 from ..benchmark import Measured, benchmark
 from ..cars import f1tenth_car
 from ..core_speed import measure_laps
-from ..generated_worlds import ring_track, ring_pose
+from ..generated_worlds import ring_pose, ring_track
 
 COUNTS = (1, 2, 4, 8, 16)
 SECONDS = 10.0
@@ -13,7 +13,7 @@ SECONDS = 10.0
 
 @benchmark("cars", "x a car", at_most=1.5)
 def cars():
-    """Cost per car with 16 cars over that with 1, all on one ring track, where they see and touch each other."""
+    """Cost per car with 16 cars over that with 1, on a ring where they see and touch each other."""
     costs = {}
     details = {}
     for count in COUNTS:

@@ -1,7 +1,8 @@
 """scan_us_map: one scan on a track's map, compared with exact ranges."""
 
-import f1tenth_sim2d
 import numpy as np
+
+import f1tenth_sim2d
 
 from ..benchmark import Measured, benchmark
 from ..cars import SPIELBERG
@@ -26,5 +27,7 @@ def scan_us_map():
     mean = float(errors.mean())
     problem = "" if mean < MEAN_ERROR_MAX else f"the mean absolute error is {mean:.3g} m"
     return Measured(
-        scanner.microseconds(poses), {"mean_absolute_error": mean, "largest_error": float(errors.max())}, problem
+        scanner.microseconds(poses),
+        {"mean_absolute_error": mean, "largest_error": float(errors.max())},
+        problem,
     )

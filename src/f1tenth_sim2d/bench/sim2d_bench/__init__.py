@@ -1,1 +1,1 @@
-"""Benchmarks of the simulator: `make bench`. A module under keys/ measures one key, or a few that go together."""
+"""Benchmarks of the simulator: `make bench`. A module under keys/ measures one key, or a few."""

@@ -24,12 +24,22 @@ help: ## list the commands
 setup: ## install what is missing from Debian and PyPI
 	@tools/setup
 
-configure: setup
+# CMake notices by itself what has changed in known files, but neither a new package nor a newly installed original
+# of a stand-in; `make configure` looks for both.
+CONFIGURED := $(BUILD_DIR)/configured
+PACKAGES := $(wildcard src/*/package.xml src/standins/*/package.xml)
+
+configure: setup ## configure the workspace anew
+	@rm -f $(CONFIGURED)
+	@$(MAKE) --no-print-directory $(CONFIGURED)
+
+$(CONFIGURED): $(PACKAGES) CMakeLists.txt $(wildcard cmake/*) $(wildcard setup/*) | setup
 	@cmake -S . -B $(BUILD_DIR) -DCATKIN_DEVEL_PREFIX=$(DEVEL_DIR) -DPYTHON_EXECUTABLE=/usr/bin/python3 \
 	  > $(BUILD_DIR).log 2>&1 || { cat $(BUILD_DIR).log; exit 1; }
 	@mv $(BUILD_DIR).log $(BUILD_DIR)/configure.log
+	@touch $@
 
-build: configure ## build the workspace
+build: setup $(CONFIGURED) ## build the workspace
 	@cmake --build $(BUILD_DIR) -j $(JOBS) -- --no-print-directory
 
 race: build ## one headless race: make race CIRCUIT=circuit3

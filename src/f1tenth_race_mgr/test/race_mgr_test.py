@@ -15,6 +15,7 @@ from support import (
     RACE_MGR,
     Node,
     StartSignal,
+    listen_to_log,
     listen_to_results,
     listen_to_status,
     read_status,
@@ -126,6 +127,12 @@ def test_an_interrupt_ends_it_while_it_waits(start):
         node.interrupt()
         assert node.finish()[0] == 0
         assert status.wait_for((State.STOPPED, 0))
+
+
+def test_says_that_it_waits_for_a_planner(start):
+    with listen_to_log() as log:
+        start(REACHED)
+        assert log.wait_for((NODE, "waiting for a planner: no action server on /robot1/move_base"))
 
 
 def test_loop_mode_never_finishes_and_counts_laps(start, planner):

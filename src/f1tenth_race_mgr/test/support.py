@@ -11,7 +11,7 @@ import warnings
 import rospkg
 import rospy
 from move_base_msgs.msg import MoveBaseActionResult
-from rosgraph_msgs.msg import Clock
+from rosgraph_msgs.msg import Clock, Log
 from std_msgs.msg import Header, Int32
 
 from f1tenth_race_mgr.msg import RaceStatus
@@ -91,6 +91,10 @@ class Listener:
 def listen_to_status():
     """Collect (state, goals_reached)."""
     return Listener("/robot1/race_status", RaceStatus, lambda message: (message.state, message.goals_reached))
+
+
+def listen_to_log():
+    return Listener("/rosout", Log, lambda message: (message.name, message.msg))
 
 
 def listen_to_results():

@@ -4,6 +4,8 @@ import time
 
 import rospy
 
+from f1tenth_race_mgr.planner_watch import PlannerWatch
+
 POLL_PERIOD = 0.005  # wall s
 TIMEOUT = 0.1  # wall s, how long a stop request may wait
 
@@ -11,11 +13,12 @@ TIMEOUT = 0.1  # wall s, how long a stop request may wait
 class ClockPacing:
     """Steps all the time."""
 
-    def __init__(self, _navigation, _start_signal, _stop_requests):
-        pass
+    def __init__(self, navigation, _start_signal, _stop_requests):
+        self._planner_watch = PlannerWatch(navigation)
 
     def wait(self):
         """Return the ROS time of the next step."""
+        self._planner_watch.check()
         # Not rospy.sleep: it does not return when the clock stops.
         time.sleep(POLL_PERIOD)
         return rospy.get_rostime()
@@ -34,6 +37,7 @@ class LockstepPacing:
         from sim2d_lockstep import Participant
 
         self._navigation = navigation
+        self._planner_watch = PlannerWatch(navigation)
         self._start_signal = start_signal
         self._stop_requests = stop_requests
         after = [navigation.action_name.lstrip("/")]
@@ -64,7 +68,7 @@ class LockstepPacing:
         # Wall time: the clock stands still until the first done(). A starter that has spoken is connected,
         # so that its 0 arrives in its own period.
         while not self._stop_requests.race:
-            if self._navigation.wait_for_server(TIMEOUT) and self._start_is_connected():
+            if self._planner_watch.check(TIMEOUT) and self._start_is_connected():
                 return True
         return False
 

@@ -26,6 +26,11 @@ def test_a_path_may_be_relative_or_absolute(worlds, tmp_path):
     assert find_world(str(tmp_path / "mine.world"), worlds, "/") == tmp_path / "mine.world"
 
 
+def test_a_map_is_a_world_too(worlds, tmp_path):
+    (tmp_path / "track_map.yaml").write_text("")
+    assert find_world("track_map.yaml", worlds, tmp_path) == tmp_path / "track_map.yaml"
+
+
 def test_a_wrong_name_is_answered_with_the_known_ones(worlds, tmp_path):
     message = "world_file_name: there is no world named 'c'; known names: a, b; a path works, too"
     with pytest.raises(WorldNotFoundError, match="^" + re.escape(message) + "$"):

@@ -55,6 +55,15 @@ def test_a_relative_path_is_a_world_too(tmp_path, monkeypatch):
     assert server.args == f"'{tmp_path}/mine.yaml'"
 
 
+def test_a_map_as_world_is_served_itself(tmp_path):
+    track = tmp_path / "track_map.yaml"
+    track.write_text("")
+    config = load("sim_one_car.launch", f"world_file_name:={track}")
+    assert value(config, "/sim2d/world") == str(track)
+    (server,) = [node for node in config.nodes if node.type == "map_server"]
+    assert server.args == f"'{track}'"
+
+
 def test_a_map_can_be_named():
     config = load("sim_one_car.launch", "map_file:=/elsewhere/a.yaml")
     (server,) = [node for node in config.nodes if node.type == "map_server"]

@@ -12,14 +12,15 @@ def find_world(name, worlds_folder, current_folder):
     """Absolute path of a world.
 
     Args:
-        name: name of a world in worlds_folder, without `.world`; or a path, relative to current_folder.
+        name: name of a world in worlds_folder, without `.world`; or the path of a .world file or of the .yaml
+            file of a map, relative to current_folder.
         worlds_folder: where named worlds lie.
         current_folder: where relative paths start.
 
     Raises:
         WorldNotFoundError: if there is no such file.
     """
-    is_path = "/" in name or name.endswith(".world")
+    is_path = "/" in name or name.endswith((".world", ".yaml"))
     path = Path(current_folder) / name if is_path else Path(worlds_folder) / f"{name}.world"
     if not path.is_file():
         known = ", ".join(sorted(world.stem for world in Path(worlds_folder).glob("*.world")))

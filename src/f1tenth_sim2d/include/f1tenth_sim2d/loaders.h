@@ -8,18 +8,22 @@
 
 namespace f1tenth_sim2d
 {
-/// Folders in which model:// URIs are looked up, in order.
-using ModelPath = std::vector<std::string>;
+/// Where model://, file:// and package:// URIs are looked up, in order.
+struct SearchPath
+{
+  std::vector<std::string> model_folders;    ///< each holds models, one folder a model
+  std::vector<std::string> package_folders;  ///< ROS packages are looked for in these and all folders below them
+};
 
-/// GAZEBO_MODEL_PATH, split at colons. The only function of the loaders that reads the environment.
-ModelPath modelPathFromEnvironment();
+/// GAZEBO_MODEL_PATH and ROS_PACKAGE_PATH. The only function of the loaders that reads the environment.
+SearchPath searchPathFromEnvironment();
 
 /// Reads a world: an SDF file through libsdformat, or an occupancy-grid map (.yaml) in map_server's format.
-/// model:// and file:// of an SDF file resolve over model_path, then beside the file. The occupied cells of a map are
+/// URIs of an SDF file resolve over the model folders, then beside the file, then in packages. The occupied cells of a map are
 /// walls, exactly along the edges of the pixels; the start is on the centreline if X_centerline.csv lies beside
 /// X_map.yaml.
 /// @throws LoadError for a missing or malformed file and for what would make the simulation wrong
-WorldDescription loadWorld(const std::string & path, const ModelPath & model_path = {});
+WorldDescription loadWorld(const std::string & path, const SearchPath & search_path = {});
 
 /// The ground and nothing on it.
 WorldDescription emptyWorld();
@@ -28,5 +32,6 @@ WorldDescription emptyWorld();
 /// @param name    the car's name and ROS namespace
 /// @param source  what error messages call the text
 /// @throws LoadError
-CarDescription loadCar(const std::string & xml, const std::string & name, const std::string & source);
+CarDescription loadCar(
+  const std::string & xml, const std::string & name, const std::string & source, const SearchPath & search_path = {});
 }  // namespace f1tenth_sim2d

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <ignition/math/Pose3.hh>
 #include <ignition/math/Vector3.hh>
+#include <memory>
 #include <string>
 #include <utility>
 #include <variant>
@@ -42,7 +45,18 @@ struct WallPlan
   std::vector<ConvexPolygon> pieces;  ///< m; the same area in convex pieces
   double height{0.0};                 ///< m
 };
-using Shape = std::variant<Box, Cylinder, Sphere, Polyline, Plane, WallPlan>;
+/// A surface: triangles that share the corners they have in common, counter-clockwise seen from outside.
+struct TriangleMesh
+{
+  std::vector<ignition::math::Vector3d> vertices;  ///< m
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+/// The surface of a mesh file. What it closes in is solid; where it is open it is a thin sheet.
+struct Mesh
+{
+  std::shared_ptr<const TriangleMesh> surface;  ///< shared by all solids of one file and scale
+};
+using Shape = std::variant<Box, Cylinder, Sphere, Polyline, Plane, WallPlan, Mesh>;
 
 /// One collision element.
 struct Solid

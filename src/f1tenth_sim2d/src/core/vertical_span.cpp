@@ -58,6 +58,17 @@ struct SpanOf
     return walls.outlines.empty() ? VerticalSpan{1.0, -1.0}
                                   : around(pose * Pose3d(0, 0, walls.height / 2.0, 0, 0, 0), walls.height / 2.0);
   }
+  VerticalSpan operator()(const Mesh & mesh) const
+  {
+    const Vector3d up = climb(pose);
+    VerticalSpan span{1.0, -1.0};
+    for (const Vector3d & vertex : mesh.surface->vertices) {
+      const double height = pose.Pos().Z() + up.Dot(vertex);
+      const bool first = span.bottom > span.top;
+      span = {first ? height : std::min(span.bottom, height), first ? height : std::max(span.top, height)};
+    }
+    return span;
+  }
   VerticalSpan operator()(const Plane &) const { return {1.0, -1.0}; }
 };
 }  // namespace
@@ -75,6 +86,7 @@ bool overlap(const VerticalSpan & a, const VerticalSpan & b)
 bool isUprightPrism(const Solid & solid, const Pose3d & pose)
 {
   const Vector3d up = climb(pose);
-  return !std::holds_alternative<Sphere>(solid.shape) && std::hypot(up.X(), up.Y()) < kUprightTolerance;
+  const bool is_prism = !std::holds_alternative<Sphere>(solid.shape) && !std::holds_alternative<Mesh>(solid.shape);
+  return is_prism && std::hypot(up.X(), up.Y()) < kUprightTolerance;
 }
 }  // namespace f1tenth_sim2d

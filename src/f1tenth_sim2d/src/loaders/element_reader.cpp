@@ -15,13 +15,13 @@ std::string toText(double value)
   text << value;
   return text.str();
 }
+}  // namespace
 
 std::string withoutBlanksAround(const std::string & text)
 {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
-}  // namespace
 
 std::string elementPath(sdf::ElementPtr element)
 {

@@ -8,6 +8,9 @@ namespace f1tenth_sim2d
 /// "world[default]/model[walls]/link[Wall_0]"
 std::string elementPath(sdf::ElementPtr element);
 
+/// Text without the blanks around it.
+std::string withoutBlanksAround(const std::string & text);
+
 /// Element at the end of a path of tags below element; null if there is none.
 sdf::ElementPtr descend(sdf::ElementPtr element, std::initializer_list<const char *> tags);
 

@@ -46,9 +46,11 @@ const sdf::Model & onlyModel(const sdf::Root & root, const std::string & source)
   return *model;
 }
 
-void readCarSolids(CarContext & context)
+void readCarSolids(CarContext & context, const SearchPath & search_path)
 {
-  context.car.solids = readSolids(context.model, context.car.name, context.source());
+  const UriLookup uris(search_path, "");
+  MeshLibrary meshes(uris, context.warnings);
+  context.car.solids = readSolids(context.model, context.car.name, context.source(), meshes);
   for (Solid & solid : context.car.solids) {
     if (std::holds_alternative<Plane>(solid.shape)) {
       throw LoadError(context.source(), solid.name, "a <plane> has no end and cannot be part of a car");
@@ -76,7 +78,8 @@ void readPluginsAndJoints(CarContext & context)
 }
 }  // namespace
 
-CarDescription loadCar(const std::string & xml, const std::string & name, const std::string & source)
+CarDescription loadCar(
+  const std::string & xml, const std::string & name, const std::string & source, const SearchPath & search_path)
 {
   const SdfMessages messages;
   const std::string kind = rootElement(xml, source);
@@ -99,7 +102,7 @@ CarDescription loadCar(const std::string & xml, const std::string & name, const 
   car.source = source;
   car.links = facts.links;
   CarContext context{model, facts.base_footprint, car, warnings};
-  readCarSolids(context);
+  readCarSolids(context, search_path);
   requireAllCollisions(facts, car.solids, source);
   readSensors(context);
   readPluginsAndJoints(context);

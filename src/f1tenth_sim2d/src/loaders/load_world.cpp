@@ -54,9 +54,7 @@ void readWorldChildren(const sdf::World & world, WorldDescription & description,
     if (tag == "population") {
       throw LoadError(description.file, elementPath(child), "is not supported; write its models one by one");
     }
-    if (tag == "light") {
-      warnings.add("<light> is left out: a lidar needs none", elementPath(child));
-    } else if (tag == "actor" || tag == "road") {
+    if (tag == "actor" || tag == "road") {
       warnings.add("<" + tag + "> is left out: it has no collision", elementPath(child));
     } else if (tag == "plugin") {
       description.plugins.push_back(readPlugin(child));
@@ -65,7 +63,8 @@ void readWorldChildren(const sdf::World & world, WorldDescription & description,
   }
 }
 
-WorldDescription describe(const sdf::World & world, const std::string & path, WarningCollector & warnings)
+WorldDescription describe(
+  const sdf::World & world, const std::string & path, MeshLibrary & meshes, WarningCollector & warnings)
 {
   WorldDescription description;
   description.file = path;
@@ -74,7 +73,7 @@ WorldDescription describe(const sdf::World & world, const std::string & path, Wa
   readWorldChildren(world, description, warnings);
   for (std::uint64_t i = 0; i < world.ModelCount(); ++i) {
     const sdf::Model & model = *world.ModelByIndex(i);
-    appendModel(model, startPose(world, model, path), path, description.models, warnings);
+    appendModel(model, startPose(world, model, path), path, meshes, description.models, warnings);
   }
   return description;
 }
@@ -88,21 +87,22 @@ WorldDescription emptyWorld()
   return world;
 }
 
-WorldDescription loadWorld(const std::string & path, const ModelPath & model_path)
+WorldDescription loadWorld(const std::string & path, const SearchPath & search_path)
 {
   requireFile(path);
   if (isMapFile(path)) {
     return loadMapWorld(path);
   }
   const SdfMessages messages;
-  const UriLookup uris(model_path, path);
+  const UriLookup uris(search_path, path);
   WarningCollector warnings;
   sdf::Root root;
   sdf::ParserConfig config = parserConfig();
   config.SetFindCallback([&uris](const std::string & uri) { return uris.find(uri); });
   const sdf::Errors errors = root.Load(path, config);
   checkSdfErrors(errors, messages, root, path, "; searched: " + uris.searchedFolders(), warnings);
-  WorldDescription description = describe(onlyWorld(root, path), path, warnings);
+  MeshLibrary meshes(uris, warnings);
+  WorldDescription description = describe(onlyWorld(root, path), path, meshes, warnings);
   description.warnings = warnings.messages();
   return description;
 }

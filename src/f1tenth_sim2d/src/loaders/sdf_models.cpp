@@ -42,7 +42,6 @@ void readInertia(const sdf::Model & model, const std::string & file, ModelDescri
 void warnOfChildren(const sdf::ElementPtr & parent, WarningCollector & warnings)
 {
   static const std::vector<std::pair<std::string, std::string>> left_out = {
-    {"light", "<light> is left out: a lidar needs none"},
     {"sensor", "<sensor> is left out: only cars have sensors"},
     {"plugin", "<plugin> of a model is left out: only cars have plugins"},
     {"gripper", "<gripper> is left out"},
@@ -76,7 +75,7 @@ void warnOfModel(const sdf::Model & model, WarningCollector & warnings)
 
 void appendModel(
   const sdf::Model & model, const Pose3d & pose, const std::string & scope, bool is_static, const std::string & file,
-  std::vector<ModelDescription> & models, WarningCollector & warnings)
+  MeshLibrary & meshes, std::vector<ModelDescription> & models, WarningCollector & warnings)
 {
   warnOfModel(model, warnings);
   ModelDescription description;
@@ -85,14 +84,14 @@ void appendModel(
   description.is_static = is_static || model.Static();
   const std::string inner_scope = description.name + "::";
   if (model.LinkCount() > 0) {
-    description.solids = readSolids(model, description.name, file);
+    description.solids = readSolids(model, description.name, file, meshes);
     readInertia(model, file, description);
     models.push_back(description);
   }
   for (std::uint64_t i = 0; i < model.ModelCount(); ++i) {
     const sdf::Model & nested = *model.ModelByIndex(i);
     const Pose3d nested_pose = pose * resolvePose(nested.SemanticPose(), kModelFrame, nested.Element(), file);
-    appendModel(nested, nested_pose, inner_scope, description.is_static, file, models, warnings);
+    appendModel(nested, nested_pose, inner_scope, description.is_static, file, meshes, models, warnings);
   }
 }
 
@@ -116,7 +115,8 @@ Pose3d resolvePose(
   return resolved;
 }
 
-std::vector<Solid> readSolids(const sdf::Model & model, const std::string & scope, const std::string & file)
+std::vector<Solid> readSolids(
+  const sdf::Model & model, const std::string & scope, const std::string & file, MeshLibrary & meshes)
 {
   std::vector<Solid> solids;
   for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
@@ -124,7 +124,7 @@ std::vector<Solid> readSolids(const sdf::Model & model, const std::string & scop
     const Pose3d link_pose = linkPose(link, file);
     for (std::uint64_t k = 0; k < link.CollisionCount(); ++k) {
       const sdf::Collision & collision = *link.CollisionByIndex(k);
-      Solid solid = readCollision(collision, scope + "::" + link.Name() + "::" + collision.Name(), file);
+      Solid solid = readCollision(collision, scope + "::" + link.Name() + "::" + collision.Name(), file, meshes);
       solid.pose = link_pose * resolvePose(collision.SemanticPose(), "", collision.Element(), file) * solid.pose;
       solids.push_back(std::move(solid));
     }
@@ -133,10 +133,10 @@ std::vector<Solid> readSolids(const sdf::Model & model, const std::string & scop
 }
 
 void appendModel(
-  const sdf::Model & model, const Pose3d & pose, const std::string & file, std::vector<ModelDescription> & models,
-  WarningCollector & warnings)
+  const sdf::Model & model, const Pose3d & pose, const std::string & file, MeshLibrary & meshes,
+  std::vector<ModelDescription> & models, WarningCollector & warnings)
 {
-  appendModel(model, pose, "", false, file, models, warnings);
+  appendModel(model, pose, "", false, file, meshes, models, warnings);
 }
 
 PluginElement readPlugin(const sdf::ElementPtr & element)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "f1tenth_sim2d/world_model.h"
+#include "mesh_library.h"
 #include "warning_collector.h"
 
 namespace f1tenth_sim2d
@@ -12,12 +13,13 @@ namespace f1tenth_sim2d
 /// The collision elements of a model's own links, in the frame of the model; nested models are not among them.
 /// @param scope  said before the names of the links, "outer::inner"
 /// @throws LoadError
-std::vector<Solid> readSolids(const sdf::Model & model, const std::string & scope, const std::string & file);
+std::vector<Solid> readSolids(
+  const sdf::Model & model, const std::string & scope, const std::string & file, MeshLibrary & meshes);
 
 /// Appends a model of a world and the models nested in it, each as a rigid body of its own.
 /// @param pose  of the model in the world
 void appendModel(
-  const sdf::Model & model, const ignition::math::Pose3d & pose, const std::string & file,
+  const sdf::Model & model, const ignition::math::Pose3d & pose, const std::string & file, MeshLibrary & meshes,
   std::vector<ModelDescription> & models, WarningCollector & warnings);
 
 /// @param frame  in which the result is given; empty: the frame of the element around it

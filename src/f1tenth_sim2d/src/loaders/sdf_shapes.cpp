@@ -15,6 +15,8 @@ namespace
 using ignition::math::Vector2d;
 using ignition::math::Vector3d;
 
+const char * const kAllowedShapes = "<box>, <cylinder>, <sphere>, <polyline>, <plane> and <mesh>";
+
 Box readBox(const ElementReader & element)
 {
   const auto size = element.required<Vector3d>("size");
@@ -51,11 +53,12 @@ Polyline readPolyline(const ElementReader & element, const sdf::ElementPtr & pol
   return {withoutRedundantCorners(outline), element.positive("height")};
 }
 
-Shape readShape(const sdf::ElementPtr & geometry, const std::string & file, ignition::math::Pose3d & pose)
+Shape readShape(
+  const sdf::ElementPtr & geometry, const std::string & file, MeshLibrary & meshes, ignition::math::Pose3d & pose)
 {
   const sdf::ElementPtr kind = geometry->GetFirstElement();
   if (!kind) {
-    ElementReader(geometry, file).fail("is empty; allowed are <box>, <cylinder>, <sphere>, <polyline> and <plane>");
+    ElementReader(geometry, file).fail(std::string("is empty; allowed are ") + kAllowedShapes);
   }
   const ElementReader element(kind, file);
   const std::string name = kind->GetName();
@@ -74,11 +77,15 @@ Shape readShape(const sdf::ElementPtr & geometry, const std::string & file, igni
   if (name == "plane") {
     return readPlane(element, kind, pose);
   }
-  element.fail("is not supported as a collision; allowed are <box>, <cylinder>, <sphere>, <polyline> and <plane>");
+  if (name == "mesh") {
+    return meshes.read(kind, file);
+  }
+  element.fail(std::string("is not supported as a collision; allowed are ") + kAllowedShapes);
 }
 }  // namespace
 
-Solid readCollision(const sdf::Collision & collision, const std::string & scoped_name, const std::string & file)
+Solid readCollision(
+  const sdf::Collision & collision, const std::string & scoped_name, const std::string & file, MeshLibrary & meshes)
 {
   Solid solid;
   solid.name = scoped_name;
@@ -87,7 +94,7 @@ Solid readCollision(const sdf::Collision & collision, const std::string & scoped
   if (!geometry) {
     ElementReader(element, file).fail("has no <geometry>");
   }
-  solid.shape = readShape(geometry, file, solid.pose);
+  solid.shape = readShape(geometry, file, meshes, solid.pose);
   if (const auto friction = descend(element, {"surface", "friction", "ode"})) {
     solid.mu = ElementReader(friction, file).notNegative("mu", solid.mu);
   }

@@ -4,6 +4,7 @@
 
 #include "convex_body.h"
 #include "heights.h"
+#include "mesh_section.h"
 #include "planar.h"
 #include "round_section.h"
 
@@ -83,6 +84,7 @@ struct CutAt
     return heightsOf(walls, pose).contain(z) ? Section{moved(walls.outlines, pose), {}} : Section{};
   }
   Section operator()(const Plane &) const { return {}; }
+  Section operator()(const Mesh & mesh) const { return cut(*mesh.surface, pose, z); }
 
   /// In one piece: a cut has no seams where the solid has none.
   Section cutUpright(const Polyline & polyline) const
@@ -114,6 +116,7 @@ struct ShadowBetween
     return heightsOf(walls, pose).overlap(z_min, z_max) ? Section{moved(walls.pieces, pose), {}} : Section{};
   }
   Section operator()(const Plane &) const { return {}; }
+  Section operator()(const Mesh & mesh) const { return shadow(*mesh.surface, pose, z_min, z_max); }
 };
 }  // namespace
 

@@ -1,17 +1,20 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "f1tenth_sim2d/loaders.h"
+#include "package_path.h"
 
 namespace f1tenth_sim2d
 {
-/// Finds what model:// and file:// URIs mean.
+/// Finds what model://, file:// and package:// URIs mean. ROS packages are looked for only if nothing else helps.
 class UriLookup
 {
 public:
-  /// @param world_file  its folder, the folder `models` in it and the one beside it are looked through last
-  UriLookup(const ModelPath & model_path, const std::string & world_file);
+  /// @param world_file  its folder, the folder `models` in it and the one beside it are looked through after the model
+  ///                    folders; empty: there is none
+  UriLookup(const SearchPath & search_path, const std::string & world_file);
 
   /// Path of the file or folder; empty if there is none.
   std::string find(const std::string & uri) const;
@@ -20,6 +23,10 @@ public:
   std::string searchedFolders() const;
 
 private:
-  ModelPath folders_;
+  std::string findInPackages(const std::string & path) const;
+
+  std::vector<std::string> folders_;
+  std::vector<std::string> package_folders_;
+  mutable std::optional<PackagePath> packages_;
 };
 }  // namespace f1tenth_sim2d

@@ -42,13 +42,13 @@ CarDescription describe(const CarParameters & car)
   if (!ros::param::get(parameter, xml)) {
     throw Error("parameter " + parameter + ": not set, expected the URDF or SDF text of the car");
   }
-  return loadCar(xml, car.name, parameter);
+  return loadCar(xml, car.name, parameter, searchPathFromEnvironment());
 }
 }  // namespace
 
 Scene buildScene(const NodeParameters & parameters)
 {
-  const WorldDescription world = loadWorld(parameters.world_file, modelPathFromEnvironment());
+  const WorldDescription world = loadWorld(parameters.world_file, searchPathFromEnvironment());
   warn(world.file, worldWarnings(world));
   Scene scene{Simulation(world, parameters.simulation), world.gravity};
   for (const auto & car : parameters.cars) {

@@ -73,7 +73,11 @@ void bindCar(py::module_ & module)
     .def_readonly("warnings", &CarDescription::warnings, "What was left out: one line a kind.");
 
   module.def(
-    "load_car", &loadCar, py::arg("xml"), py::arg("name"), py::arg("source"),
+    "load_car",
+    [](const std::string & xml, const std::string & name, const std::string & source) {
+      return loadCar(xml, name, source, searchPathFromEnvironment());
+    },
+    py::arg("xml"), py::arg("name"), py::arg("source"),
     R"(Read a robot description: URDF with <gazebo> tags, or an SDF model.
 
 Args:

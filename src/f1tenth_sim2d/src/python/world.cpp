@@ -54,9 +54,9 @@ py::tuple section(const WorldDescription & world, double z)
   return py::make_tuple(outlines, toArray(section.circles));
 }
 
-WorldDescription load(const std::string & path, const std::optional<ModelPath> & model_path)
+WorldDescription load(const std::string & path, const std::optional<std::vector<std::string>> & model_path)
 {
-  return loadWorld(path, model_path ? *model_path : modelPathFromEnvironment());
+  return loadWorld(path, model_path ? SearchPath{*model_path, {}} : searchPathFromEnvironment());
 }
 }  // namespace
 

@@ -61,8 +61,8 @@ std::vector<BadCar> badCars()
      "test.urdf: model[small_car]/link[bumper_front]/collision[bumper_front_collision]/geometry/box: <size> is 0, "
      "allowed are finite numbers greater than 0"},
     {"MeshInACar", smallCarWith("<box size=\"0.02 0.2 0.06\"/>", "<mesh filename=\"package://p/m.stl\"/>"),
-     "test.urdf: model[small_car]/link[bumper_front]/collision[bumper_front_collision]/geometry/mesh: is not supported "
-     "as a collision; allowed are <box>, <cylinder>, <sphere>, <polyline> and <plane>"},
+     "test.urdf: model[small_car]/link[bumper_front]/collision[bumper_front_collision]/geometry/mesh: <uri> is "
+     "model://p/m.stl, which is not found; searched: nothing, since GAZEBO_MODEL_PATH and ROS_PACKAGE_PATH are empty"},
     {"WheelWithoutMass",
      smallCarWith(
        "<link name=\"rear_left_wheel\">\n    <inertial><mass value=\"0.1\"/>",

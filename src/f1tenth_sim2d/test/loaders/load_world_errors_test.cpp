@@ -41,7 +41,7 @@ std::string surface(const std::string & inside)
 
 const std::string kGeometry = "test.world: world[w]/model[m]/link[l]/collision[c]/geometry";
 const std::string kUnsupported =
-  ": is not supported as a collision; allowed are <box>, <cylinder>, <sphere>, <polyline> and <plane>";
+  ": is not supported as a collision; allowed are <box>, <cylinder>, <sphere>, <polyline>, <plane> and <mesh>";
 
 const std::vector<BadWorld> kBadWorlds{
   {"EmptyFile", "", "test.world: malformed XML: EMPTY_DOCUMENT"},
@@ -79,10 +79,16 @@ const std::vector<BadWorld> kBadWorlds{
   {"NegativeMass", oneWorld("<model name='m'><link name='l'><inertial><mass>-1</mass></inertial></link></model>"),
    "test.world: A link named l has invalid inertia"},
   {"NoGeometry", oneWorld("<model name='m'><link name='l'><collision name='c'/></link></model>"),
-   kGeometry + ": is empty; allowed are <box>, <cylinder>, <sphere>, <polyline> and <plane>"},
+   kGeometry + ": is empty; allowed are <box>, <cylinder>, <sphere>, <polyline>, <plane> and <mesh>"},
   {"EmptyGeometry", collision(""),
-   kGeometry + ": is empty; allowed are <box>, <cylinder>, <sphere>, <polyline> and <plane>"},
-  {"Mesh", collision("<mesh><uri>model://m/mesh.dae</uri></mesh>"), kGeometry + "/mesh" + kUnsupported},
+   kGeometry + ": is empty; allowed are <box>, <cylinder>, <sphere>, <polyline>, <plane> and <mesh>"},
+  {"MeshNotFound", collision("<mesh><uri>model://m/mesh.dae</uri></mesh>"),
+   kGeometry + "/mesh: <uri> is model://m/mesh.dae, which is not found; searched: /no/models, ."},
+  {"MeshWithoutUri", collision("<mesh/>"), kGeometry + "/mesh: has no <uri>"},
+  {"MeshThatIsAFolder", collision("<mesh><uri>file:///tmp</uri></mesh>"),
+   kGeometry + "/mesh: <uri> is file:///tmp, but /tmp is not a file"},
+  {"MeshOfAnotherFormat", collision("<mesh><uri>test.world</uri></mesh>"),
+   kGeometry + "/mesh: <uri> is test.world, allowed are files that end with .dae, .stl or .obj"},
   {"Heightmap", collision("<heightmap><uri>h.png</uri></heightmap>"), kGeometry + "/heightmap" + kUnsupported},
   {"Capsule", collision("<capsule><radius>1</radius><length>1</length></capsule>"),
    kGeometry + "/capsule" + kUnsupported},
@@ -133,7 +139,7 @@ TEST_P(LoadWorldErrors, NameFilePlaceAndReason)
 {
   const TempFolder folder;
   const std::string path = folder.write("test.world", GetParam().text);
-  const std::string message = withoutFolder(loadErrorOf([&] { loadWorld(path, {"/no/models"}); }), folder);
+  const std::string message = withoutFolder(loadErrorOf([&] { loadWorld(path, {{"/no/models"}, {}}); }), folder);
   // The folders beside the world differ from run to run.
   EXPECT_EQ(message.substr(0, message.find(folder.path())), GetParam().message.substr(0, message.find(folder.path())));
 }
@@ -173,10 +179,10 @@ TEST_F(LoadWorldErrorsOfIncludes, UnknownUriNamesEveryFolderSearched)
   const std::string root = folder.path();
   EXPECT_EQ(
     loadErrorOf([&] {
-      loadWorld(path, {"/a", "/b"});
+      loadWorld(path, {{"/a", "/b"}, {"/c"}});
     }),
     path + ": world[w]/include[0]/uri: Unable to find uri[model://thing]; searched: /a, /b, " + root + "/worlds, " +
-      root + "/worlds/models, " + root + "/models");
+      root + "/worlds/models, " + root + "/models, and the ROS packages below /c");
 }
 
 TEST_F(LoadWorldErrorsOfIncludes, FolderWithoutModelConfig)

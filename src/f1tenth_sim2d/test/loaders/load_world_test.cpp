@@ -161,7 +161,7 @@ TEST(LoadWorld, FindsModelsOnTheModelPathFirstThenBesideTheWorld)
                            "</pose><uri>model://crate</uri></include><include><name>f</name><uri>file://" +
                            folder.path() + "/models/crate</uri></include>"));
   const auto size_of = [](const ModelDescription & m) { return std::get<Box>(m.solids.at(0).shape).size.X(); };
-  const WorldDescription with_path = loadWorld(file, {folder.path() + "/path"});
+  const WorldDescription with_path = loadWorld(file, {{folder.path() + "/path"}, {}});
   EXPECT_EQ(size_of(with_path.models.at(0)), 1.0);
   EXPECT_EQ(size_of(with_path.models.at(1)), 3.0);
   EXPECT_EQ(with_path.models.at(1).name, "c");
@@ -185,17 +185,14 @@ TEST(LoadWorld, KeepsPluginsWithTheirTags)
 TEST(LoadWorldWarnings, AreOneAKindWithTheFirstPlaceAndACount)
 {
   const WorldDescription description = loadText(
-    "<light name='sun' type='directional'><direction>0 0 -1</direction></light>"
-    "<light name='lamp' type='point'/><light name='bulb' type='point'/>"
-    "<plugin name='p' filename='libp.so'/>"
+    "<plugin name='p' filename='libp.so'/><plugin name='q' filename='libq.so'/>"
     "<actor name='walker'><skin><filename>x.dae</filename></skin></actor>"
-    "<model name='door'><link name='a'><light name='eye' type='point'/><sensor name='s' type='altimeter'/></link>"
+    "<model name='door'><link name='a'><sensor name='s' type='altimeter'/></link>"
     "<link name='b'/><joint name='hinge' type='revolute'><parent>a</parent><child>b</child><axis><xyz>0 0 1</xyz>"
     "</axis></joint><plugin name='opener' filename='libo.so'/><colour>red</colour></model>");
   const std::vector<std::string> expected{
     "world[test]/model[door]/colour: is not an element of SDF and left out",
-    "world[test]/light[sun] and 3 more: <light> is left out: a lidar needs none",
-    "world[test]/plugin[p]: <plugin> of a world is left out: only cars have plugins",
+    "world[test]/plugin[p] and 1 more: <plugin> of a world is left out: only cars have plugins",
     "world[test]/actor[walker]: <actor> is left out: it has no collision",
     "world[test]/model[door]/plugin[opener]: <plugin> of a model is left out: only cars have plugins",
     "world[test]/model[door]/link[a]/sensor[s]: <sensor> is left out: only cars have sensors",
@@ -204,9 +201,10 @@ TEST(LoadWorldWarnings, AreOneAKindWithTheFirstPlaceAndACount)
   EXPECT_EQ(description.warnings, expected);
 }
 
-TEST(LoadWorldWarnings, PhysicsSceneAndGuiAreSilent)
+TEST(LoadWorldWarnings, PhysicsSceneGuiAndLightsAreSilent)
 {
   const WorldDescription description = loadText(
+    "<light name='sun' type='directional'><direction>0 0 -1</direction></light>"
     "<physics type='ode'><max_step_size>0.001</max_step_size></physics><scene><shadows>1</shadows></scene>"
     "<gui fullscreen='0'/><spherical_coordinates><surface_model>EARTH_WGS84</surface_model></spherical_coordinates>"
     "<magnetic_field>0 0 0</magnetic_field><atmosphere type='adiabatic'/><wind/>");
@@ -222,12 +220,18 @@ TEST(LoadWorld, PrintsNothing)
   EXPECT_NE(message, "nothing thrown");
 }
 
-TEST(ModelPathFromEnvironment, IsSplitAtColons)
+TEST(SearchPathFromEnvironment, IsSplitAtColons)
 {
   setenv("GAZEBO_MODEL_PATH", "/a:/b::/c", 1);
-  EXPECT_EQ(modelPathFromEnvironment(), (ModelPath{"/a", "/b", "/c"}));
+  setenv("ROS_PACKAGE_PATH", "/d:/e", 1);
+  const SearchPath given = searchPathFromEnvironment();
+  EXPECT_EQ(given.model_folders, (std::vector<std::string>{"/a", "/b", "/c"}));
+  EXPECT_EQ(given.package_folders, (std::vector<std::string>{"/d", "/e"}));
   unsetenv("GAZEBO_MODEL_PATH");
-  EXPECT_TRUE(modelPathFromEnvironment().empty());
+  unsetenv("ROS_PACKAGE_PATH");
+  const SearchPath none = searchPathFromEnvironment();
+  EXPECT_TRUE(none.model_folders.empty());
+  EXPECT_TRUE(none.package_folders.empty());
 }
 }  // namespace
 }  // namespace f1tenth_sim2d

@@ -5,6 +5,7 @@
 
 #include "f1tenth_sim2d/loaders.h"
 #include "f1tenth_sim2d/section.h"
+#include "polygons.h"
 #include "temp_folder.h"
 
 namespace f1tenth_sim2d
@@ -26,7 +27,7 @@ protected:
 
   WorldDescription load(const std::string & name) const
   {
-    return loadWorld(data + "/worlds/" + name, {data + "/gazebo_models"});
+    return loadWorld(data + "/worlds/" + name, {{data + "/gazebo_models"}, {}});
   }
 
   std::string data;
@@ -45,8 +46,6 @@ TEST_F(WorldsOfOthers, BarnWorldsAreFieldsOfCylinders)
       }
     }
     EXPECT_EQ(circles, cylinders) << name;
-    EXPECT_EQ(
-      world.warnings, std::vector<std::string>{"world[default]/light[sun]: <light> is left out: a lidar needs none"});
   }
 }
 
@@ -57,23 +56,53 @@ TEST_F(WorldsOfOthers, TunnelOfTheRacecarIncludesItsModelAndTheSun)
   EXPECT_FALSE(world.models[1].solids.empty());
 }
 
-TEST_F(WorldsOfOthers, ConesAreMeshesAndRefused)
+TEST_F(WorldsOfOthers, ConesOfTheRacecarAreMeshes)
 {
-  EXPECT_NE(
-    loadErrorOf([this] { load("racecar_cones.world"); }).find("/geometry/mesh: is not supported as a collision"),
-    std::string::npos);
+  const WorldDescription world = load("racecar_cones.world");
+  ASSERT_EQ(world.models.size(), 6u);
+  const Solid & cone = world.models[1].solids.at(0);
+  EXPECT_EQ(world.models[1].name, "cone_1");
+  EXPECT_FALSE(world.models[1].is_static);
+  const Section low = sectionAt(cone, world.models[1].pose * cone.pose, 0.01);
+  const Section high = sectionAt(cone, world.models[1].pose * cone.pose, 0.15);
+  EXPECT_GT(areaOf(low.outlines), 2.0 * areaOf(high.outlines));
+  EXPECT_GT(areaOf(high.outlines), 0.0);
+  EXPECT_EQ(std::get<Mesh>(cone.shape).surface, std::get<Mesh>(world.models[2].solids.at(0).shape).surface);
 }
 
-TEST_F(WorldsOfOthers, FurnitureOfBoxesAndCylindersLoads)
+TEST_F(WorldsOfOthers, EveryWorldLoads)
+{
+  std::size_t count = 0;
+  for (const auto & entry : std::filesystem::directory_iterator(data + "/worlds")) {
+    if (entry.path().extension() == ".world") {
+      const WorldDescription world = load(entry.path().filename().string());
+      EXPECT_FALSE(world.models.empty()) << world.file;
+      EXPECT_TRUE(world.warnings.empty()) << world.file << ": " << world.warnings.front();
+      ++count;
+    }
+  }
+  EXPECT_EQ(count, 5u);
+}
+
+TEST_F(WorldsOfOthers, EveryModelOfTheGazeboDatabaseLoads)
 {
   const TempFolder folder;
   std::string includes;
-  for (const char * const model : {"bookshelf", "cabinet", "ground_plane", "sun", "table", "wooden_case"}) {
-    includes += std::string("<include><uri>model://") + model + "</uri></include>";
+  std::size_t count = 0;
+  for (const auto & entry : std::filesystem::directory_iterator(data + "/gazebo_models")) {
+    includes += "<include><uri>model://" + entry.path().filename().string() + "</uri></include>";
+    ++count;
   }
   const std::string file =
-    folder.write("furniture.world", "<sdf version='1.6'><world name='w'>" + includes + "</world></sdf>");
-  EXPECT_EQ(loadWorld(file, {data + "/gazebo_models"}).models.size(), 5u);
+    folder.write("models.world", "<sdf version='1.6'><world name='w'>" + includes + "</world></sdf>");
+  const WorldDescription world = loadWorld(file, {{data + "/gazebo_models"}, {}});
+  EXPECT_EQ(world.models.size(), count - 1);  // the sun is a light
+  for (const ModelDescription & model : world.models) {
+    EXPECT_FALSE(model.solids.empty()) << model.name;
+  }
+  const std::string lid =
+    "world[w]/model[wooden_case]/joint[lid_hinge]: <joint> does not move: a model is one rigid body";
+  EXPECT_EQ(world.warnings, std::vector<std::string>{lid});
 }
 }  // namespace
 }  // namespace f1tenth_sim2d

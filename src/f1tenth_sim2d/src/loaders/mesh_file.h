@@ -1,0 +1,21 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "f1tenth_sim2d/world_model.h"
+
+namespace f1tenth_sim2d
+{
+/// What of a mesh file is wanted, as <mesh> of SDF says it.
+struct MeshSelection
+{
+  std::string submesh;  ///< name of a node or geometry; empty: everything
+  bool centred{false};  ///< move the middle of the submesh's bounding box to the origin
+  ignition::math::Vector3d scale{1, 1, 1};
+};
+
+/// A mesh file as Gazebo takes it: DAE in its <unit>, its <up_axis> passed over; STL and OBJ in metres.
+/// @throws Error saying what is wrong with the file, or which submeshes there are
+std::shared_ptr<const TriangleMesh> readMeshFile(const std::string & path, const MeshSelection & selection);
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,63 @@
+"""The section that a lidar sees of a mesh against an independent slice of the same file."""
+
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+from mesh_slices import placed, slice_at, triangles_of
+from shapely.geometry import MultiLineString, MultiPoint
+
+import f1tenth_sim2d
+
+DEFAULT_DATA = Path(__file__).parents[5] / "shared" / "data"
+DATA = Path(os.environ.get("F1TENTH_DATA", DEFAULT_DATA))
+MESHES = {
+    "cafe_table": ("gazebo_models/cafe_table/meshes/cafe_table.dae", 1.0),
+    "cardboard_box": ("gazebo_models/cardboard_box/meshes/cardboard_box.dae", 1.25),
+    "construction_cone": ("gazebo_models/construction_cone/meshes/construction_cone.dae", 10.0),
+    "cube_20k": ("gazebo_models/cube_20k/meshes/cube_20k.stl", 0.5),
+    "jersey_barrier": ("gazebo_models/jersey_barrier/meshes/jersey_barrier.dae", 1.0),
+    "racecar_cone": ("worlds/racecar_description/meshes/cone.dae", 1.0),
+}
+POSES = [((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)), ((1.0, -2.0, 0.1), (0.4, -0.3, 2.0))]
+TOLERANCE = 1e-6  # m; mesh files are read in single precision
+
+
+def load_mesh(folder, path, scale, xyz, rpy):
+    pose = " ".join(map(str, (*xyz, *rpy)))
+    mesh = f"<mesh><uri>file://{path}</uri><scale>{scale} {scale} {scale}</scale></mesh>"
+    link = f"<link name='l'><collision name='c'><geometry>{mesh}</geometry></collision></link>"
+    model = f"<model name='m'><static>true</static><pose>{pose}</pose>{link}</model>"
+    world = folder / "mesh.world"
+    world.write_text(f"<sdf version='1.6'><world name='w'>{model}</world></sdf>")
+    return f1tenth_sim2d.load_world(str(world), [])
+
+
+def heights_within(triangles):
+    low, high = triangles[:, :, 2].min(), triangles[:, :, 2].max()
+    # Not at the heights of the corners, where a slice may be a line or an area.
+    return low + (high - low) * np.array([0.0137, 0.213, 0.4987, 0.811, 0.9871])
+
+
+@pytest.mark.parametrize("pose", POSES, ids=["upright", "tilted"])
+@pytest.mark.parametrize("name", MESHES)
+def test_section_is_the_slice_of_the_mesh(name, pose, tmp_path):
+    file, scale = MESHES[name]
+    if not (DATA / file).exists():
+        pytest.skip(f"there is no {DATA / file}; F1TENTH_DATA names the folder of data made by others")
+    world = load_mesh(tmp_path, DATA / file, scale, *pose)
+    triangles = placed(triangles_of(DATA / file), scale, *pose)
+    for z in heights_within(triangles):
+        outlines, circles = world.section(float(z))
+        seen = MultiLineString([np.vstack([outline, outline[:1]]) for outline in outlines])
+        sliced = MultiLineString(list(slice_at(triangles, z)))
+        assert len(circles) == 0
+        assert seen.length > 0.0
+        assert _farthest_corner(seen, sliced) < TOLERANCE
+        assert _farthest_corner(sliced, seen) < TOLERANCE
+
+
+def _farthest_corner(lines, others):
+    corners = MultiPoint([corner for line in lines.geoms for corner in line.coords])
+    return max(others.distance(corner) for corner in corners.geoms)

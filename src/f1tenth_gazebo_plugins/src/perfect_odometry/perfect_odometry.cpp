@@ -7,7 +7,6 @@ namespace f1tenth_gazebo_plugins
 {
 namespace
 {
-constexpr double kQueueSec = 60.0;  // s of simulated time that a subscriber may lag behind before it loses messages
 constexpr const char * kLogger = ROSCONSOLE_DEFAULT_NAME ".perfect_odometry";
 
 void setLogLevel(ros::console::levels::Level level)
@@ -40,14 +39,14 @@ void PerfectOdometry::load(
   odometry_.child_frame_id = context.frame_prefix + parameters_.base_frame;
   transform_.header.frame_id = odometry_.header.frame_id;
   transform_.child_frame_id = odometry_.child_frame_id;
-  const auto queue_size = static_cast<std::uint32_t>(kQueueSec * parameters_.update_rate_hz) + 1;
-  publisher_ = context_->node.advertise<nav_msgs::Odometry>(parameters_.topic, queue_size);
-  ROS_INFO_NAMED("perfect_odometry", "%s at %g Hz", publisher_.getTopic().c_str(), parameters_.update_rate_hz);
+  publisher_ = context.advertiser.advertise<nav_msgs::Odometry>(context.node, parameters_.topic);
+  ROS_INFO_NAMED(
+    "perfect_odometry", "%s at %g Hz", context.node.resolveName(parameters_.topic).c_str(), parameters_.update_rate_hz);
 }
 
 void PerfectOdometry::update(const ros::Time & stamp)
 {
-  const bool subscribed = publisher_.getNumSubscribers() > 0;
+  const bool subscribed = publisher_.hasSubscribers();
   const auto & state = context_->simulation.state(context_->car);
   if (subscribed) {
     publishOdometry(stamp, state);
@@ -75,7 +74,7 @@ void PerfectOdometry::publishTransform(const ros::Time & stamp, const f1tenth_si
   transform_.transform.translation.x = state.pose.x;
   transform_.transform.translation.y = state.pose.y;
   transform_.transform.rotation = toQuaternion(state.pose.yaw);
-  context_->tf_broadcaster.sendTransform(transform_);
+  context_->transforms.send(transform_);
 }
 }  // namespace f1tenth_gazebo_plugins
 

@@ -2,7 +2,6 @@
 
 #include <f1tenth_sim2d/plugin.h>
 #include <nav_msgs/Odometry.h>
-#include <ros/publisher.h>
 
 #include <optional>
 
@@ -25,7 +24,7 @@ private:
 
   OdometryParameters parameters_;
   std::optional<f1tenth_sim2d::CarPluginContext> context_;
-  ros::Publisher publisher_;
+  f1tenth_sim2d::TopicPublisher<nav_msgs::Odometry> publisher_;
   nav_msgs::Odometry odometry_;
   geometry_msgs::TransformStamped transform_;
 };

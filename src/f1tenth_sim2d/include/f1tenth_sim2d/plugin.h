@@ -2,10 +2,10 @@
 
 #include <ros/node_handle.h>
 #include <ros/time.h>
-#include <tf2_ros/transform_broadcaster.h>
 
 #include <string>
 
+#include "f1tenth_sim2d/publishing.h"
 #include "f1tenth_sim2d/simulation.h"
 
 /// Public header for simulator plugins: shared libraries that the node loads for a car's <plugin filename="lib….so">.
@@ -16,8 +16,9 @@ struct CarPluginContext
 {
   const Simulation & simulation;
   CarIndex car;
-  ros::NodeHandle node;  ///< in the car's namespace
-  tf2_ros::TransformBroadcaster & tf_broadcaster;
+  ros::NodeHandle node;     ///< in the car's namespace
+  Advertiser & advertiser;  ///< what it makes waits for slow subscribers; a ros::Publisher of your own does not
+  TransformSender & transforms;
   std::string frame_prefix;      ///< put before every frame id, "robot1/" or ""
   bool owns_odometry_transform;  ///< whether perfect odometry publishes odom -> base_footprint
 };

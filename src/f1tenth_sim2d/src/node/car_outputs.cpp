@@ -9,12 +9,6 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-// A scan is large and only the newest ones are of use. A contact must not be lost on a watcher that lags behind in a
-// fast simulation: ten minutes of a bumper are a few MB at most.
-constexpr double kScanQueue = 5.0;
-constexpr double kStateQueue = 60.0;
-constexpr double kBumperQueue = 600.0;
-
 // Height, roll and pitch of a car in the plane are known.
 constexpr double kExact = 1e-9;
 
@@ -34,7 +28,9 @@ void setPlanarVariances(boost::array<double, 36> & covariance, double x, double 
 }  // namespace
 
 ScanOutput::ScanOutput(CarHandle car, std::size_t lidar)
-: MessageOutput(car.node, car.description().lidars[lidar].topic, car.description().lidars[lidar].rate_hz, kScanQueue),
+: MessageOutput(
+    car.advertise<sensor_msgs::LaserScan>(car.description().lidars[lidar].topic),
+    car.description().lidars[lidar].rate_hz),
   car_(std::move(car)),
   lidar_(lidar)
 {
@@ -57,7 +53,7 @@ void ScanOutput::fill(sensor_msgs::LaserScan & message, SimTime now)
 }
 
 OdometryOutput::OdometryOutput(CarHandle car)
-: MessageOutput(car.node, "odom", car.simulation.parameters(car.index).odometry_rate_hz, kStateQueue),
+: MessageOutput(car.advertise<nav_msgs::Odometry>("odom"), car.simulation.parameters(car.index).odometry_rate_hz),
   car_(std::move(car))
 {
   message_.header.frame_id = car_.frame_prefix + "odom";
@@ -80,8 +76,8 @@ void OdometryOutput::fill(nav_msgs::Odometry & message, SimTime now)
     square(slope * parameters.odometry_steering_noise_stddev));
 }
 
-OdometryTransformOutput::OdometryTransformOutput(CarHandle car, tf2_ros::TransformBroadcaster & broadcaster)
-: car_(std::move(car)), broadcaster_(broadcaster)
+OdometryTransformOutput::OdometryTransformOutput(CarHandle car, TransformSender & transforms)
+: car_(std::move(car)), transforms_(transforms)
 {
   message_.header.frame_id = car_.frame_prefix + "odom";
   message_.child_frame_id = car_.frame_prefix + "base_footprint";
@@ -96,18 +92,18 @@ void OdometryTransformOutput::update(SimTime now, bool /*anyway*/)
 {
   message_.header.stamp = toRosTime(now);
   message_.transform = toTransform(car_.simulation.wheelOdometry(car_.index).pose);
-  broadcaster_.sendTransform(message_);
+  transforms_.send(message_);
 }
 
 void OdometryTransformOutput::repeat()
 {
   if (!message_.header.stamp.isZero()) {
-    broadcaster_.sendTransform(message_);
+    transforms_.send(message_);
   }
 }
 
 ImuOutput::ImuOutput(CarHandle car, double gravity)
-: MessageOutput(car.node, car.description().imu->topic, car.description().imu->rate_hz, kStateQueue),
+: MessageOutput(car.advertise<sensor_msgs::Imu>(car.description().imu->topic), car.description().imu->rate_hz),
   car_(std::move(car))
 {
   const ImuDescription & description = *car_.description().imu;
@@ -130,7 +126,8 @@ void ImuOutput::fill(sensor_msgs::Imu & message, SimTime now)
 }
 
 JointStatesOutput::JointStatesOutput(CarHandle car)
-: MessageOutput(car.node, "joint_states", car.description().joint_state_rate_hz, kStateQueue), car_(std::move(car))
+: MessageOutput(car.advertise<sensor_msgs::JointState>("joint_states"), car.description().joint_state_rate_hz),
+  car_(std::move(car))
 {
   for (const auto & joint : car_.description().joints) {
     message_.name.push_back(joint.name);
@@ -161,7 +158,8 @@ void JointStatesOutput::fill(sensor_msgs::JointState & message, SimTime now)
 
 BumperOutput::BumperOutput(CarHandle car, std::size_t bumper)
 : MessageOutput(
-    car.node, car.description().bumpers[bumper].topic, car.description().bumpers[bumper].rate_hz, kBumperQueue),
+    car.advertise<gazebo_msgs::ContactsState>(car.description().bumpers[bumper].topic),
+    car.description().bumpers[bumper].rate_hz),
   collisions_(
     car.description().bumpers[bumper].collision_names.begin(), car.description().bumpers[bumper].collision_names.end())
 {

@@ -5,7 +5,6 @@
 #include <sensor_msgs/Imu.h>
 #include <sensor_msgs/JointState.h>
 #include <sensor_msgs/LaserScan.h>
-#include <tf2_ros/transform_broadcaster.h>
 
 #include <map>
 #include <set>
@@ -22,10 +21,16 @@ struct CarHandle
 {
   const Simulation & simulation;
   CarIndex index;
+  Advertiser & advertiser;
   ros::NodeHandle node;  ///< in the car's namespace
   std::string frame_prefix;
 
   const CarDescription & description() const { return simulation.car(index); }
+  template <class Message>
+  TopicPublisher<Message> advertise(const std::string & topic) const
+  {
+    return advertiser.advertise<Message>(node, topic);
+  }
 };
 
 class ScanOutput : public MessageOutput<sensor_msgs::LaserScan>
@@ -56,14 +61,14 @@ private:
 class OdometryTransformOutput : public Output
 {
 public:
-  OdometryTransformOutput(CarHandle car, tf2_ros::TransformBroadcaster & broadcaster);
+  OdometryTransformOutput(CarHandle car, TransformSender & transforms);
   double rate() const override;
   void update(SimTime now, bool anyway) override;
   void repeat() override;
 
 private:
   const CarHandle car_;
-  tf2_ros::TransformBroadcaster & broadcaster_;
+  TransformSender & transforms_;
   geometry_msgs::TransformStamped message_;
 };
 

@@ -1,19 +1,11 @@
 #include "clock_publisher.h"
 
-#include <rosgraph_msgs/Clock.h>
-
 #include "output.h"
 
 namespace f1tenth_sim2d
 {
-namespace
-{
-// For somebody who lags behind, an old time is worth nothing.
-constexpr std::uint32_t kQueueSize = 10;
-}  // namespace
-
-ClockPublisher::ClockPublisher(ros::NodeHandle & node)
-: publisher_(node.advertise<rosgraph_msgs::Clock>("/clock", kQueueSize))
+ClockPublisher::ClockPublisher(Advertiser & advertiser, const ros::NodeHandle & node)
+: publisher_(advertiser.advertise<rosgraph_msgs::Clock>(node, "/clock"))
 {
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <ros/node_handle.h>
+#include <rosgraph_msgs/Clock.h>
 
+#include "f1tenth_sim2d/publishing.h"
 #include "f1tenth_sim2d/simulation.h"
 
 namespace f1tenth_sim2d
@@ -10,10 +12,10 @@ namespace f1tenth_sim2d
 class ClockPublisher
 {
 public:
-  explicit ClockPublisher(ros::NodeHandle & node);
+  ClockPublisher(Advertiser & advertiser, const ros::NodeHandle & node);
   void publish(SimTime now);
 
 private:
-  ros::Publisher publisher_;
+  TopicPublisher<rosgraph_msgs::Clock> publisher_;
 };
 }  // namespace f1tenth_sim2d

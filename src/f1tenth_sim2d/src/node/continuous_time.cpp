@@ -13,14 +13,20 @@ const ros::WallDuration kStopCheck{0.1};
 
 void FreeTime::advance()
 {
+  const int restarts = control_.restarts;
+  const auto interrupted = [&] { return stopRequested() || control_.paused || control_.restarts != restarts; };
   queue_.callAvailable();
-  if (!control_.paused) {
-    world_.advanceTo(world_.nextDue());
+  flow_.waitForSubscribers(interrupted);
+  if (!interrupted()) {
+    world_.advanceTo(world_.periodEnd());
+    outbox_.flush();
   }
 }
 
-PacedTime::PacedTime(SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control, double factor)
-: world_(world), queue_(queue), control_(control), pacer_(factor)
+PacedTime::PacedTime(
+  SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control, Outbox & outbox, FlowControl & flow,
+  double factor)
+: world_(world), queue_(queue), control_(control), outbox_(outbox), flow_(flow), pacer_(factor)
 {
   restart();
 }
@@ -35,6 +41,8 @@ void PacedTime::advance()
   const SimTime next = world_.nextDue();
   if (serveCallbacksUntilDue(next)) {
     world_.advanceTo(next);
+    outbox_.flush();
+    flow_.waitForSubscribers([] { return false; });
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <ros/callback_queue.h>
 
+#include "flow_control.h"
+#include "outbox.h"
 #include "pacer.h"
 #include "simulated_world.h"
 #include "time_keeper.h"
@@ -12,10 +14,13 @@ namespace f1tenth_sim2d
 class FreeTime : public TimeKeeper
 {
 public:
-  FreeTime(SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control)
-  : world_(world), queue_(queue), control_(control)
+  FreeTime(
+    SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control, Outbox & outbox,
+    FlowControl & flow)
+  : world_(world), queue_(queue), control_(control), outbox_(outbox), flow_(flow)
   {
   }
+  /// By one control period. What is published in it leaves at its end.
   void advance() override;
   void restart() override {}
 
@@ -23,13 +28,17 @@ private:
   SimulatedWorld & world_;
   ros::CallbackQueue & queue_;
   const TimeControl & control_;
+  Outbox & outbox_;
+  FlowControl & flow_;
 };
 
 /// A fixed number of simulated seconds per wall second, if the machine can.
 class PacedTime : public TimeKeeper
 {
 public:
-  PacedTime(SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control, double factor);
+  PacedTime(
+    SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control, Outbox & outbox,
+    FlowControl & flow, double factor);
   void advance() override;
   void restart() override;
 
@@ -39,6 +48,8 @@ private:
   SimulatedWorld & world_;
   ros::CallbackQueue & queue_;
   const TimeControl & control_;
+  Outbox & outbox_;
+  FlowControl & flow_;
   Pacer pacer_;
 };
 }  // namespace f1tenth_sim2d

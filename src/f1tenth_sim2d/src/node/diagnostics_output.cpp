@@ -3,15 +3,17 @@
 #include <cstdio>
 #include <utility>
 
+#include "parameter_reader.h"
+
 namespace f1tenth_sim2d
 {
 namespace
 {
+using diagnostic_msgs::DiagnosticArray;
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_msgs::KeyValue;
 
 constexpr double kRate = 1.0;         // Hz
-constexpr double kQueue = 60.0;       // s
 constexpr double kFastEnough = 0.95;  // of the factor that is asked for
 
 KeyValue value(const std::string & key, const std::string & text)
@@ -43,8 +45,14 @@ const char * nameOf(TimeMode mode)
 }
 }  // namespace
 
-DiagnosticsOutput::DiagnosticsOutput(ros::NodeHandle & node, TimeMode mode, double factor, std::vector<Driver> drivers)
-: MessageOutput(node, "/diagnostics", kRate, kQueue), mode_(mode), wanted_factor_(factor), drivers_(std::move(drivers))
+DiagnosticsOutput::DiagnosticsOutput(
+  TopicPublisher<DiagnosticArray> publisher, TimeMode mode, double factor, std::vector<Driver> drivers,
+  FlowControl & flow)
+: MessageOutput(std::move(publisher), kRate),
+  mode_(mode),
+  wanted_factor_(factor),
+  drivers_(std::move(drivers)),
+  flow_(flow)
 {
 }
 
@@ -62,6 +70,7 @@ void DiagnosticsOutput::fill(diagnostic_msgs::DiagnosticArray & message, SimTime
   message.header.stamp = toRosTime(now);
   message.status.clear();
   message.status.push_back(timeStatus());
+  message.status.push_back(subscriberStatus());
   for (const auto & driver : drivers_) {
     message.status.push_back(commandStatus(driver));
   }
@@ -80,6 +89,21 @@ DiagnosticStatus DiagnosticsOutput::timeStatus() const
       status.level = DiagnosticStatus::WARN;
       status.message += ", cannot keep up with " + shown(wanted_factor_);
     }
+  }
+  return status;
+}
+
+DiagnosticStatus DiagnosticsOutput::subscriberStatus()
+{
+  DiagnosticStatus status;
+  status.name = "sim2d: subscribers";
+  status.hardware_id = "sim2d";
+  status.values = {
+    value("waited_sec", shown(flow_.waitedSec())), value("lost_messages", std::to_string(flow_.lostMessages()))};
+  status.message = "OK";
+  if (const auto slow = flow_.takeSlowSubscribers(); !slow.empty()) {
+    status.level = DiagnosticStatus::WARN;
+    status.message = "cannot keep up: " + joined({slow.begin(), slow.end()});
   }
   return status;
 }

@@ -9,7 +9,6 @@ namespace f1tenth_sim2d
 namespace
 {
 constexpr double kModelStatesRate = 50.0;  // Hz
-constexpr double kModelStatesQueue = 5.0;  // s
 
 bool isWorld(const std::string & name)
 {
@@ -37,8 +36,10 @@ std::vector<Entity> entities(const Simulation & simulation)
   return result;
 }
 
-ModelStatesOutput::ModelStatesOutput(ros::NodeHandle & node, const Simulation & simulation)
-: MessageOutput(node, "/gazebo/model_states", kModelStatesRate, kModelStatesQueue), simulation_(simulation)
+ModelStatesOutput::ModelStatesOutput(
+  Advertiser & advertiser, const ros::NodeHandle & node, const Simulation & simulation)
+: MessageOutput(advertiser.advertise<gazebo_msgs::ModelStates>(node, "/gazebo/model_states"), kModelStatesRate),
+  simulation_(simulation)
 {
 }
 

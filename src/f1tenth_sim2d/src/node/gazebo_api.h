@@ -31,7 +31,7 @@ std::vector<Entity> entities(const Simulation & simulation);
 class ModelStatesOutput : public MessageOutput<gazebo_msgs::ModelStates>
 {
 public:
-  ModelStatesOutput(ros::NodeHandle & node, const Simulation & simulation);
+  ModelStatesOutput(Advertiser & advertiser, const ros::NodeHandle & node, const Simulation & simulation);
 
 private:
   void fill(gazebo_msgs::ModelStates & message, SimTime now) override;

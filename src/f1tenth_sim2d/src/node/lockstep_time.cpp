@@ -1,53 +1,48 @@
 #include "lockstep_time.h"
 
-#include <ros/this_node.h>
-#include <ros/topic_manager.h>
-
 #include "stop_signal.h"
 
 namespace f1tenth_sim2d
 {
-namespace
-{
-std::size_t subscriberCount()
-{
-  ros::V_string topics;
-  ros::this_node::getAdvertisedTopics(topics);
-  std::size_t count = 0;
-  for (const auto & topic : topics) {
-    count += ros::TopicManager::instance()->getNumSubscribers(topic);
-  }
-  return count;
-}
-}  // namespace
-
 LockstepTime::LockstepTime(
   const Simulation & simulation, SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control,
-  ClockPublisher & clock, LockstepBarrier & barrier)
-: simulation_(simulation), world_(world), queue_(queue), control_(control), clock_(clock), barrier_(barrier)
+  Outbox & outbox, FlowControl & flow, ClockPublisher & clock, LockstepBarrier & barrier)
+: simulation_(simulation),
+  world_(world),
+  queue_(queue),
+  control_(control),
+  outbox_(outbox),
+  flow_(flow),
+  clock_(clock),
+  barrier_(barrier)
 {
 }
 
 void LockstepTime::advance()
 {
   const int restarts = control_.restarts;
+  const auto restarted = [&] { return control_.restarts != restarts; };
+  const auto interrupted = [&] { return stopRequested() || control_.paused || restarted(); };
   queue_.callAvailable();
-  if (control_.paused || control_.restarts != restarts) {
+  flow_.waitForSubscribers(interrupted);
+  if (interrupted()) {
     return;
   }
   const SimTime end = world_.periodEnd();
   barrier_.open(end, world_.periods() + 1);
-  subscribers_ = subscriberCount();
+  subscribers_ = outbox_.subscriberCount();
   world_.advanceTo(end);
   publishClock();
-  barrier_.wait({[&] { return stopRequested() || control_.restarts != restarts; }, [this] { repeatPeriod(); }});
+  barrier_.wait({[&] { return stopRequested() || restarted(); }, [this] { repeatPeriod(); }});
 }
 
 // Last: whoever has seen the period's time finds everything of the period in its inbox.
 void LockstepTime::publishClock()
 {
+  outbox_.flush();
   drain_.drain();
   clock_.publish(world_.time());
+  outbox_.flush();
 }
 
 // A driver that has answered would answer a second scan with a second command, so it gets none. The others' messages
@@ -59,7 +54,7 @@ void LockstepTime::repeatPeriod()
       world_.repeatScans(car);
     }
   }
-  const std::size_t subscribers = subscriberCount();
+  const std::size_t subscribers = outbox_.subscriberCount();
   if (subscribers != subscribers_) {
     subscribers_ = subscribers;
     world_.repeatOthers();

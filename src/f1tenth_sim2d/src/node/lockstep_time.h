@@ -4,7 +4,9 @@
 #include <sim2d_lockstep/participant.h>
 
 #include "clock_publisher.h"
+#include "flow_control.h"
 #include "lockstep_barrier.h"
+#include "outbox.h"
 #include "simulated_world.h"
 #include "time_keeper.h"
 
@@ -16,7 +18,7 @@ class LockstepTime : public TimeKeeper
 public:
   LockstepTime(
     const Simulation & simulation, SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control,
-    ClockPublisher & clock, LockstepBarrier & barrier);
+    Outbox & outbox, FlowControl & flow, ClockPublisher & clock, LockstepBarrier & barrier);
   /// @throws ParticipantSilent
   void advance() override;
   void restart() override;
@@ -29,6 +31,8 @@ private:
   SimulatedWorld & world_;
   ros::CallbackQueue & queue_;
   const TimeControl & control_;
+  Outbox & outbox_;
+  FlowControl & flow_;
   ClockPublisher & clock_;
   LockstepBarrier & barrier_;
   sim2d_lockstep::InboxDrain drain_;

@@ -23,6 +23,8 @@ const std::vector<std::string> kNodeKeys{
   "physics_step",
   "seed",
   "clock_rate",
+  "paused",
+  "silent_subscriber_timeout",
   "odometry",
   "record",
   "result_file"};
@@ -65,7 +67,7 @@ CarParameters parseCar(const std::string & cars_name, const std::string & name, 
 std::vector<CarParameters> parseCars(ParameterReader & reader)
 {
   std::vector<CarParameters> cars;
-  for (auto & [name, value] : reader.requiredMap("cars")) {
+  for (auto & [name, value] : reader.optionalMap("cars")) {
     cars.push_back(parseCar(reader.fullName("cars"), name, value));
     const auto same_prefix = [&](const CarParameters & car) { return car.frame_prefix == cars.back().frame_prefix; };
     if (std::count_if(cars.begin(), cars.end(), same_prefix) > 1) {
@@ -111,6 +113,9 @@ NodeParameters parseNodeParameters(const std::string & name, const XmlRpc::XmlRp
   parameters.control_period_sec = parseControlPeriod(reader, parameters.simulation.physics_step);
   parameters.simulation.seed = static_cast<std::uint64_t>(reader.natural("seed", 0));
   parameters.clock_rate_hz = reader.number("clock_rate", parameters.clock_rate_hz, kPositive);
+  parameters.paused = reader.flag("paused", false);
+  parameters.silent_subscriber_timeout_sec =
+    reader.number("silent_subscriber_timeout", parameters.silent_subscriber_timeout_sec, kPositive);
   const bool wheel = reader.choice("odometry", "perfect", {"perfect", "wheel"}) == "wheel";
   parameters.odometry = wheel ? OdometryOwner::kWheel : OdometryOwner::kPerfect;
   parameters.record_file = reader.text("record", "");

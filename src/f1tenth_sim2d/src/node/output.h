@@ -1,12 +1,11 @@
 #pragma once
 
-#include <ros/node_handle.h>
 #include <ros/time.h>
 
 #include <cstdint>
-#include <string>
 #include <utility>
 
+#include "f1tenth_sim2d/publishing.h"
 #include "f1tenth_sim2d/simulation.h"
 
 namespace f1tenth_sim2d
@@ -37,7 +36,7 @@ public:
 
   void update(SimTime now, bool anyway) override
   {
-    if (!anyway && publisher_.getNumSubscribers() == 0) {
+    if (!anyway && !publisher_.hasSubscribers()) {
       skip();
       return;
     }
@@ -54,9 +53,7 @@ public:
   }
 
 protected:
-  /// @param queue_sec  s of simulated time that a subscriber may lag behind before it loses messages, oldest first
-  MessageOutput(ros::NodeHandle & node, const std::string & topic, double rate_hz, double queue_sec)
-  : rate_hz_(rate_hz), publisher_(node.advertise<Message>(topic, queueSize(rate_hz, queue_sec)))
+  MessageOutput(TopicPublisher<Message> publisher, double rate_hz) : rate_hz_(rate_hz), publisher_(std::move(publisher))
   {
   }
 
@@ -67,13 +64,8 @@ protected:
   Message message_;
 
 private:
-  static std::uint32_t queueSize(double rate_hz, double queue_sec)
-  {
-    return static_cast<std::uint32_t>(rate_hz * queue_sec) + 1;
-  }
-
   const double rate_hz_;
-  ros::Publisher publisher_;
+  const TopicPublisher<Message> publisher_;
   bool filled_{false};
 };
 }  // namespace f1tenth_sim2d

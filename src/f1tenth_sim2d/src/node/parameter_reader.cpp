@@ -156,10 +156,15 @@ std::vector<std::string> ParameterReader::names(const std::string & key)
   return result;
 }
 
-XmlRpcValue ParameterReader::requiredMap(const std::string & key)
+XmlRpcValue ParameterReader::optionalMap(const std::string & key)
 {
-  if (!has(key) || value_[key].getType() != XmlRpcValue::TypeStruct || value_[key].size() == 0) {
-    fail(key, "a map that is not empty");
+  if (!has(key)) {
+    XmlRpcValue empty;
+    empty.begin();
+    return empty;
+  }
+  if (value_[key].getType() != XmlRpcValue::TypeStruct) {
+    fail(key, "a map");
   }
   return value_[key];
 }

@@ -34,8 +34,8 @@ public:
   std::string choice(const std::string & key, const std::string & fallback, const std::vector<std::string> & choices);
   /// Different, not empty texts.
   std::vector<std::string> names(const std::string & key);
-  /// The map below key, to be read by another reader.
-  XmlRpc::XmlRpcValue requiredMap(const std::string & key);
+  /// The map below key, to be read by another reader; an empty one if it is not set.
+  XmlRpc::XmlRpcValue optionalMap(const std::string & key);
 
   std::string fullName(const std::string & key) const { return name_ + "/" + key; }
   [[noreturn]] void fail(const std::string & key, const std::string & expected) const;

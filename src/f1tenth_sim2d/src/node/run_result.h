@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 
 namespace f1tenth_sim2d
@@ -16,6 +17,8 @@ struct RunResult
   std::int64_t periods{0};      ///< control periods
   std::string trajectory_hash;  ///< empty if there was no run
   std::uint64_t seed{0};
+  std::map<std::string, std::uint64_t> published;  ///< messages by topic, of topics that somebody listened to
+  std::uint64_t lost{0};                           ///< messages that subscribers lost because they lagged behind
 };
 
 /// Writes JSON to a temporary file beside it, then renames it, so that nobody ever reads half a result.

@@ -42,11 +42,15 @@ void checkScanEveryPeriod(const CarDescription & car, double control_period_sec)
 Sim2dNode::Sim2dNode(const NodeParameters & parameters)
 : parameters_(parameters),
   node_(nodeWithQueue("/", queue_)),
+  outbox_(node_, parameters.time_mode == TimeMode::kLockstep),
+  flow_(outbox_, queue_, {parameters.time_mode != TimeMode::kPaced, parameters.silent_subscriber_timeout_sec}),
+  transforms_(outbox_, node_),
   scene_(buildScene(parameters)),
   plugins_(pluginFoldersFromEnvironment()),
-  world_(scene_.simulation, parameters.control_period_sec, parameters.record_file),
-  clock_(node_)
+  world_(scene_.simulation, transforms_, parameters.control_period_sec, parameters.record_file),
+  clock_(outbox_, node_)
 {
+  control_.paused = parameters_.paused;
   if (parameters_.time_mode == TimeMode::kLockstep) {
     barrier_ = std::make_unique<LockstepBarrier>(
       node_, queue_,
@@ -70,7 +74,7 @@ ros::NodeHandle Sim2dNode::carNode(CarIndex car)
 
 void Sim2dNode::addCarOutputs(CarIndex car)
 {
-  const CarHandle handle{scene_.simulation, car, carNode(car), parameters_.cars[car].frame_prefix};
+  const CarHandle handle{scene_.simulation, car, outbox_, carNode(car), parameters_.cars[car].frame_prefix};
   const CarDescription & description = handle.description();
   for (std::size_t lidar = 0; lidar < description.lidars.size(); ++lidar) {
     world_.addScan(car, std::make_unique<ScanOutput>(handle, lidar));
@@ -80,7 +84,7 @@ void Sim2dNode::addCarOutputs(CarIndex car)
   }
   world_.add(std::make_unique<OdometryOutput>(handle));
   if (parameters_.odometry == OdometryOwner::kWheel) {
-    world_.add(std::make_unique<OdometryTransformOutput>(handle, broadcaster_));
+    world_.add(std::make_unique<OdometryTransformOutput>(handle, transforms_));
   }
   if (description.imu) {
     world_.add(std::make_unique<ImuOutput>(handle, scene_.gravity));
@@ -94,7 +98,8 @@ void Sim2dNode::addPlugins(CarIndex car)
     scene_.simulation,
     car,
     carNode(car),
-    broadcaster_,
+    outbox_,
+    transforms_,
     parameters_.cars[car].frame_prefix,
     parameters_.odometry == OdometryOwner::kPerfect};
   for (const auto & element : scene_.simulation.car(car).plugins) {
@@ -118,27 +123,29 @@ void Sim2dNode::addCommands(CarIndex car)
 
 void Sim2dNode::addGlobalOutputs()
 {
-  world_.add(std::make_unique<ModelStatesOutput>(node_, scene_.simulation));
+  world_.add(std::make_unique<ModelStatesOutput>(outbox_, node_, scene_.simulation));
   std::vector<DiagnosticsOutput::Driver> drivers;
   for (CarIndex car = 0; car < commands_.size(); ++car) {
     drivers.push_back({parameters_.cars[car].name, *commands_[car]});
   }
   world_.add(std::make_unique<DiagnosticsOutput>(
-    node_, parameters_.time_mode, parameters_.real_time_factor, std::move(drivers)));
+    outbox_.advertise<diagnostic_msgs::DiagnosticArray>(node_, "/diagnostics"), parameters_.time_mode,
+    parameters_.real_time_factor, std::move(drivers), flow_));
 }
 
 void Sim2dNode::makeTimeKeeper()
 {
   if (parameters_.time_mode == TimeMode::kLockstep) {
-    time_ = std::make_unique<LockstepTime>(scene_.simulation, world_, queue_, control_, clock_, *barrier_);
+    time_ =
+      std::make_unique<LockstepTime>(scene_.simulation, world_, queue_, control_, outbox_, flow_, clock_, *barrier_);
     return;
   }
   // Last of all that is due at the same time, as in lockstep.
   world_.schedule().add(periodOf(parameters_.clock_rate_hz), [this](SimTime now) { clock_.publish(now); });
   if (parameters_.time_mode == TimeMode::kPaced) {
-    time_ = std::make_unique<PacedTime>(world_, queue_, control_, parameters_.real_time_factor);
+    time_ = std::make_unique<PacedTime>(world_, queue_, control_, outbox_, flow_, parameters_.real_time_factor);
   } else {
-    time_ = std::make_unique<FreeTime>(world_, queue_, control_);
+    time_ = std::make_unique<FreeTime>(world_, queue_, control_, outbox_, flow_);
   }
 }
 
@@ -167,6 +174,8 @@ void Sim2dNode::run()
       time_->restart();
     }
   }
+  outbox_.flush();
+  flow_.drain();
 }
 
 RunResult Sim2dNode::result() const
@@ -177,6 +186,10 @@ RunResult Sim2dNode::result() const
   result.periods = world_.periods();
   result.trajectory_hash = world_.hash();
   result.seed = parameters_.simulation.seed;
+  for (const auto & topic : outbox_.topics()) {
+    result.published[topic->name()] = topic->published();
+  }
+  result.lost = flow_.lostMessages();
   return result;
 }
 }  // namespace f1tenth_sim2d

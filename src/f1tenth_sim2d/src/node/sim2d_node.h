@@ -2,21 +2,23 @@
 
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
-#include <tf2_ros/transform_broadcaster.h>
 
 #include <memory>
 #include <vector>
 
 #include "clock_publisher.h"
 #include "command_input.h"
+#include "flow_control.h"
 #include "gazebo_api.h"
 #include "lockstep_barrier.h"
 #include "node_parameters.h"
+#include "outbox.h"
 #include "plugin_host.h"
 #include "run_result.h"
 #include "scene.h"
 #include "simulated_world.h"
 #include "time_keeper.h"
+#include "transform_batch.h"
 
 namespace f1tenth_sim2d
 {
@@ -46,7 +48,9 @@ private:
   const NodeParameters parameters_;
   ros::CallbackQueue queue_;  // before everything that refers to it
   ros::NodeHandle node_;
-  tf2_ros::TransformBroadcaster broadcaster_;
+  Outbox outbox_;
+  FlowControl flow_;
+  TransformBatch transforms_;
   Scene scene_;
   PluginHost plugins_;
   SimulatedWorld world_;

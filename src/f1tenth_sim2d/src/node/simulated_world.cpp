@@ -6,8 +6,10 @@
 
 namespace f1tenth_sim2d
 {
-SimulatedWorld::SimulatedWorld(Simulation & simulation, double control_period_sec, const std::string & record_file)
+SimulatedWorld::SimulatedWorld(
+  Simulation & simulation, TransformBatch & transforms, double control_period_sec, const std::string & record_file)
 : simulation_(simulation),
+  transforms_(transforms),
   period_ns_(control_period_sec * 1e9),
   log_(simulation, record_file),
   scans_(simulation.carCount()),
@@ -53,6 +55,7 @@ void SimulatedWorld::advanceTo(SimTime end)
     simulation_.advanceTo(std::min(end, schedule_.nextDue()));
     distributeContacts();
     schedule_.run(simulation_.time());
+    transforms_.publish();
   }
 }
 
@@ -86,6 +89,7 @@ void SimulatedWorld::repeatOthers()
   for (auto & output : others_) {
     output->repeat();
   }
+  transforms_.publish();
 }
 
 void SimulatedWorld::restart()

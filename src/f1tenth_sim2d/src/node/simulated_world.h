@@ -9,6 +9,7 @@
 #include "output.h"
 #include "schedule.h"
 #include "trajectory_log.h"
+#include "transform_batch.h"
 
 namespace f1tenth_sim2d
 {
@@ -17,7 +18,9 @@ class SimulatedWorld
 {
 public:
   /// @param simulation  with all its cars
-  SimulatedWorld(Simulation & simulation, double control_period_sec, const std::string & record_file);
+  /// @param transforms  published whenever tasks have run
+  SimulatedWorld(
+    Simulation & simulation, TransformBatch & transforms, double control_period_sec, const std::string & record_file);
 
   void addScan(CarIndex car, std::unique_ptr<ScanOutput> output);
   void addBumper(CarIndex car, std::unique_ptr<BumperOutput> output);
@@ -45,6 +48,7 @@ private:
   void schedule(Output & output);
 
   Simulation & simulation_;
+  TransformBatch & transforms_;
   const double period_ns_;
   Schedule schedule_;
   TrajectoryLog log_;

@@ -1,7 +1,9 @@
-// Subscribes to everything that the simulator publishes about one car, and counts. When asked to end (SIGINT), it waits
-// until nothing comes any more and prints {"topic": messages, ...} as JSON. It sets /sim2d going when it is connected.
+// Subscribes to everything that the simulator publishes about one car, and counts. When it is connected, it lets the car
+// circle, sets the paused simulator going and prints "going". When asked to end (SIGINT), it pauses the simulator, waits
+// until nothing comes any more and prints {"wall_seconds": s, "received": {"topic": messages, ...}}.
 //   listener NAMESPACE
 #include <gazebo_msgs/ContactsState.h>
+#include <geometry_msgs/Twist.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -15,6 +17,7 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <list>
 #include <map>
 #include <string>
@@ -26,7 +29,8 @@ volatile std::sig_atomic_t end_requested = 0;
 class Listener
 {
 public:
-  explicit Listener(const std::string & name_space) : node_(name_space)
+  explicit Listener(const std::string & name_space)
+  : node_(name_space), command_(node_.advertise<geometry_msgs::Twist>("cmd_vel", 1))
   {
     listen<rosgraph_msgs::Clock>("/clock");
     listen<tf2_msgs::TFMessage>("/tf");
@@ -40,8 +44,30 @@ public:
     }
   }
 
+  /// Makes the car circle, sets the paused simulator going and says so.
+  void go()
+  {
+    geometry_msgs::Twist circle;
+    circle.linear.x = 1.0;
+    circle.angular.z = 1.0 / 0.75;
+    command_.publish(circle);
+    call("/gazebo/unpause_physics");
+    start_ = ros::WallTime::now();
+    std::printf("going\n");
+    std::fflush(stdout);
+  }
+
+  void stop()
+  {
+    call("/gazebo/pause_physics");
+    wall_sec_ = (ros::WallTime::now() - start_).toSec();
+  }
+
   bool isConnected() const
   {
+    if (command_.getNumSubscribers() == 0) {
+      return false;
+    }
     for (const auto & subscriber : subscribers_) {
       if (subscriber.getNumPublishers() == 0) {
         return false;
@@ -61,15 +87,25 @@ public:
 
   void print() const
   {
+    std::printf("{\"wall_seconds\": %.6f, \"received\": ", wall_sec_);
     const char * separator = "{";
     for (const auto & [topic, count] : counts_) {
       std::printf("%s\"%s\": %llu", separator, topic.c_str(), static_cast<unsigned long long>(count));
       separator = ", ";
     }
-    std::printf("}\n");
+    std::printf("}}\n");
   }
 
 private:
+  static void call(const char * service)
+  {
+    std_srvs::Empty nothing;
+    if (!ros::service::call(service, nothing)) {
+      std::fprintf(stderr, "listener: no service %s\n", service);
+      std::exit(1);
+    }
+  }
+
   template <class Message>
   void listen(const std::string & topic)
   {
@@ -79,8 +115,11 @@ private:
   }
 
   ros::NodeHandle node_;
+  ros::Publisher command_;
   std::map<std::string, std::uint64_t> counts_;
   std::list<ros::Subscriber> subscribers_;
+  ros::WallTime start_;
+  double wall_sec_{0.0};
 };
 
 void spinUntil(const Listener & listener, bool (*done)(const Listener &))
@@ -108,12 +147,11 @@ int main(int argc, char ** argv)
 {
   ros::init(argc, argv, "listener", ros::init_options::NoSigintHandler);
   std::signal(SIGINT, [](int) { end_requested = 1; });
-  const Listener listener(argc > 1 ? argv[1] : "robot1");
+  Listener listener(argc > 1 ? argv[1] : "robot1");
   spinUntil(listener, [](const Listener & each) { return each.isConnected() || end_requested; });
-  std_srvs::Empty go;
-  ros::service::waitForService("/gazebo/unpause_physics");
-  ros::service::call("/gazebo/unpause_physics", go);
+  listener.go();
   spinUntil(listener, [](const Listener &) { return end_requested != 0; });
+  listener.stop();
   receiveTheRest(listener);
   listener.print();
 }

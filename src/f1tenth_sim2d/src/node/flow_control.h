@@ -15,8 +15,8 @@ namespace f1tenth_sim2d
 /// What to do with subscribers that do not keep up.
 struct FlowOptions
 {
-  bool wait{true};                    ///< whether the simulation waits for them
-  double silent_subscriber_sec{5.0};  ///< wall s after which one that reads nothing at all is disconnected
+  bool wait{true};                     ///< whether the simulation waits for them
+  double silent_subscriber_sec{10.0};  ///< wall s after which one that reads nothing at all is disconnected
 };
 
 /// Keeps the simulation from running away from its subscribers. It waits while somebody has too much left to read, and

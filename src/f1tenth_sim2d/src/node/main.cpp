@@ -1,9 +1,17 @@
 #include <ros/init.h>
 
+#include <string>
+#include <vector>
+
 #include "run.h"
 
 int main(int argc, char ** argv)
 {
-  ros::init(argc, argv, "sim2d", ros::init_options::NoSigintHandler);
+  // The simulator tells its own ROS time what it is, at every step; it must not listen to the /clock that it publishes.
+  std::string no_sim_time = "/use_sim_time:=/sim2d/follows_clock";
+  std::vector<char *> arguments(argv, argv + argc);
+  arguments.push_back(no_sim_time.data());
+  int count = static_cast<int>(arguments.size());
+  ros::init(count, arguments.data(), "sim2d", ros::init_options::NoSigintHandler);
   return f1tenth_sim2d::runNode();
 }

@@ -47,9 +47,9 @@ struct NodeParameters
   double lockstep_startup_timeout_sec{60.0};  ///< wall time
   double control_period_sec{0.025};
   SimulationOptions simulation;
-  bool paused{false};                         ///< at the start
-  double silent_subscriber_timeout_sec{5.0};  ///< wall time
-  double clock_rate_hz{200.0};                ///< of simulated time
+  bool paused{false};                          ///< at the start
+  double silent_subscriber_timeout_sec{10.0};  ///< wall time
+  double clock_rate_hz{200.0};                 ///< of simulated time
   OdometryOwner odometry{OdometryOwner::kPerfect};
   std::string record_file;  ///< empty: none
 };

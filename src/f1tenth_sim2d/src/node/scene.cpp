@@ -1,5 +1,6 @@
 #include "scene.h"
 
+#include <malloc.h>
 #include <ros/console.h>
 #include <ros/param.h>
 
@@ -58,6 +59,8 @@ Scene buildScene(const NodeParameters & parameters)
       car.vehicle_file.empty() ? VehicleParameters{} : loadVehicleParameters(car.vehicle_file);
     scene.simulation.addCar(description, vehicle, car.pose.value_or(world.start));
   }
+  // libsdformat has used some 100 MB by now, which the C library would keep.
+  malloc_trim(0);
   return scene;
 }
 }  // namespace f1tenth_sim2d

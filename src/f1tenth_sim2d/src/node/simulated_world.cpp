@@ -53,6 +53,7 @@ void SimulatedWorld::advanceTo(SimTime end)
 {
   while (simulation_.time() < end) {
     simulation_.advanceTo(std::min(end, schedule_.nextDue()));
+    ros::Time::setNow(toRosTime(simulation_.time()));
     distributeContacts();
     schedule_.run(simulation_.time());
     transforms_.publish();

@@ -83,8 +83,8 @@ class ControlTest(unittest.TestCase):
         sim2d = self.start_lockstep()
         self.stepper.advance_to(8 * PERIOD)
         reset = service("reset_simulation", Empty)
-        reset()
         self.stepper.restart()
+        reset()
         self.stepper.advance_to(8 * PERIOD)
         assert sim2d.stop() == 0
         again = self.start_lockstep()

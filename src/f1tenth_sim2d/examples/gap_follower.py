@@ -58,6 +58,7 @@ def drive(scan, options):
 
 
 def main():
+    """Answer scans until ROS shuts down."""
     rospy.init_node("gap_follower")
     options = Options()
     # Without a queue: sent from this thread, at once.

@@ -14,7 +14,7 @@ def measure_node(world, wall_seconds, lidar=F1TENTH, centre=(0.0, 0.0), **parame
     """Let one car circle to the left, 0.75 m about a point, before a C++ subscriber of all its topics.
 
     Returns:
-        dict: Simulated and wall seconds, processor time, messages published and received, problem ("" if none).
+        dict: Simulated and wall seconds, processor time, messages published and received, problem.
     """
     with RosRun() as run:
         sim2d = run.start_sim2d(world, lidar, (centre[0], centre[1] - RADIUS, 0.0), paused=True, **parameters)

@@ -35,6 +35,14 @@ struct CarState
   std::array<double, 4> wheel_speeds{};  ///< rad/s, same order
 };
 
+/// A model of the world as it stands or moves now; pose and velocity are those of the model's frame, in the world.
+struct ModelState
+{
+  Pose2 pose;
+  Vec2 velocity;         ///< m/s
+  double yaw_rate{0.0};  ///< rad/s
+};
+
 /// What a driver asks for.
 struct DriveCommand
 {
@@ -86,9 +94,15 @@ public:
   /// @throws Error if the name is taken or the place is not free (the message names what is in the way)
   CarIndex addCar(const CarDescription & car, const VehicleParameters & parameters, const Pose2 & pose);
 
-  /// Puts a car somewhere else, at rest, as a hand would. Its commands stay in force; wheel odometry does not notice.
-  /// @throws Error if the pose is not finite or the place is not free; the car then stays where it is
-  void placeCar(CarIndex index, const Pose2 & pose);
+  /// Takes a car out. Those after it move up: their indices become one less, and their noise that of the new index, as
+  /// if this car had never been there.
+  void removeCar(CarIndex index);
+
+  /// Puts a car somewhere else, as a hand would. Its commands stay in force; wheel odometry does not notice.
+  /// @param velocity  m/s, in the frame of the car, of base_footprint
+  /// @param yaw_rate  rad/s
+  /// @throws Error if a number is not finite or the place is not free; the car then stays where it is
+  void placeCar(CarIndex index, const Pose2 & pose, const Vec2 & velocity = {}, double yaw_rate = 0.0);
 
   std::size_t carCount() const;
   const CarDescription & car(CarIndex index) const;
@@ -105,9 +119,10 @@ public:
   void reset();
 
   /// Takes effect after the car's actuation latency; clamped to the car's limits.
-  /// @throws Error for a value that is not finite; the command is then not taken
+  /// @throws Error for a value that is not finite or absurd (beyond 100 m/s or a full turn); it is then not taken
   void command(CarIndex index, const DriveCommand & command);
   /// A Twist as in cmd_vel: the steering angle follows from v and omega over the wheelbase.
+  /// @throws Error likewise, also beyond 1000 rad/s
   void commandTwist(CarIndex index, double linear_x, double angular_z);
 
   const CarState & state(CarIndex index) const;
@@ -128,9 +143,22 @@ public:
   /// Least distance from the car's outline to anything it could touch, m; 0 in contact; at most limit.
   double clearance(CarIndex index, double limit) const;
 
+  /// Models of the world, in the order in which they came.
+  const std::vector<ModelDescription> & models() const;
+  ModelState modelState(std::size_t index) const;
   /// Pose of a model of the world now (movable ones move). @throws Error for an unknown name
   Pose2 modelPose(const std::string & model) const;
   std::vector<std::string> modelNames() const;
+
+  /// Puts one more model into the world; reset() brings it back to this pose. Costs as much as loading the world.
+  /// @throws Error if the name is taken, or for a movable model without mass
+  void addModel(const ModelDescription & model);
+  /// Takes a model out; those after it move up.
+  void removeModel(std::size_t index);
+  /// Puts a model somewhere else; its height and tilt stay. A static one has no velocity, and moving it costs as much as
+  /// loading the world. reset() brings both back.
+  /// @throws Error if a number is not finite
+  void placeModel(std::size_t index, const ModelState & state);
 
   /// Little-endian bytes of all car states, for the trajectory hash.
   void appendStateBytes(std::vector<std::uint8_t> & bytes) const;

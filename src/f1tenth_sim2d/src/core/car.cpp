@@ -29,17 +29,26 @@ PlacedCar Car::placed() const
   return {pieces_, outer_radius_, {state_.x, state_.y, state_.psi}};
 }
 
-void Car::place(const Pose2 & pose)
+void Car::place(const Pose2 & pose, const Vec2 & velocity, double yaw_rate)
 {
   const Pose2 centre = compose(pose, {parameters_.l_r, 0.0, 0.0});
   state_ = {};
   state_.x = centre.x;
   state_.y = centre.y;
   state_.psi = centre.yaw;
+  state_.psi_dot = yaw_rate;
+  setBodyVelocity(state_, {velocity.x, velocity.y + yaw_rate * parameters_.l_r});
   predicted_ = state_;
   acceleration_ = {};
   wheel_speeds_ = {};
   reported_is_current_ = false;
+}
+
+void Car::moveInto(CarIndex index, WorldPieces & world)
+{
+  pieces_ = carPieces(description_.solids, parameters_.l_r, static_cast<std::uint32_t>(index), world);
+  layer_count_ = world.layerCount();
+  odometry_.setCar(index);
 }
 
 void Car::restart(SimTime now)

@@ -37,8 +37,10 @@ public:
   const ContactLog & contactLog() const { return contacts_; }
   std::vector<LidarSensor> & lidars() { return lidars_; }
 
-  /// Puts base_footprint at a pose, at rest.
-  void place(const Pose2 & pose);
+  /// Puts base_footprint at a pose with a velocity (m/s, in the frame of the car) and a yaw rate (rad/s).
+  void place(const Pose2 & pose, const Vec2 & velocity = {}, double yaw_rate = 0.0);
+  /// Becomes the car of this index in a world that was worked out anew. Its lidars do not notice.
+  void moveInto(CarIndex index, WorldPieces & world);
   /// Back to the start pose, at rest.
   void restart(SimTime now);
   Actuation & actuation() { return actuation_; }

@@ -187,4 +187,60 @@ Pose2 CollisionWorld::modelPose(std::size_t model) const
   const Pose2 centre{position.x, position.y, body.GetAngle()};
   return compose(centre, {-start.centre_of_mass.x, -start.centre_of_mass.y, 0.0});
 }
+
+ModelState CollisionWorld::modelState(std::size_t model) const
+{
+  ModelState state{modelPose(model), {}, 0.0};
+  const b2Body & body = *model_bodies_[model];
+  if (!description_.models[model].is_static) {
+    const Vec2 centre = fromBox(body.GetLinearVelocity());
+    const Vec2 position = fromBox(body.GetPosition());
+    state.yaw_rate = body.GetAngularVelocity();
+    state.velocity = {
+      centre.x - state.yaw_rate * (state.pose.y - position.y), centre.y + state.yaw_rate * (state.pose.x - position.x)};
+  }
+  return state;
+}
+
+void CollisionWorld::placeModel(std::size_t model, const ModelState & state)
+{
+  const Vec2 & centre = pieces_.bodies()[model].centre_of_mass;
+  const Vec2 arm = Transform2(state.pose).rotate(centre);
+  const Vec2 velocity{state.velocity.x - state.yaw_rate * arm.y, state.velocity.y + state.yaw_rate * arm.x};
+  setMotion(
+    model, {toBox(Vec2{state.pose.x + arm.x, state.pose.y + arm.y}), static_cast<float>(state.pose.yaw),
+            toBox(velocity), static_cast<float>(state.yaw_rate), true, true});
+}
+
+std::vector<ModelMotion> CollisionWorld::motions() const
+{
+  std::vector<ModelMotion> motions(model_bodies_.size());
+  for (const Movable & movable : movables_) {
+    const b2Body & body = *movable.body;
+    motions[movable.model] = {body.GetPosition(),        body.GetAngle(), body.GetLinearVelocity(),
+                              body.GetAngularVelocity(), body.IsAwake(),  true};
+  }
+  return motions;
+}
+
+void CollisionWorld::setMotions(const std::vector<ModelMotion> & motions)
+{
+  for (std::size_t model = 0; model < motions.size(); ++model) {
+    if (motions[model].known) {
+      setMotion(model, motions[model]);
+    }
+  }
+}
+
+void CollisionWorld::setMotion(std::size_t model, const ModelMotion & motion)
+{
+  b2Body & body = *model_bodies_[model];
+  body.SetTransform(motion.centre, motion.angle);
+  body.SetAwake(motion.awake);
+  if (motion.awake) {
+    body.SetLinearVelocity(motion.velocity);
+    body.SetAngularVelocity(motion.yaw_rate);
+    is_awake_ = true;
+  }
+}
 }  // namespace f1tenth_sim2d

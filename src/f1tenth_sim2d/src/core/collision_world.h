@@ -8,6 +8,7 @@
 #include "box_units.h"
 #include "contact_recorder.h"
 #include "f1tenth_sim2d/geometry.h"
+#include "f1tenth_sim2d/simulation.h"
 #include "piece.h"
 #include "world_pieces.h"
 
@@ -27,6 +28,17 @@ struct CarMotion
   Pose2 pose;
   Vec2 velocity;
   double yaw_rate{0.0};
+};
+
+/// How a movable model lies and moves, as Box2D has it; static ones have none.
+struct ModelMotion
+{
+  b2Vec2 centre{0.0F, 0.0F};
+  float angle{0.0F};
+  b2Vec2 velocity{0.0F, 0.0F};
+  float yaw_rate{0.0F};
+  bool awake{false};
+  bool known{false};  ///< false: as the world says
 };
 
 /// What became of a car that touched something in a step.
@@ -68,6 +80,13 @@ public:
   double movableTravel(double dt) const;
   /// Pose of a model in the world.
   Pose2 modelPose(std::size_t model) const;
+  ModelState modelState(std::size_t model) const;
+  /// Puts a movable model somewhere, moving.
+  void placeModel(std::size_t model, const ModelState & state);
+  /// Of all models, to be given to another world of the same models.
+  std::vector<ModelMotion> motions() const;
+  /// @param motions  by model; missing ones are left as they are
+  void setMotions(const std::vector<ModelMotion> & motions);
 
   /// Calls visit(piece, transform of its body) for the pieces of models whose bounds touch the square around a point,
   /// `reach` metres to each side.
@@ -111,6 +130,7 @@ private:
     CarMotion placed;
   };
 
+  void setMotion(std::size_t model, const ModelMotion & motion);
   void addBodies();
   b2Body * addMovable(const ModelDescription & model, const ModelBody & start);
   void addPieces(const std::vector<Piece> & pieces);
@@ -131,6 +151,6 @@ private:
   std::vector<Movable> movables_;
   std::vector<Car> cars_;
   std::size_t layers_added_{0};
-  bool is_awake_{false};  ///< models wake and fall asleep in steps only
+  bool is_awake_{false};  ///< models wake and fall asleep in steps, or when they are put somewhere
 };
 }  // namespace f1tenth_sim2d

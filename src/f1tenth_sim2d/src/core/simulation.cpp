@@ -21,9 +21,14 @@ CarIndex Simulation::addCar(const CarDescription & car, const VehicleParameters 
   return impl_->addCar(car, parameters, pose);
 }
 
-void Simulation::placeCar(CarIndex index, const Pose2 & pose)
+void Simulation::removeCar(CarIndex index)
 {
-  impl_->placeCar(index, pose);
+  impl_->removeCar(index);
+}
+
+void Simulation::placeCar(CarIndex index, const Pose2 & pose, const Vec2 & velocity, double yaw_rate)
+{
+  impl_->placeCar(index, pose, velocity, yaw_rate);
 }
 
 std::size_t Simulation::carCount() const
@@ -71,6 +76,7 @@ void Simulation::command(CarIndex index, const DriveCommand & command)
 
 void Simulation::commandTwist(CarIndex index, double linear_x, double angular_z)
 {
+  validateTwist(linear_x, angular_z, car(index).name);
   command(index, commandFromTwist(linear_x, angular_z, parameters(index).wheelbase()));
 }
 
@@ -113,12 +119,37 @@ double Simulation::clearance(CarIndex index, double limit) const
   return f1tenth_sim2d::clearance(placedCars(impl_->cars()), index, impl_->collisions(), limit);
 }
 
+const std::vector<ModelDescription> & Simulation::models() const
+{
+  return impl_->world().models;
+}
+
+ModelState Simulation::modelState(std::size_t index) const
+{
+  return impl_->collisions().modelState(index);
+}
+
+void Simulation::addModel(const ModelDescription & model)
+{
+  impl_->addModel(model);
+}
+
+void Simulation::removeModel(std::size_t index)
+{
+  impl_->removeModel(index);
+}
+
+void Simulation::placeModel(std::size_t index, const ModelState & state)
+{
+  impl_->placeModel(index, state);
+}
+
 Pose2 Simulation::modelPose(const std::string & model) const
 {
   const std::vector<ModelDescription> & models = impl_->world().models;
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (models[i].name == model) {
-      return impl_->collisions().modelPose(i);
+      return impl_->collisions().modelState(i).pose;
     }
   }
   throw Error("there is no model " + model + " in " + impl_->world().file);

@@ -34,22 +34,21 @@ Simulation::Impl::Impl(const WorldDescription & world, const SimulationOptions &
   options_(validated(options)),
   step_length_(fromSeconds(options.physics_step)),
   dt_(toSeconds(step_length_)),
-  pieces_(world_),
-  collisions_(std::make_unique<CollisionWorld>(world_, pieces_))
+  pieces_(std::in_place, world_),
+  collisions_(std::make_unique<CollisionWorld>(world_, *pieces_))
 {
+  for (const ModelDescription & model : world_.models) {
+    start_poses_.push_back(model.pose);
+  }
 }
 
 CarIndex Simulation::Impl::addCar(
   const CarDescription & description, const VehicleParameters & parameters, const Pose2 & pose)
 {
   validate(description, pose);
-  for (const auto & other : cars_) {
-    if (other->description().name == description.name) {
-      throw Error(description.name + ": there is already a car of this name");
-    }
-  }
+  refuseTakenName(description.name);
   const CarIndex index = cars_.size();
-  auto car = std::make_unique<Car>(index, description, parameters, pose, options_.seed, pieces_);
+  auto car = std::make_unique<Car>(index, description, parameters, pose, options_.seed, *pieces_);
   car->restart(time_);
   collisions_->addLayers(car->layerCount());
   std::vector<PlacedCar> places = placedCars(cars_);
@@ -67,16 +66,122 @@ CarIndex Simulation::Impl::addCar(
   return index;
 }
 
-void Simulation::Impl::placeCar(CarIndex index, const Pose2 & pose)
+void Simulation::Impl::refuseTakenName(const std::string & name) const
+{
+  for (const auto & car : cars_) {
+    if (car->description().name == name) {
+      throw Error(name + ": there is already a car of this name");
+    }
+  }
+  for (const ModelDescription & model : world_.models) {
+    if (model.name == name) {
+      throw Error(name + ": there is already a model of this name");
+    }
+  }
+}
+
+void Simulation::Impl::removeCar(CarIndex index)
+{
+  car(index);
+  cars_.erase(cars_.begin() + static_cast<std::ptrdiff_t>(index));
+  rebuild(collisions_->motions());
+}
+
+void Simulation::Impl::placeCar(CarIndex index, const Pose2 & pose, const Vec2 & velocity, double yaw_rate)
 {
   const CarDescription & description = car(index).description();
   validate(description, pose);
+  validate(ModelState{pose, velocity, yaw_rate}, description.name);
   std::vector<PlacedCar> places = placedCars(cars_);
   places[index].pose = compose(pose, {car(index).parameters().l_r, 0.0, 0.0});
   refuseOccupiedPlace(places, index, description.name + ": the pose " + text(pose));
-  car(index).place(pose);
+  car(index).place(pose, velocity, yaw_rate);
   encounters_.restart();
   moving_poses_are_current_ = false;
+}
+
+void Simulation::Impl::addModel(const ModelDescription & model)
+{
+  refuseTakenName(model.name);
+  validate(model, world_.file);
+  std::vector<ModelMotion> motions = collisions_->motions();
+  world_.models.push_back(model);
+  start_poses_.push_back(model.pose);
+  motions.emplace_back();
+  rebuild(motions);
+}
+
+void Simulation::Impl::removeModel(std::size_t index)
+{
+  std::vector<ModelMotion> motions = collisions_->motions();
+  motions.at(index);
+  const auto place = static_cast<std::ptrdiff_t>(index);
+  world_.models.erase(world_.models.begin() + place);
+  start_poses_.erase(start_poses_.begin() + place);
+  motions.erase(motions.begin() + place);
+  rebuild(motions);
+}
+
+void Simulation::Impl::placeModel(std::size_t index, const ModelState & state)
+{
+  ModelDescription & model = world_.models.at(index);
+  validate(state, model.name);
+  if (model.is_static) {
+    model.pose =
+      ignition::math::Pose3d(state.pose.x, state.pose.y, 0.0, 0.0, 0.0, state.pose.yaw) * withoutPlanar(model.pose);
+    static_models_moved_ = true;
+    rebuild(collisions_->motions());
+    return;
+  }
+  collisions_->placeModel(index, state);
+  encounters_.restart();
+  moving_poses_are_current_ = false;
+}
+
+// What has been worked out of the world and the cars, for another set of them; everything stays where it is.
+void Simulation::Impl::rebuild(const std::vector<ModelMotion> & motions)
+{
+  collisions_.reset();
+  pieces_.emplace(world_);
+  for (CarIndex i = 0; i < cars_.size(); ++i) {
+    cars_[i]->moveInto(i, *pieces_);
+  }
+  rebuildCollisions();
+  collisions_->setMotions(motions);
+  rebuildScenes();
+}
+
+void Simulation::Impl::rebuildCollisions()
+{
+  collisions_ = std::make_unique<CollisionWorld>(world_, *pieces_);
+  encounters_ = {};
+  for (const auto & car : cars_) {
+    collisions_->addLayers(car->layerCount());
+    collisions_->addCar(car->body());
+    encounters_.addCar();
+  }
+  moving_poses_are_current_ = false;
+}
+
+void Simulation::Impl::rebuildScenes()
+{
+  scenes_.clear();
+  for (const auto & car : cars_) {
+    car->lidars().clear();
+    addLidars(*car);
+  }
+}
+
+void Simulation::Impl::returnStaticModels()
+{
+  if (!static_models_moved_) {
+    return;
+  }
+  for (std::size_t i = 0; i < world_.models.size(); ++i) {
+    world_.models[i].pose = start_poses_[i];
+  }
+  rebuild({});
+  static_models_moved_ = false;
 }
 
 void Simulation::Impl::refuseOccupiedPlace(
@@ -158,14 +263,11 @@ void Simulation::Impl::describe(const Car & car, const StepContact & step, Conta
 void Simulation::Impl::reset()
 {
   time_ = 0;
-  collisions_ = std::make_unique<CollisionWorld>(world_, pieces_);
+  returnStaticModels();
   for (const auto & car : cars_) {
     car->restart(time_);
-    collisions_->addLayers(car->layerCount());
-    collisions_->addCar(car->body());
   }
-  encounters_.restart();
-  moving_poses_are_current_ = false;
+  rebuildCollisions();
 }
 
 const MovingPoses & Simulation::Impl::movingPoses()

@@ -12,6 +12,10 @@ namespace
 constexpr double kStepMin = 1e-5;         // s
 constexpr double kStepMax = 0.02;         // s
 constexpr double kLevelTolerance = 1e-6;  // rad
+// What a driver may ask for: far beyond any car of this size, but not a number that has lost its meaning.
+constexpr double kSpeedMax = 100.0;      // m/s
+constexpr double kSteeringMax = 6.2832;  // rad
+constexpr double kYawRateMax = 1000.0;   // rad/s
 
 void require(bool condition, const std::string & where, const std::string & what, double found, const char * allowed)
 {
@@ -25,6 +29,16 @@ void require(bool condition, const std::string & where, const std::string & what
 void requireFinite(double value, const std::string & where, const std::string & what)
 {
   require(std::isfinite(value), where, what, value, "a finite number");
+}
+
+/// Refuses NaN, too.
+void requireWithin(double value, double limit, const std::string & where, const std::string & what)
+{
+  if (!(std::abs(value) <= limit)) {
+    std::ostringstream message;
+    message << where << ": " << what << " is " << value << ", allowed is " << -limit << " to " << limit;
+    throw Error(message.str());
+  }
 }
 
 void validateLidar(const LidarDescription & lidar, const std::string & car)
@@ -49,15 +63,30 @@ void validateLidar(const LidarDescription & lidar, const std::string & car)
 const WorldDescription & validated(const WorldDescription & world)
 {
   for (const ModelDescription & model : world.models) {
-    if (!model.is_static) {
-      const std::string where = world.file + ": model " + model.name;
-      require(model.mass > 0.0 && std::isfinite(model.mass), where, "mass (kg)", model.mass, "more than 0");
-      require(
-        model.inertia_zz > 0.0 && std::isfinite(model.inertia_zz), where, "inertia izz (kg m^2)", model.inertia_zz,
-        "more than 0");
-    }
+    validate(model, world.file);
   }
   return world;
+}
+
+void validate(const ModelDescription & model, const std::string & where)
+{
+  if (!model.is_static) {
+    const std::string place = where + ": model " + model.name;
+    require(model.mass > 0.0 && std::isfinite(model.mass), place, "mass (kg)", model.mass, "more than 0");
+    require(
+      model.inertia_zz > 0.0 && std::isfinite(model.inertia_zz), place, "inertia izz (kg m^2)", model.inertia_zz,
+      "more than 0");
+  }
+}
+
+void validate(const ModelState & state, const std::string & what)
+{
+  requireFinite(state.pose.x, what, "x (m)");
+  requireFinite(state.pose.y, what, "y (m)");
+  requireFinite(state.pose.yaw, what, "yaw (rad)");
+  requireFinite(state.velocity.x, what, "velocity in x (m/s)");
+  requireFinite(state.velocity.y, what, "velocity in y (m/s)");
+  requireFinite(state.yaw_rate, what, "yaw rate (rad/s)");
 }
 
 const SimulationOptions & validated(const SimulationOptions & options)
@@ -80,7 +109,13 @@ void validate(const CarDescription & car, const Pose2 & start)
 
 void validate(const DriveCommand & command, const std::string & car)
 {
-  requireFinite(command.speed, car, "commanded speed (m/s)");
-  requireFinite(command.steering_angle, car, "commanded steering angle (rad)");
+  requireWithin(command.speed, kSpeedMax, car, "commanded speed (m/s)");
+  requireWithin(command.steering_angle, kSteeringMax, car, "commanded steering angle (rad)");
+}
+
+void validateTwist(double linear_x, double angular_z, const std::string & car)
+{
+  requireWithin(linear_x, kSpeedMax, car, "commanded speed (m/s)");
+  requireWithin(angular_z, kYawRateMax, car, "commanded yaw rate (rad/s)");
 }
 }  // namespace f1tenth_sim2d

@@ -20,6 +20,9 @@ public:
   /// @param distance  m, that the middle of the rear axle rolled
   void advance(double distance, double steering_angle, double dt, SimTime now);
 
+  /// Whose noise it is from now on.
+  void setCar(CarIndex car) { car_ = car; }
+
   const WheelOdometry & current() const { return current_; }
 
 private:

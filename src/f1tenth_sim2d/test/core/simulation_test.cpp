@@ -66,26 +66,26 @@ TEST(Simulation, CommandsThatAreNotFiniteAreRefusedAndNotTaken)
     messageOf([&] {
       simulation.command(0, {kNan, 0.0});
     }),
-    "robot1: commanded speed (m/s) is nan, allowed is a finite number");
+    "robot1: commanded speed (m/s) is nan, allowed is -100 to 100");
   EXPECT_EQ(
     messageOf([&] {
       simulation.command(0, {1.0, std::numeric_limits<double>::infinity()});
     }),
-    "robot1: commanded steering angle (rad) is inf, allowed is a finite number");
+    "robot1: commanded steering angle (rad) is inf, allowed is -6.2832 to 6.2832");
   EXPECT_EQ(
     messageOf([&] { simulation.commandTwist(0, 1.0, kNan); }),
-    "robot1: commanded steering angle (rad) is nan, allowed is a finite number");
+    "robot1: commanded yaw rate (rad/s) is nan, allowed is -1000 to 1000");
   EXPECT_NE(messageOf([&] { simulation.commandTwist(0, kNan, 1.0); }), "no error");
   simulation.advanceTo(500'000'000);
   EXPECT_EQ(simulation.state(0).velocity.x, 0.0);
   EXPECT_EQ(simulation.state(0).steering_angle, 0.0);
 }
 
-TEST(Simulation, AbsurdCommandsAreClampedAndHarmless)
+TEST(Simulation, CommandsBeyondTheLimitsAreClampedAndHarmless)
 {
   Simulation simulation(world());
   simulation.addCar(car("robot1"), {}, {});
-  drive(simulation, 0, {1e300, -1e300}, 1.0);
+  drive(simulation, 0, {100.0, -6.0}, 1.0);
   EXPECT_TRUE(std::isfinite(simulation.state(0).pose.x));
   EXPECT_NEAR(simulation.state(0).steering_angle, -0.4189, 1e-12);
 }

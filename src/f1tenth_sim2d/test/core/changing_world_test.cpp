@@ -1,0 +1,185 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "f1tenth_sim2d/errors.h"
+#include "f1tenth_sim2d/trajectory_hash.h"
+#include "sample_world.h"
+
+// Cars and models come, go and are put elsewhere while the simulation runs.
+namespace f1tenth_sim2d::test
+{
+namespace
+{
+std::string hashOfDrive(Simulation & simulation)
+{
+  TrajectoryHash hash;
+  for (int i = 0; i < 40; ++i) {
+    for (CarIndex car = 0; car < simulation.carCount(); ++car) {
+      simulation.command(car, {2.0, 0.1 * static_cast<double>(car)});
+    }
+    simulation.advanceTo(simulation.time() + 25000000);
+    hash.add(simulation);
+  }
+  return hash.hexDigest();
+}
+
+float ahead(const Simulation & simulation)
+{
+  std::vector<float> ranges(1081);
+  simulation.exactScan(0, 0, ranges.data());
+  return ranges[540];
+}
+
+template <typename Action>
+std::string errorOf(const Action & action)
+{
+  try {
+    action();
+  } catch (const Error & error) {
+    return error.what();
+  }
+  return "";
+}
+}  // namespace
+
+TEST(ChangingWorld, ResetAfterRemovingACarIsAsFresh)
+{
+  Simulation changed(world({room(5.0), movableBox("crate", 0.2, 1.0, 0.0)}));
+  changed.addCar(car("robot1"), {}, {0.0, 1.0, 0.0});
+  changed.addCar(car("robot2"), {}, {});
+  hashOfDrive(changed);
+  changed.removeCar(0);
+  ASSERT_EQ(changed.carCount(), 1u);
+  EXPECT_EQ(changed.car(0).name, "robot2");
+  changed.reset();
+  Simulation fresh(world({room(5.0), movableBox("crate", 0.2, 1.0, 0.0)}));
+  fresh.addCar(car("robot2"), {}, {});
+  EXPECT_EQ(hashOfDrive(changed), hashOfDrive(fresh));
+  EXPECT_EQ(changed.wheelOdometry(0).pose.x, fresh.wheelOdometry(0).pose.x);
+  EXPECT_EQ(changed.modelPose("crate").x, fresh.modelPose("crate").x);
+}
+
+TEST(ChangingWorld, OthersStayWhereTheyAreWhenACarLeaves)
+{
+  Simulation simulation(world({movableBox("crate", 0.2, 1.0, 0.0)}));
+  simulation.addCar(car("robot1"), {}, {0.0, 2.0, 0.0});
+  simulation.addCar(car("robot2"), {}, {});
+  drive(simulation, 1, {2.0, 0.0}, 0.8);
+  const Pose2 pose = simulation.state(1).pose;
+  const ModelState crate = simulation.modelState(0);
+  simulation.removeCar(0);
+  EXPECT_EQ(simulation.state(0).pose.x, pose.x);
+  EXPECT_EQ(simulation.modelState(0).pose.x, crate.pose.x);
+  EXPECT_EQ(simulation.modelState(0).velocity.x, crate.velocity.x);
+  EXPECT_GT(crate.velocity.x, 0.1);
+}
+
+TEST(ChangingWorld, ModelThatIsAddedIsSeenAndFelt)
+{
+  Simulation simulation(world());
+  simulation.addCar(car("robot1"), {}, {});
+  EXPECT_EQ(ahead(simulation), std::numeric_limits<float>::infinity());
+  simulation.addModel(wallAcross(2.0));
+  EXPECT_NEAR(ahead(simulation), 2.0 - 0.27, 1e-4);
+  drive(simulation, 0, {3.0, 0.0}, 2.0);
+  ASSERT_FALSE(simulation.contacts(0).empty());
+  EXPECT_EQ(simulation.contacts(0)[0].other_model, "walls");
+  EXPECT_LT(simulation.state(0).pose.x, 1.61);
+}
+
+TEST(ChangingWorld, ModelThatIsRemovedIsGoneAlsoAfterReset)
+{
+  Simulation simulation(world({wallAcross(2.0), movableBox("crate", 0.2, 1.0, 3.0)}));
+  simulation.addCar(car("robot1"), {}, {});
+  simulation.removeModel(0);
+  EXPECT_EQ(simulation.modelNames(), std::vector<std::string>{"crate"});
+  EXPECT_EQ(ahead(simulation), std::numeric_limits<float>::infinity());
+  simulation.reset();
+  drive(simulation, 0, {3.0, 0.0}, 2.0);
+  EXPECT_TRUE(simulation.contacts(0).empty());
+}
+
+TEST(ChangingWorld, StaticModelIsMovedAndReturnsOnReset)
+{
+  Simulation simulation(world({wallAcross(2.0)}));
+  simulation.addCar(car("robot1"), {}, {});
+  simulation.placeModel(0, {{1.0, 0.0, 0.0}, {}, 0.0});
+  EXPECT_NEAR(ahead(simulation), 3.0 - 0.27, 1e-4);
+  EXPECT_EQ(simulation.modelState(0).pose.x, 1.0);
+  simulation.reset();
+  EXPECT_NEAR(ahead(simulation), 2.0 - 0.27, 1e-4);
+  EXPECT_EQ(simulation.modelState(0).pose.x, 0.0);
+}
+
+TEST(ChangingWorld, MovableModelMovesWithTheGivenTwistUntilFrictionStopsIt)
+{
+  Simulation simulation(world({movableBox("crate", 0.2, 5.0, 0.0)}));
+  simulation.placeModel(0, {{0.0, 1.0, 0.5}, {2.0, -1.0}, 3.0});
+  const ModelState start = simulation.modelState(0);
+  EXPECT_NEAR(start.pose.y, 1.0, 1e-6);
+  EXPECT_NEAR(start.velocity.x, 2.0, 1e-6);
+  EXPECT_NEAR(start.yaw_rate, 3.0, 1e-6);
+  simulation.advanceTo(100000000);
+  EXPECT_GT(simulation.modelState(0).pose.x, 0.1);
+  EXPECT_LT(simulation.modelState(0).velocity.x, 2.0);
+  simulation.advanceTo(5000000000);
+  EXPECT_EQ(simulation.modelState(0).velocity.x, 0.0);
+}
+
+TEST(ChangingWorld, CarIsPlacedWithATwist)
+{
+  Simulation simulation(world());
+  simulation.addCar(car("robot1"), {}, {});
+  simulation.placeCar(0, {1.0, 2.0, 0.3}, {3.0, 0.2}, 0.4);
+  const CarState & state = simulation.state(0);
+  EXPECT_NEAR(state.velocity.x, 3.0, 1e-12);
+  EXPECT_NEAR(state.velocity.y, 0.2, 1e-12);
+  EXPECT_NEAR(state.yaw_rate, 0.4, 1e-12);
+}
+
+TEST(ChangingWorld, RefusesWhatMakesNoSense)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Simulation simulation(world({wallAcross(2.0)}));
+  simulation.addCar(car("robot1"), {}, {});
+  EXPECT_EQ(errorOf([&] { simulation.addModel(wallAcross(3.0)); }), "walls: there is already a model of this name");
+  ModelDescription massless = movableBox("crate", 0.2, 0.0, 5.0);
+  massless.mass = 0.0;
+  EXPECT_EQ(
+    errorOf([&] { simulation.addModel(massless); }), "test.world: model crate: mass (kg) is 0, allowed is more than 0");
+  EXPECT_EQ(
+    errorOf([&] {
+      simulation.placeModel(0, {{nan, 0.0, 0.0}, {}, 0.0});
+    }),
+    "walls: x (m) is nan, allowed is a finite number");
+  EXPECT_EQ(
+    errorOf([&] {
+      simulation.placeCar(0, {}, {nan, 0.0});
+    }),
+    "robot1: velocity in x (m/s) is nan, allowed is a finite number");
+}
+
+TEST(ChangingWorld, RefusesAbsurdCommands)
+{
+  Simulation simulation(world());
+  simulation.addCar(car("robot1"), {}, {});
+  EXPECT_EQ(
+    errorOf([&] {
+      simulation.command(0, {101.0, 0.0});
+    }),
+    "robot1: commanded speed (m/s) is 101, allowed is -100 to 100");
+  EXPECT_EQ(
+    errorOf([&] {
+      simulation.command(0, {1.0, 20.0});
+    }),
+    "robot1: commanded steering angle (rad) is 20, allowed is -6.2832 to 6.2832");
+  EXPECT_EQ(
+    errorOf([&] { simulation.commandTwist(0, 1.0, 1e9); }),
+    "robot1: commanded yaw rate (rad/s) is 1e+09, allowed is -1000 to 1000");
+  EXPECT_NE(errorOf([&] { simulation.commandTwist(0, -1e300, 0.0); }), "");
+  drive(simulation, 0, {0.0, 0.0}, 0.5);
+  EXPECT_EQ(simulation.state(0).velocity.x, 0.0);
+}
+}  // namespace f1tenth_sim2d::test

@@ -4,7 +4,9 @@
 #include <sdf/Model.hh>
 #include <string>
 
+#include "element_reader.h"
 #include "f1tenth_sim2d/car_model.h"
+#include "robot_text.h"
 #include "warning_collector.h"
 
 namespace f1tenth_sim2d
@@ -13,33 +15,31 @@ namespace f1tenth_sim2d
 struct CarContext
 {
   const sdf::Model & model;
-  ignition::math::Pose3d base_in_model;  ///< pose of base_footprint in the frame of the model
+  const RobotFacts & facts;
+  ignition::math::Pose3d car_in_model;  ///< pose of the car's frame in the frame of the model
   CarDescription & car;
   WarningCollector & warnings;
 
   const std::string & source() const { return car.source; }
 
-  ignition::math::Pose3d inBase(const ignition::math::Pose3d & in_model) const
+  ignition::math::Pose3d inCar(const ignition::math::Pose3d & in_model) const
   {
-    return base_in_model.Inverse() * in_model;
+    return car_in_model.Inverse() * in_model;
   }
 
   /// A frame id without slash in front and without the car's name: the node puts the prefix before it.
-  std::string withoutPrefix(std::string frame) const
-  {
-    for (const std::string & prefix : {std::string("/"), car.name + "/"}) {
-      if (frame.rfind(prefix, 0) == 0) {
-        frame.erase(0, prefix.size());
-      }
-    }
-    return frame;
-  }
+  std::string withoutPrefix(std::string frame) const;
+
+  /// What <robotNamespace> of a plugin means: "/other", "/", or nothing if it is the car's own.
+  std::string rosNamespace(const sdf::ElementPtr & plugin) const;
+
+  /// A topic of a plugin, its <robotNamespace> put before it unless that is the car's own.
+  std::string topic(const sdf::ElementPtr & plugin, const std::string & name) const;
+
+  /// Text of a tag of a plugin as the URDF has it: libsdformat replaces links that fixed joints have joined with others.
+  std::string originalText(const sdf::ElementPtr & plugin, const std::string & tag, const std::string & fallback) const;
 };
 
 /// Name of a shared library without folder: Gazebo accepts both.
-inline std::string libraryName(const sdf::ElementPtr & plugin)
-{
-  const auto filename = plugin->Get<std::string>("filename");
-  return filename.substr(filename.find_last_of('/') + 1);
-}
+std::string libraryName(const sdf::ElementPtr & plugin);
 }  // namespace f1tenth_sim2d

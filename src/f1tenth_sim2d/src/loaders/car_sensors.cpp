@@ -95,7 +95,7 @@ void readSensors(CarContext & context)
       const sdf::Sensor & sensor = *link.SensorByIndex(k);
       requireNewName(sensor, names, context);
       const Pose3d in_link = resolvePose(sensor.SemanticPose(), "", sensor.Element(), context.source());
-      readSensor(sensor, context.inBase(link_pose * in_link), context);
+      readSensor(sensor, context.inCar(link_pose * in_link), context);
     }
   }
 }

@@ -70,6 +70,23 @@ std::string ElementReader::requiredText(const std::string & tag) const
   return text;
 }
 
+std::string ElementReader::text(const std::string & tag, const std::string & fallback) const
+{
+  const std::string text = withoutBlanksAround(element_->Get<std::string>(tag, fallback).first);
+  return text.empty() ? fallback : text;
+}
+
+ignition::math::Vector3d ElementReader::vector(const std::string & numbers, const std::string & tag) const
+{
+  std::istringstream stream(numbers);
+  ignition::math::Vector3d vector;
+  std::string rest;
+  if (!(stream >> vector.X() >> vector.Y() >> vector.Z()) || stream >> rest) {
+    fail("<" + tag + "> is '" + numbers + "', allowed are three numbers");
+  }
+  return vector;
+}
+
 double ElementReader::positive(const std::string & tag) const
 {
   const auto value = required<double>(tag);

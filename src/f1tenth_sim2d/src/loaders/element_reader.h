@@ -1,5 +1,6 @@
 #pragma once
 
+#include <ignition/math/Vector3.hh>
 #include <sdf/Element.hh>
 #include <string>
 
@@ -43,9 +44,15 @@ public:
   void requirePositive(const std::string & tag, double value) const;
   void requireNotNegative(const std::string & tag, double value) const;
 
-private:
+  /// Text of a child, blanks around it dropped; the fallback if there is none or it is empty.
+  std::string text(const std::string & tag, const std::string & fallback) const;
+
+  /// Three finite numbers in a text, said to be those of a tag.
+  ignition::math::Vector3d vector(const std::string & numbers, const std::string & tag) const;
+
   void requireGiven(const std::string & tag) const;
 
+private:
   sdf::ElementPtr element_;
   const std::string & file_;
 };

@@ -1,38 +1,19 @@
-#include <sdf/Link.hh>
-
 #include "car_context.h"
-#include "car_joints.h"
+#include "car_dynamics.h"
+#include "car_mechanism.h"
+#include "car_plugins.h"
 #include "car_sensors.h"
-#include "element_reader.h"
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
 #include "robot_text.h"
 #include "sdf_errors.h"
 #include "sdf_models.h"
-#include "sensor_readers.h"
 
 namespace f1tenth_sim2d
 {
 namespace
 {
 using ignition::math::Pose3d;
-
-/// What is known of an SDF model without converting it.
-UrdfFacts factsOfModel(const sdf::Model & model, const std::string & source)
-{
-  const sdf::Link * const base = model.LinkByName("base_footprint");
-  if (!base) {
-    throw LoadError(
-      source, elementPath(model.Element()),
-      "has no link base_footprint, the one on the ground below the middle of the rear axle");
-  }
-  UrdfFacts facts;
-  facts.base_footprint = resolvePose(base->SemanticPose(), "__model__", base->Element(), source);
-  for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
-    facts.links.push_back(model.LinkByIndex(i)->Name());
-  }
-  return facts;
-}
 
 const sdf::Model & onlyModel(const sdf::Root & root, const std::string & source)
 {
@@ -55,26 +36,36 @@ void readCarSolids(CarContext & context, const SearchPath & search_path)
     if (std::holds_alternative<Plane>(solid.shape)) {
       throw LoadError(context.source(), solid.name, "a <plane> has no end and cannot be part of a car");
     }
-    solid.pose = context.inBase(solid.pose);
+    solid.pose = context.inCar(solid.pose);
   }
 }
 
-/// Plugins that are built in are read; the others are kept, to be looked up as shared libraries.
-void readPluginsAndJoints(CarContext & context)
+/// Moves the car's frame to below the middle of the rear axle, and what has been read so far with it.
+void placeFrame(CarContext & context)
 {
-  std::vector<sdf::ElementPtr> publishers;
-  for (auto element = context.model.Element()->FindElement("plugin"); element;
-       element = element->GetNextElement("plugin")) {
-    const std::string library = libraryName(element);
-    if (library == "libgazebo_ros_joint_state_publisher.so") {
-      publishers.push_back(element);
-    } else if (library == "libgazebo_ros_imu.so") {
-      readImuPlugin(element, context);
-    } else {
-      context.car.plugins.push_back(readPlugin(element));
+  const Pose3d offset = properFrame(findMechanism(context));
+  if (offset != Pose3d::Zero) {
+    context.car_in_model = context.car_in_model * offset;
+    for (Solid & solid : context.car.solids) {
+      solid.pose = offset.Inverse() * solid.pose;
     }
   }
-  readJoints(publishers, context);
+  context.car.base_frame = context.facts.base_frame;
+  context.car.base_frame_pose = offset.Inverse();
+  context.car.model_pose = context.car_in_model.Inverse();
+  for (const auto & [link, pose] : context.facts.link_poses) {
+    context.car.link_poses[link] = context.inCar(pose);
+  }
+}
+
+void readParts(CarContext & context)
+{
+  placeFrame(context);
+  const std::vector<MechanismJoint> mechanism = findMechanism(context);
+  readMechanism(mechanism, context.car);
+  readSensors(context);
+  readPlugins(mechanism, context);
+  readDynamics(mechanism, context);
 }
 }  // namespace
 
@@ -86,14 +77,16 @@ CarDescription loadCar(
   if (kind != "robot" && kind != "sdf") {
     throw LoadError(source, kind, "is no robot description, allowed are <robot> (URDF) and <sdf>");
   }
-  const bool is_urdf = kind == "robot";
-  UrdfFacts facts = is_urdf ? readUrdf(xml, source, messages) : UrdfFacts{};
   WarningCollector warnings;
+  RobotFacts facts;
+  if (kind == "robot") {
+    facts = readUrdf(xml, source, messages, warnings);
+  }
   sdf::Root root;
   const sdf::Errors errors = root.LoadSdfString(xml, parserConfig());
   checkSdfErrors(errors, messages, root, source, "", warnings);
   const sdf::Model & model = onlyModel(root, source);
-  if (!is_urdf) {
+  if (kind == "sdf") {
     facts = factsOfModel(model, source);
   }
 
@@ -101,11 +94,10 @@ CarDescription loadCar(
   car.name = name;
   car.source = source;
   car.links = facts.links;
-  CarContext context{model, facts.base_footprint, car, warnings};
+  CarContext context{model, facts, facts.link_poses[facts.base_frame], car, warnings};
   readCarSolids(context, search_path);
   requireAllCollisions(facts, car.solids, source);
-  readSensors(context);
-  readPluginsAndJoints(context);
+  readParts(context);
   car.warnings = warnings.messages();
   return car;
 }

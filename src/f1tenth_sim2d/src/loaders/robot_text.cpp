@@ -4,7 +4,12 @@
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
 
+#include <sdf/Link.hh>
+
+#include "element_reader.h"
 #include "f1tenth_sim2d/errors.h"
+#include "sdf_models.h"
+#include "urdf_extras.h"
 
 namespace f1tenth_sim2d
 {
@@ -26,6 +31,16 @@ Pose3d poseInRoot(urdf::LinkConstSharedPtr link)
     pose = toPose(link->parent_joint->parent_to_joint_origin_transform) * pose;
   }
   return pose;
+}
+
+std::string baseFrameOf(const std::map<std::string, Pose3d> & links, const std::string & root)
+{
+  for (const char * const name : {"base_footprint", "base_link"}) {
+    if (links.count(name) > 0) {
+      return name;
+    }
+  }
+  return root;
 }
 
 bool canVanish(const urdf::Link & link)
@@ -50,30 +65,42 @@ std::string rootElement(const std::string & xml, const std::string & source)
   return root ? root->Name() : "";
 }
 
-UrdfFacts readUrdf(const std::string & xml, const std::string & source, const SdfMessages & messages)
+RobotFacts readUrdf(
+  const std::string & xml, const std::string & source, const SdfMessages & messages, WarningCollector & warnings)
 {
   const urdf::ModelInterfaceSharedPtr robot = urdf::parseURDF(xml);
   if (const auto errors = messages.errors(); !robot || !errors.empty()) {
     throw LoadError(source, "robot", errors.empty() ? "is not a URDF" : errors.front());
   }
-  UrdfFacts facts;
+  RobotFacts facts;
   for (const auto & [name, link] : robot->links_) {
     facts.links.push_back(name);
+    facts.link_poses[name] = poseInRoot(link);
     if (!link->collision_array.empty()) {
       facts.links_with_collisions.push_back({name, link->collision_array.size(), canVanish(*link)});
     }
   }
-  const urdf::LinkConstSharedPtr base = robot->getLink("base_footprint");
-  if (!base) {
-    throw LoadError(
-      source, "robot[" + robot->getName() + "]",
-      "has no link base_footprint, the one on the ground below the middle of the rear axle");
-  }
-  facts.base_footprint = poseInRoot(base);
+  facts.base_frame = baseFrameOf(facts.link_poses, robot->getRoot()->name);
+  tinyxml2::XMLDocument document;
+  document.Parse(xml.c_str(), xml.size());
+  facts.transmissions = readTransmissions(*document.RootElement(), warnings);
+  facts.plugin_tags = readPluginTags(*document.RootElement());
   return facts;
 }
 
-void requireAllCollisions(const UrdfFacts & facts, const std::vector<Solid> & solids, const std::string & source)
+RobotFacts factsOfModel(const sdf::Model & model, const std::string & source)
+{
+  RobotFacts facts;
+  for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
+    const sdf::Link & link = *model.LinkByIndex(i);
+    facts.links.push_back(link.Name());
+    facts.link_poses[link.Name()] = resolvePose(link.SemanticPose(), "__model__", link.Element(), source);
+  }
+  facts.base_frame = baseFrameOf(facts.link_poses, facts.links.empty() ? "" : facts.links.front());
+  return facts;
+}
+
+void requireAllCollisions(const RobotFacts & facts, const std::vector<Solid> & solids, const std::string & source)
 {
   std::size_t expected = 0;
   for (const auto & link : facts.links_with_collisions) {

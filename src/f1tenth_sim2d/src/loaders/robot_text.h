@@ -1,17 +1,20 @@
 #pragma once
 
 #include <ignition/math/Pose3.hh>
+#include <map>
 #include <sdf/Model.hh>
 #include <string>
 #include <vector>
 
-#include "f1tenth_sim2d/world_model.h"
+#include "f1tenth_sim2d/car_model.h"
 #include "sdf_messages.h"
+#include "warning_collector.h"
 
 namespace f1tenth_sim2d
 {
-/// What a URDF says and its conversion to SDF forgets: fixed joints vanish there, and with them their child links.
-struct UrdfFacts
+/// What a robot's text says and libsdformat does not hand on: fixed joints of a URDF vanish, and with them their child
+/// links; what plugins say of those is replaced; transmissions are not SDF.
+struct RobotFacts
 {
   struct LinkWithCollisions
   {
@@ -22,16 +25,24 @@ struct UrdfFacts
 
   std::vector<std::string> links;
   std::vector<LinkWithCollisions> links_with_collisions;
-  ignition::math::Pose3d base_footprint;  ///< in the frame of the root link
+  std::map<std::string, ignition::math::Pose3d> link_poses;  ///< in the frame of the model, joints at zero
+  std::string base_frame;                                    ///< base_footprint, or else base_link, or else the root
+  std::vector<TransmissionDescription> transmissions;
+  std::map<std::string, std::map<std::string, std::string>> plugin_tags;  ///< by the plugin's name, as written
 };
 
 /// Name of the root element, "robot" or "sdf".
 /// @throws LoadError with the line for text that is not XML
 std::string rootElement(const std::string & xml, const std::string & source);
 
-/// @throws LoadError for what urdfdom refuses, and for a robot without base_footprint
-UrdfFacts readUrdf(const std::string & xml, const std::string & source, const SdfMessages & messages);
+/// @throws LoadError for what urdfdom refuses
+RobotFacts readUrdf(
+  const std::string & xml, const std::string & source, const SdfMessages & messages, WarningCollector & warnings);
+
+/// The same of an SDF model.
+/// @throws LoadError for a pose that cannot be resolved
+RobotFacts factsOfModel(const sdf::Model & model, const std::string & source);
 
 /// @throws LoadError if the conversion to SDF has dropped a collision element
-void requireAllCollisions(const UrdfFacts & facts, const std::vector<Solid> & solids, const std::string & source);
+void requireAllCollisions(const RobotFacts & facts, const std::vector<Solid> & solids, const std::string & source);
 }  // namespace f1tenth_sim2d

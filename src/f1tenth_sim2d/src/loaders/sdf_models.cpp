@@ -1,6 +1,5 @@
 #include "sdf_models.h"
 
-#include <ignition/math/Inertial.hh>
 #include <sdf/Collision.hh>
 #include <sdf/Joint.hh>
 #include <sdf/Link.hh>
@@ -23,19 +22,12 @@ Pose3d linkPose(const sdf::Link & link, const std::string & file)
   return resolvePose(link.SemanticPose(), kModelFrame, link.Element(), file);
 }
 
-/// Mass, centre of mass and inertia of all links together, in the frame of the model.
 void readInertia(const sdf::Model & model, const std::string & file, ModelDescription & description)
 {
-  Inertiald sum;
-  for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
-    const sdf::Link & link = *model.LinkByIndex(i);
-    const Inertiald & own = link.Inertial();
-    const Inertiald in_model(own.MassMatrix(), linkPose(link, file) * own.Pose());
-    sum = i == 0 ? in_model : sum + in_model;
-  }
-  description.mass = sum.MassMatrix().Mass();
-  description.inertia_zz = sum.Moi()(2, 2);
-  description.centre_of_mass = {sum.Pose().Pos().X(), sum.Pose().Pos().Y()};
+  const Inertiald whole = inertiaOf(model, file);
+  description.mass = whole.MassMatrix().Mass();
+  description.inertia_zz = whole.Moi()(2, 2);
+  description.centre_of_mass = {whole.Pose().Pos().X(), whole.Pose().Pos().Y()};
 }
 
 /// Children that have no counterpart in the simulation, each with the reason.
@@ -104,6 +96,18 @@ void appendParameters(const sdf::ElementPtr & parent, const std::string & scope,
   }
 }
 }  // namespace
+
+Inertiald inertiaOf(const sdf::Model & model, const std::string & file)
+{
+  Inertiald sum;
+  for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
+    const sdf::Link & link = *model.LinkByIndex(i);
+    const Inertiald & own = link.Inertial();
+    const Inertiald in_model(own.MassMatrix(), linkPose(link, file) * own.Pose());
+    sum = i == 0 ? in_model : sum + in_model;
+  }
+  return sum;
+}
 
 Pose3d resolvePose(
   const sdf::SemanticPose & pose, const std::string & frame, const sdf::ElementPtr & element, const std::string & file)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <ignition/math/Inertial.hh>
 #include <sdf/Model.hh>
 #include <string>
 #include <vector>
@@ -21,6 +22,10 @@ std::vector<Solid> readSolids(
 void appendModel(
   const sdf::Model & model, const ignition::math::Pose3d & pose, const std::string & file, MeshLibrary & meshes,
   std::vector<ModelDescription> & models, WarningCollector & warnings);
+
+/// Mass, centre of mass and inertia of all of a model's own links together, in the frame of the model.
+/// @throws LoadError
+ignition::math::Inertiald inertiaOf(const sdf::Model & model, const std::string & file);
 
 /// @param frame  in which the result is given; empty: the frame of the element around it
 /// @throws LoadError

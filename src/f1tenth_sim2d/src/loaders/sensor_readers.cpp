@@ -44,6 +44,14 @@ void requireSound(const LidarDescription & lidar, const ElementReader & reader)
   reader.requireNotNegative("noise/stddev", lidar.noise_stddev);
 }
 
+/// The frame that an IMU plugin names, or else the link that carries it.
+std::string imuFrame(const sdf::ElementPtr & plugin, const CarContext & context)
+{
+  const std::string given = plugin->HasElement("frameName") ? "frameName" : "bodyName";
+  ElementReader(plugin, context.source()).requiredText(given);
+  return context.withoutPrefix(context.originalText(plugin, given, ""));
+}
+
 void setImu(ImuDescription imu, const sdf::ElementPtr & element, CarContext & context)
 {
   if (context.car.imu) {
@@ -61,7 +69,7 @@ void readLidar(const SensorElement & element, CarContext & context)
   const ElementReader plugin = element.pluginReader(context);
   LidarDescription lidar;
   lidar.name = element.sensor.Name();
-  lidar.topic = plugin.requiredText("topicName");
+  lidar.topic = context.topic(element.plugin, plugin.requiredText("topicName"));
   lidar.frame = context.withoutPrefix(plugin.requiredText("frameName"));
   lidar.pose = element.pose;
   lidar.rate_hz = rate(element, context);
@@ -84,7 +92,7 @@ void readBumper(const SensorElement & element, CarContext & context)
   const ElementReader plugin = element.pluginReader(context);
   BumperDescription bumper;
   bumper.name = element.sensor.Name();
-  bumper.topic = plugin.requiredText("bumperTopicName");
+  bumper.topic = context.topic(element.plugin, plugin.requiredText("bumperTopicName"));
   bumper.frame = context.withoutPrefix(plugin.requiredText("frameName"));
   bumper.rate_hz = rate(element, context);
   bumper.collision_names = collisionsOfContactSensor(element.sensor.Element(), context.car.solids, context.source());
@@ -97,13 +105,14 @@ void readImu(const SensorElement & element, CarContext & context)
   const sdf::Imu & noise = *element.sensor.ImuSensor();
   ImuDescription imu;
   imu.name = element.sensor.Name();
-  imu.topic = plugin.requiredText("topicName");
-  imu.frame = context.withoutPrefix(plugin.requiredText("frameName"));
-  imu.rate_hz = rate(element, context);
-  imu.yaw_rate_noise_stddev = noise.AngularVelocityZNoise().StdDev();
-  imu.acceleration_noise_stddev = noise.LinearAccelerationXNoise().StdDev();
-  plugin.requireNotNegative("angular_velocity/z/noise/stddev", imu.yaw_rate_noise_stddev);
-  plugin.requireNotNegative("linear_acceleration/x/noise/stddev", imu.acceleration_noise_stddev);
+  imu.topic = context.topic(element.plugin, plugin.requiredText("topicName"));
+  imu.frame = imuFrame(element.plugin, context);
+  imu.rate_hz = element.plugin->HasElement("updateRateHZ") ? plugin.positive("updateRateHZ") : rate(element, context);
+  const double of_plugin = plugin.notNegative("gaussianNoise", 0.0);
+  imu.yaw_rate_noise_stddev = std::hypot(of_plugin, noise.AngularVelocityZNoise().StdDev());
+  imu.acceleration_noise_stddev = std::hypot(of_plugin, noise.LinearAccelerationXNoise().StdDev());
+  plugin.requireNotNegative("angular_velocity/z/noise/stddev", noise.AngularVelocityZNoise().StdDev());
+  plugin.requireNotNegative("linear_acceleration/x/noise/stddev", noise.LinearAccelerationXNoise().StdDev());
   setImu(std::move(imu), element.sensor.Element(), context);
 }
 
@@ -112,8 +121,8 @@ void readImuPlugin(const sdf::ElementPtr & element, CarContext & context)
   const ElementReader plugin(element, context.source());
   ImuDescription imu;
   imu.name = element->Get<std::string>("name");
-  imu.topic = plugin.requiredText("topicName");
-  imu.frame = context.withoutPrefix(plugin.requiredText(element->HasElement("frameName") ? "frameName" : "bodyName"));
+  imu.topic = context.topic(element, plugin.requiredText("topicName"));
+  imu.frame = imuFrame(element, context);
   imu.rate_hz = plugin.positive("updateRate");
   imu.yaw_rate_noise_stddev = plugin.notNegative("gaussianNoise", 0.0);
   imu.acceleration_noise_stddev = imu.yaw_rate_noise_stddev;

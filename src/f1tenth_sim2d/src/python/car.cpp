@@ -60,6 +60,8 @@ void bindCar(py::module_ & module)
     .def_property_readonly("joints", &jointNames, "Names of the joints whose state is published.")
     .def_readonly("wheel_radius", &CarDescription::wheel_radius, "m.")
     .def_readonly("track_width", &CarDescription::track_width, "Between the steering joints, m.")
+    .def_readonly("base_frame", &CarDescription::base_frame, "The link that stands for the car.")
+    .def_readonly("parameters", &CarDescription::parameters, "Dynamics as the description gives them.")
     .def_property_readonly(
       "plugins",
       [](const CarDescription & car) {

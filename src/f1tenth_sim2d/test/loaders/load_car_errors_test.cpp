@@ -44,10 +44,6 @@ std::vector<BadCar> badCars()
     {"BoxOfTwoNumbers",
      robot("<link name='base_footprint'><collision><geometry><box size='1 1'/></geometry></collision></link>"),
      "test.urdf: robot: Parser found 2 elements but 3 expected while parsing vector [1 1]"},
-    {"NoBaseFootprint", robot("<link name='base_link'/>"),
-     "test.urdf: robot[r]: has no link base_footprint, the one on the ground below the middle of the rear axle"},
-    {"SdfWithoutBaseFootprint", "<sdf version='1.6'><model name='m'><link name='l'/></model></sdf>",
-     "test.urdf: model[m]: has no link base_footprint, the one on the ground below the middle of the rear axle"},
     {"SdfWithoutModel", "<sdf version='1.6'><world name='w'/></sdf>", "test.urdf: holds no <model>"},
     {"NestedModel",
      "<sdf version='1.9'><model name='m'><link name='base_footprint'/><model name='n'><link name='l'/></model></model>"

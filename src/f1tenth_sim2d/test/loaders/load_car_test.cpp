@@ -125,7 +125,7 @@ TEST(LoadCar, TakesAnImuPluginOfTheModel)
   const CarDescription car = load(xml);
   ASSERT_TRUE(car.imu.has_value());
   EXPECT_EQ(car.imu->topic, "imu/data");
-  EXPECT_EQ(car.imu->frame, "base_footprint");  // libsdformat names the link that bodyName has become part of
+  EXPECT_EQ(car.imu->frame, "imu");
   EXPECT_EQ(car.imu->rate_hz, 50.0);
   EXPECT_EQ(car.imu->yaw_rate_noise_stddev, 0.01);
   EXPECT_TRUE(car.plugins.size() == 1);

@@ -15,7 +15,7 @@ IN_WORKSPACE := source $(DEVEL_DIR)/setup.bash &&
 CPP_FILES = $(shell git ls-files '*.cpp' '*.h')
 PYTHON_FILES = $(shell git ls-files '*.py'; git grep -lI '^\#!/usr/bin/\(env python3\|python3\)' -- ':!*.py')
 
-.PHONY: help setup configure build race test lint format bench clean
+.PHONY: help setup configure build race report test lint format bench clean
 
 help: ## list the commands
 	@sed -n 's/^\([a-z]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 16
@@ -43,7 +43,10 @@ build: setup $(CONFIGURED) ## build the workspace
 	@cmake --build $(BUILD_DIR) -j $(JOBS) -- --no-print-directory
 
 race: build ## one headless race: make race CIRCUIT=circuit3
-	@$(IN_WORKSPACE) exec rosrun f1tenth_scenarios scenario run $(CIRCUIT)
+	@$(IN_WORKSPACE) exec rosrun f1tenth_scenarios scenario run --report $(CIRCUIT)
+
+report: build ## one HTML file of all results: results/report.html
+	@$(IN_WORKSPACE) exec rosrun f1tenth_scenarios scenario report
 
 test: build ## every test; ends with `N passed, N failed, N skipped`
 	@rm -rf $(BUILD_DIR)/test_results

@@ -3,4 +3,8 @@
 from catkin_pkg.python_setup import generate_distutils_setup
 from setuptools import setup
 
-setup(**generate_distutils_setup(packages=["f1tenth_scenarios"], package_dir={"": "src"}))
+setup(
+    **generate_distutils_setup(
+        packages=["f1tenth_scenarios", "f1tenth_scenarios.report"], package_dir={"": "src"}
+    )
+)

@@ -12,10 +12,15 @@ import rostest
 from f1tenth_scenarios.director import Director
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.observations import RaceState, RaceUpdate
+from f1tenth_scenarios.replay_recorder import ReplayRecorder
 from f1tenth_scenarios.ros_node_kill import kill_node, node_pid
 from f1tenth_scenarios.ros_watch import RosWatch
 from f1tenth_scenarios.scenario import Car, Fault, Limits, Scenario, Verdict
+from gazebo_msgs.msg import ModelStates
+from geometry_msgs.msg import Pose, PoseStamped
+from nav_msgs.msg import Path
 from rosgraph_msgs.msg import Clock
+from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Bool, Header
 
 from f1tenth_race_mgr.msg import RaceStatus
@@ -29,6 +34,11 @@ def scenario(faults=(), lockstep=True):
     return Scenario(
         "a test", "circuit1", cars, Limits(9.0), Verdict.ERROR, 1, lockstep=lockstep, faults=tuple(faults)
     )
+
+
+def scans_heard(recorder):
+    scans = recorder.recording().scans.get("robot1")
+    return len(scans.stamps) if scans else 0
 
 
 class DirectorTest(unittest.TestCase):
@@ -98,6 +108,46 @@ class DirectorTest(unittest.TestCase):
         self._wait_for(watch.collided)
         assert watch.collided() == {"robot1"}
         watch.close()
+
+    def test_scans_plans_and_models_are_recorded_at_a_low_rate(self):
+        recorder = ReplayRecorder(["robot1"])
+        scans, plans, models = (
+            rospy.Publisher(topic, kind, queue_size=100)
+            for topic, kind in (
+                ("/robot1/scan", LaserScan),
+                ("/robot1/move_base/global_plan", Path),
+                ("/gazebo/model_states", ModelStates),
+            )
+        )
+        for each in (scans, plans, models):
+            self._wait_for(each.get_num_connections)
+        for index in range(9):
+            scan = LaserScan(angle_min=-1.0, angle_increment=0.1, ranges=[1.0, float("inf")] * 11)
+            scan.header.stamp = rospy.Time.from_sec(0.025 * (index + 1))
+            scans.publish(scan)
+        plan = Path(poses=[PoseStamped(), PoseStamped()])
+        plan.header.stamp = rospy.Time(1)
+        plan.poses[1].pose.position.x = 2.0
+        plans.publish(plan)
+        self._wait_for(lambda: "robot1" in recorder.recording().global_plans)
+        self._wait_for(lambda: scans_heard(recorder) >= 3)
+        models.publish(ModelStates(name=["robot1", "box"], pose=[Pose(), self._turned()]))
+        self._wait_for(lambda: recorder.recording().models)
+        heard = recorder.recording()
+        recorder.close()
+        assert heard.scans["robot1"].stamps == [0.025, 0.125, 0.225]
+        assert heard.scans["robot1"].values[0] == [100, 100, 100]
+        assert round(heard.scans["robot1"].angle_max, 6) == 1.0
+        assert heard.global_plans["robot1"].values == [[(0.0, 0.0), (2.0, 0.0)]]
+        assert list(heard.models) == ["box"]
+        assert heard.models["box"].values == [(3.0, 0.0, 1.5708)]
+
+    @staticmethod
+    def _turned():
+        pose = Pose()
+        pose.position.x = 3.0
+        pose.orientation.z = pose.orientation.w = 0.5**0.5
+        return pose
 
     def _direct(self, wanted):
         self._directors.append(Director(wanted))

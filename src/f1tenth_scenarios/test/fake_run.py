@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 
 from f1tenth_scenarios.plan import Plan
+from f1tenth_scenarios.recording import Recording
 from f1tenth_scenarios.run import execute
 from f1tenth_scenarios.stop_request import StopRequest
 from scenario_samples import GOALS, rows, scenario, write_record
@@ -37,6 +38,9 @@ class FakeWatch:
 
     def close(self):
         self.closed = True
+
+    def recording(self):
+        return Recording()
 
 
 class FakeRun:

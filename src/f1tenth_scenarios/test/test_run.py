@@ -191,7 +191,7 @@ def test_nothing_is_left_behind(tmp_path):
     run = succeeding(tmp_path)
     run.execute()
     assert sorted(path.name for path in run.plan.folder.iterdir()) == [
-        ".lock", "log", "result.json", "trajectory.csv", "trajectory.png",
+        ".lock", "log", "replay.json.gz", "result.json", "trajectory.csv", "trajectory.png",
     ]  # fmt: skip
     assert psutil.Process().children(recursive=True) == []
     assert run.watch.closed

@@ -1,4 +1,4 @@
-"""The command `scenario`: list, check, run, keys."""
+"""The command `scenario`: list, check, run, report, keys."""
 
 import argparse
 import subprocess
@@ -13,6 +13,7 @@ from f1tenth_scenarios.describe import describe_keys
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan import make_plan
 from f1tenth_scenarios.private_master import private_master
+from f1tenth_scenarios.report.page import REPORT_FILE, write_report
 from f1tenth_scenarios.scenario import Scenario, read_scenario
 from f1tenth_scenarios.stop_request import StopRequest
 
@@ -41,13 +42,23 @@ def _parser() -> argparse.ArgumentParser:
     check.add_argument("names", nargs="*", metavar="NAME", help="scenario or file; default: all")
     run = _add(commands, "run", _run, "run scenarios; exit code 0 if each ended as expected")
     run.add_argument("names", nargs="+", metavar="NAME", help="scenario or file")
-    run.add_argument(
-        "--results",
-        type=Path,
-        metavar="FOLDER",
-        help="write to FOLDER/NAME; default: $F1TENTH_RESULTS/NAME or results/NAME of the workspace",
+    _add_results(run, "write to FOLDER/NAME")
+    run.add_argument("--report", action="store_true", help="write the report afterwards")
+    report = _add(commands, "report", _report, "write one HTML file with all runs and their replays")
+    _add_results(report, "read FOLDER/*")
+    report.add_argument("--against", type=Path, metavar="FOLDER", help=_AGAINST)
+    report.add_argument(
+        "--output", type=Path, metavar="FILE", help=f"default: {REPORT_FILE} in the results folder"
     )
     return parser
+
+
+_AGAINST = "results to compare with; default: those of the commit before, which each run keeps"
+
+
+def _add_results(command, text):
+    default = "$F1TENTH_RESULTS or results of the workspace"
+    command.add_argument("--results", type=Path, metavar="FOLDER", help=f"{text}; default: {default}")
 
 
 def _add(commands, name, action, text):
@@ -79,12 +90,28 @@ def _check(options) -> int:
     return BAD_INPUT if failed else PASSED
 
 
+def _report(options) -> int:
+    results = (options.results or places.results_root()).resolve()
+    output = (options.output or results / REPORT_FILE).resolve()
+    write_report(results, output, options.against.resolve() if options.against else None)
+    print(f"{'report:':19}{output}")
+    return PASSED
+
+
 def _run(options) -> int:
     if len(options.names) == 1:
-        return _run_one(options.names[0], options.results)
-    for name in options.names:
-        make_plan(name)
-    return _run_each(options.names, options.results)
+        code = _run_one(options.names[0], options.results)
+    else:
+        for name in options.names:
+            make_plan(name)
+        code = _run_each(options.names, options.results)
+    if options.report and code in (PASSED, NOT_PASSED):
+        _report(_parser().parse_args(["report", *_results_option(options.results)]))
+    return code
+
+
+def _results_option(results: Optional[Path]) -> list[str]:
+    return ["--results", str(results)] if results else []
 
 
 def _run_one(name: str, results: Optional[Path]) -> int:
@@ -104,7 +131,7 @@ def _run_one(name: str, results: Optional[Path]) -> int:
 
 def _run_each(names: Sequence[str], results: Optional[Path]) -> int:
     """A process for each, because a process can be a ROS node only once."""
-    options = ["--results", str(results)] if results else []
+    options = _results_option(results)
     codes = []
     with StopRequest().listening() as stop:
         for name in names:

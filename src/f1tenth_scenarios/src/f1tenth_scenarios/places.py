@@ -69,10 +69,15 @@ def map_file(world: Path) -> Optional[Path]:
     return None
 
 
-def results_folder(name: str) -> Path:
-    """Where a scenario's results go: $F1TENTH_RESULTS/NAME, else results/NAME in the workspace's root."""
+def results_root() -> Path:
+    """Where all results go: $F1TENTH_RESULTS, else results in the workspace's root."""
     base = os.environ.get("F1TENTH_RESULTS")
-    return (Path(base) if base else workspace_root() / "results").resolve() / name
+    return (Path(base) if base else workspace_root() / "results").resolve()
+
+
+def results_folder(name: str) -> Path:
+    """Where a scenario's results go: the folder NAME in the results' root."""
+    return results_root() / name
 
 
 def workspace_root() -> Path:

@@ -9,6 +9,8 @@ from std_msgs.msg import Bool
 from f1tenth_race_mgr.msg import RaceStatus
 from f1tenth_scenarios.director import Director
 from f1tenth_scenarios.observations import Failure, RaceState, RaceUpdate
+from f1tenth_scenarios.recording import Recording
+from f1tenth_scenarios.replay_recorder import ReplayRecorder
 from f1tenth_scenarios.scenario import Driver, Scenario
 
 _STATES = {
@@ -36,6 +38,7 @@ class RosWatch:
         self._subscribers = [self._subscribe(car.name) for car in scenario.cars if car.driver is Driver.RACE]
         self._collided: set[str] = set()
         self._subscribers += [self._subscribe_collision(car.name) for car in scenario.cars]
+        self._replay = ReplayRecorder([car.name for car in scenario.cars])
         self._director = Director(scenario) if scenario.faults else None
 
     def take(self) -> list[RaceUpdate]:
@@ -50,10 +53,15 @@ class RosWatch:
         """What went wrong on this side, if anything did."""
         return self._director.failure if self._director else None
 
+    def recording(self) -> Recording:
+        """What was heard for the replay."""
+        return self._replay.recording()
+
     def close(self) -> None:
         """Stop listening."""
         for each in self._subscribers:
             each.unregister()
+        self._replay.close()
         if self._director:
             self._director.close()
 

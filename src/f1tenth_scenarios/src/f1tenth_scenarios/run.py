@@ -13,8 +13,11 @@ from f1tenth_scenarios.picture import write_picture
 from f1tenth_scenarios.plan import Plan
 from f1tenth_scenarios.processes import ProcessTree
 from f1tenth_scenarios.record import Record, read_record
+from f1tenth_scenarios.recording import Recording
+from f1tenth_scenarios.replay import REPLAY_FILE, write_replay
 from f1tenth_scenarios.result import Result
 from f1tenth_scenarios.results_folder import claimed
+from f1tenth_scenarios.scene import make_replay
 from f1tenth_scenarios.stop_request import StopRequest
 from f1tenth_scenarios.supervisor import Progress, Supervisor, Watch
 from f1tenth_scenarios.track_map import read_track_map
@@ -44,10 +47,10 @@ def execute(
         ScenarioError: the results folder cannot be used, or another run is using it.
     """
     started = time.monotonic()
-    with claimed(plan.folder, plan.log_folder):
-        seen, real_time_factor = _observe(plan, command, environment, make_watch, stop, progress)
+    with claimed(plan.folder, plan.log_folder, versions.commit()):
+        seen, heard, real_time_factor = _observe(plan, command, environment, make_watch, stop, progress)
         done = _judge(plan, seen, time.monotonic() - started, real_time_factor)
-        _write(plan, done)
+        _write(plan, done, heard)
     return done
 
 
@@ -65,7 +68,7 @@ def _observe(plan, command, environment, make_watch, stop, progress):
         watch.close()
     record, failure = _read_record(plan, failure)
     seen = Observations(record, tuple(supervisor.updates), failure, watch.collided())
-    return seen, supervisor.pace.factor
+    return seen, watch.recording(), supervisor.pace.factor
 
 
 def _read_record(plan, failure):
@@ -81,12 +84,14 @@ def _judge(plan, seen, wall_time, real_time_factor) -> Result:
     return Result(plan.name, plan.scenario, judgement, judged, seen.updates, wall_time, real_time_factor)
 
 
-def _write(plan: Plan, done: Result) -> None:
+def _write(plan: Plan, done: Result, heard: Recording) -> None:
     result.write_trajectory(plan.folder / result.TRAJECTORY_FILE, done.judgement.record)
     track_map = read_track_map(plan.map) if plan.map else None
     lines = (f"{done.judgement.decision.verdict.value}: {done.reason}", _facts(done))
     picture = plan.folder / result.PICTURE_FILE
     write_picture(picture, plan.name, lines, done.judgement.record, plan.goals, track_map)
+    replay = make_replay(plan.world, plan.goals, heard).until(done.judgement.decision.stamp)
+    write_replay(plan.folder / REPLAY_FILE, replay)
     # Last, because who sees a result.json may rely on the other files.
     result.write_json(plan.folder / result.RESULT_FILE, result.as_dict(done, versions.collect()))
 

@@ -13,6 +13,7 @@ from f1tenth_scenarios.observations import Failure, RaceState, RaceUpdate
 from f1tenth_scenarios.pace import Pace
 from f1tenth_scenarios.plan import Plan
 from f1tenth_scenarios.processes import ProcessTree
+from f1tenth_scenarios.recording import Recording
 from f1tenth_scenarios.scenario import Driver
 from f1tenth_scenarios.stop_request import StopRequest
 
@@ -35,6 +36,9 @@ class Watch(Protocol):
 
     def close(self) -> None:
         """Stop listening."""
+
+    def recording(self) -> Recording:
+        """What was heard for the replay."""
 
 
 Progress = Callable[[Optional[float], float], None]

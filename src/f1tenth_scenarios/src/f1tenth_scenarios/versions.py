@@ -2,7 +2,6 @@
 
 import platform
 import subprocess
-from pathlib import Path
 from typing import Optional
 
 import rospkg
@@ -21,12 +20,14 @@ _PACKAGES = (
 
 def collect() -> dict[str, Optional[str]]:
     """The commit of the workspace (nothing outside of git) and the versions of the packages."""
-    versions = {"commit": _commit(places.package_path(places.PACKAGE)), "python": platform.python_version()}
+    versions = {"commit": commit(), "python": platform.python_version()}
     versions.update((package, _package_version(package)) for package in _PACKAGES)
     return versions
 
 
-def _commit(folder: Path) -> Optional[str]:
+def commit() -> Optional[str]:
+    """The commit of the workspace, with `-dirty` if it was changed since; nothing outside of git."""
+    folder = places.package_path(places.PACKAGE)
     command = ["git", "-C", str(folder), "describe", "--always", "--dirty", "--abbrev=12"]
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=10, check=True)

@@ -13,19 +13,13 @@ namespace
 {
 namespace py = pybind11;
 
-Section sectionOfStaticModels(const WorldDescription & world, double z)
+void addSection(Section & all, const ModelDescription & model, double z)
 {
-  Section all;
-  for (const ModelDescription & model : world.models) {
-    for (const Solid & solid : model.solids) {
-      if (model.is_static) {
-        const Section section = sectionAt(solid, model.pose * solid.pose, z);
-        all.outlines.insert(all.outlines.end(), section.outlines.begin(), section.outlines.end());
-        all.circles.insert(all.circles.end(), section.circles.begin(), section.circles.end());
-      }
-    }
+  for (const Solid & solid : model.solids) {
+    const Section section = sectionAt(solid, model.pose * solid.pose, z);
+    all.outlines.insert(all.outlines.end(), section.outlines.begin(), section.outlines.end());
+    all.circles.insert(all.circles.end(), section.circles.begin(), section.circles.end());
   }
-  return all;
 }
 
 py::array_t<double> toArray(const std::vector<Circle> & circles)
@@ -41,17 +35,40 @@ py::array_t<double> toArray(const std::vector<Circle> & circles)
   return array;
 }
 
-py::tuple section(const WorldDescription & world, double z)
+py::tuple toTuple(const Section & section)
 {
-  if (!std::isfinite(z)) {
-    throw py::value_error("z is not finite");
-  }
-  const Section section = sectionOfStaticModels(world, z);
   py::list outlines;
   for (const Outline & outline : section.outlines) {
     outlines.append(f1tenth_sim2d::toArray(outline));
   }
   return py::make_tuple(outlines, toArray(section.circles));
+}
+
+void requireFinite(double z)
+{
+  if (!std::isfinite(z)) {
+    throw py::value_error("z is not finite");
+  }
+}
+
+py::tuple sectionOfStaticModels(const WorldDescription & world, double z)
+{
+  requireFinite(z);
+  Section all;
+  for (const ModelDescription & model : world.models) {
+    if (model.is_static) {
+      addSection(all, model, z);
+    }
+  }
+  return toTuple(all);
+}
+
+py::tuple sectionOfModel(const ModelDescription & model, double z)
+{
+  requireFinite(z);
+  Section all;
+  addSection(all, model, z);
+  return toTuple(all);
 }
 
 WorldDescription load(const std::string & path, const std::optional<std::vector<std::string>> & model_path)
@@ -81,7 +98,10 @@ void bindWorld(py::module_ & module)
         }
         return names;
       },
-      "Scoped names of the collision elements, \"model::link::collision\".");
+      "Scoped names of the collision elements, \"model::link::collision\".")
+    .def(
+      "section", &sectionOfModel, py::arg("z"),
+      "What a level lidar at height z (m) sees of the model at its start: as World.section, which see.");
 
   py::class_<WorldDescription>(module, "World", "A world as its file describes it; see load_world.")
     .def_readonly("file", &WorldDescription::file, "Path it was read from.")
@@ -94,7 +114,7 @@ void bindWorld(py::module_ & module)
     .def_readonly("models", &WorldDescription::models, "All models.")
     .def_readonly("warnings", &WorldDescription::warnings, "What was left out: one line a kind.")
     .def(
-      "section", &section, py::arg("z"),
+      "section", &sectionOfStaticModels, py::arg("z"),
       R"(What a level lidar at height z sees of the static models.
 
 Args:

@@ -33,6 +33,16 @@ def test_section_at_no_height_is_a_value_error(world):
         world.section(float("nan"))
 
 
+def test_section_of_a_model_is_its_own_at_the_start(world):
+    wall, post, crate = world.models
+    assert wall.section(0.2)[0][0].tolist() == world.section(0.2)[0][0].tolist()
+    assert post.section(0.2)[1].tolist() == [[0.0, 3.0, 0.25]]
+    (outline,), _ = crate.section(0.2)
+    assert outline.mean(axis=0) == pytest.approx((0.0, -3.0))
+    with pytest.raises(ValueError, match="^z is not finite$"):
+        crate.section(float("inf"))
+
+
 def test_errors_are_load_errors_with_one_line(tmp_path):
     path = tmp_path / "none.world"
     with pytest.raises(f1tenth_sim2d.LoadError) as raised:

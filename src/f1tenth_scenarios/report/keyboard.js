@@ -1,0 +1,33 @@
+// Keys of a replay.
+
+const KEYS = [
+  { keys: [" "], shown: "space", help: "play, pause", act: (page) => page.player.toggle() },
+  { keys: ["ArrowLeft"], shown: "←", help: "back 1 s, with shift 0.1 s", act: (page, event) => page.step(-1, event) },
+  { keys: ["ArrowRight"], shown: "→", help: "on 1 s, with shift 0.1 s", act: (page, event) => page.step(1, event) },
+  { keys: ["Home"], shown: "Home", help: "to the start", act: (page) => page.player.seek(0) },
+  { keys: ["End"], shown: "End", help: "to the end", act: (page) => page.player.seek(page.player.end) },
+  { keys: ["ArrowUp", "+"], shown: "↑", help: "faster", act: (page) => page.player.changeSpeed(1) },
+  { keys: ["ArrowDown", "-"], shown: "↓", help: "slower", act: (page) => page.player.changeSpeed(-1) },
+  { keys: ["f"], shown: "F", help: "follow the car", act: (page) => page.toggle("follow") },
+  { keys: ["s"], shown: "S", help: "scan", act: (page) => page.toggle("scan") },
+  { keys: ["p"], shown: "P", help: "plans", act: (page) => page.toggle("plans") },
+  { keys: ["g"], shown: "G", help: "the run before", act: (page) => page.toggle("ghost") },
+  { keys: ["0"], shown: "0", help: "whole map", act: (page) => page.view.fit() },
+  { keys: ["j"], shown: "J", help: "next run", act: (page) => page.open(1) },
+  { keys: ["k"], shown: "K", help: "run before it", act: (page) => page.open(-1) },
+  { keys: ["Escape"], shown: "Esc", help: "all runs", act: () => { location.hash = ""; } },
+];
+
+function handleKey(page, event) {
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+  const binding = KEYS.find(({ keys }) => keys.includes(name));
+  if (!binding) return;
+  event.preventDefault();
+  binding.act(page, event);
+}
+
+function keyHelp() {
+  const entries = KEYS.flatMap(({ shown, help }) => [element("dt", {}, element("kbd", {}, shown)), element("dd", {}, help)]);
+  return element("details.keys", {}, element("summary", {}, "Keys"), element("dl", {}, ...entries));
+}

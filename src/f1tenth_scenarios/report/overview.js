@@ -1,0 +1,107 @@
+// The page of all runs.
+
+const THUMBNAIL = { width: 72, height: 44, margin: 4 }; // px
+
+class Overview {
+  constructor(report) {
+    this.report = report;
+    this.root = element("div.overview", {}, this.header(), this.tools(), this.table());
+    this.filter();
+  }
+
+  header() {
+    const { runs, created } = this.report;
+    const passed = runs.filter((run) => run.passed).length;
+    const commits = [...new Set(runs.map(commitName))].join(", ");
+    const wall = runs.reduce((sum, run) => sum + (run.times?.wall ?? 0), 0);
+    return element("header.head", {},
+      element("h1", {}, headline(passed, runs.length)),
+      element("p.lead", {}, `${formatDate(created)} · commit ${commits} · ${formatNumber(wall, 0, "s")} of wall time`),
+      element("div.bar", { role: "img", "aria-label": `${passed} of ${runs.length} passed` },
+        ...runs.map((run) => element(`a.${run.passed ? "good" : "bad"}`, {
+          href: `#${encodeURIComponent(run.scenario)}`, title: `${run.scenario}: ${verdictText(run)}`,
+        }))));
+  }
+
+  tools() {
+    this.search = element("input.search", {
+      type: "search", placeholder: "Filter by name, world, verdict", "aria-label": "filter", input: () => this.filter(),
+    });
+    this.onlyFailed = element("input", { type: "checkbox", change: () => this.filter() });
+    return element("div.tools", {}, this.search, element("label", {}, this.onlyFailed, " only failed"));
+  }
+
+  table() {
+    const columns = ["", "scenario", "verdict", "lap time", "clearance", "real time", "change"];
+    this.rows = this.report.runs.map((run) => ({ run, row: this.row(run, columns) }));
+    const head = element("tr", {}, ...columns.map((name) => element("th", { scope: "col" }, name)));
+    this.none = element("p.note", { hidden: true }, "No run matches.");
+    return element("section.card.runs", {},
+      element("table", {}, element("thead", {}, head), element("tbody", {}, ...this.rows.map(({ row }) => row))), this.none);
+  }
+
+  row(run, columns) {
+    const href = `#${encodeURIComponent(run.scenario)}`;
+    const cells = [
+      thumbnail(run),
+      element("div.name", {}, element("a", { href }, formatName(run.scenario)), element("p", {}, run.passed ? run.description : run.reason)),
+      element("span", {}, badge(run), ` ${verdictText(run)}`),
+      formatNumber(run.times?.lap_time, 3, "s"),
+      formatNumber(run.minimum_clearance, 3, "m"),
+      run.real_time_factor ? `${formatNumber(run.real_time_factor, 1)}×` : NOTHING,
+      this.change(run),
+    ];
+    return element("tr", { click: () => { location.hash = href; } },
+      ...cells.map((cell, index) => element("td", { "data-label": columns[index] }, cell)));
+  }
+
+  change(run) {
+    const { previous } = run;
+    if (!previous) return NOTHING;
+    if (previous.passed !== run.passed) {
+      return element(`span.change.${run.passed ? "better" : "worse"}`, {}, run.passed ? "mended" : "broken");
+    }
+    if (droveTheSame(run)) return "same";
+    const [lap] = MEASURES;
+    return changeOf(lap.of(run), lap.of(previous), lap.digits, lap.unit, lap.better) || "drove differently";
+  }
+
+  filter() {
+    const words = this.search.value.toLowerCase().split(/\s+/).filter(Boolean);
+    let shown = 0;
+    for (const { run, row } of this.rows) {
+      const text = `${run.scenario} ${formatName(run.scenario)} ${run.world} ${run.verdict} ${run.description}`.toLowerCase();
+      row.hidden = !words.every((word) => text.includes(word)) || (this.onlyFailed.checked && run.passed);
+      shown += !row.hidden;
+    }
+    this.none.hidden = shown > 0;
+  }
+
+  load() {}
+
+  close() {}
+}
+
+function headline(passed, count) {
+  const scenarios = count === 1 ? "scenario" : "scenarios";
+  if (passed < count) return `${count - passed} of ${count} ${scenarios} did not end as expected`;
+  return count === 1 ? "The scenario ended as expected" : `All ${count} scenarios ended as expected`;
+}
+
+// The paths of a run, as large as a thumb.
+function thumbnail(run) {
+  const { width, height, margin } = THUMBNAIL;
+  const points = run.thumbnail.flat();
+  const picture = svgElement("svg", { viewBox: `0 0 ${width} ${height}`, width, height, class: "thumbnail", "aria-hidden": "true" });
+  if (!points.length) return picture;
+  const [xs, ys] = [points.map(([x]) => x), points.map(([, y]) => y)];
+  const [left, top] = [Math.min(...xs), Math.max(...ys)];
+  const [spanX, spanY] = [Math.max(...xs) - left, top - Math.min(...ys)];
+  const scale = Math.min((width - 2 * margin) / Math.max(spanX, 1), (height - 2 * margin) / Math.max(spanY, 1));
+  const shift = [(width - scale * spanX) / 2, (height - scale * spanY) / 2];
+  run.thumbnail.forEach((path, index) => {
+    const place = ([x, y]) => `${(shift[0] + scale * (x - left)).toFixed(1)},${(shift[1] + scale * (top - y)).toFixed(1)}`;
+    picture.append(svgElement("polyline", { points: path.map(place).join(" "), class: `car-${(index % 4) + 1}` }));
+  });
+  return picture;
+}

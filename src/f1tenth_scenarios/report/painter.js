@@ -1,0 +1,190 @@
+// Draws the parts of a run into a context that measures in metres, y upwards; widths are given in pixels.
+
+// The F1/10 car, seen from base_footprint, m.
+const CAR = { rear: -0.1186, front: 0.4615, width: 0.31, wheelbase: 0.33, track: 0.2, wheel: 0.1, tyre: 0.05 };
+const SPEED_COLOURS = ["#4f6bed", "#7a5be0", "#a94fc6", "#d2489b", "#ec5a6d", "#f57c42", "#f5a524"];
+
+class Painter {
+  constructor(context, scale, colours) {
+    this.context = context;
+    this.scale = scale;
+    this.colours = colours;
+  }
+
+  width(pixels) {
+    this.context.lineWidth = pixels / this.scale;
+  }
+
+  grid({ left, right, bottom, top }) {
+    const { context } = this;
+    context.beginPath();
+    for (let x = Math.ceil(left); x <= right; ++x) this.line(x, bottom, x, top);
+    for (let y = Math.ceil(bottom); y <= top; ++y) this.line(left, y, right, y);
+    context.strokeStyle = this.colours.grid;
+    this.width(0.5);
+    context.stroke();
+  }
+
+  line(fromX, fromY, toX, toY) {
+    this.context.moveTo(fromX, fromY);
+    this.context.lineTo(toX, toY);
+  }
+
+  shape(shape, fill, stroke = fill) {
+    const { context } = this;
+    context.beginPath();
+    for (const outline of shape.outlines) {
+      this.polyline(outline);
+      context.closePath();
+    }
+    for (const { x, y, radius } of shape.circles) {
+      context.moveTo(x + radius, y);
+      context.arc(x, y, radius, 0, 2 * Math.PI);
+    }
+    context.fillStyle = fill;
+    context.strokeStyle = stroke;
+    this.width(1);
+    context.fill();
+    context.stroke();
+  }
+
+  polyline({ x, y }, first = 0, last = x.length) {
+    if (first >= last) return;
+    this.context.moveTo(x[first], y[first]);
+    for (let index = first + 1; index < last; ++index) this.context.lineTo(x[index], y[index]);
+  }
+
+  strokeLine(line, colour, pixels, first = 0, last = line.x.length) {
+    const { context } = this;
+    context.beginPath();
+    this.polyline(line, first, last);
+    context.strokeStyle = colour;
+    context.lineJoin = "round";
+    context.lineCap = "round";
+    this.width(pixels);
+    context.stroke();
+  }
+
+  // The path, coloured by speed: one stroke a colour, not one a period.
+  path(track, fastest, pixels) {
+    const { context } = this;
+    context.lineCap = "round";
+    this.width(pixels);
+    SPEED_COLOURS.forEach((colour, shade) => {
+      context.beginPath();
+      for (let index = 1; index < track.x.length; ++index) {
+        if (speedShade(track.speed[index], fastest) === shade) {
+          this.line(track.x[index - 1], track.y[index - 1], track.x[index], track.y[index]);
+        }
+      }
+      context.strokeStyle = colour;
+      context.stroke();
+    });
+  }
+
+  scan({ origin, points }) {
+    const { context } = this;
+    context.beginPath();
+    context.moveTo(origin.x, origin.y);
+    for (const point of points) context.lineTo(point.x, point.y);
+    context.closePath();
+    context.fillStyle = this.colours.scan;
+    context.fill();
+    context.fillStyle = this.colours.scanEdge;
+    const radius = 1.6 / this.scale;
+    context.beginPath();
+    for (const { x, y, hit } of points) {
+      if (hit) context.rect(x - radius, y - radius, 2 * radius, 2 * radius);
+    }
+    context.fill();
+  }
+
+  car(state, colour, alpha = 1) {
+    const { context } = this;
+    this.inFrame(state, () => {
+      context.globalAlpha = alpha;
+      for (const [x, turn] of [[0, 0], [CAR.wheelbase, state.steering]]) {
+        for (const side of [-1, 1]) this.wheel(x, (side * (CAR.track + 0.04)) / 2, turn);
+      }
+      this.body(colour);
+      context.globalAlpha = 1;
+    });
+  }
+
+  wheel(x, y, turn) {
+    this.inFrame({ x, y, yaw: turn }, () => {
+      this.context.fillStyle = this.colours.text;
+      this.context.fillRect(-CAR.wheel / 2, -CAR.tyre / 2, CAR.wheel, CAR.tyre);
+    });
+  }
+
+  body(colour) {
+    const { context } = this;
+    const { width } = CAR;
+    context.beginPath();
+    context.roundRect(CAR.rear, -width / 2, CAR.front - CAR.rear, width, [0.04, 0.09, 0.09, 0.04]);
+    context.fillStyle = colour;
+    context.strokeStyle = this.colours.surface;
+    this.width(1.5);
+    context.fill();
+    context.stroke();
+    context.beginPath();
+    context.roundRect(0.12, -width / 2 + 0.04, 0.13, width - 0.08, 0.03);
+    context.fillStyle = this.colours.surface;
+    context.globalAlpha *= 0.75;
+    context.fill();
+  }
+
+  marker(x, y, pixels, fill, text = "") {
+    const { context } = this;
+    context.beginPath();
+    context.arc(x, y, pixels / this.scale, 0, 2 * Math.PI);
+    context.fillStyle = fill;
+    context.strokeStyle = this.colours.surface;
+    this.width(1.5);
+    context.fill();
+    context.stroke();
+    this.label(x, y, text, this.colours.surface, 10);
+  }
+
+  cross(x, y, pixels) {
+    const { context } = this;
+    const arm = pixels / this.scale;
+    for (const [colour, width] of [[this.colours.surface, 6], [this.colours.bad, 3]]) {
+      context.beginPath();
+      this.line(x - arm, y - arm, x + arm, y + arm);
+      this.line(x - arm, y + arm, x + arm, y - arm);
+      context.strokeStyle = colour;
+      context.lineCap = "round";
+      this.width(width);
+      context.stroke();
+    }
+  }
+
+  label(x, y, text, colour, pixels, dy = 0) {
+    const { context } = this;
+    context.save();
+    context.translate(x, y);
+    context.scale(1 / this.scale, -1 / this.scale);
+    context.font = `600 ${pixels}px system-ui, sans-serif`;
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.fillStyle = colour;
+    context.fillText(text, 0, dy);
+    context.restore();
+  }
+
+  inFrame({ x, y, yaw }, draw) {
+    const { context } = this;
+    context.save();
+    context.translate(x, y);
+    context.rotate(yaw);
+    draw();
+    context.restore();
+  }
+}
+
+function speedShade(speed, fastest) {
+  const part = Math.abs(speed) / Math.max(fastest, 0.1);
+  return Math.min(Math.floor(part * SPEED_COLOURS.length), SPEED_COLOURS.length - 1);
+}

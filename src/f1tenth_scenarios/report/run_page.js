@@ -1,0 +1,160 @@
+// The page of one run: replay, charts, tables.
+
+const PARTS = [["scan", "scan"], ["plans", "plans"], ["ghost", "run before"], ["follow", "follow"]];
+
+class RunPage {
+  constructor(report, index) {
+    this.report = report;
+    this.index = index;
+    this.result = report.runs[index];
+    this.stage = element("section.card.stage", { "aria-busy": "true" }, element("p.note", {}, "Reading the recording…"));
+    this.root = element("div.run", {}, this.header(), this.stage, element("div.facts", {}, ...this.cards()));
+    this.onResize = () => this.resize();
+    this.onKey = (event) => this.player && handleKey(this, event);
+    this.scheme = matchMedia("(prefers-color-scheme: dark)");
+    this.onScheme = () => this.refresh();
+  }
+
+  header() {
+    const { result } = this;
+    return element("header.run-head", {},
+      element("nav", {},
+        element("a", { href: "#" }, "← All runs"),
+        element("span.spring"),
+        this.neighbour(-1, "←"), this.neighbour(1, "→")),
+      element("h1", {}, formatName(result.scenario), badge(result)),
+      element("p.lead", {}, result.description),
+      element(`p.reason.${result.passed ? "good" : "bad"}`, {}, element("b", {}, verdictText(result)), ` — ${result.reason}`),
+      tiles(result));
+  }
+
+  neighbour(step, arrow) {
+    const other = this.report.runs[this.index + step];
+    if (!other) return null;
+    const title = `${step > 0 ? "next" : "previous"}: ${other.scenario}`;
+    return element("a.step", { href: `#${encodeURIComponent(other.scenario)}`, title, "aria-label": title }, arrow);
+  }
+
+  cards() {
+    const { result } = this;
+    const seek = (time) => {
+      this.player?.seek(time);
+      this.stage.scrollIntoView({ block: "nearest" });
+    };
+    return [
+      culpritCard(result), criteriaCard(result), comparisonCard(result), lapsCard(result),
+      contactsCard(result, seek), versionsCard(result), keyHelp(),
+    ].filter(Boolean);
+  }
+
+  async load() {
+    const [run, ghost] = await Promise.all([this.report.replay(this.index), this.report.previous(this.index)]);
+    if (!this.closed) this.show(run, ghost);
+  }
+
+  show(run, ghost) {
+    if (!run.cars.length) {
+      this.stage.replaceChildren(element("p.note", {}, "Nothing was recorded."));
+      this.stage.removeAttribute("aria-busy");
+      return;
+    }
+    this.player = new Player(run.end, () => this.draw());
+    this.view = new View(run, ghost, this.result.contacts ?? []);
+    this.charts = this.makeCharts(run, ghost);
+    this.stage.replaceChildren(this.view.canvas, this.controls(ghost), ...this.charts.map(({ root }) => root));
+    this.stage.removeAttribute("aria-busy");
+    this.view.canvas.style.aspectRatio = Math.min(Math.max(this.view.aspect, 1), 2.4);
+    addEventListener("resize", this.onResize);
+    addEventListener("keydown", this.onKey);
+    this.scheme.addEventListener("change", this.onScheme);
+    this.resize();
+  }
+
+  makeCharts(run, ghost) {
+    const onSeek = (time) => this.player.seek(time);
+    const limit = this.result.criteria.find(({ name }) => name === "minimum_clearance")?.limit;
+    return [
+      new Chart({ title: "Speed", unit: "m/s", quantity: "speed", run, ghost, onSeek }),
+      new Chart({ title: "Clearance", unit: "m", quantity: "clearance", run, ghost, limit, onSeek }),
+    ];
+  }
+
+  controls(ghost) {
+    this.button = element("button.play", { type: "button", click: () => this.player.toggle() });
+    this.slider = element("input.scrub", {
+      type: "range", min: 0, max: this.player.end, step: 0.025, value: 0, "aria-label": "time",
+      input: () => this.player.seek(Number(this.slider.value)), keydown: (event) => this.keepFromSlider(event),
+    });
+    this.clock = element("output.clock");
+    this.speed = element("select", { "aria-label": "speed", change: () => this.player.setSpeed(Number(this.speed.value)) },
+      ...SPEEDS.map((speed) => element("option", { value: speed }, `${speed}×`)));
+    this.toggles = PARTS.filter(([part]) => part !== "ghost" || ghost).map(([part, text]) => this.toggleButton(part, text));
+    return element("div.controls", {},
+      element("div.transport", {}, this.button, this.slider, this.clock),
+      element("div.toggles", {}, this.speed, ...this.toggles, element("span.spring"), this.legend()));
+  }
+
+  // Arrow keys mean the same on the slider as everywhere else on the page.
+  keepFromSlider(event) {
+    if (event.key.startsWith("Arrow") || event.key === "Home" || event.key === "End") event.preventDefault();
+  }
+
+  toggleButton(part, text) {
+    return element("button.toggle", {
+      type: "button", "data-part": part, "aria-pressed": String(this.view.shown[part]), click: () => this.toggle(part),
+    }, text);
+  }
+
+  legend() {
+    const colours = SPEED_COLOURS.join(", ");
+    return element("span.legend", {}, "0", element("span.ramp", { style: `background: linear-gradient(90deg, ${colours})` }),
+      formatNumber(this.view.fastest, 1, "m/s"));
+  }
+
+  toggle(part) {
+    this.view.toggle(part);
+    this.draw();
+  }
+
+  step(direction, event) {
+    this.player.seek(this.player.time + direction * (event.shiftKey ? 0.1 : 1));
+  }
+
+  open(step) {
+    const other = this.report.runs[this.index + step];
+    if (other) location.hash = encodeURIComponent(other.scenario);
+  }
+
+  resize() {
+    this.view.resize();
+    for (const chart of this.charts) chart.resize();
+    this.draw();
+  }
+
+  refresh() {
+    this.view.refresh();
+    for (const chart of this.charts) chart.refresh();
+  }
+
+  draw() {
+    const { player, view } = this;
+    view.draw(player.time);
+    for (const chart of this.charts) chart.draw(player.time);
+    this.slider.value = player.time;
+    this.clock.textContent = `${formatClock(player.time)} / ${formatClock(player.end)}`;
+    this.speed.value = player.speed;
+    this.button.textContent = player.playing ? "❚❚" : "▶";
+    this.button.setAttribute("aria-label", player.playing ? "pause" : "play");
+    for (const toggle of this.toggles) toggle.setAttribute("aria-pressed", String(view.shown[toggle.dataset.part]));
+    const [first] = view.states;
+    this.stage.dataset.pose = `${first.x.toFixed(3)} ${first.y.toFixed(3)}`;
+  }
+
+  close() {
+    this.closed = true;
+    this.player?.pause();
+    removeEventListener("resize", this.onResize);
+    removeEventListener("keydown", this.onKey);
+    this.scheme.removeEventListener("change", this.onScheme);
+  }
+}

@@ -1,0 +1,191 @@
+// The top view: a canvas whose still parts are drawn once and copied under the moving ones.
+
+const TRAIL = 1.5; // s of the path behind a car that is drawn bold
+
+class View {
+  constructor(run, ghost, contacts) {
+    Object.assign(this, { run, ghost, contacts });
+    this.shown = { scan: true, plans: true, ghost: true, follow: false };
+    this.fastest = Math.max(0.1, ...run.cars.map((car) => car.speed.reduce((most, each) => Math.max(most, each), 0)));
+    this.viewport = new Viewport(boundingBox(run));
+    this.canvas = element("canvas.map", { tabindex: "0", "aria-label": "Replay, seen from above" });
+    this.still = document.createElement("canvas");
+    this.time = 0;
+    this.listen();
+  }
+
+  get aspect() {
+    const { left, right, bottom, top } = this.viewport.box;
+    return (right - left) / (top - bottom);
+  }
+
+  resize() {
+    const { clientWidth, clientHeight } = this.canvas;
+    this.ratio = window.devicePixelRatio || 1;
+    for (const canvas of [this.canvas, this.still]) {
+      canvas.width = Math.round(clientWidth * this.ratio);
+      canvas.height = Math.round(clientHeight * this.ratio);
+    }
+    this.viewport.resize(clientWidth, clientHeight);
+    this.refresh();
+  }
+
+  toggle(part) {
+    this.shown[part] = !this.shown[part];
+    if (part === "follow" && !this.shown.follow) this.viewport.fit();
+    this.refresh();
+  }
+
+  fit() {
+    this.shown.follow = false;
+    this.viewport.fit();
+    this.refresh();
+  }
+
+  // Everything anew: after a change of size, colours or what is shown.
+  refresh() {
+    this.colours = themeColours();
+    this.stale = true;
+    this.draw(this.time);
+  }
+
+  draw(time) {
+    this.time = time;
+    if (!this.canvas.width) return;
+    this.states = this.run.cars.map((car) => car.at(time));
+    if (this.shown.follow && this.states.length) {
+      this.viewport.follow(this.states[0]);
+      this.stale = true;
+    }
+    if (this.stale) this.drawStill();
+    const context = this.canvas.getContext("2d");
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.drawImage(this.still, 0, 0);
+    this.drawMoving(this.painter(context));
+  }
+
+  painter(context) {
+    this.viewport.apply(context, this.ratio);
+    return new Painter(context, this.viewport.scale, this.colours);
+  }
+
+  drawStill() {
+    this.stale = false;
+    const context = this.still.getContext("2d");
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.fillStyle = this.colours.road;
+    context.fillRect(0, 0, this.still.width, this.still.height);
+    const painter = this.painter(context);
+    const { x: left, y: top } = this.viewport.toMap({ x: 0, y: 0 });
+    const { x: right, y: bottom } = this.viewport.toMap({ x: this.canvas.clientWidth, y: this.canvas.clientHeight });
+    painter.grid({ left, right, bottom, top });
+    painter.shape(this.run.walls, this.colours.wall);
+    context.globalAlpha = 0.7;
+    for (const car of this.run.cars) painter.path(car, this.fastest, 2.5);
+    context.globalAlpha = 1;
+    this.drawMarks(painter);
+  }
+
+  drawMarks(painter) {
+    const drawn = new Set();
+    for (const { poses } of this.run.goals) {
+      poses.forEach(({ x, y }, index) => {
+        const place = `${x} ${y}`;
+        if (!drawn.has(place)) painter.marker(x, y, 8.5, this.colours.goal, String(index + 1));
+        drawn.add(place);
+      });
+    }
+    for (const { x, y } of this.contacts) painter.cross(x, y, 7);
+  }
+
+  drawMoving(painter) {
+    const { run, shown, time } = this;
+    if (shown.scan) this.drawScans(painter);
+    for (const model of run.models) {
+      const pose = model.poses[Math.max(indexAfter(model.time, time) - 1, 0)];
+      if (pose) painter.inFrame(pose, () => painter.shape(model.shape, this.colours.model));
+    }
+    if (shown.plans) this.drawPlans(painter);
+    if (shown.ghost && this.ghost) this.drawGhosts(painter);
+    run.cars.forEach((car, index) => {
+      const last = indexAfter(car.time, time);
+      painter.strokeLine(car, this.colours.cars[index % 4], 3.5, indexAfter(car.time, time - TRAIL), last);
+    });
+    run.cars.forEach((car, index) => {
+      painter.car(this.states[index], this.colours.cars[index % 4]);
+      if (run.cars.length > 1) this.drawName(painter, car, index);
+    });
+  }
+
+  drawScans(painter) {
+    for (const series of this.run.scans) {
+      const track = this.run.cars.find((car) => car.name === series.car);
+      const scan = track && series.pointsAt(this.time, track);
+      if (scan) painter.scan(scan);
+    }
+  }
+
+  drawPlans(painter) {
+    const kinds = [[this.run.globalPlans, this.colours.globalPlan, 2], [this.run.localPlans, this.colours.localPlan, 3]];
+    for (const [plans, colour, pixels] of kinds) {
+      for (const { time, lines } of plans) {
+        const index = indexAfter(time, this.time) - 1;
+        if (index >= 0) painter.strokeLine(lines[index], colour, pixels);
+      }
+    }
+  }
+
+  drawGhosts(painter) {
+    for (const car of this.ghost.cars) {
+      painter.context.setLineDash([4 / painter.scale, 4 / painter.scale]);
+      painter.strokeLine(car, this.colours.ghost, 1.5);
+      painter.context.setLineDash([]);
+      painter.car(car.at(this.time), this.colours.ghost, 0.7);
+    }
+  }
+
+  drawName(painter, car, index) {
+    const { x, y } = this.states[index];
+    painter.label(x, y, car.name, this.colours.text, 11, -22);
+  }
+
+  listen() {
+    const pointers = new Map();
+    const place = (event) => ({ x: event.offsetX, y: event.offsetY });
+    this.canvas.addEventListener("pointerdown", (event) => {
+      this.canvas.setPointerCapture(event.pointerId);
+      pointers.set(event.pointerId, place(event));
+    });
+    this.canvas.addEventListener("pointermove", (event) => {
+      if (pointers.has(event.pointerId)) this.drag(pointers, event.pointerId, place(event));
+    });
+    for (const end of ["pointerup", "pointercancel"]) {
+      this.canvas.addEventListener(end, (event) => pointers.delete(event.pointerId));
+    }
+    this.canvas.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      this.zoom(Math.exp(-event.deltaY * 0.0015), place(event));
+    }, { passive: false });
+    this.canvas.addEventListener("dblclick", () => this.fit());
+  }
+
+  // One pointer moves the map, two zoom it.
+  drag(pointers, id, now) {
+    const before = pointers.get(id);
+    const other = [...pointers].find(([key]) => key !== id)?.[1];
+    pointers.set(id, now);
+    this.shown.follow = false;
+    if (other) {
+      const distance = (point) => Math.hypot(point.x - other.x, point.y - other.y);
+      this.zoom(distance(now) / Math.max(distance(before), 1), other);
+    } else {
+      this.viewport.pan(now.x - before.x, now.y - before.y);
+      this.refresh();
+    }
+  }
+
+  zoom(factor, pixel) {
+    this.viewport.zoom(factor, pixel);
+    this.refresh();
+  }
+}

@@ -1,0 +1,117 @@
+"""The replay file, and the world around what was heard."""
+
+import gzip
+import json
+import math
+
+import pytest
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.recording import Rate, Recording
+from f1tenth_scenarios.replay import Poses, Replay, read_replay, write_replay
+from f1tenth_scenarios.scenario import Pose
+from f1tenth_scenarios.scene import make_replay
+from report_samples import replay
+
+from f1tenth_scenarios import places
+
+WORLD = """<sdf version="1.7"><world name="w">
+<model name="wall"><static>1</static><pose>2 0 0 0 0 0</pose><link name="l"><collision name="c"><geometry>
+<box><size>1 0.2 2</size></box></geometry></collision></link></model>
+<model name="crate"><pose>1 2 0 0 0 1.5707963</pose><link name="l"><collision name="c"><geometry>
+<box><size>0.4 0.2 1</size></box></geometry></collision></link></model>
+</world></sdf>
+"""
+
+
+@pytest.fixture
+def world(tmp_path):
+    path = tmp_path / "my.world"
+    path.write_text(WORLD, encoding="utf-8")
+    return path
+
+
+def test_file_holds_what_was_written(tmp_path):
+    path = tmp_path / "replay.json.gz"
+    write_replay(path, replay(2.0))
+    first = path.read_bytes()
+    back = read_replay(path)
+    write_replay(path, back)
+    assert path.read_bytes() == first
+    assert back.scans["robot1"].mount == [0.27, 0.0, 0.0]
+    assert len(back.models["box"].shape.outlines[0]) == 4
+
+
+def test_what_comes_after_the_end_is_cut():
+    cut = replay(5.0).until(0.5)
+    assert cut.scans["robot1"].stamps == [0.0, 0.1, 0.2, 0.3, 0.4, 0.5]
+    assert len(cut.scans["robot1"].values) == 6
+    assert cut.local_plans["robot1"].stamps == [0.0]
+    assert cut.models["box"].values == [(2.0, 2.0, 0.0)]
+    assert cut.walls == replay(5.0).walls
+
+
+def test_missing_file_is_an_empty_replay(tmp_path):
+    assert read_replay(tmp_path / "none") == Replay()
+
+
+@pytest.mark.parametrize(
+    ("content", "problem"),
+    [
+        (b"nonsense", "not a replay: "),
+        (gzip.compress(b"nonsense"), "not a replay: "),
+        (gzip.compress(b"[]"), "not a replay of format 1; run the scenario again"),
+        (
+            gzip.compress(json.dumps({"format": 0}).encode()),
+            "not a replay of format 1; run the scenario again",
+        ),
+    ],
+)
+def test_what_is_no_replay_is_refused(tmp_path, content, problem):
+    path = tmp_path / "replay.json.gz"
+    path.write_bytes(content)
+    with pytest.raises(ScenarioError, match=f"{path}: {problem}"):
+        read_replay(path)
+
+
+def test_walls_and_movable_models_are_told_apart(world):
+    made = make_replay(world, {"robot1": (Pose(1.0, 2.0, 3.0),)}, Recording())
+    (wall,) = made.walls.outlines
+    assert sorted(wall) == [(1.5, -0.1), (1.5, 0.1), (2.5, -0.1), (2.5, 0.1)]
+    assert set(made.models) == {"crate"}
+    assert sorted(made.models["crate"].shape.outlines[0]) == [
+        (-0.2, -0.1),
+        (-0.2, 0.1),
+        (0.2, -0.1),
+        (0.2, 0.1),
+    ]
+    (pose,) = made.models["crate"].values
+    assert pose == pytest.approx((1.0, 2.0, math.pi / 2), abs=1e-6)
+    assert made.goals == {"robot1": [(1.0, 2.0, 3.0)]}
+
+
+def test_models_are_where_they_were_heard_to_be(world):
+    heard = Recording(
+        models={"crate": Poses([0.0], [(5.0, 5.0, 0.0)]), "wall": Poses([0.0], [(2.0, 0.0, 0.0)])}
+    )
+    made = make_replay(world, {}, heard)
+    assert made.models["crate"].values == [(5.0, 5.0, 0.0)]
+    assert set(made.models) == {"crate"}
+
+
+def test_models_of_the_workspace_are_found():
+    detailed = places.world_file("circuit_detailed", places.package_path(places.PACKAGE))
+    assert len(make_replay(detailed, {}, Recording()).walls.outlines) > 20
+
+
+def test_world_that_cannot_be_read_leaves_the_walls_out(tmp_path):
+    goals = {"robot1": (Pose(1.0, 2.0),)}
+    made = make_replay(tmp_path / "none.world", goals, Recording())
+    assert made.walls.outlines == ()
+    assert made.goals == {"robot1": [(1.0, 2.0, 0.0)]}
+
+
+def test_rate_lets_one_message_a_period_through():
+    rate = Rate(0.1)
+    assert [rate.is_due(stamp) for stamp in (0.025, 0.05, 0.1, 0.125, 0.2, 0.225)] == [
+        True, False, False, True, False, True,
+    ]  # fmt: skip

@@ -1,0 +1,166 @@
+"""The report in a browser: it draws, plays, answers keys and fits a phone."""
+
+import math
+
+import pytest
+from browser import PATIENCE, chromium
+from f1tenth_scenarios.report.page import write_report
+from report_samples import RADIUS, result, write_run
+
+pytest.importorskip("selenium", reason="python3-selenium is not installed")
+
+from selenium.webdriver.common.keys import Keys  # noqa: E402
+from selenium.webdriver.support.ui import WebDriverWait  # noqa: E402
+
+SPEED = 1.5  # m/s
+
+
+@pytest.fixture(scope="module")
+def report(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("report")
+    write_run(folder / "results" / "one_lap", result("one_lap"), speed=SPEED)
+    write_run(folder / "results" / "two", result("two", passed=False), speed=SPEED)
+    write_run(folder / "results" / "two" / "previous", result("two", commit="old"), speed=1.0)
+    write_report(folder / "results", folder / "report.html")
+    return (folder / "report.html").as_uri()
+
+
+@pytest.fixture(scope="module")
+def window():
+    with chromium() as made:
+        yield made
+
+
+@pytest.fixture(autouse=True)
+def _no_complaints(window):
+    yield
+    assert window.get_log("browser") == []
+
+
+def open_run(window, report, name):
+    window.get("about:blank")
+    window.get(f"{report}#{name}")
+    until(window, lambda: window.find_elements("css selector", ".map"))
+
+
+def until(window, condition):
+    return WebDriverWait(window, PATIENCE).until(lambda _: condition())
+
+
+def find(window, selector):
+    return window.find_element("css selector", selector)
+
+
+def press(window, *keys):
+    find(window, "body").send_keys(*keys)
+
+
+def pose(window):
+    return tuple(float(each) for each in find(window, ".stage").get_attribute("data-pose").split())
+
+
+def time(window):
+    return float(find(window, ".scrub").get_property("value"))
+
+
+def test_overview_lists_the_runs(window, report):
+    window.get(report)
+    assert find(window, "h1").text == "1 of 2 scenarios did not end as expected"
+    rows = [row.text for row in window.find_elements("css selector", "tbody tr")]
+    assert "one lap" in rows[0]
+    assert "collision, expected success" in rows[1]
+    assert "broken" in rows[1]
+
+
+def test_overview_is_filtered(window, report):
+    window.get(report)
+    find(window, ".search").send_keys("collision")
+    shown = [row.is_displayed() for row in window.find_elements("css selector", "tbody tr")]
+    assert shown == [False, True]
+
+
+def test_row_opens_its_run(window, report):
+    window.get(report)
+    find(window, "tbody tr").click()
+    until(window, lambda: window.find_elements("css selector", ".map"))
+    assert find(window, "h1").text.startswith("one lap")
+
+
+def test_play_moves_the_car_and_ends_with_the_run(window, report):
+    open_run(window, report, "one_lap")
+    start = pose(window)
+    find(window, ".play").click()
+    until(window, lambda: math.dist(pose(window), start) > 0.5)
+    assert find(window, ".play").get_attribute("aria-label") == "pause"
+    press(window, Keys.END)
+    until(window, lambda: find(window, ".play").get_attribute("aria-label") == "play")
+    assert time(window) == pytest.approx(10.0)
+
+
+def test_car_is_where_the_record_has_it(window, report):
+    open_run(window, report, "one_lap")
+    for _ in range(4):
+        press(window, Keys.ARROW_RIGHT)
+    turn = SPEED * 4.0 / RADIUS
+    assert time(window) == pytest.approx(4.0)
+    assert pose(window) == pytest.approx((RADIUS * math.cos(turn), RADIUS * math.sin(turn)), abs=0.002)
+
+
+def test_keys_do_what_they_say(window, report):
+    open_run(window, report, "one_lap")
+    press(window, " ")
+    until(window, lambda: time(window) > 0.2)
+    press(window, " ", Keys.HOME)
+    assert time(window) == 0.0
+    press(window, Keys.END, Keys.ARROW_LEFT)
+    assert time(window) == pytest.approx(9.0)
+    press(window, Keys.ARROW_UP)
+    assert find(window, "select").get_property("value") == "2"
+    press(window, "s")
+    assert find(window, "[data-part=scan]").get_attribute("aria-pressed") == "false"
+    press(window, "j")
+    until(window, lambda: find(window, "h1").text.startswith("two"))
+    press(window, Keys.ESCAPE)
+    until(window, lambda: window.find_elements("css selector", ".overview"))
+
+
+def test_scrubbing_moves_the_car_and_the_charts(window, report):
+    open_run(window, report, "one_lap")
+    find(window, ".chart canvas").click()
+    assert 3.0 < time(window) < 7.0
+    before = find(window, ".chart:last-child .value").text
+    press(window, Keys.HOME)
+    assert find(window, ".chart:last-child .value").text != before
+
+
+def test_pixels_change_when_the_car_moves(window, report):
+    open_run(window, report, "one_lap")
+    picture = "return document.querySelector('.map').toDataURL()"
+    before = window.execute_script(picture)
+    press(window, Keys.ARROW_RIGHT)
+    assert window.execute_script(picture) != before
+
+
+def test_run_before_is_compared(window, report):
+    open_run(window, report, "two")
+    assert "The trajectories differ." in find(window, ".facts").text
+    assert find(window, "[data-part=ghost]").get_attribute("aria-pressed") == "true"
+
+
+def test_contact_leads_to_its_moment(window, report):
+    open_run(window, report, "two")
+    press(window, Keys.END)
+    find(window, "button.link").click()
+    assert time(window) == 0.0
+
+
+def test_phone_shows_every_column_without_scrolling_sideways(report, window):
+    with chromium(390, 844, phone=True) as phone:
+        for page in ("", "#two"):
+            phone.get("about:blank")
+            phone.get(f"{report}{page}")
+            until(phone, lambda: phone.find_elements("css selector", ".map, .overview"))
+            assert phone.execute_script("return document.documentElement.scrollWidth") <= 390
+            labels = phone.find_elements("css selector", "td[data-label]")
+            assert all(each.size["width"] <= 390 for each in labels)
+        assert phone.get_log("browser") == []

@@ -2,10 +2,18 @@
 
 #include <cmath>
 
+#include "trigonometry.h"
+
 namespace f1tenth_sim2d
 {
 namespace
 {
+double tangentOf(double angle)
+{
+  const SineCosine at = sineCosine(angle);
+  return at.sine / at.cosine;
+}
+
 /// Tangent of the steering angle of a front wheel at lateral offset y from the middle of the car.
 double tangentAt(double y, double tangent, double wheelbase)
 {
@@ -15,16 +23,16 @@ double tangentAt(double y, double tangent, double wheelbase)
 
 SteeringAngles ackermannSteering(double steering_angle, double wheelbase, double track_width)
 {
-  const double tangent = std::tan(steering_angle);
+  const double tangent = tangentOf(steering_angle);
   return {
-    std::atan(tangentAt(0.5 * track_width, tangent, wheelbase)),
-    std::atan(tangentAt(-0.5 * track_width, tangent, wheelbase))};
+    direction(tangentAt(0.5 * track_width, tangent, wheelbase), 1.0),
+    direction(tangentAt(-0.5 * track_width, tangent, wheelbase), 1.0)};
 }
 
 std::array<double, 4> wheelSpeeds(
   double speed, double yaw_rate, double steering_angle, double wheelbase, double track_width, double wheel_radius)
 {
-  const double tangent = std::tan(steering_angle);
+  const double tangent = tangentOf(steering_angle);
   const auto front = [&](double y) {
     const double t = tangentAt(y, tangent, wheelbase);
     return (speed - yaw_rate * y + yaw_rate * wheelbase * t) / std::sqrt(1.0 + t * t) / wheel_radius;

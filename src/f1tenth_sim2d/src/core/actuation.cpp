@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim_time.h"
+#include "trigonometry.h"
 
 namespace f1tenth_sim2d
 {
@@ -18,8 +19,8 @@ DriveCommand commandFromTwist(double linear_x, double angular_z, double wheelbas
   if (angular_z == 0.0) {
     return {linear_x, 0.0};
   }
-  const double direction = linear_x < 0.0 ? -1.0 : 1.0;
-  return {linear_x, std::atan2(direction * wheelbase * angular_z, std::abs(linear_x))};
+  const double ahead = linear_x < 0.0 ? -1.0 : 1.0;
+  return {linear_x, direction(ahead * wheelbase * angular_z, std::abs(linear_x))};
 }
 
 double limitedAcceleration(double v, double acceleration, const VehicleParameters & p)

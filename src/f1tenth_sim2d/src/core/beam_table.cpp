@@ -1,7 +1,5 @@
 #include "beam_table.h"
 
-#include <cmath>
-
 #include "planar_pose.h"
 
 namespace f1tenth_sim2d
@@ -23,8 +21,9 @@ BeamTable::BeamTable(const LidarDescription & lidar)
   sine.reserve(lidar.beam_count);
   for (int i = 0; i < lidar.beam_count; ++i) {
     const double angle = angle_min + i / beams_per_radian;
-    cosine.push_back(std::cos(angle));
-    sine.push_back(std::sin(angle));
+    const SineCosine at = sineCosine(angle);
+    cosine.push_back(at.cosine);
+    sine.push_back(at.sine);
   }
 }
 }  // namespace f1tenth_sim2d

@@ -39,6 +39,8 @@ void Car::place(const Pose2 & pose, const Vec2 & velocity, double yaw_rate)
   state_.psi_dot = yaw_rate;
   setBodyVelocity(state_, {velocity.x, velocity.y + yaw_rate * parameters_.l_r});
   predicted_ = state_;
+  velocity_ = {};
+  speed_ = 0.0;
   acceleration_ = {};
   wheel_speeds_ = {};
   reported_is_current_ = false;
@@ -68,7 +70,7 @@ void Car::predict(SimTime now, double dt)
 
 double Car::predictedTravel() const
 {
-  return std::hypot(predicted_.x - state_.x, predicted_.y - state_.y) +
+  return length({predicted_.x - state_.x, predicted_.y - state_.y}) +
          std::abs(predicted_.psi - state_.psi) * outer_radius_;
 }
 
@@ -90,21 +92,21 @@ void Car::apply(const ContactEffect & effect)
 
 void Car::commit(SimTime now, double dt)
 {
-  const Vec2 before = worldVelocity(state_);
-  const Vec2 after = worldVelocity(predicted_);
-  acceleration_ = {(after.x - before.x) / dt, (after.y - before.y) / dt};
-  const double mean_speed = 0.5 * (bodyVelocity(state_).x + bodyVelocity(predicted_).x);
   state_ = predicted_;
+  const Vec2 velocity = worldVelocity(state_);
+  const double speed = bodyVelocity(state_).x;
+  acceleration_ = {(velocity.x - velocity_.x) / dt, (velocity.y - velocity_.y) / dt};
+  odometry_.advance(0.5 * (speed_ + speed) * dt, state_.delta, dt, now);
+  velocity_ = velocity;
+  speed_ = speed;
   turnWheels(dt);
-  odometry_.advance(mean_speed * dt, state_.delta, dt, now);
   reported_is_current_ = false;
 }
 
 void Car::turnWheels(double dt)
 {
   wheel_speeds_ = wheelSpeeds(
-    bodyVelocity(state_).x, state_.psi_dot, state_.delta, parameters_.wheelbase(), description_.track_width,
-    description_.wheel_radius);
+    speed_, state_.psi_dot, state_.delta, parameters_.wheelbase(), description_.track_width, description_.wheel_radius);
   for (std::size_t i = 0; i < wheel_angles_.size(); ++i) {
     wheel_angles_[i] += wheel_speeds_[i] * dt;
   }
@@ -112,9 +114,8 @@ void Car::turnWheels(double dt)
 
 Pose2 Car::pose() const
 {
-  return {
-    state_.x - parameters_.l_r * std::cos(state_.psi), state_.y - parameters_.l_r * std::sin(state_.psi),
-    wrapAngle(state_.psi)};
+  const SineCosine at = sineCosine(state_.psi);
+  return {state_.x - parameters_.l_r * at.cosine, state_.y - parameters_.l_r * at.sine, wrapAngle(state_.psi)};
 }
 
 const CarState & Car::state() const

@@ -77,6 +77,8 @@ private:
   ContactLog contacts_;
   SingleTrackState state_;
   SingleTrackState predicted_;
+  Vec2 velocity_;                         ///< m/s, of the centre of mass, in the world
+  double speed_{0.0};                     ///< m/s, along the car
   Vec2 acceleration_;                     ///< m/s^2, of the centre of mass, in the world
   std::array<double, 4> wheel_angles_{};  ///< rad
   std::array<double, 4> wheel_speeds_{};  ///< rad/s

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "planar_pose.h"
+
 namespace f1tenth_sim2d
 {
 namespace
@@ -48,7 +50,7 @@ template <typename Visit>
 void forEachCarPair(const std::vector<PlacedCar> & cars, CarIndex own, double limit, Visit visit)
 {
   for (CarIndex i = 0; i < cars.size(); ++i) {
-    const double centres = std::hypot(cars[i].pose.x - cars[own].pose.x, cars[i].pose.y - cars[own].pose.y);
+    const double centres = length({cars[i].pose.x - cars[own].pose.x, cars[i].pose.y - cars[own].pose.y});
     if (i == own || centres - cars[i].outer_radius - cars[own].outer_radius > limit) {
       continue;
     }

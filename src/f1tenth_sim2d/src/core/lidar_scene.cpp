@@ -52,10 +52,7 @@ MovingSection::MovingSection(const std::vector<Solid> & solids, const ignition::
 
 void MovingSection::draw(const Transform2 & body, RangeRaster & raster) const
 {
-  const double reach = raster.rangeMax() + radius_;
-  const double dx = body.x - raster.sensor().x;
-  const double dy = body.y - raster.sensor().y;
-  if (dx * dx + dy * dy > reach * reach) {
+  if (!raster.couldShow({body.x, body.y}, radius_)) {
     return;
   }
   for (const Outline & outline : section_.outlines) {

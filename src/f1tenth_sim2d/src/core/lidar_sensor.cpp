@@ -1,7 +1,6 @@
 #include "lidar_sensor.h"
 
-#include <limits>
-
+#include "beam_kernels.h"
 #include "noise.h"
 #include "planar_pose.h"
 
@@ -12,7 +11,8 @@ LidarSensor::LidarSensor(const LidarDescription & description, std::size_t scene
   mount_(planar(description.pose)),
   scene_(scene),
   raster_(description),
-  exact_ranges_(raster_.beamCount())
+  limits_{description.range_min, description.range_max},
+  normal_(raster_.beamCount())
 {
 }
 
@@ -20,25 +20,13 @@ void LidarSensor::measure(LidarScene & scene, std::size_t own_car, const Pose2 &
 {
   raster_.begin(compose(car, mount_));
   scene.draw(own_car, poses, raster_);
-  raster_.finish(exact_ranges_.data());
-}
-
-// What lies outside the limits is said as REP-117 wants it.
-float LidarSensor::report(double range) const
-{
-  if (range < description_.range_min) {
-    return -std::numeric_limits<float>::infinity();
-  }
-  return range <= description_.range_max ? static_cast<float>(range) : std::numeric_limits<float>::infinity();
 }
 
 void LidarSensor::scan(
   LidarScene & scene, std::size_t own_car, const Pose2 & car, const MovingPoses & poses, float * ranges)
 {
   measure(scene, own_car, car, poses);
-  for (std::size_t i = 0; i < exact_ranges_.size(); ++i) {
-    ranges[i] = report(exact_ranges_[i]);
-  }
+  reportRanges(raster_.inverseRanges(), normal_.size(), limits_, ranges);
 }
 
 void LidarSensor::noisyScan(
@@ -46,10 +34,9 @@ void LidarSensor::noisyScan(
   float * ranges)
 {
   measure(scene, own_car, car, poses);
-  const double mean = description_.noise_mean;
-  const double stddev = description_.noise_stddev;
-  for (std::size_t i = 0; i < exact_ranges_.size(); ++i) {
-    ranges[i] = report(exact_ranges_[i] + mean + stddev * gaussian(key, i));
-  }
+  gaussians(key, normal_.size(), normal_.data());
+  reportNoisyRanges(
+    raster_.inverseRanges(), normal_.data(), normal_.size(), description_.noise_mean, description_.noise_stddev,
+    limits_, ranges);
 }
 }  // namespace f1tenth_sim2d

@@ -29,12 +29,12 @@ public:
 
 private:
   void measure(LidarScene & scene, std::size_t own_car, const Pose2 & car, const MovingPoses & poses);
-  float report(double range) const;
 
   LidarDescription description_;
   Pose2 mount_;
   std::size_t scene_;
   RangeRaster raster_;
-  std::vector<double> exact_ranges_;
+  RangeLimits limits_;
+  std::vector<double> normal_;  ///< standard normal noise of the scan in the making
 };
 }  // namespace f1tenth_sim2d

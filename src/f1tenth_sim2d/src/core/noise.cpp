@@ -1,7 +1,10 @@
 #include "noise.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "simd.h"
 
 namespace f1tenth_sim2d
 {
@@ -65,22 +68,43 @@ double tail(std::uint64_t bits)
   }
 }
 
+/// Bits of sample `index` under a key.
+inline std::uint64_t bitsOf(std::uint64_t key, std::uint64_t index)
+{
+  return mixBits(key + (index + 1) * kGoldenGamma);
+}
+
+/// A point of a layer: the layer in the lowest 8 bits, the place in the highest 53.
+struct Draw
+{
+  explicit Draw(std::uint64_t b)
+  : bits(b), layer(b & 255U), u(static_cast<double>(static_cast<std::int64_t>(b) >> 11) * 0x1p-52)
+  {
+  }
+  double value() const { return u * kZiggurat.edge[layer]; }
+  /// Whether it lies where the layer is under the density all over.
+  bool isCovered() const { return std::abs(u) < kZiggurat.accept[layer]; }
+
+  std::uint64_t bits;
+  std::uint64_t layer;
+  double u;
+};
+
 /// The one sample in a hundred that the fast path leaves open.
 double gaussianSlow(std::uint64_t bits)
 {
   for (;;) {
-    const int layer = static_cast<int>(bits & 255U);
-    const double u = static_cast<double>(static_cast<std::int64_t>(bits) >> 11) * 0x1p-52;
-    const double x = u * kZiggurat.edge[layer];
-    if (std::abs(u) < kZiggurat.accept[layer]) {
+    const Draw draw(bits);
+    const double x = draw.value();
+    if (draw.isCovered()) {
       return x;
     }
-    if (layer == 0) {
-      return std::copysign(tail(bits), u);
+    if (draw.layer == 0) {
+      return std::copysign(tail(bits), draw.u);
     }
     bits = mixBits(bits + kGoldenGamma);
-    const double low = kZiggurat.height[layer];
-    const double high = kZiggurat.height[layer + 1];
+    const double low = kZiggurat.height[draw.layer];
+    const double high = kZiggurat.height[draw.layer + 1];
     if (low + openUniform(bits) * (high - low) < density(x)) {
       return x;
     }
@@ -101,9 +125,29 @@ std::uint64_t noiseKey(
 
 double gaussian(std::uint64_t key, std::uint64_t index)
 {
-  const std::uint64_t bits = mixBits(key + (index + 1) * kGoldenGamma);
-  const int layer = static_cast<int>(bits & 255U);
-  const double u = static_cast<double>(static_cast<std::int64_t>(bits) >> 11) * 0x1p-52;
-  return std::abs(u) < kZiggurat.accept[layer] ? u * kZiggurat.edge[layer] : gaussianSlow(bits);
+  const Draw draw(bitsOf(key, index));
+  return draw.isCovered() ? draw.value() : gaussianSlow(draw.bits);
+}
+
+F1TENTH_VECTORIZED
+void gaussians(std::uint64_t key, std::size_t count, double * __restrict samples)
+{
+  constexpr std::size_t kBlock = 64;
+  for (std::size_t begin = 0; begin < count; begin += kBlock) {
+    const std::size_t size = std::min(kBlock, count - begin);
+    std::array<std::uint64_t, kBlock> is_open;
+    std::uint64_t any_open = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const Draw draw(bitsOf(key, begin + i));
+      samples[begin + i] = draw.value();
+      is_open[i] = draw.isCovered() ? 0 : 1;
+      any_open |= is_open[i];
+    }
+    for (std::size_t i = 0; any_open != 0 && i < size; ++i) {
+      if (is_open[i] != 0) {
+        samples[begin + i] = gaussianSlow(bitsOf(key, begin + i));
+      }
+    }
+  }
 }
 }  // namespace f1tenth_sim2d

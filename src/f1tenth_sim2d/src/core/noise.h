@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 /// Counter-based noise: a sample is a function of its key and its index only. Nothing is remembered between
@@ -26,6 +27,9 @@ inline std::uint64_t mixBits(std::uint64_t z)
 /// @param instant  time or number of the sample
 std::uint64_t noiseKey(
   std::uint64_t seed, std::uint64_t car, NoiseStream stream, std::uint64_t sensor, std::uint64_t instant);
+
+/// Samples 0 to count - 1 of the standard normal distribution under a key.
+void gaussians(std::uint64_t key, std::size_t count, double * samples);
 
 /// Sample `index` of the standard normal distribution under a key.
 double gaussian(std::uint64_t key, std::uint64_t index);

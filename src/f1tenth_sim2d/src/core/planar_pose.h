@@ -4,15 +4,20 @@
 #include <ignition/math/Pose3.hh>
 
 #include "f1tenth_sim2d/geometry.h"
+#include "pi.h"
+#include "trigonometry.h"
 
 namespace f1tenth_sim2d
 {
-constexpr double kPi = 3.14159265358979323846;
-
 /// Same angle within [-pi, pi].
 inline double wrapAngle(double angle)
 {
   return std::remainder(angle, 2.0 * kPi);
+}
+
+inline double length(const Vec2 & v)
+{
+  return std::sqrt(v.x * v.x + v.y * v.y);
 }
 
 /// A pose with its sine and cosine at hand.
@@ -24,9 +29,7 @@ struct Transform2
   double sine{0.0};
 
   Transform2() = default;
-  explicit Transform2(const Pose2 & pose) : x(pose.x), y(pose.y), cosine(std::cos(pose.yaw)), sine(std::sin(pose.yaw))
-  {
-  }
+  explicit Transform2(const Pose2 & pose) : Transform2(pose, sineCosine(pose.yaw)) {}
 
   Vec2 rotate(const Vec2 & v) const { return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y}; }
   Vec2 rotateBack(const Vec2 & v) const { return {cosine * v.x + sine * v.y, cosine * v.y - sine * v.x}; }
@@ -36,6 +39,9 @@ struct Transform2
     return {x + r.x, y + r.y};
   }
   Vec2 applyBack(const Vec2 & p) const { return rotateBack({p.x - x, p.y - y}); }
+
+private:
+  Transform2(const Pose2 & pose, const SineCosine & yaw) : x(pose.x), y(pose.y), cosine(yaw.cosine), sine(yaw.sine) {}
 };
 
 /// a followed by b, b given in the frame of a.

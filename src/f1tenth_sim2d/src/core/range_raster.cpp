@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rough_angle.h"
+
 namespace f1tenth_sim2d
 {
 namespace
@@ -12,63 +14,30 @@ namespace
 constexpr double kCornerTolerance = 1e-9;
 // Turns. More than half a turn between the ends of a wall is rounding of a wall seen edge-on.
 constexpr double kWidthMax = 0.5 + 1e-6;
-constexpr double kRoughAngleError = 1e-7;  // rad
-
-/// atan2 to within kRoughAngleError at a fifth of the price: Abramowitz and Stegun, 4.4.49, error below 2e-8.
-double roughAngle(const Vec2 & point)
-{
-  const double x = std::abs(point.x);
-  const double y = std::abs(point.y);
-  const double t = std::min(x, y) / std::max(x, y);
-  const double u = t * t;
-  double series = 0.0028662257;
-  for (const double coefficient :
-       {-0.0161657367, 0.0429096138, -0.0752896400, 0.1065626393, -0.1420889944, 0.1999355085, -0.3333314528, 1.0}) {
-    series = series * u + coefficient;
-  }
-  const double octant = t * series;
-  const double quadrant = y > x ? 0.5 * kPi - octant : octant;
-  return std::copysign(point.x < 0.0 ? kPi - quadrant : quadrant, point.y);
-}
+constexpr int kFewBeams = 6;  // not worth a call
+// Of a bound, so that rounding never hides anything.
+constexpr double kSlack = 1e-6;
 }  // namespace
 
 RangeRaster::RangeRaster(const LidarDescription & lidar)
-: beams_(lidar), range_max_(lidar.range_max), inverse_ranges_(beams_.count())
+: beams_(lidar),
+  view_{{}, lidar.range_max, beams_.angle_min, beams_.beams_per_radian, beams_.beams_per_turn},
+  inverse_ranges_(beams_.count()),
+  range_squared_(lidar.range_max * lidar.range_max)
 {
 }
 
 void RangeRaster::begin(const Pose2 & sensor)
 {
-  sensor_ = Transform2(sensor);
+  view_.sensor = Transform2(sensor);
+  waiting_ = 0;
   std::fill(inverse_ranges_.begin(), inverse_ranges_.end(), 0.0);
-  last_point_.x = std::numeric_limits<double>::quiet_NaN();
 }
 
-// Within [0, beams_per_turn).
-double RangeRaster::beamOf(double angle) const
-{
-  const double beam = (angle - beams_.angle_min) * beams_.beams_per_radian;
-  return beam < 0.0 ? beam + beams_.beams_per_turn : beam;
-}
-
-double RangeRaster::beamOf(const Vec2 & point)
-{
-  if (point.x != last_point_.x || point.y != last_point_.y) {
-    last_point_ = point;
-    last_beam_ = beamOf(roughAngle(point));
-    // What matters is only between which beams the point lies.
-    const double to_beam = last_beam_ - static_cast<int>(last_beam_ + 0.5);
-    if (std::abs(to_beam) < kRoughAngleError * beams_.beams_per_radian + kCornerTolerance) {
-      last_beam_ = beamOf(std::atan2(point.y, point.x));
-    }
-  }
-  return last_beam_;
-}
-
-// Calls draw(first, last) for the beams within [begin, begin + width]: more than once if the interval leaves the field
-// of view on one side and comes back on the other.
-template <typename Draw>
-void RangeRaster::forEachInterval(double begin, double width, Draw draw) const
+// Whether visit(first, last) is true for beams within [begin, begin + width]; asked more than once if the interval leaves
+// the field of view on one side and comes back on the other.
+template <typename Visit>
+bool RangeRaster::anyInterval(double begin, double width, Visit visit) const
 {
   const double last_beam = beams_.count() - 1;
   for (begin -= beams_.beams_per_turn; begin <= last_beam + kCornerTolerance; begin += beams_.beams_per_turn) {
@@ -76,71 +45,122 @@ void RangeRaster::forEachInterval(double begin, double width, Draw draw) const
     const double to = std::min(begin + width + kCornerTolerance, last_beam);
     const int whole = static_cast<int>(from);
     const int first = whole < from ? whole + 1 : whole;
-    if (first <= to) {
-      draw(first, static_cast<int>(to));
+    if (first <= to && visit(first, static_cast<int>(to))) {
+      return true;
     }
   }
+  return false;
 }
 
-void RangeRaster::addSegment(const Vec2 & a_world, const Vec2 & b_world)
+// For angles from half a turn below to half a turn above: within one turn about [0, beams_per_turn).
+double RangeRaster::beamOf(double angle) const
 {
-  const Vec2 to_a{a_world.x - sensor_.x, a_world.y - sensor_.y};
-  const Vec2 to_b{b_world.x - sensor_.x, b_world.y - sensor_.y};
-  const Vec2 edge_world{b_world.x - a_world.x, b_world.y - a_world.y};
-  const double cross = to_a.x * edge_world.y - to_a.y * edge_world.x;
-  const double length_squared = edge_world.x * edge_world.x + edge_world.y * edge_world.y;
-  if (!(cross < 0.0) || cross * cross > range_max_ * range_max_ * length_squared) {
-    return;
+  const double beam = (angle - beams_.angle_min) * beams_.beams_per_radian;
+  return beam < 0.0 ? beam + beams_.beams_per_turn : beam;
+}
+
+// What matters is only between which beams a point lies: there a rough angle will do unless it is next to a beam.
+double RangeRaster::corrected(double rough_beam, double to_x, double to_y) const
+{
+  const double to_beam = rough_beam - static_cast<int>(rough_beam + 0.5);
+  if (std::abs(to_beam) > kRoughAngleError * beams_.beams_per_radian + kCornerTolerance) {
+    return rough_beam;
   }
-  const Vec2 a = sensor_.rotateBack(to_a);
-  const Vec2 b = sensor_.rotateBack(to_b);
-  const double beam_a = beamOf(a);
-  const double beam_b = beamOf(b);
+  const Vec2 point = view_.sensor.rotateBack({to_x, to_y});
+  return beamOf(direction(point.y, point.x));
+}
+
+void RangeRaster::drawWaiting()
+{
+  projectWalls(view_, batch_, waiting_);
+  for (std::size_t i = 0; i < waiting_; ++i) {
+    const double beam_a = corrected(batch_.beam_a[i], batch_.a_x[i], batch_.a_y[i]);
+    const double beam_b = corrected(batch_.beam_b[i], batch_.b_x[i], batch_.b_y[i]);
+    draw(beam_a, beam_b, batch_.along_cosine[i], batch_.along_sine[i]);
+  }
+  waiting_ = 0;
+}
+
+const double * RangeRaster::inverseRanges()
+{
+  drawWaiting();
+  return inverse_ranges_.data();
+}
+
+void RangeRaster::draw(double beam_a, double beam_b, double along_cosine, double along_sine)
+{
   const double width = beam_a < beam_b ? beam_a - beam_b + beams_.beams_per_turn : beam_a - beam_b;
   if (width > kWidthMax * beams_.beams_per_turn) {
     return;
   }
-  const double along_cosine = (b.y - a.y) / cross;
-  const double along_sine = (a.x - b.x) / cross;
-  forEachInterval(beam_b, width, [&](int first, int last) {
-    const double * cosine = beams_.cosine.data();
-    const double * sine = beams_.sine.data();
-    double * inverse = inverse_ranges_.data();
+  const double * const cosine = beams_.cosine.data();
+  const double * const sine = beams_.sine.data();
+  double * const inverse = inverse_ranges_.data();
+  anyInterval(beam_b, width, [&](int first, int last) {
+    if (last - first >= kFewBeams) {
+      drawWall(along_cosine, along_sine, cosine + first, sine + first, inverse + first, last - first + 1);
+      return false;
+    }
     for (int i = first; i <= last; ++i) {
       const double value = along_cosine * cosine[i] + along_sine * sine[i];
       inverse[i] = value > inverse[i] ? value : inverse[i];
     }
+    return false;
   });
 }
 
 void RangeRaster::addCircle(const Vec2 & centre_world, double radius)
 {
-  const Vec2 centre = sensor_.applyBack(centre_world);
-  const double distance = std::hypot(centre.x, centre.y);
-  if (distance <= radius || distance - radius > range_max_) {
+  const Vec2 centre = view_.sensor.applyBack(centre_world);
+  const double distance = std::sqrt(centre.x * centre.x + centre.y * centre.y);
+  if (distance <= radius || distance - radius > view_.range_max) {
     return;
   }
   const double half_width = std::asin(radius / distance);
   const double radius_squared = radius * radius;
-  const double left_to_right = 2.0 * half_width * beams_.beams_per_radian;
-  forEachInterval(
-    beamOf(wrapAngle(std::atan2(centre.y, centre.x) - half_width)), left_to_right, [&](int first, int last) {
-      const double * cosine = beams_.cosine.data();
-      const double * sine = beams_.sine.data();
-      double * inverse = inverse_ranges_.data();
-      for (int i = first; i <= last; ++i) {
-        const double along = centre.x * cosine[i] + centre.y * sine[i];
-        const double aside = centre.y * cosine[i] - centre.x * sine[i];
-        const double value = 1.0 / (along - std::sqrt(std::max(radius_squared - aside * aside, 0.0)));
-        inverse[i] = value > inverse[i] ? value : inverse[i];
-      }
-    });
+  const double begin = beamOf(direction(centre.y, centre.x) - half_width);
+  anyInterval(begin, 2.0 * half_width * beams_.beams_per_radian, [&](int first, int last) {
+    const double * cosine = beams_.cosine.data();
+    const double * sine = beams_.sine.data();
+    double * inverse = inverse_ranges_.data();
+    for (int i = first; i <= last; ++i) {
+      const double along = centre.x * cosine[i] + centre.y * sine[i];
+      const double aside = centre.y * cosine[i] - centre.x * sine[i];
+      const double value = 1.0 / (along - std::sqrt(std::max(radius_squared - aside * aside, 0.0)));
+      inverse[i] = value > inverse[i] ? value : inverse[i];
+    }
+    return false;
+  });
 }
 
-void RangeRaster::finish(double * ranges) const
+bool RangeRaster::couldShow(const Vec2 & centre_world, double radius)
 {
-  for (std::size_t i = 0; i < inverse_ranges_.size(); ++i) {
-    ranges[i] = 1.0 / inverse_ranges_[i];
+  const Vec2 centre = view_.sensor.applyBack(centre_world);
+  const double squared = centre.x * centre.x + centre.y * centre.y;
+  const double tangent_squared = squared - radius * radius;
+  if (tangent_squared <= kSlack * squared) {
+    return true;
   }
+  const double nearest = std::sqrt(squared) - radius;
+  if (nearest > view_.range_max) {
+    return false;
+  }
+  // The half width is asin(radius / distance), which is below its own tangent.
+  const double half_width = radius / std::sqrt(tangent_squared) + kRoughAngleError;
+  if (half_width >= kPi) {
+    return true;
+  }
+  const double begin = beamOf(roughAngle(centre.y, centre.x) - half_width);
+  const double threshold = (1.0 - kSlack) / nearest;
+  const double * const inverse = inverseRanges();
+  return anyInterval(begin, 2.0 * half_width * beams_.beams_per_radian, [&](int first, int last) {
+    return anyBelow(inverse + first, last - first + 1, threshold);
+  });
+}
+
+double RangeRaster::sight()
+{
+  const double least = leastOf(inverseRanges(), inverse_ranges_.size());
+  return std::min(view_.range_max, (1.0 + kSlack) / least);
 }
 }  // namespace f1tenth_sim2d

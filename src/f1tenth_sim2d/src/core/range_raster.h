@@ -1,8 +1,10 @@
 #pragma once
 
-#include <limits>
+#include <array>
+#include <cstddef>
 #include <vector>
 
+#include "beam_kernels.h"
 #include "beam_table.h"
 #include "f1tenth_sim2d/geometry.h"
 #include "planar_pose.h"
@@ -13,7 +15,8 @@ namespace f1tenth_sim2d
 ///
 /// It holds inverse ranges, because along a straight wall the inverse range is linear in the direction of the beam:
 /// two multiplications, an addition and a maximum a beam, and no division. Exact up to rounding: a wall covers
-/// exactly the beams between the directions of its ends. Allocates nothing after construction.
+/// exactly the beams between the directions of its ends. The order of drawing changes nothing. Walls wait until there are
+/// enough of them for a vector unit, or somebody looks. Allocates nothing after construction.
 class RangeRaster
 {
 public:
@@ -23,29 +26,53 @@ public:
   void begin(const Pose2 & sensor);
 
   /// Draws a wall from a to b, m, in the world; it is seen from its right side only, as is the outline of a solid.
-  void addSegment(const Vec2 & a, const Vec2 & b);
+  void addSegment(const Vec2 & a, const Vec2 & b)
+  {
+    const Transform2 & sensor = view_.sensor;
+    const Vec2 to_a{a.x - sensor.x, a.y - sensor.y};
+    const Vec2 edge{b.x - a.x, b.y - a.y};
+    const double cross = to_a.x * edge.y - to_a.y * edge.x;
+    if (!(cross < 0.0) || cross * cross > range_squared_ * (edge.x * edge.x + edge.y * edge.y)) {
+      return;
+    }
+    batch_.a_x[waiting_] = to_a.x;
+    batch_.a_y[waiting_] = to_a.y;
+    batch_.b_x[waiting_] = b.x - sensor.x;
+    batch_.b_y[waiting_] = b.y - sensor.y;
+    batch_.cross[waiting_] = cross;
+    if (++waiting_ == WallBatch::kSize) {
+      drawWaiting();
+    }
+  }
   /// Draws a full circle, m, in the world. From inside it is not seen.
   void addCircle(const Vec2 & centre, double radius);
 
-  /// Writes the range of beam i to ranges[i], m; +inf where nothing was drawn. May exceed rangeMax().
-  void finish(double * ranges) const;
+  /// Whether what lies in a circle, m, in the world, could still change the scan: not if it is out of range, out of the
+  /// field of view, or behind what has been drawn.
+  bool couldShow(const Vec2 & centre, double radius);
+  /// How far one can see: nothing farther away, m, could still change the scan.
+  double sight();
+
+  /// Inverse ranges of all beams, 1/m; 0 where nothing was drawn. May fall below 1 / rangeMax().
+  const double * inverseRanges();
 
   int beamCount() const { return beams_.count(); }
-  double rangeMax() const { return range_max_; }
-  const Transform2 & sensor() const { return sensor_; }
+  double rangeMax() const { return view_.range_max; }
+  const Transform2 & sensor() const { return view_.sensor; }
 
 private:
-  template <typename Draw>
-  void forEachInterval(double begin, double width, Draw draw) const;
+  template <typename Visit>
+  bool anyInterval(double begin, double width, Visit visit) const;
   double beamOf(double angle) const;
-  double beamOf(const Vec2 & point);
+  double corrected(double rough_beam, double to_x, double to_y) const;
+  void drawWaiting();
+  void draw(double beam_a, double beam_b, double along_cosine, double along_sine);
 
   BeamTable beams_;
-  double range_max_;
-  Transform2 sensor_;
+  BeamView view_;
   std::vector<double> inverse_ranges_;
-  // The directions of neighbouring walls meet in a corner: keep the last one.
-  Vec2 last_point_{std::numeric_limits<double>::quiet_NaN(), 0.0};
-  double last_beam_{0.0};
+  double range_squared_;  ///< m^2
+  WallBatch batch_{};
+  std::size_t waiting_{0};  ///< walls of the batch that are not drawn yet
 };
 }  // namespace f1tenth_sim2d

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planar_pose.h"
+
 namespace f1tenth_sim2d
 {
 namespace
@@ -34,21 +36,21 @@ Lateral operator*(double s, const Lateral & a)
 
 Vec2 bodyVelocity(const SingleTrackState & state)
 {
-  return {state.v * std::cos(state.beta), state.v * std::sin(state.beta)};
+  const SineCosine at = sineCosine(state.beta);
+  return {state.v * at.cosine, state.v * at.sine};
 }
 
 Vec2 worldVelocity(const SingleTrackState & state)
 {
-  const double course = state.psi + state.beta;
-  return {state.v * std::cos(course), state.v * std::sin(course)};
+  const SineCosine course = sineCosine(state.psi + state.beta);
+  return {state.v * course.cosine, state.v * course.sine};
 }
 
 void setBodyVelocity(SingleTrackState & state, const Vec2 & velocity)
 {
   const double sign = velocity.x < 0.0 ? -1.0 : 1.0;
-  const double speed = std::hypot(velocity.x, velocity.y);
-  state.v = sign * speed;
-  state.beta = speed > 0.0 ? std::atan2(sign * velocity.y, sign * velocity.x) : 0.0;
+  state.v = sign * length(velocity);
+  state.beta = direction(sign * velocity.y, sign * velocity.x);
 }
 
 SingleTrack::SingleTrack(const VehicleParameters & p)
@@ -120,13 +122,12 @@ void SingleTrack::advanceDynamic(SingleTrackState & state, const SingleTrackInpu
   const Lateral middle = start + (0.5 * half) * (k2 + k3);
   const Lateral end = start + (dt / 6.0) * (k1 + 2.0 * (k2 + k3) + k4);
 
-  const double course_start = start.psi + start.beta;
-  const double course_mid = middle.psi + middle.beta;
-  const double course_end = end.psi + end.beta;
-  state.x +=
-    dt / 6.0 * (state.v * std::cos(course_start) + 4.0 * v_mid * std::cos(course_mid) + v_end * std::cos(course_end));
-  state.y +=
-    dt / 6.0 * (state.v * std::sin(course_start) + 4.0 * v_mid * std::sin(course_mid) + v_end * std::sin(course_end));
+  const SineCosine course_start = sineCosine(start.psi + start.beta);
+  const SineCosine course_mid = sineCosine(middle.psi + middle.beta);
+  const SineCosine course_end = sineCosine(end.psi + end.beta);
+  const double sixth = dt / 6.0;
+  state.x += sixth * (state.v * course_start.cosine + 4.0 * v_mid * course_mid.cosine + v_end * course_end.cosine);
+  state.y += sixth * (state.v * course_start.sine + 4.0 * v_mid * course_mid.sine + v_end * course_end.sine);
   state.delta = delta_end;
   state.v = v_end;
   state.psi = end.psi;
@@ -162,11 +163,13 @@ void SingleTrack::advanceWithGrip(SingleTrackState & state, const SingleTrackInp
   const double longitudinal_free = before.x + (before.y * yaw_rate_before + input.acceleration) * dt;
 
   state.delta += input.steering_rate * dt;
-  const double tangent = std::tan(state.delta);
-  const double beta = std::atan(tangent * l_r_ / wheelbase_);
-  const double v = state.v * std::cos(state.beta - beta) + input.acceleration * dt;
-  const double yaw_rate = v * std::cos(beta) * tangent / wheelbase_;
-  const double lateral_change = v * std::sin(beta) - lateral_free;
+  const SineCosine steering = sineCosine(state.delta);
+  const double tangent = steering.sine / steering.cosine;
+  const double beta = direction(tangent * l_r_ / wheelbase_, 1.0);
+  const SineCosine slip = sineCosine(beta);
+  const double v = state.v * sineCosine(state.beta - beta).cosine + input.acceleration * dt;
+  const double yaw_rate = v * slip.cosine * tangent / wheelbase_;
+  const double lateral_change = v * slip.sine - lateral_free;
   const double yaw_rate_change = yaw_rate - yaw_rate_before;
   const double front = (l_r_ * m_ * lateral_change + I_z_ * yaw_rate_change) / (wheelbase_ * dt);
   const double rear = (l_f_ * m_ * lateral_change - I_z_ * yaw_rate_change) / (wheelbase_ * dt);

@@ -32,13 +32,19 @@ class TrajectoryHash::Impl
 {
 public:
   Impl() { restart(); }
-  void restart() { check(EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr)); }
+  void restart()
+  {
+    bytes_.clear();
+    check(EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr));
+  }
 
   void add(const Simulation & simulation)
   {
-    bytes_.clear();
     simulation.appendStateBytes(bytes_);
-    check(EVP_DigestUpdate(context_.get(), bytes_.data(), bytes_.size()));
+    if (bytes_.size() >= kEnough) {
+      check(EVP_DigestUpdate(context_.get(), bytes_.data(), bytes_.size()));
+      bytes_.clear();
+    }
   }
 
   // Finishing ends a digest, so a copy is finished.
@@ -46,6 +52,7 @@ public:
   {
     const Context copy = newContext();
     check(EVP_MD_CTX_copy_ex(copy.get(), context_.get()));
+    check(EVP_DigestUpdate(copy.get(), bytes_.data(), bytes_.size()));
     std::array<std::uint8_t, EVP_MAX_MD_SIZE> digest{};
     unsigned int size = 0;
     check(EVP_DigestFinal_ex(copy.get(), digest.data(), &size));
@@ -58,8 +65,10 @@ public:
   }
 
 private:
+  static constexpr std::size_t kEnough = 4096;  // bytes, to make a call of OpenSSL worth its price
+
   Context context_{newContext()};
-  std::vector<std::uint8_t> bytes_;
+  std::vector<std::uint8_t> bytes_;  ///< that are not in the digest yet
 };
 
 TrajectoryHash::TrajectoryHash() : impl_(std::make_unique<Impl>()) {}

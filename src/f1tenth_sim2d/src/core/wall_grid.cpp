@@ -8,20 +8,14 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-constexpr double kCellSize = 2.0;      // m
+// A cell is worth a look if it holds some 20 walls; but one that is very large hides nothing, and many small ones take long
+// to look through.
+constexpr double kItemsPerCell = 20.0;
+constexpr double kCellSizeMin = 0.5;   // m
+constexpr double kCellSizeMax = 5.0;   // m
 constexpr double kCellCountMax = 1e6;  // in very large worlds the cells grow instead
-
-struct Bounds
-{
-  Vec2 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Vec2 high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-
-  void include(const Vec2 & p)
-  {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-};
+constexpr double kRounding = 1e-9;     // m
+constexpr std::uint32_t kFew = 16;     // items, that are drawn sooner than it is found out whether they could show
 
 template <typename Wall>
 Bounds boundsOf(const Wall & wall)
@@ -77,7 +71,8 @@ void WallGrid::layOut()
   const double width = all.high.x - all.low.x;
   const double height = all.high.y - all.low.y;
   origin_ = all.low;
-  cell_size_ = std::max(kCellSize, std::sqrt(width * height / kCellCountMax));
+  const double wanted = std::sqrt(kItemsPerCell * width * height / static_cast<double>(bounds.size()));
+  cell_size_ = std::max(std::clamp(wanted, kCellSizeMin, kCellSizeMax), std::sqrt(width * height / kCellCountMax));
   column_count_ = static_cast<int>(width / cell_size_) + 1;
   row_count_ = static_cast<int>(height / cell_size_) + 1;
 
@@ -95,6 +90,26 @@ void WallGrid::layOut()
     forEachCell(bounds[item].low, bounds[item].high, [&](std::size_t cell) {
       items_[next[cell]++] = static_cast<std::uint32_t>(item);
     });
+  }
+  measureCells(bounds);
+}
+
+// What lies in a cell, as a circle: the bounds of its items, cut off at the cell.
+void WallGrid::measureCells(const std::vector<Bounds> & bounds)
+{
+  extents_.resize(begin_.size() - 1);
+  for (std::size_t cell = 0; cell < extents_.size(); ++cell) {
+    const double x = origin_.x + static_cast<double>(cell % column_count_) * cell_size_;
+    const double y = origin_.y + static_cast<double>(cell / column_count_) * cell_size_;
+    Bounds all;
+    for (std::uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i) {
+      all.include(bounds[items_[i]].low);
+      all.include(bounds[items_[i]].high);
+    }
+    const Vec2 low{std::max(all.low.x, x), std::max(all.low.y, y)};
+    const Vec2 high{std::min(all.high.x, x + cell_size_), std::min(all.high.y, y + cell_size_)};
+    const double diameter = std::hypot(high.x - low.x, high.y - low.y);
+    extents_[cell] = {{0.5 * (low.x + high.x), 0.5 * (low.y + high.y)}, 0.5 * diameter + kRounding};
   }
 }
 
@@ -126,16 +141,6 @@ void WallGrid::forEachCell(const Vec2 & low, const Vec2 & high, Visit visit) con
   }
 }
 
-bool WallGrid::isOutOfRange(int column, int row, const RangeRaster & raster) const
-{
-  const double low_x = origin_.x + column * cell_size_;
-  const double low_y = origin_.y + row * cell_size_;
-  const Transform2 & sensor = raster.sensor();
-  const double dx = sensor.x - std::clamp(sensor.x, low_x, low_x + cell_size_);
-  const double dy = sensor.y - std::clamp(sensor.y, low_y, low_y + cell_size_);
-  return dx * dx + dy * dy > raster.rangeMax() * raster.rangeMax();
-}
-
 void WallGrid::draw(RangeRaster & raster)
 {
   if (items_.empty()) {
@@ -146,33 +151,74 @@ void WallGrid::draw(RangeRaster & raster)
     scan_number_ = 1;
   }
   const Transform2 & sensor = raster.sensor();
-  const double range = raster.rangeMax();
-  const CellRange column_range = columns(sensor.x - range, sensor.x + range);
-  const CellRange row_range = rows(sensor.y - range, sensor.y + range);
-  for (int row = row_range.first; row <= row_range.last; ++row) {
-    for (int column = column_range.first; column <= column_range.last; ++column) {
-      const std::size_t cell = static_cast<std::size_t>(row) * column_count_ + column;
-      if (begin_[cell] != begin_[cell + 1] && !isOutOfRange(column, row, raster)) {
-        drawCell(cell, raster);
+  const Vec2 here{(sensor.x - origin_.x) / cell_size_, (sensor.y - origin_.y) / cell_size_};
+  const int rings = static_cast<int>(raster.rangeMax() / cell_size_) + 1;
+  if (here.x < -rings || here.y < -rings || here.x > column_count_ + rings || here.y > row_count_ + rings) {
+    return;
+  }
+  const int column = static_cast<int>(std::floor(here.x));
+  const int row = static_cast<int>(std::floor(here.y));
+  // What lies beyond ring n - 1 is farther than the nearest of its four sides.
+  const double to_side = std::min({here.x - column, column + 1 - here.x, here.y - row, row + 1 - here.y}) * cell_size_;
+  sight_ = raster.rangeMax();
+  for (int ring = 0; ring <= rings && (ring == 0 || to_side + (ring - 1) * cell_size_ <= sight_); ++ring) {
+    drawRing(column, row, ring, raster);
+    sight_ = raster.sight();
+  }
+}
+
+// The cells that are `ring` columns or rows away from a cell.
+void WallGrid::drawRing(int column, int row, int ring, RangeRaster & raster)
+{
+  const int left = std::max(column - ring, 0);
+  const int right = std::min(column + ring, column_count_ - 1);
+  const int bottom = std::max(row - ring, 0);
+  const int top = std::min(row + ring, row_count_ - 1);
+  for (int r = bottom; r <= top; ++r) {
+    const bool is_whole_row = r == row - ring || r == row + ring;
+    const int step = is_whole_row || ring == 0 ? 1 : 2 * ring;
+    for (int c = is_whole_row ? left : column - ring; c <= right; c += step) {
+      if (c >= left) {
+        drawCell(static_cast<std::size_t>(r) * column_count_ + c, raster);
       }
     }
   }
 }
 
+bool WallGrid::isOutOfSight(const Circle & extent, const Transform2 & sensor) const
+{
+  const double x = extent.centre.x - sensor.x;
+  const double y = extent.centre.y - sensor.y;
+  const double reach = sight_ + extent.radius;
+  return x * x + y * y > reach * reach;
+}
+
 void WallGrid::drawCell(std::size_t cell, RangeRaster & raster)
 {
-  for (std::uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i) {
+  const std::uint32_t end = begin_[cell + 1];
+  const std::uint32_t count = end - begin_[cell];
+  if (count == 0 || isOutOfSight(extents_[cell], raster.sensor())) {
+    return;
+  }
+  if (count > kFew && !raster.couldShow(extents_[cell].centre, extents_[cell].radius)) {
+    return;
+  }
+  for (std::uint32_t i = begin_[cell]; i < end; ++i) {
     const std::uint32_t item = items_[i];
-    if (drawn_[item] == scan_number_) {
-      continue;
+    if (drawn_[item] != scan_number_) {
+      drawn_[item] = scan_number_;
+      drawItem(item, raster);
     }
-    drawn_[item] = scan_number_;
-    if (item < walls_.size()) {
-      raster.addSegment(walls_[item].a, walls_[item].b);
-    } else {
-      const Circle & circle = circles_[item - walls_.size()];
-      raster.addCircle(circle.centre, circle.radius);
-    }
+  }
+}
+
+void WallGrid::drawItem(std::uint32_t item, RangeRaster & raster) const
+{
+  if (item < walls_.size()) {
+    raster.addSegment(walls_[item].a, walls_[item].b);
+  } else {
+    const Circle & circle = circles_[item - walls_.size()];
+    raster.addCircle(circle.centre, circle.radius);
   }
 }
 }  // namespace f1tenth_sim2d

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "f1tenth_sim2d/section.h"
@@ -8,13 +10,27 @@
 
 namespace f1tenth_sim2d
 {
-/// The walls that do not move, at the height of a lidar: a uniform grid, so that a scan looks only at what is near.
+/// A box along the axes, m.
+struct Bounds
+{
+  Vec2 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Vec2 high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+
+  void include(const Vec2 & p)
+  {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+};
+
+/// The walls that do not move, at the height of a lidar, in a uniform grid. A scan goes from the nearest cells to the
+/// farthest and leaves out what is hidden behind what it has drawn, so that it costs what it sees.
 class WallGrid
 {
 public:
   explicit WallGrid(const Section & walls);
 
-  /// Draws everything within the lidar's range into a scan. Allocates nothing.
+  /// Draws everything that the lidar can see into a scan. Allocates nothing.
   void draw(RangeRaster & raster);
 
 private:
@@ -35,8 +51,11 @@ private:
   void forEachCell(const Vec2 & low, const Vec2 & high, Visit visit) const;
   CellRange columns(double low, double high) const;
   CellRange rows(double low, double high) const;
-  bool isOutOfRange(int column, int row, const RangeRaster & raster) const;
+  void measureCells(const std::vector<Bounds> & bounds);
+  void drawRing(int column, int row, int ring, RangeRaster & raster);
+  bool isOutOfSight(const Circle & extent, const Transform2 & sensor) const;
   void drawCell(std::size_t cell, RangeRaster & raster);
+  void drawItem(std::uint32_t item, RangeRaster & raster) const;
 
   std::vector<Wall> walls_;
   std::vector<Circle> circles_;
@@ -48,8 +67,10 @@ private:
   // Item i is wall i, or circle i - walls_.size().
   std::vector<std::uint32_t> begin_;
   std::vector<std::uint32_t> items_;
+  std::vector<Circle> extents_;  ///< around what lies in a cell
   // An item that reaches over several cells is drawn once a scan: when it was drawn last.
   std::vector<std::uint32_t> drawn_;
   std::uint32_t scan_number_{0};
+  double sight_{0.0};  ///< m, of the scan in the making after the last ring
 };
 }  // namespace f1tenth_sim2d

@@ -50,12 +50,13 @@ void WheelOdometryIntegrator::sample(double steering_angle)
   // A wheel that stands counts nothing.
   const double noise = distance_ == 0.0 ? 0.0 : p.odometry_speed_noise_stddev * gaussian(key, 1);
   current_.speed = p.odometry_speed_scale * distance_ / elapsed_ + noise;
-  current_.yaw_rate = current_.speed * std::tan(measured_angle) / p.wheelbase();
+  const SineCosine steering = sineCosine(measured_angle);
+  current_.yaw_rate = current_.speed * steering.sine / steering.cosine / p.wheelbase();
 
   const double turn = current_.yaw_rate * elapsed_;
-  const double course = current_.pose.yaw + 0.5 * turn;
-  current_.pose.x += current_.speed * elapsed_ * std::cos(course);
-  current_.pose.y += current_.speed * elapsed_ * std::sin(course);
+  const SineCosine course = sineCosine(current_.pose.yaw + 0.5 * turn);
+  current_.pose.x += current_.speed * elapsed_ * course.cosine;
+  current_.pose.y += current_.speed * elapsed_ * course.sine;
   current_.pose.yaw = wrapAngle(current_.pose.yaw + turn);
   distance_ = 0.0;
   elapsed_ = 0.0;

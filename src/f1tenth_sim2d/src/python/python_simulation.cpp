@@ -9,29 +9,34 @@ namespace
 namespace py = pybind11;
 
 /// Indices that users give are answered with IndexError.
-void requireIndex(const std::string & what, std::size_t index, std::size_t count)
+void requireIndex(const char * what, std::size_t index, std::size_t count)
 {
   if (index >= count) {
     const std::string allowed = count == 0 ? "there is none" : "allowed are 0 to " + std::to_string(count - 1);
-    throw py::index_error(what + " is " + std::to_string(index) + ", " + allowed);
+    throw py::index_error(std::string(what) + " is " + std::to_string(index) + ", " + allowed);
   }
+}
+
+[[noreturn]] void refuseScanArray(const std::string & found, py::ssize_t beam_count)
+{
+  throw py::value_error(
+    "out " + found + ", allowed is a writeable, contiguous numpy array of dtype float32 and shape (" +
+    std::to_string(beam_count) + ",)");
 }
 
 /// A scan is written into the caller's memory, so the array has to be just that memory.
 py::array requireScanArray(const py::object & out, py::ssize_t beam_count)
 {
-  const std::string allowed =
-    "allowed is a writeable, contiguous numpy array of dtype float32 and shape (" + std::to_string(beam_count) + ",)";
   if (!py::isinstance<py::array>(out)) {
-    throw py::value_error("out is no numpy array, " + allowed);
+    refuseScanArray("is no numpy array", beam_count);
   }
   const auto array = py::reinterpret_borrow<py::array>(out);
-  const bool fits = array.dtype().is(py::dtype::of<float>()) && array.ndim() == 1 && array.shape(0) == beam_count &&
+  const bool fits = py::isinstance<py::array_t<float>>(array) && array.ndim() == 1 && array.shape(0) == beam_count &&
                     (array.flags() & py::array::c_style) != 0 && array.writeable();
   if (!fits) {
     const auto dtype = py::str(array.dtype()).cast<std::string>();
     const auto shape = py::str(array.attr("shape")).cast<std::string>();
-    throw py::value_error("out has dtype " + dtype + " and shape " + shape + ", " + allowed);
+    refuseScanArray("has dtype " + dtype + " and shape " + shape, beam_count);
   }
   return array;
 }

@@ -1,0 +1,111 @@
+#include "beam_kernels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rough_angle.h"
+#include "simd.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+inline double roughBeam(const BeamView & view, double y, double x)
+{
+  const double beam = (roughAngle(y, x) - view.angle_min) * view.beams_per_radian;
+  return beam < 0.0 ? beam + view.beams_per_turn : beam;
+}
+
+inline float report(double range, const RangeLimits & limits)
+{
+  constexpr float kNothing = std::numeric_limits<float>::infinity();
+  const float seen = range <= limits.range_max ? static_cast<float>(range) : kNothing;
+  return range < limits.range_min ? -kNothing : seen;
+}
+}  // namespace
+
+F1TENTH_VECTORIZED
+void projectWalls(const BeamView & view, WallBatch & batch, std::size_t count)
+{
+  const BeamView v = view;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double forward_a = v.sensor.cosine * batch.a_x[i] + v.sensor.sine * batch.a_y[i];
+    const double forward_b = v.sensor.cosine * batch.b_x[i] + v.sensor.sine * batch.b_y[i];
+    const double left_a = v.sensor.cosine * batch.a_y[i] - v.sensor.sine * batch.a_x[i];
+    const double left_b = v.sensor.cosine * batch.b_y[i] - v.sensor.sine * batch.b_x[i];
+    const double inverse_cross = 1.0 / batch.cross[i];
+    batch.beam_a[i] = roughBeam(v, left_a, forward_a);
+    batch.beam_b[i] = roughBeam(v, left_b, forward_b);
+    batch.along_cosine[i] = (left_b - left_a) * inverse_cross;
+    batch.along_sine[i] = (forward_a - forward_b) * inverse_cross;
+  }
+}
+
+F1TENTH_VECTORIZED
+void drawWall(
+  double along_cosine, double along_sine, const double * __restrict cosine, const double * __restrict sine,
+  double * __restrict inverse, std::size_t count)
+{
+  for (std::size_t i = 0; i < count; ++i) {
+    const double value = along_cosine * cosine[i] + along_sine * sine[i];
+    inverse[i] = value > inverse[i] ? value : inverse[i];
+  }
+}
+
+F1TENTH_VECTORIZED
+bool anyBelow(const double * values, std::size_t count, double threshold)
+{
+  constexpr std::size_t kBlock = 32;  // between looks whether that is enough
+  std::size_t i = 0;
+  for (; i + kBlock <= count; i += kBlock) {
+    std::int64_t below = 0;
+    for (std::size_t k = 0; k < kBlock; ++k) {
+      below |= values[i + k] < threshold ? 1 : 0;
+    }
+    if (below != 0) {
+      return true;
+    }
+  }
+  return std::any_of(values + i, values + count, [threshold](double value) { return value < threshold; });
+}
+
+F1TENTH_VECTORIZED
+double leastOf(const double * values, std::size_t count)
+{
+  constexpr std::size_t kLanes = 16;
+  std::array<double, kLanes> least;
+  least.fill(std::numeric_limits<double>::infinity());
+  std::size_t i = 0;
+  for (; i + kLanes <= count; i += kLanes) {
+    for (std::size_t k = 0; k < kLanes; ++k) {
+      least[k] = values[i + k] < least[k] ? values[i + k] : least[k];
+    }
+  }
+  for (; i < count; ++i) {
+    least[0] = values[i] < least[0] ? values[i] : least[0];
+  }
+  return *std::min_element(least.begin(), least.end());
+}
+
+F1TENTH_VECTORIZED
+void reportRanges(
+  const double * __restrict inverse, std::size_t count, const RangeLimits & limits, float * __restrict ranges)
+{
+  const RangeLimits l = limits;
+  for (std::size_t i = 0; i < count; ++i) {
+    ranges[i] = report(1.0 / inverse[i], l);
+  }
+}
+
+F1TENTH_VECTORIZED
+void reportNoisyRanges(
+  const double * __restrict inverse, const double * __restrict normal, std::size_t count, double mean, double stddev,
+  const RangeLimits & limits, float * __restrict ranges)
+{
+  const RangeLimits l = limits;
+  for (std::size_t i = 0; i < count; ++i) {
+    ranges[i] = report(1.0 / inverse[i] + mean + stddev * normal[i], l);
+  }
+}
+}  // namespace f1tenth_sim2d

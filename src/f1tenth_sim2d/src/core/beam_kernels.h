@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "planar_pose.h"
+
+/// The inner loops of the lidar, over walls and over beams. Arrays never overlap.
+namespace f1tenth_sim2d
+{
+/// From where walls are seen, and how directions are counted in beams.
+struct BeamView
+{
+  Transform2 sensor;  ///< in the world
+  double range_max;   ///< m
+  double angle_min;   ///< rad, of beam 0
+  double beams_per_radian;
+  double beams_per_turn;
+};
+
+/// Walls that are drawn together, as arrays that a vector unit can stream.
+struct WallBatch
+{
+  static constexpr std::size_t kSize = 64;
+  using Values = std::array<double, kSize>;
+
+  // Ends, m, relative to the sensor, in the directions of the world.
+  Values a_x;
+  Values a_y;
+  Values b_x;
+  Values b_y;
+  Values cross;  ///< m^2, a x (b - a)
+  // What projectWalls() makes of them.
+  Values beam_a;  ///< direction of a in beams, within [0, beams_per_turn), to within kRoughAngleError
+  Values beam_b;
+  Values along_cosine;  ///< 1/m: the inverse range is along_cosine cos + along_sine sin
+  Values along_sine;
+};
+
+void projectWalls(const BeamView & view, WallBatch & batch, std::size_t count);
+
+/// inverse[i] = max(inverse[i], along_cosine cosine[i] + along_sine sine[i])
+void drawWall(
+  double along_cosine, double along_sine, const double * cosine, const double * sine, double * inverse,
+  std::size_t count);
+
+/// Whether any value is below a threshold.
+bool anyBelow(const double * values, std::size_t count, double threshold);
+
+/// The least of values, or +inf of none.
+double leastOf(const double * values, std::size_t count);
+
+/// What a lidar reports beyond its limits, REP-117: -inf below range_min, +inf above range_max; m.
+struct RangeLimits
+{
+  double range_min;
+  double range_max;
+};
+
+/// Ranges, m, of inverse ranges, 1/m.
+void reportRanges(const double * inverse, std::size_t count, const RangeLimits & limits, float * ranges);
+
+/// The same with noise added: mean + stddev * normal[i], m.
+void reportNoisyRanges(
+  const double * inverse, const double * normal, std::size_t count, double mean, double stddev,
+  const RangeLimits & limits, float * ranges);
+}  // namespace f1tenth_sim2d

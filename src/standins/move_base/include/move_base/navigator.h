@@ -25,6 +25,7 @@ struct NavigatorOptions
   double xy_goal_tolerance{0.2};        ///< m
   double yaw_goal_tolerance{0.2};       ///< rad
   bool free_goal_vel{false};            ///< whether a goal counts as reached in passing, at speed
+  bool race_line{false};                ///< whether plans through such goals use the width of the road
   double coast_time{0.5};               ///< s, that the car drives on behind such a goal before it brakes
   PlannerOptions planner;
   FollowerOptions follower;
@@ -115,6 +116,7 @@ private:
   void watchOscillation(const CycleInput & input);
   void watchProgress(const CycleInput & input);
   bool reached(const Pose2 & pose) const;
+  PlanRequest requestFrom(const CarState & car) const;
   double extensionLength() const;
   double period(double time) const;
   static const char * failureOf(Trigger trigger);

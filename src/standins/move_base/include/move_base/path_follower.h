@@ -15,6 +15,8 @@ struct FollowerOptions
   double latency{0.05};               ///< s, from measuring a pose to the wheels acting on the command
   double tracking_distance{0.45};     ///< m, in which an error of the path is driven out when standing
   double tracking_time{0.12};         ///< s, added to it per m/s
+  double slip_gradient{0.0};          ///< rad per m/s^2 of lateral acceleration, that the rear axle drifts outwards
+  double understeer_gradient{0.0};    ///< rad per m/s^2, that the wheels must be turned further than on rails
   double stop_clearance{0.0};         ///< m, with less on its predicted way the car stops before
   double replan_distance{2.5};        ///< m beyond the braking distance, an obstacle on the path there is reported
   double max_path_deviation{0.5};     ///< m, farther from its path the car has lost it
@@ -66,12 +68,19 @@ public:
   void clear();
   const DriveCommand & lastCommand() const { return last_; }
 
+  /// The path from behind the car to where it will be after the time, s; empty when the car is not on it.
+  Path lead(const CarState & car, double time) const;
+
   /// @param period  s since the last step
   /// @param brake   whether to come to a stand along the path as soon as possible
   FollowStep step(const CarState & car, const Costmap & costmap, double period, bool brake = false);
 
 private:
   double maxCurvature() const;
+  double slipOn(double curvature, double speed) const;
+  double withUndersteer(double curvature, double speed) const;
+  /// Where the car is after the latency, and its yaw the direction in which it moves.
+  Pose2 motionAfterLatency(const CarState & car, double slip) const;
   double steer(const PathPosition & position, double speed) const;
   double profileAt(double s, std::size_t from) const;
   double wantedSpeed(const PathPosition & position, double speed) const;
@@ -85,5 +94,6 @@ private:
   std::vector<double> speeds_;
   PathTracker tracker_;
   DriveCommand last_;
+  double last_bend_{0.0};  // 1/m, wanted of the car's way by the last step
 };
 }  // namespace move_base

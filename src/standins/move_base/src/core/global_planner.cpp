@@ -5,6 +5,7 @@
 #include "arc_price.h"
 #include "path_extension.h"
 #include "path_smoother.h"
+#include "race_line.h"
 
 namespace move_base
 {
@@ -28,6 +29,25 @@ double locate(const Path & path, const Pose2 & goal, double near_s)
   const auto nearest = std::min_element(
     path.begin(), path.end(), [&](const PathPoint & a, const PathPoint & b) { return off(a) < off(b); });
   return nearest->s;
+}
+void prepend(const Path & lead, Plan & plan)
+{
+  if (lead.empty()) {
+    return;
+  }
+  const double shift = length(lead) - plan.path.front().s;
+  Path path = lead;
+  const double start_s = lead.front().s;
+  for (PathPoint & point : path) {
+    point.s -= start_s;
+  }
+  path.pop_back();
+  for (PathPoint & point : plan.path) {
+    point.s += shift;
+    path.push_back(point);
+  }
+  plan.path = std::move(path);
+  plan.goal_s += shift;
 }
 }  // namespace
 
@@ -63,7 +83,14 @@ Plan GlobalPlanner::planWithClearance(const Costmap & costmap, const PlanRequest
   }
   const Path path = samplePath(request.start, result.arcs, kSpacing);
   plan.path = smoothPath(path, costmap, rule, 1.0 / options_.min_turning_radius, goal_s);
+  if (request.race_line && stretches(plan.path).size() == 1 && !plan.path.front().reverse) {
+    plan.path.front().curvature = request.start_curvature;
+    plan.path = raceLine(
+      plan.path, costmap, rule, {request.goal.position(), request.race_line->gate_tolerance},
+      1.0 / options_.min_turning_radius, *request.race_line);
+  }
   plan.goal_s = locate(plan.path, request.goal, goal_s);
+  prepend(request.lead, plan);
   return plan;
 }
 }  // namespace move_base

@@ -12,6 +12,8 @@ constexpr double kRetryInterval = 0.5;    // s between plans for the same goal: 
 constexpr double kStandingSpeed = 0.05;   // m/s
 constexpr double kLongestPeriod = 0.2;    // s, taken for a step after a pause
 constexpr double kProgress = 1.0;         // m from where recovery began
+constexpr double kGatePart = 0.75;        // of the goal tolerance, within which plans pass goals
+constexpr double kLeadTime = 0.1;         // s beyond the latency, for which a new plan keeps to the old one
 constexpr double kExtensionMargin = 1.0;  // m, of a plan beyond the goal, on top of the way of braking
 }  // namespace
 
@@ -109,9 +111,7 @@ void Navigator::planAhead(const CycleInput & input, Costmap & costmap, CycleOutp
     return;
   }
   next_plan_ = input.time + kRetryInterval;
-  const double curvature = follower_.lastCommand().curvature;
-  const Pose2 start = advance(input.car.pose, input.car.speed * options_.follower.latency, curvature);
-  Plan plan = planner_.plan(costmap, {start, *goal_, curvature, options_.free_goal_vel ? extensionLength() : 0.0});
+  Plan plan = planner_.plan(costmap, requestFrom(input.car));
   if (!plan.found()) {
     output.plan_failure = describe(plan.status);
     planFailed(input, costmap, output);
@@ -124,6 +124,27 @@ void Navigator::planAhead(const CycleInput & input, Costmap & costmap, CycleOutp
   follower_.setPath(plan_.path, costmap);
   state_ = State::kControlling;
   control(input, costmap, output);
+}
+
+PlanRequest Navigator::requestFrom(const CarState & car) const
+{
+  const double curvature = follower_.lastCommand().curvature;
+  PlanRequest request{advance(car.pose, car.speed * options_.follower.latency, curvature), *goal_, curvature};
+  if (options_.free_goal_vel) {
+    request.extension_length = extensionLength();
+  }
+  if (options_.free_goal_vel && options_.race_line) {
+    const SpeedLimits & limits = options_.follower.limits;
+    request.race_line = RaceLineOptions{
+      kGatePart * options_.xy_goal_tolerance, options_.follower.slip_gradient, limits.max_lateral_acceleration,
+      limits.max_vel_x};
+    request.lead = follower_.lead(car, options_.follower.latency + kLeadTime);
+  }
+  if (!request.lead.empty()) {
+    request.start = request.lead.back().pose;
+    request.start_curvature = request.lead.back().curvature;
+  }
+  return request;
 }
 
 void Navigator::planFailed(const CycleInput & input, Costmap & costmap, CycleOutput & output)

@@ -17,6 +17,7 @@ constexpr double kSpeedLead = 0.12;       // s, that a car's speed lags behind i
 constexpr double kStopMargin = 0.05;      // m, left before an obstacle
 // The speed commanded and the speed measured may differ by this much before the slew starts from the measured one, m/s.
 constexpr double kSpeedSlack = 0.5;
+constexpr double kSlackPart = 1.3;  // of what the speed lags behind when the car speeds up as it may
 // Beyond this angle between car and path, steering back does not work, rad.
 constexpr double kMaxHeadingError = 1.2;
 
@@ -35,6 +36,8 @@ void FollowerOptions::validate() const
   requireNotNegative("latency", latency);
   requirePositive("tracking_distance", tracking_distance);
   requireNotNegative("tracking_time", tracking_time);
+  requireNotNegative("slip_gradient", slip_gradient);
+  requireNotNegative("understeer_gradient", understeer_gradient);
   requireNotNegative("stop_clearance", stop_clearance);
   requireNotNegative("replan_distance", replan_distance);
   requirePositive("max_path_deviation", max_path_deviation);
@@ -57,6 +60,25 @@ void PathFollower::clear()
   path_.clear();
   speeds_.clear();
   last_ = {};
+  last_bend_ = 0.0;
+}
+
+Path PathFollower::lead(const CarState & car, double time) const
+{
+  constexpr double kMaxOffset = 0.3;   // m
+  constexpr double kMaxHeading = 0.5;  // rad
+  if (path_.empty() || car.speed < kSpeedSlack) {
+    return {};
+  }
+  const PathPosition here = tracker_.locate(path_, car.pose);
+  const double until = here.s + car.speed * time;
+  const bool on_path = std::abs(here.lateral) < kMaxOffset && std::abs(here.heading_error) < kMaxHeading;
+  if (here.reverse || !on_path || until > here.s + here.remaining) {
+    return {};
+  }
+  const auto first = path_.begin() + static_cast<std::ptrdiff_t>(here.index);
+  const auto last = std::find_if(first, path_.end(), [&](const PathPoint & point) { return point.s >= until; });
+  return last == path_.end() ? Path{} : Path(first, std::next(last));
 }
 
 FollowStep PathFollower::step(const CarState & car, const Costmap & costmap, double period, bool brake)
@@ -67,8 +89,8 @@ FollowStep PathFollower::step(const CarState & car, const Costmap & costmap, dou
   result.lost = std::abs(result.position.lateral) > options_.max_path_deviation ||
                 std::abs(result.position.heading_error) > kMaxHeadingError;
   result.at_end = tracker_.onLastStretch() && result.position.remaining <= kEndReached;
-  const Pose2 ahead = advance(car.pose, car.speed * options_.latency, last_.curvature);
-  const PathPosition predicted = tracker_.locate(path_, ahead);
+  const double slip = slipOn(last_bend_, car.speed);
+  const PathPosition predicted = tracker_.locate(path_, motionAfterLatency(car, slip));
 
   const double free = distanceToObstacle(car, costmap, result.prediction);
   const double stoppable =
@@ -80,7 +102,8 @@ FollowStep PathFollower::step(const CarState & car, const Costmap & costmap, dou
   const double speed = stop ? 0.0 : std::min(wantedSpeed(predicted, car.speed), stoppable);
   const double slow = slewed(result.position.reverse ? -speed : speed, car.speed, period);
   result.command.speed = std::clamp(slow, -stoppable, stoppable);
-  result.command.curvature = steer(predicted, std::abs(car.speed));
+  last_bend_ = steer(predicted, std::abs(car.speed));
+  result.command.curvature = withUndersteer(last_bend_, car.speed);
   last_ = result.command;
   return result;
 }
@@ -88,6 +111,26 @@ FollowStep PathFollower::step(const CarState & car, const Costmap & costmap, dou
 double PathFollower::maxCurvature() const
 {
   return std::tan(options_.max_steering_angle) / options_.limits.wheelbase;
+}
+
+double PathFollower::slipOn(double curvature, double speed) const
+{
+  const double limit = options_.limits.max_lateral_acceleration;
+  return options_.slip_gradient * std::clamp(speed * speed * curvature, -limit, limit);
+}
+
+double PathFollower::withUndersteer(double curvature, double speed) const
+{
+  const double limit = options_.limits.max_lateral_acceleration;
+  const double more = options_.understeer_gradient * std::clamp(speed * speed * curvature, -limit, limit);
+  const double wheelbase = options_.limits.wheelbase;
+  const double angle = std::atan(wheelbase * curvature) + more;
+  return std::tan(std::clamp(angle, -options_.max_steering_angle, options_.max_steering_angle)) / wheelbase;
+}
+
+Pose2 PathFollower::motionAfterLatency(const CarState & car, double slip) const
+{
+  return advance({car.pose.x, car.pose.y, car.pose.yaw - slip}, car.speed * options_.latency, last_bend_);
 }
 
 // Makes the lateral error decay along the way like a critically damped spring, on top of the path's own curvature.
@@ -130,16 +173,21 @@ double PathFollower::distanceToObstacle(
   const double here = costmap.clearance(car.pose);
   const double time = kPredictionTime + std::abs(car.speed) / options_.limits.dec_lim_x;
   PathTracker tracker = tracker_;
-  Pose2 pose = car.pose;
+  Pose2 motion = car.pose;
+  motion.yaw -= slipOn(last_bend_, car.speed);
+  double pace = std::abs(car.speed);
   double driven = 0.0;
   for (double t = 0.0; t < time; t += kPredictionStep) {
-    const PathPosition position = tracker.moveTo(path_, pose);
+    const PathPosition position = tracker.moveTo(path_, motion);
     if (position.remaining <= kEndReached) {
       break;
     }
-    const double speed = std::max(std::abs(car.speed), options_.limits.min_vel_x);
-    const double distance = std::min(speed * kPredictionStep, position.remaining);
-    pose = advance(pose, position.reverse ? -distance : distance, steer(position, speed));
+    const double slower = pace - options_.limits.dec_lim_x * kPredictionStep;
+    pace = std::max({std::min(pace, profileAt(position.s, position.index)), slower, options_.limits.min_vel_x});
+    const double distance = std::min(pace * kPredictionStep, position.remaining);
+    const double bend = steer(position, pace);
+    motion = advance(motion, position.reverse ? -distance : distance, bend);
+    const Pose2 pose{motion.x, motion.y, motion.yaw + slipOn(bend, pace)};
     prediction.push_back(pose);
     // A car that stands closer to something already may drive away from it.
     if (costmap.clearance(pose) < std::min(options_.stop_clearance, here - 0.01)) {
@@ -172,7 +220,9 @@ void PathFollower::changeDirectionWhenStanding(const CarState & car)
 
 double PathFollower::slewed(double wanted, double speed, double period) const
 {
-  const double from = std::clamp(last_.speed, speed - kSpeedSlack, speed + kSpeedSlack);
+  const double greatest = std::max(options_.limits.acc_lim_x, options_.limits.dec_lim_x);
+  const double slack = std::max(kSpeedSlack, kSlackPart * kSpeedLead * greatest);
+  const double from = std::clamp(last_.speed, speed - slack, speed + slack);
   const bool slower = std::abs(wanted) < std::abs(from) || wanted * from < 0.0;
   const double step = (slower ? options_.limits.dec_lim_x : options_.limits.acc_lim_x) * period;
   return from + std::clamp(wanted - from, -step, step);

@@ -3,6 +3,8 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 
+#include "resample.h"
+
 namespace move_base
 {
 namespace
@@ -34,13 +36,6 @@ Matrix differences(int count, const std::vector<double> & stencil)
     }
   }
   return matrix;
-}
-
-// Signed curvature of the circle through three points, positive when it turns to the left.
-double curvatureThrough(const Vec2 & a, const Vec2 & b, const Vec2 & c)
-{
-  const double lengths = distance(a, b) * distance(b, c) * distance(a, c);
-  return lengths > 0.0 ? 2.0 * cross(b - a, c - b) / lengths : 0.0;
 }
 
 class Band

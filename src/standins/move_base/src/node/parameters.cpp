@@ -94,6 +94,8 @@ void readLocalPlanner(ParameterReader & reader, const std::string & name, Naviga
   reader.read(ofPlanner(name, "latency"), follower.latency);
   reader.read(ofPlanner(name, "tracking_distance"), follower.tracking_distance);
   reader.read(ofPlanner(name, "tracking_time"), follower.tracking_time);
+  reader.read(ofPlanner(name, "slip_gradient"), follower.slip_gradient);
+  reader.read(ofPlanner(name, "understeer_gradient"), follower.understeer_gradient);
   reader.read(ofPlanner(name, "stop_clearance"), follower.stop_clearance);
   reader.read(ofPlanner(name, "replan_distance"), follower.replan_distance);
   reader.read(ofPlanner(name, "max_path_deviation"), follower.max_path_deviation);
@@ -103,6 +105,7 @@ void readLocalPlanner(ParameterReader & reader, const std::string & name, Naviga
   reader.read(ofPlanner(name, "xy_goal_tolerance"), navigator.xy_goal_tolerance);
   reader.read(ofPlanner(name, "yaw_goal_tolerance"), navigator.yaw_goal_tolerance);
   reader.read(ofPlanner(name, "free_goal_vel"), navigator.free_goal_vel);
+  reader.read(ofPlanner(name, "race_line"), navigator.race_line);
   reader.read(ofPlanner(name, "coast_time"), navigator.coast_time);
 }
 

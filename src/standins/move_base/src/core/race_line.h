@@ -1,0 +1,22 @@
+#pragma once
+
+#include "arc_price.h"
+#include "move_base/global_planner.h"
+
+namespace move_base
+{
+/// A place that a line must pass near to.
+struct Gate
+{
+  Vec2 place;             ///< m
+  double tolerance{0.0};  ///< m
+};
+
+/// The line of least curvature in the free corridor around a path that is driven forwards (Heilmeier et al. 2020): it
+/// uses the width of the road so that bends become wide. Pose and curvature at the start stay, the end is free.
+/// The result keeps the rule and the greatest curvature, 1/m, wherever the given path does, and passes the gate if that
+/// does.
+Path raceLine(
+  const Path & path, const Costmap & costmap, const ClearanceRule & rule, const Gate & gate, double greatest_curvature,
+  const RaceLineOptions & options);
+}  // namespace move_base

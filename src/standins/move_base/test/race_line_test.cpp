@@ -1,0 +1,153 @@
+#include "race_line.h"
+
+#include <gtest/gtest.h>
+
+#include "rooms.h"
+
+namespace move_base
+{
+namespace
+{
+using testing::drawHairpin;
+using testing::drawMap;
+using testing::drawOval;
+using testing::drawRoom;
+using testing::inRectangle;
+using testing::makeCostmap;
+using testing::onOval;
+
+constexpr double kGreatestCurvature = 1.25;  // 1/m
+const RaceLineOptions kRacing{0.3, 0.0178, 7.0, 8.0};
+
+Plan planOn(const Costmap & costmap, const Pose2 & start, const Pose2 & goal, std::optional<RaceLineOptions> racing)
+{
+  PlanRequest request{start, goal};
+  request.extension_length = 6.0;
+  request.race_line = racing;
+  return GlobalPlanner(PlannerOptions{}).plan(costmap, request);
+}
+
+double greatestCurvature(const Path & path)
+{
+  double greatest = 0.0;
+  for (const PathPoint & point : path) {
+    greatest = std::max(greatest, std::abs(point.curvature));
+  }
+  return greatest;
+}
+
+double leastClearance(const Path & path, const Costmap & costmap)
+{
+  double least = HUGE_VAL;
+  for (const PathPoint & point : path) {
+    least = std::min(least, costmap.clearance(point.pose));
+  }
+  return least;
+}
+
+double bendingOf(const Path & path)
+{
+  double sum = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    sum += path[i].curvature * path[i].curvature * (path[i].s - path[i - 1].s);
+  }
+  return sum;
+}
+
+TEST(RaceLine, makesBendsWiderThanTheMiddleOfTheRoadDoes)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  const Plan middle = planOn(costmap, onOval(2.0), onOval(24.0), std::nullopt);
+  const Plan race = planOn(costmap, onOval(2.0), onOval(24.0), kRacing);
+  ASSERT_TRUE(race.found());
+  EXPECT_LT(bendingOf(race.path), 0.9 * bendingOf(middle.path));
+  EXPECT_GT(leastClearance(race.path, costmap), 0.085);
+}
+
+TEST(RaceLine, passesTheGoalWithinTheTolerance)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  for (const double goal : {8.0, 11.0, 14.0}) {
+    const Plan race = planOn(costmap, onOval(2.0), onOval(goal), kRacing);
+    double nearest = HUGE_VAL;
+    for (const PathPoint & point : race.path) {
+      nearest = std::min(nearest, distance(point.pose, onOval(goal)));
+    }
+    EXPECT_LT(nearest, 0.31) << goal;
+    EXPECT_LT(distance(race.path.front().pose, onOval(2.0)), 1e-3);
+  }
+}
+
+TEST(RaceLine, startsWithTheCurvatureOfTheWheels)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  PlanRequest request{onOval(9.0), onOval(15.0)};
+  request.start_curvature = 0.4;
+  request.extension_length = 6.0;
+  request.race_line = kRacing;
+  const Plan plan = GlobalPlanner(PlannerOptions{}).plan(costmap, request);
+  ASSERT_TRUE(plan.found());
+  EXPECT_NEAR(plan.path[1].curvature, 0.4, 0.02);
+}
+
+TEST(RaceLine, keepsTheTurningRadiusInAHairpin)
+{
+  const Costmap costmap = makeCostmap(drawHairpin());
+  const Plan race = planOn(costmap, {2.0, 0.8, 0.0}, {4.0, 2.8, M_PI}, kRacing);
+  ASSERT_TRUE(race.found());
+  EXPECT_LT(greatestCurvature(race.path), 1.05 * kGreatestCurvature);
+  EXPECT_GT(leastClearance(race.path, costmap), 0.0);
+}
+
+TEST(RaceLine, staysOnItsSideOfAnObstacle)
+{
+  const OccupancyGrid pillar = drawMap(12.0, 3.0, [](const Vec2 & p) {
+    return !inRectangle(p, {0.1, 0.1}, {11.9, 2.9}) || inRectangle(p, {5.8, 1.2}, {6.2, 1.5});
+  });
+  const Costmap costmap = makeCostmap(pillar);
+  const Plan race = planOn(costmap, {1.0, 1.4, 0.0}, {10.0, 1.4, 0.0}, kRacing);
+  ASSERT_TRUE(race.found());
+  EXPECT_GT(leastClearance(race.path, costmap), 0.085);
+}
+
+TEST(RaceLine, isTheSameEveryTime)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  const Path first = planOn(costmap, onOval(2.0), onOval(14.0), kRacing).path;
+  const Path second = planOn(costmap, onOval(2.0), onOval(14.0), kRacing).path;
+  ASSERT_EQ(first.size(), second.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    ASSERT_EQ(first[i].pose.x, second[i].pose.x);
+    ASSERT_EQ(first[i].pose.y, second[i].pose.y);
+  }
+}
+
+TEST(RaceLine, isNotWantedOfAPathThatReverses)
+{
+  const Costmap costmap = makeCostmap(drawRoom(6.0, 4.0));
+  const Plan race = planOn(costmap, {3.0, 2.0, 0.0}, {1.5, 2.0, 0.0}, kRacing);
+  ASSERT_TRUE(race.found());
+  EXPECT_LT(distance(race.path.front().pose, {3.0, 2.0, 0.0}), 1e-9);
+}
+
+TEST(Lead, staysAsItIsBeforeANewPlan)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  const Path before = planOn(costmap, onOval(2.0), onOval(8.0), kRacing).path;
+  PlanRequest request;
+  request.lead = Path(before.begin() + 10, before.begin() + 20);
+  request.start = request.lead.back().pose;
+  request.start_curvature = request.lead.back().curvature;
+  request.goal = onOval(14.0);
+  request.race_line = kRacing;
+  const Plan plan = GlobalPlanner(PlannerOptions{}).plan(costmap, request);
+  ASSERT_TRUE(plan.found());
+  EXPECT_NEAR(plan.path[4].pose.x, before[14].pose.x, 1e-12);
+  EXPECT_NEAR(plan.path.front().s, 0.0, 1e-12);
+  for (std::size_t i = 1; i < plan.path.size(); ++i) {
+    ASSERT_GT(plan.path[i].s, plan.path[i - 1].s) << i;
+  }
+  EXPECT_LT(distance(plan.path.back().pose, onOval(14.0)), 0.31);
+}
+}  // namespace
+}  // namespace move_base

@@ -169,7 +169,7 @@ class FakeRobot:
         ).any()
 
     def _publish_again(self):
-        """Who connects late must find a scan and tf to become ready; who thinks for long must not hear them twice."""
+        """Who connects late must find a scan and tf; who thinks for long must not hear them twice."""
         if self._done_stamp.is_zero():
             self._publish()
         else:

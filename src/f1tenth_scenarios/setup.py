@@ -5,6 +5,7 @@ from setuptools import setup
 
 setup(
     **generate_distutils_setup(
-        packages=["f1tenth_scenarios", "f1tenth_scenarios.report"], package_dir={"": "src"}
+        packages=["f1tenth_scenarios", "f1tenth_scenarios.race_pace", "f1tenth_scenarios.report"],
+        package_dir={"": "src"},
     )
 )

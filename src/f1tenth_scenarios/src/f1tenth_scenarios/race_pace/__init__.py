@@ -1,0 +1,1 @@
+"""How fast a lap can be, and how near to it the planner's laps come."""

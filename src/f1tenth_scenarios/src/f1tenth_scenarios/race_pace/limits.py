@@ -1,0 +1,64 @@
+"""What the car can do."""
+
+import dataclasses
+import math
+
+import yaml
+
+from f1tenth_scenarios import places
+from f1tenth_scenarios.errors import ScenarioError
+
+GRAVITY = 9.81  # m/s^2, with which the tyre parameters were identified
+CAR_WIDTH = 0.31  # m, of f1tenth_description
+CLEARANCE = 0.05  # m beside the car, the least that a race lap may leave
+
+
+@dataclasses.dataclass(frozen=True)
+class Limits:
+    """Limits of a lap."""
+
+    friction: float
+    max_acceleration: float  # m/s^2, of motor and brakes
+    switch_speed: float  # m/s, above it the motor's acceleration falls with 1/v
+    max_speed: float  # m/s
+    max_curvature: float  # 1/m, at the steering limit
+    mass: float  # kg
+    width: float = CAR_WIDTH  # m
+    clearance: float = CLEARANCE  # m, to each side
+
+    def describe(self) -> str:
+        """The limits in a line."""
+        return (
+            f"friction {self.friction:g}, acceleration {self.max_acceleration:g} m/s^2,"
+            f" speed {self.max_speed:g} m/s, curvature {self.max_curvature:.3f} 1/m,"
+            f" car {self.width:g} m wide with {self.clearance:g} m to each side"
+        )
+
+
+def read_limits(clearance: float = CLEARANCE) -> Limits:
+    """The limits of the simulator's car, from its parameter file.
+
+    Raises:
+        ScenarioError: the file is not there or lacks a value.
+    """
+    path = places.package_path("f1tenth_sim2d") / "config" / "f1tenth.yaml"
+    try:
+        values = yaml.safe_load(path.read_text(encoding="utf-8"))
+        return _limits(values, clearance)
+    except OSError as error:
+        raise ScenarioError(f"{path}: cannot be read: {error.strerror}") from error
+    except KeyError as error:
+        raise ScenarioError(f"{path}: {error.args[0]} is missing") from error
+
+
+def _limits(values: dict, clearance: float) -> Limits:
+    wheelbase = values["l_f"] + values["l_r"]
+    return Limits(
+        friction=values["mu"],
+        max_acceleration=values["a_max"],
+        switch_speed=values["v_switch"],
+        max_speed=values["v_max"],
+        max_curvature=math.tan(values["steering_max"]) / wheelbase,
+        mass=values["m"],
+        clearance=clearance,
+    )

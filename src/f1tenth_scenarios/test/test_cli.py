@@ -96,13 +96,13 @@ def test_results_go_where_the_environment_says(monkeypatch, tmp_path):
 
 def test_summary_has_all_that_make_race_prints(tmp_path):
     run = FakeRun(tmp_path).records(4.0)
-    result = run.hears(racing(1.0), finished(3.0)).execute()
+    result = run.hears(racing(), finished(3.0)).execute()
     assert summary(result, run.plan).splitlines() == [
         "scenario:          sample",
         "verdict:           success (expected success)",
         "passed:            yes",
         "reason:            every goal was passed in order",
-        "lap time:          2.000 s",
+        "lap time:          3.000 s",
         "minimum clearance: 0.500 m",
         "real-time factor:  none",
         f"result:            {run.plan.folder}/result.json",
@@ -112,10 +112,10 @@ def test_summary_has_all_that_make_race_prints(tmp_path):
 
 def test_summary_lists_the_laps_if_there_are_several(tmp_path):
     run = FakeRun(tmp_path, scenario(laps=2, timeout=20.0)).records(8.0, speed=0.5)
-    run.hears(racing(1.0), reached(4.0, 3), reached(7.5, 6))
+    run.hears(racing(), reached(4.0, 3), reached(7.5, 6))
     lines = summary(run.execute(), run.plan).splitlines()
-    assert "lap time:          3.000 s" in lines
-    assert "laps of robot1:    3.000 s, 3.500 s" in lines
+    assert "lap time:          3.500 s" in lines
+    assert "laps of robot1:    4.000 s, 3.500 s" in lines
 
 
 def test_summary_of_a_failure_quotes_the_culprit(tmp_path):

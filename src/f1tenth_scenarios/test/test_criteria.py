@@ -1,17 +1,27 @@
 """Each criterion reports what was measured and what is asked for, and each can fail."""
 
+import numpy as np
 import pytest
-from f1tenth_scenarios.criteria import Status, evaluate
+from f1tenth_scenarios.course import Course
+from f1tenth_scenarios.criteria import evaluate
+from f1tenth_scenarios.criterion import Status
 from f1tenth_scenarios.judge import judge
+from f1tenth_scenarios.measured import Measured
 from f1tenth_scenarios.record import Record
-from f1tenth_scenarios.scenario import Verdict
+from f1tenth_scenarios.replay import Poses
+from f1tenth_scenarios.scenario import Criteria, Verdict
 from scenario_samples import GOALS, aborted, died, finished, record, rows, scenario, seen, with_clearance
 
 from f1tenth_scenarios import criteria
 
 
-def results(wanted, run):
-    return {each.name: each for each in evaluate(wanted, judge(wanted, GOALS, run))}
+def results(wanted, run, **measured):
+    return {each.name: each for each in evaluate(wanted, judge(wanted, GOALS, run), Measured(**measured))}
+
+
+def limited(expected=Verdict.SUCCESS, **limits):
+    course = "circuit1" if "off_course" in limits else None
+    return scenario(expected, criteria=Criteria(**limits), course=course)
 
 
 @pytest.fixture
@@ -104,3 +114,79 @@ def test_clearance_is_judged_only_with_a_limit():
 def test_goals_are_judged_only_if_success_is_expected(runs):
     found = results(scenario(Verdict.ABORTED), runs[Verdict.ABORTED])["goals_in_order"]
     assert found.status is Status.NOT_JUDGED
+
+
+@pytest.mark.parametrize(
+    ("words", "status"), [("Failed to find", Status.PASSED), ("Robot is", Status.FAILED)]
+)
+def test_reason_must_hold_the_expected_words(runs, words, status):
+    found = results(scenario(Verdict.ABORTED, reason=words), runs[Verdict.ABORTED])["reason"]
+    assert (found.status, found.limit) == (status, f"'{words}' in it")
+    assert found.actual.startswith("robot1 gave up at 2.000 s: ")
+
+
+def test_light_touch_is_no_collision(runs):
+    touching = runs[Verdict.COLLISION]
+    assert results(limited(light_touch=1.1), touching)["collision"].actual == 0
+    assert results(limited(light_touch=1.1), touching)["verdict"].status is Status.PASSED
+    assert results(limited(light_touch=0.9), touching)["collision"].actual == 1
+    assert results(limited(light_touch=0.9), touching)["verdict"].status is Status.FAILED
+
+
+# Limit, what is measured besides the record, the actual value.
+MEASURES = {
+    "minimum_clearance": (0.4, {}, 0.5),
+    "lap_time": (12.0, {"lap_times": {"robot1": [10.0, 11.0], "robot2": [9.0]}}, 11.0),
+    "lateral_acceleration": (2.5, {}, 2.0),
+    "off_course": (0.6, {"course": Course(*np.array([[0, 9, 9], [0, 0, -9], [1, 1, 1], [0.5] * 3]))}, 0.5),
+    "standstill": (2.0, {"start": 0.5}, 0.975),
+    "localization_error": (
+        0.6,
+        {"estimates": {"robot1": Poses([1.0, 2.0], [(1, 1.5, 0), (2, 0.5, 0)])}},
+        0.5,
+    ),
+    "localization_yaw_error": (0.2, {"estimates": {"robot1": Poses([1.0], [(1, 1, 6.2831853 - 0.1)])}}, 0.1),
+    "real_time_factor": (10.0, {"real_time_factor": 12.0}, 12.0),
+}
+LOWER_LIMITS = {"minimum_clearance", "real_time_factor"}
+
+
+def recorded(folder):
+    """Straight on at y = 1 m with 1 m/s, said to turn at 2 rad/s, and to be at rest at last."""
+    table = []
+    for row in rows(4.0, y=1.0):
+        row[7] = 2.0 if float(row[0]) < 2.0 else 0.0
+        row[5] = 0.0 if 0.9 < float(row[0]) - 2.0 < 1.92 else row[5]
+        table.append(row)
+    return record(folder, table)
+
+
+@pytest.mark.parametrize("name", MEASURES)
+def test_measure_is_held_against_its_limit(tmp_path, name):
+    limit, measured, actual = MEASURES[name]
+    run = seen(recorded(tmp_path), finished(4.0))
+    found = results(limited(**{name: limit}), run, **measured)[name]
+    assert (found.status, found.limit) == (Status.PASSED, limit)
+    assert found.actual == pytest.approx(actual, abs=1e-3)
+    missed = limit * 2 if name in LOWER_LIMITS else limit / 10
+    assert results(limited(**{name: missed}), run, **measured)[name].status is Status.FAILED
+
+
+@pytest.mark.parametrize("name", MEASURES)
+def test_measure_that_is_missing_fails(name):
+    run = seen(Record({}), aborted(0.0))
+    found = results(limited(Verdict.ABORTED, **{name: 1.0}), run)[name]
+    assert (found.status, found.actual) == (Status.FAILED, None)
+    assert found.reason
+
+
+@pytest.mark.parametrize("name", set(MEASURES) - {"real_time_factor"})
+def test_measure_of_driving_is_not_judged_where_a_crash_is_expected(runs, name):
+    found = results(limited(Verdict.COLLISION, **{name: 1.0}), runs[Verdict.COLLISION])[name]
+    assert found.status is Status.NOT_JUDGED
+
+
+@pytest.mark.parametrize("name", MEASURES)
+def test_measure_is_judged_only_with_a_limit(name):
+    assert name not in criteria.names(scenario())
+    assert name in criteria.names(limited(**{name: 1.0}))

@@ -3,7 +3,7 @@
 import pytest
 from f1tenth_scenarios.judge import is_decided, judge
 from f1tenth_scenarios.record import Record
-from f1tenth_scenarios.scenario import Car, Command, Driver, Pose, Verdict
+from f1tenth_scenarios.scenario import Car, Command, Criteria, Driver, Pose, Verdict
 from scenario_samples import (
     GOALS,
     aborted,
@@ -156,3 +156,23 @@ def test_car_on_a_command_profile_only_ends_by_contact_or_timeout(tmp_path, cont
     run = seen(record(tmp_path, rows(2.0, contacts=contacts)))
     base = scenario(timeout=2.0)
     assert verdict_of(type(base)(**{**vars(base), "cars": (car,)}), {}, run) is verdict
+
+
+def test_car_that_moves_before_the_start_is_out(tmp_path):
+    run = seen(record(tmp_path, rows(4.0)), racing(0.5), finished(3.0))
+    decision = judge(scenario(), GOALS, run).decision
+    assert (decision.verdict, decision.stamp, decision.car) == (Verdict.ABORTED, 0.075, "robot1")
+    assert decision.reason == "false start: robot1 moved at 0.075 s, before the start at 0.500 s"
+
+
+def test_car_that_waits_for_the_start_is_not(tmp_path):
+    standing = [[row[0], row[1], max(0.0, float(row[0]) - 0.5), *row[3:]] for row in rows(4.0)]
+    run = seen(record(tmp_path, standing), racing(0.5), finished(3.6))
+    assert verdict_of(scenario(), GOALS, run) is Verdict.SUCCESS
+
+
+def test_light_touch_does_not_end_the_race(tmp_path):
+    touching = record(tmp_path, rows(4.0, contacts={1.0: "Wall_1"}))
+    lenient = scenario(criteria=Criteria(light_touch=1.5))
+    assert verdict_of(lenient, GOALS, seen(touching, finished(3.0))) is Verdict.SUCCESS
+    assert verdict_of(scenario(), GOALS, seen(touching, finished(3.0))) is Verdict.COLLISION

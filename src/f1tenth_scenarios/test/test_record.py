@@ -64,19 +64,19 @@ def test_tail_follows_a_growing_record(tmp_path):
     path = tmp_path / "record.csv"
     tail = RecordTail(path)
     tail.poll()
-    assert (tail.time, tail.touched) == (None, False)
+    assert (tail.time, tail.touches) == (None, 0)
     path.write_text(HEADER + ROW + ROW.replace("0.025", "0.050")[:9], encoding="utf-8")
     tail.poll()
-    assert (tail.time, tail.touched) == (0.025, False)
+    assert (tail.time, tail.touches) == (0.025, 0)
     path.write_text(HEADER + ROW + ROW.replace("0.025", "0.050").replace(",,", ",Wall_1,"), encoding="utf-8")
     tail.poll()
-    assert (tail.time, tail.touched) == (0.05, True)
+    assert (tail.time, tail.touches) == (0.05, 1)
 
 
 def test_tail_agrees_with_the_reader(tmp_path):
     tail = RecordTail(write_record(tmp_path / "record.csv", rows(2.0, contacts={1.0: "Wall_1"})))
     tail.poll()
-    assert (tail.time, tail.touched) == (2.0, True)
+    assert (tail.time, tail.touches) == (2.0, 1)
 
 
 def test_lines_are_handed_out_once(tmp_path):

@@ -6,8 +6,8 @@ from f1tenth_scenarios.scenario import Driver, Pose, Verdict, read_scenario
 from scenario_samples import SCENARIO_TEXT
 
 TOP_KEYS = (
-    "description, world, cars, limits, expected, seed, culprit, laps, time_to_start, lockstep,"
-    " real_time_factor, criteria, faults"
+    "description, world, cars, limits, expected, seed, culprit, reason, course, start_line, laps,"
+    " time_to_start, lockstep, real_time_factor, criteria, faults"
 )
 CAR_KEYS = "name, start, driver, goals, commands"
 
@@ -146,6 +146,11 @@ ANSWERS = {
         "seed: 1",
         "seed: 1\nculprit: robot1/move_base",
         "FILE:10: culprit is for the expected verdict 'error' only",
+    ),
+    "road without a course": (
+        "seed: 1",
+        "seed: 1\ncriteria: {off_course: 0.1}",
+        "FILE:1: course is missing; the criterion 'off_course' needs it",
     ),
     "late fault": (
         "seed: 1",

@@ -5,8 +5,8 @@ import textwrap
 import time
 from typing import Optional, TextIO
 
-from f1tenth_scenarios import criteria
-from f1tenth_scenarios.criteria import Status
+from f1tenth_scenarios.criterion import Status
+from f1tenth_scenarios.driving_criteria import least_clearance
 from f1tenth_scenarios.pace import Pace
 from f1tenth_scenarios.plan import Plan
 from f1tenth_scenarios.result import PICTURE_FILE, RESULT_FILE, Result
@@ -57,8 +57,8 @@ def summary(result: Result, plan: Plan) -> str:
         ("reason", result.reason),
         ("lap time", _unit(result.best_lap_time, "s", 3)),
         *_all_laps(result, plan),
-        ("minimum clearance", _unit(criteria.minimum_clearance(result.judgement), "m", 3)),
-        ("real-time factor", _unit(result.real_time_factor, "", 1)),
+        ("minimum clearance", _unit(least_clearance(result.judgement), "m", 3)),
+        ("real-time factor", _unit(result.measured.real_time_factor, "", 1)),
         *_failed_criteria(result),
         *_culprit_log(result),
         ("result", str(plan.folder / RESULT_FILE)),

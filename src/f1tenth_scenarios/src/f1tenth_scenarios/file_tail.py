@@ -39,7 +39,7 @@ class RecordTail:
     def __init__(self, path: Path):
         self._tail = LineTail(path)
         self.time: Optional[float] = None  # s, of the last period
-        self.touched = False  # whether any car has touched anything
+        self.touches = 0  # rows with a contact
 
     def poll(self) -> None:
         """Read what has been added."""
@@ -47,7 +47,7 @@ class RecordTail:
             cells = line.split(",")
             if len(cells) == len(COLUMNS) and cells[self._TIME] != COLUMNS[self._TIME]:
                 self.time = float(cells[self._TIME])
-                self.touched = self.touched or bool(cells[self._CONTACTS])
+                self.touches += bool(cells[self._CONTACTS])
 
 
 def last_lines(path: Path, count: int) -> list[str]:

@@ -4,12 +4,16 @@ Everything after the deciding stamp is cut: a run gives the same result however 
 """
 
 import dataclasses
-from collections.abc import Iterator, Mapping, Sequence
+import functools
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Optional
 
+import numpy as np
+
+from f1tenth_scenarios.contacts import find_contacts
 from f1tenth_scenarios.goal_passes import GoalPasses, find_passes
 from f1tenth_scenarios.observations import Failure, Observations, RaceState, RaceUpdate
-from f1tenth_scenarios.record import STAMP_EPSILON, Record
+from f1tenth_scenarios.record import STAMP_EPSILON, Contact, Record
 from f1tenth_scenarios.scenario import Driver, Pose, Scenario, Verdict
 
 Goals = Mapping[str, Sequence[Pose]]
@@ -34,7 +38,13 @@ class Judgement:
     passes: dict[str, GoalPasses]
     failure: Optional[Failure] = None
 
+    @functools.cached_property
+    def contacts(self) -> list[Contact]:
+        """Every contact up to the decision, once."""
+        return find_contacts(self.record)
 
+
+_FALSE_START_DISTANCE = 0.05  # m
 # Of what happens at the same stamp the more serious counts.
 _RANK = (Verdict.COLLISION, Verdict.ABORTED, Verdict.SUCCESS, Verdict.TIMEOUT, Verdict.ERROR)
 
@@ -63,19 +73,45 @@ def is_decided(scenario: Scenario, goals: Goals, updates: Sequence[RaceUpdate]) 
 
 
 def _endings(scenario: Scenario, goals: Goals, seen: Observations) -> Iterator[Decision]:
-    yield from _collisions(seen)
+    yield from _collisions(scenario, seen)
+    yield from _false_starts(scenario, seen)
     yield from _races_aborted(seen.updates)
     yield from _races_finished(scenario, goals, seen.updates)
     yield from _timeouts(scenario, seen)
     yield from _breakdowns(seen)
 
 
-def _collisions(seen):
+def first_collision(scenario: Scenario, record: Record) -> Optional[Contact]:
+    """The first contact that is no light touch; nothing without one."""
+    return next((each for each in find_contacts(record) if each.speed >= scenario.criteria.light_touch), None)
+
+
+def race_start(updates: Iterable[RaceUpdate]) -> Optional[float]:
+    """When the first race began, s; nothing when none was heard to begin."""
+    begun = (each.stamp for each in updates if each.state is RaceState.RACING and not each.goals_reached)
+    return min(begun, default=None)
+
+
+def _collisions(scenario, seen):
+    contact = first_collision(scenario, seen.record)
+    if contact:
+        touched = " and ".join(contact.touched)
+        reason = f"{contact.car} touched {touched} at {contact.start:.3f} s with {contact.speed:.2f} m/s"
+        yield Decision(contact.start, Verdict.COLLISION, reason, contact.car)
+
+
+def _false_starts(scenario, seen):
+    """Cars that move before the race has begun; where nobody races there is no start."""
+    start = race_start(seen.updates)
+    if start is None:
+        return
     for track in seen.record.tracks.values():
-        for contact in track.contact_list()[:1]:
-            touched = " and ".join(contact.touched)
-            reason = f"{track.car} touched {touched} at {contact.start:.3f} s with {contact.speed:.2f} m/s"
-            yield Decision(contact.start, Verdict.COLLISION, reason, track.car)
+        moved = np.hypot(track.x - track.x[:1], track.y - track.y[:1]) > _FALSE_START_DISTANCE
+        early = np.flatnonzero(moved & (track.time + STAMP_EPSILON < start))
+        if len(early):
+            stamp = float(track.time[early[0]])
+            reason = f"false start: {track.car} moved at {stamp:.3f} s, before the start at {start:.3f} s"
+            yield Decision(stamp, Verdict.ABORTED, reason, track.car)
 
 
 def _races_aborted(updates):

@@ -4,7 +4,7 @@ import unittest
 from typing import Callable
 
 from f1tenth_scenarios.console import summary
-from f1tenth_scenarios.criteria import Criterion, Status
+from f1tenth_scenarios.criterion import Criterion, Status
 from f1tenth_scenarios.places import PACKAGE
 from f1tenth_scenarios.plan import Plan
 from f1tenth_scenarios.result import Result

@@ -60,6 +60,11 @@ def goals_file(name: str, beside: Path) -> Path:
     return _find(name, beside, "goals", ".txt")
 
 
+def course_file(name: str, beside: Path) -> Path:
+    """A circuit's YAML file, or a centreline (CSV); a path counts from the folder `beside`."""
+    return _find(name, beside, "circuits", ".csv" if name.endswith(".csv") else ".yaml")
+
+
 def map_file(world: Path) -> Optional[Path]:
     """The map (YAML) of a world; nothing when it has none."""
     for folder in (world.parent, world.parent.parent / "maps"):

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Optional
 
 from f1tenth_scenarios import places
+from f1tenth_scenarios.course import Course, read_course
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.goals import read_goals
 from f1tenth_scenarios.scenario import Driver, Pose, Scenario, read_scenario
@@ -22,6 +23,7 @@ class Plan:
     goals_files: dict[str, Path]  # per car that races
     goals: dict[str, tuple[Pose, ...]]  # per car that races, of one lap
     folder: Path  # for the results
+    course: Optional[Course] = None
 
     @property
     def log_folder(self) -> Path:
@@ -83,4 +85,5 @@ def _find_files(file, scenario, folder):
     map_file = places.map_file(world)
     if goals and map_file is None:
         raise ScenarioError(f"the driver 'race' needs a map, and {world} has none beside it or in ../maps")
-    return Plan(file.stem, file, scenario, world, map_file, goals_files, goals, folder)
+    course = read_course(places.course_file(scenario.course, file.parent)) if scenario.course else None
+    return Plan(file.stem, file, scenario, world, map_file, goals_files, goals, folder, course)

@@ -7,6 +7,7 @@ from typing import Any, Callable
 
 import rospy
 from gazebo_msgs.msg import ModelStates
+from geometry_msgs.msg import PoseWithCovarianceStamped
 from nav_msgs.msg import Path
 from sensor_msgs.msg import LaserScan
 
@@ -45,6 +46,7 @@ class ReplayRecorder:
             },
             global_plans={car: Paths(*kept) for car, kept in self._of_kind("global_plan")},
             local_plans={car: Paths(*kept) for car, kept in self._of_kind("local_plan")},
+            estimates={car: Poses(*kept) for car, kept in self._of_kind("estimate")},
             models={name: Poses(*kept) for name, kept in self._of_kind("model")},
             descriptions={car: rospy.get_param(f"/{car}/robot_description", "") for car in self._cars},
         )
@@ -54,6 +56,12 @@ class ReplayRecorder:
         for kind in ("global_plan", "local_plan"):
             topic = f"/{car}/move_base/{kind}"
             yield self._subscribe(topic, Path, lambda path, kind=kind: self._keep_path(kind, car, path))
+
+        yield rospy.Subscriber(
+            f"/{car}/amcl_pose",
+            PoseWithCovarianceStamped,
+            lambda estimate: self._keep_estimate(car, estimate),
+        )
 
     def _subscribe(self, topic: str, kind: type, keep: Callable[[Any], None]) -> rospy.Subscriber:
         rate = Rate(_PERIOD)
@@ -83,6 +91,9 @@ class ReplayRecorder:
             scan.angle_min + (len(kept) - 1) * _BEAM_STRIDE * scan.angle_increment,
         )
         self._keep("scan", car, scan.header.stamp.to_sec(), [_centimetres(each) for each in kept])
+
+    def _keep_estimate(self, car: str, estimate: PoseWithCovarianceStamped) -> None:
+        self._keep("estimate", car, estimate.header.stamp.to_sec(), _planar(estimate.pose.pose))
 
     def _keep_path(self, kind: str, car: str, path: Path) -> None:
         stride = max(1, len(path.poses) // _PATH_POINTS)

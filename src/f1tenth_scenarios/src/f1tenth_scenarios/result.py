@@ -7,11 +7,11 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Optional
 
-from f1tenth_scenarios import criteria
 from f1tenth_scenarios.atomic import replacing
-from f1tenth_scenarios.criteria import Criterion, Status
+from f1tenth_scenarios.criterion import Criterion, Status
+from f1tenth_scenarios.driving_criteria import least_clearance
 from f1tenth_scenarios.judge import Judgement
-from f1tenth_scenarios.observations import RaceState, RaceUpdate
+from f1tenth_scenarios.measured import Measured
 from f1tenth_scenarios.record import COLUMNS, Record
 from f1tenth_scenarios.scenario import Scenario
 
@@ -26,9 +26,8 @@ class Result:
     scenario: Scenario
     judgement: Judgement
     criteria: tuple[Criterion, ...]
-    updates: tuple[RaceUpdate, ...] = ()
+    measured: Measured = Measured()
     wall_time: Optional[float] = None  # s, of everything
-    real_time_factor: Optional[float] = None
 
     @property
     def passed(self) -> bool:
@@ -41,44 +40,20 @@ class Result:
         failed = [criterion for criterion in self.criteria if criterion.status is Status.FAILED]
         return failed[0].reason if failed else self.judgement.decision.reason
 
-    def start(self, car: str) -> Optional[float]:
-        """When the car's race was started, s; nothing when it never was."""
-        return next(
-            (update.stamp for update in self._seen(car) if update.state is not RaceState.WAITING), None
-        )
-
-    def lap_times(self, car: str) -> list[float]:
-        """Times of the laps that the car completed, s.
-
-        A lap is from the start, or the last goal of the lap before, to its own last goal, by race_mgr.
-        """
-        passes = self.judgement.passes.get(car)
-        start = self.start(car)
-        if passes is None or start is None:
-            return []
-        per_lap = passes.wanted // self.scenario.laps
-        ends = [self._reached(car, per_lap * (lap + 1)) for lap in range(self.scenario.laps)]
-        marks = [start, *(end for end in ends if end is not None)]
-        return [later - earlier for earlier, later in zip(marks, marks[1:])]
+    def lap_times(self, car: str) -> Sequence[float]:
+        """Times of the laps that the car completed, s."""
+        return self.measured.lap_times.get(car, ())
 
     @property
     def best_lap_time(self) -> Optional[float]:
         """The fastest lap of any car, s; nothing when none was completed."""
-        return min((time for car in self.scenario.cars for time in self.lap_times(car.name)), default=None)
-
-    def _reached(self, car, count):
-        return next((update.stamp for update in self._seen(car) if update.goals_reached >= count), None)
-
-    def _seen(self, car):
-        deciding = self.judgement.decision.stamp
-        return [update for update in self.updates if update.car == car and update.stamp <= deciding]
+        return min((time for times in self.measured.lap_times.values() for time in times), default=None)
 
 
 def as_dict(result: Result, versions: Mapping[str, Optional[str]]) -> dict[str, Any]:
     """The content of result.json."""
     decision, record = result.judgement.decision, result.judgement.record
     laps = {car.name: result.lap_times(car.name) for car in result.scenario.cars}
-    starts = [start for start in map(result.start, laps) if start is not None]
     return {
         "scenario": result.name,
         "description": result.scenario.description,
@@ -90,7 +65,7 @@ def as_dict(result: Result, versions: Mapping[str, Optional[str]]) -> dict[str, 
         "culprit": dataclasses.asdict(result.judgement.failure) if result.judgement.failure else None,
         "criteria": [{**dataclasses.asdict(each), "status": each.status.value} for each in result.criteria],
         "times": {
-            "start": min(starts, default=None),
+            "start": _stamp(result.measured.start),
             "finish": _stamp(decision.stamp),
             "lap_time": _stamp(result.best_lap_time),
             "wall": _stamp(result.wall_time),
@@ -102,13 +77,9 @@ def as_dict(result: Result, versions: Mapping[str, Optional[str]]) -> dict[str, 
             }
             for car, times in laps.items()
         },
-        "minimum_clearance": criteria.minimum_clearance(result.judgement),
-        "contacts": [
-            dataclasses.asdict(contact)
-            for track in record.tracks.values()
-            for contact in track.contact_list()
-        ],
-        "real_time_factor": result.real_time_factor,
+        "minimum_clearance": least_clearance(result.judgement),
+        "contacts": [dataclasses.asdict(contact) for contact in result.judgement.contacts],
+        "real_time_factor": result.measured.real_time_factor,
         "seed": result.scenario.seed,
         "trajectory_hash": record.hash_at_end(),
         "versions": dict(versions),

@@ -5,9 +5,12 @@ from collections.abc import Mapping, Sequence
 from typing import Callable
 
 from f1tenth_scenarios import criteria, result, versions
+from f1tenth_scenarios.driving_criteria import least_clearance
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.judge import judge
+from f1tenth_scenarios.judge import judge, race_start
+from f1tenth_scenarios.laps import lap_times
 from f1tenth_scenarios.launch_file import write_launch_file
+from f1tenth_scenarios.measured import Measured
 from f1tenth_scenarios.observations import Failure, Observations
 from f1tenth_scenarios.picture import write_picture
 from f1tenth_scenarios.plan import Plan
@@ -49,7 +52,7 @@ def execute(
     started = time.monotonic()
     with claimed(plan.folder, plan.log_folder, versions.commit()):
         seen, heard, real_time_factor = _observe(plan, command, environment, make_watch, stop, progress)
-        done = _judge(plan, seen, time.monotonic() - started, real_time_factor)
+        done = _judge(plan, seen, heard, time.monotonic() - started, real_time_factor)
         _write(plan, done, heard)
     return done
 
@@ -78,10 +81,18 @@ def _read_record(plan, failure):
         return Record({}), failure or Failure("sim2d", str(error))
 
 
-def _judge(plan, seen, wall_time, real_time_factor) -> Result:
+def _judge(plan, seen, heard, wall_time, real_time_factor) -> Result:
     judgement = judge(plan.scenario, plan.all_goals, seen)
-    judged = tuple(criteria.evaluate(plan.scenario, judgement))
-    return Result(plan.name, plan.scenario, judgement, judged, seen.updates, wall_time, real_time_factor)
+    deciding = judgement.decision.stamp
+    measured = Measured(
+        start=race_start(update for update in seen.updates if update.stamp <= deciding),
+        lap_times=lap_times(plan.scenario, judgement, seen.updates),
+        real_time_factor=real_time_factor,
+        estimates={car: poses.until(deciding) for car, poses in heard.estimates.items()},
+        course=plan.course,
+    )
+    judged = tuple(criteria.evaluate(plan.scenario, judgement, measured))
+    return Result(plan.name, plan.scenario, judgement, judged, measured, wall_time)
 
 
 def _write(plan: Plan, done: Result, heard: Recording) -> None:
@@ -99,6 +110,6 @@ def _write(plan: Plan, done: Result, heard: Recording) -> None:
 def _facts(done: Result) -> str:
     facts = [
         ("lap time", done.best_lap_time, "s"),
-        ("minimum clearance", criteria.minimum_clearance(done.judgement), "m"),
+        ("minimum clearance", least_clearance(done.judgement), "m"),
     ]
     return ", ".join(f"{name} {value:.3f} {unit}" for name, value, unit in facts if value is not None)

@@ -115,9 +115,47 @@ class Criteria:
         at_most=3.1416,
         default=0.8,
     )
+    light_touch: float = key(
+        "Contacts slower than this are no collision.", unit="m/s", at_least=0, default=0.0
+    )
     minimum_clearance: Optional[float] = key(
         "No car may come closer to anything than this.", unit="m", at_least=0, default=None
     )
+    lap_time: Optional[float] = key("No lap may take longer.", unit="s", above=0, default=None)
+    lateral_acceleration: Optional[float] = key(
+        "No car may be pushed to the side harder than this.", unit="m/s^2", above=0, default=None
+    )
+    off_course: Optional[float] = key(
+        "No car's base_footprint may leave the road of `course` by more than this.",
+        unit="m",
+        at_least=0,
+        default=None,
+    )
+    standstill: Optional[float] = key(
+        "No car may stand still for longer after the start.", unit="s", at_least=0, default=None
+    )
+    localization_error: Optional[float] = key(
+        "Largest distance between `amcl_pose` and the truth (RMS).", unit="m", above=0, default=None
+    )
+    localization_yaw_error: Optional[float] = key(
+        "Largest difference of heading between `amcl_pose` and the truth (RMS).",
+        unit="rad",
+        above=0,
+        default=None,
+    )
+    real_time_factor: Optional[float] = key(
+        "Least simulated seconds per wall second; depends on the machine.", above=0, default=None
+    )
+
+
+@dataclasses.dataclass(frozen=True)
+class StartLine:
+    """Where laps begin and end."""
+
+    x: float = key("Middle of the line in the map frame.", unit="m", default=0.0)
+    y: float = key("Middle of the line in the map frame.", unit="m", default=0.0)
+    yaw: float = key("Direction in which it is crossed.", unit="rad", default=0.0)
+    width: float = key("Length of the line.", unit="m", above=0, default=3.0)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -143,6 +181,15 @@ class Scenario:
     culprit: Optional[str] = key(
         "Node that an expected `error` must name, as in `robot1/move_base`; required then.", default=None
     )
+    reason: Optional[str] = key("Words that the reason of the verdict must hold.", default=None)
+    course: Optional[str] = key(
+        "The road: a circuit under f1tenth_gazebo/circuits without .yaml, or the path of an X_centerline.csv"
+        " relative to the scenario file.",
+        default=None,
+    )
+    start_line: Optional[StartLine] = key(
+        "Where laps are timed; without it a lap ends with its last goal.", default=None
+    )
     laps: int = key("How often the goals are driven through.", at_least=1, default=1)
     time_to_start: int = key("Countdown before the start.", unit="s", at_least=0, default=2)
     lockstep: bool = key("Whether the simulator waits for every participant in every period.", default=True)
@@ -163,6 +210,8 @@ class Scenario:
             return "culprit", "is missing; an expected error must say whose it is"
         if self.expected is not Verdict.ERROR and self.culprit is not None:
             return "culprit", "is for the expected verdict 'error' only"
+        if self.criteria.off_course is not None and self.course is None:
+            return "course", "is missing; the criterion 'off_course' needs it"
         if any(fault.at > self.limits.timeout for fault in self.faults):
             return "faults", f"has a time after limits.timeout ({self.limits.timeout:g} s)"
         return None

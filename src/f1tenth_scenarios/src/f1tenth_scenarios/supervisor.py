@@ -7,12 +7,13 @@ from typing import Callable, Optional, Protocol
 
 from f1tenth_scenarios.culprit import Signs, failure_of
 from f1tenth_scenarios.file_tail import RecordTail, last_lines
-from f1tenth_scenarios.judge import is_decided
+from f1tenth_scenarios.judge import first_collision, is_decided
 from f1tenth_scenarios.launch_log import LaunchLog, NodeEnd
 from f1tenth_scenarios.observations import Failure, RaceState, RaceUpdate
 from f1tenth_scenarios.pace import Pace
 from f1tenth_scenarios.plan import Plan
 from f1tenth_scenarios.processes import ProcessTree
+from f1tenth_scenarios.record import read_record
 from f1tenth_scenarios.recording import Recording
 from f1tenth_scenarios.scenario import Driver
 from f1tenth_scenarios.stop_request import StopRequest
@@ -58,6 +59,7 @@ class Supervisor:
         self._record = RecordTail(plan.record_file)
         self._launch_log = LaunchLog(plan.launch_log)
         self._end_seen_at: Optional[float] = None
+        self._touches_judged = 0
         self._alarm_at: Optional[float] = None
         self.updates: list[RaceUpdate] = []
         self.pace = Pace()
@@ -77,14 +79,26 @@ class Supervisor:
         self._poll()
         simulated = self._record.time
         return (
-            self._record.touched
+            self._collided()
             or self._is_alarm_over()
             or (simulated is not None and simulated >= self._plan.scenario.limits.timeout)
             or is_decided(self._plan.scenario, self._plan.all_goals, self.updates)
         )
 
+    def _collided(self) -> bool:
+        """Whether a car touched something, and not lightly; reads the whole record after new touches only."""
+        if self._record.touches == self._touches_judged:
+            return False
+        self._touches_judged = self._record.touches
+        scenario = self._plan.scenario
+        return scenario.criteria.light_touch == 0 or (
+            first_collision(scenario, read_record(self._plan.record_file)) is not None
+        )
+
     def _is_alarm_over(self) -> bool:
-        """Whether a collision was reported that the record has had its time to show."""
+        """Whether a collision was reported that the record has had its time to show, and does not."""
+        if self._record.touches:
+            return False
         if self._watch.collided() and self._alarm_at is None:
             self._alarm_at = time.monotonic()
         return self._alarm_at is not None and time.monotonic() - self._alarm_at > _LAST_WORDS

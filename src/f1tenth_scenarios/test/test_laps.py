@@ -1,0 +1,61 @@
+"""Laps are timed where the line is crossed, by direction."""
+
+import math
+
+import pytest
+from f1tenth_scenarios.judge import judge
+from f1tenth_scenarios.laps import lap_times
+from f1tenth_scenarios.scenario import StartLine
+from f1tenth_scenarios.start_line import LapCounter
+from report_samples import RADIUS, circling
+from scenario_samples import GOALS, finished, racing, reached, record, rows, scenario, seen
+
+# The circle is driven counter-clockwise from (RADIUS, 0).
+LINE = StartLine(RADIUS, 0.0, math.pi / 2, 1.0)
+
+
+def laps_on(line, places, start=0.0):
+    counter = LapCounter(line, start)
+    for index, (x, y) in enumerate(places):
+        counter.update(float(index), x, y)
+    return counter.lap_times
+
+
+def test_laps_are_timed_at_the_line(tmp_path):
+    wanted = scenario(start_line=LINE, timeout=60.0)
+    run = seen(record(tmp_path, circling(30.0, speed=1.5)), racing(), finished(30.0))
+    laps = lap_times(wanted, judge(wanted, GOALS, run), run.updates)
+    around = 2 * math.pi * RADIUS / 1.5
+    assert laps == {"robot1": pytest.approx([around, around], abs=1e-3)}
+
+
+def test_without_a_line_laps_end_with_their_last_goal(tmp_path):
+    wanted = scenario(laps=2, timeout=20.0)
+    run = seen(record(tmp_path, rows(8.0, speed=0.5)), racing(), reached(4.0, 3), reached(7.5, 6))
+    goals = {"robot1": GOALS["robot1"] * 2}
+    assert lap_times(wanted, judge(wanted, goals, run), run.updates) == {"robot1": [4.0, 3.5]}
+
+
+def test_crossing_is_interpolated():
+    line = StartLine(0.0, 0.0, 0.0, 2.0)
+    assert laps_on(line, [(0, 0), (1, 9), (-1, 9), (-0.75, 0), (0.25, 0)]) == [3.75]
+
+
+def test_crossing_backwards_has_to_be_made_good():
+    line = StartLine(0.0, 0.0, 0.0, 2.0)
+    assert laps_on(line, [(1, 0), (-1, 0), (1, 0)]) == []
+    assert laps_on(line, [(1, 0), (-1, 0), (1, 0), (1, 9), (-1, 9), (-1, 0), (1, 0)]) == [5.5]
+
+
+def test_passing_beside_the_line_is_no_lap():
+    assert laps_on(StartLine(0.0, 0.0, 0.0, 2.0), [(1, 0), (-1, 5), (1, 5)]) == []
+
+
+def test_who_starts_behind_the_line_has_to_cross_it_first():
+    line = StartLine(0.0, 0.0, 0.0, 2.0)
+    assert laps_on(line, [(-1, 0), (1, 0), (1, 9), (-1, 9), (-1, 0), (1, 0)]) == [4.5]
+
+
+def test_first_lap_begins_at_the_start():
+    line = StartLine(0.0, 0.0, 0.0, 2.0)
+    assert laps_on(line, [(0, 0), (1, 9), (-1, 9), (-1, 0), (1, 0)], start=1.0) == [2.5]

@@ -5,9 +5,9 @@
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
 #include "map_world.h"
-#include "sdf_errors.h"
 #include "sdf_models.h"
 #include "uri_lookup.h"
+#include "world_document.h"
 
 namespace f1tenth_sim2d
 {
@@ -27,14 +27,6 @@ void requireFile(const std::string & path)
   }
 }
 
-const sdf::World & onlyWorld(const sdf::Root & root, const std::string & path)
-{
-  if (root.WorldCount() != 1) {
-    throw LoadError(path, "", "holds " + std::to_string(root.WorldCount()) + " worlds, allowed is one <world>");
-  }
-  return *root.WorldByIndex(0);
-}
-
 /// A world that Gazebo saved carries its models' last poses in <state>, and Gazebo starts from those.
 Pose3d startPose(const sdf::World & world, const sdf::Model & model, const std::string & file)
 {
@@ -43,6 +35,9 @@ Pose3d startPose(const sdf::World & world, const sdf::Model & model, const std::
     if (saved->Get<std::string>("name") == model.Name() && saved->HasElement("pose")) {
       return saved->Get<Pose3d>("pose");
     }
+  }
+  if (model.PoseRelativeTo().empty()) {
+    return model.RawPose();
   }
   return resolvePose(model.SemanticPose(), "", model.Element(), file);
 }
@@ -64,16 +59,16 @@ void readWorldChildren(const sdf::World & world, WorldDescription & description,
 }
 
 WorldDescription describe(
-  const sdf::World & world, const std::string & path, MeshLibrary & meshes, WarningCollector & warnings)
+  const WorldDocument & document, const std::string & path, MeshLibrary & meshes, WarningCollector & warnings)
 {
+  const sdf::World & world = *document.world;
   WorldDescription description;
   description.file = path;
   description.name = world.Name();
   description.gravity = -world.Gravity().Z();
   readWorldChildren(world, description, warnings);
-  for (std::uint64_t i = 0; i < world.ModelCount(); ++i) {
-    const sdf::Model & model = *world.ModelByIndex(i);
-    appendModel(model, startPose(world, model, path), path, meshes, description.models, warnings);
+  for (const sdf::Model * const model : document.models) {
+    appendModel(*model, startPose(world, *model, path), path, meshes, description.models, warnings);
   }
   return description;
 }
@@ -93,16 +88,11 @@ WorldDescription loadWorld(const std::string & path, const SearchPath & search_p
   if (isMapFile(path)) {
     return loadMapWorld(path);
   }
-  const SdfMessages messages;
   const UriLookup uris(search_path, path);
   WarningCollector warnings;
-  sdf::Root root;
-  sdf::ParserConfig config = parserConfig();
-  config.SetFindCallback([&uris](const std::string & uri) { return uris.find(uri); });
-  const sdf::Errors errors = root.Load(path, config);
-  checkSdfErrors(errors, messages, root, path, "; searched: " + uris.searchedFolders(), warnings);
+  const auto document = readWorldDocument(path, uris, warnings);
   MeshLibrary meshes(uris, warnings);
-  WorldDescription description = describe(onlyWorld(root, path), path, meshes, warnings);
+  WorldDescription description = describe(*document, path, meshes, warnings);
   description.warnings = warnings.messages();
   return description;
 }

@@ -10,6 +10,7 @@
 
 #include "element_reader.h"
 #include "f1tenth_sim2d/errors.h"
+#include "xml_text.h"
 
 namespace f1tenth_sim2d
 {
@@ -58,7 +59,7 @@ std::string upAxisOf(const std::string & path)
                       .FirstChildElement("asset")
                       .FirstChildElement("up_axis")
                       .ToElement();
-  return axis && axis->GetText() ? withoutBlanksAround(axis->GetText()) : "";
+  return textOf(axis);
 }
 }  // namespace
 

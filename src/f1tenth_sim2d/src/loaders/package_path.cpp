@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "element_reader.h"
 #include "path_list.h"
+#include "xml_text.h"
 
 namespace f1tenth_sim2d
 {
@@ -43,12 +43,6 @@ std::string withFolder(std::string path, const std::string & folder)
     path.replace(at, mark.size(), folder);
   }
   return path;
-}
-
-std::string nameIn(const tinyxml2::XMLElement & package)
-{
-  const tinyxml2::XMLElement * const name = package.FirstChildElement("name");
-  return withoutBlanksAround(name && name->GetText() ? name->GetText() : "");
 }
 
 void appendExported(const tinyxml2::XMLElement & package, const std::string & folder, std::vector<std::string> & found)
@@ -100,7 +94,7 @@ void PackagePath::addPackage(const std::string & folder)
     return;
   }
   const tinyxml2::XMLElement * const package = document.FirstChildElement("package");
-  if (!package || !folder_of_.try_emplace(nameIn(*package), folder).second) {
+  if (!package || !folder_of_.try_emplace(textOf(package->FirstChildElement("name")), folder).second) {
     return;
   }
   appendExported(*package, folder, model_folders_);

@@ -3,24 +3,13 @@
 #include <cmath>
 #include <optional>
 
-#include "element_reader.h"
+#include "xml_text.h"
 
 namespace f1tenth_sim2d
 {
 namespace
 {
 using Interface = TransmissionDescription::Interface;
-
-std::string textOf(const tinyxml2::XMLElement * element)
-{
-  return element && element->GetText() ? withoutBlanksAround(element->GetText()) : "";
-}
-
-std::string nameOf(const tinyxml2::XMLElement * element)
-{
-  const char * const name = element ? element->Attribute("name") : nullptr;
-  return name ? name : "";
-}
 
 /// "hardware_interface/VelocityJointInterface", with or without the package in front.
 std::optional<Interface> interfaceCalled(const std::string & name)

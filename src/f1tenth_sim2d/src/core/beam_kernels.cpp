@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "rough_angle.h"
@@ -73,19 +74,25 @@ bool anyBelow(const double * values, std::size_t count, double threshold)
 F1TENTH_VECTORIZED
 double leastOf(const double * values, std::size_t count)
 {
-  constexpr std::size_t kLanes = 16;
-  std::array<double, kLanes> least;
-  least.fill(std::numeric_limits<double>::infinity());
+  // The compiler would not do a minimum of many in another order; said with its vectors it does.
+  constexpr std::size_t kLanes = 8;
+  using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Lanes least = kInfinity - Lanes{};
   std::size_t i = 0;
   for (; i + kLanes <= count; i += kLanes) {
-    for (std::size_t k = 0; k < kLanes; ++k) {
-      least[k] = values[i + k] < least[k] ? values[i + k] : least[k];
-    }
+    Lanes next;
+    std::memcpy(&next, values + i, sizeof(next));
+    least = next < least ? next : least;
+  }
+  double result = kInfinity;
+  for (std::size_t k = 0; k < kLanes; ++k) {
+    result = std::min(result, least[k]);
   }
   for (; i < count; ++i) {
-    least[0] = values[i] < least[0] ? values[i] : least[0];
+    result = std::min(result, values[i]);
   }
-  return *std::min_element(least.begin(), least.end());
+  return result;
 }
 
 F1TENTH_VECTORIZED

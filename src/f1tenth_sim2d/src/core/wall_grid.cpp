@@ -91,6 +91,9 @@ void WallGrid::layOut()
       items_[next[cell]++] = static_cast<std::uint32_t>(item);
     });
   }
+  for (const std::uint32_t item : items_) {
+    ends_.push_back(item < walls_.size() ? walls_[item] : Wall{});
+  }
   measureCells(bounds);
 }
 
@@ -205,20 +208,16 @@ void WallGrid::drawCell(std::size_t cell, RangeRaster & raster)
   }
   for (std::uint32_t i = begin_[cell]; i < end; ++i) {
     const std::uint32_t item = items_[i];
-    if (drawn_[item] != scan_number_) {
-      drawn_[item] = scan_number_;
-      drawItem(item, raster);
+    if (drawn_[item] == scan_number_) {
+      continue;
     }
-  }
-}
-
-void WallGrid::drawItem(std::uint32_t item, RangeRaster & raster) const
-{
-  if (item < walls_.size()) {
-    raster.addSegment(walls_[item].a, walls_[item].b);
-  } else {
-    const Circle & circle = circles_[item - walls_.size()];
-    raster.addCircle(circle.centre, circle.radius);
+    drawn_[item] = scan_number_;
+    if (item < walls_.size()) {
+      raster.addSegment(ends_[i].a, ends_[i].b);
+    } else {
+      const Circle & circle = circles_[item - walls_.size()];
+      raster.addCircle(circle.centre, circle.radius);
+    }
   }
 }
 }  // namespace f1tenth_sim2d

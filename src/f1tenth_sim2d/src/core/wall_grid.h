@@ -55,7 +55,6 @@ private:
   void drawRing(int column, int row, int ring, RangeRaster & raster);
   bool isOutOfSight(const Circle & extent, const Transform2 & sensor) const;
   void drawCell(std::size_t cell, RangeRaster & raster);
-  void drawItem(std::uint32_t item, RangeRaster & raster) const;
 
   std::vector<Wall> walls_;
   std::vector<Circle> circles_;
@@ -67,6 +66,7 @@ private:
   // Item i is wall i, or circle i - walls_.size().
   std::vector<std::uint32_t> begin_;
   std::vector<std::uint32_t> items_;
+  std::vector<Wall> ends_;       ///< of each of items_ that is a wall, to be read one after the other
   std::vector<Circle> extents_;  ///< around what lies in a cell
   // An item that reaches over several cells is drawn once a scan: when it was drawn last.
   std::vector<std::uint32_t> drawn_;

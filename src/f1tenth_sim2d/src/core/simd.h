@@ -5,7 +5,9 @@
 /// All of them give the same bits: such functions do with each element what they do with any other, by additions,
 /// multiplications, divisions, comparisons and integer operations, which IEEE 754 leaves no choice in, and
 /// -ffp-contract=off forbids to fuse. Sums over elements, which a vector unit would do in another order, have no place here.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(F1TENTH_VECTORIZED)
+// A test compiles the functions for one vector unit after the other.
+#elif defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
 #define F1TENTH_VECTORIZED __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
 #else
 #define F1TENTH_VECTORIZED

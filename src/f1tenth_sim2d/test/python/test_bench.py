@@ -59,3 +59,13 @@ def test_a_key_has_one_bound_and_one_function(monkeypatch):
     benchmark.benchmark("speed", "x", at_least=1.0)(SPEED.measure)
     with pytest.raises(ValueError, match="^speed: there are two benchmarks of this name$"):
         benchmark.benchmark("speed", "x", at_least=1.0)(SPEED.measure)
+
+
+def test_unknown_key_is_refused_with_those_that_there_are(monkeypatch, capsys):
+    from sim2d_bench.__main__ import parse_arguments
+
+    monkeypatch.setattr(sys, "argv", ["sim2d_bench", "haste"])
+    with pytest.raises(SystemExit) as ended:
+        parse_arguments({"speed": SPEED, "time": TIME})
+    assert ended.value.code == 2
+    assert capsys.readouterr().err.endswith("error: no key haste; allowed are speed, time\n")

@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from f1tenth_gazebo.find_world import WorldNotFoundError, find_world, main
+from f1tenth_gazebo.find_world import WorldError, find_world, main
 
 
 @pytest.fixture
@@ -33,13 +33,13 @@ def test_a_map_is_a_world_too(worlds, tmp_path):
 
 def test_a_wrong_name_is_answered_with_the_known_ones(worlds, tmp_path):
     message = "world_file_name: there is no world named 'c'; known names: a, b; a path works, too"
-    with pytest.raises(WorldNotFoundError, match="^" + re.escape(message) + "$"):
+    with pytest.raises(WorldError, match="^" + re.escape(message) + "$"):
         find_world("c", worlds, tmp_path)
 
 
 def test_a_wrong_path_is_named_in_full(worlds, tmp_path):
     with pytest.raises(
-        WorldNotFoundError, match=f"there is no world file {tmp_path}/sub/c.world; known names: a, b;"
+        WorldError, match=f"there is no world file {tmp_path}/sub/c.world; known names: a, b;"
     ):
         find_world("sub/c.world", worlds, tmp_path)
 
@@ -54,6 +54,29 @@ def test_command_fails_with_one_line(worlds, capsys):
     assert capsys.readouterr().err.count("\n") == 1
 
 
+def test_command_checks_what_the_simulator_can_read(worlds, capsys):
+    (worlds / "a.world").write_text("<sdf version='1.6'><world name='w'></sdf>")
+    assert main(worlds.parent, ["a"]) == 0
+    capsys.readouterr()
+    assert main(worlds.parent, ["--check", "a"]) == 1
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.startswith(f"world_file_name: {worlds}/a.world: line 1: malformed XML")
+    assert err.count("\n") == 1
+
+
+def test_checked_world_finds_the_models_of_the_package(worlds, capsys):
+    model = worlds.parent / "models" / "cone"
+    model.mkdir(parents=True)
+    config = "<model><name>cone</name><sdf version='1.6'>model.sdf</sdf></model>"
+    (model / "model.config").write_text(config)
+    (model / "model.sdf").write_text("<sdf version='1.6'><model name='cone'><link name='link'/></model></sdf>")
+    include = "<include><uri>model://cone</uri></include>"
+    (worlds / "a.world").write_text(f"<sdf version='1.6'><world name='w'>{include}</world></sdf>")
+    assert main(worlds.parent, ["--check", "a"]) == 0, capsys.readouterr().err
+
+
 def test_command_without_an_argument_shows_its_usage(worlds, capsys):
-    assert main(worlds.parent, []) == 2
-    assert capsys.readouterr().err == "usage: find_world NAME|PATH\n"
+    with pytest.raises(SystemExit, match="2"):
+        main(worlds.parent, [])
+    assert capsys.readouterr().err.startswith("usage: find_world [-h] [--check] NAME|PATH\n")

@@ -46,7 +46,7 @@ def test_a_named_world_brings_its_map(world):
 
 
 def test_a_relative_path_is_a_world_too(tmp_path, monkeypatch):
-    (tmp_path / "mine.world").write_text("<sdf/>")
+    (tmp_path / "mine.world").write_text("<sdf version='1.6'><world name='mine'/></sdf>")
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("PWD", str(tmp_path))
     config = load("sim_one_car.launch", "world_file_name:=mine.world")
@@ -57,7 +57,8 @@ def test_a_relative_path_is_a_world_too(tmp_path, monkeypatch):
 
 def test_a_map_as_world_is_served_itself(tmp_path):
     track = tmp_path / "track_map.yaml"
-    track.write_text("")
+    track.write_text((PACKAGE / "maps" / "circuit1.yaml").read_text())
+    (tmp_path / "circuit1.pgm").write_bytes((PACKAGE / "maps" / "circuit1.pgm").read_bytes())
     config = load("sim_one_car.launch", f"world_file_name:={track}")
     assert value(config, "/sim2d/world") == str(track)
     (server,) = [node for node in config.nodes if node.type == "map_server"]
@@ -79,6 +80,17 @@ def test_a_wrong_world_is_named_with_the_known_ones_before_anything_starts():
     assert lines == [
         f"world_file_name: there is no world named 'circuit9'; known names: {known}; a path works, too"
     ]
+    assert "Traceback" not in result.stderr
+
+
+def test_an_unreadable_world_is_refused_before_anything_starts(tmp_path):
+    world = tmp_path / "broken.world"
+    world.write_text("<sdf version='1.6'><world name='w'></sdf>")
+    command = ["roslaunch", "f1tenth_gazebo", "sim_one_car.launch", f"world_file_name:={world}", "--nodes"]
+    result = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert result.returncode != 0
+    (line,) = [line for line in result.stderr.splitlines() if line.startswith("world_file_name: ")]
+    assert line.startswith(f"world_file_name: {world}: line 1: malformed XML")
     assert "Traceback" not in result.stderr
 
 

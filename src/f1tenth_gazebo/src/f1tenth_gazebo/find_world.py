@@ -1,11 +1,13 @@
 """Finds the world file that a launch argument means."""
 
+import argparse
+import os
 import sys
 from pathlib import Path
 
 
-class WorldNotFoundError(Exception):
-    """There is no such world. The message is one line and lists the known names."""
+class WorldError(Exception):
+    """There is no such world, or it cannot be used. The message is one line."""
 
 
 def find_world(name, worlds_folder, current_folder):
@@ -18,26 +20,50 @@ def find_world(name, worlds_folder, current_folder):
         current_folder: where relative paths start.
 
     Raises:
-        WorldNotFoundError: if there is no such file.
+        WorldError: if there is no such file.
     """
     is_path = "/" in name or name.endswith((".world", ".yaml"))
     path = Path(current_folder) / name if is_path else Path(worlds_folder) / f"{name}.world"
     if not path.is_file():
         known = ", ".join(sorted(world.stem for world in Path(worlds_folder).glob("*.world")))
         wanted = f"there is no world file {path}" if is_path else f"there is no world named '{name}'"
-        raise WorldNotFoundError(f"world_file_name: {wanted}; known names: {known}; a path works, too")
+        raise WorldError(f"world_file_name: {wanted}; known names: {known}; a path works, too")
     return path.absolute()
 
 
-def main(package_folder, arguments=None):
-    """Print the path of the world that the only argument means; return the exit code."""
-    arguments = sys.argv[1:] if arguments is None else arguments
-    if len(arguments) != 1:
-        print("usage: find_world NAME|PATH", file=sys.stderr)
-        return 2
+def check_world(path, model_folders):
+    """Raise WorldError unless the simulator can read the world."""
+    # Imported here, as nobody needs the simulator where Gazebo takes its place.
+    import f1tenth_sim2d
+
     try:
-        print(find_world(arguments[0], Path(package_folder) / "worlds", Path.cwd()), end="")
-    except WorldNotFoundError as error:
+        f1tenth_sim2d.load_world(str(path), model_path=[str(folder) for folder in model_folders])
+    except f1tenth_sim2d.LoadError as error:
+        raise WorldError(f"world_file_name: {error}") from error
+
+
+def main(package_folder, arguments=None):
+    """Print the path of the world that is asked for; return the exit code.
+
+    Args:
+        package_folder: where worlds/ and models/ lie.
+        arguments: those of the command line; default: of this process.
+    """
+    parser = argparse.ArgumentParser(prog="find_world", description="Print the path of a world.")
+    parser.add_argument("world", metavar="NAME|PATH")
+    parser.add_argument("--check", action="store_true", help="fail unless the simulator can read it")
+    options = parser.parse_args(arguments)
+    try:
+        path = find_world(options.world, Path(package_folder) / "worlds", Path.cwd())
+        if options.check:
+            models = [Path(package_folder) / "models", *_folders(os.environ.get("GAZEBO_MODEL_PATH", ""))]
+            check_world(path, models)
+    except WorldError as error:
         print(error, file=sys.stderr)
         return 1
+    print(path, end="")
     return 0
+
+
+def _folders(path_list):
+    return [folder for folder in path_list.split(os.pathsep) if folder]

@@ -9,6 +9,8 @@ namespace f1tenth_sim2d
 {
 namespace
 {
+constexpr double kFarthest = 1e5;  // m
+
 std::string toText(double value)
 {
   std::ostringstream text;
@@ -105,6 +107,28 @@ void ElementReader::requirePositive(const std::string & tag, double value) const
 {
   if (!std::isfinite(value) || value <= 0.0) {
     fail("<" + tag + "> is " + toText(value) + ", allowed are finite numbers greater than 0");
+  }
+}
+
+double ElementReader::length(const std::string & tag) const
+{
+  const auto value = required<double>(tag);
+  requireLength(tag, value);
+  return value;
+}
+
+void ElementReader::requireLength(const std::string & tag, double value) const
+{
+  requirePositive(tag, value);
+  if (value > kFarthest) {
+    fail("<" + tag + "> is " + toText(value) + ", allowed is at most " + toText(kFarthest) + " m");
+  }
+}
+
+void ElementReader::requireNear(const ignition::math::Vector3d & place) const
+{
+  if (!place.IsFinite() || place.Abs().Max() > kFarthest) {
+    fail("is not within " + toText(kFarthest) + " m of the origin");
   }
 }
 

@@ -38,11 +38,16 @@ public:
 
   /// Numbers of children.
   double positive(const std::string & tag) const;
+  double length(const std::string & tag) const;
   double notNegative(const std::string & tag, double fallback) const;
 
   /// Checks of numbers that came from elsewhere, said to be those of a tag.
   void requirePositive(const std::string & tag, double value) const;
   void requireNotNegative(const std::string & tag, double value) const;
+  /// A length, m: positive and at most 100 km, beyond which nothing is meant and numbers lose their precision.
+  void requireLength(const std::string & tag, double value) const;
+  /// The same for a place: no coordinate is farther than 100 km from the origin.
+  void requireNear(const ignition::math::Vector3d & place) const;
 
   /// Text of a child, blanks around it dropped; the fallback if there is none or it is empty.
   std::string text(const std::string & tag, const std::string & fallback) const;

@@ -1,9 +1,11 @@
+#include <cmath>
 #include <filesystem>
 #include <sdf/World.hh>
 
 #include "element_reader.h"
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
+#include "include_cycles.h"
 #include "map_world.h"
 #include "sdf_models.h"
 #include "uri_lookup.h"
@@ -66,6 +68,9 @@ WorldDescription describe(
   description.file = path;
   description.name = world.Name();
   description.gravity = -world.Gravity().Z();
+  if (!std::isfinite(description.gravity)) {
+    throw LoadError(path, elementPath(world.Element()), "<gravity> is not finite");
+  }
   readWorldChildren(world, description, warnings);
   for (const sdf::Model * const model : document.models) {
     appendModel(*model, startPose(world, *model, path), path, meshes, description.models, warnings);
@@ -90,6 +95,7 @@ WorldDescription loadWorld(const std::string & path, const SearchPath & search_p
   }
   const UriLookup uris(search_path, path);
   WarningCollector warnings;
+  requireEndOfIncludes(path, uris);
   const auto document = readWorldDocument(path, uris, warnings);
   MeshLibrary meshes(uris, warnings);
   WorldDescription description = describe(*document, path, meshes, warnings);

@@ -20,8 +20,16 @@ bool startsWith(const std::string & text, const std::string & start)
 /// /sdf/world[@name="w"]/include[0]/uri -> world[w]/include[0]/uri
 std::string shortened(const std::string & xml_path)
 {
-  const std::string below_root = std::regex_replace(xml_path, std::regex(R"(^/sdf/)"), "");
-  return std::regex_replace(below_root, std::regex(R"(\[@name="([^"]*)\"\])"), "[$1]");
+  // Not by a regular expression: those of the standard library recurse once a character, and names may be long.
+  static const std::string mark = "[@name=\"";
+  std::string path = startsWith(xml_path, "/sdf/") ? xml_path.substr(5) : xml_path;
+  for (std::size_t at = path.find(mark); at != std::string::npos; at = path.find(mark, at + 1)) {
+    path.erase(at + 1, mark.size() - 1);
+    if (const std::size_t quote = path.find('"', at); quote != std::string::npos) {
+      path.erase(quote, 1);
+    }
+  }
+  return path;
 }
 
 /// First element, depth first, of which the test is true; null if there is none.

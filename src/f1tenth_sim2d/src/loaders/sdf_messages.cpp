@@ -31,10 +31,21 @@ void createConsoleWithoutLogFile()
   }
 }
 
+/// Words with one blank between them.
+std::string inOneLine(const std::string & text)
+{
+  std::istringstream words(text);
+  std::string line;
+  for (std::string word; words >> word;) {
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return line;
+}
+
 /// The lines of libsdformat's console that start with the label "Error" or "Warning"; further lines belong to them.
 std::vector<std::string> linesLabelled(const std::string & label, const std::string & text)
 {
-  static const std::regex head(R"(\x1b\[1;\d+m(\w+) \[[^\]]*\]\x1b\[0m )");
+  static const std::regex head(R"(\x1b\[1;\d+m(\w+) \[[^\]]{0,200}\]\x1b\[0m )");
   std::vector<std::string> lines;
   for (std::sregex_iterator match(text.begin(), text.end(), head), end; match != end; ++match) {
     if ((*match)[1] != label) {
@@ -42,8 +53,7 @@ std::vector<std::string> linesLabelled(const std::string & label, const std::str
     }
     const auto next = std::next(match);
     const auto stop = next == end ? text.end() : next->operator[](0).first;
-    std::string line = std::regex_replace(std::string((*match)[0].second, stop), std::regex(R"(\s+)"), " ");
-    lines.push_back(line.substr(0, line.find_last_not_of(' ') + 1));
+    lines.push_back(inOneLine(std::string((*match)[0].second, stop)));
   }
   return lines;
 }

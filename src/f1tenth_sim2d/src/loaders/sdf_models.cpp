@@ -25,6 +25,7 @@ Pose3d linkPose(const sdf::Link & link, const std::string & file)
 void readInertia(const sdf::Model & model, const std::string & file, ModelDescription & description)
 {
   const Inertiald whole = inertiaOf(model, file);
+  ElementReader(model.Element(), file).requireNear(whole.Pose().Pos());
   description.mass = whole.MassMatrix().Mass();
   description.inertia_zz = whole.Moi()(2, 2);
   description.centre_of_mass = {whole.Pose().Pos().X(), whole.Pose().Pos().Y()};
@@ -70,6 +71,7 @@ void appendModel(
   MeshLibrary & meshes, std::vector<ModelDescription> & models, WarningCollector & warnings)
 {
   warnOfModel(model, warnings);
+  ElementReader(model.Element(), file).requireNear(pose.Pos());
   ModelDescription description;
   description.name = scope + model.Name();
   description.pose = pose;
@@ -130,6 +132,7 @@ std::vector<Solid> readSolids(
       const sdf::Collision & collision = *link.CollisionByIndex(k);
       Solid solid = readCollision(collision, scope + "::" + link.Name() + "::" + collision.Name(), file, meshes);
       solid.pose = link_pose * resolvePose(collision.SemanticPose(), "", collision.Element(), file) * solid.pose;
+      ElementReader(collision.Element(), file).requireNear(solid.pose.Pos());
       solids.push_back(std::move(solid));
     }
   }

@@ -21,7 +21,7 @@ Box readBox(const ElementReader & element)
 {
   const auto size = element.required<Vector3d>("size");
   for (const double edge : {size.X(), size.Y(), size.Z()}) {
-    element.requirePositive("size", edge);
+    element.requireLength("size", edge);
   }
   return {size};
 }
@@ -45,12 +45,13 @@ Polyline readPolyline(const ElementReader & element, const sdf::ElementPtr & pol
   Outline outline;
   for (auto point = polyline->FindElement("point"); point; point = point->GetNextElement("point")) {
     const auto corner = point->Get<Vector2d>();
+    element.requireNear({corner.X(), corner.Y(), 0.0});
     outline.push_back({corner.X(), corner.Y()});
   }
   if (!isSimple(outline)) {
     element.fail("is not an outline: allowed are at least three points whose edges enclose an area and do not cross");
   }
-  return {withoutRedundantCorners(outline), element.positive("height")};
+  return {withoutRedundantCorners(outline), element.length("height")};
 }
 
 Shape readShape(
@@ -66,10 +67,10 @@ Shape readShape(
     return readBox(element);
   }
   if (name == "cylinder") {
-    return Cylinder{element.positive("radius"), element.positive("length")};
+    return Cylinder{element.length("radius"), element.length("length")};
   }
   if (name == "sphere") {
-    return Sphere{element.positive("radius")};
+    return Sphere{element.length("radius")};
   }
   if (name == "polyline") {
     return readPolyline(element, kind);

@@ -89,17 +89,6 @@ bool isPlain(const XMLElement & include)
   return !hasAttributes(&include);
 }
 
-/// The file of a model that a URI means; empty if there is none.
-std::string modelFile(const std::string & uri, const UriLookup & uris)
-{
-  const std::string found = uris.find(uri);
-  std::error_code ignored;
-  if (!fs::is_directory(found, ignored)) {
-    return found;
-  }
-  return fs::is_regular_file(fs::path(found) / "model.config", ignored) ? sdf::getModelFilePath(found) : "";
-}
-
 void overrideChild(XMLElement & model, const XMLElement & include, const char * tag)
 {
   const XMLElement * const given = include.FirstChildElement(tag);
@@ -112,6 +101,16 @@ void overrideChild(XMLElement & model, const XMLElement & include, const char * 
   model.InsertFirstChild(given->DeepClone(model.GetDocument()));
 }
 }  // namespace
+
+std::string modelFile(const std::string & uri, const UriLookup & uris)
+{
+  const std::string found = uris.find(uri);
+  std::error_code ignored;
+  if (!fs::is_directory(found, ignored)) {
+    return found;
+  }
+  return fs::is_regular_file(fs::path(found) / "model.config", ignored) ? sdf::getModelFilePath(found) : "";
+}
 
 WorldText::WorldText(const std::string & path, const UriLookup & uris)
 {

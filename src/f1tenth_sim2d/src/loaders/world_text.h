@@ -44,6 +44,9 @@ private:
   bool complete_{false};
 };
 
+/// The file of a model that the URI of an <include> means; empty if there is none.
+std::string modelFile(const std::string & uri, const UriLookup & uris);
+
 /// A document as text.
 std::string printed(const tinyxml2::XMLDocument & document);
 }  // namespace f1tenth_sim2d

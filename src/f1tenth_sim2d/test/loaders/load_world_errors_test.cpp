@@ -103,6 +103,28 @@ const std::vector<BadWorld> kBadWorlds{
    kGeometry + "/sphere: <radius> is nan, allowed are finite numbers greater than 0"},
   {"RadiusNotANumber", collision("<sphere><radius>abc</radius></sphere>"),
    kGeometry + "/sphere/radius: Invalid argument. Unable to set value [abc ] for key[radius]"},
+  {"EndlessCylinder", collision("<cylinder><radius>1e300</radius><length>1</length></cylinder>"),
+   kGeometry + "/cylinder: <radius> is 1e+300, allowed is at most 100000 m"},
+  {"ModelOutOfThisWorld", oneWorld("<model name='m'><pose>1e200 0 0 0 0 0</pose><link name='l'/></model>"),
+   "test.world: world[w]/model[m]: is not within 100000 m of the origin"},
+  {"CollisionOutOfThisWorld",
+   oneWorld("<model name='m'><link name='l'><collision name='c'><pose>0 -1e9 0 0 0 0</pose><geometry><sphere><radius>1"
+            "</radius></sphere></geometry></collision></link></model>"),
+   "test.world: world[w]/model[m]/link[l]/collision[c]: is not within 100000 m of the origin"},
+  {"MassOutOfThisWorld",
+   oneWorld("<model name='m'><link name='l'><inertial><pose>1e9 0 0 0 0 0</pose></inertial></link></model>"),
+   "test.world: world[w]/model[m]: is not within 100000 m of the origin"},
+  {"PolylineOutOfThisWorld",
+   collision("<polyline><point>0 0</point><point>1e9 0</point><point>0 1</point><height>1</height></polyline>"),
+   kGeometry + "/polyline: is not within 100000 m of the origin"},
+  {"NameOfAHundredThousandLetters",
+   oneWorld("<model name='" + std::string(100000, 'm') + "'><pose>1 2 3</pose><link name='l'/></model>"),
+   "test.world: world[w]/model[" + std::string(100000, 'm') +
+     "]/pose: The value for //pose[@rotation_format='euler_rpy'] must have 6 values, but 3 were found instead in "
+     "'1 2 3'"},
+  {"PoseOfAHundredThousandBlanks",
+   oneWorld("<model name='m'><pose>1" + std::string(100000, ' ') + "x</pose><link name='l'/></model>"),
+   "test.world: world[w]/model[m]/pose: Invalid argument. Unable to set value [1 x] for key [pose]"},
   {"PlaneWithoutDirection", collision("<plane><normal>0 0 0</normal><size>1 1</size></plane>"),
    kGeometry + "/plane: <normal> has no direction"},
   {"PolylineOfTwoPoints", collision("<polyline><point>0 0</point><point>1 0</point><height>1</height></polyline>"),
@@ -192,6 +214,18 @@ TEST_F(LoadWorldErrorsOfIncludes, FolderWithoutModelConfig)
     load().find("test.world: world[w]/include[0]/uri: Unable to resolve uri[model://thing] to model path [thing] since "
                 "it does not contain a model.config file; searched: "),
     0u);
+}
+
+TEST_F(LoadWorldErrorsOfIncludes, ModelThatIncludesItselfOverAnother)
+{
+  const auto includes = [](const std::string & name) {
+    return "<sdf version='1.6'><model name='m'><include><uri>model://" + name + "</uri></include></model></sdf>";
+  };
+  folder.write("thing/model.config", kConfig);
+  folder.write("thing/model.sdf", includes("other"));
+  folder.write("other/model.config", kConfig);
+  folder.write("other/model.sdf", includes("thing"));
+  EXPECT_EQ(load(), "test.world: other/model.sdf includes thing/model.sdf, which includes it: that never ends");
 }
 
 TEST_F(LoadWorldErrorsOfIncludes, MissingModelFile)

@@ -7,7 +7,9 @@ SHELL := /bin/bash
 export PATH := /usr/bin:$(PATH)
 
 BUILD_DIR := build
+SANITIZE_DIR := build/sanitize
 DEVEL_DIR := $(CURDIR)/devel
+SANITIZED_TESTS := f1tenth_sim2d_core_test
 JOBS ?= $(shell nproc)
 CIRCUIT ?= circuit1
 
@@ -15,7 +17,7 @@ IN_WORKSPACE := source $(DEVEL_DIR)/setup.bash &&
 CPP_FILES = $(shell git ls-files '*.cpp' '*.h')
 PYTHON_FILES = $(shell git ls-files '*.py'; git grep -lI '^\#!/usr/bin/\(env python3\|python3\)' -- ':!*.py')
 
-.PHONY: help setup configure build race report test lint format bench clean
+.PHONY: help setup configure build race report test sanitize lint format bench clean
 
 help: ## list the commands
 	@sed -n 's/^\([a-z]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 16
@@ -54,6 +56,14 @@ test: build ## every test; ends with `N passed, N failed, N skipped`
 	@-/usr/bin/python3 -m pytest -q tools/test --junitxml=$(BUILD_DIR)/test_results/workspace/pytest-tools.xml
 	@cmake --build $(BUILD_DIR) -j 1 --target run_tests -- --no-print-directory
 	@tools/test_summary $(BUILD_DIR)/test_results
+
+sanitize: setup ## the tests of the simulator's core under AddressSanitizer and UBSan
+	@mkdir -p $(SANITIZE_DIR)
+	@cmake -S . -B $(SANITIZE_DIR) -DWORKSPACE_SANITIZE=ON -DCATKIN_DEVEL_PREFIX=$(CURDIR)/$(SANITIZE_DIR)/devel \
+	  -DPYTHON_EXECUTABLE=/usr/bin/python3 > $(SANITIZE_DIR)/configure.log 2>&1 || { cat $(SANITIZE_DIR)/configure.log; exit 1; }
+	@cmake --build $(SANITIZE_DIR) -j $(JOBS) --target $(SANITIZED_TESTS) -- --no-print-directory
+	@for name in $(SANITIZED_TESTS); do \
+	  UBSAN_OPTIONS=print_stacktrace=1 "$$(find $(SANITIZE_DIR) -name $$name -type f -perm -u+x | head -n 1)" --gtest_brief=1 || exit 1; done
 
 lint: setup ## check format and style of all files
 	@clang-format --dry-run --Werror $(CPP_FILES)

@@ -16,6 +16,12 @@ function(workspace_target target)
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endif()
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Werror -ffp-contract=off)
+  if(WORKSPACE_SANITIZE)
+    set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all)
+    target_compile_options(${target} PRIVATE ${sanitizers} -fno-omit-frame-pointer -O1 -g1
+      -Wno-error) # the code that is put in sets off warnings of its own
+    target_link_options(${target} PRIVATE ${sanitizers})
+  endif()
 endfunction()
 
 # A pybind11 module of this package, importable as NAME from the devel and the install space:

@@ -70,7 +70,8 @@ def test_checked_world_finds_the_models_of_the_package(worlds, capsys):
     model.mkdir(parents=True)
     config = "<model><name>cone</name><sdf version='1.6'>model.sdf</sdf></model>"
     (model / "model.config").write_text(config)
-    (model / "model.sdf").write_text("<sdf version='1.6'><model name='cone'><link name='link'/></model></sdf>")
+    link = "<model name='cone'><link name='link'/></model>"
+    (model / "model.sdf").write_text(f"<sdf version='1.6'>{link}</sdf>")
     include = "<include><uri>model://cone</uri></include>"
     (worlds / "a.world").write_text(f"<sdf version='1.6'><world name='w'>{include}</world></sdf>")
     assert main(worlds.parent, ["--check", "a"]) == 0, capsys.readouterr().err

@@ -109,9 +109,15 @@ def test_one_car_stands_on_the_start_line_with_navigation():
         "/robot1/map_to_odom",
         "/robot1/move_base",
     }
-    start = [value(config, f"/sim2d/cars/robot1/{key}") for key in ("x", "y", "yaw", "frame_prefix")]
-    assert start == [0.0, 0.0, 0.0, "robot1/"]
+    assert value(config, "/sim2d/cars/robot1/frame_prefix") == "robot1/"
     assert value(config, "/use_sim_time") is True
+
+
+def test_car_starts_where_the_world_says_unless_told():
+    pose = [f"/sim2d/cars/robot1/{key}" for key in ("x", "y", "yaw")]
+    assert not set(pose) & set(load("sim_one_car.launch").params)
+    config = load("sim_one_car.launch", "x:=1", "y:=0.0", "yaw:=-0.5")
+    assert [value(config, name) for name in pose] == [1.0, 0.0, -0.5]
 
 
 def test_simulator_gets_its_parameters_with_the_right_types():

@@ -20,7 +20,7 @@ move_base::MoveBaseParameters readParameters(const ros::NodeHandle & node)
     unused += (unused.empty() ? "" : ", ") + name;
   }
   if (!unused.empty()) {
-    ROS_WARN("This stand-in has no use for these parameters: %s", unused.c_str());
+    ROS_INFO("This stand-in has no use for these parameters: %s", unused.c_str());
   }
   return parameters;
 }

@@ -7,9 +7,9 @@ from scenario_samples import SCENARIO_TEXT
 
 TOP_KEYS = (
     "description, world, cars, limits, expected, seed, culprit, reason, course, start_line, laps,"
-    " time_to_start, lockstep, real_time_factor, criteria, faults"
+    " time_to_start, lockstep, real_time_factor, boxes, criteria, faults"
 )
-CAR_KEYS = "name, start, driver, goals, commands"
+CAR_KEYS = "name, start, driver, goals, line, speed_max, commands, mu, dropped_beams"
 
 
 def write(tmp_path, text):
@@ -146,6 +146,26 @@ ANSWERS = {
         "seed: 1",
         "seed: 1\nculprit: robot1/move_base",
         "FILE:10: culprit is for the expected verdict 'error' only",
+    ),
+    "speed of a command profile": (
+        "    goals: circuit1",
+        "    driver: commands\n    commands: [{at: 0, speed: 1}]\n    speed_max: 1",
+        "FILE:7: cars[0].speed_max is for the drivers 'race' and 'pursuit'",
+    ),
+    "pursuit of nothing": (
+        "    goals: circuit1",
+        "    driver: pursuit",
+        "FILE:4: cars[0].line belongs to the driver 'pursuit', which needs one",
+    ),
+    "lost beams of no planner": (
+        "    goals: circuit1",
+        "    driver: pursuit\n    line: circuit1\n    dropped_beams: 0.1",
+        "FILE:7: cars[0].dropped_beams is for the driver 'race' only",
+    ),
+    "box like a car": (
+        "seed: 1",
+        "seed: 1\nboxes: [{name: robot1, x: 1, y: 1}]",
+        "FILE:10: boxes has a name twice, or that of a car: robot1",
     ),
     "road without a course": (
         "seed: 1",

@@ -3,7 +3,7 @@
 import pytest
 import roslaunch.config
 from f1tenth_scenarios.launch_file import launch_command, write_launch_file
-from f1tenth_scenarios.participants import participants
+from f1tenth_scenarios.participants import DRIVER_NODES, participants
 from f1tenth_scenarios.plan import make_plan
 from f1tenth_scenarios.scenario import Driver
 
@@ -39,14 +39,15 @@ def test_launch_file_starts_what_the_scenario_says(plan):
     nodes = {f"{node.namespace}{node.name}".lstrip("/") for node in config.nodes}
     assert "sim2d" in nodes
     for car in plan.scenario.cars:
-        driven_by = {"move_base", "race_mgr"} if car.driver is Driver.RACE else {"command_driver"}
+        driven_by = {"move_base", "race_mgr"} if car.driver is Driver.RACE else {DRIVER_NODES[car.driver]}
+        driven_by |= {"beam_dropper"} if car.dropped_beams else set()
         assert {f"{car.name}/{node}" for node in driven_by} <= nodes
     assert ("race_starter" in nodes) == bool(plan.goals)
 
 
 def test_launch_file_hands_the_scenario_to_the_simulator(plan):
     parameters = {name: each.value for name, each in load(plan).params.items()}
-    assert parameters["/sim2d/world"] == str(plan.world)
+    assert parameters["/sim2d/world"] == str(plan.run_world)
     assert parameters["/sim2d/participants"] == participants(plan.scenario)
     assert parameters["/sim2d/lockstep"] is plan.scenario.lockstep
     assert parameters["/sim2d/lockstep_timeout"] == plan.scenario.limits.answer
@@ -55,6 +56,21 @@ def test_launch_file_hands_the_scenario_to_the_simulator(plan):
     assert parameters["/sim2d/result_file"] == str(plan.simulator_result_file)
     for car in plan.scenario.cars:
         assert parameters[f"/sim2d/cars/{car.name}/x"] == car.start.x
+        assert (f"/sim2d/cars/{car.name}/vehicle" in parameters) == (car.mu is not None)
+
+
+def test_launch_file_hands_the_scenario_to_the_drivers(plan):
+    config = load(plan)
+    parameters = {name: each.value for name, each in config.params.items()}
+    for car in plan.scenario.cars:
+        if car.driver is Driver.RACE and car.speed_max is not None:
+            assert parameters[f"/{car.name}/move_base/TebLocalPlannerROS/max_vel_x"] == car.speed_max
+        if car.driver is Driver.PURSUIT:
+            assert parameters[f"/{car.name}/pure_pursuit/speed_max"] == car.speed_max
+            assert parameters[f"/{car.name}/pure_pursuit/start_at"] > plan.scenario.time_to_start
+        if car.dropped_beams:
+            (planner,) = (node for node in config.nodes if node.name == "move_base")
+            assert ["scan", "scan_dropped"] in planner.remap_args
 
 
 def test_command_names_the_launch_file(plan):

@@ -7,9 +7,13 @@ from f1tenth_scenarios import places
 from f1tenth_scenarios.participants import participants
 from f1tenth_scenarios.plan import Plan
 from f1tenth_scenarios.scenario import Car, Driver
+from f1tenth_scenarios.scenario_world import write_world
 
 # wall s that a node has after SIGINT, and then after SIGTERM
 _SIGINT_TIMEOUT, _SIGTERM_TIMEOUT = 4.0, 2.0
+
+# s, after which the start signal is surely given: the countdown begins with the first period, not at 0.
+_START_MARGIN = 0.1
 
 
 def launch_command(plan: Plan) -> list[str]:
@@ -19,7 +23,12 @@ def launch_command(plan: Plan) -> list[str]:
 
 
 def write_launch_file(plan: Plan) -> None:
-    """Write the launch file that starts everything the scenario describes."""
+    """Write the launch file that starts everything the scenario describes, and the files it names."""
+    if plan.scenario.boxes:
+        write_world(plan.world, plan.scenario, plan.run_world)
+    for car in plan.scenario.cars:
+        if car.mu is not None:
+            plan.vehicle_file(car.name).write_text(f"mu: {car.mu!r}\n", encoding="utf-8")
     launch = ElementTree.Element("launch")
     _include(launch, "scenario.launch", _shared_arguments(plan))
     for car in plan.scenario.cars:
@@ -31,7 +40,7 @@ def write_launch_file(plan: Plan) -> None:
 def _shared_arguments(plan: Plan) -> dict[str, Any]:
     scenario = plan.scenario
     return {
-        "world_file_name": plan.world,
+        "world_file_name": plan.run_world,
         "map_file": plan.map or "",
         "lockstep": scenario.lockstep,
         "participants": f"[{', '.join(participants(scenario))}]",
@@ -56,6 +65,12 @@ def _car_arguments(plan: Plan, car: Car) -> dict[str, Any]:
         "goals_file": plan.goals_files.get(car.name, ""),
         "loop_mode": plan.scenario.laps > 1,
         "scenario_file": plan.file,
+        "line": plan.lines.get(car.name, ""),
+        "speed_max": "" if car.speed_max is None else car.speed_max,
+        "start_at": plan.scenario.time_to_start + _START_MARGIN if plan.goals else 0.0,
+        "vehicle": plan.vehicle_file(car.name) if car.mu is not None else "",
+        "dropped_beams": car.dropped_beams,
+        "seed": plan.scenario.seed,
     }
 
 

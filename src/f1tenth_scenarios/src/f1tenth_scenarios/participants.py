@@ -4,6 +4,8 @@ from f1tenth_scenarios.scenario import Driver, Scenario
 
 DIRECTOR = "scenario"
 STARTER = "race_starter"
+# Nodes that answer scans.
+DRIVER_NODES = {Driver.COMMANDS: "command_driver", Driver.PURSUIT: "pure_pursuit"}
 
 
 def participants(scenario: Scenario) -> list[str]:
@@ -19,6 +21,7 @@ def participants(scenario: Scenario) -> list[str]:
 
 
 def _of_car(car):
-    if car.driver is Driver.COMMANDS:
+    if car.driver is not Driver.RACE:
         return [car.name]
-    return [f"{car.name}/move_base", f"{car.name}/race_mgr"]
+    names = [f"{car.name}/move_base", f"{car.name}/race_mgr"]
+    return [*names, f"{car.name}/beam_dropper"] if car.dropped_beams else names

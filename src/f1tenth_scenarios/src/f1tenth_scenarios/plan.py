@@ -8,7 +8,9 @@ from f1tenth_scenarios import places
 from f1tenth_scenarios.course import Course, read_course
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.goals import read_goals
+from f1tenth_scenarios.raceline import read_raceline
 from f1tenth_scenarios.scenario import Driver, Pose, Scenario, read_scenario
+from f1tenth_scenarios.scenario_world import check_boxes
 
 
 @dataclasses.dataclass(frozen=True)
@@ -24,6 +26,16 @@ class Plan:
     goals: dict[str, tuple[Pose, ...]]  # per car that races, of one lap
     folder: Path  # for the results
     course: Optional[Course] = None
+    lines: dict[str, Path] = dataclasses.field(default_factory=dict)  # per car that pursues one
+
+    @property
+    def run_world(self) -> Path:
+        """The world that is simulated: with the scenario's boxes."""
+        return self.log_folder / "boxes.world" if self.scenario.boxes else self.world
+
+    def vehicle_file(self, car: str) -> Path:
+        """Parameters of a car that differs from the F1/10 car."""
+        return self.log_folder / f"{car}.yaml"
 
     @property
     def log_folder(self) -> Path:
@@ -80,10 +92,18 @@ def _find_files(file, scenario, folder):
         for car in scenario.cars
         if car.driver is Driver.RACE
     }
+    lines = {
+        car.name: places.course_file(car.line, file.parent)
+        for car in scenario.cars
+        if car.driver is Driver.PURSUIT
+    }
+    for path in lines.values():
+        read_raceline(path)
     goals = {car: tuple(read_goals(path)) for car, path in goals_files.items()}
     world = places.world_file(scenario.world, file.parent)
     map_file = places.map_file(world)
     if goals and map_file is None:
         raise ScenarioError(f"the driver 'race' needs a map, and {world} has none beside it or in ../maps")
+    check_boxes(world, scenario)
     course = read_course(places.course_file(scenario.course, file.parent)) if scenario.course else None
-    return Plan(file.stem, file, scenario, world, map_file, goals_files, goals, folder, course)
+    return Plan(file.stem, file, scenario, world, map_file, goals_files, goals, folder, course, lines)

@@ -101,7 +101,7 @@ def _write(plan: Plan, done: Result, heard: Recording) -> None:
     lines = (f"{done.judgement.decision.verdict.value}: {done.reason}", _facts(done))
     picture = plan.folder / result.PICTURE_FILE
     write_picture(picture, plan.name, lines, done.judgement.record, plan.goals, track_map)
-    replay = make_replay(plan.world, plan.goals, heard).until(done.judgement.decision.stamp)
+    replay = make_replay(plan.run_world, plan.goals, heard).until(done.judgement.decision.stamp)
     write_replay(plan.folder / REPLAY_FILE, replay)
     # Last, because who sees a result.json may rely on the other files.
     result.write_json(plan.folder / result.RESULT_FILE, result.as_dict(done, versions.collect()))

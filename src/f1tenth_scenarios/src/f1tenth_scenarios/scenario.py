@@ -26,6 +26,7 @@ class Driver(enum.Enum):
     """Who drives a car."""
 
     RACE = "race"
+    PURSUIT = "pursuit"
     COMMANDS = "commands"
 
 
@@ -56,7 +57,8 @@ class Car:
     name: str = key("Name and ROS namespace of the car.")
     start: Pose = key("Where the car's base_footprint is put.", default=Pose(0.0, 0.0))
     driver: Driver = key(
-        "`race`: move_base and race_mgr drive to the goals; `commands`: a fixed command profile.",
+        "`race`: move_base and race_mgr drive to the goals; `pursuit`: pure pursuit of a line from the start;"
+        " `commands`: a fixed command profile.",
         default=Driver.RACE,
     )
     goals: Optional[str] = key(
@@ -64,7 +66,25 @@ class Car:
         " scenario file. Required with the driver `race`.",
         default=None,
     )
+    line: Optional[str] = key(
+        "What the driver `pursuit` follows (required with it): a circuit under f1tenth_gazebo/circuits"
+        " without .yaml (its middle), or the path of an X_raceline.csv or X_centerline.csv.",
+        default=None,
+    )
+    speed_max: Optional[float] = key(
+        "How fast `race` and `pursuit` may go; default: what the planner is set to, and 3 m/s.",
+        unit="m/s",
+        above=0,
+        at_most=20,
+        default=None,
+    )
     commands: tuple[Command, ...] = key("What the driver `commands` does, in order of time.", default=())
+    mu: Optional[float] = key(
+        "Friction of the car's tyres on the ground; default: the car's.", above=0, at_most=3, default=None
+    )
+    dropped_beams: float = key(
+        "Probability of each beam of the planner's lidar to be lost.", at_least=0, at_most=1, default=0.0
+    )
 
     def problem(self) -> Problem:
         """What is wrong between the keys: the key and the text, or nothing."""
@@ -76,10 +96,31 @@ class Car:
             return "commands", "is for the driver 'commands' only"
         if self.driver is Driver.COMMANDS and not self.commands:
             return "commands", "is missing; the driver 'commands' needs at least one"
+        if (self.driver is Driver.PURSUIT) != (self.line is not None):
+            return "line", "belongs to the driver 'pursuit', which needs one"
+        if self.driver is Driver.COMMANDS and self.speed_max is not None:
+            return "speed_max", "is for the drivers 'race' and 'pursuit'"
+        if self.dropped_beams and self.driver is not Driver.RACE:
+            return "dropped_beams", "is for the driver 'race' only"
         times = [command.at for command in self.commands]
         if times != sorted(set(times)):
             return "commands", "must be in order of time ('at'), each time once"
         return None
+
+
+@dataclasses.dataclass(frozen=True)
+class Box:
+    """A box on the ground that is in no map."""
+
+    name: str = key("Name of the model.")
+    x: float = key("Middle in the map frame.", unit="m")
+    y: float = key("Middle in the map frame.", unit="m")
+    yaw: float = key("Heading of its length.", unit="rad", default=0.0)
+    length: float = key("Size.", unit="m", above=0, default=0.4)
+    width: float = key("Size.", unit="m", above=0, default=0.4)
+    height: float = key("Size.", unit="m", above=0, default=0.5)
+    movable: bool = key("Whether it can be pushed.", default=False)
+    mass: float = key("Mass, if it can be pushed.", unit="kg", above=0, default=1.0)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -196,6 +237,7 @@ class Scenario:
     real_time_factor: float = key(
         "Simulated seconds per wall second without lockstep; 0: as fast as it goes.", at_least=0, default=1.0
     )
+    boxes: tuple[Box, ...] = key("What lies about besides the world's own models.", default=())
     criteria: Criteria = key("What the run is measured by besides its verdict.", default=Criteria())
     faults: tuple[Fault, ...] = key("What is broken on purpose.", default=())
 
@@ -206,6 +248,9 @@ class Scenario:
             return "cars", "is empty; at least one car is needed"
         if len(set(names)) != len(names):
             return "cars", f"has a name twice: {', '.join(names)}"
+        boxes = [box.name for box in self.boxes]
+        if len({*boxes, *names}) != len(boxes) + len(names):
+            return "boxes", f"has a name twice, or that of a car: {', '.join(boxes)}"
         if self.expected is Verdict.ERROR and self.culprit is None:
             return "culprit", "is missing; an expected error must say whose it is"
         if self.expected is not Verdict.ERROR and self.culprit is not None:

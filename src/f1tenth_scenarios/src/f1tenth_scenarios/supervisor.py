@@ -11,6 +11,7 @@ from f1tenth_scenarios.judge import first_collision, is_decided
 from f1tenth_scenarios.launch_log import LaunchLog, NodeEnd
 from f1tenth_scenarios.observations import Failure, RaceState, RaceUpdate
 from f1tenth_scenarios.pace import Pace
+from f1tenth_scenarios.participants import DRIVER_NODES
 from f1tenth_scenarios.plan import Plan
 from f1tenth_scenarios.processes import ProcessTree
 from f1tenth_scenarios.record import read_record
@@ -150,8 +151,8 @@ class Supervisor:
         finished = {update.car for update in self.updates if update.state is RaceState.FINISHED}
         alive = {"sim2d"}
         for car in self._plan.scenario.cars:
-            if car.driver is Driver.COMMANDS:
-                alive.add(f"{car.name}/command_driver")
+            if car.driver is not Driver.RACE:
+                alive.add(f"{car.name}/{DRIVER_NODES[car.driver]}")
             elif car.name not in finished:
                 alive |= {f"{car.name}/move_base", f"{car.name}/race_mgr"}
         return alive

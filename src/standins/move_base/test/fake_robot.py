@@ -4,6 +4,7 @@ It follows cmd_vel and publishes clock, map, scan, odom and tf. It plays the sim
 that a test depends on nothing but simulated time; or it lets time run.
 """
 
+import collections
 import math
 import threading
 import time
@@ -74,6 +75,8 @@ class FakeRobot:
         self.speed = 0.0
         self.scan_works = True
         self.wheels_grip = True
+        self.delay = 0  # periods by which sensors and tf are late
+        self._sent = collections.deque(maxlen=100)  # per period: transforms, odometry, scan
         self.commands = []  # (time in s, Twist), all so far
         self.touched = False  # whether the middle of the car was ever in a wall
         self._participant = participant
@@ -111,6 +114,8 @@ class FakeRobot:
             self.speed = 0.0
             self.scan_works = True
             self.wheels_grip = True
+            self.delay = 0
+            self._sent.clear()
             self.touched = False
             self.commands.clear()
             self._command = Twist()
@@ -176,10 +181,12 @@ class FakeRobot:
             self._clock.publish(Clock(self._time))
 
     def _publish(self):
-        self._tf.publish(self._transforms())
-        self._odom.publish(self._odometry())
+        self._sent.append((self._transforms(), self._odometry(), self._laser_scan()))
+        transforms, odometry, scan = self._sent[-1 - min(self.delay, len(self._sent) - 1)]
+        self._tf.publish(transforms)
+        self._odom.publish(odometry)
         if self.scan_works:
-            self._scan.publish(self._laser_scan())
+            self._scan.publish(scan)
         self._clock.publish(Clock(self._time))
 
     def _transforms(self):

@@ -2,6 +2,7 @@
 """The node's action, topics and services, to the letter of the original, with a car in lockstep."""
 
 import copy
+import socket
 import subprocess
 import sys
 import threading
@@ -11,7 +12,7 @@ import actionlib
 import pytest
 import rospy
 import rostest
-from actionlib_msgs.msg import GoalStatus
+from actionlib_msgs.msg import GoalStatus, GoalStatusArray
 from fake_robot import FakeRobot, Room
 from geometry_msgs.msg import PoseStamped, Quaternion
 from move_base_msgs.msg import MoveBaseAction, MoveBaseActionFeedback, MoveBaseGoal, RecoveryStatus
@@ -200,11 +201,43 @@ class MoveBaseTest(unittest.TestCase):
         self.robot.scan_works = False
         silence = self.robot.now
         rospy.sleep(1.5)
-        late = [command for time, command in self.robot.commands if time > silence + 0.6]
+        late = [command for time, command in self.robot.commands if time > silence + 0.8]
         assert late
         assert {command.linear.x for command in late} == {0.0}
         self.robot.scan_works = True
         self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
+
+    def test_the_car_stops_while_everything_is_late_and_goes_on_afterwards(self):
+        self.drive_off(pose_at(6.0, 2.0))
+        self.robot.delay = 8
+        self.wait_until(lambda: self.robot.speed == 0.0)
+        stopped = self.robot.now
+        self.wait_until(lambda: self.robot.now > stopped + 1.0)
+        assert self.robot.speed == 0.0
+        self.robot.delay = 0
+        self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
+        assert not self.robot.touched
+
+    def test_goals_and_cancels_come_without_delay(self):
+        for publisher in (self.client.action_client.pub_goal, self.client.action_client.pub_cancel):
+            connections = publisher.impl.connections
+            assert connections
+            for connection in connections:
+                assert connection.socket.getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY)
+
+    def test_plans_come_under_the_planners_names_too(self):
+        names = ("NavfnROS/plan", "TebLocalPlannerROS/global_plan", "TebLocalPlannerROS/local_plan")
+        listeners = [Listener(f"move_base/{name}", Path) for name in names]
+        self.send(pose_at(3.0, 1.0))
+        self.result()
+        for listener in listeners:
+            assert listener.wait()[-1].poses
+
+    def test_the_status_comes_five_times_a_second(self):
+        listener = Listener("move_base/status", GoalStatusArray)
+        start = self.robot.now
+        self.wait_until(lambda: self.robot.now > start + 4.0)
+        assert 16 <= len(listener.messages) <= 24
 
     def test_what_the_map_does_not_know_is_driven_around(self):
         room = copy.deepcopy(self.room)

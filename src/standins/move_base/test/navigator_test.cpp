@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <deque>
+
 #include "expect_throws.h"
 #include "kinematic_car.h"
 #include "move_base/errors.h"
@@ -46,7 +48,10 @@ public:
 
   CycleOutput cycle()
   {
-    CycleOutput output = navigator.cycle({time, car.state(), sensors_current}, costmap_);
+    seen.push_front(car.state());
+    const std::size_t late = std::min(delay, seen.size() - 1);
+    CycleOutput output =
+      navigator.cycle({time, seen[late], sensors_current, kCycle * static_cast<double>(late)}, costmap_);
     if (wheels_grip) {
       car.drive(output.command.value_or(DriveCommand{}), kCycle);
     }
@@ -77,6 +82,8 @@ public:
   double time{10.0};
   bool sensors_current{true};
   bool wheels_grip{true};
+  std::size_t delay{0};  // cycles until the navigator sees where the car is
+  std::deque<CarState> seen;
   double clearance{HUGE_VAL};
   DriveCommand command;
   std::vector<std::string> recoveries;
@@ -194,22 +201,56 @@ TEST(Navigator, abortsWhenTheCarDoesNotGetAnywhere)
   EXPECT_EQ(journey.recoveries, kAllRecoveries);
 }
 
-TEST(Navigator, standsStillWhileSensorsAreStaleAndGoesOnAfterwards)
+TEST(Navigator, brakesInTheBendWhileSensorsAreStaleAndGoesOnAfterwards)
 {
   Journey journey(racingNavigator(), makeCostmap(drawOval()), onOval(0.0));
-  journey.navigator.setGoal(onOval(15.0), journey.time);
-  for (int i = 0; i < 40; ++i) {
+  journey.navigator.setGoal(onOval(20.0), journey.time);
+  while (journey.car.state().pose.x < 14.0) {
     journey.cycle();
   }
   EXPECT_GT(journey.car.state().speed, 2.0);
+  const double clearance = journey.clearance;
   journey.sensors_current = false;
-  for (int i = 0; i < 20; ++i) {
-    const auto command = journey.cycle().command;
-    ASSERT_TRUE(command);
-    EXPECT_EQ(command->speed, 0.0);
+  for (int i = 0; i < 40; ++i) {
+    ASSERT_TRUE(journey.cycle().command);
+    EXPECT_TRUE(i < 30 || (journey.command.speed == 0.0 && journey.car.state().speed < 0.05)) << i;
   }
+  EXPECT_GT(journey.clearance, clearance - 0.1) << "it stays on the road";
   journey.sensors_current = true;
   EXPECT_TRUE(journey.untilOutcome().succeeded);
+  EXPECT_GT(journey.clearance, 0.3);
+}
+
+TEST(Navigator, brakesByDeadReckoningWhenItsPoseIsOld)
+{
+  Journey journey(racingNavigator(), makeCostmap(drawOval()), onOval(0.0));
+  journey.navigator.setGoal(onOval(20.0), journey.time);
+  while (journey.car.state().pose.x < 14.0) {
+    journey.cycle();
+  }
+  const CarState last_seen = journey.car.state();
+  const double last_time = journey.time;
+  KinematicCar car = journey.car;
+  Costmap & costmap = journey.costmap();
+  double clearance = HUGE_VAL;
+  for (double time = last_time; time < last_time + 2.0; time += kCycle) {
+    const auto output = journey.navigator.cycle({time, last_seen, false, time - last_time}, costmap);
+    ASSERT_TRUE(output.command);
+    car.drive(*output.command, kCycle);
+    clearance = std::min(clearance, costmap.clearance(car.state().pose));
+  }
+  EXPECT_LT(car.state().speed, 0.05);
+  EXPECT_GT(distance(car.state().pose, last_seen.pose), 0.5);
+  EXPECT_GT(clearance, 0.3);
+}
+
+TEST(Navigator, followsItsPathByPosesThatComeLate)
+{
+  Journey journey(racingNavigator(), makeCostmap(drawOval()), onOval(0.0));
+  journey.delay = 4;
+  journey.navigator.setGoal(onOval(20.0), journey.time);
+  EXPECT_TRUE(journey.untilOutcome().succeeded);
+  EXPECT_GT(journey.clearance, 0.3);
 }
 
 TEST(Navigator, plansAroundAnObstacleThatAppears)

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "move_base/dead_reckoning.h"
 #include "move_base/global_planner.h"
 #include "move_base/path_follower.h"
 #include "move_base/recovery.h"
@@ -53,6 +54,7 @@ struct CycleInput
   double time{0.0};  ///< s
   CarState car;
   bool sensors_current{true};  ///< whether the data are young enough to drive by
+  double age{0.0};             ///< s, since the car was as given
 };
 
 struct CycleOutput
@@ -101,6 +103,8 @@ private:
     kOscillation
   };
 
+  void drive(const CycleInput & input, Costmap & costmap, CycleOutput & output);
+  void driveBlind(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   void pursue(const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void planAhead(const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void planFailed(const CycleInput & input, Costmap & costmap, CycleOutput & output);
@@ -124,6 +128,7 @@ private:
   NavigatorOptions options_;
   GlobalPlanner planner_;
   PathFollower follower_;
+  DeadReckoning reckoning_;
   std::vector<RecoveryBehavior> behaviors_;
   Plan plan_;
 

@@ -67,19 +67,42 @@ void Navigator::cancel()
 
 CycleOutput Navigator::cycle(const CycleInput & input, Costmap & costmap)
 {
+  if (previous_time_ && input.time < *previous_time_) {
+    reckoning_.clear();
+  }
+  CycleInput now = input;
+  now.car = reckoning_.predict(input.car, input.time - input.age, input.time);
   CycleOutput output;
+  drive(now, costmap, output);
+  previous_time_ = now.time;
+  previous_pose_ = now.car.pose;
+  reckoning_.note(now.time, output.command.value_or(DriveCommand{}));
+  return output;
+}
+
+void Navigator::drive(const CycleInput & input, Costmap & costmap, CycleOutput & output)
+{
   if (!input.sensors_current) {
     if (goal_ || coast_until_) {
-      output.command = DriveCommand{};
+      driveBlind(input, costmap, output);
     }
   } else if (goal_) {
     pursue(input, costmap, output);
   } else if (coast_until_) {
     coast(input, costmap, output);
   }
-  previous_time_ = input.time;
-  previous_pose_ = input.car.pose;
-  return output;
+}
+
+// A fast car that stops with its wheels straight leaves the road: it brakes along its path, by dead reckoning.
+void Navigator::driveBlind(const CycleInput & input, const Costmap & costmap, CycleOutput & output)
+{
+  if (std::abs(input.car.speed) < kStandingSpeed) {
+    output.command = DriveCommand{};
+    next_plan_ = last_valid_plan_ = last_valid_control_ = input.time;
+    state_ = state_ == State::kControlling ? State::kPlanning : state_;
+  } else {
+    hold(input, costmap, output);
+  }
 }
 
 Plan Navigator::makePlan(const Costmap & costmap, const Pose2 & start, const Pose2 & goal) const

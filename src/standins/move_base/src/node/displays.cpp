@@ -18,8 +18,10 @@ std_msgs::Header headerOf(const std::string & frame, const ros::Time & stamp)
 Displays::Displays(ros::NodeHandle private_node, const MoveBaseParameters & parameters, const Perception & perception)
 : parameters_(parameters),
   perception_(perception),
-  global_plan_(private_node.advertise<nav_msgs::Path>("global_plan", 1, true)),
-  local_plan_(private_node.advertise<nav_msgs::Path>("local_plan", 1)),
+  global_plan_(
+    private_node, {"global_plan", parameters.global_planner + "/plan", parameters.local_planner + "/global_plan"},
+    true),
+  local_plan_(private_node, {"local_plan", parameters.local_planner + "/local_plan"}, false),
   global_costmap_{
     private_node.advertise<nav_msgs::OccupancyGrid>("global_costmap/costmap", 1),
     parameters.global_publish_frequency,
@@ -42,7 +44,7 @@ void Displays::showGlobalPlan(const Path & path, const ros::Time & stamp)
 
 void Displays::showLocalPlan(const std::vector<Pose2> & prediction, const ros::Time & stamp)
 {
-  if (prediction.empty() || local_plan_.getNumSubscribers() == 0) {
+  if (prediction.empty() || !local_plan_.wanted()) {
     return;
   }
   if (const auto map = mapInLocalFrame()) {

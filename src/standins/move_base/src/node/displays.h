@@ -8,6 +8,7 @@
 #include "move_base/path.h"
 #include "parameters.h"
 #include "perception.h"
+#include "plan_publisher.h"
 
 namespace move_base
 {
@@ -40,8 +41,8 @@ private:
 
   const MoveBaseParameters & parameters_;
   const Perception & perception_;
-  ros::Publisher global_plan_;
-  ros::Publisher local_plan_;
+  PlanPublisher global_plan_;
+  PlanPublisher local_plan_;
   Throttled global_costmap_;
   Throttled local_costmap_;
   Throttled footprint_;

@@ -16,6 +16,12 @@ ros::NodeHandle onQueue(const std::string & name, ros::CallbackQueue & queue)
   node.setCallbackQueue(&queue);
   return node;
 }
+template <class Message>
+ros::Subscriber subscribePromptly(ros::NodeHandle & node, const std::string & topic)
+{
+  const boost::function<void(const boost::shared_ptr<const Message> &)> ignore = [](const auto &) {};
+  return node.subscribe<Message>(topic, 50, ignore, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+}
 }  // namespace
 
 MoveBaseNode::MoveBaseNode(const MoveBaseParameters & parameters, ros::CallbackQueue & queue)
@@ -30,6 +36,10 @@ MoveBaseNode::MoveBaseNode(const MoveBaseParameters & parameters, ros::CallbackQ
   goal_publisher_(private_node_.advertise<geometry_msgs::PoseStamped>("current_goal", 1)),
   recovery_publisher_(node_.advertise<move_base_msgs::RecoveryStatus>("move_base/recovery_status", 1)),
   action_goal_publisher_(node_.advertise<move_base_msgs::MoveBaseActionGoal>("move_base/goal", 1)),
+  // actionlib asks for no hints, and without one a publisher waits for more to send (Nagle). Subscribers of a topic share
+  // the connections of the first one, which is this.
+  prompt_goals_(subscribePromptly<move_base_msgs::MoveBaseActionGoal>(node_, "move_base/goal")),
+  prompt_cancels_(subscribePromptly<actionlib_msgs::GoalID>(node_, "move_base/cancel")),
   server_(node_, "move_base", false)
 {
   simple_goal_subscriber_ = node_.subscribe("move_base_simple/goal", 1, &MoveBaseNode::relayGoal, this);

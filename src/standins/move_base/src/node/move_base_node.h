@@ -69,6 +69,8 @@ private:
   ros::Subscriber simple_goal_subscriber_;
   ros::ServiceServer make_plan_service_;
   ros::ServiceServer clear_costmaps_service_;
+  ros::Subscriber prompt_goals_;
+  ros::Subscriber prompt_cancels_;
   Server server_;
   std::optional<ros::Time> now_;
   std::optional<ros::Time> last_cycle_;

@@ -143,10 +143,10 @@ MoveBaseParameters readParameters(ParameterReader & reader)
   readMoveBase(reader, parameters);
   readFrames(reader, parameters);
   readCostmaps(reader, parameters);
-  readGlobalPlanner(reader, pluginNamespace(reader, "base_global_planner", "navfn/NavfnROS"), parameters);
-  readLocalPlanner(
-    reader, pluginNamespace(reader, "base_local_planner", "base_local_planner/TrajectoryPlannerROS"),
-    parameters.navigator);
+  parameters.global_planner = pluginNamespace(reader, "base_global_planner", "navfn/NavfnROS");
+  parameters.local_planner = pluginNamespace(reader, "base_local_planner", "base_local_planner/TrajectoryPlannerROS");
+  readGlobalPlanner(reader, parameters.global_planner, parameters);
+  readLocalPlanner(reader, parameters.local_planner, parameters.navigator);
   parameters.costmap.validate();
   parameters.navigator.validate();
   return parameters;

@@ -13,10 +13,12 @@ struct MoveBaseParameters
   std::string global_frame{"map"};
   std::string local_frame{"odom"};
   std::string base_frame{"base_link"};
-  double transform_tolerance{0.3};  ///< s, a pose of the car older than this is stale
-  double sensor_timeout{0.5};       ///< s, a scan or odometry older than this is stale
-  double controller_period{0.05};   ///< s; 0: every period of the lockstep
-  bool shutdown_costmaps{false};    ///< whether scans are ignored without a goal
+  std::string global_planner{"NavfnROS"};             ///< namespace of its parameters and topics
+  std::string local_planner{"TrajectoryPlannerROS"};  ///< the same
+  double transform_tolerance{0.3};                    ///< s, a pose of the car older than this is stale
+  double sensor_timeout{0.5};                         ///< s, a scan or odometry older than this is stale
+  double controller_period{0.05};                     ///< s; 0: every period of the lockstep
+  bool shutdown_costmaps{false};                      ///< whether scans are ignored without a goal
   bool lockstep{false};
   double global_publish_frequency{1.0};  ///< Hz; 0: never
   double local_publish_frequency{5.0};   ///< Hz; 0: never

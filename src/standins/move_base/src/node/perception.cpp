@@ -2,6 +2,8 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
+
 #include "conversions.h"
 #include "move_base/errors.h"
 
@@ -48,6 +50,7 @@ CycleInput Perception::input(const ros::Time & now) const
   input.sensors_current = stale(now).empty();
   if (const auto base = baseTransform()) {
     input.car.pose = fromTransform(base->transform);
+    input.age = std::max(0.0, (now - base->header.stamp).toSec());
   }
   input.car.speed = odometry_ ? odometry_->twist.twist.linear.x : 0.0;
   return input;

@@ -1,0 +1,105 @@
+#include "arrays.h"
+
+#include <sstream>
+
+#include "move_base/errors.h"
+
+namespace move_base
+{
+namespace
+{
+namespace py = pybind11;
+
+void requireShape(const py::array & array, const std::string & name, const std::vector<py::ssize_t> & shape)
+{
+  bool fits = array.ndim() == static_cast<py::ssize_t>(shape.size());
+  std::ostringstream allowed;
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    fits = fits && (shape[i] < 0 || array.shape(static_cast<py::ssize_t>(i)) == shape[i]);
+    allowed << (i == 0 ? "(" : ", ") << (shape[i] < 0 ? std::string("n") : std::to_string(shape[i]));
+  }
+  if (!fits) {
+    const std::string found = py::str(py::tuple(array.attr("shape")));
+    throw OptionError(name + ": found an array of shape " + found + ", must be " + allowed.str() + ")");
+  }
+}
+}  // namespace
+
+Pose2 toPose(const Doubles & array, const std::string & name)
+{
+  requireShape(array, name, {3});
+  return {array.at(0), array.at(1), array.at(2)};
+}
+
+std::vector<Pose2> toPoses(const Doubles & array, const std::string & name)
+{
+  requireShape(array, name, {-1, 3});
+  const auto values = array.unchecked<2>();
+  std::vector<Pose2> poses;
+  for (py::ssize_t i = 0; i < values.shape(0); ++i) {
+    poses.push_back({values(i, 0), values(i, 1), values(i, 2)});
+  }
+  return poses;
+}
+
+py::array_t<double> fromPoses(const std::vector<Pose2> & poses)
+{
+  py::array_t<double> array({static_cast<py::ssize_t>(poses.size()), py::ssize_t{3}});
+  auto values = array.mutable_unchecked<2>();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const auto row = static_cast<py::ssize_t>(i);
+    values(row, 0) = poses[i].x;
+    values(row, 1) = poses[i].y;
+    values(row, 2) = poses[i].yaw;
+  }
+  return array;
+}
+
+OccupancyGrid toGrid(const Cells & cells, double resolution, const Vec2 & origin)
+{
+  requireShape(cells, "cells", {-1, -1});
+  OccupancyGrid grid;
+  grid.geometry = {static_cast<int>(cells.shape(1)), static_cast<int>(cells.shape(0)), resolution, origin};
+  grid.cells.assign(cells.data(), cells.data() + cells.size());
+  return grid;
+}
+
+Path toPath(const Doubles & points, const py::array_t<bool> & reverse)
+{
+  requireShape(points, "points", {-1, 5});
+  requireShape(reverse, "reverse", {points.shape(0)});
+  if (points.shape(0) < 2) {
+    throw OptionError("points: found " + std::to_string(points.shape(0)) + ", must be at least 2");
+  }
+  const auto values = points.unchecked<2>();
+  Path path;
+  for (py::ssize_t i = 0; i < values.shape(0); ++i) {
+    path.push_back({{values(i, 0), values(i, 1), values(i, 2)}, values(i, 3), reverse.at(i), values(i, 4)});
+  }
+  return path;
+}
+
+py::array_t<double> pointsOf(const Path & path)
+{
+  py::array_t<double> array({static_cast<py::ssize_t>(path.size()), py::ssize_t{5}});
+  auto values = array.mutable_unchecked<2>();
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const auto row = static_cast<py::ssize_t>(i);
+    values(row, 0) = path[i].pose.x;
+    values(row, 1) = path[i].pose.y;
+    values(row, 2) = path[i].pose.yaw;
+    values(row, 3) = path[i].curvature;
+    values(row, 4) = path[i].s;
+  }
+  return array;
+}
+
+py::array_t<bool> reverseOf(const Path & path)
+{
+  py::array_t<bool> array(static_cast<py::ssize_t>(path.size()));
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    array.mutable_at(static_cast<py::ssize_t>(i)) = path[i].reverse;
+  }
+  return array;
+}
+}  // namespace move_base

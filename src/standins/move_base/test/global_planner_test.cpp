@@ -158,6 +158,27 @@ TEST(GlobalPlanner, passesAGapThatIsNarrowerThanWanted)
   expectDrivable(plan, costmap, forwardOnly());
 }
 
+// A hall with a divider, and a closet behind a gap of the given width.
+OccupancyGrid drawCloset(double gap)
+{
+  return drawMap(12.0, 6.0, [=](const Vec2 & p) {
+    const bool divider = inRectangle(p, {4.0, 0.0}, {4.2, 3.5});
+    const bool closet_wall = inRectangle(p, {9.0, 0.0}, {9.2, 2.2}) && std::abs(p.y - 1.0) > 0.5 * gap;
+    const bool closet_top = inRectangle(p, {9.0, 2.0}, {12.0, 2.2});
+    return !inRectangle(p, {0.1, 0.1}, {11.9, 5.9}) || divider || closet_wall || closet_top;
+  });
+}
+
+TEST(GlobalPlanner, findsTheNarrowDoorOfAClosetWithinItsBudget)
+{
+  for (const double gap : {0.5, 0.6, 0.8}) {
+    const Costmap costmap = makeCostmap(drawCloset(gap));
+    const Plan plan = planOn(costmap, {}, {{1.0, 1.0, 0.0}, {10.5, 1.0, 0.0}});
+    expectDrivable(plan, costmap, {});
+    EXPECT_LT(plan.expansions, 70000) << gap;
+  }
+}
+
 TEST(GlobalPlanner, goesOnBeyondTheGoalWhenAsked)
 {
   const Costmap costmap = makeCostmap(drawOval());

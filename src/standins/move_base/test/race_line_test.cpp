@@ -57,10 +57,10 @@ double bendingOf(const Path & path)
 TEST(RaceLine, makesBendsWiderThanTheMiddleOfTheRoadDoes)
 {
   const Costmap costmap = makeCostmap(drawOval());
-  const Plan middle = planOn(costmap, onOval(2.0), onOval(24.0), std::nullopt);
-  const Plan race = planOn(costmap, onOval(2.0), onOval(24.0), kRacing);
+  const Plan middle = planOn(costmap, onOval(2.0), onOval(19.0), std::nullopt);
+  const Plan race = planOn(costmap, onOval(2.0), onOval(19.0), kRacing);
   ASSERT_TRUE(race.found());
-  EXPECT_LT(bendingOf(race.path), 0.9 * bendingOf(middle.path));
+  EXPECT_LT(bendingOf(race.path), 0.95 * bendingOf(middle.path));
   EXPECT_GT(leastClearance(race.path, costmap), 0.085);
 }
 

@@ -50,7 +50,8 @@ public:
   Plan plan(const Costmap & costmap, const PlanRequest & request) const;
 
 private:
-  Plan planWithClearance(const Costmap & costmap, const PlanRequest & request, double clearance) const;
+  Plan planWithClearance(
+    const Costmap & costmap, const PlanRequest & request, double clearance, int max_expansions) const;
 
   PlannerOptions options_;
   ShortestCurves curves_;

@@ -17,7 +17,7 @@ struct PlannerOptions
   double steering_penalty{0.05};   ///< steering from straight to the limit, in metres
   double curvature_penalty{0.1};   ///< a metre at the least radius, in metres on top
   double min_obstacle_dist{0.1};   ///< m, clearance of plans where there is room for it
-  int max_expansions{150000};      ///< of one search, then it is given up
+  int max_expansions{150000};      ///< of all searches for a plan, then it is given up
 
   /// @throws OptionError
   void validate() const;
@@ -49,6 +49,7 @@ struct SearchQuery
   Pose2 goal;
   double start_curvature{0.0};  ///< 1/m, how the wheels are set at the start
   double clearance{0.0};        ///< m, that the plan keeps, where start and goal have it themselves
+  int max_expansions{150000};   ///< then the search is given up
 };
 
 /// Finds drivable ways with hybrid A* (Dolgov et al. 2008): arcs over a grid of positions and headings, led by CostToGo,

@@ -13,6 +13,7 @@ namespace
 {
 constexpr double kSpacing = 0.1;          // m, between points of a path
 constexpr double kLeastClearance = 0.02;  // m
+constexpr double kFirstPart = 0.4;        // of max_expansions, for the search with the clearance wanted
 
 const PlannerOptions & validated(const PlannerOptions & options)
 {
@@ -58,16 +59,25 @@ GlobalPlanner::GlobalPlanner(const PlannerOptions & options)
 
 Plan GlobalPlanner::plan(const Costmap & costmap, const PlanRequest & request) const
 {
-  const Plan wanted = planWithClearance(costmap, request, std::max(options_.min_obstacle_dist, kLeastClearance));
-  if (wanted.status != SearchStatus::kUnreachable || options_.min_obstacle_dist <= kLeastClearance) {
+  if (options_.min_obstacle_dist <= kLeastClearance) {
+    return planWithClearance(costmap, request, kLeastClearance, options_.max_expansions);
+  }
+  // Narrow gaps make the first search long or fail: something must be left for the second one.
+  const int first_budget = std::max(1, static_cast<int>(kFirstPart * options_.max_expansions));
+  const Plan wanted = planWithClearance(costmap, request, options_.min_obstacle_dist, first_budget);
+  if (wanted.status != SearchStatus::kUnreachable && wanted.status != SearchStatus::kBudgetSpent) {
     return wanted;
   }
-  return planWithClearance(costmap, request, kLeastClearance);
+  const int left = std::max(1, options_.max_expansions - wanted.expansions);
+  Plan narrow = planWithClearance(costmap, request, kLeastClearance, left);
+  narrow.expansions += wanted.expansions;
+  return narrow;
 }
 
-Plan GlobalPlanner::planWithClearance(const Costmap & costmap, const PlanRequest & request, double clearance) const
+Plan GlobalPlanner::planWithClearance(
+  const Costmap & costmap, const PlanRequest & request, double clearance, int max_expansions) const
 {
-  const SearchQuery query{request.start, request.goal, request.start_curvature, clearance};
+  const SearchQuery query{request.start, request.goal, request.start_curvature, clearance, max_expansions};
   SearchResult result = searchHybridAStar(costmap, options_, curves_, query);
   Plan plan;
   plan.status = result.status;

@@ -29,7 +29,9 @@ def test_clearance_is_that_of_the_cars_outline(costmap):
 
 def test_the_origin_moves_the_map():
     moved = core.Costmap(room(), 0.05, origin=(-4.0, -2.0))
-    assert moved.clearance([[0.0, 0.0, 0.0]]) == pytest.approx(core.Costmap(room(), 0.05).clearance([[4, 2, 0]]))
+    assert moved.clearance([[0.0, 0.0, 0.0]]) == pytest.approx(
+        core.Costmap(room(), 0.05).clearance([[4, 2, 0]])
+    )
 
 
 def test_a_plan_is_a_path_that_the_car_can_drive(costmap):
@@ -91,7 +93,7 @@ def test_following_a_path_leads_along_it(costmap):
     assert step.s == pytest.approx(0.5)
     assert step.curvature < 0.0
     assert 0.0 < step.speed < 0.5, "speeds up from the last command"
-    assert not (step.lost or step.blocked or step.stuck or step.at_end)
+    assert [step.lost, step.blocked, step.stuck, step.at_end] == [False] * 4
     assert step.prediction.shape[1] == 3
 
 
@@ -104,13 +106,19 @@ def test_following_a_path_leads_along_it(costmap):
             "start: found an array of shape (2,), must be (3)",
         ),
         (lambda c: core.Path(np.zeros((1, 5)), [False]), "points: found 1, must be at least 2"),
-        (lambda c: core.Path(np.zeros((3, 5)), [False]), "reverse: found an array of shape (1,), must be (3)"),
+        (
+            lambda c: core.Path(np.zeros((3, 5)), [False]),
+            "reverse: found an array of shape (1,), must be (3)",
+        ),
         (
             lambda c: core.GlobalPlanner(core.PlannerOptions(min_turning_radius=-1.0)),
             "min_turning_radius: found -1, must be a number above 0",
         ),
         (lambda c: core.Costmap(np.zeros((1, 9), np.int8), 0.05), "map: 9 x 1 cells with 9 values"),
-        (lambda c: core.PathFollower().step([0, 0, 0], 0, c, 0.1), "step: there is no path; call set_path first"),
+        (
+            lambda c: core.PathFollower().step([0, 0, 0], 0, c, 0.1),
+            "step: there is no path; call set_path first",
+        ),
     ],
 )
 def test_what_cannot_be_used_is_refused(costmap, call, message):

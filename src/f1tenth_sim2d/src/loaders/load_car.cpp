@@ -67,9 +67,8 @@ void readParts(CarContext & context)
   readPlugins(mechanism, context);
   readDynamics(mechanism, context);
 }
-}  // namespace
 
-CarDescription loadCar(
+CarDescription readCar(
   const std::string & xml, const std::string & name, const std::string & source, const SearchPath & search_path)
 {
   const SdfMessages messages;
@@ -100,5 +99,12 @@ CarDescription loadCar(
   readParts(context);
   car.warnings = warnings.messages();
   return car;
+}
+}  // namespace
+
+CarDescription loadCar(
+  const std::string & xml, const std::string & name, const std::string & source, const SearchPath & search_path)
+{
+  return withLoadErrors(source, [&] { return readCar(xml, name, source, search_path); });
 }
 }  // namespace f1tenth_sim2d

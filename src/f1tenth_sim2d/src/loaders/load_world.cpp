@@ -7,6 +7,7 @@
 #include "f1tenth_sim2d/loaders.h"
 #include "include_cycles.h"
 #include "map_world.h"
+#include "sdf_errors.h"
 #include "sdf_models.h"
 #include "uri_lookup.h"
 #include "world_document.h"
@@ -77,6 +78,18 @@ WorldDescription describe(
   }
   return description;
 }
+
+WorldDescription loadSdfWorld(const std::string & path, const SearchPath & search_path)
+{
+  const UriLookup uris(search_path, path);
+  WarningCollector warnings;
+  requireEndOfIncludes(path, uris);
+  const auto document = readWorldDocument(path, uris, warnings);
+  MeshLibrary meshes(uris, warnings);
+  WorldDescription description = describe(*document, path, meshes, warnings);
+  description.warnings = warnings.messages();
+  return description;
+}
 }  // namespace
 
 WorldDescription emptyWorld()
@@ -93,13 +106,6 @@ WorldDescription loadWorld(const std::string & path, const SearchPath & search_p
   if (isMapFile(path)) {
     return loadMapWorld(path);
   }
-  const UriLookup uris(search_path, path);
-  WarningCollector warnings;
-  requireEndOfIncludes(path, uris);
-  const auto document = readWorldDocument(path, uris, warnings);
-  MeshLibrary meshes(uris, warnings);
-  WorldDescription description = describe(*document, path, meshes, warnings);
-  description.warnings = warnings.messages();
-  return description;
+  return withLoadErrors(path, [&] { return loadSdfWorld(path, search_path); });
 }
 }  // namespace f1tenth_sim2d

@@ -48,6 +48,8 @@ const std::vector<BadWorld> kBadWorlds{
   {"NotXml", "hello", "test.world: line 1: malformed XML: PARSING_TEXT"},
   {"MismatchedTags", "<sdf version='1.6'>\n<world name='w'>\n<model name='m'>\n</world></sdf>",
    "test.world: line 3: malformed XML: MISMATCHED_ELEMENT, XMLElement name=model"},
+  {"VersionThatIsNoNumber", "<sdf version='a.b'><world name='w'/></sdf>",
+   "test.world: a library that reads it gives up: stoi"},
   {"NewerVersion", "<sdf version='9.9'><world name='w'/></sdf>",
    "test.world: Unable to convert from SDF version 9.9 to 1.9"},
   {"NoWorld", "<sdf version='1.6'><model name='m'><link name='l'/></model></sdf>",

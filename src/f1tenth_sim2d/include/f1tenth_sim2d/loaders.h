@@ -28,6 +28,25 @@ WorldDescription loadWorld(const std::string & path, const SearchPath & search_p
 /// The ground and nothing on it.
 WorldDescription emptyWorld();
 
+/// A model and those nested in it.
+struct LoadedModel
+{
+  std::vector<ModelDescription> models;  ///< the outer one first
+  std::vector<std::string> warnings;
+};
+
+/// Whether a URDF or SDF model has parts that only a car has here: joints that turn, sensors or plugins.
+/// @throws LoadError for text that is not XML
+bool describesCar(const std::string & xml, const std::string & source);
+
+/// Reads a URDF or SDF model that is no car from a string.
+/// @param name  that it gets in the world
+/// @param pose  of its frame in the world
+/// @throws LoadError
+LoadedModel loadModel(
+  const std::string & xml, const std::string & name, const ignition::math::Pose3d & pose, const std::string & source,
+  const SearchPath & search_path = {});
+
 /// Reads a URDF (with <gazebo> tags) or SDF model from a string.
 /// @param name    the car's name and ROS namespace
 /// @param source  what error messages call the text

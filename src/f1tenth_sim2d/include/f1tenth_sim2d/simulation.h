@@ -117,6 +117,8 @@ public:
   void advanceTo(SimTime end);
   /// Back to time 0, the state after construction and all addCar calls, with the same seed: as from fresh.
   void reset();
+  /// The same for cars and models only: time goes on.
+  void resetPoses();
 
   /// Takes effect after the car's actuation latency; clamped to the car's limits.
   /// @throws Error for a value that is not finite or absurd (beyond 100 m/s or a full turn); it is then not taken

@@ -59,6 +59,10 @@ void Simulation::reset()
 {
   impl_->reset();
 }
+void Simulation::resetPoses()
+{
+  impl_->resetPoses();
+}
 
 void Simulation::advanceTo(SimTime end)
 {

@@ -263,6 +263,11 @@ void Simulation::Impl::describe(const Car & car, const StepContact & step, Conta
 void Simulation::Impl::reset()
 {
   time_ = 0;
+  resetPoses();
+}
+
+void Simulation::Impl::resetPoses()
+{
   returnStaticModels();
   for (const auto & car : cars_) {
     car->restart(time_);

@@ -26,6 +26,7 @@ public:
   void placeModel(std::size_t index, const ModelState & state);
   void step();
   void reset();
+  void resetPoses();
   void scan(CarIndex index, std::size_t lidar, bool noisy, float * ranges);
   ImuSample imu(CarIndex index) const;
 

@@ -125,33 +125,34 @@ void ImuOutput::fill(sensor_msgs::Imu & message, SimTime now)
   message.linear_acceleration.y = sample.acceleration.y;
 }
 
-JointStatesOutput::JointStatesOutput(CarHandle car)
-: MessageOutput(car.advertise<sensor_msgs::JointState>("joint_states"), car.description().joint_state_rate_hz),
-  car_(std::move(car))
+JointStatesOutput::JointStatesOutput(
+  CarHandle car, const std::string & topic, double rate_hz, std::vector<JointDescription> joints)
+: MessageOutput(car.advertise<sensor_msgs::JointState>(topic), rate_hz),
+  car_(std::move(car)),
+  joints_(std::move(joints))
 {
-  for (const auto & joint : car_.description().joints) {
+  for (const auto & joint : joints_) {
     message_.name.push_back(joint.name);
   }
-  message_.position.resize(message_.name.size());
-  message_.velocity.resize(message_.name.size());
+  message_.position.resize(joints_.size());
+  message_.velocity.resize(joints_.size());
 }
 
 void JointStatesOutput::fill(sensor_msgs::JointState & message, SimTime now)
 {
   using Role = JointDescription::Role;
   const CarState & state = car_.simulation.state(car_.index);
-  const CarDescription & description = car_.description();
   const SteeringAngles steering = ackermannSteering(
-    state.steering_angle, car_.simulation.parameters(car_.index).wheelbase(), description.track_width);
+    state.steering_angle, car_.simulation.parameters(car_.index).wheelbase(), car_.description().track_width);
   message.header.stamp = toRosTime(now);
-  for (std::size_t i = 0; i < description.joints.size(); ++i) {
-    const Role role = description.joints[i].role;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const auto & [role, direction] = std::pair(joints_[i].role, joints_[i].direction);
     if (role == Role::kSteeringLeft || role == Role::kSteeringRight) {
-      message.position[i] = role == Role::kSteeringLeft ? steering.left : steering.right;
+      message.position[i] = direction * (role == Role::kSteeringLeft ? steering.left : steering.right);
     } else {
       const auto wheel = static_cast<std::size_t>(role);
-      message.position[i] = state.wheel_angles[wheel];
-      message.velocity[i] = state.wheel_speeds[wheel];
+      message.position[i] = direction * state.wheel_angles[wheel];
+      message.velocity[i] = direction * state.wheel_speeds[wheel];
     }
   }
 }

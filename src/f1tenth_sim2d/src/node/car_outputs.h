@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "output.h"
 
@@ -20,7 +21,7 @@ namespace f1tenth_sim2d
 struct CarHandle
 {
   const Simulation & simulation;
-  CarIndex index;
+  const CarIndex & index;  ///< now: it changes when a car before this one leaves
   Advertiser & advertiser;
   ros::NodeHandle node;  ///< in the car's namespace
   std::string frame_prefix;
@@ -87,12 +88,13 @@ private:
 class JointStatesOutput : public MessageOutput<sensor_msgs::JointState>
 {
 public:
-  explicit JointStatesOutput(CarHandle car);
+  JointStatesOutput(CarHandle car, const std::string & topic, double rate_hz, std::vector<JointDescription> joints);
 
 private:
   void fill(sensor_msgs::JointState & message, SimTime now) override;
 
   const CarHandle car_;
+  const std::vector<JointDescription> joints_;
 };
 
 /// A contact sensor. Each message carries what has touched since the one before, however short; of a pair of

@@ -15,7 +15,7 @@ constexpr std::uint32_t kCommandQueueSize = 100;
 }  // namespace
 
 CommandInput::CommandInput(
-  Simulation & simulation, CarIndex car, ros::NodeHandle node, std::function<void()> on_command)
+  Simulation & simulation, const CarIndex & car, ros::NodeHandle node, std::function<void()> on_command)
 : simulation_(simulation), car_(car), on_command_(std::move(on_command))
 {
   const auto hints = ros::TransportHints().tcpNoDelay();
@@ -44,10 +44,15 @@ void CommandInput::take(const std::function<void()> & command)
     command();
     ++accepted_;
   } catch (const Error & error) {
-    ++refused_;
-    last_refusal_ = error.what();
-    ROS_WARN_ONCE("Refused a command: %s", error.what());
+    refuse(error.what());
   }
   on_command_();
+}
+
+void CommandInput::refuse(const std::string & why)
+{
+  ++refused_;
+  last_refusal_ = why;
+  ROS_WARN_ONCE("Refused a command: %s", why.c_str());
 }
 }  // namespace f1tenth_sim2d

@@ -24,9 +24,8 @@ void FreeTime::advance()
 }
 
 PacedTime::PacedTime(
-  SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control, Outbox & outbox, FlowControl & flow,
-  double factor)
-: world_(world), queue_(queue), control_(control), outbox_(outbox), flow_(flow), pacer_(factor)
+  SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control, Outbox & outbox, FlowControl & flow)
+: world_(world), queue_(queue), control_(control), outbox_(outbox), flow_(flow), pacer_(control.real_time_factor)
 {
   restart();
 }
@@ -49,7 +48,10 @@ void PacedTime::advance()
 bool PacedTime::serveCallbacksUntilDue(SimTime next)
 {
   const int restarts = control_.restarts;
-  const auto interrupted = [&] { return stopRequested() || control_.paused || control_.restarts != restarts; };
+  const double factor = control_.real_time_factor;
+  const auto interrupted = [&] {
+    return stopRequested() || control_.paused || control_.restarts != restarts || control_.real_time_factor != factor;
+  };
   const ros::WallTime due = pacer_.due(next, ros::WallTime::now());
   queue_.callAvailable();
   for (auto now = ros::WallTime::now(); now < due && !interrupted(); now = ros::WallTime::now()) {

@@ -38,7 +38,7 @@ class PacedTime : public TimeKeeper
 public:
   PacedTime(
     SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control, Outbox & outbox,
-    FlowControl & flow, double factor);
+    FlowControl & flow);
   void advance() override;
   void restart() override;
 

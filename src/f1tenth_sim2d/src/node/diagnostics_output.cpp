@@ -31,28 +31,19 @@ std::string shown(double number)
   return text;
 }
 
-const char * nameOf(TimeMode mode)
+const char * modeOf(const TimeControl & control)
 {
-  switch (mode) {
-    case TimeMode::kPaced:
-      return "paced";
-    case TimeMode::kFree:
-      return "free";
-    case TimeMode::kLockstep:
-      return "lockstep";
+  if (control.is_lockstep) {
+    return "lockstep";
   }
-  return "";
+  return control.real_time_factor > 0.0 ? "paced" : "free";
 }
 }  // namespace
 
 DiagnosticsOutput::DiagnosticsOutput(
-  TopicPublisher<DiagnosticArray> publisher, TimeMode mode, double factor, std::vector<Driver> drivers,
+  TopicPublisher<DiagnosticArray> publisher, const TimeControl & control, std::function<std::vector<Driver>()> drivers,
   FlowControl & flow)
-: MessageOutput(std::move(publisher), kRate),
-  mode_(mode),
-  wanted_factor_(factor),
-  drivers_(std::move(drivers)),
-  flow_(flow)
+: MessageOutput(std::move(publisher), kRate), control_(control), drivers_(std::move(drivers)), flow_(flow)
 {
 }
 
@@ -71,7 +62,7 @@ void DiagnosticsOutput::fill(diagnostic_msgs::DiagnosticArray & message, SimTime
   message.status.clear();
   message.status.push_back(timeStatus());
   message.status.push_back(subscriberStatus());
-  for (const auto & driver : drivers_) {
+  for (const auto & driver : drivers_()) {
     message.status.push_back(commandStatus(driver));
   }
 }
@@ -81,13 +72,13 @@ DiagnosticStatus DiagnosticsOutput::timeStatus() const
   DiagnosticStatus status;
   status.name = "sim2d: time";
   status.hardware_id = "sim2d";
-  status.values = {value("mode", nameOf(mode_)), value("real_time_factor", shown(factor_))};
+  status.values = {value("mode", modeOf(control_)), value("real_time_factor", shown(factor_))};
   status.message = "real-time factor " + shown(factor_);
-  if (mode_ == TimeMode::kPaced) {
-    status.values.push_back(value("wanted_real_time_factor", shown(wanted_factor_)));
-    if (factor_ < kFastEnough * wanted_factor_) {
+  if (control_.real_time_factor > 0.0) {
+    status.values.push_back(value("wanted_real_time_factor", shown(control_.real_time_factor)));
+    if (factor_ < kFastEnough * control_.real_time_factor) {
       status.level = DiagnosticStatus::WARN;
-      status.message += ", cannot keep up with " + shown(wanted_factor_);
+      status.message += ", cannot keep up with " + shown(control_.real_time_factor);
     }
   }
   return status;

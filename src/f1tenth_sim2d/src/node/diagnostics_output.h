@@ -2,14 +2,15 @@
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "command_input.h"
 #include "flow_control.h"
-#include "node_parameters.h"
 #include "output.h"
+#include "time_keeper.h"
 
 namespace f1tenth_sim2d
 {
@@ -24,10 +25,10 @@ public:
     const CommandInput & commands;
   };
 
-  /// @param factor  that is asked for; only for paced time
+  /// @param control  how time is asked to go
   DiagnosticsOutput(
-    TopicPublisher<diagnostic_msgs::DiagnosticArray> publisher, TimeMode mode, double factor,
-    std::vector<Driver> drivers, FlowControl & flow);
+    TopicPublisher<diagnostic_msgs::DiagnosticArray> publisher, const TimeControl & control,
+    std::function<std::vector<Driver>()> drivers, FlowControl & flow);
   void update(SimTime now, bool anyway) override;
 
 private:
@@ -36,9 +37,8 @@ private:
   diagnostic_msgs::DiagnosticStatus subscriberStatus();
   static diagnostic_msgs::DiagnosticStatus commandStatus(const Driver & driver);
 
-  const TimeMode mode_;
-  const double wanted_factor_;
-  const std::vector<Driver> drivers_;
+  const TimeControl & control_;
+  const std::function<std::vector<Driver>()> drivers_;
   FlowControl & flow_;
   double factor_{0.0};
   SimTime last_time_{0};

@@ -28,6 +28,9 @@ public:
   /// @param queue  served while waiting
   FlowControl(Outbox & outbox, ros::CallbackQueue & queue, FlowOptions options);
 
+  /// Whether the simulation waits for slow subscribers, or lets them lose messages.
+  void setWaiting(bool wait) { options_.wait = wait; }
+
   /// Returns when everybody keeps up, or interrupted() is true.
   void waitForSubscribers(const std::function<bool()> & interrupted);
   /// Waits until everything published has been written to the subscribers' sockets, at most silent_subscriber_sec.
@@ -54,7 +57,7 @@ private:
 
   Outbox & outbox_;
   ros::CallbackQueue & queue_;
-  const FlowOptions options_;
+  FlowOptions options_;
   std::map<std::string, Progress> progress_;     // by topic, while it lags behind
   std::map<std::string, std::uint64_t> losses_;  // by topic, as far as they have been noted
   std::set<std::string> slow_;

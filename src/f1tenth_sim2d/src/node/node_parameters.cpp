@@ -58,6 +58,7 @@ CarParameters parseCar(const std::string & cars_name, const std::string & name, 
   ParameterReader reader(cars_name + "/" + name, value, kCarKeys);
   CarParameters car;
   car.name = name;
+  car.ros_namespace = "/" + name;
   car.pose = parsePose(reader, value);
   car.vehicle_file = reader.text("vehicle", "");
   car.frame_prefix = reader.text("frame_prefix", name + "/");

@@ -29,7 +29,8 @@ enum class OdometryOwner
 
 struct CarParameters
 {
-  std::string name;           ///< and ROS namespace
+  std::string name;
+  std::string ros_namespace;  ///< "/robot1"; "/" for none
   std::optional<Pose2> pose;  ///< start, in the world; unless told: that of the world
   std::string vehicle_file;   ///< empty: the defaults of VehicleParameters
   std::string frame_prefix;   ///< "robot1/" or ""

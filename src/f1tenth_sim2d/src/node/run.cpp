@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "sim2d_node.h"
 #include "stop_signal.h"
@@ -33,16 +34,18 @@ void requireMaster()
   }
 }
 
-XmlRpc::XmlRpcValue privateParameters()
+XmlRpc::XmlRpcValue readParameters(const std::string & name)
 {
   XmlRpc::XmlRpcValue parameters;
-  ros::param::get(ros::this_node::getName(), parameters);
+  ros::param::get(name, parameters);
   return parameters;
 }
 
 class Run
 {
 public:
+  explicit Run(std::string parameters) : parameters_(std::move(parameters)) {}
+
   int operator()()
   {
     const int code = guarded([this] { simulate(); });
@@ -59,8 +62,8 @@ private:
     handleStopSignals();
     requireMaster();
     keeps_ros_running_.emplace();
-    const auto & name = ros::this_node::getName();
-    const auto all = privateParameters();
+    const auto & name = parameters_.empty() ? ros::this_node::getName() : parameters_;
+    const auto all = readParameters(name);
     result_file_ = parseResultFile(name, all);
     Sim2dNode node(parseNodeParameters(name, all));
     try {
@@ -101,14 +104,15 @@ private:
     return code;
   }
 
+  const std::string parameters_;
   std::optional<ros::NodeHandle> keeps_ros_running_;  // without one, nothing is logged
   std::string result_file_;
   RunResult result_;
 };
 }  // namespace
 
-int runNode()
+int runNode(const std::string & parameters)
 {
-  return Run()();
+  return Run(parameters)();
 }
 }  // namespace f1tenth_sim2d

@@ -15,18 +15,6 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-void warn(const std::string & source, const std::vector<std::string> & warnings)
-{
-  if (warnings.empty()) {
-    return;
-  }
-  std::string text;
-  for (const auto & warning : warnings) {
-    text += "\n  " + warning;
-  }
-  ROS_WARN("%s: not represented:%s", source.c_str(), text.c_str());
-}
-
 std::vector<std::string> worldWarnings(const WorldDescription & world)
 {
   std::vector<std::string> warnings = world.warnings;
@@ -47,20 +35,35 @@ CarDescription describe(const CarParameters & car)
 }
 }  // namespace
 
+void warnOnce(const std::string & source, const std::vector<std::string> & warnings)
+{
+  if (warnings.empty()) {
+    return;
+  }
+  std::string text;
+  for (const auto & warning : warnings) {
+    text += "\n  " + warning;
+  }
+  ROS_WARN("%s: not represented:%s", source.c_str(), text.c_str());
+}
+
 Scene buildScene(const NodeParameters & parameters)
 {
   const WorldDescription world = loadWorld(parameters.world_file, searchPathFromEnvironment());
-  warn(world.file, worldWarnings(world));
-  Scene scene{Simulation(world, parameters.simulation), world.gravity};
+  warnOnce(world.file, worldWarnings(world));
+  return {Simulation(world, parameters.simulation), world.gravity, world.start};
+}
+
+void addCars(const NodeParameters & parameters, const Pose2 & start, Fleet & fleet)
+{
   for (const auto & car : parameters.cars) {
     const CarDescription description = describe(car);
-    warn(description.source, description.warnings);
+    warnOnce(description.source, description.warnings);
     const VehicleParameters vehicle =
-      car.vehicle_file.empty() ? VehicleParameters{} : loadVehicleParameters(car.vehicle_file);
-    scene.simulation.addCar(description, vehicle, car.pose.value_or(world.start));
+      car.vehicle_file.empty() ? description.parameters : loadVehicleParameters(car.vehicle_file);
+    fleet.add(car, description, vehicle, car.pose.value_or(start));
   }
   // libsdformat has used some 100 MB by now, which the C library would keep.
   malloc_trim(0);
-  return scene;
 }
 }  // namespace f1tenth_sim2d

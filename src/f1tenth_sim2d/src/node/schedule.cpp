@@ -13,10 +13,21 @@ SimTime Schedule::Entry::due() const
   return std::llround(static_cast<double>(count) * period_ns);
 }
 
-void Schedule::add(double period_ns, Task task)
+Schedule::Id Schedule::add(double period_ns, Task task, SimTime now)
 {
   assert(period_ns > 0.0);
-  entries_.push_back({period_ns, std::move(task), 1});
+  Entry & entry = entries_.emplace_back(Entry{next_id_++, period_ns, std::move(task), 1});
+  while (entry.due() <= now) {
+    entry.count = std::max(entry.count + 1, static_cast<std::int64_t>(static_cast<double>(now) / period_ns));
+  }
+  return entry.id;
+}
+
+void Schedule::remove(Id id)
+{
+  const auto end =
+    std::remove_if(entries_.begin(), entries_.end(), [id](const Entry & entry) { return entry.id == id; });
+  entries_.erase(end, entries_.end());
 }
 
 SimTime Schedule::nextDue() const

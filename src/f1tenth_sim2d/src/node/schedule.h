@@ -15,8 +15,12 @@ class Schedule
 public:
   using Task = std::function<void(SimTime now)>;
 
+  using Id = int;
+
   /// @param period_ns may have a fraction; > 0
-  void add(double period_ns, Task task);
+  /// @param now  the first time is the first multiple of the period after it
+  Id add(double period_ns, Task task, SimTime now = 0);
+  void remove(Id id);
   /// Time of the task that comes next, ns.
   SimTime nextDue() const;
   /// Runs every task that is due at now, once.
@@ -27,12 +31,14 @@ public:
 private:
   struct Entry
   {
+    Id id;
     double period_ns;
     Task task;
     std::int64_t count;  ///< of the time that comes next
     SimTime due() const;
   };
   std::vector<Entry> entries_;
+  Id next_id_{0};
 };
 
 /// Period of a rate in Hz, ns.

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "clock_publisher.h"
-#include "command_input.h"
+#include "fleet.h"
 #include "flow_control.h"
-#include "gazebo_api.h"
+#include "gazebo_models.h"
+#include "gazebo_world.h"
 #include "lockstep_barrier.h"
 #include "node_parameters.h"
 #include "outbox.h"
-#include "plugin_host.h"
 #include "run_result.h"
 #include "scene.h"
 #include "simulated_world.h"
@@ -37,13 +37,11 @@ public:
   RunResult result() const;
 
 private:
-  void addCarOutputs(CarIndex car);
-  void addPlugins(CarIndex car);
-  void addCommands(CarIndex car);
   void addGlobalOutputs();
-  void makeTimeKeeper();
+  std::unique_ptr<LockstepBarrier> makeBarrier();
+  void addTime();
+  std::unique_ptr<TimeKeeper> makeTimeKeeper();
   void restart();
-  ros::NodeHandle carNode(CarIndex car);
 
   const NodeParameters parameters_;
   ros::CallbackQueue queue_;  // before everything that refers to it
@@ -52,14 +50,13 @@ private:
   FlowControl flow_;
   TransformBatch transforms_;
   Scene scene_;
-  PluginHost plugins_;
   SimulatedWorld world_;
   TimeControl control_;
   ClockPublisher clock_;
   std::unique_ptr<LockstepBarrier> barrier_;  // in lockstep only
-  std::vector<std::unique_ptr<CommandInput>> commands_;
-  std::unique_ptr<GazeboServices> services_;
-  std::unique_ptr<TimeKeeper> time_;
+  Fleet fleet_;
+  GazeboModels models_;
+  GazeboWorld world_services_;
   ros::WallTime wall_start_;
 };
 }  // namespace f1tenth_sim2d

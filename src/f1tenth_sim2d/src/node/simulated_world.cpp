@@ -8,34 +8,41 @@ namespace f1tenth_sim2d
 {
 SimulatedWorld::SimulatedWorld(
   Simulation & simulation, TransformBatch & transforms, double control_period_sec, const std::string & record_file)
-: simulation_(simulation),
-  transforms_(transforms),
-  period_ns_(control_period_sec * 1e9),
-  log_(simulation, record_file),
-  scans_(simulation.carCount()),
-  bumpers_(simulation.carCount())
+: simulation_(simulation), transforms_(transforms), period_ns_(control_period_sec * 1e9), log_(simulation, record_file)
 {
   schedule_.add(period_ns_, [this](SimTime) { log_.endPeriod(); });
 }
 
-void SimulatedWorld::schedule(Output & output)
+Schedule::Id SimulatedWorld::schedule(Output & output)
 {
   const SimTime first_period_end = std::llround(period_ns_);
   // In lockstep the first period is repeated for those who come late.
-  schedule_.add(
-    periodOf(output.rate()), [&output, first_period_end](SimTime now) { output.update(now, now <= first_period_end); });
+  return schedule_.add(
+    periodOf(output.rate()), [&output, first_period_end](SimTime now) { output.update(now, now <= first_period_end); },
+    time());
 }
 
-void SimulatedWorld::addScan(CarIndex car, std::unique_ptr<ScanOutput> output)
+void SimulatedWorld::addCar(CarOutputs outputs)
 {
-  schedule(*output);
-  scans_[car].push_back(std::move(output));
+  Car & car = cars_.emplace_back(Car{std::move(outputs), {}});
+  const auto scheduleAll = [&](auto & list) {
+    for (auto & output : list) {
+      car.tasks.push_back(schedule(*output));
+    }
+  };
+  scheduleAll(car.outputs.scans);
+  scheduleAll(car.outputs.bumpers);
+  scheduleAll(car.outputs.others);
+  log_.setCarCount(cars_.size());
 }
 
-void SimulatedWorld::addBumper(CarIndex car, std::unique_ptr<BumperOutput> output)
+void SimulatedWorld::removeCar(CarIndex car)
 {
-  schedule(*output);
-  bumpers_[car].push_back(std::move(output));
+  for (const Schedule::Id task : cars_[car].tasks) {
+    schedule_.remove(task);
+  }
+  cars_.erase(cars_.begin() + static_cast<std::ptrdiff_t>(car));
+  log_.removeCar(car);
 }
 
 void SimulatedWorld::add(std::unique_ptr<Output> output)
@@ -65,7 +72,7 @@ void SimulatedWorld::distributeContacts()
   for (CarIndex car = 0; car < simulation_.carCount(); ++car) {
     for (const auto & contact : simulation_.contacts(car)) {
       log_.note(car, contact);
-      for (auto & bumper : bumpers_[car]) {
+      for (auto & bumper : cars_[car].outputs.bumpers) {
         bumper->note(contact);
       }
     }
@@ -75,16 +82,19 @@ void SimulatedWorld::distributeContacts()
 
 void SimulatedWorld::repeatScans(CarIndex car)
 {
-  for (auto & scan : scans_[car]) {
+  for (auto & scan : cars_[car].outputs.scans) {
     scan->repeat();
   }
 }
 
 void SimulatedWorld::repeatOthers()
 {
-  for (auto & bumpers : bumpers_) {
-    for (auto & bumper : bumpers) {
+  for (Car & car : cars_) {
+    for (auto & bumper : car.outputs.bumpers) {
       bumper->repeat();
+    }
+    for (auto & output : car.outputs.others) {
+      output->repeat();
     }
   }
   for (auto & output : others_) {
@@ -98,8 +108,19 @@ void SimulatedWorld::restart()
   simulation_.reset();
   schedule_.restart();
   log_.restart();
-  for (auto & bumpers : bumpers_) {
-    for (auto & bumper : bumpers) {
+  forgetContacts();
+}
+
+void SimulatedWorld::resetPoses()
+{
+  simulation_.resetPoses();
+  forgetContacts();
+}
+
+void SimulatedWorld::forgetContacts()
+{
+  for (Car & car : cars_) {
+    for (auto & bumper : car.outputs.bumpers) {
       bumper->restart();
     }
   }

@@ -13,17 +13,26 @@
 
 namespace f1tenth_sim2d
 {
+/// What a car publishes.
+struct CarOutputs
+{
+  std::vector<std::unique_ptr<ScanOutput>> scans;
+  std::vector<std::unique_ptr<BumperOutput>> bumpers;
+  std::vector<std::unique_ptr<Output>> others;
+};
+
 /// The simulation with all that happens along with it at fixed simulated times.
 class SimulatedWorld
 {
 public:
-  /// @param simulation  with all its cars
+  /// @param simulation  without cars
   /// @param transforms  published whenever tasks have run
   SimulatedWorld(
     Simulation & simulation, TransformBatch & transforms, double control_period_sec, const std::string & record_file);
 
-  void addScan(CarIndex car, std::unique_ptr<ScanOutput> output);
-  void addBumper(CarIndex car, std::unique_ptr<BumperOutput> output);
+  /// Outputs of a car that has just been added to the simulation, and the end of them.
+  void addCar(CarOutputs outputs);
+  void removeCar(CarIndex car);
   void add(std::unique_ptr<Output> output);
   /// For what is not an Output. Tasks run after all outputs that were added before.
   Schedule & schedule() { return schedule_; }
@@ -42,18 +51,25 @@ public:
   void repeatOthers();
   /// Back to time 0, as from fresh.
   void restart();
+  /// Cars and models back to where they started; time goes on.
+  void resetPoses();
 
 private:
   void distributeContacts();
-  void schedule(Output & output);
+  void forgetContacts();
+  Schedule::Id schedule(Output & output);
 
   Simulation & simulation_;
   TransformBatch & transforms_;
   const double period_ns_;
   Schedule schedule_;
   TrajectoryLog log_;
-  std::vector<std::vector<std::unique_ptr<ScanOutput>>> scans_;      // by car
-  std::vector<std::vector<std::unique_ptr<BumperOutput>>> bumpers_;  // by car
+  struct Car
+  {
+    CarOutputs outputs;
+    std::vector<Schedule::Id> tasks;
+  };
+  std::vector<Car> cars_;
   std::vector<std::unique_ptr<Output>> others_;
 };
 }  // namespace f1tenth_sim2d

@@ -20,6 +20,8 @@ public:
 struct TimeControl
 {
   bool paused{false};
-  int restarts{0};  ///< how often simulated time has gone back to 0
+  bool is_lockstep{false};
+  double real_time_factor{1.0};  ///< 0: as fast as it goes, and in lockstep
+  int restarts{0};               ///< how often simulated time has gone back to 0
 };
 }  // namespace f1tenth_sim2d

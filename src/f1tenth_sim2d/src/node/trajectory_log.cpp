@@ -2,8 +2,7 @@
 
 namespace f1tenth_sim2d
 {
-TrajectoryLog::TrajectoryLog(const Simulation & simulation, const std::string & record_file)
-: simulation_(simulation), touched_(simulation.carCount())
+TrajectoryLog::TrajectoryLog(const Simulation & simulation, const std::string & record_file) : simulation_(simulation)
 {
   if (!record_file.empty()) {
     recorder_.emplace(record_file);

@@ -21,6 +21,8 @@ public:
 
   /// Every contact, once, in the period in which it was.
   void note(CarIndex car, const Contact & contact) { touched_[car].insert(contact.other_model); }
+  void setCarCount(std::size_t count) { touched_.resize(count); }
+  void removeCar(CarIndex car) { touched_.erase(touched_.begin() + static_cast<std::ptrdiff_t>(car)); }
   void endPeriod();
   void restart();
 

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "command_input.h"
+#include "diagnostics_output.h"
+#include "lockstep_barrier.h"
+#include "node_parameters.h"
+#include "outbox.h"
+#include "plugin_host.h"
+#include "simulated_world.h"
+#include "transform_batch.h"
+
+namespace f1tenth_sim2d
+{
+/// All cars of the node: each in the simulation, with what it publishes, its plugins and its driver.
+class Fleet
+{
+public:
+  struct Surroundings
+  {
+    const NodeParameters & parameters;
+    double gravity;        ///< m/s^2, downwards
+    ros::NodeHandle node;  ///< its callback queue must be served by the simulation's thread
+    Simulation & simulation;
+    SimulatedWorld & world;
+    Outbox & outbox;
+    TransformBatch & transforms;
+    LockstepBarrier * barrier;  ///< null outside lockstep
+  };
+
+  explicit Fleet(const Surroundings & surroundings);
+
+  /// @throws Error for a car that cannot be used; it is then not there
+  void add(
+    const CarParameters & car, const CarDescription & description, const VehicleParameters & vehicle,
+    const Pose2 & pose);
+  void remove(CarIndex index);
+  std::vector<DiagnosticsOutput::Driver> drivers() const;
+
+private:
+  struct Car
+  {
+    CarIndex index;
+    CarParameters parameters;
+    std::unique_ptr<CommandInput> commands;
+  };
+
+  CarOutputs makeOutputs(const Car & car);
+  void addPlugins(const Car & car, CarOutputs & outputs);
+  void addCommands(Car & car);
+  ros::NodeHandle nodeOf(const Car & car) const;
+
+  const Surroundings around_;
+  PluginHost plugins_;
+  std::vector<std::unique_ptr<Car>> cars_;  // others refer to their index
+};
+}  // namespace f1tenth_sim2d

@@ -133,10 +133,11 @@ struct RosControlDescription
 
 struct CarDescription
 {
-  std::string name;                                          ///< namespace of the car, "robot1"
-  std::string source;                                        ///< where the description came from, for error messages
-  std::vector<Solid> solids;                                 ///< bumpers among them
-  std::vector<std::string> links;                            ///< all links of the robot description
+  std::string name;                ///< "robot1"
+  std::string ros_namespace;       ///< its own, without slashes around it; usually its name; empty: the root
+  std::string source;              ///< where the description came from, for error messages
+  std::vector<Solid> solids;       ///< bumpers among them
+  std::vector<std::string> links;  ///< all links of the robot description
   std::map<std::string, ignition::math::Pose3d> link_poses;  ///< of all links, joints at zero
 
   /// The link that stands for the car: base_footprint, or else base_link, or else the root. Child of odom in tf.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,9 +49,11 @@ LoadedModel loadModel(
   const SearchPath & search_path = {});
 
 /// Reads a URDF (with <gazebo> tags) or SDF model from a string.
-/// @param name    the car's name and ROS namespace
-/// @param source  what error messages call the text
+/// @param name           the car's name
+/// @param source         what error messages call the text
+/// @param ros_namespace  of the car, without slashes around it; unless told, its name
 /// @throws LoadError
 CarDescription loadCar(
-  const std::string & xml, const std::string & name, const std::string & source, const SearchPath & search_path = {});
+  const std::string & xml, const std::string & name, const std::string & source, const SearchPath & search_path = {},
+  const std::optional<std::string> & ros_namespace = std::nullopt);
 }  // namespace f1tenth_sim2d

@@ -25,12 +25,12 @@ std::string CarContext::rosNamespace(const sdf::ElementPtr & plugin) const
 {
   const std::string given = withoutBlanksAround(plugin->Get<std::string>("robotNamespace", "").first);
   const std::string space = withoutSlashesAround(given);
-  return given.empty() || space == car.name ? "" : "/" + space;
+  return given.empty() || space == car.ros_namespace ? "" : "/" + space;
 }
 
 std::string CarContext::topic(const sdf::ElementPtr & plugin, const std::string & name) const
 {
-  const std::string own = "/" + car.name + "/";
+  const std::string own = car.ros_namespace.empty() ? "/" : "/" + car.ros_namespace + "/";
   if (!name.empty() && name.front() == '/') {
     return name.rfind(own, 0) == 0 ? name.substr(own.size()) : name;
   }

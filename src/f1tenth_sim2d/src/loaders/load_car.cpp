@@ -69,7 +69,8 @@ void readParts(CarContext & context)
 }
 
 CarDescription readCar(
-  const std::string & xml, const std::string & name, const std::string & source, const SearchPath & search_path)
+  const std::string & xml, const std::string & name, const std::string & source, const SearchPath & search_path,
+  const std::string & ros_namespace)
 {
   const SdfMessages messages;
   const std::string kind = rootElement(xml, source);
@@ -91,6 +92,7 @@ CarDescription readCar(
 
   CarDescription car;
   car.name = name;
+  car.ros_namespace = ros_namespace;
   car.source = source;
   car.links = facts.links;
   CarContext context{model, facts, facts.link_poses[facts.base_frame], car, warnings};
@@ -103,8 +105,9 @@ CarDescription readCar(
 }  // namespace
 
 CarDescription loadCar(
-  const std::string & xml, const std::string & name, const std::string & source, const SearchPath & search_path)
+  const std::string & xml, const std::string & name, const std::string & source, const SearchPath & search_path,
+  const std::optional<std::string> & ros_namespace)
 {
-  return withLoadErrors(source, [&] { return readCar(xml, name, source, search_path); });
+  return withLoadErrors(source, [&] { return readCar(xml, name, source, search_path, ros_namespace.value_or(name)); });
 }
 }  // namespace f1tenth_sim2d

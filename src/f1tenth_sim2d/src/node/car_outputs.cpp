@@ -52,12 +52,30 @@ void ScanOutput::fill(sensor_msgs::LaserScan & message, SimTime now)
   car_.simulation.scan(car_.index, lidar_, message.ranges.data());
 }
 
-OdometryOutput::OdometryOutput(CarHandle car)
-: MessageOutput(car.advertise<nav_msgs::Odometry>("odom"), car.simulation.parameters(car.index).odometry_rate_hz),
-  car_(std::move(car))
+OdometryPlace odometryPlace(const CarDescription & car, const VehicleParameters & vehicle)
 {
-  message_.header.frame_id = car_.frame_prefix + "odom";
-  message_.child_frame_id = car_.frame_prefix + "base_footprint";
+  OdometryPlace place;
+  place.base_frame = car.base_frame;
+  place.base_pose = car.base_frame_pose;
+  place.rate_hz = vehicle.odometry_rate_hz;
+  if (car.drive) {
+    place.topic = car.drive->odometry_topic;
+    place.frame = car.drive->odometry_frame;
+    place.base_frame = car.drive->base_frame;
+    place.has_topic = car.drive->publishes_odometry;
+    place.has_transform = car.drive->publishes_transform;
+    if (const auto found = car.link_poses.find(place.base_frame); found != car.link_poses.end()) {
+      place.base_pose = found->second;
+    }
+  }
+  return place;
+}
+
+OdometryOutput::OdometryOutput(CarHandle car, const OdometryPlace & place)
+: MessageOutput(car.advertise<nav_msgs::Odometry>(place.topic), place.rate_hz), car_(std::move(car)), place_(place)
+{
+  message_.header.frame_id = car_.frame_prefix + place_.frame;
+  message_.child_frame_id = car_.frame_prefix + place_.base_frame;
 }
 
 void OdometryOutput::fill(nav_msgs::Odometry & message, SimTime now)
@@ -65,8 +83,10 @@ void OdometryOutput::fill(nav_msgs::Odometry & message, SimTime now)
   const WheelOdometry odometry = car_.simulation.wheelOdometry(car_.index);
   const VehicleParameters & parameters = car_.simulation.parameters(car_.index);
   message.header.stamp = toRosTime(now);
-  message.pose.pose = toPose(odometry.pose);
-  message.twist.twist = toTwist({odometry.speed, 0.0}, odometry.yaw_rate);
+  message.pose.pose = toPose(onGround(odometry.pose) * place_.base_pose);
+  const Vec2 velocity{
+    odometry.speed - odometry.yaw_rate * place_.base_pose.Pos().Y(), odometry.yaw_rate * place_.base_pose.Pos().X()};
+  message.twist.twist = toTwist(rotated(velocity, -place_.base_pose.Rot().Yaw()), odometry.yaw_rate);
   // yaw_rate = speed * tan(steering) / wheelbase, to first order in the steering angle's noise
   const double turn = odometry.yaw_rate * parameters.wheelbase();
   const double speed = std::max(std::abs(odometry.speed), kExact);
@@ -76,22 +96,22 @@ void OdometryOutput::fill(nav_msgs::Odometry & message, SimTime now)
     square(slope * parameters.odometry_steering_noise_stddev));
 }
 
-OdometryTransformOutput::OdometryTransformOutput(CarHandle car, TransformSender & transforms)
-: car_(std::move(car)), transforms_(transforms)
+OdometryTransformOutput::OdometryTransformOutput(
+  CarHandle car, const OdometryPlace & place, TransformSender & transforms)
+: car_(std::move(car)), place_(place), transforms_(transforms)
 {
-  message_.header.frame_id = car_.frame_prefix + "odom";
-  message_.child_frame_id = car_.frame_prefix + "base_footprint";
-}
-
-double OdometryTransformOutput::rate() const
-{
-  return car_.simulation.parameters(car_.index).odometry_rate_hz;
+  message_.header.frame_id = car_.frame_prefix + place_.frame;
+  message_.child_frame_id = car_.frame_prefix + place_.base_frame;
 }
 
 void OdometryTransformOutput::update(SimTime now, bool /*anyway*/)
 {
   message_.header.stamp = toRosTime(now);
-  message_.transform = toTransform(car_.simulation.wheelOdometry(car_.index).pose);
+  const geometry_msgs::Pose pose = toPose(onGround(car_.simulation.wheelOdometry(car_.index).pose) * place_.base_pose);
+  message_.transform.translation.x = pose.position.x;
+  message_.transform.translation.y = pose.position.y;
+  message_.transform.translation.z = pose.position.z;
+  message_.transform.rotation = pose.orientation;
   transforms_.send(message_);
 }
 
@@ -100,6 +120,34 @@ void OdometryTransformOutput::repeat()
   if (!message_.header.stamp.isZero()) {
     transforms_.send(message_);
   }
+}
+
+PoseOutput::PoseOutput(CarHandle car, const PoseSensorDescription & sensor)
+: MessageOutput(
+    car.advertise<nav_msgs::Odometry>(sensor.topic),
+    sensor.rate_hz > 0.0 ? sensor.rate_hz : 1e9 / static_cast<double>(car.simulation.stepLength())),
+  car_(std::move(car)),
+  sensor_(sensor)
+{
+  message_.header.frame_id = sensor_.frame;
+  message_.child_frame_id = car_.frame_prefix + sensor_.link;
+  setPlanarVariances(message_.pose.covariance, kExact, kExact, kExact);
+  const double variance = square(sensor_.noise_stddev) + kExact;
+  setPlanarVariances(message_.twist.covariance, variance, variance, variance);
+}
+
+// As the original: the twist is that of the link, in the frame of the world.
+void PoseOutput::fill(nav_msgs::Odometry & message, SimTime now)
+{
+  const CarState & state = car_.simulation.state(car_.index);
+  const ignition::math::Pose3d pose = onGround(state.pose) * sensor_.pose;
+  const ignition::math::Vector3d arm = pose.Pos() - onGround(state.pose).Pos();
+  const Vec2 velocity = rotated(state.velocity, state.pose.yaw);
+  const ignition::math::Quaterniond turned(sensor_.rpy_offset);
+  message.header.stamp = toRosTime(now);
+  message.pose.pose = toPose(ignition::math::Pose3d(pose.Pos() + sensor_.xyz_offset, turned * pose.Rot()));
+  message.twist.twist =
+    toTwist({velocity.x - state.yaw_rate * arm.Y(), velocity.y + state.yaw_rate * arm.X()}, state.yaw_rate);
 }
 
 ImuOutput::ImuOutput(CarHandle car, double gravity)

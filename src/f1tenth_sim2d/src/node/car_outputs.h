@@ -46,31 +46,59 @@ private:
   const std::size_t lidar_;
 };
 
-/// Wheel odometry on the topic `odom`.
+/// How wheel odometry is published: as a drive plugin of the description says, or on `odom`.
+struct OdometryPlace
+{
+  std::string topic{"odom"};
+  std::string frame{"odom"};
+  std::string base_frame{"base_footprint"};
+  ignition::math::Pose3d base_pose;  ///< of base_frame, in the frame of the car
+  double rate_hz{50.0};
+  bool has_topic{true};
+  bool has_transform{true};
+};
+OdometryPlace odometryPlace(const CarDescription & car, const VehicleParameters & vehicle);
+
+/// Wheel odometry.
 class OdometryOutput : public MessageOutput<nav_msgs::Odometry>
 {
 public:
-  explicit OdometryOutput(CarHandle car);
+  OdometryOutput(CarHandle car, const OdometryPlace & place);
 
 private:
   void fill(nav_msgs::Odometry & message, SimTime now) override;
 
   const CarHandle car_;
+  const OdometryPlace place_;
 };
 
-/// odom -> base_footprint from wheel odometry.
+/// Odometry frame -> base frame, from wheel odometry.
 class OdometryTransformOutput : public Output
 {
 public:
-  OdometryTransformOutput(CarHandle car, TransformSender & transforms);
-  double rate() const override;
+  OdometryTransformOutput(CarHandle car, const OdometryPlace & place, TransformSender & transforms);
+  double rate() const override { return place_.rate_hz; }
   void update(SimTime now, bool anyway) override;
   void repeat() override;
 
 private:
   const CarHandle car_;
+  const OdometryPlace place_;
   TransformSender & transforms_;
   geometry_msgs::TransformStamped message_;
+};
+
+/// The true pose of a link: libgazebo_ros_p3d.so.
+class PoseOutput : public MessageOutput<nav_msgs::Odometry>
+{
+public:
+  PoseOutput(CarHandle car, const PoseSensorDescription & sensor);
+
+private:
+  void fill(nav_msgs::Odometry & message, SimTime now) override;
+
+  const CarHandle car_;
+  const PoseSensorDescription sensor_;
 };
 
 class ImuOutput : public MessageOutput<sensor_msgs::Imu>

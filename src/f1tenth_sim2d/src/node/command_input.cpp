@@ -12,6 +12,11 @@ namespace
 {
 // Commands are handled between steps; more than one between two steps is rare, and the last one counts.
 constexpr std::uint32_t kCommandQueueSize = 100;
+
+std::string topicOf(const CarDescription & car)
+{
+  return car.drive ? car.drive->command_topic : "cmd_vel";
+}
 }  // namespace
 
 CommandInput::CommandInput(
@@ -20,8 +25,8 @@ CommandInput::CommandInput(
 {
   const auto hints = ros::TransportHints().tcpNoDelay();
   twist_subscriber_ = node.subscribe<geometry_msgs::Twist>(
-    "cmd_vel", kCommandQueueSize, [this](const geometry_msgs::Twist::ConstPtr & message) { onTwist(*message); },
-    ros::VoidConstPtr(), hints);
+    topicOf(simulation.car(car)), kCommandQueueSize,
+    [this](const geometry_msgs::Twist::ConstPtr & message) { onTwist(*message); }, ros::VoidConstPtr(), hints);
   drive_subscriber_ = node.subscribe<ackermann_msgs::AckermannDriveStamped>(
     "drive", kCommandQueueSize,
     [this](const ackermann_msgs::AckermannDriveStamped::ConstPtr & message) { onDrive(*message); }, ros::VoidConstPtr(),

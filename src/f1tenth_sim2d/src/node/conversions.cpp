@@ -32,22 +32,22 @@ geometry_msgs::Quaternion toQuaternion(double yaw)
   return message;
 }
 
-geometry_msgs::Pose toPose(const Pose2 & pose)
+geometry_msgs::Pose toPose(const ignition::math::Pose3d & pose)
 {
   geometry_msgs::Pose message;
-  message.position.x = pose.x;
-  message.position.y = pose.y;
-  message.orientation = toQuaternion(pose.yaw);
+  message.position.x = pose.Pos().X();
+  message.position.y = pose.Pos().Y();
+  message.position.z = pose.Pos().Z();
+  message.orientation.x = pose.Rot().X();
+  message.orientation.y = pose.Rot().Y();
+  message.orientation.z = pose.Rot().Z();
+  message.orientation.w = pose.Rot().W();
   return message;
 }
 
-geometry_msgs::Transform toTransform(const Pose2 & pose)
+ignition::math::Pose3d onGround(const Pose2 & pose)
 {
-  geometry_msgs::Transform message;
-  message.translation.x = pose.x;
-  message.translation.y = pose.y;
-  message.rotation = toQuaternion(pose.yaw);
-  return message;
+  return {pose.x, pose.y, 0.0, 0.0, 0.0, pose.yaw};
 }
 
 geometry_msgs::Twist toTwist(const Vec2 & velocity, double yaw_rate)

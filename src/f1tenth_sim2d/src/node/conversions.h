@@ -2,18 +2,20 @@
 
 #include <gazebo_msgs/ContactState.h>
 #include <geometry_msgs/Pose.h>
-#include <geometry_msgs/TransformStamped.h>
 #include <geometry_msgs/Twist.h>
+
+#include <ignition/math/Pose3.hh>
 
 #include "f1tenth_sim2d/geometry.h"
 #include "f1tenth_sim2d/simulation.h"
 
-/// From the core's types to messages. All on the ground, z = 0.
+/// From the core's types to messages.
 namespace f1tenth_sim2d
 {
 geometry_msgs::Quaternion toQuaternion(double yaw);
-geometry_msgs::Pose toPose(const Pose2 & pose);
-geometry_msgs::Transform toTransform(const Pose2 & pose);
+geometry_msgs::Pose toPose(const ignition::math::Pose3d & pose);
+/// A pose in the plane as one in space.
+ignition::math::Pose3d onGround(const Pose2 & pose);
 /// @param velocity  m/s, in the frame of the twist
 geometry_msgs::Twist toTwist(const Vec2 & velocity, double yaw_rate);
 /// The force is spread evenly over the contact points.

@@ -80,10 +80,7 @@ CarOutputs Fleet::makeOutputs(const Car & car)
   for (std::size_t bumper = 0; bumper < description.bumpers.size(); ++bumper) {
     outputs.bumpers.push_back(std::make_unique<BumperOutput>(handle, bumper));
   }
-  outputs.others.push_back(std::make_unique<OdometryOutput>(handle));
-  if (around_.parameters.odometry == OdometryOwner::kWheel) {
-    outputs.others.push_back(std::make_unique<OdometryTransformOutput>(handle, around_.transforms));
-  }
+  addOdometry(handle, outputs);
   if (description.imu) {
     outputs.others.push_back(std::make_unique<ImuOutput>(handle, around_.gravity));
   }
@@ -98,6 +95,22 @@ CarOutputs Fleet::makeOutputs(const Car & car)
   }
   addPlugins(car, outputs);
   return outputs;
+}
+
+void Fleet::addOdometry(const CarHandle & car, CarOutputs & outputs) const
+{
+  const OdometryPlace place = odometryPlace(car.description(), around_.simulation.parameters(car.index));
+  if (place.has_topic) {
+    outputs.others.push_back(std::make_unique<OdometryOutput>(car, place));
+  }
+  // A drive plugin owns the transform of a car that has no other odometry.
+  const bool owns_transform = around_.parameters.odometry == OdometryOwner::kWheel || car.description().drive;
+  if (place.has_transform && owns_transform) {
+    outputs.others.push_back(std::make_unique<OdometryTransformOutput>(car, place, around_.transforms));
+  }
+  for (const auto & sensor : car.description().pose_sensors) {
+    outputs.others.push_back(std::make_unique<PoseOutput>(car, sensor));
+  }
 }
 
 void Fleet::addPlugins(const Car & car, CarOutputs & outputs)

@@ -51,6 +51,7 @@ private:
   };
 
   CarOutputs makeOutputs(const Car & car);
+  void addOdometry(const CarHandle & car, CarOutputs & outputs) const;
   void addPlugins(const Car & car, CarOutputs & outputs);
   void addCommands(Car & car);
   ros::NodeHandle nodeOf(const Car & car) const;

@@ -10,15 +10,10 @@ namespace
 {
 using ignition::math::Pose3d;
 
-Pose3d upright(const Pose2 & pose)
-{
-  return {pose.x, pose.y, 0.0, 0.0, 0.0, pose.yaw};
-}
-
 /// Height and tilt of a pose; position and heading taken out.
 Pose3d heightAndTilt(const Pose3d & pose)
 {
-  return upright({pose.Pos().X(), pose.Pos().Y(), pose.Rot().Yaw()}).Inverse() * pose;
+  return onGround({pose.Pos().X(), pose.Pos().Y(), pose.Rot().Yaw()}).Inverse() * pose;
 }
 
 Vec2 velocityAt(const Pose3d & place, const Pose2 & origin, const Vec2 & velocity, double yaw_rate)
@@ -31,7 +26,7 @@ Entity onCar(
   const Simulation & simulation, CarIndex car, Entity::Kind kind, const std::string & name, const Pose3d & mount)
 {
   const CarState & state = simulation.state(car);
-  const Pose3d pose = upright(state.pose) * mount;
+  const Pose3d pose = onGround(state.pose) * mount;
   const Vec2 velocity = rotated(state.velocity, state.pose.yaw);
   return {kind, car, name, pose, velocityAt(pose, state.pose, velocity, state.yaw_rate), state.yaw_rate};
 }
@@ -43,7 +38,7 @@ std::vector<Entity> models(const Simulation & simulation)
     const ModelDescription & model = simulation.models()[i];
     const ModelState state = simulation.modelState(i);
     result.push_back(
-      {Entity::Kind::kModel, i, model.name, upright(state.pose) * heightAndTilt(model.pose), state.velocity,
+      {Entity::Kind::kModel, i, model.name, onGround(state.pose) * heightAndTilt(model.pose), state.velocity,
        state.yaw_rate});
   }
   return result;
@@ -85,19 +80,6 @@ std::optional<Entity> find(const Simulation & simulation, const std::string & na
 bool isWorld(const std::string & name)
 {
   return name.empty() || name == "world" || name == "map" || name == "/map";
-}
-
-geometry_msgs::Pose toPose(const Pose3d & pose)
-{
-  geometry_msgs::Pose message;
-  message.position.x = pose.Pos().X();
-  message.position.y = pose.Pos().Y();
-  message.position.z = pose.Pos().Z();
-  message.orientation.x = pose.Rot().X();
-  message.orientation.y = pose.Rot().Y();
-  message.orientation.z = pose.Rot().Z();
-  message.orientation.w = pose.Rot().W();
-  return message;
 }
 
 Pose3d fromPose(const geometry_msgs::Pose & pose)

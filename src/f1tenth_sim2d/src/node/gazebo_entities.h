@@ -37,7 +37,6 @@ std::optional<Entity> find(const Simulation & simulation, const std::string & na
 /// Whether a name stands for the world's frame: "", "world", "map" and the like.
 bool isWorld(const std::string & name);
 
-geometry_msgs::Pose toPose(const ignition::math::Pose3d & pose);
 ignition::math::Pose3d fromPose(const geometry_msgs::Pose & pose);
 geometry_msgs::Twist twistOf(const Entity & entity);
 /// Where the car's own frame is when the frame of its model is at a pose.

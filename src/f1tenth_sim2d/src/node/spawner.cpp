@@ -1,7 +1,6 @@
 #include "spawner.h"
 
 #include <malloc.h>
-#include <ros/names.h>
 #include <ros/param.h>
 
 #include "f1tenth_sim2d/errors.h"
@@ -13,6 +12,12 @@ namespace f1tenth_sim2d
 {
 namespace
 {
+std::string trimmedOfSlashes(const std::string & name)
+{
+  const auto begin = name.find_first_not_of('/');
+  return begin == std::string::npos ? "" : name.substr(begin, name.find_last_not_of('/') - begin + 1);
+}
+
 // As the plugins of gazebo_ros do: a tf_prefix in the car's namespace, or above it, stands before its frames.
 std::string framePrefix(const std::string & ros_namespace)
 {
@@ -21,8 +26,8 @@ std::string framePrefix(const std::string & ros_namespace)
   if (ros::param::search(ros_namespace, "tf_prefix", key)) {
     ros::param::get(key, prefix);
   }
-  const auto begin = prefix.find_first_not_of('/');
-  return begin == std::string::npos ? "" : ros::names::clean(prefix.substr(begin)) + "/";
+  prefix = trimmedOfSlashes(prefix);
+  return prefix.empty() ? "" : prefix + "/";
 }
 }  // namespace
 
@@ -39,11 +44,12 @@ void Spawner::spawn(const Request & request)
 
 void Spawner::spawnCar(const Request & request, const std::string & source)
 {
-  const CarDescription description = loadCar(request.xml, request.name, source, searchPathFromEnvironment());
-  warnOnce(description.source, description.warnings);
   CarParameters parameters;
   parameters.name = request.name;
-  parameters.ros_namespace = ros::names::clean("/" + request.ros_namespace);
+  parameters.ros_namespace = "/" + trimmedOfSlashes(request.ros_namespace);
+  const CarDescription description =
+    loadCar(request.xml, request.name, source, searchPathFromEnvironment(), parameters.ros_namespace.substr(1));
+  warnOnce(description.source, description.warnings);
   parameters.frame_prefix = framePrefix(parameters.ros_namespace);
   fleet_.add(parameters, description, description.parameters, carPose(description, request.pose));
 }

@@ -110,10 +110,13 @@ class ControlTest(unittest.TestCase):
         state = service("get_model_state", GetModelState)
         answer = state("robot9", "")
         assert not answer.success
-        assert answer.status_message == "GetModelState: model [robot9] does not exist"
+        assert answer.status_message == "GetModelState: model does not exist"
         answer = state("robot1", "table")
         assert not answer.success
-        assert answer.status_message == "GetModelState: reference [table] does not exist"
+        assert answer.status_message == (
+            "GetModelState: reference relative_entity_name not found, "
+            "did you forget to scope the body by model name?"
+        )
 
     def test_record_has_a_row_a_period_with_the_contacts(self):
         sim2d = self.start_lockstep(participants=["robot1", "test"], cars={"robot1": {"x": 3.0}})

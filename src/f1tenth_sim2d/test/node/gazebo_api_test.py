@@ -1,0 +1,241 @@
+#!/usr/bin/env python3
+"""The services of gazebo_ros: cars and models come, go and are put elsewhere while the simulator runs."""
+
+import math
+import unittest
+
+import rospy
+import rostest
+from gazebo_msgs.msg import ModelState
+from gazebo_msgs.srv import (
+    DeleteModel,
+    GetModelProperties,
+    GetModelState,
+    GetPhysicsProperties,
+    GetWorldProperties,
+    SetModelState,
+    SetPhysicsProperties,
+    SpawnModel,
+)
+from geometry_msgs.msg import Point, Pose, Quaternion, Twist, Vector3
+from rosgraph_msgs.msg import Clock
+from sensor_msgs.msg import LaserScan
+from sim2d_process import LONG, Collector, Driver, Sim2d, Stepper, car_description
+from std_srvs.srv import Empty
+
+PERIOD = 25_000_000
+SECOND = 1_000_000_000
+BOX = """<robot name="box"><link name="box">
+<inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
+<collision><geometry><box size="0.4 0.4 0.4"/></geometry></collision></link></robot>"""
+FIRST = {"robot1": {"x": 0.0}}
+
+
+def pose(x, y, yaw=0.0, z=0.0):
+    return Pose(Point(x, y, z), Quaternion(0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2)))
+
+
+class GazeboApiTest(unittest.TestCase):
+    def start(self, **parameters):
+        sim2d = Sim2d(car_description(), **parameters)
+        self.addCleanup(sim2d.kill)
+        rospy.wait_for_service("/gazebo/set_physics_properties", LONG)
+        return sim2d
+
+    def start_lockstep(self, cars, participants=("test",)):
+        self.stepper = Stepper()
+        self.addCleanup(self.stepper.close)
+        sim2d = self.start(lockstep=True, participants=list(participants), cars=cars)
+        self.stepper.advance_to(PERIOD)
+        return sim2d
+
+    def collect(self, **topics):
+        collector = Collector(**topics)
+        self.addCleanup(collector.close)
+        return collector
+
+    def call(self, name, kind, *arguments, **fields):
+        rospy.wait_for_service("/gazebo/" + name, LONG)
+        return rospy.ServiceProxy("/gazebo/" + name, kind)(*arguments, **fields)
+
+    def spawn(self, name, xml, x, y, **fields):
+        return self.call(
+            "spawn_urdf_model",
+            SpawnModel,
+            model_name=name,
+            model_xml=xml,
+            initial_pose=pose(x, y, z=0.2),
+            **fields,
+        )
+
+    def state(self, name, reference=""):
+        return self.call("get_model_state", GetModelState, name, reference)
+
+    def put(self, **fields):
+        return self.call("set_model_state", SetModelState, ModelState(**fields))
+
+    def names(self):
+        return self.call("get_world_properties", GetWorldProperties).model_names
+
+    def run_periods(self, count):
+        """Let so many more periods pass, without a driver."""
+        self.stepper.advance_to(count * PERIOD)
+
+    def test_simulator_starts_without_cars_and_gets_two(self):
+        scans = self.collect(red__scan=LaserScan, blue__scan=LaserScan)
+        self.start(cars={})
+        assert self.names() == ["walls", "crate"]
+        for name, y in (("red", 1.0), ("blue", -1.0)):
+            answer = self.spawn(name, car_description(), 1.0, y, robot_namespace=f"/{name}")
+            assert (answer.success, answer.status_message) == (
+                True,
+                "SpawnModel: Successfully spawned entity",
+            )
+        assert self.names() == ["walls", "crate", "red", "blue"]
+        assert scans.wait_for(lambda seen: seen["/red/scan"] and seen["/blue/scan"])
+        assert math.isclose(self.state("blue").pose.position.y, -1.0, abs_tol=1e-9)
+
+    def test_car_that_is_deleted_publishes_nothing_more(self):
+        rospy.set_param("/robot2/robot_description", car_description())
+        scans = self.collect(robot1__scan=LaserScan, robot2__scan=LaserScan)
+        self.start(cars={"robot1": {"y": 1.0}, "robot2": {"y": -1.0}})
+        assert scans.wait_for(lambda seen: seen["/robot1/scan"] and seen["/robot2/scan"])
+        answer = self.call("delete_model", DeleteModel, "robot1")
+        assert (answer.success, answer.status_message) == (True, "DeleteModel: successfully deleted model")
+        assert self.names() == ["walls", "crate", "robot2"]
+        count = len(scans.messages["/robot2/scan"])
+        assert scans.wait_for(lambda seen: len(seen["/robot2/scan"]) > count + 5)
+        published = {topic for topic, _ in rospy.get_published_topics("/robot1")}
+        assert "/robot1/scan" not in published
+
+    def test_model_that_is_spawned_stands_in_the_way_until_it_is_deleted(self):
+        scans = self.collect(robot1__scan=LaserScan)
+        self.start()
+
+        def sees(low, high):
+            count = len(scans.messages["/robot1/scan"])
+            return scans.wait_for(
+                lambda seen: any(low < scan.ranges[540] < high for scan in seen["/robot1/scan"][count:])
+            )
+
+        assert self.spawn("box", BOX, 1.5, 0.0).success
+        assert sees(0.9, 1.2)
+        state = self.state("box")
+        assert math.isclose(state.pose.position.z, 0.2, abs_tol=1e-6)
+        assert not self.call("get_model_properties", GetModelProperties, "box").is_static
+        assert self.call("delete_model", DeleteModel, "box").success
+        assert sees(3.5, 4.0)
+
+    def test_names_that_are_taken_or_unknown_are_refused(self):
+        self.start_lockstep(FIRST)
+        answer = self.spawn("crate", BOX, 1.0, 1.0)
+        assert (answer.success, answer.status_message) == (
+            False,
+            "SpawnModel: Failure - model name crate already exist.",
+        )
+        answer = self.spawn("box", BOX, 1.0, 1.0, reference_frame="table")
+        assert answer.status_message.startswith("SpawnModel: reference reference_frame not found")
+        answer = self.call("delete_model", DeleteModel, "table")
+        assert (answer.success, answer.status_message) == (False, "DeleteModel: model does not exist")
+        answer = self.put(model_name="table")
+        assert (answer.success, answer.status_message) == (False, "SetModelState: model does not exist")
+        answer = self.put(model_name="crate", reference_frame="table")
+        assert answer.status_message == "SetModelState: specified reference frame entity does not exist"
+
+    def test_descriptions_and_places_that_cannot_be_are_refused(self):
+        self.start_lockstep(FIRST)
+        answer = self.spawn("box", "<robot", 1.0, 1.0)
+        assert not answer.success
+        assert answer.status_message.startswith("SpawnModel: Failure - description of box: ")
+        answer = self.spawn("car", car_description(), 3.9, 0.0)
+        assert not answer.success
+        assert "is not free: it overlaps model walls" in answer.status_message
+        answer = self.put(model_name="robot1", pose=pose(3.9, 0.0))
+        assert not answer.success
+        assert answer.status_message.startswith("SetModelState: robot1: the pose (3.9, 0, 0) is not free")
+        assert self.state("robot1").pose.position.x == 0.0
+        assert self.names() == ["walls", "crate", "robot1"]
+
+    def test_state_is_set_in_the_frame_of_a_reference(self):
+        self.start_lockstep({"robot1": {"x": 1.0, "yaw": math.pi / 2}})
+        twist = Twist(linear=Vector3(1.0, 0.0, 0.0), angular=Vector3(0.0, 0.0, 0.5))
+        assert self.put(
+            model_name="crate", pose=pose(1.0, 0.0), twist=twist, reference_frame="robot1"
+        ).success
+        crate = self.state("crate")
+        assert math.isclose(crate.pose.position.x, 1.0, abs_tol=1e-5)
+        assert math.isclose(crate.pose.position.y, 1.0, abs_tol=1e-5)
+        assert math.isclose(crate.twist.linear.y, 1.0, abs_tol=1e-5)
+        assert math.isclose(crate.twist.angular.z, 0.5, abs_tol=1e-5)
+        assert self.put(model_name="robot1", pose=pose(-1.0, -0.5, 0.3), twist=twist).success
+        car = self.state("robot1")
+        assert math.isclose(car.pose.position.x, -1.0, abs_tol=1e-9)
+        assert math.isclose(car.twist.linear.x, 1.0, abs_tol=1e-9)
+        assert math.isclose(car.twist.angular.z, 0.5, abs_tol=1e-9)
+
+    def test_reset_after_cars_have_come_and_gone_is_as_from_fresh(self):
+        rospy.set_param("/robot2/robot_description", car_description())
+        changed = self.start_lockstep({"robot2": {"y": -1.0}, "robot1": {"y": 1.0}})
+        self.run_periods(4)
+        assert self.call("delete_model", DeleteModel, "robot1").success
+        assert self.spawn("robot3", car_description(), 1.0, 1.0, robot_namespace="/robot3").success
+        self.run_periods(6)
+        assert self.call("delete_model", DeleteModel, "robot3").success
+        self.stepper.restart()
+        self.call("reset_simulation", Empty)
+        self.run_periods(8)
+        assert changed.stop() == 0
+        fresh = self.start_lockstep({"robot2": {"y": -1.0}})
+        self.run_periods(8)
+        assert fresh.stop() == 0
+        assert changed.result()["periods"] == fresh.result()["periods"] == 8
+        assert changed.result()["trajectory_hash"] == fresh.result()["trajectory_hash"]
+
+    def test_reset_world_brings_everything_back_but_not_time(self):
+        self.start_lockstep(FIRST, participants=("robot1", "test"))
+        driver = Driver("robot1", self.stepper)
+        self.addCleanup(driver.close)
+        driver.drive_to(SECOND, linear_x=1.0)
+        assert self.put(model_name="crate", pose=pose(2.0, 1.0)).success
+        assert self.state("robot1").pose.position.x > 0.2
+        self.call("reset_world", Empty)
+        assert self.state("robot1").pose.position.x == 0.0
+        assert self.state("crate").pose.position.x == -3.0
+        assert self.call("get_world_properties", GetWorldProperties).sim_time == 1.0
+
+    def test_physics_properties_set_the_pace(self):
+        clock = self.collect(clock=Clock)
+        self.start(real_time_factor=0.001)
+        physics = self.call("get_physics_properties", GetPhysicsProperties)
+        assert (physics.time_step, physics.pause, physics.gravity.z) == (0.001, False, -9.8)
+        assert math.isclose(physics.max_update_rate, 1.0)
+        answer = self.set_physics(physics, max_update_rate=0.0)
+        assert (answer.success, answer.status_message) == (True, "physics engine updated")
+        assert clock.wait_for(lambda seen: any(m.clock.to_sec() > 10.0 for m in seen["/clock"]))
+        assert self.call("get_physics_properties", GetPhysicsProperties).max_update_rate == 0.0
+
+    def test_physics_properties_that_cannot_be_are_refused(self):
+        self.start()
+        physics = self.call("get_physics_properties", GetPhysicsProperties)
+        answer = self.set_physics(physics, time_step=0.002)
+        assert (answer.success, answer.status_message) == (
+            False,
+            "SetPhysicsProperties: time_step is 0.002, this simulator keeps 0.001",
+        )
+        answer = self.set_physics(physics, gravity=Vector3(0.0, 0.0, -1.6))
+        assert answer.status_message == (
+            "SetPhysicsProperties: gravity is (0, 0, -1.6), this simulator keeps (0, 0, -9.8)"
+        )
+        answer = self.set_physics(physics, max_update_rate=-1.0)
+        assert answer.status_message == (
+            "SetPhysicsProperties: max_update_rate is -1, allowed is 0 (as fast as it goes) or more"
+        )
+
+    def set_physics(self, physics, **changes):
+        fields = {"time_step": physics.time_step, "max_update_rate": 1000.0, "gravity": physics.gravity}
+        return self.call("set_physics_properties", SetPhysicsProperties, **{**fields, **changes})
+
+
+if __name__ == "__main__":
+    rospy.init_node("gazebo_api_test")
+    rostest.rosrun("f1tenth_sim2d", "sim2d_gazebo_api", GazeboApiTest)

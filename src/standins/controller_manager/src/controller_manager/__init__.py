@@ -1,0 +1,1 @@
+"""Loads, starts, stops and unloads joint controllers."""

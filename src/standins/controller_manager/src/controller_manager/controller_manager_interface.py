@@ -1,0 +1,101 @@
+"""The services of a controller manager as functions that say what became of it and return whether it worked."""
+
+import rospy
+from controller_manager_msgs.srv import (
+    ListControllers,
+    ListControllerTypes,
+    LoadController,
+    ReloadControllerLibraries,
+    SwitchController,
+    SwitchControllerRequest,
+    UnloadController,
+)
+
+_manager = "controller_manager"
+
+
+def use_namespace(namespace):
+    """Talk to the controller manager of another namespace from now on."""
+    global _manager
+    _manager = f"{namespace.rstrip('/')}/controller_manager"
+
+
+def call(service, kind, *arguments, timeout=None):
+    """Call a service of the controller manager of this namespace.
+
+    Raises:
+        rospy.ROSException: it has not come within the timeout, wall s.
+        rospy.ServiceException: it failed.
+    """
+    name = f"{_manager}/{service}"
+    rospy.wait_for_service(name, timeout)
+    return rospy.ServiceProxy(name, kind)(*arguments)
+
+
+def controllers():
+    """Return the ControllerState of every loaded controller."""
+    return call("list_controllers", ListControllers).controller
+
+
+def list_controllers():
+    """Print them."""
+    states = controllers()
+    if not states:
+        print("No controllers are loaded in mechanism control")
+    for state in states:
+        print(f"'{state.name}' - '{state.type}' ( {state.state} )")
+    return True
+
+
+def list_controller_types():
+    """Print what can be loaded."""
+    answer = call("list_controller_types", ListControllerTypes)
+    for name, base_class in zip(answer.types, answer.base_classes):
+        print(f"'{name}' ( {base_class} )")
+    return True
+
+
+def load_controller(name):
+    """Load a controller; its type is in the parameter NAME/type."""
+    return _say(
+        call("load_controller", LoadController, name).ok, f"Loaded '{name}'", f"Error when loading '{name}'"
+    )
+
+
+def unload_controller(name):
+    """Unload a controller that does not run."""
+    ok = call("unload_controller", UnloadController, name).ok
+    return _say(ok, f"Unloaded '{name}' successfully", f"Error when unloading '{name}'")
+
+
+def switch_controllers(start, stop):
+    """Start and stop controllers at the same time, all or none; return whether it worked."""
+    strict = SwitchControllerRequest.STRICT
+    return call("switch_controller", SwitchController, list(start), list(stop), strict, False, 0.0).ok
+
+
+def start_controllers(names):
+    """Start loaded controllers."""
+    shown = ", ".join(names)
+    return _say(
+        switch_controllers(names, []), f"Started {shown} successfully", f"Error when starting {shown}"
+    )
+
+
+def stop_controllers(names):
+    """Stop running controllers."""
+    shown = ", ".join(names)
+    return _say(
+        switch_controllers([], names), f"Stopped {shown} successfully", f"Error when stopping {shown}"
+    )
+
+
+def reload_libraries(force_kill=False):
+    """Forget all controllers; only with force_kill if there are any."""
+    ok = call("reload_controller_libraries", ReloadControllerLibraries, force_kill).ok
+    return _say(ok, "Reloaded libraries", "Error when reloading libraries")
+
+
+def _say(ok, good, bad):
+    print(good if ok else bad)
+    return ok

@@ -1,0 +1,203 @@
+#!/usr/bin/env python3
+"""The commands of this package with the controllers of the simulator."""
+
+import math
+import os
+import signal
+import subprocess
+import threading
+import unittest
+
+import rospkg
+import rospy
+import rostest
+from controller_manager_msgs.srv import ListControllers, ListControllerTypes, SwitchController
+from diagnostic_msgs.msg import DiagnosticArray
+from sensor_msgs.msg import JointState
+from std_msgs.msg import Float64
+from std_srvs.srv import Empty
+
+LONG = 60.0  # wall s: only a hang takes that long
+MANAGER = "/racecar/controller_manager/"
+
+
+def command_path(name):
+    paths = [
+        os.path.join(p, "lib", "controller_manager", name) for p in os.environ["CMAKE_PREFIX_PATH"].split(":")
+    ]
+    paths.append(os.path.join(rospkg.RosPack().get_path("controller_manager"), "scripts", name))
+    return next(path for path in paths if os.access(path, os.X_OK))
+
+
+class Watch:
+    """Keeps the last message of a topic."""
+
+    def __init__(self, topic, kind):
+        self._changed = threading.Condition()
+        self._message = None
+        self._subscriber = rospy.Subscriber(topic, kind, self._keep)
+
+    def _keep(self, message):
+        with self._changed:
+            self._message = message
+            self._changed.notify_all()
+
+    def wait_for(self, condition=lambda message: True):
+        with self._changed:
+            done = self._changed.wait_for(
+                lambda: self._message is not None and condition(self._message), LONG
+            )
+            assert done, self._message
+            return self._message
+
+    def close(self):
+        self._subscriber.unregister()
+
+
+class ControllersTest(unittest.TestCase):
+    def setUp(self):
+        rospy.wait_for_service(MANAGER + "switch_controller", LONG)
+        self.processes = []
+        self.addCleanup(self.end_all)
+
+    def end_all(self):
+        for process in self.processes:
+            self.end(process)
+        for state in list(self.controllers()):
+            self.manager("kill" if self.controllers()[state] == "running" else "unload", state)
+        rospy.ServiceProxy("/gazebo/reset_simulation", Empty)()
+
+    def end(self, process):
+        if process.poll() is None:
+            process.send_signal(signal.SIGINT)
+            process.wait(LONG)
+
+    def start(self, name, *arguments):
+        environment = {**os.environ, "ROS_NAMESPACE": "racecar"}
+        self.processes.append(subprocess.Popen([command_path(name), *arguments], env=environment))
+        return self.processes[-1]
+
+    def manager(self, *arguments):
+        """Run the command controller_manager; return its exit code and output."""
+        done = subprocess.run(
+            [command_path("controller_manager"), *arguments],
+            env={**os.environ, "ROS_NAMESPACE": "racecar"},
+            capture_output=True,
+            text=True,
+            timeout=LONG,
+        )
+        return done.returncode, done.stdout.strip()
+
+    def controllers(self):
+        answer = rospy.ServiceProxy(MANAGER + "list_controllers", ListControllers)()
+        return {state.name: state.state for state in answer.controller}
+
+    def wait_until(self, states):
+        while self.controllers() != states:
+            assert not rospy.is_shutdown()
+
+    def watch(self, topic, kind):
+        watch = Watch(topic, kind)
+        self.addCleanup(watch.close)
+        return watch
+
+    def command(self, controller):
+        publisher = rospy.Publisher(f"/racecar/{controller}/command", Float64, queue_size=1)
+        self.addCleanup(publisher.unregister)
+        while not publisher.get_num_connections():
+            assert not rospy.is_shutdown()
+        return publisher
+
+    def test_spawner_starts_controllers_that_move_the_car_and_takes_them_away(self):
+        spawner = self.start("spawner", "states", "rear_left", "rear_right", "steer_left", "steer_right")
+        self.wait_until(
+            dict.fromkeys(("states", "rear_left", "rear_right", "steer_left", "steer_right"), "running")
+        )
+        joints = self.watch("/racecar/joint_states", JointState)
+        for side in ("left", "right"):
+            self.command(f"rear_{side}").publish(10.0)
+            self.command(f"steer_{side}").publish(0.2)
+
+        def turns(message):
+            velocity = dict(zip(message.name, message.velocity))
+            position = dict(zip(message.name, message.position))
+            return (
+                8.0 < velocity["left_rear_wheel_joint"] < velocity["right_rear_wheel_joint"]
+                and 0.18 < position["right_steering_joint"] < position["left_steering_joint"] < 0.22
+            )
+
+        joints.wait_for(turns)
+        self.end(spawner)
+        assert self.controllers() == {}
+
+    def test_torque_accelerates_the_car(self):
+        self.start("spawner", "states", "rear_left_motor")
+        self.wait_until(dict.fromkeys(("states", "rear_left_motor"), "running"))
+        joints = self.watch("/racecar/joint_states", JointState)
+        self.command("rear_left_motor").publish(0.5)
+        joints.wait_for(lambda message: min(message.velocity) >= 0.0 and max(message.velocity) > 10.0)
+
+    def test_stopped_controllers_are_loaded_only(self):
+        self.start("spawner", "--stopped", "rear_left")
+        self.wait_until({"rear_left": "initialized"})
+        assert self.manager("start", "rear_left") == (0, "Started rear_left successfully")
+        assert self.manager("list") == (
+            0,
+            "'rear_left' - 'velocity_controllers/JointVelocityController' ( running )",
+        )
+        assert self.manager("unload", "rear_left") == (1, "Error when unloading 'rear_left'")
+        assert self.manager("stop", "rear_left")[0] == 0
+        assert self.controllers() == {"rear_left": "stopped"}
+
+    def test_unspawner_stops_and_starts_again(self):
+        self.start("spawner", "rear_left")
+        self.wait_until({"rear_left": "running"})
+        unspawner = self.start("unspawner", "rear_left")
+        self.wait_until({"rear_left": "stopped"})
+        self.end(unspawner)
+        assert self.controllers() == {"rear_left": "running"}
+
+    def test_controllers_that_cannot_be_are_refused(self):
+        for name in ("turned_wheel", "no_joint", "no_type", "unknown_type", "not_there"):
+            assert self.manager("load", name) == (1, f"Error when loading '{name}'")
+        assert self.manager("load", "rear_left")[0] == 0
+        assert self.manager("load", "rear_left")[0] == 1
+        assert self.manager("start", "steer_left")[0] == 1
+
+    def test_a_joint_has_one_controller(self):
+        for name in ("rear_left", "rear_left_motor"):
+            assert self.manager("load", name)[0] == 0
+        assert self.manager("start", "rear_left")[0] == 0
+        assert self.manager("start", "rear_left_motor")[0] == 1
+        switch = rospy.ServiceProxy(MANAGER + "switch_controller", SwitchController)
+        assert switch(["rear_left_motor"], ["rear_left"], 2, False, 0.0).ok
+        assert self.controllers() == {"rear_left": "stopped", "rear_left_motor": "running"}
+
+    def test_absurd_commands_are_refused_and_counted(self):
+        diagnostics = self.watch("/diagnostics", DiagnosticArray)
+        self.start("spawner", "rear_left")
+        self.wait_until({"rear_left": "running"})
+        self.command("rear_left").publish(math.nan)
+
+        def is_counted(message):
+            status = {status.name: status for status in message.status}["sim2d: commands of racecar"]
+            return status.level == 1 and "left_rear_wheel_joint: commanded nan" in status.message
+
+        diagnostics.wait_for(is_counted)
+
+    def test_types_that_can_be_loaded(self):
+        types = rospy.ServiceProxy(MANAGER + "list_controller_types", ListControllerTypes)().types
+        assert types == [
+            "joint_state_controller/JointStateController",
+            "velocity_controllers/JointVelocityController",
+            "velocity_controllers/JointPositionController",
+            "position_controllers/JointPositionController",
+            "effort_controllers/JointEffortController",
+            "effort_controllers/JointVelocityController",
+            "effort_controllers/JointPositionController",
+        ]
+
+
+if __name__ == "__main__":
+    rospy.init_node("controllers_test")
+    rostest.rosrun("controller_manager", "controllers", ControllersTest)

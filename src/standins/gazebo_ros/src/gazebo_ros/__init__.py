@@ -1,0 +1,1 @@
+"""Starts the simulator where Gazebo is expected, and spawns models in it."""

@@ -1,4 +1,4 @@
-"""The services of a controller manager as functions that say what became of it and return whether it worked."""
+"""The services of a controller manager as functions that print what became of it and return success."""
 
 import rospy
 from controller_manager_msgs.srv import (

@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <vector>
 
 #include "resample.h"
 
@@ -29,12 +30,14 @@ using Matrix = Eigen::SparseMatrix<double>;
 Matrix differences(int count, const std::vector<double> & stencil)
 {
   const int rows = count - static_cast<int>(stencil.size()) + 1;
-  Matrix matrix(rows, count);
+  std::vector<Eigen::Triplet<double>> entries;
   for (int row = 0; row < rows; ++row) {
     for (int i = 0; i < static_cast<int>(stencil.size()); ++i) {
-      matrix.insert(row, row + i) = stencil[static_cast<std::size_t>(i)];
+      entries.emplace_back(row, row + i, stencil[static_cast<std::size_t>(i)]);
     }
   }
+  Matrix matrix(rows, count);
+  matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
 
@@ -84,9 +87,11 @@ private:
     const double inertia = spacing_ * options.clearance_weight * std::pow(options.cost_scaling_factor, 2) + 1e-3;
     Matrix system = 2.0 * kBendingPrice / std::pow(spacing_, 3) * Matrix(bending.transpose() * bending) +
                     2.0 * kSteeringPrice / std::pow(spacing_, 5) * Matrix(steering.transpose() * steering);
+    Vector stiffness(count);
     for (int i = 0; i < count; ++i) {
-      system.coeffRef(i, i) += inertia + (pinned_[static_cast<std::size_t>(i)] ? kPinStiffness * stiffnessUnit() : 0.0);
+      stiffness[i] = inertia + (pinned_[static_cast<std::size_t>(i)] ? kPinStiffness * stiffnessUnit() : 0.0);
     }
+    system.diagonal() += stiffness;
     const Eigen::SimplicialLDLT<Matrix> solver(system);
     std::vector<Vec2> points(given_.size());
     std::transform(given_.begin(), given_.end(), points.begin(), [](auto & point) { return point.pose.position(); });

@@ -1,0 +1,31 @@
+#include "beams.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gmapping
+{
+std::vector<Beam> hitBeams(const Scan & scan, double max_range)
+{
+  std::vector<Beam> beams;
+  beams.reserve(scan.ranges.size());
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    const double range = scan.ranges[i];
+    if (range >= scan.range_min && range < max_range) {  // false for what is not a number
+      const double angle = scan.angle_min + static_cast<double>(i) * scan.angle_increment;
+      beams.push_back({std::cos(angle), std::sin(angle), range});
+    }
+  }
+  return beams;
+}
+
+void registerBeams(CellMap & map, const std::vector<Beam> & beams, const Pose2 & pose, double max_urange)
+{
+  map.grow({pose.x, pose.y}, max_urange);
+  const BeamCaster caster(pose);
+  for (const Beam & beam : beams) {
+    const Point end = caster.along(caster.direction(beam), std::min(beam.range, max_urange));
+    map.addBeam({pose.x, pose.y}, end, beam.range <= max_urange);
+  }
+}
+}  // namespace gmapping

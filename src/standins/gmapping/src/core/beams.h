@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "cell_map.h"
+#include "gmapping/geometry.h"
+#include "gmapping/scan.h"
+
+namespace gmapping
+{
+/// A beam that hit something, in the lidar's frame.
+struct Beam
+{
+  double cos{1.0};    ///< of its direction
+  double sin{0.0};    ///< of its direction
+  double range{0.0};  ///< m
+};
+
+/// The beams of a scan that hit something nearer than max_range.
+std::vector<Beam> hitBeams(const Scan & scan, double max_range);
+
+/// Where a beam is after a distance (m) from the lidar at pose.
+class BeamCaster
+{
+public:
+  explicit BeamCaster(const Pose2 & pose) : pose_(pose), cos_(std::cos(pose.yaw)), sin_(std::sin(pose.yaw)) {}
+
+  Point direction(const Beam & beam) const
+  {
+    return {cos_ * beam.cos - sin_ * beam.sin, sin_ * beam.cos + cos_ * beam.sin};
+  }
+  Point along(const Point & direction, double distance) const
+  {
+    return {pose_.x + distance * direction.x, pose_.y + distance * direction.y};
+  }
+
+private:
+  Pose2 pose_;
+  double cos_;
+  double sin_;
+};
+
+/// Puts a scan into a map.
+/// @param max_urange  m, a longer beam counts up to there, as free
+void registerBeams(CellMap & map, const std::vector<Beam> & beams, const Pose2 & pose, double max_urange);
+}  // namespace gmapping

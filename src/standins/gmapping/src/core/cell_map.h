@@ -1,0 +1,79 @@
+#pragma once
+
+#include <mrpt/containers/CDynamicGrid.h>
+
+#include <cstdint>
+
+#include "gmapping/occupancy_grid.h"
+#include "gmapping/slam_options.h"
+
+namespace gmapping
+{
+struct Point
+{
+  double x{0.0};  ///< m
+  double y{0.0};  ///< m
+};
+
+/// What beams have told about a cell.
+struct MapCell
+{
+  std::uint32_t visits{0};  ///< beams that crossed it or ended in it
+  std::uint32_t hits{0};    ///< beams that ended in it
+  // Sums of where they ended, from the corner of the cell: small numbers keep their digits.
+  float sum_x{0.0F};  ///< m
+  float sum_y{0.0F};  ///< m
+
+  bool occupied(double threshold) const { return hits > threshold * visits; }
+};
+
+/// Indices of a cell; not bound to the map.
+struct CellIndex
+{
+  int x{0};
+  int y{0};
+};
+
+/// The map of a particle. It grows with what is put into it.
+class CellMap
+{
+public:
+  /// @param resolution  m per cell
+  explicit CellMap(double resolution);
+
+  CellIndex index(const Point & point) const
+  {
+    return {
+      static_cast<int>(std::floor((point.x - cells_.getXMin()) / resolution_)),
+      static_cast<int>(std::floor((point.y - cells_.getYMin()) / resolution_))};
+  }
+  /// Nothing for a cell that is not on the map.
+  const MapCell * cell(const CellIndex & index) const
+  {
+    // Negative indices become large ones.
+    return cells_.cellByIndex(static_cast<unsigned>(index.x), static_cast<unsigned>(index.y));
+  }
+  /// Mean of where beams ended in a cell that has hits.
+  Point meanHit(const CellIndex & index, const MapCell & cell) const
+  {
+    return {
+      cells_.getXMin() + index.x * resolution_ + cell.sum_x / cell.hits,
+      cells_.getYMin() + index.y * resolution_ + cell.sum_y / cell.hits};
+  }
+
+  /// Makes room for everything within reach (m) of a place.
+  void grow(const Point & centre, double reach);
+  /// Counts a beam. Both ends have to be on the map.
+  /// @param is_hit  whether the beam ended at something
+  void addBeam(const Point & from, const Point & to, bool is_hit);
+
+  /// @param options  extent and threshold; the grid is larger if the map is
+  OccupancyGrid grid(const SlamOptions & options) const;
+
+private:
+  MapCell & at(const CellIndex & index) { return *cells_.cellByIndex(index.x, index.y); }
+
+  double resolution_;
+  mrpt::containers::CDynamicGrid<MapCell> cells_;
+};
+}  // namespace gmapping

@@ -1,0 +1,120 @@
+#include "scan_matcher.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "moments.h"
+
+namespace gmapping
+{
+namespace
+{
+// Share of beams that end in a cell above which it may be part of a wall; less than for a published cell, as what has
+// been grazed often still is a wall.
+constexpr double kWallShare = 0.1;
+// A cell that was hit often is well known, but the neighbours count, too.
+constexpr std::uint32_t kMostHits = 10;
+// Far beams may be off by more than sigma at first: the search begins with wider tolerance.
+constexpr double kFirstSigmas[] = {2.0, 1.0};
+constexpr double kSmallStep = 1e-5;  // m and rad
+// Squared distance that a beam counts with which ends nowhere near a wall, in units of lsigma.
+constexpr double kMiss = 2.0;
+
+double gaussian(double distance, double sigma)
+{
+  return std::exp(-0.5 * distance * distance / (sigma * sigma));
+}
+
+Eigen::Vector3d difference(const Pose2 & a, const Pose2 & b)
+{
+  return {a.x - b.x, a.y - b.y, normalizeAngle(a.yaw - b.yaw)};
+}
+}  // namespace
+
+PoseBelief ScanMatcher::match(const CellMap & map, const std::vector<Beam> & beams, const PoseBelief & expected) const
+{
+  PoseBelief belief = expected;
+  for (const double factor : kFirstSigmas) {
+    for (int i = 0; i < options_.iterations; ++i) {
+      const Pose2 before = belief.mean;
+      belief = step(map, beams, expected, before, factor * options_.sigma);
+      if (difference(belief.mean, before).cwiseAbs().maxCoeff() < kSmallStep) {
+        break;
+      }
+    }
+  }
+  return belief;
+}
+
+PoseBelief ScanMatcher::step(
+  const CellMap & map, const std::vector<Beam> & beams, const PoseBelief & expected, const Pose2 & pose,
+  double sigma) const
+{
+  PoseBelief next = expected;
+  Eigen::Vector3d pull = expected.information * difference(expected.mean, pose);
+  forEachEnd(beams, pose, [&](const Point & end) {
+    if (const auto wall = wallNear(map, end)) {
+      const Point & n = wall->normal;
+      const double distance = wall->distance();
+      const double weight = gaussian(distance, sigma) / (options_.sigma * options_.sigma);
+      // How the end moves along the normal with x, y and yaw.
+      const Eigen::Vector3d slope(n.x, n.y, n.y * (end.x - pose.x) - n.x * (end.y - pose.y));
+      next.information += weight * slope * slope.transpose();
+      pull += weight * distance * slope;
+    }
+  });
+  const Eigen::Vector3d move = next.information.ldlt().solve(pull);
+  next.mean = {pose.x + move.x(), pose.y + move.y(), normalizeAngle(pose.yaw + move.z())};
+  return next;
+}
+
+double ScanMatcher::score(const CellMap & map, const std::vector<Beam> & beams, const Pose2 & pose) const
+{
+  double sum = 0.0;
+  forEachEnd(beams, pose, [&](const Point & end) {
+    const auto wall = wallNear(map, end);
+    sum += wall ? gaussian(wall->distance(), options_.sigma) : 0.0;
+  });
+  return sum;
+}
+
+double ScanMatcher::logLikelihood(const CellMap & map, const std::vector<Beam> & beams, const Pose2 & pose) const
+{
+  double sum = 0.0;
+  forEachEnd(beams, pose, [&](const Point & end) {
+    const auto wall = wallNear(map, end);
+    const double ratio = wall ? wall->distance() / options_.lsigma : kMiss;
+    sum -= 0.5 * std::min(ratio * ratio, kMiss * kMiss);
+  });
+  return sum;
+}
+
+template <class Visit>
+void ScanMatcher::forEachEnd(const std::vector<Beam> & beams, const Pose2 & pose, Visit visit) const
+{
+  const BeamCaster caster(pose);
+  for (std::size_t i = 0; i < beams.size(); i += options_.lskip + 1) {
+    visit(caster.along(caster.direction(beams[i]), beams[i].range));
+  }
+}
+
+std::optional<ScanMatcher::Wall> ScanMatcher::wallNear(const CellMap & map, const Point & place) const
+{
+  const CellIndex hit = map.index(place);
+  Moments moments;
+  for (int dx = -options_.kernel_size; dx <= options_.kernel_size; ++dx) {
+    for (int dy = -options_.kernel_size; dy <= options_.kernel_size; ++dy) {
+      const CellIndex index{hit.x + dx, hit.y + dy};
+      const MapCell * cell = map.cell(index);
+      if (cell != nullptr && cell->occupied(kWallShare)) {
+        const Point mean = map.meanHit(index, *cell);
+        // From the place, as differences of large numbers would lose their digits.
+        moments.add({mean.x - place.x, mean.y - place.y}, std::min(cell->hits, kMostHits));
+      }
+    }
+  }
+  const auto normal = moments.normal();
+  return normal ? std::optional<Wall>(Wall{moments.mean(), *normal}) : std::nullopt;
+}
+}  // namespace gmapping

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "beams.h"
+#include "cell_map.h"
+#include "gmapping/geometry.h"
+#include "gmapping/slam_options.h"
+
+namespace gmapping
+{
+/// Where a pose is believed to be: x (m), y (m), yaw (rad) in the map, and the inverse of their covariance.
+struct PoseBelief
+{
+  Pose2 mean;
+  Eigen::Matrix3d information{Eigen::Matrix3d::Zero()};
+};
+
+/// Lays scans onto a map: where beams end near a straight wall, they pull the scan onto it.
+class ScanMatcher
+{
+public:
+  explicit ScanMatcher(const MatcherOptions & options) : options_(options) {}
+
+  /// What scan and odometry say together: Gauss-Newton on the distances of the beams' ends from the walls.
+  /// @param expected  what odometry says
+  PoseBelief match(const CellMap & map, const std::vector<Beam> & beams, const PoseBelief & expected) const;
+  /// How well a scan fits: 1 for each beam that ends on a wall, less for the others.
+  double score(const CellMap & map, const std::vector<Beam> & beams, const Pose2 & pose) const;
+  /// Logarithm of the likelihood of a scan, up to a constant.
+  double logLikelihood(const CellMap & map, const std::vector<Beam> & beams, const Pose2 & pose) const;
+
+private:
+  struct Wall
+  {
+    Point offset;  // of the wall from the beam's end, m
+    Point normal;
+    double distance() const { return offset.x * normal.x + offset.y * normal.y; }  // m
+  };
+
+  PoseBelief step(
+    const CellMap & map, const std::vector<Beam> & beams, const PoseBelief & expected, const Pose2 & pose,
+    double sigma) const;
+  std::optional<Wall> wallNear(const CellMap & map, const Point & place) const;
+  template <class Visit>
+  void forEachEnd(const std::vector<Beam> & beams, const Pose2 & pose, Visit visit) const;
+
+  MatcherOptions options_;
+};
+}  // namespace gmapping

@@ -1,0 +1,144 @@
+#include "slam_node.h"
+
+#include <geometry_msgs/TransformStamped.h>
+#include <ros/console.h>
+#include <std_msgs/Float64.h>
+
+#include <utility>
+
+#include "conversions.h"
+
+namespace gmapping
+{
+namespace
+{
+ros::NodeHandle servedBy(ros::CallbackQueue & queue)
+{
+  ros::NodeHandle node;
+  node.setCallbackQueue(&queue);
+  return node;
+}
+}  // namespace
+
+SlamNode::SlamNode(const NodeParameters & parameters, ros::CallbackQueue & queue)
+: parameters_(parameters), slam_(parameters.slam)
+{
+  ros::NodeHandle node = servedBy(queue);
+  map_publisher_ = node.advertise<nav_msgs::OccupancyGrid>("map", 1, true);
+  metadata_publisher_ = node.advertise<nav_msgs::MapMetaData>("map_metadata", 1, true);
+  entropy_publisher_ = ros::NodeHandle("~").advertise<std_msgs::Float64>("entropy", 1, true);
+  map_service_ = node.advertiseService("dynamic_map", &SlamNode::onGetMap, this);
+}
+
+void SlamNode::add(const sensor_msgs::LaserScan::ConstPtr & scan)
+{
+  if (scans_to_skip_ == 0) {
+    waiting_.push_back(scan);
+    scans_to_skip_ = parameters_.throttle_scans;
+  }
+  --scans_to_skip_;
+}
+
+void SlamNode::handleScans()
+{
+  while (!waiting_.empty()) {
+    const auto scan = waiting_.front();
+    const auto odometry = odometryOf(*scan);
+    if (odometry) {
+      handle(*scan, *odometry);
+    } else if (isHopeless(*scan)) {
+      ROS_WARN_THROTTLE(
+        5.0, "A scan at %.3f s is left out: there is no transform from %s to %s for it", scan->header.stamp.toSec(),
+        parameters_.odom_frame.c_str(), scan->header.frame_id.c_str());
+    } else {
+      return;
+    }
+    waiting_.pop_front();
+  }
+}
+
+std::optional<Pose2> SlamNode::odometryOf(const sensor_msgs::LaserScan & scan) const
+{
+  const std::string & lidar = scan.header.frame_id;
+  if (!transforms_.canTransform(parameters_.odom_frame, lidar, scan.header.stamp)) {
+    return std::nullopt;
+  }
+  return fromTransform(transforms_.lookupTransform(parameters_.odom_frame, lidar, scan.header.stamp).transform);
+}
+
+// Whether the transforms have gone past the scan already.
+bool SlamNode::isHopeless(const sensor_msgs::LaserScan & scan) const
+{
+  const std::string & lidar = scan.header.frame_id;
+  return transforms_.canTransform(parameters_.odom_frame, lidar, ros::Time(0)) &&
+         transforms_.lookupTransform(parameters_.odom_frame, lidar, ros::Time(0)).header.stamp > scan.header.stamp;
+}
+
+void SlamNode::handle(const sensor_msgs::LaserScan & scan, const Pose2 & odometry)
+{
+  if (!slam_.process(fromLaserScan(scan, upsideDown(scan.header.frame_id)), odometry, scan.header.stamp.toSec())) {
+    return;
+  }
+  {
+    const std::lock_guard<std::mutex> lock(broadcast_mutex_);
+    map_to_odom_ = compose(slam_.pose(), inverse(odometry));
+  }
+  if (!last_map_ || scan.header.stamp - *last_map_ > ros::Duration(parameters_.map_update_interval)) {
+    publishMap(scan.header.stamp);
+  }
+}
+
+bool SlamNode::upsideDown(const std::string & frame) const
+{
+  // Seen from the car: odometry says the same, but would have to be level.
+  return transforms_.canTransform(parameters_.base_frame, frame, ros::Time(0)) &&
+         isUpsideDown(transforms_.lookupTransform(parameters_.base_frame, frame, ros::Time(0)).transform);
+}
+
+void SlamNode::broadcast(const ros::Time & now)
+{
+  const std::lock_guard<std::mutex> lock(broadcast_mutex_);
+  if (parameters_.transform_publish_period <= 0.0) {
+    return;
+  }
+  // Half a millisecond early counts: a stamp is not a multiple of the period to the last bit.
+  const ros::Duration period(parameters_.transform_publish_period - 0.0005);
+  if (last_broadcast_ && now >= *last_broadcast_ && now - *last_broadcast_ < period) {
+    return;
+  }
+  last_broadcast_ = now;
+  geometry_msgs::TransformStamped transform;
+  transform.header.frame_id = parameters_.map_frame;
+  transform.header.stamp = now + ros::Duration(parameters_.tf_delay);
+  transform.child_frame_id = parameters_.odom_frame;
+  transform.transform = toTransform(map_to_odom_);
+  broadcaster_.sendTransform(transform);
+}
+
+void SlamNode::publishMap(const ros::Time & stamp)
+{
+  std_msgs::Header header;
+  header.stamp = stamp;
+  header.frame_id = parameters_.map_frame;
+  map_ = toOccupancyGrid(slam_.map(), header);
+  last_map_ = stamp;
+  map_publisher_.publish(map_);
+  metadata_publisher_.publish(map_.info);
+  std_msgs::Float64 entropy;
+  entropy.data = slam_.entropy();
+  entropy_publisher_.publish(entropy);
+}
+
+void SlamNode::forgetInputs()
+{
+  transforms_.clear();
+  waiting_.clear();
+  last_map_.reset();
+}
+
+bool SlamNode::onGetMap(nav_msgs::GetMap::Request &, nav_msgs::GetMap::Response & response)
+{
+  response.map = map_;
+  return !map_.data.empty();
+}
+}  // namespace gmapping

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <nav_msgs/GetMap.h>
+#include <nav_msgs/OccupancyGrid.h>
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <sensor_msgs/LaserScan.h>
+#include <tf2/buffer_core.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <deque>
+#include <mutex>
+#include <optional>
+
+#include "gmapping/grid_slam.h"
+#include "parameters.h"
+
+namespace gmapping
+{
+/// The ROS side of GridSlam: scans wait for their transform, what comes of them is published.
+/// Use from one thread; broadcast() may be called from another one.
+class SlamNode
+{
+public:
+  /// @param queue  of the service
+  SlamNode(const NodeParameters & parameters, ros::CallbackQueue & queue);
+
+  /// The transforms that scans need; to be filled by whoever receives them.
+  tf2::BufferCore & transforms() { return transforms_; }
+  /// Takes every throttle_scans-th scan.
+  void add(const sensor_msgs::LaserScan::ConstPtr & scan);
+  /// Handles the scans whose transforms are there.
+  void handleScans();
+  /// Publishes map -> odom, if that is due at now. @param now  ROS time
+  void broadcast(const ros::Time & now);
+  /// Publishes the map as it is now, whenever the last one was.
+  void publishMap(const ros::Time & stamp);
+  /// Forgets what was received before time jumped back; the map stays.
+  void forgetInputs();
+
+private:
+  std::optional<Pose2> odometryOf(const sensor_msgs::LaserScan & scan) const;
+  bool isHopeless(const sensor_msgs::LaserScan & scan) const;
+  void handle(const sensor_msgs::LaserScan & scan, const Pose2 & odometry);
+  bool upsideDown(const std::string & frame) const;
+  bool onGetMap(nav_msgs::GetMap::Request & request, nav_msgs::GetMap::Response & response);
+
+  NodeParameters parameters_;
+  GridSlam slam_;
+  tf2::BufferCore transforms_;
+  tf2_ros::TransformBroadcaster broadcaster_;
+  ros::Publisher map_publisher_;
+  ros::Publisher metadata_publisher_;
+  ros::Publisher entropy_publisher_;
+  ros::ServiceServer map_service_;
+  std::deque<sensor_msgs::LaserScan::ConstPtr> waiting_;
+  int scans_to_skip_{0};
+  std::optional<ros::Time> last_map_;
+  nav_msgs::OccupancyGrid map_;
+  std::mutex broadcast_mutex_;  // of the two below
+  Pose2 map_to_odom_;
+  std::optional<ros::Time> last_broadcast_;
+};
+}  // namespace gmapping

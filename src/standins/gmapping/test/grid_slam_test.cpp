@@ -1,0 +1,136 @@
+#include "gmapping/grid_slam.h"
+
+#include <gtest/gtest.h>
+
+#include "rooms.h"
+
+namespace gmapping
+{
+namespace
+{
+SlamOptions smallMap()
+{
+  SlamOptions options;
+  options.particles = 5;
+  options.linear_update = 0.2;
+  options.angular_update = 0.2;
+  options.xmin = options.ymin = -1.0;
+  options.xmax = options.ymax = 1.0;
+  return options;
+}
+
+// Drives 2 m along the room while odometry turns away, 3 degrees a metre. Returns where the last scan that counted was.
+Pose2 driveWithDrift(GridSlam & slam)
+{
+  Pose2 truth;
+  Pose2 counted;
+  Pose2 odometry;
+  slam.process(scanInRoom(truth), odometry, 0.0);
+  for (int i = 1; i <= 40; ++i) {
+    truth = compose(truth, {0.05, 0.0, 0.0});
+    odometry = compose(odometry, {0.05, 0.0, 0.0026});
+    if (slam.process(scanInRoom(truth), odometry, 0.025 * i)) {
+      counted = truth;
+    }
+  }
+  return counted;
+}
+
+std::int8_t cellAt(const OccupancyGrid & map, double x, double y)
+{
+  const int column = static_cast<int>(std::floor((x - map.x) / map.resolution));
+  const int row = static_cast<int>(std::floor((y - map.y) / map.resolution));
+  return map.cells.at(column + row * map.width);
+}
+
+TEST(GridSlam, FirstScanIsPutWhereOdometrySays)
+{
+  GridSlam slam(smallMap());
+  EXPECT_TRUE(slam.process(scanInRoom({}), {1.0, 2.0, 0.5}, 0.0));
+  EXPECT_DOUBLE_EQ(slam.pose().x, 1.0);
+  EXPECT_DOUBLE_EQ(slam.pose().y, 2.0);
+  EXPECT_DOUBLE_EQ(slam.pose().yaw, 0.5);
+}
+
+TEST(GridSlam, MapHasFreeOccupiedAndUnknownCells)
+{
+  GridSlam slam(smallMap());
+  slam.process(scanInRoom({}), {}, 0.0);
+  const OccupancyGrid map = slam.map();
+  EXPECT_EQ(cellAt(map, 1.0, 0.1), 0);
+  EXPECT_EQ(cellAt(map, 5.02, 0.01), 100);
+  EXPECT_EQ(cellAt(map, 6.0, 0.0), -1);
+}
+
+TEST(GridSlam, OnlyScansFarEnoughFromTheLastCount)
+{
+  GridSlam slam(smallMap());
+  EXPECT_TRUE(slam.process(scanInRoom({}), {}, 0.0));
+  EXPECT_FALSE(slam.process(scanInRoom({}), {0.19, 0.0, 0.0}, 0.1));
+  EXPECT_TRUE(slam.process(scanInRoom({}), {0.21, 0.0, 0.0}, 0.2));
+  EXPECT_FALSE(slam.process(scanInRoom({}), {0.21, 0.0, 0.19}, 0.3));
+  EXPECT_TRUE(slam.process(scanInRoom({}), {0.21, 0.0, 0.21}, 0.4));
+  EXPECT_FALSE(slam.process(scanInRoom({}), {0.21, 0.0, 0.21}, 1000.0));
+}
+
+TEST(GridSlam, StandingScansCountAfterTheTemporalUpdate)
+{
+  SlamOptions options = smallMap();
+  options.temporal_update = 1.0;
+  GridSlam slam(options);
+  slam.process(scanInRoom({}), {}, 0.0);
+  EXPECT_FALSE(slam.process(scanInRoom({}), {}, 0.9));
+  EXPECT_TRUE(slam.process(scanInRoom({}), {}, 1.1));
+}
+
+TEST(GridSlam, CorrectsOdometryThatTurnsAway)
+{
+  GridSlam slam(smallMap());
+  const Pose2 truth = driveWithDrift(slam);
+  EXPECT_NEAR(slam.pose().x, truth.x, 0.03);
+  EXPECT_NEAR(slam.pose().y, truth.y, 0.03);
+  EXPECT_NEAR(slam.pose().yaw, truth.yaw, 0.01);
+}
+
+TEST(GridSlam, SameSeedGivesTheSameMapAndAnotherSeedAnother)
+{
+  SlamOptions options = smallMap();
+  GridSlam first(options);
+  GridSlam second(options);
+  options.seed = 1;
+  GridSlam other(options);
+  for (GridSlam * slam : {&first, &second, &other}) {
+    driveWithDrift(*slam);
+  }
+  EXPECT_EQ(first.map().cells, second.map().cells);
+  EXPECT_EQ(first.pose().yaw, second.pose().yaw);
+  EXPECT_NE(first.entropy(), other.entropy());
+}
+
+TEST(GridSlam, MapHasAtLeastTheExtentAskedForAndGrows)
+{
+  GridSlam slam(smallMap());
+  slam.process(scanInRoom({}), {}, 0.0);
+  EXPECT_GT(slam.map().width * slam.map().resolution, 8.0);
+
+  SlamOptions large = smallMap();
+  large.xmin = -40.0;
+  GridSlam wide(large);
+  wide.process(scanInRoom({}), {}, 0.0);
+  EXPECT_NEAR(wide.map().x, -40.0, 0.026);
+  EXPECT_EQ(cellAt(wide.map(), 5.02, 0.01), 100);
+}
+
+TEST(GridSlam, ScanThatMatchesBadlyLeavesThePoseToOdometry)
+{
+  SlamOptions options = smallMap();
+  options.matcher.minimum_score = 1000.0;
+  options.particles = 1;
+  GridSlam slam(options);
+  slam.process(scanInRoom({}), {}, 0.0);
+  slam.process(scanInRoom({0.3, 0.1, 0.0}), {0.3, 0.0, 0.0}, 0.1);
+  EXPECT_DOUBLE_EQ(slam.pose().x, 0.3);
+  EXPECT_DOUBLE_EQ(slam.pose().y, 0.0);
+}
+}  // namespace
+}  // namespace gmapping

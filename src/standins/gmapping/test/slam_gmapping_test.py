@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+"""The nodes' interface: topics, transform, service, lockstep; and that a bag gives the same map every time."""
+
+import os
+import subprocess
+import tempfile
+import threading
+import unittest
+from pathlib import Path
+
+import rosbag
+import rospy
+import rostest
+from nav_msgs.msg import MapMetaData, OccupancyGrid
+from nav_msgs.srv import GetMap
+from played_car import drive, mounting
+from rosgraph_msgs.msg import Clock
+from sensor_msgs.msg import LaserScan
+from std_msgs.msg import Float64, Header
+from tf2_msgs.msg import TFMessage
+
+PATIENCE = 60.0  # s of wall time
+PERIODS = 60
+
+
+class Simulator:
+    """Plays the simulator of lockstep: goes on when slam_gmapping has answered."""
+
+    def __init__(self):
+        self._answered = threading.Condition()
+        self._done = rospy.Time()
+        self.transforms = []
+        kinds = {"/tf": TFMessage, "/scan": LaserScan}
+        self._publishers = {topic: self._publisher(topic, kind) for topic, kind in kinds.items()}
+        self._static = rospy.Publisher("/tf_static", TFMessage, queue_size=None, latch=True)
+        self._clock = self._publisher("/clock", Clock)
+        rospy.Subscriber("/sim2d/done", Header, self._on_done)
+        rospy.Subscriber("/tf", TFMessage, self._on_transforms)
+
+    @staticmethod
+    def _publisher(topic, kind):
+        # Without a queue the message is in the socket when publish() returns.
+        return rospy.Publisher(topic, kind, queue_size=None, tcp_nodelay=True)
+
+    def _on_done(self, message):
+        with self._answered:
+            self._done = message.stamp
+            self._answered.notify_all()
+
+    def _on_transforms(self, message):
+        self.transforms += [t for t in message.transforms if t.header.frame_id == "map"]
+
+    def wait_for_listeners(self):
+        while not all(p.get_num_connections() for p in [*self._publishers.values(), self._clock]):
+            threading.Event().wait(0.01)
+
+    def run(self, periods):
+        """Publish each period and wait for the answer."""
+        self._static.publish(mounting())
+        for stamp, messages in periods:
+            for topic, message in messages:
+                self._publishers[topic].publish(message)
+            self._clock.publish(stamp)
+            with self._answered:
+                assert self._answered.wait_for(lambda: self._done == stamp, PATIENCE), f"no answer at {stamp}"
+
+
+def replay(bag, *arguments):
+    """Run slam_gmapping_replay in a namespace of its own, so that it does not meet the node."""
+    command = ["rosrun", "gmapping", "slam_gmapping_replay"]
+    command += ["_base_frame:=base_footprint", "_linearUpdate:=0.2", "_xmin:=-1", "_ymin:=-1"]
+    command += ["_xmax:=1", "_ymax:=1", "--bag_filename", str(bag), *arguments]
+    environment = {**os.environ, "ROS_NAMESPACE": "replay"}
+    return subprocess.run(
+        command, env=environment, capture_output=True, text=True, timeout=PATIENCE, check=False
+    )
+
+
+class SlamGmappingTest(unittest.TestCase):
+    """One drive for all tests."""
+
+    @classmethod
+    def setUpClass(cls):
+        """Drive through the room."""
+        cls.simulator = Simulator()
+        cls.simulator.wait_for_listeners()
+        cls.simulator.run(drive(PERIODS))
+        cls.transforms = list(cls.simulator.transforms)
+        cls.map = rospy.wait_for_message("map", OccupancyGrid, PATIENCE)
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.bag = Path(cls.folder.name) / "drive.bag"
+        with rosbag.Bag(str(cls.bag), "w") as bag:
+            bag.write("/tf_static", mounting(), rospy.Time(1))
+            for stamp, messages in drive(PERIODS):
+                for topic, message in messages:
+                    bag.write(topic, message, stamp)
+
+    @classmethod
+    def tearDownClass(cls):
+        """Remove the bag."""
+        cls.folder.cleanup()
+
+    def cell(self, x, y):
+        info = self.map.info
+        column = int((x - info.origin.position.x) // info.resolution)
+        row = int((y - info.origin.position.y) // info.resolution)
+        return self.map.data[column + row * info.width]
+
+    def test_map_is_latched_and_has_three_kinds_of_cells(self):
+        self.assertEqual(set(self.map.data), {-1, 0, 100})
+        self.assertEqual(self.map.header.frame_id, "map")
+        self.assertAlmostEqual(self.map.info.resolution, 0.05, places=6)
+        self.assertEqual([self.cell(1.0, 0.0), self.cell(5.02, 0.0), self.cell(6.5, 0.0)], [0, 100, -1])
+
+    def test_metadata_and_entropy_are_latched(self):
+        self.assertEqual(rospy.wait_for_message("map_metadata", MapMetaData, PATIENCE), self.map.info)
+        self.assertGreaterEqual(rospy.wait_for_message("slam_gmapping/entropy", Float64, PATIENCE).data, 0.0)
+
+    def test_service_returns_the_map(self):
+        rospy.wait_for_service("dynamic_map", PATIENCE)
+        ready = threading.Event()
+        answer = []
+
+        def ask():
+            answer.append(rospy.ServiceProxy("dynamic_map", GetMap)())
+            ready.set()
+
+        threading.Thread(target=ask, daemon=True).start()
+        for stamp, _ in drive(PERIODS + 4000):
+            if stamp > rospy.Time.from_sec(3.0):
+                # Services are served between the periods.
+                self.simulator.run([(stamp, [])])
+                if ready.wait(0.005):
+                    break
+        self.assertEqual(answer[0].map.data, self.map.data)
+
+    def test_transform_is_there_from_the_start_and_corrects_odometry(self):
+        transforms = self.transforms
+        self.assertEqual(transforms[0].header.stamp.to_sec(), 1.05)
+        self.assertEqual(transforms[0].transform.translation.x, 0.0)
+        self.assertEqual(transforms[0].child_frame_id, "odom")
+        steps = {round((b.header.stamp - a.header.stamp).to_sec(), 3) for a, b in zip(transforms, transforms[1:])}
+        self.assertEqual(steps, {0.05})
+        self.assertAlmostEqual(transforms[-1].transform.translation.x, -0.028, delta=0.02)
+
+    def test_same_bag_and_seed_give_the_same_map(self):
+        files = []
+        for i in range(2):
+            stem = Path(self.folder.name) / f"map{i}"
+            save = f"rosrun map_server map_saver -f {stem}"
+            result = replay(self.bag, "--seed", "4", "--scan_topic", "/scan", "--on_done", save)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            files.append(stem.with_suffix(".pgm").read_bytes())
+        self.assertEqual(files[0], files[1])
+
+    def test_wrong_options_are_answered_in_one_line(self):
+        for arguments, words in [
+            (["--seed", "x"], '--seed: found "x", must be a whole number of at most 9 digits'),
+            (["--speed", "1"], "--speed: there is no such option; usage: slam_gmapping_replay --bag_filename FILE"),
+            (["--on_done"], "--on_done: found nothing behind it; usage"),
+            (["--scan_topic", "/none"], "drive.bag: there is no scan on /none"),
+            (["--on_done", "false"], "--on_done: this command has failed: false"),
+        ]:
+            result = replay(self.bag, *arguments)
+            self.assertEqual(result.returncode, 1)
+            lines = [line for line in result.stderr.splitlines() if line.startswith("slam_gmapping_replay: ")]
+            self.assertEqual(len(lines), 1, result.stderr)
+            self.assertIn(words, lines[0])
+
+    def test_file_that_is_no_bag_is_refused(self):
+        result = replay("/dev/null")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("slam_gmapping_replay: ", result.stderr)
+
+    def test_parameter_of_a_wrong_type_is_refused(self):
+        self.addCleanup(rospy.delete_param, "/replay/slam_gmapping/particles")
+        result = replay(self.bag, "_particles:=many")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("/replay/slam_gmapping/particles: found <value>many</value>, must be a whole number", result.stderr)
+
+
+if __name__ == "__main__":
+    rospy.init_node("slam_gmapping_test")
+    rostest.rosrun("gmapping", "slam_gmapping_test", SlamGmappingTest)

@@ -1,0 +1,42 @@
+#include "gmapping/slam_options.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+#include "gmapping/errors.h"
+
+namespace gmapping
+{
+namespace
+{
+std::string complaint(const std::function<void(SlamOptions &)> & change)
+{
+  SlamOptions options;
+  change(options);
+  try {
+    options.validate();
+  } catch (const OptionError & error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SlamOptions, DefaultsAreValid)
+{
+  EXPECT_EQ(complaint([](SlamOptions &) {}), "");
+}
+
+TEST(SlamOptions, WrongValuesAreNamed)
+{
+  EXPECT_EQ(complaint([](auto & o) { o.particles = 0; }), "particles: found 0.000000, must be above 0");
+  EXPECT_EQ(complaint([](auto & o) { o.delta = -1.0; }), "delta: found -1.000000, must be above 0");
+  EXPECT_EQ(complaint([](auto & o) { o.motion.srt = -0.1; }), "srt: found -0.100000, must be 0 or above");
+  EXPECT_EQ(complaint([](auto & o) { o.matcher.iterations = 0; }), "iterations: found 0.000000, must be above 0");
+  EXPECT_EQ(complaint([](auto & o) { o.max_urange = 0.0; }), "maxUrange: found 0.000000, must be above 0");
+  EXPECT_EQ(
+    complaint([](auto & o) { o.xmax = -200.0; }), "xmax: found -200.000000, must be above xmin, which is -100.000000");
+}
+}  // namespace
+}  // namespace gmapping

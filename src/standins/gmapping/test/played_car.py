@@ -46,7 +46,10 @@ def drive(periods):
     for i in range(periods):
         stamp = rospy.Time.from_sec(1.0 + i * PERIOD)
         x = i * PERIOD
-        yield stamp, [("/tf", transform("odom", "base_footprint", 1.02 * x, 0.0, stamp)), ("/scan", scan(x, stamp))]
+        yield (
+            stamp,
+            [("/tf", transform("odom", "base_footprint", 1.02 * x, 0.0, stamp)), ("/scan", scan(x, stamp))],
+        )
 
 
 def mounting():

@@ -1,0 +1,119 @@
+"""A driver that knows no map: of the arcs it could drive, it takes those with the longest and widest way ahead."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class GapFollowerOptions:
+    """What the driver may do, and what it drives."""
+
+    speed: float = 1.5
+    """On a straight, m/s."""
+    max_lateral_acceleration: float = 0.6
+    """In bends, m/s^2."""
+    stopping_acceleration: float = 2.0
+    """Never faster than what this stops within the way ahead, m/s^2."""
+    max_steering_angle: float = 0.4
+    """rad, to either side."""
+    wheelbase: float = 0.33
+    """m"""
+    lidar_x: float = 0.275
+    """Of the lidar ahead of the rear axle, m."""
+    front_x: float = 0.43
+    """Of the bumper ahead of the rear axle, m."""
+    clearances: tuple = (0.22, 0.32, 0.45, 0.6, 0.8)
+    """Distances from the middle of the car that ought to be free, m; the least is half the car's width and some."""
+    sight: float = 4.5
+    """Way ahead that counts, m."""
+
+    def __post_init__(self):
+        """Raise ValueError for a value that makes no sense."""
+        for name, value in vars(self).items():
+            if not min(np.atleast_1d(value), default=0.0) > 0.0:
+                raise ValueError(f"{name}: found {value}, must be above 0")
+
+
+class GapFollower:
+    """Answers scans with commands; keeps nothing from one scan to the next."""
+
+    ARCS = 41
+    BEAMS = 270
+    """About as many beams are looked at: one per degree finds whatever stands on a road."""
+    HALF_WIDTH = 0.14
+    """Of the car, m."""
+    DECISIVENESS = 12
+    """How much better ways count more than worse ones in the mean of the steering angles."""
+
+    def __init__(self, angle_min, angle_increment, beam_count, options=None):
+        """Take the geometry of the scans: rad, 0 is ahead, left is positive."""
+        self._options = options = options or GapFollowerOptions()
+        self._step = max(1, beam_count // self.BEAMS)
+        angles = angle_min + angle_increment * np.arange(0, beam_count, self._step)
+        self._directions = np.column_stack([np.cos(angles), np.sin(angles)])
+        self._steering = np.linspace(-options.max_steering_angle, options.max_steering_angle, self.ARCS)
+        self._curvatures = np.tan(self._steering) / options.wheelbase
+
+    def command(self, ranges):
+        """(speed, steering angle) for a scan's ranges.
+
+        Args:
+            ranges: array of shape (beam_count,), m; inf where nothing is hit.
+
+        Returns:
+            m/s and rad, left is positive.
+        """
+        points = self._points(np.asarray(ranges))
+        ways = self._ways(points)
+        weights = ways.mean(axis=1) ** self.DECISIVENESS
+        if not weights.any() or self._is_before_bumper(points):
+            return 0.0, 0.0
+        steering = float(np.average(self._steering, weights=weights))
+        way = float(np.interp(steering, self._steering, ways[:, 0]))
+        return self._speed(steering, way), steering
+
+    def _points(self, ranges):
+        """What is hit, from below the rear axle, m: shape (n, 2)."""
+        ranges = ranges[:: self._step].astype(float)
+        hit = np.isfinite(ranges)
+        points = ranges[hit, np.newaxis] * self._directions[hit]
+        points[:, 0] += self._options.lidar_x
+        return points
+
+    def _ways(self, points):
+        """How far the bumper can go on each arc with each clearance, m: shape (ARCS, clearances)."""
+        options = self._options
+        aside, along = self._beside_arcs(points)
+        ahead = along > options.front_x
+        ways = []
+        for clearance in options.clearances:
+            blocked = ahead & (np.abs(aside) < clearance)
+            ways.append(
+                np.where(blocked, along - options.front_x, options.sight).min(axis=1, initial=options.sight)
+            )
+        return np.column_stack(ways)
+
+    def _beside_arcs(self, points):
+        """Distance of each point from each arc, and how far along the arc it is, m: two of shape (ARCS, n)."""
+        x, y = points[:, 0], points[:, 1]
+        k = self._curvatures[:, np.newaxis]
+        # Of the circle through the origin with curvature k: twice the signed distance over that from the far side.
+        square = k * (x**2 + y**2) - 2.0 * y
+        aside = square / (1.0 + np.sqrt(1.0 + k * square))
+        angle = np.arctan2(k * x, 1.0 - k * y)
+        along = np.where(np.abs(k) < 1e-6, x, angle / np.where(np.abs(k) < 1e-6, 1.0, k))
+        return aside, along
+
+    def _is_before_bumper(self, points):
+        """Whether something is so near that it counts as beside the car on every arc."""
+        ahead = (points[:, 0] > self._options.lidar_x) & (points[:, 0] <= self._options.front_x)
+        return bool((ahead & (np.abs(points[:, 1]) < self.HALF_WIDTH)).any())
+
+    def _speed(self, steering, way):
+        options = self._options
+        curvature = abs(math.tan(steering)) / options.wheelbase
+        bend = math.sqrt(options.max_lateral_acceleration / max(curvature, 1e-6))
+        stop = math.sqrt(2.0 * options.stopping_acceleration * max(way, 0.0))
+        return min(options.speed, bend, stop)

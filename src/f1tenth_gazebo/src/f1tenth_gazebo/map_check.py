@@ -1,0 +1,90 @@
+"""Compares a map that a car has made with the true section of its world."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import yaml
+from scipy import ndimage
+from scipy.spatial import cKDTree
+
+NEAR = 0.10
+"""m"""
+_STEP = 0.02
+"""Of the samples along a wall, m."""
+_SEEN = 0.35
+"""A true wall counts if free cells of the map come this near, m: nobody can map what no car can see."""
+
+
+@dataclass(frozen=True)
+class MapCheck:
+    """How far a map and its world agree."""
+
+    cells_near_walls: float
+    """Share of the wall cells within NEAR of a true wall."""
+    walls_near_cells: float
+    """Share of the true walls that were in sight within NEAR of a wall cell."""
+    worst_cell: float
+    """Distance of the wall cell that is farthest from a true wall, m."""
+
+    @property
+    def passed(self):
+        """Whether at least 97 % agree, both ways."""
+        return min(self.cells_near_walls, self.walls_near_cells) >= 0.97
+
+
+def read_map(path):
+    """(pixels with row 0 at the bottom, resolution in m, (x, y) of the lower left corner) of a saved map.
+
+    Args:
+        path: a YAML file as map_saver writes it, with a binary PGM image beside it.
+    """
+    description = yaml.safe_load(path.read_text())
+    header, _, rest = (path.parent / description["image"]).read_bytes().partition(b"\n255\n")
+    columns, rows = map(int, header.split(b"\n")[-1].split())
+    pixels = np.frombuffer(rest, dtype=np.uint8).reshape(rows, columns)[::-1]
+    return pixels, description["resolution"], tuple(description["origin"][:2])
+
+
+def check_map(pixels, resolution, origin, outlines, circles):
+    """Compare a map with a section of its world.
+
+    Args:
+        pixels, resolution, origin: from read_map.
+        outlines, circles: from World.section at the height of the lidar.
+    """
+    cells = _centres(pixels == 0, resolution, origin)
+    walls = np.concatenate([*map(_along, outlines), *(_around(*circle) for circle in circles)])
+    free = cKDTree(_centres(_border(pixels == 254), resolution, origin))
+    to_wall = cKDTree(walls).query(cells)[0]
+    seen = walls[free.query(walls)[0] < _SEEN]
+    to_cell = cKDTree(cells).query(_facing(seen, free))[0]
+    return MapCheck(float((to_wall <= NEAR).mean()), float((to_cell <= NEAR).mean()), float(to_wall.max()))
+
+
+def _facing(walls, free):
+    """Of the walls' samples those on the side of the road: the far side of a wall is 0.15 m away."""
+    distances = free.query(walls)[0]
+    nearest = cKDTree(walls).query_ball_point(walls, 0.2)
+    return walls[[distances[i] <= min(distances[near]) + 0.08 for i, near in enumerate(nearest)]]
+
+
+def _border(free):
+    return free & ~ndimage.binary_erosion(free)
+
+
+def _centres(mask, resolution, origin):
+    rows, columns = np.nonzero(mask)
+    return np.column_stack([columns + 0.5, rows + 0.5]) * resolution + origin
+
+
+def _along(outline):
+    samples = []
+    for a, b in zip(outline, np.roll(outline, -1, axis=0)):
+        count = max(1, int(np.linalg.norm(b - a) / _STEP))
+        samples.append(a + np.linspace(0.0, 1.0, count, endpoint=False)[:, np.newaxis] * (b - a))
+    return np.concatenate(samples)
+
+
+def _around(x, y, radius):
+    angles = np.linspace(0.0, 2.0 * np.pi, max(8, int(2.0 * np.pi * radius / _STEP)))
+    return np.column_stack([x + radius * np.cos(angles), y + radius * np.sin(angles)])

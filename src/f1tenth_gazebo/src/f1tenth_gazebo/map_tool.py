@@ -1,0 +1,39 @@
+"""The command line of check_map."""
+
+import argparse
+import sys
+from pathlib import Path
+
+import yaml
+
+import f1tenth_sim2d
+from f1tenth_gazebo.map_check import check_map, read_map
+from f1tenth_gazebo.tools import LIDAR_HEIGHT
+
+
+def main(arguments=None):
+    """Compare maps with their worlds; return the exit code: 1 if one fails, 2 for bad input."""
+    parser = argparse.ArgumentParser(
+        prog="check_map", description="Compare a map that a car has made with its world."
+    )
+    parser.add_argument("map", help="YAML file of the map")
+    parser.add_argument("world", help="world file")
+    options = parser.parse_args(arguments)
+    try:
+        section = f1tenth_sim2d.load_world(options.world).section(LIDAR_HEIGHT)
+        result = check_map(*read_map(Path(options.map)), *section)
+    except (f1tenth_sim2d.Error, OSError) as error:
+        print(error, file=sys.stderr)
+        return 2
+    except (ValueError, KeyError, TypeError, yaml.YAMLError) as error:
+        print(
+            f"{options.map}: not a map as map_saver writes it: {' '.join(str(error).split())}",
+            file=sys.stderr,
+        )
+        return 2
+    print(
+        f"wall cells within 0.10 m of a true wall: {100.0 * result.cells_near_walls:.1f} %, "
+        f"true walls within 0.10 m of a wall cell: {100.0 * result.walls_near_cells:.1f} %, "
+        f"worst cell: {result.worst_cell:.2f} m: {'passed' if result.passed else 'failed, 97 % is the limit'}"
+    )
+    return 0 if result.passed else 1

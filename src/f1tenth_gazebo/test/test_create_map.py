@@ -1,0 +1,56 @@
+"""A car that drives around once must leave a map that agrees with the world."""
+
+import os
+import signal
+import socket
+import subprocess
+
+import pytest
+from circuits import NAMES, PACKAGE
+from f1tenth_gazebo.map_tool import main
+
+# One circuit at every run of the tests; F1TENTH_ALL_MAPS=1 makes all of them.
+CIRCUITS = NAMES if os.environ.get("F1TENTH_ALL_MAPS") else ["circuit1"]
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("localhost", 0))
+        return probe.getsockname()[1]
+
+
+def create_map(name, stem):
+    port = str(free_port())
+    arguments = [f"world_file_name:={name}", "drive:=auto", "lockstep:=true", "seed:=1", f"map_file:={stem}"]
+    command = ["roslaunch", "-p", port, "f1tenth_gazebo", "create_map.launch", *arguments]
+    environment = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{port}"}
+    process = subprocess.Popen(command, env=environment)
+    try:
+        process.wait(timeout=600)
+    finally:
+        if process.poll() is None:
+            process.send_signal(signal.SIGINT)
+            process.wait()
+
+
+@pytest.mark.parametrize("name", CIRCUITS)
+def test_map_agrees_with_its_world(name, tmp_path, capsys):
+    stem = os.path.join(os.environ.get("F1TENTH_PICTURES", str(tmp_path)), name)
+    create_map(name, stem)
+    code = main([f"{stem}.yaml", str(PACKAGE / "worlds" / f"{name}.world")])
+    assert code == 0, capsys.readouterr().out
+
+
+def test_file_that_is_no_map_is_refused_in_one_line(tmp_path, capsys):
+    path = tmp_path / "a.yaml"
+    path.write_text("image: [")
+    world = str(PACKAGE / "worlds" / "circuit1.world")
+    assert main([str(path), world]) == 2
+    error = capsys.readouterr().err
+    assert error.startswith(f"{path}: not a map as map_saver writes it: ")
+    assert error.count("\n") == 1
+
+
+def test_missing_map_is_named(tmp_path, capsys):
+    assert main([str(tmp_path / "none.yaml"), str(PACKAGE / "worlds" / "circuit1.world")]) == 2
+    assert "none.yaml" in capsys.readouterr().err

@@ -1,0 +1,59 @@
+"""The comparison of a map with its world must see what is wrong with a map."""
+
+import numpy as np
+import pytest
+from f1tenth_gazebo.map_check import check_map, read_map
+from f1tenth_gazebo.map_file import save_map
+from f1tenth_gazebo.occupancy import OCCUPIED, occupancy_grid
+
+
+def rectangle(x_low, y_low, x_high, y_high):
+    return np.array([[x_low, y_low], [x_high, y_low], [x_high, y_high], [x_low, y_high]])
+
+
+ROOM = [
+    rectangle(-3.15, -2.15, 3.15, -2.0),
+    rectangle(-3.15, 2.0, 3.15, 2.15),
+    rectangle(-3.15, -2.15, -3.0, 2.15),
+    rectangle(3.0, -2.15, 3.15, 2.15),
+]
+
+
+@pytest.fixture
+def room():
+    return occupancy_grid(ROOM, [(1.0, 1.0, 0.1)])
+
+
+def check(grid, dx=0.0, circles=((1.0, 1.0, 0.1),)):
+    return check_map(grid.pixels, 0.05, (grid.x + dx, grid.y), ROOM, list(circles))
+
+
+def test_true_map_passes(room):
+    assert check(room).passed
+    assert check(room).worst_cell < 0.1
+
+
+def test_moved_map_fails(room):
+    assert not check(room, dx=0.2).passed
+
+
+def test_doubled_wall_fails(room):
+    rows, columns = np.nonzero(room.pixels == OCCUPIED)
+    room.pixels[rows, np.minimum(columns + 5, room.pixels.shape[1] - 1)] = OCCUPIED
+    result = check(room)
+    assert result.cells_near_walls < 0.9
+    assert result.worst_cell > 0.15
+
+
+def test_missing_wall_fails(room):
+    left = np.arange(room.pixels.shape[1]) * 0.05 + room.x < -2.9
+    room.pixels[:, left] = np.where(room.pixels[:, left] == OCCUPIED, 254, room.pixels[:, left])
+    assert check(room).walls_near_cells < 0.9
+
+
+def test_saved_map_reads_back(room, tmp_path):
+    save_map(room, tmp_path / "a")
+    pixels, resolution, origin = read_map(tmp_path / "a.yaml")
+    assert (pixels == room.pixels).all()
+    assert resolution == 0.05
+    assert origin == pytest.approx((room.x, room.y))

@@ -1,4 +1,4 @@
-"""A driver that knows no map: of the arcs it could drive, it takes those with the longest and widest way ahead."""
+"""A driver that knows no map: of the arcs it could drive, it takes those with the longest way ahead."""
 
 import math
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ class GapFollowerOptions:
     front_x: float = 0.43
     """Of the bumper ahead of the rear axle, m."""
     clearances: tuple = (0.22, 0.32, 0.45, 0.6, 0.8)
-    """Distances from the middle of the car that ought to be free, m; the least is half the car's width and some."""
+    """Distances from the car's middle that ought to be free, m; the least is half its width and some."""
     sight: float = 4.5
     """Way ahead that counts, m."""
 
@@ -96,10 +96,10 @@ class GapFollower:
         return np.column_stack(ways)
 
     def _beside_arcs(self, points):
-        """Distance of each point from each arc, and how far along the arc it is, m: two of shape (ARCS, n)."""
+        """Distance of each point from each arc, and its place along the arc, m: both (ARCS, n)."""
         x, y = points[:, 0], points[:, 1]
         k = self._curvatures[:, np.newaxis]
-        # Of the circle through the origin with curvature k: twice the signed distance over that from the far side.
+        # Signed distance from the circle through the origin with curvature k, without dividing by k.
         square = k * (x**2 + y**2) - 2.0 * y
         aside = square / (1.0 + np.sqrt(1.0 + k * square))
         angle = np.arctan2(k * x, 1.0 - k * y)

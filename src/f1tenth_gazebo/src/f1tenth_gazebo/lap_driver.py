@@ -34,7 +34,7 @@ class OdometryAtScans:
             self._arrived.notify_all()
 
     def at(self, stamp):
-        """The last odometry not after a stamp, once a later one or that of the same period is there; or None."""
+        """The last odometry not after a stamp, once no later one can belong to it; or None."""
         with self._arrived:
             self._arrived.wait_for(lambda: self._is_complete(stamp), PATIENCE)
             known = [message for message in self._messages if message.header.stamp <= stamp]

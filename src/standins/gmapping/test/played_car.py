@@ -42,7 +42,7 @@ def scan(x, stamp):
 
 
 def drive(periods):
-    """Of each period, the stamp and what is sent: (topic, message). The car drives 1 m/s, odometry says 2 % more."""
+    """Of each period, the stamp and what is sent. The car drives 1 m/s, odometry says 2 % more."""
     for i in range(periods):
         stamp = rospy.Time.from_sec(1.0 + i * PERIOD)
         x = i * PERIOD

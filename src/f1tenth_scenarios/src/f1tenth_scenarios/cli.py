@@ -1,4 +1,4 @@
-"""The command `scenario`: list, check, run, report, keys."""
+"""The command `scenario`: list, check, run, sweep, report, keys."""
 
 import argparse
 import subprocess
@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Optional
 
-from f1tenth_scenarios import places
+from f1tenth_scenarios import many, places
 from f1tenth_scenarios.console import ProgressLine, summary
 from f1tenth_scenarios.describe import describe_keys
 from f1tenth_scenarios.errors import ScenarioError
@@ -43,7 +43,17 @@ def _parser() -> argparse.ArgumentParser:
     run = _add(commands, "run", _run, "run scenarios; exit code 0 if each ended as expected")
     run.add_argument("names", nargs="+", metavar="NAME", help="scenario or file")
     _add_results(run, "write to FOLDER/NAME")
+    run.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help=_SET)
+    run.add_argument(
+        "--repeat", type=int, metavar="N", help="run N times and say how much the results differ"
+    )
     run.add_argument("--report", action="store_true", help="write the report afterwards")
+    sweep = _add(commands, "sweep", _sweep, "run many variations of a scenario in parallel")
+    sweep.add_argument("name", metavar="NAME", help="scenario or file")
+    sweep.add_argument("--vary", action="append", required=True, metavar="KEY=VALUES", help=_VARY)
+    sweep.add_argument("--workers", type=int, metavar="N", help="local processes; default: one a core")
+    sweep.add_argument("--scheduler", metavar="URI", help="use this Dask cluster, as in tcp://host:8786")
+    _add_results(sweep, "write to FOLDER/sweep/NAME")
     report = _add(commands, "report", _report, "write one HTML file with all runs and their replays")
     _add_results(report, "read FOLDER/*")
     report.add_argument("--against", type=Path, metavar="FOLDER", help=_AGAINST)
@@ -53,6 +63,8 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
+_SET = "replace a value of the file, as in mu=0.3 or limits.timeout=20"
+_VARY = "FIRST:LAST (whole numbers), FIRST:LAST:COUNT or A,B,C; several keys: every combination"
 _AGAINST = "results to compare with; default: those of the commit before, which each run keeps"
 
 
@@ -98,13 +110,33 @@ def _report(options) -> int:
     return PASSED
 
 
+def _sweep(options) -> int:
+    results = (options.results or places.results_root()).resolve()
+    complete = many.sweep(options.name, options.vary, results, _program(), options.workers, options.scheduler)
+    return PASSED if complete else NOT_PASSED
+
+
+def _program() -> str:
+    return str(Path(sys.argv[0]).resolve())
+
+
+def _repeat(options) -> int:
+    if options.repeat < 2 or len(options.names) != 1:
+        raise ScenarioError("--repeat is for one scenario, and at least 2 times")
+    results = (options.results or places.results_root()).resolve()
+    steady = many.repeat(options.names[0], options.repeat, results, options.set, _program())
+    return PASSED if steady else NOT_PASSED
+
+
 def _run(options) -> int:
+    if options.repeat is not None:
+        return _repeat(options)
     if len(options.names) == 1:
-        code = _run_one(options.names[0], options.results)
+        code = _run_one(options.names[0], options.results, options.set)
     else:
         for name in options.names:
-            make_plan(name)
-        code = _run_each(options.names, options.results)
+            make_plan(name, settings=options.set)
+        code = _run_each(options.names, options.results, options.set)
     if options.report and code in (PASSED, NOT_PASSED):
         _report(_parser().parse_args(["report", *_results_option(options.results)]))
     return code
@@ -114,8 +146,9 @@ def _results_option(results: Optional[Path]) -> list[str]:
     return ["--results", str(results)] if results else []
 
 
-def _run_one(name: str, results: Optional[Path]) -> int:
-    plan = make_plan(name, results.resolve() / places.scenario_file(name).stem if results else None)
+def _run_one(name: str, results: Optional[Path], settings: Sequence[str]) -> int:
+    folder = results.resolve() / places.scenario_file(name).stem if results else None
+    plan = make_plan(name, folder, settings)
     # Imported late: rospy takes longer than listing and checking.
     from f1tenth_scenarios.ros_session import run_with_ros
 
@@ -129,9 +162,9 @@ def _run_one(name: str, results: Optional[Path]) -> int:
     return PASSED if result.passed else NOT_PASSED
 
 
-def _run_each(names: Sequence[str], results: Optional[Path]) -> int:
+def _run_each(names: Sequence[str], results: Optional[Path], settings: Sequence[str]) -> int:
     """A process for each, because a process can be a ROS node only once."""
-    options = _results_option(results)
+    options = [*_results_option(results), *(part for each in settings for part in ("--set", each))]
     codes = []
     with StopRequest().listening() as stop:
         for name in names:

@@ -1,6 +1,7 @@
 """A scenario with everything that it names found and read: ready to run."""
 
 import dataclasses
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Optional
 
@@ -11,6 +12,7 @@ from f1tenth_scenarios.goals import read_goals
 from f1tenth_scenarios.raceline import read_raceline
 from f1tenth_scenarios.scenario import Driver, Pose, Scenario, read_scenario
 from f1tenth_scenarios.scenario_world import check_boxes
+from f1tenth_scenarios.settings import apply_settings, parse_setting
 
 
 @dataclasses.dataclass(frozen=True)
@@ -26,6 +28,7 @@ class Plan:
     goals: dict[str, tuple[Pose, ...]]  # per car that races, of one lap
     folder: Path  # for the results
     course: Optional[Course] = None
+    settings: tuple[str, ...] = ()  # KEY=VALUE, set from outside of the file
     lines: dict[str, Path] = dataclasses.field(default_factory=dict)  # per car that pursues one
 
     @property
@@ -68,20 +71,23 @@ class Plan:
         return {car: goals * self.scenario.laps for car, goals in self.goals.items()}
 
 
-def make_plan(name: str, folder: Optional[Path] = None) -> Plan:
+def make_plan(name: str, folder: Optional[Path] = None, settings: Sequence[str] = ()) -> Plan:
     """Read a scenario and check everything that it names.
 
     Args:
         name: of a scenario of this package, or the path of a scenario file
         folder: for the results, default results/NAME
+        settings: KEY=VALUE, values that replace those of the file
 
     Raises:
         ScenarioError: with the place and what is allowed there.
     """
     file = places.scenario_file(name)
-    scenario = read_scenario(file)
+    parsed = [parse_setting(text) for text in settings]
+    scenario = read_scenario(file, lambda root: apply_settings(root, parsed))
     try:
-        return _find_files(file, scenario, folder or places.results_folder(file.stem))
+        plan = _find_files(file, scenario, folder or places.results_folder(file.stem))
+        return dataclasses.replace(plan, settings=tuple(settings))
     except ScenarioError as error:
         raise ScenarioError(f"{file}: {error}") from error
 
@@ -106,4 +112,4 @@ def _find_files(file, scenario, folder):
         raise ScenarioError(f"the driver 'race' needs a map, and {world} has none beside it or in ../maps")
     check_boxes(world, scenario)
     course = read_course(places.course_file(scenario.course, file.parent)) if scenario.course else None
-    return Plan(file.stem, file, scenario, world, map_file, goals_files, goals, folder, course, lines)
+    return Plan(file.stem, file, scenario, world, map_file, goals_files, goals, folder, course, lines=lines)

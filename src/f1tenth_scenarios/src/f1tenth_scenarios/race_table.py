@@ -28,7 +28,7 @@ class RaceTable:
         self._contacts = dict.fromkeys(cars, 0)
 
     def take_place(self, car: str, time: float, x: float, y: float) -> bool:
-        """Take where a car is (s, m); whether it has just completed a lap. The first place begins its race."""
+        """Take where a car is (s, m); whether it has just completed a lap. The first begins its race."""
         counter = self._counters.setdefault(car, LapCounter(self._line, time))
         return not self._is_finished(car) and counter.update(time, x, y)
 

@@ -50,7 +50,9 @@ class Result:
         return min((time for times in self.measured.lap_times.values() for time in times), default=None)
 
 
-def as_dict(result: Result, versions: Mapping[str, Optional[str]]) -> dict[str, Any]:
+def as_dict(
+    result: Result, versions: Mapping[str, Optional[str]], settings: Sequence[str] = ()
+) -> dict[str, Any]:
     """The content of result.json."""
     decision, record = result.judgement.decision, result.judgement.record
     laps = {car.name: result.lap_times(car.name) for car in result.scenario.cars}
@@ -81,6 +83,7 @@ def as_dict(result: Result, versions: Mapping[str, Optional[str]]) -> dict[str, 
         "contacts": [dataclasses.asdict(contact) for contact in result.judgement.contacts],
         "real_time_factor": result.measured.real_time_factor,
         "seed": result.scenario.seed,
+        "settings": list(settings),
         "trajectory_hash": record.hash_at_end(),
         "versions": dict(versions),
     }

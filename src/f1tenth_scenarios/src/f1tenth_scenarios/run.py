@@ -104,7 +104,9 @@ def _write(plan: Plan, done: Result, heard: Recording) -> None:
     replay = make_replay(plan.run_world, plan.goals, heard).until(done.judgement.decision.stamp)
     write_replay(plan.folder / REPLAY_FILE, replay)
     # Last, because who sees a result.json may rely on the other files.
-    result.write_json(plan.folder / result.RESULT_FILE, result.as_dict(done, versions.collect()))
+    result.write_json(
+        plan.folder / result.RESULT_FILE, result.as_dict(done, versions.collect(), plan.settings)
+    )
 
 
 def _facts(done: Result) -> str:

@@ -4,7 +4,9 @@ import dataclasses
 import enum
 import re
 from pathlib import Path
-from typing import Optional
+from typing import Callable, Optional
+
+import yaml
 
 from f1tenth_scenarios import yaml_source
 from f1tenth_scenarios.schema import key, read
@@ -262,10 +264,12 @@ class Scenario:
         return None
 
 
-def read_scenario(path: Path) -> Scenario:
-    """Read and validate a scenario file.
+def read_scenario(path: Path, change: Callable[[yaml.MappingNode], None] = lambda root: None) -> Scenario:
+    """Read and validate a scenario file; `change` may alter what it says before.
 
     Raises:
         ScenarioError: with the place and what is allowed there.
     """
-    return read(Scenario, yaml_source.compose(path))
+    root = yaml_source.compose(path)
+    change(root)
+    return read(Scenario, root)

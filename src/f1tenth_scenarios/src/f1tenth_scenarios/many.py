@@ -1,0 +1,122 @@
+"""The commands that run a scenario many times: `scenario run --repeat` and `scenario sweep`."""
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, Optional, TextIO
+
+from f1tenth_scenarios import sweep_table
+from f1tenth_scenarios.batch import Job, run_job, summary_row
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.plan import make_plan
+from f1tenth_scenarios.repeat import is_steady, spread
+from f1tenth_scenarios.settings import Setting, combinations, folder_name, parse_variation
+from f1tenth_scenarios.sweep import run_jobs
+
+
+def repeat(name: str, count: int, results: Path, settings: Sequence[str], program: str) -> bool:
+    """Run a scenario `count` times, one after the other, and print how much the results differ.
+
+    Returns:
+        Whether all passed with the same verdict, and in lockstep with the same trajectory.
+
+    Raises:
+        ScenarioError: bad input, or a run left no result.
+    """
+    plan = make_plan(name, settings=settings)
+    bar = CountLine(f"{plan.name} repeated", count)
+    found = []
+    for number in range(1, count + 1):
+        folder = results / "repeat" / plan.name / f"{number:03}"
+        try:
+            found.append(run_job(Job(str(plan.file), tuple(settings), str(folder)), program))
+        except RuntimeError as error:
+            raise ScenarioError(str(error)) from error
+        bar.update(found[-1]["passed"])
+    bar.clear()
+    for key, value in [("scenario", plan.name), *spread(found)]:
+        print(f"{key + ':':19}{value}")
+    return is_steady(found, plan.scenario.lockstep)
+
+
+def sweep(
+    name: str,
+    variations: Sequence[str],
+    results: Path,
+    program: str,
+    workers: Optional[int] = None,
+    scheduler: Optional[str] = None,
+) -> bool:
+    """Run a scenario with every combination of values; write a table and a picture, and print where they are.
+
+    Returns:
+        Whether every run left a result.
+
+    Raises:
+        ScenarioError: bad input; nothing has been run then.
+    """
+    varied = [parse_variation(text) for text in variations]
+    jobs = [_job(name, settings, results) for settings in combinations(varied)]
+    rows: dict[Job, dict[str, Any]] = {}
+    bar = CountLine(f"{name} swept", len(jobs))
+
+    def finished(job: Job, result: dict[str, Any]) -> None:
+        rows[job] = summary_row(job.settings, result)
+        bar.update(result["passed"])
+
+    problems = run_jobs(jobs, program, finished, workers, scheduler)
+    bar.clear()
+    for problem in problems:
+        print(f"scenario: {problem}", file=sys.stderr)
+    if rows:
+        ordered = [rows[job] for job in jobs if job in rows]
+        _write(Path(jobs[0].scenario).stem, ordered, [values[0].key for values in varied], results)
+    return not problems
+
+
+def _job(name: str, settings: Sequence[Setting], results: Path) -> Job:
+    """Checks the variation before anything runs."""
+    texts = tuple(map(str, settings))
+    plan = make_plan(name, settings=texts)
+    return Job(str(plan.file), texts, str(results / "sweep" / plan.name / folder_name(settings)))
+
+
+def _write(name, rows, varied, results):
+    folder = results / "sweep" / name
+    sweep_table.write_table(folder / sweep_table.TABLE_FILE, rows)
+    sweep_table.write_picture(folder / sweep_table.PICTURE_FILE, name, rows, varied)
+    facts = [
+        ("scenario", name),
+        ("passed", f"{sum(row['passed'] for row in rows)} of {len(rows)}"),
+        ("table", folder / sweep_table.TABLE_FILE),
+        ("picture", folder / sweep_table.PICTURE_FILE),
+    ]
+    for key, value in facts:
+        print(f"{key + ':':19}{value}")
+
+
+class CountLine:
+    """How many runs are done, drawn over and over; nothing where the output is no terminal."""
+
+    _WIDTH = 30  # characters
+
+    def __init__(self, name: str, count: int, stream: TextIO = sys.stderr):
+        self._name, self._count, self._stream = name, count, stream
+        self._done = self._passed = 0
+
+    def update(self, passed: bool) -> None:
+        """One more run is done."""
+        self._done += 1
+        self._passed += passed
+        filled = self._WIDTH * self._done // self._count
+        bar = "█" * filled + "░" * (self._WIDTH - filled)
+        self._draw(f"{self._name}  {bar}  {self._done} of {self._count}, {self._passed} passed")
+
+    def clear(self) -> None:
+        """Leave an empty line."""
+        self._draw("")
+
+    def _draw(self, text: str) -> None:
+        if self._stream.isatty():
+            self._stream.write(f"\r\033[K{text}")
+            self._stream.flush()

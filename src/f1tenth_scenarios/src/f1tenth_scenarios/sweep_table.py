@@ -1,0 +1,109 @@
+"""The outcome of a sweep: a table, and a picture of success rate and lap time over each varied value."""
+
+import csv
+import math
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from f1tenth_scenarios.atomic import replacing
+
+TABLE_FILE, PICTURE_FILE = "sweep.csv", "sweep.png"
+_Z = 1.959964  # of the normal distribution, for 95 %
+
+
+def write_table(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:
+    """Write a row a run as CSV."""
+    with replacing(path) as temporary, open(temporary, "w", encoding="utf-8", newline="") as stream:
+        writer = csv.DictWriter(stream, list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def wilson_interval(successes: int, count: int) -> tuple[float, float]:
+    """95 % confidence interval of a rate.
+
+    E. B. Wilson, Probable Inference, the Law of Succession, and Statistical Inference, JASA 22 (1927).
+    """
+    rate, z2 = successes / count, _Z * _Z
+    middle = (rate + z2 / (2 * count)) / (1 + z2 / count)
+    reach = _Z / (1 + z2 / count) * math.sqrt(rate * (1 - rate) / count + z2 / (4 * count * count))
+    return max(0.0, middle - reach), min(1.0, middle + reach)
+
+
+def mean_interval(values: Sequence[float]) -> tuple[float, float, float]:
+    """Mean of values and its 95 % confidence interval by the normal distribution; no width for one value."""
+    mean = float(np.mean(values))
+    reach = _Z * float(np.std(values, ddof=1)) / math.sqrt(len(values)) if len(values) > 1 else 0.0
+    return mean, mean - reach, mean + reach
+
+
+def write_picture(path: Path, title: str, rows: Sequence[Mapping[str, Any]], varied: Sequence[str]) -> None:
+    """Draw success rate and lap time over each varied key, into a PNG file."""
+    figure = Figure(figsize=(4.6 * len(varied) + 1.2, 6.4), layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.subplots(2, len(varied), squeeze=False, sharex="col", sharey="row")
+    for column, key in enumerate(varied):
+        groups = _grouped(rows, key)
+        _draw_rates(axes[0][column], groups)
+        _draw_laps(axes[1][column], groups)
+        axes[1][column].set_xlabel(key)
+    axes[0][0].set_ylabel("success rate")
+    axes[1][0].set_ylabel("lap time (s)")
+    figure.suptitle(f"{title}: {len(rows)} runs, with 95 % confidence", x=0.01, ha="left", fontweight="bold")
+    with replacing(path) as temporary:
+        figure.savefig(temporary, dpi=130)
+
+
+def _grouped(rows, key) -> dict[str, list]:
+    groups: dict[str, list] = {}
+    for row in rows:
+        groups.setdefault(row[key], []).append(row)
+    return dict(sorted(groups.items(), key=lambda item: _number(item[0])))
+
+
+def _number(text: str):
+    """Numbers in their order, before all other texts."""
+    try:
+        return 0, float(text), ""
+    except ValueError:
+        return 1, 0.0, text
+
+
+def _places(groups):
+    """Numbers at their value, other texts one after the other."""
+    numeric = all(_number(name)[0] == 0 for name in groups)
+    return {name: float(name) if numeric else index for index, name in enumerate(groups)}, numeric
+
+
+def _draw_rates(axes, groups):
+    places, _ = _places(groups)
+    for name, rows in groups.items():
+        passed = sum(row["passed"] for row in rows)
+        low, high = wilson_interval(passed, len(rows))
+        axes.plot([places[name]] * 2, [low, high], color="#9db2f5", linewidth=5, solid_capstyle="round")
+        axes.plot(places[name], passed / len(rows), "o", color="#2f5bea")
+    axes.set_ylim(-0.04, 1.04)
+    _decorate(axes)
+
+
+def _draw_laps(axes, groups):
+    places, numeric = _places(groups)
+    for name, rows in groups.items():
+        laps = [row["lap_time"] for row in rows if row["lap_time"] is not None]
+        if laps:
+            mean, low, high = mean_interval(laps)
+            axes.plot([places[name]] * 2, [low, high], color="#9fd9c3", linewidth=5, solid_capstyle="round")
+            axes.plot(places[name], mean, "o", color="#12805c")
+    if not numeric:
+        axes.set_xticks(list(places.values()), list(places), rotation=30, ha="right")
+    _decorate(axes)
+
+
+def _decorate(axes):
+    axes.grid(color="black", alpha=0.08, linewidth=0.6)
+    axes.spines[["top", "right"]].set_visible(False)

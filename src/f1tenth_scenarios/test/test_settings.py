@@ -1,0 +1,82 @@
+"""Values that are set from outside of the file, and what many of them mean."""
+
+import pytest
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.plan import make_plan
+from f1tenth_scenarios.settings import Setting, combinations, folder_name, parse_setting, parse_variation
+from scenario_samples import SCENARIO_TEXT
+
+
+@pytest.fixture
+def file(tmp_path):
+    path = tmp_path / "sample.yaml"
+    path.write_text(SCENARIO_TEXT, encoding="utf-8")
+    return str(path)
+
+
+def test_value_of_the_file_is_replaced(file):
+    plan = make_plan(file, settings=["seed=7", "limits.timeout=20", "criteria.lap_time=9.5", "laps=2"])
+    assert (plan.scenario.seed, plan.scenario.limits.timeout) == (7, 20.0)
+    assert (plan.scenario.criteria.lap_time, plan.scenario.laps) == (9.5, 2)
+    assert plan.settings == ("seed=7", "limits.timeout=20", "criteria.lap_time=9.5", "laps=2")
+
+
+def test_key_of_a_car_counts_for_all_cars():
+    plan = make_plan("head_to_head", settings=["mu=0.5"])
+    assert [car.mu for car in plan.scenario.cars] == [0.5, 0.5]
+
+
+@pytest.mark.parametrize(
+    ("text", "problem"),
+    [
+        ("seed", "'seed' must be KEY=VALUE, as in mu=0.3"),
+        ("seed=x", "seed=x:1: seed must be a whole number, found 'x'"),
+        ("mu=9", r"mu=9:1: cars\[0\].mu is 9, must be above 0 and at most 3"),
+        ("colour=red", "colour=red:1: unknown key 'colour'"),
+        ("seed.x=1", "seed.x=1: seed holds no keys"),
+        ("seed=[1", "seed=.1: not YAML: "),
+    ],
+)
+def test_bad_setting_is_answered(file, text, problem):
+    with pytest.raises(ScenarioError, match=problem):
+        make_plan(file, settings=[text])
+
+
+@pytest.mark.parametrize(
+    ("text", "values"),
+    [
+        ("seed=1:3", ["1", "2", "3"]),
+        ("mu=0.3:1.0:3", ["0.3", "0.65", "1"]),
+        ("world=a,b", ["a", "b"]),
+        ("seed=4", ["4"]),
+    ],
+)
+def test_variation_stands_for_values(text, values):
+    assert [each.value for each in parse_variation(text)] == values
+
+
+@pytest.mark.parametrize(
+    ("text", "problem"),
+    [
+        ("mu=a:b:3", "'mu=a:b:3': could not convert"),
+        ("seed=5:1", "'seed=5:1' stands for 0 values"),
+        ("mu=0:1:1000000", "'mu=0:1:1000000' stands for 1000000 values"),
+    ],
+)
+def test_bad_variation_is_answered(text, problem):
+    with pytest.raises(ScenarioError, match=problem):
+        parse_variation(text)
+
+
+def test_every_value_meets_every_other():
+    pairs = list(combinations([parse_variation("mu=1,2"), parse_variation("seed=1:2")]))
+    assert [folder_name(pair) for pair in pairs] == [
+        "mu=1,seed=1",
+        "mu=1,seed=2",
+        "mu=2,seed=1",
+        "mu=2,seed=2",
+    ]
+
+
+def test_folder_has_a_name_that_every_system_takes():
+    assert folder_name([Setting("world", "../a b.world"), parse_setting("x=1")]) == "world=.._a_b.world,x=1"

@@ -57,7 +57,8 @@ def test_check_answers_every_bad_file(capsys, tmp_path):
 def test_unknown_scenario_is_answered_with_the_known_ones(capsys, command):
     assert cli.main([command, "nowhere"]) == 2
     err = capsys.readouterr().err
-    assert "no scenario 'nowhere'; there are: blocked_road, boxes_on_the_road, circuit1, circuit1_three_laps" in err
+    names = "blocked_road, boxes_on_the_road, circuit1, circuit1_three_laps"
+    assert f"no scenario 'nowhere'; there are: {names}" in err
 
 
 def test_nothing_runs_if_one_of_several_is_unknown(capsys):

@@ -169,9 +169,7 @@ def test_hang_is_an_error_after_the_wall_limit(tmp_path):
     wanted = scenario()
     hanging = type(wanted)(**{**vars(wanted), "limits": Limits(timeout=10.0, wall=3.0)})
     result = result_of(FakeRun(tmp_path, hanging).records(2.0).prints("waiting"))
-    assert result["reason"] == (
-        "runner: not decided after 3 s of wall time (limits.wall), 2.000 s simulated"
-    )
+    assert result["reason"] == ("runner: not decided after 3 s of wall time (limits.wall), 2.000 s simulated")
     assert result["culprit"]["log_lines"] == ["waiting"]
 
 

@@ -15,8 +15,9 @@ from f1tenth_scenarios.observations import RaceState, RaceUpdate
 from f1tenth_scenarios.replay_recorder import ReplayRecorder
 from f1tenth_scenarios.ros_node_kill import kill_node, node_pid
 from f1tenth_scenarios.ros_watch import RosWatch
-from f1tenth_scenarios.scenario import Car, Fault, Limits, Scenario, Verdict
+from f1tenth_scenarios.scenario import Box, Car, Fault, Limits, Push, Scenario, Verdict
 from gazebo_msgs.msg import ModelStates
+from gazebo_msgs.srv import GetModelState, GetModelStateResponse, SetModelState, SetModelStateResponse
 from geometry_msgs.msg import Pose, PoseStamped
 from nav_msgs.msg import Path
 from rosgraph_msgs.msg import Clock
@@ -29,10 +30,18 @@ PATIENCE = 20.0  # wall s
 VICTIM = "robot1/move_base"
 
 
-def scenario(faults=(), lockstep=True):
+def scenario(faults=(), lockstep=True, **others):
     cars = (Car("robot1", goals="circuit1"),)
     return Scenario(
-        "a test", "circuit1", cars, Limits(9.0), Verdict.ERROR, 1, lockstep=lockstep, faults=tuple(faults)
+        "a test",
+        "circuit1",
+        cars,
+        Limits(9.0),
+        Verdict.ERROR,
+        1,
+        lockstep=lockstep,
+        faults=tuple(faults),
+        **others,
     )
 
 
@@ -82,6 +91,26 @@ class DirectorTest(unittest.TestCase):
     def test_unknown_node_cannot_be_killed(self):
         with pytest.raises(ScenarioError, match="cannot find robot1/nobody: "):
             kill_node("robot1/nobody")
+
+    def test_box_is_pushed_where_it_is(self):
+        asked = queue.SimpleQueue()
+        standing = GetModelStateResponse(pose=self._turned(), success=True)
+        rospy.Service("/gazebo/get_model_state", GetModelState, lambda request: standing)
+        rospy.Service(
+            "/gazebo/set_model_state",
+            SetModelState,
+            lambda request: asked.put(request.model_state) or SetModelStateResponse(success=True),
+        )
+        push = Push(at=1.0, speed=2.0, direction=3.141592653589793)
+        self._direct(scenario(boxes=(Box("crate", 0.0, 0.0, movable=True, pushes=(push,)),)))
+        self._tick(0.975)
+        assert self._answer() == 0.975
+        assert asked.empty()
+        self._tick(1.0)
+        assert self._answer() == 2147483647.0
+        state = asked.get(timeout=PATIENCE)
+        assert (state.model_name, state.pose) == ("crate", self._turned())
+        assert (round(state.twist.linear.x, 9), round(state.twist.linear.y, 9)) == (-2.0, 0.0)
 
     def test_status_of_the_race_is_heard_in_order(self):
         watch = RosWatch(scenario())

@@ -162,6 +162,16 @@ ANSWERS = {
         "    driver: pursuit\n    line: circuit1\n    dropped_beams: 0.1",
         "FILE:7: cars[0].dropped_beams is for the driver 'race' only",
     ),
+    "push of what stands fast": (
+        "seed: 1",
+        "seed: 1\nboxes: [{name: box, x: 1, y: 1, pushes: [{at: 1, speed: 1}]}]",
+        "FILE:10: boxes[0].pushes is for a box that is movable",
+    ),
+    "late push": (
+        "seed: 1",
+        "seed: 1\nboxes: [{name: box, x: 1, y: 1, movable: true, pushes: [{at: 11, speed: 1}]}]",
+        "FILE:10: boxes has a push after limits.timeout (10 s)",
+    ),
     "box like a car": (
         "seed: 1",
         "seed: 1\nboxes: [{name: robot1, x: 1, y: 1}]",

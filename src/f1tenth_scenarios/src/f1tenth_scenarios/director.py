@@ -1,4 +1,4 @@
-"""Breaks what the scenario wants broken, at the simulated time at which it wants it."""
+"""Breaks and pushes what the scenario wants broken or pushed, at the simulated time at which it wants it."""
 
 import queue
 import threading
@@ -13,7 +13,21 @@ from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.observations import Failure
 from f1tenth_scenarios.participants import DIRECTOR, participants
 from f1tenth_scenarios.ros_node_kill import kill_node
+from f1tenth_scenarios.ros_push import push_model
 from f1tenth_scenarios.scenario import Scenario
+
+
+def _kills(scenario):
+    return [(fault.at, lambda fault=fault: kill_node(fault.kill)) for fault in scenario.faults]
+
+
+def _pushes(scenario):
+    return [
+        (push.at, lambda name=box.name, push=push: push_model(name, push))
+        for box in scenario.boxes
+        for push in box.pushes
+    ]
+
 
 # docs/lockstep.md: a participant with this stamp is not waited for any more.
 _FAR_FUTURE = rospy.Time(2147483647)
@@ -25,9 +39,7 @@ class Director:
     def __init__(self, scenario: Scenario):
         self.failure: Optional[Failure] = None
         self._lockstep = scenario.lockstep
-        self._agenda = Agenda(
-            (fault.at, lambda fault=fault: kill_node(fault.kill)) for fault in scenario.faults
-        )
+        self._agenda = Agenda([*_kills(scenario), *_pushes(scenario)])
         self._gate = PeriodGate({fault.kill for fault in scenario.faults} & set(participants(scenario)))
         self._inbox: queue.SimpleQueue = queue.SimpleQueue()
         self._done = rospy.Publisher("/sim2d/done", Header, queue_size=10)

@@ -15,7 +15,7 @@ def participants(scenario: Scenario) -> list[str]:
     names = [name for car in scenario.cars for name in _of_car(car)]
     if any(car.driver is Driver.RACE for car in scenario.cars):
         names.append(STARTER)
-    if scenario.faults:
+    if scenario.has_events:
         names.append(DIRECTOR)
     return names
 

@@ -39,7 +39,7 @@ class RosWatch:
         self._collided: set[str] = set()
         self._subscribers += [self._subscribe_collision(car.name) for car in scenario.cars]
         self._replay = ReplayRecorder([car.name for car in scenario.cars])
-        self._director = Director(scenario) if scenario.faults else None
+        self._director = Director(scenario) if scenario.has_events else None
 
     def take(self) -> list[RaceUpdate]:
         """The updates since the last call, in the order of their arrival."""

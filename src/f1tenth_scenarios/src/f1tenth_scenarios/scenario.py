@@ -111,6 +111,15 @@ class Car:
 
 
 @dataclasses.dataclass(frozen=True)
+class Push:
+    """A velocity that a box is given."""
+
+    at: float = key("Simulated time at which it happens.", unit="s", at_least=0)
+    speed: float = key("How fast the box is then; the ground brakes it.", unit="m/s", above=0)
+    direction: float = key("In which direction of the map frame.", unit="rad", default=0.0)
+
+
+@dataclasses.dataclass(frozen=True)
 class Box:
     """A box on the ground that is in no map."""
 
@@ -123,6 +132,13 @@ class Box:
     height: float = key("Size.", unit="m", above=0, default=0.5)
     movable: bool = key("Whether it can be pushed.", default=False)
     mass: float = key("Mass, if it can be pushed.", unit="kg", above=0, default=1.0)
+    pushes: tuple[Push, ...] = key("When and how it is pushed during the run.", default=())
+
+    def problem(self) -> Problem:
+        """What is wrong between the keys: the key and the text, or nothing."""
+        if self.pushes and not self.movable:
+            return "pushes", "is for a box that is movable"
+        return None
 
 
 @dataclasses.dataclass(frozen=True)
@@ -261,7 +277,14 @@ class Scenario:
             return "course", "is missing; the criterion 'off_course' needs it"
         if any(fault.at > self.limits.timeout for fault in self.faults):
             return "faults", f"has a time after limits.timeout ({self.limits.timeout:g} s)"
+        if any(push.at > self.limits.timeout for box in self.boxes for push in box.pushes):
+            return "boxes", f"has a push after limits.timeout ({self.limits.timeout:g} s)"
         return None
+
+    @property
+    def has_events(self) -> bool:
+        """Whether something is to be done during the run."""
+        return bool(self.faults) or any(box.pushes for box in self.boxes)
 
 
 def read_scenario(path: Path, change: Callable[[yaml.MappingNode], None] = lambda root: None) -> Scenario:

@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Optional, TextIO
 
-from f1tenth_scenarios import sweep_table
 from f1tenth_scenarios.batch import Job, run_job, summary_row
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan import make_plan
@@ -82,6 +81,9 @@ def _job(name: str, settings: Sequence[Setting], results: Path) -> Job:
 
 
 def _write(name, rows, varied, results):
+    # Imported late: matplotlib takes longer than everything else that the command does.
+    from f1tenth_scenarios import sweep_table
+
     folder = results / "sweep" / name
     sweep_table.write_table(folder / sweep_table.TABLE_FILE, rows)
     sweep_table.write_picture(folder / sweep_table.PICTURE_FILE, name, rows, varied)

@@ -1,5 +1,7 @@
 """One run of a scenario: start, watch, end, judge, keep."""
 
+import importlib
+import threading
 import time
 from collections.abc import Mapping, Sequence
 from typing import Callable
@@ -12,7 +14,6 @@ from f1tenth_scenarios.laps import lap_times
 from f1tenth_scenarios.launch_file import write_launch_file
 from f1tenth_scenarios.measured import Measured
 from f1tenth_scenarios.observations import Failure, Observations
-from f1tenth_scenarios.picture import write_picture
 from f1tenth_scenarios.plan import Plan
 from f1tenth_scenarios.processes import ProcessTree
 from f1tenth_scenarios.record import Record, read_record
@@ -62,6 +63,7 @@ def _observe(plan, command, environment, make_watch, stop, progress):
     watch = make_watch()
     try:
         tree = ProcessTree(command, plan.launch_log, environment)
+        threading.Thread(target=_import_picture, daemon=True).start()
         try:
             supervisor = Supervisor(plan, tree, watch, stop, progress)
             failure = supervisor.wait()
@@ -79,6 +81,11 @@ def _read_record(plan, failure):
         return read_record(plan.record_file), failure
     except ScenarioError as error:
         return Record({}), failure or Failure("sim2d", str(error))
+
+
+def _import_picture():
+    """Matplotlib takes a second to import: while the nodes start, nobody waits for it."""
+    return importlib.import_module("f1tenth_scenarios.picture")
 
 
 def _judge(plan, seen, heard, wall_time, real_time_factor) -> Result:
@@ -100,7 +107,7 @@ def _write(plan: Plan, done: Result, heard: Recording) -> None:
     track_map = read_track_map(plan.map) if plan.map else None
     lines = (f"{done.judgement.decision.verdict.value}: {done.reason}", _facts(done))
     picture = plan.folder / result.PICTURE_FILE
-    write_picture(picture, plan.name, lines, done.judgement.record, plan.goals, track_map)
+    _import_picture().write_picture(picture, plan.name, lines, done.judgement.record, plan.goals, track_map)
     replay = make_replay(plan.run_world, plan.goals, heard).until(done.judgement.decision.stamp)
     write_replay(plan.folder / REPLAY_FILE, replay)
     # Last, because who sees a result.json may rely on the other files.

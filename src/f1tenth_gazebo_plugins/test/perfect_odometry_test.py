@@ -92,6 +92,12 @@ class PerfectOdometryTest(unittest.TestCase):
         assert list(stamps) == [n * SECOND // 50 for n in range(1, 51)]
         assert truth.messages["/robot1/truth"][0].header.frame_id == "robot1/origin"
 
+    def test_simulator_with_the_plugin_ends_in_peace(self):
+        self.start(car_description(perfect_odometry()))
+        self.run_until(PERIOD)
+        assert self.sim2d.stop() == 0, self.sim2d.stderr
+        assert "class_loader" not in self.sim2d.stderr
+
     def test_wrong_tag_ends_the_simulator_with_one_line(self):
         self.start(car_description(perfect_odometry(robotBaseFrame="base")))
         assert self.sim2d.wait() == 2

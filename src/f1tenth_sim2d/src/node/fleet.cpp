@@ -32,7 +32,7 @@ bool contains(const std::vector<std::string> & names, const std::string & name)
 }
 }  // namespace
 
-Fleet::Fleet(const Surroundings & surroundings) : around_(surroundings), plugins_(pluginFoldersFromEnvironment()) {}
+Fleet::Fleet(const Surroundings & surroundings) : around_(surroundings) {}
 
 ros::NodeHandle Fleet::nodeOf(const Car & car) const
 {
@@ -124,7 +124,7 @@ void Fleet::addPlugins(const Car & car, CarOutputs & outputs)
     car.parameters.frame_prefix,
     around_.parameters.odometry == OdometryOwner::kPerfect};
   for (const auto & element : around_.simulation.car(car.index).plugins) {
-    if (auto plugin = plugins_.make(element, context)) {
+    if (auto plugin = around_.plugins.make(element, context)) {
       outputs.others.push_back(std::make_unique<PluginOutput>(std::move(plugin)));
     }
   }

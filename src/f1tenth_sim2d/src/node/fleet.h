@@ -30,6 +30,7 @@ public:
     SimulatedWorld & world;
     Outbox & outbox;
     TransformBatch & transforms;
+    PluginHost & plugins;       ///< must outlive the world, which holds the plugins
     LockstepBarrier * barrier;  ///< null outside lockstep
   };
 
@@ -57,7 +58,6 @@ private:
   ros::NodeHandle nodeOf(const Car & car) const;
 
   const Surroundings around_;
-  PluginHost plugins_;
   std::vector<std::unique_ptr<Car>> cars_;  // others refer to their index
 };
 }  // namespace f1tenth_sim2d

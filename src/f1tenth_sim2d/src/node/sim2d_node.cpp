@@ -29,10 +29,12 @@ Sim2dNode::Sim2dNode(const NodeParameters & parameters)
   flow_(outbox_, queue_, {true, parameters.silent_subscriber_timeout_sec}),
   transforms_(outbox_, node_),
   scene_(buildScene(parameters)),
+  plugins_(pluginFoldersFromEnvironment()),
   world_(scene_.simulation, transforms_, parameters.control_period_sec, parameters.record_file),
   clock_(outbox_, node_),
   barrier_(makeBarrier()),
-  fleet_({parameters_, scene_.gravity, node_, scene_.simulation, world_, outbox_, transforms_, barrier_.get()}),
+  fleet_(
+    {parameters_, scene_.gravity, node_, scene_.simulation, world_, outbox_, transforms_, plugins_, barrier_.get()}),
   models_(node_, scene_.simulation, fleet_),
   world_services_(
     node_, scene_.simulation, scene_.gravity, control_, {[this] { restart(); }, [this] { world_.resetPoses(); }})

@@ -14,6 +14,7 @@
 #include "lockstep_barrier.h"
 #include "node_parameters.h"
 #include "outbox.h"
+#include "plugin_host.h"
 #include "run_result.h"
 #include "scene.h"
 #include "simulated_world.h"
@@ -50,6 +51,7 @@ private:
   FlowControl flow_;
   TransformBatch transforms_;
   Scene scene_;
+  PluginHost plugins_;  // before the world, which holds what they make
   SimulatedWorld world_;
   TimeControl control_;
   ClockPublisher clock_;

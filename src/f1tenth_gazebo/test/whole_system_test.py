@@ -30,7 +30,12 @@ STAMPED = {
     "bumper_right": ContactsState,
 }
 # Inputs that nobody uses while nobody drives.
-OPEN_INPUTS = {f"/{CAR}/{topic}" for topic in ("drive", "move_base_simple/goal", "move_base/cancel")}
+OPEN_INPUTS = {
+    f"/{CAR}/drive",
+    f"/{CAR}/move_base/cancel",
+    f"/{CAR}/move_base_simple/goal",
+    "/gazebo/set_model_state",
+}
 
 
 class Collector:

@@ -59,7 +59,7 @@ def test_run_that_could_not_begin_fails_the_verdict():
 @pytest.mark.parametrize(
     ("name", "message"),
     [
-        ("nowhere", "no scenario 'nowhere'; there are: circuit1"),
+        ("nowhere", "no scenario 'nowhere'; there are: "),
         ("/nowhere.yaml", "/nowhere.yaml: cannot be read"),
     ],
 )

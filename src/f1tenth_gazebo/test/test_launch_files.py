@@ -189,7 +189,7 @@ def test_gazebo_takes_the_place_of_the_simulator(tmp_path, monkeypatch):
         '<launch><arg name="world_name"/><arg name="gui"/>'
         '<node pkg="gazebo_ros" type="gzserver" name="gazebo" args="$(arg world_name)"/></launch>'
     )
-    monkeypatch.setenv("ROS_PACKAGE_PATH", f"{PACKAGE.parent}:{tmp_path}")
+    monkeypatch.setenv("ROS_PACKAGE_PATH", f"{tmp_path}:{PACKAGE.parent}")
     monkeypatch.setattr(substitution_args, "_rospack", None)  # else it remembers the packages of other tests
     config = load("sim_one_car.launch", "simulator:=gazebo", "y:=0.5")
     (server,) = [node for node in config.nodes if node.type == "gzserver"]

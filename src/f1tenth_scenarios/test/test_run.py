@@ -187,11 +187,13 @@ def test_signal_ends_the_run_and_leaves_a_result(tmp_path):
 
 def test_nothing_is_left_behind(tmp_path):
     run = succeeding(tmp_path)
+    # Other tests of this process may have started helpers that live as long as it does.
+    before = psutil.Process().children(recursive=True)
     run.execute()
     assert sorted(path.name for path in run.plan.folder.iterdir()) == [
         ".lock", "log", "replay.json.gz", "result.json", "trajectory.csv", "trajectory.png",
     ]  # fmt: skip
-    assert psutil.Process().children(recursive=True) == []
+    assert set(psutil.Process().children(recursive=True)) <= set(before)
     assert run.watch.closed
 
 

@@ -172,6 +172,23 @@ def test_measure_is_held_against_its_limit(tmp_path, name):
     assert results(limited(**{name: missed}), run, **measured)[name].status is Status.FAILED
 
 
+@pytest.mark.parametrize(
+    ("speeds", "status", "actual"),
+    [
+        ((0.0, 2.0, 0.1), Status.PASSED, 0.1),
+        ((0.0, 2.0, 1.0), Status.FAILED, 1.0),
+        ((0.0, 0.2, 0.1), Status.FAILED, None),
+    ],
+)
+def test_car_that_is_to_stop_must_slow_down_after_it_was_faster(tmp_path, speeds, status, actual):
+    table = list(rows(0.075))
+    for row, speed in zip(table, speeds):
+        row[5] = speed
+    run = seen(record(tmp_path, table), aborted(0.075))
+    found = results(limited(Verdict.ABORTED, slows_to=0.3), run)["slows_to"]
+    assert (found.status, found.actual, found.limit) == (status, actual, 0.3)
+
+
 @pytest.mark.parametrize("name", MEASURES)
 def test_measure_that_is_missing_fails(name):
     run = seen(Record({}), aborted(0.0))

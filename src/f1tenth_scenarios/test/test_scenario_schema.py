@@ -9,7 +9,7 @@ TOP_KEYS = (
     "description, world, cars, limits, expected, seed, culprit, reason, course, start_line, laps,"
     " time_to_start, lockstep, real_time_factor, boxes, criteria, faults"
 )
-CAR_KEYS = "name, start, driver, goals, line, speed_max, commands, mu, dropped_beams"
+CAR_KEYS = "name, start, driver, goals, line, speed_max, commands, mu, dropped_beams, input_faults"
 
 
 def write(tmp_path, text):
@@ -161,6 +161,42 @@ ANSWERS = {
         "    goals: circuit1",
         "    driver: pursuit\n    line: circuit1\n    dropped_beams: 0.1",
         "FILE:7: cars[0].dropped_beams is for the driver 'race' only",
+    ),
+    "input fault of no planner": (
+        "    goals: circuit1",
+        "    driver: pursuit\n    line: circuit1\n    input_faults: [{inputs: [scan], at: 1, until: 2}]",
+        "FILE:7: cars[0].input_faults is for the driver 'race' only",
+    ),
+    "fault of an unknown input": (
+        "    goals: circuit1",
+        "    goals: circuit1\n    input_faults: [{inputs: [imu], at: 1, until: 2}]",
+        "FILE:6: cars[0].input_faults[0].inputs[0] is 'imu'; allowed: scan, odom, tf",
+    ),
+    "fault of no input": (
+        "    goals: circuit1",
+        "    goals: circuit1\n    input_faults: [{inputs: [], at: 1, until: 2}]",
+        "FILE:6: cars[0].input_faults[0].inputs is empty; allowed: scan, odom, tf",
+    ),
+    "input fault that ends before it begins": (
+        "    goals: circuit1",
+        "    goals: circuit1\n    input_faults: [{inputs: [tf], at: 2, until: 2}]",
+        "FILE:6: cars[0].input_faults[0].until is 2, must be after 'at' (2 s)",
+    ),
+    "input faults at once": (
+        "    goals: circuit1",
+        "    goals: circuit1\n    input_faults:\n      - {inputs: [scan, odom], at: 3, until: 5}\n"
+        "      - {inputs: [odom], at: 1, until: 4, delay: 0.1}",
+        "FILE:7: cars[0].input_faults overlap for 'odom'",
+    ),
+    "input fault of a scan that loses beams": (
+        "    goals: circuit1",
+        "    goals: circuit1\n    dropped_beams: 0.1\n    input_faults: [{inputs: [scan], at: 1, until: 2}]",
+        "FILE:7: cars[0].input_faults cannot concern a scan with 'dropped_beams'",
+    ),
+    "late input fault": (
+        "    goals: circuit1",
+        "    goals: circuit1\n    input_faults: [{inputs: [scan], at: 11, until: 12}]",
+        "FILE:4: cars has an input fault after limits.timeout (10 s)",
     ),
     "push of what stands fast": (
         "seed: 1",

@@ -40,6 +40,7 @@ def test_launch_file_starts_what_the_scenario_says(plan):
     assert "sim2d" in nodes
     for car in plan.scenario.cars:
         driven_by = {"move_base", "race_mgr"} if car.driver is Driver.RACE else {DRIVER_NODES[car.driver]}
+        driven_by |= {"faulty_inputs"} if car.input_faults else set()
         driven_by |= {"beam_dropper"} if car.dropped_beams else set()
         assert {f"{car.name}/{node}" for node in driven_by} <= nodes
     assert ("race_starter" in nodes) == bool(plan.goals)
@@ -71,6 +72,15 @@ def test_launch_file_hands_the_scenario_to_the_drivers(plan):
         if car.dropped_beams:
             (planner,) = (node for node in config.nodes if node.name == "move_base")
             assert ["scan", "scan_dropped"] in planner.remap_args
+        for fault in car.input_faults:
+            (planner,) = (node for node in config.nodes if node.name == "move_base")
+            topics = {"scan": "scan", "odom": "odom", "tf": "/tf"}
+            for name in fault.inputs:
+                assert [topics[name.value], f"{name.value}_faulty"] in planner.remap_args
+            assert {"input": fault.inputs[0].value, "at": fault.at, "until": fault.until} in [
+                {key: each[key] for key in ("input", "at", "until")}
+                for each in parameters[f"/{car.name}/faulty_inputs/faults"]
+            ]
 
 
 def test_command_names_the_launch_file(plan):

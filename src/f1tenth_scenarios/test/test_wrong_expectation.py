@@ -20,6 +20,6 @@ def test_each_wrong_expectation_is_a_failure_in_junit(tmp_path, monkeypatch):
     cases = list(ElementTree.parse(junit).getroot().iter("testcase"))
     failed = {case.get("name") for case in cases if case.find("failure") is not None}
     assert failed == {case.get("name") for case in cases} - NOT_FAILED
-    assert len(failed) == 12
+    assert len(failed) == 13
     (verdict,) = (case for case in cases if case.get("name") == "test_verdict")
     assert "robot1 touched circuit1 at" in verdict.find("failure").text

@@ -24,6 +24,7 @@ _WITH_LIMIT = (
     driving_criteria.lateral_acceleration,
     driving_criteria.off_course,
     driving_criteria.standstill,
+    driving_criteria.slows_to,
     run_criteria.localization_error,
     run_criteria.localization_yaw_error,
     run_criteria.real_time_factor,

@@ -66,6 +66,19 @@ def standstill(scenario: Scenario, judgement: Judgement, measured: Measured) -> 
     return _at_most(scenario, "standstill", actual, "s", text)
 
 
+def slows_to(scenario: Scenario, judgement: Judgement, _measured: Measured) -> Criterion:
+    """How slow each car became after it had been faster than the limit."""
+    limit = scenario.criteria.slows_to
+    speeds = [
+        (float(track.speed[np.argmax(track.speed > limit) :].min()), track.car)
+        for track in _tracks(judgement)
+        if (track.speed > limit).any()
+    ]
+    actual, car = max(speeds, default=(None, ""))
+    text = "" if actual is None else f"{car} slowed down to {actual:.3f} m/s"
+    return _at_most(scenario, "slows_to", actual, "m/s", text, missing="no car was faster")
+
+
 def _tracks(judgement) -> Iterator[CarTrack]:
     return (track for track in judgement.record.tracks.values() if len(track.time))
 

@@ -1,12 +1,13 @@
 """The launch file of a run: one that a person can start again with `roslaunch log/run.launch`."""
 
+import json
 import xml.etree.ElementTree as ElementTree
 from typing import Any
 
 from f1tenth_scenarios import places
 from f1tenth_scenarios.participants import participants
 from f1tenth_scenarios.plan import Plan
-from f1tenth_scenarios.scenario import Car, Driver
+from f1tenth_scenarios.scenario import Car, Driver, Input
 from f1tenth_scenarios.scenario_world import write_world
 
 # wall s that a node has after SIGINT, and then after SIGTERM
@@ -70,8 +71,20 @@ def _car_arguments(plan: Plan, car: Car) -> dict[str, Any]:
         "start_at": plan.scenario.time_to_start + _START_MARGIN if plan.goals else 0.0,
         "vehicle": plan.vehicle_file(car.name) if car.mu is not None else "",
         "dropped_beams": car.dropped_beams,
+        "faulty_inputs": " ".join(each.value for each in Input if car.faults_of(each)),
+        "input_faults": json.dumps(_faults(car)),
         "seed": plan.scenario.seed,
     }
+
+
+def _faults(car: Car) -> list[dict[str, Any]]:
+    """The parameter `faults` of the node `faulty_inputs`."""
+    faults = [(each.value, fault) for each in Input for fault in car.faults_of(each)]
+    return [
+        {"input": name, "at": fault.at, "until": fault.until}
+        | ({} if fault.delay is None else {"delay": fault.delay})
+        for name, fault in faults
+    ]
 
 
 def _include(launch: ElementTree.Element, name: str, arguments: dict[str, Any]) -> None:

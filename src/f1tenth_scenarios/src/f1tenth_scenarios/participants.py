@@ -23,5 +23,7 @@ def participants(scenario: Scenario) -> list[str]:
 def _of_car(car):
     if car.driver is not Driver.RACE:
         return [car.name]
-    names = [f"{car.name}/move_base", f"{car.name}/race_mgr"]
-    return [*names, f"{car.name}/beam_dropper"] if car.dropped_beams else names
+    nodes = ["move_base", "race_mgr"]
+    nodes += ["beam_dropper"] if car.dropped_beams else []
+    nodes += ["faulty_inputs"] if car.input_faults else []
+    return [f"{car.name}/{node}" for node in nodes]

@@ -52,6 +52,34 @@ class Command:
     )
 
 
+class Input(enum.Enum):
+    """What a planner drives by."""
+
+    SCAN = "scan"
+    ODOM = "odom"
+    TF = "tf"
+
+
+@dataclasses.dataclass(frozen=True)
+class InputFault:
+    """A time in which inputs of a planner come late or not at all."""
+
+    inputs: tuple[Input, ...] = key("What is concerned: the lidar, the odometry, the transforms.")
+    at: float = key("Simulated time at which it begins.", unit="s", at_least=0)
+    until: float = key("Simulated time at which it is over.", unit="s", above=0)
+    delay: Optional[float] = key(
+        "By how much each message is late; none: all are lost.", unit="s", above=0, default=None
+    )
+
+    def problem(self) -> Problem:
+        """What is wrong between the keys: the key and the text, or nothing."""
+        if not self.inputs:
+            return "inputs", f"is empty; allowed: {', '.join(each.value for each in Input)}"
+        if self.until <= self.at:
+            return "until", f"is {self.until:g}, must be after 'at' ({self.at:g} s)"
+        return None
+
+
 @dataclasses.dataclass(frozen=True)
 class Car:
     """One car of a scenario."""
@@ -87,6 +115,7 @@ class Car:
     dropped_beams: float = key(
         "Probability of each beam of the planner's lidar to be lost.", at_least=0, at_most=1, default=0.0
     )
+    input_faults: tuple[InputFault, ...] = key("When the planner's inputs fail.", default=())
 
     def problem(self) -> Problem:
         """What is wrong between the keys: the key and the text, or nothing."""
@@ -104,9 +133,25 @@ class Car:
             return "speed_max", "is for the drivers 'race' and 'pursuit'"
         if self.dropped_beams and self.driver is not Driver.RACE:
             return "dropped_beams", "is for the driver 'race' only"
+        if self.input_faults and self.driver is not Driver.RACE:
+            return "input_faults", "is for the driver 'race' only"
         times = [command.at for command in self.commands]
         if times != sorted(set(times)):
             return "commands", "must be in order of time ('at'), each time once"
+        return self._problem_of_inputs()
+
+    def faults_of(self, name: Input) -> list[InputFault]:
+        """What befalls an input, in order of time."""
+        faults = (fault for fault in self.input_faults if name in fault.inputs)
+        return sorted(faults, key=lambda fault: fault.at)
+
+    def _problem_of_inputs(self) -> Problem:
+        if self.dropped_beams and self.faults_of(Input.SCAN):
+            return "input_faults", "cannot concern a scan with 'dropped_beams'"
+        for name in Input:
+            faults = self.faults_of(name)
+            if any(later.at < earlier.until for earlier, later in zip(faults, faults[1:])):
+                return "input_faults", f"overlap for '{name.value}'"
         return None
 
 
@@ -193,6 +238,12 @@ class Criteria:
     standstill: Optional[float] = key(
         "No car may stand still for longer after the start.", unit="s", at_least=0, default=None
     )
+    slows_to: Optional[float] = key(
+        "Each car must, once it has been faster, come down to this speed; a car that is to stop.",
+        unit="m/s",
+        above=0,
+        default=None,
+    )
     localization_error: Optional[float] = key(
         "Largest distance between `amcl_pose` and the truth (RMS).", unit="m", above=0, default=None
     )
@@ -277,6 +328,8 @@ class Scenario:
             return "course", "is missing; the criterion 'off_course' needs it"
         if any(fault.at > self.limits.timeout for fault in self.faults):
             return "faults", f"has a time after limits.timeout ({self.limits.timeout:g} s)"
+        if any(fault.at > self.limits.timeout for car in self.cars for fault in car.input_faults):
+            return "cars", f"has an input fault after limits.timeout ({self.limits.timeout:g} s)"
         if any(push.at > self.limits.timeout for box in self.boxes for push in box.pushes):
             return "boxes", f"has a push after limits.timeout ({self.limits.timeout:g} s)"
         return None

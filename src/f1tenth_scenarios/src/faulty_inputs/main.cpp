@@ -1,0 +1,96 @@
+#include <nav_msgs/Odometry.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <sensor_msgs/LaserScan.h>
+#include <sim2d_lockstep/participant.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <iostream>
+#include <memory>
+
+#include "fault_parameters.h"
+#include "relay.h"
+
+namespace
+{
+using f1tenth_scenarios::InputFault;
+using f1tenth_scenarios::Relay;
+using f1tenth_scenarios::TopicRelay;
+using Relays = std::vector<std::unique_ptr<Relay>>;
+
+const ros::WallDuration kPatience{0.1};
+const ros::WallDuration kPoll{0.002};
+
+std::unique_ptr<Relay> makeRelay(ros::NodeHandle & node, const std::string & input, std::vector<InputFault> faults)
+{
+  if (input == "scan") {
+    return std::make_unique<TopicRelay<sensor_msgs::LaserScan>>(node, "scan", "scan_faulty", std::move(faults));
+  }
+  if (input == "odom") {
+    return std::make_unique<TopicRelay<nav_msgs::Odometry>>(node, "odom", "odom_faulty", std::move(faults));
+  }
+  return std::make_unique<TopicRelay<tf2_msgs::TFMessage>>(node, "/tf", "tf_faulty", std::move(faults));
+}
+
+Relays makeRelays(ros::NodeHandle & node)
+{
+  XmlRpc::XmlRpcValue list;
+  ros::param::get("~faults", list);
+  Relays relays;
+  for (auto & [input, faults] : f1tenth_scenarios::readFaults(list)) {
+    relays.push_back(makeRelay(node, input, std::move(faults)));
+  }
+  return relays;
+}
+
+void passOn(const Relays & relays, const ros::Time & now)
+{
+  ros::getGlobalCallbackQueue()->callAvailable();
+  for (const auto & relay : relays) {
+    relay->passOn(now);
+  }
+}
+
+void spin(const Relays & relays)
+{
+  while (ros::ok()) {
+    ros::getGlobalCallbackQueue()->callAvailable(kPoll);
+    passOn(relays, ros::Time::now());
+  }
+}
+
+// Until its first answer the planner needs its inputs at once, to become ready.
+void spinInLockstep(const Relays & relays, const std::string & planner)
+{
+  sim2d_lockstep::Participant participant(ros::this_node::getName().substr(1), {planner});
+  bool planner_ready = false;
+  while (ros::ok()) {
+    const auto stamp = participant.waitForPeriod(kPatience);
+    if (stamp || !planner_ready) {
+      passOn(relays, stamp.value_or(ros::Time::now()));
+    }
+    if (stamp) {
+      planner_ready = true;
+      participant.done(*stamp);
+    }
+  }
+}
+}  // namespace
+
+int main(int argc, char ** argv)
+{
+  ros::init(argc, argv, "faulty_inputs");
+  ros::NodeHandle node;
+  try {
+    const Relays relays = makeRelays(node);
+    if (ros::param::param("~lockstep", false)) {
+      spinInLockstep(relays, ros::param::param<std::string>("~planner", "move_base"));
+    } else {
+      spin(relays);
+    }
+  } catch (const f1tenth_scenarios::FaultParameterError & error) {
+    std::cerr << "faulty_inputs: " << error.what() << std::endl;
+    return 1;
+  }
+  return 0;
+}

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 from f1tenth_gazebo.goal_collector import goal_of
-from f1tenth_gazebo.goal_markers import goal_markers
+from f1tenth_navigation.goal_markers import goal_markers
 from geometry_msgs.msg import PoseStamped
 from PIL import Image
 from test_create_map import free_port
@@ -110,4 +110,4 @@ def test_markers_are_numbered_from_one():
     markers = goal_markers([pose(1.0, 2.0, 0.0), pose(3.0, 2.0, 1.0)]).markers
     assert [marker.text for marker in markers if marker.ns == "numbers"] == ["1", "2"]
     assert [marker.pose.position.x for marker in markers if marker.ns == "arrows"] == [1.0, 3.0]
-    assert len({(marker.ns, marker.id) for marker in markers}) == 4
+    assert len({(marker.ns, marker.id) for marker in markers if marker.action == marker.ADD}) == 4

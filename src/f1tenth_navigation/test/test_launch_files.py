@@ -102,10 +102,20 @@ def test_unknown_localization_is_refused_by_its_name():
 
 @pytest.mark.parametrize(("cars", "name"), [("1", "one_car.rviz"), ("2", "two_cars.rviz")])
 def test_rviz_shows_as_many_cars_as_asked_for(cars, name):
-    (node,) = load("rviz.launch", f"cars:={cars}").nodes
+    (node,) = (each for each in load("rviz.launch", f"cars:={cars}").nodes if each.name == "rviz")
     assert f"{PACKAGE}/rviz/{name}" in node.args
 
 
+@pytest.mark.parametrize(
+    ("arguments", "namespaces"),
+    [((), ["/robot1/"]), (("cars:=2",), ["/robot1/", "/robot2/"]), (("car_name:=ego",), ["/ego/"])],
+)
+def test_goals_and_contacts_of_each_car_are_marked(arguments, namespaces):
+    started = nodes(load("rviz.launch", *arguments))
+    assert [each[0] for each in started if each[3] == "race_markers"] == namespaces
+
+
 def test_rviz_takes_a_configuration_of_one_s_own():
-    (node,) = load("rviz.launch", "config:=/my own.rviz", "car_name:=ego").nodes
+    loaded = load("rviz.launch", "config:=/my own.rviz", "car_name:=ego").nodes
+    (node,) = (each for each in loaded if each.name == "rviz")
     assert node.args == "--config '/my own.rviz' --car-name 'ego' --frame-prefix 'ego/'"

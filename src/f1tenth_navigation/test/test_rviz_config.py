@@ -20,7 +20,9 @@ def displays(config):
 
 
 def topics(config):
-    return {display["Topic"] for display in displays(config) if "Topic" in display}
+    """Return the topics of all displays that are switched on."""
+    shown = [display for display in displays(config) if display.get("Enabled")]
+    return {display[key] for display in shown for key in ("Topic", "Marker Topic") if key in display}
 
 
 def goal_topics(config):
@@ -55,6 +57,9 @@ def test_every_configuration_shows_what_its_cars_see_and_want(path, cars):
             f"/{car}/move_base/global_plan",
             f"/{car}/move_base/local_plan",
             f"/{car}/move_base/local_costmap/costmap",
+            f"/{car}/move_base/global_costmap/costmap",
+            f"/{car}/goal_markers",
+            f"/{car}/contact_markers",
         } <= shown
     assert goal_topics(config) == [f"/{car}/move_base_simple/goal" for car in cars]
     models = [display for display in displays(config) if display["Class"] == "rviz/RobotModel"]

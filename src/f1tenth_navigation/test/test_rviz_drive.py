@@ -8,7 +8,7 @@ import pytest
 import rosgraph
 import rospy
 from actionlib_msgs.msg import GoalStatus
-from geometry_msgs.msg import PoseStamped
+from geometry_msgs.msg import PoseStamped, Twist, Vector3
 from move_base_msgs.msg import MoveBaseActionResult
 from nav_msgs.msg import Odometry
 from PIL import Image
@@ -30,6 +30,10 @@ COLOURS = {
     "scan": (255, 60, 60),
     "global plan": (0, 200, 80),
     "local plan": (255, 170, 0),
+    "global costmap": (194, 214, 215),
+    "local costmap": (116, 230, 231),
+    "numbered goal": (214, 25, 151),
+    "contact": (250, 225, 0),
 }
 TOPICS = {
     "/map",
@@ -37,6 +41,10 @@ TOPICS = {
     "/robot1/perfect_odom",
     "/robot1/move_base/global_plan",
     "/robot1/move_base/local_plan",
+    "/robot1/move_base/global_costmap/costmap",
+    "/robot1/move_base/local_costmap/costmap",
+    "/robot1/goal_markers",
+    "/robot1/contact_markers",
 }
 GOAL = (3.0, 5.0)  # m, half a lap from the start, where the driving direction is -x
 HALFWAY = 5.0  # m from the goal
@@ -64,6 +72,7 @@ class User:
         self.goal = Latest("/robot1/move_base_simple/goal", PoseStamped)
         self.result = Latest("/robot1/move_base/result", MoveBaseActionResult)
         self.closest_to_goal = math.inf  # m
+        self.velocity = rospy.Publisher("/robot1/cmd_vel", Twist, queue_size=1)
         rospy.Subscriber("/robot1/perfect_odom", Odometry, self.on_odometry)
 
     def on_odometry(self, message):
@@ -79,6 +88,11 @@ class User:
     def rviz_subscriptions(self):
         _, subscribers, _ = rosgraph.Master(rospy.get_name()).getSystemState()
         return {topic for topic, nodes in subscribers if "/rviz" in nodes}
+
+    def has_driven_into_the_wall(self):
+        """Keep on steering to the right until a contact is seen."""
+        self.velocity.publish(Twist(linear=Vector3(x=1.5), angular=Vector3(z=-1.0)))
+        return self.sees("contact")
 
     def sees(self, *things):
         self.screen.save_picture(self.picture)
@@ -111,6 +125,10 @@ def test_car_drives_to_the_place_that_is_clicked_on(user):
     assert abs(goal.orientation.z) > 0.99
 
     wait_until(lambda: user.closest_to_goal < HALFWAY, "the car is on its way")
-    wait_until(lambda: user.sees(*COLOURS), "both plans are in the picture")
+    wait_until(
+        lambda: user.sees(*COLOURS.keys() - {"contact"}), "plans, costmaps and goal are in the picture"
+    )
     assert user.result.get().status.status == GoalStatus.SUCCEEDED
     wait_until(lambda: user.closest_to_goal < 0.4, "the car was at its goal")
+
+    wait_until(user.has_driven_into_the_wall, "the contact is in the picture")

@@ -7,6 +7,7 @@ import pytest
 import rospy
 from actionlib_msgs.msg import GoalStatus
 from f1tenth_race_mgr.race import State
+from geometry_msgs.msg import PoseArray
 from std_srvs.srv import Trigger
 from support import (
     LIMIT,
@@ -57,6 +58,14 @@ def test_the_states_are_those_of_the_message():
     assert {state.name: int(state) for state in State} == {
         name: getattr(RaceStatus, name) for name in vars(RaceStatus) if name.isupper()
     }
+
+
+def test_goals_are_published_for_those_who_look_on(start, planner):
+    start("1 0 0\n2 0 3.1415926\n", wait_for_start=True)
+    goals = rospy.wait_for_message("/robot1/race_goals", PoseArray, LIMIT)
+    assert goals.header.frame_id == "map"
+    assert [(pose.position.x, pose.position.y) for pose in goals.poses] == [(1.0, 0.0), (2.0, 0.0)]
+    assert [round(pose.orientation.z, 6) for pose in goals.poses] == [0.0, 1.0]
 
 
 def test_waits_for_the_start_then_drives_to_every_goal_and_stays(start, planner):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Inputs get lost and come late in exactly their control periods; the test plays the simulator and the planner."""
+"""Inputs get lost and come late in exactly their control periods; the test is simulator and planner."""
 
 import queue
 import subprocess

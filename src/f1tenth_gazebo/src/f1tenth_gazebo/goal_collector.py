@@ -4,10 +4,10 @@ import math
 import sys
 
 import rospy
+from f1tenth_navigation.goal_markers import goal_markers
 from geometry_msgs.msg import PoseStamped
 from visualization_msgs.msg import MarkerArray
 
-from f1tenth_gazebo.goal_markers import goal_markers
 from f1tenth_navigation_mgr import Goal, GoalsFileError, save_goals_file
 
 

@@ -26,10 +26,9 @@ class TopicRelay : public Relay
 public:
   TopicRelay(ros::NodeHandle & node, const std::string & from, const std::string & to, std::vector<InputFault> faults)
   : line_(std::move(faults)),
-    publisher_(node.advertise<Message>(
-      to, kQueueSize, [this](const ros::SingleSubscriberPublisher & late) { repeat(late); })),
-    subscriber_(node.subscribe(
-      from, kQueueSize, &TopicRelay::onMessage, this, ros::TransportHints().tcpNoDelay()))
+    publisher_(
+      node.advertise<Message>(to, kQueueSize, [this](const ros::SingleSubscriberPublisher & late) { repeat(late); })),
+    subscriber_(node.subscribe(from, kQueueSize, &TopicRelay::onMessage, this, ros::TransportHints().tcpNoDelay()))
   {
   }
 

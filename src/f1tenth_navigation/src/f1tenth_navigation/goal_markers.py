@@ -7,8 +7,8 @@ LENGTH, WIDTH, HEIGHT = 0.6, 0.12, 0.4
 
 
 def goal_markers(poses):
-    """A MarkerArray of an arrow and a number, counted from 1, for each PoseStamped."""
-    markers = MarkerArray()
+    """A MarkerArray of an arrow and a number, from 1, for each PoseStamped; it replaces the one before."""
+    markers = MarkerArray(markers=[Marker(action=Marker.DELETEALL)])
     for number, pose in enumerate(poses, 1):
         markers.markers += [_arrow(number, pose), _number(number, pose)]
     return markers

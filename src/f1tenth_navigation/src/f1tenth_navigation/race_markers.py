@@ -1,0 +1,56 @@
+"""The node race_markers: goals with their numbers and contacts of a car, for rviz."""
+
+import rospy
+from gazebo_msgs.msg import ContactsState
+from geometry_msgs.msg import PoseArray
+from move_base_msgs.msg import MoveBaseActionGoal
+from visualization_msgs.msg import MarkerArray
+
+from f1tenth_navigation.contact_markers import ContactPlaces
+from f1tenth_navigation.goal_markers import goal_markers
+from f1tenth_navigation.known_goals import KnownGoals
+
+BUMPERS = ("bumper_front", "bumper_rear", "bumper_left", "bumper_right")
+# Contact sensors give world coordinates, whatever frame their header names.
+WORLD = "map"
+# Stamps of the sensors may be this much out of order; time that goes back further is that of a new run.
+_DISORDER = 1.0  # s
+
+
+class RaceMarkers:
+    """Connects goals and contacts to their markers. rospy calls back from a thread for each connection."""
+
+    def __init__(self):
+        """Advertise and subscribe in the namespace of the car."""
+        self._goals, self._contacts = KnownGoals(), ContactPlaces()
+        self._stamp = 0.0
+        self._goal_publisher = rospy.Publisher("goal_markers", MarkerArray, queue_size=1, latch=True)
+        self._contact_publisher = rospy.Publisher("contact_markers", MarkerArray, queue_size=1, latch=True)
+        rospy.Subscriber("race_goals", PoseArray, self._on_race)
+        rospy.Subscriber("move_base/goal", MoveBaseActionGoal, self._on_goal)
+        for topic in BUMPERS:
+            rospy.Subscriber(topic, ContactsState, self._on_contacts)
+
+    def _on_race(self, goals):
+        self._goals.take_race(goals)
+        self._goal_publisher.publish(goal_markers(self._goals.poses))
+
+    def _on_goal(self, goal):
+        if self._goals.take_sent(goal.goal.target_pose):
+            self._goal_publisher.publish(goal_markers(self._goals.poses))
+
+    def _on_contacts(self, contacts):
+        stamp = contacts.header.stamp.to_sec()
+        if stamp < self._stamp - _DISORDER:
+            self._contacts = ContactPlaces()
+            self._contact_publisher.publish(self._contacts.markers(WORLD))
+        self._stamp = stamp
+        if contacts.states and self._contacts.take(contacts):
+            self._contact_publisher.publish(self._contacts.markers(WORLD))
+
+
+def main():
+    """Run the node."""
+    rospy.init_node("race_markers")
+    RaceMarkers()
+    rospy.spin()

@@ -12,7 +12,7 @@ from PIL import Image
 REPOSITORY = Path(__file__).resolve().parents[4]
 MAPS = REPOSITORY / "src" / "f1tenth_gazebo" / "maps"
 GOALS = REPOSITORY / "src" / "f1tenth_gazebo" / "goals"
-TRACKS = Path(os.environ.get("F1TENTH_DATA", REPOSITORY / "shared" / "data")) / "tracks"
+TRACKS = Path(os.environ.get("F1TENTH_DATA", REPOSITORY.parent / "shared" / "data")) / "tracks"
 CIRCUITS = sorted(path.stem for path in MAPS.glob("*.yaml"))
 OPTIONS = {"inflation_radius": 0.55, "cost_scaling_factor": 10.0}
 

@@ -72,8 +72,8 @@ class ControllersTest(unittest.TestCase):
             process.send_signal(signal.SIGINT)
             process.wait(LONG)
 
-    def start(self, name, *arguments):
-        environment = {**os.environ, "ROS_NAMESPACE": "racecar"}
+    def start(self, name, *arguments, namespace="racecar"):
+        environment = {**os.environ, "ROS_NAMESPACE": namespace}
         self.processes.append(subprocess.Popen([command_path(name), *arguments], env=environment))
         return self.processes[-1]
 
@@ -152,7 +152,7 @@ class ControllersTest(unittest.TestCase):
     def test_unspawner_stops_and_starts_again(self):
         self.start("spawner", "rear_left")
         self.wait_until({"rear_left": "running"})
-        unspawner = self.start("unspawner", "rear_left")
+        unspawner = self.start("unspawner", "--namespace", "/racecar", "rear_left", namespace="/")
         self.wait_until({"rear_left": "stopped"})
         self.end(unspawner)
         assert self.controllers() == {"rear_left": "running"}

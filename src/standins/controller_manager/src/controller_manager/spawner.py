@@ -60,6 +60,8 @@ class Spawner:
 
     def take_away(self, timeout):
         """Stop and unload what was loaded, if the controller manager comes within timeout, wall s."""
+        if not self._loaded:
+            return
         try:
             for name in self._names.values():
                 rospy.wait_for_service(name, timeout)
@@ -86,8 +88,8 @@ def main():
     except rospy.ROSException:
         rospy.logerr("No controller manager within %s s. Its name is controller_manager/...", options.timeout)
         return EXIT_NO_MANAGER
-    complete = spawner.load(options.controllers)
     rospy.on_shutdown(lambda: spawner.take_away(options.shutdown_timeout))
+    complete = spawner.load(options.controllers)
     if options.wait_for:
         wait_for_go(options.wait_for)
     if not options.stopped and not spawner.start():

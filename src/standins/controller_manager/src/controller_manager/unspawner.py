@@ -10,10 +10,13 @@ def main():
     """Run; return the exit code."""
     options = unspawner_parser().parse_args(rospy.myargv()[1:])
     if options.namespace:
-        manager.MANAGER = f"{options.namespace.rstrip('/')}/controller_manager"
+        manager.use_namespace(options.namespace)
     rospy.init_node("unspawner", anonymous=True)
+    # Before they are stopped: a signal may come as soon as they are.
+    stopped = list(options.controllers)
+    rospy.on_shutdown(lambda: stopped and manager.start_controllers(stopped))
     if not manager.stop_controllers(options.controllers):
+        stopped.clear()
         return 1
-    rospy.on_shutdown(lambda: manager.start_controllers(options.controllers))
     rospy.spin()
     return 0

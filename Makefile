@@ -11,6 +11,8 @@ SANITIZE_DIR := build/sanitize
 DEVEL_DIR := $(CURDIR)/devel
 SANITIZED_TESTS := f1tenth_sim2d_core_test
 JOBS ?= $(shell nproc)
+# Every test has its own ROS master, display and folders, so that several can run side by side.
+TEST_JOBS ?= $(JOBS)
 CIRCUIT ?= circuit1
 
 IN_WORKSPACE := source $(DEVEL_DIR)/setup.bash &&
@@ -21,7 +23,7 @@ PYTHON_FILES = $(shell git ls-files '*.py'; git grep -lI '^\#!/usr/bin/\(env pyt
 
 help: ## list the commands
 	@sed -n 's/^\([a-z]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 16
-	@echo "  Variables: CIRCUIT=circuit1 … circuit5, circuit_detailed; JOBS=$(JOBS)"
+	@echo "  Variables: CIRCUIT=circuit1 … circuit5, circuit_detailed; JOBS=$(JOBS); TEST_JOBS=$(TEST_JOBS)"
 
 setup: ## install what is missing from Debian and PyPI
 	@tools/setup
@@ -54,7 +56,7 @@ test: build ## every test; ends with `N passed, N failed, N skipped`
 	@rm -rf $(BUILD_DIR)/test_results
 	@cmake --build $(BUILD_DIR) -j $(JOBS) --target tests -- --no-print-directory
 	@-/usr/bin/python3 -m pytest -q tools/test --junitxml=$(BUILD_DIR)/test_results/workspace/pytest-tools.xml
-	@cmake --build $(BUILD_DIR) -j 1 --target run_tests -- --no-print-directory
+	@cmake --build $(BUILD_DIR) -j $(TEST_JOBS) --target run_tests -- --no-print-directory --output-sync=target
 	@tools/test_summary $(BUILD_DIR)/test_results
 
 sanitize: setup ## the tests of the simulator's core under AddressSanitizer and UBSan

@@ -14,8 +14,8 @@ from f1tenth_gazebo_plugins.parameters import ParameterError, parse_parameters
 BAD_INPUT = 2
 # Wall time, s, between looks at the clock, which counts only while no sensor speaks.
 CLOCK_CHECK = 0.02
-# Wall time, s, without a message after which that is so. A simulator that runs 100 times faster than real time is
-# 1 s ahead with its clock when a message waits 10 ms to be read.
+# Wall time, s, without a message after which that is so. At 100 times real time, a message that waits
+# 10 ms to be read lets the clock go 1 s ahead.
 QUIET = 0.25
 
 

@@ -32,6 +32,7 @@ def scenario(expected=Verdict.SUCCESS, timeout=10.0, cars=("robot1",), **others)
         limits=Limits(timeout=timeout),
         expected=expected,
         seed=1,
+        time_to_start=others.pop("time_to_start", 0),
         **others,
     )
 

@@ -165,6 +165,19 @@ def test_car_that_moves_before_the_start_is_out(tmp_path):
     assert decision.reason == "false start: robot1 moved at 0.075 s, before the start at 0.500 s"
 
 
+def test_car_that_moves_during_the_countdown_is_out_before_a_start_was_heard(tmp_path):
+    run = seen(record(tmp_path, rows(0.5)))
+    decision = judge(scenario(time_to_start=2), GOALS, run).decision
+    assert (decision.verdict, decision.stamp, decision.car) == (Verdict.ABORTED, 0.075, "robot1")
+    assert decision.reason == "false start: robot1 moved at 0.075 s, before the countdown of 2 s was over"
+
+
+def test_reason_of_a_false_start_does_not_depend_on_what_was_heard_later(tmp_path):
+    early, late = seen(record(tmp_path, rows(0.5))), seen(record(tmp_path, rows(4.0)), racing(2.0))
+    wanted = scenario(time_to_start=2)
+    assert judge(wanted, GOALS, early).decision == judge(wanted, GOALS, late).decision
+
+
 def test_car_that_waits_for_the_start_is_not(tmp_path):
     standing = [[row[0], row[1], max(0.0, float(row[0]) - 0.5), *row[3:]] for row in rows(4.0)]
     run = seen(record(tmp_path, standing), racing(0.5), finished(3.6))

@@ -102,6 +102,17 @@ def test_timeout_ends_the_run(tmp_path):
     assert (result["verdict"], result["times"]["finish"]) == ("timeout", 10.0)
 
 
+def test_false_start_ends_the_run_when_it_happens(tmp_path):
+    result = result_of(FakeRun(tmp_path, scenario(time_to_start=2)).records(1.0))
+    assert (result["verdict"], result["times"]["finish"]) == ("aborted", 0.075)
+    assert result["reason"] == "false start: robot1 moved at 0.075 s, before the countdown of 2 s was over"
+
+
+def test_false_start_after_the_countdown_ends_the_run_when_the_start_is_heard(tmp_path):
+    result = result_of(FakeRun(tmp_path).records(1.0).hears(racing(0.5)))
+    assert (result["verdict"], result["times"]["finish"]) == ("aborted", 0.075)
+
+
 def test_planner_that_gives_up_ends_the_run(tmp_path):
     result = result_of(
         FakeRun(tmp_path, scenario(Verdict.ABORTED)).records(4.0).hears(racing(), aborted(2.0))

@@ -4,6 +4,7 @@ import re
 from pathlib import Path
 from typing import Optional
 
+from f1tenth_scenarios.false_start import FirstMoves
 from f1tenth_scenarios.record import COLUMNS
 
 _ESCAPE = re.compile(r"\x1b\[[0-9;]*m|\x1b\]2;[^\x07]*\x07")
@@ -33,13 +34,13 @@ class LineTail:
 class RecordTail:
     """What the simulator's record says so far: cheap enough to be asked many times a second."""
 
-    _TIME = COLUMNS.index("time")
-    _CONTACTS = COLUMNS.index("contacts")
+    _TIME, _CAR, _X, _Y, _CONTACTS = map(COLUMNS.index, ("time", "car", "x", "y", "contacts"))
 
     def __init__(self, path: Path):
         self._tail = LineTail(path)
         self.time: Optional[float] = None  # s, of the last period
         self.touches = 0  # rows with a contact
+        self.moves = FirstMoves()
 
     def poll(self) -> None:
         """Read what has been added."""
@@ -48,6 +49,7 @@ class RecordTail:
             if len(cells) == len(COLUMNS) and cells[self._TIME] != COLUMNS[self._TIME]:
                 self.time = float(cells[self._TIME])
                 self.touches += bool(cells[self._CONTACTS])
+                self.moves.take(self.time, cells[self._CAR], float(cells[self._X]), float(cells[self._Y]))
 
 
 def last_lines(path: Path, count: int) -> list[str]:

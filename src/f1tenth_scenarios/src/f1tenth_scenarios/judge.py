@@ -5,12 +5,11 @@ Everything after the deciding stamp is cut: a run gives the same result however 
 
 import dataclasses
 import functools
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Optional
 
-import numpy as np
-
 from f1tenth_scenarios.contacts import find_contacts
+from f1tenth_scenarios.false_start import find_false_start, moves_of
 from f1tenth_scenarios.goal_passes import GoalPasses, find_passes
 from f1tenth_scenarios.observations import Failure, Observations, RaceState, RaceUpdate
 from f1tenth_scenarios.record import STAMP_EPSILON, Contact, Record
@@ -44,7 +43,6 @@ class Judgement:
         return find_contacts(self.record)
 
 
-_FALSE_START_DISTANCE = 0.05  # m
 # Of what happens at the same stamp the more serious counts.
 _RANK = (Verdict.COLLISION, Verdict.ABORTED, Verdict.SUCCESS, Verdict.TIMEOUT, Verdict.ERROR)
 
@@ -86,12 +84,6 @@ def first_collision(scenario: Scenario, record: Record) -> Optional[Contact]:
     return next((each for each in find_contacts(record) if each.speed >= scenario.criteria.light_touch), None)
 
 
-def race_start(updates: Iterable[RaceUpdate]) -> Optional[float]:
-    """When the first race began, s; nothing when none was heard to begin."""
-    begun = (each.stamp for each in updates if each.state is RaceState.RACING and not each.goals_reached)
-    return min(begun, default=None)
-
-
 def _collisions(scenario, seen):
     contact = first_collision(scenario, seen.record)
     if contact:
@@ -101,17 +93,9 @@ def _collisions(scenario, seen):
 
 
 def _false_starts(scenario, seen):
-    """Cars that move before the race has begun; where nobody races there is no start."""
-    start = race_start(seen.updates)
-    if start is None:
-        return
-    for track in seen.record.tracks.values():
-        moved = np.hypot(track.x - track.x[:1], track.y - track.y[:1]) > _FALSE_START_DISTANCE
-        early = np.flatnonzero(moved & (track.time + STAMP_EPSILON < start))
-        if len(early):
-            stamp = float(track.time[early[0]])
-            reason = f"false start: {track.car} moved at {stamp:.3f} s, before the start at {start:.3f} s"
-            yield Decision(stamp, Verdict.ABORTED, reason, track.car)
+    found = find_false_start(scenario, moves_of(seen.record), seen.updates)
+    if found:
+        yield Decision(found.stamp, Verdict.ABORTED, found.reason, found.car)
 
 
 def _races_aborted(updates):

@@ -9,7 +9,8 @@ from typing import Callable
 from f1tenth_scenarios import criteria, result, versions
 from f1tenth_scenarios.driving_criteria import least_clearance
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.judge import judge, race_start
+from f1tenth_scenarios.false_start import race_start
+from f1tenth_scenarios.judge import judge
 from f1tenth_scenarios.laps import lap_times
 from f1tenth_scenarios.launch_file import write_launch_file
 from f1tenth_scenarios.measured import Measured
@@ -92,7 +93,7 @@ def _judge(plan, seen, heard, wall_time, real_time_factor) -> Result:
     judgement = judge(plan.scenario, plan.all_goals, seen)
     deciding = judgement.decision.stamp
     measured = Measured(
-        start=race_start(update for update in seen.updates if update.stamp <= deciding),
+        start=race_start([update for update in seen.updates if update.stamp <= deciding]),
         lap_times=lap_times(plan.scenario, judgement, seen.updates),
         real_time_factor=real_time_factor,
         estimates={car: poses.until(deciding) for car, poses in heard.estimates.items()},

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Callable, Optional, Protocol
 
 from f1tenth_scenarios.culprit import Signs, failure_of
+from f1tenth_scenarios.false_start import find_false_start
 from f1tenth_scenarios.file_tail import RecordTail, last_lines
 from f1tenth_scenarios.judge import first_collision, is_decided
 from f1tenth_scenarios.launch_log import LaunchLog, NodeEnd
@@ -82,6 +83,7 @@ class Supervisor:
         return (
             self._collided()
             or self._is_alarm_over()
+            or find_false_start(self._plan.scenario, self._record.moves, self.updates) is not None
             or (simulated is not None and simulated >= self._plan.scenario.limits.timeout)
             or is_decided(self._plan.scenario, self._plan.all_goals, self.updates)
         )

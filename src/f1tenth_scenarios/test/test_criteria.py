@@ -1,5 +1,7 @@
 """Each criterion reports what was measured and what is asked for, and each can fail."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 from f1tenth_scenarios.course import Course
@@ -148,6 +150,8 @@ MEASURES = {
     "localization_yaw_error": (0.2, {"estimates": {"robot1": Poses([1.0], [(1, 1, 6.2831853 - 0.1)])}}, 0.1),
     "real_time_factor": (10.0, {"real_time_factor": 12.0}, 12.0),
 }
+# With a test of its own.
+OTHER_MEASURES = {"slows_to"}
 LOWER_LIMITS = {"minimum_clearance", "real_time_factor"}
 
 
@@ -159,6 +163,14 @@ def recorded(folder):
         row[5] = 0.0 if 0.9 < float(row[0]) - 2.0 < 1.92 else row[5]
         table.append(row)
     return record(folder, table)
+
+
+def test_every_criterion_with_a_limit_is_among_these():
+    limits = {field.name: 1.0 for field in dataclasses.fields(Criteria) if field.default is None}
+    assert set(criteria.names(limited(**limits))) - set(criteria.names(scenario())) == {
+        *MEASURES,
+        *OTHER_MEASURES,
+    }
 
 
 @pytest.mark.parametrize("name", MEASURES)

@@ -2,12 +2,17 @@
 
 import csv
 import json
+import math
 import os
+import subprocess
+import time
 
 import pytest
 from f1tenth_scenarios.batch import Job, read_finished, run_job
+from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.repeat import is_steady, spread
 from f1tenth_scenarios.sweep_table import mean_interval, wilson_interval
+from f1tenth_scenarios.sweep_table_file import write_table
 
 from f1tenth_scenarios import cli, many
 
@@ -92,6 +97,90 @@ def test_run_without_result_is_named(program, tmp_path, capsys):
     assert not sweep(program, tmp_path, "seed=12:14")
     assert [row["seed"] for row in table(tmp_path)] == ["12", "14"]
     assert "seed=13: exit code 1, no result: bad luck" in capsys.readouterr().err
+
+
+@pytest.fixture
+def cluster(tmp_path):
+    """A Dask scheduler and a worker, as people start them; its address."""
+    file = tmp_path / "scheduler.json"
+    common = ["--scheduler-file", str(file), "--dashboard-address", "127.0.0.1:0"]
+    worker_options = ["--nthreads", "1", "--no-nanny", "--local-directory", str(tmp_path)]
+    commands = [
+        ["dask-scheduler", *common, "--host", "127.0.0.1", "--port", "0"],
+        ["dask-worker", *common, *worker_options],
+    ]
+    processes = [subprocess.Popen(command, stderr=subprocess.DEVNULL) for command in commands]
+    end = time.monotonic() + 60
+    while not file.exists() or not file.read_text():
+        assert time.monotonic() < end, "no scheduler"
+        time.sleep(0.05)
+    yield json.loads(file.read_text())["address"]
+    for process in reversed(processes):
+        process.terminate()
+        process.wait()
+
+
+def test_sweep_on_a_cluster_gives_the_same_as_here(program, tmp_path, cluster):
+    assert cluster.startswith("tcp://127.0.0.1:")
+    for folder, scheduler in (("here", None), ("cluster", cluster)):
+        results, variations = tmp_path / folder, ("mu=0.5:1.0:3", "seed=1:2")
+        assert many.sweep("circuit1", variations, results, program, 1, scheduler)
+    assert table(tmp_path / "here") == table(tmp_path / "cluster")
+    assert len(runs_of(program)) == 12
+
+
+@pytest.mark.parametrize("uri", ["tcp://127.0.0.1:1", "nonsense://x"])
+def test_scheduler_that_is_not_there_is_named(program, tmp_path, monkeypatch, uri):
+    monkeypatch.setattr("f1tenth_scenarios.sweep._CONNECT_TIMEOUT", 0.5)
+    with pytest.raises(ScenarioError, match=f"--scheduler {uri}: .*"):
+        many.sweep("circuit1", ["seed=1:2"], tmp_path / "r", program, None, uri)
+
+
+def test_table_is_written_as_parquet_with_types(program, tmp_path):
+    pandas = pytest.importorskip("pandas")
+    pytest.importorskip("fastparquet")
+    path = tmp_path / "table.parquet"
+    assert many.sweep("circuit1", ["mu=0.5,1", "seed=1:2"], tmp_path / "r", program, 1, None, path)
+    read = pandas.read_parquet(path, engine="fastparquet")
+    assert read["mu"].tolist() == [0.5, 0.5, 1.0, 1.0]
+    assert read["seed"].tolist() == [1, 2, 1, 2]
+    assert read["passed"].tolist() == [True, False, True, False]
+    assert read["lap_time"].tolist() == [10.5, 10.5, 11.0, 11.0]
+    assert read["verdict"].tolist() == ["success"] * 4
+
+
+def test_runs_without_a_lap_stay_numbers_in_parquet(tmp_path):
+    pandas = pytest.importorskip("pandas")
+    pytest.importorskip("fastparquet")
+    path = tmp_path / "table.parquet"
+    write_table(path, [{"world": "a", "lap_time": None}, {"world": "1", "lap_time": 2.0}])
+    read = pandas.read_parquet(path, engine="fastparquet")
+    assert read["world"].tolist() == ["a", "1"]
+    assert math.isnan(read["lap_time"][0])
+
+
+def test_table_may_be_written_as_csv_elsewhere(program, tmp_path):
+    path = tmp_path / "table.csv"
+    assert many.sweep("circuit1", ["seed=1:2"], tmp_path / "r", program, 1, None, path)
+    assert path.read_bytes() == (tmp_path / "r" / "sweep" / "circuit1" / "sweep.csv").read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("name", "answer"),
+    [
+        ("table.xlsx", "a table's name must end with .csv or .parquet"),
+        ("nowhere/table.csv", "there is no folder "),
+        ("table.parquet", "Parquet needs the Python package fastparquet (make setup installs it)"),
+    ],
+)
+def test_table_that_cannot_be_written_is_answered_before_anything_runs(
+    tmp_path, monkeypatch, capsys, name, answer
+):
+    monkeypatch.setattr("importlib.util.find_spec", lambda _: None)
+    arguments = ["sweep", "circuit1", "--vary", "seed=1:2", "--results", str(tmp_path / "r")]
+    assert cli.main([*arguments, "--output", str(tmp_path / name)]) == 2
+    assert f"{tmp_path / name}: {answer}" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_bad_value_is_answered_before_anything_runs(tmp_path, capsys):

@@ -53,6 +53,7 @@ def _parser() -> argparse.ArgumentParser:
     sweep.add_argument("--vary", action="append", required=True, metavar="KEY=VALUES", help=_VARY)
     sweep.add_argument("--workers", type=int, metavar="N", help="local processes; default: one a core")
     sweep.add_argument("--scheduler", metavar="URI", help="use this Dask cluster, as in tcp://host:8786")
+    sweep.add_argument("--output", type=Path, metavar="FILE", help=_TABLE)
     _add_results(sweep, "write to FOLDER/sweep/NAME")
     report = _add(commands, "report", _report, "write one HTML file with all runs and their replays")
     _add_results(report, "read FOLDER/*")
@@ -65,6 +66,7 @@ def _parser() -> argparse.ArgumentParser:
 
 _SET = "replace a value of the file, as in mu=0.3 or limits.timeout=20"
 _VARY = "FIRST:LAST (whole numbers), FIRST:LAST:COUNT or A,B,C; several keys: every combination"
+_TABLE = "one more table of the runs: FILE.parquet keeps types, FILE.csv is text"
 _AGAINST = "results to compare with; default: those of the commit before, which each run keeps"
 
 
@@ -112,7 +114,10 @@ def _report(options) -> int:
 
 def _sweep(options) -> int:
     results = (options.results or places.results_root()).resolve()
-    complete = many.sweep(options.name, options.vary, results, _program(), options.workers, options.scheduler)
+    output = options.output.resolve() if options.output else None
+    complete = many.sweep(
+        options.name, options.vary, results, _program(), options.workers, options.scheduler, output
+    )
     return PASSED if complete else NOT_PASSED
 
 

@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Optional
 
-from f1tenth_scenarios.goal_passes import GoalPasses
 from f1tenth_scenarios.false_start import race_start
+from f1tenth_scenarios.goal_passes import GoalPasses
 from f1tenth_scenarios.judge import Judgement
 from f1tenth_scenarios.observations import RaceUpdate
 from f1tenth_scenarios.record import CarTrack

@@ -11,6 +11,9 @@ from f1tenth_scenarios.plan import make_plan
 from f1tenth_scenarios.repeat import is_steady, spread
 from f1tenth_scenarios.settings import Setting, combinations, folder_name, parse_variation
 from f1tenth_scenarios.sweep import run_jobs
+from f1tenth_scenarios.sweep_table_file import check_table_file, write_table
+
+_TABLE_FILE, _PICTURE_FILE = "sweep.csv", "sweep.png"
 
 
 def repeat(name: str, count: int, results: Path, settings: Sequence[str], program: str) -> bool:
@@ -45,8 +48,18 @@ def sweep(
     program: str,
     workers: Optional[int] = None,
     scheduler: Optional[str] = None,
+    output: Optional[Path] = None,
 ) -> bool:
     """Run a scenario with every combination of values; write a table and a picture, and print where they are.
+
+    Args:
+        name: of the scenario, or its file
+        variations: KEY=VALUES, as `parse_variation` reads them
+        results: folder for all runs
+        program: path of the command `scenario`
+        workers: local processes; default: one a core
+        scheduler: address of a Dask scheduler to use instead
+        output: one more table, CSV or Parquet
 
     Returns:
         Whether every run left a result.
@@ -54,6 +67,8 @@ def sweep(
     Raises:
         ScenarioError: bad input; nothing has been run then.
     """
+    if output:
+        check_table_file(output)
     varied = [parse_variation(text) for text in variations]
     jobs = [_job(name, settings, results) for settings in combinations(varied)]
     rows: dict[Job, dict[str, Any]] = {}
@@ -69,7 +84,9 @@ def sweep(
         print(f"scenario: {problem}", file=sys.stderr)
     if rows:
         ordered = [rows[job] for job in jobs if job in rows]
-        _write(Path(jobs[0].scenario).stem, ordered, [values[0].key for values in varied], results)
+        folder = results / "sweep" / Path(jobs[0].scenario).stem
+        tables = [folder / _TABLE_FILE, *([output] if output else [])]
+        _write(folder, ordered, [values[0].key for values in varied], tables)
     return not problems
 
 
@@ -80,18 +97,18 @@ def _job(name: str, settings: Sequence[Setting], results: Path) -> Job:
     return Job(str(plan.file), texts, str(results / "sweep" / plan.name / folder_name(settings)))
 
 
-def _write(name, rows, varied, results):
+def _write(folder, rows, varied, tables):
     # Imported late: matplotlib takes longer than everything else that the command does.
-    from f1tenth_scenarios import sweep_table
+    from f1tenth_scenarios.sweep_table import write_picture
 
-    folder = results / "sweep" / name
-    sweep_table.write_table(folder / sweep_table.TABLE_FILE, rows)
-    sweep_table.write_picture(folder / sweep_table.PICTURE_FILE, name, rows, varied)
+    for table in tables:
+        write_table(table, rows)
+    write_picture(folder / _PICTURE_FILE, folder.name, rows, varied)
     facts = [
-        ("scenario", name),
+        ("scenario", folder.name),
         ("passed", f"{sum(row['passed'] for row in rows)} of {len(rows)}"),
-        ("table", folder / sweep_table.TABLE_FILE),
-        ("picture", folder / sweep_table.PICTURE_FILE),
+        *(("table", table) for table in tables),
+        ("picture", folder / _PICTURE_FILE),
     ]
     for key, value in facts:
         print(f"{key + ':':19}{value}")

@@ -5,8 +5,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, Callable, Optional
 
 from f1tenth_scenarios.batch import Job, read_finished, run_job
+from f1tenth_scenarios.errors import ScenarioError
 
 Finished = Callable[[Job, dict[str, Any]], None]
+_CONNECT_TIMEOUT = 10.0  # wall s, to reach a scheduler
 
 
 def run_jobs(
@@ -29,6 +31,9 @@ def run_jobs(
 
     Returns:
         What went wrong: a line for each job without result.
+
+    Raises:
+        ScenarioError: the scheduler cannot be reached.
     """
     left = []
     for job in jobs:
@@ -61,7 +66,11 @@ def _client(workers: Optional[int], scheduler: Optional[str]):
     from distributed import Client, LocalCluster
 
     if scheduler:
-        with Client(scheduler, set_as_default=False) as client:
+        try:
+            client = Client(scheduler, set_as_default=False, timeout=_CONNECT_TIMEOUT)
+        except (OSError, ValueError) as error:
+            raise ScenarioError(f"--scheduler {scheduler}: {' '.join(str(error).split())}") from error
+        with client:
             yield client
         return
     options = {"threads_per_worker": 1, "processes": True, "dashboard_address": None}

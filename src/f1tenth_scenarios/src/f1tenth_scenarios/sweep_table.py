@@ -1,6 +1,5 @@
-"""The outcome of a sweep: a table, and a picture of success rate and lap time over each varied value."""
+"""The picture of a sweep: success rate and lap time over each varied value."""
 
-import csv
 import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -12,16 +11,7 @@ from matplotlib.figure import Figure
 
 from f1tenth_scenarios.atomic import replacing
 
-TABLE_FILE, PICTURE_FILE = "sweep.csv", "sweep.png"
 _Z = 1.959964  # of the normal distribution, for 95 %
-
-
-def write_table(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:
-    """Write a row a run as CSV."""
-    with replacing(path) as temporary, open(temporary, "w", encoding="utf-8", newline="") as stream:
-        writer = csv.DictWriter(stream, list(rows[0]), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
 
 
 def wilson_interval(successes: int, count: int) -> tuple[float, float]:

@@ -189,8 +189,10 @@ def test_bad_value_is_answered_before_anything_runs(tmp_path, capsys):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_repeat_says_that_all_were_the_same(program, tmp_path, capsys):
-    assert many.repeat("circuit1", 3, tmp_path, ["mu=1"], program)
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_repeat_says_that_all_were_the_same(program, tmp_path, capsys, jobs):
+    assert many.repeat("circuit1", 3, tmp_path, ["mu=1"], program, jobs)
+    assert sorted(runs_of(program)) == ["001", "002", "003"]
     lines = capsys.readouterr().out.splitlines()
     assert "trajectories:      all the same, bit for bit" in lines
     assert "lap time:          11.000 s" in lines

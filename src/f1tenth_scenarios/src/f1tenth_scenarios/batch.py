@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, Optional
 
 from f1tenth_scenarios.result import RESULT_FILE
+from f1tenth_scenarios.several import ENDS_WITH_PARENT
 
 
 @dataclasses.dataclass(frozen=True)
@@ -37,9 +38,8 @@ def run_job(job: Job, program: str) -> dict[str, Any]:
     """
     settings = [part for setting in job.settings for part in ("--set", setting)]
     command = [sys.executable, program, "run", "--results", job.folder, *settings, job.scenario]
-    # If this process dies, the run ends everything that it has started.
     done = subprocess.run(
-        ["setpriv", "--pdeathsig", "TERM", *command],
+        [*ENDS_WITH_PARENT, *command],
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,

@@ -1,20 +1,20 @@
 """The command `scenario`: list, check, run, sweep, report, keys."""
 
 import argparse
-import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Optional
 
 from f1tenth_scenarios import many, places
-from f1tenth_scenarios.console import ProgressLine, summary
+from f1tenth_scenarios.console import CountLine, ProgressLine, summary
 from f1tenth_scenarios.describe import describe_keys
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan import make_plan
 from f1tenth_scenarios.private_master import private_master
 from f1tenth_scenarios.report.page import REPORT_FILE, write_report
 from f1tenth_scenarios.scenario import Scenario, read_scenario
+from f1tenth_scenarios.several import run_several
 from f1tenth_scenarios.stop_request import StopRequest
 
 # Exit codes.
@@ -41,7 +41,9 @@ def _parser() -> argparse.ArgumentParser:
     check = _add(commands, "check", _check, "validate scenarios without running them")
     check.add_argument("names", nargs="*", metavar="NAME", help="scenario or file; default: all")
     run = _add(commands, "run", _run, "run scenarios; exit code 0 if each ended as expected")
-    run.add_argument("names", nargs="+", metavar="NAME", help="scenario or file")
+    run.add_argument("names", nargs="*", metavar="NAME", help="scenario or file")
+    run.add_argument("--all", action="store_true", help="run all scenarios of the package")
+    run.add_argument("--jobs", type=int, default=1, metavar="N", help="run N at a time; default: 1")
     _add_results(run, "write to FOLDER/NAME")
     run.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help=_SET)
     run.add_argument(
@@ -129,22 +131,31 @@ def _repeat(options) -> int:
     if options.repeat < 2 or len(options.names) != 1:
         raise ScenarioError("--repeat is for one scenario, and at least 2 times")
     results = (options.results or places.results_root()).resolve()
-    steady = many.repeat(options.names[0], options.repeat, results, options.set, _program())
+    steady = many.repeat(options.names[0], options.repeat, results, options.set, _program(), options.jobs)
     return PASSED if steady else NOT_PASSED
 
 
 def _run(options) -> int:
+    _check_run(options)
     if options.repeat is not None:
         return _repeat(options)
-    if len(options.names) == 1:
-        code = _run_one(options.names[0], options.results, options.set)
+    names = places.scenario_names() if options.all else options.names
+    if len(names) == 1:
+        code = _run_one(names[0], options.results, options.set)
     else:
-        for name in options.names:
+        for name in names:
             make_plan(name, settings=options.set)
-        code = _run_each(options.names, options.results, options.set)
+        code = _run_each(names, options)
     if options.report and code in (PASSED, NOT_PASSED):
         _report(_parser().parse_args(["report", *_results_option(options.results)]))
     return code
+
+
+def _check_run(options) -> None:
+    if options.jobs < 1:
+        raise ScenarioError(f"--jobs is {options.jobs}, must be at least 1")
+    if options.all == bool(options.names):
+        raise ScenarioError("run needs either names of scenarios or --all")
 
 
 def _results_option(results: Optional[Path]) -> list[str]:
@@ -167,27 +178,25 @@ def _run_one(name: str, results: Optional[Path], settings: Sequence[str]) -> int
     return PASSED if result.passed else NOT_PASSED
 
 
-def _run_each(names: Sequence[str], results: Optional[Path], settings: Sequence[str]) -> int:
+def _run_each(names: Sequence[str], options) -> int:
     """A process for each, because a process can be a ROS node only once."""
-    options = [*_results_option(results), *(part for each in settings for part in ("--set", each))]
+    settings = [part for each in options.set for part in ("--set", each)]
+    command = [sys.executable, sys.argv[0], "run", *_results_option(options.results), *settings]
     codes = []
+    bar = CountLine("scenarios", len(names))
+
+    def finished(code: int, output: str) -> None:
+        codes.append(code)
+        bar.clear()
+        print(output, end="", flush=True)
+        if options.jobs > 1:
+            bar.update(code == PASSED)
+
     with StopRequest().listening() as stop:
-        for name in names:
-            with subprocess.Popen([sys.executable, sys.argv[0], "run", *options, name]) as child:
-                codes.append(_wait(child, stop))
-            if stop.signal:
-                return 128 + stop.signal
+        run_several([[*command, name] for name in names], options.jobs, stop, finished)
+    bar.clear()
+    if stop.signal:
+        return 128 + stop.signal
     passed = codes.count(PASSED)
     print(f"{passed} of {len(codes)} scenarios passed")
     return PASSED if passed == len(codes) else NOT_PASSED
-
-
-def _wait(child, stop) -> int:
-    told = False
-    while True:
-        try:
-            return child.wait(0.1)
-        except subprocess.TimeoutExpired:
-            if stop.signal and not told:
-                child.send_signal(stop.signal)
-                told = True

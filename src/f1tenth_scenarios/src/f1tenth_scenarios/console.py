@@ -47,6 +47,33 @@ class ProgressLine:
         return f"{simulated:.1f} s simulated{factor}"
 
 
+class CountLine:
+    """How many runs are done, drawn over and over; nothing where the output is no terminal."""
+
+    _WIDTH = 30  # characters
+
+    def __init__(self, name: str, count: int, stream: TextIO = sys.stderr):
+        self._name, self._count, self._stream = name, count, stream
+        self._done = self._passed = 0
+
+    def update(self, passed: bool) -> None:
+        """One more run is done."""
+        self._done += 1
+        self._passed += passed
+        filled = self._WIDTH * self._done // self._count
+        bar = "█" * filled + "░" * (self._WIDTH - filled)
+        self._draw(f"{self._name}  {bar}  {self._done} of {self._count}, {self._passed} passed")
+
+    def clear(self) -> None:
+        """Leave an empty line."""
+        self._draw("")
+
+    def _draw(self, text: str) -> None:
+        if self._stream.isatty():
+            self._stream.write(f"\r\033[K{text}")
+            self._stream.flush()
+
+
 def summary(result: Result, plan: Plan) -> str:
     """The outcome in lines of `name: value`, for a person and for grep."""
     decision = result.judgement.decision

@@ -1,11 +1,14 @@
 """The commands that run a scenario many times: `scenario run --repeat` and `scenario sweep`."""
 
+import itertools
 import sys
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any, Optional, TextIO
+from typing import Any, Optional
 
 from f1tenth_scenarios.batch import Job, run_job, summary_row
+from f1tenth_scenarios.console import CountLine
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan import make_plan
 from f1tenth_scenarios.repeat import is_steady, spread
@@ -16,8 +19,10 @@ from f1tenth_scenarios.sweep_table_file import check_table_file, write_table
 _TABLE_FILE, _PICTURE_FILE = "sweep.csv", "sweep.png"
 
 
-def repeat(name: str, count: int, results: Path, settings: Sequence[str], program: str) -> bool:
-    """Run a scenario `count` times, one after the other, and print how much the results differ.
+def repeat(
+    name: str, count: int, results: Path, settings: Sequence[str], program: str, jobs: int = 1
+) -> bool:
+    """Run a scenario `count` times, `jobs` at a time, and print how much the results differ.
 
     Returns:
         Whether all passed with the same verdict, and in lockstep with the same trajectory.
@@ -27,14 +32,16 @@ def repeat(name: str, count: int, results: Path, settings: Sequence[str], progra
     """
     plan = make_plan(name, settings=settings)
     bar = CountLine(f"{plan.name} repeated", count)
+    folders = [results / "repeat" / plan.name / f"{number:03}" for number in range(1, count + 1)]
+    runs = [Job(str(plan.file), tuple(settings), str(folder)) for folder in folders]
     found = []
-    for number in range(1, count + 1):
-        folder = results / "repeat" / plan.name / f"{number:03}"
-        try:
-            found.append(run_job(Job(str(plan.file), tuple(settings), str(folder)), program))
-        except RuntimeError as error:
-            raise ScenarioError(str(error)) from error
-        bar.update(found[-1]["passed"])
+    try:
+        with ThreadPoolExecutor(jobs) as pool:
+            for result in pool.map(run_job, runs, itertools.repeat(program)):
+                found.append(result)
+                bar.update(result["passed"])
+    except RuntimeError as error:
+        raise ScenarioError(str(error)) from error
     bar.clear()
     for key, value in [("scenario", plan.name), *spread(found)]:
         print(f"{key + ':':19}{value}")
@@ -112,30 +119,3 @@ def _write(folder, rows, varied, tables):
     ]
     for key, value in facts:
         print(f"{key + ':':19}{value}")
-
-
-class CountLine:
-    """How many runs are done, drawn over and over; nothing where the output is no terminal."""
-
-    _WIDTH = 30  # characters
-
-    def __init__(self, name: str, count: int, stream: TextIO = sys.stderr):
-        self._name, self._count, self._stream = name, count, stream
-        self._done = self._passed = 0
-
-    def update(self, passed: bool) -> None:
-        """One more run is done."""
-        self._done += 1
-        self._passed += passed
-        filled = self._WIDTH * self._done // self._count
-        bar = "█" * filled + "░" * (self._WIDTH - filled)
-        self._draw(f"{self._name}  {bar}  {self._done} of {self._count}, {self._passed} passed")
-
-    def clear(self) -> None:
-        """Leave an empty line."""
-        self._draw("")
-
-    def _draw(self, text: str) -> None:
-        if self._stream.isatty():
-            self._stream.write(f"\r\033[K{text}")
-            self._stream.flush()

@@ -17,7 +17,7 @@ def check_table_file(path: Path) -> None:
     """Find out whether a table could be written there, before anything runs.
 
     Raises:
-        ScenarioError: the name has another ending, there is no such folder, or what writes Parquet is missing.
+        ScenarioError: another ending, no such folder, or what writes Parquet is missing.
     """
     if path.suffix not in (CSV, PARQUET):
         raise ScenarioError(f"{path}: a table's name must end with {CSV} or {PARQUET}")

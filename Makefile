@@ -14,12 +14,13 @@ JOBS ?= $(shell nproc)
 # Every test has its own ROS master, display and folders, so that several can run side by side.
 TEST_JOBS ?= $(JOBS)
 CIRCUIT ?= circuit1
+FUZZ_SECONDS ?= 600
 
 IN_WORKSPACE := source $(DEVEL_DIR)/setup.bash &&
 CPP_FILES = $(shell git ls-files '*.cpp' '*.h')
 PYTHON_FILES = $(shell git ls-files '*.py'; git grep -lI '^\#!/usr/bin/\(env python3\|python3\)' -- ':!*.py')
 
-.PHONY: help setup configure build race report test sanitize lint format bench clean
+.PHONY: help setup configure build race report test sanitize lint format bench fuzz clean
 
 help: ## list the commands
 	@sed -n 's/^\([a-z]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 16
@@ -80,6 +81,13 @@ format: setup ## format all files
 
 bench: build ## measure the simulator: results/bench.json; make bench KEYS="core_rtf walls"
 	@$(IN_WORKSPACE) cd src/f1tenth_sim2d/bench && exec /usr/bin/python3 -m sim2d_bench $(KEYS)
+
+fuzz: setup ## fuzz the simulator's loaders: make fuzz FUZZ_SECONDS=60 TARGETS="world car"
+	@command -v clang++ >/dev/null || { echo "fuzz: needs clang: apt-get install clang libclang-rt-14-dev" >&2; exit 1; }
+	@mkdir -p $(BUILD_DIR)
+	@cmake -S src/f1tenth_sim2d/fuzz -B $(BUILD_DIR)/fuzz -DCMAKE_CXX_COMPILER=clang++ > $(BUILD_DIR)/fuzz.log
+	@cmake --build $(BUILD_DIR)/fuzz -j $(JOBS) -- --no-print-directory
+	@src/f1tenth_sim2d/fuzz/run $(BUILD_DIR)/fuzz $(FUZZ_SECONDS) $(TARGETS)
 
 clean: ## remove everything that was built
 	@rm -rf $(BUILD_DIR) $(BUILD_DIR).log $(DEVEL_DIR) install logs .catkin_tools

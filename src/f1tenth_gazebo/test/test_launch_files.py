@@ -170,8 +170,16 @@ def test_vehicle_is_passed_on_only_when_named():
 def test_two_cars_start_side_by_side():
     config = load("sim_two_cars.launch", "lockstep:=true")
     assert [value(config, f"/sim2d/cars/robot{n}/y") for n in (1, 2)] == [0.3, -0.3]
+    assert all(value(config, f"/sim2d/cars/robot{n}/relative_to_start") for n in (1, 2))
     assert {"/robot1/move_base", "/robot2/move_base"} <= node_names(config)
     assert value(config, "/sim2d/participants") == ["robot1/move_base", "robot2/move_base"]
+
+
+def test_a_start_of_two_cars_that_is_told_is_one_in_the_world():
+    config = load("sim_two_cars.launch", "robot2_x:=-1", "robot2_y:=0")
+    pose = [value(config, f"/sim2d/cars/robot2/{key}") for key in ("x", "y", "yaw")]
+    assert pose == [-1.0, 0.0, 0.0]
+    assert [value(config, f"/sim2d/cars/robot{n}/relative_to_start") for n in (1, 2)] == [True, False]
 
 
 def test_gui_starts_rviz():

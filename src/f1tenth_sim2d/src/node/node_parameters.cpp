@@ -28,7 +28,7 @@ const std::vector<std::string> kNodeKeys{
   "odometry",
   "record",
   "result_file"};
-const std::vector<std::string> kCarKeys{"x", "y", "yaw", "vehicle", "frame_prefix"};
+const std::vector<std::string> kCarKeys{"x", "y", "yaw", "relative_to_start", "vehicle", "frame_prefix"};
 
 const NumberRule kAny{[](double) { return true; }, "a finite number"};
 const NumberRule kPositive{[](double value) { return value > 0.0; }, "a number > 0"};
@@ -60,6 +60,7 @@ CarParameters parseCar(const std::string & cars_name, const std::string & name, 
   car.name = name;
   car.ros_namespace = "/" + name;
   car.pose = parsePose(reader, value);
+  car.relative_to_start = reader.flag("relative_to_start", car.relative_to_start);
   car.vehicle_file = reader.text("vehicle", "");
   car.frame_prefix = reader.text("frame_prefix", name + "/");
   return car;
@@ -97,6 +98,19 @@ double parseControlPeriod(ParameterReader & reader, double physics_step)
   return reader.number("control_period", 0.025, {isMultiple, "a multiple of physics_step (s)"});
 }
 }  // namespace
+
+Pose2 startPose(const CarParameters & car, const Pose2 & world_start)
+{
+  if (!car.pose || !car.relative_to_start) {
+    return car.pose.value_or(world_start);
+  }
+  const Pose2 & offset = *car.pose;
+  const double cosine = std::cos(world_start.yaw);
+  const double sine = std::sin(world_start.yaw);
+  return {
+    world_start.x + cosine * offset.x - sine * offset.y, world_start.y + sine * offset.x + cosine * offset.y,
+    world_start.yaw + offset.yaw};
+}
 
 NodeParameters parseNodeParameters(const std::string & name, const XmlRpc::XmlRpcValue & all)
 {

@@ -30,11 +30,15 @@ enum class OdometryOwner
 struct CarParameters
 {
   std::string name;
-  std::string ros_namespace;  ///< "/robot1"; "/" for none
-  std::optional<Pose2> pose;  ///< start, in the world; unless told: that of the world
-  std::string vehicle_file;   ///< empty: the defaults of VehicleParameters
-  std::string frame_prefix;   ///< "robot1/" or ""
+  std::string ros_namespace;      ///< "/robot1"; "/" for none
+  std::optional<Pose2> pose;      ///< start; unless told: that of the world
+  bool relative_to_start{false};  ///< pose is one in the frame of the world's start, not of the world
+  std::string vehicle_file;       ///< empty: the dynamics that the description gives
+  std::string frame_prefix;       ///< "robot1/" or ""
 };
+
+/// Where a car starts in a world with this start.
+Pose2 startPose(const CarParameters & car, const Pose2 & world_start);
 
 /// Everything the node is told, read once.
 struct NodeParameters

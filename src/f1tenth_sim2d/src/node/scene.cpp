@@ -61,7 +61,7 @@ void addCars(const NodeParameters & parameters, const Pose2 & start, Fleet & fle
     warnOnce(description.source, description.warnings);
     const VehicleParameters vehicle =
       car.vehicle_file.empty() ? description.parameters : loadVehicleParameters(car.vehicle_file);
-    fleet.add(car, description, vehicle, car.pose.value_or(start));
+    fleet.add(car, description, vehicle, startPose(car, start));
   }
   // libsdformat has used some 100 MB by now, which the C library would keep.
   malloc_trim(0);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 
@@ -107,6 +108,23 @@ TEST(NodeParameters, CarWithoutAPoseStartsWhereTheWorldSays)
   EXPECT_FALSE(parseNodeParameters("/sim2d", value).cars[0].pose.has_value());
 }
 
+TEST(NodeParameters, AStartIsOneInTheWorldUnlessItIsSaidToBeRelative)
+{
+  XmlRpcValue value = minimal();
+  value["cars"]["robot1"]["y"] = 0.5;
+  value["cars"]["robot1"]["yaw"] = 0.25;
+  const Pose2 world_start{10.0, 20.0, std::acos(0.0)};
+  const Pose2 absolute = startPose(parseNodeParameters("/sim2d", value).cars[0], world_start);
+  EXPECT_EQ(absolute.x, 1.0);
+  EXPECT_EQ(absolute.y, 0.5);
+  EXPECT_EQ(absolute.yaw, 0.25);
+  value["cars"]["robot1"]["relative_to_start"] = true;
+  const Pose2 relative = startPose(parseNodeParameters("/sim2d", value).cars[0], world_start);
+  EXPECT_NEAR(relative.x, 9.5, 1e-12);
+  EXPECT_NEAR(relative.y, 21.0, 1e-12);
+  EXPECT_NEAR(relative.yaw, world_start.yaw + 0.25, 1e-12);
+}
+
 TEST(NodeParameters, RefusesUnknownKeysNamingTheAllowedOnes)
 {
   EXPECT_EQ(
@@ -116,7 +134,8 @@ TEST(NodeParameters, RefusesUnknownKeysNamingTheAllowedOnes)
     "odometry, record, result_file");
   EXPECT_EQ(
     errorOf([](XmlRpcValue & value) { value["cars"]["robot1"]["z"] = 0.0; }),
-    "parameter /sim2d/cars/robot1/z: unknown; allowed: x, y, yaw, vehicle, frame_prefix");
+    "parameter /sim2d/cars/robot1/z: unknown; allowed: x, y, yaw, relative_to_start, vehicle, "
+    "frame_prefix");
 }
 
 TEST(NodeParameters, CarsMayComeLater)

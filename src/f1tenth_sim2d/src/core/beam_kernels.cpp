@@ -27,6 +27,22 @@ inline float report(double range, const RangeLimits & limits)
 }  // namespace
 
 F1TENTH_VECTORIZED
+void crossOfFacing(
+  const Vec2 & point, double range, const WallEnds & walls, std::size_t count, double * __restrict cross_or_zero)
+{
+  const WallEnds w = walls;
+  const Vec2 p = point;
+  const double range_squared = range * range;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double edge_x = w.b_x[i] - w.a_x[i];
+    const double edge_y = w.b_y[i] - w.a_y[i];
+    const double cross = (w.a_x[i] - p.x) * edge_y - (w.a_y[i] - p.y) * edge_x;
+    const bool is_near = cross * cross <= range_squared * (edge_x * edge_x + edge_y * edge_y);
+    cross_or_zero[i] = (cross < 0.0) & is_near ? cross : 0.0;
+  }
+}
+
+F1TENTH_VECTORIZED
 void projectWalls(const BeamView & view, WallBatch & batch, std::size_t count)
 {
   const BeamView v = view;

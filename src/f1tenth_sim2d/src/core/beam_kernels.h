@@ -38,6 +38,19 @@ struct WallBatch
   Values along_sine;
 };
 
+/// Ends of walls, m, in the world.
+struct WallEnds
+{
+  const double * a_x;
+  const double * a_y;
+  const double * b_x;
+  const double * b_y;
+};
+
+/// For each wall a x (b - a), m^2, with its ends relative to a point: negative if the wall turns its right side to the point
+/// and its line passes within the range, m; else 0.
+void crossOfFacing(const Vec2 & point, double range, const WallEnds & walls, std::size_t count, double * cross_or_zero);
+
 void projectWalls(const BeamView & view, WallBatch & batch, std::size_t count);
 
 /// inverse[i] = max(inverse[i], along_cosine cosine[i] + along_sine sine[i])

@@ -32,6 +32,8 @@ void RangeRaster::begin(const Pose2 & sensor)
   view_.sensor = Transform2(sensor);
   waiting_ = 0;
   std::fill(inverse_ranges_.begin(), inverse_ranges_.end(), 0.0);
+  farthest_ = inverse_ranges_.size() / 2;
+  least_ = 0.0;
 }
 
 // Whether visit(first, last) is true for beams within [begin, begin + width]; asked more than once if the interval leaves
@@ -40,7 +42,11 @@ template <typename Visit>
 bool RangeRaster::anyInterval(double begin, double width, Visit visit) const
 {
   const double last_beam = beams_.count() - 1;
-  for (begin -= beams_.beams_per_turn; begin <= last_beam + kCornerTolerance; begin += beams_.beams_per_turn) {
+  begin -= beams_.beams_per_turn;
+  if (begin + width + kCornerTolerance < 0.0) {
+    begin += beams_.beams_per_turn;
+  }
+  for (; begin <= last_beam + kCornerTolerance; begin += beams_.beams_per_turn) {
     const double from = std::max(begin - kCornerTolerance, 0.0);
     const double to = std::min(begin + width + kCornerTolerance, last_beam);
     const int whole = static_cast<int>(from);
@@ -160,7 +166,12 @@ bool RangeRaster::couldShow(const Vec2 & centre_world, double radius)
 
 double RangeRaster::sight()
 {
-  const double least = leastOf(inverseRanges(), inverse_ranges_.size());
-  return std::min(view_.range_max, (1.0 + kSlack) / least);
+  const double * const inverse = inverseRanges();
+  // Ranges only shrink while a scan is drawn: the farthest beam stays that until something is drawn in front of it.
+  if (inverse[farthest_] != least_) {
+    least_ = leastOf(inverse, inverse_ranges_.size());
+    farthest_ = static_cast<std::size_t>(std::find(inverse, inverse + inverse_ranges_.size(), least_) - inverse);
+  }
+  return std::min(view_.range_max, (1.0 + kSlack) / least_);
 }
 }  // namespace f1tenth_sim2d

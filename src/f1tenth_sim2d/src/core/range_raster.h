@@ -32,11 +32,17 @@ public:
     const Vec2 to_a{a.x - sensor.x, a.y - sensor.y};
     const Vec2 edge{b.x - a.x, b.y - a.y};
     const double cross = to_a.x * edge.y - to_a.y * edge.x;
-    if (!(cross < 0.0) || cross * cross > range_squared_ * (edge.x * edge.x + edge.y * edge.y)) {
-      return;
+    if (cross < 0.0 && cross * cross <= range_squared_ * (edge.x * edge.x + edge.y * edge.y)) {
+      addFacing(a, b, cross);
     }
-    batch_.a_x[waiting_] = to_a.x;
-    batch_.a_y[waiting_] = to_a.y;
+  }
+  /// The same for a wall that is known to be seen.
+  /// @param cross  as crossOfFacing() has it
+  void addFacing(const Vec2 & a, const Vec2 & b, double cross)
+  {
+    const Transform2 & sensor = view_.sensor;
+    batch_.a_x[waiting_] = a.x - sensor.x;
+    batch_.a_y[waiting_] = a.y - sensor.y;
     batch_.b_x[waiting_] = b.x - sensor.x;
     batch_.b_y[waiting_] = b.y - sensor.y;
     batch_.cross[waiting_] = cross;
@@ -71,7 +77,9 @@ private:
   BeamTable beams_;
   BeamView view_;
   std::vector<double> inverse_ranges_;
-  double range_squared_;  ///< m^2
+  double range_squared_;     ///< m^2
+  std::size_t farthest_{0};  ///< a beam that saw nothing nearer than any other when sight() last looked at all of them
+  double least_{0.0};        ///< 1/m, its inverse range then
   WallBatch batch_{};
   std::size_t waiting_{0};  ///< walls of the batch that are not drawn yet
 };

@@ -1,6 +1,7 @@
 #include "wall_grid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,6 +16,7 @@ constexpr double kCellSizeMin = 0.5;   // m
 constexpr double kCellSizeMax = 5.0;   // m
 constexpr double kCellCountMax = 1e6;  // in very large worlds the cells grow instead
 constexpr double kRounding = 1e-9;     // m
+constexpr std::uint32_t kBlock = 64;   // items that are looked at together
 constexpr std::uint32_t kFew = 16;     // items, that are drawn sooner than it is found out whether they could show
 
 template <typename Wall>
@@ -92,7 +94,11 @@ void WallGrid::layOut()
     });
   }
   for (const std::uint32_t item : items_) {
-    ends_.push_back(item < walls_.size() ? walls_[item] : Wall{});
+    const Wall wall = item < walls_.size() ? walls_[item] : Wall{};
+    a_x_.push_back(wall.a.x);
+    a_y_.push_back(wall.a.y);
+    b_x_.push_back(wall.b.x);
+    b_y_.push_back(wall.b.y);
   }
   measureCells(bounds);
 }
@@ -161,10 +167,12 @@ void WallGrid::draw(RangeRaster & raster)
   }
   const int column = static_cast<int>(std::floor(here.x));
   const int row = static_cast<int>(std::floor(here.y));
+  const int last_ring =
+    std::min(rings, std::max({column, column_count_ - 1 - column, row, row_count_ - 1 - row}));  // with a cell in it
   // What lies beyond ring n - 1 is farther than the nearest of its four sides.
   const double to_side = std::min({here.x - column, column + 1 - here.x, here.y - row, row + 1 - here.y}) * cell_size_;
   sight_ = raster.rangeMax();
-  for (int ring = 0; ring <= rings && (ring == 0 || to_side + (ring - 1) * cell_size_ <= sight_); ++ring) {
+  for (int ring = 0; ring <= last_ring && (ring == 0 || to_side + (ring - 1) * cell_size_ <= sight_); ++ring) {
     drawRing(column, row, ring, raster);
     sight_ = raster.sight();
   }
@@ -206,16 +214,33 @@ void WallGrid::drawCell(std::size_t cell, RangeRaster & raster)
   if (count > kFew && !raster.couldShow(extents_[cell].centre, extents_[cell].radius)) {
     return;
   }
-  for (std::uint32_t i = begin_[cell]; i < end; ++i) {
-    const std::uint32_t item = items_[i];
-    if (drawn_[item] == scan_number_) {
-      continue;
+  for (std::uint32_t i = begin_[cell]; i < end; i += kBlock) {
+    drawItems(i, std::min(kBlock, end - i), raster);
+  }
+}
+
+bool WallGrid::isFirstTime(std::uint32_t item)
+{
+  const bool is_first = drawn_[item] != scan_number_;
+  drawn_[item] = scan_number_;
+  return is_first;
+}
+
+// At most kBlock items of one cell.
+void WallGrid::drawItems(std::uint32_t begin, std::uint32_t count, RangeRaster & raster)
+{
+  const Vec2 here{raster.sensor().x, raster.sensor().y};
+  std::array<double, kBlock> cross;
+  crossOfFacing(here, raster.rangeMax(), {&a_x_[begin], &a_y_[begin], &b_x_[begin], &b_y_[begin]}, count, cross.data());
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint32_t i = begin + k;
+    if (cross[k] < 0.0 && isFirstTime(items_[i])) {
+      raster.addFacing({a_x_[i], a_y_[i]}, {b_x_[i], b_y_[i]}, cross[k]);
     }
-    drawn_[item] = scan_number_;
-    if (item < walls_.size()) {
-      raster.addSegment(ends_[i].a, ends_[i].b);
-    } else {
-      const Circle & circle = circles_[item - walls_.size()];
+  }
+  for (std::uint32_t i = begin + count; i > begin && items_[i - 1] >= walls_.size(); --i) {
+    if (isFirstTime(items_[i - 1])) {
+      const Circle & circle = circles_[items_[i - 1] - walls_.size()];
       raster.addCircle(circle.centre, circle.radius);
     }
   }

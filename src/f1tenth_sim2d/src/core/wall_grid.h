@@ -55,6 +55,8 @@ private:
   void drawRing(int column, int row, int ring, RangeRaster & raster);
   bool isOutOfSight(const Circle & extent, const Transform2 & sensor) const;
   void drawCell(std::size_t cell, RangeRaster & raster);
+  bool isFirstTime(std::uint32_t item);
+  void drawItems(std::uint32_t begin, std::uint32_t count, RangeRaster & raster);
 
   std::vector<Wall> walls_;
   std::vector<Circle> circles_;
@@ -66,7 +68,11 @@ private:
   // Item i is wall i, or circle i - walls_.size().
   std::vector<std::uint32_t> begin_;
   std::vector<std::uint32_t> items_;
-  std::vector<Wall> ends_;       ///< of each of items_ that is a wall, to be read one after the other
+  // Ends of each of items_ that is a wall, to be streamed; 0 for a circle. In a cell walls come first.
+  std::vector<double> a_x_;
+  std::vector<double> a_y_;
+  std::vector<double> b_x_;
+  std::vector<double> b_y_;
   std::vector<Circle> extents_;  ///< around what lies in a cell
   // An item that reaches over several cells is drawn once a scan: when it was drawn last.
   std::vector<std::uint32_t> drawn_;

@@ -46,6 +46,7 @@ CarIndex Simulation::Impl::addCar(
   const CarDescription & description, const VehicleParameters & parameters, const Pose2 & pose)
 {
   validate(description, pose);
+  validate(parameters, description.name);
   refuseTakenName(description.name);
   const CarIndex index = cars_.size();
   auto car = std::make_unique<Car>(index, description, parameters, pose, options_.seed, *pieces_);

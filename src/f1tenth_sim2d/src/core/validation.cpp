@@ -1,9 +1,12 @@
 #include "validation.h"
 
 #include <cmath>
+#include <initializer_list>
 #include <sstream>
+#include <utility>
 
 #include "f1tenth_sim2d/errors.h"
+#include "pi.h"
 
 namespace f1tenth_sim2d
 {
@@ -13,9 +16,18 @@ constexpr double kStepMin = 1e-5;         // s
 constexpr double kStepMax = 0.02;         // s
 constexpr double kLevelTolerance = 1e-6;  // rad
 // What a driver may ask for: far beyond any car of this size, but not a number that has lost its meaning.
-constexpr double kSpeedMax = 100.0;      // m/s
-constexpr double kSteeringMax = 6.2832;  // rad
-constexpr double kYawRateMax = 1000.0;   // rad/s
+constexpr double kSpeedMax = 100.0;          // m/s
+constexpr double kSteeringMax = 6.2832;      // rad
+constexpr double kYawRateMax = 1000.0;       // rad/s
+constexpr double kBeamAngleMax = 4.0 * kPi;  // rad: beams beyond a full turn look where others look
+// Of bodies: Box2D reckons in single precision, in which less is nothing and more is infinite.
+constexpr double kMassMin = 1e-6;     // kg
+constexpr double kMassMax = 1e9;      // kg
+constexpr double kInertiaMin = 1e-9;  // kg m^2
+constexpr double kInertiaMax = 1e12;  // kg m^2
+constexpr double kLengthMin = 1e-3;   // m
+constexpr double kLengthMax = 1e5;    // m
+constexpr double kGreatest = 1e9;     // of what has no bound of its own
 
 void require(bool condition, const std::string & where, const std::string & what, double found, const char * allowed)
 {
@@ -41,6 +53,21 @@ void requireWithin(double value, double limit, const std::string & where, const 
   }
 }
 
+void requireBetween(double value, double least, double greatest, const std::string & where, const std::string & what)
+{
+  if (!(value >= least && value <= greatest)) {
+    std::ostringstream message;
+    message << where << ": " << what << " is " << value << ", allowed is " << least << " to " << greatest;
+    throw Error(message.str());
+  }
+}
+
+void requireBody(double mass, double inertia, const std::string & where)
+{
+  requireBetween(mass, kMassMin, kMassMax, where, "mass (kg)");
+  requireBetween(inertia, kInertiaMin, kInertiaMax, where, "inertia about z (kg m^2)");
+}
+
 void validateLidar(const LidarDescription & lidar, const std::string & car)
 {
   const std::string where = car + ": lidar " + lidar.name;
@@ -49,11 +76,12 @@ void validateLidar(const LidarDescription & lidar, const std::string & car)
   require(lidar.beam_count >= 1, where, "number of beams", lidar.beam_count, "1 or more");
   const double field_of_view = lidar.angle_max - lidar.angle_min;
   require(lidar.beam_count == 1 || field_of_view > 0.0, where, "field of view (rad)", field_of_view, "more than 0");
-  requireFinite(field_of_view, where, "field of view (rad)");
+  requireWithin(lidar.angle_min, kBeamAngleMax, where, "least angle (rad)");
+  requireWithin(lidar.angle_max, kBeamAngleMax, where, "largest angle (rad)");
   require(lidar.range_min >= 0.0, where, "least range (m)", lidar.range_min, "0 or more");
   require(
-    lidar.range_max > lidar.range_min && std::isfinite(lidar.range_max), where, "largest range (m)", lidar.range_max,
-    "a finite number above the least range");
+    lidar.range_max > lidar.range_min && lidar.range_max <= kLengthMax, where, "largest range (m)", lidar.range_max,
+    "a number above the least range, up to 100000");
   require(
     lidar.noise_stddev >= 0.0 && std::isfinite(lidar.noise_stddev), where, "noise (m)", lidar.noise_stddev,
     "a finite number, 0 or more");
@@ -71,11 +99,7 @@ const WorldDescription & validated(const WorldDescription & world)
 void validate(const ModelDescription & model, const std::string & where)
 {
   if (!model.is_static) {
-    const std::string place = where + ": model " + model.name;
-    require(model.mass > 0.0 && std::isfinite(model.mass), place, "mass (kg)", model.mass, "more than 0");
-    require(
-      model.inertia_zz > 0.0 && std::isfinite(model.inertia_zz), place, "inertia izz (kg m^2)", model.inertia_zz,
-      "more than 0");
+    requireBody(model.mass, model.inertia_zz, where + ": model " + model.name);
   }
 }
 
@@ -107,15 +131,40 @@ void validate(const CarDescription & car, const Pose2 & start)
   }
 }
 
+void validate(const VehicleParameters & p, const std::string & car)
+{
+  requireBody(p.m, p.I_z, car);
+  requireBetween(p.wheelbase(), kLengthMin, kLengthMax, car, "wheelbase (m)");
+  requireWithin(p.l_r, kLengthMax, car, "l_r (m)");
+  requireBetween(p.v_min, -kGreatest, 0.0, car, "v_min (m/s)");
+  const std::initializer_list<std::pair<const char *, double>> not_negative{
+    {"h", p.h},
+    {"mu", p.mu},
+    {"C_Sf", p.C_Sf},
+    {"C_Sr", p.C_Sr},
+    {"steering_max", p.steering_max},
+    {"steering_rate_max", p.steering_rate_max},
+    {"a_max", p.a_max},
+    {"v_switch", p.v_switch},
+    {"v_max", p.v_max},
+    {"actuation_latency", p.actuation_latency},
+    {"speed_gain", p.speed_gain},
+    {"command_timeout", p.command_timeout}};
+  for (const auto & [name, value] : not_negative) {
+    requireBetween(value, 0.0, kGreatest, car, name);
+  }
+}
+
 void validate(const DriveCommand & command, const std::string & car)
 {
   requireWithin(command.speed, kSpeedMax, car, "commanded speed (m/s)");
   requireWithin(command.steering_angle, kSteeringMax, car, "commanded steering angle (rad)");
 }
 
-void validateTwist(double linear_x, double angular_z, const std::string & car)
+void validateTwist(const Vec2 & linear, double angular_z, const std::string & car)
 {
-  requireWithin(linear_x, kSpeedMax, car, "commanded speed (m/s)");
+  requireWithin(linear.x, kSpeedMax, car, "commanded speed (m/s)");
+  requireWithin(linear.y, kSpeedMax, car, "commanded speed to the side (m/s)");
   requireWithin(angular_z, kYawRateMax, car, "commanded yaw rate (rad/s)");
 }
 }  // namespace f1tenth_sim2d

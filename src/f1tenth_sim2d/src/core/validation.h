@@ -10,11 +10,13 @@ namespace f1tenth_sim2d
 const WorldDescription & validated(const WorldDescription & world);
 const SimulationOptions & validated(const SimulationOptions & options);
 void validate(const CarDescription & car, const Pose2 & start);
+/// @param car  name of the car
+void validate(const VehicleParameters & parameters, const std::string & car);
 /// @param where  said before the model's name
 void validate(const ModelDescription & model, const std::string & where);
 /// @param what  the model or car that is to be put there
 void validate(const ModelState & state, const std::string & what);
 /// @param car  name of the car
 void validate(const DriveCommand & command, const std::string & car);
-void validateTwist(double linear_x, double angular_z, const std::string & car);
+void validateTwist(const Vec2 & linear, double angular_z, const std::string & car);
 }  // namespace f1tenth_sim2d

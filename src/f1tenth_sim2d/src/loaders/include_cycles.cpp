@@ -25,12 +25,12 @@ public:
       return;
     }
     open_.push_back(file);
-    follow(*document.RootElement());
+    follow(document);
     open_.pop_back();
   }
 
 private:
-  void follow(const tinyxml2::XMLElement & parent)
+  void follow(const tinyxml2::XMLNode & parent)
   {
     for (auto child = parent.FirstChildElement(); child; child = child->NextSiblingElement()) {
       if (std::string(child->Name()) == "include") {

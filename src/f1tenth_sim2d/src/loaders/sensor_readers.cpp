@@ -3,6 +3,7 @@
 #include <cmath>
 #include <sdf/Imu.hh>
 #include <sdf/Lidar.hh>
+#include <sstream>
 
 #include "contact_sensor.h"
 
@@ -14,6 +15,8 @@ using ignition::math::Vector3d;
 
 /// rad; more than angles rounded to three digits, less than anyone tilts a lidar on purpose.
 constexpr double kLevelTolerance = 1e-3;
+constexpr double kBeamAngleMax = 12.56637;  // rad, two turns: beams beyond one look where others look
+constexpr int kBeamCountMax = 100'000;
 
 double rate(const SensorElement & element, const CarContext & context)
 {
@@ -28,16 +31,26 @@ void requireLevel(const SensorElement & element, const CarContext & context)
   }
 }
 
+/// Beams of a scan line; those between the samples count.
+int beamCount(const sdf::Lidar & scan, const ElementReader & reader)
+{
+  const double count = scan.HorizontalScanSamples() * scan.HorizontalScanResolution();
+  if (!(count >= 2.0 && count <= kBeamCountMax)) {
+    std::ostringstream message;
+    message << "has " << count << " <samples>, allowed are 2 to " << kBeamCountMax;
+    reader.fail(message.str());
+  }
+  return static_cast<int>(std::lround(count));
+}
+
 void requireSound(const LidarDescription & lidar, const ElementReader & reader)
 {
-  if (lidar.beam_count < 2) {
-    reader.fail("has " + std::to_string(lidar.beam_count) + " <samples>, allowed are 2 and more");
-  }
-  if (!std::isfinite(lidar.angle_min) || !std::isfinite(lidar.angle_max) || lidar.angle_min >= lidar.angle_max) {
-    reader.fail("<min_angle> has to be less than <max_angle>, both finite");
+  const bool within = std::abs(lidar.angle_min) <= kBeamAngleMax && std::abs(lidar.angle_max) <= kBeamAngleMax;
+  if (!within || lidar.angle_min >= lidar.angle_max) {
+    reader.fail("<min_angle> has to be less than <max_angle>, both within two turns");
   }
   reader.requireNotNegative("range/min", lidar.range_min);
-  reader.requirePositive("range/max", lidar.range_max);
+  reader.requireLength("range/max", lidar.range_max);
   if (lidar.range_min >= lidar.range_max) {
     reader.fail("<range> has a <min> that is not less than its <max>");
   }
@@ -73,7 +86,7 @@ void readLidar(const SensorElement & element, CarContext & context)
   lidar.frame = context.withoutPrefix(plugin.requiredText("frameName"));
   lidar.pose = element.pose;
   lidar.rate_hz = rate(element, context);
-  lidar.beam_count = static_cast<int>(std::lround(scan.HorizontalScanSamples() * scan.HorizontalScanResolution()));
+  lidar.beam_count = beamCount(scan, element.reader(context));
   lidar.angle_min = scan.HorizontalScanMinAngle().Radian();
   lidar.angle_max = scan.HorizontalScanMaxAngle().Radian();
   lidar.range_min = scan.RangeMin();

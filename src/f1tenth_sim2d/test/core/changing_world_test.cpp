@@ -148,7 +148,8 @@ TEST(ChangingWorld, RefusesWhatMakesNoSense)
   ModelDescription massless = movableBox("crate", 0.2, 0.0, 5.0);
   massless.mass = 0.0;
   EXPECT_EQ(
-    errorOf([&] { simulation.addModel(massless); }), "test.world: model crate: mass (kg) is 0, allowed is more than 0");
+    errorOf([&] { simulation.addModel(massless); }),
+    "test.world: model crate: mass (kg) is 0, allowed is 1e-06 to 1e+09");
   EXPECT_EQ(
     errorOf([&] {
       simulation.placeModel(0, {{nan, 0.0, 0.0}, {}, 0.0});

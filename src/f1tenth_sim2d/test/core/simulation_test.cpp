@@ -90,6 +90,23 @@ TEST(Simulation, CommandsBeyondTheLimitsAreClampedAndHarmless)
   EXPECT_NEAR(simulation.state(0).steering_angle, -0.4189, 1e-12);
 }
 
+TEST(Simulation, ParametersThatAreNoCarsAreRefused)
+{
+  Simulation simulation(world());
+  const auto errorWith = [&](double VehicleParameters::*member, double value) {
+    VehicleParameters parameters;
+    parameters.*member = value;
+    return messageOf([&] { simulation.addCar(car("robot1"), parameters, {}); });
+  };
+  using P = VehicleParameters;
+  EXPECT_EQ(errorWith(&P::m, 1e-300), "robot1: mass (kg) is 1e-300, allowed is 1e-06 to 1e+09");
+  EXPECT_EQ(errorWith(&P::I_z, 1e-30), "robot1: inertia about z (kg m^2) is 1e-30, allowed is 1e-09 to 1e+12");
+  EXPECT_EQ(errorWith(&P::l_f, 1e300), "robot1: wheelbase (m) is 1e+300, allowed is 0.001 to 100000");
+  EXPECT_EQ(errorWith(&P::v_min, 1.0), "robot1: v_min (m/s) is 1, allowed is -1e+09 to 0");
+  EXPECT_EQ(errorWith(&P::command_timeout, kNan), "robot1: command_timeout is nan, allowed is 0 to 1e+09");
+  EXPECT_EQ(simulation.carCount(), 0u);
+}
+
 TEST(Simulation, StepOutOfRangeIsRefused)
 {
   for (const double step : {0.0, -0.001, 0.05, kNan}) {
@@ -169,7 +186,7 @@ TEST(Simulation, MovableModelNeedsAMass)
   model.mass = 0.0;
   EXPECT_EQ(
     messageOf([&] { Simulation simulation(world({model})); }),
-    "test.world: model crate: mass (kg) is 0, allowed is more than 0");
+    "test.world: model crate: mass (kg) is 0, allowed is 1e-06 to 1e+09");
 }
 
 TEST(Simulation, UnknownModelIsNamed)

@@ -106,6 +106,7 @@ struct DriveDescription
   double odometry_rate_hz{100.0};            ///< 0: at every physics step
   bool publishes_odometry{true};
   bool publishes_transform{true};
+  double acceleration_max{ignition::math::INF_D};  ///< m/s^2, of the wheels; besides that of the car's parameters
 };
 
 /// A <transmission>: how ros_control reaches a joint.

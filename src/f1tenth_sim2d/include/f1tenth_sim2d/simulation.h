@@ -54,8 +54,9 @@ struct DriveCommand
 struct WheelOdometry
 {
   Pose2 pose;
-  double speed{0.0};     ///< m/s, along the car
-  double yaw_rate{0.0};  ///< rad/s
+  double speed{0.0};          ///< m/s, along the car
+  double yaw_rate{0.0};       ///< rad/s
+  double lateral_speed{0.0};  ///< m/s, to the left; of a planar drive only
 };
 
 struct ImuSample
@@ -123,9 +124,10 @@ public:
   /// Takes effect after the car's actuation latency; clamped to the car's limits.
   /// @throws Error for a value that is not finite or absurd (beyond 100 m/s or a full turn); it is then not taken
   void command(CarIndex index, const DriveCommand & command);
-  /// A Twist as in cmd_vel: the steering angle follows from v and omega over the wheelbase.
+  /// A Twist as in cmd_vel: the steering angle follows from v and omega over the wheelbase. A car with a differential,
+  /// skid-steer or planar drive takes it as it is; linear_y, m/s to the left, is for the last one only.
   /// @throws Error likewise, also beyond 1000 rad/s
-  void commandTwist(CarIndex index, double linear_x, double angular_z);
+  void commandTwist(CarIndex index, double linear_x, double angular_z, double linear_y = 0.0);
 
   const CarState & state(CarIndex index) const;
   WheelOdometry wheelOdometry(CarIndex index) const;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim_time.h"
 #include "trigonometry.h"
 
 namespace f1tenth_sim2d
@@ -32,46 +31,31 @@ double limitedAcceleration(double v, double acceleration, const VehicleParameter
   return std::clamp(acceleration, -p.a_max, forward_max);
 }
 
-Actuation::Actuation(const VehicleParameters & parameters)
-: parameters_(parameters),
-  latency_(fromSeconds(parameters.actuation_latency)),
-  timeout_(fromSeconds(parameters.command_timeout))
-{
-}
+Actuation::Actuation(const VehicleParameters & parameters) : parameters_(parameters), commands_(parameters) {}
 
 void Actuation::command(const DriveCommand & command, SimTime now)
 {
   const VehicleParameters & p = parameters_;
-  pending_.push_back(
-    {now,
-     {std::clamp(command.speed, p.v_min, p.v_max),
-      std::clamp(command.steering_angle, -p.steering_max, p.steering_max)}});
+  commands_.give(
+    {std::clamp(command.speed, p.v_min, p.v_max), std::clamp(command.steering_angle, -p.steering_max, p.steering_max)},
+    now);
 }
 
 SingleTrackInput Actuation::input(const SingleTrackState & state, SimTime now, double dt)
 {
-  takeEffect(now);
-  const double rate = (active_.steering_angle - state.delta) / dt;
-  return {std::clamp(rate, -parameters_.steering_rate_max, parameters_.steering_rate_max), speedControl(state, dt)};
+  commands_.takeEffect(now);
+  const DriveCommand & wanted = commands_.active();
+  const double rate = (wanted.steering_angle - state.delta) / dt;
+  const double speed = commands_.isOld(now) ? 0.0 : wanted.speed;
+  return {
+    std::clamp(rate, -parameters_.steering_rate_max, parameters_.steering_rate_max), speedControl(speed, state, dt)};
 }
 
-void Actuation::takeEffect(SimTime now)
-{
-  while (!pending_.empty() && pending_.front().issued + latency_ <= now) {
-    active_ = pending_.front().command;
-    active_issued_ = pending_.front().issued;
-    pending_.pop_front();
-  }
-  if (now - active_issued_ > timeout_) {
-    active_.speed = 0.0;
-  }
-}
-
-double Actuation::speedControl(const SingleTrackState & state, double dt) const
+double Actuation::speedControl(double wanted, const SingleTrackState & state, double dt) const
 {
   const double speed = bodyVelocity(state).x;
-  const bool stands = active_.speed == 0.0 && std::abs(speed) < kStandstill;
+  const bool stands = wanted == 0.0 && std::abs(speed) < kStandstill;
   const double gain = stands ? 1.0 / dt : parameters_.speed_gain;
-  return limitedAcceleration(speed, gain * (active_.speed - speed), parameters_);
+  return limitedAcceleration(speed, gain * (wanted - speed), parameters_);
 }
 }  // namespace f1tenth_sim2d

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <deque>
-
+#include "delayed_command.h"
 #include "f1tenth_sim2d/simulation.h"
 #include "single_track.h"
 
@@ -27,20 +26,9 @@ public:
   SingleTrackInput input(const SingleTrackState & state, SimTime now, double dt);
 
 private:
-  struct Pending
-  {
-    SimTime issued;
-    DriveCommand command;
-  };
-
-  void takeEffect(SimTime now);
-  double speedControl(const SingleTrackState & state, double dt) const;
+  double speedControl(double wanted, const SingleTrackState & state, double dt) const;
 
   VehicleParameters parameters_;
-  SimTime latency_;
-  SimTime timeout_;
-  std::deque<Pending> pending_;
-  DriveCommand active_;
-  SimTime active_issued_{0};
+  DelayedCommand<DriveCommand> commands_;
 };
 }  // namespace f1tenth_sim2d

@@ -22,6 +22,9 @@ Car::Car(
   actuation_(parameters),
   odometry_(parameters, seed, index)
 {
+  if (TwistDrive::drives(description)) {
+    twist_drive_.emplace(description, parameters);
+  }
 }
 
 PlacedCar Car::placed() const
@@ -58,14 +61,39 @@ void Car::restart(SimTime now)
   place(start_);
   wheel_angles_ = {};
   actuation_ = Actuation(parameters_);
+  if (twist_drive_) {
+    twist_drive_->restart();
+  }
   odometry_.restart(start_, 0.0, now);
   contacts_.clear();
+}
+
+void Car::command(const DriveCommand & command, SimTime now)
+{
+  if (twist_drive_) {
+    twist_drive_->command(twistFromCommand(command, parameters_.wheelbase()), now);
+  } else {
+    actuation_.command(command, now);
+  }
+}
+
+void Car::commandTwist(const TwistCommand & command, SimTime now)
+{
+  if (twist_drive_) {
+    twist_drive_->command(command, now);
+  } else {
+    actuation_.command(commandFromTwist(command.velocity.x, command.yaw_rate, parameters_.wheelbase()), now);
+  }
 }
 
 void Car::predict(SimTime now, double dt)
 {
   predicted_ = state_;
-  model_.advance(predicted_, actuation_.input(state_, now, dt), dt);
+  if (twist_drive_) {
+    twist_drive_->advance(predicted_, now, dt);
+  } else {
+    model_.advance(predicted_, actuation_.input(state_, now, dt), dt);
+  }
 }
 
 double Car::predictedTravel() const
@@ -92,11 +120,18 @@ void Car::apply(const ContactEffect & effect)
 
 void Car::commit(SimTime now, double dt)
 {
+  const double turn = predicted_.psi - state_.psi;
   state_ = predicted_;
   const Vec2 velocity = worldVelocity(state_);
   const double speed = bodyVelocity(state_).x;
   acceleration_ = {(velocity.x - velocity_.x) / dt, (velocity.y - velocity_.y) / dt};
-  odometry_.advance(0.5 * (speed_ + speed) * dt, state_.delta, dt, now);
+  const double distance = 0.5 * (speed_ + speed) * dt;
+  if (twist_drive_) {
+    const double sideways = (bodyVelocity(state_).y - parameters_.l_r * state_.psi_dot) * dt;
+    odometry_.advanceFreely({distance, sideways}, turn, description_.track_width, dt, now);
+  } else {
+    odometry_.advance(distance, state_.delta, dt, now);
+  }
   velocity_ = velocity;
   speed_ = speed;
   turnWheels(dt);

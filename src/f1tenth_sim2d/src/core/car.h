@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "actuation.h"
@@ -11,6 +12,7 @@
 #include "f1tenth_sim2d/simulation.h"
 #include "lidar_sensor.h"
 #include "single_track.h"
+#include "twist_drive.h"
 #include "wheel_odometry.h"
 
 namespace f1tenth_sim2d
@@ -43,7 +45,11 @@ public:
   void moveInto(CarIndex index, WorldPieces & world);
   /// Back to the start pose, at rest.
   void restart(SimTime now);
-  Actuation & actuation() { return actuation_; }
+
+  /// Commands of the driver at now, within the limits of validation.h. Either kind serves either kind of car: one that is
+  /// driven by velocities takes a steering angle as the yaw rate that it means, and the other way round.
+  void command(const DriveCommand & command, SimTime now);
+  void commandTwist(const TwistCommand & command, SimTime now);
 
   /// Works out where the car goes in a step of dt seconds that starts at now, contacts left aside.
   void predict(SimTime now, double dt);
@@ -72,6 +78,7 @@ private:
   double outer_radius_;
   SingleTrack model_;
   Actuation actuation_;
+  std::optional<TwistDrive> twist_drive_;  ///< of a car that is driven by velocities
   WheelOdometryIntegrator odometry_;
   std::vector<LidarSensor> lidars_;
   ContactLog contacts_;

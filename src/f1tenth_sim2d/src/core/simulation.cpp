@@ -75,13 +75,13 @@ void Simulation::command(CarIndex index, const DriveCommand & command)
 {
   Car & car = impl_->car(index);
   validate(command, car.description().name);
-  car.actuation().command(command, impl_->time());
+  car.command(command, impl_->time());
 }
 
-void Simulation::commandTwist(CarIndex index, double linear_x, double angular_z)
+void Simulation::commandTwist(CarIndex index, double linear_x, double angular_z, double linear_y)
 {
-  validateTwist(linear_x, angular_z, car(index).name);
-  command(index, commandFromTwist(linear_x, angular_z, parameters(index).wheelbase()));
+  validateTwist({linear_x, linear_y}, angular_z, car(index).name);
+  impl_->car(index).commandTwist({{linear_x, linear_y}, angular_z}, impl_->time());
 }
 
 const CarState & Simulation::state(CarIndex index) const

@@ -7,7 +7,8 @@
 namespace f1tenth_sim2d
 {
 /// Dead reckoning as a car does it: distance from the wheels, curvature from the steering angle, both with noise and
-/// systematic errors. Sampled at a fixed rate whether anybody reads it or not.
+/// systematic errors; a car that is driven by velocities has its curvature from the difference of its wheels. Sampled at a
+/// fixed rate whether anybody reads it or not.
 class WheelOdometryIntegrator
 {
 public:
@@ -19,6 +20,11 @@ public:
   /// Tells what happened in a step of dt seconds that ends at now.
   /// @param distance  m, that the middle of the rear axle rolled
   void advance(double distance, double steering_angle, double dt, SimTime now);
+  /// The same of a car that is driven by velocities.
+  /// @param way          m, that the middle of the rear axle went, in the frame of the car
+  /// @param turn         rad
+  /// @param track_width  m, between the wheels
+  void advanceFreely(const Vec2 & way, double turn, double track_width, double dt, SimTime now);
 
   /// Whose noise it is from now on.
   void setCar(CarIndex car) { car_ = car; }
@@ -26,7 +32,12 @@ public:
   const WheelOdometry & current() const { return current_; }
 
 private:
-  void sample(double steering_angle);
+  bool isDue(SimTime now) const;
+  void sampleSteered(double steering_angle);
+  void sampleFree(double track_width);
+  std::uint64_t noiseKeyNow() const;
+  double measuredSpeed(double distance, double noise) const;
+  void integrate();
   SimTime sampleTime(std::int64_t number) const;
 
   VehicleParameters parameters_;
@@ -36,6 +47,8 @@ private:
   std::int64_t next_sample_{1};
   SimTime next_time_{0};
   double distance_{0.0};
+  double sideways_{0.0};
+  double turn_{0.0};
   double elapsed_{0.0};
   double last_steering_angle_{0.0};
 };

@@ -31,6 +31,17 @@ std::optional<double> wheelbaseOf(const std::vector<MechanismJoint> & mechanism)
   return front;
 }
 
+/// Where the centre of mass is on a car without an axle in front matters to a drive that does not steer.
+void placeOnOneAxle(double centre_of_mass, CarContext & context)
+{
+  if (context.car.drive && context.car.drive->kind != DriveDescription::Kind::kAckermann) {
+    VehicleParameters & parameters = context.car.parameters;
+    const double wheelbase = parameters.wheelbase();
+    parameters.l_r = centre_of_mass;
+    parameters.l_f = wheelbase - centre_of_mass;
+  }
+}
+
 void readMass(const std::vector<MechanismJoint> & mechanism, CarContext & context)
 {
   const Inertiald whole = inertiaOf(context.model, context.source());
@@ -43,6 +54,7 @@ void readMass(const std::vector<MechanismJoint> & mechanism, CarContext & contex
   }
   const std::optional<double> wheelbase = wheelbaseOf(mechanism);
   if (!wheelbase) {
+    placeOnOneAxle(centre.Pos().X(), context);
     return;
   }
   const double default_share = parameters.l_r / parameters.wheelbase();

@@ -74,6 +74,9 @@ void readDrive(Kind kind, const sdf::ElementPtr & element, CarContext & context)
   drive.odometry_rate_hz = plugin.notNegative(tags.rate, tags.default_rate_hz);
   drive.publishes_odometry = flag(element, tags.odometry);
   drive.publishes_transform = flag(element, tags.transform);
+  if (const double limit = plugin.notNegative("wheelAcceleration", 0.0); kind == Kind::kDifferential && limit > 0.0) {
+    drive.acceleration_max = limit;
+  }
   context.car.drive = std::move(drive);
 }
 }  // namespace f1tenth_sim2d

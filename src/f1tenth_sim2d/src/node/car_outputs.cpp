@@ -85,7 +85,8 @@ void OdometryOutput::fill(nav_msgs::Odometry & message, SimTime now)
   message.header.stamp = toRosTime(now);
   message.pose.pose = toPose(onGround(odometry.pose) * place_.base_pose);
   const Vec2 velocity{
-    odometry.speed - odometry.yaw_rate * place_.base_pose.Pos().Y(), odometry.yaw_rate * place_.base_pose.Pos().X()};
+    odometry.speed - odometry.yaw_rate * place_.base_pose.Pos().Y(),
+    odometry.lateral_speed + odometry.yaw_rate * place_.base_pose.Pos().X()};
   message.twist.twist = toTwist(rotated(velocity, -place_.base_pose.Rot().Yaw()), odometry.yaw_rate);
   // yaw_rate = speed * tan(steering) / wheelbase, to first order in the steering angle's noise
   const double turn = odometry.yaw_rate * parameters.wheelbase();

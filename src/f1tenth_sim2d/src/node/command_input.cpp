@@ -35,7 +35,7 @@ CommandInput::CommandInput(
 
 void CommandInput::onTwist(const geometry_msgs::Twist & message)
 {
-  take([&] { simulation_.commandTwist(car_, message.linear.x, message.angular.z); });
+  take([&] { simulation_.commandTwist(car_, message.linear.x, message.angular.z, message.linear.y); });
 }
 
 void CommandInput::onDrive(const ackermann_msgs::AckermannDriveStamped & message)

@@ -101,10 +101,10 @@ void PythonSimulation::command(CarIndex index, double speed, double steering_ang
   simulation_.command(index, {speed, steering_angle});
 }
 
-void PythonSimulation::commandTwist(CarIndex index, double linear_x, double angular_z)
+void PythonSimulation::commandTwist(CarIndex index, double linear_x, double angular_z, double linear_y)
 {
   requireCar(index);
-  simulation_.commandTwist(index, linear_x, angular_z);
+  simulation_.commandTwist(index, linear_x, angular_z, linear_y);
 }
 
 CarState PythonSimulation::state(CarIndex index) const

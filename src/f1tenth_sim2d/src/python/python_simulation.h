@@ -30,7 +30,7 @@ public:
   std::string trajectoryHash() const { return hash_.hexDigest(); }
 
   void command(CarIndex index, double speed, double steering_angle);
-  void commandTwist(CarIndex index, double linear_x, double angular_z);
+  void commandTwist(CarIndex index, double linear_x, double angular_z, double linear_y);
 
   CarState state(CarIndex index) const;
   WheelOdometry wheelOdometry(CarIndex index) const;

@@ -54,7 +54,8 @@ Raises:
       "Ask for a speed, m/s, and a steering angle, rad. Raises Error for a value that is not finite.")
     .def(
       "command_twist", &S::commandTwist, py::arg("car"), py::arg("linear_x"), py::arg("angular_z"),
-      "Ask for a speed, m/s, and a yaw rate, rad/s, as cmd_vel does.");
+      py::arg("linear_y") = 0.0,
+      "Ask for a speed, m/s, and a yaw rate, rad/s, as cmd_vel does; linear_y, m/s to the left, is for planar drives.");
 }
 
 void bindReadings(Class & type)

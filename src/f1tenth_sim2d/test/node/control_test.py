@@ -9,8 +9,9 @@ import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
 from gazebo_msgs.srv import GetModelState
+from nav_msgs.msg import Odometry
 from rosgraph_msgs.msg import Clock
-from sim2d_process import LONG, Collector, Driver, Sim2d, Stepper, car_description
+from sim2d_process import DATA, LONG, Collector, Driver, Sim2d, Stepper, car_description
 from std_srvs.srv import Empty
 
 SECOND = 1_000_000_000
@@ -23,8 +24,8 @@ def service(name, kind):
 
 
 class ControlTest(unittest.TestCase):
-    def start(self, **parameters):
-        sim2d = Sim2d(car_description(), **parameters)
+    def start(self, description=None, **parameters):
+        sim2d = Sim2d(description or car_description(), **parameters)
         self.addCleanup(sim2d.kill)
         return sim2d
 
@@ -133,6 +134,29 @@ class ControlTest(unittest.TestCase):
         assert {row["contacts"] for row in touching} == {"walls"}
         assert min(float(row["clearance"]) for row in touching) < 0.02
         assert rows[-1]["hash"] == sim2d.result()["trajectory_hash"]
+
+    def test_robot_without_a_vehicle_file_drives_as_its_description_says(self):
+        collector = self.collect(robot1__wheel_odom=Odometry)
+        description = (DATA / "two_wheels.urdf").read_text()
+        sim2d = self.start_lockstep(participants=["robot1", "test"], description=description)
+        driver = Driver("robot1", self.stepper)
+        self.addCleanup(driver.close)
+        driver.drive_to(40 * PERIOD, linear_x=0.0, angular_z=1.0)
+        driver.drive_to(80 * PERIOD, linear_x=3.0)
+        assert collector.wait_for(
+            lambda seen: (
+                seen["/robot1/wheel_odom"][-1:]
+                and seen["/robot1/wheel_odom"][-1].header.stamp.to_nsec() == 80 * PERIOD
+            )
+        )
+        odometry = collector.messages["/robot1/wheel_odom"][-1]
+        assert (odometry.header.frame_id, odometry.child_frame_id) == ("robot1/odom", "robot1/base_footprint")
+        assert abs(odometry.twist.twist.linear.x - 1.0) < 0.1
+        assert sim2d.stop() == 0
+        turned, driven = sim2d.record()[39], sim2d.record()[79]
+        assert float(turned["yaw_rate"]) == 1.0
+        assert math.hypot(float(turned["x"]), float(turned["y"])) < 1e-6
+        assert math.isclose(float(driven["v_x"]), 20 * 0.05)
 
     def test_interrupt_ends_with_result_and_hash(self):
         collector = self.collect(clock=Clock)

@@ -18,6 +18,31 @@ inline double roughBeam(const BeamView & view, double y, double x)
   return beam < 0.0 ? beam + view.beams_per_turn : beam;
 }
 
+inline double isTrue(bool condition)
+{
+  return condition ? 1.0 : 0.0;
+}
+
+/// max(value, 0), exactly, in a way that the compiler vectorizes.
+inline double positivePart(double value)
+{
+  return 0.5 * (value + std::abs(value));
+}
+
+/// The whole number at or above one that is not negative.
+inline double roundedUp(double value)
+{
+  const double whole = static_cast<int>(value);
+  return whole + isTrue(whole < value);
+}
+
+/// Whether a rough direction tells on which side of every beam it lies.
+inline bool isBetweenBeams(const BeamView & view, double rough_beam)
+{
+  const double to_beam = rough_beam - static_cast<int>(rough_beam + 0.5);
+  return std::abs(to_beam) > kRoughAngleError * view.beams_per_radian + kCornerTolerance;
+}
+
 inline float report(double range, const RangeLimits & limits)
 {
   constexpr float kNothing = std::numeric_limits<float>::infinity();
@@ -56,6 +81,18 @@ void projectWalls(const BeamView & view, WallBatch & batch, std::size_t count)
     batch.beam_b[i] = roughBeam(v, left_b, forward_b);
     batch.along_cosine[i] = (left_b - left_a) * inverse_cross;
     batch.along_sine[i] = (forward_a - forward_b) * inverse_cross;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const double beam_a = batch.beam_a[i];
+    const double beam_b = batch.beam_b[i];
+    const double end = beam_a + kCornerTolerance;
+    // Products of 0 and 1, which the compiler vectorizes as it does not "and".
+    const double is_within_turn = isTrue(beam_a >= beam_b) * isTrue(end < v.beams_per_turn) *
+                                  isTrue(beam_b + v.beams_per_turn > v.last_beam + kCornerTolerance) *
+                                  isTrue(beam_a - beam_b <= kWidthMax * v.beams_per_turn);
+    batch.is_plain[i] = is_within_turn * isTrue(isBetweenBeams(v, beam_a)) * isTrue(isBetweenBeams(v, beam_b));
+    batch.first[i] = roundedUp(positivePart(beam_b - kCornerTolerance));
+    batch.last[i] = static_cast<int>(std::min(end, v.last_beam));
   }
 }
 

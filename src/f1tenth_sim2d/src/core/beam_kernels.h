@@ -9,6 +9,12 @@
 /// The inner loops of the lidar, over walls and over beams. Arrays never overlap.
 namespace f1tenth_sim2d
 {
+/// In beams. A beam through a corner hits both walls that meet there, whatever the rounding: otherwise it could slip
+/// through between them.
+constexpr double kCornerTolerance = 1e-9;
+/// Turns. More than half a turn between the ends of a wall is rounding of a wall seen edge-on.
+constexpr double kWidthMax = 0.5 + 1e-6;
+
 /// From where walls are seen, and how directions are counted in beams.
 struct BeamView
 {
@@ -17,6 +23,7 @@ struct BeamView
   double angle_min;   ///< rad, of beam 0
   double beams_per_radian;
   double beams_per_turn;
+  double last_beam;
 };
 
 /// Walls that are drawn together, as arrays that a vector unit can stream.
@@ -36,6 +43,11 @@ struct WallBatch
   Values beam_b;
   Values along_cosine;  ///< 1/m: the inverse range is along_cosine cos + along_sine sin
   Values along_sine;
+  // Of a wall that is plain (1, else 0): the beams that it covers, none if first > last. A wall is not if one of its ends is so
+  // close to a beam that its rough direction leaves open on which side, or if it leaves the field of view and comes back.
+  Values first;
+  Values last;
+  Values is_plain;
 };
 
 /// Ends of walls, m, in the world.

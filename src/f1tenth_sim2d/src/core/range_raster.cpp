@@ -9,11 +9,6 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-// In beams. A beam through a corner hits both walls that meet there, whatever the rounding: otherwise it could
-// slip through between them.
-constexpr double kCornerTolerance = 1e-9;
-// Turns. More than half a turn between the ends of a wall is rounding of a wall seen edge-on.
-constexpr double kWidthMax = 0.5 + 1e-6;
 constexpr int kFewBeams = 6;  // not worth a call
 // Of a bound, so that rounding never hides anything.
 constexpr double kSlack = 1e-6;
@@ -21,7 +16,13 @@ constexpr double kSlack = 1e-6;
 
 RangeRaster::RangeRaster(const LidarDescription & lidar)
 : beams_(lidar),
-  view_{{}, lidar.range_max, beams_.angle_min, beams_.beams_per_radian, beams_.beams_per_turn},
+  view_{
+    {},
+    lidar.range_max,
+    beams_.angle_min,
+    beams_.beams_per_radian,
+    beams_.beams_per_turn,
+    static_cast<double>(beams_.count() - 1)},
   inverse_ranges_(beams_.count()),
   range_squared_(lidar.range_max * lidar.range_max)
 {
@@ -65,24 +66,15 @@ double RangeRaster::beamOf(double angle) const
   return beam < 0.0 ? beam + beams_.beams_per_turn : beam;
 }
 
-// What matters is only between which beams a point lies: there a rough angle will do unless it is next to a beam.
-double RangeRaster::corrected(double rough_beam, double to_x, double to_y) const
-{
-  const double to_beam = rough_beam - static_cast<int>(rough_beam + 0.5);
-  if (std::abs(to_beam) > kRoughAngleError * beams_.beams_per_radian + kCornerTolerance) {
-    return rough_beam;
-  }
-  const Vec2 point = view_.sensor.rotateBack({to_x, to_y});
-  return beamOf(direction(point.y, point.x));
-}
-
 void RangeRaster::drawWaiting()
 {
   projectWalls(view_, batch_, waiting_);
   for (std::size_t i = 0; i < waiting_; ++i) {
-    const double beam_a = corrected(batch_.beam_a[i], batch_.a_x[i], batch_.a_y[i]);
-    const double beam_b = corrected(batch_.beam_b[i], batch_.b_x[i], batch_.b_y[i]);
-    draw(beam_a, beam_b, batch_.along_cosine[i], batch_.along_sine[i]);
+    if (batch_.is_plain[i] == 0.0) {
+      drawExactly(i);
+    } else if (batch_.first[i] <= batch_.last[i]) {
+      draw(i, static_cast<int>(batch_.first[i]), static_cast<int>(batch_.last[i]));
+    }
   }
   waiting_ = 0;
 }
@@ -93,26 +85,38 @@ const double * RangeRaster::inverseRanges()
   return inverse_ranges_.data();
 }
 
-void RangeRaster::draw(double beam_a, double beam_b, double along_cosine, double along_sine)
+// What matters is only between which beams a point lies: rough directions will do unless they are next to a beam.
+void RangeRaster::drawExactly(std::size_t wall)
 {
+  const Vec2 a = view_.sensor.rotateBack({batch_.a_x[wall], batch_.a_y[wall]});
+  const Vec2 b = view_.sensor.rotateBack({batch_.b_x[wall], batch_.b_y[wall]});
+  const double beam_a = beamOf(direction(a.y, a.x));
+  const double beam_b = beamOf(direction(b.y, b.x));
   const double width = beam_a < beam_b ? beam_a - beam_b + beams_.beams_per_turn : beam_a - beam_b;
   if (width > kWidthMax * beams_.beams_per_turn) {
     return;
   }
+  anyInterval(beam_b, width, [&](int first, int last) {
+    draw(wall, first, last);
+    return false;
+  });
+}
+
+void RangeRaster::draw(std::size_t wall, int first, int last)
+{
+  const double along_cosine = batch_.along_cosine[wall];
+  const double along_sine = batch_.along_sine[wall];
   const double * const cosine = beams_.cosine.data();
   const double * const sine = beams_.sine.data();
   double * const inverse = inverse_ranges_.data();
-  anyInterval(beam_b, width, [&](int first, int last) {
-    if (last - first >= kFewBeams) {
-      drawWall(along_cosine, along_sine, cosine + first, sine + first, inverse + first, last - first + 1);
-      return false;
-    }
-    for (int i = first; i <= last; ++i) {
-      const double value = along_cosine * cosine[i] + along_sine * sine[i];
-      inverse[i] = value > inverse[i] ? value : inverse[i];
-    }
-    return false;
-  });
+  if (last - first >= kFewBeams) {
+    drawWall(along_cosine, along_sine, cosine + first, sine + first, inverse + first, last - first + 1);
+    return;
+  }
+  for (int i = first; i <= last; ++i) {
+    const double value = along_cosine * cosine[i] + along_sine * sine[i];
+    inverse[i] = value > inverse[i] ? value : inverse[i];
+  }
 }
 
 void RangeRaster::addCircle(const Vec2 & centre_world, double radius)

@@ -70,9 +70,9 @@ private:
   template <typename Visit>
   bool anyInterval(double begin, double width, Visit visit) const;
   double beamOf(double angle) const;
-  double corrected(double rough_beam, double to_x, double to_y) const;
   void drawWaiting();
-  void draw(double beam_a, double beam_b, double along_cosine, double along_sine);
+  void drawExactly(std::size_t wall);
+  void draw(std::size_t wall, int first, int last);
 
   BeamTable beams_;
   BeamView view_;

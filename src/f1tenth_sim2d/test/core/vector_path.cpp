@@ -47,9 +47,11 @@ void addWalls(Results & results)
   const WallEnds ends{batch.a_x.data(), batch.a_y.data(), batch.b_x.data(), batch.b_y.data()};
   crossOfFacing({0.3, -0.2}, 4.0, ends, WallBatch::kSize, cross);
   results.add(cross, WallBatch::kSize);
-  const BeamView view{Transform2({0.3, -0.2, 0.7}), 10.0, -2.35, 229.0, 1439.0};
+  const BeamView view{Transform2({0.3, -0.2, 0.7}), 10.0, -2.35, 229.0, 1439.0, 1080.0};
   projectWalls(view, batch, WallBatch::kSize);
-  for (const auto * values : {&batch.beam_a, &batch.beam_b, &batch.along_cosine, &batch.along_sine}) {
+  for (const auto * values :
+       {&batch.beam_a, &batch.beam_b, &batch.along_cosine, &batch.along_sine, &batch.first, &batch.last,
+        &batch.is_plain}) {
     results.add(values->data(), WallBatch::kSize);
   }
 }

@@ -110,6 +110,7 @@ void CollisionWorld::addCar(const CarBody & car)
 void CollisionWorld::place(CarIndex car, const CarMotion & motion)
 {
   b2Body * body = cars_[car].body;
+  is_pristine_ = false;
   cars_[car].placed = motion;
   body->SetTransform(toBox(Vec2{motion.pose.x, motion.pose.y}), static_cast<float>(motion.pose.yaw));
   if (!body->IsEnabled()) {
@@ -128,6 +129,7 @@ void CollisionWorld::remove(CarIndex car)
 
 void CollisionWorld::step(double dt, int substeps)
 {
+  is_pristine_ = false;
   recorder_.beginStep();
   for (int i = 0; i < substeps; ++i) {
     recorder_.beginSubstep();
@@ -235,6 +237,7 @@ void CollisionWorld::setMotions(const std::vector<ModelMotion> & motions)
 void CollisionWorld::setMotion(std::size_t model, const ModelMotion & motion)
 {
   b2Body & body = *model_bodies_[model];
+  is_pristine_ = false;
   body.SetTransform(motion.centre, motion.angle);
   body.SetAwake(motion.awake);
   if (motion.awake) {

@@ -74,6 +74,8 @@ public:
   /// Effect of the last step on a car that took part in it.
   ContactEffect effect(CarIndex car) const;
 
+  /// Whether nothing has ever taken part in a step or been put somewhere: it is as on its first day.
+  bool isPristine() const { return is_pristine_; }
   /// Whether any movable model moves.
   bool isAwake() const { return is_awake_; }
   /// The farthest that a point of a movable model goes within dt seconds, m.
@@ -151,6 +153,7 @@ private:
   std::vector<Movable> movables_;
   std::vector<Car> cars_;
   std::size_t layers_added_{0};
+  bool is_pristine_{true};
   bool is_awake_{false};  ///< models wake and fall asleep in steps, or when they are put somewhere
 };
 }  // namespace f1tenth_sim2d

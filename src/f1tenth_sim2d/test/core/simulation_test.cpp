@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/trajectory_hash.h"
@@ -88,6 +90,31 @@ TEST(Simulation, CommandsBeyondTheLimitsAreClampedAndHarmless)
   drive(simulation, 0, {100.0, -6.0}, 1.0);
   EXPECT_TRUE(std::isfinite(simulation.state(0).pose.x));
   EXPECT_NEAR(simulation.state(0).steering_angle, -0.4189, 1e-12);
+}
+
+TEST(Simulation, ImpactAfterAResetIsThatOfAFreshStartWhetherOrNotAnythingWasTouchedBefore)
+{
+  const auto impact = [](Simulation & simulation) {
+    drive(simulation, 0, {4.0, 0.2}, 2.0);
+    std::vector<std::uint8_t> bytes;
+    simulation.appendStateBytes(bytes);
+    EXPECT_FALSE(simulation.contacts(0).empty());
+    return bytes;
+  };
+  const auto simulationOfRoom = [] {
+    Simulation simulation(world({room(2.0), movableBox("crate", 0.3, 1.5, 0.3)}));
+    simulation.addCar(car("robot1"), {}, {});
+    return simulation;
+  };
+  Simulation fresh = simulationOfRoom();
+  const std::vector<std::uint8_t> expected = impact(fresh);
+  Simulation again = simulationOfRoom();
+  drive(again, 0, {0.2, 0.0}, 0.5);
+  EXPECT_TRUE(again.contacts(0).empty());
+  again.reset();
+  EXPECT_EQ(impact(again), expected);
+  again.reset();
+  EXPECT_EQ(impact(again), expected);
 }
 
 TEST(Simulation, ParametersThatAreNoCarsAreRefused)

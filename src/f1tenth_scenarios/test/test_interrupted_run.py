@@ -3,24 +3,13 @@
 import json
 import signal
 import subprocess
-import time
 from pathlib import Path
 
 import psutil
 import pytest
+from patience import PATIENCE, wait_for
 
 SCENARIO = Path(__file__).parent.parent / "scripts" / "scenario"
-PATIENCE = 120.0  # wall s
-
-
-def wait_for(condition):
-    deadline = time.monotonic() + PATIENCE
-    while time.monotonic() < deadline:
-        value = condition()
-        if value:
-            return value
-        time.sleep(0.05)
-    raise AssertionError("waited in vain")
 
 
 def processes_of(folder):

@@ -4,13 +4,12 @@ import os
 import signal
 import subprocess
 import sys
-import time
 
 import psutil
 import pytest
 from f1tenth_scenarios.processes import ProcessTree
+from patience import PATIENCE, wait_for
 
-PATIENCE = 10.0  # wall s
 SLEEP = "import time; time.sleep(600)"
 IGNORE = "import signal; [signal.signal(s, signal.SIG_IGN) for s in (signal.SIGINT, signal.SIGTERM)]"
 
@@ -32,16 +31,6 @@ def starts_child(folder, program, own_session=False):
 
 def pid_of_child(folder):
     return int(wait_for(lambda: (folder / "pid").exists() and (folder / "pid").read_text()))
-
-
-def wait_for(condition):
-    deadline = time.monotonic() + PATIENCE
-    while time.monotonic() < deadline:
-        value = condition()
-        if value:
-            return value
-        time.sleep(0.01)
-    raise AssertionError("waited in vain")
 
 
 def is_gone(pid):

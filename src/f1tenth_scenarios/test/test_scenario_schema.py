@@ -9,7 +9,9 @@ TOP_KEYS = (
     "description, world, cars, limits, expected, seed, culprit, reason, course, start_line, laps,"
     " time_to_start, lockstep, real_time_factor, boxes, criteria, faults"
 )
-CAR_KEYS = "name, start, driver, goals, line, speed_max, commands, mu, dropped_beams, input_faults"
+CAR_KEYS = (
+    "name, start, driver, goals, line, speed_max, acceleration_max, commands, mu, dropped_beams, input_faults"
+)
 
 
 def write(tmp_path, text):
@@ -151,6 +153,11 @@ ANSWERS = {
         "    goals: circuit1",
         "    driver: commands\n    commands: [{at: 0, speed: 1}]\n    speed_max: 1",
         "FILE:7: cars[0].speed_max is for the drivers 'race' and 'pursuit'",
+    ),
+    "acceleration of a pursuer": (
+        "    goals: circuit1",
+        "    driver: pursuit\n    line: circuit1\n    acceleration_max: 1",
+        "FILE:7: cars[0].acceleration_max is for the driver 'race' only",
     ),
     "pursuit of nothing": (
         "    goals: circuit1",

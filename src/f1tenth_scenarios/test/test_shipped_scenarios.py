@@ -66,6 +66,10 @@ def test_launch_file_hands_the_scenario_to_the_drivers(plan):
     for car in plan.scenario.cars:
         if car.driver is Driver.RACE and car.speed_max is not None:
             assert parameters[f"/{car.name}/move_base/TebLocalPlannerROS/max_vel_x"] == car.speed_max
+        if car.acceleration_max is not None:
+            planner = f"/{car.name}/move_base/TebLocalPlannerROS"
+            assert parameters[f"{planner}/acc_lim_x"] == car.acceleration_max
+            assert parameters[f"{planner}/max_lateral_acceleration"] == car.acceleration_max
         if car.driver is Driver.PURSUIT:
             assert parameters[f"/{car.name}/pure_pursuit/speed_max"] == car.speed_max
             assert parameters[f"/{car.name}/pure_pursuit/start_at"] > plan.scenario.time_to_start

@@ -68,6 +68,7 @@ def _car_arguments(plan: Plan, car: Car) -> dict[str, Any]:
         "scenario_file": plan.file,
         "line": plan.lines.get(car.name, ""),
         "speed_max": "" if car.speed_max is None else car.speed_max,
+        "acceleration_max": "" if car.acceleration_max is None else car.acceleration_max,
         "start_at": plan.scenario.time_to_start + _START_MARGIN if plan.goals else 0.0,
         "vehicle": plan.vehicle_file(car.name) if car.mu is not None else "",
         "dropped_beams": car.dropped_beams,

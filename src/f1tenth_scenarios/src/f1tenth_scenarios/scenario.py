@@ -108,6 +108,13 @@ class Car:
         at_most=20,
         default=None,
     )
+    acceleration_max: Optional[float] = key(
+        "How hard `race` may speed up, brake and take bends; default: what the planner is set to.",
+        unit="m/s^2",
+        above=0,
+        at_most=20,
+        default=None,
+    )
     commands: tuple[Command, ...] = key("What the driver `commands` does, in order of time.", default=())
     mu: Optional[float] = key(
         "Friction of the car's tyres on the ground; default: the car's.", above=0, at_most=3, default=None
@@ -131,6 +138,8 @@ class Car:
             return "line", "belongs to the driver 'pursuit', which needs one"
         if self.driver is Driver.COMMANDS and self.speed_max is not None:
             return "speed_max", "is for the drivers 'race' and 'pursuit'"
+        if self.acceleration_max is not None and self.driver is not Driver.RACE:
+            return "acceleration_max", "is for the driver 'race' only"
         if self.dropped_beams and self.driver is not Driver.RACE:
             return "dropped_beams", "is for the driver 'race' only"
         if self.input_faults and self.driver is not Driver.RACE:

@@ -196,3 +196,19 @@ def test_gazebo_takes_the_place_of_the_simulator():
     (spawn,) = [node for node in config.nodes if node.type == "spawn_model"]
     assert "-model robot1 -robot_namespace robot1 -x 0.0 -y 0.5 -Y 0.0" in spawn.args
     assert "/sim2d" not in node_names(config)
+
+
+def test_amcl_acts_before_the_planner_and_starts_where_the_car_does():
+    arguments = ("localization:=amcl", "odometry:=wheel", "lockstep:=true", "seed:=3", "x:=1.0", "y:=2.0")
+    config = load("sim_one_car.launch", *arguments)
+    assert value(config, "/sim2d/participants") == ["robot1/amcl", "robot1/move_base"]
+    assert value(config, "/robot1/move_base/lockstep_after") == "robot1/amcl"
+    assert value(config, "/robot1/amcl/lockstep") is True
+    assert [value(config, f"/robot1/amcl/{name}") for name in ("seed", "initial_pose_y")] == [3, 2.0]
+
+
+def test_each_of_two_cars_has_its_own_amcl():
+    config = load("sim_two_cars.launch", "localization:=amcl", "odometry:=wheel")
+    assert {"/robot1/amcl", "/robot2/amcl"} <= node_names(config)
+    assert value(config, "/robot2/amcl/initial_pose_y") == -0.3
+    assert value(config, "/sim2d/participants")[:2] == ["robot1/amcl", "robot2/amcl"]

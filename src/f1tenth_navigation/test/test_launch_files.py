@@ -95,6 +95,25 @@ def test_localization_can_be_left_to_another_node():
     assert load("localization.launch", "localization:=none").nodes == []
 
 
+def test_amcl_has_the_car_s_frames_and_start():
+    config = load("localization.launch", "localization:=amcl", "car_name:=ego", "x:=1.5", "yaw:=-0.5")
+    assert nodes(config) == [("/ego/", "amcl", "amcl", "amcl")]
+    assert ["map", "/map"] in config.nodes[0].remap_args
+    wanted = {
+        "odom_frame_id": "ego/odom",
+        "base_frame_id": "ego/base_footprint",
+        "global_frame_id": "map",
+        "initial_pose_x": 1.5,
+        "initial_pose_y": 0.0,
+        "initial_pose_a": -0.5,
+        "use_map_topic": True,
+        "lockstep": False,
+        "seed": 0,
+    }
+    given = parameters(config)
+    assert {name: given[f"/ego/amcl/{name}"] for name in wanted} == wanted
+
+
 def test_unknown_localization_is_refused_by_its_name():
     with pytest.raises(roslaunch.RLException, match="'guess'"):
         load("localization.launch", "localization:=guess")

@@ -4,7 +4,7 @@ import pytest
 from f1tenth_scenarios.agenda import Agenda, PeriodGate
 from f1tenth_scenarios.participants import participants
 from f1tenth_scenarios.profile import STANDING, command_at
-from f1tenth_scenarios.scenario import Car, Command, Driver, Fault
+from f1tenth_scenarios.scenario import Car, Command, Driver, Fault, Localization
 from scenario_samples import scenario
 
 
@@ -60,6 +60,13 @@ def test_command_holds_until_the_next(now, command):
 def test_participants_of_a_race():
     assert participants(scenario(cars=("robot1", "robot2"))) == [
         "robot1/move_base", "robot1/race_mgr", "robot2/move_base", "robot2/race_mgr", "race_starter",
+    ]  # fmt: skip
+
+
+def test_amcl_acts_first():
+    assert participants(scenario(cars=("robot1", "robot2"), localization=Localization.AMCL)) == [
+        "robot1/amcl", "robot2/amcl", "robot1/move_base", "robot1/race_mgr", "robot2/move_base",
+        "robot2/race_mgr", "race_starter",
     ]  # fmt: skip
 
 

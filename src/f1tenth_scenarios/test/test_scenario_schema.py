@@ -7,7 +7,7 @@ from scenario_samples import SCENARIO_TEXT
 
 TOP_KEYS = (
     "description, world, cars, limits, expected, seed, culprit, reason, course, start_line, laps,"
-    " time_to_start, lockstep, real_time_factor, boxes, criteria, faults"
+    " time_to_start, lockstep, real_time_factor, localization, boxes, criteria, faults"
 )
 CAR_KEYS = (
     "name, start, driver, goals, line, speed_max, acceleration_max, commands, mu, dropped_beams, input_faults"

@@ -5,7 +5,7 @@ import roslaunch.config
 from f1tenth_scenarios.launch_file import launch_command, write_launch_file
 from f1tenth_scenarios.participants import DRIVER_NODES, participants
 from f1tenth_scenarios.plan import make_plan
-from f1tenth_scenarios.scenario import Driver
+from f1tenth_scenarios.scenario import Driver, Localization
 
 from f1tenth_scenarios import places
 
@@ -42,6 +42,7 @@ def test_launch_file_starts_what_the_scenario_says(plan):
         driven_by = {"move_base", "race_mgr"} if car.driver is Driver.RACE else {DRIVER_NODES[car.driver]}
         driven_by |= {"faulty_inputs"} if car.input_faults else set()
         driven_by |= {"beam_dropper"} if car.dropped_beams else set()
+        driven_by |= {"amcl"} if plan.scenario.localization is Localization.AMCL else {"map_to_odom"}
         assert {f"{car.name}/{node}" for node in driven_by} <= nodes
     assert ("race_starter" in nodes) == bool(plan.goals)
 
@@ -73,6 +74,11 @@ def test_launch_file_hands_the_scenario_to_the_drivers(plan):
         if car.driver is Driver.PURSUIT:
             assert parameters[f"/{car.name}/pure_pursuit/speed_max"] == car.speed_max
             assert parameters[f"/{car.name}/pure_pursuit/start_at"] > plan.scenario.time_to_start
+        if car.driver is Driver.RACE:
+            is_amcl = plan.scenario.localization is Localization.AMCL
+            first = f"{car.name}/amcl" if is_amcl else ""
+            assert parameters[f"/{car.name}/move_base/lockstep_after"] == first
+            assert parameters["/sim2d/odometry"] == ("wheel" if is_amcl else "perfect")
         if car.dropped_beams:
             (planner,) = (node for node in config.nodes if node.name == "move_base")
             assert ["scan", "scan_dropped"] in planner.remap_args

@@ -7,7 +7,7 @@ from typing import Any
 from f1tenth_scenarios import places
 from f1tenth_scenarios.participants import participants
 from f1tenth_scenarios.plan import Plan
-from f1tenth_scenarios.scenario import Car, Driver, Input
+from f1tenth_scenarios.scenario import Car, Driver, Input, Localization, Scenario
 from f1tenth_scenarios.scenario_world import write_world
 
 # wall s that a node has after SIGINT, and then after SIGTERM
@@ -49,6 +49,7 @@ def _shared_arguments(plan: Plan) -> dict[str, Any]:
         "real_time_factor": scenario.real_time_factor,
         "seed": scenario.seed,
         "record": plan.record_file,
+        "odometry": _odometry(scenario),
         "result_file": plan.simulator_result_file,
         "race": any(car.driver is Driver.RACE for car in scenario.cars),
         "time_to_start": scenario.time_to_start,
@@ -74,6 +75,8 @@ def _car_arguments(plan: Plan, car: Car) -> dict[str, Any]:
         "dropped_beams": car.dropped_beams,
         "faulty_inputs": " ".join(each.value for each in Input if car.faults_of(each)),
         "input_faults": json.dumps(_faults(car)),
+        "odometry": _odometry(plan.scenario),
+        "localization": plan.scenario.localization.value,
         "seed": plan.scenario.seed,
     }
 
@@ -86,6 +89,10 @@ def _faults(car: Car) -> list[dict[str, Any]]:
         | ({} if fault.delay is None else {"delay": fault.delay})
         for name, fault in faults
     ]
+
+
+def _odometry(scenario: Scenario) -> str:
+    return "wheel" if scenario.localization is Localization.AMCL else "perfect"
 
 
 def _include(launch: ElementTree.Element, name: str, arguments: dict[str, Any]) -> None:

@@ -1,6 +1,6 @@
 """Whom the simulator waits for in lockstep."""
 
-from f1tenth_scenarios.scenario import Driver, Scenario
+from f1tenth_scenarios.scenario import Driver, Localization, Scenario
 
 DIRECTOR = "scenario"
 STARTER = "race_starter"
@@ -12,7 +12,8 @@ def participants(scenario: Scenario) -> list[str]:
     """The names of docs/lockstep.md that take part in a scenario; none without lockstep."""
     if not scenario.lockstep:
         return []
-    names = [name for car in scenario.cars for name in _of_car(car)]
+    names = [f"{car.name}/amcl" for car in scenario.cars if scenario.localization is Localization.AMCL]
+    names += [name for car in scenario.cars for name in _of_car(car)]
     if any(car.driver is Driver.RACE for car in scenario.cars):
         names.append(STARTER)
     if scenario.has_events:

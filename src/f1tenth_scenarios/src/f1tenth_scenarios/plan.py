@@ -10,7 +10,7 @@ from f1tenth_scenarios.course import Course, read_course
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.goals import read_goals
 from f1tenth_scenarios.raceline import read_raceline
-from f1tenth_scenarios.scenario import Driver, Pose, Scenario, read_scenario
+from f1tenth_scenarios.scenario import Driver, Localization, Pose, Scenario, read_scenario
 from f1tenth_scenarios.scenario_world import check_boxes
 from f1tenth_scenarios.settings import apply_settings, parse_setting
 
@@ -110,6 +110,8 @@ def _find_files(file, scenario, folder):
     map_file = places.map_file(world)
     if goals and map_file is None:
         raise ScenarioError(f"the driver 'race' needs a map, and {world} has none beside it or in ../maps")
+    if scenario.localization is Localization.AMCL and map_file is None:
+        raise ScenarioError(f"'localization: amcl' needs a map, and {world} has none beside it or in ../maps")
     check_boxes(world, scenario)
     course = read_course(places.course_file(scenario.course, file.parent)) if scenario.course else None
     return Plan(file.stem, file, scenario, world, map_file, goals_files, goals, folder, course, lines=lines)

@@ -32,6 +32,13 @@ class Driver(enum.Enum):
     COMMANDS = "commands"
 
 
+class Localization(enum.Enum):
+    """From what the cars know where they are."""
+
+    STATIC = "static"
+    AMCL = "amcl"
+
+
 @dataclasses.dataclass(frozen=True)
 class Pose:
     """A pose in the map frame."""
@@ -314,6 +321,11 @@ class Scenario:
     lockstep: bool = key("Whether the simulator waits for every participant in every period.", default=True)
     real_time_factor: float = key(
         "Simulated seconds per wall second without lockstep; 0: as fast as it goes.", at_least=0, default=1.0
+    )
+    localization: Localization = key(
+        "From what the cars know where they are. `static`: perfect odometry; `amcl`: wheel odometry, and amcl"
+        " on the map.",
+        default=Localization.STATIC,
     )
     boxes: tuple[Box, ...] = key("What lies about besides the world's own models.", default=())
     criteria: Criteria = key("What the run is measured by besides its verdict.", default=Criteria())

@@ -44,9 +44,10 @@ void spin(move_base::MoveBaseNode & node, ros::CallbackQueue & queue)
   }
 }
 
-void spinInLockstep(move_base::MoveBaseNode & node)
+void spinInLockstep(move_base::MoveBaseNode & node, const std::string & after)
 {
-  sim2d_lockstep::Participant participant(ros::this_node::getName().substr(1));
+  const auto predecessors = after.empty() ? std::vector<std::string>{} : std::vector<std::string>{after};
+  sim2d_lockstep::Participant participant(ros::this_node::getName().substr(1), predecessors);
   bool ready = false;
   while (ros::ok()) {
     const auto stamp = participant.waitForPeriod(kPatience);
@@ -76,7 +77,7 @@ int main(int argc, char ** argv)
     ros::CallbackQueue queue;
     move_base::MoveBaseNode node(parameters, queue);
     if (parameters.lockstep) {
-      spinInLockstep(node);
+      spinInLockstep(node, parameters.lockstep_after);
     } else {
       spin(node, queue);
     }

@@ -112,6 +112,7 @@ void readLocalPlanner(ParameterReader & reader, const std::string & name, Naviga
 void readMoveBase(ParameterReader & reader, MoveBaseParameters & parameters)
 {
   reader.read({"lockstep"}, parameters.lockstep);
+  reader.read({"lockstep_after"}, parameters.lockstep_after);
   double controller_frequency = 20.0;
   if (reader.read({"controller_frequency"}, controller_frequency) || !parameters.lockstep) {
     if (!(controller_frequency > 0.0)) {

@@ -20,6 +20,7 @@ struct MoveBaseParameters
   double controller_period{0.05};                     ///< s; 0: every period of the lockstep
   bool shutdown_costmaps{false};                      ///< whether scans are ignored without a goal
   bool lockstep{false};
+  std::string lockstep_after;            ///< participant that acts before this one; empty: none
   double global_publish_frequency{1.0};  ///< Hz; 0: never
   double local_publish_frequency{5.0};   ///< Hz; 0: never
   double local_width{10.0};              ///< m

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "amcl/geometry.h"
+#include "amcl/localizer_options.h"
+#include "amcl/occupancy_grid.h"
+#include "amcl/scan.h"
+
+namespace amcl
+{
+/// A pose in the map frame and how sure it is: variances of x (m^2), y (m^2) and yaw (rad^2), row by row.
+struct Estimate
+{
+  Pose2 pose;
+  std::array<double, 9> covariance{};
+};
+
+/// What became of a scan.
+enum class Outcome
+{
+  kIgnored,    ///< the car has hardly moved since the last one that counted
+  kUpdated,    ///< the particles were moved and weighed
+  kResampled,  ///< besides, they were drawn anew
+};
+
+/// Finds out where a car is on a map, from scans and odometry: Monte-Carlo localization of MRPT with as many particles
+/// as needed (D. Fox: Adapting the Sample Size in Particle Filters Through KLD-Sampling, International Journal of
+/// Robotics Research 22, 2003). The same inputs and the same seed give the same poses.
+class Localizer
+{
+public:
+  /// @throws OptionError, or MapError for a map without cells
+  Localizer(const OccupancyGrid & map, const LocalizerOptions & options, const Estimate & start);
+  ~Localizer();
+  Localizer(Localizer &&) noexcept;
+  Localizer & operator=(Localizer &&) noexcept;
+
+  /// Believes from now on what somebody else says. The next scan counts.
+  void setPose(const Estimate & estimate);
+  /// Forgets where the car is: it may be anywhere that is free on the map. The next scan counts.
+  /// @throws MapError if nothing is free there
+  void spreadOut();
+  /// Makes the next scan count even if the car stands.
+  void updateNext();
+
+  /// Takes a scan in.
+  /// @param lidar     pose of the lidar on the car
+  /// @param odometry  pose of the car when the scan was taken, as odometry knows it
+  Outcome process(const Scan & scan, const Pose2 & lidar, const Pose2 & odometry);
+
+  /// Mean and covariance of the particles that stand together and weigh most, as of the last scan that counted.
+  Estimate estimate() const;
+  /// All particles, in the map frame.
+  std::vector<Pose2> particles() const;
+
+private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+}  // namespace amcl

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+namespace amcl
+{
+/// A scan of a lidar in the plane. Angles in the lidar's frame: 0 is its x axis, left is positive.
+struct Scan
+{
+  double angle_min{0.0};        ///< rad, of the first beam
+  double angle_increment{0.0};  ///< rad, from one beam to the next; negative for a lidar that hangs upside down
+  double range_min{0.0};        ///< m
+  double range_max{0.0};        ///< m
+  std::vector<float> ranges;    ///< m; what is not finite, or nearer than range_min, was not hit
+};
+}  // namespace amcl

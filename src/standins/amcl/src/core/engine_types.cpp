@@ -1,0 +1,108 @@
+#include "engine_types.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "amcl/errors.h"
+
+namespace amcl
+{
+namespace
+{
+using mrpt::maps::COccupancyGridMap2D;
+using mrpt::obs::CObservation2DRangeScan;
+
+// Probabilities of being free.
+constexpr float kFree = 0.99F;
+constexpr float kOccupied = 0.01F;
+constexpr float kUnknown = 0.5F;
+
+float freedom(std::int8_t cell)
+{
+  return cell == 0 ? kFree : cell == 100 ? kOccupied : kUnknown;
+}
+
+void expectCells(const OccupancyGrid & grid)
+{
+  const std::size_t count = static_cast<std::size_t>(std::max(grid.width, 0)) * std::max(grid.height, 0);
+  if (count == 0 || grid.cells.size() != count || !(std::isfinite(grid.resolution) && grid.resolution > 0.0)) {
+    throw MapError(
+      "the map has " + std::to_string(grid.width) + " x " + std::to_string(grid.height) + " cells of " +
+      std::to_string(grid.resolution) + " m and data for " + std::to_string(grid.cells.size()));
+  }
+}
+
+void setLikelihood(COccupancyGridMap2D & map, const LaserOptions & options)
+{
+  auto & likelihood = map.likelihoodOptions;
+  likelihood.likelihoodMethod = options.model == LaserModel::kBeam ? COccupancyGridMap2D::lmRayTracing
+                                                                   : COccupancyGridMap2D::lmLikelihoodField_Thrun;
+  likelihood.LF_alternateAverageMethod = options.model == LaserModel::kLikelihoodField;
+  likelihood.LF_stdHit = static_cast<float>(options.sigma_hit);
+  likelihood.LF_zHit = static_cast<float>(options.z_hit);
+  likelihood.LF_zRandom = static_cast<float>(options.z_rand);
+  likelihood.LF_maxCorrsDistance = static_cast<float>(options.likelihood_max_dist);
+  likelihood.LF_decimation = 1;
+  likelihood.rayTracing_stdHit = static_cast<float>(options.sigma_hit);
+  likelihood.rayTracing_decimation = 1;
+}
+
+std::size_t strideOf(const Scan & scan, int max_beams)
+{
+  // Rounded up, so that there are not more.
+  const std::size_t gaps = static_cast<std::size_t>(max_beams) - 1;
+  return std::max<std::size_t>(1, (scan.ranges.size() - 1 + gaps - 1) / gaps);
+}
+
+bool isValid(const Scan & scan, const LaserOptions & options, double range)
+{
+  const double nearest = options.min_range < 0.0 ? scan.range_min : options.min_range;
+  const double farthest = options.max_range < 0.0 ? scan.range_max : std::min(scan.range_max, options.max_range);
+  return range >= nearest && range < farthest;  // false for what is not a number
+}
+}  // namespace
+
+COccupancyGridMap2D::Ptr toGridMap(const OccupancyGrid & grid, const LaserOptions & options)
+{
+  expectCells(grid);
+  const auto map = COccupancyGridMap2D::Create();
+  const auto resolution = static_cast<float>(grid.resolution);
+  // One more row and column, as MRPT's likelihood fields take the last ones for outside of the map.
+  map->setSize(
+    0.0F, static_cast<float>(grid.width + 1) * resolution, 0.0F, static_cast<float>(grid.height + 1) * resolution,
+    resolution);
+  for (int y = 0; y < grid.height; ++y) {
+    for (int x = 0; x < grid.width; ++x) {
+      map->setCell(x, y, freedom(grid.cells[static_cast<std::size_t>(y) * grid.width + x]));
+    }
+  }
+  setLikelihood(*map, options);
+  return map;
+}
+
+CObservation2DRangeScan::Ptr toObservation(const Scan & scan, const Pose2 & lidar, const LaserOptions & options)
+{
+  if (scan.ranges.size() < 2) {
+    return nullptr;
+  }
+  const std::size_t stride = strideOf(scan, options.max_beams);
+  const std::size_t count = (scan.ranges.size() - 1) / stride + 1;
+  const double width = static_cast<double>((count - 1) * stride) * scan.angle_increment;
+  const auto observation = CObservation2DRangeScan::Create();
+  observation->rightToLeft = scan.angle_increment > 0.0;
+  observation->aperture = static_cast<float>(std::abs(width));
+  observation->maxRange = static_cast<float>(scan.range_max);
+  // MRPT's scans are symmetric: the sensor looks along the middle beam.
+  const Pose2 middle = compose(lidar, {0.0, 0.0, scan.angle_min + 0.5 * width});
+  observation->sensorPose = mrpt::poses::CPose3D(mrpt::poses::CPose2D(toTPose2D(middle)));
+  observation->resizeScan(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const float range = scan.ranges[i * stride];
+    const bool valid = isValid(scan, options, range);
+    observation->setScanRange(i, valid ? range : 0.0F);
+    observation->setScanRangeValidity(i, valid);
+  }
+  return observation;
+}
+}  // namespace amcl

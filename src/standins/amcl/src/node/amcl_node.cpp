@@ -1,0 +1,254 @@
+#include "amcl_node.h"
+
+#include <geometry_msgs/PoseArray.h>
+#include <geometry_msgs/TransformStamped.h>
+#include <ros/console.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <cmath>
+
+#include "amcl/errors.h"
+#include "conversions.h"
+
+namespace amcl
+{
+namespace
+{
+constexpr std::size_t kLongestQueue = 100;  // scans, as the original's
+
+ros::NodeHandle servedBy(ros::CallbackQueue & queue)
+{
+  ros::NodeHandle node;
+  node.setCallbackQueue(&queue);
+  return node;
+}
+
+bool isFinite(const Pose2 & pose)
+{
+  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.yaw);
+}
+}  // namespace
+
+AmclNode::AmclNode(const NodeParameters & parameters, ros::CallbackQueue & queue)
+: parameters_(parameters),
+  odometry_(parameters.odom_frame_id, parameters.base_frame_id),
+  estimate_(parameters.start),
+  private_node_("~")
+{
+  ros::NodeHandle node = servedBy(queue);
+  pose_publisher_ = node.advertise<geometry_msgs::PoseWithCovarianceStamped>("amcl_pose", 2, true);
+  particle_publisher_ = node.advertise<geometry_msgs::PoseArray>("particlecloud", 2, true);
+  // Latched, unlike a tf2_ros::TransformBroadcaster: in lockstep's first period others wait for the transform.
+  transform_publisher_ = node.advertise<tf2_msgs::TFMessage>("/tf", 100, true);
+  services_ = {
+    node.advertiseService("global_localization", &AmclNode::onGlobalLocalization, this),
+    node.advertiseService("request_nomotion_update", &AmclNode::onUpdateWithoutMotion, this),
+    node.advertiseService("set_map", &AmclNode::onSetMap, this)};
+}
+
+void AmclNode::setMap(const nav_msgs::OccupancyGrid & map)
+{
+  if (localizer_ && parameters_.first_map_only) {
+    return;
+  }
+  if (map.header.frame_id != parameters_.global_frame_id) {
+    ROS_WARN(
+      "The map is in frame \"%s\", global_frame_id is \"%s\"; it is used all the same", map.header.frame_id.c_str(),
+      parameters_.global_frame_id.c_str());
+  }
+  build(map, estimate_);
+}
+
+bool AmclNode::build(const nav_msgs::OccupancyGrid & map, const Estimate & start)
+{
+  try {
+    localizer_ = Localizer(fromOccupancyGrid(map), parameters_.localizer, start);
+  } catch (const MapError & error) {
+    ROS_ERROR("%s; it is not used", error.what());
+    return false;
+  }
+  estimate_ = start;
+  must_publish_ = true;
+  return true;
+}
+
+void AmclNode::setPose(const geometry_msgs::PoseWithCovarianceStamped & message)
+{
+  const std::string & frame = message.header.frame_id;
+  Estimate estimate = fromPoseWithCovariance(message.pose);
+  if ((!frame.empty() && frame != parameters_.global_frame_id) || !isFinite(estimate.pose)) {
+    ROS_WARN(
+      "An initial pose in frame \"%s\" is ignored: it must be finite and in global_frame_id \"%s\"", frame.c_str(),
+      parameters_.global_frame_id.c_str());
+    return;
+  }
+  // The car has moved on since it was there.
+  const auto then = odometry_.poseAt(message.header.stamp);
+  const auto now = odometry_.poseAt(ros::Time(0));
+  if (then && now) {
+    estimate.pose = compose(estimate.pose, compose(inverse(*then), *now));
+  }
+  estimate_ = estimate;
+  if (localizer_) {
+    localizer_->setPose(estimate);
+    must_publish_ = true;
+  }
+}
+
+void AmclNode::add(const sensor_msgs::LaserScan::ConstPtr & scan)
+{
+  if (waiting_.size() == kLongestQueue) {
+    waiting_.pop_front();
+  }
+  waiting_.push_back(scan);
+}
+
+void AmclNode::handleScans()
+{
+  while (localizer_ && !waiting_.empty()) {
+    const auto scan = waiting_.front();
+    const auto odometry = odometry_.poseAt(scan->header.stamp);
+    const auto mount = odometry_.mountOf(scan->header.frame_id);
+    if (odometry && mount) {
+      handle(*scan, *odometry, *mount);
+    } else if (isHopeless(*scan)) {
+      ROS_WARN_THROTTLE(
+        5.0, "A scan at %.3f s is left out: there is no transform from %s to %s for it", scan->header.stamp.toSec(),
+        parameters_.odom_frame_id.c_str(), scan->header.frame_id.c_str());
+    } else {
+      break;
+    }
+    waiting_.pop_front();
+  }
+  announceStart();
+}
+
+// Whether the transforms have gone past the scan already.
+bool AmclNode::isHopeless(const sensor_msgs::LaserScan & scan) const
+{
+  const auto latest = odometry_.latest();
+  return latest && *latest > scan.header.stamp && odometry_.mountOf(scan.header.frame_id);
+}
+
+void AmclNode::handle(const sensor_msgs::LaserScan & scan, const Pose2 & odometry, const LidarMount & mount)
+{
+  const ros::Time & stamp = scan.header.stamp;
+  const Outcome outcome = localizer_->process(fromLaserScan(scan, mount.upside_down), mount.pose, odometry);
+  if (outcome != Outcome::kIgnored) {
+    publishParticles(stamp);
+  }
+  if (outcome == Outcome::kResampled || (outcome == Outcome::kUpdated && must_publish_)) {
+    must_publish_ = false;
+    estimate_ = localizer_->estimate();
+    map_to_odom_ = compose(estimate_.pose, inverse(odometry));
+    publishEstimate(stamp);
+    savePose(stamp);
+  }
+  if (map_to_odom_) {
+    broadcast({stamp + ros::Duration(parameters_.transform_tolerance)});
+  }
+}
+
+void AmclNode::announceStart()
+{
+  const auto stamp = odometry_.latest();
+  if (localizer_ && !map_to_odom_ && stamp) {
+    map_to_odom_ = compose(estimate_.pose, inverse(*odometry_.poseAt(*stamp)));
+    // From now on, not only from a later time on.
+    broadcast({*stamp, *stamp + ros::Duration(parameters_.transform_tolerance)});
+  }
+}
+
+std_msgs::Header AmclNode::headerAt(const ros::Time & stamp) const
+{
+  std_msgs::Header header;
+  header.stamp = stamp;
+  header.frame_id = parameters_.global_frame_id;
+  return header;
+}
+
+void AmclNode::publishEstimate(const ros::Time & stamp)
+{
+  geometry_msgs::PoseWithCovarianceStamped message;
+  message.header = headerAt(stamp);
+  message.pose = toPoseWithCovariance(estimate_);
+  pose_publisher_.publish(message);
+}
+
+void AmclNode::publishParticles(const ros::Time & stamp)
+{
+  if (particle_publisher_.getNumSubscribers() > 0) {
+    particle_publisher_.publish(toPoseArray(localizer_->particles(), headerAt(stamp)));
+  }
+}
+
+void AmclNode::broadcast(const std::vector<ros::Time> & stamps)
+{
+  if (!parameters_.tf_broadcast) {
+    return;
+  }
+  tf2_msgs::TFMessage message;
+  for (const ros::Time & stamp : stamps) {
+    geometry_msgs::TransformStamped transform;
+    transform.header = headerAt(stamp);
+    transform.child_frame_id = parameters_.odom_frame_id;
+    transform.transform = toTransform(*map_to_odom_);
+    message.transforms.push_back(transform);
+  }
+  transform_publisher_.publish(message);
+}
+
+void AmclNode::savePose(const ros::Time & now)
+{
+  const bool rests =
+    last_saved_ && now >= *last_saved_ && (now - *last_saved_).toSec() * parameters_.save_pose_rate < 1.0;
+  if (parameters_.save_pose_rate <= 0.0 || rests) {
+    return;
+  }
+  last_saved_ = now;
+  private_node_.setParam("initial_pose_x", estimate_.pose.x);
+  private_node_.setParam("initial_pose_y", estimate_.pose.y);
+  private_node_.setParam("initial_pose_a", estimate_.pose.yaw);
+  private_node_.setParam("initial_cov_xx", estimate_.covariance[0]);
+  private_node_.setParam("initial_cov_yy", estimate_.covariance[4]);
+  private_node_.setParam("initial_cov_aa", estimate_.covariance[8]);
+}
+
+void AmclNode::forgetInputs()
+{
+  odometry_.transforms().clear();
+  waiting_.clear();
+  last_saved_.reset();
+}
+
+bool AmclNode::onSetMap(nav_msgs::SetMap::Request & request, nav_msgs::SetMap::Response & response)
+{
+  response.success = build(request.map, fromPoseWithCovariance(request.initial_pose.pose));
+  return true;
+}
+
+bool AmclNode::onGlobalLocalization(std_srvs::Empty::Request &, std_srvs::Empty::Response &)
+{
+  if (!localizer_) {
+    ROS_WARN("There is no map yet to be anywhere on");
+    return false;
+  }
+  try {
+    localizer_->spreadOut();
+    must_publish_ = true;
+  } catch (const MapError & error) {
+    ROS_ERROR("%s", error.what());
+    return false;
+  }
+  return true;
+}
+
+bool AmclNode::onUpdateWithoutMotion(std_srvs::Empty::Request &, std_srvs::Empty::Response &)
+{
+  if (localizer_) {
+    localizer_->updateNext();
+    must_publish_ = true;
+  }
+  return localizer_.has_value();
+}
+}  // namespace amcl

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <nav_msgs/GetMap.h>
+#include <nav_msgs/OccupancyGrid.h>
+#include <nav_msgs/SetMap.h>
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <sensor_msgs/LaserScan.h>
+#include <std_srvs/Empty.h>
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "amcl/localizer.h"
+#include "odometry.h"
+#include "parameters.h"
+
+namespace amcl
+{
+/// The ROS side of Localizer: scans wait for their transform, what comes of them is published. Use from one thread.
+class AmclNode
+{
+public:
+  /// @param queue  of the services
+  AmclNode(const NodeParameters & parameters, ros::CallbackQueue & queue);
+
+  tf2::BufferCore & transforms() { return odometry_.transforms(); }
+  /// Whether there is a map and a transform from it.
+  bool ready() const { return map_to_odom_.has_value(); }
+
+  void setMap(const nav_msgs::OccupancyGrid & map);
+  void setPose(const geometry_msgs::PoseWithCovarianceStamped & message);
+  void add(const sensor_msgs::LaserScan::ConstPtr & scan);
+  /// Handles the scans whose transforms are there. Until the first one has told where the car is, the initial pose
+  /// counts, so that the transform from the map is there from the start.
+  void handleScans();
+  /// Forgets what was received before time jumped back; the map and the particles stay.
+  void forgetInputs();
+
+private:
+  bool onSetMap(nav_msgs::SetMap::Request & request, nav_msgs::SetMap::Response & response);
+  bool onGlobalLocalization(std_srvs::Empty::Request & request, std_srvs::Empty::Response & response);
+  bool onUpdateWithoutMotion(std_srvs::Empty::Request & request, std_srvs::Empty::Response & response);
+
+  /// @return whether the map is good; if not, the last one stays
+  bool build(const nav_msgs::OccupancyGrid & map, const Estimate & start);
+  void handle(const sensor_msgs::LaserScan & scan, const Pose2 & odometry, const LidarMount & mount);
+  bool isHopeless(const sensor_msgs::LaserScan & scan) const;
+  void publishEstimate(const ros::Time & stamp);
+  void publishParticles(const ros::Time & stamp);
+  void broadcast(const std::vector<ros::Time> & stamps);
+  void announceStart();
+  void savePose(const ros::Time & now);
+  std_msgs::Header headerAt(const ros::Time & stamp) const;
+
+  NodeParameters parameters_;
+  Odometry odometry_;
+  std::optional<Localizer> localizer_;
+  Estimate estimate_;
+  std::optional<Pose2> map_to_odom_;
+  bool must_publish_{true};  // the next estimate, even if the particles are not drawn anew
+  std::deque<sensor_msgs::LaserScan::ConstPtr> waiting_;
+  std::optional<ros::Time> last_saved_;
+  ros::NodeHandle private_node_;
+  ros::Publisher transform_publisher_;
+  ros::Publisher pose_publisher_;
+  ros::Publisher particle_publisher_;
+  std::vector<ros::ServiceServer> services_;
+};
+}  // namespace amcl

@@ -1,0 +1,123 @@
+#include <ros/ros.h>
+#include <sim2d_lockstep/participant.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <iostream>
+#include <optional>
+
+#include "amcl/errors.h"
+#include "amcl_node.h"
+
+namespace
+{
+const ros::WallDuration kPatience{0.1};
+const ros::WallDuration kPoll{0.002};
+const ros::WallDuration kMapRetry{0.5};
+const ros::TransportHints kNoDelay = ros::TransportHints().tcpNoDelay();
+
+/// What the node hears, on one queue.
+class Inputs
+{
+public:
+  Inputs(amcl::AmclNode & amcl, ros::CallbackQueue & queue, bool use_map_topic)
+  : amcl_(amcl), node_(onQueue(queue)), listener_(amcl.transforms(), node_, false, kNoDelay)
+  {
+    subscribers_ = {
+      node_.subscribe("scan", 0, &amcl::AmclNode::add, &amcl, kNoDelay),
+      node_.subscribe("initialpose", 2, &Inputs::onInitialPose, this, kNoDelay)};
+    if (use_map_topic) {
+      subscribers_.push_back(node_.subscribe("map", 1, &Inputs::onMap, this, kNoDelay));
+    }
+  }
+
+  void handle(const ros::Time & now)
+  {
+    if (now_ && now < *now_) {
+      ROS_WARN("Time jumped back: scans and transforms from before are forgotten, the pose is not");
+      amcl_.forgetInputs();
+    }
+    now_ = now;
+    amcl_.handleScans();
+  }
+
+private:
+  static ros::NodeHandle onQueue(ros::CallbackQueue & queue)
+  {
+    ros::NodeHandle node;
+    node.setCallbackQueue(&queue);
+    return node;
+  }
+
+  void onInitialPose(const geometry_msgs::PoseWithCovarianceStamped::ConstPtr & message) { amcl_.setPose(*message); }
+  void onMap(const nav_msgs::OccupancyGrid::ConstPtr & map) { amcl_.setMap(*map); }
+
+  amcl::AmclNode & amcl_;
+  ros::NodeHandle node_;
+  tf2_ros::TransformListener listener_;
+  std::vector<ros::Subscriber> subscribers_;
+  std::optional<ros::Time> now_;
+};
+
+void requestMap(amcl::AmclNode & amcl)
+{
+  nav_msgs::GetMap map;
+  while (ros::ok() && !ros::service::call("static_map", map)) {
+    ROS_WARN_THROTTLE(5.0, "There is no answer from the service %s yet", ros::names::resolve("static_map").c_str());
+    kMapRetry.sleep();
+  }
+  if (ros::ok()) {
+    amcl.setMap(map.response.map);
+  }
+}
+
+void spin(Inputs & inputs, ros::CallbackQueue & queue)
+{
+  while (ros::ok()) {
+    queue.callAvailable(kPatience);
+    inputs.handle(ros::Time::now());
+  }
+}
+
+void spinInLockstep(const amcl::AmclNode & amcl, Inputs & inputs, ros::CallbackQueue & queue)
+{
+  sim2d_lockstep::Participant participant(ros::this_node::getName().substr(1));
+  while (ros::ok()) {
+    const auto stamp = participant.waitForPeriod(kPatience);
+    if (!stamp) {
+      continue;
+    }
+    queue.callAvailable();
+    inputs.handle(*stamp);
+    if (amcl.ready()) {
+      participant.done(*stamp);
+    } else {
+      kPoll.sleep();
+    }
+  }
+}
+}  // namespace
+
+int main(int argc, char ** argv)
+{
+  ros::init(argc, argv, "amcl");
+  // Lives as long as the node: with the last handle roscpp shuts down.
+  const ros::NodeHandle private_node("~");
+  try {
+    const amcl::NodeParameters parameters = amcl::readParameters(private_node);
+    ros::CallbackQueue queue;
+    amcl::AmclNode amcl(parameters, queue);
+    Inputs inputs(amcl, queue, parameters.use_map_topic);
+    if (!parameters.use_map_topic) {
+      requestMap(amcl);
+    }
+    if (parameters.lockstep) {
+      spinInLockstep(amcl, inputs, queue);
+    } else {
+      spin(inputs, queue);
+    }
+  } catch (const amcl::Error & error) {
+    std::cerr << "amcl: " << error.what() << std::endl;
+    return 1;
+  }
+  return 0;
+}

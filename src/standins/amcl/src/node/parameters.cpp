@@ -1,0 +1,135 @@
+#include "parameters.h"
+
+#include <ros/console.h>
+
+#include <cmath>
+#include <utility>
+
+#include "amcl/errors.h"
+
+namespace amcl
+{
+namespace
+{
+// Of the original where they are not zero: (0.5 m)^2, (0.5 m)^2, (pi/12)^2.
+constexpr double kStartVariance = 0.5 * 0.5;                         // m^2
+constexpr double kStartYawVariance = (M_PI / 12.0) * (M_PI / 12.0);  // rad^2
+
+void readFrames(ParameterReader & reader, NodeParameters & parameters)
+{
+  reader.read("base_frame_id", parameters.base_frame_id);
+  reader.read("odom_frame_id", parameters.odom_frame_id);
+  reader.read("global_frame_id", parameters.global_frame_id);
+}
+
+void readNode(ParameterReader & reader, NodeParameters & parameters)
+{
+  reader.read("use_map_topic", parameters.use_map_topic);
+  reader.read("first_map_only", parameters.first_map_only);
+  reader.read("tf_broadcast", parameters.tf_broadcast);
+  reader.read("transform_tolerance", parameters.transform_tolerance);
+  reader.read("save_pose_rate", parameters.save_pose_rate);
+  reader.read("lockstep", parameters.lockstep);
+}
+
+double finite(ParameterReader & reader, const std::string & name, double value)
+{
+  reader.read(name, value);
+  if (!std::isfinite(value)) {
+    throw OptionError(name + ": found " + std::to_string(value) + ", must be a number");
+  }
+  return value;
+}
+
+double variance(ParameterReader & reader, const std::string & name, double value)
+{
+  value = finite(reader, name, value);
+  if (value < 0.0) {
+    throw OptionError(name + ": found " + std::to_string(value) + ", must be 0 or above");
+  }
+  return value;
+}
+
+Estimate readStart(ParameterReader & reader)
+{
+  Estimate start;
+  start.pose.x = finite(reader, "initial_pose_x", 0.0);
+  start.pose.y = finite(reader, "initial_pose_y", 0.0);
+  start.pose.yaw = finite(reader, "initial_pose_a", 0.0);
+  start.covariance[0] = variance(reader, "initial_cov_xx", kStartVariance);
+  start.covariance[4] = variance(reader, "initial_cov_yy", kStartVariance);
+  start.covariance[8] = variance(reader, "initial_cov_aa", kStartYawVariance);
+  return start;
+}
+
+void readOdometry(ParameterReader & reader, OdometryOptions & odometry)
+{
+  std::string model = "diff";
+  reader.read("odom_model_type", model);
+  odometry.model = toOdometryModel(model);
+  reader.read("odom_alpha1", odometry.alpha1);
+  reader.read("odom_alpha2", odometry.alpha2);
+  reader.read("odom_alpha3", odometry.alpha3);
+  reader.read("odom_alpha4", odometry.alpha4);
+  reader.read("odom_alpha5", odometry.alpha5);
+}
+
+void readLaser(ParameterReader & reader, LaserOptions & laser)
+{
+  std::string model = "likelihood_field";
+  reader.read("laser_model_type", model);
+  laser.model = toLaserModel(model);
+  reader.read("laser_max_beams", laser.max_beams);
+  reader.read("laser_min_range", laser.min_range);
+  reader.read("laser_max_range", laser.max_range);
+  reader.read("laser_z_hit", laser.z_hit);
+  reader.read("laser_z_rand", laser.z_rand);
+  reader.read("laser_sigma_hit", laser.sigma_hit);
+  reader.read("laser_likelihood_max_dist", laser.likelihood_max_dist);
+}
+
+void readFilter(ParameterReader & reader, LocalizerOptions & localizer)
+{
+  reader.read("min_particles", localizer.min_particles);
+  reader.read("max_particles", localizer.max_particles);
+  reader.read("kld_err", localizer.kld_err);
+  reader.read("kld_z", localizer.kld_z);
+  reader.read("update_min_d", localizer.update_min_d);
+  reader.read("update_min_a", localizer.update_min_a);
+  reader.read("resample_interval", localizer.resample_interval);
+  int seed = 0;
+  reader.read("seed", seed);
+  localizer.seed = static_cast<std::uint32_t>(seed);
+}
+
+void sayUnused(const ParameterReader & reader)
+{
+  std::string names;
+  for (const std::string & name : reader.unused()) {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  if (!names.empty()) {
+    ROS_INFO("This stand-in has no use for these parameters: %s", names.c_str());
+  }
+}
+}  // namespace
+
+NodeParameters readParameters(const ros::NodeHandle & node)
+{
+  ParameterReader reader(node);
+  NodeParameters parameters;
+  readFrames(reader, parameters);
+  readNode(reader, parameters);
+  parameters.start = readStart(reader);
+  readOdometry(reader, parameters.localizer.odometry);
+  readLaser(reader, parameters.localizer.laser);
+  readFilter(reader, parameters.localizer);
+  if (!(std::isfinite(parameters.transform_tolerance) && parameters.transform_tolerance >= 0.0)) {
+    throw OptionError(
+      "transform_tolerance: found " + std::to_string(parameters.transform_tolerance) + ", must be 0 or above");
+  }
+  parameters.localizer.validate();
+  sayUnused(reader);
+  return parameters;
+}
+}  // namespace amcl

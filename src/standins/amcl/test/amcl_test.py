@@ -1,0 +1,193 @@
+#!/usr/bin/env python3
+"""The node's interface, in lockstep, and what it says to wrong parameters."""
+
+import math
+import os
+import subprocess
+import threading
+import unittest
+
+import pytest
+import rospy
+import rostest
+from geometry_msgs.msg import PoseArray, PoseWithCovarianceStamped
+from nav_msgs.msg import OccupancyGrid
+from nav_msgs.srv import GetMap, GetMapResponse, SetMap, SetMapRequest
+from played_car import PERIOD, START, drive, room, scan, stamp_of, transform
+from played_simulator import PATIENCE, Simulator
+from std_srvs.srv import Empty
+
+PERIODS = 60
+
+
+def latest(topic, kind):
+    """The latched message of a topic."""
+    return rospy.wait_for_message(topic, kind, PATIENCE)
+
+
+class Kept:
+    """The messages of a topic so far."""
+
+    def __init__(self, topic, kind):
+        self._arrived = threading.Condition()
+        self._messages = []
+        rospy.Subscriber(topic, kind, self._keep)
+
+    def _keep(self, message):
+        with self._arrived:
+            self._messages.append(message)
+            self._arrived.notify_all()
+
+    def wait_for(self, stamp):
+        """The message of a stamp."""
+        with self._arrived:
+            assert self._arrived.wait_for(lambda: self._of(stamp), PATIENCE)
+            return self._of(stamp)[0]
+
+    def _of(self, stamp):
+        return [message for message in self._messages if message.header.stamp == stamp]
+
+
+class AmclTest(unittest.TestCase):
+    """One drive for all tests; the last period counts on."""
+
+    @classmethod
+    def setUpClass(cls):
+        """Drive through the room."""
+        rospy.Service("static_map", GetMap, lambda _request: GetMapResponse(room()))
+        cls.simulator = Simulator()
+        cls.poses = Kept("amcl_pose", PoseWithCovarianceStamped)
+        cls.clouds = Kept("particlecloud", PoseArray)
+        cls.pose_publisher = rospy.Publisher(
+            "initialpose", PoseWithCovarianceStamped, queue_size=None, tcp_nodelay=True
+        )
+        cls.simulator.wait_for_listeners()
+        while not cls.pose_publisher.get_num_connections():
+            threading.Event().wait(0.01)
+        cls.simulator.run(drive(PERIODS))
+        cls.period = PERIODS
+        cls.transforms = cls.simulator.transforms_until(stamp_of(PERIODS - 1) + rospy.Duration(0.1))
+
+    def call(self, name, kind, *arguments):
+        rospy.wait_for_service(name, PATIENCE)
+        proxy = rospy.ServiceProxy(name, kind)
+        answer, type(self).period = self.simulator.call(lambda: proxy(*arguments), self.period)
+        return answer
+
+    def stand(self, x):
+        """Another period with a scan from (x, 0), while odometry stands still. Returns its stamp."""
+        stamp = stamp_of(self.period)
+        odometry = transform("odom", "base_footprint", 1.1 * (PERIODS - 1) * PERIOD, stamp)
+        self.simulator.run([(stamp, [("/tf", odometry), ("/scan", scan(x, stamp))])])
+        type(self).period += 1
+        return stamp
+
+    def tell(self, x, frame="map"):
+        message = PoseWithCovarianceStamped()
+        message.header.frame_id = frame
+        message.pose.pose.position.x = x
+        message.pose.pose.orientation.w = 1.0
+        message.pose.covariance[0] = message.pose.covariance[7] = message.pose.covariance[35] = 0.01
+        self.pose_publisher.publish(message)
+
+    def test_1_pose_is_latched_and_right(self):
+        pose = latest("amcl_pose", PoseWithCovarianceStamped)
+        assert pose.header.frame_id == "map"
+        driven = pose.header.stamp.to_sec() - START
+        assert driven > 1.3
+        assert pose.pose.pose.position.x == pytest.approx(driven, abs=0.04)
+        assert pose.pose.pose.position.y == pytest.approx(0.0, abs=0.04)
+        assert abs(pose.pose.pose.orientation.z) < 0.02
+        assert 0.0 < pose.pose.covariance[0] < 0.01
+
+    def test_2_particles_are_latched_and_have_become_fewer(self):
+        first = self.clouds.wait_for(stamp_of(0))
+        last = latest("particlecloud", PoseArray)
+        assert last.header.frame_id == "map"
+        assert len(first.poses) == 5000
+        assert 100 <= len(last.poses) < 1000
+
+    def test_3_transform_is_there_from_the_start_post_dated_and_corrects_odometry(self):
+        first, *others = self.transforms
+        assert first.header.stamp.to_sec() <= START + 0.1 + 1e-6
+        assert {t.child_frame_id for t in self.transforms} == {"odom"}
+        last = latest("amcl_pose", PoseWithCovarianceStamped)
+        odometry = 1.1 * (last.header.stamp.to_sec() - START)
+        assert others[-1].transform.translation.x == pytest.approx(
+            last.pose.pose.position.x - odometry, abs=1e-9
+        )
+        assert others[-1].transform.translation.x < -0.09
+
+    def test_4_pose_is_kept_as_parameters(self):
+        saved = rospy.get_param("/amcl/initial_pose_x")
+        assert 0.0 < saved < PERIODS * PERIOD
+        assert rospy.get_param("/amcl/initial_cov_aa") > 0.0
+
+    def test_5_initial_pose_moves_the_estimate_unless_its_frame_is_wrong(self):
+        before = (PERIODS - 1) * PERIOD
+        self.tell(-1.0, frame="odom")
+        self.call("request_nomotion_update", Empty)
+        pose = self.poses.wait_for(self.stand(before))
+        assert pose.pose.pose.position.x == pytest.approx(before, abs=0.05)
+        self.tell(-1.0)
+        pose = self.poses.wait_for(self.stand(-0.9))
+        assert pose.pose.pose.position.x == pytest.approx(-0.9, abs=0.08)
+
+    def test_6_global_localization_spreads_the_particles(self):
+        self.call("global_localization", Empty)
+        cloud = self.clouds.wait_for(self.stand(-0.9))
+        xs = [pose.position.x for pose in cloud.poses]
+        assert len(xs) == 5000
+        assert min(xs) < -2.5
+        assert max(xs) > 4.5
+
+    def test_7_map_can_be_set(self):
+        request = SetMapRequest(map=room())
+        request.map.info.origin.position.x += 10.0
+        request.initial_pose.pose.pose.position.x = 9.1
+        request.initial_pose.pose.pose.orientation.w = 1.0
+        assert self.call("set_map", SetMap, request.map, request.initial_pose).success
+        pose = self.poses.wait_for(self.stand(-0.9))
+        assert pose.pose.pose.position.x == pytest.approx(9.1, abs=0.05)
+
+    def test_8_a_map_without_cells_is_refused_and_the_old_one_kept(self):
+        assert not self.call("set_map", SetMap, OccupancyGrid(), PoseWithCovarianceStamped()).success
+        self.call("request_nomotion_update", Empty)
+        pose = self.poses.wait_for(self.stand(-0.9))
+        assert pose.pose.pose.position.x == pytest.approx(9.1, abs=0.05)
+
+    def test_9_wrong_parameters_are_answered_in_one_line(self):
+        for name, value, answer in [
+            ("laser_model_type", "sonar", 'found "sonar", must be one of beam, likelihood_field, '),
+            ("odom_model_type", "car", 'found "car", must be one of diff, omni, diff-corrected, '),
+            ("min_particles", -5, "found -5.000000, must be above 0"),
+            ("initial_pose_x", math.nan, "found nan, must be a number"),
+            ("initial_cov_aa", -1.0, "found -1.000000, must be 0 or above"),
+            ("transform_tolerance", -0.1, "found -0.100000, must be 0 or above"),
+        ]:
+            assert self.complaint(name, value).startswith(f"amcl: {name}: {answer}")
+        answer = "amcl: /wrong/amcl/max_particles: found <value>many</value>, must be a whole number"
+        assert self.complaint("max_particles", "many") == answer
+
+    @staticmethod
+    def complaint(name, value):
+        """What a node with a wrong parameter says before it ends."""
+        rospy.set_param(f"/wrong/amcl/{name}", value)
+        environment = {**os.environ, "ROS_NAMESPACE": "wrong"}
+        result = subprocess.run(
+            ["rosrun", "amcl", "amcl"],
+            env=environment,
+            capture_output=True,
+            text=True,
+            timeout=PATIENCE,
+            check=False,
+        )
+        rospy.delete_param(f"/wrong/amcl/{name}")
+        assert result.returncode == 1, result.stderr
+        (line,) = [line for line in result.stderr.splitlines() if line.startswith("amcl: ")]
+        return line
+
+
+if __name__ == "__main__":
+    rospy.init_node("amcl_test")
+    rostest.rosrun("amcl", "amcl_test", AmclTest)

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include "amcl/geometry.h"
+#include "amcl/occupancy_grid.h"
+#include "amcl/scan.h"
+
+namespace amcl
+{
+/// A room of 8 m by 5 m with walls of one cell, and a pillar that makes it unlike itself turned around.
+inline OccupancyGrid room(const Pose2 & origin = {-3.0, -2.5, 0.0})
+{
+  OccupancyGrid grid{0.05, origin, 160, 100, std::vector<std::int8_t>(160 * 100, 0)};
+  for (int i = 0; i < 160 * 100; ++i) {
+    const int x = i % 160;
+    const int y = i / 160;
+    const bool wall = x == 0 || x == 159 || y == 0 || y == 99;
+    const bool pillar = x >= 120 && x < 130 && y >= 60 && y < 80;
+    grid.cells[i] = wall || pillar ? 100 : 0;
+  }
+  return grid;
+}
+
+/// A map of this workspace, from its PGM file: 0.05 m per cell.
+inline OccupancyGrid readMap(const std::string & path, const Pose2 & origin)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::string magic;
+  OccupancyGrid grid{0.05, origin, 0, 0, {}};
+  int white = 0;
+  std::getline(file, magic);
+  while (file.peek() == '#') {
+    std::string comment;
+    std::getline(file, comment);
+  }
+  file >> grid.width >> grid.height >> white;
+  file.get();
+  std::string pixels(static_cast<std::size_t>(grid.width) * grid.height, '\0');
+  if (magic != "P5" || !file.read(pixels.data(), static_cast<std::streamsize>(pixels.size()))) {
+    throw std::runtime_error("no map: " + path);
+  }
+  for (int y = grid.height - 1; y >= 0; --y) {
+    for (int x = 0; x < grid.width; ++x) {
+      const auto pixel = static_cast<unsigned char>(pixels[y * grid.width + x]);
+      grid.cells.push_back(pixel == 0 ? 100 : pixel == 254 ? 0 : -1);
+    }
+  }
+  return grid;
+}
+
+/// Whether a place in the map frame is occupied; outside of the map everything is.
+inline bool isWall(const OccupancyGrid & grid, const Pose2 & place)
+{
+  const Pose2 local = compose(inverse(grid.origin), place);
+  const int x = static_cast<int>(std::floor(local.x / grid.resolution));
+  const int y = static_cast<int>(std::floor(local.y / grid.resolution));
+  const bool inside = x >= 0 && x < grid.width && y >= 0 && y < grid.height;
+  return !inside || grid.cells[y * grid.width + x] == 100;
+}
+
+/// What a lidar at pose sees on the map, 270 degrees, without noise.
+inline Scan scanOn(const OccupancyGrid & grid, const Pose2 & pose, int beams = 541)
+{
+  Scan scan{-0.75 * M_PI, 1.5 * M_PI / (beams - 1), 0.06, 10.0, {}};
+  for (int i = 0; i < beams; ++i) {
+    const double angle = pose.yaw + scan.angle_min + i * scan.angle_increment;
+    double range = 0.0;
+    while (range < 10.0 && !isWall(grid, {pose.x + range * std::cos(angle), pose.y + range * std::sin(angle), 0.0})) {
+      range += 0.01;
+    }
+    scan.ranges.push_back(static_cast<float>(range));
+  }
+  return scan;
+}
+}  // namespace amcl

@@ -37,20 +37,36 @@ def drive(circuit: str, count: int, folder: Path) -> Laps:
     Raises:
         ScenarioError: the run came to no result, or the folder cannot be written.
     """
-    name = f"race_pace_{circuit}"
+    return read_laps(circuit, run(f"race_pace_{circuit}", describe(circuit, count), folder))
+
+
+def run(name: str, description: dict, folder: Path) -> dict:
+    """Run a scenario that is in no file yet.
+
+    Args:
+        name: of the scenario
+        description: what its file is to say
+        folder: for the scenario file and its results
+
+    Returns:
+        the content of its result.json
+
+    Raises:
+        ScenarioError: the run came to no result, or the folder cannot be written.
+    """
     scenario = folder / f"{name}.yaml"
     result = folder / name / "result.json"
     try:
         folder.mkdir(parents=True, exist_ok=True)
         result.unlink(missing_ok=True)
-        scenario.write_text(yaml.safe_dump(describe(circuit, count), sort_keys=False), encoding="utf-8")
+        scenario.write_text(yaml.safe_dump(description, sort_keys=False), encoding="utf-8")
     except OSError as error:
         raise ScenarioError(f"{scenario}: cannot be written: {error.strerror}") from error
     command = ["rosrun", "f1tenth_scenarios", "scenario", "run", str(scenario), "--results", str(folder)]
     code = subprocess.run(command, check=False).returncode
     if not result.is_file():
-        raise ScenarioError(f"{circuit}: no result; `{' '.join(command)}` ended with exit code {code}")
-    return read_laps(circuit, json.loads(result.read_text(encoding="utf-8")))
+        raise ScenarioError(f"{name}: no result; `{' '.join(command)}` ended with exit code {code}")
+    return json.loads(result.read_text(encoding="utf-8"))
 
 
 def describe(circuit: str, count: int) -> dict:

@@ -24,12 +24,12 @@ standing start, made by
 
 The planner drives as in docs/race_pace.md, at race pace, but knows from amcl alone where it is. A car that
 corners hard slides, and its wheels do not notice: within 0.1 s they may be wrong by 0.1 m across the way and
-by 0.2 rad. Errors are those of `amcl_pose` against the true pose, RMS over a run; of the runs, each with another
-seed, the worst counts.
+by 0.2 rad. Errors are those of `amcl_pose` against the true pose, RMS over a run; of the runs, each with
+a seed of its own, the worst counts.
 
 Wanted: every goal passed without contact, at most {error:g} m and {yaw_error:g} degrees.
 
-| circuit | runs | laps each | slowest lap (s) | error (m) | error (degrees) | least clearance (m) | contacts |
+| circuit | runs | laps each | slowest lap (s) | error (m) | error (deg) | least clearance (m) | contacts |
 | --- | --- | --- | --- | --- | --- | --- | --- |
 """
 

@@ -9,7 +9,7 @@ export PATH := /usr/bin:$(PATH)
 BUILD_DIR := build
 SANITIZE_DIR := build/sanitize
 DEVEL_DIR := $(CURDIR)/devel
-SANITIZED_TESTS := f1tenth_sim2d_core_test
+SANITIZED_TESTS := f1tenth_sim2d_core_test f1tenth_sim2d_fuzz_seeds_test
 JOBS ?= $(shell nproc)
 # Every test has its own ROS master, display and folders, so that several can run side by side.
 TEST_JOBS ?= $(JOBS)
@@ -60,7 +60,7 @@ test: build ## every test; ends with `N passed, N failed, N skipped`
 	@cmake --build $(BUILD_DIR) -j $(TEST_JOBS) --target run_tests -- --no-print-directory --output-sync=target
 	@tools/test_summary $(BUILD_DIR)/test_results
 
-sanitize: setup ## the tests of the simulator's core under AddressSanitizer and UBSan
+sanitize: setup ## tests of the simulator's core and loaders under AddressSanitizer and UBSan
 	@mkdir -p $(SANITIZE_DIR)
 	@cmake -S . -B $(SANITIZE_DIR) -DWORKSPACE_SANITIZE=ON -DCATKIN_DEVEL_PREFIX=$(CURDIR)/$(SANITIZE_DIR)/devel \
 	  -DPYTHON_EXECUTABLE=/usr/bin/python3 > $(SANITIZE_DIR)/configure.log 2>&1 || { cat $(SANITIZE_DIR)/configure.log; exit 1; }

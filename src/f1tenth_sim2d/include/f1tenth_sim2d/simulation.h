@@ -113,6 +113,7 @@ public:
   SimTime stepLength() const;  ///< ns
 
   /// Advances by one physics step.
+  /// @throws Error if a car runs away: the numbers of its parameters do not make a car
   void step();
   /// Steps until time() >= end.
   void advanceTo(SimTime end);

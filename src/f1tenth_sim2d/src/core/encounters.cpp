@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+
+#include "f1tenth_sim2d/errors.h"
 
 namespace f1tenth_sim2d
 {
@@ -11,6 +14,19 @@ constexpr double kNear = 0.02;            // m, from where on a car takes part
 constexpr double kLookAhead = 1.0;        // m, farther away need not be told apart
 constexpr int kStepsNear = 10;            // after which a near car looks again
 constexpr double kSubstepTravel = 0.005;  // m, so that even thin bodies cannot be passed through
+constexpr double kTravelMax = 10.0;       // m in a step, beyond which numbers have run away
+
+double checkedTravel(const Car & car, double dt)
+{
+  const double travel = car.predictedTravel();
+  if (!(travel <= kTravelMax)) {
+    std::ostringstream message;
+    message << car.description().name << ": would go " << travel << " m in a step of " << dt
+            << " s: no car has parameters like its own";
+    throw Error(message.str());
+  }
+  return travel;
+}
 }  // namespace
 
 std::vector<PlacedCar> placedCars(const Cars & cars)
@@ -30,7 +46,7 @@ void Encounters::restart()
 
 bool Encounters::advance(const Cars & cars, CollisionWorld & world, double dt)
 {
-  const double travel = update(cars, world, dt);
+  const double travel = std::min(update(cars, world, dt), kTravelMax);
   const bool any_near = std::any_of(cars_.begin(), cars_.end(), [](const auto & car) { return car.is_near; });
   if (!any_near && !world.isAwake()) {
     return false;
@@ -60,7 +76,7 @@ double Encounters::update(const Cars & cars, const CollisionWorld & world, doubl
   const double movable_travel = world.movableTravel(dt);
   double car_travel = 0.0;
   for (const auto & car : cars) {
-    car_travel = std::max(car_travel, car->predictedTravel());
+    car_travel = std::max(car_travel, checkedTravel(*car, dt));
   }
   const double others = std::max(movable_travel, cars.size() > 1 ? car_travel : 0.0);
   double near_travel = movable_travel;

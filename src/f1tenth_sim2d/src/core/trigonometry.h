@@ -16,7 +16,8 @@ struct SineCosine
   double cosine;
 };
 
-/// Within 2 ulp of 1 for |angle| < 1e5 rad; larger angles are brought down by whole turns first.
+/// Within 2 ulp of 1 for |angle| < 1e5 rad; larger angles are brought down by whole turns first; not a number
+/// for what is not finite.
 inline SineCosine sineCosine(double angle)
 {
   // Quarter turns are taken off in three parts (Cody and Waite): pi / 2 to 33, 66 and 119 bits.
@@ -27,6 +28,9 @@ inline SineCosine sineCosine(double angle)
   constexpr double kLargest = 1e5;        // rad
   if (!(std::abs(angle) < kLargest)) {
     angle = std::remainder(angle, 2.0 * kPi);
+    if (std::isnan(angle)) {
+      return {angle, angle};
+    }
   }
   const double quarters = (angle * (2.0 / kPi) + kRounder) - kRounder;
   const double x = ((angle - quarters * kQuarter1) - quarters * kQuarter2) - quarters * kQuarter3;

@@ -21,13 +21,15 @@ constexpr double kSteeringMax = 6.2832;      // rad
 constexpr double kYawRateMax = 1000.0;       // rad/s
 constexpr double kBeamAngleMax = 4.0 * kPi;  // rad: beams beyond a full turn look where others look
 // Of bodies: Box2D reckons in single precision, in which less is nothing and more is infinite.
-constexpr double kMassMin = 1e-6;     // kg
-constexpr double kMassMax = 1e9;      // kg
-constexpr double kInertiaMin = 1e-9;  // kg m^2
-constexpr double kInertiaMax = 1e12;  // kg m^2
-constexpr double kLengthMin = 1e-3;   // m
-constexpr double kLengthMax = 1e5;    // m
-constexpr double kGreatest = 1e9;     // of what has no bound of its own
+constexpr double kMassMin = 1e-6;          // kg
+constexpr double kMassMax = 1e9;           // kg
+constexpr double kInertiaMin = 1e-9;       // kg m^2
+constexpr double kInertiaMax = 1e12;       // kg m^2
+constexpr double kModelSpeedMax = 1000.0;  // m/s
+constexpr double kWheelbaseMin = 1e-3;     // m
+constexpr double kWheelbaseMax = 100.0;    // m
+constexpr double kLengthMax = 1e5;         // m
+constexpr double kGreatest = 1e9;          // of what has no bound of its own
 
 void require(bool condition, const std::string & where, const std::string & what, double found, const char * allowed)
 {
@@ -111,6 +113,11 @@ void validate(const ModelState & state, const std::string & what)
   requireFinite(state.velocity.x, what, "velocity in x (m/s)");
   requireFinite(state.velocity.y, what, "velocity in y (m/s)");
   requireFinite(state.yaw_rate, what, "yaw rate (rad/s)");
+  requireWithin(state.pose.x, kLengthMax, what, "x (m)");
+  requireWithin(state.pose.y, kLengthMax, what, "y (m)");
+  requireWithin(state.velocity.x, kModelSpeedMax, what, "velocity in x (m/s)");
+  requireWithin(state.velocity.y, kModelSpeedMax, what, "velocity in y (m/s)");
+  requireWithin(state.yaw_rate, kYawRateMax, what, "yaw rate (rad/s)");
 }
 
 const SimulationOptions & validated(const SimulationOptions & options)
@@ -134,7 +141,7 @@ void validate(const CarDescription & car, const Pose2 & start)
 void validate(const VehicleParameters & p, const std::string & car)
 {
   requireBody(p.m, p.I_z, car);
-  requireBetween(p.wheelbase(), kLengthMin, kLengthMax, car, "wheelbase (m)");
+  requireBetween(p.wheelbase(), kWheelbaseMin, kWheelbaseMax, car, "wheelbase (m)");
   requireWithin(p.l_r, kLengthMax, car, "l_r (m)");
   requireBetween(p.v_min, -kGreatest, 0.0, car, "v_min (m/s)");
   const std::initializer_list<std::pair<const char *, double>> not_negative{

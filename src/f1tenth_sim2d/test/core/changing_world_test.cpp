@@ -162,6 +162,26 @@ TEST(ChangingWorld, RefusesWhatMakesNoSense)
     "robot1: velocity in x (m/s) is nan, allowed is a finite number");
 }
 
+TEST(ChangingWorld, RefusesAbsurdMotionsOfModels)
+{
+  Simulation simulation(world({movableBox("crate", 0.4, 0.0, 0.0)}));
+  EXPECT_EQ(
+    errorOf([&] {
+      simulation.placeModel(0, {{1e300, 0.0, 0.0}, {}, 0.0});
+    }),
+    "crate: x (m) is 1e+300, allowed is -100000 to 100000");
+  EXPECT_EQ(
+    errorOf([&] {
+      simulation.placeModel(0, {{}, {0.0, -1e30}, 0.0});
+    }),
+    "crate: velocity in y (m/s) is -1e+30, allowed is -1000 to 1000");
+  EXPECT_EQ(
+    errorOf([&] {
+      simulation.placeModel(0, {{}, {}, 1e9});
+    }),
+    "crate: yaw rate (rad/s) is 1e+09, allowed is -1000 to 1000");
+}
+
 TEST(ChangingWorld, RefusesAbsurdCommands)
 {
   Simulation simulation(world());

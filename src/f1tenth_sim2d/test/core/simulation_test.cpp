@@ -128,10 +128,22 @@ TEST(Simulation, ParametersThatAreNoCarsAreRefused)
   using P = VehicleParameters;
   EXPECT_EQ(errorWith(&P::m, 1e-300), "robot1: mass (kg) is 1e-300, allowed is 1e-06 to 1e+09");
   EXPECT_EQ(errorWith(&P::I_z, 1e-30), "robot1: inertia about z (kg m^2) is 1e-30, allowed is 1e-09 to 1e+12");
-  EXPECT_EQ(errorWith(&P::l_f, 1e300), "robot1: wheelbase (m) is 1e+300, allowed is 0.001 to 100000");
+  EXPECT_EQ(errorWith(&P::l_f, 1e300), "robot1: wheelbase (m) is 1e+300, allowed is 0.001 to 100");
   EXPECT_EQ(errorWith(&P::v_min, 1.0), "robot1: v_min (m/s) is 1, allowed is -1e+09 to 0");
   EXPECT_EQ(errorWith(&P::command_timeout, kNan), "robot1: command_timeout is nan, allowed is 0 to 1e+09");
   EXPECT_EQ(simulation.carCount(), 0u);
+}
+
+TEST(Simulation, CarThatRunsAwayEndsTheSimulationInsteadOfHangingIt)
+{
+  VehicleParameters parameters;
+  parameters.m = 1e6;
+  parameters.I_z = 1e-9;
+  Simulation simulation(world());
+  simulation.addCar(car("robot1"), parameters, {});
+  const std::string message = messageOf([&] { drive(simulation, 0, {2.0, 0.1}, 2.0); });
+  EXPECT_EQ(message.rfind("robot1: would go ", 0), 0u) << message;
+  EXPECT_NE(message.find(" m in a step of 0.001 s: no car has parameters like its own"), std::string::npos);
 }
 
 TEST(Simulation, StepOutOfRangeIsRefused)

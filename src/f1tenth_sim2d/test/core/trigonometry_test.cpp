@@ -46,6 +46,14 @@ TEST(SineCosine, OfAHugeAngleIsStillOnTheCircle)
   }
 }
 
+TEST(SineCosine, OfWhatIsNotFiniteIsNotANumber)
+{
+  for (const double angle : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    EXPECT_TRUE(std::isnan(sineCosine(angle).sine));
+    EXPECT_TRUE(std::isnan(sineCosine(angle).cosine));
+  }
+}
+
 TEST(Direction, AgreesWithTheCLibraryAllAround)
 {
   std::mt19937_64 random(4);

@@ -17,6 +17,7 @@ namespace
 {
 const ros::WallDuration kShutdownCheck{0.1};
 const ros::WallDuration kClockCheck{20e-6};
+const ros::WallDuration kFarewell{1.0};
 
 void checkNames(const std::string & name, const std::vector<std::string> & after)
 {
@@ -70,12 +71,24 @@ public:
   {
     drain_.drain();
     left_ = true;
+    const int unanswered = period_ && answered_ != period_ ? 1 : 2;
     publish(kLeft);
     drain_.drain();
+    waitForPeriodsWithout(unanswered);
   }
 
 private:
   bool ready() const { return !left_ && period_ && answered_ != period_ && ledger_.allDone(*period_); }
+
+  // A subscriber that the master tells of a publisher's end closes the connection with what it has not read yet. The
+  // simulator has read the farewell when it publishes a period after one that nobody has answered for this participant.
+  void waitForPeriodsWithout(int count)
+  {
+    const ros::WallTime deadline = ros::WallTime::now() + kFarewell;
+    while (periods_since_left_ < count && ros::ok() && ros::WallTime::now() < deadline) {
+      queue_.callAvailable(std::min(deadline - ros::WallTime::now(), kShutdownCheck));
+    }
+  }
 
   // roscpp follows /clock on a thread of its own.
   bool clockReached(const ros::WallTime & deadline) const
@@ -92,6 +105,8 @@ private:
   void onClock(const rosgraph_msgs::Clock::ConstPtr & message)
   {
     if (left_) {
+      periods_since_left_ += period_ != message->clock;
+      period_ = message->clock;
       return;
     }
     if (answered_ == message->clock) {
@@ -124,6 +139,7 @@ private:
   std::optional<ros::Time> period_;
   std::optional<ros::Time> answered_;
   bool left_{false};
+  int periods_since_left_{0};
 };
 
 Participant::Participant(std::string name, std::vector<std::string> after)

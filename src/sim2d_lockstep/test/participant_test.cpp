@@ -7,6 +7,7 @@
 #include <std_msgs/Header.h>
 
 #include <functional>
+#include <future>
 
 using sim2d_lockstep::kLeft;
 using sim2d_lockstep::Participant;
@@ -17,6 +18,7 @@ const ros::WallDuration kSoon{0.05};
 const ros::WallDuration kLong{10.0};
 const ros::Time kFirst{0, 25000000};
 const ros::Time kSecond{0, 50000000};
+const ros::Time kThird{0, 75000000};
 
 /// Plays the simulator and the other participants.
 class ParticipantTest : public testing::Test
@@ -133,6 +135,21 @@ TEST_F(ParticipantTest, DoesNotWaitForOneThatHasLeft)
   EXPECT_EQ(leaver.waitForPeriod(kLong), std::nullopt);
   ASSERT_TRUE(hear(1));
   EXPECT_EQ(heard_[0].stamp, kLeft);
+}
+
+TEST_F(ParticipantTest, LeavesWhenTheSimulatorGoesOnWithoutIt)
+{
+  Participant participant("a");
+  publishClock(kFirst);
+  ASSERT_EQ(participant.waitForPeriod(kLong), kFirst);
+  participant.done(kFirst);
+  auto leaving = std::async(std::launch::async, [&participant] { participant.leave(); });
+  ASSERT_TRUE(hear(2));
+  EXPECT_EQ(heard_[1].stamp, kLeft);
+  publishClock(kSecond);
+  publishClock(kThird);
+  leaving.get();
+  EXPECT_EQ(heard_.size(), 2u) << "it has answered a period after its farewell";
 }
 
 TEST_F(ParticipantTest, ClockThatJumpsBackStartsANewRun)

@@ -67,8 +67,9 @@ public:
   /// Say the first one only when the node is ready to act (map there, servers connected): the simulator waits.
   void done(const ros::Time & stamp);
 
-  /// Leaves for good: the simulator and all that come after this participant never wait for it again. The process
-  /// may end right afterwards. waitForPeriod() returns nothing from then on.
+  /// Leaves for good: the simulator and all that come after this participant never wait for it again. Blocks until the
+  /// simulator has gone on without it, at most 1 s of wall time: a process that ends earlier may take its last words
+  /// along. waitForPeriod() returns nothing from then on.
   void leave();
 
 private:

@@ -116,6 +116,8 @@ void Sim2dNode::run()
     }
     seen = control_;
   }
+  // First of all: on a busy machine whoever asked for the end may lose patience while ROS shuts down.
+  world_.flushRecord();
   outbox_.flush();
   flow_.drain();
 }

@@ -53,6 +53,7 @@ public:
   void restart();
   /// Cars and models back to where they started; time goes on.
   void resetPoses();
+  void flushRecord() { log_.flush(); }
 
 private:
   void distributeContacts();

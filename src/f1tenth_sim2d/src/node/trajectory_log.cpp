@@ -29,6 +29,13 @@ void TrajectoryLog::restart()
   }
 }
 
+void TrajectoryLog::flush()
+{
+  if (recorder_) {
+    recorder_->flush();
+  }
+}
+
 void TrajectoryLog::forgetTouches()
 {
   for (auto & models : touched_) {

@@ -25,6 +25,8 @@ public:
   void removeCar(CarIndex car) { touched_.erase(touched_.begin() + static_cast<std::ptrdiff_t>(car)); }
   void endPeriod();
   void restart();
+  /// Leaves nothing of the record in memory.
+  void flush();
 
   std::int64_t periods() const { return periods_; }
   std::string hash() const { return hash_.hexDigest(); }

@@ -48,9 +48,7 @@ TrajectoryRecorder::TrajectoryRecorder(const std::string & file) : file_(file)
 void TrajectoryRecorder::open()
 {
   stream_.open(file_, std::ios::trunc);
-  if (!stream_) {
-    throw Error("record: cannot write " + file_ + ": " + std::strerror(errno));
-  }
+  requireGood();
   stream_ << "time,car,x,y,yaw,v_x,v_y,yaw_rate,steering_angle,clearance,contacts,hash\n";
 }
 
@@ -68,6 +66,17 @@ void TrajectoryRecorder::write(
             << numbers(simulation.state(car), simulation.clearance(car, kClearanceLimit)) << ','
             << joinedNames(touched[car]) << ',' << hash << '\n';
   }
+  requireGood();
+}
+
+void TrajectoryRecorder::flush()
+{
+  stream_.flush();
+  requireGood();
+}
+
+void TrajectoryRecorder::requireGood() const
+{
   if (!stream_) {
     throw Error("record: cannot write " + file_ + ": " + std::strerror(errno));
   }

@@ -21,9 +21,13 @@ public:
     const Simulation & simulation, const std::vector<std::set<std::string>> & touched, const std::string & hash);
   /// Begins the file anew.
   void restart();
+  /// Leaves nothing in memory.
+  /// @throws Error if the file cannot be written
+  void flush();
 
 private:
   void open();
+  void requireGood() const;
 
   const std::string file_;
   std::ofstream stream_;

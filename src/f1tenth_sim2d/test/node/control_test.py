@@ -135,6 +135,14 @@ class ControlTest(unittest.TestCase):
         assert min(float(row["clearance"]) for row in touching) < 0.02
         assert rows[-1]["hash"] == sim2d.result()["trajectory_hash"]
 
+    def test_record_is_complete_when_the_hash_is_said(self):
+        sim2d = self.start_lockstep()
+        self.stepper.advance_to(20 * PERIOD)
+        sim2d.send(signal.SIGINT)
+        assert sim2d.read_line().startswith("trajectory hash")
+        sim2d.kill()
+        assert len(sim2d.record()) == 20
+
     def test_robot_without_a_vehicle_file_drives_as_its_description_says(self):
         collector = self.collect(robot1__wheel_odom=Odometry)
         description = (DATA / "two_wheels.urdf").read_text()

@@ -75,6 +75,10 @@ class Sim2d:
         """Send a signal."""
         self._process.send_signal(number)
 
+    def read_line(self):
+        """Wait for a line of its standard output."""
+        return self._process.stdout.readline()
+
     def stop(self):
         """Ask for the end and return the exit code."""
         if self._process.poll() is None:

@@ -114,6 +114,8 @@ void bindNavigationMgr(py::module_ & module)
     .def("cancel", &NavigationMgr::Cancel, ReleaseGil(), "Asks for the end of the goal in flight; spin() reports it.")
     .def_property_readonly("goal_in_flight", &NavigationMgr::GoalInFlight, "The Goal it drives to now, or None.")
     .def_property_readonly("goals_left", &NavigationMgr::GoalsLeft, "Goals not reached yet, with the one in flight.")
+    .def_property_readonly(
+      "queue", &NavigationMgr::Queue, "The Goals not reached yet, with the one in flight, in order.")
     .def_property_readonly("results", &NavigationMgr::Results, "A list of GoalResult, one a goal that is over.")
     .def_property_readonly("action_name", &NavigationMgr::ActionName, "'/robot1/move_base'")
     .def("on_goal_reached", &NavigationMgr::OnGoalReached, py::arg("callback"), "callback(GoalResult), inside spin().")

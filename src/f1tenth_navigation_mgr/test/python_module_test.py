@@ -86,6 +86,7 @@ def test_tells_goal_in_flight_and_goals_left(navigation):
     spin_until(navigation, nav.SpinResult.SENT)
     assert navigation.goal_in_flight == nav.Goal(1.0, 4.0, 0.0)
     assert navigation.goals_left == 2
+    assert navigation.queue == [nav.Goal(1.0, 4.0, 0.0), nav.Goal(2.0, 0.0, 0.0)]
     spin_until(navigation, nav.SpinResult.REACHED)
     assert navigation.goals_left == 1
 

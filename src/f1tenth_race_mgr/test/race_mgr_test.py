@@ -68,6 +68,12 @@ def test_goals_are_published_for_those_who_look_on(start, planner):
     assert [round(pose.orientation.z, 6) for pose in goals.poses] == [0.0, 1.0]
 
 
+def test_goals_may_be_in_the_odometry_frame_of_the_car(start, planner):
+    start("frame_id: robot1/odom\n1 0 0\n", wait_for_start=True)
+    goals = rospy.wait_for_message("/robot1/race_goals", PoseArray, LIMIT)
+    assert goals.header.frame_id == "robot1/odom"
+
+
 def test_waits_for_the_start_then_drives_to_every_goal_and_stays(start, planner):
     with listen_to_status() as status, StartSignal() as starter:
         node = start(REACHED * 2, wait_for_start=True)

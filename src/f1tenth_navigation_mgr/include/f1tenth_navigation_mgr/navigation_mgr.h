@@ -85,6 +85,7 @@ public:
 
   /// Not reached yet, the one in flight included.
   std::size_t GoalsLeft() const { return queue_.size(); }
+  Goals Queue() const { return {queue_.begin(), queue_.end()}; }
 
   /// One entry a goal that is over, in order.
   const std::vector<GoalResult> & Results() const { return results_; }

@@ -5,7 +5,7 @@ import time
 import rospkg
 import rospy
 
-from f1tenth_navigation_mgr import GoalsFileError, NavigationMgr, StartSignal, load_goals_file
+from f1tenth_navigation_mgr import GoalsFileError, NavigationMgr, StartSignal
 from f1tenth_race_mgr.goals_publisher import publish_goals
 from f1tenth_race_mgr.pacing import ClockPacing, LockstepPacing
 from f1tenth_race_mgr.parameters import BLOCK, ParameterError, goals_path, parse_parameters
@@ -38,11 +38,9 @@ def read_parameters():
 
 
 def load_goals(navigation, parameters):
-    """Load the goals file that the parameters name; return the goals."""
+    """Load the goals file that the parameters name."""
     try:
-        path = goals_path(parameters, rospkg.RosPack().get_path)
-        navigation.load_goals(path)
-        return load_goals_file(path)
+        navigation.load_goals(goals_path(parameters, rospkg.RosPack().get_path))
     except rospkg.ResourceNotFound as error:
         raise BadInputError(f"package_name: no package {parameters.package_name!r}") from error
     except GoalsFileError as error:
@@ -56,7 +54,8 @@ class RaceMgr:
         self._parameters = parameters
         self._stop_requests = stop_requests
         self._navigation = NavigationMgr("")
-        self._goals = publish_goals(load_goals(self._navigation, parameters))
+        load_goals(self._navigation, parameters)
+        self._goals = publish_goals(self._navigation.queue)
         self._navigation.loop_mode = parameters.loop_mode
         start_signal = StartSignal() if parameters.wait_for_start else None
         has_started = start_signal.has_started if start_signal else lambda: True

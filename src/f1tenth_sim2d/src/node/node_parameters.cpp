@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "conversions.h"
 #include "f1tenth_sim2d/errors.h"
 #include "parameter_reader.h"
 
@@ -104,12 +105,8 @@ Pose2 startPose(const CarParameters & car, const Pose2 & world_start)
   if (!car.pose || !car.relative_to_start) {
     return car.pose.value_or(world_start);
   }
-  const Pose2 & offset = *car.pose;
-  const double cosine = std::cos(world_start.yaw);
-  const double sine = std::sin(world_start.yaw);
-  return {
-    world_start.x + cosine * offset.x - sine * offset.y, world_start.y + sine * offset.x + cosine * offset.y,
-    world_start.yaw + offset.yaw};
+  const Vec2 offset = rotated({car.pose->x, car.pose->y}, world_start.yaw);
+  return {world_start.x + offset.x, world_start.y + offset.y, world_start.yaw + car.pose->yaw};
 }
 
 NodeParameters parseNodeParameters(const std::string & name, const XmlRpc::XmlRpcValue & all)

@@ -9,6 +9,7 @@ import pytest
 import yaml
 from f1tenth_scenarios.localization_run import Run, describe, read_run
 from f1tenth_scenarios.race_pace import laps
+from f1tenth_scenarios.race_pace.cli import BAD_INPUT
 from f1tenth_scenarios.scenario import Localization, read_scenario
 
 from f1tenth_scenarios import localization_table as table
@@ -86,7 +87,7 @@ def test_laps_are_driven_written_and_judged(tmp_path, monkeypatch, capsys, error
 def test_a_table_that_cannot_be_written_is_bad_input(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(table, "drive", lambda *_: GOOD)
     arguments = ["circuit1", "--results", str(tmp_path), "--table", "/nowhere/table.md"]
-    assert table.main(arguments) == table.BAD_INPUT
+    assert table.main(arguments) == BAD_INPUT
     assert capsys.readouterr().err == (
         "localization_laps: /nowhere/table.md: cannot be written: No such file or directory\n"
     )

@@ -8,11 +8,10 @@ from pathlib import Path
 from typing import Optional
 
 from f1tenth_scenarios import places
-from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.localization_run import GREATEST_ERROR, GREATEST_YAW_ERROR, Run, drive
-from f1tenth_scenarios.race_pace.cli import BAD_INPUT, CIRCUITS
+from f1tenth_scenarios.race_pace.cli import add_circuits, guarded, write_table
 
-# Exit codes, besides BAD_INPUT.
+# Exit codes, besides that of bad input.
 GOOD, NOT_GOOD = 0, 1
 
 _HEAD = """# Localization
@@ -39,19 +38,12 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser = argparse.ArgumentParser(
         prog="localization_laps", description="Drives laps with wheel odometry and amcl."
     )
-    parser.add_argument(
-        "names", nargs="*", default=CIRCUITS, metavar="NAME", help="circuit; default: all five"
-    )
+    add_circuits(parser, "circuit")
     parser.add_argument("--laps", type=_count, default=3, metavar="N", help="of each run (%(default)s)")
     parser.add_argument("--runs", type=_count, default=3, metavar="N", help="seeds 1 to N (%(default)s)")
     parser.add_argument("--table", type=Path, metavar="FILE", help="write the table there, too")
     parser.add_argument("--results", type=Path, metavar="FOLDER", help="default: results/localization")
-    options = parser.parse_args(arguments)
-    try:
-        return _drive(options)
-    except ScenarioError as error:
-        print(f"{parser.prog}: {error}", file=sys.stderr)
-        return BAD_INPUT
+    return guarded(parser.prog, _drive, parser.parse_args(arguments))
 
 
 def _count(text: str) -> int:
@@ -70,7 +62,7 @@ def _drive(options) -> int:
     table = make_table(runs)
     print(table)
     if options.table:
-        _write(options.table, table)
+        write_table(options.table, table)
     problems = [
         f"{circuit}: {each.problem()}" for circuit in runs for each in runs[circuit] if each.problem()
     ]
@@ -98,10 +90,3 @@ def _row(circuit: str, runs: Sequence[Run]) -> str:
         str(sum(each.contacts for each in runs)),
     )
     return f"| {' | '.join(cells)} |\n"
-
-
-def _write(path: Path, text: str) -> None:
-    try:
-        path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise ScenarioError(f"{path}: cannot be written: {error.strerror}") from error

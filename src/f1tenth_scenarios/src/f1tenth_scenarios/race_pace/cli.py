@@ -26,12 +26,12 @@ def reference_main(arguments: Optional[Sequence[str]] = None) -> int:
     parser = argparse.ArgumentParser(
         prog="race_reference", description="Computes the fastest lap of circuits for the simulator's car."
     )
-    _add_circuits(parser, "circuit, or centreline file X_centerline.csv")
+    add_circuits(parser, "circuit, or centreline file X_centerline.csv")
     parser.add_argument(
         "--clearance", type=float, default=CLEARANCE, metavar="M", help="beside the car (%(default)s)"
     )
     parser.add_argument("-o", "--output", type=Path, metavar="FOLDER", help="write NAME_raceline.csv there")
-    return _guarded(parser.prog, _references, parser.parse_args(arguments))
+    return guarded(parser.prog, _references, parser.parse_args(arguments))
 
 
 def pace_main(arguments: Optional[Sequence[str]] = None) -> int:
@@ -39,23 +39,25 @@ def pace_main(arguments: Optional[Sequence[str]] = None) -> int:
     parser = argparse.ArgumentParser(
         prog="race_pace", description="Drives flying laps and compares them with the fastest lap possible."
     )
-    _add_circuits(parser, "circuit")
+    add_circuits(parser, "circuit")
     parser.add_argument("--laps", type=int, default=LAPS, metavar="N", help="flying laps (%(default)s)")
     parser.add_argument("--table", type=Path, metavar="FILE", help="write the table there, too")
     parser.add_argument("--results", type=Path, metavar="FOLDER", help="default: results/race_pace")
     options = parser.parse_args(arguments)
     if options.laps < 1:
         parser.error(f"--laps: found {options.laps}, must be at least 1")
-    return _guarded(parser.prog, _compare, options)
+    return guarded(parser.prog, _compare, options)
 
 
-def _add_circuits(parser, text):
+def add_circuits(parser: argparse.ArgumentParser, text: str) -> None:
+    """Let a command take names; `text` says of what."""
     parser.add_argument(
         "names", nargs="*", default=CIRCUITS, metavar="NAME", help=f"{text}; default: all five"
     )
 
 
-def _guarded(program: str, action: Callable, options) -> int:
+def guarded(program: str, action: Callable, options) -> int:
+    """Run an action; print the user's mistake as one line. Returns the exit code."""
     try:
         return action(options)
     except ScenarioError as error:
@@ -87,14 +89,19 @@ def _compare(options) -> int:
     table = make_table(comparisons, limits)
     print(table)
     if options.table:
-        _write(options.table, table)
+        write_table(options.table, table)
     problems = [problem for each in comparisons if (problem := each.problem(options.laps))]
     for problem in problems:
         print(f"race_pace: {problem}", file=sys.stderr)
     return TOO_SLOW if problems else GOOD
 
 
-def _write(path: Path, text: str) -> None:
+def write_table(path: Path, text: str) -> None:
+    """Write a document.
+
+    Raises:
+        ScenarioError: it cannot be written.
+    """
     try:
         path.write_text(text, encoding="utf-8")
     except OSError as error:

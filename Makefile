@@ -20,13 +20,19 @@ IN_WORKSPACE := source $(DEVEL_DIR)/setup.bash &&
 CPP_FILES = $(shell git ls-files '*.cpp' '*.h')
 PYTHON_FILES = $(shell git ls-files '*.py'; git grep -lI '^\#!/usr/bin/\(env python3\|python3\)' -- ':!*.py')
 
-.PHONY: help setup configure build race report test sanitize lint format bench fuzz clean
+# Two of these at once would install, or configure, twice at once; what they call runs side by side by itself.
+.NOTPARALLEL:
+.PHONY: help setup installed configure build race report test sanitize lint format bench fuzz clean
 
 help: ## list the commands
 	@sed -n 's/^\([a-z]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 16
 	@echo "  Variables: CIRCUIT=circuit1 … circuit5, circuit_detailed; JOBS=$(JOBS); TEST_JOBS=$(TEST_JOBS)"
 
 setup: ## install what is missing from Debian and PyPI
+	@tools/setup --tests
+
+# Without what only tests need (a browser and such): a quarter of all, that nobody has to wait for before the first race.
+installed:
 	@tools/setup
 
 # CMake notices by itself what has changed in known files, but neither a new package nor a newly installed original
@@ -34,17 +40,17 @@ setup: ## install what is missing from Debian and PyPI
 CONFIGURED := $(BUILD_DIR)/configured
 PACKAGES := $(wildcard src/*/package.xml src/standins/*/package.xml)
 
-configure: setup ## configure the workspace anew
+configure: installed ## configure the workspace anew
 	@rm -f $(CONFIGURED)
 	@$(MAKE) --no-print-directory $(CONFIGURED)
 
-$(CONFIGURED): $(PACKAGES) CMakeLists.txt $(wildcard cmake/*) $(wildcard setup/*) | setup
+$(CONFIGURED): $(PACKAGES) CMakeLists.txt $(wildcard cmake/*) $(wildcard setup/*) | installed
 	@cmake -S . -B $(BUILD_DIR) -DCATKIN_DEVEL_PREFIX=$(DEVEL_DIR) -DPYTHON_EXECUTABLE=/usr/bin/python3 \
 	  > $(BUILD_DIR).log 2>&1 || { cat $(BUILD_DIR).log; exit 1; }
 	@mv $(BUILD_DIR).log $(BUILD_DIR)/configure.log
 	@touch $@
 
-build: setup $(CONFIGURED) ## build the workspace
+build: installed $(CONFIGURED) ## build the workspace
 	@cmake --build $(BUILD_DIR) -j $(JOBS) -- --no-print-directory
 
 race: build ## one headless race: make race CIRCUIT=circuit3
@@ -53,14 +59,14 @@ race: build ## one headless race: make race CIRCUIT=circuit3
 report: build ## one HTML file of all results: results/report.html
 	@$(IN_WORKSPACE) exec rosrun f1tenth_scenarios scenario report
 
-test: build ## every test; ends with `N passed, N failed, N skipped`
+test: setup build ## every test; ends with `N passed, N failed, N skipped`
 	@rm -rf $(BUILD_DIR)/test_results
 	@cmake --build $(BUILD_DIR) -j $(JOBS) --target tests -- --no-print-directory
 	@-/usr/bin/python3 -m pytest -q tools/test --junitxml=$(BUILD_DIR)/test_results/workspace/pytest-tools.xml
 	@cmake --build $(BUILD_DIR) -j $(TEST_JOBS) --target run_tests -- --no-print-directory --output-sync=target
 	@tools/test_summary $(BUILD_DIR)/test_results
 
-sanitize: setup ## tests of the simulator's core and loaders under AddressSanitizer and UBSan
+sanitize: installed ## tests of the simulator's core and loaders under AddressSanitizer and UBSan
 	@mkdir -p $(SANITIZE_DIR)
 	@cmake -S . -B $(SANITIZE_DIR) -DWORKSPACE_SANITIZE=ON -DCATKIN_DEVEL_PREFIX=$(CURDIR)/$(SANITIZE_DIR)/devel \
 	  -DPYTHON_EXECUTABLE=/usr/bin/python3 > $(SANITIZE_DIR)/configure.log 2>&1 || { cat $(SANITIZE_DIR)/configure.log; exit 1; }
@@ -82,7 +88,7 @@ format: setup ## format all files
 bench: build ## measure the simulator: results/bench.json; make bench KEYS="core_rtf walls"
 	@$(IN_WORKSPACE) cd src/f1tenth_sim2d/bench && exec /usr/bin/python3 -m sim2d_bench $(KEYS)
 
-fuzz: setup ## fuzz the simulator's loaders: make fuzz FUZZ_SECONDS=60 TARGETS="world car"
+fuzz: installed ## fuzz the simulator's loaders: make fuzz FUZZ_SECONDS=60 TARGETS="world car"
 	@command -v clang++ >/dev/null || { echo "fuzz: needs clang: apt-get install clang libclang-rt-14-dev" >&2; exit 1; }
 	@mkdir -p $(BUILD_DIR)
 	@cmake -S src/f1tenth_sim2d/fuzz -B $(BUILD_DIR)/fuzz -DCMAKE_CXX_COMPILER=clang++ > $(BUILD_DIR)/fuzz.log

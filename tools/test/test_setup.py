@@ -23,11 +23,21 @@ def machine(tmp_path):
     return tmp_path
 
 
-def run_setup(machine):
+def run_setup(machine, *arguments):
     environment = {**os.environ, "PATH": str(machine)}
     return subprocess.run(
-        [ROOT / "tools" / "setup"], env=environment, capture_output=True, text=True, check=False
+        [ROOT / "tools" / "setup", *arguments], env=environment, capture_output=True, text=True, check=False
     )
+
+
+def names_in(name):
+    text = (ROOT / "setup" / name).read_text()
+    return [line for line in text.splitlines() if line and not line.startswith("#")]
+
+
+def install(machine, *names):
+    listing = "\\n".join(f"ii  {name}" for name in names)
+    write_command(machine, "dpkg-query", f"printf '{listing}\\n'")
 
 
 def test_without_root_and_sudo_it_says_which_packages_to_install(machine):
@@ -54,11 +64,22 @@ def test_on_another_system_it_says_what_is_needed(machine):
 
 
 def test_nothing_is_installed_when_nothing_is_missing(machine):
-    packages = (ROOT / "setup" / "debian-packages.txt").read_text()
-    names = [line for line in packages.splitlines() if line and not line.startswith("#")]
-    listing = "\\n".join(f"ii  {name}" for name in names)
-    write_command(machine, "dpkg-query", f"printf '{listing}\\n'")
+    install(machine, *names_in("debian-packages.txt"))
     write_command(machine, "sudo", f"touch {machine}/called")
     result = run_setup(machine)
     assert result.returncode == 0, result.stderr
     assert not (machine / "called").exists()
+
+
+def test_what_only_tests_need_is_installed_when_asked_for(machine):
+    install(machine, *names_in("debian-packages.txt"))
+    result = run_setup(machine, "--tests")
+    assert result.returncode == 1
+    assert set(names_in("debian-test-packages.txt")) <= set(result.stderr.split())
+    assert "libbox2d-dev" not in result.stderr
+
+
+def test_another_argument_is_refused(machine):
+    result = run_setup(machine, "--test")
+    assert result.returncode == 2
+    assert "found '--test', allowed: nothing, or --tests" in result.stderr

@@ -29,14 +29,14 @@ std::shared_ptr<MessageSink> Outbox::add(const ros::AdvertiseOptions & options)
 
 void Outbox::flush()
 {
-  bool any = false;
+  bool is_left_to_roscpp = false;
   bool expired = false;
   for (const auto & each : topics_) {
     const auto topic = each.lock();
     expired = expired || !topic;
-    any = (topic && topic->flush()) || any;
+    is_left_to_roscpp = (topic && topic->flush(direct_)) || is_left_to_roscpp;
   }
-  if (any) {
+  if (is_left_to_roscpp) {
     ros::PollManager::instance()->getPollSet().signal();
   }
   if (expired) {

@@ -16,6 +16,9 @@ public:
   /// @param immediate  subscribers get small messages at once, whatever they asked for (see disableDelay)
   Outbox(ros::NodeHandle node, bool immediate) : node_(std::move(node)), immediate_(immediate) {}
 
+  /// Whether flush() sends on the calling thread where it can. That is the least work; leaving it to roscpp's poll thread
+  /// is more, but lets the simulation go on beside it.
+  void setDirect(bool direct) { direct_ = direct; }
   /// Sends what has been published since, each topic's messages together.
   void flush();
   /// The topics of which more than `limit` buffers wait for a subscriber.
@@ -32,6 +35,7 @@ protected:
 private:
   const ros::NodeHandle node_;
   const bool immediate_;
+  bool direct_{false};
   std::vector<std::weak_ptr<Topic>> topics_;
 };
 }  // namespace f1tenth_sim2d

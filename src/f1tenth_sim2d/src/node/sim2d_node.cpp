@@ -79,6 +79,7 @@ void Sim2dNode::addTime()
 std::unique_ptr<TimeKeeper> Sim2dNode::makeTimeKeeper()
 {
   flow_.setWaiting(control_.real_time_factor <= 0.0);
+  outbox_.setDirect(control_.is_lockstep || control_.real_time_factor > 0.0);
   if (control_.is_lockstep) {
     return std::make_unique<LockstepTime>(
       scene_.simulation, world_, queue_, control_, outbox_, flow_, clock_, *barrier_);

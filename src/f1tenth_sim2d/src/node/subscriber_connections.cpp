@@ -7,7 +7,8 @@
 #include <sys/socket.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <regex>
+#include <utility>
 
 namespace f1tenth_sim2d
 {
@@ -18,14 +19,14 @@ constexpr int kNodeColumn = 1;
 constexpr int kTransportColumn = 6;
 }  // namespace
 
-int socketIn(const std::string & transport_info)
+std::optional<SubscriberConnection> connectionIn(const std::string & transport_info)
 {
-  static const std::string kWords = "on socket ";
-  const std::size_t place = transport_info.rfind(kWords);
-  if (transport_info.rfind("TCPROS", 0) != 0 || place == std::string::npos) {
-    return -1;
+  static const std::regex kTcp(R"(TCPROS connection on port \d+ to \[(\S+) on socket (\d+)\])");
+  std::smatch match;
+  if (!std::regex_match(transport_info, match, kTcp)) {
+    return std::nullopt;
   }
-  return std::atoi(transport_info.c_str() + place + kWords.size());
+  return SubscriberConnection{"", std::stoi(match[2]), match[1]};
 }
 
 std::vector<SubscriberConnection> connectionsOf(ros::Publication & publication)
@@ -35,9 +36,9 @@ std::vector<SubscriberConnection> connectionsOf(ros::Publication & publication)
   publication.getInfo(info);
   std::vector<SubscriberConnection> connections;
   for (int i = 0; i < info.size(); ++i) {
-    const int socket = socketIn(info[i][kTransportColumn]);
-    if (socket >= 0) {
-      connections.push_back({info[i][kNodeColumn], socket});
+    if (auto connection = connectionIn(info[i][kTransportColumn])) {
+      connection->node = static_cast<std::string>(info[i][kNodeColumn]);
+      connections.push_back(*std::move(connection));
     }
   }
   return connections;

@@ -2,6 +2,7 @@
 
 #include <ros/publication.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,14 +13,15 @@ struct SubscriberConnection
 {
   std::string node;  ///< its name
   int socket;        ///< ours
+  std::string peer;  ///< "127.0.0.1:51234"
 };
 
 /// All of a topic; those within this process have no socket and are left out.
 std::vector<SubscriberConnection> connectionsOf(ros::Publication & publication);
 
-/// The socket in roscpp's description of a transport, "TCPROS connection on port 40000 to [::1:40001 on socket 12]"; -1
-/// if there is none.
-int socketIn(const std::string & transport_info);
+/// The connection in roscpp's description of a transport, "TCPROS connection on port 40000 to [::1:40001 on socket 12]",
+/// without the node's name; none if it is not over TCP.
+std::optional<SubscriberConnection> connectionIn(const std::string & transport_info);
 
 /// Bytes that wait in the kernel because the subscriber does not read them.
 int unreadBytes(const SubscriberConnection & connection);

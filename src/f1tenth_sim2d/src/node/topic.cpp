@@ -55,10 +55,36 @@ void Topic::commit()
   ++pending_messages_;
 }
 
-bool Topic::flush()
+bool Topic::flush(bool direct)
 {
-  if (pending_.empty()) {
+  const bool is_left_to_roscpp = !pending_.empty() && hasSubscribers() && !(direct && sendDirectly());
+  if (is_left_to_roscpp) {
+    handOver();
+  }
+  pending_.clear();
+  pending_messages_ = 0;
+  return is_left_to_roscpp;
+}
+
+bool Topic::sendDirectly()
+{
+  if (inFlight() > 0) {
     return false;
+  }
+  // Another publisher of the topic in this process: what roscpp has to write for it cannot be known.
+  is_shared_ = is_shared_ || publication_->getNumCallbacks() > 1;
+  if (
+    is_shared_ || direct_sender_.isOutdated(*publication_) || !direct_sender_.send(pending_.data(), pending_.size())) {
+    return false;
+  }
+  ++released_;
+  return true;
+}
+
+void Topic::handOver()
+{
+  if (direct_sender_.isOutdated(*publication_)) {
+    direct_sender_.lookAt(*publication_);
   }
   if (inFlight() >= kQueueSize) {
     lost_ += pending_messages_;
@@ -69,9 +95,6 @@ bool Topic::flush()
   message.message_start = buffer.bytes.get() + kLengthBytes;
   publication_->publish(message);
   in_flight_.push_back(buffer);
-  pending_.clear();
-  pending_messages_ = 0;
-  return true;
 }
 
 std::size_t Topic::inFlight()

@@ -9,13 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "direct_sender.h"
 #include "f1tenth_sim2d/publishing.h"
 
 namespace f1tenth_sim2d
 {
-/// One topic over roscpp. Messages collect until flush() hands them over together, in a buffer that roscpp writes to
-/// each subscriber as it stands: message after message, each behind its length, is what TCPROS is. Buffers are used
-/// again when roscpp has let go of them; those that it still holds tell how far the slowest subscriber lags behind.
+/// One topic over roscpp. Messages collect until flush() sends them together, in a buffer that each subscriber gets as
+/// it stands: message after message, each behind its length, is what TCPROS is. Buffers are used again when roscpp has let go of
+/// them; those that it still holds tell how far the slowest subscriber lags behind.
 class Topic : public MessageSink
 {
 public:
@@ -30,9 +31,10 @@ public:
   std::uint8_t * reserve(std::uint32_t length) override;
   void commit() override;
 
-  /// Hands over what has collected; roscpp's poll thread is still to be told.
-  /// @return whether there was anything
-  bool flush();
+  /// Sends what has collected, or hands it over to roscpp.
+  /// @param direct  whether to send on the calling thread if nothing is in the way
+  /// @return whether roscpp's poll thread is still to be told
+  bool flush(bool direct);
   /// Buffers that have not been written to all subscribers yet.
   std::size_t inFlight();
   /// How many buffers have been written to all subscribers (or given up) so far: grows as long as they read.
@@ -50,10 +52,14 @@ private:
     std::size_t capacity;
   };
 
+  bool sendDirectly();
+  void handOver();
   Buffer freeBuffer(std::size_t size);
 
   ros::Publisher publisher_;  // keeps the topic advertised
   ros::PublicationPtr publication_;
+  DirectSender direct_sender_;
+  bool is_shared_{false};  // with another publisher in this process
   const bool has_header_;
   std::vector<std::uint8_t> pending_;  // length and message, again and again
   std::size_t begun_{0};               // where the message reserved last begins in pending_

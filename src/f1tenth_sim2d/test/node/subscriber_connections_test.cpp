@@ -2,16 +2,19 @@
 
 #include <gtest/gtest.h>
 
-using f1tenth_sim2d::socketIn;
+using f1tenth_sim2d::connectionIn;
 
-TEST(SubscriberConnections, SocketOfATcpConnection)
+TEST(SubscriberConnections, SocketAndPeerOfATcpConnection)
 {
-  EXPECT_EQ(socketIn("TCPROS connection on port 41843 to [127.0.0.1:51234 on socket 17]"), 17);
+  const auto connection = connectionIn("TCPROS connection on port 41843 to [127.0.0.1:51234 on socket 17]");
+  ASSERT_TRUE(connection);
+  EXPECT_EQ(connection->socket, 17);
+  EXPECT_EQ(connection->peer, "127.0.0.1:51234");
 }
 
 TEST(SubscriberConnections, OtherTransportsHaveNone)
 {
-  EXPECT_EQ(socketIn("INTRAPROCESS"), -1);
-  EXPECT_EQ(socketIn("UDPROS connection on port 41843 to [127.0.0.1:51234 on socket 17]"), -1);
-  EXPECT_EQ(socketIn("TCPROS connection on port 41843 to [TCPServer Socket]"), -1);
+  EXPECT_FALSE(connectionIn("INTRAPROCESS"));
+  EXPECT_FALSE(connectionIn("UDPROS connection on port 41843 to [127.0.0.1:51234 on socket 17]"));
+  EXPECT_FALSE(connectionIn("TCPROS connection on port 41843 to [TCPServer Socket]"));
 }

@@ -144,6 +144,23 @@ class SubscribersTest(unittest.TestCase):
         assert sim2d.result()["lost"] > 0
         assert f"{rospy.get_name()} does not keep up with {TOPIC} and loses messages" in sim2d.stderr
 
+    def test_nothing_is_lost_at_a_pace_while_others_come_and_go(self):
+        sim2d = self.start(real_time_factor=10.0)
+        self.call("unpause")
+        readers = []
+        for _ in range(4):
+            reader = self.slow_reader()
+            reader.read()
+            reader.wait_for(20)
+            readers.append(reader)
+        readers[1].close()
+        readers[0].wait_for(len(readers[0].numbers) + 20)
+        for reader in readers:
+            first = reader.numbers[0]
+            assert reader.numbers == list(range(first, first + len(reader.numbers)))
+        assert sim2d.stop() == 0
+        assert sim2d.result()["lost"] == 0
+
     def test_nothing_is_lost_with_subscribers_that_keep_up(self):
         sim2d = self.start(real_time_factor=0)
         reader = self.slow_reader()

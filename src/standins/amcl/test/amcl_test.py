@@ -13,8 +13,8 @@ import rostest
 from geometry_msgs.msg import PoseArray, PoseWithCovarianceStamped
 from nav_msgs.msg import OccupancyGrid
 from nav_msgs.srv import GetMap, GetMapResponse, SetMap, SetMapRequest
-from played_car import PERIOD, START, drive, room, scan, stamp_of, transform
-from played_simulator import PATIENCE, Simulator
+from played_car import PERIOD, START, drive, mounting, room, scan, stamp_of, transform
+from standin_support.played_simulator import PATIENCE, Simulator
 from std_srvs.srv import Empty
 
 PERIODS = 60
@@ -55,7 +55,7 @@ class AmclTest(unittest.TestCase):
     def setUpClass(cls):
         """Drive through the room."""
         rospy.Service("static_map", GetMap, lambda _request: GetMapResponse(room()))
-        cls.simulator = Simulator()
+        cls.simulator = Simulator(mounting())
         cls.poses = Kept("amcl_pose", PoseWithCovarianceStamped)
         cls.clouds = Kept("particlecloud", PoseArray)
         cls.pose_publisher = rospy.Publisher(
@@ -71,8 +71,13 @@ class AmclTest(unittest.TestCase):
     def call(self, name, kind, *arguments):
         rospy.wait_for_service(name, PATIENCE)
         proxy = rospy.ServiceProxy(name, kind)
-        answer, type(self).period = self.simulator.call(lambda: proxy(*arguments), self.period)
-        return answer
+        return self.simulator.call(lambda: proxy(*arguments), self.stamps())
+
+    def stamps(self):
+        """Yield the stamps of further periods."""
+        while True:
+            type(self).period += 1
+            yield stamp_of(self.period - 1)
 
     def stand(self, x):
         """Another period with a scan from (x, 0), while odometry stands still. Returns its stamp."""

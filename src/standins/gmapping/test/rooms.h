@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "gmapping/geometry.h"
-#include "gmapping/scan.h"
 
 namespace gmapping
 {

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """The nodes' interface, and that a bag gives the same map every time."""
 
+import itertools
 import os
 import subprocess
 import tempfile
-import threading
 import unittest
 from pathlib import Path
 
@@ -14,64 +14,11 @@ import rospy
 import rostest
 from nav_msgs.msg import MapMetaData, OccupancyGrid
 from nav_msgs.srv import GetMap
-from played_car import drive, mounting
-from rosgraph_msgs.msg import Clock
-from sensor_msgs.msg import LaserScan
-from std_msgs.msg import Float64, Header
-from tf2_msgs.msg import TFMessage
+from played_car import PERIOD, drive, mounting
+from standin_support.played_simulator import PATIENCE, Simulator
+from std_msgs.msg import Float64
 
-PATIENCE = 60.0  # s of wall time
-REPEAT = 0.5  # s of wall time
 PERIODS = 60
-
-
-class Simulator:
-    """Plays the simulator of lockstep: goes on when slam_gmapping has answered."""
-
-    def __init__(self):
-        self._answered = threading.Condition()
-        self._done = rospy.Time()
-        self.transforms = []
-        kinds = {"/tf": TFMessage, "/scan": LaserScan}
-        self._publishers = {topic: self._publisher(topic, kind) for topic, kind in kinds.items()}
-        self._static = rospy.Publisher("/tf_static", TFMessage, queue_size=None, latch=True)
-        self._clock = self._publisher("/clock", Clock)
-        rospy.Subscriber("/sim2d/done", Header, self._on_done)
-        rospy.Subscriber("/tf", TFMessage, self._on_transforms)
-
-    @staticmethod
-    def _publisher(topic, kind):
-        # Without a queue the message is in the socket when publish() returns.
-        return rospy.Publisher(topic, kind, queue_size=None, tcp_nodelay=True)
-
-    def _on_done(self, message):
-        with self._answered:
-            self._done = message.stamp
-            self._answered.notify_all()
-
-    def _on_transforms(self, message):
-        self.transforms += [t for t in message.transforms if t.header.frame_id == "map"]
-
-    def wait_for_listeners(self):
-        while not all(p.get_num_connections() for p in [*self._publishers.values(), self._clock]):
-            threading.Event().wait(0.01)
-
-    def run(self, periods):
-        """Publish each period and wait for the answer."""
-        self._static.publish(mounting())
-        for stamp, messages in periods:
-            for topic, message in messages:
-                self._publishers[topic].publish(message)
-            self._wait_for_answer(stamp)
-
-    def _wait_for_answer(self, stamp):
-        # The first clock may come before the participant listens: as the simulator does, it is said again.
-        for _ in range(round(PATIENCE / REPEAT)):
-            self._clock.publish(stamp)
-            with self._answered:
-                if self._answered.wait_for(lambda: self._done == stamp, REPEAT):
-                    return
-        raise AssertionError(f"no answer at {stamp}")
 
 
 def replay(bag, *arguments):
@@ -91,10 +38,10 @@ class SlamGmappingTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         """Drive through the room."""
-        cls.simulator = Simulator()
+        cls.simulator = Simulator(mounting())
         cls.simulator.wait_for_listeners()
         cls.simulator.run(drive(PERIODS))
-        cls.transforms = list(cls.simulator.transforms)
+        cls.transforms = cls.simulator.transforms_until(rospy.Time.from_sec(2.5))
         cls.map = rospy.wait_for_message("map", OccupancyGrid, PATIENCE)
         cls.folder = tempfile.TemporaryDirectory()
         cls.bag = Path(cls.folder.name) / "drive.bag"
@@ -127,21 +74,9 @@ class SlamGmappingTest(unittest.TestCase):
 
     def test_service_returns_the_map(self):
         rospy.wait_for_service("dynamic_map", PATIENCE)
-        ready = threading.Event()
-        answer = []
-
-        def ask():
-            answer.append(rospy.ServiceProxy("dynamic_map", GetMap)())
-            ready.set()
-
-        threading.Thread(target=ask, daemon=True).start()
-        for stamp, _ in drive(PERIODS + 4000):
-            if stamp > rospy.Time.from_sec(3.0):
-                # Services are served between the periods.
-                self.simulator.run([(stamp, [])])
-                if ready.wait(0.005):
-                    break
-        assert answer[0].map.data == self.map.data
+        stamps = (rospy.Time.from_sec(3.0 + i * PERIOD) for i in itertools.count())
+        answer = self.simulator.call(rospy.ServiceProxy("dynamic_map", GetMap), stamps)
+        assert answer.map.data == self.map.data
 
     def test_transform_is_there_from_the_start_and_corrects_odometry(self):
         transforms = self.transforms

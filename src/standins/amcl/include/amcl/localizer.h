@@ -7,7 +7,6 @@
 #include "amcl/geometry.h"
 #include "amcl/localizer_options.h"
 #include "amcl/occupancy_grid.h"
-#include "amcl/scan.h"
 
 namespace amcl
 {

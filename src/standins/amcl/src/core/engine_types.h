@@ -7,9 +7,9 @@
 
 #include <utility>
 
+#include "amcl/geometry.h"
 #include "amcl/localizer_options.h"
 #include "amcl/occupancy_grid.h"
-#include "amcl/scan.h"
 
 /// Between the core's types and MRPT's.
 namespace amcl

@@ -3,6 +3,7 @@
 #include <geometry_msgs/PoseArray.h>
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/console.h>
+#include <standin_support/lidar_inputs.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <cmath>
@@ -16,13 +17,6 @@ namespace
 {
 constexpr std::size_t kLongestQueue = 100;  // scans, as the original's
 
-ros::NodeHandle servedBy(ros::CallbackQueue & queue)
-{
-  ros::NodeHandle node;
-  node.setCallbackQueue(&queue);
-  return node;
-}
-
 bool isFinite(const Pose2 & pose)
 {
   return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.yaw);
@@ -35,7 +29,7 @@ AmclNode::AmclNode(const NodeParameters & parameters, ros::CallbackQueue & queue
   estimate_(parameters.start),
   private_node_("~")
 {
-  ros::NodeHandle node = servedBy(queue);
+  ros::NodeHandle node = standin_support::servedBy(queue);
   pose_publisher_ = node.advertise<geometry_msgs::PoseWithCovarianceStamped>("amcl_pose", 2, true);
   particle_publisher_ = node.advertise<geometry_msgs::PoseArray>("particlecloud", 2, true);
   // Latched, unlike a tf2_ros::TransformBroadcaster: in lockstep's first period others wait for the transform.

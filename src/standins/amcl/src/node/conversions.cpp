@@ -8,54 +8,7 @@ namespace
 {
 // Rows and columns of x, y and yaw in a covariance of six.
 constexpr int kPlane[] = {0, 1, 5};
-
-double yawOf(const geometry_msgs::Quaternion & q)
-{
-  return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
-}
-
-geometry_msgs::Quaternion toQuaternion(double yaw)
-{
-  geometry_msgs::Quaternion q;
-  q.z = std::sin(0.5 * yaw);
-  q.w = std::cos(0.5 * yaw);
-  return q;
-}
 }  // namespace
-
-Pose2 fromPose(const geometry_msgs::Pose & pose)
-{
-  return {pose.position.x, pose.position.y, yawOf(pose.orientation)};
-}
-
-geometry_msgs::Pose toPose(const Pose2 & pose)
-{
-  geometry_msgs::Pose message;
-  message.position.x = pose.x;
-  message.position.y = pose.y;
-  message.orientation = toQuaternion(pose.yaw);
-  return message;
-}
-
-Pose2 fromTransform(const geometry_msgs::Transform & transform)
-{
-  return {transform.translation.x, transform.translation.y, yawOf(transform.rotation)};
-}
-
-geometry_msgs::Transform toTransform(const Pose2 & pose)
-{
-  geometry_msgs::Transform transform;
-  transform.translation.x = pose.x;
-  transform.translation.y = pose.y;
-  transform.rotation = toQuaternion(pose.yaw);
-  return transform;
-}
-
-bool isUpsideDown(const geometry_msgs::Transform & transform)
-{
-  const auto & q = transform.rotation;
-  return 1.0 - 2.0 * (q.x * q.x + q.y * q.y) < 0.0;
-}
 
 Estimate fromPoseWithCovariance(const geometry_msgs::PoseWithCovariance & pose)
 {
@@ -76,13 +29,6 @@ geometry_msgs::PoseWithCovariance toPoseWithCovariance(const Estimate & estimate
     message.covariance[6 * kPlane[i / 3] + kPlane[i % 3]] = estimate.covariance[i];
   }
   return message;
-}
-
-Scan fromLaserScan(const sensor_msgs::LaserScan & message, bool upside_down)
-{
-  const double sense = upside_down ? -1.0 : 1.0;
-  return {
-    sense * message.angle_min, sense * message.angle_increment, message.range_min, message.range_max, message.ranges};
 }
 
 OccupancyGrid fromOccupancyGrid(const nav_msgs::OccupancyGrid & message)

@@ -1,9 +1,9 @@
 #include <ros/ros.h>
 #include <sim2d_lockstep/participant.h>
-#include <tf2_ros/transform_listener.h>
+#include <standin_support/lidar_inputs.h>
 
 #include <iostream>
-#include <optional>
+#include <vector>
 
 #include "amcl/errors.h"
 #include "amcl_node.h"
@@ -20,42 +20,31 @@ class Inputs
 {
 public:
   Inputs(amcl::AmclNode & amcl, ros::CallbackQueue & queue, bool use_map_topic)
-  : amcl_(amcl), node_(onQueue(queue)), listener_(amcl.transforms(), node_, false, kNoDelay)
+  : amcl_(amcl), lidar_(queue, amcl.transforms(), [&amcl](const auto & scan) { amcl.add(scan); })
   {
-    subscribers_ = {
-      node_.subscribe("scan", 0, &amcl::AmclNode::add, &amcl, kNoDelay),
-      node_.subscribe("initialpose", 2, &Inputs::onInitialPose, this, kNoDelay)};
+    ros::NodeHandle node = standin_support::servedBy(queue);
+    subscribers_ = {node.subscribe("initialpose", 2, &Inputs::onInitialPose, this, kNoDelay)};
     if (use_map_topic) {
-      subscribers_.push_back(node_.subscribe("map", 1, &Inputs::onMap, this, kNoDelay));
+      subscribers_.push_back(node.subscribe("map", 1, &Inputs::onMap, this, kNoDelay));
     }
   }
 
   void handle(const ros::Time & now)
   {
-    if (now_ && now < *now_) {
+    if (lidar_.jumpsBackTo(now)) {
       ROS_WARN("Time jumped back: scans and transforms from before are forgotten, the pose is not");
       amcl_.forgetInputs();
     }
-    now_ = now;
     amcl_.handleScans();
   }
 
 private:
-  static ros::NodeHandle onQueue(ros::CallbackQueue & queue)
-  {
-    ros::NodeHandle node;
-    node.setCallbackQueue(&queue);
-    return node;
-  }
-
   void onInitialPose(const geometry_msgs::PoseWithCovarianceStamped::ConstPtr & message) { amcl_.setPose(*message); }
   void onMap(const nav_msgs::OccupancyGrid::ConstPtr & map) { amcl_.setMap(*map); }
 
   amcl::AmclNode & amcl_;
-  ros::NodeHandle node_;
-  tf2_ros::TransformListener listener_;
+  standin_support::LidarInputs lidar_;
   std::vector<ros::Subscriber> subscribers_;
-  std::optional<ros::Time> now_;
 };
 
 void requestMap(amcl::AmclNode & amcl)

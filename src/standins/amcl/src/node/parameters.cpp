@@ -1,6 +1,6 @@
 #include "parameters.h"
 
-#include <ros/console.h>
+#include <standin_support/parameter_reader.h>
 
 #include <cmath>
 #include <utility>
@@ -11,6 +11,8 @@ namespace amcl
 {
 namespace
 {
+using standin_support::ParameterReader;
+
 // Of the original where they are not zero: (0.5 m)^2, (0.5 m)^2, (pi/12)^2.
 constexpr double kStartVariance = 0.5 * 0.5;                         // m^2
 constexpr double kStartYawVariance = (M_PI / 12.0) * (M_PI / 12.0);  // rad^2
@@ -101,17 +103,6 @@ void readFilter(ParameterReader & reader, LocalizerOptions & localizer)
   reader.read("seed", seed);
   localizer.seed = static_cast<std::uint32_t>(seed);
 }
-
-void sayUnused(const ParameterReader & reader)
-{
-  std::string names;
-  for (const std::string & name : reader.unused()) {
-    names += (names.empty() ? "" : ", ") + name;
-  }
-  if (!names.empty()) {
-    ROS_INFO("This stand-in has no use for these parameters: %s", names.c_str());
-  }
-}
 }  // namespace
 
 NodeParameters readParameters(const ros::NodeHandle & node)
@@ -129,7 +120,7 @@ NodeParameters readParameters(const ros::NodeHandle & node)
       "transform_tolerance: found " + std::to_string(parameters.transform_tolerance) + ", must be 0 or above");
   }
   parameters.localizer.validate();
-  sayUnused(reader);
+  reader.warnOfUnused();
   return parameters;
 }
 }  // namespace amcl

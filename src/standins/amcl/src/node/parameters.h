@@ -1,9 +1,10 @@
 #pragma once
 
+#include <ros/node_handle.h>
+
 #include <string>
 
 #include "amcl/localizer.h"
-#include "parameter_reader.h"
 
 namespace amcl
 {

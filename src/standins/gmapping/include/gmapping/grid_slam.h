@@ -4,7 +4,6 @@
 
 #include "gmapping/geometry.h"
 #include "gmapping/occupancy_grid.h"
-#include "gmapping/scan.h"
 #include "gmapping/slam_options.h"
 
 namespace gmapping

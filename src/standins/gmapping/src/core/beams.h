@@ -4,7 +4,6 @@
 
 #include "cell_map.h"
 #include "gmapping/geometry.h"
-#include "gmapping/scan.h"
 
 namespace gmapping
 {

@@ -1,55 +1,28 @@
 #include <ros/ros.h>
 #include <sim2d_lockstep/participant.h>
-#include <tf2_ros/transform_listener.h>
+#include <standin_support/lidar_inputs.h>
 
 #include <iostream>
-#include <optional>
 
 #include "gmapping/errors.h"
 #include "slam_node.h"
 
 namespace
 {
+using standin_support::LidarInputs;
+
 const ros::WallDuration kPatience{0.1};
-const ros::TransportHints kNoDelay = ros::TransportHints().tcpNoDelay();
 
-/// What the node hears, on one queue.
-class Inputs
+void handle(gmapping::SlamNode & slam, LidarInputs & inputs, const ros::Time & now)
 {
-public:
-  Inputs(gmapping::SlamNode & slam, ros::CallbackQueue & queue)
-  : slam_(slam), node_(onQueue(queue)), listener_(slam.transforms(), node_, false, kNoDelay)
-  {
-    // Without a limit: what is waiting in lockstep must not be lost, and scans are left out only for want of time.
-    subscriber_ = node_.subscribe("scan", 0, &gmapping::SlamNode::add, &slam, kNoDelay);
+  if (inputs.jumpsBackTo(now)) {
+    ROS_WARN("Time jumped back: scans and transforms from before are forgotten, the map is not");
+    slam.forgetInputs();
   }
+  slam.handleScans();
+}
 
-  void handle(const ros::Time & now)
-  {
-    if (now_ && now < *now_) {
-      ROS_WARN("Time jumped back: scans and transforms from before are forgotten, the map is not");
-      slam_.forgetInputs();
-    }
-    now_ = now;
-    slam_.handleScans();
-  }
-
-private:
-  static ros::NodeHandle onQueue(ros::CallbackQueue & queue)
-  {
-    ros::NodeHandle node;
-    node.setCallbackQueue(&queue);
-    return node;
-  }
-
-  gmapping::SlamNode & slam_;
-  ros::NodeHandle node_;
-  tf2_ros::TransformListener listener_;
-  ros::Subscriber subscriber_;
-  std::optional<ros::Time> now_;
-};
-
-void spin(gmapping::SlamNode & slam, Inputs & inputs, ros::CallbackQueue & queue, double period)
+void spin(gmapping::SlamNode & slam, LidarInputs & inputs, ros::CallbackQueue & queue, double period)
 {
   // On a thread of its own: taking a scan in may last longer than the period.
   ros::CallbackQueue timer_queue;
@@ -61,12 +34,12 @@ void spin(gmapping::SlamNode & slam, Inputs & inputs, ros::CallbackQueue & queue
   spinner.start();
   while (ros::ok()) {
     queue.callAvailable(kPatience);
-    inputs.handle(ros::Time::now());
+    handle(slam, inputs, ros::Time::now());
   }
   spinner.stop();
 }
 
-void spinInLockstep(gmapping::SlamNode & slam, Inputs & inputs, ros::CallbackQueue & queue)
+void spinInLockstep(gmapping::SlamNode & slam, LidarInputs & inputs, ros::CallbackQueue & queue)
 {
   sim2d_lockstep::Participant participant(ros::this_node::getName().substr(1));
   while (ros::ok()) {
@@ -75,7 +48,7 @@ void spinInLockstep(gmapping::SlamNode & slam, Inputs & inputs, ros::CallbackQue
       continue;
     }
     queue.callAvailable();
-    inputs.handle(*stamp);
+    handle(slam, inputs, *stamp);
     slam.broadcast(*stamp);
     participant.done(*stamp);
   }
@@ -91,7 +64,7 @@ int main(int argc, char ** argv)
     const gmapping::NodeParameters parameters = gmapping::readParameters(private_node);
     ros::CallbackQueue queue;
     gmapping::SlamNode slam(parameters, queue);
-    Inputs inputs(slam, queue);
+    LidarInputs inputs(queue, slam.transforms(), [&slam](const auto & scan) { slam.add(scan); });
     if (parameters.lockstep) {
       spinInLockstep(slam, inputs, queue);
     } else {

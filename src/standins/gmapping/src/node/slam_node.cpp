@@ -2,6 +2,7 @@
 
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/console.h>
+#include <standin_support/lidar_inputs.h>
 #include <std_msgs/Float64.h>
 
 #include <utility>
@@ -10,20 +11,10 @@
 
 namespace gmapping
 {
-namespace
-{
-ros::NodeHandle servedBy(ros::CallbackQueue & queue)
-{
-  ros::NodeHandle node;
-  node.setCallbackQueue(&queue);
-  return node;
-}
-}  // namespace
-
 SlamNode::SlamNode(const NodeParameters & parameters, ros::CallbackQueue & queue)
 : parameters_(parameters), slam_(parameters.slam)
 {
-  ros::NodeHandle node = servedBy(queue);
+  ros::NodeHandle node = standin_support::servedBy(queue);
   map_publisher_ = node.advertise<nav_msgs::OccupancyGrid>("map", 1, true);
   metadata_publisher_ = node.advertise<nav_msgs::MapMetaData>("map_metadata", 1, true);
   entropy_publisher_ = ros::NodeHandle("~").advertise<std_msgs::Float64>("entropy", 1, true);

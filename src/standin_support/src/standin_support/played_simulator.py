@@ -1,8 +1,7 @@
-"""Plays the simulator of lockstep: goes on when amcl has answered."""
+"""Plays the simulator of lockstep: goes on when the node has answered."""
 
 import threading
 
-import played_car
 import rospy
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import LaserScan
@@ -14,9 +13,14 @@ REPEAT = 0.5  # s of wall time
 
 
 class Simulator:
-    """Publishes periods and hears the transforms from the map."""
+    """Publishes periods, which one node on a lidar answers, and hears its transforms from the map.
 
-    def __init__(self):
+    Args:
+        mounting: where the lidar is on the car, a TFMessage
+    """
+
+    def __init__(self, mounting):
+        self._mounting = mounting
         self._answered = threading.Condition()
         self._done = rospy.Time()
         self._transforms = []
@@ -51,37 +55,43 @@ class Simulator:
             return [t for t in self._transforms if t.header.stamp <= stamp]
 
     def wait_for_listeners(self):
-        """Until amcl hears everything and is heard, too."""
+        """Until the node hears everything and is heard, too."""
         publishers = [*self._publishers.values(), self._clock]
-        while not all(p.get_num_connections() for p in publishers) or not self._hears_amcl():
+        while not all(p.get_num_connections() for p in publishers) or not self._hears_node():
             threading.Event().wait(0.01)
 
-    def _hears_amcl(self):
+    def _hears_node(self):
         return self._listener.get_num_connections() > 1  # one is this node's own
 
     def run(self, periods):
-        """Publish each period and wait for the answer."""
-        self._static.publish(played_car.mounting())
+        """Publish each period and wait for the answer.
+
+        Args:
+            periods: of each, the stamp and what is sent: pairs of topic, /tf or /scan, and message
+        """
+        self._static.publish(self._mounting)
         for stamp, messages in periods:
             for topic, message in messages:
                 self._publishers[topic].publish(message)
             self._wait_for_answer(stamp)
 
-    def call(self, service, first_period):
-        """Call a service, which is served between periods; the car stands at the last scan's place.
+    def call(self, service, stamps):
+        """Call a service, which is served between periods; nothing else happens in them.
+
+        Args:
+            service: is called without arguments
+            stamps: of the periods, as many as it takes
 
         Returns:
-            its answer, and the number of the next period
+            its answer
         """
         answers = []
         thread = threading.Thread(target=lambda: answers.append(service()), daemon=True)
         thread.start()
-        period = first_period
         while thread.is_alive():
-            self.run([(played_car.stamp_of(period), [])])
-            period += 1
+            self.run([(next(stamps), [])])
             thread.join(0.005)
-        return answers[0], period
+        return answers[0]
 
     def _wait_for_answer(self, stamp):
         # The first clock may come before the participant listens: as the simulator does, it is said again.

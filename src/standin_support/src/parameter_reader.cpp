@@ -1,8 +1,10 @@
-#include "parameter_reader.h"
+#include "standin_support/parameter_reader.h"
 
-#include "amcl/errors.h"
+#include <ros/console.h>
 
-namespace amcl
+#include "standin_support/errors.h"
+
+namespace standin_support
 {
 namespace
 {
@@ -33,10 +35,21 @@ void ParameterReader::read(const std::string & name, Value & value)
     throw OptionError(node_.resolveName(name) + ": found " + raw.toXml() + ", must be " + nameOf(value));
   }
 }
+
+template <class Value>
+void ParameterReader::read(const std::string & name, std::optional<Value> & value)
+{
+  known_.insert(name);
+  if (node_.hasParam(name)) {
+    read(name, value.emplace());
+  }
+}
+
 template void ParameterReader::read(const std::string & name, double & value);
 template void ParameterReader::read(const std::string & name, int & value);
 template void ParameterReader::read(const std::string & name, bool & value);
 template void ParameterReader::read(const std::string & name, std::string & value);
+template void ParameterReader::read(const std::string & name, std::optional<double> & value);
 
 std::vector<std::string> ParameterReader::unused() const
 {
@@ -52,4 +65,15 @@ std::vector<std::string> ParameterReader::unused() const
   }
   return {names.begin(), names.end()};
 }
-}  // namespace amcl
+
+void ParameterReader::warnOfUnused() const
+{
+  std::string names;
+  for (const std::string & name : unused()) {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  if (!names.empty()) {
+    ROS_WARN("This stand-in has no use for these parameters: %s", names.c_str());
+  }
+}
+}  // namespace standin_support

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace standin_support
+{
+/// Base of everything that the stand-ins throw for a user's mistake. Mistakes of our own are asserted.
+class Error : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A parameter that makes no sense; the message names it, what was found and what is allowed.
+class OptionError : public Error
+{
+public:
+  using Error::Error;
+};
+}  // namespace standin_support

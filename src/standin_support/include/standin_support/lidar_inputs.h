@@ -1,0 +1,34 @@
+#pragma once
+
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <sensor_msgs/LaserScan.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <functional>
+#include <optional>
+
+namespace standin_support
+{
+/// Serves what is subscribed, or offered, by a handle on this queue.
+ros::NodeHandle servedBy(ros::CallbackQueue & queue);
+
+/// What a node on a lidar hears, on one queue: scans, transforms, and what else is subscribed to by servedBy(queue).
+class LidarInputs
+{
+public:
+  using OnScan = std::function<void(const sensor_msgs::LaserScan::ConstPtr &)>;
+
+  /// @param transforms  is filled with /tf and /tf_static
+  LidarInputs(ros::CallbackQueue & queue, tf2::BufferCore & transforms, const OnScan & on_scan);
+
+  /// Whether time, ROS time, has jumped back since the call before.
+  bool jumpsBackTo(const ros::Time & now);
+
+private:
+  ros::NodeHandle node_;
+  tf2_ros::TransformListener listener_;
+  ros::Subscriber subscriber_;
+  std::optional<ros::Time> now_;
+};
+}  // namespace standin_support

@@ -1,0 +1,63 @@
+#include "standin_support/conversions.h"
+
+#include <cmath>
+
+namespace standin_support
+{
+namespace
+{
+double yawOf(const geometry_msgs::Quaternion & q)
+{
+  return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
+}
+
+geometry_msgs::Quaternion toQuaternion(double yaw)
+{
+  geometry_msgs::Quaternion q;
+  q.z = std::sin(0.5 * yaw);
+  q.w = std::cos(0.5 * yaw);
+  return q;
+}
+}  // namespace
+
+Pose2 fromPose(const geometry_msgs::Pose & pose)
+{
+  return {pose.position.x, pose.position.y, yawOf(pose.orientation)};
+}
+
+geometry_msgs::Pose toPose(const Pose2 & pose)
+{
+  geometry_msgs::Pose message;
+  message.position.x = pose.x;
+  message.position.y = pose.y;
+  message.orientation = toQuaternion(pose.yaw);
+  return message;
+}
+
+Pose2 fromTransform(const geometry_msgs::Transform & transform)
+{
+  return {transform.translation.x, transform.translation.y, yawOf(transform.rotation)};
+}
+
+geometry_msgs::Transform toTransform(const Pose2 & pose)
+{
+  geometry_msgs::Transform transform;
+  transform.translation.x = pose.x;
+  transform.translation.y = pose.y;
+  transform.rotation = toQuaternion(pose.yaw);
+  return transform;
+}
+
+bool isUpsideDown(const geometry_msgs::Transform & transform)
+{
+  const auto & q = transform.rotation;
+  return 1.0 - 2.0 * (q.x * q.x + q.y * q.y) < 0.0;
+}
+
+Scan fromLaserScan(const sensor_msgs::LaserScan & message, bool upside_down)
+{
+  const double sense = upside_down ? -1.0 : 1.0;
+  return {
+    sense * message.angle_min, sense * message.angle_increment, message.range_min, message.range_max, message.ranges};
+}
+}  // namespace standin_support

@@ -28,7 +28,8 @@ endfunction()
 #   workspace_python_module(NAME source.cpp ...)
 # Needs find_package(pybind11) after set(PYBIND11_FINDPYTHON OFF) and the package's own library linked to it.
 function(workspace_python_module name)
-  pybind11_add_module(${name} MODULE ${ARGN})
+  # The extras are optimizing at link time, which finds nothing in a single unit and warns that it is slow.
+  pybind11_add_module(${name} MODULE NO_EXTRAS ${ARGN})
   workspace_target(${name})
   set_target_properties(${name} PROPERTIES
     LIBRARY_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_PYTHON_DESTINATION})

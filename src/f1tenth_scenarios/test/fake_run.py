@@ -10,7 +10,7 @@ from f1tenth_scenarios.run import execute
 from f1tenth_scenarios.stop_request import StopRequest
 from scenario_samples import GOALS, rows, scenario, write_record
 
-SHUTDOWN = "import signal, sys; signal.signal(signal.SIGINT, lambda *_: sys.exit(0))\n"
+SHUTDOWN = "import signal, sys; signal.signal(signal.SIGINT, lambda *_: sys.exit(0))\nsys.stdin.readline()\n"
 STAY = "import time\nwhile True: time.sleep(0.05)\n"
 
 
@@ -35,6 +35,9 @@ class FakeWatch:
 
     def failure(self):
         return self._failure if self._ready.exists() else None
+
+    def catch_up(self, stamp):
+        pass
 
     def close(self):
         self.closed = True

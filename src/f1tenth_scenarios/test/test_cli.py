@@ -5,7 +5,7 @@ import os
 import re
 
 import pytest
-from f1tenth_scenarios.console import ProgressLine, summary
+from f1tenth_scenarios.console import ProgressLine, cost_of_all, summary
 from f1tenth_scenarios.describe import describe_keys
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.private_master import private_master
@@ -106,9 +106,15 @@ def test_summary_has_all_that_make_race_prints(tmp_path):
         "lap time:          3.000 s",
         "minimum clearance: 0.500 m",
         "real-time factor:  none",
+        f"cost:              {result.cost:.1f} s besides simulating",
         f"result:            {run.plan.folder}/result.json",
         f"picture:           {run.plan.folder}/trajectory.png",
     ]
+
+
+def test_costs_of_many_runs_are_summed_up():
+    costs = {"circuit1": 2.96, "two_cars": 3.94, "goal_ahead": 2.5}
+    assert cost_of_all(costs) == "cost besides simulating: median 3.0 s, at most 3.9 s (two_cars)"
 
 
 def test_summary_lists_the_laps_if_there_are_several(tmp_path):

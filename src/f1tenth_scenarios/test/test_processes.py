@@ -91,6 +91,47 @@ def test_process_that_ignores_signals_is_killed(tmp_path):
     assert tree.exit_code() == -signal.SIGKILL
 
 
+def test_child_that_waits_for_its_line_gets_it(tmp_path):
+    tree = start(tmp_path, "print(input())")
+    tree.go()
+    wait_for(lambda: tree.exit_code() is not None)
+    assert (tmp_path / "log").read_text() == "go\n"
+
+
+def test_child_that_has_ended_needs_no_line(tmp_path):
+    tree = start(tmp_path, "pass")
+    wait_for(lambda: tree.exit_code() is not None)
+    tree.go()
+    tree.stop(0.5)
+
+
+def test_process_that_is_waited_for_may_end_before_the_others(tmp_path):
+    program = (
+        "import pathlib, subprocess, sys\n"
+        f"path = pathlib.Path({str(tmp_path)!r})\n"
+        "child = subprocess.Popen(['sleep', '600'])\n"
+        f"{IGNORE}\n"
+        "(path / 'new').write_text(str(child.pid))\n"
+        "(path / 'new').rename(path / 'pid')\n"
+    )
+    tree = start(tmp_path, program + SLEEP)
+    pid = pid_of_child(tmp_path)
+    tree.interrupt(pid, PATIENCE)
+    assert is_gone(pid)
+    assert tree.exit_code() is None
+    tree.stop(0.1, last_grace=0.1)
+    assert tree.exit_code() == -signal.SIGKILL
+
+
+def test_start_of_a_process_is_before_all_that_it_does():
+    program = (
+        "import time; first = time.monotonic()\n"
+        "from f1tenth_scenarios.processes import process_start; print(first - process_start())"
+    )
+    said = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert 0.0 <= float(said.stdout) + 0.01 < PATIENCE
+
+
 def test_stopping_twice_does_no_harm(tmp_path):
     tree = start(tmp_path, SLEEP)
     tree.stop(0.5)

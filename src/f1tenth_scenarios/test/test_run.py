@@ -3,6 +3,7 @@
 import csv
 import json
 import signal
+import time
 
 import psutil
 import pytest
@@ -57,6 +58,18 @@ def test_trajectory_ends_with_the_deciding_stamp(tmp_path):
     assert len(written) == 121
 
 
+def test_cost_is_what_a_run_takes_besides_simulating(tmp_path):
+    result = result_of(succeeding(tmp_path), started=time.monotonic() - 20.0)
+    simulating = result["times"]["finish"] / result["real_time_factor"]
+    assert result["times"]["wall"] > 20.0 + simulating
+    assert result["times"]["cost"] == pytest.approx(result["times"]["wall"] - simulating)
+
+
+def test_cost_of_a_run_that_simulates_nothing_is_all_of_its_time(tmp_path):
+    times = result_of(FakeRun(tmp_path).ends(1))["times"]
+    assert times["cost"] == times["wall"]
+
+
 def test_picture_is_written(tmp_path):
     run = succeeding(tmp_path)
     run.execute()
@@ -70,7 +83,7 @@ def test_same_run_noticed_earlier_or_later_gives_the_same_result(tmp_path):
         (tmp_path / name).mkdir()
         run = FakeRun(tmp_path / name).records(length).hears(racing(2.0), finished(3.0))
         result = result_of(run)
-        result["times"].pop("wall")
+        result["times"] = {key: result["times"][key] for key in ("start", "finish", "lap_time")}
         results.append((result, (run.plan.folder / "trajectory.csv").read_bytes()))
     assert results[0] == results[1]
 

@@ -85,10 +85,12 @@ private:
   void waitForPeriodsWithout(int count)
   {
     const ros::WallTime deadline = ros::WallTime::now() + kFarewell;
-    while (periods_since_left_ < count && ros::ok() && ros::WallTime::now() < deadline) {
+    while (periods_since_left_ < count && !simulatorEnded() && ros::ok() && ros::WallTime::now() < deadline) {
       queue_.callAvailable(std::min(deadline - ros::WallTime::now(), kShutdownCheck));
     }
   }
+
+  bool simulatorEnded() const { return period_ && clock_subscriber_.getNumPublishers() == 0; }
 
   // roscpp follows /clock on a thread of its own.
   bool clockReached(const ros::WallTime & deadline) const

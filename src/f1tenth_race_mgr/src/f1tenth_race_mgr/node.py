@@ -79,7 +79,12 @@ class RaceMgr:
 
     def _settle(self):
         end = time.monotonic() + SETTLE_TIMEOUT
-        while self._navigation.goal_in_flight is not None and time.monotonic() < end:
+        # A planner that is gone acknowledges nothing.
+        while (
+            self._navigation.goal_in_flight is not None
+            and self._navigation.wait_for_server(0.0)
+            and time.monotonic() < end
+        ):
             self._navigation.spin()
 
     def _stay(self):

@@ -6,16 +6,17 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Optional
 
-from f1tenth_scenarios import many, places
-from f1tenth_scenarios.console import CountLine, ProgressLine, summary
+from f1tenth_scenarios import places
+from f1tenth_scenarios.console import CountLine, ProgressLine, cost_of_all, summary
 from f1tenth_scenarios.describe import describe_keys
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan import make_plan
 from f1tenth_scenarios.private_master import private_master
-from f1tenth_scenarios.report.page import REPORT_FILE, write_report
+from f1tenth_scenarios.result import RESULT_FILE
 from f1tenth_scenarios.scenario import Scenario, read_scenario
 from f1tenth_scenarios.several import run_several
 from f1tenth_scenarios.stop_request import StopRequest
+from f1tenth_scenarios.supervisor import read_json
 
 # Exit codes.
 PASSED, NOT_PASSED, BAD_INPUT = 0, 1, 2
@@ -61,11 +62,12 @@ def _parser() -> argparse.ArgumentParser:
     _add_results(report, "read FOLDER/*")
     report.add_argument("--against", type=Path, metavar="FOLDER", help=_AGAINST)
     report.add_argument(
-        "--output", type=Path, metavar="FILE", help=f"default: {REPORT_FILE} in the results folder"
+        "--output", type=Path, metavar="FILE", help=f"default: {_REPORT_FILE} in the results folder"
     )
     return parser
 
 
+_REPORT_FILE = "report.html"
 _SET = "replace a value of the file, as in mu=0.3 or limits.timeout=20"
 _VARY = "FIRST:LAST (whole numbers), FIRST:LAST:COUNT or A,B,C; several keys: every combination"
 _TABLE = "one more table of the runs: FILE.parquet keeps types, FILE.csv is text"
@@ -107,14 +109,19 @@ def _check(options) -> int:
 
 
 def _report(options) -> int:
+    # Here and below imported late: what takes long to import, for the command that needs it.
+    from f1tenth_scenarios.report.page import write_report
+
     results = (options.results or places.results_root()).resolve()
-    output = (options.output or results / REPORT_FILE).resolve()
+    output = (options.output or results / _REPORT_FILE).resolve()
     write_report(results, output, options.against.resolve() if options.against else None)
     print(f"{'report:':19}{output}")
     return PASSED
 
 
 def _sweep(options) -> int:
+    from f1tenth_scenarios import many
+
     results = (options.results or places.results_root()).resolve()
     output = options.output.resolve() if options.output else None
     complete = many.sweep(
@@ -130,6 +137,8 @@ def _program() -> str:
 def _repeat(options) -> int:
     if options.repeat < 2 or len(options.names) != 1:
         raise ScenarioError("--repeat is for one scenario, and at least 2 times")
+    from f1tenth_scenarios import many
+
     results = (options.results or places.results_root()).resolve()
     steady = many.repeat(options.names[0], options.repeat, results, options.set, _program(), options.jobs)
     return PASSED if steady else NOT_PASSED
@@ -165,7 +174,6 @@ def _results_option(results: Optional[Path]) -> list[str]:
 def _run_one(name: str, results: Optional[Path], settings: Sequence[str]) -> int:
     folder = results.resolve() / places.scenario_file(name).stem if results else None
     plan = make_plan(name, folder, settings)
-    # Imported late: rospy takes longer than listing and checking.
     from f1tenth_scenarios.ros_session import run_with_ros
 
     progress = ProgressLine(plan.name)
@@ -198,5 +206,15 @@ def _run_each(names: Sequence[str], options) -> int:
     if stop.signal:
         return 128 + stop.signal
     passed = codes.count(PASSED)
+    if costs := _costs(names, options.results):
+        print(cost_of_all(costs))
     print(f"{passed} of {len(codes)} scenarios passed")
     return PASSED if passed == len(codes) else NOT_PASSED
+
+
+def _costs(names: Sequence[str], results: Optional[Path]) -> dict[str, float]:
+    """What each scenario has cost besides simulating, wall s; without those that left no result."""
+    root = results.resolve() if results else places.results_root()
+    stems = [places.scenario_file(name).stem for name in names]
+    found = {stem: read_json(root / stem / RESULT_FILE) for stem in stems}
+    return {stem: content["times"]["cost"] for stem, content in found.items() if content}

@@ -1,8 +1,10 @@
 """What a person or a script reads of a run."""
 
+import statistics
 import sys
 import textwrap
 import time
+from collections.abc import Mapping
 from typing import Optional, TextIO
 
 from f1tenth_scenarios.criterion import Status
@@ -86,12 +88,22 @@ def summary(result: Result, plan: Plan) -> str:
         *_all_laps(result, plan),
         ("minimum clearance", _unit(least_clearance(result.judgement), "m", 3)),
         ("real-time factor", _unit(result.measured.real_time_factor, "", 1)),
+        ("cost", f"{_unit(result.cost, 's', 1)} besides simulating"),
         *_failed_criteria(result),
         *_culprit_log(result),
         ("result", str(plan.folder / RESULT_FILE)),
         ("picture", str(plan.folder / PICTURE_FILE)),
     ]
     return "\n".join(f"{name + ':' if name else '':19}{value}" for name, value in lines)
+
+
+def cost_of_all(costs: Mapping[str, float]) -> str:
+    """What scenarios cost besides simulating (wall s, by name), in a line."""
+    dearest = max(costs, key=costs.__getitem__)
+    return (
+        f"cost besides simulating: median {statistics.median(costs.values()):.1f} s,"
+        f" at most {costs[dearest]:.1f} s ({dearest})"
+    )
 
 
 def _all_laps(result, plan):

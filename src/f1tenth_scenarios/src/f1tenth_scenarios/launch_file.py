@@ -1,6 +1,7 @@
 """The launch file of a run: one that a person can start again with `roslaunch log/run.launch`."""
 
 import json
+import sys
 import xml.etree.ElementTree as ElementTree
 from typing import Any
 
@@ -10,17 +11,13 @@ from f1tenth_scenarios.plan import Plan
 from f1tenth_scenarios.scenario import Car, Driver, Input, Localization, Scenario
 from f1tenth_scenarios.scenario_world import write_world
 
-# wall s that a node has after SIGINT, and then after SIGTERM
-_SIGINT_TIMEOUT, _SIGTERM_TIMEOUT = 4.0, 2.0
-
 # s, after which the start signal is surely given: the countdown begins with the first period, not at 0.
 _START_MARGIN = 0.1
 
 
 def launch_command(plan: Plan) -> list[str]:
-    """The command that starts the launch file of a run."""
-    timeouts = [f"--sigint-timeout={_SIGINT_TIMEOUT}", f"--sigterm-timeout={_SIGTERM_TIMEOUT}"]
-    return ["roslaunch", *timeouts, "--disable-title", str(plan.launch_file)]
+    """The command that starts the nodes of a run, once it is told to."""
+    return [sys.executable, "-m", "f1tenth_scenarios.launch_process", str(plan.launch_file)]
 
 
 def write_launch_file(plan: Plan) -> None:

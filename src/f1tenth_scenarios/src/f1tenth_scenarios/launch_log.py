@@ -11,6 +11,7 @@ _DIED = re.compile(r"\[(?P<process>\S+)\] process has died \[pid (?P<pid>\d+), e
 _REQUIRED = re.compile(r"REQUIRED process \[(?P<process>\S+)\] has died")
 _REQUIRED_END = re.compile(r"process has (died \[pid \d+, exit code (?P<code>-?\d+)|finished cleanly)")
 _FINISHED = re.compile(r"\[(?P<process>\S+)\] process has finished cleanly")
+_STARTED = re.compile(r"process\[(?P<process>\S+)\]: started with pid \[(?P<pid>\d+)\]")
 _LOG_FILE = re.compile(r"^log file: (?P<pattern>.*)\*\.log")
 
 
@@ -38,6 +39,7 @@ class LaunchLog:
         self._tail = LineTail(path)
         self._required: Optional[str] = None
         self.ends: list[NodeEnd] = []
+        self.pids: dict[str, int] = {}  # by node
 
     def poll(self) -> None:
         """Read what has been added."""
@@ -48,6 +50,8 @@ class LaunchLog:
         log_file = _LOG_FILE.match(line)
         if log_file and self.ends:
             self.ends[-1] = dataclasses.replace(self.ends[-1], log_file=f"{log_file['pattern']}*.log")
+        elif found := _STARTED.search(line):
+            self.pids[_node(found["process"])] = int(found["pid"])
         elif found := _REQUIRED.search(line):
             self._required = found["process"]
         elif found := _DIED.search(line):
@@ -59,5 +63,9 @@ class LaunchLog:
             self._required = None
 
     def _add(self, process: str, exit_code: int) -> None:
-        # roslaunch appends "-3" to the name of the third process.
-        self.ends.append(NodeEnd(process.rpartition("-")[0], exit_code))
+        self.ends.append(NodeEnd(_node(process), exit_code))
+
+
+def _node(process: str) -> str:
+    # roslaunch appends "-3" to the name of the third process.
+    return process.rpartition("-")[0]

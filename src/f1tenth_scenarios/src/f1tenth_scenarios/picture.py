@@ -44,7 +44,7 @@ def write_picture(
     """
     tracks = [track for track in record.tracks.values() if len(track.time)]
     box = _bounding_box(tracks, goals, track_map)
-    figure = Figure(figsize=_figure_size(box), layout="constrained")
+    figure = Figure(figsize=_figure_size(box))
     FigureCanvasAgg(figure)
     axes = figure.add_subplot()
     _draw_map(axes, track_map)

@@ -4,7 +4,6 @@ import contextlib
 import os
 from collections.abc import Iterator
 
-import rosgraph
 from rosmaster.master import Master
 
 
@@ -21,8 +20,6 @@ def private_master() -> Iterator[str]:
     master = Master(port=0)
     master.start()
     os.environ["ROS_MASTER_URI"] = master.uri
-    # roslaunch names the folder of the nodes' logs after it.
-    rosgraph.Master("/scenario", master.uri).setParam("/run_id", "nodes")
     try:
         yield master.uri
     finally:

@@ -1,6 +1,8 @@
 """Starting a process with everything it will start, and ending all of it on every path."""
 
+import contextlib
 import os
+import select
 import signal
 import subprocess
 import time
@@ -13,19 +15,27 @@ import psutil
 
 # Every process of a tree inherits this variable: one that left its parent or its group is found as well.
 _MARK = "F1TENTH_SCENARIO_TREE"
-_POLL_INTERVAL = 0.02  # wall s
+
+
+def process_start() -> float:
+    """When this process was started, as time.monotonic() counts (s)."""
+    return time.monotonic() - (time.time() - psutil.Process().create_time())
 
 
 class ProcessTree:
     """A child process, in a group of its own, and all its descendants."""
 
     def __init__(self, command: Sequence[str], log_file: Path, environment: Mapping[str, str]):
-        """Start the process; its output goes to log_file. If this process dies, the child gets a SIGINT."""
+        """Start the process; its output goes to log_file.
+
+        Its input stays open until `go`. If this process dies, the input ends and the child gets a SIGINT.
+        """
         self._mark = uuid.uuid4().hex
+        self._interrupted = False
         with open(log_file, "wb") as log:
             self._child = subprocess.Popen(
                 ["setpriv", "--pdeathsig", "INT", *command],
-                stdin=subprocess.DEVNULL,
+                stdin=subprocess.PIPE,
                 stdout=log,
                 stderr=subprocess.STDOUT,
                 env={**os.environ, **environment, _MARK: self._mark},
@@ -36,6 +46,22 @@ class ProcessTree:
         """The child's exit code; nothing while it runs."""
         return self._child.poll()
 
+    def go(self) -> None:
+        """Send the child a line and the end of its input."""
+        # One that has ended already says so by its exit code.
+        with contextlib.suppress(BrokenPipeError), self._child.stdin as stream:
+            stream.write(b"go\n")
+
+    def interrupt(self, pid: Optional[int], patience: float) -> None:
+        """Tell the child to end all that it has started, and wait until a process, else the child, has ended.
+
+        Args:
+            pid: of the process; none: the child
+            patience: wall seconds
+        """
+        self._interrupt()
+        _wait_for_ends([pid or self._child.pid], patience)
+
     def stop(self, grace: float, last_grace: float = 2.0) -> None:
         """End the child and all descendants; returns when none is left.
 
@@ -43,32 +69,28 @@ class ProcessTree:
             grace: wall seconds that the child has after SIGINT to end what it started
             last_grace: wall seconds after SIGTERM, before SIGKILL
         """
-        self._signal_group(signal.SIGINT)
-        self._wait_for_child(grace)
-        if self._members():
-            for each in self._members():
-                _send(each, signal.SIGTERM)
-            self._wait_for_all(last_grace)
-        while self._members():
-            for each in self._members():
-                _send(each, signal.SIGKILL)
-            time.sleep(_POLL_INTERVAL)
+        self._interrupt()
+        _wait_for_ends([self._child.pid], grace)
+        _wait_for_ends(self._send(signal.SIGTERM), last_grace)
+        while killed := self._send(signal.SIGKILL):
+            _wait_for_ends(killed, last_grace)
         self._child.wait()
 
-    def _signal_group(self, number: int) -> None:
-        if self._child.poll() is None:
-            os.killpg(self._child.pid, number)
-
-    def _wait_for_child(self, seconds: float) -> None:
-        try:
-            self._child.wait(seconds)
-        except subprocess.TimeoutExpired:
+    def _interrupt(self) -> None:
+        if self._interrupted:
             return
+        self._interrupted = True
+        self._child.stdin.close()
+        if self._child.poll() is None:
+            os.killpg(self._child.pid, signal.SIGINT)
 
-    def _wait_for_all(self, seconds: float) -> None:
-        deadline = time.monotonic() + seconds
-        while self._members() and time.monotonic() < deadline:
-            time.sleep(_POLL_INTERVAL)
+    def _send(self, number: int) -> list[int]:
+        """Signal all that are left; returns their process ids."""
+        members = self._members()
+        for each in members:
+            with contextlib.suppress(psutil.NoSuchProcess):
+                each.send_signal(number)
+        return [each.pid for each in members]
 
     def _members(self) -> list[psutil.Process]:
         self._child.poll()  # collects the exit code, so that the child is no zombie
@@ -81,8 +103,19 @@ class ProcessTree:
             return False
 
 
-def _send(process: psutil.Process, number: int) -> None:
-    try:
-        process.send_signal(number)
-    except psutil.NoSuchProcess:
-        return
+def _wait_for_ends(pids: Sequence[int], seconds: float) -> None:
+    """Return when all processes have ended, or after some time."""
+    deadline = time.monotonic() + seconds
+    with contextlib.ExitStack() as stack:
+        running = select.poll()
+        left = 0
+        for pid in pids:
+            with contextlib.suppress(ProcessLookupError):
+                descriptor = os.pidfd_open(pid)
+                stack.callback(os.close, descriptor)
+                running.register(descriptor, select.POLLIN)
+                left += 1
+        while left and (patience := deadline - time.monotonic()) > 0:
+            for descriptor, _ in running.poll(patience * 1000.0):
+                running.unregister(descriptor)
+                left -= 1

@@ -28,7 +28,7 @@ class ReplayRecorder:
         self._cars = tuple(cars)
         self._kept: dict[tuple[str, str], tuple[list, list]] = {}
         self._fans: dict[str, tuple[float, float]] = {}
-        self._now = 0.0
+        self.now = 0.0  # s, stamp of the last message
         self._subscribers = [each for car in cars for each in self._subscribe_car(car)]
         self._subscribers.append(self._subscribe_models())
 
@@ -68,8 +68,8 @@ class ReplayRecorder:
 
         def receive(raw: rospy.AnyMsg) -> None:
             _, seconds, nanoseconds = _HEADER_START.unpack_from(raw._buff)
-            self._now = seconds + nanoseconds * 1e-9
-            if rate.is_due(self._now):
+            self.now = seconds + nanoseconds * 1e-9
+            if rate.is_due(self.now):
                 keep(kind().deserialize(raw._buff))
 
         return rospy.Subscriber(topic, rospy.AnyMsg, receive, buff_size=_BUFFER)
@@ -79,7 +79,7 @@ class ReplayRecorder:
 
         def receive(raw: rospy.AnyMsg) -> None:
             # The message has no stamp; the cars' scans of the same period have.
-            if rate.is_due(self._now):
+            if rate.is_due(self.now):
                 self._keep_models(ModelStates().deserialize(raw._buff))
 
         return rospy.Subscriber("/gazebo/model_states", rospy.AnyMsg, receive, buff_size=_BUFFER)
@@ -105,7 +105,7 @@ class ReplayRecorder:
             planar = _planar(pose)
             _, values = self._kept.get(("model", name), ([], []))
             if name not in self._cars and values[-1:] != [planar]:
-                self._keep("model", name, self._now, planar)
+                self._keep("model", name, self.now, planar)
 
     def _keep(self, kind: str, name: str, stamp: float, value: Any) -> None:
         stamps, values = self._kept.setdefault((kind, name), ([], []))

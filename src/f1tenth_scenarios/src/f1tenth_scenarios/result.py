@@ -27,7 +27,15 @@ class Result:
     judgement: Judgement
     criteria: tuple[Criterion, ...]
     measured: Measured = Measured()
-    wall_time: Optional[float] = None  # s, of everything
+    wall_time: Optional[float] = None  # s, of everything, from the start of the command
+
+    @property
+    def cost(self) -> Optional[float]:
+        """What the run took besides simulating, wall s: starting, judging, writing, ending."""
+        if self.wall_time is None:
+            return None
+        factor = self.measured.real_time_factor
+        return self.wall_time - (self.judgement.decision.stamp / factor if factor else 0.0)
 
     @property
     def passed(self) -> bool:
@@ -71,6 +79,7 @@ def as_dict(
             "finish": _stamp(decision.stamp),
             "lap_time": _stamp(result.best_lap_time),
             "wall": _stamp(result.wall_time),
+            "cost": _stamp(result.cost),
         },
         "cars": {
             car: {

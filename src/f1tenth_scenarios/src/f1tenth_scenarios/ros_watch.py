@@ -1,6 +1,7 @@
 """What is heard of a run on topics."""
 
 import queue
+import time
 from typing import Optional
 
 import rospy
@@ -9,9 +10,12 @@ from std_msgs.msg import Bool
 from f1tenth_race_mgr.msg import RaceStatus
 from f1tenth_scenarios.director import Director
 from f1tenth_scenarios.observations import Failure, RaceState, RaceUpdate
+from f1tenth_scenarios.record import STAMP_EPSILON
 from f1tenth_scenarios.recording import Recording
 from f1tenth_scenarios.replay_recorder import ReplayRecorder
 from f1tenth_scenarios.scenario import Driver, Scenario
+
+_PATIENCE, _LOOK_INTERVAL = 0.5, 0.005  # wall s
 
 _STATES = {
     RaceStatus.WAITING: RaceState.WAITING,
@@ -52,6 +56,12 @@ class RosWatch:
     def failure(self) -> Optional[Failure]:
         """What went wrong on this side, if anything did."""
         return self._director.failure if self._director else None
+
+    def catch_up(self, stamp: float) -> None:
+        """Wait until the scans up to a stamp (s) are heard, and with them what came before; not for long."""
+        deadline = time.monotonic() + _PATIENCE
+        while self._replay.now + STAMP_EPSILON < stamp and time.monotonic() < deadline:
+            time.sleep(_LOOK_INTERVAL)
 
     def recording(self) -> Recording:
         """What was heard for the replay."""

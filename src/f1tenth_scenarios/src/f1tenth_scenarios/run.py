@@ -1,10 +1,12 @@
 """One run of a scenario: start, watch, end, judge, keep."""
 
+import contextlib
+import dataclasses
 import importlib
 import threading
 import time
 from collections.abc import Mapping, Sequence
-from typing import Callable
+from typing import Callable, Optional
 
 from f1tenth_scenarios import criteria, result, versions
 from f1tenth_scenarios.driving_criteria import least_clearance
@@ -37,44 +39,59 @@ def execute(
     make_watch: Callable[[], Watch],
     stop: StopRequest,
     progress: Progress = lambda simulated, wall: None,
+    started: Optional[float] = None,
 ) -> Result:
     """Run a scenario and write its results.
 
     Args:
         plan: what to run
-        command: starts everything
+        command: starts everything as soon as it reads a line from its input
         environment: variables for it besides our own
-        make_watch: begins to listen; called before anything is started
+        make_watch: begins to listen; called before any node is started
         stop: tells the run to end
         progress: is called with simulated time (s, nothing before the first period) and wall time (s)
+        started: since when the run costs time, as time.monotonic() counts; default: now
 
     Raises:
         ScenarioError: the results folder cannot be used, or another run is using it.
     """
-    started = time.monotonic()
+    started = time.monotonic() if started is None else started
     with claimed(plan.folder, plan.log_folder, versions.commit()):
-        seen, heard, real_time_factor = _observe(plan, command, environment, make_watch, stop, progress)
-        done = _judge(plan, seen, heard, time.monotonic() - started, real_time_factor)
-        _write(plan, done, heard)
+        with _running(plan, command, environment, make_watch) as (tree, watch):
+            supervisor = Supervisor(plan, tree, watch, stop, _with_import_of_picture(progress))
+            failure = supervisor.wait()
+            # The others may take their time to end, the simulator completes its record.
+            tree.interrupt(supervisor.simulator_pid, _SHUTDOWN_GRACE)
+            seen = _observations(plan, supervisor, watch, failure)
+            heard = watch.recording()
+            done = _judge(plan, seen, heard, supervisor.pace.factor)
+            _write(plan, done, heard)
+        done = dataclasses.replace(done, wall_time=time.monotonic() - started)
+        # Last, because who sees a result.json may rely on the other files.
+        result.write_json(
+            plan.folder / result.RESULT_FILE, result.as_dict(done, versions.collect(), plan.settings)
+        )
     return done
 
 
-def _observe(plan, command, environment, make_watch, stop, progress):
+@contextlib.contextmanager
+def _running(plan, command, environment, make_watch):
+    """What was started, and who listens to it."""
     write_launch_file(plan)
-    watch = make_watch()
+    # Before the watch: while this process learns ROS, the other one reads the launch file.
+    tree = ProcessTree(command, plan.launch_log, environment)
     try:
-        tree = ProcessTree(command, plan.launch_log, environment)
-        threading.Thread(target=_import_picture, daemon=True).start()
-        try:
-            supervisor = Supervisor(plan, tree, watch, stop, progress)
-            failure = supervisor.wait()
-        finally:
-            tree.stop(_SHUTDOWN_GRACE)
+        with contextlib.closing(make_watch()) as watch:
+            tree.go()
+            yield tree, watch
     finally:
-        watch.close()
+        tree.stop(_SHUTDOWN_GRACE)
+
+
+def _observations(plan, supervisor, watch, failure) -> Observations:
     record, failure = _read_record(plan, failure)
-    seen = Observations(record, tuple(supervisor.updates), failure, watch.collided())
-    return seen, watch.recording(), supervisor.pace.factor
+    watch.catch_up(record.end or 0.0)
+    return Observations(record, tuple(supervisor.updates), failure, watch.collided())
 
 
 def _read_record(plan, failure):
@@ -84,12 +101,23 @@ def _read_record(plan, failure):
         return Record({}), failure or Failure("sim2d", str(error))
 
 
+def _with_import_of_picture(progress: Progress) -> Progress:
+    """Matplotlib takes long to import: when the simulation has begun, nobody waits for it."""
+    thread = threading.Thread(target=_import_picture, daemon=True)
+
+    def report(simulated, wall):
+        if simulated is not None and thread.ident is None:
+            thread.start()
+        progress(simulated, wall)
+
+    return report
+
+
 def _import_picture():
-    """Matplotlib takes a second to import: while the nodes start, nobody waits for it."""
     return importlib.import_module("f1tenth_scenarios.picture")
 
 
-def _judge(plan, seen, heard, wall_time, real_time_factor) -> Result:
+def _judge(plan, seen, heard, real_time_factor) -> Result:
     judgement = judge(plan.scenario, plan.all_goals, seen)
     deciding = judgement.decision.stamp
     measured = Measured(
@@ -100,7 +128,7 @@ def _judge(plan, seen, heard, wall_time, real_time_factor) -> Result:
         course=plan.course,
     )
     judged = tuple(criteria.evaluate(plan.scenario, judgement, measured))
-    return Result(plan.name, plan.scenario, judgement, judged, measured, wall_time)
+    return Result(plan.name, plan.scenario, judgement, judged, measured)
 
 
 def _write(plan: Plan, done: Result, heard: Recording) -> None:
@@ -111,10 +139,6 @@ def _write(plan: Plan, done: Result, heard: Recording) -> None:
     _import_picture().write_picture(picture, plan.name, lines, done.judgement.record, plan.goals, track_map)
     replay = make_replay(plan.run_world, plan.goals, heard).until(done.judgement.decision.stamp)
     write_replay(plan.folder / REPLAY_FILE, replay)
-    # Last, because who sees a result.json may rely on the other files.
-    result.write_json(
-        plan.folder / result.RESULT_FILE, result.as_dict(done, versions.collect(), plan.settings)
-    )
 
 
 def _facts(done: Result) -> str:

@@ -21,8 +21,8 @@ from f1tenth_scenarios.scenario import Driver
 from f1tenth_scenarios.stop_request import StopRequest
 
 _POLL_INTERVAL = 0.02  # wall s
-# What was said or recorded just before a node ended or a car collided gets this long (wall s) to arrive.
-_LAST_WORDS = 1.0
+# What was said or recorded just before a node ended, and before a car collided, gets this long (wall s) to arrive.
+_LAST_WORDS, _RECORD_LAG = 0.5, 1.0
 
 
 class Watch(Protocol):
@@ -36,6 +36,9 @@ class Watch(Protocol):
 
     def failure(self) -> Optional[Failure]:
         """What went wrong on this side, if anything did."""
+
+    def catch_up(self, stamp: float) -> None:
+        """Wait until what was said up to a stamp (s) is heard; not for long."""
 
     def close(self) -> None:
         """Stop listening."""
@@ -65,6 +68,11 @@ class Supervisor:
         self._alarm_at: Optional[float] = None
         self.updates: list[RaceUpdate] = []
         self.pace = Pace()
+
+    @property
+    def simulator_pid(self) -> Optional[int]:
+        """The simulator's process; nothing before it was started."""
+        return self._launch_log.pids.get("sim2d")
 
     def wait(self) -> Optional[Failure]:
         """Return when the run is decided; with a failure if the set-up broke."""
@@ -104,7 +112,7 @@ class Supervisor:
             return False
         if self._watch.collided() and self._alarm_at is None:
             self._alarm_at = time.monotonic()
-        return self._alarm_at is not None and time.monotonic() - self._alarm_at > _LAST_WORDS
+        return self._alarm_at is not None and time.monotonic() - self._alarm_at > _RECORD_LAG
 
     def _poll(self) -> None:
         self.updates += self._watch.take()

@@ -1,5 +1,6 @@
 """Which versions a result was made with."""
 
+import functools
 import platform
 import subprocess
 from typing import Optional
@@ -25,6 +26,7 @@ def collect() -> dict[str, Optional[str]]:
     return versions
 
 
+@functools.lru_cache
 def commit() -> Optional[str]:
     """The commit of the workspace, with `-dirty` if it was changed since; nothing outside of git."""
     folder = places.package_path(places.PACKAGE)

@@ -1,0 +1,154 @@
+"""The process that starts the nodes of a run, and ends them."""
+
+import os
+import signal
+import sys
+
+import psutil
+import pytest
+from f1tenth_scenarios.launch_log import LaunchLog
+from f1tenth_scenarios.private_master import private_master
+from f1tenth_scenarios.processes import ProcessTree
+from patience import PATIENCE, wait_for
+
+STAYS = "exec sleep 600"
+DEAF = "trap '' INT; touch {folder}/deaf; while true; do sleep 0.05; done"
+# A package whose nodes are shell scripts.
+MANIFEST = """<package format="2"><name>sample</name><version>1.0.0</version><description>x</description>
+<maintainer email="a@b.c">a</maintainer><license>x</license></package>"""
+
+
+@pytest.fixture
+def launch(tmp_path):
+    """Starts the launch process with some nodes: their scripts by name; the attributes of all of them."""
+    trees = []
+
+    def start(scripts, attributes="", parameters=""):
+        folder = tmp_path / "sample"
+        folder.mkdir()
+        (folder / "package.xml").write_text(MANIFEST, encoding="utf-8")
+        for name, script in scripts.items():
+            (folder / name).write_text(f"#!/bin/sh\n{script}\n".replace("{folder}", str(tmp_path)))
+            (folder / name).chmod(0o755)
+        nodes = "".join(
+            f'<node pkg="sample" type="{name}" name="{name}" output="screen" {attributes}/>' for name in scripts
+        )
+        file = tmp_path / "run.launch"
+        file.write_text(f"<launch>{parameters}{nodes}</launch>", encoding="utf-8")
+        command = [sys.executable, "-m", "f1tenth_scenarios.launch_process", str(file)]
+        environment = {"ROS_PACKAGE_PATH": str(tmp_path), "ROS_LOG_DIR": str(tmp_path), "PYTHONUNBUFFERED": "1"}
+        trees.append(ProcessTree(command, tmp_path / "log", environment))
+        return trees[-1], Log(tmp_path / "log")
+
+    with private_master():
+        yield start
+        for tree in trees:
+            tree.stop(PATIENCE)
+
+
+class Log(LaunchLog):
+    """What the launch process wrote."""
+
+    def __init__(self, path):
+        super().__init__(path)
+        self.path = path
+
+    def pid_of(self, name):
+        return wait_for(lambda: self.poll() or self.pids.get(name))
+
+    def end_of(self, name):
+        (end,) = wait_for(lambda: self.poll() or [each for each in self.ends if each.node == name])
+        return end
+
+    @property
+    def text(self):
+        return self.path.read_text(encoding="utf-8")
+
+
+def wait_for_end(tree):
+    wait_for(lambda: tree.exit_code() is not None)
+    return tree.exit_code()
+
+
+def test_nodes_run_from_the_line_to_the_signal(launch):
+    tree, log = launch({"one": STAYS, "two": STAYS})
+    tree.go()
+    pids = [log.pid_of("one"), log.pid_of("two")]
+    tree.interrupt(None, PATIENCE)
+    assert wait_for_end(tree) == 0
+    assert not any(psutil.pid_exists(pid) for pid in pids)
+    log.poll()
+    assert log.ends == []
+
+
+def test_nothing_runs_if_the_line_does_not_come(launch):
+    tree, log = launch({"one": STAYS})
+    tree.interrupt(None, PATIENCE)
+    assert wait_for_end(tree) in (0, -signal.SIGINT)
+    assert log.text == ""
+
+
+def test_parameters_are_set_before_the_nodes_run(launch, tmp_path):
+    python = "import os, rosgraph; print('colour', rosgraph.Master('/x').getParam('/colour'))"
+    tree, log = launch(
+        {"one": f"exec /usr/bin/python3 -c \"{python}\""}, parameters='<param name="colour" value="red"/>'
+    )
+    tree.go()
+    assert wait_for_end(tree) == 0
+    assert "colour red" in log.text
+
+
+def test_node_that_dies_is_reported_and_the_others_go_on(launch):
+    tree, log = launch({"dies": "exit 7", "stays": STAYS})
+    tree.go()
+    assert log.end_of("dies").exit_code == 7
+    assert psutil.pid_exists(log.pid_of("stays"))
+    assert tree.exit_code() is None
+
+
+def test_killed_node_is_reported_with_its_signal(launch):
+    tree, log = launch({"one": STAYS, "two": STAYS})
+    tree.go()
+    os.kill(log.pid_of("one"), signal.SIGKILL)
+    assert log.end_of("one").describe() == "was killed by signal 9"
+
+
+def test_end_of_a_required_node_ends_all(launch):
+    tree, log = launch({"stays": STAYS, "dies": "exit 3"}, attributes='required="true"')
+    tree.go()
+    assert wait_for_end(tree) == 0
+    assert log.end_of("dies").exit_code == 3
+    assert not psutil.pid_exists(log.pid_of("stays"))
+
+
+def test_end_of_the_last_node_is_the_end(launch):
+    tree, log = launch({"one": "exit 0"})
+    tree.go()
+    assert wait_for_end(tree) == 0
+    assert log.end_of("one").exit_code == 0
+
+
+def test_node_that_ignores_the_signal_is_made_to_end(launch, tmp_path):
+    tree, log = launch({"deaf": DEAF, "stays": STAYS})
+    tree.go()
+    wait_for((tmp_path / "deaf").exists)
+    pid = log.pid_of("deaf")
+    tree.interrupt(None, PATIENCE)
+    assert wait_for_end(tree) == 0
+    assert not psutil.pid_exists(pid)
+
+
+@pytest.mark.parametrize(
+    ("scripts", "parameters", "answer"),
+    [
+        ({}, '<node pkg="sample" type="none" name="x"/>', "Cannot locate node of type [none] in package [sample]"),
+        ({}, '<include file="/none.launch"/>', "/none.launch"),
+        ({}, '<param name="x" command="false"/>', "returned with code [1]"),
+    ],
+)
+def test_launch_file_that_cannot_be_used_is_answered(launch, scripts, parameters, answer):
+    tree, log = launch(scripts, parameters=parameters)
+    tree.go()
+    assert wait_for_end(tree) == 1
+    assert answer in log.text
+    assert "Traceback" not in log.text

@@ -31,12 +31,17 @@ def launch(tmp_path):
             (folder / name).write_text(f"#!/bin/sh\n{script}\n".replace("{folder}", str(tmp_path)))
             (folder / name).chmod(0o755)
         nodes = "".join(
-            f'<node pkg="sample" type="{name}" name="{name}" output="screen" {attributes}/>' for name in scripts
+            f'<node pkg="sample" type="{name}" name="{name}" output="screen" {attributes}/>'
+            for name in scripts
         )
         file = tmp_path / "run.launch"
         file.write_text(f"<launch>{parameters}{nodes}</launch>", encoding="utf-8")
         command = [sys.executable, "-m", "f1tenth_scenarios.launch_process", str(file)]
-        environment = {"ROS_PACKAGE_PATH": str(tmp_path), "ROS_LOG_DIR": str(tmp_path), "PYTHONUNBUFFERED": "1"}
+        environment = {
+            "ROS_PACKAGE_PATH": str(tmp_path),
+            "ROS_LOG_DIR": str(tmp_path),
+            "PYTHONUNBUFFERED": "1",
+        }
         trees.append(ProcessTree(command, tmp_path / "log", environment))
         return trees[-1], Log(tmp_path / "log")
 
@@ -91,7 +96,7 @@ def test_nothing_runs_if_the_line_does_not_come(launch):
 def test_parameters_are_set_before_the_nodes_run(launch, tmp_path):
     python = "import os, rosgraph; print('colour', rosgraph.Master('/x').getParam('/colour'))"
     tree, log = launch(
-        {"one": f"exec /usr/bin/python3 -c \"{python}\""}, parameters='<param name="colour" value="red"/>'
+        {"one": f'exec /usr/bin/python3 -c "{python}"'}, parameters='<param name="colour" value="red"/>'
     )
     tree.go()
     assert wait_for_end(tree) == 0
@@ -139,15 +144,18 @@ def test_node_that_ignores_the_signal_is_made_to_end(launch, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("scripts", "parameters", "answer"),
+    ("content", "answer"),
     [
-        ({}, '<node pkg="sample" type="none" name="x"/>', "Cannot locate node of type [none] in package [sample]"),
-        ({}, '<include file="/none.launch"/>', "/none.launch"),
-        ({}, '<param name="x" command="false"/>', "returned with code [1]"),
+        (
+            '<node pkg="sample" type="none" name="x"/>',
+            "Cannot locate node of type [none] in package [sample]",
+        ),
+        ('<include file="/none.launch"/>', "/none.launch"),
+        ('<param name="x" command="false"/>', "returned with code [1]"),
     ],
 )
-def test_launch_file_that_cannot_be_used_is_answered(launch, scripts, parameters, answer):
-    tree, log = launch(scripts, parameters=parameters)
+def test_launch_file_that_cannot_be_used_is_answered(launch, content, answer):
+    tree, log = launch({}, parameters=content)
     tree.go()
     assert wait_for_end(tree) == 1
     assert answer in log.text

@@ -1,8 +1,8 @@
-"""The process that starts the nodes of a run and ends them: `python3 -m f1tenth_scenarios.launch_process FILE`.
+"""The process that starts the nodes of a run and ends them: python3 -m f1tenth_scenarios.launch_process FILE.
 
-It does what `roslaunch FILE` does, by roslaunch's own modules, and leaves out what costs a run time: the versions of the
-core, the look at the disk usage of all logs, and waits of a tenth of a second. It reads the launch file at once, and starts
-the nodes when a line comes in on standard input.
+It does what `roslaunch FILE` does, by roslaunch's own modules, and leaves out what costs a run time: the
+versions of the core, the look at the disk usage of all logs, and waits of a tenth of a second. It reads the
+launch file at once, and starts the nodes when a line comes in on standard input.
 """
 
 import functools

@@ -15,7 +15,10 @@ _STOP_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
 class NodeGroup:
-    """Processes that roslaunch has described. For the main thread: SIGINT, SIGTERM and SIGHUP stop the wait."""
+    """Processes that roslaunch has described; for the main thread.
+
+    SIGINT, SIGTERM and SIGHUP stop the wait.
+    """
 
     def __init__(self):
         self._by_descriptor: dict[int, LocalProcess] = {}

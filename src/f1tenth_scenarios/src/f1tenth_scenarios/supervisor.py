@@ -21,7 +21,7 @@ from f1tenth_scenarios.scenario import Driver
 from f1tenth_scenarios.stop_request import StopRequest
 
 _POLL_INTERVAL = 0.02  # wall s
-# What was said or recorded just before a node ended, and before a car collided, gets this long (wall s) to arrive.
+# What was said just before a node ended, and recorded of a collision, gets this long (wall s) to arrive.
 _LAST_WORDS, _RECORD_LAG = 0.5, 1.0
 
 

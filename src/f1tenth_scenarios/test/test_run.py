@@ -126,6 +126,19 @@ def test_false_start_after_the_countdown_ends_the_run_when_the_start_is_heard(tm
     assert (result["verdict"], result["times"]["finish"]) == ("aborted", 0.075)
 
 
+def test_record_that_lags_behind_the_finish_is_waited_for(tmp_path):
+    run = FakeRun(tmp_path).records(2.9).hears(racing(), reached(2.2, 1), reached(2.5, 2), finished(3.0))
+    result = result_of(run.waits(0.2).records(3.1))
+    assert (result["verdict"], result["times"]["finish"]) == ("success", 3.0)
+
+
+def test_record_that_never_shows_the_finish_is_the_simulators_fault(tmp_path):
+    run = FakeRun(tmp_path).records(2.9).hears(racing(), reached(2.2, 1), reached(2.5, 2), finished(3.0))
+    assert result_of(run)["reason"] == (
+        "sim2d: its record ends before the race does (2.900 s instead of 3.000 s)"
+    )
+
+
 def test_planner_that_gives_up_ends_the_run(tmp_path):
     result = result_of(
         FakeRun(tmp_path, scenario(Verdict.ABORTED)).records(4.0).hears(racing(), aborted(2.0))

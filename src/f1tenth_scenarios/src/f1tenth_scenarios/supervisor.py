@@ -15,7 +15,7 @@ from f1tenth_scenarios.pace import Pace
 from f1tenth_scenarios.participants import DRIVER_NODES
 from f1tenth_scenarios.plan import Plan
 from f1tenth_scenarios.processes import ProcessTree
-from f1tenth_scenarios.record import read_record
+from f1tenth_scenarios.record import STAMP_EPSILON, read_record
 from f1tenth_scenarios.recording import Recording
 from f1tenth_scenarios.scenario import Driver
 from f1tenth_scenarios.stop_request import StopRequest
@@ -66,6 +66,7 @@ class Supervisor:
         self._end_seen_at: Optional[float] = None
         self._touches_judged = 0
         self._alarm_at: Optional[float] = None
+        self._race_over_at: Optional[float] = None
         self.updates: list[RaceUpdate] = []
         self.pace = Pace()
 
@@ -93,7 +94,7 @@ class Supervisor:
             or self._is_alarm_over()
             or find_false_start(self._plan.scenario, self._record.moves, self.updates) is not None
             or (simulated is not None and simulated >= self._plan.scenario.limits.timeout)
-            or is_decided(self._plan.scenario, self._plan.all_goals, self.updates)
+            or self._is_race_over()
         )
 
     def _collided(self) -> bool:
@@ -105,6 +106,16 @@ class Supervisor:
         return scenario.criteria.light_touch == 0 or (
             first_collision(scenario, read_record(self._plan.record_file)) is not None
         )
+
+    def _is_race_over(self) -> bool:
+        """Whether the cars say so, and the record has come as far; outside lockstep it lags behind them."""
+        if not is_decided(self._plan.scenario, self._plan.all_goals, self.updates):
+            return False
+        if self._race_over_at is None:
+            self._race_over_at = time.monotonic()
+        said = max(update.stamp for update in self.updates)
+        shown = self._record.time is not None and self._record.time + STAMP_EPSILON >= said
+        return shown or time.monotonic() - self._race_over_at > _RECORD_LAG
 
     def _is_alarm_over(self) -> bool:
         """Whether a collision was reported that the record has had its time to show, and does not."""

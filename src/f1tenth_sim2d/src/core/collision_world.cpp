@@ -13,7 +13,17 @@ namespace
 {
 constexpr int kVelocityIterations = 8;
 constexpr int kPositionIterations = 3;
+constexpr double kSubstepTravel = 0.005;  // m, so that even thin bodies cannot be passed through
+constexpr double kStruckTravel = 0.5;     // m, that something which is struck goes in the same step, at most
+constexpr double kSurroundings = 0.5;     // m, beyond what is needed now
 
+void addFixture(b2Body & body, const Piece & piece)
+{
+  b2FixtureDef definition;
+  definition.shape = &piece.boxShape();
+  definition.userData.pointer = reinterpret_cast<std::uintptr_t>(&piece);
+  body.CreateFixture(&definition);
+}
 }  // namespace
 
 bool CollisionWorld::PieceFilter::ShouldCollide(b2Fixture * a, b2Fixture * b)
@@ -28,6 +38,7 @@ CollisionWorld::CollisionWorld(const WorldDescription & world, const WorldPieces
   world_.SetContactListener(&recorder_);
   // Substeps keep a car from passing through a wall; see docs/core.md.
   world_.SetContinuousPhysics(false);
+  static_added_.resize(pieces.statics().size());
   addBodies();
   addPieces(pieces.ofWholeSolids());
   addGroundFriction();
@@ -42,7 +53,7 @@ void CollisionWorld::addBodies()
     b2Body * body = model.is_static ? static_body_ : addMovable(model, pieces_.bodies()[i]);
     model_bodies_.push_back(body);
     if (!model.is_static) {
-      movables_.push_back({body, i, outerRadius(piecesOfModel(pieces_, i))});
+      movables_.push_back({{body, outerRadius(piecesOfModel(pieces_, i)), {}}, i});
     }
   }
 }
@@ -66,11 +77,8 @@ b2Body * CollisionWorld::addMovable(const ModelDescription & model, const ModelB
 void CollisionWorld::addPieces(const std::vector<Piece> & pieces)
 {
   for (const Piece & piece : pieces) {
-    b2FixtureDef definition;
-    definition.shape = &piece.boxShape();
-    definition.userData.pointer = reinterpret_cast<std::uintptr_t>(&piece);
-    b2Body * body = piece.owner == Piece::Owner::kCar ? cars_[piece.body].body : model_bodies_[piece.body];
-    body->CreateFixture(&definition);
+    const bool is_car = piece.owner == Piece::Owner::kCar;
+    addFixture(is_car ? *cars_[piece.body].participant.body : *model_bodies_[piece.body], piece);
   }
 }
 
@@ -80,7 +88,7 @@ void CollisionWorld::addGroundFriction()
   for (const Movable & movable : movables_) {
     const ModelDescription & model = description_.models[movable.model];
     const double weight = model.mass * description_.gravity;
-    addFrictionJoint(*static_body_, *movable.body, piecesOfModel(pieces_, movable.model), ground, weight);
+    addFrictionJoint(*static_body_, *movable.participant.body, piecesOfModel(pieces_, movable.model), ground, weight);
   }
 }
 
@@ -89,6 +97,7 @@ void CollisionWorld::addLayers(std::size_t count)
   for (; layers_added_ < count; ++layers_added_) {
     addPieces(pieces_.ofLayer(layers_added_));
   }
+  static_added_.resize(pieces_.statics().size());
 }
 
 void CollisionWorld::addCar(const CarBody & car)
@@ -97,19 +106,20 @@ void CollisionWorld::addCar(const CarBody & car)
   definition.type = b2_dynamicBody;
   definition.allowSleep = false;
   definition.enabled = false;
-  cars_.push_back({world_.CreateBody(&definition), {}});
+  b2Body * body = world_.CreateBody(&definition);
+  cars_.push_back({{body, outerRadius(car.pieces), {}}, {}});
   addPieces(car.pieces);
   b2MassData mass;
   mass.mass = static_cast<float>(car.mass);
   mass.center = b2Vec2_zero;
   mass.I = toBoxSquared(car.inertia);
-  cars_.back().body->SetMassData(&mass);
+  body->SetMassData(&mass);
   recorder_.setCarCount(cars_.size());
 }
 
 void CollisionWorld::place(CarIndex car, const CarMotion & motion)
 {
-  b2Body * body = cars_[car].body;
+  b2Body * body = cars_[car].participant.body;
   is_pristine_ = false;
   cars_[car].placed = motion;
   body->SetTransform(toBox(Vec2{motion.pose.x, motion.pose.y}), static_cast<float>(motion.pose.yaw));
@@ -122,27 +132,66 @@ void CollisionWorld::place(CarIndex car, const CarMotion & motion)
 
 void CollisionWorld::remove(CarIndex car)
 {
-  if (cars_[car].body->IsEnabled()) {
-    cars_[car].body->SetEnabled(false);
+  b2Body * body = cars_[car].participant.body;
+  if (body->IsEnabled()) {
+    body->SetEnabled(false);
   }
 }
 
-void CollisionWorld::step(double dt, int substeps)
+void CollisionWorld::step(double dt, double travel)
 {
   is_pristine_ = false;
+  surroundParticipants(travel);
   recorder_.beginStep();
+  const int substeps = std::max(1, static_cast<int>(std::ceil(travel / kSubstepTravel)));
   for (int i = 0; i < substeps; ++i) {
     recorder_.beginSubstep();
     world_.Step(static_cast<float>(dt / substeps), kVelocityIterations, kPositionIterations);
   }
-  is_awake_ =
-    std::any_of(movables_.begin(), movables_.end(), [](const Movable & movable) { return movable.body->IsAwake(); });
+  is_awake_ = std::any_of(
+    movables_.begin(), movables_.end(), [](const Movable & movable) { return movable.participant.body->IsAwake(); });
+}
+
+void CollisionWorld::surroundParticipants(double travel)
+{
+  for (Car & car : cars_) {
+    if (car.participant.body->IsEnabled()) {
+      surround(car.participant, travel);
+    }
+  }
+  // Also those that sleep: they may be struck in this very step.
+  for (Movable & movable : movables_) {
+    surround(movable.participant, travel);
+  }
+}
+
+void CollisionWorld::surround(Participant & participant, double travel)
+{
+  const b2Vec2 & centre = participant.body->GetPosition();
+  const double reach = participant.outer_radius + travel + kStruckTravel;
+  std::optional<b2AABB> & known = participant.surroundings;
+  if (known && known->Contains(squareAround(centre, reach))) {
+    return;
+  }
+  known = squareAround(centre, reach + kSurroundings);
+  pieces_.statics().forEachIn(*known, [this](std::size_t index, const Piece & piece) {
+    if (!static_added_[index]) {
+      static_added_[index] = true;
+      addFixture(*static_body_, piece);
+    }
+  });
+}
+
+b2AABB CollisionWorld::squareAround(const b2Vec2 & centre, double half_width)
+{
+  const b2Vec2 half(toBox(half_width), toBox(half_width));
+  return {centre - half, centre + half};
 }
 
 // Relative to where Box2D started, in its own precision: a car that rests is not moved by rounding.
 ContactEffect CollisionWorld::effect(CarIndex car) const
 {
-  const b2Body & body = *cars_[car].body;
+  const b2Body & body = *cars_[car].participant.body;
   const CarMotion & placed = cars_[car].placed;
   const Vec2 start = fromBox(toBox(Vec2{placed.pose.x, placed.pose.y}));
   const Vec2 velocity = fromBox(toBox(placed.velocity));
@@ -163,9 +212,10 @@ double CollisionWorld::movableTravel(double dt) const
   }
   double travel = 0.0;
   for (const Movable & movable : movables_) {
-    if (movable.body->IsAwake()) {
-      const double speed = fromBox(movable.body->GetLinearVelocity().Length());
-      const double turning = std::abs(movable.body->GetAngularVelocity()) * movable.outer_radius;
+    const b2Body & body = *movable.participant.body;
+    if (body.IsAwake()) {
+      const double speed = fromBox(body.GetLinearVelocity().Length());
+      const double turning = std::abs(body.GetAngularVelocity()) * movable.participant.outer_radius;
       travel = std::max(travel, (speed + turning) * dt);
     }
   }
@@ -218,7 +268,7 @@ std::vector<ModelMotion> CollisionWorld::motions() const
 {
   std::vector<ModelMotion> motions(model_bodies_.size());
   for (const Movable & movable : movables_) {
-    const b2Body & body = *movable.body;
+    const b2Body & body = *movable.participant.body;
     motions[movable.model] = {body.GetPosition(),        body.GetAngle(), body.GetLinearVelocity(),
                               body.GetAngularVelocity(), body.IsAwake(),  true};
   }

@@ -3,6 +3,7 @@
 #include <box2d/box2d.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "box_units.h"
@@ -50,14 +51,15 @@ struct ContactEffect
 };
 
 /// The world as rigid bodies in the plane. Cars take part only while they are near something they could touch: the
-/// single-track model moves them, and Box2D adds what contacts change.
+/// single-track model moves them, and Box2D adds what contacts change. Box2D knows only those static pieces that
+/// something has been near, so that a world of many walls is soon made anew.
 class CollisionWorld
 {
 public:
   /// @param world, pieces  outlive this
   CollisionWorld(const WorldDescription & world, const WorldPieces & pieces);
 
-  /// Cuts the world for the first `count` layers of car solids.
+  /// Takes the first `count` layers of car solids in.
   void addLayers(std::size_t count);
   /// Adds a car that takes no part yet. Its layers must be there.
   void addCar(const CarBody & car);
@@ -67,8 +69,9 @@ public:
   /// Takes a car out.
   void remove(CarIndex car);
 
-  /// Advances by dt seconds in equal substeps.
-  void step(double dt, int substeps);
+  /// Advances by dt seconds.
+  /// @param travel  m, the farthest that anything which takes part goes
+  void step(double dt, double travel);
   /// Contacts of the last step.
   const std::vector<StepContact> & contacts(CarIndex car) const { return recorder_.contacts(car); }
   /// Effect of the last step on a car that took part in it.
@@ -95,22 +98,25 @@ public:
   template <typename Visit>
   void forEachModelPieceNear(const Vec2 & point, double reach, Visit visit) const
   {
-    PieceQuery<Visit> query(visit);
-    const b2Vec2 centre = toBox(point);
-    const b2Vec2 half(toBox(reach), toBox(reach));
-    world_.QueryAABB(&query, {centre - half, centre + half});
+    const b2AABB region = squareAround(toBox(point), reach);
+    const b2Transform in_world(b2Vec2_zero, b2Rot(0.0F));
+    pieces_.statics().forEachIn(region, [&](std::size_t, const Piece & piece) { visit(piece, in_world); });
+    if (!movables_.empty()) {
+      MovableQuery<Visit> query(visit);
+      world_.QueryAABB(&query, region);
+    }
   }
 
 private:
   template <typename Visit>
-  class PieceQuery : public b2QueryCallback
+  class MovableQuery : public b2QueryCallback
   {
   public:
-    explicit PieceQuery(Visit & visit) : visit_(visit) {}
+    explicit MovableQuery(Visit & visit) : visit_(visit) {}
     bool ReportFixture(b2Fixture * fixture) override
     {
       const Piece & piece = pieceOf(*fixture);
-      if (piece.owner == Piece::Owner::kModel) {
+      if (piece.owner == Piece::Owner::kModel && fixture->GetBody()->GetType() == b2_dynamicBody) {
         visit_(piece, fixture->GetBody()->GetTransform());
       }
       return true;
@@ -120,22 +126,31 @@ private:
     Visit & visit_;
   };
 
-  struct Movable
+  struct Participant
   {
     b2Body * body;
+    double outer_radius;                 ///< m
+    std::optional<b2AABB> surroundings;  ///< whose static pieces Box2D has
+  };
+  struct Movable
+  {
+    Participant participant;
     std::size_t model;
-    double outer_radius;  ///< m
   };
   struct Car
   {
-    b2Body * body;
+    Participant participant;
     CarMotion placed;
   };
+
+  static b2AABB squareAround(const b2Vec2 & centre, double half_width);
 
   void setMotion(std::size_t model, const ModelMotion & motion);
   void addBodies();
   b2Body * addMovable(const ModelDescription & model, const ModelBody & start);
   void addPieces(const std::vector<Piece> & pieces);
+  void surroundParticipants(double travel);
+  void surround(Participant & participant, double travel);
   void addGroundFriction();
 
   class PieceFilter : public b2ContactFilter
@@ -153,6 +168,7 @@ private:
   std::vector<Movable> movables_;
   std::vector<Car> cars_;
   std::size_t layers_added_{0};
+  std::vector<bool> static_added_;  ///< by index in StaticPieces
   bool is_pristine_{true};
   bool is_awake_{false};  ///< models wake and fall asleep in steps, or when they are put somewhere
 };

@@ -10,11 +10,10 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-constexpr double kNear = 0.02;            // m, from where on a car takes part
-constexpr double kLookAhead = 1.0;        // m, farther away need not be told apart
-constexpr int kStepsNear = 10;            // after which a near car looks again
-constexpr double kSubstepTravel = 0.005;  // m, so that even thin bodies cannot be passed through
-constexpr double kTravelMax = 10.0;       // m in a step, beyond which numbers have run away
+constexpr double kNear = 0.02;       // m, from where on a car takes part
+constexpr double kLookAhead = 1.0;   // m, farther away need not be told apart
+constexpr int kStepsNear = 10;       // after which a near car looks again
+constexpr double kTravelMax = 10.0;  // m in a step, beyond which numbers have run away
 
 double checkedTravel(const Car & car, double dt)
 {
@@ -58,7 +57,7 @@ bool Encounters::advance(const Cars & cars, CollisionWorld & world, double dt)
       world.remove(i);
     }
   }
-  world.step(dt, std::max(1, static_cast<int>(std::ceil(travel / kSubstepTravel))));
+  world.step(dt, travel);
   // A model that was struck in this step moved, though it stood still before.
   const double struck = world.movableTravel(dt);
   for (CarIndex i = 0; i < cars.size(); ++i) {

@@ -272,8 +272,7 @@ void Simulation::Impl::resetPoses()
   for (const auto & car : cars_) {
     car->restart(time_);
   }
-  // The same calls in the same order as from fresh, so that Box2D's inner order is the same, too. Most cars never get near
-  // a wall; the walls of a map take longer to build than all else of a reset.
+  // The same calls in the same order as from fresh, so that Box2D's inner order is the same, too.
   if (collisions_->isPristine()) {
     encounters_.restart();
     moving_poses_are_current_ = false;

@@ -58,8 +58,22 @@ WorldPieces::WorldPieces(const WorldDescription & world) : world_(world)
   forEachSolid(world, [this](const Solid & solid, const Pose3d & pose, Piece properties) {
     properties.layer = isUprightPrism(solid, pose) ? Layer::kWholeSolid : Layer::kModelsOnly;
     const Section footprint = footprintBetween(solid, pose, properties.span.bottom, properties.span.top);
-    appendPieces(whole_solids_, footprint, bodies_[properties.body].centre_of_mass, solid, properties);
+    const Vec2 & origin = bodies_[properties.body].centre_of_mass;
+    appendPieces(of(whole_solids_, properties), footprint, origin, solid, properties);
   });
+  addStatics(whole_solids_);
+}
+
+std::vector<Piece> & WorldPieces::of(Pieces & pieces, const Piece & properties) const
+{
+  return world_.models[properties.body].is_static ? pieces.fixed : pieces.movable;
+}
+
+void WorldPieces::addStatics(const Pieces & pieces)
+{
+  for (const Piece & piece : pieces.fixed) {
+    statics_.add(piece);
+  }
 }
 
 Layer WorldPieces::layerFor(const VerticalSpan & span)
@@ -71,14 +85,16 @@ Layer WorldPieces::layerFor(const VerticalSpan & span)
   }
   const auto layer = static_cast<Layer>(spans_.size());
   spans_.push_back(span);
-  std::vector<Piece> & pieces = layers_.emplace_back();
+  Pieces & pieces = layers_.emplace_back();
   forEachSolid(world_, [&](const Solid & solid, const Pose3d & pose, Piece properties) {
     if (!isUprightPrism(solid, pose) && overlap(properties.span, span)) {
       properties.layer = layer;
       const Section footprint = footprintBetween(solid, pose, span.bottom, span.top);
-      appendPieces(pieces, footprint, bodies_[properties.body].centre_of_mass, solid, properties);
+      const Vec2 & origin = bodies_[properties.body].centre_of_mass;
+      appendPieces(of(pieces, properties), footprint, origin, solid, properties);
     }
   });
+  addStatics(pieces);
   return layer;
 }
 

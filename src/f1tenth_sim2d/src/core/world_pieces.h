@@ -5,6 +5,7 @@
 
 #include "f1tenth_sim2d/world_model.h"
 #include "piece.h"
+#include "static_pieces.h"
 
 namespace f1tenth_sim2d
 {
@@ -25,16 +26,29 @@ public:
   Layer layerFor(const VerticalSpan & span);
 
   std::size_t layerCount() const { return spans_.size(); }
-  const std::vector<Piece> & ofWholeSolids() const { return whole_solids_; }
-  const std::vector<Piece> & ofLayer(std::size_t layer) const { return layers_[layer]; }
+  /// Of movable models.
+  const std::vector<Piece> & ofWholeSolids() const { return whole_solids_.movable; }
+  const std::vector<Piece> & ofLayer(std::size_t layer) const { return layers_[layer].movable; }
+  /// Of static models, all layers.
+  const StaticPieces & statics() const { return statics_; }
   const std::vector<ModelBody> & bodies() const { return bodies_; }
 
 private:
+  struct Pieces
+  {
+    std::vector<Piece> movable;
+    std::vector<Piece> fixed;
+  };
+
+  std::vector<Piece> & of(Pieces & pieces, const Piece & properties) const;
+  void addStatics(const Pieces & pieces);
+
   const WorldDescription & world_;
   std::vector<ModelBody> bodies_;
-  std::vector<Piece> whole_solids_;
+  Pieces whole_solids_;
   std::vector<VerticalSpan> spans_;
-  std::vector<std::vector<Piece>> layers_;
+  std::vector<Pieces> layers_;
+  StaticPieces statics_;
 };
 
 /// The pieces of a car about its centre of mass.

@@ -11,9 +11,10 @@ from f1tenth_scenarios.private_master import private_master
 from f1tenth_scenarios.processes import ProcessTree
 from patience import PATIENCE, wait_for
 
-STAYS = "exec sleep 600"
-DEAF = "trap '' INT; touch {folder}/deaf; while true; do sleep 0.05; done"
-# A package whose nodes are shell scripts.
+STAYS = "#!/bin/sh\nexec sleep 600\n"
+DEAF = "#!/bin/sh\ntrap '' INT; touch {folder}/deaf; while true; do sleep 0.05; done"
+PYTHON = "#!/usr/bin/env python3\nimport sys, time\n"
+# A package whose nodes are scripts.
 MANIFEST = """<package format="2"><name>sample</name><version>1.0.0</version><description>x</description>
 <maintainer email="a@b.c">a</maintainer><license>x</license></package>"""
 
@@ -28,7 +29,7 @@ def launch(tmp_path):
         folder.mkdir()
         (folder / "package.xml").write_text(MANIFEST, encoding="utf-8")
         for name, script in scripts.items():
-            (folder / name).write_text(f"#!/bin/sh\n{script}\n".replace("{folder}", str(tmp_path)))
+            (folder / name).write_text(script.replace("{folder}", str(tmp_path)))
             (folder / name).chmod(0o755)
         nodes = "".join(
             f'<node pkg="sample" type="{name}" name="{name}" output="screen" {attributes}/>'
@@ -96,7 +97,8 @@ def test_nothing_runs_if_the_line_does_not_come(launch):
 def test_parameters_are_set_before_the_nodes_run(launch, tmp_path):
     python = "import os, rosgraph; print('colour', rosgraph.Master('/x').getParam('/colour'))"
     tree, log = launch(
-        {"one": f'exec /usr/bin/python3 -c "{python}"'}, parameters='<param name="colour" value="red"/>'
+        {"one": f'#!/bin/sh\nexec /usr/bin/python3 -c "{python}"\n'},
+        parameters='<param name="colour" value="red"/>',
     )
     tree.go()
     assert wait_for_end(tree) == 0
@@ -104,7 +106,7 @@ def test_parameters_are_set_before_the_nodes_run(launch, tmp_path):
 
 
 def test_node_that_dies_is_reported_and_the_others_go_on(launch):
-    tree, log = launch({"dies": "exit 7", "stays": STAYS})
+    tree, log = launch({"dies": "#!/bin/sh\nexit 7\n", "stays": STAYS})
     tree.go()
     assert log.end_of("dies").exit_code == 7
     assert psutil.pid_exists(log.pid_of("stays"))
@@ -119,7 +121,7 @@ def test_killed_node_is_reported_with_its_signal(launch):
 
 
 def test_end_of_a_required_node_ends_all(launch):
-    tree, log = launch({"stays": STAYS, "dies": "exit 3"}, attributes='required="true"')
+    tree, log = launch({"stays": STAYS, "dies": "#!/bin/sh\nexit 3\n"}, attributes='required="true"')
     tree.go()
     assert wait_for_end(tree) == 0
     assert log.end_of("dies").exit_code == 3
@@ -127,7 +129,7 @@ def test_end_of_a_required_node_ends_all(launch):
 
 
 def test_end_of_the_last_node_is_the_end(launch):
-    tree, log = launch({"one": "exit 0"})
+    tree, log = launch({"one": "#!/bin/sh\nexit 0\n"})
     tree.go()
     assert wait_for_end(tree) == 0
     assert log.end_of("one").exit_code == 0
@@ -141,6 +143,51 @@ def test_node_that_ignores_the_signal_is_made_to_end(launch, tmp_path):
     tree.interrupt(None, PATIENCE)
     assert wait_for_end(tree) == 0
     assert not psutil.pid_exists(pid)
+
+
+@pytest.mark.parametrize(
+    ("ending", "exit_code", "said"),
+    [
+        ("pass", 0, ""),
+        ("sys.exit(3)", 3, ""),
+        ("sys.exit('no such goal')", 1, "no such goal"),
+        ("raise ValueError('wrong')", 1, "ValueError: wrong"),
+    ],
+)
+def test_python_node_ends_as_in_an_interpreter_of_its_own(launch, ending, exit_code, said):
+    at_exit = "import atexit; atexit.register(print, 'last words')\n"
+    tree, log = launch({"one": f"{PYTHON}{at_exit}{ending}\n"})
+    tree.go()
+    assert wait_for_end(tree) == 0
+    assert log.end_of("one").exit_code == exit_code
+    assert said in log.text
+    assert "last words" in log.text
+
+
+def test_python_node_finds_itself_alone(launch, tmp_path):
+    looks = (
+        "import os, signal\n"
+        "print('name', __name__, sys.argv[0], sys.argv[1], sys.path[0])\n"
+        "print('rospy', 'rospy' in sys.modules, 'session', os.getsid(0) == os.getpid())\n"
+        "print('signal', signal.getsignal(signal.SIGINT) is signal.default_int_handler)\n"
+        "print('open', sorted(os.listdir('/proc/self/fd'))[:-1])\n"
+    )
+    tree, log = launch({"one": PYTHON + looks})
+    tree.go()
+    assert wait_for_end(tree) == 0
+    folder = tmp_path / "sample"
+    assert f"name __main__ {folder}/one __name:=one {folder}\n" in log.text
+    assert "rospy False session True\nsignal True\nopen ['0', '1', '2']\n" in log.text
+
+
+def test_python_node_ends_with_the_others(launch):
+    tree, log = launch({"python": f"{PYTHON}print('up', flush=True)\ntime.sleep(600)\n", "shell": STAYS})
+    tree.go()
+    pids = [log.pid_of("python"), log.pid_of("shell")]
+    wait_for(lambda: "up" in log.text)
+    tree.interrupt(None, PATIENCE)
+    assert wait_for_end(tree) == 0
+    assert not any(psutil.pid_exists(pid) for pid in pids)
 
 
 @pytest.mark.parametrize(

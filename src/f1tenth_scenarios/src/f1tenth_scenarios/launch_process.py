@@ -10,12 +10,13 @@ import logging
 import sys
 
 from roslaunch.config import ROSLaunchConfig
-from roslaunch.core import RLException, printerrlog
+from roslaunch.core import Node, RLException, printerrlog
 from roslaunch.node_args import NodeParamsException
-from roslaunch.nodeprocess import create_node_process
+from roslaunch.nodeprocess import LocalProcess, create_node_process
 from roslaunch.xmlloader import XmlLoader
 
 from f1tenth_scenarios.node_group import NodeGroup
+from f1tenth_scenarios.python_node import PythonNode, is_python_node
 
 _RUN_ID = "nodes"  # names the folder of the nodes' logs
 _CALLER = "/scenario"
@@ -35,7 +36,7 @@ def main(file: str) -> int:
 
 
 def _run(config: ROSLaunchConfig) -> int:
-    processes = [create_node_process(_RUN_ID, node, config.master.uri) for node in config.nodes]
+    processes = [_describe(node, config.master.uri) for node in config.nodes]
     group = NodeGroup()
     try:
         # The end of the input is that of the runner.
@@ -57,6 +58,11 @@ def _read(file: str) -> ROSLaunchConfig:
     loader.load(file, config, verbose=False)
     config.assign_machines()
     return config
+
+
+def _describe(node: Node, master_uri: str) -> LocalProcess:
+    described = create_node_process(_RUN_ID, node, master_uri)
+    return PythonNode(described) if is_python_node(described) else described
 
 
 def _set_parameters(config: ROSLaunchConfig) -> None:

@@ -12,7 +12,8 @@ namespace move_base
 namespace
 {
 const ros::TransportHints kNoDelay = ros::TransportHints().tcpNoDelay();
-}
+constexpr std::size_t kMostWaiting = 10;  // scans
+}  // namespace
 
 Perception::Perception(ros::NodeHandle node, const MoveBaseParameters & parameters)
 : parameters_(parameters),
@@ -74,15 +75,20 @@ std::string Perception::stale(const ros::Time & now) const
 
 void Perception::updateCostmap()
 {
-  if (!new_scan_ || !costmap_) {
+  if (!costmap_) {
     return;
   }
-  std::string error;
-  const std::string & frame = new_scan_->header.frame_id;
-  if (buffer_.canTransform(parameters_.global_frame, frame, new_scan_->header.stamp, &error)) {
-    const auto sensor = buffer_.lookupTransform(parameters_.global_frame, frame, new_scan_->header.stamp);
-    costmap_->observe(fromLaserScan(*new_scan_, fromTransform(sensor.transform)));
-    new_scan_.reset();
+  for (std::size_t i = 0; i < waiting_.size();) {
+    const sensor_msgs::LaserScan & scan = *waiting_[i];
+    if (buffer_.canTransform(parameters_.global_frame, scan.header.frame_id, scan.header.stamp)) {
+      const auto sensor = buffer_.lookupTransform(parameters_.global_frame, scan.header.frame_id, scan.header.stamp);
+      costmap_->observe(fromLaserScan(scan, fromTransform(sensor.transform)));
+      // Of those before it the transform will not come any more.
+      waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+      i = 0;
+    } else {
+      ++i;
+    }
   }
 }
 
@@ -91,7 +97,7 @@ void Perception::startAgain()
   buffer_.clear();
   odometry_.reset();
   scan_.reset();
-  new_scan_.reset();
+  waiting_.clear();
 }
 
 Pose2 Perception::poseIn(const std::string & target, const std::string & frame) const
@@ -117,7 +123,11 @@ void Perception::onMap(const nav_msgs::OccupancyGrid::ConstPtr & map)
 void Perception::onScan(const sensor_msgs::LaserScan::ConstPtr & scan)
 {
   scan_ = scan;
-  new_scan_ = scan;
+  waiting_.push_back(scan);
+  // Odometry comes as often as scans or nearly so: what waits for longer will never be placed.
+  if (waiting_.size() > kMostWaiting) {
+    waiting_.pop_front();
+  }
 }
 
 std::optional<geometry_msgs::TransformStamped> Perception::baseTransform() const

@@ -7,6 +7,7 @@
 #include <tf2/buffer_core.h>
 #include <tf2_ros/transform_listener.h>
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,7 +33,7 @@ public:
   /// Why input() is stale, for a person to read; empty when it isn't.
   std::string stale(const ros::Time & now) const;
 
-  /// Takes the latest scan into the costmap, as soon as its transform is known.
+  /// Takes all scans into the costmap whose transforms are known; the others wait.
   void updateCostmap();
   /// Forgets what was measured before time jumped back.
   void startAgain();
@@ -55,8 +56,8 @@ private:
   tf2_ros::TransformListener listener_;
   std::unique_ptr<Costmap> costmap_;
   nav_msgs::Odometry::ConstPtr odometry_;
-  sensor_msgs::LaserScan::ConstPtr scan_;      // the latest
-  sensor_msgs::LaserScan::ConstPtr new_scan_;  // the same until it is in the costmap
+  sensor_msgs::LaserScan::ConstPtr scan_;                 // the latest
+  std::deque<sensor_msgs::LaserScan::ConstPtr> waiting_;  // those not in the costmap yet
   ros::Subscriber map_subscriber_;
   ros::Subscriber odometry_subscriber_;
   ros::Subscriber scan_subscriber_;

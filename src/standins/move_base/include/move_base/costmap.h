@@ -8,6 +8,7 @@
 #include "move_base/footprint.h"
 #include "move_base/laser_scan.h"
 #include "move_base/live_layer.h"
+#include "move_base/obstacle_tracker.h"
 #include "move_base/occupancy_grid.h"
 
 namespace move_base
@@ -36,29 +37,19 @@ public:
   const CostmapOptions & options() const { return options_; }
   const Footprint & footprint() const { return footprint_; }
 
-  /// Takes a scan into the live layer.
+  /// Takes a scan into the live layer, but for what moves.
   void observe(const LaserScan & scan);
+  /// What moves on the map; it is in no distance here.
+  const std::vector<MovingObstacle> & moving() const { return tracker_.moving(); }
   /// Forgets what the lidar saw farther than radius from centre, m.
   void forgetBeyond(const Vec2 & centre, double radius);
   /// Rises with every change of the live layer.
   unsigned revision() const { return revision_; }
 
-  /// Distance from a point to the nearest obstacle, m; not above 0 inside of one and outside of the map.
-  double obstacleDistance(const Vec2 & point) const
-  {
-    const double gx = (point.x - geometry_.origin.x) / geometry_.resolution - 0.5;
-    const double gy = (point.y - geometry_.origin.y) / geometry_.resolution - 0.5;
-    if (!(gx >= 0.0 && gy >= 0.0 && gx < geometry_.width - 1 && gy < geometry_.height - 1)) {
-      return -half_cell_;
-    }
-    const int ix = static_cast<int>(gx);
-    const int iy = static_cast<int>(gy);
-    const double fx = gx - ix;
-    const double fy = gy - iy;
-    const float * low = distances_.data() + geometry_.index({ix, iy});
-    const float * high = low + geometry_.width;
-    return (1.0 - fy) * ((1.0 - fx) * low[0] + fx * low[1]) + fy * ((1.0 - fx) * high[0] + fx * high[1]) - half_cell_;
-  }
+  /// Distance from a point to the nearest obstacle that stands, m; not above 0 inside of one and outside of the map.
+  double obstacleDistance(const Vec2 & point) const { return distanceIn(distances_, point); }
+  /// The same to the nearest obstacle of the map.
+  double wallDistance(const Vec2 & point) const { return distanceIn(map_distances_, point); }
 
   /// Least distance from the car's outline to an obstacle, m, to the safe side by what the discs stick out; negative on contact.
   double clearance(const Pose2 & base) const;
@@ -76,6 +67,22 @@ public:
   std::int8_t occupancy(std::size_t index) const;
 
 private:
+  double distanceIn(const std::vector<float> & distances, const Vec2 & point) const
+  {
+    const double gx = (point.x - geometry_.origin.x) / geometry_.resolution - 0.5;
+    const double gy = (point.y - geometry_.origin.y) / geometry_.resolution - 0.5;
+    if (!(gx >= 0.0 && gy >= 0.0 && gx < geometry_.width - 1 && gy < geometry_.height - 1)) {
+      return -half_cell_;
+    }
+    const int ix = static_cast<int>(gx);
+    const int iy = static_cast<int>(gy);
+    const double fx = gx - ix;
+    const double fy = gy - iy;
+    const float * low = distances.data() + geometry_.index({ix, iy});
+    const float * high = low + geometry_.width;
+    return (1.0 - fy) * ((1.0 - fx) * low[0] + fx * low[1]) + fy * ((1.0 - fx) * high[0] + fx * high[1]) - half_cell_;
+  }
+
   void rebuild();
   void stamp(const Cell & cell);
 
@@ -95,6 +102,7 @@ private:
   std::vector<float> map_distances_;  // m, between cell centres
   std::vector<float> distances_;      // the same with the live layer's cells
   LiveLayer live_;
+  ObstacleTracker tracker_;
   std::vector<StampCell> stamp_;
   std::vector<std::size_t> touched_;
   unsigned revision_{0};

@@ -15,5 +15,6 @@ struct LaserScan
   double range_min{0.0};        ///< m
   double range_max{0.0};        ///< m
   std::vector<float> ranges;    ///< m
+  double time{0.0};             ///< s, when it was taken
 };
 }  // namespace move_base

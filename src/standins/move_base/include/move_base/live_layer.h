@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "move_base/box.h"
 #include "move_base/laser_scan.h"
 #include "move_base/occupancy_grid.h"
 
@@ -24,19 +25,24 @@ class LiveLayer
 public:
   LiveLayer(const GridGeometry & geometry, const LiveLayerOptions & options);
 
-  /// Clears what the beams of the scan pass through, then marks what they hit.
+  /// What the beams of the scan hit beside the map, in their order.
   /// @param map_distances  distance of each cell to the map's nearest obstacle, m
+  std::vector<Vec2> hits(const LaserScan & scan, const std::vector<float> & map_distances) const;
+
+  /// Clears what the beams of the scan pass through, then marks what is hit, on the map.
   /// @return whether any cell changed
-  bool observe(const LaserScan & scan, const std::vector<float> & map_distances);
+  bool observe(const LaserScan & scan, const std::vector<Vec2> & hits);
 
   /// Forgets everything farther than radius from centre, m. @return whether any cell changed
   bool forgetBeyond(const Vec2 & centre, double radius);
+  /// Forgets the cells whose middle is in an outline. @return whether any cell changed
+  bool forgetIn(const Box & outline);
 
   const std::vector<std::size_t> & cells() const { return cells_; }
 
 private:
   bool clear(const LaserScan & scan);
-  bool mark(const LaserScan & scan, const std::vector<float> & map_distances);
+  bool mark(const std::vector<Vec2> & hits);
   bool seesThrough(const LaserScan & scan, const Vec2 & point) const;
   template <class Predicate>
   bool forgetIf(Predicate predicate);

@@ -109,6 +109,8 @@ private:
   void planAhead(const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void planFailed(const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void control(const CycleInput & input, Costmap & costmap, CycleOutput & output);
+  void passIfHindered(
+    const CycleInput & input, const Costmap & costmap, const std::vector<Forecast> & others, CycleOutput & output);
   void coast(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   void hold(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   bool finishIfReached(const CycleInput & input, CycleOutput & output);
@@ -139,6 +141,7 @@ private:
   double last_valid_plan_{0.0};
   double last_valid_control_{0.0};
   double next_plan_{0.0};
+  double next_passing_{0.0};
   double last_oscillation_reset_{0.0};
   std::optional<Pose2> oscillation_pose_;
   std::optional<Pose2> previous_pose_;

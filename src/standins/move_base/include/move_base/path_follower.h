@@ -3,8 +3,10 @@
 #include <vector>
 
 #include "move_base/costmap.h"
+#include "move_base/forecast.h"
 #include "move_base/path_tracker.h"
 #include "move_base/speed_profile.h"
+#include "move_base/traffic.h"
 
 namespace move_base
 {
@@ -71,9 +73,18 @@ public:
   /// The path from behind the car to where it will be after the time, s; empty when the car is not on it.
   Path lead(const CarState & car, double time) const;
 
+  /// The car's place on the path, m along it.
+  double placeOf(const CarState & car) const { return tracker_.locate(path_, car.pose).s; }
+
+  /// Whether somebody is going to be in the way.
+  bool hindered(const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const;
+
   /// @param period  s since the last step
   /// @param brake   whether to come to a stand along the path as soon as possible
-  FollowStep step(const CarState & car, const Costmap & costmap, double period, bool brake = false);
+  /// @param others  who drives about, behind whom it stays
+  FollowStep step(
+    const CarState & car, const Costmap & costmap, double period, bool brake = false,
+    const std::vector<Forecast> & others = {});
 
 private:
   double maxCurvature() const;
@@ -85,6 +96,8 @@ private:
   double profileAt(double s, std::size_t from) const;
   double wantedSpeed(const PathPosition & position, double speed) const;
   double distanceToObstacle(const CarState & car, const Costmap & costmap, std::vector<Pose2> & prediction) const;
+  SpeedBehind speedBehindOthers(
+    const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const;
   bool pathBlocked(const PathPosition & position, double speed, const Costmap & costmap) const;
   void changeDirectionWhenStanding(const CarState & car);
   double slewed(double wanted, double speed, double period) const;

@@ -4,21 +4,16 @@
 
 #include "arc_price.h"
 #include "move_base/costmap.h"
+#include "move_base/interval.h"
 #include "move_base/path.h"
 
 namespace move_base
 {
-/// Room beside a point of a path, m: positive to the left of the car.
-struct Interval
-{
-  double low{0.0};
-  double high{0.0};
-};
-
 /// Least clearance of a car whose nose points off its motion by slip, rad, or does not: it takes a while to come, m.
 double clearanceWithSlip(const Costmap & costmap, const Pose2 & pose, double slip);
 
-/// How far the car may be moved to either side of each point of the path, so that it keeps the rule.
+/// How far the car may be moved to either side of each point of the path, m, positive to the left of the car, so that
+/// it keeps the rule.
 /// @param slips  rad, by which the nose points off the motion, of each point
 std::vector<Interval> corridorAround(
   const Path & path, const Costmap & costmap, const ClearanceRule & rule, const std::vector<double> & slips);

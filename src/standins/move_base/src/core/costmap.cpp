@@ -7,6 +7,8 @@ namespace move_base
 {
 namespace
 {
+constexpr double kMovingMargin = 0.15;  // m around what moves, of which the lidar has seen parts as standing
+
 const GridGeometry & checked(const OccupancyGrid & map)
 {
   const GridGeometry & geometry = map.geometry;
@@ -67,7 +69,19 @@ Costmap::Costmap(const OccupancyGrid & map, const CostmapOptions & options, cons
 
 void Costmap::observe(const LaserScan & scan)
 {
-  if (live_.observe(scan, map_distances_)) {
+  std::vector<Vec2> hits = live_.hits(scan, map_distances_);
+  tracker_.observe(scan.time, scan.sensor.position(), hits);
+  bool changed = false;
+  for (const MovingObstacle & obstacle : tracker_.moving()) {
+    const Box outline = grown(obstacle.outline, kMovingMargin);
+    const auto inside = [&](const Vec2 & hit) { return outline.distanceTo(hit) <= 0.0; };
+    hits.erase(std::remove_if(hits.begin(), hits.end(), inside), hits.end());
+    changed = live_.forgetIn(outline) || changed;
+  }
+  for (const Box & glimpse : tracker_.glimpses()) {
+    changed = live_.forgetIn(grown(glimpse, geometry_.resolution)) || changed;
+  }
+  if (live_.observe(scan, hits) || changed) {
     rebuild();
   }
 }

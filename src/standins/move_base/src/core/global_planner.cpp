@@ -5,6 +5,7 @@
 #include "arc_price.h"
 #include "path_extension.h"
 #include "path_smoother.h"
+#include "plan_parts.h"
 #include "race_line.h"
 
 namespace move_base
@@ -19,36 +20,6 @@ const PlannerOptions & validated(const PlannerOptions & options)
 {
   options.validate();
   return options;
-}
-
-// The point of the path nearest to the goal, among those near where it was before smoothing.
-double locate(const Path & path, const Pose2 & goal, double near_s)
-{
-  const auto off = [&](const PathPoint & point) {
-    return distance(point.pose, goal) + 0.01 * std::abs(point.s - near_s);
-  };
-  const auto nearest = std::min_element(
-    path.begin(), path.end(), [&](const PathPoint & a, const PathPoint & b) { return off(a) < off(b); });
-  return nearest->s;
-}
-void prepend(const Path & lead, Plan & plan)
-{
-  if (lead.empty()) {
-    return;
-  }
-  const double shift = length(lead) - plan.path.front().s;
-  Path path = lead;
-  const double start_s = lead.front().s;
-  for (PathPoint & point : path) {
-    point.s -= start_s;
-  }
-  path.pop_back();
-  for (PathPoint & point : plan.path) {
-    point.s += shift;
-    path.push_back(point);
-  }
-  plan.path = std::move(path);
-  plan.goal_s += shift;
 }
 }  // namespace
 
@@ -99,7 +70,7 @@ Plan GlobalPlanner::planWithClearance(
       plan.path, costmap, rule, {request.goal.position(), request.race_line->gate_tolerance},
       1.0 / options_.min_turning_radius, *request.race_line);
   }
-  plan.goal_s = locate(plan.path, request.goal, goal_s);
+  plan.goal_s = placeOnPath(plan.path, request.goal, goal_s);
   prepend(request.lead, plan);
   return plan;
 }

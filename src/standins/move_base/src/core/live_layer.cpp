@@ -19,16 +19,21 @@ LiveLayer::LiveLayer(const GridGeometry & geometry, const LiveLayerOptions & opt
 {
 }
 
-bool LiveLayer::observe(const LaserScan & scan, const std::vector<float> & map_distances)
+bool LiveLayer::observe(const LaserScan & scan, const std::vector<Vec2> & hits)
 {
   const bool cleared = clear(scan);
-  const bool marked = mark(scan, map_distances);
+  const bool marked = mark(hits);
   return cleared || marked;
 }
 
 bool LiveLayer::forgetBeyond(const Vec2 & centre, double radius)
 {
   return forgetIf([&](const Vec2 & cell) { return distance(cell, centre) > radius; });
+}
+
+bool LiveLayer::forgetIn(const Box & outline)
+{
+  return forgetIf([&](const Vec2 & cell) { return outline.distanceTo(cell) <= 0.0; });
 }
 
 bool LiveLayer::clear(const LaserScan & scan)
@@ -49,9 +54,9 @@ bool LiveLayer::seesThrough(const LaserScan & scan, const Vec2 & point) const
   return seen >= scan.range_min && seen > range + geometry_.resolution && range < scan.range_max;
 }
 
-bool LiveLayer::mark(const LaserScan & scan, const std::vector<float> & map_distances)
+std::vector<Vec2> LiveLayer::hits(const LaserScan & scan, const std::vector<float> & map_distances) const
 {
-  const std::size_t before = cells_.size();
+  std::vector<Vec2> hits;
   const double limit = std::min(options_.obstacle_range, scan.range_max);
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const double range = scan.ranges[i];
@@ -61,11 +66,19 @@ bool LiveLayer::mark(const LaserScan & scan, const std::vector<float> & map_dist
     const double angle = scan.angle_min + static_cast<double>(i) * scan.angle_increment;
     const Vec2 hit = transform(scan.sensor, {range * std::cos(angle), range * std::sin(angle)});
     const Cell cell = geometry_.cellAt(hit);
-    if (!geometry_.contains(cell)) {
-      continue;
+    if (geometry_.contains(cell) && map_distances[geometry_.index(cell)] > options_.wall_tolerance) {
+      hits.push_back(hit);
     }
-    const std::size_t index = geometry_.index(cell);
-    if (marked_[index] == 0 && map_distances[index] > options_.wall_tolerance) {
+  }
+  return hits;
+}
+
+bool LiveLayer::mark(const std::vector<Vec2> & hits)
+{
+  const std::size_t before = cells_.size();
+  for (const Vec2 & hit : hits) {
+    const std::size_t index = geometry_.index(geometry_.cellAt(hit));
+    if (marked_[index] == 0) {
       marked_[index] = 1;
       cells_.push_back(index);
     }

@@ -3,12 +3,14 @@
 #include <algorithm>
 
 #include "option_checks.h"
+#include "passing.h"
 
 namespace move_base
 {
 namespace
 {
 constexpr double kRetryInterval = 0.5;    // s between plans for the same goal: the world changes no faster
+constexpr double kPassingInterval = 0.1;  // s between looks for a way past others
 constexpr double kStandingSpeed = 0.05;   // m/s
 constexpr double kLongestPeriod = 0.2;    // s, taken for a step after a pause
 constexpr double kProgress = 1.0;         // m from where recovery began
@@ -52,7 +54,7 @@ void Navigator::setGoal(const Pose2 & goal, double time)
   state_ = State::kPlanning;
   recovery_index_ = 0;
   planning_retries_ = 0;
-  last_valid_plan_ = last_valid_control_ = last_oscillation_reset_ = next_plan_ = time;
+  last_valid_plan_ = last_valid_control_ = last_oscillation_reset_ = next_plan_ = next_passing_ = time;
   oscillation_pose_.reset();
   previous_pose_.reset();
   coast_until_.reset();
@@ -143,7 +145,7 @@ void Navigator::planAhead(const CycleInput & input, Costmap & costmap, CycleOutp
   plan_ = std::move(plan);
   output.new_plan = true;
   planning_retries_ = 0;
-  last_valid_plan_ = input.time;
+  last_valid_plan_ = next_passing_ = input.time;
   follower_.setPath(plan_.path, costmap);
   state_ = State::kControlling;
   control(input, costmap, output);
@@ -183,7 +185,9 @@ void Navigator::planFailed(const CycleInput & input, Costmap & costmap, CycleOut
 
 void Navigator::control(const CycleInput & input, Costmap & costmap, CycleOutput & output)
 {
-  FollowStep step = follower_.step(input.car, costmap, period(input.time));
+  const std::vector<Forecast> others = forecasts(costmap, input.time);
+  passIfHindered(input, costmap, others, output);
+  FollowStep step = follower_.step(input.car, costmap, period(input.time), false, others);
   output.command = step.command;
   if (finishIfReached(input, output)) {
     return;
@@ -198,6 +202,27 @@ void Navigator::control(const CycleInput & input, Costmap & costmap, CycleOutput
     recover(Trigger::kControlling, input, costmap, output);
   } else if (needsPlan(input, step)) {
     state_ = State::kPlanning;
+  }
+}
+
+void Navigator::passIfHindered(
+  const CycleInput & input, const Costmap & costmap, const std::vector<Forecast> & others, CycleOutput & output)
+{
+  if (input.time < next_passing_ || !follower_.hindered(input.car, costmap, others)) {
+    return;
+  }
+  next_passing_ = input.time + kPassingInterval;
+  const PlanRequest request = requestFrom(input.car);
+  if (request.lead.empty()) {
+    return;
+  }
+  auto plan = planPast(
+    {costmap, options_.planner, options_.follower.limits, plan_, request, others, follower_.placeOf(input.car),
+     input.car.speed});
+  if (plan) {
+    plan_ = std::move(*plan);
+    output.new_plan = true;
+    follower_.setPath(plan_.path, costmap);
   }
 }
 
@@ -243,7 +268,8 @@ bool Navigator::reached(const Pose2 & pose) const
 
 void Navigator::coast(const CycleInput & input, const Costmap & costmap, CycleOutput & output)
 {
-  FollowStep step = follower_.step(input.car, costmap, period(input.time), input.time >= *coast_until_);
+  FollowStep step =
+    follower_.step(input.car, costmap, period(input.time), input.time >= *coast_until_, forecasts(costmap, input.time));
   output.command = step.command;
   output.prediction = std::move(step.prediction);
   if (std::abs(input.car.speed) < kStandingSpeed && step.command.speed == 0.0) {

@@ -17,7 +17,9 @@ constexpr double kSpeedLead = 0.12;       // s, that a car's speed lags behind i
 constexpr double kStopMargin = 0.05;      // m, left before an obstacle
 // The speed commanded and the speed measured may differ by this much before the slew starts from the measured one, m/s.
 constexpr double kSpeedSlack = 0.5;
-constexpr double kSlackPart = 1.3;  // of what the speed lags behind when the car speeds up as it may
+constexpr double kSlackPart = 1.3;       // of what the speed lags behind when the car speeds up as it may
+constexpr double kTrafficTime = 2.5;     // s, for which others ahead count
+constexpr double kTrafficMargin = 0.06;  // m, beside them
 // Beyond this angle between car and path, steering back does not work, rad.
 constexpr double kMaxHeadingError = 1.2;
 
@@ -81,7 +83,34 @@ Path PathFollower::lead(const CarState & car, double time) const
   return last == path_.end() ? Path{} : Path(first, std::next(last));
 }
 
-FollowStep PathFollower::step(const CarState & car, const Costmap & costmap, double period, bool brake)
+bool PathFollower::hindered(const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const
+{
+  return speedBehindOthers(car, costmap, others).wanted < HUGE_VAL;
+}
+
+// As fast as those ahead on the path allow.
+SpeedBehind PathFollower::speedBehindOthers(
+  const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const
+{
+  SpeedBehind least;
+  const PathPosition here = tracker_.locate(path_, car.pose);
+  if (others.empty() || here.reverse || car.speed < 0.0) {
+    return least;
+  }
+  const std::vector<Moment> drive =
+    driveAlong(path_, speeds_, {here.s, here.lateral, car.speed}, options_.limits, kTrafficTime);
+  for (const Forecast & other : others) {
+    const auto touch = firstTouch(drive, costmap.footprint(), other, kTrafficMargin);
+    if (touch && touch->ahead) {
+      const SpeedBehind behind = speedBehind(*touch, car.speed, options_.limits.dec_lim_x);
+      least = {std::min(least.wanted, behind.wanted), std::min(least.utmost, behind.utmost)};
+    }
+  }
+  return least;
+}
+
+FollowStep PathFollower::step(
+  const CarState & car, const Costmap & costmap, double period, bool brake, const std::vector<Forecast> & others)
 {
   changeDirectionWhenStanding(car);
   FollowStep result;
@@ -99,9 +128,11 @@ FollowStep PathFollower::step(const CarState & car, const Costmap & costmap, dou
   result.blocked = result.stuck || pathBlocked(result.position, car.speed, costmap);
 
   const bool stop = brake || result.lost || result.position.remaining <= kEndReached;
-  const double speed = stop ? 0.0 : std::min(wantedSpeed(predicted, car.speed), stoppable);
+  const SpeedBehind behind = speedBehindOthers(car, costmap, others);
+  const double utmost = std::min(stoppable, behind.utmost);
+  const double speed = stop ? 0.0 : std::min({wantedSpeed(predicted, car.speed), utmost, behind.wanted});
   const double slow = slewed(result.position.reverse ? -speed : speed, car.speed, period);
-  result.command.speed = std::clamp(slow, -stoppable, stoppable);
+  result.command.speed = std::clamp(slow, -stoppable, utmost);
   last_bend_ = steer(predicted, std::abs(car.speed));
   result.command.curvature = withUndersteer(last_bend_, car.speed);
   last_ = result.command;

@@ -104,6 +104,13 @@ public:
     room.high = std::clamp(middle + gate.tolerance, room.low, room.high);
   }
 
+  bool narrow(const Narrowing & narrowing)
+  {
+    const bool way_left = narrowing(line_, corridor_);
+    fixStart();
+    return way_left;
+  }
+
   // The line given, when none better keeps the rules.
   Path optimal()
   {
@@ -213,12 +220,15 @@ private:
 
 Path raceLine(
   const Path & path, const Costmap & costmap, const ClearanceRule & rule, const Gate & gate, double greatest_curvature,
-  const RaceLineOptions & options)
+  const RaceLineOptions & options, const Narrowing & narrowing)
 {
   Path line = path;
   for (int round = 0; round < kRounds && line.size() >= kShortestLine; ++round) {
     RaceLine problem(line, costmap, rule, greatest_curvature, options);
     problem.hold(gate);
+    if (narrowing && !problem.narrow(narrowing)) {
+      return {};
+    }
     line = resampled(problem.optimal());
   }
   return line;

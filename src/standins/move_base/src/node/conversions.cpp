@@ -70,7 +70,8 @@ OccupancyGrid fromOccupancyGrid(const nav_msgs::OccupancyGrid & message)
 
 LaserScan fromLaserScan(const sensor_msgs::LaserScan & message, const Pose2 & sensor)
 {
-  return {sensor, message.angle_min, message.angle_increment, message.range_min, message.range_max, message.ranges};
+  return {sensor,         message.angle_min,           message.angle_increment, message.range_min, message.range_max,
+          message.ranges, message.header.stamp.toSec()};
 }
 
 geometry_msgs::Twist toTwist(const DriveCommand & command)

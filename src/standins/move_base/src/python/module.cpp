@@ -45,12 +45,13 @@ void bindCostmap(py::module_ & module)
       "observe",
       [](
         Costmap & costmap, const Doubles & sensor, const py::array_t<float> & ranges, double angle_min,
-        double angle_increment, double range_min, double range_max) {
+        double angle_increment, double range_min, double range_max, double time) {
         const std::vector<float> values = ranges.cast<std::vector<float>>();
-        costmap.observe({toPose(sensor, "sensor"), angle_min, angle_increment, range_min, range_max, values});
+        costmap.observe({toPose(sensor, "sensor"), angle_min, angle_increment, range_min, range_max, values, time});
       },
       py::arg("sensor"), py::arg("ranges"), py::arg("angle_min"), py::arg("angle_increment"), py::arg("range_min"),
-      py::arg("range_max"), "Takes a scan into the map: sensor (3,) pose, ranges (n,) m, angles rad.")
+      py::arg("range_max"), py::arg("time") = 0.0,
+      "Takes a scan into the map: sensor (3,) pose, ranges (n,) m, angles rad, time s: what moves is told by it.")
     .def(
       "forget", [](Costmap & costmap) { costmap.forgetBeyond({}, -1.0); }, "Forgets what the lidar saw.");
 }

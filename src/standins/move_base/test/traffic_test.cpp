@@ -1,0 +1,134 @@
+#include "move_base/traffic.h"
+
+#include <gtest/gtest.h>
+
+#include "kinematic_car.h"
+#include "move_base/navigator.h"
+#include "move_base/path_follower.h"
+#include "rooms.h"
+
+namespace move_base
+{
+namespace
+{
+using testing::drawOval;
+using testing::drawRoom;
+using testing::KinematicCar;
+using testing::makeCostmap;
+using testing::onOval;
+using testing::scanFrom;
+
+constexpr double kCycleTime = 0.025;  // s
+
+MovingObstacle carAt(const Pose2 & pose, double speed)
+{
+  return {{pose, 0.29, 0.155}, speed, 0.0};
+}
+
+TEST(Box, tellsTheDistanceOfPoints)
+{
+  const Box box{{1.0, 2.0, M_PI / 2.0}, 0.5, 0.2};
+  EXPECT_NEAR(box.distanceTo({1.0, 3.0}), 0.5, 1e-12);
+  EXPECT_NEAR(box.distanceTo({1.5, 2.0}), 0.3, 1e-12);
+  EXPECT_NEAR(box.distanceTo({1.5, 2.9}), 0.5, 1e-12);
+  EXPECT_NEAR(box.distanceTo({1.0, 2.0}), -0.2, 1e-12);
+  EXPECT_NEAR(grown(box, 0.1).distanceTo({1.5, 2.0}), 0.2, 1e-12);
+}
+
+TEST(Forecast, followsTheRoad)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  const Forecast forecast(carAt(onOval(6.0), 2.0), costmap, 0.0);
+  for (const double time : {0.5, 1.5, 3.0, 4.0}) {
+    EXPECT_LT(distance(forecast.at(time).middle, onOval(6.0 + 2.0 * time)), 0.35) << time;
+  }
+}
+
+TEST(Forecast, beginsNow)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  const Forecast forecast(carAt(onOval(1.0), 2.0), costmap, 0.2);
+  EXPECT_NEAR(forecast.at(0.0).middle.x, onOval(1.4).x, 1e-9);
+}
+
+TEST(SpeedBehind, isThatOfTheOtherInTheEnd)
+{
+  // Way and time of a car of 4 m/s to one of 2 m/s.
+  const auto behind = [](double gap) { return speedBehind({gap / 2.0, gap * 2.0, 2.0, true}, 4.0, 5.0); };
+  EXPECT_GT(behind(6.0).wanted, 4.0);
+  EXPECT_LT(behind(1.2).wanted, 3.0);
+  EXPECT_LT(behind(0.5).wanted, 2.0);
+  double before = 0.0;
+  for (double gap = 0.0; gap < 5.0; gap += 0.1) {
+    EXPECT_GE(behind(gap).utmost, behind(gap).wanted);
+    EXPECT_GE(behind(gap).wanted, before);
+    before = behind(gap).wanted;
+  }
+}
+
+TEST(PathFollower, neverTouchesACarAheadOfIt)
+{
+  const Costmap costmap = makeCostmap(drawRoom(60.0, 4.0));
+  FollowerOptions options;
+  options.limits.max_vel_x = 6.0;
+  options.limits.acc_lim_x = options.limits.dec_lim_x = 6.0;
+  for (const double speed : {0.0, 0.5, 1.5, 3.0}) {
+    PathFollower follower(options);
+    follower.setPath(samplePath({1.0, 2.0, 0.0}, {{58.0, 0.0}}, 0.1), costmap);
+    KinematicCar car({1.0, 2.0, 0.0});
+    Pose2 other{7.0, 2.0, 0.0};
+    for (double time = 0.0; time < 10.0; time += kCycleTime) {
+      const Forecast forecast(carAt(other, speed), costmap, 0.0);
+      const FollowStep step = follower.step(car.state(), costmap, kCycleTime, false, {forecast});
+      car.drive(step.command, kCycleTime);
+      other = advance(other, speed * kCycleTime, 0.0);
+      ASSERT_GT(clearance(forecast.at(0.0), costmap.footprint(), car.state().pose), 0.1) << speed << " at " << time;
+    }
+    EXPECT_NEAR(car.state().speed, speed, 0.3);
+    EXPECT_LT(other.x - car.state().pose.x, 3.0) << speed;
+  }
+}
+
+// What a lidar at sensor sees of a car on the road; walls are left out.
+LaserScan scanOf(const Box & other, const Pose2 & sensor, double time)
+{
+  LaserScan scan = scanFrom(sensor, [&](double angle) {
+    for (double range = 0.1; range < 8.0; range += 0.02) {
+      if (other.distanceTo(sensor.position() + range * Vec2{std::cos(angle), std::sin(angle)}) <= 0.0) {
+        return range;
+      }
+    }
+    return std::numeric_limits<double>::infinity();
+  });
+  scan.time = time;
+  return scan;
+}
+
+TEST(Navigator, passesASlowerCarWithoutTouchingIt)
+{
+  NavigatorOptions options;
+  options.follower.limits.max_vel_x = 5.0;
+  options.follower.limits.max_vel_theta = 8.0;
+  options.follower.limits.acc_lim_x = options.follower.limits.dec_lim_x = 6.0;
+  options.free_goal_vel = options.race_line = true;
+  for (const double speed : {0.8, 1.5}) {
+    Costmap costmap = makeCostmap(drawRoom(40.0, 2.4));
+    Navigator navigator(options);
+    navigator.setGoal({38.0, 1.2, 0.0}, 10.0);
+    KinematicCar car({1.0, 1.2, 0.0});
+    Box other{{5.0, 1.2, 0.0}, 0.29, 0.155};
+    double least = HUGE_VAL;
+    for (double time = 10.0; time < 30.0 && navigator.active(); time += kCycleTime) {
+      costmap.observe(scanOf(other, car.state().pose, time));
+      const CycleOutput output = navigator.cycle({time, car.state()}, costmap);
+      car.drive(output.command.value_or(DriveCommand{}), kCycleTime);
+      other.middle = advance(other.middle, speed * kCycleTime, 0.0);
+      least = std::min(least, clearance(other, costmap.footprint(), car.state().pose));
+    }
+    EXPECT_FALSE(navigator.active()) << speed;
+    EXPECT_GT(car.state().pose.x, other.middle.x + 5.0) << speed;
+    EXPECT_GT(least, 0.05) << speed;
+  }
+}
+}  // namespace
+}  // namespace move_base

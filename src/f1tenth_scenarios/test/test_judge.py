@@ -39,6 +39,15 @@ def test_everything_after_the_end_is_cut(tmp_path):
     assert long.record.end == 3.0
 
 
+def test_goal_may_be_reached_between_two_periods(tmp_path):
+    # The tolerance of the last goal begins at 2.5 m, where the car is at 2.5 s.
+    run = seen(record(tmp_path, rows(4.0)), racing(), finished(2.49))
+    judgement = judge(scenario(), GOALS, run)
+    assert judgement.decision.verdict is Verdict.SUCCESS
+    assert judgement.passes["robot1"].times == (0.5, 1.5, 2.5)
+    assert judgement.record.end == 2.475
+
+
 def test_contact_before_the_end_is_a_collision_even_if_the_race_was_finished(tmp_path):
     judgement = judge(
         scenario(), GOALS, seen(record(tmp_path, rows(4.0, contacts={2.0: "Wall_1;crate"})), finished(3.0))

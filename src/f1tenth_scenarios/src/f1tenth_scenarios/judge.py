@@ -58,7 +58,9 @@ def judge(scenario: Scenario, goals: Goals, seen: Observations) -> Judgement:
     endings = list(_endings(scenario, goals, seen)) or [_undecided(seen)]
     decision = min(endings, key=lambda ending: (ending.stamp, _RANK.index(ending.verdict)))
     record = seen.record.until(decision.stamp)
-    passes = {car: _passes(scenario, record, car, poses) for car, poses in goals.items()}
+    # Outside lockstep a car may reach its goal between two periods.
+    driven = seen.record.covering(decision.stamp)
+    passes = {car: _passes(scenario, driven, car, poses) for car, poses in goals.items()}
     if decision.verdict is Verdict.SUCCESS:
         decision = _verify_success(decision, seen.record, passes)
     failure = _failure(seen) if decision.verdict is Verdict.ERROR else None

@@ -105,6 +105,15 @@ class Record:
         """The periods up to and including a stamp (s)."""
         return Record({name: track.until(stamp) for name, track in self.tracks.items()})
 
+    def covering(self, stamp: float) -> "Record":
+        """The periods up to the first that is not before a stamp (s)."""
+        ends = [
+            float(track.time[index])
+            for track in self.tracks.values()
+            if (index := int(np.searchsorted(track.time, stamp - STAMP_EPSILON))) < len(track.time)
+        ]
+        return self.until(max(ends)) if ends else self
+
     def hash_at_end(self) -> Optional[str]:
         """The trajectory hash of the last period; nothing when there is none."""
         last = [(float(track.time[-1]), track.hash[-1]) for track in self.tracks.values() if len(track.time)]

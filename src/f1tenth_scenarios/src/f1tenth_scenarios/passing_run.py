@@ -17,6 +17,7 @@ CLEARLY_SLOWER = 1.5
 
 _LAP_TIMEOUT = 60.0  # s, simulated
 _WALL_TIMEOUT = 1800.0  # s
+_SPACING = 0.1  # m, between the places on a course that are told apart
 _START = 2.5  # m, of the other car before the one that races
 
 
@@ -104,8 +105,11 @@ def count_passes(course: Course, behind: CarTrack, ahead: CarTrack) -> int:
 def _progress(course: Course, x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """Way along the course, m, that goes on from lap to lap."""
     lengths = _lengths(course)
-    nearest = [int(np.argmin(np.hypot(course.x - px, course.y - py))) for px, py in zip(x, y)]
-    return np.unwrap(lengths[nearest], period=lengths[-1])
+    places = np.arange(0.0, lengths[-1], _SPACING)
+    line_x = np.interp(places, lengths, np.append(course.x, course.x[0]))
+    line_y = np.interp(places, lengths, np.append(course.y, course.y[0]))
+    nearest = [int(np.argmin(np.hypot(line_x - px, line_y - py))) for px, py in zip(x, y)]
+    return np.unwrap(places[nearest], period=lengths[-1])
 
 
 def _lengths(course: Course) -> np.ndarray:

@@ -22,13 +22,23 @@ public:
   /// @param transforms  is filled with /tf and /tf_static
   LidarInputs(ros::CallbackQueue & queue, tf2::BufferCore & transforms, const OnScan & on_scan);
 
+  /// Leaves out scans up to then. Of the period in which nodes connect, one may get the scan and another not.
+  void startAfter(const ros::Time & stamp) { start_ = stamp; }
+  /// Whether scans have been connected for long enough to get the next one: roscpp does not tell when the other end
+  /// knows of a connection.
+  bool areConnected();
   /// Whether time, ROS time, has jumped back since the call before.
   bool jumpsBackTo(const ros::Time & now);
 
 private:
+  void hear(const sensor_msgs::LaserScan::ConstPtr & scan) const;
+
   ros::NodeHandle node_;
+  OnScan on_scan_;
   tf2_ros::TransformListener listener_;
   ros::Subscriber subscriber_;
+  ros::Time start_;
+  std::optional<ros::WallTime> connected_since_;
   std::optional<ros::Time> now_;
 };
 }  // namespace standin_support

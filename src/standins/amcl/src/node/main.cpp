@@ -29,6 +29,9 @@ public:
     }
   }
 
+  void startAfter(const ros::Time & stamp) { lidar_.startAfter(stamp); }
+  bool areConnected() { return lidar_.areConnected(); }
+
   void handle(const ros::Time & now)
   {
     if (lidar_.jumpsBackTo(now)) {
@@ -70,14 +73,19 @@ void spin(Inputs & inputs, ros::CallbackQueue & queue)
 void spinInLockstep(const amcl::AmclNode & amcl, Inputs & inputs, ros::CallbackQueue & queue)
 {
   sim2d_lockstep::Participant participant(ros::this_node::getName().substr(1));
+  bool ready = false;
   while (ros::ok()) {
     const auto stamp = participant.waitForPeriod(kPatience);
     if (!stamp) {
       continue;
     }
+    if (!ready) {
+      inputs.startAfter(*stamp);
+    }
     queue.callAvailable();
     inputs.handle(*stamp);
-    if (amcl.ready()) {
+    ready = ready || (inputs.areConnected() && amcl.ready());
+    if (ready) {
       participant.done(*stamp);
     } else {
       kPoll.sleep();

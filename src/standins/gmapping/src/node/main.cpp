@@ -12,6 +12,7 @@ namespace
 using standin_support::LidarInputs;
 
 const ros::WallDuration kPatience{0.1};
+const ros::WallDuration kPoll{0.002};
 
 void handle(gmapping::SlamNode & slam, LidarInputs & inputs, const ros::Time & now)
 {
@@ -42,15 +43,24 @@ void spin(gmapping::SlamNode & slam, LidarInputs & inputs, ros::CallbackQueue & 
 void spinInLockstep(gmapping::SlamNode & slam, LidarInputs & inputs, ros::CallbackQueue & queue)
 {
   sim2d_lockstep::Participant participant(ros::this_node::getName().substr(1));
+  bool ready = false;
   while (ros::ok()) {
     const auto stamp = participant.waitForPeriod(kPatience);
     if (!stamp) {
       continue;
     }
+    if (!ready) {
+      inputs.startAfter(*stamp);
+    }
     queue.callAvailable();
     handle(slam, inputs, *stamp);
-    slam.broadcast(*stamp);
-    participant.done(*stamp);
+    ready = ready || (inputs.areConnected() && slam.knowsOdometry());
+    if (ready) {
+      slam.broadcast(*stamp);
+      participant.done(*stamp);
+    } else {
+      kPoll.sleep();
+    }
   }
 }
 }  // namespace

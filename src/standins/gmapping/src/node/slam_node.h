@@ -27,6 +27,11 @@ public:
 
   /// The transforms that scans need; to be filled by whoever receives them.
   tf2::BufferCore & transforms() { return transforms_; }
+  /// Whether there is a transform of the car from odometry.
+  bool knowsOdometry() const
+  {
+    return transforms_.canTransform(parameters_.odom_frame, parameters_.base_frame, ros::Time(0));
+  }
   /// Takes every throttle_scans-th scan.
   void add(const sensor_msgs::LaserScan::ConstPtr & scan);
   /// Handles the scans whose transforms are there.

@@ -31,12 +31,15 @@ class Kept:
     def __init__(self, topic, kind):
         self._arrived = threading.Condition()
         self._messages = []
-        rospy.Subscriber(topic, kind, self._keep)
+        self._subscriber = rospy.Subscriber(topic, kind, self._keep)
 
     def _keep(self, message):
         with self._arrived:
             self._messages.append(message)
             self._arrived.notify_all()
+
+    def is_connected(self):
+        return self._subscriber.get_num_connections() > 0
 
     def wait_for(self, stamp):
         """The message of a stamp."""
@@ -62,7 +65,8 @@ class AmclTest(unittest.TestCase):
             "initialpose", PoseWithCovarianceStamped, queue_size=None, tcp_nodelay=True
         )
         cls.simulator.wait_for_listeners()
-        while not cls.pose_publisher.get_num_connections():
+        # Particles are published only for those who are there.
+        while not (cls.pose_publisher.get_num_connections() and cls.clouds.is_connected()):
             threading.Event().wait(0.01)
         cls.simulator.run(drive(PERIODS))
         cls.period = PERIODS

@@ -4,6 +4,7 @@ import csv
 import json
 import math
 import os
+import shutil
 import subprocess
 import time
 
@@ -14,7 +15,7 @@ from f1tenth_scenarios.repeat import is_steady, spread
 from f1tenth_scenarios.sweep_table import mean_interval, wilson_interval
 from f1tenth_scenarios.sweep_table_file import write_table
 
-from f1tenth_scenarios import cli, many
+from f1tenth_scenarios import cli, many, places
 
 # Writes what a run would write; `seed=13` is bad luck, and a file makes the first run kill its parent.
 PROGRAM = """
@@ -187,6 +188,23 @@ def test_bad_value_is_answered_before_anything_runs(tmp_path, capsys):
     assert cli.main(["sweep", "circuit1", "--vary", "mu=1:9:3", "--results", str(tmp_path)]) == 2
     assert "cars[0].mu is 5, must be above 0 and at most 3" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
+
+
+def test_key_is_varied_once(tmp_path, capsys):
+    arguments = ["sweep", "circuit1", "--vary", "seed=1:2", "--vary", "seed=3", "--results", str(tmp_path)]
+    assert cli.main(arguments) == 2
+    assert "--vary seed: is varied more than once" in capsys.readouterr().err
+
+
+def test_values_that_would_share_a_folder_are_answered(tmp_path, capsys):
+    worlds = [tmp_path / "b c.world", tmp_path / "b_c.world"]
+    original = places.world_file("circuit1", tmp_path)
+    for world in worlds:
+        shutil.copy(original, world)
+        shutil.copy(places.map_file(original), world.with_suffix(".yaml"))
+    vary = "world=" + ",".join(map(str, worlds))
+    assert cli.main(["sweep", "pushed_box", "--vary", vary, "--results", str(tmp_path / "r")]) == 2
+    assert f"{worlds[0]}' and 'world={worlds[1]}' would both be written to" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("jobs", [1, 2])

@@ -58,7 +58,14 @@ def test_variation_stands_for_values(text, values):
 @pytest.mark.parametrize(
     ("text", "problem"),
     [
-        ("mu=a:b:3", "'mu=a:b:3': could not convert"),
+        ("mu=a:b:3", "'mu=a:b:3': must be a number, found 'a'; allowed are FIRST:LAST"),
+        ("mu=0.3:inf:3", "'mu=0.3:inf:3': must be a number, found 'inf'"),
+        ("mu=0.3:1:x", "'mu=0.3:1:x': the number of values must be a whole number, found 'x'"),
+        ("mu=0.3:1:-2", "'mu=0.3:1:-2' stands for 0 values, must be 1 to 100000"),
+        ("seed=1:x", "'seed=1:x': must be a whole number, found 'x'"),
+        ("seed=1,2,1", "'seed=1,2,1' has the value 1 more than once"),
+        ("mu=1:1.0000001:3", "'mu=1:1.0000001:3' has the value 1 more than once"),
+        ("seed=1:99999999999999", "'seed=1:99999999999999' stands for 99999999999999 values"),
         ("seed=5:1", "'seed=5:1' stands for 0 values"),
         ("mu=0:1:1000000", "'mu=0:1:1000000' stands for 1000000 values"),
     ],

@@ -77,7 +77,12 @@ def sweep(
     if output:
         check_table_file(output)
     varied = [parse_variation(text) for text in variations]
+    varied_keys = [values[0].key for values in varied]
+    for key in varied_keys:
+        if varied_keys.count(key) > 1:
+            raise ScenarioError(f"--vary {key}: is varied more than once")
     jobs = [_job(name, settings, results) for settings in combinations(varied)]
+    _check_folders(jobs)
     rows: dict[Job, dict[str, Any]] = {}
     bar = CountLine(f"{name} swept", len(jobs))
 
@@ -93,7 +98,7 @@ def sweep(
         ordered = [rows[job] for job in jobs if job in rows]
         folder = results / "sweep" / Path(jobs[0].scenario).stem
         tables = [folder / _TABLE_FILE, *([output] if output else [])]
-        _write(folder, ordered, [values[0].key for values in varied], tables)
+        _write(folder, ordered, varied_keys, tables)
     return not problems
 
 
@@ -102,6 +107,16 @@ def _job(name: str, settings: Sequence[Setting], results: Path) -> Job:
     texts = tuple(map(str, settings))
     plan = make_plan(name, settings=texts)
     return Job(str(plan.file), texts, str(results / "sweep" / plan.name / folder_name(settings)))
+
+
+def _check_folders(jobs: Sequence[Job]) -> None:
+    """Values that differ only in characters that no folder's name can have would overwrite each other."""
+    owners: dict[str, Job] = {}
+    for job in jobs:
+        owner = owners.setdefault(job.folder, job)
+        if owner is not job:
+            first, second = (" ".join(each.settings) for each in (owner, job))
+            raise ScenarioError(f"'{first}' and '{second}' would both be written to {job.folder}")
 
 
 def _write(folder, rows, varied, tables):

@@ -1,7 +1,9 @@
 """Values of a scenario's keys that are set from outside of its file, as in `mu=0.3`."""
 
+import collections
 import dataclasses
 import itertools
+import math
 import re
 from collections.abc import Iterator, Sequence
 
@@ -62,24 +64,49 @@ def parse_variation(text: str) -> list[Setting]:
     """Read what a key is to be: `seed=1:50` (whole numbers), `mu=0.3:1.0:8` (so many, evenly), `world=a,b`.
 
     Raises:
-        ScenarioError: it is none of these.
+        ScenarioError: it is none of these, or names a value twice.
     """
     setting = parse_setting(text)
     parts = setting.value.split(":")
-    try:
-        if len(parts) == 3:
-            values = [
-                f"{value:.6g}" for value in np.linspace(float(parts[0]), float(parts[1]), int(parts[2]))
-            ]
-        elif len(parts) == 2:
-            values = [str(value) for value in range(int(parts[0]), int(parts[1]) + 1)]
-        else:
-            values = setting.value.split(",")
-    except ValueError as error:
-        raise ScenarioError(f"'{text}': {error}") from error
-    if not 0 < len(values) <= _MOST_VALUES:
-        raise ScenarioError(f"'{text}' stands for {len(values)} values, must be 1 to {_MOST_VALUES}")
+    if len(parts) == 3:
+        values = _evenly_spaced(text, *parts)
+    elif len(parts) == 2:
+        values = _whole_numbers(text, *parts)
+    else:
+        values = setting.value.split(",")
+    value, count = collections.Counter(values).most_common(1)[0]
+    if count > 1:
+        raise ScenarioError(f"'{text}' has the value {value} more than once")
     return [Setting(setting.key, value) for value in values]
+
+
+def _evenly_spaced(text: str, first: str, last: str, count: str) -> list[str]:
+    number = _read(text, int, count, "the number of values must be a whole number")
+    _check_count(text, number)
+    ends = [_read(text, float, end, "must be a number") for end in (first, last)]
+    return [f"{value:.6g}" for value in np.linspace(*ends, number)]
+
+
+def _whole_numbers(text: str, first: str, last: str) -> list[str]:
+    ends = [_read(text, int, end, "must be a whole number") for end in (first, last)]
+    _check_count(text, ends[1] - ends[0] + 1)
+    return [str(value) for value in range(ends[0], ends[1] + 1)]
+
+
+def _read(text, kind, value, rule):
+    try:
+        number = kind(value)
+    except ValueError:
+        number = math.nan
+    if not math.isfinite(number):
+        allowed = "allowed are FIRST:LAST (whole numbers), FIRST:LAST:COUNT, and A,B,…"
+        raise ScenarioError(f"'{text}': {rule}, found '{value}'; {allowed}")
+    return number
+
+
+def _check_count(text: str, count: int) -> None:
+    if not 0 < count <= _MOST_VALUES:
+        raise ScenarioError(f"'{text}' stands for {max(count, 0)} values, must be 1 to {_MOST_VALUES}")
 
 
 def combinations(variations: Sequence[Sequence[Setting]]) -> Iterator[tuple[Setting, ...]]:

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <queue>
 #include <vector>
 
+#include "move_base/box.h"
 #include "move_base/costmap.h"
 
 namespace move_base
@@ -14,7 +16,8 @@ class CostToGo
 {
 public:
   /// @param passable_clearance  m, distance to obstacles that a cell must have
-  CostToGo(const Costmap & costmap, const Vec2 & goal, double passable_clearance);
+  /// @param gate                where no way leads through, besides
+  CostToGo(const Costmap & costmap, const Vec2 & goal, double passable_clearance, const std::optional<Box> & gate = {});
 
   /// Cost in metres of free road; infinite where the goal cannot be reached from. Continues the search if need be.
   double at(const Vec2 & point);
@@ -30,9 +33,11 @@ private:
   void searchUntilClosed(std::size_t cell);
   void expand(const Entry & entry);
   double pricePerMetre(std::size_t cell);
+  bool isClosed(const Vec2 & point, double room) const;
 
   const Costmap & costmap_;
   double passable_clearance_;
+  std::optional<Box> gate_;
   GridGeometry geometry_;
   std::vector<double> costs_;
   std::vector<float> prices_;

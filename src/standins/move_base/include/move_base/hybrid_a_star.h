@@ -40,6 +40,7 @@ struct SearchResult
   SearchStatus status{SearchStatus::kUnreachable};
   std::vector<Arc> arcs;  ///< from the start to the goal, when found
   int expansions{0};
+  double cost{0.0};  ///< in metres of free road, when found
 };
 
 /// What the search is to connect.

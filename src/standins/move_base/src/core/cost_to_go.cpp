@@ -40,9 +40,11 @@ GridGeometry coarser(const GridGeometry & fine)
 }
 }  // namespace
 
-CostToGo::CostToGo(const Costmap & costmap, const Vec2 & goal, double passable_clearance)
+CostToGo::CostToGo(
+  const Costmap & costmap, const Vec2 & goal, double passable_clearance, const std::optional<Box> & gate)
 : costmap_(costmap),
   passable_clearance_(passable_clearance),
+  gate_(gate),
   geometry_(coarser(costmap.geometry())),
   costs_(geometry_.size(), kInfinite),
   prices_(geometry_.size(), kNotPriced),
@@ -98,11 +100,17 @@ void CostToGo::expand(const Entry & entry)
 double CostToGo::pricePerMetre(std::size_t cell)
 {
   if (prices_[cell] == kNotPriced) {
-    const double room = costmap_.obstacleDistance(geometry_.centre(geometry_.cell(cell)));
+    const Vec2 point = geometry_.centre(geometry_.cell(cell));
+    const double room = costmap_.obstacleDistance(point);
     const double clearance = room - costmap_.footprint().halfWidth();
-    prices_[cell] = room < passable_clearance_ ? std::numeric_limits<float>::infinity()
-                                               : static_cast<float>(1.0 + costmap_.proximityCost(clearance));
+    prices_[cell] = isClosed(point, room) ? std::numeric_limits<float>::infinity()
+                                          : static_cast<float>(1.0 + costmap_.proximityCost(clearance));
   }
   return prices_[cell];
+}
+
+bool CostToGo::isClosed(const Vec2 & point, double room) const
+{
+  return room < passable_clearance_ || (gate_ && gate_->distanceTo(point) <= geometry_.resolution);
 }
 }  // namespace move_base

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <queue>
 
 #include "arc_price.h"
@@ -29,29 +30,31 @@ constexpr double kPointClearance = 0.1;
 // the time to find, because every way that keeps to the middle of the road is nearly as good as the others.
 constexpr double kGreed = 1.4;
 
+// Where the road may be closed behind the car: so far behind its base frame, and no wider than this to either side, m.
+constexpr double kGateBehind = 0.3;
+constexpr double kGateReach = 2.5;
+constexpr double kGateStep = 0.05;
+// Expansions that the search with the road closed behind the car may take; the others find a lap's way with a tenth.
+constexpr int kAheadExpansions = 10000;
+
 class Search
 {
 public:
   Search(
-    const Costmap & costmap, const PlannerOptions & options, const ShortestCurves & curves, const SearchQuery & query)
+    const Costmap & costmap, const PlannerOptions & options, const ShortestCurves & curves, const SearchQuery & query,
+    const ClearanceRule & rule, CostToGo & cost_to_go)
   : costmap_(costmap),
     options_(options),
     curves_(curves),
     query_(query),
-    rule_(costmap, query.start, query.goal, query.clearance),
-    cost_to_go_(costmap, query.goal.position(), kPointClearance),
+    rule_(rule),
+    cost_to_go_(cost_to_go),
     nodes_(costmap.geometry())
   {
   }
 
   SearchResult run()
   {
-    if (rule_.startClearance() < 0.0) {
-      return {SearchStatus::kStartBlocked, {}, 0};
-    }
-    if (rule_.goalClearance() < 0.0) {
-      return {SearchStatus::kGoalBlocked, {}, 0};
-    }
     open({query_.start, 0.0, -1, {0.0, query_.start_curvature}, false, false});
     return searchGoal();
   }
@@ -74,7 +77,7 @@ private:
       const int index = open_.top().node;
       open_.pop();
       if (nodes_[index].at_goal) {
-        return {SearchStatus::kFound, arcsTo(index), expansions};
+        return {SearchStatus::kFound, arcsTo(index), expansions, nodes_[index].cost};
       }
       if (nodes_[index].closed) {
         continue;
@@ -175,12 +178,63 @@ private:
   const PlannerOptions & options_;
   const ShortestCurves & curves_;
   const SearchQuery & query_;
-  ClearanceRule rule_;
-  CostToGo cost_to_go_;
+  const ClearanceRule & rule_;
+  CostToGo & cost_to_go_;
   SearchNodes nodes_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
   int expansions_to_curve_{0};
 };
+
+// How far a point can go from another in a direction until it meets a wall; nothing where there is none within reach.
+std::optional<double> wayToWall(const Costmap & costmap, const Pose2 & from)
+{
+  for (double way = 0.0; way <= kGateReach; way += kGateStep) {
+    if (costmap.obstacleDistance(advance(from, way, 0.0).position()) < kPointClearance) {
+      return way;
+    }
+  }
+  return std::nullopt;
+}
+
+// A bar across the road behind the car, from wall to wall.
+std::optional<Box> gateBehind(const Costmap & costmap, const Pose2 & start)
+{
+  const Pose2 behind = advance(start, -kGateBehind, 0.0);
+  const auto left = wayToWall(costmap, {behind.x, behind.y, behind.yaw + M_PI_2});
+  const auto right = wayToWall(costmap, {behind.x, behind.y, behind.yaw - M_PI_2});
+  if (!left || !right) {
+    return std::nullopt;
+  }
+  const Vec2 middle = transform(behind, {0.0, 0.5 * (*left - *right)});
+  return Box{{middle.x, middle.y, behind.yaw}, 0.0, 0.5 * (*left + *right)};
+}
+
+// A point's shortest way may lead back from where the car stands, though it takes a car longer to turn around than to
+// go the other way around the circuit. Led by that, the search would try all that can be done near the start first: so
+// it is done with the road closed behind the car, where that is no worse than kGreed allows.
+SearchResult searchAhead(
+  const Costmap & costmap, const PlannerOptions & options, const ShortestCurves & curves, const SearchQuery & query,
+  const ClearanceRule & rule, double shortest)
+{
+  const std::optional<Box> gate = gateBehind(costmap, query.start);
+  if (!gate) {
+    return {};
+  }
+  CostToGo way(costmap, query.goal.position(), kPointClearance, gate);
+  const Pose2 & start = query.start;
+  const double turn = curves.length(start, {start.x, start.y, normalizeAngle(start.yaw + M_PI)});
+  const double most = kGreed * (shortest + turn);
+  if (!(way.at(start.position()) <= most)) {
+    return {};
+  }
+  SearchQuery ahead = query;
+  ahead.max_expansions = std::min(query.max_expansions, kAheadExpansions);
+  SearchResult result = Search(costmap, options, curves, ahead, rule, way).run();
+  if (result.status == SearchStatus::kFound && result.cost > most) {
+    result.status = SearchStatus::kUnreachable;
+  }
+  return result;
+}
 }  // namespace
 
 void PlannerOptions::validate() const
@@ -214,6 +268,25 @@ const char * describe(SearchStatus status)
 SearchResult searchHybridAStar(
   const Costmap & costmap, const PlannerOptions & options, const ShortestCurves & curves, const SearchQuery & query)
 {
-  return Search(costmap, options, curves, query).run();
+  const ClearanceRule rule(costmap, query.start, query.goal, query.clearance);
+  if (rule.startClearance() < 0.0) {
+    return {SearchStatus::kStartBlocked, {}, 0};
+  }
+  if (rule.goalClearance() < 0.0) {
+    return {SearchStatus::kGoalBlocked, {}, 0};
+  }
+  CostToGo way(costmap, query.goal.position(), kPointClearance);
+  const double shortest = way.at(query.start.position());
+  SearchQuery rest = query;
+  if (way.at(advance(query.start, kArcLength, 0.0).position()) > shortest) {
+    SearchResult ahead = searchAhead(costmap, options, curves, query, rule, shortest);
+    if (ahead.status == SearchStatus::kFound) {
+      return ahead;
+    }
+    rest.max_expansions = std::max(1, query.max_expansions - ahead.expansions);
+  }
+  SearchResult result = Search(costmap, options, curves, rest, rule, way).run();
+  result.expansions += query.max_expansions - rest.max_expansions;
+  return result;
 }
 }  // namespace move_base

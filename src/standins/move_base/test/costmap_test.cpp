@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <random>
 
 #include "expect_throws.h"
 #include "move_base/errors.h"
@@ -12,7 +13,9 @@ namespace move_base
 {
 namespace
 {
+using testing::drawMap;
 using testing::drawRoom;
+using testing::inRectangle;
 using testing::makeCostmap;
 using testing::scanFrom;
 
@@ -70,6 +73,72 @@ TEST(Costmap, clearanceOfTheCarIsThatOfItsOutline)
   EXPECT_NEAR(costmap.clearance({3.0, 1.0, 0.0}), 1.0 - 0.1 - 0.155, 0.021);
   EXPECT_NEAR(costmap.clearance({3.0, 1.0, -M_PI / 2.0}), 1.0 - 0.1 - 0.455, 0.04);
   EXPECT_LT(costmap.clearance({3.0, 0.2, 0.0}), 0.0);
+}
+
+// Calls isFarFromAll at seeded random places, and holds it against clearances there and beside. Counts how often it is true.
+int countFarPlaces(const Costmap & costmap, double width, double height)
+{
+  constexpr double kMargin = 0.1;
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  int far = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Pose2 pose{part(generator) * width, part(generator) * height, 2.0 * M_PI * part(generator)};
+    if (costmap.isFarFromAll(pose, kMargin)) {
+      ++far;
+      const Pose2 beside = advance({pose.x, pose.y, 2.0 * M_PI * part(generator)}, kMargin, 0.0);
+      EXPECT_EQ(costmap.proximityCost(costmap.clearance(pose) - kMargin), 0.0) << pose.x << ", " << pose.y;
+      EXPECT_EQ(costmap.proximityCost(costmap.clearance({beside.x, beside.y, pose.yaw})), 0.0);
+    }
+  }
+  return far;
+}
+
+TEST(Costmap, whereItIsFarFromAllNothingAddsToTheCost)
+{
+  const OccupancyGrid map = drawMap(12.0, 9.0, [](const Vec2 & p) {
+    return !inRectangle(p, {0.1, 0.1}, {11.9, 8.9}) || distance(p, {3.0, 3.0}) < 0.05 ||
+           std::abs(p.x - p.y - 5.0) < 0.04;
+  });
+  EXPECT_GT(countFarPlaces(makeCostmap(map), 12.0, 9.0), 2000);
+}
+
+TEST(Costmap, farFromAllHeedsWhatTheLidarSaw)
+{
+  Costmap costmap = makeCostmap(drawRoom(12.0, 9.0));
+  const int before = countFarPlaces(costmap, 12.0, 9.0);
+  costmap.observe(scanFrom({3.0, 4.5, 0.0}, [](double angle) { return std::abs(angle) < 0.1 ? 2.0 : 20.0; }));
+  const int after = countFarPlaces(costmap, 12.0, 9.0);
+  EXPECT_GT(after, 500);
+  EXPECT_LT(after, before);
+}
+
+TEST(Costmap, gradientIsThatOfTheCostOverACell)
+{
+  Costmap costmap = makeCostmap(drawRoom(6.0, 4.0));
+  costmap.observe(scanFrom({1.0, 2.0, 0.0}, [](double angle) { return std::abs(angle) < 0.1 ? 2.0 : 20.0; }));
+  constexpr double kHalfCell = 0.5 * kCell;
+  const auto costAt = [&](double x, double y, double yaw) {
+    return costmap.proximityCost(costmap.clearance({x, y, yaw}));
+  };
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> part(-0.1, 1.1);
+  for (int i = 0; i < 20000; ++i) {
+    const Pose2 pose{6.0 * part(generator), 4.0 * part(generator), 2.0 * M_PI * part(generator)};
+    const Vec2 gradient = costmap.proximityGradient(pose);
+    const double along_x = costAt(pose.x + kHalfCell, pose.y, pose.yaw) - costAt(pose.x - kHalfCell, pose.y, pose.yaw);
+    const double along_y = costAt(pose.x, pose.y + kHalfCell, pose.yaw) - costAt(pose.x, pose.y - kHalfCell, pose.yaw);
+    EXPECT_DOUBLE_EQ(gradient.x, along_x / kCell) << pose.x << ", " << pose.y;
+    EXPECT_DOUBLE_EQ(gradient.y, along_y / kCell) << pose.x << ", " << pose.y;
+  }
+}
+
+TEST(Costmap, nothingIsFarFromTheEdgeOfTheMap)
+{
+  const Costmap costmap = makeCostmap(drawMap(12.0, 9.0, [](const Vec2 &) { return false; }));
+  EXPECT_TRUE(costmap.isFarFromAll({6.0, 4.5, 0.0}, 0.1));
+  EXPECT_FALSE(costmap.isFarFromAll({0.3, 4.5, M_PI}, 0.1));
+  EXPECT_FALSE(costmap.isFarFromAll({13.0, 4.5, 0.0}, 0.1));
 }
 
 TEST(Costmap, unknownIsAnObstacleUnlessAllowed)

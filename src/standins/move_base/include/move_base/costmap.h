@@ -54,6 +54,13 @@ public:
   /// Least distance from the car's outline to an obstacle, m, to the safe side by what the discs stick out; negative on contact.
   double clearance(const Pose2 & base) const;
 
+  /// Whether the car here and up to margin beside it is surely so far from every obstacle that none adds to what driving
+  /// costs, and margin farther than that. Takes one look at the map instead of one for each disc; false says nothing.
+  bool isFarFromAll(const Pose2 & base, double margin) const
+  {
+    return isFarAround(transform(base, footprint_.around().centre), margin);
+  }
+
   /// What a metre costs beyond its length when the obstacle next to the car's axis is at this clearance, m.
   double proximityCost(double clearance) const
   {
@@ -62,6 +69,9 @@ public:
     }
     return options_.clearance_weight * std::exp(-options_.cost_scaling_factor * std::max(clearance, 0.0));
   }
+
+  /// How proximityCost at a pose changes with x and y, 1/m: differences over a cell.
+  Vec2 proximityGradient(const Pose2 & base) const;
 
   /// A cell for display: 100 obstacle, 99 nearer than half the car's width, falling to 0; -1 unknown.
   std::int8_t occupancy(std::size_t index) const;
@@ -83,15 +93,14 @@ private:
     return (1.0 - fy) * ((1.0 - fx) * low[0] + fx * low[1]) + fy * ((1.0 - fx) * high[0] + fx * high[1]) - half_cell_;
   }
 
+  bool isFarAround(const Vec2 & middle, double margin) const;
+  bool isInside(const Vec2 & middle, double margin) const;
+  void makeStamp();
   void rebuild();
   void stamp(const Cell & cell);
-
-  struct StampCell
-  {
-    int dx;
-    int dy;
-    float distance;
-  };
+  /// Calls visit(index of the first cell in the map, the same in the stamp, how many) for each row of a stamp at a cell.
+  template <class Visit>
+  void forStampRows(const Cell & cell, const Visit & visit) const;
 
   GridGeometry geometry_;
   CostmapOptions options_;
@@ -103,8 +112,11 @@ private:
   std::vector<float> distances_;      // the same with the live layer's cells
   LiveLayer live_;
   ObstacleTracker tracker_;
-  std::vector<StampCell> stamp_;
-  std::vector<std::size_t> touched_;
+  int stamp_reach_{0};                 // cells from the middle of the stamp to its edges
+  std::vector<float> stamp_;           // m, from the middle, row by row; infinite beyond what matters
+  std::vector<Cell> stamped_;          // where the stamp is in distances_
+  Vec2 live_low_{HUGE_VAL, HUGE_VAL};  // m, corners of a rectangle around all that is stamped
+  Vec2 live_high_{-HUGE_VAL, -HUGE_VAL};
   unsigned revision_{0};
 };
 }  // namespace move_base

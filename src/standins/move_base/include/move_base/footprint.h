@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "move_base/geometry.h"
@@ -23,16 +24,20 @@ public:
   explicit Footprint(std::vector<Vec2> corners, double padding = 0.0);
 
   const std::vector<Vec2> & corners() const { return corners_; }
-  const std::vector<Disc> & discs() const { return discs_; }
+  static constexpr std::size_t kDiscs = 7;
+  const std::array<Disc, kDiscs> & discs() const { return discs_; }
   /// Half of the width, m.
   double halfWidth() const { return half_width_; }
+  /// A disc around all the others.
+  const Disc & around() const { return around_; }
 
 private:
   void coverWithDiscs();
 
   std::vector<Vec2> corners_;
-  std::vector<Disc> discs_;
+  std::array<Disc, kDiscs> discs_;
   double half_width_{0.0};
+  Disc around_;
 };
 
 /// 0.58 m x 0.31 m, the rear axle 0.125 m before the rear end.

@@ -44,6 +44,10 @@ double priceOf(const Costmap & costmap, const ClearanceRule & rule, const Pose2 
   double price = 0.0;
   for (int i = 1; i <= steps; ++i) {
     const Pose2 pose = advance(start, i * step, arc.curvature);
+    if (costmap.isFarFromAll(pose, rule.most())) {
+      price += std::abs(step);
+      continue;
+    }
     const double clearance = costmap.clearance(pose);
     if (clearance < rule.at(pose.position())) {
       return std::numeric_limits<double>::infinity();

@@ -14,6 +14,8 @@ public:
   double startClearance() const { return start_clearance_; }
   double goalClearance() const { return goal_clearance_; }
   double at(const Vec2 & point) const;
+  /// m, nowhere is it more.
+  double most() const { return wanted_; }
 
 private:
   double wanted_;

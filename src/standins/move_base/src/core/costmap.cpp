@@ -1,5 +1,9 @@
 #include "move_base/costmap.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "move_base/distance_transform.h"
 #include "option_checks.h"
 
@@ -7,6 +11,8 @@ namespace move_base
 {
 namespace
 {
+// Of a place between the middles of four cells, the weighted mean of their distances from it, in cells, is at most this.
+constexpr double kInterpolationError = 0.7072;
 constexpr double kMovingMargin = 0.15;  // m around what moves, of which the lidar has seen parts as standing
 
 const GridGeometry & checked(const OccupancyGrid & map)
@@ -54,15 +60,18 @@ Costmap::Costmap(const OccupancyGrid & map, const CostmapOptions & options, cons
   }
   distances_ = map_distances_;
 
+  makeStamp();
+}
+
+void Costmap::makeStamp()
+{
   // Beyond this, a live obstacle changes neither cost nor collision.
-  const double reach = options.inflation_radius + footprint.halfWidth();
-  const int cells = static_cast<int>(std::ceil(reach / geometry_.resolution));
-  for (int dy = -cells; dy <= cells; ++dy) {
-    for (int dx = -cells; dx <= cells; ++dx) {
+  const double reach = options_.inflation_radius + footprint_.halfWidth();
+  stamp_reach_ = static_cast<int>(std::ceil(reach / geometry_.resolution));
+  for (int dy = -stamp_reach_; dy <= stamp_reach_; ++dy) {
+    for (int dx = -stamp_reach_; dx <= stamp_reach_; ++dx) {
       const double away = std::hypot(dx, dy) * geometry_.resolution;
-      if (away <= reach) {
-        stamp_.push_back({dx, dy, static_cast<float>(away)});
-      }
+      stamp_.push_back(away <= reach ? static_cast<float>(away) : HUGE_VALF);
     }
   }
 }
@@ -93,12 +102,30 @@ void Costmap::forgetBeyond(const Vec2 & centre, double radius)
   }
 }
 
+template <class Visit>
+void Costmap::forStampRows(const Cell & cell, const Visit & visit) const
+{
+  const int left = std::max(cell.x - stamp_reach_, 0);
+  const int right = std::min(cell.x + stamp_reach_, geometry_.width - 1);
+  const int low = std::max(cell.y - stamp_reach_, 0);
+  const int high = std::min(cell.y + stamp_reach_, geometry_.height - 1);
+  const GridGeometry stamp{2 * stamp_reach_ + 1, 2 * stamp_reach_ + 1, geometry_.resolution, {}};
+  for (int y = low; y <= high; ++y) {
+    const Cell in_stamp{left - cell.x + stamp_reach_, y - cell.y + stamp_reach_};
+    visit(geometry_.index({left, y}), stamp.index(in_stamp), static_cast<std::size_t>(right - left + 1));
+  }
+}
+
 void Costmap::rebuild()
 {
-  for (const std::size_t index : touched_) {
-    distances_[index] = map_distances_[index];
+  for (const Cell & cell : stamped_) {
+    forStampRows(cell, [&](std::size_t first, std::size_t, std::size_t count) {
+      std::copy_n(map_distances_.data() + first, count, distances_.data() + first);
+    });
   }
-  touched_.clear();
+  stamped_.clear();
+  live_low_ = {HUGE_VAL, HUGE_VAL};
+  live_high_ = {-HUGE_VAL, -HUGE_VAL};
   for (const std::size_t index : live_.cells()) {
     stamp(geometry_.cell(index));
   }
@@ -107,17 +134,18 @@ void Costmap::rebuild()
 
 void Costmap::stamp(const Cell & cell)
 {
-  for (const StampCell & part : stamp_) {
-    const Cell at{cell.x + part.dx, cell.y + part.dy};
-    if (!geometry_.contains(at)) {
-      continue;
+  const Vec2 centre = geometry_.centre(cell);
+  const double reach = options_.inflation_radius + footprint_.halfWidth() + geometry_.resolution;
+  live_low_ = {std::min(live_low_.x, centre.x - reach), std::min(live_low_.y, centre.y - reach)};
+  live_high_ = {std::max(live_high_.x, centre.x + reach), std::max(live_high_.y, centre.y + reach)};
+  stamped_.push_back(cell);
+  forStampRows(cell, [&](std::size_t first, std::size_t first_in_stamp, std::size_t count) {
+    float * distance = distances_.data() + first;
+    const float * stamped = stamp_.data() + first_in_stamp;
+    for (std::size_t i = 0; i < count; ++i) {
+      distance[i] = std::min(distance[i], stamped[i]);
     }
-    const std::size_t index = geometry_.index(at);
-    if (part.distance < distances_[index]) {
-      distances_[index] = part.distance;
-      touched_.push_back(index);
-    }
-  }
+  });
 }
 
 double Costmap::clearance(const Pose2 & base) const
@@ -131,6 +159,65 @@ double Costmap::clearance(const Pose2 & base) const
     least = std::min(least, obstacleDistance(centre) - disc.radius);
   }
   return least;
+}
+
+bool Costmap::isFarAround(const Vec2 & middle, double margin) const
+{
+  // Distances from the map's obstacles differ by at most the distance between two places; those read here are
+  // interpolated, and there are none beside the map.
+  const double reach = footprint_.around().radius + margin;
+  const double room = reach + free_clearance_ + 2.0 * kInterpolationError * geometry_.resolution;
+  if (!(wallDistance(middle) >= room)) {
+    return false;
+  }
+  const bool live = middle.x + reach > live_low_.x && middle.x - reach < live_high_.x &&
+                    middle.y + reach > live_low_.y && middle.y - reach < live_high_.y;
+  return !live && isInside(middle, margin);
+}
+
+// Whether the map reaches around the car by the margin and what interpolation needs.
+bool Costmap::isInside(const Vec2 & middle, double margin) const
+{
+  const Vec2 from_corner = middle - geometry_.origin;
+  const double room = footprint_.around().radius + margin + geometry_.resolution;
+  return from_corner.x > room && from_corner.x < geometry_.width * geometry_.resolution - room &&
+         from_corner.y > room && from_corner.y < geometry_.height * geometry_.resolution - room;
+}
+
+Vec2 Costmap::proximityGradient(const Pose2 & base) const
+{
+  constexpr double kRounding = 1e-4;  // m, of the distances, which are floats
+  const double h = half_cell_;
+  const Vec2 ahead{std::cos(base.yaw), std::sin(base.yaw)};
+  const auto placed = [&](const Vec2 & at, double x, double y) {
+    return Vec2{x + ahead.x * at.x - ahead.y * at.y, y + ahead.y * at.x + ahead.x * at.y};
+  };
+  const Vec2 middle = placed(footprint_.around().centre, base.x, base.y);
+  if (isFarAround(middle, h)) {
+    return {};
+  }
+  const auto clearanceOf = [&](const Disc & disc, double x, double y) {
+    return obstacleDistance(placed(disc.centre, x, y)) - disc.radius;
+  };
+  std::array<double, Footprint::kDiscs> here;
+  std::transform(footprint_.discs().begin(), footprint_.discs().end(), here.begin(), [&](const Disc & disc) {
+    return clearanceOf(disc, base.x, base.y);
+  });
+  // No clearance changes by more than h on the way: of the discs only those count that can be the nearest there.
+  const double least = *std::min_element(here.begin(), here.end());
+  const double most = isInside(middle, h) ? std::min(least + h, free_clearance_) + h + kRounding : HUGE_VAL;
+  const auto cost = [&](double x, double y) {
+    double nearest = HUGE_VAL;
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      if (here[i] <= most) {
+        nearest = std::min(nearest, clearanceOf(footprint_.discs()[i], x, y));
+      }
+    }
+    return proximityCost(nearest);
+  };
+  return {
+    (cost(base.x + h, base.y) - cost(base.x - h, base.y)) / (2.0 * h),
+    (cost(base.x, base.y + h) - cost(base.x, base.y - h)) / (2.0 * h)};
 }
 
 std::int8_t Costmap::occupancy(std::size_t index) const

@@ -10,16 +10,19 @@ namespace
 {
 // More discs follow the rectangle closer and cost more look-ups.
 constexpr int kDiscsAlong = 3;
+constexpr int kDiscsAtEnds = 4;
+static_assert(kDiscsAlong + kDiscsAtEnds == Footprint::kDiscs);
 constexpr double kEndPart = 0.375;  // length of each end in widths of the car
 
-// One disc for each of count equal parts of a rectangle's length.
-void coverRectangle(const Vec2 & low, const Vec2 & high, int count, std::vector<Disc> & discs)
+// One disc for each of count equal parts of a rectangle's length. Returns the place of the next disc.
+Disc * coverRectangle(const Vec2 & low, const Vec2 & high, int count, Disc * disc)
 {
   const double part = (high.x - low.x) / count;
   const double radius = 0.5 * std::hypot(part, high.y - low.y);
   for (int i = 0; i < count; ++i) {
-    discs.push_back({{low.x + (i + 0.5) * part, 0.5 * (low.y + high.y)}, radius});
+    *disc++ = {{low.x + (i + 0.5) * part, 0.5 * (low.y + high.y)}, radius};
   }
+  return disc;
 }
 
 double areaOf(const std::vector<Vec2> & corners)
@@ -54,10 +57,14 @@ void Footprint::coverWithDiscs()
   const double middle = 0.5 * (left->y + right->y);
   const double end = std::min(kEndPart * width, 0.25 * (front->x - rear->x));
   half_width_ = 0.5 * width;
-  coverRectangle({rear->x + end, right->y}, {front->x - end, left->y}, kDiscsAlong, discs_);
+  Disc * disc = coverRectangle({rear->x + end, right->y}, {front->x - end, left->y}, kDiscsAlong, discs_.data());
   for (const double x : {rear->x, front->x - end}) {
-    coverRectangle({x, right->y}, {x + end, middle}, 1, discs_);
-    coverRectangle({x, middle}, {x + end, left->y}, 1, discs_);
+    disc = coverRectangle({x, right->y}, {x + end, middle}, 1, disc);
+    disc = coverRectangle({x, middle}, {x + end, left->y}, 1, disc);
+  }
+  around_.centre = {0.5 * (rear->x + front->x), middle};
+  for (const Disc & each : discs_) {
+    around_.radius = std::max(around_.radius, distance(each.centre, around_.centre) + each.radius);
   }
 }
 

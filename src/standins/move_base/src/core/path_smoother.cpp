@@ -111,7 +111,7 @@ private:
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto row = static_cast<Eigen::Index>(i);
       const double pull = pinned_[i] ? kPinStiffness * stiffnessUnit() : 0.0;
-      const Vec2 push = pinned_[i] ? Vec2{} : spacing_ * proximityGradient(headed(points, i));
+      const Vec2 push = pinned_[i] ? Vec2{} : spacing_ * costmap_.proximityGradient(headed(points, i));
       x[row] = inertia * points[i].x - push.x + pull * given_[i].pose.x;
       y[row] = inertia * points[i].y - push.y + pull * given_[i].pose.y;
     }
@@ -122,15 +122,6 @@ private:
       moved[i] = {new_x[static_cast<Eigen::Index>(i)], new_y[static_cast<Eigen::Index>(i)]};
     }
     return moved;
-  }
-
-  Vec2 proximityGradient(const Pose2 & pose) const
-  {
-    const double h = 0.5 * costmap_.geometry().resolution;
-    const auto cost = [&](double dx, double dy) {
-      return costmap_.proximityCost(costmap_.clearance({pose.x + dx, pose.y + dy, pose.yaw}));
-    };
-    return {(cost(h, 0.0) - cost(-h, 0.0)) / (2.0 * h), (cost(0.0, h) - cost(0.0, -h)) / (2.0 * h)};
   }
 
   Pose2 headed(const std::vector<Vec2> & points, std::size_t i) const

@@ -8,6 +8,7 @@
 #include "robot_text.h"
 #include "sdf_errors.h"
 #include "sdf_models.h"
+#include "sdf_schema.h"
 
 namespace f1tenth_sim2d
 {
@@ -83,7 +84,7 @@ CarDescription readCar(
     facts = readUrdf(xml, source, messages, warnings);
   }
   sdf::Root root;
-  const sdf::Errors errors = root.LoadSdfString(xml, parserConfig());
+  const sdf::Errors errors = loadText(xml, parserConfig(), root);
   checkSdfErrors(errors, messages, root, source, "", warnings);
   const sdf::Model & model = onlyModel(root, source);
   if (kind == "sdf") {

@@ -8,6 +8,7 @@
 #include "robot_text.h"
 #include "sdf_errors.h"
 #include "sdf_models.h"
+#include "sdf_schema.h"
 #include "uri_lookup.h"
 
 namespace f1tenth_sim2d
@@ -55,7 +56,7 @@ LoadedModel loadModel(
   sdf::Root root;
   sdf::ParserConfig config = parserConfig();
   config.SetFindCallback([&uris](const std::string & uri) { return uris.find(uri); });
-  const sdf::Errors errors = root.LoadSdfString(xml, config);
+  const sdf::Errors errors = loadText(xml, config, root);
   checkSdfErrors(errors, messages, root, source, "; searched: " + uris.searchedFolders(), warnings);
   const sdf::Model * const model = root.Model();
   if (!model) {

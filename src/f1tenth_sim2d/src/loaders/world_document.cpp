@@ -71,7 +71,7 @@ std::unique_ptr<WorldDocument> readInOnePiece(
 {
   auto document = std::make_unique<WorldDocument>();
   sdf::Root & root = document->roots.emplace_back();
-  const sdf::Errors errors = root.Load(path, configWith(uris));
+  const sdf::Errors errors = loadFile(path, configWith(uris), root);
   checkSdfErrors(errors, document->messages, root, path, "; searched: " + uris.searchedFolders(), warnings);
   document->world = &onlyWorld(root, path);
   for (std::uint64_t i = 0; i < document->world->ModelCount(); ++i) {

@@ -58,14 +58,6 @@ XMLElement * readSdf(tinyxml2::XMLDocument & document, const std::string & path)
   return root;
 }
 
-void appendTags(const XMLElement & element, std::set<std::string> & tags)
-{
-  tags.insert(element.Name());
-  for (auto child = element.FirstChildElement(); child; child = child->NextSiblingElement()) {
-    appendTags(*child, tags);
-  }
-}
-
 bool hasAttributes(const XMLElement * element)
 {
   return element && element->FirstAttribute() != nullptr;
@@ -171,11 +163,10 @@ bool WorldText::takeInclude(XMLElement & include, const UriLookup & uris)
 
 std::set<std::string> WorldText::tags() const
 {
-  std::set<std::string> tags;
-  appendTags(*world_.RootElement(), tags);
+  std::set<std::string> tags = elementNames(world_);
   for (const Model & model : models_) {
     if (model.included) {
-      appendTags(*model.included->RootElement(), tags);
+      tags.merge(elementNames(*model.included));
     }
   }
   return tags;

@@ -2,6 +2,7 @@
 
 #include <tinyxml2.h>
 
+#include <set>
 #include <string>
 
 #include "element_reader.h"
@@ -19,5 +20,16 @@ inline std::string nameOf(const tinyxml2::XMLElement * element)
 {
   const char * const name = element ? element->Attribute("name") : nullptr;
   return name ? name : "";
+}
+
+/// Names of all elements below a node.
+inline std::set<std::string> elementNames(const tinyxml2::XMLNode & node)
+{
+  std::set<std::string> tags;
+  for (auto child = node.FirstChildElement(); child; child = child->NextSiblingElement()) {
+    tags.insert(child->Name());
+    tags.merge(elementNames(*child));
+  }
+  return tags;
 }
 }  // namespace f1tenth_sim2d

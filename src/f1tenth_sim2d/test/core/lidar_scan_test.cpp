@@ -125,6 +125,49 @@ TEST(LidarScan, NoiseHasTheStatedMeanAndSigma)
   EXPECT_NEAR(std::sqrt(squares / count - mean * mean), 0.01, 4 * 0.01 / std::sqrt(2 * count));
 }
 
+/// What noise adds to scans of a standing car, scan after scan of 1081 beams, in standard deviations.
+std::vector<double> noiseOfScans(int scans)
+{
+  CarDescription description = car("robot1");
+  description.lidars[0].noise_stddev = 0.01;
+  Simulation simulation(world({room(3.0)}));
+  simulation.addCar(description, {}, {});
+  std::vector<float> exact(1081);
+  std::vector<float> noisy(1081);
+  std::vector<double> noise;
+  simulation.exactScan(0, 0, exact.data());
+  for (int i = 0; i < scans; ++i) {
+    simulation.advanceTo((i + 1) * SimTime{25'000'000});
+    simulation.scan(0, 0, noisy.data());
+    for (std::size_t beam = 0; beam < exact.size(); ++beam) {
+      noise.push_back((static_cast<double>(noisy[beam]) - exact[beam]) / 0.01);
+    }
+  }
+  return noise;
+}
+
+double autocorrelation(const std::vector<double> & values, std::size_t lag)
+{
+  double sum = 0.0;
+  for (std::size_t i = lag; i < values.size(); ++i) {
+    sum += values[i] * values[i - lag];
+  }
+  return sum / static_cast<double>(values.size() - lag);
+}
+
+TEST(LidarScan, NoiseIsWhiteAcrossBeamsAndScans)
+{
+  const std::vector<double> noise = noiseOfScans(400);
+  const double bound = 4.0 / std::sqrt(static_cast<double>(noise.size()));
+  EXPECT_NEAR(autocorrelation(noise, 0), 1.0, 2 * bound);
+  for (const std::size_t beams : {1, 2, 3, 4, 7, 8, 16, 32, 540}) {
+    EXPECT_NEAR(autocorrelation(noise, beams), 0.0, bound) << beams << " beams apart";
+  }
+  for (const std::size_t scans : {1, 2, 3, 8, 40}) {
+    EXPECT_NEAR(autocorrelation(noise, 1081 * scans), 0.0, bound) << scans << " scans apart";
+  }
+}
+
 TEST(LidarScan, NoiseIsAFunctionOfSeedCarLidarAndTime)
 {
   CarDescription description = car("robot1");

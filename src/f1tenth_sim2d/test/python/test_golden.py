@@ -63,6 +63,30 @@ def test_trajectory_is_the_golden_one(name):
     assert drive(simulation) == fresh
 
 
+@pytest.fixture
+def busy_cores():
+    """Keep every core busy with other work."""
+    loads = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(os.cpu_count())]
+    yield
+    for load in loads:
+        load.kill()
+        load.wait()
+
+
+def runs():
+    """The trajectories of ten fresh runs."""
+    return {drive(circuit("circuit1")) for _ in range(10)}
+
+
+def test_ten_runs_on_an_idle_machine_are_the_golden_one():
+    assert runs() == {GOLDEN["circuit1"]}
+
+
+@pytest.mark.usefixtures("busy_cores")
+def test_ten_runs_on_a_busy_machine_are_the_golden_one():
+    assert runs() == {GOLDEN["circuit1"]}
+
+
 def test_every_circuit_has_a_golden_trajectory():
     folder = circuit_file("circuit1").parent
     assert sorted(GOLDEN) == sorted(path.stem for path in folder.glob("circuit*.world"))

@@ -1,4 +1,4 @@
-"""Every shipped world: exact scans from random places against shapely."""
+"""Every shipped world: exact scans from random places against shapely and a reader of its own."""
 
 import math
 import sys
@@ -6,7 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from shapely.geometry import LineString, Point, Polygon
+from sdf_slices import slice_world
+from shapely.geometry import LineString, Point
 from shapely.ops import unary_union
 
 import f1tenth_sim2d
@@ -17,7 +18,8 @@ sys.path.insert(0, str(PACKAGE / "bench"))
 from sim2d_bench.cars import F1TENTH, bare_lidar  # noqa: E402
 from sim2d_bench.places import REPOSITORY  # noqa: E402
 
-WORLDS = sorted((REPOSITORY / "src" / "f1tenth_gazebo" / "worlds").glob("*.world"))
+SHIPPED = REPOSITORY / "src" / "f1tenth_gazebo"
+WORLDS = sorted((SHIPPED / "worlds").glob("*.world"))
 LIDAR_HEIGHT = 0.16  # m
 PLACES = 12
 EVERY = 7  # beams
@@ -26,11 +28,11 @@ ROOM = 0.05  # m, from a place to the next wall
 
 
 class Scenery:
-    """The section of a world at the height of the lidar, as exact geometry."""
+    """The section of a world file at the height of the lidar, as exact geometry."""
 
-    def __init__(self, world):
-        outlines, self.circles = world.section(LIDAR_HEIGHT)
-        self.walls = unary_union([Polygon(outline) for outline in outlines])
+    def __init__(self, path):
+        polygons, self.circles = slice_world(path, SHIPPED / "models", LIDAR_HEIGHT)
+        self.walls = unary_union(polygons)
 
     def is_free(self, x, y):
         beside_circles = all(math.hypot(x - cx, y - cy) > radius + ROOM for cx, cy, radius in self.circles)
@@ -51,7 +53,7 @@ class Scenery:
         return along - math.sqrt(radius**2 - aside**2)
 
 
-def places(world, scenery, random):
+def places(scenery, random):
     """Random free poses in the bounds of the world's walls, some of them right beside a wall."""
     low_x, low_y, high_x, high_y = scenery.walls.bounds
     found = []
@@ -71,12 +73,12 @@ def grazes(scenery, x, y, angle):
 @pytest.mark.parametrize("path", WORLDS, ids=[path.stem for path in WORLDS])
 def test_scan_is_exact_from_random_places(path):
     world = f1tenth_sim2d.load_world(str(path))
-    scenery = Scenery(world)
+    scenery = Scenery(path)
     simulation = f1tenth_sim2d.Simulation(world)
     simulation.add_car(bare_lidar(F1TENTH), None, 1000.0, 1000.0)
     angles = np.linspace(-F1TENTH.max_angle, F1TENTH.max_angle, F1TENTH.samples)
     seen = 0
-    for x, y, yaw in places(world, scenery, np.random.default_rng(11)):
+    for x, y, yaw in places(scenery, np.random.default_rng(11)):
         simulation.place_car(0, x, y, yaw)
         ranges = simulation.scan(0, exact=True)
         for beam in range(0, F1TENTH.samples, EVERY):

@@ -26,6 +26,9 @@ public:
   /// Remembers who subscribes now. What roscpp is given next is the last that it writes to them: once it has, it has
   /// also written their headers, and send() may be called.
   void lookAt(ros::Publication & publication);
+  /// Whether all who subscribed at lookAt() read a stream of bytes. A subscriber within this process does not: of what
+  /// roscpp is given at once, it takes the first message.
+  bool allReadStreams() const { return sockets_.size() == subscribers_; }
   /// Sends to every subscriber, or to none.
   /// @return false: to none, because somebody has no room for it, has gone, or cannot be sent to
   bool send(const std::uint8_t * bytes, std::size_t size);

@@ -21,6 +21,13 @@ void write(std::uint8_t * place, Integer value)
   std::memcpy(place, &number, sizeof number);
 }
 
+std::uint32_t lengthAt(const std::uint8_t * place)
+{
+  std::uint32_t length = 0;
+  std::memcpy(&length, place, sizeof length);
+  return length;
+}
+
 ros::Publisher advertise(ros::NodeHandle & node, ros::AdvertiseOptions options)
 {
   options.queue_size = Topic::kQueueSize;
@@ -86,12 +93,25 @@ void Topic::handOver()
   if (direct_sender_.isOutdated(*publication_)) {
     direct_sender_.lookAt(*publication_);
   }
-  if (inFlight() >= kQueueSize) {
-    lost_ += pending_messages_;
+  if (direct_sender_.allReadStreams()) {
+    handOver(0, pending_.size(), pending_messages_);
+    return;
   }
-  const Buffer buffer = freeBuffer(pending_.size());
-  std::copy(pending_.begin(), pending_.end(), buffer.bytes.get());
-  ros::SerializedMessage message(buffer.bytes, pending_.size());
+  for (std::size_t begin = 0; begin < pending_.size();) {
+    const std::size_t size = kLengthBytes + lengthAt(&pending_[begin]);
+    handOver(begin, size, 1);
+    begin += size;
+  }
+}
+
+void Topic::handOver(std::size_t begin, std::size_t size, std::uint64_t messages)
+{
+  if (inFlight() >= kQueueSize) {
+    lost_ += messages;
+  }
+  const Buffer buffer = freeBuffer(size);
+  std::copy_n(&pending_[begin], size, buffer.bytes.get());
+  ros::SerializedMessage message(buffer.bytes, size);
   message.message_start = buffer.bytes.get() + kLengthBytes;
   publication_->publish(message);
   in_flight_.push_back(buffer);

@@ -54,6 +54,7 @@ private:
 
   bool sendDirectly();
   void handOver();
+  void handOver(std::size_t begin, std::size_t size, std::uint64_t messages);
   Buffer freeBuffer(std::size_t size);
 
   ros::Publisher publisher_;  // keeps the topic advertised

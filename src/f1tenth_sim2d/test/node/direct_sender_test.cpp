@@ -58,6 +58,7 @@ TEST_F(DirectSenderTest, SendsToAllSubscribers)
   join(other);
   sender_.lookAt(publication_);
   EXPECT_FALSE(sender_.isOutdated(publication_));
+  EXPECT_TRUE(sender_.allReadStreams());
   EXPECT_TRUE(send("hello"));
   EXPECT_EQ(one.read(5), "hello");
   EXPECT_EQ(other.read(5), "hello");
@@ -86,6 +87,7 @@ TEST_F(DirectSenderTest, SendsToNobodyIfOneSubscriberHasNoSocket)
   EXPECT_FALSE(send("hello"));
   EXPECT_TRUE(pair.isEmpty());
   EXPECT_FALSE(sender_.isOutdated(publication_));
+  EXPECT_FALSE(sender_.allReadStreams());
 }
 
 TEST_F(DirectSenderTest, SendsNothingToASocketThatIsSomebodyElsesByNow)

@@ -64,16 +64,19 @@ class LockstepTest(unittest.TestCase):
         assert sim2d.result()["periods"] == periods + 1
         return sim2d.result()
 
-    def test_same_seed_gives_the_same_run_also_on_a_busy_machine(self):
-        first = self.drive(200)
+    def test_same_seed_gives_the_same_run_twenty_times_half_of_them_on_a_busy_machine(self):
+        idle = self.hashes_of_ten_runs()
         loads = [busy_core() for _ in range(os.cpu_count())]
         try:
-            second = self.drive(200)
+            busy = self.hashes_of_ten_runs()
         finally:
             for load in loads:
                 load.kill()
                 load.wait()
-        assert first["trajectory_hash"] == second["trajectory_hash"]
+        assert len(idle | busy) == 1
+
+    def hashes_of_ten_runs(self):
+        return {self.drive(100)["trajectory_hash"] for _ in range(10)}
 
     def test_another_seed_gives_another_run(self):
         hashes = {self.drive(40, seed=seed)["trajectory_hash"] for seed in (1, 2)}

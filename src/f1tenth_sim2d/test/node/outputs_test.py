@@ -120,8 +120,9 @@ class OutputsTest(unittest.TestCase):
 
     def test_refused_commands_are_counted_and_never_reach_the_car(self):
         self.start(participants=("robot1", "test"), diagnostics=DiagnosticArray)
-        for end, value in ((SECOND // 4, math.nan), (SECOND // 2, math.inf), (SECOND, -math.inf)):
-            self.driver.drive_to(end, linear_x=value)
+        absurd = (math.nan, math.inf, -math.inf, 1e6)
+        for quarter, value in enumerate(absurd, 1):
+            self.driver.drive_to(quarter * SECOND // 4, linear_x=value)
         self.wait_for_all_until(SECOND)
         assert self.collector.wait_for(lambda messages: messages["/diagnostics"])
         status = {s.name: s for s in self.collector.messages["/diagnostics"][-1].status}

@@ -45,6 +45,9 @@ class FakeWatch:
     def recording(self):
         return Recording()
 
+    def descriptions(self):
+        return {}
+
 
 class FakeRun:
     """Builds the program step by step."""

@@ -3,13 +3,15 @@
 import gzip
 import json
 import math
+import re
+import subprocess
 
 import pytest
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.recording import Rate, Recording
-from f1tenth_scenarios.replay import Poses, Replay, read_replay, write_replay
+from f1tenth_scenarios.replay import Poses, Replay, Scans, read_replay, write_replay
 from f1tenth_scenarios.scenario import Pose
-from f1tenth_scenarios.scene import make_replay
+from f1tenth_scenarios.scene import load_scene
 from report_samples import replay
 
 from f1tenth_scenarios import places
@@ -74,7 +76,7 @@ def test_what_is_no_replay_is_refused(tmp_path, content, problem):
 
 
 def test_walls_and_movable_models_are_told_apart(world):
-    made = make_replay(world, {"robot1": (Pose(1.0, 2.0, 3.0),)}, Recording())
+    made = load_scene(world, {}).replay({"robot1": (Pose(1.0, 2.0, 3.0),)}, Recording())
     (wall,) = made.walls.outlines
     assert sorted(wall) == [(1.5, -0.1), (1.5, 0.1), (2.5, -0.1), (2.5, 0.1)]
     assert set(made.models) == {"crate"}
@@ -93,19 +95,37 @@ def test_models_are_where_they_were_heard_to_be(world):
     heard = Recording(
         models={"crate": Poses([0.0], [(5.0, 5.0, 0.0)]), "wall": Poses([0.0], [(2.0, 0.0, 0.0)])}
     )
-    made = make_replay(world, {}, heard)
+    made = load_scene(world, {}).replay({}, heard)
     assert made.models["crate"].values == [(5.0, 5.0, 0.0)]
     assert set(made.models) == {"crate"}
 
 
 def test_models_of_the_workspace_are_found():
     detailed = places.world_file("circuit_detailed", places.package_path(places.PACKAGE))
-    assert len(make_replay(detailed, {}, Recording()).walls.outlines) > 20
+    assert len(load_scene(detailed, {}).walls.outlines) > 20
+
+
+def car_with_lidar(x):
+    description = places.package_path("f1tenth_description") / "urdf" / "f1tenth.urdf.xacro"
+    text = subprocess.run(["xacro", description], capture_output=True, text=True, check=True).stdout
+    moved, count = re.subn(
+        r'(<joint name="laser_joint".*?<origin[^>]*xyz=")[^ ]+', rf"\g<1>{x}", text, flags=re.S
+    )
+    assert count == 1
+    return moved
+
+
+def test_each_scan_starts_where_its_car_carries_the_lidar(world):
+    ahead = car_with_lidar(0.3)
+    scene = load_scene(world, {"robot1": ahead, "robot2": ahead, "robot3": car_with_lidar(0.1), "robot4": ""})
+    scans = {f"robot{number}": Scans([0.0], [[100]]) for number in (1, 2, 3, 4)}
+    made = scene.replay({}, Recording(scans=scans))
+    assert [each.mount[0] for each in made.scans.values()] == pytest.approx([0.3, 0.3, 0.1, 0.0])
 
 
 def test_world_that_cannot_be_read_leaves_the_walls_out(tmp_path):
     goals = {"robot1": (Pose(1.0, 2.0),)}
-    made = make_replay(tmp_path / "none.world", goals, Recording())
+    made = load_scene(tmp_path / "none.world", {}).replay(goals, Recording())
     assert made.walls.outlines == ()
     assert made.goals == {"robot1": [(1.0, 2.0, 0.0)]}
 

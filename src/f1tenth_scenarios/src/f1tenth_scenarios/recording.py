@@ -16,7 +16,6 @@ class Recording:
     local_plans: Mapping[str, Paths] = dataclasses.field(default_factory=dict)
     models: Mapping[str, Poses] = dataclasses.field(default_factory=dict)
     estimates: Mapping[str, Poses] = dataclasses.field(default_factory=dict)  # amcl_pose
-    descriptions: Mapping[str, str] = dataclasses.field(default_factory=dict)  # robot_description by car
 
 
 class Rate:

@@ -85,7 +85,8 @@ class Replay:
 
 def write_replay(path: Path, replay: Replay) -> None:
     """Write the file, which replaces the old one when complete; the same replay gives the same bytes."""
-    text = json.dumps({"format": _FORMAT, **dataclasses.asdict(replay)}, separators=(",", ":"))
+    # Not dataclasses.asdict, which copies every number and takes four times as long as all the rest.
+    text = json.dumps({"format": _FORMAT, **vars(replay)}, default=vars, separators=(",", ":"))
     with replacing(path) as temporary:
         temporary.write_bytes(gzip.compress(text.encode(), compresslevel=6, mtime=0))
 

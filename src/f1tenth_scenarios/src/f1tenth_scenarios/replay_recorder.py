@@ -38,7 +38,7 @@ class ReplayRecorder:
             each.unregister()
 
     def recording(self) -> Recording:
-        """What was heard so far; asks the parameter server for the cars' descriptions."""
+        """What was heard so far."""
         return Recording(
             scans={
                 car: Scans(*kept, angle_min=self._fans[car][0], angle_max=self._fans[car][1])
@@ -48,7 +48,6 @@ class ReplayRecorder:
             local_plans={car: Paths(*kept) for car, kept in self._of_kind("local_plan")},
             estimates={car: Poses(*kept) for car, kept in self._of_kind("estimate")},
             models={name: Poses(*kept) for name, kept in self._of_kind("model")},
-            descriptions={car: rospy.get_param(f"/{car}/robot_description", "") for car in self._cars},
         )
 
     def _subscribe_car(self, car: str) -> Iterator[rospy.Subscriber]:

@@ -2,7 +2,7 @@
 
 import queue
 import time
-from typing import Optional
+from typing import Callable, Optional
 
 import rospy
 from std_msgs.msg import Bool
@@ -37,12 +37,15 @@ def to_update(car: str, message: RaceStatus) -> RaceUpdate:
 class RosWatch:
     """Listens to race_status and collision, and breaks what is to be broken. Needs a running rospy node."""
 
-    def __init__(self, scenario: Scenario):
+    def __init__(self, scenario: Scenario, closed: Callable[[], None] = lambda: None):
+        """`closed` is called when this node has nothing to listen to any more."""
+        self._closed = closed
+        self._cars = [car.name for car in scenario.cars]
         self._updates: queue.SimpleQueue = queue.SimpleQueue()
         self._subscribers = [self._subscribe(car.name) for car in scenario.cars if car.driver is Driver.RACE]
         self._collided: set[str] = set()
-        self._subscribers += [self._subscribe_collision(car.name) for car in scenario.cars]
-        self._replay = ReplayRecorder([car.name for car in scenario.cars])
+        self._subscribers += [self._subscribe_collision(car) for car in self._cars]
+        self._replay = ReplayRecorder(self._cars)
         self._director = Director(scenario) if scenario.has_events else None
 
     def take(self) -> list[RaceUpdate]:
@@ -67,6 +70,10 @@ class RosWatch:
         """What was heard for the replay."""
         return self._replay.recording()
 
+    def descriptions(self) -> dict[str, str]:
+        """The robot_description of each car on the parameter server."""
+        return {car: rospy.get_param(f"/{car}/robot_description", "") for car in self._cars}
+
     def close(self) -> None:
         """Stop listening."""
         for each in self._subscribers:
@@ -74,6 +81,7 @@ class RosWatch:
         self._replay.close()
         if self._director:
             self._director.close()
+        self._closed()
 
     def _subscribe(self, car: str) -> rospy.Subscriber:
         return rospy.Subscriber(

@@ -2,8 +2,6 @@
 
 import contextlib
 import dataclasses
-import importlib
-import threading
 import time
 from collections.abc import Mapping, Sequence
 from typing import Callable, Optional
@@ -18,13 +16,13 @@ from f1tenth_scenarios.launch_file import write_launch_file
 from f1tenth_scenarios.measured import Measured
 from f1tenth_scenarios.observations import Failure, Observations
 from f1tenth_scenarios.plan import Plan
+from f1tenth_scenarios.preparation import Preparation
 from f1tenth_scenarios.processes import ProcessTree
 from f1tenth_scenarios.record import Record, read_record
 from f1tenth_scenarios.recording import Recording
 from f1tenth_scenarios.replay import REPLAY_FILE, write_replay
 from f1tenth_scenarios.result import Result
 from f1tenth_scenarios.results_folder import claimed
-from f1tenth_scenarios.scene import make_replay
 from f1tenth_scenarios.stop_request import StopRequest
 from f1tenth_scenarios.supervisor import Progress, Supervisor, Watch
 from f1tenth_scenarios.track_map import read_track_map
@@ -57,15 +55,8 @@ def execute(
     """
     started = time.monotonic() if started is None else started
     with claimed(plan.folder, plan.log_folder, versions.commit()):
-        with _running(plan, command, environment, make_watch) as (tree, watch):
-            supervisor = Supervisor(plan, tree, watch, stop, _with_import_of_picture(progress))
-            failure = supervisor.wait()
-            # The others may take their time to end, the simulator completes its record.
-            tree.interrupt(supervisor.simulator_pid, _SHUTDOWN_GRACE)
-            seen = _observations(plan, supervisor, watch, failure)
-            heard = watch.recording()
-            done = _judge(plan, seen, heard, supervisor.pace.factor)
-            _write(plan, done, heard)
+        with _started(plan, command, environment) as tree:
+            done = _drive(plan, tree, make_watch, stop, progress)
         done = dataclasses.replace(done, wall_time=time.monotonic() - started)
         # Last, because who sees a result.json may rely on the other files.
         result.write_json(
@@ -75,17 +66,31 @@ def execute(
 
 
 @contextlib.contextmanager
-def _running(plan, command, environment, make_watch):
-    """What was started, and who listens to it."""
+def _started(plan, command, environment):
+    """All that is started; ended at the end."""
     write_launch_file(plan)
-    # Before the watch: while this process learns ROS, the other one reads the launch file.
     tree = ProcessTree(command, plan.launch_log, environment)
     try:
-        with contextlib.closing(make_watch()) as watch:
-            tree.go()
-            yield tree, watch
+        yield tree
     finally:
         tree.stop(_SHUTDOWN_GRACE)
+
+
+def _drive(plan, tree, make_watch, stop, progress) -> Result:
+    # While this process learns ROS to make the watch, the other one reads the launch file.
+    with contextlib.closing(make_watch()) as watch:
+        tree.go()
+        preparation = Preparation(plan.run_world, watch.descriptions)
+        supervisor = Supervisor(plan, tree, watch, stop, preparation.beside(progress))
+        failure = supervisor.wait()
+        # The others may take their time to end, the simulator completes its record.
+        tree.interrupt(supervisor.simulator_pid, _SHUTDOWN_GRACE)
+        seen = _observations(plan, supervisor, watch, failure)
+        heard = watch.recording()
+        preparation.begin()
+    done = _judge(plan, seen, heard, supervisor.pace.factor)
+    _write(plan, done, heard, preparation)
+    return done
 
 
 def _observations(plan, supervisor, watch, failure) -> Observations:
@@ -99,22 +104,6 @@ def _read_record(plan, failure):
         return read_record(plan.record_file), failure
     except ScenarioError as error:
         return Record({}), failure or Failure("sim2d", str(error))
-
-
-def _with_import_of_picture(progress: Progress) -> Progress:
-    """Matplotlib takes long to import: when the simulation has begun, nobody waits for it."""
-    thread = threading.Thread(target=_import_picture, daemon=True)
-
-    def report(simulated, wall):
-        if simulated is not None and thread.ident is None:
-            thread.start()
-        progress(simulated, wall)
-
-    return report
-
-
-def _import_picture():
-    return importlib.import_module("f1tenth_scenarios.picture")
 
 
 def _judge(plan, seen, heard, real_time_factor) -> Result:
@@ -131,13 +120,15 @@ def _judge(plan, seen, heard, real_time_factor) -> Result:
     return Result(plan.name, plan.scenario, judgement, judged, measured)
 
 
-def _write(plan: Plan, done: Result, heard: Recording) -> None:
+def _write(plan: Plan, done: Result, heard: Recording, preparation: Preparation) -> None:
     result.write_trajectory(plan.folder / result.TRAJECTORY_FILE, done.judgement.record)
     track_map = read_track_map(plan.map) if plan.map else None
     lines = (f"{done.judgement.decision.verdict.value}: {done.reason}", _facts(done))
     picture = plan.folder / result.PICTURE_FILE
-    _import_picture().write_picture(picture, plan.name, lines, done.judgement.record, plan.goals, track_map)
-    replay = make_replay(plan.run_world, plan.goals, heard).until(done.judgement.decision.stamp)
+    preparation.picture().write_picture(
+        picture, plan.name, lines, done.judgement.record, plan.goals, track_map
+    )
+    replay = preparation.scene().replay(plan.goals, heard).until(done.judgement.decision.stamp)
     write_replay(plan.folder / REPLAY_FILE, replay)
 
 

@@ -16,54 +16,69 @@ from f1tenth_scenarios.scenario import Pose
 _CUT_HEIGHT = 0.12  # m above the ground, where no lidar says otherwise
 
 
-def make_replay(world: Path, goals: Mapping[str, Sequence[Pose]], heard: Recording) -> Replay:
-    """The replay of a run; without walls if the world cannot be read, as the simulator has said already."""
-    replay = Replay(
-        goals={car: [(pose.x, pose.y, pose.yaw) for pose in poses] for car, poses in goals.items()},
-        scans=heard.scans,
-        global_plans=heard.global_plans,
-        local_plans=heard.local_plans,
-    )
-    lidars = {car: lidar for car, text in heard.descriptions.items() if (lidar := _lidar(car, text))}
+@dataclasses.dataclass(frozen=True)
+class Scene:
+    """What stands in a world, cut at the height of the cars' lidars, and where those are."""
+
+    walls: Shape = Shape()
+    models: Mapping[str, Poses] = dataclasses.field(default_factory=dict)  # movable, where the world has them
+    mounts: Mapping[str, Planar] = dataclasses.field(default_factory=dict)  # of the lidar, by car
+
+    def replay(self, goals: Mapping[str, Sequence[Pose]], heard: Recording) -> Replay:
+        """What was heard of a run, with the world around it."""
+        return Replay(
+            walls=self.walls,
+            goals={car: [(pose.x, pose.y, pose.yaw) for pose in poses] for car, poses in goals.items()},
+            scans={car: self._mounted(car, scans) for car, scans in heard.scans.items()},
+            global_plans=heard.global_plans,
+            local_plans=heard.local_plans,
+            models={
+                name: dataclasses.replace(heard.models.get(name, model), shape=model.shape)
+                for name, model in self.models.items()
+            },
+        )
+
+    def _mounted(self, car: str, scans: Scans) -> Scans:
+        return dataclasses.replace(scans, mount=self.mounts[car]) if car in self.mounts else scans
+
+
+def load_scene(world: Path, descriptions: Mapping[str, str]) -> Scene:
+    """Read a world, and the cars' robot_descriptions by name.
+
+    Returns:
+        The scene; an empty one if the world cannot be read, as the simulator has said already.
+    """
+    # Reading a description takes long, and cars of a race have the same one.
+    read = {text: _lidar(text) for text in set(descriptions.values())}
+    lidars = {car: lidar for car, text in descriptions.items() if (lidar := read[text])}
     height = next((lidar.pose[2] for lidar in lidars.values()), _CUT_HEIGHT)
     try:
         with _model_path():
             loaded = f1tenth_sim2d.load_world(str(world))
     except f1tenth_sim2d.Error:
-        return replay
-    return dataclasses.replace(
-        replay,
+        return Scene()
+    return Scene(
         walls=_shape(*loaded.section(height)),
-        scans={car: _mounted(scans, lidars.get(car)) for car, scans in heard.scans.items()},
-        models=_models(loaded, heard.models, height),
+        models={model.name: _model(model, height) for model in loaded.models if not model.is_static},
+        mounts={car: _planar(lidar.pose) for car, lidar in lidars.items()},
     )
 
 
-def _lidar(car, description):
+def _lidar(description):
     try:
-        lidars = f1tenth_sim2d.load_car(description, car, car).lidars
+        lidars = f1tenth_sim2d.load_car(description, "car", "robot_description").lidars
     except f1tenth_sim2d.Error:
         return None
     return next((lidar for lidar in lidars if lidar.topic == "scan"), None)
 
 
-def _mounted(scans: Scans, lidar) -> Scans:
-    if lidar is None:
-        return scans
-    x, y, _, yaw = lidar.pose
-    return dataclasses.replace(scans, mount=(x, y, yaw))
+def _planar(pose) -> Planar:
+    x, y, _, yaw = pose
+    return x, y, yaw
 
 
-def _models(world, heard: Mapping[str, Poses], height: float) -> dict[str, Poses]:
-    """The movable ones: where they were heard to be, else where the world has them."""
-    return {
-        model.name: dataclasses.replace(
-            heard.get(model.name, Poses([0.0], [model.pose])),
-            shape=_in_frame(_shape(*model.section(height)), model.pose),
-        )
-        for model in world.models
-        if not model.is_static
-    }
+def _model(model, height: float) -> Poses:
+    return Poses([0.0], [model.pose], shape=_in_frame(_shape(*model.section(height)), model.pose))
 
 
 def _shape(outlines, circles) -> Shape:

@@ -46,6 +46,9 @@ class Watch(Protocol):
     def recording(self) -> Recording:
         """What was heard for the replay."""
 
+    def descriptions(self) -> dict[str, str]:
+        """The robot_description of each car, empty if it has none; from any thread."""
+
 
 Progress = Callable[[Optional[float], float], None]
 

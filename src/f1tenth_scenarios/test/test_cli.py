@@ -3,14 +3,19 @@
 import io
 import os
 import re
+import signal
+import subprocess
+import sys
 
 import pytest
+import rosgraph
 from f1tenth_scenarios.console import ProgressLine, cost_of_all, summary
 from f1tenth_scenarios.describe import describe_keys
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.private_master import private_master
 from f1tenth_scenarios.scenario import Scenario
 from fake_run import FakeRun
+from patience import PATIENCE, wait_for
 from scenario_samples import SCENARIO_TEXT, died, finished, racing, reached, scenario
 
 from f1tenth_scenarios import cli, places
@@ -170,3 +175,47 @@ def test_masters_of_our_own_do_not_meet(monkeypatch):
             assert one != two
     assert os.environ["ROS_MASTER_URI"] == "http://elsewhere:11311"
     assert os.environ["ROS_IP"] == "10.0.0.1"
+
+
+SERVES = """
+import signal, sys
+from f1tenth_scenarios.private_master import private_master
+signal.signal(signal.SIGINT, lambda *_: None)
+with private_master() as uri:
+    print(uri, flush=True)
+    sys.stdin.read()
+"""
+
+
+@pytest.fixture
+def serving():
+    """A process with a master of its own, which it keeps until its input ends; and the master's URI."""
+    command = [sys.executable, "-c", SERVES]
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
+    with subprocess.Popen(command, **pipes, text=True, start_new_session=True) as process:
+        uri = process.stdout.readline().strip()
+        assert is_served(uri)
+        yield process, uri
+        process.kill()
+
+
+def is_served(uri):
+    try:
+        return rosgraph.Master("/test", uri).getPid() > 0
+    except OSError:
+        return False
+
+
+def test_master_outlives_ctrl_c_but_not_its_user(serving):
+    process, uri = serving
+    os.killpg(process.pid, signal.SIGINT)
+    assert is_served(uri)
+    process.stdin.close()
+    assert process.wait(PATIENCE) == 0
+    assert not is_served(uri)
+
+
+def test_master_ends_with_a_killed_user(serving):
+    process, uri = serving
+    process.kill()
+    wait_for(lambda: not is_served(uri))

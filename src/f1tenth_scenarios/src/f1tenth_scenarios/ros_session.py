@@ -1,7 +1,5 @@
 """A run of a scenario with ROS around it."""
 
-import threading
-
 from f1tenth_scenarios.launch_file import launch_command
 from f1tenth_scenarios.plan import Plan
 from f1tenth_scenarios.processes import process_start
@@ -28,25 +26,21 @@ def run_with_ros(plan: Plan, stop: StopRequest, progress: Progress = lambda simu
         # Without it, setuptools takes the place of a module of Python's, and half of roslaunch's start.
         "SETUPTOOLS_USE_DISTUTILS": "stdlib",
     }
-    # Takes rospy most of a second, in which the results are written.
-    leaving = threading.Thread(target=_leave_ros)
     try:
         return execute(
             plan,
             launch_command(plan),
             environment,
-            lambda: _watch(plan.scenario, leaving),
+            lambda: _watch(plan.scenario),
             stop,
             progress,
             started=process_start(),
         )
     finally:
-        if leaving.ident is None:
-            leaving.start()
-        leaving.join()
+        _leave_ros()
 
 
-def _watch(scenario: Scenario, leaving: threading.Thread) -> Watch:
+def _watch(scenario: Scenario) -> Watch:
     # Imported late: reading the launch file begins before.
     import rospy
 
@@ -54,7 +48,7 @@ def _watch(scenario: Scenario, leaving: threading.Thread) -> Watch:
 
     # Before anything sets use_sim_time, because this node lives in wall time.
     rospy.init_node("scenario", anonymous=True, disable_signals=True, disable_rosout=True)
-    return RosWatch(scenario, closed=leaving.start)
+    return RosWatch(scenario)
 
 
 def _leave_ros() -> None:

@@ -2,7 +2,7 @@
 
 import queue
 import time
-from typing import Callable, Optional
+from typing import Optional
 
 import rospy
 from std_msgs.msg import Bool
@@ -37,9 +37,7 @@ def to_update(car: str, message: RaceStatus) -> RaceUpdate:
 class RosWatch:
     """Listens to race_status and collision, and breaks what is to be broken. Needs a running rospy node."""
 
-    def __init__(self, scenario: Scenario, closed: Callable[[], None] = lambda: None):
-        """`closed` is called when this node has nothing to listen to any more."""
-        self._closed = closed
+    def __init__(self, scenario: Scenario):
         self._cars = [car.name for car in scenario.cars]
         self._updates: queue.SimpleQueue = queue.SimpleQueue()
         self._subscribers = [self._subscribe(car.name) for car in scenario.cars if car.driver is Driver.RACE]
@@ -81,7 +79,6 @@ class RosWatch:
         self._replay.close()
         if self._director:
             self._director.close()
-        self._closed()
 
     def _subscribe(self, car: str) -> rospy.Subscriber:
         return rospy.Subscriber(

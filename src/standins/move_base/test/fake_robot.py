@@ -76,6 +76,7 @@ class FakeRobot:
         self.scan_works = True
         self.wheels_grip = True
         self.delay = 0  # periods by which sensors and tf are late
+        self.transforms_delay = 0  # the same of tf alone, on top
         self._sent = collections.deque(maxlen=100)  # per period: transforms, odometry, scan
         self.commands = []  # (time in s, Twist), all so far
         self.touched = False  # whether the middle of the car was ever in a wall
@@ -115,6 +116,7 @@ class FakeRobot:
             self.scan_works = True
             self.wheels_grip = True
             self.delay = 0
+            self.transforms_delay = 0
             self._sent.clear()
             self.touched = False
             self.commands.clear()
@@ -182,12 +184,15 @@ class FakeRobot:
 
     def _publish(self):
         self._sent.append((self._transforms(), self._odometry(), self._laser_scan()))
-        transforms, odometry, scan = self._sent[-1 - min(self.delay, len(self._sent) - 1)]
-        self._tf.publish(transforms)
+        _, odometry, scan = self._sent_before(self.delay)
+        self._tf.publish(self._sent_before(self.delay + self.transforms_delay)[0])
         self._odom.publish(odometry)
         if self.scan_works:
             self._scan.publish(scan)
         self._clock.publish(Clock(self._time))
+
+    def _sent_before(self, periods):
+        return self._sent[-1 - min(periods, len(self._sent) - 1)]
 
     def _transforms(self):
         identity = TransformStamped()

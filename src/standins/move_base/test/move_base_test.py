@@ -248,6 +248,18 @@ class MoveBaseTest(unittest.TestCase):
         self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
         assert not self.robot.touched
 
+    def test_scans_wait_for_transforms_that_come_after_them(self):
+        room = copy.deepcopy(self.room)
+        room.add_wall(5.8, 3.3, 6.2, 4.5)
+        self.robot.put(5.0, 4.0)
+        self.robot.transforms_delay = 2
+        late = self.robot.now
+        self.wait_until(lambda: self.robot.now > late + 0.2)
+        self.robot.real_room = room
+        self.send(pose_at(8.0, 3.5))
+        self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
+        assert not self.robot.touched
+
     def test_a_simple_goal_is_relayed_to_the_action(self):
         goals = Listener("move_base/current_goal", PoseStamped)
         publisher = rospy.Publisher("move_base_simple/goal", PoseStamped, queue_size=1)

@@ -11,8 +11,8 @@
 
 namespace f1tenth_sim2d
 {
-/// The driver's side of a car: the topics `cmd_vel` and `drive`. A command that is not finite is refused and counted;
-/// it never reaches the physics.
+/// The driver's side of a car: the topics `cmd_vel` and `drive`. A command that is not finite, or absurd, is refused and
+/// counted; it never reaches the physics.
 class CommandInput
 {
 public:

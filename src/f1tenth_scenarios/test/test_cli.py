@@ -219,3 +219,30 @@ def test_master_ends_with_a_killed_user(serving):
     process, uri = serving
     process.kill()
     wait_for(lambda: not is_served(uri))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "answer"),
+    [
+        (["sweep", "circuit1", "--vary", "seed=1:2", "--workers", "0"], "--workers is 0, must be at least 1"),
+        (
+            ["sweep", "circuit1", "--vary", "seed=1:2", "--scheduler", "here"],
+            "--scheduler here: must be an address, as in tcp://host:8786",
+        ),
+        (["report", "--against", "{folder}/none"], "--against {folder}/none: no such folder"),
+    ],
+)
+def test_option_that_cannot_be_used_is_named(capsys, tmp_path, arguments, answer):
+    texts = [each.format(folder=tmp_path) for each in arguments]
+    assert cli.main([*texts, "--results", str(tmp_path)]) == 2
+    assert capsys.readouterr().err == f"scenario: {answer.format(folder=tmp_path)}\n"
+
+
+@pytest.mark.parametrize(("error", "code"), [(KeyboardInterrupt, 130), (BrokenPipeError, 141)])
+def test_end_from_outside_is_no_traceback(monkeypatch, error, code):
+    def stop(_name):
+        raise error
+
+    monkeypatch.setattr(cli, "read_scenario", stop)
+    monkeypatch.setattr(os, "dup2", lambda *_: None)
+    assert cli.main(["list"]) == code

@@ -78,3 +78,12 @@ def test_broken_result_is_named(results, tmp_path, content, problem):
     with pytest.raises(ScenarioError, match=f"{results}/one/result.json: {problem}"):
         write_report(results, tmp_path / "report.html")
     assert not (tmp_path / "report.html").exists()
+
+
+@pytest.mark.parametrize(
+    ("name", "reason"), [("none/report.html", "No such file or directory"), ("", "Is a directory")]
+)
+def test_report_that_cannot_be_written_is_named(results, tmp_path, capsys, name, reason):
+    output = (tmp_path / name).resolve()
+    assert cli.main(["report", "--results", str(results), "--output", str(output)]) == 2
+    assert capsys.readouterr().err == f"scenario: {output}: cannot be written: {reason}\n"

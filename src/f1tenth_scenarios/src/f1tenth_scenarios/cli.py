@@ -1,6 +1,8 @@
 """The command `scenario`: list, check, run, sweep, report, keys."""
 
 import argparse
+import os
+import signal
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -30,6 +32,12 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     except ScenarioError as error:
         print(f"scenario: {error}", file=sys.stderr)
         return BAD_INPUT
+    except KeyboardInterrupt:
+        return 128 + signal.SIGINT
+    except BrokenPipeError:  # as in `scenario list | head -1`
+        # What is left in the buffer would be the next broken pipe.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 128 + signal.SIGPIPE
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -114,6 +122,8 @@ def _report(options) -> int:
 
     results = (options.results or places.results_root()).resolve()
     output = (options.output or results / _REPORT_FILE).resolve()
+    if options.against and not options.against.is_dir():
+        raise ScenarioError(f"--against {options.against}: no such folder")
     write_report(results, output, options.against.resolve() if options.against else None)
     print(f"{'report:':19}{output}")
     return PASSED
@@ -122,6 +132,11 @@ def _report(options) -> int:
 def _sweep(options) -> int:
     from f1tenth_scenarios import many
 
+    if options.workers is not None and options.workers < 1:
+        raise ScenarioError(f"--workers is {options.workers}, must be at least 1")
+    if options.scheduler and "://" not in options.scheduler:
+        # Dask would look for a host of that name, and not end in order when there is none.
+        raise ScenarioError(f"--scheduler {options.scheduler}: must be an address, as in tcp://host:8786")
     results = (options.results or places.results_root()).resolve()
     output = options.output.resolve() if options.output else None
     complete = many.sweep(

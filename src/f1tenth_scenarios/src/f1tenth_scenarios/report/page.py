@@ -7,6 +7,7 @@ from typing import Any, Optional
 
 from f1tenth_scenarios import places
 from f1tenth_scenarios.atomic import replacing
+from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.report.content import RunContent, read_results
 
 REPORT_FILE = "report.html"
@@ -41,17 +42,20 @@ def write_report(results: Path, output: Path, against: Optional[Path] = None) ->
         The number of runs in it.
 
     Raises:
-        ScenarioError: there is no run, or a file is broken.
+        ScenarioError: there is no run, a file is broken, or the report cannot be written.
     """
     runs = list(read_results(results, against))
     head, tail = _template(runs).split("<!-- DATA -->")
-    with replacing(output) as temporary, open(temporary, "w", encoding="utf-8") as stream:
-        stream.write(head)
-        for index, run in enumerate(runs):
-            stream.write(_data(f"replay-{index}", run.replay.as_dict()))
-            if run.previous:
-                stream.write(_data(f"previous-{index}", run.previous.as_dict()))
-        stream.write(tail)
+    try:
+        with replacing(output) as temporary, open(temporary, "w", encoding="utf-8") as stream:
+            stream.write(head)
+            for index, run in enumerate(runs):
+                stream.write(_data(f"replay-{index}", run.replay.as_dict()))
+                if run.previous:
+                    stream.write(_data(f"previous-{index}", run.previous.as_dict()))
+            stream.write(tail)
+    except OSError as error:
+        raise ScenarioError(f"{output}: cannot be written: {error.strerror}") from error
     return len(runs)
 
 

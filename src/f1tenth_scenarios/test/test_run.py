@@ -1,6 +1,7 @@
 """A run from start to results, with a program in roslaunch's place."""
 
 import csv
+import dataclasses
 import json
 import signal
 import time
@@ -75,6 +76,15 @@ def test_picture_is_written(tmp_path):
     run.execute()
     with Image.open(run.plan.folder / "trajectory.png") as picture:
         assert min(picture.size) > 500
+
+
+@pytest.mark.parametrize("text", ["image: none.pgm", "image: [", "7", "resolution: 1"])
+def test_map_that_cannot_be_read_costs_the_picture_its_walls_only(tmp_path, text):
+    run = succeeding(tmp_path)
+    run.plan = dataclasses.replace(run.plan, map=tmp_path / "map.yaml")
+    run.plan.map.write_text(text, encoding="utf-8")
+    assert result_of(run)["verdict"] == "success"
+    assert (run.plan.folder / "trajectory.png").exists()
 
 
 def test_same_run_noticed_earlier_or_later_gives_the_same_result(tmp_path):

@@ -25,7 +25,7 @@ from f1tenth_scenarios.result import Result
 from f1tenth_scenarios.results_folder import claimed
 from f1tenth_scenarios.stop_request import StopRequest
 from f1tenth_scenarios.supervisor import Progress, Supervisor, Watch
-from f1tenth_scenarios.track_map import read_track_map
+from f1tenth_scenarios.track_map import TrackMap, read_track_map
 
 _SHUTDOWN_GRACE = 12.0  # wall s, for roslaunch to end its nodes
 
@@ -122,14 +122,21 @@ def _judge(plan, seen, heard, real_time_factor) -> Result:
 
 def _write(plan: Plan, done: Result, heard: Recording, preparation: Preparation) -> None:
     result.write_trajectory(plan.folder / result.TRAJECTORY_FILE, done.judgement.record)
-    track_map = read_track_map(plan.map) if plan.map else None
     lines = (f"{done.judgement.decision.verdict.value}: {done.reason}", _facts(done))
     picture = plan.folder / result.PICTURE_FILE
     preparation.picture().write_picture(
-        picture, plan.name, lines, done.judgement.record, plan.goals, track_map
+        picture, plan.name, lines, done.judgement.record, plan.goals, _track_map(plan)
     )
     replay = preparation.scene().replay(plan.goals, heard).until(done.judgement.decision.stamp)
     write_replay(plan.folder / REPLAY_FILE, replay)
+
+
+def _track_map(plan: Plan) -> Optional[TrackMap]:
+    """Nothing if it cannot be read, as map_server has said already."""
+    try:
+        return read_track_map(plan.map) if plan.map else None
+    except ScenarioError:
+        return None
 
 
 def _facts(done: Result) -> str:

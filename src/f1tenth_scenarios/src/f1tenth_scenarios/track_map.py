@@ -7,6 +7,8 @@ import numpy as np
 import yaml
 from PIL import Image
 
+from f1tenth_scenarios.errors import ScenarioError
+
 
 @dataclasses.dataclass(frozen=True)
 class TrackMap:
@@ -20,8 +22,15 @@ def read_track_map(path: Path) -> TrackMap:
     """Read a map in map_server's format.
 
     Raises:
-        OSError, ValueError, KeyError: it is not one.
+        ScenarioError: it is not one.
     """
+    try:
+        return _read(path)
+    except (OSError, ValueError, KeyError, TypeError, yaml.YAMLError) as error:
+        raise ScenarioError(f"{path}: not a map: {error}") from error
+
+
+def _read(path):
     description = yaml.safe_load(path.read_text(encoding="utf-8"))
     with Image.open(path.parent / description["image"]) as image:
         pixels = np.asarray(image.convert("L"))

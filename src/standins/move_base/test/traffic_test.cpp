@@ -51,6 +51,38 @@ TEST(Forecast, beginsNow)
   EXPECT_NEAR(forecast.at(0.0).middle.x, onOval(1.4).x, 1e-9);
 }
 
+// The first touch of a car that drives along x at 2 m/s with another, that does the same.
+std::optional<Touch> touchWith(const Pose2 & other, double speed)
+{
+  const Costmap costmap = makeCostmap(drawRoom(30.0, 8.0));
+  const Path path = samplePath({10.0, 4.0, 0.0}, {{15.0, 0.0}}, 0.1);
+  const std::vector<double> speeds(path.size(), 2.0);
+  const auto drive = driveAlong(path, speeds, {0.0, 0.0, 2.0}, {}, 2.0);
+  return firstTouch(drive, costmap.footprint(), Forecast(carAt(other, speed), costmap, 0.0), 0.05);
+}
+
+TEST(FirstTouch, tellsWhereTheOtherIs)
+{
+  const auto ahead = touchWith({12.0, 4.0, 0.0}, 0.5);
+  ASSERT_TRUE(ahead);
+  EXPECT_TRUE(ahead->ahead);
+  EXPECT_FALSE(ahead->behind);
+  const auto from_behind = touchWith({9.0, 4.0, 0.0}, 3.5);
+  ASSERT_TRUE(from_behind);
+  EXPECT_FALSE(from_behind->ahead);
+  EXPECT_TRUE(from_behind->behind);
+  EXPECT_FALSE(touchWith({10.0, 5.0, 0.0}, 2.0));
+}
+
+TEST(FirstTouch, whoTouchesTheCarBesideItsRearAxleIsNotBehind)
+{
+  // Its front is between the rear axle and the rear end when it comes near from the side.
+  const auto beside = touchWith({9.6, 4.65, -0.2}, 2.05);
+  ASSERT_TRUE(beside);
+  EXPECT_FALSE(beside->ahead);
+  EXPECT_FALSE(beside->behind);
+}
+
 TEST(SpeedBehind, isThatOfTheOtherInTheEnd)
 {
   // Way and time of a car of 4 m/s to one of 2 m/s.

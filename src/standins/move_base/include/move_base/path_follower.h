@@ -96,6 +96,7 @@ private:
   double profileAt(double s, std::size_t from) const;
   double wantedSpeed(const PathPosition & position, double speed) const;
   double distanceToObstacle(const CarState & car, const Costmap & costmap, std::vector<Pose2> & prediction) const;
+  std::vector<Touch> touches(const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const;
   SpeedBehind speedBehindOthers(
     const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const;
   bool pathBlocked(const PathPosition & position, double speed, const Costmap & costmap) const;

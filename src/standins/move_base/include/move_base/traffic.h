@@ -35,10 +35,11 @@ std::vector<Moment> driveAlong(
 /// When a car would touch another.
 struct Touch
 {
-  double time{0.0};   ///< s from now
-  double way{0.0};    ///< m driven until then
-  double speed{0.0};  ///< m/s, of the other along the way
-  bool ahead{false};  ///< whether the other is not behind then
+  double time{0.0};    ///< s from now
+  double way{0.0};     ///< m driven until then
+  double speed{0.0};   ///< m/s, of the other along the way
+  bool ahead{false};   ///< whether the other reaches beyond the rear axle then
+  bool behind{false};  ///< whether it does not even reach beyond the rear end: it drives into the car
 };
 
 /// The first time at which the car comes nearer to the other than margin, m, and nearer than it is now.

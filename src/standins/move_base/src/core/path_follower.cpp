@@ -85,7 +85,27 @@ Path PathFollower::lead(const CarState & car, double time) const
 
 bool PathFollower::hindered(const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const
 {
-  return speedBehindOthers(car, costmap, others).wanted < HUGE_VAL;
+  const std::vector<Touch> all = touches(car, costmap, others);
+  return std::any_of(all.begin(), all.end(), [](const Touch & touch) { return !touch.behind; });
+}
+
+// Whom the car would touch on its path.
+std::vector<Touch> PathFollower::touches(
+  const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const
+{
+  const PathPosition here = tracker_.locate(path_, car.pose);
+  if (others.empty() || here.reverse || car.speed < 0.0) {
+    return {};
+  }
+  const std::vector<Moment> drive =
+    driveAlong(path_, speeds_, {here.s, here.lateral, car.speed}, options_.limits, kTrafficTime);
+  std::vector<Touch> all;
+  for (const Forecast & other : others) {
+    if (const auto touch = firstTouch(drive, costmap.footprint(), other, kTrafficMargin)) {
+      all.push_back(*touch);
+    }
+  }
+  return all;
 }
 
 // As fast as those ahead on the path allow.
@@ -93,16 +113,9 @@ SpeedBehind PathFollower::speedBehindOthers(
   const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const
 {
   SpeedBehind least;
-  const PathPosition here = tracker_.locate(path_, car.pose);
-  if (others.empty() || here.reverse || car.speed < 0.0) {
-    return least;
-  }
-  const std::vector<Moment> drive =
-    driveAlong(path_, speeds_, {here.s, here.lateral, car.speed}, options_.limits, kTrafficTime);
-  for (const Forecast & other : others) {
-    const auto touch = firstTouch(drive, costmap.footprint(), other, kTrafficMargin);
-    if (touch && touch->ahead) {
-      const SpeedBehind behind = speedBehind(*touch, car.speed, options_.limits.dec_lim_x);
+  for (const Touch & touch : touches(car, costmap, others)) {
+    if (touch.ahead) {
+      const SpeedBehind behind = speedBehind(touch, car.speed, options_.limits.dec_lim_x);
       least = {std::min(least.wanted, behind.wanted), std::min(least.utmost, behind.utmost)};
     }
   }

@@ -82,7 +82,12 @@ ANSWERS = {
     "number for a text": ("world: circuit1", "world: 1", "FILE:2: world must be a text, found '1'"),
     "nothing": ("world: circuit1", "world:", "FILE:2: world must be a text, found nothing"),
     "too small": ("10.0", "0", "FILE:7: limits.timeout is 0, must be above 0 s"),
-    "negative seed": ("seed: 1", "seed: -1", "FILE:9: seed is -1, must be at least 0"),
+    "seed beyond what a ROS parameter holds": (
+        "seed: 1",
+        "seed: 2147483648",
+        "FILE:9: seed is 2147483648, must be at least 0 and at most 2147483647",
+    ),
+    "negative seed": ("seed: 1", "seed: -1", "FILE:9: seed is -1, must be at least 0 and at most 2147483647"),
     "no truth": ("seed: 1", "seed: 1\nlockstep: 1", "FILE:10: lockstep must be true or false, found '1'"),
     "verdict": (
         "expected: success",
@@ -113,6 +118,11 @@ ANSWERS = {
         "name: robot1",
         "name: robot-1",
         "FILE:4: cars[0].name is 'robot-1', must be a letter followed by letters, digits and underscores",
+    ),
+    "car named like the simulator": (
+        "name: robot1",
+        "name: sim2d",
+        "FILE:4: cars[0].name is 'sim2d', must be none of gazebo, sim2d",
     ),
     "no goals": (
         "    goals: circuit1\n",

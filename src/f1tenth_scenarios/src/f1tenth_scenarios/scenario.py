@@ -13,6 +13,9 @@ from f1tenth_scenarios.schema import key, read
 
 Problem = Optional[tuple[str, str]]
 
+_GREATEST_PARAMETER = 2**31 - 1  # whole number that ROS's parameter server holds
+_NAMES_OF_THE_SIMULATOR = ("gazebo", "sim2d")  # namespaces at the root that are not a car's
+
 
 class Verdict(enum.Enum):
     """How a run ended."""
@@ -135,6 +138,8 @@ class Car:
         """What is wrong between the keys: the key and the text, or nothing."""
         if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", self.name):
             return "name", f"is '{self.name}', must be a letter followed by letters, digits and underscores"
+        if self.name in _NAMES_OF_THE_SIMULATOR:
+            return "name", f"is '{self.name}', must be none of {', '.join(_NAMES_OF_THE_SIMULATOR)}"
         if self.driver is Driver.RACE and self.goals is None:
             return "goals", "is missing; the driver 'race' needs a goals file"
         if self.driver is Driver.RACE and self.commands:
@@ -303,7 +308,7 @@ class Scenario:
     cars: tuple[Car, ...] = key("The cars, each with its driver.")
     limits: Limits = key("When the run is over at the latest.")
     expected: Verdict = key("The verdict that makes the scenario pass.")
-    seed: int = key("Seed of all noise.", at_least=0)
+    seed: int = key("Seed of all noise.", at_least=0, at_most=_GREATEST_PARAMETER)
     culprit: Optional[str] = key(
         "Node that an expected `error` must name, as in `robot1/move_base`; required then.", default=None
     )

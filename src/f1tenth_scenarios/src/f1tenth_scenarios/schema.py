@@ -31,7 +31,7 @@ class Key:
     def range_text(self) -> str:
         """The allowed range in words, empty if every value is allowed."""
         parts = [
-            f"{words} {bound:g}{' ' + self.unit if self.unit else ''}"
+            f"{words} {bound:.10g}{' ' + self.unit if self.unit else ''}"
             for words, bound in (
                 ("at least", self.at_least),
                 ("above", self.above),
@@ -145,7 +145,7 @@ def _read_scalar(hint, info, node, path):
         unit = f" ({info.unit})" if info.unit else ""
         raise error(node, f"{path} must be {_TYPE_WORDS[hint]}{unit}, found {describe(node)}")
     if hint in (int, float) and not info.allows(value):
-        raise error(node, f"{path} is {value:g}, must be {info.range_text()}")
+        raise error(node, f"{path} is {value:.10g}, must be {info.range_text()}")
     return value
 
 

@@ -23,6 +23,8 @@ from f1tenth_scenarios.stop_request import StopRequest
 _POLL_INTERVAL = 0.02  # wall s
 # What was said just before a node ended, and recorded of a collision, gets this long (wall s) to arrive.
 _LAST_WORDS, _RECORD_LAG = 0.5, 1.0
+# The same for a node killed by a signal: that is nobody else's fault, only its output may still be on its way.
+_LAST_OUTPUT = 0.1
 
 
 class Watch(Protocol):
@@ -162,7 +164,8 @@ class Supervisor:
             return None
         if self._end_seen_at is None:
             self._end_seen_at = time.monotonic()
-        if time.monotonic() - self._end_seen_at < _LAST_WORDS:
+        killed = any(end.exit_code < 0 for end in ends)
+        if time.monotonic() - self._end_seen_at < (_LAST_OUTPUT if killed else _LAST_WORDS):
             return None
         return failure_of(
             self._plan, Signs(ends, lost, exit_code, read_json(self._plan.simulator_result_file))

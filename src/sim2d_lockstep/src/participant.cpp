@@ -1,7 +1,9 @@
 #include "sim2d_lockstep/participant.h"
 
 #include <ros/callback_queue.h>
+#include <ros/message_event.h>
 #include <ros/node_handle.h>
+#include <ros/single_subscriber_publisher.h>
 #include <rosgraph_msgs/Clock.h>
 #include <std_msgs/Header.h>
 
@@ -39,7 +41,9 @@ public:
     node_.setCallbackQueue(&queue_);
     const auto hints = ros::TransportHints().tcpNoDelay();
     // Latched: whoever connects after the first answer still gets it.
-    done_publisher_ = node_.advertise<std_msgs::Header>("/sim2d/done", 100, true);
+    const auto on_connect = [this](const ros::SingleSubscriberPublisher & link) { noteListener(link, true); };
+    const auto on_disconnect = [this](const ros::SingleSubscriberPublisher & link) { noteListener(link, false); };
+    done_publisher_ = node_.advertise<std_msgs::Header>("/sim2d/done", 100, on_connect, on_disconnect, {}, true);
     // Unlimited, as a lost done would never come again; lockstep itself bounds them to a few a period.
     done_subscriber_ = node_.subscribe("/sim2d/done", 0, &Impl::onDone, this, hints);
     clock_subscriber_ = node_.subscribe("/clock", 0, &Impl::onClock, this, hints);
@@ -90,7 +94,15 @@ private:
     }
   }
 
-  bool simulatorEnded() const { return period_ && clock_subscriber_.getNumPublishers() == 0; }
+  // One that was killed is a publisher of /clock as long as the master says so, but listens no more.
+  bool simulatorEnded() const { return period_ && (clock_subscriber_.getNumPublishers() == 0 || !simulator_listens_); }
+
+  void noteListener(const ros::SingleSubscriberPublisher & link, bool listens)
+  {
+    if (link.getSubscriberName() == simulator_) {
+      simulator_listens_ = listens;
+    }
+  }
 
   // roscpp follows /clock on a thread of its own.
   bool clockReached(const ros::WallTime & deadline) const
@@ -104,8 +116,12 @@ private:
     return true;
   }
 
-  void onClock(const rosgraph_msgs::Clock::ConstPtr & message)
+  void onClock(const ros::MessageEvent<rosgraph_msgs::Clock const> & event)
   {
+    const rosgraph_msgs::Clock::ConstPtr & message = event.getMessage();
+    if (simulator_.empty()) {
+      simulator_ = event.getPublisherName();
+    }
     if (left_) {
       periods_since_left_ += period_ != message->clock;
       period_ = message->clock;
@@ -138,6 +154,8 @@ private:
   ros::Publisher done_publisher_;
   ros::Subscriber done_subscriber_;
   ros::Subscriber clock_subscriber_;
+  std::string simulator_;  // node that publishes /clock
+  bool simulator_listens_{true};
   std::optional<ros::Time> period_;
   std::optional<ros::Time> answered_;
   bool left_{false};

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Optional
 
-from f1tenth_scenarios import places
+from f1tenth_scenarios import places, versions
 from f1tenth_scenarios.console import CountLine, ProgressLine, cost_of_all, summary
 from f1tenth_scenarios.describe import describe_keys
 from f1tenth_scenarios.errors import ScenarioError
@@ -187,6 +187,7 @@ def _results_option(results: Optional[Path]) -> list[str]:
 
 
 def _run_one(name: str, results: Optional[Path], settings: Sequence[str]) -> int:
+    versions.ask_commit()
     folder = results.resolve() / places.scenario_file(name).stem if results else None
     plan = make_plan(name, folder, settings)
     from f1tenth_scenarios.ros_session import run_with_ros

@@ -4,10 +4,12 @@ import importlib
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Callable
+from typing import TYPE_CHECKING, Callable
 
-from f1tenth_scenarios.scene import Scene, load_scene
 from f1tenth_scenarios.supervisor import Progress
+
+if TYPE_CHECKING:
+    from f1tenth_scenarios.scene import Scene
 
 
 class Preparation:
@@ -36,13 +38,19 @@ class Preparation:
             return
         self._begun = True
         self._picture = self._pool.submit(importlib.import_module, "f1tenth_scenarios.picture")
-        self._scene = self._pool.submit(load_scene, self._world, self._descriptions())
+        self._scene = self._pool.submit(_load_scene, self._world, self._descriptions())
         self._pool.shutdown(wait=False)
 
     def picture(self):
         """The module that draws, which imports matplotlib."""
         return self._picture.result()
 
-    def scene(self) -> Scene:
+    def scene(self) -> "Scene":
         """What the replay shows around the cars."""
         return self._scene.result()
+
+
+def _load_scene(world, descriptions):
+    from f1tenth_scenarios.scene import load_scene
+
+    return load_scene(world, descriptions)

@@ -23,7 +23,7 @@ from f1tenth_scenarios.stop_request import StopRequest
 _POLL_INTERVAL = 0.02  # wall s
 # What was said just before a node ended, and recorded of a collision, gets this long (wall s) to arrive.
 _LAST_WORDS, _RECORD_LAG = 0.5, 1.0
-# The same for a node killed by a signal: that is nobody else's fault, only its output may still be on its way.
+# The same for one killed by a signal, which is nobody else's fault: only its output may still be on its way.
 _LAST_OUTPUT = 0.1
 
 

@@ -1,0 +1,54 @@
+"""Which commit a result was made with."""
+
+import subprocess
+
+import pytest
+
+from f1tenth_scenarios import versions
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.setattr("f1tenth_scenarios.places.package_path", lambda _: tmp_path)
+    for function in (versions.ask_commit, versions.commit):
+        function.cache_clear()
+    yield tmp_path
+    for function in (versions.ask_commit, versions.commit):
+        function.cache_clear()
+
+
+def git(folder, *arguments):
+    who = ["-c", "user.name=a", "-c", "user.email=a@b"]
+    done = subprocess.run(["git", "-C", folder, *who, *arguments], capture_output=True, text=True, check=True)
+    return done.stdout.strip()
+
+
+def make_commit(folder):
+    git(folder, "init", "-q")
+    (folder / "a").write_text("a", encoding="utf-8")
+    git(folder, "add", "a")
+    git(folder, "commit", "-qm", "a")
+    return git(folder, "rev-parse", "HEAD")[:12]
+
+
+def test_commit_is_that_of_the_workspace(folder):
+    made = make_commit(folder)
+    versions.ask_commit()
+    assert versions.commit() == made
+
+
+def test_changes_since_the_commit_are_told(folder):
+    made = make_commit(folder)
+    (folder / "a").write_text("b", encoding="utf-8")
+    assert versions.commit() == f"{made}-dirty"
+
+
+def test_outside_of_git_there_is_no_commit(folder, monkeypatch):
+    monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(folder.parent))
+    assert versions.commit() is None
+
+
+def test_without_git_there_is_no_commit(folder, monkeypatch):
+    make_commit(folder)
+    monkeypatch.setenv("PATH", str(folder))
+    assert versions.commit() is None

@@ -1,5 +1,6 @@
 """The command `scenario`."""
 
+import dataclasses
 import io
 import os
 import re
@@ -109,6 +110,7 @@ def test_summary_has_all_that_make_race_prints(tmp_path):
         "passed:            yes",
         "reason:            every goal was passed in order",
         "lap time:          3.000 s",
+        "reference:         4.497 s (fastest flying lap possible), 0.67 times that from standstill",
         "minimum clearance: 0.500 m",
         "real-time factor:  none",
         f"cost:              {result.cost:.1f} s besides simulating",
@@ -128,6 +130,13 @@ def test_summary_lists_the_laps_if_there_are_several(tmp_path):
     lines = summary(run.execute(), run.plan).splitlines()
     assert "lap time:          3.500 s" in lines
     assert "laps of robot1:    4.000 s, 3.500 s" in lines
+    assert any(line.endswith("0.78 times that in a flying lap") for line in lines)
+
+
+def test_summary_has_no_reference_for_what_is_no_lap_of_a_circuit(tmp_path):
+    run = FakeRun(tmp_path, dataclasses.replace(scenario(), world="circuit2")).records(4.0)
+    run.hears(racing(), finished(3.0))
+    assert "reference:" not in summary(run.execute(), run.plan)
 
 
 def test_summary_of_a_failure_quotes_the_culprit(tmp_path):

@@ -15,6 +15,7 @@ from f1tenth_scenarios.race_pace.limits import GRAVITY, Limits, read_limits
 from f1tenth_scenarios.race_pace.reference import compute_reference, write_raceline
 from f1tenth_scenarios.race_pace.table import Comparison, make_table
 from f1tenth_scenarios.race_pace.track import SPACING, load_track
+from f1tenth_scenarios.reference_laps import reference_laps_file
 from f1tenth_scenarios.scenario import read_scenario
 
 LIMITS = Limits(
@@ -47,6 +48,19 @@ def test_grip_is_shared_between_bends_and_braking():
     assert np.abs(across).max() > 0.95
     assert along.min() < -0.9
     assert np.abs(lap.curvature).max() < LIMITS.max_curvature * 1.02
+
+
+def test_the_laps_that_races_are_compared_with_are_those_of_today():
+    shipped = yaml.safe_load(reference_laps_file().read_text(encoding="utf-8"))
+    assert tuple(shipped) == (*cli.CIRCUITS, "circuit_detailed")
+    for name, lap in shipped.items():
+        assert compute_reference(load_track(name), read_limits()).lap_time == pytest.approx(lap, abs=0.01)
+
+
+def test_lap_times_are_written(tmp_path):
+    file = tmp_path / "laps.yaml"
+    assert cli.reference_main(["circuit1", "--laps", str(file)]) == cli.GOOD
+    assert yaml.safe_load(file.read_text(encoding="utf-8")) == {"circuit1": pytest.approx(4.497, abs=0.01)}
 
 
 def test_a_road_too_narrow_is_refused():

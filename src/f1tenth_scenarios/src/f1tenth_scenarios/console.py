@@ -11,6 +11,7 @@ from f1tenth_scenarios.criterion import Status
 from f1tenth_scenarios.driving_criteria import least_clearance
 from f1tenth_scenarios.pace import Pace
 from f1tenth_scenarios.plan import Plan
+from f1tenth_scenarios.reference_laps import reference_lap
 from f1tenth_scenarios.result import PICTURE_FILE, RESULT_FILE, Result
 
 _REDRAW_INTERVAL = 0.2  # wall s
@@ -85,6 +86,7 @@ def summary(result: Result, plan: Plan) -> str:
         ("passed", "yes" if result.passed else "no"),
         ("reason", result.reason),
         ("lap time", _unit(result.best_lap_time, "s", 3)),
+        *_reference(result, plan),
         *_all_laps(result, plan),
         ("minimum clearance", _unit(least_clearance(result.judgement), "m", 3)),
         ("real-time factor", _unit(result.measured.real_time_factor, "", 1)),
@@ -104,6 +106,14 @@ def cost_of_all(costs: Mapping[str, float]) -> str:
         f"cost besides simulating: median {statistics.median(costs.values()):.1f} s,"
         f" at most {costs[dearest]:.1f} s ({dearest})"
     )
+
+
+def _reference(result, plan):
+    fastest = reference_lap(plan.scenario)
+    if fastest and result.best_lap_time:
+        times = result.best_lap_time / fastest
+        how = "in a flying lap" if plan.scenario.laps > 1 else "from standstill"
+        yield "reference", f"{fastest:.3f} s (fastest flying lap possible), {times:.2f} times that {how}"
 
 
 def _all_laps(result, plan):

@@ -13,6 +13,7 @@ from f1tenth_scenarios.race_pace.limits import CLEARANCE, read_limits
 from f1tenth_scenarios.race_pace.reference import Reference, compute_reference, write_raceline
 from f1tenth_scenarios.race_pace.table import Comparison, make_table
 from f1tenth_scenarios.race_pace.track import load_track
+from f1tenth_scenarios.reference_laps import reference_laps_text
 
 CIRCUITS = ("circuit1", "circuit2", "circuit3", "circuit4", "circuit5")
 LAPS = 20
@@ -31,6 +32,7 @@ def reference_main(arguments: Optional[Sequence[str]] = None) -> int:
         "--clearance", type=float, default=CLEARANCE, metavar="M", help="beside the car (%(default)s)"
     )
     parser.add_argument("-o", "--output", type=Path, metavar="FOLDER", help="write NAME_raceline.csv there")
+    parser.add_argument("--laps", type=Path, metavar="FILE", help="write the lap times there, as YAML")
     return guarded(parser.prog, _references, parser.parse_args(arguments))
 
 
@@ -67,12 +69,16 @@ def guarded(program: str, action: Callable, options) -> int:
 
 def _references(options) -> int:
     limits = read_limits(options.clearance)
+    laps = {}
     for name in options.names:
         reference = compute_reference(load_track(name), limits)
+        laps[name] = reference.lap_time
         print(_describe(name, reference), flush=True)
         if options.output:
             stem = Path(name).stem.removesuffix("_centerline")
             write_raceline(options.output / f"{stem}_raceline.csv", reference, limits)
+    if options.laps:
+        write_table(options.laps, reference_laps_text(laps))
     return GOOD
 
 

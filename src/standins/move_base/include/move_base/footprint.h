@@ -28,6 +28,9 @@ public:
   const std::array<Disc, kDiscs> & discs() const { return discs_; }
   /// Half of the width, m.
   double halfWidth() const { return half_width_; }
+  /// Where the outline ends along the car's axis, m before the base frame; the rear end is behind it.
+  double rear() const { return rear_; }
+  double front() const { return front_; }
   /// A disc around all the others.
   const Disc & around() const { return around_; }
 
@@ -37,6 +40,8 @@ private:
   std::vector<Vec2> corners_;
   std::array<Disc, kDiscs> discs_;
   double half_width_{0.0};
+  double rear_{0.0};
+  double front_{0.0};
   Disc around_;
 };
 

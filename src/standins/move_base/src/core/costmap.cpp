@@ -135,7 +135,7 @@ void Costmap::rebuild()
 void Costmap::stamp(const Cell & cell)
 {
   const Vec2 centre = geometry_.centre(cell);
-  const double reach = options_.inflation_radius + footprint_.halfWidth() + geometry_.resolution;
+  const double reach = (stamp_reach_ + 1) * geometry_.resolution;  // distances are read between cells
   live_low_ = {std::min(live_low_.x, centre.x - reach), std::min(live_low_.y, centre.y - reach)};
   live_high_ = {std::max(live_high_.x, centre.x + reach), std::max(live_high_.y, centre.y + reach)};
   stamped_.push_back(cell);

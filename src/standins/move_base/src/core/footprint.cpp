@@ -57,6 +57,8 @@ void Footprint::coverWithDiscs()
   const double middle = 0.5 * (left->y + right->y);
   const double end = std::min(kEndPart * width, 0.25 * (front->x - rear->x));
   half_width_ = 0.5 * width;
+  rear_ = rear->x;
+  front_ = front->x;
   Disc * disc = coverRectangle({rear->x + end, right->y}, {front->x - end, left->y}, kDiscsAlong, discs_.data());
   for (const double x : {rear->x, front->x - end}) {
     disc = coverRectangle({x, right->y}, {x + end, middle}, 1, disc);

@@ -75,11 +75,9 @@ class WayPast
 public:
   WayPast(const PassingRequest & request, const Manner & manner) : request_(request), manner_(manner)
   {
-    const auto & corners = request.costmap.footprint().corners();
-    const auto [rear, front] =
-      std::minmax_element(corners.begin(), corners.end(), [](auto & a, auto & b) { return a.x < b.x; });
+    const Footprint & footprint = request.costmap.footprint();
     const double apart = kApart + kApartTime * request.speed;
-    reach_ = {rear->x - apart, front->x + apart};
+    reach_ = {footprint.rear() - apart, footprint.front() + apart};
     until_start_ = (request.request.lead.back().s - request.s) / request.speed;
   }
 

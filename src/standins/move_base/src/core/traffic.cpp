@@ -27,12 +27,6 @@ PathPoint pointAt(const Path & path, std::size_t index, double s)
   point.pose.yaw += part * normalizeAngle(b.pose.yaw - a.pose.yaw);
   return point;
 }
-
-double rearEnd(const Footprint & footprint)
-{
-  const auto & corners = footprint.corners();
-  return std::min_element(corners.begin(), corners.end(), [](auto & a, auto & b) { return a.x < b.x; })->x;
-}
 }  // namespace
 
 std::vector<Moment> driveAlong(
@@ -76,7 +70,7 @@ std::optional<Touch> firstTouch(
       const Vec2 place = transform(inverse(moment.pose), outline.middle.position());
       return Touch{
         moment.time, moment.s - drive.front().s, std::max(0.0, other.speed() * along),
-        place.x + outline.half_length > 0.0, place.x + outline.half_length < rearEnd(footprint)};
+        place.x + outline.half_length > 0.0, place.x + outline.half_length < footprint.rear()};
     }
   }
   return std::nullopt;

@@ -1,11 +1,11 @@
 """Read by catkin_python_setup()."""
 
 from catkin_pkg.python_setup import generate_distutils_setup
-from setuptools import setup
+from setuptools import find_packages, setup
 
 setup(
     **generate_distutils_setup(
-        packages=["f1tenth_scenarios", "f1tenth_scenarios.race_pace", "f1tenth_scenarios.report"],
+        packages=find_packages("src"),
         package_dir={"": "src"},
     )
 )

@@ -9,13 +9,13 @@ import unittest
 import pytest
 import rospy
 import rostest
-from f1tenth_scenarios.director import Director
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.observations import RaceState, RaceUpdate
-from f1tenth_scenarios.replay_recorder import ReplayRecorder
-from f1tenth_scenarios.ros_node_kill import kill_node, node_pid
-from f1tenth_scenarios.ros_watch import RosWatch
-from f1tenth_scenarios.scenario import Box, Car, Fault, Limits, Push, Scenario, Verdict
+from f1tenth_scenarios.record.observations import RaceState, RaceUpdate
+from f1tenth_scenarios.record.replay_recorder import ReplayRecorder
+from f1tenth_scenarios.run.director import Director
+from f1tenth_scenarios.run.ros_node_kill import kill_node, node_pid
+from f1tenth_scenarios.run.ros_watch import RosWatch
+from f1tenth_scenarios.scenario.scenario import Box, Car, Fault, Limits, Push, Scenario, Verdict
 from gazebo_msgs.msg import ModelStates
 from gazebo_msgs.srv import GetModelState, GetModelStateResponse, SetModelState, SetModelStateResponse
 from geometry_msgs.msg import Pose, PoseStamped

@@ -4,9 +4,9 @@ import json
 import sys
 from pathlib import Path
 
-from f1tenth_scenarios.plan import Plan
-from f1tenth_scenarios.recording import Recording
-from f1tenth_scenarios.run import execute
+from f1tenth_scenarios.record.recording import Recording
+from f1tenth_scenarios.run.run import execute
+from f1tenth_scenarios.scenario.plan import Plan
 from f1tenth_scenarios.stop_request import StopRequest
 from scenario_samples import GOALS, rows, scenario, write_record
 

@@ -3,7 +3,7 @@
 import json
 import math
 
-from f1tenth_scenarios.replay import REPLAY_FILE, Paths, Poses, Replay, Scans, Shape, write_replay
+from f1tenth_scenarios.record.replay import REPLAY_FILE, Paths, Poses, Replay, Scans, Shape, write_replay
 from scenario_samples import PERIOD, write_record
 
 SQUARE = [(-0.2, -0.2), (0.2, -0.2), (0.2, 0.2), (-0.2, 0.2)]

@@ -2,9 +2,9 @@
 
 import csv
 
-from f1tenth_scenarios.observations import Failure, Observations, RaceState, RaceUpdate
-from f1tenth_scenarios.record import COLUMNS, read_record
-from f1tenth_scenarios.scenario import Car, Criteria, Limits, Pose, Scenario, Verdict
+from f1tenth_scenarios.record.observations import Failure, Observations, RaceState, RaceUpdate
+from f1tenth_scenarios.record.record import COLUMNS, read_record
+from f1tenth_scenarios.scenario.scenario import Car, Criteria, Limits, Pose, Scenario, Verdict
 
 PERIOD = 0.025
 GOALS = {"robot1": (Pose(1.0, 0.0), Pose(2.0, 0.0), Pose(3.0, 0.0))}

@@ -1,10 +1,10 @@
 """What is to happen when, and when a period may go on."""
 
 import pytest
-from f1tenth_scenarios.agenda import Agenda, PeriodGate
-from f1tenth_scenarios.participants import participants
-from f1tenth_scenarios.profile import STANDING, command_at
-from f1tenth_scenarios.scenario import Car, Command, Driver, Fault, Localization
+from f1tenth_scenarios.run.agenda import Agenda, PeriodGate
+from f1tenth_scenarios.scenario.participants import participants
+from f1tenth_scenarios.scenario.profile import STANDING, command_at
+from f1tenth_scenarios.scenario.scenario import Car, Command, Driver, Fault, Localization
 from scenario_samples import scenario
 
 

@@ -10,11 +10,11 @@ import sys
 
 import pytest
 import rosgraph
-from f1tenth_scenarios.console import ProgressLine, cost_of_all, summary
-from f1tenth_scenarios.describe import describe_keys
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.private_master import private_master
-from f1tenth_scenarios.scenario import Scenario
+from f1tenth_scenarios.launch.private_master import private_master
+from f1tenth_scenarios.results.console import ProgressLine, cost_of_all, summary
+from f1tenth_scenarios.scenario.describe import describe_keys
+from f1tenth_scenarios.scenario.scenario import Scenario
 from fake_run import FakeRun
 from patience import PATIENCE, wait_for
 from scenario_samples import SCENARIO_TEXT, died, finished, racing, reached, scenario
@@ -159,7 +159,7 @@ def test_progress_is_drawn_on_a_terminal():
 
 def test_progress_shows_the_real_time_factor_since_the_first_period(monkeypatch):
     terminal = Terminal()
-    monkeypatch.setattr("f1tenth_scenarios.console._REDRAW_INTERVAL", 0.0)
+    monkeypatch.setattr("f1tenth_scenarios.results.console._REDRAW_INTERVAL", 0.0)
     line = ProgressLine("sample", terminal)
     line.update(1.0, 5.0)
     line.update(21.0, 6.0)
@@ -188,7 +188,7 @@ def test_masters_of_our_own_do_not_meet(monkeypatch):
 
 SERVES = """
 import signal, sys
-from f1tenth_scenarios.private_master import private_master
+from f1tenth_scenarios.launch.private_master import private_master
 signal.signal(signal.SIGINT, lambda *_: None)
 with private_master() as uri:
     print(uri, flush=True)

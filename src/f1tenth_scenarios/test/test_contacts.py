@@ -1,6 +1,6 @@
 """Contacts are counted once and given to the car that caused them."""
 
-from f1tenth_scenarios.contacts import find_contacts
+from f1tenth_scenarios.judge.contacts import find_contacts
 from scenario_samples import record, rows
 
 

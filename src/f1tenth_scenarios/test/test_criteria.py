@@ -4,17 +4,16 @@ import dataclasses
 
 import numpy as np
 import pytest
-from f1tenth_scenarios.course import Course
-from f1tenth_scenarios.criteria import evaluate
-from f1tenth_scenarios.criterion import Status
-from f1tenth_scenarios.judge import judge
-from f1tenth_scenarios.measured import Measured
-from f1tenth_scenarios.record import Record
-from f1tenth_scenarios.replay import Poses
-from f1tenth_scenarios.scenario import Criteria, Verdict
+from f1tenth_scenarios.judge import criteria
+from f1tenth_scenarios.judge.criteria import evaluate
+from f1tenth_scenarios.judge.criterion import Status
+from f1tenth_scenarios.judge.judge import judge
+from f1tenth_scenarios.judge.measured import Measured
+from f1tenth_scenarios.record.record import Record
+from f1tenth_scenarios.record.replay import Poses
+from f1tenth_scenarios.scenario.course import Course
+from f1tenth_scenarios.scenario.scenario import Criteria, Verdict
 from scenario_samples import GOALS, aborted, died, finished, record, rows, scenario, seen, with_clearance
-
-from f1tenth_scenarios import criteria
 
 
 def results(wanted, run, **measured):

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from f1tenth_scenarios.describe import describe_keys
-from f1tenth_scenarios.scenario import Scenario
+from f1tenth_scenarios.scenario.describe import describe_keys
+from f1tenth_scenarios.scenario.scenario import Scenario
 
 
 def test_readme_holds_every_key_as_the_schema_has_it():

@@ -4,11 +4,11 @@ import math
 
 import numpy as np
 import pytest
-from f1tenth_scenarios.answering import Answering
-from f1tenth_scenarios.beam_dropper import drop_beams
+from f1tenth_scenarios.drivers.answering import Answering
+from f1tenth_scenarios.drivers.beam_dropper import drop_beams
+from f1tenth_scenarios.drivers.pure_pursuit import PurePursuit, PursuitOptions
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.pure_pursuit import PurePursuit, PursuitOptions
-from f1tenth_scenarios.raceline import Raceline, read_raceline
+from f1tenth_scenarios.scenario.raceline import Raceline, read_raceline
 
 from f1tenth_scenarios import places
 

@@ -1,9 +1,9 @@
 """What decides a run, and that everything after it is cut."""
 
 import pytest
-from f1tenth_scenarios.judge import is_decided, judge
-from f1tenth_scenarios.record import Record
-from f1tenth_scenarios.scenario import Car, Command, Criteria, Driver, Pose, Verdict
+from f1tenth_scenarios.judge.judge import is_decided, judge
+from f1tenth_scenarios.record.record import Record
+from f1tenth_scenarios.scenario.scenario import Car, Command, Criteria, Driver, Pose, Verdict
 from scenario_samples import (
     GOALS,
     aborted,

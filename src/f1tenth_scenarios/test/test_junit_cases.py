@@ -6,8 +6,8 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import pytest
-from f1tenth_scenarios.junit_cases import case_of_error, cases_of
-from f1tenth_scenarios.scenario import Verdict
+from f1tenth_scenarios.results.junit_cases import case_of_error, cases_of
+from f1tenth_scenarios.scenario.scenario import Verdict
 from fake_run import FakeRun
 from scenario_samples import aborted, finished, racing, scenario, with_clearance
 

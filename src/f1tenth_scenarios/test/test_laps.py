@@ -3,10 +3,10 @@
 import math
 
 import pytest
-from f1tenth_scenarios.judge import judge
-from f1tenth_scenarios.laps import lap_times
-from f1tenth_scenarios.scenario import StartLine
-from f1tenth_scenarios.start_line import LapCounter
+from f1tenth_scenarios.judge.judge import judge
+from f1tenth_scenarios.judge.laps import lap_times
+from f1tenth_scenarios.judge.start_line import LapCounter
+from f1tenth_scenarios.scenario.scenario import StartLine
 from report_samples import RADIUS, circling
 from scenario_samples import GOALS, finished, racing, reached, record, rows, scenario, seen
 

@@ -1,9 +1,9 @@
 """Reading off roslaunch's output which node ended, and who is to blame."""
 
-from f1tenth_scenarios.culprit import Signs, failure_of
-from f1tenth_scenarios.launch_log import LaunchLog, NodeEnd
-from f1tenth_scenarios.observations import RaceState, RaceUpdate
-from f1tenth_scenarios.plan import Plan
+from f1tenth_scenarios.record.observations import RaceState, RaceUpdate
+from f1tenth_scenarios.run.culprit import Signs, failure_of
+from f1tenth_scenarios.run.launch_log import LaunchLog, NodeEnd
+from f1tenth_scenarios.scenario.plan import Plan
 from scenario_samples import GOALS, scenario
 
 # As roslaunch 1.15 prints it.

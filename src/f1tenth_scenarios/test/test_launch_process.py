@@ -6,9 +6,9 @@ import sys
 
 import psutil
 import pytest
-from f1tenth_scenarios.launch_log import LaunchLog
-from f1tenth_scenarios.private_master import private_master
-from f1tenth_scenarios.processes import ProcessTree
+from f1tenth_scenarios.launch.private_master import private_master
+from f1tenth_scenarios.launch.processes import ProcessTree
+from f1tenth_scenarios.run.launch_log import LaunchLog
 from patience import PATIENCE, wait_for
 
 STAYS = "#!/bin/sh\nexec sleep 600\n"
@@ -37,7 +37,7 @@ def launch(tmp_path):
         )
         file = tmp_path / "run.launch"
         file.write_text(f"<launch>{parameters}{nodes}</launch>", encoding="utf-8")
-        command = [sys.executable, "-m", "f1tenth_scenarios.launch_process", str(file)]
+        command = [sys.executable, "-m", "f1tenth_scenarios.launch.launch_process", str(file)]
         environment = {
             "ROS_PACKAGE_PATH": str(tmp_path),
             "ROS_LOG_DIR": str(tmp_path),

@@ -7,12 +7,11 @@ import subprocess
 
 import pytest
 import yaml
-from f1tenth_scenarios.localization_run import Run, describe, read_run
-from f1tenth_scenarios.race_pace import laps
-from f1tenth_scenarios.race_pace.cli import BAD_INPUT
-from f1tenth_scenarios.scenario import Localization, read_scenario
-
-from f1tenth_scenarios import localization_table as table
+from f1tenth_scenarios.scenario.scenario import Localization, read_scenario
+from f1tenth_scenarios.studies import localization_table as table
+from f1tenth_scenarios.studies.localization_run import Run, describe, read_run
+from f1tenth_scenarios.studies.race_pace import laps
+from f1tenth_scenarios.studies.race_pace.cli import BAD_INPUT
 
 GOOD = Run(True, "every goal was passed in order", (7.0, 6.2), 0.05, 0.02, 0.1, 0)
 

@@ -9,13 +9,14 @@ import subprocess
 import time
 
 import pytest
-from f1tenth_scenarios.batch import Job, read_finished, run_job
+from f1tenth_scenarios.batch import many
+from f1tenth_scenarios.batch.batch import Job, read_finished, run_job
+from f1tenth_scenarios.batch.repeat import is_steady, spread
+from f1tenth_scenarios.batch.sweep_table import mean_interval, wilson_interval
+from f1tenth_scenarios.batch.sweep_table_file import write_table
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.repeat import is_steady, spread
-from f1tenth_scenarios.sweep_table import mean_interval, wilson_interval
-from f1tenth_scenarios.sweep_table_file import write_table
 
-from f1tenth_scenarios import cli, many, places
+from f1tenth_scenarios import cli, places
 
 # Writes what a run would write; `seed=13` is bad luck, and a file makes the first run kill its parent.
 PROGRAM = """
@@ -132,7 +133,7 @@ def test_sweep_on_a_cluster_gives_the_same_as_here(program, tmp_path, cluster):
 
 @pytest.mark.parametrize("uri", ["tcp://127.0.0.1:1", "nonsense://x"])
 def test_scheduler_that_is_not_there_is_named(program, tmp_path, monkeypatch, uri):
-    monkeypatch.setattr("f1tenth_scenarios.sweep._CONNECT_TIMEOUT", 0.5)
+    monkeypatch.setattr("f1tenth_scenarios.batch.sweep._CONNECT_TIMEOUT", 0.5)
     with pytest.raises(ScenarioError, match=f"--scheduler {uri}: .*"):
         many.sweep("circuit1", ["seed=1:2"], tmp_path / "r", program, None, uri)
 

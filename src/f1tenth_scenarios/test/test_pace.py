@@ -1,6 +1,6 @@
 """The real-time factor leaves out how long it took to start."""
 
-from f1tenth_scenarios.pace import Pace
+from f1tenth_scenarios.record.pace import Pace
 
 
 def test_starting_up_does_not_count():

@@ -9,14 +9,13 @@ import subprocess
 import numpy as np
 import pytest
 import yaml
-from f1tenth_scenarios.course import Course
-from f1tenth_scenarios.passing_run import Run, count_passes, describe
-from f1tenth_scenarios.race_pace import laps
-from f1tenth_scenarios.race_pace.cli import BAD_INPUT
-from f1tenth_scenarios.record import COLUMNS, read_record
-from f1tenth_scenarios.scenario import Driver, read_scenario
-
-from f1tenth_scenarios import passing_table as table
+from f1tenth_scenarios.record.record import COLUMNS, read_record
+from f1tenth_scenarios.scenario.course import Course
+from f1tenth_scenarios.scenario.scenario import Driver, read_scenario
+from f1tenth_scenarios.studies import passing_table as table
+from f1tenth_scenarios.studies.passing_run import Run, count_passes, describe
+from f1tenth_scenarios.studies.race_pace import laps
+from f1tenth_scenarios.studies.race_pace.cli import BAD_INPUT
 
 GOOD = Run(1.5, True, "every goal was passed in order", (7.0, 6.2), 2, 0.12, 0)
 ANGLES = np.linspace(0.0, 2.0 * math.pi, 100, endpoint=False)

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from f1tenth_scenarios.picture import write_picture
-from f1tenth_scenarios.record import Record
-from f1tenth_scenarios.scenario import Pose
-from f1tenth_scenarios.track_map import TrackMap, read_track_map
+from f1tenth_scenarios.record.record import Record
+from f1tenth_scenarios.record.track_map import TrackMap, read_track_map
+from f1tenth_scenarios.results.picture import write_picture
+from f1tenth_scenarios.scenario.scenario import Pose
 from PIL import Image
 from scenario_samples import GOALS, record, rows
 

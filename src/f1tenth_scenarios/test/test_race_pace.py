@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 import yaml
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.race_pace import cli, laps
-from f1tenth_scenarios.race_pace.laps import Laps
-from f1tenth_scenarios.race_pace.limits import GRAVITY, Limits, read_limits
-from f1tenth_scenarios.race_pace.reference import compute_reference, write_raceline
-from f1tenth_scenarios.race_pace.table import Comparison, make_table
-from f1tenth_scenarios.race_pace.track import SPACING, load_track
-from f1tenth_scenarios.reference_laps import reference_laps_file
-from f1tenth_scenarios.scenario import read_scenario
+from f1tenth_scenarios.results.reference_laps import reference_laps_file
+from f1tenth_scenarios.scenario.scenario import read_scenario
+from f1tenth_scenarios.studies.race_pace import cli, laps
+from f1tenth_scenarios.studies.race_pace.laps import Laps
+from f1tenth_scenarios.studies.race_pace.limits import GRAVITY, Limits, read_limits
+from f1tenth_scenarios.studies.race_pace.reference import compute_reference, write_raceline
+from f1tenth_scenarios.studies.race_pace.table import Comparison, make_table
+from f1tenth_scenarios.studies.race_pace.track import SPACING, load_track
 
 LIMITS = Limits(
     friction=1.0, max_acceleration=9.0, switch_speed=7.0, max_speed=20.0, max_curvature=1.3, mass=3.7

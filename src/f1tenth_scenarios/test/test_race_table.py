@@ -1,8 +1,8 @@
 """Standings of a race."""
 
 import pytest
-from f1tenth_scenarios.race_table import RaceTable
-from f1tenth_scenarios.scenario import StartLine
+from f1tenth_scenarios.drivers.race_table import RaceTable
+from f1tenth_scenarios.scenario.scenario import StartLine
 
 # Around the line at the origin, crossed in the direction of x: a lap takes four places.
 ROUND = [(1.0, 0.0), (1.0, 9.0), (-1.0, 9.0), (-1.0, 0.0)]

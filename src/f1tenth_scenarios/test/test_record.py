@@ -2,8 +2,8 @@
 
 import pytest
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.file_tail import LineTail, RecordTail, last_lines
-from f1tenth_scenarios.record import COLUMNS, read_record
+from f1tenth_scenarios.record.record import COLUMNS, read_record
+from f1tenth_scenarios.run.file_tail import LineTail, RecordTail, last_lines
 from scenario_samples import record, rows, write_record
 
 HEADER = ",".join(COLUMNS) + "\n"

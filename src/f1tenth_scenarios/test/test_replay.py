@@ -8,10 +8,10 @@ import subprocess
 
 import pytest
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.recording import Rate, Recording
-from f1tenth_scenarios.replay import Poses, Replay, Scans, read_replay, write_replay
-from f1tenth_scenarios.scenario import Pose
-from f1tenth_scenarios.scene import load_scene
+from f1tenth_scenarios.record.recording import Rate, Recording
+from f1tenth_scenarios.record.replay import Poses, Replay, Scans, read_replay, write_replay
+from f1tenth_scenarios.record.scene import load_scene
+from f1tenth_scenarios.scenario.scenario import Pose
 from report_samples import replay
 
 from f1tenth_scenarios import places

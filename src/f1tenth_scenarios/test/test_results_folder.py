@@ -3,7 +3,7 @@
 import json
 
 import pytest
-from f1tenth_scenarios.results_folder import claimed
+from f1tenth_scenarios.results.results_folder import claimed
 
 
 def run(folder, commit, seed):

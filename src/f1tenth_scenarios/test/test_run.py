@@ -9,8 +9,8 @@ import time
 import psutil
 import pytest
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.record import COLUMNS
-from f1tenth_scenarios.scenario import Limits, Verdict
+from f1tenth_scenarios.record.record import COLUMNS
+from f1tenth_scenarios.scenario.scenario import Limits, Verdict
 from fake_run import FakeRun
 from PIL import Image
 from scenario_samples import aborted, died, finished, racing, reached, scenario

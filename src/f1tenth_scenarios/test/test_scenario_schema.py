@@ -2,7 +2,7 @@
 
 import pytest
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.scenario import Driver, Pose, Verdict, read_scenario
+from f1tenth_scenarios.scenario.scenario import Driver, Pose, Verdict, read_scenario
 from scenario_samples import SCENARIO_TEXT
 
 TOP_KEYS = (

@@ -2,8 +2,14 @@
 
 import pytest
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.plan import make_plan
-from f1tenth_scenarios.settings import Setting, combinations, folder_name, parse_setting, parse_variation
+from f1tenth_scenarios.scenario.plan import make_plan
+from f1tenth_scenarios.scenario.settings import (
+    Setting,
+    combinations,
+    folder_name,
+    parse_setting,
+    parse_variation,
+)
 from scenario_samples import SCENARIO_TEXT
 
 

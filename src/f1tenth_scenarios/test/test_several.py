@@ -4,7 +4,7 @@ import signal
 import sys
 
 import pytest
-from f1tenth_scenarios.several import run_several
+from f1tenth_scenarios.batch.several import run_several
 from f1tenth_scenarios.stop_request import StopRequest
 
 from f1tenth_scenarios import cli

@@ -2,10 +2,10 @@
 
 import pytest
 import roslaunch.config
-from f1tenth_scenarios.launch_file import launch_command, write_launch_file
-from f1tenth_scenarios.participants import DRIVER_NODES, participants
-from f1tenth_scenarios.plan import make_plan
-from f1tenth_scenarios.scenario import Driver, Localization
+from f1tenth_scenarios.launch.launch_file import launch_command, write_launch_file
+from f1tenth_scenarios.scenario.participants import DRIVER_NODES, participants
+from f1tenth_scenarios.scenario.plan import make_plan
+from f1tenth_scenarios.scenario.scenario import Driver, Localization
 
 from f1tenth_scenarios import places
 

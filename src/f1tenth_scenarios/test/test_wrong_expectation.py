@@ -4,7 +4,7 @@ import subprocess
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-from f1tenth_scenarios.private_master import private_master
+from f1tenth_scenarios.launch.private_master import private_master
 
 WRONG = Path(__file__).parent / "wrong_expectation.yaml"
 # Those of goals and culprits are for other verdicts; test_criteria.py has them.

@@ -10,7 +10,7 @@ function(workspace_target target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   get_target_property(sources ${target} SOURCES)
   list(LENGTH sources source_count)
-  if(source_count GREATER 1)
+  if(WORKSPACE_UNITY AND source_count GREATER 1)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
     # The compiler takes the files of one unit for headers, where an anonymous namespace would be a mistake.
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)

@@ -9,16 +9,16 @@ from pathlib import Path
 from typing import Optional
 
 from f1tenth_scenarios import places, versions
-from f1tenth_scenarios.console import CountLine, ProgressLine, cost_of_all, summary
-from f1tenth_scenarios.describe import describe_keys
+from f1tenth_scenarios.batch.several import run_several
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.plan import make_plan
-from f1tenth_scenarios.private_master import private_master
-from f1tenth_scenarios.result import RESULT_FILE
-from f1tenth_scenarios.scenario import Scenario, read_scenario
-from f1tenth_scenarios.several import run_several
+from f1tenth_scenarios.launch.private_master import private_master
+from f1tenth_scenarios.results.console import CountLine, ProgressLine, cost_of_all, summary
+from f1tenth_scenarios.results.result import RESULT_FILE
+from f1tenth_scenarios.run.supervisor import read_json
+from f1tenth_scenarios.scenario.describe import describe_keys
+from f1tenth_scenarios.scenario.plan import make_plan
+from f1tenth_scenarios.scenario.scenario import Scenario, read_scenario
 from f1tenth_scenarios.stop_request import StopRequest
-from f1tenth_scenarios.supervisor import read_json
 
 # Exit codes.
 PASSED, NOT_PASSED, BAD_INPUT = 0, 1, 2
@@ -190,7 +190,7 @@ def _run_one(name: str, results: Optional[Path], settings: Sequence[str]) -> int
     versions.ask_commit()
     folder = results.resolve() / places.scenario_file(name).stem if results else None
     plan = make_plan(name, folder, settings)
-    from f1tenth_scenarios.ros_session import run_with_ros
+    from f1tenth_scenarios.run.ros_session import run_with_ros
 
     progress = ProgressLine(plan.name)
     with StopRequest().listening() as stop, private_master():

@@ -1,7 +1,7 @@
 #include <pybind11/stl.h>
 
-#include "bindings.h"
 #include "f1tenth_sim2d/loaders.h"
+#include "python/bindings.h"
 
 namespace f1tenth_sim2d
 {

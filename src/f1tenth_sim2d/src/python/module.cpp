@@ -1,4 +1,4 @@
-#include "bindings.h"
+#include "python/bindings.h"
 
 PYBIND11_MODULE(f1tenth_sim2d, module)
 {

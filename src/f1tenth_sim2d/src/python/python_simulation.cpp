@@ -1,4 +1,4 @@
-#include "python_simulation.h"
+#include "python/python_simulation.h"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 #include <pybind11/stl.h>
 
-#include "arrays.h"
-#include "bindings.h"
 #include "f1tenth_sim2d/simulation.h"
+#include "python/arrays.h"
+#include "python/bindings.h"
 
 namespace f1tenth_sim2d
 {

@@ -1,7 +1,7 @@
 #include <pybind11/stl.h>
 
-#include "bindings.h"
-#include "python_simulation.h"
+#include "python/bindings.h"
+#include "python/python_simulation.h"
 
 namespace f1tenth_sim2d
 {

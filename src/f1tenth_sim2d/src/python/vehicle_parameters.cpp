@@ -1,6 +1,6 @@
 #include "f1tenth_sim2d/vehicle_parameters.h"
 
-#include "bindings.h"
+#include "python/bindings.h"
 
 namespace f1tenth_sim2d
 {

@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "arrays.h"
-#include "bindings.h"
 #include "f1tenth_sim2d/loaders.h"
 #include "f1tenth_sim2d/section.h"
+#include "python/arrays.h"
+#include "python/bindings.h"
 
 namespace f1tenth_sim2d
 {

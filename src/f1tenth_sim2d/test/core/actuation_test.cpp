@@ -1,11 +1,11 @@
-#include "actuation.h"
+#include "core/car/actuation.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "core/math/sim_time.h"
 #include "sample_world.h"
-#include "sim_time.h"
 
 namespace f1tenth_sim2d::test
 {

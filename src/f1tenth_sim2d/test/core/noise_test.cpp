@@ -1,4 +1,4 @@
-#include "noise.h"
+#include "core/math/noise.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <vector>
 
+#include "core/math/noise.h"
+#include "core/math/planar_pose.h"
 #include "f1tenth_sim2d/ackermann.h"
-#include "noise.h"
-#include "planar_pose.h"
 #include "sample_world.h"
 
 namespace f1tenth_sim2d::test

@@ -1,4 +1,4 @@
-#include "single_track.h"
+#include "core/car/single_track.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "planar_pose.h"
+#include "core/math/planar_pose.h"
 
 namespace f1tenth_sim2d::test
 {

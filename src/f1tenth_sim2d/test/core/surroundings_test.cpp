@@ -3,9 +3,9 @@
 #include <cmath>
 #include <vector>
 
+#include "core/contacts/static_pieces.h"
 #include "f1tenth_sim2d/trajectory_hash.h"
 #include "sample_world.h"
-#include "static_pieces.h"
 
 // Only the walls that something comes near are given to Box2D.
 namespace f1tenth_sim2d::test

@@ -1,4 +1,4 @@
-#include "trigonometry.h"
+#include "core/math/trigonometry.h"
 
 #include <gtest/gtest.h>
 

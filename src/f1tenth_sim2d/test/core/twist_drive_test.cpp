@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "core/math/sim_time.h"
 #include "sample_world.h"
-#include "sim_time.h"
 
 namespace f1tenth_sim2d::test
 {

@@ -1,7 +1,7 @@
 #include "vector_path.h"
 
-#include "beam_kernels.h"
-#include "noise.h"
+#include "core/lidar/beam_kernels.h"
+#include "core/math/noise.h"
 
 // Built once for each vector unit, with a namespace and a name of its own.
 namespace f1tenth_sim2d

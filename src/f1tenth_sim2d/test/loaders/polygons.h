@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planar.h"
+#include "geometry/planar.h"
 
 namespace f1tenth_sim2d
 {

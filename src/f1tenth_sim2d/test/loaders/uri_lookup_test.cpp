@@ -1,4 +1,4 @@
-#include "uri_lookup.h"
+#include "loaders/files/uri_lookup.h"
 
 #include <gtest/gtest.h>
 

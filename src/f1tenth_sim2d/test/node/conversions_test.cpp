@@ -1,4 +1,4 @@
-#include "conversions.h"
+#include "node/messages/conversions.h"
 
 #include <gtest/gtest.h>
 

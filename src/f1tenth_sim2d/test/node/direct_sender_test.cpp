@@ -1,4 +1,4 @@
-#include "direct_sender.h"
+#include "node/transport/direct_sender.h"
 
 #include <gtest/gtest.h>
 #include <ros/subscriber_link.h>

@@ -1,4 +1,4 @@
-#include "joint_command.h"
+#include "node/cars/joint_command.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "node_parameters.h"
+#include "node/parameters/node_parameters.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "owned_socket.h"
+#include "node/transport/owned_socket.h"
 
 #include <gtest/gtest.h>
 

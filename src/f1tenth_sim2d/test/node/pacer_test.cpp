@@ -1,4 +1,4 @@
-#include "pacer.h"
+#include "node/time/pacer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "run_result.h"
+#include "node/app/run_result.h"
 
 #include <gtest/gtest.h>
 

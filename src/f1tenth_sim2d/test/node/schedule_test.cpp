@@ -1,4 +1,4 @@
-#include "schedule.h"
+#include "node/world/schedule.h"
 
 #include <gtest/gtest.h>
 

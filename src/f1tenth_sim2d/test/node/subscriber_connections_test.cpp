@@ -1,4 +1,4 @@
-#include "subscriber_connections.h"
+#include "node/transport/subscriber_connections.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What a plugin hears that subscribes to a topic of the simulator, in whose process it lives.
-#include "topic.h"
+#include "node/transport/topic.h"
 
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>
@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-#include "outbox.h"
+#include "node/transport/outbox.h"
 
 namespace f1tenth_sim2d::test
 {

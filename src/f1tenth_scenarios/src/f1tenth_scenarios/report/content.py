@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import Any, Optional
 
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.record import read_record
-from f1tenth_scenarios.replay import REPLAY_FILE, read_replay
+from f1tenth_scenarios.record.record import read_record
+from f1tenth_scenarios.record.replay import REPLAY_FILE, read_replay
 from f1tenth_scenarios.report.packing import Packed
 from f1tenth_scenarios.report.replay_columns import pack_run, pack_tracks, thumbnail
-from f1tenth_scenarios.result import RESULT_FILE, TRAJECTORY_FILE
-from f1tenth_scenarios.results_folder import PREVIOUS_FOLDER
+from f1tenth_scenarios.results.result import RESULT_FILE, TRAJECTORY_FILE
+from f1tenth_scenarios.results.results_folder import PREVIOUS_FOLDER
 
 
 @dataclasses.dataclass(frozen=True)

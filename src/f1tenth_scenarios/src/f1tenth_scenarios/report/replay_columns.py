@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from f1tenth_scenarios.record import CarTrack, Record
-from f1tenth_scenarios.replay import Paths, Replay, Shape
+from f1tenth_scenarios.record.record import CarTrack, Record
+from f1tenth_scenarios.record.replay import Paths, Replay, Shape
 from f1tenth_scenarios.report.packing import Packed, Packer
 
 _TIME, _LENGTH, _ANGLE, _SPEED, _RANGE = 0.001, 0.001, 0.001, 0.01, 0.04  # quanta

@@ -1,0 +1,1 @@
+"""Many runs: repetitions, sweeps, their tables."""

@@ -1,0 +1,1 @@
+"""Verdict, criteria, laps, contacts: pure functions of the record."""

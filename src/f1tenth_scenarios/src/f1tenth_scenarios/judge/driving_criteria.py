@@ -1,0 +1,120 @@
+"""Criteria of how the cars drove; not judged where a crash or an error is expected."""
+
+from collections.abc import Iterator
+from typing import Optional
+
+import numpy as np
+
+from f1tenth_scenarios.judge.criterion import Criterion, Status, expects_failure, status_of
+from f1tenth_scenarios.judge.judge import Judgement
+from f1tenth_scenarios.judge.measured import Measured
+from f1tenth_scenarios.record.record import CarTrack
+from f1tenth_scenarios.scenario.scenario import Scenario
+
+_STANDING_SPEED = 0.05  # m/s
+
+
+def least_clearance(judgement: Judgement) -> Optional[float]:
+    """The least clearance of any car up to the deciding stamp, m; nothing without a record."""
+    return min((float(track.clearance.min()) for track in _tracks(judgement)), default=None)
+
+
+def minimum_clearance(scenario: Scenario, judgement: Judgement, _measured: Measured) -> Criterion:
+    """How close a car came to anything."""
+    actual = least_clearance(judgement)
+    text = "" if actual is None else f"came as close as {actual:.3f} m"
+    return _at_least(scenario, "minimum_clearance", actual, "m", text)
+
+
+def lap_time(scenario: Scenario, _judgement: Judgement, measured: Measured) -> Criterion:
+    """The slowest lap of any car."""
+    laps = [
+        (time, car, number)
+        for car, times in measured.lap_times.items()
+        for number, time in enumerate(times, 1)
+    ]
+    actual, car, number = max(laps, default=(None, "", 0))
+    text = "" if actual is None else f"lap {number} of {car} took {actual:.3f} s"
+    return _at_most(scenario, "lap_time", actual, "s", text, missing="no lap was completed")
+
+
+def lateral_acceleration(scenario: Scenario, judgement: Judgement, _measured: Measured) -> Criterion:
+    """The largest acceleration to the side, of base_footprint."""
+    peaks = [(float(peaks.max()), track.car) for track, peaks in _lateral(judgement)]
+    actual, car = max(peaks, default=(None, ""))
+    text = "" if actual is None else f"{car} reached {actual:.2f} m/s^2"
+    return _at_most(scenario, "lateral_acceleration", actual, "m/s^2", text)
+
+
+def off_course(scenario: Scenario, judgement: Judgement, measured: Measured) -> Criterion:
+    """How far base_footprint left the road."""
+    excess = [
+        (float(measured.course.excess(track.x, track.y).max()), track.car)
+        for track in _tracks(judgement)
+        if measured.course
+    ]
+    actual, car = max(excess, default=(None, ""))
+    text = "" if actual is None else f"{car} was up to {actual:.3f} m beyond the edge"
+    return _at_most(scenario, "off_course", actual, "m", text)
+
+
+def standstill(scenario: Scenario, judgement: Judgement, measured: Measured) -> Criterion:
+    """The longest time that a car stood still after the start."""
+    pauses = [(_longest_pause(track, measured.start or 0.0), track.car) for track in _tracks(judgement)]
+    actual, car = max(pauses, default=(None, ""))
+    text = "" if actual is None else f"{car} stood for {actual:.3f} s"
+    return _at_most(scenario, "standstill", actual, "s", text)
+
+
+def slows_to(scenario: Scenario, judgement: Judgement, _measured: Measured) -> Criterion:
+    """How slow each car became after it had been faster than the limit."""
+    limit = scenario.criteria.slows_to
+    speeds = [
+        (float(track.speed[np.argmax(track.speed > limit) :].min()), track.car)
+        for track in _tracks(judgement)
+        if (track.speed > limit).any()
+    ]
+    actual, car = max(speeds, default=(None, ""))
+    text = "" if actual is None else f"{car} slowed down to {actual:.3f} m/s"
+    return _at_most(scenario, "slows_to", actual, "m/s", text, missing="no car was faster")
+
+
+def _tracks(judgement) -> Iterator[CarTrack]:
+    return (track for track in judgement.record.tracks.values() if len(track.time))
+
+
+def _lateral(judgement):
+    for track in _tracks(judgement):
+        slip = np.gradient(track.v_y, track.time) if len(track.time) > 1 else np.zeros(1)
+        yield track, np.abs(slip + track.v_x * track.yaw_rate)
+
+
+def _longest_pause(track: CarTrack, start: float) -> float:
+    """From the first to the last period of the longest run of periods at rest, s."""
+    longest, begun = 0.0, None
+    for time, speed in zip(track.time, track.speed):
+        if time < start or speed > _STANDING_SPEED:
+            begun = None
+        elif begun is None:
+            begun = time
+        else:
+            longest = max(longest, float(time - begun))
+    return longest
+
+
+def _at_most(scenario, name, actual, unit, text, missing="nothing was recorded"):
+    limit = getattr(scenario.criteria, name)
+    return _compared(scenario, name, actual, limit, unit, text, missing, lambda: actual <= limit)
+
+
+def _at_least(scenario, name, actual, unit, text, missing="nothing was recorded"):
+    limit = getattr(scenario.criteria, name)
+    return _compared(scenario, name, actual, limit, unit, text, missing, lambda: actual >= limit)
+
+
+def _compared(scenario, name, actual, limit, unit, text, missing, is_met):
+    if expects_failure(scenario):
+        return Criterion(name, Status.NOT_JUDGED, actual, limit, unit, "a failure is expected")
+    if actual is None:
+        return Criterion(name, Status.FAILED, None, limit, unit, missing)
+    return Criterion(name, status_of(is_met()), actual, limit, unit, text)

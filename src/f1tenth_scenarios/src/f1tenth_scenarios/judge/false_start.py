@@ -1,0 +1,70 @@
+"""Cars that move before the race has begun."""
+
+import dataclasses
+import math
+from collections.abc import Sequence
+from typing import Optional
+
+from f1tenth_scenarios.record.observations import RaceState, RaceUpdate
+from f1tenth_scenarios.record.record import STAMP_EPSILON, Record
+from f1tenth_scenarios.scenario.scenario import Driver, Scenario
+
+_DISTANCE = 0.05  # m, from where a car was put
+
+
+@dataclasses.dataclass(frozen=True)
+class FalseStart:
+    """Who moved when."""
+
+    stamp: float  # s
+    car: str
+    reason: str
+
+
+class FirstMoves:
+    """When each car has left its place, s by car."""
+
+    def __init__(self):
+        self.stamps: dict[str, float] = {}
+        self._places: dict[str, tuple[float, float]] = {}
+
+    def take(self, stamp: float, car: str, x: float, y: float) -> None:
+        """Where a car was in a period (s, m); in order of time."""
+        if car not in self.stamps and math.dist((x, y), self._places.setdefault(car, (x, y))) > _DISTANCE:
+            self.stamps[car] = stamp
+
+
+def moves_of(record: Record) -> FirstMoves:
+    """The first moves in a record."""
+    moves = FirstMoves()
+    for track in record.tracks.values():
+        for stamp, x, y in zip(track.time.tolist(), track.x.tolist(), track.y.tolist()):
+            moves.take(stamp, track.car, x, y)
+            if track.car in moves.stamps:
+                break
+    return moves
+
+
+def race_start(updates: Sequence[RaceUpdate]) -> Optional[float]:
+    """When the first race began, s; nothing when none was heard to begin."""
+    begun = (each.stamp for each in updates if each.state is RaceState.RACING and not each.goals_reached)
+    return min(begun, default=None)
+
+
+def find_false_start(
+    scenario: Scenario, moves: FirstMoves, updates: Sequence[RaceUpdate]
+) -> Optional[FalseStart]:
+    """The first false start; nothing without one, and where nobody races, because there is no start.
+
+    Before the countdown can be over it is one whatever is heard of the start.
+    """
+    if not moves.stamps or all(car.driver is not Driver.RACE for car in scenario.cars):
+        return None
+    stamp, car = min((stamp, car) for car, stamp in moves.stamps.items())
+    said = f"false start: {car} moved at {stamp:.3f} s, before"
+    if stamp + STAMP_EPSILON < scenario.time_to_start:
+        return FalseStart(stamp, car, f"{said} the countdown of {scenario.time_to_start} s was over")
+    start = race_start(updates)
+    if start is not None and stamp + STAMP_EPSILON < start:
+        return FalseStart(stamp, car, f"{said} the start at {start:.3f} s")
+    return None

@@ -1,0 +1,185 @@
+"""The verdict: what ended the run, and when.
+
+Everything after the deciding stamp is cut: a run gives the same result however late its end was noticed.
+"""
+
+import dataclasses
+import functools
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Optional
+
+from f1tenth_scenarios.judge.contacts import find_contacts
+from f1tenth_scenarios.judge.false_start import find_false_start, moves_of
+from f1tenth_scenarios.judge.goal_passes import GoalPasses, find_passes
+from f1tenth_scenarios.record.observations import Failure, Observations, RaceState, RaceUpdate
+from f1tenth_scenarios.record.record import STAMP_EPSILON, Contact, Record
+from f1tenth_scenarios.scenario.scenario import Driver, Pose, Scenario, Verdict
+
+Goals = Mapping[str, Sequence[Pose]]
+
+
+@dataclasses.dataclass(frozen=True)
+class Decision:
+    """How and when a run ended."""
+
+    stamp: float  # s, simulated
+    verdict: Verdict
+    reason: str
+    car: Optional[str] = None
+
+
+@dataclasses.dataclass(frozen=True)
+class Judgement:
+    """A decision and what it rests on, nothing later than its stamp."""
+
+    decision: Decision
+    record: Record
+    passes: dict[str, GoalPasses]
+    failure: Optional[Failure] = None
+
+    @functools.cached_property
+    def contacts(self) -> list[Contact]:
+        """Every contact up to the decision, once."""
+        return find_contacts(self.record)
+
+
+# Of what happens at the same stamp the more serious counts.
+_RANK = (Verdict.COLLISION, Verdict.ABORTED, Verdict.SUCCESS, Verdict.TIMEOUT, Verdict.ERROR)
+
+
+def judge(scenario: Scenario, goals: Goals, seen: Observations) -> Judgement:
+    """Judge a run.
+
+    Args:
+        scenario: what was to be done
+        goals: per car, its goals in order, all laps
+        seen: what was observed
+    """
+    endings = list(_endings(scenario, goals, seen)) or [_undecided(seen)]
+    decision = min(endings, key=lambda ending: (ending.stamp, _RANK.index(ending.verdict)))
+    record = seen.record.until(decision.stamp)
+    # Outside lockstep a car may reach its goal between two periods.
+    driven = seen.record.covering(decision.stamp)
+    passes = {car: _passes(scenario, driven, car, poses) for car, poses in goals.items()}
+    if decision.verdict is Verdict.SUCCESS:
+        decision = _verify_success(decision, seen.record, passes)
+    failure = _failure(seen) if decision.verdict is Verdict.ERROR else None
+    return Judgement(decision, record, passes, failure)
+
+
+def is_decided(scenario: Scenario, goals: Goals, updates: Sequence[RaceUpdate]) -> bool:
+    """Whether the cars themselves say that it is over: every race finished, or one aborted."""
+    return any(True for _ in (*_races_finished(scenario, goals, updates), *_races_aborted(updates)))
+
+
+def _endings(scenario: Scenario, goals: Goals, seen: Observations) -> Iterator[Decision]:
+    yield from _collisions(scenario, seen)
+    yield from _false_starts(scenario, seen)
+    yield from _races_aborted(seen.updates)
+    yield from _races_finished(scenario, goals, seen.updates)
+    yield from _timeouts(scenario, seen)
+    yield from _breakdowns(seen)
+
+
+def first_collision(scenario: Scenario, record: Record) -> Optional[Contact]:
+    """The first contact that is no light touch; nothing without one."""
+    return next((each for each in find_contacts(record) if each.speed >= scenario.criteria.light_touch), None)
+
+
+def _collisions(scenario, seen):
+    contact = first_collision(scenario, seen.record)
+    if contact:
+        touched = " and ".join(contact.touched)
+        reason = f"{contact.car} touched {touched} at {contact.start:.3f} s with {contact.speed:.2f} m/s"
+        yield Decision(contact.start, Verdict.COLLISION, reason, contact.car)
+
+
+def _false_starts(scenario, seen):
+    found = find_false_start(scenario, moves_of(seen.record), seen.updates)
+    if found:
+        yield Decision(found.stamp, Verdict.ABORTED, found.reason, found.car)
+
+
+def _races_aborted(updates):
+    for update in updates:
+        if update.state is RaceState.ABORTED:
+            reason = f"{update.car} gave up at {update.stamp:.3f} s: {update.reason or 'no reason given'}"
+            yield Decision(update.stamp, Verdict.ABORTED, reason, update.car)
+
+
+def _races_finished(scenario, goals, updates):
+    racing = [car.name for car in scenario.cars if car.driver is Driver.RACE]
+    stamps = [_finish(updates, car, len(goals[car])) for car in racing]
+    if racing and None not in stamps:
+        reason = (
+            "every goal was passed in order" if len(racing) == 1 else "every car passed every goal in order"
+        )
+        yield Decision(max(stamps), Verdict.SUCCESS, reason)
+
+
+def _finish(updates, car, goal_count):
+    """When the car's race_mgr has reached all goals, s; in loop mode it never says that it ended."""
+    return next(
+        (
+            update.stamp
+            for update in updates
+            if update.car == car
+            and (update.state is RaceState.FINISHED or update.goals_reached >= goal_count)
+        ),
+        None,
+    )
+
+
+def _timeouts(scenario, seen):
+    end, timeout = seen.record.end, scenario.limits.timeout
+    if end is not None and end + STAMP_EPSILON >= timeout:
+        yield Decision(timeout, Verdict.TIMEOUT, f"not finished after {timeout:g} s of simulated time")
+
+
+def _breakdowns(seen):
+    failure = _failure(seen)
+    if failure:
+        yield Decision(_end(seen.record), Verdict.ERROR, f"{failure.culprit}: {failure.reason}")
+
+
+def _failure(seen) -> Optional[Failure]:
+    return seen.failure or _false_alarm(seen)
+
+
+def _false_alarm(seen) -> Optional[Failure]:
+    for car in sorted(seen.collided):
+        if car not in seen.record.tracks or not seen.record.tracks[car].contact_list():
+            return Failure(f"{car}/collision_detection", "reports a collision that the record does not show")
+    return None
+
+
+def _undecided(seen):
+    return Decision(_end(seen.record), Verdict.ERROR, "runner: the run ended without a decision")
+
+
+def _end(record: Record) -> float:
+    return 0.0 if record.end is None else record.end
+
+
+def _passes(scenario, record, car, poses):
+    criteria = scenario.criteria
+    if car not in record.tracks:
+        return GoalPasses((), len(poses))
+    return find_passes(record.tracks[car], poses, criteria.goal_tolerance, criteria.goal_yaw_tolerance)
+
+
+def _verify_success(decision: Decision, record: Record, passes: Mapping[str, GoalPasses]) -> Decision:
+    """A planner may say that it is there; the record must say so too."""
+    end = _end(record)
+    if end + STAMP_EPSILON < decision.stamp:
+        reason = f"its record ends before the race does ({end:.3f} s instead of {decision.stamp:.3f} s)"
+        return Decision(end, Verdict.ERROR, f"sim2d: {reason}")
+    for car, result in passes.items():
+        if not result.complete:
+            where = f", nearest {result.nearest:.2f} m" if result.nearest is not None else ""
+            reason = (
+                f"{car} says that it finished, but did not pass goal {len(result.times) + 1} of"
+                f" {result.wanted} in order{where}"
+            )
+            return Decision(decision.stamp, Verdict.ABORTED, reason, car)
+    return decision

@@ -1,0 +1,1 @@
+"""Starting processes: launch file, private master, process trees."""

@@ -1,0 +1,49 @@
+"""What is seen of a run while it goes on."""
+
+import dataclasses
+import enum
+from typing import Optional
+
+from f1tenth_scenarios.record.record import Record
+
+
+class RaceState(enum.Enum):
+    """What a car's race_mgr says of itself."""
+
+    WAITING = "waiting"
+    RACING = "racing"
+    FINISHED = "finished"
+    ABORTED = "aborted"
+    STOPPED = "stopped"
+    LOST = "lost"
+
+
+@dataclasses.dataclass(frozen=True)
+class RaceUpdate:
+    """One message of a car's race_mgr."""
+
+    car: str
+    stamp: float  # s, simulated
+    state: RaceState
+    goals_reached: int
+    reason: str = ""
+
+
+@dataclasses.dataclass(frozen=True)
+class Failure:
+    """Why the set-up broke, and who broke it."""
+
+    culprit: str  # a node's name, or "runner"
+    reason: str
+    log_file: Optional[str] = None
+    log_lines: tuple[str, ...] = ()
+
+
+@dataclasses.dataclass(frozen=True)
+class Observations:
+    """All that a run is judged by."""
+
+    record: Record
+    updates: tuple[RaceUpdate, ...] = ()
+    failure: Optional[Failure] = None
+    collided: frozenset[str] = frozenset()  # cars of which the topic `collision` said so

@@ -1,0 +1,126 @@
+"""What a replay shows besides trajectories: walls, movable models, scans, plans; kept as replay.json.gz."""
+
+import dataclasses
+import gzip
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, TypeVar
+
+from f1tenth_scenarios.atomic import replacing
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.record.record import STAMP_EPSILON
+
+REPLAY_FILE = "replay.json.gz"
+_FORMAT = 1
+
+Point = tuple[float, float]  # m
+Planar = tuple[float, float, float]  # m, m, rad
+
+T = TypeVar("T", bound="Timed")
+
+
+@dataclasses.dataclass(frozen=True)
+class Shape:
+    """A horizontal cut through something solid."""
+
+    outlines: Sequence[Sequence[Point]] = ()  # closed
+    circles: Sequence[Planar] = ()  # x, y, radius; m
+
+
+@dataclasses.dataclass(frozen=True)
+class Timed:
+    """Things with the stamp (s) from which each of them holds; lists of equal length."""
+
+    stamps: Sequence[float] = ()
+    values: Sequence[Any] = ()
+
+    def until(self: T, stamp: float) -> T:
+        """Those up to and including a stamp (s)."""
+        count = sum(each <= stamp + STAMP_EPSILON for each in self.stamps)
+        return dataclasses.replace(self, stamps=self.stamps[:count], values=self.values[:count])
+
+
+@dataclasses.dataclass(frozen=True)
+class Scans(Timed):
+    """Some beams of some scans of a car: ranges in whole cm, 0 where nothing was hit."""
+
+    angle_min: float = 0.0  # rad, of the first beam kept
+    angle_max: float = 0.0  # rad, of the last one
+    mount: Planar = (0.0, 0.0, 0.0)  # of the lidar in base_footprint
+
+
+@dataclasses.dataclass(frozen=True)
+class Paths(Timed):
+    """Plans of a car: lists of points in the map frame, m."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Poses(Timed):
+    """Where a movable model was, with its shape in its own frame."""
+
+    shape: Shape = Shape()
+
+
+@dataclasses.dataclass(frozen=True)
+class Replay:
+    """All of it, of one run."""
+
+    walls: Shape = Shape()
+    goals: Mapping[str, Sequence[Planar]] = dataclasses.field(default_factory=dict)  # by car, of one lap
+    scans: Mapping[str, Scans] = dataclasses.field(default_factory=dict)  # by car
+    global_plans: Mapping[str, Paths] = dataclasses.field(default_factory=dict)  # by car
+    local_plans: Mapping[str, Paths] = dataclasses.field(default_factory=dict)  # by car
+    models: Mapping[str, Poses] = dataclasses.field(default_factory=dict)  # by name
+
+    def until(self, stamp: float) -> "Replay":
+        """What holds up to and including a stamp (s)."""
+        timed = {
+            field.name: {name: each.until(stamp) for name, each in getattr(self, field.name).items()}
+            for field in dataclasses.fields(self)
+            if field.name not in ("walls", "goals")
+        }
+        return dataclasses.replace(self, **timed)
+
+
+def write_replay(path: Path, replay: Replay) -> None:
+    """Write the file, which replaces the old one when complete; the same replay gives the same bytes."""
+    # Not dataclasses.asdict, which copies every number and takes four times as long as all the rest.
+    text = json.dumps({"format": _FORMAT, **vars(replay)}, default=vars, separators=(",", ":"))
+    with replacing(path) as temporary:
+        temporary.write_bytes(gzip.compress(text.encode(), compresslevel=6, mtime=0))
+
+
+def read_replay(path: Path) -> Replay:
+    """Read the file; an empty replay where there is none.
+
+    Raises:
+        ScenarioError: the file is broken, or of another version.
+    """
+    try:
+        content = json.loads(gzip.decompress(path.read_bytes()))
+    except FileNotFoundError:
+        return Replay()
+    except (OSError, EOFError, ValueError) as error:
+        raise ScenarioError(f"{path}: not a replay: {error}") from error
+    if not isinstance(content, dict) or content.get("format") != _FORMAT:
+        raise ScenarioError(f"{path}: not a replay of format {_FORMAT}; run the scenario again")
+    return _from_dict(content)
+
+
+def _from_dict(content: Mapping[str, Any]) -> Replay:
+    return Replay(
+        walls=Shape(**content["walls"]),
+        goals=content["goals"],
+        scans=_each(Scans, content["scans"]),
+        global_plans=_each(Paths, content["global_plans"]),
+        local_plans=_each(Paths, content["local_plans"]),
+        models={
+            name: Poses(**{**each, "shape": Shape(**each["shape"])})
+            for name, each in content["models"].items()
+        },
+    )
+
+
+def _each(kind, content):
+    return {name: kind(**each) for name, each in content.items()}

@@ -1,0 +1,114 @@
+"""Putting the world around what was heard of a run."""
+
+import contextlib
+import dataclasses
+import math
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+import f1tenth_sim2d
+from f1tenth_scenarios import places
+from f1tenth_scenarios.record.recording import Recording
+from f1tenth_scenarios.record.replay import Planar, Poses, Replay, Scans, Shape
+from f1tenth_scenarios.scenario.scenario import Pose
+
+_CUT_HEIGHT = 0.12  # m above the ground, where no lidar says otherwise
+
+
+@dataclasses.dataclass(frozen=True)
+class Scene:
+    """What stands in a world, cut at the height of the cars' lidars, and where those are."""
+
+    walls: Shape = Shape()
+    models: Mapping[str, Poses] = dataclasses.field(default_factory=dict)  # movable, where the world has them
+    mounts: Mapping[str, Planar] = dataclasses.field(default_factory=dict)  # of the lidar, by car
+
+    def replay(self, goals: Mapping[str, Sequence[Pose]], heard: Recording) -> Replay:
+        """What was heard of a run, with the world around it."""
+        return Replay(
+            walls=self.walls,
+            goals={car: [(pose.x, pose.y, pose.yaw) for pose in poses] for car, poses in goals.items()},
+            scans={car: self._mounted(car, scans) for car, scans in heard.scans.items()},
+            global_plans=heard.global_plans,
+            local_plans=heard.local_plans,
+            models={
+                name: dataclasses.replace(heard.models.get(name, model), shape=model.shape)
+                for name, model in self.models.items()
+            },
+        )
+
+    def _mounted(self, car: str, scans: Scans) -> Scans:
+        return dataclasses.replace(scans, mount=self.mounts[car]) if car in self.mounts else scans
+
+
+def load_scene(world: Path, descriptions: Mapping[str, str]) -> Scene:
+    """Read a world, and the cars' robot_descriptions by name.
+
+    Returns:
+        The scene; an empty one if the world cannot be read, as the simulator has said already.
+    """
+    # Reading a description takes long, and cars of a race have the same one.
+    read = {text: _lidar(text) for text in set(descriptions.values())}
+    lidars = {car: lidar for car, text in descriptions.items() if (lidar := read[text])}
+    height = next((lidar.pose[2] for lidar in lidars.values()), _CUT_HEIGHT)
+    try:
+        with _model_path():
+            loaded = f1tenth_sim2d.load_world(str(world))
+    except f1tenth_sim2d.Error:
+        return Scene()
+    return Scene(
+        walls=_shape(*loaded.section(height)),
+        models={model.name: _model(model, height) for model in loaded.models if not model.is_static},
+        mounts={car: _planar(lidar.pose) for car, lidar in lidars.items()},
+    )
+
+
+def _lidar(description):
+    try:
+        lidars = f1tenth_sim2d.load_car(description, "car", "robot_description").lidars
+    except f1tenth_sim2d.Error:
+        return None
+    return next((lidar for lidar in lidars if lidar.topic == "scan"), None)
+
+
+def _planar(pose) -> Planar:
+    x, y, _, yaw = pose
+    return x, y, yaw
+
+
+def _model(model, height: float) -> Poses:
+    return Poses([0.0], [model.pose], shape=_in_frame(_shape(*model.section(height)), model.pose))
+
+
+def _shape(outlines, circles) -> Shape:
+    return Shape(
+        [[(round(x, 3), round(y, 3)) for x, y in outline.tolist()] for outline in outlines],
+        [tuple(round(value, 3) for value in circle) for circle in circles.tolist()],
+    )
+
+
+def _in_frame(shape: Shape, frame: Planar) -> Shape:
+    """The same, seen from a frame (m, rad)."""
+    cosine, sine = math.cos(frame[2]), math.sin(frame[2])
+
+    def seen(x, y):
+        dx, dy = x - frame[0], y - frame[1]
+        return round(cosine * dx + sine * dy, 3), round(cosine * dy - sine * dx, 3)
+
+    return Shape(
+        [[seen(x, y) for x, y in outline] for outline in shape.outlines],
+        [(*seen(x, y), radius) for x, y, radius in shape.circles],
+    )
+
+
+@contextlib.contextmanager
+def _model_path() -> Iterator[None]:
+    """Let models of the workspace be found, as simulator.launch does for the simulator."""
+    before = os.environ.get("GAZEBO_MODEL_PATH", "")
+    own = places.package_path(places.GAZEBO_PACKAGE) / "models"
+    os.environ["GAZEBO_MODEL_PATH"] = f"{own}:{before}"
+    try:
+        yield
+    finally:
+        os.environ["GAZEBO_MODEL_PATH"] = before

@@ -1,0 +1,140 @@
+"""What a person or a script reads of a run."""
+
+import statistics
+import sys
+import textwrap
+import time
+from collections.abc import Mapping
+from typing import Optional, TextIO
+
+from f1tenth_scenarios.judge.criterion import Status
+from f1tenth_scenarios.judge.driving_criteria import least_clearance
+from f1tenth_scenarios.record.pace import Pace
+from f1tenth_scenarios.results.reference_laps import reference_lap
+from f1tenth_scenarios.results.result import PICTURE_FILE, RESULT_FILE, Result
+from f1tenth_scenarios.scenario.plan import Plan
+
+_REDRAW_INTERVAL = 0.2  # wall s
+_LINE_WIDTH = 200  # characters, of a log's lines
+
+
+class ProgressLine:
+    """One line that is drawn over and over; nothing where the output is no terminal."""
+
+    def __init__(self, name: str, stream: TextIO = sys.stderr):
+        self._name = name
+        self._stream = stream
+        self._shown = stream.isatty()
+        self._next = 0.0
+        self._pace = Pace()
+
+    def update(self, simulated: Optional[float], wall: float) -> None:
+        """Show how far the run is: simulated and wall time, s."""
+        self._pace.note(simulated, wall)
+        if not self._shown or time.monotonic() < self._next:
+            return
+        self._next = time.monotonic() + _REDRAW_INTERVAL
+        self._stream.write(f"\r\033[K{self._name}  {self._text(simulated, wall)}")
+        self._stream.flush()
+
+    def clear(self) -> None:
+        """Leave an empty line."""
+        if self._shown:
+            self._stream.write("\r\033[K")
+            self._stream.flush()
+
+    def _text(self, simulated, wall):
+        if simulated is None:
+            return f"starting  {wall:.0f} s"
+        factor = f"  {self._pace.factor:.1f}x real time" if self._pace.factor else ""
+        return f"{simulated:.1f} s simulated{factor}"
+
+
+class CountLine:
+    """How many runs are done, drawn over and over; nothing where the output is no terminal."""
+
+    _WIDTH = 30  # characters
+
+    def __init__(self, name: str, count: int, stream: TextIO = sys.stderr):
+        self._name, self._count, self._stream = name, count, stream
+        self._done = self._passed = 0
+
+    def update(self, passed: bool) -> None:
+        """One more run is done."""
+        self._done += 1
+        self._passed += passed
+        filled = self._WIDTH * self._done // self._count
+        bar = "█" * filled + "░" * (self._WIDTH - filled)
+        self._draw(f"{self._name}  {bar}  {self._done} of {self._count}, {self._passed} passed")
+
+    def clear(self) -> None:
+        """Leave an empty line."""
+        self._draw("")
+
+    def _draw(self, text: str) -> None:
+        if self._stream.isatty():
+            self._stream.write(f"\r\033[K{text}")
+            self._stream.flush()
+
+
+def summary(result: Result, plan: Plan) -> str:
+    """The outcome in lines of `name: value`, for a person and for grep."""
+    decision = result.judgement.decision
+    lines = [
+        ("scenario", result.name),
+        ("verdict", f"{decision.verdict.value} (expected {plan.scenario.expected.value})"),
+        ("passed", "yes" if result.passed else "no"),
+        ("reason", result.reason),
+        ("lap time", _unit(result.best_lap_time, "s", 3)),
+        *_reference(result, plan),
+        *_all_laps(result, plan),
+        ("minimum clearance", _unit(least_clearance(result.judgement), "m", 3)),
+        ("real-time factor", _unit(result.measured.real_time_factor, "", 1)),
+        ("cost", f"{_unit(result.cost, 's', 1)} besides simulating"),
+        *_failed_criteria(result),
+        *_culprit_log(result),
+        ("result", str(plan.folder / RESULT_FILE)),
+        ("picture", str(plan.folder / PICTURE_FILE)),
+    ]
+    return "\n".join(f"{name + ':' if name else '':19}{value}" for name, value in lines)
+
+
+def cost_of_all(costs: Mapping[str, float]) -> str:
+    """What scenarios cost besides simulating (wall s, by name), in a line."""
+    dearest = max(costs, key=costs.__getitem__)
+    return (
+        f"cost besides simulating: median {statistics.median(costs.values()):.1f} s,"
+        f" at most {costs[dearest]:.1f} s ({dearest})"
+    )
+
+
+def _reference(result, plan):
+    fastest = reference_lap(plan.scenario)
+    if fastest and result.best_lap_time:
+        times = result.best_lap_time / fastest
+        how = "in a flying lap" if plan.scenario.laps > 1 else "from standstill"
+        yield "reference", f"{fastest:.3f} s (fastest flying lap possible), {times:.2f} times that {how}"
+
+
+def _all_laps(result, plan):
+    if plan.scenario.laps > 1:
+        for car in plan.scenario.cars:
+            times = ", ".join(_unit(time, "s", 3) for time in result.lap_times(car.name))
+            yield f"laps of {car.name}", times or "none"
+
+
+def _failed_criteria(result):
+    for criterion in result.criteria:
+        if criterion.status is Status.FAILED:
+            yield "failed", f"{criterion.name}: {criterion.comparison}"
+
+
+def _culprit_log(result):
+    failure = result.judgement.failure
+    if failure and failure.log_file:
+        yield "log", failure.log_file
+        yield from (("", textwrap.shorten(line, _LINE_WIDTH)) for line in failure.log_lines)
+
+
+def _unit(value, unit, digits):
+    return "none" if value is None else f"{value:.{digits}f} {unit}".rstrip()

@@ -1,0 +1,216 @@
+"""The picture of a run: path over the map, coloured by speed, with start, goals and contacts."""
+
+import textwrap
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Optional
+
+import matplotlib
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+
+from f1tenth_scenarios.atomic import replacing
+from f1tenth_scenarios.record.record import CarTrack, Record
+from f1tenth_scenarios.record.track_map import TrackMap
+from f1tenth_scenarios.scenario.scenario import Pose
+
+_MARGIN = 1.0  # m, around what is drawn
+_LONG_SIDE = 11.0  # inch
+_DOTS_PER_INCH = 130
+_TEXT_WIDTH = 110  # characters
+_CONTACT_COLOUR = "#d62728"
+_GOAL_COLOUR = "#1f3b57"
+
+
+def write_picture(
+    path: Path,
+    title: str,
+    lines: Sequence[str],
+    record: Record,
+    goals: Mapping[str, Sequence[Pose]],
+    track_map: Optional[TrackMap],
+) -> None:
+    """Draw a run into a PNG file, which replaces the old one when it is complete.
+
+    Args:
+        path: of the file
+        title: above the picture
+        lines: below the title
+        record: what the cars did
+        goals: per car
+        track_map: drawn beneath, if there is one
+    """
+    tracks = [track for track in record.tracks.values() if len(track.time)]
+    box = _bounding_box(tracks, goals, track_map)
+    figure = Figure(figsize=_figure_size(box))
+    FigureCanvasAgg(figure)
+    axes = figure.add_subplot()
+    _draw_map(axes, track_map)
+    _draw_paths(figure, axes, tracks)
+    _draw_goals(axes, goals)
+    _draw_contacts(axes, tracks)
+    _finish(figure, axes, box, title, lines)
+    with replacing(path) as temporary:
+        figure.savefig(temporary, dpi=_DOTS_PER_INCH, bbox_inches="tight", pad_inches=0.2)
+
+
+def _bounding_box(tracks, goals, track_map):
+    """Left, right, bottom, top of all that matters: walls, paths and goals; not the map's empty border."""
+    xs = [track.x for track in tracks] + [np.array([goal.x for goal in poses]) for poses in goals.values()]
+    ys = [track.y for track in tracks] + [np.array([goal.y for goal in poses]) for poses in goals.values()]
+    if track_map is not None:
+        wall_xs, wall_ys = _wall_extremes(track_map)
+        xs.append(wall_xs)
+        ys.append(wall_ys)
+    x, y = (np.concatenate([*values, np.zeros(1)]) for values in (xs, ys))
+    return x.min() - _MARGIN, x.max() + _MARGIN, y.min() - _MARGIN, y.max() + _MARGIN
+
+
+def _wall_extremes(track_map):
+    rows, columns = np.nonzero(track_map.pixels < 128)
+    if not len(rows):
+        return np.empty(0), np.empty(0)
+    left, right, bottom, top = track_map.extent
+    height, width = track_map.pixels.shape
+    x = left + (right - left) * np.array([columns.min(), columns.max() + 1]) / width
+    y = top - (top - bottom) * np.array([rows.min(), rows.max() + 1]) / height
+    return x, y
+
+
+def _figure_size(box):
+    width, height = box[1] - box[0], box[3] - box[2]
+    scale = _LONG_SIDE / max(width, height)
+    return max(width * scale, 6.0) + 1.4, max(height * scale, 3.5) + 0.9
+
+
+def _draw_map(axes, track_map):
+    if track_map is None:
+        return
+    # Walls dark, free space white, unknown light: a map's own greys are too heavy behind a coloured path.
+    shades = np.select([track_map.pixels < 128, track_map.pixels > 230], [0.25, 1.0], default=0.93)
+    axes.imshow(
+        shades, extent=track_map.extent, cmap="gray", vmin=0, vmax=1, interpolation="nearest", zorder=0
+    )
+
+
+def _draw_paths(figure, axes, tracks):
+    if not tracks:
+        return
+    fastest = max(float(track.speed.max()) for track in tracks)
+    scale = matplotlib.colors.Normalize(0.0, max(fastest, 0.1))
+    for track in tracks:
+        lines = _path_lines(track, scale)
+        axes.add_collection(lines)
+        axes.annotate(
+            track.car,
+            (track.x[0], track.y[0]),
+            xytext=(8, -14),
+            textcoords="offset points",
+            fontsize=8,
+            zorder=6,
+        )
+        axes.plot(
+            track.x[0],
+            track.y[0],
+            marker=(3, 0, np.degrees(track.yaw[0]) - 90),
+            markersize=11,
+            color="#2ca02c",
+            markeredgecolor="white",
+            linestyle="none",
+            zorder=5,
+            label="start" if track is tracks[0] else None,
+        )
+    bar = figure.colorbar(lines, ax=axes, fraction=0.046, pad=0.02, shrink=0.85)
+    bar.set_label("speed (m/s)")
+    bar.outline.set_visible(False)
+
+
+def _path_lines(track: CarTrack, scale) -> LineCollection:
+    points = np.column_stack([track.x, track.y])[:, None, :]
+    lines = LineCollection(
+        np.concatenate([points[:-1], points[1:]], axis=1),
+        cmap="plasma",
+        norm=scale,
+        linewidths=2.4,
+        capstyle="round",
+        zorder=3,
+    )
+    lines.set_array((track.speed[:-1] + track.speed[1:]) / 2)
+    return lines
+
+
+def _draw_goals(axes, goals):
+    drawn = set()
+    for poses in goals.values():
+        for number, goal in enumerate(poses, start=1):
+            if (goal.x, goal.y) in drawn:
+                continue
+            axes.plot(
+                goal.x,
+                goal.y,
+                "o",
+                markersize=13,
+                color=_GOAL_COLOUR,
+                markeredgecolor="white",
+                alpha=0.85,
+                zorder=4,
+                label=None if drawn else "goals",
+            )
+            axes.annotate(
+                str(number),
+                (goal.x, goal.y),
+                color="white",
+                fontsize=7.5,
+                fontweight="bold",
+                ha="center",
+                va="center_baseline",
+                zorder=5,
+            )
+            drawn.add((goal.x, goal.y))
+
+
+def _draw_contacts(axes, tracks):
+    contacts = [contact for track in tracks for contact in track.contact_list()]
+    if contacts:
+        axes.plot(
+            [contact.x for contact in contacts],
+            [contact.y for contact in contacts],
+            "X",
+            markersize=13,
+            color=_CONTACT_COLOUR,
+            markeredgecolor="white",
+            linestyle="none",
+            zorder=7,
+            label="contact",
+        )
+
+
+def _finish(figure, axes, box, title, lines):
+    axes.set(xlim=box[:2], ylim=box[2:], aspect="equal", xlabel="x (m)", ylabel="y (m)")
+    axes.set_facecolor("#ededed")
+    axes.grid(color="black", alpha=0.07, linewidth=0.6)
+    axes.spines[["top", "right"]].set_visible(False)
+    text = "\n".join(part for line in lines for part in textwrap.wrap(line, _TEXT_WIDTH))
+    height = 13 * (text.count("\n") + 1)  # points
+    axes.set_title(title, fontsize=14, fontweight="bold", loc="left", pad=height + 10, parse_math=False)
+    axes.annotate(
+        text,
+        (0, 1),
+        (0, 6),
+        "axes fraction",
+        "offset points",
+        fontsize=9.5,
+        color="#444444",
+        parse_math=False,
+    )
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(
+            loc="lower right",
+            bbox_to_anchor=(1.0, 1.0),
+            ncols=3,
+            fontsize=8.5,
+            frameon=False,
+            markerscale=0.75,
+        )

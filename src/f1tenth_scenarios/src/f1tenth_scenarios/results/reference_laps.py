@@ -1,0 +1,30 @@
+"""How long the fastest flying lap of each circuit takes, as `race_reference --laps` has computed it."""
+
+from pathlib import Path
+from typing import Optional
+
+import yaml
+
+from f1tenth_scenarios import places
+from f1tenth_scenarios.scenario.scenario import Driver, Scenario
+
+_HEAD = "# Fastest flying laps (s); made by: rosrun f1tenth_scenarios race_reference --laps {path}\n"
+
+
+def reference_laps_file() -> Path:
+    """The file with the laps of the circuits of this workspace."""
+    return places.package_path(places.PACKAGE) / "config" / "reference_laps.yaml"
+
+
+def reference_lap(scenario: Scenario) -> Optional[float]:
+    """Fastest flying lap of the circuit that a car with its usual tyres races around, s; else nothing."""
+    racers = [car for car in scenario.cars if car.driver is Driver.RACE and car.goals == scenario.world]
+    around = any(car.mu is None for car in racers)
+    laps = yaml.safe_load(reference_laps_file().read_text(encoding="utf-8"))
+    return laps.get(scenario.world) if around else None
+
+
+def reference_laps_text(laps: dict[str, float]) -> str:
+    """What the file says."""
+    lines = [f"{name}: {lap:.3f}\n" for name, lap in laps.items()]
+    return _HEAD.format(path="config/reference_laps.yaml") + "".join(lines)

@@ -1,0 +1,66 @@
+"""Following files that another process is still writing."""
+
+import re
+from pathlib import Path
+from typing import Optional
+
+from f1tenth_scenarios.judge.false_start import FirstMoves
+from f1tenth_scenarios.record.record import COLUMNS
+
+_ESCAPE = re.compile(r"\x1b\[[0-9;]*m|\x1b\]2;[^\x07]*\x07")
+
+
+class LineTail:
+    """Hands out each complete line of a growing file once."""
+
+    def __init__(self, path: Path):
+        self._path = path
+        self._offset = 0
+        self._rest = b""
+
+    def new_lines(self) -> list[str]:
+        """The lines completed since the last call; none while the file does not exist."""
+        try:
+            with open(self._path, "rb") as stream:
+                stream.seek(self._offset)
+                data = stream.read()
+        except FileNotFoundError:
+            return []
+        self._offset += len(data)
+        *lines, self._rest = (self._rest + data).split(b"\n")
+        return [_plain(line) for line in lines]
+
+
+class RecordTail:
+    """What the simulator's record says so far: cheap enough to be asked many times a second."""
+
+    _TIME, _CAR, _X, _Y, _CONTACTS = map(COLUMNS.index, ("time", "car", "x", "y", "contacts"))
+
+    def __init__(self, path: Path):
+        self._tail = LineTail(path)
+        self.time: Optional[float] = None  # s, of the last period
+        self.touches = 0  # rows with a contact
+        self.moves = FirstMoves()
+
+    def poll(self) -> None:
+        """Read what has been added."""
+        for line in self._tail.new_lines():
+            cells = line.split(",")
+            if len(cells) == len(COLUMNS) and cells[self._TIME] != COLUMNS[self._TIME]:
+                self.time = float(cells[self._TIME])
+                self.touches += bool(cells[self._CONTACTS])
+                self.moves.take(self.time, cells[self._CAR], float(cells[self._X]), float(cells[self._Y]))
+
+
+def last_lines(path: Path, count: int) -> list[str]:
+    """The last lines of a file that are not empty; none when it cannot be read."""
+    try:
+        data = path.read_bytes()
+    except OSError:
+        return []
+    return [line for line in map(_plain, data.splitlines()) if line][-count:]
+
+
+def _plain(line: bytes) -> str:
+    """The text without colours and other commands to a terminal."""
+    return _ESCAPE.sub("", line.decode("utf-8", errors="replace")).rstrip()

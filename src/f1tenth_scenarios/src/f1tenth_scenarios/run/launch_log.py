@@ -1,0 +1,71 @@
+"""What roslaunch says about the processes it started."""
+
+import dataclasses
+import re
+from pathlib import Path
+from typing import Optional
+
+from f1tenth_scenarios.run.file_tail import LineTail
+
+_DIED = re.compile(r"\[(?P<process>\S+)\] process has died \[pid (?P<pid>\d+), exit code (?P<code>-?\d+)")
+_REQUIRED = re.compile(r"REQUIRED process \[(?P<process>\S+)\] has died")
+_REQUIRED_END = re.compile(r"process has (died \[pid \d+, exit code (?P<code>-?\d+)|finished cleanly)")
+_FINISHED = re.compile(r"\[(?P<process>\S+)\] process has finished cleanly")
+_STARTED = re.compile(r"process\[(?P<process>\S+)\]: started with pid \[(?P<pid>\d+)\]")
+_LOG_FILE = re.compile(r"^log file: (?P<pattern>.*)\*\.log")
+
+
+@dataclasses.dataclass(frozen=True)
+class NodeEnd:
+    """A node that ended while roslaunch was not ending it."""
+
+    node: str  # name without the leading slash
+    exit_code: int
+    log_file: Optional[str] = None
+
+    def describe(self) -> str:
+        """How it ended, in words."""
+        return (
+            f"was killed by signal {-self.exit_code}"
+            if self.exit_code < 0
+            else (f"ended with exit code {self.exit_code}")
+        )
+
+
+class LaunchLog:
+    """Follows roslaunch's output."""
+
+    def __init__(self, path: Path):
+        self._tail = LineTail(path)
+        self._required: Optional[str] = None
+        self.ends: list[NodeEnd] = []
+        self.pids: dict[str, int] = {}  # by node
+
+    def poll(self) -> None:
+        """Read what has been added."""
+        for line in self._tail.new_lines():
+            self._take(line)
+
+    def _take(self, line: str) -> None:
+        log_file = _LOG_FILE.match(line)
+        if log_file and self.ends:
+            self.ends[-1] = dataclasses.replace(self.ends[-1], log_file=f"{log_file['pattern']}*.log")
+        elif found := _STARTED.search(line):
+            self.pids[_node(found["process"])] = int(found["pid"])
+        elif found := _REQUIRED.search(line):
+            self._required = found["process"]
+        elif found := _DIED.search(line):
+            self._add(found["process"], int(found["code"]))
+        elif found := _FINISHED.search(line):
+            self._add(found["process"], 0)
+        elif self._required and (found := _REQUIRED_END.search(line)):
+            self._add(self._required, int(found["code"] or 0))
+            self._required = None
+
+    def _add(self, process: str, exit_code: int) -> None:
+        self.ends.append(NodeEnd(_node(process), exit_code))
+
+
+def _node(process: str) -> str:
+    # roslaunch appends "-3" to the name of the third process.
+    return process.rpartition("-")[0]

@@ -1,0 +1,94 @@
+"""What is heard of a run on topics."""
+
+import queue
+import time
+from typing import Optional
+
+import rospy
+from std_msgs.msg import Bool
+
+from f1tenth_race_mgr.msg import RaceStatus
+from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
+from f1tenth_scenarios.record.record import STAMP_EPSILON
+from f1tenth_scenarios.record.recording import Recording
+from f1tenth_scenarios.record.replay_recorder import ReplayRecorder
+from f1tenth_scenarios.run.director import Director
+from f1tenth_scenarios.scenario.scenario import Driver, Scenario
+
+_PATIENCE, _LOOK_INTERVAL = 0.5, 0.005  # wall s
+
+_STATES = {
+    RaceStatus.WAITING: RaceState.WAITING,
+    RaceStatus.RACING: RaceState.RACING,
+    RaceStatus.FINISHED: RaceState.FINISHED,
+    RaceStatus.ABORTED: RaceState.ABORTED,
+    RaceStatus.STOPPED: RaceState.STOPPED,
+    RaceStatus.LOST: RaceState.LOST,
+}
+
+
+def to_update(car: str, message: RaceStatus) -> RaceUpdate:
+    """A message of a car's race_mgr in our own words."""
+    return RaceUpdate(
+        car, message.header.stamp.to_sec(), _STATES[message.state], message.goals_reached, message.text
+    )
+
+
+class RosWatch:
+    """Listens to race_status and collision, and breaks what is to be broken. Needs a running rospy node."""
+
+    def __init__(self, scenario: Scenario):
+        self._cars = [car.name for car in scenario.cars]
+        self._updates: queue.SimpleQueue = queue.SimpleQueue()
+        self._subscribers = [self._subscribe(car.name) for car in scenario.cars if car.driver is Driver.RACE]
+        self._collided: set[str] = set()
+        self._subscribers += [self._subscribe_collision(car) for car in self._cars]
+        self._replay = ReplayRecorder(self._cars)
+        self._director = Director(scenario) if scenario.has_events else None
+
+    def take(self) -> list[RaceUpdate]:
+        """The updates since the last call, in the order of their arrival."""
+        return [self._updates.get() for _ in range(self._updates.qsize())]
+
+    def collided(self) -> frozenset[str]:
+        """The cars that have reported a collision so far."""
+        return frozenset(self._collided)
+
+    def failure(self) -> Optional[Failure]:
+        """What went wrong on this side, if anything did."""
+        return self._director.failure if self._director else None
+
+    def catch_up(self, stamp: float) -> None:
+        """Wait until the scans up to a stamp (s) are heard, and with them what came before; not for long."""
+        deadline = time.monotonic() + _PATIENCE
+        while self._replay.now + STAMP_EPSILON < stamp and time.monotonic() < deadline:
+            time.sleep(_LOOK_INTERVAL)
+
+    def recording(self) -> Recording:
+        """What was heard for the replay."""
+        return self._replay.recording()
+
+    def descriptions(self) -> dict[str, str]:
+        """The robot_description of each car on the parameter server."""
+        return {car: rospy.get_param(f"/{car}/robot_description", "") for car in self._cars}
+
+    def close(self) -> None:
+        """Stop listening."""
+        for each in self._subscribers:
+            each.unregister()
+        self._replay.close()
+        if self._director:
+            self._director.close()
+
+    def _subscribe(self, car: str) -> rospy.Subscriber:
+        return rospy.Subscriber(
+            f"/{car}/race_status",
+            RaceStatus,
+            lambda message: self._updates.put(to_update(car, message)),
+            tcp_nodelay=True,
+        )
+
+    def _subscribe_collision(self, car: str) -> rospy.Subscriber:
+        return rospy.Subscriber(
+            f"/{car}/collision", Bool, lambda message: self._collided.add(car) if message.data else None
+        )

@@ -1,0 +1,193 @@
+"""Watching a run until something decides it."""
+
+import json
+import time
+from pathlib import Path
+from typing import Callable, Optional, Protocol
+
+from f1tenth_scenarios.judge.false_start import find_false_start
+from f1tenth_scenarios.judge.judge import first_collision, is_decided
+from f1tenth_scenarios.launch.processes import ProcessTree
+from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
+from f1tenth_scenarios.record.pace import Pace
+from f1tenth_scenarios.record.record import STAMP_EPSILON, read_record
+from f1tenth_scenarios.record.recording import Recording
+from f1tenth_scenarios.run.culprit import Signs, failure_of
+from f1tenth_scenarios.run.file_tail import RecordTail, last_lines
+from f1tenth_scenarios.run.launch_log import LaunchLog, NodeEnd
+from f1tenth_scenarios.scenario.participants import DRIVER_NODES
+from f1tenth_scenarios.scenario.plan import Plan
+from f1tenth_scenarios.scenario.scenario import Driver
+from f1tenth_scenarios.stop_request import StopRequest
+
+_POLL_INTERVAL = 0.02  # wall s
+# What was said just before a node ended, and recorded of a collision, gets this long (wall s) to arrive.
+_LAST_WORDS, _RECORD_LAG = 0.5, 1.0
+# The same for one killed by a signal, which is nobody else's fault: only its output may still be on its way.
+_LAST_OUTPUT = 0.1
+
+
+class Watch(Protocol):
+    """What is heard on topics."""
+
+    def take(self) -> list[RaceUpdate]:
+        """The updates since the last call."""
+
+    def collided(self) -> frozenset[str]:
+        """The cars that have reported a collision so far."""
+
+    def failure(self) -> Optional[Failure]:
+        """What went wrong on this side, if anything did."""
+
+    def catch_up(self, stamp: float) -> None:
+        """Wait until what was said up to a stamp (s) is heard; not for long."""
+
+    def close(self) -> None:
+        """Stop listening."""
+
+    def recording(self) -> Recording:
+        """What was heard for the replay."""
+
+    def descriptions(self) -> dict[str, str]:
+        """The robot_description of each car, empty if it has none; from any thread."""
+
+
+Progress = Callable[[Optional[float], float], None]
+
+
+class Supervisor:
+    """Looks at record, topics and processes until the run is decided."""
+
+    def __init__(self, plan: Plan, tree: ProcessTree, watch: Watch, stop: StopRequest, progress: Progress):
+        """`progress` is called with the simulated time and the wall time since the start, both s."""
+        self._plan = plan
+        self._tree = tree
+        self._watch = watch
+        self._stop = stop
+        self._progress = progress
+        self._started = time.monotonic()
+        self._record = RecordTail(plan.record_file)
+        self._launch_log = LaunchLog(plan.launch_log)
+        self._end_seen_at: Optional[float] = None
+        self._touches_judged = 0
+        self._alarm_at: Optional[float] = None
+        self._race_over_at: Optional[float] = None
+        self.updates: list[RaceUpdate] = []
+        self.pace = Pace()
+
+    @property
+    def simulator_pid(self) -> Optional[int]:
+        """The simulator's process; nothing before it was started."""
+        return self._launch_log.pids.get("sim2d")
+
+    def wait(self) -> Optional[Failure]:
+        """Return when the run is decided; with a failure if the set-up broke."""
+        while not self._decided():
+            failure = self._failure()
+            if failure:
+                self._poll()
+                return failure
+            self._progress(self._record.time, self._elapsed())
+            time.sleep(_POLL_INTERVAL)
+        return None
+
+    def _decided(self) -> bool:
+        self._poll()
+        simulated = self._record.time
+        return (
+            self._collided()
+            or self._is_alarm_over()
+            or find_false_start(self._plan.scenario, self._record.moves, self.updates) is not None
+            or (simulated is not None and simulated >= self._plan.scenario.limits.timeout)
+            or self._is_race_over()
+        )
+
+    def _collided(self) -> bool:
+        """Whether a car touched something, and not lightly; reads the whole record after new touches only."""
+        if self._record.touches == self._touches_judged:
+            return False
+        self._touches_judged = self._record.touches
+        scenario = self._plan.scenario
+        return scenario.criteria.light_touch == 0 or (
+            first_collision(scenario, read_record(self._plan.record_file)) is not None
+        )
+
+    def _is_race_over(self) -> bool:
+        """Whether the cars say so, and the record has come as far; outside lockstep it lags behind them."""
+        if not is_decided(self._plan.scenario, self._plan.all_goals, self.updates):
+            return False
+        if self._race_over_at is None:
+            self._race_over_at = time.monotonic()
+        said = max(update.stamp for update in self.updates)
+        shown = self._record.time is not None and self._record.time + STAMP_EPSILON >= said
+        return shown or time.monotonic() - self._race_over_at > _RECORD_LAG
+
+    def _is_alarm_over(self) -> bool:
+        """Whether a collision was reported that the record has had its time to show, and does not."""
+        if self._record.touches:
+            return False
+        if self._watch.collided() and self._alarm_at is None:
+            self._alarm_at = time.monotonic()
+        return self._alarm_at is not None and time.monotonic() - self._alarm_at > _RECORD_LAG
+
+    def _poll(self) -> None:
+        self.updates += self._watch.take()
+        self._record.poll()
+        self._launch_log.poll()
+        self.pace.note(self._record.time, self._elapsed())
+
+    def _elapsed(self) -> float:
+        return time.monotonic() - self._started
+
+    def _failure(self) -> Optional[Failure]:
+        if self._stop.signal:
+            return Failure("runner", f"was told to stop by {self._stop.signal.name}")
+        if self._elapsed() > self._plan.scenario.limits.wall:
+            return self._hang()
+        return self._watch.failure() or self._breakdown()
+
+    def _hang(self) -> Failure:
+        simulated = "nothing" if self._record.time is None else f"{self._record.time:.3f} s"
+        limit = self._plan.scenario.limits.wall
+        return Failure(
+            "runner",
+            f"not decided after {limit:g} s of wall time (limits.wall), {simulated} simulated",
+            str(self._plan.launch_log),
+            tuple(last_lines(self._plan.launch_log, 10)),
+        )
+
+    def _breakdown(self) -> Optional[Failure]:
+        ends = [end for end in self._launch_log.ends if self._is_fatal(end)]
+        lost = [each for each in self.updates if each.state in (RaceState.LOST, RaceState.STOPPED)]
+        exit_code = self._tree.exit_code()
+        if not (ends or lost or exit_code is not None):
+            return None
+        if self._end_seen_at is None:
+            self._end_seen_at = time.monotonic()
+        killed = any(end.exit_code < 0 for end in ends)
+        if time.monotonic() - self._end_seen_at < (_LAST_OUTPUT if killed else _LAST_WORDS):
+            return None
+        return failure_of(
+            self._plan, Signs(ends, lost, exit_code, read_json(self._plan.simulator_result_file))
+        )
+
+    def _is_fatal(self, end: NodeEnd) -> bool:
+        return end.exit_code != 0 or end.node in self._must_live()
+
+    def _must_live(self) -> set[str]:
+        finished = {update.car for update in self.updates if update.state is RaceState.FINISHED}
+        alive = {"sim2d"}
+        for car in self._plan.scenario.cars:
+            if car.driver is not Driver.RACE:
+                alive.add(f"{car.name}/{DRIVER_NODES[car.driver]}")
+            elif car.name not in finished:
+                alive |= {f"{car.name}/move_base", f"{car.name}/race_mgr"}
+        return alive
+
+
+def read_json(path: Path) -> dict:
+    """What a JSON file holds; empty when it is missing or broken."""
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}

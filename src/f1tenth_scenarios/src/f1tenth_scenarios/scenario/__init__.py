@@ -1,0 +1,1 @@
+"""What a scenario file says: read, validated, documented; its plan ready to run."""

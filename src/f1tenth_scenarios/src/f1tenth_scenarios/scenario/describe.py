@@ -1,0 +1,59 @@
+"""The keys of a schema as a Markdown table, so that document and validation cannot differ."""
+
+import dataclasses
+import enum
+import typing
+
+from f1tenth_scenarios.scenario.schema import keys
+
+_WORDS = {bool: "true, false", int: "whole number", float: "number", str: "text"}
+
+
+def describe_keys(schema: type) -> str:
+    """One row a key: name, type and allowed values, unit, default, meaning."""
+    rows = ["| key | value | unit | default | meaning |", "| --- | --- | --- | --- | --- |"]
+    return "\n".join([*rows, *_rows(schema, "")])
+
+
+def _rows(schema, prefix):
+    hints = typing.get_type_hints(schema)
+    for field in dataclasses.fields(schema):
+        info, (hint, mark) = keys(schema)[field.name], _unwrap(hints[field.name])
+        name = f"{prefix}{field.name}{mark}"
+        yield f"| `{name}` | {_value(hint, info)} | {info.unit} | {_default(field)} | {info.doc} |"
+        if dataclasses.is_dataclass(hint):
+            yield from _rows(hint, f"{name}.")
+
+
+def _unwrap(hint):
+    if typing.get_origin(hint) is tuple:
+        return typing.get_args(hint)[0], "[]"
+    if typing.get_origin(hint) is typing.Union:
+        return next(option for option in typing.get_args(hint) if option is not type(None)), ""
+    return hint, ""
+
+
+def _value(hint, info):
+    if dataclasses.is_dataclass(hint):
+        return "mapping"
+    if issubclass(hint, enum.Enum):
+        return ", ".join(f"`{choice.value}`" for choice in hint)
+    return ", ".join(filter(None, (_WORDS[hint], info.range_text())))
+
+
+def _default(field):
+    if field.default is dataclasses.MISSING:
+        return "required"
+    if isinstance(field.default, enum.Enum):
+        return f"`{field.default.value}`"
+    if field.default is None or field.default == ():
+        return "none"
+    if dataclasses.is_dataclass(field.default):
+        return _default_of_mapping(field.default)
+    return f"{field.default}".lower() if isinstance(field.default, bool) else f"{field.default}"
+
+
+def _default_of_mapping(value):
+    """What its own keys' defaults do not say already."""
+    needed = [field.name for field in dataclasses.fields(value) if field.default is dataclasses.MISSING]
+    return ", ".join(f"{name} {getattr(value, name)}" for name in needed) or "its keys' defaults"

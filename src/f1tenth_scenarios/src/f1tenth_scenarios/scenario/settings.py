@@ -1,0 +1,154 @@
+"""Values of a scenario's keys that are set from outside of its file, as in `mu=0.3`."""
+
+import collections
+import dataclasses
+import itertools
+import math
+import re
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+import yaml
+
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.scenario.scenario import Car, Scenario
+from f1tenth_scenarios.scenario.schema import keys
+
+_MOST_VALUES = 100_000
+
+
+@dataclasses.dataclass(frozen=True)
+class Setting:
+    """A key and its value as YAML text.
+
+    The key is one of the scenario (`seed`), one inside a mapping (`limits.timeout`), or one of a car (`mu`),
+    which then counts for all cars.
+    """
+
+    key: str
+    value: str
+
+    def __str__(self) -> str:
+        return f"{self.key}={self.value}"
+
+
+def parse_setting(text: str) -> Setting:
+    """Read KEY=VALUE.
+
+    Raises:
+        ScenarioError: it is none.
+    """
+    key, equals, value = text.partition("=")
+    if not (key and equals and value):
+        raise ScenarioError(f"'{text}' must be KEY=VALUE, as in mu=0.3")
+    return Setting(key, value)
+
+
+def apply_settings(root: yaml.MappingNode, settings: Sequence[Setting]) -> None:
+    """Put the settings into a scenario's YAML tree.
+
+    Raises:
+        ScenarioError: there is no such key, or the value is not YAML.
+    """
+    for setting in settings:
+        value = _compose(setting)
+        if setting.key in keys(Car) and setting.key not in keys(Scenario):
+            for car in _cars(root):
+                _put(car, setting.key, value)
+        else:
+            *path, last = setting.key.split(".")
+            _put(_descend(root, path, setting), last, value)
+
+
+def parse_variation(text: str) -> list[Setting]:
+    """Read what a key is to be: `seed=1:50` (whole numbers), `mu=0.3:1.0:8` (so many, evenly), `world=a,b`.
+
+    Raises:
+        ScenarioError: it is none of these, or names a value twice.
+    """
+    setting = parse_setting(text)
+    parts = setting.value.split(":")
+    if len(parts) == 3:
+        values = _evenly_spaced(text, *parts)
+    elif len(parts) == 2:
+        values = _whole_numbers(text, *parts)
+    else:
+        values = setting.value.split(",")
+    value, count = collections.Counter(values).most_common(1)[0]
+    if count > 1:
+        raise ScenarioError(f"'{text}' has the value {value} more than once")
+    return [Setting(setting.key, value) for value in values]
+
+
+def _evenly_spaced(text: str, first: str, last: str, count: str) -> list[str]:
+    number = _read(text, int, count, "the number of values must be a whole number")
+    _check_count(text, number)
+    ends = [_read(text, float, end, "must be a number") for end in (first, last)]
+    return [f"{value:.6g}" for value in np.linspace(*ends, number)]
+
+
+def _whole_numbers(text: str, first: str, last: str) -> list[str]:
+    ends = [_read(text, int, end, "must be a whole number") for end in (first, last)]
+    _check_count(text, ends[1] - ends[0] + 1)
+    return [str(value) for value in range(ends[0], ends[1] + 1)]
+
+
+def _read(text, kind, value, rule):
+    try:
+        number = kind(value)
+    except ValueError:
+        number = math.nan
+    if not math.isfinite(number):
+        allowed = "allowed are FIRST:LAST (whole numbers), FIRST:LAST:COUNT, and A,B,…"
+        raise ScenarioError(f"'{text}': {rule}, found '{value}'; {allowed}")
+    return number
+
+
+def _check_count(text: str, count: int) -> None:
+    if not 0 < count <= _MOST_VALUES:
+        raise ScenarioError(f"'{text}' stands for {max(count, 0)} values, must be 1 to {_MOST_VALUES}")
+
+
+def combinations(variations: Sequence[Sequence[Setting]]) -> Iterator[tuple[Setting, ...]]:
+    """Every value of each with every value of the others."""
+    return itertools.product(*variations)
+
+
+def folder_name(settings: Sequence[Setting]) -> str:
+    """A folder's name for a combination."""
+    return ",".join(re.sub(r"[^A-Za-z0-9_.=+-]", "_", str(each)) for each in settings)
+
+
+def _compose(setting: Setting) -> yaml.Node:
+    try:
+        node = yaml.compose(setting.value, Loader=yaml.SafeLoader)
+    except yaml.YAMLError as error:
+        raise ScenarioError(f"{setting}: not YAML: {' '.join(str(error).split())}") from error
+    node.start_mark.name = str(setting)
+    return node
+
+
+def _cars(root: yaml.MappingNode) -> list[yaml.Node]:
+    cars = next((value for key, value in root.value if key.value == "cars"), None)
+    return cars.value if isinstance(cars, yaml.SequenceNode) else []
+
+
+def _descend(node, path, setting):
+    for name in path:
+        found = next((value for key, value in node.value if key.value == name), None)
+        if found is None:
+            found = yaml.MappingNode("tag:yaml.org,2002:map", [], node.start_mark, node.end_mark)
+            node.value.append((_name_node(name, node), found))
+        if not isinstance(found, yaml.MappingNode):
+            raise ScenarioError(f"{setting}: {name} holds no keys")
+        node = found
+    return node
+
+
+def _put(node: yaml.MappingNode, name: str, value: yaml.Node) -> None:
+    node.value = [(key, old) for key, old in node.value if key.value != name]
+    node.value.append((_name_node(name, value), value))
+
+
+def _name_node(name: str, beside: yaml.Node) -> yaml.ScalarNode:
+    return yaml.ScalarNode("tag:yaml.org,2002:str", name, beside.start_mark, beside.end_mark)

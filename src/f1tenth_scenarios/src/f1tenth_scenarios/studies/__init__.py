@@ -1,0 +1,1 @@
+"""Race pace, localization, passing: tables made from many runs."""

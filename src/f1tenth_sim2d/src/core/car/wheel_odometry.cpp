@@ -1,0 +1,114 @@
+#include "core/car/wheel_odometry.h"
+
+#include <cmath>
+
+#include "core/math/noise.h"
+#include "core/math/planar_pose.h"
+#include "core/math/sim_time.h"
+
+namespace f1tenth_sim2d
+{
+WheelOdometryIntegrator::WheelOdometryIntegrator(const VehicleParameters & parameters, std::uint64_t seed, CarIndex car)
+: parameters_(parameters), seed_(seed), car_(car)
+{
+}
+
+void WheelOdometryIntegrator::restart(const Pose2 & pose, double steering_angle, SimTime now)
+{
+  current_ = {};
+  current_.pose = pose;
+  next_sample_ = static_cast<std::int64_t>(std::floor(toSeconds(now) * parameters_.odometry_rate_hz)) + 1;
+  next_time_ = sampleTime(next_sample_);
+  distance_ = 0.0;
+  sideways_ = 0.0;
+  turn_ = 0.0;
+  elapsed_ = 0.0;
+  last_steering_angle_ = steering_angle;
+}
+
+void WheelOdometryIntegrator::advance(double distance, double steering_angle, double dt, SimTime now)
+{
+  distance_ += distance;
+  elapsed_ += dt;
+  if (isDue(now)) {
+    sampleSteered(steering_angle);
+    integrate();
+  }
+}
+
+void WheelOdometryIntegrator::advanceFreely(const Vec2 & way, double turn, double track_width, double dt, SimTime now)
+{
+  distance_ += way.x;
+  sideways_ += way.y;
+  turn_ += turn;
+  elapsed_ += dt;
+  if (isDue(now)) {
+    sampleFree(track_width);
+    integrate();
+  }
+}
+
+bool WheelOdometryIntegrator::isDue(SimTime now) const
+{
+  return now >= next_time_;
+}
+
+SimTime WheelOdometryIntegrator::sampleTime(std::int64_t number) const
+{
+  return fromSeconds(static_cast<double>(number) / parameters_.odometry_rate_hz);
+}
+
+std::uint64_t WheelOdometryIntegrator::noiseKeyNow() const
+{
+  return noiseKey(seed_, car_, NoiseStream::kOdometry, 0, static_cast<std::uint64_t>(next_sample_));
+}
+
+// A wheel that stands counts nothing.
+double WheelOdometryIntegrator::measuredSpeed(double distance, double noise) const
+{
+  const double error = distance == 0.0 ? 0.0 : parameters_.odometry_speed_noise_stddev * noise;
+  return parameters_.odometry_speed_scale * distance / elapsed_ + error;
+}
+
+void WheelOdometryIntegrator::sampleSteered(double steering_angle)
+{
+  const VehicleParameters & p = parameters_;
+  const std::uint64_t key = noiseKeyNow();
+  const double mean_steering_angle = 0.5 * (last_steering_angle_ + steering_angle);
+  const double measured_angle =
+    mean_steering_angle + p.odometry_steering_offset + p.odometry_steering_noise_stddev * gaussian(key, 0);
+  current_.speed = measuredSpeed(distance_, gaussian(key, 1));
+  const SineCosine steering = sineCosine(measured_angle);
+  current_.yaw_rate = current_.speed * steering.sine / steering.cosine / p.wheelbase();
+  last_steering_angle_ = steering_angle;
+}
+
+void WheelOdometryIntegrator::sampleFree(double track_width)
+{
+  const std::uint64_t key = noiseKeyNow();
+  const double apart = 0.5 * track_width * turn_;
+  const double left = measuredSpeed(distance_ - apart, gaussian(key, 0));
+  const double right = measuredSpeed(distance_ + apart, gaussian(key, 1));
+  current_.speed = 0.5 * (left + right);
+  current_.lateral_speed = measuredSpeed(sideways_, gaussian(key, 2));
+  current_.yaw_rate = (right - left) / track_width;
+}
+
+/// Goes on from the last sample at the speeds that were measured.
+void WheelOdometryIntegrator::integrate()
+{
+  const double turn = current_.yaw_rate * elapsed_;
+  const double ahead = current_.speed * elapsed_;
+  const double aside = current_.lateral_speed * elapsed_;
+  const SineCosine course = sineCosine(current_.pose.yaw + 0.5 * turn);
+  current_.pose.x += ahead * course.cosine - aside * course.sine;
+  current_.pose.y += ahead * course.sine + aside * course.cosine;
+  current_.pose.yaw = wrapAngle(current_.pose.yaw + turn);
+  distance_ = 0.0;
+  sideways_ = 0.0;
+  turn_ = 0.0;
+  elapsed_ = 0.0;
+  ++next_sample_;
+  next_time_ = sampleTime(next_sample_);
+}
+}  // namespace f1tenth_sim2d

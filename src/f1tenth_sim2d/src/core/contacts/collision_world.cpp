@@ -1,0 +1,299 @@
+#include "core/contacts/collision_world.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contacts/ground_friction.h"
+#include "core/contacts/piece_extent.h"
+#include "core/math/planar_pose.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+constexpr int kVelocityIterations = 8;
+constexpr int kPositionIterations = 3;
+constexpr double kSubstepTravel = 0.005;  // m, so that even thin bodies cannot be passed through
+constexpr double kStruckTravel = 0.5;     // m, that something which is struck goes in the same step, at most
+constexpr double kSurroundings = 0.5;     // m, beyond what is needed now
+
+void addFixture(b2Body & body, const Piece & piece)
+{
+  b2FixtureDef definition;
+  definition.shape = &piece.boxShape();
+  definition.userData.pointer = reinterpret_cast<std::uintptr_t>(&piece);
+  body.CreateFixture(&definition);
+}
+}  // namespace
+
+bool CollisionWorld::PieceFilter::ShouldCollide(b2Fixture * a, b2Fixture * b)
+{
+  return canTouch(pieceOf(*a), pieceOf(*b));
+}
+
+CollisionWorld::CollisionWorld(const WorldDescription & world, const WorldPieces & pieces)
+: description_(world), pieces_(pieces)
+{
+  world_.SetContactFilter(&filter_);
+  world_.SetContactListener(&recorder_);
+  // Substeps keep a car from passing through a wall; see docs/core.md.
+  world_.SetContinuousPhysics(false);
+  static_added_.resize(pieces.statics().size());
+  addBodies();
+  addPieces(pieces.ofWholeSolids());
+  addGroundFriction();
+}
+
+void CollisionWorld::addBodies()
+{
+  b2BodyDef definition;
+  static_body_ = world_.CreateBody(&definition);
+  for (std::size_t i = 0; i < description_.models.size(); ++i) {
+    const ModelDescription & model = description_.models[i];
+    b2Body * body = model.is_static ? static_body_ : addMovable(model, pieces_.bodies()[i]);
+    model_bodies_.push_back(body);
+    if (!model.is_static) {
+      movables_.push_back({{body, outerRadius(piecesOfModel(pieces_, i)), {}}, i});
+    }
+  }
+}
+
+b2Body * CollisionWorld::addMovable(const ModelDescription & model, const ModelBody & start)
+{
+  b2BodyDef definition;
+  definition.type = b2_dynamicBody;
+  definition.position = toBox(Transform2(start.frame).apply(start.centre_of_mass));
+  definition.angle = static_cast<float>(start.frame.yaw);
+  definition.awake = false;
+  b2Body * body = world_.CreateBody(&definition);
+  b2MassData mass;
+  mass.mass = static_cast<float>(model.mass);
+  mass.center = b2Vec2_zero;
+  mass.I = toBoxSquared(model.inertia_zz);
+  body->SetMassData(&mass);
+  return body;
+}
+
+void CollisionWorld::addPieces(const std::vector<Piece> & pieces)
+{
+  for (const Piece & piece : pieces) {
+    const bool is_car = piece.owner == Piece::Owner::kCar;
+    addFixture(is_car ? *cars_[piece.body].participant.body : *model_bodies_[piece.body], piece);
+  }
+}
+
+void CollisionWorld::addGroundFriction()
+{
+  const double ground = groundFriction(description_);
+  for (const Movable & movable : movables_) {
+    const ModelDescription & model = description_.models[movable.model];
+    const double weight = model.mass * description_.gravity;
+    addFrictionJoint(*static_body_, *movable.participant.body, piecesOfModel(pieces_, movable.model), ground, weight);
+  }
+}
+
+void CollisionWorld::addLayers(std::size_t count)
+{
+  for (; layers_added_ < count; ++layers_added_) {
+    addPieces(pieces_.ofLayer(layers_added_));
+  }
+  static_added_.resize(pieces_.statics().size());
+}
+
+void CollisionWorld::addCar(const CarBody & car)
+{
+  b2BodyDef definition;
+  definition.type = b2_dynamicBody;
+  definition.allowSleep = false;
+  definition.enabled = false;
+  b2Body * body = world_.CreateBody(&definition);
+  cars_.push_back({{body, outerRadius(car.pieces), {}}, {}});
+  addPieces(car.pieces);
+  b2MassData mass;
+  mass.mass = static_cast<float>(car.mass);
+  mass.center = b2Vec2_zero;
+  mass.I = toBoxSquared(car.inertia);
+  body->SetMassData(&mass);
+  recorder_.setCarCount(cars_.size());
+}
+
+void CollisionWorld::place(CarIndex car, const CarMotion & motion)
+{
+  b2Body * body = cars_[car].participant.body;
+  is_pristine_ = false;
+  cars_[car].placed = motion;
+  body->SetTransform(toBox(Vec2{motion.pose.x, motion.pose.y}), static_cast<float>(motion.pose.yaw));
+  if (!body->IsEnabled()) {
+    body->SetEnabled(true);
+  }
+  body->SetLinearVelocity(toBox(motion.velocity));
+  body->SetAngularVelocity(static_cast<float>(motion.yaw_rate));
+}
+
+void CollisionWorld::remove(CarIndex car)
+{
+  b2Body * body = cars_[car].participant.body;
+  if (body->IsEnabled()) {
+    body->SetEnabled(false);
+  }
+}
+
+void CollisionWorld::step(double dt, double travel)
+{
+  is_pristine_ = false;
+  surroundParticipants(travel);
+  recorder_.beginStep();
+  const int substeps = std::max(1, static_cast<int>(std::ceil(travel / kSubstepTravel)));
+  for (int i = 0; i < substeps; ++i) {
+    recorder_.beginSubstep();
+    world_.Step(static_cast<float>(dt / substeps), kVelocityIterations, kPositionIterations);
+  }
+  is_awake_ = std::any_of(
+    movables_.begin(), movables_.end(), [](const Movable & movable) { return movable.participant.body->IsAwake(); });
+}
+
+void CollisionWorld::surroundParticipants(double travel)
+{
+  for (Car & car : cars_) {
+    if (car.participant.body->IsEnabled()) {
+      surround(car.participant, travel);
+    }
+  }
+  // Also those that sleep: they may be struck in this very step.
+  for (Movable & movable : movables_) {
+    surround(movable.participant, travel);
+  }
+}
+
+void CollisionWorld::surround(Participant & participant, double travel)
+{
+  const b2Vec2 & centre = participant.body->GetPosition();
+  const double reach = participant.outer_radius + travel + kStruckTravel;
+  std::optional<b2AABB> & known = participant.surroundings;
+  if (known && known->Contains(squareAround(centre, reach))) {
+    return;
+  }
+  known = squareAround(centre, reach + kSurroundings);
+  pieces_.statics().forEachIn(*known, [this](std::size_t index, const Piece & piece) {
+    if (!static_added_[index]) {
+      static_added_[index] = true;
+      addFixture(*static_body_, piece);
+    }
+  });
+}
+
+b2AABB CollisionWorld::squareAround(const b2Vec2 & centre, double half_width)
+{
+  const b2Vec2 half(toBox(half_width), toBox(half_width));
+  return {centre - half, centre + half};
+}
+
+// Relative to where Box2D started, in its own precision: a car that rests is not moved by rounding.
+ContactEffect CollisionWorld::effect(CarIndex car) const
+{
+  const b2Body & body = *cars_[car].participant.body;
+  const CarMotion & placed = cars_[car].placed;
+  const Vec2 start = fromBox(toBox(Vec2{placed.pose.x, placed.pose.y}));
+  const Vec2 velocity = fromBox(toBox(placed.velocity));
+  const Vec2 end = fromBox(body.GetPosition());
+  const Vec2 end_velocity = fromBox(body.GetLinearVelocity());
+  ContactEffect effect;
+  effect.displacement = {
+    end.x - start.x, end.y - start.y, static_cast<double>(body.GetAngle()) - static_cast<float>(placed.pose.yaw)};
+  effect.velocity_change = {end_velocity.x - velocity.x, end_velocity.y - velocity.y};
+  effect.yaw_rate_change = static_cast<double>(body.GetAngularVelocity()) - static_cast<float>(placed.yaw_rate);
+  return effect;
+}
+
+double CollisionWorld::movableTravel(double dt) const
+{
+  if (!is_awake_) {
+    return 0.0;
+  }
+  double travel = 0.0;
+  for (const Movable & movable : movables_) {
+    const b2Body & body = *movable.participant.body;
+    if (body.IsAwake()) {
+      const double speed = fromBox(body.GetLinearVelocity().Length());
+      const double turning = std::abs(body.GetAngularVelocity()) * movable.participant.outer_radius;
+      travel = std::max(travel, (speed + turning) * dt);
+    }
+  }
+  return travel;
+}
+
+Pose2 CollisionWorld::modelPose(std::size_t model) const
+{
+  const ModelDescription & description = description_.models[model];
+  const b2Body & body = *model_bodies_[model];
+  if (description.is_static) {
+    return planar(description.pose);
+  }
+  const ModelBody & start = pieces_.bodies()[model];
+  if (
+    body.GetAngle() == static_cast<float>(start.frame.yaw) &&
+    body.GetPosition() == toBox(Transform2(start.frame).apply(start.centre_of_mass))) {
+    return start.frame;
+  }
+  const Vec2 position = fromBox(body.GetPosition());
+  const Pose2 centre{position.x, position.y, body.GetAngle()};
+  return compose(centre, {-start.centre_of_mass.x, -start.centre_of_mass.y, 0.0});
+}
+
+ModelState CollisionWorld::modelState(std::size_t model) const
+{
+  ModelState state{modelPose(model), {}, 0.0};
+  const b2Body & body = *model_bodies_[model];
+  if (!description_.models[model].is_static) {
+    const Vec2 centre = fromBox(body.GetLinearVelocity());
+    const Vec2 position = fromBox(body.GetPosition());
+    state.yaw_rate = body.GetAngularVelocity();
+    state.velocity = {
+      centre.x - state.yaw_rate * (state.pose.y - position.y), centre.y + state.yaw_rate * (state.pose.x - position.x)};
+  }
+  return state;
+}
+
+void CollisionWorld::placeModel(std::size_t model, const ModelState & state)
+{
+  const Vec2 & centre = pieces_.bodies()[model].centre_of_mass;
+  const Vec2 arm = Transform2(state.pose).rotate(centre);
+  const Vec2 velocity{state.velocity.x - state.yaw_rate * arm.y, state.velocity.y + state.yaw_rate * arm.x};
+  setMotion(
+    model, {toBox(Vec2{state.pose.x + arm.x, state.pose.y + arm.y}), static_cast<float>(state.pose.yaw),
+            toBox(velocity), static_cast<float>(state.yaw_rate), true, true});
+}
+
+std::vector<ModelMotion> CollisionWorld::motions() const
+{
+  std::vector<ModelMotion> motions(model_bodies_.size());
+  for (const Movable & movable : movables_) {
+    const b2Body & body = *movable.participant.body;
+    motions[movable.model] = {body.GetPosition(),        body.GetAngle(), body.GetLinearVelocity(),
+                              body.GetAngularVelocity(), body.IsAwake(),  true};
+  }
+  return motions;
+}
+
+void CollisionWorld::setMotions(const std::vector<ModelMotion> & motions)
+{
+  for (std::size_t model = 0; model < motions.size(); ++model) {
+    if (motions[model].known) {
+      setMotion(model, motions[model]);
+    }
+  }
+}
+
+void CollisionWorld::setMotion(std::size_t model, const ModelMotion & motion)
+{
+  b2Body & body = *model_bodies_[model];
+  is_pristine_ = false;
+  body.SetTransform(motion.centre, motion.angle);
+  body.SetAwake(motion.awake);
+  if (motion.awake) {
+    body.SetLinearVelocity(motion.velocity);
+    body.SetAngularVelocity(motion.yaw_rate);
+    is_awake_ = true;
+  }
+}
+}  // namespace f1tenth_sim2d

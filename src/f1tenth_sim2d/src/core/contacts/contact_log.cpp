@@ -1,0 +1,31 @@
+#include "core/contacts/contact_log.h"
+
+#include <algorithm>
+
+namespace f1tenth_sim2d
+{
+void ContactLog::clear()
+{
+  steps_.clear();
+  contacts_.clear();
+}
+
+std::size_t ContactLog::find(const StepContact & step) const
+{
+  const auto found =
+    std::find_if(steps_.begin(), steps_.end(), [&](const StepContact & kept) { return kept.isOfSamePair(step); });
+  return found - steps_.begin();
+}
+
+void ContactLog::keep(std::size_t place, const StepContact & step, double dt)
+{
+  steps_.resize(contacts_.size());
+  steps_[place] = step;
+  Contact & contact = contacts_[place];
+  contact.positions = step.positions;
+  contact.normals = step.normals;
+  contact.depths = step.depths;
+  contact.force = {step.impulse.x / dt, step.impulse.y / dt};
+  contact.torque = step.angular_impulse / dt;
+}
+}  // namespace f1tenth_sim2d

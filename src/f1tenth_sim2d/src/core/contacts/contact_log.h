@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "core/contacts/contact_recorder.h"
+#include "f1tenth_sim2d/simulation.h"
+
+namespace f1tenth_sim2d
+{
+/// The contacts of one car since they were last cleared, one entry a pair of collision elements: the physics step in
+/// which the pair pushed hardest, so that a bump shorter than a control period shows with its full force.
+class ContactLog
+{
+public:
+  const std::vector<Contact> & contacts() const { return contacts_; }
+  void clear();
+
+  /// @param describe  fills in the names of a new contact
+  /// @param dt        s, of the step in which `step` was recorded
+  template <typename Describe>
+  void add(const StepContact & step, double dt, Describe describe)
+  {
+    const std::size_t place = find(step);
+    if (place == contacts_.size()) {
+      contacts_.emplace_back();
+      describe(step, contacts_.back());
+    } else if (strength(step) <= strength(steps_[place])) {
+      return;
+    }
+    keep(place, step, dt);
+  }
+
+private:
+  static double strength(const StepContact & step)
+  {
+    return step.impulse.x * step.impulse.x + step.impulse.y * step.impulse.y;
+  }
+  std::size_t find(const StepContact & step) const;
+  void keep(std::size_t place, const StepContact & step, double dt);
+
+  std::vector<StepContact> steps_;  ///< parallel to contacts_
+  std::vector<Contact> contacts_;
+};
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,116 @@
+#include "core/contacts/piece.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contacts/box_units.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+constexpr double kLeastEdge = 1e-5;  // m
+constexpr double kLeastArea = 1e-8;  // m^2
+
+double area(const ConvexPolygon & polygon)
+{
+  double twice = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 & a = polygon[i];
+    const Vec2 & b = polygon[(i + 1) % polygon.size()];
+    twice += a.x * b.y - b.x * a.y;
+  }
+  return 0.5 * twice;
+}
+
+ConvexPolygon withoutShortEdges(const ConvexPolygon & polygon)
+{
+  ConvexPolygon kept;
+  for (const Vec2 & p : polygon) {
+    if (kept.empty() || std::hypot(p.x - kept.back().x, p.y - kept.back().y) > kLeastEdge) {
+      kept.push_back(p);
+    }
+  }
+  while (kept.size() > 1 && std::hypot(kept[0].x - kept.back().x, kept[0].y - kept.back().y) <= kLeastEdge) {
+    kept.pop_back();
+  }
+  return kept;
+}
+
+Vec2 middle(const ConvexPolygon & polygon)
+{
+  Vec2 sum;
+  for (const Vec2 & p : polygon) {
+    sum = {sum.x + p.x, sum.y + p.y};
+  }
+  const auto count = static_cast<double>(polygon.size());
+  return {sum.x / count, sum.y / count};
+}
+
+// b2PolygonShape::Set() would move corners together, and replaces what it does not like by a box of one unit.
+b2PolygonShape polygonShape(const ConvexPolygon & polygon, const Vec2 & origin)
+{
+  b2PolygonShape shape;
+  shape.m_radius = 0.0F;
+  shape.m_count = static_cast<int32>(polygon.size());
+  const Vec2 centre = middle(polygon);
+  shape.m_centroid = toBox(Vec2{centre.x - origin.x, centre.y - origin.y});
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 & a = polygon[i];
+    const Vec2 & b = polygon[(i + 1) % polygon.size()];
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    shape.m_vertices[i] = toBox(Vec2{a.x - origin.x, a.y - origin.y});
+    shape.m_normals[i] = {static_cast<float>((b.y - a.y) / length), static_cast<float>((a.x - b.x) / length)};
+  }
+  return shape;
+}
+
+/// Parts of a convex polygon that have no more corners than Box2D takes.
+std::vector<ConvexPolygon> split(const ConvexPolygon & polygon)
+{
+  std::vector<ConvexPolygon> parts;
+  for (std::size_t first = 1; first + 1 < polygon.size(); first += b2_maxPolygonVertices - 2) {
+    ConvexPolygon part{polygon[0]};
+    const std::size_t last = std::min(first + b2_maxPolygonVertices - 2, polygon.size() - 1);
+    part.insert(part.end(), polygon.begin() + first, polygon.begin() + last + 1);
+    parts.push_back(part);
+  }
+  return parts;
+}
+}  // namespace
+
+const b2Shape & Piece::boxShape() const
+{
+  return std::visit([](const auto & concrete) -> const b2Shape & { return concrete; }, shape);
+}
+
+bool canTouch(const Piece & a, const Piece & b)
+{
+  if (a.owner == b.owner) {
+    const bool layered = a.owner == Piece::Owner::kModel && (a.layer >= Layer{0} || b.layer >= Layer{0});
+    return !layered && overlap(a.span, b.span);
+  }
+  const Piece & model = a.owner == Piece::Owner::kModel ? a : b;
+  const Piece & car = a.owner == Piece::Owner::kModel ? b : a;
+  return model.layer == Layer::kWholeSolid ? overlap(a.span, b.span) : model.layer == car.layer;
+}
+
+std::vector<PieceShape> pieceShapes(const Section & footprint, const Vec2 & origin)
+{
+  std::vector<PieceShape> shapes;
+  for (const Outline & outline : footprint.outlines) {
+    for (const ConvexPolygon & part : split(withoutShortEdges(outline))) {
+      if (area(part) > kLeastArea) {
+        shapes.emplace_back(polygonShape(part, origin));
+      }
+    }
+  }
+  for (const Circle & circle : footprint.circles) {
+    b2CircleShape shape;
+    shape.m_p = toBox(Vec2{circle.centre.x - origin.x, circle.centre.y - origin.y});
+    shape.m_radius = toBox(circle.radius);
+    shapes.emplace_back(shape);
+  }
+  return shapes;
+}
+}  // namespace f1tenth_sim2d

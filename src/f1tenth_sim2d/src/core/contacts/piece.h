@@ -1,0 +1,53 @@
+#pragma once
+
+#include <box2d/box2d.h>
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include "core/contacts/vertical_span.h"
+#include "f1tenth_sim2d/section.h"
+#include "f1tenth_sim2d/world_model.h"
+
+/// Convex pieces of the shadows that solids cast on the ground: what touches what.
+namespace f1tenth_sim2d
+{
+using PieceShape = std::variant<b2PolygonShape, b2CircleShape>;
+
+/// Which part of a solid's height a piece is the shadow of.
+///
+/// What a car touches of a sphere or of a tilted box depends on the vertical span of the car's own solid. Equal spans
+/// of car solids form a layer, and such solids of the world have pieces of their own in every layer.
+enum class Layer : int
+{
+  kModelsOnly = -2,  ///< all of a solid that has pieces in the layers: touches other models, but no car
+  kWholeSolid = -1   ///< upright: looks the same in every layer
+};
+
+struct Piece
+{
+  enum class Owner
+  {
+    kModel,
+    kCar
+  };
+
+  PieceShape shape;  ///< in the frame of the body, Box2D units
+  Owner owner;
+  std::uint32_t body;   ///< index of the model or car
+  std::uint32_t solid;  ///< index within its owner
+  VerticalSpan span;    ///< m, of the whole solid
+  Layer layer{Layer::kWholeSolid};
+  float friction{1.0F};
+  float restitution{0.0F};
+
+  const b2Shape & boxShape() const;
+};
+
+/// Whether two pieces of different bodies touch where their shadows do.
+bool canTouch(const Piece & a, const Piece & b);
+
+/// Shapes of a footprint, its points moved by -origin; slivers without area are left out.
+std::vector<PieceShape> pieceShapes(const Section & footprint, const Vec2 & origin);
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,181 @@
+#include "core/lidar/range_raster.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/rough_angle.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+constexpr int kFewBeams = 6;  // not worth a call
+// Of a bound, so that rounding never hides anything.
+constexpr double kSlack = 1e-6;
+}  // namespace
+
+RangeRaster::RangeRaster(const LidarDescription & lidar)
+: beams_(lidar),
+  view_{
+    {},
+    lidar.range_max,
+    beams_.angle_min,
+    beams_.beams_per_radian,
+    beams_.beams_per_turn,
+    static_cast<double>(beams_.count() - 1)},
+  inverse_ranges_(beams_.count()),
+  range_squared_(lidar.range_max * lidar.range_max)
+{
+}
+
+void RangeRaster::begin(const Pose2 & sensor)
+{
+  view_.sensor = Transform2(sensor);
+  waiting_ = 0;
+  std::fill(inverse_ranges_.begin(), inverse_ranges_.end(), 0.0);
+  farthest_ = inverse_ranges_.size() / 2;
+  least_ = 0.0;
+}
+
+// Whether visit(first, last) is true for beams within [begin, begin + width]; asked more than once if the interval leaves
+// the field of view on one side and comes back on the other.
+template <typename Visit>
+bool RangeRaster::anyInterval(double begin, double width, Visit visit) const
+{
+  const double last_beam = beams_.count() - 1;
+  begin -= beams_.beams_per_turn;
+  if (begin + width + kCornerTolerance < 0.0) {
+    begin += beams_.beams_per_turn;
+  }
+  for (; begin <= last_beam + kCornerTolerance; begin += beams_.beams_per_turn) {
+    const double from = std::max(begin - kCornerTolerance, 0.0);
+    const double to = std::min(begin + width + kCornerTolerance, last_beam);
+    const int whole = static_cast<int>(from);
+    const int first = whole < from ? whole + 1 : whole;
+    if (first <= to && visit(first, static_cast<int>(to))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// For angles from half a turn below to half a turn above: within one turn about [0, beams_per_turn).
+double RangeRaster::beamOf(double angle) const
+{
+  const double beam = (angle - beams_.angle_min) * beams_.beams_per_radian;
+  return beam < 0.0 ? beam + beams_.beams_per_turn : beam;
+}
+
+void RangeRaster::drawWaiting()
+{
+  projectWalls(view_, batch_, waiting_);
+  for (std::size_t i = 0; i < waiting_; ++i) {
+    if (batch_.is_plain[i] == 0.0) {
+      drawExactly(i);
+    } else if (batch_.first[i] <= batch_.last[i]) {
+      draw(i, static_cast<int>(batch_.first[i]), static_cast<int>(batch_.last[i]));
+    }
+  }
+  waiting_ = 0;
+}
+
+const double * RangeRaster::inverseRanges()
+{
+  drawWaiting();
+  return inverse_ranges_.data();
+}
+
+// What matters is only between which beams a point lies: rough directions will do unless they are next to a beam.
+void RangeRaster::drawExactly(std::size_t wall)
+{
+  const Vec2 a = view_.sensor.rotateBack({batch_.a_x[wall], batch_.a_y[wall]});
+  const Vec2 b = view_.sensor.rotateBack({batch_.b_x[wall], batch_.b_y[wall]});
+  const double beam_a = beamOf(direction(a.y, a.x));
+  const double beam_b = beamOf(direction(b.y, b.x));
+  const double width = beam_a < beam_b ? beam_a - beam_b + beams_.beams_per_turn : beam_a - beam_b;
+  if (width > kWidthMax * beams_.beams_per_turn) {
+    return;
+  }
+  anyInterval(beam_b, width, [&](int first, int last) {
+    draw(wall, first, last);
+    return false;
+  });
+}
+
+void RangeRaster::draw(std::size_t wall, int first, int last)
+{
+  const double along_cosine = batch_.along_cosine[wall];
+  const double along_sine = batch_.along_sine[wall];
+  const double * const cosine = beams_.cosine.data();
+  const double * const sine = beams_.sine.data();
+  double * const inverse = inverse_ranges_.data();
+  if (last - first >= kFewBeams) {
+    drawWall(along_cosine, along_sine, cosine + first, sine + first, inverse + first, last - first + 1);
+    return;
+  }
+  for (int i = first; i <= last; ++i) {
+    const double value = along_cosine * cosine[i] + along_sine * sine[i];
+    inverse[i] = value > inverse[i] ? value : inverse[i];
+  }
+}
+
+void RangeRaster::addCircle(const Vec2 & centre_world, double radius)
+{
+  const Vec2 centre = view_.sensor.applyBack(centre_world);
+  const double distance = std::sqrt(centre.x * centre.x + centre.y * centre.y);
+  if (distance <= radius || distance - radius > view_.range_max) {
+    return;
+  }
+  const double half_width = std::asin(radius / distance);
+  const double radius_squared = radius * radius;
+  const double begin = beamOf(direction(centre.y, centre.x) - half_width);
+  anyInterval(begin, 2.0 * half_width * beams_.beams_per_radian, [&](int first, int last) {
+    const double * cosine = beams_.cosine.data();
+    const double * sine = beams_.sine.data();
+    double * inverse = inverse_ranges_.data();
+    for (int i = first; i <= last; ++i) {
+      const double along = centre.x * cosine[i] + centre.y * sine[i];
+      const double aside = centre.y * cosine[i] - centre.x * sine[i];
+      const double value = 1.0 / (along - std::sqrt(std::max(radius_squared - aside * aside, 0.0)));
+      inverse[i] = value > inverse[i] ? value : inverse[i];
+    }
+    return false;
+  });
+}
+
+bool RangeRaster::couldShow(const Vec2 & centre_world, double radius)
+{
+  const Vec2 centre = view_.sensor.applyBack(centre_world);
+  const double squared = centre.x * centre.x + centre.y * centre.y;
+  const double tangent_squared = squared - radius * radius;
+  if (tangent_squared <= kSlack * squared) {
+    return true;
+  }
+  const double nearest = std::sqrt(squared) - radius;
+  if (nearest > view_.range_max) {
+    return false;
+  }
+  // The half width is asin(radius / distance), which is below its own tangent.
+  const double half_width = radius / std::sqrt(tangent_squared) + kRoughAngleError;
+  if (half_width >= kPi) {
+    return true;
+  }
+  const double begin = beamOf(roughAngle(centre.y, centre.x) - half_width);
+  const double threshold = (1.0 - kSlack) / nearest;
+  const double * const inverse = inverseRanges();
+  return anyInterval(begin, 2.0 * half_width * beams_.beams_per_radian, [&](int first, int last) {
+    return anyBelow(inverse + first, last - first + 1, threshold);
+  });
+}
+
+double RangeRaster::sight()
+{
+  const double * const inverse = inverseRanges();
+  // Ranges only shrink while a scan is drawn: the farthest beam stays that until something is drawn in front of it.
+  if (inverse[farthest_] != least_) {
+    least_ = leastOf(inverse, inverse_ranges_.size());
+    farthest_ = static_cast<std::size_t>(std::find(inverse, inverse + inverse_ranges_.size(), least_) - inverse);
+  }
+  return std::min(view_.range_max, (1.0 + kSlack) / least_);
+}
+}  // namespace f1tenth_sim2d

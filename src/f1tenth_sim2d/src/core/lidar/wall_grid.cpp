@@ -1,0 +1,248 @@
+#include "core/lidar/wall_grid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+// A cell is worth a look if it holds some 20 walls; but one that is very large hides nothing, and many small ones take long
+// to look through.
+constexpr double kItemsPerCell = 20.0;
+constexpr double kCellSizeMin = 0.5;   // m
+constexpr double kCellSizeMax = 5.0;   // m
+constexpr double kCellCountMax = 1e6;  // in very large worlds the cells grow instead
+constexpr double kRounding = 1e-9;     // m
+constexpr std::uint32_t kBlock = 64;   // items that are looked at together
+constexpr std::uint32_t kFew = 16;     // items, that are drawn sooner than it is found out whether they could show
+
+template <typename Wall>
+Bounds boundsOf(const Wall & wall)
+{
+  Bounds bounds;
+  bounds.include(wall.a);
+  bounds.include(wall.b);
+  return bounds;
+}
+
+Bounds boundsOf(const Circle & circle)
+{
+  Bounds bounds;
+  bounds.include({circle.centre.x - circle.radius, circle.centre.y - circle.radius});
+  bounds.include({circle.centre.x + circle.radius, circle.centre.y + circle.radius});
+  return bounds;
+}
+}  // namespace
+
+WallGrid::WallGrid(const Section & walls)
+{
+  collect(walls);
+  if (!walls_.empty() || !circles_.empty()) {
+    layOut();
+  }
+  drawn_.assign(walls_.size() + circles_.size(), 0);
+}
+
+void WallGrid::collect(const Section & walls)
+{
+  for (const Outline & outline : walls.outlines) {
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      walls_.push_back({outline[i], outline[(i + 1) % outline.size()]});
+    }
+  }
+  circles_ = walls.circles;
+}
+
+void WallGrid::layOut()
+{
+  std::vector<Bounds> bounds;
+  for (const Wall & wall : walls_) {
+    bounds.push_back(boundsOf(wall));
+  }
+  for (const Circle & circle : circles_) {
+    bounds.push_back(boundsOf(circle));
+  }
+  Bounds all;
+  for (const Bounds & b : bounds) {
+    all.include(b.low);
+    all.include(b.high);
+  }
+  const double width = all.high.x - all.low.x;
+  const double height = all.high.y - all.low.y;
+  origin_ = all.low;
+  const double wanted = std::sqrt(kItemsPerCell * width * height / static_cast<double>(bounds.size()));
+  cell_size_ = std::max(std::clamp(wanted, kCellSizeMin, kCellSizeMax), std::sqrt(width * height / kCellCountMax));
+  column_count_ = static_cast<int>(width / cell_size_) + 1;
+  row_count_ = static_cast<int>(height / cell_size_) + 1;
+
+  const std::size_t cell_count = static_cast<std::size_t>(column_count_) * row_count_;
+  begin_.assign(cell_count + 1, 0);
+  for (const Bounds & b : bounds) {
+    forEachCell(b.low, b.high, [&](std::size_t cell) { ++begin_[cell + 1]; });
+  }
+  for (std::size_t cell = 0; cell < cell_count; ++cell) {
+    begin_[cell + 1] += begin_[cell];
+  }
+  items_.resize(begin_.back());
+  std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+  for (std::size_t item = 0; item < bounds.size(); ++item) {
+    forEachCell(bounds[item].low, bounds[item].high, [&](std::size_t cell) {
+      items_[next[cell]++] = static_cast<std::uint32_t>(item);
+    });
+  }
+  for (const std::uint32_t item : items_) {
+    const Wall wall = item < walls_.size() ? walls_[item] : Wall{};
+    a_x_.push_back(wall.a.x);
+    a_y_.push_back(wall.a.y);
+    b_x_.push_back(wall.b.x);
+    b_y_.push_back(wall.b.y);
+  }
+  measureCells(bounds);
+}
+
+// What lies in a cell, as a circle: the bounds of its items, cut off at the cell.
+void WallGrid::measureCells(const std::vector<Bounds> & bounds)
+{
+  extents_.resize(begin_.size() - 1);
+  for (std::size_t cell = 0; cell < extents_.size(); ++cell) {
+    const double x = origin_.x + static_cast<double>(cell % column_count_) * cell_size_;
+    const double y = origin_.y + static_cast<double>(cell / column_count_) * cell_size_;
+    Bounds all;
+    for (std::uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i) {
+      all.include(bounds[items_[i]].low);
+      all.include(bounds[items_[i]].high);
+    }
+    const Vec2 low{std::max(all.low.x, x), std::max(all.low.y, y)};
+    const Vec2 high{std::min(all.high.x, x + cell_size_), std::min(all.high.y, y + cell_size_)};
+    const double diameter = std::hypot(high.x - low.x, high.y - low.y);
+    extents_[cell] = {{0.5 * (low.x + high.x), 0.5 * (low.y + high.y)}, 0.5 * diameter + kRounding};
+  }
+}
+
+WallGrid::CellRange WallGrid::columns(double low, double high) const
+{
+  const double last = column_count_ - 1;
+  return {
+    static_cast<int>(std::clamp(std::floor((low - origin_.x) / cell_size_), 0.0, last)),
+    static_cast<int>(std::clamp(std::floor((high - origin_.x) / cell_size_), -1.0, last))};
+}
+
+WallGrid::CellRange WallGrid::rows(double low, double high) const
+{
+  const double last = row_count_ - 1;
+  return {
+    static_cast<int>(std::clamp(std::floor((low - origin_.y) / cell_size_), 0.0, last)),
+    static_cast<int>(std::clamp(std::floor((high - origin_.y) / cell_size_), -1.0, last))};
+}
+
+template <typename Visit>
+void WallGrid::forEachCell(const Vec2 & low, const Vec2 & high, Visit visit) const
+{
+  const CellRange column_range = columns(low.x, high.x);
+  const CellRange row_range = rows(low.y, high.y);
+  for (int row = row_range.first; row <= row_range.last; ++row) {
+    for (int column = column_range.first; column <= column_range.last; ++column) {
+      visit(static_cast<std::size_t>(row) * column_count_ + column);
+    }
+  }
+}
+
+void WallGrid::draw(RangeRaster & raster)
+{
+  if (items_.empty()) {
+    return;
+  }
+  if (++scan_number_ == 0) {
+    std::fill(drawn_.begin(), drawn_.end(), 0);
+    scan_number_ = 1;
+  }
+  const Transform2 & sensor = raster.sensor();
+  const Vec2 here{(sensor.x - origin_.x) / cell_size_, (sensor.y - origin_.y) / cell_size_};
+  const int rings = static_cast<int>(raster.rangeMax() / cell_size_) + 1;
+  if (here.x < -rings || here.y < -rings || here.x > column_count_ + rings || here.y > row_count_ + rings) {
+    return;
+  }
+  const int column = static_cast<int>(std::floor(here.x));
+  const int row = static_cast<int>(std::floor(here.y));
+  const int last_ring =
+    std::min(rings, std::max({column, column_count_ - 1 - column, row, row_count_ - 1 - row}));  // with a cell in it
+  // What lies beyond ring n - 1 is farther than the nearest of its four sides.
+  const double to_side = std::min({here.x - column, column + 1 - here.x, here.y - row, row + 1 - here.y}) * cell_size_;
+  sight_ = raster.rangeMax();
+  for (int ring = 0; ring <= last_ring && (ring == 0 || to_side + (ring - 1) * cell_size_ <= sight_); ++ring) {
+    drawRing(column, row, ring, raster);
+    sight_ = raster.sight();
+  }
+}
+
+// The cells that are `ring` columns or rows away from a cell.
+void WallGrid::drawRing(int column, int row, int ring, RangeRaster & raster)
+{
+  const int left = std::max(column - ring, 0);
+  const int right = std::min(column + ring, column_count_ - 1);
+  const int bottom = std::max(row - ring, 0);
+  const int top = std::min(row + ring, row_count_ - 1);
+  for (int r = bottom; r <= top; ++r) {
+    const bool is_whole_row = r == row - ring || r == row + ring;
+    const int step = is_whole_row || ring == 0 ? 1 : 2 * ring;
+    for (int c = is_whole_row ? left : column - ring; c <= right; c += step) {
+      if (c >= left) {
+        drawCell(static_cast<std::size_t>(r) * column_count_ + c, raster);
+      }
+    }
+  }
+}
+
+bool WallGrid::isOutOfSight(const Circle & extent, const Transform2 & sensor) const
+{
+  const double x = extent.centre.x - sensor.x;
+  const double y = extent.centre.y - sensor.y;
+  const double reach = sight_ + extent.radius;
+  return x * x + y * y > reach * reach;
+}
+
+void WallGrid::drawCell(std::size_t cell, RangeRaster & raster)
+{
+  const std::uint32_t end = begin_[cell + 1];
+  const std::uint32_t count = end - begin_[cell];
+  if (count == 0 || isOutOfSight(extents_[cell], raster.sensor())) {
+    return;
+  }
+  if (count > kFew && !raster.couldShow(extents_[cell].centre, extents_[cell].radius)) {
+    return;
+  }
+  for (std::uint32_t i = begin_[cell]; i < end; i += kBlock) {
+    drawItems(i, std::min(kBlock, end - i), raster);
+  }
+}
+
+bool WallGrid::isFirstTime(std::uint32_t item)
+{
+  const bool is_first = drawn_[item] != scan_number_;
+  drawn_[item] = scan_number_;
+  return is_first;
+}
+
+// At most kBlock items of one cell.
+void WallGrid::drawItems(std::uint32_t begin, std::uint32_t count, RangeRaster & raster)
+{
+  const Vec2 here{raster.sensor().x, raster.sensor().y};
+  std::array<double, kBlock> cross;
+  crossOfFacing(here, raster.rangeMax(), {&a_x_[begin], &a_y_[begin], &b_x_[begin], &b_y_[begin]}, count, cross.data());
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint32_t i = begin + k;
+    if (cross[k] < 0.0 && isFirstTime(items_[i])) {
+      raster.addFacing({a_x_[i], a_y_[i]}, {b_x_[i], b_y_[i]}, cross[k]);
+    }
+  }
+  for (std::uint32_t i = begin + count; i > begin && items_[i - 1] >= walls_.size(); --i) {
+    if (isFirstTime(items_[i - 1])) {
+      const Circle & circle = circles_[items_[i - 1] - walls_.size()];
+      raster.addCircle(circle.centre, circle.radius);
+    }
+  }
+}
+}  // namespace f1tenth_sim2d

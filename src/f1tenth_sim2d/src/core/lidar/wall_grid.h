@@ -1,0 +1,82 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "core/lidar/range_raster.h"
+#include "f1tenth_sim2d/section.h"
+
+namespace f1tenth_sim2d
+{
+/// A box along the axes, m.
+struct Bounds
+{
+  Vec2 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Vec2 high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+
+  void include(const Vec2 & p)
+  {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+};
+
+/// The walls that do not move, at the height of a lidar, in a uniform grid. A scan goes from the nearest cells to the
+/// farthest and leaves out what is hidden behind what it has drawn, so that it costs what it sees.
+class WallGrid
+{
+public:
+  explicit WallGrid(const Section & walls);
+
+  /// Draws everything that the lidar can see into a scan. Allocates nothing.
+  void draw(RangeRaster & raster);
+
+private:
+  struct Wall
+  {
+    Vec2 a;
+    Vec2 b;
+  };
+  struct CellRange
+  {
+    int first;
+    int last;
+  };
+
+  void collect(const Section & walls);
+  void layOut();
+  template <typename Visit>
+  void forEachCell(const Vec2 & low, const Vec2 & high, Visit visit) const;
+  CellRange columns(double low, double high) const;
+  CellRange rows(double low, double high) const;
+  void measureCells(const std::vector<Bounds> & bounds);
+  void drawRing(int column, int row, int ring, RangeRaster & raster);
+  bool isOutOfSight(const Circle & extent, const Transform2 & sensor) const;
+  void drawCell(std::size_t cell, RangeRaster & raster);
+  bool isFirstTime(std::uint32_t item);
+  void drawItems(std::uint32_t begin, std::uint32_t count, RangeRaster & raster);
+
+  std::vector<Wall> walls_;
+  std::vector<Circle> circles_;
+  Vec2 origin_;
+  double cell_size_{1.0};
+  int column_count_{0};
+  int row_count_{0};
+  // Compressed rows: what lies in cell c is items_[begin_[c]] ... items_[begin_[c + 1] - 1].
+  // Item i is wall i, or circle i - walls_.size().
+  std::vector<std::uint32_t> begin_;
+  std::vector<std::uint32_t> items_;
+  // Ends of each of items_ that is a wall, to be streamed; 0 for a circle. In a cell walls come first.
+  std::vector<double> a_x_;
+  std::vector<double> a_y_;
+  std::vector<double> b_x_;
+  std::vector<double> b_y_;
+  std::vector<Circle> extents_;  ///< around what lies in a cell
+  // An item that reaches over several cells is drawn once a scan: when it was drawn last.
+  std::vector<std::uint32_t> drawn_;
+  std::uint32_t scan_number_{0};
+  double sight_{0.0};  ///< m, of the scan in the making after the last ring
+};
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cmath>
+#include <ignition/math/Pose3.hh>
+
+#include "core/math/pi.h"
+#include "core/math/trigonometry.h"
+#include "f1tenth_sim2d/geometry.h"
+
+namespace f1tenth_sim2d
+{
+/// Same angle within [-pi, pi].
+inline double wrapAngle(double angle)
+{
+  return std::remainder(angle, 2.0 * kPi);
+}
+
+inline double length(const Vec2 & v)
+{
+  return std::sqrt(v.x * v.x + v.y * v.y);
+}
+
+/// A pose with its sine and cosine at hand.
+struct Transform2
+{
+  double x{0.0};
+  double y{0.0};
+  double cosine{1.0};
+  double sine{0.0};
+
+  Transform2() = default;
+  explicit Transform2(const Pose2 & pose) : Transform2(pose, sineCosine(pose.yaw)) {}
+
+  Vec2 rotate(const Vec2 & v) const { return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y}; }
+  Vec2 rotateBack(const Vec2 & v) const { return {cosine * v.x + sine * v.y, cosine * v.y - sine * v.x}; }
+  Vec2 apply(const Vec2 & p) const
+  {
+    const Vec2 r = rotate(p);
+    return {x + r.x, y + r.y};
+  }
+  Vec2 applyBack(const Vec2 & p) const { return rotateBack({p.x - x, p.y - y}); }
+
+private:
+  Transform2(const Pose2 & pose, const SineCosine & yaw) : x(pose.x), y(pose.y), cosine(yaw.cosine), sine(yaw.sine) {}
+};
+
+/// a followed by b, b given in the frame of a.
+inline Pose2 compose(const Pose2 & a, const Pose2 & b)
+{
+  const Vec2 p = Transform2(a).apply({b.x, b.y});
+  return {p.x, p.y, a.yaw + b.yaw};
+}
+
+/// Position and heading of a pose seen from above.
+inline Pose2 planar(const ignition::math::Pose3d & pose)
+{
+  return {pose.Pos().X(), pose.Pos().Y(), pose.Rot().Yaw()};
+}
+
+/// A pose relative to its own shadow on the ground: what stays of it when position and heading are taken out.
+inline ignition::math::Pose3d withoutPlanar(const ignition::math::Pose3d & pose)
+{
+  const Pose2 p = planar(pose);
+  const ignition::math::Pose3d shadow(p.x, p.y, 0.0, 0.0, 0.0, p.yaw);
+  return shadow.Inverse() * pose;
+}
+}  // namespace f1tenth_sim2d

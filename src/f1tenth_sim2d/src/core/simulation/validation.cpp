@@ -1,0 +1,177 @@
+#include "core/simulation/validation.h"
+
+#include <cmath>
+#include <initializer_list>
+#include <sstream>
+#include <utility>
+
+#include "core/math/pi.h"
+#include "f1tenth_sim2d/errors.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+constexpr double kStepMin = 1e-5;         // s
+constexpr double kStepMax = 0.02;         // s
+constexpr double kLevelTolerance = 1e-6;  // rad
+// What a driver may ask for: far beyond any car of this size, but not a number that has lost its meaning.
+constexpr double kSpeedMax = 100.0;          // m/s
+constexpr double kSteeringMax = 6.2832;      // rad
+constexpr double kYawRateMax = 1000.0;       // rad/s
+constexpr double kBeamAngleMax = 4.0 * kPi;  // rad: beams beyond a full turn look where others look
+// Of bodies: Box2D reckons in single precision, in which less is nothing and more is infinite.
+constexpr double kMassMin = 1e-6;          // kg
+constexpr double kMassMax = 1e9;           // kg
+constexpr double kInertiaMin = 1e-9;       // kg m^2
+constexpr double kInertiaMax = 1e12;       // kg m^2
+constexpr double kModelSpeedMax = 1000.0;  // m/s
+constexpr double kWheelbaseMin = 1e-3;     // m
+constexpr double kWheelbaseMax = 100.0;    // m
+constexpr double kLengthMax = 1e5;         // m
+constexpr double kGreatest = 1e9;          // of what has no bound of its own
+
+void require(bool condition, const std::string & where, const std::string & what, double found, const char * allowed)
+{
+  if (!condition) {
+    std::ostringstream message;
+    message << where << ": " << what << " is " << found << ", allowed is " << allowed;
+    throw Error(message.str());
+  }
+}
+
+void requireFinite(double value, const std::string & where, const std::string & what)
+{
+  require(std::isfinite(value), where, what, value, "a finite number");
+}
+
+/// Refuses NaN, too.
+void requireWithin(double value, double limit, const std::string & where, const std::string & what)
+{
+  if (!(std::abs(value) <= limit)) {
+    std::ostringstream message;
+    message << where << ": " << what << " is " << value << ", allowed is " << -limit << " to " << limit;
+    throw Error(message.str());
+  }
+}
+
+void requireBetween(double value, double least, double greatest, const std::string & where, const std::string & what)
+{
+  if (!(value >= least && value <= greatest)) {
+    std::ostringstream message;
+    message << where << ": " << what << " is " << value << ", allowed is " << least << " to " << greatest;
+    throw Error(message.str());
+  }
+}
+
+void requireBody(double mass, double inertia, const std::string & where)
+{
+  requireBetween(mass, kMassMin, kMassMax, where, "mass (kg)");
+  requireBetween(inertia, kInertiaMin, kInertiaMax, where, "inertia about z (kg m^2)");
+}
+
+void validateLidar(const LidarDescription & lidar, const std::string & car)
+{
+  const std::string where = car + ": lidar " + lidar.name;
+  const double tilt = std::hypot(lidar.pose.Rot().Roll(), lidar.pose.Rot().Pitch());
+  require(tilt < kLevelTolerance, where, "tilt (rad)", tilt, "0: the scan plane must be level");
+  require(lidar.beam_count >= 1, where, "number of beams", lidar.beam_count, "1 or more");
+  const double field_of_view = lidar.angle_max - lidar.angle_min;
+  require(lidar.beam_count == 1 || field_of_view > 0.0, where, "field of view (rad)", field_of_view, "more than 0");
+  requireWithin(lidar.angle_min, kBeamAngleMax, where, "least angle (rad)");
+  requireWithin(lidar.angle_max, kBeamAngleMax, where, "largest angle (rad)");
+  require(lidar.range_min >= 0.0, where, "least range (m)", lidar.range_min, "0 or more");
+  require(
+    lidar.range_max > lidar.range_min && lidar.range_max <= kLengthMax, where, "largest range (m)", lidar.range_max,
+    "a number above the least range, up to 100000");
+  require(
+    lidar.noise_stddev >= 0.0 && std::isfinite(lidar.noise_stddev), where, "noise (m)", lidar.noise_stddev,
+    "a finite number, 0 or more");
+}
+}  // namespace
+
+const WorldDescription & validated(const WorldDescription & world)
+{
+  for (const ModelDescription & model : world.models) {
+    validate(model, world.file);
+  }
+  return world;
+}
+
+void validate(const ModelDescription & model, const std::string & where)
+{
+  if (!model.is_static) {
+    requireBody(model.mass, model.inertia_zz, where + ": model " + model.name);
+  }
+}
+
+void validate(const ModelState & state, const std::string & what)
+{
+  requireFinite(state.pose.x, what, "x (m)");
+  requireFinite(state.pose.y, what, "y (m)");
+  requireFinite(state.pose.yaw, what, "yaw (rad)");
+  requireFinite(state.velocity.x, what, "velocity in x (m/s)");
+  requireFinite(state.velocity.y, what, "velocity in y (m/s)");
+  requireFinite(state.yaw_rate, what, "yaw rate (rad/s)");
+  requireWithin(state.pose.x, kLengthMax, what, "x (m)");
+  requireWithin(state.pose.y, kLengthMax, what, "y (m)");
+  requireWithin(state.velocity.x, kModelSpeedMax, what, "velocity in x (m/s)");
+  requireWithin(state.velocity.y, kModelSpeedMax, what, "velocity in y (m/s)");
+  requireWithin(state.yaw_rate, kYawRateMax, what, "yaw rate (rad/s)");
+}
+
+const SimulationOptions & validated(const SimulationOptions & options)
+{
+  const double step = options.physics_step;
+  require(step >= kStepMin && step <= kStepMax, "simulation", "physics_step (s)", step, "0.00001 to 0.02");
+  return options;
+}
+
+void validate(const CarDescription & car, const Pose2 & start)
+{
+  requireFinite(start.x, car.name, "x (m) of the pose");
+  requireFinite(start.y, car.name, "y (m) of the pose");
+  requireFinite(start.yaw, car.name, "yaw (rad) of the pose");
+  require(car.wheel_radius > 0.0, car.name, "wheel radius (m)", car.wheel_radius, "more than 0");
+  for (const LidarDescription & lidar : car.lidars) {
+    validateLidar(lidar, car.name);
+  }
+}
+
+void validate(const VehicleParameters & p, const std::string & car)
+{
+  requireBody(p.m, p.I_z, car);
+  requireBetween(p.wheelbase(), kWheelbaseMin, kWheelbaseMax, car, "wheelbase (m)");
+  requireWithin(p.l_r, kLengthMax, car, "l_r (m)");
+  requireBetween(p.v_min, -kGreatest, 0.0, car, "v_min (m/s)");
+  const std::initializer_list<std::pair<const char *, double>> not_negative{
+    {"h", p.h},
+    {"mu", p.mu},
+    {"C_Sf", p.C_Sf},
+    {"C_Sr", p.C_Sr},
+    {"steering_max", p.steering_max},
+    {"steering_rate_max", p.steering_rate_max},
+    {"a_max", p.a_max},
+    {"v_switch", p.v_switch},
+    {"v_max", p.v_max},
+    {"actuation_latency", p.actuation_latency},
+    {"speed_gain", p.speed_gain},
+    {"command_timeout", p.command_timeout}};
+  for (const auto & [name, value] : not_negative) {
+    requireBetween(value, 0.0, kGreatest, car, name);
+  }
+}
+
+void validate(const DriveCommand & command, const std::string & car)
+{
+  requireWithin(command.speed, kSpeedMax, car, "commanded speed (m/s)");
+  requireWithin(command.steering_angle, kSteeringMax, car, "commanded steering angle (rad)");
+}
+
+void validateTwist(const Vec2 & linear, double angular_z, const std::string & car)
+{
+  requireWithin(linear.x, kSpeedMax, car, "commanded speed (m/s)");
+  requireWithin(linear.y, kSpeedMax, car, "commanded speed to the side (m/s)");
+  requireWithin(angular_z, kYawRateMax, car, "commanded yaw rate (rad/s)");
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,82 @@
+#include "geometry/convex_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/heights.h"
+#include "geometry/planar.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+using ignition::math::Vector3d;
+
+Heights heightsOf(const ConvexBody & body)
+{
+  const auto [lowest, highest] = std::minmax_element(
+    body.corners.begin(), body.corners.end(), [](const Vector3d & a, const Vector3d & b) { return a.Z() < b.Z(); });
+  return {lowest->Z(), highest->Z()};
+}
+
+void appendCrossings(const ConvexBody & body, double z, std::vector<Vec2> & points)
+{
+  for (const auto & [from, to] : body.edges) {
+    const Vector3d & a = body.corners[from];
+    const Vector3d & b = body.corners[to];
+    if ((a.Z() - z) * (b.Z() - z) < 0.0) {
+      const double t = (z - a.Z()) / (b.Z() - a.Z());
+      points.push_back({a.X() + t * (b.X() - a.X()), a.Y() + t * (b.Y() - a.Y())});
+    }
+  }
+}
+
+void appendCornersBetween(const ConvexBody & body, double z_min, double z_max, std::vector<Vec2> & points)
+{
+  for (const Vector3d & corner : body.corners) {
+    if (corner.Z() >= z_min && corner.Z() <= z_max) {
+      points.push_back({corner.X(), corner.Y()});
+    }
+  }
+}
+}  // namespace
+
+ConvexBody prism(const ConvexPolygon & base, double z_min, double z_max, const ignition::math::Pose3d & pose)
+{
+  ConvexBody body;
+  const std::size_t n = base.size();
+  for (const double z : {z_min, z_max}) {
+    for (const Vec2 & corner : base) {
+      body.corners.push_back(pose.CoordPositionAdd(Vector3d(corner.x, corner.y, z)));
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = (i + 1) % n;
+    body.edges.insert(body.edges.end(), {{i, next}, {n + i, n + next}, {i, n + i}});
+  }
+  return body;
+}
+
+ConvexPolygon cut(const ConvexBody & body, double z)
+{
+  if (!heightsOf(body).contain(z)) {
+    return {};
+  }
+  std::vector<Vec2> points;
+  appendCornersBetween(body, z - kTolerance, z + kTolerance, points);
+  appendCrossings(body, z, points);
+  return convexHull(points);
+}
+
+ConvexPolygon shadow(const ConvexBody & body, double z_min, double z_max)
+{
+  if (!heightsOf(body).overlap(z_min, z_max)) {
+    return {};
+  }
+  std::vector<Vec2> points;
+  appendCornersBetween(body, z_min, z_max, points);
+  appendCrossings(body, z_min, points);
+  appendCrossings(body, z_max, points);
+  return convexHull(points);
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,181 @@
+#include "geometry/round_section.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/heights.h"
+#include "geometry/planar.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+using ignition::math::Pose3d;
+using ignition::math::Vector3d;
+
+/// Of the axis: a cylinder that leans less is upright, its sides off by less than a micrometre per metre of height.
+constexpr double kUprightSine = 1e-6;
+
+/// A cylinder seen along the direction in which its axis leans: u is that direction in the ground plane, v is to its
+/// left. The axis is (sine, 0, cosine) in (u, v, z).
+class LeaningCylinder
+{
+public:
+  LeaningCylinder(const Cylinder & cylinder, const Pose3d & pose)
+  : centre_(pose.Pos()), radius_(cylinder.radius), half_length_(cylinder.length / 2.0)
+  {
+    Vector3d axis = pose.Rot().RotateVector(Vector3d::UnitZ);
+    if (axis.Z() < 0.0) {
+      axis = -axis;
+    }
+    sine_ = std::hypot(axis.X(), axis.Y());
+    cosine_ = axis.Z();
+    direction_ = upright() ? Vec2{1.0, 0.0} : Vec2{axis.X() / sine_, axis.Y() / sine_};
+  }
+
+  bool upright() const { return sine_ < kUprightSine; }
+
+  Heights heights() const
+  {
+    if (radius_ <= kTolerance) {
+      return {centre_.Z(), centre_.Z()};
+    }
+    const double half_height = half_length_ * cosine_ + radius_ * sine_;
+    return {centre_.Z() - half_height, centre_.Z() + half_height};
+  }
+
+  void appendCut(double z, std::vector<Vec2> & points) const
+  {
+    const double h = z - centre_.Z();
+    const double u_min = (-half_length_ - h * cosine_) / sine_;
+    const double u_max = (half_length_ - h * cosine_) / sine_;
+    // Distance from the axis at right angles to v; it varies along u unless the cylinder lies.
+    const double w_min = std::max(u_min * cosine_ - h * sine_, -radius_);
+    const double w_max = std::min(u_max * cosine_ - h * sine_, radius_);
+    if (w_min > w_max) {
+      return;
+    }
+    const double t_first = std::acos(std::clamp(w_max / radius_, -1.0, 1.0));
+    const double t_last = std::acos(std::clamp(w_min / radius_, -1.0, 1.0));
+    if (cosine_ < kTolerance) {
+      appendPair(u_min, radius_ * std::sin(t_first), points);
+      appendPair(u_max, radius_ * std::sin(t_first), points);
+      return;
+    }
+    const int steps = stepsFor(t_last - t_first, radius_ / cosine_);
+    for (int i = 0; i <= steps; ++i) {
+      const double t = t_first + (t_last - t_first) * i / steps;
+      const double u = (radius_ * std::cos(t) + h * sine_) / cosine_;
+      appendPair(std::clamp(u, u_min, u_max), radius_ * std::sin(t), points);
+    }
+  }
+
+  void appendCapsBetween(double z_min, double z_max, std::vector<Vec2> & points) const
+  {
+    const int steps = 4 * stepsFor(M_PI / 2.0, radius_);  // the outermost points are among them
+    for (const double side : {-half_length_, half_length_}) {
+      for (int i = 0; i < steps; ++i) {
+        const double t = 2.0 * M_PI * i / steps;
+        const double w = radius_ * std::cos(t);
+        const double z = centre_.Z() + side * cosine_ - w * sine_;
+        if (z >= z_min && z <= z_max) {
+          points.push_back(toWorld(side * sine_ + w * cosine_, radius_ * std::sin(t)));
+        }
+      }
+    }
+  }
+
+private:
+  /// Steps of an arc of a curve with this greatest radius so that no chord is off by more than the tolerance.
+  static int stepsFor(double arc, double greatest_radius)
+  {
+    const double step = 2.0 * std::acos(std::max(0.0, 1.0 - kCurveTolerance / greatest_radius));
+    return std::max(1, static_cast<int>(std::ceil(arc / step)));
+  }
+
+  Vec2 toWorld(double u, double v) const
+  {
+    return {
+      centre_.X() + u * direction_.x - v * direction_.y,  //
+      centre_.Y() + u * direction_.y + v * direction_.x};
+  }
+
+  void appendPair(double u, double v, std::vector<Vec2> & points) const
+  {
+    points.push_back(toWorld(u, v));
+    points.push_back(toWorld(u, -v));
+  }
+
+  Vector3d centre_;
+  double radius_;
+  double half_length_;
+  double sine_;
+  double cosine_;
+  Vec2 direction_;
+};
+
+Section ofPoints(const std::vector<Vec2> & points)
+{
+  ConvexPolygon hull = convexHull(points);
+  return hull.empty() ? Section{} : Section{{std::move(hull)}, {}};
+}
+
+Section ofCircle(const Vector3d & centre, double radius)
+{
+  return radius > kTolerance ? Section{{}, {{{centre.X(), centre.Y()}, radius}}} : Section{};
+}
+
+double radiusAt(const Sphere & sphere, double height_over_centre)
+{
+  return std::sqrt(std::max(0.0, sphere.radius * sphere.radius - height_over_centre * height_over_centre));
+}
+}  // namespace
+
+Section cut(const Sphere & sphere, const Pose3d & pose, double z)
+{
+  return ofCircle(pose.Pos(), radiusAt(sphere, z - pose.Pos().Z()));
+}
+
+Section shadow(const Sphere & sphere, const Pose3d & pose, double z_min, double z_max)
+{
+  const double centre = pose.Pos().Z();
+  const Heights heights{centre - sphere.radius, centre + sphere.radius};
+  if (!heights.overlap(z_min, z_max)) {
+    return {};
+  }
+  return ofCircle(pose.Pos(), radiusAt(sphere, std::clamp(centre, z_min, z_max) - centre));
+}
+
+Section cut(const Cylinder & cylinder, const Pose3d & pose, double z)
+{
+  const LeaningCylinder leaning(cylinder, pose);
+  if (!leaning.heights().contain(z)) {
+    return {};
+  }
+  if (leaning.upright()) {
+    return ofCircle(pose.Pos(), cylinder.radius);
+  }
+  std::vector<Vec2> points;
+  leaning.appendCut(z, points);
+  return ofPoints(points);
+}
+
+Section shadow(const Cylinder & cylinder, const Pose3d & pose, double z_min, double z_max)
+{
+  const LeaningCylinder leaning(cylinder, pose);
+  if (!leaning.heights().overlap(z_min, z_max)) {
+    return {};
+  }
+  if (leaning.upright()) {
+    return ofCircle(pose.Pos(), cylinder.radius);
+  }
+  std::vector<Vec2> points;
+  leaning.appendCapsBetween(z_min, z_max, points);
+  for (const double z : {z_min, z_max}) {
+    if (leaning.heights().contain(z)) {
+      leaning.appendCut(z, points);
+    }
+  }
+  return ofPoints(points);
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,132 @@
+#include "f1tenth_sim2d/section.h"
+
+#include <cmath>
+
+#include "geometry/convex_body.h"
+#include "geometry/heights.h"
+#include "geometry/mesh_section.h"
+#include "geometry/planar.h"
+#include "geometry/round_section.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+using ignition::math::Pose3d;
+
+/// Whether the z axis of pose points straight up, so that what is extruded along it shows its outline unchanged.
+bool isUpright(const Pose3d & pose)
+{
+  const ignition::math::Vector3d up = pose.Rot().RotateVector(ignition::math::Vector3d::UnitZ);
+  return up.Z() > 0.0 && std::hypot(up.X(), up.Y()) < kTolerance;
+}
+
+/// Polygons of a frame that stands upright, in the world.
+std::vector<Outline> moved(std::vector<Outline> polygons, const Pose3d & pose)
+{
+  for (Outline & polygon : polygons) {
+    for (Vec2 & corner : polygon) {
+      const ignition::math::Vector3d there = pose.CoordPositionAdd({corner.x, corner.y, 0.0});
+      corner = {there.X(), there.Y()};
+    }
+  }
+  return polygons;
+}
+
+Heights heightsOf(const WallPlan & walls, const Pose3d & pose)
+{
+  return {pose.Pos().Z(), pose.Pos().Z() + walls.height};
+}
+
+ConvexBody body(const Box & box, const Pose3d & pose)
+{
+  const double x = box.size.X() / 2.0;
+  const double y = box.size.Y() / 2.0;
+  const double z = box.size.Z() / 2.0;
+  return prism({{-x, -y}, {x, -y}, {x, y}, {-x, y}}, -z, z, pose);
+}
+
+/// Applies cut or shadow to each convex piece of an extruded outline.
+template <typename Operation>
+Section ofPieces(const Polyline & polyline, const Pose3d & pose, Operation operation)
+{
+  Section section;
+  for (const ConvexPolygon & base : convexDecomposition(polyline.outline)) {
+    if (ConvexPolygon piece = operation(prism(base, 0.0, polyline.height, pose)); !piece.empty()) {
+      section.outlines.push_back(std::move(piece));
+    }
+  }
+  return section;
+}
+
+Section ofPolygon(Outline polygon)
+{
+  return polygon.empty() ? Section{} : Section{{std::move(polygon)}, {}};
+}
+
+struct CutAt
+{
+  const Pose3d & pose;
+  double z;
+
+  Section operator()(const Box & box) const { return ofPolygon(cut(body(box, pose), z)); }
+  Section operator()(const Cylinder & cylinder) const { return cut(cylinder, pose, z); }
+  Section operator()(const Sphere & sphere) const { return cut(sphere, pose, z); }
+  Section operator()(const Polyline & polyline) const
+  {
+    if (isUpright(pose)) {
+      return cutUpright(polyline);
+    }
+    return ofPieces(polyline, pose, [this](const ConvexBody & piece) { return cut(piece, z); });
+  }
+  Section operator()(const WallPlan & walls) const
+  {
+    return heightsOf(walls, pose).contain(z) ? Section{moved(walls.outlines, pose), {}} : Section{};
+  }
+  Section operator()(const Plane &) const { return {}; }
+  Section operator()(const Mesh & mesh) const { return cut(*mesh.surface, pose, z); }
+
+  /// In one piece: a cut has no seams where the solid has none.
+  Section cutUpright(const Polyline & polyline) const
+  {
+    const double bottom = pose.Pos().Z();
+    if (!Heights{bottom, bottom + polyline.height}.contain(z)) {
+      return {};
+    }
+    Outline outline = withoutRedundantCorners(polyline.outline);
+    return outline.empty() ? Section{} : Section{moved({std::move(outline)}, pose), {}};
+  }
+};
+
+struct ShadowBetween
+{
+  const Pose3d & pose;
+  double z_min;
+  double z_max;
+
+  Section operator()(const Box & box) const { return ofPolygon(shadow(body(box, pose), z_min, z_max)); }
+  Section operator()(const Cylinder & cylinder) const { return shadow(cylinder, pose, z_min, z_max); }
+  Section operator()(const Sphere & sphere) const { return shadow(sphere, pose, z_min, z_max); }
+  Section operator()(const Polyline & polyline) const
+  {
+    return ofPieces(polyline, pose, [this](const ConvexBody & piece) { return shadow(piece, z_min, z_max); });
+  }
+  Section operator()(const WallPlan & walls) const
+  {
+    return heightsOf(walls, pose).overlap(z_min, z_max) ? Section{moved(walls.pieces, pose), {}} : Section{};
+  }
+  Section operator()(const Plane &) const { return {}; }
+  Section operator()(const Mesh & mesh) const { return shadow(*mesh.surface, pose, z_min, z_max); }
+};
+}  // namespace
+
+Section sectionAt(const Solid & solid, const Pose3d & pose, double z)
+{
+  return std::visit(CutAt{pose, z}, solid.shape);
+}
+
+Section footprintBetween(const Solid & solid, const Pose3d & pose, double z_min, double z_max)
+{
+  return std::visit(ShadowBetween{pose, z_min, z_max}, solid.shape);
+}
+}  // namespace f1tenth_sim2d

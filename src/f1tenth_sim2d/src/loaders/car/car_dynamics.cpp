@@ -1,0 +1,138 @@
+#include "loaders/car/car_dynamics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "loaders/sdf/sdf_models.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+using ignition::math::Inertiald;
+using ignition::math::Pose3d;
+
+constexpr double kGravity = 9.81;      // m/s^2, of the tyre model
+constexpr double kFrictionMax = 2.0;   // beyond it there is no tyre, and the model of one means nothing
+constexpr double kSteeringMax = 1.5;   // rad, what loadVehicleParameters() allows
+constexpr double kBackwardsMax = 5.0;  // m/s, the F1/10 car's
+
+/// x of the front axle in the frame of the car, whose origin is below the rear one; none without an axle in front.
+std::optional<double> wheelbaseOf(const std::vector<MechanismJoint> & mechanism)
+{
+  std::optional<double> front;
+  for (const MechanismJoint & joint : mechanism) {
+    if (joint.place.X() > 0.0) {
+      front = std::max(front.value_or(0.0), joint.place.X());
+    }
+  }
+  return front;
+}
+
+/// Where the centre of mass is on a car without an axle in front matters to a drive that does not steer.
+void placeOnOneAxle(double centre_of_mass, CarContext & context)
+{
+  if (context.car.drive && context.car.drive->kind != DriveDescription::Kind::kAckermann) {
+    VehicleParameters & parameters = context.car.parameters;
+    const double wheelbase = parameters.wheelbase();
+    parameters.l_r = centre_of_mass;
+    parameters.l_f = wheelbase - centre_of_mass;
+  }
+}
+
+void readMass(const std::vector<MechanismJoint> & mechanism, CarContext & context)
+{
+  const Inertiald whole = inertiaOf(context.model, context.source());
+  const Pose3d centre = context.inCar(whole.Pose());
+  VehicleParameters & parameters = context.car.parameters;
+  if (whole.MassMatrix().Mass() > 0.0 && whole.Moi()(2, 2) > 0.0) {
+    parameters.m = whole.MassMatrix().Mass();
+    parameters.I_z = whole.Moi()(2, 2);
+    parameters.h = std::max(0.0, centre.Pos().Z());
+  }
+  const std::optional<double> wheelbase = wheelbaseOf(mechanism);
+  if (!wheelbase) {
+    placeOnOneAxle(centre.Pos().X(), context);
+    return;
+  }
+  const double default_share = parameters.l_r / parameters.wheelbase();
+  const bool between_axles = centre.Pos().X() > 0.0 && centre.Pos().X() < *wheelbase;
+  if (!between_axles) {
+    context.warnings.add(
+      "the centre of mass is not between the axles: taken where the F1/10 car has it",
+      elementPath(context.model.Element()));
+  }
+  parameters.l_r = between_axles ? centre.Pos().X() : default_share * *wheelbase;
+  parameters.l_f = *wheelbase - parameters.l_r;
+}
+
+void readFriction(const std::vector<MechanismJoint> & mechanism, CarContext & context)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const MechanismJoint & joint : mechanism) {
+    if (joint.mu > 0.0) {
+      least = std::min(least, joint.mu);
+    }
+  }
+  if (!std::isfinite(least)) {
+    return;
+  }
+  if (least > kFrictionMax) {
+    context.warnings.add(
+      "friction of the wheels beyond 2 is taken as 2: no tyre has more", elementPath(context.model.Element()));
+  }
+  context.car.parameters.mu = std::min(least, kFrictionMax);
+}
+
+/// The least limit of all joints that have one, as value() gives it.
+template <typename Value>
+std::optional<double> leastLimit(const std::vector<MechanismJoint> & mechanism, bool of_steering, Value value)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const MechanismJoint & joint : mechanism) {
+    if (joint.steers() == of_steering && value(joint) > 0.0) {
+      least = std::min(least, value(joint));
+    }
+  }
+  return std::isfinite(least) ? std::optional<double>(least) : std::nullopt;
+}
+
+void readLimits(const std::vector<MechanismJoint> & mechanism, VehicleParameters & parameters)
+{
+  const auto angle = leastLimit(mechanism, true, [](const MechanismJoint & joint) {
+    return std::min(-joint.description.lower, joint.description.upper);
+  });
+  const auto rate =
+    leastLimit(mechanism, true, [](const MechanismJoint & joint) { return joint.description.velocity_max; });
+  const auto speed = leastLimit(
+    mechanism, false, [](const MechanismJoint & joint) { return joint.description.velocity_max * joint.radius; });
+  parameters.steering_max = std::min(angle.value_or(parameters.steering_max), kSteeringMax);
+  parameters.steering_rate_max = rate.value_or(parameters.steering_rate_max);
+  parameters.v_max = speed.value_or(parameters.v_max);
+  parameters.v_min = -std::min(parameters.v_max, kBackwardsMax);
+}
+
+/// What the efforts of the wheels give together, at most what the F1/10 car has and what its tyres would hold.
+void readAcceleration(const std::vector<MechanismJoint> & mechanism, VehicleParameters & parameters)
+{
+  double force = 0.0;
+  for (const MechanismJoint & joint : mechanism) {
+    force += joint.steers() ? 0.0 : joint.description.effort_max / joint.radius;
+  }
+  parameters.a_max = std::min(parameters.a_max, parameters.mu * kGravity);
+  if (force > 0.0) {
+    parameters.a_max = std::min(parameters.a_max, force / parameters.m);
+  }
+}
+}  // namespace
+
+void readDynamics(const std::vector<MechanismJoint> & mechanism, CarContext & context)
+{
+  readMass(mechanism, context);
+  readFriction(mechanism, context);
+  readLimits(mechanism, context.car.parameters);
+  readAcceleration(mechanism, context.car.parameters);
+}
+}  // namespace f1tenth_sim2d

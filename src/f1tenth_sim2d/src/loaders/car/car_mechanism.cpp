@@ -1,0 +1,237 @@
+#include "loaders/car/car_mechanism.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <sdf/Joint.hh>
+#include <sdf/JointAxis.hh>
+
+#include "loaders/sdf/sdf_models.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+using ignition::math::Pose3d;
+using ignition::math::Vector3d;
+using Role = JointDescription::Role;
+
+constexpr double kTiltAllowed = 0.1;         // rad: camber, caster and toe
+constexpr double kPlaceTolerance = 0.001;    // m
+constexpr double kUnlimited = 1e15;          // libsdformat's limits of a continuous joint are 1e16
+constexpr double kRadiusOfFlatWheel = 0.05;  // m, of a wheel without shape whose axle lies on the ground
+
+bool isAlong(const Vector3d & axis, const Vector3d & direction)
+{
+  return std::abs(axis.Normalized().Dot(direction)) > std::cos(kTiltAllowed);
+}
+
+double limitOf(double value)
+{
+  return std::abs(value) < kUnlimited ? value : std::copysign(std::numeric_limits<double>::infinity(), value);
+}
+
+/// Limits of effort and velocity; what is not positive means that there is none.
+double positiveLimitOf(double value)
+{
+  return value > 0.0 && value < kUnlimited ? value : std::numeric_limits<double>::infinity();
+}
+
+JointDescription describe(const sdf::Joint & joint, const Vector3d & axis, bool steers)
+{
+  JointDescription description{joint.Name(), steers ? Role::kSteeringLeft : Role::kWheelFrontLeft};
+  description.direction = (steers ? axis.Z() : axis.Y()) > 0.0 ? 1.0 : -1.0;
+  description.lower = limitOf(joint.Axis()->Lower());
+  description.upper = limitOf(joint.Axis()->Upper());
+  description.velocity_max = positiveLimitOf(joint.Axis()->MaxVelocity());
+  description.effort_max = positiveLimitOf(joint.Axis()->Effort());
+  return description;
+}
+
+/// All joints that turn about the y or the z axis of the car.
+std::vector<MechanismJoint> turningJoints(const CarContext & context)
+{
+  std::vector<MechanismJoint> joints;
+  for (std::uint64_t i = 0; i < context.model.JointCount(); ++i) {
+    const sdf::Joint & joint = *context.model.JointByIndex(i);
+    const bool turns = joint.Type() == sdf::JointType::REVOLUTE || joint.Type() == sdf::JointType::CONTINUOUS;
+    Vector3d axis;
+    if (!turns || !joint.Axis() || !joint.Axis()->ResolveXyz(axis, "__model__").empty()) {
+      continue;
+    }
+    axis = context.car_in_model.Rot().RotateVectorReverse(axis);
+    const bool steers = isAlong(axis, Vector3d::UnitZ);
+    if (steers || isAlong(axis, Vector3d::UnitY)) {
+      const auto pose = resolvePose(joint.SemanticPose(), "__model__", joint.Element(), context.source());
+      joints.push_back({describe(joint, axis, steers), joint.ChildLinkName(), context.inCar(pose).Pos()});
+    }
+  }
+  return joints;
+}
+
+/// Whether a link hangs on another one, over any joints.
+bool hangsOn(const sdf::Model & model, std::string link, const std::string & ancestor)
+{
+  for (std::uint64_t steps = 0; steps <= model.JointCount() && link != ancestor; ++steps) {
+    std::string parent;
+    for (std::uint64_t i = 0; i < model.JointCount(); ++i) {
+      if (model.JointByIndex(i)->ChildLinkName() == link) {
+        parent = model.JointByIndex(i)->ParentLinkName();
+      }
+    }
+    link = parent;
+  }
+  return link == ancestor;
+}
+
+/// A joint about the z axis without a wheel on it turns something else: a camera, a spinning lidar.
+void dropWhatDoesNotSteer(const sdf::Model & model, std::vector<MechanismJoint> & joints)
+{
+  const std::vector<MechanismJoint> all = joints;
+  const auto steersNothing = [&](const MechanismJoint & joint) {
+    return joint.steers() && std::none_of(all.begin(), all.end(), [&](const MechanismJoint & other) {
+             return !other.steers() && hangsOn(model, other.child, joint.child);
+           });
+  };
+  joints.erase(std::remove_if(joints.begin(), joints.end(), steersNothing), joints.end());
+}
+
+/// Where x changes from rear to front.
+double middleOf(const std::vector<MechanismJoint> & joints)
+{
+  double rear = std::numeric_limits<double>::infinity();
+  double front = -rear;
+  for (const MechanismJoint & joint : joints) {
+    rear = std::min(rear, joint.place.X());
+    front = std::max(front, joint.place.X());
+  }
+  return (rear + front) / 2.0;
+}
+
+Role roleOf(const MechanismJoint & joint, double middle)
+{
+  const bool left = joint.place.Y() > 0.0;
+  if (joint.steers()) {
+    return left ? Role::kSteeringLeft : Role::kSteeringRight;
+  }
+  if (joint.place.X() > middle) {
+    return left ? Role::kWheelFrontLeft : Role::kWheelFrontRight;
+  }
+  return left ? Role::kWheelRearLeft : Role::kWheelRearRight;
+}
+
+/// Half the height of a mesh in the frame of the car.
+double halfHeight(const TriangleMesh & mesh, const Pose3d & pose)
+{
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Vector3d & vertex : mesh.vertices) {
+    const double z = pose.CoordPositionAdd(vertex).Z();
+    low = std::min(low, z);
+    high = std::max(high, z);
+  }
+  return (high - low) / 2.0;
+}
+
+double radiusOf(const Solid & solid)
+{
+  if (const auto * const cylinder = std::get_if<Cylinder>(&solid.shape)) {
+    return cylinder->radius;
+  }
+  if (const auto * const sphere = std::get_if<Sphere>(&solid.shape)) {
+    return sphere->radius;
+  }
+  if (const auto * const mesh = std::get_if<Mesh>(&solid.shape)) {
+    return halfHeight(*mesh->surface, solid.pose);
+  }
+  return 0.0;
+}
+
+/// Radius and friction of a wheel from its first round collision, or else the height of its axle above the ground.
+void measureWheel(MechanismJoint & wheel, const CarDescription & car)
+{
+  const std::string scope = car.name + "::" + wheel.child + "::";
+  for (const Solid & solid : car.solids) {
+    if (solid.name.rfind(scope, 0) == 0 && radiusOf(solid) > 0.0) {
+      wheel.radius = radiusOf(solid);
+      wheel.mu = solid.mu;
+      return;
+    }
+  }
+  wheel.radius = wheel.place.Z() > kPlaceTolerance ? wheel.place.Z() : kRadiusOfFlatWheel;
+}
+
+bool isRear(Role role)
+{
+  return role == Role::kWheelRearLeft || role == Role::kWheelRearRight;
+}
+}  // namespace
+
+std::vector<MechanismJoint> findMechanism(const CarContext & context)
+{
+  std::vector<MechanismJoint> joints = turningJoints(context);
+  dropWhatDoesNotSteer(context.model, joints);
+  const double middle = middleOf(joints);
+  for (MechanismJoint & joint : joints) {
+    joint.description.role = roleOf(joint, middle);
+    if (!joint.steers()) {
+      measureWheel(joint, context.car);
+    }
+  }
+  return joints;
+}
+
+Pose3d properFrame(const std::vector<MechanismJoint> & mechanism)
+{
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  double ground = kInfinite;
+  double left = -kInfinite;
+  double right = kInfinite;
+  double sum_of_x = 0.0;
+  double count = 0.0;
+  for (const MechanismJoint & joint : mechanism) {
+    if (isRear(joint.description.role)) {
+      left = std::max(left, joint.place.Y());
+      right = std::min(right, joint.place.Y());
+      sum_of_x += joint.place.X();
+      count += 1.0;
+    }
+    if (!joint.steers()) {
+      ground = std::min(ground, joint.place.Z() - joint.radius);
+    }
+  }
+  if (count == 0.0) {
+    return Pose3d::Zero;
+  }
+  const Vector3d place(sum_of_x / count, (left + right) / 2.0, ground);
+  return place.Abs().Max() < kPlaceTolerance ? Pose3d::Zero : Pose3d(place, ignition::math::Quaterniond::Identity);
+}
+
+void readMechanism(const std::vector<MechanismJoint> & mechanism, CarDescription & car)
+{
+  std::map<Role, const MechanismJoint *> at_corner;
+  double left = 0.0;
+  double right = 0.0;
+  bool measured_at_steering = false;
+  for (const MechanismJoint & joint : mechanism) {
+    const auto [known, is_first] = at_corner.try_emplace(joint.description.role, &joint);
+    if (!is_first && joint.place.Z() < known->second->place.Z()) {
+      known->second = &joint;
+    }
+    if (!joint.steers()) {
+      car.wheel_radius = joint.radius;
+    }
+    if (joint.steers() || !measured_at_steering) {
+      (joint.place.Y() > 0.0 ? left : right) = joint.place.Y();
+      measured_at_steering = measured_at_steering || joint.steers();
+    }
+  }
+  if (left - right > 0.0) {
+    car.track_width = left - right;
+  }
+  for (const auto & [role, joint] : at_corner) {
+    car.mechanism.push_back(joint->description);
+  }
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "loaders/car/car_context.h"
+
+namespace f1tenth_sim2d
+{
+/// A wheel or a steering joint, with its place in the frame of the car.
+struct MechanismJoint
+{
+  JointDescription description;
+  std::string child;               ///< link
+  ignition::math::Vector3d place;  ///< m
+  double radius{0.0};              ///< m, of a wheel
+  double mu{0.0};                  ///< friction coefficient of a wheel
+
+  bool steers() const
+  {
+    using Role = JointDescription::Role;
+    return description.role == Role::kSteeringLeft || description.role == Role::kSteeringRight;
+  }
+};
+
+/// Finds the car's wheels and steering joints. Wheels turn about the y axis; steering joints turn about the z axis and
+/// carry a wheel; where they sit says front, rear, left and right. Needs the car's solids.
+/// @throws LoadError for an axis that cannot be resolved
+std::vector<MechanismJoint> findMechanism(const CarContext & context);
+
+/// Where the car's frame belongs, seen from where it is: on the ground below the middle of the rear axle. A frame that
+/// is there to within a millimetre, and a car without wheels, stay.
+ignition::math::Pose3d properFrame(const std::vector<MechanismJoint> & mechanism);
+
+/// Fills in the car's mechanism, wheel radius and track width: of joints at the same corner the lowest counts.
+void readMechanism(const std::vector<MechanismJoint> & mechanism, CarDescription & car);
+}  // namespace f1tenth_sim2d

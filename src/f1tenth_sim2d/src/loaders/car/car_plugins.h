@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "loaders/car/car_mechanism.h"
+
+namespace f1tenth_sim2d
+{
+/// Reads the plugins of the model. Those of gazebo_ros that are built in become parts of the car; the others are kept,
+/// to be looked up as shared libraries.
+/// @throws LoadError
+void readPlugins(const std::vector<MechanismJoint> & mechanism, CarContext & context);
+}  // namespace f1tenth_sim2d

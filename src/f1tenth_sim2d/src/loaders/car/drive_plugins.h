@@ -1,0 +1,10 @@
+#pragma once
+
+#include "loaders/car/car_context.h"
+
+namespace f1tenth_sim2d
+{
+/// Reads a plugin that drives the car, with the tags and defaults of gazebo_ros.
+/// @throws LoadError
+void readDrive(DriveDescription::Kind kind, const sdf::ElementPtr & element, CarContext & context);
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,94 @@
+#include "loaders/files/uri_lookup.h"
+
+#include <filesystem>
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+bool canBeFound(const fs::path & path)
+{
+  std::error_code ignored;  // a folder that may not be read has nothing for us
+  return fs::exists(path, ignored);
+}
+
+std::string findIn(const std::vector<std::string> & folders, const fs::path & path)
+{
+  for (const std::string & folder : folders) {
+    if (const fs::path candidate = fs::path(folder) / path; canBeFound(candidate)) {
+      return candidate.string();
+    }
+  }
+  return "";
+}
+
+std::string joined(const std::vector<std::string> & parts, const std::string & separator)
+{
+  std::string text;
+  for (const std::string & part : parts) {
+    text += (text.empty() ? "" : separator) + part;
+  }
+  return text;
+}
+}  // namespace
+
+UriLookup::UriLookup(const SearchPath & search_path, const std::string & world_file)
+: folders_(search_path.model_folders), package_folders_(search_path.package_folders)
+{
+  if (world_file.empty()) {
+    return;
+  }
+  const fs::path folder = fs::absolute(world_file).parent_path();
+  for (const fs::path & beside : {folder, folder / "models", folder.parent_path() / "models"}) {
+    folders_.push_back(beside.string());
+  }
+}
+
+std::string UriLookup::find(const std::string & uri) const
+{
+  const std::size_t scheme_end = uri.find("://");
+  const std::string scheme = scheme_end == std::string::npos ? "" : uri.substr(0, scheme_end);
+  const fs::path path = scheme.empty() ? uri : uri.substr(scheme_end + 3);
+  if (path.is_absolute()) {
+    return canBeFound(path) ? path.string() : "";
+  }
+  if (path.empty()) {
+    return "";
+  }
+  const std::string first = scheme == "package" ? findInPackages(path.string()) : findIn(folders_, path);
+  if (!first.empty()) {
+    return first;
+  }
+  return scheme == "package" ? findIn(folders_, path) : findInPackages(path.string());
+}
+
+std::string UriLookup::findInPackages(const std::string & path) const
+{
+  if (!packages_) {
+    packages_.emplace(package_folders_);
+  }
+  const std::size_t slash = path.find('/');
+  const std::string package = packages_->folderOf(path.substr(0, slash));
+  if (!package.empty()) {
+    const fs::path inside = slash == std::string::npos ? fs::path() : fs::path(path.substr(slash + 1));
+    if (const fs::path candidate = fs::path(package) / inside; canBeFound(candidate)) {
+      return candidate.string();
+    }
+  }
+  return findIn(packages_->modelFolders(), path);
+}
+
+std::string UriLookup::searchedFolders() const
+{
+  if (folders_.empty() && package_folders_.empty()) {
+    return "nothing, since GAZEBO_MODEL_PATH and ROS_PACKAGE_PATH are empty";
+  }
+  std::string text = joined(folders_, ", ");
+  if (!package_folders_.empty()) {
+    text += (text.empty() ? "" : ", ") + std::string("and the ROS packages below ") + joined(package_folders_, ", ");
+  }
+  return text;
+}
+}  // namespace f1tenth_sim2d

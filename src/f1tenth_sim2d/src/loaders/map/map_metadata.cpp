@@ -1,0 +1,150 @@
+#include "loaders/map/map_metadata.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "f1tenth_sim2d/errors.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+constexpr std::array<const char *, 6> kRequiredKeys{"image",  "resolution",      "origin",
+                                                    "negate", "occupied_thresh", "free_thresh"};
+
+/// Reads the keys of one file.
+class MapKeys
+{
+public:
+  explicit MapKeys(const std::string & path) : path_(path), root_(load())
+  {
+    if (!root_.IsMap()) {
+      throw LoadError(path_, "", "not a map description, allowed are lines 'key: value'");
+    }
+    for (const char * const key : kRequiredKeys) {
+      if (!root_[key]) {
+        throw LoadError(path_, key, "is missing");
+      }
+    }
+  }
+
+  std::string text(const char * key) const
+  {
+    const YAML::Node node = root_[key];
+    if (!node.IsScalar() || node.Scalar().empty()) {
+      fail(key, node, "a file name");
+    }
+    return node.Scalar();
+  }
+
+  double number(const char * key, double above, double most, const char * allowed) const
+  {
+    const double value = decoded(root_[key]);
+    if (!(value > above && value <= most && std::isfinite(value))) {
+      fail(key, root_[key], allowed);
+    }
+    return value;
+  }
+
+  bool flag(const char * key) const
+  {
+    bool value = false;
+    const double number = decoded(root_[key]);
+    if (number == 0.0 || number == 1.0) {
+      return number == 1.0;
+    }
+    if (!root_[key].IsScalar() || !YAML::convert<bool>::decode(root_[key], value)) {
+      fail(key, root_[key], "0 or 1");
+    }
+    return value;
+  }
+
+  Pose2 pose(const char * key) const
+  {
+    const YAML::Node node = root_[key];
+    std::array<double, 3> values{NAN, NAN, NAN};
+    for (std::size_t i = 0; node.IsSequence() && node.size() == 3 && i < 3; ++i) {
+      values[i] = decoded(node[i]);
+    }
+    if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); })) {
+      fail(key, node, "three numbers: x (m), y (m), yaw (rad)");
+    }
+    return {values[0], values[1], values[2]};
+  }
+
+  MapMetadata::Mode mode() const
+  {
+    const YAML::Node node = root_["mode"];
+    const std::string name = !node ? "trinary" : node.IsScalar() ? node.Scalar() : "";
+    if (name == "trinary") {
+      return MapMetadata::Mode::kTrinary;
+    }
+    if (name != "scale" && name != "raw") {
+      fail("mode", node, "trinary, scale or raw");
+    }
+    return name == "scale" ? MapMetadata::Mode::kScale : MapMetadata::Mode::kRaw;
+  }
+
+  std::vector<std::string> warnings() const
+  {
+    std::vector<std::string> result;
+    for (const auto & entry : root_) {
+      const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
+      if (key != "mode" && std::find(kRequiredKeys.begin(), kRequiredKeys.end(), key) == kRequiredKeys.end()) {
+        result.push_back(
+          path_ + ":" + std::to_string(entry.first.Mark().line + 1) + ": key '" + key + "' has no meaning");
+      }
+    }
+    return result;
+  }
+
+private:
+  YAML::Node load() const
+  {
+    try {
+      return YAML::LoadFile(path_);
+    } catch (const YAML::BadFile &) {
+      throw LoadError(path_, "", "cannot be read");
+    } catch (const YAML::ParserException & error) {
+      throw LoadError(path_ + ":" + std::to_string(error.mark.line + 1), "", "not YAML: " + error.msg);
+    }
+  }
+
+  static double decoded(const YAML::Node & node)
+  {
+    double value = NAN;
+    return node.IsScalar() && YAML::convert<double>::decode(node, value) ? value : NAN;
+  }
+
+  [[noreturn]] void fail(const char * key, const YAML::Node & node, const std::string & allowed) const
+  {
+    const std::string found = node.IsScalar() ? "'" + node.Scalar() + "'" : "no single value";
+    throw LoadError(
+      path_ + ":" + std::to_string(node.Mark().line + 1), key, "found " + found + ", allowed is " + allowed);
+  }
+
+  std::string path_;
+  YAML::Node root_;
+};
+}  // namespace
+
+MapMetadata readMapMetadata(const std::string & path)
+{
+  constexpr double kBelowZero = -1e-300;
+  const MapKeys keys(path);
+  MapMetadata metadata;
+  metadata.image = (std::filesystem::path(path).parent_path() / keys.text("image")).string();
+  metadata.resolution = keys.number("resolution", 0.0, 1e6, "a positive number of metres");
+  metadata.origin = keys.pose("origin");
+  metadata.negate = keys.flag("negate");
+  metadata.occupied_thresh = keys.number("occupied_thresh", kBelowZero, 1.0, "a number from 0 to 1");
+  keys.number("free_thresh", kBelowZero, 1.0, "a number from 0 to 1");
+  metadata.mode = keys.mode();
+  metadata.warnings = keys.warnings();
+  return metadata;
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,140 @@
+#include "node/app/sim2d_node.h"
+
+#include <utility>
+
+#include "node/app/diagnostics_output.h"
+#include "node/gazebo_api/gazebo_states.h"
+#include "node/time/continuous_time.h"
+#include "node/time/lockstep_time.h"
+#include "node/time/stop_signal.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+const ros::WallDuration kPauseCheck{0.1};
+
+ros::NodeHandle nodeWithQueue(const std::string & name_space, ros::CallbackQueue & queue)
+{
+  ros::NodeHandle node(name_space);
+  node.setCallbackQueue(&queue);
+  return node;
+}
+}  // namespace
+
+Sim2dNode::Sim2dNode(const NodeParameters & parameters)
+: parameters_(parameters),
+  node_(nodeWithQueue("/", queue_)),
+  outbox_(node_, parameters.time_mode == TimeMode::kLockstep),
+  flow_(outbox_, queue_, {true, parameters.silent_subscriber_timeout_sec}),
+  transforms_(outbox_, node_),
+  scene_(buildScene(parameters)),
+  plugins_(pluginFoldersFromEnvironment()),
+  world_(scene_.simulation, transforms_, parameters.control_period_sec, parameters.record_file),
+  clock_(outbox_, node_),
+  barrier_(makeBarrier()),
+  fleet_(
+    {parameters_, scene_.gravity, node_, scene_.simulation, world_, outbox_, transforms_, plugins_, barrier_.get()}),
+  models_(node_, scene_.simulation, fleet_),
+  world_services_(
+    node_, scene_.simulation, scene_.gravity, control_, {[this] { restart(); }, [this] { world_.resetPoses(); }})
+{
+  addCars(parameters_, scene_.start, fleet_);
+  addGlobalOutputs();
+  addTime();
+}
+
+std::unique_ptr<LockstepBarrier> Sim2dNode::makeBarrier()
+{
+  if (parameters_.time_mode != TimeMode::kLockstep) {
+    return nullptr;
+  }
+  return std::make_unique<LockstepBarrier>(
+    node_, queue_,
+    LockstepOptions{
+      parameters_.participants, parameters_.lockstep_timeout_sec, parameters_.lockstep_startup_timeout_sec});
+}
+
+void Sim2dNode::addGlobalOutputs()
+{
+  world_.add(std::make_unique<EntityStatesOutput<gazebo_msgs::ModelStates>>(
+    outbox_.advertise<gazebo_msgs::ModelStates>(node_, "/gazebo/model_states"), scene_.simulation, &entities));
+  world_.add(std::make_unique<EntityStatesOutput<gazebo_msgs::LinkStates>>(
+    outbox_.advertise<gazebo_msgs::LinkStates>(node_, "/gazebo/link_states"), scene_.simulation, &links));
+  world_.add(std::make_unique<DiagnosticsOutput>(
+    outbox_.advertise<diagnostic_msgs::DiagnosticArray>(node_, "/diagnostics"), control_,
+    [this] { return fleet_.drivers(); }, flow_));
+}
+
+void Sim2dNode::addTime()
+{
+  control_.paused = parameters_.paused;
+  control_.is_lockstep = parameters_.time_mode == TimeMode::kLockstep;
+  control_.real_time_factor = parameters_.time_mode == TimeMode::kPaced ? parameters_.real_time_factor : 0.0;
+  if (!control_.is_lockstep) {
+    world_.schedule().add(periodOf(parameters_.clock_rate_hz), [this](SimTime now) { clock_.publish(now); });
+  }
+}
+
+std::unique_ptr<TimeKeeper> Sim2dNode::makeTimeKeeper()
+{
+  flow_.setWaiting(control_.real_time_factor <= 0.0);
+  outbox_.setDirect(control_.is_lockstep || control_.real_time_factor > 0.0);
+  if (control_.is_lockstep) {
+    return std::make_unique<LockstepTime>(
+      scene_.simulation, world_, queue_, control_, outbox_, flow_, clock_, *barrier_);
+  }
+  if (control_.real_time_factor > 0.0) {
+    return std::make_unique<PacedTime>(world_, queue_, control_, outbox_, flow_);
+  }
+  return std::make_unique<FreeTime>(world_, queue_, control_, outbox_, flow_);
+}
+
+void Sim2dNode::restart()
+{
+  world_.restart();
+  ++control_.restarts;
+  if (barrier_) {
+    barrier_->restart();
+  }
+}
+
+void Sim2dNode::run()
+{
+  wall_start_ = ros::WallTime::now();
+  auto time = makeTimeKeeper();
+  TimeControl seen = control_;
+  while (!stopRequested()) {
+    if (control_.paused) {
+      queue_.callAvailable(kPauseCheck);
+    } else {
+      time->advance();
+    }
+    if (control_.real_time_factor != seen.real_time_factor) {
+      time = makeTimeKeeper();
+    } else if (control_.paused || control_.restarts != seen.restarts) {
+      time->restart();
+    }
+    seen = control_;
+  }
+  // First of all: on a busy machine whoever asked for the end may lose patience while ROS shuts down.
+  world_.flushRecord();
+  outbox_.flush();
+  flow_.drain();
+}
+
+RunResult Sim2dNode::result() const
+{
+  RunResult result;
+  result.sim_time_sec = static_cast<double>(world_.time()) * 1e-9;
+  result.wall_time_sec = (ros::WallTime::now() - wall_start_).toSec();
+  result.periods = world_.periods();
+  result.trajectory_hash = world_.hash();
+  result.seed = parameters_.simulation.seed;
+  for (const auto & topic : outbox_.topics()) {
+    result.published[topic->name()] = topic->published();
+  }
+  result.lost = flow_.lostMessages();
+  return result;
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+
+#include <memory>
+#include <vector>
+
+#include "node/app/run_result.h"
+#include "node/app/scene.h"
+#include "node/cars/fleet.h"
+#include "node/cars/plugin_host.h"
+#include "node/gazebo_api/gazebo_models.h"
+#include "node/gazebo_api/gazebo_world.h"
+#include "node/messages/transform_batch.h"
+#include "node/parameters/node_parameters.h"
+#include "node/time/clock_publisher.h"
+#include "node/time/lockstep_barrier.h"
+#include "node/time/time_keeper.h"
+#include "node/transport/flow_control.h"
+#include "node/transport/outbox.h"
+#include "node/world/simulated_world.h"
+
+namespace f1tenth_sim2d
+{
+/// The simulator as a ROS node: builds everything, then lets time pass. One thread; every callback runs on it, between
+/// physics steps.
+class Sim2dNode
+{
+public:
+  /// @throws Error for what cannot be used
+  explicit Sim2dNode(const NodeParameters & parameters);
+
+  /// Until somebody asks for the end.
+  /// @throws ParticipantSilent
+  void run();
+  /// What has happened so far, without a reason for the end.
+  RunResult result() const;
+
+private:
+  void addGlobalOutputs();
+  std::unique_ptr<LockstepBarrier> makeBarrier();
+  void addTime();
+  std::unique_ptr<TimeKeeper> makeTimeKeeper();
+  void restart();
+
+  const NodeParameters parameters_;
+  ros::CallbackQueue queue_;  // before everything that refers to it
+  ros::NodeHandle node_;
+  Outbox outbox_;
+  FlowControl flow_;
+  TransformBatch transforms_;
+  Scene scene_;
+  PluginHost plugins_;  // before the world, which holds what they make
+  SimulatedWorld world_;
+  TimeControl control_;
+  ClockPublisher clock_;
+  std::unique_ptr<LockstepBarrier> barrier_;  // in lockstep only
+  Fleet fleet_;
+  GazeboModels models_;
+  GazeboWorld world_services_;
+  ros::WallTime wall_start_;
+};
+}  // namespace f1tenth_sim2d

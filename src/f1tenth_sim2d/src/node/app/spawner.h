@@ -1,0 +1,35 @@
+#pragma once
+
+#include <ignition/math/Pose3.hh>
+#include <string>
+
+#include "node/cars/fleet.h"
+
+namespace f1tenth_sim2d
+{
+/// Puts cars and models into the running simulation, from their descriptions.
+class Spawner
+{
+public:
+  Spawner(Simulation & simulation, Fleet & fleet) : simulation_(simulation), fleet_(fleet) {}
+
+  struct Request
+  {
+    std::string name;
+    std::string xml;              ///< URDF or SDF
+    std::string ros_namespace;    ///< of a car's topics
+    ignition::math::Pose3d pose;  ///< of the model's frame, in the world
+  };
+
+  /// A description with turning joints, sensors or plugins becomes a car, any other a model.
+  /// @throws Error
+  void spawn(const Request & request);
+
+private:
+  void spawnCar(const Request & request, const std::string & source);
+  void spawnModel(const Request & request, const std::string & source);
+
+  Simulation & simulation_;
+  Fleet & fleet_;
+};
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,236 @@
+#include "node/cars/car_outputs.h"
+
+#include <cmath>
+
+#include "f1tenth_sim2d/ackermann.h"
+#include "node/messages/conversions.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+// Height, roll and pitch of a car in the plane are known.
+constexpr double kExact = 1e-9;
+
+double square(double value)
+{
+  return value * value;
+}
+
+// Indices of the diagonal of a 6 x 6 covariance: x, y, z, roll, pitch, yaw.
+void setPlanarVariances(boost::array<double, 36> & covariance, double x, double y, double yaw)
+{
+  covariance[0] = x;
+  covariance[7] = y;
+  covariance[14] = covariance[21] = covariance[28] = kExact;
+  covariance[35] = yaw;
+}
+}  // namespace
+
+ScanOutput::ScanOutput(CarHandle car, std::size_t lidar)
+: MessageOutput(
+    car.advertise<sensor_msgs::LaserScan>(car.description().lidars[lidar].topic),
+    car.description().lidars[lidar].rate_hz),
+  car_(std::move(car)),
+  lidar_(lidar)
+{
+  const LidarDescription & description = car_.description().lidars[lidar_];
+  message_.header.frame_id = car_.frame_prefix + description.frame;
+  message_.angle_min = static_cast<float>(description.angle_min);
+  message_.angle_max = static_cast<float>(description.angle_max);
+  message_.angle_increment =
+    static_cast<float>((description.angle_max - description.angle_min) / (description.beam_count - 1));
+  message_.scan_time = static_cast<float>(1.0 / description.rate_hz);
+  message_.range_min = static_cast<float>(description.range_min);
+  message_.range_max = static_cast<float>(description.range_max);
+  message_.ranges.resize(static_cast<std::size_t>(description.beam_count));
+}
+
+void ScanOutput::fill(sensor_msgs::LaserScan & message, SimTime now)
+{
+  message.header.stamp = toRosTime(now);
+  car_.simulation.scan(car_.index, lidar_, message.ranges.data());
+}
+
+OdometryPlace odometryPlace(const CarDescription & car, const VehicleParameters & vehicle)
+{
+  OdometryPlace place;
+  place.base_frame = car.base_frame;
+  place.base_pose = car.base_frame_pose;
+  place.rate_hz = vehicle.odometry_rate_hz;
+  if (car.drive) {
+    place.topic = car.drive->odometry_topic;
+    place.frame = car.drive->odometry_frame;
+    place.base_frame = car.drive->base_frame;
+    place.has_topic = car.drive->publishes_odometry;
+    place.has_transform = car.drive->publishes_transform;
+    if (const auto found = car.link_poses.find(place.base_frame); found != car.link_poses.end()) {
+      place.base_pose = found->second;
+    }
+  }
+  return place;
+}
+
+OdometryOutput::OdometryOutput(CarHandle car, const OdometryPlace & place)
+: MessageOutput(car.advertise<nav_msgs::Odometry>(place.topic), place.rate_hz), car_(std::move(car)), place_(place)
+{
+  message_.header.frame_id = car_.frame_prefix + place_.frame;
+  message_.child_frame_id = car_.frame_prefix + place_.base_frame;
+}
+
+void OdometryOutput::fill(nav_msgs::Odometry & message, SimTime now)
+{
+  const WheelOdometry odometry = car_.simulation.wheelOdometry(car_.index);
+  const VehicleParameters & parameters = car_.simulation.parameters(car_.index);
+  message.header.stamp = toRosTime(now);
+  message.pose.pose = toPose(onGround(odometry.pose) * place_.base_pose);
+  const Vec2 velocity{
+    odometry.speed - odometry.yaw_rate * place_.base_pose.Pos().Y(),
+    odometry.lateral_speed + odometry.yaw_rate * place_.base_pose.Pos().X()};
+  message.twist.twist = toTwist(rotated(velocity, -place_.base_pose.Rot().Yaw()), odometry.yaw_rate);
+  // yaw_rate = speed * tan(steering) / wheelbase, to first order in the steering angle's noise
+  const double turn = odometry.yaw_rate * parameters.wheelbase();
+  const double speed = std::max(std::abs(odometry.speed), kExact);
+  const double slope = (square(speed) + square(turn)) / (speed * parameters.wheelbase());
+  setPlanarVariances(
+    message.twist.covariance, square(parameters.odometry_speed_noise_stddev), kExact,
+    square(slope * parameters.odometry_steering_noise_stddev));
+}
+
+OdometryTransformOutput::OdometryTransformOutput(
+  CarHandle car, const OdometryPlace & place, TransformSender & transforms)
+: car_(std::move(car)), place_(place), transforms_(transforms)
+{
+  message_.header.frame_id = car_.frame_prefix + place_.frame;
+  message_.child_frame_id = car_.frame_prefix + place_.base_frame;
+}
+
+void OdometryTransformOutput::update(SimTime now, bool /*anyway*/)
+{
+  message_.header.stamp = toRosTime(now);
+  const geometry_msgs::Pose pose = toPose(onGround(car_.simulation.wheelOdometry(car_.index).pose) * place_.base_pose);
+  message_.transform.translation.x = pose.position.x;
+  message_.transform.translation.y = pose.position.y;
+  message_.transform.translation.z = pose.position.z;
+  message_.transform.rotation = pose.orientation;
+  transforms_.send(message_);
+}
+
+void OdometryTransformOutput::repeat()
+{
+  if (!message_.header.stamp.isZero()) {
+    transforms_.send(message_);
+  }
+}
+
+PoseOutput::PoseOutput(CarHandle car, const PoseSensorDescription & sensor)
+: MessageOutput(
+    car.advertise<nav_msgs::Odometry>(sensor.topic),
+    sensor.rate_hz > 0.0 ? sensor.rate_hz : 1e9 / static_cast<double>(car.simulation.stepLength())),
+  car_(std::move(car)),
+  sensor_(sensor)
+{
+  message_.header.frame_id = sensor_.frame;
+  message_.child_frame_id = car_.frame_prefix + sensor_.link;
+  setPlanarVariances(message_.pose.covariance, kExact, kExact, kExact);
+  const double variance = square(sensor_.noise_stddev) + kExact;
+  setPlanarVariances(message_.twist.covariance, variance, variance, variance);
+}
+
+// As the original: the twist is that of the link, in the frame of the world.
+void PoseOutput::fill(nav_msgs::Odometry & message, SimTime now)
+{
+  const CarState & state = car_.simulation.state(car_.index);
+  const ignition::math::Pose3d pose = onGround(state.pose) * sensor_.pose;
+  const ignition::math::Vector3d arm = pose.Pos() - onGround(state.pose).Pos();
+  const Vec2 velocity = rotated(state.velocity, state.pose.yaw);
+  const ignition::math::Quaterniond turned(sensor_.rpy_offset);
+  message.header.stamp = toRosTime(now);
+  message.pose.pose = toPose(ignition::math::Pose3d(pose.Pos() + sensor_.xyz_offset, turned * pose.Rot()));
+  message.twist.twist =
+    toTwist({velocity.x - state.yaw_rate * arm.Y(), velocity.y + state.yaw_rate * arm.X()}, state.yaw_rate);
+}
+
+ImuOutput::ImuOutput(CarHandle car, double gravity)
+: MessageOutput(car.advertise<sensor_msgs::Imu>(car.description().imu->topic), car.description().imu->rate_hz),
+  car_(std::move(car))
+{
+  const ImuDescription & description = *car_.description().imu;
+  const double acceleration_variance = square(description.acceleration_noise_stddev);
+  message_.header.frame_id = car_.frame_prefix + description.frame;
+  message_.orientation_covariance = {kExact, 0, 0, 0, kExact, 0, 0, 0, kExact};
+  message_.angular_velocity_covariance = {kExact, 0, 0, 0, kExact, 0, 0, 0, square(description.yaw_rate_noise_stddev)};
+  message_.linear_acceleration_covariance = {acceleration_variance, 0, 0, 0, acceleration_variance, 0, 0, 0, kExact};
+  message_.linear_acceleration.z = gravity;
+}
+
+void ImuOutput::fill(sensor_msgs::Imu & message, SimTime now)
+{
+  const ImuSample sample = car_.simulation.imu(car_.index);
+  message.header.stamp = toRosTime(now);
+  message.orientation = toQuaternion(sample.yaw);
+  message.angular_velocity.z = sample.yaw_rate;
+  message.linear_acceleration.x = sample.acceleration.x;
+  message.linear_acceleration.y = sample.acceleration.y;
+}
+
+JointStatesOutput::JointStatesOutput(
+  CarHandle car, const std::string & topic, double rate_hz, std::vector<JointDescription> joints)
+: MessageOutput(car.advertise<sensor_msgs::JointState>(topic), rate_hz),
+  car_(std::move(car)),
+  joints_(std::move(joints))
+{
+  for (const auto & joint : joints_) {
+    message_.name.push_back(joint.name);
+  }
+  message_.position.resize(joints_.size());
+  message_.velocity.resize(joints_.size());
+}
+
+void JointStatesOutput::fill(sensor_msgs::JointState & message, SimTime now)
+{
+  using Role = JointDescription::Role;
+  const CarState & state = car_.simulation.state(car_.index);
+  const SteeringAngles steering = ackermannSteering(
+    state.steering_angle, car_.simulation.parameters(car_.index).wheelbase(), car_.description().track_width);
+  message.header.stamp = toRosTime(now);
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const auto & [role, direction] = std::pair(joints_[i].role, joints_[i].direction);
+    if (role == Role::kSteeringLeft || role == Role::kSteeringRight) {
+      message.position[i] = direction * (role == Role::kSteeringLeft ? steering.left : steering.right);
+    } else {
+      const auto wheel = static_cast<std::size_t>(role);
+      message.position[i] = direction * state.wheel_angles[wheel];
+      message.velocity[i] = direction * state.wheel_speeds[wheel];
+    }
+  }
+}
+
+BumperOutput::BumperOutput(CarHandle car, std::size_t bumper)
+: MessageOutput(
+    car.advertise<gazebo_msgs::ContactsState>(car.description().bumpers[bumper].topic),
+    car.description().bumpers[bumper].rate_hz),
+  collisions_(
+    car.description().bumpers[bumper].collision_names.begin(), car.description().bumpers[bumper].collision_names.end())
+{
+  // As in Gazebo, all vectors are in the world, whatever frame the sensor is in.
+  message_.header.frame_id = "map";
+}
+
+void BumperOutput::note(const Contact & contact)
+{
+  if (collisions_.count(contact.own_collision) > 0) {
+    touches_[{contact.own_collision, contact.other_collision}] = contact;
+  }
+}
+
+void BumperOutput::fill(gazebo_msgs::ContactsState & message, SimTime now)
+{
+  message.header.stamp = toRosTime(now);
+  message.states.clear();
+  for (const auto & [pair, contact] : touches_) {
+    message.states.push_back(toContactState(contact));
+  }
+  touches_.clear();
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,146 @@
+#pragma once
+
+#include <gazebo_msgs/ContactsState.h>
+#include <nav_msgs/Odometry.h>
+#include <sensor_msgs/Imu.h>
+#include <sensor_msgs/JointState.h>
+#include <sensor_msgs/LaserScan.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "node/messages/output.h"
+
+/// What a car publishes. Frames and topics come from its description.
+namespace f1tenth_sim2d
+{
+/// A car, where it publishes, and the prefix of its frames.
+struct CarHandle
+{
+  const Simulation & simulation;
+  const CarIndex & index;  ///< now: it changes when a car before this one leaves
+  Advertiser & advertiser;
+  ros::NodeHandle node;  ///< in the car's namespace
+  std::string frame_prefix;
+
+  const CarDescription & description() const { return simulation.car(index); }
+  template <class Message>
+  TopicPublisher<Message> advertise(const std::string & topic) const
+  {
+    return advertiser.advertise<Message>(node, topic);
+  }
+};
+
+class ScanOutput : public MessageOutput<sensor_msgs::LaserScan>
+{
+public:
+  ScanOutput(CarHandle car, std::size_t lidar);
+
+private:
+  void fill(sensor_msgs::LaserScan & message, SimTime now) override;
+
+  const CarHandle car_;
+  const std::size_t lidar_;
+};
+
+/// How wheel odometry is published: as a drive plugin of the description says, or on `odom`.
+struct OdometryPlace
+{
+  std::string topic{"odom"};
+  std::string frame{"odom"};
+  std::string base_frame{"base_footprint"};
+  ignition::math::Pose3d base_pose;  ///< of base_frame, in the frame of the car
+  double rate_hz{50.0};
+  bool has_topic{true};
+  bool has_transform{true};
+};
+OdometryPlace odometryPlace(const CarDescription & car, const VehicleParameters & vehicle);
+
+/// Wheel odometry.
+class OdometryOutput : public MessageOutput<nav_msgs::Odometry>
+{
+public:
+  OdometryOutput(CarHandle car, const OdometryPlace & place);
+
+private:
+  void fill(nav_msgs::Odometry & message, SimTime now) override;
+
+  const CarHandle car_;
+  const OdometryPlace place_;
+};
+
+/// Odometry frame -> base frame, from wheel odometry.
+class OdometryTransformOutput : public Output
+{
+public:
+  OdometryTransformOutput(CarHandle car, const OdometryPlace & place, TransformSender & transforms);
+  double rate() const override { return place_.rate_hz; }
+  void update(SimTime now, bool anyway) override;
+  void repeat() override;
+
+private:
+  const CarHandle car_;
+  const OdometryPlace place_;
+  TransformSender & transforms_;
+  geometry_msgs::TransformStamped message_;
+};
+
+/// The true pose of a link: libgazebo_ros_p3d.so.
+class PoseOutput : public MessageOutput<nav_msgs::Odometry>
+{
+public:
+  PoseOutput(CarHandle car, const PoseSensorDescription & sensor);
+
+private:
+  void fill(nav_msgs::Odometry & message, SimTime now) override;
+
+  const CarHandle car_;
+  const PoseSensorDescription sensor_;
+};
+
+class ImuOutput : public MessageOutput<sensor_msgs::Imu>
+{
+public:
+  /// @param gravity  m/s^2, what the accelerometer reads upwards
+  ImuOutput(CarHandle car, double gravity);
+
+private:
+  void fill(sensor_msgs::Imu & message, SimTime now) override;
+
+  const CarHandle car_;
+};
+
+class JointStatesOutput : public MessageOutput<sensor_msgs::JointState>
+{
+public:
+  JointStatesOutput(CarHandle car, const std::string & topic, double rate_hz, std::vector<JointDescription> joints);
+
+private:
+  void fill(sensor_msgs::JointState & message, SimTime now) override;
+
+  const CarHandle car_;
+  const std::vector<JointDescription> joints_;
+};
+
+/// A contact sensor. Each message carries what has touched since the one before, however short; of a pair of
+/// collisions that touched more than once, the last touch.
+class BumperOutput : public MessageOutput<gazebo_msgs::ContactsState>
+{
+public:
+  BumperOutput(CarHandle car, std::size_t bumper);
+
+  /// Every contact of the car, once; those of other collisions are ignored.
+  void note(const Contact & contact);
+  void restart() { touches_.clear(); }
+
+private:
+  void fill(gazebo_msgs::ContactsState & message, SimTime now) override;
+  void skip() override { touches_.clear(); }
+
+  const std::set<std::string> collisions_;
+  std::map<std::pair<std::string, std::string>, Contact> touches_;  // by own and other collision
+};
+}  // namespace f1tenth_sim2d

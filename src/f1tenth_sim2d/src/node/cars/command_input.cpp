@@ -1,0 +1,63 @@
+#include "node/cars/command_input.h"
+
+#include <ros/console.h>
+
+#include <utility>
+
+#include "f1tenth_sim2d/errors.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+// Commands are handled between steps; more than one between two steps is rare, and the last one counts.
+constexpr std::uint32_t kCommandQueueSize = 100;
+
+std::string topicOf(const CarDescription & car)
+{
+  return car.drive ? car.drive->command_topic : "cmd_vel";
+}
+}  // namespace
+
+CommandInput::CommandInput(
+  Simulation & simulation, const CarIndex & car, ros::NodeHandle node, std::function<void()> on_command)
+: simulation_(simulation), car_(car), on_command_(std::move(on_command))
+{
+  const auto hints = ros::TransportHints().tcpNoDelay();
+  twist_subscriber_ = node.subscribe<geometry_msgs::Twist>(
+    topicOf(simulation.car(car)), kCommandQueueSize,
+    [this](const geometry_msgs::Twist::ConstPtr & message) { onTwist(*message); }, ros::VoidConstPtr(), hints);
+  drive_subscriber_ = node.subscribe<ackermann_msgs::AckermannDriveStamped>(
+    "drive", kCommandQueueSize,
+    [this](const ackermann_msgs::AckermannDriveStamped::ConstPtr & message) { onDrive(*message); }, ros::VoidConstPtr(),
+    hints);
+}
+
+void CommandInput::onTwist(const geometry_msgs::Twist & message)
+{
+  take([&] { simulation_.commandTwist(car_, message.linear.x, message.angular.z, message.linear.y); });
+}
+
+void CommandInput::onDrive(const ackermann_msgs::AckermannDriveStamped & message)
+{
+  take([&] { simulation_.command(car_, {message.drive.speed, message.drive.steering_angle}); });
+}
+
+void CommandInput::take(const std::function<void()> & command)
+{
+  try {
+    command();
+    ++accepted_;
+  } catch (const Error & error) {
+    refuse(error.what());
+  }
+  on_command_();
+}
+
+void CommandInput::refuse(const std::string & why)
+{
+  ++refused_;
+  last_refusal_ = why;
+  ROS_WARN_ONCE("Refused a command: %s", why.c_str());
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,88 @@
+#include "node/cars/joint_command.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+// As for commands of whole cars: far beyond any car of this size, but not a number that has lost its meaning.
+constexpr double kSpeedMax = 100.0;    // m/s, of a wheel's tread
+constexpr double kEffortMax = 1000.0;  // N m
+constexpr double kAngleMax = 6.2832;   // rad
+
+class Mean
+{
+public:
+  void add(double value)
+  {
+    sum_ += value;
+    ++count_;
+  }
+  bool isEmpty() const { return count_ == 0; }
+  double value() const { return isEmpty() ? 0.0 : sum_ / count_; }
+
+private:
+  double sum_{0.0};
+  int count_{0};
+};
+
+/// Angle of the single-track front wheel from that of a real one.
+double singleTrackAngle(double angle, bool left, double wheelbase, double track_width)
+{
+  const double slope = std::tan(angle);
+  const double offset = slope * track_width / (2.0 * wheelbase);
+  return std::atan2(slope, left ? 1.0 + offset : 1.0 - offset);
+}
+
+double limitOf(const JointCommand & command, double wheel_radius)
+{
+  switch (command.kind) {
+    case JointCommand::Kind::kVelocity:
+      return kSpeedMax / wheel_radius;
+    case JointCommand::Kind::kEffort:
+      return kEffortMax;
+    case JointCommand::Kind::kPosition:
+      return kAngleMax;
+  }
+  return 0.0;
+}
+}  // namespace
+
+DriveCommand driveCommand(
+  const std::vector<JointCommand> & commands, const CarDescription & car, const VehicleParameters & vehicle,
+  double speed)
+{
+  Mean wheel_speed;
+  Mean steering;
+  double force = 0.0;
+  bool is_pushed = false;
+  for (const JointCommand & command : commands) {
+    const double value = command.value * command.joint.direction;
+    if (command.kind == JointCommand::Kind::kVelocity) {
+      wheel_speed.add(value * car.wheel_radius);
+    } else if (command.kind == JointCommand::Kind::kEffort) {
+      force += value / car.wheel_radius;
+      is_pushed = true;
+    } else {
+      const bool left = command.joint.role == JointDescription::Role::kSteeringLeft;
+      steering.add(singleTrackAngle(value, left, vehicle.wheelbase(), car.track_width));
+    }
+  }
+  // The car accelerates by speed_gain times what is missing to the speed that is asked for.
+  const double pushed_speed = is_pushed ? speed + force / vehicle.m / vehicle.speed_gain : 0.0;
+  return {wheel_speed.isEmpty() ? pushed_speed : wheel_speed.value(), steering.value()};
+}
+
+std::string objectionTo(const JointCommand & command, double wheel_radius)
+{
+  const double limit = limitOf(command, wheel_radius);
+  if (std::abs(command.value) <= limit) {
+    return "";
+  }
+  std::ostringstream text;
+  text << command.joint.name << ": commanded " << command.value << ", allowed is " << -limit << " to " << limit;
+  return text.str();
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,276 @@
+#include "node/cars/ros_control.h"
+
+#include <ros/console.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "f1tenth_sim2d/errors.h"
+#include "node/parameters/parameter_reader.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+const std::string kJointStateController = "joint_state_controller/JointStateController";
+// More often would not change what a car with an actuation latency does.
+constexpr double kLeastPeriod = 0.005;  // s
+
+bool isAmong(const std::vector<std::string> & names, const std::string & name)
+{
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Answers a service whose only answer is whether it worked; says why not.
+template <class Response, class Action>
+bool attempt(Response & response, const Action & action)
+{
+  try {
+    action();
+    response.ok = true;
+  } catch (const Error & error) {
+    ROS_ERROR("%s", error.what());
+    response.ok = false;
+  }
+  return true;
+}
+}  // namespace
+
+RosControl::RosControl(CarHandle car, CommandInput & commands)
+: car_(std::move(car)),
+  commands_(commands),
+  rate_hz_(1.0 / std::max(kLeastPeriod, car_.description().ros_control->control_period_sec))
+{
+  const auto serve = [this](const std::string & name, auto method) {
+    servers_.push_back(car_.node.advertiseService("controller_manager/" + name, method, this));
+  };
+  serve("list_controllers", &RosControl::list);
+  serve("list_controller_types", &RosControl::listTypes);
+  serve("load_controller", &RosControl::load);
+  serve("unload_controller", &RosControl::unload);
+  serve("switch_controller", &RosControl::switchOver);
+  serve("reload_controller_libraries", &RosControl::reload);
+}
+
+void RosControl::update(SimTime now, bool /*anyway*/)
+{
+  if (now < last_) {
+    schedule_.restart();
+  }
+  last_ = now;
+  if (const auto commands = wanted(); !commands.empty()) {
+    const auto & simulation = car_.simulation;
+    commands_.apply(driveCommand(
+      commands, car_.description(), simulation.parameters(car_.index), simulation.state(car_.index).velocity.x));
+  }
+  schedule_.run(now);
+}
+
+std::vector<JointCommand> RosControl::wanted() const
+{
+  std::vector<JointCommand> commands;
+  for (const auto & [name, controller] : controllers_) {
+    if (controller.joint && controller.runs()) {
+      commands.push_back(controller.joint->command());
+    }
+  }
+  return commands;
+}
+
+bool RosControl::list(
+  controller_manager_msgs::ListControllers::Request & /*request*/,
+  controller_manager_msgs::ListControllers::Response & response)
+{
+  for (const auto & [name, controller] : controllers_) {
+    controller_manager_msgs::ControllerState state;
+    state.name = name;
+    state.state = controller.state;
+    state.type = controller.type;
+    controller_manager_msgs::HardwareInterfaceResources claimed;
+    claimed.hardware_interface =
+      controller.joint ? controller.joint->type().interface : "hardware_interface::JointStateInterface";
+    if (controller.joint) {
+      claimed.resources.push_back(controller.joint->joint().name);
+    }
+    state.claimed_resources.push_back(claimed);
+    response.controller.push_back(state);
+  }
+  return true;
+}
+
+bool RosControl::listTypes(
+  controller_manager_msgs::ListControllerTypes::Request & /*request*/,
+  controller_manager_msgs::ListControllerTypes::Response & response)
+{
+  response.types.push_back(kJointStateController);
+  for (const auto & type : jointControllerTypes()) {
+    response.types.push_back(type.name);
+  }
+  response.base_classes.assign(response.types.size(), "controller_interface::ControllerBase");
+  return true;
+}
+
+bool RosControl::load(
+  controller_manager_msgs::LoadController::Request & request,
+  controller_manager_msgs::LoadController::Response & response)
+{
+  return attempt(response, [&] {
+    if (controllers_.count(request.name) > 0) {
+      throw Error("controller " + request.name + ": is loaded already");
+    }
+    controllers_.emplace(request.name, make(request.name));
+  });
+}
+
+bool RosControl::unload(
+  controller_manager_msgs::UnloadController::Request & request,
+  controller_manager_msgs::UnloadController::Response & response)
+{
+  return attempt(response, [&] {
+    const auto found = controllers_.find(request.name);
+    if (found == controllers_.end()) {
+      throw Error("controller " + request.name + ": is not loaded");
+    }
+    if (found->second.runs()) {
+      throw Error("controller " + request.name + ": cannot be unloaded while it runs");
+    }
+    controllers_.erase(found);
+  });
+}
+
+bool RosControl::reload(
+  controller_manager_msgs::ReloadControllerLibraries::Request & request,
+  controller_manager_msgs::ReloadControllerLibraries::Response & response)
+{
+  return attempt(response, [&] {
+    if (!controllers_.empty() && !request.force_kill) {
+      throw Error("controllers are loaded: libraries are reloaded only with force_kill");
+    }
+    schedule_ = {};
+    controllers_.clear();
+  });
+}
+
+bool RosControl::switchOver(
+  controller_manager_msgs::SwitchController::Request & request,
+  controller_manager_msgs::SwitchController::Response & response)
+{
+  return attempt(response, [&] {
+    if (request.strictness == controller_manager_msgs::SwitchController::Request::STRICT) {
+      checkSwitch(request.start_controllers, request.stop_controllers);
+    }
+    for (const auto & name : request.stop_controllers) {
+      if (const auto found = controllers_.find(name); found != controllers_.end() && found->second.runs()) {
+        found->second.state = "stopped";
+      }
+    }
+    for (const auto & name : request.start_controllers) {
+      if (const auto found = controllers_.find(name); found != controllers_.end() && !found->second.runs()) {
+        start(found->second);
+      }
+    }
+  });
+}
+
+void RosControl::checkSwitch(const Names & start, const Names & stop) const
+{
+  for (const auto & name : stop) {
+    const auto found = controllers_.find(name);
+    if (found == controllers_.end() || !found->second.runs()) {
+      throw Error("controller " + name + ": cannot be stopped, it does not run");
+    }
+  }
+  std::set<std::string> claimed;
+  for (const auto & [name, controller] : controllers_) {
+    if (controller.joint && controller.runs() && !isAmong(stop, name)) {
+      claimed.insert(controller.joint->joint().name);
+    }
+  }
+  for (const auto & name : start) {
+    const auto found = controllers_.find(name);
+    if (found == controllers_.end()) {
+      throw Error("controller " + name + ": cannot be started, it is not loaded");
+    }
+    if (found->second.runs() && !isAmong(stop, name)) {
+      throw Error("controller " + name + ": cannot be started, it runs already");
+    }
+    if (found->second.joint && !claimed.insert(found->second.joint->joint().name).second) {
+      throw Error("controller " + name + ": another controller has its joint " + found->second.joint->joint().name);
+    }
+  }
+}
+
+void RosControl::start(Controller & controller)
+{
+  controller.state = "running";
+  if (controller.joint) {
+    controller.joint->start();
+  }
+}
+
+RosControl::Controller RosControl::make(const std::string & name)
+{
+  const std::string type = parameter(name + "/type");
+  if (type == kJointStateController) {
+    double rate_hz = 50.0;
+    car_.node.getParam(name + "/publish_rate", rate_hz);
+    if (!(rate_hz > 0.0)) {
+      throw Error("controller " + name + ": publish_rate must be a number of Hz > 0");
+    }
+    Controller controller{type, "initialized", nullptr, nullptr};
+    controller.joint_states =
+      std::make_unique<JointStatesOutput>(car_, "joint_states", rate_hz, car_.description().mechanism);
+    schedule_.add(
+      periodOf(rate_hz),
+      [this, name](SimTime now) {
+        const auto found = controllers_.find(name);
+        if (found != controllers_.end() && found->second.joint_states && found->second.runs()) {
+          found->second.joint_states->update(now, false);
+        }
+      },
+      last_);
+    return controller;
+  }
+  const auto & types = jointControllerTypes();
+  const auto found = std::find_if(types.begin(), types.end(), [&](const auto & each) { return each.name == type; });
+  if (found == types.end()) {
+    Names names{kJointStateController};
+    std::transform(types.begin(), types.end(), std::back_inserter(names), [](const auto & each) { return each.name; });
+    throw Error("controller " + name + ": type " + type + " is unknown; known are " + joined(names));
+  }
+  return makeJointController(name, *found);
+}
+
+RosControl::Controller RosControl::makeJointController(const std::string & name, const JointControllerType & type)
+{
+  Controller controller{type.name, "initialized", nullptr, nullptr};
+  controller.joint = std::make_unique<JointController>(
+    type, joint(name), car_.description().wheel_radius, car_.node, name,
+    [this](const std::string & why) { commands_.refuse(why); });
+  return controller;
+}
+
+const JointDescription & RosControl::joint(const std::string & controller) const
+{
+  const std::string name = parameter(controller + "/joint");
+  const auto & joints = car_.description().mechanism;
+  const auto found = std::find_if(joints.begin(), joints.end(), [&](const auto & each) { return each.name == name; });
+  if (found == joints.end()) {
+    Names names;
+    std::transform(
+      joints.begin(), joints.end(), std::back_inserter(names), [](const auto & each) { return each.name; });
+    throw Error("controller " + controller + ": no joint " + name + " that moves; there are " + joined(names));
+  }
+  return *found;
+}
+
+std::string RosControl::parameter(const std::string & name) const
+{
+  std::string value;
+  if (!car_.node.getParam(name, value) || value.empty()) {
+    throw Error("parameter " + car_.node.resolveName(name) + ": not set, expected a text");
+  }
+  return value;
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <controller_manager_msgs/ListControllerTypes.h>
+#include <controller_manager_msgs/ListControllers.h>
+#include <controller_manager_msgs/LoadController.h>
+#include <controller_manager_msgs/ReloadControllerLibraries.h>
+#include <controller_manager_msgs/SwitchController.h>
+#include <controller_manager_msgs/UnloadController.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "node/cars/car_outputs.h"
+#include "node/cars/command_input.h"
+#include "node/cars/joint_controller.h"
+#include "node/messages/output.h"
+#include "node/world/schedule.h"
+
+namespace f1tenth_sim2d
+{
+/// What libgazebo_ros_control.so is in Gazebo: the services of a controller manager, and controllers for the wheels and
+/// steering joints of a car. While a joint controller runs, the car does what the controllers say.
+class RosControl : public Output
+{
+public:
+  /// @param car       its node in the namespace of the controller manager
+  /// @param commands  of the car; takes what the controllers want, and counts what was refused
+  RosControl(CarHandle car, CommandInput & commands);
+
+  double rate() const override { return rate_hz_; }
+  void update(SimTime now, bool anyway) override;
+  void repeat() override {}
+
+private:
+  struct Controller
+  {
+    std::string type;
+    std::string state{"initialized"};
+    std::unique_ptr<JointController> joint;           ///< or
+    std::unique_ptr<JointStatesOutput> joint_states;  ///< one of the two
+
+    bool runs() const { return state == "running"; }
+  };
+
+  using Names = std::vector<std::string>;
+  bool list(
+    controller_manager_msgs::ListControllers::Request & request,
+    controller_manager_msgs::ListControllers::Response & response);
+  bool listTypes(
+    controller_manager_msgs::ListControllerTypes::Request & request,
+    controller_manager_msgs::ListControllerTypes::Response & response);
+  bool load(
+    controller_manager_msgs::LoadController::Request & request,
+    controller_manager_msgs::LoadController::Response & response);
+  bool unload(
+    controller_manager_msgs::UnloadController::Request & request,
+    controller_manager_msgs::UnloadController::Response & response);
+  bool switchOver(
+    controller_manager_msgs::SwitchController::Request & request,
+    controller_manager_msgs::SwitchController::Response & response);
+  bool reload(
+    controller_manager_msgs::ReloadControllerLibraries::Request & request,
+    controller_manager_msgs::ReloadControllerLibraries::Response & response);
+
+  Controller make(const std::string & name);
+  Controller makeJointController(const std::string & name, const JointControllerType & type);
+  const JointDescription & joint(const std::string & controller) const;
+  std::string parameter(const std::string & name) const;
+  std::vector<JointCommand> wanted() const;
+  void checkSwitch(const Names & start, const Names & stop) const;
+  void start(Controller & controller);
+
+  CarHandle car_;
+  CommandInput & commands_;
+  const double rate_hz_;
+  Schedule schedule_;  // of what controllers publish
+  SimTime last_{0};
+  std::map<std::string, Controller> controllers_;
+  std::vector<ros::ServiceServer> servers_;
+};
+}  // namespace f1tenth_sim2d

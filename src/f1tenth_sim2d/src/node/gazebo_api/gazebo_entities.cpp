@@ -1,0 +1,103 @@
+#include "node/gazebo_api/gazebo_entities.h"
+
+#include <algorithm>
+
+#include "node/messages/conversions.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+using ignition::math::Pose3d;
+
+/// Height and tilt of a pose; position and heading taken out.
+Pose3d heightAndTilt(const Pose3d & pose)
+{
+  return onGround({pose.Pos().X(), pose.Pos().Y(), pose.Rot().Yaw()}).Inverse() * pose;
+}
+
+Vec2 velocityAt(const Pose3d & place, const Pose2 & origin, const Vec2 & velocity, double yaw_rate)
+{
+  return {velocity.x - yaw_rate * (place.Pos().Y() - origin.y), velocity.y + yaw_rate * (place.Pos().X() - origin.x)};
+}
+
+/// Something that is fixed to a car, at a pose in the car's frame.
+Entity onCar(
+  const Simulation & simulation, CarIndex car, Entity::Kind kind, const std::string & name, const Pose3d & mount)
+{
+  const CarState & state = simulation.state(car);
+  const Pose3d pose = onGround(state.pose) * mount;
+  const Vec2 velocity = rotated(state.velocity, state.pose.yaw);
+  return {kind, car, name, pose, velocityAt(pose, state.pose, velocity, state.yaw_rate), state.yaw_rate};
+}
+
+std::vector<Entity> models(const Simulation & simulation)
+{
+  std::vector<Entity> result;
+  for (std::size_t i = 0; i < simulation.models().size(); ++i) {
+    const ModelDescription & model = simulation.models()[i];
+    const ModelState state = simulation.modelState(i);
+    result.push_back(
+      {Entity::Kind::kModel, i, model.name, onGround(state.pose) * heightAndTilt(model.pose), state.velocity,
+       state.yaw_rate});
+  }
+  return result;
+}
+}  // namespace
+
+std::vector<Entity> entities(const Simulation & simulation)
+{
+  std::vector<Entity> result = models(simulation);
+  for (CarIndex car = 0; car < simulation.carCount(); ++car) {
+    const CarDescription & description = simulation.car(car);
+    result.push_back(onCar(simulation, car, Entity::Kind::kCar, description.name, description.model_pose));
+  }
+  return result;
+}
+
+std::vector<Entity> links(const Simulation & simulation)
+{
+  std::vector<Entity> result;
+  for (CarIndex car = 0; car < simulation.carCount(); ++car) {
+    const CarDescription & description = simulation.car(car);
+    for (const auto & [link, pose] : description.link_poses) {
+      result.push_back(onCar(simulation, car, Entity::Kind::kLink, description.name + "::" + link, pose));
+    }
+  }
+  return result;
+}
+
+std::optional<Entity> find(const Simulation & simulation, const std::string & name)
+{
+  const auto search = [&](const std::vector<Entity> & list) -> std::optional<Entity> {
+    const auto found = std::find_if(list.begin(), list.end(), [&](const Entity & each) { return each.name == name; });
+    return found == list.end() ? std::nullopt : std::make_optional(*found);
+  };
+  const auto entity = search(entities(simulation));
+  return entity ? entity : search(links(simulation));
+}
+
+bool isWorld(const std::string & name)
+{
+  return name.empty() || name == "world" || name == "map" || name == "/map";
+}
+
+Pose3d fromPose(const geometry_msgs::Pose & pose)
+{
+  ignition::math::Quaterniond rotation(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z);
+  // As in gazebo_ros: a quaternion that was not set means no rotation.
+  rotation.Normalize();
+  return {{pose.position.x, pose.position.y, pose.position.z}, rotation};
+}
+
+geometry_msgs::Twist twistOf(const Entity & entity)
+{
+  return toTwist(entity.velocity, entity.yaw_rate);
+}
+
+Pose2 carPose(const CarDescription & car, const Pose3d & model_pose)
+{
+  const Pose3d pose = model_pose * car.model_pose.Inverse();
+  return {pose.Pos().X(), pose.Pos().Y(), pose.Rot().Yaw()};
+}
+}  // namespace f1tenth_sim2d

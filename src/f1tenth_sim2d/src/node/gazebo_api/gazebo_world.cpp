@@ -1,0 +1,97 @@
+#include "node/gazebo_api/gazebo_world.h"
+
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "node/gazebo_api/gazebo_entities.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+constexpr double kTolerance = 1e-9;  // of numbers that must stay as they are
+
+bool differs(double a, double b)
+{
+  return !(std::abs(a - b) <= kTolerance * (1.0 + std::abs(b)));
+}
+
+/// What of the request cannot be; empty if nothing.
+std::string objection(const gazebo_msgs::SetPhysicsProperties::Request & request, double time_step, double gravity)
+{
+  std::ostringstream text;
+  if (differs(request.time_step, time_step)) {
+    text << "time_step is " << request.time_step << ", this simulator keeps " << time_step;
+  } else if (
+    differs(request.gravity.x, 0.0) || differs(request.gravity.y, 0.0) || differs(request.gravity.z, -gravity)) {
+    text << "gravity is (" << request.gravity.x << ", " << request.gravity.y << ", " << request.gravity.z
+         << "), this simulator keeps (0, 0, " << -gravity << ")";
+  } else if (!std::isfinite(request.max_update_rate) || request.max_update_rate < 0.0) {
+    text << "max_update_rate is " << request.max_update_rate << ", allowed is 0 (as fast as it goes) or more";
+  }
+  return text.str();
+}
+}  // namespace
+
+GazeboWorld::GazeboWorld(
+  ros::NodeHandle & node, const Simulation & simulation, double gravity, TimeControl & control, Actions actions)
+: simulation_(simulation), gravity_(gravity), control_(control), actions_(std::move(actions))
+{
+  serveEmpty(node, "pause_physics", [this] { control_.paused = true; });
+  serveEmpty(node, "unpause_physics", [this] { control_.paused = false; });
+  serveEmpty(node, "reset_simulation", actions_.restart);
+  serveEmpty(node, "reset_world", actions_.reset_poses);
+  servers_.push_back(node.advertiseService("/gazebo/get_world_properties", &GazeboWorld::getWorld, this));
+  servers_.push_back(node.advertiseService("/gazebo/get_physics_properties", &GazeboWorld::getPhysics, this));
+  servers_.push_back(node.advertiseService("/gazebo/set_physics_properties", &GazeboWorld::setPhysics, this));
+}
+
+void GazeboWorld::serveEmpty(ros::NodeHandle & node, const std::string & name, const std::function<void()> & action)
+{
+  using Empty = std_srvs::Empty;
+  const boost::function<bool(Empty::Request &, Empty::Response &)> callback = [action](
+                                                                                Empty::Request &, Empty::Response &) {
+    action();
+    return true;
+  };
+  servers_.push_back(node.advertiseService("/gazebo/" + name, callback));
+}
+
+bool GazeboWorld::getWorld(GetWorld::Request & /*request*/, GetWorld::Response & response)
+{
+  response.sim_time = static_cast<double>(simulation_.time()) * 1e-9;
+  for (const auto & entity : entities(simulation_)) {
+    response.model_names.push_back(entity.name);
+  }
+  response.rendering_enabled = false;
+  response.success = true;
+  response.status_message = "GetWorldProperties: got properties";
+  return true;
+}
+
+bool GazeboWorld::getPhysics(GetPhysics::Request & /*request*/, GetPhysics::Response & response)
+{
+  response.time_step = timeStepSec();
+  response.pause = control_.paused;
+  response.max_update_rate = control_.real_time_factor / timeStepSec();
+  response.gravity.z = -gravity_;
+  response.success = true;
+  response.status_message = "GetPhysicsProperties: got properties";
+  return true;
+}
+
+bool GazeboWorld::setPhysics(SetPhysics::Request & request, SetPhysics::Response & response)
+{
+  std::string problem = objection(request, timeStepSec(), gravity_);
+  if (problem.empty() && control_.is_lockstep && differs(request.max_update_rate, 0.0)) {
+    problem = "max_update_rate must stay 0 in lockstep";
+  }
+  response.success = problem.empty();
+  response.status_message = problem.empty() ? "physics engine updated" : "SetPhysicsProperties: " + problem;
+  if (response.success && !control_.is_lockstep) {
+    control_.real_time_factor = request.max_update_rate * timeStepSec();
+  }
+  return true;
+}
+}  // namespace f1tenth_sim2d

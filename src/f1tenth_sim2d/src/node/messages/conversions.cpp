@@ -1,0 +1,92 @@
+#include "node/messages/conversions.h"
+
+#include <cmath>
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+geometry_msgs::Vector3 toVector3(const Vec2 & vector)
+{
+  geometry_msgs::Vector3 message;
+  message.x = vector.x;
+  message.y = vector.y;
+  return message;
+}
+
+geometry_msgs::Wrench toWrench(const Vec2 & force, double torque, double share)
+{
+  geometry_msgs::Wrench message;
+  message.force.x = force.x * share;
+  message.force.y = force.y * share;
+  message.torque.z = torque * share;
+  return message;
+}
+}  // namespace
+
+geometry_msgs::Quaternion toQuaternion(double yaw)
+{
+  geometry_msgs::Quaternion message;
+  message.z = std::sin(yaw / 2.0);
+  message.w = std::cos(yaw / 2.0);
+  return message;
+}
+
+geometry_msgs::Pose toPose(const ignition::math::Pose3d & pose)
+{
+  geometry_msgs::Pose message;
+  message.position.x = pose.Pos().X();
+  message.position.y = pose.Pos().Y();
+  message.position.z = pose.Pos().Z();
+  message.orientation.x = pose.Rot().X();
+  message.orientation.y = pose.Rot().Y();
+  message.orientation.z = pose.Rot().Z();
+  message.orientation.w = pose.Rot().W();
+  return message;
+}
+
+ignition::math::Pose3d onGround(const Pose2 & pose)
+{
+  return {pose.x, pose.y, 0.0, 0.0, 0.0, pose.yaw};
+}
+
+geometry_msgs::Twist toTwist(const Vec2 & velocity, double yaw_rate)
+{
+  geometry_msgs::Twist message;
+  message.linear = toVector3(velocity);
+  message.angular.z = yaw_rate;
+  return message;
+}
+
+gazebo_msgs::ContactState toContactState(const Contact & contact)
+{
+  gazebo_msgs::ContactState message;
+  message.info = contact.own_collision + " touches " + contact.other_collision;
+  message.collision1_name = contact.own_collision;
+  message.collision2_name = contact.other_collision;
+  message.total_wrench = toWrench(contact.force, contact.torque, 1.0);
+  const double share = 1.0 / static_cast<double>(contact.positions.size());
+  message.wrenches.assign(contact.positions.size(), toWrench(contact.force, contact.torque, share));
+  for (const auto & position : contact.positions) {
+    message.contact_positions.push_back(toVector3(position));
+  }
+  for (const auto & normal : contact.normals) {
+    message.contact_normals.push_back(toVector3(normal));
+  }
+  message.depths = contact.depths;
+  return message;
+}
+
+Vec2 rotated(const Vec2 & vector, double yaw)
+{
+  const double c = std::cos(yaw);
+  const double s = std::sin(yaw);
+  return {c * vector.x - s * vector.y, s * vector.x + c * vector.y};
+}
+
+Pose2 relativeTo(const Pose2 & pose, const Pose2 & reference)
+{
+  const Vec2 offset = rotated({pose.x - reference.x, pose.y - reference.y}, -reference.yaw);
+  return {offset.x, offset.y, std::remainder(pose.yaw - reference.yaw, 2.0 * M_PI)};
+}
+}  // namespace f1tenth_sim2d

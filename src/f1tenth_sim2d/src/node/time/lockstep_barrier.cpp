@@ -1,0 +1,108 @@
+#include "node/time/lockstep_barrier.h"
+
+#include <std_msgs/Header.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "node/messages/output.h"
+#include "node/parameters/parameter_reader.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+const ros::WallDuration kRepeatInterval{0.1};
+}  // namespace
+
+ParticipantSilent::ParticipantSilent(std::string participant, const std::string & message)
+: Error(message), participant_(std::move(participant))
+{
+}
+
+LockstepBarrier::LockstepBarrier(ros::NodeHandle & node, ros::CallbackQueue & queue, LockstepOptions options)
+: options_(std::move(options)), queue_(queue), ledger_(options_.participants)
+{
+  // Unlimited: a lost answer would never come again, and nobody sends more than a few a period.
+  subscriber_ = node.subscribe<std_msgs::Header>(
+    "/sim2d/done", 0,
+    [this](const std_msgs::Header::ConstPtr & message) { ledger_.note(message->frame_id, message->stamp); },
+    ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+}
+
+void LockstepBarrier::open(SimTime end, std::int64_t number)
+{
+  stamp_ = toRosTime(end);
+  number_ = number;
+}
+
+bool LockstepBarrier::hasAnswered(const std::string & participant) const
+{
+  const auto & names = options_.participants;
+  const auto missing = ledger_.missing(stamp_);
+  return std::find(names.begin(), names.end(), participant) != names.end() &&
+         std::find(missing.begin(), missing.end(), participant) == missing.end();
+}
+
+void LockstepBarrier::wait(const Hooks & hooks)
+{
+  const double timeout = started_ ? options_.timeout_sec : options_.startup_timeout_sec;
+  waitForAnswers(hooks, ros::WallTime::now() + ros::WallDuration(timeout));
+  if (hooks.interrupted()) {
+    return;
+  }
+  if (!started_ && repeats_ > 0) {
+    settle();
+  }
+  started_ = true;
+  drain_.drain();
+  queue_.callAvailable();
+}
+
+void LockstepBarrier::waitForAnswers(const Hooks & hooks, const ros::WallTime & deadline)
+{
+  ros::WallTime next_repeat = ros::WallTime::now() + kRepeatInterval;
+  while (!ledger_.allDone(stamp_) && !hooks.interrupted()) {
+    queue_.callAvailable(kRepeatInterval);
+    const ros::WallTime now = ros::WallTime::now();
+    if (now > deadline && !ledger_.allDone(stamp_)) {
+      fail();
+    }
+    if (!started_ && now >= next_repeat) {
+      hooks.repeat();
+      ++repeats_;
+      next_repeat = now + kRepeatInterval;
+    }
+  }
+}
+
+// A driver that was slow to start answers each repetition, and a late answer must not count for the second period.
+void LockstepBarrier::settle()
+{
+  const ros::WallTime end = ros::WallTime::now() + kRepeatInterval;
+  while (ros::WallTime::now() < end) {
+    queue_.callAvailable(kRepeatInterval);
+  }
+}
+
+void LockstepBarrier::restart()
+{
+  ledger_.startAgain(ros::Time());
+  started_ = false;
+  repeats_ = 0;
+}
+
+void LockstepBarrier::fail() const
+{
+  const auto missing = ledger_.missing(stamp_);
+  char text[128];
+  std::snprintf(
+    text, sizeof text, " not answered period %lld (%.3f s of simulated time) within %g s",
+    static_cast<long long>(number_), stamp_.toSec(), started_ ? options_.timeout_sec : options_.startup_timeout_sec);
+  const bool one = missing.size() == 1;
+  throw ParticipantSilent(
+    missing.front(), std::string("lockstep: ") + (one ? "participant " : "participants ") + joined(missing) +
+                       (one ? " has" : " have") + text);
+}
+}  // namespace f1tenth_sim2d

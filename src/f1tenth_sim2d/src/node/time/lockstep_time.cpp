@@ -1,0 +1,66 @@
+#include "node/time/lockstep_time.h"
+
+#include "node/time/stop_signal.h"
+
+namespace f1tenth_sim2d
+{
+LockstepTime::LockstepTime(
+  const Simulation & simulation, SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control,
+  Outbox & outbox, FlowControl & flow, ClockPublisher & clock, LockstepBarrier & barrier)
+: simulation_(simulation),
+  world_(world),
+  queue_(queue),
+  control_(control),
+  outbox_(outbox),
+  flow_(flow),
+  clock_(clock),
+  barrier_(barrier)
+{
+}
+
+void LockstepTime::advance()
+{
+  const int restarts = control_.restarts;
+  const auto restarted = [&] { return control_.restarts != restarts; };
+  const auto interrupted = [&] { return stopRequested() || control_.paused || restarted(); };
+  queue_.callAvailable();
+  flow_.waitForSubscribers(interrupted);
+  if (interrupted()) {
+    return;
+  }
+  const SimTime end = world_.periodEnd();
+  barrier_.open(end, world_.periods() + 1);
+  subscribers_ = outbox_.subscriberCount();
+  world_.advanceTo(end);
+  publishClock();
+  barrier_.wait({[&] { return stopRequested() || restarted(); }, [this] { repeatPeriod(); }});
+}
+
+// Last: whoever has seen the period's time finds everything of the period in its inbox.
+void LockstepTime::publishClock()
+{
+  outbox_.flush();
+  drain_.drain();
+  clock_.publish(world_.time());
+  outbox_.flush();
+}
+
+// A driver that has answered would answer a second scan with a second command, so it gets none. The others' messages
+// go out again only when somebody new is there: tf complains about a stamp that it knows.
+void LockstepTime::repeatPeriod()
+{
+  for (CarIndex car = 0; car < simulation_.carCount(); ++car) {
+    if (!barrier_.hasAnswered(simulation_.car(car).name)) {
+      world_.repeatScans(car);
+    }
+  }
+  const std::size_t subscribers = outbox_.subscriberCount();
+  if (subscribers != subscribers_) {
+    subscribers_ = subscribers;
+    world_.repeatOthers();
+  }
+  publishClock();
+}
+
+void LockstepTime::restart() {}
+}  // namespace f1tenth_sim2d

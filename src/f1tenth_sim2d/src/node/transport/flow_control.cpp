@@ -1,0 +1,111 @@
+#include "node/transport/flow_control.h"
+
+#include <ros/console.h>
+
+#include "node/transport/subscriber_connections.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+// Buffers of a topic, each with what was published at once. Far below what roscpp keeps, so that nothing is lost.
+constexpr std::size_t kWaitAbove = 64;
+constexpr std::size_t kGoOnBelow = 16;
+const ros::WallDuration kLook{100e-6};
+const ros::WallDuration kPatience{1.0};  // after which it is said who is waited for
+}  // namespace
+
+FlowControl::FlowControl(Outbox & outbox, ros::CallbackQueue & queue, FlowOptions options)
+: outbox_(outbox), queue_(queue), options_(options)
+{
+}
+
+void FlowControl::waitForSubscribers(const std::function<bool()> & interrupted)
+{
+  if (!outbox_.isLagging(kWaitAbove)) {
+    return;
+  }
+  if (options_.wait) {
+    const ros::WallTime start = ros::WallTime::now();
+    waitUntilBelow(kGoOnBelow, interrupted);
+    waited_sec_ += (ros::WallTime::now() - start).toSec();
+  } else {
+    noteLosses();
+  }
+}
+
+void FlowControl::waitUntilBelow(std::size_t limit, const std::function<bool()> & interrupted)
+{
+  progress_.clear();
+  for (auto topics = outbox_.lagging(limit); !topics.empty() && !interrupted(); topics = outbox_.lagging(limit)) {
+    const ros::WallTime now = ros::WallTime::now();
+    for (const auto & topic : topics) {
+      const auto [entry, is_new] = progress_.try_emplace(topic->name(), Progress{topic->released(), now});
+      Progress & progress = entry->second;
+      if (progress.released != topic->released()) {
+        progress = {topic->released(), now};
+      } else if (now - progress.since > ros::WallDuration(options_.silent_subscriber_sec)) {
+        disconnectSilent(*topic);
+        progress.since = now;
+      } else if (now - progress.since > kPatience) {
+        note(*topic);
+      }
+    }
+    queue_.callAvailable(kLook);
+  }
+}
+
+void FlowControl::drain()
+{
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(options_.silent_subscriber_sec);
+  while (outbox_.isLagging(0) && ros::WallTime::now() < deadline) {
+    kLook.sleep();
+  }
+}
+
+void FlowControl::disconnectSilent(const Topic & topic)
+{
+  for (const auto & connection : slowest(connectionsOf(topic.publication()))) {
+    ROS_WARN(
+      "%s has read nothing of %s for %g s and is disconnected", connection.node.c_str(), topic.name().c_str(),
+      options_.silent_subscriber_sec);
+    slow_.insert(connection.node + " (" + topic.name() + ", disconnected)");
+    disconnect(connection);
+  }
+}
+
+void FlowControl::note(const Topic & topic)
+{
+  for (const auto & connection : slowest(connectionsOf(topic.publication()))) {
+    ROS_WARN_THROTTLE(
+      10.0, "%s does not keep up with %s%s", connection.node.c_str(), topic.name().c_str(),
+      options_.wait ? ": the simulation waits for it" : " and loses messages");
+    slow_.insert(connection.node + " (" + topic.name() + ")");
+  }
+}
+
+void FlowControl::noteLosses()
+{
+  for (const auto & topic : outbox_.lagging(kWaitAbove)) {
+    std::uint64_t & noted = losses_[topic->name()];
+    if (topic->lost() != noted) {
+      noted = topic->lost();
+      note(*topic);
+    }
+  }
+}
+
+std::uint64_t FlowControl::lostMessages() const
+{
+  std::uint64_t lost = 0;
+  for (const auto & topic : outbox_.topics()) {
+    lost += topic->lost();
+  }
+  return lost;
+}
+
+std::set<std::string> FlowControl::takeSlowSubscribers()
+{
+  return std::exchange(slow_, {});
+}
+}  // namespace f1tenth_sim2d

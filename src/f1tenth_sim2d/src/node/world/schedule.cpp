@@ -1,0 +1,66 @@
+#include "node/world/schedule.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace f1tenth_sim2d
+{
+SimTime Schedule::Entry::due() const
+{
+  return std::llround(static_cast<double>(count) * period_ns);
+}
+
+Schedule::Id Schedule::add(double period_ns, Task task, SimTime now)
+{
+  assert(period_ns > 0.0);
+  Entry & entry = entries_.emplace_back(Entry{next_id_++, period_ns, std::move(task), 1});
+  while (entry.due() <= now) {
+    entry.count = std::max(entry.count + 1, static_cast<std::int64_t>(static_cast<double>(now) / period_ns));
+  }
+  return entry.id;
+}
+
+void Schedule::remove(Id id)
+{
+  const auto end =
+    std::remove_if(entries_.begin(), entries_.end(), [id](const Entry & entry) { return entry.id == id; });
+  entries_.erase(end, entries_.end());
+}
+
+SimTime Schedule::nextDue() const
+{
+  SimTime next = std::numeric_limits<SimTime>::max();
+  for (const auto & entry : entries_) {
+    next = std::min(next, entry.due());
+  }
+  return next;
+}
+
+void Schedule::run(SimTime now)
+{
+  for (auto & entry : entries_) {
+    if (entry.due() <= now) {
+      // A rate above that of the physics steps cannot be kept: one run stands for all that have passed.
+      while (entry.due() <= now) {
+        ++entry.count;
+      }
+      entry.task(now);
+    }
+  }
+}
+
+void Schedule::restart()
+{
+  for (auto & entry : entries_) {
+    entry.count = 1;
+  }
+}
+
+double periodOf(double rate_hz)
+{
+  return 1e9 / rate_hz;
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "f1tenth_sim2d/simulation.h"
+#include "f1tenth_sim2d/trajectory_hash.h"
+#include "node/world/trajectory_recorder.h"
+
+namespace f1tenth_sim2d
+{
+/// What is kept of a run, control period by control period: the hash, and the record if there is one.
+class TrajectoryLog
+{
+public:
+  /// @param record_file  empty: none
+  /// @throws Error if it cannot be written
+  TrajectoryLog(const Simulation & simulation, const std::string & record_file);
+
+  /// Every contact, once, in the period in which it was.
+  void note(CarIndex car, const Contact & contact) { touched_[car].insert(contact.other_model); }
+  void setCarCount(std::size_t count) { touched_.resize(count); }
+  void removeCar(CarIndex car) { touched_.erase(touched_.begin() + static_cast<std::ptrdiff_t>(car)); }
+  void endPeriod();
+  void restart();
+  /// Leaves nothing of the record in memory.
+  void flush();
+
+  std::int64_t periods() const { return periods_; }
+  std::string hash() const { return hash_.hexDigest(); }
+
+private:
+  void forgetTouches();
+
+  const Simulation & simulation_;
+  TrajectoryHash hash_;
+  std::optional<TrajectoryRecorder> recorder_;
+  std::vector<std::set<std::string>> touched_;  // by car
+  std::int64_t periods_{0};
+};
+}  // namespace f1tenth_sim2d

@@ -1,13 +1,14 @@
 """The course of a race, with a navigation that does what it is told."""
 
 from collections import namedtuple
-from enum import Enum
 
 import pytest
-from f1tenth_race_mgr.race import Race, State
+from f1tenth_race_mgr.race import Race
+from f1tenth_race_mgr.state import State
 
-Did = Enum("Did", "NOT_CONNECTED DRIVING SENT REACHED FAILED QUEUE_EMPTY IDLE")
-Outcome = Enum("Outcome", "SUCCEEDED ABORTED REJECTED PREEMPTED LOST")
+from f1tenth_navigation_mgr import GoalOutcome as Outcome
+from f1tenth_navigation_mgr import SpinResult as Did
+
 Result = namedtuple("Result", "outcome text")
 
 

@@ -1,18 +1,9 @@
 """The course of a race: pure logic, no ROS."""
 
 from dataclasses import dataclass, replace
-from enum import IntEnum
 
-
-class State(IntEnum):
-    """The constants of RaceStatus."""
-
-    WAITING = 0
-    RACING = 1
-    FINISHED = 2
-    ABORTED = 3
-    STOPPED = 4
-    LOST = 5
+from f1tenth_navigation_mgr import GoalOutcome, SpinResult
+from f1tenth_race_mgr.state import State
 
 
 @dataclass(frozen=True)
@@ -78,25 +69,24 @@ class Race:
 
     def _drive(self, now):
         """Spin once; return whether another spin at the same time may do more."""
-        did = self._navigation.spin(now).name
-        if did == "REACHED":
+        did = self._navigation.spin(now)
+        if did == SpinResult.REACHED:
             self._count_goal(now)
-        elif did == "FAILED":
+        elif did == SpinResult.FAILED:
             self._fail(now, self._navigation.results[-1])
-        elif did in ("QUEUE_EMPTY", "IDLE"):
+        elif did in (SpinResult.QUEUE_EMPTY, SpinResult.IDLE):
             self._change(now, State.FINISHED, f"finished, {self._progress()}")
-        return did in ("REACHED", "SENT")
+        return did in (SpinResult.REACHED, SpinResult.SENT)
 
     def _count_goal(self, now):
         self._status = replace(self._status, goals_reached=self._status.goals_reached + 1)
         self._change(now, State.RACING, self._progress())
 
     def _fail(self, now, result):
-        outcome = result.outcome.name
-        state = State.LOST if outcome == "LOST" else State.ABORTED
+        state = State.LOST if result.outcome == GoalOutcome.LOST else State.ABORTED
         total = self._status.goals_total
         number = self._status.goals_reached % total + 1
-        self._change(now, state, f"goal {number} of {total} {outcome.lower()}: {result.text}")
+        self._change(now, state, f"goal {number} of {total} {result.outcome.name.lower()}: {result.text}")
 
     def _progress(self):
         return f"{self._status.goals_reached} goals reached of {self._status.goals_total}"

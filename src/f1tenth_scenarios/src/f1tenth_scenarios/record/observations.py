@@ -1,21 +1,10 @@
 """What is seen of a run while it goes on."""
 
 import dataclasses
-import enum
 from typing import Optional
 
+from f1tenth_race_mgr.state import State as RaceState
 from f1tenth_scenarios.record.record import Record
-
-
-class RaceState(enum.Enum):
-    """What a car's race_mgr says of itself."""
-
-    WAITING = "waiting"
-    RACING = "racing"
-    FINISHED = "finished"
-    ABORTED = "aborted"
-    STOPPED = "stopped"
-    LOST = "lost"
 
 
 @dataclasses.dataclass(frozen=True)

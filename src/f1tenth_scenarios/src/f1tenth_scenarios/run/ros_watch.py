@@ -17,20 +17,11 @@ from f1tenth_scenarios.scenario.scenario import Driver, Scenario
 
 _PATIENCE, _LOOK_INTERVAL = 0.5, 0.005  # wall s
 
-_STATES = {
-    RaceStatus.WAITING: RaceState.WAITING,
-    RaceStatus.RACING: RaceState.RACING,
-    RaceStatus.FINISHED: RaceState.FINISHED,
-    RaceStatus.ABORTED: RaceState.ABORTED,
-    RaceStatus.STOPPED: RaceState.STOPPED,
-    RaceStatus.LOST: RaceState.LOST,
-}
-
 
 def to_update(car: str, message: RaceStatus) -> RaceUpdate:
     """A message of a car's race_mgr in our own words."""
     return RaceUpdate(
-        car, message.header.stamp.to_sec(), _STATES[message.state], message.goals_reached, message.text
+        car, message.header.stamp.to_sec(), RaceState(message.state), message.goals_reached, message.text
     )
 
 

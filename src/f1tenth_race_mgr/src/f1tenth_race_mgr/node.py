@@ -9,7 +9,8 @@ from f1tenth_navigation_mgr import GoalsFileError, NavigationMgr, StartSignal
 from f1tenth_race_mgr.goals_publisher import publish_goals
 from f1tenth_race_mgr.pacing import ClockPacing, LockstepPacing
 from f1tenth_race_mgr.parameters import BLOCK, ParameterError, goals_path, parse_parameters
-from f1tenth_race_mgr.race import Race, State
+from f1tenth_race_mgr.race import Race
+from f1tenth_race_mgr.state import State
 from f1tenth_race_mgr.status_publisher import StatusPublisher
 from f1tenth_race_mgr.stop_requests import StopRequests
 
@@ -28,9 +29,11 @@ def read_parameters():
     """Return the Parameters: private ones first, then the block below the node's name, then beside it."""
     private = dict(rospy.get_param("~", {}))
     below = private.pop(BLOCK, {})
-    beside = rospy.get_param(BLOCK, {})
-    node, namespace = rospy.get_name(), rospy.get_namespace()
-    sources = [(node, private), (f"{node}/{BLOCK}", below), (f"{namespace}{BLOCK}", beside)]
+    node, beside = rospy.get_name(), rospy.resolve_name(BLOCK)
+    sources = [(node, private), (f"{node}/{BLOCK}", below)]
+    # A node that is itself called f1tenth_race_mgr has its own parameters there.
+    if beside != node:
+        sources.append((beside, rospy.get_param(beside, {})))
     try:
         return parse_parameters(sources)
     except ParameterError as error:

@@ -91,20 +91,6 @@ def test_process_that_ignores_signals_is_killed(tmp_path):
     assert tree.exit_code() == -signal.SIGKILL
 
 
-def test_child_that_waits_for_its_line_gets_it(tmp_path):
-    tree = start(tmp_path, "print(input())")
-    tree.go()
-    wait_for(lambda: tree.exit_code() is not None)
-    assert (tmp_path / "log").read_text() == "go\n"
-
-
-def test_child_that_has_ended_needs_no_line(tmp_path):
-    tree = start(tmp_path, "pass")
-    wait_for(lambda: tree.exit_code() is not None)
-    tree.go()
-    tree.stop(0.5)
-
-
 def test_process_that_is_waited_for_may_end_before_the_others(tmp_path):
     program = (
         "import pathlib, subprocess, sys\n"

@@ -1,67 +1,43 @@
-"""A ROS master of our own, on a port that is free for certain."""
+"""A ROS master of our own, on a port that is free for certain: python3 -m f1tenth_scenarios.launch.private_master."""
 
 import contextlib
 import logging
 import os
-import signal
+import subprocess
+import sys
 from collections.abc import Iterator
-
-from rosmaster.master import Master
 
 from f1tenth_scenarios.errors import ScenarioError
 
-_STOP_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+_ENVIRONMENT = ("ROS_HOSTNAME", "ROS_IP", "ROS_MASTER_URI")
 
 
 @contextlib.contextmanager
 def private_master() -> Iterator[str]:
     """Serve a master, only to this machine, and point ROS_MASTER_URI to it; gives its URI.
 
-    It is a fork of this process: the nodes of a run ask it a thousand things and would have to wait for
-    whatever else goes on here. Unlike a roscore, it gets its port from the system and cannot outlive us.
+    Unlike a roscore, it gets its port from the system and cannot outlive this process.
 
     Raises:
         ScenarioError: it does not start.
     """
-    before = {name: os.environ.get(name) for name in ("ROS_HOSTNAME", "ROS_IP", "ROS_MASTER_URI")}
+    before = {name: os.environ.get(name) for name in _ENVIRONMENT}
     os.environ.pop("ROS_IP", None)
     os.environ["ROS_HOSTNAME"] = "localhost"
-    life, ours = os.pipe()  # at whose end the master ends
-    uris, told = os.pipe()
-    pid = os.fork()
-    if pid == 0:
-        os.close(ours)
-        _serve(life, told)
-    os.close(life)
-    os.close(told)
-    with open(uris, encoding="utf-8") as stream:
-        uri = stream.read()
+    command = [sys.executable, "-m", "f1tenth_scenarios.launch.private_master"]
+    # In a session of its own: of Ctrl-C this process makes what it should be.
+    master = subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, start_new_session=True
+    )
     try:
+        uri = master.stdout.readline().strip()
         if not uri:
             raise ScenarioError("the ROS master of the run has not started; is there a host 'localhost'?")
         os.environ["ROS_MASTER_URI"] = uri
         yield uri
     finally:
-        os.close(ours)
-        os.waitpid(pid, 0)
+        master.communicate()
         _restore(before)
-
-
-def _serve(life: int, told: int) -> None:
-    """Until the other end of `life` is closed; the URI goes to `told`."""
-    try:
-        # Of Ctrl-C and the like our parent makes what it should be.
-        for number in _STOP_SIGNALS:
-            signal.signal(number, signal.SIG_IGN)
-        # It would complain of every node that has ended before it was told of another's end.
-        logging.getLogger("rosmaster").addHandler(logging.NullHandler())
-        master = Master(port=0)
-        master.start()
-        with open(told, "w", encoding="utf-8") as stream:
-            stream.write(master.uri)
-        os.read(life, 1)
-    finally:
-        os._exit(0)
 
 
 def _restore(variables) -> None:
@@ -70,3 +46,21 @@ def _restore(variables) -> None:
             os.environ.pop(name, None)
         else:
             os.environ[name] = value
+
+
+def _serve() -> None:
+    """Until the end of the input; the URI goes to the output."""
+    from rosmaster.master import Master
+
+    # It would complain of every node that has ended before it was told of another's end.
+    logging.getLogger("rosmaster").addHandler(logging.NullHandler())
+    master = Master(port=0)
+    master.start()
+    print(master.uri, flush=True)
+    sys.stdin.read()
+    # Its threads would go on for as long as a node that has ended is called.
+    os._exit(0)
+
+
+if __name__ == "__main__":
+    _serve()

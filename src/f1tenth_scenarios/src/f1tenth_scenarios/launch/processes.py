@@ -26,16 +26,13 @@ class ProcessTree:
     """A child process, in a group of its own, and all its descendants."""
 
     def __init__(self, command: Sequence[str], log_file: Path, environment: Mapping[str, str]):
-        """Start the process; its output goes to log_file.
-
-        Its input stays open until `go`. If this process dies, the input ends and the child gets a SIGINT.
-        """
+        """Start the process; its output goes to log_file. If this process dies, the child gets a SIGINT."""
         self._mark = uuid.uuid4().hex
         self._interrupted = False
         with open(log_file, "wb") as log:
             self._child = subprocess.Popen(
                 ["setpriv", "--pdeathsig", "INT", *command],
-                stdin=subprocess.PIPE,
+                stdin=subprocess.DEVNULL,
                 stdout=log,
                 stderr=subprocess.STDOUT,
                 env={**os.environ, **environment, _MARK: self._mark},
@@ -45,12 +42,6 @@ class ProcessTree:
     def exit_code(self) -> Optional[int]:
         """The child's exit code; nothing while it runs."""
         return self._child.poll()
-
-    def go(self) -> None:
-        """Send the child a line and the end of its input."""
-        # One that has ended already says so by its exit code.
-        with contextlib.suppress(BrokenPipeError), self._child.stdin as stream:
-            stream.write(b"go\n")
 
     def interrupt(self, pid: Optional[int], patience: float) -> None:
         """Tell the child to end all that it has started, and wait until a process, else the child, has ended.
@@ -80,7 +71,6 @@ class ProcessTree:
         if self._interrupted:
             return
         self._interrupted = True
-        self._child.stdin.close()
         if self._child.poll() is None:
             os.killpg(self._child.pid, signal.SIGINT)
 

@@ -12,24 +12,26 @@ _REQUIRED = re.compile(r"REQUIRED process \[(?P<process>\S+)\] has died")
 _REQUIRED_END = re.compile(r"process has (died \[pid \d+, exit code (?P<code>-?\d+)|finished cleanly)")
 _FINISHED = re.compile(r"\[(?P<process>\S+)\] process has finished cleanly")
 _STARTED = re.compile(r"process\[(?P<process>\S+)\]: started with pid \[(?P<pid>\d+)\]")
+_REFUSED = re.compile(r"ERROR: cannot launch node of type \[(?P<type>[^]]+)\]: (?P<reason>.*)")
 _LOG_FILE = re.compile(r"^log file: (?P<pattern>.*)\*\.log")
 
 
 @dataclasses.dataclass(frozen=True)
 class NodeEnd:
-    """A node that ended while roslaunch was not ending it."""
+    """A node that ended while roslaunch was not ending it, or could not be started at all."""
 
-    node: str  # name without the leading slash
+    node: str  # name without the leading slash; PACKAGE/TYPE of one that could not be started
     exit_code: int
     log_file: Optional[str] = None
+    refusal: str = ""  # why it could not be started
 
     def describe(self) -> str:
         """How it ended, in words."""
-        return (
-            f"was killed by signal {-self.exit_code}"
-            if self.exit_code < 0
-            else (f"ended with exit code {self.exit_code}")
-        )
+        if self.refusal:
+            return f"cannot be started: {self.refusal}"
+        if self.exit_code < 0:
+            return f"was killed by signal {-self.exit_code}"
+        return f"ended with exit code {self.exit_code}"
 
 
 class LaunchLog:
@@ -52,6 +54,8 @@ class LaunchLog:
             self.ends[-1] = dataclasses.replace(self.ends[-1], log_file=f"{log_file['pattern']}*.log")
         elif found := _STARTED.search(line):
             self.pids[_node(found["process"])] = int(found["pid"])
+        elif found := _REFUSED.search(line):
+            self.ends.append(NodeEnd(found["type"], 1, refusal=found["reason"]))
         elif found := _REQUIRED.search(line):
             self._required = found["process"]
         elif found := _DIED.search(line):

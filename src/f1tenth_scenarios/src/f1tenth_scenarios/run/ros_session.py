@@ -23,13 +23,11 @@ def run_with_ros(plan: Plan, stop: StopRequest, progress: Progress = lambda simu
         "ROS_LOG_DIR": str(plan.log_folder),
         "ROSCONSOLE_FORMAT": _CONSOLE_FORMAT,
         "PYTHONUNBUFFERED": "1",
-        # Without it, setuptools takes the place of a module of Python's, and half of roslaunch's start.
-        "SETUPTOOLS_USE_DISTUTILS": "stdlib",
     }
     try:
         return execute(
             plan,
-            launch_command(plan),
+            launch_command(plan.launch_file),
             environment,
             lambda: _watch(plan.scenario),
             stop,
@@ -41,7 +39,6 @@ def run_with_ros(plan: Plan, stop: StopRequest, progress: Progress = lambda simu
 
 
 def _watch(scenario: Scenario) -> Watch:
-    # Imported late: reading the launch file begins before.
     import rospy
 
     from f1tenth_scenarios.run.ros_watch import RosWatch

@@ -45,7 +45,7 @@ def execute(
 
     Args:
         plan: what to run
-        command: starts everything as soon as it reads a line from its input
+        command: starts everything
         environment: variables for it besides our own
         make_watch: begins to listen; called before any node is started
         stop: tells the run to end
@@ -57,8 +57,10 @@ def execute(
     """
     started = time.monotonic() if started is None else started
     with claimed(plan.folder, plan.log_folder, versions.commit()):
+        write_launch_file(plan)
+        watch = make_watch()
         with _started(plan, command, environment) as tree:
-            done = _drive(plan, tree, make_watch, stop, progress)
+            done = _drive(plan, tree, watch, stop, progress)
         done = dataclasses.replace(done, wall_time=time.monotonic() - started)
         # Last, because who sees a result.json may rely on the other files.
         result.write_json(
@@ -70,7 +72,6 @@ def execute(
 @contextlib.contextmanager
 def _started(plan, command, environment):
     """All that is started; ended at the end."""
-    write_launch_file(plan)
     tree = ProcessTree(command, plan.launch_log, environment)
     try:
         yield tree
@@ -78,10 +79,8 @@ def _started(plan, command, environment):
         tree.stop(_SHUTDOWN_GRACE)
 
 
-def _drive(plan, tree, make_watch, stop, progress) -> Result:
-    # While this process learns ROS to make the watch, the other one reads the launch file.
-    with contextlib.closing(make_watch()) as watch:
-        tree.go()
+def _drive(plan, tree, watch, stop, progress) -> Result:
+    with contextlib.closing(watch):
         preparation = Preparation(plan.run_world, watch.descriptions)
         supervisor = Supervisor(plan, tree, watch, stop, preparation.beside(progress))
         failure = supervisor.wait()

@@ -124,11 +124,6 @@ ANSWERS = {
         "name: sim2d",
         "FILE:4: cars[0].name is 'sim2d', must be none of gazebo, sim2d",
     ),
-    "no goals": (
-        "    goals: circuit1\n",
-        "",
-        "FILE:4: cars[0].goals is missing; the driver 'race' needs a goals file",
-    ),
     "commands for the race": (
         "    goals: circuit1",
         "    goals: circuit1\n    commands: [{at: 0, speed: 1}]",
@@ -169,10 +164,10 @@ ANSWERS = {
         "    driver: pursuit\n    line: circuit1\n    acceleration_max: 1",
         "FILE:7: cars[0].acceleration_max is for the driver 'race' only",
     ),
-    "pursuit of nothing": (
+    "a line for the race": (
         "    goals: circuit1",
-        "    driver: pursuit",
-        "FILE:4: cars[0].line belongs to the driver 'pursuit', which needs one",
+        "    line: circuit1",
+        "FILE:5: cars[0].line is for the driver 'pursuit' only",
     ),
     "lost beams of no planner": (
         "    goals: circuit1",

@@ -32,9 +32,25 @@ def test_key_of_a_car_counts_for_all_cars():
     assert [car.mu for car in plan.scenario.cars] == [0.5, 0.5]
 
 
+def test_value_of_one_car_is_replaced():
+    plan = make_plan("head_to_head", settings=["cars.robot2.mu=0.5"])
+    assert [car.mu for car in plan.scenario.cars] == [None, 0.5]
+
+
+def test_goals_and_line_are_those_of_the_world(tmp_path):
+    path = tmp_path / "sample.yaml"
+    cars = "  - name: robot1\n  - {name: robot2, driver: pursuit}\n"
+    path.write_text(SCENARIO_TEXT.replace("  - name: robot1\n    goals: circuit1\n", cars), encoding="utf-8")
+    plan = make_plan(str(path), settings=["world=circuit3"])
+    assert plan.goals_files["robot1"].name == "circuit3.txt"
+    assert plan.lines["robot2"].name == "circuit3.yaml"
+
+
 @pytest.mark.parametrize(
     ("text", "problem"),
     [
+        ("cars.robot3.mu=1", "cars.robot3.mu=1: robot3 holds no keys"),
+        ("cars.mu=1", "cars.mu=1: must name one of cars, as in cars.robot1"),
         ("seed", "'seed' must be KEY=VALUE, as in mu=0.3"),
         ("seed=x", "seed=x:1: seed must be a whole number, found 'x'"),
         ("mu=9", r"mu=9:1: cars\[0\].mu is 9, must be above 0 and at most 3"),

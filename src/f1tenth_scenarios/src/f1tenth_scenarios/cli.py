@@ -9,12 +9,10 @@ from pathlib import Path
 from typing import Optional
 
 from f1tenth_scenarios import places, versions
-from f1tenth_scenarios.batch.several import run_several
+from f1tenth_scenarios.batch.jobs import Job, Outcome, run_jobs
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.launch.private_master import private_master
 from f1tenth_scenarios.results.console import CountLine, ProgressLine, cost_of_all, summary
-from f1tenth_scenarios.results.result import RESULT_FILE
-from f1tenth_scenarios.run.supervisor import read_json
 from f1tenth_scenarios.scenario.describe import describe_keys
 from f1tenth_scenarios.scenario.plan import make_plan
 from f1tenth_scenarios.scenario.scenario import Scenario, read_scenario
@@ -120,7 +118,7 @@ def _report(options) -> int:
     # Here and below imported late: what takes long to import, for the command that needs it.
     from f1tenth_scenarios.report.page import write_report
 
-    results = (options.results or places.results_root()).resolve()
+    results = _results(options)
     output = (options.output or results / _REPORT_FILE).resolve()
     if options.against and not options.against.is_dir():
         raise ScenarioError(f"--against {options.against}: no such folder")
@@ -130,33 +128,42 @@ def _report(options) -> int:
 
 
 def _sweep(options) -> int:
-    from f1tenth_scenarios import many
+    from f1tenth_scenarios.batch.sweep import sweep
 
     if options.workers is not None and options.workers < 1:
         raise ScenarioError(f"--workers is {options.workers}, must be at least 1")
-    if options.scheduler and "://" not in options.scheduler:
-        # Dask would look for a host of that name, and not end in order when there is none.
-        raise ScenarioError(f"--scheduler {options.scheduler}: must be an address, as in tcp://host:8786")
-    results = (options.results or places.results_root()).resolve()
     output = options.output.resolve() if options.output else None
-    complete = many.sweep(
-        options.name, options.vary, results, _program(), options.workers, options.scheduler, output
-    )
-    return PASSED if complete else NOT_PASSED
+    with StopRequest().listening() as stop:
+        complete = sweep(
+            options.name,
+            options.vary,
+            _results(options),
+            stop,
+            options.workers,
+            options.scheduler,
+            output,
+        )
+    return _code(complete, stop)
 
 
-def _program() -> str:
-    return str(Path(sys.argv[0]).resolve())
+def _results(options) -> Path:
+    return (options.results or places.results_root()).resolve()
+
+
+def _code(passed: bool, stop: StopRequest) -> int:
+    if stop.signal:
+        return 128 + stop.signal
+    return PASSED if passed else NOT_PASSED
 
 
 def _repeat(options) -> int:
     if options.repeat < 2 or len(options.names) != 1:
         raise ScenarioError("--repeat is for one scenario, and at least 2 times")
-    from f1tenth_scenarios import many
+    from f1tenth_scenarios.batch.repeat import repeat
 
-    results = (options.results or places.results_root()).resolve()
-    steady = many.repeat(options.names[0], options.repeat, results, options.set, _program(), options.jobs)
-    return PASSED if steady else NOT_PASSED
+    with StopRequest().listening() as stop:
+        steady = repeat(options.names[0], options.repeat, _results(options), options.set, stop, options.jobs)
+    return _code(steady, stop)
 
 
 def _run(options) -> int:
@@ -197,40 +204,29 @@ def _run_one(name: str, results: Optional[Path], settings: Sequence[str]) -> int
         result = run_with_ros(plan, stop, progress.update)
     progress.clear()
     print(summary(result, plan), flush=True)
-    if stop.signal:
-        return 128 + stop.signal
-    return PASSED if result.passed else NOT_PASSED
+    return _code(result.passed, stop)
 
 
 def _run_each(names: Sequence[str], options) -> int:
     """A process for each, because a process can be a ROS node only once."""
-    settings = [part for each in options.set for part in ("--set", each)]
-    command = [sys.executable, sys.argv[0], "run", *_results_option(options.results), *settings]
-    codes = []
-    bar = CountLine("scenarios", len(names))
+    results = str(_results(options))
+    jobs = [Job(str(places.scenario_file(name)), tuple(options.set), results) for name in names]
+    outcomes: list[Outcome] = []
+    bar = CountLine("scenarios", len(jobs))
 
-    def finished(code: int, output: str) -> None:
-        codes.append(code)
+    def finished(outcome: Outcome) -> None:
+        outcomes.append(outcome)
         bar.clear()
-        print(output, end="", flush=True)
+        print(outcome.output, end="", flush=True)
         if options.jobs > 1:
-            bar.update(code == PASSED)
+            bar.update(outcome.exit_code == PASSED)
 
     with StopRequest().listening() as stop:
-        run_several([[*command, name] for name in names], options.jobs, stop, finished)
+        run_jobs(jobs, stop, finished, options.jobs, shown=options.jobs == 1)
     bar.clear()
-    if stop.signal:
-        return 128 + stop.signal
-    passed = codes.count(PASSED)
-    if costs := _costs(names, options.results):
-        print(cost_of_all(costs))
-    print(f"{passed} of {len(codes)} scenarios passed")
-    return PASSED if passed == len(codes) else NOT_PASSED
-
-
-def _costs(names: Sequence[str], results: Optional[Path]) -> dict[str, float]:
-    """What each scenario has cost besides simulating, wall s; without those that left no result."""
-    root = results.resolve() if results else places.results_root()
-    stems = [places.scenario_file(name).stem for name in names]
-    found = {stem: read_json(root / stem / RESULT_FILE) for stem in stems}
-    return {stem: content["times"]["cost"] for stem, content in found.items() if content}
+    passed = sum(each.exit_code == PASSED for each in outcomes)
+    if not stop.signal:
+        if costs := {each.job.folder.name: each.result["times"]["cost"] for each in outcomes if each.result}:
+            print(cost_of_all(costs))
+        print(f"{passed} of {len(jobs)} scenarios passed")
+    return _code(passed == len(jobs), stop)

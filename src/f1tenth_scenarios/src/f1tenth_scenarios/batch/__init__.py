@@ -1,1 +1,1 @@
-"""Many runs: repetitions, sweeps, their tables."""
+"""More than one run: side by side, repeated, or swept over values."""

@@ -1,8 +1,51 @@
-"""The same run many times: how much do the results differ?"""
+"""The same run many times: how much do the results differ? `scenario run --repeat`."""
 
 import collections
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
+
+from f1tenth_scenarios.batch.jobs import Job, Outcome, run_jobs
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.results.console import CountLine
+from f1tenth_scenarios.scenario.plan import make_plan
+from f1tenth_scenarios.stop_request import StopRequest
+
+
+def repeat(
+    name: str, count: int, results: Path, settings: Sequence[str], stop: StopRequest, at_once: int = 1
+) -> bool:
+    """Run a scenario `count` times and print how much the results differ.
+
+    Returns:
+        Whether all passed with the same verdict, and in lockstep with the same trajectory.
+
+    Raises:
+        ScenarioError: bad input, or a run left no result.
+    """
+    plan = make_plan(name, settings=settings)
+    folder = results / "repeat" / plan.name
+    jobs = [
+        Job(str(plan.file), tuple(settings), str(folder / f"{number:03}")) for number in range(1, count + 1)
+    ]
+    bar = CountLine(f"{plan.name} repeated", count)
+    found: list[dict[str, Any]] = []
+    problems: list[str] = []
+
+    def finished(outcome: Outcome) -> None:
+        if outcome.result is None:
+            problems.append(outcome.problem)
+        else:
+            found.append(outcome.result)
+        bar.update(outcome.exit_code == 0)
+
+    run_jobs(jobs, stop, finished, at_once)
+    bar.clear()
+    if problems and not stop.signal:
+        raise ScenarioError("\n".join(problems))
+    for key, value in [("scenario", plan.name), *spread(found)]:
+        print(f"{key + ':':19}{value}")
+    return is_steady(found, plan.scenario.lockstep)
 
 
 def spread(results: Sequence[dict[str, Any]]) -> list[tuple[str, str]]:

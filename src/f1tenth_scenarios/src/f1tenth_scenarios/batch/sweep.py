@@ -1,81 +1,175 @@
-"""Many variations of a scenario, in parallel on Dask: on the local cores, or on a cluster."""
+"""Many variations of a scenario: `scenario sweep`."""
 
-import contextlib
-from collections.abc import Iterable, Iterator, Sequence
-from typing import Any, Callable, Optional
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any, Optional
 
-from f1tenth_scenarios.batch.batch import Job, read_finished, run_job
+from f1tenth_scenarios.batch.cluster import run_on_cluster
+from f1tenth_scenarios.batch.inputs import hash_inputs, hash_software
+from f1tenth_scenarios.batch.jobs import Job, Outcome, read_result, run_jobs
+from f1tenth_scenarios.batch.table_file import check_table_file, write_table
 from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.results.console import CountLine
+from f1tenth_scenarios.scenario.plan import make_plan
+from f1tenth_scenarios.scenario.settings import Setting, combinations, folder_name, parse_variation
+from f1tenth_scenarios.stop_request import StopRequest
 
-Finished = Callable[[Job, dict[str, Any]], None]
-_CONNECT_TIMEOUT = 10.0  # wall s, to reach a scheduler
+_TABLE_FILE, _PICTURE_FILE = "sweep.csv", "sweep.png"
+_INPUTS_FILE = "inputs.sha256"  # beside a result: what it depends on
 
 
-def run_jobs(
-    jobs: Sequence[Job],
-    program: str,
-    finished: Finished,
-    workers: Optional[int] = None,
+class Sweep:
+    """A scenario with every combination of values."""
+
+    def __init__(self, name: str, variations: Sequence[str], results: Path, settings: Sequence[str] = ()):
+        """Check everything; nothing is run yet.
+
+        Args:
+            name: of the scenario, or its file
+            variations: KEY=VALUES, as `parse_variation` reads them
+            results: folder for all runs
+            settings: KEY=VALUE, the same in all runs
+
+        Raises:
+            ScenarioError: bad input.
+        """
+        varied = [parse_variation(text) for text in variations]
+        self.keys = [values[0].key for values in varied]
+        for key in self.keys:
+            if self.keys.count(key) > 1:
+                raise ScenarioError(f"--vary {key}: is varied more than once")
+        self._software = hash_software()
+        self._inputs: dict[Job, str] = {}
+        for combination in combinations(varied):
+            self._add(name, combination, results, settings)
+        self.reused: list[Job] = []
+        self.results: dict[Job, dict[str, Any]] = {}
+        self.problems: list[str] = []
+
+    @property
+    def jobs(self) -> list[Job]:
+        """In the order of the values."""
+        return list(self._inputs)
+
+    def run(self, stop: StopRequest, at_once: Optional[int] = None, scheduler: Optional[str] = None) -> None:
+        """Run all jobs but those that have a result of the same inputs.
+
+        Args:
+            stop: tells it to end
+            at_once: local processes; default: one per core
+            scheduler: address of a Dask scheduler to use instead
+
+        Raises:
+            ScenarioError: the scheduler cannot be reached.
+        """
+        self.results = {job: old for job in self.jobs if (old := self._old_result(job))}
+        self.reused = list(self.results)
+        left = [job for job in self.jobs if job not in self.results]
+        bar = CountLine(f"{Path(self.jobs[0].scenario).stem} swept", len(left))
+
+        def finished(outcome: Outcome) -> None:
+            self._take(outcome)
+            bar.update(outcome.exit_code == 0)
+
+        if scheduler and left:
+            run_on_cluster(left, stop, finished, scheduler)
+        else:
+            run_jobs(left, stop, finished, at_once or os.cpu_count() or 1)
+        bar.clear()
+
+    def rows(self) -> Iterator[dict[str, Any]]:
+        """What a table says of each run that has a result."""
+        for job in self.jobs:
+            if job in self.results:
+                result = self.results[job]
+                yield {
+                    **{key: dict(each.split("=", 1) for each in job.settings)[key] for key in self.keys},
+                    "verdict": result["verdict"],
+                    "passed": result["passed"],
+                    "lap_time": result["times"]["lap_time"],
+                    "minimum_clearance": result["minimum_clearance"],
+                    "trajectory_hash": result["trajectory_hash"],
+                    "reason": result["reason"],
+                }
+
+    def _add(self, name, combination: Sequence[Setting], results: Path, settings: Sequence[str]) -> None:
+        texts = (*settings, *map(str, combination))
+        plan = make_plan(name, settings=texts)
+        folder = results / "sweep" / plan.name / folder_name(combination)
+        # Values that differ only in characters that no folder's name can have would overwrite each other.
+        for other in self._inputs:
+            if other.results == str(folder):
+                values = " ".join(other.settings[len(settings) :]), " ".join(map(str, combination))
+                raise ScenarioError(f"'{values[0]}' and '{values[1]}' would both be written to {folder}")
+        self._inputs[Job(str(plan.file), texts, str(folder))] = hash_inputs(plan, self._software)
+
+    def _old_result(self, job: Job) -> Optional[dict[str, Any]]:
+        try:
+            is_same = (job.folder / _INPUTS_FILE).read_text(encoding="utf-8") == self._inputs[job]
+        except OSError:
+            return None
+        return read_result(job.folder) if is_same else None
+
+    def _take(self, outcome: Outcome) -> None:
+        job = outcome.job
+        if outcome.result is None:
+            self.problems.append(outcome.problem)
+            return
+        self.results[job] = outcome.result
+        # Of a run during which something was changed nobody knows what it depends on.
+        if hash_software() == self._software:
+            (job.folder / _INPUTS_FILE).write_text(self._inputs[job], encoding="utf-8")
+
+
+def sweep(
+    name: str,
+    variations: Sequence[str],
+    results: Path,
+    stop: StopRequest,
+    at_once: Optional[int] = None,
     scheduler: Optional[str] = None,
-) -> list[str]:
-    """Run all jobs that have not been run yet.
-
-    A worker that dies is replaced, and what it was running is run again.
+    output: Optional[Path] = None,
+) -> bool:
+    """Run a sweep; write a table and a picture, and print where they are.
 
     Args:
-        jobs: what to run
-        program: path of the command `scenario`, the same on all machines
-        finished: is called for each job with its result, also for one that had been run before
-        workers: local processes; default: one a core
-        scheduler: address of a Dask scheduler to use instead, as in tcp://host:8786
+        name, variations, results, stop, at_once, scheduler: as of Sweep
+        output: one more table, CSV or Parquet
 
     Returns:
-        What went wrong: a line for each job without result.
+        Whether every run left a result.
 
     Raises:
-        ScenarioError: the scheduler cannot be reached.
+        ScenarioError: bad input; nothing has been run then.
     """
-    left = []
-    for job in jobs:
-        result = read_finished(job)
-        if result is None:
-            left.append(job)
-        else:
-            finished(job, result)
-    if not left:
-        return []
-    with _client(workers, scheduler) as client:
-        return list(_run(client, left, program, finished))
+    if output:
+        check_table_file(output)
+    swept = Sweep(name, variations, results)
+    swept.run(stop, at_once, scheduler)
+    for problem in swept.problems:
+        print(f"scenario: {problem}", file=sys.stderr)
+    if swept.results:
+        _write(swept, results / "sweep" / Path(swept.jobs[0].scenario).stem, output)
+    return len(swept.results) == len(swept.jobs)
 
 
-def _run(client, jobs: Iterable[Job], program: str, finished: Finished) -> Iterator[str]:
-    from distributed import as_completed
+def _write(swept: Sweep, folder: Path, output: Optional[Path]) -> None:
+    # Imported late: matplotlib takes longer than everything else that the command does.
+    from f1tenth_scenarios.batch.sweep_picture import write_picture
 
-    futures = {client.submit(run_job, job, program, pure=False): job for job in jobs}
-    for future in as_completed(futures, loop=client.loop):
-        error = future.exception()
-        if error is None:
-            finished(futures[future], future.result())
-        else:
-            yield f"{futures[future].folder}: {error}"
-
-
-@contextlib.contextmanager
-def _client(workers: Optional[int], scheduler: Optional[str]):
-    # Imported late: it takes longer than everything else that the command does.
-    from distributed import Client, LocalCluster
-
-    if scheduler:
-        try:
-            client = Client(scheduler, set_as_default=False, timeout=_CONNECT_TIMEOUT)
-        except (OSError, ValueError) as error:
-            raise ScenarioError(f"--scheduler {scheduler}: {' '.join(str(error).split())}") from error
-        with client:
-            yield client
-        return
-    options = {"threads_per_worker": 1, "processes": True, "dashboard_address": None}
-    with (
-        LocalCluster(n_workers=workers, **options) as cluster,
-        Client(cluster, set_as_default=False) as client,
-    ):
-        yield client
+    rows = list(swept.rows())
+    tables = [folder / _TABLE_FILE, *([output] if output else [])]
+    for table in tables:
+        write_table(table, rows)
+    write_picture(folder / _PICTURE_FILE, folder.name, rows, swept.keys)
+    facts = [
+        ("scenario", folder.name),
+        ("passed", f"{sum(row['passed'] for row in rows)} of {len(rows)}"),
+        ("reused", f"{len(swept.reused)} of {len(rows)}, of the same inputs"),
+        *(("table", table) for table in tables),
+        ("picture", folder / _PICTURE_FILE),
+    ]
+    for key, value in facts:
+        print(f"{key + ':':19}{value}")

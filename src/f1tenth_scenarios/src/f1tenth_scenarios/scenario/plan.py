@@ -94,12 +94,12 @@ def make_plan(name: str, folder: Optional[Path] = None, settings: Sequence[str] 
 
 def _find_files(file, scenario, folder):
     goals_files = {
-        car.name: places.goals_file(car.goals, file.parent)
+        car.name: places.goals_file(car.goals or scenario.world, file.parent)
         for car in scenario.cars
         if car.driver is Driver.RACE
     }
     lines = {
-        car.name: places.course_file(car.line, file.parent)
+        car.name: places.course_file(car.line or scenario.world, file.parent)
         for car in scenario.cars
         if car.driver is Driver.PURSUIT
     }

@@ -102,13 +102,14 @@ class Car:
         default=Driver.RACE,
     )
     goals: Optional[str] = key(
-        "Goals file: a name under f1tenth_gazebo/goals without .txt, or a path relative to the"
-        " scenario file. Required with the driver `race`.",
+        "Goals file of the driver `race`: a name under f1tenth_gazebo/goals without .txt, or a path relative"
+        " to the scenario file; default: those of the circuit that is the world.",
         default=None,
     )
     line: Optional[str] = key(
-        "What the driver `pursuit` follows (required with it): a circuit under f1tenth_gazebo/circuits"
-        " without .yaml (its middle), or the path of an X_raceline.csv or X_centerline.csv.",
+        "What the driver `pursuit` follows: a circuit under f1tenth_gazebo/circuits without .yaml (its"
+        " middle), or the path of an X_raceline.csv or X_centerline.csv; default: the circuit"
+        " that is the world.",
         default=None,
     )
     speed_max: Optional[float] = key(
@@ -140,14 +141,12 @@ class Car:
             return "name", f"is '{self.name}', must be a letter followed by letters, digits and underscores"
         if self.name in _NAMES_OF_THE_SIMULATOR:
             return "name", f"is '{self.name}', must be none of {', '.join(_NAMES_OF_THE_SIMULATOR)}"
-        if self.driver is Driver.RACE and self.goals is None:
-            return "goals", "is missing; the driver 'race' needs a goals file"
         if self.driver is Driver.RACE and self.commands:
             return "commands", "is for the driver 'commands' only"
         if self.driver is Driver.COMMANDS and not self.commands:
             return "commands", "is missing; the driver 'commands' needs at least one"
-        if (self.driver is Driver.PURSUIT) != (self.line is not None):
-            return "line", "belongs to the driver 'pursuit', which needs one"
+        if self.line is not None and self.driver is not Driver.PURSUIT:
+            return "line", "is for the driver 'pursuit' only"
         if self.driver is Driver.COMMANDS and self.speed_max is not None:
             return "speed_max", "is for the drivers 'race' and 'pursuit'"
         if self.acceleration_max is not None and self.driver is not Driver.RACE:

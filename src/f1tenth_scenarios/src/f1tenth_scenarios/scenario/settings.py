@@ -6,6 +6,7 @@ import itertools
 import math
 import re
 from collections.abc import Iterator, Sequence
+from typing import Optional
 
 import numpy as np
 import yaml
@@ -21,8 +22,8 @@ _MOST_VALUES = 100_000
 class Setting:
     """A key and its value as YAML text.
 
-    The key is one of the scenario (`seed`), one inside a mapping (`limits.timeout`), or one of a car (`mu`),
-    which then counts for all cars.
+    The key is one of the scenario (`seed`), one inside a mapping (`limits.timeout`), one of the entry with a
+    name (`cars.robot2.speed_max`), or one of a car (`mu`), which then counts for all cars.
     """
 
     key: str
@@ -135,14 +136,24 @@ def _cars(root: yaml.MappingNode) -> list[yaml.Node]:
 
 def _descend(node, path, setting):
     for name in path:
-        found = next((value for key, value in node.value if key.value == name), None)
-        if found is None:
+        found = _entry(node, name)
+        if found is None and isinstance(node, yaml.MappingNode):
             found = yaml.MappingNode("tag:yaml.org,2002:map", [], node.start_mark, node.end_mark)
             node.value.append((_name_node(name, node), found))
-        if not isinstance(found, yaml.MappingNode):
+        if not isinstance(found, (yaml.MappingNode, yaml.SequenceNode)):
             raise ScenarioError(f"{setting}: {name} holds no keys")
         node = found
+    if not isinstance(node, yaml.MappingNode):
+        raise ScenarioError(f"{setting}: must name one of {path[-1]}, as in {path[-1]}.robot1")
     return node
+
+
+def _entry(node: yaml.Node, name: str) -> Optional[yaml.Node]:
+    """What a mapping holds under a name, or the mapping of that name in a list."""
+    if isinstance(node, yaml.MappingNode):
+        return next((value for key, value in node.value if key.value == name), None)
+    named = (each for each in node.value if isinstance(each, yaml.MappingNode))
+    return next((each for each in named if getattr(_entry(each, "name"), "value", None) == name), None)
 
 
 def _put(node: yaml.MappingNode, name: str, value: yaml.Node) -> None:

@@ -1,0 +1,68 @@
+"""What the result of a run depends on, as a hash: an old result counts for as long as it stays the same."""
+
+import contextlib
+import dataclasses
+import hashlib
+import os
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+import yaml
+
+from f1tenth_scenarios import places
+from f1tenth_scenarios.scenario.plan import Plan
+
+_INSTALLED = ("/opt/", "/usr/")  # what the system's packages bring
+_IRRELEVANT_FOLDERS = ("__pycache__", "test", "docs")
+_IRRELEVANT_SUFFIXES = (".md", ".rst", ".pyc")
+
+
+def hash_software() -> str:
+    """Hash of all packages of the workspaces that are sourced, and of what was built from them."""
+    return _hash_files(file for folder in _workspace_folders() for file in _files(folder))
+
+
+def hash_inputs(plan: Plan, software: str) -> str:
+    """Hash of the software and of everything that a scenario names, its settings included."""
+    named = [path for field in dataclasses.fields(plan) for path in _paths(getattr(plan, field.name))]
+    files = sorted({*named, *_images(plan)})
+    return hashlib.sha256("\n".join([software, *plan.settings, _hash_files(files)]).encode()).hexdigest()
+
+
+def _workspace_folders() -> list[str]:
+    known = places.packages()
+    sources = sorted(known.get_path(name) for name in known.list())
+    built = [f"{prefix}/lib" for prefix in os.environ.get("CMAKE_PREFIX_PATH", "").split(":")]
+    return [each for each in [*sources, *built] if not each.startswith(_INSTALLED)]
+
+
+def _files(folder: str) -> Iterator[Path]:
+    for parent, folders, names in os.walk(folder):
+        folders[:] = sorted(
+            each for each in folders if each not in _IRRELEVANT_FOLDERS and not each.startswith(".")
+        )
+        yield from (Path(parent, name) for name in sorted(names) if not name.endswith(_IRRELEVANT_SUFFIXES))
+
+
+def _paths(value) -> list[Path]:
+    if isinstance(value, dict):
+        return [path for each in value.values() for path in _paths(each)]
+    return [value] if isinstance(value, Path) else []
+
+
+def _images(plan: Plan) -> list[Path]:
+    """What the map is drawn in; nothing if it cannot be read, as the run will say."""
+    if plan.map is None:
+        return []
+    with contextlib.suppress(OSError, ValueError, KeyError, TypeError, yaml.YAMLError):
+        return [plan.map.parent / yaml.safe_load(plan.map.read_text(encoding="utf-8"))["image"]]
+    return []
+
+
+def _hash_files(files: Iterable[Path]) -> str:
+    found = hashlib.sha256()
+    for file in files:
+        if file.is_file():
+            found.update(f"{file}\n{file.stat().st_size}\n".encode())
+            found.update(file.read_bytes())
+    return found.hexdigest()

@@ -1,0 +1,74 @@
+"""The same run many times."""
+
+import pytest
+from f1tenth_scenarios.batch.repeat import is_steady, repeat, spread
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.stop_request import StopRequest
+
+from f1tenth_scenarios import cli
+
+
+@pytest.mark.parametrize("at_once", [1, 2])
+def test_repeat_says_that_all_were_the_same(program, tmp_path, capsys, at_once):
+    assert repeat("circuit1", 3, tmp_path, ["mu=1"], StopRequest(), at_once)
+    assert sorted(program.runs()) == ["001", "002", "003"]
+    lines = capsys.readouterr().out.splitlines()
+    assert "trajectories:      all the same, bit for bit" in lines
+    assert "lap time:          11.000 s" in lines
+
+
+def test_repeat_finds_a_difference(program, tmp_path, capsys):
+    program.drifts()
+    assert not repeat("circuit1", 2, tmp_path, [], StopRequest())
+    assert "trajectories:      2 different ones" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("code", [1, 2])
+def test_runs_that_leave_nothing_are_no_repetitions_of_earlier_ones(program, tmp_path, code):
+    assert repeat("circuit1", 2, tmp_path, [], StopRequest())
+    program.falls_silent(code)
+    with pytest.raises(ScenarioError, match=f"001/circuit1: exit code {code}, no result: it said nothing"):
+        repeat("circuit1", 2, tmp_path, [], StopRequest())
+
+
+def test_repeat_needs_one_scenario_and_two_runs(capsys):
+    assert cli.main(["run", "circuit1", "--repeat", "1"]) == 2
+    assert cli.main(["run", "circuit1", "circuit2", "--repeat", "3"]) == 2
+    assert "--repeat is for one scenario, and at least 2 times" in capsys.readouterr().err
+
+
+def test_steady_means_passed_and_the_same():
+    one = {"verdict": "success", "passed": True, "trajectory_hash": "a"}
+    other = {**one, "trajectory_hash": "b"}
+    assert is_steady([one, one], lockstep=True)
+    assert not is_steady([one, other], lockstep=True)
+    assert is_steady([one, other], lockstep=False)
+    assert not is_steady([one, {**one, "passed": False}], lockstep=False)
+    assert not is_steady([one, {**one, "verdict": "collision"}], lockstep=False)
+
+
+def test_spread_of_runs_without_laps():
+    result = {"verdict": "error", "passed": False, "trajectory_hash": None}
+    lines = dict(spread([{**result, "times": {"lap_time": None}, "minimum_clearance": None}]))
+    assert (lines["verdicts"], lines["lap time"]) == ("1 error", "none")
+    assert lines["minimum clearance"] == "none"
+
+
+def test_spread_says_from_where_to_where():
+    results = [
+        {"verdict": verdict, "passed": passed, "trajectory_hash": verdict, "times": {"lap_time": lap}}
+        | {"minimum_clearance": lap / 100}
+        for verdict, passed, lap in (
+            ("success", True, 9.0),
+            ("collision", False, 7.5),
+            ("success", True, 8.0),
+        )
+    ]
+    assert spread(results) == [
+        ("runs", "3"),
+        ("verdicts", "2 success, 1 collision"),
+        ("passed", "2 of 3"),
+        ("trajectories", "2 different ones"),
+        ("lap time", "7.500 to 9.000 s"),
+        ("minimum clearance", "0.075 to 0.090 m"),
+    ]

@@ -1,0 +1,211 @@
+"""Many variations: swept, resumed, counted, summed up; with a program in the place of real runs."""
+
+import csv
+import json
+import math
+import shutil
+import subprocess
+import time
+
+import pytest
+from f1tenth_scenarios.batch import cluster
+from f1tenth_scenarios.batch import sweep as sweep_module
+from f1tenth_scenarios.batch.sweep import sweep
+from f1tenth_scenarios.batch.sweep_picture import mean_interval, wilson_interval
+from f1tenth_scenarios.batch.table_file import write_table
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.stop_request import StopRequest
+
+from f1tenth_scenarios import cli, places
+
+
+def swept(results, *variations, **options):
+    return sweep("circuit1", variations, results, StopRequest(), **options)
+
+
+def table(results):
+    with open(results / "sweep" / "circuit1" / "sweep.csv", encoding="utf-8", newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
+def test_sweep_writes_table_and_picture(program, tmp_path, capsys):
+    assert swept(tmp_path / "r", "mu=0.5,1", "seed=1:2")
+    rows = table(tmp_path / "r")
+    assert [(row["mu"], row["seed"], row["passed"], row["lap_time"]) for row in rows] == [
+        ("0.5", "1", "True", "10.5"), ("0.5", "2", "False", "10.5"),
+        ("1", "1", "True", "11.0"), ("1", "2", "False", "11.0"),
+    ]  # fmt: skip
+    assert (tmp_path / "r" / "sweep" / "circuit1" / "sweep.png").stat().st_size > 10_000
+    assert "passed:            2 of 4" in capsys.readouterr().out
+
+
+def test_sweep_gives_the_same_four_at_a_time(program, tmp_path):
+    for at_once in (1, 4):
+        assert swept(tmp_path / str(at_once), "mu=0.5:1.0:3", "seed=1:2", at_once=at_once)
+    assert table(tmp_path / "1") == table(tmp_path / "4")
+
+
+def test_sweep_does_not_repeat_what_is_finished_and_says_so(program, tmp_path, capsys):
+    swept(tmp_path, "seed=1:2")
+    swept(tmp_path, "seed=1:3")
+    assert sorted(program.runs()) == ["seed=1", "seed=2", "seed=3"]
+    assert [row["seed"] for row in table(tmp_path)] == ["1", "2", "3"]
+    assert [line for line in capsys.readouterr().out.splitlines() if line.startswith("reused:")] == [
+        "reused:            0 of 2, of the same inputs",
+        "reused:            2 of 3, of the same inputs",
+    ]
+
+
+def test_sweep_repeats_what_was_run_with_other_software(program, tmp_path, monkeypatch):
+    swept(tmp_path, "seed=1:2")
+    monkeypatch.setattr(sweep_module, "hash_software", lambda: "another build")
+    swept(tmp_path, "seed=1:2")
+    assert len(program.runs()) == 4
+
+
+def test_sweep_repeats_what_was_run_with_another_scenario(program, tmp_path):
+    file = tmp_path / "own.yaml"
+    file.write_text(places.scenario_file("circuit1").read_text(encoding="utf-8"), encoding="utf-8")
+    for _ in range(2):
+        assert sweep(str(file), ["seed=1:2"], tmp_path, StopRequest())
+        file.write_text(file.read_text(encoding="utf-8").replace("seed: 1", "seed: 1\nlaps: 2"))
+    assert len(program.runs()) == 4
+
+
+def test_a_run_during_which_something_changed_is_repeated(program, tmp_path, monkeypatch):
+    builds = iter(["one", "two"])
+    monkeypatch.setattr(sweep_module, "hash_software", lambda: next(builds, "two"))
+    swept(tmp_path, "seed=1")
+    swept(tmp_path, "seed=1")
+    swept(tmp_path, "seed=1")
+    assert len(program.runs()) == 2
+
+
+def test_run_without_result_is_named(program, tmp_path, capsys):
+    assert not swept(tmp_path, "seed=12:14")
+    assert [row["seed"] for row in table(tmp_path)] == ["12", "14"]
+    assert "seed=13/circuit1: exit code 1, no result: bad luck" in capsys.readouterr().err
+
+
+@pytest.fixture
+def dask(tmp_path):
+    """A Dask scheduler and a worker, as people start them; its address."""
+    file = tmp_path / "scheduler.json"
+    common = ["--scheduler-file", str(file), "--dashboard-address", "127.0.0.1:0"]
+    worker_options = ["--nthreads", "1", "--no-nanny", "--local-directory", str(tmp_path)]
+    commands = [
+        ["dask-scheduler", *common, "--host", "127.0.0.1", "--port", "0"],
+        ["dask-worker", *common, *worker_options],
+    ]
+    processes = [subprocess.Popen(command, stderr=subprocess.DEVNULL) for command in commands]
+    end = time.monotonic() + 60
+    while not file.exists() or not file.read_text():
+        assert time.monotonic() < end, "no scheduler"
+        time.sleep(0.05)
+    yield json.loads(file.read_text())["address"]
+    for process in reversed(processes):
+        process.terminate()
+        process.wait()
+
+
+def test_sweep_on_a_cluster_gives_the_same_as_here(program, tmp_path, dask):
+    assert dask.startswith("tcp://127.0.0.1:")
+    for folder, scheduler in (("here", None), ("cluster", dask)):
+        assert swept(tmp_path / folder, "mu=0.5:1.0:3", "seed=1:2", scheduler=scheduler)
+    assert table(tmp_path / "here") == table(tmp_path / "cluster")
+    assert len(program.runs()) == 12
+
+
+@pytest.mark.parametrize("uri", ["tcp://127.0.0.1:1", "nonsense://x"])
+def test_scheduler_that_is_not_there_is_named(program, tmp_path, monkeypatch, uri):
+    monkeypatch.setattr(cluster, "_CONNECT_TIMEOUT", 0.5)
+    with pytest.raises(ScenarioError, match=f"--scheduler {uri}: .*"):
+        swept(tmp_path / "r", "seed=1:2", scheduler=uri)
+
+
+def test_scheduler_without_an_address_is_answered(program, tmp_path):
+    with pytest.raises(ScenarioError, match="--scheduler host: must be an address, as in tcp://host:8786"):
+        swept(tmp_path / "r", "seed=1:2", scheduler="host")
+
+
+def test_table_is_written_as_parquet_with_types(program, tmp_path):
+    pandas = pytest.importorskip("pandas")
+    pytest.importorskip("fastparquet")
+    path = tmp_path / "table.parquet"
+    assert swept(tmp_path / "r", "mu=0.5,1", "seed=1:2", output=path)
+    read = pandas.read_parquet(path, engine="fastparquet")
+    assert read["mu"].tolist() == [0.5, 0.5, 1.0, 1.0]
+    assert read["seed"].tolist() == [1, 2, 1, 2]
+    assert read["passed"].tolist() == [True, False, True, False]
+    assert read["lap_time"].tolist() == [10.5, 10.5, 11.0, 11.0]
+    assert read["verdict"].tolist() == ["success"] * 4
+
+
+def test_runs_without_a_lap_stay_numbers_in_parquet(tmp_path):
+    pandas = pytest.importorskip("pandas")
+    pytest.importorskip("fastparquet")
+    path = tmp_path / "table.parquet"
+    write_table(path, [{"world": "a", "lap_time": None}, {"world": "1", "lap_time": 2.0}])
+    read = pandas.read_parquet(path, engine="fastparquet")
+    assert read["world"].tolist() == ["a", "1"]
+    assert math.isnan(read["lap_time"][0])
+
+
+def test_table_may_be_written_as_csv_elsewhere(program, tmp_path):
+    path = tmp_path / "table.csv"
+    assert swept(tmp_path / "r", "seed=1:2", output=path)
+    assert path.read_bytes() == (tmp_path / "r" / "sweep" / "circuit1" / "sweep.csv").read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("name", "answer"),
+    [
+        ("table.xlsx", "a table's name must end with .csv or .parquet"),
+        ("nowhere/table.csv", "there is no folder "),
+        ("table.parquet", "Parquet needs the Python package fastparquet (make setup installs it)"),
+    ],
+)
+def test_table_that_cannot_be_written_is_answered_before_anything_runs(
+    tmp_path, monkeypatch, capsys, name, answer
+):
+    monkeypatch.setattr("importlib.util.find_spec", lambda _: None)
+    arguments = ["sweep", "circuit1", "--vary", "seed=1:2", "--results", str(tmp_path / "r")]
+    assert cli.main([*arguments, "--output", str(tmp_path / name)]) == 2
+    assert f"{tmp_path / name}: {answer}" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_bad_value_is_answered_before_anything_runs(tmp_path, capsys):
+    assert cli.main(["sweep", "circuit1", "--vary", "mu=1:9:3", "--results", str(tmp_path)]) == 2
+    assert "cars[0].mu is 5, must be above 0 and at most 3" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_no_workers_are_refused(tmp_path, capsys):
+    arguments = ["sweep", "circuit1", "--vary", "seed=1:2", "--results", str(tmp_path), "--workers", "0"]
+    assert cli.main(arguments) == 2
+    assert "--workers is 0, must be at least 1" in capsys.readouterr().err
+
+
+def test_key_is_varied_once(tmp_path, capsys):
+    arguments = ["sweep", "circuit1", "--vary", "seed=1:2", "--vary", "seed=3", "--results", str(tmp_path)]
+    assert cli.main(arguments) == 2
+    assert "--vary seed: is varied more than once" in capsys.readouterr().err
+
+
+def test_values_that_would_share_a_folder_are_answered(tmp_path, capsys):
+    worlds = [tmp_path / "b c.world", tmp_path / "b_c.world"]
+    original = places.world_file("circuit1", tmp_path)
+    for world in worlds:
+        shutil.copy(original, world)
+        shutil.copy(places.map_file(original), world.with_suffix(".yaml"))
+    vary = "world=" + ",".join(map(str, worlds))
+    assert cli.main(["sweep", "pushed_box", "--vary", vary, "--results", str(tmp_path / "r")]) == 2
+    assert f"{worlds[0]}' and 'world={worlds[1]}' would both be written to" in capsys.readouterr().err
+
+
+def test_intervals_are_those_of_the_books():
+    assert wilson_interval(10, 10) == pytest.approx((0.7225, 1.0), abs=1e-4)
+    assert wilson_interval(5, 10) == pytest.approx((0.2366, 0.7634), abs=1e-4)
+    assert mean_interval([1.0, 2.0, 3.0]) == pytest.approx((2.0, 0.8684, 3.1316), abs=1e-4)
+    assert mean_interval([2.0]) == (2.0, 2.0, 2.0)

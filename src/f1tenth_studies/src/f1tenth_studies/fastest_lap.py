@@ -9,10 +9,10 @@ from pathlib import Path
 
 import numpy as np
 import trajectory_planning_helpers as tph
-
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.studies.race_pace.limits import GRAVITY, Limits
-from f1tenth_scenarios.studies.race_pace.track import resampled
+
+from f1tenth_studies.car_limits import GRAVITY, Limits
+from f1tenth_studies.track import resampled
 
 _LINE_SPACING = 0.05  # m, between points of the race line
 _ROUNDS = 5  # each takes the line before as its reference, because curvature is linearised around that
@@ -24,7 +24,7 @@ _RACELINE_HEADER = """# {time:.3f} s a lap
 
 
 @dataclasses.dataclass(frozen=True)
-class Reference:
+class FastestLap:
     """A closed lap; arrays of equal length, a point every few centimetres, the first one not repeated."""
 
     s: np.ndarray  # m along the line
@@ -37,7 +37,7 @@ class Reference:
     lap_time: float  # s
 
 
-def compute_reference(track: np.ndarray, limits: Limits) -> Reference:
+def compute_fastest_lap(track: np.ndarray, limits: Limits) -> FastestLap:
     """The minimum-curvature lap.
 
     Args:
@@ -58,7 +58,7 @@ def compute_reference(track: np.ndarray, limits: Limits) -> Reference:
     speed = _speed(curvature, steps, limits)
     acceleration = tph.calc_ax_profile.calc_ax_profile(np.append(speed, speed[0]), steps)
     lap_time = float(tph.calc_t_profile.calc_t_profile(speed, steps, ax_profile=acceleration)[-1])
-    return Reference(s, *line.T, yaw + np.pi / 2, curvature, speed, acceleration, lap_time)
+    return FastestLap(s, *line.T, yaw + np.pi / 2, curvature, speed, acceleration, lap_time)
 
 
 def _splines(track):
@@ -109,14 +109,12 @@ def _speed(curvature, steps, limits):
     )
 
 
-def write_raceline(path: Path, reference: Reference, limits: Limits) -> None:
+def write_raceline(path: Path, lap: FastestLap, limits: Limits) -> None:
     """Write `X_raceline.csv` as the F1TENTH community reads it."""
-    columns = [
-        getattr(reference, name) for name in ("s", "x", "y", "yaw", "curvature", "speed", "acceleration")
-    ]
+    columns = [getattr(lap, name) for name in ("s", "x", "y", "yaw", "curvature", "speed", "acceleration")]
     try:
         with open(path, "w", encoding="utf-8") as stream:
-            stream.write(_RACELINE_HEADER.format(time=reference.lap_time, limits=limits.describe()))
+            stream.write(_RACELINE_HEADER.format(time=lap.lap_time, limits=limits.describe()))
             np.savetxt(stream, np.column_stack(columns), fmt="%.7f", delimiter=";")
     except OSError as error:
         raise ScenarioError(f"{path}: cannot be written: {error.strerror}") from error

@@ -4,9 +4,9 @@ import dataclasses
 import math
 
 import yaml
+from f1tenth_scenarios.errors import ScenarioError
 
 from f1tenth_scenarios import places
-from f1tenth_scenarios.errors import ScenarioError
 
 GRAVITY = 9.81  # m/s^2, with which the tyre parameters were identified
 CAR_WIDTH = 0.31  # m, of f1tenth_description

@@ -1,1 +1,0 @@
-"""Race pace, localization, passing: tables made from many runs."""

@@ -1,1 +1,0 @@
-"""How fast a lap can be, and how near to it the planner's laps come."""

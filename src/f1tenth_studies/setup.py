@@ -1,0 +1,6 @@
+"""Read by catkin_python_setup()."""
+
+from catkin_pkg.python_setup import generate_distutils_setup
+from setuptools import setup
+
+setup(**generate_distutils_setup(packages=["f1tenth_studies"], package_dir={"": "src"}))

@@ -1,0 +1,1 @@
+"""Tables made from many runs: race pace, localization, passing."""

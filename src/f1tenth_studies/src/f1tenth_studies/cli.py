@@ -1,0 +1,141 @@
+"""The commands `study` and `race_reference`."""
+
+import argparse
+import importlib
+import signal
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Callable, Optional
+
+from f1tenth_scenarios.batch.sweep import Sweep
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.results.reference_laps import reference_laps_text
+from f1tenth_scenarios.stop_request import StopRequest
+
+from f1tenth_scenarios import places
+from f1tenth_studies.car_limits import CLEARANCE, read_limits
+from f1tenth_studies.fastest_lap import FastestLap, compute_fastest_lap, write_raceline
+from f1tenth_studies.study import Run, Study
+from f1tenth_studies.table import document
+from f1tenth_studies.track import circuits, load_track
+
+PACKAGE = "f1tenth_studies"
+STUDIES = ("race_pace", "localization", "passing")
+GOOD, NOT_GOOD, BAD_INPUT = 0, 1, 2  # exit codes
+
+
+def study_main(arguments: Optional[Sequence[str]] = None) -> int:
+    """Run `study`; returns the exit code: 1 when a run was not good enough."""
+    parser = argparse.ArgumentParser(prog="study", description="Sweeps a scenario and makes a table of it.")
+    parser.add_argument("name", choices=STUDIES)
+    parser.add_argument(
+        "--vary", action="append", default=[], metavar="KEY=VALUES", help="in the place of the study's own"
+    )
+    parser.add_argument(
+        "--set", action="append", default=[], metavar="KEY=VALUE", help="the same in all runs"
+    )
+    parser.add_argument("--table", type=Path, metavar="FILE", help="write the table there, too")
+    parser.add_argument("--results", type=Path, metavar="FOLDER", help="default: results of the workspace")
+    parser.add_argument("--jobs", type=int, metavar="N", help="runs at a time; default: one per core")
+    return _guarded(parser.prog, _study, parser.parse_args(arguments))
+
+
+def reference_main(arguments: Optional[Sequence[str]] = None) -> int:
+    """Run `race_reference`; returns the exit code."""
+    parser = argparse.ArgumentParser(
+        prog="race_reference", description="Computes the fastest lap of circuits for the simulator's car."
+    )
+    parser.add_argument(
+        "names", nargs="*", default=circuits(), metavar="NAME", help="circuit, or X_centerline.csv"
+    )
+    parser.add_argument(
+        "--clearance", type=float, default=CLEARANCE, metavar="M", help="beside the car (%(default)s)"
+    )
+    parser.add_argument("-o", "--output", type=Path, metavar="FOLDER", help="write NAME_raceline.csv there")
+    parser.add_argument("--laps", type=Path, metavar="FILE", help="write the lap times there, as YAML")
+    return _guarded(parser.prog, _references, parser.parse_args(arguments))
+
+
+def _guarded(program: str, action: Callable, options) -> int:
+    """Run an action; a mistake of the user is one line. Returns the exit code."""
+    try:
+        return action(options)
+    except ScenarioError as error:
+        print(f"{program}: {error}", file=sys.stderr)
+        return BAD_INPUT
+    except KeyboardInterrupt:
+        return 128 + signal.SIGINT
+
+
+def _study(options) -> int:
+    study = importlib.import_module(f"{PACKAGE}.{options.name}").STUDY
+    own = {text.partition("=")[0]: text for text in options.vary}
+    variations = [own.pop(key, f"{key}={values}") for key, values in study.vary.items()] + list(own.values())
+    scenario = places.package_path(PACKAGE) / "scenarios" / f"{study.scenario}.yaml"
+    results = (options.results or places.results_root()).resolve()
+    sweep = Sweep(str(scenario), variations, results, options.set)
+    with StopRequest().listening() as stop:
+        sweep.run(stop, options.jobs)
+    if stop.signal:
+        return 128 + stop.signal
+    runs = _runs(sweep)
+    if runs:
+        text = document(study, runs, _command(options))
+        print(text)
+        if options.table:
+            _write(options.table, text)
+    return _say(options.name, study, runs, sweep.problems)
+
+
+def _runs(sweep: Sweep) -> list[Run]:
+    found = []
+    for job in sweep.jobs:
+        if job in sweep.results:
+            values = dict(each.split("=", 1) for each in job.settings)
+            found.append(Run(values, sweep.results[job], job.folder))
+    return found
+
+
+def _say(name: str, study: Study, runs: Sequence[Run], without_result: Sequence[str]) -> int:
+    bad = [
+        f"{', '.join(run.values[key] for key in study.vary)}: {problem}"
+        for run in runs
+        if (problem := study.problem(run))
+    ]
+    for text in [*without_result, *bad]:
+        print(f"study {name}: {text}", file=sys.stderr)
+    return NOT_GOOD if bad or without_result else GOOD
+
+
+def _command(options) -> str:
+    parts = [f"rosrun {PACKAGE} study {options.name}"]
+    parts += [f"--vary {each}" for each in options.vary] + [f"--set {each}" for each in options.set]
+    return " ".join([*parts, *([f"--table {options.table}"] if options.table else [])])
+
+
+def _references(options) -> int:
+    limits = read_limits(options.clearance)
+    laps = {}
+    for name in options.names:
+        lap = compute_fastest_lap(load_track(name), limits)
+        laps[name] = lap.lap_time
+        print(_describe(name, lap), flush=True)
+        if options.output:
+            stem = Path(name).stem.removesuffix("_centerline")
+            write_raceline(options.output / f"{stem}_raceline.csv", lap, limits)
+    if options.laps:
+        _write(options.laps, reference_laps_text(laps))
+    return GOOD
+
+
+def _describe(name: str, lap: FastestLap) -> str:
+    low, high = lap.speed.min(), lap.speed.max()
+    return f"{name}: {lap.lap_time:.3f} s, {lap.s[-1]:.1f} m, {low:.1f} to {high:.1f} m/s"
+
+
+def _write(path: Path, text: str) -> None:
+    try:
+        path.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise ScenarioError(f"{path}: cannot be written: {error.strerror}") from error

@@ -1,0 +1,81 @@
+"""What a study is: a scenario, swept, and a table of what came of it."""
+
+import dataclasses
+import functools
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, Callable
+
+from f1tenth_scenarios.record.record import Record, read_record
+from f1tenth_scenarios.results.result import TRAJECTORY_FILE
+
+
+@dataclasses.dataclass(frozen=True)
+class Run:
+    """One run of a sweep."""
+
+    values: Mapping[str, str]  # of the varied keys
+    result: Mapping[str, Any]  # its result.json
+    folder: Path  # of its results
+
+    @property
+    def lap_times(self) -> Sequence[float]:
+        """Of robot1, s."""
+        return self.result["cars"]["robot1"]["lap_times"]
+
+    @property
+    def clearance(self) -> float:
+        """The least of any car, m."""
+        return self.result["minimum_clearance"] or 0.0
+
+    @property
+    def contacts(self) -> int:
+        """How often something was touched."""
+        return len(self.result["contacts"])
+
+    def actual(self, criterion: str) -> float:
+        """What was measured for a criterion; infinite if nothing was."""
+        found = {each["name"]: each["actual"] for each in self.result["criteria"]}[criterion]
+        return float("inf") if found is None else found
+
+    @functools.cached_property
+    def record(self) -> Record:
+        """What the cars did."""
+        return read_record(self.folder / TRAJECTORY_FILE)
+
+    def failure(self) -> str:
+        """What makes a run of any study not good enough; empty if nothing does."""
+        if self.result["verdict"] != "success":
+            return self.result["reason"]
+        return f"{self.contacts} contacts, must be none" if self.contacts else ""
+
+
+@dataclasses.dataclass(frozen=True)
+class Column:
+    """One column of the table."""
+
+    head: str  # with the unit
+    value: Callable[[Sequence[Run]], Any]  # from the runs of a row
+    digits: int = 3  # of a number that is not whole
+
+
+@dataclasses.dataclass(frozen=True)
+class Study:
+    """A scenario to sweep and a table to make of it."""
+
+    title: str
+    text: Callable[[], str]  # Markdown: what is measured, what is wanted
+    scenario: str  # file in this package's folder `scenarios`
+    vary: Mapping[str, str]  # values by key, as `scenario sweep --vary` reads them
+    rows: tuple[str, ...]  # the varied keys that make a row; runs that differ in others share one
+    columns: tuple[Column, ...]
+    problem: Callable[[Run], str]  # why a run is not good enough; empty when it is
+
+
+def slowest(runs: Sequence[Run]) -> float:
+    """The slowest lap, s; infinite without one."""
+    return max((time for run in runs for time in run.lap_times), default=float("inf"))
+
+
+CLEARANCE = Column("least clearance (m)", lambda runs: min(run.clearance for run in runs))
+CONTACTS = Column("contacts", lambda runs: sum(run.contacts for run in runs))

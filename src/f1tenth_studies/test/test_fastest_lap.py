@@ -1,0 +1,129 @@
+"""The fastest lap of a track, and the command that computes it."""
+
+import math
+
+import numpy as np
+import pytest
+import yaml
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.results.reference_laps import reference_laps_file
+from f1tenth_studies.car_limits import GRAVITY, Limits, read_limits
+from f1tenth_studies.fastest_lap import compute_fastest_lap, write_raceline
+from f1tenth_studies.track import SPACING, circuits, load_track
+
+from f1tenth_studies import cli
+
+LIMITS = Limits(
+    friction=1.0, max_acceleration=9.0, switch_speed=7.0, max_speed=20.0, max_curvature=1.3, mass=3.7
+)
+
+
+def ring(radius=5.0, half_width=0.5, count=120):
+    """A circular track, counter-clockwise."""
+    angle = np.arange(count) * 2 * np.pi / count
+    room = np.full(count, half_width)
+    return np.column_stack([radius * np.cos(angle), radius * np.sin(angle), room, room])
+
+
+def test_the_fastest_lap_of_a_ring_is_its_inner_circle_at_the_limit_of_grip():
+    lap = compute_fastest_lap(ring(), LIMITS)
+    radius = 5.0 - 0.5 + LIMITS.width / 2 + LIMITS.clearance
+    assert 1 / np.abs(lap.curvature) == pytest.approx(radius, rel=0.03)
+    assert lap.lap_time == pytest.approx(2 * math.pi * math.sqrt(radius / GRAVITY), rel=0.02)
+    assert np.all(lap.curvature > 0)
+    assert math.cos(lap.yaw[0] - math.atan2(lap.y[1] - lap.y[0], lap.x[1] - lap.x[0])) > 0.99
+
+
+def test_grip_is_shared_between_bends_and_braking():
+    lap = compute_fastest_lap(load_track("circuit1"), LIMITS)
+    across = lap.speed**2 * lap.curvature / (LIMITS.friction * GRAVITY)
+    along = lap.acceleration / LIMITS.max_acceleration
+    assert np.hypot(across, along).max() < 1.05
+    assert np.abs(across).max() > 0.95
+    assert along.min() < -0.9
+    assert np.abs(lap.curvature).max() < LIMITS.max_curvature * 1.02
+
+
+def test_the_laps_that_races_are_compared_with_are_those_of_today():
+    shipped = yaml.safe_load(reference_laps_file().read_text(encoding="utf-8"))
+    assert list(shipped) == circuits()
+    # The others take a minute.
+    for name in ("circuit1", "circuit_detailed"):
+        lap = compute_fastest_lap(load_track(name), read_limits()).lap_time
+        assert lap == pytest.approx(shipped[name], abs=0.01)
+
+
+def test_lap_times_are_written(tmp_path):
+    file = tmp_path / "laps.yaml"
+    assert cli.reference_main(["circuit1", "--laps", str(file)]) == cli.GOOD
+    assert yaml.safe_load(file.read_text(encoding="utf-8")) == {"circuit1": pytest.approx(4.497, abs=0.01)}
+
+
+def test_the_track_of_a_map_is_the_centreline_beside_it(tmp_path):
+    np.savetxt(tmp_path / "ring_centerline.csv", ring(), delimiter=",")
+    assert np.array_equal(
+        load_track(f"{tmp_path}/ring_map.yaml"), load_track(f"{tmp_path}/ring_centerline.csv")
+    )
+
+
+def test_a_road_too_narrow_is_refused():
+    with pytest.raises(
+        ScenarioError, match="no line keeps 0.05 m beside a car of 0.31 m: Problem not solvable"
+    ):
+        compute_fastest_lap(ring(half_width=0.18), LIMITS)
+
+
+def test_the_limits_are_those_of_the_simulators_car():
+    limits = read_limits(clearance=0.2)
+    assert limits.friction == pytest.approx(1.0489)
+    assert limits.max_curvature == pytest.approx(math.tan(0.4189) / 0.3302)
+    assert limits.clearance == 0.2
+
+
+def test_a_circuit_is_sampled_evenly_with_its_width():
+    track = load_track("circuit1")
+    steps = np.hypot(*np.diff(track[:, :2], axis=0, append=track[:1, :2]).T)
+    assert steps == pytest.approx(SPACING, rel=0.1)
+    assert track[:, 2:] == pytest.approx(1.0)
+
+
+def test_an_unknown_circuit_is_answered_with_those_there_are():
+    with pytest.raises(ScenarioError, match="no monza.yaml under .*/circuits; there are: circuit1, circuit2"):
+        load_track("monza")
+
+
+def test_a_centreline_is_read_and_its_race_line_written(tmp_path):
+    path = tmp_path / "ring_centerline.csv"
+    np.savetxt(path, ring(), delimiter=",", header="x_m, y_m, w_tr_right_m, w_tr_left_m")
+    assert cli.reference_main([str(path), "-o", str(tmp_path)]) == cli.GOOD
+    written = np.loadtxt(tmp_path / "ring_raceline.csv", delimiter=";")
+    assert written.shape[1] == 7
+    assert np.hypot(written[:, 1], written[:, 2]) == pytest.approx(4.705, abs=0.05)
+    lines = (tmp_path / "ring_raceline.csv").read_text().splitlines()
+    assert lines[2] == "# s_m; x_m; y_m; psi_rad; kappa_radpm; vx_mps; ax_mps2"
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        ("1,2,3\n4,5,6\n", ":1: '1,2,3' must be four numbers: x_m, y_m, w_tr_right_m, w_tr_left_m"),
+        ("", "0 points, must be at least 3"),
+        ("1,2,3,x\n", ":1: could not convert string to float: 'x'"),
+    ],
+)
+def test_a_wrong_centreline_is_refused(tmp_path, content, message):
+    path = tmp_path / "wrong_centerline.csv"
+    path.write_text(content)
+    with pytest.raises(ScenarioError, match=message):
+        load_track(str(path))
+
+
+def test_a_missing_centreline_is_one_line_and_bad_input(capsys):
+    assert cli.reference_main(["/nowhere/x_centerline.csv"]) == cli.BAD_INPUT
+    error = capsys.readouterr().err
+    assert error == "race_reference: no such file: /nowhere/x_centerline.csv\n"
+
+
+def test_a_race_line_that_cannot_be_written_is_an_error():
+    with pytest.raises(ScenarioError, match="/nowhere/x.csv: cannot be written: No such file"):
+        write_raceline("/nowhere/x.csv", compute_fastest_lap(ring(), LIMITS), LIMITS)

@@ -1,0 +1,184 @@
+"""Studies: their scenarios, what they measure and judge, and the command; runs are made up."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+from f1tenth_scenarios.batch import jobs
+from f1tenth_scenarios.record.record import CarTrack
+from f1tenth_scenarios.scenario.plan import make_plan
+from f1tenth_studies.study import Run
+from f1tenth_studies.table import table
+
+from f1tenth_scenarios import places
+from f1tenth_studies import cli, localization, passing, race_pace
+
+# Leaves the result that is beside it, for every run; `seed=13` fails.
+PROGRAM = """
+import pathlib, sys
+here, arguments = pathlib.Path(__file__).parent, sys.argv[1:]
+folder = pathlib.Path(arguments[arguments.index("--results") + 1]) / pathlib.Path(arguments[-1]).stem
+if "seed=13" in arguments:
+    sys.exit("bad luck")
+folder.mkdir(parents=True)
+(folder / "result.json").write_text((here / "result.json").read_text())
+"""
+RESULT = {
+    "verdict": "success",
+    "passed": True,
+    "reason": "every goal was passed in order",
+    "cars": {"robot1": {"lap_times": [7.0, 5.0, 5.5]}},
+    "minimum_clearance": 0.12,
+    "contacts": [],
+    "criteria": [
+        {"name": "localization_error", "actual": 0.04},
+        {"name": "localization_yaw_error", "actual": math.radians(1.5)},
+    ],
+}
+
+
+def run(tmp_path, values=None, **changes):
+    return Run(values or {"world": "circuit1"}, {**RESULT, **changes}, tmp_path)
+
+
+@pytest.fixture
+def program(tmp_path, monkeypatch):
+    """Stands in for the command `scenario`; gives a function that says what its runs come to."""
+    (tmp_path / "program.py").write_text(PROGRAM, encoding="utf-8")
+    monkeypatch.setattr(jobs, "PROGRAM", ("/usr/bin/python3", str(tmp_path / "program.py")))
+    return lambda **changes: (tmp_path / "result.json").write_text(json.dumps({**RESULT, **changes}))
+
+
+@pytest.mark.parametrize("name", cli.STUDIES)
+@pytest.mark.parametrize("world", ["circuit1", "circuit5"])
+def test_the_scenario_of_a_study_is_one_on_every_circuit(name, world):
+    file = places.package_path(cli.PACKAGE) / "scenarios" / f"{name}.yaml"
+    plan = make_plan(str(file), settings=[f"world={world}"])
+    assert plan.goals_files["robot1"].stem == world
+    assert all(line.stem == world for line in plan.lines.values())
+
+
+@pytest.mark.parametrize(
+    ("change", "problem"),
+    [
+        ({}, ""),
+        ({"cars": {"robot1": {"lap_times": [7.0]}}}, "no flying lap"),
+        ({"verdict": "collision", "reason": "hit a wall"}, "hit a wall"),
+        ({"contacts": [{}, {}]}, "2 contacts, must be none"),
+        (
+            {"cars": {"robot1": {"lap_times": [7.0, 5.0, 6.296]}}},
+            "1.400 times the optimum, must be at most 1.35",
+        ),
+        ({"minimum_clearance": 0.04}, "clearance 0.040 m, must be at least 0.05 m"),
+    ],
+)
+def test_race_pace_says_what_is_not_good_enough(tmp_path, monkeypatch, change, problem):
+    monkeypatch.setattr(race_pace, "_optimum", lambda world: 4.497)
+    assert race_pace.STUDY.problem(run(tmp_path, **change)) == problem
+
+
+def test_race_pace_counts_laps_but_the_standing_one(tmp_path, monkeypatch):
+    monkeypatch.setattr(race_pace, "_optimum", lambda world: 5.0)
+    assert table(race_pace.STUDY, [run(tmp_path)]).splitlines()[-1] == (
+        "| circuit1 | 5.000 | 2 | 5.000 | 5.500 | 1.10 | 0.120 | 0 |"
+    )
+    none = run(tmp_path, cars={"robot1": {"lap_times": []}})
+    assert "| 0 | inf | inf | inf |" in table(race_pace.STUDY, [none])
+
+
+def test_localization_shows_the_worst_of_its_runs(tmp_path):
+    worse = [
+        {"name": "localization_error", "actual": 0.08},
+        {"name": "localization_yaw_error", "actual": None},
+    ]
+    runs = [run(tmp_path), run(tmp_path, criteria=worse, minimum_clearance=None, contacts=[{}])]
+    assert table(localization.STUDY, runs).splitlines()[-1] == (
+        "| circuit1 | 2 | 3 | 7.000 | 0.080 | inf | 0.000 | 1 |"
+    )
+
+
+def test_localization_is_judged_by_the_criteria_of_its_scenario(tmp_path):
+    assert localization.STUDY.problem(run(tmp_path)) == ""
+    assert localization.STUDY.problem(run(tmp_path, passed=False, reason="0.2 m (RMS)")) == "0.2 m (RMS)"
+    assert localization.STUDY.problem(run(tmp_path, contacts=[{}])) == "1 contacts, must be none"
+
+
+def ring(count=200, radius=10.0):
+    angles = np.linspace(0.0, 2.0 * math.pi, count, endpoint=False)
+    return np.column_stack([radius * np.cos(angles), radius * np.sin(angles), np.ones(count), np.ones(count)])
+
+
+def on_ring(start, speed, periods):
+    """A car on a ring of 10 m: where it starts (rad) and how far it goes in a period (rad)."""
+    angles = start + speed * np.arange(periods)
+    none = np.zeros(periods)
+    x, y = 10.0 * np.cos(angles), 10.0 * np.sin(angles)
+    return CarTrack("car", none, x, y, none, none, none, none, none, none, ("",) * periods, (), ())
+
+
+@pytest.mark.parametrize(
+    ("speeds", "turns", "passes"),
+    [
+        ((0.02, 0.01), 0.95, 1),
+        ((0.02, 0.001), 2.9, 3),
+        ((0.01, 0.01), 2.0, 0),
+        ((0.01, 0.0101), 0.5, 0),
+    ],
+)
+@pytest.mark.parametrize("track", [ring(), ring()[::-1]], ids=["along", "against"])
+def test_passes_are_counted_over_laps_whatever_the_direction_of_the_track(track, speeds, turns, passes):
+    periods = round(turns * 2.0 * math.pi / max(speeds))
+    behind, ahead = on_ring(0.0, speeds[0], periods), on_ring(0.25, speeds[1], periods)
+    assert passing.count_passes(track, behind, ahead) == passes
+
+
+@pytest.mark.parametrize(
+    ("change", "speed", "passes", "problem"),
+    [
+        ({}, "1.5", 1, ""),
+        ({"verdict": "timeout", "reason": "late"}, "1.5", 1, "late"),
+        ({}, "1.5", 0, "the slower car was not passed"),
+        ({}, "2", 0, ""),
+    ],
+)
+def test_a_slower_car_must_be_passed(tmp_path, monkeypatch, change, speed, passes, problem):
+    monkeypatch.setattr(passing, "_passes", lambda runs: passes)
+    values = {"world": "circuit1", "cars.robot2.speed_max": speed}
+    assert passing.STUDY.problem(run(tmp_path, values, **change)) == problem
+
+
+def test_a_study_is_swept_written_and_judged(program, tmp_path, capsys):
+    program()
+    file = tmp_path / "table.md"
+    arguments = ["localization", "--vary", "world=circuit1,circuit2", "--vary", "seed=12:13"]
+    arguments += ["--set", "laps=2", "--results", str(tmp_path / "r"), "--table", str(file), "--jobs", "1"]
+    assert cli.study_main(arguments) == cli.NOT_GOOD
+    text, (out, err) = file.read_text(encoding="utf-8"), capsys.readouterr()
+    assert text == out[:-1]
+    assert text.startswith("# Localization\n")
+    assert "    rosrun f1tenth_studies study localization --vary world=circuit1,circuit2 --vary" in text
+    assert [line.split(" | ")[:2] for line in text.splitlines()[-2:]] == [
+        ["| circuit1", "1"],
+        ["| circuit2", "1"],
+    ]
+    assert err.count("exit code 1, no result: bad luck") == 2
+
+
+def test_a_run_that_is_not_good_enough_is_named(program, tmp_path, capsys):
+    program(verdict="aborted", reason="gave up")
+    arguments = ["localization", "--vary", "world=circuit1", "--vary", "seed=4", "--results", str(tmp_path)]
+    assert cli.study_main(arguments) == cli.NOT_GOOD
+    assert "study localization: circuit1, 4: gave up\n" in capsys.readouterr().err
+
+
+def test_a_bad_value_is_bad_input(tmp_path, capsys):
+    assert cli.study_main(["race_pace", "--set", "laps=0", "--results", str(tmp_path)]) == cli.BAD_INPUT
+    assert "study: laps=0:1: laps is 0, must be at least 1\n" in capsys.readouterr().err
+
+
+def test_a_table_that_cannot_be_written_is_bad_input(program, tmp_path, capsys):
+    program()
+    arguments = ["localization", "--vary", "world=circuit1", "--vary", "seed=4", "--results", str(tmp_path)]
+    assert cli.study_main([*arguments, "--table", "/nowhere/t.md"]) == cli.BAD_INPUT
+    assert "study: /nowhere/t.md: cannot be written: No such file" in capsys.readouterr().err

@@ -5,10 +5,10 @@ import time
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
+from gazebo_msgs.msg import ContactsState
 from std_msgs.msg import Bool, UInt32
 
 from f1tenth_gazebo_plugins.collision_monitor import SECOND, CollisionMonitor
-from f1tenth_gazebo_plugins.contacts_message import ContactsBytes, read_contacts
 from f1tenth_gazebo_plugins.parameters import ParameterError, parse_parameters
 
 BAD_INPUT = 2
@@ -34,14 +34,14 @@ class CollisionDetection:
 
     def _subscribe(self, topic):
         return rospy.Subscriber(
-            topic, ContactsBytes, self._on_contacts, callback_args=topic, tcp_nodelay=True
+            topic, ContactsState, self._on_contacts, callback_args=topic, tcp_nodelay=True
         )
 
     def _on_contacts(self, message, topic):
-        stamp, contacts = read_contacts(message.data)
+        contacts = [(state.collision1_name, state.collision2_name) for state in message.states]
         with self._lock:
             self._last_heard = time.monotonic()
-            self._publish(self._monitor.hear(topic, stamp, contacts))
+            self._publish(self._monitor.hear(topic, message.header.stamp.to_nsec(), contacts))
 
     def spin(self):
         """Watch for silence until the node is shut down."""

@@ -42,7 +42,9 @@ def test_interrupted_run_cleans_up_and_says_so(driving, tmp_path, number):
     driving.send_signal(number)
     assert driving.wait(PATIENCE) == 128 + number
     assert processes_of(tmp_path) == []
-    result = json.loads((tmp_path / "circuit1" / "result.json").read_text(encoding="utf-8"))
+    folder = tmp_path / "circuit1"
+    assert sorted(path.name for path in folder.iterdir()) == [".lock", "interrupted"]
+    result = json.loads((folder / "interrupted" / "result.json").read_text(encoding="utf-8"))
     assert (result["verdict"], result["passed"]) == ("error", False)
     assert result["reason"] == f"runner: was told to stop by {number.name}"
 

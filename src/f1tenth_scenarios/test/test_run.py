@@ -2,6 +2,7 @@
 
 import csv
 import dataclasses
+import errno
 import json
 import signal
 import time
@@ -10,6 +11,7 @@ import psutil
 import pytest
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.record.record import COLUMNS
+from f1tenth_scenarios.results.console import summary
 from f1tenth_scenarios.scenario.scenario import Limits, Verdict
 from fake_run import FakeRun
 from PIL import Image
@@ -228,8 +230,27 @@ def test_signal_ends_the_run_and_leaves_a_result(tmp_path):
             signal.raise_signal(signal.SIGTERM)
 
     with run.stop.listening():
-        result = result_of(run, progress=interrupt)
+        run.execute(progress=interrupt)
+    result = json.loads((run.plan.folder / "interrupted" / "result.json").read_text(encoding="utf-8"))
     assert result["reason"] == "runner: was told to stop by SIGTERM"
+    assert not (run.plan.folder / "result.json").exists()
+
+
+def test_signal_leaves_the_results_of_the_run_before(tmp_path):
+    before = succeeding(tmp_path)
+    before.execute()
+    kept = {path: path.read_bytes() for path in before.plan.folder.rglob("*") if path.is_file()}
+    run = FakeRun(tmp_path).records(2.0)
+    run.stop.signal = signal.SIGINT
+    run.execute()
+    interrupted = run.plan.folder / "interrupted"
+    left = {
+        path: path.read_bytes()
+        for path in run.plan.folder.rglob("*")
+        if path.is_file() and interrupted not in path.parents
+    }
+    assert left == kept
+    assert (interrupted / "log" / "roslaunch.log").exists()
 
 
 def test_nothing_is_left_behind(tmp_path):
@@ -238,22 +259,86 @@ def test_nothing_is_left_behind(tmp_path):
     before = psutil.Process().children(recursive=True)
     run.execute()
     assert sorted(path.name for path in run.plan.folder.iterdir()) == [
-        ".lock", "log", "replay.json.gz", "result.json", "trajectory.csv", "trajectory.png",
+        ".lock", "junit.xml", "log", "replay.json.gz", "result.json", "trajectory.csv", "trajectory.png",
     ]  # fmt: skip
     assert set(psutil.Process().children(recursive=True)) <= set(before)
     assert run.watch.closed
 
 
-def test_old_results_do_not_survive_a_run_that_breaks(tmp_path):
+def test_results_survive_a_later_run_that_breaks(tmp_path):
     succeeding(tmp_path).execute()
-    run = FakeRun(tmp_path)
+    run = FakeRun(tmp_path).prints("what it said")
 
     def fail(*_):
         raise RuntimeError("progress cannot be shown")
 
     with pytest.raises(RuntimeError):
         run.execute(progress=fail)
-    assert not (run.plan.folder / "result.json").exists()
+    assert json.loads((run.plan.folder / "result.json").read_text(encoding="utf-8"))["passed"]
+    assert (run.plan.folder / "log" / "record.csv").exists()
+    assert (run.plan.folder / "interrupted" / "log" / "roslaunch.log").exists()
+
+
+@pytest.mark.parametrize(
+    ("error", "reason"),
+    [
+        (OSError(errno.ENOSPC, "No space left on device"), "No space left on device"),
+        (MemoryError(), "MemoryError"),
+    ],
+)
+@pytest.mark.parametrize(
+    ("writer", "file"),
+    [
+        ("results.picture.write_picture", "trajectory.png"),
+        ("run.run.write_replay", "replay.json.gz"),
+        ("run.run.write_trajectory", "trajectory.csv"),
+    ],
+)
+def test_a_file_that_cannot_be_written_does_not_cost_the_verdict(
+    tmp_path, monkeypatch, writer, file, error, reason
+):
+    def fail(*_):
+        raise error
+
+    run = succeeding(tmp_path)
+    monkeypatch.setattr(f"f1tenth_scenarios.{writer}", fail)
+    result = run.execute()
+    assert result.not_written == (f"{file}: {reason}",)
+    assert f"not written:       {file}: {reason}" in summary(result, run.plan).splitlines()
+    written = json.loads((run.plan.folder / "result.json").read_text(encoding="utf-8"))
+    assert (written["verdict"], written["not_written"]) == ("success", [f"{file}: {reason}"])
+    others = {"trajectory.png", "replay.json.gz", "trajectory.csv"} - {file}
+    assert others <= {path.name for path in run.plan.folder.iterdir()}
+
+
+def test_a_verdict_that_cannot_be_written_is_said(tmp_path, monkeypatch):
+    def fail(*_):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("f1tenth_scenarios.results.writing.write_json", fail)
+    run = succeeding(tmp_path)
+    with pytest.raises(ScenarioError) as caught:
+        run.execute()
+    assert str(caught.value) == (
+        f"{run.plan.folder}: the results cannot be written: No space left on device;"
+        " the verdict was success: every goal was passed in order"
+    )
+
+
+def test_a_log_folder_that_cannot_be_written_is_said(tmp_path, monkeypatch):
+    def fail(*_):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("f1tenth_scenarios.run.run.write_launch_file", fail)
+    run = succeeding(tmp_path)
+    with pytest.raises(ScenarioError, match=f"{run.plan.log_folder}: cannot begin the run: No space left"):
+        run.execute()
+
+
+def test_log_of_the_culprit_is_told_from_the_folder_of_the_results(tmp_path):
+    run = FakeRun(tmp_path).records(4.0).prints("[ERROR] [1] [/robot1/move_base]: cannot go on")
+    run.prints("[robot1/move_base-5] process has died [pid 12, exit code -9, cmd x].")
+    assert result_of(run)["culprit"]["log_file"] == "log/roslaunch.log"
 
 
 def test_second_run_into_the_same_folder_is_refused(tmp_path):

@@ -14,7 +14,13 @@ from f1tenth_scenarios.scenario.scenario_world import write_world
 # s, after which the start signal is surely given: the countdown begins with the first period, not at 0.
 _START_MARGIN = 0.1
 # What takes time and helps nobody here is left out; timeouts in wall s, for each node.
-_OPTIONS = ("--skip-log-check", "--no-summary", "--disable-title", "--sigint-timeout=4", "--sigterm-timeout=2")
+_OPTIONS = (
+    "--skip-log-check",
+    "--no-summary",
+    "--disable-title",
+    "--sigint-timeout=4",
+    "--sigterm-timeout=2",
+)
 
 
 def launch_command(file: Path) -> list[str]:

@@ -93,8 +93,9 @@ def summary(result: Result, plan: Plan) -> str:
         ("cost", f"{_unit(result.cost, 's', 1)} besides simulating"),
         *_failed_criteria(result),
         *_culprit_log(result),
-        ("result", str(plan.folder / RESULT_FILE)),
-        ("picture", str(plan.folder / PICTURE_FILE)),
+        ("result", str(result.folder / RESULT_FILE)),
+        ("picture", str(result.folder / PICTURE_FILE)),
+        *(("not written", problem) for problem in result.not_written),
     ]
     return "\n".join(f"{name + ':' if name else '':19}{value}" for name, value in lines)
 

@@ -1,8 +1,9 @@
-"""What is kept of a run: result.json, trajectory.csv and trajectory.png in the scenario's results folder."""
+"""A judged run, and what is kept of it: result.json and trajectory.csv."""
 
 import csv
 import dataclasses
 import json
+import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Optional
@@ -27,7 +28,9 @@ class Result:
     judgement: Judgement
     criteria: tuple[Criterion, ...]
     measured: Measured = Measured()
+    folder: Path = Path()  # of the results
     wall_time: Optional[float] = None  # s, of everything, from the start of the command
+    not_written: tuple[str, ...] = ()  # files of the results, each with the reason
 
     @property
     def cost(self) -> Optional[float]:
@@ -72,7 +75,7 @@ def as_dict(
         "expected": result.scenario.expected.value,
         "passed": result.passed,
         "reason": result.reason,
-        "culprit": dataclasses.asdict(result.judgement.failure) if result.judgement.failure else None,
+        "culprit": _culprit(result),
         "criteria": [{**dataclasses.asdict(each), "status": each.status.value} for each in result.criteria],
         "times": {
             "start": _stamp(result.measured.start),
@@ -95,7 +98,17 @@ def as_dict(
         "settings": list(settings),
         "trajectory_hash": record.hash_at_end(),
         "versions": dict(versions),
+        "not_written": list(result.not_written),
     }
+
+
+def _culprit(result: Result) -> Optional[dict[str, Any]]:
+    """Who broke the set-up; the log counts from the folder of the results."""
+    failure = result.judgement.failure
+    if failure is None:
+        return None
+    log_file = os.path.relpath(failure.log_file, result.folder) if failure.log_file else None
+    return {**dataclasses.asdict(failure), "log_file": log_file}
 
 
 def write_json(path: Path, content: Mapping[str, Any]) -> None:

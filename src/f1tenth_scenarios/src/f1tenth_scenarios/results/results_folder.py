@@ -1,4 +1,4 @@
-"""The folder that a run writes to: its own while it runs, with the commit before's results kept aside."""
+"""The folder that a run writes to: its own while it runs; earlier results stay until there are new ones."""
 
 import contextlib
 import fcntl
@@ -10,18 +10,20 @@ from typing import Optional
 
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.record.replay import REPLAY_FILE
+from f1tenth_scenarios.results.junit import JUNIT_FILE
 from f1tenth_scenarios.results.result import PICTURE_FILE, RESULT_FILE, TRAJECTORY_FILE
 
-PREVIOUS_FOLDER = "previous"
-_FILES = (RESULT_FILE, TRAJECTORY_FILE, PICTURE_FILE, REPLAY_FILE)
+PREVIOUS_FOLDER, INTERRUPTED_FOLDER = "previous", "interrupted"
+_EARLIER_LOG = ".earlier_log"
+_FILES = (RESULT_FILE, JUNIT_FILE, TRAJECTORY_FILE, PICTURE_FILE, REPLAY_FILE)
 
 
 @contextlib.contextmanager
-def claimed(folder: Path, log_folder: Path, commit: Optional[str]) -> Iterator[None]:
+def claimed(folder: Path, log_folder: Path, commit: Optional[str]) -> Iterator["ResultsFolder"]:
     """Keep other runs out while the block runs; log_folder is there and empty.
 
-    Earlier results are gone, or in the folder `previous` if they are of another commit than `commit` (or of a
-    working copy with changes, which may be any).
+    If the block does not ask for the place of results that are to stay, everything is as it was before, and
+    what was written to log_folder is in the folder `interrupted`.
 
     Raises:
         ScenarioError: the folder cannot be used, or another run is using it.
@@ -30,13 +32,59 @@ def claimed(folder: Path, log_folder: Path, commit: Optional[str]) -> Iterator[N
         try:
             folder.mkdir(parents=True, exist_ok=True)
             lock = stack.enter_context(open(folder / ".lock", "w", encoding="utf-8"))
+            _lock(folder, lock)
+            claim = stack.enter_context(contextlib.closing(ResultsFolder(folder, log_folder, commit)))
         except OSError as error:
             raise ScenarioError(f"{folder}: cannot write results: {error.strerror}") from error
-        _lock(folder, lock)
-        _clear(folder, commit)
-        shutil.rmtree(log_folder, ignore_errors=True)
-        log_folder.mkdir()
-        yield
+        yield claim
+
+
+class ResultsFolder:
+    """A results folder in which a run is going on."""
+
+    def __init__(self, folder: Path, log_folder: Path, commit: Optional[str]):
+        self._folder, self._log, self._commit = folder, log_folder, commit
+        self._earlier_log = folder / _EARLIER_LOG
+        self._is_over = False
+        if self._earlier_log.exists():  # of a run that was killed
+            self._restore_log()
+        if self._log.exists():
+            self._log.rename(self._earlier_log)
+        self._log.mkdir()
+
+    def place_of_results(self) -> Path:
+        """Where the results of a run that came to its end are to be written.
+
+        Earlier results are gone then, or in the folder `previous` if they are of another commit than ours (or
+        of a working copy with changes, which may be any).
+        """
+        self._is_over = True
+        shutil.rmtree(self._earlier_log, ignore_errors=True)
+        result = self._folder / RESULT_FILE
+        if result.exists() and _is_other(_commit_of(result), self._commit):
+            _move(self._folder, _emptied(self._folder / PREVIOUS_FOLDER))
+        for name in _FILES:
+            (self._folder / name).unlink(missing_ok=True)
+        return self._folder
+
+    def place_of_interrupted(self) -> Path:
+        """Where the results of a run that was told to stop are to be written."""
+        return _emptied(self._folder / INTERRUPTED_FOLDER)
+
+    def close(self) -> None:
+        """The run is over."""
+        if self._is_over:
+            return
+        interrupted = self._folder / INTERRUPTED_FOLDER
+        interrupted.mkdir(exist_ok=True)
+        shutil.rmtree(interrupted / self._log.name, ignore_errors=True)
+        self._log.rename(interrupted / self._log.name)
+        self._restore_log()
+
+    def _restore_log(self) -> None:
+        shutil.rmtree(self._log, ignore_errors=True)
+        with contextlib.suppress(FileNotFoundError):
+            self._earlier_log.rename(self._log)
 
 
 def _lock(folder, lock):
@@ -46,20 +94,16 @@ def _lock(folder, lock):
         raise ScenarioError(f"{folder}: another run is writing its results there") from error
 
 
-def _clear(folder, commit):
-    if (folder / RESULT_FILE).exists() and _is_other(_commit_of(folder / RESULT_FILE), commit):
-        _keep(folder)
-    for name in _FILES:
-        (folder / name).unlink(missing_ok=True)
+def _emptied(folder: Path) -> Path:
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
+    return folder
 
 
-def _keep(folder):
-    previous = folder / PREVIOUS_FOLDER
-    shutil.rmtree(previous, ignore_errors=True)
-    previous.mkdir()
+def _move(source: Path, target: Path) -> None:
     for name in _FILES:
         with contextlib.suppress(FileNotFoundError):
-            (folder / name).rename(previous / name)
+            (source / name).rename(target / name)
 
 
 def _is_other(one: Optional[str], other: Optional[str]) -> bool:

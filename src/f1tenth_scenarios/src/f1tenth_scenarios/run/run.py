@@ -4,6 +4,7 @@ import contextlib
 import dataclasses
 import time
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Callable, Optional
 
 from f1tenth_scenarios import versions
@@ -21,13 +22,15 @@ from f1tenth_scenarios.record.record import Record, read_record
 from f1tenth_scenarios.record.recording import Recording
 from f1tenth_scenarios.record.replay import REPLAY_FILE, write_replay
 from f1tenth_scenarios.record.track_map import TrackMap, read_track_map
-from f1tenth_scenarios.results import result
-from f1tenth_scenarios.results.result import Result
+from f1tenth_scenarios.results.result import PICTURE_FILE, TRAJECTORY_FILE, Result, write_trajectory
 from f1tenth_scenarios.results.results_folder import claimed
+from f1tenth_scenarios.results.writing import write_rest, write_verdict
 from f1tenth_scenarios.run.preparation import Preparation
 from f1tenth_scenarios.run.supervisor import Progress, Supervisor, Watch
 from f1tenth_scenarios.scenario.plan import Plan
 from f1tenth_scenarios.stop_request import StopRequest
+
+Files = Mapping[str, Callable[[Path], None]]  # what writes a file of the results, by its name
 
 _SHUTDOWN_GRACE = 12.0  # wall s, for roslaunch to end its nodes
 
@@ -56,17 +59,28 @@ def execute(
         ScenarioError: the results folder cannot be used, or another run is using it.
     """
     started = time.monotonic() if started is None else started
-    with claimed(plan.folder, plan.log_folder, versions.commit()):
-        write_launch_file(plan)
+    with claimed(plan.folder, plan.log_folder, versions.commit()) as claim:
+        _prepare(plan)
         watch = make_watch()
         with _started(plan, command, environment) as tree:
-            done = _drive(plan, tree, watch, stop, progress)
-        done = dataclasses.replace(done, wall_time=time.monotonic() - started)
-        # Last, because who sees a result.json may rely on the other files.
-        result.write_json(
-            plan.folder / result.RESULT_FILE, result.as_dict(done, versions.collect(), plan.settings)
-        )
+            done, files = _drive(plan, tree, watch, stop, progress)
+            # A run that was told to stop is none that another could be compared with.
+            folder = claim.place_of_interrupted() if stop.signal else claim.place_of_results()
+            done = dataclasses.replace(done, folder=folder, wall_time=time.monotonic() - started)
+            # First, because whatever else cannot be written must not cost the verdict.
+            write_verdict(plan, done)
+            problems = write_rest(folder, files)
+        done = dataclasses.replace(done, wall_time=time.monotonic() - started, not_written=problems)
+        with contextlib.suppress(ScenarioError):  # what it said before was complete but for the time
+            write_verdict(plan, done)
     return done
+
+
+def _prepare(plan: Plan) -> None:
+    try:
+        write_launch_file(plan)
+    except OSError as error:
+        raise ScenarioError(f"{plan.log_folder}: cannot begin the run: {error.strerror}") from error
 
 
 @contextlib.contextmanager
@@ -79,7 +93,7 @@ def _started(plan, command, environment):
         tree.stop(_SHUTDOWN_GRACE)
 
 
-def _drive(plan, tree, watch, stop, progress) -> Result:
+def _drive(plan, tree, watch, stop, progress) -> tuple[Result, Files]:
     with contextlib.closing(watch):
         preparation = Preparation(plan.run_world, watch.descriptions)
         supervisor = Supervisor(plan, tree, watch, stop, preparation.beside(progress))
@@ -90,8 +104,7 @@ def _drive(plan, tree, watch, stop, progress) -> Result:
         heard = watch.recording()
         preparation.begin()
     done = _judge(plan, seen, heard, supervisor.pace.factor)
-    _write(plan, done, heard, preparation)
-    return done
+    return done, _files(plan, done, heard, preparation)
 
 
 def _observations(plan, supervisor, watch, failure) -> Observations:
@@ -121,15 +134,23 @@ def _judge(plan, seen, heard, real_time_factor) -> Result:
     return Result(plan.name, plan.scenario, judgement, judged, measured)
 
 
-def _write(plan: Plan, done: Result, heard: Recording, preparation: Preparation) -> None:
-    result.write_trajectory(plan.folder / result.TRAJECTORY_FILE, done.judgement.record)
-    lines = (f"{done.judgement.decision.verdict.value}: {done.reason}", _facts(done))
-    picture = plan.folder / result.PICTURE_FILE
-    preparation.picture().write_picture(
-        picture, plan.name, lines, done.judgement.record, plan.goals, _track_map(plan)
-    )
-    replay = preparation.scene().replay(plan.goals, heard).until(done.judgement.decision.stamp)
-    write_replay(plan.folder / REPLAY_FILE, replay)
+def _files(plan: Plan, done: Result, heard: Recording, preparation: Preparation) -> Files:
+    """What is kept besides the verdict."""
+    judgement = done.judgement
+    lines = (f"{judgement.decision.verdict.value}: {done.reason}", _facts(done))
+
+    def write_picture(path):
+        write = preparation.picture().write_picture
+        write(path, plan.name, lines, judgement.record, plan.goals, _track_map(plan))
+
+    def write_scene(path):
+        write_replay(path, preparation.scene().replay(plan.goals, heard).until(judgement.decision.stamp))
+
+    return {
+        TRAJECTORY_FILE: lambda path: write_trajectory(path, judgement.record),
+        PICTURE_FILE: write_picture,
+        REPLAY_FILE: write_scene,
+    }
 
 
 def _track_map(plan: Plan) -> Optional[TrackMap]:

@@ -3,10 +3,10 @@
 import re
 
 import pytest
-from f1tenth_gazebo.centreline import MAX_TURN, centreline, wrap_angle
-from f1tenth_gazebo.circuit_file import load_circuit
+from f1tenth_gazebo.circuits.centreline import MAX_TURN, centreline, wrap_angle
+from f1tenth_gazebo.circuits.circuit_file import load_circuit
+from f1tenth_gazebo.circuits.lap import Lap
 from f1tenth_gazebo.errors import CircuitError
-from f1tenth_gazebo.lap import Lap
 
 SQUARE = """corners:
   - {at: [5.0, 0.0], radius: 2.0, width: 2.0}

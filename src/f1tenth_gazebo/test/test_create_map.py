@@ -7,7 +7,7 @@ import subprocess
 
 import pytest
 from circuits import NAMES, PACKAGE
-from f1tenth_gazebo.map_tool import main
+from f1tenth_gazebo.maps.map_tool import main
 
 # One circuit at every run of the tests; F1TENTH_ALL_MAPS=1 makes all of them.
 CIRCUITS = NAMES if os.environ.get("F1TENTH_ALL_MAPS") else ["circuit1"]

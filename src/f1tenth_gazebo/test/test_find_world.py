@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from f1tenth_gazebo.find_world import WorldError, find_world, main
+from f1tenth_gazebo.worlds.find_world import WorldError, find_world, main
 
 
 @pytest.fixture

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from f1tenth_gazebo.gap_follower import GapFollower, GapFollowerOptions
+from f1tenth_gazebo.driving.gap_follower import GapFollower, GapFollowerOptions
 
 BEAMS = 271
 INCREMENT = math.radians(1.0)

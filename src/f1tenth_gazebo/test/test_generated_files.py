@@ -5,8 +5,9 @@ import numpy as np
 import pytest
 import yaml
 from f1tenth_gazebo.errors import CircuitError
-from f1tenth_gazebo.occupancy import FREE, OCCUPIED
-from f1tenth_gazebo.tools import make_goals, make_map, make_world, world_grid
+from f1tenth_gazebo.maps.occupancy import FREE, OCCUPIED
+from f1tenth_gazebo.maps.world_grid import world_grid
+from f1tenth_gazebo.tools import make_goals, make_map, make_world
 from PIL import Image
 from shapely.geometry import Point
 

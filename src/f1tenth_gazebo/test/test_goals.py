@@ -4,9 +4,9 @@ import math
 
 import circuits
 import pytest
-from f1tenth_gazebo.centreline import centreline
-from f1tenth_gazebo.goals_file import goals_text, lap_goals
-from f1tenth_gazebo.lap import Lap, Pose
+from f1tenth_gazebo.circuits.centreline import centreline
+from f1tenth_gazebo.circuits.lap import Lap, Pose
+from f1tenth_gazebo.goals.goals_file import goals_text, lap_goals
 from shapely.geometry import Point
 
 CLEARANCE = 0.3

@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from f1tenth_gazebo.lap_watch import LapWatch
+from f1tenth_gazebo.driving.lap_watch import LapWatch
 
 
 def circle(laps, radius=4.0, growth=0.0, step=0.05):

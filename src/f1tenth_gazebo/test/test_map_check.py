@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from f1tenth_gazebo.map_check import check_map, read_map
-from f1tenth_gazebo.map_file import save_map
-from f1tenth_gazebo.occupancy import OCCUPIED, occupancy_grid
+from f1tenth_gazebo.maps.map_check import check_map, read_map
+from f1tenth_gazebo.maps.map_file import save_map
+from f1tenth_gazebo.maps.occupancy import OCCUPIED, occupancy_grid
 
 
 def rectangle(x_low, y_low, x_high, y_high):

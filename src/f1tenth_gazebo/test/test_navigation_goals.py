@@ -11,7 +11,7 @@ import time
 from pathlib import Path
 
 import pytest
-from f1tenth_gazebo.goal_collector import goal_of
+from f1tenth_gazebo.goals.goal_collector import goal_of
 from f1tenth_navigation.goal_markers import goal_markers
 from geometry_msgs.msg import PoseStamped
 from PIL import Image

@@ -1,7 +1,7 @@
 """Keys and axes must become commands."""
 
 import pytest
-from f1tenth_gazebo.teleoperation import SPEED_MAX, STEERING_MAX, Command, keys_in
+from f1tenth_gazebo.driving.teleoperation import SPEED_MAX, STEERING_MAX, Command, keys_in
 
 
 def test_arrow_keys_are_read_in_both_modes_of_a_terminal():

@@ -4,7 +4,7 @@
 Run it in the car's namespace: ROS_NAMESPACE=robot1 rosrun f1tenth_sim2d gap_follower.py
 
 The same as gap_follower.h, which the benchmarks drive with: the driver that most know, and cheap. What takes
-a car around any circuit to map it is another, slower and more careful: f1tenth_gazebo.gap_follower.
+a car around any circuit to map it is another, slower and more careful: f1tenth_gazebo.driving.gap_follower.
 """
 
 import math

@@ -4,17 +4,13 @@ import argparse
 import sys
 from pathlib import Path
 
-import f1tenth_sim2d
-from f1tenth_gazebo.centreline import centreline
-from f1tenth_gazebo.circuit_file import load_circuit
+from f1tenth_gazebo.circuits.centreline import centreline
+from f1tenth_gazebo.circuits.circuit_file import load_circuit
 from f1tenth_gazebo.errors import CircuitError
-from f1tenth_gazebo.goals_file import goals_text, lap_goals
-from f1tenth_gazebo.map_file import save_map
-from f1tenth_gazebo.occupancy import occupancy_grid
-from f1tenth_gazebo.world_file import world_text
-
-LIDAR_HEIGHT = 0.16
-"""Of the car's scan plane above the ground, m."""
+from f1tenth_gazebo.goals.goals_file import goals_text, lap_goals
+from f1tenth_gazebo.maps.map_file import save_map
+from f1tenth_gazebo.maps.world_grid import LIDAR_HEIGHT, world_grid
+from f1tenth_gazebo.worlds.world_file import world_text
 
 
 def make_world(arguments=None):
@@ -56,21 +52,6 @@ def make_map(arguments=None):
 def circuit_goals_text(circuit):
     """The goals file of a circuit."""
     return goals_text(lap_goals(centreline(circuit)), circuit.name)
-
-
-def world_grid(world, height=LIDAR_HEIGHT):
-    """Occupancy grid of what stands still in a world, at a height (m).
-
-    Raises:
-        CircuitError: if the world cannot be read, or is not closed around the origin.
-    """
-    try:
-        outlines, circles = f1tenth_sim2d.load_world(str(world)).section(height)
-        return occupancy_grid(outlines, circles)
-    except f1tenth_sim2d.Error as error:
-        raise CircuitError(str(error)) from error
-    except CircuitError as error:
-        raise CircuitError(f"{world}: {error}") from error
 
 
 def _run(action):

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
-from f1tenth_gazebo.centreline import centreline
-from f1tenth_gazebo.circuit_file import load_circuit
+from f1tenth_gazebo.circuits.centreline import centreline
+from f1tenth_gazebo.circuits.circuit_file import load_circuit
 from f1tenth_gazebo.errors import CircuitError
 
 from f1tenth_scenarios.errors import ScenarioError

@@ -25,6 +25,7 @@ class Grid:
     pixels: np.ndarray
     x: float  # m
     y: float  # m
+    resolution: float = RESOLUTION  # m
 
 
 def occupancy_grid(outlines, circles, start=(0.0, 0.0)):
@@ -38,40 +39,59 @@ def occupancy_grid(outlines, circles, start=(0.0, 0.0)):
     Raises:
         CircuitError: if nothing is solid, the start is inside of something solid or the road is not closed.
     """
-    low, high = _bounds(outlines, circles)
-    shape = tuple(int(n) for n in np.ceil((high - low) / RESOLUTION - 1e-9))[::-1]
-    solid = np.zeros((shape[0] * _SAMPLES, shape[1] * _SAMPLES), dtype=bool)
+    occupied, low = occupied_cells(outlines, circles, RESOLUTION)
+    return grid_of(occupied, _reachable(occupied, low, start), low, RESOLUTION)
+
+
+def occupied_cells(outlines, circles, resolution):
+    """(which cells something solid reaches into, row 0 at the bottom; the lower left corner of the grid, m).
+
+    Args:
+        outlines, circles: as for occupancy_grid.
+        resolution: edge of a cell, m.
+
+    Raises:
+        CircuitError: if nothing is solid.
+    """
+    low, high = _bounds(outlines, circles, resolution)
+    occupied = np.zeros(tuple(int(n) for n in np.ceil((high - low) / resolution - 1e-9))[::-1], dtype=bool)
     for outline in outlines:
-        _fill(solid, low, outline.min(axis=0), outline.max(axis=0), _InPolygon(outline))
+        _fill(occupied, low, resolution, outline.min(axis=0), outline.max(axis=0), _InPolygon(outline))
     for x, y, radius in circles:
         centre = np.array([x, y])
-        _fill(solid, low, centre - radius, centre + radius, _InCircle(x, y, radius))
-    occupied = solid.reshape(shape[0], _SAMPLES, shape[1], _SAMPLES).any(axis=(1, 3))
+        _fill(occupied, low, resolution, centre - radius, centre + radius, _InCircle(x, y, radius))
+    return occupied, low
 
-    pixels = np.full(shape, UNKNOWN, dtype=np.uint8)
-    pixels[_reachable(occupied, low, start)] = FREE
+
+def grid_of(occupied, free, low, resolution):
+    """The Grid of cells that are occupied, free (where not occupied) or else unknown."""
+    pixels = np.full(occupied.shape, UNKNOWN, dtype=np.uint8)
+    pixels[free] = FREE
     pixels[occupied] = OCCUPIED
-    return Grid(pixels, float(low[0]), float(low[1]))
+    return Grid(pixels, float(low[0]), float(low[1]), resolution)
 
 
-def _bounds(outlines, circles):
+def _bounds(outlines, circles, resolution):
     points = [*outlines]
     points += [np.array([[x - r, y - r], [x + r, y + r]]) for x, y, r in circles]
     if not points:
         raise CircuitError("nothing is solid at this height")
     everything = np.concatenate(points)
-    low = np.floor((everything.min(axis=0) - MARGIN) / RESOLUTION + 1e-9) * RESOLUTION
+    low = np.floor((everything.min(axis=0) - MARGIN) / resolution + 1e-9) * resolution
     return low, everything.max(axis=0) + MARGIN
 
 
-def _fill(solid, origin, low, high, contains):
-    """Mark the samples between low and high that a shape contains."""
-    step = RESOLUTION / _SAMPLES
-    first = np.maximum(np.floor((low - origin) / step).astype(int), 0)
-    last = np.minimum(np.ceil((high - origin) / step).astype(int) + 1, solid.shape[::-1])
-    x = origin[0] + (np.arange(first[0], last[0]) + 0.5) * step
-    y = origin[1] + (np.arange(first[1], last[1]) + 0.5) * step
-    solid[first[1] : last[1], first[0] : last[0]] |= contains(x[np.newaxis, :], y[:, np.newaxis])
+def _fill(occupied, origin, resolution, low, high, contains):
+    """Mark the cells between low and high of which a shape contains a sample."""
+    first = np.maximum(np.floor((low - origin) / resolution).astype(int), 0)
+    last = np.minimum(np.ceil((high - origin) / resolution).astype(int) + 1, occupied.shape[::-1])
+    x, y = (
+        origin[i] + (np.arange(first[i] * _SAMPLES, last[i] * _SAMPLES) + 0.5) * (resolution / _SAMPLES)
+        for i in (0, 1)
+    )
+    samples = contains(x[np.newaxis, :], y[:, np.newaxis])
+    shape = (last[1] - first[1], _SAMPLES, last[0] - first[0], _SAMPLES)
+    occupied[first[1] : last[1], first[0] : last[0]] |= samples.reshape(shape).any(axis=(1, 3))
 
 
 class _InPolygon:

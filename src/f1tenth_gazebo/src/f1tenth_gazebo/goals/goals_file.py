@@ -1,6 +1,6 @@
 """Goals for one lap: poses on the centreline, in driving order."""
 
-from f1tenth_gazebo.lap import Lap
+from f1tenth_gazebo.circuits.lap import Lap
 
 SPACING = 6.5
 """Distance from one goal to the next that is aimed at, m."""

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from f1tenth_gazebo.centreline import wrap_angle
+from f1tenth_gazebo.circuits.centreline import wrap_angle
 from f1tenth_gazebo.errors import CircuitError
 
 THICKNESS = 0.15

@@ -2,8 +2,6 @@
 
 from pathlib import Path
 
-from f1tenth_gazebo.occupancy import RESOLUTION
-
 _YAML = """image: {image}
 resolution: {resolution:.6f}
 origin: [{x:.6f}, {y:.6f}, 0.000000]
@@ -17,13 +15,13 @@ free_thresh: 0.196
 def pgm_bytes(grid):
     """The image, top row first."""
     rows, columns = grid.pixels.shape
-    header = f"P5\n# CREATOR: make_map {RESOLUTION:.3f} m/pix\n{columns} {rows}\n255\n"
+    header = f"P5\n# CREATOR: make_map {grid.resolution:.3f} m/pix\n{columns} {rows}\n255\n"
     return header.encode() + grid.pixels[::-1].tobytes()
 
 
 def yaml_text(grid, image):
     """What map_server needs to know of the image."""
-    return _YAML.format(image=image, resolution=RESOLUTION, x=grid.x, y=grid.y)
+    return _YAML.format(image=image, resolution=grid.resolution, x=grid.x, y=grid.y)
 
 
 def save_map(grid, stem):

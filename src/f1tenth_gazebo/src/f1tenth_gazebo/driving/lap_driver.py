@@ -10,8 +10,8 @@ from ackermann_msgs.msg import AckermannDriveStamped
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import LaserScan
 
-from f1tenth_gazebo.gap_follower import GapFollower, GapFollowerOptions
-from f1tenth_gazebo.lap_watch import LapWatch
+from f1tenth_gazebo.driving.gap_follower import GapFollower, GapFollowerOptions
+from f1tenth_gazebo.driving.lap_watch import LapWatch
 
 PATIENCE = 5.0
 """Wall time in which the odometry of a scan's time must have come, s."""

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import yaml
 
-from f1tenth_gazebo.circuit import (
+from f1tenth_gazebo.circuits.circuit import (
     MAX_WIDTH,
     MIN_RADIUS,
     MIN_WIDTH,

@@ -7,8 +7,8 @@ from pathlib import Path
 import yaml
 
 import f1tenth_sim2d
-from f1tenth_gazebo.map_check import check_map, read_map
-from f1tenth_gazebo.tools import LIDAR_HEIGHT
+from f1tenth_gazebo.maps.map_check import check_map, read_map
+from f1tenth_gazebo.maps.world_grid import LIDAR_HEIGHT
 
 
 def main(arguments=None):

@@ -1,8 +1,8 @@
 """A circuit as an SDF world, written as Gazebo writes it."""
 
-from f1tenth_gazebo.centreline import centreline
-from f1tenth_gazebo.openings import blocks, place_openings
-from f1tenth_gazebo.walls import THICKNESS, road_walls, wall_chain
+from f1tenth_gazebo.circuits.centreline import centreline
+from f1tenth_gazebo.worlds.openings import blocks, place_openings
+from f1tenth_gazebo.worlds.walls import HEIGHT, THICKNESS, road_walls, wall_chain
 
 _WORLD = """<?xml version='1.0'?>
 <sdf version='1.7'>
@@ -65,6 +65,35 @@ _BLOCK = """        <collision name='{name}_Collision{suffix}'>
         </visual>
 """
 
+_CYLINDER = """      <link name='{name}'>
+        <collision name='{name}_Collision'>
+          <geometry>
+            <cylinder>
+              <radius>{radius}</radius>
+              <length>{length}</length>
+            </cylinder>
+          </geometry>
+          <pose>0 0 {z} 0 -0 0</pose>
+        </collision>
+        <visual name='{name}_Visual'>
+          <pose>0 0 {z} 0 -0 0</pose>
+          <geometry>
+            <cylinder>
+              <radius>{radius}</radius>
+              <length>{length}</length>
+            </cylinder>
+          </geometry>
+          <material>
+            <script>
+              <uri>file://media/materials/scripts/gazebo.material</uri>
+              <name>{material}</name>
+            </script>
+          </material>
+        </visual>
+        <pose>{x} {y} 0 0 -0 0</pose>
+      </link>
+"""
+
 _PROP = """    <include>
       <uri>model://{model}</uri>
       <name>{name}</name>
@@ -88,9 +117,26 @@ def world_text(circuit):
         CircuitError: if the walls of the circuit cannot be built.
     """
     walls = circuit_walls(circuit)
-    openings = place_openings(circuit, walls)
-    links = [_link(f"Wall_{i}", wall, openings.get(i, [])) for i, wall in enumerate(walls)]
+    links = wall_links(walls, place_openings(circuit, walls))
     return _WORLD.format(name=circuit.name, links="".join(links), props="".join(_props(circuit)))
+
+
+def road_world_text(name, walls, cylinders, material):
+    """The world file of walls and of cylinders (x, y, radius in m) as high as they."""
+    links = wall_links(walls, {})
+    for i, cylinder in enumerate(cylinders):
+        x, y, radius = map(_number, cylinder)
+        links.append(
+            _CYLINDER.format(
+                name=f"Island_{i}", x=x, y=y, radius=radius, length=HEIGHT, z=HEIGHT / 2, material=material
+            )
+        )
+    return _WORLD.format(name=name, links="".join(links), props="")
+
+
+def wall_links(walls, openings):
+    """A link for each wall; `openings` by the index of the wall."""
+    return [_link(f"Wall_{i}", wall, openings.get(i, [])) for i, wall in enumerate(walls)]
 
 
 def _link(name, wall, openings):

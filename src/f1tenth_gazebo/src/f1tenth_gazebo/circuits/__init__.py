@@ -1,0 +1,1 @@
+"""Circuits: what one consists of, its file, its centreline, one lap along it."""

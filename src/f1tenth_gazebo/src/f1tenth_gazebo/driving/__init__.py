@@ -1,0 +1,1 @@
+"""Driving without a map: the node that takes a car around once, and driving by hand."""

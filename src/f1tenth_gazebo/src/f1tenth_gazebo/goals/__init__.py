@@ -1,0 +1,1 @@
+"""Goals files: for a lap of a circuit, or from clicks in rviz."""

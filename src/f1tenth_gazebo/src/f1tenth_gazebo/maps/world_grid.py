@@ -1,0 +1,23 @@
+"""The map of a world."""
+
+import f1tenth_sim2d
+from f1tenth_gazebo.errors import CircuitError
+from f1tenth_gazebo.maps.occupancy import occupancy_grid
+
+LIDAR_HEIGHT = 0.16
+"""Of the car's scan plane above the ground, m."""
+
+
+def world_grid(world, height=LIDAR_HEIGHT):
+    """Occupancy grid of what stands still in a world, at a height (m).
+
+    Raises:
+        CircuitError: if the world cannot be read, or is not closed around the origin.
+    """
+    try:
+        outlines, circles = f1tenth_sim2d.load_world(str(world)).section(height)
+        return occupancy_grid(outlines, circles)
+    except f1tenth_sim2d.Error as error:
+        raise CircuitError(str(error)) from error
+    except CircuitError as error:
+        raise CircuitError(f"{world}: {error}") from error

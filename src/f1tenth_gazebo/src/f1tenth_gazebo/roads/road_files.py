@@ -1,0 +1,72 @@
+"""Writes a road as map, centreline and world."""
+
+import contextlib
+import os
+from pathlib import Path
+
+import numpy as np
+from PIL import Image, ImageDraw
+
+from f1tenth_gazebo.maps.map_file import pgm_bytes, yaml_text
+from f1tenth_gazebo.maps.occupancy import grid_of, occupied_cells
+from f1tenth_gazebo.roads.road_walls import MATERIAL
+from f1tenth_gazebo.worlds.world_file import road_world_text
+
+_CENTRELINE_STEP = 3
+"""Every which sample of the line stands in the file."""
+
+
+def write_road(road, stem):
+    """Write STEM.pgm, STEM.yaml, STEM_centerline.csv and STEM.world; STEM is a path without extension.
+
+    Returns:
+        The paths, in this order. All of them are written, or none is.
+
+    Raises:
+        OSError: if a file cannot be written.
+    """
+    stem = Path(stem)
+    grid = road_grid(road)
+    content = {
+        stem.with_name(f"{stem.name}.pgm"): pgm_bytes(grid),
+        stem.with_name(f"{stem.name}.yaml"): yaml_text(grid, f"{stem.name}.pgm").encode(),
+        stem.with_name(f"{stem.name}_centerline.csv"): centreline_text(road).encode(),
+        stem.with_name(f"{stem.name}.world"): road_world_text(
+            stem.name, road.walls, road.islands, MATERIAL
+        ).encode(),
+    }
+    _replace_all(content)
+    return list(content)
+
+
+def road_grid(road):
+    """The road as a map: walls and islands occupied, the ground between the walls free, all else unknown."""
+    cell = road.options.cell
+    occupied, low = occupied_cells(road.outlines(), road.islands, cell)
+    inside = Image.new("1", occupied.shape[::-1])
+    draw = ImageDraw.Draw(inside)
+    for ring, fill in ((road.inside.exterior, 1), (road.inside.interiors[0], 0)):
+        draw.polygon([tuple(p) for p in (np.array(ring.coords) - low) / cell - 0.5], fill=fill)
+    return grid_of(occupied, np.asarray(inside), low, cell)
+
+
+def centreline_text(road):
+    """The line in the format of f1tenth_racetracks, from the start on."""
+    columns = np.column_stack([road.line.points, road.to_right, road.to_left])[::_CENTRELINE_STEP]
+    lines = ["# x_m, y_m, w_tr_right_m, w_tr_left_m"]
+    lines += [", ".join(f"{value:.4f}" for value in row) for row in columns + 0.0]
+    return "\n".join(lines) + "\n"
+
+
+def _replace_all(content):
+    """Write all beside their places first, as the disk may be full."""
+    temporary = {path: path.with_name(f".{path.name}.{os.getpid()}") for path in content}
+    try:
+        for path, data in content.items():
+            temporary[path].write_bytes(data)
+        for path, other in temporary.items():
+            os.replace(other, path)
+    finally:
+        for other in temporary.values():
+            with contextlib.suppress(OSError):
+                other.unlink(missing_ok=True)

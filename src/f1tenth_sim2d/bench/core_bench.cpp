@@ -91,17 +91,18 @@ int main(int argc, char ** argv)
   const double start = now();
   const SimTime end = static_cast<SimTime>(seconds * 1e9);
   while (simulation.time() < end) {
-    simulation.command(0, follow(simulation.state(0)));
+    simulation.command(CarId{0}, follow(simulation.state(CarId{0})));
     simulation.advanceTo(simulation.time() + 25'000'000);
-    simulation.scan(0, 0, ranges.data());
+    simulation.scan(CarId{0}, 0, ranges.data());
   }
   std::printf("real-time factor      %8.0f\n", seconds / (now() - start));
-  std::printf("contacts              %8zu\n", simulation.contacts(0).size());
-  std::printf("clearance             %8.3f m\n", simulation.clearance(0, 5.0));
+  std::printf("contacts              %8zu\n", simulation.contacts(CarId{0}).size());
+  std::printf("clearance             %8.3f m\n", simulation.clearance(CarId{0}, 5.0));
   std::printf(
-    "exact scan            %8.2f us\n", microseconds(20000, [&] { simulation.exactScan(0, 0, ranges.data()); }));
-  std::printf("scan with noise       %8.2f us\n", microseconds(20000, [&] { simulation.scan(0, 0, ranges.data()); }));
-  std::printf("clearance             %8.2f us\n", microseconds(20000, [&] { simulation.clearance(0, 5.0); }));
+    "exact scan            %8.2f us\n", microseconds(20000, [&] { simulation.exactScan(CarId{0}, 0, ranges.data()); }));
+  std::printf(
+    "scan with noise       %8.2f us\n", microseconds(20000, [&] { simulation.scan(CarId{0}, 0, ranges.data()); }));
+  std::printf("clearance             %8.2f us\n", microseconds(20000, [&] { simulation.clearance(CarId{0}, 5.0); }));
   std::printf("step                  %8.3f us\n", microseconds(200000, [&] { simulation.step(); }));
   std::printf("reset                 %8.2f us\n", microseconds(1000, [&] { simulation.reset(); }));
   return 0;

@@ -61,13 +61,13 @@ void lap(const char * map, double seconds)
   for (int step = 0; step < steps; ++step) {
     const gap_follower::Command command = driver.drive({-kMaxAngle, 2.0 * kMaxAngle / (kBeams - 1), ranges});
     const std::clock_t start = std::clock();
-    simulation.command(0, {command.speed, command.steering_angle});
+    simulation.command(CarId{0}, {command.speed, command.steering_angle});
     simulation.advanceTo(simulation.time() + kPeriod);
-    simulation.scan(0, 0, ranges.data());
+    simulation.scan(CarId{0}, 0, ranges.data());
     spent += std::clock() - start;
     hash = mixed(hash, ranges);
   }
-  const CarState & state = simulation.state(0);
+  const CarState & state = simulation.state(CarId{0});
   std::printf("steps per second of processor time  %8.0f\n", steps * static_cast<double>(CLOCKS_PER_SEC) / spent);
   std::printf("hash of all ranges                  %016llx\n", static_cast<unsigned long long>(hash));
   std::printf("car at                              (%.3f, %.3f)\n", state.pose.x, state.pose.y);

@@ -67,7 +67,7 @@ void loadOrRefuse(Load load)
 void drive(const CarDescription & description, const VehicleParameters & parameters)
 {
   Simulation simulation(emptyWorld());
-  const CarIndex car = simulation.addCar(description, parameters, {});
+  const CarId car = simulation.addCar(description, parameters, {});
   simulation.command(car, {1.0, 0.1});
   simulation.advanceTo(50 * simulation.stepLength());
   for (std::size_t lidar = 0; lidar < description.lidars.size(); ++lidar) {

@@ -14,7 +14,7 @@ def measure_laps(simulation, seconds, period=PERIOD):
         (cost, details, problem): Cost of the laps; what to keep in bench.json; "" or why it does not count.
     """
     laps = record(simulation, seconds, period)
-    touched = any(simulation.contacts(i) for i in range(simulation.car_count))
+    touched = any(simulation.contacts(car) for car in simulation.cars)
     spent = least_cost(lambda: replay(simulation, laps))
     same = simulation.trajectory_hash() == laps.trajectory_hash
     details = {

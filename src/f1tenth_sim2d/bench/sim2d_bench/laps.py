@@ -54,12 +54,13 @@ class Laps:
 
 def record(simulation, seconds, period=PERIOD):
     """Let a gap follower drive every car from the start on; return the Laps."""
-    drivers = [GapFollower(simulation.car(i).lidars[0]) for i in range(simulation.car_count)]
+    drivers = [GapFollower(simulation.car(car).lidars[0]) for car in simulation.cars]
     commands, poses = [], []
     for step in range(round(seconds / period)):
-        commands.append([driver.command(simulation.scan(i)) for i, driver in enumerate(drivers)])
-        for i, command in enumerate(commands[-1]):
-            simulation.command(i, *command)
+        cars = simulation.cars
+        commands.append([driver.command(simulation.scan(car)) for car, driver in zip(cars, drivers)])
+        for car, command in zip(cars, commands[-1]):
+            simulation.command(car, *command)
         simulation.advance_to((step + 1) * period)
         poses.append(simulation.poses())
     return Laps(period, commands, np.array(poses), simulation.trajectory_hash())
@@ -67,13 +68,13 @@ def record(simulation, seconds, period=PERIOD):
 
 def replay(simulation, laps):
     """Drive the laps again from a reset on, with a noisy scan of every car each period."""
-    cars = range(simulation.car_count)
-    buffers = [np.empty(simulation.car(i).lidars[0].beam_count, np.float32) for i in cars]
+    cars = simulation.cars
+    buffers = [np.empty(simulation.car(car).lidars[0].beam_count, np.float32) for car in cars]
     command, advance_to, scan = simulation.command, simulation.advance_to, simulation.scan
     simulation.reset()
     for step, row in enumerate(laps.commands, 1):
-        for i in cars:
-            command(i, *row[i])
+        for car, wanted in zip(cars, row):
+            command(car, *wanted)
         advance_to(step * laps.period)
-        for i in cars:
-            scan(i, 0, buffers[i])
+        for car, buffer in zip(cars, buffers):
+            scan(car, 0, buffer)

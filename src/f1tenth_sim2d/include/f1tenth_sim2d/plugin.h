@@ -15,7 +15,7 @@ namespace f1tenth_sim2d
 struct CarPluginContext
 {
   const Simulation & simulation;
-  const CarIndex & car;     ///< now: it changes when a car before this one leaves
+  CarId car;                ///< valid as long as the plugin lives
   ros::NodeHandle node;     ///< in the car's namespace
   Advertiser & advertiser;  ///< what it makes waits for slow subscribers; a ros::Publisher of your own does not
   TransformSender & transforms;

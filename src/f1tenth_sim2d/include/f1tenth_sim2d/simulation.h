@@ -1,85 +1,30 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "f1tenth_sim2d/car_id.h"
 #include "f1tenth_sim2d/car_model.h"
+#include "f1tenth_sim2d/car_state.h"
+#include "f1tenth_sim2d/commands.h"
+#include "f1tenth_sim2d/contact.h"
 #include "f1tenth_sim2d/geometry.h"
+#include "f1tenth_sim2d/model_state.h"
+#include "f1tenth_sim2d/sensor_samples.h"
+#include "f1tenth_sim2d/sim_time.h"
 #include "f1tenth_sim2d/vehicle_parameters.h"
 #include "f1tenth_sim2d/world_model.h"
 
 /// The simulator's core: no ROS, no wall clock, no global state, no unseeded randomness.
 namespace f1tenth_sim2d
 {
-/// Simulated time, ns since the start.
-using SimTime = std::int64_t;
-
 struct SimulationOptions
 {
   double physics_step{0.001};  ///< s
   std::uint64_t seed{0};
 };
-
-/// True state of a car. Pose and velocity are those of base_footprint (below the middle of the rear axle).
-struct CarState
-{
-  Pose2 pose;                            ///< in the world
-  Vec2 velocity;                         ///< m/s, in the frame of the car
-  double yaw_rate{0.0};                  ///< rad/s
-  Vec2 acceleration;                     ///< m/s^2, of the centre of mass, in the frame of the car
-  double steering_angle{0.0};            ///< rad, of the single-track front wheel
-  std::array<double, 4> wheel_angles{};  ///< rad: front left, front right, rear left, rear right
-  std::array<double, 4> wheel_speeds{};  ///< rad/s, same order
-};
-
-/// A model of the world as it stands or moves now; pose and velocity are those of the model's frame, in the world.
-struct ModelState
-{
-  Pose2 pose;
-  Vec2 velocity;         ///< m/s
-  double yaw_rate{0.0};  ///< rad/s
-};
-
-/// What a driver asks for.
-struct DriveCommand
-{
-  double speed{0.0};           ///< m/s
-  double steering_angle{0.0};  ///< rad
-};
-
-/// Wheel odometry: dead reckoning from noisy speed and steering, from the spawn pose.
-struct WheelOdometry
-{
-  Pose2 pose;
-  double speed{0.0};          ///< m/s, along the car
-  double yaw_rate{0.0};       ///< rad/s
-  double lateral_speed{0.0};  ///< m/s, to the left; of a planar drive only
-};
-
-struct ImuSample
-{
-  double yaw{0.0};       ///< rad
-  double yaw_rate{0.0};  ///< rad/s
-  Vec2 acceleration;     ///< m/s^2, in the frame of the car; z is gravity
-};
-
-/// One contact of a car's collision element with another body, accumulated since the previous control period.
-struct Contact
-{
-  std::string own_collision;    ///< scoped name
-  std::string other_collision;  ///< scoped name
-  std::string other_model;      ///< name of the model or car
-  std::vector<Vec2> positions;  ///< m, world
-  std::vector<Vec2> normals;    ///< unit, world, from the other body towards the car
-  std::vector<double> depths;   ///< m
-  Vec2 force;                   ///< N, world, on the car, mean over the time step
-  double torque{0.0};           ///< N m, about the car's centre of mass
-};
-
-using CarIndex = std::size_t;
 
 /// A world with cars in it, advanced in fixed steps. Same calls, same seed: same states, bit for bit.
 class Simulation
@@ -92,22 +37,23 @@ public:
   Simulation & operator=(Simulation &&) noexcept;
 
   /// Puts a car with its base_footprint at pose.
+  /// All or nothing: whatever is thrown, the simulation is as before.
   /// @throws Error if the name is taken or the place is not free (the message names what is in the way)
-  CarIndex addCar(const CarDescription & car, const VehicleParameters & parameters, const Pose2 & pose);
+  CarId addCar(const CarDescription & car, const VehicleParameters & parameters, const Pose2 & pose);
 
-  /// Takes a car out. Those after it move up: their indices become one less, and their noise that of the new index, as
-  /// if this car had never been there.
-  void removeCar(CarIndex index);
+  /// Takes a car out. The others keep their noise; a car that comes later gets the noise of the one that left.
+  void removeCar(CarId car);
 
   /// Puts a car somewhere else, as a hand would. Its commands stay in force; wheel odometry does not notice.
   /// @param velocity  m/s, in the frame of the car, of base_footprint
   /// @param yaw_rate  rad/s
   /// @throws Error if a number is not finite or the place is not free; the car then stays where it is
-  void placeCar(CarIndex index, const Pose2 & pose, const Vec2 & velocity = {}, double yaw_rate = 0.0);
+  void placeCar(CarId car, const Pose2 & pose, const Vec2 & velocity = {}, double yaw_rate = 0.0);
 
-  std::size_t carCount() const;
-  const CarDescription & car(CarIndex index) const;
-  const VehicleParameters & parameters(CarIndex index) const;
+  /// The cars that are there, in the order in which they came. Any other id is answered with std::out_of_range.
+  const std::vector<CarId> & cars() const;
+  const CarDescription & car(CarId car) const;
+  const VehicleParameters & parameters(CarId car) const;
 
   SimTime time() const;        ///< ns
   SimTime stepLength() const;  ///< ns
@@ -124,29 +70,29 @@ public:
 
   /// Takes effect after the car's actuation latency; clamped to the car's limits.
   /// @throws Error for a value that is not finite or absurd (beyond 100 m/s or a full turn); it is then not taken
-  void command(CarIndex index, const DriveCommand & command);
+  void command(CarId car, const DriveCommand & command);
   /// A Twist as in cmd_vel: the steering angle follows from v and omega over the wheelbase. A car with a differential,
   /// skid-steer or planar drive takes it as it is; linear_y, m/s to the left, is for the last one only.
   /// @throws Error likewise, also beyond 1000 rad/s
-  void commandTwist(CarIndex index, double linear_x, double angular_z, double linear_y = 0.0);
+  void commandTwist(CarId car, double linear_x, double angular_z, double linear_y = 0.0);
 
-  const CarState & state(CarIndex index) const;
-  WheelOdometry wheelOdometry(CarIndex index) const;
+  const CarState & state(CarId car) const;
+  WheelOdometry wheelOdometry(CarId car) const;
   /// Noise depends on seed, car and time only, so reading or not reading a sensor changes nothing.
-  ImuSample imu(CarIndex index) const;
+  ImuSample imu(CarId car) const;
 
   /// Ranges of a lidar now, m, +inf where nothing is hit within range_max. Writes beam_count floats; allocates nothing.
   /// A hit nearer than range_min is reported as -inf (REP-117).
-  void scan(CarIndex index, std::size_t lidar, float * ranges) const;
+  void scan(CarId car, std::size_t lidar, float * ranges) const;
   /// The same without noise.
-  void exactScan(CarIndex index, std::size_t lidar, float * ranges) const;
+  void exactScan(CarId car, std::size_t lidar, float * ranges) const;
 
   /// Contacts of the car in the physics steps since the last call to clearContacts, ground excluded.
-  const std::vector<Contact> & contacts(CarIndex index) const;
-  void clearContacts(CarIndex index);
+  const std::vector<Contact> & contacts(CarId car) const;
+  void clearContacts(CarId car);
 
   /// Least distance from the car's outline to anything it could touch, m; 0 in contact; at most limit.
-  double clearance(CarIndex index, double limit) const;
+  double clearance(CarId car, double limit) const;
 
   /// Models of the world, in the order in which they came.
   const std::vector<ModelDescription> & models() const;

@@ -47,27 +47,20 @@ PythonSimulation::PythonSimulation(const WorldDescription & world, double physic
 {
 }
 
-void PythonSimulation::requireCar(CarIndex index) const
-{
-  requireIndex("car", index, simulation_.carCount());
-}
-
-CarIndex PythonSimulation::addCar(
+CarId PythonSimulation::addCar(
   const CarDescription & car, const std::optional<VehicleParameters> & parameters, double x, double y, double yaw)
 {
   return simulation_.addCar(car, parameters.value_or(VehicleParameters{}), {x, y, yaw});
 }
 
-void PythonSimulation::placeCar(CarIndex index, double x, double y, double yaw)
+void PythonSimulation::placeCar(CarId car, double x, double y, double yaw)
 {
-  requireCar(index);
-  simulation_.placeCar(index, {x, y, yaw});
+  simulation_.placeCar(car, {x, y, yaw});
 }
 
-const CarDescription & PythonSimulation::car(CarIndex index) const
+const CarDescription & PythonSimulation::car(CarId car) const
 {
-  requireCar(index);
-  return simulation_.car(index);
+  return simulation_.car(car);
 }
 
 double PythonSimulation::time() const
@@ -95,78 +88,71 @@ void PythonSimulation::reset()
   hash_.reset();
 }
 
-void PythonSimulation::command(CarIndex index, double speed, double steering_angle)
+void PythonSimulation::command(CarId car, double speed, double steering_angle)
 {
-  requireCar(index);
-  simulation_.command(index, {speed, steering_angle});
+  simulation_.command(car, {speed, steering_angle});
 }
 
-void PythonSimulation::commandTwist(CarIndex index, double linear_x, double angular_z, double linear_y)
+void PythonSimulation::commandTwist(CarId car, double linear_x, double angular_z, double linear_y)
 {
-  requireCar(index);
-  simulation_.commandTwist(index, linear_x, angular_z, linear_y);
+  simulation_.commandTwist(car, linear_x, angular_z, linear_y);
 }
 
-CarState PythonSimulation::state(CarIndex index) const
+CarState PythonSimulation::state(CarId car) const
 {
-  requireCar(index);
-  return simulation_.state(index);
+  return simulation_.state(car);
 }
 
-WheelOdometry PythonSimulation::wheelOdometry(CarIndex index) const
+WheelOdometry PythonSimulation::wheelOdometry(CarId car) const
 {
-  requireCar(index);
-  return simulation_.wheelOdometry(index);
+  return simulation_.wheelOdometry(car);
 }
 
-ImuSample PythonSimulation::imu(CarIndex index) const
+ImuSample PythonSimulation::imu(CarId car) const
 {
-  requireCar(index);
-  return simulation_.imu(index);
+  return simulation_.imu(car);
 }
 
-std::vector<Contact> PythonSimulation::contacts(CarIndex index) const
+std::vector<Contact> PythonSimulation::contacts(CarId car) const
 {
-  requireCar(index);
-  return simulation_.contacts(index);
+  return simulation_.contacts(car);
 }
 
-void PythonSimulation::clearContacts(CarIndex index)
+void PythonSimulation::clearContacts(CarId car)
 {
-  requireCar(index);
-  simulation_.clearContacts(index);
+  simulation_.clearContacts(car);
 }
 
-double PythonSimulation::clearance(CarIndex index, double limit) const
+double PythonSimulation::clearance(CarId car, double limit) const
 {
-  requireCar(index);
-  return simulation_.clearance(index, limit);
+  return simulation_.clearance(car, limit);
 }
 
 py::array_t<double> PythonSimulation::poses() const
 {
-  py::array_t<double> array({static_cast<py::ssize_t>(simulation_.carCount()), py::ssize_t{3}});
+  py::array_t<double> array({static_cast<py::ssize_t>(simulation_.cars().size()), py::ssize_t{3}});
   auto cells = array.mutable_unchecked<2>();
-  for (CarIndex i = 0; i < simulation_.carCount(); ++i) {
-    const Pose2 & pose = simulation_.state(i).pose;
-    const auto row = static_cast<py::ssize_t>(i);
+  py::ssize_t row = 0;
+  for (const CarId car : simulation_.cars()) {
+    const Pose2 & pose = simulation_.state(car).pose;
     cells(row, 0) = pose.x;
     cells(row, 1) = pose.y;
     cells(row, 2) = pose.yaw;
+    ++row;
   }
   return array;
 }
 
-py::array PythonSimulation::scan(CarIndex index, std::size_t lidar, const py::object & out, bool exact) const
+py::array PythonSimulation::scan(CarId car, std::size_t lidar, const py::object & out, bool exact) const
 {
-  const std::vector<LidarDescription> & lidars = car(index).lidars;
+  const std::vector<LidarDescription> & lidars = simulation_.car(car).lidars;
   requireIndex("lidar", lidar, lidars.size());
   const py::ssize_t beam_count = lidars[lidar].beam_count;
   py::array array = out.is_none() ? py::array_t<float>(beam_count) : requireScanArray(out, beam_count);
   auto * const ranges = static_cast<float *>(array.mutable_data());
   {
     const py::gil_scoped_release release;
-    exact ? simulation_.exactScan(index, lidar, ranges) : simulation_.scan(index, lidar, ranges);
+    exact ? simulation_.exactScan(car, lidar, ranges) : simulation_.scan(car, lidar, ranges);
   }
   return array;
 }

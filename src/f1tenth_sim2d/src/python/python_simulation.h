@@ -17,11 +17,11 @@ class PythonSimulation
 public:
   PythonSimulation(const WorldDescription & world, double physics_step, std::uint64_t seed);
 
-  CarIndex addCar(
+  CarId addCar(
     const CarDescription & car, const std::optional<VehicleParameters> & parameters, double x, double y, double yaw);
-  std::size_t carCount() const { return simulation_.carCount(); }
-  void placeCar(CarIndex index, double x, double y, double yaw);
-  const CarDescription & car(CarIndex index) const;
+  std::vector<CarId> cars() const { return simulation_.cars(); }
+  void placeCar(CarId car, double x, double y, double yaw);
+  const CarDescription & car(CarId car) const;
 
   double time() const;
   void step();
@@ -29,25 +29,23 @@ public:
   void reset();
   std::string trajectoryHash() const { return hash_.hexDigest(); }
 
-  void command(CarIndex index, double speed, double steering_angle);
-  void commandTwist(CarIndex index, double linear_x, double angular_z, double linear_y);
+  void command(CarId car, double speed, double steering_angle);
+  void commandTwist(CarId car, double linear_x, double angular_z, double linear_y);
 
-  CarState state(CarIndex index) const;
-  WheelOdometry wheelOdometry(CarIndex index) const;
-  ImuSample imu(CarIndex index) const;
-  std::vector<Contact> contacts(CarIndex index) const;
-  void clearContacts(CarIndex index);
-  double clearance(CarIndex index, double limit) const;
+  CarState state(CarId car) const;
+  WheelOdometry wheelOdometry(CarId car) const;
+  ImuSample imu(CarId car) const;
+  std::vector<Contact> contacts(CarId car) const;
+  void clearContacts(CarId car);
+  double clearance(CarId car, double limit) const;
   pybind11::array_t<double> poses() const;
   /// Into out, a float32 array of shape (beam_count,), or into a new one.
-  pybind11::array scan(CarIndex index, std::size_t lidar, const pybind11::object & out, bool exact) const;
+  pybind11::array scan(CarId car, std::size_t lidar, const pybind11::object & out, bool exact) const;
 
   std::vector<std::string> modelNames() const { return simulation_.modelNames(); }
   pybind11::tuple modelPose(const std::string & name) const;
 
 private:
-  void requireCar(CarIndex index) const;
-
   Simulation simulation_;
   TrajectoryHash hash_;
 };

@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 
 #include "python/bindings.h"
+#include "python/car_id_caster.h"
 #include "python/python_simulation.h"
 
 namespace f1tenth_sim2d
@@ -39,7 +40,7 @@ Args:
     x, y, yaw: pose of base_footprint in the world, m and rad.
 
 Returns:
-    Index of the car, counted from 0.
+    Id of the car. Ids count from 0 and are never given to another car.
 
 Raises:
     Error: the name is taken, or the place is not free.
@@ -47,7 +48,7 @@ Raises:
     .def(
       "place_car", &S::placeCar, py::arg("car"), py::arg("x"), py::arg("y"), py::arg("yaw"),
       "Put a car somewhere else, at rest. Raises Error if the place is not free; the car then stays where it is.")
-    .def_property_readonly("car_count", &S::carCount)
+    .def_property_readonly("cars", &S::cars, "Ids of the cars that are there, in the order in which they came.")
     .def("car", &S::car, py::arg("car"), py::return_value_policy::copy, "Description of a car.")
     .def(
       "command", &S::command, py::arg("car"), py::arg("speed"), py::arg("steering_angle"),
@@ -61,7 +62,7 @@ Raises:
 void bindReadings(Class & type)
 {
   type.def("state", &S::state, py::arg("car"), "True state of a car: a CarState, a copy.")
-    .def("poses", &S::poses, "Poses of all cars in the world: float64 array of shape (car_count, 3), x, y, yaw.")
+    .def("poses", &S::poses, "Poses of all cars in the world: float64 array of shape (len(cars), 3), x, y, yaw.")
     .def("wheel_odometry", &S::wheelOdometry, py::arg("car"), "A WheelOdometry, from the start pose.")
     .def("imu", &S::imu, py::arg("car"), "An ImuSample.")
     .def("contacts", &S::contacts, py::arg("car"), "Contacts since the last clear_contacts, ground excluded.")
@@ -74,7 +75,8 @@ void bindReadings(Class & type)
       R"(What a lidar of a car measures now.
 
 Args:
-    car, lidar: indices, counted from 0.
+    car: its id.
+    lidar: which one of the car, counted from 0.
     out: float32 array of shape (beam_count,) to write into without a copy; default: a new one.
     exact: leave the noise out.
 

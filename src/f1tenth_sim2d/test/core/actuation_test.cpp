@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "core/math/sim_time.h"
 #include "sample_world.h"
 
 namespace f1tenth_sim2d::test
@@ -17,13 +16,13 @@ TEST(Actuation, CommandTakesEffectAfterTheLatency)
   VehicleParameters parameters;
   parameters.actuation_latency = 0.05;
   simulation.addCar(car("robot1"), parameters, {});
-  simulation.command(0, {1.0, 0.3});
+  simulation.command(kRobot1, {1.0, 0.3});
   simulation.advanceTo(50 * kMillisecond);
-  EXPECT_EQ(simulation.state(0).steering_angle, 0.0);
-  EXPECT_EQ(simulation.state(0).velocity.x, 0.0);
+  EXPECT_EQ(simulation.state(kRobot1).steering_angle, 0.0);
+  EXPECT_EQ(simulation.state(kRobot1).velocity.x, 0.0);
   simulation.step();
-  EXPECT_NEAR(simulation.state(0).steering_angle, 0.0032, 1e-12);
-  EXPECT_NEAR(simulation.state(0).velocity.x, 0.00951, 1e-4);
+  EXPECT_NEAR(simulation.state(kRobot1).steering_angle, 0.0032, 1e-12);
+  EXPECT_NEAR(simulation.state(kRobot1).velocity.x, 0.00951, 1e-4);
 }
 
 TEST(Actuation, CommandsTakeEffectInTheirOrder)
@@ -41,22 +40,22 @@ TEST(Actuation, SteeringIsLimitedInRateAndAngle)
 {
   Simulation simulation(world());
   simulation.addCar(car("robot1"), {}, {});
-  drive(simulation, 0, {0.0, 2.0}, 0.1);
-  EXPECT_NEAR(simulation.state(0).steering_angle, 3.2 * 0.08, 1e-9);
-  drive(simulation, 0, {0.0, 2.0}, 0.2);
-  EXPECT_NEAR(simulation.state(0).steering_angle, 0.4189, 1e-12);
-  drive(simulation, 0, {0.0, -2.0}, 0.5);
-  EXPECT_NEAR(simulation.state(0).steering_angle, -0.4189, 1e-12);
+  drive(simulation, kRobot1, {0.0, 2.0}, 0.1);
+  EXPECT_NEAR(simulation.state(kRobot1).steering_angle, 3.2 * 0.08, 1e-9);
+  drive(simulation, kRobot1, {0.0, 2.0}, 0.2);
+  EXPECT_NEAR(simulation.state(kRobot1).steering_angle, 0.4189, 1e-12);
+  drive(simulation, kRobot1, {0.0, -2.0}, 0.5);
+  EXPECT_NEAR(simulation.state(kRobot1).steering_angle, -0.4189, 1e-12);
 }
 
 TEST(Actuation, SpeedIsLimitedBothWays)
 {
   Simulation simulation(world());
   simulation.addCar(car("robot1"), {}, {});
-  drive(simulation, 0, {100.0, 0.0}, 6.0);
-  EXPECT_NEAR(simulation.state(0).velocity.x, 20.0, 0.05);
-  drive(simulation, 0, {-100.0, 0.0}, 6.0);
-  EXPECT_NEAR(simulation.state(0).velocity.x, -5.0, 0.05);
+  drive(simulation, kRobot1, {100.0, 0.0}, 6.0);
+  EXPECT_NEAR(simulation.state(kRobot1).velocity.x, 20.0, 0.05);
+  drive(simulation, kRobot1, {-100.0, 0.0}, 6.0);
+  EXPECT_NEAR(simulation.state(kRobot1).velocity.x, -5.0, 0.05);
 }
 
 TEST(Actuation, AccelerationIsLimitedAndFallsAboveTheSwitchingSpeed)
@@ -75,14 +74,14 @@ TEST(Actuation, CarWithoutCommandsBrakesToAnExactStop)
 {
   Simulation simulation(world());
   simulation.addCar(car("robot1"), {}, {});
-  drive(simulation, 0, {3.0, 0.0}, 1.0);
+  drive(simulation, kRobot1, {3.0, 0.0}, 1.0);
   simulation.advanceTo(simulation.time() + fromSeconds(0.49));
-  EXPECT_NEAR(simulation.state(0).velocity.x, 3.0, 0.05);
+  EXPECT_NEAR(simulation.state(kRobot1).velocity.x, 3.0, 0.05);
   simulation.advanceTo(simulation.time() + fromSeconds(2.0));
-  EXPECT_EQ(simulation.state(0).velocity.x, 0.0);
-  const Pose2 stopped = simulation.state(0).pose;
+  EXPECT_EQ(simulation.state(kRobot1).velocity.x, 0.0);
+  const Pose2 stopped = simulation.state(kRobot1).pose;
   simulation.advanceTo(simulation.time() + fromSeconds(1.0));
-  EXPECT_EQ(simulation.state(0).pose.x, stopped.x);
+  EXPECT_EQ(simulation.state(kRobot1).pose.x, stopped.x);
 }
 
 TEST(Actuation, TwistTurnsAboutTheRearAxle)
@@ -102,10 +101,10 @@ TEST(Actuation, TwistReachesTheYawRateItAsksFor)
   Simulation simulation(world());
   simulation.addCar(car("robot1"), {}, {});
   for (int i = 0; i < 2000; ++i) {
-    simulation.commandTwist(0, 0.5, 0.4);
+    simulation.commandTwist(kRobot1, 0.5, 0.4);
     simulation.step();
   }
-  EXPECT_NEAR(simulation.state(0).yaw_rate, 0.4, 0.01);
-  EXPECT_NEAR(simulation.state(0).velocity.x, 0.5, 0.01);
+  EXPECT_NEAR(simulation.state(kRobot1).yaw_rate, 0.4, 0.01);
+  EXPECT_NEAR(simulation.state(kRobot1).velocity.x, 0.5, 0.01);
 }
 }  // namespace f1tenth_sim2d::test

@@ -13,11 +13,11 @@ TEST(Allocation, ScanningAllocatesNothing)
   simulation.addCar(car("robot1"), {}, {});
   simulation.addCar(car("robot2"), {}, {0, 1, 0});
   std::vector<float> ranges(1081);
-  simulation.scan(0, 0, ranges.data());
+  simulation.scan(kRobot1, 0, ranges.data());
   simulation.step();
   const std::size_t before = allocationCount();
-  simulation.scan(0, 0, ranges.data());
-  simulation.exactScan(1, 0, ranges.data());
+  simulation.scan(kRobot1, 0, ranges.data());
+  simulation.exactScan(kRobot2, 0, ranges.data());
   EXPECT_EQ(allocationCount(), before);
 }
 
@@ -25,11 +25,11 @@ TEST(Allocation, SteppingFarFromEverythingAllocatesNothing)
 {
   Simulation simulation(world({room(30.0)}));
   simulation.addCar(car("robot1"), {}, {});
-  drive(simulation, 0, {1.0, 0.1}, 0.5);
+  drive(simulation, kRobot1, {1.0, 0.1}, 0.5);
   const std::size_t before = allocationCount();
   for (int i = 0; i < 300; ++i) {
     simulation.step();
-    simulation.state(0);
+    simulation.state(kRobot1);
   }
   EXPECT_EQ(allocationCount(), before);
 }

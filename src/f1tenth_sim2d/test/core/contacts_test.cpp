@@ -18,8 +18,8 @@ TEST(Contacts, WallAheadIsReportedByTheFrontBumperAlone)
 {
   Simulation simulation(world({wallAcross(2.0)}));
   simulation.addCar(car("robot1"), {}, {});
-  drive(simulation, 0, {2.0, 0.0}, 2.0);
-  const std::vector<Contact> & contacts = simulation.contacts(0);
+  drive(simulation, kRobot1, {2.0, 0.0}, 2.0);
+  const std::vector<Contact> & contacts = simulation.contacts(kRobot1);
   ASSERT_EQ(contacts.size(), 1u);
   EXPECT_EQ(contacts[0].own_collision, "car::bumper_front::collision");
   EXPECT_EQ(contacts[0].other_collision, "walls::Wall_0::Wall_0_Collision");
@@ -30,8 +30,8 @@ TEST(Contacts, WallAheadIsReportedByTheFrontBumperAlone)
   EXPECT_GE(contacts[0].depths[0], 0.0);
   EXPECT_LT(contacts[0].depths[0], 0.005);
   EXPECT_LT(contacts[0].force.x, -3.74 * 1.0 / 0.001);
-  EXPECT_NEAR(simulation.state(0).velocity.x, 0.0, 0.02);
-  EXPECT_EQ(simulation.clearance(0, 5.0), 0.0);
+  EXPECT_NEAR(simulation.state(kRobot1).velocity.x, 0.0, 0.02);
+  EXPECT_EQ(simulation.clearance(kRobot1, 5.0), 0.0);
 }
 
 class FastCrash : public ::testing::TestWithParam<double>
@@ -44,9 +44,9 @@ TEST_P(FastCrash, NeverPassesThroughTheWall)
   simulation.addCar(car("robot1"), {}, {0, 0, GetParam()});
   double farthest = 0.0;
   for (int i = 0; i < 3000; ++i) {
-    simulation.command(0, {GetParam() == 0.0 ? 20.0 : 15.0, 0.0});
+    simulation.command(kRobot1, {GetParam() == 0.0 ? 20.0 : 15.0, 0.0});
     simulation.step();
-    farthest = std::max(farthest, simulation.state(0).pose.x);
+    farthest = std::max(farthest, simulation.state(kRobot1).pose.x);
   }
   EXPECT_LT(farthest, 12.0 - 0.1);
   EXPECT_GT(farthest, 11.0);
@@ -57,17 +57,17 @@ TEST(Contacts, ThinSheetStopsTheFastestCar)
 {
   Simulation simulation(world({staticModel("sheet", box("sheet::l::c", 0.004, 5, 1, 12, 0, 0.5))}));
   simulation.addCar(car("robot1"), {}, {});
-  drive(simulation, 0, {20.0, 0.0}, 3.0);
-  EXPECT_LT(simulation.state(0).pose.x, 12.0 - 0.39);
+  drive(simulation, kRobot1, {20.0, 0.0}, 3.0);
+  EXPECT_LT(simulation.state(kRobot1).pose.x, 12.0 - 0.39);
 }
 
 TEST(Contacts, CoarsePhysicsStepDoesNotLetACarThrough)
 {
   Simulation simulation(world({wallAcross(12.0)}), {0.02, 0});
   simulation.addCar(car("robot1"), {}, {});
-  drive(simulation, 0, {20.0, 0.0}, 3.0);
-  EXPECT_LT(simulation.state(0).pose.x, 12.0 - 0.39);
-  EXPECT_GT(simulation.state(0).pose.x, 11.0);
+  drive(simulation, kRobot1, {20.0, 0.0}, 3.0);
+  EXPECT_LT(simulation.state(kRobot1).pose.x, 12.0 - 0.39);
+  EXPECT_GT(simulation.state(kRobot1).pose.x, 11.0);
 }
 
 TEST(Contacts, CarThatSlidesAlongAWallReportsEveryPeriod)
@@ -76,44 +76,44 @@ TEST(Contacts, CarThatSlidesAlongAWallReportsEveryPeriod)
   slippery.mu = 0.1;
   Simulation simulation(world({staticModel("walls", slippery)}));
   simulation.addCar(car("robot1"), {}, {0, 0.4, 0.05});
-  drive(simulation, 0, {2.0, 0.03}, 3.0);
-  const double start = simulation.state(0).pose.x;
+  drive(simulation, kRobot1, {2.0, 0.03}, 3.0);
+  const double start = simulation.state(kRobot1).pose.x;
   for (int period = 0; period < 80; ++period) {
-    simulation.clearContacts(0);
-    drive(simulation, 0, {2.0, 0.03}, 0.025);
-    const Contact * contact = find(simulation.contacts(0), "car::bumper_left::collision");
+    simulation.clearContacts(kRobot1);
+    drive(simulation, kRobot1, {2.0, 0.03}, 0.025);
+    const Contact * contact = find(simulation.contacts(kRobot1), "car::bumper_left::collision");
     ASSERT_NE(contact, nullptr) << "period " << period;
     EXPECT_LE(contact->force.y, 0.0);
     EXPECT_NEAR(contact->positions[0].y, 0.625, 0.002);
   }
-  EXPECT_GT(simulation.state(0).pose.x, start + 2.0);
+  EXPECT_GT(simulation.state(kRobot1).pose.x, start + 2.0);
 }
 
 TEST(Contacts, AreKeptUntilTheyAreCleared)
 {
   Simulation simulation(world({wallAcross(1.0)}));
   simulation.addCar(car("robot1"), {}, {});
-  drive(simulation, 0, {2.0, 0.0}, 1.0);
-  drive(simulation, 0, {-2.0, 0.0}, 1.5);
-  EXPECT_EQ(simulation.contacts(0).size(), 1u);
-  simulation.clearContacts(0);
-  EXPECT_TRUE(simulation.contacts(0).empty());
-  drive(simulation, 0, {-1.0, 0.0}, 0.1);
-  EXPECT_TRUE(simulation.contacts(0).empty());
+  drive(simulation, kRobot1, {2.0, 0.0}, 1.0);
+  drive(simulation, kRobot1, {-2.0, 0.0}, 1.5);
+  EXPECT_EQ(simulation.contacts(kRobot1).size(), 1u);
+  simulation.clearContacts(kRobot1);
+  EXPECT_TRUE(simulation.contacts(kRobot1).empty());
+  drive(simulation, kRobot1, {-1.0, 0.0}, 0.1);
+  EXPECT_TRUE(simulation.contacts(kRobot1).empty());
 }
 
 TEST(Contacts, ImpactShowsItsFullForceThoughLaterStepsPushLess)
 {
   Simulation simulation(world({wallAcross(2.0)}));
   simulation.addCar(car("robot1"), {}, {});
-  drive(simulation, 0, {2.0, 0.0}, 0.5);
+  drive(simulation, kRobot1, {2.0, 0.0}, 0.5);
   double speed = 0.0;
-  while (simulation.contacts(0).empty()) {
-    speed = simulation.state(0).velocity.x;
-    drive(simulation, 0, {2.0, 0.0}, 0.001);
+  while (simulation.contacts(kRobot1).empty()) {
+    speed = simulation.state(kRobot1).velocity.x;
+    drive(simulation, kRobot1, {2.0, 0.0}, 0.001);
   }
-  drive(simulation, 0, {2.0, 0.0}, 0.02);
-  EXPECT_NEAR(simulation.contacts(0)[0].force.x, -3.74 * speed / 0.001, 0.05 * 3.74 * speed / 0.001);
+  drive(simulation, kRobot1, {2.0, 0.0}, 0.02);
+  EXPECT_NEAR(simulation.contacts(kRobot1)[0].force.x, -3.74 * speed / 0.001, 0.05 * 3.74 * speed / 0.001);
 }
 
 TEST(Contacts, EachBumperReportsItsSide)
@@ -130,9 +130,9 @@ TEST(Contacts, EachBumperReportsItsSide)
   for (const auto & c : cases) {
     Simulation simulation(world({room(3.0)}));
     simulation.addCar(car("robot1"), {}, c.start);
-    drive(simulation, 0, {c.speed, 0.0}, 2.0);
-    ASSERT_EQ(simulation.contacts(0).size(), 1u) << c.bumper;
-    EXPECT_EQ(simulation.contacts(0)[0].own_collision, c.bumper);
+    drive(simulation, kRobot1, {c.speed, 0.0}, 2.0);
+    ASSERT_EQ(simulation.contacts(kRobot1).size(), 1u) << c.bumper;
+    EXPECT_EQ(simulation.contacts(kRobot1)[0].own_collision, c.bumper);
   }
 }
 
@@ -142,10 +142,10 @@ TEST(Contacts, CarFitsUnderATableAndHitsItsLegs)
   table.solids.push_back(box("table::leg::collision", 0.04, 0.04, 0.7, 2.4, 0.1, 0.35));
   Simulation simulation(world({table}));
   simulation.addCar(car("robot1"), {}, {});
-  drive(simulation, 0, {1.0, 0.0}, 4.0);
-  ASSERT_EQ(simulation.contacts(0).size(), 1u);
-  EXPECT_EQ(simulation.contacts(0)[0].other_collision, "table::leg::collision");
-  EXPECT_NEAR(simulation.state(0).pose.x + 0.4, 2.38, 0.01);
+  drive(simulation, kRobot1, {1.0, 0.0}, 4.0);
+  ASSERT_EQ(simulation.contacts(kRobot1).size(), 1u);
+  EXPECT_EQ(simulation.contacts(kRobot1)[0].other_collision, "table::leg::collision");
+  EXPECT_NEAR(simulation.state(kRobot1).pose.x + 0.4, 2.38, 0.01);
 }
 
 TEST(Contacts, OfABallACarTouchesWhatReachesDownToIt)
@@ -153,11 +153,11 @@ TEST(Contacts, OfABallACarTouchesWhatReachesDownToIt)
   Solid ball{"ball::link::collision", Sphere{1.0}, ignition::math::Pose3d(3, 0, 1, 0, 0, 0)};
   Simulation simulation(world({staticModel("ball", ball)}));
   simulation.addCar(car("robot1"), {}, {});
-  drive(simulation, 0, {1.0, 0.0}, 4.0);
+  drive(simulation, kRobot1, {1.0, 0.0}, 4.0);
   // The front bumper reaches up to 0.095 m, where the ball has a radius of 0.4257 m; the chassis, 5 mm behind it,
   // up to 0.12 m, where it has 0.4750 m.
-  EXPECT_NEAR(simulation.state(0).pose.x + 0.395, 3.0 - 0.475, 0.005);
-  EXPECT_EQ(simulation.contacts(0)[0].own_collision, "car::chassis::collision");
+  EXPECT_NEAR(simulation.state(kRobot1).pose.x + 0.395, 3.0 - 0.475, 0.005);
+  EXPECT_EQ(simulation.contacts(kRobot1)[0].own_collision, "car::chassis::collision");
 }
 
 TEST(Contacts, FloorBoxDoesNotCount)
@@ -166,8 +166,8 @@ TEST(Contacts, FloorBoxDoesNotCount)
   CarDescription description = car("robot1");
   description.solids.push_back(box("car::wheel::collision", 0.1, 0.05, 0.1, 0, 0.08, 0.05));
   simulation.addCar(description, {}, {});
-  drive(simulation, 0, {1.0, 0.0}, 0.5);
-  EXPECT_TRUE(simulation.contacts(0).empty());
+  drive(simulation, kRobot1, {1.0, 0.0}, 0.5);
+  EXPECT_TRUE(simulation.contacts(kRobot1).empty());
 }
 
 TEST(Contacts, CarsCollideAndBothReport)
@@ -176,24 +176,24 @@ TEST(Contacts, CarsCollideAndBothReport)
   simulation.addCar(car("robot1"), {}, {});
   simulation.addCar(car("robot2"), {}, {1.5, 0.0, 0.0});
   for (int i = 0; i < 1500; ++i) {
-    simulation.command(0, {2.0, 0.0});
+    simulation.command(kRobot1, {2.0, 0.0});
     simulation.step();
   }
-  ASSERT_FALSE(simulation.contacts(0).empty());
-  ASSERT_FALSE(simulation.contacts(1).empty());
-  EXPECT_EQ(simulation.contacts(0)[0].own_collision, "car::bumper_front::collision");
-  EXPECT_EQ(simulation.contacts(0)[0].other_model, "robot2");
-  EXPECT_EQ(simulation.contacts(1)[0].own_collision, "car::bumper_rear::collision");
-  EXPECT_EQ(simulation.contacts(1)[0].other_model, "robot1");
-  EXPECT_DOUBLE_EQ(simulation.contacts(0)[0].force.x, -simulation.contacts(1)[0].force.x);
-  EXPECT_DOUBLE_EQ(simulation.contacts(0)[0].normals[0].x, -simulation.contacts(1)[0].normals[0].x);
-  EXPECT_GT(simulation.state(1).pose.x, 1.5) << "it was pushed";
+  ASSERT_FALSE(simulation.contacts(kRobot1).empty());
+  ASSERT_FALSE(simulation.contacts(kRobot2).empty());
+  EXPECT_EQ(simulation.contacts(kRobot1)[0].own_collision, "car::bumper_front::collision");
+  EXPECT_EQ(simulation.contacts(kRobot1)[0].other_model, "robot2");
+  EXPECT_EQ(simulation.contacts(kRobot2)[0].own_collision, "car::bumper_rear::collision");
+  EXPECT_EQ(simulation.contacts(kRobot2)[0].other_model, "robot1");
+  EXPECT_DOUBLE_EQ(simulation.contacts(kRobot1)[0].force.x, -simulation.contacts(kRobot2)[0].force.x);
+  EXPECT_DOUBLE_EQ(simulation.contacts(kRobot1)[0].normals[0].x, -simulation.contacts(kRobot2)[0].normals[0].x);
+  EXPECT_GT(simulation.state(kRobot2).pose.x, 1.5) << "it was pushed";
 }
 
-double energy(const Simulation & simulation, CarIndex index)
+double energy(const Simulation & simulation, CarId car)
 {
-  const CarState & state = simulation.state(index);
-  const VehicleParameters & p = simulation.parameters(index);
+  const CarState & state = simulation.state(car);
+  const VehicleParameters & p = simulation.parameters(car);
   const double lateral = state.velocity.y + p.l_r * state.yaw_rate;
   return 0.5 * p.m * (state.velocity.x * state.velocity.x + lateral * lateral) +
          0.5 * p.I_z * state.yaw_rate * state.yaw_rate;
@@ -210,21 +210,21 @@ TEST_P(CarsMeet, NoEnergyIsGained)
   parameters.actuation_latency = 0.0;  // so that the motors stop at the impact
   simulation.addCar(car("robot1"), parameters, {});
   simulation.addCar(car("robot2"), parameters, GetParam());
-  while (simulation.contacts(0).empty() && simulation.time() < 3'000'000'000) {
-    simulation.command(0, {3.0, 0.0});
+  while (simulation.contacts(kRobot1).empty() && simulation.time() < 3'000'000'000) {
+    simulation.command(kRobot1, {3.0, 0.0});
     simulation.step();
   }
-  ASSERT_FALSE(simulation.contacts(0).empty());
+  ASSERT_FALSE(simulation.contacts(kRobot1).empty());
   const double at_impact = 0.5 * 3.74 * 9.0;
   double last = at_impact;
   for (int i = 0; i < 1000; ++i) {
-    const double now = energy(simulation, 0) + energy(simulation, 1);
+    const double now = energy(simulation, kRobot1) + energy(simulation, kRobot2);
     ASSERT_LE(now, last + 1e-6) << "step " << i;
     last = now;
-    simulation.command(0, {0.0, 0.0});
+    simulation.command(kRobot1, {0.0, 0.0});
     simulation.step();
     if (simulation.time() % 25'000'000 == 0) {
-      simulation.clearContacts(0);
+      simulation.clearContacts(kRobot1);
     }
   }
   EXPECT_LT(last, 0.5 * at_impact);

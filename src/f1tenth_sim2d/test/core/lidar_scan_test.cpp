@@ -19,10 +19,10 @@ CarDescription carWithSingleBeam(const std::string & name, double angle = 0.0)
   return description;
 }
 
-float exactBeam(const Simulation & simulation, CarIndex index = 0)
+float exactBeam(const Simulation & simulation, CarId car = kRobot1)
 {
   float range = 0.0F;
-  simulation.exactScan(index, 0, &range);
+  simulation.exactScan(car, 0, &range);
   return range;
 }
 
@@ -43,7 +43,7 @@ TEST(LidarScan, BeamsRunFromTheLeastToTheLargestAngleBothIncluded)
   description.lidars[0].angle_max = M_PI / 2 - 0.5;
   simulation.addCar(description, {}, {0.5, 0, 0});
   float ranges[3];
-  simulation.exactScan(0, 0, ranges);
+  simulation.exactScan(kRobot1, 0, ranges);
   EXPECT_FLOAT_EQ(ranges[0], 2.5F);
   EXPECT_FLOAT_EQ(ranges[1], 2.5F / std::cos(static_cast<float>(M_PI) / 4));
   EXPECT_FLOAT_EQ(ranges[2], 3.0F);
@@ -70,7 +70,7 @@ TEST(LidarScan, SaysInfinityBeyondItsRangeAndMinusInfinityBelow)
   nearer.addCar(description, {}, {});
   EXPECT_EQ(exactBeam(nearer), -kNothing);
   float noisy = 0.0F;
-  nearer.scan(0, 0, &noisy);
+  nearer.scan(kRobot1, 0, &noisy);
   EXPECT_EQ(noisy, -kNothing);
 }
 
@@ -79,10 +79,11 @@ TEST(LidarScan, CarsSeeEachOtherButNotThemselves)
   Simulation simulation(world());
   simulation.addCar(carWithSingleBeam("robot1"), {}, {});
   simulation.addCar(carWithSingleBeam("robot2", M_PI), {}, {2.0, 0.0, 0.0});
-  EXPECT_FLOAT_EQ(exactBeam(simulation, 0), 2.0F - 0.095F - 0.27F) << "the chassis; the bumpers end below the lidar";
-  EXPECT_FLOAT_EQ(exactBeam(simulation, 1), 2.27F - 0.395F);
-  drive(simulation, 1, {1.0, 0.0}, 1.0);
-  EXPECT_NEAR(exactBeam(simulation, 0), simulation.state(1).pose.x - 0.095 - 0.27, 1e-5);
+  EXPECT_FLOAT_EQ(exactBeam(simulation, kRobot1), 2.0F - 0.095F - 0.27F)
+    << "the chassis; the bumpers end below the lidar";
+  EXPECT_FLOAT_EQ(exactBeam(simulation, kRobot2), 2.27F - 0.395F);
+  drive(simulation, kRobot2, {1.0, 0.0}, 1.0);
+  EXPECT_NEAR(exactBeam(simulation, kRobot1), simulation.state(kRobot2).pose.x - 0.095 - 0.27, 1e-5);
 }
 
 TEST(LidarScan, SeesModelsWhereTheyAreNow)
@@ -90,11 +91,11 @@ TEST(LidarScan, SeesModelsWhereTheyAreNow)
   Simulation simulation(world({movableBox("crate", 0.3, 1.5, 0.0)}));
   simulation.addCar(carWithSingleBeam("robot1"), {}, {});
   EXPECT_FLOAT_EQ(exactBeam(simulation), 1.35F - 0.27F);
-  drive(simulation, 0, {2.0, 0.0}, 1.0);
-  drive(simulation, 0, {-1.0, 0.0}, 1.0);
+  drive(simulation, kRobot1, {2.0, 0.0}, 1.0);
+  drive(simulation, kRobot1, {-1.0, 0.0}, 1.0);
   const double front = simulation.modelPose("crate").x - 0.15;
   EXPECT_GT(front, 1.4);
-  EXPECT_NEAR(exactBeam(simulation), front - simulation.state(0).pose.x - 0.27, 0.002);
+  EXPECT_NEAR(exactBeam(simulation), front - simulation.state(kRobot1).pose.x - 0.27, 0.002);
 }
 
 TEST(LidarScan, NoiseHasTheStatedMeanAndSigma)
@@ -111,8 +112,8 @@ TEST(LidarScan, NoiseHasTheStatedMeanAndSigma)
   const int scans = 200;
   for (int i = 0; i < scans; ++i) {
     simulation.step();
-    simulation.exactScan(0, 0, exact.data());
-    simulation.scan(0, 0, noisy.data());
+    simulation.exactScan(kRobot1, 0, exact.data());
+    simulation.scan(kRobot1, 0, noisy.data());
     for (std::size_t beam = 0; beam < exact.size(); ++beam) {
       const double error = static_cast<double>(noisy[beam]) - exact[beam];
       sum += error;
@@ -135,10 +136,10 @@ std::vector<double> noiseOfScans(int scans)
   std::vector<float> exact(1081);
   std::vector<float> noisy(1081);
   std::vector<double> noise;
-  simulation.exactScan(0, 0, exact.data());
+  simulation.exactScan(kRobot1, 0, exact.data());
   for (int i = 0; i < scans; ++i) {
     simulation.advanceTo((i + 1) * SimTime{25'000'000});
-    simulation.scan(0, 0, noisy.data());
+    simulation.scan(kRobot1, 0, noisy.data());
     for (std::size_t beam = 0; beam < exact.size(); ++beam) {
       noise.push_back((static_cast<double>(noisy[beam]) - exact[beam]) / 0.01);
     }
@@ -179,7 +180,7 @@ TEST(LidarScan, NoiseIsAFunctionOfSeedCarLidarAndTime)
       simulation.step();
     }
     std::vector<float> ranges(1081);
-    simulation.scan(0, 0, ranges.data());
+    simulation.scan(kRobot1, 0, ranges.data());
     return ranges;
   };
   EXPECT_EQ(firstScan(1, 5), firstScan(1, 5));

@@ -147,7 +147,7 @@ TEST_P(LidarOfFieldOfView, AgreesWithRayCastingFromRandomPoses)
     Simulation simulation(random.description);
     simulation.addCar(ghost(lidar), {}, pose);
     std::vector<float> ranges(lidar.beam_count);
-    simulation.exactScan(0, 0, ranges.data());
+    simulation.exactScan(kRobot1, 0, ranges.data());
     expectExact(random.scenery, lidar, pose, ranges);
   }
 }

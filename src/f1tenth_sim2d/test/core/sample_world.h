@@ -7,6 +7,10 @@
 /// Small worlds and a small car for the tests of the core.
 namespace f1tenth_sim2d::test
 {
+/// The first two cars that are added to a simulation.
+constexpr CarId kRobot1{0};
+constexpr CarId kRobot2{1};
+
 inline Solid box(const std::string & name, double length, double width, double height, double x, double y, double z)
 {
   return {name, Box{{length, width, height}}, ignition::math::Pose3d(x, y, z, 0, 0, 0)};
@@ -84,11 +88,11 @@ inline CarDescription car(const std::string & name)
   return description;
 }
 
-inline void drive(Simulation & simulation, CarIndex index, const DriveCommand & command, double seconds)
+inline void drive(Simulation & simulation, CarId car, const DriveCommand & command, double seconds)
 {
   const SimTime end = simulation.time() + static_cast<SimTime>(seconds * 1e9);
   while (simulation.time() < end) {
-    simulation.command(index, command);
+    simulation.command(car, command);
     simulation.step();
   }
 }

@@ -22,16 +22,16 @@ TEST(WheelOdometry, FollowsTheCarWhenItIsExact)
 {
   Simulation simulation(world());
   simulation.addCar(car("robot1"), withoutOdometryNoise(), {1.0, 2.0, 0.5});
-  EXPECT_EQ(simulation.wheelOdometry(0).pose.x, 1.0);
-  EXPECT_EQ(simulation.wheelOdometry(0).pose.yaw, 0.5);
-  drive(simulation, 0, {0.4, 0.1}, 5.0);
-  const Pose2 truth = simulation.state(0).pose;
-  const WheelOdometry odometry = simulation.wheelOdometry(0);
+  EXPECT_EQ(simulation.wheelOdometry(kRobot1).pose.x, 1.0);
+  EXPECT_EQ(simulation.wheelOdometry(kRobot1).pose.yaw, 0.5);
+  drive(simulation, kRobot1, {0.4, 0.1}, 5.0);
+  const Pose2 truth = simulation.state(kRobot1).pose;
+  const WheelOdometry odometry = simulation.wheelOdometry(kRobot1);
   EXPECT_NEAR(odometry.pose.x, truth.x, 0.05);
   EXPECT_NEAR(odometry.pose.y, truth.y, 0.05);
   EXPECT_NEAR(wrapAngle(odometry.pose.yaw - truth.yaw), 0.0, 0.05);
-  EXPECT_NEAR(odometry.speed, simulation.state(0).velocity.x, 1e-3);
-  EXPECT_NEAR(odometry.yaw_rate, simulation.state(0).yaw_rate, 0.02);
+  EXPECT_NEAR(odometry.speed, simulation.state(kRobot1).velocity.x, 1e-3);
+  EXPECT_NEAR(odometry.yaw_rate, simulation.state(kRobot1).yaw_rate, 0.02);
 }
 
 TEST(WheelOdometry, DriftsBySystematicErrors)
@@ -44,26 +44,26 @@ TEST(WheelOdometry, DriftsBySystematicErrors)
   parameters.odometry_steering_offset = 0.02;
   simulation.addCar(car("skewed"), parameters, {0, 3, 0});
   for (int i = 0; i < 3000; ++i) {
-    simulation.command(0, {1.0, 0.0});
-    simulation.command(1, {1.0, 0.0});
+    simulation.command(kRobot1, {1.0, 0.0});
+    simulation.command(kRobot2, {1.0, 0.0});
     simulation.step();
   }
-  EXPECT_NEAR(simulation.wheelOdometry(0).pose.x, 1.1 * simulation.state(0).pose.x, 1e-6);
-  EXPECT_GT(simulation.wheelOdometry(1).pose.yaw, 0.1);
+  EXPECT_NEAR(simulation.wheelOdometry(kRobot1).pose.x, 1.1 * simulation.state(kRobot1).pose.x, 1e-6);
+  EXPECT_GT(simulation.wheelOdometry(kRobot2).pose.yaw, 0.1);
 }
 
 TEST(WheelOdometry, IsSampledAtItsRate)
 {
   Simulation simulation(world());
   simulation.addCar(car("robot1"), {}, {});
-  drive(simulation, 0, {1.0, 0.0}, 0.5);
+  drive(simulation, kRobot1, {1.0, 0.0}, 0.5);
   int changes = 0;
-  double last = simulation.wheelOdometry(0).pose.x;
+  double last = simulation.wheelOdometry(kRobot1).pose.x;
   for (int i = 0; i < 1000; ++i) {
-    simulation.command(0, {1.0, 0.0});
+    simulation.command(kRobot1, {1.0, 0.0});
     simulation.step();
-    changes += simulation.wheelOdometry(0).pose.x != last ? 1 : 0;
-    last = simulation.wheelOdometry(0).pose.x;
+    changes += simulation.wheelOdometry(kRobot1).pose.x != last ? 1 : 0;
+    last = simulation.wheelOdometry(kRobot1).pose.x;
   }
   EXPECT_EQ(changes, 50);
 }
@@ -73,8 +73,8 @@ TEST(WheelOdometry, StandsStillWithTheWheels)
   Simulation simulation(world());
   simulation.addCar(car("robot1"), {}, {});
   simulation.advanceTo(1'000'000'000);
-  EXPECT_EQ(simulation.wheelOdometry(0).speed, 0.0);
-  EXPECT_EQ(simulation.wheelOdometry(0).pose.x, 0.0);
+  EXPECT_EQ(simulation.wheelOdometry(kRobot1).speed, 0.0);
+  EXPECT_EQ(simulation.wheelOdometry(kRobot1).pose.x, 0.0);
 }
 
 TEST(WheelOdometry, IsTheSameWhetherItIsReadOrNot)
@@ -85,16 +85,16 @@ TEST(WheelOdometry, IsTheSameWhetherItIsReadOrNot)
   unread.addCar(car("robot1"), {}, {});
   std::vector<float> ranges(1081);
   for (int i = 0; i < 500; ++i) {
-    read.command(0, {1.0, 0.1});
-    unread.command(0, {1.0, 0.1});
+    read.command(kRobot1, {1.0, 0.1});
+    unread.command(kRobot1, {1.0, 0.1});
     read.step();
     unread.step();
-    read.scan(0, 0, ranges.data());
-    read.wheelOdometry(0);
-    read.imu(0);
+    read.scan(kRobot1, 0, ranges.data());
+    read.wheelOdometry(kRobot1);
+    read.imu(kRobot1);
   }
-  EXPECT_EQ(read.wheelOdometry(0).pose.x, unread.wheelOdometry(0).pose.x);
-  EXPECT_EQ(read.wheelOdometry(0).pose.yaw, unread.wheelOdometry(0).pose.yaw);
+  EXPECT_EQ(read.wheelOdometry(kRobot1).pose.x, unread.wheelOdometry(kRobot1).pose.x);
+  EXPECT_EQ(read.wheelOdometry(kRobot1).pose.yaw, unread.wheelOdometry(kRobot1).pose.yaw);
 }
 
 CarDescription carWithImu(double stddev)
@@ -110,9 +110,9 @@ TEST(Imu, MeasuresWhatTheCarDoes)
 {
   Simulation simulation(world());
   simulation.addCar(carWithImu(0.0), {}, {});
-  drive(simulation, 0, {2.0, 0.15}, 3.0);
-  const CarState & state = simulation.state(0);
-  const ImuSample sample = simulation.imu(0);
+  drive(simulation, kRobot1, {2.0, 0.15}, 3.0);
+  const CarState & state = simulation.state(kRobot1);
+  const ImuSample sample = simulation.imu(kRobot1);
   EXPECT_EQ(sample.yaw, state.pose.yaw);
   EXPECT_EQ(sample.yaw_rate, state.yaw_rate);
   EXPECT_NEAR(sample.acceleration.y, state.velocity.x * state.yaw_rate, 0.05);
@@ -122,33 +122,33 @@ TEST(Imu, NoiseIsAFunctionOfTime)
 {
   Simulation simulation(world());
   simulation.addCar(carWithImu(0.1), {}, {});
-  const double first = simulation.imu(0).yaw_rate;
+  const double first = simulation.imu(kRobot1).yaw_rate;
   EXPECT_NE(first, 0.0);
-  EXPECT_EQ(simulation.imu(0).yaw_rate, first);
+  EXPECT_EQ(simulation.imu(kRobot1).yaw_rate, first);
   simulation.step();
-  EXPECT_NE(simulation.imu(0).yaw_rate, first);
+  EXPECT_NE(simulation.imu(kRobot1).yaw_rate, first);
 }
 
 TEST(CarState, PoseIsThatOfTheRearAxle)
 {
   Simulation simulation(world());
   simulation.addCar(car("robot1"), {}, {1.0, -2.0, 0.7});
-  EXPECT_NEAR(simulation.state(0).pose.x, 1.0, 1e-12);
-  EXPECT_NEAR(simulation.state(0).pose.y, -2.0, 1e-12);
-  EXPECT_NEAR(simulation.state(0).pose.yaw, 0.7, 1e-12);
-  drive(simulation, 0, {0.5, 0.3}, 3.0);
-  EXPECT_NEAR(simulation.state(0).velocity.y, 0.0, 0.01) << "at low speed the rear axle does not slip";
+  EXPECT_NEAR(simulation.state(kRobot1).pose.x, 1.0, 1e-12);
+  EXPECT_NEAR(simulation.state(kRobot1).pose.y, -2.0, 1e-12);
+  EXPECT_NEAR(simulation.state(kRobot1).pose.yaw, 0.7, 1e-12);
+  drive(simulation, kRobot1, {0.5, 0.3}, 3.0);
+  EXPECT_NEAR(simulation.state(kRobot1).velocity.y, 0.0, 0.01) << "at low speed the rear axle does not slip";
 }
 
 TEST(CarState, VelocityIsTheDerivativeOfThePose)
 {
   Simulation simulation(world());
   simulation.addCar(car("robot1"), {}, {});
-  drive(simulation, 0, {3.0, 0.15}, 2.0);
-  const CarState before = simulation.state(0);
-  simulation.command(0, {3.0, 0.15});
+  drive(simulation, kRobot1, {3.0, 0.15}, 2.0);
+  const CarState before = simulation.state(kRobot1);
+  simulation.command(kRobot1, {3.0, 0.15});
   simulation.step();
-  const CarState & after = simulation.state(0);
+  const CarState & after = simulation.state(kRobot1);
   const double yaw = 0.5 * (before.pose.yaw + after.pose.yaw);
   const double dx = (after.pose.x - before.pose.x) / 0.001;
   const double dy = (after.pose.y - before.pose.y) / 0.001;
@@ -161,8 +161,8 @@ TEST(CarState, WheelsRollAsFarAsTheCarGoes)
 {
   Simulation simulation(world());
   simulation.addCar(car("robot1"), {}, {});
-  drive(simulation, 0, {2.0, 0.0}, 2.0);
-  const CarState & state = simulation.state(0);
+  drive(simulation, kRobot1, {2.0, 0.0}, 2.0);
+  const CarState & state = simulation.state(kRobot1);
   for (int i = 0; i < 4; ++i) {
     EXPECT_NEAR(state.wheel_angles[i] * 0.05, state.pose.x, 1e-3);
     EXPECT_NEAR(state.wheel_speeds[i] * 0.05, 2.0, 0.01);

@@ -35,7 +35,7 @@ TEST(Simulation, OccupiedStartNamesTheWallThatIsInTheWay)
       simulation.addCar(car("robot1"), {}, {0.5, -3.0, 0.1});
     }),
     "robot1: the start pose (0.5, -3, 0.1) is not free: it overlaps model walls::Wall_3");
-  EXPECT_EQ(simulation.carCount(), 0u);
+  EXPECT_EQ(simulation.cars().size(), 0u);
 }
 
 TEST(Simulation, OccupiedStartNamesTheCarThatIsInTheWay)
@@ -66,39 +66,39 @@ TEST(Simulation, CommandsThatAreNotFiniteAreRefusedAndNotTaken)
   simulation.addCar(car("robot1"), {}, {});
   EXPECT_EQ(
     messageOf([&] {
-      simulation.command(0, {kNan, 0.0});
+      simulation.command(kRobot1, {kNan, 0.0});
     }),
     "robot1: commanded speed (m/s) is nan, allowed is -100 to 100");
   EXPECT_EQ(
     messageOf([&] {
-      simulation.command(0, {1.0, std::numeric_limits<double>::infinity()});
+      simulation.command(kRobot1, {1.0, std::numeric_limits<double>::infinity()});
     }),
     "robot1: commanded steering angle (rad) is inf, allowed is -6.2832 to 6.2832");
   EXPECT_EQ(
-    messageOf([&] { simulation.commandTwist(0, 1.0, kNan); }),
+    messageOf([&] { simulation.commandTwist(kRobot1, 1.0, kNan); }),
     "robot1: commanded yaw rate (rad/s) is nan, allowed is -1000 to 1000");
-  EXPECT_NE(messageOf([&] { simulation.commandTwist(0, kNan, 1.0); }), "no error");
+  EXPECT_NE(messageOf([&] { simulation.commandTwist(kRobot1, kNan, 1.0); }), "no error");
   simulation.advanceTo(500'000'000);
-  EXPECT_EQ(simulation.state(0).velocity.x, 0.0);
-  EXPECT_EQ(simulation.state(0).steering_angle, 0.0);
+  EXPECT_EQ(simulation.state(kRobot1).velocity.x, 0.0);
+  EXPECT_EQ(simulation.state(kRobot1).steering_angle, 0.0);
 }
 
 TEST(Simulation, CommandsBeyondTheLimitsAreClampedAndHarmless)
 {
   Simulation simulation(world());
   simulation.addCar(car("robot1"), {}, {});
-  drive(simulation, 0, {100.0, -6.0}, 1.0);
-  EXPECT_TRUE(std::isfinite(simulation.state(0).pose.x));
-  EXPECT_NEAR(simulation.state(0).steering_angle, -0.4189, 1e-12);
+  drive(simulation, kRobot1, {100.0, -6.0}, 1.0);
+  EXPECT_TRUE(std::isfinite(simulation.state(kRobot1).pose.x));
+  EXPECT_NEAR(simulation.state(kRobot1).steering_angle, -0.4189, 1e-12);
 }
 
 TEST(Simulation, ImpactAfterAResetIsThatOfAFreshStartWhetherOrNotAnythingWasTouchedBefore)
 {
   const auto impact = [](Simulation & simulation) {
-    drive(simulation, 0, {4.0, 0.2}, 2.0);
+    drive(simulation, kRobot1, {4.0, 0.2}, 2.0);
     std::vector<std::uint8_t> bytes;
     simulation.appendStateBytes(bytes);
-    EXPECT_FALSE(simulation.contacts(0).empty());
+    EXPECT_FALSE(simulation.contacts(kRobot1).empty());
     return bytes;
   };
   const auto simulationOfRoom = [] {
@@ -109,8 +109,8 @@ TEST(Simulation, ImpactAfterAResetIsThatOfAFreshStartWhetherOrNotAnythingWasTouc
   Simulation fresh = simulationOfRoom();
   const std::vector<std::uint8_t> expected = impact(fresh);
   Simulation again = simulationOfRoom();
-  drive(again, 0, {0.2, 0.0}, 0.5);
-  EXPECT_TRUE(again.contacts(0).empty());
+  drive(again, kRobot1, {0.2, 0.0}, 0.5);
+  EXPECT_TRUE(again.contacts(kRobot1).empty());
   again.reset();
   EXPECT_EQ(impact(again), expected);
   again.reset();
@@ -131,7 +131,7 @@ TEST(Simulation, ParametersThatAreNoCarsAreRefused)
   EXPECT_EQ(errorWith(&P::l_f, 1e300), "robot1: wheelbase (m) is 1e+300, allowed is 0.001 to 100");
   EXPECT_EQ(errorWith(&P::v_min, 1.0), "robot1: v_min (m/s) is 1, allowed is -1e+09 to 0");
   EXPECT_EQ(errorWith(&P::command_timeout, kNan), "robot1: command_timeout is nan, allowed is 0 to 1e+09");
-  EXPECT_EQ(simulation.carCount(), 0u);
+  EXPECT_EQ(simulation.cars().size(), 0u);
 }
 
 TEST(Simulation, CarThatRunsAwayEndsTheSimulationInsteadOfHangingIt)
@@ -141,7 +141,7 @@ TEST(Simulation, CarThatRunsAwayEndsTheSimulationInsteadOfHangingIt)
   parameters.I_z = 1e-9;
   Simulation simulation(world());
   simulation.addCar(car("robot1"), parameters, {});
-  const std::string message = messageOf([&] { drive(simulation, 0, {2.0, 0.1}, 2.0); });
+  const std::string message = messageOf([&] { drive(simulation, kRobot1, {2.0, 0.1}, 2.0); });
   EXPECT_EQ(message.rfind("robot1: would go ", 0), 0u) << message;
   EXPECT_NE(message.find(" m in a step of 0.001 s: no car has parameters like its own"), std::string::npos);
 }
@@ -170,14 +170,14 @@ TEST(Simulation, CarPlacedElsewhereStandsThereAndResetBringsItBack)
 {
   Simulation simulation(world({room(3.0)}));
   simulation.addCar(car("robot1"), {}, {});
-  drive(simulation, 0, {2.0, 0.0}, 0.5);
-  simulation.placeCar(0, {-1.0, 0.5, 1.0});
-  EXPECT_NEAR(simulation.state(0).pose.x, -1.0, 1e-12);
-  EXPECT_NEAR(simulation.state(0).pose.y, 0.5, 1e-12);
-  EXPECT_NEAR(simulation.state(0).pose.yaw, 1.0, 1e-12);
-  EXPECT_EQ(simulation.state(0).velocity.x, 0.0);
+  drive(simulation, kRobot1, {2.0, 0.0}, 0.5);
+  simulation.placeCar(kRobot1, {-1.0, 0.5, 1.0});
+  EXPECT_NEAR(simulation.state(kRobot1).pose.x, -1.0, 1e-12);
+  EXPECT_NEAR(simulation.state(kRobot1).pose.y, 0.5, 1e-12);
+  EXPECT_NEAR(simulation.state(kRobot1).pose.yaw, 1.0, 1e-12);
+  EXPECT_EQ(simulation.state(kRobot1).velocity.x, 0.0);
   simulation.reset();
-  EXPECT_NEAR(simulation.state(0).pose.x, 0.0, 1e-12);
+  EXPECT_NEAR(simulation.state(kRobot1).pose.x, 0.0, 1e-12);
 }
 
 TEST(Simulation, CarPlacedBesideAWallTouchesItAtOnce)
@@ -185,10 +185,10 @@ TEST(Simulation, CarPlacedBesideAWallTouchesItAtOnce)
   Simulation simulation(world({room(3.0)}));
   simulation.addCar(car("robot1"), {}, {});
   simulation.step();
-  simulation.placeCar(0, {2.598, 0.0, 0.0});
-  drive(simulation, 0, {1.0, 0.0}, 0.2);
-  EXPECT_FALSE(simulation.contacts(0).empty());
-  EXPECT_LT(simulation.state(0).pose.x, 2.605);
+  simulation.placeCar(kRobot1, {2.598, 0.0, 0.0});
+  drive(simulation, kRobot1, {1.0, 0.0}, 0.2);
+  EXPECT_FALSE(simulation.contacts(kRobot1).empty());
+  EXPECT_LT(simulation.state(kRobot1).pose.x, 2.605);
 }
 
 TEST(Simulation, CarIsNotPlacedWhereItDoesNotFit)
@@ -198,15 +198,15 @@ TEST(Simulation, CarIsNotPlacedWhereItDoesNotFit)
   simulation.addCar(car("robot2"), {}, {1, 0, 0});
   EXPECT_EQ(
     messageOf([&] {
-      simulation.placeCar(0, {1.2, 0.1, 0});
+      simulation.placeCar(kRobot1, {1.2, 0.1, 0});
     }),
     "robot1: the pose (1.2, 0.1, 0) is not free: it overlaps car robot2");
   EXPECT_EQ(
     messageOf([&] {
-      simulation.placeCar(0, {1.2, kNan, 0});
+      simulation.placeCar(kRobot1, {1.2, kNan, 0});
     }),
     "robot1: y (m) of the pose is nan, allowed is a finite number");
-  EXPECT_NEAR(simulation.state(0).pose.x, 0.0, 1e-12);
+  EXPECT_NEAR(simulation.state(kRobot1).pose.x, 0.0, 1e-12);
 }
 
 TEST(Simulation, TiltedLidarIsRefused)
@@ -250,15 +250,15 @@ std::string hashOfRun(Simulation & simulation)
 {
   TrajectoryHash hash;
   for (int i = 0; i < 4000; ++i) {
-    simulation.command(0, {3.0, 0.3 * std::sin(0.001 * i)});
-    simulation.commandTwist(1, i % 2000 < 1500 ? 2.0 : -1.5, 0.8);
+    simulation.command(kRobot1, {3.0, 0.3 * std::sin(0.001 * i)});
+    simulation.commandTwist(kRobot2, i % 2000 < 1500 ? 2.0 : -1.5, 0.8);
     simulation.step();
     if (i % 25 == 24) {
       hash.add(simulation);
     }
   }
-  EXPECT_FALSE(simulation.contacts(0).empty());
-  EXPECT_FALSE(simulation.contacts(1).empty());
+  EXPECT_FALSE(simulation.contacts(kRobot1).empty());
+  EXPECT_FALSE(simulation.contacts(kRobot2).empty());
   return hash.hexDigest();
 }
 
@@ -286,13 +286,13 @@ TEST(Determinism, ResetBringsMovedModelsAndNoiseBack)
   Simulation simulation = busySimulation();
   std::vector<float> before(1081);
   std::vector<float> after(1081);
-  simulation.scan(0, 0, before.data());
+  simulation.scan(kRobot1, 0, before.data());
   hashOfRun(simulation);
   EXPECT_GT(std::abs(simulation.modelPose("crate").x - 1.5), 0.01);
   simulation.reset();
   EXPECT_EQ(simulation.modelPose("crate").x, 1.5);
-  EXPECT_TRUE(simulation.contacts(0).empty());
-  simulation.scan(0, 0, after.data());
+  EXPECT_TRUE(simulation.contacts(kRobot1).empty());
+  simulation.scan(kRobot1, 0, after.data());
   EXPECT_EQ(before, after);
 }
 
@@ -303,15 +303,15 @@ TEST(Determinism, LookingChangesNothing)
   std::vector<float> ranges(1081);
   for (int i = 0; i < 2000; ++i) {
     for (Simulation * simulation : {&watched, &unwatched}) {
-      simulation->command(0, {3.0, 0.1});
+      simulation->command(kRobot1, {3.0, 0.1});
       simulation->step();
     }
-    watched.scan(0, 0, ranges.data());
-    watched.clearance(0, 5.0);
-    watched.clearContacts(0);
+    watched.scan(kRobot1, 0, ranges.data());
+    watched.clearance(kRobot1, 5.0);
+    watched.clearContacts(kRobot1);
   }
-  EXPECT_EQ(watched.state(0).pose.x, unwatched.state(0).pose.x);
-  EXPECT_EQ(watched.state(0).pose.yaw, unwatched.state(0).pose.yaw);
+  EXPECT_EQ(watched.state(kRobot1).pose.x, unwatched.state(kRobot1).pose.x);
+  EXPECT_EQ(watched.state(kRobot1).pose.yaw, unwatched.state(kRobot1).pose.yaw);
 }
 
 TEST(TrajectoryHash, DigestOfNothingIsThatOfSha256)

@@ -47,7 +47,7 @@ std::string hashOfScraping(Simulation & simulation)
 {
   TrajectoryHash hash;
   for (int i = 0; i < 400; ++i) {
-    simulation.command(0, {4.0, i % 100 < 50 ? 0.1 : -0.1});
+    simulation.command(kRobot1, {4.0, i % 100 < 50 ? 0.1 : -0.1});
     simulation.advanceTo(simulation.time() + 25'000'000);
     hash.add(simulation);
   }
@@ -74,12 +74,12 @@ TEST(Surroundings, CarThatHasTouchedAWallIsStoppedByOneFarFromIt)
   Simulation simulation(world({wallAcross(50.0)}));
   simulation.addModel(staticModel("behind", box("behind::link::c", 0.1, 2.0, 2.5, -0.5, 0.0, 1.25)));
   simulation.addCar(car("robot1"), {}, {});
-  drive(simulation, 0, {-1.0, 0.0}, 1.0);
-  ASSERT_FALSE(simulation.contacts(0).empty());
-  EXPECT_EQ(simulation.contacts(0)[0].other_model, "behind");
-  drive(simulation, 0, {8.0, 0.0}, 10.0);
-  EXPECT_GT(simulation.state(0).pose.x, 49.5);
-  EXPECT_LT(simulation.state(0).pose.x, 49.61);
+  drive(simulation, kRobot1, {-1.0, 0.0}, 1.0);
+  ASSERT_FALSE(simulation.contacts(kRobot1).empty());
+  EXPECT_EQ(simulation.contacts(kRobot1)[0].other_model, "behind");
+  drive(simulation, kRobot1, {8.0, 0.0}, 10.0);
+  EXPECT_GT(simulation.state(kRobot1).pose.x, 49.5);
+  EXPECT_LT(simulation.state(kRobot1).pose.x, 49.61);
 }
 
 TEST(Surroundings, MovableModelIsStoppedByWallsFarFromItsStart)
@@ -101,8 +101,8 @@ TEST(Surroundings, StruckModelIsStoppedByTheWallBehindIt)
 {
   Simulation simulation(world({movableBox("crate", 0.2, 3.0, 0.0), wallAcross(3.105)}));
   simulation.addCar(car("robot1"), {}, {});
-  drive(simulation, 0, {8.0, 0.0}, 2.0);
-  EXPECT_FALSE(simulation.contacts(0).empty());
+  drive(simulation, kRobot1, {8.0, 0.0}, 2.0);
+  EXPECT_FALSE(simulation.contacts(kRobot1).empty());
   EXPECT_LT(simulation.modelPose("crate").x, 3.02);
 }
 
@@ -115,10 +115,10 @@ TEST(Surroundings, RunAlongManyWallsIsTheSameAfterAReset)
   };
   Simulation fresh = simulationOfCorridor();
   const std::string expected = hashOfScraping(fresh);
-  EXPECT_FALSE(fresh.contacts(0).empty());
+  EXPECT_FALSE(fresh.contacts(kRobot1).empty());
   Simulation again = simulationOfCorridor();
-  drive(again, 0, {5.0, -0.03}, 5.0);
-  EXPECT_FALSE(again.contacts(0).empty());
+  drive(again, kRobot1, {5.0, -0.03}, 5.0);
+  EXPECT_FALSE(again.contacts(kRobot1).empty());
   again.reset();
   EXPECT_EQ(hashOfScraping(again), expected);
   again.reset();

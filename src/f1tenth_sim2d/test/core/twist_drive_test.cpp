@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "core/math/sim_time.h"
 #include "sample_world.h"
 
 namespace f1tenth_sim2d::test
@@ -37,7 +36,7 @@ Simulation simulationOf(const CarDescription & description, const WorldDescripti
 void go(Simulation & simulation, double seconds, const Vec2 & linear, double angular_z)
 {
   for (const SimTime end = simulation.time() + fromSeconds(seconds); simulation.time() < end; simulation.step()) {
-    simulation.commandTwist(0, linear.x, angular_z, linear.y);
+    simulation.commandTwist(kRobot1, linear.x, angular_z, linear.y);
   }
 }
 }  // namespace
@@ -46,7 +45,7 @@ TEST(TwistDrive, DifferentialTurnsOnTheSpot)
 {
   Simulation simulation = simulationOf(driven(Kind::kDifferential));
   go(simulation, 2.0, {0.0, 0.0}, 1.5);
-  const CarState & state = simulation.state(0);
+  const CarState & state = simulation.state(kRobot1);
   EXPECT_NEAR(state.yaw_rate, 1.5, 1e-12);
   EXPECT_NEAR(state.pose.x, 0.0, 1e-6);
   EXPECT_NEAR(state.pose.y, 0.0, 1e-6);
@@ -59,13 +58,13 @@ TEST(TwistDrive, DifferentialFollowsACircleAndDoesNotGoSideways)
 {
   Simulation simulation = simulationOf(driven(Kind::kDifferential));
   go(simulation, 0.5, {1.0, 0.7}, 2.0);
-  const CarState & state = simulation.state(0);
+  const CarState & state = simulation.state(kRobot1);
   EXPECT_NEAR(state.velocity.x, 1.0, 1e-9);
   EXPECT_NEAR(state.velocity.y, 0.0, 1e-9);
   const Pose2 start = state.pose;
   go(simulation, 3.141593, {1.0, 0.0}, 2.0);
-  EXPECT_NEAR(simulation.state(0).pose.x, start.x, 2e-3);
-  EXPECT_NEAR(simulation.state(0).pose.y, start.y, 2e-3);
+  EXPECT_NEAR(simulation.state(kRobot1).pose.x, start.x, 2e-3);
+  EXPECT_NEAR(simulation.state(kRobot1).pose.y, start.y, 2e-3);
 }
 
 TEST(TwistDrive, SkidSteerTurnsAboutTheMiddleBetweenItsAxles)
@@ -73,7 +72,7 @@ TEST(TwistDrive, SkidSteerTurnsAboutTheMiddleBetweenItsAxles)
   Simulation simulation = simulationOf(driven(Kind::kSkidSteer));
   const double half = 0.5 * exact().wheelbase();
   go(simulation, 1.0, {0.0, 0.0}, 2.0);
-  const Pose2 & pose = simulation.state(0).pose;
+  const Pose2 & pose = simulation.state(kRobot1).pose;
   EXPECT_GT(std::abs(pose.yaw), 1.0);
   EXPECT_NEAR(pose.x + half * std::cos(pose.yaw), half, 1e-5);
   EXPECT_NEAR(pose.y + half * std::sin(pose.yaw), 0.0, 1e-5);
@@ -83,9 +82,9 @@ TEST(TwistDrive, PlanarGoesSideways)
 {
   Simulation simulation = simulationOf(driven(Kind::kPlanarMove));
   go(simulation, 1.0, {0.0, -0.5}, 0.0);
-  EXPECT_NEAR(simulation.state(0).velocity.y, -0.5, 1e-9);
-  EXPECT_NEAR(simulation.state(0).pose.x, 0.0, 1e-9);
-  EXPECT_NEAR(simulation.state(0).pose.y, -0.5, 0.05);
+  EXPECT_NEAR(simulation.state(kRobot1).velocity.y, -0.5, 1e-9);
+  EXPECT_NEAR(simulation.state(kRobot1).pose.x, 0.0, 1e-9);
+  EXPECT_NEAR(simulation.state(kRobot1).pose.y, -0.5, 0.05);
 }
 
 TEST(TwistDrive, AcceleratesNoFasterThanItsWheels)
@@ -94,8 +93,8 @@ TEST(TwistDrive, AcceleratesNoFasterThanItsWheels)
   description.drive->acceleration_max = 0.5;
   Simulation simulation = simulationOf(description);
   go(simulation, 1.0, {2.0, 0.0}, 0.0);
-  EXPECT_NEAR(simulation.state(0).velocity.x, 0.5 * (1.0 - exact().actuation_latency), 1e-3);
-  EXPECT_NEAR(simulation.state(0).acceleration.x, 0.5, 1e-9);
+  EXPECT_NEAR(simulation.state(kRobot1).velocity.x, 0.5 * (1.0 - exact().actuation_latency), 1e-3);
+  EXPECT_NEAR(simulation.state(kRobot1).acceleration.x, 0.5, 1e-9);
 }
 
 TEST(TwistDrive, StopsExactlyWithoutCommands)
@@ -103,7 +102,7 @@ TEST(TwistDrive, StopsExactlyWithoutCommands)
   Simulation simulation = simulationOf(driven(Kind::kPlanarMove));
   go(simulation, 1.0, {1.0, 1.0}, 1.0);
   simulation.advanceTo(simulation.time() + fromSeconds(2.0));
-  const CarState & state = simulation.state(0);
+  const CarState & state = simulation.state(kRobot1);
   EXPECT_EQ(state.velocity.x, 0.0);
   EXPECT_EQ(state.velocity.y, 0.0);
   EXPECT_EQ(state.yaw_rate, 0.0);
@@ -113,18 +112,18 @@ TEST(TwistDrive, StartsAsFromFreshAfterAReset)
 {
   Simulation simulation = simulationOf(driven(Kind::kDifferential));
   go(simulation, 1.0, {1.0, 0.0}, 1.0);
-  const Pose2 first = simulation.state(0).pose;
+  const Pose2 first = simulation.state(kRobot1).pose;
   simulation.reset();
   go(simulation, 1.0, {1.0, 0.0}, 1.0);
-  EXPECT_EQ(simulation.state(0).pose.x, first.x);
-  EXPECT_EQ(simulation.state(0).pose.y, first.y);
+  EXPECT_EQ(simulation.state(kRobot1).pose.x, first.x);
+  EXPECT_EQ(simulation.state(kRobot1).pose.y, first.y);
 }
 
 TEST(TwistDrive, ADriveCommandMeansTheYawRateOfItsSteeringAngle)
 {
   Simulation simulation = simulationOf(driven(Kind::kDifferential));
-  drive(simulation, 0, {1.0, 0.3}, 1.0);
-  EXPECT_NEAR(simulation.state(0).yaw_rate, std::tan(0.3) / exact().wheelbase(), 1e-9);
+  drive(simulation, kRobot1, {1.0, 0.3}, 1.0);
+  EXPECT_NEAR(simulation.state(kRobot1).yaw_rate, std::tan(0.3) / exact().wheelbase(), 1e-9);
 }
 
 TEST(TwistDrive, OdometryFollowsWhereItGoes)
@@ -132,8 +131,8 @@ TEST(TwistDrive, OdometryFollowsWhereItGoes)
   for (const Kind kind : {Kind::kDifferential, Kind::kSkidSteer, Kind::kPlanarMove}) {
     Simulation simulation = simulationOf(driven(kind));
     go(simulation, 2.0, {0.8, 0.2}, 0.5);
-    const CarState & state = simulation.state(0);
-    const WheelOdometry odometry = simulation.wheelOdometry(0);
+    const CarState & state = simulation.state(kRobot1);
+    const WheelOdometry odometry = simulation.wheelOdometry(kRobot1);
     EXPECT_NEAR(odometry.pose.x, state.pose.x, 0.005);
     EXPECT_NEAR(odometry.pose.y, state.pose.y, 0.005);
     EXPECT_NEAR(odometry.pose.yaw, state.pose.yaw, 0.001);
@@ -147,8 +146,8 @@ TEST(TwistDrive, IsStoppedByAWall)
 {
   Simulation simulation = simulationOf(driven(Kind::kDifferential), world({wallAcross(1.0)}));
   go(simulation, 2.0, {1.0, 0.0}, 0.0);
-  EXPECT_NEAR(simulation.state(0).pose.x, 0.6, 0.01);
-  EXPECT_FALSE(simulation.contacts(0).empty());
+  EXPECT_NEAR(simulation.state(kRobot1).pose.x, 0.6, 0.01);
+  EXPECT_FALSE(simulation.contacts(kRobot1).empty());
 }
 
 TEST(TwistDrive, ACarThatSteersIsNotDrivenByIt)
@@ -157,7 +156,7 @@ TEST(TwistDrive, ACarThatSteersIsNotDrivenByIt)
   description.mechanism.push_back({"hinge", JointDescription::Role::kSteeringLeft});
   Simulation simulation = simulationOf(description);
   go(simulation, 1.0, {0.0, 0.0}, 1.0);
-  EXPECT_EQ(simulation.state(0).yaw_rate, 0.0);
-  EXPECT_GT(simulation.state(0).steering_angle, 0.3);
+  EXPECT_EQ(simulation.state(kRobot1).yaw_rate, 0.0);
+  EXPECT_GT(simulation.state(kRobot1).steering_angle, 0.3);
 }
 }  // namespace f1tenth_sim2d::test

@@ -156,6 +156,22 @@ class GazeboApiTest(unittest.TestCase):
         assert self.state("robot1").pose.position.x == 0.0
         assert self.names() == ["walls", "crate", "robot1"]
 
+    def test_car_whose_topic_ros_does_not_take_leaves_nothing_behind(self):
+        self.start_lockstep({})
+        bad = car_description().replace(">scan<", ">my-scan!<")
+        assert "my-scan!" in bad
+        answer = self.spawn("bad", bad, 1.0, 1.0, robot_namespace="/bad")
+        assert not answer.success
+        assert "my-scan!" in answer.status_message
+        assert self.names() == ["walls", "crate"]
+        assert self.spawn("good", car_description(), 1.0, 1.0, robot_namespace="/good").success
+        answer = self.call("delete_model", DeleteModel, "bad")
+        assert (answer.success, answer.status_message) == (False, "DeleteModel: model does not exist")
+        self.run_periods(4)
+        assert self.call("delete_model", DeleteModel, "good").success
+        self.run_periods(8)
+        assert self.names() == ["walls", "crate"]
+
     def test_state_is_set_in_the_frame_of_a_reference(self):
         self.start_lockstep({"robot1": {"x": 1.0, "yaw": math.pi / 2}})
         twist = Twist(linear=Vector3(1.0, 0.0, 0.0), angular=Vector3(0.0, 0.0, 0.5))

@@ -82,14 +82,14 @@ def test_scan_refuses_what_is_no_array(simulation):
 
 
 def test_unknown_cars_and_lidars_are_index_errors(simulation):
-    with pytest.raises(IndexError, match="^car is 1, allowed are 0 to 0$"):
+    with pytest.raises(IndexError, match="^there is no car 1, only 0$"):
         simulation.state(1)
     with pytest.raises(IndexError, match="^lidar is 1, allowed are 0 to 0$"):
         simulation.scan(0, lidar=1)
 
 
 def test_a_simulation_without_cars_says_so(world):
-    with pytest.raises(IndexError, match="^car is 0, there is none$"):
+    with pytest.raises(IndexError, match="^there is no car 0$"):
         f1tenth_sim2d.Simulation(world).state(0)
 
 

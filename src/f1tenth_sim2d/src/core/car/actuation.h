@@ -2,7 +2,7 @@
 
 #include "core/car/delayed_command.h"
 #include "core/car/single_track.h"
-#include "f1tenth_sim2d/simulation.h"
+#include "f1tenth_sim2d/commands.h"
 
 namespace f1tenth_sim2d
 {

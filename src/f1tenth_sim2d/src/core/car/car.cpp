@@ -10,9 +10,10 @@
 namespace f1tenth_sim2d
 {
 Car::Car(
-  CarIndex index, const CarDescription & description, const VehicleParameters & parameters, const Pose2 & start,
-  std::uint64_t seed, WorldPieces & world)
-: description_(description),
+  std::size_t index, std::uint32_t noise_stream, const CarDescription & description,
+  const VehicleParameters & parameters, const Pose2 & start, std::uint64_t seed, WorldPieces & world)
+: noise_stream_(noise_stream),
+  description_(description),
   parameters_(parameters),
   start_(start),
   pieces_(carPieces(description.solids, parameters.l_r, static_cast<std::uint32_t>(index), world)),
@@ -20,7 +21,7 @@ Car::Car(
   outer_radius_(outerRadius(pieces_)),
   model_(parameters),
   actuation_(parameters),
-  odometry_(parameters, seed, index)
+  odometry_(parameters, seed, noise_stream)
 {
   if (TwistDrive::drives(description)) {
     twist_drive_.emplace(description, parameters);
@@ -49,11 +50,10 @@ void Car::place(const Pose2 & pose, const Vec2 & velocity, double yaw_rate)
   reported_is_current_ = false;
 }
 
-void Car::moveInto(CarIndex index, WorldPieces & world)
+void Car::moveInto(std::size_t index, WorldPieces & world)
 {
   pieces_ = carPieces(description_.solids, parameters_.l_r, static_cast<std::uint32_t>(index), world);
   layer_count_ = world.layerCount();
-  odometry_.setCar(index);
 }
 
 void Car::restart(SimTime now)

@@ -13,7 +13,10 @@
 #include "core/contacts/collision_world.h"
 #include "core/contacts/contact_log.h"
 #include "core/lidar/lidar_sensor.h"
-#include "f1tenth_sim2d/simulation.h"
+#include "f1tenth_sim2d/car_model.h"
+#include "f1tenth_sim2d/car_state.h"
+#include "f1tenth_sim2d/commands.h"
+#include "f1tenth_sim2d/vehicle_parameters.h"
 
 namespace f1tenth_sim2d
 {
@@ -21,11 +24,14 @@ namespace f1tenth_sim2d
 class Car
 {
 public:
+  /// @param index  among the cars of the world
   /// @param start  pose of base_footprint
   Car(
-    CarIndex index, const CarDescription & description, const VehicleParameters & parameters, const Pose2 & start,
-    std::uint64_t seed, WorldPieces & world);
+    std::size_t index, std::uint32_t noise_stream, const CarDescription & description,
+    const VehicleParameters & parameters, const Pose2 & start, std::uint64_t seed, WorldPieces & world);
 
+  /// Keeps its noise apart from that of the other cars.
+  std::uint32_t noiseStream() const { return noise_stream_; }
   const CarDescription & description() const { return description_; }
   const VehicleParameters & parameters() const { return parameters_; }
   const std::vector<Piece> & pieces() const { return pieces_; }
@@ -42,7 +48,7 @@ public:
   /// Puts base_footprint at a pose with a velocity (m/s, in the frame of the car) and a yaw rate (rad/s).
   void place(const Pose2 & pose, const Vec2 & velocity = {}, double yaw_rate = 0.0);
   /// Becomes the car of this index in a world that was worked out anew. Its lidars do not notice.
-  void moveInto(CarIndex index, WorldPieces & world);
+  void moveInto(std::size_t index, WorldPieces & world);
   /// Back to the start pose, at rest.
   void restart(SimTime now);
 
@@ -70,6 +76,7 @@ private:
   void turnWheels(double dt);
   void updateState() const;
 
+  std::uint32_t noise_stream_;
   CarDescription description_;
   VehicleParameters parameters_;
   Pose2 start_;

@@ -3,17 +3,10 @@
 #include "core/car/delayed_command.h"
 #include "core/car/single_track.h"
 #include "f1tenth_sim2d/car_model.h"
-#include "f1tenth_sim2d/simulation.h"
+#include "f1tenth_sim2d/commands.h"
 
 namespace f1tenth_sim2d
 {
-/// What a car that is driven by velocities is asked for.
-struct TwistCommand
-{
-  Vec2 velocity;         ///< m/s, in the frame of the car
-  double yaw_rate{0.0};  ///< rad/s
-};
-
 /// The twist that a car of this wheelbase has at a speed and under a steering angle.
 TwistCommand twistFromCommand(const DriveCommand & command, double wheelbase);
 

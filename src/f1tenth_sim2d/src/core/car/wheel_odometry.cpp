@@ -4,12 +4,12 @@
 
 #include "core/math/noise.h"
 #include "core/math/planar_pose.h"
-#include "core/math/sim_time.h"
 
 namespace f1tenth_sim2d
 {
-WheelOdometryIntegrator::WheelOdometryIntegrator(const VehicleParameters & parameters, std::uint64_t seed, CarIndex car)
-: parameters_(parameters), seed_(seed), car_(car)
+WheelOdometryIntegrator::WheelOdometryIntegrator(
+  const VehicleParameters & parameters, std::uint64_t seed, std::uint32_t noise_stream)
+: parameters_(parameters), seed_(seed), noise_stream_(noise_stream)
 {
 }
 
@@ -60,7 +60,7 @@ SimTime WheelOdometryIntegrator::sampleTime(std::int64_t number) const
 
 std::uint64_t WheelOdometryIntegrator::noiseKeyNow() const
 {
-  return noiseKey(seed_, car_, NoiseStream::kOdometry, 0, static_cast<std::uint64_t>(next_sample_));
+  return noiseKey(seed_, noise_stream_, NoiseStream::kOdometry, 0, static_cast<std::uint64_t>(next_sample_));
 }
 
 // A wheel that stands counts nothing.

@@ -2,7 +2,10 @@
 
 #include <cstdint>
 
-#include "f1tenth_sim2d/simulation.h"
+#include "f1tenth_sim2d/geometry.h"
+#include "f1tenth_sim2d/sensor_samples.h"
+#include "f1tenth_sim2d/sim_time.h"
+#include "f1tenth_sim2d/vehicle_parameters.h"
 
 namespace f1tenth_sim2d
 {
@@ -12,7 +15,8 @@ namespace f1tenth_sim2d
 class WheelOdometryIntegrator
 {
 public:
-  WheelOdometryIntegrator(const VehicleParameters & parameters, std::uint64_t seed, CarIndex car);
+  /// @param noise_stream  of the car
+  WheelOdometryIntegrator(const VehicleParameters & parameters, std::uint64_t seed, std::uint32_t noise_stream);
 
   /// @param now  the first sample falls on the first multiple of the sampling period after it
   void restart(const Pose2 & pose, double steering_angle, SimTime now);
@@ -25,9 +29,6 @@ public:
   /// @param turn         rad
   /// @param track_width  m, between the wheels
   void advanceFreely(const Vec2 & way, double turn, double track_width, double dt, SimTime now);
-
-  /// Whose noise it is from now on.
-  void setCar(CarIndex car) { car_ = car; }
 
   const WheelOdometry & current() const { return current_; }
 
@@ -42,7 +43,7 @@ private:
 
   VehicleParameters parameters_;
   std::uint64_t seed_;
-  CarIndex car_;
+  std::uint32_t noise_stream_;
   WheelOdometry current_;
   std::int64_t next_sample_{1};
   SimTime next_time_{0};

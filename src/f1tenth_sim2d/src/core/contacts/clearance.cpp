@@ -47,9 +47,9 @@ void forEachPair(const PlacedCar & own, const Piece & other, const b2Transform &
 }
 
 template <typename Visit>
-void forEachCarPair(const std::vector<PlacedCar> & cars, CarIndex own, double limit, Visit visit)
+void forEachCarPair(const std::vector<PlacedCar> & cars, std::size_t own, double limit, Visit visit)
 {
-  for (CarIndex i = 0; i < cars.size(); ++i) {
+  for (std::size_t i = 0; i < cars.size(); ++i) {
     const double centres = length({cars[i].pose.x - cars[own].pose.x, cars[i].pose.y - cars[own].pose.y});
     if (i == own || centres - cars[i].outer_radius - cars[own].outer_radius > limit) {
       continue;
@@ -70,7 +70,7 @@ void forEachModelPair(const PlacedCar & own, const CollisionWorld & world, doubl
 }
 }  // namespace
 
-double clearance(const std::vector<PlacedCar> & cars, CarIndex own, const CollisionWorld & world, double limit)
+double clearance(const std::vector<PlacedCar> & cars, std::size_t own, const CollisionWorld & world, double limit)
 {
   double least = limit;
   const auto keepLeast = [&](double candidate, const Piece &) { least = std::min(least, candidate); };
@@ -83,7 +83,7 @@ double clearance(const std::vector<PlacedCar> & cars, CarIndex own, const Collis
   }
 }
 
-const Piece * firstOverlap(const std::vector<PlacedCar> & cars, CarIndex own, const CollisionWorld & world)
+const Piece * firstOverlap(const std::vector<PlacedCar> & cars, std::size_t own, const CollisionWorld & world)
 {
   const Piece * first = nullptr;
   const auto order = [](const Piece & piece) { return std::make_tuple(piece.owner, piece.body, piece.solid); };

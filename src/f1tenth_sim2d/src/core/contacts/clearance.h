@@ -16,8 +16,8 @@ struct PlacedCar
 
 /// Least distance from a car to anything it could touch, m; 0 in contact; at most limit.
 /// @param own  index of the car in cars
-double clearance(const std::vector<PlacedCar> & cars, CarIndex own, const CollisionWorld & world, double limit);
+double clearance(const std::vector<PlacedCar> & cars, std::size_t own, const CollisionWorld & world, double limit);
 
 /// The piece that overlaps a car, or nullptr; of several the first by owner, body and solid.
-const Piece * firstOverlap(const std::vector<PlacedCar> & cars, CarIndex own, const CollisionWorld & world);
+const Piece * firstOverlap(const std::vector<PlacedCar> & cars, std::size_t own, const CollisionWorld & world);
 }  // namespace f1tenth_sim2d

@@ -117,7 +117,7 @@ void CollisionWorld::addCar(const CarBody & car)
   recorder_.setCarCount(cars_.size());
 }
 
-void CollisionWorld::place(CarIndex car, const CarMotion & motion)
+void CollisionWorld::place(std::size_t car, const CarMotion & motion)
 {
   b2Body * body = cars_[car].participant.body;
   is_pristine_ = false;
@@ -130,7 +130,7 @@ void CollisionWorld::place(CarIndex car, const CarMotion & motion)
   body->SetAngularVelocity(static_cast<float>(motion.yaw_rate));
 }
 
-void CollisionWorld::remove(CarIndex car)
+void CollisionWorld::remove(std::size_t car)
 {
   b2Body * body = cars_[car].participant.body;
   if (body->IsEnabled()) {
@@ -189,7 +189,7 @@ b2AABB CollisionWorld::squareAround(const b2Vec2 & centre, double half_width)
 }
 
 // Relative to where Box2D started, in its own precision: a car that rests is not moved by rounding.
-ContactEffect CollisionWorld::effect(CarIndex car) const
+ContactEffect CollisionWorld::effect(std::size_t car) const
 {
   const b2Body & body = *cars_[car].participant.body;
   const CarMotion & placed = cars_[car].placed;

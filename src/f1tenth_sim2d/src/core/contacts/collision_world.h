@@ -10,8 +10,10 @@
 #include "core/contacts/contact_recorder.h"
 #include "core/contacts/piece.h"
 #include "core/contacts/world_pieces.h"
+#include "f1tenth_sim2d/car_id.h"
 #include "f1tenth_sim2d/geometry.h"
-#include "f1tenth_sim2d/simulation.h"
+#include "f1tenth_sim2d/model_state.h"
+#include "f1tenth_sim2d/world_model.h"
 
 namespace f1tenth_sim2d
 {
@@ -65,17 +67,17 @@ public:
   void addCar(const CarBody & car);
 
   /// Lets a car take part in the next step, from this pose and with this velocity.
-  void place(CarIndex car, const CarMotion & motion);
+  void place(std::size_t car, const CarMotion & motion);
   /// Takes a car out.
-  void remove(CarIndex car);
+  void remove(std::size_t car);
 
   /// Advances by dt seconds.
   /// @param travel  m, the farthest that anything which takes part goes
   void step(double dt, double travel);
   /// Contacts of the last step.
-  const std::vector<StepContact> & contacts(CarIndex car) const { return recorder_.contacts(car); }
+  const std::vector<StepContact> & contacts(std::size_t car) const { return recorder_.contacts(car); }
   /// Effect of the last step on a car that took part in it.
-  ContactEffect effect(CarIndex car) const;
+  ContactEffect effect(std::size_t car) const;
 
   /// Whether nothing has ever taken part in a step or been put somewhere: it is as on its first day.
   bool isPristine() const { return is_pristine_; }

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/contacts/contact_recorder.h"
-#include "f1tenth_sim2d/simulation.h"
+#include "f1tenth_sim2d/contact.h"
 
 namespace f1tenth_sim2d
 {

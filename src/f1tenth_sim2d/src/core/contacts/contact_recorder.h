@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "core/contacts/piece.h"
-#include "f1tenth_sim2d/simulation.h"
+#include "f1tenth_sim2d/car_id.h"
+#include "f1tenth_sim2d/geometry.h"
 
 namespace f1tenth_sim2d
 {
@@ -37,7 +38,7 @@ public:
   void setCarCount(std::size_t count) { contacts_.resize(count); }
   void beginStep();
   void beginSubstep() { ++substep_; }
-  const std::vector<StepContact> & contacts(CarIndex car) const { return contacts_[car]; }
+  const std::vector<StepContact> & contacts(std::size_t car) const { return contacts_[car]; }
 
   void BeginContact(b2Contact * contact) override;
   void PreSolve(b2Contact * contact, const b2Manifold * old_manifold) override;

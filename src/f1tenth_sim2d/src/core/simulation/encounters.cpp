@@ -50,7 +50,7 @@ bool Encounters::advance(const Cars & cars, CollisionWorld & world, double dt)
   if (!any_near && !world.isAwake()) {
     return false;
   }
-  for (CarIndex i = 0; i < cars.size(); ++i) {
+  for (std::size_t i = 0; i < cars.size(); ++i) {
     if (cars_[i].is_near) {
       world.place(i, cars[i]->predictedMotion());
     } else {
@@ -60,7 +60,7 @@ bool Encounters::advance(const Cars & cars, CollisionWorld & world, double dt)
   world.step(dt, travel);
   // A model that was struck in this step moved, though it stood still before.
   const double struck = world.movableTravel(dt);
-  for (CarIndex i = 0; i < cars.size(); ++i) {
+  for (std::size_t i = 0; i < cars.size(); ++i) {
     cars_[i].free -= struck;
     if (cars_[i].is_near && !world.contacts(i).empty()) {
       cars[i]->apply(world.effect(i));
@@ -79,7 +79,7 @@ double Encounters::update(const Cars & cars, const CollisionWorld & world, doubl
   }
   const double others = std::max(movable_travel, cars.size() > 1 ? car_travel : 0.0);
   double near_travel = movable_travel;
-  for (CarIndex i = 0; i < cars.size(); ++i) {
+  for (std::size_t i = 0; i < cars.size(); ++i) {
     const double own = cars[i]->predictedTravel();
     look(cars, world, i, own + others);
     if (cars_[i].is_near) {
@@ -89,7 +89,7 @@ double Encounters::update(const Cars & cars, const CollisionWorld & world, doubl
   return near_travel;
 }
 
-void Encounters::look(const Cars & cars, const CollisionWorld & world, CarIndex car, double approach)
+void Encounters::look(const Cars & cars, const CollisionWorld & world, std::size_t car, double approach)
 {
   Surroundings & around = cars_[car];
   if (around.steps_left > 0) {

@@ -1,15 +1,12 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
-#include "core/car/car.h"
 #include "core/contacts/collision_world.h"
+#include "core/simulation/car_registry.h"
 
 namespace f1tenth_sim2d
 {
-using Cars = std::vector<std::unique_ptr<Car>>;
-
 /// Decides which cars are near anything that they could touch, and lets only those take part in the rigid-body world.
 ///
 /// Each car keeps a distance that it may go before it has to look again: what was free around it when it last looked,
@@ -25,7 +22,7 @@ public:
   bool advance(const Cars & cars, CollisionWorld & world, double dt);
 
   /// Whether a car took part in the last step.
-  bool tookPart(CarIndex car) const { return cars_[car].is_near; }
+  bool tookPart(std::size_t car) const { return cars_[car].is_near; }
 
 private:
   struct Surroundings
@@ -35,7 +32,7 @@ private:
     bool is_near{false};
   };
 
-  void look(const Cars & cars, const CollisionWorld & world, CarIndex car, double approach);
+  void look(const Cars & cars, const CollisionWorld & world, std::size_t car, double approach);
   double update(const Cars & cars, const CollisionWorld & world, double dt);
 
   std::vector<Surroundings> cars_;

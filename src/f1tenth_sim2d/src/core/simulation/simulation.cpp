@@ -16,32 +16,32 @@ Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation &&) noexcept = default;
 Simulation & Simulation::operator=(Simulation &&) noexcept = default;
 
-CarIndex Simulation::addCar(const CarDescription & car, const VehicleParameters & parameters, const Pose2 & pose)
+CarId Simulation::addCar(const CarDescription & car, const VehicleParameters & parameters, const Pose2 & pose)
 {
   return impl_->addCar(car, parameters, pose);
 }
 
-void Simulation::removeCar(CarIndex index)
+void Simulation::removeCar(CarId car)
 {
-  impl_->removeCar(index);
+  impl_->removeCar(car);
 }
 
-void Simulation::placeCar(CarIndex index, const Pose2 & pose, const Vec2 & velocity, double yaw_rate)
+void Simulation::placeCar(CarId car, const Pose2 & pose, const Vec2 & velocity, double yaw_rate)
 {
-  impl_->placeCar(index, pose, velocity, yaw_rate);
+  impl_->placeCar(car, pose, velocity, yaw_rate);
 }
 
-std::size_t Simulation::carCount() const
+const std::vector<CarId> & Simulation::cars() const
 {
-  return impl_->cars().size();
+  return impl_->registry().ids();
 }
-const CarDescription & Simulation::car(CarIndex index) const
+const CarDescription & Simulation::car(CarId car) const
 {
-  return impl_->car(index).description();
+  return impl_->car(car).description();
 }
-const VehicleParameters & Simulation::parameters(CarIndex index) const
+const VehicleParameters & Simulation::parameters(CarId car) const
 {
-  return impl_->car(index).parameters();
+  return impl_->car(car).parameters();
 }
 SimTime Simulation::time() const
 {
@@ -71,56 +71,57 @@ void Simulation::advanceTo(SimTime end)
   }
 }
 
-void Simulation::command(CarIndex index, const DriveCommand & command)
+void Simulation::command(CarId car, const DriveCommand & command)
 {
-  Car & car = impl_->car(index);
-  validate(command, car.description().name);
-  car.command(command, impl_->time());
+  Car & driven = impl_->car(car);
+  validate(command, driven.description().name);
+  driven.command(command, impl_->time());
 }
 
-void Simulation::commandTwist(CarIndex index, double linear_x, double angular_z, double linear_y)
+void Simulation::commandTwist(CarId car, double linear_x, double angular_z, double linear_y)
 {
-  validateTwist({linear_x, linear_y}, angular_z, car(index).name);
-  impl_->car(index).commandTwist({{linear_x, linear_y}, angular_z}, impl_->time());
+  Car & driven = impl_->car(car);
+  validateTwist({linear_x, linear_y}, angular_z, driven.description().name);
+  driven.commandTwist({{linear_x, linear_y}, angular_z}, impl_->time());
 }
 
-const CarState & Simulation::state(CarIndex index) const
+const CarState & Simulation::state(CarId car) const
 {
-  return impl_->car(index).state();
+  return impl_->car(car).state();
 }
-WheelOdometry Simulation::wheelOdometry(CarIndex index) const
+WheelOdometry Simulation::wheelOdometry(CarId car) const
 {
-  return impl_->car(index).wheelOdometry();
+  return impl_->car(car).wheelOdometry();
 }
-ImuSample Simulation::imu(CarIndex index) const
+ImuSample Simulation::imu(CarId car) const
 {
-  return impl_->imu(index);
-}
-
-void Simulation::scan(CarIndex index, std::size_t lidar, float * ranges) const
-{
-  impl_->scan(index, lidar, true, ranges);
+  return impl_->imu(car);
 }
 
-void Simulation::exactScan(CarIndex index, std::size_t lidar, float * ranges) const
+void Simulation::scan(CarId car, std::size_t lidar, float * ranges) const
 {
-  impl_->scan(index, lidar, false, ranges);
+  impl_->scan(car, lidar, true, ranges);
 }
 
-const std::vector<Contact> & Simulation::contacts(CarIndex index) const
+void Simulation::exactScan(CarId car, std::size_t lidar, float * ranges) const
 {
-  return impl_->car(index).contactLog().contacts();
+  impl_->scan(car, lidar, false, ranges);
 }
 
-void Simulation::clearContacts(CarIndex index)
+const std::vector<Contact> & Simulation::contacts(CarId car) const
 {
-  impl_->car(index).contactLog().clear();
+  return impl_->car(car).contactLog().contacts();
 }
 
-double Simulation::clearance(CarIndex index, double limit) const
+void Simulation::clearContacts(CarId car)
 {
-  impl_->car(index);
-  return f1tenth_sim2d::clearance(placedCars(impl_->cars()), index, impl_->collisions(), limit);
+  impl_->car(car).contactLog().clear();
+}
+
+double Simulation::clearance(CarId car, double limit) const
+{
+  const CarRegistry & registry = impl_->registry();
+  return f1tenth_sim2d::clearance(placedCars(registry.cars()), registry.indexOf(car), impl_->collisions(), limit);
 }
 
 const std::vector<ModelDescription> & Simulation::models() const
@@ -170,7 +171,7 @@ std::vector<std::string> Simulation::modelNames() const
 
 void Simulation::appendStateBytes(std::vector<std::uint8_t> & bytes) const
 {
-  for (const auto & car : impl_->cars()) {
+  for (const auto & car : impl_->registry().cars()) {
     appendBytes(car->dynamicState(), bytes);
   }
 }

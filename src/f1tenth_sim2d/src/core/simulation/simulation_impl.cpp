@@ -6,7 +6,6 @@
 #include "core/contacts/clearance.h"
 #include "core/math/noise.h"
 #include "core/math/planar_pose.h"
-#include "core/math/sim_time.h"
 #include "core/simulation/validation.h"
 #include "f1tenth_sim2d/errors.h"
 
@@ -42,17 +41,19 @@ Simulation::Impl::Impl(const WorldDescription & world, const SimulationOptions &
   }
 }
 
-CarIndex Simulation::Impl::addCar(
+CarId Simulation::Impl::addCar(
   const CarDescription & description, const VehicleParameters & parameters, const Pose2 & pose)
 {
   validate(description, pose);
   validate(parameters, description.name);
   refuseTakenName(description.name);
-  const CarIndex index = cars_.size();
-  auto car = std::make_unique<Car>(index, description, parameters, pose, options_.seed, *pieces_);
+  const CarId id = registry_.nextId();
+  const std::size_t index = cars().size();
+  auto car =
+    std::make_unique<Car>(index, registry_.freeNoiseStream(), description, parameters, pose, options_.seed, *pieces_);
   car->restart(time_);
   collisions_->addLayers(car->layerCount());
-  std::vector<PlacedCar> places = placedCars(cars_);
+  std::vector<PlacedCar> places = placedCars(cars());
   places.push_back(car->placed());
   refuseOccupiedPlace(places, index, description.name + ": the start pose " + text(pose));
 
@@ -61,15 +62,15 @@ CarIndex Simulation::Impl::addCar(
   for (LidarScene & scene : scenes_) {
     scene.addCar(description);
   }
-  cars_.push_back(std::move(car));
-  addLidars(*cars_.back());
+  registry_.add(std::move(car));
+  addLidars(registry_.at(id));
   moving_poses_are_current_ = false;
-  return index;
+  return id;
 }
 
 void Simulation::Impl::refuseTakenName(const std::string & name) const
 {
-  for (const auto & car : cars_) {
+  for (const auto & car : cars()) {
     if (car->description().name == name) {
       throw Error(name + ": there is already a car of this name");
     }
@@ -81,22 +82,23 @@ void Simulation::Impl::refuseTakenName(const std::string & name) const
   }
 }
 
-void Simulation::Impl::removeCar(CarIndex index)
+void Simulation::Impl::removeCar(CarId id)
 {
-  car(index);
-  cars_.erase(cars_.begin() + static_cast<std::ptrdiff_t>(index));
+  registry_.remove(id);
   rebuild(collisions_->motions());
 }
 
-void Simulation::Impl::placeCar(CarIndex index, const Pose2 & pose, const Vec2 & velocity, double yaw_rate)
+void Simulation::Impl::placeCar(CarId id, const Pose2 & pose, const Vec2 & velocity, double yaw_rate)
 {
-  const CarDescription & description = car(index).description();
+  const std::size_t index = registry_.indexOf(id);
+  Car & car = registry_.at(id);
+  const CarDescription & description = car.description();
   validate(description, pose);
   validate(ModelState{pose, velocity, yaw_rate}, description.name);
-  std::vector<PlacedCar> places = placedCars(cars_);
-  places[index].pose = compose(pose, {car(index).parameters().l_r, 0.0, 0.0});
+  std::vector<PlacedCar> places = placedCars(cars());
+  places[index].pose = compose(pose, {car.parameters().l_r, 0.0, 0.0});
   refuseOccupiedPlace(places, index, description.name + ": the pose " + text(pose));
-  car(index).place(pose, velocity, yaw_rate);
+  car.place(pose, velocity, yaw_rate);
   encounters_.restart();
   moving_poses_are_current_ = false;
 }
@@ -144,8 +146,8 @@ void Simulation::Impl::rebuild(const std::vector<ModelMotion> & motions)
 {
   collisions_.reset();
   pieces_.emplace(world_);
-  for (CarIndex i = 0; i < cars_.size(); ++i) {
-    cars_[i]->moveInto(i, *pieces_);
+  for (std::size_t i = 0; i < cars().size(); ++i) {
+    cars()[i]->moveInto(i, *pieces_);
   }
   rebuildCollisions();
   collisions_->setMotions(motions);
@@ -156,7 +158,7 @@ void Simulation::Impl::rebuildCollisions()
 {
   collisions_ = std::make_unique<CollisionWorld>(world_, *pieces_);
   encounters_ = {};
-  for (const auto & car : cars_) {
+  for (const auto & car : cars()) {
     collisions_->addLayers(car->layerCount());
     collisions_->addCar(car->body());
     encounters_.addCar();
@@ -167,7 +169,7 @@ void Simulation::Impl::rebuildCollisions()
 void Simulation::Impl::rebuildScenes()
 {
   scenes_.clear();
-  for (const auto & car : cars_) {
+  for (const auto & car : cars()) {
     car->lidars().clear();
     addLidars(*car);
   }
@@ -186,7 +188,7 @@ void Simulation::Impl::returnStaticModels()
 }
 
 void Simulation::Impl::refuseOccupiedPlace(
-  const std::vector<PlacedCar> & places, CarIndex own, const std::string & what) const
+  const std::vector<PlacedCar> & places, std::size_t own, const std::string & what) const
 {
   if (const Piece * piece = firstOverlap(places, own, *collisions_)) {
     throw Error(what + " is not free: it overlaps " + nameOf(*piece));
@@ -196,7 +198,7 @@ void Simulation::Impl::refuseOccupiedPlace(
 std::string Simulation::Impl::nameOf(const Piece & piece) const
 {
   if (piece.owner == Piece::Owner::kCar) {
-    return "car " + cars_[piece.body]->description().name;
+    return "car " + cars()[piece.body]->description().name;
   }
   return "model " + withoutCollision(world_.models[piece.body].solids[piece.solid].name);
 }
@@ -216,7 +218,7 @@ std::size_t Simulation::Impl::sceneAt(double height)
     return found - scenes_.begin();
   }
   LidarScene & scene = scenes_.emplace_back(world_, height);
-  for (const auto & car : cars_) {
+  for (const auto & car : cars()) {
     scene.addCar(car->description());
   }
   return scenes_.size() - 1;
@@ -224,15 +226,15 @@ std::size_t Simulation::Impl::sceneAt(double height)
 
 void Simulation::Impl::step()
 {
-  for (const auto & car : cars_) {
+  for (const auto & car : cars()) {
     car->predict(time_, dt_);
   }
-  const bool touched = encounters_.advance(cars_, *collisions_, dt_);
+  const bool touched = encounters_.advance(cars(), *collisions_, dt_);
   if (touched) {
     logContacts();
   }
   time_ += step_length_;
-  for (const auto & car : cars_) {
+  for (const auto & car : cars()) {
     car->commit(time_, dt_);
   }
   moving_poses_are_current_ = false;
@@ -240,8 +242,8 @@ void Simulation::Impl::step()
 
 void Simulation::Impl::logContacts()
 {
-  for (CarIndex i = 0; i < cars_.size(); ++i) {
-    Car & car = *cars_[i];
+  for (std::size_t i = 0; i < cars().size(); ++i) {
+    Car & car = *cars()[i];
     for (const StepContact & contact : collisions_->contacts(i)) {
       car.contactLog().add(
         contact, dt_, [&](const StepContact & step, Contact & report) { describe(car, step, report); });
@@ -252,7 +254,7 @@ void Simulation::Impl::logContacts()
 void Simulation::Impl::describe(const Car & car, const StepContact & step, Contact & contact) const
 {
   const bool is_car = step.other_owner == Piece::Owner::kCar;
-  const CarDescription * other_car = is_car ? &cars_[step.other_body]->description() : nullptr;
+  const CarDescription * other_car = is_car ? &cars()[step.other_body]->description() : nullptr;
   const ModelDescription * model = is_car ? nullptr : &world_.models[step.other_body];
   const std::vector<Solid> & solids = is_car ? other_car->solids : model->solids;
   contact.own_collision = car.description().solids[step.own_solid].name;
@@ -269,7 +271,7 @@ void Simulation::Impl::reset()
 void Simulation::Impl::resetPoses()
 {
   returnStaticModels();
-  for (const auto & car : cars_) {
+  for (const auto & car : cars()) {
     car->restart(time_);
   }
   // The same calls in the same order as from fresh, so that Box2D's inner order is the same, too.
@@ -293,33 +295,36 @@ const MovingPoses & Simulation::Impl::movingPoses()
     }
   }
   moving_poses_.cars.clear();
-  for (const auto & car : cars_) {
+  for (const auto & car : cars()) {
     moving_poses_.cars.emplace_back(car->pose());
   }
   moving_poses_are_current_ = true;
   return moving_poses_;
 }
 
-void Simulation::Impl::scan(CarIndex index, std::size_t lidar, bool noisy, float * ranges)
+void Simulation::Impl::scan(CarId id, std::size_t lidar, bool noisy, float * ranges)
 {
-  Car & own = car(index);
+  const std::size_t index = registry_.indexOf(id);
+  Car & own = *cars()[index];
   LidarSensor & sensor = own.lidars().at(lidar);
   LidarScene & scene = scenes_[sensor.scene()];
   if (noisy) {
     const std::uint64_t key =
-      noiseKey(options_.seed, index, NoiseStream::kLidar, lidar, static_cast<std::uint64_t>(time_));
+      noiseKey(options_.seed, own.noiseStream(), NoiseStream::kLidar, lidar, static_cast<std::uint64_t>(time_));
     sensor.noisyScan(scene, index, own.pose(), movingPoses(), key, ranges);
   } else {
     sensor.scan(scene, index, own.pose(), movingPoses(), ranges);
   }
 }
 
-ImuSample Simulation::Impl::imu(CarIndex index) const
+ImuSample Simulation::Impl::imu(CarId id) const
 {
-  const CarState & state = car(index).state();
+  const Car & own = car(id);
+  const CarState & state = own.state();
   ImuSample sample{state.pose.yaw, state.yaw_rate, state.acceleration};
-  if (const auto & imu = car(index).description().imu) {
-    const std::uint64_t key = noiseKey(options_.seed, index, NoiseStream::kImu, 0, static_cast<std::uint64_t>(time_));
+  if (const auto & imu = own.description().imu) {
+    const std::uint64_t key =
+      noiseKey(options_.seed, own.noiseStream(), NoiseStream::kImu, 0, static_cast<std::uint64_t>(time_));
     sample.yaw_rate += imu->yaw_rate_noise_stddev * gaussian(key, 0);
     sample.acceleration.x += imu->acceleration_noise_stddev * gaussian(key, 1);
     sample.acceleration.y += imu->acceleration_noise_stddev * gaussian(key, 2);

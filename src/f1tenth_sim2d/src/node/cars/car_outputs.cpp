@@ -49,7 +49,7 @@ ScanOutput::ScanOutput(CarHandle car, std::size_t lidar)
 void ScanOutput::fill(sensor_msgs::LaserScan & message, SimTime now)
 {
   message.header.stamp = toRosTime(now);
-  car_.simulation.scan(car_.index, lidar_, message.ranges.data());
+  car_.simulation.scan(car_.id, lidar_, message.ranges.data());
 }
 
 OdometryPlace odometryPlace(const CarDescription & car, const VehicleParameters & vehicle)
@@ -80,8 +80,8 @@ OdometryOutput::OdometryOutput(CarHandle car, const OdometryPlace & place)
 
 void OdometryOutput::fill(nav_msgs::Odometry & message, SimTime now)
 {
-  const WheelOdometry odometry = car_.simulation.wheelOdometry(car_.index);
-  const VehicleParameters & parameters = car_.simulation.parameters(car_.index);
+  const WheelOdometry odometry = car_.simulation.wheelOdometry(car_.id);
+  const VehicleParameters & parameters = car_.simulation.parameters(car_.id);
   message.header.stamp = toRosTime(now);
   message.pose.pose = toPose(onGround(odometry.pose) * place_.base_pose);
   const Vec2 velocity{
@@ -108,7 +108,7 @@ OdometryTransformOutput::OdometryTransformOutput(
 void OdometryTransformOutput::update(SimTime now, bool /*anyway*/)
 {
   message_.header.stamp = toRosTime(now);
-  const geometry_msgs::Pose pose = toPose(onGround(car_.simulation.wheelOdometry(car_.index).pose) * place_.base_pose);
+  const geometry_msgs::Pose pose = toPose(onGround(car_.simulation.wheelOdometry(car_.id).pose) * place_.base_pose);
   message_.transform.translation.x = pose.position.x;
   message_.transform.translation.y = pose.position.y;
   message_.transform.translation.z = pose.position.z;
@@ -140,7 +140,7 @@ PoseOutput::PoseOutput(CarHandle car, const PoseSensorDescription & sensor)
 // As the original: the twist is that of the link, in the frame of the world.
 void PoseOutput::fill(nav_msgs::Odometry & message, SimTime now)
 {
-  const CarState & state = car_.simulation.state(car_.index);
+  const CarState & state = car_.simulation.state(car_.id);
   const ignition::math::Pose3d pose = onGround(state.pose) * sensor_.pose;
   const ignition::math::Vector3d arm = pose.Pos() - onGround(state.pose).Pos();
   const Vec2 velocity = rotated(state.velocity, state.pose.yaw);
@@ -166,7 +166,7 @@ ImuOutput::ImuOutput(CarHandle car, double gravity)
 
 void ImuOutput::fill(sensor_msgs::Imu & message, SimTime now)
 {
-  const ImuSample sample = car_.simulation.imu(car_.index);
+  const ImuSample sample = car_.simulation.imu(car_.id);
   message.header.stamp = toRosTime(now);
   message.orientation = toQuaternion(sample.yaw);
   message.angular_velocity.z = sample.yaw_rate;
@@ -190,9 +190,9 @@ JointStatesOutput::JointStatesOutput(
 void JointStatesOutput::fill(sensor_msgs::JointState & message, SimTime now)
 {
   using Role = JointDescription::Role;
-  const CarState & state = car_.simulation.state(car_.index);
+  const CarState & state = car_.simulation.state(car_.id);
   const SteeringAngles steering = ackermannSteering(
-    state.steering_angle, car_.simulation.parameters(car_.index).wheelbase(), car_.description().track_width);
+    state.steering_angle, car_.simulation.parameters(car_.id).wheelbase(), car_.description().track_width);
   message.header.stamp = toRosTime(now);
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const auto & [role, direction] = std::pair(joints_[i].role, joints_[i].direction);

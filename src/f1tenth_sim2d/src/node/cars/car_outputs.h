@@ -21,12 +21,12 @@ namespace f1tenth_sim2d
 struct CarHandle
 {
   const Simulation & simulation;
-  const CarIndex & index;  ///< now: it changes when a car before this one leaves
+  CarId id;
   Advertiser & advertiser;
   ros::NodeHandle node;  ///< in the car's namespace
   std::string frame_prefix;
 
-  const CarDescription & description() const { return simulation.car(index); }
+  const CarDescription & description() const { return simulation.car(id); }
   template <class Message>
   TopicPublisher<Message> advertise(const std::string & topic) const
   {

@@ -19,8 +19,7 @@ std::string topicOf(const CarDescription & car)
 }
 }  // namespace
 
-CommandInput::CommandInput(
-  Simulation & simulation, const CarIndex & car, ros::NodeHandle node, std::function<void()> on_command)
+CommandInput::CommandInput(Simulation & simulation, CarId car, ros::NodeHandle node, std::function<void()> on_command)
 : simulation_(simulation), car_(car), on_command_(std::move(on_command))
 {
   const auto hints = ros::TransportHints().tcpNoDelay();

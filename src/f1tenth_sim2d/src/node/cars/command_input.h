@@ -16,10 +16,9 @@ namespace f1tenth_sim2d
 class CommandInput
 {
 public:
-  /// @param car         its index now; it changes when a car before this one leaves
   /// @param node        in the car's namespace; its callback queue must be served by the simulation's thread
   /// @param on_command  called for every message, also for a refused one: the driver has answered
-  CommandInput(Simulation & simulation, const CarIndex & car, ros::NodeHandle node, std::function<void()> on_command);
+  CommandInput(Simulation & simulation, CarId car, ros::NodeHandle node, std::function<void()> on_command);
 
   /// What controllers within the node want; neither counted nor an answer.
   /// @throws Error for a value that makes no sense
@@ -38,7 +37,7 @@ private:
   void take(const std::function<void()> & command);
 
   Simulation & simulation_;
-  const CarIndex & car_;
+  const CarId car_;
   const std::function<void()> on_command_;
   std::size_t accepted_{0};
   std::size_t refused_{0};

@@ -26,6 +26,27 @@ void checkScanEveryPeriod(const CarDescription & car, double control_period_sec)
   }
 }
 
+/// Does something at the end of a scope that is left by an exception.
+template <typename Action>
+class OnFailure
+{
+public:
+  explicit OnFailure(Action action) : action_(std::move(action)) {}
+  OnFailure(const OnFailure &) = delete;
+  OnFailure & operator=(const OnFailure &) = delete;
+  ~OnFailure()
+  {
+    if (armed_) {
+      action_();
+    }
+  }
+  void dismiss() { armed_ = false; }
+
+private:
+  Action action_;
+  bool armed_{true};
+};
+
 bool contains(const std::vector<std::string> & names, const std::string & name)
 {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -46,32 +67,34 @@ void Fleet::add(
   if (around_.barrier != nullptr && contains(around_.parameters.participants, parameters.name)) {
     checkScanEveryPeriod(description, around_.parameters.control_period_sec);
   }
+  cars_.reserve(cars_.size() + 1);
   auto car = std::make_unique<Car>();
-  car->index = around_.simulation.addCar(description, vehicle, pose);
   car->parameters = parameters;
+  car->id = around_.simulation.addCar(description, vehicle, pose);
+  OnFailure undo([&] { removeFromWorld(car->id); });
   addCommands(*car);
-  try {
-    around_.world.addCar(makeOutputs(*car));
-  } catch (const Error &) {
-    around_.simulation.removeCar(car->index);
-    throw;
-  }
+  around_.world.addCar(car->id, makeOutputs(*car));
   cars_.push_back(std::move(car));
+  undo.dismiss();
 }
 
-void Fleet::remove(CarIndex index)
+void Fleet::remove(CarId id)
 {
-  around_.world.removeCar(index);
-  cars_.erase(cars_.begin() + static_cast<std::ptrdiff_t>(index));
-  for (CarIndex i = index; i < cars_.size(); ++i) {
-    cars_[i]->index = i;
-  }
-  around_.simulation.removeCar(index);
+  removeFromWorld(id);
+  const auto found = std::find_if(cars_.begin(), cars_.end(), [&](const auto & car) { return car->id == id; });
+  cars_.erase(found);
+}
+
+// Its outputs refer to the car.
+void Fleet::removeFromWorld(CarId id)
+{
+  around_.world.removeCar(id);
+  around_.simulation.removeCar(id);
 }
 
 CarOutputs Fleet::makeOutputs(const Car & car)
 {
-  const CarHandle handle{around_.simulation, car.index, around_.outbox, nodeOf(car), car.parameters.frame_prefix};
+  const CarHandle handle{around_.simulation, car.id, around_.outbox, nodeOf(car), car.parameters.frame_prefix};
   const CarDescription & description = handle.description();
   CarOutputs outputs;
   for (std::size_t lidar = 0; lidar < description.lidars.size(); ++lidar) {
@@ -99,7 +122,7 @@ CarOutputs Fleet::makeOutputs(const Car & car)
 
 void Fleet::addOdometry(const CarHandle & car, CarOutputs & outputs) const
 {
-  const OdometryPlace place = odometryPlace(car.description(), around_.simulation.parameters(car.index));
+  const OdometryPlace place = odometryPlace(car.description(), around_.simulation.parameters(car.id));
   if (place.has_topic) {
     outputs.others.push_back(std::make_unique<OdometryOutput>(car, place));
   }
@@ -117,13 +140,13 @@ void Fleet::addPlugins(const Car & car, CarOutputs & outputs)
 {
   const CarPluginContext context{
     around_.simulation,
-    car.index,
+    car.id,
     nodeOf(car),
     around_.outbox,
     around_.transforms,
     car.parameters.frame_prefix,
     around_.parameters.odometry == OdometryOwner::kPerfect};
-  for (const auto & element : around_.simulation.car(car.index).plugins) {
+  for (const auto & element : around_.simulation.car(car.id).plugins) {
     if (auto plugin = around_.plugins.make(element, context)) {
       outputs.others.push_back(std::make_unique<PluginOutput>(std::move(plugin)));
     }
@@ -137,7 +160,7 @@ void Fleet::addCommands(Car & car)
   if (around_.barrier != nullptr && contains(around_.parameters.participants, name)) {
     on_command = [barrier = around_.barrier, name] { barrier->noteCommand(name); };
   }
-  car.commands = std::make_unique<CommandInput>(around_.simulation, car.index, nodeOf(car), std::move(on_command));
+  car.commands = std::make_unique<CommandInput>(around_.simulation, car.id, nodeOf(car), std::move(on_command));
 }
 
 std::vector<DiagnosticsOutput::Driver> Fleet::drivers() const

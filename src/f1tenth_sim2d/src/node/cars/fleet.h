@@ -36,17 +36,18 @@ public:
 
   explicit Fleet(const Surroundings & surroundings);
 
-  /// @throws Error for a car that cannot be used; it is then not there
+  /// All or nothing, whatever is thrown.
+  /// @throws Error for a car that cannot be used
   void add(
     const CarParameters & car, const CarDescription & description, const VehicleParameters & vehicle,
     const Pose2 & pose);
-  void remove(CarIndex index);
+  void remove(CarId car);
   std::vector<DiagnosticsOutput::Driver> drivers() const;
 
 private:
   struct Car
   {
-    CarIndex index;
+    CarId id;
     CarParameters parameters;
     std::unique_ptr<CommandInput> commands;
   };
@@ -55,9 +56,10 @@ private:
   void addOdometry(const CarHandle & car, CarOutputs & outputs) const;
   void addPlugins(const Car & car, CarOutputs & outputs);
   void addCommands(Car & car);
+  void removeFromWorld(CarId car);
   ros::NodeHandle nodeOf(const Car & car) const;
 
   const Surroundings around_;
-  std::vector<std::unique_ptr<Car>> cars_;  // others refer to their index
+  std::vector<std::unique_ptr<Car>> cars_;  // others refer to their commands
 };
 }  // namespace f1tenth_sim2d

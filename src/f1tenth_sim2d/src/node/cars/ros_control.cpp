@@ -61,8 +61,8 @@ void RosControl::update(SimTime now, bool /*anyway*/)
   last_ = now;
   if (const auto commands = wanted(); !commands.empty()) {
     const auto & simulation = car_.simulation;
-    commands_.apply(driveCommand(
-      commands, car_.description(), simulation.parameters(car_.index), simulation.state(car_.index).velocity.x));
+    commands_.apply(
+      driveCommand(commands, car_.description(), simulation.parameters(car_.id), simulation.state(car_.id).velocity.x));
   }
   schedule_.run(now);
 }

@@ -23,12 +23,12 @@ Vec2 velocityAt(const Pose3d & place, const Pose2 & origin, const Vec2 & velocit
 
 /// Something that is fixed to a car, at a pose in the car's frame.
 Entity onCar(
-  const Simulation & simulation, CarIndex car, Entity::Kind kind, const std::string & name, const Pose3d & mount)
+  const Simulation & simulation, CarId car, Entity::Kind kind, const std::string & name, const Pose3d & mount)
 {
   const CarState & state = simulation.state(car);
   const Pose3d pose = onGround(state.pose) * mount;
   const Vec2 velocity = rotated(state.velocity, state.pose.yaw);
-  return {kind, car, name, pose, velocityAt(pose, state.pose, velocity, state.yaw_rate), state.yaw_rate};
+  return {kind, 0, car, name, pose, velocityAt(pose, state.pose, velocity, state.yaw_rate), state.yaw_rate};
 }
 
 std::vector<Entity> models(const Simulation & simulation)
@@ -38,7 +38,12 @@ std::vector<Entity> models(const Simulation & simulation)
     const ModelDescription & model = simulation.models()[i];
     const ModelState state = simulation.modelState(i);
     result.push_back(
-      {Entity::Kind::kModel, i, model.name, onGround(state.pose) * heightAndTilt(model.pose), state.velocity,
+      {Entity::Kind::kModel,
+       i,
+       {},
+       model.name,
+       onGround(state.pose) * heightAndTilt(model.pose),
+       state.velocity,
        state.yaw_rate});
   }
   return result;
@@ -48,7 +53,7 @@ std::vector<Entity> models(const Simulation & simulation)
 std::vector<Entity> entities(const Simulation & simulation)
 {
   std::vector<Entity> result = models(simulation);
-  for (CarIndex car = 0; car < simulation.carCount(); ++car) {
+  for (const CarId car : simulation.cars()) {
     const CarDescription & description = simulation.car(car);
     result.push_back(onCar(simulation, car, Entity::Kind::kCar, description.name, description.model_pose));
   }
@@ -58,7 +63,7 @@ std::vector<Entity> entities(const Simulation & simulation)
 std::vector<Entity> links(const Simulation & simulation)
 {
   std::vector<Entity> result;
-  for (CarIndex car = 0; car < simulation.carCount(); ++car) {
+  for (const CarId car : simulation.cars()) {
     const CarDescription & description = simulation.car(car);
     for (const auto & [link, pose] : description.link_poses) {
       result.push_back(onCar(simulation, car, Entity::Kind::kLink, description.name + "::" + link, pose));

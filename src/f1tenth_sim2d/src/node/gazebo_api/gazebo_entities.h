@@ -21,7 +21,8 @@ struct Entity
     kCar,
     kLink
   } kind;
-  std::size_t index;  ///< of the model or car
+  std::size_t model;  ///< index of a model
+  CarId car;          ///< of a car or link
   std::string name;
   ignition::math::Pose3d pose;  ///< of its own frame
   Vec2 velocity;                ///< m/s, of the origin of its frame

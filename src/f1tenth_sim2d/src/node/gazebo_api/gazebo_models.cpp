@@ -21,7 +21,7 @@ bool answer(Response & response, bool success, const std::string & message)
 std::optional<Entity> findReference(const Simulation & simulation, const std::string & name)
 {
   if (isWorld(name)) {
-    return Entity{Entity::Kind::kModel, 0, name, {}, {}, 0.0};
+    return Entity{Entity::Kind::kModel, 0, {}, name, {}, {}, 0.0};
   }
   return find(simulation, name);
 }
@@ -79,7 +79,7 @@ bool GazeboModels::spawn(gazebo_msgs::SpawnModel::Request & request, gazebo_msgs
     spawner_.spawn(
       {request.model_name, request.model_xml, request.robot_namespace,
        reference->pose * fromPose(request.initial_pose)});
-  } catch (const Error & error) {
+  } catch (const std::exception & error) {  // ROS has exceptions of its own, for names that it does not take
     return answer(response, false, std::string("SpawnModel: Failure - ") + error.what());
   }
   return answer(response, true, "SpawnModel: Successfully spawned entity");
@@ -92,9 +92,9 @@ bool GazeboModels::remove(gazebo_msgs::DeleteModel::Request & request, gazebo_ms
     return answer(response, false, "DeleteModel: model does not exist");
   }
   if (entity->kind == Entity::Kind::kCar) {
-    fleet_.remove(entity->index);
+    fleet_.remove(entity->car);
   } else {
-    simulation_.removeModel(entity->index);
+    simulation_.removeModel(entity->model);
   }
   return answer(response, true, "DeleteModel: successfully deleted model");
 }
@@ -145,13 +145,13 @@ void GazeboModels::put(const gazebo_msgs::ModelState & wanted, const Entity & en
   const Vec2 velocity = rotated({wanted.twist.linear.x, wanted.twist.linear.y}, reference.pose.Rot().Yaw());
   const double yaw_rate = wanted.twist.angular.z;
   if (entity.kind == Entity::Kind::kModel) {
-    simulation_.placeModel(entity.index, {{pose.Pos().X(), pose.Pos().Y(), pose.Rot().Yaw()}, velocity, yaw_rate});
+    simulation_.placeModel(entity.model, {{pose.Pos().X(), pose.Pos().Y(), pose.Rot().Yaw()}, velocity, yaw_rate});
     return;
   }
-  const Pose2 place = carPose(simulation_.car(entity.index), pose);
+  const Pose2 place = carPose(simulation_.car(entity.car), pose);
   const Vec2 arm{place.x - pose.Pos().X(), place.y - pose.Pos().Y()};
   const Vec2 own{velocity.x - yaw_rate * arm.y, velocity.y + yaw_rate * arm.x};
-  simulation_.placeCar(entity.index, place, rotated(own, -place.yaw), yaw_rate);
+  simulation_.placeCar(entity.car, place, rotated(own, -place.yaw), yaw_rate);
 }
 
 bool GazeboModels::getLinkState(
@@ -182,13 +182,13 @@ bool GazeboModels::getProperties(
     return answer(response, false, "GetModelProperties: model does not exist");
   }
   const bool is_car = entity->kind == Entity::Kind::kCar;
-  response.is_static = !is_car && simulation_.models()[entity->index].is_static;
-  const auto & solids = is_car ? simulation_.car(entity->index).solids : simulation_.models()[entity->index].solids;
+  response.is_static = !is_car && simulation_.models()[entity->model].is_static;
+  const auto & solids = is_car ? simulation_.car(entity->car).solids : simulation_.models()[entity->model].solids;
   for (const Solid & solid : solids) {
     response.geom_names.push_back(solid.name.substr(solid.name.rfind(':') + 1));
   }
   if (is_car) {
-    const CarDescription & car = simulation_.car(entity->index);
+    const CarDescription & car = simulation_.car(entity->car);
     response.body_names = car.links;
     response.canonical_body_name = car.base_frame;
     for (const JointDescription & joint : car.mechanism) {

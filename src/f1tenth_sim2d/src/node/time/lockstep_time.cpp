@@ -49,7 +49,7 @@ void LockstepTime::publishClock()
 // go out again only when somebody new is there: tf complains about a stamp that it knows.
 void LockstepTime::repeatPeriod()
 {
-  for (CarIndex car = 0; car < simulation_.carCount(); ++car) {
+  for (const CarId car : simulation_.cars()) {
     if (!barrier_.hasAnswered(simulation_.car(car).name)) {
       world_.repeatScans(car);
     }

@@ -22,9 +22,11 @@ Schedule::Id SimulatedWorld::schedule(Output & output)
     time());
 }
 
-void SimulatedWorld::addCar(CarOutputs outputs)
+void SimulatedWorld::addCar(CarId id, CarOutputs outputs)
 {
-  Car & car = cars_.emplace_back(Car{std::move(outputs), {}});
+  Car & car = cars_[id];
+  car.outputs = std::move(outputs);
+  car.tasks.reserve(car.outputs.scans.size() + car.outputs.bumpers.size() + car.outputs.others.size());
   const auto scheduleAll = [&](auto & list) {
     for (auto & output : list) {
       car.tasks.push_back(schedule(*output));
@@ -33,16 +35,18 @@ void SimulatedWorld::addCar(CarOutputs outputs)
   scheduleAll(car.outputs.scans);
   scheduleAll(car.outputs.bumpers);
   scheduleAll(car.outputs.others);
-  log_.setCarCount(cars_.size());
 }
 
-void SimulatedWorld::removeCar(CarIndex car)
+void SimulatedWorld::removeCar(CarId car)
 {
-  for (const Schedule::Id task : cars_[car].tasks) {
+  const auto found = cars_.find(car);
+  if (found == cars_.end()) {
+    return;
+  }
+  for (const Schedule::Id task : found->second.tasks) {
     schedule_.remove(task);
   }
-  cars_.erase(cars_.begin() + static_cast<std::ptrdiff_t>(car));
-  log_.removeCar(car);
+  cars_.erase(found);
 }
 
 void SimulatedWorld::add(std::unique_ptr<Output> output)
@@ -69,7 +73,7 @@ void SimulatedWorld::advanceTo(SimTime end)
 
 void SimulatedWorld::distributeContacts()
 {
-  for (CarIndex car = 0; car < simulation_.carCount(); ++car) {
+  for (const CarId car : simulation_.cars()) {
     for (const auto & contact : simulation_.contacts(car)) {
       log_.note(car, contact);
       for (auto & bumper : cars_[car].outputs.bumpers) {
@@ -80,7 +84,7 @@ void SimulatedWorld::distributeContacts()
   }
 }
 
-void SimulatedWorld::repeatScans(CarIndex car)
+void SimulatedWorld::repeatScans(CarId car)
 {
   for (auto & scan : cars_[car].outputs.scans) {
     scan->repeat();
@@ -89,7 +93,7 @@ void SimulatedWorld::repeatScans(CarIndex car)
 
 void SimulatedWorld::repeatOthers()
 {
-  for (Car & car : cars_) {
+  for (auto & [id, car] : cars_) {
     for (auto & bumper : car.outputs.bumpers) {
       bumper->repeat();
     }
@@ -119,7 +123,7 @@ void SimulatedWorld::resetPoses()
 
 void SimulatedWorld::forgetContacts()
 {
-  for (Car & car : cars_) {
+  for (auto & [id, car] : cars_) {
     for (auto & bumper : car.outputs.bumpers) {
       bumper->restart();
     }

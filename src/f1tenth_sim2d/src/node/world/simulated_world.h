@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,9 +31,9 @@ public:
   SimulatedWorld(
     Simulation & simulation, TransformBatch & transforms, double control_period_sec, const std::string & record_file);
 
-  /// Outputs of a car that has just been added to the simulation, and the end of them.
-  void addCar(CarOutputs outputs);
-  void removeCar(CarIndex car);
+  /// Outputs of a car that has just been added to the simulation, and the end of them, if there are any.
+  void addCar(CarId car, CarOutputs outputs);
+  void removeCar(CarId car);
   void add(std::unique_ptr<Output> output);
   /// For what is not an Output. Tasks run after all outputs that were added before.
   Schedule & schedule() { return schedule_; }
@@ -47,7 +48,7 @@ public:
   /// Steps, and runs everything that falls due on the way.
   void advanceTo(SimTime end);
   /// Publishes the last messages again: of one car's lidars, or of everything else.
-  void repeatScans(CarIndex car);
+  void repeatScans(CarId car);
   void repeatOthers();
   /// Back to time 0, as from fresh.
   void restart();
@@ -70,7 +71,7 @@ private:
     CarOutputs outputs;
     std::vector<Schedule::Id> tasks;
   };
-  std::vector<Car> cars_;
+  std::map<CarId, Car> cars_;
   std::vector<std::unique_ptr<Output>> others_;
 };
 }  // namespace f1tenth_sim2d

@@ -16,14 +16,14 @@ void TrajectoryLog::endPeriod()
   if (recorder_) {
     recorder_->write(simulation_, touched_, hash_.hexDigest());
   }
-  forgetTouches();
+  touched_.clear();
 }
 
 void TrajectoryLog::restart()
 {
   hash_.reset();
   periods_ = 0;
-  forgetTouches();
+  touched_.clear();
   if (recorder_) {
     recorder_->restart();
   }
@@ -36,10 +36,4 @@ void TrajectoryLog::flush()
   }
 }
 
-void TrajectoryLog::forgetTouches()
-{
-  for (auto & models : touched_) {
-    models.clear();
-  }
-}
 }  // namespace f1tenth_sim2d

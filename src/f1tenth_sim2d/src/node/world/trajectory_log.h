@@ -1,9 +1,7 @@
 #pragma once
 
 #include <optional>
-#include <set>
 #include <string>
-#include <vector>
 
 #include "f1tenth_sim2d/simulation.h"
 #include "f1tenth_sim2d/trajectory_hash.h"
@@ -20,9 +18,7 @@ public:
   TrajectoryLog(const Simulation & simulation, const std::string & record_file);
 
   /// Every contact, once, in the period in which it was.
-  void note(CarIndex car, const Contact & contact) { touched_[car].insert(contact.other_model); }
-  void setCarCount(std::size_t count) { touched_.resize(count); }
-  void removeCar(CarIndex car) { touched_.erase(touched_.begin() + static_cast<std::ptrdiff_t>(car)); }
+  void note(CarId car, const Contact & contact) { touched_[car].insert(contact.other_model); }
   void endPeriod();
   void restart();
   /// Leaves nothing of the record in memory.
@@ -32,12 +28,10 @@ public:
   std::string hash() const { return hash_.hexDigest(); }
 
 private:
-  void forgetTouches();
-
   const Simulation & simulation_;
   TrajectoryHash hash_;
   std::optional<TrajectoryRecorder> recorder_;
-  std::vector<std::set<std::string>> touched_;  // by car
+  TouchedModels touched_;
   std::int64_t periods_{0};
 };
 }  // namespace f1tenth_sim2d

@@ -58,13 +58,13 @@ void TrajectoryRecorder::restart()
   open();
 }
 
-void TrajectoryRecorder::write(
-  const Simulation & simulation, const std::vector<std::set<std::string>> & touched, const std::string & hash)
+void TrajectoryRecorder::write(const Simulation & simulation, const TouchedModels & touched, const std::string & hash)
 {
-  for (CarIndex car = 0; car < simulation.carCount(); ++car) {
+  for (const CarId car : simulation.cars()) {
+    const auto models = touched.find(car);
     stream_ << seconds(simulation.time()) << ',' << simulation.car(car).name << ','
             << numbers(simulation.state(car), simulation.clearance(car, kClearanceLimit)) << ','
-            << joinedNames(touched[car]) << ',' << hash << '\n';
+            << (models == touched.end() ? "" : joinedNames(models->second)) << ',' << hash << '\n';
   }
   requireGood();
 }

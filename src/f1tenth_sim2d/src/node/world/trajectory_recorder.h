@@ -1,14 +1,17 @@
 #pragma once
 
 #include <fstream>
+#include <map>
 #include <set>
 #include <string>
-#include <vector>
 
 #include "f1tenth_sim2d/simulation.h"
 
 namespace f1tenth_sim2d
 {
+/// The names of the models that a car touched, for cars that touched any.
+using TouchedModels = std::map<CarId, std::set<std::string>>;
+
 /// Writes one CSV row a car and control period, with all digits of every number. Columns: docs/contracts.md.
 class TrajectoryRecorder
 {
@@ -16,9 +19,8 @@ public:
   /// @throws Error if the file cannot be written
   explicit TrajectoryRecorder(const std::string & file);
 
-  /// @param touched  by car, the names of the models touched in the period
-  void write(
-    const Simulation & simulation, const std::vector<std::set<std::string>> & touched, const std::string & hash);
+  /// @param touched  in the period
+  void write(const Simulation & simulation, const TouchedModels & touched, const std::string & hash);
   /// Begins the file anew.
   void restart();
   /// Leaves nothing in memory.

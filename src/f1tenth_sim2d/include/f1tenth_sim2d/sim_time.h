@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cmath>
-
-#include "f1tenth_sim2d/simulation.h"
+#include <cstdint>
 
 namespace f1tenth_sim2d
 {
+/// Simulated time, ns since the start.
+using SimTime = std::int64_t;
+
 constexpr double kNanosecondsPerSecond = 1e9;
 
 inline SimTime fromSeconds(double seconds)

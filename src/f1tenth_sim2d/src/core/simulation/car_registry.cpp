@@ -1,0 +1,62 @@
+#include "core/simulation/car_registry.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+std::string text(CarId id)
+{
+  return std::to_string(static_cast<std::uint32_t>(id));
+}
+
+[[noreturn]] void refuse(CarId unknown, const std::vector<CarId> & known)
+{
+  std::string message = "there is no car " + text(unknown);
+  for (const CarId id : known) {
+    message += (id == known.front() ? ", only " : ", ") + text(id);
+  }
+  throw std::out_of_range(message);
+}
+}  // namespace
+
+std::size_t CarRegistry::indexOf(CarId id) const
+{
+  const auto found = std::lower_bound(ids_.begin(), ids_.end(), id);
+  if (found == ids_.end() || *found != id) {
+    refuse(id, ids_);
+  }
+  return static_cast<std::size_t>(found - ids_.begin());
+}
+
+std::uint32_t CarRegistry::freeNoiseStream() const
+{
+  const auto taken = [this](std::uint32_t stream) {
+    return std::any_of(cars_.begin(), cars_.end(), [&](const auto & car) { return car->noiseStream() == stream; });
+  };
+  std::uint32_t stream = 0;
+  while (taken(stream)) {
+    ++stream;
+  }
+  return stream;
+}
+
+void CarRegistry::add(std::unique_ptr<Car> car)
+{
+  ids_.reserve(ids_.size() + 1);
+  cars_.push_back(std::move(car));
+  ids_.push_back(nextId());
+  ++next_id_;
+}
+
+void CarRegistry::remove(CarId id)
+{
+  const auto index = static_cast<std::ptrdiff_t>(indexOf(id));
+  cars_.erase(cars_.begin() + index);
+  ids_.erase(ids_.begin() + index);
+}
+}  // namespace f1tenth_sim2d

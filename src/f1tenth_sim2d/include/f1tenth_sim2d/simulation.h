@@ -12,6 +12,7 @@
 #include "f1tenth_sim2d/contact.h"
 #include "f1tenth_sim2d/geometry.h"
 #include "f1tenth_sim2d/model_state.h"
+#include "f1tenth_sim2d/prepared_world.h"
 #include "f1tenth_sim2d/sensor_samples.h"
 #include "f1tenth_sim2d/sim_time.h"
 #include "f1tenth_sim2d/vehicle_parameters.h"
@@ -31,6 +32,8 @@ class Simulation
 {
 public:
   /// @throws Error for options out of range
+  explicit Simulation(const PreparedWorld & world, const SimulationOptions & options = {});
+  /// In a world of its own. @throws Error likewise, and as PreparedWorld does
   explicit Simulation(const WorldDescription & world, const SimulationOptions & options = {});
   ~Simulation();
   Simulation(Simulation &&) noexcept;
@@ -76,7 +79,7 @@ public:
   /// @throws Error likewise, also beyond 1000 rad/s
   void commandTwist(CarId car, double linear_x, double angular_z, double linear_y = 0.0);
 
-  const CarState & state(CarId car) const;
+  CarState state(CarId car) const;
   WheelOdometry wheelOdometry(CarId car) const;
   /// Noise depends on seed, car and time only, so reading or not reading a sensor changes nothing.
   ImuSample imu(CarId car) const;

@@ -6,12 +6,13 @@
 namespace
 {
 std::size_t count = 0;
+std::size_t failing = 0;
 }  // namespace
 
 void * operator new(std::size_t size)
 {
-  ++count;
-  if (void * memory = std::malloc(size)) {
+  void * const memory = ++count == failing ? nullptr : std::malloc(size);
+  if (memory != nullptr) {
     return memory;
   }
   throw std::bad_alloc();
@@ -31,5 +32,10 @@ namespace f1tenth_sim2d::test
 std::size_t allocationCount()
 {
   return count;
+}
+
+void failAllocation(std::size_t number)
+{
+  failing = number == 0 ? 0 : count + number;
 }
 }  // namespace f1tenth_sim2d::test

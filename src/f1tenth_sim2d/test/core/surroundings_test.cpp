@@ -57,11 +57,7 @@ std::string hashOfScraping(Simulation & simulation)
 
 TEST(StaticPieces, ThoseInARegionAreFound)
 {
-  const Piece near = square(0.0F, 0.0F);
-  const Piece far = square(100.0F, 0.0F);
-  StaticPieces statics;
-  statics.add(near);
-  statics.add(far);
+  const StaticPieces statics({square(0.0F, 0.0F), square(100.0F, 0.0F)});
   EXPECT_EQ(statics.size(), 2u);
   EXPECT_EQ(found(statics, {{-2.0F, -2.0F}, {2.0F, 2.0F}}), std::vector<std::size_t>{0});
   EXPECT_EQ(found(statics, {{98.0F, -2.0F}, {98.95F, 2.0F}}), std::vector<std::size_t>{1});

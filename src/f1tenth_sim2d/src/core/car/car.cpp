@@ -3,22 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/contacts/piece_extent.h"
 #include "core/math/planar_pose.h"
 #include "f1tenth_sim2d/ackermann.h"
 
 namespace f1tenth_sim2d
 {
 Car::Car(
-  std::size_t index, std::uint32_t noise_stream, const CarDescription & description,
-  const VehicleParameters & parameters, const Pose2 & start, std::uint64_t seed, WorldPieces & world)
-: noise_stream_(noise_stream),
-  description_(description),
-  parameters_(parameters),
+  const CarDescription & description, const VehicleParameters & parameters, const Pose2 & start, std::uint64_t seed,
+  std::uint32_t noise_stream)
+: parameters_(parameters),
+  track_width_(description.track_width),
+  wheel_radius_(description.wheel_radius),
   start_(start),
-  pieces_(carPieces(description.solids, parameters.l_r, static_cast<std::uint32_t>(index), world)),
-  layer_count_(world.layerCount()),
-  outer_radius_(outerRadius(pieces_)),
   model_(parameters),
   actuation_(parameters),
   odometry_(parameters, seed, noise_stream)
@@ -26,11 +22,6 @@ Car::Car(
   if (TwistDrive::drives(description)) {
     twist_drive_.emplace(description, parameters);
   }
-}
-
-PlacedCar Car::placed() const
-{
-  return {pieces_, outer_radius_, {state_.x, state_.y, state_.psi}};
 }
 
 void Car::place(const Pose2 & pose, const Vec2 & velocity, double yaw_rate)
@@ -47,13 +38,6 @@ void Car::place(const Pose2 & pose, const Vec2 & velocity, double yaw_rate)
   speed_ = 0.0;
   acceleration_ = {};
   wheel_speeds_ = {};
-  reported_is_current_ = false;
-}
-
-void Car::moveInto(std::size_t index, WorldPieces & world)
-{
-  pieces_ = carPieces(description_.solids, parameters_.l_r, static_cast<std::uint32_t>(index), world);
-  layer_count_ = world.layerCount();
 }
 
 void Car::restart(SimTime now)
@@ -65,7 +49,6 @@ void Car::restart(SimTime now)
     twist_drive_->restart();
   }
   odometry_.restart(start_, 0.0, now);
-  contacts_.clear();
 }
 
 void Car::command(const DriveCommand & command, SimTime now)
@@ -96,13 +79,13 @@ void Car::predict(SimTime now, double dt)
   }
 }
 
-double Car::predictedTravel() const
+double Car::predictedTravel(double outer_radius) const
 {
   return length({predicted_.x - state_.x, predicted_.y - state_.y}) +
-         std::abs(predicted_.psi - state_.psi) * outer_radius_;
+         std::abs(predicted_.psi - state_.psi) * outer_radius;
 }
 
-CarMotion Car::predictedMotion() const
+PlanarMotion Car::predictedMotion() const
 {
   return {{state_.x, state_.y, state_.psi}, worldVelocity(predicted_), predicted_.psi_dot};
 }
@@ -128,20 +111,19 @@ void Car::commit(SimTime now, double dt)
   const double distance = 0.5 * (speed_ + speed) * dt;
   if (twist_drive_) {
     const double sideways = (bodyVelocity(state_).y - parameters_.l_r * state_.psi_dot) * dt;
-    odometry_.advanceFreely({distance, sideways}, turn, description_.track_width, dt, now);
+    odometry_.advanceFreely({distance, sideways}, turn, track_width_, dt, now);
   } else {
     odometry_.advance(distance, state_.delta, dt, now);
   }
   velocity_ = velocity;
   speed_ = speed;
   turnWheels(dt);
-  reported_is_current_ = false;
 }
 
 void Car::turnWheels(double dt)
 {
-  wheel_speeds_ = wheelSpeeds(
-    speed_, state_.psi_dot, state_.delta, parameters_.wheelbase(), description_.track_width, description_.wheel_radius);
+  wheel_speeds_ =
+    wheelSpeeds(speed_, state_.psi_dot, state_.delta, parameters_.wheelbase(), track_width_, wheel_radius_);
   for (std::size_t i = 0; i < wheel_angles_.size(); ++i) {
     wheel_angles_[i] += wheel_speeds_[i] * dt;
   }
@@ -153,24 +135,17 @@ Pose2 Car::pose() const
   return {state_.x - parameters_.l_r * at.cosine, state_.y - parameters_.l_r * at.sine, wrapAngle(state_.psi)};
 }
 
-const CarState & Car::state() const
-{
-  if (!reported_is_current_) {
-    updateState();
-  }
-  return reported_;
-}
-
-void Car::updateState() const
+CarState Car::state() const
 {
   const Vec2 velocity = bodyVelocity(state_);
-  reported_.pose = pose();
-  reported_.velocity = {velocity.x, velocity.y - parameters_.l_r * state_.psi_dot};
-  reported_.yaw_rate = state_.psi_dot;
-  reported_.acceleration = Transform2({0.0, 0.0, state_.psi}).rotateBack(acceleration_);
-  reported_.steering_angle = state_.delta;
-  reported_.wheel_angles = wheel_angles_;
-  reported_.wheel_speeds = wheel_speeds_;
-  reported_is_current_ = true;
+  CarState state;
+  state.pose = pose();
+  state.velocity = {velocity.x, velocity.y - parameters_.l_r * state_.psi_dot};
+  state.yaw_rate = state_.psi_dot;
+  state.acceleration = Transform2({0.0, 0.0, state_.psi}).rotateBack(acceleration_);
+  state.steering_angle = state_.delta;
+  state.wheel_angles = wheel_angles_;
+  state.wheel_speeds = wheel_speeds_;
+  return state;
 }
 }  // namespace f1tenth_sim2d

@@ -34,12 +34,17 @@ double distance(const Piece & a, const b2Transform & at_a, const Piece & b, cons
   return fromBox(output.distance);
 }
 
+double radius(const PlacedCar & car)
+{
+  return car.body.participant.outer_radius;
+}
+
 /// Calls visit(distance, other piece) for all pairs of own pieces and pieces of the other car that could touch.
 template <typename Visit>
 void forEachPair(const PlacedCar & own, const Piece & other, const b2Transform & at_other, Visit visit)
 {
   const b2Transform at_own = transformOf(own.pose);
-  for (const Piece & piece : own.pieces) {
+  for (const Piece & piece : own.body.pieces) {
     if (canTouch(piece, other)) {
       visit(distance(piece, at_own, other, at_other), other);
     }
@@ -51,11 +56,11 @@ void forEachCarPair(const std::vector<PlacedCar> & cars, std::size_t own, double
 {
   for (std::size_t i = 0; i < cars.size(); ++i) {
     const double centres = length({cars[i].pose.x - cars[own].pose.x, cars[i].pose.y - cars[own].pose.y});
-    if (i == own || centres - cars[i].outer_radius - cars[own].outer_radius > limit) {
+    if (i == own || centres - radius(cars[i]) - radius(cars[own]) > limit) {
       continue;
     }
     const b2Transform at_other = transformOf(cars[i].pose);
-    for (const Piece & other : cars[i].pieces) {
+    for (const Piece & other : cars[i].body.pieces) {
       forEachPair(cars[own], other, at_other, visit);
     }
   }
@@ -65,7 +70,7 @@ template <typename Visit>
 void forEachModelPair(const PlacedCar & own, const CollisionWorld & world, double reach, Visit visit)
 {
   world.forEachModelPieceNear(
-    {own.pose.x, own.pose.y}, own.outer_radius + reach,
+    own.body, {own.pose.x, own.pose.y}, reach,
     [&](const Piece & other, const b2Transform & at_other) { forEachPair(own, other, at_other, visit); });
 }
 }  // namespace

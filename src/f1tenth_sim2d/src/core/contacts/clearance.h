@@ -2,16 +2,16 @@
 
 #include <vector>
 
+#include "core/contacts/car_body.h"
 #include "core/contacts/collision_world.h"
 
 namespace f1tenth_sim2d
 {
-/// A car's pieces at a place.
+/// A car at a place.
 struct PlacedCar
 {
-  const std::vector<Piece> & pieces;
-  double outer_radius;  ///< m
-  Pose2 pose;           ///< of the centre of mass
+  const CarBody & body;
+  Pose2 pose;  ///< of the centre of mass
 };
 
 /// Least distance from a car to anything it could touch, m; 0 in contact; at most limit.

@@ -38,9 +38,9 @@ CollisionWorld::CollisionWorld(const WorldDescription & world, const WorldPieces
   world_.SetContactListener(&recorder_);
   // Substeps keep a car from passing through a wall; see docs/core.md.
   world_.SetContinuousPhysics(false);
-  static_added_.resize(pieces.statics().size());
   addBodies();
-  addPieces(pieces.ofWholeSolids());
+  know(pieces.whole());
+  addMovablePieces(known_.front());
   addGroundFriction();
 }
 
@@ -53,7 +53,7 @@ void CollisionWorld::addBodies()
     b2Body * body = model.is_static ? static_body_ : addMovable(model, pieces_.bodies()[i]);
     model_bodies_.push_back(body);
     if (!model.is_static) {
-      movables_.push_back({{body, outerRadius(piecesOfModel(pieces_, i)), {}}, i});
+      movables_.push_back({{body, outerRadius(wholePieces(i)), {}}, i});
     }
   }
 }
@@ -74,11 +74,22 @@ b2Body * CollisionWorld::addMovable(const ModelDescription & model, const ModelB
   return body;
 }
 
-void CollisionWorld::addPieces(const std::vector<Piece> & pieces)
+std::vector<Piece> CollisionWorld::wholePieces(std::size_t model) const
 {
-  for (const Piece & piece : pieces) {
-    const bool is_car = piece.owner == Piece::Owner::kCar;
-    addFixture(is_car ? *cars_[piece.body].participant.body : *model_bodies_[piece.body], piece);
+  const auto [first, end] = pieces_.whole().ofMovable(model);
+  return {first, end};
+}
+
+void CollisionWorld::know(const PieceSet & pieces)
+{
+  known_.push_back({&pieces, std::vector<bool>(pieces.fixed().size()), false});
+}
+
+void CollisionWorld::addMovablePieces(Known & known)
+{
+  known.in_use = true;
+  for (const Piece & piece : known.pieces->movable()) {
+    addFixture(*model_bodies_[piece.body], piece);
   }
 }
 
@@ -88,40 +99,53 @@ void CollisionWorld::addGroundFriction()
   for (const Movable & movable : movables_) {
     const ModelDescription & model = description_.models[movable.model];
     const double weight = model.mass * description_.gravity;
-    addFrictionJoint(*static_body_, *movable.participant.body, piecesOfModel(pieces_, movable.model), ground, weight);
+    addFrictionJoint(*static_body_, *movable.participant.body, wholePieces(movable.model), ground, weight);
   }
 }
 
-void CollisionWorld::addLayers(std::size_t count)
+void CollisionWorld::prepareFor(const CarBody & car)
 {
-  for (; layers_added_ < count; ++layers_added_) {
-    addPieces(pieces_.ofLayer(layers_added_));
+  cars_.reserve(cars_.size() + 1);
+  for (const PieceSet * layer : car.layers) {
+    const auto is_it = [&](const Known & known) { return known.pieces == layer; };
+    if (std::none_of(known_.begin(), known_.end(), is_it)) {
+      know(*layer);
+    }
   }
-  static_added_.resize(pieces_.statics().size());
 }
 
-void CollisionWorld::addCar(const CarBody & car)
+void CollisionWorld::add(CarBody & car) noexcept
 {
+  for (Known & known : known_) {
+    if (!known.in_use && std::find(car.layers.begin(), car.layers.end(), known.pieces) != car.layers.end()) {
+      addMovablePieces(known);
+    }
+  }
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
   definition.allowSleep = false;
   definition.enabled = false;
+  definition.userData.pointer = reinterpret_cast<std::uintptr_t>(&car);
   b2Body * body = world_.CreateBody(&definition);
-  cars_.push_back({{body, outerRadius(car.pieces), {}}, {}});
-  addPieces(car.pieces);
+  for (const Piece & piece : car.pieces) {
+    addFixture(*body, piece);
+  }
   b2MassData mass;
   mass.mass = static_cast<float>(car.mass);
   mass.center = b2Vec2_zero;
   mass.I = toBoxSquared(car.inertia);
   body->SetMassData(&mass);
-  recorder_.setCarCount(cars_.size());
+  car.participant.body = body;
+  car.participant.surroundings.reset();
+  car.contacts.clear();
+  cars_.push_back(&car);
 }
 
-void CollisionWorld::place(std::size_t car, const CarMotion & motion)
+void CollisionWorld::place(CarBody & car, const PlanarMotion & motion)
 {
-  b2Body * body = cars_[car].participant.body;
+  b2Body * body = car.participant.body;
   is_pristine_ = false;
-  cars_[car].placed = motion;
+  car.placed = motion;
   body->SetTransform(toBox(Vec2{motion.pose.x, motion.pose.y}), static_cast<float>(motion.pose.yaw));
   if (!body->IsEnabled()) {
     body->SetEnabled(true);
@@ -130,11 +154,10 @@ void CollisionWorld::place(std::size_t car, const CarMotion & motion)
   body->SetAngularVelocity(static_cast<float>(motion.yaw_rate));
 }
 
-void CollisionWorld::remove(std::size_t car)
+void CollisionWorld::remove(CarBody & car)
 {
-  b2Body * body = cars_[car].participant.body;
-  if (body->IsEnabled()) {
-    body->SetEnabled(false);
+  if (car.participant.body->IsEnabled()) {
+    car.participant.body->SetEnabled(false);
   }
 }
 
@@ -143,6 +166,9 @@ void CollisionWorld::step(double dt, double travel)
   is_pristine_ = false;
   surroundParticipants(travel);
   recorder_.beginStep();
+  for (CarBody * car : cars_) {
+    car->contacts.clear();
+  }
   const int substeps = std::max(1, static_cast<int>(std::ceil(travel / kSubstepTravel)));
   for (int i = 0; i < substeps; ++i) {
     recorder_.beginSubstep();
@@ -154,9 +180,9 @@ void CollisionWorld::step(double dt, double travel)
 
 void CollisionWorld::surroundParticipants(double travel)
 {
-  for (Car & car : cars_) {
-    if (car.participant.body->IsEnabled()) {
-      surround(car.participant, travel);
+  for (CarBody * car : cars_) {
+    if (car->participant.body->IsEnabled()) {
+      surround(car->participant, travel);
     }
   }
   // Also those that sleep: they may be struck in this very step.
@@ -169,17 +195,22 @@ void CollisionWorld::surround(Participant & participant, double travel)
 {
   const b2Vec2 & centre = participant.body->GetPosition();
   const double reach = participant.outer_radius + travel + kStruckTravel;
-  std::optional<b2AABB> & known = participant.surroundings;
-  if (known && known->Contains(squareAround(centre, reach))) {
+  std::optional<b2AABB> & region = participant.surroundings;
+  if (region && region->Contains(squareAround(centre, reach))) {
     return;
   }
-  known = squareAround(centre, reach + kSurroundings);
-  pieces_.statics().forEachIn(*known, [this](std::size_t index, const Piece & piece) {
-    if (!static_added_[index]) {
-      static_added_[index] = true;
-      addFixture(*static_body_, piece);
+  region = squareAround(centre, reach + kSurroundings);
+  for (Known & known : known_) {
+    if (!known.in_use) {
+      continue;
     }
-  });
+    known.pieces->fixed().forEachIn(*region, [&](std::size_t index, const Piece & piece) {
+      if (!known.has_fixed[index]) {
+        known.has_fixed[index] = true;
+        addFixture(*static_body_, piece);
+      }
+    });
+  }
 }
 
 b2AABB CollisionWorld::squareAround(const b2Vec2 & centre, double half_width)
@@ -189,10 +220,10 @@ b2AABB CollisionWorld::squareAround(const b2Vec2 & centre, double half_width)
 }
 
 // Relative to where Box2D started, in its own precision: a car that rests is not moved by rounding.
-ContactEffect CollisionWorld::effect(std::size_t car) const
+ContactEffect CollisionWorld::effect(const CarBody & car)
 {
-  const b2Body & body = *cars_[car].participant.body;
-  const CarMotion & placed = cars_[car].placed;
+  const b2Body & body = *car.participant.body;
+  const PlanarMotion & placed = car.placed;
   const Vec2 start = fromBox(toBox(Vec2{placed.pose.x, placed.pose.y}));
   const Vec2 velocity = fromBox(toBox(placed.velocity));
   const Vec2 end = fromBox(body.GetPosition());

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/contacts/contact_recorder.h"
+#include "core/contacts/step_contact.h"
 #include "f1tenth_sim2d/contact.h"
 
 namespace f1tenth_sim2d

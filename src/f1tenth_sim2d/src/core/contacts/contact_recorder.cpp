@@ -1,6 +1,7 @@
 #include "core/contacts/contact_recorder.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/contacts/box_units.h"
 
@@ -8,18 +9,24 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-bool isCar(const Piece & piece)
+CarBody & carOf(b2Fixture & fixture)
 {
-  return piece.owner == Piece::Owner::kCar;
+  return *reinterpret_cast<CarBody *>(fixture.GetBody()->GetUserData().pointer);
 }
 }  // namespace
 
-void ContactRecorder::beginStep()
+// Box2D's normal points from fixture A to fixture B.
+template <typename Record>
+void ContactRecorder::forEachCar(b2Contact & contact, Record record)
 {
-  for (std::vector<StepContact> & contacts : contacts_) {
-    contacts.clear();
+  b2Fixture & a = *contact.GetFixtureA();
+  b2Fixture & b = *contact.GetFixtureB();
+  if (pieceOf(a).owner == Piece::Owner::kCar) {
+    record(View{a, b, -1.0F});
   }
-  substep_ = 0;
+  if (pieceOf(b).owner == Piece::Owner::kCar) {
+    record(View{b, a, 1.0F});
+  }
 }
 
 // The coefficients of two surfaces are combined as Gazebo does it with ODE: by the smaller one.
@@ -33,45 +40,31 @@ void ContactRecorder::BeginContact(b2Contact * contact)
 
 void ContactRecorder::PreSolve(b2Contact * contact, const b2Manifold *)
 {
-  const Piece & a = pieceOf(*contact->GetFixtureA());
-  const Piece & b = pieceOf(*contact->GetFixtureB());
-  if (isCar(a)) {
-    recordGeometry(a, b, contact, -1.0F);
-  }
-  if (isCar(b)) {
-    recordGeometry(b, a, contact, 1.0F);
-  }
+  forEachCar(*contact, [&](const View & view) { recordGeometry(view, *contact); });
 }
 
 void ContactRecorder::PostSolve(b2Contact * contact, const b2ContactImpulse * impulse)
 {
-  const Piece & a = pieceOf(*contact->GetFixtureA());
-  const Piece & b = pieceOf(*contact->GetFixtureB());
-  if (isCar(a)) {
-    recordImpulse(a, b, contact->GetFixtureA()->GetBody()->GetWorldCenter(), contact, impulse, -1.0F);
-  }
-  if (isCar(b)) {
-    recordImpulse(b, a, contact->GetFixtureB()->GetBody()->GetWorldCenter(), contact, impulse, 1.0F);
-  }
+  forEachCar(*contact, [&](const View & view) { recordImpulse(view, *contact, *impulse); });
 }
 
-StepContact & ContactRecorder::entry(const Piece & own, const Piece & other)
+StepContact & ContactRecorder::entry(const View & view)
 {
+  const Piece & other = pieceOf(view.other);
   StepContact key;
-  key.own_solid = own.solid;
+  key.own_solid = pieceOf(view.own).solid;
   key.other_owner = other.owner;
   key.other_body = other.body;
   key.other_solid = other.solid;
-  std::vector<StepContact> & contacts = contacts_[own.body];
+  std::vector<StepContact> & contacts = carOf(view.own).contacts;
   const auto found = std::find_if(
     contacts.begin(), contacts.end(), [&](const StepContact & contact) { return contact.isOfSamePair(key); });
   return found != contacts.end() ? *found : contacts.emplace_back(std::move(key));
 }
 
-// Box2D's normal points from fixture A to fixture B.
-void ContactRecorder::recordGeometry(const Piece & own, const Piece & other, b2Contact * contact, float sign)
+void ContactRecorder::recordGeometry(const View & view, b2Contact & contact) const
 {
-  StepContact & kept = entry(own, other);
+  StepContact & kept = entry(view);
   if (kept.substep != substep_) {
     kept.positions.clear();
     kept.normals.clear();
@@ -79,24 +72,24 @@ void ContactRecorder::recordGeometry(const Piece & own, const Piece & other, b2C
     kept.substep = substep_;
   }
   b2WorldManifold manifold;
-  contact->GetWorldManifold(&manifold);
-  for (int i = 0; i < contact->GetManifold()->pointCount; ++i) {
+  contact.GetWorldManifold(&manifold);
+  for (int i = 0; i < contact.GetManifold()->pointCount; ++i) {
     kept.positions.push_back(fromBox(manifold.points[i]));
-    kept.normals.push_back({sign * manifold.normal.x, sign * manifold.normal.y});
+    kept.normals.push_back({view.sign * manifold.normal.x, view.sign * manifold.normal.y});
     kept.depths.push_back(std::max(0.0, -fromBox(manifold.separations[i])));
   }
 }
 
-void ContactRecorder::recordImpulse(
-  const Piece & own, const Piece & other, const b2Vec2 & centre, b2Contact * contact, const b2ContactImpulse * impulse,
-  float sign)
+void ContactRecorder::recordImpulse(const View & view, b2Contact & contact, const b2ContactImpulse & impulse)
 {
-  StepContact & kept = entry(own, other);
+  StepContact & kept = entry(view);
+  const b2Vec2 & centre = view.own.GetBody()->GetWorldCenter();
   b2WorldManifold manifold;
-  contact->GetWorldManifold(&manifold);
+  contact.GetWorldManifold(&manifold);
   const b2Vec2 tangent = b2Cross(manifold.normal, 1.0F);
-  for (int i = 0; i < impulse->count; ++i) {
-    const b2Vec2 push = sign * (impulse->normalImpulses[i] * manifold.normal + impulse->tangentImpulses[i] * tangent);
+  for (int i = 0; i < impulse.count; ++i) {
+    const b2Vec2 push =
+      view.sign * (impulse.normalImpulses[i] * manifold.normal + impulse.tangentImpulses[i] * tangent);
     const Vec2 lever = fromBox(manifold.points[i] - centre);
     const Vec2 share = fromBox(push);
     kept.impulse = {kept.impulse.x + share.x, kept.impulse.y + share.y};

@@ -2,56 +2,38 @@
 
 #include <box2d/box2d.h>
 
-#include <vector>
-
+#include "core/contacts/car_body.h"
 #include "core/contacts/piece.h"
-#include "f1tenth_sim2d/car_id.h"
-#include "f1tenth_sim2d/geometry.h"
+#include "core/contacts/step_contact.h"
 
 namespace f1tenth_sim2d
 {
-/// What touches one solid of a car in one physics step.
-struct StepContact
-{
-  std::uint32_t own_solid;
-  Piece::Owner other_owner;
-  std::uint32_t other_body;
-  std::uint32_t other_solid;
-  std::vector<Vec2> positions;  ///< m, world
-  std::vector<Vec2> normals;    ///< from the other body towards the car
-  std::vector<double> depths;   ///< m
-  Vec2 impulse;                 ///< N s, on the car
-  double angular_impulse{0.0};  ///< N m s, about the car's centre of mass
-  int substep{0};               ///< of the positions, normals and depths: the last one in which the pair touched
-
-  bool isOfSamePair(const StepContact & other) const
-  {
-    return own_solid == other.own_solid && other_owner == other.other_owner && other_body == other.other_body &&
-           other_solid == other.other_solid;
-  }
-};
-
-/// Listens to Box2D and keeps what touches the cars during one physics step, which may take several substeps.
+/// Listens to Box2D and tells the cars what touches them during one physics step, which may take several substeps.
 class ContactRecorder : public b2ContactListener
 {
 public:
-  void setCarCount(std::size_t count) { contacts_.resize(count); }
-  void beginStep();
+  void beginStep() { substep_ = 0; }
   void beginSubstep() { ++substep_; }
-  const std::vector<StepContact> & contacts(std::size_t car) const { return contacts_[car]; }
 
   void BeginContact(b2Contact * contact) override;
   void PreSolve(b2Contact * contact, const b2Manifold * old_manifold) override;
   void PostSolve(b2Contact * contact, const b2ContactImpulse * impulse) override;
 
 private:
-  StepContact & entry(const Piece & own, const Piece & other);
-  void recordGeometry(const Piece & own, const Piece & other, b2Contact * contact, float sign);
-  void recordImpulse(
-    const Piece & own, const Piece & other, const b2Vec2 & centre, b2Contact * contact,
-    const b2ContactImpulse * impulse, float sign);
+  /// A contact as a car sees it.
+  struct View
+  {
+    b2Fixture & own;
+    b2Fixture & other;
+    float sign;  ///< of Box2D's normal, to make it point towards the car
+  };
 
-  std::vector<std::vector<StepContact>> contacts_;  ///< by car
+  template <typename Record>
+  static void forEachCar(b2Contact & contact, Record record);
+  static StepContact & entry(const View & view);
+  void recordGeometry(const View & view, b2Contact & contact) const;
+  static void recordImpulse(const View & view, b2Contact & contact, const b2ContactImpulse & impulse);
+
   int substep_{0};
 };
 

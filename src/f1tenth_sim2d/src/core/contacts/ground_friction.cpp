@@ -1,7 +1,6 @@
 #include "core/contacts/ground_friction.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 
 #include "core/contacts/box_units.h"
@@ -19,15 +18,6 @@ double footFriction(const std::vector<Piece> & pieces)
   return lowest != pieces.end() ? lowest->friction : 1.0;
 }
 }  // namespace
-
-std::vector<Piece> piecesOfModel(const WorldPieces & pieces, std::size_t model)
-{
-  std::vector<Piece> result;
-  std::copy_if(
-    pieces.ofWholeSolids().begin(), pieces.ofWholeSolids().end(), std::back_inserter(result),
-    [&](const Piece & piece) { return piece.body == model; });
-  return result;
-}
 
 double groundFriction(const WorldDescription & world)
 {

@@ -5,14 +5,10 @@
 #include <vector>
 
 #include "core/contacts/piece.h"
-#include "core/contacts/world_pieces.h"
 #include "f1tenth_sim2d/world_model.h"
 
 namespace f1tenth_sim2d
 {
-/// The pieces of a model's whole solids.
-std::vector<Piece> piecesOfModel(const WorldPieces & pieces, std::size_t model);
-
 /// Friction coefficient of the ground planes, infinite where the world has none: then that of the model decides.
 double groundFriction(const WorldDescription & world);
 

@@ -77,6 +77,25 @@ std::vector<ConvexPolygon> split(const ConvexPolygon & polygon)
   }
   return parts;
 }
+/// Shapes of a footprint, its points moved by -origin; slivers without area are left out.
+std::vector<PieceShape> pieceShapes(const Section & footprint, const Vec2 & origin)
+{
+  std::vector<PieceShape> shapes;
+  for (const Outline & outline : footprint.outlines) {
+    for (const ConvexPolygon & part : split(withoutShortEdges(outline))) {
+      if (area(part) > kLeastArea) {
+        shapes.emplace_back(polygonShape(part, origin));
+      }
+    }
+  }
+  for (const Circle & circle : footprint.circles) {
+    b2CircleShape shape;
+    shape.m_p = toBox(Vec2{circle.centre.x - origin.x, circle.centre.y - origin.y});
+    shape.m_radius = toBox(circle.radius);
+    shapes.emplace_back(shape);
+  }
+  return shapes;
+}
 }  // namespace
 
 const b2Shape & Piece::boxShape() const
@@ -95,22 +114,15 @@ bool canTouch(const Piece & a, const Piece & b)
   return model.layer == Layer::kWholeSolid ? overlap(a.span, b.span) : model.layer == car.layer;
 }
 
-std::vector<PieceShape> pieceShapes(const Section & footprint, const Vec2 & origin)
+void appendPieces(
+  std::vector<Piece> & pieces, const Section & footprint, const Vec2 & origin, const Solid & solid,
+  const Piece & properties)
 {
-  std::vector<PieceShape> shapes;
-  for (const Outline & outline : footprint.outlines) {
-    for (const ConvexPolygon & part : split(withoutShortEdges(outline))) {
-      if (area(part) > kLeastArea) {
-        shapes.emplace_back(polygonShape(part, origin));
-      }
-    }
+  for (PieceShape & shape : pieceShapes(footprint, origin)) {
+    Piece & piece = pieces.emplace_back(properties);
+    piece.shape = shape;
+    piece.friction = static_cast<float>(solid.mu);
+    piece.restitution = static_cast<float>(solid.restitution);
   }
-  for (const Circle & circle : footprint.circles) {
-    b2CircleShape shape;
-    shape.m_p = toBox(Vec2{circle.centre.x - origin.x, circle.centre.y - origin.y});
-    shape.m_radius = toBox(circle.radius);
-    shapes.emplace_back(shape);
-  }
-  return shapes;
 }
 }  // namespace f1tenth_sim2d

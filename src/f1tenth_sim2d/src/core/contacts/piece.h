@@ -35,7 +35,7 @@ struct Piece
 
   PieceShape shape;  ///< in the frame of the body, Box2D units
   Owner owner;
-  std::uint32_t body;   ///< index of the model or car
+  std::uint32_t body;   ///< index of the model, or id of the car
   std::uint32_t solid;  ///< index within its owner
   VerticalSpan span;    ///< m, of the whole solid
   Layer layer{Layer::kWholeSolid};
@@ -48,6 +48,9 @@ struct Piece
 /// Whether two pieces of different bodies touch where their shadows do.
 bool canTouch(const Piece & a, const Piece & b);
 
-/// Shapes of a footprint, its points moved by -origin; slivers without area are left out.
-std::vector<PieceShape> pieceShapes(const Section & footprint, const Vec2 & origin);
+/// Appends the footprint of a solid as pieces, its points moved by -origin; slivers without area are left out.
+/// @param properties  of the pieces, but for shape, friction and restitution
+void appendPieces(
+  std::vector<Piece> & pieces, const Section & footprint, const Vec2 & origin, const Solid & solid,
+  const Piece & properties);
 }  // namespace f1tenth_sim2d

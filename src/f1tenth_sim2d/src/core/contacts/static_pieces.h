@@ -3,23 +3,23 @@
 #include <box2d/box2d.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/contacts/piece.h"
 
 namespace f1tenth_sim2d
 {
-/// The pieces of all static models, found by where they are. Nothing in here depends on what has happened in the world:
-/// pieces come in the order in which they were added, whoever asked before.
+/// Pieces that never move, found by where they are. Nothing in here depends on what has happened in the world: pieces
+/// come in the order in which they were given, whoever asked before.
 class StaticPieces
 {
 public:
-  StaticPieces() = default;
+  /// @param pieces  in the frame of the world
+  explicit StaticPieces(std::vector<Piece> pieces);
   StaticPieces(const StaticPieces &) = delete;
   StaticPieces & operator=(const StaticPieces &) = delete;
 
-  /// @param piece  in the frame of the world; outlives this
-  void add(const Piece & piece);
   std::size_t size() const { return pieces_.size(); }
 
   /// Calls visit(index, piece) for the pieces whose bounds touch a region (Box2D units).
@@ -40,12 +40,12 @@ private:
     bool QueryCallback(int32 node)
     {
       const auto index = reinterpret_cast<std::uintptr_t>(statics.tree_.GetUserData(node));
-      visit(index, *statics.pieces_[index]);
+      visit(index, statics.pieces_[index]);
       return true;
     }
   };
 
-  std::vector<const Piece *> pieces_;
+  const std::vector<Piece> pieces_;
   b2DynamicTree tree_;  // the user data of a node is the index of its piece
 };
 }  // namespace f1tenth_sim2d

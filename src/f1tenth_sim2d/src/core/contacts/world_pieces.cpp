@@ -1,5 +1,7 @@
 #include "core/contacts/world_pieces.h"
 
+#include <optional>
+
 #include "core/math/planar_pose.h"
 
 namespace f1tenth_sim2d
@@ -22,18 +24,6 @@ Pose3d solidPose(const ModelDescription & model, const Solid & solid)
   return (model.is_static ? model.pose : withoutPlanar(model.pose)) * solid.pose;
 }
 
-void appendPieces(
-  std::vector<Piece> & pieces, const Section & footprint, const Vec2 & origin, const Solid & solid,
-  const Piece & properties)
-{
-  for (PieceShape & shape : pieceShapes(footprint, origin)) {
-    Piece & piece = pieces.emplace_back(properties);
-    piece.shape = shape;
-    piece.friction = static_cast<float>(solid.mu);
-    piece.restitution = static_cast<float>(solid.restitution);
-  }
-}
-
 template <typename Visit>
 void forEachSolid(const WorldDescription & world, Visit visit)
 {
@@ -48,68 +38,61 @@ void forEachSolid(const WorldDescription & world, Visit visit)
     }
   }
 }
+
+/// The pieces of the solids that cut(solid, pose, properties) gives a footprint of.
+template <typename Cut>
+CutPieces cutPieces(const WorldDescription & world, const std::vector<ModelBody> & bodies, Cut cut)
+{
+  CutPieces result;
+  forEachSolid(world, [&](const Solid & solid, const Pose3d & pose, Piece properties) {
+    if (const std::optional<Section> footprint = cut(solid, pose, properties)) {
+      std::vector<Piece> & pieces = world.models[properties.body].is_static ? result.fixed : result.movable;
+      appendPieces(pieces, *footprint, bodies[properties.body].centre_of_mass, solid, properties);
+    }
+  });
+  return result;
+}
+
+std::vector<ModelBody> bodiesOf(const WorldDescription & world)
+{
+  std::vector<ModelBody> bodies;
+  for (const ModelDescription & model : world.models) {
+    bodies.push_back(bodyOf(model));
+  }
+  return bodies;
+}
 }  // namespace
 
-WorldPieces::WorldPieces(const WorldDescription & world) : world_(world)
+WorldPieces::WorldPieces(const WorldDescription & world)
+: world_(world), bodies_(bodiesOf(world)), whole_(Layer::kWholeSolid, cutWhole())
 {
-  for (const ModelDescription & model : world.models) {
-    bodies_.push_back(bodyOf(model));
-  }
-  forEachSolid(world, [this](const Solid & solid, const Pose3d & pose, Piece properties) {
+}
+
+CutPieces WorldPieces::cutWhole() const
+{
+  const auto cut = [](const Solid & solid, const Pose3d & pose, Piece & properties) -> std::optional<Section> {
     properties.layer = isUprightPrism(solid, pose) ? Layer::kWholeSolid : Layer::kModelsOnly;
-    const Section footprint = footprintBetween(solid, pose, properties.span.bottom, properties.span.top);
-    const Vec2 & origin = bodies_[properties.body].centre_of_mass;
-    appendPieces(of(whole_solids_, properties), footprint, origin, solid, properties);
-  });
-  addStatics(whole_solids_);
+    return footprintBetween(solid, pose, properties.span.bottom, properties.span.top);
+  };
+  return cutPieces(world_, bodies_, cut);
 }
 
-std::vector<Piece> & WorldPieces::of(Pieces & pieces, const Piece & properties) const
+const PieceSet & WorldPieces::layerFor(const VerticalSpan & span) const
 {
-  return world_.models[properties.body].is_static ? pieces.fixed : pieces.movable;
-}
-
-void WorldPieces::addStatics(const Pieces & pieces)
-{
-  for (const Piece & piece : pieces.fixed) {
-    statics_.add(piece);
-  }
-}
-
-Layer WorldPieces::layerFor(const VerticalSpan & span)
-{
-  for (std::size_t i = 0; i < spans_.size(); ++i) {
-    if (spans_[i].bottom == span.bottom && spans_[i].top == span.top) {
-      return static_cast<Layer>(i);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const SpanLayer & layer : layers_) {
+    if (layer.span.bottom == span.bottom && layer.span.top == span.top) {
+      return layer.pieces;
     }
   }
-  const auto layer = static_cast<Layer>(spans_.size());
-  spans_.push_back(span);
-  Pieces & pieces = layers_.emplace_back();
-  forEachSolid(world_, [&](const Solid & solid, const Pose3d & pose, Piece properties) {
-    if (!isUprightPrism(solid, pose) && overlap(properties.span, span)) {
-      properties.layer = layer;
-      const Section footprint = footprintBetween(solid, pose, span.bottom, span.top);
-      const Vec2 & origin = bodies_[properties.body].centre_of_mass;
-      appendPieces(of(pieces, properties), footprint, origin, solid, properties);
+  const auto number = static_cast<Layer>(layers_.size());
+  const auto cut = [&](const Solid & solid, const Pose3d & pose, Piece & properties) -> std::optional<Section> {
+    if (isUprightPrism(solid, pose) || !overlap(properties.span, span)) {
+      return std::nullopt;
     }
-  });
-  addStatics(pieces);
-  return layer;
-}
-
-std::vector<Piece> carPieces(
-  const std::vector<Solid> & solids, double centre_of_mass, std::uint32_t car, WorldPieces & world)
-{
-  std::vector<Piece> pieces;
-  for (std::uint32_t i = 0; i < solids.size(); ++i) {
-    const VerticalSpan span = verticalSpan(solids[i], solids[i].pose);
-    if (span.bottom <= span.top) {
-      const Piece properties{{}, Piece::Owner::kCar, car, i, span, world.layerFor(span)};
-      const Section footprint = footprintBetween(solids[i], solids[i].pose, span.bottom, span.top);
-      appendPieces(pieces, footprint, {centre_of_mass, 0.0}, solids[i], properties);
-    }
-  }
-  return pieces;
+    properties.layer = number;
+    return footprintBetween(solid, pose, span.bottom, span.top);
+  };
+  return layers_.emplace_back(span, number, cutPieces(world_, bodies_, cut)).pieces;
 }
 }  // namespace f1tenth_sim2d

@@ -1,10 +1,12 @@
 #pragma once
 
-#include <cstddef>
+#include <deque>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 #include "core/contacts/piece.h"
-#include "core/contacts/static_pieces.h"
+#include "core/contacts/piece_set.h"
 #include "f1tenth_sim2d/world_model.h"
 
 namespace f1tenth_sim2d
@@ -16,43 +18,34 @@ struct ModelBody
   Vec2 centre_of_mass;  ///< m, in that frame
 };
 
-/// The convex pieces of all models of a world, worked out once.
+/// The convex pieces of all models of a world, worked out once, for any number of simulations on any threads.
 class WorldPieces
 {
 public:
+  /// @param world  outlives this
   explicit WorldPieces(const WorldDescription & world);
 
+  /// Of whole solids: what upright ones are in every layer, and what models touch of each other.
+  const PieceSet & whole() const { return whole_; }
   /// The layer of car solids of this span; the world is cut for it at the first time.
-  Layer layerFor(const VerticalSpan & span);
-
-  std::size_t layerCount() const { return spans_.size(); }
-  /// Of movable models.
-  const std::vector<Piece> & ofWholeSolids() const { return whole_solids_.movable; }
-  const std::vector<Piece> & ofLayer(std::size_t layer) const { return layers_[layer].movable; }
-  /// Of static models, all layers.
-  const StaticPieces & statics() const { return statics_; }
+  const PieceSet & layerFor(const VerticalSpan & span) const;
   const std::vector<ModelBody> & bodies() const { return bodies_; }
 
 private:
-  struct Pieces
+  CutPieces cutWhole() const;
+
+  struct SpanLayer
   {
-    std::vector<Piece> movable;
-    std::vector<Piece> fixed;
+    SpanLayer(const VerticalSpan & s, Layer number, CutPieces cut) : span(s), pieces(number, std::move(cut)) {}
+
+    VerticalSpan span;
+    PieceSet pieces;
   };
 
-  std::vector<Piece> & of(Pieces & pieces, const Piece & properties) const;
-  void addStatics(const Pieces & pieces);
-
   const WorldDescription & world_;
-  std::vector<ModelBody> bodies_;
-  Pieces whole_solids_;
-  std::vector<VerticalSpan> spans_;
-  std::vector<Pieces> layers_;
-  StaticPieces statics_;
+  const std::vector<ModelBody> bodies_;
+  const PieceSet whole_;
+  mutable std::mutex mutex_;  ///< of what follows
+  mutable std::deque<SpanLayer> layers_;
 };
-
-/// The pieces of a car about its centre of mass.
-/// @param centre_of_mass  m, in front of base_footprint
-std::vector<Piece> carPieces(
-  const std::vector<Solid> & solids, double centre_of_mass, std::uint32_t car, WorldPieces & world);
 }  // namespace f1tenth_sim2d

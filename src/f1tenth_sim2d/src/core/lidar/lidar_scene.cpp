@@ -68,30 +68,42 @@ void MovingSection::draw(const Transform2 & body, RangeRaster & raster) const
   }
 }
 
-LidarScene::LidarScene(const WorldDescription & world, double height)
+WorldSection::WorldSection(const WorldDescription & world, double height)
 : height_(height), walls_(staticSection(world, height))
 {
-  for (const ModelDescription & model : world.models) {
+  for (std::size_t i = 0; i < world.models.size(); ++i) {
+    const ModelDescription & model = world.models[i];
     if (!model.is_static) {
-      models_.emplace_back(model.solids, withoutPlanar(model.pose), height);
+      movables_.push_back({i, MovingSection(model.solids, withoutPlanar(model.pose), height)});
     }
   }
 }
 
-void LidarScene::addCar(const CarDescription & car)
+void WorldSection::drawModels(const MovingPoses & poses, RangeRaster & raster) const
 {
-  cars_.emplace_back(car.solids, ignition::math::Pose3d::Zero, height_);
+  for (const Movable & movable : movables_) {
+    movable.section.draw(Transform2(poses.ofModel(movable.model)), raster);
+  }
 }
 
-void LidarScene::draw(std::size_t own_car, const MovingPoses & poses, RangeRaster & raster)
+MovingSection LidarScene::sectionOf(const std::vector<Solid> & car) const
 {
-  walls_.draw(raster);
-  for (std::size_t i = 0; i < models_.size(); ++i) {
-    models_[i].draw(poses.models[i], raster);
-  }
-  for (std::size_t i = 0; i < cars_.size(); ++i) {
-    if (i != own_car) {
-      cars_[i].draw(poses.cars[i], raster);
+  return {car, ignition::math::Pose3d::Zero, world_->height()};
+}
+
+void LidarScene::removeCar(CarId id) noexcept
+{
+  const auto is_it = [id](const SeenCar & car) { return car.id == id; };
+  cars_.erase(std::remove_if(cars_.begin(), cars_.end(), is_it), cars_.end());
+}
+
+void LidarScene::draw(CarId own, const MovingPoses & poses, RangeRaster & raster, DrawnItems & drawn) const
+{
+  world_->walls().draw(raster, drawn);
+  world_->drawModels(poses, raster);
+  for (const SeenCar & car : cars_) {
+    if (car.id != own) {
+      car.section.draw(Transform2(poses.ofCar(car.id)), raster);
     }
   }
 }

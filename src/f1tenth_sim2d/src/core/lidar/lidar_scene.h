@@ -1,14 +1,25 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/lidar/wall_grid.h"
-#include "f1tenth_sim2d/car_model.h"
+#include "f1tenth_sim2d/car_id.h"
 #include "f1tenth_sim2d/section.h"
 #include "f1tenth_sim2d/world_model.h"
 
 namespace f1tenth_sim2d
 {
+/// Where everything that moves is now.
+class MovingPoses
+{
+public:
+  virtual ~MovingPoses() = default;
+  /// @param model  index in the world
+  virtual Pose2 ofModel(std::size_t model) const = 0;
+  virtual Pose2 ofCar(CarId car) const = 0;
+};
+
 /// Section of a rigid body in its own planar frame, with a circle about the origin that holds it.
 class MovingSection
 {
@@ -23,30 +34,55 @@ private:
   double radius_{0.0};  ///< m
 };
 
-/// Where everything that moves is now; parallel to the models and cars given to the scene.
-struct MovingPoses
+/// What of a world is seen at one height, worked out once, for any number of simulations on any threads.
+class WorldSection
 {
-  std::vector<Transform2> models;
-  std::vector<Transform2> cars;
+public:
+  WorldSection(const WorldDescription & world, double height);
+
+  double height() const { return height_; }
+  const WallGrid & walls() const { return walls_; }
+  void drawModels(const MovingPoses & poses, RangeRaster & raster) const;
+
+private:
+  struct Movable
+  {
+    std::size_t model;
+    MovingSection section;
+  };
+
+  double height_;  ///< m
+  WallGrid walls_;
+  std::vector<Movable> movables_;
 };
 
-/// Everything that a lidar at one height sees.
+/// Everything that a lidar at one height sees: the world and all cars.
 class LidarScene
 {
 public:
-  LidarScene(const WorldDescription & world, double height);
+  /// @param world  outlives this
+  explicit LidarScene(const WorldSection & world) : world_(&world) {}
 
-  double height() const { return height_; }
-  void addCar(const CarDescription & car);
+  const WorldSection & world() const { return *world_; }
+
+  /// A car as it is seen at this height.
+  MovingSection sectionOf(const std::vector<Solid> & car) const;
+  /// Makes room for one more car, so that adding it cannot fail.
+  void reserveCar() { cars_.reserve(cars_.size() + 1); }
+  void addCar(CarId id, MovingSection && section) noexcept { cars_.push_back({id, std::move(section)}); }
+  void removeCar(CarId id) noexcept;
 
   /// Draws the world as it is seen from a car, which does not see itself.
-  /// @param poses  movable models in the order of the world, and cars
-  void draw(std::size_t own_car, const MovingPoses & poses, RangeRaster & raster);
+  void draw(CarId own, const MovingPoses & poses, RangeRaster & raster, DrawnItems & drawn) const;
 
 private:
-  double height_;  ///< m
-  WallGrid walls_;
-  std::vector<MovingSection> models_;
-  std::vector<MovingSection> cars_;
+  struct SeenCar
+  {
+    CarId id;
+    MovingSection section;
+  };
+
+  const WorldSection * world_;
+  std::vector<SeenCar> cars_;
 };
 }  // namespace f1tenth_sim2d

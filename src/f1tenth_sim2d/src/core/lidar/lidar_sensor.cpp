@@ -6,37 +6,50 @@
 
 namespace f1tenth_sim2d
 {
-LidarSensor::LidarSensor(const LidarDescription & description, std::size_t scene)
+namespace
+{
+RangeLimits limitsOf(const LidarDescription & lidar)
+{
+  return {lidar.range_min, lidar.range_max};
+}
+}  // namespace
+
+LidarSensor::Space::Space(const LidarDescription & lidar, const LidarScene & scene)
+: raster(lidar), drawn(scene.world().walls().itemCount()), normal(static_cast<std::size_t>(raster.beamCount()))
+{
+}
+
+LidarSensor::LidarSensor(const LidarDescription & description, const LidarScene & scene)
 : description_(description),
   mount_(planar(description.pose)),
-  scene_(scene),
-  raster_(description),
-  limits_{description.range_min, description.range_max},
-  normal_(raster_.beamCount())
+  scene_(&scene),
+  space_(std::make_unique<Space>(description, scene))
 {
 }
 
-void LidarSensor::measure(LidarScene & scene, std::size_t own_car, const Pose2 & car, const MovingPoses & poses)
+void LidarSensor::measure(Space & space, CarId own, const Pose2 & car, const MovingPoses & poses) const
 {
-  raster_.begin(compose(car, mount_));
-  scene.draw(own_car, poses, raster_);
+  space.raster.begin(compose(car, mount_));
+  scene_->draw(own, poses, space.raster, space.drawn);
 }
 
-void LidarSensor::scan(
-  LidarScene & scene, std::size_t own_car, const Pose2 & car, const MovingPoses & poses, float * ranges)
+void LidarSensor::scan(CarId own, const Pose2 & car, const MovingPoses & poses, float * ranges) const
 {
-  measure(scene, own_car, car, poses);
-  reportRanges(raster_.inverseRanges(), normal_.size(), limits_, ranges);
+  Space & space = *space_;
+  const std::lock_guard<std::mutex> lock(space.mutex);
+  measure(space, own, car, poses);
+  reportRanges(space.raster.inverseRanges(), space.normal.size(), limitsOf(description_), ranges);
 }
 
 void LidarSensor::noisyScan(
-  LidarScene & scene, std::size_t own_car, const Pose2 & car, const MovingPoses & poses, std::uint64_t key,
-  float * ranges)
+  CarId own, const Pose2 & car, const MovingPoses & poses, std::uint64_t key, float * ranges) const
 {
-  measure(scene, own_car, car, poses);
-  gaussians(key, normal_.size(), normal_.data());
+  Space & space = *space_;
+  const std::lock_guard<std::mutex> lock(space.mutex);
+  measure(space, own, car, poses);
+  gaussians(key, space.normal.size(), space.normal.data());
   reportNoisyRanges(
-    raster_.inverseRanges(), normal_.data(), normal_.size(), description_.noise_mean, description_.noise_stddev,
-    limits_, ranges);
+    space.raster.inverseRanges(), space.normal.data(), space.normal.size(), description_.noise_mean,
+    description_.noise_stddev, limitsOf(description_), ranges);
 }
 }  // namespace f1tenth_sim2d

@@ -37,13 +37,20 @@ Bounds boundsOf(const Circle & circle)
 }
 }  // namespace
 
+void DrawnItems::beginScan()
+{
+  if (++current_ == 0) {
+    std::fill(scan_.begin(), scan_.end(), 0);
+    current_ = 1;
+  }
+}
+
 WallGrid::WallGrid(const Section & walls)
 {
   collect(walls);
   if (!walls_.empty() || !circles_.empty()) {
     layOut();
   }
-  drawn_.assign(walls_.size() + circles_.size(), 0);
 }
 
 void WallGrid::collect(const Section & walls)
@@ -150,15 +157,12 @@ void WallGrid::forEachCell(const Vec2 & low, const Vec2 & high, Visit visit) con
   }
 }
 
-void WallGrid::draw(RangeRaster & raster)
+void WallGrid::draw(RangeRaster & raster, DrawnItems & drawn) const
 {
   if (items_.empty()) {
     return;
   }
-  if (++scan_number_ == 0) {
-    std::fill(drawn_.begin(), drawn_.end(), 0);
-    scan_number_ = 1;
-  }
+  drawn.beginScan();
   const Transform2 & sensor = raster.sensor();
   const Vec2 here{(sensor.x - origin_.x) / cell_size_, (sensor.y - origin_.y) / cell_size_};
   const int rings = static_cast<int>(raster.rangeMax() / cell_size_) + 1;
@@ -171,15 +175,15 @@ void WallGrid::draw(RangeRaster & raster)
     std::min(rings, std::max({column, column_count_ - 1 - column, row, row_count_ - 1 - row}));  // with a cell in it
   // What lies beyond ring n - 1 is farther than the nearest of its four sides.
   const double to_side = std::min({here.x - column, column + 1 - here.x, here.y - row, row + 1 - here.y}) * cell_size_;
-  sight_ = raster.rangeMax();
-  for (int ring = 0; ring <= last_ring && (ring == 0 || to_side + (ring - 1) * cell_size_ <= sight_); ++ring) {
-    drawRing(column, row, ring, raster);
-    sight_ = raster.sight();
+  Drawing drawing{raster, drawn, raster.rangeMax()};
+  for (int ring = 0; ring <= last_ring && (ring == 0 || to_side + (ring - 1) * cell_size_ <= drawing.sight); ++ring) {
+    drawRing(column, row, ring, drawing);
+    drawing.sight = raster.sight();
   }
 }
 
 // The cells that are `ring` columns or rows away from a cell.
-void WallGrid::drawRing(int column, int row, int ring, RangeRaster & raster)
+void WallGrid::drawRing(int column, int row, int ring, const Drawing & drawing) const
 {
   const int left = std::max(column - ring, 0);
   const int right = std::min(column + ring, column_count_ - 1);
@@ -190,56 +194,51 @@ void WallGrid::drawRing(int column, int row, int ring, RangeRaster & raster)
     const int step = is_whole_row || ring == 0 ? 1 : 2 * ring;
     for (int c = is_whole_row ? left : column - ring; c <= right; c += step) {
       if (c >= left) {
-        drawCell(static_cast<std::size_t>(r) * column_count_ + c, raster);
+        drawCell(static_cast<std::size_t>(r) * column_count_ + c, drawing);
       }
     }
   }
 }
 
-bool WallGrid::isOutOfSight(const Circle & extent, const Transform2 & sensor) const
+bool WallGrid::isOutOfSight(const Circle & extent, const Drawing & drawing)
 {
+  const Transform2 & sensor = drawing.raster.sensor();
   const double x = extent.centre.x - sensor.x;
   const double y = extent.centre.y - sensor.y;
-  const double reach = sight_ + extent.radius;
+  const double reach = drawing.sight + extent.radius;
   return x * x + y * y > reach * reach;
 }
 
-void WallGrid::drawCell(std::size_t cell, RangeRaster & raster)
+void WallGrid::drawCell(std::size_t cell, const Drawing & drawing) const
 {
   const std::uint32_t end = begin_[cell + 1];
   const std::uint32_t count = end - begin_[cell];
-  if (count == 0 || isOutOfSight(extents_[cell], raster.sensor())) {
+  if (count == 0 || isOutOfSight(extents_[cell], drawing)) {
     return;
   }
-  if (count > kFew && !raster.couldShow(extents_[cell].centre, extents_[cell].radius)) {
+  if (count > kFew && !drawing.raster.couldShow(extents_[cell].centre, extents_[cell].radius)) {
     return;
   }
   for (std::uint32_t i = begin_[cell]; i < end; i += kBlock) {
-    drawItems(i, std::min(kBlock, end - i), raster);
+    drawItems(i, std::min(kBlock, end - i), drawing);
   }
 }
 
-bool WallGrid::isFirstTime(std::uint32_t item)
-{
-  const bool is_first = drawn_[item] != scan_number_;
-  drawn_[item] = scan_number_;
-  return is_first;
-}
-
 // At most kBlock items of one cell.
-void WallGrid::drawItems(std::uint32_t begin, std::uint32_t count, RangeRaster & raster)
+void WallGrid::drawItems(std::uint32_t begin, std::uint32_t count, const Drawing & drawing) const
 {
+  RangeRaster & raster = drawing.raster;
   const Vec2 here{raster.sensor().x, raster.sensor().y};
   std::array<double, kBlock> cross;
   crossOfFacing(here, raster.rangeMax(), {&a_x_[begin], &a_y_[begin], &b_x_[begin], &b_y_[begin]}, count, cross.data());
   for (std::uint32_t k = 0; k < count; ++k) {
     const std::uint32_t i = begin + k;
-    if (cross[k] < 0.0 && isFirstTime(items_[i])) {
+    if (cross[k] < 0.0 && drawing.drawn.isFirstTime(items_[i])) {
       raster.addFacing({a_x_[i], a_y_[i]}, {b_x_[i], b_y_[i]}, cross[k]);
     }
   }
   for (std::uint32_t i = begin + count; i > begin && items_[i - 1] >= walls_.size(); --i) {
-    if (isFirstTime(items_[i - 1])) {
+    if (drawing.drawn.isFirstTime(items_[i - 1])) {
       const Circle & circle = circles_[items_[i - 1] - walls_.size()];
       raster.addCircle(circle.centre, circle.radius);
     }

@@ -23,17 +23,48 @@ struct Bounds
   }
 };
 
+/// Which items of a WallGrid one lidar has drawn already: an item that reaches over several cells is drawn once a scan.
+class DrawnItems
+{
+public:
+  /// @param count  of all items
+  explicit DrawnItems(std::size_t count) : scan_(count, 0) {}
+
+  /// Before each scan.
+  void beginScan();
+  bool isFirstTime(std::uint32_t item)
+  {
+    const bool is_first = scan_[item] != current_;
+    scan_[item] = current_;
+    return is_first;
+  }
+
+private:
+  std::vector<std::uint16_t> scan_;  ///< in which each item was drawn last
+  std::uint16_t current_{0};
+};
+
 /// The walls that do not move, at the height of a lidar, in a uniform grid. A scan goes from the nearest cells to the
-/// farthest and leaves out what is hidden behind what it has drawn, so that it costs what it sees.
+/// farthest and leaves out what is hidden behind what it has drawn, so that it costs what it sees. Never changes.
 class WallGrid
 {
 public:
   explicit WallGrid(const Section & walls);
 
+  std::size_t itemCount() const { return walls_.size() + circles_.size(); }
+
   /// Draws everything that the lidar can see into a scan. Allocates nothing.
-  void draw(RangeRaster & raster);
+  /// @param drawn  of itemCount() items, the lidar's own
+  void draw(RangeRaster & raster, DrawnItems & drawn) const;
 
 private:
+  /// A scan in the making.
+  struct Drawing
+  {
+    RangeRaster & raster;
+    DrawnItems & drawn;
+    double sight;  ///< m, after the last ring
+  };
   struct Wall
   {
     Vec2 a;
@@ -52,11 +83,10 @@ private:
   CellRange columns(double low, double high) const;
   CellRange rows(double low, double high) const;
   void measureCells(const std::vector<Bounds> & bounds);
-  void drawRing(int column, int row, int ring, RangeRaster & raster);
-  bool isOutOfSight(const Circle & extent, const Transform2 & sensor) const;
-  void drawCell(std::size_t cell, RangeRaster & raster);
-  bool isFirstTime(std::uint32_t item);
-  void drawItems(std::uint32_t begin, std::uint32_t count, RangeRaster & raster);
+  void drawRing(int column, int row, int ring, const Drawing & drawing) const;
+  static bool isOutOfSight(const Circle & extent, const Drawing & drawing);
+  void drawCell(std::size_t cell, const Drawing & drawing) const;
+  void drawItems(std::uint32_t begin, std::uint32_t count, const Drawing & drawing) const;
 
   std::vector<Wall> walls_;
   std::vector<Circle> circles_;
@@ -74,9 +104,5 @@ private:
   std::vector<double> b_x_;
   std::vector<double> b_y_;
   std::vector<Circle> extents_;  ///< around what lies in a cell
-  // An item that reaches over several cells is drawn once a scan: when it was drawn last.
-  std::vector<std::uint32_t> drawn_;
-  std::uint32_t scan_number_{0};
-  double sight_{0.0};  ///< m, of the scan in the making after the last ring
 };
 }  // namespace f1tenth_sim2d

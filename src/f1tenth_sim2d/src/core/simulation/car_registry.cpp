@@ -36,7 +36,7 @@ std::size_t CarRegistry::indexOf(CarId id) const
 std::uint32_t CarRegistry::freeNoiseStream() const
 {
   const auto taken = [this](std::uint32_t stream) {
-    return std::any_of(cars_.begin(), cars_.end(), [&](const auto & car) { return car->noiseStream() == stream; });
+    return std::any_of(cars_.begin(), cars_.end(), [&](const auto & car) { return car->noise_stream == stream; });
   };
   std::uint32_t stream = 0;
   while (taken(stream)) {
@@ -45,11 +45,16 @@ std::uint32_t CarRegistry::freeNoiseStream() const
   return stream;
 }
 
-void CarRegistry::add(std::unique_ptr<Car> car)
+void CarRegistry::reserve()
 {
+  cars_.reserve(cars_.size() + 1);
   ids_.reserve(ids_.size() + 1);
+}
+
+void CarRegistry::add(std::unique_ptr<SimulatedCar> car) noexcept
+{
+  ids_.push_back(car->id);
   cars_.push_back(std::move(car));
-  ids_.push_back(nextId());
   ++next_id_;
 }
 

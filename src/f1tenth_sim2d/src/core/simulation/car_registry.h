@@ -4,13 +4,11 @@
 #include <memory>
 #include <vector>
 
-#include "core/car/car.h"
+#include "core/simulation/simulated_car.h"
 #include "f1tenth_sim2d/car_id.h"
 
 namespace f1tenth_sim2d
 {
-using Cars = std::vector<std::unique_ptr<Car>>;
-
 /// Owns the cars of a simulation, in the order in which they came.
 class CarRegistry
 {
@@ -20,14 +18,16 @@ public:
 
   /// Where a car stands in cars() now. @throws std::out_of_range for one that is not there
   std::size_t indexOf(CarId id) const;
-  Car & at(CarId id) const { return *cars_[indexOf(id)]; }
+  SimulatedCar & at(CarId id) const { return *cars_[indexOf(id)]; }
 
   /// For the car that comes next: an id that no car ever had, and the lowest noise stream that no car has now.
   CarId nextId() const { return CarId{next_id_}; }
   std::uint32_t freeNoiseStream() const;
 
-  /// Takes a car in that was made with nextId(); all or nothing.
-  void add(std::unique_ptr<Car> car);
+  /// Makes room for one more car, so that adding it cannot fail.
+  void reserve();
+  /// Takes a car in that was made with nextId().
+  void add(std::unique_ptr<SimulatedCar> car) noexcept;
   void remove(CarId id);
 
 private:

@@ -8,8 +8,12 @@
 
 namespace f1tenth_sim2d
 {
+Simulation::Simulation(const PreparedWorld & world, const SimulationOptions & options)
+: impl_(std::make_unique<Impl>(world.geometry_, options))
+{
+}
 Simulation::Simulation(const WorldDescription & world, const SimulationOptions & options)
-: impl_(std::make_unique<Impl>(world, options))
+: Simulation(PreparedWorld(world), options)
 {
 }
 Simulation::~Simulation() = default;
@@ -37,11 +41,11 @@ const std::vector<CarId> & Simulation::cars() const
 }
 const CarDescription & Simulation::car(CarId car) const
 {
-  return impl_->car(car).description();
+  return impl_->car(car).description;
 }
 const VehicleParameters & Simulation::parameters(CarId car) const
 {
-  return impl_->car(car).parameters();
+  return impl_->car(car).car.parameters();
 }
 SimTime Simulation::time() const
 {
@@ -73,25 +77,25 @@ void Simulation::advanceTo(SimTime end)
 
 void Simulation::command(CarId car, const DriveCommand & command)
 {
-  Car & driven = impl_->car(car);
-  validate(command, driven.description().name);
-  driven.command(command, impl_->time());
+  SimulatedCar & driven = impl_->car(car);
+  validate(command, driven.description.name);
+  driven.car.command(command, impl_->time());
 }
 
 void Simulation::commandTwist(CarId car, double linear_x, double angular_z, double linear_y)
 {
-  Car & driven = impl_->car(car);
-  validateTwist({linear_x, linear_y}, angular_z, driven.description().name);
-  driven.commandTwist({{linear_x, linear_y}, angular_z}, impl_->time());
+  SimulatedCar & driven = impl_->car(car);
+  validateTwist({linear_x, linear_y}, angular_z, driven.description.name);
+  driven.car.commandTwist({{linear_x, linear_y}, angular_z}, impl_->time());
 }
 
-const CarState & Simulation::state(CarId car) const
+CarState Simulation::state(CarId car) const
 {
-  return impl_->car(car).state();
+  return impl_->car(car).car.state();
 }
 WheelOdometry Simulation::wheelOdometry(CarId car) const
 {
-  return impl_->car(car).wheelOdometry();
+  return impl_->car(car).car.wheelOdometry();
 }
 ImuSample Simulation::imu(CarId car) const
 {
@@ -110,12 +114,12 @@ void Simulation::exactScan(CarId car, std::size_t lidar, float * ranges) const
 
 const std::vector<Contact> & Simulation::contacts(CarId car) const
 {
-  return impl_->car(car).contactLog().contacts();
+  return impl_->car(car).contacts.contacts();
 }
 
 void Simulation::clearContacts(CarId car)
 {
-  impl_->car(car).contactLog().clear();
+  impl_->car(car).contacts.clear();
 }
 
 double Simulation::clearance(CarId car, double limit) const
@@ -172,7 +176,7 @@ std::vector<std::string> Simulation::modelNames() const
 void Simulation::appendStateBytes(std::vector<std::uint8_t> & bytes) const
 {
   for (const auto & car : impl_->registry().cars()) {
-    appendBytes(car->dynamicState(), bytes);
+    appendBytes(car->car.dynamicState(), bytes);
   }
 }
 }  // namespace f1tenth_sim2d

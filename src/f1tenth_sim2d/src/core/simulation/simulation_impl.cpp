@@ -6,6 +6,7 @@
 #include "core/contacts/clearance.h"
 #include "core/math/noise.h"
 #include "core/math/planar_pose.h"
+#include "core/simulation/encounters.h"
 #include "core/simulation/validation.h"
 #include "f1tenth_sim2d/errors.h"
 
@@ -28,15 +29,14 @@ std::string text(const Pose2 & pose)
 }
 }  // namespace
 
-Simulation::Impl::Impl(const WorldDescription & world, const SimulationOptions & options)
-: world_(validated(world)),
+Simulation::Impl::Impl(std::shared_ptr<const WorldGeometry> world, const SimulationOptions & options)
+: geometry_(std::move(world)),
   options_(validated(options)),
   step_length_(fromSeconds(options.physics_step)),
   dt_(toSeconds(step_length_)),
-  pieces_(std::in_place, world_),
-  collisions_(std::make_unique<CollisionWorld>(world_, *pieces_))
+  collisions_(std::make_unique<CollisionWorld>(geometry_->world(), geometry_->pieces()))
 {
-  for (const ModelDescription & model : world_.models) {
+  for (const ModelDescription & model : geometry_->world().models) {
     start_poses_.push_back(model.pose);
   }
 }
@@ -48,34 +48,42 @@ CarId Simulation::Impl::addCar(
   validate(parameters, description.name);
   refuseTakenName(description.name);
   const CarId id = registry_.nextId();
-  const std::size_t index = cars().size();
-  auto car =
-    std::make_unique<Car>(index, registry_.freeNoiseStream(), description, parameters, pose, options_.seed, *pieces_);
-  car->restart(time_);
-  collisions_->addLayers(car->layerCount());
+  auto car = std::make_unique<SimulatedCar>(
+    id, registry_.freeNoiseStream(), description, parameters, pose, options_.seed, geometry_->pieces());
+  car->car.restart(time_);
   std::vector<PlacedCar> places = placedCars(cars());
   places.push_back(car->placed());
-  refuseOccupiedPlace(places, index, description.name + ": the start pose " + text(pose));
+  refuseOccupiedPlace(places, cars().size(), description.name + ": the start pose " + text(pose));
+  letIn(std::move(car));
+  return id;
+}
 
-  collisions_->addCar(car->body());
-  encounters_.addCar();
+void Simulation::Impl::letIn(std::unique_ptr<SimulatedCar> car)
+{
+  registry_.reserve();
+  collisions_->prepareFor(*car->body);
+  car->lidars = makeLidars(*car, *geometry_, scenes_);
+  std::vector<MovingSection> sections;
   for (LidarScene & scene : scenes_) {
-    scene.addCar(description);
+    scene.reserveCar();
+    sections.push_back(scene.sectionOf(car->description.solids));
+  }
+  // Nothing fails from here on, so that a car is there wholly or not at all.
+  collisions_->add(*car->body);
+  for (std::size_t i = 0; i < scenes_.size(); ++i) {
+    scenes_[i].addCar(car->id, std::move(sections[i]));
   }
   registry_.add(std::move(car));
-  addLidars(registry_.at(id));
-  moving_poses_are_current_ = false;
-  return id;
 }
 
 void Simulation::Impl::refuseTakenName(const std::string & name) const
 {
   for (const auto & car : cars()) {
-    if (car->description().name == name) {
+    if (car->description.name == name) {
       throw Error(name + ": there is already a car of this name");
     }
   }
-  for (const ModelDescription & model : world_.models) {
+  for (const ModelDescription & model : world().models) {
     if (model.name == name) {
       throw Error(name + ": there is already a model of this name");
     }
@@ -84,34 +92,41 @@ void Simulation::Impl::refuseTakenName(const std::string & name) const
 
 void Simulation::Impl::removeCar(CarId id)
 {
+  registry_.indexOf(id);
+  const std::vector<ModelMotion> motions = collisions_->motions();
+  auto collisions = emptyCollisions();
   registry_.remove(id);
-  rebuild(collisions_->motions());
+  for (LidarScene & scene : scenes_) {
+    scene.removeCar(id);
+  }
+  enter(std::move(collisions));
+  collisions_->setMotions(motions);
 }
 
 void Simulation::Impl::placeCar(CarId id, const Pose2 & pose, const Vec2 & velocity, double yaw_rate)
 {
   const std::size_t index = registry_.indexOf(id);
-  Car & car = registry_.at(id);
-  const CarDescription & description = car.description();
-  validate(description, pose);
-  validate(ModelState{pose, velocity, yaw_rate}, description.name);
+  SimulatedCar & own = *cars()[index];
+  validate(own.description, pose);
+  validate(ModelState{pose, velocity, yaw_rate}, own.description.name);
   std::vector<PlacedCar> places = placedCars(cars());
-  places[index].pose = compose(pose, {car.parameters().l_r, 0.0, 0.0});
-  refuseOccupiedPlace(places, index, description.name + ": the pose " + text(pose));
-  car.place(pose, velocity, yaw_rate);
-  encounters_.restart();
-  moving_poses_are_current_ = false;
+  places[index].pose = compose(pose, {own.car.parameters().l_r, 0.0, 0.0});
+  refuseOccupiedPlace(places, index, own.description.name + ": the pose " + text(pose));
+  own.car.place(pose, velocity, yaw_rate);
+  forgetSurroundings(cars());
 }
 
 void Simulation::Impl::addModel(const ModelDescription & model)
 {
   refuseTakenName(model.name);
-  validate(model, world_.file);
+  validate(model, world().file);
+  WorldDescription changed = world();
+  changed.models.push_back(model);
   std::vector<ModelMotion> motions = collisions_->motions();
-  world_.models.push_back(model);
-  start_poses_.push_back(model.pose);
   motions.emplace_back();
-  rebuild(motions);
+  start_poses_.reserve(start_poses_.size() + 1);
+  changeWorld(std::move(changed), motions);
+  start_poses_.push_back(model.pose);
 }
 
 void Simulation::Impl::removeModel(std::size_t index)
@@ -119,60 +134,69 @@ void Simulation::Impl::removeModel(std::size_t index)
   std::vector<ModelMotion> motions = collisions_->motions();
   motions.at(index);
   const auto place = static_cast<std::ptrdiff_t>(index);
-  world_.models.erase(world_.models.begin() + place);
-  start_poses_.erase(start_poses_.begin() + place);
+  WorldDescription changed = world();
+  changed.models.erase(changed.models.begin() + place);
   motions.erase(motions.begin() + place);
-  rebuild(motions);
+  changeWorld(std::move(changed), motions);
+  start_poses_.erase(start_poses_.begin() + place);
 }
 
 void Simulation::Impl::placeModel(std::size_t index, const ModelState & state)
 {
-  ModelDescription & model = world_.models.at(index);
+  const ModelDescription & model = world().models.at(index);
   validate(state, model.name);
   if (model.is_static) {
-    model.pose =
+    WorldDescription changed = world();
+    changed.models[index].pose =
       ignition::math::Pose3d(state.pose.x, state.pose.y, 0.0, 0.0, 0.0, state.pose.yaw) * withoutPlanar(model.pose);
+    changeWorld(std::move(changed), collisions_->motions());
     static_models_moved_ = true;
-    rebuild(collisions_->motions());
     return;
   }
   collisions_->placeModel(index, state);
-  encounters_.restart();
-  moving_poses_are_current_ = false;
+  forgetSurroundings(cars());
 }
 
-// What has been worked out of the world and the cars, for another set of them; everything stays where it is.
-void Simulation::Impl::rebuild(const std::vector<ModelMotion> & motions)
+// Another world around the cars; they and the models that have motions stay where they are.
+void Simulation::Impl::changeWorld(WorldDescription world, const std::vector<ModelMotion> & motions)
 {
-  collisions_.reset();
-  pieces_.emplace(world_);
+  auto geometry = std::make_shared<const WorldGeometry>(std::move(world));
+  auto collisions = std::make_unique<CollisionWorld>(geometry->world(), geometry->pieces());
+  std::vector<std::unique_ptr<CarBody>> bodies;
+  std::vector<Lidars> lidars;
+  Scenes scenes;
+  for (const auto & car : cars()) {
+    bodies.push_back(car->makeBody(geometry->pieces()));
+    collisions->prepareFor(*bodies.back());
+    lidars.push_back(makeLidars(*car, *geometry, scenes));
+  }
+  // Nothing fails from here on.
   for (std::size_t i = 0; i < cars().size(); ++i) {
-    cars()[i]->moveInto(i, *pieces_);
+    cars()[i]->body.swap(bodies[i]);
+    cars()[i]->lidars.swap(lidars[i]);
   }
-  rebuildCollisions();
+  scenes_.swap(scenes);
+  enter(std::move(collisions));
   collisions_->setMotions(motions);
-  rebuildScenes();
+  geometry_ = std::move(geometry);
 }
 
-void Simulation::Impl::rebuildCollisions()
+std::unique_ptr<CollisionWorld> Simulation::Impl::emptyCollisions() const
 {
-  collisions_ = std::make_unique<CollisionWorld>(world_, *pieces_);
-  encounters_ = {};
+  auto collisions = std::make_unique<CollisionWorld>(geometry_->world(), geometry_->pieces());
   for (const auto & car : cars()) {
-    collisions_->addLayers(car->layerCount());
-    collisions_->addCar(car->body());
-    encounters_.addCar();
+    collisions->prepareFor(*car->body);
   }
-  moving_poses_are_current_ = false;
+  return collisions;
 }
 
-void Simulation::Impl::rebuildScenes()
+void Simulation::Impl::enter(std::unique_ptr<CollisionWorld> collisions) noexcept
 {
-  scenes_.clear();
+  collisions_ = std::move(collisions);
   for (const auto & car : cars()) {
-    car->lidars().clear();
-    addLidars(*car);
+    collisions_->add(*car->body);
   }
+  forgetSurroundings(cars());
 }
 
 void Simulation::Impl::returnStaticModels()
@@ -180,10 +204,11 @@ void Simulation::Impl::returnStaticModels()
   if (!static_models_moved_) {
     return;
   }
-  for (std::size_t i = 0; i < world_.models.size(); ++i) {
-    world_.models[i].pose = start_poses_[i];
+  WorldDescription changed = world();
+  for (std::size_t i = 0; i < changed.models.size(); ++i) {
+    changed.models[i].pose = start_poses_[i];
   }
-  rebuild({});
+  changeWorld(std::move(changed), {});
   static_models_moved_ = false;
 }
 
@@ -198,66 +223,69 @@ void Simulation::Impl::refuseOccupiedPlace(
 std::string Simulation::Impl::nameOf(const Piece & piece) const
 {
   if (piece.owner == Piece::Owner::kCar) {
-    return "car " + cars()[piece.body]->description().name;
+    return "car " + car(CarId{piece.body}).description.name;
   }
-  return "model " + withoutCollision(world_.models[piece.body].solids[piece.solid].name);
+  return "model " + withoutCollision(world().models[piece.body].solids[piece.solid].name);
 }
 
-void Simulation::Impl::addLidars(Car & car)
+Simulation::Impl::Lidars Simulation::Impl::makeLidars(
+  const SimulatedCar & car, const WorldGeometry & world, Scenes & scenes) const
 {
-  for (const LidarDescription & lidar : car.description().lidars) {
-    car.lidars().emplace_back(lidar, sceneAt(lidar.pose.Pos().Z()));
+  Lidars lidars;
+  for (const LidarDescription & lidar : car.description.lidars) {
+    lidars.emplace_back(lidar, sceneAt(lidar.pose.Pos().Z(), cars(), world, scenes));
   }
+  return lidars;
 }
 
-std::size_t Simulation::Impl::sceneAt(double height)
+const LidarScene & Simulation::Impl::sceneAt(
+  double height, const Cars & seen, const WorldGeometry & world, Scenes & scenes)
 {
-  const auto found =
-    std::find_if(scenes_.begin(), scenes_.end(), [&](const LidarScene & scene) { return scene.height() == height; });
-  if (found != scenes_.end()) {
-    return found - scenes_.begin();
+  const auto found = std::find_if(
+    scenes.begin(), scenes.end(), [&](const LidarScene & scene) { return scene.world().height() == height; });
+  if (found != scenes.end()) {
+    return *found;
   }
-  LidarScene & scene = scenes_.emplace_back(world_, height);
-  for (const auto & car : cars()) {
-    scene.addCar(car->description());
+  LidarScene scene(world.sectionAt(height));
+  for (const auto & car : seen) {
+    scene.reserveCar();
+    scene.addCar(car->id, scene.sectionOf(car->description.solids));
   }
-  return scenes_.size() - 1;
+  return scenes.emplace_back(std::move(scene));
 }
 
 void Simulation::Impl::step()
 {
   for (const auto & car : cars()) {
-    car->predict(time_, dt_);
+    car->car.predict(time_, dt_);
   }
-  const bool touched = encounters_.advance(cars(), *collisions_, dt_);
+  const bool touched = applyContacts(cars(), *collisions_, dt_);
   if (touched) {
     logContacts();
   }
   time_ += step_length_;
   for (const auto & car : cars()) {
-    car->commit(time_, dt_);
+    car->car.commit(time_, dt_);
   }
-  moving_poses_are_current_ = false;
 }
 
 void Simulation::Impl::logContacts()
 {
-  for (std::size_t i = 0; i < cars().size(); ++i) {
-    Car & car = *cars()[i];
-    for (const StepContact & contact : collisions_->contacts(i)) {
-      car.contactLog().add(
-        contact, dt_, [&](const StepContact & step, Contact & report) { describe(car, step, report); });
+  for (const auto & car : cars()) {
+    for (const StepContact & contact : car->body->contacts) {
+      car->contacts.add(
+        contact, dt_, [&](const StepContact & step, Contact & report) { describe(*car, step, report); });
     }
   }
 }
 
-void Simulation::Impl::describe(const Car & car, const StepContact & step, Contact & contact) const
+void Simulation::Impl::describe(const SimulatedCar & own, const StepContact & step, Contact & contact) const
 {
   const bool is_car = step.other_owner == Piece::Owner::kCar;
-  const CarDescription * other_car = is_car ? &cars()[step.other_body]->description() : nullptr;
-  const ModelDescription * model = is_car ? nullptr : &world_.models[step.other_body];
+  const CarDescription * other_car = is_car ? &car(CarId{step.other_body}).description : nullptr;
+  const ModelDescription * model = is_car ? nullptr : &world().models[step.other_body];
   const std::vector<Solid> & solids = is_car ? other_car->solids : model->solids;
-  contact.own_collision = car.description().solids[step.own_solid].name;
+  contact.own_collision = own.description.solids[step.own_solid].name;
   contact.other_collision = solids[step.other_solid].name;
   contact.other_model = is_car ? other_car->name : model->name;
 }
@@ -272,59 +300,48 @@ void Simulation::Impl::resetPoses()
 {
   returnStaticModels();
   for (const auto & car : cars()) {
-    car->restart(time_);
+    car->car.restart(time_);
+    car->contacts.clear();
   }
   // The same calls in the same order as from fresh, so that Box2D's inner order is the same, too.
   if (collisions_->isPristine()) {
-    encounters_.restart();
-    moving_poses_are_current_ = false;
+    forgetSurroundings(cars());
   } else {
-    rebuildCollisions();
+    enter(emptyCollisions());
   }
 }
 
-const MovingPoses & Simulation::Impl::movingPoses()
+Pose2 Simulation::Impl::ofModel(std::size_t model) const
 {
-  if (moving_poses_are_current_) {
-    return moving_poses_;
-  }
-  moving_poses_.models.clear();
-  for (std::size_t i = 0; i < world_.models.size(); ++i) {
-    if (!world_.models[i].is_static) {
-      moving_poses_.models.emplace_back(collisions_->modelPose(i));
-    }
-  }
-  moving_poses_.cars.clear();
-  for (const auto & car : cars()) {
-    moving_poses_.cars.emplace_back(car->pose());
-  }
-  moving_poses_are_current_ = true;
-  return moving_poses_;
+  return collisions_->modelPose(model);
 }
 
-void Simulation::Impl::scan(CarId id, std::size_t lidar, bool noisy, float * ranges)
+Pose2 Simulation::Impl::ofCar(CarId id) const
 {
-  const std::size_t index = registry_.indexOf(id);
-  Car & own = *cars()[index];
-  LidarSensor & sensor = own.lidars().at(lidar);
-  LidarScene & scene = scenes_[sensor.scene()];
+  return car(id).car.pose();
+}
+
+void Simulation::Impl::scan(CarId id, std::size_t lidar, bool noisy, float * ranges) const
+{
+  const SimulatedCar & own = car(id);
+  const LidarSensor & sensor = own.lidars.at(lidar);
   if (noisy) {
     const std::uint64_t key =
-      noiseKey(options_.seed, own.noiseStream(), NoiseStream::kLidar, lidar, static_cast<std::uint64_t>(time_));
-    sensor.noisyScan(scene, index, own.pose(), movingPoses(), key, ranges);
+      noiseKey(options_.seed, own.noise_stream, NoiseStream::kLidar, lidar, static_cast<std::uint64_t>(time_));
+    sensor.noisyScan(id, own.car.pose(), *this, key, ranges);
   } else {
-    sensor.scan(scene, index, own.pose(), movingPoses(), ranges);
+    sensor.scan(id, own.car.pose(), *this, ranges);
   }
 }
 
 ImuSample Simulation::Impl::imu(CarId id) const
 {
-  const Car & own = car(id);
-  const CarState & state = own.state();
+  const SimulatedCar & own = car(id);
+  const CarState state = own.car.state();
   ImuSample sample{state.pose.yaw, state.yaw_rate, state.acceleration};
-  if (const auto & imu = own.description().imu) {
+  if (const auto & imu = own.description.imu) {
     const std::uint64_t key =
-      noiseKey(options_.seed, own.noiseStream(), NoiseStream::kImu, 0, static_cast<std::uint64_t>(time_));
+      noiseKey(options_.seed, own.noise_stream, NoiseStream::kImu, 0, static_cast<std::uint64_t>(time_));
     sample.yaw_rate += imu->yaw_rate_noise_stddev * gaussian(key, 0);
     sample.acceleration.x += imu->acceleration_noise_stddev * gaussian(key, 1);
     sample.acceleration.y += imu->acceleration_noise_stddev * gaussian(key, 2);

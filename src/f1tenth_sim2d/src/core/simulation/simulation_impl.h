@@ -1,22 +1,21 @@
 #pragma once
 
+#include <deque>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "core/contacts/collision_world.h"
-#include "core/contacts/world_pieces.h"
 #include "core/lidar/lidar_scene.h"
 #include "core/simulation/car_registry.h"
-#include "core/simulation/encounters.h"
+#include "core/simulation/world_geometry.h"
 #include "f1tenth_sim2d/simulation.h"
 
 namespace f1tenth_sim2d
 {
-class Simulation::Impl
+class Simulation::Impl : private MovingPoses
 {
 public:
-  Impl(const WorldDescription & world, const SimulationOptions & options);
+  Impl(std::shared_ptr<const WorldGeometry> world, const SimulationOptions & options);
 
   CarId addCar(const CarDescription & description, const VehicleParameters & parameters, const Pose2 & pose);
   void removeCar(CarId id);
@@ -27,45 +26,46 @@ public:
   void step();
   void reset();
   void resetPoses();
-  void scan(CarId id, std::size_t lidar, bool noisy, float * ranges);
+  void scan(CarId id, std::size_t lidar, bool noisy, float * ranges) const;
   ImuSample imu(CarId id) const;
 
-  Car & car(CarId id) { return registry_.at(id); }
-  const Car & car(CarId id) const { return registry_.at(id); }
+  SimulatedCar & car(CarId id) const { return registry_.at(id); }
   const CarRegistry & registry() const { return registry_; }
-  const WorldDescription & world() const { return world_; }
+  const WorldDescription & world() const { return geometry_->world(); }
   const CollisionWorld & collisions() const { return *collisions_; }
   SimTime time() const { return time_; }
   SimTime stepLength() const { return step_length_; }
 
 private:
+  using Scenes = std::deque<LidarScene>;
+  using Lidars = std::vector<LidarSensor>;
+
   const Cars & cars() const { return registry_.cars(); }
-  std::size_t sceneAt(double height);
-  void addLidars(Car & car);
+  Pose2 ofModel(std::size_t model) const override;
+  Pose2 ofCar(CarId car) const override;
+  static const LidarScene & sceneAt(double height, const Cars & seen, const WorldGeometry & world, Scenes & scenes);
+  Lidars makeLidars(const SimulatedCar & car, const WorldGeometry & world, Scenes & scenes) const;
+  void letIn(std::unique_ptr<SimulatedCar> car);
   void refuseOccupiedPlace(const std::vector<PlacedCar> & places, std::size_t own, const std::string & what) const;
   void refuseTakenName(const std::string & name) const;
   std::string nameOf(const Piece & piece) const;
   void logContacts();
-  void describe(const Car & car, const StepContact & step, Contact & contact) const;
-  const MovingPoses & movingPoses();
-  void rebuild(const std::vector<ModelMotion> & motions);
-  void rebuildCollisions();
-  void rebuildScenes();
+  void describe(const SimulatedCar & car, const StepContact & step, Contact & contact) const;
+  void changeWorld(WorldDescription world, const std::vector<ModelMotion> & motions);
+  /// Without cars, but with room for all of them.
+  std::unique_ptr<CollisionWorld> emptyCollisions() const;
+  void enter(std::unique_ptr<CollisionWorld> collisions) noexcept;
   void returnStaticModels();
 
-  WorldDescription world_;
+  std::shared_ptr<const WorldGeometry> geometry_;
   SimulationOptions options_;
   SimTime step_length_;
   double dt_;  ///< s
   SimTime time_{0};
   std::vector<ignition::math::Pose3d> start_poses_;  ///< of the models; static ones may have been put elsewhere
   bool static_models_moved_{false};
-  std::optional<WorldPieces> pieces_;  ///< always there, made anew when the world changes
   std::unique_ptr<CollisionWorld> collisions_;
   CarRegistry registry_;
-  Encounters encounters_;
-  std::vector<LidarScene> scenes_;
-  MovingPoses moving_poses_;
-  bool moving_poses_are_current_{false};
+  Scenes scenes_;
 };
 }  // namespace f1tenth_sim2d

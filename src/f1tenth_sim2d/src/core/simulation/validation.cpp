@@ -90,12 +90,11 @@ void validateLidar(const LidarDescription & lidar, const std::string & car)
 }
 }  // namespace
 
-const WorldDescription & validated(const WorldDescription & world)
+void validate(const WorldDescription & world)
 {
   for (const ModelDescription & model : world.models) {
     validate(model, world.file);
   }
-  return world;
 }
 
 void validate(const ModelDescription & model, const std::string & where)

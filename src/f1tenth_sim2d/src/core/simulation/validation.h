@@ -7,7 +7,7 @@
 /// What the simulation refuses to be built from. Each throws Error with one line that says what is allowed.
 namespace f1tenth_sim2d
 {
-const WorldDescription & validated(const WorldDescription & world);
+void validate(const WorldDescription & world);
 const SimulationOptions & validated(const SimulationOptions & options);
 void validate(const CarDescription & car, const Pose2 & start);
 /// @param car  name of the car

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/car/car.h"
+#include "core/contacts/car_body.h"
+#include "core/contacts/clearance.h"
+#include "core/contacts/contact_log.h"
+#include "core/lidar/lidar_sensor.h"
+#include "f1tenth_sim2d/car_id.h"
+#include "f1tenth_sim2d/car_model.h"
+
+namespace f1tenth_sim2d
+{
+/// How far a car may go before it has to look again whether it could touch something.
+struct Surroundings
+{
+  double free{0.0};   ///< m, that nothing can have come nearer than
+  int steps_left{0};  ///< for which the car counts as near without looking
+  bool is_near{false};
+};
+
+/// A car of a simulation and all that belongs to it.
+struct SimulatedCar
+{
+  /// @param stream  keeps its noise apart from that of the other cars
+  /// @param start   pose of base_footprint
+  SimulatedCar(
+    CarId car_id, std::uint32_t stream, const CarDescription & car_description, const VehicleParameters & parameters,
+    const Pose2 & start, std::uint64_t seed, const WorldPieces & world);
+
+  std::unique_ptr<CarBody> makeBody(const WorldPieces & world) const;
+  PlacedCar placed() const { return {*body, car.centreOfMass()}; }
+
+  const CarId id;
+  const std::uint32_t noise_stream;
+  const CarDescription description;
+  Car car;
+  std::unique_ptr<CarBody> body;
+  Surroundings surroundings;
+  std::vector<LidarSensor> lidars;
+  ContactLog contacts;
+};
+
+using Cars = std::vector<std::unique_ptr<SimulatedCar>>;
+
+/// The places of all cars.
+std::vector<PlacedCar> placedCars(const Cars & cars);
+}  // namespace f1tenth_sim2d

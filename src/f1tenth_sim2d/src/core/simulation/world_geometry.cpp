@@ -1,0 +1,28 @@
+#include "core/simulation/world_geometry.h"
+
+#include <algorithm>
+
+#include "core/simulation/validation.h"
+#include "f1tenth_sim2d/prepared_world.h"
+
+namespace f1tenth_sim2d
+{
+const WorldSection & WorldGeometry::sectionAt(double height) const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = std::find_if(
+    sections_.begin(), sections_.end(), [&](const WorldSection & section) { return section.height() == height; });
+  return found != sections_.end() ? *found : sections_.emplace_back(world_, height);
+}
+
+PreparedWorld::PreparedWorld(WorldDescription world)
+{
+  validate(world);
+  geometry_ = std::make_shared<WorldGeometry>(std::move(world));
+}
+
+const WorldDescription & PreparedWorld::description() const
+{
+  return geometry_->world();
+}
+}  // namespace f1tenth_sim2d

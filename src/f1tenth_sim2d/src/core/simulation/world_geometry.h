@@ -1,0 +1,31 @@
+#pragma once
+
+#include <deque>
+#include <mutex>
+
+#include "core/contacts/world_pieces.h"
+#include "core/lidar/lidar_scene.h"
+#include "f1tenth_sim2d/world_model.h"
+
+namespace f1tenth_sim2d
+{
+/// What is worked out of a world once, for any number of simulations on any threads.
+class WorldGeometry
+{
+public:
+  explicit WorldGeometry(WorldDescription world) : world_(std::move(world)), pieces_(world_) {}
+  WorldGeometry(const WorldGeometry &) = delete;
+  WorldGeometry & operator=(const WorldGeometry &) = delete;
+
+  const WorldDescription & world() const { return world_; }
+  const WorldPieces & pieces() const { return pieces_; }
+  /// What is seen at a height, m; cut at the first time.
+  const WorldSection & sectionAt(double height) const;
+
+private:
+  const WorldDescription world_;
+  const WorldPieces pieces_;
+  mutable std::mutex mutex_;  ///< of what follows
+  mutable std::deque<WorldSection> sections_;
+};
+}  // namespace f1tenth_sim2d

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 from f1tenth_scenarios.record.record import Record
-from f1tenth_scenarios.record.track_map import TrackMap, read_track_map
-from f1tenth_scenarios.results.picture import write_picture
+from f1tenth_scenarios.results.picture import free_place, make_figure, write_picture
+from f1tenth_scenarios.results.track_map import TrackMap, read_track_map
 from f1tenth_scenarios.scenario.scenario import Pose
 from PIL import Image
 from scenario_samples import GOALS, record, rows
@@ -67,6 +67,24 @@ def test_nothing_at_all_can_be_drawn(tmp_path):
 def test_two_cars_share_one_scale(tmp_path):
     run = record(tmp_path, rows(3.0), rows(3.0, car="robot2", y=1.0, speed=2.0))
     draw(tmp_path / "picture.png", run, goals={**GOALS, "robot2": (Pose(3.0, 1.0),)})
+
+
+def test_the_name_of_a_car_lies_neither_on_a_path_nor_on_a_goal():
+    start, straight = np.zeros(2), np.column_stack([np.linspace(-5.0, 5.0, 200), np.zeros(200)])
+    goal = np.array([[0.0, 0.9]])
+    place = free_place(start, 0.9, np.concatenate([straight, goal]))
+    assert np.hypot(*(straight - place).T).min() > 0.7
+    assert place[1] < 0.0
+
+
+def test_no_text_lies_on_another_above_a_narrow_map(tmp_path):
+    narrow = TrackMap(np.full((200, 20), 254, dtype=np.uint8), (-1.0, 1.0, -10.0, 10.0))
+    figure = make_figure("a_long_name_of_a_scenario", ("success: every goal was passed", "lap time 3 s"),
+                         record(tmp_path, rows(1.0, contacts={0.5: "Wall_1"})), {}, narrow)  # fmt: skip
+    axes = figure.axes[0]
+    texts = [axes.get_legend(), *(each for each in axes.texts if "lap time" in each.get_text())]
+    legend, lines = (each.get_window_extent(figure.canvas.get_renderer()) for each in texts)
+    assert not legend.overlaps(lines)
 
 
 def test_text_that_is_no_mathematics_is_drawn_as_it_is(tmp_path):

@@ -13,13 +13,15 @@ from matplotlib.figure import Figure
 
 from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.record.record import CarTrack, Record
-from f1tenth_scenarios.record.track_map import TrackMap
+from f1tenth_scenarios.results.track_map import TrackMap
 from f1tenth_scenarios.scenario.scenario import Pose
 
 _MARGIN = 1.0  # m, around what is drawn
 _LONG_SIDE = 11.0  # inch
 _DOTS_PER_INCH = 130
-_TEXT_WIDTH = 110  # characters
+_CHARACTERS_PER_INCH = 13  # of the text, about
+_LEGEND_HEIGHT = 20  # points
+_NAME_DISTANCE = 0.045  # from where a car starts, of the longer side of what is drawn
 _CONTACT_COLOUR = "#d62728"
 _GOAL_COLOUR = "#1f3b57"
 
@@ -42,6 +44,13 @@ def write_picture(
         goals: per car
         track_map: drawn beneath, if there is one
     """
+    figure = make_figure(title, lines, record, goals, track_map)
+    with replacing(path) as temporary:
+        figure.savefig(temporary, dpi=_DOTS_PER_INCH, bbox_inches="tight", pad_inches=0.2)
+
+
+def make_figure(title, lines, record, goals, track_map) -> Figure:
+    """The drawing; arguments as of write_picture."""
     tracks = [track for track in record.tracks.values() if len(track.time)]
     box = _bounding_box(tracks, goals, track_map)
     figure = Figure(figsize=_figure_size(box))
@@ -51,9 +60,9 @@ def write_picture(
     _draw_paths(figure, axes, tracks)
     _draw_goals(axes, goals)
     _draw_contacts(axes, tracks)
+    _name_cars(axes, tracks, goals, box)
     _finish(figure, axes, box, title, lines)
-    with replacing(path) as temporary:
-        figure.savefig(temporary, dpi=_DOTS_PER_INCH, bbox_inches="tight", pad_inches=0.2)
+    return figure
 
 
 def _bounding_box(tracks, goals, track_map):
@@ -103,14 +112,6 @@ def _draw_paths(figure, axes, tracks):
     for track in tracks:
         lines = _path_lines(track, scale)
         axes.add_collection(lines)
-        axes.annotate(
-            track.car,
-            (track.x[0], track.y[0]),
-            xytext=(8, -14),
-            textcoords="offset points",
-            fontsize=8,
-            zorder=6,
-        )
         axes.plot(
             track.x[0],
             track.y[0],
@@ -125,6 +126,34 @@ def _draw_paths(figure, axes, tracks):
     bar = figure.colorbar(lines, ax=axes, fraction=0.046, pad=0.02, shrink=0.85)
     bar.set_label("speed (m/s)")
     bar.outline.set_visible(False)
+
+
+def _name_cars(axes, tracks: Sequence[CarTrack], goals, box) -> None:
+    """Write each car's name beside its start, where it hides neither paths nor goals."""
+    drawn = [np.column_stack([track.x, track.y]) for track in tracks]
+    drawn += [np.array([(goal.x, goal.y) for goal in poses]) for poses in goals.values() if poses]
+    distance = _NAME_DISTANCE * max(box[1] - box[0], box[3] - box[2])
+    for track in tracks:
+        start = np.array([track.x[0], track.y[0]])
+        axes.annotate(
+            track.car,
+            start,
+            xytext=free_place(start, distance, np.concatenate(drawn)),
+            fontsize=8,
+            ha="center",
+            va="center",
+            zorder=6,
+            bbox={"boxstyle": "round,pad=0.25", "facecolor": "white", "edgecolor": "none", "alpha": 0.85},
+            arrowprops={"arrowstyle": "-", "color": "#888888", "linewidth": 0.8},
+        )
+
+
+def free_place(start: np.ndarray, distance: float, drawn: np.ndarray) -> np.ndarray:
+    """The place at a distance (m) from a start that is farthest from what is drawn, of shape (n, 2)."""
+    angles = np.radians(np.arange(0, 360, 30))
+    places = start + distance * np.column_stack([np.cos(angles), np.sin(angles)])
+    room = [np.hypot(*(drawn - place).T).min() for place in places]
+    return places[int(np.argmax(room))]
 
 
 def _path_lines(track: CarTrack, scale) -> LineCollection:
@@ -192,13 +221,14 @@ def _finish(figure, axes, box, title, lines):
     axes.set_facecolor("#ededed")
     axes.grid(color="black", alpha=0.07, linewidth=0.6)
     axes.spines[["top", "right"]].set_visible(False)
-    text = "\n".join(part for line in lines for part in textwrap.wrap(line, _TEXT_WIDTH))
-    height = 13 * (text.count("\n") + 1)  # points
+    width = int(figure.get_size_inches()[0] * _CHARACTERS_PER_INCH)
+    text = "\n".join(part for line in lines for part in textwrap.wrap(line, width))
+    height = _LEGEND_HEIGHT + 13 * (text.count("\n") + 1)  # points
     axes.set_title(title, fontsize=14, fontweight="bold", loc="left", pad=height + 10, parse_math=False)
     axes.annotate(
         text,
         (0, 1),
-        (0, 6),
+        (0, 6 + _LEGEND_HEIGHT),
         "axes fraction",
         "offset points",
         fontsize=9.5,
@@ -207,8 +237,10 @@ def _finish(figure, axes, box, title, lines):
     )
     if axes.get_legend_handles_labels()[0]:
         axes.legend(
-            loc="lower right",
-            bbox_to_anchor=(1.0, 1.0),
+            loc="lower left",
+            bbox_to_anchor=(0.0, 1.0),
+            borderaxespad=0.1,
+            borderpad=0.2,
             ncols=3,
             fontsize=8.5,
             frameon=False,

@@ -7,31 +7,32 @@ class Report {
     this.decoded = new Map();
   }
 
-  replay(index) {
-    return this.decode(`replay-${index}`);
+  async replay(index) {
+    const [columns, world] = await Promise.all([
+      this.columns(`replay-${index}`), this.columns(`world-${this.runs[index].world_id}`),
+    ]);
+    return new Run(columns, world);
   }
 
   // The run to compare with; nothing if it drove the same, as it could not be seen.
-  previous(index) {
+  async previous(index) {
     const run = this.runs[index];
-    return run.previous && !droveTheSame(run) ? this.decode(`previous-${index}`) : null;
+    return run.previous && !droveTheSame(run) ? new Run(await this.columns(`previous-${index}`)) : null;
   }
 
-  // A run is decoded when it is opened first.
-  decode(name) {
-    if (!this.decoded.has(name)) {
-      this.decoded.set(name, decodeColumns(embedded(name)).then((columns) => new Run(columns)));
-    }
+  // Decoded when they are needed first.
+  columns(name) {
+    if (!this.decoded.has(name)) this.decoded.set(name, decodeColumns(embedded(name)));
     return this.decoded.get(name);
   }
 }
 
 function embedded(name) {
-  return JSON.parse(document.getElementById(name).textContent);
+  return document.getElementById(name).textContent;
 }
 
-function start() {
-  const report = new Report(embedded("overview"));
+async function start() {
+  const report = new Report(await decodeJson(embedded("overview")));
   const main = document.getElementById("page");
   let page = null;
   const show = () => {
@@ -39,7 +40,7 @@ function start() {
     const index = report.runs.findIndex((run) => run.scenario === name);
     page?.close();
     page = index < 0 ? new Overview(report) : new RunPage(report, index);
-    document.title = index < 0 ? "Scenario report" : `${formatName(name)} – scenario report`;
+    document.title = index < 0 ? "Scenario report" : `${name} – scenario report`;
     main.replaceChildren(page.root);
     scrollTo(0, 0);
     return page.load();

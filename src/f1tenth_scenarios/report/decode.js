@@ -1,15 +1,22 @@
-// The other end of packing.py: {columns, data} -> Map of name -> Float64Array.
+// The other end of packing.py.
 
-async function decodeColumns(packed) {
-  const bytes = await inflate(packed.data);
+// Text -> Map of name -> Float64Array.
+async function decodeColumns(text) {
+  const bytes = await inflate(text);
+  const headLength = new DataView(bytes.buffer).getUint32(0, true);
+  let start = 4 + headLength;
+  const columns = JSON.parse(new TextDecoder().decode(bytes.subarray(4, start)));
   const decoded = new Map();
-  let start = 0;
-  for (const column of packed.columns) {
+  for (const column of columns) {
     const end = start + column.count * column.width;
     decoded.set(column.name, decodeColumn(column, bytes.subarray(start, end)));
     start = end;
   }
   return decoded;
+}
+
+async function decodeJson(text) {
+  return JSON.parse(new TextDecoder().decode(await inflate(text)));
 }
 
 async function inflate(base64) {
@@ -18,7 +25,7 @@ async function inflate(base64) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-function decodeColumn({ count, width, quantum, offset, stride }, bytes) {
+function decodeColumn({ count, width, quantum, offset, stride, order }, bytes) {
   const whole = new Uint32Array(count);
   for (let plane = 0; plane < width; ++plane) {
     for (let index = 0; index < count; ++index) {
@@ -26,8 +33,10 @@ function decodeColumn({ count, width, quantum, offset, stride }, bytes) {
     }
   }
   const mask = width === 4 ? 0xffffffff : 2 ** (8 * width) - 1;
-  for (let index = stride; index < count; ++index) {
-    whole[index] = (whole[index] + whole[index - stride]) & mask;
+  for (let taken = 0; taken < order; ++taken) {
+    for (let index = stride; index < count; ++index) {
+      whole[index] = (whole[index] + whole[index - stride]) & mask;
+    }
   }
   return Float64Array.from(whole, (value) => (value + offset) * quantum);
 }

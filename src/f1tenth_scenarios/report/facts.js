@@ -15,7 +15,8 @@ function badge(result) {
 }
 
 function verdictText(result) {
-  return result.verdict === result.expected ? result.verdict : `${result.verdict}, expected ${result.expected}`;
+  const { verdict, expected } = result;
+  return !expected || verdict === expected ? verdict : `${verdict}, expected ${expected}`;
 }
 
 function tiles(result) {
@@ -37,10 +38,11 @@ function table(columns, rows) {
 }
 
 function criteriaCard(result) {
+  if (!result.criteria.length) return null;
   const rows = result.criteria.map((each) => ({
     kind: each.status.replace(" ", "-"),
     cells: [
-      statusMark(each.status), formatName(each.name), formatValue(each.actual, each.unit),
+      statusMark(each.status), element("code", {}, each.name), formatValue(each.actual, each.unit),
       formatValue(each.limit, each.unit), each.reason,
     ],
   }));
@@ -113,8 +115,20 @@ function culpritCard(result) {
   return section(`${culprit} ${reason}`, lines.length ? element("pre", {}, lines.join("\n")) : null);
 }
 
+// What could not be read or written.
+function problemsCard({ problems, not_written: unwritten = [] }) {
+  const all = [...problems, ...unwritten];
+  return all.length ? section("Missing", element("ul", {}, ...all.map((text) => element("li", {}, text)))) : null;
+}
+
+// The files of the run, relative to the report.
+function linksCard({ links }) {
+  const rows = Object.entries(links).map(([name, href]) => ({ cells: [name, element("a", { href }, decodeURIComponent(href))] }));
+  return rows.length ? section("Files", table(["", ""], rows)) : null;
+}
+
 function versionsCard(result) {
-  const rows = [["seed", result.seed], ["trajectory hash", result.trajectory_hash], ...Object.entries(result.versions)];
+  const rows = [["seed", result.seed], ["trajectory hash", result.trajectory_hash], ...Object.entries(result.versions ?? {})];
   return section("Made with", table(["", ""], rows.map(([name, value]) => ({
     cells: [name, element("code", {}, formatValue(value))],
   }))));

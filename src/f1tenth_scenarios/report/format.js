@@ -21,10 +21,6 @@ function formatValue(value, unit = "") {
   return text.replace("-", "−") + (unit ? "\u202f" + unit : "");
 }
 
-function formatName(name) {
-  return name.replaceAll("_", " ");
-}
-
 function formatDate(iso) {
   return new Date(iso).toLocaleString(undefined, { dateStyle: "medium", timeStyle: "short" });
 }

@@ -1,5 +1,6 @@
 // The page of all runs.
 
+const [ALL, FAILED] = ["all runs", "not as expected"];
 const THUMBNAIL = { width: 72, height: 44, margin: 4 }; // px
 
 class Overview {
@@ -25,10 +26,19 @@ class Overview {
 
   tools() {
     this.search = element("input.search", {
-      type: "search", placeholder: "Filter by name, world, verdict", "aria-label": "filter", input: () => this.filter(),
+      type: "search", placeholder: "Filter by name, world, reason", "aria-label": "filter by text", input: () => this.filter(),
     });
-    this.onlyFailed = element("input", { type: "checkbox", change: () => this.filter() });
-    return element("div.tools", {}, this.search, element("label", {}, this.onlyFailed, " only failed"));
+    this.kind = element("select", { "aria-label": "filter by verdict", change: () => this.filter() },
+      ...this.kinds().map(([value, count]) => element("option", { value }, `${value} (${count})`)));
+    return element("div.tools", {}, this.kind, this.search);
+  }
+
+  // What a run may be filtered by, and how many are of that kind.
+  kinds() {
+    const { runs } = this.report;
+    const failed = runs.filter((run) => !run.passed).length;
+    const verdicts = [...new Set(runs.map((run) => run.verdict))].sort();
+    return [[ALL, runs.length], [FAILED, failed], ...verdicts.map((verdict) => [verdict, runs.filter((run) => run.verdict === verdict).length])];
   }
 
   table() {
@@ -44,7 +54,7 @@ class Overview {
     const href = `#${encodeURIComponent(run.scenario)}`;
     const cells = [
       thumbnail(run),
-      element("div.name", {}, element("a", { href }, formatName(run.scenario)), element("p", {}, run.passed ? run.description : run.reason)),
+      element("div.name", {}, element("a", { href }, run.scenario), element("p", {}, run.passed ? run.description : run.reason)),
       element("span", {}, badge(run), ` ${verdictText(run)}`),
       formatNumber(run.times?.lap_time, 3, "s"),
       formatNumber(run.minimum_clearance, 3, "m"),
@@ -70,8 +80,9 @@ class Overview {
     const words = this.search.value.toLowerCase().split(/\s+/).filter(Boolean);
     let shown = 0;
     for (const { run, row } of this.rows) {
-      const text = `${run.scenario} ${formatName(run.scenario)} ${run.world} ${run.verdict} ${run.description}`.toLowerCase();
-      row.hidden = !words.every((word) => text.includes(word)) || (this.onlyFailed.checked && run.passed);
+      const text = `${run.scenario} ${run.world} ${run.verdict} ${run.description} ${run.reason}`.toLowerCase();
+      const kinds = [ALL, run.verdict, run.passed ? "" : FAILED];
+      row.hidden = !words.every((word) => text.includes(word)) || !kinds.includes(this.kind.value);
       shown += !row.hidden;
     }
     this.none.hidden = shown > 0;

@@ -2,6 +2,10 @@
 
 // The F1/10 car, seen from base_footprint, m.
 const CAR = { rear: -0.1186, front: 0.4615, width: 0.31, wheelbase: 0.33, track: 0.2, wheel: 0.1, tyre: 0.05 };
+const CAR_SHAPE = {
+  outlines: [{ x: [CAR.rear, CAR.front, CAR.front, CAR.rear], y: [-1, -1, 1, 1].map((side) => (side * CAR.width) / 2) }],
+  circles: [],
+};
 const SPEED_COLOURS = ["#4f6bed", "#7a5be0", "#a94fc6", "#d2489b", "#ec5a6d", "#f57c42", "#f5a524"];
 
 class Painter {

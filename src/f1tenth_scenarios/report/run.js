@@ -1,14 +1,17 @@
 // A run's data as the views need it. The columns' names are those of replay_columns.py.
 
+const QUANTITIES = ["x", "y", "yaw", "speed", "clearance", "steering", "gap"];
+
 class Run {
-  constructor(columns) {
-    this.columns = columns;
+  constructor(columns, world = new Map()) {
+    this.columns = new Map([...columns, ...world]);
     this.cars = this.names("cars").map((name) => new CarTrack(name, columns));
     this.end = Math.max(0, ...this.cars.map((car) => car.end));
     this.walls = this.shape("walls");
     this.models = this.names("models").map((name) => this.model(name));
     this.goals = this.names("goals").map((car) => ({ car, poses: this.poses(`goals/${car}`) }));
-    this.scans = this.names("scans").map((car) => new ScanSeries(car, columns));
+    this.lidars = this.cars.filter(({ name }) => columns.has(`lidars/${name}`)).map((car) => new Lidar(car, columns.get(`lidars/${car.name}`)));
+    this.still = obstaclesOf(this.walls);
     this.globalPlans = this.plans("global");
     this.localPlans = this.plans("local");
   }
@@ -57,6 +60,18 @@ class Run {
     };
   }
 
+  modelPose(model, time) {
+    return model.poses[Math.max(indexAfter(model.time, time) - 1, 0)];
+  }
+
+  // What the lidar of a car meets at a time.
+  obstacles(own, time) {
+    const models = this.models.filter((model) => this.modelPose(model, time)).map((model) => obstaclesOf(model.shape, this.modelPose(model, time)));
+    const others = this.cars.filter((car) => car !== own).map((car) => obstaclesOf(CAR_SHAPE, car.at(time)));
+    const all = [this.still, ...models, ...others];
+    return { segments: all.flatMap(({ segments }) => segments), circles: all.flatMap(({ circles }) => circles) };
+  }
+
   plans(kind) {
     return this.names(`plans/${kind}`).map((car) => ({
       car,
@@ -69,7 +84,7 @@ class Run {
 class CarTrack {
   constructor(name, columns) {
     this.name = name;
-    for (const quantity of ["time", "x", "y", "yaw", "speed", "clearance", "steering"]) {
+    for (const quantity of ["time", ...QUANTITIES]) {
       this[quantity] = columns.get(`cars/${name}/${quantity}`) ?? new Float64Array();
     }
     this.end = this.time.length ? this.time[this.time.length - 1] : 0;
@@ -82,38 +97,11 @@ class CarTrack {
     const span = this.time[after] - this.time[before];
     const part = span > 0 ? Math.min(Math.max((time - this.time[before]) / span, 0), 1) : 0;
     const state = {};
-    for (const quantity of ["x", "y", "yaw", "speed", "clearance", "steering"]) {
+    for (const quantity of QUANTITIES) {
       const values = this[quantity];
       state[quantity] = values[before] + part * (values[after] - values[before]);
     }
     return state;
-  }
-}
-
-class ScanSeries {
-  constructor(car, columns) {
-    this.car = car;
-    this.time = columns.get(`scans/${car}/time`);
-    this.ranges = columns.get(`scans/${car}/ranges`);
-    this.beams = this.time.length ? this.ranges.length / this.time.length : 0;
-    const [first, last, x, y, yaw] = columns.get(`scans/${car}/fan`);
-    Object.assign(this, { first, last, mount: { x, y, yaw } });
-  }
-
-  // End points in the map frame of the scan that held at a time, seen from the pose at which it was taken.
-  pointsAt(time, track) {
-    const index = indexAfter(this.time, time) - 1;
-    if (index < 0) return null;
-    const pose = track.at(this.time[index]);
-    const origin = transform(pose, this.mount);
-    const heading = pose.yaw + this.mount.yaw + this.first;
-    const step = (this.last - this.first) / Math.max(this.beams - 1, 1);
-    const ranges = this.ranges.subarray(index * this.beams, (index + 1) * this.beams);
-    const points = Array.from(ranges, (range, beam) => {
-      const angle = heading + beam * step;
-      return { x: origin.x + range * Math.cos(angle), y: origin.y + range * Math.sin(angle), hit: range > 0 };
-    });
-    return { origin, points };
   }
 }
 

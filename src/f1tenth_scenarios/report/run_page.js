@@ -22,7 +22,7 @@ class RunPage {
         element("a", { href: "#" }, "← All runs"),
         element("span.spring"),
         this.neighbour(-1, "←"), this.neighbour(1, "→")),
-      element("h1", {}, formatName(result.scenario), badge(result)),
+      element("h1", {}, result.scenario, badge(result)),
       element("p.lead", {}, result.description),
       element(`p.reason.${result.passed ? "good" : "bad"}`, {}, element("b", {}, verdictText(result)), ` — ${result.reason}`),
       tiles(result));
@@ -42,8 +42,8 @@ class RunPage {
       this.stage.scrollIntoView({ block: "nearest" });
     };
     return [
-      culpritCard(result), criteriaCard(result), comparisonCard(result), lapsCard(result),
-      contactsCard(result, seek), versionsCard(result), keyHelp(),
+      problemsCard(result), culpritCard(result), criteriaCard(result), comparisonCard(result), lapsCard(result),
+      contactsCard(result, seek), linksCard(result), versionsCard(result), keyHelp(),
     ].filter(Boolean);
   }
 
@@ -73,10 +73,14 @@ class RunPage {
   makeCharts(run, ghost) {
     const onSeek = (time) => this.player.seek(time);
     const limit = this.result.criteria.find(({ name }) => name === "minimum_clearance")?.limit;
-    return [
+    const charts = [
       new Chart({ title: "Speed", unit: "m/s", quantity: "speed", run, ghost, onSeek }),
       new Chart({ title: "Clearance", unit: "m", quantity: "clearance", run, ghost, limit, onSeek }),
     ];
+    if (run.cars.some((car) => car.gap.length)) {
+      charts.push(new Chart({ title: "Gap to the leader", unit: "m", quantity: "gap", run, ghost: null, onSeek }));
+    }
+    return charts;
   }
 
   controls(ghost) {

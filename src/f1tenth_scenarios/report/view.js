@@ -102,7 +102,7 @@ class View {
     const { run, shown, time } = this;
     if (shown.scan) this.drawScans(painter);
     for (const model of run.models) {
-      const pose = model.poses[Math.max(indexAfter(model.time, time) - 1, 0)];
+      const pose = run.modelPose(model, time);
       if (pose) painter.inFrame(pose, () => painter.shape(model.shape, this.colours.model));
     }
     if (shown.plans) this.drawPlans(painter);
@@ -118,10 +118,8 @@ class View {
   }
 
   drawScans(painter) {
-    for (const series of this.run.scans) {
-      const track = this.run.cars.find((car) => car.name === series.car);
-      const scan = track && series.pointsAt(this.time, track);
-      if (scan) painter.scan(scan);
+    for (const lidar of this.run.lidars) {
+      painter.scan(lidar.points(lidar.car.at(this.time), this.run.obstacles(lidar.car, this.time)));
     }
   }
 

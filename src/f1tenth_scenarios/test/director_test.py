@@ -11,17 +11,13 @@ import rospy
 import rostest
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.record.observations import RaceState, RaceUpdate
-from f1tenth_scenarios.record.replay_recorder import ReplayRecorder
 from f1tenth_scenarios.run.director import Director
 from f1tenth_scenarios.run.ros_node_kill import kill_node, node_pid
 from f1tenth_scenarios.run.ros_watch import RosWatch
 from f1tenth_scenarios.scenario.scenario import Box, Car, Fault, Limits, Push, Scenario, Verdict
-from gazebo_msgs.msg import ModelStates
 from gazebo_msgs.srv import GetModelState, GetModelStateResponse, SetModelState, SetModelStateResponse
-from geometry_msgs.msg import Pose, PoseStamped
-from nav_msgs.msg import Path
+from geometry_msgs.msg import Pose, PoseWithCovarianceStamped
 from rosgraph_msgs.msg import Clock
-from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Bool, Header
 
 from f1tenth_race_mgr.msg import RaceStatus
@@ -43,11 +39,6 @@ def scenario(faults=(), lockstep=True, **others):
         faults=tuple(faults),
         **others,
     )
-
-
-def scans_heard(recorder):
-    scans = recorder.recording().scans.get("robot1")
-    return len(scans.stamps) if scans else 0
 
 
 class DirectorTest(unittest.TestCase):
@@ -138,38 +129,21 @@ class DirectorTest(unittest.TestCase):
         assert watch.collided() == {"robot1"}
         watch.close()
 
-    def test_scans_plans_and_models_are_recorded_at_a_low_rate(self):
-        recorder = ReplayRecorder(["robot1"])
-        scans, plans, models = (
-            rospy.Publisher(topic, kind, queue_size=100)
-            for topic, kind in (
-                ("/robot1/scan", LaserScan),
-                ("/robot1/move_base/global_plan", Path),
-                ("/gazebo/model_states", ModelStates),
-            )
-        )
-        for each in (scans, plans, models):
-            self._wait_for(each.get_num_connections)
-        for index in range(9):
-            scan = LaserScan(angle_min=-1.0, angle_increment=0.1, ranges=[1.0, float("inf")] * 11)
-            scan.header.stamp = rospy.Time.from_sec(0.025 * (index + 1))
-            scans.publish(scan)
-        plan = Path(poses=[PoseStamped(), PoseStamped()])
-        plan.header.stamp = rospy.Time(1)
-        plan.poses[1].pose.position.x = 2.0
-        plans.publish(plan)
-        self._wait_for(lambda: "robot1" in recorder.recording().global_plans)
-        self._wait_for(lambda: scans_heard(recorder) >= 3)
-        models.publish(ModelStates(name=["robot1", "box"], pose=[Pose(), self._turned()]))
-        self._wait_for(lambda: recorder.recording().models)
-        heard = recorder.recording()
-        recorder.close()
-        assert heard.scans["robot1"].stamps == [0.025, 0.125, 0.225]
-        assert heard.scans["robot1"].values[0] == [100, 100, 100]
-        assert round(heard.scans["robot1"].angle_max, 6) == 1.0
-        assert heard.global_plans["robot1"].values == [[(0.0, 0.0), (2.0, 0.0)]]
-        assert list(heard.models) == ["box"]
-        assert heard.models["box"].values == [(3.0, 0.0, 1.5708)]
+    def test_estimates_are_heard_to_the_last(self):
+        watch = RosWatch(scenario())
+        publisher = rospy.Publisher("/robot1/amcl_pose", PoseWithCovarianceStamped, queue_size=10)
+        self._wait_for(lambda: publisher.get_num_connections() > 0)
+        for index in range(3):
+            message = PoseWithCovarianceStamped()
+            message.header.stamp = rospy.Time(index + 1)
+            message.pose.pose.position.x = 3.0
+            message.pose.pose.orientation.z = message.pose.pose.orientation.w = 0.5**0.5
+            publisher.publish(message)
+        publisher.unregister()
+        (estimates,) = watch.estimates().values()
+        watch.close()
+        assert estimates.stamps == [1.0, 2.0, 3.0]
+        assert estimates.values == [(3.0, 0.0, 1.5708)] * 3
 
     @staticmethod
     def _turned():

@@ -4,7 +4,7 @@ import json
 import sys
 from pathlib import Path
 
-from f1tenth_scenarios.record.recording import Recording
+import rosbag
 from f1tenth_scenarios.run.run import execute
 from f1tenth_scenarios.scenario.plan import Plan
 from f1tenth_scenarios.stop_request import StopRequest
@@ -36,14 +36,11 @@ class FakeWatch:
     def failure(self):
         return self._failure if self._ready.exists() else None
 
-    def catch_up(self, stamp):
-        pass
-
     def close(self):
         self.closed = True
 
-    def recording(self):
-        return Recording()
+    def estimates(self):
+        return {}
 
     def descriptions(self):
         return {}
@@ -63,11 +60,17 @@ class FakeRun:
         self.stop = StopRequest()
         self._program = SHUTDOWN
         self._sources = 0
+        with rosbag.Bag(str(folder / "empty.bag"), "w"):
+            pass
+        self._do(f"import shutil; shutil.copy({str(folder / 'empty.bag')!r}, {str(self.plan.bag_file)!r})\n")
 
     def records(self, *arguments, **others):
         self._sources += 1
         source = write_record(self.folder / f"source{self._sources}.csv", rows(*arguments, **others))
         return self._do(f"import shutil; shutil.copy({str(source)!r}, {str(self.plan.record_file)!r})\n")
+
+    def loses_its_bag(self):
+        return self._do(f"import os; os.unlink({str(self.plan.bag_file)!r})\n")
 
     def waits(self, seconds):
         return self._do(f"import time; time.sleep({seconds})\n")

@@ -5,12 +5,14 @@ import math
 import pytest
 from browser import PATIENCE, chromium
 from f1tenth_scenarios.report.page import write_report
-from report_samples import RADIUS, result, write_run
+from report_samples import RADIUS, result, write_race, write_run
+
+from f1tenth_scenarios import places
 
 pytest.importorskip("selenium", reason="python3-selenium is not installed")
 
 from selenium.webdriver.common.keys import Keys  # noqa: E402
-from selenium.webdriver.support.ui import WebDriverWait  # noqa: E402
+from selenium.webdriver.support.ui import Select, WebDriverWait  # noqa: E402
 
 SPEED = 1.5  # m/s
 
@@ -21,6 +23,8 @@ def report(tmp_path_factory):
     write_run(folder / "results" / "one_lap", result("one_lap"), speed=SPEED)
     write_run(folder / "results" / "two", result("two", passed=False), speed=SPEED)
     write_run(folder / "results" / "two" / "previous", result("two", commit="old"), speed=1.0)
+    write_race(folder / "results" / "zwei", result("zwei"))
+    (folder / "results" / "one_lap" / "log").mkdir()
     write_report(folder / "results", folder / "report.html")
     return (folder / "report.html").as_uri()
 
@@ -65,25 +69,53 @@ def time(window):
 
 def test_overview_lists_the_runs(window, report):
     window.get(report)
-    assert find(window, "h1").text == "1 of 2 scenarios did not end as expected"
+    assert find(window, "h1").text == "1 of 3 scenarios did not end as expected"
     rows = [row.text for row in window.find_elements("css selector", "tbody tr")]
-    assert "one lap" in rows[0]
+    assert "one_lap" in rows[0]
     assert "collision, expected success" in rows[1]
     assert "broken" in rows[1]
 
 
-def test_overview_is_filtered(window, report):
+def shown_rows(window):
+    return [row.is_displayed() for row in window.find_elements("css selector", "tbody tr")]
+
+
+def test_overview_is_filtered_by_text(window, report):
     window.get(report)
-    find(window, ".search").send_keys("collision")
-    shown = [row.is_displayed() for row in window.find_elements("css selector", "tbody tr")]
-    assert shown == [False, True]
+    find(window, ".search").send_keys("touched")
+    assert shown_rows(window) == [False, True, False]
+    find(window, ".search").send_keys(" nothing")
+    assert shown_rows(window) == [False, False, False]
+    assert "No run matches." in find(window, "main").text
+
+
+def test_overview_is_filtered_by_verdict(window, report):
+    window.get(report)
+    choice = Select(find(window, ".tools select"))
+    assert [option.text for option in choice.options] == [
+        "all runs (3)", "not as expected (1)", "collision (1)", "success (2)",
+    ]  # fmt: skip
+    for text, rows in (
+        ("success (2)", [True, False, True]),
+        ("not as expected (1)", [False, True, False]),
+        ("all runs (3)", [True, True, True]),
+    ):
+        choice.select_by_visible_text(text)
+        assert shown_rows(window) == rows
+
+
+def test_names_can_be_copied_into_a_command(window, report):
+    open_run(window, report, "one_lap")
+    assert find(window, "h1").text.startswith("one_lap")
+    codes = [each.text for each in window.find_elements("css selector", ".facts code")]
+    assert "minimum_clearance" in codes
 
 
 def test_row_opens_its_run(window, report):
     window.get(report)
     find(window, "tbody tr").click()
     until(window, lambda: window.find_elements("css selector", ".map"))
-    assert find(window, "h1").text.startswith("one lap")
+    assert find(window, "h1").text.startswith("one_lap")
 
 
 def test_play_moves_the_car_and_ends_with_the_run(window, report):
@@ -103,7 +135,7 @@ def test_car_is_where_the_record_has_it(window, report):
         press(window, Keys.ARROW_RIGHT)
     turn = SPEED * 4.0 / RADIUS
     assert time(window) == pytest.approx(4.0)
-    assert pose(window) == pytest.approx((RADIUS * math.cos(turn), RADIUS * math.sin(turn)), abs=0.002)
+    assert pose(window) == pytest.approx((RADIUS * math.cos(turn), RADIUS * math.sin(turn)), abs=0.01)
 
 
 def test_keys_do_what_they_say(window, report):
@@ -139,6 +171,49 @@ def test_pixels_change_when_the_car_moves(window, report):
     before = window.execute_script(picture)
     press(window, Keys.ARROW_RIGHT)
     assert window.execute_script(picture) != before
+
+
+SEEN = """
+const lidar = new Lidar(null, [-Math.PI / 2, Math.PI / 2, 0, 0, 0, 5]);
+const wall = obstaclesOf({ outlines: [{ x: [2, 2, 2.1, 2.1], y: [-1, 1, 1, -1] }], circles: [] });
+const circle = { outlines: [], circles: [{ x: 0.2, y: 0, radius: 0.2 }] };
+const post = obstaclesOf(circle, { x: 0, y: 1, yaw: Math.PI / 2 });
+const seen = lidar.points({ x: 0, y: 0, yaw: 0 }, {
+  segments: [...wall.segments, ...post.segments], circles: [...wall.circles, ...post.circles],
+});
+const { points } = seen;
+return [points[0], points[60], points[120]].map(({ x, y, hit }) => [x, y, hit]);
+"""
+
+
+def test_lidar_meets_walls_models_and_cars(window, report):
+    open_run(window, report, "zwei")
+    # Seen from the origin, with a wall 2 m ahead, a post 1 m to the left and nothing behind.
+    scripts = places.package_path(places.PACKAGE) / "report"
+    code = "".join((scripts / name).read_text(encoding="utf-8") for name in ("lidar.js", "run.js"))
+    hits = window.execute_script(f"{code}{SEEN}")
+    assert hits[0] == [pytest.approx(0.0, abs=1e-9), pytest.approx(-5.0), False]
+    assert hits[1] == [pytest.approx(2.0), pytest.approx(0.0, abs=1e-9), True]
+    assert hits[2] == [pytest.approx(0.0, abs=1e-9), pytest.approx(1.0), True]
+
+
+def test_race_of_two_shows_the_gap(window, report):
+    open_run(window, report, "zwei")
+    press(window, Keys.END)
+    chart = window.find_elements("css selector", ".chart")[-1]
+    assert chart.find_element("css selector", "figcaption").text.startswith("Gap to the leader (m)")
+    first, second = chart.find_element("css selector", ".value").text.split()
+    assert (float(first), float(second)) == (pytest.approx(0.0), pytest.approx(5.0, abs=0.3))
+    open_run(window, report, "one_lap")
+    assert len(window.find_elements("css selector", ".chart")) == 2
+
+
+def test_files_are_linked(window, report):
+    open_run(window, report, "one_lap")
+    links = {
+        each.text: each.get_attribute("href") for each in window.find_elements("css selector", ".facts td a")
+    }
+    assert links["results/one_lap/log"].endswith("/results/one_lap/log")
 
 
 def test_run_before_is_compared(window, report):

@@ -1,20 +1,22 @@
 """The report as a file: complete, self-contained, with an answer to bad input."""
 
+import base64
 import json
 import re
+import urllib.parse
+import zlib
 
 import pytest
-from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.report.page import write_report
-from report_samples import result, write_run
+from report_samples import result, write_long_run, write_run
 
 from f1tenth_scenarios import cli
 
 
 def overview(path):
     text = path.read_text(encoding="utf-8")
-    (found,) = re.findall(r'<script type="application/json" id="overview">(.*?)</script>', text)
-    return json.loads(found)["runs"]
+    (found,) = re.findall(r'<script type="text/plain" id="overview">(.*?)</script>', text)
+    return json.loads(zlib.decompress(base64.b64decode(found)))["runs"]
 
 
 @pytest.fixture
@@ -27,18 +29,18 @@ def results(tmp_path):
 
 
 def test_all_runs_are_in_it(results, tmp_path):
-    assert write_report(results, tmp_path / "report.html") == 2
+    assert write_report(results, tmp_path / "report.html") == []
     one, two = overview(tmp_path / "report.html")
     assert (one["scenario"], one["passed"], one["previous"]) == ("one", True, None)
     assert (two["scenario"], two["passed"], two["previous"]["passed"]) == ("two", False, True)
-    assert len(one["thumbnail"][0]) == 70
+    assert len(one["thumbnail"][0]) == 50
 
 
 def test_nothing_is_fetched_and_no_text_ends_a_script(results, tmp_path):
     write_report(results, tmp_path / "report.html")
     text = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert not re.search(r"\bsrc=|https?://(?!www\.w3\.org/2000/svg)|@import|url\(", text)
-    assert text.count("<script") == text.count("</script>") == 5
+    assert text.count("<script") == text.count("</script>") == 6
     assert "<!--" not in text
 
 
@@ -73,11 +75,66 @@ def test_command_needs_results(tmp_path, capsys):
 @pytest.mark.parametrize(
     ("content", "problem"), [("{", "not a result: "), ("[]", "not a result: it has no verdict")]
 )
-def test_broken_result_is_named(results, tmp_path, content, problem):
+def test_broken_result_is_shown_as_such_beside_the_others(results, tmp_path, capsys, content, problem):
     (results / "one" / "result.json").write_text(content, encoding="utf-8")
-    with pytest.raises(ScenarioError, match=f"{results}/one/result.json: {problem}"):
-        write_report(results, tmp_path / "report.html")
-    assert not (tmp_path / "report.html").exists()
+    assert cli.main(["report", "--results", str(results)]) == 1
+    assert f"scenario: {results}/one/result.json: {problem}" in capsys.readouterr().err
+    one, two = overview(results / "report.html")
+    assert (one["scenario"], one["verdict"], one["passed"]) == ("one", "unknown", False)
+    assert one["reason"] == "result.json cannot be read"
+    assert one["problems"][0].startswith(f"{results}/one/result.json: {problem}")
+    assert two["problems"] == []
+
+
+@pytest.mark.parametrize(
+    "name", ["trajectory.csv", "replay.json.gz", "previous/result.json", "previous/trajectory.csv"]
+)
+def test_anything_else_that_is_broken_is_left_out_and_named(results, tmp_path, name):
+    (results / "two" / name).write_text("nonsense\n", encoding="utf-8")
+    (problem,) = write_report(results, tmp_path / "report.html")
+    assert problem.startswith(f"{results}/two/{name}")
+    _, two = overview(tmp_path / "report.html")
+    assert (two["verdict"], two["problems"]) == ("collision", [problem])
+
+
+def test_files_of_a_run_are_linked_from_where_the_report_is(results, tmp_path):
+    (results / "one" / "log").mkdir()
+    (results / "one" / "run.bag").touch()
+    output = tmp_path / "else where" / "report.html"
+    output.parent.mkdir()
+    write_report(results, output)
+    one, _ = overview(output)
+    assert set(one["links"]) == {"log", "bag", "result", "trajectory"}
+    assert one["links"]["bag"] == "../results/one/run.bag"
+    write_report(results, tmp_path / "results" / "report.html")
+    assert overview(tmp_path / "results" / "report.html")[0]["links"]["log"] == "one/log"
+
+
+def test_links_can_hold_any_name(tmp_path):
+    write_run(tmp_path / "results" / "a b#c", result("a b#c"))
+    write_report(tmp_path / "results", tmp_path / "results" / "report.html")
+    link = overview(tmp_path / "results" / "report.html")[0]["links"]["result"]
+    assert (link, urllib.parse.unquote(link)) == ("a%20b%23c/result.json", "a b#c/result.json")
+
+
+def test_a_hundred_runs_of_two_minutes_are_less_than_3_mb(tmp_path):
+    sizes = {}
+    for count in (1, 3):
+        folder = tmp_path / str(count)
+        for number in range(count):
+            write_long_run(folder / f"run_{number}", result(f"run_{number}"), seed=number)
+        write_report(folder, folder / "report.html")
+        sizes[count] = (folder / "report.html").stat().st_size
+    each = (sizes[3] - sizes[1]) / 2
+    assert sizes[1] + 99 * each < 3e6
+
+
+def test_walls_of_a_world_are_kept_once(results, tmp_path):
+    write_report(results, tmp_path / "report.html")
+    one, two = overview(tmp_path / "report.html")
+    assert one["world_id"] == two["world_id"]
+    text = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert text.count(f'id="world-{one["world_id"]}"') == 1
 
 
 @pytest.mark.parametrize(

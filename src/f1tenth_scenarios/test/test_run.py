@@ -11,6 +11,7 @@ import psutil
 import pytest
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.record.record import COLUMNS
+from f1tenth_scenarios.record.replay import read_replay
 from f1tenth_scenarios.results.console import summary
 from f1tenth_scenarios.scenario.scenario import Limits, Verdict
 from fake_run import FakeRun
@@ -333,6 +334,31 @@ def test_a_log_folder_that_cannot_be_written_is_said(tmp_path, monkeypatch):
     run = succeeding(tmp_path)
     with pytest.raises(ScenarioError, match=f"{run.plan.log_folder}: cannot begin the run: No space left"):
         run.execute()
+
+
+def test_bag_of_a_run_that_passed_is_kept_if_wanted(tmp_path):
+    for keep in (False, True):
+        run = succeeding(tmp_path)
+        run.plan = dataclasses.replace(run.plan, keep_bag=keep)
+        assert run.execute().not_written == ()
+        assert (run.plan.folder / "run.bag").exists() == keep
+        assert not run.plan.bag_file.exists()
+
+
+def test_bag_of_a_run_that_failed_is_kept(tmp_path):
+    run = FakeRun(tmp_path).records(4.0).hears(racing(), aborted(2.0))
+    run.execute()
+    assert (run.plan.folder / "run.bag").exists()
+
+
+def test_recorder_that_dies_costs_the_bag_and_nothing_else(tmp_path):
+    run = FakeRun(tmp_path).loses_its_bag().records(4.0)
+    run.prints("[scenario_recorder-9] process has died [pid 12, exit code -6, cmd x].")
+    result = run.hears(racing(), finished(3.0)).execute()
+    assert result.passed
+    (problem,) = result.not_written
+    assert problem.startswith(f"replay.json.gz: {run.plan.bag_file}: cannot be read: ")
+    assert read_replay(run.plan.folder / "replay.json.gz").goals["robot1"]
 
 
 def test_log_of_the_culprit_is_told_from_the_folder_of_the_results(tmp_path):

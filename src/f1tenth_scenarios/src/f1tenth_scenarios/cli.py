@@ -1,6 +1,7 @@
 """The command `scenario`: list, check, run, sweep, report, keys."""
 
 import argparse
+import dataclasses
 import os
 import signal
 import sys
@@ -56,6 +57,7 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument(
         "--repeat", type=int, metavar="N", help="run N times and say how much the results differ"
     )
+    run.add_argument("--bag", action="store_true", help="keep the bag, also of runs that pass")
     run.add_argument("--report", action="store_true", help="write the report afterwards")
     sweep = _add(commands, "sweep", _sweep, "run many variations of a scenario in parallel")
     sweep.add_argument("name", metavar="NAME", help="scenario or file")
@@ -122,9 +124,11 @@ def _report(options) -> int:
     output = (options.output or results / _REPORT_FILE).resolve()
     if options.against and not options.against.is_dir():
         raise ScenarioError(f"--against {options.against}: no such folder")
-    write_report(results, output, options.against.resolve() if options.against else None)
+    problems = write_report(results, output, options.against.resolve() if options.against else None)
+    for problem in problems:
+        print(f"scenario: {problem}", file=sys.stderr)
     print(f"{'report:':19}{output}")
-    return PASSED
+    return NOT_PASSED if problems else PASSED
 
 
 def _sweep(options) -> int:
@@ -172,7 +176,7 @@ def _run(options) -> int:
         return _repeat(options)
     names = places.scenario_names() if options.all else options.names
     if len(names) == 1:
-        code = _run_one(names[0], options.results, options.set)
+        code = _run_one(names[0], options)
     else:
         for name in names:
             make_plan(name, settings=options.set)
@@ -193,10 +197,10 @@ def _results_option(results: Optional[Path]) -> list[str]:
     return ["--results", str(results)] if results else []
 
 
-def _run_one(name: str, results: Optional[Path], settings: Sequence[str]) -> int:
+def _run_one(name: str, options) -> int:
     versions.ask_commit()
-    folder = results.resolve() / places.scenario_file(name).stem if results else None
-    plan = make_plan(name, folder, settings)
+    folder = _results(options) / places.scenario_file(name).stem
+    plan = dataclasses.replace(make_plan(name, folder, options.set), keep_bag=options.bag)
     from f1tenth_scenarios.run.ros_session import run_with_ros
 
     progress = ProgressLine(plan.name)
@@ -210,7 +214,8 @@ def _run_one(name: str, results: Optional[Path], settings: Sequence[str]) -> int
 def _run_each(names: Sequence[str], options) -> int:
     """A process for each, because a process can be a ROS node only once."""
     results = str(_results(options))
-    jobs = [Job(str(places.scenario_file(name)), tuple(options.set), results) for name in names]
+    extra = ("--bag",) if options.bag else ()
+    jobs = [Job(str(places.scenario_file(name)), tuple(options.set), results, extra) for name in names]
     outcomes: list[Outcome] = []
     bar = CountLine("scenarios", len(jobs))
 

@@ -27,6 +27,7 @@ class Job:
     scenario: str  # absolute path of the file
     settings: tuple[str, ...]  # KEY=VALUE
     results: str  # folder for the folder of the results
+    options: tuple[str, ...] = ()  # of `scenario run` besides
     program: tuple[str, ...] = dataclasses.field(default_factory=lambda: PROGRAM)  # the command `scenario`
 
     @property
@@ -38,7 +39,7 @@ class Job:
     def command(self) -> list[str]:
         """What runs it."""
         settings = [part for setting in self.settings for part in ("--set", setting)]
-        options = ["--results", self.results, *settings]
+        options = ["--results", self.results, *settings, *self.options]
         return [*_ENDS_WITH_PARENT, *self.program, "run", *options, self.scenario]
 
 

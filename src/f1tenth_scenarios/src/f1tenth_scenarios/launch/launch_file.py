@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from f1tenth_scenarios import places
+from f1tenth_scenarios.record.bag import RECORDER, recorder_arguments
 from f1tenth_scenarios.scenario.participants import participants
 from f1tenth_scenarios.scenario.plan import Plan
 from f1tenth_scenarios.scenario.scenario import Car, Driver, Input, Localization, Scenario
@@ -39,6 +40,9 @@ def write_launch_file(plan: Plan) -> None:
     _include(launch, "scenario.launch", _shared_arguments(plan))
     for car in plan.scenario.cars:
         _include(launch, "scenario_car.launch", _car_arguments(plan, car))
+    cars = [car.name for car in plan.scenario.cars]
+    arguments = recorder_arguments(plan.bag_file, cars)
+    ElementTree.SubElement(launch, "node", pkg="rosbag", type="record", name=RECORDER, args=arguments)
     ElementTree.indent(launch)
     ElementTree.ElementTree(launch).write(plan.launch_file, encoding="utf-8")
 

@@ -4,6 +4,7 @@ import dataclasses
 from typing import Optional
 
 from f1tenth_race_mgr.state import State as RaceState
+
 from f1tenth_scenarios.record.record import Record
 
 

@@ -1,4 +1,4 @@
-"""What a replay shows besides trajectories: walls, movable models, scans, plans; kept as replay.json.gz."""
+"""What a replay shows besides trajectories: walls, movable models, lidars, plans; kept as replay.json.gz."""
 
 import dataclasses
 import gzip
@@ -12,10 +12,12 @@ from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.record.record import STAMP_EPSILON
 
 REPLAY_FILE = "replay.json.gz"
-_FORMAT = 1
+_FORMAT = 2
 
 Point = tuple[float, float]  # m
 Planar = tuple[float, float, float]  # m, m, rad
+# Angles of the first and the last beam (rad), place in base_footprint (m, m, rad), range (m).
+Lidar = tuple[float, float, float, float, float, float]
 
 T = TypeVar("T", bound="Timed")
 
@@ -42,15 +44,6 @@ class Timed:
 
 
 @dataclasses.dataclass(frozen=True)
-class Scans(Timed):
-    """Some beams of some scans of a car: ranges in whole cm, 0 where nothing was hit."""
-
-    angle_min: float = 0.0  # rad, of the first beam kept
-    angle_max: float = 0.0  # rad, of the last one
-    mount: Planar = (0.0, 0.0, 0.0)  # of the lidar in base_footprint
-
-
-@dataclasses.dataclass(frozen=True)
 class Paths(Timed):
     """Plans of a car: lists of points in the map frame, m."""
 
@@ -68,7 +61,8 @@ class Replay:
 
     walls: Shape = Shape()
     goals: Mapping[str, Sequence[Planar]] = dataclasses.field(default_factory=dict)  # by car, of one lap
-    scans: Mapping[str, Scans] = dataclasses.field(default_factory=dict)  # by car
+    road: Sequence[Point] = ()  # its middle, closed, in driving order
+    lidars: Mapping[str, Lidar] = dataclasses.field(default_factory=dict)  # by car
     global_plans: Mapping[str, Paths] = dataclasses.field(default_factory=dict)  # by car
     local_plans: Mapping[str, Paths] = dataclasses.field(default_factory=dict)  # by car
     models: Mapping[str, Poses] = dataclasses.field(default_factory=dict)  # by name
@@ -78,7 +72,7 @@ class Replay:
         timed = {
             field.name: {name: each.until(stamp) for name, each in getattr(self, field.name).items()}
             for field in dataclasses.fields(self)
-            if field.name not in ("walls", "goals")
+            if field.name in ("global_plans", "local_plans", "models")
         }
         return dataclasses.replace(self, **timed)
 
@@ -112,7 +106,8 @@ def _from_dict(content: Mapping[str, Any]) -> Replay:
     return Replay(
         walls=Shape(**content["walls"]),
         goals=content["goals"],
-        scans=_each(Scans, content["scans"]),
+        road=content["road"],
+        lidars=content["lidars"],
         global_plans=_each(Paths, content["global_plans"]),
         local_plans=_each(Paths, content["local_plans"]),
         models={

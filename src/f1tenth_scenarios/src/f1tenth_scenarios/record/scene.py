@@ -1,4 +1,4 @@
-"""Putting the world around what was heard of a run."""
+"""Putting the world around what was said in a run."""
 
 import contextlib
 import dataclasses
@@ -9,8 +9,7 @@ from pathlib import Path
 
 import f1tenth_sim2d
 from f1tenth_scenarios import places
-from f1tenth_scenarios.record.recording import Recording
-from f1tenth_scenarios.record.replay import Planar, Poses, Replay, Scans, Shape
+from f1tenth_scenarios.record.replay import Lidar, Planar, Point, Poses, Replay, Shape
 from f1tenth_scenarios.scenario.scenario import Pose
 
 _CUT_HEIGHT = 0.12  # m above the ground, where no lidar says otherwise
@@ -18,28 +17,31 @@ _CUT_HEIGHT = 0.12  # m above the ground, where no lidar says otherwise
 
 @dataclasses.dataclass(frozen=True)
 class Scene:
-    """What stands in a world, cut at the height of the cars' lidars, and where those are."""
+    """What stands in a world, cut at the height of the cars' lidars, and the lidars."""
 
     walls: Shape = Shape()
     models: Mapping[str, Poses] = dataclasses.field(default_factory=dict)  # movable, where the world has them
-    mounts: Mapping[str, Planar] = dataclasses.field(default_factory=dict)  # of the lidar, by car
+    lidars: Mapping[str, Lidar] = dataclasses.field(default_factory=dict)  # by car
 
-    def replay(self, goals: Mapping[str, Sequence[Pose]], heard: Recording) -> Replay:
-        """What was heard of a run, with the world around it."""
-        return Replay(
+    def replay(self, goals: Mapping[str, Sequence[Pose]], said: Replay, road: Sequence[Point] = ()) -> Replay:
+        """What was said in a run, with the world around it.
+
+        Args:
+            goals: by car, of one lap
+            said: plans, and where models were
+            road: its middle, closed, in driving order
+        """
+        return dataclasses.replace(
+            said,
             walls=self.walls,
             goals={car: [(pose.x, pose.y, pose.yaw) for pose in poses] for car, poses in goals.items()},
-            scans={car: self._mounted(car, scans) for car, scans in heard.scans.items()},
-            global_plans=heard.global_plans,
-            local_plans=heard.local_plans,
+            road=road,
+            lidars=self.lidars,
             models={
-                name: dataclasses.replace(heard.models.get(name, model), shape=model.shape)
+                name: dataclasses.replace(said.models.get(name, model), shape=model.shape)
                 for name, model in self.models.items()
             },
         )
-
-    def _mounted(self, car: str, scans: Scans) -> Scans:
-        return dataclasses.replace(scans, mount=self.mounts[car]) if car in self.mounts else scans
 
 
 def load_scene(world: Path, descriptions: Mapping[str, str]) -> Scene:
@@ -60,7 +62,7 @@ def load_scene(world: Path, descriptions: Mapping[str, str]) -> Scene:
     return Scene(
         walls=_shape(*loaded.section(height)),
         models={model.name: _model(model, height) for model in loaded.models if not model.is_static},
-        mounts={car: _planar(lidar.pose) for car, lidar in lidars.items()},
+        lidars={car: _described(lidar) for car, lidar in lidars.items()},
     )
 
 
@@ -72,9 +74,9 @@ def _lidar(description):
     return next((lidar for lidar in lidars if lidar.topic == "scan"), None)
 
 
-def _planar(pose) -> Planar:
-    x, y, _, yaw = pose
-    return x, y, yaw
+def _described(lidar) -> Lidar:
+    x, y, _, yaw = lidar.pose
+    return lidar.angle_min, lidar.angle_max, x, y, yaw, lidar.range_max
 
 
 def _model(model, height: float) -> Poses:

@@ -1,14 +1,15 @@
 """Putting the page together: one HTML file with its style, scripts and data inside."""
 
 import datetime
-import json
+import hashlib
 from pathlib import Path
-from typing import Any, Optional
+from typing import Optional
 
 from f1tenth_scenarios import places
 from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.report.content import RunContent, read_results
+from f1tenth_scenarios.report.packing import pack_json
 
 REPORT_FILE = "report.html"
 # In this order, because each uses what stands before it.
@@ -16,6 +17,7 @@ _SCRIPTS = (
     "format.js",
     "elements.js",
     "decode.js",
+    "lidar.js",
     "run.js",
     "player.js",
     "viewport.js",
@@ -30,7 +32,7 @@ _SCRIPTS = (
 )
 
 
-def write_report(results: Path, output: Path, against: Optional[Path] = None) -> int:
+def write_report(results: Path, output: Path, against: Optional[Path] = None) -> list[str]:
     """Write the report of a results folder, which replaces the old one when it is complete.
 
     Args:
@@ -39,35 +41,43 @@ def write_report(results: Path, output: Path, against: Optional[Path] = None) ->
         against: another results folder to compare with; default: the run before, which each folder keeps
 
     Returns:
-        The number of runs in it.
+        What was found broken, a line each; the report shows it as well.
 
     Raises:
-        ScenarioError: there is no run, a file is broken, or the report cannot be written.
+        ScenarioError: there is no run, or the report cannot be written.
     """
-    runs = list(read_results(results, against))
+    runs = list(read_results(results, output.parent, against))
     head, tail = _template(runs).split("<!-- DATA -->")
+    worlds = {run.world: name for name, run in ((f"world-{_world_id(run)}", run) for run in runs)}
     try:
         with replacing(output) as temporary, open(temporary, "w", encoding="utf-8") as stream:
             stream.write(head)
+            for world, name in worlds.items():
+                stream.write(_data(name, world))
             for index, run in enumerate(runs):
-                stream.write(_data(f"replay-{index}", run.replay.as_dict()))
+                stream.write(_data(f"replay-{index}", run.replay))
                 if run.previous:
-                    stream.write(_data(f"previous-{index}", run.previous.as_dict()))
+                    stream.write(_data(f"previous-{index}", run.previous))
             stream.write(tail)
     except OSError as error:
         raise ScenarioError(f"{output}: cannot be written: {error.strerror}") from error
-    return len(runs)
+    return [problem for run in runs for problem in run.summary["problems"]]
+
+
+def _world_id(run: RunContent) -> str:
+    """Names the walls of a run; those that are equal are kept once."""
+    return hashlib.sha256(run.world.encode()).hexdigest()[:12]
 
 
 def _template(runs: list[RunContent]) -> str:
     assets = places.package_path(places.PACKAGE) / "report"
     overview = {
         "created": datetime.datetime.now().astimezone().isoformat(timespec="minutes"),
-        "runs": [run.summary for run in runs],
+        "runs": [{**run.summary, "world_id": _world_id(run)} for run in runs],
     }
     parts = {
         "<!-- STYLE -->": f"<style>\n{_read(assets / 'report.css')}</style>",
-        "<!-- OVERVIEW -->": _data("overview", overview),
+        "<!-- OVERVIEW -->": _data("overview", pack_json(overview)),
         "<!-- SCRIPTS -->": _scripts(assets),
     }
     text = _read(assets / "report.html")
@@ -81,10 +91,9 @@ def _scripts(assets: Path) -> str:
     return f'<script>\n"use strict";\n(() => {{\n{text}}})();\n</script>'
 
 
-def _data(name: str, content: Any) -> str:
-    """JSON in a script element that runs nothing; no text in it can end the element."""
-    text = json.dumps(content, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
-    return f'<script type="application/json" id="{name}">{text}</script>\n'
+def _data(name: str, packed: str) -> str:
+    """Base64 in a script element that runs nothing."""
+    return f'<script type="text/plain" id="{name}">{packed}</script>\n'
 
 
 def _read(path: Path) -> str:

@@ -41,8 +41,11 @@ def write_rest(folder: Path, files: Mapping[str, Callable[[Path], None]]) -> tup
         try:
             write(folder / name)
         except Exception as error:  # whatever it is, memory included
-            reason = (
-                error.strerror if isinstance(error, OSError) else f"{type(error).__name__} {error}".strip()
-            )
-            problems.append(f"{name}: {reason}")
+            problems.append(f"{name}: {_reason(error)}")
     return tuple(problems)
+
+
+def _reason(error: Exception) -> str:
+    if isinstance(error, ScenarioError):
+        return str(error)
+    return getattr(error, "strerror", None) or f"{type(error).__name__} {error}".strip()

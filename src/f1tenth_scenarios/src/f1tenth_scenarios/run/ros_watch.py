@@ -5,17 +5,17 @@ import time
 from typing import Optional
 
 import rospy
+from geometry_msgs.msg import PoseWithCovarianceStamped
 from std_msgs.msg import Bool
 
 from f1tenth_race_mgr.msg import RaceStatus
+from f1tenth_scenarios.record.bag import planar
 from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
-from f1tenth_scenarios.record.record import STAMP_EPSILON
-from f1tenth_scenarios.record.recording import Recording
-from f1tenth_scenarios.record.replay_recorder import ReplayRecorder
+from f1tenth_scenarios.record.replay import Poses
 from f1tenth_scenarios.run.director import Director
 from f1tenth_scenarios.scenario.scenario import Driver, Scenario
 
-_PATIENCE, _LOOK_INTERVAL = 0.5, 0.005  # wall s
+_PATIENCE, _LOOK_INTERVAL = 2.0, 0.005  # wall s
 
 
 def to_update(car: str, message: RaceStatus) -> RaceUpdate:
@@ -34,7 +34,8 @@ class RosWatch:
         self._subscribers = [self._subscribe(car.name) for car in scenario.cars if car.driver is Driver.RACE]
         self._collided: set[str] = set()
         self._subscribers += [self._subscribe_collision(car) for car in self._cars]
-        self._replay = ReplayRecorder(self._cars)
+        self._estimates: queue.SimpleQueue = queue.SimpleQueue()
+        self._localizations = [self._subscribe_estimate(car) for car in self._cars]
         self._director = Director(scenario) if scenario.has_events else None
 
     def take(self) -> list[RaceUpdate]:
@@ -49,15 +50,18 @@ class RosWatch:
         """What went wrong on this side, if anything did."""
         return self._director.failure if self._director else None
 
-    def catch_up(self, stamp: float) -> None:
-        """Wait until the scans up to a stamp (s) are heard, and with them what came before; not for long."""
+    def estimates(self) -> dict[str, Poses]:
+        """What was heard of `amcl_pose`, by car: all of it, if the localizations end within some time."""
         deadline = time.monotonic() + _PATIENCE
-        while self._replay.now + STAMP_EPSILON < stamp and time.monotonic() < deadline:
+        while any(each.get_num_connections() for each in self._localizations) and time.monotonic() < deadline:
             time.sleep(_LOOK_INTERVAL)
-
-    def recording(self) -> Recording:
-        """What was heard for the replay."""
-        return self._replay.recording()
+        found: dict[str, tuple[list, list]] = {}
+        while not self._estimates.empty():
+            car, stamp, pose = self._estimates.get()
+            stamps, values = found.setdefault(car, ([], []))
+            stamps.append(stamp)
+            values.append(pose)
+        return {car: Poses(*heard) for car, heard in found.items()}
 
     def descriptions(self) -> dict[str, str]:
         """The robot_description of each car on the parameter server."""
@@ -65,9 +69,8 @@ class RosWatch:
 
     def close(self) -> None:
         """Stop listening."""
-        for each in self._subscribers:
+        for each in [*self._subscribers, *self._localizations]:
             each.unregister()
-        self._replay.close()
         if self._director:
             self._director.close()
 
@@ -83,3 +86,10 @@ class RosWatch:
         return rospy.Subscriber(
             f"/{car}/collision", Bool, lambda message: self._collided.add(car) if message.data else None
         )
+
+    def _subscribe_estimate(self, car: str) -> rospy.Subscriber:
+        def take(message):
+            stamp = round(message.header.stamp.to_sec(), 9)
+            self._estimates.put((car, stamp, planar(message.pose.pose)))
+
+        return rospy.Subscriber(f"/{car}/amcl_pose", PoseWithCovarianceStamped, take)

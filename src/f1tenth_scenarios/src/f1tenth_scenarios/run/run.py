@@ -17,13 +17,13 @@ from f1tenth_scenarios.judge.laps import lap_times
 from f1tenth_scenarios.judge.measured import Measured
 from f1tenth_scenarios.launch.launch_file import write_launch_file
 from f1tenth_scenarios.launch.processes import ProcessTree
+from f1tenth_scenarios.record.bag import BAG_FILE, read_bag
 from f1tenth_scenarios.record.observations import Failure, Observations
 from f1tenth_scenarios.record.record import Record, read_record
-from f1tenth_scenarios.record.recording import Recording
-from f1tenth_scenarios.record.replay import REPLAY_FILE, write_replay
-from f1tenth_scenarios.record.track_map import TrackMap, read_track_map
+from f1tenth_scenarios.record.replay import REPLAY_FILE, Replay, write_replay
 from f1tenth_scenarios.results.result import PICTURE_FILE, TRAJECTORY_FILE, Result, write_trajectory
 from f1tenth_scenarios.results.results_folder import claimed
+from f1tenth_scenarios.results.track_map import TrackMap, read_track_map
 from f1tenth_scenarios.results.writing import write_rest, write_verdict
 from f1tenth_scenarios.run.preparation import Preparation
 from f1tenth_scenarios.run.supervisor import Progress, Supervisor, Watch
@@ -63,13 +63,15 @@ def execute(
         _prepare(plan)
         watch = make_watch()
         with _started(plan, command, environment) as tree:
-            done, files = _drive(plan, tree, watch, stop, progress)
+            done, preparation = _drive(plan, tree, watch, stop, progress)
             # A run that was told to stop is none that another could be compared with.
             folder = claim.place_of_interrupted() if stop.signal else claim.place_of_results()
             done = dataclasses.replace(done, folder=folder, wall_time=time.monotonic() - started)
             # First, because whatever else cannot be written must not cost the verdict.
             write_verdict(plan, done)
-            problems = write_rest(folder, files)
+            problems = write_rest(folder, _files_of_record(plan, done, preparation))
+        problems += write_rest(folder, _files_of_bag(plan, done, preparation))
+        plan.bag_file.unlink(missing_ok=True)
         done = dataclasses.replace(done, wall_time=time.monotonic() - started, not_written=problems)
         with contextlib.suppress(ScenarioError):  # what it said before was complete but for the time
             write_verdict(plan, done)
@@ -93,7 +95,7 @@ def _started(plan, command, environment):
         tree.stop(_SHUTDOWN_GRACE)
 
 
-def _drive(plan, tree, watch, stop, progress) -> tuple[Result, Files]:
+def _drive(plan, tree, watch, stop, progress) -> tuple[Result, Preparation]:
     with contextlib.closing(watch):
         preparation = Preparation(plan.run_world, watch.descriptions)
         supervisor = Supervisor(plan, tree, watch, stop, preparation.beside(progress))
@@ -101,15 +103,13 @@ def _drive(plan, tree, watch, stop, progress) -> tuple[Result, Files]:
         # The others may take their time to end, the simulator completes its record.
         tree.interrupt(supervisor.simulator_pid, _SHUTDOWN_GRACE)
         seen = _observations(plan, supervisor, watch, failure)
-        heard = watch.recording()
+        done = _judge(plan, seen, watch.estimates(), supervisor.pace.factor)
         preparation.begin()
-    done = _judge(plan, seen, heard, supervisor.pace.factor)
-    return done, _files(plan, done, heard, preparation)
+    return done, preparation
 
 
 def _observations(plan, supervisor, watch, failure) -> Observations:
     record, failure = _read_record(plan, failure)
-    watch.catch_up(record.end or 0.0)
     return Observations(record, tuple(supervisor.updates), failure, watch.collided())
 
 
@@ -120,37 +120,50 @@ def _read_record(plan, failure):
         return Record({}), failure or Failure("sim2d", str(error))
 
 
-def _judge(plan, seen, heard, real_time_factor) -> Result:
+def _judge(plan, seen, estimates, real_time_factor) -> Result:
     judgement = judge(plan.scenario, plan.all_goals, seen)
     deciding = judgement.decision.stamp
     measured = Measured(
         start=race_start([update for update in seen.updates if update.stamp <= deciding]),
         lap_times=lap_times(plan.scenario, judgement, seen.updates),
         real_time_factor=real_time_factor,
-        estimates={car: poses.until(deciding) for car, poses in heard.estimates.items()},
+        estimates={car: poses.until(deciding) for car, poses in estimates.items()},
         course=plan.course,
     )
     judged = tuple(criteria.evaluate(plan.scenario, judgement, measured))
     return Result(plan.name, plan.scenario, judgement, judged, measured)
 
 
-def _files(plan: Plan, done: Result, heard: Recording, preparation: Preparation) -> Files:
-    """What is kept besides the verdict."""
-    judgement = done.judgement
-    lines = (f"{judgement.decision.verdict.value}: {done.reason}", _facts(done))
+def _files_of_record(plan: Plan, done: Result, preparation: Preparation) -> Files:
+    """What is made of the record alone."""
+    record = done.judgement.record
+    lines = (f"{done.judgement.decision.verdict.value}: {done.reason}", _facts(done))
 
     def write_picture(path):
         write = preparation.picture().write_picture
-        write(path, plan.name, lines, judgement.record, plan.goals, _track_map(plan))
+        write(path, plan.name, lines, record, plan.goals, _track_map(plan))
+
+    return {TRAJECTORY_FILE: lambda path: write_trajectory(path, record), PICTURE_FILE: write_picture}
+
+
+def _files_of_bag(plan: Plan, done: Result, preparation: Preparation) -> Files:
+    """What needs the bag, which is complete when all nodes have ended."""
 
     def write_scene(path):
-        write_replay(path, preparation.scene().replay(plan.goals, heard).until(judgement.decision.stamp))
+        said = Replay()
+        try:
+            said = read_bag(plan.bag_file, [car.name for car in plan.scenario.cars])
+        finally:
+            replay = preparation.scene().replay(plan.goals, said, _road(plan))
+            write_replay(path, replay.until(done.judgement.decision.stamp))
 
-    return {
-        TRAJECTORY_FILE: lambda path: write_trajectory(path, judgement.record),
-        PICTURE_FILE: write_picture,
-        REPLAY_FILE: write_scene,
-    }
+    is_kept = plan.keep_bag or not done.passed
+    return {REPLAY_FILE: write_scene, **({BAG_FILE: plan.bag_file.rename} if is_kept else {})}
+
+
+def _road(plan: Plan) -> list[tuple[float, float]]:
+    course = plan.course
+    return [] if course is None else [(round(x, 2), round(y, 2)) for x, y in zip(course.x, course.y)]
 
 
 def _track_map(plan: Plan) -> Optional[TrackMap]:

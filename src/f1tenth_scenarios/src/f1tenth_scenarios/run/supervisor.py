@@ -8,10 +8,11 @@ from typing import Callable, Optional, Protocol
 from f1tenth_scenarios.judge.false_start import find_false_start
 from f1tenth_scenarios.judge.judge import first_collision, is_decided
 from f1tenth_scenarios.launch.processes import ProcessTree
+from f1tenth_scenarios.record.bag import RECORDER
 from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_scenarios.record.pace import Pace
 from f1tenth_scenarios.record.record import STAMP_EPSILON, read_record
-from f1tenth_scenarios.record.recording import Recording
+from f1tenth_scenarios.record.replay import Poses
 from f1tenth_scenarios.run.culprit import Signs, failure_of
 from f1tenth_scenarios.run.file_tail import RecordTail, last_lines
 from f1tenth_scenarios.run.launch_log import LaunchLog, NodeEnd
@@ -39,14 +40,11 @@ class Watch(Protocol):
     def failure(self) -> Optional[Failure]:
         """What went wrong on this side, if anything did."""
 
-    def catch_up(self, stamp: float) -> None:
-        """Wait until what was said up to a stamp (s) is heard; not for long."""
-
     def close(self) -> None:
         """Stop listening."""
 
-    def recording(self) -> Recording:
-        """What was heard for the replay."""
+    def estimates(self) -> dict[str, Poses]:
+        """Where the cars' localizations took them to be, by car, as far as was heard."""
 
     def descriptions(self) -> dict[str, str]:
         """The robot_description of each car, empty if it has none; from any thread."""
@@ -172,7 +170,8 @@ class Supervisor:
         )
 
     def _is_fatal(self, end: NodeEnd) -> bool:
-        return end.exit_code != 0 or end.node in self._must_live()
+        # Without a bag, the replay has no plans; the verdict stands.
+        return end.node != RECORDER and (end.exit_code != 0 or end.node in self._must_live())
 
     def _must_live(self) -> set[str]:
         finished = {update.car for update in self.updates if update.state is RaceState.FINISHED}

@@ -29,6 +29,7 @@ class Plan:
     folder: Path  # for the results
     course: Optional[Course] = None
     settings: tuple[str, ...] = ()  # KEY=VALUE, set from outside of the file
+    keep_bag: bool = False  # also if the run passes
     lines: dict[str, Path] = dataclasses.field(default_factory=dict)  # per car that pursues one
 
     @property
@@ -49,6 +50,11 @@ class Plan:
     def record_file(self) -> Path:
         """What the simulator records, uncut."""
         return self.log_folder / "record.csv"
+
+    @property
+    def bag_file(self) -> Path:
+        """What was said on topics."""
+        return self.log_folder / "run.bag"
 
     @property
     def simulator_result_file(self) -> Path:

@@ -85,8 +85,8 @@ format: setup ## format all files
 	@ruff check --fix-only -q $(PYTHON_FILES)
 	@ruff format -q $(PYTHON_FILES)
 
-bench: build ## measure the simulator: results/bench.json; make bench KEYS="core_rtf walls"
-	@$(IN_WORKSPACE) cd src/f1tenth_sim2d/bench && exec /usr/bin/python3 -m sim2d_bench $(KEYS)
+bench: build ## measure simulator and planner: results/bench.json; make bench KEYS="core_rtf walls"
+	@$(IN_WORKSPACE) exec /usr/bin/python3 -m f1tenth_bench $(KEYS)
 
 fuzz: installed ## fuzz the simulator's loaders: make fuzz FUZZ_SECONDS=60 TARGETS="world car"
 	@command -v clang++ >/dev/null || { echo "fuzz: needs clang: apt-get install clang libclang-rt-14-dev" >&2; exit 1; }

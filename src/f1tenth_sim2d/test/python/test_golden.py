@@ -10,16 +10,13 @@ import sys
 from pathlib import Path
 
 import pytest
+from gap_follower import GapFollower
 
 import f1tenth_sim2d
 
-PACKAGE = Path(__file__).parents[2]
-sys.path.insert(0, str(PACKAGE / "bench"))
-
-from sim2d_bench.laps import GapFollower  # noqa: E402
-from sim2d_bench.places import circuit_file  # noqa: E402
-
 GOLDEN = json.loads((Path(__file__).parent / "data" / "golden_hashes.json").read_text())
+PACKAGE = Path(__file__).parents[2]
+WORLDS = PACKAGE.parent / "f1tenth_gazebo" / "worlds"
 CAR = PACKAGE / "test" / "loaders" / "data" / "small_car.urdf"
 SECONDS = 15.0
 PERIOD = 0.025  # s
@@ -49,7 +46,7 @@ def drive(simulation):
 
 def circuit(name):
     """A simulation of a car on a circuit that the workspace ships."""
-    simulation = f1tenth_sim2d.Simulation(f1tenth_sim2d.load_world(str(circuit_file(name))), seed=5)
+    simulation = f1tenth_sim2d.Simulation(f1tenth_sim2d.load_world(str(WORLDS / f"{name}.world")), seed=5)
     simulation.add_car(f1tenth_sim2d.load_car(CAR.read_text(), "robot1", str(CAR)))
     return simulation
 
@@ -88,8 +85,7 @@ def test_ten_runs_on_a_busy_machine_are_the_golden_one():
 
 
 def test_every_circuit_has_a_golden_trajectory():
-    folder = circuit_file("circuit1").parent
-    assert sorted(GOLDEN) == sorted(path.stem for path in folder.glob("circuit*.world"))
+    assert sorted(GOLDEN) == sorted(path.stem for path in WORLDS.glob("circuit*.world"))
 
 
 def test_trajectory_does_not_depend_on_the_c_library_s_choice_of_functions():

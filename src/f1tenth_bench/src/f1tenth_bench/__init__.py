@@ -1,0 +1,1 @@
+"""Benchmarks of simulator, planner and scenarios: `make bench`. The modules under keys/ measure."""

@@ -1,0 +1,47 @@
+"""How fast this machine is, seen from what a fixed piece of work takes here and on the reference machine.
+
+Limits are relative to it: a slower machine, or a busy one, is no failure; a slower program is.
+"""
+
+import json
+import math
+import subprocess
+from dataclasses import dataclass
+
+from f1tenth_bench.places import executable
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """Processor time of the fixed work of calibration.cpp, s."""
+
+    arithmetic_s: float
+    memory_s: float
+
+    @property
+    def slowness(self):
+        """How many times the reference's time this machine takes: geometric mean of both kinds of work."""
+        return math.sqrt(self.arithmetic_s / REFERENCE.arithmetic_s * self.memory_s / REFERENCE.memory_s)
+
+    def at_best(self, other):
+        """The lesser of each time: measurements, too, are the least of several runs."""
+        return Calibration(
+            min(self.arithmetic_s, other.arithmetic_s),
+            min(self.memory_s, other.memory_s),
+        )
+
+
+REFERENCE = Calibration(arithmetic_s=0.0190, memory_s=0.0300)
+"""Of the idle machine of docs/speed.md, on which the limits were set: slowness 1."""
+
+
+def calibrate():
+    """Do the fixed work now; takes about 0.4 s.
+
+    Raises:
+        NotAvailable: its program has not been built.
+    """
+    output = subprocess.run(
+        [executable("calibration", "f1tenth_bench")], check=True, capture_output=True
+    ).stdout
+    return Calibration(**json.loads(output))

@@ -1,0 +1,86 @@
+"""The planner of the stand-in move_base on circuits and tracks, with the parameters of f1tenth_navigation."""
+
+import numpy as np
+import yaml
+from PIL import Image
+
+from f1tenth_bench.benchmark import NotAvailable
+from f1tenth_bench.places import data_file, package_file
+
+CIRCUITS = ("circuit1", "circuit2", "circuit3", "circuit4", "circuit5", "circuit_detailed")
+TRACKS = ("Austin", "Oschersleben", "Spielberg")
+_STARTS = 6  # a track
+
+
+def planner_module():
+    """The Python module of the planner.
+
+    Raises:
+        NotAvailable: the original move_base is installed, and the stand-in is not built.
+    """
+    try:
+        import move_base_core
+    except ImportError as error:
+        raise NotAvailable(f"no stand-in move_base: {error}") from error
+    return move_base_core
+
+
+def load_costmap(path):
+    """A map in map_server's format as the planner sees it."""
+    core = planner_module()
+    description = yaml.safe_load(path.read_text())
+    pixels = np.asarray(Image.open(path.parent / description["image"]).convert("L"), float)
+    cells = np.where((255 - pixels) / 255 > description["occupied_thresh"], 100, 0).astype(np.int8)
+    inflation = _parameters("costmap_common.yaml")
+    options = core.CostmapOptions(
+        inflation_radius=inflation["inflation_radius"], cost_scaling_factor=inflation["cost_scaling_factor"]
+    )
+    x, y = description["origin"][:2]
+    return core.Costmap(np.ascontiguousarray(cells[::-1]), description["resolution"], (x, y), options)
+
+
+def race_options():
+    """How the car races: the request for a race line, and the options of the follower."""
+    core = planner_module()
+    values = _parameters("teb_local_planner.yaml")
+    limits = core.SpeedLimits(
+        **{name: values[name] for name in ("max_vel_x", "acc_lim_x", "max_lateral_acceleration")},
+        dec_lim_x=values["acc_lim_x"],
+        max_vel_theta=values["max_vel_theta"],
+    )
+    follower = core.FollowerOptions(limits=limits, slip_gradient=values["slip_gradient"])
+    line = core.RaceLineOptions(
+        gate_tolerance=0.75 * values["xy_goal_tolerance"],
+        slip_gradient=values["slip_gradient"],
+        lateral_acceleration=values["max_lateral_acceleration"],
+        max_speed=values["max_vel_x"],
+    )
+    return line, follower
+
+
+def half_laps(name):
+    """The map of a circuit or track, and pairs of poses half a lap apart."""
+    if name in CIRCUITS:
+        poses = _goals(package_file("f1tenth_gazebo", f"goals/{name}.txt"))
+        costmap = load_costmap(package_file("f1tenth_gazebo", f"maps/{name}.yaml"))
+        starts = range(len(poses))
+    else:
+        poses = _centreline(data_file(f"tracks/{name}/{name}_centerline.csv"))
+        costmap = load_costmap(data_file(f"tracks/{name}/{name}_map.yaml"))
+        starts = range(0, len(poses), len(poses) // _STARTS)
+    return costmap, [(poses[i], poses[(i + len(poses) // 2) % len(poses)]) for i in starts]
+
+
+def _parameters(name):
+    return yaml.safe_load(package_file("f1tenth_navigation", f"config/{name}").read_text())
+
+
+def _goals(path):
+    rows = [line.split() for line in path.read_text().splitlines()]
+    return np.array([[float(value) for value in row] for row in rows if len(row) == 3 and row[0] != "#"])
+
+
+def _centreline(path):
+    line = np.loadtxt(path, delimiter=",")[:, :2]
+    ahead = np.roll(line, -1, axis=0) - line
+    return np.column_stack([line, np.arctan2(ahead[:, 1], ahead[:, 0])])

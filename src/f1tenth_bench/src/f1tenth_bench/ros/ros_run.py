@@ -1,0 +1,155 @@
+"""Runs the node with other nodes around it, under a master of its own."""
+
+import contextlib
+import json
+import os
+import re
+import resource
+import signal
+import socket
+import subprocess
+import tempfile
+import time
+import xmlrpc.client
+from dataclasses import dataclass
+from pathlib import Path
+
+from f1tenth_bench.places import executable
+from f1tenth_bench.simulator.cars import F1TENTH, description
+
+CALLER = "/f1tenth_bench"
+LONG = 60.0  # wall s: only a hang takes that long
+CIRCLING = "command_timeout: 1.0e+6\n"
+"""Vehicle file of a car that goes on with its last command."""
+
+
+@dataclass(frozen=True)
+class Ended:
+    """A process that has ended by itself."""
+
+    output: str
+    cpu: float
+    """Processor time of all its threads, s."""
+
+
+class RosRun:
+    """A ROS master and processes under it; a context manager that ends them all."""
+
+    def __init__(self):
+        self._stack = contextlib.ExitStack()
+        self.folder = Path(self._stack.enter_context(tempfile.TemporaryDirectory(prefix="f1tenth_bench_")))
+        self._processes = []
+
+    def __enter__(self):
+        port = _free_port()
+        self._environment = {
+            **os.environ,
+            "ROS_MASTER_URI": f"http://localhost:{port}",
+            "ROS_HOSTNAME": "localhost",
+            "ROS_LOG_DIR": str(self.folder),
+            "ROS_HOME": str(self.folder),
+        }
+        self._master = xmlrpc.client.ServerProxy(self._environment["ROS_MASTER_URI"])
+        self.start(["rosmaster", "--core", "-p", str(port)])
+        _wait_for(lambda: self._call("getPid"), "the ROS master")
+        return self
+
+    def __exit__(self, *error):
+        for process in reversed(self._processes):
+            if process.poll() is None:
+                process.kill()
+                process.wait()
+        self._stack.close()
+
+    def _call(self, method, *arguments):
+        try:
+            code, _, value = getattr(self._master, method)(CALLER, *arguments)
+        except OSError:
+            return None
+        return value if code == 1 else None
+
+    def set_param(self, name, value):
+        """Set a parameter; a dictionary sets a tree."""
+        self._call("setParam", name, value)
+
+    def wait_for_service(self, name):
+        """Wait until a node offers it."""
+        _wait_for(lambda: self._call("lookupService", name), f"service {name}")
+
+    def wait_for_node(self, name):
+        """Wait until it is known."""
+        _wait_for(lambda: self._call("lookupNode", name), f"node {name}")
+
+    def start(self, command, namespace="/"):
+        """Start a process; its output is kept."""
+        process = subprocess.Popen(
+            command,
+            env={**self._environment, "ROS_NAMESPACE": namespace},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+        )
+        self._processes.append(process)
+        return process
+
+    def start_sim2d(self, world, lidar=F1TENTH, pose=(0.0, 0.0, 0.0), **parameters):
+        """Start the simulator with the workspace's car as robot1.
+
+        Args:
+            world: Path.
+            pose: x, y, yaw of the start, m and rad.
+            parameters: private parameters of the node besides.
+        """
+        vehicle = self.folder / "vehicle.yaml"
+        vehicle.write_text(CIRCLING)
+        x, y, yaw = map(float, pose)
+        car = {"x": x, "y": y, "yaw": yaw, "vehicle": str(vehicle)}
+        self.set_param("/use_sim_time", True)
+        self.set_param("/robot1/robot_description", description(lidar))
+        defaults = {"world": str(world), "cars": {"robot1": car}, "result_file": str(self.result_file)}
+        self.set_param("/sim2d", {**defaults, **parameters})
+        return self.start([executable("sim2d")])
+
+    @property
+    def result_file(self):
+        """Where the simulator writes its result."""
+        return self.folder / "result.json"
+
+    def result(self):
+        """What the simulator has written."""
+        return json.loads(self.result_file.read_text())
+
+
+def end(process):
+    """Ask a process to end; return what it printed and what it cost."""
+    process.send_signal(signal.SIGINT)
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    output, _ = process.communicate(timeout=LONG)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return Ended(output, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+
+
+def resident_megabytes(process):
+    """Resident set of a running process, MB."""
+    status = Path(f"/proc/{process.pid}/status").read_text()
+    return int(re.search(r"VmRSS:\s+(\d+) kB", status)[1]) / 1024
+
+
+def processor_seconds(process):
+    """Processor time of a running process so far, s."""
+    fields = Path(f"/proc/{process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def _free_port():
+    with socket.socket() as probe:
+        probe.bind(("localhost", 0))
+        return probe.getsockname()[1]
+
+
+def _wait_for(condition, what):
+    deadline = time.monotonic() + LONG
+    while not condition():
+        if time.monotonic() > deadline:
+            raise TimeoutError(f"{what} has not come within {LONG:g} s")
+        time.sleep(0.02)

@@ -1,0 +1,59 @@
+"""Speed of the node with a C++ node that listens to everything."""
+
+import json
+import time
+
+from f1tenth_bench.benchmark import Measured
+from f1tenth_bench.places import executable
+from f1tenth_bench.ros.ros_run import RosRun, end, processor_seconds, resident_megabytes
+from f1tenth_bench.simulator.cars import F1TENTH
+
+RADIUS = 0.75  # m, of the circle that listener drives
+
+
+def measure_node(world, wall_seconds, lidar=F1TENTH, centre=(0.0, 0.0), **parameters):
+    """Let one car circle to the left, 0.75 m about a point, before a C++ subscriber of all its topics.
+
+    Returns:
+        dict: Simulated and wall seconds, processor time, messages published and received, problem.
+    """
+    with RosRun() as run:
+        sim2d = run.start_sim2d(world, lidar, (centre[0], centre[1] - RADIUS, 0.0), paused=True, **parameters)
+        run.wait_for_service("/gazebo/unpause_physics")
+        listener = run.start([executable("listener", "f1tenth_bench"), "robot1"])
+        listener.stdout.readline()  # it says when it has set the simulator going
+        cpu = processor_seconds(sim2d)
+        time.sleep(wall_seconds)
+        cpu = processor_seconds(sim2d) - cpu
+        resident = resident_megabytes(sim2d)
+        heard = end(listener)
+        end(sim2d)
+        result = run.result()
+    received = json.loads(heard.output)["received"]
+    published = {topic: count for topic, count in result["published"].items() if topic in received}
+    return {
+        "simulated_seconds": result["sim_time"],
+        "wall_seconds": json.loads(heard.output)["wall_seconds"],
+        "cpu_seconds_per_wall_second": cpu / wall_seconds,
+        "listener_cpu_seconds": heard.cpu,
+        "resident_mb": resident,
+        "messages": sum(published.values()),
+        "received_percent": 100.0 * sum(received.values()) / sum(published.values()),
+        "problem": problem(published, received),
+    }
+
+
+def problem(published, received):
+    """Say which messages were not received; "" if all were."""
+    missing = [
+        f"{published[topic] - received.get(topic, 0)} of {topic}"
+        for topic in sorted(published)
+        if published[topic] != received.get(topic, 0)
+    ]
+    return f"not received: {', '.join(missing)}" if missing else ""
+
+
+def real_time_factor(world, wall_seconds=10.0, **options):
+    """Simulated seconds per wall second in free mode, if nothing was lost."""
+    found = measure_node(world, wall_seconds, real_time_factor=0.0, **options)
+    return Measured(found["simulated_seconds"] / found["wall_seconds"], found, found["problem"])

@@ -1,0 +1,72 @@
+"""Cars for the benchmarks."""
+
+from dataclasses import dataclass
+from xml.etree import ElementTree
+
+import xacro
+
+import f1tenth_sim2d
+from f1tenth_bench.places import package_file
+
+
+@dataclass(frozen=True)
+class LidarSetting:
+    """A planar lidar that looks ahead, to both sides alike."""
+
+    samples: int
+    max_angle: float  # rad
+    range_max: float  # m
+
+    def set_in(self, ray):
+        """Write it into a <ray> element."""
+        values = {
+            "samples": self.samples,
+            "min_angle": -self.max_angle,
+            "max_angle": self.max_angle,
+            "max": self.range_max,
+        }
+        for tag, value in values.items():
+            for element in ray.iter(tag):
+                element.text = str(value)
+
+
+F1TENTH = LidarSetting(1081, 2.356194490192345, 10.0)
+"""The lidar of the workspace's car."""
+SPIELBERG = LidarSetting(1080, 2.35, 30.0)
+"""The lidar with which the peers were measured."""
+
+BARE_LIDAR = """<sdf version="1.7"><model name="lidar"><link name="base_footprint">
+<sensor name="lidar" type="ray"><pose>0 0 0.16 0 0 0</pose><update_rate>40</update_rate><ray>
+  <scan><horizontal><samples/><min_angle/><max_angle/></horizontal></scan>
+  <range><min>0</min><max/></range>
+</ray>
+<plugin name="laser" filename="libgazebo_ros_laser.so">
+  <topicName>scan</topicName><frameName>laser</frameName>
+</plugin></sensor></link></model></sdf>"""
+
+
+def urdf_file():
+    """Path of the description of the workspace's car."""
+    return package_file("f1tenth_description", "urdf/f1tenth.urdf.xacro")
+
+
+def description(lidar):
+    """Return the URDF of the workspace's car with another lidar."""
+    return _with_lidar(xacro.process_file(str(urdf_file())).toxml(), lidar)
+
+
+def f1tenth_car(lidar=F1TENTH, name="robot1"):
+    """Return the workspace's car as the simulator knows it."""
+    return f1tenth_sim2d.load_car(description(lidar), name, str(urdf_file()))
+
+
+def bare_lidar(lidar):
+    """Return a car that is only a lidar, 0.16 m above the ground, so that it fits anywhere."""
+    return f1tenth_sim2d.load_car(_with_lidar(BARE_LIDAR, lidar), "lidar", "bare lidar")
+
+
+def _with_lidar(text, lidar):
+    robot = ElementTree.fromstring(text)
+    for ray in robot.iter("ray"):
+        lidar.set_in(ray)
+    return ElementTree.tostring(robot, "unicode")

@@ -1,0 +1,45 @@
+"""Speed of the core through the Python module, one thread."""
+
+import numpy as np
+
+from f1tenth_bench.benchmark import Measured
+from f1tenth_bench.simulator.laps import PERIOD, record, replay
+from f1tenth_bench.timing import least_cost
+
+
+def measure_laps(simulation, seconds, period=PERIOD):
+    """Drive laps in a simulation, with a noisy scan of each car a period.
+
+    Returns:
+        (cost, details, problem): Cost of the laps; what to keep in bench.json; "" or why it does not count.
+    """
+    laps = record(simulation, seconds, period)
+    touched = any(simulation.contacts(car) for car in simulation.cars)
+    spent = least_cost(lambda: replay(simulation, laps))
+    same = simulation.trajectory_hash() == laps.trajectory_hash
+    details = {
+        "simulated_seconds": seconds,
+        "real_time_factor": seconds / spent.cpu,
+        "wall_real_time_factor": seconds / spent.wall,
+        "distance_of_car_0": _distance(laps.poses[:, 0]),
+        "trajectory_hash": laps.trajectory_hash,
+    }
+    problem = "the laps were not the same again" if not same else "a car hit something" if touched else ""
+    return spent, details, problem
+
+
+def real_time_factor(simulation, seconds):
+    """Simulated seconds per second of processor time."""
+    spent, details, problem = measure_laps(simulation, seconds)
+    return Measured(seconds / spent.cpu, details, problem)
+
+
+def steps_per_second(simulation, seconds, period):
+    """Steps of `period` seconds with a scan of each car per second of processor time."""
+    spent, details, problem = measure_laps(simulation, seconds, period)
+    return Measured(seconds / period / spent.cpu, details, problem)
+
+
+def _distance(poses):
+    steps = poses[1:, :2] - poses[:-1, :2]
+    return float(np.hypot(steps[:, 0], steps[:, 1]).sum())

@@ -1,1 +1,0 @@
-"""Benchmarks of the simulator: `make bench`. A module under keys/ measures one key, or a few."""

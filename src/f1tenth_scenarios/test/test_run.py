@@ -49,7 +49,7 @@ def test_success_is_written_with_all_that_was_measured(tmp_path):
         "timeout",
     ]
     assert {each["status"] for each in result["criteria"]} == {"passed"}
-    assert result["versions"]["f1tenth_scenarios"] == "0.1.0"
+    assert result["versions"]["f1tenth_scenarios"] == "0.2.0"
 
 
 def test_trajectory_ends_with_the_deciding_stamp(tmp_path):

@@ -1,4 +1,4 @@
-"""Publishes the goals of the race, for people who look on."""
+"""Publishes the goals of the race, for displays such as rviz."""
 
 import rospy
 from geometry_msgs.msg import Pose, PoseArray

@@ -72,7 +72,7 @@ void bindCar(py::module_ & module)
         return filenames;
       },
       "File names of the plugins that are not built in.")
-    .def_readonly("warnings", &CarDescription::warnings, "What was left out: one line a kind.");
+    .def_readonly("warnings", &CarDescription::warnings, "What was left out: one line per kind.");
 
   module.def(
     "load_car",

@@ -112,7 +112,7 @@ void bindWorld(py::module_ & module)
       [](const WorldDescription & world) { return py::make_tuple(world.start.x, world.start.y, world.start.yaw); },
       "(x, y, yaw) where a car starts unless told otherwise, m and rad.")
     .def_readonly("models", &WorldDescription::models, "All models.")
-    .def_readonly("warnings", &WorldDescription::warnings, "What was left out: one line a kind.")
+    .def_readonly("warnings", &WorldDescription::warnings, "What was left out: one line per kind.")
     .def(
       "section", &sectionOfStaticModels, py::arg("z"),
       R"(What a level lidar at height z sees of the static models.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <limits>
 
@@ -50,6 +51,19 @@ XmlRpcValue list(const std::vector<XmlRpcValue> & entries)
   return value;
 }
 }  // namespace
+
+TEST(NodeParameters, ReadmeNamesEachParameterAndNoOther)
+{
+  std::ifstream readme(F1TENTH_SIM2D_README);
+  std::string table;
+  for (std::string line; std::getline(readme, line) && line != "### Topics";) {
+    const std::size_t end = line.find("` |");
+    if (line.rfind("| `", 0) == 0 && end != std::string::npos) {
+      table += (table.empty() ? "" : ", ") + line.substr(3, end - 3);
+    }
+  }
+  EXPECT_EQ(errorFor("no_such", 1), "parameter /sim2d/no_such: unknown; allowed: " + table);
+}
 
 TEST(NodeParameters, DefaultsAreThoseOfTheDocumentation)
 {

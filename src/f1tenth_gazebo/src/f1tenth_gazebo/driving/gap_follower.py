@@ -1,7 +1,7 @@
 """A driver that knows no map: of the arcs it could drive, it takes those with the longest way ahead.
 
 Not the gap follower of f1tenth_sim2d/examples: this one must get round every circuit untouched, and so
-drives in thought on 41 arcs. That one steers into the widest gap, as most do, at a quarter of the cost,
+simulates 41 arcs. That one steers into the widest gap, as most do, at a quarter of the cost,
 because the benchmarks need a driver that is well known and costs little beside the simulator.
 """
 

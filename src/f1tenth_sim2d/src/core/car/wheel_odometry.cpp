@@ -63,7 +63,7 @@ std::uint64_t WheelOdometryIntegrator::noiseKeyNow() const
   return noiseKey(seed_, noise_stream_, NoiseStream::kOdometry, 0, static_cast<std::uint64_t>(next_sample_));
 }
 
-// A wheel that stands counts nothing.
+// A stationary wheel produces no counts and no noise.
 double WheelOdometryIntegrator::measuredSpeed(double distance, double noise) const
 {
   const double error = distance == 0.0 ? 0.0 : parameters_.odometry_speed_noise_stddev * noise;

@@ -6,7 +6,7 @@
 
 namespace f1tenth_sim2d
 {
-/// When, in wall time, a simulated time is due. The schedule is absolute: waking up late shifts nothing, and a short
+/// When, in wall time, a simulated time is due. Steps follow an absolute schedule: delays do not accumulate, and a short
 /// hold-up is caught up with. A simulation that has fallen behind by more than kMaxLag goes on from there.
 class Pacer
 {

@@ -3,37 +3,47 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 
+# Where build/, devel/, results/ and .venv/ lie: here, unless these files are read-only.
+OUT ?= .
+BUILD_DIR := $(OUT)/build
+DEVEL_DIR = $(abspath $(OUT))/devel
+VENV = $(abspath $(OUT))/.venv
+export F1TENTH_VENV = $(VENV)
+export PRE_COMMIT_HOME = $(abspath $(OUT))/build/pre-commit
+ifneq ($(OUT),.)
+export F1TENTH_RESULTS ?= $(abspath $(OUT))/results
+endif
 # ROS belongs to the system's Python, whatever stands first on PATH.
-export PATH := /usr/bin:$(PATH)
+export PATH := $(VENV)/bin:/usr/bin:$(PATH)
 
-BUILD_DIR := build
-SANITIZE_DIR := build/sanitize
-DEVEL_DIR := $(CURDIR)/devel
-SANITIZED_TESTS := f1tenth_sim2d_core_test f1tenth_sim2d_fuzz_seeds_test
 JOBS ?= $(shell nproc)
 # Every test has its own ROS master, display and folders, so that several can run side by side.
 TEST_JOBS ?= $(JOBS)
 CIRCUIT ?= circuit1
 FUZZ_SECONDS ?= 600
+# What tools/setup is told: --yes lets it use sudo without asking.
+SETUP ?=
 
-IN_WORKSPACE := source $(DEVEL_DIR)/setup.bash &&
+IN_WORKSPACE = source "$(DEVEL_DIR)/setup.bash" &&
+CONFIGURE = cmake -S . -DPYTHON_EXECUTABLE=/usr/bin/python3 -DWORKSPACE_VENV="$(VENV)"
 CPP_FILES = $(shell git ls-files '*.cpp' '*.h')
 PYTHON_FILES = $(shell git ls-files '*.py'; git grep -lI '^\#!/usr/bin/\(env python3\|python3\)' -- ':!*.py')
 
 # Two of these at once would install, or configure, twice at once; what they call runs side by side by itself.
 .NOTPARALLEL:
-.PHONY: help setup installed configure build race report test sanitize lint format bench fuzz clean
+.PHONY: help setup installed configure build race report test sanitize tsan coverage lint tidy format bench fuzz clean
 
 help: ## list the commands
 	@sed -n 's/^\([a-z]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 16
-	@echo "  Variables: CIRCUIT=circuit1 … circuit5, circuit_detailed; JOBS=$(JOBS); TEST_JOBS=$(TEST_JOBS)"
+	@echo "  Variables: CIRCUIT=circuit1 … circuit5, circuit_detailed; JOBS=$(JOBS); TEST_JOBS=$(TEST_JOBS);"
+	@echo "  OUT=FOLDER for everything that is written, when these files are read-only; SETUP=--yes"
 
 setup: ## install what is missing from Debian and PyPI
-	@tools/setup --tests
+	@tools/setup --tests $(SETUP)
 
 # Without what only tests need (a browser and such): a quarter of all, that nobody has to wait for before the first race.
 installed:
-	@tools/setup
+	@tools/setup $(SETUP)
 
 # CMake notices by itself what has changed in known files, but neither a new package nor a newly installed original
 # of a stand-in; `make configure` looks for both.
@@ -45,9 +55,9 @@ configure: installed ## configure the workspace anew
 	@$(MAKE) --no-print-directory $(CONFIGURED)
 
 $(CONFIGURED): $(PACKAGES) CMakeLists.txt $(wildcard cmake/*) $(wildcard setup/*) | installed
-	@cmake -S . -B $(BUILD_DIR) -DCATKIN_DEVEL_PREFIX=$(DEVEL_DIR) -DPYTHON_EXECUTABLE=/usr/bin/python3 \
-	  > $(BUILD_DIR).log 2>&1 || { cat $(BUILD_DIR).log; exit 1; }
-	@mv $(BUILD_DIR).log $(BUILD_DIR)/configure.log
+	@mkdir -p $(BUILD_DIR)
+	@$(CONFIGURE) -B $(BUILD_DIR) -DCATKIN_DEVEL_PREFIX="$(DEVEL_DIR)" > $(BUILD_DIR)/configure.log 2>&1 \
+	  || { cat $(BUILD_DIR)/configure.log; exit 1; }
 	@touch $@
 
 build: installed $(CONFIGURED) ## build the workspace
@@ -67,18 +77,19 @@ test: setup build ## every test; ends with `N passed, N failed, N skipped`
 	@tools/test_summary $(BUILD_DIR)/test_results
 
 sanitize: installed ## tests of the simulator's core and loaders under AddressSanitizer and UBSan
-	@mkdir -p $(SANITIZE_DIR)
-	@cmake -S . -B $(SANITIZE_DIR) -DWORKSPACE_SANITIZE=ON -DCATKIN_DEVEL_PREFIX=$(CURDIR)/$(SANITIZE_DIR)/devel \
-	  -DPYTHON_EXECUTABLE=/usr/bin/python3 > $(SANITIZE_DIR)/configure.log 2>&1 || { cat $(SANITIZE_DIR)/configure.log; exit 1; }
-	@cmake --build $(SANITIZE_DIR) -j $(JOBS) --target $(SANITIZED_TESTS) -- --no-print-directory
-	@for name in $(SANITIZED_TESTS); do \
-	  UBSAN_OPTIONS=print_stacktrace=1 "$$(find $(SANITIZE_DIR) -name $$name -type f -perm -u+x | head -n 1)" --gtest_brief=1 || exit 1; done
+	@tools/sanitize address $(BUILD_DIR)/sanitize
 
-lint: setup ## check format and style of all files
-	@clang-format --dry-run --Werror $(CPP_FILES)
-	@ruff check $(PYTHON_FILES)
-	@ruff format --check $(PYTHON_FILES)
-	@catkin_lint -q -W0 --offline src
+tsan: setup ## the simulator's node and Python module under ThreadSanitizer
+	@tools/sanitize thread $(BUILD_DIR)/tsan
+
+coverage: setup ## which lines the tests run: results/coverage/
+	@tools/coverage $(BUILD_DIR)/coverage
+
+lint: setup ## check format, style and types of all files
+	@pre-commit run --all-files --show-diff-on-failure
+
+tidy: build ## clang-tidy over the C++ files: make tidy FILES=src/f1tenth_sim2d/src/node
+	@tools/tidy $(BUILD_DIR) $(FILES)
 
 format: setup ## format all files
 	@clang-format -i $(CPP_FILES)
@@ -86,15 +97,16 @@ format: setup ## format all files
 	@ruff format -q $(PYTHON_FILES)
 
 bench: build ## measure simulator and planner: results/bench.json; make bench KEYS="core_rtf walls"
+	@cmake --build $(BUILD_DIR) -j $(JOBS) --target f1tenth_bench_programs -- --no-print-directory
 	@$(IN_WORKSPACE) exec /usr/bin/python3 -m f1tenth_bench $(KEYS)
 
 fuzz: installed ## fuzz the simulator's loaders: make fuzz FUZZ_SECONDS=60 TARGETS="world car"
-	@command -v clang++ >/dev/null || { echo "fuzz: needs clang: apt-get install clang libclang-rt-14-dev" >&2; exit 1; }
+	@command -v clang++ >/dev/null || { echo "fuzz: needs clang++: apt-get install clang" >&2; exit 1; }
 	@mkdir -p $(BUILD_DIR)
 	@cmake -S src/f1tenth_sim2d/fuzz -B $(BUILD_DIR)/fuzz -DCMAKE_CXX_COMPILER=clang++ > $(BUILD_DIR)/fuzz.log
 	@cmake --build $(BUILD_DIR)/fuzz -j $(JOBS) -- --no-print-directory
 	@src/f1tenth_sim2d/fuzz/run $(BUILD_DIR)/fuzz $(FUZZ_SECONDS) $(TARGETS)
 
 clean: ## remove everything that was built
-	@rm -rf $(BUILD_DIR) $(BUILD_DIR).log $(DEVEL_DIR) install logs .catkin_tools
+	@rm -rf $(BUILD_DIR) $(OUT)/devel install logs .catkin_tools
 	@git clean -fdXq -- src

@@ -9,6 +9,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 def write_command(folder, name, script):
     path = folder / name
+    path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(f"#!/bin/sh\n{script}\n")
     path.chmod(0o755)
 
@@ -16,17 +17,28 @@ def write_command(folder, name, script):
 @pytest.fixture
 def machine(tmp_path):
     """Return a PATH on which nothing is installed yet, with nobody's rights and no sudo."""
-    for name in ("bash", "sed", "sort", "comm", "dirname", "env"):
+    for name in ("bash", "cat", "sed", "sort", "comm", "dirname", "env"):
         (tmp_path / name).symlink_to(f"/usr/bin/{name}")
     write_command(tmp_path, "dpkg-query", "exit 0")
     write_command(tmp_path, "id", "echo 1000")
+    # The Python of the virtual environment: what is missing is asked first, then pip is called.
+    write_command(tmp_path / "venv" / "bin", "python3", f'[ "$1" = - ] || echo "$*" >> {tmp_path}/pip')
     return tmp_path
 
 
+def add_sudo(machine):
+    write_command(machine, "sudo", f'echo "sudo $*" >> {machine}/sudo_calls')
+
+
 def run_setup(machine, *arguments):
-    environment = {**os.environ, "PATH": str(machine)}
+    environment = {**os.environ, "PATH": str(machine), "F1TENTH_VENV": str(machine / "venv")}
     return subprocess.run(
-        [ROOT / "tools" / "setup", *arguments], env=environment, capture_output=True, text=True, check=False
+        [ROOT / "tools" / "setup", *arguments],
+        env=environment,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        check=False,
     )
 
 
@@ -48,12 +60,42 @@ def test_without_root_and_sudo_it_says_which_packages_to_install(machine):
     assert "libbox2d-dev" in result.stderr
 
 
-def test_without_root_it_uses_sudo(machine):
-    write_command(machine, "sudo", f'echo "sudo $*" >> {machine}/calls; exit 0')
-    run_setup(machine)
-    calls = (machine / "calls").read_text()
+def test_sudo_is_not_used_without_asking(machine):
+    add_sudo(machine)
+    result = run_setup(machine)
+    assert result.returncode == 1
+    assert "setup: from Debian: " in result.stdout
+    assert "libbox2d-dev" in result.stdout
+    assert "Allow it with: tools/setup --yes" in result.stderr
+    assert not (machine / "sudo_calls").exists()
+
+
+def test_sudo_is_used_when_it_was_allowed(machine):
+    add_sudo(machine)
+    result = run_setup(machine, "--yes")
+    assert result.returncode == 0, result.stderr
+    calls = (machine / "sudo_calls").read_text()
     assert "sudo apt-get update" in calls
     assert "libbox2d-dev" in calls
+
+
+def test_root_needs_no_sudo(machine):
+    write_command(machine, "id", "echo 0")
+    write_command(machine, "apt-get", f'echo "$*" >> {machine}/apt_calls')
+    result = run_setup(machine)
+    assert result.returncode == 0, result.stderr
+    assert "libbox2d-dev" in (machine / "apt_calls").read_text()
+
+
+def test_what_comes_from_pypi_goes_into_the_virtual_environment_without_root(machine):
+    install(machine, *names_in("debian-packages.txt"))
+    python = f'[ "$1" = - ] && echo xacro==1.13.3 || echo "$*" >> {machine}/pip'
+    write_command(machine / "venv" / "bin", "python3", python)
+    result = run_setup(machine)
+    assert result.returncode == 0, result.stderr
+    assert f"from PyPI, into {machine / 'venv'}: xacro==1.13.3" in result.stdout
+    assert (machine / "pip").read_text().startswith("-m pip install ")
+    assert "break-system-packages" not in (machine / "pip").read_text()
 
 
 def test_on_another_system_it_says_what_is_needed(machine):
@@ -65,10 +107,12 @@ def test_on_another_system_it_says_what_is_needed(machine):
 
 def test_nothing_is_installed_when_nothing_is_missing(machine):
     install(machine, *names_in("debian-packages.txt"))
-    write_command(machine, "sudo", f"touch {machine}/called")
+    add_sudo(machine)
     result = run_setup(machine)
     assert result.returncode == 0, result.stderr
-    assert not (machine / "called").exists()
+    assert result.stdout == ""
+    assert not (machine / "sudo_calls").exists()
+    assert not (machine / "pip").exists()
 
 
 def test_what_only_tests_need_is_installed_when_asked_for(machine):
@@ -82,4 +126,4 @@ def test_what_only_tests_need_is_installed_when_asked_for(machine):
 def test_another_argument_is_refused(machine):
     result = run_setup(machine, "--test")
     assert result.returncode == 2
-    assert "found '--test', allowed: nothing, or --tests" in result.stderr
+    assert "found '--test', allowed: --tests, --yes" in result.stderr

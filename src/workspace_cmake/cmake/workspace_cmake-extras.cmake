@@ -17,11 +17,22 @@ function(workspace_target target)
   endif()
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Werror -ffp-contract=off)
   if(WORKSPACE_SANITIZE)
-    set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all)
-    target_compile_options(${target} PRIVATE ${sanitizers} -fno-omit-frame-pointer -O1 -g1
-      -Wno-error) # the code that is put in sets off warnings of its own
-    target_link_options(${target} PRIVATE ${sanitizers})
+    _workspace_sanitize(${target})
+  elseif(WORKSPACE_COVERAGE)
+    target_compile_options(${target} PRIVATE --coverage -fprofile-update=atomic)
+    target_link_options(${target} PRIVATE --coverage)
   endif()
+endfunction()
+
+# WORKSPACE_SANITIZE=address: AddressSanitizer and UBSan; thread: ThreadSanitizer.
+function(_workspace_sanitize target)
+  set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all)
+  if(WORKSPACE_SANITIZE STREQUAL "thread")
+    set(sanitizers -fsanitize=thread)
+  endif()
+  target_compile_options(${target} PRIVATE ${sanitizers} -fno-omit-frame-pointer -O1 -g1
+    -Wno-error) # the code that is put in sets off warnings of its own
+  target_link_options(${target} PRIVATE ${sanitizers})
 endfunction()
 
 # A pybind11 module of this package, importable as NAME from the devel and the install space:

@@ -58,7 +58,7 @@ def goals_path(parameters, find_package):
 
 
 _TYPES = {field.name: field.type for field in fields(Parameters)}
-_EXPECTED = {bool: "true or false", str: "a text"}
+_EXPECTED: dict = {bool: "true or false", str: "a text"}
 
 
 def _check(place, key, value):

@@ -58,7 +58,8 @@ def compute_fastest_lap(track: np.ndarray, limits: Limits) -> FastestLap:
     speed = _speed(curvature, steps, limits)
     acceleration = tph.calc_ax_profile.calc_ax_profile(np.append(speed, speed[0]), steps)
     lap_time = float(tph.calc_t_profile.calc_t_profile(speed, steps, ax_profile=acceleration)[-1])
-    return FastestLap(s, *line.T, yaw + np.pi / 2, curvature, speed, acceleration, lap_time)
+    x, y = line.T
+    return FastestLap(s, x, y, yaw + np.pi / 2, curvature, speed, acceleration, lap_time)
 
 
 def _splines(track):

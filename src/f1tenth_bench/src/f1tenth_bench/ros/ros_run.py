@@ -3,7 +3,6 @@
 import contextlib
 import json
 import os
-import re
 import resource
 import signal
 import socket
@@ -13,6 +12,8 @@ import time
 import xmlrpc.client
 from dataclasses import dataclass
 from pathlib import Path
+
+import psutil
 
 from f1tenth_bench.places import executable
 from f1tenth_bench.simulator.cars import F1TENTH, description
@@ -131,14 +132,13 @@ def end(process):
 
 def resident_megabytes(process):
     """Resident set of a running process, MB."""
-    status = Path(f"/proc/{process.pid}/status").read_text()
-    return int(re.search(r"VmRSS:\s+(\d+) kB", status)[1]) / 1024
+    return psutil.Process(process.pid).memory_info().rss / 2**20
 
 
 def processor_seconds(process):
     """Processor time of a running process so far, s."""
-    fields = Path(f"/proc/{process.pid}/stat").read_text().rsplit(")", 1)[1].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+    times = psutil.Process(process.pid).cpu_times()
+    return times.user + times.system
 
 
 def _free_port():

@@ -48,7 +48,7 @@ class Lap:
 
 def _bends(vertices, distances):
     """Begin and end of each bend, m from the start line; without a straight between, two count as one."""
-    bends = []
+    bends: list = []
     number = None
     for vertex, distance in zip(vertices, distances):
         if vertex.bend is None:

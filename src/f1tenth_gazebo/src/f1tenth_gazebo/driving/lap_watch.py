@@ -18,18 +18,18 @@ class LapWatch:
 
     def __init__(self):
         """The first pose is the start."""
-        self._start = None
-        self._last = None
+        self._start: tuple = ()
+        self._last: tuple = ()
         self.way = 0.0
         """Driven so far, m."""
 
     def passes_start(self, x, y, yaw):
         """Take the next pose of odometry, m and rad; return whether the car has just completed a lap."""
-        if self._start is None:
+        if not self._start:
             self._start = (x, y, yaw)
         ahead, aside, turn = self._from_start(x, y, yaw)
         before, self._last = self._last, (x, y, ahead)
-        if before is None:
+        if not before:
             return False
         self.way += math.hypot(x - before[0], y - before[1])
         crosses = before[2] < 0.0 <= ahead and abs(aside) < self.REACH and abs(turn) < self.MAX_TURN

@@ -29,7 +29,7 @@ def place_openings(circuit, walls):
     Raises:
         CircuitError: if an opening finds no wall that is long enough.
     """
-    placed = {}
+    placed: dict = {}
     for number, opening in enumerate(circuit.openings):
         index = min(range(len(walls)), key=lambda i: _distance(walls[i], opening))
         along, _ = _in_wall(walls[index], opening)

@@ -161,7 +161,7 @@ def _block(name, suffix, wall, part):
 
 
 def _props(circuit):
-    counts = {}
+    counts: dict = {}
     for prop in circuit.props:
         number = counts.get(prop.model, 0)
         counts[prop.model] = number + 1

@@ -1,4 +1,5 @@
 import os
+import re
 import subprocess
 from pathlib import Path
 
@@ -44,12 +45,21 @@ def run_setup(machine, *arguments):
 
 def names_in(name):
     text = (ROOT / "setup" / name).read_text()
-    return [line for line in text.splitlines() if line and not line.startswith("#")]
+    return [line.split()[0] for line in text.splitlines() if line and not line.startswith("#")]
 
 
 def install(machine, *names):
     listing = "\\n".join(f"ii  {name}" for name in names)
     write_command(machine, "dpkg-query", f"printf '{listing}\\n'")
+
+
+def test_packages_of_another_release_are_left_alone(machine):
+    lines = (ROOT / "setup" / "debian-packages.txt").read_text().splitlines()
+    release = re.search('VERSION_ID="(.*)"', Path("/etc/os-release").read_text())[1]
+    of_one_release = [line.split() for line in lines if " @" in line and not line.startswith("#")]
+    asked_for = run_setup(machine).stderr.split()
+    assert "@12" not in asked_for
+    assert all((name in asked_for) is (wanted == f"@{release}") for name, wanted in of_one_release)
 
 
 def test_without_root_and_sudo_it_says_which_packages_to_install(machine):

@@ -103,9 +103,9 @@ def _attempt(rng, seed, options):
     (outer, inner), inside = built
     line = around(centreline, offsets)
     left, right = (inner, outer) if Polygon(line.points).exterior.is_ccw else (outer, inner)
-    sides = [
+    right_side, left_side = [
         clearance(line.points, [corners_of(wall) for wall in walls], islands_there)
         for walls, islands_there in ((right, islands[0]), (left, islands[1]))
     ]
     walls = with_gaps(rng, [*outer, *inner], options.gaps)
-    return Road(seed, options, line, *sides, walls, [*islands[0], *islands[1]], inside)
+    return Road(seed, options, line, right_side, left_side, walls, [*islands[0], *islands[1]], inside)

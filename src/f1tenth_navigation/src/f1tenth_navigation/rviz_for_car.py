@@ -42,3 +42,4 @@ def main(argv=None):
     remappings = [argument for argument in argv[1:] if ":=" in argument]
     command = ["rosrun", "rviz", "rviz", "-d", config, *remappings]
     os.execvp(command[0], command)
+    return None

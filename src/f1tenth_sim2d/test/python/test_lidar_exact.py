@@ -25,7 +25,9 @@ LIDAR = f"""<sdf version="1.7"><model name="lidar"><link name="base_footprint">
   </horizontal></scan>
   <range><min>0</min><max>{RANGE_MAX}</max></range>
 </ray>
-<plugin name="laser" filename="libgazebo_ros_laser.so"><topicName>scan</topicName><frameName>laser</frameName></plugin></sensor></link></model></sdf>"""
+<plugin name="laser" filename="libgazebo_ros_laser.so">
+  <topicName>scan</topicName><frameName>laser</frameName>
+</plugin></sensor></link></model></sdf>"""
 PLACES = 12
 EVERY = 7  # beams
 LARGEST_ERROR = 0.001  # m

@@ -1,4 +1,4 @@
-"""A ROS master of our own, on a port that is free for certain: python3 -m f1tenth_scenarios.launch.private_master."""
+"""A ROS master of our own on a free port: python3 -m f1tenth_scenarios.launch.private_master."""
 
 import contextlib
 import logging

@@ -10,10 +10,12 @@ import subprocess
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
-from f1tenth_gazebo.goals.goal_collector import goal_of
+import rosgraph
+from f1tenth_gazebo.goals.goal_collector import goal_of, road_markers, stamped
+from f1tenth_gazebo.goals.road_ahead import road_ahead
 from f1tenth_navigation.goal_markers import goal_markers
-from geometry_msgs.msg import PoseStamped
 from PIL import Image
 from test_create_map import free_port
 
@@ -29,7 +31,7 @@ MISSING = [name for name in ("roslaunch", *screen.PROGRAMS) if shutil.which(name
 PATIENCE = 120  # s of wall time
 # Where navigation_goals.rviz shows the map.
 CENTRE, CENTRE_PIXEL, PIXELS_PER_METRE = (1.0, 2.5), (874, 466), 55
-ARROW, MAP = (217, 26, 153), (199, 201, 202)
+ARROW, RED, MAP = (217, 26, 153), (217, 26, 26), (199, 201, 202)
 
 
 def pixel(x, y):
@@ -84,30 +86,87 @@ def test_clicked_goals_are_in_the_file_after_ctrl_c(tmp_path):
         display.focus("RViz")
         wait_until(lambda: sees(display, picture, MAP), "the map is in the picture")
         click(display, 3.0, 0.0, 0.0, path, 1)
-        click(display, 6.5, 2.5, math.pi / 2.0, path, 2)
+        click(display, 7.5, 2.5, math.pi / 2.0, path, 2)
+        click(display, 1.0, 4.0, 0.0, path, 3)
         wait_until(lambda: sees(display, picture, ARROW), "arrows are in the picture")
+        wait_until(lambda: sees(display, picture, RED), "the goal in the wall is red")
+        click(display, 3.0, 0.0, 0.0, path, 2)
+    # Started again, clicks are appended to what is there.
+    with contextlib.closing(screen.Screen()) as display, launched(display, path):
+        display.focus("RViz")
+        wait_until(lambda: sees(display, picture, ARROW), "arrows are in the picture")
+        click(display, -2.0, 5.0, 2.8, path, 3)
     goals = load_goals_file(str(path))
     assert [(goal.x, goal.y, goal.yaw) for goal in goals] == [
-        pytest.approx((3.0, 0.0, 0.0), abs=0.05),
-        pytest.approx((6.5, 2.5, math.pi / 2.0), abs=0.05),
+        pytest.approx((7.5, 2.5, math.pi / 2.0), abs=0.05),
+        pytest.approx((1.0, 4.0, 0.0), abs=0.05),
+        pytest.approx((-2.0, 5.0, 2.8), abs=0.05),
     ]
 
 
-def pose(x, y, yaw):
-    message = PoseStamped()
-    message.header.frame_id = "map"
-    message.pose.position.x, message.pose.position.y = x, y
-    message.pose.orientation.z, message.pose.orientation.w = math.sin(yaw / 2.0), math.cos(yaw / 2.0)
-    return message
-
-
 def test_goal_has_the_pose_that_was_clicked():
-    goal = goal_of(pose(1.0, 2.0, -3.0))
+    goal = goal_of(stamped(1.0, 2.0, -3.0))
     assert (goal.x, goal.y, goal.yaw, goal.frame_id) == (1.0, 2.0, pytest.approx(-3.0), "map")
 
 
 def test_markers_are_numbered_from_one():
-    markers = goal_markers([pose(1.0, 2.0, 0.0), pose(3.0, 2.0, 1.0)]).markers
+    markers = goal_markers([stamped(1.0, 2.0, 0.0), stamped(3.0, 2.0, 1.0)]).markers
     assert [marker.text for marker in markers if marker.ns == "numbers"] == ["1", "2"]
     assert [marker.pose.position.x for marker in markers if marker.ns == "arrows"] == [1.0, 3.0]
-    assert len({(marker.ns, marker.id) for marker in markers if marker.action == marker.ADD}) == 4
+    assert len({(marker.ns, marker.id) for marker in markers if marker.action == marker.ADD}) == 6
+
+
+PACKAGE = Path(__file__).parents[1]
+
+
+def test_road_of_a_circuit_begins_at_its_start_line():
+    road = road_ahead(PACKAGE / "worlds" / "circuit1.world", PACKAGE / "circuits")
+    assert (road[0].x, road[0].y, road[0].yaw) == (0.0, 0.0, 0.0)
+    assert len(road) > 8
+    assert max(pose.y for pose in road) == pytest.approx(5.0, abs=0.1)
+
+
+@pytest.mark.parametrize("name", ["ring_map.yaml", "ring.world"])
+def test_road_of_a_track_follows_its_centreline(tmp_path, name):
+    angles = np.linspace(0.0, math.tau, 100, endpoint=False)
+    rows = np.column_stack([5.0 * np.cos(angles), 5.0 * np.sin(angles), np.ones(100), np.ones(100)])
+    np.savetxt(
+        tmp_path / "ring_centerline.csv", rows, delimiter=",", header="x_m, y_m, w_tr_right_m, w_tr_left_m"
+    )
+    road = road_ahead(tmp_path / name, PACKAGE / "circuits")
+    assert (road[0].x, road[0].y) == pytest.approx((5.0, 0.0))
+    assert road[0].yaw == pytest.approx(math.pi / 2.0, abs=0.05)
+    assert len(road) == 11
+
+
+def test_world_of_unknown_road_has_a_start_only(tmp_path):
+    road = road_ahead(tmp_path / "circuit1.world", PACKAGE / "circuits")
+    assert [(pose.x, pose.y, pose.yaw) for pose in road] == [(0.0, 0.0, 0.0)]
+    markers = road_markers(road).markers
+    assert [marker.text for marker in markers if marker.ns == "start"] == ["start"]
+
+
+@pytest.mark.parametrize(
+    ("parameters", "problem"),
+    [
+        ([], "~goals_file: found nothing, must be the path of a file"),
+        (["_goals_file:={bad}"], "{bad}:1: "),
+        (["_goals_file:=x", "_world:=nowhere"], "there is no world named 'nowhere'"),
+    ],
+)
+def test_node_that_cannot_begin_says_why(tmp_path, parameters, problem):
+    bad = tmp_path / "bad.txt"
+    bad.write_text("1 2\n", encoding="utf-8")
+    port = str(free_port())
+    environment = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{port}"}
+    command = ["rosrun", "f1tenth_gazebo", "navigation_goals", *(each.format(bad=bad) for each in parameters)]
+    master = subprocess.Popen(["roscore", "-p", port], env=environment, stdout=subprocess.DEVNULL)
+    try:
+        wait_until(lambda: rosgraph.is_master_online(environment["ROS_MASTER_URI"]), "a master")
+        done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=PATIENCE)
+    finally:
+        master.send_signal(signal.SIGINT)
+        master.wait()
+    assert done.returncode == 2
+    assert "navigation_goals: " in done.stderr
+    assert problem.format(bad=bad) in done.stderr

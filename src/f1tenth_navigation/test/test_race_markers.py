@@ -55,6 +55,54 @@ def test_goals_of_a_race_replace_those_before_and_are_known():
     assert shown(goals) == [("1", 1.0), ("2", 2.0)]
 
 
+def problems(goals):
+    markers = goal_markers(goals.poses, goals.problems).markers
+    return [(each.text, each.pose.position.x) for each in markers if each.ns == "problems"]
+
+
+def test_goal_that_the_planner_gives_up_is_marked_with_the_reason():
+    goals = KnownGoals()
+    goals.take_sent(stamped(1.0, 0.0), "a")
+    goals.take_sent(stamped(2.0, 0.0), "b")
+    assert goals.take_failure("b", "in a wall")
+    assert not goals.take_failure("c", "of somebody else's")
+    assert problems(goals) == [("in a wall", 2.0)]
+    discs = [each.color for each in goal_markers(goals.poses, goals.problems).markers if each.ns == "discs"]
+    assert discs[0].b > discs[0].r
+    assert discs[1].r > discs[1].b
+
+
+def test_goal_that_is_tried_once_more_is_no_problem_until_it_is_one():
+    goals = KnownGoals()
+    goals.take_sent(stamped(1.0, 0.0), "a")
+    goals.take_failure("a", "in a wall")
+    assert goals.take_sent(stamped(1.0, 0.0), "b")
+    assert problems(goals) == []
+    goals.take_failure("b", "no way")
+    assert problems(goals) == [("no way", 1.0)]
+
+
+def test_race_begins_without_problems():
+    goals = KnownGoals()
+    goals.take_sent(stamped(1.0, 0.0), "a")
+    goals.take_failure("a", "in a wall")
+    goals.take_race(race(stamped(1.0, 0.0)))
+    assert problems(goals) == []
+
+
+def test_number_stands_out_from_what_is_below():
+    markers = goal_markers([stamped(1.0, 0.0)]).markers
+    number, disc, arrow = (
+        next(each for each in markers if each.ns == name) for name in ("numbers", "discs", "arrows")
+    )
+    assert number.pose.position.z > disc.pose.position.z > arrow.pose.position.z
+    assert (
+        min(number.color.r, number.color.g, number.color.b) - max(disc.color.r, disc.color.g, disc.color.b)
+        > 0.5
+    )
+    assert disc.scale.x > number.scale.z
+
+
 def test_markers_replace_those_before():
     assert goal_markers([]).markers[0].action == Marker.DELETEALL
     assert ContactPlaces().markers("map").markers[0].action == Marker.DELETEALL

@@ -1,41 +1,68 @@
-"""Goals as rviz shows them: numbered arrows."""
+"""Goals as rviz shows them: arrows, with numbers on discs that are seen on walls and on free ground alike."""
 
 from visualization_msgs.msg import Marker, MarkerArray
 
-LENGTH, WIDTH, HEIGHT = 0.6, 0.12, 0.4
-"""Of an arrow and of the figures of its number, m."""
+LENGTH, WIDTH = 0.8, 0.12
+"""Of an arrow, m."""
+DISC, HEIGHT = 0.5, 0.34
+"""Diameter of a disc and height of the number on it, m."""
+BLUE, RED, PINK, WHITE = (0.12, 0.23, 0.42), (0.85, 0.1, 0.1), (0.85, 0.1, 0.6), (1.0, 1.0, 1.0)
 
 
-def goal_markers(poses):
-    """A MarkerArray of an arrow and a number, from 1, for each PoseStamped; it replaces the one before."""
+def goal_markers(poses, problems=None):
+    """A MarkerArray that shows each PoseStamped; it replaces the one before.
+
+    Args:
+        poses: in the order of their numbers, which begin with 1
+        problems: by number, what is wrong with a goal: it is red, and that is written beside it
+    """
+    problems = problems or {}
     markers = MarkerArray(markers=[Marker(action=Marker.DELETEALL)])
     for number, pose in enumerate(poses, 1):
-        markers.markers += [_arrow(number, pose), _number(number, pose)]
+        problem = problems.get(number, "")
+        markers.markers += [
+            _arrow(number, pose),
+            _disc(number, pose, RED if problem else BLUE),
+            text_marker("numbers", number, pose, str(number), HEIGHT, WHITE),
+        ]
+        if problem:
+            below = text_marker("problems", number, pose, problem, HEIGHT, RED)
+            below.pose.position.y -= DISC
+            markers.markers.append(below)
     return markers
 
 
-def _marker(namespace, kind, number, pose):
+def text_marker(namespace, number, pose, text, height, colour):
+    """A Marker with text of a height (m) over the place of a PoseStamped."""
+    marker = _marker(namespace, Marker.TEXT_VIEW_FACING, number, pose, colour)
+    marker.pose.position.z = 0.5  # Above all else.
+    marker.pose.orientation.w = 1.0
+    marker.scale.z = height
+    marker.text = text
+    return marker
+
+
+def _marker(namespace, kind, number, pose, colour):
     marker = Marker(ns=namespace, type=kind, id=number, action=Marker.ADD)
     marker.header.frame_id = pose.header.frame_id
     marker.pose.position.x = pose.pose.position.x
     marker.pose.position.y = pose.pose.position.y
+    marker.color.r, marker.color.g, marker.color.b = colour
     marker.color.a = 1.0
     return marker
 
 
 def _arrow(number, pose):
-    marker = _marker("arrows", Marker.ARROW, number, pose)
+    marker = _marker("arrows", Marker.ARROW, number, pose, PINK)
     marker.pose.orientation = pose.pose.orientation
     marker.scale.x, marker.scale.y, marker.scale.z = LENGTH, WIDTH, WIDTH
-    marker.color.r, marker.color.g, marker.color.b = 0.85, 0.1, 0.6
     return marker
 
 
-def _number(number, pose):
-    marker = _marker("numbers", Marker.TEXT_VIEW_FACING, number, pose)
-    marker.pose.position.y += HEIGHT
-    marker.pose.position.z = 0.5  # Above arrow and map.
+def _disc(number, pose, colour):
+    marker = _marker("discs", Marker.CYLINDER, number, pose, colour)
+    marker.pose.position.z = 0.2  # Above arrow and map.
     marker.pose.orientation.w = 1.0
-    marker.scale.z = HEIGHT
-    marker.text = str(number)
+    marker.scale.x = marker.scale.y = DISC
+    marker.scale.z = 0.02
     return marker

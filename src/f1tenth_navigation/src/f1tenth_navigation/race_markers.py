@@ -1,9 +1,10 @@
 """The node race_markers: goals with their numbers and contacts of a car, for rviz."""
 
 import rospy
+from actionlib_msgs.msg import GoalStatus
 from gazebo_msgs.msg import ContactsState
 from geometry_msgs.msg import PoseArray
-from move_base_msgs.msg import MoveBaseActionGoal
+from move_base_msgs.msg import MoveBaseActionGoal, MoveBaseActionResult
 from visualization_msgs.msg import MarkerArray
 
 from f1tenth_navigation.contact_markers import ContactPlaces
@@ -28,16 +29,26 @@ class RaceMarkers:
         self._contact_publisher = rospy.Publisher("contact_markers", MarkerArray, queue_size=1, latch=True)
         rospy.Subscriber("race_goals", PoseArray, self._on_race)
         rospy.Subscriber("move_base/goal", MoveBaseActionGoal, self._on_goal)
+        rospy.Subscriber("move_base/result", MoveBaseActionResult, self._on_result)
         for topic in BUMPERS:
             rospy.Subscriber(topic, ContactsState, self._on_contacts)
 
     def _on_race(self, goals):
         self._goals.take_race(goals)
-        self._goal_publisher.publish(goal_markers(self._goals.poses))
+        self._publish_goals()
 
     def _on_goal(self, goal):
-        if self._goals.take_sent(goal.goal.target_pose):
-            self._goal_publisher.publish(goal_markers(self._goals.poses))
+        if self._goals.take_sent(goal.goal.target_pose, goal.goal_id.id):
+            self._publish_goals()
+
+    def _on_result(self, result):
+        status = result.status
+        failed = status.status in (GoalStatus.ABORTED, GoalStatus.REJECTED)
+        if failed and self._goals.take_failure(status.goal_id.id, status.text or "given up"):
+            self._publish_goals()
+
+    def _publish_goals(self):
+        self._goal_publisher.publish(goal_markers(self._goals.poses, self._goals.problems))
 
     def _on_contacts(self, contacts):
         stamp = contacts.header.stamp.to_sec()

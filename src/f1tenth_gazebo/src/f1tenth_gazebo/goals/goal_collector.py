@@ -1,38 +1,78 @@
 """The node navigation_goals: what is clicked in rviz becomes a goals file."""
 
 import math
+import os
 import sys
+import threading
+from pathlib import Path
 
+import rospkg
 import rospy
-from f1tenth_navigation.goal_markers import goal_markers
+from f1tenth_navigation.goal_markers import goal_markers, text_marker
 from geometry_msgs.msg import PoseStamped
-from visualization_msgs.msg import MarkerArray
+from nav_msgs.msg import OccupancyGrid
+from visualization_msgs.msg import Marker, MarkerArray
 
-from f1tenth_navigation_mgr import Goal, GoalsFileError, save_goals_file
+from f1tenth_gazebo.errors import CircuitError
+from f1tenth_gazebo.goals.clicked_goals import ClickedGoals
+from f1tenth_gazebo.goals.road_ahead import road_ahead
+from f1tenth_gazebo.worlds.find_world import WorldError, find_world
+from f1tenth_navigation_mgr import Goal, GoalsFileError, load_goals_file, save_goals_file
+
+_HINT = "2D Nav Goal (g): press and drag to add a goal, click on a goal to take it away"
+_GREEN, _GREY = (0.1, 0.6, 0.2), (0.4, 0.45, 0.5)
+BAD_INPUT = 2  # exit code
 
 
 class GoalCollector:
-    """Appends each pose that is clicked, shows it and writes the file anew: it is complete at any time.
+    """Takes clicks, shows the goals and writes the file anew: it is complete at any time."""
 
-    A file that was there stays until the first click.
-    """
+    def __init__(self, path, goals, road):
+        """Subscribe and advertise.
 
-    def __init__(self, path):
-        """Subscribe and advertise; `path` is the goals file."""
+        Args:
+            path: of the goals file
+            goals: those that it has
+            road: poses along the road, the start first
+        """
         self._path = path
-        self._poses = []
+        self._clicked = ClickedGoals(goals)
+        self._lock = threading.Lock()
         self._publisher = rospy.Publisher("navigation_goals", MarkerArray, queue_size=1, latch=True)
+        self._road_publisher = rospy.Publisher("road_ahead", MarkerArray, queue_size=1, latch=True)
+        self._road_publisher.publish(road_markers(road))
+        self._publish()
+        rospy.Subscriber("map", OccupancyGrid, self._on_map)
         rospy.Subscriber("move_base_simple/goal", PoseStamped, self._on_pose)
 
+    def _on_map(self, grid):
+        with self._lock:
+            self._clicked.take_map(grid)
+            self._publish()
+
     def _on_pose(self, pose):
-        self._poses.append(pose)
-        self._publisher.publish(goal_markers(self._poses))
+        with self._lock:
+            added = self._clicked.take(goal_of(pose))
+            self._publish()
+            goals, problems = self._clicked.poses, self._clicked.problems()
+            self._save(goals)
+        if added and len(goals) in problems:
+            rospy.logwarn("goal %d is %s", len(goals), problems[len(goals)])
+
+    def _save(self, goals):
         try:
-            save_goals_file(self._path, [goal_of(pose) for pose in self._poses])
-        except GoalsFileError as error:
+            if goals:
+                save_goals_file(self._path, goals)
+            else:  # An empty file is none.
+                Path(self._path).unlink(missing_ok=True)
+        except (GoalsFileError, OSError) as error:
             rospy.logerr("%s", error)
             return
-        rospy.loginfo("%s: %d goals", self._path, len(self._poses))
+        rospy.loginfo("%s: %d goals", self._path, len(goals))
+
+    def _publish(self):
+        poses = [stamped(goal.x, goal.y, goal.yaw, goal.frame_id) for goal in self._clicked.poses]
+        self._publisher.publish(goal_markers(poses, self._clicked.problems()))
 
 
 def goal_of(pose):
@@ -44,13 +84,57 @@ def goal_of(pose):
     )
 
 
+def stamped(x, y, yaw, frame="map"):
+    """A PoseStamped of a pose in the plane."""
+    message = PoseStamped()
+    message.header.frame_id = frame
+    message.pose.position.x, message.pose.position.y = x, y
+    message.pose.orientation.z, message.pose.orientation.w = math.sin(yaw / 2.0), math.cos(yaw / 2.0)
+    return message
+
+
+def road_markers(road):
+    """The start, the driving direction along the road, and what clicks do, as a MarkerArray."""
+    poses = [stamped(pose.x, pose.y, pose.yaw) for pose in road]
+    markers = [_arrow(number, pose, number == 0) for number, pose in enumerate(poses)]
+    start = text_marker("start", 0, poses[0], "start", 0.45, _GREEN)
+    start.pose.position.y += 0.6
+    hint = text_marker("hint", 0, poses[0], _HINT, 0.35, (1.0, 1.0, 1.0))
+    hint.pose.position.y = min(pose.pose.position.y for pose in poses) - 2.5
+    hint.pose.position.x = (min(p.pose.position.x for p in poses) + max(p.pose.position.x for p in poses)) / 2
+    return MarkerArray(markers=[*markers, start, hint])
+
+
+def _arrow(number, pose, is_start):
+    marker = Marker(ns="road", type=Marker.ARROW, id=number, action=Marker.ADD, pose=pose.pose)
+    marker.header.frame_id = pose.header.frame_id
+    marker.scale.x, marker.scale.y, marker.scale.z = (1.2, 0.25, 0.1) if is_start else (0.6, 0.1, 0.05)
+    marker.color.r, marker.color.g, marker.color.b = _GREEN if is_start else _GREY
+    marker.color.a = 1.0
+    return marker
+
+
 def main():
     """Wire the node; return the exit code."""
     rospy.init_node("navigation_goals")
     path = rospy.get_param("~goals_file", "")
     if not path:
-        print("navigation_goals: ~goals_file: found nothing, must be the path of a file", file=sys.stderr)
-        return 2
-    GoalCollector(path)
+        return _bad_input("~goals_file: found nothing, must be the path of a file")
+    try:
+        road = _find_road(rospy.get_param("~world", "circuit1"), rospy.get_param("~folder", "."))
+        goals = load_goals_file(path) if os.path.exists(path) else []
+    except (WorldError, CircuitError, GoalsFileError, OSError, ValueError) as error:
+        return _bad_input(error)
+    GoalCollector(path, goals, road)
     rospy.spin()
     return 0
+
+
+def _find_road(world, folder):
+    package = Path(rospkg.RosPack().get_path("f1tenth_gazebo"))
+    return road_ahead(find_world(world, package / "worlds", folder), package / "circuits")
+
+
+def _bad_input(problem):
+    print(f"navigation_goals: {problem}", file=sys.stderr)
+    return BAD_INPUT

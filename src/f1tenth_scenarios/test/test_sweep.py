@@ -11,7 +11,7 @@ import pytest
 from f1tenth_scenarios.batch import cluster
 from f1tenth_scenarios.batch import sweep as sweep_module
 from f1tenth_scenarios.batch.sweep import sweep
-from f1tenth_scenarios.batch.sweep_picture import mean_interval, wilson_interval
+from f1tenth_scenarios.batch.sweep_picture import make_figure, mean_interval, wilson_interval
 from f1tenth_scenarios.batch.table_file import write_table
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.stop_request import StopRequest
@@ -202,6 +202,35 @@ def test_values_that_would_share_a_folder_are_answered(tmp_path, capsys):
     vary = "world=" + ",".join(map(str, worlds))
     assert cli.main(["sweep", "pushed_box", "--vary", vary, "--results", str(tmp_path / "r")]) == 2
     assert f"{worlds[0]}' and 'world={worlds[1]}' would both be written to" in capsys.readouterr().err
+
+
+def rows_of(key, values):
+    return [{key: value, "passed": True, "lap_time": 5.0} for value in values]
+
+
+@pytest.mark.parametrize(
+    ("key", "values", "label", "ticks"),
+    [
+        ("seed", ["1", "2"], "seed", ["1", "2"]),
+        ("limits.timeout", ["7.5", "20"], "limits.timeout (s)", ["7.5", "20"]),
+        ("mu", ["0.3", "1"], "mu", ["0.3", "1"]),
+        ("cars.robot2.speed_max", ["1", "1.5"], "cars.robot2.speed_max (m/s)", ["1", "1.5"]),
+        ("world", ["b", "a"], "world", ["a", "b"]),
+    ],
+)
+def test_axes_have_units_and_ticks_where_the_values_are(key, values, label, ticks):
+    _, below = make_figure("t", rows_of(key, values), [key]).axes
+    assert below.get_xlabel() == label
+    assert [tick.get_text() for tick in below.get_xticklabels()] == ticks
+
+
+def test_many_whole_values_have_whole_ticks():
+    values = [str(seed) for seed in range(1, 31)]
+    figure = make_figure("t", rows_of("seed", values), ["seed"])
+    figure.canvas.draw()
+    ticks = figure.axes[1].get_xticks()
+    assert len(ticks) < 12
+    assert all(float(tick).is_integer() for tick in ticks)
 
 
 def test_intervals_are_those_of_the_books():

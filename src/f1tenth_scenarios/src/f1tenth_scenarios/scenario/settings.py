@@ -5,8 +5,9 @@ import dataclasses
 import itertools
 import math
 import re
+import typing
 from collections.abc import Iterator, Sequence
-from typing import Optional
+from typing import Any, Optional
 
 import numpy as np
 import yaml
@@ -59,6 +60,24 @@ def apply_settings(root: yaml.MappingNode, settings: Sequence[Setting]) -> None:
         else:
             *path, last = setting.key.split(".")
             _put(_descend(root, path, setting), last, value)
+
+
+def unit_of(key: str) -> str:
+    """The unit of a key that can be set; empty if it has none."""
+    path = key.split(".")
+    schema = Scenario if path[0] in keys(Scenario) else Car
+    unit = ""
+    for name in path:
+        # What is no key is the name of an entry.
+        if dataclasses.is_dataclass(schema) and name in keys(schema):
+            unit, schema = keys(schema)[name].unit, _inner(typing.get_type_hints(schema)[name])
+    return unit
+
+
+def _inner(hint: Any) -> Any:
+    """What an optional value or a list holds."""
+    arguments = [each for each in typing.get_args(hint) if each not in (type(None), ...)]
+    return arguments[0] if arguments else hint
 
 
 def parse_variation(text: str) -> list[Setting]:

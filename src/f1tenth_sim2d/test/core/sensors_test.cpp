@@ -29,7 +29,7 @@ TEST(WheelOdometry, FollowsTheCarWhenItIsExact)
   const WheelOdometry odometry = simulation.wheelOdometry(kRobot1);
   EXPECT_NEAR(odometry.pose.x, truth.x, 0.05);
   EXPECT_NEAR(odometry.pose.y, truth.y, 0.05);
-  EXPECT_NEAR(wrapAngle(odometry.pose.yaw - truth.yaw), 0.0, 0.05);
+  EXPECT_NEAR(normalizeAngle(odometry.pose.yaw - truth.yaw), 0.0, 0.05);
   EXPECT_NEAR(odometry.speed, simulation.state(kRobot1).velocity.x, 1e-3);
   EXPECT_NEAR(odometry.yaw_rate, simulation.state(kRobot1).yaw_rate, 0.02);
 }

@@ -91,7 +91,7 @@ TEST(ToGridMap, HasFreeOccupiedAndUnknownCells)
 TEST(ToGridMap, MapWithoutCellsIsRefused)
 {
   try {
-    toGridMap(OccupancyGrid{0.05, {}, 3, 2, {0}}, LaserOptions{});
+    toGridMap(OccupancyGrid{{3, 2, 0.05, {}}, {0}}, LaserOptions{});
     FAIL();
   } catch (const MapError & error) {
     EXPECT_STREQ(error.what(), "the map has 3 x 2 cells of 0.050000 m and data for 1");

@@ -6,14 +6,13 @@
 #include <string>
 
 #include "amcl/geometry.h"
-#include "amcl/occupancy_grid.h"
 
 namespace amcl
 {
 /// A room of 8 m by 5 m with walls of one cell, and a pillar that makes it unlike itself turned around.
 inline OccupancyGrid room(const Pose2 & origin = {-3.0, -2.5, 0.0})
 {
-  OccupancyGrid grid{0.05, origin, 160, 100, std::vector<std::int8_t>(160 * 100, 0)};
+  OccupancyGrid grid{{160, 100, 0.05, origin}, std::vector<std::int8_t>(160 * 100, 0)};
   for (int i = 0; i < 160 * 100; ++i) {
     const int x = i % 160;
     const int y = i / 160;
@@ -29,22 +28,22 @@ inline OccupancyGrid readMap(const std::string & path, const Pose2 & origin)
 {
   std::ifstream file(path, std::ios::binary);
   std::string magic;
-  OccupancyGrid grid{0.05, origin, 0, 0, {}};
+  OccupancyGrid grid{{0, 0, 0.05, origin}, {}};
   int white = 0;
   std::getline(file, magic);
   while (file.peek() == '#') {
     std::string comment;
     std::getline(file, comment);
   }
-  file >> grid.width >> grid.height >> white;
+  file >> grid.geometry.width >> grid.geometry.height >> white;
   file.get();
-  std::string pixels(static_cast<std::size_t>(grid.width) * grid.height, '\0');
+  std::string pixels(static_cast<std::size_t>(grid.geometry.width) * grid.geometry.height, '\0');
   if (magic != "P5" || !file.read(pixels.data(), static_cast<std::streamsize>(pixels.size()))) {
     throw std::runtime_error("no map: " + path);
   }
-  for (int y = grid.height - 1; y >= 0; --y) {
-    for (int x = 0; x < grid.width; ++x) {
-      const auto pixel = static_cast<unsigned char>(pixels[y * grid.width + x]);
+  for (int y = grid.geometry.height - 1; y >= 0; --y) {
+    for (int x = 0; x < grid.geometry.width; ++x) {
+      const auto pixel = static_cast<unsigned char>(pixels[y * grid.geometry.width + x]);
       grid.cells.push_back(pixel == 0 ? 100 : pixel == 254 ? 0 : -1);
     }
   }
@@ -54,11 +53,11 @@ inline OccupancyGrid readMap(const std::string & path, const Pose2 & origin)
 /// Whether a place in the map frame is occupied; outside of the map everything is.
 inline bool isWall(const OccupancyGrid & grid, const Pose2 & place)
 {
-  const Pose2 local = compose(inverse(grid.origin), place);
-  const int x = static_cast<int>(std::floor(local.x / grid.resolution));
-  const int y = static_cast<int>(std::floor(local.y / grid.resolution));
-  const bool inside = x >= 0 && x < grid.width && y >= 0 && y < grid.height;
-  return !inside || grid.cells[y * grid.width + x] == 100;
+  const Pose2 local = compose(inverse(grid.geometry.origin), place);
+  const int x = static_cast<int>(std::floor(local.x / grid.geometry.resolution));
+  const int y = static_cast<int>(std::floor(local.y / grid.geometry.resolution));
+  const bool inside = x >= 0 && x < grid.geometry.width && y >= 0 && y < grid.geometry.height;
+  return !inside || grid.cells[y * grid.geometry.width + x] == 100;
 }
 
 /// What a lidar at pose sees on the map, 270 degrees, without noise.

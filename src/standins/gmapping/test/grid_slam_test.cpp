@@ -38,9 +38,7 @@ Pose2 driveWithDrift(GridSlam & slam)
 
 std::int8_t cellAt(const OccupancyGrid & map, double x, double y)
 {
-  const int column = static_cast<int>(std::floor((x - map.x) / map.resolution));
-  const int row = static_cast<int>(std::floor((y - map.y) / map.resolution));
-  return map.cells.at(column + row * map.width);
+  return map.cells.at(map.geometry.index(map.geometry.cellAt({x, y})));
 }
 
 TEST(GridSlam, FirstScanIsPutWhereOdometrySays)

@@ -26,7 +26,7 @@ Car::Car(
 
 void Car::place(const Pose2 & pose, const Vec2 & velocity, double yaw_rate)
 {
-  const Pose2 centre = compose(pose, {parameters_.l_r, 0.0, 0.0});
+  const Pose2 centre = chain(pose, {parameters_.l_r, 0.0, 0.0});
   state_ = {};
   state_.x = centre.x;
   state_.y = centre.y;
@@ -132,7 +132,7 @@ void Car::turnWheels(double dt)
 Pose2 Car::pose() const
 {
   const SineCosine at = sineCosine(state_.psi);
-  return {state_.x - parameters_.l_r * at.cosine, state_.y - parameters_.l_r * at.sine, wrapAngle(state_.psi)};
+  return {state_.x - parameters_.l_r * at.cosine, state_.y - parameters_.l_r * at.sine, normalizeAngle(state_.psi)};
 }
 
 CarState Car::state() const

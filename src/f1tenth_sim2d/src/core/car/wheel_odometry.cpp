@@ -103,7 +103,7 @@ void WheelOdometryIntegrator::integrate()
   const SineCosine course = sineCosine(current_.pose.yaw + 0.5 * turn);
   current_.pose.x += ahead * course.cosine - aside * course.sine;
   current_.pose.y += ahead * course.sine + aside * course.cosine;
-  current_.pose.yaw = wrapAngle(current_.pose.yaw + turn);
+  current_.pose.yaw = normalizeAngle(current_.pose.yaw + turn);
   distance_ = 0.0;
   sideways_ = 0.0;
   turn_ = 0.0;

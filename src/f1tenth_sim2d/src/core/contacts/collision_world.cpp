@@ -268,7 +268,7 @@ Pose2 CollisionWorld::modelPose(std::size_t model) const
   }
   const Vec2 position = fromBox(body.GetPosition());
   const Pose2 centre{position.x, position.y, body.GetAngle()};
-  return compose(centre, {-start.centre_of_mass.x, -start.centre_of_mass.y, 0.0});
+  return chain(centre, {-start.centre_of_mass.x, -start.centre_of_mass.y, 0.0});
 }
 
 ModelState CollisionWorld::modelState(std::size_t model) const

@@ -13,7 +13,7 @@ double beamsPerRadian(const LidarDescription & lidar)
 }  // namespace
 
 BeamTable::BeamTable(const LidarDescription & lidar)
-: angle_min(wrapAngle(lidar.angle_min)),
+: angle_min(normalizeAngle(lidar.angle_min)),
   beams_per_radian(beamsPerRadian(lidar)),
   beams_per_turn(2.0 * kPi * beams_per_radian)
 {

@@ -29,7 +29,7 @@ LidarSensor::LidarSensor(const LidarDescription & description, const LidarScene 
 
 void LidarSensor::measure(Space & space, CarId own, const Pose2 & car, const MovingPoses & poses) const
 {
-  space.raster.begin(compose(car, mount_));
+  space.raster.begin(chain(car, mount_));
   scene_->draw(own, poses, space.raster, space.drawn);
 }
 

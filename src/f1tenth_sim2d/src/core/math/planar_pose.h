@@ -9,11 +9,7 @@
 
 namespace f1tenth_sim2d
 {
-/// Same angle within [-pi, pi].
-inline double wrapAngle(double angle)
-{
-  return std::remainder(angle, 2.0 * kPi);
-}
+using workspace_support::normalizeAngle;
 
 inline double length(const Vec2 & v)
 {
@@ -44,8 +40,8 @@ private:
   Transform2(const Pose2 & pose, const SineCosine & yaw) : x(pose.x), y(pose.y), cosine(yaw.cosine), sine(yaw.sine) {}
 };
 
-/// a followed by b, b given in the frame of a.
-inline Pose2 compose(const Pose2 & a, const Pose2 & b)
+/// a followed by b, b given in the frame of a; with the same bits on every machine, which std::sin does not promise.
+inline Pose2 chain(const Pose2 & a, const Pose2 & b)
 {
   const Vec2 p = Transform2(a).apply({b.x, b.y});
   return {p.x, p.y, a.yaw + b.yaw};

@@ -110,7 +110,7 @@ void Simulation::Impl::placeCar(CarId id, const Pose2 & pose, const Vec2 & veloc
   validate(own.description, pose);
   validate(ModelState{pose, velocity, yaw_rate}, own.description.name);
   std::vector<PlacedCar> places = placedCars(cars());
-  places[index].pose = compose(pose, {own.car.parameters().l_r, 0.0, 0.0});
+  places[index].pose = chain(pose, {own.car.parameters().l_r, 0.0, 0.0});
   refuseOccupiedPlace(places, index, own.description.name + ": the pose " + text(pose));
   own.car.place(pose, velocity, yaw_rate);
   forgetSurroundings(cars());

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <standin_support/errors.h>
+#include <workspace_support/errors.h>
 
 namespace amcl
 {
-using standin_support::Error;
-using standin_support::OptionError;
+using workspace_support::Error;
+using workspace_support::OptionError;
 
 /// A map on which nobody can be found.
 class MapError : public Error

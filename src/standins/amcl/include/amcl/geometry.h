@@ -1,11 +1,13 @@
 #pragma once
 
-#include <standin_support/geometry.h>
-#include <standin_support/scan.h>
+#include <workspace_support/grid.h>
+#include <workspace_support/planar.h>
+#include <workspace_support/scan.h>
 
 namespace amcl
 {
-using standin_support::normalizeAngle;
-using standin_support::Pose2;
-using standin_support::Scan;
+using workspace_support::normalizeAngle;
+using workspace_support::OccupancyGrid;
+using workspace_support::Pose2;
+using workspace_support::Scan;
 }  // namespace amcl

@@ -6,7 +6,6 @@
 
 #include "amcl/geometry.h"
 #include "amcl/localizer_options.h"
-#include "amcl/occupancy_grid.h"
 
 namespace amcl
 {

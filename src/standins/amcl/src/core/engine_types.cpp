@@ -25,11 +25,14 @@ float freedom(std::int8_t cell)
 
 void expectCells(const OccupancyGrid & grid)
 {
-  const std::size_t count = static_cast<std::size_t>(std::max(grid.width, 0)) * std::max(grid.height, 0);
-  if (count == 0 || grid.cells.size() != count || !(std::isfinite(grid.resolution) && grid.resolution > 0.0)) {
+  const std::size_t count =
+    static_cast<std::size_t>(std::max(grid.geometry.width, 0)) * std::max(grid.geometry.height, 0);
+  if (
+    count == 0 || grid.cells.size() != count ||
+    !(std::isfinite(grid.geometry.resolution) && grid.geometry.resolution > 0.0)) {
     throw MapError(
-      "the map has " + std::to_string(grid.width) + " x " + std::to_string(grid.height) + " cells of " +
-      std::to_string(grid.resolution) + " m and data for " + std::to_string(grid.cells.size()));
+      "the map has " + std::to_string(grid.geometry.width) + " x " + std::to_string(grid.geometry.height) +
+      " cells of " + std::to_string(grid.geometry.resolution) + " m and data for " + std::to_string(grid.cells.size()));
   }
 }
 
@@ -67,14 +70,14 @@ COccupancyGridMap2D::Ptr toGridMap(const OccupancyGrid & grid, const LaserOption
 {
   expectCells(grid);
   const auto map = COccupancyGridMap2D::Create();
-  const auto resolution = static_cast<float>(grid.resolution);
+  const auto resolution = static_cast<float>(grid.geometry.resolution);
   // One more row and column, as MRPT's likelihood fields take the last ones for outside of the map.
   map->setSize(
-    0.0F, static_cast<float>(grid.width + 1) * resolution, 0.0F, static_cast<float>(grid.height + 1) * resolution,
-    resolution);
-  for (int y = 0; y < grid.height; ++y) {
-    for (int x = 0; x < grid.width; ++x) {
-      map->setCell(x, y, freedom(grid.cells[static_cast<std::size_t>(y) * grid.width + x]));
+    0.0F, static_cast<float>(grid.geometry.width + 1) * resolution, 0.0F,
+    static_cast<float>(grid.geometry.height + 1) * resolution, resolution);
+  for (int y = 0; y < grid.geometry.height; ++y) {
+    for (int x = 0; x < grid.geometry.width; ++x) {
+      map->setCell(x, y, freedom(grid.cells[static_cast<std::size_t>(y) * grid.geometry.width + x]));
     }
   }
   setLikelihood(*map, options);

@@ -9,7 +9,6 @@
 
 #include "amcl/geometry.h"
 #include "amcl/localizer_options.h"
-#include "amcl/occupancy_grid.h"
 
 /// Between the core's types and MRPT's.
 namespace amcl

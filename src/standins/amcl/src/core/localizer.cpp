@@ -55,7 +55,7 @@ class Localizer::Impl
 {
 public:
   Impl(const OccupancyGrid & map, const LocalizerOptions & options, const Estimate & start)
-  : options_(options), origin_(map.origin), map_(toGridMap(map, options.laser)), random_(options.seed)
+  : options_(options), origin_(map.geometry.origin), map_(toGridMap(map, options.laser)), random_(options.seed)
   {
     particles_.options.metricMap = map_;
     particles_.options.KLD_params = kldOptions(options);

@@ -3,8 +3,8 @@
 #include <geometry_msgs/PoseArray.h>
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/console.h>
-#include <standin_support/lidar_inputs.h>
 #include <tf2_msgs/TFMessage.h>
+#include <workspace_support/lidar_inputs.h>
 
 #include <cmath>
 
@@ -29,7 +29,7 @@ AmclNode::AmclNode(const NodeParameters & parameters, ros::CallbackQueue & queue
   estimate_(parameters.start),
   private_node_("~")
 {
-  ros::NodeHandle node = standin_support::servedBy(queue);
+  ros::NodeHandle node = workspace_support::servedBy(queue);
   pose_publisher_ = node.advertise<geometry_msgs::PoseWithCovarianceStamped>("amcl_pose", 2, true);
   particle_publisher_ = node.advertise<geometry_msgs::PoseArray>("particlecloud", 2, true);
   // Latched, unlike a tf2_ros::TransformBroadcaster: in lockstep's first period others wait for the transform.

@@ -31,17 +31,6 @@ geometry_msgs::PoseWithCovariance toPoseWithCovariance(const Estimate & estimate
   return message;
 }
 
-OccupancyGrid fromOccupancyGrid(const nav_msgs::OccupancyGrid & message)
-{
-  OccupancyGrid grid;
-  grid.resolution = message.info.resolution;
-  grid.origin = fromPose(message.info.origin);
-  grid.width = static_cast<int>(message.info.width);
-  grid.height = static_cast<int>(message.info.height);
-  grid.cells.assign(message.data.begin(), message.data.end());
-  return grid;
-}
-
 geometry_msgs::PoseArray toPoseArray(const std::vector<Pose2> & poses, const std_msgs::Header & header)
 {
   geometry_msgs::PoseArray message;

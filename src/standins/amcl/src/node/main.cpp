@@ -1,6 +1,6 @@
 #include <ros/ros.h>
 #include <sim2d_lockstep/participant.h>
-#include <standin_support/lidar_inputs.h>
+#include <workspace_support/lidar_inputs.h>
 
 #include <iostream>
 #include <vector>
@@ -22,7 +22,7 @@ public:
   Inputs(amcl::AmclNode & amcl, ros::CallbackQueue & queue, bool use_map_topic)
   : amcl_(amcl), lidar_(queue, amcl.transforms(), [&amcl](const auto & scan) { amcl.add(scan); })
   {
-    ros::NodeHandle node = standin_support::servedBy(queue);
+    ros::NodeHandle node = workspace_support::servedBy(queue);
     subscribers_ = {node.subscribe("initialpose", 2, &Inputs::onInitialPose, this, kNoDelay)};
     if (use_map_topic) {
       subscribers_.push_back(node.subscribe("map", 1, &Inputs::onMap, this, kNoDelay));
@@ -46,7 +46,7 @@ private:
   void onMap(const nav_msgs::OccupancyGrid::ConstPtr & map) { amcl_.setMap(*map); }
 
   amcl::AmclNode & amcl_;
-  standin_support::LidarInputs lidar_;
+  workspace_support::LidarInputs lidar_;
   std::vector<ros::Subscriber> subscribers_;
 };
 

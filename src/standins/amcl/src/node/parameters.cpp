@@ -1,6 +1,6 @@
 #include "parameters.h"
 
-#include <standin_support/parameter_reader.h>
+#include <workspace_support/parameter_reader.h>
 
 #include <cmath>
 #include <utility>
@@ -11,7 +11,7 @@ namespace amcl
 {
 namespace
 {
-using standin_support::ParameterReader;
+using workspace_support::ParameterReader;
 
 // Of the original where they are not zero: (0.5 m)^2, (0.5 m)^2, (pi/12)^2.
 constexpr double kStartVariance = 0.5 * 0.5;                         // m^2

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <standin_support/errors.h>
+#include <workspace_support/errors.h>
 
 namespace gmapping
 {
-using standin_support::Error;
-using standin_support::OptionError;
+using workspace_support::Error;
+using workspace_support::OptionError;
 }  // namespace gmapping

@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "gmapping/geometry.h"
-#include "gmapping/occupancy_grid.h"
 #include "gmapping/slam_options.h"
 
 namespace gmapping

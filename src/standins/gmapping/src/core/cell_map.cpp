@@ -71,7 +71,7 @@ void CellMap::addBeam(const Point & from, const Point & to, bool is_hit)
 OccupancyGrid CellMap::grid(const SlamOptions & options) const
 {
   OccupancyGrid grid;
-  grid.resolution = resolution_;
+  grid.geometry.resolution = resolution_;
   // Whole cells beyond the map on each side.
   const int left = std::max(0, cellsBetween(options.xmin, cells_.getXMin(), resolution_));
   const int below = std::max(0, cellsBetween(options.ymin, cells_.getYMin(), resolution_));
@@ -79,15 +79,15 @@ OccupancyGrid CellMap::grid(const SlamOptions & options) const
   const int above = std::max(0, cellsBetween(cells_.getYMax(), options.ymax, resolution_));
   const int columns = static_cast<int>(cells_.getSizeX());
   const int rows = static_cast<int>(cells_.getSizeY());
-  grid.x = cells_.getXMin() - left * resolution_;
-  grid.y = cells_.getYMin() - below * resolution_;
-  grid.width = left + columns + right;
-  grid.height = below + rows + above;
-  grid.cells.assign(static_cast<std::size_t>(grid.width) * grid.height, -1);
+  grid.geometry.origin.x = cells_.getXMin() - left * resolution_;
+  grid.geometry.origin.y = cells_.getYMin() - below * resolution_;
+  grid.geometry.width = left + columns + right;
+  grid.geometry.height = below + rows + above;
+  grid.cells.assign(static_cast<std::size_t>(grid.geometry.width) * grid.geometry.height, -1);
   for (int y = 0; y < rows; ++y) {
     const MapCell * row = cells_.cellByIndex(0, y);
     std::transform(
-      row, row + columns, grid.cells.begin() + static_cast<std::ptrdiff_t>(y + below) * grid.width + left,
+      row, row + columns, grid.cells.begin() + static_cast<std::ptrdiff_t>(y + below) * grid.geometry.width + left,
       [&](const MapCell & cell) { return occupancy(cell, options.occ_thresh); });
   }
   return grid;

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "gmapping/occupancy_grid.h"
+#include "gmapping/geometry.h"
 #include "gmapping/slam_options.h"
 
 namespace gmapping

@@ -1,17 +1,13 @@
 #pragma once
 
-#include <nav_msgs/OccupancyGrid.h>
-#include <standin_support/conversions.h>
-
-#include "gmapping/occupancy_grid.h"
+#include <workspace_support/conversions.h>
 
 /// Between messages and the core's types.
 namespace gmapping
 {
-using standin_support::fromLaserScan;
-using standin_support::fromTransform;
-using standin_support::isUpsideDown;
-using standin_support::toTransform;
-
-nav_msgs::OccupancyGrid toOccupancyGrid(const OccupancyGrid & grid, const std_msgs::Header & header);
+using workspace_support::fromLaserScan;
+using workspace_support::fromTransform;
+using workspace_support::isUpsideDown;
+using workspace_support::toOccupancyGrid;
+using workspace_support::toTransform;
 }  // namespace gmapping

@@ -1,6 +1,6 @@
 #include <ros/ros.h>
 #include <sim2d_lockstep/participant.h>
-#include <standin_support/lidar_inputs.h>
+#include <workspace_support/lidar_inputs.h>
 
 #include <iostream>
 
@@ -9,7 +9,7 @@
 
 namespace
 {
-using standin_support::LidarInputs;
+using workspace_support::LidarInputs;
 
 const ros::WallDuration kPatience{0.1};
 const ros::WallDuration kPoll{0.002};

@@ -1,6 +1,6 @@
 #include "parameters.h"
 
-#include <standin_support/parameter_reader.h>
+#include <workspace_support/parameter_reader.h>
 
 #include "gmapping/errors.h"
 
@@ -8,7 +8,7 @@ namespace gmapping
 {
 namespace
 {
-using standin_support::ParameterReader;
+using workspace_support::ParameterReader;
 
 void readFilter(ParameterReader & reader, SlamOptions & slam)
 {

@@ -2,8 +2,8 @@
 
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/console.h>
-#include <standin_support/lidar_inputs.h>
 #include <std_msgs/Float64.h>
+#include <workspace_support/lidar_inputs.h>
 
 #include <utility>
 
@@ -14,7 +14,7 @@ namespace gmapping
 SlamNode::SlamNode(const NodeParameters & parameters, ros::CallbackQueue & queue)
 : parameters_(parameters), slam_(parameters.slam)
 {
-  ros::NodeHandle node = standin_support::servedBy(queue);
+  ros::NodeHandle node = workspace_support::servedBy(queue);
   map_publisher_ = node.advertise<nav_msgs::OccupancyGrid>("map", 1, true);
   metadata_publisher_ = node.advertise<nav_msgs::MapMetaData>("map_metadata", 1, true);
   entropy_publisher_ = ros::NodeHandle("~").advertise<std_msgs::Float64>("entropy", 1, true);

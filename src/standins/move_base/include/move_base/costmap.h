@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "move_base/footprint.h"
+#include "move_base/geometry.h"
 #include "move_base/laser_scan.h"
 #include "move_base/live_layer.h"
 #include "move_base/obstacle_tracker.h"
-#include "move_base/occupancy_grid.h"
 
 namespace move_base
 {

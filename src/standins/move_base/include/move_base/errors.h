@@ -1,20 +1,9 @@
 #pragma once
 
-#include <stdexcept>
+#include <workspace_support/errors.h>
 
 namespace move_base
 {
-/// Base of everything this package throws for a user's mistake. Mistakes of our own are asserted.
-class Error : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Options that cannot be used: which one, what was found, what is allowed.
-class OptionError : public Error
-{
-public:
-  using Error::Error;
-};
+using workspace_support::Error;
+using workspace_support::OptionError;
 }  // namespace move_base

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "move_base/box.h"
+#include "move_base/geometry.h"
 #include "move_base/laser_scan.h"
-#include "move_base/occupancy_grid.h"
 
 namespace move_base
 {

@@ -178,7 +178,7 @@ bool Costmap::isFarAround(const Vec2 & middle, double margin) const
 // Whether the map reaches around the car by the margin and what interpolation needs.
 bool Costmap::isInside(const Vec2 & middle, double margin) const
 {
-  const Vec2 from_corner = middle - geometry_.origin;
+  const Vec2 from_corner = middle - geometry_.origin.position();
   const double room = footprint_.around().radius + margin + geometry_.resolution;
   return from_corner.x > room && from_corner.x < geometry_.width * geometry_.resolution - room &&
          from_corner.y > room && from_corner.y < geometry_.height * geometry_.resolution - room;

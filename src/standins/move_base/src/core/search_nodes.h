@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "move_base/curves.h"
-#include "move_base/occupancy_grid.h"
+#include "move_base/geometry.h"
 
 namespace move_base
 {

@@ -7,34 +7,6 @@
 
 namespace move_base
 {
-namespace
-{
-double yawOf(const geometry_msgs::Quaternion & q)
-{
-  return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
-}
-}  // namespace
-
-Pose2 fromPose(const geometry_msgs::Pose & pose)
-{
-  return {pose.position.x, pose.position.y, yawOf(pose.orientation)};
-}
-
-Pose2 fromTransform(const geometry_msgs::Transform & transform)
-{
-  return {transform.translation.x, transform.translation.y, yawOf(transform.rotation)};
-}
-
-geometry_msgs::Pose toPose(const Pose2 & pose)
-{
-  geometry_msgs::Pose message;
-  message.position.x = pose.x;
-  message.position.y = pose.y;
-  message.orientation.z = std::sin(0.5 * pose.yaw);
-  message.orientation.w = std::cos(0.5 * pose.yaw);
-  return message;
-}
-
 geometry_msgs::PoseStamped toPoseStamped(const Pose2 & pose, const std_msgs::Header & header)
 {
   geometry_msgs::PoseStamped message;
@@ -53,25 +25,18 @@ bool isPlanar(const geometry_msgs::Quaternion & q)
   return std::abs(upright - 1.0) <= 1e-3;
 }
 
-OccupancyGrid fromOccupancyGrid(const nav_msgs::OccupancyGrid & message)
+OccupancyGrid fromUnturnedGrid(const nav_msgs::OccupancyGrid & message)
 {
-  const Pose2 origin = fromPose(message.info.origin);
-  if (std::abs(origin.yaw) > 1e-6) {
-    throw Error("map: origin has the yaw " + std::to_string(origin.yaw) + ", must be 0");
+  OccupancyGrid grid = workspace_support::fromOccupancyGrid(message);
+  if (std::abs(grid.geometry.origin.yaw) > 1e-6) {
+    throw Error("map: origin has the yaw " + std::to_string(grid.geometry.origin.yaw) + ", must be 0");
   }
-  OccupancyGrid grid;
-  grid.geometry.width = static_cast<int>(message.info.width);
-  grid.geometry.height = static_cast<int>(message.info.height);
-  grid.geometry.resolution = message.info.resolution;
-  grid.geometry.origin = origin.position();
-  grid.cells.assign(message.data.begin(), message.data.end());
   return grid;
 }
 
 LaserScan fromLaserScan(const sensor_msgs::LaserScan & message, const Pose2 & sensor)
 {
-  return {sensor,         message.angle_min,           message.angle_increment, message.range_min, message.range_max,
-          message.ranges, message.header.stamp.toSec()};
+  return {workspace_support::fromLaserScan(message, false), sensor, message.header.stamp.toSec()};
 }
 
 geometry_msgs::Twist toTwist(const DriveCommand & command)

@@ -8,6 +8,7 @@
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Path.h>
 #include <sensor_msgs/LaserScan.h>
+#include <workspace_support/conversions.h>
 
 #include <string>
 #include <vector>
@@ -18,16 +19,17 @@
 /// Between messages and the core's types. Quaternions count as rotations about z.
 namespace move_base
 {
-Pose2 fromPose(const geometry_msgs::Pose & pose);
-Pose2 fromTransform(const geometry_msgs::Transform & transform);
-geometry_msgs::Pose toPose(const Pose2 & pose);
+using workspace_support::fromPose;
+using workspace_support::fromTransform;
+using workspace_support::toPose;
+
 geometry_msgs::PoseStamped toPoseStamped(const Pose2 & pose, const std_msgs::Header & header);
 
 /// Whether it is a rotation about z alone, as a goal must have.
 bool isPlanar(const geometry_msgs::Quaternion & rotation);
 
 /// @throws Error for a map that is turned
-OccupancyGrid fromOccupancyGrid(const nav_msgs::OccupancyGrid & message);
+OccupancyGrid fromUnturnedGrid(const nav_msgs::OccupancyGrid & message);
 
 /// @param sensor  in the map, when the scan was taken
 LaserScan fromLaserScan(const sensor_msgs::LaserScan & message, const Pose2 & sensor);

@@ -114,7 +114,7 @@ void Perception::onMap(const nav_msgs::OccupancyGrid::ConstPtr & map)
     return;
   }
   try {
-    costmap_ = std::make_unique<Costmap>(fromOccupancyGrid(*map), parameters_.costmap, footprint_);
+    costmap_ = std::make_unique<Costmap>(fromUnturnedGrid(*map), parameters_.costmap, footprint_);
   } catch (const Error & error) {
     ROS_ERROR("%s; it is not used", error.what());
   }

@@ -59,7 +59,8 @@ OccupancyGrid toGrid(const Cells & cells, double resolution, const Vec2 & origin
 {
   requireShape(cells, "cells", {-1, -1});
   OccupancyGrid grid;
-  grid.geometry = {static_cast<int>(cells.shape(1)), static_cast<int>(cells.shape(0)), resolution, origin};
+  grid.geometry = {
+    static_cast<int>(cells.shape(1)), static_cast<int>(cells.shape(0)), resolution, {origin.x, origin.y, 0.0}};
   grid.cells.assign(cells.data(), cells.data() + cells.size());
   return grid;
 }

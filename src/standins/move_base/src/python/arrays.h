@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "move_base/occupancy_grid.h"
+#include "move_base/geometry.h"
 #include "move_base/path.h"
 
 // A class of its own in Python, not a list.

@@ -3,4 +3,4 @@
 from catkin_pkg.python_setup import generate_distutils_setup
 from setuptools import setup
 
-setup(**generate_distutils_setup(packages=["standin_support"], package_dir={"": "src"}))
+setup(**generate_distutils_setup(packages=["workspace_support"], package_dir={"": "src"}))

@@ -1,8 +1,8 @@
-#include "standin_support/conversions.h"
+#include "workspace_support/conversions.h"
 
 #include <cmath>
 
-namespace standin_support
+namespace workspace_support
 {
 namespace
 {
@@ -54,10 +54,34 @@ bool isUpsideDown(const geometry_msgs::Transform & transform)
   return 1.0 - 2.0 * (q.x * q.x + q.y * q.y) < 0.0;
 }
 
+OccupancyGrid fromOccupancyGrid(const nav_msgs::OccupancyGrid & message)
+{
+  OccupancyGrid grid;
+  grid.geometry.width = static_cast<int>(message.info.width);
+  grid.geometry.height = static_cast<int>(message.info.height);
+  grid.geometry.resolution = message.info.resolution;
+  grid.geometry.origin = fromPose(message.info.origin);
+  grid.cells.assign(message.data.begin(), message.data.end());
+  return grid;
+}
+
+nav_msgs::OccupancyGrid toOccupancyGrid(const OccupancyGrid & grid, const std_msgs::Header & header)
+{
+  nav_msgs::OccupancyGrid message;
+  message.header = header;
+  message.info.map_load_time = header.stamp;
+  message.info.resolution = static_cast<float>(grid.geometry.resolution);
+  message.info.width = static_cast<std::uint32_t>(grid.geometry.width);
+  message.info.height = static_cast<std::uint32_t>(grid.geometry.height);
+  message.info.origin = toPose(grid.geometry.origin);
+  message.data.assign(grid.cells.begin(), grid.cells.end());
+  return message;
+}
+
 Scan fromLaserScan(const sensor_msgs::LaserScan & message, bool upside_down)
 {
   const double sense = upside_down ? -1.0 : 1.0;
   return {
     sense * message.angle_min, sense * message.angle_increment, message.range_min, message.range_max, message.ranges};
 }
-}  // namespace standin_support
+}  // namespace workspace_support

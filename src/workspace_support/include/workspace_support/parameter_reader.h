@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace standin_support
+namespace workspace_support
 {
 /// Reads parameters of a node and notes which it was asked for, to tell which have no use.
 class ParameterReader
@@ -33,4 +33,4 @@ private:
   ros::NodeHandle node_;
   std::set<std::string> known_;
 };
-}  // namespace standin_support
+}  // namespace workspace_support

@@ -1,6 +1,6 @@
-#include "standin_support/lidar_inputs.h"
+#include "workspace_support/lidar_inputs.h"
 
-namespace standin_support
+namespace workspace_support
 {
 namespace
 {
@@ -45,4 +45,4 @@ bool LidarInputs::jumpsBackTo(const ros::Time & now)
   now_ = now;
   return jumps;
 }
-}  // namespace standin_support
+}  // namespace workspace_support

@@ -8,7 +8,7 @@
 #include <functional>
 #include <optional>
 
-namespace standin_support
+namespace workspace_support
 {
 /// Serves what is subscribed, or offered, by a handle on this queue.
 ros::NodeHandle servedBy(ros::CallbackQueue & queue);
@@ -41,4 +41,4 @@ private:
   std::optional<ros::WallTime> connected_since_;
   std::optional<ros::Time> now_;
 };
-}  // namespace standin_support
+}  // namespace workspace_support

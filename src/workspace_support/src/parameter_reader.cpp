@@ -1,10 +1,10 @@
-#include "standin_support/parameter_reader.h"
+#include "workspace_support/parameter_reader.h"
 
 #include <ros/console.h>
 
-#include "standin_support/errors.h"
+#include "workspace_support/errors.h"
 
-namespace standin_support
+namespace workspace_support
 {
 namespace
 {
@@ -76,4 +76,4 @@ void ParameterReader::warnOfUnused() const
     ROS_WARN("This stand-in has no use for these parameters: %s", names.c_str());
   }
 }
-}  // namespace standin_support
+}  // namespace workspace_support

@@ -1,11 +1,11 @@
-#include "standin_support/parameter_reader.h"
+#include "workspace_support/parameter_reader.h"
 
 #include <gtest/gtest.h>
 #include <ros/init.h>
 
-#include "standin_support/errors.h"
+#include "workspace_support/errors.h"
 
-namespace standin_support
+namespace workspace_support
 {
 namespace
 {
@@ -79,7 +79,7 @@ TEST(ParameterReader, TellsWhatNobodyHasAskedFor)
   EXPECT_EQ(reader.unused(), (std::vector<std::string>{"count", "frame", "nobody/asks", "on"}));
 }
 }  // namespace
-}  // namespace standin_support
+}  // namespace workspace_support
 
 int main(int argc, char ** argv)
 {

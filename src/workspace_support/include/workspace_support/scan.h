@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace standin_support
+namespace workspace_support
 {
 /// A scan of a lidar in the plane. Angles in the lidar's frame: 0 is its x axis, left is positive.
 struct Scan
@@ -13,4 +13,4 @@ struct Scan
   double range_max{0.0};        ///< m
   std::vector<float> ranges;    ///< m; what is not finite, or nearer than range_min, was not hit
 };
-}  // namespace standin_support
+}  // namespace workspace_support

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace standin_support
+namespace workspace_support
 {
 /// Base of everything that the stand-ins throw for a user's mistake. Mistakes of our own are asserted.
 class Error : public std::runtime_error
@@ -17,4 +17,4 @@ class OptionError : public Error
 public:
   using Error::Error;
 };
-}  // namespace standin_support
+}  // namespace workspace_support

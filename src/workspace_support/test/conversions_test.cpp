@@ -1,10 +1,10 @@
-#include "standin_support/conversions.h"
+#include "workspace_support/conversions.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace standin_support
+namespace workspace_support
 {
 namespace
 {
@@ -81,4 +81,4 @@ TEST(Conversions, BeamsOfALidarUpsideDownCountClockwise)
   EXPECT_EQ(fromLaserScan(message, false).angle_min, -2.0);
 }
 }  // namespace
-}  // namespace standin_support
+}  // namespace workspace_support

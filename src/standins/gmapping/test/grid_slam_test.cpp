@@ -109,13 +109,14 @@ TEST(GridSlam, MapHasAtLeastTheExtentAskedForAndGrows)
 {
   GridSlam slam(smallMap());
   slam.process(scanInRoom({}), {}, 0.0);
-  EXPECT_GT(slam.map().width * slam.map().resolution, 8.0);
+  const OccupancyGrid small = slam.map();
+  EXPECT_GT(small.geometry.width * small.geometry.resolution, 8.0);
 
   SlamOptions large = smallMap();
   large.xmin = -40.0;
   GridSlam wide(large);
   wide.process(scanInRoom({}), {}, 0.0);
-  EXPECT_NEAR(wide.map().x, -40.0, 0.026);
+  EXPECT_NEAR(wide.map().geometry.origin.x, -40.0, 0.026);
   EXPECT_EQ(cellAt(wide.map(), 5.02, 0.01), 100);
 }
 

@@ -47,7 +47,7 @@ void bindCostmap(py::module_ & module)
         Costmap & costmap, const Doubles & sensor, const py::array_t<float> & ranges, double angle_min,
         double angle_increment, double range_min, double range_max, double time) {
         const std::vector<float> values = ranges.cast<std::vector<float>>();
-        costmap.observe({toPose(sensor, "sensor"), angle_min, angle_increment, range_min, range_max, values, time});
+        costmap.observe({{angle_min, angle_increment, range_min, range_max, values}, toPose(sensor, "sensor"), time});
       },
       py::arg("sensor"), py::arg("ranges"), py::arg("angle_min"), py::arg("angle_increment"), py::arg("range_min"),
       py::arg("range_max"), py::arg("time") = 0.0,

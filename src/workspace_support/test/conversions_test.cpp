@@ -27,6 +27,13 @@ geometry_msgs::Quaternion rotation(double w, double x, double y, double z)
   return q;
 }
 
+TEST(Planar, AnglesAreWithinHalfATurn)
+{
+  EXPECT_NEAR(normalizeAngle(7.0), 7.0 - 2.0 * M_PI, 1e-12);
+  EXPECT_NEAR(normalizeAngle(-4.0), 2.0 * M_PI - 4.0, 1e-12);
+  EXPECT_EQ(normalizeAngle(1.0), 1.0);
+}
+
 TEST(Geometry, APoseComposedWithItsInverseIsTheOrigin)
 {
   const Pose2 pose{3.0, -2.0, 2.5};

@@ -26,12 +26,6 @@ TEST(Geometry, inverseUndoesAPose)
   EXPECT_NEAR(nothing.yaw, 0.0, 1e-12);
 }
 
-TEST(Geometry, anglesAreInTheHalfOpenCircle)
-{
-  EXPECT_DOUBLE_EQ(normalizeAngle(-M_PI), M_PI);
-  EXPECT_NEAR(normalizeAngle(7.0), 7.0 - 2.0 * M_PI, 1e-12);
-}
-
 TEST(ShortestCurves, dubinsNeverReverses)
 {
   const ShortestCurves curves(0.8, false);

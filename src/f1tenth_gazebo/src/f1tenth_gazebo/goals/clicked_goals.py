@@ -1,6 +1,7 @@
 """Goals that are clicked one after the other; a click on one that is there takes it away again."""
 
 import math
+from typing import Any
 
 REACH = 0.3
 """How near a goal a click is on that goal, m."""
@@ -14,7 +15,7 @@ class ClickedGoals:
 
     def __init__(self, poses=()):
         self.poses = list(poses)
-        self._grid = None
+        self._grid: Any = None
 
     def take(self, pose):
         """A click; returns whether a goal was added, or else taken away."""

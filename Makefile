@@ -2,16 +2,27 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
+COMMANDS := help setup installed configure build race report test sanitize tsan coverage lint tidy format bench fuzz clean
+.PHONY: $(COMMANDS)
+
+ifneq ($(words $(CURDIR)),1)
+# roslaunch and rostest split paths at blanks: work through a link whose path has none.
+LINK := $(or $(XDG_CACHE_HOME),$(HOME)/.cache)/f1tenth_workspace/$(shell pwd | cksum | cut -d ' ' -f 1)
+$(COMMANDS):
+	@mkdir -p $(dir $(LINK)) && ln -sfn "$(CURDIR)" $(LINK)
+	@cd $(LINK) && $(MAKE) --no-print-directory CURDIR=$(LINK) $@
+else
 
 # Where build/, devel/, results/ and .venv/ lie: here, unless these files are read-only.
-OUT ?= .
+OUT ?= $(CURDIR)
+override OUT := $(abspath $(OUT))
 BUILD_DIR := $(OUT)/build
-DEVEL_DIR = $(abspath $(OUT))/devel
-VENV = $(abspath $(OUT))/.venv
+DEVEL_DIR = $(OUT)/devel
+VENV = $(OUT)/.venv
 export F1TENTH_VENV = $(VENV)
-export PRE_COMMIT_HOME = $(abspath $(OUT))/build/pre-commit
-ifneq ($(OUT),.)
-export F1TENTH_RESULTS ?= $(abspath $(OUT))/results
+export PRE_COMMIT_HOME = $(OUT)/build/pre-commit
+ifneq ($(OUT),$(CURDIR))
+export F1TENTH_RESULTS ?= $(OUT)/results
 endif
 # ROS belongs to the system's Python, whatever stands first on PATH.
 export PATH := $(VENV)/bin:/usr/bin:$(PATH)
@@ -35,7 +46,6 @@ PYTHON_FILES = $(shell git ls-files '*.py'; git grep -lI '^\#!/usr/bin/\(env pyt
 
 # Two of these at once would install, or configure, twice at once; what they call runs side by side by itself.
 .NOTPARALLEL:
-.PHONY: help setup installed configure build race report test sanitize tsan coverage lint tidy format bench fuzz clean
 
 help: ## list the commands
 	@sed -n 's/^\([a-z]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 16
@@ -60,7 +70,7 @@ configure: installed ## configure the workspace anew
 
 $(CONFIGURED): $(PACKAGES) CMakeLists.txt $(wildcard cmake/*) $(wildcard setup/*) | installed
 	@mkdir -p $(BUILD_DIR)
-	@cmake -S . -B $(BUILD_DIR) -DPYTHON_EXECUTABLE=/usr/bin/python3 -DWORKSPACE_VENV="$(VENV)" \
+	@cmake -S $(CURDIR) -B $(BUILD_DIR) -DPYTHON_EXECUTABLE=/usr/bin/python3 -DWORKSPACE_VENV="$(VENV)" \
 	  -DCATKIN_DEVEL_PREFIX="$(DEVEL_DIR)" $(addprefix -DWORKSPACE_UNITY=,$(UNITY)) > $(BUILD_DIR)/configure.log 2>&1 \
 	  || { cat $(BUILD_DIR)/configure.log; exit 1; }
 	@touch $@
@@ -115,3 +125,5 @@ fuzz: installed ## fuzz the simulator's loaders: make fuzz FUZZ_SECONDS=60 TARGE
 clean: ## remove everything that was built
 	@rm -rf $(BUILD_DIR) $(OUT)/devel install logs .catkin_tools
 	@git clean -fdXq -- src
+
+endif

@@ -52,11 +52,11 @@ endfunction()
 function(workspace_add_pytest)
   set(paths)
   foreach(path IN LISTS ARGN)
-    list(APPEND paths "${CMAKE_CURRENT_SOURCE_DIR}/${path}")
+    list(APPEND paths "'${CMAKE_CURRENT_SOURCE_DIR}/${path}'") # a shell reads them, and a path may have blanks
   endforeach()
   string(REPLACE ";" " " path_arguments "${paths}")
   set(junit "${CATKIN_TEST_RESULTS_DIR}/${PROJECT_NAME}/pytest-${PROJECT_NAME}.xml")
   catkin_run_tests_target("pytest" "${PROJECT_NAME}" "pytest-${PROJECT_NAME}.xml"
-    COMMAND "${PYTHON_EXECUTABLE} -m pytest -q -p no:cacheprovider --junitxml=${junit} ${path_arguments}"
+    COMMAND "${PYTHON_EXECUTABLE} -m pytest -q -p no:cacheprovider --junitxml='${junit}' ${path_arguments}"
     DEPENDENCIES ${${PROJECT_NAME}_EXPORTED_TARGETS})
 endfunction()

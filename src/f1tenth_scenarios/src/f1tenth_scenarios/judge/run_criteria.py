@@ -27,7 +27,7 @@ def real_time_factor(scenario: Scenario, _judgement: Judgement, measured: Measur
     """Whether the run was as fast as asked for."""
     actual, limit = measured.real_time_factor, scenario.criteria.real_time_factor
     text = "too short to measure" if actual is None else f"{actual:.1f} simulated seconds a second"
-    met = actual is not None and actual >= limit
+    met = actual is not None and limit is not None and actual >= limit
     return Criterion("real_time_factor", status_of(met), actual, limit, "", text)
 
 

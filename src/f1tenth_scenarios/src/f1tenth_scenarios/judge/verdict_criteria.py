@@ -16,7 +16,7 @@ def verdict(scenario: Scenario, judgement: Judgement, _measured: Measured) -> Cr
 def reason(scenario: Scenario, judgement: Judgement, _measured: Measured) -> Criterion:
     """Whether the reason holds the expected words."""
     text, wanted = judgement.decision.reason, scenario.reason
-    return Criterion("reason", status_of(wanted in text), text, f"'{wanted}' in it", "", text)
+    return Criterion("reason", status_of((wanted or "") in text), text, f"'{wanted}' in it", "", text)
 
 
 def culprit(scenario: Scenario, judgement: Judgement, _measured: Measured) -> Criterion:

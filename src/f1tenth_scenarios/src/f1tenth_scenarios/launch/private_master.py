@@ -30,6 +30,7 @@ def private_master() -> Iterator[str]:
         command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, start_new_session=True
     )
     try:
+        assert master.stdout
         uri = master.stdout.readline().strip()
         if not uri:
             raise ScenarioError("the ROS master of the run has not started; is there a host 'localhost'?")

@@ -4,6 +4,7 @@ import math
 import shlex
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.record.record import STAMP_EPSILON
@@ -96,7 +97,7 @@ def _models(bag, cars: Sequence[str]) -> dict[str, Poses]:
     return {name: Poses(*kept) for name, kept in found.items() if kept[0]}
 
 
-def _due(bag, topic: str, kind: type, period: float) -> Iterator[tuple[float, object]]:
+def _due(bag, topic: str, kind: type, period: float) -> Iterator[tuple[float, Any]]:
     """At most one message per period (s of simulated time), and when it was heard (s)."""
     following = -math.inf
     for _, raw, heard in bag.read_messages([topic], raw=True):

@@ -20,6 +20,6 @@ class Pace:
     @property
     def factor(self) -> Optional[float]:
         """Simulated seconds per wall second; nothing until two moments are known."""
-        if self._first is None or self._last[1] <= self._first[1]:
+        if self._first is None or self._last is None or self._last[1] <= self._first[1]:
             return None
         return (self._last[0] - self._first[0]) / (self._last[1] - self._first[1])

@@ -69,7 +69,7 @@ class Replay:
 
     def until(self, stamp: float) -> "Replay":
         """What holds up to and including a stamp (s)."""
-        timed = {
+        timed: dict = {
             field.name: {name: each.until(stamp) for name, each in getattr(self, field.name).items()}
             for field in dataclasses.fields(self)
             if field.name in ("global_plans", "local_plans", "models")

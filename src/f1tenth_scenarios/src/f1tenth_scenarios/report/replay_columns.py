@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from f1tenth_scenarios.record.record import CarTrack, Record
 from f1tenth_scenarios.record.replay import Paths, Replay, Shape
@@ -71,7 +72,7 @@ def _add_tracks(packer, record: Record, step: float, gaps: Mapping[str, np.ndarr
             packer.add(f"cars/{car}/gap", gaps[car][kept], 0.05)
 
 
-def _every(stamps: Sequence[float], step: float) -> np.ndarray:
+def _every(stamps: ArrayLike, step: float) -> np.ndarray:
     """Which of the stamps (s) are kept: the first, those a step after the one kept before, and the last."""
     times = np.asarray(stamps, dtype=float)
     if not len(times):

@@ -59,7 +59,7 @@ def _counted(suite: ElementTree.Element) -> ElementTree.Element:
     counts = {name: len(suite.findall(f"testcase/{tag}")) for name, tag in _COUNTED.items()}
     for name, count in {"tests": len(suite), "errors": 0, **counts}.items():
         suite.set(name, str(count))
-    suite.set("time", suite[0].get("time"))
+    suite.set("time", suite[0].get("time", "0"))
     return suite
 
 

@@ -4,6 +4,7 @@ import os
 import signal
 import time
 import xmlrpc.client
+from typing import Any
 
 import psutil
 import rosgraph
@@ -43,7 +44,8 @@ def node_pid(name: str) -> int:
     """
     try:
         uri = rosgraph.Master(_CALLER).lookupNode(f"/{name}")
-        code, message, pid = xmlrpc.client.ServerProxy(uri).getPid(_CALLER)
+        node: Any = xmlrpc.client.ServerProxy(uri)
+        code, message, pid = node.getPid(_CALLER)
     except (rosgraph.MasterException, OSError, xmlrpc.client.Error) as error:
         raise ScenarioError(f"cannot find {name}: {error}") from error
     if code != 1:

@@ -28,9 +28,8 @@ def write_world(world: Path, scenario: Scenario, path: Path) -> None:
         ScenarioError: as check_boxes.
     """
     root = _read(world)
-    parent = root.find("world")
-    for box in scenario.boxes:
-        parent.append(_model(box))
+    for parent in root.iterfind("world"):
+        parent.extend(map(_model, scenario.boxes))
     ElementTree.ElementTree(root).write(path, encoding="utf-8", xml_declaration=True)
 
 

@@ -114,7 +114,7 @@ def _read_value(hint, info, node, path):
         return _read_list(typing.get_args(hint)[0], info, node, path)
     if typing.get_origin(hint) is typing.Union:
         (hint,) = (option for option in typing.get_args(hint) if option is not type(None))
-    if dataclasses.is_dataclass(hint):
+    if isinstance(hint, type) and dataclasses.is_dataclass(hint):
         return read(hint, node, path)
     if issubclass(hint, enum.Enum):
         return _read_choice(hint, node, path)

@@ -103,8 +103,8 @@ def parse_variation(text: str) -> list[Setting]:
 def _evenly_spaced(text: str, first: str, last: str, count: str) -> list[str]:
     number = _read(text, int, count, "the number of values must be a whole number")
     _check_count(text, number)
-    ends = [_read(text, float, end, "must be a number") for end in (first, last)]
-    return [f"{value:.6g}" for value in np.linspace(*ends, number)]
+    begin, end = (_read(text, float, each, "must be a number") for each in (first, last))
+    return [f"{value:.6g}" for value in np.linspace(begin, end, number)]
 
 
 def _whole_numbers(text: str, first: str, last: str) -> list[str]:

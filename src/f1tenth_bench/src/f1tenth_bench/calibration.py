@@ -32,7 +32,7 @@ class Calibration:
 
 
 REFERENCE = Calibration(arithmetic_s=0.0190, memory_s=0.0300)
-"""Of the idle machine of docs/speed.md, on which the limits were set: slowness 1."""
+"""Of a machine of the kind of docs/speed.md (AMD EPYC, 2 cores), least of many runs: slowness 1."""
 
 
 def calibrate():

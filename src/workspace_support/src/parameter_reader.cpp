@@ -2,78 +2,253 @@
 
 #include <ros/console.h>
 
+#include <boost/algorithm/string/join.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "parameter_values.h"
 #include "workspace_support/errors.h"
 
 namespace workspace_support
 {
 namespace
 {
-const char * nameOf(double)
+using XmlRpc::XmlRpcValue;
+
+XmlRpcValue parametersOf(const ros::NodeHandle & node)
 {
-  return "a number";
+  XmlRpcValue map;
+  node.getParam(node.getNamespace(), map);
+  return map;
 }
-const char * nameOf(int)
+
+bool isMap(const XmlRpcValue & value)
 {
-  return "a whole number";
+  return value.getType() == XmlRpcValue::TypeStruct;
 }
-const char * nameOf(bool)
+
+bool startsWith(const std::string & text, const std::string & start)
 {
-  return "true or false";
-}
-const char * nameOf(const std::string &)
-{
-  return "a text";
+  return text.compare(0, start.size(), start) == 0;
 }
 }  // namespace
 
-template <class Value>
-void ParameterReader::read(const std::string & name, Value & value)
+ParameterReader::ParameterReader(std::string name, XmlRpcValue map) : name_(std::move(name)), map_(std::move(map))
 {
-  known_.insert(name);
-  XmlRpc::XmlRpcValue raw;
-  if (node_.getParam(name, raw) && !node_.getParam(name, value)) {
-    throw OptionError(node_.resolveName(name) + ": found " + raw.toXml() + ", must be " + nameOf(value));
+  if (!map_.valid()) {
+    map_.begin();  // turns a value that is not set into an empty map
+  }
+  if (!isMap(map_)) {
+    throw OptionError("parameter " + name_ + ": found " + shown(map_) + ", must be a map");
   }
 }
 
-template <class Value>
-void ParameterReader::read(const std::string & name, std::optional<Value> & value)
+ParameterReader::ParameterReader(const ros::NodeHandle & node)
+: ParameterReader(node.getNamespace(), parametersOf(node))
 {
-  known_.insert(name);
-  if (node_.hasParam(name)) {
-    read(name, value.emplace());
+}
+
+bool ParameterReader::read(const ParameterNames & names, double & value, const NumberRule & rule)
+{
+  const std::string allowed = rule.range.empty() ? "a finite number" : "a number" + rule.range;
+  return readAs(names, allowed, value, [&](const Raw & raw) {
+    const auto number = toDouble(raw);
+    return number && std::isfinite(*number) && rule.allows(*number) ? number : std::nullopt;
+  });
+}
+
+bool ParameterReader::read(const ParameterNames & names, int & value, const NumberRule & rule)
+{
+  return readAs(names, "a whole number" + rule.range, value, [&](const Raw & raw) {
+    const auto number = toInt(raw);
+    return number && rule.allows(*number) ? number : std::nullopt;
+  });
+}
+
+bool ParameterReader::read(const ParameterNames & names, bool & value)
+{
+  return readAs(names, "true or false", value, toBool);
+}
+
+bool ParameterReader::read(const ParameterNames & names, std::string & value)
+{
+  return readAs(names, "a text", value, toText);
+}
+
+bool ParameterReader::read(const ParameterNames & names, std::vector<Vec2> & value)
+{
+  return readAs(names, "a list of points, [[x, y], ...]", value, toPoints);
+}
+
+bool ParameterReader::read(const ParameterNames & names, std::optional<double> & value, const NumberRule & rule)
+{
+  double number = 0.0;
+  const bool found = read(names, number, rule);
+  if (found) {
+    value = number;
+  }
+  return found;
+}
+
+bool ParameterReader::read(const ParameterNames & names, std::vector<std::string> & value)
+{
+  auto found = find(names);
+  if (!found) {
+    return false;
+  }
+  if (found->second.getType() != XmlRpcValue::TypeArray) {
+    fail(found->first, "a list of names");
+  }
+  std::vector<std::string> result;
+  for (int i = 0; i < found->second.size(); ++i) {
+    const auto name = toText(found->second[i]);
+    const std::string place = fullName(found->first) + "[" + std::to_string(i) + "]: found " + shown(found->second[i]);
+    if (!name || name->empty()) {
+      throw OptionError("parameter " + place + ", must be a name");
+    }
+    if (std::find(result.begin(), result.end(), *name) != result.end()) {
+      throw OptionError("parameter " + place + " twice, must be a different name");
+    }
+    result.push_back(*name);
+  }
+  value = result;
+  return true;
+}
+
+void ParameterReader::readRequired(const std::string & name, std::string & value)
+{
+  if (!read(name, value) || value.empty()) {
+    fail(name, "a text that is not empty");
   }
 }
 
-template void ParameterReader::read(const std::string & name, double & value);
-template void ParameterReader::read(const std::string & name, int & value);
-template void ParameterReader::read(const std::string & name, bool & value);
-template void ParameterReader::read(const std::string & name, std::string & value);
-template void ParameterReader::read(const std::string & name, std::optional<double> & value);
+ParameterReader ParameterReader::below(const std::string & name)
+{
+  const auto found = find(name);
+  return {fullName(name), found ? found->second : XmlRpcValue()};
+}
+
+std::vector<std::string> ParameterReader::keys() const
+{
+  std::vector<std::string> names;
+  for (const auto & entry : map_) {
+    names.push_back(entry.first);
+  }
+  return names;
+}
+
+void ParameterReader::check(const std::function<void()> & validate) const
+{
+  try {
+    validate();
+  } catch (const OptionError & error) {
+    throw OptionError("parameter " + fullName(error.what()));
+  }
+}
+
+void ParameterReader::fail(const std::string & name, const std::string & allowed) const
+{
+  const auto found = lookUp(name);
+  throw OptionError(
+    "parameter " + fullName(name) + ": " + (found ? "found " + shown(*found) : "not set") + ", must be " + allowed);
+}
+
+std::optional<std::pair<std::string, XmlRpcValue>> ParameterReader::find(const ParameterNames & names)
+{
+  note(names);
+  for (const std::string & name : names.current) {
+    if (const auto value = lookUp(name)) {
+      return std::pair(name, *value);
+    }
+  }
+  for (const std::string & name : names.deprecated) {
+    if (const auto value = lookUp(name)) {
+      ROS_WARN("parameter %s: has a new name, %s", fullName(name).c_str(), fullName(names.current.front()).c_str());
+      return std::pair(name, *value);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<XmlRpcValue> ParameterReader::lookUp(const std::string & name) const
+{
+  Raw value = map_;
+  for (std::size_t begin = 0; begin <= name.size();) {
+    const std::size_t end = std::min(name.find('/', begin), name.size());
+    const std::string key = name.substr(begin, end - begin);
+    if (!isMap(value) || !value.hasMember(key)) {
+      return std::nullopt;
+    }
+    const Raw member = value[key];
+    value = member;
+    begin = end + 1;
+  }
+  return value;
+}
+
+void ParameterReader::note(const ParameterNames & names)
+{
+  for (const auto * list : {&names.current, &names.deprecated}) {
+    for (const std::string & name : *list) {
+      if (!isKnown(name)) {
+        known_.push_back(name);
+      }
+    }
+  }
+}
+
+bool ParameterReader::isKnown(const std::string & name) const
+{
+  return std::find(known_.begin(), known_.end(), name) != known_.end();
+}
 
 std::vector<std::string> ParameterReader::unused() const
 {
-  const std::string prefix = node_.getNamespace() + "/";
-  std::vector<std::string> all;
-  node_.getParamNames(all);
-  std::set<std::string> names;
-  for (const std::string & name : all) {
-    const bool own = name.compare(0, prefix.size(), prefix) == 0;
-    if (own && known_.count(name.substr(prefix.size())) == 0) {
-      names.insert(name.substr(prefix.size()));
+  std::vector<std::string> names;
+  addUnused("", map_, names);
+  return names;
+}
+
+void ParameterReader::addUnused(const std::string & prefix, Raw map, std::vector<std::string> & names) const
+{
+  for (auto & [key, value] : map) {
+    const std::string name = prefix + key;
+    if (isKnown(name)) {
+      continue;
+    }
+    if (isMap(value)) {
+      addUnused(name + "/", value, names);
+    } else {
+      names.push_back(name);
     }
   }
-  return {names.begin(), names.end()};
+}
+
+void ParameterReader::refuseUnused() const
+{
+  const auto names = unused();
+  if (names.empty()) {
+    return;
+  }
+  const std::string & name = names.front();
+  const std::string place = name.substr(0, name.rfind('/') + 1);
+  std::vector<std::string> allowed;
+  for (const std::string & known : known_) {
+    if (startsWith(known, place)) {
+      allowed.push_back(known.substr(place.size()));
+    }
+  }
+  throw OptionError(
+    "parameter " + fullName(name) +
+    ": unknown; allowed: " + boost::algorithm::join(allowed.empty() ? known_ : allowed, ", "));
 }
 
 void ParameterReader::warnOfUnused() const
 {
-  std::string names;
-  for (const std::string & name : unused()) {
-    names += (names.empty() ? "" : ", ") + name;
-  }
-  if (!names.empty()) {
-    ROS_WARN("This stand-in has no use for these parameters: %s", names.c_str());
+  if (const auto names = unused(); !names.empty()) {
+    ROS_WARN(
+      "No use is made of these parameters in %s: %s", name_.c_str(), boost::algorithm::join(names, ", ").c_str());
   }
 }
 }  // namespace workspace_support

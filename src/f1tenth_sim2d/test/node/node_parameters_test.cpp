@@ -1,13 +1,12 @@
 #include "node/parameters/node_parameters.h"
 
 #include <gtest/gtest.h>
+#include <workspace_support/errors.h>
 
 #include <cmath>
 #include <fstream>
 #include <functional>
 #include <limits>
-
-#include "f1tenth_sim2d/errors.h"
 
 using namespace f1tenth_sim2d;
 using XmlRpc::XmlRpcValue;
@@ -28,7 +27,7 @@ std::string errorOf(const std::function<void(XmlRpcValue &)> & change)
   change(value);
   try {
     parseNodeParameters("/sim2d", value);
-  } catch (const Error & error) {
+  } catch (const workspace_support::OptionError & error) {
     return error.what();
   }
   return "no error";
@@ -143,9 +142,9 @@ TEST(NodeParameters, RefusesUnknownKeysNamingTheAllowedOnes)
 {
   EXPECT_EQ(
     errorFor("wrld", "x"),
-    "parameter /sim2d/wrld: unknown; allowed: world, cars, real_time_factor, lockstep, participants, lockstep_timeout, "
-    "lockstep_startup_timeout, control_period, physics_step, seed, clock_rate, paused, silent_subscriber_timeout, "
-    "odometry, record, result_file");
+    "parameter /sim2d/wrld: unknown; allowed: world, cars, real_time_factor, lockstep, participants, "
+    "lockstep_timeout, lockstep_startup_timeout, paused, clock_rate, "
+    "silent_subscriber_timeout, physics_step, control_period, seed, odometry, simulate_pid, record, result_file");
   EXPECT_EQ(
     errorOf([](XmlRpcValue & value) { value["cars"]["robot1"]["z"] = 0.0; }),
     "parameter /sim2d/cars/robot1/z: unknown; allowed: x, y, yaw, relative_to_start, vehicle, "
@@ -163,64 +162,64 @@ TEST(NodeParameters, NamesWhatIsMissing)
 {
   EXPECT_EQ(
     errorOf([](XmlRpcValue & value) { value = XmlRpcValue(); }),
-    "parameter /sim2d/world: not set, expected a text that is not empty");
+    "parameter /sim2d/world: not set, must be a text that is not empty");
 }
 
 TEST(NodeParameters, RefusesWrongNumbers)
 {
   EXPECT_EQ(
     errorFor("real_time_factor", -1.0),
-    "parameter /sim2d/real_time_factor: found -1, expected a number >= 0 (0: as fast as it goes)");
+    "parameter /sim2d/real_time_factor: found -1, must be a number >= 0 (0: as fast as it goes)");
   EXPECT_EQ(
     errorFor("real_time_factor", "fast"),
-    "parameter /sim2d/real_time_factor: found \"fast\", expected a number >= 0 (0: as fast as it goes)");
-  EXPECT_EQ(errorFor("lockstep_timeout", 0), "parameter /sim2d/lockstep_timeout: found 0, expected a number > 0");
+    "parameter /sim2d/real_time_factor: found \"fast\", must be a number >= 0 (0: as fast as it goes)");
+  EXPECT_EQ(errorFor("lockstep_timeout", 0), "parameter /sim2d/lockstep_timeout: found 0, must be a number > 0");
   EXPECT_EQ(
     errorFor("lockstep_startup_timeout", -2),
-    "parameter /sim2d/lockstep_startup_timeout: found -2, expected a number > 0");
-  EXPECT_EQ(errorFor("physics_step", 0.0), "parameter /sim2d/physics_step: found 0, expected a number > 0");
-  EXPECT_EQ(errorFor("clock_rate", true), "parameter /sim2d/clock_rate: found true, expected a number > 0");
+    "parameter /sim2d/lockstep_startup_timeout: found -2, must be a number > 0");
+  EXPECT_EQ(errorFor("physics_step", 0.0), "parameter /sim2d/physics_step: found 0, must be a number > 0");
+  EXPECT_EQ(errorFor("clock_rate", true), "parameter /sim2d/clock_rate: found true, must be a number > 0");
   EXPECT_EQ(
     errorFor("control_period", 0.0255),
-    "parameter /sim2d/control_period: found 0.0255, expected a multiple of physics_step (s)");
-  EXPECT_EQ(errorFor("seed", -3), "parameter /sim2d/seed: found -3, expected a whole number >= 0");
-  EXPECT_EQ(errorFor("seed", 1.5), "parameter /sim2d/seed: found 1.5, expected a whole number >= 0");
+    "parameter /sim2d/control_period: found 0.0255, must be a number of seconds that is a multiple of physics_step");
+  EXPECT_EQ(errorFor("seed", -3), "parameter /sim2d/seed: found -3, must be a whole number >= 0");
+  EXPECT_EQ(errorFor("seed", 1.5), "parameter /sim2d/seed: found 1.5, must be a whole number >= 0");
   EXPECT_EQ(
     errorOf([](XmlRpcValue & value) { value["cars"]["robot1"]["x"] = std::numeric_limits<double>::quiet_NaN(); }),
-    "parameter /sim2d/cars/robot1/x: found nan, expected a finite number");
+    "parameter /sim2d/cars/robot1/x: found nan, must be a finite number");
 }
 
 TEST(NodeParameters, RefusesWrongTypes)
 {
-  EXPECT_EQ(errorFor("lockstep", 1), "parameter /sim2d/lockstep: found 1, expected true or false");
-  EXPECT_EQ(errorFor("record", 1), "parameter /sim2d/record: found 1, expected a text");
-  EXPECT_EQ(errorFor("world", ""), "parameter /sim2d/world: found \"\", expected a text that is not empty");
+  EXPECT_EQ(errorFor("lockstep", 1), "parameter /sim2d/lockstep: found 1, must be true or false");
+  EXPECT_EQ(errorFor("record", 1), "parameter /sim2d/record: found 1, must be a text");
+  EXPECT_EQ(errorFor("world", ""), "parameter /sim2d/world: found \"\", must be a text that is not empty");
   EXPECT_EQ(
-    errorFor("odometry", "visual"), "parameter /sim2d/odometry: found \"visual\", expected one of perfect, wheel");
-  EXPECT_EQ(errorFor("cars", list({"robot1"})), "parameter /sim2d/cars: found a list, expected a map");
+    errorFor("odometry", "visual"), "parameter /sim2d/odometry: found \"visual\", must be one of perfect, wheel");
+  EXPECT_EQ(errorFor("cars", list({"robot1"})), "parameter /sim2d/cars: found a list, must be a map");
   EXPECT_EQ(
     errorOf([](XmlRpcValue & value) { value["cars"]["robot1"] = 3; }),
-    "parameter /sim2d/cars/robot1: found 3, expected a map");
+    "parameter /sim2d/cars/robot1: found 3, must be a map");
 }
 
 TEST(NodeParameters, RefusesWrongParticipants)
 {
   EXPECT_EQ(
-    errorFor("participants", "robot1"), "parameter /sim2d/participants: found \"robot1\", expected a list of names");
-  EXPECT_EQ(errorFor("participants", list({"a", 3})), "parameter /sim2d/participants[1]: found 3, expected a name");
+    errorFor("participants", "robot1"), "parameter /sim2d/participants: found \"robot1\", must be a list of names");
+  EXPECT_EQ(errorFor("participants", list({"a", 3})), "parameter /sim2d/participants[1]: found 3, must be a name");
   EXPECT_EQ(
     errorFor("participants", list({"a", "a"})),
-    "parameter /sim2d/participants[1]: found \"a\" twice, expected different names");
+    "parameter /sim2d/participants[1]: found \"a\" twice, must be a different name");
 }
 
 TEST(NodeParameters, RefusesCarsThatCannotBeToldApartOrNamed)
 {
   EXPECT_EQ(
     errorOf([](XmlRpcValue & value) { value["cars"]["1st"]["x"] = 0; }),
-    "parameter /sim2d/cars: found the car name \"1st\", expected letters, digits and _, a letter first");
+    "parameter /sim2d/cars/1st: found the car name \"1st\", must be letters, digits and _, a letter first");
   EXPECT_EQ(
     errorOf([](XmlRpcValue & value) { value["cars"]["robot2"]["frame_prefix"] = "robot1/"; }),
-    "parameter /sim2d/cars/robot2/frame_prefix: found \"robot1/\" twice, expected a different one for each car");
+    "parameter /sim2d/cars/robot2/frame_prefix: found \"robot1/\" twice, must be a different one for each car");
 }
 
 TEST(NodeParameters, ResultFileIsReadApart)

@@ -173,12 +173,12 @@ class AmclTest(unittest.TestCase):
             ("laser_model_type", "sonar", 'found "sonar", must be one of beam, likelihood_field, '),
             ("odom_model_type", "car", 'found "car", must be one of diff, omni, diff-corrected, '),
             ("min_particles", -5, "found -5.000000, must be above 0"),
-            ("initial_pose_x", math.nan, "found nan, must be a number"),
-            ("initial_cov_aa", -1.0, "found -1.000000, must be 0 or above"),
-            ("transform_tolerance", -0.1, "found -0.100000, must be 0 or above"),
+            ("initial_pose_x", math.nan, "found nan, must be a finite number"),
+            ("initial_cov_aa", -1.0, "found -1, must be a number >= 0"),
+            ("transform_tolerance", -0.1, "found -0.1, must be a number >= 0"),
         ]:
-            assert self.complaint(name, value).startswith(f"amcl: {name}: {answer}")
-        answer = "amcl: /wrong/amcl/max_particles: found <value>many</value>, must be a whole number"
+            assert self.complaint(name, value).startswith(f"amcl: parameter /wrong/amcl/{name}: {answer}")
+        answer = 'amcl: parameter /wrong/amcl/max_particles: found "many", must be a whole number'
         assert self.complaint("max_particles", "many") == answer
 
     @staticmethod

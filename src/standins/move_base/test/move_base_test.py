@@ -314,13 +314,13 @@ class MoveBaseTest(unittest.TestCase):
 
     def test_a_wrong_parameter_ends_the_node_with_one_clear_line(self):
         wrong = {
-            "max_vel_x": ("fast", "must be a number"),
-            "controller_frequency": (0.0, "controller_frequency: found 0.000000, must be above 0"),
+            "max_vel_x": ("fast", 'parameter /wrong/max_vel_x: found "fast", must be a finite number'),
+            "controller_frequency": (0.0, "controller_frequency: found 0, must be a number > 0"),
             "footprint": ([[0.0]], "must be a list of points, [[x, y], ...]"),
             "lockstep": (3, "must be true or false"),
-            "max_planning_retries": (0.5, "must be an integer"),
-            "base_local_planner": (1, "must be a string"),
-            "min_turning_radius": (0.1, "min_turning_radius: found 0.1, must be at least"),
+            "max_planning_retries": (0.5, "must be a whole number"),
+            "base_local_planner": (1, "must be a text"),
+            "min_turning_radius": (0.1, "parameter /wrong/min_turning_radius: found 0.1, must be at least"),
         }
         for name, (value, message) in wrong.items():
             rospy.set_param("wrong", {name: value})

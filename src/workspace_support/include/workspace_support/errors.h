@@ -4,7 +4,7 @@
 
 namespace workspace_support
 {
-/// Base of everything that the stand-ins throw for a user's mistake. Mistakes of our own are asserted.
+/// Base of everything that simulator and stand-ins throw for a user's mistake. Mistakes of our own are asserted.
 class Error : public std::runtime_error
 {
 public:

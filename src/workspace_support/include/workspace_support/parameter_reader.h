@@ -1,36 +1,117 @@
 #pragma once
 
 #include <ros/node_handle.h>
+#include <xmlrpcpp/XmlRpcValue.h>
 
+#include <boost/algorithm/string/join.hpp>
+#include <functional>
 #include <optional>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "workspace_support/number_rule.h"
+#include "workspace_support/parameter_names.h"
+#include "workspace_support/planar.h"
 
 namespace workspace_support
 {
-/// Reads parameters of a node and notes which it was asked for, to tell which have no use.
+/// Reads a map of parameters once, and notes which were asked for, to tell which have no use.
+///
+/// Each read() sets the value if there is such a parameter, else leaves it, and returns whether there is one. Whatever
+/// cannot be used is an OptionError: "parameter FULL NAME: found X, must be Y".
 class ParameterReader
 {
 public:
-  /// @param node  whose namespace the parameters are in
-  explicit ParameterReader(const ros::NodeHandle & node) : node_(node) {}
+  /// Needs no ROS master.
+  /// @param name  full name of the map ("/sim2d"), the start of every error message
+  /// @param map   not set: no parameters
+  ParameterReader(std::string name, XmlRpc::XmlRpcValue map);
+  /// All parameters in the namespace of a node.
+  explicit ParameterReader(const ros::NodeHandle & node);
 
-  /// Sets value if there is such a parameter, else leaves it.
-  /// @throws OptionError for a parameter of another type
+  bool read(const ParameterNames & names, double & value, const NumberRule & rule = {});
+  /// A whole number; also one written as 5.0.
+  bool read(const ParameterNames & names, int & value, const NumberRule & rule = {});
+  bool read(const ParameterNames & names, bool & value);
+  bool read(const ParameterNames & names, std::string & value);
+  /// Different texts that are not empty.
+  bool read(const ParameterNames & names, std::vector<std::string> & value);
+  /// A list of points, [[x, y], ...], also as a text.
+  bool read(const ParameterNames & names, std::vector<Vec2> & value);
+  bool read(const ParameterNames & names, std::optional<double> & value, const NumberRule & rule = {});
+  /// One of some words, each with what it stands for.
   template <class Value>
-  void read(const std::string & name, Value & value);
+  bool readChoice(
+    const ParameterNames & names, Value & value, const std::vector<std::pair<std::string, Value>> & choices);
+  /// A text that must be there and must not be empty.
+  void readRequired(const std::string & name, std::string & value);
 
-  template <class Value>
-  void read(const std::string & name, std::optional<Value> & value);
+  /// A map below this one, to be read and checked by itself; empty if it is not there.
+  ParameterReader below(const std::string & name);
+  /// Keys of this map, in the order of the alphabet.
+  std::vector<std::string> keys() const;
+  std::string fullName(const std::string & name) const { return name_ + "/" + name; }
 
-  /// Parameters in the node's namespace that nobody has asked for, without the namespace.
+  /// Calls a check that throws OptionError ("NAME: found X, must be Y"), and puts the full name in front of NAME.
+  void check(const std::function<void()> & validate) const;
+  /// @param allowed  "a text"
+  [[noreturn]] void fail(const std::string & name, const std::string & allowed) const;
+
+  /// Parameters that nobody has asked for, without the name of this map.
   std::vector<std::string> unused() const;
-  /// Says these once, if there are any.
+  /// Refuses the first of these, and says which are known in its place.
+  void refuseUnused() const;
+  /// Says these in one warning, if there are any.
   void warnOfUnused() const;
 
 private:
-  ros::NodeHandle node_;
-  std::set<std::string> known_;
+  using Raw = XmlRpc::XmlRpcValue;
+  std::optional<std::pair<std::string, Raw>> find(const ParameterNames & names);
+  std::optional<Raw> lookUp(const std::string & name) const;
+  void note(const ParameterNames & names);
+  bool isKnown(const std::string & name) const;
+  void addUnused(const std::string & prefix, Raw map, std::vector<std::string> & names) const;
+  template <class Value, class Convert>
+  bool readAs(const ParameterNames & names, const std::string & allowed, Value & value, const Convert & convert);
+
+  const std::string name_;
+  Raw map_;
+  std::vector<std::string> known_;  // in the order in which they were asked for
 };
+
+template <class Value>
+bool ParameterReader::readChoice(
+  const ParameterNames & names, Value & value, const std::vector<std::pair<std::string, Value>> & choices)
+{
+  std::vector<std::string> words;
+  for (const auto & choice : choices) {
+    words.push_back(choice.first);
+  }
+  const auto convert = [&](const Raw & raw) -> std::optional<Value> {
+    for (const auto & [word, meaning] : choices) {
+      if (raw == Raw(word)) {
+        return meaning;
+      }
+    }
+    return std::nullopt;
+  };
+  return readAs(names, "one of " + boost::algorithm::join(words, ", "), value, convert);
+}
+
+template <class Value, class Convert>
+bool ParameterReader::readAs(
+  const ParameterNames & names, const std::string & allowed, Value & value, const Convert & convert)
+{
+  const auto found = find(names);
+  if (!found) {
+    return false;
+  }
+  const std::optional<Value> converted = convert(found->second);
+  if (!converted) {
+    fail(found->first, allowed);
+  }
+  value = *converted;
+  return true;
+}
 }  // namespace workspace_support

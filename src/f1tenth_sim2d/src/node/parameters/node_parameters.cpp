@@ -1,39 +1,22 @@
 #include "node/parameters/node_parameters.h"
 
+#include <workspace_support/errors.h>
+#include <workspace_support/parameter_reader.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 
-#include "f1tenth_sim2d/errors.h"
 #include "node/messages/conversions.h"
-#include "node/parameters/parameter_reader.h"
 
 namespace f1tenth_sim2d
 {
 namespace
 {
-const std::vector<std::string> kNodeKeys{
-  "world",
-  "cars",
-  "real_time_factor",
-  "lockstep",
-  "participants",
-  "lockstep_timeout",
-  "lockstep_startup_timeout",
-  "control_period",
-  "physics_step",
-  "seed",
-  "clock_rate",
-  "paused",
-  "silent_subscriber_timeout",
-  "odometry",
-  "record",
-  "result_file"};
-const std::vector<std::string> kCarKeys{"x", "y", "yaw", "relative_to_start", "vehicle", "frame_prefix"};
-
-const NumberRule kAny{[](double) { return true; }, "a finite number"};
-const NumberRule kPositive{[](double value) { return value > 0.0; }, "a number > 0"};
-const NumberRule kNotNegative{[](double value) { return value >= 0.0; }, "a number >= 0 (0: as fast as it goes)"};
+using workspace_support::atLeast;
+using workspace_support::OptionError;
+using workspace_support::ParameterReader;
+using workspace_support::positive;
 
 bool isCarName(const std::string & name)
 {
@@ -42,61 +25,78 @@ bool isCarName(const std::string & name)
          std::all_of(name.begin(), name.end(), isWordCharacter);
 }
 
-std::optional<Pose2> parsePose(ParameterReader & reader, const XmlRpc::XmlRpcValue & car)
+void readPose(ParameterReader & reader, std::optional<Pose2> & value)
 {
-  const Pose2 pose{reader.number("x", 0.0, kAny), reader.number("y", 0.0, kAny), reader.number("yaw", 0.0, kAny)};
-  const bool told = car.hasMember("x") || car.hasMember("y") || car.hasMember("yaw");
-  return told ? std::optional<Pose2>(pose) : std::nullopt;
+  Pose2 pose;
+  const bool has_x = reader.read("x", pose.x);
+  const bool has_y = reader.read("y", pose.y);
+  const bool has_yaw = reader.read("yaw", pose.yaw);
+  if (has_x || has_y || has_yaw) {
+    value = pose;
+  }
 }
 
-CarParameters parseCar(const std::string & cars_name, const std::string & name, const XmlRpc::XmlRpcValue & value)
+CarParameters readCar(ParameterReader reader, const std::string & name)
 {
-  if (name.empty() || !isCarName(name)) {
-    throw Error(
-      "parameter " + cars_name + ": found the car name \"" + name +
-      "\", expected letters, digits and _, a letter first");
-  }
-  ParameterReader reader(cars_name + "/" + name, value, kCarKeys);
   CarParameters car;
   car.name = name;
   car.ros_namespace = "/" + name;
-  car.pose = parsePose(reader, value);
-  car.relative_to_start = reader.flag("relative_to_start", car.relative_to_start);
-  car.vehicle_file = reader.text("vehicle", "");
-  car.frame_prefix = reader.text("frame_prefix", name + "/");
+  car.frame_prefix = name + "/";
+  readPose(reader, car.pose);
+  reader.read("relative_to_start", car.relative_to_start);
+  reader.read("vehicle", car.vehicle_file);
+  reader.read("frame_prefix", car.frame_prefix);
+  reader.refuseUnused();
   return car;
 }
 
-std::vector<CarParameters> parseCars(ParameterReader & reader)
+void readCars(ParameterReader reader, std::vector<CarParameters> & cars)
 {
-  std::vector<CarParameters> cars;
-  for (auto & [name, value] : reader.optionalMap("cars")) {
-    cars.push_back(parseCar(reader.fullName("cars"), name, value));
-    const auto same_prefix = [&](const CarParameters & car) { return car.frame_prefix == cars.back().frame_prefix; };
-    if (std::count_if(cars.begin(), cars.end(), same_prefix) > 1) {
-      throw Error(
-        "parameter " + reader.fullName("cars/" + name + "/frame_prefix") + ": found \"" + cars.back().frame_prefix +
-        "\" twice, expected a different one for each car");
+  for (const std::string & name : reader.keys()) {
+    if (!isCarName(name)) {
+      throw OptionError(
+        "parameter " + reader.fullName(name) + ": found the car name \"" + name +
+        "\", must be letters, digits and _, a letter first");
     }
+    const CarParameters car = readCar(reader.below(name), name);
+    const auto has_same_prefix = [&](const CarParameters & other) { return other.frame_prefix == car.frame_prefix; };
+    if (std::any_of(cars.begin(), cars.end(), has_same_prefix)) {
+      throw OptionError(
+        "parameter " + reader.fullName(name + "/frame_prefix") + ": found \"" + car.frame_prefix +
+        "\" twice, must be a different one for each car");
+    }
+    cars.push_back(car);
   }
-  return cars;
 }
 
-TimeMode parseTimeMode(ParameterReader & reader, double real_time_factor)
+void readTime(ParameterReader & reader, NodeParameters & parameters)
 {
-  if (reader.flag("lockstep", false)) {
-    return TimeMode::kLockstep;
+  reader.read("real_time_factor", parameters.real_time_factor, atLeast(0.0, " (0: as fast as it goes)"));
+  bool lockstep = false;
+  reader.read("lockstep", lockstep);
+  if (lockstep) {
+    parameters.time_mode = TimeMode::kLockstep;
+  } else {
+    parameters.time_mode = parameters.real_time_factor > 0.0 ? TimeMode::kPaced : TimeMode::kFree;
   }
-  return real_time_factor > 0.0 ? TimeMode::kPaced : TimeMode::kFree;
+  reader.read("participants", parameters.participants);
+  reader.read("lockstep_timeout", parameters.lockstep_timeout_sec, positive());
+  reader.read("lockstep_startup_timeout", parameters.lockstep_startup_timeout_sec, positive());
+  reader.read("paused", parameters.paused);
+  reader.read("clock_rate", parameters.clock_rate_hz, positive());
+  reader.read("silent_subscriber_timeout", parameters.silent_subscriber_timeout_sec, positive());
 }
 
-double parseControlPeriod(ParameterReader & reader, double physics_step)
+void readSteps(ParameterReader & reader, NodeParameters & parameters)
 {
+  reader.read("physics_step", parameters.simulation.physics_step, positive());
+  const double physics_step = parameters.simulation.physics_step;
   const auto isMultiple = [&](double period) {
     const double steps = period / physics_step;
     return period > 0.0 && std::round(steps) >= 1.0 && std::abs(steps - std::round(steps)) < 1e-6;
   };
-  return reader.number("control_period", 0.025, {isMultiple, "a multiple of physics_step (s)"});
+  reader.read(
+    "control_period", parameters.control_period_sec, {isMultiple, " of seconds that is a multiple of physics_step"});
 }
 }  // namespace
 
@@ -111,31 +111,28 @@ Pose2 startPose(const CarParameters & car, const Pose2 & world_start)
 
 NodeParameters parseNodeParameters(const std::string & name, const XmlRpc::XmlRpcValue & all)
 {
-  ParameterReader reader(name, all, kNodeKeys);
+  ParameterReader reader(name, all);
   NodeParameters parameters;
-  parameters.world_file = reader.requiredText("world");
-  parameters.cars = parseCars(reader);
-  parameters.real_time_factor = reader.number("real_time_factor", parameters.real_time_factor, kNotNegative);
-  parameters.time_mode = parseTimeMode(reader, parameters.real_time_factor);
-  parameters.participants = reader.names("participants");
-  parameters.lockstep_timeout_sec = reader.number("lockstep_timeout", parameters.lockstep_timeout_sec, kPositive);
-  parameters.lockstep_startup_timeout_sec =
-    reader.number("lockstep_startup_timeout", parameters.lockstep_startup_timeout_sec, kPositive);
-  parameters.simulation.physics_step = reader.number("physics_step", parameters.simulation.physics_step, kPositive);
-  parameters.control_period_sec = parseControlPeriod(reader, parameters.simulation.physics_step);
-  parameters.simulation.seed = static_cast<std::uint64_t>(reader.natural("seed", 0));
-  parameters.clock_rate_hz = reader.number("clock_rate", parameters.clock_rate_hz, kPositive);
-  parameters.paused = reader.flag("paused", false);
-  parameters.silent_subscriber_timeout_sec =
-    reader.number("silent_subscriber_timeout", parameters.silent_subscriber_timeout_sec, kPositive);
-  const bool wheel = reader.choice("odometry", "perfect", {"perfect", "wheel"}) == "wheel";
-  parameters.odometry = wheel ? OdometryOwner::kWheel : OdometryOwner::kPerfect;
-  parameters.record_file = reader.text("record", "");
+  reader.readRequired("world", parameters.world_file);
+  readCars(reader.below("cars"), parameters.cars);
+  readTime(reader, parameters);
+  readSteps(reader, parameters);
+  int seed = 0;
+  reader.read("seed", seed, atLeast(0));
+  parameters.simulation.seed = static_cast<std::uint64_t>(seed);
+  reader.readChoice(
+    "odometry", parameters.odometry, {{"perfect", OdometryOwner::kPerfect}, {"wheel", OdometryOwner::kWheel}});
+  reader.read("simulate_pid", parameters.simulate_pid);
+  reader.read("record", parameters.record_file);
+  reader.read("result_file", parameters.result_file);
+  reader.refuseUnused();
   return parameters;
 }
 
 std::string parseResultFile(const std::string & name, const XmlRpc::XmlRpcValue & all)
 {
-  return ParameterReader(name, all, kNodeKeys).text("result_file", "");
+  std::string file;
+  ParameterReader(name, all).read("result_file", file);
+  return file;
 }
 }  // namespace f1tenth_sim2d

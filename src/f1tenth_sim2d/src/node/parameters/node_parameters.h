@@ -56,15 +56,17 @@ struct NodeParameters
   double silent_subscriber_timeout_sec{10.0};  ///< wall time
   double clock_rate_hz{200.0};                 ///< of simulated time
   OdometryOwner odometry{OdometryOwner::kPerfect};
-  std::string record_file;  ///< empty: none
+  bool simulate_pid{false};  ///< whether wheels obey the pid gains of their controllers
+  std::string record_file;   ///< empty: none
+  std::string result_file;   ///< empty: none
 };
 
 /// @param name  of the node, "/sim2d"
 /// @param all   its private parameters
-/// @throws Error naming the parameter, what was found and what is allowed
+/// @throws workspace_support::OptionError naming the parameter, what was found and what is allowed
 NodeParameters parseNodeParameters(const std::string & name, const XmlRpc::XmlRpcValue & all);
 
 /// Apart from the others, because it also serves to report that they are wrong. Empty: none.
-/// @throws Error
+/// @throws workspace_support::OptionError
 std::string parseResultFile(const std::string & name, const XmlRpc::XmlRpcValue & all);
 }  // namespace f1tenth_sim2d

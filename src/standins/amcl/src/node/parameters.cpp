@@ -3,14 +3,12 @@
 #include <workspace_support/parameter_reader.h>
 
 #include <cmath>
-#include <utility>
-
-#include "amcl/errors.h"
 
 namespace amcl
 {
 namespace
 {
+using workspace_support::atLeast;
 using workspace_support::ParameterReader;
 
 // Of the original where they are not zero: (0.5 m)^2, (0.5 m)^2, (pi/12)^2.
@@ -29,38 +27,22 @@ void readNode(ParameterReader & reader, NodeParameters & parameters)
   reader.read("use_map_topic", parameters.use_map_topic);
   reader.read("first_map_only", parameters.first_map_only);
   reader.read("tf_broadcast", parameters.tf_broadcast);
-  reader.read("transform_tolerance", parameters.transform_tolerance);
+  reader.read("transform_tolerance", parameters.transform_tolerance, atLeast(0.0));
   reader.read("save_pose_rate", parameters.save_pose_rate);
   reader.read("lockstep", parameters.lockstep);
-}
-
-double finite(ParameterReader & reader, const std::string & name, double value)
-{
-  reader.read(name, value);
-  if (!std::isfinite(value)) {
-    throw OptionError(name + ": found " + std::to_string(value) + ", must be a number");
-  }
-  return value;
-}
-
-double variance(ParameterReader & reader, const std::string & name, double value)
-{
-  value = finite(reader, name, value);
-  if (value < 0.0) {
-    throw OptionError(name + ": found " + std::to_string(value) + ", must be 0 or above");
-  }
-  return value;
 }
 
 Estimate readStart(ParameterReader & reader)
 {
   Estimate start;
-  start.pose.x = finite(reader, "initial_pose_x", 0.0);
-  start.pose.y = finite(reader, "initial_pose_y", 0.0);
-  start.pose.yaw = finite(reader, "initial_pose_a", 0.0);
-  start.covariance[0] = variance(reader, "initial_cov_xx", kStartVariance);
-  start.covariance[4] = variance(reader, "initial_cov_yy", kStartVariance);
-  start.covariance[8] = variance(reader, "initial_cov_aa", kStartYawVariance);
+  reader.read("initial_pose_x", start.pose.x);
+  reader.read("initial_pose_y", start.pose.y);
+  reader.read("initial_pose_a", start.pose.yaw);
+  start.covariance[0] = start.covariance[4] = kStartVariance;
+  start.covariance[8] = kStartYawVariance;
+  reader.read("initial_cov_xx", start.covariance[0], atLeast(0.0));
+  reader.read("initial_cov_yy", start.covariance[4], atLeast(0.0));
+  reader.read("initial_cov_aa", start.covariance[8], atLeast(0.0));
   return start;
 }
 
@@ -68,7 +50,7 @@ void readOdometry(ParameterReader & reader, OdometryOptions & odometry)
 {
   std::string model = "diff";
   reader.read("odom_model_type", model);
-  odometry.model = toOdometryModel(model);
+  reader.check([&] { odometry.model = toOdometryModel(model); });
   reader.read("odom_alpha1", odometry.alpha1);
   reader.read("odom_alpha2", odometry.alpha2);
   reader.read("odom_alpha3", odometry.alpha3);
@@ -80,7 +62,7 @@ void readLaser(ParameterReader & reader, LaserOptions & laser)
 {
   std::string model = "likelihood_field";
   reader.read("laser_model_type", model);
-  laser.model = toLaserModel(model);
+  reader.check([&] { laser.model = toLaserModel(model); });
   reader.read("laser_max_beams", laser.max_beams);
   reader.read("laser_min_range", laser.min_range);
   reader.read("laser_max_range", laser.max_range);
@@ -115,11 +97,7 @@ NodeParameters readParameters(const ros::NodeHandle & node)
   readOdometry(reader, parameters.localizer.odometry);
   readLaser(reader, parameters.localizer.laser);
   readFilter(reader, parameters.localizer);
-  if (!(std::isfinite(parameters.transform_tolerance) && parameters.transform_tolerance >= 0.0)) {
-    throw OptionError(
-      "transform_tolerance: found " + std::to_string(parameters.transform_tolerance) + ", must be 0 or above");
-  }
-  parameters.localizer.validate();
+  reader.check([&] { parameters.localizer.validate(); });
   reader.warnOfUnused();
   return parameters;
 }

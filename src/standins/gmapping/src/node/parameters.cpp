@@ -2,8 +2,6 @@
 
 #include <workspace_support/parameter_reader.h>
 
-#include "gmapping/errors.h"
-
 namespace gmapping
 {
 namespace
@@ -57,7 +55,7 @@ NodeParameters readParameters(const ros::NodeHandle & node)
   reader.read("base_frame", parameters.base_frame);
   reader.read("map_frame", parameters.map_frame);
   reader.read("odom_frame", parameters.odom_frame);
-  reader.read("throttle_scans", parameters.throttle_scans);
+  reader.read("throttle_scans", parameters.throttle_scans, workspace_support::atLeast(1));
   reader.read("map_update_interval", parameters.map_update_interval);
   reader.read("transform_publish_period", parameters.transform_publish_period);
   parameters.tf_delay = parameters.transform_publish_period;
@@ -66,10 +64,7 @@ NodeParameters readParameters(const ros::NodeHandle & node)
   readFilter(reader, parameters.slam);
   readMatcher(reader, parameters.slam.matcher);
   readMap(reader, parameters.slam);
-  if (parameters.throttle_scans < 1) {
-    throw OptionError("throttle_scans: found " + std::to_string(parameters.throttle_scans) + ", must be 1 or above");
-  }
-  parameters.slam.validate();
+  reader.check([&] { parameters.slam.validate(); });
   reader.warnOfUnused();
   return parameters;
 }

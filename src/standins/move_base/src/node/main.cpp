@@ -11,20 +11,6 @@ namespace
 const ros::WallDuration kPatience{0.1};
 const ros::WallDuration kPoll{0.002};
 
-move_base::MoveBaseParameters readParameters(const ros::NodeHandle & node)
-{
-  move_base::ParameterReader reader{node};
-  const move_base::MoveBaseParameters parameters = move_base::readParameters(reader);
-  std::string unused;
-  for (const std::string & name : reader.unused()) {
-    unused += (unused.empty() ? "" : ", ") + name;
-  }
-  if (!unused.empty()) {
-    ROS_INFO("This stand-in has no use for these parameters: %s", unused.c_str());
-  }
-  return parameters;
-}
-
 void reportMissing(const move_base::MoveBaseNode & node)
 {
   if (!node.ready()) {
@@ -73,7 +59,7 @@ int main(int argc, char ** argv)
   // Lives as long as the node: with the last handle roscpp shuts down, and its console would stay silent after a restart.
   const ros::NodeHandle private_node("~");
   try {
-    const move_base::MoveBaseParameters parameters = readParameters(private_node);
+    const move_base::MoveBaseParameters parameters = move_base::readParameters(private_node);
     ros::CallbackQueue queue;
     move_base::MoveBaseNode node(parameters, queue);
     if (parameters.lockstep) {

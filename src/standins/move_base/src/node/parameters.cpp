@@ -1,15 +1,19 @@
 #include "parameters.h"
 
+#include <workspace_support/parameter_reader.h>
+
 #include "move_base/errors.h"
 
 namespace move_base
 {
 namespace
 {
+using workspace_support::ParameterReader;
+
 // "teb_local_planner/TebLocalPlannerROS" has its parameters in ~TebLocalPlannerROS.
 std::string pluginNamespace(ParameterReader & reader, const std::string & parameter, std::string plugin)
 {
-  reader.read({parameter}, plugin);
+  reader.read(parameter, plugin);
   return plugin.substr(plugin.rfind('/') + 1);
 }
 
@@ -32,8 +36,8 @@ std::vector<std::string> ofCostmap(const std::string & costmap, const std::strin
 
 void readFrames(ParameterReader & reader, MoveBaseParameters & parameters)
 {
-  reader.read({"global_costmap/global_frame"}, parameters.global_frame);
-  reader.read({"local_costmap/global_frame"}, parameters.local_frame);
+  reader.read("global_costmap/global_frame", parameters.global_frame);
+  reader.read("local_costmap/global_frame", parameters.local_frame);
   reader.read(ofCostmap("global_costmap", "robot_base_frame"), parameters.base_frame);
   reader.read(ofCostmap("global_costmap", "transform_tolerance"), parameters.transform_tolerance);
 }
@@ -43,19 +47,19 @@ void readCostmaps(ParameterReader & reader, MoveBaseParameters & parameters)
   parameters.footprint = defaultFootprint();
   reader.read(ofCostmap("global_costmap", "footprint"), parameters.footprint);
   reader.read(ofCostmap("global_costmap", "footprint_padding"), parameters.footprint_padding);
-  reader.read({"global_costmap/publish_frequency"}, parameters.global_publish_frequency);
-  reader.read({"local_costmap/publish_frequency"}, parameters.local_publish_frequency);
-  reader.read({"local_costmap/width"}, parameters.local_width);
-  reader.read({"local_costmap/height"}, parameters.local_height);
+  reader.read("global_costmap/publish_frequency", parameters.global_publish_frequency);
+  reader.read("local_costmap/publish_frequency", parameters.local_publish_frequency);
+  reader.read("local_costmap/width", parameters.local_width);
+  reader.read("local_costmap/height", parameters.local_height);
 
   CostmapOptions & costmap = parameters.costmap;
   reader.read(ofCostmap("global_costmap", "static_layer", "lethal_cost_threshold"), costmap.lethal_cost_threshold);
   reader.read(ofCostmap("global_costmap", "inflation_layer", "inflation_radius"), costmap.inflation_radius);
   reader.read(ofCostmap("global_costmap", "inflation_layer", "cost_scaling_factor"), costmap.cost_scaling_factor);
-  reader.read({"clearance_weight"}, costmap.clearance_weight);
+  reader.read("clearance_weight", costmap.clearance_weight);
   reader.read(ofCostmap("local_costmap", "obstacle_layer", "obstacle_range"), costmap.live.obstacle_range);
   reader.read(ofCostmap("local_costmap", "obstacle_layer", "raytrace_range"), costmap.live.raytrace_range);
-  reader.read({"wall_tolerance"}, costmap.live.wall_tolerance);
+  reader.read("wall_tolerance", costmap.live.wall_tolerance);
 }
 
 void readGlobalPlanner(ParameterReader & reader, const std::string & name, MoveBaseParameters & parameters)
@@ -111,35 +115,34 @@ void readLocalPlanner(ParameterReader & reader, const std::string & name, Naviga
 
 void readMoveBase(ParameterReader & reader, MoveBaseParameters & parameters)
 {
-  reader.read({"lockstep"}, parameters.lockstep);
-  reader.read({"lockstep_after"}, parameters.lockstep_after);
+  reader.read("lockstep", parameters.lockstep);
+  reader.read("lockstep_after", parameters.lockstep_after);
   double controller_frequency = 20.0;
-  if (reader.read({"controller_frequency"}, controller_frequency) || !parameters.lockstep) {
-    if (!(controller_frequency > 0.0)) {
-      throw OptionError("controller_frequency: found " + std::to_string(controller_frequency) + ", must be above 0");
-    }
+  const bool told = reader.read("controller_frequency", controller_frequency, workspace_support::positive());
+  if (told || !parameters.lockstep) {
     parameters.controller_period = 1.0 / controller_frequency;
   } else {
     parameters.controller_period = 0.0;
   }
-  reader.read({"sensor_timeout"}, parameters.sensor_timeout);
-  reader.read({"shutdown_costmaps"}, parameters.shutdown_costmaps);
+  reader.read("sensor_timeout", parameters.sensor_timeout);
+  reader.read("shutdown_costmaps", parameters.shutdown_costmaps);
 
   NavigatorOptions & navigator = parameters.navigator;
-  reader.read({"planner_frequency"}, navigator.planner_frequency);
-  reader.read({"planner_patience"}, navigator.planner_patience);
-  reader.read({"controller_patience"}, navigator.controller_patience);
-  reader.read({"max_planning_retries"}, navigator.max_planning_retries);
-  reader.read({"oscillation_timeout"}, navigator.oscillation_timeout);
-  reader.read({"oscillation_distance"}, navigator.oscillation_distance);
-  reader.read({"recovery_behavior_enabled"}, navigator.recovery_behavior_enabled);
-  reader.read({"clearing_rotation_allowed"}, navigator.clearing_rotation_allowed);
-  reader.read({"conservative_reset_dist"}, navigator.conservative_reset_dist);
+  reader.read("planner_frequency", navigator.planner_frequency);
+  reader.read("planner_patience", navigator.planner_patience);
+  reader.read("controller_patience", navigator.controller_patience);
+  reader.read("max_planning_retries", navigator.max_planning_retries);
+  reader.read("oscillation_timeout", navigator.oscillation_timeout);
+  reader.read("oscillation_distance", navigator.oscillation_distance);
+  reader.read("recovery_behavior_enabled", navigator.recovery_behavior_enabled);
+  reader.read("clearing_rotation_allowed", navigator.clearing_rotation_allowed);
+  reader.read("conservative_reset_dist", navigator.conservative_reset_dist);
 }
 }  // namespace
 
-MoveBaseParameters readParameters(ParameterReader & reader)
+MoveBaseParameters readParameters(const ros::NodeHandle & node)
 {
+  ParameterReader reader(node);
   MoveBaseParameters parameters;
   readMoveBase(reader, parameters);
   readFrames(reader, parameters);
@@ -148,8 +151,11 @@ MoveBaseParameters readParameters(ParameterReader & reader)
   parameters.local_planner = pluginNamespace(reader, "base_local_planner", "base_local_planner/TrajectoryPlannerROS");
   readGlobalPlanner(reader, parameters.global_planner, parameters);
   readLocalPlanner(reader, parameters.local_planner, parameters.navigator);
-  parameters.costmap.validate();
-  parameters.navigator.validate();
+  reader.check([&] {
+    parameters.costmap.validate();
+    parameters.navigator.validate();
+  });
+  reader.warnOfUnused();
   return parameters;
 }
 }  // namespace move_base

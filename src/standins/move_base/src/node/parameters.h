@@ -1,9 +1,11 @@
 #pragma once
 
+#include <ros/node_handle.h>
+
 #include <string>
+#include <vector>
 
 #include "move_base/navigator.h"
-#include "parameter_reader.h"
 
 namespace move_base
 {
@@ -31,6 +33,7 @@ struct MoveBaseParameters
   NavigatorOptions navigator;
 };
 
+/// Warns once of parameters that this stand-in has no use for.
 /// @throws OptionError for a parameter of a wrong type or out of range
-MoveBaseParameters readParameters(ParameterReader & reader);
+MoveBaseParameters readParameters(const ros::NodeHandle & node);
 }  // namespace move_base

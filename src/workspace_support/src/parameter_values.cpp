@@ -1,0 +1,102 @@
+#include "parameter_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace workspace_support
+{
+namespace
+{
+using XmlRpc::XmlRpcValue;
+
+std::optional<std::vector<Vec2>> pointsOfText(std::string text)
+{
+  const auto isBracket = [](char c) { return c == '[' || c == ']' || c == ','; };
+  std::replace_if(text.begin(), text.end(), isBracket, ' ');
+  std::istringstream stream(text);
+  std::vector<Vec2> points;
+  for (Vec2 point; stream >> point.x >> point.y;) {
+    points.push_back(point);
+  }
+  stream.clear();
+  std::string rest;
+  return stream >> rest ? std::nullopt : std::optional<std::vector<Vec2>>(points);
+}
+
+std::optional<Vec2> toPoint(XmlRpcValue & value)
+{
+  if (value.getType() != XmlRpcValue::TypeArray || value.size() != 2) {
+    return std::nullopt;
+  }
+  const auto x = toDouble(value[0]);
+  const auto y = toDouble(value[1]);
+  return x && y ? std::optional<Vec2>({*x, *y}) : std::nullopt;
+}
+}  // namespace
+
+std::optional<double> toDouble(XmlRpcValue value)
+{
+  if (value.getType() == XmlRpcValue::TypeInt) {
+    return int(value);
+  }
+  return value.getType() == XmlRpcValue::TypeDouble ? std::optional<double>(double(value)) : std::nullopt;
+}
+
+std::optional<int> toInt(XmlRpcValue value)
+{
+  const auto number = toDouble(value);
+  const bool is_whole = number && std::trunc(*number) == *number &&
+                        std::abs(*number) <= static_cast<double>(std::numeric_limits<int>::max());
+  return is_whole ? std::optional<int>(static_cast<int>(*number)) : std::nullopt;
+}
+
+std::optional<bool> toBool(XmlRpcValue value)
+{
+  return value.getType() == XmlRpcValue::TypeBoolean ? std::optional<bool>(bool(value)) : std::nullopt;
+}
+
+std::optional<std::string> toText(XmlRpcValue value)
+{
+  return value.getType() == XmlRpcValue::TypeString ? std::optional<std::string>(std::string(value)) : std::nullopt;
+}
+
+std::optional<std::vector<Vec2>> toPoints(XmlRpcValue value)
+{
+  if (const auto text = toText(value)) {
+    return pointsOfText(*text);
+  }
+  if (value.getType() != XmlRpcValue::TypeArray) {
+    return std::nullopt;
+  }
+  std::vector<Vec2> points;
+  for (int i = 0; i < value.size(); ++i) {
+    const auto point = toPoint(value[i]);
+    if (!point) {
+      return std::nullopt;
+    }
+    points.push_back(*point);
+  }
+  return points;
+}
+
+std::string shown(XmlRpcValue value)
+{
+  switch (value.getType()) {
+    case XmlRpcValue::TypeString:
+      return "\"" + std::string(value) + "\"";
+    case XmlRpcValue::TypeBoolean:
+      return bool(value) ? "true" : "false";
+    case XmlRpcValue::TypeStruct:
+      return "a map";
+    case XmlRpcValue::TypeArray:
+      return "a list";
+    default: {
+      std::ostringstream text;
+      value.write(text);
+      return text.str();
+    }
+  }
+}
+}  // namespace workspace_support

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "workspace_support/planar.h"
+
+/// From values of the parameter server; nothing for one of another type.
+namespace workspace_support
+{
+std::optional<double> toDouble(XmlRpc::XmlRpcValue value);
+/// Also a number with a point, if it is whole.
+std::optional<int> toInt(XmlRpc::XmlRpcValue value);
+std::optional<bool> toBool(XmlRpc::XmlRpcValue value);
+std::optional<std::string> toText(XmlRpc::XmlRpcValue value);
+/// [[x, y], ...], also as a text.
+std::optional<std::vector<Vec2>> toPoints(XmlRpc::XmlRpcValue value);
+
+/// As error messages show a value.
+std::string shown(XmlRpc::XmlRpcValue value);
+}  // namespace workspace_support

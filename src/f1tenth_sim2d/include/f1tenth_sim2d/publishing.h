@@ -2,18 +2,15 @@
 
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/advertise_options.h>
-#include <ros/message_traits.h>
 #include <ros/node_handle.h>
 #include <ros/serialization.h>
 
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
 
-/// How the simulator and its plugins publish. Other than with ros::Publisher, nothing is lost at high speed: a message
-/// is serialised once, messages of one topic that belong together leave together, and the simulator knows what has not
-/// been sent yet, so that it can wait.
+/// How the simulator and its plugins publish. Other than with a bare ros::Publisher the simulator knows what has not
+/// been sent yet, so that it can wait: nothing is lost at high speed.
 namespace f1tenth_sim2d
 {
 /// Where the serialised messages of one topic go.
@@ -22,10 +19,7 @@ class MessageSink
 public:
   virtual ~MessageSink() = default;
   virtual bool hasSubscribers() const = 0;
-  /// Room for one message of `length` bytes, until commit().
-  virtual std::uint8_t * reserve(std::uint32_t length) = 0;
-  /// The message reserved last is complete.
-  virtual void commit() = 0;
+  virtual void publish(const ros::SerializedMessage & message) = 0;
 };
 
 /// Publishes messages of one type on one topic, as long as it or a copy of it exists. On the simulation's thread only.
@@ -37,15 +31,7 @@ public:
   explicit TopicPublisher(std::shared_ptr<MessageSink> sink) : sink_(std::move(sink)) {}
 
   bool hasSubscribers() const { return sink_->hasSubscribers(); }
-
-  /// The simulator numbers the messages in header.seq.
-  void publish(const Message & message) const
-  {
-    const std::uint32_t length = ros::serialization::serializationLength(message);
-    ros::serialization::OStream stream(sink_->reserve(length), length);
-    ros::serialization::serialize(stream, message);
-    sink_->commit();
-  }
+  void publish(const Message & message) const { sink_->publish(ros::serialization::serializeMessage(message)); }
 
 private:
   std::shared_ptr<MessageSink> sink_;
@@ -67,7 +53,7 @@ public:
   }
 
 protected:
-  /// @param options  topic, type and whether it has a header; the queue is the advertiser's business
+  /// @param options  topic and type; queue and callbacks are up to the advertiser
   virtual std::shared_ptr<MessageSink> add(const ros::AdvertiseOptions & options) = 0;
 };
 

@@ -2,17 +2,19 @@
 
 #include <ros/console.h>
 
-#include "node/transport/subscriber_connections.h"
+#include <algorithm>
+#include <utility>
 
 namespace f1tenth_sim2d
 {
 namespace
 {
-// Buffers of a topic, each with what was published at once. Far below what roscpp keeps, so that nothing is lost.
+// Messages of a topic. Far below what roscpp keeps, so that nothing is lost.
 constexpr std::size_t kWaitAbove = 64;
 constexpr std::size_t kGoOnBelow = 16;
 const ros::WallDuration kLook{100e-6};
 const ros::WallDuration kPatience{1.0};  // after which it is said who is waited for
+const ros::WallDuration kFarewell{2.0};  // at most, at the end
 }  // namespace
 
 FlowControl::FlowControl(Outbox & outbox, ros::CallbackQueue & queue, FlowOptions options)
@@ -40,13 +42,12 @@ void FlowControl::waitUntilBelow(std::size_t limit, const std::function<bool()> 
   for (auto topics = outbox_.lagging(limit); !topics.empty() && !interrupted(); topics = outbox_.lagging(limit)) {
     const ros::WallTime now = ros::WallTime::now();
     for (const auto & topic : topics) {
-      const auto [entry, is_new] = progress_.try_emplace(topic->name(), Progress{topic->released(), now});
-      Progress & progress = entry->second;
-      if (progress.released != topic->released()) {
-        progress = {topic->released(), now};
+      const std::size_t in_flight = topic->inFlight();
+      Progress & progress = progress_.try_emplace(topic->name(), Progress{in_flight, now}).first->second;
+      if (progress.in_flight != in_flight) {
+        progress = {in_flight, now};
       } else if (now - progress.since > ros::WallDuration(options_.silent_subscriber_sec)) {
-        disconnectSilent(*topic);
-        progress.since = now;
+        giveUp(*topic);
       } else if (now - progress.since > kPatience) {
         note(*topic);
       }
@@ -57,31 +58,29 @@ void FlowControl::waitUntilBelow(std::size_t limit, const std::function<bool()> 
 
 void FlowControl::drain()
 {
-  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(options_.silent_subscriber_sec);
+  const ros::WallTime deadline = ros::WallTime::now() + kFarewell;
   while (outbox_.isLagging(0) && ros::WallTime::now() < deadline) {
     kLook.sleep();
   }
 }
 
-void FlowControl::disconnectSilent(const Topic & topic)
+void FlowControl::giveUp(Topic & topic)
 {
-  for (const auto & connection : slowest(connectionsOf(topic.publication()))) {
-    ROS_WARN(
-      "%s has read nothing of %s for %g s and is disconnected", connection.node.c_str(), topic.name().c_str(),
-      options_.silent_subscriber_sec);
-    slow_.insert(connection.node + " (" + topic.name() + ", disconnected)");
-    disconnect(connection);
-  }
+  const std::string names = topic.thoseBehind();
+  ROS_WARN(
+    "%s has read nothing of %s for %g s: the simulation no longer waits for it", names.c_str(), topic.name().c_str(),
+    options_.silent_subscriber_sec);
+  slow_.insert(names + " (" + topic.name() + ", no longer waited for)");
+  topic.giveUpThoseBehind();
 }
 
 void FlowControl::note(const Topic & topic)
 {
-  for (const auto & connection : slowest(connectionsOf(topic.publication()))) {
-    ROS_WARN_THROTTLE(
-      10.0, "%s does not keep up with %s%s", connection.node.c_str(), topic.name().c_str(),
-      options_.wait ? ": the simulation waits for it" : " and loses messages");
-    slow_.insert(connection.node + " (" + topic.name() + ")");
-  }
+  const std::string names = topic.thoseBehind();
+  ROS_WARN_THROTTLE(
+    10.0, "%s does not keep up with %s%s", names.c_str(), topic.name().c_str(),
+    options_.wait ? ": the simulation waits for it" : " and loses messages");
+  slow_.insert(names + " (" + topic.name() + ")");
 }
 
 void FlowControl::noteLosses()

@@ -16,12 +16,12 @@ namespace f1tenth_sim2d
 struct FlowOptions
 {
   bool wait{true};                     ///< whether the simulation waits for them
-  double silent_subscriber_sec{10.0};  ///< wall s after which one that reads nothing at all is disconnected
+  double silent_subscriber_sec{10.0};  ///< wall s after which one that reads nothing at all is given up
 };
 
 /// Keeps the simulation from running away from its subscribers. It waits while somebody has too much left to read, and
-/// says who it is. A subscriber that reads nothing at all for long is disconnected, so that nobody can hang a run; it is
-/// named, and may connect again.
+/// says who it is. A subscriber that reads nothing at all for long is named and no longer waited for until it has caught
+/// up, so that nobody can hang a run.
 class FlowControl
 {
 public:
@@ -33,25 +33,25 @@ public:
 
   /// Returns when everybody keeps up, or interrupted() is true.
   void waitForSubscribers(const std::function<bool()> & interrupted);
-  /// Waits until everything published has been written to the subscribers' sockets, at most silent_subscriber_sec.
+  /// Waits until everything published has been written to the subscribers' sockets, at most 2 s.
   void drain();
 
   /// Wall s spent waiting so far.
   double waitedSec() const { return waited_sec_; }
-  /// Names of those that were waited for, disconnected or lost messages, each with its topic, since the call before.
+  /// Names of those that were waited for, given up or lost messages, each with its topic, since the call before.
   std::set<std::string> takeSlowSubscribers();
-  /// Messages that were lost so far because a subscriber lagged behind; never any if the simulation waits.
+  /// Messages that were lost so far because a subscriber lagged behind; if the simulation waits, only by those given up.
   std::uint64_t lostMessages() const;
 
 private:
   struct Progress
   {
-    std::uint64_t released;
+    std::size_t in_flight;
     ros::WallTime since;
   };
 
   void waitUntilBelow(std::size_t limit, const std::function<bool()> & interrupted);
-  void disconnectSilent(const Topic & topic);
+  void giveUp(Topic & topic);
   void noteLosses();
   void note(const Topic & topic);
 

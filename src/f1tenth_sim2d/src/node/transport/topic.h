@@ -1,73 +1,56 @@
 #pragma once
 
-#include <ros/publication.h>
 #include <ros/publisher.h>
-#include <ros/serialized_message.h>
+#include <ros/single_subscriber_publisher.h>
 
 #include <cstdint>
-#include <deque>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "f1tenth_sim2d/publishing.h"
-#include "node/transport/direct_sender.h"
 
 namespace f1tenth_sim2d
 {
-/// One topic over roscpp. Messages collect until flush() sends them together, in a buffer that each subscriber gets as
-/// it stands: message after message, each behind its length, is what TCPROS is. Buffers are used again when roscpp has let go of
-/// them; those that it still holds tell how far the slowest subscriber lags behind.
+/// One topic over roscpp. The buffers that roscpp still holds tell how far subscribers lag behind: each holds on to what
+/// has not been written to its socket yet.
 class Topic : public MessageSink
 {
 public:
-  /// What roscpp keeps for a subscriber, in buffers; beyond, that subscriber loses the oldest.
+  /// Messages that roscpp keeps for a subscriber; beyond, that subscriber loses the oldest.
   static constexpr std::uint32_t kQueueSize = 256;
 
-  /// @param node  whose callback queue gets the connection callbacks of options
-  Topic(ros::NodeHandle node, const ros::AdvertiseOptions & options);
+  /// @param node  whose callback queue tells of subscribers that come and go
+  Topic(ros::NodeHandle node, ros::AdvertiseOptions options);
 
-  const std::string & name() const { return publication_->getName(); }
-  bool hasSubscribers() const override { return publication_->hasSubscribers(); }
-  std::uint8_t * reserve(std::uint32_t length) override;
-  void commit() override;
+  const std::string & name() const { return name_; }
+  bool hasSubscribers() const override { return publisher_.getNumSubscribers() > 0; }
+  void publish(const ros::SerializedMessage & message) override;
 
-  /// Sends what has collected, or hands it over to roscpp.
-  /// @param direct  whether to send on the calling thread if nothing is in the way
-  /// @return whether roscpp's poll thread is still to be told
-  bool flush(bool direct);
-  /// Buffers that have not been written to all subscribers yet.
+  /// Messages that somebody who is waited for has not been sent yet.
   std::size_t inFlight();
-  /// How many buffers have been written to all subscribers (or given up) so far: grows as long as they read.
-  std::uint64_t released() const { return released_; }
-  /// Messages so far, whether or not anybody listened when they were handed over.
+  /// From now on inFlight() is about the others only, until those who lag behind now have caught up or gone.
+  void giveUpThoseBehind();
+  /// Names of those who lag behind; roscpp tells how many these are, not which: "one of /a, /b" if not all do.
+  std::string thoseBehind() const;
+  std::size_t subscriberCount() const { return publisher_.getNumSubscribers(); }
+  /// Messages so far.
   std::uint64_t published() const { return published_; }
   /// Messages that some subscriber has lost because it lagged behind.
   std::uint64_t lost() const { return lost_; }
-  ros::Publication & publication() const { return *publication_; }
 
 private:
-  struct Buffer
-  {
-    boost::shared_array<std::uint8_t> bytes;
-    std::size_t capacity;
-  };
+  using Buffer = boost::shared_array<std::uint8_t>;
 
-  bool sendDirectly();
-  void handOver();
-  void handOver(std::size_t begin, std::size_t size, std::uint64_t messages);
-  Buffer freeBuffer(std::size_t size);
+  void forgetWritten();
+  /// Subscribers that have not been sent a message; all of the newer ones are still to be sent to them, too.
+  static long holders(const Buffer & buffer) { return buffer.use_count() - 1; }
 
-  ros::Publisher publisher_;  // keeps the topic advertised
-  ros::PublicationPtr publication_;
-  DirectSender direct_sender_;
-  bool is_shared_{false};  // with another publisher in this process
-  const bool has_header_;
-  std::vector<std::uint8_t> pending_;  // length and message, again and again
-  std::size_t begun_{0};               // where the message reserved last begins in pending_
-  std::uint64_t pending_messages_{0};
-  std::deque<Buffer> in_flight_;  // oldest first
-  std::vector<Buffer> free_;
-  std::uint64_t released_{0};
+  const std::string name_;
+  std::multiset<std::string> subscribers_;  // before the publisher, whose callbacks fill it
+  ros::Publisher publisher_;
+  std::vector<Buffer> in_flight_;  // oldest first
+  long given_up_{0};               // how many subscribers are not waited for
   std::uint64_t published_{0};
   std::uint64_t lost_{0};
 };

@@ -64,11 +64,12 @@ public:
     return clockReached(deadline) ? period_ : std::nullopt;
   }
 
-  void done(const ros::Time & stamp)
+  void done(const ros::Time & stamp, const ros::Time & until)
   {
     drain_.drain();
     answered_ = stamp;
-    publish(stamp);
+    not_before_ = until;
+    publish(lastWord());
   }
 
   void leave()
@@ -82,7 +83,16 @@ public:
   }
 
 private:
-  bool ready() const { return !left_ && period_ && answered_ != period_ && ledger_.allDone(*period_); }
+  bool ready() const
+  {
+    return !left_ && period_ && answered_ != period_ && *period_ >= not_before_ && ledger_.allDone(*period_);
+  }
+
+  ros::Time lastWord() const
+  {
+    const ros::Duration tick(0, 1);
+    return not_before_ > *answered_ ? not_before_ - tick : *answered_;
+  }
 
   // A subscriber that the master tells of a publisher's end closes the connection with what it has not read yet. The
   // simulator has read the farewell when it publishes a period after one that nobody has answered for this participant.
@@ -128,10 +138,11 @@ private:
       return;
     }
     if (answered_ == message->clock) {
-      publish(*answered_);
+      publish(lastWord());
     } else if (period_ && message->clock < *period_) {
       ledger_.startAgain(message->clock);
       answered_.reset();
+      not_before_ = ros::Time();
     }
     period_ = message->clock;
   }
@@ -158,6 +169,7 @@ private:
   bool simulator_listens_{true};
   std::optional<ros::Time> period_;
   std::optional<ros::Time> answered_;
+  ros::Time not_before_;  // when it is its turn again
   bool left_{false};
   int periods_since_left_{0};
 };
@@ -174,7 +186,11 @@ std::optional<ros::Time> Participant::waitForPeriod(ros::WallDuration timeout)
 }
 void Participant::done(const ros::Time & stamp)
 {
-  impl_->done(stamp);
+  impl_->done(stamp, stamp);
+}
+void Participant::done(const ros::Time & stamp, const ros::Time & until)
+{
+  impl_->done(stamp, until);
 }
 void Participant::leave()
 {

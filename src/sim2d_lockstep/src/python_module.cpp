@@ -39,11 +39,17 @@ py::object waitForPeriod(Participant & participant, double timeout)
   return stamp ? py::module_::import("genpy").attr("Time")(stamp->sec, stamp->nsec) : py::none();
 }
 
-void done(Participant & participant, const py::handle & stamp)
+ros::Time toTime(const py::handle & stamp)
 {
-  const ros::Time time{stamp.attr("secs").cast<std::uint32_t>(), stamp.attr("nsecs").cast<std::uint32_t>()};
+  return {stamp.attr("secs").cast<std::uint32_t>(), stamp.attr("nsecs").cast<std::uint32_t>()};
+}
+
+void done(Participant & participant, const py::handle & stamp, const py::handle & until)
+{
+  const ros::Time time = toTime(stamp);
+  const ros::Time next = until.is_none() ? time : toTime(until);
   const py::gil_scoped_release release;
-  participant.done(time);
+  participant.done(time, next);
 }
 }  // namespace
 
@@ -64,7 +70,11 @@ PYBIND11_MODULE(sim2d_lockstep, module)
       "Block until the next period that has not been answered; other Python threads run meanwhile.\n\n"
       "timeout: wall seconds. Returns the period's stamp (genpy.Time), or None when the timeout has passed or roscpp "
       "shuts down. rospy's clock may still lag: use the stamp.")
-    .def("done", &done, py::arg("stamp"), "Tell the simulator that this node has acted up to stamp.")
+    .def(
+      "done", &done, py::arg("stamp"), py::arg("until") = py::none(),
+      "Tell the simulator that this node has acted up to stamp.\n\n"
+      "until: a node that acts more seldom than every period is not waited for, and wait_for_period() returns None, "
+      "before the first period that ends then or later.")
     .def(
       "leave", &Participant::leave, py::call_guard<py::gil_scoped_release>(),
       "Leave for good: nobody waits for this participant again.");

@@ -103,6 +103,21 @@ TEST_F(ParticipantTest, SaysDoneUnderItsName)
   EXPECT_EQ(heard_[0].stamp, kFirst);
 }
 
+TEST_F(ParticipantTest, IsNotAskedBeforeTheTimeThatItSays)
+{
+  Participant participant("a");
+  publishClock(kFirst);
+  ASSERT_EQ(participant.waitForPeriod(kLong), kFirst);
+  participant.done(kFirst, kThird);
+  ASSERT_TRUE(hear(1));
+  EXPECT_LT(heard_[0].stamp, kThird);
+  EXPECT_GE(heard_[0].stamp, kSecond);
+  publishClock(kSecond);
+  EXPECT_EQ(participant.waitForPeriod(kSoon), std::nullopt);
+  publishClock(kThird);
+  EXPECT_EQ(participant.waitForPeriod(kLong), kThird);
+}
+
 TEST_F(ParticipantTest, AnswersARepeatedPeriodAgain)
 {
   Participant participant("a");

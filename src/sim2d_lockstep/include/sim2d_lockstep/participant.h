@@ -66,6 +66,9 @@ public:
   /// Publishes on /sim2d/done that this node has acted up to stamp, after everything it has published before.
   /// Say the first one only when the node is ready to act (map there, servers connected): the simulator waits.
   void done(const ros::Time & stamp);
+  /// The same for a node that acts more seldom than every period: nobody waits for it, and waitForPeriod() returns
+  /// nothing, before the first period that ends at `until` or later.
+  void done(const ros::Time & stamp, const ros::Time & until);
 
   /// Leaves for good: the simulator and all that come after this participant never wait for it again. Blocks until the
   /// simulator has gone on without it, at most 1 s of wall time: a process that ends earlier may take its last words

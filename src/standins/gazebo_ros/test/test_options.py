@@ -13,6 +13,11 @@ def test_arguments_of_the_original_launch_file():
     assert (options.world, options.paused, options.left_out, seed) == ("/a/b.world", True, (), 7)
 
 
+def test_profile_is_the_name_of_a_physics():
+    assert parse(["--profile", "fast"])[0].profile == "fast"
+    assert parse(["-o", "fast"])[0].profile == "fast"
+
+
 def test_options_without_effect_are_named():
     options, _ = parse(["-s", "libgazebo_ros_api_plugin.so", "--record", "w.world"])
     assert options.left_out == ("server_plugin", "record")

@@ -1,5 +1,6 @@
 """spawner: loads and starts controllers, and takes them away when it ends."""
 
+import rosgraph
 import rospy
 from controller_manager_msgs.srv import (
     LoadController,
@@ -59,8 +60,11 @@ class Spawner:
         return self._call["switch_controller"](request).ok
 
     def take_away(self, timeout):
-        """Stop and unload what was loaded, if the controller manager comes within timeout, wall s."""
-        if not self._loaded:
+        """Stop and unload what was loaded, if the controller manager answers within timeout, wall s.
+
+        One that has ended has taken its controllers along.
+        """
+        if not self._loaded or not all(map(self._is_there, self._names.values())):
             return
         try:
             for name in self._names.values():
@@ -69,7 +73,16 @@ class Spawner:
             for name in reversed(self._loaded):
                 self._call["unload_controller"](name)
         except (rospy.ROSException, rospy.ServiceException) as error:
-            rospy.logwarn("Controllers were left behind: %s", error)
+            if self._is_there(self._names["unload_controller"]):
+                rospy.logwarn("Controllers were left behind: %s", error)
+
+    @staticmethod
+    def _is_there(service):
+        try:
+            rosgraph.Master(rospy.get_name()).lookupService(rospy.resolve_name(service))
+        except (rosgraph.MasterException, OSError):
+            return False
+        return True
 
 
 def wait_for_go(topic):

@@ -9,6 +9,7 @@ import rospy
 
 from . import server_options
 from .errors import UsageError
+from .pace import real_time_factor
 
 DEFAULT_NAME = "gazebo"
 USAGE_EXIT_CODE = 2
@@ -40,7 +41,11 @@ def set_parameters(tree, options, seed):
     """Say what the command line says; other parameters of the tree are the user's."""
     share = rospkg.RosPack().get_path("gazebo_ros")
     folders = server_options.resource_folders(os.environ, share)
-    rospy.set_param(f"{tree}/world", server_options.find_world(options.world, folders))
+    world = server_options.find_world(options.world, folders)
+    rospy.set_param(f"{tree}/world", world)
+    factor = real_time_factor(world, options.profile)
+    if factor is not None:
+        rospy.set_param(f"{tree}/real_time_factor", factor)
     rospy.set_param(f"{tree}/paused", options.paused)
     if seed is not None:
         rospy.set_param(f"{tree}/seed", seed)

@@ -16,6 +16,8 @@ class ServerOptions:
     world: str
     """As written."""
     paused: bool
+    profile: object
+    """Name of the world's <physics> that counts, or None."""
     left_out: tuple
     """Options of the original that are accepted and do nothing."""
 
@@ -30,8 +32,9 @@ def _parser():
     parser.add_argument("world", nargs="?", default=EMPTY_WORLD)
     parser.add_argument("-u", "--pause", action="store_true")
     parser.add_argument("-e", "--physics", default="ode")
-    for short, long in (("-s", "--server-plugin"), ("-g", "--gui-plugin"), ("-o", "--profile")):
+    for short, long in (("-s", "--server-plugin"), ("-g", "--gui-plugin")):
         parser.add_argument(short, long, action="append")
+    parser.add_argument("-o", "--profile")
     for long in (
         "--seed",
         "--iters",
@@ -51,7 +54,6 @@ def _parser():
 NO_EFFECT = (
     "server_plugin",
     "gui_plugin",
-    "profile",
     "iters",
     "record_path",
     "record_encoding",
@@ -76,7 +78,7 @@ def parse(arguments):
     """
     found = _parser().parse_args([each for each in arguments if ":=" not in each])
     left_out = tuple(name for name in NO_EFFECT if getattr(found, name))
-    return ServerOptions(found.world, found.pause, left_out), _natural("--seed", found.seed)
+    return ServerOptions(found.world, found.pause, found.profile, left_out), _natural("--seed", found.seed)
 
 
 def _natural(option, text):

@@ -147,14 +147,26 @@ class GazeboApiTest(unittest.TestCase):
         answer = self.spawn("box", "<robot", 1.0, 1.0)
         assert not answer.success
         assert answer.status_message.startswith("SpawnModel: Failure - description of box: ")
-        answer = self.spawn("car", car_description(), 3.9, 0.0)
+        assert self.spawn("block", BOX.replace("0.4 0.4 0.4", "4 4 0.4"), 0.0, 2.6).success
+        answer = self.spawn("car", car_description(), 0.0, 2.6)
         assert not answer.success
-        assert "is not free: it overlaps model walls" in answer.status_message
+        assert "is not free: it overlaps model block" in answer.status_message
+        assert answer.status_message.endswith("and no place within a car's length is free")
+        assert self.call("delete_model", DeleteModel, "block").success
         answer = self.put(model_name="robot1", pose=pose(3.9, 0.0))
         assert not answer.success
         assert answer.status_message.startswith("SetModelState: robot1: the pose (3.9, 0, 0) is not free")
         assert self.state("robot1").pose.position.x == 0.0
         assert self.names() == ["walls", "crate", "robot1"]
+
+    def test_car_whose_place_is_not_free_comes_beside_it(self):
+        sim2d = self.start_lockstep(FIRST)
+        assert self.spawn("car", car_description(), 3.7, 0.0).success
+        x = self.state("car").pose.position.x
+        assert 3.3 < x < 3.7
+        sim2d.stop()
+        assert "car: the start pose (3.7, 0, 0) is not free: it overlaps model walls" in sim2d.stderr
+        assert f"m beside it, at ({x:.2f}, " in sim2d.stderr
 
     def test_car_whose_topic_ros_does_not_take_leaves_nothing_behind(self):
         self.start_lockstep({})

@@ -6,6 +6,7 @@ import re
 import signal
 import subprocess
 import sys
+import threading
 import unittest
 
 import rospy
@@ -13,14 +14,14 @@ import rostest
 from ackermann_msgs.msg import AckermannDriveStamped
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import LaserScan
-from sim2d_process import Collector, Sim2d, Stepper, car_description
+from sim2d_process import LONG, Collector, Sim2d, Stepper, car_description
 
 SECOND = 1_000_000_000
 PERIOD = 25_000_000
 
 
 class Driver:
-    """A reactive driver: one command a scan, towards where there is more room. It falls silent in the end."""
+    """A reactive driver: one command per scan, towards where there is room. It falls silent in the end."""
 
     def __init__(self, periods):
         self._periods = periods
@@ -35,6 +36,34 @@ class Driver:
         command.drive.speed = 1.5
         command.drive.steering_angle = max(-0.4, min(0.4, (left - right) * 0.005))
         self._publisher.publish(command)
+
+    def close(self):
+        self._subscriber.unregister()
+        self._publisher.unregister()
+
+
+class StumblingDriver:
+    """Answers every scan, one of them twice, and leaves later ones out."""
+
+    def __init__(self, twice, left_out):
+        self._answers = {twice: 2, **dict.fromkeys(left_out, 0)}
+        self._handled = 0
+        self._changed = threading.Condition()
+        # Without a queue a command is on its way when publish() returns.
+        self._publisher = rospy.Publisher("/robot1/drive", AckermannDriveStamped, queue_size=None)
+        self._subscriber = rospy.Subscriber("/robot1/scan", LaserScan, self._on_scan, tcp_nodelay=True)
+
+    def _on_scan(self, scan):
+        period = scan.header.stamp.to_nsec() // PERIOD
+        for _ in range(self._answers.get(period, 1)):
+            self._publisher.publish(AckermannDriveStamped())
+        with self._changed:
+            self._handled = period
+            self._changed.notify_all()
+
+    def wait_for(self, period):
+        with self._changed:
+            assert self._changed.wait_for(lambda: self._handled >= period, LONG)
 
     def close(self):
         self._subscriber.unregister()
@@ -97,6 +126,29 @@ class LockstepTest(unittest.TestCase):
         assert result["error"] == message
         assert result["sim_time"] == 0.275
         assert re.fullmatch("[0-9a-f]{64}", result["trajectory_hash"])
+
+    def stumble(self, left_out, periods):
+        """Step through a run with a driver that answers the 20th scan twice and leaves later ones out."""
+        driver = StumblingDriver(20, left_out)
+        self.addCleanup(driver.close)
+        stepper = Stepper()
+        self.addCleanup(stepper.close)
+        sim2d = self.start(participants=["robot1", "test"], lockstep_timeout=4.0)
+        for period in range(1, periods):
+            stepper.advance_to(period * PERIOD)
+            driver.wait_for(period)
+        stepper.leave()
+        return sim2d
+
+    def test_answer_that_came_too_early_is_taken_for_one_that_is_missing(self):
+        sim2d = self.stumble([40], 60)
+        assert sim2d.stop() == 0, sim2d.stderr
+        assert "an answer of robot1 came too early and is taken for that to another scan" in sim2d.stderr
+
+    def test_one_answer_too_many_does_not_hide_a_driver_that_falls_silent(self):
+        sim2d = self.stumble(range(40, 1000), 41)
+        assert sim2d.wait() == 3
+        assert "participant robot1 has not answered period 41" in sim2d.stderr
 
     def test_participant_that_never_comes_ends_the_start(self):
         sim2d = self.start(participants=["robot1/move_base", "robot1/race_mgr"], lockstep_startup_timeout=0.5)

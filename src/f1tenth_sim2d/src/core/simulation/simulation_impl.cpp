@@ -9,6 +9,7 @@
 #include "core/simulation/encounters.h"
 #include "core/simulation/validation.h"
 #include "f1tenth_sim2d/errors.h"
+#include "f1tenth_sim2d/occupied_place.h"
 
 namespace f1tenth_sim2d
 {
@@ -216,7 +217,7 @@ void Simulation::Impl::refuseOccupiedPlace(
   const std::vector<PlacedCar> & places, std::size_t own, const std::string & what) const
 {
   if (const Piece * piece = firstOverlap(places, own, *collisions_)) {
-    throw Error(what + " is not free: it overlaps " + nameOf(*piece));
+    throw OccupiedPlace(what + " is not free: it overlaps " + nameOf(*piece));
   }
 }
 

@@ -1,9 +1,8 @@
 #include "node/app/diagnostics_output.h"
 
+#include <boost/algorithm/string/join.hpp>
 #include <cstdio>
 #include <utility>
-
-#include "node/parameters/parameter_reader.h"
 
 namespace f1tenth_sim2d
 {
@@ -41,8 +40,8 @@ const char * modeOf(const TimeControl & control)
 }  // namespace
 
 DiagnosticsOutput::DiagnosticsOutput(
-  TopicPublisher<DiagnosticArray> publisher, const TimeControl & control, std::function<std::vector<Driver>()> drivers,
-  FlowControl & flow)
+  TopicPublisher<DiagnosticArray> publisher, const TimeControl & control,
+  std::function<std::vector<Fleet::Driver>()> drivers, FlowControl & flow)
 : MessageOutput(std::move(publisher), kRate), control_(control), drivers_(std::move(drivers)), flow_(flow)
 {
 }
@@ -94,12 +93,12 @@ DiagnosticStatus DiagnosticsOutput::subscriberStatus()
   status.message = "OK";
   if (const auto slow = flow_.takeSlowSubscribers(); !slow.empty()) {
     status.level = DiagnosticStatus::WARN;
-    status.message = "cannot keep up: " + joined({slow.begin(), slow.end()});
+    status.message = "cannot keep up: " + boost::algorithm::join(slow, ", ");
   }
   return status;
 }
 
-DiagnosticStatus DiagnosticsOutput::commandStatus(const Driver & driver)
+DiagnosticStatus DiagnosticsOutput::commandStatus(const Fleet::Driver & driver)
 {
   DiagnosticStatus status;
   status.name = "sim2d: commands of " + driver.car;

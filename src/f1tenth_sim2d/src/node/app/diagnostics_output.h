@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "node/cars/command_input.h"
+#include "node/cars/fleet.h"
 #include "node/messages/output.h"
 #include "node/time/time_keeper.h"
 #include "node/transport/flow_control.h"
@@ -19,26 +19,20 @@ namespace f1tenth_sim2d
 class DiagnosticsOutput : public MessageOutput<diagnostic_msgs::DiagnosticArray>
 {
 public:
-  struct Driver
-  {
-    std::string car;
-    const CommandInput & commands;
-  };
-
   /// @param control  how time is asked to go
   DiagnosticsOutput(
     TopicPublisher<diagnostic_msgs::DiagnosticArray> publisher, const TimeControl & control,
-    std::function<std::vector<Driver>()> drivers, FlowControl & flow);
+    std::function<std::vector<Fleet::Driver>()> drivers, FlowControl & flow);
   void update(SimTime now, bool anyway) override;
 
 private:
   void fill(diagnostic_msgs::DiagnosticArray & message, SimTime now) override;
   diagnostic_msgs::DiagnosticStatus timeStatus() const;
   diagnostic_msgs::DiagnosticStatus subscriberStatus();
-  static diagnostic_msgs::DiagnosticStatus commandStatus(const Driver & driver);
+  static diagnostic_msgs::DiagnosticStatus commandStatus(const Fleet::Driver & driver);
 
   const TimeControl & control_;
-  const std::function<std::vector<Driver>()> drivers_;
+  const std::function<std::vector<Fleet::Driver>()> drivers_;
   FlowControl & flow_;
   double factor_{0.0};
   SimTime last_time_{0};

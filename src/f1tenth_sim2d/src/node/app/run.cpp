@@ -5,6 +5,7 @@
 #include <ros/node_handle.h>
 #include <ros/param.h>
 #include <ros/this_node.h>
+#include <workspace_support/errors.h>
 
 #include <cstdio>
 #include <optional>
@@ -13,6 +14,7 @@
 
 #include "node/app/sim2d_node.h"
 #include "node/time/stop_signal.h"
+#include "node/transport/no_delay.h"
 
 namespace f1tenth_sim2d
 {
@@ -62,6 +64,7 @@ private:
     handleStopSignals();
     requireMaster();
     keeps_ros_running_.emplace();
+    sendSmallMessagesAtOnce();
     const auto & name = parameters_.empty() ? ros::this_node::getName() : parameters_;
     const auto all = readParameters(name);
     result_file_ = parseResultFile(name, all);
@@ -89,6 +92,8 @@ private:
     } catch (const ParticipantSilent & error) {
       result_.participant = error.participant();
       return failed(error, "participant_silent", kParticipantSilent);
+    } catch (const workspace_support::OptionError & error) {
+      return failed(error, "bad_input", kBadInput);
     } catch (const Error & error) {
       return failed(error, "bad_input", kBadInput);
     } catch (const std::exception & error) {

@@ -1,8 +1,12 @@
 #include "node/app/sim2d_node.h"
 
+#include <ros/console.h>
+#include <ros/this_node.h>
+
 #include <utility>
 
 #include "node/app/diagnostics_output.h"
+#include "node/cars/start_cars.h"
 #include "node/gazebo_api/gazebo_states.h"
 #include "node/time/continuous_time.h"
 #include "node/time/lockstep_time.h"
@@ -25,7 +29,7 @@ ros::NodeHandle nodeWithQueue(const std::string & name_space, ros::CallbackQueue
 Sim2dNode::Sim2dNode(const NodeParameters & parameters)
 : parameters_(parameters),
   node_(nodeWithQueue("/", queue_)),
-  outbox_(node_, parameters.time_mode == TimeMode::kLockstep),
+  outbox_(node_),
   flow_(outbox_, queue_, {true, parameters.silent_subscriber_timeout_sec}),
   transforms_(outbox_, node_),
   scene_(buildScene(parameters)),
@@ -33,15 +37,19 @@ Sim2dNode::Sim2dNode(const NodeParameters & parameters)
   world_(scene_.simulation, transforms_, parameters.control_period_sec, parameters.record_file),
   clock_(outbox_, node_),
   barrier_(makeBarrier()),
-  fleet_(
-    {parameters_, scene_.gravity, node_, scene_.simulation, world_, outbox_, transforms_, plugins_, barrier_.get()}),
+  fleet_(surroundings()),
   models_(node_, scene_.simulation, fleet_),
   world_services_(
     node_, scene_.simulation, scene_.gravity, control_, {[this] { restart(); }, [this] { world_.resetPoses(); }})
 {
-  addCars(parameters_, scene_.start, fleet_);
-  addGlobalOutputs();
+  addCars(parameters_.cars, scene_.start, fleet_);
+  global_outputs_.emplace(world_, globalOutputs());
   addTime();
+  if (parameters_.cars.empty()) {
+    ROS_INFO(
+      "No car yet: %s/cars is not set (rosparam drops an empty map: cars: {robot1: {x: 0.0}}); cars may be spawned",
+      ros::this_node::getName().c_str());
+  }
 }
 
 std::unique_ptr<LockstepBarrier> Sim2dNode::makeBarrier()
@@ -55,15 +63,28 @@ std::unique_ptr<LockstepBarrier> Sim2dNode::makeBarrier()
       parameters_.participants, parameters_.lockstep_timeout_sec, parameters_.lockstep_startup_timeout_sec});
 }
 
-void Sim2dNode::addGlobalOutputs()
+Fleet::Surroundings Sim2dNode::surroundings()
 {
-  world_.add(std::make_unique<EntityStatesOutput<gazebo_msgs::ModelStates>>(
+  const auto driver_of = [this](const std::string & car) {
+    return barrier_ ? barrier_->driverOf(car) : std::function<void()>([] {});
+  };
+  return {scene_.gravity, parameters_.odometry, parameters_.simulate_pid,
+          node_,          scene_.simulation,    world_,
+          outbox_,        transforms_,          plugins_,
+          driver_of};
+}
+
+OutputList Sim2dNode::globalOutputs()
+{
+  OutputList outputs;
+  outputs.push_back(std::make_unique<EntityStatesOutput<gazebo_msgs::ModelStates>>(
     outbox_.advertise<gazebo_msgs::ModelStates>(node_, "/gazebo/model_states"), scene_.simulation, &entities));
-  world_.add(std::make_unique<EntityStatesOutput<gazebo_msgs::LinkStates>>(
+  outputs.push_back(std::make_unique<EntityStatesOutput<gazebo_msgs::LinkStates>>(
     outbox_.advertise<gazebo_msgs::LinkStates>(node_, "/gazebo/link_states"), scene_.simulation, &links));
-  world_.add(std::make_unique<DiagnosticsOutput>(
+  outputs.push_back(std::make_unique<DiagnosticsOutput>(
     outbox_.advertise<diagnostic_msgs::DiagnosticArray>(node_, "/diagnostics"), control_,
     [this] { return fleet_.drivers(); }, flow_));
+  return outputs;
 }
 
 void Sim2dNode::addTime()
@@ -79,15 +100,14 @@ void Sim2dNode::addTime()
 std::unique_ptr<TimeKeeper> Sim2dNode::makeTimeKeeper()
 {
   flow_.setWaiting(control_.real_time_factor <= 0.0);
-  outbox_.setDirect(control_.is_lockstep || control_.real_time_factor > 0.0);
   if (control_.is_lockstep) {
     return std::make_unique<LockstepTime>(
       scene_.simulation, world_, queue_, control_, outbox_, flow_, clock_, *barrier_);
   }
   if (control_.real_time_factor > 0.0) {
-    return std::make_unique<PacedTime>(world_, queue_, control_, outbox_, flow_);
+    return std::make_unique<PacedTime>(world_, queue_, control_, flow_);
   }
-  return std::make_unique<FreeTime>(world_, queue_, control_, outbox_, flow_);
+  return std::make_unique<FreeTime>(world_, queue_, control_, flow_);
 }
 
 void Sim2dNode::restart()
@@ -119,7 +139,6 @@ void Sim2dNode::run()
   }
   // First of all: on a busy machine whoever asked for the end may lose patience while ROS shuts down.
   world_.flushRecord();
-  outbox_.flush();
   flow_.drain();
 }
 

@@ -4,10 +4,9 @@
 #include <ros/node_handle.h>
 
 #include <memory>
-#include <vector>
+#include <optional>
 
 #include "node/app/run_result.h"
-#include "node/app/scene.h"
 #include "node/cars/fleet.h"
 #include "node/cars/plugin_host.h"
 #include "node/gazebo_api/gazebo_models.h"
@@ -19,6 +18,8 @@
 #include "node/time/time_keeper.h"
 #include "node/transport/flow_control.h"
 #include "node/transport/outbox.h"
+#include "node/world/running_outputs.h"
+#include "node/world/scene.h"
 #include "node/world/simulated_world.h"
 
 namespace f1tenth_sim2d
@@ -38,25 +39,28 @@ public:
   RunResult result() const;
 
 private:
-  void addGlobalOutputs();
   std::unique_ptr<LockstepBarrier> makeBarrier();
+  Fleet::Surroundings surroundings();
+  OutputList globalOutputs();
   void addTime();
   std::unique_ptr<TimeKeeper> makeTimeKeeper();
   void restart();
 
+  // Each refers only to those before it, and so ends before them.
   const NodeParameters parameters_;
-  ros::CallbackQueue queue_;  // before everything that refers to it
+  ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   Outbox outbox_;
   FlowControl flow_;
   TransformBatch transforms_;
   Scene scene_;
-  PluginHost plugins_;  // before the world, which holds what they make
+  PluginHost plugins_;
   SimulatedWorld world_;
   TimeControl control_;
   ClockPublisher clock_;
   std::unique_ptr<LockstepBarrier> barrier_;  // in lockstep only
   Fleet fleet_;
+  std::optional<RunningOutputs> global_outputs_;
   GazeboModels models_;
   GazeboWorld world_services_;
   ros::WallTime wall_start_;

@@ -58,6 +58,8 @@ OdometryPlace odometryPlace(const CarDescription & car, const VehicleParameters 
   place.base_frame = car.base_frame;
   place.base_pose = car.base_frame_pose;
   place.rate_hz = vehicle.odometry_rate_hz;
+  // As in Gazebo, where controllers publish no odometry.
+  place.has_topic = place.has_transform = !car.ros_control;
   if (car.drive) {
     place.topic = car.drive->odometry_topic;
     place.frame = car.drive->odometry_frame;
@@ -124,11 +126,7 @@ void OdometryTransformOutput::repeat()
 }
 
 PoseOutput::PoseOutput(CarHandle car, const PoseSensorDescription & sensor)
-: MessageOutput(
-    car.advertise<nav_msgs::Odometry>(sensor.topic),
-    sensor.rate_hz > 0.0 ? sensor.rate_hz : 1e9 / static_cast<double>(car.simulation.stepLength())),
-  car_(std::move(car)),
-  sensor_(sensor)
+: MessageOutput(car.advertise<nav_msgs::Odometry>(sensor.topic), sensor.rate_hz), car_(std::move(car)), sensor_(sensor)
 {
   message_.header.frame_id = sensor_.frame;
   message_.child_frame_id = car_.frame_prefix + sensor_.link;
@@ -217,10 +215,12 @@ BumperOutput::BumperOutput(CarHandle car, std::size_t bumper)
   message_.header.frame_id = "map";
 }
 
-void BumperOutput::note(const Contact & contact)
+void BumperOutput::note(const std::vector<Contact> & contacts)
 {
-  if (collisions_.count(contact.own_collision) > 0) {
-    touches_[{contact.own_collision, contact.other_collision}] = contact;
+  for (const Contact & contact : contacts) {
+    if (collisions_.count(contact.own_collision) > 0) {
+      touches_[{contact.own_collision, contact.other_collision}] = contact;
+    }
   }
 }
 

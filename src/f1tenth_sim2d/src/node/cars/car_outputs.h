@@ -38,6 +38,7 @@ class ScanOutput : public MessageOutput<sensor_msgs::LaserScan>
 {
 public:
   ScanOutput(CarHandle car, std::size_t lidar);
+  bool isAnswered() const override { return true; }
 
 private:
   void fill(sensor_msgs::LaserScan & message, SimTime now) override;
@@ -132,9 +133,9 @@ class BumperOutput : public MessageOutput<gazebo_msgs::ContactsState>
 public:
   BumperOutput(CarHandle car, std::size_t bumper);
 
-  /// Every contact of the car, once; those of other collisions are ignored.
-  void note(const Contact & contact);
-  void restart() { touches_.clear(); }
+  /// Those of other collisions are ignored.
+  void note(const std::vector<Contact> & contacts) override;
+  void restart() override { touches_.clear(); }
 
 private:
   void fill(gazebo_msgs::ContactsState & message, SimTime now) override;

@@ -22,9 +22,13 @@ std::string topicOf(const CarDescription & car)
 CommandInput::CommandInput(Simulation & simulation, CarId car, ros::NodeHandle node, std::function<void()> on_command)
 : simulation_(simulation), car_(car), on_command_(std::move(on_command))
 {
+  const CarDescription & description = simulation.car(car);
+  if (description.ros_control && !description.drive) {
+    return;  // its controllers drive it
+  }
   const auto hints = ros::TransportHints().tcpNoDelay();
   twist_subscriber_ = node.subscribe<geometry_msgs::Twist>(
-    topicOf(simulation.car(car)), kCommandQueueSize,
+    topicOf(description), kCommandQueueSize,
     [this](const geometry_msgs::Twist::ConstPtr & message) { onTwist(*message); }, ros::VoidConstPtr(), hints);
   drive_subscriber_ = node.subscribe<ackermann_msgs::AckermannDriveStamped>(
     "drive", kCommandQueueSize,

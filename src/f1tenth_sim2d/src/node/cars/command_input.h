@@ -11,7 +11,7 @@
 
 namespace f1tenth_sim2d
 {
-/// The driver's side of a car: the topics `cmd_vel` and `drive`. A command that is not finite, or absurd, is refused and
+/// The driver's side of a car: the topics `cmd_vel` and `drive`, unless controllers drive it. A command that is not finite, or absurd, is refused and
 /// counted; it never reaches the physics.
 class CommandInput
 {
@@ -23,6 +23,8 @@ public:
   /// What controllers within the node want; neither counted nor an answer.
   /// @throws Error for a value that makes no sense
   void apply(const DriveCommand & command) { simulation_.command(car_, command); }
+  /// The driver has said something to a controller.
+  void noteAnswer() { on_command_(); }
   /// Counts and reports a command that was refused before it came here.
   void refuse(const std::string & why);
 

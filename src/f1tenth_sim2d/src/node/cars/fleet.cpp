@@ -1,173 +1,111 @@
 #include "node/cars/fleet.h"
 
-#include <algorithm>
-#include <sstream>
 #include <utility>
 
-#include "f1tenth_sim2d/errors.h"
 #include "node/cars/plugin_output.h"
 #include "node/cars/ros_control.h"
 
 namespace f1tenth_sim2d
 {
-namespace
-{
-// Without a scan in every period, its driver would have nothing to answer.
-void checkScanEveryPeriod(const CarDescription & car, double control_period_sec)
-{
-  const bool has_scan = std::any_of(car.lidars.begin(), car.lidars.end(), [&](const LidarDescription & lidar) {
-    return lidar.rate_hz * control_period_sec > 1.0 - 1e-9;
-  });
-  if (!has_scan) {
-    std::ostringstream message;
-    message << "parameter participants: " << car.name << " has no lidar that scans in every control_period of "
-            << control_period_sec << " s";
-    throw Error(message.str());
-  }
-}
+Fleet::Fleet(Surroundings surroundings) : around_(std::move(surroundings)) {}
 
-/// Does something at the end of a scope that is left by an exception.
-template <typename Action>
-class OnFailure
+Fleet::Car::Car(
+  Fleet & fleet, const CarParameters & car, const CarDescription & description, const VehicleParameters & vehicle,
+  const Pose2 & pose)
+: parameters(car),
+  simulated(fleet.around_.simulation, description, vehicle, pose),
+  commands(
+    fleet.around_.simulation, simulated.id(), {fleet.around_.node, car.ros_namespace},
+    fleet.around_.driver_of(car.name)),
+  outputs(fleet.around_.world, fleet.makeOutputs(*this), simulated.id())
 {
-public:
-  explicit OnFailure(Action action) : action_(std::move(action)) {}
-  OnFailure(const OnFailure &) = delete;
-  OnFailure & operator=(const OnFailure &) = delete;
-  ~OnFailure()
-  {
-    if (armed_) {
-      action_();
-    }
-  }
-  void dismiss() { armed_ = false; }
-
-private:
-  Action action_;
-  bool armed_{true};
-};
-
-bool contains(const std::vector<std::string> & names, const std::string & name)
-{
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-}  // namespace
-
-Fleet::Fleet(const Surroundings & surroundings) : around_(surroundings) {}
-
-ros::NodeHandle Fleet::nodeOf(const Car & car) const
-{
-  return {around_.node, car.parameters.ros_namespace};
 }
 
 void Fleet::add(
   const CarParameters & parameters, const CarDescription & description, const VehicleParameters & vehicle,
   const Pose2 & pose)
 {
-  if (around_.barrier != nullptr && contains(around_.parameters.participants, parameters.name)) {
-    checkScanEveryPeriod(description, around_.parameters.control_period_sec);
-  }
-  cars_.reserve(cars_.size() + 1);
-  auto car = std::make_unique<Car>();
-  car->parameters = parameters;
-  car->id = around_.simulation.addCar(description, vehicle, pose);
-  OnFailure undo([&] { removeFromWorld(car->id); });
-  addCommands(*car);
-  around_.world.addCar(car->id, makeOutputs(*car));
-  cars_.push_back(std::move(car));
-  undo.dismiss();
+  auto car = std::make_unique<Car>(*this, parameters, description, vehicle, pose);
+  const CarId id = car->simulated.id();
+  cars_.emplace(id, std::move(car));
 }
 
-void Fleet::remove(CarId id)
+CarHandle Fleet::handleOf(const Car & car) const
 {
-  removeFromWorld(id);
-  const auto found = std::find_if(cars_.begin(), cars_.end(), [&](const auto & car) { return car->id == id; });
-  cars_.erase(found);
+  return {
+    around_.simulation,
+    car.simulated.id(),
+    around_.advertiser,
+    {around_.node, car.parameters.ros_namespace},
+    car.parameters.frame_prefix};
 }
 
-// Its outputs refer to the car.
-void Fleet::removeFromWorld(CarId id)
+OutputList Fleet::makeOutputs(Car & car) const
 {
-  around_.world.removeCar(id);
-  around_.simulation.removeCar(id);
-}
-
-CarOutputs Fleet::makeOutputs(const Car & car)
-{
-  const CarHandle handle{around_.simulation, car.id, around_.outbox, nodeOf(car), car.parameters.frame_prefix};
+  const CarHandle handle = handleOf(car);
   const CarDescription & description = handle.description();
-  CarOutputs outputs;
+  OutputList outputs;
   for (std::size_t lidar = 0; lidar < description.lidars.size(); ++lidar) {
-    outputs.scans.push_back(std::make_unique<ScanOutput>(handle, lidar));
+    outputs.push_back(std::make_unique<ScanOutput>(handle, lidar));
   }
   for (std::size_t bumper = 0; bumper < description.bumpers.size(); ++bumper) {
-    outputs.bumpers.push_back(std::make_unique<BumperOutput>(handle, bumper));
+    outputs.push_back(std::make_unique<BumperOutput>(handle, bumper));
   }
   addOdometry(handle, outputs);
   if (description.imu) {
-    outputs.others.push_back(std::make_unique<ImuOutput>(handle, around_.gravity));
+    outputs.push_back(std::make_unique<ImuOutput>(handle, around_.gravity));
   }
   if (!description.joints.empty()) {
-    outputs.others.push_back(std::make_unique<JointStatesOutput>(
+    outputs.push_back(std::make_unique<JointStatesOutput>(
       handle, description.joint_state_topic, description.joint_state_rate_hz, description.joints));
   }
   if (description.ros_control) {
     CarHandle control = handle;
     control.node = ros::NodeHandle(handle.node, description.ros_control->ros_namespace);
-    outputs.others.push_back(std::make_unique<RosControl>(control, *car.commands));
+    outputs.push_back(std::make_unique<RosControl>(control, car.commands, around_.simulates_pid));
   }
-  addPlugins(car, outputs);
+  addPlugins(handle, outputs);
   return outputs;
 }
 
-void Fleet::addOdometry(const CarHandle & car, CarOutputs & outputs) const
+void Fleet::addOdometry(const CarHandle & car, OutputList & outputs) const
 {
   const OdometryPlace place = odometryPlace(car.description(), around_.simulation.parameters(car.id));
   if (place.has_topic) {
-    outputs.others.push_back(std::make_unique<OdometryOutput>(car, place));
+    outputs.push_back(std::make_unique<OdometryOutput>(car, place));
   }
   // A drive plugin owns the transform of a car that has no other odometry.
-  const bool owns_transform = around_.parameters.odometry == OdometryOwner::kWheel || car.description().drive;
+  const bool owns_transform = around_.odometry == OdometryOwner::kWheel || car.description().drive;
   if (place.has_transform && owns_transform) {
-    outputs.others.push_back(std::make_unique<OdometryTransformOutput>(car, place, around_.transforms));
+    outputs.push_back(std::make_unique<OdometryTransformOutput>(car, place, around_.transforms));
   }
   for (const auto & sensor : car.description().pose_sensors) {
-    outputs.others.push_back(std::make_unique<PoseOutput>(car, sensor));
+    outputs.push_back(std::make_unique<PoseOutput>(car, sensor));
   }
 }
 
-void Fleet::addPlugins(const Car & car, CarOutputs & outputs)
+void Fleet::addPlugins(const CarHandle & car, OutputList & outputs) const
 {
   const CarPluginContext context{
     around_.simulation,
     car.id,
-    nodeOf(car),
-    around_.outbox,
+    car.node,
+    around_.advertiser,
     around_.transforms,
-    car.parameters.frame_prefix,
-    around_.parameters.odometry == OdometryOwner::kPerfect};
-  for (const auto & element : around_.simulation.car(car.id).plugins) {
+    car.frame_prefix,
+    around_.odometry == OdometryOwner::kPerfect};
+  for (const auto & element : car.description().plugins) {
     if (auto plugin = around_.plugins.make(element, context)) {
-      outputs.others.push_back(std::make_unique<PluginOutput>(std::move(plugin)));
+      outputs.push_back(std::make_unique<PluginOutput>(std::move(plugin)));
     }
   }
 }
 
-void Fleet::addCommands(Car & car)
+std::vector<Fleet::Driver> Fleet::drivers() const
 {
-  const std::string name = car.parameters.name;
-  std::function<void()> on_command = [] {};
-  if (around_.barrier != nullptr && contains(around_.parameters.participants, name)) {
-    on_command = [barrier = around_.barrier, name] { barrier->noteCommand(name); };
-  }
-  car.commands = std::make_unique<CommandInput>(around_.simulation, car.id, nodeOf(car), std::move(on_command));
-}
-
-std::vector<DiagnosticsOutput::Driver> Fleet::drivers() const
-{
-  std::vector<DiagnosticsOutput::Driver> drivers;
-  for (const auto & car : cars_) {
-    drivers.push_back({car->parameters.name, *car->commands});
+  std::vector<Driver> drivers;
+  for (const auto & [id, car] : cars_) {
+    drivers.push_back({car->parameters.name, car->commands});
   }
   return drivers;
 }

@@ -2,64 +2,77 @@
 
 #include <ros/node_handle.h>
 
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "node/app/diagnostics_output.h"
+#include "node/cars/car_outputs.h"
 #include "node/cars/command_input.h"
 #include "node/cars/plugin_host.h"
-#include "node/messages/transform_batch.h"
+#include "node/cars/simulated_car.h"
 #include "node/parameters/node_parameters.h"
-#include "node/time/lockstep_barrier.h"
-#include "node/transport/outbox.h"
-#include "node/world/simulated_world.h"
+#include "node/world/running_outputs.h"
 
 namespace f1tenth_sim2d
 {
-/// All cars of the node: each in the simulation, with what it publishes, its plugins and its driver.
+/// What the node keeps for each car of the simulation: what it publishes, its plugins and its driver.
 class Fleet
 {
 public:
+  /// Everything outlives the fleet.
   struct Surroundings
   {
-    const NodeParameters & parameters;
-    double gravity;        ///< m/s^2, downwards
+    double gravity;  ///< m/s^2, downwards
+    OdometryOwner odometry;
+    bool simulates_pid;    ///< of controllers of ros_control
     ros::NodeHandle node;  ///< its callback queue must be served by the simulation's thread
     Simulation & simulation;
     SimulatedWorld & world;
-    Outbox & outbox;
-    TransformBatch & transforms;
-    PluginHost & plugins;       ///< must outlive the world, which holds the plugins
-    LockstepBarrier * barrier;  ///< null outside lockstep
+    Advertiser & advertiser;
+    TransformSender & transforms;
+    PluginHost & plugins;
+    /// What is to be called for every command of a car's driver.
+    std::function<std::function<void()>(const std::string & car)> driver_of;
   };
 
-  explicit Fleet(const Surroundings & surroundings);
+  struct Driver
+  {
+    std::string car;
+    const CommandInput & commands;
+  };
+
+  explicit Fleet(Surroundings surroundings);
 
   /// All or nothing, whatever is thrown.
   /// @throws Error for a car that cannot be used
   void add(
     const CarParameters & car, const CarDescription & description, const VehicleParameters & vehicle,
     const Pose2 & pose);
-  void remove(CarId car);
-  std::vector<DiagnosticsOutput::Driver> drivers() const;
+  void remove(CarId car) { cars_.erase(car); }
+  std::vector<Driver> drivers() const;
 
 private:
+  /// Its members undo what they did when it ends, also half-made: the last one first.
   struct Car
   {
-    CarId id;
-    CarParameters parameters;
-    std::unique_ptr<CommandInput> commands;
+    Car(
+      Fleet & fleet, const CarParameters & car, const CarDescription & description, const VehicleParameters & vehicle,
+      const Pose2 & pose);
+
+    const CarParameters parameters;
+    const SimulatedCar simulated;
+    CommandInput commands;
+    const RunningOutputs outputs;
   };
 
-  CarOutputs makeOutputs(const Car & car);
-  void addOdometry(const CarHandle & car, CarOutputs & outputs) const;
-  void addPlugins(const Car & car, CarOutputs & outputs);
-  void addCommands(Car & car);
-  void removeFromWorld(CarId car);
-  ros::NodeHandle nodeOf(const Car & car) const;
+  CarHandle handleOf(const Car & car) const;
+  OutputList makeOutputs(Car & car) const;
+  void addOdometry(const CarHandle & car, OutputList & outputs) const;
+  void addPlugins(const CarHandle & car, OutputList & outputs) const;
 
   const Surroundings around_;
-  std::vector<std::unique_ptr<Car>> cars_;  // others refer to their commands
+  std::map<CarId, std::unique_ptr<Car>> cars_;
 };
 }  // namespace f1tenth_sim2d

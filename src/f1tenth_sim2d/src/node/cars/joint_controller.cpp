@@ -30,8 +30,8 @@ const std::vector<JointControllerType> & jointControllerTypes()
 
 JointController::JointController(
   const JointControllerType & type, const JointDescription & joint, double wheel_radius, ros::NodeHandle node,
-  const std::string & name, Refuse refuse)
-: type_(type), joint_(joint), wheel_radius_(wheel_radius), refuse_(std::move(refuse))
+  const std::string & name, Listener listener)
+: type_(type), joint_(joint), wheel_radius_(wheel_radius), listener_(std::move(listener))
 {
   if (isSteering(joint) != (type.kind == JointCommand::Kind::kPosition)) {
     throw Error(
@@ -44,13 +44,30 @@ JointController::JointController(
     ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
 }
 
+void JointController::start()
+{
+  value_ = 0.0;
+  if (pid_) {
+    pid_->restart();
+  }
+}
+
+JointCommand JointController::command(double speed, double dt)
+{
+  if (!pid_ || dt <= 0.0) {
+    return {type_.kind, joint_, value_};
+  }
+  return {JointCommand::Kind::kEffort, joint_, pid_->effort(value_ - speed, dt, joint_.effort_max)};
+}
+
 void JointController::take(double value)
 {
   const std::string objection = objectionTo({type_.kind, joint_, value}, wheel_radius_);
   if (objection.empty()) {
     value_ = value;
   } else {
-    refuse_(objection);
+    listener_.refused(objection);
   }
+  listener_.heard();
 }
 }  // namespace f1tenth_sim2d

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "node/cars/joint_command.h"
+#include "node/cars/pid.h"
 
 namespace f1tenth_sim2d
 {
@@ -27,19 +28,26 @@ const std::vector<JointControllerType> & jointControllerTypes();
 class JointController
 {
 public:
-  using Refuse = std::function<void(const std::string & why)>;
+  struct Listener
+  {
+    std::function<void()> heard;                           ///< for each command
+    std::function<void(const std::string & why)> refused;  ///< for one that makes no sense; it is not taken
+  };
 
   /// @param node    in the namespace of the controller manager
-  /// @param refuse  told about each command that makes no sense; it is then not taken
   /// @throws Error for a joint that this type cannot move
   JointController(
     const JointControllerType & type, const JointDescription & joint, double wheel_radius, ros::NodeHandle node,
-    const std::string & name, Refuse refuse);
+    const std::string & name, Listener listener);
 
   const JointControllerType & type() const { return type_; }
   const JointDescription & joint() const { return joint_; }
-  void start() { value_ = 0.0; }
-  JointCommand command() const { return {type_.kind, joint_, value_}; }
+  void start();
+  /// From now on the joint is moved by an effort-limited PID controller, as gazebo_ros_control moves it.
+  void simulate(const PidGains & gains) { pid_.emplace(gains); }
+  /// @param speed  of the joint now, rad/s, positive in the direction of its axis
+  /// @param dt     s since the call before
+  JointCommand command(double speed, double dt);
 
 private:
   void take(double value);
@@ -47,8 +55,9 @@ private:
   const JointControllerType & type_;
   const JointDescription joint_;
   const double wheel_radius_;
-  const Refuse refuse_;
+  const Listener listener_;
   double value_{0.0};
+  std::optional<Pid> pid_;
   ros::Subscriber subscriber_;
 };
 }  // namespace f1tenth_sim2d

@@ -1,13 +1,14 @@
 #include "node/cars/ros_control.h"
 
 #include <ros/console.h>
+#include <workspace_support/parameter_reader.h>
+#include <boost/algorithm/string/join.hpp>
 
 #include <algorithm>
 #include <set>
 #include <utility>
 
 #include "f1tenth_sim2d/errors.h"
-#include "node/parameters/parameter_reader.h"
 
 namespace f1tenth_sim2d
 {
@@ -22,6 +23,17 @@ bool isAmong(const std::vector<std::string> & names, const std::string & name)
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// Whether there are any.
+bool readGains(const ros::NodeHandle & node, PidGains & gains)
+{
+  workspace_support::ParameterReader reader(node);
+  reader.read("i_clamp", gains.i_clamp, workspace_support::atLeast(0.0));
+  const bool has_p = reader.read("p", gains.p);
+  const bool has_i = reader.read("i", gains.i);
+  const bool has_d = reader.read("d", gains.d);
+  return has_p || has_i || has_d;
+}
+
 /// Answers a service whose only answer is whether it worked; says why not.
 template <class Response, class Action>
 bool attempt(Response & response, const Action & action)
@@ -29,7 +41,7 @@ bool attempt(Response & response, const Action & action)
   try {
     action();
     response.ok = true;
-  } catch (const Error & error) {
+  } catch (const std::runtime_error & error) {
     ROS_ERROR("%s", error.what());
     response.ok = false;
   }
@@ -37,9 +49,10 @@ bool attempt(Response & response, const Action & action)
 }
 }  // namespace
 
-RosControl::RosControl(CarHandle car, CommandInput & commands)
+RosControl::RosControl(CarHandle car, CommandInput & commands, bool simulates_pid)
 : car_(std::move(car)),
   commands_(commands),
+  simulates_pid_(simulates_pid),
   rate_hz_(1.0 / std::max(kLeastPeriod, car_.description().ros_control->control_period_sec))
 {
   const auto serve = [this](const std::string & name, auto method) {
@@ -58,8 +71,9 @@ void RosControl::update(SimTime now, bool /*anyway*/)
   if (now < last_) {
     schedule_.restart();
   }
+  const double dt = static_cast<double>(now - last_) * 1e-9;
   last_ = now;
-  if (const auto commands = wanted(); !commands.empty()) {
+  if (const auto commands = wanted(dt); !commands.empty()) {
     const auto & simulation = car_.simulation;
     commands_.apply(
       driveCommand(commands, car_.description(), simulation.parameters(car_.id), simulation.state(car_.id).velocity.x));
@@ -67,15 +81,22 @@ void RosControl::update(SimTime now, bool /*anyway*/)
   schedule_.run(now);
 }
 
-std::vector<JointCommand> RosControl::wanted() const
+std::vector<JointCommand> RosControl::wanted(double dt)
 {
   std::vector<JointCommand> commands;
-  for (const auto & [name, controller] : controllers_) {
+  for (auto & [name, controller] : controllers_) {
     if (controller.joint && controller.runs()) {
-      commands.push_back(controller.joint->command());
+      commands.push_back(controller.joint->command(speedOf(controller.joint->joint()), dt));
     }
   }
   return commands;
+}
+
+double RosControl::speedOf(const JointDescription & joint) const
+{
+  const auto & speeds = car_.simulation.state(car_.id).wheel_speeds;
+  const auto wheel = static_cast<std::size_t>(joint.role);
+  return wheel < speeds.size() ? joint.direction * speeds[wheel] : 0.0;
 }
 
 bool RosControl::list(
@@ -237,7 +258,8 @@ RosControl::Controller RosControl::make(const std::string & name)
   if (found == types.end()) {
     Names names{kJointStateController};
     std::transform(types.begin(), types.end(), std::back_inserter(names), [](const auto & each) { return each.name; });
-    throw Error("controller " + name + ": type " + type + " is unknown; known are " + joined(names));
+    throw Error(
+      "controller " + name + ": type " + type + " is unknown; known are " + boost::algorithm::join(names, ", "));
   }
   return makeJointController(name, *found);
 }
@@ -245,10 +267,30 @@ RosControl::Controller RosControl::make(const std::string & name)
 RosControl::Controller RosControl::makeJointController(const std::string & name, const JointControllerType & type)
 {
   Controller controller{type.name, "initialized", nullptr, nullptr};
-  controller.joint = std::make_unique<JointController>(
-    type, joint(name), car_.description().wheel_radius, car_.node, name,
-    [this](const std::string & why) { commands_.refuse(why); });
+  const JointController::Listener listener{
+    [this] { commands_.noteAnswer(); }, [this](const std::string & why) { commands_.refuse(why); }};
+  controller.joint =
+    std::make_unique<JointController>(type, joint(name), car_.description().wheel_radius, car_.node, name, listener);
+  useGains(name, *controller.joint);
   return controller;
+}
+
+void RosControl::useGains(const std::string & name, JointController & controller) const
+{
+  PidGains gains;
+  if (!readGains(ros::NodeHandle(car_.node, name + "/pid"), gains)) {
+    const std::string of_joint = "gazebo_ros_control/pid_gains/" + controller.joint().name;
+    if (!readGains(ros::NodeHandle(car_.node, of_joint), gains)) {
+      return;
+    }
+  }
+  if (simulates_pid_ && controller.type().kind == JointCommand::Kind::kVelocity) {
+    controller.simulate(gains);
+  } else {
+    ROS_WARN(
+      "controller %s: its pid gains are not simulated, %s follows as fast as the car can%s", name.c_str(),
+      controller.joint().name.c_str(), simulates_pid_ ? "" : " (the simulator's parameter simulate_pid: true does)");
+  }
 }
 
 const JointDescription & RosControl::joint(const std::string & controller) const
@@ -260,7 +302,9 @@ const JointDescription & RosControl::joint(const std::string & controller) const
     Names names;
     std::transform(
       joints.begin(), joints.end(), std::back_inserter(names), [](const auto & each) { return each.name; });
-    throw Error("controller " + controller + ": no joint " + name + " that moves; there are " + joined(names));
+    throw Error(
+      "controller " + controller + ": no joint " + name + " that moves; there are " +
+      boost::algorithm::join(names, ", "));
   }
   return *found;
 }

@@ -27,7 +27,8 @@ class RosControl : public Output
 public:
   /// @param car       its node in the namespace of the controller manager
   /// @param commands  of the car; takes what the controllers want, and counts what was refused
-  RosControl(CarHandle car, CommandInput & commands);
+  /// @param simulates_pid  whether wheels obey the pid gains of their controllers, or else follow as fast as the car can
+  RosControl(CarHandle car, CommandInput & commands, bool simulates_pid);
 
   double rate() const override { return rate_hz_; }
   void update(SimTime now, bool anyway) override;
@@ -68,12 +69,15 @@ private:
   Controller makeJointController(const std::string & name, const JointControllerType & type);
   const JointDescription & joint(const std::string & controller) const;
   std::string parameter(const std::string & name) const;
-  std::vector<JointCommand> wanted() const;
+  void useGains(const std::string & name, JointController & controller) const;
+  std::vector<JointCommand> wanted(double dt);
+  double speedOf(const JointDescription & joint) const;
   void checkSwitch(const Names & start, const Names & stop) const;
   void start(Controller & controller);
 
   CarHandle car_;
   CommandInput & commands_;
+  const bool simulates_pid_;
   const double rate_hz_;
   Schedule schedule_;  // of what controllers publish
   SimTime last_{0};

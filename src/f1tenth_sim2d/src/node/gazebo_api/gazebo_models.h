@@ -10,9 +10,9 @@
 
 #include <vector>
 
-#include "node/app/spawner.h"
 #include "node/cars/fleet.h"
 #include "node/gazebo_api/gazebo_entities.h"
+#include "node/gazebo_api/spawner.h"
 
 namespace f1tenth_sim2d
 {

@@ -3,7 +3,9 @@
 #include <ros/time.h>
 
 #include <cstdint>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "f1tenth_sim2d/publishing.h"
 #include "f1tenth_sim2d/simulation.h"
@@ -15,12 +17,20 @@ class Output
 {
 public:
   virtual ~Output() = default;
-  virtual double rate() const = 0;  ///< Hz
+  virtual double rate() const = 0;  ///< Hz; 0: at every physics step
   /// @param anyway  also if nobody subscribes: somebody may ask for it to be repeated
   virtual void update(SimTime now, bool anyway) = 0;
   /// Publishes the last message again, for subscribers that have come since.
   virtual void repeat() = 0;
+  /// Whether it is what a driver answers in lockstep.
+  virtual bool isAnswered() const { return false; }
+  /// Contacts of the car whose output it is, since the call before.
+  virtual void note(const std::vector<Contact> & /*contacts*/) {}
+  /// Cars have been put somewhere else: what was noted before is forgotten.
+  virtual void restart() {}
 };
+
+using OutputList = std::vector<std::unique_ptr<Output>>;
 
 inline ros::Time toRosTime(SimTime time)
 {

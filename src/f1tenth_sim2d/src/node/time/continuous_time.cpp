@@ -19,13 +19,12 @@ void FreeTime::advance()
   flow_.waitForSubscribers(interrupted);
   if (!interrupted()) {
     world_.advanceTo(world_.periodEnd());
-    outbox_.flush();
   }
 }
 
 PacedTime::PacedTime(
-  SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control, Outbox & outbox, FlowControl & flow)
-: world_(world), queue_(queue), control_(control), outbox_(outbox), flow_(flow), pacer_(control.real_time_factor)
+  SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control, FlowControl & flow)
+: world_(world), queue_(queue), control_(control), flow_(flow), pacer_(control.real_time_factor)
 {
   restart();
 }
@@ -40,7 +39,6 @@ void PacedTime::advance()
   const SimTime next = world_.nextDue();
   if (serveCallbacksUntilDue(next)) {
     world_.advanceTo(next);
-    outbox_.flush();
     flow_.waitForSubscribers([] { return false; });
   }
 }

@@ -5,7 +5,6 @@
 #include "node/time/pacer.h"
 #include "node/time/time_keeper.h"
 #include "node/transport/flow_control.h"
-#include "node/transport/outbox.h"
 #include "node/world/simulated_world.h"
 
 namespace f1tenth_sim2d
@@ -14,13 +13,11 @@ namespace f1tenth_sim2d
 class FreeTime : public TimeKeeper
 {
 public:
-  FreeTime(
-    SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control, Outbox & outbox,
-    FlowControl & flow)
-  : world_(world), queue_(queue), control_(control), outbox_(outbox), flow_(flow)
+  FreeTime(SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control, FlowControl & flow)
+  : world_(world), queue_(queue), control_(control), flow_(flow)
   {
   }
-  /// By one control period. What is published in it leaves at its end.
+  /// By one control period.
   void advance() override;
   void restart() override {}
 
@@ -28,7 +25,6 @@ private:
   SimulatedWorld & world_;
   ros::CallbackQueue & queue_;
   const TimeControl & control_;
-  Outbox & outbox_;
   FlowControl & flow_;
 };
 
@@ -36,9 +32,7 @@ private:
 class PacedTime : public TimeKeeper
 {
 public:
-  PacedTime(
-    SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control, Outbox & outbox,
-    FlowControl & flow);
+  PacedTime(SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control, FlowControl & flow);
   void advance() override;
   void restart() override;
 
@@ -48,7 +42,6 @@ private:
   SimulatedWorld & world_;
   ros::CallbackQueue & queue_;
   const TimeControl & control_;
-  Outbox & outbox_;
   FlowControl & flow_;
   Pacer pacer_;
 };

@@ -1,19 +1,22 @@
 #include "node/time/lockstep_barrier.h"
 
+#include <ros/console.h>
 #include <std_msgs/Header.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <cstdio>
 #include <utility>
 
 #include "node/messages/output.h"
-#include "node/parameters/parameter_reader.h"
 
 namespace f1tenth_sim2d
 {
 namespace
 {
 const ros::WallDuration kRepeatInterval{0.1};
+// After which a command that came too early is taken for the one that is missing.
+const ros::WallDuration kStrayPatience{1.0};
 }  // namespace
 
 ParticipantSilent::ParticipantSilent(std::string participant, const std::string & message)
@@ -35,6 +38,30 @@ void LockstepBarrier::open(SimTime end, std::int64_t number)
 {
   stamp_ = toRosTime(end);
   number_ = number;
+}
+
+std::function<void()> LockstepBarrier::driverOf(const std::string & car)
+{
+  return [this, car] { noteCommand(car); };
+}
+
+void LockstepBarrier::noteCommand(const std::string & car)
+{
+  surplus_[car] += hasAnswered(car) ? 1 : 0;
+  ledger_.note(car, stamp_);
+}
+
+// A driver that was slow to start has answered a repeated scan twice. The second answer may have passed for that to the
+// next scan; one that was then a scan behind, and keeps only the newest, has left one out that nobody will answer.
+void LockstepBarrier::takeSurplus()
+{
+  for (const std::string & name : ledger_.missing(stamp_)) {
+    if (surplus_[name] > 0) {
+      ROS_WARN("lockstep: an answer of %s came too early and is taken for that to another scan", name.c_str());
+      surplus_[name] = 0;
+      ledger_.note(name, stamp_);
+    }
+  }
 }
 
 bool LockstepBarrier::hasAnswered(const std::string & participant) const
@@ -62,10 +89,14 @@ void LockstepBarrier::wait(const Hooks & hooks)
 
 void LockstepBarrier::waitForAnswers(const Hooks & hooks, const ros::WallTime & deadline)
 {
-  ros::WallTime next_repeat = ros::WallTime::now() + kRepeatInterval;
+  const ros::WallTime start = ros::WallTime::now();
+  ros::WallTime next_repeat = start + kRepeatInterval;
   while (!ledger_.allDone(stamp_) && !hooks.interrupted()) {
     queue_.callAvailable(kRepeatInterval);
     const ros::WallTime now = ros::WallTime::now();
+    if (now > start + kStrayPatience) {
+      takeSurplus();
+    }
     if (now > deadline && !ledger_.allDone(stamp_)) {
       fail();
     }
@@ -89,6 +120,7 @@ void LockstepBarrier::settle()
 void LockstepBarrier::restart()
 {
   ledger_.startAgain(ros::Time());
+  surplus_.clear();
   started_ = false;
   repeats_ = 0;
 }
@@ -102,7 +134,7 @@ void LockstepBarrier::fail() const
     static_cast<long long>(number_), stamp_.toSec(), started_ ? options_.timeout_sec : options_.startup_timeout_sec);
   const bool one = missing.size() == 1;
   throw ParticipantSilent(
-    missing.front(), std::string("lockstep: ") + (one ? "participant " : "participants ") + joined(missing) +
-                       (one ? " has" : " have") + text);
+    missing.front(), std::string("lockstep: ") + (one ? "participant " : "participants ") +
+                       boost::algorithm::join(missing, ", ") + (one ? " has" : " have") + text);
 }
 }  // namespace f1tenth_sim2d

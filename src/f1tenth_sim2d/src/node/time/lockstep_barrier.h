@@ -6,6 +6,7 @@
 #include <sim2d_lockstep/participant.h>
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -48,8 +49,9 @@ public:
 
   /// Answers count for the period that ends at `end`, the `number`-th, from now on. To be called before it is published.
   void open(SimTime end, std::int64_t number);
-  /// The driver of this car has answered the open period.
-  void noteCommand(const std::string & car) { ledger_.note(car, stamp_); }
+  /// What is to be called whenever the driver of this car has sent a command. Nobody waits for it if it is not among the
+  /// participants.
+  std::function<void()> driverOf(const std::string & car);
   bool hasAnswered(const std::string & participant) const;
   /// Blocks until everybody has answered and everything sent before has been handled, or interrupted() is true.
   /// @throws ParticipantSilent
@@ -59,6 +61,8 @@ public:
 
 private:
   void waitForAnswers(const Hooks & hooks, const ros::WallTime & deadline);
+  void noteCommand(const std::string & car);
+  void takeSurplus();
   void settle();
   [[noreturn]] void fail() const;
 
@@ -67,6 +71,7 @@ private:
   sim2d_lockstep::InboxDrain drain_;
   sim2d_lockstep::DoneLedger ledger_;
   ros::Subscriber subscriber_;
+  std::map<std::string, int> surplus_;  // commands by car, beyond the one in each period
   ros::Time stamp_;
   std::int64_t number_{0};
   bool started_{false};

@@ -39,10 +39,8 @@ void LockstepTime::advance()
 // Last: whoever has seen the period's time finds everything of the period in its inbox.
 void LockstepTime::publishClock()
 {
-  outbox_.flush();
   drain_.drain();
   clock_.publish(world_.time());
-  outbox_.flush();
 }
 
 // A driver that has answered would answer a second scan with a second command, so it gets none. The others' messages
@@ -51,7 +49,7 @@ void LockstepTime::repeatPeriod()
 {
   for (const CarId car : simulation_.cars()) {
     if (!barrier_.hasAnswered(simulation_.car(car).name)) {
-      world_.repeatScans(car);
+      world_.repeatForDriver(car);
     }
   }
   const std::size_t subscribers = outbox_.subscriberCount();

@@ -16,43 +16,29 @@ SimulatedWorld::SimulatedWorld(
 Schedule::Id SimulatedWorld::schedule(Output & output)
 {
   const SimTime first_period_end = std::llround(period_ns_);
+  const double period_ns =
+    output.rate() > 0.0 ? periodOf(output.rate()) : static_cast<double>(simulation_.stepLength());
   // In lockstep the first period is repeated for those who come late.
   return schedule_.add(
-    periodOf(output.rate()), [&output, first_period_end](SimTime now) { output.update(now, now <= first_period_end); },
-    time());
+    period_ns, [&output, first_period_end](SimTime now) { output.update(now, now <= first_period_end); }, time());
 }
 
-void SimulatedWorld::addCar(CarId id, CarOutputs outputs)
+SimulatedWorld::OutputsId SimulatedWorld::add(const OutputList & outputs, std::optional<CarId> car)
 {
-  Car & car = cars_[id];
-  car.outputs = std::move(outputs);
-  car.tasks.reserve(car.outputs.scans.size() + car.outputs.bumpers.size() + car.outputs.others.size());
-  const auto scheduleAll = [&](auto & list) {
-    for (auto & output : list) {
-      car.tasks.push_back(schedule(*output));
-    }
-  };
-  scheduleAll(car.outputs.scans);
-  scheduleAll(car.outputs.bumpers);
-  scheduleAll(car.outputs.others);
-}
-
-void SimulatedWorld::removeCar(CarId car)
-{
-  const auto found = cars_.find(car);
-  if (found == cars_.end()) {
-    return;
+  Running & running = running_.emplace(next_id_, Running{outputs, car, {}}).first->second;
+  for (const auto & output : outputs) {
+    running.tasks.push_back(schedule(*output));
   }
+  return next_id_++;
+}
+
+void SimulatedWorld::remove(OutputsId id)
+{
+  const auto found = running_.find(id);
   for (const Schedule::Id task : found->second.tasks) {
     schedule_.remove(task);
   }
-  cars_.erase(found);
-}
-
-void SimulatedWorld::add(std::unique_ptr<Output> output)
-{
-  schedule(*output);
-  others_.push_back(std::move(output));
+  running_.erase(found);
 }
 
 SimTime SimulatedWorld::periodEnd() const
@@ -76,33 +62,41 @@ void SimulatedWorld::distributeContacts()
   for (const CarId car : simulation_.cars()) {
     for (const auto & contact : simulation_.contacts(car)) {
       log_.note(car, contact);
-      for (auto & bumper : cars_[car].outputs.bumpers) {
-        bumper->note(contact);
+    }
+  }
+  for (const auto & [id, running] : running_) {
+    if (running.car) {
+      for (const auto & output : running.outputs) {
+        output->note(simulation_.contacts(*running.car));
       }
     }
+  }
+  for (const CarId car : simulation_.cars()) {
     simulation_.clearContacts(car);
   }
 }
 
-void SimulatedWorld::repeatScans(CarId car)
+void SimulatedWorld::repeatForDriver(CarId car)
 {
-  for (auto & scan : cars_[car].outputs.scans) {
-    scan->repeat();
+  for (const auto & [id, running] : running_) {
+    if (running.car == car) {
+      for (const auto & output : running.outputs) {
+        if (output->isAnswered()) {
+          output->repeat();
+        }
+      }
+    }
   }
 }
 
 void SimulatedWorld::repeatOthers()
 {
-  for (auto & [id, car] : cars_) {
-    for (auto & bumper : car.outputs.bumpers) {
-      bumper->repeat();
+  for (const auto & [id, running] : running_) {
+    for (const auto & output : running.outputs) {
+      if (!output->isAnswered()) {
+        output->repeat();
+      }
     }
-    for (auto & output : car.outputs.others) {
-      output->repeat();
-    }
-  }
-  for (auto & output : others_) {
-    output->repeat();
   }
   transforms_.publish();
 }
@@ -123,9 +117,9 @@ void SimulatedWorld::resetPoses()
 
 void SimulatedWorld::forgetContacts()
 {
-  for (auto & [id, car] : cars_) {
-    for (auto & bumper : car.outputs.bumpers) {
-      bumper->restart();
+  for (const auto & [id, running] : running_) {
+    for (const auto & output : running.outputs) {
+      output->restart();
     }
   }
 }

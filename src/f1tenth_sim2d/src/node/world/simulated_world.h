@@ -1,12 +1,11 @@
 #pragma once
 
 #include <map>
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "f1tenth_sim2d/simulation.h"
-#include "node/cars/car_outputs.h"
 #include "node/messages/output.h"
 #include "node/messages/transform_batch.h"
 #include "node/world/schedule.h"
@@ -14,14 +13,6 @@
 
 namespace f1tenth_sim2d
 {
-/// What a car publishes.
-struct CarOutputs
-{
-  std::vector<std::unique_ptr<ScanOutput>> scans;
-  std::vector<std::unique_ptr<BumperOutput>> bumpers;
-  std::vector<std::unique_ptr<Output>> others;
-};
-
 /// The simulation with all that happens along with it at fixed simulated times.
 class SimulatedWorld
 {
@@ -31,10 +22,11 @@ public:
   SimulatedWorld(
     Simulation & simulation, TransformBatch & transforms, double control_period_sec, const std::string & record_file);
 
-  /// Outputs of a car that has just been added to the simulation, and the end of them, if there are any.
-  void addCar(CarId car, CarOutputs outputs);
-  void removeCar(CarId car);
-  void add(std::unique_ptr<Output> output);
+  using OutputsId = int;
+  /// Runs outputs at their rates until remove(); see RunningOutputs.
+  /// @param car  whose they are: they are told of its contacts
+  OutputsId add(const OutputList & outputs, std::optional<CarId> car);
+  void remove(OutputsId id);
   /// For what is not an Output. Tasks run after all outputs that were added before.
   Schedule & schedule() { return schedule_; }
 
@@ -47,8 +39,8 @@ public:
 
   /// Steps, and runs everything that falls due on the way.
   void advanceTo(SimTime end);
-  /// Publishes the last messages again: of one car's lidars, or of everything else.
-  void repeatScans(CarId car);
+  /// Publishes the last messages again: what the driver of one car answers, or everything else.
+  void repeatForDriver(CarId car);
   void repeatOthers();
   /// Back to time 0, as from fresh.
   void restart();
@@ -57,6 +49,13 @@ public:
   void flushRecord() { log_.flush(); }
 
 private:
+  struct Running
+  {
+    const OutputList & outputs;
+    std::optional<CarId> car;
+    std::vector<Schedule::Id> tasks;
+  };
+
   void distributeContacts();
   void forgetContacts();
   Schedule::Id schedule(Output & output);
@@ -66,12 +65,7 @@ private:
   const double period_ns_;
   Schedule schedule_;
   TrajectoryLog log_;
-  struct Car
-  {
-    CarOutputs outputs;
-    std::vector<Schedule::Id> tasks;
-  };
-  std::map<CarId, Car> cars_;
-  std::vector<std::unique_ptr<Output>> others_;
+  std::map<OutputsId, Running> running_;
+  OutputsId next_id_{0};
 };
 }  // namespace f1tenth_sim2d

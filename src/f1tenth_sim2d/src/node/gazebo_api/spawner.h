@@ -21,12 +21,14 @@ public:
     ignition::math::Pose3d pose;  ///< of the model's frame, in the world
   };
 
-  /// A description with turning joints, sensors or plugins becomes a car, any other a model.
+  /// A description with turning joints, sensors or plugins becomes a car, any other a model. A car whose place is not
+  /// free comes to the nearest free one within a car's length, with a warning.
   /// @throws Error
   void spawn(const Request & request);
 
 private:
   void spawnCar(const Request & request, const std::string & source);
+  void addNear(const CarParameters & parameters, const CarDescription & car, const Pose2 & pose);
   void spawnModel(const Request & request, const std::string & source);
 
   Simulation & simulation_;

@@ -1,12 +1,17 @@
-#include "node/app/spawner.h"
+#include "node/gazebo_api/spawner.h"
 
 #include <malloc.h>
+#include <ros/console.h>
 #include <ros/param.h>
+
+#include <cmath>
+#include <vector>
 
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
-#include "node/app/scene.h"
+#include "f1tenth_sim2d/occupied_place.h"
 #include "node/gazebo_api/gazebo_entities.h"
+#include "node/world/warnings.h"
 
 namespace f1tenth_sim2d
 {
@@ -16,6 +21,23 @@ std::string trimmedOfSlashes(const std::string & name)
 {
   const auto begin = name.find_first_not_of('/');
   return begin == std::string::npos ? "" : name.substr(begin, name.find_last_not_of('/') - begin + 1);
+}
+
+constexpr double kLengthPerWheelbase = 1.6;
+constexpr double kStep = 0.05;  // m, between places that are tried
+constexpr int kDirections = 16;
+
+/// A place, then those around it up to a distance, the nearest first.
+std::vector<Pose2> placesAround(const Pose2 & pose, double limit)
+{
+  std::vector<Pose2> places{pose};
+  for (double radius = kStep; radius <= limit; radius += kStep) {
+    for (int i = 0; i < kDirections; ++i) {
+      const double angle = pose.yaw + 2.0 * M_PI * i / kDirections;
+      places.push_back({pose.x + radius * std::cos(angle), pose.y + radius * std::sin(angle), pose.yaw});
+    }
+  }
+  return places;
 }
 
 // As the plugins of gazebo_ros do: a tf_prefix in the car's namespace, or above it, stands before its frames.
@@ -51,7 +73,27 @@ void Spawner::spawnCar(const Request & request, const std::string & source)
     loadCar(request.xml, request.name, source, searchPathFromEnvironment(), parameters.ros_namespace.substr(1));
   warnOnce(description.source, description.warnings);
   parameters.frame_prefix = framePrefix(parameters.ros_namespace);
-  fleet_.add(parameters, description, description.parameters, carPose(description, request.pose));
+  addNear(parameters, description, carPose(description, request.pose));
+}
+
+// As in Gazebo, a car that would stand in something is pushed out of it.
+void Spawner::addNear(const CarParameters & parameters, const CarDescription & car, const Pose2 & pose)
+{
+  std::string complaint;
+  for (const Pose2 & place : placesAround(pose, kLengthPerWheelbase * car.parameters.wheelbase())) {
+    try {
+      fleet_.add(parameters, car, car.parameters, place);
+    } catch (const OccupiedPlace & error) {
+      complaint = complaint.empty() ? error.what() : complaint;
+      continue;
+    }
+    if (!complaint.empty()) {
+      ROS_WARN(
+        "%s; it stands %.2f m beside it, at (%.2f, %.2f)", complaint.c_str(), distance(place, pose), place.x, place.y);
+    }
+    return;
+  }
+  throw OccupiedPlace(complaint + ", and no place within a car's length is free");
 }
 
 void Spawner::spawnModel(const Request & request, const std::string & source)

@@ -159,6 +159,14 @@ class GazeboApiTest(unittest.TestCase):
         assert self.state("robot1").pose.position.x == 0.0
         assert self.names() == ["walls", "crate", "robot1"]
 
+    def test_description_without_a_name_gets_the_one_asked_for(self):
+        self.start_lockstep(FIRST)
+        nameless = car_description().replace('<robot name="car">', '<robot name="">')
+        for name, x in (("second", 1.0), ("third", 2.0)):
+            assert self.spawn(name, nameless, x, 0.0).success
+        assert self.spawn("box", BOX.replace('<robot name="box">', '<robot name="">'), 1.0, 1.0).success
+        assert self.names() == ["walls", "crate", "box", "robot1", "second", "third"]
+
     def test_car_whose_place_is_not_free_comes_beside_it(self):
         sim2d = self.start_lockstep(FIRST)
         assert self.spawn("car", car_description(), 3.7, 0.0).success

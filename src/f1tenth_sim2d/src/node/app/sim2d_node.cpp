@@ -1,7 +1,6 @@
 #include "node/app/sim2d_node.h"
 
 #include <ros/console.h>
-#include <ros/this_node.h>
 
 #include <utility>
 
@@ -47,8 +46,8 @@ Sim2dNode::Sim2dNode(const NodeParameters & parameters)
   addTime();
   if (parameters_.cars.empty()) {
     ROS_INFO(
-      "No car yet: %s/cars is not set (rosparam drops an empty map: cars: {robot1: {x: 0.0}}); cars may be spawned",
-      ros::this_node::getName().c_str());
+      "No car yet: the parameter cars is empty (rosparam drops an empty map: cars: {robot1: {x: 0.0}}). Cars may be "
+      "spawned");
   }
 }
 

@@ -3,6 +3,7 @@
 #include <malloc.h>
 #include <ros/console.h>
 #include <ros/param.h>
+#include <tinyxml2.h>
 
 #include <cmath>
 #include <vector>
@@ -40,6 +41,26 @@ std::vector<Pose2> placesAround(const Pose2 & pose, double limit)
   return places;
 }
 
+// As gazebo_ros does: a description may leave its name to whoever spawns it.
+std::string withName(const std::string & xml, const std::string & name)
+{
+  tinyxml2::XMLDocument document;
+  if (document.Parse(xml.c_str(), xml.size()) != tinyxml2::XML_SUCCESS) {
+    return xml;
+  }
+  tinyxml2::XMLElement * const root = document.RootElement();
+  tinyxml2::XMLElement * const model = root->FirstChildElement("model");
+  tinyxml2::XMLElement * const named = model != nullptr ? model : root;
+  const char * const own = named->Attribute("name");
+  if (own == nullptr || *own != '\0') {
+    return xml;
+  }
+  named->SetAttribute("name", name.c_str());
+  tinyxml2::XMLPrinter printer;
+  document.Print(&printer);
+  return printer.CStr();
+}
+
 // As the plugins of gazebo_ros do: a tf_prefix in the car's namespace, or above it, stands before its frames.
 std::string framePrefix(const std::string & ros_namespace)
 {
@@ -53,8 +74,10 @@ std::string framePrefix(const std::string & ros_namespace)
 }
 }  // namespace
 
-void Spawner::spawn(const Request & request)
+void Spawner::spawn(const Request & asked)
 {
+  Request request = asked;
+  request.xml = withName(asked.xml, asked.name);
   const std::string source = "description of " + request.name;
   if (describesCar(request.xml, source)) {
     spawnCar(request, source);

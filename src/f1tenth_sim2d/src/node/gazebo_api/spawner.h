@@ -24,7 +24,7 @@ public:
   /// A description with turning joints, sensors or plugins becomes a car, any other a model. A car whose place is not
   /// free comes to the nearest free one within a car's length, with a warning.
   /// @throws Error
-  void spawn(const Request & request);
+  void spawn(const Request & asked);
 
 private:
   void spawnCar(const Request & request, const std::string & source);

@@ -97,3 +97,28 @@ def test_old_clock_that_is_read_once_more_does_not_disturb_a_new_run():
     watched.tick(125 * MS)
     watched.tick(2 * SECOND)
     assert watched.silent_sensors() == {"front": None, "rear": 1900 * MS}
+
+
+def test_without_any_sensor_time_alone_reports_at_10_hz():
+    watched = CollisionMonitor(["front"])
+    assert watched.tick(20 * MS) == Report(collision=False, collisions=0)
+    reports = [watched.tick(stamp * MS) for stamp in range(40, 1021, 20)]
+    assert [report.collision for report in reports].count(False) == 10
+
+
+def test_contact_in_the_first_word_counts():
+    assert CollisionMonitor(["front"]).hear("front", 20 * MS, [WALL]) == Report(collision=True, collisions=1)
+
+
+def test_word_at_the_very_beginning_is_the_first_report():
+    watched = CollisionMonitor(["front"])
+    watched.hear("front", 0)
+    assert watched.hear("front", 20 * MS) == Report()
+
+
+def test_word_that_is_repeated_is_no_new_run():
+    watched = monitor()
+    watched.hear("front", 20 * MS, [WALL])
+    assert watched.hear("front", 20 * MS, [WALL]) == Report()
+    assert watched.hear("front", 40 * MS) == Report(collision=False)
+    assert watched.hear("front", 60 * MS, [WALL]) == Report(collision=True, collisions=2)

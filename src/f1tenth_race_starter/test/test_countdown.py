@@ -51,3 +51,10 @@ def test_says_nothing_after_the_start():
     countdown.update(10 * SECOND)
     assert countdown.update(11 * SECOND) == []
     assert countdown.update(SECOND) == []
+
+
+def test_clock_that_stands_repeats_nothing():
+    countdown = Countdown(2)
+    assert countdown.update(10 * SECOND) == [2]
+    assert countdown.update(10 * SECOND) == []
+    assert countdown.update(11 * SECOND) == [1]

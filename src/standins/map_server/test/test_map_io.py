@@ -31,10 +31,10 @@ def test_yaml_is_written_as_by_the_original(tmp_path):
     )
 
 
-def test_image_is_a_binary_pgm_with_the_top_row_first(tmp_path):
+def test_image_is_written_as_by_the_original_with_the_top_row_first(tmp_path):
     save_map(a_map([[0, 100], [-1, 50]]), tmp_path / "map")
     assert (tmp_path / "map.pgm").read_bytes() == (
-        b"P5\n# CREATOR: map_saver 0.050 m/pix\n2 2\n255\n" + bytes([205, 205, 254, 0])
+        b"P5\n# CREATOR: map_saver.cpp 0.050 m/pix\n2 2\n255\n" + bytes([205, 205, 254, 0])
     )
 
 

@@ -24,7 +24,7 @@ def test_absolute_image_path_is_kept(tmp_path):
     assert str(read_metadata(write_description(tmp_path, image="/maps/a.pgm")).image) == "/maps/a.pgm"
 
 
-@pytest.mark.parametrize(("text", "value"), [("5e-2", 0.05), ("1", 1.0), ('"0.1"', 0.1)])
+@pytest.mark.parametrize(("text", "value"), [("5e-2", 0.05), ("1", 1.0), ('"0.1"', 0.1), ("010", 10.0)])
 def test_number_may_be_written_in_any_usual_way(tmp_path, text, value):
     assert read_metadata(write_description(tmp_path, resolution=text)).resolution == value
 
@@ -32,6 +32,21 @@ def test_number_may_be_written_in_any_usual_way(tmp_path, text, value):
 @pytest.mark.parametrize(("text", "value"), [("true", True), ("false", False)])
 def test_negate_may_be_a_boolean(tmp_path, text, value):
     assert read_metadata(write_description(tmp_path, negate=text)).negate is value
+
+
+def test_further_numbers_of_the_origin_do_not_count(tmp_path):
+    assert read_metadata(write_description(tmp_path, origin="[1, 2, 3, four]")).origin == (1.0, 2.0, 3.0)
+
+
+def test_tabs_may_stand_after_a_colon(tmp_path):
+    metadata = read_metadata(write_description(tmp_path, image="\tfloor.pgm", origin="\t[1,\t2,\t3]"))
+    assert (metadata.image.name, metadata.origin) == ("floor.pgm", (1.0, 2.0, 3.0))
+
+
+def test_first_of_two_equal_keys_and_of_two_documents_counts(tmp_path):
+    path = write_description(tmp_path)
+    path.write_text(path.read_text() + "resolution: 7\n---\nresolution: 8\n")
+    assert read_metadata(path).resolution == 0.05
 
 
 def test_unknown_keys_are_kept_for_a_warning(tmp_path):
@@ -68,26 +83,28 @@ MODES = "trinary or scale or raw"
     [
         ("image", "''", "''", "a file name"),
         ("image", "[a]", "['a']", "a file name"),
-        ("resolution", "0", "0", METRES),
-        ("resolution", "-0.05", "-0.05", METRES),
-        ("resolution", ".nan", "nan", METRES),
-        ("resolution", ".inf", "inf", METRES),
+        ("resolution", "0", "'0'", METRES),
+        ("resolution", "-0.05", "'-0.05'", METRES),
+        ("resolution", ".nan", "'.nan'", METRES),
+        ("resolution", ".inf", "'.inf'", METRES),
         ("resolution", "fine", "'fine'", METRES),
-        ("resolution", "true", "True", METRES),
-        ("resolution", "", "None", METRES),
-        ("origin", "[1, 2]", "[1, 2]", POSE),
-        ("origin", "[1, 2, 3, 4]", "[1, 2, 3, 4]", POSE),
-        ("origin", "[1, 2, east]", "[1, 2, 'east']", POSE),
-        ("origin", "[1, .nan, 3]", "[1, nan, 3]", POSE),
-        ("origin", "7", "7", POSE),
-        ("negate", "2", "2", "0 or 1"),
+        ("resolution", "1_0", "'1_0'", METRES),
+        ("resolution", "true", "'true'", METRES),
+        ("resolution", "", "''", METRES),
+        ("origin", "[1, 2]", "['1', '2']", POSE),
+        ("origin", "[1, 2, [3]]", "['1', '2', None]", POSE),
+        ("origin", "{x: 1}", "None", POSE),
+        ("origin", "[1, 2, east]", "['1', '2', 'east']", POSE),
+        ("origin", "[1, .nan, 3]", "['1', '.nan', '3']", POSE),
+        ("origin", "7", "'7'", POSE),
+        ("negate", "2", "'2'", "0 or 1"),
         ("negate", "'no'", "'no'", "0 or 1"),
-        ("occupied_thresh", "65", "65", FRACTION),
-        ("occupied_thresh", ".nan", "nan", FRACTION),
-        ("free_thresh", "-0.1", "-0.1", FRACTION),
+        ("occupied_thresh", "65", "'65'", FRACTION),
+        ("occupied_thresh", ".nan", "'.nan'", FRACTION),
+        ("free_thresh", "-0.1", "'-0.1'", FRACTION),
         ("free_thresh", "low", "'low'", FRACTION),
         ("mode", "grey", "'grey'", MODES),
-        ("mode", "", "None", MODES),
+        ("mode", "", "''", MODES),
         ("mode", "[raw]", "['raw']", MODES),
     ],
 )
@@ -138,6 +155,6 @@ def test_file_that_is_no_description_is_refused_in_one_line(tmp_path, content, r
 
 def test_huge_integer_is_a_wrong_value_not_a_crash(tmp_path):
     path = write_description(tmp_path, resolution="1" + "0" * 400)
-    with pytest.raises(MapMetadataError, match="resolution: found 10"):
+    with pytest.raises(MapMetadataError, match="resolution: found '10"):
         read_metadata(path)
     assert math.isinf(float("1" + "0" * 400))

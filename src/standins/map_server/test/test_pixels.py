@@ -19,7 +19,7 @@ def test_bottom_row_of_the_image_is_row_0(tmp_path):
     ]
 
 
-@pytest.mark.parametrize("name", ["map.pgm", "map.png", "map.bmp", "map.tif"])
+@pytest.mark.parametrize("name", ["map.pgm", "map.png", "map.bmp"])
 def test_usual_image_formats_are_read(tmp_path, name):
     Image.fromarray(np.array([[254, 0, 205]], dtype=np.uint8)).save(tmp_path / name)
     metadata = read_metadata(write_description(tmp_path, image=name))
@@ -30,6 +30,18 @@ def test_plain_text_pgm_with_comment_and_small_range_is_read(tmp_path):
     (tmp_path / "map.pgm").write_text("P2\n# drawn by hand\n3 1\n5\n5 0 4\n")
     metadata = read_metadata(write_description(tmp_path, image="map.pgm", mode="raw"))
     assert np.uint8(read_cells(metadata)).tolist() == [[255, 0, 204]]
+
+
+def test_small_range_of_a_pgm_is_truncated_to_255_levels(tmp_path):
+    (tmp_path / "map.pgm").write_bytes(b"P5\n3 1\n100\n" + bytes([100, 77, 1]))
+    metadata = read_metadata(write_description(tmp_path, image="map.pgm", mode="raw"))
+    assert np.uint8(read_cells(metadata)).tolist() == [[255, 196, 2]]
+
+
+@pytest.mark.parametrize("kind", ["L", "RGB"])
+def test_tiff_has_an_alpha_channel_that_counts_in_trinary_mode(kind, tmp_path):
+    Image.fromarray(np.array([[205, 0]], dtype=np.uint8)).convert(kind).save(tmp_path / "map.tif")
+    assert read_cells(read_metadata(write_description(tmp_path, image="map.tif"))).tolist() == [[0, 100]]
 
 
 def test_brightness_is_the_mean_of_the_colours(tmp_path):

@@ -45,7 +45,7 @@ def save_map(grid, name, occupied_at_least=DEFAULT_OCCUPIED, free_at_most=DEFAUL
 
 def pgm_bytes(grid, occupied_at_least, free_at_most):
     """Return the map as a binary PGM, the grid's last row first."""
-    header = f"P5\n# CREATOR: map_saver {grid.resolution:.3f} m/pix\n{grid.width} {grid.height}\n255\n"
+    header = f"P5\n# CREATOR: map_saver.cpp {grid.resolution:.3f} m/pix\n{grid.width} {grid.height}\n255\n"
     pixels = pixels_from_cells(grid.cells, occupied_at_least, free_at_most)
     return header.encode() + pixels[::-1].tobytes()
 

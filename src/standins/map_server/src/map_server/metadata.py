@@ -54,24 +54,35 @@ def metadata_from(values, source):
         occupied_thresh=check.fraction("occupied_thresh"),
         free_thresh=check.fraction("free_thresh"),
         mode=check.mode(),
-        unknown_keys=tuple(sorted(str(key) for key in values if key not in (*REQUIRED_KEYS, "mode"))),
+        unknown_keys=tuple(sorted(key for key in values if key not in (*REQUIRED_KEYS, "mode"))),
     )
     _check_order(metadata, source)
     return metadata
 
 
 def _document(path):
+    """Read as yaml-cpp, behind the original, does: the first document, of two equal keys the first one.
+
+    Values are text, as 010 is ten in a map file and eight in YAML 1.1. Only libyaml takes tabs after a colon.
+    """
     try:
-        document = yaml.safe_load(path.read_text(encoding="utf-8"))
+        document = next(yaml.compose_all(path.read_text(encoding="utf-8"), Loader=yaml.CBaseLoader), None)
     except OSError as error:
         raise MapNotFoundError(f"{path}: cannot be opened: {error.strerror}") from error
     except UnicodeDecodeError as error:
         raise MapMetadataError(path, "", "not a YAML file: not UTF-8 text") from error
     except yaml.YAMLError as error:
         raise MapMetadataError(path, "", f"not a YAML file: {' '.join(str(error).split())}") from error
-    if not isinstance(document, dict):
+    if not isinstance(document, yaml.MappingNode):
         raise MapMetadataError(path, "", "not a map description: a mapping of keys to values is needed")
-    return document
+    return {str(key.value): _text_of(value) for key, value in reversed(document.value)}
+
+
+def _text_of(node):
+    """The text of a scalar, or of the scalars in a list; None for whatever else."""
+    if isinstance(node, yaml.SequenceNode):
+        return [item.value if isinstance(item, yaml.ScalarNode) else None for item in node.value]
+    return node.value if isinstance(node, yaml.ScalarNode) else None
 
 
 def _check_order(metadata, source):
@@ -93,8 +104,7 @@ class _Checker:
         raise MapMetadataError(self._source, key, f"found {self._values[key]!r}, allowed is {allowed}")
 
     def _number(self, value):
-        # YAML 1.1 takes 5e-2 for a string, other readers of map files take it for a number.
-        if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+        if isinstance(value, bool) or not isinstance(value, (int, float, str)) or "_" in str(value):
             return math.nan
         try:
             return float(value)
@@ -120,14 +130,15 @@ class _Checker:
         return value
 
     def flag(self, key):
-        value = self._values[key]
-        if isinstance(value, (bool, int)) and value in (0, 1):
-            return bool(value)
-        return self._fail(key, "0 or 1")
+        meanings = {"0": False, "1": True, "false": False, "true": True}
+        text = str(self._values[key]).lower()
+        if text not in meanings:
+            self._fail(key, "0 or 1")
+        return meanings[text]
 
     def pose(self, key):
         value = self._values[key]
-        numbers = [self._number(number) for number in value] if isinstance(value, list) else []
+        numbers = [self._number(number) for number in value[:3]] if isinstance(value, list) else []
         if len(numbers) != 3 or not all(math.isfinite(number) for number in numbers):
             self._fail(key, "three numbers: x, y, yaw")
         return tuple(numbers)

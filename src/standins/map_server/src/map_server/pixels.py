@@ -67,7 +67,22 @@ def _eight_bit_channels(image, path):
     if conversion == "high byte":
         array = (np.asarray(image).astype(np.int32) >> 8).astype(np.uint8)
     else:
-        if "transparency" in image.info:
+        # The original's library gives every TIFF an alpha channel.
+        if "transparency" in image.info or image.format == "TIFF":
             conversion = "RGBA"
-        array = np.asarray(image.convert(conversion))
+        brightest = _brightest(image)
+        array = _truncated(np.asarray(image.convert(conversion)), brightest)
     return array.reshape(array.shape[0], array.shape[1], -1)
+
+
+def _brightest(image):
+    """The greatest value that the pixels of a PGM or PPM file can have; 255 for other files."""
+    return max((tile[3][1] for tile in image.tile if tile[0] in ("ppm", "ppm_plain")), default=255)
+
+
+def _truncated(pixels, brightest):
+    """Scaled to 255 as by the original's library, which truncates where Pillow rounds."""
+    if brightest >= 255:
+        return pixels
+    values = np.rint(pixels * (brightest / 255.0)).astype(np.int32)
+    return (values * 255 // brightest).astype(np.uint8)

@@ -30,10 +30,9 @@ TEST(Actuation, CommandsTakeEffectInTheirOrder)
   Actuation actuation{VehicleParameters{}};
   actuation.command({0.0, 0.4}, 0);
   actuation.command({0.0, -0.4}, 5 * kMillisecond);
-  const SingleTrackState state;
-  EXPECT_EQ(actuation.input(state, 19 * kMillisecond, 0.001).steering_rate, 0.0);
-  EXPECT_GT(actuation.input(state, 20 * kMillisecond, 0.001).steering_rate, 0.0);
-  EXPECT_LT(actuation.input(state, 25 * kMillisecond, 0.001).steering_rate, 0.0);
+  EXPECT_EQ(actuation.input(0.0, 0.0, 19 * kMillisecond, 0.001).steering_rate, 0.0);
+  EXPECT_GT(actuation.input(0.0, 0.0, 20 * kMillisecond, 0.001).steering_rate, 0.0);
+  EXPECT_LT(actuation.input(0.0, 0.0, 25 * kMillisecond, 0.001).steering_rate, 0.0);
 }
 
 TEST(Actuation, SteeringIsLimitedInRateAndAngle)

@@ -16,8 +16,8 @@ namespace f1tenth_sim2d::test
 {
 struct ReferenceRow
 {
-  SingleTrackInput input;
-  SingleTrackState state;
+  SteeredInput input;
+  BodyState state;
 };
 
 std::map<std::string, std::vector<ReferenceRow>> readReference()
@@ -32,7 +32,7 @@ std::map<std::string, std::vector<ReferenceRow>> readReference()
     std::string manoeuvre;
     double time;
     ReferenceRow row;
-    SingleTrackState & s = row.state;
+    BodyState & s = row.state;
     stream >> manoeuvre >> time >> row.input.steering_rate >> row.input.acceleration;
     stream >> s.x >> s.y >> s.delta >> s.v >> s.psi >> s.psi_dot >> s.beta;
     manoeuvres[manoeuvre].push_back(row);
@@ -48,10 +48,10 @@ TEST_P(AgainstCommonRoad, StaysWithinACentimetreAndAFifthOfADegreeForFiveSeconds
 {
   const std::vector<ReferenceRow> rows = readReference()[GetParam()];
   ASSERT_EQ(rows.size(), 101u);
-  const SingleTrack model{VehicleParameters{}};
-  SingleTrackState state = rows[0].state;
+  SingleTrack model{VehicleParameters{}};
+  BodyState state = rows[0].state;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const SingleTrackState & expected = rows[i].state;
+    const BodyState & expected = rows[i].state;
     ASSERT_LT(std::hypot(state.x - expected.x, state.y - expected.y), 0.01) << "row " << i;
     ASSERT_LT(std::abs(state.psi - expected.psi), 0.2 * kPi / 180.0) << "row " << i;
     ASSERT_NEAR(state.v, expected.v, 0.01) << "row " << i;
@@ -66,8 +66,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(SingleTrack, IsSmoothWhereItTurnsKinematic)
 {
-  const SingleTrack model{VehicleParameters{}};
-  SingleTrackState state;
+  SingleTrack model{VehicleParameters{}};
+  BodyState state;
   state.v = 0.3;
   state.delta = 0.3;
   double last_yaw_rate = 0.0;
@@ -84,8 +84,8 @@ TEST(SingleTrack, IsSmoothWhereItTurnsKinematic)
 TEST(SingleTrack, ReverseFollowsTheWheels)
 {
   const VehicleParameters p;
-  const SingleTrack model{p};
-  SingleTrackState state;
+  SingleTrack model{p};
+  BodyState state;
   state.v = -1.0;
   state.delta = 0.2;
   for (int i = 0; i < 2000; ++i) {
@@ -99,8 +99,8 @@ TEST(SingleTrack, ReverseFollowsTheWheels)
 TEST(SingleTrack, ReverseCannotTurnTighterThanTheTyresHold)
 {
   const VehicleParameters p;
-  const SingleTrack model{p};
-  SingleTrackState state;
+  SingleTrack model{p};
+  BodyState state;
   state.v = -5.0;
   for (int i = 0; i < 1000; ++i) {
     const Vec2 before = worldVelocity(state);
@@ -114,8 +114,8 @@ TEST(SingleTrack, ReverseCannotTurnTighterThanTheTyresHold)
 TEST(SingleTrack, CarPushedSidewaysSlidesToAnExactStop)
 {
   const VehicleParameters p;
-  const SingleTrack model{p};
-  SingleTrackState state;
+  SingleTrack model{p};
+  BodyState state;
   setBodyVelocity(state, {0.0, 2.0});
   const double stopping_time = 2.0 / (p.mu * 9.81);
   double energy = 1e9;
@@ -131,26 +131,26 @@ TEST(SingleTrack, CarPushedSidewaysSlidesToAnExactStop)
 
 TEST(SingleTrack, CarThatLostItsGripRegainsIt)
 {
-  const SingleTrack model{VehicleParameters{}};
-  SingleTrackState state;
+  SingleTrack model{VehicleParameters{}};
+  BodyState state;
   setBodyVelocity(state, {2.0, 3.0});
   model.advance(state, {}, 0.001);
-  EXPECT_TRUE(state.sliding);
+  EXPECT_TRUE(model.isSliding());
   for (int i = 0; i < 1000; ++i) {
     model.advance(state, {}, 0.001);
   }
-  EXPECT_FALSE(state.sliding);
+  EXPECT_FALSE(model.isSliding());
   EXPECT_NEAR(state.beta, 0.0, 0.01);
   EXPECT_LT(state.v, 2.5);
 }
 
 TEST(SingleTrack, LongStepIsDividedWhereTheModelIsStiff)
 {
-  const SingleTrack model{VehicleParameters{}};
-  SingleTrackState fine;
+  SingleTrack model{VehicleParameters{}};
+  BodyState fine;
   fine.v = 0.11;
   fine.delta = 0.2;
-  SingleTrackState coarse = fine;
+  BodyState coarse = fine;
   for (int i = 0; i < 1000; ++i) {
     model.advance(fine, {}, 0.001);
   }
@@ -164,7 +164,7 @@ TEST(SingleTrack, LongStepIsDividedWhereTheModelIsStiff)
 TEST(SingleTrack, BodyVelocityAndSpeedAreTwoViewsOfTheSame)
 {
   for (const Vec2 velocity : {Vec2{3, 1}, Vec2{-3, 1}, Vec2{-2, -4}, Vec2{0, -1}, Vec2{0, 0}}) {
-    SingleTrackState state;
+    BodyState state;
     setBodyVelocity(state, velocity);
     EXPECT_NEAR(bodyVelocity(state).x, velocity.x, 1e-12);
     EXPECT_NEAR(bodyVelocity(state).y, velocity.y, 1e-12);

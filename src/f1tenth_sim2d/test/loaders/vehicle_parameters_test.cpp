@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "temp_folder.h"
 
 namespace f1tenth_sim2d
@@ -36,6 +38,12 @@ TEST(VehicleParameters, ShippedFileHoldsEveryDefault)
   EXPECT_EQ(shipped.actuation_latency, defaults.actuation_latency);
   EXPECT_EQ(shipped.speed_gain, defaults.speed_gain);
   EXPECT_EQ(shipped.command_timeout, defaults.command_timeout);
+  EXPECT_EQ(shipped.model, defaults.model);
+  EXPECT_EQ(shipped.R_w, defaults.R_w);
+  EXPECT_EQ(shipped.I_y_w, defaults.I_y_w);
+  EXPECT_EQ(shipped.T_sb, defaults.T_sb);
+  EXPECT_EQ(shipped.T_se, defaults.T_se);
+  EXPECT_EQ(std::memcmp(&shipped.tire, &defaults.tire, sizeof(TireParameters)), 0) << "all of them are doubles";
   EXPECT_EQ(shipped.odometry_rate_hz, defaults.odometry_rate_hz);
   EXPECT_EQ(shipped.odometry_speed_scale, defaults.odometry_speed_scale);
   EXPECT_EQ(shipped.odometry_speed_noise_stddev, defaults.odometry_speed_noise_stddev);
@@ -64,10 +72,10 @@ TEST(VehicleParametersErrors, UnknownKeyNamesTheAllowedOnes)
 {
   EXPECT_EQ(
     errorOf("m: 3.74\nmass: 4\n"),
-    "car.yaml:2: unknown key 'mass', allowed are m, l_f, l_r, h, I_z, mu, C_Sf, C_Sr, steering_max, "
+    "car.yaml:2: unknown key 'mass', allowed are model, tire, m, l_f, l_r, h, I_z, mu, C_Sf, C_Sr, steering_max, "
     "steering_rate_max, a_max, v_switch, v_min, v_max, actuation_latency, speed_gain, command_timeout, "
-    "odometry_rate_hz, odometry_speed_scale, odometry_speed_noise_stddev, odometry_steering_offset, "
-    "odometry_steering_noise_stddev");
+    "R_w, I_y_w, T_sb, T_se, odometry_rate_hz, odometry_speed_scale, odometry_speed_noise_stddev, "
+    "odometry_steering_offset, odometry_steering_noise_stddev");
 }
 
 TEST(VehicleParametersErrors, WrongType)
@@ -95,6 +103,38 @@ TEST(VehicleParametersErrors, OutOfRange)
     errorOf("odometry_steering_offset: -2\n"),
     "car.yaml:1: odometry_steering_offset is -2, allowed are numbers from -1.5 to 1.5 rad");
   EXPECT_EQ(errorOf("h: -1\n"), "car.yaml:1: h is -1, allowed are numbers from 0");
+}
+
+TEST(VehicleParameters, ModelAndTyresAreRead)
+{
+  const TempFolder folder;
+  const VehicleParameters parameters = loadVehicleParameters(
+    folder.write("car.yaml", "model: single_track_drift\nR_w: 0.344\ntire:\n  p_ky1: -30\n  r_hx1: 0\n"));
+  EXPECT_EQ(parameters.model, VehicleModel::kSingleTrackDrift);
+  EXPECT_EQ(parameters.R_w, 0.344);
+  EXPECT_EQ(parameters.tire.p_ky1, -30.0);
+  EXPECT_EQ(parameters.tire.r_hx1, 0.0);
+  EXPECT_EQ(parameters.tire.p_kx1, TireParameters{}.p_kx1);
+  EXPECT_EQ(loadVehicleParameters(folder.write("k.yaml", "model: kinematic")).model, VehicleModel::kKinematic);
+}
+
+TEST(VehicleParametersErrors, UnknownModel)
+{
+  EXPECT_EQ(
+    errorOf("m: 3\nmodel: drift\n"),
+    "car.yaml:2: model is 'drift', allowed are single_track, kinematic, single_track_drift");
+  EXPECT_EQ(
+    errorOf("model: [1]\n"), "car.yaml:1: model is '', allowed are single_track, kinematic, single_track_drift");
+}
+
+TEST(VehicleParametersErrors, WrongTyres)
+{
+  EXPECT_EQ(errorOf("tire: 3\n"), "car.yaml:1: not a map, allowed are lines 'key: number'");
+  EXPECT_EQ(errorOf("tire:\n  p_ky1: 20\n"), "car.yaml:2: p_ky1 is 20, allowed are numbers less than 0");
+  EXPECT_EQ(errorOf("tire:\n  p_ex1: 1.5\n"), "car.yaml:2: p_ex1 is 1.5, allowed are numbers up to 1");
+  EXPECT_EQ(errorOf("T_se: 1.5\n"), "car.yaml:1: T_se is 1.5, allowed are numbers from 0 to 1");
+  const std::string error = errorOf("tire:\n  p_dx3: 0\n");
+  EXPECT_EQ(error.substr(0, error.find(" p_dx1")), "car.yaml:2: unknown key 'p_dx3', allowed are p_cx1,");
 }
 
 TEST(VehicleParametersErrors, KeyGivenTwice)

@@ -41,19 +41,19 @@ void Actuation::command(const DriveCommand & command, SimTime now)
     now);
 }
 
-SingleTrackInput Actuation::input(const SingleTrackState & state, SimTime now, double dt)
+SteeredInput Actuation::input(double speed, double steering_angle, SimTime now, double dt)
 {
   commands_.takeEffect(now);
   const DriveCommand & wanted = commands_.active();
-  const double rate = (wanted.steering_angle - state.delta) / dt;
-  const double speed = commands_.isOld(now) ? 0.0 : wanted.speed;
+  const double rate = (wanted.steering_angle - steering_angle) / dt;
+  const double wanted_speed = commands_.isOld(now) ? 0.0 : wanted.speed;
   return {
-    std::clamp(rate, -parameters_.steering_rate_max, parameters_.steering_rate_max), speedControl(speed, state, dt)};
+    std::clamp(rate, -parameters_.steering_rate_max, parameters_.steering_rate_max),
+    speedControl(wanted_speed, speed, dt)};
 }
 
-double Actuation::speedControl(double wanted, const SingleTrackState & state, double dt) const
+double Actuation::speedControl(double wanted, double speed, double dt) const
 {
-  const double speed = bodyVelocity(state).x;
   const bool stands = wanted == 0.0 && std::abs(speed) < kStandstill;
   const double gain = stands ? 1.0 / dt : parameters_.speed_gain;
   return limitedAcceleration(speed, gain * (wanted - speed), parameters_);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/car/delayed_command.h"
-#include "core/car/single_track.h"
+#include "core/car/steered_model.h"
 #include "f1tenth_sim2d/commands.h"
 
 namespace f1tenth_sim2d
@@ -13,7 +13,7 @@ DriveCommand commandFromTwist(double linear_x, double angular_z, double wheelbas
 /// Acceleration that the motor can give at speed v, m/s and m/s^2; the limits of CommonRoad's models.
 double limitedAcceleration(double v, double acceleration, const VehicleParameters & parameters);
 
-/// Between the driver's commands and the inputs of the single-track model: latency, timeout, speed control, limits.
+/// Between the driver's commands and the inputs of a model: latency, timeout, speed control, limits.
 class Actuation
 {
 public:
@@ -23,10 +23,12 @@ public:
   void command(const DriveCommand & command, SimTime now);
 
   /// Inputs for a step of dt seconds that starts at now.
-  SingleTrackInput input(const SingleTrackState & state, SimTime now, double dt);
+  /// @param speed           m/s, as the motor knows it from the wheels
+  /// @param steering_angle  rad, now
+  SteeredInput input(double speed, double steering_angle, SimTime now, double dt);
 
 private:
-  double speedControl(double wanted, const SingleTrackState & state, double dt) const;
+  double speedControl(double wanted, double speed, double dt) const;
 
   VehicleParameters parameters_;
   DelayedCommand<DriveCommand> commands_;

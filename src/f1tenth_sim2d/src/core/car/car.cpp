@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/math/planar_pose.h"
-#include "f1tenth_sim2d/ackermann.h"
 
 namespace f1tenth_sim2d
 {
@@ -12,16 +11,10 @@ Car::Car(
   const CarDescription & description, const VehicleParameters & parameters, const Pose2 & start, std::uint64_t seed,
   std::uint32_t noise_stream)
 : parameters_(parameters),
-  track_width_(description.track_width),
-  wheel_radius_(description.wheel_radius),
   start_(start),
-  model_(parameters),
-  actuation_(parameters),
-  odometry_(parameters, seed, noise_stream)
+  dynamics_(makeVehicleDynamics(description, parameters)),
+  odometry_(parameters, dynamics_->steers(), description.track_width, seed, noise_stream)
 {
-  if (TwistDrive::drives(description)) {
-    twist_drive_.emplace(description, parameters);
-  }
 }
 
 void Car::place(const Pose2 & pose, const Vec2 & velocity, double yaw_rate)
@@ -34,8 +27,9 @@ void Car::place(const Pose2 & pose, const Vec2 & velocity, double yaw_rate)
   state_.psi_dot = yaw_rate;
   setBodyVelocity(state_, {velocity.x, velocity.y + yaw_rate * parameters_.l_r});
   predicted_ = state_;
+  dynamics_->place(state_);
   velocity_ = {};
-  speed_ = 0.0;
+  rolling_speed_ = 0.0;
   acceleration_ = {};
   wheel_speeds_ = {};
 }
@@ -44,39 +38,14 @@ void Car::restart(SimTime now)
 {
   place(start_);
   wheel_angles_ = {};
-  actuation_ = Actuation(parameters_);
-  if (twist_drive_) {
-    twist_drive_->restart();
-  }
+  dynamics_->restart();
   odometry_.restart(start_, 0.0, now);
-}
-
-void Car::command(const DriveCommand & command, SimTime now)
-{
-  if (twist_drive_) {
-    twist_drive_->command(twistFromCommand(command, parameters_.wheelbase()), now);
-  } else {
-    actuation_.command(command, now);
-  }
-}
-
-void Car::commandTwist(const TwistCommand & command, SimTime now)
-{
-  if (twist_drive_) {
-    twist_drive_->command(command, now);
-  } else {
-    actuation_.command(commandFromTwist(command.velocity.x, command.yaw_rate, parameters_.wheelbase()), now);
-  }
 }
 
 void Car::predict(SimTime now, double dt)
 {
   predicted_ = state_;
-  if (twist_drive_) {
-    twist_drive_->advance(predicted_, now, dt);
-  } else {
-    model_.advance(predicted_, actuation_.input(state_, now, dt), dt);
-  }
+  dynamics_->advance(predicted_, now, dt);
 }
 
 double Car::predictedTravel(double outer_radius) const
@@ -106,24 +75,12 @@ void Car::commit(SimTime now, double dt)
   const double turn = predicted_.psi - state_.psi;
   state_ = predicted_;
   const Vec2 velocity = worldVelocity(state_);
-  const double speed = bodyVelocity(state_).x;
+  const WheelMotion wheels = dynamics_->wheels(state_);
   acceleration_ = {(velocity.x - velocity_.x) / dt, (velocity.y - velocity_.y) / dt};
-  const double distance = 0.5 * (speed_ + speed) * dt;
-  if (twist_drive_) {
-    const double sideways = (bodyVelocity(state_).y - parameters_.l_r * state_.psi_dot) * dt;
-    odometry_.advanceFreely({distance, sideways}, turn, track_width_, dt, now);
-  } else {
-    odometry_.advance(distance, state_.delta, dt, now);
-  }
+  odometry_.advance(state_, 0.5 * (rolling_speed_ + wheels.rear_speed) * dt, turn, dt, now);
   velocity_ = velocity;
-  speed_ = speed;
-  turnWheels(dt);
-}
-
-void Car::turnWheels(double dt)
-{
-  wheel_speeds_ =
-    wheelSpeeds(speed_, state_.psi_dot, state_.delta, parameters_.wheelbase(), track_width_, wheel_radius_);
+  rolling_speed_ = wheels.rear_speed;
+  wheel_speeds_ = wheels.speeds;
   for (std::size_t i = 0; i < wheel_angles_.size(); ++i) {
     wheel_angles_[i] += wheel_speeds_[i] * dt;
   }

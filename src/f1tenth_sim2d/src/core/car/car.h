@@ -2,11 +2,9 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <memory>
 
-#include "core/car/actuation.h"
-#include "core/car/single_track.h"
-#include "core/car/twist_drive.h"
+#include "core/car/vehicle_dynamics.h"
 #include "core/car/wheel_odometry.h"
 #include "core/math/planar_motion.h"
 #include "f1tenth_sim2d/car_model.h"
@@ -27,7 +25,7 @@ public:
     std::uint32_t noise_stream);
 
   const VehicleParameters & parameters() const { return parameters_; }
-  const SingleTrackState & dynamicState() const { return state_; }
+  const BodyState & dynamicState() const { return state_; }
   const WheelOdometry & wheelOdometry() const { return odometry_.current(); }
 
   /// Puts base_footprint at a pose with a velocity (m/s, in the frame of the car) and a yaw rate (rad/s).
@@ -35,10 +33,9 @@ public:
   /// Back to the start pose, at rest.
   void restart(SimTime now);
 
-  /// Commands of the driver at now, within the limits of validation.h. Either kind serves either kind of car: one that is
-  /// driven by velocities takes a steering angle as the yaw rate that it means, and the other way round.
-  void command(const DriveCommand & command, SimTime now);
-  void commandTwist(const TwistCommand & command, SimTime now);
+  /// As VehicleDynamics takes them.
+  void command(const DriveCommand & command, SimTime now) { dynamics_->command(command, now); }
+  void command(const TwistCommand & command, SimTime now) { dynamics_->command(command, now); }
 
   /// Works out where the car goes in a step of dt seconds that starts at now, contacts left aside.
   void predict(SimTime now, double dt);
@@ -58,20 +55,14 @@ public:
   CarState state() const;
 
 private:
-  void turnWheels(double dt);
-
   VehicleParameters parameters_;
-  double track_width_;   ///< m
-  double wheel_radius_;  ///< m
   Pose2 start_;
-  SingleTrack model_;
-  Actuation actuation_;
-  std::optional<TwistDrive> twist_drive_;  ///< of a car that is driven by velocities
+  std::unique_ptr<VehicleDynamics> dynamics_;
   WheelOdometryIntegrator odometry_;
-  SingleTrackState state_;
-  SingleTrackState predicted_;
+  BodyState state_;
+  BodyState predicted_;
   Vec2 velocity_;                         ///< m/s, of the centre of mass, in the world
-  double speed_{0.0};                     ///< m/s, along the car
+  double rolling_speed_{0.0};             ///< m/s, of the rear axle
   Vec2 acceleration_;                     ///< m/s^2, of the centre of mass, in the world
   std::array<double, 4> wheel_angles_{};  ///< rad
   std::array<double, 4> wheel_speeds_{};  ///< rad/s

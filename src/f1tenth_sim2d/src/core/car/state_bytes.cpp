@@ -5,7 +5,7 @@
 
 namespace f1tenth_sim2d
 {
-void appendBytes(const SingleTrackState & s, std::vector<std::uint8_t> & bytes)
+void appendBytes(const BodyState & s, std::vector<std::uint8_t> & bytes)
 {
   const double values[]{s.x, s.y, s.delta, s.v, s.psi, s.psi_dot, s.beta};
   std::uint8_t buffer[sizeof(values)];

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/math/planar_pose.h"
+#include "f1tenth_sim2d/ackermann.h"
 
 namespace f1tenth_sim2d
 {
@@ -42,12 +43,21 @@ bool TwistDrive::drives(const CarDescription & car)
 
 TwistDrive::TwistDrive(const CarDescription & car, const VehicleParameters & parameters)
 : parameters_(parameters),
+  track_width_(car.track_width),
+  wheel_radius_(car.wheel_radius),
   goes_sideways_(car.drive->kind == Kind::kPlanarMove),
   centre_ahead_(parameters.l_r - turningPoint(car.drive->kind, parameters)),
   acceleration_max_(std::min(parameters.a_max, car.drive->acceleration_max)),
   angular_acceleration_max_(acceleration_max_ / (0.5 * car.track_width)),
   commands_(parameters)
 {
+}
+
+void TwistDrive::place(const BodyState & /*state*/) {}
+
+void TwistDrive::command(const DriveCommand & command, SimTime now)
+{
+  commands_.give(limited(twistFromCommand(command, parameters_.wheelbase())), now);
 }
 
 void TwistDrive::command(const TwistCommand & command, SimTime now)
@@ -77,7 +87,7 @@ Vec2 TwistDrive::approached(const Vec2 & velocity, const Vec2 & wanted, double d
   return {velocity.x + share * change.x, velocity.y + share * change.y};
 }
 
-void TwistDrive::advance(SingleTrackState & state, SimTime now, double dt)
+void TwistDrive::advance(BodyState & state, SimTime now, double dt)
 {
   commands_.takeEffect(now);
   const TwistCommand wanted = commands_.isOld(now) ? TwistCommand{} : commands_.active();
@@ -92,5 +102,11 @@ void TwistDrive::advance(SingleTrackState & state, SimTime now, double dt)
   const Vec2 world_after = worldVelocity(state);
   state.x += 0.5 * dt * (world_before.x + world_after.x);
   state.y += 0.5 * dt * (world_before.y + world_after.y);
+}
+
+WheelMotion TwistDrive::wheels(const BodyState & state) const
+{
+  const double speed = bodyVelocity(state).x;
+  return {speed, wheelSpeeds(speed, state.psi_dot, state.delta, parameters_.wheelbase(), track_width_, wheel_radius_)};
 }
 }  // namespace f1tenth_sim2d

@@ -8,8 +8,8 @@
 namespace f1tenth_sim2d
 {
 WheelOdometryIntegrator::WheelOdometryIntegrator(
-  const VehicleParameters & parameters, std::uint64_t seed, std::uint32_t noise_stream)
-: parameters_(parameters), seed_(seed), noise_stream_(noise_stream)
+  const VehicleParameters & parameters, bool steers, double track_width, std::uint64_t seed, std::uint32_t noise_stream)
+: parameters_(parameters), steers_(steers), track_width_(track_width), seed_(seed), noise_stream_(noise_stream)
 {
 }
 
@@ -26,24 +26,16 @@ void WheelOdometryIntegrator::restart(const Pose2 & pose, double steering_angle,
   last_steering_angle_ = steering_angle;
 }
 
-void WheelOdometryIntegrator::advance(double distance, double steering_angle, double dt, SimTime now)
+void WheelOdometryIntegrator::advance(const BodyState & state, double distance, double turn, double dt, SimTime now)
 {
   distance_ += distance;
   elapsed_ += dt;
-  if (isDue(now)) {
-    sampleSteered(steering_angle);
-    integrate();
+  if (!steers_) {
+    sideways_ += (bodyVelocity(state).y - parameters_.l_r * state.psi_dot) * dt;
+    turn_ += turn;
   }
-}
-
-void WheelOdometryIntegrator::advanceFreely(const Vec2 & way, double turn, double track_width, double dt, SimTime now)
-{
-  distance_ += way.x;
-  sideways_ += way.y;
-  turn_ += turn;
-  elapsed_ += dt;
   if (isDue(now)) {
-    sampleFree(track_width);
+    steers_ ? sampleSteered(state.delta) : sampleFree();
     integrate();
   }
 }
@@ -83,15 +75,15 @@ void WheelOdometryIntegrator::sampleSteered(double steering_angle)
   last_steering_angle_ = steering_angle;
 }
 
-void WheelOdometryIntegrator::sampleFree(double track_width)
+void WheelOdometryIntegrator::sampleFree()
 {
   const std::uint64_t key = noiseKeyNow();
-  const double apart = 0.5 * track_width * turn_;
+  const double apart = 0.5 * track_width_ * turn_;
   const double left = measuredSpeed(distance_ - apart, gaussian(key, 0));
   const double right = measuredSpeed(distance_ + apart, gaussian(key, 1));
   current_.speed = 0.5 * (left + right);
   current_.lateral_speed = measuredSpeed(sideways_, gaussian(key, 2));
-  current_.yaw_rate = (right - left) / track_width;
+  current_.yaw_rate = (right - left) / track_width_;
 }
 
 /// Goes on from the last sample at the speeds that were measured.

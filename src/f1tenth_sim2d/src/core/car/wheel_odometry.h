@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "core/car/body_state.h"
 #include "f1tenth_sim2d/geometry.h"
 #include "f1tenth_sim2d/sensor_samples.h"
 #include "f1tenth_sim2d/sim_time.h"
@@ -15,33 +16,36 @@ namespace f1tenth_sim2d
 class WheelOdometryIntegrator
 {
 public:
+  /// @param steers        whether the car turns by steering
+  /// @param track_width   m, between the wheels
   /// @param noise_stream  of the car
-  WheelOdometryIntegrator(const VehicleParameters & parameters, std::uint64_t seed, std::uint32_t noise_stream);
+  WheelOdometryIntegrator(
+    const VehicleParameters & parameters, bool steers, double track_width, std::uint64_t seed,
+    std::uint32_t noise_stream);
 
   /// @param now  the first sample falls on the first multiple of the sampling period after it
   void restart(const Pose2 & pose, double steering_angle, SimTime now);
 
   /// Tells what happened in a step of dt seconds that ends at now.
-  /// @param distance  m, that the middle of the rear axle rolled
-  void advance(double distance, double steering_angle, double dt, SimTime now);
-  /// The same of a car that is driven by velocities.
-  /// @param way          m, that the middle of the rear axle went, in the frame of the car
-  /// @param turn         rad
-  /// @param track_width  m, between the wheels
-  void advanceFreely(const Vec2 & way, double turn, double track_width, double dt, SimTime now);
+  /// @param state     at its end
+  /// @param distance  m, that the wheels of the rear axle rolled
+  /// @param turn      rad, of the car
+  void advance(const BodyState & state, double distance, double turn, double dt, SimTime now);
 
   const WheelOdometry & current() const { return current_; }
 
 private:
   bool isDue(SimTime now) const;
   void sampleSteered(double steering_angle);
-  void sampleFree(double track_width);
+  void sampleFree();
   std::uint64_t noiseKeyNow() const;
   double measuredSpeed(double distance, double noise) const;
   void integrate();
   SimTime sampleTime(std::int64_t number) const;
 
   VehicleParameters parameters_;
+  bool steers_;
+  double track_width_;  ///< m
   std::uint64_t seed_;
   std::uint32_t noise_stream_;
   WheelOdometry current_;

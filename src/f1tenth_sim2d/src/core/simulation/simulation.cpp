@@ -86,7 +86,7 @@ void Simulation::commandTwist(CarId car, double linear_x, double angular_z, doub
 {
   SimulatedCar & driven = impl_->car(car);
   validateTwist({linear_x, linear_y}, angular_z, driven.description.name);
-  driven.car.commandTwist({{linear_x, linear_y}, angular_z}, impl_->time());
+  driven.car.command(TwistCommand{{linear_x, linear_y}, angular_z}, impl_->time());
 }
 
 CarState Simulation::state(CarId car) const

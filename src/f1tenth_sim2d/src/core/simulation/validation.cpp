@@ -30,6 +30,12 @@ constexpr double kWheelbaseMin = 1e-3;     // m
 constexpr double kWheelbaseMax = 100.0;    // m
 constexpr double kLengthMax = 1e5;         // m
 constexpr double kGreatest = 1e9;          // of what has no bound of its own
+constexpr double kRadiusMin = 1e-3;        // m
+constexpr double kFrictionMin = 1e-3;
+constexpr double kFrictionMax = 10.0;
+constexpr double kShapeMin = 0.1;  // beyond these the magic formula is no tyre
+constexpr double kShapeMax = 2.5;
+constexpr double kStiffnessMax = 1e4;
 
 void require(bool condition, const std::string & where, const std::string & what, double found, const char * allowed)
 {
@@ -87,6 +93,23 @@ void validateLidar(const LidarDescription & lidar, const std::string & car)
   require(
     lidar.noise_stddev >= 0.0 && std::isfinite(lidar.noise_stddev), where, "noise (m)", lidar.noise_stddev,
     "a finite number, 0 or more");
+}
+/// What the formula of the tyres divides by, and what makes their forces resist.
+void validateWheels(const VehicleParameters & p, const std::string & car)
+{
+  requireBetween(p.mu, kFrictionMin, kFrictionMax, car, "mu");
+  requireBetween(p.R_w, kRadiusMin, kWheelbaseMax, car, "R_w (m)");
+  requireBetween(p.I_y_w, kInertiaMin, kInertiaMax, car, "I_y_w (kg m^2)");
+  requireBetween(p.T_sb, 0.0, 1.0, car, "T_sb");
+  requireBetween(p.T_se, 0.0, 1.0, car, "T_se");
+  for (const auto & [name, value] : {std::pair("tire p_cx1", p.tire.p_cx1), std::pair("tire p_cy1", p.tire.p_cy1)}) {
+    requireBetween(value, kShapeMin, kShapeMax, car, name);
+  }
+  for (const auto & [name, value] : {std::pair("tire p_dx1", p.tire.p_dx1), std::pair("tire p_dy1", p.tire.p_dy1)}) {
+    requireBetween(value, kFrictionMin, kFrictionMax, car, name);
+  }
+  requireBetween(p.tire.p_kx1, 0.0, kStiffnessMax, car, "tire p_kx1");
+  requireBetween(p.tire.p_ky1, -kStiffnessMax, 0.0, car, "tire p_ky1");
 }
 }  // namespace
 
@@ -158,6 +181,9 @@ void validate(const VehicleParameters & p, const std::string & car)
     {"command_timeout", p.command_timeout}};
   for (const auto & [name, value] : not_negative) {
     requireBetween(value, 0.0, kGreatest, car, name);
+  }
+  if (p.model == VehicleModel::kSingleTrackDrift) {
+    validateWheels(p, car);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
@@ -32,67 +33,77 @@ constexpr Range kNotPositive{-kInfinity, 0.0, true, "numbers up to 0"};
 constexpr Range kSteeringAngle{0.0, 1.5, false, "numbers greater than 0, up to 1.5 rad"};
 constexpr Range kSteeringOffset{-1.5, 1.5, true, "numbers from -1.5 to 1.5 rad"};
 constexpr Range kLatency{0.0, 1.0, true, "numbers from 0 to 1 s"};
+constexpr Range kShare{0.0, 1.0, true, "numbers from 0 to 1"};
+constexpr Range kNegative{-kInfinity, -1e-9, true, "numbers less than 0"};
+constexpr Range kCurvature{-kInfinity, 1.0, true, "numbers up to 1"};
+constexpr Range kFinite{-kInfinity, kInfinity, true, "numbers"};
 constexpr Range kRate{0.0, 1000.0, false, "numbers greater than 0, up to 1000 Hz"};
 
+template <typename Parameters>
 struct Key
 {
   const char * name;
-  double VehicleParameters::*member;
+  double Parameters::*member;
   Range range;
 };
 
 using P = VehicleParameters;
-constexpr std::array<Key, 22> kKeys{{
-  {"m", &P::m, kPositive},
-  {"l_f", &P::l_f, kPositive},
-  {"l_r", &P::l_r, kPositive},
-  {"h", &P::h, kNotNegative},
-  {"I_z", &P::I_z, kPositive},
-  {"mu", &P::mu, kPositive},
-  {"C_Sf", &P::C_Sf, kPositive},
-  {"C_Sr", &P::C_Sr, kPositive},
-  {"steering_max", &P::steering_max, kSteeringAngle},
-  {"steering_rate_max", &P::steering_rate_max, kPositive},
-  {"a_max", &P::a_max, kPositive},
-  {"v_switch", &P::v_switch, kPositive},
-  {"v_min", &P::v_min, kNotPositive},
-  {"v_max", &P::v_max, kPositive},
-  {"actuation_latency", &P::actuation_latency, kLatency},
-  {"speed_gain", &P::speed_gain, kPositive},
-  {"command_timeout", &P::command_timeout, kPositive},
-  {"odometry_rate_hz", &P::odometry_rate_hz, kRate},
-  {"odometry_speed_scale", &P::odometry_speed_scale, kPositive},
-  {"odometry_speed_noise_stddev", &P::odometry_speed_noise_stddev, kNotNegative},
-  {"odometry_steering_offset", &P::odometry_steering_offset, kSteeringOffset},
-  {"odometry_steering_noise_stddev", &P::odometry_steering_noise_stddev, kNotNegative},
-}};
+constexpr std::array kKeys{
+  Key<P>{"m", &P::m, kPositive},
+  Key<P>{"l_f", &P::l_f, kPositive},
+  Key<P>{"l_r", &P::l_r, kPositive},
+  Key<P>{"h", &P::h, kNotNegative},
+  Key<P>{"I_z", &P::I_z, kPositive},
+  Key<P>{"mu", &P::mu, kPositive},
+  Key<P>{"C_Sf", &P::C_Sf, kPositive},
+  Key<P>{"C_Sr", &P::C_Sr, kPositive},
+  Key<P>{"steering_max", &P::steering_max, kSteeringAngle},
+  Key<P>{"steering_rate_max", &P::steering_rate_max, kPositive},
+  Key<P>{"a_max", &P::a_max, kPositive},
+  Key<P>{"v_switch", &P::v_switch, kPositive},
+  Key<P>{"v_min", &P::v_min, kNotPositive},
+  Key<P>{"v_max", &P::v_max, kPositive},
+  Key<P>{"actuation_latency", &P::actuation_latency, kLatency},
+  Key<P>{"speed_gain", &P::speed_gain, kPositive},
+  Key<P>{"command_timeout", &P::command_timeout, kPositive},
+  Key<P>{"R_w", &P::R_w, kPositive},
+  Key<P>{"I_y_w", &P::I_y_w, kPositive},
+  Key<P>{"T_sb", &P::T_sb, kShare},
+  Key<P>{"T_se", &P::T_se, kShare},
+  Key<P>{"odometry_rate_hz", &P::odometry_rate_hz, kRate},
+  Key<P>{"odometry_speed_scale", &P::odometry_speed_scale, kPositive},
+  Key<P>{"odometry_speed_noise_stddev", &P::odometry_speed_noise_stddev, kNotNegative},
+  Key<P>{"odometry_steering_offset", &P::odometry_steering_offset, kSteeringOffset},
+  Key<P>{"odometry_steering_noise_stddev", &P::odometry_steering_noise_stddev, kNotNegative}};
+
+using T = TireParameters;
+constexpr std::array kTireKeys{Key<T>{"p_cx1", &T::p_cx1, kPositive},  Key<T>{"p_dx1", &T::p_dx1, kPositive},
+                               Key<T>{"p_ex1", &T::p_ex1, kCurvature}, Key<T>{"p_kx1", &T::p_kx1, kPositive},
+                               Key<T>{"p_hx1", &T::p_hx1, kFinite},    Key<T>{"p_vx1", &T::p_vx1, kFinite},
+                               Key<T>{"r_bx1", &T::r_bx1, kFinite},    Key<T>{"r_bx2", &T::r_bx2, kFinite},
+                               Key<T>{"r_cx1", &T::r_cx1, kFinite},    Key<T>{"r_ex1", &T::r_ex1, kCurvature},
+                               Key<T>{"r_hx1", &T::r_hx1, kFinite},    Key<T>{"p_cy1", &T::p_cy1, kPositive},
+                               Key<T>{"p_dy1", &T::p_dy1, kPositive},  Key<T>{"p_ey1", &T::p_ey1, kCurvature},
+                               Key<T>{"p_ky1", &T::p_ky1, kNegative},  Key<T>{"r_by1", &T::r_by1, kFinite},
+                               Key<T>{"r_by2", &T::r_by2, kFinite},    Key<T>{"r_by3", &T::r_by3, kFinite},
+                               Key<T>{"r_cy1", &T::r_cy1, kFinite},    Key<T>{"r_ey1", &T::r_ey1, kCurvature},
+                               Key<T>{"r_hy1", &T::r_hy1, kFinite},    Key<T>{"r_vy1", &T::r_vy1, kFinite},
+                               Key<T>{"r_vy4", &T::r_vy4, kFinite},    Key<T>{"r_vy5", &T::r_vy5, kFinite},
+                               Key<T>{"r_vy6", &T::r_vy6, kFinite}};
 
 [[noreturn]] void fail(const std::string & path, const YAML::Mark & mark, const std::string & reason)
 {
   throw LoadError(path + ":" + std::to_string(mark.line + 1), "", reason);
 }
 
-std::string allowedKeys()
+/// A name, or what stands in the place of one.
+std::string nameIn(const YAML::Node & node)
 {
-  std::string names;
-  for (const Key & key : kKeys) {
-    names += (names.empty() ? "" : ", ") + std::string(key.name);
-  }
-  return names;
+  return node.IsScalar() ? "'" + node.Scalar() + "'" : "that is no word";
 }
 
-const Key & findKey(const std::string & path, const YAML::Node & node)
-{
-  for (const Key & key : kKeys) {
-    if (node.IsScalar() && node.Scalar() == key.name) {
-      return key;
-    }
-  }
-  const std::string name = node.IsScalar() ? "'" + node.Scalar() + "'" : "that is no word";
-  fail(path, node.Mark(), "unknown key " + name + ", allowed are " + allowedKeys());
-}
-
-double readNumber(const std::string & path, const Key & key, const YAML::Node & node)
+template <typename Parameters>
+double readNumber(const std::string & path, const Key<Parameters> & key, const YAML::Node & node)
 {
   double value = 0.0;
   if (!node.IsScalar() || node.Tag() == "!" || !YAML::convert<double>::decode(node, value)) {
@@ -103,6 +114,44 @@ double readNumber(const std::string & path, const Key & key, const YAML::Node & 
     fail(path, node.Mark(), std::string(key.name) + " is " + node.Scalar() + ", allowed are " + key.range.text);
   }
   return value;
+}
+
+VehicleModel readModel(const std::string & path, const YAML::Node & node)
+{
+  try {
+    return vehicleModel(node.IsScalar() ? node.Scalar() : "");
+  } catch (const Error & error) {
+    fail(path, node.Mark(), error.what());
+  }
+}
+
+/// Reads lines 'key: number' into parameters, and those of other keys by readOther(name, node) unless that is false.
+/// @param others  the other keys, for the message
+template <typename Parameters, std::size_t count, typename ReadOther>
+void readMap(
+  const std::string & path, const YAML::Node & map, const std::array<Key<Parameters>, count> & keys,
+  Parameters & parameters, const std::string & others, ReadOther readOther)
+{
+  if (!map.IsMap()) {
+    fail(path, map.Mark(), "not a map, allowed are lines 'key: number'");
+  }
+  std::set<std::string> seen;
+  for (const auto & entry : map) {
+    const std::string name = entry.first.IsScalar() ? entry.first.Scalar() : "";
+    if (!seen.insert(name).second) {
+      fail(path, entry.first.Mark(), name + " is given twice");
+    }
+    const auto key = std::find_if(keys.begin(), keys.end(), [&](const auto & each) { return name == each.name; });
+    if (key != keys.end()) {
+      parameters.*key->member = readNumber(path, *key, entry.second);
+    } else if (!readOther(name, entry.second)) {
+      std::string allowed = others;
+      for (const auto & each : keys) {
+        allowed += (allowed.empty() ? "" : ", ") + std::string(each.name);
+      }
+      fail(path, entry.first.Mark(), "unknown key " + nameIn(entry.first) + ", allowed are " + allowed);
+    }
+  }
 }
 
 YAML::Node readFile(const std::string & path)
@@ -117,6 +166,18 @@ YAML::Node readFile(const std::string & path)
 }
 }  // namespace
 
+VehicleModel vehicleModel(const std::string & name)
+{
+  std::string allowed;
+  for (std::size_t i = 0; i < kVehicleModelNames.size(); ++i) {
+    if (name == kVehicleModelNames[i]) {
+      return static_cast<VehicleModel>(i);
+    }
+    allowed += (i == 0 ? "" : ", ") + std::string(kVehicleModelNames[i]);
+  }
+  throw Error("model is '" + name + "', allowed are " + allowed);
+}
+
 VehicleParameters loadVehicleParameters(const std::string & path)
 {
   const YAML::Node root = readFile(path);
@@ -124,17 +185,14 @@ VehicleParameters loadVehicleParameters(const std::string & path)
   if (root.IsNull()) {
     return parameters;
   }
-  if (!root.IsMap()) {
-    fail(path, root.Mark(), "not a map, allowed are lines 'key: number'");
-  }
-  std::set<std::string> seen;
-  for (const auto & entry : root) {
-    const Key & key = findKey(path, entry.first);
-    if (!seen.insert(key.name).second) {
-      fail(path, entry.first.Mark(), std::string(key.name) + " is given twice");
+  readMap(path, root, kKeys, parameters, "model, tire", [&](const std::string & name, const YAML::Node & node) {
+    if (name == "model") {
+      parameters.model = readModel(path, node);
+    } else if (name == "tire") {
+      readMap(path, node, kTireKeys, parameters.tire, "", [](const auto &, const auto &) { return false; });
     }
-    parameters.*key.member = readNumber(path, key, entry.second);
-  }
+    return name == "model" || name == "tire";
+  });
   return parameters;
 }
 }  // namespace f1tenth_sim2d

@@ -1,0 +1,25 @@
+#include "core/car/body_state.h"
+
+#include "core/math/planar_pose.h"
+
+namespace f1tenth_sim2d
+{
+Vec2 bodyVelocity(const BodyState & state)
+{
+  const SineCosine at = sineCosine(state.beta);
+  return {state.v * at.cosine, state.v * at.sine};
+}
+
+Vec2 worldVelocity(const BodyState & state)
+{
+  const SineCosine course = sineCosine(state.psi + state.beta);
+  return {state.v * course.cosine, state.v * course.sine};
+}
+
+void setBodyVelocity(BodyState & state, const Vec2 & velocity)
+{
+  const double sign = velocity.x < 0.0 ? -1.0 : 1.0;
+  state.v = sign * length(velocity);
+  state.beta = direction(sign * velocity.y, sign * velocity.x);
+}
+}  // namespace f1tenth_sim2d

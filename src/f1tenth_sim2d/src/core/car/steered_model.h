@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+
+#include "core/car/body_state.h"
+
+namespace f1tenth_sim2d
+{
+/// What the actuators do, constant over a step and within the car's limits.
+struct SteeredInput
+{
+  double steering_rate{0.0};  ///< rad/s
+  double acceleration{0.0};   ///< m/s^2, that motor and brakes are asked for
+};
+
+/// How fast the circumferences of the wheels of a single track turn, m/s.
+struct AxleSpeeds
+{
+  double front{0.0};
+  double rear{0.0};
+  double driven{0.0};  ///< mean of the axles that the motor drives
+};
+
+/// How a car with a steered front axle moves on the ground when nothing touches it.
+class SteeredModel
+{
+public:
+  virtual ~SteeredModel() = default;
+
+  /// The car was put somewhere: what the model keeps of its own follows from the state from now on.
+  virtual void restart(const BodyState & state) = 0;
+
+  /// Advances state by dt, s.
+  virtual void advance(BodyState & state, const SteeredInput & input, double dt) = 0;
+
+  /// Speeds of wheels that may slip along their track; none for a model whose wheels roll.
+  virtual std::optional<AxleSpeeds> axleSpeeds() const { return std::nullopt; }
+};
+}  // namespace f1tenth_sim2d

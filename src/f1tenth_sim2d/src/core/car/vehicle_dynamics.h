@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "core/car/body_state.h"
+#include "f1tenth_sim2d/car_model.h"
+#include "f1tenth_sim2d/commands.h"
+#include "f1tenth_sim2d/sim_time.h"
+#include "f1tenth_sim2d/vehicle_parameters.h"
+
+namespace f1tenth_sim2d
+{
+struct WheelMotion
+{
+  double rear_speed{0.0};          ///< m/s, mean of the circumferences of the rear wheels
+  std::array<double, 4> speeds{};  ///< rad/s: front left, front right, rear left, rear right
+};
+
+/// How a car moves when nothing touches it: from the driver's commands to the motion of its centre of mass.
+class VehicleDynamics
+{
+public:
+  virtual ~VehicleDynamics() = default;
+
+  /// Forgets all commands.
+  virtual void restart() = 0;
+  /// The car was put somewhere; commands stay in force.
+  virtual void place(const BodyState & state) = 0;
+
+  /// Commands of the driver at now, within the limits of validation.h; they take effect after the car's latency. Either kind
+  /// serves every car: one that steers takes a twist as the steering angle that it means, the others a steering angle as
+  /// the twist that it means.
+  virtual void command(const DriveCommand & command, SimTime now) = 0;
+  virtual void command(const TwistCommand & command, SimTime now) = 0;
+
+  /// Advances state by a step of dt seconds that starts at now.
+  virtual void advance(BodyState & state, SimTime now, double dt) = 0;
+
+  /// Whether the car turns by steering, so that its wheel odometry goes by the steering angle and not by two wheels.
+  virtual bool steers() const = 0;
+  virtual WheelMotion wheels(const BodyState & state) const = 0;
+};
+
+/// The dynamics that a car's description and the `model` of its parameters ask for.
+std::unique_ptr<VehicleDynamics> makeVehicleDynamics(const CarDescription & car, const VehicleParameters & parameters);
+}  // namespace f1tenth_sim2d

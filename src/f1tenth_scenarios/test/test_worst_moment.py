@@ -1,0 +1,189 @@
+"""What is measured is the worst of all cars and all moments, not the last or the first one."""
+
+import math
+
+import pytest
+from f1tenth_scenarios.judge.contacts import find_contacts
+from f1tenth_scenarios.judge.criterion import Status
+from f1tenth_scenarios.judge.driving_criteria import (
+    lateral_acceleration,
+    least_clearance,
+    minimum_clearance,
+    slows_to,
+    standstill,
+)
+from f1tenth_scenarios.judge.goal_passes import find_passes
+from f1tenth_scenarios.judge.judge import Decision, Judgement, first_collision
+from f1tenth_scenarios.judge.measured import Measured
+from f1tenth_scenarios.record.record import COLUMNS
+from f1tenth_scenarios.scenario.scenario import Criteria, Pose, Verdict
+from scenario_samples import PERIOD, record, rows, scenario
+
+
+def judged(folder, *cars):
+    return Judgement(Decision(9.0, Verdict.SUCCESS, "over"), record(folder, *cars), {})
+
+
+def drive(column, values, car="robot1", end=4.0):
+    """A car on the x axis; values: what a column of the record holds, by stamp (s)."""
+    table = list(rows(end, car=car))
+    for row in table:
+        row[COLUMNS.index(column)] = values(float(row[0]))
+    return table
+
+
+def limited(**limits):
+    return scenario(criteria=Criteria(**limits))
+
+
+def dip(at, depth):
+    """A clearance of half a metre but for one moment."""
+    return lambda time: depth if abs(time - at) < PERIOD / 2 else 0.5
+
+
+@pytest.mark.parametrize("at", [PERIOD, 2.0, 4.0])
+def test_clearance_is_that_of_the_closest_moment(tmp_path, at):
+    assert least_clearance(judged(tmp_path, drive("clearance", dip(at, 0.1)))) == 0.1
+
+
+@pytest.mark.parametrize("worse", ["robot1", "robot2"])
+def test_clearance_is_that_of_the_closest_car(tmp_path, worse):
+    cars = [
+        drive("clearance", dip(1.0, 0.1 if car == worse else 0.3), car=car) for car in ("robot1", "robot2")
+    ]
+    found = minimum_clearance(limited(minimum_clearance=0.2), judged(tmp_path, *cars), Measured())
+    assert (found.actual, found.status, found.reason) == (0.1, Status.FAILED, "came as close as 0.100 m")
+
+
+@pytest.mark.parametrize(("yaw_rate", "expected"), [(2.0, 5.0), (-2.0, 1.0), (0.0, 3.0)])
+def test_lateral_acceleration_is_that_of_sliding_and_of_turning_together(tmp_path, yaw_rate, expected):
+    """Along with 1 m/s, aside ever faster by 3 m/s^2: to the left, as a turn to the left accelerates."""
+    table = drive("v_y", lambda time: 3.0 * time)
+    for row in table:
+        row[COLUMNS.index("yaw_rate")] = yaw_rate
+    found = lateral_acceleration(limited(lateral_acceleration=9.0), judged(tmp_path, table), Measured())
+    assert found.actual == pytest.approx(expected)
+    assert found.reason == f"robot1 reached {expected:.2f} m/s^2"
+
+
+def test_lateral_acceleration_is_that_of_the_worst_car_and_moment(tmp_path):
+    turning = drive("yaw_rate", lambda time: -4.0 if 1.0 < time < 2.0 else 0.0, car="robot2")
+    found = lateral_acceleration(
+        limited(lateral_acceleration=4.0), judged(tmp_path, rows(4.0), turning), Measured()
+    )
+    assert (found.actual, found.status, found.reason) == (4.0, Status.PASSED, "robot2 reached 4.00 m/s^2")
+
+
+def test_a_single_period_has_no_lateral_acceleration_of_sliding(tmp_path):
+    table = drive("yaw_rate", lambda time: 2.0, end=PERIOD)
+    assert lateral_acceleration(
+        limited(lateral_acceleration=4.0), judged(tmp_path, table), Measured()
+    ).actual == pytest.approx(2.0)
+
+
+def pausing(*pauses):
+    """At 1 m/s but for some pauses (s, s), of which the first and last stamps are part."""
+    return lambda time: 0.0 if any(begin - 1e-6 < time < end + 1e-6 for begin, end in pauses) else 1.0
+
+
+@pytest.mark.parametrize(
+    ("pauses", "longest"),
+    [
+        ([(0.5, 2.0), (3.0, 3.5)], 1.5),
+        ([(0.5, 1.0), (2.0, 3.5)], 1.5),
+        ([(0.5, 1.0), (2.0, 3.0), (3.5, 4.0)], 1.0),
+        ([(0.0, 0.5)], 0.5 - PERIOD),
+        ([(3.0, 4.0)], 1.0),
+        ([], 0.0),
+    ],
+)
+def test_standstill_is_the_longest_pause(tmp_path, pauses, longest):
+    run = judged(tmp_path, drive("v_x", pausing(*pauses)))
+    found = standstill(limited(standstill=1.2), run, Measured())
+    assert found.actual == pytest.approx(longest)
+    assert found.reason == f"robot1 stood for {longest:.3f} s"
+    assert (found.status is Status.PASSED) == (longest <= 1.2)
+
+
+def test_standing_before_the_start_is_no_standstill(tmp_path):
+    run = judged(tmp_path, drive("v_x", pausing((0.0, 2.0))))
+    assert standstill(limited(standstill=1.0), run, Measured(start=1.5)).actual == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize(("speed", "longest"), [(0.05, 4.0 - PERIOD), (0.051, 0.0), (-0.051, 0.0)])
+def test_creeping_is_no_standstill(tmp_path, speed, longest):
+    run = judged(tmp_path, drive("v_x", lambda time: speed))
+    assert standstill(limited(standstill=1.0), run, Measured()).actual == pytest.approx(longest)
+
+
+def test_every_car_is_to_slow_down(tmp_path):
+    slow = drive("v_x", lambda time: 1.0 if time < 1.0 else 0.1)
+    fast = drive("v_x", lambda time: 1.0 if time < 1.0 else 0.2, car="robot2")
+    found = slows_to(limited(slows_to=0.2), judged(tmp_path, slow, fast), Measured())
+    assert (found.actual, found.status, found.reason) == (
+        0.2, Status.PASSED, "robot2 slowed down to 0.200 m/s",
+    )  # fmt: skip
+
+
+def test_contact_speed_is_that_before_the_impact(tmp_path):
+    table = drive("v_x", lambda time: 2.0 if time < 1.0 - PERIOD / 2 else 0.1)
+    for row in table:
+        row[COLUMNS.index("contacts")] = "Wall_1" if float(row[0]) > 1.0 - PERIOD / 2 else ""
+    (contact,) = find_contacts(record(tmp_path, table))
+    assert (contact.start, contact.speed) == (1.0, 2.0)
+
+
+def test_speed_between_two_cars_is_that_before_the_impact(tmp_path):
+    touch = {1.0: "robot2"}
+    hunter = list(rows(2.0, speed=2.0, contacts=touch))
+    hunted = list(rows(2.0, car="robot2", speed=0.0, contacts={1.0: "robot1"}))
+    for row in hunter:
+        row[5] = 2.0 if float(row[0]) < 1.0 - PERIOD / 2 else 0.5
+    for row in hunted:
+        row[2], row[5] = 3.0, 0.0 if float(row[0]) < 1.0 - PERIOD / 2 else 0.5
+    (contact,) = find_contacts(record(tmp_path, hunter, hunted))
+    assert (contact.car, contact.speed) == ("robot1", 2.0)
+
+
+def test_speed_between_two_cars_knows_their_headings_and_sliding(tmp_path):
+    """Side by side: one slides to its left, into another of opposite heading that does the same."""
+    ours = list(rows(2.0, speed=1.0, contacts={1.0: "robot2"}))
+    theirs = list(rows(2.0, car="robot2", speed=1.0, contacts={1.0: "robot1"}))
+    for row in ours:
+        row[6] = 0.75
+    for row in theirs:
+        row[3], row[4], row[6] = 0.5, math.pi, 0.75
+    (contact,) = find_contacts(record(tmp_path, ours, theirs))
+    assert contact.speed == pytest.approx(math.hypot(2.0, 1.5))
+
+
+@pytest.mark.parametrize(("limit", "is_collision"), [(0.99, True), (1.0, True), (1.01, False)])
+def test_a_touch_as_fast_as_the_limit_is_a_collision(tmp_path, limit, is_collision):
+    touching = record(tmp_path, rows(2.0, contacts={1.0: "Wall_1"}))
+    assert (first_collision(limited(light_touch=limit), touching) is not None) == is_collision
+
+
+@pytest.mark.parametrize(("yaw", "goal_yaw"), [(3.1, -3.1), (-3.1, 3.1), (3.1, 3.1 + 2 * math.pi)])
+def test_a_goal_that_looks_the_other_way_round_the_circle_is_passed(tmp_path, yaw, goal_yaw):
+    track = record(tmp_path, drive("yaw", lambda time: yaw)).tracks["robot1"]
+    assert find_passes(track, [Pose(1.0, 0.0, goal_yaw)], 0.05, 0.1).complete
+
+
+@pytest.mark.parametrize("goal_yaw", [0.11, -0.11, math.pi, 2 * math.pi - 0.11])
+def test_a_goal_that_looks_elsewhere_is_not_passed(tmp_path, goal_yaw):
+    track = record(tmp_path, rows(2.0)).tracks["robot1"]
+    passes = find_passes(track, [Pose(1.0, 0.0, goal_yaw)], 0.05, 0.1)
+    assert (passes.times, passes.wanted, passes.complete) == ((), 1, False)
+    assert passes.nearest == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_goal_is_passed_on_the_rim_of_its_tolerances_and_in_the_first_period_there(tmp_path):
+    track = record(tmp_path, rows(2.0)).tracks["robot1"]
+    passes = find_passes(track, [Pose(1.0, 0.0, 0.25), Pose(1.0, 0.5)], 0.5, 0.25)
+    assert passes.times == (0.5, 1.0)
+
+
+def test_the_next_goal_may_not_be_passed_before_the_one_before_it(tmp_path):
+    track = record(tmp_path, rows(4.0)).tracks["robot1"]
+    passes = find_passes(track, [Pose(2.0, 0.0), Pose(1.0, 0.0)], 0.01, 1.0)
+    assert (passes.times, passes.wanted, passes.nearest) == ((2.0,), 2, pytest.approx(1.0))

@@ -1,4 +1,4 @@
-#include "box_qp.h"
+#include "path/box_qp.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "move_base/costmap.h"
+#include "map/costmap.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <random>
 
 #include "expect_throws.h"
-#include "move_base/errors.h"
+#include "geometry/errors.h"
 #include "rooms.h"
 
 namespace move_base

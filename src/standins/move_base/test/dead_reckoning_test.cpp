@@ -1,4 +1,4 @@
-#include "move_base/dead_reckoning.h"
+#include "control/dead_reckoning.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "move_base/distance_transform.h"
+#include "geometry/distance_transform.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "move_base/global_planner.h"
+#include "path/global_planner.h"
 
 #include <gtest/gtest.h>
 
 #include "expect_throws.h"
-#include "move_base/errors.h"
+#include "geometry/errors.h"
 #include "rooms.h"
 
 namespace move_base

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "move_base/path_follower.h"
+#include "control/path_follower.h"
 
 namespace move_base::testing
 {

@@ -1,12 +1,12 @@
-#include "move_base/navigator.h"
+#include "navigator.h"
 
 #include <gtest/gtest.h>
 
 #include <deque>
 
 #include "expect_throws.h"
+#include "geometry/errors.h"
 #include "kinematic_car.h"
-#include "move_base/errors.h"
 #include "rooms.h"
 
 namespace move_base

@@ -1,10 +1,10 @@
-#include "move_base/obstacle_tracker.h"
+#include "seen/obstacle_tracker.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "move_base/costmap.h"
+#include "map/costmap.h"
 #include "rooms.h"
 
 namespace move_base

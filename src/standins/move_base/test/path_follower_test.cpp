@@ -1,10 +1,10 @@
-#include "move_base/path_follower.h"
+#include "control/path_follower.h"
 
 #include <gtest/gtest.h>
 
 #include "expect_throws.h"
+#include "geometry/errors.h"
 #include "kinematic_car.h"
-#include "move_base/errors.h"
 #include "rooms.h"
 
 namespace move_base

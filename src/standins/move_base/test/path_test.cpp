@@ -1,8 +1,8 @@
-#include "move_base/path.h"
+#include "path/path.h"
 
 #include <gtest/gtest.h>
 
-#include "move_base/path_tracker.h"
+#include "path/path_tracker.h"
 
 namespace move_base
 {

@@ -1,4 +1,4 @@
-#include "race_line.h"
+#include "path/race_line.h"
 
 #include <gtest/gtest.h>
 

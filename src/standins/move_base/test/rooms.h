@@ -3,7 +3,7 @@
 #include <functional>
 #include <utility>
 
-#include "move_base/costmap.h"
+#include "map/costmap.h"
 
 /// Maps for tests, 0.05 m a cell, the lower left corner at the origin.
 namespace move_base::testing

@@ -1,9 +1,9 @@
-#include "move_base/speed_profile.h"
+#include "path/speed_profile.h"
 
 #include <gtest/gtest.h>
 
 #include "expect_throws.h"
-#include "move_base/errors.h"
+#include "geometry/errors.h"
 #include "rooms.h"
 
 namespace move_base

@@ -1,10 +1,10 @@
-#include "move_base/traffic.h"
+#include "traffic/traffic.h"
 
 #include <gtest/gtest.h>
 
+#include "control/path_follower.h"
 #include "kinematic_car.h"
-#include "move_base/navigator.h"
-#include "move_base/path_follower.h"
+#include "navigator.h"
 #include "rooms.h"
 
 namespace move_base

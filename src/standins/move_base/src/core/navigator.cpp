@@ -1,9 +1,9 @@
-#include "move_base/navigator.h"
+#include "navigator.h"
 
 #include <algorithm>
 
-#include "option_checks.h"
-#include "passing.h"
+#include "geometry/option_checks.h"
+#include "traffic/passing.h"
 
 namespace move_base
 {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "move_base/errors.h"
+#include "geometry/errors.h"
 
 namespace move_base
 {

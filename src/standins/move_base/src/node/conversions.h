@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "move_base/costmap.h"
-#include "move_base/path_follower.h"
+#include "control/path_follower.h"
+#include "map/costmap.h"
 
 /// Between messages and the core's types. Quaternions count as rotations about z.
 namespace move_base

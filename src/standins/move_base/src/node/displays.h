@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "move_base/path.h"
 #include "parameters.h"
+#include "path/path.h"
 #include "perception.h"
 #include "plan_publisher.h"
 

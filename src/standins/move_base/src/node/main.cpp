@@ -3,7 +3,7 @@
 
 #include <iostream>
 
-#include "move_base/errors.h"
+#include "geometry/errors.h"
 #include "move_base_node.h"
 
 namespace

@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "displays.h"
-#include "move_base/navigator.h"
+#include "navigator.h"
 #include "parameters.h"
 #include "perception.h"
 

@@ -2,7 +2,7 @@
 
 #include <workspace_support/parameter_reader.h>
 
-#include "move_base/errors.h"
+#include "geometry/errors.h"
 
 namespace move_base
 {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "move_base/navigator.h"
+#include "navigator.h"
 
 namespace move_base
 {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "conversions.h"
-#include "move_base/errors.h"
+#include "geometry/errors.h"
 
 namespace move_base
 {

@@ -12,7 +12,7 @@
 #include <optional>
 #include <string>
 
-#include "move_base/navigator.h"
+#include "navigator.h"
 #include "parameters.h"
 
 namespace move_base

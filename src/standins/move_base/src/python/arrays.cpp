@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "move_base/errors.h"
+#include "geometry/errors.h"
 
 namespace move_base
 {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "move_base/geometry.h"
-#include "move_base/path.h"
+#include "geometry/geometry.h"
+#include "path/path.h"
 
 // A class of its own in Python, not a list.
 PYBIND11_MAKE_OPAQUE(move_base::Path)

@@ -1,9 +1,9 @@
 // The Python module move_base_core: costmap, planner, speed profile and path follower, without ROS.
 #include "arrays.h"
-#include "move_base/errors.h"
-#include "move_base/global_planner.h"
-#include "move_base/path_follower.h"
+#include "control/path_follower.h"
+#include "geometry/errors.h"
 #include "options.h"
+#include "path/global_planner.h"
 
 namespace py = pybind11;
 

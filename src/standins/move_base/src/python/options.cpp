@@ -1,7 +1,7 @@
 #include "options.h"
 
-#include "move_base/global_planner.h"
-#include "move_base/path_follower.h"
+#include "control/path_follower.h"
+#include "path/global_planner.h"
 
 namespace py = pybind11;
 

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <deque>
+
+#include "control/path_follower.h"
+
+namespace move_base
+{
+/// Where the car is by the commands that it has been given since it was last seen.
+class DeadReckoning
+{
+public:
+  /// Notes what the car was told, time in s, not before the commands already noted.
+  void note(double time, const DriveCommand & command);
+  void clear() { commands_.clear(); }
+
+  /// The car's motion at a time, s, that was seen as given at the time seen, not later. Wheels are taken to turn at
+  /// once; the speed follows with a lag.
+  CarState predict(const CarState & car, double seen, double time) const;
+
+private:
+  struct Entry
+  {
+    double time;
+    DriveCommand command;
+  };
+
+  std::deque<Entry> commands_;
+};
+}  // namespace move_base

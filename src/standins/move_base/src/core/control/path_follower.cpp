@@ -1,0 +1,274 @@
+#include "control/path_follower.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/option_checks.h"
+
+namespace move_base
+{
+namespace
+{
+constexpr double kStoppedSpeed = 0.05;    // m/s
+constexpr double kEndReached = 0.03;      // m
+constexpr double kPredictionStep = 0.05;  // s
+constexpr double kPredictionTime = 0.8;   // s beyond the time needed for braking
+constexpr double kSpeedLead = 0.12;       // s, that a car's speed lags behind its command
+constexpr double kStopMargin = 0.05;      // m, left before an obstacle
+// The speed commanded and the speed measured may differ by this much before the slew starts from the measured one, m/s.
+constexpr double kSpeedSlack = 0.5;
+constexpr double kSlackPart = 1.3;       // of what the speed lags behind when the car speeds up as it may
+constexpr double kTrafficTime = 2.5;     // s, for which others ahead count
+constexpr double kTrafficMargin = 0.06;  // m, beside them
+// Beyond this angle between car and path, steering back does not work, rad.
+constexpr double kMaxHeadingError = 1.2;
+
+double brakingDistance(double speed, double deceleration)
+{
+  return speed * speed / (2.0 * deceleration);
+}
+}  // namespace
+
+void FollowerOptions::validate() const
+{
+  limits.validate();
+  requireOption(
+    max_steering_angle > 0.0 && max_steering_angle < 0.5 * M_PI, "max_steering_angle", max_steering_angle,
+    "above 0 and below pi/2");
+  requireNotNegative("latency", latency);
+  requirePositive("tracking_distance", tracking_distance);
+  requireNotNegative("tracking_time", tracking_time);
+  requireNotNegative("slip_gradient", slip_gradient);
+  requireNotNegative("understeer_gradient", understeer_gradient);
+  requireNotNegative("stop_clearance", stop_clearance);
+  requireNotNegative("replan_distance", replan_distance);
+  requirePositive("max_path_deviation", max_path_deviation);
+}
+
+PathFollower::PathFollower(const FollowerOptions & options) : options_(options)
+{
+  options_.validate();
+}
+
+void PathFollower::setPath(const Path & path, const Costmap & costmap)
+{
+  path_ = path;
+  speeds_ = speedProfile(path_, costmap, options_.limits);
+  tracker_ = PathTracker(path_);
+}
+
+void PathFollower::clear()
+{
+  path_.clear();
+  speeds_.clear();
+  last_ = {};
+  last_bend_ = 0.0;
+}
+
+Path PathFollower::lead(const CarState & car, double time) const
+{
+  constexpr double kMaxOffset = 0.3;   // m
+  constexpr double kMaxHeading = 0.5;  // rad
+  if (path_.empty() || car.speed < kSpeedSlack) {
+    return {};
+  }
+  const PathPosition here = tracker_.locate(path_, car.pose);
+  const double until = here.s + car.speed * time;
+  const bool on_path = std::abs(here.lateral) < kMaxOffset && std::abs(here.heading_error) < kMaxHeading;
+  if (here.reverse || !on_path || until > here.s + here.remaining) {
+    return {};
+  }
+  const auto first = path_.begin() + static_cast<std::ptrdiff_t>(here.index);
+  const auto last = std::find_if(first, path_.end(), [&](const PathPoint & point) { return point.s >= until; });
+  return last == path_.end() ? Path{} : Path(first, std::next(last));
+}
+
+bool PathFollower::hindered(const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const
+{
+  const std::vector<Touch> all = touches(car, costmap, others);
+  return std::any_of(all.begin(), all.end(), [](const Touch & touch) { return !touch.behind; });
+}
+
+// Whom the car would touch on its path.
+std::vector<Touch> PathFollower::touches(
+  const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const
+{
+  const PathPosition here = tracker_.locate(path_, car.pose);
+  if (others.empty() || here.reverse || car.speed < 0.0) {
+    return {};
+  }
+  const std::vector<Moment> drive =
+    driveAlong(path_, speeds_, {here.s, here.lateral, car.speed}, options_.limits, kTrafficTime);
+  std::vector<Touch> all;
+  for (const Forecast & other : others) {
+    if (const auto touch = firstTouch(drive, costmap.footprint(), other, kTrafficMargin)) {
+      all.push_back(*touch);
+    }
+  }
+  return all;
+}
+
+// As fast as those ahead on the path allow.
+SpeedBehind PathFollower::speedBehindOthers(
+  const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const
+{
+  SpeedBehind least;
+  for (const Touch & touch : touches(car, costmap, others)) {
+    if (touch.ahead) {
+      const SpeedBehind behind = speedBehind(touch, car.speed, options_.limits.dec_lim_x);
+      least = {std::min(least.wanted, behind.wanted), std::min(least.utmost, behind.utmost)};
+    }
+  }
+  return least;
+}
+
+FollowStep PathFollower::step(
+  const CarState & car, const Costmap & costmap, double period, bool brake, const std::vector<Forecast> & others)
+{
+  changeDirectionWhenStanding(car);
+  FollowStep result;
+  result.position = tracker_.moveTo(path_, car.pose);
+  result.lost = std::abs(result.position.lateral) > options_.max_path_deviation ||
+                std::abs(result.position.heading_error) > kMaxHeadingError;
+  result.at_end = tracker_.onLastStretch() && result.position.remaining <= kEndReached;
+  const double slip = slipOn(last_bend_, car.speed);
+  const PathPosition predicted = tracker_.locate(path_, motionAfterLatency(car, slip));
+
+  const double free = distanceToObstacle(car, costmap, result.prediction);
+  const double stoppable =
+    std::sqrt(2.0 * options_.limits.dec_lim_x * std::max(0.0, free - kStopMargin - std::abs(car.speed) * kSpeedLead));
+  result.stuck = stoppable < kStoppedSpeed;
+  result.blocked = result.stuck || pathBlocked(result.position, car.speed, costmap);
+
+  const bool stop = brake || result.lost || result.position.remaining <= kEndReached;
+  const SpeedBehind behind = speedBehindOthers(car, costmap, others);
+  const double utmost = std::min(stoppable, behind.utmost);
+  const double speed = stop ? 0.0 : std::min({wantedSpeed(predicted, car.speed), utmost, behind.wanted});
+  const double slow = slewed(result.position.reverse ? -speed : speed, car.speed, period);
+  result.command.speed = std::clamp(slow, -stoppable, utmost);
+  last_bend_ = steer(predicted, std::abs(car.speed));
+  result.command.curvature = withUndersteer(last_bend_, car.speed);
+  last_ = result.command;
+  return result;
+}
+
+double PathFollower::maxCurvature() const
+{
+  return std::tan(options_.max_steering_angle) / options_.limits.wheelbase;
+}
+
+double PathFollower::slipOn(double curvature, double speed) const
+{
+  const double limit = options_.limits.max_lateral_acceleration;
+  return options_.slip_gradient * std::clamp(speed * speed * curvature, -limit, limit);
+}
+
+double PathFollower::withUndersteer(double curvature, double speed) const
+{
+  const double limit = options_.limits.max_lateral_acceleration;
+  const double more = options_.understeer_gradient * std::clamp(speed * speed * curvature, -limit, limit);
+  const double wheelbase = options_.limits.wheelbase;
+  const double angle = std::atan(wheelbase * curvature) + more;
+  return std::tan(std::clamp(angle, -options_.max_steering_angle, options_.max_steering_angle)) / wheelbase;
+}
+
+Pose2 PathFollower::motionAfterLatency(const CarState & car, double slip) const
+{
+  return advance({car.pose.x, car.pose.y, car.pose.yaw - slip}, car.speed * options_.latency, last_bend_);
+}
+
+// Makes the lateral error decay along the way like a critically damped spring, on top of the path's own curvature.
+double PathFollower::steer(const PathPosition & position, double speed) const
+{
+  const double reach = options_.tracking_distance + options_.tracking_time * speed;
+  const double path_curvature = position.reverse ? -position.curvature : position.curvature;
+  const double stretch = std::max(0.2, 1.0 - path_curvature * position.lateral);
+  const double curvature = path_curvature * std::cos(position.heading_error) / stretch -
+                           position.lateral / (reach * reach) - 2.0 * std::sin(position.heading_error) / reach;
+  return std::clamp(position.reverse ? -curvature : curvature, -maxCurvature(), maxCurvature());
+}
+
+double PathFollower::profileAt(double s, std::size_t from) const
+{
+  std::size_t i = from;
+  while (i + 1 < path_.size() && path_[i + 1].s < s) {
+    ++i;
+  }
+  if (i + 1 >= path_.size()) {
+    return speeds_.back();
+  }
+  const double step = path_[i + 1].s - path_[i].s;
+  const double part = step > 0.0 ? std::clamp((s - path_[i].s) / step, 0.0, 1.0) : 0.0;
+  return speeds_[i] + part * (speeds_[i + 1] - speeds_[i]);
+}
+
+double PathFollower::wantedSpeed(const PathPosition & position, double speed) const
+{
+  const double lead = std::min(std::abs(speed) * kSpeedLead, position.remaining);
+  const double here = profileAt(position.s, position.index);
+  const double soon = profileAt(position.s + lead, position.index);
+  return std::max(std::min(here, soon), options_.limits.min_vel_x);
+}
+
+// Drives on in thought, as the next steps would: the way until the car would touch something, m.
+double PathFollower::distanceToObstacle(
+  const CarState & car, const Costmap & costmap, std::vector<Pose2> & prediction) const
+{
+  const double here = costmap.clearance(car.pose);
+  const double time = kPredictionTime + std::abs(car.speed) / options_.limits.dec_lim_x;
+  PathTracker tracker = tracker_;
+  Pose2 motion = car.pose;
+  motion.yaw -= slipOn(last_bend_, car.speed);
+  double pace = std::abs(car.speed);
+  double driven = 0.0;
+  for (double t = 0.0; t < time; t += kPredictionStep) {
+    const PathPosition position = tracker.moveTo(path_, motion);
+    if (position.remaining <= kEndReached) {
+      break;
+    }
+    const double slower = pace - options_.limits.dec_lim_x * kPredictionStep;
+    pace = std::max({std::min(pace, profileAt(position.s, position.index)), slower, options_.limits.min_vel_x});
+    const double distance = std::min(pace * kPredictionStep, position.remaining);
+    const double bend = steer(position, pace);
+    motion = advance(motion, position.reverse ? -distance : distance, bend);
+    const Pose2 pose{motion.x, motion.y, motion.yaw + slipOn(bend, pace)};
+    prediction.push_back(pose);
+    // A car that stands closer to something already may drive away from it.
+    if (costmap.clearance(pose) < std::min(options_.stop_clearance, here - 0.01)) {
+      return driven;
+    }
+    driven += distance;
+  }
+  return HUGE_VAL;
+}
+
+bool PathFollower::pathBlocked(const PathPosition & position, double speed, const Costmap & costmap) const
+{
+  const double until = position.s + options_.replan_distance + brakingDistance(speed, options_.limits.dec_lim_x);
+  const double here = costmap.clearance(path_[position.index].pose);
+  for (std::size_t i = position.index; i < path_.size() && path_[i].s <= until; ++i) {
+    if (costmap.clearance(path_[i].pose) < std::min(0.0, here - 0.01)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void PathFollower::changeDirectionWhenStanding(const CarState & car)
+{
+  const PathPosition position = tracker_.locate(path_, car.pose);
+  if (position.remaining <= kEndReached && std::abs(car.speed) < kStoppedSpeed) {
+    tracker_.nextStretch();
+  }
+}
+
+double PathFollower::slewed(double wanted, double speed, double period) const
+{
+  const double greatest = std::max(options_.limits.acc_lim_x, options_.limits.dec_lim_x);
+  const double slack = std::max(kSpeedSlack, kSlackPart * kSpeedLead * greatest);
+  const double from = std::clamp(last_.speed, speed - slack, speed + slack);
+  const bool slower = std::abs(wanted) < std::abs(from) || wanted * from < 0.0;
+  const double step = (slower ? options_.limits.dec_lim_x : options_.limits.acc_lim_x) * period;
+  return from + std::clamp(wanted - from, -step, step);
+}
+}  // namespace move_base

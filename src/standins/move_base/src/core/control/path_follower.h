@@ -1,0 +1,113 @@
+#pragma once
+
+#include <vector>
+
+#include "map/costmap.h"
+#include "path/path_tracker.h"
+#include "path/speed_profile.h"
+#include "traffic/forecast.h"
+#include "traffic/traffic.h"
+
+namespace move_base
+{
+struct FollowerOptions
+{
+  SpeedLimits limits;
+  double max_steering_angle{0.4189};  ///< rad
+  double latency{0.05};               ///< s, from measuring a pose to the wheels acting on the command
+  double tracking_distance{0.45};     ///< m, in which an error of the path is driven out when standing
+  double tracking_time{0.12};         ///< s, added to it per m/s
+  double slip_gradient{0.0};          ///< rad per m/s^2 of lateral acceleration, that the rear axle drifts outwards
+  double understeer_gradient{0.0};    ///< rad per m/s^2, that the wheels must be turned further than on rails
+  double stop_clearance{0.0};         ///< m, with less on its predicted way the car stops before
+  double replan_distance{2.5};        ///< m beyond the braking distance, an obstacle on the path there is reported
+  double max_path_deviation{0.5};     ///< m, farther from its path the car has lost it
+
+  /// @throws OptionError
+  void validate() const;
+};
+
+/// A car's motion, in the map.
+struct CarState
+{
+  Pose2 pose;
+  double speed{0.0};  ///< m/s, negative backwards
+};
+
+struct DriveCommand
+{
+  double speed{0.0};      ///< m/s, negative backwards
+  double curvature{0.0};  ///< 1/m, positive is steering to the left
+
+  double yawRate() const { return speed * curvature; }
+};
+
+/// What one step of following gives.
+struct FollowStep
+{
+  DriveCommand command;
+  PathPosition position;          ///< of the car now
+  bool lost{false};               ///< the car is off its path
+  bool blocked{false};            ///< an obstacle lies on the path ahead
+  bool stuck{false};              ///< the car cannot drive on without touching it
+  bool at_end{false};             ///< the path is driven to its end
+  std::vector<Pose2> prediction;  ///< where the car is going to be
+};
+
+/// Steers a car along a path at the speed that path, obstacles and the car allow.
+class PathFollower
+{
+public:
+  /// @throws OptionError
+  explicit PathFollower(const FollowerOptions & options);
+
+  const FollowerOptions & options() const { return options_; }
+
+  /// Starts on a path, which must have at least two points.
+  void setPath(const Path & path, const Costmap & costmap);
+  bool hasPath() const { return !path_.empty(); }
+  const Path & path() const { return path_; }
+  void clear();
+  const DriveCommand & lastCommand() const { return last_; }
+
+  /// The path from behind the car to where it will be after the time, s; empty when the car is not on it.
+  Path lead(const CarState & car, double time) const;
+
+  /// The car's place on the path, m along it.
+  double placeOf(const CarState & car) const { return tracker_.locate(path_, car.pose).s; }
+
+  /// Whether somebody is going to be in the way.
+  bool hindered(const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const;
+
+  /// @param period  s since the last step
+  /// @param brake   whether to come to a stand along the path as soon as possible
+  /// @param others  who drives about, behind whom it stays
+  FollowStep step(
+    const CarState & car, const Costmap & costmap, double period, bool brake = false,
+    const std::vector<Forecast> & others = {});
+
+private:
+  double maxCurvature() const;
+  double slipOn(double curvature, double speed) const;
+  double withUndersteer(double curvature, double speed) const;
+  /// Where the car is after the latency, and its yaw the direction in which it moves.
+  Pose2 motionAfterLatency(const CarState & car, double slip) const;
+  double steer(const PathPosition & position, double speed) const;
+  double profileAt(double s, std::size_t from) const;
+  double wantedSpeed(const PathPosition & position, double speed) const;
+  double distanceToObstacle(const CarState & car, const Costmap & costmap, std::vector<Pose2> & prediction) const;
+  std::vector<Touch> touches(const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const;
+  SpeedBehind speedBehindOthers(
+    const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const;
+  bool pathBlocked(const PathPosition & position, double speed, const Costmap & costmap) const;
+  void changeDirectionWhenStanding(const CarState & car);
+  double slewed(double wanted, double speed, double period) const;
+
+  FollowerOptions options_;
+  Path path_;
+  std::vector<double> speeds_;
+  PathTracker tracker_;
+  DriveCommand last_;
+  double last_bend_{0.0};  // 1/m, wanted of the car's way by the last step
+};
+}  // namespace move_base

@@ -1,0 +1,19 @@
+#include "geometry/geometry.h"
+
+namespace move_base
+{
+namespace
+{
+// Below it, an arc over any length used here is a straight line to the last bit that matters.
+constexpr double kStraightCurvature = 1e-9;
+}  // namespace
+
+Pose2 advance(const Pose2 & pose, double length, double curvature)
+{
+  if (std::abs(curvature) < kStraightCurvature) {
+    return compose(pose, {length, 0.0, 0.0});
+  }
+  const double turn = length * curvature;
+  return compose(pose, {std::sin(turn) / curvature, (1.0 - std::cos(turn)) / curvature, turn});
+}
+}  // namespace move_base

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include "geometry/errors.h"
+
+/// Checks of options, with messages that say which one, what was found and what is allowed.
+namespace move_base
+{
+inline void requireOption(bool holds, const std::string & name, double found, const std::string & allowed)
+{
+  if (!holds) {
+    std::ostringstream message;
+    message << name << ": found " << found << ", must be " << allowed;
+    throw OptionError(message.str());
+  }
+}
+
+inline void requirePositive(const std::string & name, double found)
+{
+  requireOption(std::isfinite(found) && found > 0.0, name, found, "a number above 0");
+}
+
+inline void requireNotNegative(const std::string & name, double found)
+{
+  requireOption(std::isfinite(found) && found >= 0.0, name, found, "a number of at least 0");
+}
+}  // namespace move_base

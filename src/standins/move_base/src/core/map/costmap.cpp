@@ -1,0 +1,234 @@
+#include "map/costmap.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/distance_transform.h"
+#include "geometry/option_checks.h"
+
+namespace move_base
+{
+namespace
+{
+// Of a place between the middles of four cells, the weighted mean of their distances from it, in cells, is at most this.
+constexpr double kInterpolationError = 0.7072;
+constexpr double kMovingMargin = 0.15;  // m around what moves, of which the lidar has seen parts as standing
+
+const GridGeometry & checked(const OccupancyGrid & map)
+{
+  const GridGeometry & geometry = map.geometry;
+  if (geometry.width < 2 || geometry.height < 2 || map.cells.size() != geometry.size()) {
+    throw Error(
+      "map: " + std::to_string(geometry.width) + " x " + std::to_string(geometry.height) + " cells with " +
+      std::to_string(map.cells.size()) + " values, must be at least 2 x 2 with one value each");
+  }
+  requirePositive("map: resolution", geometry.resolution);
+  return geometry;
+}
+}  // namespace
+
+void CostmapOptions::validate() const
+{
+  requireOption(
+    lethal_cost_threshold >= 1 && lethal_cost_threshold <= 100, "lethal_cost_threshold", lethal_cost_threshold,
+    "1 to 100");
+  requirePositive("inflation_radius", inflation_radius);
+  requirePositive("cost_scaling_factor", cost_scaling_factor);
+  requireNotNegative("clearance_weight", clearance_weight);
+  live.validate();
+}
+
+Costmap::Costmap(const OccupancyGrid & map, const CostmapOptions & options, const Footprint & footprint)
+: geometry_(checked(map)),
+  options_(options),
+  footprint_(footprint),
+  half_cell_(0.5 * geometry_.resolution),
+  free_clearance_(options.inflation_radius - footprint.halfWidth()),
+  unknown_(geometry_.size(), 0),
+  live_(geometry_, options.live)
+{
+  options_.validate();
+  std::vector<std::uint8_t> obstacles(geometry_.size());
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    unknown_[i] = map.cells[i] < 0 ? 1 : 0;
+    obstacles[i] = unknown_[i] != 0 ? !options.allow_unknown : map.cells[i] >= options.lethal_cost_threshold;
+  }
+  map_distances_ = distanceTransform(obstacles, geometry_.width, geometry_.height);
+  for (float & value : map_distances_) {
+    value *= static_cast<float>(geometry_.resolution);
+  }
+  distances_ = map_distances_;
+
+  makeStamp();
+}
+
+void Costmap::makeStamp()
+{
+  // Beyond this, a live obstacle changes neither cost nor collision.
+  const double reach = options_.inflation_radius + footprint_.halfWidth();
+  stamp_reach_ = static_cast<int>(std::ceil(reach / geometry_.resolution));
+  for (int dy = -stamp_reach_; dy <= stamp_reach_; ++dy) {
+    for (int dx = -stamp_reach_; dx <= stamp_reach_; ++dx) {
+      const double away = std::hypot(dx, dy) * geometry_.resolution;
+      stamp_.push_back(away <= reach ? static_cast<float>(away) : HUGE_VALF);
+    }
+  }
+}
+
+void Costmap::observe(const LaserScan & scan)
+{
+  std::vector<Vec2> hits = live_.hits(scan, map_distances_);
+  tracker_.observe(scan.time, scan.sensor.position(), hits);
+  bool changed = false;
+  for (const MovingObstacle & obstacle : tracker_.moving()) {
+    const Box outline = grown(obstacle.outline, kMovingMargin);
+    const auto inside = [&](const Vec2 & hit) { return outline.distanceTo(hit) <= 0.0; };
+    hits.erase(std::remove_if(hits.begin(), hits.end(), inside), hits.end());
+    changed = live_.forgetIn(outline) || changed;
+  }
+  for (const Box & glimpse : tracker_.glimpses()) {
+    changed = live_.forgetIn(grown(glimpse, geometry_.resolution)) || changed;
+  }
+  if (live_.observe(scan, hits) || changed) {
+    rebuild();
+  }
+}
+
+void Costmap::forgetBeyond(const Vec2 & centre, double radius)
+{
+  if (live_.forgetBeyond(centre, radius)) {
+    rebuild();
+  }
+}
+
+template <class Visit>
+void Costmap::forStampRows(const Cell & cell, const Visit & visit) const
+{
+  const int left = std::max(cell.x - stamp_reach_, 0);
+  const int right = std::min(cell.x + stamp_reach_, geometry_.width - 1);
+  const int low = std::max(cell.y - stamp_reach_, 0);
+  const int high = std::min(cell.y + stamp_reach_, geometry_.height - 1);
+  const GridGeometry stamp{2 * stamp_reach_ + 1, 2 * stamp_reach_ + 1, geometry_.resolution, {}};
+  for (int y = low; y <= high; ++y) {
+    const Cell in_stamp{left - cell.x + stamp_reach_, y - cell.y + stamp_reach_};
+    visit(geometry_.index({left, y}), stamp.index(in_stamp), static_cast<std::size_t>(right - left + 1));
+  }
+}
+
+void Costmap::rebuild()
+{
+  for (const Cell & cell : stamped_) {
+    forStampRows(cell, [&](std::size_t first, std::size_t, std::size_t count) {
+      std::copy_n(map_distances_.data() + first, count, distances_.data() + first);
+    });
+  }
+  stamped_.clear();
+  live_low_ = {HUGE_VAL, HUGE_VAL};
+  live_high_ = {-HUGE_VAL, -HUGE_VAL};
+  for (const std::size_t index : live_.cells()) {
+    stamp(geometry_.cell(index));
+  }
+  ++revision_;
+}
+
+void Costmap::stamp(const Cell & cell)
+{
+  const Vec2 centre = geometry_.centre(cell);
+  const double reach = (stamp_reach_ + 1) * geometry_.resolution;  // distances are read between cells
+  live_low_ = {std::min(live_low_.x, centre.x - reach), std::min(live_low_.y, centre.y - reach)};
+  live_high_ = {std::max(live_high_.x, centre.x + reach), std::max(live_high_.y, centre.y + reach)};
+  stamped_.push_back(cell);
+  forStampRows(cell, [&](std::size_t first, std::size_t first_in_stamp, std::size_t count) {
+    float * distance = distances_.data() + first;
+    const float * stamped = stamp_.data() + first_in_stamp;
+    for (std::size_t i = 0; i < count; ++i) {
+      distance[i] = std::min(distance[i], stamped[i]);
+    }
+  });
+}
+
+double Costmap::clearance(const Pose2 & base) const
+{
+  const double c = std::cos(base.yaw);
+  const double s = std::sin(base.yaw);
+  double least = HUGE_VAL;
+  for (const Disc & disc : footprint_.discs()) {
+    const Vec2 & at = disc.centre;
+    const Vec2 centre{base.x + c * at.x - s * at.y, base.y + s * at.x + c * at.y};
+    least = std::min(least, obstacleDistance(centre) - disc.radius);
+  }
+  return least;
+}
+
+bool Costmap::isFarAround(const Vec2 & middle, double margin) const
+{
+  // Distances from the map's obstacles differ by at most the distance between two places; those read here are
+  // interpolated, and there are none beside the map.
+  const double reach = footprint_.around().radius + margin;
+  const double room = reach + free_clearance_ + 2.0 * kInterpolationError * geometry_.resolution;
+  if (!(wallDistance(middle) >= room)) {
+    return false;
+  }
+  const bool live = middle.x + reach > live_low_.x && middle.x - reach < live_high_.x &&
+                    middle.y + reach > live_low_.y && middle.y - reach < live_high_.y;
+  return !live && isInside(middle, margin);
+}
+
+// Whether the map reaches around the car by the margin and what interpolation needs.
+bool Costmap::isInside(const Vec2 & middle, double margin) const
+{
+  const Vec2 from_corner = middle - geometry_.origin.position();
+  const double room = footprint_.around().radius + margin + geometry_.resolution;
+  return from_corner.x > room && from_corner.x < geometry_.width * geometry_.resolution - room &&
+         from_corner.y > room && from_corner.y < geometry_.height * geometry_.resolution - room;
+}
+
+Vec2 Costmap::proximityGradient(const Pose2 & base) const
+{
+  constexpr double kRounding = 1e-4;  // m, of the distances, which are floats
+  const double h = half_cell_;
+  const Vec2 ahead{std::cos(base.yaw), std::sin(base.yaw)};
+  const auto placed = [&](const Vec2 & at, double x, double y) {
+    return Vec2{x + ahead.x * at.x - ahead.y * at.y, y + ahead.y * at.x + ahead.x * at.y};
+  };
+  const Vec2 middle = placed(footprint_.around().centre, base.x, base.y);
+  if (isFarAround(middle, h)) {
+    return {};
+  }
+  const auto clearanceOf = [&](const Disc & disc, double x, double y) {
+    return obstacleDistance(placed(disc.centre, x, y)) - disc.radius;
+  };
+  std::array<double, Footprint::kDiscs> here;
+  std::transform(footprint_.discs().begin(), footprint_.discs().end(), here.begin(), [&](const Disc & disc) {
+    return clearanceOf(disc, base.x, base.y);
+  });
+  // No clearance changes by more than h on the way: of the discs only those count that can be the nearest there.
+  const double least = *std::min_element(here.begin(), here.end());
+  const double most = isInside(middle, h) ? std::min(least + h, free_clearance_) + h + kRounding : HUGE_VAL;
+  const auto cost = [&](double x, double y) {
+    double nearest = HUGE_VAL;
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      if (here[i] <= most) {
+        nearest = std::min(nearest, clearanceOf(footprint_.discs()[i], x, y));
+      }
+    }
+    return proximityCost(nearest);
+  };
+  return {
+    (cost(base.x + h, base.y) - cost(base.x - h, base.y)) / (2.0 * h),
+    (cost(base.x, base.y + h) - cost(base.x, base.y - h)) / (2.0 * h)};
+}
+
+std::int8_t Costmap::occupancy(std::size_t index) const
+{
+  const double clearance = distances_[index] - half_cell_ - footprint_.halfWidth();
+  if (distances_[index] == 0.0F) {
+    return unknown_[index] != 0 ? -1 : 100;
+  }
+  if (clearance >= free_clearance_) {
+    return 0;
+  }
+  return static_cast<std::int8_t>(99.0 * std::exp(-options_.cost_scaling_factor * std::max(clearance, 0.0)));
+}
+}  // namespace move_base

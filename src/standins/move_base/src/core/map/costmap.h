@@ -1,0 +1,122 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "car/footprint.h"
+#include "geometry/geometry.h"
+#include "seen/laser_scan.h"
+#include "seen/live_layer.h"
+#include "seen/obstacle_tracker.h"
+
+namespace move_base
+{
+struct CostmapOptions
+{
+  bool allow_unknown{false};         ///< whether unknown cells of the map may be driven on
+  int lethal_cost_threshold{100};    ///< from this occupancy on a cell of the map is an obstacle
+  double inflation_radius{0.55};     ///< m, obstacles farther away from the car's axis cost nothing
+  double cost_scaling_factor{10.0};  ///< 1/m, how fast the cost falls with distance
+  double clearance_weight{4.0};      ///< cost of a metre driven with a side touching, in metres of free road
+  LiveLayerOptions live;
+
+  /// @throws OptionError
+  void validate() const;
+};
+
+/// Distances to obstacles of the map and of the lidar, and what it costs to drive near them.
+class Costmap
+{
+public:
+  /// @throws Error for an empty map, OptionError
+  Costmap(const OccupancyGrid & map, const CostmapOptions & options, const Footprint & footprint);
+
+  const GridGeometry & geometry() const { return geometry_; }
+  const CostmapOptions & options() const { return options_; }
+  const Footprint & footprint() const { return footprint_; }
+
+  /// Takes a scan into the live layer, but for what moves.
+  void observe(const LaserScan & scan);
+  /// What moves on the map; it is in no distance here.
+  const std::vector<MovingObstacle> & moving() const { return tracker_.moving(); }
+  /// Forgets what the lidar saw farther than radius from centre, m.
+  void forgetBeyond(const Vec2 & centre, double radius);
+  /// Rises with every change of the live layer.
+  unsigned revision() const { return revision_; }
+
+  /// Distance from a point to the nearest obstacle that stands, m; not above 0 inside of one and outside of the map.
+  double obstacleDistance(const Vec2 & point) const { return distanceIn(distances_, point); }
+  /// The same to the nearest obstacle of the map.
+  double wallDistance(const Vec2 & point) const { return distanceIn(map_distances_, point); }
+
+  /// Least distance from the car's outline to an obstacle, m, to the safe side by what the discs stick out; negative on contact.
+  double clearance(const Pose2 & base) const;
+
+  /// Whether the car here and up to margin beside it is surely so far from every obstacle that none adds to what driving
+  /// costs, and margin farther than that. Takes one look at the map instead of one for each disc; false says nothing.
+  bool isFarFromAll(const Pose2 & base, double margin) const
+  {
+    return isFarAround(transform(base, footprint_.around().centre), margin);
+  }
+
+  /// What a metre costs beyond its length when the obstacle next to the car's axis is at this clearance, m.
+  double proximityCost(double clearance) const
+  {
+    if (clearance >= free_clearance_) {
+      return 0.0;
+    }
+    return options_.clearance_weight * std::exp(-options_.cost_scaling_factor * std::max(clearance, 0.0));
+  }
+
+  /// How proximityCost at a pose changes with x and y, 1/m: differences over a cell.
+  Vec2 proximityGradient(const Pose2 & base) const;
+
+  /// A cell for display: 100 obstacle, 99 nearer than half the car's width, falling to 0; -1 unknown.
+  std::int8_t occupancy(std::size_t index) const;
+
+private:
+  double distanceIn(const std::vector<float> & distances, const Vec2 & point) const
+  {
+    const double gx = (point.x - geometry_.origin.x) / geometry_.resolution - 0.5;
+    const double gy = (point.y - geometry_.origin.y) / geometry_.resolution - 0.5;
+    if (!(gx >= 0.0 && gy >= 0.0 && gx < geometry_.width - 1 && gy < geometry_.height - 1)) {
+      return -half_cell_;
+    }
+    const int ix = static_cast<int>(gx);
+    const int iy = static_cast<int>(gy);
+    const double fx = gx - ix;
+    const double fy = gy - iy;
+    const float * low = distances.data() + geometry_.index({ix, iy});
+    const float * high = low + geometry_.width;
+    return (1.0 - fy) * ((1.0 - fx) * low[0] + fx * low[1]) + fy * ((1.0 - fx) * high[0] + fx * high[1]) - half_cell_;
+  }
+
+  bool isFarAround(const Vec2 & middle, double margin) const;
+  bool isInside(const Vec2 & middle, double margin) const;
+  void makeStamp();
+  void rebuild();
+  void stamp(const Cell & cell);
+  /// Calls visit(index of the first cell in the map, the same in the stamp, how many) for each row of a stamp at a cell.
+  template <class Visit>
+  void forStampRows(const Cell & cell, const Visit & visit) const;
+
+  GridGeometry geometry_;
+  CostmapOptions options_;
+  Footprint footprint_;
+  double half_cell_;
+  double free_clearance_;
+  std::vector<std::uint8_t> unknown_;
+  std::vector<float> map_distances_;  // m, between cell centres
+  std::vector<float> distances_;      // the same with the live layer's cells
+  LiveLayer live_;
+  ObstacleTracker tracker_;
+  int stamp_reach_{0};                 // cells from the middle of the stamp to its edges
+  std::vector<float> stamp_;           // m, from the middle, row by row; infinite beyond what matters
+  std::vector<Cell> stamped_;          // where the stamp is in distances_
+  Vec2 live_low_{HUGE_VAL, HUGE_VAL};  // m, corners of a rectangle around all that is stamped
+  Vec2 live_high_{-HUGE_VAL, -HUGE_VAL};
+  unsigned revision_{0};
+};
+}  // namespace move_base

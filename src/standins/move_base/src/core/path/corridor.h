@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/interval.h"
+#include "map/costmap.h"
+#include "path/path.h"
+#include "search/arc_price.h"
+
+namespace move_base
+{
+/// Least clearance of a car whose nose points off its motion by slip, rad, or does not: it takes a while to come, m.
+double clearanceWithSlip(const Costmap & costmap, const Pose2 & pose, double slip);
+
+/// How far the car may be moved to either side of each point of the path, m, positive to the left of the car, so that
+/// it keeps the rule.
+/// @param slips  rad, by which the nose points off the motion, of each point
+std::vector<Interval> corridorAround(
+  const Path & path, const Costmap & costmap, const ClearanceRule & rule, const std::vector<double> & slips);
+}  // namespace move_base

@@ -1,0 +1,77 @@
+#include "path/global_planner.h"
+
+#include <algorithm>
+
+#include "path/path_extension.h"
+#include "path/path_smoother.h"
+#include "path/plan_parts.h"
+#include "path/race_line.h"
+#include "search/arc_price.h"
+
+namespace move_base
+{
+namespace
+{
+constexpr double kSpacing = 0.1;          // m, between points of a path
+constexpr double kLeastClearance = 0.02;  // m
+constexpr double kFirstPart = 0.4;        // of max_expansions, for the search with the clearance wanted
+
+const PlannerOptions & validated(const PlannerOptions & options)
+{
+  options.validate();
+  return options;
+}
+}  // namespace
+
+GlobalPlanner::GlobalPlanner(const PlannerOptions & options)
+: options_(validated(options)), curves_(options.min_turning_radius, options.allow_reversing)
+{
+}
+
+Plan GlobalPlanner::plan(const Costmap & costmap, const PlanRequest & request) const
+{
+  if (options_.min_obstacle_dist <= kLeastClearance) {
+    return planWithClearance(costmap, request, kLeastClearance, options_.max_expansions);
+  }
+  // Narrow gaps make the first search long or fail: something must be left for the second one.
+  const int first_budget = std::max(1, static_cast<int>(kFirstPart * options_.max_expansions));
+  const Plan wanted = planWithClearance(costmap, request, options_.min_obstacle_dist, first_budget);
+  if (wanted.status != SearchStatus::kUnreachable && wanted.status != SearchStatus::kBudgetSpent) {
+    return wanted;
+  }
+  const int left = std::max(1, options_.max_expansions - wanted.expansions);
+  Plan narrow = planWithClearance(costmap, request, kLeastClearance, left);
+  narrow.expansions += wanted.expansions;
+  return narrow;
+}
+
+Plan GlobalPlanner::planWithClearance(
+  const Costmap & costmap, const PlanRequest & request, double clearance, int max_expansions) const
+{
+  const SearchQuery query{request.start, request.goal, request.start_curvature, clearance, max_expansions};
+  SearchResult result = searchHybridAStar(costmap, options_, curves_, query);
+  Plan plan;
+  plan.status = result.status;
+  plan.expansions = result.expansions;
+  if (!plan.found()) {
+    return plan;
+  }
+  const ClearanceRule rule(costmap, request.start, request.goal, clearance);
+  const double goal_s = length(result.arcs);
+  if (result.arcs.empty() || result.arcs.back().length > 0.0) {
+    const std::vector<Arc> beyond = extensionFrom(request.goal, costmap, rule, options_, request.extension_length);
+    result.arcs.insert(result.arcs.end(), beyond.begin(), beyond.end());
+  }
+  const Path path = samplePath(request.start, result.arcs, kSpacing);
+  plan.path = smoothPath(path, costmap, rule, 1.0 / options_.min_turning_radius, goal_s);
+  if (request.race_line && stretches(plan.path).size() == 1 && !plan.path.front().reverse) {
+    plan.path.front().curvature = request.start_curvature;
+    plan.path = raceLine(
+      plan.path, costmap, rule, {request.goal.position(), request.race_line->gate_tolerance},
+      1.0 / options_.min_turning_radius, *request.race_line);
+  }
+  plan.goal_s = placeOnPath(plan.path, request.goal, goal_s);
+  prepend(request.lead, plan);
+  return plan;
+}
+}  // namespace move_base

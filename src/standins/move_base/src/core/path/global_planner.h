@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+
+#include "map/costmap.h"
+#include "path/path.h"
+#include "search/hybrid_a_star.h"
+
+namespace move_base
+{
+/// A way to a goal, and, where asked for, beyond it.
+struct Plan
+{
+  SearchStatus status{SearchStatus::kUnreachable};
+  Path path;           ///< empty unless found
+  double goal_s{0.0};  ///< m along the path, where the goal is
+  int expansions{0};   ///< of the searches
+
+  bool found() const { return status == SearchStatus::kFound; }
+};
+
+/// How a line uses the width of the road.
+struct RaceLineOptions
+{
+  double gate_tolerance{0.3};        ///< m, how far beside the goal the line may pass
+  double slip_gradient{0.0};         ///< rad per m/s^2, by which the car's nose points into a bend
+  double lateral_acceleration{0.0};  ///< m/s^2, at which bends are driven
+  double max_speed{0.0};             ///< m/s
+};
+
+struct PlanRequest
+{
+  Pose2 start;
+  Pose2 goal;
+  double start_curvature{0.0};   ///< 1/m, how the wheels are set at the start
+  double extension_length{0.0};  ///< m, wanted beyond the goal
+  /// For a goal that is passed at speed: make the bends wide instead of keeping to the middle.
+  std::optional<RaceLineOptions> race_line{};
+  Path lead{};  ///< what leads to the start and is to stay as it is
+};
+
+/// Plans paths that the car can drive and that keep to the middle where there is room.
+class GlobalPlanner
+{
+public:
+  /// @throws OptionError
+  explicit GlobalPlanner(const PlannerOptions & options);
+
+  /// Tries with the clearance of the options, then with as little as the map is exact.
+  Plan plan(const Costmap & costmap, const PlanRequest & request) const;
+
+private:
+  Plan planWithClearance(
+    const Costmap & costmap, const PlanRequest & request, double clearance, int max_expansions) const;
+
+  PlannerOptions options_;
+  ShortestCurves curves_;
+};
+}  // namespace move_base

@@ -1,0 +1,108 @@
+#include "path/path.h"
+
+#include <algorithm>
+
+namespace move_base
+{
+namespace
+{
+// Arcs [begin, end) are of one driving direction.
+struct ArcRange
+{
+  std::size_t begin;
+  std::size_t end;
+};
+
+std::vector<ArcRange> directionRanges(const std::vector<Arc> & arcs)
+{
+  std::vector<ArcRange> ranges;
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i <= arcs.size(); ++i) {
+    if (i == arcs.size() || (arcs[i].length < 0.0) != (arcs[begin].length < 0.0)) {
+      ranges.push_back({begin, i});
+      begin = i;
+    }
+  }
+  return ranges;
+}
+
+// Walks along arcs of one direction, forwards only.
+class ArcWalker
+{
+public:
+  ArcWalker(const Pose2 & start, const std::vector<Arc> & arcs, const ArcRange & range)
+  : arcs_(arcs), arc_(range.begin), last_(range.end - 1), arc_start_(start)
+  {
+  }
+
+  PathPoint at(double driven)
+  {
+    while (arc_ < last_ && driven > arc_begin_ + std::abs(arcs_[arc_].length)) {
+      arc_begin_ += std::abs(arcs_[arc_].length);
+      arc_start_ = advance(arc_start_, arcs_[arc_].length, arcs_[arc_].curvature);
+      ++arc_;
+    }
+    const Arc & arc = arcs_[arc_];
+    const double part = std::copysign(driven - arc_begin_, arc.length);
+    return {advance(arc_start_, part, arc.curvature), arc.curvature, arc.length < 0.0, driven};
+  }
+
+private:
+  const std::vector<Arc> & arcs_;
+  std::size_t arc_;
+  std::size_t last_;
+  Pose2 arc_start_;
+  double arc_begin_{0.0};
+};
+}  // namespace
+
+std::vector<PathStretch> stretches(const Path & path)
+{
+  std::vector<PathStretch> result;
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i <= path.size(); ++i) {
+    if (i == path.size() || path[i].reverse != path[begin].reverse) {
+      result.push_back({begin, i});
+      begin = i;
+    }
+  }
+  return result;
+}
+
+Path samplePath(const Pose2 & start, const std::vector<Arc> & arcs, double spacing)
+{
+  Path path;
+  Pose2 pose = start;
+  double driven = 0.0;
+  for (const ArcRange & range : directionRanges(arcs)) {
+    const double total = length(std::vector<Arc>(
+      arcs.begin() + static_cast<std::ptrdiff_t>(range.begin), arcs.begin() + static_cast<std::ptrdiff_t>(range.end)));
+    const int steps = std::max(1, static_cast<int>(std::ceil(total / spacing - 1e-9)));
+    ArcWalker walker(pose, arcs, range);
+    for (int i = 0; i <= steps; ++i) {
+      path.push_back(walker.at(total * i / steps));
+      path.back().s += driven;
+    }
+    driven += total;
+    pose = path.back().pose;
+  }
+  if (path.empty()) {
+    path.push_back({start, 0.0, false, 0.0});
+  }
+  return path;
+}
+
+double length(const Path & path)
+{
+  return path.empty() ? 0.0 : path.back().s - path.front().s;
+}
+
+double length(const std::vector<Arc> & arcs)
+{
+  double sum = 0.0;
+  for (const Arc & arc : arcs) {
+    sum += std::abs(arc.length);
+  }
+  return sum;
+}
+}  // namespace move_base

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/geometry.h"
+#include "search/curves.h"
+
+namespace move_base
+{
+struct PathPoint
+{
+  Pose2 pose;             ///< of the base frame, in the map
+  double curvature{0.0};  ///< 1/m, of the wheels' setting: positive is steering to the left
+  bool reverse{false};    ///< whether the car drives backwards from here to the next point
+  double s{0.0};          ///< m driven since the start, backwards counting like forwards
+};
+
+/// A path for the base frame. Where the driving direction changes, two points lie at the same pose: the last one of
+/// one direction and the first one of the other.
+using Path = std::vector<PathPoint>;
+
+/// Points [begin, end) of one driving direction.
+struct PathStretch
+{
+  std::size_t begin;
+  std::size_t end;
+};
+
+/// Splits a path where the driving direction changes.
+std::vector<PathStretch> stretches(const Path & path);
+
+/// The path that arcs describe. Within one driving direction points are equally far apart, at most spacing, m.
+Path samplePath(const Pose2 & start, const std::vector<Arc> & arcs, double spacing);
+
+/// Length driven, m.
+double length(const Path & path);
+double length(const std::vector<Arc> & arcs);
+}  // namespace move_base

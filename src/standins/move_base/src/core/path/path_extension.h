@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "search/arc_price.h"
+#include "search/hybrid_a_star.h"
+
+namespace move_base
+{
+/// Where a car that passes a pose without stopping may roll on: the cheapest forward arcs that keep the rule,
+/// as long as wanted or as far as the road goes, m.
+std::vector<Arc> extensionFrom(
+  const Pose2 & pose, const Costmap & costmap, const ClearanceRule & rule, const PlannerOptions & options,
+  double wanted_length);
+}  // namespace move_base

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "map/costmap.h"
+#include "path/path.h"
+#include "search/arc_price.h"
+
+namespace move_base
+{
+/// Evens out the steering of a path and moves it away from obstacles: an elastic band (snake) within each stretch of
+/// one driving direction. Both ends of a stretch and the point at pinned_s keep pose and heading.
+/// The result keeps rule and greatest curvature, 1/m, wherever the given path does; where it would not, it stays as given.
+Path smoothPath(
+  const Path & path, const Costmap & costmap, const ClearanceRule & rule, double greatest_curvature, double pinned_s);
+}  // namespace move_base

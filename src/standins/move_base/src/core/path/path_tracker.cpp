@@ -1,0 +1,85 @@
+#include "path/path_tracker.h"
+
+#include <algorithm>
+
+namespace move_base
+{
+namespace
+{
+constexpr double kSearchAhead = 2.0;   // m
+constexpr double kSearchBehind = 0.5;  // m
+
+// Part of the way from a to b at which the point is nearest, within [0, 1].
+double nearestPart(const Vec2 & a, const Vec2 & b, const Vec2 & point)
+{
+  const Vec2 along = b - a;
+  const double squared = dot(along, along);
+  return squared > 0.0 ? std::clamp(dot(point - a, along) / squared, 0.0, 1.0) : 0.0;
+}
+
+PathPosition positionOn(
+  const Path & path, const PathStretch & stretch, std::size_t index, double part, const Pose2 & pose)
+{
+  const PathPoint & a = path[index];
+  const PathPoint & b = path[std::min(index + 1, stretch.end - 1)];
+  PathPosition position;
+  position.index = index;
+  position.reverse = a.reverse;
+  position.s = a.s + part * (b.s - a.s);
+  position.remaining = path[stretch.end - 1].s - position.s;
+  position.curvature = a.curvature + part * (b.curvature - a.curvature);
+  const double yaw = a.pose.yaw + part * normalizeAngle(b.pose.yaw - a.pose.yaw);
+  position.heading_error = normalizeAngle(pose.yaw - yaw);
+  const Vec2 nearest = a.pose.position() + part * (b.pose.position() - a.pose.position());
+  const Vec2 heading{std::cos(yaw), std::sin(yaw)};
+  const double left = cross(heading, pose.position() - nearest);
+  position.lateral = a.reverse ? -left : left;
+  return position;
+}
+}  // namespace
+
+PathTracker::PathTracker(const Path & path) : stretches_(stretches(path)) {}
+
+PathPosition PathTracker::locate(const Path & path, const Pose2 & pose) const
+{
+  const PathStretch & stretch = stretches_[stretch_];
+  const double from = path[index_].s - kSearchBehind;
+  const double to = path[index_].s + kSearchAhead;
+  std::size_t first = index_;
+  while (first > stretch.begin && path[first - 1].s >= from) {
+    --first;
+  }
+  std::size_t best = first;
+  double best_part = 0.0;
+  double best_distance = HUGE_VAL;
+  for (std::size_t i = first; i + 1 < stretch.end && path[i].s <= to; ++i) {
+    const Vec2 a = path[i].pose.position();
+    const Vec2 b = path[i + 1].pose.position();
+    const double part = nearestPart(a, b, pose.position());
+    const double away = distance(a + part * (b - a), pose.position());
+    if (away < best_distance) {
+      best = i;
+      best_part = part;
+      best_distance = away;
+    }
+  }
+  return positionOn(path, stretch, best, best_part, pose);
+}
+
+PathPosition PathTracker::moveTo(const Path & path, const Pose2 & pose)
+{
+  const PathPosition position = locate(path, pose);
+  index_ = position.index;
+  return position;
+}
+
+bool PathTracker::nextStretch()
+{
+  if (onLastStretch()) {
+    return false;
+  }
+  ++stretch_;
+  index_ = stretches_[stretch_].begin;
+  return true;
+}
+}  // namespace move_base

@@ -1,0 +1,236 @@
+#include "path/race_line.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "path/box_qp.h"
+#include "path/corridor.h"
+#include "path/resample.h"
+
+namespace move_base
+{
+namespace
+{
+// Each round takes the line of the one before as its reference, because curvature is linearised around that.
+constexpr int kRounds = 4;
+constexpr int kRepairs = 6;
+constexpr double kRepairWay = 0.4;         // m
+constexpr double kSteeringLength = 0.3;    // m, over which a change of curvature counts like curvature itself
+constexpr double kLeastPull = 1e-4;        // towards the reference, so that the problem has one solution
+constexpr double kLeastRoom = 1e-5;        // m, around a point that has none: the solver needs an inside
+constexpr int kFixedPoints = 3;            // position, heading, curvature
+constexpr std::size_t kShortestLine = 12;  // points
+constexpr double kBendTolerance = 1.02;    // part of the greatest curvature
+constexpr double kClearanceSlack = 0.01;   // m, by which interpolated distances of a place differ
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+Vec2 normalAt(const Path & line, std::size_t i)
+{
+  return {-std::sin(line[i].pose.yaw), std::cos(line[i].pose.yaw)};
+}
+
+Eigen::SparseMatrix<double> build(Eigen::Index rows, Eigen::Index columns, const Triplets & triplets)
+{
+  Eigen::SparseMatrix<double> matrix(rows, columns);
+  matrix.setFromTriplets(triplets.begin(), triplets.end());
+  return matrix;
+}
+
+// Curvature of the shifted line, linear in the shifts: bend + slope * shift, for all points but the ends.
+struct LinearCurvature
+{
+  Eigen::VectorXd bend;
+  Eigen::SparseMatrix<double> slope;
+};
+
+LinearCurvature curvatureOf(const Path & line)
+{
+  const auto count = static_cast<Eigen::Index>(line.size());
+  const double step = length(line) / static_cast<double>(count - 1);
+  LinearCurvature result;
+  result.bend.resize(count - 2);
+  Triplets slope;
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    const Vec2 normal = normalAt(line, i);
+    const auto row = static_cast<int>(i) - 1;
+    result.bend[row] = 0.0;
+    for (const int neighbour : {-1, 0, 1}) {
+      const auto j = static_cast<std::size_t>(static_cast<int>(i) + neighbour);
+      const double weight = (neighbour == 0 ? -2.0 : 1.0) / (step * step);
+      result.bend[row] += weight * dot(normal, line[j].pose.position() - line[i].pose.position());
+      slope.emplace_back(row, static_cast<int>(j), weight * dot(normal, normalAt(line, j)));
+    }
+  }
+  result.slope = build(count - 2, count, slope);
+  return result;
+}
+
+Eigen::SparseMatrix<double> firstDifferences(Eigen::Index count)
+{
+  Triplets triplets;
+  for (int i = 0; i + 1 < count; ++i) {
+    triplets.emplace_back(i, i, -1.0);
+    triplets.emplace_back(i, i + 1, 1.0);
+  }
+  return build(count - 1, count, triplets);
+}
+
+class RaceLine
+{
+public:
+  RaceLine(
+    const Path & line, const Costmap & costmap, const ClearanceRule & rule, double greatest_curvature,
+    const RaceLineOptions & options)
+  : line_(line),
+    costmap_(costmap),
+    rule_(rule),
+    greatest_curvature_(greatest_curvature),
+    options_(options),
+    corridor_(corridorAround(line, costmap, rule, slips(line, options)))
+  {
+    fixStart();
+  }
+
+  void hold(const Gate & gate)
+  {
+    const auto nearest = std::min_element(line_.begin(), line_.end(), [&](const PathPoint & a, const PathPoint & b) {
+      return distance(a.pose.position(), gate.place) < distance(b.pose.position(), gate.place);
+    });
+    const auto i = static_cast<std::size_t>(nearest - line_.begin());
+    const double middle = dot(gate.place - nearest->pose.position(), normalAt(line_, i));
+    Interval & room = corridor_[i];
+    room.low = std::clamp(middle - gate.tolerance, room.low, room.high);
+    room.high = std::clamp(middle + gate.tolerance, room.low, room.high);
+  }
+
+  bool narrow(const Narrowing & narrowing)
+  {
+    const bool way_left = narrowing(line_, corridor_);
+    fixStart();
+    return way_left;
+  }
+
+  // The line given, when none better keeps the rules.
+  Path optimal()
+  {
+    for (int repair = 0; repair < kRepairs; ++repair) {
+      Path path = shifted(shifts());
+      if (!narrowWhereBroken(path)) {
+        return path;
+      }
+    }
+    return line_;
+  }
+
+private:
+  void fixStart()
+  {
+    const double step = length(line_) / static_cast<double>(line_.size() - 1);
+    for (std::size_t i = 0; i < kFixedPoints; ++i) {
+      const Pose2 wanted = advance(line_.front().pose, static_cast<double>(i) * step, line_.front().curvature);
+      const double shift = dot(wanted.position() - line_[i].pose.position(), normalAt(line_, i));
+      corridor_[i] = {shift, shift};
+    }
+  }
+
+  static std::vector<double> slips(const Path & line, const RaceLineOptions & options)
+  {
+    std::vector<double> result;
+    for (const PathPoint & point : line) {
+      const double fast = options.max_speed * options.max_speed * point.curvature;
+      const double limit = options.lateral_acceleration;
+      result.push_back(options.slip_gradient * std::clamp(fast, -limit, limit));
+    }
+    return result;
+  }
+
+  Eigen::VectorXd shifts() const
+  {
+    const LinearCurvature curvature = curvatureOf(line_);
+    const auto count = static_cast<Eigen::Index>(line_.size());
+    const double step = length(line_) / static_cast<double>(count - 1);
+    const double weight = std::pow(kSteeringLength / step, 2);
+    const Eigen::SparseMatrix<double> change = firstDifferences(count - 2);
+    const Eigen::SparseMatrix<double> change_slope = change * curvature.slope;
+    const Eigen::SparseMatrix<double> transposed = curvature.slope.transpose();
+    const Eigen::SparseMatrix<double> change_transposed = change_slope.transpose();
+    Eigen::SparseMatrix<double> identity(count, count);
+    identity.setIdentity();
+    BoxQp problem;
+    problem.hessian = transposed * curvature.slope;
+    problem.hessian += weight * (change_transposed * change_slope);
+    problem.hessian += kLeastPull * identity;
+    problem.gradient = transposed * curvature.bend + weight * (change_transposed * (change * curvature.bend));
+    problem.low.resize(count);
+    problem.high.resize(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const Interval & room = corridor_[static_cast<std::size_t>(i)];
+      problem.low[i] = room.low - kLeastRoom;
+      problem.high[i] = room.high + kLeastRoom;
+    }
+    return solve(problem);
+  }
+
+  Path shifted(const Eigen::VectorXd & shifts) const
+  {
+    std::vector<Vec2> points;
+    for (std::size_t i = 0; i < line_.size(); ++i) {
+      points.push_back(line_[i].pose.position() + shifts[static_cast<Eigen::Index>(i)] * normalAt(line_, i));
+    }
+    return pathThrough(points, line_.front());
+  }
+
+  bool narrowWhereBroken(const Path & path)
+  {
+    const std::vector<double> noses = slips(path, options_);
+    bool broken = false;
+    for (std::size_t i = kFixedPoints; i < path.size(); ++i) {
+      const Pose2 & pose = path[i].pose;
+      const double required = std::min(rule_.at(pose.position()), costmap_.clearance(line_[i].pose)) - kClearanceSlack;
+      const bool close = clearanceWithSlip(costmap_, pose, noses[i]) < required;
+      const double bend_allowed = std::max(greatest_curvature_, std::abs(line_[i].curvature));
+      const bool bent = i + 1 < path.size() && std::abs(path[i].curvature) > kBendTolerance * bend_allowed;
+      if (close || bent) {
+        narrowAround(line_[i].s);
+        broken = true;
+      }
+    }
+    return broken;
+  }
+
+  void narrowAround(double s)
+  {
+    for (std::size_t i = kFixedPoints; i < line_.size(); ++i) {
+      if (std::abs(line_[i].s - s) < kRepairWay) {
+        corridor_[i].low *= corridor_[i].low < 0.0 ? 0.7 : 1.0;
+        corridor_[i].high *= corridor_[i].high > 0.0 ? 0.7 : 1.0;
+      }
+    }
+  }
+
+  const Path & line_;
+  const Costmap & costmap_;
+  const ClearanceRule & rule_;
+  double greatest_curvature_;
+  RaceLineOptions options_;
+  std::vector<Interval> corridor_;
+};
+}  // namespace
+
+Path raceLine(
+  const Path & path, const Costmap & costmap, const ClearanceRule & rule, const Gate & gate, double greatest_curvature,
+  const RaceLineOptions & options, const Narrowing & narrowing)
+{
+  Path line = path;
+  for (int round = 0; round < kRounds && line.size() >= kShortestLine; ++round) {
+    RaceLine problem(line, costmap, rule, greatest_curvature, options);
+    problem.hold(gate);
+    if (narrowing && !problem.narrow(narrowing)) {
+      return {};
+    }
+    line = resampled(problem.optimal());
+  }
+  return line;
+}
+}  // namespace move_base

@@ -1,0 +1,93 @@
+#include "path/speed_profile.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/option_checks.h"
+
+namespace move_base
+{
+namespace
+{
+// Steering is taken over this many points to either side: a change within less is the path's discretisation.
+constexpr std::size_t kSteeringReach = 2;
+
+double speedForCurvature(const PathPoint & point, const SpeedLimits & limits)
+{
+  const double cruise = point.reverse ? limits.max_vel_x_backwards : limits.max_vel_x;
+  const double bend = std::abs(point.curvature);
+  if (bend == 0.0) {
+    return cruise;
+  }
+  return std::min({cruise, std::sqrt(limits.max_lateral_acceleration / bend), limits.max_vel_theta / bend});
+}
+
+double speedForSteering(const Path & path, const PathStretch & stretch, std::size_t i, const SpeedLimits & limits)
+{
+  const PathPoint & before = path[std::max(stretch.begin + kSteeringReach, i) - kSteeringReach];
+  const PathPoint & after = path[std::min(stretch.end - 1, i + kSteeringReach)];
+  const double turn =
+    std::abs(std::atan(limits.wheelbase * after.curvature) - std::atan(limits.wheelbase * before.curvature));
+  return turn > 0.0 ? limits.max_steering_rate * (after.s - before.s) / turn : HUGE_VAL;
+}
+
+double speedForClearance(const Pose2 & pose, const Costmap & costmap, const SpeedLimits & limits)
+{
+  const double room = limits.full_speed_clearance - limits.slowest_clearance;
+  const double part = std::clamp((costmap.clearance(pose) - limits.slowest_clearance) / room, 0.0, 1.0);
+  return limits.min_vel_x + part * (limits.max_vel_x - limits.min_vel_x);
+}
+
+// What is left of an acceleration along the path while the car drives a bend: the friction ellipse.
+double leftOver(double acceleration, double speed, double curvature, const SpeedLimits & limits)
+{
+  const double lateral = speed * speed * std::abs(curvature) / limits.max_lateral_acceleration;
+  return acceleration * std::sqrt(std::max(0.0, 1.0 - lateral * lateral));
+}
+
+void limitByAcceleration(const Path & path, const PathStretch & stretch, const SpeedLimits & limits, double * speeds)
+{
+  speeds[stretch.end - 1] = 0.0;
+  for (std::size_t i = stretch.end - 1; i-- > stretch.begin;) {
+    const double step = path[i + 1].s - path[i].s;
+    const double deceleration = leftOver(limits.dec_lim_x, speeds[i + 1], path[i + 1].curvature, limits);
+    speeds[i] = std::min(speeds[i], std::sqrt(speeds[i + 1] * speeds[i + 1] + 2.0 * deceleration * step));
+  }
+  for (std::size_t i = stretch.begin; i + 1 < stretch.end; ++i) {
+    const double step = path[i + 1].s - path[i].s;
+    const double acceleration = leftOver(limits.acc_lim_x, speeds[i], path[i].curvature, limits);
+    speeds[i + 1] = std::min(speeds[i + 1], std::sqrt(speeds[i] * speeds[i] + 2.0 * acceleration * step));
+  }
+}
+}  // namespace
+
+void SpeedLimits::validate() const
+{
+  requirePositive("max_vel_x", max_vel_x);
+  requirePositive("max_vel_x_backwards", max_vel_x_backwards);
+  requirePositive("max_vel_theta", max_vel_theta);
+  requirePositive("acc_lim_x", acc_lim_x);
+  requirePositive("dec_lim_x", dec_lim_x);
+  requirePositive("max_lateral_acceleration", max_lateral_acceleration);
+  requirePositive("max_steering_rate", max_steering_rate);
+  requirePositive("wheelbase", wheelbase);
+  requireNotNegative("slowest_clearance", slowest_clearance);
+  requireOption(
+    full_speed_clearance > slowest_clearance, "full_speed_clearance", full_speed_clearance, "above slowest_clearance");
+  requireOption(min_vel_x > 0.0 && min_vel_x <= max_vel_x, "min_vel_x", min_vel_x, "above 0 and at most max_vel_x");
+}
+
+std::vector<double> speedProfile(const Path & path, const Costmap & costmap, const SpeedLimits & limits)
+{
+  std::vector<double> speeds(path.size());
+  for (const PathStretch & stretch : stretches(path)) {
+    for (std::size_t i = stretch.begin; i < stretch.end; ++i) {
+      speeds[i] = std::min(
+        {speedForCurvature(path[i], limits), speedForSteering(path, stretch, i, limits),
+         speedForClearance(path[i].pose, costmap, limits)});
+    }
+    limitByAcceleration(path, stretch, limits, speeds.data());
+  }
+  return speeds;
+}
+}  // namespace move_base

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "map/costmap.h"
+#include "path/path.h"
+
+namespace move_base
+{
+struct SpeedLimits
+{
+  double max_vel_x{0.4};                 ///< m/s
+  double max_vel_x_backwards{0.2};       ///< m/s
+  double max_vel_theta{0.3};             ///< rad/s
+  double acc_lim_x{0.5};                 ///< m/s^2, speeding up
+  double dec_lim_x{0.5};                 ///< m/s^2, slowing down
+  double max_lateral_acceleration{3.0};  ///< m/s^2
+  double max_steering_rate{2.5};         ///< rad/s
+  double wheelbase{0.3302};              ///< m
+  double full_speed_clearance{0.35};     ///< m, with less beside the car it drives slower in proportion
+  double slowest_clearance{0.05};        ///< m, with less it drives at the least speed
+  double min_vel_x{0.15};                ///< m/s, least speed beside obstacles and when creeping to the end of a path
+
+  /// @throws OptionError
+  void validate() const;
+};
+
+/// The greatest speed at each point of a path, m/s, by curvature, steering rate and clearance, such that the car can
+/// slow down in time for what lies ahead and stands where the driving direction changes and at the end.
+std::vector<double> speedProfile(const Path & path, const Costmap & costmap, const SpeedLimits & limits);
+}  // namespace move_base

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <queue>
+#include <vector>
+
+#include "car/box.h"
+#include "map/costmap.h"
+
+namespace move_base
+{
+/// What it costs a point to move to the goal: Dijkstra from the goal over a coarse grid, as far as it is asked for.
+/// Steers the search of the hybrid A*, which knows what a car can do.
+class CostToGo
+{
+public:
+  /// @param passable_clearance  m, distance to obstacles that a cell must have
+  /// @param gate                where no way leads through, besides
+  CostToGo(const Costmap & costmap, const Vec2 & goal, double passable_clearance, const std::optional<Box> & gate = {});
+
+  /// Cost in metres of free road; infinite where the goal cannot be reached from. Continues the search if need be.
+  double at(const Vec2 & point);
+
+private:
+  struct Entry
+  {
+    double cost;
+    std::size_t cell;
+    bool operator>(const Entry & other) const { return cost != other.cost ? cost > other.cost : cell > other.cell; }
+  };
+
+  void searchUntilClosed(std::size_t cell);
+  void expand(const Entry & entry);
+  double pricePerMetre(std::size_t cell);
+  bool isClosed(const Vec2 & point, double room) const;
+
+  const Costmap & costmap_;
+  double passable_clearance_;
+  std::optional<Box> gate_;
+  GridGeometry geometry_;
+  std::vector<double> costs_;
+  std::vector<float> prices_;
+  std::vector<bool> closed_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
+};
+}  // namespace move_base

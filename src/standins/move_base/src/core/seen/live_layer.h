@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "car/box.h"
+#include "geometry/geometry.h"
+#include "seen/laser_scan.h"
+
+namespace move_base
+{
+struct LiveLayerOptions
+{
+  double obstacle_range{8.0};   ///< m, hits farther away mark nothing
+  double raytrace_range{9.0};   ///< m, free space farther away clears nothing
+  double wall_tolerance{0.12};  ///< m, a hit this close to an obstacle of the map is that obstacle
+
+  /// @throws OptionError
+  void validate() const;
+};
+
+/// Cells in which the lidar has seen what the map doesn't know, until it sees through them.
+class LiveLayer
+{
+public:
+  LiveLayer(const GridGeometry & geometry, const LiveLayerOptions & options);
+
+  /// What the beams of the scan hit beside the map, in their order.
+  /// @param map_distances  distance of each cell to the map's nearest obstacle, m
+  std::vector<Vec2> hits(const LaserScan & scan, const std::vector<float> & map_distances) const;
+
+  /// Clears what the beams of the scan pass through, then marks what is hit, on the map.
+  /// @return whether any cell changed
+  bool observe(const LaserScan & scan, const std::vector<Vec2> & hits);
+
+  /// Forgets everything farther than radius from centre, m. @return whether any cell changed
+  bool forgetBeyond(const Vec2 & centre, double radius);
+  /// Forgets the cells whose middle is in an outline. @return whether any cell changed
+  bool forgetIn(const Box & outline);
+
+  const std::vector<std::size_t> & cells() const { return cells_; }
+
+private:
+  bool clear(const LaserScan & scan);
+  bool mark(const std::vector<Vec2> & hits);
+  bool seesThrough(const LaserScan & scan, const Vec2 & point) const;
+  template <class Predicate>
+  bool forgetIf(Predicate predicate);
+
+  GridGeometry geometry_;
+  LiveLayerOptions options_;
+  std::vector<std::uint8_t> marked_;
+  std::vector<std::size_t> cells_;
+};
+}  // namespace move_base

@@ -1,0 +1,210 @@
+#include "seen/obstacle_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "geometry/interval.h"
+
+namespace move_base
+{
+namespace
+{
+constexpr double kGap = 0.25;             // m, between hits of the same obstacle at most
+constexpr std::size_t kFewestHits = 2;    // of an obstacle
+constexpr double kLargest = 1.5;          // m; what is larger is no car
+constexpr double kSameObstacle = 0.5;     // m, from where it was expected
+constexpr double kSightMemory = 0.25;     // s, over which a velocity is taken, and for which the unseen counts
+constexpr double kShortestSight = 0.095;  // s, of a velocity
+constexpr double kStartsMoving = 0.4;     // m/s
+constexpr double kStopsMoving = 0.2;      // m/s
+constexpr double kStandsAfter = 1.0;      // s without moving
+// Of a car, of which the lidar sees one or two sides only, or what sticks out on top of it.
+constexpr double kLeastLength = 0.58;  // m
+constexpr double kLeastWidth = 0.31;   // m
+constexpr double kLargestTop = 0.2;    // m, of what may be the lidar of a low car
+constexpr double kTopToBumper = 0.4;   // m, from the middle of that to the farther end of the car
+constexpr double kSwing = 0.05;        // m, by which its ends are off the way of its top in a bend
+
+double slower(double a, double b)
+{
+  if (a * b <= 0.0) {
+    return 0.0;
+  }
+  return std::abs(a) < std::abs(b) ? a : b;
+}
+
+// Makes an interval at least so long, away from where it is looked at.
+Interval completed(const Interval & seen, double least, double viewer)
+{
+  const double missing = std::max(0.0, least - (seen.high - seen.low));
+  if (viewer < seen.low) {
+    return {seen.low, seen.high + missing};
+  }
+  return viewer > seen.high ? Interval{seen.low - missing, seen.high}
+                            : Interval{seen.low - 0.5 * missing, seen.high + 0.5 * missing};
+}
+
+Interval around(const Interval & seen, double half)
+{
+  const double middle = 0.5 * (seen.low + seen.high);
+  return {middle - half, middle + half};
+}
+}  // namespace
+
+void ObstacleTracker::observe(double time, const Vec2 & sensor, const std::vector<Vec2> & hits)
+{
+  if (time <= last_time_) {
+    tracks_.clear();
+  }
+  last_time_ = time;
+  assign(time, clustersOf(hits));
+  forgetLost(time);
+  moving_.clear();
+  for (const Track & track : tracks_) {
+    if (track.moves()) {
+      moving_.push_back(track.obstacle(sensor));
+    }
+  }
+}
+
+void ObstacleTracker::forgetLost(double time)
+{
+  const auto lost = [time](const Track & track) { return track.lastSeen() < time - kSightMemory; };
+  glimpses_.clear();
+  for (const Track & track : tracks_) {
+    if (lost(track) && !track.decided()) {
+      glimpses_.push_back(track.extent());
+    }
+  }
+  tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), lost), tracks_.end());
+}
+
+std::vector<ObstacleTracker::Cluster> ObstacleTracker::clustersOf(const std::vector<Vec2> & hits)
+{
+  std::vector<Cluster> clusters;
+  for (const Vec2 & hit : hits) {
+    if (clusters.empty() || distance(clusters.back().back(), hit) > kGap) {
+      clusters.emplace_back();
+    }
+    clusters.back().push_back(hit);
+  }
+  const auto no_car = [](const Cluster & cluster) {
+    return cluster.size() < kFewestHits || distance(cluster.front(), cluster.back()) > kLargest;
+  };
+  clusters.erase(std::remove_if(clusters.begin(), clusters.end(), no_car), clusters.end());
+  return clusters;
+}
+
+void ObstacleTracker::assign(double time, std::vector<Cluster> clusters)
+{
+  const std::size_t known = tracks_.size();
+  for (Cluster & cluster : clusters) {
+    Vec2 middle;
+    for (const Vec2 & hit : cluster) {
+      middle = middle + (1.0 / static_cast<double>(cluster.size())) * hit;
+    }
+    std::size_t best = known;
+    double nearest = kSameObstacle;
+    for (std::size_t i = 0; i < known; ++i) {
+      const double away = distance(tracks_[i].expected(time), middle);
+      if (tracks_[i].lastSeen() < time && away < nearest) {
+        best = i;
+        nearest = away;
+      }
+    }
+    if (best < known) {
+      tracks_[best].see(time, std::move(cluster));
+    } else {
+      tracks_.emplace_back(time, std::move(cluster));
+    }
+  }
+}
+
+Vec2 ObstacleTracker::Track::expected(double time) const
+{
+  const Sighting & last = sightings_.back();
+  return 0.5 * (last.low + last.high) + (time - last.time) * velocity_;
+}
+
+Box ObstacleTracker::Track::extent() const
+{
+  Vec2 low = sightings_.front().low;
+  Vec2 high = sightings_.front().high;
+  for (const Sighting & each : sightings_) {
+    low = {std::min(low.x, each.low.x), std::min(low.y, each.low.y)};
+    high = {std::max(high.x, each.high.x), std::max(high.y, each.high.y)};
+  }
+  const Vec2 middle = 0.5 * (low + high);
+  return {{middle.x, middle.y, 0.0}, 0.5 * (high.x - low.x), 0.5 * (high.y - low.y)};
+}
+
+void ObstacleTracker::Track::see(double time, Cluster hits)
+{
+  hits_ = std::move(hits);
+  const auto x = std::minmax_element(hits_.begin(), hits_.end(), [](auto & a, auto & b) { return a.x < b.x; });
+  const auto y = std::minmax_element(hits_.begin(), hits_.end(), [](auto & a, auto & b) { return a.y < b.y; });
+  sightings_.push_back({time, {x.first->x, y.first->y}, {x.second->x, y.second->y}});
+  while (sightings_.front().time < time - kSightMemory) {
+    sightings_.pop_front();
+  }
+  estimateVelocity();
+}
+
+void ObstacleTracker::Track::estimateVelocity()
+{
+  if (lastSeen() - sightings_.front().time < kShortestSight) {
+    return;
+  }
+  decided_ = true;
+  // The slope of the straight line through what is measured over time, by least squares.
+  const auto slope = [this](const std::function<double(const Sighting &)> & measured) {
+    double mean_time = 0.0;
+    for (const Sighting & each : sightings_) {
+      mean_time += each.time / static_cast<double>(sightings_.size());
+    }
+    double rise = 0.0;
+    double run = 0.0;
+    for (const Sighting & each : sightings_) {
+      const double away = each.time - mean_time;
+      rise += away * measured(each);
+      run += away * away;
+    }
+    return rise / run;
+  };
+  velocity_ = {
+    slower(slope([](auto & s) { return s.low.x; }), slope([](auto & s) { return s.high.x; })),
+    slower(slope([](auto & s) { return s.low.y; }), slope([](auto & s) { return s.high.y; }))};
+  if (norm(velocity_) > (last_moved_ ? kStopsMoving : kStartsMoving)) {
+    last_moved_ = lastSeen();
+    heading_ = std::atan2(velocity_.y, velocity_.x);
+  } else if (last_moved_ && lastSeen() > *last_moved_ + kStandsAfter) {
+    last_moved_.reset();
+  }
+}
+
+MovingObstacle ObstacleTracker::Track::obstacle(const Vec2 & sensor) const
+{
+  const Pose2 frame = inverse({0.0, 0.0, heading_});
+  Interval along{HUGE_VAL, -HUGE_VAL};
+  Interval across{HUGE_VAL, -HUGE_VAL};
+  for (const Vec2 & hit : hits_) {
+    const Vec2 turned = transform(frame, hit);
+    along = {std::min(along.low, turned.x), std::max(along.high, turned.x)};
+    across = {std::min(across.low, turned.y), std::max(across.high, turned.y)};
+  }
+  if (std::max(along.high - along.low, across.high - across.low) < kLargestTop) {
+    along = around(along, kTopToBumper);
+    across = around(across, 0.5 * kLeastWidth + kSwing);
+  } else {
+    const Vec2 viewer = transform(frame, sensor);
+    along = completed(along, kLeastLength, viewer.x);
+    across = completed(across, kLeastWidth, viewer.y);
+  }
+  const Vec2 middle =
+    transform({0.0, 0.0, heading_}, {0.5 * (along.low + along.high), 0.5 * (across.low + across.high)});
+  const Box outline{{middle.x, middle.y, heading_}, 0.5 * (along.high - along.low), 0.5 * (across.high - across.low)};
+  return {outline, norm(velocity_), lastSeen()};
+}
+}  // namespace move_base

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "car/box.h"
+#include "geometry/geometry.h"
+
+namespace move_base
+{
+/// Something that drives about, as the lidar saw it last.
+struct MovingObstacle
+{
+  Box outline;        ///< at least as large as a car; its heading is that of the motion
+  double speed{0.0};  ///< m/s
+  double seen{0.0};   ///< s, when
+};
+
+/// Tells what moves from what stands, from scan to scan: hits near to each other are one obstacle, and how fast it is
+/// follows from how its edges move. Of two opposite edges the slower one counts, because an edge also moves when more
+/// of an obstacle comes into sight, or less.
+class ObstacleTracker
+{
+public:
+  /// @param time    s; when it is not later than the last one, everything known before is forgotten
+  /// @param sensor  where the lidar is, m
+  /// @param hits    what it hit beside the map, in the order of its beams, m
+  void observe(double time, const Vec2 & sensor, const std::vector<Vec2> & hits);
+
+  /// What moves, and was seen a moment ago at the longest.
+  const std::vector<MovingObstacle> & moving() const { return moving_; }
+  /// Where something was seen for too short a time to tell whether it stands, and is not seen any more.
+  const std::vector<Box> & glimpses() const { return glimpses_; }
+
+private:
+  struct Sighting
+  {
+    double time;
+    Vec2 low;   // m, of the upright rectangle around the hits
+    Vec2 high;  // m
+  };
+  using Cluster = std::vector<Vec2>;
+
+  class Track
+  {
+  public:
+    Track(double time, Cluster hits) { see(time, std::move(hits)); }
+
+    double lastSeen() const { return sightings_.back().time; }
+    /// Where its middle is expected, m.
+    Vec2 expected(double time) const;
+    void see(double time, Cluster hits);
+    /// Whether it has been seen for long enough to tell whether it moves.
+    bool decided() const { return decided_; }
+    /// The upright rectangle around all that was seen of it in a moment.
+    Box extent() const;
+    bool moves() const { return last_moved_.has_value(); }
+    MovingObstacle obstacle(const Vec2 & sensor) const;
+
+  private:
+    void estimateVelocity();
+
+    std::deque<Sighting> sightings_;
+    Cluster hits_;
+    Vec2 velocity_;  // m/s
+    bool decided_{false};
+    double heading_{0.0};               // rad, of the motion
+    std::optional<double> last_moved_;  // s; nothing if it stands
+  };
+
+  static std::vector<Cluster> clustersOf(const std::vector<Vec2> & hits);
+  void forgetLost(double time);
+  void assign(double time, std::vector<Cluster> clusters);
+
+  std::vector<Track> tracks_;
+  std::vector<MovingObstacle> moving_;
+  std::vector<Box> glimpses_;
+  double last_time_{0.0};
+};
+}  // namespace move_base

@@ -1,0 +1,84 @@
+#include "traffic/forecast.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace move_base
+{
+namespace
+{
+constexpr double kForecastStep = 0.1;    // s
+constexpr double kRoadLookahead = 1.2;   // m
+constexpr double kRoadCheck = 0.15;      // m
+constexpr double kWallTolerance = 0.05;  // m, by which it may come nearer to a wall
+// 1/m, from the straight line to what a car can steer.
+constexpr std::array<double, 15> kCurvatures{0.0,   0.1, -0.1, 0.2, -0.2, 0.3,  -0.3, 0.45,
+                                             -0.45, 0.6, -0.6, 0.9, -0.9, 1.25, -1.25};
+
+double roomAlong(const Pose2 & from, double curvature, const Costmap & costmap)
+{
+  double room = HUGE_VAL;
+  for (double s = kRoadCheck; s <= kRoadLookahead; s += kRoadCheck) {
+    room = std::min(room, costmap.wallDistance(advance(from, s, curvature).position()));
+  }
+  return room;
+}
+
+// The straightest way that keeps the distance from walls, or else the one that keeps the most.
+double curvatureOfRoad(const Pose2 & from, double wanted, const Costmap & costmap)
+{
+  double best = 0.0;
+  double most = -HUGE_VAL;
+  for (const double curvature : kCurvatures) {
+    const double room = std::min(roomAlong(from, curvature, costmap), wanted);
+    if (room > most) {
+      best = curvature;
+      most = room;
+    }
+    if (most >= wanted) {
+      break;
+    }
+  }
+  return best;
+}
+}  // namespace
+
+Forecast::Forecast(const MovingObstacle & obstacle, const Costmap & costmap, double now) : speed_(obstacle.speed)
+{
+  Box outline = obstacle.outline;
+  const double room = costmap.wallDistance(outline.middle.position()) - kWallTolerance;
+  const auto drive = [&](double time) {
+    outline.middle = advance(outline.middle, speed_ * time, curvatureOfRoad(outline.middle, room, costmap));
+  };
+  drive(std::max(0.0, now - obstacle.seen));
+  outlines_.push_back(outline);
+  for (double time = kForecastStep; time < kForecastTime + 0.5 * kForecastStep; time += kForecastStep) {
+    drive(kForecastStep);
+    outlines_.push_back(outline);
+  }
+}
+
+Box Forecast::at(double time) const
+{
+  const double index = std::clamp(time / kForecastStep, 0.0, static_cast<double>(outlines_.size() - 1));
+  const auto before = static_cast<std::size_t>(index);
+  const Box & a = outlines_[before];
+  const Box & b = outlines_[std::min(before + 1, outlines_.size() - 1)];
+  const double part = index - static_cast<double>(before);
+  Box result = a;
+  result.middle.x += part * (b.middle.x - a.middle.x);
+  result.middle.y += part * (b.middle.y - a.middle.y);
+  result.middle.yaw += part * normalizeAngle(b.middle.yaw - a.middle.yaw);
+  return result;
+}
+
+std::vector<Forecast> forecasts(const Costmap & costmap, double now)
+{
+  std::vector<Forecast> result;
+  for (const MovingObstacle & obstacle : costmap.moving()) {
+    result.emplace_back(obstacle, costmap, now);
+  }
+  return result;
+}
+}  // namespace move_base

@@ -1,0 +1,91 @@
+#include "traffic/traffic.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace move_base
+{
+namespace
+{
+constexpr double kDriveStep = 0.05;    // s
+constexpr double kResponse = 0.1;      // s, until the speed begins to change
+constexpr double kOffsetLength = 0.8;  // m, over which a car comes back to its path
+constexpr double kClosingLag = 0.15;   // s, that a car's speed and what is known of the other's lag behind
+constexpr double kStandoff = 0.5;      // m, kept behind another
+constexpr double kTimeGap = 0.25;      // s, the same for its speed
+constexpr double kFallBehind = 1.0;    // m/s slower than the other, when it is too near already
+constexpr double kApproachRate = 2.5;  // 1/s, of the last metre to it
+
+PathPoint pointAt(const Path & path, std::size_t index, double s)
+{
+  const PathPoint & a = path[index];
+  const PathPoint & b = path[std::min(index + 1, path.size() - 1)];
+  const double part = b.s > a.s ? std::clamp((s - a.s) / (b.s - a.s), 0.0, 1.0) : 0.0;
+  PathPoint point = a;
+  point.pose.x += part * (b.pose.x - a.pose.x);
+  point.pose.y += part * (b.pose.y - a.pose.y);
+  point.pose.yaw += part * normalizeAngle(b.pose.yaw - a.pose.yaw);
+  return point;
+}
+}  // namespace
+
+std::vector<Moment> driveAlong(
+  const Path & path, const std::vector<double> & speeds, const Departure & departure, const SpeedLimits & limits,
+  double horizon)
+{
+  std::vector<Moment> drive;
+  double speed = departure.speed;
+  double s = departure.s;
+  std::size_t index = 0;
+  for (double time = 0.0; time < horizon && s < path.back().s; time += kDriveStep) {
+    while (index + 2 < path.size() && path[index + 1].s <= s) {
+      ++index;
+    }
+    const double offset = departure.lateral * std::exp(-(s - departure.s) / kOffsetLength);
+    Pose2 pose = pointAt(path, index, s).pose;
+    pose.x -= offset * std::sin(pose.yaw);
+    pose.y += offset * std::cos(pose.yaw);
+    drive.push_back({time, s, index, pose});
+    const double wanted = std::max(std::min(speeds[index], speeds[index + 1]), limits.min_vel_x);
+    if (time >= kResponse) {
+      speed = std::clamp(wanted, speed - limits.dec_lim_x * kDriveStep, speed + limits.acc_lim_x * kDriveStep);
+    }
+    s += std::max(speed, 0.0) * kDriveStep;
+  }
+  return drive;
+}
+
+std::optional<Touch> firstTouch(
+  const std::vector<Moment> & drive, const Footprint & footprint, const Forecast & other, double margin)
+{
+  constexpr double kNoise = 0.01;  // m
+  double allowed = margin;
+  for (const Moment & moment : drive) {
+    const Box outline = other.at(moment.time);
+    const double away = clearance(outline, footprint, moment.pose);
+    if (moment.time == 0.0) {
+      allowed = std::min(margin, away - kNoise);
+    } else if (away < allowed) {
+      const double along = std::cos(normalizeAngle(outline.middle.yaw - moment.pose.yaw));
+      const Vec2 place = transform(inverse(moment.pose), outline.middle.position());
+      return Touch{
+        moment.time, moment.s - drive.front().s, std::max(0.0, other.speed() * along),
+        place.x + outline.half_length > 0.0, place.x + outline.half_length < footprint.rear()};
+    }
+  }
+  return std::nullopt;
+}
+
+SpeedBehind speedBehind(const Touch & touch, double speed, double deceleration)
+{
+  const double closing = std::max(0.0, speed - touch.speed);
+  const double gap = touch.way - touch.speed * touch.time - closing * kClosingLag;
+  const auto braking = [&](double way) {
+    return std::sqrt(touch.speed * touch.speed + 2.0 * deceleration * std::max(0.0, way));
+  };
+  const double spare = gap - kStandoff - kTimeGap * touch.speed;
+  return {
+    std::max(0.0, std::min(braking(spare), touch.speed + kApproachRate * spare)),
+    gap > 0.0 ? braking(gap) : std::max(0.0, touch.speed - kFallBehind)};
+}
+}  // namespace move_base

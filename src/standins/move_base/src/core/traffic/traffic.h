@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "path/path.h"
+#include "path/speed_profile.h"
+#include "traffic/forecast.h"
+
+namespace move_base
+{
+/// Where a car is on its path at some time.
+struct Moment
+{
+  double time{0.0};      ///< s from now
+  double s{0.0};         ///< m along the path
+  std::size_t index{0};  ///< of the point before
+  Pose2 pose;
+};
+
+/// Where the car starts.
+struct Departure
+{
+  double s{0.0};        ///< m along the path
+  double lateral{0.0};  ///< m, beside it to the left; is driven out
+  double speed{0.0};    ///< m/s
+};
+
+/// A drive forwards along a path as fast as its profile and the car allow, until its end or the horizon, s.
+std::vector<Moment> driveAlong(
+  const Path & path, const std::vector<double> & speeds, const Departure & departure, const SpeedLimits & limits,
+  double horizon);
+
+/// When a car would touch another.
+struct Touch
+{
+  double time{0.0};    ///< s from now
+  double way{0.0};     ///< m driven until then
+  double speed{0.0};   ///< m/s, of the other along the way
+  bool ahead{false};   ///< whether the other reaches beyond the rear axle then
+  bool behind{false};  ///< whether it does not even reach beyond the rear end: it drives into the car
+};
+
+/// The first time at which the car comes nearer to the other than margin, m, and nearer than it is now.
+std::optional<Touch> firstTouch(
+  const std::vector<Moment> & drive, const Footprint & footprint, const Forecast & other, double margin);
+
+/// How fast a car may be behind another, m/s.
+struct SpeedBehind
+{
+  double wanted{HUGE_VAL};  ///< so that it comes up to the other and goes on behind it
+  double utmost{HUGE_VAL};  ///< so that it can just brake in time
+};
+
+/// @param speed         m/s, of the car now
+/// @param deceleration  m/s^2, with which it brakes
+SpeedBehind speedBehind(const Touch & touch, double speed, double deceleration);
+}  // namespace move_base

@@ -59,3 +59,23 @@ def test_who_starts_behind_the_line_has_to_cross_it_first():
 def test_first_lap_begins_at_the_start():
     line = StartLine(0.0, 0.0, 0.0, 2.0)
     assert laps_on(line, [(0, 0), (1, 9), (-1, 9), (-1, 0), (1, 0)], start=1.0) == [2.5]
+
+
+@pytest.mark.parametrize("yaw", [0.0, 0.7, 2.0, -2.5])
+@pytest.mark.parametrize(("across", "counts"), [(0.9, True), (-0.9, True), (1.1, False), (-1.1, False)])
+def test_a_lap_counts_between_the_ends_of_a_line_wherever_it_lies(yaw, across, counts):
+    """A lap in a big box, then over the line, which is at (2, -3), with a slant."""
+    places = [(0.5, 0.0), (9.0, 0.0), (9.0, 9.0), (-9.0, 9.0), (-1.0, across + 0.2), (3.0, across - 0.6)]
+    cosine, sine = math.cos(yaw), math.sin(yaw)
+    turned = [(2 + cosine * x - sine * y, -3 + sine * x + cosine * y) for x, y in places]
+    assert laps_on(StartLine(2.0, -3.0, yaw, 2.0), turned) == ([pytest.approx(4.25)] if counts else [])
+
+
+def test_the_ends_of_the_line_belong_to_it():
+    assert laps_on(StartLine(0.0, 0.0, 0.0, 2.0), [(1, 9), (-1, 9), (-1, 1), (1, 1)]) == [2.5]
+
+
+def test_a_car_on_the_line_has_crossed_it():
+    line = StartLine(0.0, 0.0, 0.0, 2.0)
+    assert laps_on(line, [(0, 0), (1, 9), (-1, 9), (-1, 0), (0, 0), (1, 0)]) == [4.0]
+    assert laps_on(line, [(-1, 0), (0, 0), (1, 9), (-1, 9), (-1, 0), (0, 0)]) == [5.0]

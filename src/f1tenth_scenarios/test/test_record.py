@@ -17,6 +17,14 @@ def test_cars_are_told_apart(tmp_path):
     assert both.until(1.0).end == 1.0
 
 
+@pytest.mark.parametrize(
+    ("ends", "last"), [((1.0, 0.05), "hash40"), ((0.05, 1.0), "hash40"), ((0.025, 0.0), "hash1")]
+)
+def test_hash_at_the_end_is_that_of_the_last_period_of_all_cars(tmp_path, ends, last):
+    cars = [rows(end, car=f"robot{number}") for number, end in enumerate(ends)]
+    assert record(tmp_path, *cars).hash_at_end() == last
+
+
 def test_unfinished_last_line_is_left_out(tmp_path):
     path = tmp_path / "record.csv"
     path.write_text(HEADER + ROW + "0.050,robot1,1,0", encoding="utf-8")

@@ -157,6 +157,71 @@ def test_speed_between_two_cars_knows_their_headings_and_sliding(tmp_path):
     assert contact.speed == pytest.approx(math.hypot(2.0, 1.5))
 
 
+def speeds(*values, contacts):
+    """Some periods with a speed (m/s) and what is touched in each; on the line y = 0.5 m."""
+    table = list(rows(len(values) * PERIOD, y=0.5))
+    for row, speed, names in zip(table, values, contacts):
+        row[COLUMNS.index("v_x")], row[COLUMNS.index("contacts")] = speed, names
+    return table
+
+
+@pytest.mark.parametrize(
+    ("contacts", "speed"),
+    [(("Wall_1", "", "", ""), 4.0), (("", "Wall_1", "", ""), 4.0), (("", "", "", "Wall_1"), 2.0)],
+)
+def test_contact_speed_is_that_of_the_period_before_or_of_the_first(tmp_path, contacts, speed):
+    (contact,) = find_contacts(record(tmp_path, speeds(4.0, 3.0, 2.0, 1.0, contacts=contacts)))
+    assert (contact.speed, contact.y) == (speed, 0.5)
+    assert contact.start == contact.end == pytest.approx(PERIOD * (1 + contacts.index("Wall_1")))
+
+
+@pytest.mark.parametrize(("touching", "speed"), [(0, 4.0), (1, 4.0), (3, 2.0)])
+def test_speed_between_cars_is_that_of_the_period_before_or_of_the_first(tmp_path, touching, speed):
+    ours = speeds(4.0, 3.0, 2.0, 1.0, contacts=["robot2" if at == touching else "" for at in range(4)])
+    theirs = [[row[0], "robot2", 3.0, *row[3:5], 0.0, *row[6:10], "", row[11]] for row in ours]
+    (contact,) = find_contacts(record(tmp_path, ours, theirs))
+    assert contact.speed == speed
+
+
+def meeting(folder, *, ours=(1.0, 0.0), theirs=(0.0, 0.0), at=(3.0, 0.0), touched=("robot2", "robot1")):
+    """Two cars that look along x and report each other at 1 s; velocities (m/s) and the other's place (m)."""
+    first = rows(2.0, speed=0.0, contacts={1.0: touched[0]})
+    second = rows(2.0, car="robot2", speed=0.0, contacts={1.0: touched[1]})
+    first = [[*row[:5], *ours, *row[7:]] for row in first]
+    second = [[*row[:2], *at, row[4], *theirs, *row[7:]] for row in second]
+    return find_contacts(record(folder, first, second))
+
+
+@pytest.mark.parametrize(
+    ("how", "guilty"),
+    [
+        ({"ours": (1.0, 0.0), "theirs": (-0.9, 0.0)}, "robot1"),
+        ({"ours": (0.9, 0.0), "theirs": (-1.0, 0.0)}, "robot2"),
+        ({"ours": (0.0, 0.9), "theirs": (0.0, -1.0), "at": (0.0, 3.0)}, "robot2"),
+        ({"ours": (0.0, 1.0), "theirs": (0.0, -0.9), "at": (0.0, 0.01)}, "robot1"),
+        ({"ours": (1.0, 0.0), "theirs": (-1.0, 0.0)}, "robot2"),
+        ({"ours": (3.0, 0.1), "theirs": (-3.0, -0.2), "at": (0.0, 3.0)}, "robot2"),
+    ],
+)
+def test_who_came_faster_towards_the_other_is_to_blame(tmp_path, how, guilty):
+    assert [each.car for each in meeting(tmp_path, **how)] == [guilty]
+
+
+def test_the_other_car_is_not_to_blame_for_a_contact_that_it_does_not_report(tmp_path):
+    assert [each.car for each in meeting(tmp_path, touched=("robot2", ""))] == ["robot1"]
+    found = meeting(tmp_path, ours=(0.0, 0.0), theirs=(-1.0, 0.0), touched=("robot2", "robot1;Wall_1"))
+    assert [(each.car, each.touched) for each in found] == [
+        ("robot1", ("robot2",)), ("robot2", ("robot1", "Wall_1")),
+    ]  # fmt: skip
+
+
+def test_contacts_of_two_cars_at_other_times_are_two(tmp_path):
+    hunter = rows(3.0, speed=1.0, contacts={1.0: "robot2", 2.0: "robot2"})
+    hunted = rows(3.0, car="robot2", speed=0.0, contacts={2.0: "robot1", 2.5: "robot1"})
+    found = find_contacts(record(tmp_path, hunter, hunted))
+    assert [(each.start, each.car) for each in found] == [(1.0, "robot1"), (2.0, "robot2"), (2.5, "robot2")]
+
+
 @pytest.mark.parametrize(("limit", "is_collision"), [(0.99, True), (1.0, True), (1.01, False)])
 def test_a_touch_as_fast_as_the_limit_is_a_collision(tmp_path, limit, is_collision):
     touching = record(tmp_path, rows(2.0, contacts={1.0: "Wall_1"}))

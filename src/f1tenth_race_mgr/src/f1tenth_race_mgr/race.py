@@ -56,8 +56,9 @@ class Race:
         """Do all there is to do at now (ROS time). Does not block."""
         if self._status.state is State.WAITING and self._has_started():
             self._change(now, State.RACING, "the race is on")
-        while self._status.state is State.RACING and self._drive(now):
-            pass
+        if self._status.state is State.RACING:
+            while self._drive(now):
+                pass
 
     def stop(self, now):
         """End the race; the goal in flight is cancelled."""

@@ -11,7 +11,6 @@ namespace
 SlamOptions smallMap()
 {
   SlamOptions options;
-  options.particles = 5;
   options.linear_update = 0.2;
   options.angular_update = 0.2;
   options.xmin = options.ymin = -1.0;
@@ -90,19 +89,14 @@ TEST(GridSlam, CorrectsOdometryThatTurnsAway)
   EXPECT_NEAR(slam.pose().yaw, truth.yaw, 0.01);
 }
 
-TEST(GridSlam, SameSeedGivesTheSameMapAndAnotherSeedAnother)
+TEST(GridSlam, SameScansGiveTheSameMap)
 {
-  SlamOptions options = smallMap();
-  GridSlam first(options);
-  GridSlam second(options);
-  options.seed = 1;
-  GridSlam other(options);
-  for (GridSlam * slam : {&first, &second, &other}) {
-    driveWithDrift(*slam);
-  }
+  GridSlam first(smallMap());
+  GridSlam second(smallMap());
+  driveWithDrift(first);
+  driveWithDrift(second);
   EXPECT_EQ(first.map().cells, second.map().cells);
   EXPECT_EQ(first.pose().yaw, second.pose().yaw);
-  EXPECT_NE(first.entropy(), other.entropy());
 }
 
 TEST(GridSlam, MapHasAtLeastTheExtentAskedForAndGrows)
@@ -124,7 +118,6 @@ TEST(GridSlam, ScanThatMatchesBadlyLeavesThePoseToOdometry)
 {
   SlamOptions options = smallMap();
   options.matcher.minimum_score = 1000.0;
-  options.particles = 1;
   GridSlam slam(options);
   slam.process(scanInRoom({}), {}, 0.0);
   slam.process(scanInRoom({0.3, 0.1, 0.0}), {0.3, 0.0, 0.0}, 0.1);

@@ -6,7 +6,7 @@
 #include "beams.h"
 #include "cell_map.h"
 #include "moments.h"
-#include "particle_filter.h"
+#include "motion.h"
 
 namespace gmapping
 {
@@ -28,7 +28,7 @@ TEST(HitBeams, LeaveOutWhatHitNothing)
 TEST(RegisterBeams, BeamLongerThanTheUsableRangeIsFreeUpToThere)
 {
   CellMap map(0.1);
-  registerBeams(map, {{1.0, 0.0, 8.0}}, {0.05, 0.05, 0.0}, 5.0);
+  registerBeams(map, {{1.0F, 0.0F, 8.0F}}, {0.05, 0.05, 0.0}, 5.0);
   const MapCell * end = map.cell(map.index({5.04, 0.05}));
   ASSERT_NE(end, nullptr);
   EXPECT_EQ(end->visits, 1U);
@@ -41,8 +41,8 @@ TEST(CellMap, RemembersWhereBeamsEnded)
   CellMap map(0.1);
   map.addBeam({0.05, 0.05}, {1.02, 0.03}, true);
   map.addBeam({0.05, 0.05}, {1.06, 0.05}, true);
-  const CellIndex index = map.index({1.05, 0.05});
-  const Point mean = map.meanHit(index, *map.cell(index));
+  const Cell index = map.index({1.05, 0.05});
+  const Vec2 mean = map.meanHit(index, *map.cell(index));
   EXPECT_NEAR(mean.x, 1.04, 1e-6);
   EXPECT_NEAR(mean.y, 0.04, 1e-6);
 }
@@ -75,26 +75,10 @@ TEST(Moments, TwoPointsAndCornersAreNoLine)
   two.add({0.1, 0.0}, 1.0);
   EXPECT_FALSE(two.normal());
   Moments corner;
-  for (const Point & point : {Point{0.0, 0.0}, Point{0.05, 0.0}, Point{0.1, 0.0}, Point{0.0, 0.05}, Point{0.0, 0.1}}) {
+  for (const Vec2 & point : {Vec2{0.0, 0.0}, Vec2{0.05, 0.0}, Vec2{0.1, 0.0}, Vec2{0.0, 0.05}, Vec2{0.0, 0.1}}) {
     corner.add(point, 1.0);
   }
   EXPECT_FALSE(corner.normal());
-}
-
-TEST(Weights, AreNormalizedWithoutOverflow)
-{
-  const auto weights = normalizedWeights({-10000.0, -10000.0, -20000.0}, 3.0);
-  EXPECT_DOUBLE_EQ(weights[0], 0.5);
-  EXPECT_DOUBLE_EQ(weights[2], 0.0);
-  EXPECT_DOUBLE_EQ(effectiveCount(weights), 2.0);
-  EXPECT_NEAR(weightEntropy(weights), std::log(2.0), 1e-12);
-}
-
-TEST(DrawParticles, FollowsTheWeights)
-{
-  mrpt::random::CRandomGenerator random(3);
-  const auto chosen = drawParticles({0.5, 0.0, 0.25, 0.25}, random);
-  EXPECT_EQ(chosen, (std::vector<std::size_t>{0, 0, 2, 3}));
 }
 
 TEST(ExpectedPose, IsSurestAlongAStraightWay)
@@ -107,19 +91,5 @@ TEST(ExpectedPose, IsSurestAlongAStraightWay)
   EXPECT_NEAR(std::sqrt(belief.information.inverse()(0, 0)), 0.0031, 1e-9);
 }
 
-TEST(DrawPose, HasTheCovarianceOfTheBelief)
-{
-  mrpt::random::CRandomGenerator random(5);
-  PoseBelief belief;
-  belief.information << 100.0, 50.0, 0.0, 50.0, 100.0, 0.0, 0.0, 0.0, 25.0;
-  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-  constexpr int kDraws = 20000;
-  for (int i = 0; i < kDraws; ++i) {
-    const Pose2 pose = drawPose(belief, random);
-    const Eigen::Vector3d offset(pose.x, pose.y, pose.yaw);
-    sum += offset * offset.transpose() / kDraws;
-  }
-  EXPECT_TRUE(sum.isApprox(belief.information.inverse(), 0.05)) << sum;
-}
 }  // namespace
 }  // namespace gmapping

@@ -122,10 +122,10 @@ class SlamGmappingTest(unittest.TestCase):
         assert "slam_gmapping_replay: " in result.stderr
 
     def test_parameter_of_a_wrong_type_is_refused(self):
-        self.addCleanup(rospy.delete_param, "/replay/slam_gmapping/particles")
-        result = replay(self.bag, "_particles:=many")
+        self.addCleanup(rospy.delete_param, "/replay/slam_gmapping/iterations")
+        result = replay(self.bag, "_iterations:=many")
         assert result.returncode == 1
-        message = 'parameter /replay/slam_gmapping/particles: found "many", must be a whole number'
+        message = 'parameter /replay/slam_gmapping/iterations: found "many", must be a whole number'
         assert message in result.stderr
 
 

@@ -30,7 +30,6 @@ TEST(SlamOptions, DefaultsAreValid)
 
 TEST(SlamOptions, WrongValuesAreNamed)
 {
-  EXPECT_EQ(complaint([](auto & o) { o.particles = 0; }), "particles: found 0.000000, must be above 0");
   EXPECT_EQ(complaint([](auto & o) { o.delta = -1.0; }), "delta: found -1.000000, must be above 0");
   EXPECT_EQ(complaint([](auto & o) { o.motion.srt = -0.1; }), "srt: found -0.100000, must be 0 or above");
   EXPECT_EQ(complaint([](auto & o) { o.matcher.iterations = 0; }), "iterations: found 0.000000, must be above 0");

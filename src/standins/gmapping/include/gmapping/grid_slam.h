@@ -1,16 +1,16 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "gmapping/geometry.h"
 #include "gmapping/slam_options.h"
 
 namespace gmapping
 {
-/// Builds a map from scans and odometry with a Rao-Blackwellized particle filter: each particle has a pose and a map of
-/// its own; odometry moves it, matching the scan to its map corrects it, and how well that fits is its weight.
-/// (G. Grisetti, C. Stachniss, W. Burgard: Improved Techniques for Grid Mapping with Rao-Blackwellized Particle
-/// Filters, IEEE Transactions on Robotics 23, 2007.) The same inputs and the same seed give the same map.
+/// Builds a map from scans and odometry: each scan is matched to a map of the way just behind, and where the lidar comes
+/// past a place again, what it sees is matched to what it saw there before. The poses of all scans are then moved to
+/// where all that agrees best (a pose graph). The same inputs give the same map.
 class GridSlam
 {
 public:
@@ -27,12 +27,12 @@ public:
   /// @return whether the scan counted
   bool process(const Scan & scan, const Pose2 & odometry, double time);
 
-  /// Pose of the lidar in the map, of the best particle, as of the last scan that counted.
+  /// Pose of the lidar in the map as of the last scan that counted. Jumps when a loop is closed.
   Pose2 pose() const;
-  /// Entropy of the weights of the particles: 0 if one is sure, log(particles) if all are equally good.
-  double entropy() const;
-  /// The map of the best particle. Needs a scan that counted.
-  OccupancyGrid map() const;
+  /// Poses of the lidar at all scans that counted, as they are believed to be now.
+  const std::vector<Pose2> & path() const;
+  /// Takes longer after a loop was closed: then the map is made anew from all scans.
+  OccupancyGrid map();
 
 private:
   class Impl;

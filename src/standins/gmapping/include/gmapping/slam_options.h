@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 
 namespace gmapping
@@ -20,7 +19,6 @@ struct MatcherOptions
   double sigma{0.05};         ///< m, standard deviation of a beam's end across a wall, for the search
   int kernel_size{1};         ///< cells around a beam's end in which a wall is looked for
   int iterations{5};          ///< greatest number of steps of the search, for each of its two widths
-  double lsigma{0.075};       ///< m, standard deviation of a beam's end across a wall, for the weights
   int lskip{0};               ///< beams left out after each one that counts
   double minimum_score{0.0};  ///< beams that must fit for the scan to count more than odometry alone
 };
@@ -30,21 +28,17 @@ struct SlamOptions
 {
   MotionNoise motion;
   MatcherOptions matcher;
-  double ogain{3.0};                 ///< the likelihoods of the particles are flattened by this
   std::optional<double> max_range;   ///< m, a beam this long hit nothing; default: that of the first scan
   std::optional<double> max_urange;  ///< m, farther than this nothing is put into the map; default: max_range
   double linear_update{1.0};         ///< m between scans that count
   double angular_update{0.5};        ///< rad between scans that count
   double temporal_update{-1.0};      ///< s between scans that count while standing; negative: none
-  double resample_threshold{0.5};    ///< effective share of the particles below which they are drawn anew
-  int particles{30};
-  double xmin{-100.0};      ///< m, least extent of the map
-  double ymin{-100.0};      ///< m
-  double xmax{100.0};       ///< m
-  double ymax{100.0};       ///< m
-  double delta{0.05};       ///< m, size of a cell
-  double occ_thresh{0.25};  ///< share of beams that end in a cell above which it is occupied
-  std::uint32_t seed{0};    ///< of the particles
+  double xmin{-100.0};               ///< m, least extent of the map
+  double ymin{-100.0};               ///< m
+  double xmax{100.0};                ///< m
+  double ymax{100.0};                ///< m
+  double delta{0.05};                ///< m, size of a cell
+  double occ_thresh{0.25};           ///< share of beams that end in a cell above which it is occupied
 
   /// @throws OptionError that names the parameter
   void validate() const;

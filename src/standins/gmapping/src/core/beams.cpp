@@ -13,7 +13,7 @@ std::vector<Beam> hitBeams(const Scan & scan, double max_range)
     const double range = scan.ranges[i];
     if (range >= scan.range_min && range < max_range) {  // false for what is not a number
       const double angle = scan.angle_min + static_cast<double>(i) * scan.angle_increment;
-      beams.push_back({std::cos(angle), std::sin(angle), range});
+      beams.push_back({static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), scan.ranges[i]});
     }
   }
   return beams;
@@ -24,7 +24,7 @@ void registerBeams(CellMap & map, const std::vector<Beam> & beams, const Pose2 &
   map.grow({pose.x, pose.y}, max_urange);
   const BeamCaster caster(pose);
   for (const Beam & beam : beams) {
-    const Point end = caster.along(caster.direction(beam), std::min(beam.range, max_urange));
+    const Vec2 end = caster.along(caster.direction(beam), std::min<double>(beam.range, max_urange));
     map.addBeam({pose.x, pose.y}, end, beam.range <= max_urange);
   }
 }

@@ -10,9 +10,9 @@ namespace gmapping
 /// A beam that hit something, in the lidar's frame.
 struct Beam
 {
-  double cos{1.0};    ///< of its direction
-  double sin{0.0};    ///< of its direction
-  double range{0.0};  ///< m
+  float cos{1.0F};    ///< of its direction
+  float sin{0.0F};    ///< of its direction
+  float range{0.0F};  ///< m
 };
 
 /// The beams of a scan that hit something nearer than max_range.
@@ -24,11 +24,11 @@ class BeamCaster
 public:
   explicit BeamCaster(const Pose2 & pose) : pose_(pose), cos_(std::cos(pose.yaw)), sin_(std::sin(pose.yaw)) {}
 
-  Point direction(const Beam & beam) const
+  Vec2 direction(const Beam & beam) const
   {
     return {cos_ * beam.cos - sin_ * beam.sin, sin_ * beam.cos + cos_ * beam.sin};
   }
-  Point along(const Point & direction, double distance) const
+  Vec2 along(const Vec2 & direction, double distance) const
   {
     return {pose_.x + distance * direction.x, pose_.y + distance * direction.y};
   }

@@ -30,24 +30,24 @@ CellMap::CellMap(double resolution)
 {
 }
 
-void CellMap::grow(const Point & centre, double reach)
+void CellMap::grow(const Vec2 & centre, double reach)
 {
   // A cell of margin, as a beam may end on the border.
   const double needed = reach + resolution_;
   cells_.resize(centre.x - needed, centre.x + needed, centre.y - needed, centre.y + needed, MapCell{}, kMargin);
 }
 
-void CellMap::addBeam(const Point & from, const Point & to, bool is_hit)
+void CellMap::addBeam(const Vec2 & from, const Vec2 & to, bool is_hit)
 {
-  const CellIndex first = index(from);
-  const CellIndex last = index(to);
+  const Cell first = index(from);
+  const Cell last = index(to);
   // Bresenham's line, the last cell left out.
   const int dx = std::abs(last.x - first.x);
   const int dy = std::abs(last.y - first.y);
   const int step_x = first.x < last.x ? 1 : -1;
   const int step_y = first.y < last.y ? 1 : -1;
   int error = dx - dy;
-  for (CellIndex here = first; here.x != last.x || here.y != last.y;) {
+  for (Cell here = first; here.x != last.x || here.y != last.y;) {
     ++at(here).visits;
     const int doubled = 2 * error;
     if (doubled > -dy) {

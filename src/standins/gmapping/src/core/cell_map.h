@@ -9,12 +9,6 @@
 
 namespace gmapping
 {
-struct Point
-{
-  double x{0.0};  ///< m
-  double y{0.0};  ///< m
-};
-
 /// What beams have told about a cell.
 struct MapCell
 {
@@ -27,34 +21,27 @@ struct MapCell
   bool occupied(double threshold) const { return hits > threshold * visits; }
 };
 
-/// Indices of a cell; not bound to the map.
-struct CellIndex
-{
-  int x{0};
-  int y{0};
-};
-
-/// The map of a particle. It grows with what is put into it.
+/// A map as a mapper needs it. It grows with what is put into it.
 class CellMap
 {
 public:
   /// @param resolution  m per cell
   explicit CellMap(double resolution);
 
-  CellIndex index(const Point & point) const
+  Cell index(const Vec2 & point) const
   {
     return {
       static_cast<int>(std::floor((point.x - cells_.getXMin()) / resolution_)),
       static_cast<int>(std::floor((point.y - cells_.getYMin()) / resolution_))};
   }
   /// Nothing for a cell that is not on the map.
-  const MapCell * cell(const CellIndex & index) const
+  const MapCell * cell(const Cell & index) const
   {
     // Negative indices become large ones.
     return cells_.cellByIndex(static_cast<unsigned>(index.x), static_cast<unsigned>(index.y));
   }
   /// Mean of where beams ended in a cell that has hits.
-  Point meanHit(const CellIndex & index, const MapCell & cell) const
+  Vec2 meanHit(const Cell & index, const MapCell & cell) const
   {
     return {
       cells_.getXMin() + index.x * resolution_ + cell.sum_x / cell.hits,
@@ -62,16 +49,16 @@ public:
   }
 
   /// Makes room for everything within reach (m) of a place.
-  void grow(const Point & centre, double reach);
+  void grow(const Vec2 & centre, double reach);
   /// Counts a beam. Both ends have to be on the map.
   /// @param is_hit  whether the beam ended at something
-  void addBeam(const Point & from, const Point & to, bool is_hit);
+  void addBeam(const Vec2 & from, const Vec2 & to, bool is_hit);
 
   /// @param options  extent and threshold; the grid is larger if the map is
   OccupancyGrid grid(const SlamOptions & options) const;
 
 private:
-  MapCell & at(const CellIndex & index) { return *cells_.cellByIndex(index.x, index.y); }
+  MapCell & at(const Cell & index) { return *cells_.cellByIndex(index.x, index.y); }
 
   double resolution_;
   mrpt::containers::CDynamicGrid<MapCell> cells_;

@@ -1,7 +1,7 @@
 #include "gmapping/grid_slam.h"
 
-#include <algorithm>
-#include <cassert>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -9,8 +9,12 @@
 
 #include "beams.h"
 #include "cell_map.h"
-#include "particle_filter.h"
+#include "local_map.h"
+#include "loop_finder.h"
+#include "motion.h"
+#include "pose_graph.h"
 #include "scan_matcher.h"
+#include "way.h"
 
 namespace gmapping
 {
@@ -18,21 +22,40 @@ namespace
 {
 // A reading of exactly the greatest range is none.
 constexpr double kShortOfMaxRange = 0.01;  // m
+// Walls and beams are not as exact as thousands of beams together claim: standard deviations from one stop to the next.
+constexpr double kLeastError = 0.001;      // m
+constexpr double kLeastTurnError = 3e-4;   // rad
+constexpr double kTurnErrorRate = 1.5e-3;  // rad per rad
+// Wheels slip alike for a while, which adds up faster than errors that do not know of each other: in the graph
+// odometry counts for less than for matching, by this many standard deviations.
+constexpr double kSlip = 4.0;
+// Of a loop, as an earlier map is not exact either.
+constexpr double kLoopError = 0.01;       // m
+constexpr double kLoopTurnError = 0.002;  // rad
+// A map made anew takes a while: not for less than this.
+constexpr double kMoved = 0.01;  // m
 
-struct Particle
+Eigen::Matrix3d turn(double yaw)
 {
-  Pose2 pose;
-  CellMap map;
-  double log_weight{0.0};      // since the last resampling
-  double log_weight_sum{0.0};  // of the whole path
-};
+  return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+}
 
+/// The same, seen in the frame of a pose, and never surer than these standard deviations (m, rad).
+Eigen::Matrix3d seenFrom(const Pose2 & pose, const Eigen::Matrix3d & information, double error, double turn_error)
+{
+  const Eigen::Matrix3d turned = turn(-pose.yaw) * information * turn(pose.yaw);
+  const Eigen::Vector3d least(error * error, error * error, turn_error * turn_error);
+  return (turned.inverse() + Eigen::Matrix3d(least.asDiagonal())).inverse();
+}
 }  // namespace
 
 class GridSlam::Impl
 {
 public:
-  explicit Impl(const SlamOptions & options) : options_(options), matcher_(options.matcher), random_(options.seed) {}
+  explicit Impl(const SlamOptions & options)
+  : options_(options), matcher_(options.matcher), loops_(options.matcher), map_(options.delta)
+  {
+  }
 
   bool process(const Scan & scan, const Pose2 & odometry, double time)
   {
@@ -51,17 +74,22 @@ public:
     return true;
   }
 
-  const Particle & best() const
-  {
-    assert(!particles_.empty());
-    return *std::max_element(particles_.begin(), particles_.end(), [](const Particle & a, const Particle & b) {
-      return a.log_weight_sum < b.log_weight_sum;
-    });
-  }
-
-  bool empty() const { return particles_.empty(); }
-  double entropy() const { return weightEntropy(weights_); }
+  const std::vector<Pose2> & path() const { return graph_.poses(); }
+  Pose2 pose() const { return way_.empty() ? Pose2{} : graph_.poses().back(); }
   const SlamOptions & options() const { return options_; }
+
+  const CellMap & map()
+  {
+    if (hasMoved()) {
+      map_ = CellMap(options_.delta);
+      mapped_.clear();
+    }
+    for (std::size_t i = mapped_.size(); i < way_.size(); ++i) {
+      mapped_.push_back(graph_.poses()[i]);
+      registerBeams(map_, way_[i].beams, mapped_.back(), max_urange_);
+    }
+    return map_;
+  }
 
 private:
   void start(const Scan & scan, const Pose2 & odometry, double time)
@@ -70,10 +98,7 @@ private:
     last_time_ = time;
     max_range_ = options_.max_range.value_or(scan.range_max - kShortOfMaxRange);
     max_urange_ = options_.max_urange.value_or(max_range_);
-    Particle particle{odometry, CellMap(options_.delta)};
-    registerBeams(particle.map, hitBeams(scan, max_range_), particle.pose, max_urange_);
-    particles_.assign(options_.particles, particle);
-    weights_.assign(options_.particles, 1.0 / options_.particles);
+    add({odometry, hitBeams(scan, max_range_), 0.0}, odometry);
   }
 
   void drive(const Pose2 & odometry)
@@ -91,63 +116,59 @@ private:
     return progress_.distance >= options_.linear_update || progress_.turn >= options_.angular_update || waited;
   }
 
-  void update(const std::vector<Beam> & beams)
+  void update(std::vector<Beam> beams)
   {
-    for (Particle & particle : particles_) {
-      correct(particle, beams, &particle == &particles_.front());
+    const Stop & last = way_.back();
+    const PoseBelief expected = expectedPose(last.local, motion_, progress_, options_.motion);
+    const PoseBelief matched = matcher_.match(local_map_.map(), beams, expected);
+    const bool fits = matcher_.score(local_map_.map(), beams, matched.mean) > options_.matcher.minimum_score;
+    const Pose2 local = fits ? matched.mean : expected.mean;
+    PoseEdge edge{way_.size() - 1, way_.size(), compose(inverse(last.local), local), expected.information, false};
+    edge.information /= kSlip * kSlip;
+    if (fits) {
+      edge.information += matched.information - expected.information;
     }
-    weigh();
-    if (effectiveCount(weights_) < options_.resample_threshold * options_.particles) {
-      resample();
-    }
-    for (Particle & particle : particles_) {
-      registerBeams(particle.map, beams, particle.pose, max_urange_);
+    const double turn_error = kLeastTurnError + kTurnErrorRate * progress_.turn;
+    edge.information = seenFrom(last.local, edge.information, kLeastError, turn_error);
+    add({local, std::move(beams), last.distance + progress_.distance}, compose(pose(), edge.relative));
+    graph_.connect(edge);
+    closeLoop();
+  }
+
+  void add(Stop stop, const Pose2 & pose)
+  {
+    local_map_.add(stop.beams, stop.local, max_urange_);
+    way_.push_back(std::move(stop));
+    graph_.add(pose);
+  }
+
+  void closeLoop()
+  {
+    if (auto loop = loops_.find(way_, graph_.poses())) {
+      loop->information = seenFrom({}, loop->information, kLoopError, kLoopTurnError);
+      graph_.connect(*loop);
+      graph_.optimize();
     }
   }
 
-  // One particle follows the most likely poses: the noise drawn for the others adds up over a lap.
-  void correct(Particle & particle, const std::vector<Beam> & beams, bool most_likely)
+  bool hasMoved() const
   {
-    const PoseBelief expected = expectedPose(particle.pose, motion_, progress_, options_.motion);
-    const PoseBelief matched = matcher_.match(particle.map, beams, expected);
-    const bool fits = matcher_.score(particle.map, beams, matched.mean) > options_.matcher.minimum_score;
-    const PoseBelief & belief = fits ? matched : expected;
-    particle.pose = most_likely ? belief.mean : drawPose(belief, random_);
-    const double log_likelihood = matcher_.logLikelihood(particle.map, beams, particle.pose);
-    particle.log_weight += log_likelihood;
-    particle.log_weight_sum += log_likelihood;
-  }
-
-  void weigh()
-  {
-    std::vector<double> log_weights(particles_.size());
-    std::transform(particles_.begin(), particles_.end(), log_weights.begin(), [](const Particle & particle) {
-      return particle.log_weight;
-    });
-    weights_ = normalizedWeights(log_weights, options_.ogain * options_.particles);
-  }
-
-  void resample()
-  {
-    const std::vector<std::size_t> chosen = drawParticles(weights_, random_);
-    std::vector<Particle> next;
-    next.reserve(chosen.size());
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-      // The map of a particle that is not needed again need not be copied.
-      const bool last = i + 1 == chosen.size() || chosen[i + 1] != chosen[i];
-      Particle & parent = particles_[chosen[i]];
-      next.push_back(last ? std::move(parent) : parent);
-      next.back().log_weight = 0.0;
+    for (std::size_t i = 0; i < mapped_.size(); ++i) {
+      if (distance(mapped_[i], graph_.poses()[i]) > kMoved) {
+        return true;
+      }
     }
-    particles_ = std::move(next);
-    weights_.assign(particles_.size(), 1.0 / static_cast<double>(particles_.size()));
+    return false;
   }
 
   SlamOptions options_;
   ScanMatcher matcher_;
-  mrpt::random::CRandomGenerator random_;
-  std::vector<Particle> particles_;
-  std::vector<double> weights_;
+  LoopFinder loops_;
+  LocalMap local_map_;  // in the frame of the local poses
+  Way way_;
+  PoseGraph graph_;  // a pose for each stop
+  CellMap map_;      // of the first stops, at the poses in mapped_
+  std::vector<Pose2> mapped_;
   std::optional<Pose2> odometry_;
   Pose2 motion_;            // since the last scan that counted, in the frame of the lidar then
   Progress progress_;       // since then
@@ -171,14 +192,14 @@ bool GridSlam::process(const Scan & scan, const Pose2 & odometry, double time)
 }
 Pose2 GridSlam::pose() const
 {
-  return impl_->empty() ? Pose2{} : impl_->best().pose;
+  return impl_->pose();
 }
-double GridSlam::entropy() const
+const std::vector<Pose2> & GridSlam::path() const
 {
-  return impl_->entropy();
+  return impl_->path();
 }
-OccupancyGrid GridSlam::map() const
+OccupancyGrid GridSlam::map()
 {
-  return impl_->best().map.grid(impl_->options());
+  return impl_->map().grid(impl_->options());
 }
 }  // namespace gmapping

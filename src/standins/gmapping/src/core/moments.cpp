@@ -12,7 +12,7 @@ constexpr double kLeastVariance = 1e-4;  // m^2 along the line
 constexpr double kGreatestWidth = 0.25;  // variance across the line over that along it
 }  // namespace
 
-void Moments::add(const Point & point, double weight)
+void Moments::add(const Vec2 & point, double weight)
 {
   ++count_;
   weight_ += weight;
@@ -23,12 +23,12 @@ void Moments::add(const Point & point, double weight)
   yy_ += weight * point.y * point.y;
 }
 
-std::optional<Point> Moments::normal() const
+std::optional<Vec2> Moments::normal() const
 {
   if (count_ < kLeastPoints) {
     return std::nullopt;
   }
-  const Point centre = mean();
+  const Vec2 centre = mean();
   const double xx = xx_ / weight_ - centre.x * centre.x;
   const double xy = xy_ / weight_ - centre.x * centre.y;
   const double yy = yy_ / weight_ - centre.y * centre.y;
@@ -40,6 +40,6 @@ std::optional<Point> Moments::normal() const
     return std::nullopt;
   }
   const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
-  return Point{-std::sin(angle), std::cos(angle)};
+  return Vec2{-std::sin(angle), std::cos(angle)};
 }
 }  // namespace gmapping

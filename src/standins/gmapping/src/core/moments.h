@@ -10,11 +10,11 @@ namespace gmapping
 class Moments
 {
 public:
-  void add(const Point & point, double weight);
+  void add(const Vec2 & point, double weight);
   bool empty() const { return count_ == 0; }
-  Point mean() const { return {x_ / weight_, y_ / weight_}; }  ///< m
+  Vec2 mean() const { return {x_ / weight_, y_ / weight_}; }  ///< m
   /// Unit vector across the line.
-  std::optional<Point> normal() const;
+  std::optional<Vec2> normal() const;
 
 private:
   int count_{0};

@@ -18,8 +18,6 @@ constexpr std::uint32_t kMostHits = 10;
 // Far beams may be off by more than sigma at first: the search begins with wider tolerance.
 constexpr double kFirstSigmas[] = {2.0, 1.0};
 constexpr double kSmallStep = 1e-5;  // m and rad
-// Squared distance that a beam counts with which ends nowhere near a wall, in units of lsigma.
-constexpr double kMiss = 2.0;
 
 double gaussian(double distance, double sigma)
 {
@@ -53,9 +51,9 @@ PoseBelief ScanMatcher::step(
 {
   PoseBelief next = expected;
   Eigen::Vector3d pull = expected.information * difference(expected.mean, pose);
-  forEachEnd(beams, pose, [&](const Point & end) {
+  forEachEnd(beams, pose, [&](const Vec2 & end) {
     if (const auto wall = wallNear(map, end)) {
-      const Point & n = wall->normal;
+      const Vec2 & n = wall->normal;
       const double distance = wall->distance();
       const double weight = gaussian(distance, sigma) / (options_.sigma * options_.sigma);
       // How the end moves along the normal with x, y and yaw.
@@ -72,20 +70,9 @@ PoseBelief ScanMatcher::step(
 double ScanMatcher::score(const CellMap & map, const std::vector<Beam> & beams, const Pose2 & pose) const
 {
   double sum = 0.0;
-  forEachEnd(beams, pose, [&](const Point & end) {
+  forEachEnd(beams, pose, [&](const Vec2 & end) {
     const auto wall = wallNear(map, end);
     sum += wall ? gaussian(wall->distance(), options_.sigma) : 0.0;
-  });
-  return sum;
-}
-
-double ScanMatcher::logLikelihood(const CellMap & map, const std::vector<Beam> & beams, const Pose2 & pose) const
-{
-  double sum = 0.0;
-  forEachEnd(beams, pose, [&](const Point & end) {
-    const auto wall = wallNear(map, end);
-    const double ratio = wall ? wall->distance() / options_.lsigma : kMiss;
-    sum -= 0.5 * std::min(ratio * ratio, kMiss * kMiss);
   });
   return sum;
 }
@@ -99,16 +86,16 @@ void ScanMatcher::forEachEnd(const std::vector<Beam> & beams, const Pose2 & pose
   }
 }
 
-std::optional<ScanMatcher::Wall> ScanMatcher::wallNear(const CellMap & map, const Point & place) const
+std::optional<ScanMatcher::Wall> ScanMatcher::wallNear(const CellMap & map, const Vec2 & place) const
 {
-  const CellIndex hit = map.index(place);
+  const Cell hit = map.index(place);
   Moments moments;
   for (int dx = -options_.kernel_size; dx <= options_.kernel_size; ++dx) {
     for (int dy = -options_.kernel_size; dy <= options_.kernel_size; ++dy) {
-      const CellIndex index{hit.x + dx, hit.y + dy};
+      const Cell index{hit.x + dx, hit.y + dy};
       const MapCell * cell = map.cell(index);
       if (cell != nullptr && cell->occupied(kWallShare)) {
-        const Point mean = map.meanHit(index, *cell);
+        const Vec2 mean = map.meanHit(index, *cell);
         // From the place, as differences of large numbers would lose their digits.
         moments.add({mean.x - place.x, mean.y - place.y}, std::min(cell->hits, kMostHits));
       }

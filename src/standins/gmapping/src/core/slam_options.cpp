@@ -40,7 +40,6 @@ void validateMatcher(const MatcherOptions & options)
   expectPositive("sigma", options.sigma);
   expectNotNegative("kernelSize", options.kernel_size);
   expectPositive("iterations", options.iterations);
-  expectPositive("lsigma", options.lsigma);
   expectNotNegative("lskip", options.lskip);
 }
 
@@ -65,13 +64,10 @@ void SlamOptions::validate() const
   validateMotion(motion);
   validateMatcher(matcher);
   validateExtent(*this);
-  expectPositive("ogain", ogain);
   expectPositive("maxRange", max_range.value_or(1.0));
   expectPositive("maxUrange", max_urange.value_or(1.0));
   expectNotNegative("linearUpdate", linear_update);
   expectNotNegative("angularUpdate", angular_update);
-  expectNotNegative("resampleThreshold", resample_threshold);
-  expectPositive("particles", particles);
   expectNotNegative("occ_thresh", occ_thresh);
 }
 }  // namespace gmapping

@@ -14,15 +14,12 @@ void readFilter(ParameterReader & reader, SlamOptions & slam)
   reader.read("srt", slam.motion.srt);
   reader.read("str", slam.motion.str);
   reader.read("stt", slam.motion.stt);
-  reader.read("ogain", slam.ogain);
   reader.read("linearUpdate", slam.linear_update);
   reader.read("angularUpdate", slam.angular_update);
   reader.read("temporalUpdate", slam.temporal_update);
-  reader.read("resampleThreshold", slam.resample_threshold);
-  reader.read("particles", slam.particles);
+  // Nothing here is drawn at random; known all the same, as whoever gives it wants the same map every time.
   int seed = 0;
   reader.read("seed", seed);
-  slam.seed = static_cast<std::uint32_t>(seed);
 }
 
 void readMatcher(ParameterReader & reader, MatcherOptions & matcher)
@@ -30,7 +27,6 @@ void readMatcher(ParameterReader & reader, MatcherOptions & matcher)
   reader.read("sigma", matcher.sigma);
   reader.read("kernelSize", matcher.kernel_size);
   reader.read("iterations", matcher.iterations);
-  reader.read("lsigma", matcher.lsigma);
   reader.read("lskip", matcher.lskip);
   reader.read("minimumScore", matcher.minimum_score);
 }

@@ -20,17 +20,16 @@ struct Options
 {
   std::string bag_filename;
   std::string scan_topic{"/scan"};
-  std::optional<std::uint32_t> seed;
   std::string on_done;
 };
 
-std::uint32_t toSeed(const std::string & text)
+// The same map comes of every seed, but what is none is a mistake.
+void checkSeed(const std::string & text)
 {
   const bool digits = !text.empty() && text.size() < 10 && text.find_first_not_of("0123456789") == std::string::npos;
   if (!digits) {
     throw gmapping::OptionError("--seed: found \"" + text + "\", must be a whole number of at most 9 digits");
   }
-  return static_cast<std::uint32_t>(std::stoul(text));
 }
 
 Options readOptions(int argc, char ** argv)
@@ -47,7 +46,7 @@ Options readOptions(int argc, char ** argv)
     } else if (name == "--scan_topic") {
       options.scan_topic = value;
     } else if (name == "--seed") {
-      options.seed = toSeed(value);
+      checkSeed(value);
     } else if (name == "--on_done") {
       options.on_done = value;
     } else {
@@ -94,8 +93,7 @@ ros::Time replay(const Options & options, gmapping::SlamNode & slam)
 
 int run(const Options & options)
 {
-  gmapping::NodeParameters parameters = gmapping::readParameters(ros::NodeHandle("~"));
-  parameters.slam.seed = options.seed.value_or(parameters.slam.seed);
+  const gmapping::NodeParameters parameters = gmapping::readParameters(ros::NodeHandle("~"));
   gmapping::SlamNode slam(parameters, *ros::getGlobalCallbackQueue());
   slam.publishMap(replay(options, slam));
   ros::AsyncSpinner spinner(1);

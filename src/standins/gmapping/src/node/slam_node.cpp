@@ -116,7 +116,8 @@ void SlamNode::publishMap(const ros::Time & stamp)
   map_publisher_.publish(map_);
   metadata_publisher_.publish(map_.info);
   std_msgs::Float64 entropy;
-  entropy.data = slam_.entropy();
+  // Of the weights of all hypotheses: there is only one.
+  entropy.data = 0.0;
   entropy_publisher_.publish(entropy);
 }
 

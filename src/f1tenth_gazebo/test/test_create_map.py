@@ -1,5 +1,6 @@
 """A car that drives around once must leave a map that agrees with the world."""
 
+import contextlib
 import os
 import signal
 import socket
@@ -7,6 +8,7 @@ import subprocess
 
 import pytest
 from circuits import NAMES, PACKAGE
+from f1tenth_gazebo.maps.map_check import read_map
 from f1tenth_gazebo.maps.map_tool import main
 
 # One circuit at every run of the tests; F1TENTH_ALL_MAPS=1 makes all of them.
@@ -19,14 +21,17 @@ def free_port():
         return probe.getsockname()[1]
 
 
-def create_map(name, stem):
+@contextlib.contextmanager
+def launched(name, stem, *arguments):
+    """A launch that makes the map of a world, and its environment."""
     port = str(free_port())
-    arguments = [f"world_file_name:={name}", "drive:=auto", "lockstep:=true", "seed:=1", f"map_file:={stem}"]
-    command = ["roslaunch", "-p", port, "f1tenth_gazebo", "create_map.launch", *arguments]
+    given = [f"world_file_name:={name}", "drive:=auto", "lockstep:=true", "seed:=1", f"map_file:={stem}"]
+    command = ["roslaunch", "-p", port, "f1tenth_gazebo", "create_map.launch", *given, *arguments]
     environment = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{port}"}
-    process = subprocess.Popen(command, env=environment)
+    pipe = subprocess.PIPE
+    process = subprocess.Popen(command, env=environment, stdout=pipe, stderr=subprocess.STDOUT, text=True)
     try:
-        process.wait(timeout=600)
+        yield process, environment
     finally:
         if process.poll() is None:
             process.send_signal(signal.SIGINT)
@@ -36,9 +41,32 @@ def create_map(name, stem):
 @pytest.mark.parametrize("name", CIRCUITS)
 def test_map_agrees_with_its_world(name, tmp_path, capsys):
     stem = os.path.join(os.environ.get("F1TENTH_PICTURES", str(tmp_path)), name)
-    create_map(name, stem)
+    with launched(name, stem) as (process, _):
+        output = process.communicate(timeout=600)[0]
+    # roslaunch says in red that a required node has died.
+    assert "REQUIRED" not in output, output
     code = main([f"{stem}.yaml", str(PACKAGE / "worlds" / f"{name}.world")])
     assert code == 0, capsys.readouterr().out
+
+
+def test_interrupted_drive_leaves_what_has_been_mapped(tmp_path):
+    stem = tmp_path / "part"
+    with launched("circuit1", stem) as (process, environment):
+        # It ends when there is a first map.
+        saver = ["rosrun", "map_server", "map_saver", "-f", str(tmp_path / "first")]
+        subprocess.run(saver, env=environment, timeout=120, check=True, capture_output=True)
+        process.send_signal(signal.SIGINT)
+        output = process.communicate(timeout=120)[0]
+    assert "drive_lap: interrupted after" in output
+    assert (read_map(tmp_path / "part.yaml")[0] == 254).any()
+
+
+def test_drive_without_an_end_is_given_up(tmp_path):
+    stem = tmp_path / "part"
+    with launched("circuit1", stem, "time_limit:=3.0") as (process, _):
+        output = process.communicate(timeout=120)[0]
+    assert "drive_lap: no lap is complete after 3 s, at (" in output
+    assert (read_map(tmp_path / "part.yaml")[0] == 254).any()
 
 
 def test_file_that_is_no_map_is_refused_in_one_line(tmp_path, capsys):

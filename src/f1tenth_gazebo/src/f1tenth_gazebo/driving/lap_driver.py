@@ -1,74 +1,52 @@
 """The node drive_lap: takes the car around once, then saves the map."""
 
-import math
-import subprocess
+import os
+import signal
 import sys
 import threading
 
+import numpy as np
 import rospy
 from ackermann_msgs.msg import AckermannDriveStamped
-from nav_msgs.msg import Odometry
+from nav_msgs.msg import OccupancyGrid
 from sensor_msgs.msg import LaserScan
 
 from f1tenth_gazebo.driving.gap_follower import GapFollower, GapFollowerOptions
-from f1tenth_gazebo.driving.lap_watch import LapWatch
+from f1tenth_gazebo.driving.lap_inputs import LapInputs
+from f1tenth_gazebo.driving.lap_watch import LapError, LapWatch
+from f1tenth_gazebo.maps.map_file import save_map
+from f1tenth_gazebo.maps.occupancy import FREE, OCCUPIED, UNKNOWN, Grid
 
-PATIENCE = 5.0
-"""Wall time in which the odometry of a scan's time must have come, s."""
-OVERLAP = 4.0
-"""Way beyond the start, m: what has been seen twice closes the map."""
-
-
-class OdometryAtScans:
-    """Which odometry belongs to a scan does not depend on which of the two messages comes first."""
-
-    def __init__(self):
-        """Subscribe."""
-        self._arrived = threading.Condition()
-        self._messages = []
-        rospy.Subscriber("odom", Odometry, self._on_odometry, tcp_nodelay=True)
-
-    def _on_odometry(self, message):
-        with self._arrived:
-            self._messages.append(message)
-            self._arrived.notify_all()
-
-    def at(self, stamp):
-        """The last odometry not after a stamp, once no later one can belong to it; or None."""
-        with self._arrived:
-            self._arrived.wait_for(lambda: self._is_complete(stamp), PATIENCE)
-            known = [message for message in self._messages if message.header.stamp <= stamp]
-            self._messages = known[-1:] + self._messages[len(known) :]
-        return known[-1] if known else None
-
-    def _is_complete(self, stamp):
-        """At 50 Hz the next one is less than 20 ms away."""
-        return any((stamp - message.header.stamp).to_sec() < 0.0199 for message in self._messages)
+STANDS = 0.1
+"""Slower than this the car stands, m/s."""
+SCANS_STANDING = 40
+"""Until the drive is finished: the mapper's last map has arrived by then."""
 
 
 class LapDriver:
     """Answers each scan with one command; after a lap and some more it stops and is finished."""
 
-    def __init__(self, options):
+    def __init__(self, options, time_limit):
         """Subscribe and advertise."""
         self._options = options
         self._follower = None
-        self._watch = LapWatch()
-        self._end = math.inf
+        self._inputs = LapInputs()
+        self._standing = 0
+        self.watch = LapWatch(time_limit)
+        self.problem = ""
+        """Why there will be no lap."""
         self.finished = threading.Event()
         self.released = threading.Event()
-        self._odometry = OdometryAtScans()
         self._publisher = rospy.Publisher("drive", AckermannDriveStamped, queue_size=1, tcp_nodelay=True)
         rospy.Subscriber("scan", LaserScan, self._on_scan, tcp_nodelay=True)
 
     def _on_scan(self, scan):
-        odometry = self._odometry.at(scan.header.stamp)
-        if odometry is not None and self._is_over(odometry):
+        if self._is_over(scan.header.stamp):
             # In lockstep nothing goes on until the map is saved, so that it is the same map every time.
             self.finished.set()
             self.released.wait()
             return
-        speed, steering = (0.0, 0.0) if self._watch.way > self._end else self._command(scan)
+        speed, steering = (0.0, 0.0) if self.watch.is_over or self.problem else self._command(scan)
         message = AckermannDriveStamped()
         message.header.stamp = scan.header.stamp
         message.drive.speed = speed
@@ -82,20 +60,66 @@ class LapDriver:
             )
         return self._follower.command(scan.ranges)
 
-    def _is_over(self, odometry):
-        pose, twist = odometry.pose.pose, odometry.twist.twist
-        yaw = 2.0 * math.atan2(pose.orientation.z, pose.orientation.w)
-        if self._watch.passes_start(pose.position.x, pose.position.y, yaw) and self._end == math.inf:
-            self._end = self._watch.way + OVERLAP
-            rospy.loginfo("The lap is complete after %.1f m", self._watch.way)
-        return self._watch.way > self._end and abs(twist.linear.x) < 0.1
+    def _is_over(self, stamp):
+        known = self._inputs.at(stamp)
+        if known is None or self.problem:
+            return bool(self.problem)
+        pose, speed = known
+        lap = self.watch.lap
+        try:
+            self.watch.take(stamp.to_sec(), *pose)
+        except LapError as error:
+            self.problem = str(error)
+        if self.watch.lap != lap:
+            rospy.loginfo("The lap is complete after %.1f m", self.watch.lap)
+        self._standing = self._standing + 1 if self.watch.is_over and abs(speed) < STANDS else 0
+        return bool(self.problem) or self._standing >= SCANS_STANDING
 
 
-def save_map(stem):
-    """Let map_saver write STEM.pgm and STEM.yaml; return its exit code."""
-    return subprocess.run(
-        ["rosrun", "map_server", "map_saver", "-f", stem, "map:=/map"], check=False
-    ).returncode
+class MapKeeper:
+    """Keeps the last map: when a launch is interrupted, its mapper ends as soon as everybody else."""
+
+    def __init__(self):
+        """Subscribe."""
+        self._message = None
+        rospy.Subscriber("/map", rospy.AnyMsg, self._keep, tcp_nodelay=True)
+
+    def _keep(self, message):
+        # As bytes: most of them are never looked at.
+        self._message = message
+
+    def save(self, stem):
+        """Write STEM.pgm and STEM.yaml; return whether there was a map.
+
+        Raises:
+            OSError: if they cannot be written.
+        """
+        if self._message is None:
+            return False
+        grid = OccupancyGrid().deserialize(self._message._buff)
+        cells = np.array(grid.data, dtype=np.int8).reshape(grid.info.height, grid.info.width)
+        pixels = np.select([cells == 0, cells == 100], [np.uint8(FREE), np.uint8(OCCUPIED)], UNKNOWN)
+        corner = grid.info.origin.position
+        save_map(Grid(pixels.astype(np.uint8), corner.x, corner.y, grid.info.resolution), stem)
+        return True
+
+
+def drive(driver, keeper, stem):
+    """Wait for the end of the drive and save the map; return the exit code."""
+    while not driver.finished.wait(0.1) and not rospy.is_shutdown():
+        pass
+    way = f"{driver.watch.way:.1f} m"
+    try:
+        what = f"{stem}.pgm and {stem}.yaml" if keeper.save(stem) else "nothing, as there is no map yet"
+    except OSError as error:
+        print(f"drive_lap: the map cannot be saved: {error}", file=sys.stderr)
+        return 1
+    if driver.finished.is_set() and not driver.problem:
+        rospy.loginfo("Saved the map as %s", what)
+        return 0
+    reason = driver.problem or f"interrupted after {way}"
+    print(f"drive_lap: {reason}. Saved of what has been mapped: {what}", file=sys.stderr, flush=True)
+    return 1
 
 
 def main():
@@ -104,13 +128,14 @@ def main():
     names = ("speed", "max_lateral_acceleration")
     given = {name: rospy.get_param(f"~{name}") for name in names if rospy.has_param(f"~{name}")}
     try:
-        driver = LapDriver(GapFollowerOptions(**given))
+        driver = LapDriver(GapFollowerOptions(**given), float(rospy.get_param("~time_limit", 1200.0)))
     except (TypeError, ValueError) as error:
         print(f"drive_lap: {error}", file=sys.stderr)
         return 2
-    while not driver.finished.wait(0.1):
-        if rospy.is_shutdown():
-            return 1
-    code = save_map(rospy.get_param("~map_file"))
+    code = drive(driver, MapKeeper(), rospy.get_param("~map_file"))
+    if code == 0 and not rospy.is_shutdown() and rospy.get_param("~ends_launch", False):
+        # As Ctrl-C does. roslaunch takes the end of a required node for an accident, and says so in red.
+        os.kill(os.getppid(), signal.SIGINT)
+        rospy.spin()
     driver.released.set()
     return code

@@ -1,9 +1,11 @@
 """Each criterion as a whole: its name, what was measured, the limit, the unit and the reason."""
 
+import dataclasses
 import math
 
 import numpy as np
 import pytest
+import yaml
 from f1tenth_scenarios.judge import driving_criteria as driving
 from f1tenth_scenarios.judge import run_criteria, verdict_criteria
 from f1tenth_scenarios.judge.criterion import Criterion, Status
@@ -15,6 +17,8 @@ from f1tenth_scenarios.record.record import COLUMNS, Record
 from f1tenth_scenarios.record.replay import Poses
 from f1tenth_scenarios.scenario.scenario import Criteria, Verdict
 from scenario_samples import record, rows, scenario
+
+from f1tenth_scenarios import places
 
 PASSED, FAILED, NOT_JUDGED = Status.PASSED, Status.FAILED, Status.NOT_JUDGED
 
@@ -256,6 +260,14 @@ def test_timeout(expected, verdict, said):
 def test_time_at_the_end_is_told_in_whole_nanoseconds():
     judgement = Judgement(Decision(0.1 + 0.2, Verdict.SUCCESS, ""), Record({}), {})
     assert verdict_criteria.timeout(scenario(), judgement, Measured()).actual == 0.3
+
+
+def test_every_criterion_stands_in_a_shipped_scenario():
+    folder = places.package_path(places.PACKAGE) / "scenarios"
+    texts = [yaml.safe_load(path.read_text(encoding="utf-8")) for path in folder.glob("*.yaml")]
+    used = {key for text in texts for key in [*text, *text.get("criteria", {})]}
+    asked = {field.name for field in dataclasses.fields(Criteria) if "tolerance" not in field.name}
+    assert {*asked, "culprit", "reason"} <= used
 
 
 @pytest.mark.parametrize(("unit", "text"), [("m", "0.5 m, limit 0.4 m"), ("", "0.5, limit 0.4")])

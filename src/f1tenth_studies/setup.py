@@ -3,4 +3,8 @@
 from catkin_pkg.python_setup import generate_distutils_setup
 from setuptools import setup
 
-setup(**generate_distutils_setup(packages=["f1tenth_studies"], package_dir={"": "src"}))
+setup(
+    **generate_distutils_setup(
+        packages=["f1tenth_studies", "f1tenth_studies.faults"], package_dir={"": "src"}
+    )
+)

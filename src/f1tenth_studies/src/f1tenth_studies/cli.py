@@ -2,7 +2,6 @@
 
 import argparse
 import importlib
-import signal
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -64,8 +63,6 @@ def _guarded(program: str, action: Callable, options) -> int:
     except ScenarioError as error:
         print(f"{program}: {error}", file=sys.stderr)
         return BAD_INPUT
-    except KeyboardInterrupt:
-        return 128 + signal.SIGINT
 
 
 def _study(options) -> int:

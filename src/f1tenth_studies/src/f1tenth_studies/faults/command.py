@@ -1,0 +1,87 @@
+"""The command `faults`."""
+
+import argparse
+import contextlib
+import random
+import shutil
+import signal
+import sys
+import tempfile
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Optional
+
+from f1tenth_studies.faults.catalogue import DRIVEN, Fault, faults, node_names
+from f1tenth_studies.faults.interrupts import COMMANDS, interrupt
+from f1tenth_studies.faults.load import busy_cores
+from f1tenth_studies.faults.table import document, problem
+from f1tenth_studies.faults.victim import Ending
+
+GOOD, NOT_GOOD = 0, 1  # exit codes
+_PATIENCE = 90.0  # wall s, for a run to end by itself after something broke
+_MOMENTS = (0.2, 8.0)  # s simulated, between which a random fault happens
+
+
+def main(arguments: Optional[Sequence[str]] = None) -> int:
+    """Run the command; returns the exit code: 1 when an ending was not as it should be."""
+    parser = argparse.ArgumentParser(prog="faults", description="Breaks runs; makes a table of their ends.")
+    parser.add_argument("--only", default="", metavar="WORDS", help="faults with these words in their name")
+    parser.add_argument("--random", type=int, default=0, metavar="N", help="as many besides, on busy cores")
+    parser.add_argument("--moments", type=int, default=0, metavar="N", help="of SIGINT, for each command")
+    parser.add_argument("--seed", type=int, default=1, help="of all that is random (%(default)s)")
+    parser.add_argument("--table", type=Path, metavar="FILE", help="write the table there, too")
+    options = parser.parse_args(arguments)
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        return _run(options)
+    except KeyboardInterrupt:
+        return 128 + signal.SIGINT
+
+
+def _run(options) -> int:
+    folder = Path(tempfile.mkdtemp(prefix="faults."))
+    endings = list(_endings(options, folder))
+    names = COMMANDS if options.moments else ()
+    interrupts = [interrupt(name, options.moments, folder / name, options.seed) for name in names]
+    text = document(endings, interrupts, " ".join(["rosrun f1tenth_studies faults", *sys.argv[1:]]))
+    print(text)
+    if options.table:
+        options.table.write_text(text, encoding="utf-8")
+    problems = [f"{name}: {what}" for name, ending in endings if (what := problem(ending))]
+    problems += [f"{each.command}: {what}" for each in interrupts for what in each.problems]
+    return _say(problems, folder)
+
+
+def _say(problems: Sequence[str], folder: Path) -> int:
+    for each in problems:
+        print(f"faults: {each}", file=sys.stderr)
+    if problems:
+        print(f"faults: what was broken is in {folder}", file=sys.stderr)
+        return NOT_GOOD
+    shutil.rmtree(folder)
+    return GOOD
+
+
+def _endings(options, folder: Path) -> Iterator[tuple[str, Ending]]:
+    known = [each for each in faults(node_names(_made(folder / "whole"))) if options.only in each.name]
+    for number, fault in enumerate(known):
+        yield fault.name, _break(fault, DRIVEN, _made(folder / f"{number:02}"))
+    generator = random.Random(options.seed)
+    with busy_cores() if options.random else contextlib.nullcontext():
+        for number in range(options.random):
+            fault, moment = generator.choice(known), generator.uniform(*_MOMENTS)
+            name = f"{fault.name}, at {moment:.1f} s, busy cores"
+            yield name, _break(fault, moment, _made(folder / f"random{number:02}"))
+
+
+def _made(folder: Path) -> Path:
+    folder.mkdir()
+    return folder
+
+
+def _break(fault: Fault, moment: float, folder: Path) -> Ending:
+    with fault.start(folder) as victim:
+        fault.inject(victim, moment)
+        ending = victim.end(_PATIENCE)
+    print(f"faults: {fault.name}: exit code {ending.exit_code}", file=sys.stderr, flush=True)
+    return ending

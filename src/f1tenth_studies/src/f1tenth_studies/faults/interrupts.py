@@ -1,0 +1,70 @@
+"""SIGINT at any moment of a command."""
+
+import dataclasses
+import os
+import random
+import signal
+import time
+from collections.abc import Sequence
+from pathlib import Path
+
+from f1tenth_studies.faults.catalogue import SCENARIO
+from f1tenth_studies.faults.victim import MOST_SECONDS, Ending, Victim
+
+_LONGEST = 600.0  # wall s
+COMMANDS = {
+    "scenario run": ("run", "circuit1"),
+    "scenario race": ("race", "circuit1", "--laps", "2"),
+    "scenario sweep": ("sweep", "circuit1", "--vary", "seed=1:3"),
+    "scenario report": ("report",),
+}
+
+
+@dataclasses.dataclass(frozen=True)
+class Interrupts:
+    """What came of many of them."""
+
+    command: str
+    endings: Sequence[Ending]
+
+    @property
+    def slowest(self) -> float:
+        """The longest time until nothing of it ran, wall s."""
+        return max(each.seconds for each in self.endings)
+
+    @property
+    def problems(self) -> list[str]:
+        """What should not be: another exit code, a traceback, something that runs on."""
+        found = []
+        for each in self.endings:
+            if each.exit_code not in (0, 128 + signal.SIGINT, -signal.SIGINT):
+                found.append(f"exit code {each.exit_code}")
+            if "Traceback" in each.said:
+                found.append("a traceback")
+            if each.seconds > MOST_SECONDS:
+                found.append(f"all gone only after {each.seconds:.1f} s")
+        return sorted(set(found))
+
+
+def interrupt(name: str, count: int, folder: Path, seed: int = 1) -> Interrupts:
+    """Interrupt a command at so many random moments of its life."""
+    command = (*SCENARIO, *COMMANDS[name])
+    duration = _run(command, folder / "whole", _LONGEST)[1]
+    moments = random.Random(seed)
+    endings = [
+        _run(command, folder / f"{number:02}", moments.uniform(0.0, duration))[0] for number in range(count)
+    ]
+    return Interrupts(name, endings)
+
+
+def _run(command: Sequence[str], folder: Path, seconds: float) -> tuple[Ending, float]:
+    """Let it run for some time (wall s), then interrupt it; also gives how long it ran."""
+    results = folder / "results"
+    results.mkdir(parents=True)
+    begun = time.monotonic()
+    with Victim([*command, "--results", str(results)], results, folder / "said") as victim:
+        victim.wait_for(lambda: False, seconds)
+        ran = time.monotonic() - begun
+        if victim.process.poll() is None:
+            os.killpg(victim.process.pid, signal.SIGINT)  # as a terminal does it
+        return victim.end(30.0), ran

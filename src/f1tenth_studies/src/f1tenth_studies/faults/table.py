@@ -1,0 +1,75 @@
+"""The document of the faults."""
+
+import datetime
+from collections.abc import Sequence
+from typing import Optional
+
+from f1tenth_scenarios.versions import commit
+
+from f1tenth_studies.faults.interrupts import Interrupts
+from f1tenth_studies.faults.victim import MOST_SECONDS, Ending
+from f1tenth_studies.table import machine
+
+_HEAD = """\
+# Faults
+
+What a run of `circuit1` (two laps, in lockstep) makes of whatever breaks after 3 s of simulated time.
+Made on {date} at commit {commit} on {machine} by
+
+    {command}
+
+`limits.answer` is 5 s here and `limits.wall` 60 s: a node that is stopped is noticed after the first, a clock
+that is stopped after the second. Wanted: the right verdict and culprit, a JUnit file, and at most {most:g} s
+from the verdict until nothing of the run is left.
+
+| fault | verdict | culprit | exit code | verdict after (s) | all gone after (s) | JUnit |
+| --- | --- | --- | --- | --- | --- | --- |
+"""
+_INTERRUPTS = """
+## SIGINT
+
+At random moments of a command; wanted: exit code 130, no traceback, nothing of it left after {most:g} s.
+
+| command | moments | all gone after at most (s) | problems |
+| --- | --- | --- | --- |
+"""
+
+
+def document(endings: Sequence[tuple[str, Ending]], interrupts: Sequence[Interrupts], command: str) -> str:
+    """The whole document: endings by fault, and interrupted commands."""
+    head = _HEAD.format(
+        date=datetime.date.today(), commit=commit(), machine=machine(), command=command, most=MOST_SECONDS
+    )
+    text = head + "".join(_row(name, each) for name, each in endings)
+    if interrupts:
+        text += _INTERRUPTS.format(most=MOST_SECONDS) + "".join(map(_interrupt_row, interrupts))
+    return text
+
+
+def _row(name: str, ending: Ending) -> str:
+    result = ending.result or {}
+    culprit = (result.get("culprit") or {}).get("culprit", "–")
+    verdict = result.get("verdict") or _said(ending)
+    code = "killed" if ending.exit_code is None else ending.exit_code
+    times = f"{ending.seconds - ending.seconds_after:.1f} | {ending.seconds_after:.1f}"
+    return f"| {name} | {verdict} | {culprit} | {code} | {times} | {'yes' if ending.has_junit else 'no'} |\n"
+
+
+def _said(ending: Ending) -> str:
+    """What stands in the place of a verdict that could not be written."""
+    lines = [line for line in ending.said.splitlines() if line.startswith("scenario: ")]
+    return f"none: {lines[-1].removeprefix('scenario: ')}" if lines else "none"
+
+
+def _interrupt_row(each: Interrupts) -> str:
+    problems = ", ".join(each.problems) or "none"
+    return f"| `{each.command}` | {len(each.endings)} | {each.slowest:.1f} | {problems} |\n"
+
+
+def problem(ending: Ending) -> Optional[str]:
+    """What is wrong with an ending, whatever the fault was; nothing if nothing is."""
+    if ending.exit_code is None:
+        return "had to be killed"
+    if ending.seconds_after > MOST_SECONDS:
+        return f"all gone only {ending.seconds_after:.1f} s after the verdict"
+    return "a traceback" if "Traceback" in ending.said else None

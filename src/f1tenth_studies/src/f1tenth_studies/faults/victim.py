@@ -1,0 +1,139 @@
+"""A command that is started to be broken, and everything that it has started."""
+
+import contextlib
+import dataclasses
+import json
+import os
+import subprocess
+import time
+import uuid
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, Optional
+
+import psutil
+
+MOST_SECONDS = 5.0  # wall, from the verdict, or being told to stop, until nothing runs any more
+_MARK = "F1TENTH_FAULT"  # every descendant inherits it
+_LOOK_INTERVAL = 0.02  # wall s
+
+
+@dataclasses.dataclass(frozen=True)
+class Ending:
+    """What was seen of the end."""
+
+    exit_code: Optional[int]  # nothing if it had to be killed
+    seconds: float  # wall, from the fault until nothing of it ran
+    seconds_after: float  # the same from when the verdict was written; from the fault without one
+    result: Optional[dict[str, Any]]  # its result.json
+    has_junit: bool
+    said: str  # on the terminal
+
+
+class Victim:
+    """A command with its results in a folder, that can be broken."""
+
+    def __init__(self, command: Sequence[str], results: Path, said: Path, **popen: Any):
+        """Start it.
+
+        Args:
+            command: with its arguments
+            results: folder of its results
+            said: file for what it says on the terminal
+            popen: further arguments of subprocess.Popen
+        """
+        self.results = results
+        self._mark = uuid.uuid4().hex
+        self._output = open(said, "w+", encoding="utf-8")  # noqa: SIM115
+        environment = {**os.environ, **popen.pop("env", {}), _MARK: self._mark}
+        self.process = subprocess.Popen(
+            command,
+            stdin=subprocess.DEVNULL,
+            stdout=self._output,
+            stderr=subprocess.STDOUT,
+            env=environment,
+            start_new_session=True,
+            **popen,
+        )
+
+    def __enter__(self) -> "Victim":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._kill()
+
+    def wait_for(self, condition: Callable[[], Any], seconds: float = 120.0) -> Any:
+        """Wait until a condition holds or the command has ended; returns what the condition gave."""
+        deadline = time.monotonic() + seconds
+        while not (found := condition()) and self.process.poll() is None and time.monotonic() < deadline:
+            time.sleep(_LOOK_INTERVAL)
+        return found
+
+    def has_driven(self, seconds: float) -> bool:
+        """Whether the record of a run has come so far, s simulated."""
+        for record in self.results.glob("*/log/record.csv"):
+            lines = record.read_text(encoding="utf-8").splitlines()
+            if len(lines) > 2 and float(lines[-2].partition(",")[0]) >= seconds:
+                return True
+        return False
+
+    def members(self) -> list[psutil.Process]:
+        """All processes of it that run."""
+        return [each for each in psutil.process_iter() if self._is_member(each)]
+
+    def node(self, name: str) -> Optional[psutil.Process]:
+        """The process of a node, as in `robot1/move_base`; nothing if it does not run."""
+        return next((each for each in self.members() if self.name_of(each) == name), None)
+
+    def name_of(self, process: psutil.Process) -> str:
+        """The name of a node, or `roslaunch`, `master`, `runner`; empty for helpers of those."""
+        try:
+            words = process.cmdline()
+            namespace = process.environ().get("ROS_NAMESPACE", "").strip("/")
+        except psutil.Error:
+            return ""
+        names = [word.partition(":=")[2] for word in words if word.startswith("__name:=")]
+        if names:
+            return "/".join(filter(None, [namespace, *names]))
+        known = {"roslaunch": "roslaunch", "rosmaster": "master", "roscore": "master"}
+        for word in words[:4]:
+            if Path(word).name in known:
+                return known[Path(word).name]
+        return "runner" if process.pid == self.process.pid else ""
+
+    def end(self, patience: float) -> Ending:
+        """Wait until nothing of it runs; what still does after some time (wall s) is killed."""
+        begun = time.monotonic()
+        while self.members() and time.monotonic() - begun < patience:
+            self.process.poll()
+            time.sleep(_LOOK_INTERVAL)
+        seconds, ended, code = time.monotonic() - begun, time.time(), self._exit_code()
+        self._kill()
+        with self._output as output:
+            output.seek(0)
+            said = output.read()
+        found = [*self.results.glob("*/result.json"), *self.results.glob("*/interrupted/result.json")]
+        result = json.loads(found[0].read_text(encoding="utf-8")) if found else None
+        # Written right after the verdict, and only once.
+        tables = [*self.results.glob("*/trajectory.csv"), *self.results.glob("*/interrupted/trajectory.csv")]
+        after = ended - tables[0].stat().st_mtime if tables else seconds
+        return Ending(code, seconds, after, result, any(self.results.rglob("junit.xml")), said)
+
+    def _exit_code(self) -> Optional[int]:
+        # A process that is ending has lost its environment a moment before it is gone.
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            return self.process.wait(1.0)
+        return None
+
+    def _kill(self) -> None:
+        for each in self.members():
+            with contextlib.suppress(psutil.NoSuchProcess):
+                each.kill()
+        self.process.wait()
+
+    def _is_member(self, process: psutil.Process) -> bool:
+        try:
+            alive = process.status() != psutil.STATUS_ZOMBIE
+            return alive and process.environ().get(_MARK) == self._mark
+        except psutil.Error:
+            return False

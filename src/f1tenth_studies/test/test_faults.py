@@ -1,0 +1,111 @@
+"""What is seen of the end of a command that was broken, and the table of it; commands are made up."""
+
+import sys
+
+import pytest
+from f1tenth_studies.faults.catalogue import faults
+from f1tenth_studies.faults.interrupts import Interrupts
+from f1tenth_studies.faults.table import document, problem
+from f1tenth_studies.faults.victim import Ending, Victim
+
+RESULT = {"verdict": "error", "culprit": {"culprit": "robot1/move_base"}}
+# Starts a child with the name of a node that outlives it, unless it is told to wait for it.
+PROGRAM = """
+import json, os, pathlib, subprocess, sys
+folder = pathlib.Path(sys.argv[1], "circuit1")
+sleep = [sys.executable, "-c", "import time; time.sleep(60)", "__name:=move_base"]
+child = subprocess.Popen(sleep, env={**os.environ, "ROS_NAMESPACE": "robot1"})
+print("begun", flush=True)
+if sys.argv[2] == "wait":
+    child.wait()
+folder.mkdir()
+(folder / "result.json").write_text(json.dumps({"verdict": "error"}))
+(folder / "junit.xml").touch()
+(folder / "trajectory.csv").touch()
+sys.exit(1)
+"""
+
+
+def ending(exit_code=1, seconds_after=1.5, seconds=4.0, result=RESULT, has_junit=True, said=""):
+    return Ending(exit_code, seconds, seconds_after, result, has_junit, said)
+
+
+@pytest.fixture
+def start(tmp_path):
+    (tmp_path / "program.py").write_text(PROGRAM, encoding="utf-8")
+    (tmp_path / "results").mkdir()
+    command = [sys.executable, str(tmp_path / "program.py"), str(tmp_path / "results")]
+    return lambda how: Victim([*command, how], tmp_path / "results", tmp_path / "said")
+
+
+def test_a_node_is_found_and_its_death_ends_the_command(start):
+    with start("wait") as victim:
+        node = victim.wait_for(lambda: victim.node("robot1/move_base"), 30.0)
+        assert {victim.name_of(each) for each in victim.members()} == {"runner", "robot1/move_base"}
+        node.kill()
+        end = victim.end(30.0)
+    assert (end.exit_code, end.result, end.has_junit, end.said) == (1, {"verdict": "error"}, True, "begun\n")
+    assert end.seconds_after <= end.seconds + 0.1
+    assert problem(end) is None
+
+
+def test_what_outlives_the_command_is_seen_and_ended(start):
+    with start("leave") as victim:
+        victim.process.wait()
+        end = victim.end(0.2)
+        assert end.seconds >= 0.2
+        assert victim.members() == []
+
+
+def test_nothing_is_left_when_the_block_is_left(start):
+    with start("wait") as victim:
+        victim.wait_for(lambda: victim.node("robot1/move_base"), 30.0)
+    assert victim.members() == []
+
+
+def test_a_table_has_a_row_for_each_fault():
+    endings = [
+        ("move_base killed", ending()),
+        (
+            "read-only results",
+            ending(result=None, has_junit=False, said="hello\nscenario: cannot be written\n"),
+        ),
+        ("runner stopped", ending(exit_code=None, result={"verdict": "success"})),
+    ]
+    rows = document(endings, [], "faults").splitlines()[-3:]
+    assert rows == [
+        "| move_base killed | error | robot1/move_base | 1 | 2.5 | 1.5 | yes |",
+        "| read-only results | none: cannot be written | – | 1 | 2.5 | 1.5 | no |",
+        "| runner stopped | success | – | killed | 2.5 | 1.5 | yes |",
+    ]
+
+
+def test_a_table_of_interrupts_names_what_is_wrong():
+    found = Interrupts("scenario run", [ending(exit_code=130), ending(seconds=6.2, said="Traceback")])
+    assert document([], [found], "faults").splitlines()[-1] == (
+        "| `scenario run` | 2 | 6.2 | a traceback, all gone only after 6.2 s, exit code 1 |"
+    )
+
+
+@pytest.mark.parametrize(
+    ("changes", "what"),
+    [
+        ({}, None),
+        ({"exit_code": None}, "had to be killed"),
+        ({"seconds_after": 5.1}, "all gone only 5.1 s after the verdict"),
+        ({"said": "Traceback (most recent call last)"}, "a traceback"),
+    ],
+)
+def test_problems(changes, what):
+    assert problem(ending(**changes)) == what
+
+
+def test_every_node_is_killed_and_stopped():
+    names = [each.name for each in faults(["sim2d", "robot1/move_base"])]
+    assert names[:4] == [
+        "sim2d killed",
+        "sim2d stopped",
+        "robot1/move_base killed",
+        "robot1/move_base stopped",
+    ]
+    assert len(set(names)) == len(names)

@@ -21,7 +21,6 @@ KNOWN_CIRCLES = {
         "f1tenth_sim2d",
         "src/loaders",
     ): "car reads with sdf's element reader, sdf with car's robot text",
-    ("f1tenth_sim2d", "src/node"): "the fleet reaches up to the diagnostics of app",
 }
 
 

@@ -7,13 +7,14 @@ import resource
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Optional
 
 import psutil
 
-from f1tenth_studies.faults.victim import Victim
+from f1tenth_studies.faults.victim import RUNNER, Victim
 
 SCENARIO = ("rosrun", "f1tenth_scenarios", "scenario")
 _RUN = ("run", "circuit1", "--set", "laps=2", "--set", "limits.answer=5", "--set", "limits.wall=60")
@@ -21,6 +22,7 @@ DRIVEN = 3.0  # s simulated, before something is broken
 _STARTER = "race_starter"  # ends with the start of the race
 _LITTLE_MEMORY = 300 << 20  # bytes of address space
 _DESCRIPTORS = 64
+_PAUSE = 10.0  # wall s, as by Ctrl-Z
 # What stands before a command: a small or read-only disk in the place of the results, kept afterwards.
 _SMALL_DISK = 'mount -t tmpfs -o size=300k tmpfs "$1" && "${@:3}"; code=$?; cp -r "$1/." "$2"; exit $code'
 _READ_ONLY_DISK = 'mount --bind "$1" "$1" && mount -o remount,ro,bind "$1" && exec "${@:3}"'
@@ -52,6 +54,7 @@ def faults(nodes: Sequence[str]) -> list[Fault]:
         Fault(f"{node} {how}", _start, functools.partial(_signal_node, node, number))
         for node in nodes
         for how, number in signals.items()
+        if (node, how) != (RUNNER, "stopped")  # it could not end anything; see _pause_runner
     ]
     set_back = Fault("system time set back an hour", _start_with_set_time, _set_time_back)
     return [*of_nodes, *_OTHERS, *([set_back] if _faketime() else [])]
@@ -69,6 +72,12 @@ def _signal_node(node: str, number: int, victim: Victim, moment: float) -> None:
     process = victim.node(node)
     if process is not None:
         process.send_signal(number)
+
+
+def _pause_runner(victim: Victim, moment: float) -> None:
+    _signal_node(RUNNER, signal.SIGSTOP, victim, moment)
+    time.sleep(_PAUSE)
+    victim.process.send_signal(signal.SIGCONT)
 
 
 def _limited(limit: int, value: int) -> Callable[[Path], Victim]:
@@ -134,6 +143,7 @@ def _master(node: psutil.Process) -> Mapping[str, str]:
 
 
 _OTHERS = (
+    Fault(f"{RUNNER} stopped for {_PAUSE:g} s", _start, _pause_runner),
     Fault("clock stopped (pause_physics)", _start, _pause),
     Fault("disk full", _on_disk(_SMALL_DISK)),
     Fault("read-only results", _on_disk(_READ_ONLY_DISK)),

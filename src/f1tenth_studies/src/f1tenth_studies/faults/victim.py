@@ -14,6 +14,7 @@ from typing import Any, Optional
 import psutil
 
 MOST_SECONDS = 5.0  # wall, from the verdict, or being told to stop, until nothing runs any more
+RUNNER = "runner"  # what the command itself is called
 _MARK = "F1TENTH_FAULT"  # every descendant inherits it
 _LOOK_INTERVAL = 0.02  # wall s
 
@@ -99,7 +100,7 @@ class Victim:
         for word in words[:4]:
             if Path(word).name in known:
                 return known[Path(word).name]
-        return "runner" if process.pid == self.process.pid else ""
+        return RUNNER if process.pid == self.process.pid else ""
 
     def end(self, patience: float) -> Ending:
         """Wait until nothing of it runs; what still does after some time (wall s) is killed."""

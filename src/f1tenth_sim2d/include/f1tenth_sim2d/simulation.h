@@ -13,6 +13,7 @@
 #include "f1tenth_sim2d/geometry.h"
 #include "f1tenth_sim2d/model_state.h"
 #include "f1tenth_sim2d/prepared_world.h"
+#include "f1tenth_sim2d/ray_fan.h"
 #include "f1tenth_sim2d/sensor_samples.h"
 #include "f1tenth_sim2d/sim_time.h"
 #include "f1tenth_sim2d/vehicle_parameters.h"
@@ -89,6 +90,15 @@ public:
   void scan(CarId car, std::size_t lidar, float * ranges) const;
   /// The same without noise.
   void exactScan(CarId car, std::size_t lidar, float * ranges) const;
+
+  /// What rays from a car meet now: for each the range, m, +inf where nothing is within range_max. Exact; a car does not see
+  /// itself. Writes as many numbers as the fan has directions. Allocates nothing, but that the first call at a height works out
+  /// what is to be seen there.
+  void castRays(CarId car, const RayFan & fan, double * ranges) const;
+
+  /// Sample `index` of the standard normal noise of a sensor of a car now: a function of seed, car, name of the sensor, time
+  /// and index only.
+  double noise(CarId car, const std::string & sensor, std::uint64_t index) const;
 
   /// Contacts of the car in the physics steps since the last call to clearContacts, ground excluded.
   const std::vector<Contact> & contacts(CarId car) const;

@@ -21,6 +21,18 @@ TEST(Allocation, ScanningAllocatesNothing)
   EXPECT_EQ(allocationCount(), before);
 }
 
+TEST(Allocation, CastingRaysAllocatesNothingAfterTheFirstTimeAtAHeight)
+{
+  Simulation simulation(world({room(3.0), movableBox("crate", 0.3, 1.5, 0.0)}));
+  simulation.addCar(car("robot1"), {}, {});
+  const RayFan fan{{}, 0.15, {-0.5, 0.0, 1.0, 3.0}, 20.0};
+  double ranges[4];
+  simulation.castRays(kRobot1, fan, ranges);
+  const std::size_t before = allocationCount();
+  simulation.castRays(kRobot1, fan, ranges);
+  EXPECT_EQ(allocationCount(), before);
+}
+
 TEST(Allocation, SteppingFarFromEverythingAllocatesNothing)
 {
   Simulation simulation(world({room(30.0)}));

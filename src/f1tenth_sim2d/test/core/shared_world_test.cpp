@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <thread>
 #include <vector>
@@ -113,6 +114,9 @@ TEST(SharedWorld, SeveralThreadsLookAroundInOneSimulation)
         const std::size_t own = (i + static_cast<std::size_t>(scan)) % 2;
         wrong[i] += look(own == 0 ? kRobot1 : kRobot2) == expected[own] ? 0 : 1;
         wrong[i] += simulation.state(kRobot1).pose.x == 0.0 ? 0 : 1;
+        double range = 0.0;
+        simulation.castRays(kRobot1, {{}, 0.01 * (1 + scan % 7), {M_PI}, 10.0}, &range);
+        wrong[i] += std::abs(range - 3.0) < 1e-9 ? 0 : 1;
       }
     });
   }

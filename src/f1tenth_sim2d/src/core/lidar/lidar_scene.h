@@ -28,6 +28,7 @@ public:
   MovingSection(const std::vector<Solid> & solids, const ignition::math::Pose3d & frame, double height);
 
   void draw(const Transform2 & body, RangeRaster & raster) const;
+  void meet(const Transform2 & body, Ray & ray) const;
 
 private:
   Section section_;
@@ -43,6 +44,8 @@ public:
   double height() const { return height_; }
   const WallGrid & walls() const { return walls_; }
   void drawModels(const MovingPoses & poses, RangeRaster & raster) const;
+  /// Ends a ray at the nearest thing of the world that it meets.
+  void meet(const MovingPoses & poses, Ray & ray) const;
 
 private:
   struct Movable
@@ -74,6 +77,8 @@ public:
 
   /// Draws the world as it is seen from a car, which does not see itself.
   void draw(CarId own, const MovingPoses & poses, RangeRaster & raster, DrawnItems & drawn) const;
+  /// Ends a ray of a car at the nearest thing that it meets.
+  void meet(CarId own, const MovingPoses & poses, Ray & ray) const;
 
 private:
   struct SeenCar

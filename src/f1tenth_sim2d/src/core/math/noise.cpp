@@ -123,6 +123,15 @@ std::uint64_t noiseKey(
   return mixBits(key + kGoldenGamma);
 }
 
+std::uint64_t hashOf(const std::string & name)
+{
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char letter : name) {
+    hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3ULL;
+  }
+  return hash;
+}
+
 double gaussian(std::uint64_t key, std::uint64_t index)
 {
   const Draw draw(bitsOf(key, index));

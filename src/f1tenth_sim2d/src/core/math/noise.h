@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 /// Counter-based noise: a sample is a function of its key and its index only. Nothing is remembered between
 /// samples, so which sensors are read, and how often, changes nothing.
@@ -12,7 +13,8 @@ enum class NoiseStream : std::uint64_t
 {
   kLidar,
   kImu,
-  kOdometry
+  kOdometry,
+  kNamedSensor
 };
 
 /// 64 well-mixed bits (the finalizer of SplitMix64).
@@ -27,6 +29,9 @@ inline std::uint64_t mixBits(std::uint64_t z)
 /// @param instant  time or number of the sample
 std::uint64_t noiseKey(
   std::uint64_t seed, std::uint64_t car, NoiseStream stream, std::uint64_t sensor, std::uint64_t instant);
+
+/// 64 bits that tell names apart: FNV-1a.
+std::uint64_t hashOf(const std::string & name);
 
 /// Samples 0 to count - 1 of the standard normal distribution under a key.
 void gaussians(std::uint64_t key, std::size_t count, double * samples);

@@ -51,7 +51,7 @@ void CarRegistry::reserve()
   ids_.reserve(ids_.size() + 1);
 }
 
-void CarRegistry::add(std::unique_ptr<SimulatedCar> car) noexcept
+void CarRegistry::add(std::unique_ptr<RegisteredCar> car) noexcept
 {
   ids_.push_back(car->id);
   cars_.push_back(std::move(car));

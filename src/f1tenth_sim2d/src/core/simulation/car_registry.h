@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/simulation/simulated_car.h"
+#include "core/simulation/registered_car.h"
 #include "f1tenth_sim2d/car_id.h"
 
 namespace f1tenth_sim2d
@@ -18,7 +18,7 @@ public:
 
   /// Where a car stands in cars() now. @throws std::out_of_range for one that is not there
   std::size_t indexOf(CarId id) const;
-  SimulatedCar & at(CarId id) const { return *cars_[indexOf(id)]; }
+  RegisteredCar & at(CarId id) const { return *cars_[indexOf(id)]; }
 
   /// For the car that comes next: an id that no car ever had, and the lowest noise stream that no car has now.
   CarId nextId() const { return CarId{next_id_}; }
@@ -27,7 +27,7 @@ public:
   /// Makes room for one more car, so that adding it cannot fail.
   void reserve();
   /// Takes a car in that was made with nextId().
-  void add(std::unique_ptr<SimulatedCar> car) noexcept;
+  void add(std::unique_ptr<RegisteredCar> car) noexcept;
   void remove(CarId id);
 
 private:

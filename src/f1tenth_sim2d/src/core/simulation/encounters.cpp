@@ -15,12 +15,12 @@ constexpr double kLookAhead = 1.0;   // m, farther away need not be told apart
 constexpr int kStepsNear = 10;       // after which a near car looks again
 constexpr double kTravelMax = 10.0;  // m in a step, beyond which numbers have run away
 
-double predictedTravel(const SimulatedCar & car)
+double predictedTravel(const RegisteredCar & car)
 {
   return car.car.predictedTravel(car.body->participant.outer_radius);
 }
 
-double checkedTravel(const SimulatedCar & car, double dt)
+double checkedTravel(const RegisteredCar & car, double dt)
 {
   const double travel = predictedTravel(car);
   if (!(travel <= kTravelMax)) {

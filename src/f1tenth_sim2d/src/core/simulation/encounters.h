@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/contacts/collision_world.h"
-#include "core/simulation/simulated_car.h"
+#include "core/simulation/registered_car.h"
 
 /// Which cars are near anything that they could touch: only those take part in the rigid-body world.
 ///

@@ -77,14 +77,14 @@ void Simulation::advanceTo(SimTime end)
 
 void Simulation::command(CarId car, const DriveCommand & command)
 {
-  SimulatedCar & driven = impl_->car(car);
+  RegisteredCar & driven = impl_->car(car);
   validate(command, driven.description.name);
   driven.car.command(command, impl_->time());
 }
 
 void Simulation::commandTwist(CarId car, double linear_x, double angular_z, double linear_y)
 {
-  SimulatedCar & driven = impl_->car(car);
+  RegisteredCar & driven = impl_->car(car);
   validateTwist({linear_x, linear_y}, angular_z, driven.description.name);
   driven.car.command(TwistCommand{{linear_x, linear_y}, angular_z}, impl_->time());
 }
@@ -110,6 +110,16 @@ void Simulation::scan(CarId car, std::size_t lidar, float * ranges) const
 void Simulation::exactScan(CarId car, std::size_t lidar, float * ranges) const
 {
   impl_->scan(car, lidar, false, ranges);
+}
+
+void Simulation::castRays(CarId car, const RayFan & fan, double * ranges) const
+{
+  impl_->castRays(car, fan, ranges);
+}
+
+double Simulation::noise(CarId car, const std::string & sensor, std::uint64_t index) const
+{
+  return impl_->noise(car, sensor, index);
 }
 
 const std::vector<Contact> & Simulation::contacts(CarId car) const

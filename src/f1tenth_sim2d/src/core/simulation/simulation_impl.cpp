@@ -1,6 +1,7 @@
 #include "core/simulation/simulation_impl.h"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 #include "core/contacts/clearance.h"
@@ -49,7 +50,7 @@ CarId Simulation::Impl::addCar(
   validate(parameters, description.name);
   refuseTakenName(description.name);
   const CarId id = registry_.nextId();
-  auto car = std::make_unique<SimulatedCar>(
+  auto car = std::make_unique<RegisteredCar>(
     id, registry_.freeNoiseStream(), description, parameters, pose, options_.seed, geometry_->pieces());
   car->car.restart(time_);
   std::vector<PlacedCar> places = placedCars(cars());
@@ -59,7 +60,7 @@ CarId Simulation::Impl::addCar(
   return id;
 }
 
-void Simulation::Impl::letIn(std::unique_ptr<SimulatedCar> car)
+void Simulation::Impl::letIn(std::unique_ptr<RegisteredCar> car)
 {
   registry_.reserve();
   collisions_->prepareFor(*car->body);
@@ -107,7 +108,7 @@ void Simulation::Impl::removeCar(CarId id)
 void Simulation::Impl::placeCar(CarId id, const Pose2 & pose, const Vec2 & velocity, double yaw_rate)
 {
   const std::size_t index = registry_.indexOf(id);
-  SimulatedCar & own = *cars()[index];
+  RegisteredCar & own = *cars()[index];
   validate(own.description, pose);
   validate(ModelState{pose, velocity, yaw_rate}, own.description.name);
   std::vector<PlacedCar> places = placedCars(cars());
@@ -230,7 +231,7 @@ std::string Simulation::Impl::nameOf(const Piece & piece) const
 }
 
 Simulation::Impl::Lidars Simulation::Impl::makeLidars(
-  const SimulatedCar & car, const WorldGeometry & world, Scenes & scenes) const
+  const RegisteredCar & car, const WorldGeometry & world, Scenes & scenes) const
 {
   Lidars lidars;
   for (const LidarDescription & lidar : car.description.lidars) {
@@ -280,7 +281,7 @@ void Simulation::Impl::logContacts()
   }
 }
 
-void Simulation::Impl::describe(const SimulatedCar & own, const StepContact & step, Contact & contact) const
+void Simulation::Impl::describe(const RegisteredCar & own, const StepContact & step, Contact & contact) const
 {
   const bool is_car = step.other_owner == Piece::Owner::kCar;
   const CarDescription * other_car = is_car ? &car(CarId{step.other_body}).description : nullptr;
@@ -324,7 +325,7 @@ Pose2 Simulation::Impl::ofCar(CarId id) const
 
 void Simulation::Impl::scan(CarId id, std::size_t lidar, bool noisy, float * ranges) const
 {
-  const SimulatedCar & own = car(id);
+  const RegisteredCar & own = car(id);
   const LidarSensor & sensor = own.lidars.at(lidar);
   if (noisy) {
     const std::uint64_t key =
@@ -335,9 +336,31 @@ void Simulation::Impl::scan(CarId id, std::size_t lidar, bool noisy, float * ran
   }
 }
 
+void Simulation::Impl::castRays(CarId id, const RayFan & fan, double * ranges) const
+{
+  const RegisteredCar & own = car(id);
+  const Transform2 origin(compose(own.car.pose(), fan.origin));
+  const LidarScene & scene = [&]() -> const LidarScene & {
+    const std::lock_guard<std::mutex> lock(scenes_mutex_);
+    return sceneAt(fan.height, cars(), *geometry_, scenes_);
+  }();
+  for (std::size_t i = 0; i < fan.directions.size(); ++i) {
+    const SineCosine direction = sineCosine(fan.directions[i]);
+    Ray ray{{origin.x, origin.y}, origin.rotate({direction.cosine, direction.sine}), fan.range_max};
+    scene.meet(id, *this, ray);
+    ranges[i] = ray.range < fan.range_max ? ray.range : std::numeric_limits<double>::infinity();
+  }
+}
+
+double Simulation::Impl::noise(CarId id, const std::string & sensor, std::uint64_t index) const
+{
+  const auto now = static_cast<std::uint64_t>(time_);
+  return gaussian(noiseKey(options_.seed, car(id).noise_stream, NoiseStream::kNamedSensor, hashOf(sensor), now), index);
+}
+
 ImuSample Simulation::Impl::imu(CarId id) const
 {
-  const SimulatedCar & own = car(id);
+  const RegisteredCar & own = car(id);
   const CarState state = own.car.state();
   ImuSample sample{state.pose.yaw, state.yaw_rate, state.acceleration};
   if (const auto & imu = own.description.imu) {

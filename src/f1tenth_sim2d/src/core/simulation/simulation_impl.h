@@ -2,6 +2,8 @@
 
 #include <deque>
 #include <memory>
+#include <mutex>
+#include <string>
 #include <vector>
 
 #include "core/contacts/collision_world.h"
@@ -27,9 +29,11 @@ public:
   void reset();
   void resetPoses();
   void scan(CarId id, std::size_t lidar, bool noisy, float * ranges) const;
+  void castRays(CarId id, const RayFan & fan, double * ranges) const;
+  double noise(CarId id, const std::string & sensor, std::uint64_t index) const;
   ImuSample imu(CarId id) const;
 
-  SimulatedCar & car(CarId id) const { return registry_.at(id); }
+  RegisteredCar & car(CarId id) const { return registry_.at(id); }
   const CarRegistry & registry() const { return registry_; }
   const WorldDescription & world() const { return geometry_->world(); }
   const CollisionWorld & collisions() const { return *collisions_; }
@@ -44,13 +48,13 @@ private:
   Pose2 ofModel(std::size_t model) const override;
   Pose2 ofCar(CarId car) const override;
   static const LidarScene & sceneAt(double height, const Cars & seen, const WorldGeometry & world, Scenes & scenes);
-  Lidars makeLidars(const SimulatedCar & car, const WorldGeometry & world, Scenes & scenes) const;
-  void letIn(std::unique_ptr<SimulatedCar> car);
+  Lidars makeLidars(const RegisteredCar & car, const WorldGeometry & world, Scenes & scenes) const;
+  void letIn(std::unique_ptr<RegisteredCar> car);
   void refuseOccupiedPlace(const std::vector<PlacedCar> & places, std::size_t own, const std::string & what) const;
   void refuseTakenName(const std::string & name) const;
   std::string nameOf(const Piece & piece) const;
   void logContacts();
-  void describe(const SimulatedCar & car, const StepContact & step, Contact & contact) const;
+  void describe(const RegisteredCar & car, const StepContact & step, Contact & contact) const;
   void changeWorld(WorldDescription world, const std::vector<ModelMotion> & motions);
   /// Without cars, but with room for all of them.
   std::unique_ptr<CollisionWorld> emptyCollisions() const;
@@ -66,6 +70,7 @@ private:
   bool static_models_moved_{false};
   std::unique_ptr<CollisionWorld> collisions_;
   CarRegistry registry_;
-  Scenes scenes_;
+  mutable std::mutex scenes_mutex_;  ///< of const functions that add one
+  mutable Scenes scenes_;
 };
 }  // namespace f1tenth_sim2d

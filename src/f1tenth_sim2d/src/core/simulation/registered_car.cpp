@@ -1,8 +1,8 @@
-#include "core/simulation/simulated_car.h"
+#include "core/simulation/registered_car.h"
 
 namespace f1tenth_sim2d
 {
-SimulatedCar::SimulatedCar(
+RegisteredCar::RegisteredCar(
   CarId car_id, std::uint32_t stream, const CarDescription & car_description, const VehicleParameters & parameters,
   const Pose2 & start, std::uint64_t seed, const WorldPieces & world)
 : id(car_id),
@@ -13,7 +13,7 @@ SimulatedCar::SimulatedCar(
 {
 }
 
-std::unique_ptr<CarBody> SimulatedCar::makeBody(const WorldPieces & world) const
+std::unique_ptr<CarBody> RegisteredCar::makeBody(const WorldPieces & world) const
 {
   const VehicleParameters & p = car.parameters();
   return std::make_unique<CarBody>(id, description.solids, p.l_r, p.m, p.I_z, world);

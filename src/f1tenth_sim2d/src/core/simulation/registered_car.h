@@ -23,11 +23,11 @@ struct Surroundings
 };
 
 /// A car of a simulation and all that belongs to it.
-struct SimulatedCar
+struct RegisteredCar
 {
   /// @param stream  keeps its noise apart from that of the other cars
   /// @param start   pose of base_footprint
-  SimulatedCar(
+  RegisteredCar(
     CarId car_id, std::uint32_t stream, const CarDescription & car_description, const VehicleParameters & parameters,
     const Pose2 & start, std::uint64_t seed, const WorldPieces & world);
 
@@ -44,7 +44,7 @@ struct SimulatedCar
   ContactLog contacts;
 };
 
-using Cars = std::vector<std::unique_ptr<SimulatedCar>>;
+using Cars = std::vector<std::unique_ptr<RegisteredCar>>;
 
 /// The places of all cars.
 std::vector<PlacedCar> placedCars(const Cars & cars);

@@ -189,4 +189,53 @@ TEST(Ackermann, WheelSpeedsAreThoseOfCirclesAboutThatPoint)
   EXPECT_NEAR(speeds[2], yaw_rate * (radius - 0.1) / 0.05, 1e-9);
   EXPECT_NEAR(speeds[3], yaw_rate * (radius + 0.1) / 0.05, 1e-9);
 }
+
+TEST(Imu, MeasuresAllOfTheAccelerationOfACarThatSlides)
+{
+  Simulation simulation(world());
+  simulation.addCar(carWithImu(0.0), {}, {});
+  simulation.placeCar(kRobot1, {}, {3.0, 1.0}, 2.0);
+  const double l_r = VehicleParameters{}.l_r;
+  const auto velocityInWorld = [&] {
+    const CarState s = simulation.state(kRobot1);
+    const Vec2 centre{s.velocity.x, s.velocity.y + l_r * s.yaw_rate};
+    const double c = std::cos(s.pose.yaw);
+    const double sn = std::sin(s.pose.yaw);
+    return Vec2{c * centre.x - sn * centre.y, sn * centre.x + c * centre.y};
+  };
+  simulation.step();
+  for (int i = 0; i < 50; ++i) {
+    const Vec2 before = velocityInWorld();
+    simulation.step();
+    const Vec2 after = velocityInWorld();
+    const double yaw = simulation.state(kRobot1).pose.yaw;
+    const Vec2 change{(after.x - before.x) / 0.001, (after.y - before.y) / 0.001};
+    const ImuSample sample = simulation.imu(kRobot1);
+    ASSERT_NEAR(sample.acceleration.x, std::cos(yaw) * change.x + std::sin(yaw) * change.y, 1e-6);
+    ASSERT_NEAR(sample.acceleration.y, std::cos(yaw) * change.y - std::sin(yaw) * change.x, 1e-6);
+  }
+}
+
+TEST(Poses, KeepTheirYawWithinHalfATurn)
+{
+  Simulation simulation(world());
+  simulation.addCar(car("robot1"), withoutOdometryNoise(), {});
+  double least = 0.0;
+  double greatest = 0.0;
+  double turned = 0.0;
+  double last = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    drive(simulation, kRobot1, {1.5, 0.35}, 0.02);
+    const double yaw = simulation.state(kRobot1).pose.yaw;
+    least = std::min({least, yaw, simulation.wheelOdometry(kRobot1).pose.yaw});
+    greatest = std::max({greatest, yaw, simulation.wheelOdometry(kRobot1).pose.yaw});
+    turned += std::remainder(yaw - last, 2.0 * M_PI);
+    last = yaw;
+  }
+  EXPECT_GT(turned, 2.0 * M_PI);
+  EXPECT_GE(least, -M_PI);
+  EXPECT_LE(greatest, M_PI);
+  EXPECT_LT(least, -3.0);
+  EXPECT_GT(greatest, 3.0);
+}
 }  // namespace f1tenth_sim2d::test

@@ -144,6 +144,21 @@ TEST(SingleTrack, CarThatLostItsGripRegainsIt)
   EXPECT_LT(state.v, 2.5);
 }
 
+TEST(SingleTrack, CarThatSlidesIsTurnedBackByItsRearAxle)
+{
+  // Beyond the grip the forces on the axles act against their slip: to the right on a car that slides to the left.
+  SingleTrack model{VehicleParameters{}};
+  BodyState state;
+  setBodyVelocity(state, {1.0, 2.0});
+  state.psi_dot = 3.0;
+  model.restart(state);
+  model.advance(state, {}, 0.001);
+  EXPECT_TRUE(model.isSliding());
+  const double friction = VehicleParameters{}.mu * 9.81 * 0.001;
+  EXPECT_NEAR(bodyVelocity(state).y, 2.0 - 1.0 * 3.0 * 0.001 - friction, 1e-4);
+  EXPECT_NEAR(bodyVelocity(state).x, 1.0 + 2.0 * 3.0 * 0.001, 1e-4);
+}
+
 TEST(SingleTrack, LongStepIsDividedWhereTheModelIsStiff)
 {
   SingleTrack model{VehicleParameters{}};

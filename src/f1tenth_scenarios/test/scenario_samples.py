@@ -41,13 +41,16 @@ def with_clearance(limit, **others):
     return scenario(criteria=Criteria(minimum_clearance=limit), **others)
 
 
-def rows(end, car="robot1", speed=1.0, contacts=None, clearance=0.5, y=0.0):
-    """A car on the x axis, one row a period up to `end` (s); contacts: {stamp: names}."""
+def rows(end, car="robot1", speed=1.0, contacts=None, clearance=0.5, y=0.0, contact_speed=None):
+    """A car on the x axis, one row a period up to `end` (s); contacts: {stamp: names}, with its speed."""
     contacts = contacts or {}
     for index in range(1, round(end / PERIOD) + 1):
         time = index * PERIOD
         names = next((value for stamp, value in contacts.items() if abs(stamp - time) < 1e-6), "")
-        yield [f"{time:.9f}", car, speed * time, y, 0, speed, 0, 0, 0, clearance, names, f"hash{index}"]
+        impact = (speed if contact_speed is None else contact_speed) if names else 0
+        yield [
+            f"{time:.9f}", car, speed * time, y, 0, speed, 0, 0, 0, clearance, names, impact, f"hash{index}",
+        ]  # fmt: skip
 
 
 def write_record(path, *cars):

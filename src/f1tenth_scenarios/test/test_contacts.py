@@ -1,16 +1,19 @@
 """Contacts are counted once and given to the car that caused them."""
 
 from f1tenth_scenarios.judge.contacts import find_contacts
+from f1tenth_scenarios.record.record import COLUMNS
 from scenario_samples import record, rows
 
 
 def pair(folder, hunter_speed=2.0, hunted_speed=0.5):
     """robot1 drives into robot2 from behind."""
     touch = {1.0: "robot2", 1.025: "robot2"}
-    hunter = rows(2.0, speed=hunter_speed, contacts=touch)
+    relative = abs(hunter_speed - hunted_speed)
+    hunter = rows(2.0, speed=hunter_speed, contacts=touch, contact_speed=relative)
+    theirs = dict.fromkeys(touch, "robot1")
     hunted = [
         [row[0], row[1], float(row[2]) + 3.0, *row[3:]]
-        for row in rows(2.0, car="robot2", speed=hunted_speed, contacts=dict.fromkeys(touch, "robot1"))
+        for row in rows(2.0, "robot2", hunted_speed, theirs, contact_speed=relative)
     ]
     return record(folder, hunter, hunted)
 
@@ -40,3 +43,10 @@ def test_car_that_is_pushed_into_a_wall_reports_both(tmp_path):
         record(tmp_path, rows(2.0, contacts={1.0: "Wall_1;robot2"}), rows(2.0, car="robot2"))
     )
     assert [each.touched for each in found] == [("Wall_1", "robot2")]
+
+
+def test_contact_is_as_hard_as_its_hardest_moment_whoever_moved(tmp_path):
+    standing = [*rows(2.0, speed=0.0, contacts={1.0: "box", 1.025: "box"}, contact_speed=0.2)]
+    standing[40][COLUMNS.index("contact_speed")] = 5.8
+    (contact,) = find_contacts(record(tmp_path, standing))
+    assert (contact.start, contact.speed) == (1.0, 5.8)

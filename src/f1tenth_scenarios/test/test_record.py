@@ -7,7 +7,7 @@ from f1tenth_scenarios.run.file_tail import LineTail, RecordTail, last_lines
 from scenario_samples import record, rows, write_record
 
 HEADER = ",".join(COLUMNS) + "\n"
-ROW = "0.025,robot1,1,0,0,1,0,0,0,0.5,,abc\n"
+ROW = "0.025,robot1,1,0,0,1,0,0,0,0.5,,0,abc\n"
 
 
 def test_cars_are_told_apart(tmp_path):
@@ -45,7 +45,7 @@ def test_header_alone_is_empty(tmp_path):
     ("text", "answer"),
     [
         ("a,b\n1,2\n", f"FILE:1: not a record of the simulator: the columns must be {','.join(COLUMNS)}"),
-        (HEADER + "1,2\n", "FILE:2: 2 values, must be 12"),
+        (HEADER + "1,2\n", "FILE:2: 2 values, must be 13"),
         (HEADER + ROW.replace("0.5", "near"), "FILE: could not convert string to float: 'near'"),
     ],
 )

@@ -18,5 +18,7 @@ struct Contact
   std::vector<double> depths;   ///< m
   Vec2 force;                   ///< N, world, on the car, mean over the time step
   double torque{0.0};           ///< N m, about the car's centre of mass
+  /// m/s, of the touching points against each other before the impact, whichever of the two moved: the greatest.
+  double speed{0.0};
 };
 }  // namespace f1tenth_sim2d

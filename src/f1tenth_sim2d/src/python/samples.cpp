@@ -70,7 +70,10 @@ void bindContact(py::module_ & module)
     .def_property_readonly(
       "force", [](const Contact & contact) { return py::make_tuple(contact.force.x, contact.force.y); },
       "(x, y) on the car, world, N.")
-    .def_readonly("torque", &Contact::torque, "About the car's centre of mass, N m.");
+    .def_readonly("torque", &Contact::torque, "About the car's centre of mass, N m.")
+    .def_readonly(
+      "speed", &Contact::speed,
+      "Of the touching points against each other before the impact, m/s, whichever moved: the greatest.");
 }
 }  // namespace
 

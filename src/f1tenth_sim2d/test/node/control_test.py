@@ -132,6 +132,9 @@ class ControlTest(unittest.TestCase):
         assert float(rows[0]["clearance"]) > 0.3
         touching = [row for row in rows if row["contacts"]]
         assert {row["contacts"] for row in touching} == {"walls"}
+        before = rows[rows.index(touching[0]) - 1]
+        assert float(touching[0]["contact_speed"]) > 0.8 * float(before["v_x"])
+        assert float(before["contact_speed"]) == 0.0
         assert min(float(row["clearance"]) for row in touching) < 0.02
         assert rows[-1]["hash"] == sim2d.result()["trajectory_hash"]
 

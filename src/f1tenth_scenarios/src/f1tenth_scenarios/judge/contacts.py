@@ -10,25 +10,11 @@ from f1tenth_scenarios.record.record import CarTrack, Contact, Record
 def find_contacts(record: Record) -> list[Contact]:
     """All contacts in the order of time.
 
-    Between two cars, `car` is the one that drove into the other, and `speed` is how fast they moved against
-    each other before.
+    Between two cars, `car` is the one that drove into the other.
     """
-    found = [
-        _measured(record, contact) for track in record.tracks.values() for contact in track.contact_list()
-    ]
+    found = [contact for track in record.tracks.values() for contact in track.contact_list()]
     once = [each for each in found if not _is_told_better(record, each, found)]
     return sorted(once, key=lambda each: (each.start, each.car))
-
-
-def _measured(record: Record, contact: Contact) -> Contact:
-    cars = [name for name in contact.touched if name in record.tracks]
-    if not cars:
-        return contact
-    own, others = record.tracks[contact.car], [record.tracks[name] for name in cars]
-    speed = max(
-        float(np.linalg.norm(_velocity(own, contact) - _velocity(other, contact))) for other in others
-    )
-    return dataclasses.replace(contact, speed=speed)
 
 
 def _is_told_better(record: Record, contact: Contact, all_contacts: list[Contact]) -> bool:

@@ -21,9 +21,10 @@ COLUMNS = (
     "steering_angle",
     "clearance",
     "contacts",
+    "contact_speed",
     "hash",
 )
-_NUMBERS = ("time", "x", "y", "yaw", "v_x", "v_y", "yaw_rate", "steering_angle", "clearance")
+_NUMBERS = ("time", "x", "y", "yaw", "v_x", "v_y", "yaw_rate", "steering_angle", "clearance", "contact_speed")
 # Stamps are written as decimals; half a nanosecond tells equal ones from neighbouring ones.
 STAMP_EPSILON = 5e-10
 
@@ -38,7 +39,7 @@ class Contact:
     touched: tuple[str, ...]  # names of models or cars
     x: float  # m, where the car was at the start
     y: float  # m
-    speed: float  # m/s, of the car at the end of the period before
+    speed: float  # m/s, the greatest of the touching points against each other before an impact
 
 
 @dataclasses.dataclass(frozen=True)
@@ -56,6 +57,7 @@ class CarTrack:
     steering_angle: np.ndarray  # rad
     clearance: np.ndarray  # m
     contacts: tuple[str, ...]  # names joined by ";", empty without contact
+    contact_speed: np.ndarray  # m/s, see Contact
     hash: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]  # as they stand in the file
 
@@ -78,15 +80,17 @@ class CarTrack:
             if not names:
                 continue
             if index and self.contacts[index - 1] == names:
-                found[-1] = dataclasses.replace(found[-1], end=float(self.time[index]))
+                speed = max(found[-1].speed, float(self.contact_speed[index]))
+                found[-1] = dataclasses.replace(found[-1], end=float(self.time[index]), speed=speed)
             else:
                 found.append(self._contact(index, names))
         return found
 
     def _contact(self, index: int, names: str) -> Contact:
-        stamp, speed = float(self.time[index]), float(self.speed[max(index - 1, 0)])
-        touched = tuple(names.split(";"))
-        return Contact(self.car, stamp, stamp, touched, float(self.x[index]), float(self.y[index]), speed)
+        stamp, x, y = (float(values[index]) for values in (self.time, self.x, self.y))
+        return Contact(
+            self.car, stamp, stamp, tuple(names.split(";")), x, y, float(self.contact_speed[index])
+        )
 
 
 @dataclasses.dataclass(frozen=True)

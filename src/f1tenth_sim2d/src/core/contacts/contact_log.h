@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/contacts/step_contact.h"
@@ -24,10 +25,11 @@ public:
     if (place == contacts_.size()) {
       contacts_.emplace_back();
       describe(step, contacts_.back());
-    } else if (strength(step) <= strength(steps_[place])) {
-      return;
     }
-    keep(place, step, dt);
+    contacts_[place].speed = std::max(contacts_[place].speed, step.speed);
+    if (place == steps_.size() || strength(step) > strength(steps_[place])) {
+      keep(place, step, dt);
+    }
   }
 
 private:

@@ -13,6 +13,14 @@ CarBody & carOf(b2Fixture & fixture)
 {
   return *reinterpret_cast<CarBody *>(fixture.GetBody()->GetUserData().pointer);
 }
+
+/// m/s, of two bodies against each other at a point, as they move now: contacts are not solved yet.
+double speedBetween(const b2Fixture & one, const b2Fixture & other, const b2Vec2 & point)
+{
+  const b2Vec2 difference =
+    one.GetBody()->GetLinearVelocityFromWorldPoint(point) - other.GetBody()->GetLinearVelocityFromWorldPoint(point);
+  return fromBox(difference.Length());
+}
 }  // namespace
 
 // Box2D's normal points from fixture A to fixture B.
@@ -74,6 +82,7 @@ void ContactRecorder::recordGeometry(const View & view, b2Contact & contact) con
   b2WorldManifold manifold;
   contact.GetWorldManifold(&manifold);
   for (int i = 0; i < contact.GetManifold()->pointCount; ++i) {
+    kept.speed = std::max(kept.speed, speedBetween(view.own, view.other, manifold.points[i]));
     kept.positions.push_back(fromBox(manifold.points[i]));
     kept.normals.push_back({view.sign * manifold.normal.x, view.sign * manifold.normal.y});
     kept.depths.push_back(std::max(0.0, -fromBox(manifold.separations[i])));

@@ -20,6 +20,7 @@ struct StepContact
   std::vector<double> depths;   ///< m
   Vec2 impulse;                 ///< N s, on the car
   double angular_impulse{0.0};  ///< N m s, about the car's centre of mass
+  double speed{0.0};            ///< m/s, greatest of the touching points against each other, before the impact
   int substep{0};               ///< of the positions, normals and depths: the last one in which the pair touched
 
   bool isOfSamePair(const StepContact & other) const

@@ -1,5 +1,7 @@
 #include "node/world/trajectory_log.h"
 
+#include <algorithm>
+
 namespace f1tenth_sim2d
 {
 TrajectoryLog::TrajectoryLog(const Simulation & simulation, const std::string & record_file) : simulation_(simulation)
@@ -9,21 +11,28 @@ TrajectoryLog::TrajectoryLog(const Simulation & simulation, const std::string & 
   }
 }
 
+void TrajectoryLog::note(CarId car, const Contact & contact)
+{
+  Touch & touch = touches_[car];
+  touch.models.insert(contact.other_model);
+  touch.speed = std::max(touch.speed, contact.speed);
+}
+
 void TrajectoryLog::endPeriod()
 {
   hash_.add(simulation_);
   ++periods_;
   if (recorder_) {
-    recorder_->write(simulation_, touched_, hash_.hexDigest());
+    recorder_->write(simulation_, touches_, hash_.hexDigest());
   }
-  touched_.clear();
+  touches_.clear();
 }
 
 void TrajectoryLog::restart()
 {
   hash_.reset();
   periods_ = 0;
-  touched_.clear();
+  touches_.clear();
   if (recorder_) {
     recorder_->restart();
   }

@@ -18,7 +18,7 @@ public:
   TrajectoryLog(const Simulation & simulation, const std::string & record_file);
 
   /// Every contact, once, in the period in which it was.
-  void note(CarId car, const Contact & contact) { touched_[car].insert(contact.other_model); }
+  void note(CarId car, const Contact & contact);
   void endPeriod();
   void restart();
   /// Leaves nothing of the record in memory.
@@ -31,7 +31,7 @@ private:
   const Simulation & simulation_;
   TrajectoryHash hash_;
   std::optional<TrajectoryRecorder> recorder_;
-  TouchedModels touched_;
+  Touches touches_;
   std::int64_t periods_{0};
 };
 }  // namespace f1tenth_sim2d

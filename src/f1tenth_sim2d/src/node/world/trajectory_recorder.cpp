@@ -22,6 +22,13 @@ std::string joinedNames(const std::set<std::string> & names)
   return result;
 }
 
+std::string columnsOf(const Touch & touch)
+{
+  char speed[32];
+  std::snprintf(speed, sizeof speed, "%.17g", touch.speed);
+  return joinedNames(touch.models) + ',' + speed;
+}
+
 std::string numbers(const CarState & state, double clearance)
 {
   char text[256];
@@ -49,7 +56,7 @@ void TrajectoryRecorder::open()
 {
   stream_.open(file_, std::ios::trunc);
   requireGood();
-  stream_ << "time,car,x,y,yaw,v_x,v_y,yaw_rate,steering_angle,clearance,contacts,hash\n";
+  stream_ << "time,car,x,y,yaw,v_x,v_y,yaw_rate,steering_angle,clearance,contacts,contact_speed,hash\n";
 }
 
 void TrajectoryRecorder::restart()
@@ -58,13 +65,13 @@ void TrajectoryRecorder::restart()
   open();
 }
 
-void TrajectoryRecorder::write(const Simulation & simulation, const TouchedModels & touched, const std::string & hash)
+void TrajectoryRecorder::write(const Simulation & simulation, const Touches & touches, const std::string & hash)
 {
   for (const CarId car : simulation.cars()) {
-    const auto models = touched.find(car);
+    const auto touch = touches.find(car);
     stream_ << seconds(simulation.time()) << ',' << simulation.car(car).name << ','
             << numbers(simulation.state(car), simulation.clearance(car, kClearanceLimit)) << ','
-            << (models == touched.end() ? "" : joinedNames(models->second)) << ',' << hash << '\n';
+            << columnsOf(touch == touches.end() ? Touch{} : touch->second) << ',' << hash << '\n';
   }
   requireGood();
 }

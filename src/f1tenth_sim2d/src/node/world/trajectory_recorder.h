@@ -9,8 +9,15 @@
 
 namespace f1tenth_sim2d
 {
-/// The names of the models that a car touched, for cars that touched any.
-using TouchedModels = std::map<CarId, std::set<std::string>>;
+/// What a car touched.
+struct Touch
+{
+  std::set<std::string> models;  ///< their names
+  double speed{0.0};             ///< m/s, as in Contact: the greatest
+};
+
+/// For cars that touched anything.
+using Touches = std::map<CarId, Touch>;
 
 /// Writes one CSV row a car and control period, with all digits of every number. Columns: docs/contracts.md.
 class TrajectoryRecorder
@@ -19,8 +26,8 @@ public:
   /// @throws Error if the file cannot be written
   explicit TrajectoryRecorder(const std::string & file);
 
-  /// @param touched  in the period
-  void write(const Simulation & simulation, const TouchedModels & touched, const std::string & hash);
+  /// @param touches  in the period
+  void write(const Simulation & simulation, const Touches & touches, const std::string & hash);
   /// Begins the file anew.
   void restart();
   /// Leaves nothing in memory.

@@ -1,5 +1,6 @@
 #include "python/python_simulation.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace f1tenth_sim2d
@@ -7,6 +8,8 @@ namespace f1tenth_sim2d
 namespace
 {
 namespace py = pybind11;
+
+constexpr double kLongestPeriod = 10.0;  // s
 
 /// Indices that users give are answered with IndexError.
 void requireIndex(const char * what, std::size_t index, std::size_t count)
@@ -17,60 +20,76 @@ void requireIndex(const char * what, std::size_t index, std::size_t count)
   }
 }
 
-[[noreturn]] void refuseScanArray(const std::string & found, py::ssize_t beam_count)
+using Shape = std::vector<py::ssize_t>;
+
+[[noreturn]] void refuseScanArray(const std::string & found, const Shape & shape)
 {
   throw py::value_error(
-    "out " + found + ", allowed is a writeable, contiguous numpy array of dtype float32 and shape (" +
-    std::to_string(beam_count) + ",)");
+    "out " + found + ", allowed is a writeable, contiguous numpy array of dtype float32 and shape " +
+    py::str(py::tuple(py::cast(shape))).cast<std::string>());
 }
 
-/// A scan is written into the caller's memory, so the array has to be just that memory.
-py::array requireScanArray(const py::object & out, py::ssize_t beam_count)
+/// Scans are written into the caller's memory, so the array has to be just that memory.
+py::array requireScanArray(const py::object & out, const Shape & shape)
 {
   if (!py::isinstance<py::array>(out)) {
-    refuseScanArray("is no numpy array", beam_count);
+    refuseScanArray("is no numpy array", shape);
   }
   const auto array = py::reinterpret_borrow<py::array>(out);
-  const bool fits = py::isinstance<py::array_t<float>>(array) && array.ndim() == 1 && array.shape(0) == beam_count &&
+  const bool has_shape = Shape(array.shape(), array.shape() + array.ndim()) == shape;
+  const bool fits = py::isinstance<py::array_t<float>>(array) && has_shape &&
                     (array.flags() & py::array::c_style) != 0 && array.writeable();
   if (!fits) {
     const auto dtype = py::str(array.dtype()).cast<std::string>();
-    const auto shape = py::str(array.attr("shape")).cast<std::string>();
-    refuseScanArray("has dtype " + dtype + " and shape " + shape, beam_count);
+    const auto found = py::str(array.attr("shape")).cast<std::string>();
+    refuseScanArray("has dtype " + dtype + " and shape " + found, shape);
   }
   return array;
 }
+
+py::array scanArray(const py::object & out, const Shape & shape)
+{
+  return out.is_none() ? py::array_t<float>(shape) : requireScanArray(out, shape);
+}
 }  // namespace
 
-PythonSimulation::PythonSimulation(const WorldDescription & world, double physics_step, std::uint64_t seed)
-: simulation_(world, {physics_step, seed})
+PythonSimulation::PythonSimulation(PythonWorld & world, double physics_step, std::uint64_t seed, double control_period)
+: simulation_(world.prepared(), {physics_step, seed}), control_period_(control_period)
 {
+  if (!(control_period >= physics_step && control_period <= kLongestPeriod)) {
+    throw py::value_error(
+      "control_period is " + std::to_string(control_period) + " s, allowed is physics_step to 10 s");
+  }
 }
 
 CarId PythonSimulation::addCar(
   const CarDescription & car, const std::optional<VehicleParameters> & parameters, double x, double y, double yaw)
 {
-  return simulation_.addCar(car, parameters.value_or(VehicleParameters{}), {x, y, yaw});
+  return simulation_.addCar(car, parameters.value_or(car.parameters), {x, y, yaw});
 }
 
-void PythonSimulation::placeCar(CarId car, double x, double y, double yaw)
+void PythonSimulation::placeCar(CarId car, double x, double y, double yaw, double v_x, double v_y, double yaw_rate)
 {
-  simulation_.placeCar(car, {x, y, yaw});
+  simulation_.placeCar(car, {x, y, yaw}, {v_x, v_y}, yaw_rate);
 }
 
-const CarDescription & PythonSimulation::car(CarId car) const
+SimTime PythonSimulation::periodEnd() const
 {
-  return simulation_.car(car);
+  return fromSeconds(static_cast<double>(periods_ + 1) * control_period_);
 }
 
-double PythonSimulation::time() const
+void PythonSimulation::hashPeriod()
 {
-  return static_cast<double>(simulation_.time()) * 1e-9;
+  if (simulation_.time() >= periodEnd()) {
+    hash_.add(simulation_);
+    ++periods_;
+  }
 }
 
 void PythonSimulation::step()
 {
   simulation_.step();
+  hashPeriod();
 }
 
 void PythonSimulation::advanceTo(double end)
@@ -78,54 +97,23 @@ void PythonSimulation::advanceTo(double end)
   if (!std::isfinite(end) || std::abs(end) > 1e9) {
     throw py::value_error("the time to advance to is not finite or beyond 1e9 s");
   }
-  simulation_.advanceTo(std::llround(end * 1e9));
-  hash_.add(simulation_);
+  const SimTime last = fromSeconds(end);
+  while (simulation_.time() < last) {
+    simulation_.advanceTo(std::min(last, periodEnd()));
+    hashPeriod();
+  }
 }
 
 void PythonSimulation::reset()
 {
   simulation_.reset();
   hash_.reset();
-}
-
-void PythonSimulation::command(CarId car, double speed, double steering_angle)
-{
-  simulation_.command(car, {speed, steering_angle});
+  periods_ = 0;
 }
 
 void PythonSimulation::commandTwist(CarId car, double linear_x, double angular_z, double linear_y)
 {
   simulation_.commandTwist(car, linear_x, angular_z, linear_y);
-}
-
-CarState PythonSimulation::state(CarId car) const
-{
-  return simulation_.state(car);
-}
-
-WheelOdometry PythonSimulation::wheelOdometry(CarId car) const
-{
-  return simulation_.wheelOdometry(car);
-}
-
-ImuSample PythonSimulation::imu(CarId car) const
-{
-  return simulation_.imu(car);
-}
-
-std::vector<Contact> PythonSimulation::contacts(CarId car) const
-{
-  return simulation_.contacts(car);
-}
-
-void PythonSimulation::clearContacts(CarId car)
-{
-  simulation_.clearContacts(car);
-}
-
-double PythonSimulation::clearance(CarId car, double limit) const
-{
-  return simulation_.clearance(car, limit);
 }
 
 py::array_t<double> PythonSimulation::poses() const
@@ -143,23 +131,85 @@ py::array_t<double> PythonSimulation::poses() const
   return array;
 }
 
-py::array PythonSimulation::scan(CarId car, std::size_t lidar, const py::object & out, bool exact) const
+py::ssize_t PythonSimulation::beamCount(CarId car, std::size_t lidar) const
 {
   const std::vector<LidarDescription> & lidars = simulation_.car(car).lidars;
   requireIndex("lidar", lidar, lidars.size());
-  const py::ssize_t beam_count = lidars[lidar].beam_count;
-  py::array array = out.is_none() ? py::array_t<float>(beam_count) : requireScanArray(out, beam_count);
+  return lidars[lidar].beam_count;
+}
+
+void PythonSimulation::scanInto(float * ranges, CarId car, std::size_t lidar, bool exact) const
+{
+  exact ? simulation_.exactScan(car, lidar, ranges) : simulation_.scan(car, lidar, ranges);
+}
+
+py::array PythonSimulation::scan(CarId car, std::size_t lidar, const py::object & out, bool exact) const
+{
+  py::array array = scanArray(out, {beamCount(car, lidar)});
   auto * const ranges = static_cast<float *>(array.mutable_data());
-  {
-    const py::gil_scoped_release release;
-    exact ? simulation_.exactScan(car, lidar, ranges) : simulation_.scan(car, lidar, ranges);
+  const py::gil_scoped_release release;
+  scanInto(ranges, car, lidar, exact);
+  return array;
+}
+
+py::array PythonSimulation::scans(std::size_t lidar, const py::object & out, bool exact) const
+{
+  const std::vector<CarId> & cars = simulation_.cars();
+  const py::ssize_t beam_count = cars.empty() ? 0 : beamCount(cars[0], lidar);
+  for (const CarId car : cars) {
+    if (beamCount(car, lidar) != beam_count) {
+      throw py::value_error(
+        "lidar " + std::to_string(lidar) + " of " + simulation_.car(car).name + " has " +
+        std::to_string(beamCount(car, lidar)) + " beams, that of " + simulation_.car(cars[0]).name + " " +
+        std::to_string(beam_count) + ": one array needs as many of each");
+    }
+  }
+  py::array array = scanArray(out, {static_cast<py::ssize_t>(cars.size()), beam_count});
+  auto * ranges = static_cast<float *>(array.mutable_data());
+  const py::gil_scoped_release release;
+  for (const CarId car : cars) {
+    scanInto(ranges, car, lidar, exact);
+    ranges += beam_count;
   }
   return array;
+}
+
+py::array_t<double> PythonSimulation::castRays(
+  CarId car, const py::array_t<double> & directions, double x, double y, double height, double yaw,
+  double range_max) const
+{
+  if (directions.ndim() != 1) {
+    throw py::value_error(
+      "directions has " + std::to_string(directions.ndim()) + " dimensions, allowed is 1: shape (n,)");
+  }
+  RayFan fan{{x, y, yaw}, height, {}, range_max};
+  const auto cells = directions.unchecked<1>();
+  for (py::ssize_t i = 0; i < cells.shape(0); ++i) {
+    fan.directions.push_back(cells(i));
+  }
+  py::array_t<double> ranges(cells.shape(0));
+  simulation_.castRays(car, fan, ranges.mutable_data());
+  return ranges;
 }
 
 py::tuple PythonSimulation::modelPose(const std::string & name) const
 {
   const Pose2 pose = simulation_.modelPose(name);
   return py::make_tuple(pose.x, pose.y, pose.yaw);
+}
+
+std::size_t PythonSimulation::indexOfModel(const std::string & name) const
+{
+  simulation_.modelPose(name);
+  const std::vector<ModelDescription> & models = simulation_.models();
+  const auto found =
+    std::find_if(models.begin(), models.end(), [&](const ModelDescription & model) { return model.name == name; });
+  return static_cast<std::size_t>(found - models.begin());
+}
+
+void PythonSimulation::placeModel(
+  const std::string & name, double x, double y, double yaw, double v_x, double v_y, double yaw_rate)
+{
+  simulation_.placeModel(indexOfModel(name), {{x, y, yaw}, {v_x, v_y}, yaw_rate});
 }
 }  // namespace f1tenth_sim2d

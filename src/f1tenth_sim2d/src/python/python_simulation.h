@@ -2,51 +2,76 @@
 
 #include <pybind11/numpy.h>
 
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "f1tenth_sim2d/simulation.h"
 #include "f1tenth_sim2d/trajectory_hash.h"
+#include "python/python_world.h"
 
 namespace f1tenth_sim2d
 {
-/// A Simulation as Python sees it: seconds, numpy arrays, checked indices.
+/// A Simulation as Python sees it: seconds, numpy arrays, names, and a trajectory hash at fixed periods.
 class PythonSimulation
 {
 public:
-  PythonSimulation(const WorldDescription & world, double physics_step, std::uint64_t seed);
+  /// @param control_period  s, of the trajectory hash
+  PythonSimulation(PythonWorld & world, double physics_step, std::uint64_t seed, double control_period);
+
+  /// For whoever uses this: see Turn.
+  std::atomic_flag & taken() { return taken_; }
 
   CarId addCar(
     const CarDescription & car, const std::optional<VehicleParameters> & parameters, double x, double y, double yaw);
+  void removeCar(CarId car) { simulation_.removeCar(car); }
   std::vector<CarId> cars() const { return simulation_.cars(); }
-  void placeCar(CarId car, double x, double y, double yaw);
-  const CarDescription & car(CarId car) const;
+  void placeCar(CarId car, double x, double y, double yaw, double v_x, double v_y, double yaw_rate);
+  CarDescription car(CarId car) const { return simulation_.car(car); }
+  VehicleParameters parameters(CarId car) const { return simulation_.parameters(car); }
 
-  double time() const;
+  double time() const { return toSeconds(simulation_.time()); }
   void step();
   void advanceTo(double end);
   void reset();
   std::string trajectoryHash() const { return hash_.hexDigest(); }
 
-  void command(CarId car, double speed, double steering_angle);
+  void command(CarId car, double speed, double steering_angle) { simulation_.command(car, {speed, steering_angle}); }
   void commandTwist(CarId car, double linear_x, double angular_z, double linear_y);
 
-  CarState state(CarId car) const;
-  WheelOdometry wheelOdometry(CarId car) const;
-  ImuSample imu(CarId car) const;
-  std::vector<Contact> contacts(CarId car) const;
-  void clearContacts(CarId car);
-  double clearance(CarId car, double limit) const;
+  CarState state(CarId car) const { return simulation_.state(car); }
+  WheelOdometry wheelOdometry(CarId car) const { return simulation_.wheelOdometry(car); }
+  ImuSample imu(CarId car) const { return simulation_.imu(car); }
+  std::vector<Contact> contacts(CarId car) const { return simulation_.contacts(car); }
+  void clearContacts(CarId car) { simulation_.clearContacts(car); }
+  double clearance(CarId car, double limit) const { return simulation_.clearance(car, limit); }
   pybind11::array_t<double> poses() const;
   /// Into out, a float32 array of shape (beam_count,), or into a new one.
   pybind11::array scan(CarId car, std::size_t lidar, const pybind11::object & out, bool exact) const;
+  /// Of all cars, likewise, of shape (cars, beam_count).
+  pybind11::array scans(std::size_t lidar, const pybind11::object & out, bool exact) const;
+  pybind11::array_t<double> castRays(
+    CarId car, const pybind11::array_t<double> & directions, double x, double y, double height, double yaw,
+    double range_max) const;
 
   std::vector<std::string> modelNames() const { return simulation_.modelNames(); }
   pybind11::tuple modelPose(const std::string & name) const;
+  void addModel(const ModelDescription & model) { simulation_.addModel(model); }
+  void removeModel(const std::string & name) { simulation_.removeModel(indexOfModel(name)); }
+  void placeModel(const std::string & name, double x, double y, double yaw, double v_x, double v_y, double yaw_rate);
 
 private:
+  SimTime periodEnd() const;
+  void hashPeriod();
+  std::size_t indexOfModel(const std::string & name) const;
+  pybind11::ssize_t beamCount(CarId car, std::size_t lidar) const;
+  void scanInto(float * ranges, CarId car, std::size_t lidar, bool exact) const;
+
   Simulation simulation_;
+  double control_period_;  ///< s
+  std::int64_t periods_{0};
   TrajectoryHash hash_;
+  std::atomic_flag taken_ = ATOMIC_FLAG_INIT;
 };
 }  // namespace f1tenth_sim2d

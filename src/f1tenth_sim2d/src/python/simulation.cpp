@@ -3,6 +3,7 @@
 #include "python/bindings.h"
 #include "python/car_id_caster.h"
 #include "python/python_simulation.h"
+#include "python/turn.h"
 
 namespace f1tenth_sim2d
 {
@@ -15,63 +16,82 @@ using ReleaseGil = py::call_guard<py::gil_scoped_release>;
 
 void bindTime(Class & type)
 {
-  type.def_property_readonly("time", &S::time, "Simulated time since the start, s.")
-    .def("step", &S::step, "Advance by one physics step.", ReleaseGil())
+  type.def_property_readonly("time", inTurn(&S::time), "Simulated time since the start, s.")
+    .def("step", inTurn(&S::step), "Advance by one physics step.", ReleaseGil())
     .def(
-      "advance_to", &S::advanceTo, py::arg("time"),
-      "Step until the simulated time is at least `time`, s, and add the states to the trajectory hash.", ReleaseGil())
-    .def("reset", &S::reset, "Back to time 0, with all cars at their start and the same seed.")
+      "advance_to", inTurn(&S::advanceTo), py::arg("time"), "Step until the simulated time is at least `time`, s.",
+      ReleaseGil())
+    .def("reset", inTurn(&S::reset), "Back to time 0, with all cars at their start and the same seed.")
     .def(
-      "trajectory_hash", &S::trajectoryHash,
-      "SHA-256 over all car states at the end of each advance_to since the start, 64 hexadecimal digits.");
+      "trajectory_hash", inTurn(&S::trajectoryHash),
+      R"(SHA-256 over all car states at the end of each control period since the start, 64 hexadecimal digits.
+
+It does not matter by which calls time was advanced. The ROS node has the same hash for the same drive.)");
 }
 
 void bindCars(Class & type)
 {
   type
     .def(
-      "add_car", &S::addCar, py::arg("car"), py::arg("parameters") = py::none(), py::arg("x") = 0.0, py::arg("y") = 0.0,
-      py::arg("yaw") = 0.0,
+      "add_car", inTurn(&S::addCar), py::arg("car"), py::arg("parameters") = py::none(), py::arg("x") = 0.0,
+      py::arg("y") = 0.0, py::arg("yaw") = 0.0,
       R"(Put a car into the world.
 
 Args:
     car: its description, from load_car.
-    parameters: VehicleParameters; default: the F1/10 car.
+    parameters: VehicleParameters; default: those that the description gives, as in the ROS node.
     x, y, yaw: pose of base_footprint in the world, m and rad.
 
 Returns:
     Id of the car. Ids count from 0 and are never given to another car.
 
 Raises:
-    Error: the name is taken, or the place is not free.
+    Error: the name is taken, or the place is not free; nothing has changed then.
 )")
     .def(
-      "place_car", &S::placeCar, py::arg("car"), py::arg("x"), py::arg("y"), py::arg("yaw"),
-      "Put a car somewhere else, at rest. Raises Error if the place is not free; the car then stays where it is.")
-    .def_property_readonly("cars", &S::cars, "Ids of the cars that are there, in the order in which they came.")
-    .def("car", &S::car, py::arg("car"), py::return_value_policy::copy, "Description of a car.")
+      "remove_car", inTurn(&S::removeCar), py::arg("car"),
+      "Take a car out. The others keep their ids and their noise. Raises IndexError if it is not there.")
     .def(
-      "command", &S::command, py::arg("car"), py::arg("speed"), py::arg("steering_angle"),
+      "place_car", inTurn(&S::placeCar), py::arg("car"), py::arg("x"), py::arg("y"), py::arg("yaw"),
+      py::arg("v_x") = 0.0, py::arg("v_y") = 0.0, py::arg("yaw_rate") = 0.0,
+      R"(Put a car somewhere else, as a hand would: its commands stay in force, wheel odometry does not notice.
+
+Args:
+    car: its id.
+    x, y, yaw: pose of base_footprint in the world, m and rad.
+    v_x, v_y: velocity of base_footprint along the car and to its left, m/s.
+    yaw_rate: rad/s.
+
+Raises:
+    Error: the place is not free, or a number is not finite; the car then stays where it is.
+)")
+    .def_property_readonly("cars", inTurn(&S::cars), "Ids of the cars that are there, in the order in which they came.")
+    .def("car", inTurn(&S::car), py::arg("car"), "Description of a car, a copy.")
+    .def("parameters", inTurn(&S::parameters), py::arg("car"), "VehicleParameters of a car, a copy.")
+    .def(
+      "command", inTurn(&S::command), py::arg("car"), py::arg("speed"), py::arg("steering_angle"),
       "Ask for a speed, m/s, and a steering angle, rad. Raises Error for a value that is not finite.")
     .def(
-      "command_twist", &S::commandTwist, py::arg("car"), py::arg("linear_x"), py::arg("angular_z"),
+      "command_twist", inTurn(&S::commandTwist), py::arg("car"), py::arg("linear_x"), py::arg("angular_z"),
       py::arg("linear_y") = 0.0,
       "Ask for a speed, m/s, and a yaw rate, rad/s, as cmd_vel does; linear_y, m/s to the left, is for planar drives.");
 }
 
 void bindReadings(Class & type)
 {
-  type.def("state", &S::state, py::arg("car"), "True state of a car: a CarState, a copy.")
-    .def("poses", &S::poses, "Poses of all cars in the world: float64 array of shape (len(cars), 3), x, y, yaw.")
-    .def("wheel_odometry", &S::wheelOdometry, py::arg("car"), "A WheelOdometry, from the start pose.")
-    .def("imu", &S::imu, py::arg("car"), "An ImuSample.")
-    .def("contacts", &S::contacts, py::arg("car"), "Contacts since the last clear_contacts, ground excluded.")
-    .def("clear_contacts", &S::clearContacts, py::arg("car"))
+  type.def("state", inTurn(&S::state), py::arg("car"), "True state of a car: a CarState, a copy.")
     .def(
-      "clearance", &S::clearance, py::arg("car"), py::arg("limit") = 5.0,
+      "poses", inTurn(&S::poses), "Poses of all cars in the world: float64 array of shape (len(cars), 3), x, y, yaw.")
+    .def("wheel_odometry", inTurn(&S::wheelOdometry), py::arg("car"), "A WheelOdometry, from the start pose.")
+    .def("imu", inTurn(&S::imu), py::arg("car"), "An ImuSample.")
+    .def("contacts", inTurn(&S::contacts), py::arg("car"), "Contacts since the last clear_contacts, ground excluded.")
+    .def("clear_contacts", inTurn(&S::clearContacts), py::arg("car"))
+    .def(
+      "clearance", inTurn(&S::clearance), py::arg("car"), py::arg("limit") = 5.0,
       "Least distance from the car's outline to anything it could touch, m; 0 in contact, at most `limit`.")
     .def(
-      "scan", &S::scan, py::arg("car"), py::arg("lidar") = 0, py::arg("out") = py::none(), py::arg("exact") = false,
+      "scan", inTurn(&S::scan), py::arg("car"), py::arg("lidar") = 0, py::arg("out") = py::none(),
+      py::arg("exact") = false,
       R"(What a lidar of a car measures now.
 
 Args:
@@ -86,6 +106,71 @@ Returns:
 Raises:
     ValueError: out has another dtype or shape, is not contiguous or not writeable.
     IndexError: no such car or lidar.
+)")
+    .def(
+      "scans", inTurn(&S::scans), py::arg("lidar") = 0, py::arg("out") = py::none(), py::arg("exact") = false,
+      R"(What a lidar of each car measures now, in the order of `cars`.
+
+Args:
+    lidar: which one of each car, counted from 0.
+    out: float32 array of shape (len(cars), beam_count) to write into without a copy; default: a new one.
+    exact: without noise.
+
+Returns:
+    out.
+
+Raises:
+    ValueError: as scan, or the lidars differ in their number of beams.
+    IndexError: a car has no such lidar.
+)")
+    .def(
+      "cast_rays", inTurn(&S::castRays), py::arg("car"), py::arg("directions"), py::arg("x") = 0.0, py::arg("y") = 0.0,
+      py::arg("height") = 0.1, py::arg("yaw") = 0.0, py::arg("range_max") = 100.0,
+      R"(What level rays from a point of a car meet now, without noise. The car does not see itself.
+
+Args:
+    car: its id.
+    directions: array of shape (n,), rad, from the heading of the point.
+    x, y, yaw: the point in the frame of the car, m and rad.
+    height: above the ground, m.
+    range_max: m.
+
+Returns:
+    float64 array of shape (n,): ranges, m, +inf where nothing is within range_max.
+)");
+}
+
+void bindModels(Class & type)
+{
+  type.def("model_names", inTurn(&S::modelNames), "Names of the world's models.")
+    .def(
+      "model_pose", inTurn(&S::modelPose), py::arg("name"),
+      "(x, y, yaw) of a model now. Raises Error for an unknown name.")
+    .def(
+      "add_model", inTurn(&S::addModel), py::arg("model"),
+      R"(Put one more model into the world; reset brings it back to this pose. Costs as much as loading the world.
+
+Args:
+    model: a Model, from load_model or of another world.
+
+Raises:
+    Error: the name is taken, or a movable model has no mass.
+)")
+    .def(
+      "remove_model", inTurn(&S::removeModel), py::arg("name"), "Take a model out. Raises Error for an unknown name.")
+    .def(
+      "place_model", inTurn(&S::placeModel), py::arg("name"), py::arg("x"), py::arg("y"), py::arg("yaw"),
+      py::arg("v_x") = 0.0, py::arg("v_y") = 0.0, py::arg("yaw_rate") = 0.0,
+      R"(Put a model somewhere else; its height and tilt stay.
+
+Args:
+    name: of the model.
+    x, y, yaw: pose of its frame in the world, m and rad.
+    v_x, v_y: its velocity in the world, m/s; a static model has none.
+    yaw_rate: rad/s.
+
+Raises:
+    Error: an unknown name, or a number that is not finite.
 )");
 }
 }  // namespace
@@ -95,19 +180,22 @@ void bindSimulation(py::module_ & module)
   Class type(
     module, "Simulation",
     R"(A world with cars in it, advanced in fixed steps. The same calls with the same seed give the same states, bit for
-bit. One thread at a time may use it; step, advance_to and scan let other threads of Python run.)");
+bit.
+
+One thread at a time may use it: a call while another thread is in one raises RuntimeError. step, advance_to, scan and scans let
+other threads of Python run, so that simulations of different threads run side by side.)");
   type.def(
-    py::init<const WorldDescription &, double, std::uint64_t>(), py::arg("world"), py::arg("physics_step") = 0.001,
-    py::arg("seed") = 0,
+    py::init<PythonWorld &, double, std::uint64_t, double>(), py::arg("world"), py::arg("physics_step") = 0.001,
+    py::arg("seed") = 0, py::arg("control_period") = 0.025,
     R"(Args:
-    world: from load_world.
+    world: from load_world; all simulations of it share its walls.
     physics_step: s.
     seed: of all noise.
+    control_period: s, of the trajectory hash.
 )");
   bindTime(type);
   bindCars(type);
   bindReadings(type);
-  type.def("model_names", &S::modelNames, "Names of the world's models.")
-    .def("model_pose", &S::modelPose, py::arg("name"), "(x, y, yaw) of a model now. Raises Error for an unknown name.");
+  bindModels(type);
 }
 }  // namespace f1tenth_sim2d

@@ -6,6 +6,7 @@
 #include "f1tenth_sim2d/section.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
+#include "python/python_world.h"
 
 namespace f1tenth_sim2d
 {
@@ -51,11 +52,11 @@ void requireFinite(double z)
   }
 }
 
-py::tuple sectionOfStaticModels(const WorldDescription & world, double z)
+py::tuple sectionOfStaticModels(const PythonWorld & world, double z)
 {
   requireFinite(z);
   Section all;
-  for (const ModelDescription & model : world.models) {
+  for (const ModelDescription & model : world.description().models) {
     if (model.is_static) {
       addSection(all, model, z);
     }
@@ -71,9 +72,24 @@ py::tuple sectionOfModel(const ModelDescription & model, double z)
   return toTuple(all);
 }
 
-WorldDescription load(const std::string & path, const std::optional<std::vector<std::string>> & model_path)
+PythonWorld load(const std::string & path, const std::optional<std::vector<std::string>> & model_path)
 {
-  return loadWorld(path, model_path ? SearchPath{*model_path, {}} : searchPathFromEnvironment());
+  return PythonWorld(loadWorld(path, model_path ? SearchPath{*model_path, {}} : searchPathFromEnvironment()));
+}
+/// Reads a member of the description.
+template <typename Member>
+auto part(Member WorldDescription::*member)
+{
+  return [member](const PythonWorld & world) { return world.description().*member; };
+}
+
+std::vector<ModelDescription> loadModels(
+  const std::string & xml, const std::string & name, const std::string & source, double x, double y, double z,
+  double yaw)
+{
+  const LoadedModel loaded =
+    loadModel(xml, name, ignition::math::Pose3d(x, y, z, 0.0, 0.0, yaw), source, searchPathFromEnvironment());
+  return loaded.models;
 }
 }  // namespace
 
@@ -103,16 +119,19 @@ void bindWorld(py::module_ & module)
       "section", &sectionOfModel, py::arg("z"),
       "What a level lidar at height z (m) sees of the model at its start: as World.section, which see.");
 
-  py::class_<WorldDescription>(module, "World", "A world as its file describes it; see load_world.")
-    .def_readonly("file", &WorldDescription::file, "Path it was read from.")
-    .def_readonly("name", &WorldDescription::name)
-    .def_readonly("gravity", &WorldDescription::gravity, "Downwards, m/s^2.")
+  py::class_<PythonWorld>(module, "World", "A world as its file describes it; see load_world.")
+    .def_property_readonly("file", part(&WorldDescription::file), "Path it was read from.")
+    .def_property_readonly("name", part(&WorldDescription::name))
+    .def_property_readonly("gravity", part(&WorldDescription::gravity), "Downwards, m/s^2.")
     .def_property_readonly(
       "start",
-      [](const WorldDescription & world) { return py::make_tuple(world.start.x, world.start.y, world.start.yaw); },
+      [](const PythonWorld & world) {
+        const Pose2 & start = world.description().start;
+        return py::make_tuple(start.x, start.y, start.yaw);
+      },
       "(x, y, yaw) where a car starts unless told otherwise, m and rad.")
-    .def_readonly("models", &WorldDescription::models, "All models.")
-    .def_readonly("warnings", &WorldDescription::warnings, "What was left out: one line per kind.")
+    .def_property_readonly("models", part(&WorldDescription::models), "All models.")
+    .def_property_readonly("warnings", part(&WorldDescription::warnings), "What was left out: one line per kind.")
     .def(
       "section", &sectionOfStaticModels, py::arg("z"),
       R"(What a level lidar at height z sees of the static models.
@@ -145,6 +164,24 @@ Raises:
     LoadError: a missing or malformed file, or something that would make the simulation wrong.
 )",
     py::call_guard<py::gil_scoped_release>());
-  module.def("empty_world", &emptyWorld, "The ground and nothing on it.");
+  module.def(
+    "load_model", &loadModels, py::arg("xml"), py::arg("name"), py::arg("source"), py::arg("x") = 0.0,
+    py::arg("y") = 0.0, py::arg("z") = 0.0, py::arg("yaw") = 0.0,
+    R"(Read a URDF or SDF model that is no car, for Simulation.add_model.
+
+Args:
+    xml: the text.
+    name: that it gets in the world.
+    source: what error messages call the text, for example its path.
+    x, y, z, yaw: pose of its frame in the world, m and rad.
+
+Returns:
+    List of Model: the model, then those nested in it.
+
+Raises:
+    LoadError: malformed text, or something that would make the simulation wrong.
+)");
+  module.def(
+    "empty_world", [] { return PythonWorld(emptyWorld()); }, "The ground and nothing on it.");
 }
 }  // namespace f1tenth_sim2d

@@ -42,7 +42,7 @@ class Drive:
 
     def __init__(self, car, manoeuvre):
         simulation = f1tenth_sim2d.Simulation(f1tenth_sim2d.empty_world(), STEP)
-        simulation.add_car(car)
+        simulation.add_car(car, f1tenth_sim2d.VehicleParameters())
         self.states = [self._state(simulation)]
         for i in range(round(SECONDS / STEP)):
             simulation.command(0, *manoeuvre(i * STEP))

@@ -47,7 +47,8 @@ def drive(simulation):
 def circuit(name):
     """A simulation of a car on a circuit that the workspace ships."""
     simulation = f1tenth_sim2d.Simulation(f1tenth_sim2d.load_world(str(WORLDS / f"{name}.world")), seed=5)
-    simulation.add_car(f1tenth_sim2d.load_car(CAR.read_text(), "robot1", str(CAR)))
+    car = f1tenth_sim2d.load_car(CAR.read_text(), "robot1", str(CAR))
+    simulation.add_car(car, f1tenth_sim2d.VehicleParameters())
     return simulation
 
 

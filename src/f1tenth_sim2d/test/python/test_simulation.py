@@ -1,8 +1,10 @@
 import sys
 import threading
+from pathlib import Path
 
 import numpy as np
 import pytest
+from conftest import model
 
 import f1tenth_sim2d
 
@@ -186,6 +188,109 @@ def test_other_threads_run_while_the_simulation_advances(simulation):
             break
     assert ran == [True]
     thread.join()
+
+
+def refusal(call):
+    """The message of the RuntimeError that a call raises; empty if it raises none."""
+    try:
+        call()
+    except RuntimeError as error:
+        return str(error)
+    return ""
+
+
+@pytest.mark.usefixtures("selfish_threads")
+def test_a_second_thread_is_refused_while_one_is_in_the_simulation(simulation):
+    def advance(end, started):
+        started.set()
+        simulation.advance_to(end)
+
+    questions = (simulation.trajectory_hash, lambda: simulation.scan(0), lambda: simulation.state(0))
+    calls = (simulation.step, *questions)
+    messages = []
+    for attempt in range(1, 20):  # on a busy machine the other thread may be done before this one goes on
+        started = threading.Event()
+        thread = threading.Thread(target=advance, args=(500 * attempt, started))
+        thread.start()
+        started.wait()
+        messages = [refusal(call) for call in calls]
+        thread.join()
+        if all(messages):
+            break
+    expected = "another thread is using this simulation: one thread at a time may call it"
+    assert [message[: len(expected)] for message in messages] == [expected] * len(calls)
+    assert refusal(simulation.step) == ""
+
+
+def test_simulations_of_one_world_run_side_by_side(world, car):
+    def driven():
+        simulation = f1tenth_sim2d.Simulation(world)
+        simulation.add_car(car)
+        for _ in range(40):
+            ranges = simulation.scan(0)
+            simulation.command(0, 2.0, 0.1 if ranges[300] < ranges[780] else -0.1)
+            simulation.advance_to(simulation.time + 0.025)
+        hashes.append(simulation.trajectory_hash())
+
+    hashes = []
+    driven()
+    threads = [threading.Thread(target=driven) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert hashes == hashes[:1] * 5
+
+
+def test_trajectory_hash_does_not_depend_on_how_time_was_advanced(world, car):
+    def hash_of(advance):
+        simulation = f1tenth_sim2d.Simulation(world)
+        simulation.add_car(car)
+        simulation.command(0, 2.0, 0.1)
+        advance(simulation)
+        assert simulation.time == pytest.approx(0.5)
+        return simulation.trajectory_hash()
+
+    def in_steps(simulation):
+        for _ in range(500):
+            simulation.step()
+
+    def in_odd_portions(simulation):
+        for time in (0.0333, 0.1, 0.1004, 0.375, 0.5):
+            simulation.advance_to(time)
+
+    at_once = hash_of(lambda simulation: simulation.advance_to(0.5))
+    assert hash_of(in_steps) == at_once
+    assert hash_of(in_odd_portions) == at_once
+    assert f1tenth_sim2d.Simulation(world).trajectory_hash() != at_once
+
+
+def test_control_period_of_the_hash_is_checked(world):
+    with pytest.raises(ValueError, match="^control_period is 0.000000 s, allowed is physics_step to 10 s$"):
+        f1tenth_sim2d.Simulation(world, control_period=0.0)
+
+
+def test_simulations_share_the_walls_of_their_world(tmp_path):
+    post = "<cylinder><radius>0.05</radius><length>1</length></cylinder>"
+    places = [(0.5 * (i % 60), 0.5 * (i // 60)) for i in range(3000)]
+    posts = [
+        model(f"post{i}", f"<static>true</static><pose>{x} {y} 0.5 0 0 0</pose>", post)
+        for i, (x, y) in enumerate(places)
+    ]
+    path = tmp_path / "posts.world"
+    path.write_text(f"<sdf version='1.6'><world name='posts'>{''.join(posts)}</world></sdf>")
+    world = f1tenth_sim2d.load_world(str(path))
+
+    def memory():
+        return int(Path("/proc/self/statm").read_text().split()[1]) * 4096
+
+    before = memory()
+    first = f1tenth_sim2d.Simulation(world)
+    of_one = memory() - before
+    others = [f1tenth_sim2d.Simulation(world) for _ in range(63)]
+    of_others = memory() - before - of_one
+    assert first.model_names() == others[-1].model_names()
+    assert of_others < max(of_one, 8e6)
 
 
 def test_everything_public_has_a_docstring():

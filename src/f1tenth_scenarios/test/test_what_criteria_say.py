@@ -76,6 +76,7 @@ SAYINGS = [
     (driving.off_course, 0.2, {}, (FAILED, None, 0.2, "m", "nothing was recorded")),
     (driving.standstill, 0.0, {}, (PASSED, 0.0, 0.0, "s", "robot1 stood for 0.000 s")),
     (driving.slows_to, 1.5, {}, (FAILED, None, 1.5, "m/s", "no car was faster")),
+    (driving.slows_to, 1.0, {}, (FAILED, None, 1.0, "m/s", "no car was faster")),
     (driving.slows_to, 0.9, {}, (FAILED, 1.0, 0.9, "m/s", "robot1 slowed down to 1.000 m/s")),
     (
         run_criteria.localization_error,
@@ -118,6 +119,38 @@ def test_criterion_with_a_limit(tmp_path, criterion, limit, measured, said):
     wanted = scenario(criteria=Criteria(**{criterion.__name__: limit}))
     found = criterion(wanted, judged(tmp_path, table), Measured(**measured))
     assert found == Criterion(criterion.__name__, *said)
+
+
+def test_clearance_of_nothing():
+    found = driving.minimum_clearance(
+        scenario(criteria=Criteria(minimum_clearance=0.1)), decided(Verdict.ABORTED), Measured()
+    )
+    assert found == Criterion("minimum_clearance", FAILED, None, 0.1, "m", "nothing was recorded")
+
+
+def test_two_periods_are_enough_to_slide(tmp_path):
+    table = list(rows(0.05))
+    for row, v_y in zip(table, (0.0, 0.05)):
+        row[COLUMNS.index("v_y")] = v_y
+    found = driving.lateral_acceleration(
+        scenario(criteria=Criteria(lateral_acceleration=1.0)), judged(tmp_path, table), Measured()
+    )
+    assert found.actual == pytest.approx(2.0)
+
+
+@pytest.mark.parametrize(("limit", "status"), [(0.5, PASSED), (0.499, FAILED)])
+def test_localization_as_wrong_as_the_limit_is_good_enough(tmp_path, limit, status):
+    measured = Measured(estimates={"robot1": Poses([1.0], [(1.0, 0.5, 0)])})
+    wanted = scenario(criteria=Criteria(localization_error=limit))
+    found = run_criteria.localization_error(wanted, judged(tmp_path, rows(2.0)), measured)
+    assert (found.actual, found.status) == (0.5, status)
+
+
+def test_localization_is_told_even_where_it_is_not_judged(tmp_path):
+    measured = Measured(estimates={"robot1": Poses([1.0], [(1.0, 0.5, 0)])})
+    wanted = scenario(Verdict.COLLISION, criteria=Criteria(localization_error=0.1))
+    found = run_criteria.localization_error(wanted, judged(tmp_path, rows(2.0)), measured)
+    assert (found.actual, found.status) == (0.5, NOT_JUDGED)
 
 
 @pytest.mark.parametrize("expected", [Verdict.COLLISION, Verdict.ERROR])

@@ -221,3 +221,10 @@ def test_the_next_goal_may_not_be_passed_before_the_one_before_it(tmp_path):
     track = record(tmp_path, rows(4.0)).tracks["robot1"]
     passes = find_passes(track, [Pose(2.0, 0.0), Pose(1.0, 0.0)], 0.01, 1.0)
     assert (passes.times, passes.wanted, passes.nearest) == ((2.0,), 2, pytest.approx(1.0))
+
+
+def test_a_car_that_drove_as_fast_as_the_limit_has_not_been_faster(tmp_path):
+    slow = drive("v_x", lambda time: 0.2 if time > 1.0 else 0.1)
+    fast = drive("v_x", lambda time: 0.2 if time < 1.0 else 0.5 if time < 2.0 else 0.19, car="robot2")
+    found = slows_to(limited(slows_to=0.2), judged(tmp_path, slow, fast), Measured())
+    assert found.reason == "robot2 slowed down to 0.190 m/s"

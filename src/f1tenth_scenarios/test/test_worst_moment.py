@@ -228,3 +228,33 @@ def test_a_car_that_drove_as_fast_as_the_limit_has_not_been_faster(tmp_path):
     fast = drive("v_x", lambda time: 0.2 if time < 1.0 else 0.5 if time < 2.0 else 0.19, car="robot2")
     found = slows_to(limited(slows_to=0.2), judged(tmp_path, slow, fast), Measured())
     assert found.reason == "robot2 slowed down to 0.190 m/s"
+
+
+def test_goals_are_where_they_are_on_both_axes_and_headings(tmp_path):
+    """Along y = 1 m, looking to the left by 0.5 rad, from the goal on which it starts."""
+    table = [[*row[:3], 1.0, 0.5, *row[5:]] for row in rows(2.0)]
+    track = record(tmp_path, table).tracks["robot1"]
+    passes = find_passes(track, [Pose(PERIOD, 1.0, 0.5), Pose(1.0, 1.0, 0.6)], 0.01, 0.2)
+    assert passes.times == (PERIOD, 1.0)
+
+
+def test_no_goal_is_passed_without_a_record_of_the_car(tmp_path):
+    track = record(tmp_path, rows(1.0)).tracks["robot1"].until(0.0)
+    passes = find_passes(track, [Pose(1.0, 0.0)], 0.5, 0.5)
+    assert (passes.times, passes.nearest) == ((), None)
+
+
+def test_who_slides_away_from_the_other_is_not_to_blame(tmp_path):
+    """Looking up by 30 degrees and sliding to its left is going back."""
+    ours = [[*row[:4], math.pi / 6, 0.0, 1.0, *row[7:]] for row in rows(2.0, contacts={1.0: "robot2"})]
+    theirs = [
+        [*row[:2], 3.0, *row[3:5], 0.0, *row[6:]] for row in rows(2.0, car="robot2", contacts={1.0: "robot1"})
+    ]
+    assert [each.car for each in find_contacts(record(tmp_path, ours, theirs))] == ["robot2"]
+
+
+def test_a_record_covers_a_stamp_up_to_the_first_period_that_is_not_before_it(tmp_path):
+    run = record(tmp_path, rows(2.0), rows(1.0, car="robot2"))
+    assert [run.covering(stamp).end for stamp in (0.5, 0.51, 1.5, 3.0)] == [
+        0.5, 0.525, 1.5, 2.0,
+    ]  # fmt: skip

@@ -10,7 +10,7 @@ import sys
 import time
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, Optional
+from typing import Any
 
 import psutil
 
@@ -56,8 +56,7 @@ def faults(nodes: Sequence[str]) -> list[Fault]:
         for how, number in signals.items()
         if (node, how) != (RUNNER, "stopped")  # it could not end anything; see _pause_runner
     ]
-    set_back = Fault("system time set back an hour", _start_with_set_time, _set_time_back)
-    return [*of_nodes, *_OTHERS, *([set_back] if _faketime() else [])]
+    return [*of_nodes, *_OTHERS]
 
 
 def _start(folder: Path, before: Sequence[str] = (), settings: Sequence[str] = (), **popen: Any) -> Victim:
@@ -65,6 +64,11 @@ def _start(folder: Path, before: Sequence[str] = (), settings: Sequence[str] = (
     results.mkdir()
     command = [*before, *SCENARIO, *_RUN, *settings, "--results", str(results)]
     return Victim(command, results, folder / "said", **popen)
+
+
+def _start_long(folder: Path) -> Victim:
+    """A run that goes on until the command that is to break it has started."""
+    return _start(folder, settings=["--set", "laps=20"])
 
 
 def _signal_node(node: str, number: int, victim: Victim, moment: float) -> None:
@@ -99,27 +103,6 @@ def _on_disk(script: str) -> Callable[[Path], Victim]:
     return start
 
 
-def _faketime() -> Optional[Path]:
-    """A library that sets the time of processes; nothing where Debian's faketime is not installed."""
-    return next(Path("/usr/lib").glob("*/faketime/libfaketime.so.1"), None)
-
-
-def _start_with_set_time(folder: Path) -> Victim:
-    clock = folder / "clock"
-    clock.write_text("+0", encoding="utf-8")
-    environment = {
-        "LD_PRELOAD": str(_faketime()),
-        "FAKETIME_TIMESTAMP_FILE": str(clock),
-        "FAKETIME_NO_CACHE": "1",
-    }
-    return _start(folder, env={**environment, "FAKETIME_DONT_FAKE_MONOTONIC": "1"})
-
-
-def _set_time_back(victim: Victim, moment: float) -> None:
-    victim.wait_for(lambda: victim.has_driven(moment))
-    (victim.results.parent / "clock").write_text("-1h", encoding="utf-8")
-
-
 def _subscribe(count: int, reads: bool, victim: Victim, _moment: float) -> None:
     module = [sys.executable, "-m", "f1tenth_studies.faults.subscribers", "/robot1/scan", str(count)]
     _beside(victim, [*module, "reading" if reads else "silent"])
@@ -144,7 +127,7 @@ def _master(node: psutil.Process) -> Mapping[str, str]:
 
 _OTHERS = (
     Fault(f"{RUNNER} stopped for {_PAUSE:g} s", _start, _pause_runner),
-    Fault("clock stopped (pause_physics)", _start, _pause),
+    Fault("clock stopped (pause_physics)", _start_long, _pause),
     Fault("disk full", _on_disk(_SMALL_DISK)),
     Fault("read-only results", _on_disk(_READ_ONLY_DISK)),
     Fault(f"{_DESCRIPTORS} descriptors", _limited(resource.RLIMIT_NOFILE, _DESCRIPTORS)),

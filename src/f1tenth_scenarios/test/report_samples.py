@@ -18,7 +18,7 @@ def circling(end, car="robot1", speed=1.5):
         turn = speed * time / RADIUS
         x, y, yaw = RADIUS * math.cos(turn), RADIUS * math.sin(turn), turn + math.pi / 2
         clearance = 0.5 + 0.3 * math.sin(3 * turn)
-        yield [f"{time:.9f}", car, x, y, yaw, speed, 0, speed / RADIUS, 0.1, clearance, "", f"hash{index}"]
+        yield [f"{time:.9f}", car, x, y, yaw, speed, 0, speed / RADIUS, 0.1, clearance, "", 0, f"hash{index}"]
 
 
 def replay(end):
@@ -122,7 +122,7 @@ def write_long_run(folder, content, seed, end=120.0):
             turn + 1.57,
             speed,
         ]
-        + [0, speed / RADIUS, 0.1 * math.sin(turn), 0.3 + 0.1 * math.cos(3 * turn), "", f"hash{index}"]
+        + [0, speed / RADIUS, 0.1 * math.sin(turn), 0.3 + 0.1 * math.cos(3 * turn), "", 0, f"hash{index}"]
         for index, (turn, swerve, speed) in enumerate(zip(turns, swerves, speeds))
     ]
     write_record(folder / "trajectory.csv", rows)

@@ -5,6 +5,7 @@ that a test depends on nothing but simulated time; or it lets time run.
 """
 
 import collections
+import copy
 import math
 import threading
 import time
@@ -26,6 +27,7 @@ PERIOD = rospy.Duration(0.025)
 RESOLUTION = 0.05
 BEAMS = 271
 RANGE_MAX = 10.0
+FUTURE = rospy.Duration(2.0)
 MAX_CURVATURE = math.tan(0.4189) / 0.3302
 
 
@@ -77,6 +79,8 @@ class FakeRobot:
         self.wheels_grip = True
         self.delay = 0  # periods by which sensors and tf are late
         self.transforms_delay = 0  # the same of tf alone, on top
+        self.faults = {}  # "scan", "odom" or "tf" to "stopped", "frozen" or "future"
+        self._held = {}  # what was published last of each without a fault
         self._sent = collections.deque(maxlen=100)  # per period: transforms, odometry, scan
         self.commands = []  # (time in s, Twist), all so far
         self.touched = False  # whether the middle of the car was ever in a wall
@@ -117,6 +121,7 @@ class FakeRobot:
             self.wheels_grip = True
             self.delay = 0
             self.transforms_delay = 0
+            self.faults = {}
             self._sent.clear()
             self.touched = False
             self.commands.clear()
@@ -185,11 +190,24 @@ class FakeRobot:
     def _publish(self):
         self._sent.append((self._transforms(), self._odometry(), self._laser_scan()))
         _, odometry, scan = self._sent_before(self.delay)
-        self._tf.publish(self._sent_before(self.delay + self.transforms_delay)[0])
-        self._odom.publish(odometry)
+        self._send("tf", self._tf, self._sent_before(self.delay + self.transforms_delay)[0])
+        self._send("odom", self._odom, odometry)
         if self.scan_works:
-            self._scan.publish(scan)
+            self._send("scan", self._scan, scan)
         self._clock.publish(Clock(self._time))
+
+    def _send(self, name, publisher, message):
+        fault = self.faults.get(name)
+        if fault is None:
+            self._held[name] = message
+        elif fault == "frozen":
+            message = self._held[name]
+        elif fault == "future":
+            message = copy.deepcopy(message)
+            for part in message.transforms if name == "tf" else [message]:
+                part.header.stamp += FUTURE
+        if fault != "stopped":
+            publisher.publish(message)
 
     def _sent_before(self, periods):
         return self._sent[-1 - min(periods, len(self._sent) - 1)]

@@ -2,6 +2,7 @@
 """The node's action, topics and services, to the letter of the original, with a car in lockstep."""
 
 import copy
+import itertools
 import socket
 import subprocess
 import sys
@@ -13,7 +14,7 @@ import pytest
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus, GoalStatusArray
-from fake_robot import FakeRobot, Room
+from fake_robot import FUTURE, FakeRobot, Room
 from geometry_msgs.msg import PoseStamped, Quaternion
 from move_base_msgs.msg import MoveBaseAction, MoveBaseActionFeedback, MoveBaseGoal, RecoveryStatus
 from nav_msgs.msg import OccupancyGrid, Path
@@ -206,6 +207,29 @@ class MoveBaseTest(unittest.TestCase):
         assert {command.linear.x for command in late} == {0.0}
         self.robot.scan_works = True
         self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
+
+    def test_the_car_brakes_to_a_stand_whatever_input_is_missing(self):
+        alone = [
+            {name: fault} for name in ("scan", "odom", "tf") for fault in ("stopped", "frozen", "future")
+        ]
+        pairs = [dict.fromkeys(pair, "stopped") for pair in itertools.combinations(("scan", "odom", "tf"), 2)]
+        for faults in alone + pairs:
+            with self.subTest(faults):
+                self.robot.put(1.0, 1.0)
+                self.drive_off(pose_at(6.0, 2.0))
+                self.robot.faults = faults
+                since = self.robot.now
+                self.wait_until(lambda since=since: self.robot.now > since + 2.5)
+                # Braking from 1.5 m/s with 2 m/s^2, after a timeout of up to 0.3 s.
+                late = [command for time, command in self.robot.commands if time > since + 1.4]
+                assert late
+                assert {command.linear.x for command in late} == {0.0}
+                assert not self.robot.touched
+                self.client.cancel_goal()
+                self.result()
+                self.robot.faults = {}
+                since = self.robot.now
+                self.wait_until(lambda since=since: self.robot.now > since + FUTURE.to_sec() + 0.1)
 
     def test_the_car_stops_while_everything_is_late_and_goes_on_afterwards(self):
         self.drive_off(pose_at(6.0, 2.0))

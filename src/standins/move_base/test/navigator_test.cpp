@@ -108,8 +108,76 @@ TEST(Navigator, reachesAGoalAndStandsThere)
   EXPECT_LT(std::abs(journey.car.state().speed), 0.05);
   EXPECT_LT(distance(journey.car.state().pose, onOval(20.0)), 0.1);
   EXPECT_FALSE(journey.navigator.active());
-  EXPECT_FALSE(journey.cycle().command);
+  EXPECT_EQ(journey.cycle().command->speed, 0.0) << "said again";
+  for (const double end = journey.time + 1.0; journey.time < end;) {
+    journey.cycle();
+  }
+  EXPECT_FALSE(journey.cycle().command) << "somebody else may drive it";
 }
+
+TEST(Navigator, tellsACarThatIsStoppedSoAgainAndAgain)
+{
+  Journey journey(racingNavigator(), makeCostmap(drawOval()), onOval(0.0));
+  journey.navigator.setGoal(onOval(20.0), journey.time);
+  for (int i = 0; i < 40; ++i) {
+    journey.cycle();
+  }
+  journey.navigator.cancel();
+  for (int i = 0; i < 15; ++i) {
+    const auto command = journey.cycle().command;
+    ASSERT_TRUE(command) << i;
+    EXPECT_EQ(command->speed, 0.0);
+  }
+}
+
+// Which of what the car knows of itself is as it was when the sensors fell silent.
+struct Silence
+{
+  double speed;
+  bool pose_old;
+  bool speed_old;
+};
+
+class NavigatorInSilence : public ::testing::TestWithParam<Silence>
+{
+};
+
+TEST_P(NavigatorInSilence, brakesToAStandFromItsSpeed)
+{
+  const auto [speed, pose_old, speed_old] = GetParam();
+  NavigatorOptions options = racingNavigator();
+  options.follower.limits.max_vel_x = speed;
+  Journey journey(options, makeCostmap(drawRoom(60.0, 4.0)), {1.0, 2.0, 0.0});
+  journey.navigator.setGoal({58.0, 2.0, 0.0}, journey.time);
+  while (journey.car.state().speed < 0.95 * speed) {
+    journey.cycle();
+  }
+  const CarState last = journey.car.state();
+  const double since = journey.time;
+  const double braking = speed / options.follower.limits.dec_lim_x + 0.6;
+  double least = speed;
+  for (int i = 0; i < 200; ++i) {
+    CycleInput input{journey.time, journey.car.state(), false, 0.0, 0.0};
+    input.car.pose = pose_old ? last.pose : input.car.pose;
+    input.age = pose_old ? journey.time - since : 0.0;
+    input.car.speed = speed_old ? last.speed : input.car.speed;
+    input.speed_age = speed_old ? journey.time - since : 0.0;
+    const auto command = journey.navigator.cycle(input, journey.costmap()).command;
+    ASSERT_TRUE(command) << i;
+    EXPECT_LE(command->speed, least + 0.05) << i;
+    least = std::min(least, command->speed);
+    journey.car.drive(*command, kCycle);
+    journey.time += kCycle;
+    EXPECT_TRUE(journey.time < since + braking || (command->speed == 0.0 && journey.car.state().speed < 0.05)) << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  EverySpeed, NavigatorInSilence,
+  ::testing::Values(
+    Silence{1.0, false, true}, Silence{1.0, true, false}, Silence{1.0, true, true}, Silence{1.0, false, false},
+    Silence{4.0, false, true}, Silence{4.0, true, false}, Silence{4.0, true, true}, Silence{4.0, false, false},
+    Silence{8.0, false, true}, Silence{8.0, true, false}, Silence{8.0, true, true}, Silence{8.0, false, false}));
 
 TEST(Navigator, passesGoalsWithoutStoppingWhenTheirSpeedIsFree)
 {
@@ -234,7 +302,7 @@ TEST(Navigator, brakesByDeadReckoningWhenItsPoseIsOld)
   Costmap & costmap = journey.costmap();
   double clearance = HUGE_VAL;
   for (double time = last_time; time < last_time + 2.0; time += kCycle) {
-    const auto output = journey.navigator.cycle({time, last_seen, false, time - last_time}, costmap);
+    const auto output = journey.navigator.cycle({time, last_seen, false, time - last_time, time - last_time}, costmap);
     ASSERT_TRUE(output.command);
     car.drive(*output.command, kCycle);
     clearance = std::min(clearance, costmap.clearance(car.state().pose));

@@ -12,6 +12,7 @@ namespace
 constexpr double kRetryInterval = 0.5;    // s between plans for the same goal: the world changes no faster
 constexpr double kPassingInterval = 0.1;  // s between looks for a way past others
 constexpr double kStandingSpeed = 0.05;   // m/s
+constexpr double kStopTime = 1.0;         // s, for which a car that has been stopped is told so
 constexpr double kLongestPeriod = 0.2;    // s, taken for a step after a pause
 constexpr double kProgress = 1.0;         // m from where recovery began
 constexpr double kGatePart = 0.75;        // of the goal tolerance, within which plans pass goals
@@ -58,22 +59,33 @@ void Navigator::setGoal(const Pose2 & goal, double time)
   oscillation_pose_.reset();
   previous_pose_.reset();
   coast_until_.reset();
+  stop_until_ = 0.0;
 }
 
 void Navigator::cancel()
 {
   goal_.reset();
   coast_until_.reset();
+  stop();
+}
+
+// A single message may be lost, or come before one that was under way.
+void Navigator::stop()
+{
   follower_.clear();
+  stop_until_ = previous_time_.value_or(0.0) + kStopTime;
 }
 
 CycleOutput Navigator::cycle(const CycleInput & input, Costmap & costmap)
 {
   if (previous_time_ && input.time < *previous_time_) {
     reckoning_.clear();
+    stop_until_ = 0.0;
   }
   CycleInput now = input;
-  now.car = reckoning_.predict(input.car, input.time - input.age, input.time);
+  const double seen = input.time - input.age;
+  const double measured = input.sensors_current ? seen : input.time - input.speed_age;
+  now.car = reckoning_.predict(input.car, seen, measured, input.time);
   CycleOutput output;
   drive(now, costmap, output);
   previous_time_ = now.time;
@@ -92,6 +104,9 @@ void Navigator::drive(const CycleInput & input, Costmap & costmap, CycleOutput &
     pursue(input, costmap, output);
   } else if (coast_until_) {
     coast(input, costmap, output);
+  }
+  if (!output.command && input.time < stop_until_) {
+    output.command = DriveCommand{};
   }
 }
 
@@ -250,7 +265,7 @@ bool Navigator::finishIfReached(const CycleInput & input, CycleOutput & output)
     coast_until_ = input.time + options_.coast_time;
   } else {
     output.command = DriveCommand{};
-    follower_.clear();
+    stop();
   }
   return true;
 }
@@ -288,7 +303,7 @@ void Navigator::recover(Trigger trigger, const CycleInput & input, Costmap & cos
 {
   recovery_pose_ = input.car.pose;
   output.command = DriveCommand{};
-  follower_.clear();
+  stop();
   if (!options_.recovery_behavior_enabled || recovery_index_ >= behaviors_.size()) {
     goal_.reset();
     output.outcome = Outcome{false, failureOf(trigger)};

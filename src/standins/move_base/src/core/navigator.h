@@ -54,7 +54,8 @@ struct CycleInput
   double time{0.0};  ///< s
   CarState car;
   bool sensors_current{true};  ///< whether the data are young enough to drive by
-  double age{0.0};             ///< s, since the car was as given
+  double age{0.0};             ///< s, since the car was at its pose
+  double speed_age{0.0};       ///< s, since its speed was measured; counts when the data are too old
 };
 
 struct CycleOutput
@@ -77,7 +78,7 @@ public:
 
   /// Heads for a goal in the map, in place of any other.
   void setGoal(const Pose2 & goal, double time);
-  /// Drops the goal; the caller stops the car.
+  /// Drops the goal and stops the car.
   void cancel();
   bool active() const { return goal_.has_value(); }
 
@@ -125,6 +126,7 @@ private:
   PlanRequest requestFrom(const CarState & car) const;
   double extensionLength() const;
   double period(double time) const;
+  void stop();
   static const char * failureOf(Trigger trigger);
 
   NavigatorOptions options_;
@@ -147,6 +149,7 @@ private:
   std::optional<Pose2> previous_pose_;
   std::optional<double> previous_time_;
   std::optional<double> coast_until_;
+  double stop_until_{0.0};
   std::optional<BackUp> back_up_;
   Pose2 recovery_pose_;
 };

@@ -149,7 +149,8 @@ void MoveBaseNode::drive(const ros::Time & now)
 {
   const CycleInput input = perception_.input(now);
   if (!input.sensors_current && navigator_.active()) {
-    ROS_WARN_THROTTLE(1.0, "The car stands still because %s is too old", perception_.stale(now).c_str());
+    ROS_WARN_THROTTLE(
+      1.0, "The car brakes or stands still because %s is missing, or is not from now", perception_.stale(now).c_str());
   }
   const CycleOutput output = navigator_.cycle(input, perception_.costmap());
   publish(output, input, now);

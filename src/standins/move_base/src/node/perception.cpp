@@ -3,6 +3,7 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "conversions.h"
 #include "geometry/errors.h"
@@ -38,7 +39,7 @@ std::string Perception::missing() const
   if (!odometry_) {
     return "odometry on " + odometry_subscriber_.getTopic();
   }
-  if (!scan_) {
+  if (!scan_ && waiting_.empty()) {
     return "a scan on " + scan_subscriber_.getTopic();
   }
   return baseTransform() ? "" : "the transform from " + parameters_.global_frame + " to " + parameters_.base_frame;
@@ -53,13 +54,17 @@ CycleInput Perception::input(const ros::Time & now) const
     input.car.pose = fromTransform(base->transform);
     input.age = std::max(0.0, (now - base->header.stamp).toSec());
   }
-  input.car.speed = odometry_ ? odometry_->twist.twist.linear.x : 0.0;
+  if (odometry_) {
+    input.car.speed = odometry_->twist.twist.linear.x;
+    input.speed_age = std::max(0.0, (now - odometry_->header.stamp).toSec());
+  }
   return input;
 }
 
 std::string Perception::stale(const ros::Time & now) const
 {
-  const auto old = [&](const ros::Time & stamp, double limit) { return (now - stamp).toSec() > limit; };
+  // What is far in the future was not measured by this clock, and would count as new for just as long.
+  const auto old = [&](const ros::Time & stamp, double limit) { return std::abs((now - stamp).toSec()) > limit; };
   const auto base = baseTransform();
   if (!base || old(base->header.stamp, parameters_.transform_tolerance)) {
     return "the transform from " + parameters_.global_frame + " to " + parameters_.base_frame;
@@ -83,6 +88,7 @@ void Perception::updateCostmap()
     if (buffer_.canTransform(parameters_.global_frame, scan.header.frame_id, scan.header.stamp)) {
       const auto sensor = buffer_.lookupTransform(parameters_.global_frame, scan.header.frame_id, scan.header.stamp);
       costmap_->observe(fromLaserScan(scan, fromTransform(sensor.transform)));
+      scan_ = waiting_[i];
       // Of those before it the transform will not come any more.
       waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
       i = 0;
@@ -122,7 +128,6 @@ void Perception::onMap(const nav_msgs::OccupancyGrid::ConstPtr & map)
 
 void Perception::onScan(const sensor_msgs::LaserScan::ConstPtr & scan)
 {
-  scan_ = scan;
   waiting_.push_back(scan);
   // Odometry comes as often as scans or nearly so: what waits for longer will never be placed.
   if (waiting_.size() > kMostWaiting) {

@@ -56,7 +56,7 @@ private:
   tf2_ros::TransformListener listener_;
   std::unique_ptr<Costmap> costmap_;
   nav_msgs::Odometry::ConstPtr odometry_;
-  sensor_msgs::LaserScan::ConstPtr scan_;                 // the latest
+  sensor_msgs::LaserScan::ConstPtr scan_;                 // the latest in the costmap
   std::deque<sensor_msgs::LaserScan::ConstPtr> waiting_;  // those not in the costmap yet
   ros::Subscriber map_subscriber_;
   ros::Subscriber odometry_subscriber_;

@@ -33,16 +33,25 @@ void DeadReckoning::note(double time, const DriveCommand & command)
   }
 }
 
-CarState DeadReckoning::predict(const CarState & car, double seen, double time) const
+CarState DeadReckoning::predict(const CarState & car, double seen, double measured, double time) const
 {
-  CarState state = car;
-  for (std::size_t i = 0; i < commands_.size(); ++i) {
-    const double begin = std::max(commands_[i].time, seen);
-    const double end = i + 1 < commands_.size() ? std::min(commands_[i + 1].time, time) : time;
-    if (end > begin) {
-      state = drive(state, commands_[i].command, end - begin);
-    }
+  CarState state{car.pose, drivenOn(car, measured, seen).speed};
+  state = drivenOn(state, seen, time);
+  if (measured > seen) {
+    state.speed = drivenOn(car, measured, time).speed;
   }
   return state;
+}
+
+CarState DeadReckoning::drivenOn(CarState car, double from, double to) const
+{
+  for (std::size_t i = 0; i < commands_.size(); ++i) {
+    const double begin = std::max(commands_[i].time, from);
+    const double end = i + 1 < commands_.size() ? std::min(commands_[i + 1].time, to) : to;
+    if (end > begin) {
+      car = drive(car, commands_[i].command, end - begin);
+    }
+  }
+  return car;
 }
 }  // namespace move_base

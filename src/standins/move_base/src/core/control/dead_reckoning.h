@@ -14,11 +14,13 @@ public:
   void note(double time, const DriveCommand & command);
   void clear() { commands_.clear(); }
 
-  /// The car's motion at a time, s, that was seen as given at the time seen, not later. Wheels are taken to turn at
-  /// once; the speed follows with a lag.
-  CarState predict(const CarState & car, double seen, double time) const;
+  /// The car's motion at a time, s, not before its pose was seen and its speed was measured. Wheels are taken to turn
+  /// at once; the speed follows with a lag.
+  CarState predict(const CarState & car, double seen, double measured, double time) const;
 
 private:
+  CarState drivenOn(CarState car, double from, double to) const;
+
   struct Entry
   {
     double time;

@@ -103,6 +103,16 @@ void bindNavigationMgr(py::module_ & module)
     .def(
       "spin", py::overload_cast<const ros::Time &>(&NavigationMgr::Spin), py::arg("now"), ReleaseGil(),
       "The same without waiting, at the ROS time now (s): for lockstep.")
+    .def("has_active_goal", &NavigationMgr::HasActiveGoal, "Whether a goal is in flight.")
+    .def("size_goals_queue", &NavigationMgr::SizeGoalsQueue, "Goals not reached yet, with the one in flight.")
+    .def("front_goals_queue", &NavigationMgr::FrontGoalsQueue, "The next Goal. Raises NavigationError without one.")
+    .def(
+      "check_goal_state", &NavigationMgr::CheckGoalState, ReleaseGil(),
+      "Takes a goal that is over from the queue and says how it ended, as spin() does; IDLE without an active goal.")
+    .def(
+      "send_goal", &NavigationMgr::SendGoal, py::arg("goal"), ReleaseGil(),
+      "Sends a goal, which becomes the front of the queue; SENT or NOT_CONNECTED. Raises NavigationError when another\n"
+      "one is active.")
     .def(
       "wait_for_server",
       [](NavigationMgr & self, double timeout) { return self.WaitForServer(ros::WallDuration{timeout}); },

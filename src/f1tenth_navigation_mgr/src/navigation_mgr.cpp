@@ -9,6 +9,11 @@ namespace f1tenth_navigation_mgr
 namespace
 {
 const ros::WallDuration kSpinWait{0.01};
+
+ros::Time rosNow()
+{
+  return ros::Time::isValid() ? ros::Time::now() : ros::Time{};
+}
 }  // namespace
 
 const char * ToString(SpinResult result)
@@ -55,7 +60,7 @@ void NavigationMgr::ClearGoals()
 SpinResult NavigationMgr::Spin()
 {
   client_.Serve(kSpinWait);
-  return SpinOnce(ros::Time::isValid() ? ros::Time::now() : ros::Time{});
+  return SpinOnce(rosNow());
 }
 
 SpinResult NavigationMgr::Spin(const ros::Time & now)
@@ -66,18 +71,49 @@ SpinResult NavigationMgr::Spin(const ros::Time & now)
 
 SpinResult NavigationMgr::SpinOnce(const ros::Time & now)
 {
-  if (!client_.IsConnected() && !client_.IsServerGone()) return SpinResult::kNotConnected;
-  if (client_.HasGoal()) {
-    const auto result = client_.Check(now);
-    return result ? Finish(*result) : SpinResult::kDriving;
-  }
+  if (!CanSpin()) return SpinResult::kNotConnected;
+  if (client_.HasGoal()) return CheckGoal(now);
   return queue_.empty() ? ReportEmpty() : SendFront(now);
+}
+
+bool NavigationMgr::CanSpin() const
+{
+  return client_.IsConnected() || client_.IsServerGone();
+}
+
+SpinResult NavigationMgr::CheckGoal(const ros::Time & now)
+{
+  const auto result = client_.Check(now);
+  return result ? Finish(*result) : SpinResult::kDriving;
 }
 
 SpinResult NavigationMgr::SendFront(const ros::Time & now)
 {
   client_.Send(queue_.front(), now);
   return SpinResult::kSent;
+}
+
+const Goal & NavigationMgr::FrontGoalsQueue() const
+{
+  if (queue_.empty()) throw Error{"there is no goal in the queue"};
+  return queue_.front();
+}
+
+SpinResult NavigationMgr::CheckGoalState()
+{
+  client_.Serve(kSpinWait);
+  if (!client_.HasGoal()) return SpinResult::kIdle;
+  return CanSpin() ? CheckGoal(rosNow()) : SpinResult::kNotConnected;
+}
+
+SpinResult NavigationMgr::SendGoal(const Goal & goal)
+{
+  if (client_.HasGoal()) throw Error{"a goal is active: it must be over before the next one is sent"};
+  client_.Serve(kSpinWait);
+  if (!client_.IsConnected()) return SpinResult::kNotConnected;
+  if (queue_.empty() || !(queue_.front() == goal)) queue_.push_front(goal);
+  empty_reported_ = false;
+  return SendFront(rosNow());
 }
 
 SpinResult NavigationMgr::ReportEmpty()

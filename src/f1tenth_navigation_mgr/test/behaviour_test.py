@@ -139,6 +139,13 @@ def test_reaches_goals_in_order_and_reports_the_empty_queue_once():
     assert run_goals(SUCCEED, SUCCEED, SUCCEED) == expected + ["queue_empty"]
 
 
+def test_a_spin_written_with_the_parts_does_the_same():
+    goals = (SUCCEED, ABORT, DROP, SUCCEED)
+    by_parts, whole = run_goals(*goals, mode="parts"), run_goals(*goals)
+    assert [line.split(", sent")[0] for line in by_parts] == [line.split(", sent")[0] for line in whole]
+    assert by_parts.count("sent") == len(goals)
+
+
 def test_an_aborted_goal_carries_the_planners_words_and_leaves_the_queue():
     lines = run_goals(ABORT, SUCCEED)
     assert lines[:3] == ["sent", f"goal 0 aborted: {ABORT_TEXT}", "failed"]

@@ -1,5 +1,5 @@
 // Drives the C++ class as navigation_mgr_driver.py drives the Python one; behaviour_test.py compares what they print.
-//   navigation_mgr_test_driver ROBOT GOALS_FILE [loop|cancel]
+//   navigation_mgr_test_driver ROBOT GOALS_FILE [loop|cancel|parts]
 #include <ros/ros.h>
 
 #include <iostream>
@@ -18,6 +18,14 @@ void print(const GoalResult & result)
   std::cout << "goal " << result.goal.x << " " << ToString(result.outcome) << ": " << result.text << std::endl;
 }
 
+// The thesis's Spin, with its names.
+SpinResult spinByParts(NavigationMgr & navmgr)
+{
+  if (navmgr.HasActiveGoal()) return navmgr.CheckGoalState();
+  if (navmgr.SizeGoalsQueue() > 0) return navmgr.SendGoal(navmgr.FrontGoalsQueue());
+  return navmgr.Spin();
+}
+
 bool isEvent(SpinResult did)
 {
   return did != SpinResult::kNotConnected && did != SpinResult::kDriving && did != SpinResult::kIdle;
@@ -27,7 +35,7 @@ void drive(NavigationMgr & navmgr, const std::string & mode)
 {
   bool over{false};
   for (int left = kSpinsAfterEnd; ros::ok() && left > 0; left -= over ? 1 : 0) {
-    const auto did = navmgr.Spin();
+    const auto did = mode == "parts" ? spinByParts(navmgr) : navmgr.Spin();
     if (isEvent(did)) std::cout << ToString(did) << std::endl;
     if (did == SpinResult::kSent && (mode == "cancel" || navmgr.Results().size() >= kLoopedGoals)) {
       navmgr.ClearGoals();

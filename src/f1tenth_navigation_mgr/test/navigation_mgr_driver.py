@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Drives the Python class as navigation_mgr_driver.cpp drives the C++ one.
 
-navigation_mgr_driver.py ROBOT GOALS_FILE [loop|cancel]
+navigation_mgr_driver.py ROBOT GOALS_FILE [loop|cancel|parts]
 """
 
 import sys
@@ -23,11 +23,20 @@ def say_result(result):
     say(f"goal {result.goal.x:g} {result.outcome.name.lower()}: {result.text}")
 
 
+def spin_by_parts(navmgr):
+    """The thesis's Spin, with its names."""
+    if navmgr.has_active_goal():
+        return navmgr.check_goal_state()
+    if navmgr.size_goals_queue() > 0:
+        return navmgr.send_goal(navmgr.front_goals_queue())
+    return navmgr.spin()
+
+
 def drive(navmgr, mode):
     over = False
     left = SPINS_AFTER_END
     while not rospy.is_shutdown() and left > 0:
-        did = navmgr.spin()
+        did = spin_by_parts(navmgr) if mode == "parts" else navmgr.spin()
         if did not in NO_EVENT:
             say(did.name.lower())
         if did == SpinResult.SENT and (mode == "cancel" or len(navmgr.results) >= LOOPED_GOALS):

@@ -91,6 +91,20 @@ def test_tells_goal_in_flight_and_goals_left(navigation):
     assert navigation.goals_left == 1
 
 
+def test_the_parts_of_a_spin_refuse_what_makes_no_sense(navigation):
+    with pytest.raises(nav.NavigationError, match="^there is no goal in the queue$"):
+        navigation.front_goals_queue()
+    assert navigation.check_goal_state() == nav.SpinResult.IDLE
+    navigation.add_goal(nav.Goal(2.0, 0.0, 0.0))
+    assert navigation.wait_for_server(LIMIT)
+    assert navigation.send_goal(nav.Goal(1.0, 4.0, 0.0)) == nav.SpinResult.SENT
+    assert navigation.has_active_goal()
+    assert navigation.front_goals_queue() == nav.Goal(1.0, 4.0, 0.0)
+    assert navigation.size_goals_queue() == 2
+    with pytest.raises(nav.NavigationError, match="^a goal is active"):
+        navigation.send_goal(nav.Goal(3.0, 0.0, 0.0))
+
+
 def test_a_result_has_its_times(navigation):
     navigation.add_goal(nav.Goal(1.0, 4.0, 0.0))
     spin_until(navigation, nav.SpinResult.REACHED)

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "f1tenth_navigation_mgr/errors.h"
 #include "f1tenth_navigation_mgr/goal_result.h"
 #include "f1tenth_navigation_mgr/goals_file.h"
 #include "f1tenth_navigation_mgr/move_base_client.h"
@@ -69,6 +70,19 @@ public:
   /// The same without waiting, at the ROS time that the caller has: for lockstep, where the period's stamp counts.
   SpinResult Spin(const ros::Time & now);
 
+  /// The parts of a Spin(), by the names of the thesis, to write another one with.
+  bool HasActiveGoal() const { return client_.HasGoal(); }
+  std::size_t SizeGoalsQueue() const { return queue_.size(); }
+  /// @throws Error when the queue is empty
+  const Goal & FrontGoalsQueue() const;
+  /// Takes a goal that is over from the queue, as Spin() does; waits up to 10 ms of wall time for a message.
+  /// @return kNotConnected, kDriving, kReached or kFailed; kIdle when there is no active goal
+  SpinResult CheckGoalState();
+  /// Sends a goal, which becomes the front of the queue unless it is that already.
+  /// @return kSent, or kNotConnected: then nothing has changed
+  /// @throws Error when another goal is active
+  SpinResult SendGoal(const Goal & goal);
+
   /// Blocks until there is a clock and the action server is connected, or timeout (wall time) has passed.
   /// @return whether it is connected
   bool WaitForServer(ros::WallDuration timeout);
@@ -99,6 +113,8 @@ public:
 
 private:
   SpinResult SpinOnce(const ros::Time & now);
+  bool CanSpin() const;
+  SpinResult CheckGoal(const ros::Time & now);
   SpinResult SendFront(const ros::Time & now);
   SpinResult ReportEmpty();
   SpinResult Finish(const GoalResult & result);

@@ -10,7 +10,8 @@ TOP_KEYS = (
     " time_to_start, lockstep, real_time_factor, localization, boxes, criteria, faults"
 )
 CAR_KEYS = (
-    "name, start, driver, goals, line, speed_max, acceleration_max, commands, mu, dropped_beams, input_faults"
+    "name, start, driver, goals, line, speed_max, acceleration_max, commands, mu, model, dropped_beams,"
+    " input_faults"
 )
 
 

@@ -58,7 +58,8 @@ def test_launch_file_hands_the_scenario_to_the_simulator(plan):
     assert parameters["/sim2d/result_file"] == str(plan.simulator_result_file)
     for car in plan.scenario.cars:
         assert parameters[f"/sim2d/cars/{car.name}/x"] == car.start.x
-        assert (f"/sim2d/cars/{car.name}/vehicle" in parameters) == (car.mu is not None)
+        is_changed = car.mu is not None or car.model is not None
+        assert (f"/sim2d/cars/{car.name}/vehicle" in parameters) == is_changed
 
 
 def test_launch_file_hands_the_scenario_to_the_drivers(plan):
@@ -94,4 +95,4 @@ def test_launch_file_hands_the_scenario_to_the_drivers(plan):
 
 
 def test_command_names_the_launch_file(plan):
-    assert launch_command(plan)[-1] == str(plan.launch_file)
+    assert launch_command(plan.launch_file)[-1] == str(plan.launch_file)

@@ -34,8 +34,8 @@ def write_launch_file(plan: Plan) -> None:
     if plan.scenario.boxes:
         write_world(plan.world, plan.scenario, plan.run_world)
     for car in plan.scenario.cars:
-        if car.mu is not None:
-            plan.vehicle_file(car.name).write_text(f"mu: {car.mu!r}\n", encoding="utf-8")
+        if vehicle := _vehicle(car):
+            plan.vehicle_file(car.name).write_text(vehicle, encoding="utf-8")
     launch = ElementTree.Element("launch")
     _include(launch, "scenario.launch", _shared_arguments(plan))
     for car in plan.scenario.cars:
@@ -80,7 +80,7 @@ def _car_arguments(plan: Plan, car: Car) -> dict[str, Any]:
         "speed_max": "" if car.speed_max is None else car.speed_max,
         "acceleration_max": "" if car.acceleration_max is None else car.acceleration_max,
         "start_at": plan.scenario.time_to_start + _START_MARGIN if plan.goals else 0.0,
-        "vehicle": plan.vehicle_file(car.name) if car.mu is not None else "",
+        "vehicle": plan.vehicle_file(car.name) if _vehicle(car) else "",
         "dropped_beams": car.dropped_beams,
         "faulty_inputs": " ".join(each.value for each in Input if car.faults_of(each)),
         "input_faults": json.dumps(_faults(car)),
@@ -88,6 +88,12 @@ def _car_arguments(plan: Plan, car: Car) -> dict[str, Any]:
         "localization": plan.scenario.localization.value,
         "seed": plan.scenario.seed,
     }
+
+
+def _vehicle(car: Car) -> str:
+    """What the scenario changes of the car's parameters, as their YAML file; empty if nothing."""
+    mu = "" if car.mu is None else f"mu: {car.mu!r}\n"
+    return mu + ("" if car.model is None else f"model: {car.model.value}\n")
 
 
 def _faults(car: Car) -> list[dict[str, Any]]:

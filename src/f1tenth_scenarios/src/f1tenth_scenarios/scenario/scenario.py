@@ -35,6 +35,14 @@ class Driver(enum.Enum):
     COMMANDS = "commands"
 
 
+class VehicleModel(enum.Enum):
+    """How a car moves: `model` in its YAML file."""
+
+    KINEMATIC = "kinematic"
+    SINGLE_TRACK = "single_track"
+    SINGLE_TRACK_DRIFT = "single_track_drift"
+
+
 class Localization(enum.Enum):
     """From what the cars know where they are."""
 
@@ -129,6 +137,11 @@ class Car:
     commands: tuple[Command, ...] = key("What the driver `commands` does, in order of time.", default=())
     mu: Optional[float] = key(
         "Friction of the car's tyres on the ground; default: the car's.", above=0, at_most=3, default=None
+    )
+    model: Optional[VehicleModel] = key(
+        "How the car moves: `kinematic`; `single_track`, tyres without a limit; `single_track_drift`,"
+        " tyres that slide; default: the car's.",
+        default=None,
     )
     dropped_beams: float = key(
         "Probability of each beam of the planner's lidar to be lost.", at_least=0, at_most=1, default=0.0

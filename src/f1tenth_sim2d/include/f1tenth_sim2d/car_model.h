@@ -1,12 +1,13 @@
 #pragma once
 
 #include <array>
-#include <ignition/math/Pose3.hh>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "f1tenth_sim2d/pose3.h"
 #include "f1tenth_sim2d/vehicle_parameters.h"
 #include "f1tenth_sim2d/world_model.h"
 
@@ -23,7 +24,7 @@ struct LidarDescription
   std::string name;
   std::string topic{"scan"};
   std::string frame{"laser"};
-  ignition::math::Pose3d pose;  ///< must be level
+  Pose3 pose;  ///< must be level
   double rate_hz{40.0};
   int beam_count{1081};
   double angle_min{0.0};     ///< rad
@@ -59,13 +60,13 @@ struct PoseSensorDescription
 {
   std::string name;
   std::string topic;
-  std::string frame{"world"};           ///< header.frame_id; the world's, so without prefix
-  std::string link;                     ///< child_frame_id
-  ignition::math::Pose3d pose;          ///< of the link
-  ignition::math::Vector3d xyz_offset;  ///< m, added to the position in the world
-  ignition::math::Vector3d rpy_offset;  ///< rad, turns the orientation in the world
-  double rate_hz{0.0};                  ///< 0: at every physics step
-  double noise_stddev{0.0};             ///< m/s and rad/s, of the twist
+  std::string frame{"world"};                           ///< header.frame_id; the world's, so without prefix
+  std::string link;                                     ///< child_frame_id
+  Pose3 pose;                                           ///< of the link
+  Eigen::Vector3d xyz_offset{Eigen::Vector3d::Zero()};  ///< m, added to the position in the world
+  Eigen::Vector3d rpy_offset{Eigen::Vector3d::Zero()};  ///< rad, turns the orientation in the world
+  double rate_hz{0.0};                                  ///< 0: at every physics step
+  double noise_stddev{0.0};                             ///< m/s and rad/s, of the twist
 };
 
 /// A wheel or a steering joint. Wheels turn, steering joints follow Ackermann's geometry.
@@ -81,11 +82,11 @@ struct JointDescription
     kSteeringLeft,
     kSteeringRight
   } role;
-  double direction{1.0};                 ///< +1: grows when the wheel rolls forwards or steers to the left; -1: falls
-  double lower{-ignition::math::INF_D};  ///< rad
-  double upper{ignition::math::INF_D};   ///< rad
-  double velocity_max{ignition::math::INF_D};  ///< rad/s
-  double effort_max{ignition::math::INF_D};    ///< N m
+  double direction{1.0};  ///< +1: grows when the wheel rolls forwards or steers to the left; -1: falls
+  double lower{-std::numeric_limits<double>::infinity()};        ///< rad
+  double upper{std::numeric_limits<double>::infinity()};         ///< rad
+  double velocity_max{std::numeric_limits<double>::infinity()};  ///< rad/s
+  double effort_max{std::numeric_limits<double>::infinity()};    ///< N m
 };
 
 /// A plugin that drives the car by geometry_msgs/Twist and publishes its odometry.
@@ -106,7 +107,8 @@ struct DriveDescription
   double odometry_rate_hz{100.0};            ///< 0: at every physics step
   bool publishes_odometry{true};
   bool publishes_transform{true};
-  double acceleration_max{ignition::math::INF_D};  ///< m/s^2, of the wheels; besides that of the car's parameters
+  double acceleration_max{
+    std::numeric_limits<double>::infinity()};  ///< m/s^2, of the wheels; besides that of the car's parameters
 };
 
 /// A <transmission>: how ros_control reaches a joint.
@@ -134,17 +136,17 @@ struct RosControlDescription
 
 struct CarDescription
 {
-  std::string name;                ///< "robot1"
-  std::string ros_namespace;       ///< its own, without slashes around it; usually its name; empty: the root
-  std::string source;              ///< where the description came from, for error messages
-  std::vector<Solid> solids;       ///< bumpers among them
-  std::vector<std::string> links;  ///< all links of the robot description
-  std::map<std::string, ignition::math::Pose3d> link_poses;  ///< of all links, joints at zero
+  std::string name;                         ///< "robot1"
+  std::string ros_namespace;                ///< its own, without slashes around it; usually its name; empty: the root
+  std::string source;                       ///< where the description came from, for error messages
+  std::vector<Solid> solids;                ///< bumpers among them
+  std::vector<std::string> links;           ///< all links of the robot description
+  std::map<std::string, Pose3> link_poses;  ///< of all links, joints at zero
 
   /// The link that stands for the car: base_footprint, or else base_link, or else the root. Child of odom in tf.
   std::string base_frame{"base_footprint"};
-  ignition::math::Pose3d base_frame_pose;
-  ignition::math::Pose3d model_pose;  ///< of the model's own frame, the one that Gazebo's spawn and model states mean
+  Pose3 base_frame_pose;
+  Pose3 model_pose;  ///< of the model's own frame, the one that Gazebo's spawn and model states mean
 
   std::vector<LidarDescription> lidars;
   std::vector<BumperDescription> bumpers;

@@ -45,7 +45,7 @@ bool describesCar(const std::string & xml, const std::string & source);
 /// @param pose  of its frame in the world
 /// @throws LoadError
 LoadedModel loadModel(
-  const std::string & xml, const std::string & name, const ignition::math::Pose3d & pose, const std::string & source,
+  const std::string & xml, const std::string & name, const Pose3 & pose, const std::string & source,
   const SearchPath & search_path = {});
 
 /// Reads a URDF (with <gazebo> tags) or SDF model from a string.

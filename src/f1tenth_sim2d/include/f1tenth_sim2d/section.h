@@ -1,9 +1,9 @@
 #pragma once
 
-#include <ignition/math/Pose3.hh>
 #include <vector>
 
 #include "f1tenth_sim2d/geometry.h"
+#include "f1tenth_sim2d/pose3.h"
 #include "f1tenth_sim2d/world_model.h"
 
 namespace f1tenth_sim2d
@@ -25,11 +25,11 @@ struct Section
 /// Cross-section of a solid at height z, m: what a level lidar at that height sees.
 /// @param pose  of the solid in the frame in which z and the result are given
 /// A Plane has no section.
-Section sectionAt(const Solid & solid, const ignition::math::Pose3d & pose, double z);
+Section sectionAt(const Solid & solid, const Pose3 & pose, double z);
 
 /// Shadow on the ground of the part of a solid between z_min and z_max, m: what a body of that vertical span touches.
 /// Convex pieces; outlines that are not convex come decomposed.
-Section footprintBetween(const Solid & solid, const ignition::math::Pose3d & pose, double z_min, double z_max);
+Section footprintBetween(const Solid & solid, const Pose3 & pose, double z_min, double z_max);
 
 /// Splits a simple outline into convex polygons (their union is the outline).
 std::vector<ConvexPolygon> convexDecomposition(const Outline & outline);

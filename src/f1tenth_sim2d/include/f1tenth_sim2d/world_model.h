@@ -2,8 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <ignition/math/Pose3.hh>
-#include <ignition/math/Vector3.hh>
 #include <memory>
 #include <string>
 #include <utility>
@@ -11,13 +9,14 @@
 #include <vector>
 
 #include "f1tenth_sim2d/geometry.h"
+#include "f1tenth_sim2d/pose3.h"
 
 /// What the loaders produce and the simulation consumes: plain data, no SDF, no Box2D, no ROS.
 namespace f1tenth_sim2d
 {
 struct Box
 {
-  ignition::math::Vector3d size;  ///< edge lengths, m
+  Eigen::Vector3d size{Eigen::Vector3d::Zero()};  ///< edge lengths, m
 };
 struct Cylinder
 {
@@ -48,7 +47,7 @@ struct WallPlan
 /// A surface: triangles that share the corners they have in common, counter-clockwise seen from outside.
 struct TriangleMesh
 {
-  std::vector<ignition::math::Vector3d> vertices;  ///< m
+  std::vector<Eigen::Vector3d> vertices;  ///< m
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 /// The surface of a mesh file. What it closes in is solid; where it is open it is a thin sheet.
@@ -63,16 +62,16 @@ struct Solid
 {
   std::string name;  ///< scoped name, "model::link::collision"
   Shape shape;
-  ignition::math::Pose3d pose;  ///< in the frame of the model
-  double mu{1.0};               ///< Coulomb friction coefficient
+  Pose3 pose;      ///< in the frame of the model
+  double mu{1.0};  ///< Coulomb friction coefficient
   double restitution{0.0};
 };
 
 /// One rigid model of the world. A model of several links counts as one rigid body in its start configuration.
 struct ModelDescription
 {
-  std::string name;             ///< unique in the world; nested models are "outer::inner"
-  ignition::math::Pose3d pose;  ///< in the world
+  std::string name;  ///< unique in the world; nested models are "outer::inner"
+  Pose3 pose;        ///< in the world
   bool is_static{false};
   double mass{0.0};        ///< kg, all links
   double inertia_zz{0.0};  ///< kg m^2, about the centre of mass

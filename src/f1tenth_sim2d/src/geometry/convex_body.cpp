@@ -10,13 +10,13 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Vector3d;
+using Eigen::Vector3d;
 
 Heights heightsOf(const ConvexBody & body)
 {
   const auto [lowest, highest] = std::minmax_element(
-    body.corners.begin(), body.corners.end(), [](const Vector3d & a, const Vector3d & b) { return a.Z() < b.Z(); });
-  return {lowest->Z(), highest->Z()};
+    body.corners.begin(), body.corners.end(), [](const Vector3d & a, const Vector3d & b) { return a.z() < b.z(); });
+  return {lowest->z(), highest->z()};
 }
 
 void appendCrossings(const ConvexBody & body, double z, std::vector<Vec2> & points)
@@ -24,9 +24,9 @@ void appendCrossings(const ConvexBody & body, double z, std::vector<Vec2> & poin
   for (const auto & [from, to] : body.edges) {
     const Vector3d & a = body.corners[from];
     const Vector3d & b = body.corners[to];
-    if ((a.Z() - z) * (b.Z() - z) < 0.0) {
-      const double t = (z - a.Z()) / (b.Z() - a.Z());
-      points.push_back({a.X() + t * (b.X() - a.X()), a.Y() + t * (b.Y() - a.Y())});
+    if ((a.z() - z) * (b.z() - z) < 0.0) {
+      const double t = (z - a.z()) / (b.z() - a.z());
+      points.push_back({a.x() + t * (b.x() - a.x()), a.y() + t * (b.y() - a.y())});
     }
   }
 }
@@ -34,20 +34,20 @@ void appendCrossings(const ConvexBody & body, double z, std::vector<Vec2> & poin
 void appendCornersBetween(const ConvexBody & body, double z_min, double z_max, std::vector<Vec2> & points)
 {
   for (const Vector3d & corner : body.corners) {
-    if (corner.Z() >= z_min && corner.Z() <= z_max) {
-      points.push_back({corner.X(), corner.Y()});
+    if (corner.z() >= z_min && corner.z() <= z_max) {
+      points.push_back({corner.x(), corner.y()});
     }
   }
 }
 }  // namespace
 
-ConvexBody prism(const ConvexPolygon & base, double z_min, double z_max, const ignition::math::Pose3d & pose)
+ConvexBody prism(const ConvexPolygon & base, double z_min, double z_max, const Pose3 & pose)
 {
   ConvexBody body;
   const std::size_t n = base.size();
   for (const double z : {z_min, z_max}) {
     for (const Vec2 & corner : base) {
-      body.corners.push_back(pose.CoordPositionAdd(Vector3d(corner.x, corner.y, z)));
+      body.corners.push_back(pose * Vector3d(corner.x, corner.y, z));
     }
   }
   for (std::size_t i = 0; i < n; ++i) {

@@ -1,23 +1,22 @@
 #pragma once
 
-#include <ignition/math/Pose3.hh>
-#include <ignition/math/Vector3.hh>
 #include <utility>
 #include <vector>
 
 #include "f1tenth_sim2d/geometry.h"
+#include "f1tenth_sim2d/pose3.h"
 
 namespace f1tenth_sim2d
 {
 /// A convex polyhedron: corners in m and the edges between them. Whatever has flat faces is made of these.
 struct ConvexBody
 {
-  std::vector<ignition::math::Vector3d> corners;
+  std::vector<Eigen::Vector3d> corners;
   std::vector<std::pair<std::size_t, std::size_t>> edges;
 };
 
 /// The upright prism over base between z_min and z_max, put at pose.
-ConvexBody prism(const ConvexPolygon & base, double z_min, double z_max, const ignition::math::Pose3d & pose);
+ConvexBody prism(const ConvexPolygon & base, double z_min, double z_max, const Pose3 & pose);
 
 /// Cut of a body at height z; empty where it has no area. A body owns its lowest height, but not its highest one:
 /// of two bodies that stand on each other exactly one is cut at their common height.

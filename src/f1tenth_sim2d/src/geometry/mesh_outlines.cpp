@@ -11,7 +11,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Vector3d;
+using Eigen::Vector3d;
 
 /// Whether the way from a over b to c is straight on, or b is one of the two. A spike, where it turns back, is not.
 bool isStraight(const Vec2 & a, const Vec2 & b, const Vec2 & c)
@@ -78,7 +78,7 @@ private:
   };
 
   /// A corner exactly in the plane counts as below it: so no line is of a corner only, and none is missed.
-  bool isAbove(std::uint32_t vertex) const { return vertices_[vertex].Z() > z_ + kTolerance; }
+  bool isAbove(std::uint32_t vertex) const { return vertices_[vertex].z() > z_ + kTolerance; }
 
   void cutTriangle(const std::array<std::uint32_t, 3> & triangle)
   {
@@ -105,8 +105,8 @@ private:
     if (is_new) {
       const Vector3d & a = vertices_[below];
       const Vector3d & b = vertices_[above];
-      const double t = std::clamp((z_ - a.Z()) / (b.Z() - a.Z()), 0.0, 1.0);
-      points_.push_back({a.X() + t * (b.X() - a.X()), a.Y() + t * (b.Y() - a.Y())});
+      const double t = std::clamp((z_ - a.z()) / (b.z() - a.z()), 0.0, 1.0);
+      points_.push_back({a.x() + t * (b.x() - a.x()), a.y() + t * (b.y() - a.y())});
       touching_.emplace_back();
     }
     return known->second;

@@ -14,5 +14,5 @@ struct MeshOutlines
 };
 
 /// @param vertices  of the mesh, where it stands
-MeshOutlines outlinesAt(const TriangleMesh & mesh, const std::vector<ignition::math::Vector3d> & vertices, double z);
+MeshOutlines outlinesAt(const TriangleMesh & mesh, const std::vector<Eigen::Vector3d> & vertices, double z);
 }  // namespace f1tenth_sim2d

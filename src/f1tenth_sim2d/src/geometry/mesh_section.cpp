@@ -13,19 +13,18 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Pose3d;
-using ignition::math::Vector3d;
+using Eigen::Vector3d;
 
 /// How thick an upright sheet is in a shadow, which consists of areas, m.
 constexpr double kSheetThickness = 0.001;
 /// A triangle that looks narrower than this from above counts as upright, m.
 constexpr double kUprightWidth = 1e-4;
 
-std::vector<Vector3d> placed(const TriangleMesh & mesh, const Pose3d & pose)
+std::vector<Vector3d> placed(const TriangleMesh & mesh, const Pose3 & pose)
 {
   std::vector<Vector3d> vertices;
   for (const Vector3d & vertex : mesh.vertices) {
-    vertices.push_back(pose.CoordPositionAdd(vertex));
+    vertices.push_back(pose * vertex);
   }
   return vertices;
 }
@@ -47,8 +46,8 @@ std::vector<Vector3d> clipped(const std::vector<Vector3d> & polygon, double z, d
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vector3d & a = polygon[i];
     const Vector3d & b = polygon[(i + 1) % polygon.size()];
-    const double height_a = side * (a.Z() - z);
-    const double height_b = side * (b.Z() - z);
+    const double height_a = side * (a.z() - z);
+    const double height_b = side * (b.z() - z);
     if (height_a >= 0.0) {
       kept.push_back(a);
     }
@@ -82,7 +81,7 @@ struct Projection
   {
     std::vector<Vec2> points;
     for (const Vector3d & corner : polygon) {
-      points.push_back({corner.X(), corner.Y()});
+      points.push_back({corner.x(), corner.y()});
     }
     if (points.empty()) {
       return;
@@ -105,10 +104,10 @@ Projection projectionBetween(
   Projection projection;
   for (const auto & triangle : mesh.triangles) {
     const std::vector<Vector3d> corners{vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]};
-    const auto byHeight = [](const Vector3d & a, const Vector3d & b) { return a.Z() < b.Z(); };
+    const auto byHeight = [](const Vector3d & a, const Vector3d & b) { return a.z() < b.z(); };
     const auto [lowest, highest] = std::minmax_element(corners.begin(), corners.end(), byHeight);
-    const bool lies_within = lowest->Z() > z_min + kTolerance && highest->Z() < z_max - kTolerance;
-    if (lies_within || Heights{lowest->Z(), highest->Z()}.overlap(z_min, z_max)) {
+    const bool lies_within = lowest->z() > z_min + kTolerance && highest->z() < z_max - kTolerance;
+    if (lies_within || Heights{lowest->z(), highest->z()}.overlap(z_min, z_max)) {
       projection.add(clipped(clipped(corners, z_min, 1.0), z_max, -1.0));
     }
   }
@@ -116,7 +115,7 @@ Projection projectionBetween(
 }
 }  // namespace
 
-Section cut(const TriangleMesh & mesh, const Pose3d & pose, double z)
+Section cut(const TriangleMesh & mesh, const Pose3 & pose, double z)
 {
   MeshOutlines found = outlinesAt(mesh, placed(mesh, pose), z);
   Section section{std::move(found.closed), {}};
@@ -126,7 +125,7 @@ Section cut(const TriangleMesh & mesh, const Pose3d & pose, double z)
   return section;
 }
 
-Section shadow(const TriangleMesh & mesh, const Pose3d & pose, double z_min, double z_max)
+Section shadow(const TriangleMesh & mesh, const Pose3 & pose, double z_min, double z_max)
 {
   const std::vector<Vector3d> vertices = placed(mesh, pose);
   const Projection projection = projectionBetween(mesh, vertices, z_min, z_max);

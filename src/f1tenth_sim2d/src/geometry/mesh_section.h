@@ -7,8 +7,8 @@ namespace f1tenth_sim2d
 /// Cut of a surface at height z, m. What it closes in has a counter-clockwise outline, hollows in it a clockwise one;
 /// a surface that ends there, a sheet, is an outline that goes there and back.
 /// A surface owns its lowest height, but not its highest one.
-Section cut(const TriangleMesh & mesh, const ignition::math::Pose3d & pose, double z);
+Section cut(const TriangleMesh & mesh, const Pose3 & pose, double z);
 
 /// Shadow on the ground of the solid part between two heights; upright sheets are 1 mm thick there.
-Section shadow(const TriangleMesh & mesh, const ignition::math::Pose3d & pose, double z_min, double z_max);
+Section shadow(const TriangleMesh & mesh, const Pose3 & pose, double z_min, double z_max);
 }  // namespace f1tenth_sim2d

@@ -10,8 +10,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Pose3d;
-using ignition::math::Vector3d;
+using Eigen::Vector3d;
 
 /// Of the axis: a cylinder that leans less is upright, its sides off by less than a micrometre per metre of height.
 constexpr double kUprightSine = 1e-6;
@@ -21,16 +20,16 @@ constexpr double kUprightSine = 1e-6;
 class LeaningCylinder
 {
 public:
-  LeaningCylinder(const Cylinder & cylinder, const Pose3d & pose)
-  : centre_(pose.Pos()), radius_(cylinder.radius), half_length_(cylinder.length / 2.0)
+  LeaningCylinder(const Cylinder & cylinder, const Pose3 & pose)
+  : centre_(pose.position), radius_(cylinder.radius), half_length_(cylinder.length / 2.0)
   {
-    Vector3d axis = pose.Rot().RotateVector(Vector3d::UnitZ);
-    if (axis.Z() < 0.0) {
+    Vector3d axis = pose.up();
+    if (axis.z() < 0.0) {
       axis = -axis;
     }
-    sine_ = std::hypot(axis.X(), axis.Y());
-    cosine_ = axis.Z();
-    direction_ = upright() ? Vec2{1.0, 0.0} : Vec2{axis.X() / sine_, axis.Y() / sine_};
+    sine_ = std::hypot(axis.x(), axis.y());
+    cosine_ = axis.z();
+    direction_ = upright() ? Vec2{1.0, 0.0} : Vec2{axis.x() / sine_, axis.y() / sine_};
   }
 
   bool upright() const { return sine_ < kUprightSine; }
@@ -38,15 +37,15 @@ public:
   Heights heights() const
   {
     if (radius_ <= kTolerance) {
-      return {centre_.Z(), centre_.Z()};
+      return {centre_.z(), centre_.z()};
     }
     const double half_height = half_length_ * cosine_ + radius_ * sine_;
-    return {centre_.Z() - half_height, centre_.Z() + half_height};
+    return {centre_.z() - half_height, centre_.z() + half_height};
   }
 
   void appendCut(double z, std::vector<Vec2> & points) const
   {
-    const double h = z - centre_.Z();
+    const double h = z - centre_.z();
     const double u_min = (-half_length_ - h * cosine_) / sine_;
     const double u_max = (half_length_ - h * cosine_) / sine_;
     // Distance from the axis at right angles to v; it varies along u unless the cylinder lies.
@@ -77,7 +76,7 @@ public:
       for (int i = 0; i < steps; ++i) {
         const double t = 2.0 * M_PI * i / steps;
         const double w = radius_ * std::cos(t);
-        const double z = centre_.Z() + side * cosine_ - w * sine_;
+        const double z = centre_.z() + side * cosine_ - w * sine_;
         if (z >= z_min && z <= z_max) {
           points.push_back(toWorld(side * sine_ + w * cosine_, radius_ * std::sin(t)));
         }
@@ -96,8 +95,8 @@ private:
   Vec2 toWorld(double u, double v) const
   {
     return {
-      centre_.X() + u * direction_.x - v * direction_.y,  //
-      centre_.Y() + u * direction_.y + v * direction_.x};
+      centre_.x() + u * direction_.x - v * direction_.y,  //
+      centre_.y() + u * direction_.y + v * direction_.x};
   }
 
   void appendPair(double u, double v, std::vector<Vec2> & points) const
@@ -122,7 +121,7 @@ Section ofPoints(const std::vector<Vec2> & points)
 
 Section ofCircle(const Vector3d & centre, double radius)
 {
-  return radius > kTolerance ? Section{{}, {{{centre.X(), centre.Y()}, radius}}} : Section{};
+  return radius > kTolerance ? Section{{}, {{{centre.x(), centre.y()}, radius}}} : Section{};
 }
 
 double radiusAt(const Sphere & sphere, double height_over_centre)
@@ -131,43 +130,43 @@ double radiusAt(const Sphere & sphere, double height_over_centre)
 }
 }  // namespace
 
-Section cut(const Sphere & sphere, const Pose3d & pose, double z)
+Section cut(const Sphere & sphere, const Pose3 & pose, double z)
 {
-  return ofCircle(pose.Pos(), radiusAt(sphere, z - pose.Pos().Z()));
+  return ofCircle(pose.position, radiusAt(sphere, z - pose.position.z()));
 }
 
-Section shadow(const Sphere & sphere, const Pose3d & pose, double z_min, double z_max)
+Section shadow(const Sphere & sphere, const Pose3 & pose, double z_min, double z_max)
 {
-  const double centre = pose.Pos().Z();
+  const double centre = pose.position.z();
   const Heights heights{centre - sphere.radius, centre + sphere.radius};
   if (!heights.overlap(z_min, z_max)) {
     return {};
   }
-  return ofCircle(pose.Pos(), radiusAt(sphere, std::clamp(centre, z_min, z_max) - centre));
+  return ofCircle(pose.position, radiusAt(sphere, std::clamp(centre, z_min, z_max) - centre));
 }
 
-Section cut(const Cylinder & cylinder, const Pose3d & pose, double z)
+Section cut(const Cylinder & cylinder, const Pose3 & pose, double z)
 {
   const LeaningCylinder leaning(cylinder, pose);
   if (!leaning.heights().contain(z)) {
     return {};
   }
   if (leaning.upright()) {
-    return ofCircle(pose.Pos(), cylinder.radius);
+    return ofCircle(pose.position, cylinder.radius);
   }
   std::vector<Vec2> points;
   leaning.appendCut(z, points);
   return ofPoints(points);
 }
 
-Section shadow(const Cylinder & cylinder, const Pose3d & pose, double z_min, double z_max)
+Section shadow(const Cylinder & cylinder, const Pose3 & pose, double z_min, double z_max)
 {
   const LeaningCylinder leaning(cylinder, pose);
   if (!leaning.heights().overlap(z_min, z_max)) {
     return {};
   }
   if (leaning.upright()) {
-    return ofCircle(pose.Pos(), cylinder.radius);
+    return ofCircle(pose.position, cylinder.radius);
   }
   std::vector<Vec2> points;
   leaning.appendCapsBetween(z_min, z_max, points);

@@ -12,43 +12,42 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Pose3d;
 
 /// Whether the z axis of pose points straight up, so that what is extruded along it shows its outline unchanged.
-bool isUpright(const Pose3d & pose)
+bool isUpright(const Pose3 & pose)
 {
-  const ignition::math::Vector3d up = pose.Rot().RotateVector(ignition::math::Vector3d::UnitZ);
-  return up.Z() > 0.0 && std::hypot(up.X(), up.Y()) < kTolerance;
+  const Eigen::Vector3d up = pose.up();
+  return up.z() > 0.0 && std::hypot(up.x(), up.y()) < kTolerance;
 }
 
 /// Polygons of a frame that stands upright, in the world.
-std::vector<Outline> moved(std::vector<Outline> polygons, const Pose3d & pose)
+std::vector<Outline> moved(std::vector<Outline> polygons, const Pose3 & pose)
 {
   for (Outline & polygon : polygons) {
     for (Vec2 & corner : polygon) {
-      const ignition::math::Vector3d there = pose.CoordPositionAdd({corner.x, corner.y, 0.0});
-      corner = {there.X(), there.Y()};
+      const Eigen::Vector3d there = pose * Eigen::Vector3d(corner.x, corner.y, 0.0);
+      corner = {there.x(), there.y()};
     }
   }
   return polygons;
 }
 
-Heights heightsOf(const WallPlan & walls, const Pose3d & pose)
+Heights heightsOf(const WallPlan & walls, const Pose3 & pose)
 {
-  return {pose.Pos().Z(), pose.Pos().Z() + walls.height};
+  return {pose.position.z(), pose.position.z() + walls.height};
 }
 
-ConvexBody body(const Box & box, const Pose3d & pose)
+ConvexBody body(const Box & box, const Pose3 & pose)
 {
-  const double x = box.size.X() / 2.0;
-  const double y = box.size.Y() / 2.0;
-  const double z = box.size.Z() / 2.0;
+  const double x = box.size.x() / 2.0;
+  const double y = box.size.y() / 2.0;
+  const double z = box.size.z() / 2.0;
   return prism({{-x, -y}, {x, -y}, {x, y}, {-x, y}}, -z, z, pose);
 }
 
 /// Applies cut or shadow to each convex piece of an extruded outline.
 template <typename Operation>
-Section ofPieces(const Polyline & polyline, const Pose3d & pose, Operation operation)
+Section ofPieces(const Polyline & polyline, const Pose3 & pose, Operation operation)
 {
   Section section;
   for (const ConvexPolygon & base : convexDecomposition(polyline.outline)) {
@@ -66,7 +65,7 @@ Section ofPolygon(Outline polygon)
 
 struct CutAt
 {
-  const Pose3d & pose;
+  const Pose3 & pose;
   double z;
 
   Section operator()(const Box & box) const { return ofPolygon(cut(body(box, pose), z)); }
@@ -89,7 +88,7 @@ struct CutAt
   /// In one piece: a cut has no seams where the solid has none.
   Section cutUpright(const Polyline & polyline) const
   {
-    const double bottom = pose.Pos().Z();
+    const double bottom = pose.position.z();
     if (!Heights{bottom, bottom + polyline.height}.contain(z)) {
       return {};
     }
@@ -100,7 +99,7 @@ struct CutAt
 
 struct ShadowBetween
 {
-  const Pose3d & pose;
+  const Pose3 & pose;
   double z_min;
   double z_max;
 
@@ -120,12 +119,12 @@ struct ShadowBetween
 };
 }  // namespace
 
-Section sectionAt(const Solid & solid, const Pose3d & pose, double z)
+Section sectionAt(const Solid & solid, const Pose3 & pose, double z)
 {
   return std::visit(CutAt{pose, z}, solid.shape);
 }
 
-Section footprintBetween(const Solid & solid, const Pose3d & pose, double z_min, double z_max)
+Section footprintBetween(const Solid & solid, const Pose3 & pose, double z_min, double z_max)
 {
   return std::visit(ShadowBetween{pose, z_min, z_max}, solid.shape);
 }

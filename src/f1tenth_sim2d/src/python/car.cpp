@@ -18,8 +18,8 @@ void bindSensors(py::module_ & module)
     .def_property_readonly(
       "pose",
       [](const LidarDescription & lidar) {
-        const auto & place = lidar.pose.Pos();
-        return py::make_tuple(place.X(), place.Y(), place.Z(), lidar.pose.Rot().Yaw());
+        const auto & place = lidar.pose.position;
+        return py::make_tuple(place.x(), place.y(), place.z(), lidar.pose.yaw());
       },
       "(x, y, z, yaw) in base_footprint, m and rad.")
     .def_readonly("rate_hz", &LidarDescription::rate_hz)

@@ -87,8 +87,7 @@ std::vector<ModelDescription> loadModels(
   const std::string & xml, const std::string & name, const std::string & source, double x, double y, double z,
   double yaw)
 {
-  const LoadedModel loaded =
-    loadModel(xml, name, ignition::math::Pose3d(x, y, z, 0.0, 0.0, yaw), source, searchPathFromEnvironment());
+  const LoadedModel loaded = loadModel(xml, name, Pose3(x, y, z, 0.0, 0.0, yaw), source, searchPathFromEnvironment());
   return loaded.models;
 }
 }  // namespace
@@ -102,7 +101,7 @@ void bindWorld(py::module_ & module)
     .def_property_readonly(
       "pose",
       [](const ModelDescription & model) {
-        return py::make_tuple(model.pose.Pos().X(), model.pose.Pos().Y(), model.pose.Rot().Yaw());
+        return py::make_tuple(model.pose.position.x(), model.pose.position.y(), model.pose.yaw());
       },
       "Pose in the world at the start: (x, y, yaw), m and rad.")
     .def_property_readonly(

@@ -18,7 +18,7 @@ ModelDescription ball(const std::string & name, bool is_static, double x, double
   ModelDescription model = movableBox(name, 0.2, x, y);
   model.is_static = is_static;
   model.solids[0].shape = Sphere{0.1};
-  model.solids[0].pose = ignition::math::Pose3d(0, 0, 0.1, 0, 0, 0);
+  model.solids[0].pose = Pose3(0, 0, 0.1, 0, 0, 0);
   return model;
 }
 
@@ -31,8 +31,8 @@ WorldDescription playground()
 CarDescription lowCar()
 {
   CarDescription description = car("robot2");
-  description.solids[1].pose.Pos().Z(0.05);
-  description.lidars[0].pose.Pos().Z(0.2);
+  description.solids[1].pose.position.Z(0.05);
+  description.lidars[0].pose.position.Z(0.2);
   description.lidars.push_back(lidar());
   return description;
 }

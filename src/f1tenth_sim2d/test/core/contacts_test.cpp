@@ -150,7 +150,7 @@ TEST(Contacts, CarFitsUnderATableAndHitsItsLegs)
 
 TEST(Contacts, OfABallACarTouchesWhatReachesDownToIt)
 {
-  Solid ball{"ball::link::collision", Sphere{1.0}, ignition::math::Pose3d(3, 0, 1, 0, 0, 0)};
+  Solid ball{"ball::link::collision", Sphere{1.0}, Pose3(3, 0, 1, 0, 0, 0)};
   Simulation simulation(world({staticModel("ball", ball)}));
   simulation.addCar(car("robot1"), {}, {});
   drive(simulation, kRobot1, {1.0, 0.0}, 4.0);

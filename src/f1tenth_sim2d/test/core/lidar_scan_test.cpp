@@ -37,7 +37,7 @@ TEST(LidarScan, BeamsRunFromTheLeastToTheLargestAngleBothIncluded)
 {
   Simulation simulation(world({room(3.0)}));
   CarDescription description = car("robot1");
-  description.lidars[0].pose = ignition::math::Pose3d(0, 0, 0.11, 0, 0, 0.5);
+  description.lidars[0].pose = Pose3(0, 0, 0.11, 0, 0, 0.5);
   description.lidars[0].beam_count = 3;
   description.lidars[0].angle_min = -0.5;
   description.lidars[0].angle_max = M_PI / 2 - 0.5;
@@ -191,7 +191,7 @@ TEST(LidarScan, NoiseIsAFunctionOfSeedCarLidarAndTime)
 TEST(LidarScan, NoBeamSlipsThroughACorner)
 {
   CarDescription description = carWithSingleBeam("robot1", M_PI / 4);
-  description.lidars[0].pose = ignition::math::Pose3d(0, 0, 0.11, 0, 0, 0);
+  description.lidars[0].pose = Pose3(0, 0, 0.11, 0, 0, 0);
   for (int i = 0; i < 1000; ++i) {
     const double corner = 1.0 + 0.001 * i;
     const Solid tile = box("tile::l::c", 1, 1, 1, corner + 0.5, corner + 0.5, 0.5);

@@ -82,7 +82,7 @@ private:
     const double yaw = uniform(-3.2, 3.2);
     const Vec2 at{uniform(-15, 15), uniform(-15, 15)};
     Solid solid = box("m::l::c", length, width, 1.0, 0, 0, 0);
-    solid.pose = ignition::math::Pose3d(at.x, at.y, 0.5, 0, 0, yaw);
+    solid.pose = Pose3(at.x, at.y, 0.5, 0, 0, yaw);
     description.models.push_back(staticModel("box" + std::to_string(number), solid));
     Outline outline;
     for (const Vec2 & c : {Vec2{-1, -1}, Vec2{1, -1}, Vec2{1, 1}, Vec2{-1, 1}}) {
@@ -97,7 +97,7 @@ private:
   {
     const Vec2 at{uniform(-15, 15), uniform(-15, 15)};
     const double radius = uniform(0.02, 0.8);
-    Solid solid{"m::l::c", Cylinder{radius, 1.0}, ignition::math::Pose3d(at.x, at.y, 0.5, 0, 0, 0)};
+    Solid solid{"m::l::c", Cylinder{radius, 1.0}, Pose3(at.x, at.y, 0.5, 0, 0, 0)};
     description.models.push_back(staticModel("cylinder" + std::to_string(number), solid));
     scenery.circles.push_back({at, radius});
   }
@@ -139,7 +139,7 @@ TEST_P(LidarOfFieldOfView, AgreesWithRayCastingFromRandomPoses)
 {
   RandomWorld random(7);
   LidarDescription lidar = test::lidar();
-  lidar.pose = ignition::math::Pose3d(0, 0, 0.5, 0, 0, 0);
+  lidar.pose = Pose3(0, 0, 0.5, 0, 0, 0);
   lidar.angle_min = -0.4 * GetParam();
   lidar.angle_max = 0.6 * GetParam();
   for (int i = 0; i < 60; ++i) {

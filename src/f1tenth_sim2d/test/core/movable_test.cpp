@@ -74,7 +74,7 @@ TEST(Movable, CrateTurnsWhenItIsHitOffItsCentre)
 TEST(Movable, CentreOfMassNeedNotBeTheOrigin)
 {
   ModelDescription crate = movableBox("crate", 0.2, 1.5, 0.0);
-  crate.pose = ignition::math::Pose3d(1.4, 0.1, 0, 0, 0, 0.5);
+  crate.pose = Pose3(1.4, 0.1, 0, 0, 0, 0.5);
   crate.centre_of_mass = {0.1, -0.05};
   Simulation simulation(world({crate}));
   EXPECT_EQ(simulation.modelPose("crate").x, 1.4);
@@ -105,7 +105,7 @@ TEST(Clearance, IsTheExactLeastDistance)
 
 TEST(Clearance, LooksAtMovableModelsAndRoundOnes)
 {
-  Solid pillar{"pillar::link::collision", Cylinder{0.3, 2.0}, ignition::math::Pose3d(0.15, 1.425, 1, 0, 0, 0)};
+  Solid pillar{"pillar::link::collision", Cylinder{0.3, 2.0}, Pose3(0.15, 1.425, 1, 0, 0, 0)};
   Simulation simulation(world({movableBox("crate", 0.2, 1.5, 0.0), staticModel("pillar", pillar)}));
   simulation.addCar(car("robot1"), {}, {});
   EXPECT_NEAR(simulation.clearance(kRobot1, 5.0), 1.0, 1e-5);

@@ -43,7 +43,7 @@ WorldDescription scenery(std::uint32_t seed)
     } else {
       ModelDescription crate = movableBox(name, size(random), x, y);
       crate.is_static = i % 2 == 0;
-      crate.pose = ignition::math::Pose3d(x, y, 0, 0, 0, place(random));
+      crate.pose = Pose3(x, y, 0, 0, 0, place(random));
       models.push_back(crate);
     }
   }

@@ -13,7 +13,7 @@ constexpr CarId kRobot2{1};
 
 inline Solid box(const std::string & name, double length, double width, double height, double x, double y, double z)
 {
-  return {name, Box{{length, width, height}}, ignition::math::Pose3d(x, y, z, 0, 0, 0)};
+  return {name, Box{{length, width, height}}, Pose3(x, y, z, 0, 0, 0)};
 }
 
 inline ModelDescription staticModel(const std::string & name, const Solid & solid)
@@ -30,7 +30,7 @@ inline ModelDescription movableBox(const std::string & name, double size, double
 {
   ModelDescription model;
   model.name = name;
-  model.pose = ignition::math::Pose3d(x, y, 0, 0, 0, 0);
+  model.pose = Pose3(x, y, 0, 0, 0, 0);
   model.mass = 1.0;
   model.inertia_zz = size * size / 6.0;
   model.solids = {box(name + "::link::collision", size, size, size, 0, 0, size / 2)};
@@ -67,7 +67,7 @@ inline LidarDescription lidar()
 {
   LidarDescription description;
   description.name = "lidar";
-  description.pose = ignition::math::Pose3d(0.27, 0, 0.11, 0, 0, 0);
+  description.pose = Pose3(0.27, 0, 0.11, 0, 0, 0);
   description.angle_min = -2.35619449;
   description.angle_max = 2.35619449;
   return description;

@@ -212,7 +212,7 @@ TEST(Simulation, CarIsNotPlacedWhereItDoesNotFit)
 TEST(Simulation, TiltedLidarIsRefused)
 {
   CarDescription description = car("robot1");
-  description.lidars[0].pose = ignition::math::Pose3d(0, 0, 0.1, 0, 0.25, 0);
+  description.lidars[0].pose = Pose3(0, 0, 0.1, 0, 0.25, 0);
   Simulation simulation(world());
   EXPECT_EQ(
     messageOf([&] { simulation.addCar(description, {}, {}); }),

@@ -11,7 +11,6 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Pose3d;
 using Interface = TransmissionDescription::Interface;
 
 /// A car written for Gazebo and ros_control, not for this simulator.
@@ -52,13 +51,13 @@ TEST_F(CarOfOthers, HasItsFrameBelowTheRearAxle)
 {
   const CarDescription car = load(racecar());
   EXPECT_EQ(car.base_frame, "base_link");
-  EXPECT_NEAR(car.base_frame_pose.Pos().X(), 0.17, 1e-9);
-  EXPECT_NEAR(car.base_frame_pose.Pos().Z(), 0.05, 1e-9);
+  EXPECT_NEAR(car.base_frame_pose.position.x(), 0.17, 1e-9);
+  EXPECT_NEAR(car.base_frame_pose.position.z(), 0.05, 1e-9);
   EXPECT_EQ(car.model_pose, car.base_frame_pose);
-  EXPECT_NEAR(car.link_poses.at("laser").Pos().X(), 0.37, 1e-9);
-  EXPECT_NEAR(car.lidars.at(0).pose.Pos().X(), 0.37, 1e-9);
-  EXPECT_NEAR(car.lidars.at(0).pose.Pos().Z(), 0.15, 1e-9);
-  EXPECT_NEAR(car.solids.at(0).pose.Pos().X(), 0.17, 1e-9);
+  EXPECT_NEAR(car.link_poses.at("laser").position.x(), 0.37, 1e-9);
+  EXPECT_NEAR(car.lidars.at(0).pose.position.x(), 0.37, 1e-9);
+  EXPECT_NEAR(car.lidars.at(0).pose.position.z(), 0.15, 1e-9);
+  EXPECT_NEAR(car.solids.at(0).pose.position.x(), 0.17, 1e-9);
 }
 
 TEST_F(CarOfOthers, HasAMechanismWithDirectionsAndLimits)
@@ -190,10 +189,10 @@ TEST_F(CarOfOthers, PublishesThePoseOfALinkThatAFixedJointHolds)
   EXPECT_EQ(sensor.topic, "ground_truth");
   EXPECT_EQ(sensor.frame, "map");
   EXPECT_EQ(sensor.link, "imu_link");
-  EXPECT_NEAR(sensor.pose.Pos().X(), 0.22, 1e-9);
-  EXPECT_NEAR(sensor.pose.Pos().Z(), 0.09, 1e-9);
-  EXPECT_EQ(sensor.xyz_offset, ignition::math::Vector3d(1, 2, 0));
-  EXPECT_EQ(sensor.rpy_offset, ignition::math::Vector3d::Zero);
+  EXPECT_NEAR(sensor.pose.position.x(), 0.22, 1e-9);
+  EXPECT_NEAR(sensor.pose.position.z(), 0.09, 1e-9);
+  EXPECT_EQ(sensor.xyz_offset, Eigen::Vector3d(1, 2, 0));
+  EXPECT_EQ(sensor.rpy_offset, Eigen::Vector3d::Zero());
   EXPECT_EQ(sensor.rate_hz, 60.0);
   EXPECT_EQ(sensor.noise_stddev, 0.01);
 }
@@ -248,7 +247,7 @@ TEST_F(CarOfOthers, WithoutWheelsKeepsItsOwnFrameAndTheDynamicsOfTheF1TenthCar)
     "<robot name='r'><link name='body'><inertial><mass value='2'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' "
     "izz='1'/></inertial><collision><geometry><box size='1 1 1'/></geometry></collision></link></robot>");
   EXPECT_EQ(car.base_frame, "body");
-  EXPECT_EQ(car.base_frame_pose, Pose3d::Zero);
+  EXPECT_EQ(car.base_frame_pose, Pose3());
   EXPECT_TRUE(car.mechanism.empty());
   EXPECT_EQ(car.parameters.m, 2.0);
   EXPECT_EQ(car.parameters.l_f, VehicleParameters().l_f);

@@ -36,12 +36,12 @@ TEST(LoadCar, KeepsEverySolidInBaseFootprint)
   EXPECT_EQ(car.source, "test.urdf");
   EXPECT_EQ(car.solids.size(), 9u);
   const Solid & wheel = solidNamed(car, "robot1::front_left_wheel::front_left_wheel_collision");
-  EXPECT_NEAR(wheel.pose.Pos().X(), 0.32, 1e-9);
-  EXPECT_NEAR(wheel.pose.Pos().Y(), 0.1, 1e-9);
-  EXPECT_NEAR(wheel.pose.Pos().Z(), 0.05, 1e-9);
+  EXPECT_NEAR(wheel.pose.position.x(), 0.32, 1e-9);
+  EXPECT_NEAR(wheel.pose.position.y(), 0.1, 1e-9);
+  EXPECT_NEAR(wheel.pose.position.z(), 0.05, 1e-9);
   const Solid & bumper = solidNamed(car, "robot1::bumper_front::bumper_front_collision");
-  EXPECT_NEAR(bumper.pose.Pos().X(), 0.43, 1e-9);
-  EXPECT_NEAR(bumper.pose.Pos().Z(), 0.07, 1e-9);
+  EXPECT_NEAR(bumper.pose.position.x(), 0.43, 1e-9);
+  EXPECT_NEAR(bumper.pose.position.z(), 0.07, 1e-9);
 }
 
 TEST(LoadCar, KnowsLinksThatFixedJointsMakeVanish)
@@ -61,8 +61,8 @@ TEST(LoadCar, ReadsTheLidar)
   EXPECT_EQ(lidar.name, "lidar");
   EXPECT_EQ(lidar.topic, "scan");
   EXPECT_EQ(lidar.frame, "laser");
-  EXPECT_NEAR(lidar.pose.Pos().X(), 0.27, 1e-9);
-  EXPECT_NEAR(lidar.pose.Pos().Z(), 0.16, 1e-9);
+  EXPECT_NEAR(lidar.pose.position.x(), 0.27, 1e-9);
+  EXPECT_NEAR(lidar.pose.position.z(), 0.16, 1e-9);
   EXPECT_EQ(lidar.rate_hz, 40.0);
   EXPECT_EQ(lidar.beam_count, 1081);
   EXPECT_EQ(lidar.angle_min, -2.35);
@@ -174,8 +174,8 @@ TEST(LoadCar, BaseFootprintNeedNotBeTheRoot)
   xml.replace(xml.find("<child link=\"base_link\"/>"), 25, "<child link=\"base_footprint\"/>");
   xml.replace(xml.find("xyz=\"0 0 0.05\""), 14, "xyz=\"0 0 -0.05\"");
   const CarDescription car = load(xml);
-  EXPECT_NEAR(car.lidars.at(0).pose.Pos().Z(), 0.16, 1e-9);
-  EXPECT_NEAR(solidNamed(car, "robot1::rear_left_wheel::rear_left_wheel_collision").pose.Pos().Z(), 0.05, 1e-9);
+  EXPECT_NEAR(car.lidars.at(0).pose.position.z(), 0.16, 1e-9);
+  EXPECT_NEAR(solidNamed(car, "robot1::rear_left_wheel::rear_left_wheel_collision").pose.position.z(), 0.05, 1e-9);
 }
 
 TEST(LoadCar, TakesAnSdfModel)

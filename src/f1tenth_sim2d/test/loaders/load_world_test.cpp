@@ -43,7 +43,7 @@ TEST(LoadWorld, ReadsEveryShape)
     model("plane", "", "<plane><normal>0 0 1</normal><size>10 10</size></plane>"));
   ASSERT_EQ(description.models.size(), 5u);
   EXPECT_EQ(description.name, "test");
-  EXPECT_EQ(std::get<Box>(description.models[0].solids.at(0).shape).size, ignition::math::Vector3d(1, 2, 3));
+  EXPECT_EQ(std::get<Box>(description.models[0].solids.at(0).shape).size, Eigen::Vector3d(1, 2, 3));
   EXPECT_TRUE(description.models[0].is_static);
   EXPECT_FALSE(description.models[1].is_static);
   EXPECT_EQ(std::get<Cylinder>(description.models[1].solids.at(0).shape).length, 2.0);
@@ -73,10 +73,10 @@ TEST(LoadWorld, PosesAddUpFromModelOverLinkToCollision)
     "</collision></link></model>");
   const ModelDescription & m = description.models[0];
   EXPECT_EQ(m.solids[0].name, "m::l::c");
-  EXPECT_EQ(m.solids[0].pose.Pos(), ignition::math::Vector3d(1, 2, 0.5));
-  const auto in_world = (m.pose * m.solids[0].pose).Pos();
-  EXPECT_NEAR(in_world.X(), 8.0, 1e-9);
-  EXPECT_NEAR(in_world.Y(), 1.0, 1e-9);
+  EXPECT_EQ(m.solids[0].pose.position, Eigen::Vector3d(1, 2, 0.5));
+  const auto in_world = (m.pose * m.solids[0].pose).position;
+  EXPECT_NEAR(in_world.x(), 8.0, 1e-9);
+  EXPECT_NEAR(in_world.y(), 1.0, 1e-9);
 }
 
 TEST(LoadWorld, ResolvesFramesAndRelativePoses)
@@ -87,8 +87,8 @@ TEST(LoadWorld, ResolvesFramesAndRelativePoses)
     "<link name='l'><pose relative_to='f'>0 0 1 0 0 0</pose><collision name='c'><pose relative_to='f'>0 1 0 0 0 0"
     "</pose><geometry><sphere><radius>1</radius></sphere></geometry></collision></link></model>",
     "1.9");
-  EXPECT_EQ(description.models[0].pose.Pos(), ignition::math::Vector3d(6, 5, 0));
-  EXPECT_EQ(description.models[0].solids[0].pose.Pos(), ignition::math::Vector3d(0, 1, 2));
+  EXPECT_EQ(description.models[0].pose.position, Eigen::Vector3d(6, 5, 0));
+  EXPECT_EQ(description.models[0].solids[0].pose.position, Eigen::Vector3d(0, 1, 2));
 }
 
 TEST(LoadWorld, LinksOfAModelAreOneRigidBody)
@@ -115,7 +115,7 @@ TEST(LoadWorld, NestedModelsGetScopedNamesAndTheOutermostPose)
   ASSERT_EQ(description.models.size(), 2u);
   EXPECT_EQ(description.models[1].name, "outer::inner");
   EXPECT_TRUE(description.models[1].is_static);
-  EXPECT_EQ(description.models[1].pose.Pos(), ignition::math::Vector3d(1, 1, 0));
+  EXPECT_EQ(description.models[1].pose.position, Eigen::Vector3d(1, 1, 0));
   EXPECT_EQ(description.models[1].solids[0].name, "outer::inner::l::c");
 }
 
@@ -123,8 +123,8 @@ TEST(LoadWorld, TurnsAPlaneToItsNormal)
 {
   const WorldDescription description =
     loadText(model("m", "", "<plane><normal>1 0 0</normal><size>1 1</size></plane>"));
-  const auto up = description.models[0].solids[0].pose.Rot().RotateVector(ignition::math::Vector3d::UnitZ);
-  EXPECT_NEAR(up.X(), 1.0, 1e-12);
+  const auto up = description.models[0].solids[0].pose.up();
+  EXPECT_NEAR(up.x(), 1.0, 1e-12);
 }
 
 TEST(LoadWorld, StartsFromTheStateThatGazeboSaved)
@@ -132,8 +132,8 @@ TEST(LoadWorld, StartsFromTheStateThatGazeboSaved)
   const WorldDescription description = loadText(
     model("m", "<pose>1 1 0 0 0 0</pose>", kUnitBox) +
     "<state world_name='test'><model name='m'><pose>7 8 0 0 0 0.5</pose></model></state>");
-  EXPECT_EQ(description.models[0].pose.Pos(), ignition::math::Vector3d(7, 8, 0));
-  EXPECT_NEAR(description.models[0].pose.Rot().Yaw(), 0.5, 1e-12);
+  EXPECT_EQ(description.models[0].pose.position, Eigen::Vector3d(7, 8, 0));
+  EXPECT_NEAR(description.models[0].pose.yaw(), 0.5, 1e-12);
 }
 
 TEST(LoadWorld, ReadsGravity)
@@ -160,12 +160,12 @@ TEST(LoadWorld, FindsModelsOnTheModelPathFirstThenBesideTheWorld)
                            "<include><uri>model://block</uri></include><include><name>c</name><pose>4 0 0 0 0 0"
                            "</pose><uri>model://crate</uri></include><include><name>f</name><uri>file://" +
                            folder.path() + "/models/crate</uri></include>"));
-  const auto size_of = [](const ModelDescription & m) { return std::get<Box>(m.solids.at(0).shape).size.X(); };
+  const auto size_of = [](const ModelDescription & m) { return std::get<Box>(m.solids.at(0).shape).size.x(); };
   const WorldDescription with_path = loadWorld(file, {{folder.path() + "/path"}, {}});
   EXPECT_EQ(size_of(with_path.models.at(0)), 1.0);
   EXPECT_EQ(size_of(with_path.models.at(1)), 3.0);
   EXPECT_EQ(with_path.models.at(1).name, "c");
-  EXPECT_EQ(with_path.models.at(1).pose.Pos().X(), 4.0);
+  EXPECT_EQ(with_path.models.at(1).pose.position.x(), 4.0);
   EXPECT_EQ(size_of(with_path.models.at(2)), 3.0);
   EXPECT_EQ(size_of(loadWorld(file).models.at(0)), 2.0);
 }

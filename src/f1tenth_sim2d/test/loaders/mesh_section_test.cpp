@@ -12,7 +12,6 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Pose3d;
 
 /// What the mesh of an OBJ text looks like.
 class MeshSection : public testing::Test
@@ -20,14 +19,14 @@ class MeshSection : public testing::Test
 protected:
   Solid solid(const std::string & obj, const MeshSelection & selection = {}) const
   {
-    return {"m::l::c", Mesh{readMeshFile(folder.write("mesh.obj", obj), selection)}, Pose3d::Zero, 1.0, 0.0};
+    return {"m::l::c", Mesh{readMeshFile(folder.write("mesh.obj", obj), selection)}, Pose3(), 1.0, 0.0};
   }
 
-  static double areaAt(const Solid & solid, double z) { return areaOf(sectionAt(solid, Pose3d::Zero, z).outlines); }
+  static double areaAt(const Solid & solid, double z) { return areaOf(sectionAt(solid, Pose3(), z).outlines); }
 
   static double shadowArea(const Solid & solid, double z_min, double z_max)
   {
-    const Section shadow = footprintBetween(solid, Pose3d::Zero, z_min, z_max);
+    const Section shadow = footprintBetween(solid, Pose3(), z_min, z_max);
     for (const Outline & piece : shadow.outlines) {
       EXPECT_TRUE(isConvex(piece));
     }
@@ -40,7 +39,7 @@ protected:
 
 TEST_F(MeshSection, OfABoxIsItsBaseWithFourCorners)
 {
-  const Section section = sectionAt(solid(kBlock), Pose3d(3, 0, 0, 0, 0, M_PI / 2), 0.2);
+  const Section section = sectionAt(solid(kBlock), Pose3(3, 0, 0, 0, 0, M_PI / 2), 0.2);
   ASSERT_EQ(section.outlines.size(), 1u);
   EXPECT_EQ(section.outlines[0].size(), 4u);
   EXPECT_NEAR(areaOf(section.outlines), 2.0, 1e-9);
@@ -60,9 +59,9 @@ TEST_F(MeshSection, OwnsItsLowestHeightButNotItsHighest)
 TEST_F(MeshSection, OfATiltedBoxIsThatOfTheExactSolid)
 {
   const Solid mesh = solid(objBox("block", {-1, -0.5, -0.25}, {1, 0.5, 0.25}));
-  const Solid box{"m::l::c", Box{{2, 1, 0.5}}, Pose3d::Zero, 1.0, 0.0};
+  const Solid box{"m::l::c", Box{{2, 1, 0.5}}, Pose3(), 1.0, 0.0};
   for (const double roll : {0.1, 0.7, 1.5, 2.9}) {
-    const Pose3d pose(1, 2, 0.3, roll, 0.4, 0.8);
+    const Pose3 pose(1, 2, 0.3, roll, 0.4, 0.8);
     for (const double z : {0.05, 0.3, 0.55}) {
       EXPECT_NEAR(areaOf(sectionAt(mesh, pose, z).outlines), areaOf(sectionAt(box, pose, z).outlines), 1e-9);
     }
@@ -74,7 +73,7 @@ TEST_F(MeshSection, OfATiltedBoxIsThatOfTheExactSolid)
 TEST_F(MeshSection, OfATubeHasAHollow)
 {
   const Solid tube = solid(kBlock + objHollow("inside", {0.5, 0.25, 0}, {1.5, 0.75, 0.5}, 9));
-  const Section section = sectionAt(tube, Pose3d::Zero, 0.2);
+  const Section section = sectionAt(tube, Pose3(), 0.2);
   ASSERT_EQ(section.outlines.size(), 2u);
   EXPECT_NEAR(areaOf(section.outlines), 1.5, 1e-9);
   EXPECT_NEAR(shadowArea(tube, 0.1, 0.2), 1.5, 1e-4);
@@ -83,14 +82,14 @@ TEST_F(MeshSection, OfATubeHasAHollow)
 TEST_F(MeshSection, OfARoomSeenFromInsideIsWallsOnly)
 {
   const Solid room = solid(objHollow("room", {0, 0, 0}, {4, 4, 2}));
-  EXPECT_EQ(sectionAt(room, Pose3d::Zero, 0.2).outlines.size(), 1u);
+  EXPECT_EQ(sectionAt(room, Pose3(), 0.2).outlines.size(), 1u);
   EXPECT_NEAR(shadowArea(room, 0.1, 0.2), 16.0 * 0.001, 1e-5);
 }
 
 TEST_F(MeshSection, OfAnUprightSheetGoesThereAndBack)
 {
   const Solid sheet = solid("v 0 0 0\nv 2 0 0\nv 2 0 1\nv 0 0 1\nf 1 2 3 4\n");
-  const Section section = sectionAt(sheet, Pose3d::Zero, 0.5);
+  const Section section = sectionAt(sheet, Pose3(), 0.5);
   ASSERT_EQ(section.outlines.size(), 1u);
   EXPECT_EQ(section.outlines[0].size(), 4u);  // the middle lies on the diagonal of the two triangles
   EXPECT_EQ(areaOf(section.outlines), 0.0);
@@ -127,7 +126,7 @@ TEST_F(MeshSection, IsScaledAndMirrored)
   selection.scale = {-2, 1, 4};
   const Solid mirrored = solid(kBlock, selection);
   EXPECT_NEAR(areaAt(mirrored, 1.9), 4.0, 1e-9);
-  const Section section = sectionAt(mirrored, Pose3d::Zero, 1.9);
+  const Section section = sectionAt(mirrored, Pose3(), 1.9);
   for (const Vec2 & corner : section.outlines.at(0)) {
     EXPECT_LE(corner.x, 0.0);
   }
@@ -139,9 +138,9 @@ TEST_F(MeshSection, TakesOneSubmeshAndCentresIt)
   MeshSelection selection;
   selection.submesh = "post";
   EXPECT_NEAR(areaAt(solid(two, selection), 1.0), 0.04, 1e-6);
-  EXPECT_NEAR(sectionAt(solid(two, selection), Pose3d::Zero, 1.0).outlines.at(0).at(0).x, 5.1, 0.11);
+  EXPECT_NEAR(sectionAt(solid(two, selection), Pose3(), 1.0).outlines.at(0).at(0).x, 5.1, 0.11);
   selection.centred = true;
-  EXPECT_NEAR(std::abs(sectionAt(solid(two, selection), Pose3d::Zero, 0.9).outlines.at(0).at(0).x), 0.1, 1e-6);
+  EXPECT_NEAR(std::abs(sectionAt(solid(two, selection), Pose3(), 0.9).outlines.at(0).at(0).x), 0.1, 1e-6);
   EXPECT_EQ(areaAt(solid(two, selection), 1.1), 0.0);
 }
 
@@ -150,7 +149,7 @@ TEST_F(MeshSection, OfADaeIsInItsUnitsWhateverItsUpAxis)
   for (const char * const axis : {"Z_UP", "Y_UP"}) {
     const std::string asset = std::string("<unit meter='0.5'/><up_axis>") + axis + "</up_axis>";
     const Mesh mesh{readMeshFile(folder.write("peak.dae", daeTetrahedron(asset)), {})};
-    const Solid peak{"m::l::c", mesh, Pose3d::Zero, 1.0, 0.0};
+    const Solid peak{"m::l::c", mesh, Pose3(), 1.0, 0.0};
     EXPECT_NEAR(areaAt(peak, 0.25), 0.5 * 0.25 * 0.25, 1e-9) << axis;
     EXPECT_EQ(areaAt(peak, 0.51), 0.0) << axis;
   }
@@ -163,7 +162,7 @@ TEST_F(MeshSection, OfAnStlIsInMetres)
     "facet normal 0 -1 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0 1\nendloop\nendfacet\n"
     "facet normal -1 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 1\nvertex 0 1 0\nendloop\nendfacet\n"
     "facet normal 1 1 1\nouter loop\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 1\nendloop\nendfacet\nendsolid peak\n";
-  const Solid peak{"m::l::c", Mesh{readMeshFile(folder.write("peak.stl", stl), {})}, Pose3d::Zero, 1.0, 0.0};
+  const Solid peak{"m::l::c", Mesh{readMeshFile(folder.write("peak.stl", stl), {})}, Pose3(), 1.0, 0.0};
   EXPECT_NEAR(areaAt(peak, 0.5), 0.125, 1e-9);
   EXPECT_NEAR(shadowArea(peak, 0.5, 2.0), 0.125, 1e-5);
 }

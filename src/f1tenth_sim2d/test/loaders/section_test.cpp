@@ -11,12 +11,11 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Pose3d;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Solid solid(Shape shape)
 {
-  return {"solid", std::move(shape), Pose3d::Zero, 1.0, 0.0};
+  return {"solid", std::move(shape), Pose3(), 1.0, 0.0};
 }
 
 const Solid kBox = solid(Box{{2.0, 1.0, 0.5}});
@@ -36,7 +35,7 @@ bool isEmpty(const Section & section)
 
 TEST(SectionOfBox, IsItsBaseTurnedAndMoved)
 {
-  const Section section = sectionAt(kBox, Pose3d(3, 4, 0.25, 0, 0, M_PI / 2), 0.1);
+  const Section section = sectionAt(kBox, Pose3(3, 4, 0.25, 0, 0, M_PI / 2), 0.1);
   ASSERT_EQ(section.outlines.size(), 1u);
   ASSERT_EQ(section.outlines[0].size(), 4u);
   EXPECT_NEAR(area(section), 2.0, 1e-12);
@@ -48,7 +47,7 @@ TEST(SectionOfBox, IsItsBaseTurnedAndMoved)
 
 TEST(SectionOfBox, OwnsItsBottomButNotItsTop)
 {
-  const Pose3d on_the_ground(0, 0, 0.25, 0, 0, 0);
+  const Pose3 on_the_ground(0, 0, 0.25, 0, 0, 0);
   EXPECT_NEAR(area(sectionAt(kBox, on_the_ground, 0.0)), 2.0, 1e-12);
   EXPECT_TRUE(isEmpty(sectionAt(kBox, on_the_ground, 0.5)));
   EXPECT_TRUE(isEmpty(sectionAt(kBox, on_the_ground, -0.001)));
@@ -58,21 +57,21 @@ TEST(SectionOfBox, OwnsItsBottomButNotItsTop)
 TEST(SectionOfBox, StackedBoxesAreCutExactlyOnceAtTheirJoint)
 {
   const double joint = 0.1 + 0.2;  // not representable: rounding must not open or double it
-  const double below = area(sectionAt(kBox, Pose3d(0, 0, joint - 0.25, 0, 0, 0), 0.3));
-  const double above = area(sectionAt(kBox, Pose3d(0, 0, joint + 0.25, 0, 0, 0), 0.3));
+  const double below = area(sectionAt(kBox, Pose3(0, 0, joint - 0.25, 0, 0, 0), 0.3));
+  const double above = area(sectionAt(kBox, Pose3(0, 0, joint + 0.25, 0, 0, 0), 0.3));
   EXPECT_NEAR(below + above, 2.0, 1e-12);
 }
 
 TEST(SectionOfBox, GrowsWhenTheBoxIsTilted)
 {
-  const Section section = sectionAt(solid(Box{{2.0, 1.0, 1.0}}), Pose3d(0, 0, 0, M_PI / 4, 0, 0), 0.0);
+  const Section section = sectionAt(solid(Box{{2.0, 1.0, 1.0}}), Pose3(0, 0, 0, M_PI / 4, 0, 0), 0.0);
   EXPECT_NEAR(area(section), 2.0 * std::sqrt(2.0), 1e-12);
 }
 
 TEST(SectionOfBox, OfABoxOnItsCornerIsAHexagon)
 {
-  const Pose3d on_its_corner(0, 0, 0, std::atan(std::sqrt(2.0)), 0, 0);
-  const Pose3d turned = on_its_corner * Pose3d(0, 0, 0, 0, 0, M_PI / 4);
+  const Pose3 on_its_corner(0, 0, 0, std::atan(std::sqrt(2.0)), 0, 0);
+  const Pose3 turned = on_its_corner * Pose3(0, 0, 0, 0, 0, M_PI / 4);
   const Section section = sectionAt(solid(Box{{1.0, 1.0, 1.0}}), turned, 0.0);
   ASSERT_EQ(section.outlines.size(), 1u);
   EXPECT_EQ(section.outlines[0].size(), 6u);
@@ -81,13 +80,13 @@ TEST(SectionOfBox, OfABoxOnItsCornerIsAHexagon)
 
 TEST(SectionOfBox, AnEdgeThatOnlyTouchesHasNone)
 {
-  const Pose3d on_its_edge(0, 0, std::sqrt(0.5), M_PI / 4, 0, 0);
+  const Pose3 on_its_edge(0, 0, std::sqrt(0.5), M_PI / 4, 0, 0);
   EXPECT_TRUE(isEmpty(sectionAt(solid(Box{{1.0, 1.0, 1.0}}), on_its_edge, 0.0)));
 }
 
 TEST(SectionOfCylinder, UprightIsAnExactCircle)
 {
-  for (const Pose3d & pose : {Pose3d(1, 2, 1, 0, 0, 0.7), Pose3d(1, 2, 1, M_PI, 0, 0)}) {
+  for (const Pose3 & pose : {Pose3(1, 2, 1, 0, 0, 0.7), Pose3(1, 2, 1, M_PI, 0, 0)}) {
     const Section section = sectionAt(kCylinder, pose, 0.3);
     ASSERT_EQ(section.circles.size(), 1u);
     EXPECT_DOUBLE_EQ(section.circles[0].radius, 0.5);
@@ -99,13 +98,13 @@ TEST(SectionOfCylinder, UprightIsAnExactCircle)
 
 TEST(SectionOfCylinder, OwnsItsBottomButNotItsTop)
 {
-  EXPECT_FALSE(isEmpty(sectionAt(kCylinder, Pose3d(0, 0, 1, 0, 0, 0), 0.0)));
-  EXPECT_TRUE(isEmpty(sectionAt(kCylinder, Pose3d(0, 0, 1, 0, 0, 0), 2.0)));
+  EXPECT_FALSE(isEmpty(sectionAt(kCylinder, Pose3(0, 0, 1, 0, 0, 0), 0.0)));
+  EXPECT_TRUE(isEmpty(sectionAt(kCylinder, Pose3(0, 0, 1, 0, 0, 0), 2.0)));
 }
 
 TEST(SectionOfCylinder, LyingIsARectangle)
 {
-  const Section section = sectionAt(kCylinder, Pose3d(0, 0, 0, 0, M_PI / 2, 0), 0.3);
+  const Section section = sectionAt(kCylinder, Pose3(0, 0, 0, 0, M_PI / 2, 0), 0.3);
   ASSERT_EQ(section.outlines.size(), 1u);
   EXPECT_EQ(section.outlines[0].size(), 4u);
   EXPECT_NEAR(area(section), 2.0 * 2.0 * 0.4, 1e-9);
@@ -135,7 +134,7 @@ TEST(SectionOfCylinder, LeaningIsWithinATenthOfAMillimetre)
 {
   for (const double lean : {1e-4, 0.01, 0.3, 0.8, 1.2, 1.5, 1.57, 1.5707}) {
     for (const double z : {-0.3, 0.0, 0.2, 0.45}) {
-      const Section section = sectionAt(kCylinder, Pose3d(0, 0, 0, 0, lean, 0), z);
+      const Section section = sectionAt(kCylinder, Pose3(0, 0, 0, 0, lean, 0), z);
       ASSERT_EQ(section.outlines.size(), 1u) << lean << " " << z;
       EXPECT_LT(greatestDeviation(section, lean, z), 1e-4) << lean << " " << z;
       EXPECT_LT(section.outlines[0].size(), 2000u) << lean << " " << z;
@@ -145,34 +144,34 @@ TEST(SectionOfCylinder, LeaningIsWithinATenthOfAMillimetre)
 
 TEST(SectionOfSphere, IsACircleOfTheHeight)
 {
-  const Section section = sectionAt(kSphere, Pose3d(1, 0, 0.5, 0.3, 0.2, 0.1), 0.2);
+  const Section section = sectionAt(kSphere, Pose3(1, 0, 0.5, 0.3, 0.2, 0.1), 0.2);
   ASSERT_EQ(section.circles.size(), 1u);
   EXPECT_NEAR(section.circles[0].radius, 0.4, 1e-12);
-  EXPECT_TRUE(isEmpty(sectionAt(kSphere, Pose3d(0, 0, 0.5, 0, 0, 0), 0.0)));
-  EXPECT_TRUE(isEmpty(sectionAt(kSphere, Pose3d(0, 0, 0.5, 0, 0, 0), 1.0)));
+  EXPECT_TRUE(isEmpty(sectionAt(kSphere, Pose3(0, 0, 0.5, 0, 0, 0), 0.0)));
+  EXPECT_TRUE(isEmpty(sectionAt(kSphere, Pose3(0, 0, 0.5, 0, 0, 0), 1.0)));
 }
 
 TEST(SectionOfPolyline, UprightKeepsItsOutlineInOnePiece)
 {
-  const Section section = sectionAt(kCorner, Pose3d(5, 0, 0, 0, 0, 0), 0.5);
+  const Section section = sectionAt(kCorner, Pose3(5, 0, 0, 0, 0, 0), 0.5);
   ASSERT_EQ(section.outlines.size(), 1u);
   EXPECT_EQ(section.outlines[0].size(), 6u);
   EXPECT_NEAR(area(section), 3.0, 1e-12);
-  EXPECT_TRUE(isEmpty(sectionAt(kCorner, Pose3d::Zero, 1.0)));
-  EXPECT_FALSE(isEmpty(sectionAt(kCorner, Pose3d::Zero, 0.0)));
+  EXPECT_TRUE(isEmpty(sectionAt(kCorner, Pose3(), 1.0)));
+  EXPECT_FALSE(isEmpty(sectionAt(kCorner, Pose3(), 0.0)));
 }
 
 TEST(SectionOfPolyline, LyingIsACutThroughItsHeight)
 {
   // Turned about x, its y points upwards: at height 0.5 it is 2 m wide, at 1.5 only 1 m; its height of 1 m lies along y.
-  const Pose3d lying(0, 0, 0, M_PI / 2, 0, 0);
+  const Pose3 lying(0, 0, 0, M_PI / 2, 0, 0);
   EXPECT_NEAR(area(sectionAt(kCorner, lying, 0.5)), 2.0, 1e-9);
   EXPECT_NEAR(area(sectionAt(kCorner, lying, 1.5)), 1.0, 1e-9);
 }
 
 TEST(SectionOfPlane, IsEmpty)
 {
-  EXPECT_TRUE(isEmpty(sectionAt(solid(Plane{}), Pose3d::Zero, 0.0)));
+  EXPECT_TRUE(isEmpty(sectionAt(solid(Plane{}), Pose3(), 0.0)));
 }
 
 TEST(SectionOfDegenerateSolid, IsEmpty)
@@ -180,7 +179,7 @@ TEST(SectionOfDegenerateSolid, IsEmpty)
   for (const Solid & flat :
        {solid(Box{{0, 1, 1}}), solid(Box{{1, 1, 0}}), solid(Cylinder{0, 1}), solid(Cylinder{1, 0}), solid(Sphere{0}),
         solid(Polyline{{{0, 0}, {1, 0}, {2, 0}}, 1}), solid(Polyline{{}, 1})}) {
-    for (const Pose3d & pose : {Pose3d(0, 0, 0, 0, 0, 0), Pose3d(0, 0, 0, 0.3, 0.4, 0.5)}) {
+    for (const Pose3 & pose : {Pose3(0, 0, 0, 0, 0, 0), Pose3(0, 0, 0, 0.3, 0.4, 0.5)}) {
       EXPECT_EQ(area(sectionAt(flat, pose, 0.0)), 0.0);
       EXPECT_TRUE(sectionAt(flat, pose, 0.0).circles.empty());
     }
@@ -189,22 +188,22 @@ TEST(SectionOfDegenerateSolid, IsEmpty)
 
 TEST(Footprint, OfAnUprightBoxIsItsBase)
 {
-  EXPECT_NEAR(area(footprintBetween(kBox, Pose3d(0, 0, 0.25, 0, 0, 1), 0.1, 0.2)), 2.0, 1e-12);
+  EXPECT_NEAR(area(footprintBetween(kBox, Pose3(0, 0, 0.25, 0, 0, 1), 0.1, 0.2)), 2.0, 1e-12);
 }
 
 TEST(Footprint, IsEmptyWhereTheSpanIsOnlyTouched)
 {
-  const Pose3d on_the_ground(0, 0, 0.25, 0, 0, 0);
+  const Pose3 on_the_ground(0, 0, 0.25, 0, 0, 0);
   EXPECT_TRUE(isEmpty(footprintBetween(kBox, on_the_ground, 0.5, 1.0)));
   EXPECT_TRUE(isEmpty(footprintBetween(kBox, on_the_ground, -1.0, 0.0)));
   EXPECT_FALSE(isEmpty(footprintBetween(kBox, on_the_ground, 0.49, 1.0)));
   EXPECT_TRUE(isEmpty(footprintBetween(kSphere, on_the_ground, 0.75, 1.0)));
-  EXPECT_TRUE(isEmpty(footprintBetween(kCylinder, Pose3d(0, 0, 1, 0, 0, 0), 2.0, 3.0)));
+  EXPECT_TRUE(isEmpty(footprintBetween(kCylinder, Pose3(0, 0, 1, 0, 0, 0), 2.0, 3.0)));
 }
 
 TEST(Footprint, OfASphereIsItsWidestCircleInTheSpan)
 {
-  const Pose3d on_the_ground(0, 0, 0.5, 0, 0, 0);
+  const Pose3 on_the_ground(0, 0, 0.5, 0, 0, 0);
   EXPECT_NEAR(footprintBetween(kSphere, on_the_ground, 0.0, 0.2).circles.at(0).radius, 0.4, 1e-12);
   EXPECT_NEAR(footprintBetween(kSphere, on_the_ground, 0.2, 0.7).circles.at(0).radius, 0.5, 1e-12);
   EXPECT_NEAR(footprintBetween(kSphere, on_the_ground, 0.8, 2.0).circles.at(0).radius, 0.4, 1e-12);
@@ -214,7 +213,7 @@ TEST(Footprint, OfALeaningBoxCoversOnlyWhatIsInTheSpan)
 {
   // A plank that rises along +x: within the lowest decimetre it is only its lower end.
   const Solid plank = solid(Box{{2.0, 0.2, 0.01}});
-  const Pose3d rising(0, 0, 0.5, 0, -M_PI / 6, 0);
+  const Pose3 rising(0, 0, 0.5, 0, -M_PI / 6, 0);
   const double whole = area(footprintBetween(plank, rising, -kInfinity, kInfinity));
   const double low = area(footprintBetween(plank, rising, 0.0, 0.1));
   EXPECT_NEAR(whole, 0.2 * (2.0 * std::cos(M_PI / 6) + 0.01 * 0.5), 1e-9);
@@ -224,15 +223,15 @@ TEST(Footprint, OfALeaningBoxCoversOnlyWhatIsInTheSpan)
 
 TEST(Footprint, OfALyingCylinderIsARectangle)
 {
-  const Section whole = footprintBetween(kCylinder, Pose3d(0, 0, 0, 0, M_PI / 2, 0), -kInfinity, kInfinity);
+  const Section whole = footprintBetween(kCylinder, Pose3(0, 0, 0, 0, M_PI / 2, 0), -kInfinity, kInfinity);
   EXPECT_NEAR(area(whole), 2.0, 1e-9);
-  const Section low = footprintBetween(kCylinder, Pose3d(0, 0, 0.5, 0, M_PI / 2, 0), 0.0, 0.2);
+  const Section low = footprintBetween(kCylinder, Pose3(0, 0, 0.5, 0, M_PI / 2, 0), 0.0, 0.2);
   EXPECT_NEAR(area(low), 2.0 * 0.8, 1e-9);
 }
 
 TEST(Footprint, OfALeaningCylinderContainsItsSections)
 {
-  const Pose3d leaning(0, 0, 0.6, 0, 0.5, 0);
+  const Pose3 leaning(0, 0, 0.6, 0, 0.5, 0);
   const double shadow = area(footprintBetween(kCylinder, leaning, 0.2, 0.6));
   for (const double z : {0.2, 0.4, 0.6}) {
     EXPECT_GT(shadow, area(sectionAt(kCylinder, leaning, z)));
@@ -241,7 +240,7 @@ TEST(Footprint, OfALeaningCylinderContainsItsSections)
 
 TEST(Footprint, OfAPolylineIsConvexPiecesOfItsArea)
 {
-  const Section footprint = footprintBetween(kCorner, Pose3d(1, 1, 0, 0, 0, 0.4), 0.2, 0.3);
+  const Section footprint = footprintBetween(kCorner, Pose3(1, 1, 0, 0, 0, 0.4), 0.2, 0.3);
   EXPECT_EQ(footprint.outlines.size(), 2u);
   for (const ConvexPolygon & piece : footprint.outlines) {
     EXPECT_TRUE(isConvex(piece));
@@ -251,7 +250,7 @@ TEST(Footprint, OfAPolylineIsConvexPiecesOfItsArea)
 
 TEST(Footprint, OfAPlaneIsEmpty)
 {
-  EXPECT_TRUE(isEmpty(footprintBetween(solid(Plane{}), Pose3d::Zero, -1.0, 1.0)));
+  EXPECT_TRUE(isEmpty(footprintBetween(solid(Plane{}), Pose3(), -1.0, 1.0)));
 }
 }  // namespace
 }  // namespace f1tenth_sim2d

@@ -104,8 +104,8 @@ TEST_F(WorldInParts, LeavesWhatIsTiedToOthersToLibsdformat)
     "<include><uri>model://block</uri><pose relative_to='own'>1 0 0 0 0 0</pose></include>"
     "<model name='after'><pose relative_to='block'>0 1 0 0 0 0</pose><link name='l'/></model>");
   ASSERT_EQ(world.models.size(), 3u);
-  EXPECT_NEAR(world.models[2].pose.Pos().X(), 1.0, 1e-12);
-  EXPECT_NEAR(world.models[2].pose.Pos().Y(), 1.0, 1e-12);
+  EXPECT_NEAR(world.models[2].pose.position.x(), 1.0, 1e-12);
+  EXPECT_NEAR(world.models[2].pose.position.y(), 1.0, 1e-12);
 }
 
 TEST_F(WorldInParts, RefusesTwoModelsOfOneName)

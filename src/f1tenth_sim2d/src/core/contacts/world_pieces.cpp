@@ -8,18 +8,17 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Pose3d;
 
 ModelBody bodyOf(const ModelDescription & model)
 {
   if (model.is_static) {
     return {};
   }
-  const auto centre = withoutPlanar(model.pose).CoordPositionAdd({model.centre_of_mass.x, model.centre_of_mass.y, 0.0});
-  return {planar(model.pose), {centre.X(), centre.Y()}};
+  const auto centre = withoutPlanar(model.pose) * Eigen::Vector3d(model.centre_of_mass.x, model.centre_of_mass.y, 0.0);
+  return {planar(model.pose), {centre.x(), centre.y()}};
 }
 
-Pose3d solidPose(const ModelDescription & model, const Solid & solid)
+Pose3 solidPose(const ModelDescription & model, const Solid & solid)
 {
   return (model.is_static ? model.pose : withoutPlanar(model.pose)) * solid.pose;
 }
@@ -30,7 +29,7 @@ void forEachSolid(const WorldDescription & world, Visit visit)
   for (std::uint32_t m = 0; m < world.models.size(); ++m) {
     const ModelDescription & model = world.models[m];
     for (std::uint32_t s = 0; s < model.solids.size(); ++s) {
-      const Pose3d pose = solidPose(model, model.solids[s]);
+      const Pose3 pose = solidPose(model, model.solids[s]);
       const VerticalSpan span = verticalSpan(model.solids[s], pose);
       if (span.bottom <= span.top) {
         visit(model.solids[s], pose, Piece{{}, Piece::Owner::kModel, m, s, span});
@@ -44,7 +43,7 @@ template <typename Cut>
 CutPieces cutPieces(const WorldDescription & world, const std::vector<ModelBody> & bodies, Cut cut)
 {
   CutPieces result;
-  forEachSolid(world, [&](const Solid & solid, const Pose3d & pose, Piece properties) {
+  forEachSolid(world, [&](const Solid & solid, const Pose3 & pose, Piece properties) {
     if (const std::optional<Section> footprint = cut(solid, pose, properties)) {
       std::vector<Piece> & pieces = world.models[properties.body].is_static ? result.fixed : result.movable;
       appendPieces(pieces, *footprint, bodies[properties.body].centre_of_mass, solid, properties);
@@ -70,7 +69,7 @@ WorldPieces::WorldPieces(const WorldDescription & world)
 
 CutPieces WorldPieces::cutWhole() const
 {
-  const auto cut = [](const Solid & solid, const Pose3d & pose, Piece & properties) -> std::optional<Section> {
+  const auto cut = [](const Solid & solid, const Pose3 & pose, Piece & properties) -> std::optional<Section> {
     properties.layer = isUprightPrism(solid, pose) ? Layer::kWholeSolid : Layer::kModelsOnly;
     return footprintBetween(solid, pose, properties.span.bottom, properties.span.top);
   };
@@ -86,7 +85,7 @@ const PieceSet & WorldPieces::layerFor(const VerticalSpan & span) const
     }
   }
   const auto number = static_cast<Layer>(layers_.size());
-  const auto cut = [&](const Solid & solid, const Pose3d & pose, Piece & properties) -> std::optional<Section> {
+  const auto cut = [&](const Solid & solid, const Pose3 & pose, Piece & properties) -> std::optional<Section> {
     if (isUprightPrism(solid, pose) || !overlap(properties.span, span)) {
       return std::nullopt;
     }

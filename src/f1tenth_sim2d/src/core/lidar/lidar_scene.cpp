@@ -9,7 +9,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-void append(Section & section, const std::vector<Solid> & solids, const ignition::math::Pose3d & frame, double height)
+void append(Section & section, const std::vector<Solid> & solids, const Pose3 & frame, double height)
 {
   for (const Solid & solid : solids) {
     const Section cut = sectionAt(solid, frame * solid.pose, height);
@@ -44,7 +44,7 @@ double boundingRadius(const Section & section)
 }
 }  // namespace
 
-MovingSection::MovingSection(const std::vector<Solid> & solids, const ignition::math::Pose3d & frame, double height)
+MovingSection::MovingSection(const std::vector<Solid> & solids, const Pose3 & frame, double height)
 {
   append(section_, solids, frame, height);
   radius_ = boundingRadius(section_);
@@ -118,7 +118,7 @@ void WorldSection::meet(const MovingPoses & poses, Ray & ray) const
 
 MovingSection LidarScene::sectionOf(const std::vector<Solid> & car) const
 {
-  return {car, ignition::math::Pose3d::Zero, world_->height()};
+  return {car, Pose3(), world_->height()};
 }
 
 void LidarScene::removeCar(CarId id) noexcept

@@ -25,7 +25,7 @@ class MovingSection
 {
 public:
   /// @param frame  of the solids, relative to the planar frame of the body
-  MovingSection(const std::vector<Solid> & solids, const ignition::math::Pose3d & frame, double height);
+  MovingSection(const std::vector<Solid> & solids, const Pose3 & frame, double height);
 
   void draw(const Transform2 & body, RangeRaster & raster) const;
   void meet(const Transform2 & body, Ray & ray) const;

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cmath>
-#include <ignition/math/Pose3.hh>
 
 #include "core/math/pi.h"
 #include "core/math/trigonometry.h"
 #include "f1tenth_sim2d/geometry.h"
+#include "f1tenth_sim2d/pose3.h"
 
 namespace f1tenth_sim2d
 {
@@ -48,16 +48,16 @@ inline Pose2 chain(const Pose2 & a, const Pose2 & b)
 }
 
 /// Position and heading of a pose seen from above.
-inline Pose2 planar(const ignition::math::Pose3d & pose)
+inline Pose2 planar(const Pose3 & pose)
 {
-  return {pose.Pos().X(), pose.Pos().Y(), pose.Rot().Yaw()};
+  return {pose.position.x(), pose.position.y(), pose.yaw()};
 }
 
 /// A pose relative to its own shadow on the ground: what stays of it when position and heading are taken out.
-inline ignition::math::Pose3d withoutPlanar(const ignition::math::Pose3d & pose)
+inline Pose3 withoutPlanar(const Pose3 & pose)
 {
   const Pose2 p = planar(pose);
-  const ignition::math::Pose3d shadow(p.x, p.y, 0.0, 0.0, 0.0, p.yaw);
-  return shadow.Inverse() * pose;
+  const Pose3 shadow(p.x, p.y, 0.0, 0.0, 0.0, p.yaw);
+  return shadow.inverse() * pose;
 }
 }  // namespace f1tenth_sim2d

@@ -150,7 +150,7 @@ void Simulation::Impl::placeModel(std::size_t index, const ModelState & state)
   if (model.is_static) {
     WorldDescription changed = world();
     changed.models[index].pose =
-      ignition::math::Pose3d(state.pose.x, state.pose.y, 0.0, 0.0, 0.0, state.pose.yaw) * withoutPlanar(model.pose);
+      Pose3(state.pose.x, state.pose.y, 0.0, 0.0, 0.0, state.pose.yaw) * withoutPlanar(model.pose);
     changeWorld(std::move(changed), collisions_->motions());
     static_models_moved_ = true;
     return;
@@ -235,7 +235,7 @@ Simulation::Impl::Lidars Simulation::Impl::makeLidars(
 {
   Lidars lidars;
   for (const LidarDescription & lidar : car.description.lidars) {
-    lidars.emplace_back(lidar, sceneAt(lidar.pose.Pos().Z(), cars(), world, scenes));
+    lidars.emplace_back(lidar, sceneAt(lidar.pose.position.z(), cars(), world, scenes));
   }
   return lidars;
 }

@@ -66,7 +66,7 @@ private:
   SimTime step_length_;
   double dt_;  ///< s
   SimTime time_{0};
-  std::vector<ignition::math::Pose3d> start_poses_;  ///< of the models; static ones may have been put elsewhere
+  std::vector<Pose3> start_poses_;  ///< of the models; static ones may have been put elsewhere
   bool static_models_moved_{false};
   std::unique_ptr<CollisionWorld> collisions_;
   CarRegistry registry_;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <ignition/math/Pose3.hh>
 #include <sdf/Model.hh>
 #include <string>
 
@@ -16,16 +15,13 @@ struct CarContext
 {
   const sdf::Model & model;
   const RobotFacts & facts;
-  ignition::math::Pose3d car_in_model;  ///< pose of the car's frame in the frame of the model
+  Pose3 car_in_model;  ///< pose of the car's frame in the frame of the model
   CarDescription & car;
   WarningCollector & warnings;
 
   const std::string & source() const { return car.source; }
 
-  ignition::math::Pose3d inCar(const ignition::math::Pose3d & in_model) const
-  {
-    return car_in_model.Inverse() * in_model;
-  }
+  Pose3 inCar(const Pose3 & in_model) const { return car_in_model.inverse() * in_model; }
 
   /// A frame id without slash in front and without the car's name: the node puts the prefix before it.
   std::string withoutPrefix(std::string frame) const;

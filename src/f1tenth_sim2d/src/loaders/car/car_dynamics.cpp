@@ -11,8 +11,6 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Inertiald;
-using ignition::math::Pose3d;
 
 constexpr double kGravity = 9.81;      // m/s^2, of the tyre model
 constexpr double kFrictionMax = 2.0;   // beyond it there is no tyre, and the model of one means nothing
@@ -24,8 +22,8 @@ std::optional<double> wheelbaseOf(const std::vector<MechanismJoint> & mechanism)
 {
   std::optional<double> front;
   for (const MechanismJoint & joint : mechanism) {
-    if (joint.place.X() > 0.0) {
-      front = std::max(front.value_or(0.0), joint.place.X());
+    if (joint.place.x() > 0.0) {
+      front = std::max(front.value_or(0.0), joint.place.x());
     }
   }
   return front;
@@ -44,27 +42,27 @@ void placeOnOneAxle(double centre_of_mass, CarContext & context)
 
 void readMass(const std::vector<MechanismJoint> & mechanism, CarContext & context)
 {
-  const Inertiald whole = inertiaOf(context.model, context.source());
-  const Pose3d centre = context.inCar(whole.Pose());
+  const Inertia whole = inertiaOf(context.model, context.source());
+  const Eigen::Vector3d centre = context.car_in_model.inverse() * whole.centre_of_mass;
   VehicleParameters & parameters = context.car.parameters;
-  if (whole.MassMatrix().Mass() > 0.0 && whole.Moi()(2, 2) > 0.0) {
-    parameters.m = whole.MassMatrix().Mass();
-    parameters.I_z = whole.Moi()(2, 2);
-    parameters.h = std::max(0.0, centre.Pos().Z());
+  if (whole.mass > 0.0 && whole.about_z > 0.0) {
+    parameters.m = whole.mass;
+    parameters.I_z = whole.about_z;
+    parameters.h = std::max(0.0, centre.z());
   }
   const std::optional<double> wheelbase = wheelbaseOf(mechanism);
   if (!wheelbase) {
-    placeOnOneAxle(centre.Pos().X(), context);
+    placeOnOneAxle(centre.x(), context);
     return;
   }
   const double default_share = parameters.l_r / parameters.wheelbase();
-  const bool between_axles = centre.Pos().X() > 0.0 && centre.Pos().X() < *wheelbase;
+  const bool between_axles = centre.x() > 0.0 && centre.x() < *wheelbase;
   if (!between_axles) {
     context.warnings.add(
       "the centre of mass is not between the axles: taken where the F1/10 car has it",
       elementPath(context.model.Element()));
   }
-  parameters.l_r = between_axles ? centre.Pos().X() : default_share * *wheelbase;
+  parameters.l_r = between_axles ? centre.x() : default_share * *wheelbase;
   parameters.l_f = *wheelbase - parameters.l_r;
 }
 

@@ -7,14 +7,14 @@
 #include <sdf/Joint.hh>
 #include <sdf/JointAxis.hh>
 
+#include "loaders/sdf/from_ignition.h"
 #include "loaders/sdf/sdf_models.h"
 
 namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Pose3d;
-using ignition::math::Vector3d;
+using Eigen::Vector3d;
 using Role = JointDescription::Role;
 
 constexpr double kTiltAllowed = 0.1;         // rad: camber, caster and toe
@@ -24,7 +24,7 @@ constexpr double kRadiusOfFlatWheel = 0.05;  // m, of a wheel without shape whos
 
 bool isAlong(const Vector3d & axis, const Vector3d & direction)
 {
-  return std::abs(axis.Normalized().Dot(direction)) > std::cos(kTiltAllowed);
+  return std::abs(axis.normalized().dot(direction)) > std::cos(kTiltAllowed);
 }
 
 double limitOf(double value)
@@ -41,7 +41,7 @@ double positiveLimitOf(double value)
 JointDescription describe(const sdf::Joint & joint, const Vector3d & axis, bool steers)
 {
   JointDescription description{joint.Name(), steers ? Role::kSteeringLeft : Role::kWheelFrontLeft};
-  description.direction = (steers ? axis.Z() : axis.Y()) > 0.0 ? 1.0 : -1.0;
+  description.direction = (steers ? axis.z() : axis.y()) > 0.0 ? 1.0 : -1.0;
   description.lower = limitOf(joint.Axis()->Lower());
   description.upper = limitOf(joint.Axis()->Upper());
   description.velocity_max = positiveLimitOf(joint.Axis()->MaxVelocity());
@@ -56,15 +56,15 @@ std::vector<MechanismJoint> turningJoints(const CarContext & context)
   for (std::uint64_t i = 0; i < context.model.JointCount(); ++i) {
     const sdf::Joint & joint = *context.model.JointByIndex(i);
     const bool turns = joint.Type() == sdf::JointType::REVOLUTE || joint.Type() == sdf::JointType::CONTINUOUS;
-    Vector3d axis;
-    if (!turns || !joint.Axis() || !joint.Axis()->ResolveXyz(axis, "__model__").empty()) {
+    ignition::math::Vector3d in_model;
+    if (!turns || !joint.Axis() || !joint.Axis()->ResolveXyz(in_model, "__model__").empty()) {
       continue;
     }
-    axis = context.car_in_model.Rot().RotateVectorReverse(axis);
-    const bool steers = isAlong(axis, Vector3d::UnitZ);
-    if (steers || isAlong(axis, Vector3d::UnitY)) {
+    const Vector3d axis = context.car_in_model.rotation.conjugate() * fromIgnition(in_model);
+    const bool steers = isAlong(axis, Vector3d::UnitZ());
+    if (steers || isAlong(axis, Vector3d::UnitY())) {
       const auto pose = resolvePose(joint.SemanticPose(), "__model__", joint.Element(), context.source());
-      joints.push_back({describe(joint, axis, steers), joint.ChildLinkName(), context.inCar(pose).Pos()});
+      joints.push_back({describe(joint, axis, steers), joint.ChildLinkName(), context.inCar(pose).position});
     }
   }
   return joints;
@@ -103,31 +103,31 @@ double middleOf(const std::vector<MechanismJoint> & joints)
   double rear = std::numeric_limits<double>::infinity();
   double front = -rear;
   for (const MechanismJoint & joint : joints) {
-    rear = std::min(rear, joint.place.X());
-    front = std::max(front, joint.place.X());
+    rear = std::min(rear, joint.place.x());
+    front = std::max(front, joint.place.x());
   }
   return (rear + front) / 2.0;
 }
 
 Role roleOf(const MechanismJoint & joint, double middle)
 {
-  const bool left = joint.place.Y() > 0.0;
+  const bool left = joint.place.y() > 0.0;
   if (joint.steers()) {
     return left ? Role::kSteeringLeft : Role::kSteeringRight;
   }
-  if (joint.place.X() > middle) {
+  if (joint.place.x() > middle) {
     return left ? Role::kWheelFrontLeft : Role::kWheelFrontRight;
   }
   return left ? Role::kWheelRearLeft : Role::kWheelRearRight;
 }
 
 /// Half the height of a mesh in the frame of the car.
-double halfHeight(const TriangleMesh & mesh, const Pose3d & pose)
+double halfHeight(const TriangleMesh & mesh, const Pose3 & pose)
 {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (const Vector3d & vertex : mesh.vertices) {
-    const double z = pose.CoordPositionAdd(vertex).Z();
+    const double z = (pose * vertex).z();
     low = std::min(low, z);
     high = std::max(high, z);
   }
@@ -159,7 +159,7 @@ void measureWheel(MechanismJoint & wheel, const CarDescription & car)
       return;
     }
   }
-  wheel.radius = wheel.place.Z() > kPlaceTolerance ? wheel.place.Z() : kRadiusOfFlatWheel;
+  wheel.radius = wheel.place.z() > kPlaceTolerance ? wheel.place.z() : kRadiusOfFlatWheel;
 }
 
 bool isRear(Role role)
@@ -182,7 +182,7 @@ std::vector<MechanismJoint> findMechanism(const CarContext & context)
   return joints;
 }
 
-Pose3d properFrame(const std::vector<MechanismJoint> & mechanism)
+Pose3 properFrame(const std::vector<MechanismJoint> & mechanism)
 {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   double ground = kInfinite;
@@ -192,20 +192,20 @@ Pose3d properFrame(const std::vector<MechanismJoint> & mechanism)
   double count = 0.0;
   for (const MechanismJoint & joint : mechanism) {
     if (isRear(joint.description.role)) {
-      left = std::max(left, joint.place.Y());
-      right = std::min(right, joint.place.Y());
-      sum_of_x += joint.place.X();
+      left = std::max(left, joint.place.y());
+      right = std::min(right, joint.place.y());
+      sum_of_x += joint.place.x();
       count += 1.0;
     }
     if (!joint.steers()) {
-      ground = std::min(ground, joint.place.Z() - joint.radius);
+      ground = std::min(ground, joint.place.z() - joint.radius);
     }
   }
   if (count == 0.0) {
-    return Pose3d::Zero;
+    return Pose3();
   }
   const Vector3d place(sum_of_x / count, (left + right) / 2.0, ground);
-  return place.Abs().Max() < kPlaceTolerance ? Pose3d::Zero : Pose3d(place, ignition::math::Quaterniond::Identity);
+  return place.cwiseAbs().maxCoeff() < kPlaceTolerance ? Pose3() : Pose3(place, Pose3::Rotation::Identity());
 }
 
 void readMechanism(const std::vector<MechanismJoint> & mechanism, CarDescription & car)
@@ -216,14 +216,14 @@ void readMechanism(const std::vector<MechanismJoint> & mechanism, CarDescription
   bool measured_at_steering = false;
   for (const MechanismJoint & joint : mechanism) {
     const auto [known, is_first] = at_corner.try_emplace(joint.description.role, &joint);
-    if (!is_first && joint.place.Z() < known->second->place.Z()) {
+    if (!is_first && joint.place.z() < known->second->place.z()) {
       known->second = &joint;
     }
     if (!joint.steers()) {
       car.wheel_radius = joint.radius;
     }
     if (joint.steers() || !measured_at_steering) {
-      (joint.place.Y() > 0.0 ? left : right) = joint.place.Y();
+      (joint.place.y() > 0.0 ? left : right) = joint.place.y();
       measured_at_steering = measured_at_steering || joint.steers();
     }
   }

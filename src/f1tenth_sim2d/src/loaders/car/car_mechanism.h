@@ -10,10 +10,10 @@ namespace f1tenth_sim2d
 struct MechanismJoint
 {
   JointDescription description;
-  std::string child;               ///< link
-  ignition::math::Vector3d place;  ///< m
-  double radius{0.0};              ///< m, of a wheel
-  double mu{0.0};                  ///< friction coefficient of a wheel
+  std::string child;      ///< link
+  Eigen::Vector3d place;  ///< m
+  double radius{0.0};     ///< m, of a wheel
+  double mu{0.0};         ///< friction coefficient of a wheel
 
   bool steers() const
   {
@@ -29,7 +29,7 @@ std::vector<MechanismJoint> findMechanism(const CarContext & context);
 
 /// Where the car's frame belongs, seen from where it is: on the ground below the middle of the rear axle. A frame that
 /// is there to within a millimetre, and a car without wheels, stay.
-ignition::math::Pose3d properFrame(const std::vector<MechanismJoint> & mechanism);
+Pose3 properFrame(const std::vector<MechanismJoint> & mechanism);
 
 /// Fills in the car's mechanism, wheel radius and track width: of joints at the same corner the lowest counts.
 void readMechanism(const std::vector<MechanismJoint> & mechanism, CarDescription & car);

@@ -12,7 +12,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Vector3d;
+using Eigen::Vector3d;
 
 void readPoseSensor(const sdf::ElementPtr & element, CarContext & context)
 {

@@ -12,7 +12,6 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Pose3d;
 
 const std::vector<std::string> kLidarLibraries{"libgazebo_ros_laser.so", "libgazebo_ros_gpu_laser.so"};
 const std::vector<std::string> kBumperLibraries{"libgazebo_ros_bumper.so"};
@@ -54,7 +53,7 @@ const std::vector<SensorKind> & sensorKinds()
   return kinds;
 }
 
-void readSensor(const sdf::Sensor & sensor, const Pose3d & pose, CarContext & context)
+void readSensor(const sdf::Sensor & sensor, const Pose3 & pose, CarContext & context)
 {
   const std::string place = elementPath(sensor.Element());
   for (const SensorKind & kind : sensorKinds()) {
@@ -90,11 +89,11 @@ void readSensors(CarContext & context)
   std::set<std::string> names;
   for (std::uint64_t i = 0; i < context.model.LinkCount(); ++i) {
     const sdf::Link & link = *context.model.LinkByIndex(i);
-    const Pose3d link_pose = resolvePose(link.SemanticPose(), "__model__", link.Element(), context.source());
+    const Pose3 link_pose = resolvePose(link.SemanticPose(), "__model__", link.Element(), context.source());
     for (std::uint64_t k = 0; k < link.SensorCount(); ++k) {
       const sdf::Sensor & sensor = *link.SensorByIndex(k);
       requireNewName(sensor, names, context);
-      const Pose3d in_link = resolvePose(sensor.SemanticPose(), "", sensor.Element(), context.source());
+      const Pose3 in_link = resolvePose(sensor.SemanticPose(), "", sensor.Element(), context.source());
       readSensor(sensor, context.inCar(link_pose * in_link), context);
     }
   }

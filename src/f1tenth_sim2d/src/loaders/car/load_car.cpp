@@ -14,7 +14,6 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Pose3d;
 
 const sdf::Model & onlyModel(const sdf::Root & root, const std::string & source)
 {
@@ -44,16 +43,16 @@ void readCarSolids(CarContext & context, const SearchPath & search_path)
 /// Moves the car's frame to below the middle of the rear axle, and what has been read so far with it.
 void placeFrame(CarContext & context)
 {
-  const Pose3d offset = properFrame(findMechanism(context));
-  if (offset != Pose3d::Zero) {
+  const Pose3 offset = properFrame(findMechanism(context));
+  if (offset != Pose3()) {
     context.car_in_model = context.car_in_model * offset;
     for (Solid & solid : context.car.solids) {
-      solid.pose = offset.Inverse() * solid.pose;
+      solid.pose = offset.inverse() * solid.pose;
     }
   }
   context.car.base_frame = context.facts.base_frame;
-  context.car.base_frame_pose = offset.Inverse();
-  context.car.model_pose = context.car_in_model.Inverse();
+  context.car.base_frame_pose = offset.inverse();
+  context.car.model_pose = context.car_in_model.inverse();
   for (const auto & [link, pose] : context.facts.link_poses) {
     context.car.link_poses[link] = context.inCar(pose);
   }

@@ -15,25 +15,24 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Pose3d;
 
-Pose3d toPose(const urdf::Pose & pose)
+Pose3 toPose(const urdf::Pose & pose)
 {
   return {
     {pose.position.x, pose.position.y, pose.position.z},
     {pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z}};
 }
 
-Pose3d poseInRoot(urdf::LinkConstSharedPtr link)
+Pose3 poseInRoot(urdf::LinkConstSharedPtr link)
 {
-  Pose3d pose;
+  Pose3 pose;
   for (; link->parent_joint; link = link->getParent()) {
     pose = toPose(link->parent_joint->parent_to_joint_origin_transform) * pose;
   }
   return pose;
 }
 
-std::string baseFrameOf(const std::map<std::string, Pose3d> & links, const std::string & root)
+std::string baseFrameOf(const std::map<std::string, Pose3> & links, const std::string & root)
 {
   for (const char * const name : {"base_footprint", "base_link"}) {
     if (links.count(name) > 0) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <ignition/math/Pose3.hh>
 #include <map>
 #include <sdf/Model.hh>
 #include <string>
@@ -25,8 +24,8 @@ struct RobotFacts
 
   std::vector<std::string> links;
   std::vector<LinkWithCollisions> links_with_collisions;
-  std::map<std::string, ignition::math::Pose3d> link_poses;  ///< in the frame of the model, joints at zero
-  std::string base_frame;                                    ///< base_footprint, or else base_link, or else the root
+  std::map<std::string, Pose3> link_poses;  ///< in the frame of the model, joints at zero
+  std::string base_frame;                   ///< base_footprint, or else base_link, or else the root
   std::vector<TransmissionDescription> transmissions;
   std::map<std::string, std::map<std::string, std::string>> plugin_tags;  ///< by the plugin's name, as written
 };

@@ -11,7 +11,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Vector3d;
+using Eigen::Vector3d;
 
 /// rad; more than angles rounded to three digits, less than anyone tilts a lidar on purpose.
 constexpr double kLevelTolerance = 1e-3;
@@ -25,8 +25,8 @@ double rate(const SensorElement & element, const CarContext & context)
 
 void requireLevel(const SensorElement & element, const CarContext & context)
 {
-  const Vector3d up = element.pose.Rot().RotateVector(Vector3d::UnitZ);
-  if (up.Z() < 0.0 || std::hypot(up.X(), up.Y()) > kLevelTolerance) {
+  const Vector3d up = element.pose.up();
+  if (up.z() < 0.0 || std::hypot(up.x(), up.y()) > kLevelTolerance) {
     element.reader(context).fail("is tilted; a lidar has to be level, with its z axis upwards");
   }
 }

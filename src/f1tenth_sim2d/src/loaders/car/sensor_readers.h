@@ -12,7 +12,7 @@ struct SensorElement
 {
   const sdf::Sensor & sensor;
   sdf::ElementPtr plugin;
-  ignition::math::Pose3d pose;  ///< in the frame of the car
+  Pose3 pose;  ///< in the frame of the car
 
   ElementReader reader(const CarContext & context) const { return {sensor.Element(), context.source()}; }
   ElementReader pluginReader(const CarContext & context) const { return {plugin, context.source()}; }

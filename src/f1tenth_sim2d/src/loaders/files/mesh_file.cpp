@@ -17,7 +17,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Vector3d;
+using Eigen::Vector3d;
 
 /// m; farther out nothing is meant, and numbers would lose the precision that sections need.
 constexpr double kFarthestVertex = 1e5;
@@ -59,11 +59,11 @@ private:
   void addMesh(const aiMesh & mesh, const aiMatrix4x4 & transform)
   {
     const Vector3d & scale = selection_.scale;
-    const bool mirrored = (transform.Determinant() < 0.0F) != (scale.X() * scale.Y() * scale.Z() < 0.0);
+    const bool mirrored = (transform.Determinant() < 0.0F) != (scale.x() * scale.y() * scale.z() < 0.0);
     std::vector<std::uint32_t> index;
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
       const aiVector3D vertex = transform * mesh.mVertices[i];
-      index.push_back(indexOf(Vector3d(vertex.x, vertex.y, vertex.z) * scale));
+      index.push_back(indexOf(Vector3d(vertex.x, vertex.y, vertex.z).cwiseProduct(scale)));
     }
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
       const aiFace & face = mesh.mFaces[i];
@@ -76,11 +76,11 @@ private:
   /// Corners are told apart by place only: neighbours of unlike normals or colours meet in one vertex.
   std::uint32_t indexOf(const Vector3d & vertex)
   {
-    if (!vertex.IsFinite() || vertex.Abs().Max() > kFarthestVertex) {
+    if (!vertex.allFinite() || vertex.cwiseAbs().maxCoeff() > kFarthestVertex) {
       throw Error("has a vertex that is not finite or farther than 100 km from its origin");
     }
     const auto next = static_cast<std::uint32_t>(surface_.vertices.size());
-    const auto [known, is_new] = index_of_.try_emplace({vertex.X(), vertex.Y(), vertex.Z()}, next);
+    const auto [known, is_new] = index_of_.try_emplace({vertex.x(), vertex.y(), vertex.z()}, next);
     if (is_new) {
       surface_.vertices.push_back(vertex);
     }
@@ -106,8 +106,8 @@ void moveMiddleToOrigin(TriangleMesh & mesh)
   Vector3d low = mesh.vertices.front();
   Vector3d high = low;
   for (const Vector3d & vertex : mesh.vertices) {
-    low.Min(vertex);
-    high.Max(vertex);
+    low = low.cwiseMin(vertex);
+    high = high.cwiseMax(vertex);
   }
   const Vector3d middle = (low + high) / 2.0;
   for (Vector3d & vertex : mesh.vertices) {

@@ -12,7 +12,7 @@ struct MeshSelection
 {
   std::string submesh;  ///< name of a node or geometry; empty: everything
   bool centred{false};  ///< move the middle of the submesh's bounding box to the origin
-  ignition::math::Vector3d scale{1, 1, 1};
+  Eigen::Vector3d scale{1, 1, 1};
 };
 
 /// A mesh file as Gazebo takes it: DAE in its <unit>, its <up_axis> passed over; STL and OBJ in metres.

@@ -11,13 +11,13 @@
 #include "f1tenth_sim2d/errors.h"
 #include "loaders/files/xml_text.h"
 #include "loaders/sdf/element_reader.h"
+#include "loaders/sdf/from_ignition.h"
 
 namespace f1tenth_sim2d
 {
 namespace
 {
 namespace fs = std::filesystem;
-using ignition::math::Vector3d;
 
 std::string extensionOf(const std::string & path)
 {
@@ -30,8 +30,8 @@ std::string extensionOf(const std::string & path)
 MeshSelection readSelection(const sdf::ElementPtr & mesh, const std::string & file)
 {
   MeshSelection selection;
-  selection.scale = mesh->Get<Vector3d>("scale", Vector3d::One).first;
-  if (!selection.scale.IsFinite() || selection.scale.Abs().Min() <= 0.0) {
+  selection.scale = fromIgnition(mesh->Get("scale", ignition::math::Vector3d::One).first);
+  if (!selection.scale.allFinite() || selection.scale.cwiseAbs().minCoeff() <= 0.0) {
     ElementReader(mesh, file).fail("<scale> has to be three finite numbers, none of them 0");
   }
   if (const sdf::ElementPtr submesh = descend(mesh, {"submesh"})) {
@@ -45,7 +45,7 @@ std::string keyOf(const std::string & path, const MeshSelection & selection)
 {
   std::ostringstream key;
   key.precision(17);
-  key << path << '\n' << selection.submesh << '\n' << selection.centred << '\n' << selection.scale;
+  key << path << '\n' << selection.submesh << '\n' << selection.centred << '\n' << selection.scale.transpose();
   return key.str();
 }
 

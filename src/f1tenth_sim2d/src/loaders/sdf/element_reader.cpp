@@ -78,12 +78,12 @@ std::string ElementReader::text(const std::string & tag, const std::string & fal
   return text.empty() ? fallback : text;
 }
 
-ignition::math::Vector3d ElementReader::vector(const std::string & numbers, const std::string & tag) const
+Eigen::Vector3d ElementReader::vector(const std::string & numbers, const std::string & tag) const
 {
   std::istringstream stream(numbers);
-  ignition::math::Vector3d vector;
+  Eigen::Vector3d vector = Eigen::Vector3d::Zero();
   std::string rest;
-  if (!(stream >> vector.X() >> vector.Y() >> vector.Z()) || stream >> rest) {
+  if (!(stream >> vector.x() >> vector.y() >> vector.z()) || stream >> rest) {
     fail("<" + tag + "> is '" + numbers + "', allowed are three numbers");
   }
   return vector;
@@ -125,9 +125,9 @@ void ElementReader::requireLength(const std::string & tag, double value) const
   }
 }
 
-void ElementReader::requireNear(const ignition::math::Vector3d & place) const
+void ElementReader::requireNear(const Eigen::Vector3d & place) const
 {
-  if (!place.IsFinite() || place.Abs().Max() > kFarthest) {
+  if (!place.allFinite() || place.cwiseAbs().maxCoeff() > kFarthest) {
     fail("is not within " + toText(kFarthest) + " m of the origin");
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <ignition/math/Vector3.hh>
+#include <Eigen/Core>
 #include <sdf/Element.hh>
 #include <string>
 
@@ -47,13 +47,13 @@ public:
   /// A length, m: positive and at most 100 km, beyond which nothing is meant and numbers lose their precision.
   void requireLength(const std::string & tag, double value) const;
   /// The same for a place: no coordinate is farther than 100 km from the origin.
-  void requireNear(const ignition::math::Vector3d & place) const;
+  void requireNear(const Eigen::Vector3d & place) const;
 
   /// Text of a child, blanks around it dropped; the fallback if there is none or it is empty.
   std::string text(const std::string & tag, const std::string & fallback) const;
 
   /// Three finite numbers in a text, said to be those of a tag.
-  ignition::math::Vector3d vector(const std::string & numbers, const std::string & tag) const;
+  Eigen::Vector3d vector(const std::string & numbers, const std::string & tag) const;
 
   void requireGiven(const std::string & tag) const;
 

@@ -43,7 +43,7 @@ bool describesCar(const std::string & xml, const std::string & source)
 }
 
 LoadedModel loadModel(
-  const std::string & xml, const std::string & name, const ignition::math::Pose3d & pose, const std::string & source,
+  const std::string & xml, const std::string & name, const Pose3 & pose, const std::string & source,
   const SearchPath & search_path)
 {
   const SdfMessages messages;

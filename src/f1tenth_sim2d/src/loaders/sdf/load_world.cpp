@@ -7,6 +7,7 @@
 #include "loaders/files/uri_lookup.h"
 #include "loaders/map/map_world.h"
 #include "loaders/sdf/element_reader.h"
+#include "loaders/sdf/from_ignition.h"
 #include "loaders/sdf/include_cycles.h"
 #include "loaders/sdf/sdf_errors.h"
 #include "loaders/sdf/sdf_models.h"
@@ -16,7 +17,6 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Pose3d;
 
 void requireFile(const std::string & path)
 {
@@ -31,16 +31,16 @@ void requireFile(const std::string & path)
 }
 
 /// A world that Gazebo saved carries its models' last poses in <state>, and Gazebo starts from those.
-Pose3d startPose(const sdf::World & world, const sdf::Model & model, const std::string & file)
+Pose3 startPose(const sdf::World & world, const sdf::Model & model, const std::string & file)
 {
   const sdf::ElementPtr state = world.Element()->FindElement("state");
   for (auto saved = state ? state->FindElement("model") : nullptr; saved; saved = saved->GetNextElement("model")) {
     if (saved->Get<std::string>("name") == model.Name() && saved->HasElement("pose")) {
-      return saved->Get<Pose3d>("pose");
+      return fromIgnition(saved->Get<ignition::math::Pose3d>("pose"));
     }
   }
   if (model.PoseRelativeTo().empty()) {
-    return model.RawPose();
+    return fromIgnition(model.RawPose());
   }
   return resolvePose(model.SemanticPose(), "", model.Element(), file);
 }

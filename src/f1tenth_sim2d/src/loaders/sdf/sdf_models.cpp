@@ -6,29 +6,27 @@
 
 #include "f1tenth_sim2d/errors.h"
 #include "loaders/sdf/element_reader.h"
+#include "loaders/sdf/from_ignition.h"
 #include "loaders/sdf/sdf_shapes.h"
 
 namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Inertiald;
-using ignition::math::Pose3d;
-
 const char * const kModelFrame = "__model__";
 
-Pose3d linkPose(const sdf::Link & link, const std::string & file)
+Pose3 linkPose(const sdf::Link & link, const std::string & file)
 {
   return resolvePose(link.SemanticPose(), kModelFrame, link.Element(), file);
 }
 
 void readInertia(const sdf::Model & model, const std::string & file, ModelDescription & description)
 {
-  const Inertiald whole = inertiaOf(model, file);
-  ElementReader(model.Element(), file).requireNear(whole.Pose().Pos());
-  description.mass = whole.MassMatrix().Mass();
-  description.inertia_zz = whole.Moi()(2, 2);
-  description.centre_of_mass = {whole.Pose().Pos().X(), whole.Pose().Pos().Y()};
+  const Inertia whole = inertiaOf(model, file);
+  ElementReader(model.Element(), file).requireNear(whole.centre_of_mass);
+  description.mass = whole.mass;
+  description.inertia_zz = whole.about_z;
+  description.centre_of_mass = {whole.centre_of_mass.x(), whole.centre_of_mass.y()};
 }
 
 /// Children that have no counterpart in the simulation, each with the reason.
@@ -67,11 +65,11 @@ void warnOfModel(const sdf::Model & model, WarningCollector & warnings)
 }
 
 void appendModel(
-  const sdf::Model & model, const Pose3d & pose, const std::string & scope, bool is_static, const std::string & file,
+  const sdf::Model & model, const Pose3 & pose, const std::string & scope, bool is_static, const std::string & file,
   MeshLibrary & meshes, std::vector<ModelDescription> & models, WarningCollector & warnings)
 {
   warnOfModel(model, warnings);
-  ElementReader(model.Element(), file).requireNear(pose.Pos());
+  ElementReader(model.Element(), file).requireNear(pose.position);
   ModelDescription description;
   description.name = scope + model.Name();
   description.pose = pose;
@@ -84,7 +82,7 @@ void appendModel(
   }
   for (std::uint64_t i = 0; i < model.ModelCount(); ++i) {
     const sdf::Model & nested = *model.ModelByIndex(i);
-    const Pose3d nested_pose = pose * resolvePose(nested.SemanticPose(), kModelFrame, nested.Element(), file);
+    const Pose3 nested_pose = pose * resolvePose(nested.SemanticPose(), kModelFrame, nested.Element(), file);
     appendModel(nested, nested_pose, inner_scope, description.is_static, file, meshes, models, warnings);
   }
 }
@@ -99,26 +97,31 @@ void appendParameters(const sdf::ElementPtr & parent, const std::string & scope,
 }
 }  // namespace
 
-Inertiald inertiaOf(const sdf::Model & model, const std::string & file)
+Inertia inertiaOf(const sdf::Model & model, const std::string & file)
 {
+  using ignition::math::Inertiald;
   Inertiald sum;
   for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
     const sdf::Link & link = *model.LinkByIndex(i);
     const Inertiald & own = link.Inertial();
-    const Inertiald in_model(own.MassMatrix(), linkPose(link, file) * own.Pose());
+    const Pose3 place = linkPose(link, file);
+    const ignition::math::Pose3d link_pose(
+      place.position.x(), place.position.y(), place.position.z(), place.rotation.w(), place.rotation.x(),
+      place.rotation.y(), place.rotation.z());
+    const Inertiald in_model(own.MassMatrix(), link_pose * own.Pose());
     sum = i == 0 ? in_model : sum + in_model;
   }
-  return sum;
+  return {sum.MassMatrix().Mass(), fromIgnition(sum.Pose().Pos()), sum.Moi()(2, 2)};
 }
 
-Pose3d resolvePose(
+Pose3 resolvePose(
   const sdf::SemanticPose & pose, const std::string & frame, const sdf::ElementPtr & element, const std::string & file)
 {
-  Pose3d resolved;
+  ignition::math::Pose3d resolved;
   if (const sdf::Errors errors = pose.Resolve(resolved, frame); !errors.empty()) {
     throw LoadError(file, elementPath(element), errors.front().Message());
   }
-  return resolved;
+  return fromIgnition(resolved);
 }
 
 std::vector<Solid> readSolids(
@@ -127,12 +130,12 @@ std::vector<Solid> readSolids(
   std::vector<Solid> solids;
   for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
     const sdf::Link & link = *model.LinkByIndex(i);
-    const Pose3d link_pose = linkPose(link, file);
+    const Pose3 link_pose = linkPose(link, file);
     for (std::uint64_t k = 0; k < link.CollisionCount(); ++k) {
       const sdf::Collision & collision = *link.CollisionByIndex(k);
       Solid solid = readCollision(collision, scope + "::" + link.Name() + "::" + collision.Name(), file, meshes);
       solid.pose = link_pose * resolvePose(collision.SemanticPose(), "", collision.Element(), file) * solid.pose;
-      ElementReader(collision.Element(), file).requireNear(solid.pose.Pos());
+      ElementReader(collision.Element(), file).requireNear(solid.pose.position);
       solids.push_back(std::move(solid));
     }
   }
@@ -140,7 +143,7 @@ std::vector<Solid> readSolids(
 }
 
 void appendModel(
-  const sdf::Model & model, const Pose3d & pose, const std::string & file, MeshLibrary & meshes,
+  const sdf::Model & model, const Pose3 & pose, const std::string & file, MeshLibrary & meshes,
   std::vector<ModelDescription> & models, WarningCollector & warnings)
 {
   appendModel(model, pose, "", false, file, meshes, models, warnings);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <ignition/math/Inertial.hh>
 #include <sdf/Model.hh>
 #include <string>
 #include <vector>
@@ -20,16 +19,23 @@ std::vector<Solid> readSolids(
 /// Appends a model of a world and the models nested in it, each as a rigid body of its own.
 /// @param pose  of the model in the world
 void appendModel(
-  const sdf::Model & model, const ignition::math::Pose3d & pose, const std::string & file, MeshLibrary & meshes,
+  const sdf::Model & model, const Pose3 & pose, const std::string & file, MeshLibrary & meshes,
   std::vector<ModelDescription> & models, WarningCollector & warnings);
 
-/// Mass, centre of mass and inertia of all of a model's own links together, in the frame of the model.
+struct Inertia
+{
+  double mass{0.0};                ///< kg
+  Eigen::Vector3d centre_of_mass;  ///< m, in the frame of the model
+  double about_z{0.0};             ///< kg m^2, about the centre of mass
+};
+
+/// That of all of a model's own links together.
 /// @throws LoadError
-ignition::math::Inertiald inertiaOf(const sdf::Model & model, const std::string & file);
+Inertia inertiaOf(const sdf::Model & model, const std::string & file);
 
 /// @param frame  in which the result is given; empty: the frame of the element around it
 /// @throws LoadError
-ignition::math::Pose3d resolvePose(
+Pose3 resolvePose(
   const sdf::SemanticPose & pose, const std::string & frame, const sdf::ElementPtr & element, const std::string & file);
 
 /// The tags of a <plugin>, nested ones as "outer/inner".

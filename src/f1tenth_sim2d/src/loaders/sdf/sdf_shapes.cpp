@@ -7,33 +7,33 @@
 
 #include "geometry/planar.h"
 #include "loaders/sdf/element_reader.h"
+#include "loaders/sdf/from_ignition.h"
 
 namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Vector2d;
-using ignition::math::Vector3d;
+using Eigen::Vector3d;
 
 const char * const kAllowedShapes = "<box>, <cylinder>, <sphere>, <polyline>, <plane> and <mesh>";
 
 Box readBox(const ElementReader & element)
 {
-  const auto size = element.required<Vector3d>("size");
-  for (const double edge : {size.X(), size.Y(), size.Z()}) {
+  const auto size = fromIgnition(element.required<ignition::math::Vector3d>("size"));
+  for (const double edge : {size.x(), size.y(), size.z()}) {
     element.requireLength("size", edge);
   }
   return {size};
 }
 
 /// A plane is a half space; its pose turns z to the normal.
-Plane readPlane(const ElementReader & element, const sdf::ElementPtr & plane, ignition::math::Pose3d & pose)
+Plane readPlane(const ElementReader & element, const sdf::ElementPtr & plane, Pose3 & pose)
 {
-  const auto normal = plane->Get<Vector3d>("normal", Vector3d::UnitZ).first;
-  if (!normal.IsFinite() || normal.Length() < kTolerance) {
+  const auto normal = fromIgnition(plane->Get("normal", ignition::math::Vector3d::UnitZ).first);
+  if (!normal.allFinite() || normal.norm() < kTolerance) {
     element.fail("<normal> has no direction");
   }
-  pose.Rot().From2Axes(Vector3d::UnitZ, normal);
+  pose.rotation.setFromTwoVectors(Vector3d::UnitZ(), normal);
   return {};
 }
 
@@ -44,7 +44,7 @@ Polyline readPolyline(const ElementReader & element, const sdf::ElementPtr & pol
   }
   Outline outline;
   for (auto point = polyline->FindElement("point"); point; point = point->GetNextElement("point")) {
-    const auto corner = point->Get<Vector2d>();
+    const auto corner = point->Get<ignition::math::Vector2d>();
     element.requireNear({corner.X(), corner.Y(), 0.0});
     outline.push_back({corner.X(), corner.Y()});
   }
@@ -54,8 +54,7 @@ Polyline readPolyline(const ElementReader & element, const sdf::ElementPtr & pol
   return {withoutRedundantCorners(outline), element.length("height")};
 }
 
-Shape readShape(
-  const sdf::ElementPtr & geometry, const std::string & file, MeshLibrary & meshes, ignition::math::Pose3d & pose)
+Shape readShape(const sdf::ElementPtr & geometry, const std::string & file, MeshLibrary & meshes, Pose3 & pose)
 {
   const sdf::ElementPtr kind = geometry->GetFirstElement();
   if (!kind) {

@@ -87,9 +87,9 @@ void OdometryOutput::fill(nav_msgs::Odometry & message, SimTime now)
   message.header.stamp = toRosTime(now);
   message.pose.pose = toPose(onGround(odometry.pose) * place_.base_pose);
   const Vec2 velocity{
-    odometry.speed - odometry.yaw_rate * place_.base_pose.Pos().Y(),
-    odometry.lateral_speed + odometry.yaw_rate * place_.base_pose.Pos().X()};
-  message.twist.twist = toTwist(rotated(velocity, -place_.base_pose.Rot().Yaw()), odometry.yaw_rate);
+    odometry.speed - odometry.yaw_rate * place_.base_pose.position.y(),
+    odometry.lateral_speed + odometry.yaw_rate * place_.base_pose.position.x()};
+  message.twist.twist = toTwist(rotated(velocity, -place_.base_pose.yaw()), odometry.yaw_rate);
   // yaw_rate = speed * tan(steering) / wheelbase, to first order in the steering angle's noise
   const double turn = odometry.yaw_rate * parameters.wheelbase();
   const double speed = std::max(std::abs(odometry.speed), kExact);
@@ -139,14 +139,15 @@ PoseOutput::PoseOutput(CarHandle car, const PoseSensorDescription & sensor)
 void PoseOutput::fill(nav_msgs::Odometry & message, SimTime now)
 {
   const CarState & state = car_.simulation.state(car_.id);
-  const ignition::math::Pose3d pose = onGround(state.pose) * sensor_.pose;
-  const ignition::math::Vector3d arm = pose.Pos() - onGround(state.pose).Pos();
+  const Pose3 pose = onGround(state.pose) * sensor_.pose;
+  const Eigen::Vector3d arm = pose.position - onGround(state.pose).position;
   const Vec2 velocity = rotated(state.velocity, state.pose.yaw);
-  const ignition::math::Quaterniond turned(sensor_.rpy_offset);
+  const Eigen::Vector3d & rpy = sensor_.rpy_offset;
+  const Pose3::Rotation turned = Pose3::rotationOf(rpy.x(), rpy.y(), rpy.z());
   message.header.stamp = toRosTime(now);
-  message.pose.pose = toPose(ignition::math::Pose3d(pose.Pos() + sensor_.xyz_offset, turned * pose.Rot()));
+  message.pose.pose = toPose(Pose3(pose.position + sensor_.xyz_offset, turned * pose.rotation));
   message.twist.twist =
-    toTwist({velocity.x - state.yaw_rate * arm.Y(), velocity.y + state.yaw_rate * arm.X()}, state.yaw_rate);
+    toTwist({velocity.x - state.yaw_rate * arm.y(), velocity.y + state.yaw_rate * arm.x()}, state.yaw_rate);
 }
 
 ImuOutput::ImuOutput(CarHandle car, double gravity)

@@ -53,7 +53,7 @@ struct OdometryPlace
   std::string topic{"odom"};
   std::string frame{"odom"};
   std::string base_frame{"base_footprint"};
-  ignition::math::Pose3d base_pose;  ///< of base_frame, in the frame of the car
+  Pose3 base_pose;  ///< of base_frame, in the frame of the car
   double rate_hz{50.0};
   bool has_topic{true};
   bool has_transform{true};

@@ -8,25 +8,24 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-using ignition::math::Pose3d;
 
 /// Height and tilt of a pose; position and heading taken out.
-Pose3d heightAndTilt(const Pose3d & pose)
+Pose3 heightAndTilt(const Pose3 & pose)
 {
-  return onGround({pose.Pos().X(), pose.Pos().Y(), pose.Rot().Yaw()}).Inverse() * pose;
+  return onGround({pose.position.x(), pose.position.y(), pose.yaw()}).inverse() * pose;
 }
 
-Vec2 velocityAt(const Pose3d & place, const Pose2 & origin, const Vec2 & velocity, double yaw_rate)
+Vec2 velocityAt(const Pose3 & place, const Pose2 & origin, const Vec2 & velocity, double yaw_rate)
 {
-  return {velocity.x - yaw_rate * (place.Pos().Y() - origin.y), velocity.y + yaw_rate * (place.Pos().X() - origin.x)};
+  return {
+    velocity.x - yaw_rate * (place.position.y() - origin.y), velocity.y + yaw_rate * (place.position.x() - origin.x)};
 }
 
 /// Something that is fixed to a car, at a pose in the car's frame.
-Entity onCar(
-  const Simulation & simulation, CarId car, Entity::Kind kind, const std::string & name, const Pose3d & mount)
+Entity onCar(const Simulation & simulation, CarId car, Entity::Kind kind, const std::string & name, const Pose3 & mount)
 {
   const CarState & state = simulation.state(car);
-  const Pose3d pose = onGround(state.pose) * mount;
+  const Pose3 pose = onGround(state.pose) * mount;
   const Vec2 velocity = rotated(state.velocity, state.pose.yaw);
   return {kind, 0, car, name, pose, velocityAt(pose, state.pose, velocity, state.yaw_rate), state.yaw_rate};
 }
@@ -87,11 +86,11 @@ bool isWorld(const std::string & name)
   return name.empty() || name == "world" || name == "map" || name == "/map";
 }
 
-Pose3d fromPose(const geometry_msgs::Pose & pose)
+Pose3 fromPose(const geometry_msgs::Pose & pose)
 {
-  ignition::math::Quaterniond rotation(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z);
+  const Pose3::Rotation given(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z);
   // As in gazebo_ros: a quaternion that was not set means no rotation.
-  rotation.Normalize();
+  const Pose3::Rotation rotation = given.norm() > 0.0 ? given.normalized() : Pose3::Rotation::Identity();
   return {{pose.position.x, pose.position.y, pose.position.z}, rotation};
 }
 
@@ -100,9 +99,9 @@ geometry_msgs::Twist twistOf(const Entity & entity)
   return toTwist(entity.velocity, entity.yaw_rate);
 }
 
-Pose2 carPose(const CarDescription & car, const Pose3d & model_pose)
+Pose2 carPose(const CarDescription & car, const Pose3 & model_pose)
 {
-  const Pose3d pose = model_pose * car.model_pose.Inverse();
-  return {pose.Pos().X(), pose.Pos().Y(), pose.Rot().Yaw()};
+  const Pose3 pose = model_pose * car.model_pose.inverse();
+  return {pose.position.x(), pose.position.y(), pose.yaw()};
 }
 }  // namespace f1tenth_sim2d

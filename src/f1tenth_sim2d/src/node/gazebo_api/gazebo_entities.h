@@ -3,7 +3,6 @@
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Twist.h>
 
-#include <ignition/math/Pose3.hh>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,9 +23,9 @@ struct Entity
   std::size_t model;  ///< index of a model
   CarId car;          ///< of a car or link
   std::string name;
-  ignition::math::Pose3d pose;  ///< of its own frame
-  Vec2 velocity;                ///< m/s, of the origin of its frame
-  double yaw_rate{0.0};         ///< rad/s
+  Pose3 pose;            ///< of its own frame
+  Vec2 velocity;         ///< m/s, of the origin of its frame
+  double yaw_rate{0.0};  ///< rad/s
 };
 
 /// Models in the order in which they came, then cars.
@@ -38,8 +37,8 @@ std::optional<Entity> find(const Simulation & simulation, const std::string & na
 /// Whether a name stands for the world's frame: "", "world", "map" and the like.
 bool isWorld(const std::string & name);
 
-ignition::math::Pose3d fromPose(const geometry_msgs::Pose & pose);
+Pose3 fromPose(const geometry_msgs::Pose & pose);
 geometry_msgs::Twist twistOf(const Entity & entity);
 /// Where the car's own frame is when the frame of its model is at a pose.
-Pose2 carPose(const CarDescription & car, const ignition::math::Pose3d & model_pose);
+Pose2 carPose(const CarDescription & car, const Pose3 & model_pose);
 }  // namespace f1tenth_sim2d

@@ -29,8 +29,8 @@ std::optional<Entity> findReference(const Simulation & simulation, const std::st
 /// As in Gazebo, the twist is turned into the reference frame, not made relative to its motion.
 Entity seenFrom(const Entity & reference, Entity entity)
 {
-  entity.pose = reference.pose.Inverse() * entity.pose;
-  entity.velocity = rotated(entity.velocity, -reference.pose.Rot().Yaw());
+  entity.pose = reference.pose.inverse() * entity.pose;
+  entity.velocity = rotated(entity.velocity, -reference.pose.yaw());
   return entity;
 }
 
@@ -142,14 +142,14 @@ bool GazeboModels::setState(
 void GazeboModels::put(const gazebo_msgs::ModelState & wanted, const Entity & entity, const Entity & reference)
 {
   const auto pose = reference.pose * fromPose(wanted.pose);
-  const Vec2 velocity = rotated({wanted.twist.linear.x, wanted.twist.linear.y}, reference.pose.Rot().Yaw());
+  const Vec2 velocity = rotated({wanted.twist.linear.x, wanted.twist.linear.y}, reference.pose.yaw());
   const double yaw_rate = wanted.twist.angular.z;
   if (entity.kind == Entity::Kind::kModel) {
-    simulation_.placeModel(entity.model, {{pose.Pos().X(), pose.Pos().Y(), pose.Rot().Yaw()}, velocity, yaw_rate});
+    simulation_.placeModel(entity.model, {{pose.position.x(), pose.position.y(), pose.yaw()}, velocity, yaw_rate});
     return;
   }
   const Pose2 place = carPose(simulation_.car(entity.car), pose);
-  const Vec2 arm{place.x - pose.Pos().X(), place.y - pose.Pos().Y()};
+  const Vec2 arm{place.x - pose.position.x(), place.y - pose.position.y()};
   const Vec2 own{velocity.x - yaw_rate * arm.y, velocity.y + yaw_rate * arm.x};
   simulation_.placeCar(entity.car, place, rotated(own, -place.yaw), yaw_rate);
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <ignition/math/Pose3.hh>
 #include <string>
 
 #include "node/cars/fleet.h"
@@ -16,9 +15,9 @@ public:
   struct Request
   {
     std::string name;
-    std::string xml;              ///< URDF or SDF
-    std::string ros_namespace;    ///< of a car's topics
-    ignition::math::Pose3d pose;  ///< of the model's frame, in the world
+    std::string xml;            ///< URDF or SDF
+    std::string ros_namespace;  ///< of a car's topics
+    Pose3 pose;                 ///< of the model's frame, in the world
   };
 
   /// A description with turning joints, sensors or plugins becomes a car, any other a model. A car whose place is not

@@ -32,20 +32,20 @@ geometry_msgs::Quaternion toQuaternion(double yaw)
   return message;
 }
 
-geometry_msgs::Pose toPose(const ignition::math::Pose3d & pose)
+geometry_msgs::Pose toPose(const Pose3 & pose)
 {
   geometry_msgs::Pose message;
-  message.position.x = pose.Pos().X();
-  message.position.y = pose.Pos().Y();
-  message.position.z = pose.Pos().Z();
-  message.orientation.x = pose.Rot().X();
-  message.orientation.y = pose.Rot().Y();
-  message.orientation.z = pose.Rot().Z();
-  message.orientation.w = pose.Rot().W();
+  message.position.x = pose.position.x();
+  message.position.y = pose.position.y();
+  message.position.z = pose.position.z();
+  message.orientation.x = pose.rotation.x();
+  message.orientation.y = pose.rotation.y();
+  message.orientation.z = pose.rotation.z();
+  message.orientation.w = pose.rotation.w();
   return message;
 }
 
-ignition::math::Pose3d onGround(const Pose2 & pose)
+Pose3 onGround(const Pose2 & pose)
 {
   return {pose.x, pose.y, 0.0, 0.0, 0.0, pose.yaw};
 }

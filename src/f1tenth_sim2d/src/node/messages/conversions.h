@@ -4,18 +4,17 @@
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Twist.h>
 
-#include <ignition/math/Pose3.hh>
-
 #include "f1tenth_sim2d/geometry.h"
+#include "f1tenth_sim2d/pose3.h"
 #include "f1tenth_sim2d/simulation.h"
 
 /// From the core's types to messages.
 namespace f1tenth_sim2d
 {
 geometry_msgs::Quaternion toQuaternion(double yaw);
-geometry_msgs::Pose toPose(const ignition::math::Pose3d & pose);
+geometry_msgs::Pose toPose(const Pose3 & pose);
 /// A pose in the plane as one in space.
-ignition::math::Pose3d onGround(const Pose2 & pose);
+Pose3 onGround(const Pose2 & pose);
 /// @param velocity  m/s, in the frame of the twist
 geometry_msgs::Twist toTwist(const Vec2 & velocity, double yaw_rate);
 /// The force is spread evenly over the contact points.

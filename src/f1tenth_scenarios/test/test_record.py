@@ -57,6 +57,16 @@ def test_what_is_no_record_is_refused(tmp_path, text, answer):
     assert str(caught.value).replace(str(path), "FILE") == answer
 
 
+def test_empty_file_is_an_empty_record(tmp_path):
+    (tmp_path / "record.csv").touch()
+    assert read_record(tmp_path / "record.csv").end is None
+
+
+def test_what_cannot_be_read_is_named(tmp_path):
+    with pytest.raises(ScenarioError, match="cannot be read: Is a directory"):
+        read_record(tmp_path)
+
+
 def test_contacts_in_neighbouring_periods_are_one(tmp_path):
     touching = {1.0: "Wall_1", 1.025: "Wall_1", 1.05: "Wall_1;Wall_2", 1.5: "Wall_1"}
     contacts = record(tmp_path, rows(2.0, contacts=touching)).tracks["robot1"].contact_list()

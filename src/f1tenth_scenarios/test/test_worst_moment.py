@@ -184,6 +184,23 @@ def test_the_other_car_is_not_to_blame_for_a_contact_that_it_does_not_report(tmp
     ]  # fmt: skip
 
 
+def test_a_car_that_also_touched_a_wall_reports_for_itself(tmp_path):
+    found = meeting(tmp_path, ours=(0.0, 0.0), theirs=(-1.0, 0.0), touched=("robot2;Wall_1", "robot1"))
+    assert [each.car for each in found] == ["robot1", "robot2"]
+
+
+@pytest.mark.parametrize("touching", [1, 2, 4])
+def test_guilt_is_that_of_the_period_before_the_contact_or_of_the_first(tmp_path, touching):
+    stamp = touching * PERIOD
+    ours = list(rows(4 * PERIOD, y=0.5, contacts={stamp: "robot2"}))
+    theirs = list(rows(4 * PERIOD, y=0.5, car="robot2", contacts={stamp: "robot1"}))
+    for number, (mine, other) in enumerate(zip(ours, theirs), 1):
+        guilty = number == max(touching - 1, 1)
+        mine[2], mine[5], other[2], other[5] = 0.0, 1.0, 3.0, -2.0 if guilty else 0.0
+    (contact,) = find_contacts(record(tmp_path, ours, theirs))
+    assert (contact.car, contact.y) == ("robot2", 0.5)
+
+
 def test_contacts_of_two_cars_at_other_times_are_two(tmp_path):
     hunter = rows(3.0, speed=1.0, contacts={1.0: "robot2", 2.0: "robot2"})
     hunted = rows(3.0, car="robot2", speed=0.0, contacts={2.0: "robot1", 2.5: "robot1"})

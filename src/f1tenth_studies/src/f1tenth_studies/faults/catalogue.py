@@ -117,7 +117,8 @@ def _beside(victim: Victim, command: Sequence[str]) -> None:
     """Start something on the master of a run."""
     simulator = victim.wait_for(lambda: victim.node("sim2d"))
     if simulator is not None:
-        subprocess.Popen(command, env={**os.environ, **_master(simulator)}, stdout=subprocess.DEVNULL)
+        environment = {**os.environ, **_master(simulator)}
+        victim.beside.append(subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL))
 
 
 def _master(node: psutil.Process) -> Mapping[str, str]:

@@ -44,6 +44,7 @@ class Victim:
             popen: further arguments of subprocess.Popen
         """
         self.results = results
+        self.beside: list[subprocess.Popen] = []  # what was started to disturb it, and ends with it
         self._mark = uuid.uuid4().hex
         self._output = open(said, "w+", encoding="utf-8")  # noqa: SIM115
         environment = {**os.environ, **popen.pop("env", {}), _MARK: self._mark}
@@ -127,6 +128,9 @@ class Victim:
         return None
 
     def _kill(self) -> None:
+        for other in self.beside:
+            other.kill()
+            other.wait()
         for each in self.members():
             with contextlib.suppress(psutil.NoSuchProcess):
                 each.kill()

@@ -101,24 +101,46 @@ TEST(Localizer, MapsMayLieAskew)
 TEST(Localizer, FindsTheCarAnywhereOnACircuit)
 {
   const OccupancyGrid map = readMap(AMCL_TEST_MAPS "/circuit_detailed.pgm", {-6.8, -4.8, 0.0});
+  // As in amcl.yaml of f1tenth_navigation.
   LocalizerOptions options = smallSteps();
-  options.laser.sigma_hit = 0.2;
-  options.laser.max_beams = 40;
-  options.resample_interval = 2;
-  options.max_particles = 100000;  // A few stand near the car by chance.
+  options.laser.model = LaserModel::kLikelihoodFieldProb;
+  options.laser.max_beams = 180;
+  options.laser.sigma_hit = 0.15;
+  options.laser.z_hit = 0.9;
+  options.laser.z_rand = 0.1;
+  options.laser.likelihood_max_dist = 0.5;
+  options.max_particles = 2000;
   Localizer localizer(map, options, {});
   localizer.spreadOut();
-  EXPECT_EQ(localizer.particles().size(), 100000U);
+  EXPECT_EQ(localizer.particles().size(), 2000U);
   Drive drive(map, {0.58, 0.12, -0.16});
-  drive.steps(localizer, 25, {0.2, 0.0, 0.0});
+  drive.steps(localizer, 60, {0.08, 0.0, 0.0});
   expectNear(localizer.estimate().pose, drive.truth(), 0.1, 0.05);
+}
+
+TEST(Localizer, SpreadsOnlyWhereTheCarCanHaveGone)
+{
+  OccupancyGrid halves = room();
+  for (int y = 0; y < 100; ++y) {
+    halves.cells[y * 160 + 80] = 100;  // x = 1 m
+  }
+  Localizer localizer(halves, smallSteps(), {});
+  localizer.spreadOut();
+  for (const Pose2 & particle : localizer.particles()) {
+    EXPECT_LT(particle.x, 1.0);
+  }
+  localizer.setPose(around({2.0, 0.0, 0.0}, 0.1, 0.1));
+  localizer.spreadOut();
+  for (const Pose2 & particle : localizer.particles()) {
+    EXPECT_GT(particle.x, 1.05);
+  }
 }
 
 TEST(Localizer, SpreadsOverFreeCellsOnly)
 {
   Localizer localizer(room(), smallSteps(), {});
   localizer.spreadOut();
-  for (const Pose2 & particle : localizer.particles()) {  // MRPT shifts each by up to a cell.
+  for (const Pose2 & particle : localizer.particles()) {
     const bool in_room = particle.x > -3.0 && particle.x < 5.0 && particle.y > -2.5 && particle.y < 2.5;
     const bool in_pillar = particle.x > 3.06 && particle.x < 3.44 && particle.y > 0.56 && particle.y < 1.44;
     EXPECT_TRUE(in_room && !in_pillar) << particle.x << " " << particle.y;

@@ -7,6 +7,7 @@
 #include <mrpt/poses/CPosePDFGaussian.h>
 #include <mrpt/slam/CMonteCarloLocalization2D.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "clusters.h"
 #include "engine_types.h"
 #include "motion_model.h"
+#include "road.h"
 
 namespace amcl
 {
@@ -22,7 +24,12 @@ namespace
 {
 // The original sums up cubes of the beams' likelihoods; close to that is the cube of their mean.
 constexpr double kAveragePower = 3.0;
-constexpr double kLeastFreedom = 0.7;  // probability of a cell to be free in which a car may be
+// Of a car that is lost: so many places are looked at first, and beams count as if so many of them were independent of each
+// other. If all were, one scan would leave nothing but the place that fits best, which is often a wrong one.
+constexpr std::size_t kPlaces = 100000;
+constexpr double kIndependentBeams = 5.4;
+constexpr double kFirstScanCounts = 2.0;  // as much as a later one, as there is one only
+constexpr double kFound = 0.3;            // m, standard deviation of particles that stand together
 // So that no covariance is singular.
 constexpr double kLeastVariance = 1e-8;  // m^2 and rad^2
 
@@ -62,7 +69,9 @@ public:
     filter_.m_options.PF_algorithm = mrpt::bayes::CParticleFilter::pfStandardProposal;
     filter_.m_options.resamplingMethod = mrpt::bayes::CParticleFilter::prMultinomial;
     filter_.m_options.BETA = 0.0;  // Drawn anew together with the motion, or not at all.
-    filter_.m_options.powFactor = options.laser.model == LaserModel::kLikelihoodField ? kAveragePower : 1.0;
+    const bool averages = options.laser.model == LaserModel::kLikelihoodField;
+    power_ = averages ? kAveragePower : 1.0;
+    search_power_ = averages ? power_ : std::min(1.0, kIndependentBeams / options.laser.max_beams);
     setPose(start);
   }
 
@@ -81,18 +90,19 @@ public:
     for (const auto & sample : samples) {
       particles_.m_particles.emplace_back(mrpt::math::TPose2D(sample[0], sample[1], sample[2]), 0.0);
     }
+    believed_ = estimate.pose;
     startAgain();
   }
 
   void spreadOut()
   {
-    const RandomScope scope(random_);
-    try {
-      particles_.resetUniformFreeSpace(map_.get(), kLeastFreedom, options_.max_particles);
-    } catch (const std::exception &) {
+    road_ = roadAbout(*map_, compose(inverse(origin_), believed_));
+    if (road_.empty()) {
       throw MapError("nothing is free on the map");
     }
+    set(drawOn(road_, static_cast<std::size_t>(options_.max_particles)));
     startAgain();
+    is_lost_ = true;
   }
 
   void updateNext() { due_ = true; }
@@ -109,6 +119,9 @@ public:
     }
     due_ = false;
     odometry_ = odometry;
+    if (is_lost_) {
+      look(*observation);
+    }
     // Over this range random beams are spread. MRPT remembers likelihoods: only the first scan has a say.
     map_->likelihoodOptions.LF_maxRange = *(max_range_ = max_range_.value_or(observation->maxRange));
     return update(motion, observation);
@@ -135,8 +148,70 @@ public:
   }
 
 private:
+  // Of many more places than there are particles, those where the scan fits are kept.
+  void look(const mrpt::obs::CObservation2DRangeScan & observation)
+  {
+    const RandomScope scope(random_);
+    is_lost_ = false;
+    is_searching_ = true;
+    const auto places = drawOn(road_, kPlaces);
+    std::vector<double> weights;
+    weights.reserve(places.size());
+    for (const mrpt::math::TPose2D & place : places) {
+      const mrpt::poses::CPose3D pose{mrpt::poses::CPose2D(place)};
+      weights.push_back(kFirstScanCounts * search_power_ * map_->computeObservationLikelihood(observation, pose));
+    }
+    const double greatest = *std::max_element(weights.begin(), weights.end());
+    double sum = 0.0;
+    for (double & weight : weights) {
+      sum += std::exp(weight - greatest);
+      weight = sum;
+    }
+    std::vector<mrpt::math::TPose2D> kept;
+    for (int i = 0; i < options_.max_particles; ++i) {
+      const double share = sum * (i + random_.drawUniform(0.0, 1.0)) / options_.max_particles;
+      const auto found = std::lower_bound(weights.begin(), weights.end(), share);
+      kept.push_back(places[std::min<std::size_t>(found - weights.begin(), places.size() - 1)]);
+    }
+    set(kept);
+  }
+
+  std::vector<mrpt::math::TPose2D> drawOn(const std::vector<mrpt::math::TPoint2D> & road, std::size_t count)
+  {
+    const double half = 0.5 * map_->getResolution();
+    std::vector<mrpt::math::TPose2D> poses;
+    poses.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto & cell = road[std::min<std::size_t>(random_.drawUniform(0.0, 1.0) * road.size(), road.size() - 1)];
+      poses.emplace_back(
+        cell.x + random_.drawUniform(-half, half), cell.y + random_.drawUniform(-half, half),
+        random_.drawUniform(-M_PI, M_PI));
+    }
+    return poses;
+  }
+
+  void set(const std::vector<mrpt::math::TPose2D> & poses)
+  {
+    particles_.m_particles.clear();
+    for (const auto & pose : poses) {
+      particles_.m_particles.emplace_back(pose, 0.0);
+    }
+  }
+
+  // Until the particles stand together.
+  bool isSearching()
+  {
+    if (is_searching_) {
+      const auto [covariance, mean] = particles_.getCovarianceAndMean();
+      is_searching_ = covariance(0, 0) + covariance(1, 1) > kFound * kFound;
+    }
+    return is_searching_;
+  }
+
   void startAgain()
   {
+    is_lost_ = false;
+    is_searching_ = false;
     odometry_.reset();
     due_ = true;
     updates_ = 0;
@@ -151,6 +226,7 @@ private:
   {
     const RandomScope scope(random_);
     // MRPT draws particles anew by their weights from before while it moves them. The first ones are good as they are.
+    filter_.m_options.powFactor = isSearching() ? search_power_ : power_;
     const bool resamples = updates_ > 0 && updates_ % options_.resample_interval == 0;
     ++updates_;
     filter_.m_options.adaptiveSampleSize = resamples;
@@ -173,6 +249,12 @@ private:
   std::optional<float> max_range_;  // m, of the first scan
   bool due_{true};
   int updates_{0};
+  Pose2 believed_;                          // where the car was last said to be, in the frame of the map
+  std::vector<mrpt::math::TPoint2D> road_;  // middles of the cells on which a car that is lost may be
+  bool is_lost_{false};                     // and no scan has been looked at since
+  bool is_searching_{false};
+  double power_{1.0};         // of the likelihood of a scan
+  double search_power_{1.0};  // of a car that is lost
 };
 
 Localizer::Localizer(const OccupancyGrid & map, const LocalizerOptions & options, const Estimate & start)

@@ -6,11 +6,10 @@ from pathlib import Path
 
 import rosbag
 from f1tenth_scenarios.run.run import execute
-from f1tenth_scenarios.scenario.plan import Plan
 from f1tenth_scenarios.stop_request import StopRequest
-from scenario_samples import GOALS, rows, scenario, write_record
+from scenario_samples import rows, sample_plan, scenario, write_record
 
-SHUTDOWN = "import signal, sys; signal.signal(signal.SIGINT, lambda *_: sys.exit(0))\nsys.stdin.readline()\n"
+SHUTDOWN = "import signal, sys; signal.signal(signal.SIGINT, lambda *_: sys.exit(0))\n"
 STAY = "import time\nwhile True: time.sleep(0.05)\n"
 
 
@@ -33,7 +32,7 @@ class FakeWatch:
     def collided(self):
         return frozenset(self._collided) if self._ready.exists() else frozenset()
 
-    def failure(self):
+    def failure(self, done):
         return self._failure if self._ready.exists() else None
 
     def close(self):
@@ -52,9 +51,7 @@ class FakeRun:
     def __init__(self, folder: Path, wanted=None):
         self.folder = folder
         wanted = wanted or scenario()
-        goals = {car.name: GOALS["robot1"] for car in wanted.cars}
-        file = folder / "sample.yaml"
-        self.plan = Plan("sample", file, wanted, folder / "w.world", None, {}, goals, folder / "sample")
+        self.plan = sample_plan(folder, wanted, folder / "sample")
         self.ready = folder / "ready"
         self.watch = FakeWatch(self.ready)
         self.stop = StopRequest()

@@ -1,13 +1,22 @@
 """Scenarios and records made up for tests."""
 
 import csv
+from pathlib import Path
 
+from f1tenth_scenarios.plan.car_plan import CarPlan
+from f1tenth_scenarios.plan.driver_file import read_driver_file
+from f1tenth_scenarios.plan.driver_plan import DriverPlan
+from f1tenth_scenarios.plan.plan import Plan
+from f1tenth_scenarios.plan.task import Task
 from f1tenth_scenarios.record.observations import Failure, Observations, RaceState, RaceUpdate
 from f1tenth_scenarios.record.record import COLUMNS, read_record
+from f1tenth_scenarios.road.place import Place
+from f1tenth_scenarios.scenario.driver import Interface
 from f1tenth_scenarios.scenario.scenario import Car, Criteria, Limits, Pose, Scenario, Verdict
 
 PERIOD = 0.025
 GOALS = {"robot1": (Pose(1.0, 0.0), Pose(2.0, 0.0), Pose(3.0, 0.0))}
+DRIVERS = Path(__file__).resolve().parents[1] / "launch" / "drivers"
 
 SCENARIO_TEXT = """\
 description: A car drives a metre.
@@ -34,6 +43,33 @@ def scenario(expected=Verdict.SUCCESS, timeout=10.0, cars=("robot1",), **others)
         seed=1,
         time_to_start=others.pop("time_to_start", 0),
         **others,
+    )
+
+
+def tasks(goals=None, laps=1):
+    """What race_mgr has to do with some goals per car."""
+    return {
+        car: Task(poses * laps, obeys_start=True, reports=True) for car, poses in (goals or GOALS).items()
+    }
+
+
+TASKS = tasks()
+
+
+def sample_plan(folder, wanted, results=None, launch="move_base.launch"):
+    """A run of a scenario whose cars have the same driver, on files that need not be there."""
+    goals = {car.name: GOALS["robot1"] for car in wanted.cars}
+    driver = DriverPlan("race", read_driver_file(DRIVERS / launch), Interface.NATIVE, {})
+    return Plan(
+        name="sample",
+        file=folder / "sample.yaml",
+        scenario=wanted,
+        place=Place(folder / "w.world", folder / "w.yaml", None, None),
+        cars={
+            car: CarPlan(Pose(0.0, 0.0), driver, folder / "goals.txt", goals[car], None, task)
+            for car, task in tasks(goals, wanted.laps).items()
+        },
+        folder=results or folder,
     )
 
 

@@ -1,11 +1,11 @@
 """What is to happen when, and when a period may go on."""
 
 import pytest
+from f1tenth_scenarios.plan.participants import participants
 from f1tenth_scenarios.run.agenda import Agenda, PeriodGate
-from f1tenth_scenarios.scenario.participants import participants
 from f1tenth_scenarios.scenario.profile import STANDING, command_at
-from f1tenth_scenarios.scenario.scenario import Car, Command, Driver, Fault, Localization
-from scenario_samples import scenario
+from f1tenth_scenarios.scenario.scenario import Command, Fault, Localization
+from scenario_samples import sample_plan, scenario
 
 
 def test_actions_happen_in_order_of_time_and_once():
@@ -57,28 +57,35 @@ def test_command_holds_until_the_next(now, command):
     assert command_at(COMMANDS, now) == command
 
 
-def test_participants_of_a_race():
-    assert participants(scenario(cars=("robot1", "robot2"))) == [
+def test_participants_of_a_race(tmp_path):
+    assert participants(sample_plan(tmp_path, scenario(cars=("robot1", "robot2")))) == [
         "robot1/move_base", "robot1/race_mgr", "robot2/move_base", "robot2/race_mgr", "race_starter",
     ]  # fmt: skip
 
 
-def test_amcl_acts_first():
-    assert participants(scenario(cars=("robot1", "robot2"), localization=Localization.AMCL)) == [
+def test_amcl_acts_first(tmp_path):
+    wanted = scenario(cars=("robot1", "robot2"), localization=Localization.AMCL)
+    assert participants(sample_plan(tmp_path, wanted)) == [
         "robot1/amcl", "robot2/amcl", "robot1/move_base", "robot1/race_mgr", "robot2/move_base",
         "robot2/race_mgr", "race_starter",
     ]  # fmt: skip
 
 
-def test_car_on_a_profile_takes_part_as_itself():
-    wanted = scenario()
-    driven = Car("robot1", driver=Driver.COMMANDS, commands=COMMANDS)
-    assert participants(type(wanted)(**{**vars(wanted), "cars": (driven,)})) == ["robot1"]
+def test_driver_that_answers_scans_takes_part_as_its_car(tmp_path):
+    assert participants(sample_plan(tmp_path, scenario(), launch="commands.launch")) == ["robot1"]
 
 
-def test_faults_make_the_runner_a_participant():
-    assert participants(scenario(faults=(Fault("robot1/move_base", 5.0),)))[-1] == "scenario"
+def test_deputy_takes_part_for_a_driver_that_says_nothing(tmp_path):
+    launch = tmp_path / "my.launch"
+    launch.write_text("<launch/>", encoding="utf-8")
+    assert participants(sample_plan(tmp_path, scenario(), launch=launch)) == ["robot1/deputy"]
 
 
-def test_without_lockstep_nobody_takes_part():
-    assert participants(scenario(lockstep=False, faults=(Fault("robot1/move_base", 5.0),))) == []
+def test_faults_make_the_runner_a_participant(tmp_path):
+    wanted = scenario(faults=(Fault("robot1/move_base", 5.0),))
+    assert participants(sample_plan(tmp_path, wanted))[-1] == "scenario"
+
+
+def test_without_lockstep_nobody_takes_part(tmp_path):
+    wanted = scenario(lockstep=False, faults=(Fault("robot1/move_base", 5.0),))
+    assert participants(sample_plan(tmp_path, wanted)) == []

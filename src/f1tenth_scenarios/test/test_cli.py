@@ -12,6 +12,7 @@ import pytest
 import rosgraph
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.launch.private_master import private_master
+from f1tenth_scenarios.plan.planning import make_plan
 from f1tenth_scenarios.results.console import ProgressLine, cost_of_all, summary
 from f1tenth_scenarios.scenario.describe import describe_keys
 from f1tenth_scenarios.scenario.scenario import Scenario
@@ -54,9 +55,7 @@ def test_check_answers_every_bad_file(capsys, tmp_path):
     assert out == "circuit1: ok\n"
     first, second = err.splitlines()
     assert first.startswith(f"{colour}:10: unknown key 'colour'; allowed: description, world, ")
-    assert re.fullmatch(
-        rf"{world}: no circuit9\.world under .*/worlds; there are: circuit1, circuit2, .*", second
-    )
+    assert re.fullmatch(rf"{world}: no world 'circuit9'; there are: circuit1, circuit2, .*", second)
 
 
 @pytest.mark.parametrize("command", ["run", "check"])
@@ -81,7 +80,7 @@ def test_nothing_runs_if_one_of_several_is_unknown(capsys):
         (
             "world: circuit1",
             "world: my.world",
-            "the driver 'race' needs a map, and {folder}/my.world has none",
+            "robot1: the driver 'race' needs a map, and there is none beside the world or in ../maps",
         ),
     ],
 )
@@ -91,14 +90,14 @@ def test_files_beside_the_scenario_are_looked_up(tmp_path, old, new, answer):
     path = tmp_path / "sample.yaml"
     path.write_text(SCENARIO_TEXT.replace(old, new), encoding="utf-8")
     with pytest.raises(ScenarioError, match=re.escape(f"{path}: " + answer.format(folder=tmp_path))):
-        cli.make_plan(str(path))
+        make_plan(str(path))
 
 
 def test_results_go_where_the_environment_says(monkeypatch, tmp_path):
     monkeypatch.setenv("F1TENTH_RESULTS", str(tmp_path))
-    assert cli.make_plan("circuit1").folder == tmp_path / "circuit1"
+    assert make_plan("circuit1").folder == tmp_path / "circuit1"
     monkeypatch.delenv("F1TENTH_RESULTS")
-    assert cli.make_plan("circuit1").folder == places.workspace_root() / "results" / "circuit1"
+    assert make_plan("circuit1").folder == places.workspace_root() / "results" / "circuit1"
 
 
 def test_summary_has_all_that_make_race_prints(tmp_path):
@@ -252,6 +251,6 @@ def test_end_from_outside_is_no_traceback(monkeypatch, error, code):
     def stop(_name):
         raise error
 
-    monkeypatch.setattr(cli, "read_scenario", stop)
+    monkeypatch.setattr("f1tenth_scenarios.cli.show_commands.read_scenario", stop)
     monkeypatch.setattr(os, "dup2", lambda *_: None)
     assert cli.main(["list"]) == code

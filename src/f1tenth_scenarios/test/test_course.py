@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.scenario.course import read_course
+from f1tenth_scenarios.road.course import read_course
 
 from f1tenth_scenarios import places
 

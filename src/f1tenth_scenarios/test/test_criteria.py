@@ -11,13 +11,13 @@ from f1tenth_scenarios.judge.judge import judge
 from f1tenth_scenarios.judge.measured import Measured
 from f1tenth_scenarios.record.record import Record
 from f1tenth_scenarios.record.replay import Poses
-from f1tenth_scenarios.scenario.course import Course
+from f1tenth_scenarios.road.course import Course
 from f1tenth_scenarios.scenario.scenario import Criteria, Verdict
-from scenario_samples import GOALS, aborted, died, finished, record, rows, scenario, seen, with_clearance
+from scenario_samples import TASKS, aborted, died, finished, record, rows, scenario, seen, with_clearance
 
 
 def results(wanted, run, **measured):
-    return {each.name: each for each in evaluate(wanted, judge(wanted, GOALS, run), Measured(**measured))}
+    return {each.name: each for each in evaluate(wanted, judge(wanted, TASKS, run), Measured(**measured))}
 
 
 def limited(expected=Verdict.SUCCESS, **limits):

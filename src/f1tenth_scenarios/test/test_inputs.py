@@ -5,7 +5,7 @@ import shutil
 import pytest
 from f1tenth_scenarios.batch import inputs
 from f1tenth_scenarios.batch.inputs import hash_inputs, hash_software
-from f1tenth_scenarios.scenario.plan import make_plan
+from f1tenth_scenarios.plan.planning import make_plan
 
 from f1tenth_scenarios import places
 

@@ -8,7 +8,7 @@ from f1tenth_scenarios.judge.laps import lap_times
 from f1tenth_scenarios.judge.start_line import LapCounter
 from f1tenth_scenarios.scenario.scenario import StartLine
 from report_samples import RADIUS, circling
-from scenario_samples import GOALS, finished, racing, reached, record, rows, scenario, seen
+from scenario_samples import TASKS, finished, racing, reached, record, rows, scenario, seen, tasks
 
 # The circle is driven counter-clockwise from (RADIUS, 0).
 LINE = StartLine(RADIUS, 0.0, math.pi / 2, 1.0)
@@ -24,7 +24,7 @@ def laps_on(line, places, start=0.0):
 def test_laps_are_timed_at_the_line(tmp_path):
     wanted = scenario(start_line=LINE, timeout=60.0)
     run = seen(record(tmp_path, circling(30.0, speed=1.5)), racing(), finished(30.0))
-    laps = lap_times(wanted, judge(wanted, GOALS, run), run.updates)
+    laps = lap_times(wanted, TASKS, judge(wanted, TASKS, run), run.updates)
     around = 2 * math.pi * RADIUS / 1.5
     assert laps == {"robot1": pytest.approx([around, around], abs=1e-3)}
 
@@ -32,8 +32,8 @@ def test_laps_are_timed_at_the_line(tmp_path):
 def test_without_a_line_laps_end_with_their_last_goal(tmp_path):
     wanted = scenario(laps=2, timeout=20.0)
     run = seen(record(tmp_path, rows(8.0, speed=0.5)), racing(), reached(4.0, 3), reached(7.5, 6))
-    goals = {"robot1": GOALS["robot1"] * 2}
-    assert lap_times(wanted, judge(wanted, goals, run), run.updates) == {"robot1": [4.0, 3.5]}
+    twice = tasks(laps=2)
+    assert lap_times(wanted, twice, judge(wanted, twice, run), run.updates) == {"robot1": [4.0, 3.5]}
 
 
 def test_crossing_is_interpolated():

@@ -3,8 +3,7 @@
 from f1tenth_scenarios.record.observations import RaceState, RaceUpdate
 from f1tenth_scenarios.run.culprit import Signs, failure_of
 from f1tenth_scenarios.run.launch_log import LaunchLog, NodeEnd
-from f1tenth_scenarios.scenario.plan import Plan
-from scenario_samples import GOALS, scenario
+from scenario_samples import sample_plan, scenario
 
 # As roslaunch 1.15 prints it.
 DIED = (
@@ -31,7 +30,7 @@ def ends_of(tmp_path, *texts):
 
 
 def plan(folder):
-    made = Plan("sample", folder / "sample.yaml", scenario(), folder / "w.world", None, {}, GOALS, folder)
+    made = sample_plan(folder, scenario())
     made.log_folder.mkdir()
     return made
 

@@ -1,29 +1,49 @@
-"""race.launch waits for those who drive and, with amcl, for those who localize."""
+"""race.launch is `scenario race` on the master that runs."""
+
+import json
+import os
+import subprocess
 
 import pytest
-import roslaunch.config
-import roslaunch.xmlloader
+from f1tenth_scenarios.launch.private_master import private_master
+from patience import PATIENCE
 
 from f1tenth_scenarios import places
 
-LAUNCH = places.package_path(places.PACKAGE) / "launch"
-PLANNER = LAUNCH / "drivers" / "gap_follower.launch"
+PLANNERS = places.package_path(places.PACKAGE) / "test" / "planners"
 
 
-@pytest.mark.parametrize(
-    ("arguments", "participants"),
-    [
-        ((), ["robot1"]),
-        ((f"planner2:={PLANNER}",), ["robot1", "robot2"]),
-        (("localization:=amcl",), ["robot1/amcl", "robot1"]),
-        (
-            ("localization:=amcl", f"planner2:={PLANNER}"),
-            ["robot1/amcl", "robot2/amcl", "robot1", "robot2"],
-        ),
-    ],
-)
-def test_lockstep_waits_for(arguments, participants):
-    config = roslaunch.config.ROSLaunchConfig()
-    loader = roslaunch.xmlloader.XmlLoader()
-    loader.load(str(LAUNCH / "race.launch"), config, argv=list(arguments), verbose=False)
-    assert config.params["/sim2d/participants"].value == participants
+@pytest.fixture
+def race(tmp_path):
+    """Runs race.launch with some arguments in a folder of its own; returns its output and the result."""
+
+    def run(*arguments):
+        more = f"more:=--results {tmp_path}/results"
+        command = ["roslaunch", "f1tenth_scenarios", "race.launch", *arguments, more]
+        # roslaunch names the folder by this variable, as a shell sets it.
+        environment = {**os.environ, "ROS_LOG_DIR": str(tmp_path / "log"), "PWD": str(tmp_path)}
+        with private_master() as uri:
+            environment |= {"ROS_MASTER_URI": uri, "ROS_HOSTNAME": "localhost"}
+            done = subprocess.run(
+                command, env=environment, cwd=tmp_path, capture_output=True, text=True, timeout=PATIENCE
+            )
+        (file,) = (tmp_path / "results").glob("*/result.json")
+        return done.stdout + done.stderr, json.loads(file.read_text(encoding="utf-8"))
+
+    return run
+
+
+def test_race_of_two_is_judged_and_ends(race):
+    said, result = race("planner2:=pursuit")
+    assert "verdict:           success (expected success)" in said
+    assert result["verdict"] == "success"
+    assert [len(car["lap_times"]) for car in result["cars"].values()] == [1, 1]
+
+
+def test_path_of_a_planner_counts_from_where_roslaunch_was_called(race, tmp_path):
+    (tmp_path / "my.launch").write_text(
+        "<launch><node pkg='rospy' type='none' name='x'/></launch>", encoding="utf-8"
+    )
+    said, result = race("planner:=my.launch")
+    assert (result["verdict"], result["culprit"]["culprit"]) == ("error", "rospy/none")
+    assert "exit code 1" in said

@@ -80,7 +80,7 @@ def test_contacts_in_neighbouring_periods_are_one(tmp_path):
 
 def test_tail_follows_a_growing_record(tmp_path):
     path = tmp_path / "record.csv"
-    tail = RecordTail(path)
+    tail = RecordTail(path, {})
     tail.poll()
     assert (tail.time, tail.touches) == (None, 0)
     path.write_text(HEADER + ROW + ROW.replace("0.025", "0.050")[:9], encoding="utf-8")
@@ -92,7 +92,8 @@ def test_tail_follows_a_growing_record(tmp_path):
 
 
 def test_tail_agrees_with_the_reader(tmp_path):
-    tail = RecordTail(write_record(tmp_path / "record.csv", rows(2.0, contacts={1.0: "Wall_1"})))
+    path = write_record(tmp_path / "record.csv", rows(2.0, contacts={1.0: "Wall_1"}))
+    tail = RecordTail(path, {})
     tail.poll()
     assert (tail.time, tail.touches) == (2.0, 1)
 

@@ -40,11 +40,18 @@ def test_repeat_needs_one_scenario_and_two_runs(capsys):
 def test_steady_means_passed_and_the_same():
     one = {"verdict": "success", "passed": True, "trajectory_hash": "a"}
     other = {**one, "trajectory_hash": "b"}
-    assert is_steady([one, one], lockstep=True)
-    assert not is_steady([one, other], lockstep=True)
-    assert is_steady([one, other], lockstep=False)
-    assert not is_steady([one, {**one, "passed": False}], lockstep=False)
-    assert not is_steady([one, {**one, "verdict": "collision"}], lockstep=False)
+    assert is_steady([one, one])
+    assert not is_steady([one, other])
+    paced = [{**each, "lockstep": False} for each in (one, other)]
+    assert is_steady(paced)
+    assert not is_steady([paced[0], {**paced[0], "passed": False}])
+    assert not is_steady([paced[0], {**paced[0], "verdict": "collision"}])
+
+
+def test_spread_says_why_runs_were_not_in_lockstep():
+    result = {"verdict": "error", "passed": False, "trajectory_hash": None, "note": "run in real time, as …"}
+    lines = spread([{**result, "times": {"lap_time": None}, "minimum_clearance": None}] * 2)
+    assert lines.count(("note", "run in real time, as …")) == 1
 
 
 def test_spread_of_runs_without_laps():

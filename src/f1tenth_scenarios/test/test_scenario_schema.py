@@ -2,7 +2,8 @@
 
 import pytest
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.scenario.scenario import Driver, Pose, Verdict, read_scenario
+from f1tenth_scenarios.plan.source import read_scenario
+from f1tenth_scenarios.scenario.scenario import Pose, Verdict
 from scenario_samples import SCENARIO_TEXT
 
 TOP_KEYS = (
@@ -10,7 +11,7 @@ TOP_KEYS = (
     " time_to_start, lockstep, real_time_factor, localization, boxes, criteria, faults"
 )
 CAR_KEYS = (
-    "name, start, driver, goals, line, speed_max, acceleration_max, commands, mu, model, dropped_beams,"
+    "name, start, driver, goals, laps, line, speed_max, acceleration_max, commands, mu, model, dropped_beams,"
     " input_faults"
 )
 
@@ -36,8 +37,8 @@ def changed(old, new):
 def test_minimal_file_gets_the_defaults(tmp_path):
     scenario = read_scenario(write(tmp_path, SCENARIO_TEXT))
     assert scenario.expected is Verdict.SUCCESS
-    assert scenario.cars[0].start == Pose(0.0, 0.0, 0.0)
-    assert scenario.cars[0].driver is Driver.RACE
+    assert scenario.cars[0].start is None
+    assert scenario.cars[0].driver.name == "race"
     assert (scenario.laps, scenario.lockstep, scenario.limits.wall) == (1, True, 300.0)
 
 
@@ -60,6 +61,17 @@ def test_every_key_is_read(tmp_path):
     assert (scenario.laps, scenario.lockstep, scenario.real_time_factor) == (3, False, 2.0)
 
 
+def test_driver_may_be_a_launch_file(tmp_path):
+    text = changed(
+        "    goals: circuit1",
+        "    driver: {launch: my.launch, interface: f1tenth, arguments: {speed: 4.0, brave: true}}\n"
+        "    laps: 3",
+    )
+    car = read_scenario(write(tmp_path, text)).cars[0]
+    assert (car.driver.launch, car.driver.interface.value, car.laps) == ("my.launch", "f1tenth", 3)
+    assert car.driver.arguments == {"speed": "4.0", "brave": "true"}
+
+
 ANSWERS = {
     "unknown key": ("seed: 1", "seed: 1\ncolour: red", f"FILE:10: unknown key 'colour'; allowed: {TOP_KEYS}"),
     "unknown key inside": (
@@ -71,7 +83,7 @@ ANSWERS = {
     "missing key inside": (
         "timeout: 10.0",
         "wall: 10.0",
-        "FILE:7: missing key 'timeout' in limits; allowed: timeout, answer, wall",
+        "FILE:7: missing key 'timeout' in limits; allowed: timeout, answer, silence, wall",
     ),
     "twice": ("seed: 1", "seed: 1\nseed: 2", "FILE:10: key 'seed' is given twice, first in line 9"),
     "no number": ("10.0", "soon", "FILE:7: limits.timeout must be a number (s), found 'soon'"),
@@ -98,7 +110,7 @@ ANSWERS = {
     "no mapping": (
         "limits:\n  timeout: 10.0",
         "limits: 10",
-        "FILE:6: limits must be a mapping with the keys timeout, answer, wall, found '10'",
+        "FILE:6: limits must be a mapping with the keys timeout, answer, silence, wall, found '10'",
     ),
     "no list": (
         "cars:\n  - name: robot1\n    goals: circuit1",
@@ -125,15 +137,31 @@ ANSWERS = {
         "name: sim2d",
         "FILE:4: cars[0].name is 'sim2d', must be none of gazebo, sim2d",
     ),
-    "commands for the race": (
+    "unknown driver": (
         "    goals: circuit1",
-        "    goals: circuit1\n    commands: [{at: 0, speed: 1}]",
-        "FILE:6: cars[0].commands is for the driver 'commands' only",
+        "    driver: racer",
+        "FILE:5: cars[0].driver must be race, pursuit, commands, gap_follower, or a mapping with the keys"
+        " launch, interface, arguments, found 'racer'",
     ),
-    "no commands": (
+    "driver without a launch file": (
         "    goals: circuit1",
-        "    driver: commands",
-        "FILE:4: cars[0].commands is missing; the driver 'commands' needs at least one",
+        "    driver: {interface: native}",
+        "FILE:5: missing key 'launch' in cars[0].driver; allowed: launch, interface, arguments",
+    ),
+    "unknown interface": (
+        "    goals: circuit1",
+        "    driver: {launch: my.launch, interface: ros2}",
+        "FILE:5: cars[0].driver.interface is 'ros2'; allowed: native, f1tenth",
+    ),
+    "arguments that are none": (
+        "    goals: circuit1",
+        "    driver: {launch: my.launch, arguments: [4.0]}",
+        "FILE:5: cars[0].driver.arguments must be a mapping of names to values, found a list",
+    ),
+    "list for an argument": (
+        "    goals: circuit1",
+        "    driver: {launch: my.launch, arguments: {speed: [4.0]}}",
+        "FILE:5: cars[0].driver.arguments.speed must be a single value, found a list",
     ),
     "order of commands": (
         "    goals: circuit1",
@@ -154,31 +182,6 @@ ANSWERS = {
         "seed: 1",
         "seed: 1\nculprit: robot1/move_base",
         "FILE:10: culprit is for the expected verdict 'error' only",
-    ),
-    "speed of a command profile": (
-        "    goals: circuit1",
-        "    driver: commands\n    commands: [{at: 0, speed: 1}]\n    speed_max: 1",
-        "FILE:7: cars[0].speed_max is for the drivers 'race' and 'pursuit'",
-    ),
-    "acceleration of a pursuer": (
-        "    goals: circuit1",
-        "    driver: pursuit\n    line: circuit1\n    acceleration_max: 1",
-        "FILE:7: cars[0].acceleration_max is for the driver 'race' only",
-    ),
-    "a line for the race": (
-        "    goals: circuit1",
-        "    line: circuit1",
-        "FILE:5: cars[0].line is for the driver 'pursuit' only",
-    ),
-    "lost beams of no planner": (
-        "    goals: circuit1",
-        "    driver: pursuit\n    line: circuit1\n    dropped_beams: 0.1",
-        "FILE:7: cars[0].dropped_beams is for the driver 'race' only",
-    ),
-    "input fault of no planner": (
-        "    goals: circuit1",
-        "    driver: pursuit\n    line: circuit1\n    input_faults: [{inputs: [scan], at: 1, until: 2}]",
-        "FILE:7: cars[0].input_faults is for the driver 'race' only",
     ),
     "fault of an unknown input": (
         "    goals: circuit1",

@@ -2,8 +2,8 @@
 
 import pytest
 from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.plan.scenario_world import check_boxes, write_world
 from f1tenth_scenarios.scenario.scenario import Box
-from f1tenth_scenarios.scenario.scenario_world import check_boxes, write_world
 from scenario_samples import scenario
 
 import f1tenth_sim2d

@@ -2,7 +2,7 @@
 
 import pytest
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.scenario.plan import make_plan
+from f1tenth_scenarios.plan.planning import make_plan
 from f1tenth_scenarios.scenario.settings import (
     Setting,
     combinations,
@@ -42,8 +42,8 @@ def test_goals_and_line_are_those_of_the_world(tmp_path):
     cars = "  - name: robot1\n  - {name: robot2, driver: pursuit}\n"
     path.write_text(SCENARIO_TEXT.replace("  - name: robot1\n    goals: circuit1\n", cars), encoding="utf-8")
     plan = make_plan(str(path), settings=["world=circuit3"])
-    assert plan.goals_files["robot1"].name == "circuit3.txt"
-    assert plan.lines["robot2"].name == "circuit3.yaml"
+    assert plan.goals_file("robot1").name == "circuit3.txt"
+    assert plan.cars["robot2"].line.name == "circuit3.yaml"
 
 
 @pytest.mark.parametrize(

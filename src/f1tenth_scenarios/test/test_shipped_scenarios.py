@@ -1,15 +1,23 @@
 """Every shipped scenario can be run: its file is valid, what it names is there, its launch file loads."""
 
+from pathlib import Path
+
 import pytest
 import roslaunch.config
 from f1tenth_scenarios.launch.launch_file import launch_command, write_launch_file
-from f1tenth_scenarios.scenario.participants import DRIVER_NODES, participants
-from f1tenth_scenarios.scenario.plan import make_plan
-from f1tenth_scenarios.scenario.scenario import Driver, Localization
+from f1tenth_scenarios.plan.participants import participants
+from f1tenth_scenarios.plan.planning import make_plan
+from f1tenth_scenarios.scenario.scenario import Localization
+from roslib.packages import find_resource
 
 from f1tenth_scenarios import places
 
 NAMES = places.scenario_names()
+NODES = {
+    "race": ("move_base", "race_mgr"),
+    "pursuit": ("pure_pursuit",),
+    "commands": ("command_driver",),
+}
 
 
 @pytest.fixture(params=NAMES)
@@ -29,9 +37,10 @@ def test_there_is_one_for_each_circuit():
     assert circuits <= set(NAMES)
 
 
-def test_each_has_its_rostest_file():
-    tests = {path.stem for path in (places.package_path(places.PACKAGE) / "test").glob("*.test")}
-    assert set(NAMES) <= tests
+@pytest.mark.parametrize("name", NAMES)
+def test_each_has_its_rostest_file(name):
+    (file,) = find_resource(places.PACKAGE, f"{name}.test")
+    assert f'args="{name}"' in Path(file).read_text(encoding="utf-8")
 
 
 def test_launch_file_starts_what_the_scenario_says(plan):
@@ -39,25 +48,25 @@ def test_launch_file_starts_what_the_scenario_says(plan):
     nodes = {f"{node.namespace}{node.name}".lstrip("/") for node in config.nodes}
     assert "sim2d" in nodes
     for car in plan.scenario.cars:
-        driven_by = {"move_base", "race_mgr"} if car.driver is Driver.RACE else {DRIVER_NODES[car.driver]}
+        driven_by = set(NODES[car.driver.name])
         driven_by |= {"faulty_inputs"} if car.input_faults else set()
         driven_by |= {"beam_dropper"} if car.dropped_beams else set()
         driven_by |= {"amcl"} if plan.scenario.localization is Localization.AMCL else {"map_to_odom"}
         assert {f"{car.name}/{node}" for node in driven_by} <= nodes
-    assert ("race_starter" in nodes) == bool(plan.goals)
+    assert ("race_starter" in nodes) == plan.has_countdown
 
 
 def test_launch_file_hands_the_scenario_to_the_simulator(plan):
     parameters = {name: each.value for name, each in load(plan).params.items()}
     assert parameters["/sim2d/world"] == str(plan.run_world)
-    assert parameters["/sim2d/participants"] == participants(plan.scenario)
+    assert parameters["/sim2d/participants"] == participants(plan)
     assert parameters["/sim2d/lockstep"] is plan.scenario.lockstep
     assert parameters["/sim2d/lockstep_timeout"] == plan.scenario.limits.answer
     assert parameters["/sim2d/seed"] == plan.scenario.seed
     assert parameters["/sim2d/record"] == str(plan.record_file)
     assert parameters["/sim2d/result_file"] == str(plan.simulator_result_file)
     for car in plan.scenario.cars:
-        assert parameters[f"/sim2d/cars/{car.name}/x"] == car.start.x
+        assert parameters[f"/sim2d/cars/{car.name}/x"] == plan.cars[car.name].start.x
         is_changed = car.mu is not None or car.model is not None
         assert (f"/sim2d/cars/{car.name}/vehicle" in parameters) == is_changed
 
@@ -66,16 +75,16 @@ def test_launch_file_hands_the_scenario_to_the_drivers(plan):
     config = load(plan)
     parameters = {name: each.value for name, each in config.params.items()}
     for car in plan.scenario.cars:
-        if car.driver is Driver.RACE and car.speed_max is not None:
+        if car.driver.name == "race" and car.speed_max is not None:
             assert parameters[f"/{car.name}/move_base/TebLocalPlannerROS/max_vel_x"] == car.speed_max
         if car.acceleration_max is not None:
             planner = f"/{car.name}/move_base/TebLocalPlannerROS"
             assert parameters[f"{planner}/acc_lim_x"] == car.acceleration_max
             assert parameters[f"{planner}/max_lateral_acceleration"] == car.acceleration_max
-        if car.driver is Driver.PURSUIT:
+        if car.driver.name == "pursuit":
             assert parameters[f"/{car.name}/pure_pursuit/speed_max"] == car.speed_max
             assert parameters[f"/{car.name}/pure_pursuit/start_at"] > plan.scenario.time_to_start
-        if car.driver is Driver.RACE:
+        if car.driver.name == "race":
             is_amcl = plan.scenario.localization is Localization.AMCL
             first = f"{car.name}/amcl" if is_amcl else ""
             assert parameters[f"/{car.name}/move_base/lockstep_after"] == first

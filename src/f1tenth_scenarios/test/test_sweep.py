@@ -15,6 +15,7 @@ from f1tenth_scenarios.batch.sweep_picture import make_figure, mean_interval, wi
 from f1tenth_scenarios.batch.table_file import write_table
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.stop_request import StopRequest
+from scenario_samples import SCENARIO_TEXT
 
 from f1tenth_scenarios import cli, places
 
@@ -65,7 +66,7 @@ def test_sweep_repeats_what_was_run_with_other_software(program, tmp_path, monke
 
 def test_sweep_repeats_what_was_run_with_another_scenario(program, tmp_path):
     file = tmp_path / "own.yaml"
-    file.write_text(places.scenario_file("circuit1").read_text(encoding="utf-8"), encoding="utf-8")
+    file.write_text(SCENARIO_TEXT, encoding="utf-8")
     for _ in range(2):
         assert sweep(str(file), ["seed=1:2"], tmp_path, StopRequest())
         file.write_text(file.read_text(encoding="utf-8").replace("seed: 1", "seed: 1\nlaps: 2"))

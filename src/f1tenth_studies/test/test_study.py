@@ -6,8 +6,8 @@ import math
 import numpy as np
 import pytest
 from f1tenth_scenarios.batch import jobs
+from f1tenth_scenarios.plan.planning import make_plan
 from f1tenth_scenarios.record.record import CarTrack
-from f1tenth_scenarios.scenario.plan import make_plan
 from f1tenth_studies.study import Run
 from f1tenth_studies.table import table
 

@@ -1,7 +1,9 @@
 """Where scenarios, worlds, maps, goals and results are."""
 
+import contextlib
 import functools
 import os
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Optional
 
@@ -11,6 +13,13 @@ from f1tenth_scenarios.errors import ScenarioError
 
 PACKAGE = "f1tenth_scenarios"
 GAZEBO_PACKAGE = "f1tenth_gazebo"
+
+_SEARCH_PATH = "F1TENTH_SCENARIO_PATH"  # environment variable, folders as in PATH
+_PACKAGE_URI = "package://"
+_SUFFIXES = {"scenarios": ".yaml", "worlds": ".world", "goals": ".txt", "circuits": ".yaml"}
+_SCENARIOS = ("scenarios", "circuits")  # in whose files scenarios are; in a scenario's own it is another one
+_WORDS = {"scenarios": "scenario", "worlds": "world", "goals": "goals file", "circuits": "circuit"}
+_PATH_SUFFIXES = (".yaml", ".world", ".txt", ".csv")  # of what is a path even without a slash
 
 
 def package_path(package: str) -> Path:
@@ -32,41 +41,75 @@ def packages() -> rospkg.RosPack:
     return rospkg.RosPack()
 
 
+def add_search_path(folder: Path) -> None:
+    """Look for scenarios, worlds, goals and circuits in the folders of this name below a folder, too.
+
+    It holds for this process and for those that it starts.
+    """
+    before = os.environ.get(_SEARCH_PATH)
+    os.environ[_SEARCH_PATH] = os.pathsep.join([str(folder.resolve()), *([before] if before else [])])
+
+
 def scenario_names() -> list[str]:
-    """All scenarios of this package."""
-    return sorted(path.stem for path in (package_path(PACKAGE) / "scenarios").glob("*.yaml"))
+    """All scenarios that are found by their names: every circuit is one."""
+    return sorted(
+        {path.stem for kind in _SCENARIOS for folder in _folders(kind) for path in folder.glob("*.yaml")}
+    )
 
 
 def scenario_file(name: str) -> Path:
     """The file of a scenario, given its name or a path.
 
     Raises:
-        ScenarioError: there is none; the message names those that exist.
+        ScenarioError: there is none (the message names those that exist), or it cannot name a results folder.
     """
-    if name.endswith(".yaml"):
-        return Path(name).resolve()
-    if name not in scenario_names():
-        raise ScenarioError(f"no scenario '{name}'; there are: {', '.join(scenario_names())}")
-    return package_path(PACKAGE) / "scenarios" / f"{name}.yaml"
+    if not name.endswith(".yaml"):
+        return _scenario(name)
+    path = Path(name).resolve()
+    # Its stem becomes the name of a folder, and that of '...yaml' would be the folder above.
+    if not (path.stem[0].isalnum() or path.stem[0] == "_"):
+        raise ScenarioError(f"{path}: the name of a scenario file must begin with a letter or a digit")
+    return path
+
+
+def _scenario(name: str) -> Path:
+    for kind in _SCENARIOS:
+        with contextlib.suppress(ScenarioError):
+            return _named(kind, name)
+    raise ScenarioError(f"no scenario '{name}'; there are: {', '.join(scenario_names())}")
 
 
 def world_file(name: str, beside: Path) -> Path:
-    """The file of a world; a path counts from the folder `beside`."""
-    return _find(name, beside, "worlds", ".world")
+    """The file of a world, or a map that is used as one; a path counts from the folder `beside`."""
+    return _find("worlds", name, beside)
 
 
 def goals_file(name: str, beside: Path) -> Path:
     """A goals file; a path counts from the folder `beside`."""
-    return _find(name, beside, "goals", ".txt")
+    return _find("goals", name, beside)
 
 
 def course_file(name: str, beside: Path) -> Path:
     """A circuit's YAML file, or a centreline (CSV); a path counts from the folder `beside`."""
-    return _find(name, beside, "circuits", ".csv" if name.endswith(".csv") else ".yaml")
+    return _find("circuits", name, beside)
+
+
+def launch_file(name: str, beside: Path) -> Path:
+    """A launch file: package://PACKAGE/PATH, or a path that counts from the folder `beside`.
+
+    Raises:
+        ScenarioError: there is no such package or file.
+    """
+    if name.startswith(_PACKAGE_URI):
+        package, _, path = name[len(_PACKAGE_URI) :].partition("/")
+        return _existing(package_path(package) / path)
+    return _existing((beside / name).resolve())
 
 
 def map_file(world: Path) -> Optional[Path]:
     """The map (YAML) of a world; nothing when it has none."""
+    if world.suffix == ".yaml":
+        return world
     for folder in (world.parent, world.parent.parent / "maps"):
         candidate = folder / f"{world.stem}.yaml"
         if candidate.is_file():
@@ -93,15 +136,40 @@ def workspace_root() -> Path:
     return Path.cwd()
 
 
-def _find(name: str, beside: Path, folder: str, suffix: str) -> Path:
-    if "/" in name or name.endswith(suffix):
-        path = (beside / name).resolve()
-        if not path.is_file():
-            raise ScenarioError(f"no such file: {path}")
-        return path
-    root = package_path(GAZEBO_PACKAGE) / folder
-    path = root / f"{name}{suffix}"
+def _find(kind: str, name: str, beside: Path) -> Path:
+    if "/" in name or Path(name).suffix in _PATH_SUFFIXES:
+        return _existing((beside / name).resolve())
+    return _named(kind, name)
+
+
+def _named(kind: str, name: str) -> Path:
+    suffix = _SUFFIXES[kind]
+    for folder in _folders(kind):
+        if (folder / f"{name}{suffix}").is_file():
+            return folder / f"{name}{suffix}"
+    known = sorted({path.stem for folder in _folders(kind) for path in folder.glob(f"*{suffix}")})
+    raise ScenarioError(f"no {_WORDS[kind]} '{name}'; there are: {', '.join(known) or 'none'}")
+
+
+def _folders(kind: str) -> Iterator[Path]:
+    """Where things of a kind are looked for; the first that has a name counts."""
+    for folder in filter(None, os.environ.get(_SEARCH_PATH, "").split(os.pathsep)):
+        yield Path(folder) / kind
+    yield package_path(PACKAGE if kind == "scenarios" else GAZEBO_PACKAGE) / kind
+    yield from _exported(kind)
+
+
+@functools.lru_cache
+def _exported(kind: str) -> list[Path]:
+    """Folders that other packages export: <f1tenth_scenarios scenarios="${prefix}/scenarios"/>."""
+    found = []
+    for package in sorted(packages().list()):
+        with contextlib.suppress(rospkg.InvalidManifest):
+            found += packages().get_manifest(package).get_export(PACKAGE, kind)
+    return [Path(each) for each in found]
+
+
+def _existing(path: Path) -> Path:
     if not path.is_file():
-        known = ", ".join(sorted(each.stem for each in root.glob(f"*{suffix}"))) or "none"
-        raise ScenarioError(f"no {name}{suffix} under {root}; there are: {known}")
+        raise ScenarioError(f"no such file: {path}")
     return path

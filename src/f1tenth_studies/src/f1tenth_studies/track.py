@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import numpy as np
-from f1tenth_scenarios.scenario.course import read_course
+from f1tenth_scenarios.road.course import read_course
 from scipy.interpolate import CubicSpline
 from scipy.ndimage import gaussian_filter1d
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import yaml
 
 from f1tenth_scenarios import places
-from f1tenth_scenarios.scenario.plan import Plan
+from f1tenth_scenarios.plan.plan import Plan
 
 _INSTALLED = ("/opt/", "/usr/")  # what the system's packages bring
 _IRRELEVANT_FOLDERS = ("__pycache__", "test", "docs")
@@ -24,8 +24,7 @@ def hash_software() -> str:
 
 def hash_inputs(plan: Plan, software: str) -> str:
     """Hash of the software and of everything that a scenario names, its settings included."""
-    named = [path for field in dataclasses.fields(plan) for path in _paths(getattr(plan, field.name))]
-    files = sorted({*named, *_images(plan)})
+    files = sorted({*_paths(plan), *_images(plan)})
     return hashlib.sha256("\n".join([software, *plan.settings, _hash_files(files)]).encode()).hexdigest()
 
 
@@ -47,6 +46,8 @@ def _files(folder: str) -> Iterator[Path]:
 def _paths(value) -> list[Path]:
     if isinstance(value, dict):
         return [path for each in value.values() for path in _paths(each)]
+    if dataclasses.is_dataclass(value):
+        return [path for field in dataclasses.fields(value) for path in _paths(getattr(value, field.name))]
     return [value] if isinstance(value, Path) else []
 
 

@@ -7,8 +7,8 @@ from typing import Any
 
 from f1tenth_scenarios.batch.jobs import Job, Outcome, run_jobs
 from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.plan.planning import make_plan
 from f1tenth_scenarios.results.console import CountLine
-from f1tenth_scenarios.scenario.plan import make_plan
 from f1tenth_scenarios.stop_request import StopRequest
 
 
@@ -45,7 +45,7 @@ def repeat(
         raise ScenarioError("\n".join(problems))
     for key, value in [("scenario", plan.name), *spread(found)]:
         print(f"{key + ':':19}{value}")
-    return is_steady(found, plan.scenario.lockstep)
+    return is_steady(found)
 
 
 def spread(results: Sequence[dict[str, Any]]) -> list[tuple[str, str]]:
@@ -59,14 +59,17 @@ def spread(results: Sequence[dict[str, Any]]) -> list[tuple[str, str]]:
         ("verdicts", ", ".join(f"{count} {verdict}" for verdict, count in verdicts.most_common())),
         ("passed", f"{sum(result['passed'] for result in results)} of {len(results)}"),
         ("trajectories", "all the same, bit for bit" if hashes == 1 else f"{hashes} different ones"),
+        *[("note", note) for note in dict.fromkeys(result.get("note") for result in results) if note],
         ("lap time", _range(laps, "s")),
         ("minimum clearance", _range(clearances, "m")),
     ]
 
 
-def is_steady(results: Sequence[dict[str, Any]], lockstep: bool) -> bool:
+def is_steady(results: Sequence[dict[str, Any]]) -> bool:
     """Whether every run passed with the same verdict; in lockstep with the same trajectory as well."""
-    same = ["verdict", "trajectory_hash"] if lockstep else ["verdict"]
+    same = (
+        ["verdict", "trajectory_hash"] if all(each.get("lockstep", True) for each in results) else ["verdict"]
+    )
     return all(result["passed"] for result in results) and all(
         len({result[name] for result in results}) == 1 for name in same
     )

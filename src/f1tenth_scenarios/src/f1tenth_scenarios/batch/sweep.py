@@ -11,8 +11,8 @@ from f1tenth_scenarios.batch.inputs import hash_inputs, hash_software
 from f1tenth_scenarios.batch.jobs import Job, Outcome, read_result, run_jobs
 from f1tenth_scenarios.batch.table_file import check_table_file, write_table
 from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.plan.planning import make_plan
 from f1tenth_scenarios.results.console import CountLine
-from f1tenth_scenarios.scenario.plan import make_plan
 from f1tenth_scenarios.scenario.settings import Setting, combinations, folder_name, parse_variation
 from f1tenth_scenarios.stop_request import StopRequest
 

@@ -2,12 +2,13 @@
 
 import dataclasses
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Optional
 
+from f1tenth_scenarios.plan.task import Task
 from f1tenth_scenarios.record.observations import RaceState, RaceUpdate
 from f1tenth_scenarios.record.record import STAMP_EPSILON, Record
-from f1tenth_scenarios.scenario.scenario import Driver, Scenario
+from f1tenth_scenarios.scenario.scenario import Scenario
 
 _DISTANCE = 0.05  # m, from where a car was put
 
@@ -52,15 +53,16 @@ def race_start(updates: Sequence[RaceUpdate]) -> Optional[float]:
 
 
 def find_false_start(
-    scenario: Scenario, moves: FirstMoves, updates: Sequence[RaceUpdate]
+    scenario: Scenario, tasks: Mapping[str, Task], moves: FirstMoves, updates: Sequence[RaceUpdate]
 ) -> Optional[FalseStart]:
-    """The first false start; nothing without one, and where nobody races, because there is no start.
+    """The first false start of a car that is to wait for the start; nothing without one.
 
     Before the countdown can be over it is one whatever is heard of the start.
     """
-    if not moves.stamps or all(car.driver is not Driver.RACE for car in scenario.cars):
+    early = [(stamp, car) for car, stamp in moves.stamps.items() if car in tasks and tasks[car].obeys_start]
+    if not early:
         return None
-    stamp, car = min((stamp, car) for car, stamp in moves.stamps.items())
+    stamp, car = min(early)
     said = f"false start: {car} moved at {stamp:.3f} s, before"
     if stamp + STAMP_EPSILON < scenario.time_to_start:
         return FalseStart(stamp, car, f"{said} the countdown of {scenario.time_to_start} s was over")

@@ -11,11 +11,13 @@ from typing import Optional
 from f1tenth_scenarios.judge.contacts import find_contacts
 from f1tenth_scenarios.judge.false_start import find_false_start, moves_of
 from f1tenth_scenarios.judge.goal_passes import GoalPasses, find_passes
+from f1tenth_scenarios.judge.progress import finish_of
+from f1tenth_scenarios.plan.task import Task
 from f1tenth_scenarios.record.observations import Failure, Observations, RaceState, RaceUpdate
 from f1tenth_scenarios.record.record import STAMP_EPSILON, Contact, Record
-from f1tenth_scenarios.scenario.scenario import Driver, Pose, Scenario, Verdict
+from f1tenth_scenarios.scenario.scenario import Scenario, Verdict
 
-Goals = Mapping[str, Sequence[Pose]]
+Tasks = Mapping[str, Task]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -47,38 +49,52 @@ class Judgement:
 _RANK = (Verdict.COLLISION, Verdict.ABORTED, Verdict.SUCCESS, Verdict.TIMEOUT, Verdict.ERROR)
 
 
-def judge(scenario: Scenario, goals: Goals, seen: Observations) -> Judgement:
+def judge(scenario: Scenario, tasks: Tasks, seen: Observations) -> Judgement:
     """Judge a run.
 
     Args:
-        scenario: what was to be done
-        goals: per car, its goals in order, all laps
+        scenario: how the run was to be
+        tasks: per car, what it had to do
         seen: what was observed
     """
-    endings = list(_endings(scenario, goals, seen)) or [_undecided(seen)]
+    endings = list(_endings(scenario, tasks, seen)) or [_undecided(seen)]
     decision = min(endings, key=lambda ending: (ending.stamp, _RANK.index(ending.verdict)))
     record = seen.record.until(decision.stamp)
     # Outside lockstep a car may reach its goal between two periods.
     driven = seen.record.covering(decision.stamp)
-    passes = {car: _passes(scenario, driven, car, poses) for car, poses in goals.items()}
+    passes = {car: _passes(scenario, driven, car, task.goals) for car, task in tasks.items() if task.goals}
     if decision.verdict is Verdict.SUCCESS:
         decision = _verify_success(decision, seen.record, passes)
     failure = _failure(seen) if decision.verdict is Verdict.ERROR else None
     return Judgement(decision, record, passes, failure)
 
 
-def is_decided(scenario: Scenario, goals: Goals, updates: Sequence[RaceUpdate]) -> bool:
-    """Whether the cars themselves say that it is over: every race finished, or one aborted."""
-    return any(True for _ in (*_races_finished(scenario, goals, updates), *_races_aborted(updates)))
+def is_decided(tasks: Tasks, updates: Sequence[RaceUpdate], finishes: Mapping[str, Optional[float]]) -> bool:
+    """Whether it is over: every task done, or a car gave up.
+
+    Args:
+        tasks: per car, what it has to do
+        updates: what the cars say of themselves
+        finishes: when the record shows a car's task to be done (s), so far
+    """
+    return any(True for _ in (*_tasks_done(tasks, updates, finishes), *_races_aborted(updates)))
 
 
-def _endings(scenario: Scenario, goals: Goals, seen: Observations) -> Iterator[Decision]:
+def _endings(scenario: Scenario, tasks: Tasks, seen: Observations) -> Iterator[Decision]:
     yield from _collisions(scenario, seen)
-    yield from _false_starts(scenario, seen)
+    yield from _false_starts(scenario, tasks, seen)
     yield from _races_aborted(seen.updates)
-    yield from _races_finished(scenario, goals, seen.updates)
+    yield from _tasks_done(tasks, seen.updates, _finishes(scenario, tasks, seen.record))
     yield from _timeouts(scenario, seen)
     yield from _breakdowns(seen)
+
+
+def _finishes(scenario, tasks, record) -> dict[str, Optional[float]]:
+    return {
+        car: finish_of(record.tracks[car], task, scenario.criteria)
+        for car, task in tasks.items()
+        if car in record.tracks
+    }
 
 
 def first_collision(scenario: Scenario, record: Record) -> Optional[Contact]:
@@ -94,8 +110,8 @@ def _collisions(scenario, seen):
         yield Decision(contact.start, Verdict.COLLISION, reason, contact.car)
 
 
-def _false_starts(scenario, seen):
-    found = find_false_start(scenario, moves_of(seen.record), seen.updates)
+def _false_starts(scenario, tasks, seen):
+    found = find_false_start(scenario, tasks, moves_of(seen.record), seen.updates)
     if found:
         yield Decision(found.stamp, Verdict.ABORTED, found.reason, found.car)
 
@@ -107,27 +123,34 @@ def _races_aborted(updates):
             yield Decision(update.stamp, Verdict.ABORTED, reason, update.car)
 
 
-def _races_finished(scenario, goals, updates):
-    racing = [car.name for car in scenario.cars if car.driver is Driver.RACE]
-    stamps = [_finish(updates, car, len(goals[car])) for car in racing]
-    if racing and None not in stamps:
-        reason = (
-            "every goal was passed in order" if len(racing) == 1 else "every car passed every goal in order"
-        )
-        yield Decision(max(stamps), Verdict.SUCCESS, reason)
+def _tasks_done(tasks, updates, finishes):
+    stamps = [_finish(task, updates, car, finishes) for car, task in tasks.items() if not task.is_empty]
+    if stamps and None not in stamps:
+        yield Decision(max(stamps), Verdict.SUCCESS, _what_was_done(tasks))
 
 
-def _finish(updates, car, goal_count):
-    """When the car's race_mgr has reached all goals, s; in loop mode it never says that it ended."""
-    return next(
-        (
-            update.stamp
-            for update in updates
-            if update.car == car
-            and (update.state is RaceState.FINISHED or update.goals_reached >= goal_count)
-        ),
-        None,
-    )
+def _finish(task, updates, car, finishes):
+    """When a car was done with its task, s: by the record.
+
+    One that says itself when it has reached its goals is not done before it says so.
+    """
+    own = [update for update in updates if update.car == car]
+    if task.laps or not (own or task.reports):
+        return finishes.get(car)
+    return next((update.stamp for update in own if _says_done(update, len(task.goals))), None)
+
+
+def _says_done(update, goal_count) -> bool:
+    # In loop mode race_mgr never says that it has finished.
+    return update.state is RaceState.FINISHED or update.goals_reached >= goal_count
+
+
+def _what_was_done(tasks) -> str:
+    todo = [task for task in tasks.values() if not task.is_empty]
+    several = len(todo) > 1
+    if all(task.laps for task in todo):
+        return "every car drove its laps" if several else "every lap was driven"
+    return "every car passed every goal in order" if several else "every goal was passed in order"
 
 
 def _timeouts(scenario, seen):

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from typing import Optional
 
 from f1tenth_scenarios.record.replay import Poses
-from f1tenth_scenarios.scenario.course import Course
+from f1tenth_scenarios.road.course import Course
 
 
 @dataclasses.dataclass(frozen=True)

@@ -2,18 +2,28 @@
 
 import json
 import xml.etree.ElementTree as ElementTree
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from f1tenth_scenarios import places
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.plan.handover import (
+    driver_arguments,
+    driver_topics,
+    input_topics,
+    odometry,
+    opponent_of,
+    usual_topics,
+)
+from f1tenth_scenarios.plan.participants import DEPUTY, driver_participants, has_deputy, participants
+from f1tenth_scenarios.plan.plan import Plan
+from f1tenth_scenarios.plan.scenario_world import write_world
 from f1tenth_scenarios.record.bag import RECORDER, recorder_arguments
-from f1tenth_scenarios.scenario.participants import participants
-from f1tenth_scenarios.scenario.plan import Plan
-from f1tenth_scenarios.scenario.scenario import Car, Driver, Input, Localization, Scenario
-from f1tenth_scenarios.scenario.scenario_world import write_world
+from f1tenth_scenarios.road.goals import goals_text
+from f1tenth_scenarios.scenario.driver import Interface
+from f1tenth_scenarios.scenario.scenario import Car, Input
 
-# s, after which the start signal is surely given: the countdown begins with the first period, not at 0.
-_START_MARGIN = 0.1
 # What takes time and helps nobody here is left out; timeouts in wall s, for each node.
 _OPTIONS = (
     "--skip-log-check",
@@ -22,6 +32,15 @@ _OPTIONS = (
     "--sigint-timeout=4",
     "--sigterm-timeout=2",
 )
+# Topics of f1tenth_simulator and f1tenth_gym_ros, which give the true pose as odometry: ours for the driver's
+# car, and for its opponent.
+_F1TENTH_OWN = {
+    "/scan": "scan",
+    "/drive": "drive",
+    "/odom": "perfect_odom",
+    "/ego_racecar/odom": "perfect_odom",
+}
+_F1TENTH_OPPONENT = {"/opp_scan": "scan", "/opp_drive": "drive", "/opp_racecar/odom": "perfect_odom"}
 
 
 def launch_command(file: Path) -> list[str]:
@@ -30,18 +49,25 @@ def launch_command(file: Path) -> list[str]:
 
 
 def write_launch_file(plan: Plan) -> None:
-    """Write the launch file that starts everything the scenario describes, and the files it names."""
+    """Write the launch file that starts everything the scenario describes, and the files it names.
+
+    Raises:
+        ScenarioError: roslaunch would take something for what it is not.
+    """
     if plan.scenario.boxes:
         write_world(plan.world, plan.scenario, plan.run_world)
     for car in plan.scenario.cars:
         if vehicle := _vehicle(car):
             plan.vehicle_file(car.name).write_text(vehicle, encoding="utf-8")
+        goals_file = plan.goals_file(car.name)
+        if goals_file and not plan.cars[car.name].goals_file:
+            goals_file.write_text(goals_text(plan.cars[car.name].goals), encoding="utf-8")
     launch = ElementTree.Element("launch")
-    _include(launch, "scenario.launch", _shared_arguments(plan))
+    _include(launch, _own("scenario.launch"), _shared_arguments(plan))
     for car in plan.scenario.cars:
-        _include(launch, "scenario_car.launch", _car_arguments(plan, car))
-    cars = [car.name for car in plan.scenario.cars]
-    arguments = recorder_arguments(plan.bag_file, cars)
+        _include(launch, _own("scenario_car.launch"), _car_arguments(plan, car))
+        _add_driver(launch, plan, car)
+    arguments = recorder_arguments(plan.bag_file, list(plan.cars))
     ElementTree.SubElement(launch, "node", pkg="rosbag", type="record", name=RECORDER, args=arguments)
     ElementTree.indent(launch)
     ElementTree.ElementTree(launch).write(plan.launch_file, encoding="utf-8")
@@ -53,38 +79,33 @@ def _shared_arguments(plan: Plan) -> dict[str, Any]:
         "world_file_name": plan.run_world,
         "map_file": plan.map or "",
         "lockstep": scenario.lockstep,
-        "participants": f"[{', '.join(participants(scenario))}]",
+        "participants": f"[{', '.join(participants(plan))}]",
         "lockstep_timeout": scenario.limits.answer,
         "real_time_factor": scenario.real_time_factor,
         "seed": scenario.seed,
         "record": plan.record_file,
-        "odometry": _odometry(scenario),
+        "odometry": odometry(plan),
         "result_file": plan.simulator_result_file,
-        "race": any(car.driver is Driver.RACE for car in scenario.cars),
+        "race": plan.has_countdown,
         "time_to_start": scenario.time_to_start,
     }
 
 
 def _car_arguments(plan: Plan, car: Car) -> dict[str, Any]:
+    start = plan.cars[car.name].start
     return {
         "car_name": car.name,
-        "x": car.start.x,
-        "y": car.start.y,
-        "yaw": car.start.yaw,
+        "x": start.x,
+        "y": start.y,
+        "yaw": start.yaw,
         "lockstep": plan.scenario.lockstep,
-        "driver": car.driver.value,
-        "goals_file": plan.goals_files.get(car.name, ""),
-        "loop_mode": plan.scenario.laps > 1,
-        "scenario_file": plan.file,
-        "line": plan.lines.get(car.name, ""),
-        "speed_max": "" if car.speed_max is None else car.speed_max,
-        "acceleration_max": "" if car.acceleration_max is None else car.acceleration_max,
-        "start_at": plan.scenario.time_to_start + _START_MARGIN if plan.goals else 0.0,
+        "driver_mark": "=".join(_driver_mark(plan, car)) if has_deputy(plan, car.name) else "",
+        "scan_topic": input_topics(plan, car)[Input.SCAN],
+        "planner": driver_participants(plan, car.name)[0],
         "vehicle": plan.vehicle_file(car.name) if _vehicle(car) else "",
         "dropped_beams": car.dropped_beams,
-        "faulty_inputs": " ".join(each.value for each in Input if car.faults_of(each)),
         "input_faults": json.dumps(_faults(car)),
-        "odometry": _odometry(plan.scenario),
+        "odometry": odometry(plan),
         "localization": plan.scenario.localization.value,
         "seed": plan.scenario.seed,
     }
@@ -94,6 +115,11 @@ def _vehicle(car: Car) -> str:
     """What the scenario changes of the car's parameters, as their YAML file; empty if nothing."""
     mu = "" if car.mu is None else f"mu: {car.mu!r}\n"
     return mu + ("" if car.model is None else f"model: {car.model.value}\n")
+
+
+def _driver_mark(plan: Plan, car: Car) -> tuple[str, str]:
+    """A variable in the environment of the driver's processes, and a value that no other driver's have."""
+    return "F1TENTH_DRIVER", f"{car.name} of {plan.folder}"
 
 
 def _faults(car: Car) -> list[dict[str, Any]]:
@@ -106,13 +132,53 @@ def _faults(car: Car) -> list[dict[str, Any]]:
     ]
 
 
-def _odometry(scenario: Scenario) -> str:
-    return "wheel" if scenario.localization is Localization.AMCL else "perfect"
+def _add_driver(launch: ElementTree.Element, plan: Plan, car: Car) -> None:
+    driver = plan.cars[car.name].driver
+    group = ElementTree.SubElement(launch, "group", ns=car.name)
+    name, value = _driver_mark(plan, car)
+    ElementTree.SubElement(group, "env", name=name, value=value)
+    for old, new in _remappings(plan, car).items():
+        ElementTree.SubElement(group, "remap", {"from": old, "to": new})
+    _check_text(str(driver.file.path))
+    _include(group, str(driver.file.path), driver_arguments(plan, car))
 
 
-def _include(launch: ElementTree.Element, name: str, arguments: dict[str, Any]) -> None:
-    file = f"$(find {places.PACKAGE})/launch/{name}"
-    include = ElementTree.SubElement(launch, "include", file=file)
+def _remappings(plan: Plan, car: Car) -> dict[str, str]:
+    """The names of topics that are others for the driver of a car."""
+    own = f"/{car.name}"
+    usual, actual = usual_topics(plan), driver_topics(plan, car)
+    driver = plan.cars[car.name].driver
+    found = {
+        _absolute(own, usual[each]): _absolute(own, actual[each])
+        for each in Input
+        if usual[each] != actual[each] and not driver.takes(f"{each.value}_topic")
+    }
+    if driver.interface is Interface.F1TENTH:
+        theirs = {old: f"{own}/{new}" for old, new in _F1TENTH_OWN.items()}
+        found |= {old: found.get(new, new) for old, new in theirs.items()}
+        opponent = opponent_of(plan, car)
+        found |= {old: f"/{opponent}/{new}" for old, new in _F1TENTH_OPPONENT.items() if opponent}
+    if has_deputy(plan, car.name):
+        found["/clock"] = f"{own}/{DEPUTY}/clock"
+    return found
+
+
+def _absolute(namespace: str, topic: str) -> str:
+    return topic if topic.startswith("/") else f"{namespace}/{topic}"
+
+
+def _include(parent: ElementTree.Element, file: str, arguments: Mapping[str, Any]) -> None:
+    include = ElementTree.SubElement(parent, "include", file=file)
     for key, value in arguments.items():
         text = str(value).lower() if isinstance(value, bool) else str(value)
+        _check_text(text)
         ElementTree.SubElement(include, "arg", name=key, value=text)
+
+
+def _check_text(text: str) -> None:
+    if "$(" in text:
+        raise ScenarioError(f"'{text}': roslaunch would put something else in the place of '$('; rename it")
+
+
+def _own(name: str) -> str:
+    return f"$(find {places.PACKAGE})/launch/{name}"

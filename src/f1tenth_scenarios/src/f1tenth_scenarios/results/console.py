@@ -9,10 +9,10 @@ from typing import Optional, TextIO
 
 from f1tenth_scenarios.judge.criterion import Status
 from f1tenth_scenarios.judge.driving_criteria import least_clearance
+from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.record.pace import Pace
 from f1tenth_scenarios.results.reference_laps import reference_lap
 from f1tenth_scenarios.results.result import PICTURE_FILE, RESULT_FILE, Result
-from f1tenth_scenarios.scenario.plan import Plan
 
 _REDRAW_INTERVAL = 0.2  # wall s
 _LINE_WIDTH = 200  # characters, of a log's lines
@@ -85,6 +85,7 @@ def summary(result: Result, plan: Plan) -> str:
         ("verdict", f"{decision.verdict.value} (expected {plan.scenario.expected.value})"),
         ("passed", "yes" if result.passed else "no"),
         ("reason", result.reason),
+        *([("note", result.note)] if result.note else []),
         ("lap time", _unit(result.best_lap_time, "s", 3)),
         *_reference(result, plan),
         *_all_laps(result, plan),
@@ -113,15 +114,17 @@ def _reference(result, plan):
     fastest = reference_lap(plan.scenario)
     if fastest and result.best_lap_time:
         times = result.best_lap_time / fastest
-        how = "in a flying lap" if plan.scenario.laps > 1 else "from standstill"
+        several = plan.scenario.laps > 1 or any(task.laps > 1 for task in plan.tasks.values())
+        how = "in a flying lap" if several else "from standstill"
         yield "reference", f"{fastest:.3f} s (fastest flying lap possible), {times:.2f} times that {how}"
 
 
 def _all_laps(result, plan):
-    if plan.scenario.laps > 1:
-        for car in plan.scenario.cars:
-            times = ", ".join(_unit(time, "s", 3) for time in result.lap_times(car.name))
-            yield f"laps of {car.name}", times or "none"
+    racing = {name: car.task for name, car in plan.cars.items() if not car.task.is_empty}
+    if plan.scenario.laps > 1 or len(racing) > 1 or any(task.laps > 1 for task in racing.values()):
+        for car in racing:
+            times = ", ".join(_unit(time, "s", 3) for time in result.lap_times(car))
+            yield f"laps of {car}", times or "none"
 
 
 def _failed_criteria(result):

@@ -6,7 +6,7 @@ from typing import Optional
 import yaml
 
 from f1tenth_scenarios import places
-from f1tenth_scenarios.scenario.scenario import Driver, Scenario
+from f1tenth_scenarios.scenario.scenario import Scenario
 
 _HEAD = "# Fastest flying laps (s); made by: rosrun f1tenth_studies race_reference --laps {path}\n"
 
@@ -19,7 +19,9 @@ def reference_laps_file() -> Path:
 def reference_lap(scenario: Scenario) -> Optional[float]:
     """Fastest flying lap of the circuit that a car with its usual tyres races around, s; else nothing."""
     racers = [
-        car for car in scenario.cars if car.driver is Driver.RACE and car.goals in (None, scenario.world)
+        car
+        for car in scenario.cars
+        if car.laps or (car.driver.name == "race" and car.goals in (None, scenario.world))
     ]
     around = any(car.mu is None for car in racers)
     laps = yaml.safe_load(reference_laps_file().read_text(encoding="utf-8"))

@@ -31,6 +31,7 @@ class Result:
     folder: Path = Path()  # of the results
     wall_time: Optional[float] = None  # s, of everything, from the start of the command
     not_written: tuple[str, ...] = ()  # files of the results, each with the reason
+    note: str = ""  # why the run was another one than the scenario asks for
 
     @property
     def cost(self) -> Optional[float]:
@@ -96,6 +97,8 @@ def as_dict(
         "real_time_factor": result.measured.real_time_factor,
         "seed": result.scenario.seed,
         "settings": list(settings),
+        "lockstep": result.scenario.lockstep,
+        "note": result.note,
         "trajectory_hash": record.hash_at_end(),
         "versions": dict(versions),
         "not_written": list(result.not_written),

@@ -2,16 +2,23 @@
 
 import dataclasses
 import glob
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Optional
 
+from f1tenth_scenarios.plan.participants import DEPUTY, driver_nodes_among
+from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_scenarios.run.file_tail import last_lines
 from f1tenth_scenarios.run.launch_log import NodeEnd
-from f1tenth_scenarios.scenario.plan import Plan
 
 _LINE_COUNT = 10
+_RESTLESS = "has not come to rest within {:g} s of wall time (limits.answer)"
+_ALL = 1_000_000  # lines
+_TRACEBACK = "Traceback (most recent call last)"
+_ERROR_WORDS = ("[ERROR]", "[FATAL]", _TRACEBACK)
+_ERROR_LINES = 40  # at most, of one error
 
 
 @dataclasses.dataclass(frozen=True)
@@ -22,12 +29,17 @@ class Signs:
     lost: Sequence[RaceUpdate]  # race managers that lost their planner or were told to stop
     exit_code: Optional[int]  # of roslaunch, nothing while it runs
     simulator: Mapping[str, Any]  # what the simulator wrote at its end, empty if nothing
+    started: Sequence[str] = ()  # nodes
 
 
 def failure_of(plan: Plan, signs: Signs) -> Failure:
     """Name whom the simulator waited for in vain, else the simulator, else the first that ended."""
     participant, error = signs.simulator.get("participant"), signs.simulator.get("error")
     by_name = {end.node: end for end in reversed(signs.ends)}
+    restless = next((car for car in plan.cars if participant == f"{car}/{DEPUTY}"), None)
+    if restless and participant not in by_name:
+        nodes = driver_nodes_among(restless, signs.started)
+        return failure_of_driver(plan, restless, nodes, _RESTLESS.format(plan.scenario.limits.answer))
     if participant in by_name:
         return _node_failure(plan, by_name[participant], by_name[participant].describe())
     if participant:
@@ -46,17 +58,64 @@ def failure_of(plan: Plan, signs: Signs) -> Failure:
     )
 
 
+def failure_of_driver(plan: Plan, car: str, nodes: Sequence[str], reason: str) -> Failure:
+    """A car's driver is of no use: its node that told of an error, else the first, else its launch file."""
+    ends = [NodeEnd(node, 0) for node in nodes]
+    if not ends:
+        return _node_failure(plan, NodeEnd(f"{car} ({plan.cars[car].driver.file.path})", 0), reason)
+    failures = [_node_failure(plan, end, reason) for end in ends]
+    return next((each for each in failures if any(map(_tells_of_error, each.log_lines))), failures[0])
+
+
 def _lost_failure(plan, update):
     node = "move_base" if update.state is RaceState.LOST else "race_mgr"
     return _node_failure(plan, NodeEnd(f"{update.car}/{node}", 0), update.reason)
 
 
 def _node_failure(plan, end, reason):
-    file = _log_file(plan, end)
-    lines = tuple(last_lines(file, _LINE_COUNT)) if file else ()
-    if not lines:
-        file, lines = plan.launch_log, _lines_of(plan.launch_log, end.node)
-    return Failure(end.node, reason, str(file), lines)
+    for file, lines in _last_words(plan, end):
+        if lines:
+            return Failure(end.node, reason, str(file), tuple(lines[-_LINE_COUNT:]))
+    return Failure(end.node, reason, str(plan.launch_log))
+
+
+def _last_words(plan: Plan, end: NodeEnd) -> Iterator[tuple[Path, list[str]]]:
+    """What a node may have said last, the most telling first: files and lines."""
+    output = last_lines(plan.launch_log, _ALL)
+    own_log = _log_file(plan, end)
+    own = last_lines(own_log, _ALL) if own_log else []
+    if end.exit_code:
+        yield plan.launch_log, _last_traceback(output, end.node)
+    if own_log:
+        yield own_log, _from_last_error(own)
+    yield plan.launch_log, [line for line in output if f"[/{end.node}]" in line or f"[{end.node}]" in line]
+    if own_log:
+        yield own_log, own
+    yield plan.launch_log, output
+
+
+def _last_traceback(output: list[str], node: str) -> list[str]:
+    """The last one before roslaunch noticed the end of a node: what nobody catches goes to its stderr."""
+    died = re.compile(rf"\[{re.escape(node)}-\d+\] process has died")
+    until = next((number for number, line in enumerate(output) if died.search(line)), 0)
+    begins = [number for number, line in enumerate(output[:until]) if line.startswith(_TRACEBACK)]
+    if not begins:
+        return []
+    block = output[begins[-1] : until]
+    length = next(
+        (number for number, line in enumerate(block[1:], 1) if not line.startswith(" ")), len(block)
+    )
+    return block[: length + 1]
+
+
+def _from_last_error(lines: list[str]) -> list[str]:
+    """The last error and what follows it: the traceback of a callback, for example."""
+    begins = [number for number, line in enumerate(lines) if _tells_of_error(line)]
+    return lines[begins[-1] : begins[-1] + _ERROR_LINES] if begins else []
+
+
+def _tells_of_error(line: str) -> bool:
+    return any(word in line for word in _ERROR_WORDS)
 
 
 def _log_file(plan: Plan, end: NodeEnd) -> Optional[Path]:
@@ -66,10 +125,3 @@ def _log_file(plan: Plan, end: NodeEnd) -> Optional[Path]:
     files = [Path(name) for pattern in patterns for name in glob.glob(pattern)]
     filled = [file for file in files if file.stat().st_size]
     return max(filled, key=lambda file: file.stat().st_mtime, default=None)
-
-
-def _lines_of(path: Path, node: str) -> tuple[str, ...]:
-    """What a node wrote to roslaunch's output: ROSCONSOLE_FORMAT makes every line name its node."""
-    lines = last_lines(path, 1_000_000)
-    named = [line for line in lines if f"[/{node}]" in line]
-    return tuple((named or lines)[-_LINE_COUNT:])

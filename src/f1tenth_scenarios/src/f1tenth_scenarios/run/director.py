@@ -9,12 +9,12 @@ from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Header
 
 from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.plan.participants import DIRECTOR, participants
+from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.record.observations import Failure
 from f1tenth_scenarios.run.agenda import Agenda, PeriodGate
 from f1tenth_scenarios.run.ros_node_kill import kill_node
 from f1tenth_scenarios.run.ros_push import push_model
-from f1tenth_scenarios.scenario.participants import DIRECTOR, participants
-from f1tenth_scenarios.scenario.scenario import Scenario
 
 
 def _kills(scenario):
@@ -36,11 +36,12 @@ _FAR_FUTURE = rospy.Time(2147483647)
 class Director:
     """Follows the clock; in lockstep as a participant, so that what it does falls into its period."""
 
-    def __init__(self, scenario: Scenario):
+    def __init__(self, plan: Plan):
+        scenario = plan.scenario
         self.failure: Optional[Failure] = None
         self._lockstep = scenario.lockstep
         self._agenda = Agenda([*_kills(scenario), *_pushes(scenario)])
-        self._gate = PeriodGate({fault.kill for fault in scenario.faults} & set(participants(scenario)))
+        self._gate = PeriodGate({fault.kill for fault in scenario.faults} & set(participants(plan)))
         self._inbox: queue.SimpleQueue = queue.SimpleQueue()
         self._done = rospy.Publisher("/sim2d/done", Header, queue_size=10)
         self._subscribers = [

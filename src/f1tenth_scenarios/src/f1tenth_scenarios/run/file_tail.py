@@ -1,10 +1,12 @@
 """Following files that another process is still writing."""
 
 import re
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Optional
 
 from f1tenth_scenarios.judge.false_start import FirstMoves
+from f1tenth_scenarios.judge.progress import TaskProgress
 from f1tenth_scenarios.record.record import COLUMNS
 
 _ESCAPE = re.compile(r"\x1b\[[0-9;]*m|\x1b\]2;[^\x07]*\x07")
@@ -34,10 +36,12 @@ class LineTail:
 class RecordTail:
     """What the simulator's record says so far: cheap enough to be asked many times a second."""
 
-    _TIME, _CAR, _X, _Y, _CONTACTS = map(COLUMNS.index, ("time", "car", "x", "y", "contacts"))
+    _TIME, _CAR, _X, _Y, _YAW, _CONTACTS = map(COLUMNS.index, ("time", "car", "x", "y", "yaw", "contacts"))
 
-    def __init__(self, path: Path):
+    def __init__(self, path: Path, progress: Mapping[str, TaskProgress]):
+        """`progress` of the cars follows what is read."""
         self._tail = LineTail(path)
+        self._progress = progress
         self.time: Optional[float] = None  # s, of the last period
         self.touches = 0  # rows with a contact
         self.moves = FirstMoves()
@@ -47,9 +51,15 @@ class RecordTail:
         for line in self._tail.new_lines():
             cells = line.split(",")
             if len(cells) == len(COLUMNS) and cells[self._TIME] != COLUMNS[self._TIME]:
-                self.time = float(cells[self._TIME])
-                self.touches += bool(cells[self._CONTACTS])
-                self.moves.take(self.time, cells[self._CAR], float(cells[self._X]), float(cells[self._Y]))
+                self._take(cells)
+
+    def _take(self, cells: list[str]) -> None:
+        car = cells[self._CAR]
+        self.time, x, y, yaw = (float(cells[each]) for each in (self._TIME, self._X, self._Y, self._YAW))
+        self.touches += bool(cells[self._CONTACTS])
+        self.moves.take(self.time, car, x, y)
+        if car in self._progress:
+            self._progress[car].take(self.time, x, y, yaw)
 
 
 def last_lines(path: Path, count: int) -> list[str]:

@@ -1,12 +1,15 @@
 """A run of a scenario with ROS around it."""
 
+import logging
+
+from f1tenth_scenarios.errors import MisfitError
 from f1tenth_scenarios.launch.launch_file import launch_command
 from f1tenth_scenarios.launch.processes import process_start
+from f1tenth_scenarios.plan.plan import Plan
+from f1tenth_scenarios.plan.planning import in_real_time
 from f1tenth_scenarios.results.result import Result
 from f1tenth_scenarios.run.run import execute
 from f1tenth_scenarios.run.supervisor import Progress, Watch
-from f1tenth_scenarios.scenario.plan import Plan
-from f1tenth_scenarios.scenario.scenario import Scenario
 from f1tenth_scenarios.stop_request import StopRequest
 
 # Every line of a node's output names the node, so that its last words can be found among the others'.
@@ -16,36 +19,39 @@ _CONSOLE_FORMAT = "[${severity}] [${time}] [${node}]: ${message}"
 def run_with_ros(plan: Plan, stop: StopRequest, progress: Progress = lambda simulated, wall: None) -> Result:
     """Run a scenario on the master that ROS_MASTER_URI names; once per process, from the main thread.
 
+    If somebody's driver does not fit lockstep, the run begins anew without it, and the result says so.
+
     Raises:
         ScenarioError: the results folder cannot be used.
     """
+    try:
+        return _run(plan, stop, progress)
+    except MisfitError as misfit:
+        return _run(in_real_time(plan, str(misfit)), stop, progress)
+    finally:
+        _leave_ros()
+
+
+def _run(plan: Plan, stop: StopRequest, progress: Progress) -> Result:
     environment = {
         "ROS_LOG_DIR": str(plan.log_folder),
         "ROSCONSOLE_FORMAT": _CONSOLE_FORMAT,
         "PYTHONUNBUFFERED": "1",
     }
-    try:
-        return execute(
-            plan,
-            launch_command(plan.launch_file),
-            environment,
-            lambda: _watch(plan.scenario),
-            stop,
-            progress,
-            started=process_start(),
-        )
-    finally:
-        _leave_ros()
+    command = launch_command(plan.launch_file)
+    return execute(plan, command, environment, lambda: _watch(plan), stop, progress, process_start())
 
 
-def _watch(scenario: Scenario) -> Watch:
+def _watch(plan: Plan) -> Watch:
     import rospy
 
     from f1tenth_scenarios.run.ros_watch import RosWatch
 
+    # It would complain of nodes that ended while they asked something.
+    logging.getLogger("xmlrpc").addHandler(logging.NullHandler())
     # Before anything sets use_sim_time, because this node lives in wall time.
     rospy.init_node("scenario", anonymous=True, disable_signals=True, disable_rosout=True)
-    return RosWatch(scenario)
+    return RosWatch(plan)
 
 
 def _leave_ros() -> None:

@@ -5,17 +5,22 @@ import time
 from typing import Optional
 
 import rospy
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from geometry_msgs.msg import PoseWithCovarianceStamped
 from std_msgs.msg import Bool
 
 from f1tenth_race_mgr.msg import RaceStatus
+from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.record.bag import planar
 from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_scenarios.record.replay import Poses
+from f1tenth_scenarios.run.command_watch import CommandCount, CommandWatch
+from f1tenth_scenarios.run.culprit import failure_of_driver
 from f1tenth_scenarios.run.director import Director
-from f1tenth_scenarios.scenario.scenario import Driver, Scenario
+from f1tenth_scenarios.run.ros_graph import driver_nodes
 
 _PATIENCE, _LOOK_INTERVAL = 2.0, 0.005  # wall s
+_COMMANDS_OF, _REFUSED = "sim2d: commands of ", "refused: "  # in the simulator's diagnostics
 
 
 def to_update(car: str, message: RaceStatus) -> RaceUpdate:
@@ -25,18 +30,42 @@ def to_update(car: str, message: RaceStatus) -> RaceUpdate:
     )
 
 
+def to_count(stamp: float, status: DiagnosticStatus) -> CommandCount:
+    """What the simulator says of the commands of a car at a stamp (s)."""
+    values = {each.key: each.value for each in status.values}
+    car, refusal = status.name[len(_COMMANDS_OF) :], status.message.removeprefix(_REFUSED)
+    return CommandCount(stamp, car, int(values["accepted"]), int(values["refused"]), refusal)
+
+
+def _steady_cars(plan: Plan) -> list[str]:
+    """Those whose drivers send commands all the time: not while they wait for a start signal or a goal."""
+    return [
+        car
+        for car, planned in plan.cars.items()
+        if not planned.driver.needs_countdown and not planned.task.is_empty
+    ]
+
+
+def _driver_failure(plan: Plan, car: str, reason: str) -> Failure:
+    return failure_of_driver(plan, car, driver_nodes(car), reason)
+
+
 class RosWatch:
     """Listens to race_status and collision, and breaks what is to be broken. Needs a running rospy node."""
 
-    def __init__(self, scenario: Scenario):
-        self._cars = [car.name for car in scenario.cars]
+    def __init__(self, plan: Plan):
+        self._plan = plan
+        self._cars = list(plan.cars)
         self._updates: queue.SimpleQueue = queue.SimpleQueue()
-        self._subscribers = [self._subscribe(car.name) for car in scenario.cars if car.driver is Driver.RACE]
+        self._counts: queue.SimpleQueue = queue.SimpleQueue()
+        self._commands = CommandWatch(_steady_cars(plan), plan.scenario.limits.silence)
+        self._subscribers = [self._subscribe(car) for car in self._cars]
         self._collided: set[str] = set()
         self._subscribers += [self._subscribe_collision(car) for car in self._cars]
+        self._subscribers.append(rospy.Subscriber("/diagnostics", DiagnosticArray, self._take_diagnostics))
         self._estimates: queue.SimpleQueue = queue.SimpleQueue()
         self._localizations = [self._subscribe_estimate(car) for car in self._cars]
-        self._director = Director(scenario) if scenario.has_events else None
+        self._director = Director(plan) if plan.scenario.has_events else None
 
     def take(self) -> list[RaceUpdate]:
         """The updates since the last call, in the order of their arrival."""
@@ -46,9 +75,14 @@ class RosWatch:
         """The cars that have reported a collision so far."""
         return frozenset(self._collided)
 
-    def failure(self) -> Optional[Failure]:
-        """What went wrong on this side, if anything did."""
-        return self._director.failure if self._director else None
+    def failure(self, done: set[str]) -> Optional[Failure]:
+        """What went wrong on this side, if anything did; `done`: the cars that have finished."""
+        if self._director and self._director.failure:
+            return self._director.failure
+        while not self._counts.empty():
+            self._commands.take(self._counts.get())
+        problems = self._commands.problems(done)
+        return _driver_failure(self._plan, *problems[0]) if problems else None
 
     def estimates(self) -> dict[str, Poses]:
         """What was heard of `amcl_pose`, by car: all of it, if the localizations end within some time."""
@@ -81,6 +115,11 @@ class RosWatch:
             lambda message: self._updates.put(to_update(car, message)),
             tcp_nodelay=True,
         )
+
+    def _take_diagnostics(self, message: DiagnosticArray) -> None:
+        for status in message.status:
+            if status.name.startswith(_COMMANDS_OF):
+                self._counts.put(to_count(message.header.stamp.to_sec(), status))
 
     def _subscribe_collision(self, car: str) -> rospy.Subscriber:
         return rospy.Subscriber(

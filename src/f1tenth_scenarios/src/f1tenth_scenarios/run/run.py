@@ -11,12 +11,12 @@ from f1tenth_scenarios import versions
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.judge import criteria
 from f1tenth_scenarios.judge.driving_criteria import least_clearance
-from f1tenth_scenarios.judge.false_start import race_start
 from f1tenth_scenarios.judge.judge import judge
-from f1tenth_scenarios.judge.laps import lap_times
+from f1tenth_scenarios.judge.laps import lap_times, start_of_race
 from f1tenth_scenarios.judge.measured import Measured
 from f1tenth_scenarios.launch.launch_file import write_launch_file
 from f1tenth_scenarios.launch.processes import ProcessTree
+from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.record.bag import BAG_FILE, read_bag
 from f1tenth_scenarios.record.observations import Failure, Observations
 from f1tenth_scenarios.record.record import Record, read_record
@@ -27,7 +27,6 @@ from f1tenth_scenarios.results.track_map import TrackMap, read_track_map
 from f1tenth_scenarios.results.writing import write_rest, write_verdict
 from f1tenth_scenarios.run.preparation import Preparation
 from f1tenth_scenarios.run.supervisor import Progress, Supervisor, Watch
-from f1tenth_scenarios.scenario.plan import Plan
 from f1tenth_scenarios.stop_request import StopRequest
 
 Files = Mapping[str, Callable[[Path], None]]  # what writes a file of the results, by its name
@@ -121,17 +120,17 @@ def _read_record(plan, failure):
 
 
 def _judge(plan, seen, estimates, real_time_factor) -> Result:
-    judgement = judge(plan.scenario, plan.all_goals, seen)
+    judgement = judge(plan.scenario, plan.tasks, seen)
     deciding = judgement.decision.stamp
     measured = Measured(
-        start=race_start([update for update in seen.updates if update.stamp <= deciding]),
-        lap_times=lap_times(plan.scenario, judgement, seen.updates),
+        start=start_of_race(plan.tasks, judgement, seen.updates),
+        lap_times=lap_times(plan.scenario, plan.tasks, judgement, seen.updates),
         real_time_factor=real_time_factor,
         estimates={car: poses.until(deciding) for car, poses in estimates.items()},
         course=plan.course,
     )
     judged = tuple(criteria.evaluate(plan.scenario, judgement, measured))
-    return Result(plan.name, plan.scenario, judgement, judged, measured)
+    return Result(plan.name, plan.scenario, judgement, judged, measured, note=plan.note)
 
 
 def _files_of_record(plan: Plan, done: Result, preparation: Preparation) -> Files:

@@ -1,31 +1,25 @@
 """Watching a run until something decides it."""
 
-import json
 import time
-from pathlib import Path
 from typing import Callable, Optional, Protocol
 
 from f1tenth_scenarios.judge.false_start import find_false_start
 from f1tenth_scenarios.judge.judge import first_collision, is_decided
+from f1tenth_scenarios.judge.progress import TaskProgress
 from f1tenth_scenarios.launch.processes import ProcessTree
-from f1tenth_scenarios.record.bag import RECORDER
+from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_scenarios.record.pace import Pace
 from f1tenth_scenarios.record.record import STAMP_EPSILON, read_record
 from f1tenth_scenarios.record.replay import Poses
-from f1tenth_scenarios.run.culprit import Signs, failure_of
+from f1tenth_scenarios.run.breakdown import Breakdown
 from f1tenth_scenarios.run.file_tail import RecordTail, last_lines
-from f1tenth_scenarios.run.launch_log import LaunchLog, NodeEnd
-from f1tenth_scenarios.scenario.participants import DRIVER_NODES
-from f1tenth_scenarios.scenario.plan import Plan
-from f1tenth_scenarios.scenario.scenario import Driver
+from f1tenth_scenarios.run.launch_log import LaunchLog
 from f1tenth_scenarios.stop_request import StopRequest
 
 _POLL_INTERVAL = 0.02  # wall s
-# What was said just before a node ended, and recorded of a collision, gets this long (wall s) to arrive.
-_LAST_WORDS, _RECORD_LAG = 0.5, 1.0
-# The same for one killed by a signal, which is nobody else's fault: only its output may still be on its way.
-_LAST_OUTPUT = 0.1
+# What was recorded of a collision gets this long (wall s) to arrive.
+_RECORD_LAG = 1.0
 
 
 class Watch(Protocol):
@@ -37,8 +31,8 @@ class Watch(Protocol):
     def collided(self) -> frozenset[str]:
         """The cars that have reported a collision so far."""
 
-    def failure(self) -> Optional[Failure]:
-        """What went wrong on this side, if anything did."""
+    def failure(self, done: set[str]) -> Optional[Failure]:
+        """What went wrong on this side, if anything did; `done`: the cars that have finished."""
 
     def close(self) -> None:
         """Stop listening."""
@@ -59,14 +53,16 @@ class Supervisor:
     def __init__(self, plan: Plan, tree: ProcessTree, watch: Watch, stop: StopRequest, progress: Progress):
         """`progress` is called with the simulated time and the wall time since the start, both s."""
         self._plan = plan
-        self._tree = tree
         self._watch = watch
         self._stop = stop
         self._progress = progress
         self._started = time.monotonic()
-        self._record = RecordTail(plan.record_file)
+        self._progress_of = {
+            car: TaskProgress(task, plan.scenario.criteria) for car, task in plan.tasks.items()
+        }
+        self._record = RecordTail(plan.record_file, self._progress_of)
         self._launch_log = LaunchLog(plan.launch_log)
-        self._end_seen_at: Optional[float] = None
+        self._breakdown = Breakdown(plan, tree, self._launch_log)
         self._touches_judged = 0
         self._alarm_at: Optional[float] = None
         self._race_over_at: Optional[float] = None
@@ -95,10 +91,14 @@ class Supervisor:
         return (
             self._collided()
             or self._is_alarm_over()
-            or find_false_start(self._plan.scenario, self._record.moves, self.updates) is not None
+            or self._has_false_start()
             or (simulated is not None and simulated >= self._plan.scenario.limits.timeout)
             or self._is_race_over()
         )
+
+    def _has_false_start(self) -> bool:
+        plan = self._plan
+        return find_false_start(plan.scenario, plan.tasks, self._record.moves, self.updates) is not None
 
     def _collided(self) -> bool:
         """Whether a car touched something, and not lightly; reads the whole record after new touches only."""
@@ -111,12 +111,13 @@ class Supervisor:
         )
 
     def _is_race_over(self) -> bool:
-        """Whether the cars say so, and the record has come as far; outside lockstep it lags behind them."""
-        if not is_decided(self._plan.scenario, self._plan.all_goals, self.updates):
+        """Whether every task is done; outside lockstep the record lags behind what cars say of themselves."""
+        finishes = {car: progress.finish for car, progress in self._progress_of.items()}
+        if not is_decided(self._plan.tasks, self.updates, finishes):
             return False
         if self._race_over_at is None:
             self._race_over_at = time.monotonic()
-        said = max(update.stamp for update in self.updates)
+        said = max((update.stamp for update in self.updates), default=0.0)
         shown = self._record.time is not None and self._record.time + STAMP_EPSILON >= said
         return shown or time.monotonic() - self._race_over_at > _RECORD_LAG
 
@@ -142,7 +143,14 @@ class Supervisor:
             return Failure("runner", f"was told to stop by {self._stop.signal.name}")
         if self._elapsed() > self._plan.scenario.limits.wall:
             return self._hang()
-        return self._watch.failure() or self._breakdown()
+        done = self._done()
+        return self._breakdown.failure(self.updates, done) or self._watch.failure(done)
+
+    def _done(self) -> set[str]:
+        """The cars that have finished."""
+        said = {update.car for update in self.updates if update.state is RaceState.FINISHED}
+        shown = {car for car, progress in self._progress_of.items() if progress.finish is not None}
+        return said | {car for car in shown if not self._plan.tasks[car].reports}
 
     def _hang(self) -> Failure:
         simulated = "nothing" if self._record.time is None else f"{self._record.time:.3f} s"
@@ -153,40 +161,3 @@ class Supervisor:
             str(self._plan.launch_log),
             tuple(last_lines(self._plan.launch_log, 10)),
         )
-
-    def _breakdown(self) -> Optional[Failure]:
-        ends = [end for end in self._launch_log.ends if self._is_fatal(end)]
-        lost = [each for each in self.updates if each.state in (RaceState.LOST, RaceState.STOPPED)]
-        exit_code = self._tree.exit_code()
-        if not (ends or lost or exit_code is not None):
-            return None
-        if self._end_seen_at is None:
-            self._end_seen_at = time.monotonic()
-        killed = any(end.exit_code < 0 for end in ends)
-        if time.monotonic() - self._end_seen_at < (_LAST_OUTPUT if killed else _LAST_WORDS):
-            return None
-        return failure_of(
-            self._plan, Signs(ends, lost, exit_code, read_json(self._plan.simulator_result_file))
-        )
-
-    def _is_fatal(self, end: NodeEnd) -> bool:
-        # Without a bag, the replay has no plans; the verdict stands.
-        return end.node != RECORDER and (end.exit_code != 0 or end.node in self._must_live())
-
-    def _must_live(self) -> set[str]:
-        finished = {update.car for update in self.updates if update.state is RaceState.FINISHED}
-        alive = {"sim2d"}
-        for car in self._plan.scenario.cars:
-            if car.driver is not Driver.RACE:
-                alive.add(f"{car.name}/{DRIVER_NODES[car.driver]}")
-            elif car.name not in finished:
-                alive |= {f"{car.name}/move_base", f"{car.name}/race_mgr"}
-        return alive
-
-
-def read_json(path: Path) -> dict:
-    """What a JSON file holds; empty when it is missing or broken."""
-    try:
-        return json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return {}

@@ -4,7 +4,7 @@ import dataclasses
 import enum
 import typing
 
-from f1tenth_scenarios.scenario.schema import keys
+from f1tenth_scenarios.scenario.schema import is_required, keys, short_forms
 
 _WORDS = {bool: "true, false", int: "whole number", float: "number", str: "text"}
 
@@ -34,16 +34,23 @@ def _unwrap(hint):
 
 
 def _value(hint, info):
-    if dataclasses.is_dataclass(hint):
-        return "mapping"
+    if typing.get_origin(hint) is dict:
+        return "mapping of names to values"
+    if isinstance(hint, type) and dataclasses.is_dataclass(hint):
+        return ", ".join([*(f"`{name}`" for name in short_forms(hint)), "mapping"])
     if issubclass(hint, enum.Enum):
         return ", ".join(f"`{choice.value}`" for choice in hint)
     return ", ".join(filter(None, (_WORDS[hint], info.range_text())))
 
 
 def _default(field):
-    if field.default is dataclasses.MISSING:
+    if is_required(field):
         return "required"
+    if field.default is dataclasses.MISSING:
+        return "none"
+    for name, value in short_forms(type(field.default)).items():
+        if field.default == value:
+            return f"`{name}`"
     if isinstance(field.default, enum.Enum):
         return f"`{field.default.value}`"
     if field.default is None or field.default == ():
@@ -55,5 +62,5 @@ def _default(field):
 
 def _default_of_mapping(value):
     """What its own keys' defaults do not say already."""
-    needed = [field.name for field in dataclasses.fields(value) if field.default is dataclasses.MISSING]
+    needed = [field.name for field in dataclasses.fields(value) if is_required(field)]
     return ", ".join(f"{name} {getattr(value, name)}" for name in needed) or "its keys' defaults"

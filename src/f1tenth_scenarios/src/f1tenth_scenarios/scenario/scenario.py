@@ -3,13 +3,10 @@
 import dataclasses
 import enum
 import re
-from pathlib import Path
-from typing import Callable, Optional
+from typing import Optional
 
-import yaml
-
-from f1tenth_scenarios.scenario import yaml_source
-from f1tenth_scenarios.scenario.schema import key, read
+from f1tenth_scenarios.scenario.driver import Driver
+from f1tenth_scenarios.scenario.schema import key
 
 Problem = Optional[tuple[str, str]]
 
@@ -25,14 +22,6 @@ class Verdict(enum.Enum):
     TIMEOUT = "timeout"
     ABORTED = "aborted"
     ERROR = "error"
-
-
-class Driver(enum.Enum):
-    """Who drives a car."""
-
-    RACE = "race"
-    PURSUIT = "pursuit"
-    COMMANDS = "commands"
 
 
 class VehicleModel(enum.Enum):
@@ -103,32 +92,43 @@ class Car:
     """One car of a scenario."""
 
     name: str = key("Name and ROS namespace of the car.")
-    start: Pose = key("Where the car's base_footprint is put.", default=Pose(0.0, 0.0))
+    start: Optional[Pose] = key(
+        "Where the car's base_footprint is put; default: on the start line of the circuit or track, else at"
+        " the origin.",
+        default=None,
+    )
     driver: Driver = key(
-        "`race`: move_base and race_mgr drive to the goals; `pursuit`: pure pursuit of a line from the start;"
-        " `commands`: a fixed command profile.",
-        default=Driver.RACE,
+        "Who drives. `race`: move_base and race_mgr drive to the goals; `pursuit`: pure pursuit of a line;"
+        " `commands`: a fixed command profile; `gap_follower`: steers into the widest gap; any other planner:"
+        " its launch file.",
+        default=Driver.short_forms()["race"],
     )
     goals: Optional[str] = key(
-        "Goals file of the driver `race`: a name under f1tenth_gazebo/goals without .txt, or a path relative"
-        " to the scenario file; default: those of the circuit that is the world.",
+        "Goals to be passed in order: a name under goals/ without .txt, or the path of a goals file relative"
+        " to the scenario file; default for the driver `race`: those of the circuit that is the world.",
+        default=None,
+    )
+    laps: Optional[int] = key(
+        "Laps to be driven, counted at the start line; goals are then only what the driver is given.",
+        at_least=1,
         default=None,
     )
     line: Optional[str] = key(
-        "What the driver `pursuit` follows: a circuit under f1tenth_gazebo/circuits without .yaml (its"
-        " middle), or the path of an X_raceline.csv or X_centerline.csv; default: the circuit"
-        " that is the world.",
+        "What the driver `pursuit` follows: a circuit under circuits/ without .yaml (its middle), or the path"
+        " of an X_raceline.csv or X_centerline.csv; default: the raceline beside the map, else the middle of"
+        " the road.",
         default=None,
     )
     speed_max: Optional[float] = key(
-        "How fast `race` and `pursuit` may go; default: what the planner is set to, and 3 m/s.",
+        "How fast the driver may go, if it has an argument of this name; default: what it is set to.",
         unit="m/s",
         above=0,
         at_most=20,
         default=None,
     )
     acceleration_max: Optional[float] = key(
-        "How hard `race` may speed up, brake and take bends; default: what the planner is set to.",
+        "How hard the driver may speed up, brake and take bends, if it has an argument of this name; default:"
+        " what it is set to.",
         unit="m/s^2",
         above=0,
         at_most=20,
@@ -154,20 +154,6 @@ class Car:
             return "name", f"is '{self.name}', must be a letter followed by letters, digits and underscores"
         if self.name in _NAMES_OF_THE_SIMULATOR:
             return "name", f"is '{self.name}', must be none of {', '.join(_NAMES_OF_THE_SIMULATOR)}"
-        if self.driver is Driver.RACE and self.commands:
-            return "commands", "is for the driver 'commands' only"
-        if self.driver is Driver.COMMANDS and not self.commands:
-            return "commands", "is missing; the driver 'commands' needs at least one"
-        if self.line is not None and self.driver is not Driver.PURSUIT:
-            return "line", "is for the driver 'pursuit' only"
-        if self.driver is Driver.COMMANDS and self.speed_max is not None:
-            return "speed_max", "is for the drivers 'race' and 'pursuit'"
-        if self.acceleration_max is not None and self.driver is not Driver.RACE:
-            return "acceleration_max", "is for the driver 'race' only"
-        if self.dropped_beams and self.driver is not Driver.RACE:
-            return "dropped_beams", "is for the driver 'race' only"
-        if self.input_faults and self.driver is not Driver.RACE:
-            return "input_faults", "is for the driver 'race' only"
         times = [command.at for command in self.commands]
         if times != sorted(set(times)):
             return "commands", "must be in order of time ('at'), each time once"
@@ -229,6 +215,12 @@ class Limits:
         unit="s",
         above=0,
         default=20.0,
+    )
+    silence: float = key(
+        "Simulated time for which a driver may send no command at all; `race` may stand as long as it likes.",
+        unit="s",
+        above=0,
+        default=10.0,
     )
     wall: float = key(
         "Wall time after which the run counts as hung and the verdict is `error`.",
@@ -376,14 +368,3 @@ class Scenario:
     def has_events(self) -> bool:
         """Whether something is to be done during the run."""
         return bool(self.faults) or any(box.pushes for box in self.boxes)
-
-
-def read_scenario(path: Path, change: Callable[[yaml.MappingNode], None] = lambda root: None) -> Scenario:
-    """Read and validate a scenario file; `change` may alter what it says before.
-
-    Raises:
-        ScenarioError: with the place and what is allowed there.
-    """
-    root = yaml_source.compose(path)
-    change(root)
-    return read(Scenario, root)

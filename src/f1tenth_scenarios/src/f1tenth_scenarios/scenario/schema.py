@@ -1,7 +1,8 @@
 """One description of a YAML file's keys that reads, validates and documents it.
 
 A schema is a frozen dataclass whose fields are made with `key`. Types: bool, int, float, str, an Enum,
-another schema, `Optional[T]` and `tuple[T, ...]`. A field without default is a required key.
+another schema, `Optional[T]`, `tuple[T, ...]` and `dict[str, str]` (any keys). A field without default is a
+required key. A schema with a method `short_forms` may also be given by one of these names.
 """
 
 import dataclasses
@@ -26,7 +27,6 @@ class Key:
     at_least: Optional[float] = None
     above: Optional[float] = None
     at_most: Optional[float] = None
-    pattern: str = ""
 
     def range_text(self) -> str:
         """The allowed range in words, empty if every value is allowed."""
@@ -52,7 +52,15 @@ class Key:
 
 def key(doc: str, *, default: Any = dataclasses.MISSING, **limits: Any) -> Any:
     """Declare a key: what it means, its default (none: required), `unit`, `at_least`, `above`, `at_most`."""
-    return dataclasses.field(default=default, metadata={"key": Key(doc, **limits)})
+    metadata = {"key": Key(doc, **limits)}
+    if default == {}:  # which a dataclass wants to have made anew
+        return dataclasses.field(default_factory=dict, metadata=metadata)
+    return dataclasses.field(default=default, metadata=metadata)
+
+
+def is_required(field: dataclasses.Field) -> bool:
+    """Whether a key must be given."""
+    return field.default is dataclasses.MISSING and field.default_factory is dataclasses.MISSING
 
 
 def read(schema: type[T], node: yaml.Node, path: str = "") -> T:
@@ -67,15 +75,24 @@ def read(schema: type[T], node: yaml.Node, path: str = "") -> T:
         ScenarioError: a key is unknown, missing, of the wrong type or out of range, or the schema's own
             `problem()` finds something.
     """
+    shorts = short_forms(schema)
+    if isinstance(node, yaml.ScalarNode) and node.value in shorts:
+        return shorts[node.value]
     if not isinstance(node, yaml.MappingNode):
+        names = f"{', '.join(shorts)}, or " if shorts else ""
         raise error(
-            node, f"{path} must be a mapping with the keys {_allowed(schema)}, found {describe(node)}"
+            node, f"{path} must be {names}a mapping with the keys {_allowed(schema)}, found {describe(node)}"
         )
     values, nodes = _read_entries(schema, node, path)
     _require_all(schema, node, path, values)
     result = schema(**values)
     _check_problem(result, node, nodes, path)
     return result
+
+
+def short_forms(schema: type[T]) -> dict[str, T]:
+    """What may be given by a name instead of a mapping, by name."""
+    return getattr(schema, "short_forms", dict)()
 
 
 def keys(schema: type) -> dict[str, Key]:
@@ -97,7 +114,7 @@ def _read_entries(schema, node, path):
 
 def _require_all(schema, node, path, values):
     for field in dataclasses.fields(schema):
-        if field.default is dataclasses.MISSING and field.name not in values:
+        if is_required(field) and field.name not in values:
             raise error(node, f"missing key '{field.name}'{_inside(path)}; allowed: {_allowed(schema)}")
 
 
@@ -112,6 +129,8 @@ def _check_problem(result, node, nodes, path):
 def _read_value(hint, info, node, path):
     if typing.get_origin(hint) is tuple:
         return _read_list(typing.get_args(hint)[0], info, node, path)
+    if typing.get_origin(hint) is dict:
+        return _read_texts(node, path)
     if typing.get_origin(hint) is typing.Union:
         (hint,) = (option for option in typing.get_args(hint) if option is not type(None))
     if isinstance(hint, type) and dataclasses.is_dataclass(hint):
@@ -125,6 +144,15 @@ def _read_list(hint, info, node, path):
     if not isinstance(node, yaml.SequenceNode):
         raise error(node, f"{path} must be a list, found {describe(node)}")
     return tuple(_read_value(hint, info, item, f"{path}[{index}]") for index, item in enumerate(node.value))
+
+
+def _read_texts(node, path):
+    if not isinstance(node, yaml.MappingNode):
+        raise error(node, f"{path} must be a mapping of names to values, found {describe(node)}")
+    for name, _, value in items(node):
+        if not isinstance(value, yaml.ScalarNode):
+            raise error(value, f"{_join(path, name)} must be a single value, found {describe(value)}")
+    return {name: value.value for name, _, value in items(node)}
 
 
 def _read_choice(hint, node, path):

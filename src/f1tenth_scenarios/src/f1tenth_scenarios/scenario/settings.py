@@ -53,7 +53,7 @@ def apply_settings(root: yaml.MappingNode, settings: Sequence[Setting]) -> None:
         ScenarioError: there is no such key, or the value is not YAML.
     """
     for setting in settings:
-        value = _compose(setting)
+        value = compose_value(setting)
         if setting.key in keys(Car) and setting.key not in keys(Scenario):
             for car in _cars(root):
                 _put(car, setting.key, value)
@@ -139,7 +139,12 @@ def folder_name(settings: Sequence[Setting]) -> str:
     return ",".join(re.sub(r"[^A-Za-z0-9_.=+-]", "_", str(each)) for each in settings)
 
 
-def _compose(setting: Setting) -> yaml.Node:
+def compose_value(setting: Setting) -> yaml.Node:
+    """The value as YAML.
+
+    Raises:
+        ScenarioError: it is none.
+    """
     try:
         node = yaml.compose(setting.value, Loader=yaml.SafeLoader)
     except yaml.YAMLError as error:

@@ -1,0 +1,27 @@
+"""The command `scenario`: list, check, run, race, sweep, compare, report, keys."""
+
+import os
+import signal
+import sys
+from collections.abc import Sequence
+from typing import Optional
+
+from f1tenth_scenarios.cli.exit_codes import BAD_INPUT
+from f1tenth_scenarios.cli.parser import make_parser
+from f1tenth_scenarios.errors import ScenarioError
+
+
+def main(arguments: Optional[Sequence[str]] = None) -> int:
+    """Run the command; returns the exit code."""
+    options = make_parser().parse_args(arguments)
+    try:
+        return options.action(options)
+    except ScenarioError as error:
+        print(f"scenario: {error}", file=sys.stderr)
+        return BAD_INPUT
+    except KeyboardInterrupt:
+        return 128 + signal.SIGINT
+    except BrokenPipeError:  # as in `scenario list | head -1`
+        # What is left in the buffer would be the next broken pipe.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 128 + signal.SIGPIPE

@@ -1,0 +1,47 @@
+"""What several subcommands make of their options."""
+
+from pathlib import Path
+
+from f1tenth_scenarios import places
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.scenario.driver import Driver, Interface
+
+REPORT_FILE = "report.html"
+
+
+def add_search_paths(folder: Path) -> None:
+    """Look for what has a name in a folder, too.
+
+    Raises:
+        ScenarioError: there is no such folder.
+    """
+    if not folder.is_dir():
+        raise ScenarioError(f"--path {folder}: no such folder")
+    places.add_search_path(folder)
+
+
+def results_of(options) -> Path:
+    """The folder of all results."""
+    return (options.results or places.results_root()).resolve()
+
+
+def planner_of(name: str, options) -> Driver:
+    """A planner as an option names it: one of ours, or a launch file.
+
+    Raises:
+        ScenarioError: there is no such file, or --arg is none.
+    """
+    arguments = dict(_argument(text) for text in options.arg)
+    interface = Interface(options.interface)
+    ours = Driver.short_forms().get(name)
+    launch = ours.launch if ours else name
+    if not launch.startswith("package://"):
+        launch = str(places.launch_file(launch, Path.cwd()))
+    return Driver(launch, interface, arguments)
+
+
+def _argument(text: str) -> tuple[str, str]:
+    name, assigns, value = text.partition(":=")
+    if not (name and assigns):
+        raise ScenarioError(f"--arg {text}: must be NAME:=VALUE, as in speed:=4.0")
+    return name, value

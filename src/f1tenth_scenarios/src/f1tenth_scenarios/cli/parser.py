@@ -1,0 +1,164 @@
+"""The command line of `scenario`."""
+
+import argparse
+from pathlib import Path
+from typing import Callable, TypeAlias
+
+from f1tenth_scenarios.cli.compare_command import compare
+from f1tenth_scenarios.cli.options import REPORT_FILE, add_search_paths
+from f1tenth_scenarios.cli.race_command import race
+from f1tenth_scenarios.cli.run_command import run
+from f1tenth_scenarios.cli.show_commands import check, report, show_keys, show_list
+from f1tenth_scenarios.cli.sweep_command import sweep
+from f1tenth_scenarios.scenario.driver import Interface
+
+_SET = "replace a value of the file, as in mu=0.3 or limits.timeout=20"
+_VARY = "FIRST:LAST (whole numbers), FIRST:LAST:COUNT or A,B,C; several keys: every combination"
+_TABLE = "one more table of the runs: FILE.parquet keeps types, FILE.csv is text"
+_AGAINST = "results to compare with; default: those of the commit before, which each run keeps"
+_PATH = "look for scenarios, worlds, goals and circuits in FOLDER's folders of these names, too"
+_PLACE = "name of a circuit or world, or the path of a .world file or of the YAML file of a map"
+_PLANNER = "launch file of a planner, or one of ours (race, pursuit, gap_follower)"
+
+_Subparsers: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
+
+
+def make_parser() -> argparse.ArgumentParser:
+    """What the command takes; each subcommand has an `action` that takes the options."""
+    parser = argparse.ArgumentParser(
+        prog="scenario", description="Runs and judges scenarios of the F1/10 car."
+    )
+    parser.add_argument("--path", action=_SearchPath, metavar="FOLDER", help=_PATH)
+    commands = parser.add_subparsers(metavar="COMMAND", required=True)
+    _add_shows(commands)
+    _add_run(commands)
+    _add_race(commands)
+    _add_sweep(commands)
+    _add_compare(commands)
+    _add_report(commands)
+    return parser
+
+
+class _SearchPath(argparse.Action):
+    """Takes effect at once, as other options are looked up there."""
+
+    def __call__(self, _parser, _namespace, values, _option=None):
+        add_search_paths(Path(values))
+
+
+def _command(commands: _Subparsers, name: str, action: Callable, text: str) -> argparse.ArgumentParser:
+    command = commands.add_parser(name, help=text, description=text)
+    command.set_defaults(action=action)
+    command.add_argument("--path", action=_SearchPath, metavar="FOLDER", help=_PATH)
+    return command
+
+
+def _add_shows(commands: _Subparsers) -> None:
+    _command(commands, "list", show_list, "print the scenarios and what each of them tests")
+    _command(commands, "keys", show_keys, "print all keys of a scenario file")
+    command = _command(commands, "check", check, "validate scenarios without running them")
+    command.add_argument("names", nargs="*", metavar="NAME", help="scenario or file; default: all")
+
+
+def _add_run(commands: _Subparsers) -> None:
+    command = _command(commands, "run", run, "run scenarios; exit code 0 if each ended as expected")
+    command.add_argument("names", nargs="*", metavar="NAME", help="scenario or file")
+    command.add_argument("--all", action="store_true", help="run all scenarios")
+    command.add_argument("--jobs", type=int, default=1, metavar="N", help="run N at a time; default: 1")
+    command.add_argument(
+        "--repeat", type=int, metavar="N", help="run N times and say how much the results differ"
+    )
+    command.add_argument("--planner", metavar="LAUNCH", help=f"drive with it instead of ours: {_PLANNER}")
+    _add_planner(command)
+    _add_run_options(command, "write to FOLDER/NAME")
+
+
+def _add_race(commands: _Subparsers) -> None:
+    text = "run and judge a race that is in no scenario file"
+    command = _command(commands, "race", race, text)
+    command.add_argument("place", metavar="PLACE", help=_PLACE)
+    command.add_argument("--laps", type=int, default=1, metavar="N", help="default: 1")
+    command.add_argument(
+        "--planner",
+        action="append",
+        default=[],
+        metavar="LAUNCH",
+        help=f"{_PLANNER}; twice: a race of two; default: race",
+    )
+    command.add_argument(
+        "--timeout", type=float, metavar="S", help="simulated time; default: by the length of the road"
+    )
+    command.add_argument(
+        "--save", type=Path, metavar="FILE", help="write the race as a scenario file, and do not run it"
+    )
+    command.add_argument(
+        "--attach", action="store_true", help="use the ROS master that runs, so that one can look on"
+    )
+    _add_planner(command)
+    _add_run_options(command, "write to FOLDER/race_PLACE")
+
+
+def _add_planner(command: argparse.ArgumentParser) -> None:
+    names = [each.value for each in Interface]
+    command.add_argument(
+        "--interface",
+        choices=names,
+        default=Interface.NATIVE.value,
+        help="topics of the planner; default: native",
+    )
+    command.add_argument(
+        "--arg",
+        action="append",
+        default=[],
+        metavar="NAME:=VALUE",
+        help="argument of the planner's launch file",
+    )
+
+
+def _add_run_options(command: argparse.ArgumentParser, where: str) -> None:
+    _add_results(command, where)
+    command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help=_SET)
+    command.add_argument("--bag", action="store_true", help="keep the bag, also of runs that pass")
+    command.add_argument("--report", action="store_true", help="write the report afterwards")
+
+
+def _add_sweep(commands: _Subparsers) -> None:
+    command = _command(commands, "sweep", sweep, "run many variations of a scenario in parallel")
+    command.add_argument("name", metavar="NAME", help="scenario or file")
+    command.add_argument("--vary", action="append", required=True, metavar="KEY=VALUES", help=_VARY)
+    command.add_argument("--workers", type=int, metavar="N", help="local processes; default: one a core")
+    command.add_argument("--scheduler", metavar="URI", help="use this Dask cluster, as in tcp://host:8786")
+    command.add_argument("--output", type=Path, metavar="FILE", help=_TABLE)
+    _add_results(command, "write to FOLDER/sweep/NAME")
+
+
+def _add_compare(commands: _Subparsers) -> None:
+    text = "compare results with those of another commit; exit code 1 if something became worse"
+    command = _command(commands, "compare", compare, text)
+    command.add_argument("base", type=Path, metavar="BASE", help="results folder to compare with")
+    command.add_argument("head", type=Path, metavar="HEAD", help="results folder that is compared")
+    command.add_argument(
+        "--lap-time", metavar="+N%", help="how much slower the best lap may be; default: not compared"
+    )
+    command.add_argument(
+        "--clearance",
+        metavar="-M",
+        help="how much less the minimum clearance may be, m; default: not compared",
+    )
+    command.add_argument(
+        "--junit", type=Path, metavar="FILE", help="write a JUnit file, a test case per scenario"
+    )
+
+
+def _add_report(commands: _Subparsers) -> None:
+    command = _command(commands, "report", report, "write one HTML file with all runs and their replays")
+    _add_results(command, "read FOLDER/*")
+    command.add_argument("--against", type=Path, metavar="FOLDER", help=_AGAINST)
+    command.add_argument(
+        "--output", type=Path, metavar="FILE", help=f"default: {REPORT_FILE} in the results folder"
+    )
+
+
+def _add_results(command: argparse.ArgumentParser, text: str) -> None:
+    default = "$F1TENTH_RESULTS or results of the workspace"
+    command.add_argument("--results", type=Path, metavar="FOLDER", help=f"{text}; default: {default}")

@@ -1,0 +1,27 @@
+"""scenario race."""
+
+import dataclasses
+
+from f1tenth_scenarios import versions
+from f1tenth_scenarios.atomic import replacing
+from f1tenth_scenarios.cli.exit_codes import PASSED
+from f1tenth_scenarios.cli.options import planner_of, results_of
+from f1tenth_scenarios.cli.run_command import run_plan, with_report
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.plan.race import Race, plan_race, race_text
+from f1tenth_scenarios.scenario.driver import Driver
+
+
+def race(options) -> int:
+    """Run and judge a race that is in no scenario file."""
+    if options.laps < 1:
+        raise ScenarioError(f"--laps is {options.laps}, must be at least 1")
+    planners = [planner_of(name, options) for name in options.planner] or [Driver.short_forms()["race"]]
+    wanted = Race(options.place, options.laps, planners, options.timeout)
+    plan = plan_race(wanted, results_of(options) / wanted.name, options.set)
+    if options.save:
+        with replacing(options.save) as temporary:
+            temporary.write_text(race_text(wanted), encoding="utf-8")
+        return PASSED
+    versions.ask_commit()
+    return with_report(run_plan(dataclasses.replace(plan, keep_bag=options.bag), options.attach), options)

@@ -1,0 +1,129 @@
+"""scenario run."""
+
+import contextlib
+import dataclasses
+from collections.abc import Sequence
+from pathlib import Path
+
+from f1tenth_scenarios import places, versions
+from f1tenth_scenarios.batch.jobs import Job, Outcome, run_jobs
+from f1tenth_scenarios.cli.exit_codes import NOT_PASSED, PASSED, exit_code
+from f1tenth_scenarios.cli.options import planner_of, results_of
+from f1tenth_scenarios.cli.show_commands import report
+from f1tenth_scenarios.errors import NotApplicableError, ScenarioError
+from f1tenth_scenarios.launch.private_master import private_master
+from f1tenth_scenarios.plan.plan import Plan
+from f1tenth_scenarios.plan.planner import planner_setting
+from f1tenth_scenarios.plan.planning import make_plan
+from f1tenth_scenarios.results.console import CountLine, ProgressLine, cost_of_all, summary
+from f1tenth_scenarios.stop_request import StopRequest
+
+
+def run(options) -> int:
+    """Run scenarios."""
+    _check(options)
+    settings = list(options.set)
+    if options.planner:
+        settings.append(planner_setting(planner_of(options.planner, options)))
+    if options.repeat is not None:
+        return _repeat(options, settings)
+    names = places.scenario_names() if options.all else options.names
+    if len(names) == 1:
+        versions.ask_commit()
+        folder = results_of(options) / places.scenario_file(names[0]).stem
+        plan = make_plan(names[0], folder, settings)
+        code = run_plan(dataclasses.replace(plan, keep_bag=options.bag))
+    else:
+        code = _run_each(names, settings, options)
+    return with_report(code, options)
+
+
+def run_plan(plan: Plan, attach: bool = False) -> int:
+    """Run one scenario and print what came of it; returns the exit code.
+
+    Args:
+        plan: what to run
+        attach: whether to use the ROS master that runs
+    """
+    from f1tenth_scenarios.run.ros_session import run_with_ros
+
+    progress = ProgressLine(plan.name)
+    master = contextlib.nullcontext() if attach else private_master()
+    with StopRequest().listening() as stop, master:
+        result = run_with_ros(plan, stop, progress.update)
+    progress.clear()
+    print(summary(result, plan), flush=True)
+    return exit_code(result.passed, stop)
+
+
+def with_report(code: int, options) -> int:
+    """Write the report afterwards if that is wanted; returns the exit code."""
+    if options.report and code in (PASSED, NOT_PASSED):
+        report(options)
+    return code
+
+
+def _check(options) -> None:
+    if options.jobs < 1:
+        raise ScenarioError(f"--jobs is {options.jobs}, must be at least 1")
+    if options.all == bool(options.names):
+        raise ScenarioError("run needs either names of scenarios or --all")
+    if options.arg and not options.planner:
+        raise ScenarioError("--arg is for a --planner")
+
+
+def _repeat(options, settings: Sequence[str]) -> int:
+    if options.repeat < 2 or len(options.names) != 1:
+        raise ScenarioError("--repeat is for one scenario, and at least 2 times")
+    from f1tenth_scenarios.batch.repeat import repeat
+
+    with StopRequest().listening() as stop:
+        steady = repeat(options.names[0], options.repeat, results_of(options), settings, stop, options.jobs)
+    return exit_code(steady, stop)
+
+
+def _run_each(names: Sequence[str], settings: Sequence[str], options) -> int:
+    """A process for each, because a process can be a ROS node only once."""
+    left_out = _not_applicable(names, settings)
+    files = [places.scenario_file(name) for name in names if name not in left_out]
+    extra = ("--bag",) if options.bag else ()
+    jobs = [Job(str(file), tuple(settings), str(results_of(options)), extra) for file in files]
+    outcomes: list[Outcome] = []
+    bar = CountLine("scenarios", len(jobs))
+
+    def finished(outcome: Outcome) -> None:
+        outcomes.append(outcome)
+        bar.clear()
+        print(outcome.output, end="", flush=True)
+        if options.jobs > 1:
+            bar.update(outcome.exit_code == PASSED)
+
+    with StopRequest().listening() as stop:
+        run_jobs(jobs, stop, finished, options.jobs, shown=options.jobs == 1)
+    bar.clear()
+    passed = sum(each.exit_code == PASSED for each in outcomes)
+    if not stop.signal:
+        _sum_up(outcomes, left_out, passed, len(jobs))
+    return exit_code(passed == len(jobs), stop)
+
+
+def _not_applicable(names: Sequence[str], settings: Sequence[str]) -> dict[str, str]:
+    """The scenarios that say nothing about the planner, and why; all others are checked here as well."""
+    found = {}
+    for name in names:
+        try:
+            make_plan(name, settings=settings)
+        except NotApplicableError as reason:
+            found[name] = str(reason)
+    if len(found) == len(names):
+        raise ScenarioError("\n".join(found.values()))
+    return found
+
+
+def _sum_up(outcomes: Sequence[Outcome], left_out: dict[str, str], passed: int, count: int) -> None:
+    for name, reason in left_out.items():
+        print(f"{Path(name).stem:24}not applicable: {reason}")
+    if costs := {each.job.folder.name: each.result["times"]["cost"] for each in outcomes if each.result}:
+        print(cost_of_all(costs))
+    others = f", {len(left_out)} not applicable" if left_out else ""
+    print(f"{passed} of {count} scenarios passed{others}")

@@ -1,0 +1,135 @@
+"""Takes part in lockstep for a driver whose nodes know nothing of it; docs/lockstep.md has the rules.
+
+A period is over when all that it has brought is handled: when every thread of the driver's processes is at
+rest. The driver gets its scans and its clock from the deputy: the scan when all other messages are handled,
+the time after the scan. So a planner finds the same messages whenever it acts, though each comes over a
+connection of its own.
+"""
+
+import os
+import threading
+import time
+from typing import Callable, Optional, Protocol
+
+from f1tenth_scenarios.drivers.rest import Rest, marked_processes
+from f1tenth_scenarios.errors import MisfitError
+
+_LOOK_INTERVAL = 2e-4  # wall s, between two looks at the threads
+_SEARCH_INTERVAL = 0.25  # wall s, between two searches for processes
+EXIT_MISFIT = 4  # exit code of a deputy whose driver does not fit
+# While the driver starts up:
+_PACE = 0.025  # wall s per period at least: who waits by the wall clock is not overtaken
+_CONNECTING = 0.3  # wall s, for a new connection to come about; roscpp looks for them every 0.1 s
+_LOADING = 4.0  # wall s without rest, after which time goes on all the same
+_STEADY_PERIODS = 20  # with commands and without a new connection, after which it has started up
+_LATE_COMMANDS = 3  # in these periods, sent by somebody at rest: more are no accident
+
+
+class World(Protocol):
+    """What the deputy sees and does in ROS."""
+
+    def connections(self) -> object:
+        """Who publishes and subscribes what; equal as long as nothing has changed."""
+
+    def commands(self) -> int:
+        """How many commands the driver has sent so far."""
+
+    def publish_scans(self) -> None:
+        """Pass on the scans that have come since; everything is sent when it returns."""
+
+    def publish_clock(self, stamp) -> None:
+        """Tell the driver's nodes the time; everything is sent when it returns."""
+
+    def is_over(self) -> bool:
+        """Whether the run ends."""
+
+
+class Deputy:
+    """Waits for the driver in each period."""
+
+    def __init__(self, world: World, mark: str, clock: Callable[[], float] = time.monotonic):
+        """`mark`: NAME=VALUE in the environment of the driver's processes; `clock`: wall time, s."""
+        self._world = world
+        self._mark = mark
+        self._clock = clock
+        self._own = os.getpid()
+        self._rest = Rest(threading.get_native_id())
+        self._pids: set[int] = set()
+        self._searched: Optional[float] = None
+        self._start: Optional[_Start] = _Start()
+
+    def act(self, stamp) -> None:
+        """Let the driver handle a period; returns when it has.
+
+        Raises:
+            MisfitError: while it starts up, the driver shows that it does not go by simulated time.
+        """
+        self._settle()
+        self._world.publish_scans()
+        self._settle()
+        self._world.publish_clock(stamp)
+        self._settle()
+        if self._start:
+            self._watch_start(self._start)
+
+    def _settle(self) -> None:
+        """Wait until the driver is at rest; while it starts up, only for some time."""
+        began = self._clock()
+        while not self._is_at_rest() and not self._world.is_over():
+            if self._start and self._clock() - began > _LOADING:
+                self._start.note_restless(self._world.commands())
+                return
+            time.sleep(_LOOK_INTERVAL)
+
+    def _is_at_rest(self) -> bool:
+        """Whether the driver is, and what it has sent to this process is noted."""
+        now = self._clock()
+        if self._searched is None or now - self._searched > _SEARCH_INTERVAL:
+            self._searched = now
+            self._pids = marked_processes(self._mark)
+        # Before the first process has been started there is nobody who could be at rest.
+        is_there = bool(self._pids) or self._start is None
+        return is_there and self._rest.is_reached([*self._pids, self._own])
+
+    def _watch_start(self, start: "_Start") -> None:
+        at_rest = self._world.commands()
+        self._hold(start)
+        self._settle()
+        start.note(at_rest, self._world.commands())
+        if start.is_over:
+            self._start = None
+
+    def _hold(self, start: "_Start") -> None:
+        """Keep the time from overtaking somebody who is about to connect, or waits by the wall clock."""
+        time.sleep(_PACE)
+        while (connections := self._world.connections()) != start.connections and not self._world.is_over():
+            start.connections, start.steady_periods = connections, 0
+            time.sleep(_CONNECTING)
+
+
+class _Start:
+    """What is seen of a driver until it drives."""
+
+    def __init__(self):
+        self.connections: object = None
+        self.steady_periods = 0  # with commands, and without a new connection
+        self._commands = 0
+        self._late = 0
+
+    def note_restless(self, commands: int) -> None:
+        """The driver did not come to rest; it may still be loading, unless it sends commands."""
+        if commands > self._commands:
+            raise MisfitError(f"it sends commands, but its threads do not come to rest within {_LOADING:g} s")
+
+    def note(self, at_rest: int, later: int) -> None:
+        """How many commands there were when the driver came to rest in a period, and some time later."""
+        self._late += later - at_rest
+        if self._late >= _LATE_COMMANDS:
+            raise MisfitError("it sends commands by the wall clock, while simulated time stands still")
+        self._commands = later
+        self.steady_periods += bool(later)
+
+    @property
+    def is_over(self) -> bool:
+        """Whether the driver has sent commands for a while."""
+        return self.steady_periods >= _STEADY_PERIODS

@@ -1,0 +1,50 @@
+"""How far a car has got with its task, period by period: by where it was, whatever a planner says."""
+
+from typing import Optional
+
+import numpy as np
+
+from f1tenth_scenarios.judge.start_line import LapCounter
+from f1tenth_scenarios.plan.task import Task
+from f1tenth_scenarios.record.record import CarTrack
+from f1tenth_scenarios.scenario.scenario import Criteria
+
+
+class TaskProgress:
+    """Follows one car; the same rules as `find_passes` and `LapCounter`."""
+
+    def __init__(self, task: Task, criteria: Criteria):
+        self._goals = list(task.goals)
+        self._laps = task.laps
+        self._counter = LapCounter(task.line, 0.0) if task.line else None
+        self._criteria = criteria
+        self.finish: Optional[float] = None  # s, of the period in which the task was done
+
+    def take(self, time: float, x: float, y: float, yaw: float) -> None:
+        """Where the car was in a period (s, m, rad); in order of time."""
+        if self.finish is None and self._is_done_at(time, x, y, yaw):
+            self.finish = time
+
+    def _is_done_at(self, time, x, y, yaw) -> bool:
+        if self._counter:
+            self._counter.update(time, x, y)
+            return len(self._counter.lap_times) >= self._laps
+        had_goals = bool(self._goals)
+        while self._goals and self._is_passed(self._goals[0], x, y, yaw):
+            self._goals.pop(0)
+        return had_goals and not self._goals
+
+    def _is_passed(self, goal, x, y, yaw) -> bool:
+        turn = abs((yaw - goal.yaw + np.pi) % (2 * np.pi) - np.pi)
+        return (
+            bool(np.hypot(x - goal.x, y - goal.y) <= self._criteria.goal_tolerance)
+            and turn <= self._criteria.goal_yaw_tolerance
+        )
+
+
+def finish_of(track: CarTrack, task: Task, criteria: Criteria) -> Optional[float]:
+    """When the record shows that the task was done, s; nothing if it does not."""
+    progress = TaskProgress(task, criteria)
+    for row in zip(track.time.tolist(), track.x.tolist(), track.y.tolist(), track.yaw.tolist()):
+        progress.take(*row)
+    return progress.finish

@@ -1,0 +1,1 @@
+"""A scenario with everything that it names found and read: ready to run."""

@@ -1,0 +1,90 @@
+"""What the driver of a car may be told: arguments that its launch file gets if it declares them."""
+
+import json
+from typing import Any, Optional
+
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.plan.participants import DEPUTY, has_deputy
+from f1tenth_scenarios.plan.plan import Plan
+from f1tenth_scenarios.scenario.scenario import Car, Input, Localization
+
+# s, after which the start signal is surely given: the countdown begins with the first period, not at 0.
+_START_MARGIN = 0.1
+# What a scenario lacks that has no value for an argument.
+_LACKS = {
+    "goals_file": "the key 'goals'",
+    "line": "the key 'line'",
+    "commands": "the key 'commands'",
+    "map_file": "a map, and there is none beside the world or in ../maps",
+}
+
+
+def offered_arguments(plan: Plan, car: Car) -> dict[str, Any]:
+    """Names and values, without those that the scenario has no value for; see docs/extending.md."""
+    offered = {
+        "car_name": car.name,
+        "goals_file": plan.goals_file(car.name),
+        "laps": car.laps or plan.scenario.laps,
+        "line": plan.cars[car.name].line,
+        "road": plan.place.road,
+        "map_file": plan.map,
+        "speed_max": car.speed_max,
+        "acceleration_max": car.acceleration_max,
+        "commands": _commands(car) if car.commands else None,
+        "time_to_start": plan.scenario.time_to_start,
+        "start_at": plan.scenario.time_to_start + _START_MARGIN if plan.has_countdown else 0.0,
+        "lockstep": plan.scenario.lockstep,
+        "odometry": odometry(plan),
+        "localization": plan.scenario.localization.value,
+        "seed": plan.scenario.seed,
+        "opponent": opponent_of(plan, car),
+        **{f"{each.value}_topic": topic for each, topic in driver_topics(plan, car).items()},
+    }
+    return {name: value for name, value in offered.items() if value is not None}
+
+
+def driver_arguments(plan: Plan, car: Car) -> dict[str, Any]:
+    """What the car's driver is told.
+
+    Raises:
+        ScenarioError: it needs something that the scenario does not give it.
+    """
+    driver = plan.cars[car.name].driver
+    filled = driver.filled(offered_arguments(plan, car))
+    for name in sorted(driver.file.required):
+        if name not in filled:
+            what = _LACKS.get(name, f"a value for its argument '{name}'")
+            raise ScenarioError(f"{car.name}: the driver '{driver.name}' needs {what}")
+    return filled
+
+
+def odometry(plan: Plan) -> str:
+    """By whose word the cars know how they move: `perfect` or `wheel`."""
+    return "wheel" if plan.scenario.localization is Localization.AMCL else "perfect"
+
+
+def usual_topics(plan: Plan) -> dict[Input, str]:
+    """Where drivers find their inputs, in the namespace of their car."""
+    odometry_topic = "odom" if odometry(plan) == "wheel" else "perfect_odom"
+    return {Input.SCAN: "scan", Input.ODOM: odometry_topic, Input.TF: "/tf"}
+
+
+def input_topics(plan: Plan, car: Car) -> dict[Input, str]:
+    """The same for one car, whose inputs may fail at times."""
+    topics = usual_topics(plan) | ({Input.SCAN: "scan_dropped"} if car.dropped_beams else {})
+    return {each: f"{each.value}_faulty" if car.faults_of(each) else topic for each, topic in topics.items()}
+
+
+def driver_topics(plan: Plan, car: Car) -> dict[Input, str]:
+    """The same as the car's driver finds them: a deputy passes its scans on."""
+    return input_topics(plan, car) | ({Input.SCAN: f"{DEPUTY}/scan"} if has_deputy(plan, car.name) else {})
+
+
+def opponent_of(plan: Plan, car: Car) -> Optional[str]:
+    """The first other car; nothing for one that is alone."""
+    return next((each.name for each in plan.scenario.cars if each is not car), None)
+
+
+def _commands(car: Car) -> str:
+    keys = ("at", "speed", "steering_angle")
+    return json.dumps([{key: getattr(each, key) for key in keys} for each in car.commands])

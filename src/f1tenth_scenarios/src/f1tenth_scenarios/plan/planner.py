@@ -1,0 +1,76 @@
+"""Another planner in the place of ours, in any scenario in which that makes sense."""
+
+import dataclasses
+from pathlib import Path
+
+import yaml
+
+from f1tenth_scenarios import places
+from f1tenth_scenarios.errors import NotApplicableError
+from f1tenth_scenarios.plan.driver_file import DriverFile, read_driver_file
+from f1tenth_scenarios.scenario.driver import Driver
+from f1tenth_scenarios.scenario.scenario import Car, Scenario, Verdict
+from f1tenth_scenarios.scenario.schema import read
+
+PLANNER = "planner"  # what settings call it
+_OURS = "race"
+
+
+def planner_setting(planner: Driver) -> str:
+    """The setting KEY=VALUE for a planner."""
+    text = yaml.safe_dump(planner.as_dict(), default_flow_style=True, width=float("inf"))
+    return f"{PLANNER}={text.strip()}"
+
+
+def with_planner(scenario: Scenario, node: yaml.Node, beside: Path) -> Scenario:
+    """The scenario with another planner in all cars that are driven by ours.
+
+    Args:
+        scenario: as it is written
+        node: what the planner is: a driver, as in a scenario file
+        beside: folder from which the path of its launch file counts
+
+    Raises:
+        NotApplicableError: the scenario says nothing about a planner that is not ours.
+        ScenarioError: there is no such driver.
+    """
+    planner = read(Driver, node, PLANNER)
+    file = read_driver_file(places.launch_file(planner.launch, beside))
+    _require_sense(scenario, file)
+    cars = (
+        _replaced(scenario, car, planner, file) if car.driver.name == _OURS else car for car in scenario.cars
+    )
+    return dataclasses.replace(scenario, cars=tuple(cars))
+
+
+def _require_sense(scenario: Scenario, file: DriverFile) -> None:
+    ours = [car.name for car in scenario.cars if car.driver.name == _OURS]
+    usual = next(field.default for field in dataclasses.fields(Scenario) if field.name == "time_to_start")
+    if not ours:
+        raise NotApplicableError("no car of it is driven by our planner")
+    for fault in scenario.faults:
+        if fault.kill.partition("/")[0] in ours:
+            raise NotApplicableError(f"it kills {fault.kill}, a node of our planner")
+    if scenario.expected is not Verdict.SUCCESS:
+        raise NotApplicableError(
+            f"it expects '{scenario.expected.value}', which says nothing about another planner"
+        )
+    if scenario.time_to_start != usual and "time_to_start" not in file.arguments:
+        raise NotApplicableError("it is about the countdown, and the planner has no argument 'time_to_start'")
+
+
+def _replaced(scenario: Scenario, car: Car, planner: Driver, file: DriverFile) -> Car:
+    goals = car.goals or (None if car.laps else scenario.world)
+    replaced = dataclasses.replace(
+        car,
+        driver=planner,
+        goals=goals,
+        speed_max=car.speed_max if "speed_max" in file.arguments else None,
+        acceleration_max=car.acceleration_max if "acceleration_max" in file.arguments else None,
+    )
+    if goals is None or "goals_file" in file.arguments:
+        return replaced
+    if goals != scenario.world:
+        raise NotApplicableError("it is about goals, and the planner has no argument 'goals_file'")
+    # Who knows no goals is judged by the laps that they stand for.
+    return dataclasses.replace(replaced, goals=None, laps=car.laps or scenario.laps)

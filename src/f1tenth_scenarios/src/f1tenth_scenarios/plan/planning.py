@@ -1,0 +1,99 @@
+"""Making a plan of a scenario."""
+
+import dataclasses
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Optional
+
+from f1tenth_scenarios import places
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.plan.car_plan import CarPlan, Surroundings, plan_car
+from f1tenth_scenarios.plan.handover import driver_arguments
+from f1tenth_scenarios.plan.plan import Plan
+from f1tenth_scenarios.plan.planner import PLANNER, with_planner
+from f1tenth_scenarios.plan.scenario_world import check_boxes
+from f1tenth_scenarios.plan.source import read_scenario
+from f1tenth_scenarios.road.course import read_course
+from f1tenth_scenarios.road.place import find_place
+from f1tenth_scenarios.scenario.scenario import Localization, Scenario, Verdict
+from f1tenth_scenarios.scenario.settings import apply_settings, compose_value, parse_setting
+
+
+def in_real_time(plan: Plan, why: str) -> Plan:
+    """The same run without lockstep, because somebody does not fit it."""
+    scenario = dataclasses.replace(plan.scenario, lockstep=False, real_time_factor=1.0)
+    return dataclasses.replace(plan, scenario=scenario, note=f"run in real time, as {why}")
+
+
+def make_plan(name: str, folder: Optional[Path] = None, settings: Sequence[str] = ()) -> Plan:
+    """Read a scenario and check everything that it names.
+
+    Args:
+        name: of a scenario that is found by its name, or the path of a scenario file
+        folder: for the results, default results/NAME
+        settings: KEY=VALUE, values that replace those of the file; `planner` takes the place of ours
+
+    Raises:
+        NotApplicableError: the scenario says nothing about this planner.
+        ScenarioError: with the place and what is allowed there.
+    """
+    file = places.scenario_file(name)
+    parsed = [parse_setting(text) for text in settings]
+    own = [each for each in parsed if each.key != PLANNER]
+    scenario = read_scenario(file, lambda root: apply_settings(root, own))
+    try:
+        for planner in (each for each in parsed if each.key == PLANNER):
+            scenario = with_planner(scenario, compose_value(planner), file.parent)
+        plan = plan_scenario(file, scenario, folder or places.results_folder(file.stem))
+        return dataclasses.replace(plan, settings=tuple(settings))
+    except ScenarioError as error:
+        raise type(error)(f"{file}: {error}") from error
+
+
+def plan_scenario(file: Path, scenario: Scenario, folder: Path) -> Plan:
+    """Find and read everything that a scenario names.
+
+    Args:
+        file: that the scenario is from; names the run, and paths count from its folder
+        scenario: what it says
+        folder: for the results
+
+    Raises:
+        ScenarioError: what is wrong.
+    """
+    place = find_place(places.world_file(scenario.world, file.parent))
+    check_boxes(place.world, scenario)
+    around = Surroundings(scenario, place, file.parent)
+    cars = {car.name: plan_car(car, around) for car in scenario.cars}
+    course = read_course(places.course_file(scenario.course, file.parent)) if scenario.course else None
+    plan = Plan(file.stem, file, scenario, place, _bound_to_start(cars), folder, course)
+    _check(plan)
+    return plan
+
+
+def _bound_to_start(cars: dict[str, CarPlan]) -> dict[str, CarPlan]:
+    """The cars with what their drivers have to do with the start; without a countdown there is none."""
+    countdown = any(car.driver.needs_countdown for car in cars.values())
+    return {
+        name: dataclasses.replace(
+            car,
+            task=dataclasses.replace(
+                car.task,
+                obeys_start=countdown and car.driver.obeys_start,
+                reports=car.driver.needs_countdown,
+            ),
+        )
+        for name, car in cars.items()
+    }
+
+
+def _check(plan: Plan) -> None:
+    scenario = plan.scenario
+    for car in scenario.cars:
+        driver_arguments(plan, car)
+    if scenario.localization is Localization.AMCL and plan.map is None:
+        raise ScenarioError(
+            f"'localization: amcl' needs a map, and {plan.world} has none beside it or in ../maps"
+        )
+    if scenario.expected is Verdict.SUCCESS and all(task.is_empty for task in plan.tasks.values()):
+        raise ScenarioError("'expected: success' needs a car with 'goals' or 'laps'")

@@ -1,0 +1,103 @@
+"""A race that is in no scenario file: some laps of a place, of one planner or more."""
+
+import dataclasses
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, Optional
+
+import yaml
+
+from f1tenth_scenarios import places
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.plan.plan import Plan
+from f1tenth_scenarios.plan.planning import plan_scenario
+from f1tenth_scenarios.road.course import read_course
+from f1tenth_scenarios.road.place import Place, find_place
+from f1tenth_scenarios.scenario.driver import Driver
+from f1tenth_scenarios.scenario.scenario import Scenario
+from f1tenth_scenarios.scenario.schema import read
+from f1tenth_scenarios.scenario.settings import apply_settings, parse_setting
+
+_SLOWEST = 1.0  # m/s on average, before the time is over
+_STARTING = 30.0  # s, on top of that
+_BESIDE = 0.6  # m, between two cars on the start line
+_SEED = 1
+
+
+@dataclasses.dataclass(frozen=True)
+class Race:
+    """What is raced."""
+
+    place: str  # a name, or a path that counts from the working directory
+    laps: int
+    planners: Sequence[Driver]
+    timeout: Optional[float] = None  # s, simulated
+
+    @property
+    def name(self) -> str:
+        """Names the results."""
+        return f"race_{places.world_file(self.place, Path.cwd()).stem.removesuffix('_map')}"
+
+
+def plan_race(race: Race, folder: Path, settings: Sequence[str] = ()) -> Plan:
+    """Make a run of a race.
+
+    Args:
+        race: what is raced
+        folder: for the results
+        settings: KEY=VALUE, as for a scenario
+
+    Raises:
+        ScenarioError: something that is named is not there, or the place has no road.
+    """
+    root = yaml.compose(race_text(race), Loader=yaml.SafeLoader)
+    root.start_mark.name = "race"
+    apply_settings(root, [parse_setting(text) for text in settings])
+    plan = plan_scenario(Path.cwd() / f"{race.name}.yaml", read(Scenario, root), folder)
+    return dataclasses.replace(plan, settings=tuple(settings))
+
+
+def race_text(race: Race) -> str:
+    """The race as a scenario file would have it.
+
+    Raises:
+        ScenarioError: as plan_race.
+    """
+    return yaml.safe_dump(_describe(race), sort_keys=False, width=110)
+
+
+def _describe(race: Race) -> dict[str, Any]:
+    place = find_place(places.world_file(race.place, Path.cwd()))
+    laps = "A lap" if race.laps == 1 else f"{race.laps} laps"
+    timeout = race.timeout or _STARTING + race.laps * _length(place) / _SLOWEST
+    names = " against ".join(driver.name for driver in race.planners)
+    return {
+        "description": f"{laps} of {place.world.stem}, driven by {names}.",
+        "world": race.place if place.is_circuit else str(place.world),
+        "cars": [_car(race, place, number, driver) for number, driver in enumerate(race.planners)],
+        "limits": {"timeout": timeout, "wall": 300.0 + 2 * timeout},
+        "expected": "success",
+        "seed": _SEED,
+    }
+
+
+def _car(race: Race, place: Place, number: int, driver: Driver) -> dict[str, Any]:
+    start = place.start()
+    across = _BESIDE * ((len(race.planners) - 1) / 2 - number)
+    x, y = start.x - across * math.sin(start.yaw), start.y + across * math.cos(start.yaw)
+    return {
+        "name": f"robot{number + 1}",
+        "start": {"x": x, "y": y, "yaw": start.yaw},
+        "driver": driver.name if driver in Driver.short_forms().values() else driver.as_dict(),
+        "laps": race.laps,
+    }
+
+
+def _length(place: Place) -> float:
+    """Of the road, m."""
+    if place.road is None:
+        raise ScenarioError(
+            f"a race needs a road: {place.world} is no circuit and has no centreline beside it"
+        )
+    return read_course(place.road).length

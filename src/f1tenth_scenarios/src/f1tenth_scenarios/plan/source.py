@@ -1,0 +1,46 @@
+"""Where a scenario is read from: a file of its own, or that of a circuit, which stands for a lap of it."""
+
+from pathlib import Path
+from typing import Callable
+
+import yaml
+
+from f1tenth_scenarios.road.course import read_course
+from f1tenth_scenarios.scenario import yaml_source
+from f1tenth_scenarios.scenario.scenario import Scenario
+from f1tenth_scenarios.scenario.schema import read
+
+_SLOWEST = 0.5  # m/s on average, before the time is over
+_STARTING = 30.0  # s, on top of that
+_SEED = 1
+
+
+def read_scenario(path: Path, change: Callable[[yaml.MappingNode], None] = lambda root: None) -> Scenario:
+    """Read and validate a scenario file, or the file of a circuit, which stands for a lap of it.
+
+    `change` may alter what the file says before.
+
+    Raises:
+        ScenarioError: with the place and what is allowed there.
+    """
+    root = yaml_source.compose(path)
+    # What every circuit has and no scenario.
+    if any(key.value == "corners" for key, _ in root.value):
+        root = _scenario_of(path)
+    change(root)
+    return read(Scenario, root)
+
+
+def _scenario_of(circuit: Path) -> yaml.MappingNode:
+    """The scenario of a circuit, as a scenario file would have it."""
+    description = {
+        "description": f"One lap of {circuit.stem}, goal by goal without touching anything.",
+        "world": circuit.stem,
+        "cars": [{"name": "robot1"}],
+        "limits": {"timeout": round(_STARTING + read_course(circuit).length / _SLOWEST, 1)},
+        "expected": "success",
+        "seed": _SEED,
+    }
+    root = yaml.compose(yaml.safe_dump(description, sort_keys=False), Loader=yaml.SafeLoader)
+    root.start_mark.name = str(circuit)
+    return root

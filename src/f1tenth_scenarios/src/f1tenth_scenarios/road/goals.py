@@ -1,0 +1,44 @@
+"""The goals of a car, as race_mgr reads them."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+import f1tenth_navigation_mgr
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.road.course import Course
+from f1tenth_scenarios.scenario.scenario import Pose
+
+_SPACING = 4.0  # m, between goals along a road
+
+
+def goals_along(course: Course) -> tuple[Pose, ...]:
+    """Goals all around a road, on its middle; the last one where the course begins."""
+    x, y = np.append(course.x, course.x[0]), np.append(course.y, course.y[0])
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
+    count = max(round(along[-1] / _SPACING), 3)
+    places = np.linspace(0.0, along[-1], count + 1)[1:]
+    # The heading of the piece that leads to each of them.
+    pieces = np.clip(np.searchsorted(along, places) - 1, 0, len(along) - 2)
+    headings = np.arctan2(np.diff(y), np.diff(x))[pieces]
+    goals = zip(np.interp(places, along, x), np.interp(places, along, y), headings)
+    return tuple(Pose(*map(float, goal)) for goal in goals)
+
+
+def goals_text(goals: Sequence[Pose]) -> str:
+    """Goals as a goals file has them."""
+    return "frame_id: map\n" + "".join(f"{each.x!r} {each.y!r} {each.yaw!r}\n" for each in goals)
+
+
+def read_goals(path: Path) -> list[Pose]:
+    """Read a goals file.
+
+    Raises:
+        ScenarioError: with the file, the line and what is wrong there.
+    """
+    try:
+        goals = f1tenth_navigation_mgr.load_goals_file(str(path))
+    except f1tenth_navigation_mgr.GoalsFileError as error:
+        raise ScenarioError(str(error)) from error
+    return [Pose(goal.x, goal.y, goal.yaw) for goal in goals]

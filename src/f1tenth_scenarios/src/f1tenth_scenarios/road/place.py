@@ -1,0 +1,77 @@
+"""Where a run takes place: the world, its map, its road, and where a car starts."""
+
+import dataclasses
+import math
+from pathlib import Path
+from typing import Optional
+
+from f1tenth_scenarios import places
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.road.course import Course, read_course
+from f1tenth_scenarios.scenario.scenario import Pose, StartLine
+
+_MAP_ENDING = "_map"
+_ORIGIN = Pose(0.0, 0.0, 0.0)
+
+
+@dataclasses.dataclass(frozen=True)
+class Place:
+    """What belongs to a world. The road is that of a circuit, or X_centerline.csv beside X_map.yaml."""
+
+    world: Path
+    map: Optional[Path]  # YAML
+    road: Optional[Path]
+    raceline: Optional[Path]
+
+    @property
+    def is_circuit(self) -> bool:
+        """Whether the road is that of a circuit: its start line is at the origin (docs/contracts.md)."""
+        return self.road is not None and self.road.suffix == ".yaml"
+
+    @property
+    def line(self) -> Optional[Path]:
+        """What is best driven along: the raceline, else the middle of the road."""
+        return self.raceline or self.road
+
+    def start(self) -> Pose:
+        """Where a car starts: on a track at the first point of its centreline, headed for the second.
+
+        Raises:
+            ScenarioError: the centreline cannot be read.
+        """
+        if self.road is None or self.is_circuit:
+            return _ORIGIN
+        course = read_course(self.road)
+        heading = math.atan2(course.y[1] - course.y[0], course.x[1] - course.x[0])
+        return Pose(float(course.x[0]), float(course.y[0]), heading)
+
+
+def find_place(world: Path) -> Place:
+    """Look for all that belongs to a world."""
+    map_file = places.map_file(world)
+    return Place(world, map_file, _road(world), _beside(world, "_raceline.csv"))
+
+
+def line_across(course: Course, start: Pose) -> StartLine:
+    """The start line at a pose: from one edge of the road to the other."""
+    right, left = course.widths(start.x, start.y)
+    shift = (left - right) / 2
+    x, y = start.x - shift * math.sin(start.yaw), start.y + shift * math.cos(start.yaw)
+    return StartLine(x, y, start.yaw, right + left)
+
+
+def _road(world: Path) -> Optional[Path]:
+    centreline = _beside(world, "_centerline.csv")
+    if centreline is not None:
+        return centreline
+    try:
+        circuit = places.course_file(world.stem, world.parent)
+    except ScenarioError:
+        return None
+    # A world of somebody else's may have the name of a circuit.
+    return circuit if circuit.parent.parent == world.parent.parent else None
+
+
+def _beside(world: Path, ending: str) -> Optional[Path]:
+    path = world.with_name(world.stem.removesuffix(_MAP_ENDING) + ending)
+    return path if path.is_file() else None

@@ -1,0 +1,93 @@
+"""Noticing that the set-up of a run broke: a node that ended, a planner that fell silent."""
+
+import dataclasses
+import json
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Optional
+
+from f1tenth_scenarios.drivers.deputy import EXIT_MISFIT
+from f1tenth_scenarios.errors import MisfitError
+from f1tenth_scenarios.launch.processes import ProcessTree
+from f1tenth_scenarios.plan.participants import DEPUTY, driver_nodes_among, named_nodes
+from f1tenth_scenarios.plan.plan import Plan
+from f1tenth_scenarios.record.bag import RECORDER
+from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
+from f1tenth_scenarios.run.culprit import Signs, failure_of
+from f1tenth_scenarios.run.file_tail import last_lines
+from f1tenth_scenarios.run.launch_log import LaunchLog, NodeEnd
+
+# What was said just before a node ended gets this long (wall s) to arrive.
+_LAST_WORDS = 0.5
+# The same for one killed by a signal, which is nobody else's fault: only its output may still be on its way.
+_LAST_OUTPUT = 0.1
+_ALL = 1_000_000  # lines
+
+
+class Breakdown:
+    """Looks at the processes of a run."""
+
+    def __init__(self, plan: Plan, tree: ProcessTree, log: LaunchLog):
+        self._plan = plan
+        self._tree = tree
+        self._log = log
+        self._seen_at: Optional[float] = None
+
+    def failure(self, updates: Sequence[RaceUpdate], done: set[str]) -> Optional[Failure]:
+        """Who broke the set-up, as soon as its last words can be there.
+
+        Args:
+            updates: what the cars said of themselves
+            done: the cars that have finished, whose drivers may end
+
+        Raises:
+            MisfitError: a car's driver does not fit lockstep.
+        """
+        self._look_for_misfit()
+        ends = [end for end in self._log.ends if self._is_fatal(end, done)]
+        lost = [each for each in updates if each.state in (RaceState.LOST, RaceState.STOPPED)]
+        exit_code = self._tree.exit_code()
+        if not (ends or lost or exit_code is not None):
+            return None
+        if self._seen_at is None:
+            self._seen_at = time.monotonic()
+        killed = any(end.exit_code < 0 for end in ends)
+        if time.monotonic() - self._seen_at < (_LAST_OUTPUT if killed else _LAST_WORDS):
+            return None
+        result = read_json(self._plan.simulator_result_file)
+        return failure_of(self._plan, Signs(ends, lost, exit_code, result, tuple(self._log.pids)))
+
+    def _look_for_misfit(self) -> None:
+        for car in self._plan.cars:
+            deputy = f"{car}/{DEPUTY}"
+            if NodeEnd(deputy, EXIT_MISFIT) in [
+                dataclasses.replace(end, log_file=None) for end in self._log.ends
+            ]:
+                said = [line for line in last_lines(self._plan.launch_log, _ALL) if f"[/{deputy}]: " in line]
+                why = said[-1].partition(f"[/{deputy}]: ")[2] if said else "its deputy does not say why"
+                raise MisfitError(f"the driver of {car} does not fit lockstep: {why}")
+
+    def _is_fatal(self, end: NodeEnd, done: set[str]) -> bool:
+        # Without a bag, the replay has no plans; the verdict stands.
+        return end.node != RECORDER and (end.exit_code != 0 or self._must_live(end.node, done))
+
+    def _must_live(self, node: str, done: set[str]) -> bool:
+        """Whether a node may not even end in order: the simulator, and a driver's named nodes or its last."""
+        if node == "sim2d":
+            return True
+        car = node.partition("/")[0]
+        if car not in self._plan.cars or car in done or not driver_nodes_among(car, [node]):
+            return False
+        return node in named_nodes(self._plan, car) or not self._living(car)
+
+    def _living(self, car: str) -> set[str]:
+        return set(driver_nodes_among(car, self._log.pids)) - {end.node for end in self._log.ends}
+
+
+def read_json(path: Path) -> dict:
+    """What a JSON file holds; empty when it is missing or broken."""
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}

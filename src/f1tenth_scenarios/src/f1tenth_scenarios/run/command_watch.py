@@ -1,0 +1,60 @@
+"""Noticing a driver whose commands are none: silence, nonsense, or a flood, by the simulator's counts."""
+
+import dataclasses
+from collections.abc import Iterable
+from typing import Optional
+
+_MOST_PER_SECOND = 400.0  # of simulated time; a lidar scans 40 times
+_NONSENSE_SAMPLES = 2  # in a row with nothing but refused commands
+
+
+@dataclasses.dataclass(frozen=True)
+class CommandCount:
+    """What the simulator has counted of a car's commands so far."""
+
+    stamp: float  # s, simulated
+    car: str
+    accepted: int
+    refused: int
+    refusal: str = ""  # why the last one was refused
+
+
+class CommandWatch:
+    """Follows the counts of some cars, each with a steady rate."""
+
+    def __init__(self, cars: Iterable[str], silence: float):
+        """`silence`: simulated time (s) without any command that a driver may let pass."""
+        self._silence = silence
+        self._last: dict[str, Optional[CommandCount]] = dict.fromkeys(cars)
+        self._heard: dict[str, float] = dict.fromkeys(self._last, 0.0)
+        self._nonsense: dict[str, int] = dict.fromkeys(self._last, 0)
+        self._problems: dict[str, str] = {}
+
+    def take(self, count: CommandCount) -> None:
+        """Take the next count of a car; of others none is kept."""
+        if count.car not in self._last:
+            return
+        before = self._last[count.car] or CommandCount(0.0, count.car, 0, 0)
+        self._last[count.car] = count
+        accepted, refused = count.accepted - before.accepted, count.refused - before.refused
+        if accepted or refused:
+            self._heard[count.car] = count.stamp
+        self._nonsense[count.car] = self._nonsense[count.car] + 1 if refused and not accepted else 0
+        problem = self._problem(count, (accepted + refused) / max(count.stamp - before.stamp, 1e-9))
+        if problem:
+            self._problems.setdefault(count.car, problem)
+
+    def problems(self, done: set[str]) -> list[tuple[str, str]]:
+        """Cars that are not done, and what is wrong with their commands."""
+        return [(car, text) for car, text in self._problems.items() if car not in done]
+
+    def _problem(self, count: CommandCount, rate: float) -> str:
+        if rate > _MOST_PER_SECOND:
+            return f"sends {rate:.0f} commands per second of simulated time, may be {_MOST_PER_SECOND:.0f}"
+        if self._nonsense[count.car] >= _NONSENSE_SAMPLES:
+            return f"sends only commands that the simulator refuses: {count.refusal}"
+        quiet = count.stamp - self._heard[count.car]
+        if quiet >= self._silence:
+            never = "no command at all" if not self._heard[count.car] else "no command"
+            return f"has sent {never} for {quiet:g} s of simulated time (limits.silence)"
+        return ""

@@ -1,0 +1,52 @@
+"""A driver whose commands are none is noticed by what the simulator counts."""
+
+import pytest
+from f1tenth_scenarios.run.command_watch import CommandCount, CommandWatch
+
+NAN = "speed is nan"
+
+
+def problems(*counts, cars=("robot1",), done=()):
+    """Of counts (stamp, accepted, refused) of robot1, with a silence of 10 s."""
+    watch = CommandWatch(cars, 10.0)
+    for stamp, accepted, refused in counts:
+        watch.take(CommandCount(stamp, "robot1", accepted, refused, NAN if refused else ""))
+    return watch.problems(set(done))
+
+
+def test_steady_driver_has_no_problem():
+    assert problems(*((float(second), 40 * second, 0) for second in range(1, 60))) == []
+
+
+def test_driver_that_never_speaks_is_silent():
+    text = "has sent no command at all for 10 s of simulated time (limits.silence)"
+    assert problems((9.0, 0, 0)) == []
+    assert problems((9.0, 0, 0), (10.0, 0, 0)) == [("robot1", text)]
+
+
+def test_driver_that_falls_silent_is_noticed():
+    assert problems((3.0, 120, 0), (12.0, 120, 0)) == []
+    text = "has sent no command for 10 s of simulated time (limits.silence)"
+    assert problems((3.0, 120, 0), (13.0, 120, 0)) == [("robot1", text)]
+
+
+def test_nonsense_is_noticed_when_it_goes_on():
+    assert problems((1.0, 10, 30), (2.0, 50, 30)) == []
+    assert problems((1.0, 0, 30), (2.0, 0, 70)) == [
+        ("robot1", "sends only commands that the simulator refuses: speed is nan")
+    ]
+
+
+@pytest.mark.parametrize(("count", "found"), [(400, 0), (401, 1)])
+def test_flood_is_noticed(count, found):
+    assert len(problems((1.0, 40, 0), (2.0, 40 + count, 0))) == found
+
+
+def test_first_problem_is_the_one_that_is_told():
+    ((_, text),) = problems((1.0, 5000, 0), (20.0, 5000, 0))
+    assert text == "sends 5000 commands per second of simulated time, may be 400"
+
+
+def test_who_is_done_or_not_watched_may_be_silent():
+    assert problems((10.0, 0, 0), done=["robot1"]) == []
+    assert problems((10.0, 0, 0), cars=["robot2"]) == []

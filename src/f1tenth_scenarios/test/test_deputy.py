@@ -1,0 +1,98 @@
+"""When the deputy lets a period be over, and whom it finds not to fit lockstep."""
+
+import subprocess
+import sys
+
+import pytest
+from f1tenth_scenarios.drivers import deputy
+from f1tenth_scenarios.drivers.deputy import Deputy
+from f1tenth_scenarios.errors import MisfitError
+
+MARK = "F1TENTH_TEST_DRIVER=robot1 of a test"
+IDLE = "print('ready', flush=True); import time; time.sleep(600)"
+BUSY = "print('ready', flush=True)\nwhile True: pass"
+
+
+class FakeWorld:
+    """Notes what the deputy does; the driver sends commands as its script says: before rest, and after."""
+
+    def __init__(self, before=1, after=0):
+        self.done = []
+        self._count, self._before, self._after = 0, before, after
+        self._asked = 0
+
+    def connections(self):
+        return "steady"
+
+    def commands(self):
+        self._asked += 1
+        self._count += self._before if self._asked % 2 else self._after
+        return self._count
+
+    def publish_scans(self):
+        self.done.append("scan")
+
+    def publish_clock(self, stamp):
+        self.done.append(stamp)
+
+    def is_over(self):
+        return False
+
+
+@pytest.fixture
+def driver(monkeypatch):
+    """Starts a process that plays the driver; everything in the deputy goes a little faster."""
+    for name, value in (("_PACE", 0.001), ("_CONNECTING", 0.001), ("_LOADING", 0.2)):
+        monkeypatch.setattr(deputy, name, value)
+    running = []
+
+    def start(program=IDLE):
+        name, _, value = MARK.partition("=")
+        process = subprocess.Popen(
+            [sys.executable, "-c", program], env={name: value}, stdout=subprocess.PIPE, text=True
+        )
+        running.append(process)
+        process.stdout.readline()
+
+    yield start
+    for process in running:
+        process.kill()
+        process.communicate()
+
+
+def test_scan_comes_before_the_time(driver):
+    driver()
+    world = FakeWorld()
+    Deputy(world, MARK).act("now")
+    assert world.done == ["scan", "now"]
+
+
+def test_driver_that_fits_has_started_up_after_some_periods(driver):
+    driver()
+    world = FakeWorld()
+    one = Deputy(world, MARK)
+    for period in range(40):
+        one.act(period)
+    assert world.done[-2:] == ["scan", 39]
+
+
+def test_who_sends_commands_while_time_stands_still_does_not_fit(driver):
+    driver()
+    one = Deputy(FakeWorld(before=0, after=1), MARK)
+    one.act(0)
+    one.act(1)
+    with pytest.raises(MisfitError, match="by the wall clock, while simulated time stands still"):
+        one.act(2)
+
+
+def test_who_never_rests_does_not_fit_once_it_sends_commands(driver):
+    driver(BUSY)
+    with pytest.raises(MisfitError, match="its threads do not come to rest within 0.2 s"):
+        Deputy(FakeWorld(), MARK).act("now")
+
+
+def test_who_never_rests_may_still_be_loading(driver):
+    driver(BUSY)
+    world = FakeWorld(before=0)
+    Deputy(world, MARK).act("now")
+    assert world.done == ["scan", "now"]

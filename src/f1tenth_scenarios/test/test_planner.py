@@ -1,0 +1,79 @@
+"""Another planner in the place of ours, where that makes sense."""
+
+import pytest
+from f1tenth_scenarios.errors import NotApplicableError, ScenarioError
+from f1tenth_scenarios.plan.planner import planner_setting
+from f1tenth_scenarios.plan.planning import make_plan
+from f1tenth_scenarios.scenario.driver import Driver, Interface
+
+
+@pytest.fixture
+def planned(tmp_path):
+    """Plans a shipped scenario with a planner that declares some arguments."""
+
+    def plan(name, *arguments, given=None):
+        declared = "".join(f'<arg name="{each}" default=""/>' for each in arguments)
+        path = tmp_path / "my.launch"
+        path.write_text(f"<launch>{declared}</launch>", encoding="utf-8")
+        planner = Driver(str(path), Interface.F1TENTH, given or {})
+        return make_plan(name, settings=[planner_setting(planner)])
+
+    return plan
+
+
+def test_planner_takes_the_place_of_ours(planned):
+    plan = planned("circuit3", "speed", given={"speed": "4.0"})
+    driver = plan.cars["robot1"].driver
+    assert (driver.file.path.name, driver.interface, driver.arguments) == (
+        "my.launch",
+        Interface.F1TENTH,
+        {"speed": "4.0"},
+    )
+
+
+def test_other_drivers_stay(planned):
+    plan = planned("overtaking")
+    assert [car.driver.name for car in plan.cars.values()][1] == "pursuit"
+
+
+def test_who_knows_no_goals_is_judged_by_laps(planned):
+    task = planned("circuit1_three_laps").tasks["robot1"]
+    assert (task.laps, task.goals, task.obeys_start) == (3, (), False)
+
+
+def test_who_takes_goals_is_judged_by_them(planned):
+    plan = planned("circuit1", "goals_file")
+    assert len(plan.tasks["robot1"].goals) == 5
+    assert planned("goal_ahead", "goals_file").tasks["robot1"].goals
+
+
+def test_settings_of_our_planner_are_not_for_others(planned):
+    assert planned("low_friction").scenario.cars[0].acceleration_max is None
+    assert planned("low_friction", "acceleration_max").scenario.cars[0].acceleration_max == 2.0
+
+
+@pytest.mark.parametrize(
+    ("name", "reason"),
+    [
+        ("planner_killed", "it kills robot1/move_base, a node of our planner"),
+        ("into_the_wall", "no car of it is driven by our planner"),
+        ("goal_in_wall", "it expects 'aborted', which says nothing about another planner"),
+        ("goal_ahead", "it is about goals, and the planner has no argument 'goals_file'"),
+        ("late_start", "it is about the countdown, and the planner has no argument 'time_to_start'"),
+    ],
+)
+def test_scenario_that_says_nothing_about_a_planner_is_not_applicable(planned, name, reason):
+    with pytest.raises(NotApplicableError, match=reason):
+        planned(name)
+
+
+def test_planner_without_a_launch_file_is_an_error(tmp_path):
+    planner = Driver(str(tmp_path / "none.launch"))
+    with pytest.raises(ScenarioError, match="no such file: .*none.launch") as caught:
+        make_plan("circuit1", settings=[planner_setting(planner)])
+    assert not isinstance(caught.value, NotApplicableError)
+
+
+def test_setting_is_one_line_whatever_the_arguments_are():
+    planner = Driver("/a b/my.launch", arguments={f"argument_{number}": "x" * 30 for number in range(9)})
+    assert "\n" not in planner_setting(planner)

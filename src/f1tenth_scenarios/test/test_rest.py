@@ -1,0 +1,88 @@
+"""When processes are at rest: all that they were given is handled."""
+
+import os
+import subprocess
+import sys
+import threading
+
+import pytest
+from f1tenth_scenarios.drivers.rest import Rest, marked_processes
+from patience import wait_for
+
+# Answers each line after some work, in another thread than the one that reads it.
+WORKER = """
+import queue, sys, threading
+inbox = queue.Queue()
+def work():
+    while True:
+        count = inbox.get()
+        print(sum(range(count)), flush=True)
+threading.Thread(target=work, daemon=True).start()
+print("ready", flush=True)
+for line in sys.stdin:
+    inbox.put(int(line))
+"""
+
+
+@pytest.fixture
+def start():
+    """Starts a Python program with pipes."""
+    running = []
+
+    def run(program, **environment):
+        pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
+        process = subprocess.Popen(
+            [sys.executable, "-c", program], env={**os.environ, **environment}, text=True, **pipes
+        )
+        running.append(process)
+        return process
+
+    yield run
+    for process in running:
+        process.kill()
+        process.communicate()
+
+
+def test_processes_are_found_by_their_mark_with_those_that_they_started(start):
+    child = (
+        "import subprocess, sys; p = subprocess.Popen(['sleep', '600']); print(p.pid, flush=True); p.wait()"
+    )
+    one, other = start(child, COLOUR="red 7"), start(child, COLOUR="red 77")
+    pids = {one.pid, int(one.stdout.readline())}
+    other.stdout.readline()
+    assert marked_processes("COLOUR=red 7") == pids
+    for each in pids:
+        os.kill(each, 9)
+    one.wait()
+    assert wait_for(lambda: not marked_processes("COLOUR=red 7"))
+    os.kill(next(iter(marked_processes("COLOUR=red 77") - {other.pid})), 9)
+
+
+def test_answer_is_there_whenever_rest_is_reached(start):
+    worker = start(WORKER)
+    assert worker.stdout.readline() == "ready\n"
+    os.set_blocking(worker.stdout.fileno(), False)
+    rest = Rest()
+    for count in range(1, 200):
+        worker.stdin.write(f"{count * 1000}\n")
+        worker.stdin.flush()
+        wait_for(lambda: rest.is_reached([worker.pid]))
+        assert worker.stdout.readline() == f"{sum(range(count * 1000))}\n"
+
+
+def test_who_computes_is_not_at_rest(start):
+    busy = start("print('ready', flush=True)\nwhile True: pass")
+    busy.stdout.readline()
+    rest = Rest()
+    assert not any(rest.is_reached([busy.pid]) for _ in range(100))
+
+
+def test_who_has_ended_is_at_rest(start):
+    process = start("pass")
+    process.wait()
+    assert Rest().is_reached([process.pid])
+
+
+def test_one_thread_may_be_left_out():
+    assert not Rest().is_reached([os.getpid()])
+    assert wait_for(lambda: Rest(threading.get_native_id()).is_reached([os.getpid()]))

@@ -1,0 +1,90 @@
+"""Whatever a planner does wrong: a verdict with the culprit and its last words, and exit code 1."""
+
+import json
+import subprocess
+import sys
+
+import pytest
+from patience import PATIENCE
+
+from f1tenth_scenarios import places
+
+LAUNCH = places.package_path(places.PACKAGE) / "test" / "planners" / "misbehaving.launch"
+SIMULATED = 25.0  # s, after which it is said at the latest
+
+
+@pytest.fixture
+def judged(tmp_path):
+    """Lets a planner go wrong; returns what its result.json says, and what was printed."""
+
+    def run(*options):
+        command = [
+            sys.executable,
+            "-m",
+            "f1tenth_scenarios",
+            "race",
+            "circuit1",
+            "--planner",
+            str(LAUNCH),
+            *options,
+        ]
+        done = subprocess.run(
+            [*command, "--results", str(tmp_path)],
+            capture_output=True,
+            text=True,
+            timeout=PATIENCE,
+            cwd=tmp_path,
+        )
+        assert done.returncode == 1, done.stdout + done.stderr
+        assert "Traceback" not in done.stderr
+        result = json.loads((tmp_path / "race_circuit1" / "result.json").read_text(encoding="utf-8"))
+        assert result["times"]["finish"] <= SIMULATED
+        return result, done.stdout
+
+    return run
+
+
+@pytest.mark.parametrize(
+    ("how", "reason", "last_words"),
+    [
+        ("ends_at_once", "ended with exit code 0", ""),
+        ("dies_at_once", "ended with exit code 1", "ValueError: no model weights in /models"),
+        (
+            "raises_in_callback",
+            "has sent no command at all for 10 s",
+            "object has no attribute 'no_such_field'",
+        ),
+        ("is_silent", "has sent no command at all for 10 s", "waiting for a joystick"),
+        ("says_nan", "sends only commands that the simulator refuses: ", ""),
+        ("floods", " commands per second of simulated time, may be 400", ""),
+        ("hangs_in_callback", "has not come to rest within 6 s of wall time (limits.answer)", ""),
+    ],
+)
+def test_planner_that_goes_wrong_is_named_with_its_last_words(judged, how, reason, last_words):
+    result, said = judged("--arg", f"how:={how}", "--set", "limits.answer=6")
+    assert (result["verdict"], result["culprit"]["culprit"]) == ("error", "robot1/planner")
+    assert reason in result["reason"]
+    assert last_words in "\n".join(result["culprit"]["log_lines"])
+    assert last_words in said
+
+
+@pytest.mark.parametrize(
+    ("executable", "culprit", "words"),
+    [
+        ("none.py", "f1tenth_scenarios/none.py", "Cannot locate node of type [none.py]"),
+        ("missing_import.py", "robot1/planner", "ModuleNotFoundError: No module named 'no_such_package'"),
+    ],
+)
+def test_planner_that_cannot_be_started_is_named(judged, executable, culprit, words):
+    result, said = judged("--arg", f"type:={executable}")
+    assert (result["verdict"], result["culprit"]["culprit"]) == ("error", culprit)
+    assert words in said
+
+
+def test_planner_that_goes_by_the_wall_clock_is_run_in_real_time_and_that_is_said(judged):
+    result, said = judged("--arg", "how:=goes_by_the_wall_clock")
+    assert (result["verdict"], result["lockstep"]) == ("collision", False)
+    note = (
+        "run in real time, as the driver of robot1 does not fit lockstep: it sends commands by the wall clock"
+    )
+    assert f"note:              {note}, while simulated time stands still\n" in said

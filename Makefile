@@ -31,6 +31,7 @@ JOBS ?= $(shell nproc)
 # Every test has its own ROS master, display and folders, so that several can run side by side.
 TEST_JOBS ?= $(JOBS)
 CIRCUIT ?= circuit1
+LAPS ?= 1
 FUZZ_SECONDS ?= 600
 # Whether sources are compiled several at a time: a fresh build takes a third of the processor time, an incremental one up to
 # twice. Decided when the workspace is first configured: ON for CI and for whoever begins with a race or the tests, OFF for a developer who
@@ -49,7 +50,8 @@ PYTHON_FILES = $(shell git ls-files '*.py'; git grep -lI '^\#!/usr/bin/\(env pyt
 
 help: ## list the commands
 	@sed -n 's/^\([a-z]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 16
-	@echo "  Variables: CIRCUIT=circuit1 … circuit5, circuit_detailed; JOBS=$(JOBS); TEST_JOBS=$(TEST_JOBS);"
+	@echo "  Variables: CIRCUIT=circuit1 … circuit5, circuit_detailed; PLANNER=LAUNCH FILE, with LAPS=1, INTERFACE=native or f1tenth;"
+	@echo "  JOBS=$(JOBS); TEST_JOBS=$(TEST_JOBS);"
 	@echo "  OUT=FOLDER for everything that is written, when these files are read-only; SETUP=--yes"
 
 setup: ## install what is missing from Debian and PyPI
@@ -78,8 +80,11 @@ $(CONFIGURED): $(PACKAGES) CMakeLists.txt $(wildcard cmake/*) $(wildcard setup/*
 build: installed $(CONFIGURED) ## build the workspace
 	@cmake --build $(BUILD_DIR) -j $(JOBS) -- --no-print-directory
 
-race: build ## one headless race: make race CIRCUIT=circuit3
-	@$(IN_WORKSPACE) exec rosrun f1tenth_scenarios scenario run --report $(CIRCUIT)
+# Without a planner, ours drives from goal to goal.
+RACE = $(if $(PLANNER),race "$(CIRCUIT)" --planner "$(PLANNER)" --laps $(LAPS) $(addprefix --interface ,$(INTERFACE)),run "$(CIRCUIT)")
+
+race: build ## one headless race, judged: make race CIRCUIT=circuit3 PLANNER=my.launch
+	@$(IN_WORKSPACE) exec rosrun f1tenth_scenarios scenario $(RACE) --report
 
 report: build ## one HTML file of all results: results/report.html
 	@$(IN_WORKSPACE) exec rosrun f1tenth_scenarios scenario report

@@ -66,6 +66,14 @@ class FakeRun:
         source = write_record(self.folder / f"source{self._sources}.csv", rows(*arguments, **others))
         return self._do(f"import shutil; shutil.copy({str(source)!r}, {str(self.plan.record_file)!r})\n")
 
+    def is_killed_while_the_simulator_goes_on(self, *arguments, **others):
+        """The process that starts all is killed; a moment later the record goes on to what is given."""
+        source = write_record(self.folder / "later.csv", rows(*arguments, **others))
+        copying = f"shutil.copy({str(source)!r}, {str(self.plan.record_file)!r})"
+        later = f"import shutil, time; time.sleep(0.2); {copying}; time.sleep(9)"
+        self._do(f"import os, subprocess; subprocess.Popen([sys.executable, '-c', {later!r}])\n")
+        return self._do("os.kill(os.getpid(), 9)\n")
+
     def loses_its_bag(self):
         return self._do(f"import os; os.unlink({str(self.plan.bag_file)!r})\n")
 

@@ -53,6 +53,7 @@ def driver(monkeypatch):
         )
         running.append(process)
         process.stdout.readline()
+        return process
 
     yield start
     for process in running:
@@ -96,3 +97,17 @@ def test_who_never_rests_may_still_be_loading(driver):
     world = FakeWorld(before=0)
     Deputy(world, MARK).act("now")
     assert world.done == ["scan", "now"]
+
+
+def test_time_stands_still_once_when_a_process_has_ended(driver, monkeypatch):
+    held = []
+    monkeypatch.setattr(deputy, "_hold", held.append)
+    driver()
+    victim = driver()
+    one = Deputy(FakeWorld(), MARK)
+    one.act(0)
+    victim.kill()
+    victim.wait()
+    for period in range(1, 4):
+        one.act(period)
+    assert held == [deputy._NOTICING]

@@ -201,6 +201,20 @@ def test_launch_that_fails_is_quoted(tmp_path):
     assert (result["trajectory_hash"], result["minimum_clearance"]) == (None, None)
 
 
+@pytest.mark.parametrize(
+    ("expected", "later"),
+    [
+        (Verdict.TIMEOUT, {"end": 12.0}),
+        (Verdict.COLLISION, {"end": 4.0, "contacts": {3.0: "Wall_1"}}),
+    ],
+)
+def test_what_happens_after_the_launch_was_killed_does_not_count(tmp_path, expected, later):
+    run = FakeRun(tmp_path, scenario(expected)).records(2.0).waits(0.5)
+    result = result_of(run.is_killed_while_the_simulator_goes_on(**later))
+    assert (result["verdict"], result["passed"]) == ("error", False)
+    assert result["reason"] == "roslaunch: ended with exit code -9"
+
+
 def test_failure_of_the_watch_ends_the_run(tmp_path):
     run = FakeRun(tmp_path).records(4.0).hears(failure=died("runner"))
     assert result_of(run)["reason"] == "runner: was killed by signal 9"

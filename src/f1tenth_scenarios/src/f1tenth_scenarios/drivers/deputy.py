@@ -11,11 +11,12 @@ import threading
 import time
 from typing import Callable, Optional, Protocol
 
-from f1tenth_scenarios.drivers.rest import Rest, marked_processes
+from f1tenth_scenarios.drivers.rest import Rest, has_ended, marked_processes
 from f1tenth_scenarios.errors import MisfitError
 
 _LOOK_INTERVAL = 2e-4  # wall s, between two looks at the threads
 _SEARCH_INTERVAL = 0.25  # wall s, between two searches for processes
+_NOTICING = 0.5  # wall s, for which time stands still when a process has ended, so that the runner notices it
 EXIT_MISFIT = 4  # exit code of a deputy whose driver does not fit
 # While the driver starts up:
 _PACE = 0.025  # wall s per period at least: who waits by the wall clock is not overtaken
@@ -55,6 +56,7 @@ class Deputy:
         self._own = os.getpid()
         self._rest = Rest(threading.get_native_id())
         self._pids: set[int] = set()
+        self._ended: set[int] = set()  # those of them that are gone, and not held for yet
         self._searched: Optional[float] = None
         self._start: Optional[_Start] = _Start()
 
@@ -69,8 +71,16 @@ class Deputy:
         self._settle()
         self._world.publish_clock(stamp)
         self._settle()
+        self._hold_for_the_dead()
         if self._start:
             self._watch_start(self._start)
+
+    def _hold_for_the_dead(self) -> None:
+        self._ended |= set(filter(has_ended, self._pids))
+        if self._ended:
+            _hold(_NOTICING)
+        self._pids -= self._ended
+        self._ended.clear()
 
     def _settle(self) -> None:
         """Wait until the driver is at rest; while it starts up, only for some time."""
@@ -86,7 +96,8 @@ class Deputy:
         now = self._clock()
         if self._searched is None or now - self._searched > _SEARCH_INTERVAL:
             self._searched = now
-            self._pids = marked_processes(self._mark)
+            before, self._pids = self._pids, marked_processes(self._mark)
+            self._ended |= before - self._pids
         # Before the first process has been started there is nobody who could be at rest.
         is_there = bool(self._pids) or self._start is None
         return is_there and self._rest.is_reached([*self._pids, self._own])
@@ -105,6 +116,11 @@ class Deputy:
         while (connections := self._world.connections()) != start.connections and not self._world.is_over():
             start.connections, start.steady_periods = connections, 0
             time.sleep(_CONNECTING)
+
+
+def _hold(seconds: float) -> None:
+    """Keep simulated time from going on for some wall time."""
+    time.sleep(seconds)
 
 
 class _Start:

@@ -18,6 +18,11 @@ def marked_processes(mark: str) -> set[int]:
     return {pid for pid in _all_processes() if wanted in _environment(pid)}
 
 
+def has_ended(pid: int) -> bool:
+    """Whether a process is gone, or waits to be noticed by who started it."""
+    return _state_of(f"/proc/{pid}") in (b"", b"Z", b"X")
+
+
 class Rest:
     """Looks at all threads of some processes."""
 
@@ -53,9 +58,14 @@ class Rest:
         """Whether a thread runs or wants to, and how often it was switched to; who is gone is asleep."""
         folder = f"/proc/{pid}/task/{thread}"
         switches = _read(f"{folder}/schedstat").split()
-        stat = _read(f"{folder}/stat")
-        state = stat[stat.rfind(b")") + 2 :][:1]
+        state = _state_of(folder)
         return bool(state) and state not in _ASLEEP, switches[-1] if switches else b""
+
+
+def _state_of(folder: str) -> bytes:
+    """The letter for the state of a process or thread; empty when it is gone."""
+    stat = _read(f"{folder}/stat")
+    return stat[stat.rfind(b")") + 2 :][:1]
 
 
 def _all_processes() -> Iterator[int]:

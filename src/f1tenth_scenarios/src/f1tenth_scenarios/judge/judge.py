@@ -81,12 +81,22 @@ def is_decided(tasks: Tasks, updates: Sequence[RaceUpdate], finishes: Mapping[st
 
 
 def _endings(scenario: Scenario, tasks: Tasks, seen: Observations) -> Iterator[Decision]:
+    yield from (each for each in _shown(scenario, tasks, seen) if _is_sound(each, seen))
+    yield from _races_aborted(seen.updates)
+    yield from _breakdowns(seen)
+
+
+def _shown(scenario: Scenario, tasks: Tasks, seen: Observations) -> Iterator[Decision]:
+    """How the record lets the run end."""
     yield from _collisions(scenario, seen)
     yield from _false_starts(scenario, tasks, seen)
-    yield from _races_aborted(seen.updates)
     yield from _tasks_done(tasks, seen.updates, _finishes(scenario, tasks, seen.record))
     yield from _timeouts(scenario, seen)
-    yield from _breakdowns(seen)
+
+
+def _is_sound(decision: Decision, seen: Observations) -> bool:
+    """Whether it was decided before the set-up broke."""
+    return seen.sound_until is None or decision.stamp <= seen.sound_until + STAMP_EPSILON
 
 
 def _finishes(scenario, tasks, record) -> dict[str, Optional[float]]:

@@ -37,3 +37,5 @@ class Observations:
     updates: tuple[RaceUpdate, ...] = ()
     failure: Optional[Failure] = None
     collided: frozenset[str] = frozenset()  # cars of which the topic `collision` said so
+    # s, of the last look before something broke: what the record shows later proves nothing.
+    sound_until: Optional[float] = None

@@ -34,6 +34,11 @@ class Breakdown:
         self._log = log
         self._seen_at: Optional[float] = None
 
+    @property
+    def is_seen(self) -> bool:
+        """Whether something has broken, though its last words may not be there yet."""
+        return self._seen_at is not None
+
     def failure(self, updates: Sequence[RaceUpdate], done: set[str]) -> Optional[Failure]:
         """Who broke the set-up, as soon as its last words can be there.
 

@@ -109,7 +109,7 @@ def _drive(plan, tree, watch, stop, progress) -> tuple[Result, Preparation]:
 
 def _observations(plan, supervisor, watch, failure) -> Observations:
     record, failure = _read_record(plan, failure)
-    return Observations(record, tuple(supervisor.updates), failure, watch.collided())
+    return Observations(record, tuple(supervisor.updates), failure, watch.collided(), supervisor.sound_until)
 
 
 def _read_record(plan, failure):

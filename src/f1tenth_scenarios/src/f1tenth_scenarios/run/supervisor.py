@@ -66,6 +66,8 @@ class Supervisor:
         self._touches_judged = 0
         self._alarm_at: Optional[float] = None
         self._race_over_at: Optional[float] = None
+        self._sound_at = 0.0
+        self.sound_until: Optional[float] = None  # s, nothing as long as the set-up is whole
         self.updates: list[RaceUpdate] = []
         self.pace = Pace()
 
@@ -76,17 +78,29 @@ class Supervisor:
 
     def wait(self) -> Optional[Failure]:
         """Return when the run is decided; with a failure if the set-up broke."""
-        while not self._decided():
-            failure = self._failure()
+        while True:
+            self._poll()
+            failure = self._broken()
+            if self.sound_until is None:
+                if self._decided():
+                    return None
+                failure = self._failure()
             if failure:
                 self._poll()
                 return failure
             self._progress(self._record.time, self._elapsed())
             time.sleep(_POLL_INTERVAL)
-        return None
+
+    def _broken(self) -> Optional[Failure]:
+        """Who broke the set-up; from then on nothing is decided by the record, which may go on."""
+        failure = self._breakdown.failure(self.updates, self._done())
+        if not self._breakdown.is_seen:
+            self._sound_at = self._record.time or 0.0
+        elif self.sound_until is None:
+            self.sound_until = self._sound_at
+        return failure
 
     def _decided(self) -> bool:
-        self._poll()
         simulated = self._record.time
         return (
             self._collided()
@@ -143,8 +157,7 @@ class Supervisor:
             return Failure("runner", f"was told to stop by {self._stop.signal.name}")
         if self._elapsed() > self._plan.scenario.limits.wall:
             return self._hang()
-        done = self._done()
-        return self._breakdown.failure(self.updates, done) or self._watch.failure(done)
+        return self._watch.failure(self._done())
 
     def _done(self) -> set[str]:
         """The cars that have finished."""

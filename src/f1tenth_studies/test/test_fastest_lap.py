@@ -88,7 +88,7 @@ def test_a_circuit_is_sampled_evenly_with_its_width():
 
 
 def test_an_unknown_circuit_is_answered_with_those_there_are():
-    with pytest.raises(ScenarioError, match="no monza.yaml under .*/circuits; there are: circuit1, circuit2"):
+    with pytest.raises(ScenarioError, match="no circuit 'monza'; there are: circuit1, circuit2"):
         load_track("monza")
 
 

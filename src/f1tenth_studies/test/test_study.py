@@ -55,8 +55,8 @@ def program(tmp_path, monkeypatch):
 def test_the_scenario_of_a_study_is_one_on_every_circuit(name, world):
     file = places.package_path(cli.PACKAGE) / "scenarios" / f"{name}.yaml"
     plan = make_plan(str(file), settings=[f"world={world}"])
-    assert plan.goals_files["robot1"].stem == world
-    assert all(line.stem == world for line in plan.lines.values())
+    assert plan.goals_file("robot1").stem == world
+    assert all(car.line.stem == world for car in plan.cars.values() if car.line)
 
 
 @pytest.mark.parametrize(
@@ -114,7 +114,7 @@ def on_ring(start, speed, periods):
     angles = start + speed * np.arange(periods)
     none = np.zeros(periods)
     x, y = 10.0 * np.cos(angles), 10.0 * np.sin(angles)
-    return CarTrack("car", none, x, y, none, none, none, none, none, none, ("",) * periods, (), ())
+    return CarTrack("car", none, x, y, none, none, none, none, none, none, ("",) * periods, none, (), ())
 
 
 @pytest.mark.parametrize(

@@ -31,8 +31,8 @@ WorldDescription playground()
 CarDescription lowCar()
 {
   CarDescription description = car("robot2");
-  description.solids[1].pose.position.Z(0.05);
-  description.lidars[0].pose.position.Z(0.2);
+  description.solids[1].pose.position.z() = 0.05;
+  description.lidars[0].pose.position.z() = 0.2;
   description.lidars.push_back(lidar());
   return description;
 }

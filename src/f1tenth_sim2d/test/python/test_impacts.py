@@ -75,7 +75,7 @@ def test_blow_against_a_box_gains_no_energy_and_keeps_momentum(tmp_path, car_tex
     file = tmp_path / "box.world"
     file.write_text(WORLD.replace("OFFSET", str(offset)))
     simulation = f1tenth_sim2d.Simulation(f1tenth_sim2d.load_world(str(file)), STEP)
-    simulation.add_car(f1tenth_sim2d.load_car(car_text, "robot1", "car"))
+    simulation.add_car(f1tenth_sim2d.load_car(car_text, "robot1", "car"), f1tenth_sim2d.VehicleParameters())
     (energy_before, momentum_before), after = strike(simulation, speed)
     energies = [energy_before] + [each[0] for each in after]
     assert max(b - a for a, b in zip(energies, energies[1:])) < 2e-3 * energy_before
@@ -89,8 +89,9 @@ def test_blow_against_a_box_gains_no_energy_and_keeps_momentum(tmp_path, car_tex
 @pytest.mark.parametrize("aside", [0.0, 0.12])
 def test_head_on_crash_of_two_cars_gains_no_energy(car_text, aside):
     simulation = f1tenth_sim2d.Simulation(f1tenth_sim2d.empty_world(), STEP)
-    simulation.add_car(f1tenth_sim2d.load_car(car_text, "robot1", "car"))
-    simulation.add_car(f1tenth_sim2d.load_car(car_text, "robot2", "car"), None, 4.0, aside, math.pi)
+    vehicle = f1tenth_sim2d.VehicleParameters()
+    simulation.add_car(f1tenth_sim2d.load_car(car_text, "robot1", "car"), vehicle)
+    simulation.add_car(f1tenth_sim2d.load_car(car_text, "robot2", "car"), vehicle, 4.0, aside, math.pi)
     drive_until(simulation, [3.0, 3.0], lambda: simulation.clearance(0) < 0.1)
     # What was commanded before is still on its way for as long as the actuation latency.
     simulation.advance_to(simulation.time + LATENCY)

@@ -62,7 +62,7 @@ def test_check_answers_every_bad_file(capsys, tmp_path):
 def test_unknown_scenario_is_answered_with_the_known_ones(capsys, command):
     assert cli.main([command, "nowhere"]) == 2
     err = capsys.readouterr().err
-    names = "blocked_road, boxes_on_the_road, circuit1, circuit1_three_laps"
+    names = "blocked_road, boxes_on_the_road, circuit1, circuit1_drift, circuit1_three_laps"
     assert f"no scenario 'nowhere'; there are: {names}" in err
 
 

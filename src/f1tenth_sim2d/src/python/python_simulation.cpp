@@ -1,5 +1,7 @@
 #include "python/python_simulation.h"
 
+#include <pybind11/stl.h>
+
 #include <algorithm>
 #include <cmath>
 

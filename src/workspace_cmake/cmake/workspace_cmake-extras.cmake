@@ -35,28 +35,40 @@ function(_workspace_sanitize target)
   target_link_options(${target} PRIVATE ${sanitizers})
 endfunction()
 
-# A pybind11 module of this package, importable as NAME from the devel and the install space:
-#   workspace_python_module(NAME source.cpp ...)
+# A pybind11 module of this package, importable as NAME from the devel and the install space; with PACKAGE as PACKAGE._NAME,
+# part of a Python package:
+#   workspace_python_module(NAME [PACKAGE package] source.cpp ...)
 # Needs find_package(pybind11) after set(PYBIND11_FINDPYTHON OFF) and the package's own library linked to it.
 function(workspace_python_module name)
+  cmake_parse_arguments(module "" "PACKAGE" "" ${ARGN})
   # The extras are optimizing at link time, which finds nothing in a single unit and warns that it is slow.
-  pybind11_add_module(${name} MODULE NO_EXTRAS ${ARGN})
+  pybind11_add_module(${name} MODULE NO_EXTRAS ${module_UNPARSED_ARGUMENTS})
   workspace_target(${name})
-  set_target_properties(${name} PROPERTIES
-    LIBRARY_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_PYTHON_DESTINATION})
-  install(TARGETS ${name} LIBRARY DESTINATION ${CATKIN_GLOBAL_PYTHON_DESTINATION})
+  set(folder ${CATKIN_GLOBAL_PYTHON_DESTINATION})
+  if(module_PACKAGE)
+    set(folder ${folder}/${module_PACKAGE})
+    set_target_properties(${name} PROPERTIES OUTPUT_NAME _${name})
+  endif()
+  set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${folder})
+  install(TARGETS ${name} LIBRARY DESTINATION ${folder} COMPONENT python)
 endfunction()
 
-# Run pytest over PATHS... as one test target with a JUnit file:
+# Run pytest over PATHS... as one test target with a JUnit file; a second one of a package needs a NAME:
 #   workspace_add_pytest(test/test_a.py test/test_b.py)
+#   workspace_add_pytest(NAME more test/more/test_a.py)
 function(workspace_add_pytest)
+  cmake_parse_arguments(pytest "" "NAME" "" ${ARGN})
   set(paths)
-  foreach(path IN LISTS ARGN)
+  foreach(path IN LISTS pytest_UNPARSED_ARGUMENTS)
     list(APPEND paths "'${CMAKE_CURRENT_SOURCE_DIR}/${path}'") # a shell reads them, and a path may have blanks
   endforeach()
   string(REPLACE ";" " " path_arguments "${paths}")
-  set(junit "${CATKIN_TEST_RESULTS_DIR}/${PROJECT_NAME}/pytest-${PROJECT_NAME}.xml")
-  catkin_run_tests_target("pytest" "${PROJECT_NAME}" "pytest-${PROJECT_NAME}.xml"
+  set(name ${PROJECT_NAME})
+  if(pytest_NAME)
+    string(APPEND name "-${pytest_NAME}")
+  endif()
+  set(junit "${CATKIN_TEST_RESULTS_DIR}/${PROJECT_NAME}/pytest-${name}.xml")
+  catkin_run_tests_target("pytest" "${name}" "pytest-${name}.xml"
     COMMAND "${PYTHON_EXECUTABLE} -m pytest -q -p no:cacheprovider --junitxml='${junit}' ${path_arguments}"
     DEPENDENCIES ${${PROJECT_NAME}_EXPORTED_TARGETS})
 endfunction()

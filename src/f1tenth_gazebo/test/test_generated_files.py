@@ -15,8 +15,13 @@ from shapely.geometry import Point
 @pytest.mark.parametrize("name", circuits.NAMES)
 class TestShippedFiles:
     def test_world_is_made_from_the_circuit(self, name, tmp_path):
-        assert make_world([str(circuits.PACKAGE / f"circuits/{name}.yaml"), "-o", str(tmp_path / "w")]) == 0
-        assert (tmp_path / "w").read_text() == (circuits.PACKAGE / f"worlds/{name}.world").read_text()
+        assert (
+            make_world([str(circuits.PACKAGE / f"circuits/{name}.yaml"), "-o", str(tmp_path / "w.world")])
+            == 0
+        )
+        for suffix in (".world", "_centerline.csv"):
+            shipped = circuits.PACKAGE / f"worlds/{name}{suffix}"
+            assert (tmp_path / f"w{suffix}").read_text() == shipped.read_text()
 
     def test_goals_are_made_from_the_circuit(self, name, tmp_path):
         assert make_goals([str(circuits.PACKAGE / f"circuits/{name}.yaml"), "-o", str(tmp_path / "g")]) == 0

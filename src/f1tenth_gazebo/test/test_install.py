@@ -22,10 +22,10 @@ def test_every_script_is_installed():
     assert all(f"scripts/{path.name}" in cmake for path in (PACKAGE / "scripts").iterdir() if not path.suffix)
 
 
-@pytest.mark.parametrize("world", sorted((PACKAGE / "worlds").iterdir()), ids=lambda path: path.name)
-def test_every_world_has_its_circuit_map_and_goals(world):
-    assert world.suffix == ".world"
-    for file in (f"circuits/{world.stem}.yaml", f"maps/{world.stem}.pgm", f"goals/{world.stem}.txt"):
+@pytest.mark.parametrize("world", sorted((PACKAGE / "worlds").glob("*.world")), ids=lambda path: path.name)
+def test_every_world_has_its_circuit_map_goals_and_centreline(world):
+    files = ("circuits/{}.yaml", "maps/{}.pgm", "goals/{}.txt", "worlds/{}_centerline.csv")
+    for file in (each.format(world.stem) for each in files):
         assert (PACKAGE / file).is_file()
     assert f"image: {world.stem}.pgm\n" in (PACKAGE / f"maps/{world.stem}.yaml").read_text()
 

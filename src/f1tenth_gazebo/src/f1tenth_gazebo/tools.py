@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 
 from f1tenth_gazebo.circuits.centreline import centreline
+from f1tenth_gazebo.circuits.centreline_file import centreline_text
 from f1tenth_gazebo.circuits.circuit_file import load_circuit
 from f1tenth_gazebo.errors import CircuitError
 from f1tenth_gazebo.goals.goals_file import goals_text, lap_goals
@@ -14,12 +15,16 @@ from f1tenth_gazebo.worlds.world_file import world_text
 
 
 def make_world(arguments=None):
-    """Write the world of a circuit; return the exit code."""
-    parser = argparse.ArgumentParser(prog="make_world", description="Write the Gazebo world of a circuit.")
+    """Write the world of a circuit and its centreline; return the exit code."""
+    parser = argparse.ArgumentParser(
+        prog="make_world", description="Write the Gazebo world of a circuit and its centreline."
+    )
     parser.add_argument("circuit", help="YAML file of the circuit")
-    parser.add_argument("-o", dest="output", required=True, metavar="FILE", help="world file to write")
+    parser.add_argument(
+        "-o", dest="output", required=True, metavar="NAME.world", help="writes it and NAME_centerline.csv"
+    )
     options = parser.parse_args(arguments)
-    return _run(lambda: Path(options.output).write_text(world_text(load_circuit(options.circuit))))
+    return _run(lambda: _write_world(load_circuit(options.circuit), Path(options.output)))
 
 
 def make_goals(arguments=None):
@@ -52,6 +57,12 @@ def make_map(arguments=None):
 def circuit_goals_text(circuit):
     """The goals file of a circuit."""
     return goals_text(lap_goals(centreline(circuit)), circuit.name)
+
+
+def _write_world(circuit, path):
+    world, line = world_text(circuit), centreline_text(circuit)
+    path.write_text(world)
+    path.with_name(f"{path.stem}_centerline.csv").write_text(line)
 
 
 def _run(action):

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, ImageDraw
 
+from f1tenth_gazebo.circuits.centreline_file import HEADER
 from f1tenth_gazebo.maps.map_file import pgm_bytes, yaml_text
 from f1tenth_gazebo.maps.occupancy import grid_of, occupied_cells
 from f1tenth_gazebo.roads.road_walls import MATERIAL
@@ -53,7 +54,7 @@ def road_grid(road):
 def centreline_text(road):
     """The line in the format of f1tenth_racetracks, from the start on."""
     columns = np.column_stack([road.line.points, road.to_right, road.to_left])[::_CENTRELINE_STEP]
-    lines = ["# x_m, y_m, w_tr_right_m, w_tr_left_m"]
+    lines = [HEADER]
     lines += [", ".join(f"{value:.4f}" for value in row) for row in columns + 0.0]
     return "\n".join(lines) + "\n"
 

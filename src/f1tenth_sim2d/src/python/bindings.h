@@ -11,4 +11,5 @@ void bindWorld(pybind11::module_ & module);
 void bindCar(pybind11::module_ & module);
 void bindSamples(pybind11::module_ & module);
 void bindSimulation(pybind11::module_ & module);
+void bindEnvironments(pybind11::module_ & module);
 }  // namespace f1tenth_sim2d

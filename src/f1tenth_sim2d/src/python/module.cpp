@@ -1,6 +1,6 @@
 #include "python/bindings.h"
 
-PYBIND11_MODULE(f1tenth_sim2d, module)
+PYBIND11_MODULE(_f1tenth_sim2d, module)
 {
   module.doc() = "A fast and deterministic 2.5-D simulator of F1/10 cars. SI units; x forward, y left, yaw in rad.";
   f1tenth_sim2d::bindErrors(module);
@@ -9,4 +9,5 @@ PYBIND11_MODULE(f1tenth_sim2d, module)
   f1tenth_sim2d::bindCar(module);
   f1tenth_sim2d::bindSamples(module);
   f1tenth_sim2d::bindSimulation(module);
+  f1tenth_sim2d::bindEnvironments(module);
 }

@@ -1,0 +1,149 @@
+#include "environment/environment.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "f1tenth_sim2d/errors.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+constexpr double kReach = 5.0;  // m along the course, farther than any car gets in a period
+
+const LidarDescription & lidarOf(const EnvironmentOptions & options)
+{
+  if (options.cars.empty()) {
+    throw Error("cars: found 0, allowed are 1 or more");
+  }
+  if (options.cars.front().lidars.empty()) {
+    throw Error(options.cars.front().name + ": the car has no lidar, allowed are 1 or more");
+  }
+  return options.cars.front().lidars.front();
+}
+
+CarResult resultOf(const CarState & state)
+{
+  CarResult result;
+  result.x = state.pose.x;
+  result.y = state.pose.y;
+  result.yaw = state.pose.yaw;
+  result.v_x = state.velocity.x;
+  result.v_y = state.velocity.y;
+  result.yaw_rate = state.yaw_rate;
+  result.steering_angle = state.steering_angle;
+  return result;
+}
+
+void setPosition(CarResult & car, const CoursePosition & position)
+{
+  car.course_distance = position.distance;
+  car.course_offset = position.offset;
+  car.course_heading = position.heading;
+}
+}  // namespace
+
+Environment::Environment(const PreparedWorld & world, const EnvironmentOptions & options)
+: world_(world),
+  options_(options),
+  observation_(options.parts, lidarOf(options), options.cars.size(), options.course ? options.course->length() : 0.0)
+{
+}
+
+void Environment::reset(std::uint64_t seed, const std::vector<CarStart> & starts)
+{
+  if (starts.size() != options_.cars.size()) {
+    throw Error(
+      std::to_string(starts.size()) + " starts, allowed are " + std::to_string(options_.cars.size()) + ": one per car");
+  }
+  auto simulation = std::make_unique<Simulation>(world_, SimulationOptions{options_.physics_step, seed});
+  std::vector<CarId> ids;
+  std::vector<Pedals> pedals;
+  std::vector<CarResult> results;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const CarStart & start = starts[i];
+    CarDescription car = options_.cars[i];
+    car.lidars.front().noise_stddev = start.lidar_noise;
+    ids.push_back(simulation->addCar(car, start.parameters, start.pose));
+    if (start.speed != 0.0) {
+      simulation->placeCar(ids.back(), start.pose, {start.speed, 0.0});
+    }
+    pedals.emplace_back(start.parameters, start.speed);
+    results.push_back(resultOf(simulation->state(ids.back())));
+    if (options_.course) {
+      setPosition(results.back(), options_.course->locate(start.pose));
+    }
+  }
+  // Nothing fails from here on, so that an episode begins wholly or not at all.
+  simulation_.swap(simulation);
+  ids_.swap(ids);
+  pedals_.swap(pedals);
+  results_.swap(results);
+  steps_ = 0;
+}
+
+void Environment::command(const Action * actions, const std::uint8_t * driven)
+{
+  const double dt = options_.physics_step;
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    const auto [steering, speed] = actions[i];
+    if (driven[i] == 0) {
+      simulation_->command(ids_[i], {0.0, 0.0});
+    } else if (options_.rates) {
+      simulation_->command(ids_[i], pedals_[i].press(simulation_->state(ids_[i]), steering, speed, dt));
+    } else {
+      simulation_->command(ids_[i], {speed, steering});
+    }
+  }
+}
+
+void Environment::step(const Action * actions, const std::uint8_t * driven)
+{
+  if (!simulation_) {
+    throw Error("step before the first reset");
+  }
+  for (const CarId id : ids_) {
+    simulation_->clearContacts(id);
+  }
+  ++steps_;
+  const SimTime end = fromSeconds(static_cast<double>(steps_) * options_.period);
+  command(actions, driven);
+  while (options_.rates && simulation_->time() + simulation_->stepLength() < end) {
+    simulation_->step();
+    command(actions, driven);
+  }
+  simulation_->advanceTo(end);
+  look();
+}
+
+void Environment::look()
+{
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    measure(results_[i], simulation_->state(ids_[i]));
+    results_[i].contact = simulation_->contacts(ids_[i]).empty() ? 0.0 : 1.0;
+  }
+}
+
+void Environment::measure(CarResult & car, const CarState & state) const
+{
+  CarResult now = resultOf(state);
+  if (options_.course) {
+    const CoursePosition position = options_.course->locate(state.pose, car.course_distance, kReach);
+    setPosition(now, position);
+    now.progress = std::remainder(position.distance - car.course_distance, options_.course->length());
+    now.distance = car.distance + now.progress;
+    now.laps = std::max(0.0, std::floor(now.distance / options_.course->length()));
+  } else {
+    now.progress = std::copysign(std::hypot(now.x - car.x, now.y - car.y), now.v_x);
+    now.distance = car.distance + now.progress;
+  }
+  car = now;
+}
+
+void Environment::observe(float * rows) const
+{
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    observation_.write(*simulation_, ids_, results_.data(), i, rows + i * observation_.size());
+  }
+}
+}  // namespace f1tenth_sim2d

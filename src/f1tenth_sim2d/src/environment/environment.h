@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "environment/observation.h"
+#include "environment/pedals.h"
+#include "f1tenth_sim2d/prepared_world.h"
+#include "f1tenth_sim2d/simulation.h"
+
+namespace f1tenth_sim2d
+{
+/// What all episodes of an environment have in common.
+struct EnvironmentOptions
+{
+  std::vector<CarDescription> cars;
+  std::optional<Course> course;
+  std::vector<ObservationPart> parts;
+  bool rates{false};           ///< actions are (steering rate, acceleration) instead of (steering angle, speed)
+  double period{0.025};        ///< s, of an action
+  double physics_step{0.001};  ///< s
+};
+
+/// How a car begins an episode.
+struct CarStart
+{
+  VehicleParameters parameters;
+  Pose2 pose;
+  double speed{0.0};        ///< m/s
+  double lidar_noise{0.0};  ///< m, standard deviation of each range
+};
+
+/// Steering angle, rad, and speed, m/s; or steering rate, rad/s, and acceleration, m/s^2.
+using Action = std::array<double, 2>;
+
+/// One simulation that is driven by actions, period by period, and answers with observations.
+class Environment
+{
+public:
+  /// @throws Error for options that do not make one
+  explicit Environment(const PreparedWorld & world, const EnvironmentOptions & options);
+
+  /// Begins an episode: time 0, the cars where they start.
+  /// @throws Error if a car's place is not free or its parameters are not allowed; everything is then as before
+  void reset(std::uint64_t seed, const std::vector<CarStart> & starts);
+
+  /// Drives for one period.
+  /// @param actions  one per car
+  /// @param driven   one per car: a car that nobody drives stops
+  void step(const Action * actions, const std::uint8_t * driven);
+
+  const Observation & observation() const { return observation_; }
+  const std::vector<CarResult> & cars() const { return results_; }
+  double time() const { return simulation_ ? toSeconds(simulation_->time()) : 0.0; }  ///< s
+  const Simulation & simulation() const { return *simulation_; }
+  /// Rows of all cars, one after the other.
+  void observe(float * rows) const;
+
+private:
+  void command(const Action * actions, const std::uint8_t * driven);
+  void look();
+  void measure(CarResult & car, const CarState & state) const;
+
+  PreparedWorld world_;
+  const EnvironmentOptions & options_;
+  Observation observation_;
+  std::unique_ptr<Simulation> simulation_;
+  std::vector<CarId> ids_;
+  std::vector<Pedals> pedals_;
+  std::vector<CarResult> results_;
+  std::int64_t steps_{0};
+};
+}  // namespace f1tenth_sim2d

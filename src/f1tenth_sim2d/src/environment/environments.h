@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "environment/environment.h"
+#include "environment/worker_pool.h"
+
+namespace f1tenth_sim2d
+{
+/// Environments of one world, which they share, stepped together by several threads. Each is as if it were alone: how many
+/// threads or neighbours there are changes no bit.
+class Environments
+{
+public:
+  /// @throws Error for zero environments or threads, or options that do not make an environment
+  Environments(const PreparedWorld & world, EnvironmentOptions options, std::size_t count, std::size_t threads);
+  Environments(const Environments &) = delete;
+  Environments & operator=(const Environments &) = delete;
+
+  std::size_t count() const { return environments_.size(); }
+  std::size_t cars() const { return options_.cars.size(); }
+  const EnvironmentOptions & options() const { return options_; }
+  const Observation & observation() const { return environments_.front().observation(); }
+
+  /// Begins an episode of one environment. @throws Error as Environment::reset
+  void reset(std::size_t index, std::uint64_t seed, const std::vector<CarStart> & starts);
+
+  /// Drives all by one period, but those of which no car is driven.
+  /// @param actions  of all cars of all environments
+  /// @param driven   likewise; see Environment::step
+  void step(const Action * actions, const std::uint8_t * driven);
+
+  /// What follows keeps its place in memory.
+  std::vector<float> & observations() { return observations_; }  ///< row by row: environments, cars
+  std::vector<CarResult> & results() { return results_; }        ///< likewise
+  std::vector<double> & times() { return times_; }               ///< s, of each environment
+
+private:
+  void publish(std::size_t index);
+
+  const EnvironmentOptions options_;
+  std::deque<Environment> environments_;
+  std::vector<float> observations_;
+  std::vector<CarResult> results_;
+  std::vector<double> times_;
+  WorkerPool pool_;
+};
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,57 @@
+"""The workspace's car with a lidar to choose."""
+
+import functools
+from dataclasses import dataclass
+from xml.etree import ElementTree
+
+import f1tenth_sim2d
+from f1tenth_sim2d.environments.data import data_path
+
+
+@dataclass(frozen=True)
+class Lidar:
+    """A planar lidar that looks ahead, to both sides alike."""
+
+    beams: int
+    field_of_view: float  # rad
+    range_max: float  # m
+
+    def __post_init__(self):
+        """Raise ValueError for numbers that make no lidar."""
+        if not 2 <= self.beams <= 100_000:
+            raise ValueError(f"beams: found {self.beams}, allowed are 2 to 100000")
+        if not 0.0 < self.field_of_view <= 6.2832:
+            raise ValueError(
+                f"field_of_view: found {self.field_of_view}, allowed is more than 0 to 6.2832 rad"
+            )
+        if not 0.1 <= self.range_max <= 1000.0:
+            raise ValueError(f"range_max: found {self.range_max}, allowed are 0.1 to 1000 m")
+
+
+def load_cars(count, lidar):
+    """Return descriptions of cars called robot1, robot2, … as the simulator knows them."""
+    text = with_lidar(_description(), lidar)
+    return [f1tenth_sim2d.load_car(text, f"robot{i + 1}", "f1tenth.urdf.xacro") for i in range(count)]
+
+
+def with_lidar(text, lidar):
+    """Return a robot description whose lidars are others."""
+    robot = ElementTree.fromstring(text)
+    values = {
+        "samples": lidar.beams,
+        "min_angle": -lidar.field_of_view / 2,
+        "max_angle": lidar.field_of_view / 2,
+        "max": lidar.range_max,
+    }
+    for ray in robot.iter("ray"):
+        for tag, value in values.items():
+            for element in ray.iter(tag):
+                element.text = repr(value)
+    return ElementTree.tostring(robot, "unicode")
+
+
+@functools.lru_cache(maxsize=1)
+def _description():
+    import xacro
+
+    return xacro.process_file(str(data_path("f1tenth_description/urdf/f1tenth.urdf.xacro"))).toxml()

@@ -1,0 +1,151 @@
+"""The environment of several drivers, as PettingZoo has it."""
+
+import warnings
+from typing import Any
+
+import numpy as np
+from gymnasium.utils import seeding
+from pettingzoo import ParallelEnv
+
+from f1tenth_sim2d.environments.episode import OPTIONS
+from f1tenth_sim2d.environments.picture import Picture, Window
+from f1tenth_sim2d.environments.stage import Stage
+
+
+class F1TenthParallelEnv(ParallelEnv):
+    """Several cars on one road, each with a driver of its own: car_0, car_1, ….
+
+    A car that has driven its laps or touched something loses its driver; it stops and stays where it is.
+    """
+
+    metadata = {
+        "name": "F1Tenth-v0",
+        "render_modes": ["rgb_array", "human"],
+        "render_fps": 40,
+        "is_parallelizable": True,
+    }
+
+    def __init__(self, render_mode=None, **settings):
+        """Load the place; f1tenth_sim2d.environments.settings.Settings says what there is to choose.
+
+        Args:
+            render_mode: None, rgb_array or human.
+            settings: Settings; unless told, there are two cars.
+
+        Raises:
+            ValueError: settings that are not allowed.
+            f1tenth_sim2d.LoadError: a place that cannot be used.
+        """
+        if render_mode not in (None, "rgb_array", "human"):
+            raise ValueError(f"render_mode: found {render_mode!r}, allowed are None, rgb_array, human")
+        self.render_mode = render_mode
+        self._stage = Stage({"cars": 2, **settings})
+        self.possible_agents = [f"car_{i}" for i in range(self._stage.settings.cars)]
+        self.agents: list = []
+        self.observation_spaces = dict.fromkeys(self.possible_agents, self._stage.car_space)
+        self.action_spaces = dict.fromkeys(self.possible_agents, self._stage.action_space)
+        self._rng, _ = seeding.np_random()
+        self._picture: Any = None
+        self._closed = False
+
+    def observation_space(self, agent):
+        """Space of what a car observes."""
+        return self.observation_spaces[agent]
+
+    def action_space(self, agent):
+        """Space of the actions of a car."""
+        return self.action_spaces[agent]
+
+    def reset(self, seed=None, options=None):
+        """Begin an episode; seed and options as of F1TenthEnv.reset.
+
+        Of unknown options there is only a warning, because PettingZoo's own test gives one.
+
+        Raises:
+            ValueError: wrong options, a start that is not free, or a closed environment.
+        """
+        self._require_open()
+        if seed is not None:
+            self._rng, _ = seeding.np_random(seed)
+        self._stage.begin(0, self._rng, _known(options or {}))
+        self.agents = list(self.possible_agents)
+        self._show()
+        return self._of_agents(self._observe), self._of_agents(self._info)
+
+    def step(self, actions):
+        """Drive for one period; actions are those of the cars in `agents`.
+
+        Raises:
+            ValueError: a car without action or an action without car, a wrong shape, what is not finite, or a
+                closed environment; nothing has moved then.
+        """
+        self._require_open()
+        if set(actions) != set(self.agents):
+            raise ValueError(f"actions: found those of {sorted(actions)}, allowed are those of {self.agents}")
+        if not self.agents:
+            return {}, {}, {}, {}, {}
+        driven = np.array([[agent in self.agents for agent in self.possible_agents]])
+        self._stage.step(self._rows(actions), driven)
+        self._show()
+        rewards, finished = self._stage.rewards()[0], self._stage.finished()[0]
+        late = bool(self._stage.out_of_time()[0])
+        answer = (
+            self._of_agents(self._observe),
+            self._of_agents(lambda i: float(rewards[i])),
+            self._of_agents(lambda i: bool(finished[i])),
+            self._of_agents(lambda _: late),
+            self._of_agents(self._info),
+        )
+        self.agents = [agent for agent in self.agents if not (late or answer[2][agent])]
+        return answer
+
+    def render(self):
+        """Return the picture from above: uint8 array of shape (height, width, 3); None unless rgb_array."""
+        self._require_open()
+        return self._drawn() if self.render_mode == "rgb_array" else None
+
+    def close(self):
+        """Give up everything; closing twice is allowed."""
+        if self._picture is not None and self.render_mode == "human":
+            self._picture.close()
+        self._picture = None
+        self._closed = True
+
+    def _rows(self, actions):
+        rows = np.zeros((1, len(self.possible_agents), 2))
+        for i, agent in enumerate(self.possible_agents):
+            if agent in actions:
+                action = np.asarray(actions[agent], dtype=np.float64)
+                if action.shape != (2,):
+                    raise ValueError(f"actions[{agent!r}]: found shape {action.shape}, allowed is (2,)")
+                rows[0, i] = action
+        return rows
+
+    def _of_agents(self, value):
+        return {agent: value(self.possible_agents.index(agent)) for agent in self.agents}
+
+    def _observe(self, index):
+        return self._stage.observation((0, index))
+
+    def _info(self, index):
+        return self._stage.info(0, index)
+
+    def _show(self):
+        if self.render_mode == "human":
+            self._drawn()
+
+    def _drawn(self):
+        if self._picture is None:
+            self._picture = (Window if self.render_mode == "human" else Picture)(self._stage.place)
+        return self._picture.draw(self._stage.results[0])
+
+    def _require_open(self):
+        if self._closed:
+            raise ValueError("the environment is closed")
+
+
+def _known(options):
+    unknown = sorted(set(options) - set(OPTIONS))
+    if unknown:
+        warnings.warn(f"options: found {unknown}, allowed are {', '.join(OPTIONS)}", stacklevel=3)
+    return {key: options[key] for key in OPTIONS if key in options}

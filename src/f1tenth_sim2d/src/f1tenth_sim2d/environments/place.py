@@ -1,0 +1,80 @@
+"""Places to drive in: circuits, worlds and maps."""
+
+import functools
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import f1tenth_sim2d
+from f1tenth_sim2d.environments.data import data_path
+
+
+@dataclass(frozen=True)
+class Place:
+    """A world, and the road through it if there is one."""
+
+    name: str
+    world: Any
+    """f1tenth_sim2d.World"""
+    course: Any
+    """f1tenth_sim2d.Course, or None"""
+    centreline: Any
+    """array of shape (n, 4): x, y, width to the right and to the left, m; or None"""
+
+    def half_width(self, distance):
+        """The lesser of the road's two half widths so far along the course, m."""
+        steps = np.hypot(*np.diff(self.centreline[:, :2], axis=0).T)
+        along = np.concatenate([[0.0], np.cumsum(steps)])
+        widths = self.centreline[:, 2:].min(axis=1)
+        return float(np.interp(distance % self.course.length, along, widths, period=self.course.length))
+
+
+def circuits():
+    """Names of the circuits."""
+    return sorted(path.stem for path in data_path("f1tenth_gazebo/worlds").glob("*.world"))
+
+
+def find_place(place):
+    """Load a place.
+
+    Args:
+        place: the name of a circuit, or the path of a .world file or of a map's .yaml file. Its course is
+            that of X_centerline.csv beside X.world, X.yaml or X_map.yaml, in the form of f1tenth_racetracks.
+
+    Raises:
+        ValueError: no such place.
+        f1tenth_sim2d.LoadError: a file that cannot be used.
+    """
+    path = Path(place)
+    if str(place) in circuits():
+        path = data_path(f"f1tenth_gazebo/worlds/{place}.world")
+    elif path.suffix not in {".world", ".yaml"} or not path.is_file():
+        raise ValueError(
+            f"place: found {str(place)!r}, allowed are {', '.join(circuits())}, "
+            "and paths of .world files and of maps' .yaml files"
+        )
+    return _load(path.resolve(), path.stat().st_mtime_ns)
+
+
+@functools.lru_cache(maxsize=8)
+def _load(path, _changed):
+    world = f1tenth_sim2d.load_world(str(path), [str(data_path("f1tenth_gazebo/models"))])
+    table = path.with_name(path.stem.removesuffix("_map") + "_centerline.csv")
+    if not table.is_file():
+        return Place(path.stem, world, None, None)
+    centreline = _read_centreline(table)
+    try:
+        return Place(path.stem, world, f1tenth_sim2d.Course(centreline[:, :2]), centreline)
+    except f1tenth_sim2d.Error as error:
+        raise ValueError(f"{table}: {error}") from error
+
+
+def _read_centreline(path):
+    try:
+        return np.loadtxt(path, delimiter=",", ndmin=2, usecols=(0, 1, 2, 3))
+    except ValueError as error:
+        raise ValueError(
+            f"{path}: {error}; allowed are lines of x_m, y_m, w_tr_right_m, w_tr_left_m"
+        ) from error

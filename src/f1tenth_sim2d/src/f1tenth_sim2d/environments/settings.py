@@ -1,0 +1,125 @@
+"""What an environment can be told."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from numbers import Real
+from os import PathLike
+from typing import Callable, Optional, Union
+
+from f1tenth_sim2d import VehicleParameters
+
+Range = Union[float, tuple[float, float]]
+"""A number, or (least, greatest) of one that is drawn anew for each episode."""
+
+_STARTS = ("grid", "random")
+_ACTIONS = ("speed", "acceleration")
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Keywords of the environments. Units are SI's."""
+
+    place: Union[str, PathLike]
+    """circuit1 … circuit5, circuit_detailed, or the path of a .world file or of a map's .yaml file"""
+    cars: int = 1
+    """on the road; the first one is the ego car"""
+    observation: Sequence[str] = ("scan", "velocity", "steering")
+    """parts of what a car observes: scan, pose, velocity, steering, course, laps, contact, others"""
+    flatten: bool = False
+    """one array instead of a dictionary of the parts"""
+    actions: str = "speed"
+    """speed: (steering angle, speed); acceleration: (steering rate, acceleration)"""
+    normalized: bool = True
+    """actions from -1 to 1 for what the car can do, instead of rad, m/s, rad/s, m/s^2"""
+    speeds: Optional[tuple[float, float]] = None
+    """m/s, least and greatest that an action asks for; default: what the car can do"""
+    period: float = 0.025
+    """s, of an action"""
+    physics_step: float = 0.001
+    """s"""
+    beams: int = 108
+    """of the lidar"""
+    field_of_view: float = math.radians(270.0)
+    """rad, of the lidar"""
+    range_max: float = 10.0
+    """m, of the lidar"""
+    lidar_noise: Range = 0.01
+    """m, standard deviation of a range"""
+    vehicle: Mapping[str, Union[str, Range]] = field(default_factory=dict)
+    """numbers of VehicleParameters that differ from the car's, for example {"mu": (0.8, 1.1)}"""
+    start: str = "grid"
+    """grid: at the start line, two abreast; random: anywhere along the course"""
+    laps: Optional[int] = None
+    """after which a car has finished; default: it drives on"""
+    max_time: float = 60.0
+    """s, after which an episode is cut off"""
+    contact_ends: bool = True
+    """whether a car that touches something has finished"""
+    contact_penalty: float = 1.0
+    """what a step with a contact costs"""
+    reward: Optional[Callable] = None
+    """of a car's results, see Environments.results; default: progress, m, less the penalty of contacts"""
+
+    def __post_init__(self):
+        """Raise ValueError for what is not allowed."""
+        _require_number("cars", self.cars, 1, 64, int)
+        if isinstance(self.observation, str) or not self.observation:
+            raise ValueError(f"observation: found {self.observation!r}, allowed is a list of names of parts")
+        if len(set(self.observation)) != len(self.observation):
+            raise ValueError(f"observation: found {list(self.observation)}, allowed is each part once")
+        _require_one_of("actions", self.actions, _ACTIONS)
+        _require_one_of("start", self.start, _STARTS)
+        _require_number("physics_step", self.physics_step, 1e-5, 0.1)
+        _require_number("period", self.period, self.physics_step, 10.0)
+        _require_number("max_time", self.max_time, self.period, 1e6)
+        _require_number("contact_penalty", self.contact_penalty, 0.0, 1e6)
+        if self.laps is not None:
+            _require_number("laps", self.laps, 1, 10**6, int)
+        if self.speeds is not None:
+            _require_range("speeds", self.speeds, -100.0)
+        _require_range("lidar_noise", self.lidar_noise, 0.0)
+        for name, value in self.vehicle.items():
+            self._require_vehicle(name, value)
+
+    @staticmethod
+    def _require_vehicle(name, value):
+        default = getattr(VehicleParameters(), name, None)
+        if isinstance(default, str):
+            return
+        if not isinstance(default, float) or name == "wheelbase":
+            raise ValueError(f"vehicle: unknown key {name!r}, allowed are {', '.join(vehicle_keys())}")
+        _require_range(f"vehicle[{name!r}]", value)
+
+
+def vehicle_keys():
+    """Names of the numbers of VehicleParameters."""
+    defaults = VehicleParameters()
+    return [
+        name
+        for name in dir(defaults)
+        if not name.startswith("_")
+        and isinstance(getattr(defaults, name), (float, str))
+        and name != "wheelbase"
+    ]
+
+
+def _require_number(name, value, least, greatest, kind: type = Real):
+    if isinstance(value, bool) or not isinstance(value, kind) or not least <= value <= greatest:
+        what = "a whole number" if kind is int else "a number"
+        raise ValueError(f"{name}: found {value!r}, allowed is {what} from {least} to {greatest}")
+
+
+def _require_one_of(name, value, allowed):
+    if value not in allowed:
+        raise ValueError(f"{name}: found {value!r}, allowed are {', '.join(allowed)}")
+
+
+def _require_range(name, value, least=-math.inf):
+    numbers = value if isinstance(value, (tuple, list)) else (value, value)
+    valid = len(numbers) == 2 and all(
+        isinstance(each, Real) and not isinstance(each, bool) and math.isfinite(each) for each in numbers
+    )
+    if not valid or not least <= numbers[0] <= numbers[1]:
+        above = "" if least == -math.inf else f" from {least}"
+        raise ValueError(f"{name}: found {value!r}, allowed is a number{above} or (least, greatest)")

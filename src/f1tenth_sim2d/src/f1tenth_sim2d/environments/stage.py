@@ -1,0 +1,207 @@
+"""What all environments are made of: a place, cars, and simulations of them."""
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+from gymnasium import spaces
+
+import f1tenth_sim2d
+from f1tenth_sim2d.environments.car import Lidar, load_cars
+from f1tenth_sim2d.environments.episode import begin_episode, draw
+from f1tenth_sim2d.environments.place import find_place
+from f1tenth_sim2d.environments.settings import Settings
+
+
+class Stage:
+    """Simulations as the settings want them.
+
+    Attributes:
+        settings: Settings.
+        place: Place.
+        results: view of what has become of the cars, structured array of shape (count, cars); see
+            Environments.results.
+        times: view of the simulated times, s, float64 array of shape (count,).
+        car_space, action_space: of one car.
+    """
+
+    def __init__(self, settings: dict, count: int = 1, threads: int = 1):
+        """Load the place and build as many environments.
+
+        Raises:
+            ValueError: settings that are not allowed.
+            f1tenth_sim2d.LoadError: a place that cannot be used.
+        """
+        self.settings = _settings(settings)
+        self.place = find_place(self.settings.place)
+        self._require_course()
+        lidar = Lidar(self.settings.beams, self.settings.field_of_view, self.settings.range_max)
+        descriptions = load_cars(self.settings.cars, lidar)
+        self._parameters = descriptions[0].parameters
+        self._environments = self._build(descriptions, count, threads)
+        self.results = self._environments.results
+        self.times = self._environments.times
+        self.car_space = self._car_space()
+        self._action_low, self._action_high = self._action_limits()
+        self.action_space = self._action_space()
+
+    def _require_course(self):
+        needs = [part for part in ("course", "laps") if part in self.settings.observation]
+        needs += ["start='random'"] if self.settings.start == "random" else []
+        needs += ["laps"] if self.settings.laps is not None else []
+        if needs and self.place.course is None:
+            raise ValueError(
+                f"{needs[0]}: {self.place.name} has no course, allowed are circuits, "
+                "and worlds and maps with X_centerline.csv beside them"
+            )
+
+    def _build(self, descriptions, count, threads):
+        try:
+            return f1tenth_sim2d.Environments(
+                self.place.world,
+                descriptions,
+                self.place.course,
+                list(self.settings.observation),
+                actions=self.settings.actions,
+                period=self.settings.period,
+                physics_step=self.settings.physics_step,
+                count=count,
+                threads=threads,
+            )
+        except f1tenth_sim2d.Error as error:
+            raise ValueError(str(error)) from error
+
+    def draw_parameters(self, rng):
+        """VehicleParameters for one episode."""
+        parameters = _copy(self._parameters)
+        for name, value in self.settings.vehicle.items():
+            setattr(parameters, name, value if isinstance(value, str) else draw(rng, value))
+        return parameters
+
+    def begin(self, index: int, rng: np.random.Generator, options=None):
+        """Begin an episode of one environment; see begin_episode."""
+        begin_episode(self._environments, index, self, rng, options)
+
+    def step(self, actions, driven):
+        """Drive for one period.
+
+        Args:
+            actions: of shape (count, cars, 2), as the action space says; what is beyond its limits is
+                clipped.
+            driven: bool array of shape (count, cars), see Environments.step.
+
+        Raises:
+            ValueError: another shape, or an action that is not finite; nothing has moved then.
+        """
+        actions = np.asarray(actions, dtype=np.float64)
+        if actions.shape != (*self.results.shape, 2):
+            raise ValueError(f"action: found shape {actions.shape}, allowed is {(*self.results.shape, 2)}")
+        if not np.isfinite(actions).all():
+            raise ValueError("action: found a number that is not finite, allowed are finite ones")
+        if self.settings.normalized:
+            share = (np.clip(actions, -1.0, 1.0) + 1.0) / 2.0
+            actions = self._action_low + share * (self._action_high - self._action_low)
+        else:
+            actions = np.clip(actions, self._action_low, self._action_high)
+        try:
+            self._environments.step(actions, driven)
+        except f1tenth_sim2d.Error as error:
+            raise ValueError(f"vehicle: {error}") from error
+
+    def observation(self, index):
+        """What is observed now, a copy.
+
+        Args:
+            index: into an array of shape (count, cars).
+        """
+        rows = self._environments.observations[index].copy()
+        if self.settings.flatten:
+            return rows
+        return {part: rows[..., where] for part, where in self._parts()}
+
+    def info(self, index, car=slice(None)):
+        """What Gymnasium calls info, copies: the results by their names and the time, s.
+
+        Args:
+            index: of one environment, or a slice of them.
+            car: index of one car, or a slice of them.
+        """
+        results = self.results[index, car].copy()
+        return {**{name: results[name] for name in results.dtype.names}, "time": self.times[index].copy()}
+
+    def rewards(self):
+        """Of all cars: float64 array of shape (count, cars)."""
+        if self.settings.reward is not None:
+            return np.array([[float(self.settings.reward(car)) for car in row] for row in self.results])
+        return self.results["progress"] - self.settings.contact_penalty * self.results["contact"]
+
+    def finished(self):
+        """Which cars have driven their laps or touched something: bool array of shape (count, cars)."""
+        done = np.zeros(self.results.shape, dtype=bool)
+        if self.settings.contact_ends:
+            done |= self.results["contact"] > 0.0
+        if self.settings.laps is not None:
+            done |= self.results["laps"] >= self.settings.laps
+        return done
+
+    def out_of_time(self):
+        """Which environments have come to the end of their time: bool array of shape (count,)."""
+        return self.times >= self.settings.max_time - self.settings.period / 2
+
+    def _parts(self):
+        end = 0
+        for part, size in zip(self.settings.observation, self._environments.part_sizes):
+            end += size
+            yield part, slice(end - size, end)
+
+    def _car_space(self):
+        low, high = np.array(self._environments.bounds, dtype=np.float32).reshape(-1, 2).T
+        if self.settings.flatten:
+            return spaces.Box(low, high, dtype=np.float32)
+        return spaces.Dict(
+            {part: spaces.Box(low[at], high[at], dtype=np.float32) for part, at in self._parts()}
+        )
+
+    def _action_limits(self):
+        p = self._parameters
+        if self.settings.actions == "acceleration":
+            return -np.array([p.steering_rate_max, p.a_max]), np.array([p.steering_rate_max, p.a_max])
+        slowest, fastest = self.settings.speeds or (p.v_min, p.v_max)
+        return np.array([-p.steering_max, slowest]), np.array([p.steering_max, fastest])
+
+    def _action_space(self):
+        if self.settings.normalized:
+            return spaces.Box(-1.0, 1.0, (2,), np.float32)
+        return spaces.Box(
+            self._action_low.astype(np.float32), self._action_high.astype(np.float32), dtype=np.float32
+        )
+
+
+def repeated(space: spaces.Space, cars: int) -> Any:
+    """A space for all cars: with one more axis in front if there are several."""
+    if cars == 1:
+        return space
+    if isinstance(space, spaces.Dict):
+        return spaces.Dict({name: repeated(each, cars) for name, each in space.items()})
+    assert isinstance(space, spaces.Box)
+    return spaces.Box(np.stack([space.low] * cars), np.stack([space.high] * cars), dtype=np.float32)
+
+
+def _settings(given):
+    allowed = [each.name for each in dataclasses.fields(Settings)]
+    for key in given:
+        if key not in allowed:
+            raise ValueError(f"unknown setting {key!r}, allowed are {', '.join(allowed)}")
+    if "place" not in given:
+        raise ValueError(
+            "place is missing: the name of a circuit, or the path of a .world or a map's .yaml file"
+        )
+    return Settings(**given)
+
+
+def _copy(parameters):
+    same = f1tenth_sim2d.VehicleParameters()
+    for name in dir(same):
+        if not name.startswith("_") and name not in ("load", "wheelbase"):
+            setattr(same, name, getattr(parameters, name))
+    return same

@@ -1,0 +1,141 @@
+"""Mistakes are answered with what was found and what is allowed, and change nothing."""
+
+import gymnasium
+import numpy as np
+import pytest
+from conftest import straight_on
+from f1tenth_sim2d.environments import ENVIRONMENT
+
+import f1tenth_sim2d
+
+
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        (
+            {"place": "nowhere"},
+            "place: found 'nowhere', allowed are circuit1, circuit2, circuit3, circuit4, ",
+        ),
+        ({"place": "/none.world"}, "place: found '/none.world', allowed are circuit1"),
+        ({"wheels": 3}, "unknown setting 'wheels', allowed are place, cars, observation"),
+        ({"cars": 0}, "cars: found 0, allowed is a whole number from 1 to 64"),
+        ({"cars": True}, "cars: found True"),
+        (
+            {"observation": ["radar"]},
+            "observation: found 'radar', allowed are scan, pose, velocity, steering, ",
+        ),
+        ({"observation": []}, r"observation: found \[\], allowed is a list of names of parts"),
+        ({"observation": ["scan", "scan"]}, "allowed is each part once"),
+        ({"actions": "torque"}, "actions: found 'torque', allowed are speed, acceleration"),
+        ({"start": "pit"}, "start: found 'pit', allowed are grid, random"),
+        ({"beams": 1}, "beams: found 1, allowed are 2 to 100000"),
+        ({"field_of_view": 7.0}, "field_of_view: found 7.0, allowed is more than 0"),
+        ({"range_max": float("nan")}, "range_max: found nan, allowed are 0.1 to 1000 m"),
+        ({"period": 0.0}, "period: found 0.0, allowed is a number from 0.001 to 10.0"),
+        ({"max_time": float("nan")}, "max_time: found nan"),
+        ({"laps": 0}, "laps: found 0, allowed is a whole number from 1 to 1000000"),
+        ({"vehicle": {"wings": 2.0}}, "vehicle: unknown key 'wings', allowed are C_Sf, C_Sr, I_z"),
+        ({"vehicle": {"mu": (1.0, 0.5)}}, r"vehicle\['mu'\]: found \(1.0, 0.5\), allowed is a number or"),
+        ({"lidar_noise": -0.1}, "lidar_noise: found -0.1, allowed is a number from 0.0 or"),
+        ({"render_mode": "ascii"}, "render_mode: found 'ascii', allowed are None, rgb_array, human"),
+    ],
+    ids=lambda value: "" if isinstance(value, str) else "-".join(map(str, value)),
+)
+@pytest.mark.filterwarnings("ignore:.*render mode")  # Gymnasium's own, before ours
+def test_settings(settings, message):
+    with pytest.raises(ValueError, match=message):
+        gymnasium.make(ENVIRONMENT, **{"place": "circuit1", **settings})
+
+
+def test_a_place_is_needed():
+    with pytest.raises(ValueError, match="place is missing: the name of a circuit"):
+        gymnasium.make(ENVIRONMENT)
+
+
+def test_a_broken_place_is_named(tmp_path):
+    world = tmp_path / "broken.world"
+    world.write_text("<sdf")
+    with pytest.raises(f1tenth_sim2d.LoadError, match="broken.world"):
+        gymnasium.make(ENVIRONMENT, place=world)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("1, 2, 3\n", "allowed are lines of x_m, y_m, w_tr_right_m, w_tr_left_m"),
+        ("1, 2, 1, 1\n2, 2, 1, 1\n", "a course of 2 points, allowed are 3 or more"),
+        (
+            "1, 2, 1, 1\n1, 2, 1, 1\n3, 3, 1, 1\n",
+            "point 0 of the course is not finite, or the same as the next",
+        ),
+    ],
+)
+def test_a_broken_centreline_is_named(tmp_path, text, message):
+    (tmp_path / "bare.world").write_text("<sdf version='1.7'><world name='bare'/></sdf>")
+    (tmp_path / "bare_centerline.csv").write_text(text)
+    with pytest.raises(ValueError, match=f"bare_centerline.csv: .*{message}"):
+        gymnasium.make(ENVIRONMENT, place=tmp_path / "bare.world")
+
+
+@pytest.mark.parametrize(
+    "settings", [{"start": "random"}, {"laps": 2}, {"observation": ["course"]}], ids=["start", "laps", "part"]
+)
+def test_what_needs_a_course_says_so(tmp_path, settings):
+    (tmp_path / "bare.world").write_text("<sdf version='1.7'><world name='bare'/></sdf>")
+    with pytest.raises(
+        ValueError, match="bare has no course, allowed are circuits, and worlds and maps with"
+    ):
+        gymnasium.make(ENVIRONMENT, place=tmp_path / "bare.world", **settings)
+
+
+def test_actions(make):
+    environment = make(observation=("pose",))
+    with pytest.raises(ValueError, match="step before the first reset"):
+        environment.step(straight_on())
+    environment.reset(seed=1)
+    with pytest.raises(ValueError, match=r"action: found shape \(3,\), allowed is \(2,\)"):
+        environment.step(np.zeros(3))
+    with pytest.raises(ValueError, match="action: found a number that is not finite"):
+        environment.step(np.array([np.nan, 0.0]))
+    assert environment.step(straight_on())[4]["time"] == 0.025
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"place": 1}, "options: unknown key 'place', allowed are poses, noise_seed"),
+        ({"poses": [[0.0, 0.0]]}, r"options\['poses'\]: .* allowed are finite numbers of shape \(1, 3\)"),
+        ({"poses": "here"}, r"options\['poses'\]: .* allowed are numbers of shape \(1, 3\)"),
+        ({"poses": [[0.0, 1.0, 0.0]]}, r"start: robot1: the start pose \(0, 1, 0\)"),
+    ],
+)
+def test_a_bad_reset_leaves_the_episode(make, options, message):
+    environment = make()
+    environment.reset(seed=1)
+    environment.step(straight_on())
+    with pytest.raises(ValueError, match=message):
+        environment.reset(options=options)
+    assert environment.step(straight_on())[4]["time"] == 0.05
+
+
+def test_parameters_that_make_no_car_are_named(make):
+    with pytest.raises(ValueError, match=r"start: robot1: mass \(kg\) is -1, allowed is"):
+        make(vehicle={"m": -1.0}).reset()
+
+
+def test_a_closed_environment_is_refused(make):
+    environment = make()
+    environment.close()
+    environment.close()
+    for call in (environment.reset, environment.render, lambda: environment.step(straight_on())):
+        with pytest.raises(ValueError, match="the environment is closed"):
+            call()
+
+
+def test_parallel_actions_belong_to_its_cars():
+    environment = f1tenth_sim2d.parallel_env(place="circuit1")
+    environment.reset(seed=1)
+    with pytest.raises(ValueError, match=r"actions: found those of \['car_0'\], allowed are those of"):
+        environment.step({"car_0": straight_on()})
+    with pytest.raises(ValueError, match=r"actions\['car_1'\]: found shape \(1,\), allowed is \(2,\)"):
+        environment.step({"car_0": straight_on(), "car_1": np.zeros(1)})

@@ -1,0 +1,27 @@
+"""The blocks of docs/gym.md run as they stand."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+DOCUMENT = Path(__file__).parents[4] / "docs" / "gym.md"
+BLOCKS = re.findall(r"^```python\n(.*?)^```", DOCUMENT.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+
+
+def test_there_are_blocks():
+    assert len(BLOCKS) >= 5
+
+
+@pytest.mark.parametrize("block", BLOCKS, ids=lambda block: block.splitlines()[0])
+def test_it_runs(block):
+    exec(compile(block, str(DOCUMENT), "exec"), {})
+
+
+def test_every_setting_is_described():
+    import dataclasses
+
+    from f1tenth_sim2d.environments.settings import Settings
+
+    text = DOCUMENT.read_text(encoding="utf-8")
+    assert [each.name for each in dataclasses.fields(Settings) if f"`{each.name}`" not in text] == []

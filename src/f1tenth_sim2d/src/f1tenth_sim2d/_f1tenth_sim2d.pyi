@@ -8,7 +8,41 @@ from numpy.typing import NDArray
 class Error(Exception): ...
 class LoadError(Error): ...
 
+class TireParameters:
+    def __init__(self) -> None: ...
+    p_cx1: float
+    p_dx1: float
+    p_ex1: float
+    p_kx1: float
+    p_hx1: float
+    p_vx1: float
+    r_bx1: float
+    r_bx2: float
+    r_cx1: float
+    r_ex1: float
+    r_hx1: float
+    p_cy1: float
+    p_dy1: float
+    p_ey1: float
+    p_ky1: float
+    r_by1: float
+    r_by2: float
+    r_by3: float
+    r_cy1: float
+    r_ey1: float
+    r_hy1: float
+    r_vy1: float
+    r_vy4: float
+    r_vy5: float
+    r_vy6: float
+
 class VehicleParameters:
+    model: str
+    R_w: float
+    I_y_w: float
+    T_sb: float
+    T_se: float
+    tire: TireParameters
     @staticmethod
     def load(path: str) -> VehicleParameters: ...
     def __init__(self) -> None: ...
@@ -189,10 +223,14 @@ class Contact:
     @property
     def positions(self) -> NDArray[float64]: ...
     @property
+    def speed(self) -> float: ...
+    @property
     def torque(self) -> float: ...
 
 class Simulation:
-    def __init__(self, world: World, physics_step: float = ..., seed: int = ...) -> None: ...
+    def __init__(
+        self, world: World, physics_step: float = ..., seed: int = ..., control_period: float = ...
+    ) -> None: ...
     def add_car(
         self,
         car: Car,
@@ -201,8 +239,19 @@ class Simulation:
         y: float = ...,
         yaw: float = ...,
     ) -> int: ...
+    def add_model(self, model: Model) -> None: ...
     def advance_to(self, time: float) -> None: ...
     def car(self, car: int) -> Car: ...
+    def cast_rays(
+        self,
+        car: int,
+        directions: NDArray[float64],
+        x: float = ...,
+        y: float = ...,
+        height: float = ...,
+        yaw: float = ...,
+        range_max: float = ...,
+    ) -> NDArray[float64]: ...
     def clear_contacts(self, car: int) -> None: ...
     def clearance(self, car: int, limit: float = ...) -> float: ...
     def command(self, car: int, speed: float, steering_angle: float) -> None: ...
@@ -211,8 +260,30 @@ class Simulation:
     def imu(self, car: int) -> ImuSample: ...
     def model_names(self) -> list[str]: ...
     def model_pose(self, name: str) -> tuple: ...
-    def place_car(self, car: int, x: float, y: float, yaw: float) -> None: ...
+    def parameters(self, car: int) -> VehicleParameters: ...
+    def place_car(
+        self,
+        car: int,
+        x: float,
+        y: float,
+        yaw: float,
+        v_x: float = ...,
+        v_y: float = ...,
+        yaw_rate: float = ...,
+    ) -> None: ...
+    def place_model(
+        self,
+        name: str,
+        x: float,
+        y: float,
+        yaw: float,
+        v_x: float = ...,
+        v_y: float = ...,
+        yaw_rate: float = ...,
+    ) -> None: ...
     def poses(self) -> NDArray[float64]: ...
+    def remove_car(self, car: int) -> None: ...
+    def remove_model(self, name: str) -> None: ...
     def reset(self) -> None: ...
     def scan(
         self, car: int, lidar: int = ..., out: NDArray[float32] | None = ..., exact: bool = ...
@@ -268,4 +339,13 @@ class Environments:
 
 def empty_world() -> World: ...
 def load_car(xml: str, name: str, source: str) -> Car: ...
+def load_model(
+    xml: str,
+    name: str,
+    source: str,
+    x: float = ...,
+    y: float = ...,
+    z: float = ...,
+    yaw: float = ...,
+) -> list[Model]: ...
 def load_world(path: str, model_path: list[str] | None = ...) -> World: ...

@@ -3,9 +3,12 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <atomic>
 #include <string>
 
 #include "python/bindings.h"
+#include "python/python_world.h"
+#include "python/turn.h"
 
 namespace f1tenth_sim2d
 {
@@ -14,6 +17,17 @@ namespace
 namespace py = pybind11;
 using Doubles = py::array_t<double, py::array::c_style>;
 using Flags = py::array_t<bool, py::array::c_style>;
+
+/// Environments that one thread at a time may use.
+class PythonEnvironments : public Environments
+{
+public:
+  using Environments::Environments;
+  std::atomic_flag & taken() { return taken_; }
+
+private:
+  std::atomic_flag taken_ = ATOMIC_FLAG_INIT;
+};
 
 std::vector<Vec2> pointsOf(const Doubles & points)
 {
@@ -57,8 +71,8 @@ Raises:
       "(distance along the course, offset to its left, heading from it) of a pose, m and rad.");
 }
 
-Environments * makeEnvironments(
-  const WorldDescription & world, std::vector<CarDescription> cars, std::optional<Course> course,
+PythonEnvironments * makeEnvironments(
+  PythonWorld & world, std::vector<CarDescription> cars, std::optional<Course> course,
   const std::vector<std::string> & observation, const std::string & actions, double period, double physics_step,
   std::size_t count, std::size_t threads)
 {
@@ -69,12 +83,12 @@ Environments * makeEnvironments(
   for (const std::string & name : observation) {
     options.parts.push_back(observationPart(name));
   }
-  return new Environments(PreparedWorld(world), std::move(options), count, threads);
+  return new PythonEnvironments(world.prepared(), std::move(options), count, threads);
 }
 
 void reset(
-  Environments & environments, std::size_t index, std::uint64_t seed, const std::vector<VehicleParameters> & parameters,
-  const Doubles & starts, const std::vector<double> & lidar_noise)
+  PythonEnvironments & environments, std::size_t index, std::uint64_t seed,
+  const std::vector<VehicleParameters> & parameters, const Doubles & starts, const std::vector<double> & lidar_noise)
 {
   const auto cars = static_cast<py::ssize_t>(environments.cars());
   const bool fits = starts.ndim() == 2 && starts.shape(0) == cars && starts.shape(1) == 4;
@@ -87,10 +101,11 @@ void reset(
     all.push_back(
       {parameters[car], {starts.at(i, 0), starts.at(i, 1), starts.at(i, 2)}, starts.at(i, 3), lidar_noise[car]});
   }
+  const Turn turn(environments.taken());
   environments.reset(index, seed, all);
 }
 
-void step(Environments & environments, const Doubles & actions, const Flags & driven)
+void step(PythonEnvironments & environments, const Doubles & actions, const Flags & driven)
 {
   const auto cars = static_cast<py::ssize_t>(environments.count() * environments.cars());
   if (actions.size() != 2 * cars || driven.size() != cars) {
@@ -99,6 +114,7 @@ void step(Environments & environments, const Doubles & actions, const Flags & dr
   static_assert(sizeof(Action) == 2 * sizeof(double) && sizeof(bool) == sizeof(std::uint8_t));
   const auto * const first_action = reinterpret_cast<const Action *>(actions.data());
   const auto * const first_driven = reinterpret_cast<const std::uint8_t *>(driven.data());
+  const Turn turn(environments.taken());
   const py::gil_scoped_release release;
   environments.step(first_action, first_driven);
 }
@@ -110,20 +126,20 @@ py::array view(const py::object & self, std::vector<Number> & numbers, const std
   return py::array_t<Number>(shape, numbers.data(), self);
 }
 
-void bindArrays(py::class_<Environments> & type)
+void bindArrays(py::class_<PythonEnvironments> & type)
 {
   type
     .def_property_readonly(
       "observations",
       [](const py::object & self) {
-        auto & all = self.cast<Environments &>();
+        auto & all = self.cast<PythonEnvironments &>();
         return view(self, all.observations(), {all.count(), all.cars(), all.observation().size()});
       },
       "What the cars observe: float32 array of shape (count, cars, size), a view.")
     .def_property_readonly(
       "results",
       [](const py::object & self) {
-        auto & all = self.cast<Environments &>();
+        auto & all = self.cast<PythonEnvironments &>();
         return view(self, all.results(), {all.count(), all.cars()});
       },
       R"(What has become of the cars: structured array of shape (count, cars), a view. Fields, float64: x, y, yaw, v_x, v_y,
@@ -133,15 +149,15 @@ start; contact, 1 if the car touched something in the last step.)")
     .def_property_readonly(
       "times",
       [](const py::object & self) {
-        auto & all = self.cast<Environments &>();
+        auto & all = self.cast<PythonEnvironments &>();
         return view(self, all.times(), {all.count()});
       },
       "Simulated time of each environment, s: float64 array of shape (count,), a view.")
     .def_property_readonly(
-      "part_sizes", [](const Environments & all) { return all.observation().sizes(); },
+      "part_sizes", [](const PythonEnvironments & all) { return all.observation().sizes(); },
       "How many numbers each part of the observation has.")
     .def_property_readonly(
-      "bounds", [](const Environments & all) { return all.observation().bounds(); },
+      "bounds", [](const PythonEnvironments & all) { return all.observation().bounds(); },
       "(least, greatest) of each number of an observation.");
 }
 }  // namespace
@@ -152,11 +168,12 @@ void bindEnvironments(py::module_ & module)
   PYBIND11_NUMPY_DTYPE(
     CarResult, x, y, yaw, v_x, v_y, yaw_rate, steering_angle, course_distance, course_offset, course_heading, progress,
     distance, laps, contact);
-  py::class_<Environments> type(
+  py::class_<PythonEnvironments> type(
     module, "Environments",
     R"(Simulations of one world, stepped together by several threads, for what learns from many at once.
 
-The world is shared. Each simulation is as if it were alone, bit for bit, whatever their number and that of the threads.)");
+The world is shared. Each simulation is as if it were alone, bit for bit, whatever their number and that of the threads.
+One thread at a time may call them: a call while another thread is in one raises RuntimeError.)");
   type.def(
     py::init(&makeEnvironments), py::arg("world"), py::arg("cars"), py::arg("course"), py::arg("observation"),
     py::arg("actions") = "speed", py::arg("period") = 0.025, py::arg("physics_step") = 0.001, py::arg("count") = 1,

@@ -34,7 +34,7 @@ import f1tenth_sim2d
         ({"period": 0.0}, "period: found 0.0, allowed is a number from 0.001 to 10.0"),
         ({"max_time": float("nan")}, "max_time: found nan"),
         ({"laps": 0}, "laps: found 0, allowed is a whole number from 1 to 1000000"),
-        ({"vehicle": {"wings": 2.0}}, "vehicle: unknown key 'wings', allowed are C_Sf, C_Sr, I_z"),
+        ({"vehicle": {"wings": 2.0}}, "vehicle: unknown key 'wings', allowed are C_Sf, C_Sr, I_y_w, I_z"),
         ({"vehicle": {"mu": (1.0, 0.5)}}, r"vehicle\['mu'\]: found \(1.0, 0.5\), allowed is a number or"),
         ({"lidar_noise": -0.1}, "lidar_noise: found -0.1, allowed is a number from 0.0 or"),
         ({"render_mode": "ascii"}, "render_mode: found 'ascii', allowed are None, rgb_array, human"),

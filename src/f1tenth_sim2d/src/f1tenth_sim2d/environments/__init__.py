@@ -5,7 +5,7 @@ ENVIRONMENT = "F1Tenth-v0"
 
 
 def register():
-    """Make the environment known to Gymnasium, which calls this itself if pip installed the package."""
+    """Make the environment known to Gymnasium; a second time does no harm."""
     import gymnasium
 
     if ENVIRONMENT not in gymnasium.registry:

@@ -15,13 +15,6 @@ USES = "## Who may use whom"
 TESTS_USE = "### In tests besides"
 # Everything may use these.
 COMMON = {"ackermann_msgs", "controller_manager_msgs", "gazebo_msgs", "workspace_cmake"}
-# Arrows between folders that run back: (package, folder): what is being done about it.
-KNOWN_CIRCLES = {
-    (
-        "f1tenth_sim2d",
-        "src/loaders",
-    ): "car reads with sdf's element reader, sdf with car's robot text",
-}
 
 
 def shown_edges(heading):
@@ -95,9 +88,7 @@ def test_arrows_between_folders_run_one_way(name):
         around = circle(graph)
         if around:
             found[name, folder] = [graph[user][used] for user, used in zip(around, around[1:])]
-    known = {place for place in KNOWN_CIRCLES if place[0] == name}
-    assert {place: example for place, example in found.items() if place not in known} == {}
-    assert known - set(found) == set(), "it is mended: take it out of KNOWN_CIRCLES"
+    assert found == {}
 
 
 def test_every_package_is_described():

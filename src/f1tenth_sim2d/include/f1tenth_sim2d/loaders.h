@@ -19,7 +19,7 @@ struct SearchPath
 /// GAZEBO_MODEL_PATH and ROS_PACKAGE_PATH. The only function of the loaders that reads the environment.
 SearchPath searchPathFromEnvironment();
 
-/// Reads a world: an SDF file through libsdformat, or an occupancy-grid map (.yaml) in map_server's format.
+/// Reads a world: an SDF file, or an occupancy-grid map (.yaml) in map_server's format.
 /// URIs of an SDF file resolve over the model folders, then beside the file, then in packages. The occupied cells of a map are
 /// walls, exactly along the edges of the pixels; the start is on the centreline if X_centerline.csv lies beside
 /// X_map.yaml.

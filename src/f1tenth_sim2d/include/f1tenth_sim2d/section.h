@@ -31,6 +31,10 @@ Section sectionAt(const Solid & solid, const Pose3 & pose, double z);
 /// Convex pieces; outlines that are not convex come decomposed.
 Section footprintBetween(const Solid & solid, const Pose3 & pose, double z_min, double z_max);
 
+/// What outlines enclose, extruded along z. An outline within another one is a hole in it, one within a hole matter again.
+/// Corners on the line through their neighbours are dropped.
+Polyline extrude(const std::vector<Outline> & outlines, double height);
+
 /// Splits a simple outline into convex polygons (their union is the outline).
 std::vector<ConvexPolygon> convexDecomposition(const Outline & outline);
 }  // namespace f1tenth_sim2d

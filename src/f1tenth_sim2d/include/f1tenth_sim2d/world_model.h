@@ -27,22 +27,26 @@ struct Sphere
 {
   double radius{0.0};  ///< m
 };
-/// A polygon extruded along z from 0 to height.
+/// A cylinder with a half sphere at each end.
+struct Capsule
+{
+  double radius{0.0};  ///< m
+  double length{0.0};  ///< m, along z, centred, without the half spheres
+};
+struct Ellipsoid
+{
+  Eigen::Vector3d radii{Eigen::Vector3d::Zero()};  ///< m, along x, y and z
+};
+/// Areas extruded along z from 0 to height: the polylines of SDF, the walls of a map. See extrude().
 struct Polyline
-{
-  Outline outline;     ///< m
-  double height{0.0};  ///< m
-};
-/// The half space below z = 0 of its pose: the ground.
-struct Plane
-{
-};
-/// Walls of any number and shape, extruded along z from 0 to height; always upright.
-struct WallPlan
 {
   std::vector<Outline> outlines;      ///< m; clockwise around holes, so that matter is always to the left
   std::vector<ConvexPolygon> pieces;  ///< m; the same area in convex pieces
   double height{0.0};                 ///< m
+};
+/// The half space below z = 0 of its pose: the ground.
+struct Plane
+{
 };
 /// A surface: triangles that share the corners they have in common, counter-clockwise seen from outside.
 struct TriangleMesh
@@ -55,7 +59,7 @@ struct Mesh
 {
   std::shared_ptr<const TriangleMesh> surface;  ///< shared by all solids of one file and scale
 };
-using Shape = std::variant<Box, Cylinder, Sphere, Polyline, Plane, WallPlan, Mesh>;
+using Shape = std::variant<Box, Cylinder, Sphere, Capsule, Ellipsoid, Polyline, Plane, Mesh>;
 
 /// One collision element.
 struct Solid
@@ -88,6 +92,15 @@ struct PluginElement
   std::vector<std::pair<std::string, std::string>> parameters;  ///< tag and text, in order
 };
 
+/// A <physics> of a world: the pace at which Gazebo would run it.
+struct PhysicsProfile
+{
+  std::string name;
+  bool is_default{false};                ///< says so; else the first one is
+  double real_time_update_rate{1000.0};  ///< steps per wall second; 0: as fast as it goes
+  double max_step_size{0.001};           ///< s
+};
+
 struct WorldDescription
 {
   std::string file;  ///< where it came from
@@ -96,6 +109,7 @@ struct WorldDescription
   Pose2 start;          ///< where a car starts unless told otherwise; that of a race track is on its centreline
   std::vector<ModelDescription> models;
   std::vector<PluginElement> plugins;
-  std::vector<std::string> warnings;  ///< what cannot be represented: one entry a kind, with its element path
+  std::vector<PhysicsProfile> physics;  ///< in the order of the file
+  std::vector<std::string> warnings;    ///< what cannot be represented: one entry a kind, with its element path
 };
 }  // namespace f1tenth_sim2d

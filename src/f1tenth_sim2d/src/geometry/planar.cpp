@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/geometry/algorithms/convex_hull.hpp>
 #include <boost/geometry/algorithms/is_valid.hpp>
+#include <boost/geometry/algorithms/within.hpp>
 #include <boost/geometry/geometries/register/multi_point.hpp>
 #include <boost/geometry/geometries/register/point.hpp>
 #include <boost/geometry/geometries/ring.hpp>
@@ -68,6 +69,11 @@ bool isSimple(const Outline & outline)
 {
   const Outline corners = withoutRedundantCorners(outline);
   return !corners.empty() && boost::geometry::is_valid(Ring(corners.begin(), corners.end()));
+}
+
+bool contains(const Outline & outline, const Vec2 & point)
+{
+  return boost::geometry::within(point, Ring(outline.begin(), outline.end()));
 }
 
 ConvexPolygon convexHull(const std::vector<Vec2> & points)

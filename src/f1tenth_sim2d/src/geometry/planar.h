@@ -23,6 +23,9 @@ Outline withoutRedundantCorners(Outline outline);
 /// Whether an outline encloses an area and does not cross or touch itself.
 bool isSimple(const Outline & outline);
 
+/// Whether a point is within an outline, not on it.
+bool contains(const Outline & outline, const Vec2 & point);
+
 /// Convex hull of points; empty if they lie on a line.
 ConvexPolygon convexHull(const std::vector<Vec2> & points);
 }  // namespace f1tenth_sim2d

@@ -64,18 +64,34 @@ bool covers(const clip::Paths & paths, const Vec2 & point)
          1;
 }
 
-/// The rectangle over x from west to east that is higher than all of these paths.
-clip::Path slab(const clip::Paths & paths, clip::cInt west, clip::cInt east)
+struct Bounds
 {
-  clip::cInt south = paths.front().front().Y;
-  clip::cInt north = south;
-  for (const clip::Path & path : paths) {
+  clip::IntPoint low;
+  clip::IntPoint high;
+
+  explicit Bounds(const clip::Path & path) : low(path.front()), high(low)
+  {
     for (const clip::IntPoint & point : path) {
-      south = std::min(south, point.Y);
-      north = std::max(north, point.Y);
+      low = {std::min(low.X, point.X), std::min(low.Y, point.Y)};
+      high = {std::max(high.X, point.X), std::max(high.Y, point.Y)};
     }
   }
-  return {{west, south}, {east, south}, {east, north}, {west, north}};
+
+  clip::cInt width() const { return high.X - low.X; }
+  clip::cInt depth() const { return high.Y - low.Y; }
+  clip::Path rectangle() const { return {low, {high.X, low.Y}, high, {low.X, high.Y}}; }
+};
+
+/// Both halves of the bounds, cut through the middle of the hole across its longer side.
+std::array<Bounds, 2> halves(const Bounds & bounds, const Bounds & hole)
+{
+  std::array<Bounds, 2> parts{bounds, bounds};
+  if (hole.width() >= hole.depth()) {
+    parts[0].high.X = parts[1].low.X = (hole.low.X + hole.high.X) / 2;
+  } else {
+    parts[0].high.Y = parts[1].low.Y = (hole.low.Y + hole.high.Y) / 2;
+  }
+  return parts;
 }
 
 clip::PolyTree partWithin(const clip::Paths & paths, const clip::Path & rectangle)
@@ -86,6 +102,12 @@ clip::PolyTree partWithin(const clip::Paths & paths, const clip::Path & rectangl
   clip::PolyTree part;
   clipper.Execute(clip::ctIntersection, part, clip::pftNonZero, clip::pftNonZero);
   return part;
+}
+
+/// Holes that are not are closed: nothing lies between their sides along which they could be cut.
+bool isWide(const Bounds & hole)
+{
+  return static_cast<double>(std::max(hole.width(), hole.depth())) > kCleaningDistance * kUnitsPerMetre;
 }
 
 void appendWithoutHoles(const clip::PolyNode & outer, clip::Paths & simple);
@@ -103,20 +125,19 @@ void appendTree(const clip::PolyNode & parent, clip::Paths & simple)
 
 void appendWithoutHoles(const clip::PolyNode & outer, clip::Paths & simple)
 {
-  if (outer.Childs.empty()) {
+  clip::Paths paths{outer.Contour};
+  for (const clip::PolyNode * const hole : outer.Childs) {
+    if (isWide(Bounds(hole->Contour))) {
+      paths.push_back(hole->Contour);
+    }
+  }
+  if (paths.size() == 1) {
     simple.push_back(outer.Contour);
     return;
   }
-  clip::Paths paths{outer.Contour};
-  for (const clip::PolyNode * const hole : outer.Childs) {
-    paths.push_back(hole->Contour);
+  for (const Bounds & half : halves(Bounds(paths[0]), Bounds(paths[1]))) {
+    appendTree(partWithin(paths, half.rectangle()), simple);
   }
-  const auto byX = [](const clip::IntPoint & a, const clip::IntPoint & b) { return a.X < b.X; };
-  const auto [hole_west, hole_east] = std::minmax_element(paths[1].begin(), paths[1].end(), byX);
-  const auto [west, east] = std::minmax_element(paths[0].begin(), paths[0].end(), byX);
-  const clip::cInt middle = (hole_west->X + hole_east->X) / 2;
-  appendTree(partWithin(paths, slab(paths, west->X, middle)), simple);
-  appendTree(partWithin(paths, slab(paths, middle, east->X)), simple);
 }
 
 clip::Paths withoutHoles(const clip::Paths & paths)

@@ -61,7 +61,7 @@ public:
       appendPair(u_max, radius_ * std::sin(t_first), points);
       return;
     }
-    const int steps = stepsFor(t_last - t_first, radius_ / cosine_);
+    const int steps = curveSteps(t_last - t_first, radius_ / cosine_);
     for (int i = 0; i <= steps; ++i) {
       const double t = t_first + (t_last - t_first) * i / steps;
       const double u = (radius_ * std::cos(t) + h * sine_) / cosine_;
@@ -71,7 +71,7 @@ public:
 
   void appendCapsBetween(double z_min, double z_max, std::vector<Vec2> & points) const
   {
-    const int steps = 4 * stepsFor(M_PI / 2.0, radius_);  // the outermost points are among them
+    const int steps = 4 * curveSteps(M_PI / 2.0, radius_);  // the outermost points are among them
     for (const double side : {-half_length_, half_length_}) {
       for (int i = 0; i < steps; ++i) {
         const double t = 2.0 * M_PI * i / steps;
@@ -85,13 +85,6 @@ public:
   }
 
 private:
-  /// Steps of an arc of a curve with this greatest radius so that no chord is off by more than the tolerance.
-  static int stepsFor(double arc, double greatest_radius)
-  {
-    const double step = 2.0 * std::acos(std::max(0.0, 1.0 - kCurveTolerance / greatest_radius));
-    return std::max(1, static_cast<int>(std::ceil(arc / step)));
-  }
-
   Vec2 toWorld(double u, double v) const
   {
     return {
@@ -128,7 +121,56 @@ double radiusAt(const Sphere & sphere, double height_over_centre)
 {
   return std::sqrt(std::max(0.0, sphere.radius * sphere.radius - height_over_centre * height_over_centre));
 }
+
+void appendPoints(const Circle & circle, std::vector<Vec2> & points)
+{
+  const int steps = 4 * curveSteps(M_PI / 2.0, circle.radius);
+  for (int i = 0; i < steps; ++i) {
+    const double angle = 2.0 * M_PI * i / steps;
+    points.push_back(
+      {circle.centre.x + circle.radius * std::cos(angle), circle.centre.y + circle.radius * std::sin(angle)});
+  }
+}
+
+/// The convex whole of parts that together are convex; circles about the same middle stay a circle.
+Section joined(const std::vector<Section> & parts, const Vector3d & middle)
+{
+  std::vector<Vec2> points;
+  double radius = 0.0;
+  bool only_circles = true;
+  for (const Section & part : parts) {
+    for (const Circle & circle : part.circles) {
+      appendPoints(circle, points);
+      radius = std::max(radius, circle.radius);
+      only_circles =
+        only_circles && std::hypot(circle.centre.x - middle.x(), circle.centre.y - middle.y()) < kTolerance;
+    }
+    for (const Outline & outline : part.outlines) {
+      points.insert(points.end(), outline.begin(), outline.end());
+      only_circles = false;
+    }
+  }
+  return only_circles ? ofCircle(middle, radius) : ofPoints(points);
+}
+
+/// Applies cut or shadow to the cylinder and both spheres of a capsule.
+template <typename Operation>
+Section ofParts(const Capsule & capsule, const Pose3 & pose, Operation operation)
+{
+  const Vector3d half = pose.rotation * Vector3d(0.0, 0.0, capsule.length / 2.0);
+  const Sphere end{capsule.radius};
+  return joined(
+    {operation(Cylinder{capsule.radius, capsule.length}, pose), operation(end, {pose.position + half, pose.rotation}),
+     operation(end, {pose.position - half, pose.rotation})},
+    pose.position);
+}
 }  // namespace
+
+int curveSteps(double arc, double greatest_radius)
+{
+  const double step = 2.0 * std::acos(std::max(0.0, 1.0 - kCurveTolerance / greatest_radius));
+  return std::max(1, static_cast<int>(std::ceil(arc / step)));
+}
 
 Section cut(const Sphere & sphere, const Pose3 & pose, double z)
 {
@@ -176,5 +218,16 @@ Section shadow(const Cylinder & cylinder, const Pose3 & pose, double z_min, doub
     }
   }
   return ofPoints(points);
+}
+
+Section cut(const Capsule & capsule, const Pose3 & pose, double z)
+{
+  return ofParts(capsule, pose, [z](const auto & part, const Pose3 & place) { return cut(part, place, z); });
+}
+
+Section shadow(const Capsule & capsule, const Pose3 & pose, double z_min, double z_max)
+{
+  return ofParts(
+    capsule, pose, [=](const auto & part, const Pose3 & place) { return shadow(part, place, z_min, z_max); });
 }
 }  // namespace f1tenth_sim2d

@@ -12,4 +12,9 @@ Section cut(const Sphere & sphere, const Pose3 & pose, double z);
 Section shadow(const Sphere & sphere, const Pose3 & pose, double z_min, double z_max);
 Section cut(const Cylinder & cylinder, const Pose3 & pose, double z);
 Section shadow(const Cylinder & cylinder, const Pose3 & pose, double z_min, double z_max);
+Section cut(const Capsule & capsule, const Pose3 & pose, double z);
+Section shadow(const Capsule & capsule, const Pose3 & pose, double z_min, double z_max);
+
+/// Steps of an arc, rad, of a curve with this greatest radius, m, so that no chord is off by more than the tolerance.
+int curveSteps(double arc, double greatest_radius);
 }  // namespace f1tenth_sim2d

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "geometry/convex_body.h"
+#include "geometry/ellipsoid_section.h"
 #include "geometry/heights.h"
 #include "geometry/mesh_section.h"
 #include "geometry/planar.h"
@@ -12,7 +13,6 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-
 /// Whether the z axis of pose points straight up, so that what is extruded along it shows its outline unchanged.
 bool isUpright(const Pose3 & pose)
 {
@@ -32,7 +32,7 @@ std::vector<Outline> moved(std::vector<Outline> polygons, const Pose3 & pose)
   return polygons;
 }
 
-Heights heightsOf(const WallPlan & walls, const Pose3 & pose)
+Heights heightsOf(const Polyline & walls, const Pose3 & pose)
 {
   return {pose.position.z(), pose.position.z() + walls.height};
 }
@@ -45,12 +45,12 @@ ConvexBody body(const Box & box, const Pose3 & pose)
   return prism({{-x, -y}, {x, -y}, {x, y}, {-x, y}}, -z, z, pose);
 }
 
-/// Applies cut or shadow to each convex piece of an extruded outline.
+/// Applies cut or shadow to each convex piece of an extruded area.
 template <typename Operation>
 Section ofPieces(const Polyline & polyline, const Pose3 & pose, Operation operation)
 {
   Section section;
-  for (const ConvexPolygon & base : convexDecomposition(polyline.outline)) {
+  for (const ConvexPolygon & base : polyline.pieces) {
     if (ConvexPolygon piece = operation(prism(base, 0.0, polyline.height, pose)); !piece.empty()) {
       section.outlines.push_back(std::move(piece));
     }
@@ -71,30 +71,17 @@ struct CutAt
   Section operator()(const Box & box) const { return ofPolygon(cut(body(box, pose), z)); }
   Section operator()(const Cylinder & cylinder) const { return cut(cylinder, pose, z); }
   Section operator()(const Sphere & sphere) const { return cut(sphere, pose, z); }
+  Section operator()(const Capsule & capsule) const { return cut(capsule, pose, z); }
+  Section operator()(const Ellipsoid & ellipsoid) const { return cut(ellipsoid, pose, z); }
   Section operator()(const Polyline & polyline) const
   {
-    if (isUpright(pose)) {
-      return cutUpright(polyline);
+    if (isUpright(pose)) {  // in one piece: a cut has no seams where the solid has none
+      return heightsOf(polyline, pose).contain(z) ? Section{moved(polyline.outlines, pose), {}} : Section{};
     }
     return ofPieces(polyline, pose, [this](const ConvexBody & piece) { return cut(piece, z); });
   }
-  Section operator()(const WallPlan & walls) const
-  {
-    return heightsOf(walls, pose).contain(z) ? Section{moved(walls.outlines, pose), {}} : Section{};
-  }
   Section operator()(const Plane &) const { return {}; }
   Section operator()(const Mesh & mesh) const { return cut(*mesh.surface, pose, z); }
-
-  /// In one piece: a cut has no seams where the solid has none.
-  Section cutUpright(const Polyline & polyline) const
-  {
-    const double bottom = pose.position.z();
-    if (!Heights{bottom, bottom + polyline.height}.contain(z)) {
-      return {};
-    }
-    Outline outline = withoutRedundantCorners(polyline.outline);
-    return outline.empty() ? Section{} : Section{moved({std::move(outline)}, pose), {}};
-  }
 };
 
 struct ShadowBetween
@@ -106,13 +93,14 @@ struct ShadowBetween
   Section operator()(const Box & box) const { return ofPolygon(shadow(body(box, pose), z_min, z_max)); }
   Section operator()(const Cylinder & cylinder) const { return shadow(cylinder, pose, z_min, z_max); }
   Section operator()(const Sphere & sphere) const { return shadow(sphere, pose, z_min, z_max); }
+  Section operator()(const Capsule & capsule) const { return shadow(capsule, pose, z_min, z_max); }
+  Section operator()(const Ellipsoid & ellipsoid) const { return shadow(ellipsoid, pose, z_min, z_max); }
   Section operator()(const Polyline & polyline) const
   {
+    if (isUpright(pose)) {
+      return heightsOf(polyline, pose).overlap(z_min, z_max) ? Section{moved(polyline.pieces, pose), {}} : Section{};
+    }
     return ofPieces(polyline, pose, [this](const ConvexBody & piece) { return shadow(piece, z_min, z_max); });
-  }
-  Section operator()(const WallPlan & walls) const
-  {
-    return heightsOf(walls, pose).overlap(z_min, z_max) ? Section{moved(walls.pieces, pose), {}} : Section{};
   }
   Section operator()(const Plane &) const { return {}; }
   Section operator()(const Mesh & mesh) const { return shadow(*mesh.surface, pose, z_min, z_max); }

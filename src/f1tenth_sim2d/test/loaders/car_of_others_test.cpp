@@ -113,14 +113,16 @@ TEST_F(CarOfOthers, IsRefusedNothingWhereADescriptionSaysTooMuch)
   EXPECT_NEAR(nose_heavy.parameters.l_r, 0.33 * 0.17145 / 0.3302, 1e-9);
   EXPECT_EQ(
     nose_heavy.warnings.back(),
-    "model[racecar]: the centre of mass is not between the axles: taken where the F1/10 car has it");
+    "racecar.urdf:4: robot[racecar]: the centre of mass is not between the axles: taken where the F1/10 car has it");
 }
 
 TEST_F(CarOfOthers, WithEndlessFrictionHasThatOfATyre)
 {
   const CarDescription car = load(std::regex_replace(racecar(), std::regex("<mu1>[^<]*"), "<mu1>1e10"));
   EXPECT_EQ(car.parameters.mu, 2.0);
-  EXPECT_EQ(car.warnings.back(), "model[racecar]: friction of the wheels beyond 2 is taken as 2: no tyre has more");
+  EXPECT_EQ(
+    car.warnings.back(),
+    "racecar.urdf:4: robot[racecar]: friction of the wheels beyond 2 is taken as 2: no tyre has more");
 }
 
 TEST_F(CarOfOthers, HasTopicsInTheNamespaceOfTheDescription)
@@ -166,21 +168,25 @@ TEST_F(CarOfOthers, WarnsOfTransmissionsThatMoveNothingHere)
   EXPECT_EQ(mast.transmissions.size(), 3u);
   EXPECT_EQ(
     mast.warnings.back(),
-    "robot/transmission[left_rear_wheel_transmission]: joint 'mast_joint' is left out: neither a wheel nor a steering "
+    "racecar.urdf:121: robot[racecar]/transmission[left_rear_wheel_transmission]: joint 'mast_joint' is left out: "
+    "neither a wheel nor a steering "
     "joint");
   const CarDescription odd = load(changed("SimpleTransmission", "DifferentialTransmission"));
   EXPECT_EQ(
     odd.warnings.front(),
-    "robot/transmission[left_steering_hinge_transmission] and 3 more: a transmission of type "
+    "racecar.urdf:109: robot[racecar]/transmission[left_steering_hinge_transmission] and 3 more: a transmission of "
+    "type "
     "'transmission_interface/DifferentialTransmission' is left out: simulated is SimpleTransmission");
   const CarDescription geared = load(changed(">2</mech", ">x</mech"));
   EXPECT_EQ(
     geared.warnings.front(),
-    "robot/transmission[left_rear_wheel_transmission]: the <mechanicalReduction> 'x' is taken as 1");
+    "racecar.urdf:124: robot[racecar]/transmission[left_rear_wheel_transmission]/actuator[left_rear_wheel_motor]/"
+    "mechanicalReduction: the <mechanicalReduction> 'x' is taken as 1");
   const CarDescription other = load(changed(">VelocityJointInterface<", ">TelepathicInterface<"));
   EXPECT_EQ(
     other.warnings.front(),
-    "robot/transmission[left_rear_wheel_transmission]: the <hardwareInterface> 'TelepathicInterface' is left out");
+    "racecar.urdf:124: robot[racecar]/transmission[left_rear_wheel_transmission]/actuator[left_rear_wheel_motor]/"
+    "hardwareInterface: the <hardwareInterface> 'TelepathicInterface' is left out");
 }
 
 TEST_F(CarOfOthers, PublishesThePoseOfALinkThatAFixedJointHolds)
@@ -199,7 +205,7 @@ TEST_F(CarOfOthers, PublishesThePoseOfALinkThatAFixedJointHolds)
 
 TEST_F(CarOfOthers, RefusesAPoseOfNoLinkOrWithABrokenOffset)
 {
-  const std::string place = "racecar.urdf: model[racecar]/plugin[ground_truth]: ";
+  const std::string place = "racecar.urdf: robot[racecar]/gazebo[5]/plugin[ground_truth]: ";
   EXPECT_EQ(
     error(
       changed("<bodyName>imu_link</bodyName>\n      <topicName>g", "<bodyName>nose</bodyName>\n      <topicName>g")),
@@ -224,7 +230,9 @@ TEST_F(CarOfOthers, DrivesByThePluginsOfGazeboRos)
   EXPECT_EQ(diff.drive->odometry_frame, "odom");
   EXPECT_EQ(diff.drive->base_frame, "base_footprint");
   EXPECT_EQ(diff.drive->odometry_rate_hz, 30.0);
-  EXPECT_EQ(diff.warnings.front(), "model[racecar]/plugin[drive]: is a second plugin that drives the car and left out");
+  EXPECT_EQ(
+    diff.warnings.front(),
+    "racecar.urdf:190: robot[racecar]/gazebo[5]/plugin[drive]: is a second plugin that drives the car and left out");
 
   const DriveDescription planar = *load(withPlugin("libgazebo_ros_planar_move.so", "")).drive;
   EXPECT_EQ(planar.kind, Kind::kPlanarMove);

@@ -20,8 +20,8 @@ void PrintTo(const BadCar & bad, std::ostream * out)
   *out << bad.name;
 }
 
-const std::string kLidar = "test.urdf: model[small_car]/link[base_footprint]/sensor[lidar]";
-const std::string kPublisher = "test.urdf: model[small_car]/plugin[joint_state_publisher]";
+const std::string kLidar = "test.urdf: robot[small_car]/gazebo[laser]/sensor[lidar]";
+const std::string kPublisher = "test.urdf: robot[small_car]/gazebo[9]/plugin[joint_state_publisher]";
 
 std::string robot(const std::string & inside)
 {
@@ -33,37 +33,37 @@ std::vector<BadCar> badCars()
   return {
     {"Empty", "", "test.urdf: malformed XML: EMPTY_DOCUMENT"},
     {"Malformed", "<robot name='r'>\n<link name='l'>\n</robot>",
-     "test.urdf: line 2: malformed XML: MISMATCHED_ELEMENT"},
+     "test.urdf: line 2: malformed XML: MISMATCHED_ELEMENT, XMLElement name=link"},
     {"NotARobot", "<car/>", "test.urdf: car: is no robot description, allowed are <robot> (URDF) and <sdf>"},
-    {"NoLinks", robot(""), "test.urdf: robot: No link elements found in urdf file"},
-    {"NoName", "<robot><link name='base_footprint'/></robot>", "test.urdf: robot: No name given for the robot."},
+    {"NoLinks", robot(""), "test.urdf: robot[r]: has no <link>"},
     {"LinkTwice", robot("<link name='base_footprint'/><link name='base_footprint'/>"),
-     "test.urdf: robot: link 'base_footprint' is not unique."},
+     "test.urdf: robot[r]/link[base_footprint]: this name is taken; names are unique among the links of a robot"},
     {"TwoRoots", robot("<link name='a'/><link name='b'/>"),
-     "test.urdf: robot: Failed to find root link: Two root links found: [a] and [b]"},
-    {"BoxOfTwoNumbers",
-     robot("<link name='base_footprint'><collision><geometry><box size='1 1'/></geometry></collision></link>"),
-     "test.urdf: robot: Parser found 2 elements but 3 expected while parsing vector [1 1]"},
+     "test.urdf: robot[r]: has two links without a parent, 'a' and 'b'; allowed is one"},
+    {"BoxOfTwoNumbers", smallCarWith("<box size=\"0.02 0.2 0.06\"/>", "<box size=\"1 1\"/>"),
+     "test.urdf: robot[small_car]/link[bumper_front]/collision/geometry/box: attribute 'size' is '1 1', allowed are "
+     "three "
+     "numbers"},
     {"SdfWithoutModel", "<sdf version='1.6'><world name='w'/></sdf>", "test.urdf: holds no <model>"},
-    {"NestedModel",
-     "<sdf version='1.9'><model name='m'><link name='base_footprint'/><model name='n'><link name='l'/></model></model>"
-     "</sdf>",
-     "test.urdf: model[m]/model[n]: a model nested in a car is not supported"},
     {"PlaneInACar",
      "<sdf version='1.6'><model name='m'><link name='base_footprint'><collision name='c'><geometry><plane><normal>"
      "0 0 1</normal><size>1 1</size></plane></geometry></collision></link></model></sdf>",
-     "test.urdf: robot1::base_footprint::c: a <plane> has no end and cannot be part of a car"},
+     "test.urdf: model[m]/link[base_footprint]: has the collision robot1::base_footprint::c, a <plane>: it has no end "
+     "and "
+     "cannot be part of a car"},
     {"ZeroSize", smallCarWith("<box size=\"0.02 0.2 0.06\"/>", "<box size=\"0.02 0 0.06\"/>"),
-     "test.urdf: model[small_car]/link[bumper_front]/collision[bumper_front_collision]/geometry/box: <size> is 0, "
-     "allowed are finite numbers greater than 0"},
+     "test.urdf: robot[small_car]/link[bumper_front]/collision/geometry/box: attribute 'size' is 0, allowed are finite "
+     "numbers greater than 0"},
     {"MeshInACar", smallCarWith("<box size=\"0.02 0.2 0.06\"/>", "<mesh filename=\"package://p/m.stl\"/>"),
-     "test.urdf: model[small_car]/link[bumper_front]/collision[bumper_front_collision]/geometry/mesh: <uri> is "
-     "model://p/m.stl, which is not found; searched: nothing, since GAZEBO_MODEL_PATH and ROS_PACKAGE_PATH are empty"},
+     "test.urdf: robot[small_car]/link[bumper_front]/collision/geometry/mesh: <uri> is "
+     "package://p/m.stl, which is not found; searched: nothing, since GAZEBO_MODEL_PATH and ROS_PACKAGE_PATH are "
+     "empty"},
     {"WheelWithoutMass",
      smallCarWith(
        "<link name=\"rear_left_wheel\">\n    <inertial><mass value=\"0.1\"/>",
        "<link name=\"rear_left_wheel\">\n    <inertial><mass value=\"0\"/>"),
-     "test.urdf: link[rear_left_wheel]: has a <collision> but no mass, so that Gazebo leaves it out; needed is an "
+     "test.urdf: robot[small_car]/link[rear_left_wheel]: has a <collision>, but no mass, so that Gazebo leaves it out; "
+     "needed is an "
      "<inertial> with a mass above 0"},
     {"TiltedLidar", smallCarWith("<origin xyz=\"0.27 0 0.11\"/>", "<origin xyz=\"0.27 0 0.11\" rpy=\"0 0.1 0\"/>"),
      kLidar + ": is tilted; a lidar has to be level, with its z axis upwards"},
@@ -72,6 +72,12 @@ std::vector<BadCar> badCars()
      kLidar + ": is tilted; a lidar has to be level, with its z axis upwards"},
     {"NoTopicName", smallCarWith("<topicName>scan</topicName>", ""),
      kLidar + "/plugin[lidar_plugin]: has no <topicName>"},
+    {"TopicThatIsNoName", smallCarWith("<topicName>scan</topicName>", "<topicName>my-scan!</topicName>"),
+     kLidar +
+       "/plugin[lidar_plugin]: topic 'my-scan!' is no ROS name; allowed are letters, digits, _ and /, beginning with a "
+       "letter or /"},
+    {"FrameThatIsNoName", smallCarWith("<frameName>laser</frameName>", "<frameName>my laser</frameName>"),
+     kLidar + "/plugin[lidar_plugin]: frame 'my laser' is no frame id; allowed are letters, digits, _, /, ., - and :"},
     {"EmptyFrameName", smallCarWith("<frameName>laser</frameName>", "<frameName> </frameName>"),
      kLidar + "/plugin[lidar_plugin]: <frameName> is empty"},
     {"NoRate", smallCarWith("<update_rate>40</update_rate>", ""), kLidar + ": has no <update_rate>"},
@@ -94,17 +100,18 @@ std::vector<BadCar> badCars()
     {"RangeSwapped", smallCarWith("<max>10</max>", "<max>0.01</max>"),
      kLidar + ": <range> has a <min> that is not less than its <max>"},
     {"NegativeNoise", smallCarWith("<stddev>0.01</stddev>", "<stddev>-1</stddev>"),
-     kLidar + ": <noise/stddev> is -1, allowed are finite numbers from 0"},
+     kLidar + "/ray/noise: <stddev> is -1, allowed are finite numbers from 0"},
     {"UnknownCollision", smallCarWith("<collision>bumper_left_collision", "<collision>nothing"),
-     "test.urdf: model[small_car]/link[base_footprint]/sensor[bumper_left]: there is no <collision> 'nothing'; the car "
+     "test.urdf: robot[small_car]/gazebo[bumper_left]/sensor[bumper_left]: there is no <collision> 'nothing'; the car "
      "has base_footprint_fixed_joint_lump__base_link_collision, "
      "base_footprint_fixed_joint_lump__bumper_left_collision_1, "
      "base_footprint_fixed_joint_lump__bumper_right_collision_2, bumper_front_collision, bumper_rear_collision, "
      "front_left_wheel_collision, front_right_wheel_collision, rear_left_wheel_collision, rear_right_wheel_collision"},
     {"ContactWithoutCollision", smallCarWith("<contact><collision>bumper_left_collision</collision></contact>", ""),
-     "test.urdf: model[small_car]/link[base_footprint]/sensor[bumper_left]: has no <contact> with a <collision>"},
+     "test.urdf: robot[small_car]/gazebo[bumper_left]/sensor[bumper_left]: has no <contact> with a <collision>"},
     {"SensorNameTwice", smallCarWith("<sensor name=\"imu\"", "<sensor name=\"bumper_front\""),
-     "test.urdf: model[small_car]/link[bumper_front]/sensor[bumper_front]: this name is taken; names are unique among "
+     "test.urdf: robot[small_car]/gazebo[bumper_front]/sensor[bumper_front]: this name is taken; names are unique "
+     "among "
      "the sensors of a car"},
     {"UnknownJoint", smallCarWith("<jointName>front_left_steering_joint", "<jointName>nose_joint"),
      kPublisher + ": <jointName> names 'nose_joint', which is no joint that moves"},

@@ -119,7 +119,8 @@ TEST(LoadCar, TakesAnImuPluginOfTheModel)
     "<bodyName>imu</bodyName><updateRate>50</updateRate><gaussianNoise>0.01</gaussianNoise></plugin></gazebo>";
   std::string xml = smallCarWith("</robot>", plugin + "</robot>");
   const CarDescription with_two = load(xml);
-  EXPECT_TRUE(contains(with_two.warnings, "model[small_car]/plugin[old_imu]: is a second IMU and left out"));
+  EXPECT_TRUE(contains(
+    with_two.warnings, "test.urdf:250: robot[small_car]/gazebo[11]/plugin[old_imu]: is a second IMU and left out"));
   const std::size_t sensor = xml.find("<gazebo reference=\"imu\">");
   xml.erase(sensor, xml.find("</gazebo>", sensor) + std::string("</gazebo>").size() - sensor);
   const CarDescription car = load(xml);
@@ -155,7 +156,7 @@ TEST(LoadCar, KeepsPluginsThatAreNotBuiltInWithTheirTags)
   ASSERT_EQ(car.plugins.size(), 1u);
   EXPECT_EQ(car.plugins[0].name, "perfect_odometry");
   EXPECT_EQ(car.plugins[0].filename, "libf1tenth_perfect_odometry.so");
-  EXPECT_EQ(car.plugins[0].place, "model[small_car]/plugin[perfect_odometry]");
+  EXPECT_EQ(car.plugins[0].place, "robot[small_car]/gazebo[10]/plugin[perfect_odometry]");
   const std::vector<std::pair<std::string, std::string>> parameters{
     {"updateRate", "200"}, {"robotBaseFrame", "base_footprint"}};
   EXPECT_EQ(car.plugins[0].parameters, parameters);
@@ -191,7 +192,8 @@ TEST(LoadCar, TakesAnSdfModel)
 TEST(LoadCarWarnings, NameTheCamera)
 {
   const std::vector<std::string> expected{
-    "model[small_car]/link[base_footprint]/sensor[camera]: a sensor of type camera is left out: in 2-D it has nothing "
+    "test.urdf:231: robot[small_car]/gazebo[base_link]/sensor[camera]: a sensor of type camera is left out: in 2-D it "
+    "has nothing "
     "to see"};
   EXPECT_EQ(load(smallCar()).warnings, expected);
 }
@@ -202,7 +204,7 @@ TEST(LoadCarWarnings, NameSensorsWithoutRosPlugin)
   EXPECT_TRUE(car.lidars.empty());
   EXPECT_TRUE(contains(
     car.warnings,
-    "model[small_car]/link[base_footprint]/sensor[lidar]: has no <plugin> libgazebo_ros_laser.so or "
+    "test.urdf:195: robot[small_car]/gazebo[laser]/sensor[lidar]: has no <plugin> libgazebo_ros_laser.so or "
     "libgazebo_ros_gpu_laser.so to publish it and is left out"));
 }
 
@@ -212,7 +214,8 @@ TEST(LoadCarWarnings, NameSensorsThatAreNotSimulated)
     "<gazebo reference=\"base_link\"><sensor name=\"height\" type=\"altimeter\"/></gazebo></robot>";
   EXPECT_TRUE(contains(
     load(smallCarWith("</robot>", sonar)).warnings,
-    "model[small_car]/link[base_footprint]/sensor[height]: a sensor of type altimeter is left out: not simulated"));
+    "test.urdf:250: robot[small_car]/gazebo[base_link]/sensor[height]: a sensor of type altimeter is left out: not "
+    "simulated"));
 }
 
 TEST(LoadCarWarnings, NameSensorsOfAnUnknownType)
@@ -221,7 +224,7 @@ TEST(LoadCarWarnings, NameSensorsOfAnUnknownType)
     "<gazebo reference=\"base_link\"><sensor name=\"ball\" type=\"crystal\"/></gazebo></robot>";
   EXPECT_TRUE(contains(
     load(smallCarWith("</robot>", crystal)).warnings,
-    "model[small_car]/link[base_footprint]/sensor[ball]: is no type of sensor of SDF and left out"));
+    "test.urdf:250: robot[small_car]/gazebo[base_link]/sensor[ball]: is no type of sensor of SDF and left out"));
 }
 
 TEST(LoadCarWarnings, NameFurtherLayersOfALidar)
@@ -231,7 +234,8 @@ TEST(LoadCarWarnings, NameFurtherLayersOfALidar)
     "</horizontal><vertical><samples>4</samples><min_angle>-0.1</min_angle><max_angle>0.1</max_angle></vertical>"));
   EXPECT_TRUE(contains(
     car.warnings,
-    "model[small_car]/link[base_footprint]/sensor[lidar]: <vertical> is left out: a lidar has one level layer"));
+    "test.urdf:195: robot[small_car]/gazebo[laser]/sensor[lidar]: <vertical> is left out: a lidar has one level "
+    "layer"));
 }
 
 TEST(LoadCar, PrintsNothing)

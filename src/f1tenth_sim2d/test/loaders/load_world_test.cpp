@@ -49,7 +49,7 @@ TEST(LoadWorld, ReadsEveryShape)
   EXPECT_EQ(std::get<Cylinder>(description.models[1].solids.at(0).shape).length, 2.0);
   EXPECT_EQ(std::get<Sphere>(description.models[2].solids.at(0).shape).radius, 0.25);
   const Polyline polyline = std::get<Polyline>(description.models[3].solids.at(0).shape);
-  EXPECT_EQ(polyline.outline.size(), 3u);
+  EXPECT_EQ(polyline.outlines.at(0).size(), 3u);
   EXPECT_EQ(polyline.height, 2.0);
   EXPECT_TRUE(std::holds_alternative<Plane>(description.models[4].solids.at(0).shape));
   EXPECT_TRUE(description.warnings.empty());
@@ -191,14 +191,17 @@ TEST(LoadWorldWarnings, AreOneAKindWithTheFirstPlaceAndACount)
     "<link name='b'/><joint name='hinge' type='revolute'><parent>a</parent><child>b</child><axis><xyz>0 0 1</xyz>"
     "</axis></joint><plugin name='opener' filename='libo.so'/><colour>red</colour></model>");
   const std::vector<std::string> expected{
-    "world[test]/model[door]/colour: is not an element of SDF and left out",
     "world[test]/plugin[p] and 1 more: <plugin> of a world is left out: only cars have plugins",
-    "world[test]/actor[walker]: <actor> is left out: it has no collision",
+    "world[test]/actor[walker]: <actor> of a world is left out: it has no collision",
+    "world[test]/model[door]/colour: is not an element of SDF and left out",
     "world[test]/model[door]/plugin[opener]: <plugin> of a model is left out: only cars have plugins",
     "world[test]/model[door]/link[a]/sensor[s]: <sensor> is left out: only cars have sensors",
     "world[test]/model[door]/joint[hinge]: <joint> does not move: a model is one rigid body",
   };
-  EXPECT_EQ(description.warnings, expected);
+  ASSERT_EQ(description.warnings.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(description.warnings[i], description.file + ":4: " + expected[i]);
+  }
 }
 
 TEST(LoadWorldWarnings, PhysicsSceneGuiAndLightsAreSilent)

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "f1tenth_sim2d/section.h"
-#include "loaders/files/mesh_file.h"
+#include "loaders/shapes/mesh_file.h"
 #include "mesh_files.h"
 #include "polygons.h"
 #include "temp_folder.h"

@@ -21,7 +21,7 @@ Solid solid(Shape shape)
 const Solid kBox = solid(Box{{2.0, 1.0, 0.5}});
 const Solid kCylinder = solid(Cylinder{0.5, 2.0});
 const Solid kSphere = solid(Sphere{0.5});
-const Solid kCorner = solid(Polyline{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 1.0});
+const Solid kCorner = solid(extrude({{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}}, 1.0));
 
 double area(const Section & section)
 {
@@ -178,7 +178,7 @@ TEST(SectionOfDegenerateSolid, IsEmpty)
 {
   for (const Solid & flat :
        {solid(Box{{0, 1, 1}}), solid(Box{{1, 1, 0}}), solid(Cylinder{0, 1}), solid(Cylinder{1, 0}), solid(Sphere{0}),
-        solid(Polyline{{{0, 0}, {1, 0}, {2, 0}}, 1}), solid(Polyline{{}, 1})}) {
+        solid(extrude({{{0, 0}, {1, 0}, {2, 0}}}, 1)), solid(extrude({}, 1))}) {
     for (const Pose3 & pose : {Pose3(0, 0, 0, 0, 0, 0), Pose3(0, 0, 0, 0.3, 0.4, 0.5)}) {
       EXPECT_EQ(area(sectionAt(flat, pose, 0.0)), 0.0);
       EXPECT_TRUE(sectionAt(flat, pose, 0.0).circles.empty());

@@ -17,6 +17,12 @@ VerticalSpan around(const Pose3 & pose, double half_height)
   return {pose.position.z() - half_height, pose.position.z() + half_height};
 }
 
+void include(double height, VerticalSpan & span)
+{
+  const bool is_first = span.bottom > span.top;
+  span = {is_first ? height : std::min(span.bottom, height), is_first ? height : std::max(span.top, height)};
+}
+
 struct SpanOf
 {
   const Pose3 & pose;
@@ -33,32 +39,33 @@ struct SpanOf
     return around(pose, std::abs(up.z()) * cylinder.length / 2.0 + std::hypot(up.x(), up.y()) * cylinder.radius);
   }
   VerticalSpan operator()(const Sphere & sphere) const { return around(pose, sphere.radius); }
+  VerticalSpan operator()(const Capsule & capsule) const
+  {
+    return around(pose, std::abs(pose.climb().z()) * capsule.length / 2.0 + capsule.radius);
+  }
+  VerticalSpan operator()(const Ellipsoid & ellipsoid) const
+  {
+    return around(pose, pose.climb().cwiseProduct(ellipsoid.radii).norm());
+  }
   VerticalSpan operator()(const Polyline & polyline) const
   {
     const Vector3d up = pose.climb();
     VerticalSpan span{1.0, -1.0};
-    for (const Vec2 & corner : polyline.outline) {
-      for (const double z : {0.0, polyline.height}) {
-        const double height = pose.position.z() + up.x() * corner.x + up.y() * corner.y + up.z() * z;
-        const bool first = span.bottom > span.top;
-        span = {first ? height : std::min(span.bottom, height), first ? height : std::max(span.top, height)};
+    for (const Outline & outline : polyline.outlines) {
+      for (const Vec2 & corner : outline) {
+        for (const double z : {0.0, polyline.height}) {
+          include(pose.position.z() + up.x() * corner.x + up.y() * corner.y + up.z() * z, span);
+        }
       }
     }
     return span;
-  }
-  VerticalSpan operator()(const WallPlan & walls) const
-  {
-    return walls.outlines.empty() ? VerticalSpan{1.0, -1.0}
-                                  : around(pose * Pose3(0, 0, walls.height / 2.0, 0, 0, 0), walls.height / 2.0);
   }
   VerticalSpan operator()(const Mesh & mesh) const
   {
     const Vector3d up = pose.climb();
     VerticalSpan span{1.0, -1.0};
     for (const Vector3d & vertex : mesh.surface->vertices) {
-      const double height = pose.position.z() + up.dot(vertex);
-      const bool first = span.bottom > span.top;
-      span = {first ? height : std::min(span.bottom, height), first ? height : std::max(span.top, height)};
+      include(pose.position.z() + up.dot(vertex), span);
     }
     return span;
   }
@@ -79,7 +86,8 @@ bool overlap(const VerticalSpan & a, const VerticalSpan & b)
 bool isUprightPrism(const Solid & solid, const Pose3 & pose)
 {
   const Vector3d up = pose.climb();
-  const bool is_prism = !std::holds_alternative<Sphere>(solid.shape) && !std::holds_alternative<Mesh>(solid.shape);
+  const bool is_prism = std::holds_alternative<Box>(solid.shape) || std::holds_alternative<Cylinder>(solid.shape) ||
+                        std::holds_alternative<Polyline>(solid.shape);
   return is_prism && std::hypot(up.x(), up.y()) < kUprightTolerance;
 }
 }  // namespace f1tenth_sim2d

@@ -1,5 +1,8 @@
 #include "loaders/car/car_context.h"
 
+#include <algorithm>
+#include <cctype>
+
 namespace f1tenth_sim2d
 {
 namespace
@@ -9,50 +12,60 @@ std::string withoutSlashesAround(const std::string & text)
   const std::size_t first = text.find_first_not_of('/');
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of('/') - first + 1);
 }
+
+bool isIn(char letter, const char * marks)
+{
+  return std::isalnum(static_cast<unsigned char>(letter)) != 0 || std::string(marks).find(letter) != std::string::npos;
+}
 }  // namespace
 
-std::string CarContext::withoutPrefix(std::string frame) const
+void requireRosName(const Element & place, const std::string & what, const std::string & name)
 {
-  for (const std::string & prefix : {std::string("/"), car.name + "/"}) {
-    if (frame.rfind(prefix, 0) == 0) {
-      frame.erase(0, prefix.size());
-    }
+  const bool begins_well = name.empty() || name[0] == '/' || std::isalpha(static_cast<unsigned char>(name[0])) != 0;
+  if (!begins_well || !std::all_of(name.begin(), name.end(), [](char letter) { return isIn(letter, "_/"); })) {
+    place.fail(
+      what + " '" + name + "' is no ROS name; allowed are letters, digits, _ and /, beginning with a letter or /");
+  }
+}
+
+std::string frameId(const Element & place, const std::string & given)
+{
+  const std::string frame = given.substr(!given.empty() && given.front() == '/' ? 1 : 0);
+  if (frame.empty() || !std::all_of(frame.begin(), frame.end(), [](char letter) { return isIn(letter, "_/.-:"); })) {
+    place.fail("frame '" + given + "' is no frame id; allowed are letters, digits, _, /, ., - and :");
   }
   return frame;
 }
 
-std::string CarContext::rosNamespace(const sdf::ElementPtr & plugin) const
+std::string CarContext::frame(const Element & plugin, const std::string & given) const
 {
-  const std::string given = withoutBlanksAround(plugin->Get<std::string>("robotNamespace", "").first);
+  const std::string frame = frameId(plugin, given);
+  const std::string prefix = car.name + "/";
+  return frame.size() > prefix.size() && frame.rfind(prefix, 0) == 0 ? frame.substr(prefix.size()) : frame;
+}
+
+std::string CarContext::rosNamespace(const Element & plugin) const
+{
+  const std::string given = plugin.child("robotNamespace").text();
+  requireRosName(plugin, "<robotNamespace>", given);
   const std::string space = withoutSlashesAround(given);
   return given.empty() || space == car.ros_namespace ? "" : "/" + space;
 }
 
-std::string CarContext::topic(const sdf::ElementPtr & plugin, const std::string & name) const
+std::string CarContext::topic(const Element & plugin, const std::string & given) const
 {
+  requireRosName(plugin, "topic", given);
   const std::string own = car.ros_namespace.empty() ? "/" : "/" + car.ros_namespace + "/";
-  if (!name.empty() && name.front() == '/') {
-    return name.rfind(own, 0) == 0 ? name.substr(own.size()) : name;
+  if (given.front() == '/') {
+    return given.rfind(own, 0) == 0 ? given.substr(own.size()) : given;
   }
   const std::string space = rosNamespace(plugin);
-  return space.empty() ? name : space + (space == "/" ? "" : "/") + name;
+  return space.empty() ? given : space + (space == "/" ? "" : "/") + given;
 }
 
-std::string CarContext::originalText(
-  const sdf::ElementPtr & plugin, const std::string & tag, const std::string & fallback) const
+std::string libraryName(const Element & plugin)
 {
-  const auto tags = facts.plugin_tags.find(plugin->Get<std::string>("name"));
-  if (tags != facts.plugin_tags.end()) {
-    const auto text = tags->second.find(tag);
-    return text == tags->second.end() || text->second.empty() ? fallback : text->second;
-  }
-  const std::string text = withoutBlanksAround(plugin->Get<std::string>(tag, fallback).first);
-  return text.empty() ? fallback : text;
-}
-
-std::string libraryName(const sdf::ElementPtr & plugin)
-{
-  const auto filename = plugin->Get<std::string>("filename");
+  const std::string filename = plugin.attribute("filename");
   return filename.substr(filename.find_last_of('/') + 1);
 }
 }  // namespace f1tenth_sim2d

@@ -1,41 +1,41 @@
 #pragma once
 
-#include <sdf/Model.hh>
 #include <string>
 
 #include "f1tenth_sim2d/car_model.h"
-#include "loaders/car/robot_text.h"
-#include "loaders/files/warning_collector.h"
-#include "loaders/sdf/element_reader.h"
+#include "loaders/model/model.h"
+#include "loaders/xml/warning_collector.h"
 
 namespace f1tenth_sim2d
 {
 /// What the readers of a car's parts share while it is being read.
 struct CarContext
 {
-  const sdf::Model & model;
-  const RobotFacts & facts;
+  const Model & model;
   Pose3 car_in_model;  ///< pose of the car's frame in the frame of the model
   CarDescription & car;
   WarningCollector & warnings;
 
-  const std::string & source() const { return car.source; }
-
   Pose3 inCar(const Pose3 & in_model) const { return car_in_model.inverse() * in_model; }
 
-  /// A frame id without slash in front and without the car's name: the node puts the prefix before it.
-  std::string withoutPrefix(std::string frame) const;
+  /// A frame id of the car: without its name in front, before which the node puts the prefix.
+  std::string frame(const Element & plugin, const std::string & given) const;
 
   /// What <robotNamespace> of a plugin means: "/other", "/", or nothing if it is the car's own.
-  std::string rosNamespace(const sdf::ElementPtr & plugin) const;
+  std::string rosNamespace(const Element & plugin) const;
 
   /// A topic of a plugin, its <robotNamespace> put before it unless that is the car's own.
-  std::string topic(const sdf::ElementPtr & plugin, const std::string & name) const;
-
-  /// Text of a tag of a plugin as the URDF has it: libsdformat replaces links that fixed joints have joined with others.
-  std::string originalText(const sdf::ElementPtr & plugin, const std::string & tag, const std::string & fallback) const;
+  /// @throws LoadError for what roscpp does not take as a name
+  std::string topic(const Element & plugin, const std::string & given) const;
 };
 
+/// A frame id without slash in front.
+/// @throws LoadError for one that is no frame id
+std::string frameId(const Element & place, const std::string & given);
+
+/// @throws LoadError unless roscpp takes a name: letters, digits, _ and /, beginning with a letter or /
+void requireRosName(const Element & place, const std::string & what, const std::string & name);
+
 /// Name of a shared library without folder: Gazebo accepts both.
-std::string libraryName(const sdf::ElementPtr & plugin);
+std::string libraryName(const Element & plugin);
 }  // namespace f1tenth_sim2d

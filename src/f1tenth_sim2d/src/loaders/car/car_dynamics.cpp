@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "loaders/sdf/sdf_models.h"
+#include "loaders/model/inertia.h"
 
 namespace f1tenth_sim2d
 {
@@ -42,12 +42,12 @@ void placeOnOneAxle(double centre_of_mass, CarContext & context)
 
 void readMass(const std::vector<MechanismJoint> & mechanism, CarContext & context)
 {
-  const Inertia whole = inertiaOf(context.model, context.source());
-  const Eigen::Vector3d centre = context.car_in_model.inverse() * whole.centre_of_mass;
+  const Inertia whole = placed(inertiaOf(context.model), context.car_in_model.inverse());
+  const Eigen::Vector3d & centre = whole.centre;
   VehicleParameters & parameters = context.car.parameters;
-  if (whole.mass > 0.0 && whole.about_z > 0.0) {
+  if (whole.mass > 0.0 && whole.moments(2, 2) > 0.0) {
     parameters.m = whole.mass;
-    parameters.I_z = whole.about_z;
+    parameters.I_z = whole.moments(2, 2);
     parameters.h = std::max(0.0, centre.z());
   }
   const std::optional<double> wheelbase = wheelbaseOf(mechanism);
@@ -60,7 +60,7 @@ void readMass(const std::vector<MechanismJoint> & mechanism, CarContext & contex
   if (!between_axles) {
     context.warnings.add(
       "the centre of mass is not between the axles: taken where the F1/10 car has it",
-      elementPath(context.model.Element()));
+      context.model.element.fileLine());
   }
   parameters.l_r = between_axles ? centre.x() : default_share * *wheelbase;
   parameters.l_f = *wheelbase - parameters.l_r;
@@ -79,7 +79,7 @@ void readFriction(const std::vector<MechanismJoint> & mechanism, CarContext & co
   }
   if (least > kFrictionMax) {
     context.warnings.add(
-      "friction of the wheels beyond 2 is taken as 2: no tyre has more", elementPath(context.model.Element()));
+      "friction of the wheels beyond 2 is taken as 2: no tyre has more", context.model.element.fileLine());
   }
   context.car.parameters.mu = std::min(least, kFrictionMax);
 }

@@ -1,8 +1,8 @@
 #include "loaders/car/car_joints.h"
 
 #include <algorithm>
-#include <iterator>
-#include <sstream>
+
+#include "loaders/xml/xml_text.h"
 
 namespace f1tenth_sim2d
 {
@@ -11,11 +11,10 @@ namespace
 std::vector<std::string> namesIn(std::string list)
 {
   std::replace(list.begin(), list.end(), ',', ' ');
-  std::istringstream text(list);
-  return {std::istream_iterator<std::string>(text), {}};
+  return wordsIn(list);
 }
 
-void requireNewCorner(const JointDescription & joint, const ElementReader & publisher, const CarDescription & car)
+void requireNewCorner(const JointDescription & joint, const Element & publisher, const CarDescription & car)
 {
   for (const JointDescription & other : car.joints) {
     if (other.name == joint.name) {
@@ -29,32 +28,31 @@ void requireNewCorner(const JointDescription & joint, const ElementReader & publ
 }
 
 void addJoint(
-  const std::string & name, const std::vector<MechanismJoint> & mechanism, const sdf::ElementPtr & publisher,
+  const std::string & name, const std::vector<MechanismJoint> & mechanism, const Element & publisher,
   CarContext & context)
 {
-  const ElementReader reader(publisher, context.source());
-  if (!context.model.JointNameExists(name)) {
-    reader.fail("<jointName> names '" + name + "', which is no joint that moves");
+  const auto & joints = context.model.joints;
+  if (std::none_of(joints.begin(), joints.end(), [&name](const JointPart & each) { return each.name == name; })) {
+    publisher.fail("<jointName> names '" + name + "', which is no joint that moves");
   }
   const auto joint = std::find_if(
     mechanism.begin(), mechanism.end(), [&name](const MechanismJoint & each) { return each.description.name == name; });
   if (joint == mechanism.end()) {
     context.warnings.add(
-      "joint '" + name + "' is left out: neither a wheel nor a steering joint", elementPath(publisher));
+      "joint '" + name + "' is left out: neither a wheel nor a steering joint", publisher.fileLine());
     return;
   }
-  requireNewCorner(joint->description, reader, context.car);
+  requireNewCorner(joint->description, publisher, context.car);
   context.car.joints.push_back(joint->description);
 }
 }  // namespace
 
 void readJointStatePublisher(
-  const sdf::ElementPtr & publisher, const std::vector<MechanismJoint> & mechanism, CarContext & context)
+  const Element & publisher, const std::vector<MechanismJoint> & mechanism, CarContext & context)
 {
-  const ElementReader reader(publisher, context.source());
-  context.car.joint_state_rate_hz = reader.positive("updateRate");
+  context.car.joint_state_rate_hz = publisher.positive("updateRate");
   context.car.joint_state_topic = context.topic(publisher, "joint_states");
-  for (const std::string & name : namesIn(reader.requiredText("jointName"))) {
+  for (const std::string & name : namesIn(publisher.requiredText("jointName"))) {
     addJoint(name, mechanism, publisher, context);
   }
 }

@@ -9,5 +9,5 @@ namespace f1tenth_sim2d
 /// Joints that a libgazebo_ros_joint_state_publisher.so names become those that joint_states carries.
 /// @throws LoadError
 void readJointStatePublisher(
-  const sdf::ElementPtr & publisher, const std::vector<MechanismJoint> & mechanism, CarContext & context);
+  const Element & publisher, const std::vector<MechanismJoint> & mechanism, CarContext & context);
 }  // namespace f1tenth_sim2d

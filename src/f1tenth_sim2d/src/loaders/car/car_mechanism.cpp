@@ -4,11 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <sdf/Joint.hh>
-#include <sdf/JointAxis.hh>
-
-#include "loaders/sdf/from_ignition.h"
-#include "loaders/sdf/sdf_models.h"
 
 namespace f1tenth_sim2d
 {
@@ -19,7 +14,6 @@ using Role = JointDescription::Role;
 
 constexpr double kTiltAllowed = 0.1;         // rad: camber, caster and toe
 constexpr double kPlaceTolerance = 0.001;    // m
-constexpr double kUnlimited = 1e15;          // libsdformat's limits of a continuous joint are 1e16
 constexpr double kRadiusOfFlatWheel = 0.05;  // m, of a wheel without shape whose axle lies on the ground
 
 bool isAlong(const Vector3d & axis, const Vector3d & direction)
@@ -27,25 +21,20 @@ bool isAlong(const Vector3d & axis, const Vector3d & direction)
   return std::abs(axis.normalized().dot(direction)) > std::cos(kTiltAllowed);
 }
 
-double limitOf(double value)
+bool turns(const JointPart & joint)
 {
-  return std::abs(value) < kUnlimited ? value : std::copysign(std::numeric_limits<double>::infinity(), value);
+  return (joint.type == "revolute" || joint.type == "continuous") && joint.axis.norm() > 0.0 &&
+         joint.lower < joint.upper;
 }
 
-/// Limits of effort and velocity; what is not positive means that there is none.
-double positiveLimitOf(double value)
+JointDescription describe(const JointPart & joint, const Vector3d & axis, bool steers)
 {
-  return value > 0.0 && value < kUnlimited ? value : std::numeric_limits<double>::infinity();
-}
-
-JointDescription describe(const sdf::Joint & joint, const Vector3d & axis, bool steers)
-{
-  JointDescription description{joint.Name(), steers ? Role::kSteeringLeft : Role::kWheelFrontLeft};
+  JointDescription description{joint.name, steers ? Role::kSteeringLeft : Role::kWheelFrontLeft};
   description.direction = (steers ? axis.z() : axis.y()) > 0.0 ? 1.0 : -1.0;
-  description.lower = limitOf(joint.Axis()->Lower());
-  description.upper = limitOf(joint.Axis()->Upper());
-  description.velocity_max = positiveLimitOf(joint.Axis()->MaxVelocity());
-  description.effort_max = positiveLimitOf(joint.Axis()->Effort());
+  description.lower = joint.lower;
+  description.upper = joint.upper;
+  description.velocity_max = joint.velocity;
+  description.effort_max = joint.effort;
   return description;
 }
 
@@ -53,32 +42,26 @@ JointDescription describe(const sdf::Joint & joint, const Vector3d & axis, bool 
 std::vector<MechanismJoint> turningJoints(const CarContext & context)
 {
   std::vector<MechanismJoint> joints;
-  for (std::uint64_t i = 0; i < context.model.JointCount(); ++i) {
-    const sdf::Joint & joint = *context.model.JointByIndex(i);
-    const bool turns = joint.Type() == sdf::JointType::REVOLUTE || joint.Type() == sdf::JointType::CONTINUOUS;
-    ignition::math::Vector3d in_model;
-    if (!turns || !joint.Axis() || !joint.Axis()->ResolveXyz(in_model, "__model__").empty()) {
+  for (const JointPart & joint : context.model.joints) {
+    if (!turns(joint)) {
       continue;
     }
-    const Vector3d axis = context.car_in_model.rotation.conjugate() * fromIgnition(in_model);
+    const Vector3d axis = context.car_in_model.rotation.conjugate() * joint.axis;
     const bool steers = isAlong(axis, Vector3d::UnitZ());
     if (steers || isAlong(axis, Vector3d::UnitY())) {
-      const auto pose = resolvePose(joint.SemanticPose(), "__model__", joint.Element(), context.source());
-      joints.push_back({describe(joint, axis, steers), joint.ChildLinkName(), context.inCar(pose).position});
+      joints.push_back({describe(joint, axis, steers), joint.child, context.inCar(joint.pose).position});
     }
   }
   return joints;
 }
 
 /// Whether a link hangs on another one, over any joints.
-bool hangsOn(const sdf::Model & model, std::string link, const std::string & ancestor)
+bool hangsOn(const Model & model, std::string link, const std::string & ancestor)
 {
-  for (std::uint64_t steps = 0; steps <= model.JointCount() && link != ancestor; ++steps) {
+  for (std::size_t steps = 0; steps <= model.joints.size() && link != ancestor; ++steps) {
     std::string parent;
-    for (std::uint64_t i = 0; i < model.JointCount(); ++i) {
-      if (model.JointByIndex(i)->ChildLinkName() == link) {
-        parent = model.JointByIndex(i)->ParentLinkName();
-      }
+    for (const JointPart & joint : model.joints) {
+      parent = joint.child == link ? joint.parent : parent;
     }
     link = parent;
   }
@@ -86,7 +69,7 @@ bool hangsOn(const sdf::Model & model, std::string link, const std::string & anc
 }
 
 /// A joint about the z axis without a wheel on it turns something else: a camera, a spinning lidar.
-void dropWhatDoesNotSteer(const sdf::Model & model, std::vector<MechanismJoint> & joints)
+void dropWhatDoesNotSteer(const Model & model, std::vector<MechanismJoint> & joints)
 {
   const std::vector<MechanismJoint> all = joints;
   const auto steersNothing = [&](const MechanismJoint & joint) {

@@ -1,68 +1,65 @@
 #include "loaders/car/car_plugins.h"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 
 #include "loaders/car/car_joints.h"
 #include "loaders/car/drive_plugins.h"
 #include "loaders/car/sensor_readers.h"
-#include "loaders/sdf/sdf_models.h"
+#include "loaders/car/transmissions.h"
 
 namespace f1tenth_sim2d
 {
 namespace
 {
-using Eigen::Vector3d;
-
-void readPoseSensor(const sdf::ElementPtr & element, CarContext & context)
+void readPoseSensor(const Element & plugin, CarContext & context)
 {
-  const ElementReader plugin(element, context.source());
   PoseSensorDescription sensor;
-  sensor.name = element->Get<std::string>("name");
-  sensor.topic = context.topic(element, plugin.requiredText("topicName"));
-  sensor.frame = context.originalText(element, "frameName", sensor.frame);
-  plugin.requireGiven("bodyName");
-  sensor.link = context.withoutPrefix(context.originalText(element, "bodyName", ""));
-  const auto link = context.facts.link_poses.find(sensor.link);
-  if (link == context.facts.link_poses.end()) {
+  sensor.name = plugin.name();
+  sensor.topic = context.topic(plugin, plugin.requiredText("topicName"));
+  sensor.frame = frameId(plugin, plugin.textOf("frameName", sensor.frame));
+  sensor.link = context.frame(plugin, plugin.requiredText("bodyName"));
+  const auto link = context.model.link_poses.find(sensor.link);
+  if (link == context.model.link_poses.end()) {
     plugin.fail("<bodyName> is '" + sensor.link + "', which is no link of the car");
   }
   sensor.pose = context.inCar(link->second);
-  sensor.xyz_offset = plugin.vector(context.originalText(element, "xyzOffset", "0 0 0"), "xyzOffset");
-  sensor.rpy_offset = plugin.vector(context.originalText(element, "rpyOffset", "0 0 0"), "rpyOffset");
+  sensor.xyz_offset = plugin.vector("xyzOffset", sensor.xyz_offset);
+  sensor.rpy_offset = plugin.vector("rpyOffset", sensor.rpy_offset);
   sensor.rate_hz = plugin.notNegative("updateRate", 0.0);
   sensor.noise_stddev = plugin.notNegative("gaussianNoise", 0.0);
   context.car.pose_sensors.push_back(std::move(sensor));
 }
 
-void readRosControl(const sdf::ElementPtr & element, CarContext & context)
+void readRosControl(const Element & plugin, CarContext & context)
 {
   if (context.car.ros_control) {
-    context.warnings.add("is a second libgazebo_ros_control.so and left out", elementPath(element));
+    context.warnings.add("is a second libgazebo_ros_control.so and left out", plugin.fileLine());
     return;
   }
-  const ElementReader plugin(element, context.source());
   RosControlDescription control;
-  control.ros_namespace = context.rosNamespace(element);
-  control.robot_param = plugin.text("robotParam", control.robot_param);
+  control.ros_namespace = context.rosNamespace(plugin);
+  control.robot_param = plugin.textOf("robotParam", control.robot_param);
+  requireRosName(plugin, "<robotParam>", control.robot_param);
   control.control_period_sec = plugin.notNegative("controlPeriod", 0.0);
   context.car.ros_control = std::move(control);
 }
 
-using Read = std::function<void(const sdf::ElementPtr &)>;
+using Read = std::function<void(const Element &)>;
 
 std::map<std::string, Read> builtIn(const std::vector<MechanismJoint> & mechanism, CarContext & context)
 {
   const auto drive = [&context](DriveDescription::Kind kind) {
-    return [&context, kind](const sdf::ElementPtr & element) { readDrive(kind, element, context); };
+    return [&context, kind](const Element & plugin) { readDrive(kind, plugin, context); };
   };
   using Kind = DriveDescription::Kind;
   return {
     {"libgazebo_ros_joint_state_publisher.so",
-     [&](const sdf::ElementPtr & element) { readJointStatePublisher(element, mechanism, context); }},
-    {"libgazebo_ros_imu.so", [&](const sdf::ElementPtr & element) { readImuPlugin(element, context); }},
-    {"libgazebo_ros_p3d.so", [&](const sdf::ElementPtr & element) { readPoseSensor(element, context); }},
-    {"libgazebo_ros_control.so", [&](const sdf::ElementPtr & element) { readRosControl(element, context); }},
+     [&](const Element & plugin) { readJointStatePublisher(plugin, mechanism, context); }},
+    {"libgazebo_ros_imu.so", [&](const Element & plugin) { readImuPlugin(plugin, context); }},
+    {"libgazebo_ros_p3d.so", [&](const Element & plugin) { readPoseSensor(plugin, context); }},
+    {"libgazebo_ros_control.so", [&](const Element & plugin) { readRosControl(plugin, context); }},
     {"libgazebo_ros_ackermann_drive.so", drive(Kind::kAckermann)},
     {"libgazebo_ros_diff_drive.so", drive(Kind::kDifferential)},
     {"libgazebo_ros_skid_steer_drive.so", drive(Kind::kSkidSteer)},
@@ -73,17 +70,15 @@ std::map<std::string, Read> builtIn(const std::vector<MechanismJoint> & mechanis
 /// Transmissions of joints that are no wheel or steering joint move nothing here.
 void readTransmissionsOfMechanism(CarContext & context)
 {
-  for (const TransmissionDescription & transmission : context.facts.transmissions) {
-    bool is_ours = false;
-    for (const JointDescription & joint : context.car.mechanism) {
-      is_ours = is_ours || joint.name == transmission.joint;
-    }
-    if (is_ours) {
-      context.car.transmissions.push_back(transmission);
-    } else {
+  for (const Element & element : context.model.transmissions) {
+    const auto transmission = readTransmission(element, context.warnings);
+    const auto & joints = context.car.mechanism;
+    const auto is_meant = [&](const JointDescription & joint) { return joint.name == transmission->joint; };
+    if (transmission && std::any_of(joints.begin(), joints.end(), is_meant)) {
+      context.car.transmissions.push_back(*transmission);
+    } else if (transmission) {
       context.warnings.add(
-        "joint '" + transmission.joint + "' is left out: neither a wheel nor a steering joint",
-        "robot/transmission[" + transmission.name + "]");
+        "joint '" + transmission->joint + "' is left out: neither a wheel nor a steering joint", element.fileLine());
     }
   }
 }
@@ -92,13 +87,12 @@ void readTransmissionsOfMechanism(CarContext & context)
 void readPlugins(const std::vector<MechanismJoint> & mechanism, CarContext & context)
 {
   const std::map<std::string, Read> readers = builtIn(mechanism, context);
-  for (auto element = context.model.Element()->FindElement("plugin"); element;
-       element = element->GetNextElement("plugin")) {
-    const auto reader = readers.find(libraryName(element));
+  for (const Element & plugin : context.model.plugins) {
+    const auto reader = readers.find(libraryName(plugin));
     if (reader != readers.end()) {
-      reader->second(element);
+      reader->second(plugin);
     } else {
-      context.car.plugins.push_back(readPlugin(element));
+      context.car.plugins.push_back(pluginElement(plugin));
     }
   }
   readTransmissionsOfMechanism(context);

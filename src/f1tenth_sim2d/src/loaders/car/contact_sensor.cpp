@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "loaders/sdf/element_reader.h"
-
 namespace f1tenth_sim2d
 {
 namespace
@@ -14,7 +12,7 @@ std::string lastPart(const std::string & scoped_name)
   return separator == std::string::npos ? scoped_name : scoped_name.substr(separator + 2);
 }
 
-/// Undoes libsdformat's renaming: "base_fixed_joint_lump__bumper_collision_1" -> "bumper_collision", with the
+/// Undoes Gazebo's renaming: "base_fixed_joint_lump__bumper_collision_1" -> "bumper_collision", with the
 /// number only if there is one.
 std::vector<std::string> namesBeforeJoining(const std::string & name)
 {
@@ -46,21 +44,19 @@ std::string listed(const std::vector<Solid> & solids)
 }
 }  // namespace
 
-std::vector<std::string> collisionsOfContactSensor(
-  const sdf::ElementPtr & sensor, const std::vector<Solid> & solids, const std::string & source)
+std::vector<std::string> collisionsOfContactSensor(const Element & sensor, const std::vector<Solid> & solids)
 {
-  const ElementReader reader(sensor, source);
-  const sdf::ElementPtr contact = descend(sensor, {"contact"});
-  if (!contact || !contact->HasElement("collision")) {
-    reader.fail("has no <contact> with a <collision>");
+  const std::vector<Element> collisions = sensor.child("contact").children("collision");
+  if (collisions.empty()) {
+    sensor.fail("has no <contact> with a <collision>");
   }
   std::vector<std::string> names;
-  for (auto entry = contact->GetElement("collision"); entry; entry = entry->GetNextElement("collision")) {
-    const auto wanted = entry->Get<std::string>();
+  for (const Element & collision : collisions) {
+    const std::string wanted = collision.text();
     const auto solid =
       std::find_if(solids.begin(), solids.end(), [&wanted](const Solid & each) { return isMeant(wanted, each); });
     if (solid == solids.end()) {
-      reader.fail("there is no <collision> '" + wanted + "'; the car has " + listed(solids));
+      sensor.fail("there is no <collision> '" + wanted + "'; the car has " + listed(solids));
     }
     names.push_back(solid->name);
   }

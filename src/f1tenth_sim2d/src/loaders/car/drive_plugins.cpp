@@ -37,17 +37,16 @@ const Tags & tagsOf(Kind kind)
   return tags.at(kind);
 }
 
-bool flag(const sdf::ElementPtr & element, const char * tag)
+bool flag(const Element & plugin, const char * tag)
 {
-  return tag == nullptr || element->Get<bool>(tag, true).first;
+  return tag == nullptr || plugin.flag(tag, true);
 }
 
 /// The plugins of ROS 2 have one tag <ros> with a <namespace> and <remapping>FROM:=TO</remapping>.
-std::string remapped(const sdf::ElementPtr & element, const std::string & topic)
+std::string remapped(const Element & plugin, const std::string & topic)
 {
-  const sdf::ElementPtr ros = descend(element, {"ros"});
-  for (auto tag = ros ? ros->FindElement("remapping") : nullptr; tag; tag = tag->GetNextElement("remapping")) {
-    const std::string rule = withoutBlanksAround(tag->Get<std::string>());
+  for (const Element & remapping : plugin.child("ros").children("remapping")) {
+    const std::string rule = remapping.text();
     if (rule.rfind(topic + ":=", 0) == 0) {
       return rule.substr(topic.size() + 2);
     }
@@ -56,24 +55,23 @@ std::string remapped(const sdf::ElementPtr & element, const std::string & topic)
 }
 }  // namespace
 
-void readDrive(Kind kind, const sdf::ElementPtr & element, CarContext & context)
+void readDrive(Kind kind, const Element & plugin, CarContext & context)
 {
   if (context.car.drive) {
-    context.warnings.add("is a second plugin that drives the car and left out", elementPath(element));
+    context.warnings.add("is a second plugin that drives the car and left out", plugin.fileLine());
     return;
   }
   const Tags & tags = tagsOf(kind);
-  const ElementReader plugin(element, context.source());
   DriveDescription drive;
   drive.kind = kind;
-  drive.name = element->Get<std::string>("name");
-  drive.command_topic = context.topic(element, remapped(element, plugin.text(tags.command_topic, "cmd_vel")));
-  drive.odometry_topic = context.topic(element, remapped(element, plugin.text(tags.odometry_topic, "odom")));
-  drive.odometry_frame = context.withoutPrefix(plugin.text(tags.odometry_frame, "odom"));
-  drive.base_frame = context.withoutPrefix(context.originalText(element, tags.base_frame, "base_footprint"));
+  drive.name = plugin.name();
+  drive.command_topic = context.topic(plugin, remapped(plugin, plugin.textOf(tags.command_topic, "cmd_vel")));
+  drive.odometry_topic = context.topic(plugin, remapped(plugin, plugin.textOf(tags.odometry_topic, "odom")));
+  drive.odometry_frame = context.frame(plugin, plugin.textOf(tags.odometry_frame, "odom"));
+  drive.base_frame = context.frame(plugin, plugin.textOf(tags.base_frame, "base_footprint"));
   drive.odometry_rate_hz = plugin.notNegative(tags.rate, tags.default_rate_hz);
-  drive.publishes_odometry = flag(element, tags.odometry);
-  drive.publishes_transform = flag(element, tags.transform);
+  drive.publishes_odometry = flag(plugin, tags.odometry);
+  drive.publishes_transform = flag(plugin, tags.transform);
   if (const double limit = plugin.notNegative("wheelAcceleration", 0.0); kind == Kind::kDifferential && limit > 0.0) {
     drive.acceleration_max = limit;
   }

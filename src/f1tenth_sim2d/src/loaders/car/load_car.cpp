@@ -5,38 +5,47 @@
 #include "loaders/car/car_mechanism.h"
 #include "loaders/car/car_plugins.h"
 #include "loaders/car/car_sensors.h"
-#include "loaders/car/robot_text.h"
-#include "loaders/sdf/sdf_errors.h"
-#include "loaders/sdf/sdf_models.h"
-#include "loaders/sdf/sdf_schema.h"
+#include "loaders/model/model_reader.h"
 
 namespace f1tenth_sim2d
 {
 namespace
 {
-
-const sdf::Model & onlyModel(const sdf::Root & root, const std::string & source)
+Model readModel(const std::string & xml, const std::string & source, ModelReader & reader)
 {
-  const sdf::Model * const model = root.Model();
+  const Element root = reader.documents().readText(xml, source);
+  if (!root.is("robot") && !root.is("sdf")) {
+    root.fail("is no robot description, allowed are <robot> (URDF) and <sdf>");
+  }
+  std::optional<Model> model = reader.readDocument(root);
   if (!model) {
     throw LoadError(source, "", "holds no <model>");
   }
-  if (model->ModelCount() > 0) {
-    throw LoadError(source, elementPath(model->ModelByIndex(0)->Element()), "a model nested in a car is not supported");
-  }
-  return *model;
+  return flattened(std::move(*model));
 }
 
-void readCarSolids(CarContext & context, const SearchPath & search_path)
+/// The link that stands for the car.
+std::string baseFrameOf(const Model & model)
 {
-  const UriLookup uris(search_path, "");
-  MeshLibrary meshes(uris, context.warnings);
-  context.car.solids = readSolids(context.model, context.car.name, context.source(), meshes);
-  for (Solid & solid : context.car.solids) {
-    if (std::holds_alternative<Plane>(solid.shape)) {
-      throw LoadError(context.source(), solid.name, "a <plane> has no end and cannot be part of a car");
+  for (const char * const name : {"base_footprint", "base_link"}) {
+    if (model.link_poses.count(name) > 0) {
+      return name;
     }
-    solid.pose = context.inCar(solid.pose);
+  }
+  return model.root_link;
+}
+
+void readCarSolids(CarContext & context)
+{
+  for (const LinkPart & link : context.model.links) {
+    for (Solid solid : link.solids) {
+      solid.name = context.car.name + "::" + link.name + "::" + solid.name;
+      if (std::holds_alternative<Plane>(solid.shape)) {
+        link.element.fail("has the collision " + solid.name + ", a <plane>: it has no end and cannot be part of a car");
+      }
+      solid.pose = context.inCar(solid.pose);
+      context.car.solids.push_back(std::move(solid));
+    }
   }
 }
 
@@ -50,16 +59,17 @@ void placeFrame(CarContext & context)
       solid.pose = offset.inverse() * solid.pose;
     }
   }
-  context.car.base_frame = context.facts.base_frame;
   context.car.base_frame_pose = offset.inverse();
   context.car.model_pose = context.car_in_model.inverse();
-  for (const auto & [link, pose] : context.facts.link_poses) {
+  for (const auto & [link, pose] : context.model.link_poses) {
+    context.car.links.push_back(link);
     context.car.link_poses[link] = context.inCar(pose);
   }
 }
 
 void readParts(CarContext & context)
 {
+  readCarSolids(context);
   placeFrame(context);
   const std::vector<MechanismJoint> mechanism = findMechanism(context);
   readMechanism(mechanism, context.car);
@@ -67,47 +77,25 @@ void readParts(CarContext & context)
   readPlugins(mechanism, context);
   readDynamics(mechanism, context);
 }
-
-CarDescription readCar(
-  const std::string & xml, const std::string & name, const std::string & source, const SearchPath & search_path,
-  const std::string & ros_namespace)
-{
-  const SdfMessages messages;
-  const std::string kind = rootElement(xml, source);
-  if (kind != "robot" && kind != "sdf") {
-    throw LoadError(source, kind, "is no robot description, allowed are <robot> (URDF) and <sdf>");
-  }
-  WarningCollector warnings;
-  RobotFacts facts;
-  if (kind == "robot") {
-    facts = readUrdf(xml, source, messages, warnings);
-  }
-  sdf::Root root;
-  const sdf::Errors errors = loadText(xml, parserConfig(), root);
-  checkSdfErrors(errors, messages, root, source, "", warnings);
-  const sdf::Model & model = onlyModel(root, source);
-  if (kind == "sdf") {
-    facts = factsOfModel(model, source);
-  }
-
-  CarDescription car;
-  car.name = name;
-  car.ros_namespace = ros_namespace;
-  car.source = source;
-  car.links = facts.links;
-  CarContext context{model, facts, facts.link_poses[facts.base_frame], car, warnings};
-  readCarSolids(context, search_path);
-  requireAllCollisions(facts, car.solids, source);
-  readParts(context);
-  car.warnings = warnings.messages();
-  return car;
-}
 }  // namespace
 
 CarDescription loadCar(
   const std::string & xml, const std::string & name, const std::string & source, const SearchPath & search_path,
   const std::optional<std::string> & ros_namespace)
 {
-  return withLoadErrors(source, [&] { return readCar(xml, name, source, search_path, ros_namespace.value_or(name)); });
+  const UriLookup uris(search_path, "");
+  WarningCollector warnings;
+  ModelReader reader(uris, warnings);
+  const Model model = readModel(xml, source, reader);
+  CarDescription car;
+  car.name = name;
+  car.ros_namespace = ros_namespace.value_or(name);
+  car.source = source;
+  car.base_frame = baseFrameOf(model);
+  const auto base = model.link_poses.find(car.base_frame);
+  CarContext context{model, base == model.link_poses.end() ? Pose3() : base->second, car, warnings};
+  readParts(context);
+  car.warnings = warnings.messages();
+  return car;
 }
 }  // namespace f1tenth_sim2d

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "loaders/files/path_list.h"
-#include "loaders/files/xml_text.h"
+#include "loaders/xml/xml_text.h"
 
 namespace f1tenth_sim2d
 {
@@ -94,7 +94,8 @@ void PackagePath::addPackage(const std::string & folder)
     return;
   }
   const tinyxml2::XMLElement * const package = document.FirstChildElement("package");
-  if (!package || !folder_of_.try_emplace(textOf(package->FirstChildElement("name")), folder).second) {
+  const tinyxml2::XMLElement * const name = package ? package->FirstChildElement("name") : nullptr;
+  if (!name || !name->GetText() || !folder_of_.try_emplace(withoutBlanksAround(name->GetText()), folder).second) {
     return;
   }
   appendExported(*package, folder, model_folders_);

@@ -1,5 +1,6 @@
 #include "loaders/files/uri_lookup.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace f1tenth_sim2d
@@ -50,7 +51,10 @@ std::string UriLookup::find(const std::string & uri) const
 {
   const std::size_t scheme_end = uri.find("://");
   const std::string scheme = scheme_end == std::string::npos ? "" : uri.substr(0, scheme_end);
-  const fs::path path = scheme.empty() ? uri : uri.substr(scheme_end + 3);
+  const bool is_of_folders = scheme == "model" || scheme == "package";
+  const std::size_t start = scheme.empty() ? 0 : scheme_end + 3;
+  // model:///NAME has a slash too many, and is written all the same.
+  const fs::path path = uri.substr(is_of_folders ? std::min(uri.find_first_not_of('/', start), uri.size()) : start);
   if (path.is_absolute()) {
     return canBeFound(path) ? path.string() : "";
   }
@@ -62,6 +66,14 @@ std::string UriLookup::find(const std::string & uri) const
     return first;
   }
   return scheme == "package" ? findIn(folders_, path) : findInPackages(path.string());
+}
+
+std::string UriLookup::findFrom(const std::string & folder, const std::string & uri) const
+{
+  if (const fs::path beside = fs::path(folder) / uri; !folder.empty() && canBeFound(beside) && !uri.empty()) {
+    return beside.string();
+  }
+  return find(uri);
 }
 
 std::string UriLookup::findInPackages(const std::string & path) const

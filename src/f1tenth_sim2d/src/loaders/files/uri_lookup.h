@@ -19,6 +19,9 @@ public:
   /// Path of the file or folder; empty if there is none.
   std::string find(const std::string & uri) const;
 
+  /// The same for a URI that stands in a file of a folder: a path without scheme means a file beside it, if there is one.
+  std::string findFrom(const std::string & folder, const std::string & uri) const;
+
   /// The folders that are looked through, for error messages.
   std::string searchedFolders() const;
 

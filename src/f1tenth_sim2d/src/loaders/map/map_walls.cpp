@@ -135,12 +135,12 @@ std::vector<CellBlock> blocksOf(CellGrid grid)
 }
 }  // namespace
 
-WallPlan wallsOf(const CellGrid & grid, double resolution, double height)
+Polyline wallsOf(const CellGrid & grid, double resolution, double height)
 {
   const auto point = [&](std::size_t x, std::size_t y) {
     return Vec2{static_cast<double>(x) * resolution, static_cast<double>(y) * resolution};
   };
-  WallPlan walls;
+  Polyline walls;
   walls.height = height;
   for (const std::vector<Node> & loop : BoundaryTracer(grid).trace()) {
     Outline & outline = walls.outlines.emplace_back();

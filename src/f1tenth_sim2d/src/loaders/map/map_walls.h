@@ -19,5 +19,5 @@ struct CellGrid
 
 /// The occupied cells as walls, the lower left corner of the grid in the origin.
 /// @param resolution  m, edge length of a cell
-WallPlan wallsOf(const CellGrid & grid, double resolution, double height);
+Polyline wallsOf(const CellGrid & grid, double resolution, double height);
 }  // namespace f1tenth_sim2d

@@ -1,6 +1,5 @@
 #include "node/cars/start_cars.h"
 
-#include <malloc.h>
 #include <ros/param.h>
 
 #include <string>
@@ -33,7 +32,5 @@ void addCars(const std::vector<CarParameters> & cars, const Pose2 & start, Fleet
       car.vehicle_file.empty() ? description.parameters : loadVehicleParameters(car.vehicle_file);
     fleet.add(car, description, vehicle, startPose(car, start));
   }
-  // libsdformat has used some 100 MB by now, which the C library would keep.
-  malloc_trim(0);
 }
 }  // namespace f1tenth_sim2d

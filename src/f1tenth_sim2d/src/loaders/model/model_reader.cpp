@@ -1,0 +1,137 @@
+#include "loaders/model/model_reader.h"
+
+#include <algorithm>
+#include <set>
+
+#include "loaders/model/known_tags.h"
+#include "loaders/model/model_file.h"
+#include "loaders/model/read_pose.h"
+#include "loaders/model/sdf_parts.h"
+#include "loaders/model/urdf_model.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+const char * const kTaken = "this name is taken; names are unique among the elements of one parent";
+
+/// A name that no element of the same tag has.
+std::string newName(const Element & element, std::set<std::string> & names)
+{
+  const std::string name = element.requiredAttribute("name");
+  if (!names.insert(name).second) {
+    element.fail(kTaken);
+  }
+  return name;
+}
+
+void checkReserved(const Element & element, WarningCollector & warnings)
+{
+  if (element.name() == "world") {
+    warnings.add("the name 'world' is reserved for the world itself", element.fileLine());
+  }
+}
+}  // namespace
+
+std::optional<Model> ModelReader::readDocument(const Element & root)
+{
+  if (root.is("robot")) {
+    return readUrdf(root, meshes_, warnings_);
+  }
+  requireSdfVersion(root, warnings_);
+  const std::vector<Element> models = root.children("model");
+  if (models.size() > 1) {
+    warnings_.add("a second model of a document is left out", models[1].fileLine());
+  }
+  return models.empty() ? std::nullopt : std::optional<Model>(readModel(models.front()));
+}
+
+Model ModelReader::readModel(const Element & element)
+{
+  Model model;
+  model.element = element;
+  model.name = element.requiredAttribute("name");
+  model.is_static = element.flag("static", false);
+  model.given_pose = readPose(element, "");
+  model.placement_frame = element.attribute("placement_frame");
+  model.plugins = element.children("plugin");
+  warnOfChildren(element, warnings_);
+  readChildren(element, model);
+  for (LinkPart & link : model.links) {
+    readLink(link, *model.frames, meshes_, warnings_);
+    model.link_poses[link.name] = link.pose;
+  }
+  for (JointPart & joint : model.joints) {
+    readJoint(joint, *model.frames);
+  }
+  for (Model & nested : model.models) {
+    nested.pose = model.frames->poseOf(nested.name, nested.element);
+  }
+  model.root_link = model.links.empty() ? "" : model.links.front().name;
+  return model;
+}
+
+/// Names and frames of all children: what poses may be relative to.
+void ModelReader::readChildren(const Element & element, Model & model)
+{
+  for (const Element & child : element.children()) {
+    if (std::optional<Model> nested = readNested(child)) {
+      nestFrames(*nested, *model.frames);
+      model.models.push_back(std::move(*nested));
+    }
+  }
+  std::set<std::string> links;
+  for (const Element & child : element.children("link")) {
+    model.links.push_back({child, newName(child, links)});
+    model.frames->add(child.name(), readPose(child, ""));
+  }
+  std::set<std::string> joints;
+  for (const Element & child : element.children("joint")) {
+    model.joints.push_back({child, newName(child, joints)});
+    checkReserved(child, warnings_);
+    model.frames->add(child.name(), readPose(child, child.child("child").text()));
+  }
+  for (const Element & child : element.children("frame")) {
+    model.frames->add(child.requiredAttribute("name"), readPose(child, child.attribute("attached_to")));
+  }
+}
+
+std::optional<Model> ModelReader::readNested(const Element & element)
+{
+  if (element.is("include")) {
+    return readInclude(element);
+  }
+  return element.is("model") ? std::optional<Model>(readModel(element)) : std::nullopt;
+}
+
+std::optional<Model> ModelReader::readInclude(const Element & include)
+{
+  const std::string file = includedFile(include);
+  open_files_.push_back(file);
+  std::optional<Model> model = readDocument(documents_.readFile(file, include));
+  open_files_.pop_back();
+  if (!model) {
+    return std::nullopt;
+  }
+  model->name = include.textOf("name", model->name);
+  model->is_static = include.flag("static", model->is_static);
+  if (include.child("pose")) {
+    model->given_pose = readPose(include, "");
+    model->placement_frame = include.textOf("placement_frame", model->placement_frame);
+  } else if (include.child("placement_frame")) {
+    include.fail("has a <placement_frame>, which needs a <pose>");
+  }
+  const std::vector<Element> plugins = include.children("plugin");
+  model->plugins.insert(model->plugins.end(), plugins.begin(), plugins.end());
+  return model;
+}
+
+std::string ModelReader::includedFile(const Element & include) const
+{
+  const std::string file = modelFile(include, uris_);
+  if (std::find(open_files_.begin(), open_files_.end(), file) != open_files_.end()) {
+    include.fail("includes " + file + ", which includes it: that never ends");
+  }
+  return file;
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,92 @@
+#include "loaders/shapes/mesh_library.h"
+
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+#include "f1tenth_sim2d/errors.h"
+#include "loaders/xml/xml_document.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+std::string extensionOf(const std::string & path)
+{
+  std::string extension = fs::path(path).extension().string();
+  std::transform(
+    extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  return extension;
+}
+
+std::string keyOf(const std::string & path, const MeshSelection & selection)
+{
+  std::ostringstream key;
+  key.precision(17);
+  key << path << '\n' << selection.submesh << '\n' << selection.centred << '\n' << selection.scale.transpose();
+  return key.str();
+}
+
+/// <up_axis> of a DAE file; empty if it says nothing.
+std::string upAxisOf(const std::string & path)
+{
+  tinyxml2::XMLDocument document;
+  document.LoadFile(path.c_str());
+  const auto axis = tinyxml2::XMLHandle(document)
+                      .FirstChildElement("COLLADA")
+                      .FirstChildElement("asset")
+                      .FirstChildElement("up_axis")
+                      .ToElement();
+  return Element(axis, nullptr).text();
+}
+}  // namespace
+
+Mesh MeshLibrary::read(const Element & element, const std::string & uri, const MeshSelection & selection)
+{
+  if (!selection.scale.allFinite() || selection.scale.cwiseAbs().minCoeff() <= 0.0) {
+    element.fail("<scale> has to be three finite numbers, none of them 0");
+  }
+  const std::string path = find(element, uri);
+  std::shared_ptr<const TriangleMesh> & mesh = known_[keyOf(path, selection)];
+  if (!mesh) {
+    mesh = readNew(element, path, selection);
+  }
+  return {mesh};
+}
+
+std::string MeshLibrary::find(const Element & element, const std::string & uri) const
+{
+  const std::string path = uris_.findFrom(element.document().folder, uri);
+  std::error_code ignored;
+  if (path.empty()) {
+    element.fail("<uri> is " + uri + ", which is not found; searched: " + uris_.searchedFolders());
+  }
+  if (!fs::is_regular_file(path, ignored)) {
+    element.fail("<uri> is " + uri + ", but " + path + " is not a file");
+  }
+  return path;
+}
+
+std::shared_ptr<const TriangleMesh> MeshLibrary::readNew(
+  const Element & element, const std::string & path, const MeshSelection & selection)
+{
+  const std::string extension = extensionOf(path);
+  if (std::set<std::string>{".dae", ".stl", ".obj"}.count(extension) == 0) {
+    element.fail("<uri> is " + path + ", allowed are files that end with .dae, .stl or .obj");
+  }
+  if (const std::string axis = extension == ".dae" ? upAxisOf(path) : ""; !axis.empty() && axis != "Z_UP") {
+    warnings_.add("the <up_axis> " + axis + " of a mesh file is passed over, as Gazebo does", element.fileLine());
+  }
+  try {
+    return readMeshFile(path, selection);
+  } catch (const Error & error) {
+    element.fail(path + " " + error.what());
+  }
+}
+}  // namespace f1tenth_sim2d

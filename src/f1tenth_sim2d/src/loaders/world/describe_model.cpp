@@ -1,0 +1,126 @@
+#include "loaders/world/describe_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <sstream>
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+bool holdsToTheWorld(const JointPart & joint)
+{
+  return joint.type == "fixed" && (joint.parent == "world" || joint.child == "world");
+}
+
+/// Whether a joint of a model holds something that is nested in it.
+bool isTied(const Model & nested, const std::vector<JointPart> & joints)
+{
+  const std::string scope = nested.name + "::";
+  return std::any_of(joints.begin(), joints.end(), [&scope](const JointPart & joint) {
+    return joint.parent.rfind(scope, 0) == 0 || joint.child.rfind(scope, 0) == 0;
+  });
+}
+
+/// A model and those nested in it that its joints hold are one: they move together.
+Model withTiedModels(Model model)
+{
+  const auto is_tied = [&model](const Model & nested) { return isTied(nested, model.joints); };
+  const auto first_loose = std::stable_partition(model.models.begin(), model.models.end(), is_tied);
+  std::vector<Model> loose(std::make_move_iterator(first_loose), std::make_move_iterator(model.models.end()));
+  model.models.erase(first_loose, model.models.end());
+  model = flattened(std::move(model));
+  model.models = std::move(loose);
+  return model;
+}
+
+void warnOfJoints(const Model & model, WarningCollector & warnings)
+{
+  for (const JointPart & joint : model.joints) {
+    if (joint.type != "fixed") {
+      warnings.add("<joint> does not move: a model is one rigid body", joint.element.fileLine());
+    }
+  }
+}
+
+void warnOfSensorsAndPlugins(const Model & model, WarningCollector & warnings)
+{
+  for (const Element & plugin : model.plugins) {
+    warnings.add("<plugin> of a model is left out: only cars have plugins", plugin.fileLine());
+  }
+  for (const LinkPart & link : model.links) {
+    for (const SensorPart & sensor : link.sensors) {
+      warnings.add("<sensor> is left out: only cars have sensors", sensor.element.fileLine());
+    }
+  }
+}
+
+std::vector<Solid> solidsOf(const Model & model, const std::string & scope)
+{
+  std::vector<Solid> solids;
+  for (const LinkPart & link : model.links) {
+    for (Solid solid : link.solids) {
+      solid.name = scope + "::" + link.name + "::" + solid.name;
+      solids.push_back(std::move(solid));
+    }
+  }
+  return solids;
+}
+
+void requireAboveZero(const Element & model, const char * what, double value)
+{
+  if (!std::isfinite(value) || value <= 0.0) {
+    std::ostringstream reason;
+    reason << "can be pushed, but has " << what << " of " << value << "; allowed are finite numbers greater than 0, or "
+           << "<static>true</static>";
+    model.fail(reason.str());
+  }
+}
+
+/// What stands still has none.
+void describeInertia(const Model & model, ModelDescription & description)
+{
+  const Inertia whole = inertiaOf(model);
+  description.mass = whole.mass;
+  description.inertia_zz = whole.moments(2, 2);
+  description.centre_of_mass = {whole.centre.x(), whole.centre.y()};
+  if (!description.is_static) {
+    requireAboveZero(model.element, "a mass (kg)", whole.mass);
+    requireAboveZero(model.element, "an inertia about z (kg m^2)", whole.moments(2, 2));
+    model.element.requireNear(whole.centre);
+  }
+}
+
+void append(
+  const Model & given, const Pose3 & pose, const std::string & scope, bool is_static,
+  std::vector<ModelDescription> & models, WarningCollector & warnings)
+{
+  const Model model = withTiedModels(given);
+  model.element.requireNear(pose.position);
+  warnOfSensorsAndPlugins(model, warnings);
+  ModelDescription description;
+  description.name = scope + model.name;
+  description.pose = pose;
+  description.is_static =
+    is_static || model.is_static || std::any_of(model.joints.begin(), model.joints.end(), holdsToTheWorld);
+  if (!description.is_static) {
+    warnOfJoints(model, warnings);
+  }
+  if (!model.links.empty()) {
+    description.solids = solidsOf(model, description.name);
+    describeInertia(model, description);
+    models.push_back(description);
+  }
+  for (const Model & nested : model.models) {
+    append(nested, pose * nested.pose, description.name + "::", description.is_static, models, warnings);
+  }
+}
+}  // namespace
+
+void appendModel(
+  const Model & model, const Pose3 & pose, std::vector<ModelDescription> & models, WarningCollector & warnings)
+{
+  append(model, pose, "", false, models, warnings);
+}
+}  // namespace f1tenth_sim2d

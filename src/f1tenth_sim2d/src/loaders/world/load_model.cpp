@@ -1,0 +1,50 @@
+#include "f1tenth_sim2d/errors.h"
+#include "f1tenth_sim2d/loaders.h"
+#include "loaders/model/model_reader.h"
+#include "loaders/world/describe_model.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+bool hasCarParts(const Element & parent)
+{
+  for (const Element & child : parent.children()) {
+    const std::string type = child.is("joint") ? child.attribute("type") : "";
+    const bool turns = type == "continuous" || type == "revolute";
+    if (turns || child.is("sensor") || child.is("plugin") || hasCarParts(child)) {
+      return true;
+    }
+  }
+  return false;
+}
+}  // namespace
+
+bool describesCar(const std::string & xml, const std::string & source)
+{
+  WarningCollector ignored;
+  return hasCarParts(XmlDocuments(ignored).readText(xml, source));
+}
+
+LoadedModel loadModel(
+  const std::string & xml, const std::string & name, const Pose3 & pose, const std::string & source,
+  const SearchPath & search_path)
+{
+  const UriLookup uris(search_path, "");
+  WarningCollector warnings;
+  ModelReader reader(uris, warnings);
+  const Element root = reader.documents().readText(xml, source);
+  if (!root.is("robot") && !root.is("sdf")) {
+    root.fail("is no model, allowed are <robot> (URDF) and <sdf>");
+  }
+  std::optional<Model> model = reader.readDocument(root);
+  if (!model) {
+    throw LoadError(source, "", "holds no <model>");
+  }
+  model->name = name;
+  LoadedModel loaded;
+  appendModel(*model, pose, loaded.models, warnings);
+  loaded.warnings = warnings.messages();
+  return loaded;
+}
+}  // namespace f1tenth_sim2d

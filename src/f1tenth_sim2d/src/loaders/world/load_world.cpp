@@ -1,0 +1,148 @@
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "f1tenth_sim2d/errors.h"
+#include "f1tenth_sim2d/loaders.h"
+#include "loaders/map/map_world.h"
+#include "loaders/model/known_tags.h"
+#include "loaders/model/model_reader.h"
+#include "loaders/model/read_pose.h"
+#include "loaders/world/describe_model.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+constexpr double kDefaultGravity = -9.8;
+constexpr int kWithGravityOfWorld = 106;
+
+void requireFile(const std::string & path)
+{
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) {
+    throw LoadError(path, "", "no such file");
+  }
+  if (!std::filesystem::is_regular_file(status)) {
+    throw LoadError(path, "", "is not a file");
+  }
+}
+
+Element onlyWorld(const Element & root, const std::string & path)
+{
+  const std::vector<Element> worlds = root.is("sdf") ? root.children("world") : std::vector<Element>{};
+  if (worlds.size() != 1) {
+    throw LoadError(path, "", "holds " + std::to_string(worlds.size()) + " worlds, allowed is one <world>");
+  }
+  return worlds.front();
+}
+
+double readGravity(const Element & world)
+{
+  const Element physics = world.child("physics");
+  const bool of_physics = sdfVersion(world) < kWithGravityOfWorld && physics.child("gravity");
+  const Eigen::Vector3d gravity = (of_physics ? physics : world).vector("gravity", {0.0, 0.0, kDefaultGravity});
+  if (!gravity.allFinite()) {
+    world.fail("<gravity> is not finite");
+  }
+  return -gravity.z();
+}
+
+PhysicsProfile readPhysics(const Element & physics)
+{
+  PhysicsProfile profile;
+  profile.name = physics.name();
+  profile.is_default = physics.attribute("default") == "true" || physics.attribute("default") == "1";
+  const char * const rate = physics.child("update_rate") ? "update_rate" : "real_time_update_rate";  // SDF 1.3
+  profile.real_time_update_rate = physics.notNegative(rate, profile.real_time_update_rate);
+  profile.max_step_size = physics.notNegative("max_step_size", profile.max_step_size);
+  return profile;
+}
+
+/// A world that Gazebo saved carries its models' last poses in <state>, and Gazebo starts from those.
+std::map<std::string, Pose3> savedPoses(const Element & world, WarningCollector & warnings)
+{
+  std::map<std::string, Pose3> poses;
+  const Element state = world.child("state");
+  for (const Element & model : state.children("model")) {
+    if (model.child("pose")) {
+      poses.emplace(model.name(), readPose(model, "").pose);
+    }
+  }
+  for (const char * const change : {"insertions", "deletions"}) {
+    if (const Element changed = state.child(change); changed && !changed.children().empty()) {
+      warnings.add(std::string("<") + change + "> of a <state> are left out", changed.fileLine());
+    }
+  }
+  return poses;
+}
+
+void readChildren(const Element & world, WorldDescription & description, WarningCollector & warnings)
+{
+  warnOfChildren(world, warnings);
+  if (const Element population = world.child("population")) {
+    population.fail("is not supported; write its models one by one");
+  }
+  for (const Element & plugin : world.children("plugin")) {
+    description.plugins.push_back(pluginElement(plugin));
+  }
+  for (const Element & physics : world.children("physics")) {
+    description.physics.push_back(readPhysics(physics));
+  }
+}
+
+void readModels(const Element & world, ModelReader & reader, WorldDescription & description)
+{
+  FrameScope frames;
+  for (const Element & frame : world.children("frame")) {
+    frames.add(frame.requiredAttribute("name"), readPose(frame, frame.attribute("attached_to")));
+  }
+  std::vector<Model> models;
+  for (const Element & child : world.children()) {
+    if (std::optional<Model> model = reader.readNested(child)) {
+      nestFrames(*model, frames);
+      models.push_back(std::move(*model));
+    }
+  }
+  const std::map<std::string, Pose3> saved = savedPoses(world, reader.warnings());
+  for (const Model & model : models) {
+    const auto state = saved.find(model.name);
+    const Pose3 pose = state == saved.end() ? frames.poseOf(model.name, model.element) : state->second;
+    appendModel(model, pose, description.models, reader.warnings());
+  }
+}
+
+WorldDescription loadSdfWorld(const std::string & path, const SearchPath & search_path)
+{
+  const UriLookup uris(search_path, path);
+  WarningCollector warnings;
+  ModelReader reader(uris, warnings);
+  const Element root = reader.documents().readFile(path);
+  const Element world = onlyWorld(root, path);
+  requireSdfVersion(root, warnings);
+  WorldDescription description;
+  description.file = path;
+  description.name = world.name();
+  description.gravity = readGravity(world);
+  readChildren(world, description, warnings);
+  readModels(world, reader, description);
+  description.warnings = warnings.messages();
+  return description;
+}
+}  // namespace
+
+WorldDescription emptyWorld()
+{
+  WorldDescription world;
+  world.file = "empty world";
+  world.name = "empty";
+  return world;
+}
+
+WorldDescription loadWorld(const std::string & path, const SearchPath & search_path)
+{
+  requireFile(path);
+  return isMapFile(path) ? loadMapWorld(path) : loadSdfWorld(path, search_path);
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,220 @@
+// What Gazebo takes from files that others made, although it is not as it should be.
+#include <gtest/gtest.h>
+
+#include "f1tenth_sim2d/loaders.h"
+#include "f1tenth_sim2d/section.h"
+#include "loaders/shapes/child_process.h"
+#include "mesh_files.h"
+#include "polygons.h"
+#include "temp_folder.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+const char * const kHead = "<sdf version='1.6'><world name='w'>";
+const char * const kTail = "</world></sdf>";
+const char * const kBox = "<collision name='c'><geometry><box><size>1 1 1</size></box></geometry></collision>";
+
+class Tolerance : public testing::Test
+{
+protected:
+  WorldDescription loadFile(const std::string & text) const { return loadWorld(folder.write("x.world", text)); }
+  WorldDescription load(const std::string & inside) const { return loadFile(kHead + inside + kTail); }
+
+  /// The warnings, without the folder of the file.
+  std::vector<std::string> warningsOf(const WorldDescription & world) const
+  {
+    std::vector<std::string> warnings;
+    for (const std::string & warning : world.warnings) {
+      warnings.push_back(withoutFolder(warning, folder));
+    }
+    return warnings;
+  }
+
+  void addModel(const std::string & name, const std::string & inside) const
+  {
+    folder.write("models/" + name + "/model.config", "<model><sdf version='1.6'>model.sdf</sdf></model>");
+    folder.write("models/" + name + "/model.sdf", "<sdf version='1.6'>" + inside + "</sdf>");
+  }
+
+  TempFolder folder;
+};
+
+using Warnings = std::vector<std::string>;
+
+TEST_F(Tolerance, TakesAnInertiaThatNoBodyHasOfWhatStandsStill)
+{
+  const WorldDescription world = load(
+    "<model name='m'><static>1</static><link name='l'><inertial><mass>0</mass><inertia><ixx>0</ixx><iyy>0</iyy>"
+    "<izz>0</izz></inertia></inertial>" +
+    std::string(kBox) + "</link></model>");
+  EXPECT_EQ(
+    warningsOf(world),
+    Warnings{
+      "x.world:1: world[w]/model[m]/link[l]/inertial: no body has this mass and inertia; only mass and yaw inertia "
+      "of what moves are used"});
+}
+
+TEST_F(Tolerance, TakesALinkWithoutInertiaBesideOneThatHasSome)
+{
+  const WorldDescription world = load(
+    "<model name='m'><link name='l'>" + std::string(kBox) +
+    "</link><link "
+    "name='flat'><inertial><mass>1</mass><inertia><ixx>5</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>"
+    "</link></model>");
+  EXPECT_EQ(world.models.at(0).mass, 2.0);
+  EXPECT_EQ(world.models.at(0).inertia_zz, 2.0);
+  EXPECT_EQ(world.warnings.size(), 1u);
+}
+
+TEST_F(Tolerance, RefusesWhatMovesWithoutMass)
+{
+  const std::string message = loadErrorOf([this] {
+    load("<model name='m'><link name='l'><inertial><mass>0</mass></inertial>" + std::string(kBox) + "</link></model>");
+  });
+  EXPECT_EQ(
+    withoutFolder(message, folder),
+    "x.world: world[w]/model[m]: can be pushed, but has a mass (kg) of 0; allowed are finite numbers greater than 0, "
+    "or "
+    "<static>true</static>");
+}
+
+TEST_F(Tolerance, TakesModelsThatAreMadeOfOthersAlone)
+{
+  addModel("block", "<model name='block'><link name='l'>" + std::string(kBox) + "</link></model>");
+  addModel(
+    "pair",
+    "<model name='pair'><include><uri>model://block</uri><name>a</name></include>"
+    "<include><uri>model://block</uri><name>b</name><pose>2 0 0 0 0 0</pose></include>"
+    "<joint name='j' type='revolute'><parent>a::l</parent><child>b::l</child><axis><xyz>0 0 "
+    "1</xyz></axis></joint></model>");
+  const WorldDescription world = load("<include><uri>model://pair</uri></include>");
+  ASSERT_EQ(world.models.size(), 1u);
+  EXPECT_EQ(world.models[0].name, "pair");
+  EXPECT_EQ(world.models[0].solids.size(), 2u);
+  EXPECT_EQ(world.models[0].mass, 2.0);
+  EXPECT_EQ(world.models[0].centre_of_mass.x, 1.0);
+  EXPECT_EQ(
+    warningsOf(world),
+    Warnings{"models/pair/model.sdf:1: model[pair]/joint[j]: <joint> does not move: a model is one rigid body"});
+}
+
+TEST_F(Tolerance, TakesFrictionBelowZeroAsEndless)
+{
+  const WorldDescription world = load(
+    "<model name='m'><link name='l'><collision name='c'><geometry><sphere><radius>1</radius></sphere></geometry>"
+    "<surface><friction><ode><mu>-1</mu></ode></friction></surface></collision></link></model>");
+  EXPECT_EQ(world.models.at(0).solids.at(0).mu, 1e6);
+  EXPECT_EQ(
+    warningsOf(world),
+    Warnings{"x.world:1: world[w]/model[m]/link[l]/collision[c]/surface/friction/ode: friction of less than 0 "
+             "is taken as endless, as Gazebo does"});
+}
+
+TEST_F(Tolerance, TakesAJointCalledWorld)
+{
+  const WorldDescription world = load(
+    "<model name='m'><link name='l'>" + std::string(kBox) +
+    "</link><joint name='world' type='fixed'><parent>world</parent><child>l</child></joint></model>");
+  EXPECT_TRUE(world.models.at(0).is_static);
+  EXPECT_EQ(
+    warningsOf(world),
+    Warnings{"x.world:1: world[w]/model[m]/joint[world]: the name 'world' is reserved for the world itself"});
+}
+
+TEST_F(Tolerance, TakesAPoseInAFrameWithoutName)
+{
+  for (const char * const frame : {"frame=''", "frame="}) {
+    const WorldDescription world = load(
+      "<model name='m'><pose " + std::string(frame) + ">1 2 3 0 0 0</pose><link name='l'>" + kBox + "</link></model>");
+    EXPECT_EQ(world.models.at(0).pose.position, Eigen::Vector3d(1, 2, 3)) << frame;
+  }
+}
+
+TEST_F(Tolerance, TakesACommentBeforeTheDeclaration)
+{
+  const std::string rest = "<?xml version='1.0'?>\n" + std::string(kHead) + "<model name='m'><link name='l'>" + kBox +
+                           "</link></model>" + kTail;
+  EXPECT_EQ(loadFile("<!-- made by hand -->\n" + rest).models.size(), 1u);
+  EXPECT_EQ(loadFile("\n " + rest).models.size(), 1u);
+}
+
+TEST_F(Tolerance, TakesAttributesWithoutQuotes)
+{
+  const WorldDescription world = loadFile(
+    "<sdf version=1.6>\n<world name=w><model name=m><link name=l>" + std::string(kBox) + "</link></model>" + kTail);
+  EXPECT_EQ(world.models.at(0).name, "m");
+  EXPECT_EQ(
+    warningsOf(world),
+    Warnings{"x.world: line 1: malformed XML: PARSING_ATTRIBUTE, XMLElement name=sdf: read as Gazebo does"});
+}
+
+TEST_F(Tolerance, FindsModelsAfterThreeSlashes)
+{
+  addModel("block", "<model name='block'><link name='l'>" + std::string(kBox) + "</link></model>");
+  EXPECT_EQ(load("<include><uri>model:///block</uri></include>").models.size(), 1u);
+}
+
+TEST_F(Tolerance, ReadsEveryPolylineOfAGeometry)
+{
+  const WorldDescription world = load(
+    "<model name='m'><link name='l'><collision name='c'><geometry>"
+    "<polyline><point>0 0</point><point>4 0</point><point>4 4</point><point>0 4</point><height>1</height></polyline>"
+    "<polyline><point>1 1</point><point>2 1</point><point>2 2</point><point>1 2</point><height>1</height></polyline>"
+    "<polyline><point>9 0</point><point>10 0</point><point>10 1</point><height>1</height></polyline>"
+    "</geometry></collision></link></model>");
+  const Solid & solid = world.models.at(0).solids.at(0);
+  EXPECT_DOUBLE_EQ(areaOf(sectionAt(solid, solid.pose, 0.5).outlines), 15.5);  // the second one is a hole in the first
+}
+
+TEST_F(Tolerance, ReadsCapsulesAndEllipsoids)
+{
+  const auto radius_at = [this](const std::string & geometry, double z) {
+    const WorldDescription world = load(
+      "<model name='m'><link name='l'><collision name='c'><geometry>" + geometry +
+      "</geometry></collision></link></model>");
+    const Solid & solid = world.models.at(0).solids.at(0);
+    return sectionAt(solid, solid.pose, z).circles.at(0).radius;
+  };
+  const std::string capsule = "<capsule><radius>0.5</radius><length>2</length></capsule>";
+  EXPECT_DOUBLE_EQ(radius_at(capsule, 0.9), 0.5);
+  EXPECT_DOUBLE_EQ(radius_at(capsule, 1.3), 0.4);
+  EXPECT_DOUBLE_EQ(radius_at("<ellipsoid><radii>1 1 0.5</radii></ellipsoid>", 0.3), 0.8);
+}
+
+TEST_F(Tolerance, ReadsMeshesWithPicturesThatHaveNoPath)
+{
+  std::string dae = daeTetrahedron("<unit meter=\"1\"/><up_axis>Z_UP</up_axis>");
+  const std::string pictures = "<library_images><image id='i'><init_from>file://</init_from></image></library_images>";
+  dae.insert(dae.find("<library_geometries>"), pictures);
+  folder.write("peak.dae", dae);
+  const WorldDescription world = load(
+    "<model name='m'><static>1</static><link name='l'><collision name='c'><geometry><mesh><uri>peak.dae</uri></mesh>"
+    "</geometry></collision></link></model>");
+  EXPECT_EQ(std::get<Mesh>(world.models.at(0).solids.at(0).shape).surface->triangles.size(), 4u);
+}
+
+std::string errorOfChild(const std::function<std::string()> & work)
+{
+  try {
+    return resultOfChild(work);
+  } catch (const Error & error) {
+    return error.what();
+  }
+}
+
+TEST(ResultOfChild, IsWhatItsWorkReturns)
+{
+  const std::string large(1000000, 'x');
+  EXPECT_EQ(resultOfChild([&large] { return large; }), large);
+}
+
+TEST(ResultOfChild, IsAnErrorWhateverItsWorkBreaks)
+{
+  EXPECT_EQ(errorOfChild([]() -> std::string { throw Error("no such thing"); }), "no such thing");
+  EXPECT_EQ(errorOfChild([]() -> std::string { std::abort(); }), "crashes what reads it (Aborted)");
+  EXPECT_EQ(errorOfChild([]() -> std::string { std::_Exit(0); }), "cannot be read");
+}
+}  // namespace
+}  // namespace f1tenth_sim2d

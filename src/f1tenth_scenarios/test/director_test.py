@@ -5,6 +5,7 @@ import queue
 import sys
 import time
 import unittest
+from pathlib import Path
 
 import pytest
 import rospy
@@ -14,10 +15,11 @@ from f1tenth_scenarios.record.observations import RaceState, RaceUpdate
 from f1tenth_scenarios.run.director import Director
 from f1tenth_scenarios.run.ros_node_kill import kill_node, node_pid
 from f1tenth_scenarios.run.ros_watch import RosWatch
-from f1tenth_scenarios.scenario.scenario import Box, Car, Fault, Limits, Push, Scenario, Verdict
+from f1tenth_scenarios.scenario.scenario import Box, Fault, Push, Verdict
 from gazebo_msgs.srv import GetModelState, GetModelStateResponse, SetModelState, SetModelStateResponse
 from geometry_msgs.msg import Pose, PoseWithCovarianceStamped
 from rosgraph_msgs.msg import Clock
+from scenario_samples import sample_plan, scenario
 from std_msgs.msg import Bool, Header
 
 from f1tenth_race_mgr.msg import RaceStatus
@@ -26,19 +28,9 @@ PATIENCE = 20.0  # wall s
 VICTIM = "robot1/move_base"
 
 
-def scenario(faults=(), lockstep=True, **others):
-    cars = (Car("robot1", goals="circuit1"),)
-    return Scenario(
-        "a test",
-        "circuit1",
-        cars,
-        Limits(9.0),
-        Verdict.ERROR,
-        1,
-        lockstep=lockstep,
-        faults=tuple(faults),
-        **others,
-    )
+def plan(faults=(), lockstep=True, **others):
+    wanted = scenario(Verdict.ERROR, lockstep=lockstep, faults=tuple(faults), **others)
+    return sample_plan(Path("no_folder"), wanted)
 
 
 class DirectorTest(unittest.TestCase):
@@ -55,7 +47,7 @@ class DirectorTest(unittest.TestCase):
         self._listener.unregister()
 
     def test_every_period_is_answered_until_the_last_fault(self):
-        self._direct(scenario([Fault("robot1/nobody", 1.0)]))
+        self._direct(plan([Fault("robot1/nobody", 1.0)]))
         self._tick(0.025)
         assert self._answer() == 0.025
         self._tick(0.05)
@@ -63,7 +55,7 @@ class DirectorTest(unittest.TestCase):
 
     def test_victim_dies_after_it_has_answered_its_period_and_before_the_next(self):
         self._wait_for(self._victim_lives)
-        self._direct(scenario([Fault(VICTIM, 1.0)]))
+        self._direct(plan([Fault(VICTIM, 1.0)]))
         self._tick(0.975)
         assert self._answer() == 0.975
         self._tick(1.0)
@@ -73,7 +65,7 @@ class DirectorTest(unittest.TestCase):
         assert not self._victim_lives()
 
     def test_fault_that_cannot_happen_is_reported(self):
-        director = self._direct(scenario([Fault("robot1/nobody", 1.0)], lockstep=False))
+        director = self._direct(plan([Fault("robot1/nobody", 1.0)], lockstep=False))
         self._tick(1.0)
         self._wait_for(lambda: director.failure)
         assert director.failure.culprit == "runner"
@@ -93,7 +85,7 @@ class DirectorTest(unittest.TestCase):
             lambda request: asked.put(request.model_state) or SetModelStateResponse(success=True),
         )
         push = Push(at=1.0, speed=2.0, direction=3.141592653589793)
-        self._direct(scenario(boxes=(Box("crate", 0.0, 0.0, movable=True, pushes=(push,)),)))
+        self._direct(plan(boxes=(Box("crate", 0.0, 0.0, movable=True, pushes=(push,)),)))
         self._tick(0.975)
         assert self._answer() == 0.975
         assert asked.empty()
@@ -104,7 +96,7 @@ class DirectorTest(unittest.TestCase):
         assert (round(state.twist.linear.x, 9), round(state.twist.linear.y, 9)) == (-2.0, 0.0)
 
     def test_status_of_the_race_is_heard_in_order(self):
-        watch = RosWatch(scenario())
+        watch = RosWatch(plan())
         publisher = rospy.Publisher("/robot1/race_status", RaceStatus, queue_size=10)
         self._wait_for(lambda: publisher.get_num_connections() > 0)
         for state, reached in ((RaceStatus.RACING, 1), (RaceStatus.ABORTED, 1)):
@@ -115,11 +107,11 @@ class DirectorTest(unittest.TestCase):
         self._wait_for(lambda: heard.extend(watch.take()) or len(heard) == 2)
         assert heard[0] == RaceUpdate("robot1", 2.5, RaceState.RACING, 1, "why")
         assert heard[1].state == RaceState.ABORTED
-        assert watch.failure() is None
+        assert watch.failure(done=set()) is None
         watch.close()
 
     def test_collision_is_heard(self):
-        watch = RosWatch(scenario())
+        watch = RosWatch(plan())
         publisher = rospy.Publisher("/robot1/collision", Bool, queue_size=10)
         self._wait_for(lambda: publisher.get_num_connections() > 0)
         publisher.publish(False)
@@ -130,7 +122,7 @@ class DirectorTest(unittest.TestCase):
         watch.close()
 
     def test_estimates_are_heard_to_the_last(self):
-        watch = RosWatch(scenario())
+        watch = RosWatch(plan())
         publisher = rospy.Publisher("/robot1/amcl_pose", PoseWithCovarianceStamped, queue_size=10)
         self._wait_for(lambda: publisher.get_num_connections() > 0)
         for index in range(3):

@@ -55,7 +55,10 @@ TEST(NodeParameters, ReadmeNamesEachParameterAndNoOther)
 {
   std::ifstream readme(F1TENTH_SIM2D_README);
   std::string table;
-  for (std::string line; std::getline(readme, line) && line != "### Topics";) {
+  std::string line;
+  while (std::getline(readme, line) && line != "## The node sim2d") {
+  }
+  while (std::getline(readme, line) && line != "### Topics") {
     const std::size_t end = line.find("` |");
     if (line.rfind("| `", 0) == 0 && end != std::string::npos) {
       table += (table.empty() ? "" : ", ") + line.substr(3, end - 3);

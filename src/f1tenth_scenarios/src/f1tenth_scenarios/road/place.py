@@ -16,7 +16,7 @@ _ORIGIN = Pose(0.0, 0.0, 0.0)
 
 @dataclasses.dataclass(frozen=True)
 class Place:
-    """What belongs to a world. The road is that of a circuit, or X_centerline.csv beside X_map.yaml."""
+    """What belongs to a world. The road is that of a circuit, else X_centerline.csv beside X_map.yaml."""
 
     world: Path
     map: Optional[Path]  # YAML
@@ -61,9 +61,11 @@ def line_across(course: Course, start: Pose) -> StartLine:
 
 
 def _road(world: Path) -> Optional[Path]:
-    centreline = _beside(world, "_centerline.csv")
-    if centreline is not None:
-        return centreline
+    # A circuit says more than the centreline that is written beside its world.
+    return _circuit(world) or _beside(world, "_centerline.csv")
+
+
+def _circuit(world: Path) -> Optional[Path]:
     try:
         circuit = places.course_file(world.stem, world.parent)
     except ScenarioError:

@@ -51,6 +51,11 @@ def test_end_of_a_required_node_is_seen(tmp_path):
     assert end.describe() == "ended with exit code 3"
 
 
+def test_end_of_a_node_that_roslaunch_has_not_seen_running_is_seen(tmp_path):
+    ends = ends_of(tmp_path, DIED.replace("4711", "-1"), REQUIRED.replace("4712", "-1"))
+    assert [(end.node, end.exit_code) for end in ends] == [("robot1/move_base", -9), ("sim2d", 3)]
+
+
 def test_clean_ends_are_seen(tmp_path):
     assert [(end.node, end.exit_code) for end in ends_of(tmp_path, FINISHED, REQUIRED_FINISHED)] == [
         ("race_starter", 0),

@@ -7,9 +7,9 @@ from typing import Optional
 
 from f1tenth_scenarios.run.file_tail import LineTail
 
-_DIED = re.compile(r"\[(?P<process>\S+)\] process has died \[pid (?P<pid>\d+), exit code (?P<code>-?\d+)")
+_DIED = re.compile(r"\[(?P<process>\S+)\] process has died \[pid (?P<pid>-?\d+), exit code (?P<code>-?\d+)")
 _REQUIRED = re.compile(r"REQUIRED process \[(?P<process>\S+)\] has died")
-_REQUIRED_END = re.compile(r"process has (died \[pid \d+, exit code (?P<code>-?\d+)|finished cleanly)")
+_REQUIRED_END = re.compile(r"process has (died \[pid -?\d+, exit code (?P<code>-?\d+)|finished cleanly)")
 _FINISHED = re.compile(r"\[(?P<process>\S+)\] process has finished cleanly")
 _STARTED = re.compile(r"process\[(?P<process>\S+)\]: started with pid \[(?P<pid>\d+)\]")
 _REFUSED = re.compile(r"ERROR: cannot launch node of type \[(?P<type>[^]]+)\]: (?P<reason>.*)")

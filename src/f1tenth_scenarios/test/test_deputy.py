@@ -1,5 +1,6 @@
 """When the deputy lets a period be over, and whom it finds not to fit lockstep."""
 
+import itertools
 import subprocess
 import sys
 
@@ -99,15 +100,21 @@ def test_who_never_rests_may_still_be_loading(driver):
     assert world.done == ["scan", "now"]
 
 
-def test_time_stands_still_once_when_a_process_has_ended(driver, monkeypatch):
-    held = []
-    monkeypatch.setattr(deputy, "_hold", held.append)
+def test_a_period_waits_once_for_who_is_loading(driver):
+    driver(BUSY)
+    seconds = itertools.count()
+    Deputy(FakeWorld(before=0), MARK, clock=lambda: next(seconds) * 0.01).act("now")
+    assert next(seconds) * 0.01 < 1.5 * deputy._LOADING
+
+
+def test_time_stands_still_once_when_a_process_has_ended(driver):
+    slept = []
     driver()
     victim = driver()
-    one = Deputy(FakeWorld(), MARK)
+    one = Deputy(FakeWorld(), MARK, sleep=slept.append)
     one.act(0)
     victim.kill()
     victim.wait()
     for period in range(1, 4):
         one.act(period)
-    assert held == [deputy._NOTICING]
+    assert slept.count(deputy._NOTICING) == 1

@@ -21,7 +21,7 @@ EXIT_MISFIT = 4  # exit code of a deputy whose driver does not fit
 # While the driver starts up:
 _PACE = 0.025  # wall s per period at least: who waits by the wall clock is not overtaken
 _CONNECTING = 0.3  # wall s, for a new connection to come about; roscpp looks for them every 0.1 s
-_LOADING = 4.0  # wall s without rest, after which time goes on all the same
+_LOADING = 4.0  # wall s of a period without rest, after which time goes on all the same
 _STEADY_PERIODS = 20  # with commands and without a new connection, after which it has started up
 _LATE_COMMANDS = 3  # in these periods, sent by somebody at rest: more are no accident
 
@@ -48,11 +48,19 @@ class World(Protocol):
 class Deputy:
     """Waits for the driver in each period."""
 
-    def __init__(self, world: World, mark: str, clock: Callable[[], float] = time.monotonic):
-        """`mark`: NAME=VALUE in the environment of the driver's processes; `clock`: wall time, s."""
+    def __init__(
+        self,
+        world: World,
+        mark: str,
+        clock: Callable[[], float] = time.monotonic,
+        sleep: Callable[[float], None] = time.sleep,
+    ):
+        """`mark`: NAME=VALUE in the environment of the driver's processes; `clock`, `sleep`: wall time, s."""
         self._world = world
         self._mark = mark
         self._clock = clock
+        self._sleep = sleep
+        self._began = clock()  # the current period
         self._own = os.getpid()
         self._rest = Rest(threading.get_native_id())
         self._pids: set[int] = set()
@@ -66,6 +74,7 @@ class Deputy:
         Raises:
             MisfitError: while it starts up, the driver shows that it does not go by simulated time.
         """
+        self._began = self._clock()
         self._settle()
         self._world.publish_scans()
         self._settle()
@@ -78,18 +87,17 @@ class Deputy:
     def _hold_for_the_dead(self) -> None:
         self._ended |= set(filter(has_ended, self._pids))
         if self._ended:
-            _hold(_NOTICING)
+            self._sleep(_NOTICING)
         self._pids -= self._ended
         self._ended.clear()
 
     def _settle(self) -> None:
-        """Wait until the driver is at rest; while it starts up, only for some time."""
-        began = self._clock()
+        """Wait until the driver is at rest; while it starts up, only for some time in each period."""
         while not self._is_at_rest() and not self._world.is_over():
-            if self._start and self._clock() - began > _LOADING:
+            if self._start and self._clock() - self._began > _LOADING:
                 self._start.note_restless(self._world.commands())
                 return
-            time.sleep(_LOOK_INTERVAL)
+            self._sleep(_LOOK_INTERVAL)
 
     def _is_at_rest(self) -> bool:
         """Whether the driver is, and what it has sent to this process is noted."""
@@ -112,15 +120,10 @@ class Deputy:
 
     def _hold(self, start: "_Start") -> None:
         """Keep the time from overtaking somebody who is about to connect, or waits by the wall clock."""
-        time.sleep(_PACE)
+        self._sleep(_PACE)
         while (connections := self._world.connections()) != start.connections and not self._world.is_over():
             start.connections, start.steady_periods = connections, 0
-            time.sleep(_CONNECTING)
-
-
-def _hold(seconds: float) -> None:
-    """Keep simulated time from going on for some wall time."""
-    time.sleep(seconds)
+            self._sleep(_CONNECTING)
 
 
 class _Start:

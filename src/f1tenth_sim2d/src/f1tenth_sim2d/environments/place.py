@@ -25,10 +25,16 @@ class Place:
 
     def half_width(self, distance):
         """The lesser of the road's two half widths so far along the course, m."""
+        return float(np.interp(distance, self._along, self._half_widths, period=self.course.length))
+
+    @functools.cached_property
+    def _along(self):
         steps = np.hypot(*np.diff(self.centreline[:, :2], axis=0).T)
-        along = np.concatenate([[0.0], np.cumsum(steps)])
-        widths = self.centreline[:, 2:].min(axis=1)
-        return float(np.interp(distance % self.course.length, along, widths, period=self.course.length))
+        return np.concatenate([[0.0], np.cumsum(steps)])
+
+    @functools.cached_property
+    def _half_widths(self):
+        return self.centreline[:, 2:].min(axis=1)
 
 
 def circuits():

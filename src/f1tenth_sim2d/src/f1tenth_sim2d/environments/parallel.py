@@ -1,14 +1,13 @@
 """The environment of several drivers, as PettingZoo has it."""
 
 import warnings
-from typing import Any
 
 import numpy as np
 from gymnasium.utils import seeding
 from pettingzoo import ParallelEnv
 
 from f1tenth_sim2d.environments.episode import OPTIONS
-from f1tenth_sim2d.environments.picture import Picture, Window
+from f1tenth_sim2d.environments.picture import View
 from f1tenth_sim2d.environments.stage import Stage
 
 
@@ -20,8 +19,8 @@ class F1TenthParallelEnv(ParallelEnv):
 
     metadata = {
         "name": "F1Tenth-v0",
-        "render_modes": ["rgb_array", "human"],
-        "render_fps": 40,
+        "render_modes": list(View.MODES),
+        "render_fps": View.FRAMES_PER_SECOND,
         "is_parallelizable": True,
     }
 
@@ -36,16 +35,14 @@ class F1TenthParallelEnv(ParallelEnv):
             ValueError: settings that are not allowed.
             f1tenth_sim2d.LoadError: a place that cannot be used.
         """
-        if render_mode not in (None, "rgb_array", "human"):
-            raise ValueError(f"render_mode: found {render_mode!r}, allowed are None, rgb_array, human")
         self.render_mode = render_mode
         self._stage = Stage({"cars": 2, **settings})
+        self._view = View(render_mode, self._stage.place)
         self.possible_agents = [f"car_{i}" for i in range(self._stage.settings.cars)]
         self.agents: list = []
         self.observation_spaces = dict.fromkeys(self.possible_agents, self._stage.car_space)
         self.action_spaces = dict.fromkeys(self.possible_agents, self._stage.action_space)
         self._rng, _ = seeding.np_random()
-        self._picture: Any = None
         self._closed = False
 
     def observation_space(self, agent):
@@ -69,7 +66,7 @@ class F1TenthParallelEnv(ParallelEnv):
             self._rng, _ = seeding.np_random(seed)
         self._stage.begin(0, self._rng, _known(options or {}))
         self.agents = list(self.possible_agents)
-        self._show()
+        self._view.show(self._stage.results[0])
         return self._of_agents(self._observe), self._of_agents(self._info)
 
     def step(self, actions):
@@ -86,7 +83,7 @@ class F1TenthParallelEnv(ParallelEnv):
             return {}, {}, {}, {}, {}
         driven = np.array([[agent in self.agents for agent in self.possible_agents]])
         self._stage.step(self._rows(actions), driven)
-        self._show()
+        self._view.show(self._stage.results[0])
         rewards, finished = self._stage.rewards()[0], self._stage.finished()[0]
         late = bool(self._stage.out_of_time()[0])
         answer = (
@@ -102,13 +99,11 @@ class F1TenthParallelEnv(ParallelEnv):
     def render(self):
         """Return the picture from above: uint8 array of shape (height, width, 3); None unless rgb_array."""
         self._require_open()
-        return self._drawn() if self.render_mode == "rgb_array" else None
+        return self._view.render(self._stage.results[0])
 
     def close(self):
         """Give up everything; closing twice is allowed."""
-        if self._picture is not None and self.render_mode == "human":
-            self._picture.close()
-        self._picture = None
+        self._view.close()
         self._closed = True
 
     def _rows(self, actions):
@@ -129,15 +124,6 @@ class F1TenthParallelEnv(ParallelEnv):
 
     def _info(self, index):
         return self._stage.info(0, index)
-
-    def _show(self):
-        if self.render_mode == "human":
-            self._drawn()
-
-    def _drawn(self):
-        if self._picture is None:
-            self._picture = (Window if self.render_mode == "human" else Picture)(self._stage.place)
-        return self._picture.draw(self._stage.results[0])
 
     def _require_open(self):
         if self._closed:

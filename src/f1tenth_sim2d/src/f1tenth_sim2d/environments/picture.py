@@ -1,5 +1,7 @@
 """A place and its cars, seen from above."""
 
+from typing import Optional
+
 import numpy as np
 from PIL import Image, ImageDraw
 
@@ -92,3 +94,41 @@ class Window(Picture):
     def close(self):
         """Close the window."""
         self._pygame.display.quit()
+
+
+class View:
+    """What an environment shows of itself: nothing, pictures, or a window."""
+
+    MODES = ("rgb_array", "human")
+    FRAMES_PER_SECOND = 40
+
+    def __init__(self, mode: Optional[str], place: Place):
+        """Draw nothing yet.
+
+        Raises:
+            ValueError: another render_mode than None and those of MODES.
+        """
+        if mode not in (None, *self.MODES):
+            raise ValueError(f"render_mode: found {mode!r}, allowed are None, {', '.join(self.MODES)}")
+        self._mode, self._place = mode, place
+        self._picture: Optional[Picture] = None
+
+    def show(self, results) -> None:
+        """Show the cars now, if there is a window; results as of Picture.draw."""
+        if self._mode == "human":
+            self._draw(results)
+
+    def render(self, results) -> Optional[np.ndarray]:
+        """Return the picture, see Picture.draw; None unless the mode is rgb_array."""
+        return self._draw(results) if self._mode == "rgb_array" else None
+
+    def close(self) -> None:
+        """Close the window, if there is one; closing twice is allowed."""
+        if isinstance(self._picture, Window):
+            self._picture.close()
+        self._picture = None
+
+    def _draw(self, results):
+        if self._picture is None:
+            self._picture = (Window if self._mode == "human" else Picture)(self._place)
+        return self._picture.draw(results)

@@ -1,11 +1,9 @@
 """The environment of one driver."""
 
-from typing import Any
-
 import gymnasium
 import numpy as np
 
-from f1tenth_sim2d.environments.picture import Picture, Window
+from f1tenth_sim2d.environments.picture import View
 from f1tenth_sim2d.environments.stage import Stage, repeated
 
 
@@ -19,7 +17,7 @@ class F1TenthEnv(gymnasium.Env):
     the simulated time, s, and after a step the rewards of all cars.
     """
 
-    metadata = {"render_modes": ["rgb_array", "human"], "render_fps": 40}
+    metadata = {"render_modes": list(View.MODES), "render_fps": View.FRAMES_PER_SECOND}
 
     def __init__(self, render_mode=None, **settings):
         """Load the place; see f1tenth_sim2d.environments.settings.Settings for what there is to choose.
@@ -28,15 +26,13 @@ class F1TenthEnv(gymnasium.Env):
             ValueError: settings that are not allowed.
             f1tenth_sim2d.LoadError: a place that cannot be used.
         """
-        if render_mode not in (None, "rgb_array", "human"):
-            raise ValueError(f"render_mode: found {render_mode!r}, allowed are None, rgb_array, human")
         self.render_mode = render_mode
         self._stage = Stage(settings)
+        self._view = View(render_mode, self._stage.place)
         self._cars = self._stage.settings.cars
         self.observation_space = repeated(self._stage.car_space, self._cars)
         self.action_space = repeated(self._stage.action_space, self._cars)
         self._driven = np.ones((1, self._cars), dtype=bool)
-        self._picture: Any = None
         self._begun = False
         self._closed = False
 
@@ -55,7 +51,7 @@ class F1TenthEnv(gymnasium.Env):
         super().reset(seed=seed)
         self._stage.begin(0, self.np_random, options)
         self._begun = True
-        self._show()
+        self._view.show(self._stage.results[0])
         return self._observation(), self._stage.info(0)
 
     def step(self, action):
@@ -71,7 +67,7 @@ class F1TenthEnv(gymnasium.Env):
         if action.shape != self.action_space.shape:
             raise ValueError(f"action: found shape {action.shape}, allowed is {self.action_space.shape}")
         self._stage.step(action.reshape(1, self._cars, 2), self._driven)
-        self._show()
+        self._view.show(self._stage.results[0])
         rewards = self._stage.rewards()[0]
         finished, late = bool(self._stage.finished()[0, 0]), bool(self._stage.out_of_time()[0])
         info = {**self._stage.info(0), "rewards": rewards}
@@ -80,29 +76,15 @@ class F1TenthEnv(gymnasium.Env):
     def render(self):
         """Return the picture from above: uint8 array of shape (height, width, 3); None unless rgb_array."""
         self._require_open()
-        if self.render_mode != "rgb_array":
-            return None
-        return self._drawn()
+        return self._view.render(self._stage.results[0])
 
     def close(self):
         """Give up everything; closing twice is allowed."""
-        if self._picture is not None and self.render_mode == "human":
-            self._picture.close()
-        self._picture = None
+        self._view.close()
         self._closed = True
 
     def _observation(self):
         return self._stage.observation((0, 0) if self._cars == 1 else 0)
-
-    def _show(self):
-        if self.render_mode == "human":
-            self._drawn()
-
-    def _drawn(self):
-        if self._picture is None:
-            kind = Window if self.render_mode == "human" else Picture
-            self._picture = kind(self._stage.place)
-        return self._picture.draw(self._stage.results[0])
 
     def _require_open(self):
         if self._closed:

@@ -33,6 +33,13 @@ def test_speeds_set_the_limits_of_actions(make):
     assert observation["velocity"][0] == pytest.approx(1.0, abs=0.01)
 
 
+def test_other_cars_have_other_limits_of_actions(make):
+    vehicle = {"steering_max": (0.3, 0.5), "v_min": -1.0, "v_max": 4.0}
+    limits = make(vehicle=vehicle, normalized=False).action_space
+    assert limits.high == pytest.approx([0.5, 4.0])
+    assert limits.low == pytest.approx([-0.5, -1.0])
+
+
 def test_acceleration_and_steering_rate_are_followed(make):
     environment = make(
         observation=("velocity", "steering"), actions="acceleration", normalized=False, place="circuit3"

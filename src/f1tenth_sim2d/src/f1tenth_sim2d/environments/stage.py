@@ -163,11 +163,17 @@ class Stage:
         )
 
     def _action_limits(self):
-        p = self._parameters
         if self.settings.actions == "acceleration":
-            return -np.array([p.steering_rate_max, p.a_max]), np.array([p.steering_rate_max, p.a_max])
-        slowest, fastest = self.settings.speeds or (p.v_min, p.v_max)
-        return np.array([-p.steering_max, slowest]), np.array([p.steering_max, fastest])
+            rates = np.array([self._drawn("steering_rate_max")[1], self._drawn("a_max")[1]])
+            return -rates, rates
+        slowest, fastest = self.settings.speeds or (self._drawn("v_min")[0], self._drawn("v_max")[1])
+        steering = self._drawn("steering_max")[1]
+        return np.array([-steering, slowest]), np.array([steering, fastest])
+
+    def _drawn(self, name):
+        """The least and the greatest that a number of the cars can be."""
+        value = self.settings.vehicle.get(name, getattr(self._parameters, name))
+        return value if isinstance(value, (tuple, list)) else (value, value)
 
     def _action_space(self):
         if self.settings.normalized:

@@ -63,19 +63,19 @@ class Settings:
 
     def __post_init__(self):
         """Raise ValueError for what is not allowed."""
-        _require_number("cars", self.cars, 1, 64, int)
+        require_number("cars", self.cars, 1, 64, int)
         if isinstance(self.observation, str) or not self.observation:
             raise ValueError(f"observation: found {self.observation!r}, allowed is a list of names of parts")
         if len(set(self.observation)) != len(self.observation):
             raise ValueError(f"observation: found {list(self.observation)}, allowed is each part once")
         _require_one_of("actions", self.actions, _ACTIONS)
         _require_one_of("start", self.start, _STARTS)
-        _require_number("physics_step", self.physics_step, 1e-5, 0.1)
-        _require_number("period", self.period, self.physics_step, 10.0)
-        _require_number("max_time", self.max_time, self.period, 1e6)
-        _require_number("contact_penalty", self.contact_penalty, 0.0, 1e6)
+        require_number("physics_step", self.physics_step, 1e-5, 0.1)
+        require_number("period", self.period, self.physics_step, 10.0)
+        require_number("max_time", self.max_time, self.period, 1e6)
+        require_number("contact_penalty", self.contact_penalty, 0.0, 1e6)
         if self.laps is not None:
-            _require_number("laps", self.laps, 1, 10**6, int)
+            require_number("laps", self.laps, 1, 10**6, int)
         if self.speeds is not None:
             _require_range("speeds", self.speeds, -100.0)
         _require_range("lidar_noise", self.lidar_noise, 0.0)
@@ -104,7 +104,8 @@ def vehicle_keys():
     ]
 
 
-def _require_number(name, value, least, greatest, kind: type = Real):
+def require_number(name, value, least, greatest, kind: type = Real):
+    """Raise ValueError for what is no number of the kind from least to greatest."""
     if isinstance(value, bool) or not isinstance(value, kind) or not least <= value <= greatest:
         what = "a whole number" if kind is int else "a number"
         raise ValueError(f"{name}: found {value!r}, allowed is {what} from {least} to {greatest}")

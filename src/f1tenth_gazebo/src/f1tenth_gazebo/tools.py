@@ -11,6 +11,7 @@ from f1tenth_gazebo.errors import CircuitError
 from f1tenth_gazebo.goals.goals_file import goals_text, lap_goals
 from f1tenth_gazebo.maps.map_file import save_map
 from f1tenth_gazebo.maps.world_grid import LIDAR_HEIGHT, world_grid
+from f1tenth_gazebo.whole_files import write_all
 from f1tenth_gazebo.worlds.world_file import world_text
 
 
@@ -35,7 +36,9 @@ def make_goals(arguments=None):
     parser.add_argument("circuit", help="YAML file of the circuit")
     parser.add_argument("-o", dest="output", required=True, metavar="FILE", help="goals file to write")
     options = parser.parse_args(arguments)
-    return _run(lambda: Path(options.output).write_text(circuit_goals_text(load_circuit(options.circuit))))
+    return _run(
+        lambda: write_all({Path(options.output): circuit_goals_text(load_circuit(options.circuit)).encode()})
+    )
 
 
 def make_map(arguments=None):
@@ -61,8 +64,7 @@ def circuit_goals_text(circuit):
 
 def _write_world(circuit, path):
     world, line = world_text(circuit), centreline_text(circuit)
-    path.write_text(world)
-    path.with_name(f"{path.stem}_centerline.csv").write_text(line)
+    write_all({path: world.encode(), path.with_name(f"{path.stem}_centerline.csv"): line.encode()})
 
 
 def _run(action):

@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+from f1tenth_gazebo.whole_files import write_all
+
 _YAML = """image: {image}
 resolution: {resolution:.6f}
 origin: [{x:.6f}, {y:.6f}, 0.000000]
@@ -25,8 +27,13 @@ def yaml_text(grid, image):
 
 
 def save_map(grid, stem):
-    """Write STEM.pgm and STEM.yaml; STEM is a path without extension."""
+    """Write STEM.pgm and STEM.yaml, both or none; STEM is a path without extension.
+
+    Raises:
+        OSError: if a file cannot be written.
+    """
     stem = Path(stem)
     image = stem.with_name(f"{stem.name}.pgm")
-    image.write_bytes(pgm_bytes(grid))
-    stem.with_name(f"{stem.name}.yaml").write_text(yaml_text(grid, image.name))
+    write_all(
+        {image: pgm_bytes(grid), stem.with_name(f"{stem.name}.yaml"): yaml_text(grid, image.name).encode()}
+    )

@@ -1,7 +1,5 @@
 """Writes a road as map, centreline and world."""
 
-import contextlib
-import os
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +9,7 @@ from f1tenth_gazebo.circuits.centreline_file import HEADER
 from f1tenth_gazebo.maps.map_file import pgm_bytes, yaml_text
 from f1tenth_gazebo.maps.occupancy import grid_of, occupied_cells
 from f1tenth_gazebo.roads.road_walls import MATERIAL
+from f1tenth_gazebo.whole_files import write_all
 from f1tenth_gazebo.worlds.world_file import road_world_text
 
 _CENTRELINE_STEP = 3
@@ -36,7 +35,7 @@ def write_road(road, stem):
             stem.name, road.walls, road.islands, MATERIAL
         ).encode(),
     }
-    _replace_all(content)
+    write_all(content)
     return list(content)
 
 
@@ -57,17 +56,3 @@ def centreline_text(road):
     lines = [HEADER]
     lines += [", ".join(f"{value:.4f}" for value in row) for row in columns + 0.0]
     return "\n".join(lines) + "\n"
-
-
-def _replace_all(content):
-    """Write all beside their places first, as the disk may be full."""
-    temporary = {path: path.with_name(f".{path.name}.{os.getpid()}") for path in content}
-    try:
-        for path, data in content.items():
-            temporary[path].write_bytes(data)
-        for path, other in temporary.items():
-            os.replace(other, path)
-    finally:
-        for other in temporary.values():
-            with contextlib.suppress(OSError):
-                other.unlink(missing_ok=True)

@@ -1,11 +1,11 @@
 """Results as bench.json and as a table."""
 
 import json
-import os
 from dataclasses import dataclass
 from typing import Optional
 
 from f1tenth_bench.benchmark import Benchmark, Measured
+from f1tenth_scenarios.atomic import replacing
 
 COLUMNS = "{:<22} {:>12} {:<10} {:>10} {:>12}  {}"
 
@@ -81,6 +81,5 @@ def write_json(results, path):
     path.parent.mkdir(parents=True, exist_ok=True)
     entries = json.loads(path.read_text()) if path.exists() else {}
     entries.update({result.benchmark.key: result.as_dict() for result in results})
-    temporary = path.with_suffix(".tmp")
-    temporary.write_text(json.dumps(entries, indent=2) + "\n")
-    os.replace(temporary, path)
+    with replacing(path) as temporary:
+        temporary.write_text(json.dumps(entries, indent=2) + "\n")

@@ -3,7 +3,6 @@
 import resource
 
 import pytest
-
 from f1tenth_gazebo.whole_files import write_all
 
 

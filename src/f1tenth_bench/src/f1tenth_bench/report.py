@@ -4,8 +4,9 @@ import json
 from dataclasses import dataclass
 from typing import Optional
 
-from f1tenth_bench.benchmark import Benchmark, Measured
 from f1tenth_scenarios.atomic import replacing
+
+from f1tenth_bench.benchmark import Benchmark, Measured
 
 COLUMNS = "{:<22} {:>12} {:<10} {:>10} {:>12}  {}"
 

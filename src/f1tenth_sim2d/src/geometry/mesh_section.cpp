@@ -131,7 +131,7 @@ Section shadow(const TriangleMesh & mesh, const Pose3 & pose, double z_min, doub
   const Projection projection = projectionBetween(mesh, vertices, z_min, z_max);
   PolygonUnion area;
   area.add(outlinesAt(mesh, vertices, z_min).closed);
-  area.add(projection.areas);
+  area.addEach(projection.areas);
   area.addUncovered(projection.lines, kSheetThickness);
   return {area.convexPieces(), {}};
 }

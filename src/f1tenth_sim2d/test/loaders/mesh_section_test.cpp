@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
+#include <sstream>
 
 #include "f1tenth_sim2d/section.h"
 #include "loaders/shapes/mesh_file.h"
@@ -118,6 +121,33 @@ TEST_F(MeshSection, ShadowOfOverlappingPartsCountsOnce)
 {
   const Solid cross = solid(objBox("a", {-1, -0.1, 0}, {1, 0.1, 1}) + objBox("b", {-0.1, -1, 0}, {0.1, 1, 1}, 9));
   EXPECT_NEAR(shadowArea(cross, 0.2, 0.4), 0.76, 1e-4);
+}
+
+TEST_F(MeshSection, ShadowOfAHeapIsWhereAnyOfItsTrianglesIs)
+{
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> across(0.0, 4.0), around(-0.2, 0.2);
+  std::ostringstream obj;
+  std::vector<Outline> triangles;
+  obj << "o heap\n";
+  for (int i = 0; i < 1000; ++i) {
+    const Vec2 place{across(generator), across(generator)};
+    Outline & triangle = triangles.emplace_back();
+    for (int k = 0; k < 3; ++k) {
+      triangle.push_back({place.x + around(generator), place.y + around(generator)});
+      obj << "v " << triangle.back().x << " " << triangle.back().y << " " << 0.1 + i * 1e-4 << "\n";
+    }
+    obj << "f " << 3 * i + 1 << " " << 3 * i + 2 << " " << 3 * i + 3 << "\n";
+  }
+  const std::vector<Outline> pieces = footprintBetween(solid(obj.str()), Pose3(), 0.0, 1.0).outlines;
+  int differing = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const Vec2 point{across(generator), across(generator)};
+    const auto has_point = [&point](const Outline & polygon) { return contains(polygon, point); };
+    differing += std::any_of(pieces.begin(), pieces.end(), has_point) !=
+                 std::any_of(triangles.begin(), triangles.end(), has_point);
+  }
+  EXPECT_LE(differing, 20);  // edges are within 0.05 mm
 }
 
 TEST_F(MeshSection, IsScaledAndMirrored)

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "core/simulation/trajectory_log.h"
 #include "f1tenth_sim2d/simulation.h"
 #include "node/messages/output.h"
 #include "node/messages/transform_batch.h"
 #include "node/world/schedule.h"
-#include "node/world/trajectory_log.h"
 
 namespace f1tenth_sim2d
 {

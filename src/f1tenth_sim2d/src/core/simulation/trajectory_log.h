@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
+#include "core/simulation/trajectory_recorder.h"
 #include "f1tenth_sim2d/simulation.h"
 #include "f1tenth_sim2d/trajectory_hash.h"
-#include "node/world/trajectory_recorder.h"
 
 namespace f1tenth_sim2d
 {

@@ -1,4 +1,4 @@
-#include "node/world/trajectory_log.h"
+#include "core/simulation/trajectory_log.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "node/world/trajectory_recorder.h"
+#include "core/simulation/trajectory_recorder.h"
 
 #include <cerrno>
 #include <cstdio>

@@ -4,7 +4,8 @@ import json
 import math
 
 import numpy as np
-from f1tenth_scenarios.record.replay import REPLAY_FILE, Paths, Poses, Replay, Shape, write_replay
+from f1tenth_scenarios.record.files import REPLAY_FILE
+from f1tenth_scenarios.record.replay import Paths, Poses, Replay, Shape, write_replay
 from scenario_samples import PERIOD, write_record
 
 SQUARE = [(-0.2, -0.2), (0.2, -0.2), (0.2, 0.2), (-0.2, 0.2)]

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Callable
 
+from f1tenth_scenarios.record.files import TRAJECTORY_FILE
 from f1tenth_scenarios.record.record import Record, read_record
-from f1tenth_scenarios.results.result import TRAJECTORY_FILE
 
 
 @dataclasses.dataclass(frozen=True)

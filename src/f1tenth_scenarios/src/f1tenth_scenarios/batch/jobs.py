@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Callable, Optional
 
-from f1tenth_scenarios.results.result import RESULT_FILE
+from f1tenth_scenarios.record.files import RESULT_FILE
 from f1tenth_scenarios.stop_request import StopRequest
 
 PROGRAM = (sys.executable, "-m", "f1tenth_scenarios")

@@ -10,7 +10,6 @@ from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.record.record import STAMP_EPSILON
 from f1tenth_scenarios.record.replay import Paths, Planar, Point, Poses, Replay
 
-BAG_FILE = "run.bag"
 RECORDER = "scenario_recorder"  # the node that writes it
 
 _SHARED_TOPICS = ("/clock", "/tf", "/tf_static", "/map", "/time_to_start", "/gazebo/model_states")

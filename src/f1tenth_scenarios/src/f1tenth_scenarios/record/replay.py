@@ -11,7 +11,6 @@ from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.record.record import STAMP_EPSILON
 
-REPLAY_FILE = "replay.json.gz"
 _FORMAT = 2
 
 Point = tuple[float, float]  # m

@@ -6,11 +6,13 @@ import math
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import f1tenth_sim2d
-from f1tenth_scenarios import places
 from f1tenth_scenarios.record.replay import Lidar, Planar, Point, Poses, Replay, Shape
-from f1tenth_scenarios.scenario.scenario import Pose
+
+if TYPE_CHECKING:  # scenarios need ROS, who records without it has none
+    from f1tenth_scenarios.scenario.scenario import Pose
 
 _CUT_HEIGHT = 0.12  # m above the ground, where no lidar says otherwise
 
@@ -23,7 +25,9 @@ class Scene:
     models: Mapping[str, Poses] = dataclasses.field(default_factory=dict)  # movable, where the world has them
     lidars: Mapping[str, Lidar] = dataclasses.field(default_factory=dict)  # by car
 
-    def replay(self, goals: Mapping[str, Sequence[Pose]], said: Replay, road: Sequence[Point] = ()) -> Replay:
+    def replay(
+        self, goals: Mapping[str, Sequence["Pose"]], said: Replay, road: Sequence[Point] = ()
+    ) -> Replay:
         """What was said in a run, with the world around it.
 
         Args:
@@ -53,15 +57,19 @@ def load_scene(world: Path, descriptions: Mapping[str, str]) -> Scene:
     # Reading a description takes long, and cars of a race have the same one.
     read = {text: _lidar(text) for text in set(descriptions.values())}
     lidars = {car: lidar for car, text in descriptions.items() if (lidar := read[text])}
-    height = next((lidar.pose[2] for lidar in lidars.values()), _CUT_HEIGHT)
     try:
         with _model_path():
-            loaded = f1tenth_sim2d.load_world(str(world))
+            return scene_of(f1tenth_sim2d.load_world(str(world)), lidars)
     except f1tenth_sim2d.Error:
         return Scene()
+
+
+def scene_of(world: f1tenth_sim2d.World, lidars: Mapping[str, f1tenth_sim2d.Lidar]) -> Scene:
+    """The scene of a world that is loaded, and of the lidars of the cars by name."""
+    height = next((lidar.pose[2] for lidar in lidars.values()), _CUT_HEIGHT)
     return Scene(
-        walls=_shape(*loaded.section(height)),
-        models={model.name: _model(model, height) for model in loaded.models if not model.is_static},
+        walls=_shape(*world.section(height)),
+        models={model.name: _model(model, height) for model in world.models if not model.is_static},
         lidars={car: _described(lidar) for car, lidar in lidars.items()},
     )
 
@@ -107,6 +115,9 @@ def _in_frame(shape: Shape, frame: Planar) -> Shape:
 @contextlib.contextmanager
 def _model_path() -> Iterator[None]:
     """Let models of the workspace be found, as simulator.launch does for the simulator."""
+    # Only here, because it needs ROS.
+    from f1tenth_scenarios import places
+
     before = os.environ.get("GAZEBO_MODEL_PATH", "")
     own = places.package_path(places.GAZEBO_PACKAGE) / "models"
     os.environ["GAZEBO_MODEL_PATH"] = f"{own}:{before}"

@@ -9,13 +9,18 @@ from pathlib import Path
 from typing import Any, Optional
 
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.record.bag import BAG_FILE
+from f1tenth_scenarios.record.files import (
+    BAG_FILE,
+    JUNIT_FILE,
+    PICTURE_FILE,
+    PREVIOUS_FOLDER,
+    REPLAY_FILE,
+    RESULT_FILE,
+    TRAJECTORY_FILE,
+)
 from f1tenth_scenarios.record.record import Record, read_record
-from f1tenth_scenarios.record.replay import REPLAY_FILE, Replay, read_replay
+from f1tenth_scenarios.record.replay import Replay, read_replay
 from f1tenth_scenarios.report.replay_columns import pack_run, pack_tracks, pack_world, thumbnail
-from f1tenth_scenarios.results.junit import JUNIT_FILE
-from f1tenth_scenarios.results.result import PICTURE_FILE, RESULT_FILE, TRAJECTORY_FILE
-from f1tenth_scenarios.results.results_folder import PREVIOUS_FOLDER
 
 _LINKS = {
     "log": "log",

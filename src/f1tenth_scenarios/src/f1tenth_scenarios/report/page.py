@@ -5,7 +5,6 @@ import hashlib
 from pathlib import Path
 from typing import Optional
 
-from f1tenth_scenarios import places
 from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.report.content import RunContent, read_results
@@ -32,13 +31,16 @@ _SCRIPTS = (
 )
 
 
-def write_report(results: Path, output: Path, against: Optional[Path] = None) -> list[str]:
+def write_report(
+    results: Path, output: Path, against: Optional[Path] = None, assets: Optional[Path] = None
+) -> list[str]:
     """Write the report of a results folder, which replaces the old one when it is complete.
 
     Args:
         results: folder with a folder a scenario
         output: the HTML file
         against: another results folder to compare with; default: the run before, which each folder keeps
+        assets: folder of the style and the scripts; default: that of the package, which ROS finds
 
     Returns:
         What was found broken, a line each; the report shows it as well.
@@ -47,7 +49,7 @@ def write_report(results: Path, output: Path, against: Optional[Path] = None) ->
         ScenarioError: there is no run, or the report cannot be written.
     """
     runs = list(read_results(results, output.parent, against))
-    head, tail = _template(runs).split("<!-- DATA -->")
+    head, tail = _template(runs, assets or _own_assets()).split("<!-- DATA -->")
     worlds = {run.world: name for name, run in ((f"world-{_world_id(run)}", run) for run in runs)}
     try:
         with replacing(output) as temporary, open(temporary, "w", encoding="utf-8") as stream:
@@ -69,8 +71,14 @@ def _world_id(run: RunContent) -> str:
     return hashlib.sha256(run.world.encode()).hexdigest()[:12]
 
 
-def _template(runs: list[RunContent]) -> str:
-    assets = places.package_path(places.PACKAGE) / "report"
+def _own_assets() -> Path:
+    # Only here, because it needs ROS.
+    from f1tenth_scenarios import places
+
+    return places.package_path(places.PACKAGE) / "report"
+
+
+def _template(runs: list[RunContent], assets: Path) -> str:
     overview = {
         "created": datetime.datetime.now().astimezone().isoformat(timespec="minutes"),
         "runs": [{**run.summary, "world_id": _world_id(run)} for run in runs],

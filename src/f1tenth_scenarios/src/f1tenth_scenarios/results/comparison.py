@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any, Optional
 
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.results.result import RESULT_FILE
+from f1tenth_scenarios.record.files import RESULT_FILE
 
 _PASSED, _FAILED = "passed", "failed"
 

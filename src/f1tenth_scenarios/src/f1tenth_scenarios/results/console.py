@@ -10,9 +10,10 @@ from typing import Optional, TextIO
 from f1tenth_scenarios.judge.criterion import Status
 from f1tenth_scenarios.judge.driving_criteria import least_clearance
 from f1tenth_scenarios.plan.plan import Plan
+from f1tenth_scenarios.record.files import PICTURE_FILE, RESULT_FILE
 from f1tenth_scenarios.record.pace import Pace
 from f1tenth_scenarios.results.reference_laps import reference_lap
-from f1tenth_scenarios.results.result import PICTURE_FILE, RESULT_FILE, Result
+from f1tenth_scenarios.results.result import Result
 
 _REDRAW_INTERVAL = 0.2  # wall s
 _LINE_WIDTH = 200  # characters, of a log's lines

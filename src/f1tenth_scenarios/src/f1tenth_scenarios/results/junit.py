@@ -8,8 +8,6 @@ from f1tenth_scenarios.judge.criterion import Criterion, Status
 from f1tenth_scenarios.places import PACKAGE
 from f1tenth_scenarios.results.result import Result
 
-JUNIT_FILE = "junit.xml"
-
 
 def junit_of(result: Result, summary: str) -> ElementTree.Element:
     """A test suite of a run, with a test case for each criterion; `summary` stands below what has failed."""

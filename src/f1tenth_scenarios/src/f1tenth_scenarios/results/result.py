@@ -16,8 +16,6 @@ from f1tenth_scenarios.judge.measured import Measured
 from f1tenth_scenarios.record.record import COLUMNS, Record
 from f1tenth_scenarios.scenario.scenario import Scenario
 
-RESULT_FILE, TRAJECTORY_FILE, PICTURE_FILE = "result.json", "trajectory.csv", "trajectory.png"
-
 
 @dataclasses.dataclass(frozen=True)
 class Result:

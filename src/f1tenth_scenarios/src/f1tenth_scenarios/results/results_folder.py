@@ -9,12 +9,17 @@ from pathlib import Path
 from typing import Optional
 
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.record.bag import BAG_FILE
-from f1tenth_scenarios.record.replay import REPLAY_FILE
-from f1tenth_scenarios.results.junit import JUNIT_FILE
-from f1tenth_scenarios.results.result import PICTURE_FILE, RESULT_FILE, TRAJECTORY_FILE
+from f1tenth_scenarios.record.files import (
+    BAG_FILE,
+    JUNIT_FILE,
+    PICTURE_FILE,
+    PREVIOUS_FOLDER,
+    REPLAY_FILE,
+    RESULT_FILE,
+    TRAJECTORY_FILE,
+)
 
-PREVIOUS_FOLDER, INTERRUPTED_FOLDER = "previous", "interrupted"
+INTERRUPTED_FOLDER = "interrupted"
 _EARLIER_LOG = ".earlier_log"
 _FILES = (RESULT_FILE, JUNIT_FILE, TRAJECTORY_FILE, PICTURE_FILE, REPLAY_FILE, BAG_FILE)
 

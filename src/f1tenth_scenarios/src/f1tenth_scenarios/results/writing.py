@@ -7,9 +7,10 @@ from typing import Callable
 from f1tenth_scenarios import versions
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan.plan import Plan
+from f1tenth_scenarios.record.files import JUNIT_FILE, RESULT_FILE
 from f1tenth_scenarios.results.console import summary
-from f1tenth_scenarios.results.junit import JUNIT_FILE, junit_of, write_junit
-from f1tenth_scenarios.results.result import RESULT_FILE, Result, as_dict, write_json
+from f1tenth_scenarios.results.junit import junit_of, write_junit
+from f1tenth_scenarios.results.result import Result, as_dict, write_json
 
 
 def write_verdict(plan: Plan, result: Result) -> None:

@@ -17,11 +17,12 @@ from f1tenth_scenarios.judge.measured import Measured
 from f1tenth_scenarios.launch.launch_file import write_launch_file
 from f1tenth_scenarios.launch.processes import ProcessTree
 from f1tenth_scenarios.plan.plan import Plan
-from f1tenth_scenarios.record.bag import BAG_FILE, read_bag
+from f1tenth_scenarios.record.bag import read_bag
+from f1tenth_scenarios.record.files import BAG_FILE, PICTURE_FILE, REPLAY_FILE, TRAJECTORY_FILE
 from f1tenth_scenarios.record.observations import Failure, Observations
 from f1tenth_scenarios.record.record import Record, read_record
-from f1tenth_scenarios.record.replay import REPLAY_FILE, Replay, write_replay
-from f1tenth_scenarios.results.result import PICTURE_FILE, TRAJECTORY_FILE, Result, write_trajectory
+from f1tenth_scenarios.record.replay import Replay, write_replay
+from f1tenth_scenarios.results.result import Result, write_trajectory
 from f1tenth_scenarios.results.results_folder import claimed
 from f1tenth_scenarios.results.track_map import TrackMap, read_track_map
 from f1tenth_scenarios.results.writing import write_rest, write_verdict

@@ -75,6 +75,7 @@ void Environment::reset(std::uint64_t seed, const std::vector<CarStart> & starts
     }
   }
   // Nothing fails from here on, so that an episode begins wholly or not at all.
+  log_.reset();
   simulation_.swap(simulation);
   ids_.swap(ids);
   pedals_.swap(pedals);
@@ -114,6 +115,31 @@ void Environment::step(const Action * actions, const std::uint8_t * driven)
   }
   simulation_->advanceTo(end);
   look();
+  log();
+}
+
+void Environment::record(const std::string & file)
+{
+  if (!simulation_) {
+    throw Error("record before the first reset");
+  }
+  log_.reset();
+  if (!file.empty()) {
+    log_.emplace(*simulation_, file);
+  }
+}
+
+void Environment::log()
+{
+  if (!log_) {
+    return;
+  }
+  for (const CarId id : ids_) {
+    for (const Contact & contact : simulation_->contacts(id)) {
+      log_->note(id, contact);
+    }
+  }
+  log_->endPeriod();
 }
 
 void Environment::look()

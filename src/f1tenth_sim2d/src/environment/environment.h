@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "core/simulation/trajectory_log.h"
 #include "environment/observation.h"
 #include "environment/pedals.h"
 #include "f1tenth_sim2d/prepared_world.h"
@@ -52,6 +54,11 @@ public:
   /// @param driven   one per car: a car that nobody drives stops
   void step(const Action * actions, const std::uint8_t * driven);
 
+  /// Writes what the cars do from now on, until the episode ends, as the node's parameter `record` does.
+  /// @param file  empty: nothing more
+  /// @throws Error before the first reset, or if the file cannot be written
+  void record(const std::string & file);
+
   const Observation & observation() const { return observation_; }
   const std::vector<CarResult> & cars() const { return results_; }
   double time() const { return simulation_ ? toSeconds(simulation_->time()) : 0.0; }  ///< s
@@ -62,6 +69,7 @@ public:
 private:
   void command(const Action * actions, const std::uint8_t * driven);
   void look();
+  void log();
   void measure(CarResult & car, const CarState & state) const;
 
   PreparedWorld world_;
@@ -71,6 +79,7 @@ private:
   std::vector<CarId> ids_;
   std::vector<Pedals> pedals_;
   std::vector<CarResult> results_;
+  std::optional<TrajectoryLog> log_;
   std::int64_t steps_{0};
 };
 }  // namespace f1tenth_sim2d

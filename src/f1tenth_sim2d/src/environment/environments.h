@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <string>
 #include <vector>
 
 #include "environment/environment.h"
@@ -26,6 +27,9 @@ public:
 
   /// Begins an episode of one environment. @throws Error as Environment::reset
   void reset(std::size_t index, std::uint64_t seed, const std::vector<CarStart> & starts);
+
+  /// Writes what the cars of one environment do. @throws Error as Environment::record
+  void record(std::size_t index, const std::string & file) { environments_.at(index).record(file); }
 
   /// Drives all by one period, but those of which no car is driven.
   /// @param actions  of all cars of all environments

@@ -320,6 +320,7 @@ class Environments:
         count: int = ...,
         threads: int = ...,
     ) -> None: ...
+    def record(self, index: int, file: str) -> None: ...
     def reset(
         self,
         index: int,

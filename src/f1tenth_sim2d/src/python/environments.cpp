@@ -105,6 +105,12 @@ void reset(
   environments.reset(index, seed, all);
 }
 
+void record(PythonEnvironments & environments, std::size_t index, const std::string & file)
+{
+  const Turn turn(environments.taken());
+  environments.record(index, file);
+}
+
 void step(PythonEnvironments & environments, const Doubles & actions, const Flags & driven)
 {
   const auto cars = static_cast<py::ssize_t>(environments.count() * environments.cars());
@@ -217,6 +223,18 @@ Args:
     actions: float64 array of shape (count, cars, 2).
     driven: bool array of shape (count, cars): a car that nobody drives stops, and an environment in which nobody drives
         stands still in time.
+)");
+  type.def(
+    "record", &record, py::arg("index"), py::arg("file"),
+    R"(Write what the cars of one environment do from now on into a file, as the node's parameter `record` does: a row per car and
+period, until its episode ends.
+
+Args:
+    index: of the environment.
+    file: path of the CSV file; empty: stop writing.
+
+Raises:
+    Error: before the first reset, or if the file cannot be written.
 )");
   bindArrays(type);
 }

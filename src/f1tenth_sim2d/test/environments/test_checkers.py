@@ -31,6 +31,13 @@ def test_gymnasium_has_no_warning(settings):
     check_env(gymnasium.make(ENVIRONMENT, place="circuit1", beams=20, **settings).unwrapped)
 
 
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("settings", [{}, {"flatten": True, **DRAWN}], ids=["default", "flat"])
+def test_stable_baselines3_has_no_warning(settings):
+    checker = pytest.importorskip("stable_baselines3.common.env_checker", reason="no stable-baselines3")
+    checker.check_env(gymnasium.make(ENVIRONMENT, place="circuit1", **settings).unwrapped)
+
+
 @pytest.mark.parametrize("settings", [{}, {"cars": 4, **DRAWN}], ids=["default", "four_cars"])
 def test_pettingzoo_passes(settings):
     with warnings.catch_warnings():

@@ -8,6 +8,7 @@ from pettingzoo import ParallelEnv
 
 from f1tenth_sim2d.environments.episode import OPTIONS
 from f1tenth_sim2d.environments.picture import View
+from f1tenth_sim2d.environments.recorder import Recorder
 from f1tenth_sim2d.environments.stage import Stage
 
 
@@ -24,11 +25,12 @@ class F1TenthParallelEnv(ParallelEnv):
         "is_parallelizable": True,
     }
 
-    def __init__(self, render_mode=None, **settings):
+    def __init__(self, render_mode=None, record=None, **settings):
         """Load the place; f1tenth_sim2d.environments.settings.Settings says what there is to choose.
 
         Args:
             render_mode: None, rgb_array or human.
+            record: folder for all episodes, and, when the environment is closed, for the report of them.
             settings: Settings; unless told, there are two cars.
 
         Raises:
@@ -38,6 +40,7 @@ class F1TenthParallelEnv(ParallelEnv):
         self.render_mode = render_mode
         self._stage = Stage({"cars": 2, **settings})
         self._view = View(render_mode, self._stage.place)
+        self._recorder = Recorder(record, self._stage) if record is not None else None
         self.possible_agents = [f"car_{i}" for i in range(self._stage.settings.cars)]
         self.agents: list = []
         self.observation_spaces = dict.fromkeys(self.possible_agents, self._stage.car_space)
@@ -67,6 +70,8 @@ class F1TenthParallelEnv(ParallelEnv):
         self._stage.begin(0, self._rng, _known(options or {}))
         self.agents = list(self.possible_agents)
         self._view.show(self._stage.results[0])
+        if self._recorder:
+            self._recorder.begin()
         return self._of_agents(self._observe), self._of_agents(self._info)
 
     def step(self, actions):
@@ -94,6 +99,8 @@ class F1TenthParallelEnv(ParallelEnv):
             self._of_agents(self._info),
         )
         self.agents = [agent for agent in self.agents if not (late or answer[2][agent])]
+        if self._recorder:
+            self._recorder.note(not self.agents)
         return answer
 
     def render(self):
@@ -104,6 +111,8 @@ class F1TenthParallelEnv(ParallelEnv):
     def close(self):
         """Give up everything; closing twice is allowed."""
         self._view.close()
+        if self._recorder and not self._closed:
+            self._recorder.close()
         self._closed = True
 
     def _rows(self, actions):

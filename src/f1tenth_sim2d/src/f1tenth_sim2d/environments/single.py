@@ -4,6 +4,7 @@ import gymnasium
 import numpy as np
 
 from f1tenth_sim2d.environments.picture import View
+from f1tenth_sim2d.environments.recorder import Recorder
 from f1tenth_sim2d.environments.stage import Stage, repeated
 
 
@@ -19,8 +20,13 @@ class F1TenthEnv(gymnasium.Env):
 
     metadata = {"render_modes": list(View.MODES), "render_fps": View.FRAMES_PER_SECOND}
 
-    def __init__(self, render_mode=None, **settings):
+    def __init__(self, render_mode=None, record=None, **settings):
         """Load the place; see f1tenth_sim2d.environments.settings.Settings for what there is to choose.
+
+        Args:
+            render_mode: None, rgb_array or human.
+            record: folder for all episodes, and, when the environment is closed, for the report of them.
+            settings: Settings.
 
         Raises:
             ValueError: settings that are not allowed.
@@ -29,6 +35,7 @@ class F1TenthEnv(gymnasium.Env):
         self.render_mode = render_mode
         self._stage = Stage(settings)
         self._view = View(render_mode, self._stage.place)
+        self._recorder = Recorder(record, self._stage) if record is not None else None
         self._cars = self._stage.settings.cars
         self.observation_space = repeated(self._stage.car_space, self._cars)
         self.action_space = repeated(self._stage.action_space, self._cars)
@@ -52,6 +59,8 @@ class F1TenthEnv(gymnasium.Env):
         self._stage.begin(0, self.np_random, options)
         self._begun = True
         self._view.show(self._stage.results[0])
+        if self._recorder:
+            self._recorder.begin()
         return self._observation(), self._stage.info(0)
 
     def step(self, action):
@@ -70,6 +79,8 @@ class F1TenthEnv(gymnasium.Env):
         self._view.show(self._stage.results[0])
         rewards = self._stage.rewards()[0]
         finished, late = bool(self._stage.finished()[0, 0]), bool(self._stage.out_of_time()[0])
+        if self._recorder:
+            self._recorder.note(finished or late)
         info = {**self._stage.info(0), "rewards": rewards}
         return self._observation(), float(rewards[0]), finished, late, info
 
@@ -81,6 +92,8 @@ class F1TenthEnv(gymnasium.Env):
     def close(self):
         """Give up everything; closing twice is allowed."""
         self._view.close()
+        if self._recorder and not self._closed:
+            self._recorder.close()
         self._closed = True
 
     def _observation(self):

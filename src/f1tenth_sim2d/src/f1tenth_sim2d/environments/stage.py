@@ -19,6 +19,7 @@ class Stage:
     Attributes:
         settings: Settings.
         place: Place.
+        cars: descriptions of the cars of an environment, list of f1tenth_sim2d.Car.
         results: view of what has become of the cars, structured array of shape (count, cars); see
             Environments.results.
         times: view of the simulated times, s, float64 array of shape (count,).
@@ -36,9 +37,9 @@ class Stage:
         self.place = find_place(self.settings.place)
         self._require_course()
         lidar = Lidar(self.settings.beams, self.settings.field_of_view, self.settings.range_max)
-        descriptions = load_cars(self.settings.cars, lidar)
-        self._parameters = descriptions[0].parameters
-        self._environments = self._build(descriptions, count, threads)
+        self.cars = load_cars(self.settings.cars, lidar)
+        self._parameters = self.cars[0].parameters
+        self._environments = self._build(count, threads)
         self.results = self._environments.results
         self.times = self._environments.times
         self.car_space = self._car_space()
@@ -55,11 +56,11 @@ class Stage:
                 "and worlds and maps with X_centerline.csv beside them"
             )
 
-    def _build(self, descriptions, count, threads):
+    def _build(self, count, threads):
         try:
             return f1tenth_sim2d.Environments(
                 self.place.world,
-                descriptions,
+                self.cars,
                 self.place.course,
                 list(self.settings.observation),
                 actions=self.settings.actions,
@@ -81,6 +82,14 @@ class Stage:
     def begin(self, index: int, rng: np.random.Generator, options=None):
         """Begin an episode of one environment; see begin_episode."""
         begin_episode(self._environments, index, self, rng, options)
+
+    def record(self, file):
+        """Write what the cars of the first environment do; see Environments.record.
+
+        Args:
+            file: path of the CSV file, or None.
+        """
+        self._environments.record(0, str(file or ""))
 
     def step(self, actions, driven):
         """Drive for one period.

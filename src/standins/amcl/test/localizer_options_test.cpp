@@ -46,7 +46,7 @@ TEST(LocalizerOptions, WrongValuesAreNamed)
   EXPECT_EQ(complaint([](auto & o) { o.resample_interval = 0; }), "resample_interval: found 0.000000, must be above 0");
   EXPECT_EQ(complaint([](auto & o) { o.odometry.alpha3 = -1.0; }), "odom_alpha3: found -1.000000, must be 0 or above");
   EXPECT_EQ(complaint([](auto & o) { o.laser.max_beams = 1; }), "laser_max_beams: found 1.000000, must be 2 or above");
-  EXPECT_EQ(complaint([](auto & o) { o.laser.z_rand = 0.0; }), "laser_z_rand: found 0.000000, must be above 0");
+  EXPECT_EQ(complaint([](auto & o) { o.laser.z_rand = -0.1; }), "laser_z_rand: found -0.100000, must be 0 or above");
   EXPECT_EQ(complaint([](auto & o) { o.laser.sigma_hit = NAN; }), "laser_sigma_hit: found nan, must be above 0");
   EXPECT_EQ(complaint([](auto & o) { o.laser.max_range = NAN; }), "laser_max_range: found nan, must be a number");
 }

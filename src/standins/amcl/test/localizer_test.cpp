@@ -87,6 +87,18 @@ TEST(Localizer, FindsTheCarFromAnOffset)
   }
 }
 
+TEST(Localizer, FindsTheCarWithoutRandomBeamsToo)
+{
+  LocalizerOptions options = smallSteps();
+  options.laser.model = LaserModel::kLikelihoodFieldProb;
+  options.laser.z_rand = 0.0;
+  options.laser.sigma_hit = 0.02;  // ends of beams some way off a wall have no likelihood at all
+  Localizer localizer(room(), options, around({-1.9, -0.6, 0.05}, 0.2, 0.1));
+  Drive drive(room(), {-2.0, -0.5, 0.0});
+  drive.steps(localizer, 40);
+  expectNear(localizer.estimate().pose, drive.truth(), 0.06, 0.03);
+}
+
 TEST(Localizer, MapsMayLieAskew)
 {
   const Pose2 origin{4.013, -1.027, 0.7};

@@ -46,7 +46,7 @@ def _is_wall(column, row):
 def scan(x, stamp):
     """What the lidar sees from (x, 0), without noise."""
     message = LaserScan()
-    message.header.frame_id = "laser"
+    message.header.frame_id = "/laser"  # as drivers from the time of tf1 write it
     message.header.stamp = stamp
     message.angle_min, message.angle_max = -math.pi, math.pi
     message.angle_increment = 2.0 * math.pi / (BEAMS - 1)

@@ -17,6 +17,8 @@ using mrpt::obs::CObservation2DRangeScan;
 constexpr float kFree = 0.99F;
 constexpr float kOccupied = 0.01F;
 constexpr float kUnknown = 0.5F;
+/// Without any chance of ending anywhere, a single beam would rule out every particle.
+constexpr double kLeastRandom = 1e-9;
 
 float freedom(std::int8_t cell)
 {
@@ -44,7 +46,7 @@ void setLikelihood(COccupancyGridMap2D & map, const LaserOptions & options)
   likelihood.LF_alternateAverageMethod = options.model == LaserModel::kLikelihoodField;
   likelihood.LF_stdHit = static_cast<float>(options.sigma_hit);
   likelihood.LF_zHit = static_cast<float>(options.z_hit);
-  likelihood.LF_zRandom = static_cast<float>(options.z_rand);
+  likelihood.LF_zRandom = static_cast<float>(std::max(options.z_rand, kLeastRandom));
   likelihood.LF_maxCorrsDistance = static_cast<float>(options.likelihood_max_dist);
   likelihood.LF_decimation = 1;
   likelihood.rayTracing_stdHit = static_cast<float>(options.sigma_hit);

@@ -60,8 +60,7 @@ void validateLaser(const LaserOptions & laser)
   expectFinite("laser_min_range", laser.min_range);
   expectFinite("laser_max_range", laser.max_range);
   expectNotNegative("laser_z_hit", laser.z_hit);
-  // Without it a single beam would rule out every particle.
-  expectPositive("laser_z_rand", laser.z_rand);
+  expectNotNegative("laser_z_rand", laser.z_rand);
   expectPositive("laser_sigma_hit", laser.sigma_hit);
   expectPositive("laser_likelihood_max_dist", laser.likelihood_max_dist);
 }

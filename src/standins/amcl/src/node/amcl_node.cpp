@@ -45,7 +45,7 @@ void AmclNode::setMap(const nav_msgs::OccupancyGrid & map)
   if (localizer_ && parameters_.first_map_only) {
     return;
   }
-  if (map.header.frame_id != parameters_.global_frame_id) {
+  if (withoutSlash(map.header.frame_id) != parameters_.global_frame_id) {
     ROS_WARN(
       "The map is in frame \"%s\", global_frame_id is \"%s\"; it is used all the same", map.header.frame_id.c_str(),
       parameters_.global_frame_id.c_str());
@@ -68,7 +68,7 @@ bool AmclNode::build(const nav_msgs::OccupancyGrid & map, const Estimate & start
 
 void AmclNode::setPose(const geometry_msgs::PoseWithCovarianceStamped & message)
 {
-  const std::string & frame = message.header.frame_id;
+  const std::string frame = withoutSlash(message.header.frame_id);
   Estimate estimate = fromPoseWithCovariance(message.pose);
   if ((!frame.empty() && frame != parameters_.global_frame_id) || !isFinite(estimate.pose)) {
     ROS_WARN(
@@ -171,9 +171,7 @@ void AmclNode::publishEstimate(const ros::Time & stamp)
 
 void AmclNode::publishParticles(const ros::Time & stamp)
 {
-  if (particle_publisher_.getNumSubscribers() > 0) {
-    particle_publisher_.publish(toPoseArray(localizer_->particles(), headerAt(stamp)));
-  }
+  particle_publisher_.publish(toPoseArray(localizer_->particles(), headerAt(stamp)));
 }
 
 void AmclNode::broadcast(const std::vector<ros::Time> & stamps)

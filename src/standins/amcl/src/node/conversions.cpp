@@ -10,6 +10,11 @@ namespace
 constexpr int kPlane[] = {0, 1, 5};
 }  // namespace
 
+std::string withoutSlash(const std::string & frame)
+{
+  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+}
+
 Estimate fromPoseWithCovariance(const geometry_msgs::PoseWithCovariance & pose)
 {
   Estimate estimate;

@@ -4,6 +4,7 @@
 #include <geometry_msgs/PoseWithCovariance.h>
 #include <workspace_support/conversions.h>
 
+#include <string>
 #include <vector>
 
 #include "amcl/localizer.h"
@@ -18,6 +19,9 @@ using workspace_support::fromTransform;
 using workspace_support::isUpsideDown;
 using workspace_support::toPose;
 using workspace_support::toTransform;
+
+/// A name of a frame as tf2 knows it: those of tf1 may begin with a slash.
+std::string withoutSlash(const std::string & frame);
 
 /// x, y and yaw of the covariance; what is not finite in it counts as 0.
 Estimate fromPoseWithCovariance(const geometry_msgs::PoseWithCovariance & pose);

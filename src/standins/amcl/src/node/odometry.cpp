@@ -29,10 +29,11 @@ std::optional<ros::Time> Odometry::latest() const
 
 std::optional<LidarMount> Odometry::mountOf(const std::string & lidar_frame) const
 {
-  if (!transforms_.canTransform(base_frame_, lidar_frame, ros::Time(0))) {
+  const std::string frame = withoutSlash(lidar_frame);
+  if (!transforms_.canTransform(base_frame_, frame, ros::Time(0))) {
     return std::nullopt;
   }
-  const auto transform = transforms_.lookupTransform(base_frame_, lidar_frame, ros::Time(0)).transform;
+  const auto transform = transforms_.lookupTransform(base_frame_, frame, ros::Time(0)).transform;
   return LidarMount{fromTransform(transform), isUpsideDown(transform)};
 }
 }  // namespace amcl

@@ -1,14 +1,19 @@
 #include "parameters.h"
 
+#include <ros/console.h>
 #include <workspace_support/parameter_reader.h>
 
 #include <cmath>
+
+#include "amcl/errors.h"
+#include "conversions.h"
 
 namespace amcl
 {
 namespace
 {
 using workspace_support::atLeast;
+using workspace_support::NumberRule;
 using workspace_support::ParameterReader;
 
 // Of the original where they are not zero: (0.5 m)^2, (0.5 m)^2, (pi/12)^2.
@@ -17,9 +22,13 @@ constexpr double kStartYawVariance = (M_PI / 12.0) * (M_PI / 12.0);  // rad^2
 
 void readFrames(ParameterReader & reader, NodeParameters & parameters)
 {
-  reader.read("base_frame_id", parameters.base_frame_id);
-  reader.read("odom_frame_id", parameters.odom_frame_id);
-  reader.read("global_frame_id", parameters.global_frame_id);
+  const auto read = [&reader](const std::string & name, std::string & frame) {
+    reader.read(name, frame);
+    frame = withoutSlash(frame);
+  };
+  read("base_frame_id", parameters.base_frame_id);
+  read("odom_frame_id", parameters.odom_frame_id);
+  read("global_frame_id", parameters.global_frame_id);
 }
 
 void readNode(ParameterReader & reader, NodeParameters & parameters)
@@ -32,17 +41,29 @@ void readNode(ParameterReader & reader, NodeParameters & parameters)
   reader.read("lockstep", parameters.lockstep);
 }
 
-Estimate readStart(ParameterReader & reader)
+/// What is not a number is left out with a warning, as by the original.
+Estimate readStart(const ros::NodeHandle & node, ParameterReader & reader)
 {
+  const auto read = [&](const std::string & name, double & value, const NumberRule & rule = {}) {
+    try {
+      reader.read(name, value, rule);
+    } catch (const OptionError & error) {
+      double given = 0.0;
+      if (!node.getParam(name, given) || !std::isnan(given)) {
+        throw;
+      }
+      ROS_WARN("%s; %g is used", error.what(), value);
+    }
+  };
   Estimate start;
-  reader.read("initial_pose_x", start.pose.x);
-  reader.read("initial_pose_y", start.pose.y);
-  reader.read("initial_pose_a", start.pose.yaw);
+  read("initial_pose_x", start.pose.x);
+  read("initial_pose_y", start.pose.y);
+  read("initial_pose_a", start.pose.yaw);
   start.covariance[0] = start.covariance[4] = kStartVariance;
   start.covariance[8] = kStartYawVariance;
-  reader.read("initial_cov_xx", start.covariance[0], atLeast(0.0));
-  reader.read("initial_cov_yy", start.covariance[4], atLeast(0.0));
-  reader.read("initial_cov_aa", start.covariance[8], atLeast(0.0));
+  read("initial_cov_xx", start.covariance[0], atLeast(0.0));
+  read("initial_cov_yy", start.covariance[4], atLeast(0.0));
+  read("initial_cov_aa", start.covariance[8], atLeast(0.0));
   return start;
 }
 
@@ -76,6 +97,10 @@ void readFilter(ParameterReader & reader, LocalizerOptions & localizer)
 {
   reader.read("min_particles", localizer.min_particles);
   reader.read("max_particles", localizer.max_particles);
+  if (localizer.max_particles < localizer.min_particles) {
+    ROS_WARN("max_particles is set to min_particles, which is %d, as it was below that", localizer.min_particles);
+    localizer.max_particles = localizer.min_particles;
+  }
   reader.read("kld_err", localizer.kld_err);
   reader.read("kld_z", localizer.kld_z);
   reader.read("update_min_d", localizer.update_min_d);
@@ -93,7 +118,7 @@ NodeParameters readParameters(const ros::NodeHandle & node)
   NodeParameters parameters;
   readFrames(reader, parameters);
   readNode(reader, parameters);
-  parameters.start = readStart(reader);
+  parameters.start = readStart(node, reader);
   readOdometry(reader, parameters.localizer.odometry);
   readLaser(reader, parameters.localizer.laser);
   readFilter(reader, parameters.localizer);

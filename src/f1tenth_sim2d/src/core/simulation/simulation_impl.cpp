@@ -134,7 +134,7 @@ void Simulation::Impl::addModel(const ModelDescription & model)
 void Simulation::Impl::removeModel(std::size_t index)
 {
   std::vector<ModelMotion> motions = collisions_->motions();
-  motions.at(index);
+  static_cast<void>(motions.at(index));  // throws before anything is changed
   const auto place = static_cast<std::ptrdiff_t>(index);
   WorldDescription changed = world();
   changed.models.erase(changed.models.begin() + place);

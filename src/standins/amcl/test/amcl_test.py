@@ -182,7 +182,7 @@ class AmclTest(unittest.TestCase):
     def test_9_what_the_original_goes_on_with_is_a_warning(self):
         for name, value, words in [
             ("initial_cov_xx", math.nan, "found nan, must be a number >= 0; 0.25 is used"),
-            ("min_particles", 6000, "max_particles is set to min_particles, which is 6000, as it was below that"),
+            ("min_particles", 6000, "max_particles is set to min_particles, which is 6000"),
         ]:
             rospy.set_param(f"/tolerant/amcl/{name}", value)
             node = subprocess.Popen(

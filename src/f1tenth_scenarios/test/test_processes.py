@@ -91,6 +91,35 @@ def test_process_that_ignores_signals_is_killed(tmp_path):
     assert tree.exit_code() == -signal.SIGKILL
 
 
+def test_stopped_processes_end_in_order(tmp_path):
+    ends_in_order = (
+        "import pathlib, sys, time\n"
+        f"path = pathlib.Path({str(tmp_path)!r})\n"
+        "try:\n    (path / 'ready').touch(); time.sleep(600)\n"
+        "except KeyboardInterrupt:\n    (path / 'ended').touch()"
+    )
+    passes_on = "import signal\nsignal.signal(signal.SIGINT, lambda *_: child.send_signal(signal.SIGINT))\n"
+    program = passes_on + starts_child(tmp_path, ends_in_order, own_session=True) + "sys.exit(child.wait())"
+    tree = start(tmp_path, program)
+    child = psutil.Process(pid_of_child(tmp_path))
+    wait_for((tmp_path / "ready").exists)
+    child.suspend()
+    child.parent().suspend()
+    tree.stop(PATIENCE)
+    assert (tmp_path / "ended").exists()
+    assert tree.exit_code() == 0
+
+
+def test_what_a_killed_child_left_behind_is_told_to_end(tmp_path):
+    tree = start(tmp_path, starts_child(tmp_path, SLEEP, own_session=True) + SLEEP)
+    left = pid_of_child(tmp_path)
+    psutil.Process(left).parent().kill()
+    wait_for(lambda: tree.exit_code() is not None)
+    tree.interrupt(left, PATIENCE)
+    assert is_gone(left)
+    tree.stop(0.1)
+
+
 def test_process_that_is_waited_for_may_end_before_the_others(tmp_path):
     program = (
         "import pathlib, subprocess, sys\n"

@@ -29,8 +29,8 @@ _OPTIONS = (
     "--skip-log-check",
     "--no-summary",
     "--disable-title",
-    "--sigint-timeout=4",
-    "--sigterm-timeout=2",
+    "--sigint-timeout=3",
+    "--sigterm-timeout=0.5",
 )
 # Topics of f1tenth_simulator and f1tenth_gym_ros, which give the true pose as odometry: ours for the driver's
 # car, and for its opponent.

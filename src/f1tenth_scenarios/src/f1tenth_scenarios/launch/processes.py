@@ -28,7 +28,7 @@ class ProcessTree:
     def __init__(self, command: Sequence[str], log_file: Path, environment: Mapping[str, str]):
         """Start the process; its output goes to log_file. If this process dies, the child gets a SIGINT."""
         self._mark = uuid.uuid4().hex
-        self._interrupted = False
+        self._interrupted_at: Optional[float] = None
         with open(log_file, "wb") as log:
             self._child = subprocess.Popen(
                 ["setpriv", "--pdeathsig", "INT", *command],
@@ -38,6 +38,7 @@ class ProcessTree:
                 env={**os.environ, **environment, _MARK: self._mark},
                 start_new_session=True,
             )
+        self._ending = [self._child.pid]  # who is told to end
 
     def exit_code(self) -> Optional[int]:
         """The child's exit code; nothing while it runs."""
@@ -48,31 +49,34 @@ class ProcessTree:
 
         Args:
             pid: of the process; none: the child
-            patience: wall seconds
+            patience: wall seconds from the first SIGINT
         """
-        self._interrupt()
-        _wait_for_ends([pid or self._child.pid], patience)
+        _wait_for_ends([pid or self._child.pid], self._interrupt() + patience)
 
-    def stop(self, grace: float, last_grace: float = 2.0) -> None:
+    def stop(self, grace: float, last_grace: float = 1.0) -> None:
         """End the child and all descendants; returns when none is left.
 
         Args:
-            grace: wall seconds that the child has after SIGINT to end what it started
+            grace: wall seconds that the child has after the first SIGINT to end what it started
             last_grace: wall seconds after SIGTERM, before SIGKILL
         """
-        self._interrupt()
-        _wait_for_ends([self._child.pid], grace)
-        _wait_for_ends(self._send(signal.SIGTERM), last_grace)
+        deadline = self._interrupt() + grace
+        _wait_for_ends(self._ending, deadline)
+        _wait_for_ends(self._send(signal.SIGTERM), time.monotonic() + last_grace)
         while killed := self._send(signal.SIGKILL):
-            _wait_for_ends(killed, last_grace)
+            _wait_for_ends(killed, time.monotonic() + last_grace)
         self._child.wait()
 
-    def _interrupt(self) -> None:
-        if self._interrupted:
-            return
-        self._interrupted = True
-        if self._child.poll() is None:
-            os.killpg(self._child.pid, signal.SIGINT)
+    def _interrupt(self) -> float:
+        """Tell the child to end, and those that it can tell no more; once. Returns when that was."""
+        if self._interrupted_at is None:
+            self._interrupted_at = time.monotonic()
+            self._send(signal.SIGCONT)  # who is stopped could not end
+            if self._child.poll() is None:
+                os.killpg(self._child.pid, signal.SIGINT)
+            else:
+                self._ending = self._send(signal.SIGINT)
+        return self._interrupted_at
 
     def _send(self, number: int) -> list[int]:
         """Signal all that are left; returns their process ids."""
@@ -93,9 +97,8 @@ class ProcessTree:
             return False
 
 
-def _wait_for_ends(pids: Sequence[int], seconds: float) -> None:
-    """Return when all processes have ended, or after some time."""
-    deadline = time.monotonic() + seconds
+def _wait_for_ends(pids: Sequence[int], deadline: float) -> None:
+    """Return when all processes have ended, or at a time, as time.monotonic() counts."""
     with contextlib.ExitStack() as stack:
         running = select.poll()
         left = 0

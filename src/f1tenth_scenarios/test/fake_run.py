@@ -10,6 +10,7 @@ from f1tenth_scenarios.stop_request import StopRequest
 from scenario_samples import rows, sample_plan, scenario, write_record
 
 SHUTDOWN = "import signal, sys; signal.signal(signal.SIGINT, lambda *_: sys.exit(0))\n"
+READY = "print(flush=True)\n"
 STAY = "import time\nwhile True: time.sleep(0.05)\n"
 
 
@@ -73,6 +74,15 @@ class FakeRun:
         later = f"import shutil, time; time.sleep(0.2); {copying}; time.sleep(9)"
         self._do(f"import os, subprocess; subprocess.Popen([sys.executable, '-c', {later!r}])\n")
         return self._do("os.kill(os.getpid(), 9)\n")
+
+    def starts_node(self, name, program="", stopped=False):
+        """A process that goes on until the run is over, unless it is stopped."""
+        command = f"['setpriv', '--pdeathsig', 'KILL', sys.executable, '-c', {program + READY + STAY!r}]"
+        self._do(f"import subprocess; node = subprocess.Popen({command}, stdout=subprocess.PIPE)\n")
+        self._do("node.stdout.readline()\n")
+        if stopped:
+            self._do("node.send_signal(signal.SIGSTOP)\n")
+        return self._do(f"print(f'process[{name}-1]: started with pid [{{node.pid}}]', flush=True)\n")
 
     def loses_its_bag(self):
         return self._do(f"import os; os.unlink({str(self.plan.bag_file)!r})\n")

@@ -22,3 +22,11 @@ def test_one_moment_is_not_enough():
     assert pace.factor is None
     pace.note(1.0, 1.0)
     assert pace.factor is None
+
+
+def test_time_stands_since_it_last_went_on():
+    pace = Pace()
+    assert pace.standing(3.0) == 3.0
+    for simulated, wall in ((None, 4.0), (1.0, 5.0), (2.0, 6.0), (2.0, 9.0)):
+        pace.note(simulated, wall)
+    assert pace.standing(9.5) == 3.5

@@ -12,6 +12,7 @@ from f1tenth_scenarios.cli.options import planner_of, results_of
 from f1tenth_scenarios.cli.show_commands import report
 from f1tenth_scenarios.errors import NotApplicableError, ScenarioError
 from f1tenth_scenarios.launch.private_master import private_master
+from f1tenth_scenarios.launch.system_limits import require_memory
 from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.plan.planner import planner_setting
 from f1tenth_scenarios.plan.planning import make_plan
@@ -47,6 +48,7 @@ def run_plan(plan: Plan, attach: bool = False) -> int:
     """
     from f1tenth_scenarios.run.ros_session import run_with_ros
 
+    require_memory()
     progress = ProgressLine(plan.name)
     master = contextlib.nullcontext() if attach else private_master()
     with StopRequest().listening() as stop, master:

@@ -17,6 +17,10 @@ class Pace:
         self._first = self._first or (simulated, wall)
         self._last = (simulated, wall)
 
+    def standing(self, wall: float) -> float:
+        """For how long (wall s) simulated time has not gone on, at a wall time (s)."""
+        return wall - (self._last[1] if self._last else 0.0)
+
     @property
     def factor(self) -> Optional[float]:
         """Simulated seconds per wall second; nothing until two moments are known."""

@@ -10,6 +10,7 @@ from typing import Optional
 from f1tenth_scenarios.drivers.deputy import EXIT_MISFIT
 from f1tenth_scenarios.errors import MisfitError
 from f1tenth_scenarios.launch.processes import ProcessTree
+from f1tenth_scenarios.launch.system_limits import hindered
 from f1tenth_scenarios.plan.participants import DEPUTY, driver_nodes_among, named_nodes
 from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.record.bag import RECORDER
@@ -39,12 +40,15 @@ class Breakdown:
         """Whether something has broken, though its last words may not be there yet."""
         return self._seen_at is not None
 
-    def failure(self, updates: Sequence[RaceUpdate], done: set[str]) -> Optional[Failure]:
+    def failure(
+        self, updates: Sequence[RaceUpdate], done: set[str], standing: float = 0.0
+    ) -> Optional[Failure]:
         """Who broke the set-up, as soon as its last words can be there.
 
         Args:
             updates: what the cars said of themselves
             done: the cars that have finished, whose drivers may end
+            standing: for how long simulated time has not gone on, wall s
 
         Raises:
             MisfitError: a car's driver does not fit lockstep.
@@ -53,7 +57,8 @@ class Breakdown:
         ends = [end for end in self._log.ends if self._is_fatal(end, done)]
         lost = [each for each in updates if each.state in (RaceState.LOST, RaceState.STOPPED)]
         exit_code = self._tree.exit_code()
-        if not (ends or lost or exit_code is not None):
+        stuck = standing >= self._plan.scenario.limits.answer and hindered(self._log.pids)
+        if not (ends or lost or stuck or exit_code is not None):
             return None
         if self._seen_at is None:
             self._seen_at = time.monotonic()
@@ -61,7 +66,8 @@ class Breakdown:
         if time.monotonic() - self._seen_at < (_LAST_OUTPUT if killed else _LAST_WORDS):
             return None
         result = read_json(self._plan.simulator_result_file)
-        return failure_of(self._plan, Signs(ends, lost, exit_code, result, tuple(self._log.pids)))
+        signs = Signs(ends, lost, exit_code, result, tuple(self._log.pids), hindered(self._log.pids))
+        return failure_of(self._plan, signs)
 
     def _look_for_misfit(self) -> None:
         for car in self._plan.cars:

@@ -30,12 +30,16 @@ class Signs:
     exit_code: Optional[int]  # of roslaunch, nothing while it runs
     simulator: Mapping[str, Any]  # what the simulator wrote at its end, empty if nothing
     started: Sequence[str] = ()  # nodes
+    hindered: Optional[tuple[str, str]] = None  # a process that is there and cannot go on, and why
 
 
 def failure_of(plan: Plan, signs: Signs) -> Failure:
-    """Name whom the simulator waited for in vain, else the simulator, else the first that ended."""
+    """Name who cannot go on, else whom the simulator waited for in vain, else the simulator, else who ended first."""
     participant, error = signs.simulator.get("participant"), signs.simulator.get("error")
     by_name = {end.node: end for end in reversed(signs.ends)}
+    dead = participant in by_name or (signs.ends and not participant)
+    if signs.hindered and not dead:
+        return _node_failure(plan, NodeEnd(signs.hindered[0], 0), signs.hindered[1])
     restless = next((car for car in plan.cars if participant == f"{car}/{DEPUTY}"), None)
     if restless and participant not in by_name:
         nodes = driver_nodes_among(restless, signs.started)

@@ -93,7 +93,8 @@ class Supervisor:
 
     def _broken(self) -> Optional[Failure]:
         """Who broke the set-up; from then on nothing is decided by the record, which may go on."""
-        failure = self._breakdown.failure(self.updates, self._done())
+        standing = self.pace.standing(self._elapsed())
+        failure = self._breakdown.failure(self.updates, self._done(), standing)
         if not self._breakdown.is_seen:
             self._sound_at = self._record.time or 0.0
         elif self.sound_until is None:
@@ -166,11 +167,18 @@ class Supervisor:
         return said | {car for car in shown if not self._plan.tasks[car].reports}
 
     def _hang(self) -> Failure:
-        simulated = "nothing" if self._record.time is None else f"{self._record.time:.3f} s"
-        limit = self._plan.scenario.limits.wall
+        limits, simulated = self._plan.scenario.limits, self._record.time
+        standing = self.pace.standing(self._elapsed())
+        if simulated is not None and standing >= limits.answer:
+            culprit = "sim2d"
+            reason = f"simulated time stands at {simulated:.3f} s, for {standing:.0f} s of wall time (limits.wall)"
+        else:
+            culprit = "runner"
+            reached = "nothing" if simulated is None else f"{simulated:.3f} s"
+            reason = f"not decided after {limits.wall:g} s of wall time (limits.wall), {reached} simulated"
         return Failure(
-            "runner",
-            f"not decided after {limit:g} s of wall time (limits.wall), {simulated} simulated",
+            culprit,
+            reason,
             str(self._plan.launch_log),
             tuple(last_lines(self._plan.launch_log, 10)),
         )

@@ -211,7 +211,8 @@ class Limits:
 
     timeout: float = key("Simulated time after which the verdict is `timeout`.", unit="s", above=0)
     answer: float = key(
-        "Wall time in which each participant of lockstep must answer a control period.",
+        "Wall time in which each participant of lockstep must answer a control period, and a process that is"
+        " stopped must go on if simulated time stands.",
         unit="s",
         above=0,
         default=20.0,

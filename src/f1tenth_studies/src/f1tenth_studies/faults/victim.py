@@ -97,7 +97,7 @@ class Victim:
         names = [word.partition(":=")[2] for word in words if word.startswith("__name:=")]
         if names:
             return "/".join(filter(None, [namespace, *names]))
-        known = {"roslaunch": "roslaunch", "rosmaster": "master", "roscore": "master"}
+        known = {"roslaunch": "roslaunch", "f1tenth_scenarios.launch.private_master": "master"}
         for word in words[:4]:
             if Path(word).name in known:
                 return known[Path(word).name]

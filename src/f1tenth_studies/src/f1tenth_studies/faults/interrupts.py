@@ -14,6 +14,7 @@ from f1tenth_studies.faults.victim import MOST_SECONDS, Ending, Victim
 _LONGEST = 600.0  # wall s
 COMMANDS = {
     "scenario run": ("run", "circuit1"),
+    "scenario race": ("race", "circuit1"),
     "scenario sweep": ("sweep", "circuit1", "--vary", "seed=1:3"),
     "scenario report": ("report",),
 }

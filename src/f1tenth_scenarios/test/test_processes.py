@@ -110,6 +110,16 @@ def test_stopped_processes_end_in_order(tmp_path):
     assert tree.exit_code() == 0
 
 
+def test_a_stopped_helper_of_this_process_goes_on(tmp_path):
+    with subprocess.Popen(["sleep", "600"]) as helper:
+        helper.send_signal(signal.SIGSTOP)
+        stopped = psutil.Process(helper.pid)
+        wait_for(lambda: stopped.status() == psutil.STATUS_STOPPED)
+        start(tmp_path, SLEEP).stop(0.1)
+        assert wait_for(lambda: stopped.status() != psutil.STATUS_STOPPED)
+        helper.kill()
+
+
 def test_what_a_killed_child_left_behind_is_told_to_end(tmp_path):
     tree = start(tmp_path, starts_child(tmp_path, SLEEP, own_session=True) + SLEEP)
     left = pid_of_child(tmp_path)

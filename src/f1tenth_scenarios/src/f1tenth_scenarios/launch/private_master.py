@@ -7,6 +7,8 @@ import subprocess
 import sys
 from collections.abc import Iterator
 
+import psutil
+
 from f1tenth_scenarios.errors import ScenarioError
 
 _ENVIRONMENT = ("ROS_HOSTNAME", "ROS_IP", "ROS_MASTER_URI")
@@ -39,6 +41,11 @@ def private_master() -> Iterator[str]:
     finally:
         master.communicate()
         _restore(before)
+
+
+def master_process() -> dict[str, int]:
+    """The id of the master that this process has started, by the name `master`; empty if it has not."""
+    return {"master": each.pid for each in psutil.Process().children() if __name__ in each.cmdline()}
 
 
 def _restore(variables) -> None:

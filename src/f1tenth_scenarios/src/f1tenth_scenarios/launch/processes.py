@@ -71,7 +71,8 @@ class ProcessTree:
         """Tell the child to end, and those that it can tell no more; once. Returns when that was."""
         if self._interrupted_at is None:
             self._interrupted_at = time.monotonic()
-            self._send(signal.SIGCONT)  # who is stopped could not end
+            # Who is stopped could not end, and nobody could end without the master.
+            _signal([*self._members(), *psutil.Process().children()], signal.SIGCONT)
             if self._child.poll() is None:
                 os.killpg(self._child.pid, signal.SIGINT)
             else:
@@ -81,9 +82,7 @@ class ProcessTree:
     def _send(self, number: int) -> list[int]:
         """Signal all that are left; returns their process ids."""
         members = self._members()
-        for each in members:
-            with contextlib.suppress(psutil.NoSuchProcess):
-                each.send_signal(number)
+        _signal(members, number)
         return [each.pid for each in members]
 
     def _members(self) -> list[psutil.Process]:
@@ -95,6 +94,12 @@ class ProcessTree:
             return process.status() != psutil.STATUS_ZOMBIE and process.environ().get(_MARK) == self._mark
         except psutil.Error:
             return False
+
+
+def _signal(processes: Sequence[psutil.Process], number: int) -> None:
+    for each in processes:
+        with contextlib.suppress(psutil.NoSuchProcess):
+            each.send_signal(number)
 
 
 def _wait_for_ends(pids: Sequence[int], deadline: float) -> None:

@@ -9,6 +9,7 @@ from typing import Optional
 
 from f1tenth_scenarios.drivers.deputy import EXIT_MISFIT
 from f1tenth_scenarios.errors import MisfitError
+from f1tenth_scenarios.launch.private_master import master_process
 from f1tenth_scenarios.launch.processes import ProcessTree
 from f1tenth_scenarios.launch.system_limits import hindered
 from f1tenth_scenarios.plan.participants import DEPUTY, driver_nodes_among, named_nodes
@@ -57,7 +58,7 @@ class Breakdown:
         ends = [end for end in self._log.ends if self._is_fatal(end, done)]
         lost = [each for each in updates if each.state in (RaceState.LOST, RaceState.STOPPED)]
         exit_code = self._tree.exit_code()
-        stuck = standing >= self._plan.scenario.limits.answer and hindered(self._log.pids)
+        stuck = standing >= self._plan.scenario.limits.answer and self._hindered()
         if not (ends or lost or stuck or exit_code is not None):
             return None
         if self._seen_at is None:
@@ -66,8 +67,11 @@ class Breakdown:
         if time.monotonic() - self._seen_at < (_LAST_OUTPUT if killed else _LAST_WORDS):
             return None
         result = read_json(self._plan.simulator_result_file)
-        signs = Signs(ends, lost, exit_code, result, tuple(self._log.pids), hindered(self._log.pids))
+        signs = Signs(ends, lost, exit_code, result, tuple(self._log.pids), self._hindered())
         return failure_of(self._plan, signs)
+
+    def _hindered(self) -> Optional[tuple[str, str]]:
+        return hindered({**self._log.pids, **master_process()})
 
     def _look_for_misfit(self) -> None:
         for car in self._plan.cars:

@@ -43,7 +43,7 @@ class Victim:
             said: file for what it says on the terminal
             popen: further arguments of subprocess.Popen
         """
-        self.results = results
+        self.results = self.written = results  # found afterwards; written to
         self.beside: list[subprocess.Popen] = []  # what was started to disturb it, and ends with it
         self._mark = uuid.uuid4().hex
         self._output = open(said, "w+", encoding="utf-8")  # noqa: SIM115
@@ -105,21 +105,28 @@ class Victim:
 
     def end(self, patience: float) -> Ending:
         """Wait until nothing of it runs; what still does after some time (wall s) is killed."""
-        begun = time.monotonic()
+        begun, judged = time.monotonic(), None
         while self.members() and time.monotonic() - begun < patience:
+            if judged is None and self._has_verdict():
+                judged = time.monotonic()
             self.process.poll()
             time.sleep(_LOOK_INTERVAL)
-        seconds, ended, code = time.monotonic() - begun, time.time(), self._exit_code()
+        ended, code = time.monotonic(), self._exit_code()
         self._kill()
         with self._output as output:
             output.seek(0)
             said = output.read()
         found = [*self.results.glob("*/result.json"), *self.results.glob("*/interrupted/result.json")]
         result = json.loads(found[0].read_text(encoding="utf-8")) if found else None
-        # Written right after the verdict, and only once.
-        tables = [*self.results.glob("*/trajectory.csv"), *self.results.glob("*/interrupted/trajectory.csv")]
-        after = ended - tables[0].stat().st_mtime if tables else seconds
-        return Ending(code, seconds, after, result, any(self.results.rglob("junit.xml")), said)
+        after = ended - (judged or begun)
+        return Ending(code, ended - begun, after, result, any(self.results.rglob("junit.xml")), said)
+
+    def _has_verdict(self) -> bool:
+        """Whether it has written one, as it sees its files: it may have a disk of its own."""
+        seen = Path(f"/proc/{self.process.pid}/root{self.written}")
+        with contextlib.suppress(OSError):
+            return any(seen.glob("*/result.json")) or any(seen.glob("*/interrupted/result.json"))
+        return False
 
     def _exit_code(self) -> Optional[int]:
         # A process that is ending has lost its environment a moment before it is gone.

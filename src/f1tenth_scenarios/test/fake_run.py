@@ -7,7 +7,7 @@ from pathlib import Path
 import rosbag
 from f1tenth_scenarios.run.run import execute
 from f1tenth_scenarios.stop_request import StopRequest
-from scenario_samples import rows, sample_plan, scenario, write_record
+from scenario_samples import finished, racing, reached, rows, sample_plan, scenario, write_record
 
 SHUTDOWN = "import signal, sys; signal.signal(signal.SIGINT, lambda *_: sys.exit(0))\n"
 READY = "print(flush=True)\n"
@@ -111,3 +111,15 @@ class FakeRun:
     def _do(self, line):
         self._program += line
         return self
+
+
+def succeeding(folder):
+    """A run that passes every goal."""
+    run = FakeRun(folder).records(1.0).waits(0.5).records(9.0)
+    return run.hears(racing(), reached(2.2, 1), reached(2.5, 2), finished(3.0))
+
+
+def result_of(run, **others):
+    """What result.json says when a run is over."""
+    run.execute(**others)
+    return json.loads((run.plan.folder / "result.json").read_text(encoding="utf-8"))

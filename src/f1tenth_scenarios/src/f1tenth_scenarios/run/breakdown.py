@@ -24,7 +24,6 @@ from f1tenth_scenarios.run.launch_log import LaunchLog, NodeEnd
 _LAST_WORDS = 0.5
 # The same for one killed by a signal, which is nobody else's fault: only its output may still be on its way.
 _LAST_OUTPUT = 0.1
-_ALL = 1_000_000  # lines
 
 
 class Breakdown:
@@ -79,7 +78,7 @@ class Breakdown:
             if NodeEnd(deputy, EXIT_MISFIT) in [
                 dataclasses.replace(end, log_file=None) for end in self._log.ends
             ]:
-                said = [line for line in last_lines(self._plan.launch_log, _ALL) if f"[/{deputy}]: " in line]
+                said = [line for line in last_lines(self._plan.launch_log) if f"[/{deputy}]: " in line]
                 why = said[-1].partition(f"[/{deputy}]: ")[2] if said else "its deputy does not say why"
                 raise MisfitError(f"the driver of {car} does not fit lockstep: {why}")
 

@@ -13,9 +13,8 @@ from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_scenarios.run.file_tail import last_lines
 from f1tenth_scenarios.run.launch_log import NodeEnd
 
-_LINE_COUNT = 10
+LINE_COUNT = 10  # of what a culprit said last
 _RESTLESS = "has not come to rest within {:g} s of wall time (limits.answer)"
-_ALL = 1_000_000  # lines
 _TRACEBACK = "Traceback (most recent call last)"
 _ERROR_WORDS = ("[ERROR]", "[FATAL]", _TRACEBACK)
 _ERROR_LINES = 40  # at most, of one error
@@ -58,7 +57,7 @@ def failure_of(plan: Plan, signs: Signs) -> Failure:
         "roslaunch",
         f"ended with exit code {signs.exit_code}",
         str(plan.launch_log),
-        tuple(last_lines(plan.launch_log, _LINE_COUNT)),
+        tuple(last_lines(plan.launch_log, LINE_COUNT)),
     )
 
 
@@ -79,15 +78,15 @@ def _lost_failure(plan, update):
 def _node_failure(plan, end, reason):
     for file, lines in _last_words(plan, end):
         if lines:
-            return Failure(end.node, reason, str(file), tuple(lines[-_LINE_COUNT:]))
+            return Failure(end.node, reason, str(file), tuple(lines[-LINE_COUNT:]))
     return Failure(end.node, reason, str(plan.launch_log))
 
 
 def _last_words(plan: Plan, end: NodeEnd) -> Iterator[tuple[Path, list[str]]]:
     """What a node may have said last, the most telling first: files and lines."""
-    output = last_lines(plan.launch_log, _ALL)
+    output = last_lines(plan.launch_log)
     own_log = _log_file(plan, end)
-    own = last_lines(own_log, _ALL) if own_log else []
+    own = last_lines(own_log) if own_log else []
     if end.exit_code:
         yield plan.launch_log, _last_traceback(output, end.node)
     if own_log:

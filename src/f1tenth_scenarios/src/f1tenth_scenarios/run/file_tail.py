@@ -62,13 +62,13 @@ class RecordTail:
             self._progress[car].take(self.time, x, y, yaw)
 
 
-def last_lines(path: Path, count: int) -> list[str]:
-    """The last lines of a file that are not empty; none when it cannot be read."""
+def last_lines(path: Path, count: Optional[int] = None) -> list[str]:
+    """The last lines of a file that are not empty, else all; none when it cannot be read."""
     try:
         data = path.read_bytes()
     except OSError:
         return []
-    return [line for line in map(_plain, data.splitlines()) if line][-count:]
+    return [line for line in map(_plain, data.splitlines()) if line][-(count or 0) :]
 
 
 def _plain(line: bytes) -> str:

@@ -13,6 +13,7 @@ from f1tenth_scenarios.record.pace import Pace
 from f1tenth_scenarios.record.record import STAMP_EPSILON, read_record
 from f1tenth_scenarios.record.replay import Poses
 from f1tenth_scenarios.run.breakdown import Breakdown
+from f1tenth_scenarios.run.culprit import LINE_COUNT
 from f1tenth_scenarios.run.file_tail import RecordTail, last_lines
 from f1tenth_scenarios.run.launch_log import LaunchLog
 from f1tenth_scenarios.stop_request import StopRequest
@@ -180,5 +181,5 @@ class Supervisor:
             culprit,
             reason,
             str(self._plan.launch_log),
-            tuple(last_lines(self._plan.launch_log, 10)),
+            tuple(last_lines(self._plan.launch_log, LINE_COUNT)),
         )

@@ -1,6 +1,5 @@
 """Noticing that the set-up of a run broke: a node that ended, a planner that fell silent."""
 
-import dataclasses
 import json
 import time
 from collections.abc import Sequence
@@ -75,9 +74,7 @@ class Breakdown:
     def _look_for_misfit(self) -> None:
         for car in self._plan.cars:
             deputy = f"{car}/{DEPUTY}"
-            if NodeEnd(deputy, EXIT_MISFIT) in [
-                dataclasses.replace(end, log_file=None) for end in self._log.ends
-            ]:
+            if any((end.node, end.exit_code) == (deputy, EXIT_MISFIT) for end in self._log.ends):
                 said = [line for line in last_lines(self._plan.launch_log) if f"[/{deputy}]: " in line]
                 why = said[-1].partition(f"[/{deputy}]: ")[2] if said else "its deputy does not say why"
                 raise MisfitError(f"the driver of {car} does not fit lockstep: {why}")

@@ -45,7 +45,6 @@ def with_planner(scenario: Scenario, node: yaml.Node, beside: Path) -> Scenario:
 
 def _require_sense(scenario: Scenario, file: DriverFile) -> None:
     ours = [car.name for car in scenario.cars if car.driver.name == _OURS]
-    usual = next(field.default for field in dataclasses.fields(Scenario) if field.name == "time_to_start")
     if not ours:
         raise NotApplicableError("no car of it is driven by our planner")
     for fault in scenario.faults:
@@ -55,7 +54,7 @@ def _require_sense(scenario: Scenario, file: DriverFile) -> None:
         raise NotApplicableError(
             f"it expects '{scenario.expected.value}', which says nothing about another planner"
         )
-    if scenario.time_to_start != usual and "time_to_start" not in file.arguments:
+    if scenario.time_to_start != Scenario.time_to_start and "time_to_start" not in file.arguments:
         raise NotApplicableError("it is about the countdown, and the planner has no argument 'time_to_start'")
 
 

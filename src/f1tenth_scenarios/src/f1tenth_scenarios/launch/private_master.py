@@ -45,7 +45,8 @@ def private_master() -> Iterator[str]:
 
 def master_process() -> dict[str, int]:
     """The id of the master that this process has started, by the name `master`; empty if it has not."""
-    return {"master": each.pid for each in psutil.Process().children() if __name__ in each.cmdline()}
+    found = (each for each in psutil.Process().children() if __name__ in each.cmdline())
+    return {name: each.pid for name, each in zip(["master"], found)}
 
 
 def _restore(variables) -> None:

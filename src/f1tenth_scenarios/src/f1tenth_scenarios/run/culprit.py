@@ -33,7 +33,7 @@ class Signs:
 
 
 def failure_of(plan: Plan, signs: Signs) -> Failure:
-    """Name who cannot go on, else whom the simulator waited for in vain, else the simulator, else who ended first."""
+    """Name who cannot go on, else whom the simulator waited for, else the simulator, else who ended first."""
     participant, error = signs.simulator.get("participant"), signs.simulator.get("error")
     by_name = {end.node: end for end in reversed(signs.ends)}
     dead = participant in by_name or (signs.ends and not participant)

@@ -172,7 +172,9 @@ class Supervisor:
         standing = self.pace.standing(self._elapsed())
         if simulated is not None and standing >= limits.answer:
             culprit = "sim2d"
-            reason = f"simulated time stands at {simulated:.3f} s, for {standing:.0f} s of wall time (limits.wall)"
+            reason = (
+                f"simulated time stands at {simulated:.3f} s, for {standing:.0f} s of wall time (limits.wall)"
+            )
         else:
             culprit = "runner"
             reached = "nothing" if simulated is None else f"{simulated:.3f} s"

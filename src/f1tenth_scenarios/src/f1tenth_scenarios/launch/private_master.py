@@ -45,8 +45,10 @@ def private_master() -> Iterator[str]:
 
 def master_process() -> dict[str, int]:
     """The id of the master that this process has started, by the name `master`; empty if it has not."""
-    found = (each for each in psutil.Process().children() if __name__ in each.cmdline())
-    return {name: each.pid for name, each in zip(["master"], found)}
+    for each in psutil.Process().children():
+        if __name__ in each.cmdline():
+            return {"master": each.pid}
+    return {}
 
 
 def _restore(variables) -> None:

@@ -1,22 +1,23 @@
 #include "f1tenth_navigation_mgr/move_base_client.h"
 
+#include <nav_msgs/Path.h>
+
 namespace f1tenth_navigation_mgr
 {
 namespace
 {
-move_base_msgs::MoveBaseGoal toMessage(const Goal & goal, const ros::Time & stamp)
+geometry_msgs::PoseStamped toMessage(const Goal & goal, const ros::Time & stamp)
 {
-  move_base_msgs::MoveBaseGoal message;
-  message.target_pose.header.frame_id = goal.frame_id;
-  message.target_pose.header.stamp = stamp;
-  auto & pose = message.target_pose.pose;
-  pose.position.x = goal.x;
-  pose.position.y = goal.y;
-  pose.position.z = goal.z;
-  pose.orientation.x = goal.qx;
-  pose.orientation.y = goal.qy;
-  pose.orientation.z = goal.qz;
-  pose.orientation.w = goal.qw;
+  geometry_msgs::PoseStamped message;
+  message.header.frame_id = goal.frame_id;
+  message.header.stamp = stamp;
+  message.pose.position.x = goal.x;
+  message.pose.position.y = goal.y;
+  message.pose.position.z = goal.z;
+  message.pose.orientation.x = goal.qx;
+  message.pose.orientation.y = goal.qy;
+  message.pose.orientation.z = goal.qz;
+  message.pose.orientation.w = goal.qw;
   return message;
 }
 }  // namespace
@@ -45,6 +46,8 @@ void MoveBaseClient::Connect()
     last_status_ = {ros::WallTime::now(), ros::Time::now()};
   });
   Listen<move_base_msgs::MoveBaseActionResult>("result", [] {});
+  // Before the client, so that the server knows this topic when it is told the first goal.
+  goals_ahead_ = nh_.advertise<nav_msgs::Path>("move_base/goals_ahead", 1, true);
   client_ = std::make_unique<Client>(nh_, "move_base", &queue_);
 }
 
@@ -74,11 +77,25 @@ bool MoveBaseClient::IsServerGone() const
   return flight_ && gone_since_ && (ros::WallTime::now() - *gone_since_).toSec() > timeouts_.disconnect;
 }
 
-void MoveBaseClient::Send(const Goal & goal, const ros::Time & now)
+void MoveBaseClient::Send(const Goal & goal, const Goals & next, const ros::Time & now)
 {
   const Moment moment{ros::WallTime::now(), now};
   last_status_ = moment;
-  flight_ = Flight{client_->sendGoal(toMessage(goal, now)), goal, now, moment, moment.wall, {}, false};
+  flight_ = Flight{{}, goal, now, moment, moment.wall, {}, false};
+  Announce(next);
+  move_base_msgs::MoveBaseGoal message;
+  message.target_pose = toMessage(goal, now);
+  flight_->handle = client_->sendGoal(message);
+}
+
+void MoveBaseClient::Announce(const Goals & next)
+{
+  nav_msgs::Path ahead;
+  ahead.header.stamp = flight_->sent;
+  ahead.header.frame_id = flight_->goal.frame_id;
+  ahead.poses.push_back(toMessage(flight_->goal, flight_->sent));
+  for (const Goal & goal : next) ahead.poses.push_back(toMessage(goal, flight_->sent));
+  goals_ahead_.publish(ahead);
 }
 
 void MoveBaseClient::Cancel(const ros::Time & now)

@@ -3,6 +3,7 @@
 #include <ros/init.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace f1tenth_navigation_mgr
 {
@@ -44,17 +45,39 @@ void NavigationMgr::LoadGoals(const std::string & path)
   const Goals goals = LoadGoalsFile(path, {"map", client_.OdomFrame()});
   queue_.insert(queue_.end(), goals.begin(), goals.end());
   empty_reported_ = false;
+  AnnounceNext();
 }
 
 void NavigationMgr::AddGoal(const Goal & goal)
 {
   queue_.push_back(goal);
   empty_reported_ = false;
+  AnnounceNext();
 }
 
 void NavigationMgr::ClearGoals()
 {
   queue_.resize(client_.HasGoal() ? 1 : 0);
+  AnnounceNext();
+}
+
+void NavigationMgr::SetLoopMode(bool loop)
+{
+  loop_mode_ = loop;
+  AnnounceNext();
+}
+
+// What follows the front of the queue.
+Goals NavigationMgr::NextGoals() const
+{
+  Goals next{std::next(queue_.begin()), queue_.end()};
+  if (loop_mode_) next.push_back(queue_.front());
+  return next;
+}
+
+void NavigationMgr::AnnounceNext()
+{
+  if (client_.HasGoal()) client_.Announce(NextGoals());
 }
 
 SpinResult NavigationMgr::Spin()
@@ -89,7 +112,7 @@ SpinResult NavigationMgr::CheckGoal(const ros::Time & now)
 
 SpinResult NavigationMgr::SendFront(const ros::Time & now)
 {
-  client_.Send(queue_.front(), now);
+  client_.Send(queue_.front(), NextGoals(), now);
   return SpinResult::kSent;
 }
 

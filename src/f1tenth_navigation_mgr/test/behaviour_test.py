@@ -26,6 +26,9 @@ from mock_move_base import (
     LOSE_RESULT,
     REJECT,
     SUCCEED,
+    TELL,
+    TELL_LAST,
+    TELL_NEXT,
 )
 from rosgraph_msgs.msg import Clock
 
@@ -207,6 +210,33 @@ def test_loop_mode_starts_over():
     lines = run_goals(SUCCEED, DELAY, mode="loop")
     reached = [line for line in lines if "succeeded" in line]
     assert [line.split()[1] for line in reached[:5]] == ["0", "1", "0", "1", "0"]
+
+
+def ends_of(lines):
+    return [line for line in lines if line.startswith("goal")]
+
+
+def test_says_of_each_goal_which_ones_follow_it():
+    assert ends_of(run_goals(TELL, TELL, TELL)) == [
+        "goal 0 succeeded: followed by 1 2",
+        "goal 1 succeeded: followed by 2",
+        "goal 2 succeeded: the last one",
+    ]
+
+
+def test_a_loop_leads_back_to_the_goal():
+    lines = run_goals(TELL, TELL, mode="loop")
+    assert ends_of(lines)[:2] == ["goal 0 succeeded: followed by 1 0", "goal 1 succeeded: followed by 0 1"]
+
+
+def test_says_so_when_a_goal_is_added_behind_the_one_in_flight():
+    lines = run_goals(TELL_NEXT, mode="add")
+    assert ends_of(lines) == ["goal 0 succeeded: followed by 9", f"goal 9 succeeded: {REACHED}"]
+
+
+def test_says_so_when_the_goals_behind_the_one_in_flight_are_dropped():
+    lines = run_goals(TELL_LAST, SUCCEED, mode="drop")
+    assert ends_of(lines) == ["goal 0 succeeded: the last one"]
 
 
 def test_waits_for_a_server_that_comes_late():

@@ -13,8 +13,11 @@ from collections import Counter
 import rospy
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 from move_base_msgs.msg import MoveBaseActionFeedback, MoveBaseActionGoal, MoveBaseActionResult
+from nav_msgs.msg import Path
 
 SUCCEED, ABORT, REJECT, DROP, DELAY, DIE, LOSE_RESULT, HANG, FORGET, IGNORE, DRIVE, ACCEPT_LATE = range(12)
+# These end by saying which goals follow: as soon as that is known, only if one does, only if none does.
+TELL, TELL_NEXT, TELL_LAST = range(12, 15)
 
 STATUS_PERIOD = 0.05  # s
 DELAY_TIME = 2.0  # s
@@ -35,12 +38,15 @@ class MockMoveBase:
         self._goals = {}
         self._copies = Counter()
         self._silent = False
+        self._telling = None  # goal id, behaviour and target of the goal that waits for what follows it
+        self._ahead = []
         self._status = publisher("status", GoalStatusArray, latch=True)
         self._result = publisher("result", MoveBaseActionResult)
         self._feedback = publisher("feedback", MoveBaseActionFeedback)
         self._subscribers = [
             rospy.Subscriber("move_base/goal", MoveBaseActionGoal, self._on_goal),
             rospy.Subscriber("move_base/cancel", GoalID, self._on_cancel),
+            rospy.Subscriber("move_base/goals_ahead", Path, self._on_goals_ahead),
         ]
 
     def run(self):
@@ -62,6 +68,25 @@ class MockMoveBase:
                 return
             self._set(goal_id, GoalStatus.ACTIVE)
             self._behave(behaviour, goal_id)
+            if behaviour in (TELL, TELL_NEXT, TELL_LAST):
+                self._telling = (goal_id, behaviour, message.goal.target_pose)
+                self._tell()
+
+    def _on_goals_ahead(self, message):
+        with self._lock:
+            self._ahead = message.poses
+            self._tell()
+
+    def _tell(self):
+        if not (self._telling and self._ahead):
+            return
+        goal_id, behaviour, target = self._telling
+        first, *rest = self._ahead
+        known = (first.header.stamp, first.pose) == (target.header.stamp, target.pose)
+        if known and (behaviour == TELL or bool(rest) == (behaviour == TELL_NEXT)):
+            self._telling = None
+            numbers = " ".join(f"{goal.pose.position.x:g}" for goal in rest)
+            self._end(goal_id, GoalStatus.SUCCEEDED, f"followed by {numbers}" if rest else "the last one")
 
     def _behave(self, behaviour, goal_id):
         if behaviour in (SUCCEED, DROP):

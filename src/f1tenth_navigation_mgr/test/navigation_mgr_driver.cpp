@@ -1,5 +1,5 @@
 // Drives the C++ class as navigation_mgr_driver.py drives the Python one; behaviour_test.py compares what they print.
-//   navigation_mgr_test_driver ROBOT GOALS_FILE [loop|cancel|parts]
+//   navigation_mgr_test_driver ROBOT GOALS_FILE [loop|cancel|parts|add|drop]
 #include <ros/ros.h>
 
 #include <iostream>
@@ -40,6 +40,10 @@ void drive(NavigationMgr & navmgr, const std::string & mode)
     if (did == SpinResult::kSent && (mode == "cancel" || navmgr.Results().size() >= kLoopedGoals)) {
       navmgr.ClearGoals();
       navmgr.Cancel();
+    }
+    if (did == SpinResult::kSent && mode == "drop") navmgr.ClearGoals();
+    if (did == SpinResult::kSent && mode == "add" && navmgr.Results().empty()) {
+      navmgr.AddGoal(PlanarGoal(9.0, 0.0, 0.0));
     }
     over = over || did == SpinResult::kQueueEmpty;
   }

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """Drives the Python class as navigation_mgr_driver.cpp drives the C++ one.
 
-navigation_mgr_driver.py ROBOT GOALS_FILE [loop|cancel|parts]
+navigation_mgr_driver.py ROBOT GOALS_FILE [loop|cancel|parts|add|drop]
 """
 
 import sys
 
 import rospy
 
-from f1tenth_navigation_mgr import NavigationError, NavigationMgr, SpinResult, Timeouts
+from f1tenth_navigation_mgr import Goal, NavigationError, NavigationMgr, SpinResult, Timeouts
 
 LOOPED_GOALS = 5
 SPINS_AFTER_END = 5
@@ -42,6 +42,10 @@ def drive(navmgr, mode):
         if did == SpinResult.SENT and (mode == "cancel" or len(navmgr.results) >= LOOPED_GOALS):
             navmgr.clear_goals()
             navmgr.cancel()
+        if did == SpinResult.SENT and mode == "drop":
+            navmgr.clear_goals()
+        if did == SpinResult.SENT and mode == "add" and not navmgr.results:
+            navmgr.add_goal(Goal(9.0, 0.0, 0.0))
         over = over or did == SpinResult.QUEUE_EMPTY
         left -= over
 

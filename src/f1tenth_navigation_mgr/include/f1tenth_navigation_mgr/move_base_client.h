@@ -34,8 +34,13 @@ public:
   /// Whether a goal is in flight and its server has been gone for longer than Timeouts::disconnect.
   bool IsServerGone() const;
 
+  /// @param next  goals that will follow, see Announce()
   /// @pre connected, no goal in flight
-  void Send(const Goal & goal, const ros::Time & now);
+  void Send(const Goal & goal, const Goals & next, const ros::Time & now);
+
+  /// Says on `move_base/goals_ahead` which goals will follow the one in flight, so that the server need not stop at it;
+  /// servers that do not listen to it are none the wiser.
+  void Announce(const Goals & next);
 
   /// How the goal in flight ended, once; sends the goal or the cancel again where the server took no notice.
   std::optional<GoalResult> Check(const ros::Time & now);
@@ -89,6 +94,7 @@ private:
   const Timeouts timeouts_;
   ros::NodeHandle nh_;
   ros::CallbackQueue queue_;
+  ros::Publisher goals_ahead_;
   std::unique_ptr<Client> client_;  ///< null until there is a clock: its constructor blocks without
   std::vector<ros::Subscriber> listeners_;
   Moment last_status_;

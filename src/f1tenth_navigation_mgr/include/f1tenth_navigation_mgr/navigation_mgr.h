@@ -59,7 +59,7 @@ public:
   void ClearGoals();
 
   /// In loop mode a reached goal goes to the back of the queue instead of leaving it.
-  void SetLoopMode(bool loop) { loop_mode_ = loop; }
+  void SetLoopMode(bool loop);
   bool LoopMode() const { return loop_mode_; }
 
   /// Does at most one thing: nothing while the action server is not connected; else checks the goal in flight; else
@@ -114,6 +114,8 @@ public:
 private:
   SpinResult SpinOnce(const ros::Time & now);
   bool CanSpin() const;
+  Goals NextGoals() const;
+  void AnnounceNext();
   SpinResult CheckGoal(const ros::Time & now);
   SpinResult SendFront(const ros::Time & now);
   SpinResult ReportEmpty();

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The running system must be sound in the eyes of the tools with which users look at it."""
 
+import math
 import subprocess
 import sys
 import threading
@@ -12,6 +13,8 @@ import pytest
 import rospy
 import tf2_ros
 from gazebo_msgs.msg import ContactsState
+from geometry_msgs.msg import PoseStamped
+from move_base_msgs.msg import MoveBaseActionResult
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import Imu, JointState, LaserScan
 from tf2_msgs.msg import TFMessage
@@ -33,6 +36,7 @@ STAMPED = {
 OPEN_INPUTS = {
     f"/{CAR}/drive",
     f"/{CAR}/move_base/cancel",
+    f"/{CAR}/move_base/goals_ahead",
     f"/{CAR}/move_base_simple/goal",
     "/gazebo/set_model_state",
 }
@@ -129,6 +133,25 @@ def test_view_frames_draws_one_tree(tmp_path):
     parents = {child: parent for _, parent, _, child, *_ in edges}
     assert {f"{CAR}/{link}" for link in links()} <= set(parents)
     assert {parent for parent in parents.values() if parent not in parents} == {"map"}
+
+
+def test_a_goal_clicked_in_rviz_ends_at_a_standstill_there():
+    goal = PoseStamped()
+    goal.header.frame_id = "map"
+    goal.pose.position.x, goal.pose.position.y = 2.0, 5.1
+    goal.pose.orientation.z = 1.0  # against x
+    results = Collector(f"/{CAR}/move_base/result", MoveBaseActionResult, lambda message: message.status)
+    clicks = rospy.Publisher(f"/{CAR}/move_base_simple/goal", PoseStamped, queue_size=1, latch=True)
+    clicks.publish(goal)
+    assert results.wait(1)[0].text == "Goal reached."
+    for pose, twist in Collector(f"/{CAR}/perfect_odom", Odometry, motion_of).wait(20):
+        assert math.hypot(pose.position.x - 2.0, pose.position.y - 5.1) < 0.2
+        assert abs(pose.orientation.w) < math.sin(0.1)  # half of the angle
+        assert math.hypot(twist.linear.x, twist.linear.y) < 0.1
+
+
+def motion_of(odometry):
+    return odometry.pose.pose, odometry.twist.twist
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 
 import copy
 import itertools
+import math
 import socket
 import subprocess
 import sys
@@ -16,7 +17,13 @@ import rostest
 from actionlib_msgs.msg import GoalStatus, GoalStatusArray
 from fake_robot import FUTURE, FakeRobot, Room
 from geometry_msgs.msg import PoseStamped, Quaternion
-from move_base_msgs.msg import MoveBaseAction, MoveBaseActionFeedback, MoveBaseGoal, RecoveryStatus
+from move_base_msgs.msg import (
+    MoveBaseAction,
+    MoveBaseActionFeedback,
+    MoveBaseActionResult,
+    MoveBaseGoal,
+    RecoveryStatus,
+)
 from nav_msgs.msg import OccupancyGrid, Path
 from nav_msgs.srv import GetPlan
 from rosgraph_msgs.msg import Log
@@ -79,6 +86,9 @@ class MoveBaseTest(unittest.TestCase):
         cls.client = actionlib.SimpleActionClient("move_base", MoveBaseAction)
         assert cls.client.wait_for_server(PATIENCE)
         rospy.wait_for_service("move_base/clear_costmaps")
+        cls.goals_ahead = rospy.Publisher("move_base/goals_ahead", Path, queue_size=None, tcp_nodelay=True)
+        while cls.goals_ahead.get_num_connections() == 0:
+            rospy.sleep(0.05)
 
     @classmethod
     def tearDownClass(cls):
@@ -115,15 +125,18 @@ class MoveBaseTest(unittest.TestCase):
         self.wait_until(lambda: self.robot.commands and self.robot.commands[-1][1].linear.x == 0.0)
         assert self.robot.commands[-1][1].angular.z == 0.0
 
+    def assert_stands_at(self, x, y, yaw=0.0):
+        assert abs(self.robot.speed) < 0.06
+        assert math.hypot(self.robot.pose[0] - x, self.robot.pose[1] - y) < 0.2
+        assert self.robot.pose[2] == pytest.approx(yaw, abs=0.2)
+        assert not self.robot.touched
+
     def test_a_goal_is_reached(self):
         feedback = Listener("move_base/feedback", MoveBaseActionFeedback)
         self.send(pose_at(6.0, 2.0))
         self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
+        self.assert_stands_at(6.0, 2.0)
         self.assert_stopped()
-        assert self.robot.pose[0] == pytest.approx(6.0, abs=0.2)
-        assert self.robot.pose[1] == pytest.approx(2.0, abs=0.2)
-        assert self.robot.pose[2] == pytest.approx(0.0, abs=0.2)
-        assert not self.robot.touched
         assert feedback.wait()[0].feedback.base_position.header.frame_id == "map"
 
     def test_a_goal_may_come_in_another_frame(self):
@@ -291,6 +304,39 @@ class MoveBaseTest(unittest.TestCase):
         publisher.publish(pose_at(2.5, 1.0))
         assert goals.wait()[0].pose.position.x == pytest.approx(2.5)
         self.wait_until(lambda: self.robot.pose[0] > 2.3 and self.robot.speed == 0.0)
+
+    def test_a_simple_goal_ends_at_a_standstill(self):
+        results = Listener("move_base/result", MoveBaseActionResult)
+        publisher = rospy.Publisher("move_base_simple/goal", PoseStamped, queue_size=1)
+        self.wait_until(lambda: publisher.get_num_connections() > 0)
+        publisher.publish(pose_at(6.0, 2.0, -0.3))
+        results.wait()
+        self.assert_stands_at(6.0, 2.0, -0.3)
+
+    def announce(self, *goals):
+        self.goals_ahead.publish(Path(poses=list(goals)))
+
+    def test_goals_that_another_one_follows_are_passed_and_the_last_one_ends_at_a_standstill(self):
+        goals = [pose_at(2.0, 4.0, 0.5 * math.pi), pose_at(3.5, 5.0), pose_at(6.0, 4.5)]
+        for i, goal in enumerate(goals):
+            self.announce(*goals[i:])
+            self.send(goal)
+            self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
+            assert self.robot.speed > 0.5 or i == 2
+        self.assert_stands_at(6.0, 4.5)
+
+    def test_a_goal_is_not_passed_because_another_one_was_followed(self):
+        self.announce(pose_at(5.0, 1.0), pose_at(6.0, 2.0))
+        self.send(pose_at(3.0, 1.0))
+        self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
+        self.assert_stands_at(3.0, 1.0)
+
+    def test_a_goal_may_get_one_that_follows_it_on_the_way(self):
+        goals = [pose_at(2.0, 4.0, 0.5 * math.pi), pose_at(6.0, 4.5)]
+        self.drive_off(goals[0])
+        self.announce(*goals)
+        self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
+        assert self.robot.speed > 0.5
 
     def test_make_plan_plans_without_driving(self):
         make_plan = rospy.ServiceProxy("move_base/make_plan", GetPlan)

@@ -2,12 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <deque>
-
 #include "expect_throws.h"
 #include "geometry/errors.h"
-#include "kinematic_car.h"
-#include "rooms.h"
+#include "journey.h"
 
 namespace move_base
 {
@@ -17,83 +14,13 @@ using testing::drawMap;
 using testing::drawOval;
 using testing::drawRoom;
 using testing::inRectangle;
+using testing::Journey;
+using testing::kCycle;
 using testing::KinematicCar;
 using testing::makeCostmap;
 using testing::onOval;
+using testing::racingNavigator;
 using testing::scanFrom;
-
-constexpr double kCycle = 0.05;  // s
-
-NavigatorOptions racingNavigator()
-{
-  NavigatorOptions options;
-  options.follower.limits.max_vel_x = 3.0;
-  options.follower.limits.max_vel_x_backwards = 0.5;
-  options.follower.limits.max_vel_theta = 4.0;
-  options.follower.limits.acc_lim_x = 3.0;
-  options.follower.limits.dec_lim_x = 3.0;
-  options.planner_patience = 1.0;
-  options.controller_patience = 2.0;
-  return options;
-}
-
-// A car that drives where a navigator takes it.
-class Journey
-{
-public:
-  Journey(const NavigatorOptions & options, Costmap costmap, const Pose2 & start)
-  : navigator(options), costmap_(std::move(costmap)), car(start)
-  {
-  }
-
-  CycleOutput cycle()
-  {
-    seen.push_front(car.state());
-    const std::size_t late = std::min(delay, seen.size() - 1);
-    CycleOutput output =
-      navigator.cycle({time, seen[late], sensors_current, kCycle * static_cast<double>(late)}, costmap_);
-    if (wheels_grip) {
-      car.drive(output.command.value_or(DriveCommand{}), kCycle);
-    }
-    if (output.recovery) {
-      recoveries.push_back(output.recovery->name);
-    }
-    if (output.command) {
-      command = *output.command;
-    }
-    clearance = std::min(clearance, costmap_.clearance(car.state().pose));
-    time += kCycle;
-    return output;
-  }
-
-  Outcome untilOutcome(double limit = 60.0)
-  {
-    for (const double end = time + limit; time < end;) {
-      if (const auto outcome = cycle().outcome) {
-        return *outcome;
-      }
-    }
-    return {false, "nothing within the limit"};
-  }
-
-  Costmap & costmap() { return costmap_; }
-
-  Navigator navigator;
-  double time{10.0};
-  bool sensors_current{true};
-  bool wheels_grip{true};
-  std::size_t delay{0};  // cycles until the navigator sees where the car is
-  std::deque<CarState> seen;
-  double clearance{HUGE_VAL};
-  DriveCommand command;
-  std::vector<std::string> recoveries;
-
-private:
-  Costmap costmap_;
-
-public:
-  KinematicCar car;
-};
 
 const std::vector<std::string> kAllRecoveries{"conservative_reset", "back_up", "aggressive_reset", "back_up"};
 
@@ -178,37 +105,6 @@ INSTANTIATE_TEST_SUITE_P(
     Silence{1.0, false, true}, Silence{1.0, true, false}, Silence{1.0, true, true}, Silence{1.0, false, false},
     Silence{4.0, false, true}, Silence{4.0, true, false}, Silence{4.0, true, true}, Silence{4.0, false, false},
     Silence{8.0, false, true}, Silence{8.0, true, false}, Silence{8.0, true, true}, Silence{8.0, false, false}));
-
-TEST(Navigator, passesGoalsWithoutStoppingWhenTheirSpeedIsFree)
-{
-  NavigatorOptions options = racingNavigator();
-  options.free_goal_vel = true;
-  Journey journey(options, makeCostmap(drawOval()), onOval(0.0));
-  double slowest = HUGE_VAL;
-  for (int i = 1; i <= 14; ++i) {
-    journey.navigator.setGoal(onOval(5.0 * i), journey.time);
-    ASSERT_TRUE(journey.untilOutcome().succeeded) << i;
-    slowest = std::min(slowest, journey.car.state().speed);
-  }
-  EXPECT_GT(slowest, 2.0);
-  EXPECT_GT(journey.clearance, 0.4);
-}
-
-TEST(Navigator, comesToAStandBehindAFreeGoalWithoutANextOne)
-{
-  NavigatorOptions options = racingNavigator();
-  options.free_goal_vel = true;
-  Journey journey(options, makeCostmap(drawOval()), onOval(0.0));
-  journey.navigator.setGoal(onOval(6.0), journey.time);
-  ASSERT_TRUE(journey.untilOutcome().succeeded);
-  const Pose2 passed = journey.car.state().pose;
-  for (int i = 0; i < 100 && journey.cycle().command; ++i) {
-  }
-  EXPECT_LT(std::abs(journey.car.state().speed), 0.05);
-  EXPECT_EQ(journey.command.speed, 0.0);
-  EXPECT_GT(distance(passed, journey.car.state().pose), 1.0);
-  EXPECT_GT(journey.clearance, 0.4);
-}
 
 TEST(Navigator, abortsWithoutAPlanAfterAllRecoveries)
 {
@@ -394,7 +290,7 @@ TEST(NavigatorOptions, areChecked)
     options.validate(), OptionError,
     "min_turning_radius: found 0.5, must be at least wheelbase / tan(max_steering_angle) = 0.741599");
   options = {};
-  options.xy_goal_tolerance = 0.0;
+  options.goal_tolerance.distance = 0.0;
   EXPECT_THROWS_MESSAGE(options.validate(), OptionError, "xy_goal_tolerance: found 0, must be a number above 0");
 }
 }  // namespace

@@ -17,6 +17,9 @@ constexpr double kLongestPeriod = 0.2;    // s, taken for a step after a pause
 constexpr double kProgress = 1.0;         // m from where recovery began
 constexpr double kGatePart = 0.75;        // of the goal tolerance, within which plans pass goals
 constexpr double kLeadTime = 0.1;         // s beyond the latency, for which a new plan keeps to the old one
+constexpr double kApproachLength = 3.0;   // m, on top of the way of braking, that are planned to the goal itself
+constexpr double kApproachMargin = 1.0;   // m
+constexpr double kTooFast = 0.5;          // m/s, by which a car may be faster than a new plan allows
 constexpr double kExtensionMargin = 1.0;  // m, of a plan beyond the goal, on top of the way of braking
 }  // namespace
 
@@ -29,8 +32,10 @@ void NavigatorOptions::validate() const
   requireNotNegative("oscillation_timeout", oscillation_timeout);
   requireNotNegative("oscillation_distance", oscillation_distance);
   requireNotNegative("conservative_reset_dist", conservative_reset_dist);
-  requirePositive("xy_goal_tolerance", xy_goal_tolerance);
-  requirePositive("yaw_goal_tolerance", yaw_goal_tolerance);
+  requirePositive("xy_goal_tolerance", goal_tolerance.distance);
+  requirePositive("yaw_goal_tolerance", goal_tolerance.yaw);
+  requirePositive("via_xy_tolerance", via_tolerance.distance);
+  requirePositive("via_yaw_tolerance", via_tolerance.yaw);
   requireNotNegative("coast_time", coast_time);
   planner.validate();
   follower.validate();
@@ -49,9 +54,9 @@ Navigator::Navigator(const NavigatorOptions & options)
   options_.validate();
 }
 
-void Navigator::setGoal(const Pose2 & goal, double time)
+void Navigator::setGoal(const Pose2 & goal, double time, std::vector<Pose2> next)
 {
-  goal_ = goal;
+  goals_.set(goal, std::move(next));
   state_ = State::kPlanning;
   recovery_index_ = 0;
   planning_retries_ = 0;
@@ -62,9 +67,19 @@ void Navigator::setGoal(const Pose2 & goal, double time)
   stop_until_ = 0.0;
 }
 
+void Navigator::setNextGoals(std::vector<Pose2> next)
+{
+  const bool passed = passes();
+  goals_.setNext(std::move(next));
+  if (passes() != passed && state_ == State::kControlling) {
+    state_ = State::kPlanning;
+    next_plan_ = previous_time_.value_or(0.0);
+  }
+}
+
 void Navigator::cancel()
 {
-  goal_.reset();
+  goals_.clear();
   coast_until_.reset();
   stop();
 }
@@ -97,10 +112,10 @@ CycleOutput Navigator::cycle(const CycleInput & input, Costmap & costmap)
 void Navigator::drive(const CycleInput & input, Costmap & costmap, CycleOutput & output)
 {
   if (!input.sensors_current) {
-    if (goal_ || coast_until_) {
+    if (goals_.any() || coast_until_) {
       driveBlind(input, costmap, output);
     }
-  } else if (goal_) {
+  } else if (goals_.any()) {
     pursue(input, costmap, output);
   } else if (coast_until_) {
     coast(input, costmap, output);
@@ -151,13 +166,19 @@ void Navigator::planAhead(const CycleInput & input, Costmap & costmap, CycleOutp
     return;
   }
   next_plan_ = input.time + kRetryInterval;
-  Plan plan = planner_.plan(costmap, requestFrom(input.car));
+  const PlanRequest request = requestFrom(input.car);
+  Plan plan = planner_.plan(costmap, request);
   if (!plan.found()) {
     output.plan_failure = describe(plan.status);
     planFailed(input, costmap, output);
     return;
   }
+  if (!passes() && follower_.hasPath() && !canDrive(plan, input.car, costmap)) {
+    hold(input, costmap, output);
+    return;
+  }
   plan_ = std::move(plan);
+  plan_races_ = request.race_line.has_value();
   output.new_plan = true;
   planning_retries_ = 0;
   last_valid_plan_ = next_passing_ = input.time;
@@ -166,18 +187,34 @@ void Navigator::planAhead(const CycleInput & input, Costmap & costmap, CycleOutp
   control(input, costmap, output);
 }
 
+// A car that is too fast for a new plan, or would have to turn round, brakes along the old one first.
+bool Navigator::canDrive(const Plan & plan, const CarState & car, const Costmap & costmap) const
+{
+  if (car.speed < kTooFast) {
+    return true;
+  }
+  const auto nearest = std::min_element(
+    plan.path.begin(), plan.path.end(),
+    [&](const PathPoint & a, const PathPoint & b) { return distance(a.pose, car.pose) < distance(b.pose, car.pose); });
+  const std::vector<double> speeds = speedProfile(plan.path, costmap, options_.follower.limits);
+  return !plan.path.front().reverse &&
+         car.speed <= speeds[static_cast<std::size_t>(nearest - plan.path.begin())] + kTooFast;
+}
+
 PlanRequest Navigator::requestFrom(const CarState & car) const
 {
   const double curvature = follower_.lastCommand().curvature;
-  PlanRequest request{advance(car.pose, car.speed * options_.follower.latency, curvature), *goal_, curvature};
-  if (options_.free_goal_vel) {
+  PlanRequest request{advance(car.pose, car.speed * options_.follower.latency, curvature), goals_.front(), curvature};
+  if (passes()) {
     request.extension_length = extensionLength();
   }
-  if (options_.free_goal_vel && options_.race_line) {
+  if (races(car)) {
     const SpeedLimits & limits = options_.follower.limits;
     request.race_line = RaceLineOptions{
-      kGatePart * options_.xy_goal_tolerance, options_.follower.slip_gradient, limits.max_lateral_acceleration,
+      kGatePart * tolerance().distance, options_.follower.slip_gradient, limits.max_lateral_acceleration,
       limits.max_vel_x};
+  }
+  if (options_.race_line) {
     request.lead = follower_.lead(car, options_.follower.latency + kLeadTime);
   }
   if (!request.lead.empty()) {
@@ -228,7 +265,7 @@ void Navigator::passIfHindered(
   }
   next_passing_ = input.time + kPassingInterval;
   const PlanRequest request = requestFrom(input.car);
-  if (request.lead.empty()) {
+  if (request.lead.empty() || !request.race_line) {
     return;
   }
   auto plan = planPast(
@@ -246,39 +283,30 @@ bool Navigator::needsPlan(const CycleInput & input, const FollowStep & step) con
   if (input.time < next_plan_) {
     return false;
   }
-  const bool passed = step.position.s > plan_.goal_s + options_.xy_goal_tolerance;
+  const bool approaches = plan_races_ && !passes() && plan_.goal_s - step.position.s < approachLength(input.car.speed);
+  const bool passed = step.position.s > plan_.goal_s + tolerance().distance;
   const bool due =
     options_.planner_frequency > 0.0 && input.time >= last_valid_plan_ + 1.0 / options_.planner_frequency;
   const bool missed = step.at_end && std::abs(input.car.speed) < kStandingSpeed;
-  return step.lost || step.blocked || missed || passed || due;
+  return step.lost || step.blocked || missed || passed || approaches || due;
 }
 
 bool Navigator::finishIfReached(const CycleInput & input, CycleOutput & output)
 {
-  const bool stopped = std::abs(input.car.speed) < kStandingSpeed;
-  if (!reached(input.car.pose) || !(options_.free_goal_vel || stopped)) {
+  const Pose2 & before = previous_pose_.value_or(input.car.pose);
+  const bool stands = std::abs(input.car.speed) < kStandingSpeed;
+  if (!cameNear(before, input.car.pose, goals_.front(), tolerance()) || !(passes() || stands)) {
     return false;
   }
-  goal_.reset();
   output.outcome = Outcome{true, "Goal reached."};
-  if (options_.free_goal_vel) {
+  if (passes()) {
     coast_until_ = input.time + options_.coast_time;
   } else {
     output.command = DriveCommand{};
     stop();
   }
+  goals_.clear();
   return true;
-}
-
-// A fast car may be within the tolerance between two cycles only.
-bool Navigator::reached(const Pose2 & pose) const
-{
-  const Vec2 from = previous_pose_.value_or(pose).position();
-  const Vec2 way = pose.position() - from;
-  const double squared = dot(way, way);
-  const double part = squared > 0.0 ? std::clamp(dot(goal_->position() - from, way) / squared, 0.0, 1.0) : 1.0;
-  return distance(from + part * way, goal_->position()) <= options_.xy_goal_tolerance &&
-         std::abs(normalizeAngle(pose.yaw - goal_->yaw)) <= options_.yaw_goal_tolerance;
 }
 
 void Navigator::coast(const CycleInput & input, const Costmap & costmap, CycleOutput & output)
@@ -305,7 +333,7 @@ void Navigator::recover(Trigger trigger, const CycleInput & input, Costmap & cos
   output.command = DriveCommand{};
   stop();
   if (!options_.recovery_behavior_enabled || recovery_index_ >= behaviors_.size()) {
-    goal_.reset();
+    goals_.clear();
     output.outcome = Outcome{false, failureOf(trigger)};
     return;
   }
@@ -374,11 +402,24 @@ const char * Navigator::failureOf(Trigger trigger)
   return "";
 }
 
+// A race line does not end as a goal says: the last way is planned to the goal itself.
+bool Navigator::races(const CarState & car) const
+{
+  const bool far = distance(car.pose, goals_.front()) > approachLength(car.speed) + kApproachMargin;
+  return options_.free_goal_vel && options_.race_line && (goals_.anyNext() || far);
+}
+
+double Navigator::approachLength(double speed) const
+{
+  return speed * speed / (2.0 * options_.follower.limits.dec_lim_x) + kApproachLength;
+}
+
 double Navigator::extensionLength() const
 {
   const SpeedLimits & limits = options_.follower.limits;
-  return limits.max_vel_x * limits.max_vel_x / (2.0 * limits.dec_lim_x) + limits.max_vel_x * options_.coast_time +
-         kExtensionMargin;
+  const double longest = limits.max_vel_x * limits.max_vel_x / (2.0 * limits.dec_lim_x) +
+                         limits.max_vel_x * options_.coast_time + kExtensionMargin;
+  return std::min(longest, goals_.wayToLast());
 }
 
 double Navigator::period(double time) const

@@ -7,6 +7,7 @@
 #include "control/dead_reckoning.h"
 #include "control/path_follower.h"
 #include "control/recovery.h"
+#include "goals.h"
 #include "path/global_planner.h"
 
 namespace move_base
@@ -22,12 +23,12 @@ struct NavigatorOptions
   bool recovery_behavior_enabled{true};
   bool clearing_rotation_allowed{
     true};  ///< whether recovery may move the car: it backs up, as it cannot turn on the spot
-  double conservative_reset_dist{3.0};  ///< m from the car, beyond it the first recovery forgets what the lidar saw
-  double xy_goal_tolerance{0.2};        ///< m
-  double yaw_goal_tolerance{0.2};       ///< rad
-  bool free_goal_vel{false};            ///< whether a goal counts as reached in passing, at speed
-  bool race_line{false};                ///< whether plans through such goals use the width of the road
-  double coast_time{0.5};               ///< s, that the car drives on behind such a goal before it brakes
+  double conservative_reset_dist{3.0};     ///< m from the car, beyond it the first recovery forgets what the lidar saw
+  GoalTolerance goal_tolerance;            ///< within which the car stands in the end
+  bool free_goal_vel{false};               ///< whether a goal that another one follows is passed at speed
+  GoalTolerance via_tolerance{0.45, 0.6};  ///< within which such a goal is passed
+  bool race_line{false};                   ///< whether plans through such goals, or far from one, use the road's width
+  double coast_time{0.5};                  ///< s, that the car drives on behind such a goal before it brakes
   PlannerOptions planner;
   FollowerOptions follower;
 
@@ -77,10 +78,14 @@ public:
   explicit Navigator(const NavigatorOptions & options);
 
   /// Heads for a goal in the map, in place of any other.
-  void setGoal(const Pose2 & goal, double time);
+  /// @param next  goals that follow it, as far as they are known; the last is the goal itself when they go round.
+  ///              Without any the car comes to a stand at the goal.
+  void setGoal(const Pose2 & goal, double time, std::vector<Pose2> next = {});
+  /// Says anew what follows the goal.
+  void setNextGoals(std::vector<Pose2> next);
   /// Drops the goal and stops the car.
   void cancel();
-  bool active() const { return goal_.has_value(); }
+  bool active() const { return goals_.any(); }
 
   /// One control cycle, to be called with rising time. May change the costmap's live layer (recovery).
   CycleOutput cycle(const CycleInput & input, Costmap & costmap);
@@ -122,9 +127,13 @@ private:
   void endRecovery(double time);
   void watchOscillation(const CycleInput & input);
   void watchProgress(const CycleInput & input);
-  bool reached(const Pose2 & pose) const;
+  bool passes() const { return options_.free_goal_vel && goals_.anyNext(); }
+  bool races(const CarState & car) const;
+  const GoalTolerance & tolerance() const { return passes() ? options_.via_tolerance : options_.goal_tolerance; }
+  bool canDrive(const Plan & plan, const CarState & car, const Costmap & costmap) const;
   PlanRequest requestFrom(const CarState & car) const;
   double extensionLength() const;
+  double approachLength(double speed) const;
   double period(double time) const;
   void stop();
   static const char * failureOf(Trigger trigger);
@@ -135,8 +144,9 @@ private:
   DeadReckoning reckoning_;
   std::vector<RecoveryBehavior> behaviors_;
   Plan plan_;
+  bool plan_races_{false};
 
-  std::optional<Pose2> goal_;
+  Goals goals_;
   State state_{State::kPlanning};
   unsigned recovery_index_{0};
   int planning_retries_{0};

@@ -4,6 +4,9 @@
 #include <move_base_msgs/RecoveryStatus.h>
 #include <ros/console.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "conversions.h"
 
 namespace move_base
@@ -21,6 +24,17 @@ ros::Subscriber subscribePromptly(ros::NodeHandle & node, const std::string & to
 {
   const boost::function<void(const boost::shared_ptr<const Message> &)> ignore = [](const auto &) {};
   return node.subscribe<Message>(topic, 50, ignore, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+}
+
+// Two goals at one place are told apart by when they were sent.
+bool startsWith(const nav_msgs::Path & goals, const geometry_msgs::PoseStamped & goal)
+{
+  if (goals.poses.empty()) {
+    return false;
+  }
+  const geometry_msgs::PoseStamped & first = goals.poses.front();
+  return first.header.stamp == goal.header.stamp && first.header.frame_id == goal.header.frame_id &&
+         first.pose == goal.pose;
 }
 }  // namespace
 
@@ -43,6 +57,8 @@ MoveBaseNode::MoveBaseNode(const MoveBaseParameters & parameters, ros::CallbackQ
   server_(node_, "move_base", false)
 {
   simple_goal_subscriber_ = node_.subscribe("move_base_simple/goal", 1, &MoveBaseNode::relayGoal, this);
+  goals_ahead_subscriber_ =
+    node_.subscribe("move_base/goals_ahead", 1, &MoveBaseNode::onGoalsAhead, this, ros::TransportHints().tcpNoDelay());
   make_plan_service_ = private_node_.advertiseService("make_plan", &MoveBaseNode::makePlan, this);
   clear_costmaps_service_ = private_node_.advertiseService("clear_costmaps", &MoveBaseNode::clearCostmaps, this);
   server_.start();
@@ -129,11 +145,38 @@ void MoveBaseNode::accept(const geometry_msgs::PoseStamped & target, const ros::
   try {
     const Pose2 goal = inMap(target);
     goal_publisher_.publish(toPoseStamped(goal, mapHeader(now)));
-    navigator_.setGoal(goal, now.toSec());
+    target_ = target;
+    navigator_.setGoal(goal, now.toSec(), nextGoals());
   } catch (const tf2::TransformException & error) {
     abort(
       "Aborting on goal because it cannot be transformed from frame \"" + target.header.frame_id + "\" to \"" +
       parameters_.global_frame + "\": " + error.what());
+  }
+}
+
+void MoveBaseNode::onGoalsAhead(const nav_msgs::Path::ConstPtr & goals)
+{
+  goals_ahead_ = goals;
+  if (navigator_.active() && startsWith(*goals, target_)) {
+    navigator_.setNextGoals(nextGoals());
+  }
+}
+
+std::vector<Pose2> MoveBaseNode::nextGoals() const
+{
+  std::vector<Pose2> next;
+  if (!goals_ahead_ || !startsWith(*goals_ahead_, target_)) {
+    return next;
+  }
+  try {
+    const auto & poses = goals_ahead_->poses;
+    std::transform(std::next(poses.begin()), poses.end(), std::back_inserter(next), [this](const auto & pose) {
+      return inMap(pose);
+    });
+    return next;
+  } catch (const tf2::TransformException & error) {
+    ROS_WARN("Stopping at the goal, because the goals ahead of it are not known in the map: %s", error.what());
+    return {};
   }
 }
 

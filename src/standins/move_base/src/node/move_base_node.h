@@ -4,11 +4,13 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <move_base_msgs/MoveBaseAction.h>
 #include <nav_msgs/GetPlan.h>
+#include <nav_msgs/Path.h>
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <std_srvs/Empty.h>
 
 #include <optional>
+#include <vector>
 
 #include "displays.h"
 #include "navigator.h"
@@ -42,6 +44,9 @@ private:
   void watchClock(const ros::Time & now);
   void updateGoal(const ros::Time & now);
   void accept(const geometry_msgs::PoseStamped & target, const ros::Time & now);
+  void onGoalsAhead(const nav_msgs::Path::ConstPtr & goals);
+  /// The goals that a client says to follow the target, in the map.
+  std::vector<Pose2> nextGoals() const;
   void abort(const std::string & text);
   void drive(const ros::Time & now);
   void publish(const CycleOutput & output, const CycleInput & input, const ros::Time & now);
@@ -67,11 +72,14 @@ private:
   ros::Publisher recovery_publisher_;
   ros::Publisher action_goal_publisher_;
   ros::Subscriber simple_goal_subscriber_;
+  ros::Subscriber goals_ahead_subscriber_;
   ros::ServiceServer make_plan_service_;
   ros::ServiceServer clear_costmaps_service_;
   ros::Subscriber prompt_goals_;
   ros::Subscriber prompt_cancels_;
   Server server_;
+  geometry_msgs::PoseStamped target_;     // as it was sent
+  nav_msgs::Path::ConstPtr goals_ahead_;  // the latest
   std::optional<ros::Time> now_;
   std::optional<ros::Time> last_cycle_;
 };

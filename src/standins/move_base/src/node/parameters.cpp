@@ -106,9 +106,11 @@ void readLocalPlanner(ParameterReader & reader, const std::string & name, Naviga
 
   reader.read(ofPlanner(name, "min_turning_radius"), navigator.planner.min_turning_radius);
   reader.read(ofPlanner(name, "min_obstacle_dist"), navigator.planner.min_obstacle_dist);
-  reader.read(ofPlanner(name, "xy_goal_tolerance"), navigator.xy_goal_tolerance);
-  reader.read(ofPlanner(name, "yaw_goal_tolerance"), navigator.yaw_goal_tolerance);
+  reader.read(ofPlanner(name, "xy_goal_tolerance"), navigator.goal_tolerance.distance);
+  reader.read(ofPlanner(name, "yaw_goal_tolerance"), navigator.goal_tolerance.yaw);
   reader.read(ofPlanner(name, "free_goal_vel"), navigator.free_goal_vel);
+  reader.read(ofPlanner(name, "via_xy_tolerance"), navigator.via_tolerance.distance);
+  reader.read(ofPlanner(name, "via_yaw_tolerance"), navigator.via_tolerance.yaw);
   reader.read(ofPlanner(name, "race_line"), navigator.race_line);
   reader.read(ofPlanner(name, "coast_time"), navigator.coast_time);
 }

@@ -1,0 +1,36 @@
+#include "goals.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace move_base
+{
+bool cameNear(const Pose2 & from, const Pose2 & to, const Pose2 & goal, const GoalTolerance & tolerance)
+{
+  const Vec2 way = to.position() - from.position();
+  const double squared = dot(way, way);
+  const double part = squared > 0.0 ? std::clamp(dot(goal.position() - from.position(), way) / squared, 0.0, 1.0) : 1.0;
+  return distance(from.position() + part * way, goal.position()) <= tolerance.distance &&
+         std::abs(normalizeAngle(to.yaw - goal.yaw)) <= tolerance.yaw;
+}
+
+void Goals::set(const Pose2 & goal, std::vector<Pose2> next)
+{
+  goal_ = goal;
+  next_ = std::move(next);
+}
+
+double Goals::wayToLast() const
+{
+  if (anyNext() && distance(next_.back(), *goal_) == 0.0) {
+    return HUGE_VAL;
+  }
+  double way = 0.0;
+  Pose2 from = *goal_;
+  for (const Pose2 & next : next_) {
+    way += distance(from, next);
+    from = next;
+  }
+  return way;
+}
+}  // namespace move_base

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "geometry/geometry.h"
+
+namespace move_base
+{
+/// How near to a goal is near enough.
+struct GoalTolerance
+{
+  double distance{0.2};  ///< m
+  double yaw{0.2};       ///< rad
+};
+
+/// Whether a car that drove straight from one pose to another came near enough to a goal: a fast one may be near it
+/// between two cycles only.
+bool cameNear(const Pose2 & from, const Pose2 & to, const Pose2 & goal, const GoalTolerance & tolerance);
+
+/// The goal that is pursued, and those that are known to follow it.
+class Goals
+{
+public:
+  /// In place of any other.
+  void set(const Pose2 & goal, std::vector<Pose2> next);
+  void clear() { goal_.reset(); }
+  bool any() const { return goal_.has_value(); }
+  const Pose2 & front() const { return *goal_; }
+
+  void setNext(std::vector<Pose2> next) { next_ = std::move(next); }
+  /// Whether another one follows: then the goal may be passed without a stop.
+  bool anyNext() const { return !next_.empty(); }
+  /// Way that there is at least from the goal to the last one, m; HUGE_VAL when they lead back to the goal, and so on.
+  double wayToLast() const;
+
+private:
+  std::optional<Pose2> goal_;
+  std::vector<Pose2> next_;
+};
+}  // namespace move_base

@@ -82,14 +82,14 @@ SAYINGS = [
         run_criteria.localization_error,
         0.5,
         {"estimates": {"robot1": Poses([1.0], [(1.3, 1.4, 0)])}},
-        (PASSED, pytest.approx(0.5), 0.5, "m", "0.500 m (RMS)"),
+        (PASSED, pytest.approx(0.5), 0.5, "m", "0.500 m (RMS), 0.500 m at most"),
     ),
     (run_criteria.localization_error, 0.5, {}, (FAILED, None, 0.5, "m", "no estimate (amcl_pose) was heard")),
     (
         run_criteria.localization_yaw_error,
         0.2,
         {"estimates": {"robot1": Poses([1.0, 2.0], [(1, 1, 0.3), (2, 1, -0.3)])}},
-        (FAILED, pytest.approx(0.3), 0.2, "rad", "0.300 rad (RMS)"),
+        (FAILED, pytest.approx(0.3), 0.2, "rad", "0.300 rad (RMS), 0.300 rad at most"),
     ),
     (
         run_criteria.localization_yaw_error,
@@ -183,6 +183,7 @@ def test_localization_error_is_that_of_the_worst_car_over_all_moments(tmp_path):
         Measured(estimates=estimates),
     )
     assert found.actual == pytest.approx(math.sqrt((0.3**2 + 0.4**2) / 2))
+    assert found.text == "0.354 m (RMS), 0.400 m at most"
 
 
 def test_localization_error_is_that_at_the_stamp_of_the_estimate_across_half_a_turn(tmp_path):

@@ -1,7 +1,5 @@
 """Criteria of what surrounds the driving: localization and computing time."""
 
-from typing import Optional
-
 import numpy as np
 
 from f1tenth_scenarios.judge.criterion import Criterion, Status, expects_failure, status_of
@@ -12,15 +10,14 @@ from f1tenth_scenarios.scenario.scenario import Scenario
 
 def localization_error(scenario: Scenario, judgement: Judgement, measured: Measured) -> Criterion:
     """Root mean square of the distance between estimate and truth, of the worst car."""
-    errors = _errors(judgement, measured)
-    actual = _worst_rms(np.hypot(each[:, 0], each[:, 1]) for each in errors)
-    return _error_criterion(scenario, "localization_error", actual, "m")
+    errors = [np.hypot(each[:, 0], each[:, 1]) for each in _errors(judgement, measured)]
+    return _error_criterion(scenario, "localization_error", errors, "m")
 
 
 def localization_yaw_error(scenario: Scenario, judgement: Judgement, measured: Measured) -> Criterion:
     """The same of the heading."""
-    actual = _worst_rms(each[:, 2] for each in _errors(judgement, measured))
-    return _error_criterion(scenario, "localization_yaw_error", actual, "rad")
+    errors = [np.abs(each[:, 2]) for each in _errors(judgement, measured)]
+    return _error_criterion(scenario, "localization_yaw_error", errors, "rad")
 
 
 def real_time_factor(scenario: Scenario, _judgement: Judgement, measured: Measured) -> Criterion:
@@ -31,13 +28,17 @@ def real_time_factor(scenario: Scenario, _judgement: Judgement, measured: Measur
     return Criterion("real_time_factor", status_of(met), actual, limit, "", text)
 
 
-def _error_criterion(scenario, name, actual, unit):
+def _error_criterion(scenario, name, errors, unit):
+    """`errors`: of each car, at each of its estimates."""
     limit = getattr(scenario.criteria, name)
+    actual = max((float(np.sqrt(np.mean(np.square(each)))) for each in errors), default=None)
     if expects_failure(scenario):
         return Criterion(name, Status.NOT_JUDGED, actual, limit, unit, "a failure is expected")
     if actual is None:
         return Criterion(name, Status.FAILED, None, limit, unit, "no estimate (amcl_pose) was heard")
-    return Criterion(name, status_of(actual <= limit), actual, limit, unit, f"{actual:.3f} {unit} (RMS)")
+    greatest = max(map(np.max, errors))
+    text = f"{actual:.3f} {unit} (RMS), {greatest:.3f} {unit} at most"
+    return Criterion(name, status_of(actual <= limit), actual, limit, unit, text)
 
 
 def _errors(judgement: Judgement, measured: Measured) -> list[np.ndarray]:
@@ -58,7 +59,3 @@ def _differences(track, poses):
     difference = estimate - truth
     difference[:, 2] = (difference[:, 2] + np.pi) % (2 * np.pi) - np.pi
     return difference
-
-
-def _worst_rms(series) -> Optional[float]:
-    return max((float(np.sqrt(np.mean(np.square(each)))) for each in series), default=None)

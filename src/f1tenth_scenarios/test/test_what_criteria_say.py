@@ -183,7 +183,7 @@ def test_localization_error_is_that_of_the_worst_car_over_all_moments(tmp_path):
         Measured(estimates=estimates),
     )
     assert found.actual == pytest.approx(math.sqrt((0.3**2 + 0.4**2) / 2))
-    assert found.text == "0.354 m (RMS), 0.400 m at most"
+    assert found.reason == "0.354 m (RMS), 0.400 m at most"
 
 
 def test_localization_error_is_that_at_the_stamp_of_the_estimate_across_half_a_turn(tmp_path):

@@ -37,8 +37,8 @@ def _error_criterion(scenario, name, errors, unit):
     if actual is None:
         return Criterion(name, Status.FAILED, None, limit, unit, "no estimate (amcl_pose) was heard")
     greatest = max(map(np.max, errors))
-    text = f"{actual:.3f} {unit} (RMS), {greatest:.3f} {unit} at most"
-    return Criterion(name, status_of(actual <= limit), actual, limit, unit, text)
+    reason = f"{actual:.3f} {unit} (RMS), {greatest:.3f} {unit} at most"
+    return Criterion(name, status_of(actual <= limit), actual, limit, unit, reason)
 
 
 def _errors(judgement: Judgement, measured: Measured) -> list[np.ndarray]:

@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,6 +54,17 @@ struct ImuDescription
   double rate_hz{100.0};
   double yaw_rate_noise_stddev{0.0};      ///< rad/s
   double acceleration_noise_stddev{0.0};  ///< m/s^2
+};
+
+/// What a sensor of any further kind has; its own header derives from it (sonar.h).
+struct SensorDescription
+{
+  virtual ~SensorDescription() = default;
+
+  std::string name;
+  std::string topic;
+  std::string frame;
+  double rate_hz{0.0};  ///< 0: at every physics step
 };
 
 /// The true pose of a link as nav_msgs/Odometry: libgazebo_ros_p3d.so.
@@ -152,6 +164,7 @@ struct CarDescription
   std::vector<BumperDescription> bumpers;
   std::optional<ImuDescription> imu;
   std::vector<PoseSensorDescription> pose_sensors;
+  std::vector<std::shared_ptr<const SensorDescription>> sensors;  ///< of further kinds
   std::optional<DriveDescription> drive;
   std::optional<RosControlDescription> ros_control;
   std::vector<TransmissionDescription> transmissions;

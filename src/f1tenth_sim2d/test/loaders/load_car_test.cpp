@@ -205,7 +205,7 @@ TEST(LoadCarWarnings, NameSensorsWithoutRosPlugin)
   EXPECT_TRUE(contains(
     car.warnings,
     "test.urdf:195: robot[small_car]/gazebo[laser]/sensor[lidar]: has no <plugin> libgazebo_ros_laser.so or "
-    "libgazebo_ros_gpu_laser.so to publish it and is left out"));
+    "libgazebo_ros_gpu_laser.so or libgazebo_ros_range.so to publish it and is left out"));
 }
 
 TEST(LoadCarWarnings, NameSensorsThatAreNotSimulated)

@@ -14,7 +14,7 @@ namespace
 {
 const char * const kHead = "<sdf version='1.6'><world name='w'>";
 const char * const kTail = "</world></sdf>";
-const char * const kBox = "<collision name='c'><geometry><box><size>1 1 1</size></box></geometry></collision>";
+const char * const kBoxXml = "<collision name='c'><geometry><box><size>1 1 1</size></box></geometry></collision>";
 
 class Tolerance : public testing::Test
 {
@@ -48,7 +48,7 @@ TEST_F(Tolerance, TakesAnInertiaThatNoBodyHasOfWhatStandsStill)
   const WorldDescription world = load(
     "<model name='m'><static>1</static><link name='l'><inertial><mass>0</mass><inertia><ixx>0</ixx><iyy>0</iyy>"
     "<izz>0</izz></inertia></inertial>" +
-    std::string(kBox) + "</link></model>");
+    std::string(kBoxXml) + "</link></model>");
   EXPECT_EQ(
     warningsOf(world),
     Warnings{
@@ -59,7 +59,7 @@ TEST_F(Tolerance, TakesAnInertiaThatNoBodyHasOfWhatStandsStill)
 TEST_F(Tolerance, TakesALinkWithoutInertiaBesideOneThatHasSome)
 {
   const WorldDescription world = load(
-    "<model name='m'><link name='l'>" + std::string(kBox) +
+    "<model name='m'><link name='l'>" + std::string(kBoxXml) +
     "</link><link "
     "name='flat'><inertial><mass>1</mass><inertia><ixx>5</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>"
     "</link></model>");
@@ -71,7 +71,8 @@ TEST_F(Tolerance, TakesALinkWithoutInertiaBesideOneThatHasSome)
 TEST_F(Tolerance, RefusesWhatMovesWithoutMass)
 {
   const std::string message = loadErrorOf([this] {
-    load("<model name='m'><link name='l'><inertial><mass>0</mass></inertial>" + std::string(kBox) + "</link></model>");
+    load(
+      "<model name='m'><link name='l'><inertial><mass>0</mass></inertial>" + std::string(kBoxXml) + "</link></model>");
   });
   EXPECT_EQ(
     withoutFolder(message, folder),
@@ -82,7 +83,7 @@ TEST_F(Tolerance, RefusesWhatMovesWithoutMass)
 
 TEST_F(Tolerance, TakesModelsThatAreMadeOfOthersAlone)
 {
-  addModel("block", "<model name='block'><link name='l'>" + std::string(kBox) + "</link></model>");
+  addModel("block", "<model name='block'><link name='l'>" + std::string(kBoxXml) + "</link></model>");
   addModel(
     "pair",
     "<model name='pair'><include><uri>model://block</uri><name>a</name></include>"
@@ -115,7 +116,7 @@ TEST_F(Tolerance, TakesFrictionBelowZeroAsEndless)
 TEST_F(Tolerance, TakesAJointCalledWorld)
 {
   const WorldDescription world = load(
-    "<model name='m'><link name='l'>" + std::string(kBox) +
+    "<model name='m'><link name='l'>" + std::string(kBoxXml) +
     "</link><joint name='world' type='fixed'><parent>world</parent><child>l</child></joint></model>");
   EXPECT_TRUE(world.models.at(0).is_static);
   EXPECT_EQ(
@@ -127,15 +128,16 @@ TEST_F(Tolerance, TakesAPoseInAFrameWithoutName)
 {
   for (const char * const frame : {"frame=''", "frame="}) {
     const WorldDescription world = load(
-      "<model name='m'><pose " + std::string(frame) + ">1 2 3 0 0 0</pose><link name='l'>" + kBox + "</link></model>");
+      "<model name='m'><pose " + std::string(frame) + ">1 2 3 0 0 0</pose><link name='l'>" + kBoxXml +
+      "</link></model>");
     EXPECT_EQ(world.models.at(0).pose.position, Eigen::Vector3d(1, 2, 3)) << frame;
   }
 }
 
 TEST_F(Tolerance, TakesACommentBeforeTheDeclaration)
 {
-  const std::string rest = "<?xml version='1.0'?>\n" + std::string(kHead) + "<model name='m'><link name='l'>" + kBox +
-                           "</link></model>" + kTail;
+  const std::string rest = "<?xml version='1.0'?>\n" + std::string(kHead) + "<model name='m'><link name='l'>" +
+                           kBoxXml + "</link></model>" + kTail;
   EXPECT_EQ(loadFile("<!-- made by hand -->\n" + rest).models.size(), 1u);
   EXPECT_EQ(loadFile("\n " + rest).models.size(), 1u);
 }
@@ -143,7 +145,7 @@ TEST_F(Tolerance, TakesACommentBeforeTheDeclaration)
 TEST_F(Tolerance, TakesAttributesWithoutQuotes)
 {
   const WorldDescription world = loadFile(
-    "<sdf version=1.6>\n<world name=w><model name=m><link name=l>" + std::string(kBox) + "</link></model>" + kTail);
+    "<sdf version=1.6>\n<world name=w><model name=m><link name=l>" + std::string(kBoxXml) + "</link></model>" + kTail);
   EXPECT_EQ(world.models.at(0).name, "m");
   EXPECT_EQ(
     warningsOf(world),
@@ -152,7 +154,7 @@ TEST_F(Tolerance, TakesAttributesWithoutQuotes)
 
 TEST_F(Tolerance, FindsModelsAfterThreeSlashes)
 {
-  addModel("block", "<model name='block'><link name='l'>" + std::string(kBox) + "</link></model>");
+  addModel("block", "<model name='block'><link name='l'>" + std::string(kBoxXml) + "</link></model>");
   EXPECT_EQ(load("<include><uri>model:///block</uri></include>").models.size(), 1u);
 }
 

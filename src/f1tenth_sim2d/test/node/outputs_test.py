@@ -9,21 +9,33 @@ import rostest
 from diagnostic_msgs.msg import DiagnosticArray
 from gazebo_msgs.msg import ContactsState, ModelStates
 from nav_msgs.msg import Odometry
-from sensor_msgs.msg import Imu, JointState, LaserScan
+from sensor_msgs.msg import Imu, JointState, LaserScan, Range
 from sim2d_process import Collector, Driver, Sim2d, Stepper, car_description
 from tf2_msgs.msg import TFMessage
 
 SECOND = 1_000_000_000
 PERIOD = 25_000_000
 BUMPERS = tuple(f"bumper_{side}" for side in ("front", "rear", "left", "right"))
-RATES = {"scan": 40, "odom": 50, "imu": 100, "joint_states": 50, **dict.fromkeys(BUMPERS, 50)}
+RATES = {"scan": 40, "odom": 50, "imu": 100, "joint_states": 50, "sonar": 40, **dict.fromkeys(BUMPERS, 50)}
 TYPES = {
     "scan": LaserScan,
     "odom": Odometry,
     "imu": Imu,
     "joint_states": JointState,
+    "sonar": Range,
     **dict.fromkeys(BUMPERS, ContactsState),
 }
+# 0.2 m above the ground, 0.3 m ahead of base_footprint, to the left.
+SONAR = """<link name="sonar"/>
+<joint name="sonar_joint" type="fixed">
+<parent link="base_footprint"/><child link="sonar"/><origin xyz="0.3 0 0.2" rpy="0 0 1.5707963"/></joint>
+<gazebo reference="sonar"><sensor name="sonar" type="ray"><update_rate>80</update_rate><ray>
+<scan><horizontal><samples>5</samples><min_angle>-0.25</min_angle><max_angle>0.25</max_angle></horizontal></scan>
+<range><min>0.05</min><max>3.0</max></range></ray>
+<plugin name="sonar" filename="libgazebo_ros_range.so"><topicName>sonar</topicName>
+<frameName>sonar</frameName>
+<updateRate>40</updateRate><fov>0.5</fov><radiation>ultrasound</radiation><gaussianNoise>0.001</gaussianNoise>
+</plugin></sensor></gazebo>"""
 
 
 def expected_stamps(first, rate):
@@ -42,7 +54,7 @@ class OutputsTest(unittest.TestCase):
         self.driver = Driver("robot1", self.stepper)
         self.addCleanup(self.driver.close)
         self.sim2d = Sim2d(
-            car_description(), lockstep=True, participants=list(participants), odometry=odometry
+            car_description(SONAR), lockstep=True, participants=list(participants), odometry=odometry
         )
         self.addCleanup(self.sim2d.kill)
         self.collector.wait_until_connected()
@@ -83,6 +95,19 @@ class OutputsTest(unittest.TestCase):
         assert math.isclose(scan.range_max, 10.0)
         # The laser is 0.26 m ahead of base_footprint, the eastern wall at 4 m.
         assert abs(scan.ranges[540] - 3.74) < 0.06
+
+    def test_sonar_measures_how_far_the_nearest_thing_is(self):
+        self.start()
+        self.advance_to(SECOND)
+        messages = self.messages("sonar")
+        sonar = messages[-1]
+        assert sonar.header.frame_id == "robot1/sonar"
+        assert sonar.radiation_type == Range.ULTRASOUND
+        measured = (sonar.field_of_view, sonar.min_range, sonar.max_range)
+        assert [round(value, 6) for value in measured] == [0.5, 0.05, 3.0]
+        # The northern wall is at 2 m.
+        assert all(abs(message.range - 2.0) < 0.005 for message in messages)
+        assert len({message.range for message in messages}) > 10
 
     def test_bumpers_say_nothing_while_nothing_touches(self):
         self.start()

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "loaders/car/sensor_readers.h"
+#include "loaders/car/sonar_reader.h"
 
 namespace f1tenth_sim2d
 {
@@ -18,8 +19,10 @@ struct SensorKind
 
 const std::vector<SensorKind> & sensorKinds()
 {
+  static const std::set<std::string> kRayTypes{"ray", "gpu_ray", "lidar", "gpu_lidar"};
   static const std::vector<SensorKind> kinds{
-    {{"ray", "gpu_ray", "lidar", "gpu_lidar"}, {"libgazebo_ros_laser.so", "libgazebo_ros_gpu_laser.so"}, readLidar},
+    {kRayTypes, {"libgazebo_ros_laser.so", "libgazebo_ros_gpu_laser.so"}, readLidar},
+    {kRayTypes, {"libgazebo_ros_range.so"}, readSonar},
     {{"contact"}, {"libgazebo_ros_bumper.so"}, readBumper},
     {{"imu"}, {"libgazebo_ros_imu_sensor.so", "libgazebo_ros_imu.so"}, readImu},
   };
@@ -41,15 +44,6 @@ Element findPlugin(const Element & sensor, const std::vector<std::string> & libr
   return {};
 }
 
-std::string joinedByOr(const std::vector<std::string> & libraries)
-{
-  std::string text;
-  for (const std::string & library : libraries) {
-    text += (text.empty() ? "" : " or ") + library;
-  }
-  return text;
-}
-
 std::string whyLeftOut(const std::string & type)
 {
   if (type.find("camera") != std::string::npos || type == "depth") {
@@ -62,19 +56,22 @@ std::string whyLeftOut(const std::string & type)
 void readSensor(const SensorPart & sensor, CarContext & context)
 {
   const std::string type = sensor.element.attribute("type");
+  std::string publishers;
   for (const SensorKind & kind : sensorKinds()) {
     if (kind.types.count(type) == 0) {
       continue;
     }
     if (const Element plugin = findPlugin(sensor.element, kind.libraries)) {
       kind.read({sensor.element, plugin, context.inCar(sensor.pose)}, context);
-    } else {
-      context.warnings.add(
-        "has no <plugin> " + joinedByOr(kind.libraries) + " to publish it and is left out", sensor.element.fileLine());
+      return;
     }
-    return;
+    for (const std::string & library : kind.libraries) {
+      publishers += (publishers.empty() ? "" : " or ") + library;
+    }
   }
-  context.warnings.add(whyLeftOut(type), sensor.element.fileLine());
+  context.warnings.add(
+    publishers.empty() ? whyLeftOut(type) : "has no <plugin> " + publishers + " to publish it and is left out",
+    sensor.element.fileLine());
 }
 }  // namespace
 

@@ -1,53 +1,14 @@
 #include "loaders/car/sensor_readers.h"
 
 #include <cmath>
-#include <sstream>
 
 #include "loaders/car/contact_sensor.h"
+#include "loaders/car/ray_scan.h"
 
 namespace f1tenth_sim2d
 {
 namespace
 {
-/// rad; more than angles rounded to three digits, less than anyone tilts a lidar on purpose.
-constexpr double kLevelTolerance = 1e-3;
-constexpr double kBeamAngleMax = 12.56637;  // rad, two turns: beams beyond one look where others look
-constexpr int kBeamCountMax = 100'000;
-
-void requireLevel(const SensorElement & element)
-{
-  const Eigen::Vector3d up = element.pose.up();
-  if (up.z() < 0.0 || std::hypot(up.x(), up.y()) > kLevelTolerance) {
-    element.sensor.fail("is tilted; a lidar has to be level, with its z axis upwards");
-  }
-}
-
-/// Beams of a scan line; those between the samples count.
-int beamCount(const Element & sensor, const Element & horizontal)
-{
-  const double count = horizontal.number("samples", 640.0) * horizontal.number("resolution", 1.0);
-  if (!(count >= 2.0 && count <= kBeamCountMax)) {
-    std::ostringstream message;
-    message << "has " << count << " <samples>, allowed are 2 to " << kBeamCountMax;
-    sensor.fail(message.str());
-  }
-  return static_cast<int>(std::lround(count));
-}
-
-void requireSound(const LidarDescription & lidar, const Element & sensor)
-{
-  const bool within = std::abs(lidar.angle_min) <= kBeamAngleMax && std::abs(lidar.angle_max) <= kBeamAngleMax;
-  if (!within || lidar.angle_min >= lidar.angle_max) {
-    sensor.fail("<min_angle> has to be less than <max_angle>, both within two turns");
-  }
-  sensor.requireNotNegative("<range/min>", lidar.range_min);
-  sensor.requireLength("<range/max>", lidar.range_max);
-  if (lidar.range_min >= lidar.range_max) {
-    sensor.fail("<range> has a <min> that is not less than its <max>");
-  }
-  sensor.requireNotNegative("<noise/stddev>", lidar.noise_stddev);
-}
-
 /// Standard deviation of a <noise>; it says its type as an attribute or as an element.
 double stddevOf(const Element & noise)
 {
@@ -80,30 +41,21 @@ void setImu(ImuDescription imu, const Element & element, CarContext & context)
 
 void readLidar(const SensorElement & element, CarContext & context)
 {
-  requireLevel(element);
   const Element & sensor = element.sensor;
-  const Element ray = sensor.child("lidar") ? sensor.child("lidar") : sensor.child("ray");
-  const Element horizontal = ray.child("scan").child("horizontal");
-  if (!horizontal) {
-    sensor.fail("has no <ray> with a <scan> and a <horizontal>");
-  }
+  const RayScan scan = readRayScan(element, {"a lidar", 2}, context.warnings);
   LidarDescription lidar;
   lidar.name = sensor.name();
   lidar.topic = context.topic(element.plugin, element.plugin.requiredText("topicName"));
   lidar.frame = context.frame(element.plugin, element.plugin.requiredText("frameName"));
   lidar.pose = element.pose;
   lidar.rate_hz = sensor.positive("update_rate");
-  lidar.beam_count = beamCount(sensor, horizontal);
-  lidar.angle_min = horizontal.number("min_angle", 0.0);
-  lidar.angle_max = horizontal.number("max_angle", 0.0);
-  lidar.range_min = ray.number("range/min", 0.0);
-  lidar.range_max = ray.number("range/max", 0.0);
-  lidar.noise_mean = ray.number("noise/mean", 0.0);
-  lidar.noise_stddev = stddevOf(ray.child("noise"));
-  requireSound(lidar, sensor);
-  if (ray.child("scan").child("vertical").child("samples") && ray.number("scan/vertical/samples") > 1.0) {
-    context.warnings.add("<vertical> is left out: a lidar has one level layer", sensor.fileLine());
-  }
+  lidar.beam_count = scan.count;
+  lidar.angle_min = scan.angle_min;
+  lidar.angle_max = scan.angle_max;
+  lidar.range_min = scan.range_min;
+  lidar.range_max = scan.range_max;
+  lidar.noise_mean = scan.ray.number("noise/mean", 0.0);
+  lidar.noise_stddev = stddevOf(scan.ray.child("noise"));
   context.car.lidars.push_back(std::move(lidar));
 }
 

@@ -4,6 +4,7 @@
 
 #include "node/cars/plugin_output.h"
 #include "node/cars/ros_control.h"
+#include "node/cars/sensor_outputs.h"
 
 namespace f1tenth_sim2d
 {
@@ -50,6 +51,9 @@ OutputList Fleet::makeOutputs(Car & car) const
   }
   for (std::size_t bumper = 0; bumper < description.bumpers.size(); ++bumper) {
     outputs.push_back(std::make_unique<BumperOutput>(handle, bumper));
+  }
+  for (auto & output : sensorOutputs(handle)) {
+    outputs.push_back(std::move(output));
   }
   addOdometry(handle, outputs);
   if (description.imu) {

@@ -1,0 +1,71 @@
+#include "loaders/car/ray_scan.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+/// rad; more than angles rounded to three digits, less than anyone tilts a sensor on purpose.
+constexpr double kLevelTolerance = 1e-3;
+constexpr double kAngleMax = 12.56637;  // rad, two turns: rays beyond one look where others look
+constexpr int kCountMax = 100'000;
+
+void requireLevel(const SensorElement & element, const RayScanOwner & owner)
+{
+  const Eigen::Vector3d up = element.pose.up();
+  if (up.z() < 0.0 || std::hypot(up.x(), up.y()) > kLevelTolerance) {
+    element.sensor.fail(std::string("is tilted; ") + owner.what + " has to be level, with its z axis upwards");
+  }
+}
+
+/// Rays of a scan line; those between the samples count.
+int rayCount(const Element & sensor, const Element & horizontal, const RayScanOwner & owner)
+{
+  const double count = horizontal.number("samples", 640.0) * horizontal.number("resolution", 1.0);
+  if (!(count >= owner.count_min && count <= kCountMax)) {
+    std::ostringstream message;
+    message << "has " << count << " <samples>, allowed are " << owner.count_min << " to " << kCountMax;
+    sensor.fail(message.str());
+  }
+  return static_cast<int>(std::lround(count));
+}
+
+void requireSound(const RayScan & scan, const Element & sensor)
+{
+  const bool within = std::abs(scan.angle_min) <= kAngleMax && std::abs(scan.angle_max) <= kAngleMax;
+  if (!within || (scan.count > 1 && scan.angle_min >= scan.angle_max)) {
+    sensor.fail("<min_angle> has to be less than <max_angle>, both within two turns");
+  }
+  sensor.requireNotNegative("<range/min>", scan.range_min);
+  sensor.requireLength("<range/max>", scan.range_max);
+  if (scan.range_min >= scan.range_max) {
+    sensor.fail("<range> has a <min> that is not less than its <max>");
+  }
+}
+}  // namespace
+
+RayScan readRayScan(const SensorElement & element, const RayScanOwner & owner, WarningCollector & warnings)
+{
+  requireLevel(element, owner);
+  const Element & sensor = element.sensor;
+  const Element ray = sensor.child("lidar") ? sensor.child("lidar") : sensor.child("ray");
+  const Element horizontal = ray.child("scan").child("horizontal");
+  if (!horizontal) {
+    sensor.fail("has no <ray> with a <scan> and a <horizontal>");
+  }
+  RayScan scan;
+  scan.ray = ray;
+  scan.count = rayCount(sensor, horizontal, owner);
+  scan.angle_min = horizontal.number("min_angle", 0.0);
+  scan.angle_max = horizontal.number("max_angle", 0.0);
+  scan.range_min = ray.number("range/min", 0.0);
+  scan.range_max = ray.number("range/max", 0.0);
+  requireSound(scan, sensor);
+  if (ray.child("scan").child("vertical").child("samples") && ray.number("scan/vertical/samples") > 1.0) {
+    warnings.add(std::string("<vertical> is left out: ") + owner.what + " has one level layer", sensor.fileLine());
+  }
+  return scan;
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "loaders/car/sensor_readers.h"
+
+namespace f1tenth_sim2d
+{
+/// Where a sensor of type ray looks: level rays from it, at equal angles.
+struct RayScan
+{
+  Element ray;  ///< the <ray> or <lidar>
+  int count{0};
+  double angle_min{0.0};  ///< rad, of the first ray
+  double angle_max{0.0};  ///< rad, of the last one
+  double range_min{0.0};  ///< m
+  double range_max{0.0};  ///< m
+};
+
+/// What reads it, for messages ("a lidar"), and how many rays it needs at least.
+struct RayScanOwner
+{
+  const char * what;
+  int count_min;
+};
+
+/// @throws LoadError for a sensor that is tilted, and for numbers that are out of their bounds
+RayScan readRayScan(const SensorElement & element, const RayScanOwner & owner, WarningCollector & warnings);
+}  // namespace f1tenth_sim2d

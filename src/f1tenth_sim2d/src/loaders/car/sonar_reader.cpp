@@ -1,0 +1,48 @@
+#include "loaders/car/sonar_reader.h"
+
+#include <algorithm>
+
+#include "f1tenth_sim2d/sonar.h"
+#include "loaders/car/ray_scan.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+/// Hz: of sensor and plugin the lower rate, if both are given.
+double publishingRate(const SensorElement & element)
+{
+  const double of_plugin = element.plugin.notNegative("updateRate", 0.0);
+  const double of_sensor = element.sensor.notNegative("update_rate", 0.0);
+  return of_plugin > 0.0 && of_sensor > 0.0 ? std::min(of_plugin, of_sensor) : std::max(of_plugin, of_sensor);
+}
+
+/// rad, from the axis of the sonar.
+std::vector<double> directions(const RayScan & scan)
+{
+  std::vector<double> angles{scan.angle_min};
+  for (int i = 1; i < scan.count; ++i) {
+    angles.push_back(scan.angle_min + i * (scan.angle_max - scan.angle_min) / (scan.count - 1));
+  }
+  return angles;
+}
+}  // namespace
+
+void readSonar(const SensorElement & element, CarContext & context)
+{
+  const Element & plugin = element.plugin;
+  const RayScan scan = readRayScan(element, {"a sonar", 1}, context.warnings);
+  const auto & place = element.pose.position;
+  auto sonar = std::make_shared<SonarDescription>();
+  sonar->name = element.sensor.name();
+  sonar->topic = context.topic(plugin, plugin.requiredText("topicName"));
+  sonar->frame = context.frame(plugin, plugin.requiredText("frameName"));
+  sonar->rate_hz = publishingRate(element);
+  sonar->rays = {{place.x(), place.y(), element.pose.yaw()}, place.z(), directions(scan), scan.range_max};
+  sonar->range_min = scan.range_min;
+  sonar->noise_stddev = plugin.notNegative("gaussianNoise", 0.0);
+  sonar->field_of_view = plugin.notNegative("fov", sonar->field_of_view);
+  sonar->is_infrared = plugin.textOf("radiation", "ultrasound") != "ultrasound";
+  context.car.sensors.push_back(std::move(sonar));
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "loaders/car/sensor_readers.h"
+
+namespace f1tenth_sim2d
+{
+/// Adds a sonar to the car.
+/// @throws LoadError
+void readSonar(const SensorElement & element, CarContext & context);
+}  // namespace f1tenth_sim2d

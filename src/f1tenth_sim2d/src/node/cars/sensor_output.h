@@ -1,0 +1,33 @@
+#pragma once
+
+#include <utility>
+
+#include "node/cars/car_outputs.h"
+
+namespace f1tenth_sim2d
+{
+/// A sensor of a car on its topic: its description says where it is and how often it measures, sample() what.
+template <class Description, class Message>
+class SensorOutput : public MessageOutput<Message>
+{
+protected:
+  SensorOutput(CarHandle car, const Description & sensor)
+  : MessageOutput<Message>(car.advertise<Message>(sensor.topic), sensor.rate_hz), car_(std::move(car)), sensor_(sensor)
+  {
+    this->message_.header.frame_id = car_.frame_prefix + sensor_.frame;
+  }
+
+  /// Puts what is measured now into the message, which has its stamp and frame already.
+  virtual void sample(Message & message) = 0;
+
+  const CarHandle car_;
+  const Description sensor_;
+
+private:
+  void fill(Message & message, SimTime now) override
+  {
+    message.header.stamp = toRosTime(now);
+    sample(message);
+  }
+};
+}  // namespace f1tenth_sim2d

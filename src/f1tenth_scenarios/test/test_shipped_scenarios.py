@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 import roslaunch.config
+import rospkg
 from f1tenth_scenarios.launch.launch_file import launch_command, write_launch_file
 from f1tenth_scenarios.plan.participants import participants
 from f1tenth_scenarios.plan.planning import make_plan
@@ -33,13 +34,16 @@ def load(plan):
 
 
 def test_there_is_one_for_each_circuit():
-    circuits = {f"circuit{number}" for number in range(1, 6)} | {"circuit_detailed"}
+    files = (places.package_path(places.GAZEBO_PACKAGE) / "circuits").glob("*.yaml")
+    circuits = {file.stem for file in files}
+    assert circuits
     assert circuits <= set(NAMES)
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_each_has_its_rostest_file(name):
     (file,) = find_resource(places.PACKAGE, f"{name}.test")
+    assert rospkg.get_package_name(file) == places.PACKAGE
     assert f'args="{name}"' in Path(file).read_text(encoding="utf-8")
 
 

@@ -31,6 +31,7 @@ JOBS ?= $(shell nproc)
 # Every test has its own ROS master, display and folders, so that several can run side by side.
 TEST_JOBS ?= $(JOBS)
 CIRCUIT ?= circuit1
+CIRCUITS = $(basename $(notdir $(wildcard src/f1tenth_gazebo/circuits/*.yaml)))
 LAPS ?= 1
 FUZZ_SECONDS ?= 600
 # Whether sources are compiled several at a time: a fresh build takes a third of the processor time, an incremental one up to
@@ -50,7 +51,8 @@ PYTHON_FILES = $(shell git ls-files '*.py'; git grep -lI '^\#!/usr/bin/\(env pyt
 
 help: ## list the commands
 	@sed -n 's/^\([a-z]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 16
-	@echo "  Variables: CIRCUIT=circuit1 … circuit5, circuit_detailed; PLANNER=LAUNCH FILE, with LAPS=1, INTERFACE=native or f1tenth;"
+	@echo "  Variables: CIRCUIT=$(CIRCUIT), of $(CIRCUITS);"
+	@echo "  PLANNER=LAUNCH FILE, with LAPS=1, INTERFACE=native or f1tenth;"
 	@echo "  JOBS=$(JOBS); TEST_JOBS=$(TEST_JOBS);"
 	@echo "  OUT=FOLDER for everything that is written, when these files are read-only; SETUP=--yes"
 

@@ -48,6 +48,19 @@ class TestShippedFiles:
                 assert solid.distance(centre) > 0.014
 
 
+def test_readme_lists_the_circuits():
+    expected = {}
+    for name in circuits.NAMES:
+        widths = [corner.width for corner in circuits.circuit(name).corners]
+        road = f"{min(widths)}-{max(widths)}" if min(widths) < max(widths) else f"{widths[0]}"
+        expected[f"`{name}`"] = [f"{circuits.lap(name).length:.0f}", road]
+    readme = (circuits.PACKAGE / "README.md").read_text()
+    table = readme.split("| circuit | lap (m) | road (m) |")[1].split("\n\n")[0]
+    rows = [[cell.strip() for cell in line.split("|")[1:4]] for line in table.splitlines()[2:]]
+    assert expected
+    assert {name: cells for name, *cells in rows} == expected
+
+
 def test_a_wrong_circuit_ends_in_one_line_and_exit_code_1(tmp_path, capsys):
     (tmp_path / "bad.yaml").write_text("corners: 3\n")
     assert make_world([str(tmp_path / "bad.yaml"), "-o", str(tmp_path / "w")]) == 1

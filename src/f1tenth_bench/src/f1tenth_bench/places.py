@@ -20,6 +20,11 @@ def package_file(package, relative):
         raise NotAvailable(f"no package {missing}; source the workspace's setup.bash") from missing
 
 
+def circuits():
+    """Names of the circuits that the workspace ships."""
+    return sorted(path.stem for path in package_file("f1tenth_gazebo", "circuits").glob("*.yaml"))
+
+
 def circuit_file(name):
     """Path of the world of a circuit that the workspace ships."""
     return package_file("f1tenth_gazebo", f"worlds/{name}.world")

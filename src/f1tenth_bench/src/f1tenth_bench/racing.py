@@ -7,7 +7,6 @@ from PIL import Image
 from f1tenth_bench.benchmark import NotAvailable
 from f1tenth_bench.places import data_file, package_file
 
-CIRCUITS = ("circuit1", "circuit2", "circuit3", "circuit4", "circuit5", "circuit_detailed")
 TRACKS = ("Austin", "Oschersleben", "Spielberg")
 _STARTS = 6  # a track
 
@@ -60,7 +59,7 @@ def race_options():
 
 def half_laps(name):
     """The map of a circuit or track, and pairs of poses half a lap apart."""
-    if name in CIRCUITS:
+    if name not in TRACKS:
         poses = _goals(package_file("f1tenth_gazebo", f"goals/{name}.txt"))
         costmap = load_costmap(package_file("f1tenth_gazebo", f"maps/{name}.yaml"))
         starts = range(len(poses))

@@ -6,7 +6,8 @@ import statistics
 import numpy as np
 
 from f1tenth_bench.benchmark import Measured, NotAvailable, benchmark
-from f1tenth_bench.racing import CIRCUITS, TRACKS, half_laps, planner_module, race_options
+from f1tenth_bench.places import circuits
+from f1tenth_bench.racing import TRACKS, half_laps, planner_module, race_options
 from f1tenth_bench.timing import cost
 
 PERIOD = 0.025  # s
@@ -62,7 +63,7 @@ def _plan_problem(times):
 def _plan_times():
     """Per circuit or track the processor time of each plan, ms; infinite for one that was not found."""
     times = {}
-    for name in CIRCUITS + TRACKS:
+    for name in (*circuits(), *TRACKS):
         try:
             costmap, pairs = half_laps(name)
         except NotAvailable:

@@ -21,7 +21,7 @@ class Settings:
     """Keywords of the environments. Units are SI's."""
 
     place: Union[str, PathLike]
-    """circuit1 … circuit5, circuit_detailed, or the path of a .world file or of a map's .yaml file"""
+    """name of a circuit, or the path of a .world file or of a map's .yaml file"""
     cars: int = 1
     """on the road; the first one is the ego car"""
     observation: Sequence[str] = ("scan", "velocity", "steering")

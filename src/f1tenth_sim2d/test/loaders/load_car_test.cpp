@@ -14,7 +14,7 @@ CarDescription load(const std::string & xml)
   return loadCar(xml, "robot1", "test.urdf");
 }
 
-bool contains(const std::vector<std::string> & list, const std::string & text)
+bool hasLine(const std::vector<std::string> & list, const std::string & text)
 {
   return std::find(list.begin(), list.end(), text) != list.end();
 }
@@ -48,7 +48,7 @@ TEST(LoadCar, KnowsLinksThatFixedJointsMakeVanish)
 {
   const CarDescription car = load(smallCar());
   for (const char * const link : {"base_footprint", "base_link", "laser", "imu", "bumper_left", "rear_left_wheel"}) {
-    EXPECT_TRUE(contains(car.links, link)) << link;
+    EXPECT_TRUE(hasLine(car.links, link)) << link;
   }
   EXPECT_EQ(car.links.size(), 14u);
 }
@@ -119,7 +119,7 @@ TEST(LoadCar, TakesAnImuPluginOfTheModel)
     "<bodyName>imu</bodyName><updateRate>50</updateRate><gaussianNoise>0.01</gaussianNoise></plugin></gazebo>";
   std::string xml = smallCarWith("</robot>", plugin + "</robot>");
   const CarDescription with_two = load(xml);
-  EXPECT_TRUE(contains(
+  EXPECT_TRUE(hasLine(
     with_two.warnings, "test.urdf:250: robot[small_car]/gazebo[11]/plugin[old_imu]: is a second IMU and left out"));
   const std::size_t sensor = xml.find("<gazebo reference=\"imu\">");
   xml.erase(sensor, xml.find("</gazebo>", sensor) + std::string("</gazebo>").size() - sensor);
@@ -202,7 +202,7 @@ TEST(LoadCarWarnings, NameSensorsWithoutRosPlugin)
 {
   const CarDescription car = load(smallCarWith("libgazebo_ros_laser.so", "libother.so"));
   EXPECT_TRUE(car.lidars.empty());
-  EXPECT_TRUE(contains(
+  EXPECT_TRUE(hasLine(
     car.warnings,
     "test.urdf:195: robot[small_car]/gazebo[laser]/sensor[lidar]: has no <plugin> libgazebo_ros_laser.so or "
     "libgazebo_ros_gpu_laser.so or libgazebo_ros_range.so to publish it and is left out"));
@@ -212,7 +212,7 @@ TEST(LoadCarWarnings, NameSensorsThatAreNotSimulated)
 {
   const std::string sonar =
     "<gazebo reference=\"base_link\"><sensor name=\"height\" type=\"altimeter\"/></gazebo></robot>";
-  EXPECT_TRUE(contains(
+  EXPECT_TRUE(hasLine(
     load(smallCarWith("</robot>", sonar)).warnings,
     "test.urdf:250: robot[small_car]/gazebo[base_link]/sensor[height]: a sensor of type altimeter is left out: not "
     "simulated"));
@@ -222,7 +222,7 @@ TEST(LoadCarWarnings, NameSensorsOfAnUnknownType)
 {
   const std::string crystal =
     "<gazebo reference=\"base_link\"><sensor name=\"ball\" type=\"crystal\"/></gazebo></robot>";
-  EXPECT_TRUE(contains(
+  EXPECT_TRUE(hasLine(
     load(smallCarWith("</robot>", crystal)).warnings,
     "test.urdf:250: robot[small_car]/gazebo[base_link]/sensor[ball]: is no type of sensor of SDF and left out"));
 }
@@ -232,7 +232,7 @@ TEST(LoadCarWarnings, NameFurtherLayersOfALidar)
   const CarDescription car = load(smallCarWith(
     "</horizontal>",
     "</horizontal><vertical><samples>4</samples><min_angle>-0.1</min_angle><max_angle>0.1</max_angle></vertical>"));
-  EXPECT_TRUE(contains(
+  EXPECT_TRUE(hasLine(
     car.warnings,
     "test.urdf:195: robot[small_car]/gazebo[laser]/sensor[lidar]: <vertical> is left out: a lidar has one level "
     "layer"));

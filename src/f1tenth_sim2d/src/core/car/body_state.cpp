@@ -22,4 +22,13 @@ void setBodyVelocity(BodyState & state, const Vec2 & velocity)
   state.v = sign * length(velocity);
   state.beta = direction(sign * velocity.y, sign * velocity.x);
 }
+
+void moveOn(BodyState & state, const BodyState & before, double dt)
+{
+  const Vec2 world_before = worldVelocity(before);
+  state.psi += 0.5 * dt * (before.psi_dot + state.psi_dot);
+  const Vec2 world_after = worldVelocity(state);
+  state.x += 0.5 * dt * (world_before.x + world_after.x);
+  state.y += 0.5 * dt * (world_before.y + world_after.y);
+}
 }  // namespace f1tenth_sim2d

@@ -8,11 +8,10 @@ Kinematic::Kinematic(const VehicleParameters & p) : wheelbase_(p.wheelbase()), r
 
 void Kinematic::restart(const BodyState & /*state*/) {}
 
-// The trapezoidal rule. Of a velocity that contacts left the part along the track stays.
+// Of a velocity that contacts left the part along the track stays.
 void Kinematic::advance(BodyState & state, const SteeredInput & input, double dt)
 {
-  const Vec2 world_before = worldVelocity(state);
-  const double yaw_rate_before = state.psi_dot;
+  const BodyState before = state;
   state.delta += input.steering_rate * dt;
   const SineCosine steering = sineCosine(state.delta);
   const double tangent = steering.sine / steering.cosine;
@@ -20,9 +19,6 @@ void Kinematic::advance(BodyState & state, const SteeredInput & input, double dt
   state.v = state.v * sineCosine(state.beta - beta).cosine + input.acceleration * dt;
   state.beta = beta;
   state.psi_dot = state.v * sineCosine(beta).cosine * tangent / wheelbase_;
-  state.psi += 0.5 * dt * (yaw_rate_before + state.psi_dot);
-  const Vec2 world_after = worldVelocity(state);
-  state.x += 0.5 * dt * (world_before.x + world_after.x);
-  state.y += 0.5 * dt * (world_before.y + world_after.y);
+  moveOn(state, before, dt);
 }
 }  // namespace f1tenth_sim2d

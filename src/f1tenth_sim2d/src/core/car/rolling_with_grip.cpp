@@ -40,11 +40,10 @@ RollingWithGrip::AxleForces RollingWithGrip::limitedForces(
 // that would bring it back on track within the step is limited by Coulomb friction.
 void RollingWithGrip::advance(BodyState & state, const SteeredInput & input, double dt) const
 {
-  const Vec2 before = bodyVelocity(state);
-  const Vec2 world_before = worldVelocity(state);
-  const double yaw_rate_before = state.psi_dot;
-  const double lateral_free = before.y - before.x * yaw_rate_before * dt;
-  const double longitudinal_free = before.x + (before.y * yaw_rate_before + input.acceleration) * dt;
+  const BodyState before = state;
+  const Vec2 velocity = bodyVelocity(before);
+  const double lateral_free = velocity.y - velocity.x * before.psi_dot * dt;
+  const double longitudinal_free = velocity.x + (velocity.y * before.psi_dot + input.acceleration) * dt;
 
   state.delta += input.steering_rate * dt;
   const SineCosine steering = sineCosine(state.delta);
@@ -54,7 +53,7 @@ void RollingWithGrip::advance(BodyState & state, const SteeredInput & input, dou
   const double v = state.v * sineCosine(state.beta - beta).cosine + input.acceleration * dt;
   const double yaw_rate = v * slip.cosine * tangent / wheelbase_;
   const double lateral_change = v * slip.sine - lateral_free;
-  const double yaw_rate_change = yaw_rate - yaw_rate_before;
+  const double yaw_rate_change = yaw_rate - before.psi_dot;
   const double front = (l_r_ * m_ * lateral_change + I_z_ * yaw_rate_change) / (wheelbase_ * dt);
   const double rear = (l_f_ * m_ * lateral_change - I_z_ * yaw_rate_change) / (wheelbase_ * dt);
 
@@ -63,14 +62,11 @@ void RollingWithGrip::advance(BodyState & state, const SteeredInput & input, dou
     state.beta = beta;
     state.psi_dot = yaw_rate;
   } else {
-    const double front_slip_free = lateral_free + l_f_ * yaw_rate_before - longitudinal_free * tangent;
-    const AxleForces forces = limitedForces({front, rear}, front_slip_free, lateral_free - l_r_ * yaw_rate_before, dt);
+    const double front_slip_free = lateral_free + l_f_ * before.psi_dot - longitudinal_free * tangent;
+    const AxleForces forces = limitedForces({front, rear}, front_slip_free, lateral_free - l_r_ * before.psi_dot, dt);
     setBodyVelocity(state, {longitudinal_free, lateral_free + (forces.front + forces.rear) * dt / m_});
     state.psi_dot += (l_f_ * forces.front - l_r_ * forces.rear) * dt / I_z_;
   }
-  state.psi += 0.5 * dt * (yaw_rate_before + state.psi_dot);
-  const Vec2 world_after = worldVelocity(state);
-  state.x += 0.5 * dt * (world_before.x + world_after.x);
-  state.y += 0.5 * dt * (world_before.y + world_after.y);
+  moveOn(state, before, dt);
 }
 }  // namespace f1tenth_sim2d

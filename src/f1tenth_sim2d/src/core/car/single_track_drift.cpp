@@ -91,8 +91,8 @@ void SingleTrackDrift::advance(BodyState & state, const SteeredInput & input, do
 // speed. The position follows by the trapezoidal rule.
 void SingleTrackDrift::advanceSliding(BodyState & state, const SteeredInput & input, double dt)
 {
-  const Vec2 velocity = bodyVelocity(state);
-  const Vec2 world_before = worldVelocity(state);
+  const BodyState before = state;
+  const Vec2 velocity = bodyVelocity(before);
   const Motion start{velocity.x, velocity.y, state.psi_dot, omega_f_, omega_r_};
   const Torques applied = torques(start, input.acceleration);
   const SineCosine steering = sineCosine(state.delta);
@@ -111,10 +111,7 @@ void SingleTrackDrift::advanceSliding(BodyState & state, const SteeredInput & in
   omega_r_ = end.omega_r;
   setBodyVelocity(state, {end.v_x, end.v_y});
   state.psi_dot = end.psi_dot;
-  state.psi += 0.5 * dt * (start.psi_dot + end.psi_dot);
-  const Vec2 world_after = worldVelocity(state);
-  state.x += 0.5 * dt * (world_before.x + world_after.x);
-  state.y += 0.5 * dt * (world_before.y + world_after.y);
+  moveOn(state, before, dt);
 }
 
 // Brakes stop a wheel, but do not turn it.

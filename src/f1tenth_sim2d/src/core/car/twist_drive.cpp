@@ -91,17 +91,13 @@ void TwistDrive::advance(BodyState & state, SimTime now, double dt)
 {
   commands_.takeEffect(now);
   const TwistCommand wanted = commands_.isOld(now) ? TwistCommand{} : commands_.active();
-  const Vec2 before = bodyVelocity(state);
-  const Vec2 world_before = worldVelocity(state);
-  const double yaw_rate_before = state.psi_dot;
-  const Vec2 velocity = approached({before.x, before.y - centre_ahead_ * yaw_rate_before}, wanted.velocity, dt);
+  const BodyState before = state;
+  const Vec2 free = bodyVelocity(before);
+  const Vec2 velocity = approached({free.x, free.y - centre_ahead_ * before.psi_dot}, wanted.velocity, dt);
   const double most = angular_acceleration_max_ * dt;
-  state.psi_dot += std::clamp(wanted.yaw_rate - yaw_rate_before, -most, most);
-  state.psi += 0.5 * dt * (yaw_rate_before + state.psi_dot);
+  state.psi_dot += std::clamp(wanted.yaw_rate - before.psi_dot, -most, most);
   setBodyVelocity(state, {velocity.x, velocity.y + centre_ahead_ * state.psi_dot});
-  const Vec2 world_after = worldVelocity(state);
-  state.x += 0.5 * dt * (world_before.x + world_after.x);
-  state.y += 0.5 * dt * (world_before.y + world_after.y);
+  moveOn(state, before, dt);
 }
 
 WheelMotion TwistDrive::wheels(const BodyState & state) const

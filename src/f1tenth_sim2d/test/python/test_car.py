@@ -1,3 +1,5 @@
+import copy
+
 import pytest
 
 import f1tenth_sim2d
@@ -41,3 +43,12 @@ def test_vehicle_parameters_are_read_from_a_file(tmp_path):
         f1tenth_sim2d.LoadError, match=f"^{path}:1: unknown key 'weight', allowed are model, tire, m, l_f"
     ):
         f1tenth_sim2d.VehicleParameters.load(str(path))
+
+
+def test_copied_parameters_are_their_own():
+    parameters = f1tenth_sim2d.VehicleParameters()
+    parameters.model, parameters.mu, parameters.tire.p_dy1 = "kinematic", 0.3, 0.9
+    same = copy.copy(parameters)
+    assert (same.model, same.mu, same.tire.p_dy1) == ("kinematic", 0.3, 0.9)
+    same.mu, same.tire.p_dy1 = 0.5, 0.5
+    assert (parameters.mu, parameters.tire.p_dy1) == (0.3, 0.9)

@@ -1,5 +1,6 @@
 """What all environments are made of: a place, cars, and simulations of them."""
 
+import copy
 import dataclasses
 from typing import Any
 
@@ -74,7 +75,7 @@ class Stage:
 
     def draw_parameters(self, rng):
         """VehicleParameters for one episode."""
-        parameters = _copy(self._parameters)
+        parameters = copy.copy(self._parameters)
         for name, value in self.settings.vehicle.items():
             setattr(parameters, name, value if isinstance(value, str) else draw(rng, value))
         return parameters
@@ -212,11 +213,3 @@ def _settings(given):
             "place is missing: the name of a circuit, or the path of a .world or a map's .yaml file"
         )
     return Settings(**given)
-
-
-def _copy(parameters):
-    same = f1tenth_sim2d.VehicleParameters()
-    for name in dir(same):
-        if not name.startswith("_") and name not in ("load", "wheelbase"):
-            setattr(same, name, getattr(parameters, name))
-    return same

@@ -3,94 +3,15 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <set>
 
 #include "f1tenth_sim2d/errors.h"
+#include "loaders/car/vehicle_keys.h"
 
 namespace f1tenth_sim2d
 {
 namespace
 {
-struct Range
-{
-  double least;
-  double greatest;
-  bool least_included;
-  const char * text;
-
-  bool contains(double value) const
-  {
-    return std::isfinite(value) && value <= greatest && (value > least || (least_included && value == least));
-  }
-};
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr Range kPositive{0.0, kInfinity, false, "numbers greater than 0"};
-constexpr Range kNotNegative{0.0, kInfinity, true, "numbers from 0"};
-constexpr Range kNotPositive{-kInfinity, 0.0, true, "numbers up to 0"};
-constexpr Range kSteeringAngle{0.0, 1.5, false, "numbers greater than 0, up to 1.5 rad"};
-constexpr Range kSteeringOffset{-1.5, 1.5, true, "numbers from -1.5 to 1.5 rad"};
-constexpr Range kLatency{0.0, 1.0, true, "numbers from 0 to 1 s"};
-constexpr Range kShare{0.0, 1.0, true, "numbers from 0 to 1"};
-constexpr Range kNegative{-kInfinity, -1e-9, true, "numbers less than 0"};
-constexpr Range kCurvature{-kInfinity, 1.0, true, "numbers up to 1"};
-constexpr Range kFinite{-kInfinity, kInfinity, true, "numbers"};
-constexpr Range kRate{0.0, 1000.0, false, "numbers greater than 0, up to 1000 Hz"};
-
-template <typename Parameters>
-struct Key
-{
-  const char * name;
-  double Parameters::*member;
-  Range range;
-};
-
-using P = VehicleParameters;
-constexpr std::array kKeys{
-  Key<P>{"m", &P::m, kPositive},
-  Key<P>{"l_f", &P::l_f, kPositive},
-  Key<P>{"l_r", &P::l_r, kPositive},
-  Key<P>{"h", &P::h, kNotNegative},
-  Key<P>{"I_z", &P::I_z, kPositive},
-  Key<P>{"mu", &P::mu, kPositive},
-  Key<P>{"C_Sf", &P::C_Sf, kPositive},
-  Key<P>{"C_Sr", &P::C_Sr, kPositive},
-  Key<P>{"steering_max", &P::steering_max, kSteeringAngle},
-  Key<P>{"steering_rate_max", &P::steering_rate_max, kPositive},
-  Key<P>{"a_max", &P::a_max, kPositive},
-  Key<P>{"v_switch", &P::v_switch, kPositive},
-  Key<P>{"v_min", &P::v_min, kNotPositive},
-  Key<P>{"v_max", &P::v_max, kPositive},
-  Key<P>{"actuation_latency", &P::actuation_latency, kLatency},
-  Key<P>{"speed_gain", &P::speed_gain, kPositive},
-  Key<P>{"command_timeout", &P::command_timeout, kPositive},
-  Key<P>{"R_w", &P::R_w, kPositive},
-  Key<P>{"I_y_w", &P::I_y_w, kPositive},
-  Key<P>{"T_sb", &P::T_sb, kShare},
-  Key<P>{"T_se", &P::T_se, kShare},
-  Key<P>{"odometry_rate_hz", &P::odometry_rate_hz, kRate},
-  Key<P>{"odometry_speed_scale", &P::odometry_speed_scale, kPositive},
-  Key<P>{"odometry_speed_noise_stddev", &P::odometry_speed_noise_stddev, kNotNegative},
-  Key<P>{"odometry_steering_offset", &P::odometry_steering_offset, kSteeringOffset},
-  Key<P>{"odometry_steering_noise_stddev", &P::odometry_steering_noise_stddev, kNotNegative}};
-
-using T = TireParameters;
-constexpr std::array kTireKeys{Key<T>{"p_cx1", &T::p_cx1, kPositive},  Key<T>{"p_dx1", &T::p_dx1, kPositive},
-                               Key<T>{"p_ex1", &T::p_ex1, kCurvature}, Key<T>{"p_kx1", &T::p_kx1, kPositive},
-                               Key<T>{"p_hx1", &T::p_hx1, kFinite},    Key<T>{"p_vx1", &T::p_vx1, kFinite},
-                               Key<T>{"r_bx1", &T::r_bx1, kFinite},    Key<T>{"r_bx2", &T::r_bx2, kFinite},
-                               Key<T>{"r_cx1", &T::r_cx1, kFinite},    Key<T>{"r_ex1", &T::r_ex1, kCurvature},
-                               Key<T>{"r_hx1", &T::r_hx1, kFinite},    Key<T>{"p_cy1", &T::p_cy1, kPositive},
-                               Key<T>{"p_dy1", &T::p_dy1, kPositive},  Key<T>{"p_ey1", &T::p_ey1, kCurvature},
-                               Key<T>{"p_ky1", &T::p_ky1, kNegative},  Key<T>{"r_by1", &T::r_by1, kFinite},
-                               Key<T>{"r_by2", &T::r_by2, kFinite},    Key<T>{"r_by3", &T::r_by3, kFinite},
-                               Key<T>{"r_cy1", &T::r_cy1, kFinite},    Key<T>{"r_ey1", &T::r_ey1, kCurvature},
-                               Key<T>{"r_hy1", &T::r_hy1, kFinite},    Key<T>{"r_vy1", &T::r_vy1, kFinite},
-                               Key<T>{"r_vy4", &T::r_vy4, kFinite},    Key<T>{"r_vy5", &T::r_vy5, kFinite},
-                               Key<T>{"r_vy6", &T::r_vy6, kFinite}};
-
 [[noreturn]] void fail(const std::string & path, const YAML::Mark & mark, const std::string & reason)
 {
   throw LoadError(path + ":" + std::to_string(mark.line + 1), "", reason);
@@ -103,7 +24,7 @@ std::string nameIn(const YAML::Node & node)
 }
 
 template <typename Parameters>
-double readNumber(const std::string & path, const Key<Parameters> & key, const YAML::Node & node)
+double readNumber(const std::string & path, const vehicle_keys::Key<Parameters> & key, const YAML::Node & node)
 {
   double value = 0.0;
   if (!node.IsScalar() || node.Tag() == "!" || !YAML::convert<double>::decode(node, value)) {
@@ -129,7 +50,7 @@ VehicleModel readModel(const std::string & path, const YAML::Node & node)
 /// @param others  the other keys, for the message
 template <typename Parameters, std::size_t count, typename ReadOther>
 void readMap(
-  const std::string & path, const YAML::Node & map, const std::array<Key<Parameters>, count> & keys,
+  const std::string & path, const YAML::Node & map, const std::array<vehicle_keys::Key<Parameters>, count> & keys,
   Parameters & parameters, const std::string & others, ReadOther readOther)
 {
   if (!map.IsMap()) {
@@ -185,14 +106,16 @@ VehicleParameters loadVehicleParameters(const std::string & path)
   if (root.IsNull()) {
     return parameters;
   }
-  readMap(path, root, kKeys, parameters, "model, tire", [&](const std::string & name, const YAML::Node & node) {
-    if (name == "model") {
-      parameters.model = readModel(path, node);
-    } else if (name == "tire") {
-      readMap(path, node, kTireKeys, parameters.tire, "", [](const auto &, const auto &) { return false; });
-    }
-    return name == "model" || name == "tire";
-  });
+  readMap(
+    path, root, vehicle_keys::kVehicle, parameters, "model, tire",
+    [&](const std::string & name, const YAML::Node & node) {
+      if (name == "model") {
+        parameters.model = readModel(path, node);
+      } else if (name == "tire") {
+        readMap(path, node, vehicle_keys::kTire, parameters.tire, "", [](const auto &, const auto &) { return false; });
+      }
+      return name == "model" || name == "tire";
+    });
   return parameters;
 }
 }  // namespace f1tenth_sim2d

@@ -27,28 +27,20 @@ void setPlanarVariances(boost::array<double, 36> & covariance, double x, double 
 }
 }  // namespace
 
-ScanOutput::ScanOutput(CarHandle car, std::size_t lidar)
-: MessageOutput(
-    car.advertise<sensor_msgs::LaserScan>(car.description().lidars[lidar].topic),
-    car.description().lidars[lidar].rate_hz),
-  car_(std::move(car)),
-  lidar_(lidar)
+ScanOutput::ScanOutput(const CarHandle & car, std::size_t lidar)
+: SensorOutput(car, car.description().lidars[lidar]), lidar_(lidar)
 {
-  const LidarDescription & description = car_.description().lidars[lidar_];
-  message_.header.frame_id = car_.frame_prefix + description.frame;
-  message_.angle_min = static_cast<float>(description.angle_min);
-  message_.angle_max = static_cast<float>(description.angle_max);
-  message_.angle_increment =
-    static_cast<float>((description.angle_max - description.angle_min) / (description.beam_count - 1));
-  message_.scan_time = static_cast<float>(1.0 / description.rate_hz);
-  message_.range_min = static_cast<float>(description.range_min);
-  message_.range_max = static_cast<float>(description.range_max);
-  message_.ranges.resize(static_cast<std::size_t>(description.beam_count));
+  message_.angle_min = static_cast<float>(sensor_.angle_min);
+  message_.angle_max = static_cast<float>(sensor_.angle_max);
+  message_.angle_increment = static_cast<float>((sensor_.angle_max - sensor_.angle_min) / (sensor_.beam_count - 1));
+  message_.scan_time = static_cast<float>(1.0 / sensor_.rate_hz);
+  message_.range_min = static_cast<float>(sensor_.range_min);
+  message_.range_max = static_cast<float>(sensor_.range_max);
+  message_.ranges.resize(static_cast<std::size_t>(sensor_.beam_count));
 }
 
-void ScanOutput::fill(sensor_msgs::LaserScan & message, SimTime now)
+void ScanOutput::sample(sensor_msgs::LaserScan & message)
 {
-  message.header.stamp = toRosTime(now);
   car_.simulation.scan(car_.id, lidar_, message.ranges.data());
 }
 
@@ -125,8 +117,7 @@ void OdometryTransformOutput::repeat()
   }
 }
 
-PoseOutput::PoseOutput(CarHandle car, const PoseSensorDescription & sensor)
-: MessageOutput(car.advertise<nav_msgs::Odometry>(sensor.topic), sensor.rate_hz), car_(std::move(car)), sensor_(sensor)
+PoseOutput::PoseOutput(const CarHandle & car, const PoseSensorDescription & sensor) : SensorOutput(car, sensor)
 {
   message_.header.frame_id = sensor_.frame;
   message_.child_frame_id = car_.frame_prefix + sensor_.link;
@@ -136,7 +127,7 @@ PoseOutput::PoseOutput(CarHandle car, const PoseSensorDescription & sensor)
 }
 
 // As the original: the twist is that of the link, in the frame of the world.
-void PoseOutput::fill(nav_msgs::Odometry & message, SimTime now)
+void PoseOutput::sample(nav_msgs::Odometry & message)
 {
   const CarState & state = car_.simulation.state(car_.id);
   const Pose3 pose = onGround(state.pose) * sensor_.pose;
@@ -144,29 +135,23 @@ void PoseOutput::fill(nav_msgs::Odometry & message, SimTime now)
   const Vec2 velocity = rotated(state.velocity, state.pose.yaw);
   const Eigen::Vector3d & rpy = sensor_.rpy_offset;
   const Pose3::Rotation turned = Pose3::rotationOf(rpy.x(), rpy.y(), rpy.z());
-  message.header.stamp = toRosTime(now);
   message.pose.pose = toPose(Pose3(pose.position + sensor_.xyz_offset, turned * pose.rotation));
   message.twist.twist =
     toTwist({velocity.x - state.yaw_rate * arm.y(), velocity.y + state.yaw_rate * arm.x()}, state.yaw_rate);
 }
 
-ImuOutput::ImuOutput(CarHandle car, double gravity)
-: MessageOutput(car.advertise<sensor_msgs::Imu>(car.description().imu->topic), car.description().imu->rate_hz),
-  car_(std::move(car))
+ImuOutput::ImuOutput(const CarHandle & car, double gravity) : SensorOutput(car, *car.description().imu)
 {
-  const ImuDescription & description = *car_.description().imu;
-  const double acceleration_variance = square(description.acceleration_noise_stddev);
-  message_.header.frame_id = car_.frame_prefix + description.frame;
+  const double acceleration_variance = square(sensor_.acceleration_noise_stddev);
   message_.orientation_covariance = {kExact, 0, 0, 0, kExact, 0, 0, 0, kExact};
-  message_.angular_velocity_covariance = {kExact, 0, 0, 0, kExact, 0, 0, 0, square(description.yaw_rate_noise_stddev)};
+  message_.angular_velocity_covariance = {kExact, 0, 0, 0, kExact, 0, 0, 0, square(sensor_.yaw_rate_noise_stddev)};
   message_.linear_acceleration_covariance = {acceleration_variance, 0, 0, 0, acceleration_variance, 0, 0, 0, kExact};
   message_.linear_acceleration.z = gravity;
 }
 
-void ImuOutput::fill(sensor_msgs::Imu & message, SimTime now)
+void ImuOutput::sample(sensor_msgs::Imu & message)
 {
   const ImuSample sample = car_.simulation.imu(car_.id);
-  message.header.stamp = toRosTime(now);
   message.orientation = toQuaternion(sample.yaw);
   message.angular_velocity.z = sample.yaw_rate;
   message.linear_acceleration.x = sample.acceleration.x;
@@ -205,12 +190,8 @@ void JointStatesOutput::fill(sensor_msgs::JointState & message, SimTime now)
   }
 }
 
-BumperOutput::BumperOutput(CarHandle car, std::size_t bumper)
-: MessageOutput(
-    car.advertise<gazebo_msgs::ContactsState>(car.description().bumpers[bumper].topic),
-    car.description().bumpers[bumper].rate_hz),
-  collisions_(
-    car.description().bumpers[bumper].collision_names.begin(), car.description().bumpers[bumper].collision_names.end())
+BumperOutput::BumperOutput(const CarHandle & car, const BumperDescription & bumper)
+: SensorOutput(car, bumper), collisions_(bumper.collision_names.begin(), bumper.collision_names.end())
 {
   // As in Gazebo, all vectors are in the world, whatever frame the sensor is in.
   message_.header.frame_id = "map";
@@ -225,9 +206,8 @@ void BumperOutput::note(const std::vector<Contact> & contacts)
   }
 }
 
-void BumperOutput::fill(gazebo_msgs::ContactsState & message, SimTime now)
+void BumperOutput::sample(gazebo_msgs::ContactsState & message)
 {
-  message.header.stamp = toRosTime(now);
   message.states.clear();
   for (const auto & [pair, contact] : touches_) {
     message.states.push_back(toContactState(contact));

@@ -12,38 +12,20 @@
 #include <utility>
 #include <vector>
 
-#include "node/messages/output.h"
+#include "node/cars/sensor_output.h"
 
 /// What a car publishes. Frames and topics come from its description.
 namespace f1tenth_sim2d
 {
-/// A car, where it publishes, and the prefix of its frames.
-struct CarHandle
-{
-  const Simulation & simulation;
-  CarId id;
-  Advertiser & advertiser;
-  ros::NodeHandle node;  ///< in the car's namespace
-  std::string frame_prefix;
-
-  const CarDescription & description() const { return simulation.car(id); }
-  template <class Message>
-  TopicPublisher<Message> advertise(const std::string & topic) const
-  {
-    return advertiser.advertise<Message>(node, topic);
-  }
-};
-
-class ScanOutput : public MessageOutput<sensor_msgs::LaserScan>
+class ScanOutput : public SensorOutput<LidarDescription, sensor_msgs::LaserScan>
 {
 public:
-  ScanOutput(CarHandle car, std::size_t lidar);
+  ScanOutput(const CarHandle & car, std::size_t lidar);
   bool isAnswered() const override { return true; }
 
 private:
-  void fill(sensor_msgs::LaserScan & message, SimTime now) override;
+  void sample(sensor_msgs::LaserScan & message) override;
 
-  const CarHandle car_;
   const std::size_t lidar_;
 };
 
@@ -90,28 +72,23 @@ private:
 };
 
 /// The true pose of a link: libgazebo_ros_p3d.so.
-class PoseOutput : public MessageOutput<nav_msgs::Odometry>
+class PoseOutput : public SensorOutput<PoseSensorDescription, nav_msgs::Odometry>
 {
 public:
-  PoseOutput(CarHandle car, const PoseSensorDescription & sensor);
+  PoseOutput(const CarHandle & car, const PoseSensorDescription & sensor);
 
 private:
-  void fill(nav_msgs::Odometry & message, SimTime now) override;
-
-  const CarHandle car_;
-  const PoseSensorDescription sensor_;
+  void sample(nav_msgs::Odometry & message) override;
 };
 
-class ImuOutput : public MessageOutput<sensor_msgs::Imu>
+class ImuOutput : public SensorOutput<ImuDescription, sensor_msgs::Imu>
 {
 public:
   /// @param gravity  m/s^2, what the accelerometer reads upwards
-  ImuOutput(CarHandle car, double gravity);
+  ImuOutput(const CarHandle & car, double gravity);
 
 private:
-  void fill(sensor_msgs::Imu & message, SimTime now) override;
-
-  const CarHandle car_;
+  void sample(sensor_msgs::Imu & message) override;
 };
 
 class JointStatesOutput : public MessageOutput<sensor_msgs::JointState>
@@ -128,17 +105,17 @@ private:
 
 /// A contact sensor. Each message carries what has touched since the one before, however short; of a pair of
 /// collisions that touched more than once, the last touch.
-class BumperOutput : public MessageOutput<gazebo_msgs::ContactsState>
+class BumperOutput : public SensorOutput<BumperDescription, gazebo_msgs::ContactsState>
 {
 public:
-  BumperOutput(CarHandle car, std::size_t bumper);
+  BumperOutput(const CarHandle & car, const BumperDescription & bumper);
 
   /// Those of other collisions are ignored.
   void note(const std::vector<Contact> & contacts) override;
   void restart() override { touches_.clear(); }
 
 private:
-  void fill(gazebo_msgs::ContactsState & message, SimTime now) override;
+  void sample(gazebo_msgs::ContactsState & message) override;
   void skip() override { touches_.clear(); }
 
   const std::set<std::string> collisions_;

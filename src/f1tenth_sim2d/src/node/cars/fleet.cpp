@@ -49,7 +49,7 @@ OutputList Fleet::makeOutputs(Car & car) const
   for (std::size_t lidar = 0; lidar < description.lidars.size(); ++lidar) {
     outputs.push_back(std::make_unique<ScanOutput>(handle, lidar));
   }
-  for (std::size_t bumper = 0; bumper < description.bumpers.size(); ++bumper) {
+  for (const BumperDescription & bumper : description.bumpers) {
     outputs.push_back(std::make_unique<BumperOutput>(handle, bumper));
   }
   for (auto & output : sensorOutputs(handle)) {

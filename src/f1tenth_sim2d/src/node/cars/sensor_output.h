@@ -1,11 +1,29 @@
 #pragma once
 
+#include <string>
 #include <utility>
 
-#include "node/cars/car_outputs.h"
+#include "node/messages/output.h"
 
 namespace f1tenth_sim2d
 {
+/// A car, where it publishes, and the prefix of its frames.
+struct CarHandle
+{
+  const Simulation & simulation;
+  CarId id;
+  Advertiser & advertiser;
+  ros::NodeHandle node;  ///< in the car's namespace
+  std::string frame_prefix;
+
+  const CarDescription & description() const { return simulation.car(id); }
+  template <class Message>
+  TopicPublisher<Message> advertise(const std::string & topic) const
+  {
+    return advertiser.advertise<Message>(node, topic);
+  }
+};
+
 /// A sensor of a car on its topic: its description says where it is and how often it measures, sample() what.
 template <class Description, class Message>
 class SensorOutput : public MessageOutput<Message>

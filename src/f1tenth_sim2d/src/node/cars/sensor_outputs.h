@@ -1,6 +1,6 @@
 #pragma once
 
-#include "node/cars/car_outputs.h"
+#include "node/cars/sensor_output.h"
 
 namespace f1tenth_sim2d
 {

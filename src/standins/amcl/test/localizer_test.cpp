@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "amcl/errors.h"
@@ -128,6 +129,16 @@ TEST(Localizer, FindsTheCarAnywhereOnACircuit)
   Drive drive(map, {0.58, 0.12, -0.16});
   drive.steps(localizer, 60, {0.08, 0.0, 0.0});
   expectNear(localizer.estimate().pose, drive.truth(), 0.1, 0.05);
+}
+
+TEST(Localizer, IsNoSurerThanItsMap)
+{
+  Localizer localizer(room(), smallSteps(), around({-2.0, -0.5, 0.0}, 0.05, 0.05));
+  Drive drive(room(), {-2.0, -0.5, 0.0});
+  drive.steps(localizer, 40);
+  const Estimate estimate = localizer.estimate();
+  EXPECT_GT(std::min(estimate.covariance[0], estimate.covariance[4]), 0.025 * 0.025);  // half a cell
+  EXPECT_LT(std::max(estimate.covariance[0], estimate.covariance[4]), 0.05 * 0.05);
 }
 
 TEST(Localizer, SpreadsOnlyWhereTheCarCanHaveGone)

@@ -134,7 +134,12 @@ public:
     for (const auto & particle : particles_.m_particles) {
       weighted.push_back({toMap(particle.d), std::exp(particle.log_w)});
     }
-    return heaviestCluster(weighted);
+    Estimate estimate = heaviestCluster(weighted);
+    // The particles cannot know that the map is right to half a cell only.
+    const double map_variance = std::pow(0.5 * map_->getResolution(), 2);
+    estimate.covariance[0] += map_variance;
+    estimate.covariance[4] += map_variance;
+    return estimate;
   }
 
   std::vector<Pose2> particles() const

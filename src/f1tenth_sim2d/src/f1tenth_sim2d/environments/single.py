@@ -81,7 +81,8 @@ class F1TenthEnv(gymnasium.Env):
         finished, late = bool(self._stage.finished()[0, 0]), bool(self._stage.out_of_time()[0])
         if self._recorder:
             self._recorder.note(finished or late)
-        info = {**self._stage.info(0), "rewards": rewards}
+        info = self._stage.info(0)
+        info["rewards"] = rewards
         return self._observation(), float(rewards[0]), finished, late, info
 
     def render(self):

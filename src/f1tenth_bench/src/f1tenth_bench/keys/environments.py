@@ -1,0 +1,119 @@
+"""env_step_us, env_reset_ms, env_vector, env_steps: the environments to learn in."""
+
+import os
+
+import numpy as np
+from f1tenth_sim2d.environments import ENVIRONMENT, register
+
+from f1tenth_bench.benchmark import Measured, NotAvailable, benchmark
+from f1tenth_bench.places import data_file
+from f1tenth_bench.timing import cost, least_cost
+
+STEPS = 300
+REPEATS = 9
+ENVIRONMENTS, THREADS = 64, 2
+STANDSTILL = np.zeros(2, np.float32)
+BEAMS, CARS = (1080, 270, 108), (1, 2, 8)
+
+
+def _gymnasium():
+    try:
+        import gymnasium
+    except ImportError as error:
+        raise NotAvailable(f"{error}; make setup installs it") from error
+    register()
+    return gymnasium
+
+
+def _make(**settings):
+    """Make an environment without wrappers."""
+    return _gymnasium().make(ENVIRONMENT, **{"place": "circuit1", "normalized": False, **settings}).unwrapped
+
+
+@benchmark("env_step_us", "us", at_most=25)
+def env_step_us():
+    """What `step` of an environment adds to that of the core: 1 car that stands, 108 beams."""
+    environment = _make(max_time=1e6)
+    environment.reset(seed=1)
+    stage = environment._stage
+    command, driven = np.zeros((1, 1, 2)), np.ones((1, 1), dtype=bool)
+    whole = _each_us(lambda: environment.step(STANDSTILL))
+    core = _each_us(lambda: stage._environments.step(command, driven))
+    return Measured(whole - core, {"step_us": whole, "core_us": core})
+
+
+@benchmark("env_reset_ms", "ms", at_most=1)
+def env_reset_ms():
+    """Reset of an environment with random starts and drawn parameters, 1 car, 1080 beams."""
+    environment = _make(beams=1080, start="random", vehicle={"mu": (0.8, 1.1)})
+    environment.reset(seed=1)
+    return Measured(_each_us(environment.reset, 50) / 1e3)
+
+
+@benchmark("env_vector", "x", at_least=1.8, is_ratio=True)
+def env_vector():
+    """Steps/s of 64 environments by two threads over those by one, 1080 beams, wall time."""
+    if len(os.sched_getaffinity(0)) < THREADS:
+        raise NotAvailable(f"{THREADS} threads need as many processors")
+    spent = {threads: _vector_s(threads) for threads in (1, THREADS)}
+    steps = {str(threads): ENVIRONMENTS * 40 / seconds for threads, seconds in spent.items()}
+    return Measured(spent[1] / spent[THREADS], {"steps_per_second": steps})
+
+
+@benchmark("env_steps", "steps/s", at_least=10_000)
+def env_steps():
+    """Steps/s of an environment as f1tenth_gym's: Spielberg, 10 ms, a scan each step; 1 car, 1080 beams."""
+    rates = {f"{beams} beams, {cars} cars": _rate(beams, cars) for beams in BEAMS for cars in CARS}
+    return Measured(rates["1080 beams, 1 cars"], rates)
+
+
+def _each_us(work, count=STEPS):
+    def all_of_them():
+        for _ in range(count):
+            work()
+
+    return least_cost(all_of_them, REPEATS).cpu / count * 1e6
+
+
+def _vector_s(threads):
+    environments = _gymnasium().make_vec(
+        ENVIRONMENT,
+        ENVIRONMENTS,
+        "vector_entry_point",
+        threads=threads,
+        place="circuit1",
+        beams=1080,
+        normalized=False,
+    )
+    environments.reset(seed=1)
+    actions = np.tile(np.array([0.02, 1.0], np.float32), (ENVIRONMENTS, 1))
+
+    def drive():
+        for _ in range(40):
+            environments.step(actions)
+
+    return min(cost(drive).wall for _ in range(3))
+
+
+def _rate(beams, cars):
+    track = data_file("tracks/Spielberg/Spielberg_map.yaml")
+    environment = _make(
+        place=track,
+        cars=cars,
+        beams=beams,
+        field_of_view=4.7,
+        range_max=30.0,
+        period=0.01,
+        observation=("scan",),
+        start="random",
+    )
+    environment.reset(seed=1)
+    action = np.zeros(environment.action_space.shape, np.float32)
+    action[..., 1] = 1.0  # m/s
+
+    def drive():
+        environment.reset(seed=1)
+        for _ in range(100):
+            environment.step(action)
+
+    return 100 / least_cost(drive, 5).cpu

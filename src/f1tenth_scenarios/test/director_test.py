@@ -12,8 +12,8 @@ import rospy
 import rostest
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.record.observations import RaceState, RaceUpdate
-from f1tenth_scenarios.run.director import Director
-from f1tenth_scenarios.run.ros_node_kill import kill_node, node_pid
+from f1tenth_scenarios.run.events.director import Director
+from f1tenth_scenarios.run.events.ros_node_kill import kill_node, node_pid
 from f1tenth_scenarios.run.ros_watch import RosWatch
 from f1tenth_scenarios.scenario.scenario import Box, Fault, Push, Verdict
 from gazebo_msgs.srv import GetModelState, GetModelStateResponse, SetModelState, SetModelStateResponse

@@ -1,8 +1,8 @@
 """Reading off roslaunch's output which node ended, and who is to blame."""
 
 from f1tenth_scenarios.record.observations import RaceState, RaceUpdate
-from f1tenth_scenarios.run.culprit import Signs, failure_of
-from f1tenth_scenarios.run.launch_log import LaunchLog, NodeEnd
+from f1tenth_scenarios.run.diagnosis.culprit import Signs, failure_of
+from f1tenth_scenarios.run.diagnosis.launch_log import LaunchLog, NodeEnd
 from scenario_samples import sample_plan, scenario
 
 # As roslaunch 1.15 prints it.

@@ -8,7 +8,7 @@ import pytest
 from f1tenth_scenarios.launch.launch_file import launch_command
 from f1tenth_scenarios.launch.private_master import private_master
 from f1tenth_scenarios.launch.processes import ProcessTree
-from f1tenth_scenarios.run.launch_log import LaunchLog
+from f1tenth_scenarios.run.diagnosis.launch_log import LaunchLog
 from patience import PATIENCE, wait_for
 
 STAYS = "#!/bin/sh\nexec sleep 600\n"

@@ -14,10 +14,10 @@ from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.record.bag import planar
 from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_scenarios.record.replay import Poses
-from f1tenth_scenarios.run.command_watch import CommandCount, CommandWatch
-from f1tenth_scenarios.run.culprit import failure_of_driver
-from f1tenth_scenarios.run.director import Director
-from f1tenth_scenarios.run.ros_graph import driver_nodes
+from f1tenth_scenarios.run.diagnosis.command_watch import CommandCount, CommandWatch
+from f1tenth_scenarios.run.diagnosis.culprit import failure_of_driver
+from f1tenth_scenarios.run.diagnosis.ros_graph import driver_nodes
+from f1tenth_scenarios.run.events.director import Director
 
 _PATIENCE, _LOOK_INTERVAL = 2.0, 0.005  # wall s
 _COMMANDS_OF, _REFUSED = "sim2d: commands of ", "refused: "  # in the simulator's diagnostics

@@ -15,9 +15,9 @@ from f1tenth_scenarios.plan.participants import DEPUTY, driver_nodes_among, name
 from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.record.bag import RECORDER
 from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
-from f1tenth_scenarios.run.culprit import Signs, failure_of
+from f1tenth_scenarios.run.diagnosis.culprit import Signs, failure_of
+from f1tenth_scenarios.run.diagnosis.launch_log import LaunchLog, NodeEnd
 from f1tenth_scenarios.run.file_tail import last_lines
-from f1tenth_scenarios.run.launch_log import LaunchLog, NodeEnd
 
 # What was said just before a node ended gets this long (wall s) to arrive.
 _LAST_WORDS = 0.5

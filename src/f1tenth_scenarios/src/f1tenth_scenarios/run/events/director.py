@@ -12,9 +12,9 @@ from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan.participants import DIRECTOR, participants
 from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.record.observations import Failure
-from f1tenth_scenarios.run.agenda import Agenda, PeriodGate
-from f1tenth_scenarios.run.ros_node_kill import kill_node
-from f1tenth_scenarios.run.ros_push import push_model
+from f1tenth_scenarios.run.events.agenda import Agenda, PeriodGate
+from f1tenth_scenarios.run.events.ros_node_kill import kill_node
+from f1tenth_scenarios.run.events.ros_push import push_model
 
 
 def _kills(scenario):

@@ -10,8 +10,8 @@ from typing import Any, Optional
 from f1tenth_scenarios.plan.participants import DEPUTY, driver_nodes_among
 from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
+from f1tenth_scenarios.run.diagnosis.launch_log import NodeEnd
 from f1tenth_scenarios.run.file_tail import last_lines
-from f1tenth_scenarios.run.launch_log import NodeEnd
 
 LINE_COUNT = 10  # of what a culprit said last
 _RESTLESS = "has not come to rest within {:g} s of wall time (limits.answer)"

@@ -1,0 +1,1 @@
+"""What a scenario wants to happen during a run: nodes that are killed, models that are pushed."""

@@ -3,6 +3,7 @@
 import dataclasses
 import os
 import random
+import shutil
 import signal
 import time
 from collections.abc import Sequence
@@ -18,6 +19,7 @@ COMMANDS = {
     "scenario sweep": ("sweep", "circuit1", "--vary", "seed=1:3"),
     "scenario report": ("report",),
 }
+_BEFORE = {"scenario report": ("run", "circuit1")}  # what makes the results that a command reads
 
 
 @dataclasses.dataclass(frozen=True)
@@ -49,20 +51,25 @@ class Interrupts:
 def interrupt(name: str, count: int, folder: Path, seed: int = 1) -> Interrupts:
     """Interrupt a command at so many random moments of its life."""
     command = (*SCENARIO, *COMMANDS[name])
-    duration = _run(command, folder / "whole", _LONGEST)[1]
+    before = folder / "before" / "results"
+    before.mkdir(parents=True)
+    if name in _BEFORE:
+        _run((*SCENARIO, *_BEFORE[name]), before, _LONGEST)
+
+    def run(label: str, seconds: float) -> tuple[Ending, float]:
+        results = shutil.copytree(before, folder / label / "results")
+        return _run(command, results, seconds)
+
+    duration = run("whole", _LONGEST)[1]
     moments = random.Random(seed)
-    endings = [
-        _run(command, folder / f"{number:02}", moments.uniform(0.0, duration))[0] for number in range(count)
-    ]
+    endings = [run(f"{number:02}", moments.uniform(0.0, duration))[0] for number in range(count)]
     return Interrupts(name, endings)
 
 
-def _run(command: Sequence[str], folder: Path, seconds: float) -> tuple[Ending, float]:
+def _run(command: Sequence[str], results: Path, seconds: float) -> tuple[Ending, float]:
     """Let it run for some time (wall s), then interrupt it; also gives how long it ran."""
-    results = folder / "results"
-    results.mkdir(parents=True)
     begun = time.monotonic()
-    with Victim([*command, "--results", str(results)], results, folder / "said") as victim:
+    with Victim([*command, "--results", str(results)], results, results.parent / "said") as victim:
         victim.wait_for(lambda: False, seconds)
         ran = time.monotonic() - begun
         if victim.process.poll() is None:

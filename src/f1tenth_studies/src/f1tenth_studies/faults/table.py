@@ -1,6 +1,7 @@
 """The document of the faults."""
 
 import datetime
+import os
 from collections.abc import Sequence
 from typing import Optional
 
@@ -14,7 +15,7 @@ _HEAD = """\
 # Faults
 
 What a run of `circuit1` (two laps, in lockstep) makes of whatever breaks after 3 s of simulated time.
-Made on {date} at commit {commit} on {machine} by
+Made on {date} at commit {commit} on {machine}, with a load of {load:.0f} at the end, by
 
     {command}
 
@@ -38,7 +39,12 @@ At random moments of a command; wanted: exit code 130, no traceback, nothing of 
 def document(endings: Sequence[tuple[str, Ending]], interrupts: Sequence[Interrupts], command: str) -> str:
     """The whole document: endings by fault, and interrupted commands."""
     head = _HEAD.format(
-        date=datetime.date.today(), commit=commit(), machine=machine(), command=command, most=MOST_SECONDS
+        date=datetime.date.today(),
+        commit=commit(),
+        machine=machine(),
+        load=os.getloadavg()[1],
+        command=command,
+        most=MOST_SECONDS,
     )
     text = head + "".join(_row(name, each) for name, each in endings)
     if interrupts:

@@ -34,6 +34,23 @@ TEST(Contacts, WallAheadIsReportedByTheFrontBumperAlone)
   EXPECT_EQ(simulation.clearance(kRobot1, 5.0), 0.0);
 }
 
+class PostAhead : public ::testing::TestWithParam<double>
+{
+};
+
+TEST_P(PostAhead, TurnsTheCarToItsSide)
+{
+  Simulation simulation(world({staticModel("post", box("post::l::c", 0.02, 0.02, 1, 2, GetParam(), 0.5))}));
+  simulation.addCar(car("robot1"), {}, {});
+  drive(simulation, kRobot1, {2.0, 0.0}, 2.0);
+  const Contact * contact = find(simulation.contacts(kRobot1), "car::bumper_front::collision");
+  ASSERT_NE(contact, nullptr);
+  EXPECT_LT(contact->force.x, 0.0);
+  EXPECT_GT(contact->torque * GetParam(), 0.0);
+  EXPECT_GT(simulation.state(kRobot1).pose.yaw * GetParam(), 0.0);
+}
+INSTANTIATE_TEST_SUITE_P(Sides, PostAhead, ::testing::Values(-0.08, 0.08));
+
 class FastCrash : public ::testing::TestWithParam<double>
 {
 };
@@ -78,6 +95,7 @@ TEST(Contacts, CarThatSlidesAlongAWallReportsEveryPeriod)
   simulation.addCar(car("robot1"), {}, {0, 0.4, 0.05});
   drive(simulation, kRobot1, {2.0, 0.03}, 3.0);
   const double start = simulation.state(kRobot1).pose.x;
+  Vec2 force;
   for (int period = 0; period < 80; ++period) {
     simulation.clearContacts(kRobot1);
     drive(simulation, kRobot1, {2.0, 0.03}, 0.025);
@@ -85,7 +103,10 @@ TEST(Contacts, CarThatSlidesAlongAWallReportsEveryPeriod)
     ASSERT_NE(contact, nullptr) << "period " << period;
     EXPECT_LE(contact->force.y, 0.0);
     EXPECT_NEAR(contact->positions[0].y, 0.625, 0.002);
+    force = {force.x + contact->force.x, force.y + contact->force.y};
   }
+  EXPECT_LT(force.y, 0.0);
+  EXPECT_NEAR(force.x, slippery.mu * force.y, 0.01 * std::abs(force.y));
   EXPECT_GT(simulation.state(kRobot1).pose.x, start + 2.0);
 }
 

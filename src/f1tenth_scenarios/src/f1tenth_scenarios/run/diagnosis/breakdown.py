@@ -39,9 +39,7 @@ class Breakdown:
         """Whether something has broken, though its last words may not be there yet."""
         return self._seen_at is not None
 
-    def failure(
-        self, updates: Sequence[RaceUpdate], done: set[str], standing: float = 0.0
-    ) -> Optional[Failure]:
+    def failure(self, updates: Sequence[RaceUpdate], done: set[str], standing: float) -> Optional[Failure]:
         """Who broke the set-up, as soon as its last words can be there.
 
         Args:
@@ -56,16 +54,17 @@ class Breakdown:
         ends = [end for end in self._log.ends if self._is_fatal(end, done)]
         lost = [each for each in updates if each.state in (RaceState.LOST, RaceState.STOPPED)]
         exit_code = self._tree.exit_code()
-        stuck = standing >= self._plan.scenario.limits.answer and self._hindered()
+        stuck = self._hindered() if standing >= self._plan.scenario.limits.answer else None
         if not (ends or lost or stuck or exit_code is not None):
             return None
         if self._seen_at is None:
             self._seen_at = time.monotonic()
         killed = any(end.exit_code < 0 for end in ends)
-        if time.monotonic() - self._seen_at < (_LAST_OUTPUT if killed else _LAST_WORDS):
+        words_may_come = time.monotonic() - self._seen_at < (_LAST_OUTPUT if killed else _LAST_WORDS)
+        if words_may_come and not stuck:
             return None
         result = read_json(self._plan.simulator_result_file)
-        signs = Signs(ends, lost, exit_code, result, tuple(self._log.pids), self._hindered())
+        signs = Signs(ends, lost, exit_code, result, tuple(self._log.pids), stuck or self._hindered())
         return failure_of(self._plan, signs)
 
     def _hindered(self) -> Optional[tuple[str, str]]:

@@ -68,7 +68,9 @@ def test_a_table_has_a_row_for_each_fault():
         ("move_base killed", ending()),
         (
             "read-only results",
-            ending(result=None, has_junit=False, said="hello\nscenario: cannot be written\n"),
+            ending(
+                result=None, has_junit=False, said="hello\nscenario: /tmp/x/circuit1: cannot be written\n"
+            ),
         ),
         ("runner stopped", ending(exit_code=None, result={"verdict": "success"})),
     ]

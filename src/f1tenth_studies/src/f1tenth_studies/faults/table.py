@@ -2,6 +2,7 @@
 
 import datetime
 import os
+import re
 from collections.abc import Sequence
 from typing import Optional
 
@@ -26,6 +27,7 @@ from the verdict until nothing of the run is left.
 | fault | verdict | culprit | exit code | verdict after (s) | all gone after (s) | JUnit |
 | --- | --- | --- | --- | --- | --- | --- |
 """
+_FOLDER = r"/\S+: "  # where this run had its results
 _INTERRUPTS = """
 ## SIGINT
 
@@ -64,7 +66,7 @@ def _row(name: str, ending: Ending) -> str:
 def _said(ending: Ending) -> str:
     """What stands in the place of a verdict that could not be written."""
     lines = [line for line in ending.said.splitlines() if line.startswith("scenario: ")]
-    return f"none: {lines[-1].removeprefix('scenario: ')}" if lines else "none"
+    return f"none: {re.sub(_FOLDER, '', lines[-1].removeprefix('scenario: '))}" if lines else "none"
 
 
 def _interrupt_row(each: Interrupts) -> str:

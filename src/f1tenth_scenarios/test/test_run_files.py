@@ -53,6 +53,9 @@ def test_signal_ends_the_run_and_leaves_a_result(tmp_path):
         run.execute(progress=interrupt)
     result = json.loads((run.plan.folder / "interrupted" / "result.json").read_text(encoding="utf-8"))
     assert result["reason"] == "runner: was told to stop by SIGTERM"
+    assert result["not_written"] == [
+        f"{file}: the run was told to stop" for file in ("trajectory.png", "replay.json.gz")
+    ]
     assert not (run.plan.folder / "result.json").exists()
 
 

@@ -69,8 +69,8 @@ def execute(
             done = dataclasses.replace(done, folder=folder, wall_time=time.monotonic() - started)
             # First, because whatever else cannot be written must not cost the verdict.
             write_verdict(plan, done)
-            problems = write_rest(folder, _files_of_record(plan, done, preparation))
-        problems += write_rest(folder, _files_of_bag(plan, done, preparation))
+            problems = write_rest(folder, _worth_a_wait(_files_of_record(plan, done, preparation), stop))
+        problems += write_rest(folder, _worth_a_wait(_files_of_bag(plan, done, preparation), stop))
         plan.bag_file.unlink(missing_ok=True)
         done = dataclasses.replace(done, wall_time=time.monotonic() - started, not_written=problems)
         with contextlib.suppress(ScenarioError):  # what it said before was complete but for the time
@@ -104,7 +104,8 @@ def _drive(plan, tree, watch, stop, progress) -> tuple[Result, Preparation]:
         tree.interrupt(supervisor.simulator_pid, _SHUTDOWN_GRACE)
         seen = _observations(plan, supervisor, watch, failure)
         done = _judge(plan, seen, watch.estimates(), supervisor.pace.factor)
-        preparation.begin()
+        if not stop.signal:
+            preparation.begin()
     return done, preparation
 
 
@@ -159,6 +160,16 @@ def _files_of_bag(plan: Plan, done: Result, preparation: Preparation) -> Files:
 
     is_kept = plan.keep_bag or not done.passed
     return {REPLAY_FILE: write_scene, **({BAG_FILE: plan.bag_file.rename} if is_kept else {})}
+
+
+def _worth_a_wait(files: Files, stop: StopRequest) -> Files:
+    """Files of which none takes long if somebody waits for the end."""
+    slow = (PICTURE_FILE, REPLAY_FILE) if stop.signal else ()
+    return {name: _leave_out if name in slow else write for name, write in files.items()}
+
+
+def _leave_out(_path: Path) -> None:
+    raise ScenarioError("the run was told to stop")
 
 
 def _road(plan: Plan) -> list[tuple[float, float]]:

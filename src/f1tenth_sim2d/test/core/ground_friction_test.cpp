@@ -10,8 +10,7 @@ namespace f1tenth_sim2d::test
 constexpr double kGravity = 9.81;  // m/s^2
 
 /// Where a crate at the origin comes to rest that is given a velocity.
-Pose2 restOf(
-  const ModelDescription & crate, const std::vector<ModelDescription> & grounds, const ModelState & state)
+Pose2 restOf(const ModelDescription & crate, const std::vector<ModelDescription> & grounds, const ModelState & state)
 {
   std::vector<ModelDescription> models{crate};
   models.insert(models.end(), grounds.begin(), grounds.end());

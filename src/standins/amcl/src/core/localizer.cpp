@@ -27,9 +27,10 @@ constexpr double kAveragePower = 3.0;
 // Of a car that is lost: so many places are looked at first, and beams count as if so many of them were independent of each
 // other. If all were, one scan would leave nothing but the place that fits best, which is often a wrong one.
 constexpr std::size_t kPlaces = 100000;
+constexpr std::size_t kPlacesAbout = 20000;  // if it is known roughly where it is
 constexpr double kIndependentBeams = 5.4;
 constexpr double kFirstScanCounts = 2.0;  // as much as a later one, as there is one only
-constexpr double kFound = 0.3;            // m, standard deviation of particles that stand together
+constexpr double kFound = 0.3;  // m, standard deviation of particles that stand together; a wider start is being lost
 // So that no covariance is singular.
 constexpr double kLeastVariance = 1e-8;  // m^2 and rad^2
 
@@ -84,25 +85,23 @@ public:
     }
     mrpt::poses::CPosePDFGaussian belief(mrpt::poses::CPose2D(toTPose2D(estimate.pose)), covariance);
     belief.changeCoordinatesReference(mrpt::poses::CPose3D(mrpt::poses::CPose2D(toTPose2D(inverse(origin_)))));
-    std::vector<mrpt::math::CVectorDouble> samples;
-    belief.drawManySamples(static_cast<std::size_t>(options_.max_particles), samples);
-    particles_.m_particles.clear();
-    for (const auto & sample : samples) {
-      particles_.m_particles.emplace_back(mrpt::math::TPose2D(sample[0], sample[1], sample[2]), 0.0);
-    }
+    set(drawOf(belief, static_cast<std::size_t>(options_.max_particles)));
     believed_ = estimate.pose;
     startAgain();
+    if (covariance(0, 0) + covariance(1, 1) > kFound * kFound) {
+      places_ = drawOf(belief, kPlacesAbout);
+    }
   }
 
   void spreadOut()
   {
-    road_ = roadAbout(*map_, compose(inverse(origin_), believed_));
-    if (road_.empty()) {
+    const auto road = roadAbout(*map_, compose(inverse(origin_), believed_));
+    if (road.empty()) {
       throw MapError("nothing is free on the map");
     }
-    set(drawOn(road_, static_cast<std::size_t>(options_.max_particles)));
+    set(drawOn(road, static_cast<std::size_t>(options_.max_particles)));
     startAgain();
-    is_lost_ = true;
+    places_ = drawOn(road, kPlaces);
   }
 
   void updateNext() { due_ = true; }
@@ -119,7 +118,7 @@ public:
     }
     due_ = false;
     odometry_ = odometry;
-    if (is_lost_) {
+    if (!places_.empty()) {
       look(*observation);
     }
     // Over this range random beams are spread. MRPT remembers likelihoods: only the first scan has a say.
@@ -157,9 +156,8 @@ private:
   void look(const mrpt::obs::CObservation2DRangeScan & observation)
   {
     const RandomScope scope(random_);
-    is_lost_ = false;
     is_searching_ = true;
-    const auto places = drawOn(road_, kPlaces);
+    const std::vector<mrpt::math::TPose2D> places = std::exchange(places_, {});
     std::vector<double> weights;
     weights.reserve(places.size());
     for (const mrpt::math::TPose2D & place : places) {
@@ -179,6 +177,18 @@ private:
       kept.push_back(places[std::min<std::size_t>(found - weights.begin(), places.size() - 1)]);
     }
     set(kept);
+  }
+
+  static std::vector<mrpt::math::TPose2D> drawOf(const mrpt::poses::CPosePDFGaussian & belief, std::size_t count)
+  {
+    std::vector<mrpt::math::CVectorDouble> samples;
+    belief.drawManySamples(count, samples);
+    std::vector<mrpt::math::TPose2D> poses;
+    poses.reserve(count);
+    for (const auto & sample : samples) {
+      poses.emplace_back(sample[0], sample[1], sample[2]);
+    }
+    return poses;
   }
 
   std::vector<mrpt::math::TPose2D> drawOn(const std::vector<mrpt::math::TPoint2D> & road, std::size_t count)
@@ -215,7 +225,7 @@ private:
 
   void startAgain()
   {
-    is_lost_ = false;
+    places_.clear();
     is_searching_ = false;
     odometry_.reset();
     due_ = true;
@@ -254,9 +264,8 @@ private:
   std::optional<float> max_range_;  // m, of the first scan
   bool due_{true};
   int updates_{0};
-  Pose2 believed_;                          // where the car was last said to be, in the frame of the map
-  std::vector<mrpt::math::TPoint2D> road_;  // middles of the cells on which a car that is lost may be
-  bool is_lost_{false};                     // and no scan has been looked at since
+  Pose2 believed_;                           // where the car was last said to be, in the frame of the map
+  std::vector<mrpt::math::TPose2D> places_;  // where a car that is lost may be, until a scan has been looked at
   bool is_searching_{false};
   double power_{1.0};         // of the likelihood of a scan
   double search_power_{1.0};  // of a car that is lost

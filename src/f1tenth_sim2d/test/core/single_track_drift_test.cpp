@@ -1,4 +1,4 @@
-#include "core/car/single_track_drift.h"
+#include "core/models/single_track_drift.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/car/single_track.h"
+#include "core/models/single_track.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/car/delayed_command.h"
-#include "core/car/steered_model.h"
+#include "core/models/steered_model.h"
 #include "f1tenth_sim2d/commands.h"
 
 namespace f1tenth_sim2d

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/car/body_state.h"
+#include "core/models/body_state.h"
 
 namespace f1tenth_sim2d
 {

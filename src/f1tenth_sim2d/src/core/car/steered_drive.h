@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "core/car/actuation.h"
-#include "core/car/steered_model.h"
 #include "core/car/vehicle_dynamics.h"
+#include "core/models/steered_model.h"
 
 namespace f1tenth_sim2d
 {

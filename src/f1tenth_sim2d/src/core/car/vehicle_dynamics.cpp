@@ -1,10 +1,10 @@
 #include "core/car/vehicle_dynamics.h"
 
-#include "core/car/kinematic.h"
-#include "core/car/single_track.h"
-#include "core/car/single_track_drift.h"
 #include "core/car/steered_drive.h"
 #include "core/car/twist_drive.h"
+#include "core/models/kinematic.h"
+#include "core/models/single_track.h"
+#include "core/models/single_track_drift.h"
 
 namespace f1tenth_sim2d
 {

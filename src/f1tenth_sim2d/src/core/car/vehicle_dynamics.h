@@ -3,7 +3,7 @@
 #include <array>
 #include <memory>
 
-#include "core/car/body_state.h"
+#include "core/models/body_state.h"
 #include "f1tenth_sim2d/car_model.h"
 #include "f1tenth_sim2d/commands.h"
 #include "f1tenth_sim2d/sim_time.h"

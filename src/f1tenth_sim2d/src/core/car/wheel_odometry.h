@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "core/car/body_state.h"
+#include "core/models/body_state.h"
 #include "f1tenth_sim2d/geometry.h"
 #include "f1tenth_sim2d/sensor_samples.h"
 #include "f1tenth_sim2d/sim_time.h"

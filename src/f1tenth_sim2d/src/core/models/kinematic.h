@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/car/steered_model.h"
+#include "core/models/steered_model.h"
 #include "f1tenth_sim2d/vehicle_parameters.h"
 
 namespace f1tenth_sim2d

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/car/rolling_with_grip.h"
-#include "core/car/steered_model.h"
-#include "core/car/tyre.h"
-#include "core/car/wheel_footing.h"
 #include "core/math/trigonometry.h"
+#include "core/models/rolling_with_grip.h"
+#include "core/models/steered_model.h"
+#include "core/models/tyre.h"
+#include "core/models/wheel_footing.h"
 #include "f1tenth_sim2d/vehicle_parameters.h"
 
 namespace f1tenth_sim2d

@@ -1,4 +1,4 @@
-#include "core/car/kinematic.h"
+#include "core/models/kinematic.h"
 
 #include "core/math/trigonometry.h"
 

@@ -1,11 +1,11 @@
-#include "core/car/single_track.h"
+#include "core/models/single_track.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/car/short_steps.h"
 #include "core/math/gravity.h"
 #include "core/math/trigonometry.h"
+#include "core/models/short_steps.h"
 
 namespace f1tenth_sim2d
 {

@@ -1,11 +1,11 @@
-#include "core/car/single_track_drift.h"
+#include "core/models/single_track_drift.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/car/short_steps.h"
 #include "core/math/gravity.h"
 #include "core/math/planar_pose.h"
+#include "core/models/short_steps.h"
 
 namespace f1tenth_sim2d
 {

@@ -1,4 +1,4 @@
-#include "core/car/rolling_with_grip.h"
+#include "core/models/rolling_with_grip.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/car/body_state.h"
+#include "core/models/body_state.h"
 
 #include "core/math/planar_pose.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/car/tyre.h"
 #include "core/math/trigonometry.h"
+#include "core/models/tyre.h"
 #include "f1tenth_sim2d/geometry.h"
 
 namespace f1tenth_sim2d

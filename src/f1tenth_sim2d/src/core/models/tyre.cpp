@@ -1,4 +1,4 @@
-#include "core/car/tyre.h"
+#include "core/models/tyre.h"
 
 #include <cmath>
 

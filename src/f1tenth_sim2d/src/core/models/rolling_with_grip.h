@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/car/body_state.h"
-#include "core/car/steered_model.h"
+#include "core/models/body_state.h"
+#include "core/models/steered_model.h"
 #include "f1tenth_sim2d/vehicle_parameters.h"
 
 namespace f1tenth_sim2d

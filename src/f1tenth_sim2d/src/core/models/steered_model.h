@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/car/body_state.h"
+#include "core/models/body_state.h"
 
 namespace f1tenth_sim2d
 {

@@ -1,7 +1,8 @@
 """Goals keep their numbers, and each place of contact is marked once."""
 
+from diagnostic_msgs.msg import DiagnosticStatus, KeyValue
 from f1tenth_navigation.contact_markers import MOST, ContactPlaces
-from f1tenth_navigation.goal_markers import goal_markers
+from f1tenth_navigation.goal_markers import goal_markers, trouble_marker
 from f1tenth_navigation.known_goals import KnownGoals
 from gazebo_msgs.msg import ContactsState, ContactState
 from geometry_msgs.msg import Pose, PoseArray, PoseStamped, Quaternion, Vector3
@@ -70,6 +71,18 @@ def test_goal_that_the_planner_gives_up_is_marked_with_the_reason():
     discs = [each.color for each in goal_markers(goals.poses, goals.problems).markers if each.ns == "discs"]
     assert discs[0].b > discs[0].r
     assert discs[1].r > discs[1].b
+
+
+def test_a_car_that_stands_still_says_why():
+    status = DiagnosticStatus(
+        level=DiagnosticStatus.WARN, message="No way.", values=[KeyValue("frame", "robot1/base_footprint")]
+    )
+    marker = trouble_marker(status)
+    assert marker.text == "No way."
+    assert marker.header.frame_id == "robot1/base_footprint"
+    assert marker.frame_locked
+    status.level = DiagnosticStatus.OK
+    assert trouble_marker(status) is None
 
 
 def test_goal_that_is_tried_once_more_is_no_problem_until_it_is_one():

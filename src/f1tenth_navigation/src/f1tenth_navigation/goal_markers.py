@@ -1,5 +1,7 @@
 """Goals as rviz shows them: arrows, with numbers on discs that are seen on walls and on free ground alike."""
 
+from diagnostic_msgs.msg import DiagnosticStatus
+from geometry_msgs.msg import PoseStamped
 from visualization_msgs.msg import Marker, MarkerArray
 
 LENGTH, WIDTH = 0.8, 0.12
@@ -30,6 +32,18 @@ def goal_markers(poses, problems=None):
             below.pose.position.y -= DISC
             markers.markers.append(below)
     return markers
+
+
+def trouble_marker(status):
+    """A Marker beside a car: why it stands still, by move_base's DiagnosticStatus; None while all is well."""
+    if status.level == DiagnosticStatus.OK:
+        return None
+    car = PoseStamped()
+    car.header.frame_id = next(value.value for value in status.values if value.key == "frame")
+    car.pose.position.y = DISC
+    marker = text_marker("trouble", 0, car, status.message, HEIGHT, RED)
+    marker.frame_locked = True
+    return marker
 
 
 def text_marker(namespace, number, pose, text, height, colour):

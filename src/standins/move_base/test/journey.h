@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,9 @@ public:
 
   CycleOutput cycle()
   {
+    if (scan) {
+      costmap_.observe(*scan);
+    }
     seen.push_front(car.state());
     const std::size_t late = std::min(delay, seen.size() - 1);
     CycleOutput output =
@@ -72,7 +76,8 @@ public:
   double time{10.0};
   bool sensors_current{true};
   bool wheels_grip{true};
-  std::size_t delay{0};  // cycles until the navigator sees where the car is
+  std::optional<LaserScan> scan;  // seen in each cycle
+  std::size_t delay{0};           // cycles until the navigator sees where the car is
   std::deque<CarState> seen;
   double clearance{HUGE_VAL};
   DriveCommand command;

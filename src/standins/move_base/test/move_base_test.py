@@ -15,6 +15,7 @@ import pytest
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus, GoalStatusArray
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from fake_robot import FUTURE, FakeRobot, Room
 from geometry_msgs.msg import PoseStamped, Quaternion
 from move_base_msgs.msg import (
@@ -75,6 +76,11 @@ class Listener:
         with self._arrived:
             assert self._arrived.wait_for(lambda: condition(self.messages), WALL_PATIENCE), "nothing arrived"
             return list(self.messages)
+
+
+def told_by(messages):
+    """Level and text of what move_base says of itself."""
+    return [(status.level, status.message) for message in messages for status in message.status]
 
 
 class MoveBaseTest(unittest.TestCase):
@@ -164,9 +170,13 @@ class MoveBaseTest(unittest.TestCase):
 
     def test_without_a_plan_it_is_aborted_after_recovery(self):
         recoveries = Listener("move_base/recovery_status", RecoveryStatus)
+        diagnostics = Listener("/diagnostics", DiagnosticArray)
         log = Listener("/rosout", Log)
-        self.send(pose_at(10.5, 5.0))
-        text = "Failed to find a valid plan. Even after executing recovery behaviors."
+        self.robot.real_room = copy.deepcopy(self.room)
+        self.robot.real_room.add_wall(2.8, 0.8, 3.2, 1.2)
+        self.send(pose_at(3.0, 1.0))
+        reason = "The lidar sees something at the goal."
+        text = f"Failed to find a valid plan. Even after executing recovery behaviors. {reason}"
         self.assert_result(GoalStatus.ABORTED, text)
         self.assert_stopped()
         names = [m.recovery_behavior_name for m in recoveries.wait(lambda messages: len(messages) == 4)]
@@ -174,11 +184,32 @@ class MoveBaseTest(unittest.TestCase):
         log.wait(lambda messages: any(m.name == "/move_base" and m.msg == text for m in messages))
         assert [m.current_recovery_number for m in recoveries.messages] == [0, 1, 2, 3]
         assert {m.total_number_of_recoveries for m in recoveries.messages} == {4}
+        told = told_by(diagnostics.wait(lambda messages: (DiagnosticStatus.ERROR, text) in told_by(messages)))
+        assert told.index((DiagnosticStatus.WARN, reason)) < told.index((DiagnosticStatus.ERROR, text))
 
-    def test_a_goal_in_a_wall_is_aborted(self):
-        self.send(pose_at(4.1, 1.0))
-        text = "Failed to find a valid plan. Even after executing recovery behaviors."
-        self.assert_result(GoalStatus.ABORTED, text)
+    def test_a_goal_that_the_map_excludes_is_aborted_at_once_with_the_reason(self):
+        reasons = {
+            (4.1, 1.0): "The goal is in a wall.",
+            (30.0, 1.0): "The goal is outside of the map.",
+            (10.5, 5.0): "No way leads to the goal.",
+        }
+        for (x, y), reason in reasons.items():
+            since = self.robot.now
+            self.send(pose_at(x, y))
+            self.assert_result(GoalStatus.ABORTED, f"Failed to find a valid plan. {reason}")
+            assert self.robot.now < since + 0.5
+            self.assert_stopped()
+
+    def test_a_car_that_stands_still_says_why(self):
+        diagnostics = Listener("/diagnostics", DiagnosticArray)
+        self.drive_off(pose_at(6.0, 2.0))
+        self.robot.scan_works = False
+        why = "The car brakes or stands still because the scan on /scan is missing, or is not from now."
+        diagnostics.wait(lambda messages: (DiagnosticStatus.WARN, why) in told_by(messages))
+        self.robot.scan_works = True
+        self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
+        diagnostics.wait(lambda messages: told_by(messages)[-1] == (DiagnosticStatus.OK, "No goal"))
+        assert diagnostics.messages[-1].status[0].values[0].value == "base_footprint"
 
     def test_without_control_it_is_aborted_after_recovery(self):
         self.robot.put(6.0, 1.0)

@@ -106,13 +106,29 @@ INSTANTIATE_TEST_SUITE_P(
     Silence{4.0, false, true}, Silence{4.0, true, false}, Silence{4.0, true, true}, Silence{4.0, false, false},
     Silence{8.0, false, true}, Silence{8.0, true, false}, Silence{8.0, true, true}, Silence{8.0, false, false}));
 
+// A car whose goal something stands at that is on no map.
+class JourneyToATakenGoal : public Journey
+{
+public:
+  explicit JourneyToATakenGoal(const NavigatorOptions & options)
+  : Journey(options, makeCostmap(drawRoom(8.0, 3.0)), {2.0, 1.5, 0.0})
+  {
+    scan = scanFrom({3.0, 1.5, 0.0}, [](double angle) { return std::abs(angle) < 0.2 ? 1.0 : 20.0; });
+    navigator.setGoal({4.0, 1.5, 0.0}, time);
+  }
+};
+
+constexpr char kTaken[] = "The lidar sees something at the goal.";
+const std::string kNoPlanForTaken =
+  std::string("Failed to find a valid plan. Even after executing recovery behaviors. ") + kTaken;
+
 TEST(Navigator, abortsWithoutAPlanAfterAllRecoveries)
 {
-  Journey journey(racingNavigator(), makeCostmap(drawOval()), onOval(0.0));
-  journey.navigator.setGoal({9.0, 5.0, 0.0}, journey.time);
+  JourneyToATakenGoal journey(racingNavigator());
+  EXPECT_EQ(journey.cycle().trouble, kTaken) << "at once";
   const Outcome outcome = journey.untilOutcome();
   EXPECT_FALSE(outcome.succeeded);
-  EXPECT_EQ(outcome.text, "Failed to find a valid plan. Even after executing recovery behaviors.");
+  EXPECT_EQ(outcome.text, kNoPlanForTaken);
   EXPECT_EQ(journey.recoveries, kAllRecoveries);
   EXPECT_EQ(journey.command.speed, 0.0);
 }
@@ -122,9 +138,8 @@ TEST(Navigator, abortsAtOnceWithoutRecoveryBehaviors)
   NavigatorOptions options = racingNavigator();
   options.recovery_behavior_enabled = false;
   options.max_planning_retries = 0;
-  Journey journey(options, makeCostmap(drawOval()), onOval(0.0));
-  journey.navigator.setGoal({9.0, 5.0, 0.0}, journey.time);
-  EXPECT_EQ(journey.untilOutcome(0.1).text, "Failed to find a valid plan. Even after executing recovery behaviors.");
+  JourneyToATakenGoal journey(options);
+  EXPECT_EQ(journey.untilOutcome(0.1).text, kNoPlanForTaken);
   EXPECT_TRUE(journey.recoveries.empty());
 }
 
@@ -132,11 +147,63 @@ TEST(Navigator, doesNotBackUpWhereRecoveryMayNotMoveTheCar)
 {
   NavigatorOptions options = racingNavigator();
   options.clearing_rotation_allowed = false;
-  Journey journey(options, makeCostmap(drawOval()), onOval(0.0));
-  journey.navigator.setGoal({9.0, 5.0, 0.0}, journey.time);
+  JourneyToATakenGoal journey(options);
   journey.untilOutcome();
   EXPECT_EQ(journey.recoveries, (std::vector<std::string>{"conservative_reset", "aggressive_reset"}));
-  EXPECT_NEAR(distance(journey.car.state().pose, onOval(0.0)), 0.0, 1e-9);
+  EXPECT_NEAR(distance(journey.car.state().pose, Pose2{2.0, 1.5, 0.0}), 0.0, 1e-9);
+}
+
+struct Unreachable
+{
+  Pose2 goal;
+  std::string reason;
+};
+
+class NavigatorWithoutAWay : public ::testing::TestWithParam<Unreachable>
+{
+};
+
+TEST_P(NavigatorWithoutAWay, abortsAtOnceAndSaysWhy)
+{
+  OccupancyGrid map = drawOval();
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    const Vec2 at = map.geometry.centre(map.geometry.cell(i));
+    map.cells[i] = inRectangle(at, {8.5, 4.0}, {9.5, 6.0}) ? -1 : map.cells[i];
+    map.cells[i] = inRectangle(at, {4.0, 4.2}, {6.0, 5.8}) ? 0 : map.cells[i];
+  }
+  Journey journey(racingNavigator(), makeCostmap(map), onOval(0.0));
+  journey.navigator.setGoal(GetParam().goal, journey.time);
+  const CycleOutput output = journey.cycle();
+  ASSERT_TRUE(output.outcome);
+  EXPECT_FALSE(output.outcome->succeeded);
+  EXPECT_EQ(output.outcome->text, "Failed to find a valid plan. " + GetParam().reason);
+  EXPECT_EQ(output.command->speed, 0.0);
+  EXPECT_TRUE(journey.recoveries.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Goals, NavigatorWithoutAWay,
+  ::testing::Values(
+    Unreachable{{7.5, 5.0, 0.0}, "The goal is in a wall."},
+    Unreachable{{9.0, 1.25, 0.0}, "At the goal the car would touch a wall."},
+    Unreachable{{30.0, 5.0, 0.0}, "The goal is outside of the map."},
+    Unreachable{{9.0, 5.0, 0.0}, "The map is unknown at the goal."},
+    Unreachable{{5.0, 5.0, 0.0}, "No way leads to the goal."}));
+
+TEST(Navigator, saysWhatTheLidarSeesInItsWay)
+{
+  for (const auto & [ahead, reason] :
+       {std::pair{11.0, "The lidar sees something at the goal."},
+        std::pair{6.0, "What the lidar sees closes the way to the goal."}}) {
+    Journey journey(racingNavigator(), makeCostmap(drawRoom(14.0, 2.0)), {1.0, 1.0, 0.0});
+    const double away = ahead;
+    journey.costmap().observe(scanFrom(
+      {ahead - 1.0, 1.0, 0.0}, [&](double angle) { return std::abs(angle) < 0.75 ? 1.0 / std::cos(angle) : 20.0; }));
+    journey.navigator.setGoal({11.0, 1.0, 0.0}, journey.time);
+    const CycleOutput output = journey.cycle();
+    EXPECT_FALSE(output.outcome) << "it may go away";
+    EXPECT_EQ(output.trouble, reason) << away;
+  }
 }
 
 TEST(Navigator, abortsWithoutControlWhereTheFollowerSeesNoWay)
@@ -260,8 +327,12 @@ TEST(Navigator, brakesAlongTheOldPathWhenThereIsNoPlanForTheNewGoal)
   for (int i = 0; i < 30; ++i) {
     journey.cycle();
   }
+  EXPECT_GT(journey.car.state().speed, 2.0);
   journey.navigator.setGoal({9.0, 5.0, 0.0}, journey.time);
-  journey.untilOutcome();
+  EXPECT_TRUE(journey.cycle().outcome) << "said at once";
+  while (journey.cycle().command) {
+  }
+  EXPECT_LT(std::abs(journey.car.state().speed), 0.05);
   EXPECT_GT(journey.clearance, 0.3);
 }
 

@@ -60,6 +60,7 @@ void Navigator::setGoal(const Pose2 & goal, double time, std::vector<Pose2> next
   state_ = State::kPlanning;
   recovery_index_ = 0;
   planning_retries_ = 0;
+  no_plan_because_.clear();
   last_valid_plan_ = last_valid_control_ = last_oscillation_reset_ = next_plan_ = next_passing_ = time;
   oscillation_pose_.reset();
   previous_pose_.reset();
@@ -103,6 +104,9 @@ CycleOutput Navigator::cycle(const CycleInput & input, Costmap & costmap)
   now.car = reckoning_.predict(input.car, seen, measured, input.time);
   CycleOutput output;
   drive(now, costmap, output);
+  if (active() && !no_plan_because_.empty()) {
+    output.trouble = no_plan_because_;
+  }
   previous_time_ = now.time;
   previous_pose_ = now.car.pose;
   reckoning_.note(now.time, output.command.value_or(DriveCommand{}));
@@ -169,8 +173,7 @@ void Navigator::planAhead(const CycleInput & input, Costmap & costmap, CycleOutp
   const PlanRequest request = requestFrom(input.car);
   Plan plan = planner_.plan(costmap, request);
   if (!plan.found()) {
-    output.plan_failure = describe(plan.status);
-    planFailed(input, costmap, output);
+    planFailed(obstructionOf(costmap, request, plan.status), input, costmap, output);
     return;
   }
   if (!passes() && follower_.hasPath() && !canDrive(plan, input.car, costmap)) {
@@ -179,6 +182,7 @@ void Navigator::planAhead(const CycleInput & input, Costmap & costmap, CycleOutp
   }
   plan_ = std::move(plan);
   plan_races_ = request.race_line.has_value();
+  no_plan_because_.clear();
   output.new_plan = true;
   planning_retries_ = 0;
   last_valid_plan_ = next_passing_ = input.time;
@@ -224,14 +228,35 @@ PlanRequest Navigator::requestFrom(const CarState & car) const
   return request;
 }
 
-void Navigator::planFailed(const CycleInput & input, Costmap & costmap, CycleOutput & output)
+void Navigator::planFailed(
+  const Obstruction & obstruction, const CycleInput & input, Costmap & costmap, CycleOutput & output)
 {
+  no_plan_because_ = obstruction.reason;
+  if (obstruction.lasting) {
+    giveUp("Failed to find a valid plan. " + obstruction.reason, input, costmap, output);
+    return;
+  }
   ++planning_retries_;
   const bool spent = options_.max_planning_retries >= 0 && planning_retries_ > options_.max_planning_retries;
   if (spent || input.time > last_valid_plan_ + options_.planner_patience) {
     recover(Trigger::kPlanning, input, costmap, output);
   } else {
     hold(input, costmap, output);
+  }
+}
+
+// A car that drives comes to a stand along the path that it has.
+void Navigator::giveUp(
+  const std::string & text, const CycleInput & input, const Costmap & costmap, CycleOutput & output)
+{
+  goals_.clear();
+  output.outcome = Outcome{false, text};
+  if (std::abs(input.car.speed) > kStandingSpeed && follower_.hasPath()) {
+    coast_until_ = input.time;
+    coast(input, costmap, output);
+  } else {
+    output.command = DriveCommand{};
+    stop();
   }
 }
 
@@ -245,6 +270,9 @@ void Navigator::control(const CycleInput & input, Costmap & costmap, CycleOutput
     return;
   }
   output.prediction = std::move(step.prediction);
+  if (step.stuck) {
+    output.trouble = "Something stands in the car's way.";
+  }
   if (!step.lost && !step.stuck) {
     last_valid_control_ = input.time;
   }
@@ -389,11 +417,11 @@ void Navigator::watchProgress(const CycleInput & input)
   }
 }
 
-const char * Navigator::failureOf(Trigger trigger)
+std::string Navigator::failureOf(Trigger trigger) const
 {
   switch (trigger) {
     case Trigger::kPlanning:
-      return "Failed to find a valid plan. Even after executing recovery behaviors.";
+      return "Failed to find a valid plan. Even after executing recovery behaviors. " + no_plan_because_;
     case Trigger::kControlling:
       return "Failed to find a valid control. Even after executing recovery behaviors.";
     case Trigger::kOscillation:

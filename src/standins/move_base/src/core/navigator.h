@@ -9,6 +9,7 @@
 #include "control/recovery.h"
 #include "goals.h"
 #include "path/global_planner.h"
+#include "path/obstruction.h"
 
 namespace move_base
 {
@@ -65,7 +66,7 @@ struct CycleOutput
   std::optional<Outcome> outcome;          ///< when the goal has ended
   std::optional<RecoveryNotice> recovery;  ///< when a recovery behaviour has begun
   bool new_plan{false};
-  std::string plan_failure;       ///< why planning failed in this cycle, or empty
+  std::string trouble;            ///< why the car does not drive on to its goal, or empty
   std::vector<Pose2> prediction;  ///< where the car is going to be
 };
 
@@ -113,7 +114,8 @@ private:
   void driveBlind(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   void pursue(const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void planAhead(const CycleInput & input, Costmap & costmap, CycleOutput & output);
-  void planFailed(const CycleInput & input, Costmap & costmap, CycleOutput & output);
+  void planFailed(const Obstruction & obstruction, const CycleInput & input, Costmap & costmap, CycleOutput & output);
+  void giveUp(const std::string & text, const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   void control(const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void passIfHindered(
     const CycleInput & input, const Costmap & costmap, const std::vector<Forecast> & others, CycleOutput & output);
@@ -136,7 +138,7 @@ private:
   double approachLength(double speed) const;
   double period(double time) const;
   void stop();
-  static const char * failureOf(Trigger trigger);
+  std::string failureOf(Trigger trigger) const;
 
   NavigatorOptions options_;
   GlobalPlanner planner_;
@@ -162,5 +164,6 @@ private:
   double stop_until_{0.0};
   std::optional<BackUp> back_up_;
   Pose2 recovery_pose_;
+  std::string no_plan_because_;  // since there was no plan
 };
 }  // namespace move_base

@@ -13,6 +13,8 @@ namespace move_base
 {
 namespace
 {
+using diagnostic_msgs::DiagnosticStatus;
+
 ros::NodeHandle onQueue(const std::string & name, ros::CallbackQueue & queue)
 {
   ros::NodeHandle node(name);
@@ -46,6 +48,7 @@ MoveBaseNode::MoveBaseNode(const MoveBaseParameters & parameters, ros::CallbackQ
   perception_(node_, parameters_),
   navigator_(parameters_.navigator),
   displays_(private_node_, parameters_, perception_),
+  diagnostics_(node_, parameters_.base_frame),
   velocity_publisher_(node_.advertise<geometry_msgs::Twist>("cmd_vel", 1)),
   goal_publisher_(private_node_.advertise<geometry_msgs::PoseStamped>("current_goal", 1)),
   recovery_publisher_(node_.advertise<move_base_msgs::RecoveryStatus>("move_base/recovery_status", 1)),
@@ -75,7 +78,11 @@ void MoveBaseNode::handleCallbacks()
 void MoveBaseNode::cycle(const ros::Time & now)
 {
   watchClock(now);
-  if (!ready() || !due(now)) {
+  if (!ready()) {
+    diagnostics_.tell(DiagnosticStatus::WARN, "Waiting for " + missing(), now);
+    return;
+  }
+  if (!due(now)) {
     return;
   }
   if (navigator_.active() || !parameters_.shutdown_costmaps) {
@@ -146,6 +153,7 @@ void MoveBaseNode::accept(const geometry_msgs::PoseStamped & target, const ros::
     const Pose2 goal = inMap(target);
     goal_publisher_.publish(toPoseStamped(goal, mapHeader(now)));
     target_ = target;
+    failure_.clear();
     navigator_.setGoal(goal, now.toSec(), nextGoals());
   } catch (const tf2::TransformException & error) {
     abort(
@@ -183,6 +191,7 @@ std::vector<Pose2> MoveBaseNode::nextGoals() const
 void MoveBaseNode::abort(const std::string & text)
 {
   ROS_ERROR("%s", text.c_str());
+  failure_ = text;
   navigator_.cancel();
   publishZero();
   server_.setAborted(move_base_msgs::MoveBaseResult(), text);
@@ -191,15 +200,27 @@ void MoveBaseNode::abort(const std::string & text)
 void MoveBaseNode::drive(const ros::Time & now)
 {
   const CycleInput input = perception_.input(now);
+  CycleOutput output = navigator_.cycle(input, perception_.costmap());
   if (!input.sensors_current && navigator_.active()) {
-    ROS_WARN_THROTTLE(
-      1.0, "The car brakes or stands still because %s is missing, or is not from now", perception_.stale(now).c_str());
+    output.trouble =
+      "The car brakes or stands still because " + perception_.stale(now) + " is missing, or is not from now.";
   }
-  const CycleOutput output = navigator_.cycle(input, perception_.costmap());
   publish(output, input, now);
   report(output, input, now);
   if (output.outcome) {
     finish(*output.outcome);
+  }
+  diagnose(output, now);
+}
+
+void MoveBaseNode::diagnose(const CycleOutput & output, const ros::Time & now)
+{
+  if (!navigator_.active() && !failure_.empty()) {
+    diagnostics_.tell(DiagnosticStatus::ERROR, failure_, now);
+  } else if (!output.trouble.empty()) {
+    diagnostics_.tell(DiagnosticStatus::WARN, output.trouble, now);
+  } else {
+    diagnostics_.tell(DiagnosticStatus::OK, navigator_.active() ? "Driving to the goal" : "No goal", now);
   }
 }
 
@@ -223,8 +244,8 @@ void MoveBaseNode::report(const CycleOutput & output, const CycleInput & input, 
     feedback.base_position = pose;
     server_.publishFeedback(feedback);
   }
-  if (!output.plan_failure.empty()) {
-    ROS_WARN_THROTTLE(1.0, "No plan: %s", output.plan_failure.c_str());
+  if (!output.trouble.empty()) {
+    ROS_WARN_THROTTLE(1.0, "%s", output.trouble.c_str());
   }
   if (output.recovery) {
     ROS_WARN(
@@ -245,6 +266,7 @@ void MoveBaseNode::finish(const Outcome & outcome)
     server_.setSucceeded(move_base_msgs::MoveBaseResult(), outcome.text);
   } else {
     ROS_ERROR("%s", outcome.text.c_str());
+    failure_ = outcome.text;
     server_.setAborted(move_base_msgs::MoveBaseResult(), outcome.text);
   }
 }

@@ -12,6 +12,7 @@
 #include <optional>
 #include <vector>
 
+#include "diagnostics.h"
 #include "displays.h"
 #include "navigator.h"
 #include "parameters.h"
@@ -51,6 +52,7 @@ private:
   void drive(const ros::Time & now);
   void publish(const CycleOutput & output, const CycleInput & input, const ros::Time & now);
   void report(const CycleOutput & output, const CycleInput & input, const ros::Time & now);
+  void diagnose(const CycleOutput & output, const ros::Time & now);
   void finish(const Outcome & outcome);
   void publishZero();
   void relayGoal(const geometry_msgs::PoseStamped::ConstPtr & target);
@@ -67,6 +69,7 @@ private:
   Perception perception_;
   Navigator navigator_;
   Displays displays_;
+  Diagnostics diagnostics_;
   ros::Publisher velocity_publisher_;
   ros::Publisher goal_publisher_;
   ros::Publisher recovery_publisher_;
@@ -78,6 +81,7 @@ private:
   ros::Subscriber prompt_goals_;
   ros::Subscriber prompt_cancels_;
   Server server_;
+  std::string failure_;                   // of the last goal
   geometry_msgs::PoseStamped target_;     // as it was sent
   nav_msgs::Path::ConstPtr goals_ahead_;  // the latest
   std::optional<ros::Time> now_;

@@ -51,6 +51,9 @@ public:
   /// The same to the nearest obstacle of the map.
   double wallDistance(const Vec2 & point) const { return distanceIn(map_distances_, point); }
 
+  /// Whether the map knows nothing of a cell.
+  bool isUnknown(std::size_t index) const { return unknown_[index] != 0; }
+
   /// Least distance from the car's outline to an obstacle, m, to the safe side by what the discs stick out; negative on contact.
   double clearance(const Pose2 & base) const;
 

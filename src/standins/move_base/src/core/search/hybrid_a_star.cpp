@@ -23,8 +23,6 @@ constexpr double kCurveRadii = 5.0;
 constexpr double kCurveRange = 6.0;
 // Expansions between two curves tried, per metre from the goal.
 constexpr double kCurveInterval = 3.0;
-// A point may pass where the car does not fit; less than half of the car's width keeps the lead optimistic.
-constexpr double kPointClearance = 0.1;
 
 // Weight of what is still to be driven: a plan costs at most this much more than the best one, and takes a fraction of
 // the time to find, because every way that keeps to the middle of the road is nearly as good as the others.

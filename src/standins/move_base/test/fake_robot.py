@@ -83,6 +83,7 @@ class FakeRobot:
         self._held = {}  # what was published last of each without a fault
         self._sent = collections.deque(maxlen=100)  # per period: transforms, odometry, scan
         self.commands = []  # (time in s, Twist), all so far
+        self._track = []  # x, y (m), speed (m/s) of each period since it was put somewhere
         self.touched = False  # whether the middle of the car was ever in a wall
         self._participant = participant
         self._period = (
@@ -125,7 +126,12 @@ class FakeRobot:
             self._sent.clear()
             self.touched = False
             self.commands.clear()
+            self._track.clear()
             self._command = Twist()
+
+    def speed_nearest_to(self, x, y):
+        """With which it passed a place, m/s."""
+        return min(self._track, key=lambda at: math.hypot(at[0] - x, at[1] - y))[2]
 
     @property
     def now(self):
@@ -170,6 +176,7 @@ class FakeRobot:
         x += self.speed * duration * math.cos(middle)
         y += self.speed * duration * math.sin(middle)
         self.pose = (x, y, yaw + self.speed * curvature * duration)
+        self._track.append((*self.pose[:2], self.speed))
         self.touched = self.touched or self._touches()
 
     def _touches(self):

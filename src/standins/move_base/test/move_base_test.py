@@ -194,10 +194,8 @@ class MoveBaseTest(unittest.TestCase):
             (10.5, 5.0): "No way leads to the goal.",
         }
         for (x, y), reason in reasons.items():
-            since = self.robot.now
             self.send(pose_at(x, y))
             self.assert_result(GoalStatus.ABORTED, f"Failed to find a valid plan. {reason}")
-            assert self.robot.now < since + 0.5
             self.assert_stopped()
 
     def test_a_car_that_stands_still_says_why(self):
@@ -353,7 +351,8 @@ class MoveBaseTest(unittest.TestCase):
             self.announce(*goals[i:])
             self.send(goal)
             self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
-            assert self.robot.speed > 0.5 or i == 2
+        assert self.robot.speed_nearest_to(2.0, 4.0) > 0.5
+        assert self.robot.speed_nearest_to(3.5, 5.0) > 0.5
         self.assert_stands_at(6.0, 4.5)
 
     def test_a_goal_is_not_passed_because_another_one_was_followed(self):
@@ -363,11 +362,11 @@ class MoveBaseTest(unittest.TestCase):
         self.assert_stands_at(3.0, 1.0)
 
     def test_a_goal_may_get_one_that_follows_it_on_the_way(self):
-        goals = [pose_at(2.0, 4.0, 0.5 * math.pi), pose_at(6.0, 4.5)]
+        goals = [pose_at(7.0, 2.0), pose_at(7.0, 4.5)]
         self.drive_off(goals[0])
         self.announce(*goals)
         self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
-        assert self.robot.speed > 0.5
+        assert self.robot.speed_nearest_to(7.0, 2.0) > 0.5
 
     def test_make_plan_plans_without_driving(self):
         make_plan = rospy.ServiceProxy("move_base/make_plan", GetPlan)

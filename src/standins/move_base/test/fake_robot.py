@@ -28,7 +28,8 @@ RESOLUTION = 0.05
 BEAMS = 271
 RANGE_MAX = 10.0
 FUTURE = rospy.Duration(2.0)
-MAX_CURVATURE = math.tan(0.4189) / 0.3302
+WHEELBASE = 0.3302
+MAX_CURVATURE = math.tan(0.4189) / WHEELBASE
 
 
 class Room:
@@ -85,6 +86,7 @@ class FakeRobot:
         self.commands = []  # (time in s, Twist), all so far
         self._track = []  # x, y (m), speed (m/s) of each period since it was put somewhere
         self.touched = False  # whether the middle of the car was ever in a wall
+        self.reads_angles = False  # whether commands say the angle of its wheels
         self._participant = participant
         self._period = (
             threading.Lock()
@@ -170,6 +172,8 @@ class FakeRobot:
         command = self._command if self.wheels_grip else Twist()
         self.speed = command.linear.x
         curvature = command.angular.z / self.speed if self.speed != 0.0 else 0.0
+        if self.reads_angles:
+            curvature = math.tan(command.angular.z) / WHEELBASE
         curvature = max(-MAX_CURVATURE, min(MAX_CURVATURE, curvature))
         x, y, yaw = self.pose
         middle = yaw + 0.5 * self.speed * curvature * duration

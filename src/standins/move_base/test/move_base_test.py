@@ -420,7 +420,7 @@ class MoveBaseTest(unittest.TestCase):
             "lockstep": (3, "must be true or false"),
             "max_planning_retries": (0.5, "must be a whole number"),
             "base_local_planner": (1, "must be a text"),
-            "min_turning_radius": (0.1, "parameter /wrong/min_turning_radius: found 0.1, must be at least"),
+            "max_steering_angle": (0.2, "parameter /wrong/min_turning_radius: found 0.8, must be at least"),
         }
         for name, (value, message) in wrong.items():
             rospy.set_param("wrong", {name: value})

@@ -47,6 +47,14 @@ geometry_msgs::Twist toTwist(const DriveCommand & command)
   return twist;
 }
 
+geometry_msgs::Twist toTwistWithAngle(const DriveCommand & command, double wheelbase)
+{
+  geometry_msgs::Twist twist;
+  twist.linear.x = command.speed;
+  twist.angular.z = command.speed == 0.0 ? 0.0 : std::atan(wheelbase * command.curvature);
+  return twist;
+}
+
 nav_msgs::Path toPath(const std::vector<Pose2> & poses, const std_msgs::Header & header)
 {
   nav_msgs::Path path;

@@ -35,6 +35,10 @@ OccupancyGrid fromUnturnedGrid(const nav_msgs::OccupancyGrid & message);
 LaserScan fromLaserScan(const sensor_msgs::LaserScan & message, const Pose2 & sensor);
 
 geometry_msgs::Twist toTwist(const DriveCommand & command);
+
+/// The same with the angle of the wheels in place of the yaw rate, as the original with cmd_angle_instead_rotvel.
+/// @param wheelbase  m
+geometry_msgs::Twist toTwistWithAngle(const DriveCommand & command, double wheelbase);
 nav_msgs::Path toPath(const std::vector<Pose2> & poses, const std_msgs::Header & header);
 std::vector<Pose2> posesOf(const Path & path);
 

@@ -227,7 +227,9 @@ void MoveBaseNode::diagnose(const CycleOutput & output, const ros::Time & now)
 void MoveBaseNode::publish(const CycleOutput & output, const CycleInput & input, const ros::Time & now)
 {
   if (output.command) {
-    velocity_publisher_.publish(toTwist(*output.command));
+    const double wheelbase = parameters_.navigator.follower.limits.wheelbase;
+    velocity_publisher_.publish(
+      parameters_.cmd_angle_instead_rotvel ? toTwistWithAngle(*output.command, wheelbase) : toTwist(*output.command));
   }
   if (output.new_plan) {
     displays_.showGlobalPlan(navigator_.plan().path, now);

@@ -2,6 +2,10 @@
 
 #include <workspace_support/parameter_reader.h>
 
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
 #include "geometry/errors.h"
 
 namespace move_base
@@ -40,6 +44,31 @@ void readFrames(ParameterReader & reader, MoveBaseParameters & parameters)
   reader.read("local_costmap/global_frame", parameters.local_frame);
   reader.read(ofCostmap("global_costmap", "robot_base_frame"), parameters.base_frame);
   reader.read(ofCostmap("global_costmap", "transform_tolerance"), parameters.transform_tolerance);
+}
+
+// The first lidar among the observation sources of the original's obstacle layer.
+void readScanTopic(ParameterReader & reader, const std::string & costmap, MoveBaseParameters & parameters)
+{
+  std::string sources;
+  reader.read(ofCostmap(costmap, "obstacle_layer", "observation_sources"), sources);
+  std::istringstream names(sources);
+  for (std::string source; names >> source;) {
+    std::string type;
+    std::string topic = source;
+    reader.read(ofCostmap(costmap, "obstacle_layer", source + "/data_type"), type);
+    reader.read(ofCostmap(costmap, "obstacle_layer", source + "/topic"), topic);
+    if (type == "LaserScan") {
+      parameters.scan_topic = topic;
+      return;
+    }
+  }
+}
+
+void readTopics(ParameterReader & reader, MoveBaseParameters & parameters)
+{
+  reader.read(ofCostmap("global_costmap", "static_layer", "map_topic"), parameters.map_topic);
+  readScanTopic(reader, "global_costmap", parameters);
+  readScanTopic(reader, "local_costmap", parameters);
 }
 
 void readCostmaps(ParameterReader & reader, MoveBaseParameters & parameters)
@@ -94,7 +123,6 @@ void readLocalPlanner(ParameterReader & reader, const std::string & name, Naviga
 {
   FollowerOptions & follower = navigator.follower;
   readSpeedLimits(reader, name, follower.limits);
-  reader.read(ofPlanner(name, "max_steering_angle"), follower.max_steering_angle);
   reader.read(ofPlanner(name, "latency"), follower.latency);
   reader.read(ofPlanner(name, "tracking_distance"), follower.tracking_distance);
   reader.read(ofPlanner(name, "tracking_time"), follower.tracking_time);
@@ -105,6 +133,11 @@ void readLocalPlanner(ParameterReader & reader, const std::string & name, Naviga
   reader.read(ofPlanner(name, "max_path_deviation"), follower.max_path_deviation);
 
   reader.read(ofPlanner(name, "min_turning_radius"), navigator.planner.min_turning_radius);
+  if (!reader.read(ofPlanner(name, "max_steering_angle"), follower.max_steering_angle)) {
+    // The original knows the radius alone.
+    const double needed = std::atan(follower.limits.wheelbase / navigator.planner.min_turning_radius);
+    follower.max_steering_angle = std::max(follower.max_steering_angle, needed);
+  }
   reader.read(ofPlanner(name, "min_obstacle_dist"), navigator.planner.min_obstacle_dist);
   reader.read(ofPlanner(name, "xy_goal_tolerance"), navigator.goal_tolerance.distance);
   reader.read(ofPlanner(name, "yaw_goal_tolerance"), navigator.goal_tolerance.yaw);
@@ -148,11 +181,14 @@ MoveBaseParameters readParameters(const ros::NodeHandle & node)
   MoveBaseParameters parameters;
   readMoveBase(reader, parameters);
   readFrames(reader, parameters);
+  readTopics(reader, parameters);
   readCostmaps(reader, parameters);
   parameters.global_planner = pluginNamespace(reader, "base_global_planner", "navfn/NavfnROS");
   parameters.local_planner = pluginNamespace(reader, "base_local_planner", "base_local_planner/TrajectoryPlannerROS");
   readGlobalPlanner(reader, parameters.global_planner, parameters);
   readLocalPlanner(reader, parameters.local_planner, parameters.navigator);
+  reader.read(ofPlanner(parameters.local_planner, "odom_topic"), parameters.odom_topic);
+  reader.read(ofPlanner(parameters.local_planner, "cmd_angle_instead_rotvel"), parameters.cmd_angle_instead_rotvel);
   reader.check([&] {
     parameters.costmap.validate();
     parameters.navigator.validate();

@@ -15,11 +15,15 @@ struct MoveBaseParameters
   std::string global_frame{"map"};
   std::string local_frame{"odom"};
   std::string base_frame{"base_link"};
+  std::string map_topic{"map"};
+  std::string odom_topic{"odom"};
+  std::string scan_topic{"scan"};
   std::string global_planner{"NavfnROS"};             ///< namespace of its parameters and topics
   std::string local_planner{"TrajectoryPlannerROS"};  ///< the same
   double transform_tolerance{0.3};                    ///< s, a pose of the car older than this is stale
   double sensor_timeout{0.5};                         ///< s, a scan or odometry older than this is stale
   double controller_period{0.05};                     ///< s; 0: every period of the lockstep
+  bool cmd_angle_instead_rotvel{false};               ///< whether commands say the angle of the wheels
   bool shutdown_costmaps{false};                      ///< whether scans are ignored without a goal
   bool lockstep{false};
   std::string lockstep_after;            ///< participant that acts before this one; empty: none

@@ -21,9 +21,9 @@ Perception::Perception(ros::NodeHandle node, const MoveBaseParameters & paramete
   footprint_(parameters.footprint, parameters.footprint_padding),
   listener_(buffer_, node, false, kNoDelay)
 {
-  map_subscriber_ = node.subscribe("map", 1, &Perception::onMap, this, kNoDelay);
-  odometry_subscriber_ = node.subscribe("odom", 10, &Perception::onOdometry, this, kNoDelay);
-  scan_subscriber_ = node.subscribe("scan", 2, &Perception::onScan, this, kNoDelay);
+  map_subscriber_ = node.subscribe(parameters.map_topic, 1, &Perception::onMap, this, kNoDelay);
+  odometry_subscriber_ = node.subscribe(parameters.odom_topic, 10, &Perception::onOdometry, this, kNoDelay);
+  scan_subscriber_ = node.subscribe(parameters.scan_topic, 2, &Perception::onScan, this, kNoDelay);
 }
 
 bool Perception::ready() const

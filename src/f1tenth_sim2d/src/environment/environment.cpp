@@ -125,7 +125,7 @@ void Environment::record(const std::string & file)
   }
   log_.reset();
   if (!file.empty()) {
-    log_.emplace(*simulation_, file);
+    log_ = std::make_unique<TrajectoryLog>(*simulation_, file);
   }
 }
 

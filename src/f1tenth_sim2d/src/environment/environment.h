@@ -79,7 +79,7 @@ private:
   std::vector<CarId> ids_;
   std::vector<Pedals> pedals_;
   std::vector<CarResult> results_;
-  std::optional<TrajectoryLog> log_;
+  std::unique_ptr<TrajectoryLog> log_;
   std::int64_t steps_{0};
 };
 }  // namespace f1tenth_sim2d

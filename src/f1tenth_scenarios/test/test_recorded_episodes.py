@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from f1tenth_scenarios.record.record import read_record
 from f1tenth_scenarios.record.replay import read_replay
-from f1tenth_sim2d.environments import ENVIRONMENT, register
+from f1tenth_sim2d.environments import ENVIRONMENT, recording, register
 from f1tenth_sim2d.environments.car import Lidar, load_cars
 from f1tenth_sim2d.environments.place import find_place
 
@@ -119,3 +119,12 @@ def test_a_folder_with_episodes_is_refused(tmp_path):
 
 def test_recording_changes_nothing(tmp_path):
     assert drive(tmp_path, 50)["x"] == drive(None, 50)["x"]
+
+
+def test_without_the_package_of_the_report_it_is_named(tmp_path, monkeypatch):
+    monkeypatch.setattr(recording, "RECORDER", "f1tenth_scenarios.none")
+    with pytest.raises(
+        ValueError, match=r"^record: No module named .*; the report is a part of f1tenth_scenarios$"
+    ):
+        gymnasium.make(ENVIRONMENT, place="circuit1", record=tmp_path / "episodes")
+    assert not (tmp_path / "episodes").exists()

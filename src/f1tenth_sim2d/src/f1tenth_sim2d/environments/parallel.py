@@ -8,7 +8,7 @@ from pettingzoo import ParallelEnv
 
 from f1tenth_sim2d.environments.episode import OPTIONS
 from f1tenth_sim2d.environments.picture import View
-from f1tenth_sim2d.environments.recorder import Recorder
+from f1tenth_sim2d.environments.recording import recorder_into
 from f1tenth_sim2d.environments.stage import Stage
 
 
@@ -40,7 +40,7 @@ class F1TenthParallelEnv(ParallelEnv):
         self.render_mode = render_mode
         self._stage = Stage({"cars": 2, **settings})
         self._view = View(render_mode, self._stage.place)
-        self._recorder = Recorder(record, self._stage) if record is not None else None
+        self._recorder = recorder_into(record, self._stage)
         self.possible_agents = [f"car_{i}" for i in range(self._stage.settings.cars)]
         self.agents: list = []
         self.observation_spaces = dict.fromkeys(self.possible_agents, self._stage.car_space)

@@ -4,7 +4,7 @@ import gymnasium
 import numpy as np
 
 from f1tenth_sim2d.environments.picture import View
-from f1tenth_sim2d.environments.recorder import Recorder
+from f1tenth_sim2d.environments.recording import recorder_into
 from f1tenth_sim2d.environments.stage import Stage, repeated
 
 
@@ -35,7 +35,7 @@ class F1TenthEnv(gymnasium.Env):
         self.render_mode = render_mode
         self._stage = Stage(settings)
         self._view = View(render_mode, self._stage.place)
-        self._recorder = Recorder(record, self._stage) if record is not None else None
+        self._recorder = recorder_into(record, self._stage)
         self._cars = self._stage.settings.cars
         self.observation_space = repeated(self._stage.car_space, self._cars)
         self.action_space = repeated(self._stage.action_space, self._cars)

@@ -1,15 +1,18 @@
-"""Episodes written down as runs of scenarios are, and the report of them: a page with their replay."""
+"""Episodes of an environment, written down as runs of scenarios are, and the report of them: a page with their replay."""
 
 import dataclasses
 import json
 from pathlib import Path
 
 import numpy as np
-
 from f1tenth_sim2d.environments.data import data_path
 from f1tenth_sim2d.environments.stage import Stage
 
-REPORT = "report.html"
+from f1tenth_scenarios.record.files import REPLAY_FILE, RESULT_FILE, TRAJECTORY_FILE
+from f1tenth_scenarios.record.record import read_record
+from f1tenth_scenarios.record.replay import Replay, write_replay
+from f1tenth_scenarios.record.scene import scene_of
+from f1tenth_scenarios.report.page import REPORT_FILE, write_report
 
 
 class Recorder:
@@ -22,13 +25,9 @@ class Recorder:
         """Make the folder.
 
         Raises:
-            ValueError: there are episodes in it, or no package f1tenth_scenarios, which has the report.
+            ValueError: there are episodes in it.
             OSError: it cannot be made.
         """
-        try:
-            import f1tenth_scenarios  # noqa: F401
-        except ImportError as error:
-            raise ValueError(f"record: {error}; the report is a part of f1tenth_scenarios") from error
         self._folder, self._stage = Path(folder), stage
         self._folder.mkdir(parents=True, exist_ok=True)
         if any(self._folder.glob("*/result.json")):
@@ -64,10 +63,6 @@ class Recorder:
         """Write down the episode that goes on, if there is one."""
         if not self._begun:
             return
-        from f1tenth_scenarios.record.files import REPLAY_FILE, RESULT_FILE, TRAJECTORY_FILE
-        from f1tenth_scenarios.record.record import read_record
-        from f1tenth_scenarios.record.replay import write_replay
-
         self._begun = False
         self._stage.record(None)
         record = read_record(self._run / TRAJECTORY_FILE)
@@ -78,20 +73,17 @@ class Recorder:
 
     def close(self) -> None:
         """Write the report."""
-        from f1tenth_scenarios.report.page import write_report
-
         self.end("aborted", "given up")
         if self._count:
-            write_report(self._folder, self._folder / REPORT, assets=data_path("f1tenth_scenarios/report"))
+            write_report(
+                self._folder, self._folder / REPORT_FILE, assets=data_path("f1tenth_scenarios/report")
+            )
 
     @property
     def _run(self):
         return self._folder / f"episode_{self._count:04d}"
 
     def _replay(self):
-        from f1tenth_scenarios.record.replay import Replay
-        from f1tenth_scenarios.record.scene import scene_of
-
         place = self._stage.place
         scene = scene_of(place.world, {car.name: car.lidars[0] for car in self._stage.cars})
         road = () if place.centreline is None else place.centreline[:, :2].tolist()

@@ -1,0 +1,21 @@
+"""Who records episodes: f1tenth_scenarios, which builds on this package and is looked for by name."""
+
+import importlib
+
+RECORDER = "f1tenth_scenarios.report.episodes"
+
+
+def recorder_into(folder, stage):
+    """The Recorder of a stage's episodes into a folder; None if there is no folder.
+
+    Raises:
+        ValueError: f1tenth_scenarios, whose part the report is, cannot be imported, or the folder has episodes.
+        OSError: the folder cannot be made.
+    """
+    if folder is None:
+        return None
+    try:
+        module = importlib.import_module(RECORDER)
+    except ImportError as error:
+        raise ValueError(f"record: {error}; the report is a part of f1tenth_scenarios") from error
+    return module.Recorder(folder, stage)

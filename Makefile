@@ -75,7 +75,8 @@ configure: installed ## configure the workspace anew
 $(CONFIGURED): $(PACKAGES) CMakeLists.txt $(wildcard cmake/*) $(wildcard setup/*) | installed
 	@mkdir -p $(BUILD_DIR)
 	@cmake -S $(CURDIR) -B $(BUILD_DIR) -DPYTHON_EXECUTABLE=/usr/bin/python3 -DWORKSPACE_VENV="$(VENV)" \
-	  -DCATKIN_DEVEL_PREFIX="$(DEVEL_DIR)" $(addprefix -DWORKSPACE_UNITY=,$(UNITY)) > $(BUILD_DIR)/configure.log 2>&1 \
+	  -DCATKIN_DEVEL_PREFIX="$(DEVEL_DIR)" $(addprefix -DWORKSPACE_UNITY=,$(UNITY)) \
+	  $(if $(CI),-DCMAKE_COMPILE_WARNING_AS_ERROR=ON) > $(BUILD_DIR)/configure.log 2>&1 \
 	  || { cat $(BUILD_DIR)/configure.log; exit 1; }
 	@touch $@
 

@@ -1,4 +1,4 @@
-"""Episodes of an environment, written down as runs of scenarios are, and the report of them: a page with their replay."""
+"""Episodes of an environment, written down as runs of scenarios are, and their report with a replay."""
 
 import dataclasses
 import json

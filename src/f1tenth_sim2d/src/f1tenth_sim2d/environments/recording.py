@@ -9,7 +9,7 @@ def recorder_into(folder, stage):
     """The Recorder of a stage's episodes into a folder; None if there is no folder.
 
     Raises:
-        ValueError: f1tenth_scenarios, whose part the report is, cannot be imported, or the folder has episodes.
+        ValueError: f1tenth_scenarios, which has the report, cannot be imported; the folder has episodes.
         OSError: the folder cannot be made.
     """
     if folder is None:

@@ -20,6 +20,7 @@ constexpr double kLeadTime = 0.1;         // s beyond the latency, for which a n
 constexpr double kApproachLength = 3.0;   // m, on top of the way of braking, that are planned to the goal itself
 constexpr double kApproachMargin = 1.0;   // m
 constexpr double kTooFast = 0.5;          // m/s, by which a car may be faster than a new plan allows
+constexpr double kFarTooFast = 1.5;       // m/s, the same for a plan that is not to end at a standstill
 constexpr double kExtensionMargin = 1.0;  // m, of a plan beyond the goal, on top of the way of braking
 }  // namespace
 
@@ -176,7 +177,7 @@ void Navigator::planAhead(const CycleInput & input, Costmap & costmap, CycleOutp
     planFailed(obstructionOf(costmap, request, plan.status), input, costmap, output);
     return;
   }
-  if (!passes() && follower_.hasPath() && !canDrive(plan, input.car, costmap)) {
+  if (follower_.hasPath() && !canDrive(plan, input.car, costmap)) {
     hold(input, costmap, output);
     return;
   }
@@ -201,8 +202,8 @@ bool Navigator::canDrive(const Plan & plan, const CarState & car, const Costmap 
     plan.path.begin(), plan.path.end(),
     [&](const PathPoint & a, const PathPoint & b) { return distance(a.pose, car.pose) < distance(b.pose, car.pose); });
   const std::vector<double> speeds = speedProfile(plan.path, costmap, options_.follower.limits);
-  return !plan.path.front().reverse &&
-         car.speed <= speeds[static_cast<std::size_t>(nearest - plan.path.begin())] + kTooFast;
+  return !plan.path.front().reverse && car.speed <= speeds[static_cast<std::size_t>(nearest - plan.path.begin())] +
+                                                      (passes() ? kFarTooFast : kTooFast);
 }
 
 PlanRequest Navigator::requestFrom(const CarState & car) const
@@ -439,14 +440,14 @@ bool Navigator::races(const CarState & car) const
 
 double Navigator::approachLength(double speed) const
 {
-  return speed * speed / (2.0 * options_.follower.limits.dec_lim_x) + kApproachLength;
+  return options_.follower.limits.brakingDistance(speed) + kApproachLength;
 }
 
 double Navigator::extensionLength() const
 {
   const SpeedLimits & limits = options_.follower.limits;
-  const double longest = limits.max_vel_x * limits.max_vel_x / (2.0 * limits.dec_lim_x) +
-                         limits.max_vel_x * options_.coast_time + kExtensionMargin;
+  const double longest =
+    limits.brakingDistance(limits.max_vel_x) + limits.max_vel_x * options_.coast_time + kExtensionMargin;
   return std::min(longest, goals_.wayToLast());
 }
 

@@ -112,6 +112,7 @@ void readSpeedLimits(ParameterReader & reader, const std::string & name, SpeedLi
   reader.read(ofPlanner(name, "acc_lim_x"), limits.acc_lim_x);
   limits.dec_lim_x = limits.acc_lim_x;
   reader.read(ofPlanner(name, "dec_lim_x"), limits.dec_lim_x);
+  reader.read(ofPlanner(name, "braking_power"), limits.braking_power);
   reader.read(ofPlanner(name, "max_lateral_acceleration"), limits.max_lateral_acceleration);
   reader.read(ofPlanner(name, "max_steering_rate"), limits.max_steering_rate);
   reader.read(ofPlanner(name, "wheelbase"), limits.wheelbase);
@@ -128,6 +129,8 @@ void readLocalPlanner(ParameterReader & reader, const std::string & name, Naviga
   reader.read(ofPlanner(name, "tracking_time"), follower.tracking_time);
   reader.read(ofPlanner(name, "slip_gradient"), follower.slip_gradient);
   reader.read(ofPlanner(name, "understeer_gradient"), follower.understeer_gradient);
+  reader.read(ofPlanner(name, "load_transfer"), follower.load_transfer);
+  reader.read(ofPlanner(name, "yaw_lag"), follower.yaw_lag);
   reader.read(ofPlanner(name, "stop_clearance"), follower.stop_clearance);
   reader.read(ofPlanner(name, "replan_distance"), follower.replan_distance);
   reader.read(ofPlanner(name, "max_path_deviation"), follower.max_path_deviation);

@@ -14,6 +14,8 @@ constexpr double kEndReached = 0.03;      // m
 constexpr double kPredictionStep = 0.05;  // s
 constexpr double kPredictionTime = 0.8;   // s beyond the time needed for braking
 constexpr double kSpeedLead = 0.12;       // s, that a car's speed lags behind its command
+constexpr double kBrakingReserve = 1.5;   // of the deceleration of the speed profile, to come down to a slower profile
+constexpr double kLateralReserve = 1.05;  // of the lateral acceleration, to drive errors out
 constexpr double kStopMargin = 0.05;      // m, left before an obstacle
 // The speed commanded and the speed measured may differ by this much before the slew starts from the measured one, m/s.
 constexpr double kSpeedSlack = 0.5;
@@ -22,11 +24,6 @@ constexpr double kTrafficTime = 2.5;     // s, for which others ahead count
 constexpr double kTrafficMargin = 0.06;  // m, beside them
 // Beyond this angle between car and path, steering back does not work, rad.
 constexpr double kMaxHeadingError = 1.2;
-
-double brakingDistance(double speed, double deceleration)
-{
-  return speed * speed / (2.0 * deceleration);
-}
 }  // namespace
 
 void FollowerOptions::validate() const
@@ -40,6 +37,11 @@ void FollowerOptions::validate() const
   requireNotNegative("tracking_time", tracking_time);
   requireNotNegative("slip_gradient", slip_gradient);
   requireNotNegative("understeer_gradient", understeer_gradient);
+  const double utmost = 1.0 / std::max(limits.acc_lim_x, limits.dec_lim_x);
+  requireOption(
+    load_transfer >= 0.0 && load_transfer < utmost, "load_transfer", load_transfer,
+    "at least 0 and below 1 / (greater of acc_lim_x and dec_lim_x) = " + std::to_string(utmost));
+  requireNotNegative("yaw_lag", yaw_lag);
   requireNotNegative("stop_clearance", stop_clearance);
   requireNotNegative("replan_distance", replan_distance);
   requirePositive("max_path_deviation", max_path_deviation);
@@ -115,7 +117,7 @@ SpeedBehind PathFollower::speedBehindOthers(
   SpeedBehind least;
   for (const Touch & touch : touches(car, costmap, others)) {
     if (touch.ahead) {
-      const SpeedBehind behind = speedBehind(touch, car.speed, options_.limits.dec_lim_x);
+      const SpeedBehind behind = speedBehind(touch, car.speed, options_.limits.deceleration(car.speed));
       least = {std::min(least.wanted, behind.wanted), std::min(least.utmost, behind.utmost)};
     }
   }
@@ -131,12 +133,10 @@ FollowStep PathFollower::step(
   result.lost = std::abs(result.position.lateral) > options_.max_path_deviation ||
                 std::abs(result.position.heading_error) > kMaxHeadingError;
   result.at_end = tracker_.onLastStretch() && result.position.remaining <= kEndReached;
-  const double slip = slipOn(last_bend_, car.speed);
-  const PathPosition predicted = tracker_.locate(path_, motionAfterLatency(car, slip));
+  const PathPosition predicted = tracker_.locate(path_, afterLatency(car));
 
   const double free = distanceToObstacle(car, costmap, result.prediction);
-  const double stoppable =
-    std::sqrt(2.0 * options_.limits.dec_lim_x * std::max(0.0, free - kStopMargin - std::abs(car.speed) * kSpeedLead));
+  const double stoppable = options_.limits.speedToStopWithin(free - kStopMargin - std::abs(car.speed) * kSpeedLead);
   result.stuck = stoppable < kStoppedSpeed;
   result.blocked = result.stuck || pathBlocked(result.position, car.speed, costmap);
 
@@ -146,8 +146,8 @@ FollowStep PathFollower::step(
   const double speed = stop ? 0.0 : std::min({wantedSpeed(predicted, car.speed), utmost, behind.wanted});
   const double slow = slewed(result.position.reverse ? -speed : speed, car.speed, period);
   result.command.speed = std::clamp(slow, -stoppable, utmost);
-  last_bend_ = steer(predicted, std::abs(car.speed));
-  result.command.curvature = withUndersteer(last_bend_, car.speed);
+  last_bend_ = steer(predicted, curvatureAhead(predicted, car.speed), std::abs(car.speed));
+  result.command.curvature = withUndersteer(last_bend_, car.speed, accelerationTo(result.command.speed, car.speed));
   last_ = result.command;
   return result;
 }
@@ -163,29 +163,58 @@ double PathFollower::slipOn(double curvature, double speed) const
   return options_.slip_gradient * std::clamp(speed * speed * curvature, -limit, limit);
 }
 
-double PathFollower::withUndersteer(double curvature, double speed) const
+// By how much the car speeds up, its speed lagging behind the command.
+double PathFollower::accelerationTo(double command, double speed) const
+{
+  const double gain = (std::abs(command) - std::abs(speed)) / kSpeedLead;
+  return std::clamp(gain, -options_.limits.deceleration(speed), options_.limits.acc_lim_x);
+}
+
+// An axle's slip grows with its lateral force over its load.
+double PathFollower::withUndersteer(double curvature, double speed, double acceleration) const
 {
   const double limit = options_.limits.max_lateral_acceleration;
-  const double more = options_.understeer_gradient * std::clamp(speed * speed * curvature, -limit, limit);
+  const double lateral = std::clamp(speed * speed * curvature, -limit, limit);
+  const double shift = options_.load_transfer * acceleration;
+  const double front = (options_.slip_gradient + options_.understeer_gradient) / (1.0 - shift);
+  const double rear = options_.slip_gradient / (1.0 + shift);
   const double wheelbase = options_.limits.wheelbase;
-  const double angle = std::atan(wheelbase * curvature) + more;
+  const double angle = std::atan(wheelbase * curvature) + (front - rear) * lateral;
   return std::tan(std::clamp(angle, -options_.max_steering_angle, options_.max_steering_angle)) / wheelbase;
 }
 
-Pose2 PathFollower::motionAfterLatency(const CarState & car, double slip) const
+Pose2 PathFollower::afterLatency(const CarState & car) const
 {
-  return advance({car.pose.x, car.pose.y, car.pose.yaw - slip}, car.speed * options_.latency, last_bend_);
+  const double slip = slipOn(last_bend_, car.speed);
+  Pose2 pose = advance({car.pose.x, car.pose.y, car.pose.yaw - slip}, car.speed * options_.latency, last_bend_);
+  pose.yaw += slip;
+  return pose;
 }
 
-// Makes the lateral error decay along the way like a critically damped spring, on top of the path's own curvature.
-double PathFollower::steer(const PathPosition & position, double speed) const
+// Makes the lateral error decay along the way like a critically damped spring, on top of the curvature, 1/m, wanted
+// ahead. Slip is that of the path: that of the last command would feed back on itself and make the car weave.
+double PathFollower::steer(const PathPosition & position, double ahead, double speed) const
 {
   const double reach = options_.tracking_distance + options_.tracking_time * speed;
-  const double path_curvature = position.reverse ? -position.curvature : position.curvature;
-  const double stretch = std::max(0.2, 1.0 - path_curvature * position.lateral);
-  const double curvature = path_curvature * std::cos(position.heading_error) / stretch -
-                           position.lateral / (reach * reach) - 2.0 * std::sin(position.heading_error) / reach;
-  return std::clamp(position.reverse ? -curvature : curvature, -maxCurvature(), maxCurvature());
+  const double way = position.reverse ? -1.0 : 1.0;
+  const double stretch = std::max(0.2, 1.0 - way * position.curvature * position.lateral);
+  const double astray = position.heading_error - slipOn(position.curvature, speed);
+  const double curvature =
+    ahead * std::cos(astray) / stretch - way * (position.lateral / (reach * reach) + 2.0 * std::sin(astray) / reach);
+  const double lateral = kLateralReserve * options_.limits.max_lateral_acceleration;
+  const double limit = std::min(maxCurvature(), lateral / std::max(speed * speed, 1e-6));
+  return std::clamp(curvature, -limit, limit);
+}
+
+// Of the path where the car will be when its yaw has followed the wheels.
+double PathFollower::curvatureAhead(const PathPosition & position, double speed) const
+{
+  const double until = position.s + options_.yaw_lag * speed * speed;
+  std::size_t i = position.index;
+  while (i + 1 < path_.size() && path_[i + 1].s < until && path_[i + 1].reverse == position.reverse) {
+    ++i;
+  }
+  return path_[i].curvature;
 }
 
 double PathFollower::profileAt(double s, std::size_t from) const
@@ -215,23 +244,23 @@ double PathFollower::distanceToObstacle(
   const CarState & car, const Costmap & costmap, std::vector<Pose2> & prediction) const
 {
   const double here = costmap.clearance(car.pose);
-  const double time = kPredictionTime + std::abs(car.speed) / options_.limits.dec_lim_x;
+  const double time = kPredictionTime + std::abs(car.speed) / options_.limits.deceleration(car.speed);
   PathTracker tracker = tracker_;
-  Pose2 motion = car.pose;
-  motion.yaw -= slipOn(last_bend_, car.speed);
+  Pose2 pose = car.pose;
   double pace = std::abs(car.speed);
   double driven = 0.0;
   for (double t = 0.0; t < time; t += kPredictionStep) {
-    const PathPosition position = tracker.moveTo(path_, motion);
+    const PathPosition position = tracker.moveTo(path_, pose);
     if (position.remaining <= kEndReached) {
       break;
     }
-    const double slower = pace - options_.limits.dec_lim_x * kPredictionStep;
+    const double slower = pace - options_.limits.deceleration(pace) * kPredictionStep;
     pace = std::max({std::min(pace, profileAt(position.s, position.index)), slower, options_.limits.min_vel_x});
     const double distance = std::min(pace * kPredictionStep, position.remaining);
-    const double bend = steer(position, pace);
-    motion = advance(motion, position.reverse ? -distance : distance, bend);
-    const Pose2 pose{motion.x, motion.y, motion.yaw + slipOn(bend, pace)};
+    const double bend = steer(position, position.curvature, pace);
+    const double slip = slipOn(position.curvature, pace);
+    pose = advance({pose.x, pose.y, pose.yaw - slip}, position.reverse ? -distance : distance, bend);
+    pose.yaw += slip;
     prediction.push_back(pose);
     // A car that stands closer to something already may drive away from it.
     if (costmap.clearance(pose) < std::min(options_.stop_clearance, here - 0.01)) {
@@ -244,7 +273,7 @@ double PathFollower::distanceToObstacle(
 
 bool PathFollower::pathBlocked(const PathPosition & position, double speed, const Costmap & costmap) const
 {
-  const double until = position.s + options_.replan_distance + brakingDistance(speed, options_.limits.dec_lim_x);
+  const double until = position.s + options_.replan_distance + options_.limits.brakingDistance(speed);
   const double here = costmap.clearance(path_[position.index].pose);
   for (std::size_t i = position.index; i < path_.size() && path_[i].s <= until; ++i) {
     if (costmap.clearance(path_[i].pose) < std::min(0.0, here - 0.01)) {
@@ -268,7 +297,8 @@ double PathFollower::slewed(double wanted, double speed, double period) const
   const double slack = std::max(kSpeedSlack, kSlackPart * kSpeedLead * greatest);
   const double from = std::clamp(last_.speed, speed - slack, speed + slack);
   const bool slower = std::abs(wanted) < std::abs(from) || wanted * from < 0.0;
-  const double step = (slower ? options_.limits.dec_lim_x : options_.limits.acc_lim_x) * period;
+  const double braking = std::min(options_.limits.dec_lim_x, kBrakingReserve * options_.limits.deceleration(from));
+  const double step = (slower ? braking : options_.limits.acc_lim_x) * period;
   return from + std::clamp(wanted - from, -step, step);
 }
 }  // namespace move_base

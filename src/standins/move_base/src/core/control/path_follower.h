@@ -19,6 +19,8 @@ struct FollowerOptions
   double tracking_time{0.12};         ///< s, added to it per m/s
   double slip_gradient{0.0};          ///< rad per m/s^2 of lateral acceleration, that the rear axle drifts outwards
   double understeer_gradient{0.0};    ///< rad per m/s^2, that the wheels must be turned further than on rails
+  double load_transfer{0.0};          ///< per m/s^2, part of its load that the rear axle gains and the front one loses
+  double yaw_lag{0.0};                ///< s per m/s, by which the yaw follows the wheels
   double stop_clearance{0.0};         ///< m, with less on its predicted way the car stops before
   double replan_distance{2.5};        ///< m beyond the braking distance, an obstacle on the path there is reported
   double max_path_deviation{0.5};     ///< m, farther from its path the car has lost it
@@ -89,10 +91,11 @@ public:
 private:
   double maxCurvature() const;
   double slipOn(double curvature, double speed) const;
-  double withUndersteer(double curvature, double speed) const;
-  /// Where the car is after the latency, and its yaw the direction in which it moves.
-  Pose2 motionAfterLatency(const CarState & car, double slip) const;
-  double steer(const PathPosition & position, double speed) const;
+  double accelerationTo(double command, double speed) const;
+  double withUndersteer(double curvature, double speed, double acceleration) const;
+  double curvatureAhead(const PathPosition & position, double speed) const;
+  Pose2 afterLatency(const CarState & car) const;
+  double steer(const PathPosition & position, double ahead, double speed) const;
   double profileAt(double s, std::size_t from) const;
   double wantedSpeed(const PathPosition & position, double speed) const;
   double distanceToObstacle(const CarState & car, const Costmap & costmap, std::vector<Pose2> & prediction) const;

@@ -15,7 +15,7 @@ namespace
 constexpr int kRounds = 4;
 constexpr int kRepairs = 6;
 constexpr double kRepairWay = 0.4;         // m
-constexpr double kSteeringLength = 0.3;    // m, over which a change of curvature counts like curvature itself
+constexpr double kSteeringLength = 1.0;    // m, over which a change of curvature counts like curvature itself
 constexpr double kLeastPull = 1e-4;        // towards the reference, so that the problem has one solution
 constexpr double kLeastRoom = 1e-5;        // m, around a point that has none: the solver needs an inside
 constexpr int kFixedPoints = 3;            // position, heading, curvature

@@ -50,7 +50,8 @@ void limitByAcceleration(const Path & path, const PathStretch & stretch, const S
   speeds[stretch.end - 1] = 0.0;
   for (std::size_t i = stretch.end - 1; i-- > stretch.begin;) {
     const double step = path[i + 1].s - path[i].s;
-    const double deceleration = leftOver(limits.dec_lim_x, speeds[i + 1], path[i + 1].curvature, limits);
+    const double deceleration =
+      leftOver(limits.deceleration(speeds[i + 1]), speeds[i + 1], path[i + 1].curvature, limits);
     speeds[i] = std::min(speeds[i], std::sqrt(speeds[i + 1] * speeds[i + 1] + 2.0 * deceleration * step));
   }
   for (std::size_t i = stretch.begin; i + 1 < stretch.end; ++i) {
@@ -68,6 +69,7 @@ void SpeedLimits::validate() const
   requirePositive("max_vel_theta", max_vel_theta);
   requirePositive("acc_lim_x", acc_lim_x);
   requirePositive("dec_lim_x", dec_lim_x);
+  requireOption(braking_power > 0.0, "braking_power", braking_power, "above 0");
   requirePositive("max_lateral_acceleration", max_lateral_acceleration);
   requirePositive("max_steering_rate", max_steering_rate);
   requirePositive("wheelbase", wheelbase);
@@ -75,6 +77,26 @@ void SpeedLimits::validate() const
   requireOption(
     full_speed_clearance > slowest_clearance, "full_speed_clearance", full_speed_clearance, "above slowest_clearance");
   requireOption(min_vel_x > 0.0 && min_vel_x <= max_vel_x, "min_vel_x", min_vel_x, "above 0 and at most max_vel_x");
+}
+
+double SpeedLimits::deceleration(double speed) const
+{
+  return std::min(dec_lim_x, braking_power / std::max(std::abs(speed), 1e-3));
+}
+
+// With a limited power, speed^2 / power is the slope of the distance over the speed.
+double SpeedLimits::brakingDistance(double speed) const
+{
+  const double full = std::min(std::abs(speed), braking_power / dec_lim_x);
+  return (std::pow(std::abs(speed), 3) - std::pow(full, 3)) / (3.0 * braking_power) + full * full / (2.0 * dec_lim_x);
+}
+
+double SpeedLimits::speedToStopWithin(double distance) const
+{
+  const double full = braking_power / dec_lim_x;
+  const double rest = distance - brakingDistance(full);
+  return rest > 0.0 ? std::cbrt(std::pow(full, 3) + 3.0 * braking_power * rest)
+                    : std::sqrt(2.0 * dec_lim_x * std::max(distance, 0.0));
 }
 
 std::vector<double> speedProfile(const Path & path, const Costmap & costmap, const SpeedLimits & limits)

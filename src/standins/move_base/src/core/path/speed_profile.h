@@ -14,6 +14,7 @@ struct SpeedLimits
   double max_vel_theta{0.3};             ///< rad/s
   double acc_lim_x{0.5};                 ///< m/s^2, speeding up
   double dec_lim_x{0.5};                 ///< m/s^2, slowing down
+  double braking_power{1000.0};          ///< m^2/s^3, speed times deceleration: braked harder, the tail comes round
   double max_lateral_acceleration{3.0};  ///< m/s^2
   double max_steering_rate{2.5};         ///< rad/s
   double wheelbase{0.3302};              ///< m
@@ -23,6 +24,13 @@ struct SpeedLimits
 
   /// @throws OptionError
   void validate() const;
+
+  /// With which the car may slow down at a speed, m/s^2.
+  double deceleration(double speed) const;
+  /// Until it stands, from a speed, m.
+  double brakingDistance(double speed) const;
+  /// From which it can stop within a distance, m/s.
+  double speedToStopWithin(double distance) const;
 };
 
 /// The greatest speed at each point of a path, m/s, by curvature, steering rate and clearance, such that the car can

@@ -48,7 +48,8 @@ std::vector<Moment> driveAlong(
     drive.push_back({time, s, index, pose});
     const double wanted = std::max(std::min(speeds[index], speeds[index + 1]), limits.min_vel_x);
     if (time >= kResponse) {
-      speed = std::clamp(wanted, speed - limits.dec_lim_x * kDriveStep, speed + limits.acc_lim_x * kDriveStep);
+      speed =
+        std::clamp(wanted, speed - limits.deceleration(speed) * kDriveStep, speed + limits.acc_lim_x * kDriveStep);
     }
     s += std::max(speed, 0.0) * kDriveStep;
   }

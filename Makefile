@@ -2,7 +2,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-COMMANDS := help setup installed configure build race report test sanitize tsan coverage mutants coremutants lint tidy format bench fuzz clean
+COMMANDS := help setup installed configure build race report test sanitize tsan coverage mutants coremutants lint tidy format bench fuzz wheel clean
 .PHONY: $(COMMANDS)
 
 ifneq ($(words $(CURDIR)),1)
@@ -135,6 +135,9 @@ fuzz: installed ## fuzz the simulator's loaders: make fuzz FUZZ_SECONDS=60 TARGE
 	@cmake -S src/f1tenth_sim2d/fuzz -B $(BUILD_DIR)/fuzz -DCMAKE_CXX_COMPILER=clang++ > $(BUILD_DIR)/fuzz.log
 	@cmake --build $(BUILD_DIR)/fuzz -j $(JOBS) -- --no-print-directory
 	@src/f1tenth_sim2d/fuzz/run $(BUILD_DIR)/fuzz $(FUZZ_SECONDS) $(TARGETS)
+
+wheel: installed ## a wheel of the Python package with its libraries: results/*.whl; make wheel PYTHON=python3.13
+	@tools/make_wheel $(BUILD_DIR)/wheel $(OUT)/results $(PYTHON)
 
 clean: ## remove everything that was built
 	@rm -rf $(BUILD_DIR) $(OUT)/devel install logs .catkin_tools

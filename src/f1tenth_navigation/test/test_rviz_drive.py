@@ -14,6 +14,7 @@ from nav_msgs.msg import Odometry
 from PIL import Image
 from ros_session import Latest, free_port, launched, missing_nodes, wait_until
 from screen import Screen, missing_programs
+from std_srvs.srv import Empty
 
 NODES = [("f1tenth_sim2d", "sim2d"), ("map_server", "map_server"), ("move_base", "move_base")]
 MISSING = ", ".join([*missing_programs(), *missing_nodes(NODES)])
@@ -101,12 +102,20 @@ class User:
         return all(any(near(COLOURS[thing], colour) for colour in colours) for thing in things)
 
 
+@contextlib.contextmanager
+def standing_time():
+    """Long enough for rviz to draw: without a graphics card it does so now and then."""
+    rospy.ServiceProxy("/gazebo/pause_physics", Empty)()
+    yield
+    rospy.ServiceProxy("/gazebo/unpause_physics", Empty)()
+
+
 @pytest.fixture
 def user(tmp_path, monkeypatch):
     monkeypatch.setenv("ROS_MASTER_URI", f"http://localhost:{free_port()}")
     with contextlib.ExitStack() as resources:
         screen = resources.enter_context(contextlib.closing(Screen()))
-        # Slowly: rviz without a graphics card draws now and then, and is to do so while the car drives.
+        # Slowly, so that the car can be halted on its way.
         simulated = ("world_file_name:=circuit1", "real_time_factor:=0.3")
         resources.enter_context(launched("f1tenth_gazebo", "sim_one_car.launch", *simulated))
         wait_until(rosgraph.is_master_online, "there is a master")
@@ -127,9 +136,10 @@ def test_car_drives_to_the_place_that_is_clicked_on(user):
     assert abs(goal.orientation.z) > 0.99
 
     wait_until(lambda: user.closest_to_goal < HALFWAY, "the car is on its way")
-    wait_until(
-        lambda: user.sees(*COLOURS.keys() - {"contact"}), "plans, costmaps and goal are in the picture"
-    )
+    with standing_time():
+        wait_until(
+            lambda: user.sees(*COLOURS.keys() - {"contact"}), "plans, costmaps and goal are in the picture"
+        )
     assert user.result.get().status.status == GoalStatus.SUCCEEDED
     wait_until(lambda: user.closest_to_goal < 0.4, "the car was at its goal")
 

@@ -71,6 +71,9 @@ class Listener:
             self.messages.append(message)
             self._arrived.notify_all()
 
+    def connected(self):
+        return self._subscriber.get_num_connections() > 0
+
     def wait(self, condition=lambda messages: messages):
         """Until the condition holds for the messages; fails after a while."""
         with self._arrived:
@@ -329,7 +332,7 @@ class MoveBaseTest(unittest.TestCase):
     def test_a_simple_goal_is_relayed_to_the_action(self):
         goals = Listener("move_base/current_goal", PoseStamped)
         publisher = rospy.Publisher("move_base_simple/goal", PoseStamped, queue_size=1)
-        self.wait_until(lambda: publisher.get_num_connections() > 0)
+        self.wait_until(lambda: publisher.get_num_connections() > 0 and goals.connected())
         publisher.publish(pose_at(2.5, 1.0))
         assert goals.wait()[0].pose.position.x == pytest.approx(2.5)
         self.wait_until(lambda: self.robot.pose[0] > 2.3 and self.robot.speed == 0.0)
@@ -337,7 +340,7 @@ class MoveBaseTest(unittest.TestCase):
     def test_a_simple_goal_ends_at_a_standstill(self):
         results = Listener("move_base/result", MoveBaseActionResult)
         publisher = rospy.Publisher("move_base_simple/goal", PoseStamped, queue_size=1)
-        self.wait_until(lambda: publisher.get_num_connections() > 0)
+        self.wait_until(lambda: publisher.get_num_connections() > 0 and results.connected())
         publisher.publish(pose_at(6.0, 2.0, -0.3))
         results.wait()
         self.assert_stands_at(6.0, 2.0, -0.3)

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Follows the wall to its right at a distance, and slows down for what is ahead."""
 
+import contextlib
 import math
 
 import rospy
@@ -26,7 +27,8 @@ class Planner:
         command.drive.speed = max(0.0, min(1.5, ahead - 0.5))
         steering = 0.6 * (DISTANCE - right) if ahead > 2.5 else 0.4
         command.drive.steering_angle = max(-0.4, min(0.4, steering))
-        self._publisher.publish(command)
+        with contextlib.suppress(rospy.ROSException):  # shut down meanwhile
+            self._publisher.publish(command)
 
 
 def main():

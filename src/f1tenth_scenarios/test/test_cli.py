@@ -254,3 +254,17 @@ def test_end_from_outside_is_no_traceback(monkeypatch, error, code):
     monkeypatch.setattr("f1tenth_scenarios.cli.show_commands.read_scenario", stop)
     monkeypatch.setattr(os, "dup2", lambda *_: None)
     assert cli.main(["list"]) == code
+
+
+def test_who_is_told_to_stop_waits_for_nothing_that_still_goes_on():
+    program = """
+import threading, time
+from f1tenth_scenarios.cli.exit_codes import leave
+threading.Thread(target=time.sleep, args=(1e5,)).start()
+print("said")
+leave(130)
+"""
+    ended = subprocess.run(
+        [sys.executable, "-c", program], stdout=subprocess.PIPE, text=True, timeout=PATIENCE
+    )
+    assert (ended.returncode, ended.stdout) == (130, "said\n")

@@ -1,8 +1,7 @@
 """python3 -m f1tenth_scenarios: the command `scenario`."""
 
-import sys
-
 from f1tenth_scenarios.cli import main
+from f1tenth_scenarios.cli.exit_codes import leave
 
 if __name__ == "__main__":
-    sys.exit(main())
+    leave(main())

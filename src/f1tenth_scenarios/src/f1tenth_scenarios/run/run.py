@@ -32,7 +32,9 @@ from f1tenth_scenarios.stop_request import StopRequest
 
 Files = Mapping[str, Callable[[Path], None]]  # what writes a file of the results, by its name
 
-_SHUTDOWN_GRACE = 4.5  # wall s, for roslaunch to end its nodes; it takes 3.5 s for those that do not listen
+# Wall s, for roslaunch to end its nodes; it takes 3.5 s for those that do not listen, which nobody who has
+# pressed Ctrl-C waits for.
+_SHUTDOWN_GRACE, _HURRIED_GRACE = 4.5, 2.0
 
 
 def execute(
@@ -62,7 +64,7 @@ def execute(
     with claimed(plan.folder, plan.log_folder, versions.commit()) as claim:
         _prepare(plan)
         watch = make_watch()
-        with _started(plan, command, environment) as tree:
+        with _started(plan, command, environment, stop) as tree:
             done, preparation = _drive(plan, tree, watch, stop, progress)
             # A run that was told to stop is none that another could be compared with.
             folder = claim.place_of_interrupted() if stop.signal else claim.place_of_results()
@@ -86,13 +88,17 @@ def _prepare(plan: Plan) -> None:
 
 
 @contextlib.contextmanager
-def _started(plan, command, environment):
+def _started(plan, command, environment, stop):
     """All that is started; ended at the end."""
     tree = ProcessTree(command, plan.launch_log, environment)
     try:
         yield tree
     finally:
-        tree.stop(_SHUTDOWN_GRACE)
+        tree.stop(_grace(stop))
+
+
+def _grace(stop: StopRequest) -> float:
+    return _HURRIED_GRACE if stop.signal else _SHUTDOWN_GRACE
 
 
 def _drive(plan, tree, watch, stop, progress) -> tuple[Result, Preparation]:
@@ -101,7 +107,7 @@ def _drive(plan, tree, watch, stop, progress) -> tuple[Result, Preparation]:
         supervisor = Supervisor(plan, tree, watch, stop, preparation.beside(progress))
         failure = supervisor.wait()
         # The others may take their time to end, the simulator completes its record.
-        tree.interrupt(supervisor.simulator_pid, _SHUTDOWN_GRACE)
+        tree.interrupt(supervisor.simulator_pid, _grace(stop))
         seen = _observations(plan, supervisor, watch, failure)
         done = _judge(plan, seen, watch.estimates(), supervisor.pace.factor)
         if not stop.signal:

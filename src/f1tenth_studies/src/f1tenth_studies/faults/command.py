@@ -25,7 +25,7 @@ _MOMENTS = (0.2, 8.0)  # s simulated, between which a random fault happens
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     """Run the command; returns the exit code: 1 when an ending was not as it should be."""
     parser = argparse.ArgumentParser(prog="faults", description="Breaks runs; makes a table of their ends.")
-    parser.add_argument("--only", default="", metavar="WORDS", help="faults with these words in their name")
+    parser.add_argument("--only", default="", metavar="WORDS", help="what has these words in its name")
     parser.add_argument("--random", type=int, default=0, metavar="N", help="as many besides, on busy cores")
     parser.add_argument("--moments", type=int, default=0, metavar="N", help="of SIGINT, for each command")
     parser.add_argument("--seed", type=int, default=1, help="of all that is random (%(default)s)")
@@ -41,7 +41,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
 def _run(options) -> int:
     folder = Path(tempfile.mkdtemp(prefix="faults."))
     endings = list(_endings(options, folder))
-    names = COMMANDS if options.moments else ()
+    names = [each for each in COMMANDS if options.moments and options.only in each]
     interrupts = [interrupt(name, options.moments, folder / name, options.seed) for name in names]
     text = document(endings, interrupts, " ".join(["rosrun f1tenth_studies faults", *sys.argv[1:]]))
     print(text)

@@ -99,6 +99,14 @@ def test_old_clock_that_is_read_once_more_does_not_disturb_a_new_run():
     assert watched.silent_sensors() == {"front": None, "rear": 1900 * MS}
 
 
+def test_clock_is_believed_again_when_the_sensors_have_come_as_far_as_the_old_run():
+    watched = monitor()
+    watched.tick(5 * SECOND)
+    watched.hear("rear", 0)
+    watched.hear("rear", 5 * SECOND)
+    assert watched.tick(6 * SECOND) == Report(collision=False)
+
+
 def test_without_any_sensor_time_alone_reports_at_10_hz():
     watched = CollisionMonitor(["front"])
     assert watched.tick(20 * MS) == Report(collision=False, collisions=0)

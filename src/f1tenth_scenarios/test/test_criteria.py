@@ -189,13 +189,14 @@ def test_measure_is_held_against_its_limit(tmp_path, name):
         ((0.0, 2.0, 0.1), Status.PASSED, 0.1),
         ((0.0, 2.0, 1.0), Status.FAILED, 1.0),
         ((0.0, 0.2, 0.1), Status.FAILED, None),
+        ((0.3, 0.0, 2.0, 1.0), Status.FAILED, 1.0),
     ],
 )
 def test_car_that_is_to_stop_must_slow_down_after_it_was_faster(tmp_path, speeds, status, actual):
-    table = list(rows(0.075))
+    table = list(rows(0.025 * len(speeds)))
     for row, speed in zip(table, speeds):
         row[5] = speed
-    run = seen(record(tmp_path, table), aborted(0.075))
+    run = seen(record(tmp_path, table), aborted(0.025 * len(speeds)))
     found = results(limited(Verdict.ABORTED, slows_to=0.3), run)["slows_to"]
     assert (found.status, found.actual, found.limit) == (status, actual, 0.3)
 

@@ -15,6 +15,10 @@ def test_cars_are_told_apart(tmp_path):
     assert set(both.tracks) == {"robot1", "robot2"}
     assert both.end == 2.0
     assert both.until(1.0).end == 1.0
+    assert {name: track.car for name, track in both.until(1.0).tracks.items()} == {
+        "robot1": "robot1",
+        "robot2": "robot2",
+    }
 
 
 @pytest.mark.parametrize(

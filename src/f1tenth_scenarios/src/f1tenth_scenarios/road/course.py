@@ -1,7 +1,6 @@
 """The course of a race: a closed centreline and how far the road reaches on either side of it."""
 
 import dataclasses
-from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +9,7 @@ from f1tenth_gazebo.circuits.circuit_file import load_circuit
 from f1tenth_gazebo.errors import CircuitError
 
 from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.road.numbers import read_numbers
 
 
 @dataclasses.dataclass(frozen=True)
@@ -91,32 +91,4 @@ def _from_circuit(path):
 
 
 def _from_table(path):
-    rows = []
-    for number, line in enumerate(_lines(path), start=1):
-        text = line.split("#")[0].strip()
-        if text:
-            rows.append(_numbers(path, number, text))
-    if len(rows) < 3:
-        raise ScenarioError(
-            f"{path}: {len(rows)} points, must be at least 3: x_m, y_m, w_tr_right_m, w_tr_left_m"
-        )
-    return Course(*np.array(rows).T)
-
-
-def _lines(path) -> Sequence[str]:
-    try:
-        return path.read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        raise ScenarioError(f"{path}: cannot be read: {error}") from error
-
-
-def _numbers(path, number, text):
-    try:
-        values = [float(each) for each in text.split(",")]
-    except ValueError as error:
-        raise ScenarioError(f"{path}:{number}: {error}") from error
-    if len(values) != 4 or not np.isfinite(values).all():
-        raise ScenarioError(
-            f"{path}:{number}: '{text}' must be four numbers: x_m, y_m, w_tr_right_m, w_tr_left_m"
-        )
-    return values
+    return Course(*read_numbers(path, ",", "x_m, y_m, w_tr_right_m, w_tr_left_m").T)

@@ -6,13 +6,12 @@ from pathlib import Path
 
 import numpy as np
 
-from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.road.course import Course, read_course
+from f1tenth_scenarios.road.numbers import read_numbers
 
 RACELINE = "_raceline.csv"  # ending of a file's name
 # m: half the car, and what walls in a map and drivers differ from their lines.
 _MARGIN = 0.6
-_COLUMNS = "s_m; x_m; y_m; psi_rad; kappa_radpm; vx_mps; ax_mps2"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -41,26 +40,5 @@ def read_raceline(path: Path) -> Raceline:
         course = read_course(path)
         room = float(np.minimum(course.left, course.right).min()) / 3
         return Raceline(course.x, course.y, np.full(len(course.x), math.inf), room)
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise ScenarioError(f"{path}: cannot be read: {error}") from error
-    rows = [
-        _row(path, number, line)
-        for number, line in enumerate(text.splitlines(), start=1)
-        if line.strip() and not line.startswith("#")
-    ]
-    if len(rows) < 3:
-        raise ScenarioError(f"{path}: {len(rows)} points, must be at least 3: {_COLUMNS}")
-    table = np.array(rows)
+    table = read_numbers(path, ";", "s_m; x_m; y_m; psi_rad; kappa_radpm; vx_mps; ax_mps2")
     return Raceline(table[:, 1], table[:, 2], table[:, 5])
-
-
-def _row(path, number, line):
-    try:
-        values = [float(each) for each in line.split(";")]
-    except ValueError as error:
-        raise ScenarioError(f"{path}:{number}: {error}") from error
-    if len(values) != 7 or not np.isfinite(values).all():
-        raise ScenarioError(f"{path}:{number}: '{line}' must be seven numbers: {_COLUMNS}")
-    return values

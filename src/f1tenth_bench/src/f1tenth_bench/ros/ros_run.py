@@ -5,15 +5,15 @@ import json
 import os
 import resource
 import signal
-import socket
 import subprocess
 import tempfile
 import time
-import xmlrpc.client
 from dataclasses import dataclass
 from pathlib import Path
 
 import psutil
+import rosgraph
+from f1tenth_scenarios.launch.private_master import private_master
 
 from f1tenth_bench.places import executable
 from f1tenth_bench.simulator.cars import F1TENTH, description
@@ -42,17 +42,8 @@ class RosRun:
         self._processes = []
 
     def __enter__(self):
-        port = _free_port()
-        self._environment = {
-            **os.environ,
-            "ROS_MASTER_URI": f"http://localhost:{port}",
-            "ROS_HOSTNAME": "localhost",
-            "ROS_LOG_DIR": str(self.folder),
-            "ROS_HOME": str(self.folder),
-        }
-        self._master = xmlrpc.client.ServerProxy(self._environment["ROS_MASTER_URI"])
-        self.start(["rosmaster", "--core", "-p", str(port)])
-        _wait_for(lambda: self._call("getPid"), "the ROS master")
+        self._stack.enter_context(private_master())
+        self._master = rosgraph.Master(CALLER)
         return self
 
     def __exit__(self, *error):
@@ -62,30 +53,28 @@ class RosRun:
                 process.wait()
         self._stack.close()
 
-    def _call(self, method, *arguments):
-        try:
-            code, _, value = getattr(self._master, method)(CALLER, *arguments)
-        except OSError:
-            return None
-        return value if code == 1 else None
-
     def set_param(self, name, value):
         """Set a parameter; a dictionary sets a tree."""
-        self._call("setParam", name, value)
+        self._master.setParam(name, value)
 
     def wait_for_service(self, name):
         """Wait until a node offers it."""
-        _wait_for(lambda: self._call("lookupService", name), f"service {name}")
+        _wait_for(self._master.lookupService, name)
 
     def wait_for_node(self, name):
         """Wait until it is known."""
-        _wait_for(lambda: self._call("lookupNode", name), f"node {name}")
+        _wait_for(self._master.lookupNode, name)
 
     def start(self, command, namespace="/"):
         """Start a process; its output is kept."""
         process = subprocess.Popen(
             command,
-            env={**self._environment, "ROS_NAMESPACE": namespace},
+            env={
+                **os.environ,
+                "ROS_NAMESPACE": namespace,
+                "ROS_LOG_DIR": str(self.folder),
+                "ROS_HOME": str(self.folder),
+            },
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
             text=True,
@@ -141,15 +130,12 @@ def processor_seconds(process):
     return times.user + times.system
 
 
-def _free_port():
-    with socket.socket() as probe:
-        probe.bind(("localhost", 0))
-        return probe.getsockname()[1]
-
-
-def _wait_for(condition, what):
+def _wait_for(look_up, name):
     deadline = time.monotonic() + LONG
-    while not condition():
-        if time.monotonic() > deadline:
-            raise TimeoutError(f"{what} has not come within {LONG:g} s")
+    while True:
+        try:
+            return look_up(name)
+        except rosgraph.MasterError:
+            if time.monotonic() > deadline:
+                raise TimeoutError(f"{name} has not come within {LONG:g} s") from None
         time.sleep(0.02)

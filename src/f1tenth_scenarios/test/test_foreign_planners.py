@@ -27,7 +27,9 @@ def test_laps_are_done_by_the_record(tmp_path):
     decision = decision_of(scenario(), {"robot1": LAPS}, run)
     assert (decision.verdict, decision.reason) == (Verdict.SUCCESS, "every lap was driven")
     assert decision.stamp == pytest.approx(5.0, abs=0.026)
-    assert decision_of(scenario(), {"robot1": dataclasses.replace(LAPS, laps=3)}, run).verdict is Verdict.TIMEOUT
+    assert (
+        decision_of(scenario(), {"robot1": dataclasses.replace(LAPS, laps=3)}, run).verdict is Verdict.TIMEOUT
+    )
 
 
 def test_goals_are_done_by_the_record(tmp_path):
@@ -51,7 +53,10 @@ def test_laps_count_whatever_is_said(tmp_path):
 
 @pytest.mark.parametrize(
     ("task", "reason"),
-    [(LAPS, "every car drove its laps"), (Task((Pose(0.0, 3.0, math.pi),)), "every car passed every goal in order")],
+    [
+        (LAPS, "every car drove its laps"),
+        (Task((Pose(0.0, 3.0, math.pi),)), "every car passed every goal in order"),
+    ],
 )
 def test_all_of_several_have_to_be_done(tmp_path, task, reason):
     cars = {car: circling(9.0, car, speed=AROUND / lap) for car, lap in (("robot1", 5), ("robot2", 7))}

@@ -8,7 +8,19 @@ from f1tenth_scenarios.judge.laps import lap_times, start_of_race
 from f1tenth_scenarios.plan.task import Task
 from f1tenth_scenarios.scenario.scenario import Pose, StartLine
 from report_samples import RADIUS, circling
-from scenario_samples import GOALS, PERIOD, TASKS, finished, racing, reached, record, rows, scenario, seen, tasks
+from scenario_samples import (
+    GOALS,
+    PERIOD,
+    TASKS,
+    finished,
+    racing,
+    reached,
+    record,
+    rows,
+    scenario,
+    seen,
+    tasks,
+)
 
 LINE = StartLine(RADIUS, 0.0, math.pi / 2, 1.0)
 SPEED = 2 * math.pi * RADIUS / 5.0  # m/s: a lap in 5 s

@@ -22,7 +22,8 @@ Made on {date} at commit {commit} on {machine}, with a load of {load:.0f} at the
 
 `limits.answer` is 5 s here and `limits.wall` 60 s: a node that is stopped is noticed after the first, a clock
 that is stopped after the second. Wanted: the right verdict and culprit, a JUnit file, and at most {most:g} s
-from the verdict until nothing of the run is left.
+from the verdict until nothing of the run is left. A run that cannot begin, as there is too little memory or
+nowhere to write results and JUnit file, says so in a line and ends with exit code 2.
 
 | fault | verdict | culprit | exit code | verdict after (s) | all gone after (s) | JUnit |
 | --- | --- | --- | --- | --- | --- | --- |

@@ -18,7 +18,7 @@ def exit_code(passed: bool, stop: StopRequest) -> int:
 
 
 def leave(code: int) -> NoReturn:
-    """End the process; at once if it was told to stop: an import or a drawing may take seconds to come to its end."""
+    """End the process; at once if it was told to stop, whatever another thread still imports or draws."""
     if code > _SIGNALLED:
         sys.stdout.flush()
         sys.stderr.flush()

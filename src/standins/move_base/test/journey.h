@@ -32,8 +32,8 @@ inline NavigatorOptions racingNavigator()
 class Journey
 {
 public:
-  Journey(const NavigatorOptions & options, Costmap costmap, const Pose2 & start)
-  : navigator(options), costmap_(std::move(costmap)), car(start)
+  Journey(const NavigatorOptions & options, Costmap costmap, const Pose2 & start, PlanWorker worker = {})
+  : navigator(options, std::move(worker)), costmap_(std::move(costmap)), car(start)
   {
   }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "geometry/option_checks.h"
 #include "traffic/passing.h"
 
 namespace move_base
@@ -14,43 +13,15 @@ constexpr double kPassingInterval = 0.1;  // s between looks for a way past othe
 constexpr double kStandingSpeed = 0.05;   // m/s
 constexpr double kStopTime = 1.0;         // s, for which a car that has been stopped is told so
 constexpr double kLongestPeriod = 0.2;    // s, taken for a step after a pause
-constexpr double kProgress = 1.0;         // m from where recovery began
-constexpr double kGatePart = 0.75;        // of the goal tolerance, within which plans pass goals
-constexpr double kLeadTime = 0.1;         // s beyond the latency, for which a new plan keeps to the old one
-constexpr double kApproachLength = 3.0;   // m, on top of the way of braking, that are planned to the goal itself
-constexpr double kApproachMargin = 1.0;   // m
-constexpr double kTooFast = 0.5;          // m/s, by which a car may be faster than a new plan allows
-constexpr double kFarTooFast = 1.5;       // m/s, the same for a plan that is not to end at a standstill
-constexpr double kExtensionMargin = 1.0;  // m, of a plan beyond the goal, on top of the way of braking
 }  // namespace
 
-void NavigatorOptions::validate() const
-{
-  requireNotNegative("planner_frequency", planner_frequency);
-  requireNotNegative("planner_patience", planner_patience);
-  requireNotNegative("controller_patience", controller_patience);
-  requireOption(max_planning_retries >= -1, "max_planning_retries", max_planning_retries, "at least -1");
-  requireNotNegative("oscillation_timeout", oscillation_timeout);
-  requireNotNegative("oscillation_distance", oscillation_distance);
-  requireNotNegative("conservative_reset_dist", conservative_reset_dist);
-  requirePositive("xy_goal_tolerance", goal_tolerance.distance);
-  requirePositive("yaw_goal_tolerance", goal_tolerance.yaw);
-  requirePositive("via_xy_tolerance", via_tolerance.distance);
-  requirePositive("via_yaw_tolerance", via_tolerance.yaw);
-  requireNotNegative("coast_time", coast_time);
-  planner.validate();
-  follower.validate();
-  const double least = follower.limits.wheelbase / std::tan(follower.max_steering_angle);
-  requireOption(
-    planner.min_turning_radius >= least, "min_turning_radius", planner.min_turning_radius,
-    "at least wheelbase / tan(max_steering_angle) = " + std::to_string(least));
-}
-
-Navigator::Navigator(const NavigatorOptions & options)
+Navigator::Navigator(const NavigatorOptions & options, PlanWorker worker)
 : options_(options),
-  planner_(options.planner),
   follower_(options.follower),
-  behaviors_(recoveryBehaviors(options.clearing_rotation_allowed))
+  requests_(options_, goals_, follower_),
+  job_(options.planner, std::move(worker)),
+  recovery_(recoveryBehaviors(options.clearing_rotation_allowed)),
+  oscillation_(options.oscillation_timeout, options.oscillation_distance)
 {
   options_.validate();
 }
@@ -58,12 +29,13 @@ Navigator::Navigator(const NavigatorOptions & options)
 void Navigator::setGoal(const Pose2 & goal, double time, std::vector<Pose2> next)
 {
   goals_.set(goal, std::move(next));
+  job_.drop();
   state_ = State::kPlanning;
-  recovery_index_ = 0;
+  recovery_.startAgain();
+  oscillation_.startAgain(time);
   planning_retries_ = 0;
   no_plan_because_.clear();
-  last_valid_plan_ = last_valid_control_ = last_oscillation_reset_ = next_plan_ = next_passing_ = time;
-  oscillation_pose_.reset();
+  last_valid_plan_ = last_valid_control_ = next_plan_ = next_passing_ = time;
   previous_pose_.reset();
   coast_until_.reset();
   stop_until_ = 0.0;
@@ -71,9 +43,13 @@ void Navigator::setGoal(const Pose2 & goal, double time, std::vector<Pose2> next
 
 void Navigator::setNextGoals(std::vector<Pose2> next)
 {
-  const bool passed = passes();
+  const bool passed = requests_.passes();
   goals_.setNext(std::move(next));
-  if (passes() != passed && state_ == State::kControlling) {
+  if (requests_.passes() == passed) {
+    return;
+  }
+  job_.drop();
+  if (state_ != State::kBackingUp) {
     state_ = State::kPlanning;
     next_plan_ = previous_time_.value_or(0.0);
   }
@@ -82,6 +58,7 @@ void Navigator::setNextGoals(std::vector<Pose2> next)
 void Navigator::cancel()
 {
   goals_.clear();
+  job_.drop();
   coast_until_.reset();
   stop();
 }
@@ -135,6 +112,7 @@ void Navigator::driveBlind(const CycleInput & input, const Costmap & costmap, Cy
 {
   if (std::abs(input.car.speed) < kStandingSpeed) {
     output.command = DriveCommand{};
+    job_.drop();
     next_plan_ = last_valid_plan_ = last_valid_control_ = input.time;
     state_ = state_ == State::kControlling ? State::kPlanning : state_;
   } else {
@@ -144,13 +122,13 @@ void Navigator::driveBlind(const CycleInput & input, const Costmap & costmap, Cy
 
 Plan Navigator::makePlan(const Costmap & costmap, const Pose2 & start, const Pose2 & goal) const
 {
-  return planner_.plan(costmap, {start, goal, 0.0, 0.0});
+  return GlobalPlanner(options_.planner).plan(costmap, {start, goal, 0.0, 0.0});
 }
 
 void Navigator::pursue(const CycleInput & input, Costmap & costmap, CycleOutput & output)
 {
-  watchOscillation(input);
-  watchProgress(input);
+  oscillation_.note(input.car.pose, input.time);
+  recovery_.noteProgress(input.car.pose);
   switch (state_) {
     case State::kPlanning:
       planAhead(input, costmap, output);
@@ -166,23 +144,53 @@ void Navigator::pursue(const CycleInput & input, Costmap & costmap, CycleOutput 
 
 void Navigator::planAhead(const CycleInput & input, Costmap & costmap, CycleOutput & output)
 {
-  if (input.time < next_plan_) {
+  if (job_.isIdle() && !askForPlan(input, costmap)) {
     hold(input, costmap, output);
     return;
+  }
+  if (std::optional<PlanAnswer> answer = job_.answer(input.time)) {
+    takePlan(std::move(*answer), input, costmap, output);
+  } else {
+    awaitPlan(input, costmap, output);
+  }
+}
+
+bool Navigator::askForPlan(const CycleInput & input, const Costmap & costmap)
+{
+  if (input.time < next_plan_) {
+    return false;
   }
   next_plan_ = input.time + kRetryInterval;
-  const PlanRequest request = requestFrom(input.car);
-  Plan plan = planner_.plan(costmap, request);
-  if (!plan.found()) {
-    planFailed(obstructionOf(costmap, request, plan.status), input, costmap, output);
-    return;
-  }
-  if (follower_.hasPath() && !canDrive(plan, input.car, costmap)) {
+  const PlanRequest request = requests_.from(input.car, job_.timeNeeded());
+  drive_on_until_ = input.time + (request.lead.empty() ? 0.0 : requests_.leadTime(job_.timeNeeded()));
+  job_.begin(costmap, request, input.time);
+  return true;
+}
+
+// The car drives on as far as the new plan leaves the old one as it is, then it brakes along it.
+void Navigator::awaitPlan(const CycleInput & input, const Costmap & costmap, CycleOutput & output)
+{
+  if (input.time >= drive_on_until_ || !follower_.hasPath()) {
     hold(input, costmap, output);
     return;
   }
-  plan_ = std::move(plan);
-  plan_races_ = request.race_line.has_value();
+  FollowStep step = follower_.step(input.car, costmap, period(input.time), false, forecasts(costmap, input.time));
+  output.command = step.command;
+  output.prediction = std::move(step.prediction);
+}
+
+void Navigator::takePlan(PlanAnswer answer, const CycleInput & input, Costmap & costmap, CycleOutput & output)
+{
+  if (!answer.plan.found()) {
+    planFailed(answer.obstruction, input, costmap, output);
+    return;
+  }
+  if (follower_.hasPath() && !requests_.canDrive(answer.plan, input.car, costmap)) {
+    hold(input, costmap, output);
+    return;
+  }
+  plan_ = std::move(answer.plan);
+  plan_races_ = answer.races;
   no_plan_because_.clear();
   output.new_plan = true;
   planning_retries_ = 0;
@@ -190,43 +198,6 @@ void Navigator::planAhead(const CycleInput & input, Costmap & costmap, CycleOutp
   follower_.setPath(plan_.path, costmap);
   state_ = State::kControlling;
   control(input, costmap, output);
-}
-
-// A car that is too fast for a new plan, or would have to turn round, brakes along the old one first.
-bool Navigator::canDrive(const Plan & plan, const CarState & car, const Costmap & costmap) const
-{
-  if (car.speed < kTooFast) {
-    return true;
-  }
-  const auto nearest = std::min_element(
-    plan.path.begin(), plan.path.end(),
-    [&](const PathPoint & a, const PathPoint & b) { return distance(a.pose, car.pose) < distance(b.pose, car.pose); });
-  const std::vector<double> speeds = speedProfile(plan.path, costmap, options_.follower.limits);
-  return !plan.path.front().reverse && car.speed <= speeds[static_cast<std::size_t>(nearest - plan.path.begin())] +
-                                                      (passes() ? kFarTooFast : kTooFast);
-}
-
-PlanRequest Navigator::requestFrom(const CarState & car) const
-{
-  const double curvature = follower_.lastCommand().curvature;
-  PlanRequest request{advance(car.pose, car.speed * options_.follower.latency, curvature), goals_.front(), curvature};
-  if (passes()) {
-    request.extension_length = extensionLength();
-  }
-  if (races(car)) {
-    const SpeedLimits & limits = options_.follower.limits;
-    request.race_line = RaceLineOptions{
-      kGatePart * tolerance().distance, options_.follower.slip_gradient, limits.max_lateral_acceleration,
-      limits.max_vel_x};
-  }
-  if (options_.race_line) {
-    request.lead = follower_.lead(car, options_.follower.latency + kLeadTime);
-  }
-  if (!request.lead.empty()) {
-    request.start = request.lead.back().pose;
-    request.start_curvature = request.lead.back().curvature;
-  }
-  return request;
 }
 
 void Navigator::planFailed(
@@ -277,7 +248,7 @@ void Navigator::control(const CycleInput & input, Costmap & costmap, CycleOutput
   if (!step.lost && !step.stuck) {
     last_valid_control_ = input.time;
   }
-  if (options_.oscillation_timeout > 0.0 && input.time > last_oscillation_reset_ + options_.oscillation_timeout) {
+  if (oscillation_.isOver(input.time)) {
     recover(Trigger::kOscillation, input, costmap, output);
   } else if (input.time > last_valid_control_ + options_.controller_patience) {
     recover(Trigger::kControlling, input, costmap, output);
@@ -293,7 +264,7 @@ void Navigator::passIfHindered(
     return;
   }
   next_passing_ = input.time + kPassingInterval;
-  const PlanRequest request = requestFrom(input.car);
+  const PlanRequest request = requests_.from(input.car, 0.0);
   if (request.lead.empty() || !request.race_line) {
     return;
   }
@@ -312,8 +283,9 @@ bool Navigator::needsPlan(const CycleInput & input, const FollowStep & step) con
   if (input.time < next_plan_) {
     return false;
   }
-  const bool approaches = plan_races_ && !passes() && plan_.goal_s - step.position.s < approachLength(input.car.speed);
-  const bool passed = step.position.s > plan_.goal_s + tolerance().distance;
+  const bool approaches = plan_races_ && !requests_.passes() &&
+                          !requests_.isFar(plan_.goal_s - step.position.s, input.car.speed, job_.timeNeeded());
+  const bool passed = step.position.s > plan_.goal_s + requests_.tolerance().distance;
   const bool due =
     options_.planner_frequency > 0.0 && input.time >= last_valid_plan_ + 1.0 / options_.planner_frequency;
   const bool missed = step.at_end && std::abs(input.car.speed) < kStandingSpeed;
@@ -324,11 +296,11 @@ bool Navigator::finishIfReached(const CycleInput & input, CycleOutput & output)
 {
   const Pose2 & before = previous_pose_.value_or(input.car.pose);
   const bool stands = std::abs(input.car.speed) < kStandingSpeed;
-  if (!cameNear(before, input.car.pose, goals_.front(), tolerance()) || !(passes() || stands)) {
+  if (!cameNear(before, input.car.pose, goals_.front(), requests_.tolerance()) || !(requests_.passes() || stands)) {
     return false;
   }
   output.outcome = Outcome{true, "Goal reached."};
-  if (passes()) {
+  if (requests_.passes()) {
     coast_until_ = input.time + options_.coast_time;
   } else {
     output.command = DriveCommand{};
@@ -358,18 +330,14 @@ void Navigator::hold(const CycleInput & input, const Costmap & costmap, CycleOut
 
 void Navigator::recover(Trigger trigger, const CycleInput & input, Costmap & costmap, CycleOutput & output)
 {
-  recovery_pose_ = input.car.pose;
   output.command = DriveCommand{};
   stop();
-  if (!options_.recovery_behavior_enabled || recovery_index_ >= behaviors_.size()) {
+  if (!options_.recovery_behavior_enabled || recovery_.isSpent()) {
     goals_.clear();
     output.outcome = Outcome{false, failureOf(trigger)};
     return;
   }
-  const RecoveryBehavior behavior = behaviors_[recovery_index_];
-  output.recovery = RecoveryNotice{recovery_index_, static_cast<unsigned>(behaviors_.size()), nameOf(behavior)};
-  ++recovery_index_;
-  begin(behavior, input, costmap);
+  begin(recovery_.next(input.car.pose, output.recovery.emplace()), input, costmap);
 }
 
 void Navigator::begin(RecoveryBehavior behavior, const CycleInput & input, Costmap & costmap)
@@ -398,24 +366,8 @@ void Navigator::endRecovery(double time)
 {
   state_ = State::kPlanning;
   planning_retries_ = 0;
-  last_valid_plan_ = last_oscillation_reset_ = next_plan_ = time;
-}
-
-void Navigator::watchOscillation(const CycleInput & input)
-{
-  if (oscillation_pose_ && distance(*oscillation_pose_, input.car.pose) < options_.oscillation_distance) {
-    return;
-  }
-  oscillation_pose_ = input.car.pose;
-  last_oscillation_reset_ = input.time;
-}
-
-// Recovery has helped when the car gets farther than recovery itself has moved it.
-void Navigator::watchProgress(const CycleInput & input)
-{
-  if (recovery_index_ > 0 && distance(recovery_pose_, input.car.pose) > kProgress) {
-    recovery_index_ = 0;
-  }
+  last_valid_plan_ = next_plan_ = time;
+  oscillation_.wait(time);
 }
 
 std::string Navigator::failureOf(Trigger trigger) const
@@ -429,26 +381,6 @@ std::string Navigator::failureOf(Trigger trigger) const
       return "Robot is oscillating. Even after executing recovery behaviors.";
   }
   return "";
-}
-
-// A race line does not end as a goal says: the last way is planned to the goal itself.
-bool Navigator::races(const CarState & car) const
-{
-  const bool far = distance(car.pose, goals_.front()) > approachLength(car.speed) + kApproachMargin;
-  return options_.free_goal_vel && options_.race_line && (goals_.anyNext() || far);
-}
-
-double Navigator::approachLength(double speed) const
-{
-  return options_.follower.limits.brakingDistance(speed) + kApproachLength;
-}
-
-double Navigator::extensionLength() const
-{
-  const SpeedLimits & limits = options_.follower.limits;
-  const double longest =
-    limits.brakingDistance(limits.max_vel_x) + limits.max_vel_x * options_.coast_time + kExtensionMargin;
-  return std::min(longest, goals_.wayToLast());
 }
 
 double Navigator::period(double time) const

@@ -8,46 +8,16 @@
 #include "control/path_follower.h"
 #include "control/recovery.h"
 #include "goals.h"
-#include "path/global_planner.h"
-#include "path/obstruction.h"
+#include "navigator_options.h"
+#include "path/plan_job.h"
+#include "plan_requests.h"
 
 namespace move_base
 {
-struct NavigatorOptions
-{
-  double planner_frequency{0.0};     ///< Hz, plans made anew while driving; 0: only when needed
-  double planner_patience{5.0};      ///< s without a plan before recovery
-  double controller_patience{15.0};  ///< s without a way to drive on before recovery
-  int max_planning_retries{-1};      ///< failed plans before recovery; -1: as many as planner_patience allows
-  double oscillation_timeout{0.0};   ///< s within oscillation_distance before recovery; 0: any time
-  double oscillation_distance{0.5};  ///< m
-  bool recovery_behavior_enabled{true};
-  bool clearing_rotation_allowed{
-    true};  ///< whether recovery may move the car: it backs up, as it cannot turn on the spot
-  double conservative_reset_dist{3.0};     ///< m from the car, beyond it the first recovery forgets what the lidar saw
-  GoalTolerance goal_tolerance;            ///< within which the car stands in the end
-  bool free_goal_vel{false};               ///< whether a goal that another one follows is passed at speed
-  GoalTolerance via_tolerance{0.45, 0.6};  ///< within which such a goal is passed
-  bool race_line{false};                   ///< whether plans through such goals, or far from one, use the road's width
-  double coast_time{0.5};                  ///< s, that the car drives on behind such a goal before it brakes
-  PlannerOptions planner;
-  FollowerOptions follower;
-
-  /// @throws OptionError
-  void validate() const;
-};
-
 struct Outcome
 {
   bool succeeded{false};
   std::string text;
-};
-
-struct RecoveryNotice
-{
-  unsigned number{0};  ///< from 0
-  unsigned total{0};
-  std::string name;
 };
 
 /// What a control cycle is decided on.
@@ -71,12 +41,15 @@ struct CycleOutput
 };
 
 /// Takes a car to goals: plans, follows, recovers and gives up like move_base. Decides on its inputs only: it knows no
-/// clock and no threads, and the same inputs give the same commands.
+/// clock and, without a worker, no threads, and the same inputs give the same commands.
 class Navigator
 {
 public:
+  /// @param worker  makes plans while the car drives on along the one that it has; empty: cycle() makes them itself
   /// @throws OptionError
-  explicit Navigator(const NavigatorOptions & options);
+  explicit Navigator(const NavigatorOptions & options, PlanWorker worker = {});
+  Navigator(const Navigator &) = delete;
+  Navigator & operator=(const Navigator &) = delete;
 
   /// Heads for a goal in the map, in place of any other.
   /// @param next  goals that follow it, as far as they are known; the last is the goal itself when they go round.
@@ -114,6 +87,9 @@ private:
   void driveBlind(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   void pursue(const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void planAhead(const CycleInput & input, Costmap & costmap, CycleOutput & output);
+  bool askForPlan(const CycleInput & input, const Costmap & costmap);
+  void awaitPlan(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
+  void takePlan(PlanAnswer answer, const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void planFailed(const Obstruction & obstruction, const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void giveUp(const std::string & text, const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   void control(const CycleInput & input, Costmap & costmap, CycleOutput & output);
@@ -127,43 +103,33 @@ private:
   void driveBack(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   void begin(RecoveryBehavior behavior, const CycleInput & input, Costmap & costmap);
   void endRecovery(double time);
-  void watchOscillation(const CycleInput & input);
-  void watchProgress(const CycleInput & input);
-  bool passes() const { return options_.free_goal_vel && goals_.anyNext(); }
-  bool races(const CarState & car) const;
-  const GoalTolerance & tolerance() const { return passes() ? options_.via_tolerance : options_.goal_tolerance; }
-  bool canDrive(const Plan & plan, const CarState & car, const Costmap & costmap) const;
-  PlanRequest requestFrom(const CarState & car) const;
-  double extensionLength() const;
-  double approachLength(double speed) const;
   double period(double time) const;
   void stop();
   std::string failureOf(Trigger trigger) const;
 
   NavigatorOptions options_;
-  GlobalPlanner planner_;
+  Goals goals_;
   PathFollower follower_;
+  PlanRequests requests_;
+  PlanJob job_;
   DeadReckoning reckoning_;
-  std::vector<RecoveryBehavior> behaviors_;
+  RecoverySequence recovery_;
+  OscillationWatch oscillation_;
   Plan plan_;
   bool plan_races_{false};
 
-  Goals goals_;
   State state_{State::kPlanning};
-  unsigned recovery_index_{0};
   int planning_retries_{0};
   double last_valid_plan_{0.0};
   double last_valid_control_{0.0};
   double next_plan_{0.0};
   double next_passing_{0.0};
-  double last_oscillation_reset_{0.0};
-  std::optional<Pose2> oscillation_pose_;
+  double drive_on_until_{0.0};  // while a plan is being made
   std::optional<Pose2> previous_pose_;
   std::optional<double> previous_time_;
   std::optional<double> coast_until_;
   double stop_until_{0.0};
   std::optional<BackUp> back_up_;
-  Pose2 recovery_pose_;
   std::string no_plan_because_;  // since there was no plan
 };
 }  // namespace move_base

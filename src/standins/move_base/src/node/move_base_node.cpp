@@ -5,6 +5,7 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <future>
 #include <iterator>
 
 #include "conversions.h"
@@ -28,6 +29,11 @@ ros::Subscriber subscribePromptly(ros::NodeHandle & node, const std::string & to
   return node.subscribe<Message>(topic, 50, ignore, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
 }
 
+std::future<PlanAnswer> runBeside(std::function<PlanAnswer()> job)
+{
+  return std::async(std::launch::async, std::move(job));
+}
+
 // Two goals at one place are told apart by when they were sent.
 bool startsWith(const nav_msgs::Path & goals, const geometry_msgs::PoseStamped & goal)
 {
@@ -46,7 +52,7 @@ MoveBaseNode::MoveBaseNode(const MoveBaseParameters & parameters, ros::CallbackQ
   node_(onQueue("", queue)),
   private_node_(onQueue("~", queue)),
   perception_(node_, parameters_),
-  navigator_(parameters_.navigator),
+  navigator_(parameters_.navigator, parameters_.lockstep ? PlanWorker() : PlanWorker(runBeside)),
   displays_(private_node_, parameters_, perception_),
   diagnostics_(node_, parameters_.base_frame),
   velocity_publisher_(node_.advertise<geometry_msgs::Twist>("cmd_vel", 1)),

@@ -10,6 +10,7 @@ constexpr double kBackUpDistance = 0.5;  // m
 constexpr double kBackUpTime = 5.0;      // s
 constexpr double kLookBehind = 0.15;     // m that must be free, or freer than where the car stands
 constexpr double kClearanceGain = 0.01;  // m
+constexpr double kProgress = 1.0;        // m from where recovery began
 }  // namespace
 
 const char * nameOf(RecoveryBehavior behavior)
@@ -33,6 +34,36 @@ std::vector<RecoveryBehavior> recoveryBehaviors(bool may_move)
   return {
     RecoveryBehavior::kConservativeReset, RecoveryBehavior::kBackUp, RecoveryBehavior::kAggressiveReset,
     RecoveryBehavior::kBackUp};
+}
+
+RecoveryBehavior RecoverySequence::next(const Pose2 & car, RecoveryNotice & notice)
+{
+  begun_at_ = car;
+  const RecoveryBehavior behavior = behaviors_[index_];
+  notice = {static_cast<unsigned>(index_), static_cast<unsigned>(behaviors_.size()), nameOf(behavior)};
+  ++index_;
+  return behavior;
+}
+
+void RecoverySequence::noteProgress(const Pose2 & car)
+{
+  if (index_ > 0 && distance(begun_at_, car) > kProgress) {
+    index_ = 0;
+  }
+}
+
+void OscillationWatch::startAgain(double time)
+{
+  since_ = time;
+  from_.reset();
+}
+
+void OscillationWatch::note(const Pose2 & car, double time)
+{
+  if (!from_ || distance(*from_, car) >= way_) {
+    from_ = car;
+    since_ = time;
+  }
 }
 
 std::optional<DriveCommand> BackUp::step(const Pose2 & pose, double time, double speed, const Costmap & costmap) const

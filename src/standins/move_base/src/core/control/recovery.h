@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "control/path_follower.h"
@@ -20,6 +22,54 @@ const char * nameOf(RecoveryBehavior behavior);
 
 /// The behaviours in the order in which they are tried.
 std::vector<RecoveryBehavior> recoveryBehaviors(bool may_move);
+
+struct RecoveryNotice
+{
+  unsigned number{0};  ///< from 0
+  unsigned total{0};
+  std::string name;
+};
+
+/// Which behaviour comes next.
+class RecoverySequence
+{
+public:
+  explicit RecoverySequence(std::vector<RecoveryBehavior> behaviors) : behaviors_(std::move(behaviors)) {}
+
+  bool isSpent() const { return index_ >= behaviors_.size(); }
+  /// Not to be called when spent.
+  /// @param notice  what to say of it
+  RecoveryBehavior next(const Pose2 & car, RecoveryNotice & notice);
+  /// Recovery has helped when the car gets farther than recovery itself has moved it: then it begins anew.
+  void noteProgress(const Pose2 & car);
+  void startAgain() { index_ = 0; }
+
+private:
+  std::vector<RecoveryBehavior> behaviors_;
+  std::size_t index_{0};
+  Pose2 begun_at_;
+};
+
+/// Notices that a car gets nowhere.
+class OscillationWatch
+{
+public:
+  /// @param timeout  s; 0: it notices nothing
+  /// @param way      m, that the car must get away in that time
+  OscillationWatch(double timeout, double way) : timeout_(timeout), way_(way) {}
+
+  void startAgain(double time);
+  /// Gives it the whole time once more.
+  void wait(double time) { since_ = time; }
+  void note(const Pose2 & car, double time);
+  bool isOver(double time) const { return timeout_ > 0.0 && time > since_ + timeout_; }
+
+private:
+  double timeout_;
+  double way_;
+  double since_{0.0};
+  std::optional<Pose2> from_;
+};
 
 /// Driving straight back until far enough, blocked, or too long under way.
 class BackUp

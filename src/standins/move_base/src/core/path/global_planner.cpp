@@ -48,7 +48,8 @@ Plan GlobalPlanner::plan(const Costmap & costmap, const PlanRequest & request) c
 Plan GlobalPlanner::planWithClearance(
   const Costmap & costmap, const PlanRequest & request, double clearance, int max_expansions) const
 {
-  const SearchQuery query{request.start, request.goal, request.start_curvature, clearance, max_expansions};
+  const SearchQuery query{request.start, request.goal,   request.start_curvature,
+                          clearance,     max_expansions, request.dropped.get()};
   SearchResult result = searchHybridAStar(costmap, options_, curves_, query);
   Plan plan;
   plan.status = result.status;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <memory>
 #include <optional>
 
 #include "map/costmap.h"
@@ -37,6 +39,8 @@ struct PlanRequest
   /// For a goal that is passed at speed: make the bends wide instead of keeping to the middle.
   std::optional<RaceLineOptions> race_line{};
   Path lead{};  ///< what leads to the start and is to stay as it is
+  /// Set by another thread when the plan is not wanted any more: the search is given up.
+  std::shared_ptr<const std::atomic<bool>> dropped{};
 };
 
 /// Plans paths that the car can drive and that keep to the middle where there is room.

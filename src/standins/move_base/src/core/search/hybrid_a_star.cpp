@@ -80,7 +80,7 @@ private:
       if (nodes_[index].closed) {
         continue;
       }
-      if (++expansions > query_.max_expansions) {
+      if (++expansions > query_.max_expansions || (query_.dropped != nullptr && *query_.dropped)) {
         return {SearchStatus::kBudgetSpent, {}, expansions};
       }
       nodes_[index].closed = true;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -52,9 +53,10 @@ struct SearchQuery
 {
   Pose2 start;
   Pose2 goal;
-  double start_curvature{0.0};  ///< 1/m, how the wheels are set at the start
-  double clearance{0.0};        ///< m, that the plan keeps, where start and goal have it themselves
-  int max_expansions{150000};   ///< then the search is given up
+  double start_curvature{0.0};                 ///< 1/m, how the wheels are set at the start
+  double clearance{0.0};                       ///< m, that the plan keeps, where start and goal have it themselves
+  int max_expansions{150000};                  ///< then the search is given up
+  const std::atomic<bool> * dropped{nullptr};  ///< when it becomes true, the search is given up as well
 };
 
 /// Finds drivable ways with hybrid A* (Dolgov et al. 2008): arcs over a grid of positions and headings, led by CostToGo,

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+
+#include "path/global_planner.h"
+#include "path/obstruction.h"
+
+namespace move_base
+{
+/// A plan, or why there is none.
+struct PlanAnswer
+{
+  Plan plan;
+  Obstruction obstruction;  ///< unless a plan was found
+  bool races{false};        ///< whether a race line was asked for
+};
+
+/// Runs a job elsewhere, as std::async does.
+using PlanWorker = std::function<std::future<PlanAnswer>(std::function<PlanAnswer()>)>;
+
+/// One plan that is being made: at once, when it is asked for; or by a worker, on a copy of the costmap, while the car
+/// drives on.
+class PlanJob
+{
+public:
+  /// @param worker  empty: plans are made at once
+  /// @throws OptionError
+  PlanJob(const PlannerOptions & options, PlanWorker worker);
+  /// Waits for the worker, which gives up soon.
+  ~PlanJob() { drop(); }
+
+  /// Whether a worker makes the plans.
+  bool isBeside() const { return static_cast<bool>(worker_); }
+  /// Whether nothing is going on, not even a plan that nobody wants any more.
+  bool isIdle();
+  /// To be called when idle.
+  /// @param time  s
+  void begin(const Costmap & costmap, const PlanRequest & request, double time);
+  /// What has come of it, once.
+  /// @param time  s
+  std::optional<PlanAnswer> answer(double time);
+  /// The plan is not wanted any more.
+  void drop();
+  /// How long a plan may take that is made beside the car, s, by how long the last one took; 0 for one that is made at once.
+  double timeNeeded() const { return isBeside() ? time_needed_ : 0.0; }
+
+private:
+  GlobalPlanner planner_;
+  PlanWorker worker_;
+  std::future<PlanAnswer> future_;
+  std::shared_ptr<std::atomic<bool>> dropped_;
+  double begun_{0.0};
+  double time_needed_;
+};
+}  // namespace move_base

@@ -1,0 +1,88 @@
+#include "plan_requests.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace move_base
+{
+namespace
+{
+constexpr double kGatePart = 0.75;        // of the goal tolerance, within which plans pass goals
+constexpr double kLeadTime = 0.1;         // s beyond the latency, for which a new plan keeps to the old one
+constexpr double kApproachLength = 3.0;   // m, on top of the way of braking, that are planned to the goal itself
+constexpr double kApproachMargin = 1.0;   // m
+constexpr double kTooFast = 0.5;          // m/s, by which a car may be faster than a new plan allows
+constexpr double kFarTooFast = 1.5;       // m/s, the same for a plan that is not to end at a standstill
+constexpr double kExtensionMargin = 1.0;  // m, of a plan beyond the goal, on top of the way of braking
+}  // namespace
+
+PlanRequest PlanRequests::from(const CarState & car, double time_needed) const
+{
+  const double curvature = follower_.lastCommand().curvature;
+  PlanRequest request{advance(car.pose, car.speed * options_.follower.latency, curvature), goals_.front(), curvature};
+  if (passes()) {
+    request.extension_length = extensionLength();
+  }
+  if (races(car, time_needed)) {
+    const SpeedLimits & limits = options_.follower.limits;
+    request.race_line = RaceLineOptions{
+      kGatePart * tolerance().distance, options_.follower.slip_gradient, limits.max_lateral_acceleration,
+      limits.max_vel_x};
+  }
+  if (options_.race_line || time_needed > 0.0) {
+    request.lead = follower_.lead(car, leadTime(time_needed));
+  }
+  if (!request.lead.empty()) {
+    request.start = request.lead.back().pose;
+    request.start_curvature = request.lead.back().curvature;
+  }
+  return request;
+}
+
+double PlanRequests::leadTime(double time_needed) const
+{
+  return options_.follower.latency + kLeadTime + time_needed;
+}
+
+bool PlanRequests::canDrive(const Plan & plan, const CarState & car, const Costmap & costmap) const
+{
+  if (car.speed < kTooFast) {
+    return true;
+  }
+  const auto nearest = std::min_element(
+    plan.path.begin(), plan.path.end(),
+    [&](const PathPoint & a, const PathPoint & b) { return distance(a.pose, car.pose) < distance(b.pose, car.pose); });
+  const std::vector<double> speeds = speedProfile(plan.path, costmap, options_.follower.limits);
+  const Vec2 from_path = car.pose.position() - nearest->pose.position();
+  const Vec2 ahead{std::cos(nearest->pose.yaw), std::sin(nearest->pose.yaw)};
+  const bool on_path = std::abs(cross(ahead, from_path)) <= options_.follower.max_path_deviation;
+  return on_path && !plan.path.front().reverse &&
+         car.speed <=
+           speeds[static_cast<std::size_t>(nearest - plan.path.begin())] + (passes() ? kFarTooFast : kTooFast);
+}
+
+bool PlanRequests::isFar(double way, double speed, double time_needed) const
+{
+  return way >= approachLength(speed, time_needed);
+}
+
+// A race line does not end as a goal says: the last way is planned to the goal itself.
+bool PlanRequests::races(const CarState & car, double time_needed) const
+{
+  const bool far = distance(car.pose, goals_.front()) > approachLength(car.speed, time_needed) + kApproachMargin;
+  return options_.free_goal_vel && options_.race_line && (goals_.anyNext() || far);
+}
+
+double PlanRequests::approachLength(double speed, double time_needed) const
+{
+  return options_.follower.limits.brakingDistance(speed) + kApproachLength + std::abs(speed) * time_needed;
+}
+
+double PlanRequests::extensionLength() const
+{
+  const SpeedLimits & limits = options_.follower.limits;
+  const double longest =
+    limits.brakingDistance(limits.max_vel_x) + limits.max_vel_x * options_.coast_time + kExtensionMargin;
+  return std::min(longest, goals_.wayToLast());
+}
+}  // namespace move_base

@@ -11,7 +11,7 @@ import rostest
 from actionlib_msgs.msg import GoalStatus, GoalStatusArray
 from fake_robot import FakeRobot, Room
 from geometry_msgs.msg import PoseStamped
-from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
+from move_base_msgs.msg import MoveBaseAction, MoveBaseActionFeedback, MoveBaseGoal
 from nav_msgs.msg import Path
 
 PATIENCE = rospy.Duration(120.0)  # simulated
@@ -30,7 +30,11 @@ def goal_at(x, y):
 class ContinuousTimeTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.robot = FakeRobot(Room(20.0, 3.0))
+        room = Room(20.0, 3.0)
+        # A closet that a point can get into, but no car: the search for a plan takes seconds.
+        room.add_wall(18.0, 0.0, 18.2, 1.3)
+        room.add_wall(18.0, 1.65, 18.2, 3.0)
+        cls.robot = FakeRobot(room)
         cls.robot.reads_angles = True
         cls.robot.start()
         cls.client = actionlib.SimpleActionClient("move_base", MoveBaseAction)
@@ -71,6 +75,27 @@ class ContinuousTimeTest(unittest.TestCase):
         driving = [time for time, _ in self.robot.commands]
         assert len(driving) / (driving[-1] - driving[0]) == pytest.approx(20.0, abs=4.0)
         assert len(status) / 4.0 == pytest.approx(5.0, abs=1.5)
+
+    def test_commands_feedback_and_cancelling_go_on_while_a_plan_is_made(self):
+        feedback = []
+        subscriber = rospy.Subscriber("move_base/feedback", MoveBaseActionFeedback, feedback.append)
+        self.client.send_goal(goal_at(15.0, 1.5))
+        while self.robot.speed < 1.0:
+            rospy.sleep(0.05)
+        self.client.send_goal(goal_at(19.0, 1.475))
+        del feedback[:]
+        since = self.robot.now
+        rospy.sleep(3.0)
+        self.client.cancel_goal()
+        assert self.client.wait_for_result(PATIENCE)
+        subscriber.unregister()
+        assert self.client.get_state() == GoalStatus.PREEMPTED
+        commands = [command for time, command in self.robot.commands if time > since]
+        # 60 on an idle machine; 2 if each plan had to be waited for.
+        assert len(commands) > 15
+        assert len(feedback) > 15
+        assert commands[-1].linear.x == 0.0
+        assert not self.robot.touched
 
 
 if __name__ == "__main__":

@@ -21,7 +21,7 @@ CarBody::CarBody(
       layers.push_back(&layer);
     }
     const Section footprint = footprintBetween(solids[i], solids[i].pose, span.bottom, span.top);
-    const Piece properties{{}, Piece::Owner::kCar, static_cast<std::uint32_t>(id), i, span, layer.layer()};
+    const Piece properties{{}, {}, Piece::Owner::kCar, static_cast<std::uint32_t>(id), i, span, layer.layer()};
     appendPieces(pieces, footprint, {centre_of_mass, 0.0}, solids[i], properties);
   }
   participant.outer_radius = outerRadius(pieces);

@@ -96,6 +96,20 @@ std::vector<PieceShape> pieceShapes(const Section & footprint, const Vec2 & orig
   }
   return shapes;
 }
+
+PieceBounds boundsOf(const b2PolygonShape & polygon)
+{
+  float squared = 0.0F;
+  for (int i = 0; i < polygon.m_count; ++i) {
+    squared = std::max(squared, b2DistanceSquared(polygon.m_centroid, polygon.m_vertices[i]));
+  }
+  return {polygon.m_centroid, std::sqrt(squared)};
+}
+
+PieceBounds boundsOf(const b2CircleShape & circle)
+{
+  return {circle.m_p, circle.m_radius};
+}
 }  // namespace
 
 const b2Shape & Piece::boxShape() const
@@ -121,6 +135,7 @@ void appendPieces(
   for (PieceShape & shape : pieceShapes(footprint, origin)) {
     Piece & piece = pieces.emplace_back(properties);
     piece.shape = shape;
+    piece.bounds = std::visit([](const auto & concrete) { return boundsOf(concrete); }, shape);
     piece.friction = static_cast<float>(solid.mu);
     piece.restitution = static_cast<float>(solid.restitution);
   }

@@ -25,6 +25,13 @@ enum class Layer : int
   kWholeSolid = -1   ///< upright: looks the same in every layer
 };
 
+/// A circle around a piece, in the frame of the body, Box2D units.
+struct PieceBounds
+{
+  b2Vec2 centre;
+  float radius;
+};
+
 struct Piece
 {
   enum class Owner
@@ -33,7 +40,8 @@ struct Piece
     kCar
   };
 
-  PieceShape shape;  ///< in the frame of the body, Box2D units
+  PieceShape shape;    ///< in the frame of the body, Box2D units
+  PieceBounds bounds;  ///< of the shape
   Owner owner;
   std::uint32_t body;   ///< index of the model, or id of the car
   std::uint32_t solid;  ///< index within its owner

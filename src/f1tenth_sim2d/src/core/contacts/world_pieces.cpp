@@ -32,7 +32,7 @@ void forEachSolid(const WorldDescription & world, Visit visit)
       const Pose3 pose = solidPose(model, model.solids[s]);
       const VerticalSpan span = verticalSpan(model.solids[s], pose);
       if (span.bottom <= span.top) {
-        visit(model.solids[s], pose, Piece{{}, Piece::Owner::kModel, m, s, span});
+        visit(model.solids[s], pose, Piece{{}, {}, Piece::Owner::kModel, m, s, span});
       }
     }
   }

@@ -1,7 +1,6 @@
 """Runs of scenarios in processes of their own, some of them at the same time."""
 
 import dataclasses
-import json
 import subprocess
 import sys
 import tempfile
@@ -10,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Callable, Optional
 
-from f1tenth_scenarios.record.files import RESULT_FILE
+from f1tenth_scenarios.record.files import RESULT_FILE, read_json
 from f1tenth_scenarios.stop_request import StopRequest
 
 PROGRAM = (sys.executable, "-m", "f1tenth_scenarios")
@@ -100,10 +99,7 @@ def run_job(job: Job) -> Outcome:
 
 def read_result(folder: Path) -> Optional[dict[str, Any]]:
     """The result in a folder; nothing when it is missing or broken."""
-    try:
-        return json.loads((folder / RESULT_FILE).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return None
+    return read_json(folder / RESULT_FILE) or None
 
 
 class _Running:

@@ -6,8 +6,6 @@ from f1tenth_scenarios import places
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.scenario.driver import Driver, Interface
 
-REPORT_FILE = "report.html"
-
 
 def add_search_paths(folder: Path) -> None:
     """Look for what has a name in a folder, too.

@@ -5,11 +5,12 @@ from pathlib import Path
 from typing import Callable, TypeAlias
 
 from f1tenth_scenarios.cli.compare_command import compare
-from f1tenth_scenarios.cli.options import REPORT_FILE, add_search_paths
+from f1tenth_scenarios.cli.options import add_search_paths
 from f1tenth_scenarios.cli.race_command import race
 from f1tenth_scenarios.cli.run_command import run
 from f1tenth_scenarios.cli.show_commands import check, report, show_keys, show_list
 from f1tenth_scenarios.cli.sweep_command import sweep
+from f1tenth_scenarios.record.files import REPORT_FILE
 from f1tenth_scenarios.scenario.driver import Interface
 
 _SET = "replace a value of the file, as in mu=0.3 or limits.timeout=20"

@@ -4,10 +4,11 @@ import sys
 
 from f1tenth_scenarios import places
 from f1tenth_scenarios.cli.exit_codes import BAD_INPUT, NOT_PASSED, PASSED
-from f1tenth_scenarios.cli.options import REPORT_FILE, results_of
+from f1tenth_scenarios.cli.options import results_of
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan.planning import make_plan
 from f1tenth_scenarios.plan.source import read_scenario
+from f1tenth_scenarios.record.files import REPORT_FILE
 from f1tenth_scenarios.scenario.describe import describe_keys
 from f1tenth_scenarios.scenario.scenario import Scenario
 

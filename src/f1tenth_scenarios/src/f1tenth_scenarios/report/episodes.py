@@ -8,11 +8,11 @@ import numpy as np
 from f1tenth_sim2d.environments.data import data_path
 from f1tenth_sim2d.environments.stage import Stage
 
-from f1tenth_scenarios.record.files import REPLAY_FILE, RESULT_FILE, TRAJECTORY_FILE
+from f1tenth_scenarios.record.files import REPLAY_FILE, REPORT_FILE, RESULT_FILE, TRAJECTORY_FILE
 from f1tenth_scenarios.record.record import read_record
 from f1tenth_scenarios.record.replay import Replay, write_replay
 from f1tenth_scenarios.record.scene import scene_of
-from f1tenth_scenarios.report.page import REPORT_FILE, write_report
+from f1tenth_scenarios.report.page import write_report
 
 
 class Recorder:

@@ -10,7 +10,6 @@ from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.report.content import RunContent, read_results
 from f1tenth_scenarios.report.packing import pack_json
 
-REPORT_FILE = "report.html"
 # In this order, because each uses what stands before it.
 _SCRIPTS = (
     "format.js",

@@ -2,7 +2,6 @@
 
 import contextlib
 import fcntl
-import json
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
@@ -17,6 +16,7 @@ from f1tenth_scenarios.record.files import (
     REPLAY_FILE,
     RESULT_FILE,
     TRAJECTORY_FILE,
+    read_json,
 )
 
 INTERRUPTED_FOLDER = "interrupted"
@@ -117,7 +117,6 @@ def _is_other(one: Optional[str], other: Optional[str]) -> bool:
 
 
 def _commit_of(path: Path) -> Optional[str]:
-    try:
-        return json.loads(path.read_text(encoding="utf-8"))["versions"]["commit"]
-    except (OSError, ValueError, KeyError, TypeError):
-        return None
+    with contextlib.suppress(KeyError, TypeError):
+        return read_json(path)["versions"]["commit"]
+    return None

@@ -1,9 +1,7 @@
 """Noticing that the set-up of a run broke: a node that ended, a planner that fell silent."""
 
-import json
 import time
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Optional
 
 from f1tenth_scenarios.drivers.deputy import EXIT_MISFIT
@@ -14,6 +12,7 @@ from f1tenth_scenarios.launch.system_limits import hindered
 from f1tenth_scenarios.plan.participants import DEPUTY, driver_nodes_among, named_nodes
 from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.record.bag import RECORDER
+from f1tenth_scenarios.record.files import read_json
 from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_scenarios.run.diagnosis.culprit import Signs, failure_of
 from f1tenth_scenarios.run.diagnosis.launch_log import LaunchLog, NodeEnd
@@ -93,11 +92,3 @@ class Breakdown:
 
     def _living(self, car: str) -> set[str]:
         return set(driver_nodes_among(car, self._log.pids)) - {end.node for end in self._log.ends}
-
-
-def read_json(path: Path) -> dict:
-    """What a JSON file holds; empty when it is missing or broken."""
-    try:
-        return json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return {}

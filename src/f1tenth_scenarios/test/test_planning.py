@@ -118,7 +118,7 @@ def test_driver_gets_what_it_declares_and_the_scenario_has(planned, launch):
         )
     )
     (car,) = plan.scenario.cars
-    assert driver_arguments(plan, car) == {"car_name": "robot1", "laps": 2}
+    assert driver_arguments(plan, car) == {"car_name": "robot1", "laps": 3}
 
 
 def test_arguments_of_the_scenario_count_more(planned, launch):

@@ -24,7 +24,8 @@ def offered_arguments(plan: Plan, car: Car) -> dict[str, Any]:
     offered = {
         "car_name": car.name,
         "goals_file": plan.goals_file(car.name),
-        "laps": car.laps or plan.scenario.laps,
+        # One more than are counted: who is to stop at the last goal would not cross the line behind it.
+        "laps": car.laps + 1 if car.laps else plan.scenario.laps,
         "line": plan.cars[car.name].line,
         "road": plan.place.road,
         "map_file": plan.map,

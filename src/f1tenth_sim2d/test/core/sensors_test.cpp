@@ -34,6 +34,20 @@ TEST(WheelOdometry, FollowsTheCarWhenItIsExact)
   EXPECT_NEAR(odometry.yaw_rate, simulation.state(kRobot1).yaw_rate, 0.02);
 }
 
+TEST(WheelOdometry, GoesAlongChordsOfItsBend)
+{
+  Simulation simulation(world());
+  simulation.addCar(car("robot1"), withoutOdometryNoise(), {});
+  drive(simulation, kRobot1, {1.0, 0.3}, 3.0);
+  const Pose2 before = simulation.wheelOdometry(kRobot1).pose;
+  drive(simulation, kRobot1, {1.0, 0.3}, 1.0);
+  const Pose2 after = simulation.wheelOdometry(kRobot1).pose;
+  const double turn = normalizeAngle(after.yaw - before.yaw);
+  const double course = std::atan2(after.y - before.y, after.x - before.x);
+  EXPECT_GT(turn, 0.5);
+  EXPECT_NEAR(normalizeAngle(course - before.yaw), 0.5 * turn, 1e-3);
+}
+
 TEST(WheelOdometry, DriftsBySystematicErrors)
 {
   VehicleParameters parameters = withoutOdometryNoise();
@@ -124,6 +138,8 @@ TEST(Imu, NoiseIsAFunctionOfTime)
   simulation.addCar(carWithImu(0.1), {}, {});
   const double first = simulation.imu(kRobot1).yaw_rate;
   EXPECT_NE(first, 0.0);
+  EXPECT_NE(simulation.imu(kRobot1).acceleration.x, 0.0);
+  EXPECT_NE(simulation.imu(kRobot1).acceleration.y, 0.0);
   EXPECT_EQ(simulation.imu(kRobot1).yaw_rate, first);
   simulation.step();
   EXPECT_NE(simulation.imu(kRobot1).yaw_rate, first);

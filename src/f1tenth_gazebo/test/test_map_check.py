@@ -57,3 +57,16 @@ def test_saved_map_reads_back(room, tmp_path):
     assert (pixels == room.pixels).all()
     assert resolution == 0.05
     assert origin == pytest.approx((room.x, room.y))
+
+
+def test_far_side_of_a_wall_of_pixels_does_not_count():
+    step, count = 0.09, 60
+    corners = np.repeat(np.arange(count + 1), 2) * step
+    near = np.column_stack([corners[1:], corners[:-1]])  # a staircase with the road below it
+    outline = np.concatenate([near, near[::-1] + [-step, 2.0 * step]])
+    y, x = (np.indices((120, 120)) + 0.5) * 0.05
+    wall = np.maximum(0.0, np.ceil(x / step) - 1.0) * step
+    pixels = np.select([y < wall, y < wall + 0.1], [254, 0], 205).astype(np.uint8)
+    pixels[x > count * step] = 205
+    result = check_map(pixels, 0.05, (0.0, 0.0), [outline], [])
+    assert result.walls_near_cells > 0.97

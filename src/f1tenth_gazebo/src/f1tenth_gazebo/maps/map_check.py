@@ -4,15 +4,14 @@ from dataclasses import dataclass
 
 import numpy as np
 import yaml
-from scipy import ndimage
 from scipy.spatial import cKDTree
 
 NEAR = 0.10
 """m"""
 _STEP = 0.02
 """Of the samples along a wall, m."""
-_SEEN = 0.35
-"""A true wall counts if free cells of the map come this near, m: nobody can map what no car can see."""
+_BEFORE = (0.1, 0.2, 0.3)
+"""A true wall counts if the map is free so far before it, m: nobody can map what no car can see."""
 
 
 @dataclass(frozen=True)
@@ -53,23 +52,20 @@ def check_map(pixels, resolution, origin, outlines, circles):
         outlines, circles: from World.section at the height of the lidar.
     """
     cells = _centres(pixels == 0, resolution, origin)
-    walls = np.concatenate([*map(_along, outlines), *(_around(*circle) for circle in circles)])
-    free = cKDTree(_centres(_border(pixels == 254), resolution, origin))
+    sides = [*map(_along, outlines), *(_around(*circle) for circle in circles)]
+    walls, normals = (np.concatenate(each) for each in zip(*sides))
+    seen = np.zeros(len(walls), bool)
+    for away in _BEFORE:
+        seen |= _is_free(walls + away * normals, pixels, resolution, origin)
     to_wall = cKDTree(walls).query(cells)[0]
-    seen = walls[free.query(walls)[0] < _SEEN]
-    to_cell = cKDTree(cells).query(_facing(seen, free))[0]
+    to_cell = cKDTree(cells).query(walls[seen])[0]
     return MapCheck(float((to_wall <= NEAR).mean()), float((to_cell <= NEAR).mean()), float(to_wall.max()))
 
 
-def _facing(walls, free):
-    """Of the walls' samples those on the side of the road: the far side of a wall is 0.15 m away."""
-    distances = free.query(walls)[0]
-    nearest = cKDTree(walls).query_ball_point(walls, 0.2)
-    return walls[[distances[i] <= min(distances[near]) + 0.08 for i, near in enumerate(nearest)]]
-
-
-def _border(free):
-    return free & ~ndimage.binary_erosion(free)
+def _is_free(points, pixels, resolution, origin):
+    columns, rows = np.floor((points - origin) / resolution).astype(int).T
+    inside = (columns >= 0) & (rows >= 0) & (columns < pixels.shape[1]) & (rows < pixels.shape[0])
+    return inside & (pixels[np.where(inside, rows, 0), np.where(inside, columns, 0)] == 254)
 
 
 def _centres(mask, resolution, origin):
@@ -78,13 +74,17 @@ def _centres(mask, resolution, origin):
 
 
 def _along(outline):
-    samples = []
+    """Samples along an outline that has its solid on the left, and the directions away from that."""
+    samples, normals = [], []
     for a, b in zip(outline, np.roll(outline, -1, axis=0)):
-        count = max(1, int(np.linalg.norm(b - a) / _STEP))
+        length = np.linalg.norm(b - a)
+        count = max(1, int(length / _STEP))
         samples.append(a + np.linspace(0.0, 1.0, count, endpoint=False)[:, np.newaxis] * (b - a))
-    return np.concatenate(samples)
+        normals.append(np.tile(np.array([b[1] - a[1], a[0] - b[0]]) / length, (count, 1)))
+    return np.concatenate(samples), np.concatenate(normals)
 
 
 def _around(x, y, radius):
     angles = np.linspace(0.0, 2.0 * np.pi, max(8, int(2.0 * np.pi * radius / _STEP)))
-    return np.column_stack([x + radius * np.cos(angles), y + radius * np.sin(angles)])
+    normals = np.column_stack([np.cos(angles), np.sin(angles)])
+    return np.array([x, y]) + radius * normals, normals

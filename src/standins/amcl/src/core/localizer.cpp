@@ -15,6 +15,7 @@
 #include "amcl/errors.h"
 #include "clusters.h"
 #include "engine_types.h"
+#include "lost_car.h"
 #include "motion_model.h"
 #include "road.h"
 
@@ -24,13 +25,13 @@ namespace
 {
 // The original sums up cubes of the beams' likelihoods; close to that is the cube of their mean.
 constexpr double kAveragePower = 3.0;
-// Of a car that is lost: so many places are looked at first, and beams count as if so many of them were independent of each
-// other. If all were, one scan would leave nothing but the place that fits best, which is often a wrong one.
-constexpr std::size_t kPlaces = 100000;
-constexpr std::size_t kPlacesAbout = 20000;  // if it is known roughly where it is
+// Of a car that is lost beams count as if so many of them were independent of each other. If all were, one scan would leave
+// nothing but the place that fits best, which is often a wrong one.
 constexpr double kIndependentBeams = 5.4;
-constexpr double kFirstScanCounts = 2.0;  // as much as a later one, as there is one only
 constexpr double kFound = 0.3;  // m, standard deviation of particles that stand together; a wider start is being lost
+constexpr std::size_t kPlacesAbout = 20000;  // that are looked at if it is known roughly where it is
+constexpr double kPlaceError = 0.05;         // m, standard deviation of particles about a place where the car was found
+constexpr double kHeadingError = 0.01;       // rad
 // So that no covariance is singular.
 constexpr double kLeastVariance = 1e-8;  // m^2 and rad^2
 
@@ -89,7 +90,7 @@ public:
     believed_ = estimate.pose;
     startAgain();
     if (covariance(0, 0) + covariance(1, 1) > kFound * kFound) {
-      places_ = drawOf(belief, kPlacesAbout);
+      lost_.emplace(*map_, drawOf(belief, kPlacesAbout));
     }
   }
 
@@ -101,14 +102,14 @@ public:
     }
     set(drawOn(road, static_cast<std::size_t>(options_.max_particles)));
     startAgain();
-    places_ = drawOn(road, kPlaces);
+    lost_.emplace(*map_, road);
   }
 
   void updateNext() { due_ = true; }
 
   Outcome process(const Scan & scan, const Pose2 & lidar, const Pose2 & odometry)
   {
-    const Pose2 motion = odometry_ ? compose(inverse(*odometry_), odometry) : Pose2{};
+    Pose2 motion = odometry_ ? compose(inverse(*odometry_), odometry) : Pose2{};
     if (!due_ && !farEnough(motion)) {
       return Outcome::kIgnored;
     }
@@ -118,8 +119,8 @@ public:
     }
     due_ = false;
     odometry_ = odometry;
-    if (!places_.empty()) {
-      look(*observation);
+    if (lost_ && look(*observation, odometry)) {
+      motion = {};
     }
     // Over this range random beams are spread. MRPT remembers likelihoods: only the first scan has a say.
     map_->likelihoodOptions.LF_maxRange = *(max_range_ = max_range_.value_or(observation->maxRange));
@@ -152,31 +153,30 @@ public:
   }
 
 private:
-  // Of many more places than there are particles, those where the scan fits are kept.
-  void look(const mrpt::obs::CObservation2DRangeScan & observation)
+  // Puts the particles where the car is found. Returns whether it was looked for.
+  bool look(const mrpt::obs::CObservation2DRangeScan & observation, const Pose2 & odometry)
   {
-    const RandomScope scope(random_);
+    const std::vector<Place> places = lost_->look(observation, odometry);
+    if (places.empty()) {
+      return false;
+    }
     is_searching_ = true;
-    const std::vector<mrpt::math::TPose2D> places = std::exchange(places_, {});
-    std::vector<double> weights;
-    weights.reserve(places.size());
-    for (const mrpt::math::TPose2D & place : places) {
-      const mrpt::poses::CPose3D pose{mrpt::poses::CPose2D(place)};
-      weights.push_back(kFirstScanCounts * search_power_ * map_->computeObservationLikelihood(observation, pose));
+    std::vector<mrpt::math::TPose2D> poses;
+    double share = 0.0;
+    for (const Place & place : places) {
+      share += place.fit;
+      while (poses.size() + 0.5 < share * options_.max_particles) {
+        poses.emplace_back(
+          place.pose.x + random_.drawGaussian1D(0.0, kPlaceError),
+          place.pose.y + random_.drawGaussian1D(0.0, kPlaceError),
+          place.pose.phi + random_.drawGaussian1D(0.0, kHeadingError));
+      }
     }
-    const double greatest = *std::max_element(weights.begin(), weights.end());
-    double sum = 0.0;
-    for (double & weight : weights) {
-      sum += std::exp(weight - greatest);
-      weight = sum;
+    set(poses);
+    if (lost_->isOver()) {
+      lost_.reset();
     }
-    std::vector<mrpt::math::TPose2D> kept;
-    for (int i = 0; i < options_.max_particles; ++i) {
-      const double share = sum * (i + random_.drawUniform(0.0, 1.0)) / options_.max_particles;
-      const auto found = std::lower_bound(weights.begin(), weights.end(), share);
-      kept.push_back(places[std::min<std::size_t>(found - weights.begin(), places.size() - 1)]);
-    }
-    set(kept);
+    return true;
   }
 
   static std::vector<mrpt::math::TPose2D> drawOf(const mrpt::poses::CPosePDFGaussian & belief, std::size_t count)
@@ -191,7 +191,7 @@ private:
     return poses;
   }
 
-  std::vector<mrpt::math::TPose2D> drawOn(const std::vector<mrpt::math::TPoint2D> & road, std::size_t count)
+  std::vector<mrpt::math::TPose2D> drawOn(const Points & road, std::size_t count)
   {
     const double half = 0.5 * map_->getResolution();
     std::vector<mrpt::math::TPose2D> poses;
@@ -225,7 +225,7 @@ private:
 
   void startAgain()
   {
-    places_.clear();
+    lost_.reset();
     is_searching_ = false;
     odometry_.reset();
     due_ = true;
@@ -264,8 +264,8 @@ private:
   std::optional<float> max_range_;  // m, of the first scan
   bool due_{true};
   int updates_{0};
-  Pose2 believed_;                           // where the car was last said to be, in the frame of the map
-  std::vector<mrpt::math::TPose2D> places_;  // where a car that is lost may be, until a scan has been looked at
+  Pose2 believed_;  // where the car was last said to be, in the frame of the map
+  std::optional<LostCar> lost_;
   bool is_searching_{false};
   double power_{1.0};         // of the likelihood of a scan
   double search_power_{1.0};  // of a car that is lost

@@ -1,0 +1,75 @@
+#include "lost_car.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace amcl
+{
+namespace
+{
+constexpr double kEvery = 1.0;  // m between looks
+constexpr int kMostLooks = 40;
+// A place is e times less likely if its fit is by so much worse: fits err by 0.01.
+constexpr double kFitScale = 0.005;
+// Places this near to each other are one: the particles find out the rest.
+constexpr double kOnePlace = 1.0;    // m
+constexpr double kOneHeading = 0.5;  // rad
+constexpr double kCertain = 0.99;    // share of what is likely
+
+/// Shares in the place of fits.
+void weigh(std::vector<Place> & places)
+{
+  const double best = places.front().fit;
+  double sum = 0.0;
+  for (Place & place : places) {
+    place.fit = std::exp((place.fit - best) / kFitScale);
+    sum += place.fit;
+  }
+  for (Place & place : places) {
+    place.fit /= sum;
+  }
+}
+
+bool areOne(const std::vector<Place> & places)
+{
+  const mrpt::math::TPose2D & best = places.front().pose;
+  double sum = 0.0;
+  for (const Place & place : places) {
+    const bool is_near = std::hypot(place.pose.x - best.x, place.pose.y - best.y) < kOnePlace &&
+                         std::abs(normalizeAngle(place.pose.phi - best.phi)) < kOneHeading;
+    sum += is_near ? place.fit : 0.0;
+  }
+  return sum > kCertain;
+}
+}  // namespace
+
+LostCar::LostCar(const mrpt::maps::COccupancyGridMap2D & map, Points road) : search_(map), road_(std::move(road)) {}
+
+LostCar::LostCar(const mrpt::maps::COccupancyGridMap2D & map, std::vector<mrpt::math::TPose2D> poses)
+: search_(map), poses_(std::move(poses))
+{
+}
+
+bool LostCar::isDue(const Pose2 & odometry) const
+{
+  return !last_ || std::hypot(odometry.x - last_->x, odometry.y - last_->y) >= kEvery;
+}
+
+std::vector<Place> LostCar::look(const mrpt::obs::CObservation2DRangeScan & scan, const Pose2 & odometry)
+{
+  sight_.add(scan, odometry);
+  const Points seen = isDue(odometry) ? sight_.points() : Points{};
+  if (seen.empty()) {
+    return {};
+  }
+  last_ = odometry;
+  ++looks_;
+  std::vector<Place> places = road_.empty() ? search_.about(poses_, seen) : search_.everywhere(road_, seen);
+  if (!places.empty()) {
+    weigh(places);
+    is_over_ = road_.empty() || areOne(places) || looks_ == kMostLooks;
+  }
+  return places;
+}
+}  // namespace amcl

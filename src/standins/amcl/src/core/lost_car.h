@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "amcl/geometry.h"
+#include "place_search.h"
+#include "sight.h"
+
+namespace amcl
+{
+/// Looks for a car that is lost, again and again on its way, until there is only one place where it can be.
+class LostCar
+{
+public:
+  /// It may be anywhere on a road.
+  LostCar(const mrpt::maps::COccupancyGridMap2D & map, Points road);
+  /// It is at one of these poses, or near one: looked for once.
+  LostCar(const mrpt::maps::COccupancyGridMap2D & map, std::vector<mrpt::math::TPose2D> poses);
+
+  /// Takes a scan in.
+  /// @param odometry  pose of the car, as odometry knows it
+  /// @return          places of the car, each with its share of what is likely; empty if this was not worth a look
+  std::vector<Place> look(const mrpt::obs::CObservation2DRangeScan & scan, const Pose2 & odometry);
+  /// Whether it need not be looked for any longer.
+  bool isOver() const { return is_over_; }
+
+private:
+  bool isDue(const Pose2 & odometry) const;
+
+  PlaceSearch search_;
+  Points road_;
+  std::vector<mrpt::math::TPose2D> poses_;
+  Sight sight_;
+  std::optional<Pose2> last_;  // odometry at the last look
+  int looks_{0};
+  bool is_over_{false};
+};
+}  // namespace amcl

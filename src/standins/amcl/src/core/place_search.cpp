@@ -1,0 +1,149 @@
+#include "place_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <utility>
+
+namespace amcl
+{
+namespace
+{
+// Places that are looked at first are this far from each other. Walls count as hit then if they are as near as a car
+// between two of them sees them.
+constexpr double kStep = 0.2;  // m
+constexpr int kHeadings = 120;
+constexpr double kSlack = 0.15;     // m
+constexpr double kDeviation = 0.1;  // m, of the map and of what was seen
+constexpr double kLeastFit = 0.7;
+constexpr std::size_t kFewPoints = 40;
+constexpr std::size_t kPoints = 100;
+constexpr std::size_t kManyPoints = 300;
+// Of the places so many are looked at more closely.
+constexpr std::size_t kGood = 20000;
+constexpr std::size_t kBetter = 300;
+constexpr std::size_t kFinalists = 40;  // with all points: the better of two that are alike must not win by chance
+// Of places nearer to each other than about this only the best one counts.
+constexpr double kApart = 0.3;       // m
+constexpr double kTurnApart = 0.15;  // rad
+// The search for the best place about one halves its steps so many times.
+constexpr int kHalvings = 4;
+constexpr double kFirstStep = 0.1;    // m
+constexpr double kFirstTurn = 0.026;  // rad
+
+void keepBest(std::vector<Place> & places, std::size_t count)
+{
+  std::stable_sort(places.begin(), places.end(), [](const Place & a, const Place & b) { return a.fit > b.fit; });
+  places.resize(std::min(places.size(), count));
+}
+
+/// The best ones that are not beside a better one.
+void keepPeaks(std::vector<Place> & places, std::size_t count)
+{
+  keepBest(places, places.size());
+  std::set<std::array<long, 3>> taken;
+  std::vector<Place> peaks;
+  for (const Place & place : places) {
+    const std::array bin{
+      std::lround(place.pose.x / kApart), std::lround(place.pose.y / kApart),
+      std::lround(normalizeAngle(place.pose.phi) / kTurnApart)};
+    if (peaks.size() < count && taken.insert(bin).second) {
+      peaks.push_back(place);
+    }
+  }
+  places = std::move(peaks);
+}
+
+Points someOf(const Points & points, std::size_t count)
+{
+  Points some;
+  for (std::size_t i = 0; i < count; ++i) {
+    some.push_back(points[i * points.size() / count]);
+  }
+  return some;
+}
+/// Moves a place to the nearest one about which none is better.
+void climb(const FitField & field, const Points & seen, Place & place)
+{
+  place.fit = field.fit(seen, place.pose);
+  double step = kFirstStep;
+  double turn = kFirstTurn;
+  for (int halvings = 0; halvings < kHalvings;) {
+    Place best = place;
+    for (int i = 0; i < 27; ++i) {
+      const mrpt::math::TPose2D next(
+        place.pose.x + (i % 3 - 1) * step, place.pose.y + (i / 3 % 3 - 1) * step, place.pose.phi + (i / 9 - 1) * turn);
+      const double fit = field.fit(seen, next, best.fit);
+      best = fit > best.fit ? Place{next, fit} : best;
+    }
+    if (best.fit > place.fit) {
+      place = best;
+    } else {
+      ++halvings;
+      step /= 2.0;
+      turn /= 2.0;
+    }
+  }
+}
+}  // namespace
+
+PlaceSearch::PlaceSearch(const mrpt::maps::COccupancyGridMap2D & map)
+: cell_(map.getResolution()),
+  coarse_(map, kSlack, kDeviation),
+  middle_(map, 0.0, 2.0 * kDeviation),
+  fine_(map, 0.0, kDeviation)
+{
+}
+
+std::vector<Place> PlaceSearch::everywhere(const Points & road, const Points & seen) const
+{
+  const Points few = someOf(seen, kFewPoints);
+  const long stride = std::max(1L, std::lround(kStep / cell_));
+  std::vector<Place> places;
+  for (const auto & cell : road) {
+    if (std::lround(cell.x / cell_ - 0.5) % stride != 0 || std::lround(cell.y / cell_ - 0.5) % stride != 0) {
+      continue;
+    }
+    for (int i = 0; i < kHeadings; ++i) {
+      const mrpt::math::TPose2D pose(cell.x, cell.y, 2.0 * M_PI * i / kHeadings - M_PI);
+      if (const double fit = coarse_.fit(few, pose, kLeastFit); fit > 0.0) {
+        places.push_back({pose, fit});
+      }
+    }
+  }
+  return settle(std::move(places), seen);
+}
+
+std::vector<Place> PlaceSearch::about(const std::vector<mrpt::math::TPose2D> & poses, const Points & seen) const
+{
+  std::vector<Place> places;
+  for (const auto & pose : poses) {
+    places.push_back({pose, 0.0});
+  }
+  return settle(std::move(places), seen);
+}
+
+std::vector<Place> PlaceSearch::settle(std::vector<Place> places, const Points & seen) const
+{
+  keepBest(places, kGood);
+  const Points some = someOf(seen, kPoints);
+  for (Place & place : places) {
+    place.fit = middle_.fit(some, place.pose);
+  }
+  keepPeaks(places, kBetter);
+  const Points many = someOf(seen, kManyPoints);
+  for (Place & place : places) {
+    climb(fine_, some, place);
+    place.fit = fine_.fit(many, place.pose);
+  }
+  keepPeaks(places, kBetter);
+  std::for_each(places.begin(), places.begin() + std::min(places.size(), kFinalists), [&](Place & place) {
+    climb(fine_, many, place);
+  });
+  keepPeaks(places, kBetter);
+  return places;
+}
+
+}  // namespace amcl

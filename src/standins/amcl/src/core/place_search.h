@@ -1,0 +1,38 @@
+#pragma once
+
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include "amcl/geometry.h"
+#include "fit_field.h"
+
+namespace amcl
+{
+/// Where the car may be.
+struct Place
+{
+  mrpt::math::TPose2D pose;
+  double fit{0.0};  ///< of what was seen: 0 to 1
+};
+
+/// Finds where on a map a car has to be for walls to lie where it has seen them.
+class PlaceSearch
+{
+public:
+  explicit PlaceSearch(const mrpt::maps::COccupancyGridMap2D & map);
+
+  /// Looks everywhere on the road, in every direction.
+  /// @param seen  points of walls in the frame of the car
+  /// @return      where they fit best; best first; none if they fit nowhere
+  std::vector<Place> everywhere(const Points & road, const Points & seen) const;
+  /// Looks about these places only.
+  std::vector<Place> about(const std::vector<mrpt::math::TPose2D> & poses, const Points & seen) const;
+
+private:
+  std::vector<Place> settle(std::vector<Place> places, const Points & seen) const;
+
+  double cell_;  // m
+  FitField coarse_;
+  FitField middle_;
+  FitField fine_;
+};
+}  // namespace amcl

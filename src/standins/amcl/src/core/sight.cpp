@@ -1,0 +1,57 @@
+#include "sight.h"
+
+#include <cmath>
+
+namespace amcl
+{
+namespace
+{
+constexpr double kEvery = 0.5;  // m between scans that are kept
+// m; odometry bends what was seen on a longer way.
+constexpr double kLength = 4.0;
+
+double between(const Pose2 & a, const Pose2 & b)
+{
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+Points endsOf(const mrpt::obs::CObservation2DRangeScan & scan)
+{
+  const mrpt::poses::CPose2D lidar(scan.sensorPose);
+  const double step = (scan.rightToLeft ? 1.0 : -1.0) * scan.aperture / (scan.getScanSize() - 1.0);
+  Points ends;
+  for (std::size_t i = 0; i < scan.getScanSize(); ++i) {
+    if (scan.getScanRangeValidity(i)) {
+      const double angle = lidar.phi() + step * (i - 0.5 * (scan.getScanSize() - 1.0));
+      const double range = scan.getScanRange(i);
+      ends.emplace_back(lidar.x() + range * std::cos(angle), lidar.y() + range * std::sin(angle));
+    }
+  }
+  return ends;
+}
+}  // namespace
+
+void Sight::add(const mrpt::obs::CObservation2DRangeScan & scan, const Pose2 & odometry)
+{
+  last_ = {odometry, endsOf(scan)};
+  if (views_.empty() || between(views_.back().odometry, odometry) >= kEvery) {
+    views_.push_back(last_);
+  }
+  while (between(views_.front().odometry, odometry) > kLength) {
+    views_.pop_front();
+  }
+}
+
+Points Sight::points() const
+{
+  Points points = last_.ends;
+  for (const View & view : views_) {
+    const Pose2 from = compose(inverse(last_.odometry), view.odometry);
+    for (const auto & end : view.ends) {
+      const Pose2 point = compose(from, {end.x, end.y, 0.0});
+      points.emplace_back(point.x, point.y);
+    }
+  }
+  return points;
+}
+}  // namespace amcl

@@ -42,11 +42,16 @@ function criteriaCard(result) {
   const rows = result.criteria.map((each) => ({
     kind: each.status.replace(" ", "-"),
     cells: [
-      statusMark(each.status), element("code", {}, each.name), formatValue(each.actual, each.unit),
+      statusMark(each.status), element("code", {}, ...breakable(each.name)), formatValue(each.actual, each.unit),
       formatValue(each.limit, each.unit), each.reason,
     ],
   }));
   return section("Criteria", table(["", "criterion", "actual", "limit", "reason"], rows));
+}
+
+// A name that may be broken after its underscores, and is copied whole.
+function breakable(name) {
+  return name.split(/(?<=_)/).flatMap((part) => [part, element("wbr")]);
 }
 
 function statusMark(status) {

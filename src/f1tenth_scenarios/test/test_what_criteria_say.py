@@ -245,6 +245,7 @@ def test_culprit(failure, said):
             {"robot1": GoalPasses((), 1)},
             (NOT_JUDGED, 0, 1, "goals", "not all goals passed by robot1"),
         ),
+        (Verdict.SUCCESS, {}, (NOT_JUDGED, 0, 0, "goals", "no goals to be passed")),
     ],
 )
 def test_goals_in_order(expected, passes, said):

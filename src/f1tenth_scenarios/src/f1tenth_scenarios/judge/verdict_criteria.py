@@ -30,9 +30,11 @@ def goals_in_order(scenario: Scenario, judgement: Judgement, _measured: Measured
     """Whether each car passed its goals one after the other."""
     passed = sum(len(result.times) for result in judgement.passes.values())
     wanted = sum(result.wanted for result in judgement.passes.values())
-    status = status_of(passed == wanted) if scenario.expected is Verdict.SUCCESS else Status.NOT_JUDGED
+    judged = wanted and scenario.expected is Verdict.SUCCESS
     behind = [car for car, result in judgement.passes.items() if not result.complete]
-    text = f"not all goals passed by {', '.join(behind)}" if behind else "all goals passed"
+    done = "all goals passed" if wanted else "no goals to be passed"
+    text = f"not all goals passed by {', '.join(behind)}" if behind else done
+    status = status_of(passed == wanted) if judged else Status.NOT_JUDGED
     return Criterion("goals_in_order", status, passed, wanted, "goals", text)
 
 

@@ -71,7 +71,7 @@ def _describe(race: Race) -> dict[str, Any]:
     place = find_place(places.world_file(race.place, Path.cwd()))
     laps = "A lap" if race.laps == 1 else f"{race.laps} laps"
     timeout = race.timeout or _STARTING + race.laps * _length(place) / _SLOWEST
-    names = " against ".join(driver.name for driver in race.planners)
+    names = " against ".join(Path(driver.name).name for driver in race.planners)
     return {
         "description": f"{laps} of {place.world.stem}, driven by {names}.",
         "world": race.place if place.is_circuit else str(place.world),

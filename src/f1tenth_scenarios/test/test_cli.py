@@ -11,7 +11,7 @@ import sys
 import pytest
 import rosgraph
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.launch.private_master import private_master
+from f1tenth_scenarios.launch.private_master import master_process, private_master
 from f1tenth_scenarios.plan.planning import make_plan
 from f1tenth_scenarios.results.console import ProgressLine, cost_of_all, summary
 from f1tenth_scenarios.scenario.describe import describe_keys
@@ -187,7 +187,7 @@ def test_masters_of_our_own_do_not_meet(monkeypatch):
 
 SERVES = """
 import signal, sys
-from f1tenth_scenarios.launch.private_master import private_master
+from f1tenth_scenarios.launch.private_master import master_process, private_master
 signal.signal(signal.SIGINT, lambda *_: None)
 with private_master() as uri:
     print(uri, flush=True)
@@ -254,6 +254,12 @@ def test_end_from_outside_is_no_traceback(monkeypatch, error, code):
     monkeypatch.setattr("f1tenth_scenarios.cli.show_commands.read_scenario", stop)
     monkeypatch.setattr(os, "dup2", lambda *_: None)
     assert cli.main(["list"]) == code
+
+
+def test_master_of_a_run_does_not_hear_ctrl_c():
+    with private_master():
+        os.kill(master_process()["master"], signal.SIGINT)
+        assert rosgraph.Master("/test").getPid()
 
 
 def test_who_is_told_to_stop_waits_for_nothing_that_still_goes_on():

@@ -3,6 +3,7 @@
 import contextlib
 import logging
 import os
+import signal
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -27,10 +28,14 @@ def private_master() -> Iterator[str]:
     os.environ.pop("ROS_IP", None)
     os.environ["ROS_HOSTNAME"] = "localhost"
     command = [sys.executable, "-m", "f1tenth_scenarios.launch.private_master"]
-    # In a session of its own: of Ctrl-C this process makes what it should be.
-    master = subprocess.Popen(
-        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, start_new_session=True
-    )
+    # In a session of its own, and deaf until it has one: of Ctrl-C this process makes what it should be.
+    unblocked = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        master = subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, start_new_session=True
+        )
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, unblocked)
     try:
         assert master.stdout
         uri = master.stdout.readline().strip()
@@ -63,8 +68,9 @@ def _serve() -> None:
     """Until the end of the input; the URI goes to the output."""
     from rosmaster.master import Master
 
-    # It would complain of every node that has ended before it was told of another's end.
-    logging.getLogger("rosmaster").addHandler(logging.NullHandler())
+    # They would complain of every node that has ended before it was told of another's end, or answered.
+    for name in ("rosmaster", "xmlrpc"):
+        logging.getLogger(name).addHandler(logging.NullHandler())
     master = Master(port=0)
     master.start()
     print(master.uri, flush=True)

@@ -100,6 +100,7 @@ PlaceSearch::PlaceSearch(const mrpt::maps::COccupancyGridMap2D & map)
 std::vector<Place> PlaceSearch::everywhere(const Points & road, const Points & seen) const
 {
   const Points few = someOf(seen, kFewPoints);
+  double least = kLeastFit;
   const long stride = std::max(1L, std::lround(kStep / cell_));
   std::vector<Place> places;
   for (const auto & cell : road) {
@@ -108,9 +109,13 @@ std::vector<Place> PlaceSearch::everywhere(const Points & road, const Points & s
     }
     for (int i = 0; i < kHeadings; ++i) {
       const mrpt::math::TPose2D pose(cell.x, cell.y, 2.0 * M_PI * i / kHeadings - M_PI);
-      if (const double fit = coarse_.fit(few, pose, kLeastFit); fit > 0.0) {
+      if (const double fit = coarse_.fit(few, pose, least); fit > least) {
         places.push_back({pose, fit});
       }
+    }
+    if (places.size() > 2 * kGood) {  // what does not get among the best ones any more is soon given up
+      keepBest(places, kGood);
+      least = places.back().fit;
     }
   }
   return settle(std::move(places), seen);

@@ -17,7 +17,7 @@ using testing::makeCostmap;
 using testing::onOval;
 
 constexpr double kGreatestCurvature = 1.25;  // 1/m
-const RaceLineOptions kRacing{0.3, 0.0178, 7.0, 8.0};
+const RaceLineOptions kRacing{0.3, 0.4, 0.0178, 7.0, 8.0};
 
 Plan planOn(const Costmap & costmap, const Pose2 & start, const Pose2 & goal, std::optional<RaceLineOptions> racing)
 {
@@ -75,6 +75,22 @@ TEST(RaceLine, passesTheGoalWithinTheTolerance)
     }
     EXPECT_LT(nearest, 0.31) << goal;
     EXPECT_LT(distance(race.path.front().pose, onOval(2.0)), 1e-3);
+  }
+}
+
+// A chicane in a hall: who takes the way of least curvature passes its middle straight on.
+TEST(RaceLine, passesTheGoalWithItsHeadingOnAWideRoad)
+{
+  const Costmap costmap = makeCostmap(drawRoom(16.0, 8.0));
+  for (const double yaw : {-1.0, -0.7, 0.7, 1.0}) {
+    const Pose2 goal{6.0, 4.0, yaw};
+    const Plan race = planOn(costmap, {1.0, 4.0, 0.0}, goal, kRacing);
+    ASSERT_TRUE(race.found());
+    const auto at =
+      std::find_if(race.path.begin(), race.path.end(), [&](const PathPoint & point) { return point.s >= race.goal_s; });
+    ASSERT_NE(at, race.path.end());
+    EXPECT_LT(distance(at->pose, goal), 0.4) << yaw;
+    EXPECT_LT(std::abs(at->pose.yaw - yaw), 0.5) << yaw;
   }
 }
 

@@ -8,6 +8,7 @@ namespace move_base
 namespace
 {
 constexpr double kGatePart = 0.75;        // of the goal tolerance, within which plans pass goals
+constexpr double kGateYawPart = 0.65;     // the same for the heading, which slip changes as well
 constexpr double kLeadTime = 0.1;         // s beyond the latency, for which a new plan keeps to the old one
 constexpr double kApproachLength = 3.0;   // m, on top of the way of braking, that are planned to the goal itself
 constexpr double kApproachMargin = 1.0;   // m
@@ -26,8 +27,8 @@ PlanRequest PlanRequests::from(const CarState & car, double time_needed) const
   if (races(car, time_needed)) {
     const SpeedLimits & limits = options_.follower.limits;
     request.race_line = RaceLineOptions{
-      kGatePart * tolerance().distance, options_.follower.slip_gradient, limits.max_lateral_acceleration,
-      limits.max_vel_x};
+      kGatePart * tolerance().distance, kGateYawPart * tolerance().yaw, options_.follower.slip_gradient,
+      limits.max_lateral_acceleration, limits.max_vel_x};
   }
   if (options_.race_line || time_needed > 0.0) {
     request.lead = follower_.lead(car, leadTime(time_needed));

@@ -49,6 +49,7 @@ void bindPlannerOptions(py::module_ & module)
     .def_readwrite("max_expansions", &PlannerOptions::max_expansions);
   bindStruct<RaceLineOptions>(module, "RaceLineOptions")
     .def_readwrite("gate_tolerance", &RaceLineOptions::gate_tolerance, "m")
+    .def_readwrite("gate_yaw_tolerance", &RaceLineOptions::gate_yaw_tolerance, "rad")
     .def_readwrite("slip_gradient", &RaceLineOptions::slip_gradient, "rad per m/s^2")
     .def_readwrite("lateral_acceleration", &RaceLineOptions::lateral_acceleration, "m/s^2")
     .def_readwrite("max_speed", &RaceLineOptions::max_speed, "m/s");

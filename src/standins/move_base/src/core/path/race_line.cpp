@@ -30,6 +30,20 @@ Vec2 normalAt(const Path & line, std::size_t i)
   return {-std::sin(line[i].pose.yaw), std::cos(line[i].pose.yaw)};
 }
 
+std::size_t nearestTo(const Path & line, const Pose2 & pose)
+{
+  const auto nearest = std::min_element(line.begin(), line.end(), [&](const PathPoint & a, const PathPoint & b) {
+    return distance(a.pose, pose) < distance(b.pose, pose);
+  });
+  return static_cast<std::size_t>(nearest - line.begin());
+}
+
+bool keepsHeading(const Path & line, const Gate & gate)
+{
+  const double off = normalizeAngle(line[nearestTo(line, gate.pose)].pose.yaw - gate.pose.yaw);
+  return std::abs(off) <= gate.yaw_tolerance;
+}
+
 Eigen::SparseMatrix<double> build(Eigen::Index rows, Eigen::Index columns, const Triplets & triplets)
 {
   Eigen::SparseMatrix<double> matrix(rows, columns);
@@ -92,16 +106,19 @@ public:
     fixStart();
   }
 
-  void hold(const Gate & gate)
+  void hold(const Gate & gate) { holdPoint(nearestTo(line_, gate.pose), gate.pose.position(), gate.tolerance); }
+
+  // Beside a piece of the gate's tangent, as long as its ends let the heading differ by the tolerance.
+  void holdHeading(const Gate & gate)
   {
-    const auto nearest = std::min_element(line_.begin(), line_.end(), [&](const PathPoint & a, const PathPoint & b) {
-      return distance(a.pose.position(), gate.place) < distance(b.pose.position(), gate.place);
-    });
-    const auto i = static_cast<std::size_t>(nearest - line_.begin());
-    const double middle = dot(gate.place - nearest->pose.position(), normalAt(line_, i));
-    Interval & room = corridor_[i];
-    room.low = std::clamp(middle - gate.tolerance, room.low, room.high);
-    room.high = std::clamp(middle + gate.tolerance, room.low, room.high);
+    const double reach = gate.tolerance / std::tan(gate.yaw_tolerance);
+    const double gate_s = line_[nearestTo(line_, gate.pose)].s;
+    for (std::size_t i = 0; i < line_.size(); ++i) {
+      const double along = line_[i].s - gate_s;
+      if (std::abs(along) <= reach) {
+        holdPoint(i, advance(gate.pose, along, 0.0).position(), gate.tolerance);
+      }
+    }
   }
 
   bool narrow(const Narrowing & narrowing)
@@ -124,6 +141,14 @@ public:
   }
 
 private:
+  void holdPoint(std::size_t i, const Vec2 & place, double tolerance)
+  {
+    const double middle = dot(place - line_[i].pose.position(), normalAt(line_, i));
+    Interval & room = corridor_[i];
+    room.low = std::clamp(middle - tolerance, room.low, room.high);
+    room.high = std::clamp(middle + tolerance, room.low, room.high);
+  }
+
   void fixStart()
   {
     const double step = length(line_) / static_cast<double>(line_.size() - 1);
@@ -223,9 +248,14 @@ Path raceLine(
   const RaceLineOptions & options, const Narrowing & narrowing)
 {
   Path line = path;
+  bool free_heading = true;
   for (int round = 0; round < kRounds && line.size() >= kShortestLine; ++round) {
     RaceLine problem(line, costmap, rule, greatest_curvature, options);
     problem.hold(gate);
+    free_heading = free_heading && keepsHeading(line, gate);
+    if (!free_heading) {
+      problem.holdHeading(gate);
+    }
     if (narrowing && !problem.narrow(narrowing)) {
       return {};
     }

@@ -9,11 +9,12 @@
 
 namespace move_base
 {
-/// A place that a line must pass near to.
+/// A pose that a line must pass near to.
 struct Gate
 {
-  Vec2 place;             ///< m
-  double tolerance{0.0};  ///< m
+  Pose2 pose;
+  double tolerance{0.0};      ///< m
+  double yaw_tolerance{0.0};  ///< rad
 };
 
 /// Takes room away from the corridor around a line. @return whether there is a way left

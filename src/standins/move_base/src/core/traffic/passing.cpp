@@ -95,7 +95,8 @@ public:
     }
     const ClearanceRule rule(request_.costmap, rest.front().pose, rest.back().pose, request_.planner.min_obstacle_dist);
     return raceLine(
-      rest, request_.costmap, rule, {wanted.goal.position(), wanted.race_line->gate_tolerance},
+      rest, request_.costmap, rule,
+      {wanted.goal, wanted.race_line->gate_tolerance, wanted.race_line->gate_yaw_tolerance},
       1.0 / request_.planner.min_turning_radius, *wanted.race_line,
       [this](const Path & line, std::vector<Interval> & corridor) { return narrow(line, corridor); });
   }

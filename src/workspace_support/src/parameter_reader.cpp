@@ -81,6 +81,11 @@ bool ParameterReader::read(const ParameterNames & names, std::vector<Vec2> & val
   return readAs(names, "a list of points, [[x, y], ...]", value, toPoints);
 }
 
+bool ParameterReader::read(const ParameterNames & names, std::vector<PluginName> & value)
+{
+  return readAs(names, "a list of {name: NAME, type: TYPE}", value, toPlugins);
+}
+
 bool ParameterReader::read(const ParameterNames & names, std::optional<double> & value, const NumberRule & rule)
 {
   double number = 0.0;
@@ -244,11 +249,19 @@ void ParameterReader::refuseUnused() const
     ": unknown; allowed: " + boost::algorithm::join(allowed.empty() ? known_ : allowed, ", "));
 }
 
-void ParameterReader::warnOfUnused() const
+void ParameterReader::warnOfUnused(const std::vector<std::string> & important) const
 {
-  if (const auto names = unused(); !names.empty()) {
-    ROS_WARN(
-      "No use is made of these parameters in %s: %s", name_.c_str(), boost::algorithm::join(names, ", ").c_str());
+  std::vector<std::string> rest;
+  for (const std::string & name : unused()) {
+    const auto begins = [&](const std::string & beginning) { return startsWith(name, beginning); };
+    if (std::any_of(important.begin(), important.end(), begins)) {
+      ROS_WARN("No use is made of parameter %s", fullName(name).c_str());
+    } else {
+      rest.push_back(name);
+    }
+  }
+  if (!rest.empty()) {
+    ROS_WARN("No use is made of these parameters in %s: %s", name_.c_str(), boost::algorithm::join(rest, ", ").c_str());
   }
 }
 }  // namespace workspace_support

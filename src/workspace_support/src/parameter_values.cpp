@@ -81,6 +81,27 @@ std::optional<std::vector<Vec2>> toPoints(XmlRpcValue value)
   return points;
 }
 
+std::optional<std::vector<PluginName>> toPlugins(XmlRpcValue value)
+{
+  if (value.getType() != XmlRpcValue::TypeArray) {
+    return std::nullopt;
+  }
+  std::vector<PluginName> plugins;
+  for (int i = 0; i < value.size(); ++i) {
+    XmlRpcValue & each = value[i];
+    if (each.getType() != XmlRpcValue::TypeStruct || !each.hasMember("name") || !each.hasMember("type")) {
+      return std::nullopt;
+    }
+    const auto name = toText(each["name"]);
+    const auto type = toText(each["type"]);
+    if (!name || !type || name->empty() || type->empty()) {
+      return std::nullopt;
+    }
+    plugins.push_back({*name, *type});
+  }
+  return plugins;
+}
+
 std::string shown(XmlRpcValue value)
 {
   switch (value.getType()) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "workspace_support/parameter_reader.h"
 #include "workspace_support/planar.h"
 
 /// From values of the parameter server; nothing for one of another type.
@@ -18,6 +19,8 @@ std::optional<bool> toBool(XmlRpc::XmlRpcValue value);
 std::optional<std::string> toText(XmlRpc::XmlRpcValue value);
 /// [[x, y], ...], also as a text.
 std::optional<std::vector<Vec2>> toPoints(XmlRpc::XmlRpcValue value);
+/// [{name: NAME, type: TYPE}, ...], each text not empty; other members are ignored.
+std::optional<std::vector<PluginName>> toPlugins(XmlRpc::XmlRpcValue value);
 
 /// As error messages show a value.
 std::string shown(XmlRpc::XmlRpcValue value);

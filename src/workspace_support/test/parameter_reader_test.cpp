@@ -144,6 +144,25 @@ TEST(ParameterReader, NamesAreDifferentTexts)
   EXPECT_EQ(refusalOfNames("one"), "parameter /node/one: found \"a\", must be a list of names");
 }
 
+TEST(ParameterReader, PluginsHaveANameAndAType)
+{
+  XmlRpcValue plugin;
+  plugin["name"] = "walls";
+  plugin["type"] = "costmap_2d::StaticLayer";
+  XmlRpcValue map;
+  map["plugins"] = list({plugin});
+  map["nameless"] = list({XmlRpcValue("walls")});
+  ParameterReader reader("/node", map);
+  std::vector<PluginName> plugins;
+  EXPECT_TRUE(reader.read("plugins", plugins));
+  ASSERT_EQ(plugins.size(), 1u);
+  EXPECT_EQ(plugins[0].name, "walls");
+  EXPECT_EQ(plugins[0].type, "costmap_2d::StaticLayer");
+  EXPECT_EQ(
+    refusalOf([&] { reader.read("nameless", plugins); }),
+    "parameter /node/nameless: found a list, must be a list of {name: NAME, type: TYPE}");
+}
+
 TEST(ParameterReader, AChoiceIsOneOfItsWords)
 {
   int value = 0;

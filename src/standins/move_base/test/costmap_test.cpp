@@ -52,6 +52,12 @@ TEST(Footprint, paddingGrowsEverySide)
   EXPECT_NEAR(Footprint(defaultFootprint(), 0.02).corners()[2].y, -0.175, 1e-12);
 }
 
+TEST(Footprint, inscribedRadiusIsToTheNearestEdge)
+{
+  EXPECT_NEAR(Footprint(defaultFootprint()).inscribedRadius(), 0.125, 1e-12);
+  EXPECT_NEAR(Footprint(defaultFootprint(), 0.01).inscribedRadius(), 0.135, 1e-12);
+}
+
 TEST(Footprint, refusesAnOutlineWithoutAnArea)
 {
   const std::string text = "footprint: needs at least three corners that enclose an area";
@@ -216,7 +222,7 @@ TEST(Costmap, showsObstaclesUnknownAndFree)
   const Costmap costmap = makeCostmap(map);
   EXPECT_EQ(costmap.occupancy(map.geometry.index({0, 0})), 100);
   EXPECT_EQ(costmap.occupancy(map.geometry.index({60, 40})), -1);
-  EXPECT_EQ(costmap.occupancy(map.geometry.index({61, 40})), 99);
+  EXPECT_EQ(costmap.occupancy(map.geometry.index({61, 40})), 0);
   EXPECT_EQ(costmap.occupancy(map.geometry.index({30, 40})), 0);
 }
 

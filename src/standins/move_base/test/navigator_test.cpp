@@ -143,10 +143,10 @@ TEST(Navigator, abortsAtOnceWithoutRecoveryBehaviors)
   EXPECT_TRUE(journey.recoveries.empty());
 }
 
-TEST(Navigator, doesNotBackUpWhereRecoveryMayNotMoveTheCar)
+TEST(Navigator, triesTheRecoveriesThatItIsTold)
 {
   NavigatorOptions options = racingNavigator();
-  options.clearing_rotation_allowed = false;
+  options.recoveries = defaultRecoveries(3.0, false);
   JourneyToATakenGoal journey(options);
   journey.untilOutcome();
   EXPECT_EQ(journey.recoveries, (std::vector<std::string>{"conservative_reset", "aggressive_reset"}));

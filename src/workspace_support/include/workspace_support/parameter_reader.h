@@ -16,6 +16,13 @@
 
 namespace workspace_support
 {
+/// A plugin in a list of them.
+struct PluginName
+{
+  std::string name;
+  std::string type;  ///< "package/Class" or "package::Class"
+};
+
 /// Reads a map of parameters once, and notes which were asked for, to tell which have no use.
 ///
 /// Each read() sets the value if there is such a parameter, else leaves it, and returns whether there is one. Whatever
@@ -39,6 +46,8 @@ public:
   bool read(const ParameterNames & names, std::vector<std::string> & value);
   /// A list of points, [[x, y], ...], also as a text.
   bool read(const ParameterNames & names, std::vector<Vec2> & value);
+  /// A list of mappings with the texts name and type.
+  bool read(const ParameterNames & names, std::vector<PluginName> & value);
   bool read(const ParameterNames & names, std::optional<double> & value, const NumberRule & rule = {});
   /// One of some words, each with what it stands for.
   template <class Value>
@@ -63,7 +72,8 @@ public:
   /// Refuses the first of these, and says which are known in its place.
   void refuseUnused() const;
   /// Says these in one warning, if there are any.
-  void warnOfUnused() const;
+  /// @param important  beginnings of names that are a warning each, "TebLocalPlannerROS/"
+  void warnOfUnused(const std::vector<std::string> & important = {}) const;
 
 private:
   using Raw = XmlRpc::XmlRpcValue;

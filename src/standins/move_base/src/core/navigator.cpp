@@ -20,7 +20,7 @@ Navigator::Navigator(const NavigatorOptions & options, PlanWorker worker)
   follower_(options.follower),
   requests_(options_, goals_, follower_),
   job_(options.planner, std::move(worker)),
-  recovery_(recoveryBehaviors(options.clearing_rotation_allowed)),
+  recovery_(options.recoveries),
   oscillation_(options.oscillation_timeout, options.oscillation_distance)
 {
   options_.validate();
@@ -118,11 +118,6 @@ void Navigator::driveBlind(const CycleInput & input, const Costmap & costmap, Cy
   } else {
     hold(input, costmap, output);
   }
-}
-
-Plan Navigator::makePlan(const Costmap & costmap, const Pose2 & start, const Pose2 & goal) const
-{
-  return GlobalPlanner(options_.planner).plan(costmap, {start, goal, 0.0, 0.0});
 }
 
 void Navigator::pursue(const CycleInput & input, Costmap & costmap, CycleOutput & output)
@@ -340,16 +335,15 @@ void Navigator::recover(Trigger trigger, const CycleInput & input, Costmap & cos
   begin(recovery_.next(input.car.pose, output.recovery.emplace()), input, costmap);
 }
 
-void Navigator::begin(RecoveryBehavior behavior, const CycleInput & input, Costmap & costmap)
+void Navigator::begin(const RecoveryBehavior & behavior, const CycleInput & input, Costmap & costmap)
 {
-  if (behavior == RecoveryBehavior::kBackUp) {
+  if (behavior.kind == RecoveryBehavior::Kind::kBackUp) {
     back_up_ = BackUp(input.car.pose, input.time);
     state_ = State::kBackingUp;
-    return;
+  } else {
+    costmap.forgetBeyond(input.car.pose.position(), behavior.distance);
+    endRecovery(input.time);
   }
-  const bool conservative = behavior == RecoveryBehavior::kConservativeReset;
-  costmap.forgetBeyond(input.car.pose.position(), conservative ? options_.conservative_reset_dist : 0.0);
-  endRecovery(input.time);
 }
 
 void Navigator::driveBack(const CycleInput & input, const Costmap & costmap, CycleOutput & output)

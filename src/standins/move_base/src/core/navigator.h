@@ -10,6 +10,7 @@
 #include "goals.h"
 #include "navigator_options.h"
 #include "path/plan_job.h"
+#include "path/plan_near.h"
 #include "plan_requests.h"
 
 namespace move_base
@@ -67,7 +68,11 @@ public:
   /// The latest plan, empty before the first.
   const Plan & plan() const { return plan_; }
   /// A plan for somebody else; changes nothing here.
-  Plan makePlan(const Costmap & costmap, const Pose2 & start, const Pose2 & goal) const;
+  /// @param tolerance  m along each axis, within which another goal will do where there is none to this one
+  Plan makePlan(const Costmap & costmap, const Pose2 & start, const Pose2 & goal, double tolerance) const
+  {
+    return planNear(options_.planner, costmap, {start, goal}, tolerance);
+  }
 
 private:
   enum class State
@@ -101,7 +106,7 @@ private:
   bool needsPlan(const CycleInput & input, const FollowStep & step) const;
   void recover(Trigger trigger, const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void driveBack(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
-  void begin(RecoveryBehavior behavior, const CycleInput & input, Costmap & costmap);
+  void begin(const RecoveryBehavior & behavior, const CycleInput & input, Costmap & costmap);
   void endRecovery(double time);
   double period(double time) const;
   void stop();

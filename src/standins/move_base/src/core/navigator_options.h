@@ -1,6 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include "control/path_follower.h"
+#include "control/recovery.h"
 #include "goals.h"
 #include "path/global_planner.h"
 
@@ -15,9 +18,7 @@ struct NavigatorOptions
   double oscillation_timeout{0.0};   ///< s within oscillation_distance before recovery; 0: any time
   double oscillation_distance{0.5};  ///< m
   bool recovery_behavior_enabled{true};
-  bool clearing_rotation_allowed{
-    true};  ///< whether recovery may move the car: it backs up, as it cannot turn on the spot
-  double conservative_reset_dist{3.0};     ///< m from the car, beyond it the first recovery forgets what the lidar saw
+  std::vector<RecoveryBehavior> recoveries{defaultRecoveries(3.0, true)};
   GoalTolerance goal_tolerance;            ///< within which the car stands in the end
   bool free_goal_vel{false};               ///< whether a goal that another one follows is passed at speed
   GoalTolerance via_tolerance{0.45, 0.6};  ///< within which such a goal is passed

@@ -88,26 +88,24 @@ geometry_msgs::PolygonStamped toPolygon(
 }
 
 nav_msgs::OccupancyGrid toOccupancyGrid(
-  const Costmap & costmap, const Cell & from, const Cell & to, const Pose2 & frame_pose,
+  const std::vector<std::int8_t> & cells, const GridGeometry & geometry, const Pose2 & frame_pose,
   const std_msgs::Header & header)
 {
-  const GridGeometry & geometry = costmap.geometry();
-  const Cell first{std::max(from.x, 0), std::max(from.y, 0)};
-  const Cell last{std::min(to.x, geometry.width - 1), std::min(to.y, geometry.height - 1)};
-  const Vec2 corner{
-    geometry.origin.x + first.x * geometry.resolution, geometry.origin.y + first.y * geometry.resolution};
   nav_msgs::OccupancyGrid message;
   message.header = header;
-  message.info.map_load_time = header.stamp;
   message.info.resolution = static_cast<float>(geometry.resolution);
-  message.info.width = static_cast<std::uint32_t>(std::max(0, last.x - first.x + 1));
-  message.info.height = static_cast<std::uint32_t>(std::max(0, last.y - first.y + 1));
-  message.info.origin = toPose(compose(frame_pose, {corner.x, corner.y, 0.0}));
-  for (int y = first.y; y <= last.y; ++y) {
-    for (int x = first.x; x <= last.x; ++x) {
-      message.data.push_back(costmap.occupancy(geometry.index({x, y})));
-    }
-  }
+  message.info.width = static_cast<std::uint32_t>(geometry.width);
+  message.info.height = static_cast<std::uint32_t>(geometry.height);
+  message.info.origin = toPose(compose(frame_pose, geometry.origin));
+  message.data = cells;
   return message;
+}
+
+std_msgs::Header headerOf(const std::string & frame, const ros::Time & stamp)
+{
+  std_msgs::Header header;
+  header.frame_id = frame;
+  header.stamp = stamp;
+  return header;
 }
 }  // namespace move_base

@@ -46,10 +46,11 @@ std::vector<Pose2> posesOf(const Path & path);
 geometry_msgs::PolygonStamped toPolygon(
   const std::vector<Vec2> & footprint, const Pose2 & pose, const std_msgs::Header & header);
 
-/// Part of a costmap for display.
-/// @param from, to     its first and last cell, clipped to the costmap
-/// @param frame_pose   of the costmap's frame in that of header
+/// A grid that is not turned in its own frame.
+/// @param frame_pose  of the grid's frame in that of header
 nav_msgs::OccupancyGrid toOccupancyGrid(
-  const Costmap & costmap, const Cell & from, const Cell & to, const Pose2 & frame_pose,
+  const std::vector<std::int8_t> & cells, const GridGeometry & geometry, const Pose2 & frame_pose,
   const std_msgs::Header & header);
+
+std_msgs::Header headerOf(const std::string & frame, const ros::Time & stamp);
 }  // namespace move_base

@@ -4,24 +4,12 @@
 
 namespace move_base
 {
-namespace
-{
-std_msgs::Header headerOf(const std::string & frame, const ros::Time & stamp)
-{
-  std_msgs::Header header;
-  header.frame_id = frame;
-  header.stamp = stamp;
-  return header;
-}
-}  // namespace
-
 Displays::Displays(ros::NodeHandle private_node, const MoveBaseParameters & parameters, const Perception & perception)
 : parameters_(parameters),
   perception_(perception),
   global_plan_(
-    private_node, {"global_plan", parameters.global_planner + "/plan", parameters.local_planner + "/global_plan"},
-    true),
-  local_plan_(private_node, {"local_plan", parameters.local_planner + "/local_plan"}, false),
+    private_node, {"global_plan", parameters.global_planner + "/plan", parameters.local_planner + "/global_plan"}),
+  local_plan_(private_node, {"local_plan", parameters.local_planner + "/local_plan"}),
   global_costmap_{
     private_node.advertise<nav_msgs::OccupancyGrid>("global_costmap/costmap", 1),
     parameters.global_publish_frequency,
@@ -30,11 +18,19 @@ Displays::Displays(ros::NodeHandle private_node, const MoveBaseParameters & para
     private_node.advertise<nav_msgs::OccupancyGrid>("local_costmap/costmap", 1),
     parameters.local_publish_frequency,
     {}},
-  footprint_{
+  global_footprint_{
+    private_node.advertise<geometry_msgs::PolygonStamped>("global_costmap/footprint", 1),
+    parameters.global_publish_frequency,
+    {}},
+  local_footprint_{
     private_node.advertise<geometry_msgs::PolygonStamped>("local_costmap/footprint", 1),
     parameters.local_publish_frequency,
-    {}}
+    {}},
+  surroundings_(parameters.local_width, parameters.local_height, parameters.local_resolution, parameters.costmap.live),
+  surroundings_inflation_(parameters.local_inflation)
 {
+  surroundings_inflation_.inscribed_radius =
+    Footprint(parameters.footprint, parameters.footprint_padding).inscribedRadius();
 }
 
 void Displays::showGlobalPlan(const Path & path, const ros::Time & stamp)
@@ -58,15 +54,23 @@ void Displays::showLocalPlan(const std::vector<Pose2> & prediction, const ros::T
 
 void Displays::showSurroundings(const Pose2 & car, const ros::Time & stamp)
 {
+  if (local_costmap_.publisher.getNumSubscribers() > 0) {
+    watchSurroundings();
+  }
   if (global_costmap_.due(stamp)) {
     showGlobalCostmap(stamp);
   }
   if (local_costmap_.due(stamp)) {
-    showLocalCostmap(car, stamp);
+    showLocalCostmap(stamp);
   }
-  if (footprint_.due(stamp)) {
-    const auto header = headerOf(parameters_.global_frame, stamp);
-    footprint_.publisher.publish(toPolygon(perception_.costmap().footprint().corners(), car, header));
+  const std::vector<Vec2> & corners = perception_.costmap().footprint().corners();
+  if (global_footprint_.due(stamp)) {
+    global_footprint_.publisher.publish(toPolygon(corners, car, headerOf(parameters_.global_frame, stamp)));
+  }
+  const auto map = mapInLocalFrame();
+  if (map && local_footprint_.due(stamp)) {
+    local_footprint_.publisher.publish(
+      toPolygon(corners, compose(*map, car), headerOf(parameters_.local_frame, stamp)));
   }
 }
 
@@ -82,23 +86,39 @@ bool Displays::Throttled::due(const ros::Time & stamp)
 
 void Displays::showGlobalCostmap(const ros::Time & stamp)
 {
-  const GridGeometry & geometry = perception_.costmap().geometry();
-  global_costmap_.publisher.publish(toOccupancyGrid(
-    perception_.costmap(), {0, 0}, {geometry.width, geometry.height}, {}, headerOf(parameters_.global_frame, stamp)));
+  const Costmap & costmap = perception_.costmap();
+  if (map_number_ != perception_.mapNumber()) {
+    map_number_ = perception_.mapNumber();
+    costs_.startOn(costmap);
+  } else {
+    costs_.update(costmap);
+  }
+  global_costmap_.publisher.publish(
+    toOccupancyGrid(costs_.cells(), costmap.geometry(), {}, headerOf(parameters_.global_frame, stamp)));
 }
 
-void Displays::showLocalCostmap(const Pose2 & car, const ros::Time & stamp)
+// Every scan counts: what one sees the next ones may not.
+void Displays::watchSurroundings()
 {
-  const auto map = mapInLocalFrame();
-  if (!map) {
+  const sensor_msgs::LaserScan::ConstPtr & scan = perception_.latestScan();
+  if (!scan || scan == last_scan_) {
     return;
   }
-  const GridGeometry & geometry = perception_.costmap().geometry();
-  const Vec2 half{0.5 * parameters_.local_width, 0.5 * parameters_.local_height};
-  const Cell from = geometry.cellAt(car.position() - half);
-  const Cell to = geometry.cellAt(car.position() + half);
-  local_costmap_.publisher.publish(
-    toOccupancyGrid(perception_.costmap(), from, to, *map, headerOf(parameters_.local_frame, stamp)));
+  last_scan_ = scan;
+  try {
+    surroundings_.moveTo(perception_.poseIn(parameters_.local_frame, parameters_.base_frame).position());
+    surroundings_.observe(fromLaserScan(*scan, perception_.poseIn(parameters_.local_frame, scan->header)));
+  } catch (const tf2::TransformException &) {
+    // The next one may be placed.
+  }
+}
+
+void Displays::showLocalCostmap(const ros::Time & stamp)
+{
+  const GridGeometry & geometry = surroundings_.geometry();
+  local_costmap_.publisher.publish(toOccupancyGrid(
+    inflated(surroundings_.cells(), geometry, surroundings_inflation_), geometry, {},
+    headerOf(parameters_.local_frame, stamp)));
 }
 
 std::optional<Pose2> Displays::mapInLocalFrame() const

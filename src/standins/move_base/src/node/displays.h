@@ -5,10 +5,12 @@
 #include <optional>
 #include <vector>
 
+#include "map/shown_costs.h"
 #include "parameters.h"
 #include "path/path.h"
 #include "perception.h"
 #include "plan_publisher.h"
+#include "seen/rolling_layer.h"
 
 namespace move_base
 {
@@ -20,7 +22,7 @@ public:
 
   void showGlobalPlan(const Path & path, const ros::Time & stamp);
   void showLocalPlan(const std::vector<Pose2> & prediction, const ros::Time & stamp);
-  /// Costmaps and footprint, as far as anybody looks and their time has come.
+  /// Costmaps and footprints, as far as anybody looks and their time has come.
   void showSurroundings(const Pose2 & car, const ros::Time & stamp);
 
 private:
@@ -35,7 +37,8 @@ private:
   };
 
   void showGlobalCostmap(const ros::Time & stamp);
-  void showLocalCostmap(const Pose2 & car, const ros::Time & stamp);
+  void watchSurroundings();
+  void showLocalCostmap(const ros::Time & stamp);
   /// Pose of the map in the local frame, or nothing while the transform is missing.
   std::optional<Pose2> mapInLocalFrame() const;
 
@@ -45,6 +48,12 @@ private:
   PlanPublisher local_plan_;
   Throttled global_costmap_;
   Throttled local_costmap_;
-  Throttled footprint_;
+  Throttled global_footprint_;
+  Throttled local_footprint_;
+  ShownCosts costs_;
+  unsigned map_number_{0};  // of the map in costs_
+  RollingLayer surroundings_;
+  Inflation surroundings_inflation_;
+  sensor_msgs::LaserScan::ConstPtr last_scan_;  // in surroundings_
 };
 }  // namespace move_base

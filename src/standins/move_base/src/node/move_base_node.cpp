@@ -54,6 +54,7 @@ MoveBaseNode::MoveBaseNode(const MoveBaseParameters & parameters, ros::CallbackQ
   perception_(node_, parameters_),
   navigator_(parameters_.navigator, parameters_.lockstep ? PlanWorker() : PlanWorker(runBeside)),
   displays_(private_node_, parameters_, perception_),
+  services_(private_node_, parameters_, perception_, navigator_),
   diagnostics_(node_, parameters_.base_frame),
   velocity_publisher_(node_.advertise<geometry_msgs::Twist>("cmd_vel", 1)),
   goal_publisher_(private_node_.advertise<geometry_msgs::PoseStamped>("current_goal", 1)),
@@ -68,9 +69,6 @@ MoveBaseNode::MoveBaseNode(const MoveBaseParameters & parameters, ros::CallbackQ
   simple_goal_subscriber_ = node_.subscribe("move_base_simple/goal", 1, &MoveBaseNode::relayGoal, this);
   goals_ahead_subscriber_ =
     node_.subscribe("move_base/goals_ahead", 1, &MoveBaseNode::onGoalsAhead, this, ros::TransportHints().tcpNoDelay());
-  make_plan_service_ = private_node_.advertiseService("make_plan", &MoveBaseNode::makePlan, this);
-  clear_costmaps_service_ = private_node_.advertiseService("clear_costmaps", &MoveBaseNode::clearCostmaps, this);
-  server_.start();
 }
 
 void MoveBaseNode::handleCallbacks()
@@ -88,6 +86,7 @@ void MoveBaseNode::cycle(const ros::Time & now)
     diagnostics_.tell(DiagnosticStatus::WARN, "Waiting for " + missing(), now);
     return;
   }
+  startServer();
   if (!due(now)) {
     return;
   }
@@ -98,11 +97,12 @@ void MoveBaseNode::cycle(const ros::Time & now)
   drive(now);
 }
 
-void MoveBaseNode::stop()
+// A goal that could only wait could not be cancelled: whoever waits for the server waits for the map, too.
+void MoveBaseNode::startServer()
 {
-  if (navigator_.active()) {
-    navigator_.cancel();
-    publishZero();
+  if (!server_is_up_) {
+    server_is_up_ = true;
+    server_.start();
   }
 }
 
@@ -156,7 +156,7 @@ void MoveBaseNode::accept(const geometry_msgs::PoseStamped & target, const ros::
     return;
   }
   try {
-    const Pose2 goal = inMap(target);
+    const Pose2 goal = perception_.inMap(target);
     goal_publisher_.publish(toPoseStamped(goal, mapHeader(now)));
     target_ = target;
     failure_.clear();
@@ -185,7 +185,7 @@ std::vector<Pose2> MoveBaseNode::nextGoals() const
   try {
     const auto & poses = goals_ahead_->poses;
     std::transform(std::next(poses.begin()), poses.end(), std::back_inserter(next), [this](const auto & pose) {
-      return inMap(pose);
+      return perception_.inMap(pose);
     });
     return next;
   } catch (const tf2::TransformException & error) {
@@ -292,48 +292,8 @@ void MoveBaseNode::relayGoal(const geometry_msgs::PoseStamped::ConstPtr & target
   action_goal_publisher_.publish(action_goal);
 }
 
-bool MoveBaseNode::makePlan(nav_msgs::GetPlan::Request & request, nav_msgs::GetPlan::Response & response)
-{
-  if (server_.isActive() || !ready()) {
-    ROS_ERROR(
-      "make_plan: %s",
-      server_.isActive() ? "must not be called while a goal is pursued" : ("still waits for " + missing()).c_str());
-    return false;
-  }
-  try {
-    const bool from_car = request.start.header.frame_id.empty();
-    const Pose2 start =
-      from_car ? perception_.poseIn(parameters_.global_frame, parameters_.base_frame) : inMap(request.start);
-    const Plan plan = navigator_.makePlan(perception_.costmap(), start, inMap(request.goal));
-    response.plan = toPath(posesOf(plan.path), mapHeader(ros::Time::now()));
-    return true;
-  } catch (const tf2::TransformException & error) {
-    ROS_ERROR("make_plan: %s", error.what());
-    return false;
-  }
-}
-
-bool MoveBaseNode::clearCostmaps(std_srvs::Empty::Request &, std_srvs::Empty::Response &)
-{
-  if (ready()) {
-    perception_.costmap().forgetBeyond({}, -1.0);
-  }
-  return true;
-}
-
-Pose2 MoveBaseNode::inMap(const geometry_msgs::PoseStamped & pose) const
-{
-  if (pose.header.frame_id == parameters_.global_frame) {
-    return fromPose(pose.pose);
-  }
-  return compose(perception_.poseIn(parameters_.global_frame, pose.header.frame_id), fromPose(pose.pose));
-}
-
 std_msgs::Header MoveBaseNode::mapHeader(const ros::Time & stamp) const
 {
-  std_msgs::Header header;
-  header.frame_id = parameters_.global_frame;
-  header.stamp = stamp;
-  return header;
+  return headerOf(parameters_.global_frame, stamp);
 }
 }  // namespace move_base

@@ -3,11 +3,9 @@
 #include <actionlib/server/simple_action_server.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <move_base_msgs/MoveBaseAction.h>
-#include <nav_msgs/GetPlan.h>
 #include <nav_msgs/Path.h>
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
-#include <std_srvs/Empty.h>
 
 #include <optional>
 #include <vector>
@@ -17,6 +15,7 @@
 #include "navigator.h"
 #include "parameters.h"
 #include "perception.h"
+#include "services.h"
 
 namespace move_base
 {
@@ -35,12 +34,11 @@ public:
   std::string missing() const { return perception_.missing(); }
   /// Acts, if a control cycle is due at now.
   void cycle(const ros::Time & now);
-  /// Zero velocity, if a goal is being pursued.
-  void stop();
 
 private:
   using Server = actionlib::SimpleActionServer<move_base_msgs::MoveBaseAction>;
 
+  void startServer();
   bool due(const ros::Time & now);
   void watchClock(const ros::Time & now);
   void updateGoal(const ros::Time & now);
@@ -56,10 +54,6 @@ private:
   void finish(const Outcome & outcome);
   void publishZero();
   void relayGoal(const geometry_msgs::PoseStamped::ConstPtr & target);
-  bool makePlan(nav_msgs::GetPlan::Request & request, nav_msgs::GetPlan::Response & response);
-  bool clearCostmaps(std_srvs::Empty::Request & request, std_srvs::Empty::Response & response);
-  /// @throws tf2::TransformException
-  Pose2 inMap(const geometry_msgs::PoseStamped & pose) const;
   std_msgs::Header mapHeader(const ros::Time & stamp) const;
 
   MoveBaseParameters parameters_;
@@ -69,6 +63,7 @@ private:
   Perception perception_;
   Navigator navigator_;
   Displays displays_;
+  Services services_;
   Diagnostics diagnostics_;
   ros::Publisher velocity_publisher_;
   ros::Publisher goal_publisher_;
@@ -76,11 +71,10 @@ private:
   ros::Publisher action_goal_publisher_;
   ros::Subscriber simple_goal_subscriber_;
   ros::Subscriber goals_ahead_subscriber_;
-  ros::ServiceServer make_plan_service_;
-  ros::ServiceServer clear_costmaps_service_;
   ros::Subscriber prompt_goals_;
   ros::Subscriber prompt_cancels_;
   Server server_;
+  bool server_is_up_{false};
   std::string failure_;                   // of the last goal
   geometry_msgs::PoseStamped target_;     // as it was sent
   nav_msgs::Path::ConstPtr goals_ahead_;  // the latest

@@ -27,10 +27,12 @@ struct MoveBaseParameters
   bool shutdown_costmaps{false};                      ///< whether scans are ignored without a goal
   bool lockstep{false};
   std::string lockstep_after;            ///< participant that acts before this one; empty: none
-  double global_publish_frequency{1.0};  ///< Hz; 0: never
-  double local_publish_frequency{5.0};   ///< Hz; 0: never
+  double global_publish_frequency{0.0};  ///< Hz; 0: never
+  double local_publish_frequency{0.0};   ///< Hz; 0: never
   double local_width{10.0};              ///< m
   double local_height{10.0};             ///< m
+  double local_resolution{0.05};         ///< m
+  Inflation local_inflation;             ///< of what is shown; its inscribed radius is the footprint's
   std::vector<Vec2> footprint;
   double footprint_padding{0.01};  ///< m
   CostmapOptions costmap;

@@ -111,6 +111,19 @@ Pose2 Perception::poseIn(const std::string & target, const std::string & frame) 
   return fromTransform(buffer_.lookupTransform(target, frame, ros::Time(0)).transform);
 }
 
+Pose2 Perception::poseIn(const std::string & target, const std_msgs::Header & source) const
+{
+  return fromTransform(buffer_.lookupTransform(target, source.frame_id, source.stamp).transform);
+}
+
+Pose2 Perception::inMap(const geometry_msgs::PoseStamped & pose) const
+{
+  if (pose.header.frame_id == parameters_.global_frame) {
+    return fromPose(pose.pose);
+  }
+  return compose(poseIn(parameters_.global_frame, pose.header.frame_id), fromPose(pose.pose));
+}
+
 void Perception::onMap(const nav_msgs::OccupancyGrid::ConstPtr & map)
 {
   if (map->header.frame_id != parameters_.global_frame) {
@@ -121,6 +134,7 @@ void Perception::onMap(const nav_msgs::OccupancyGrid::ConstPtr & map)
   }
   try {
     costmap_ = std::make_unique<Costmap>(fromUnturnedGrid(*map), parameters_.costmap, footprint_);
+    ++map_number_;
   } catch (const Error & error) {
     ROS_ERROR("%s; it is not used", error.what());
   }

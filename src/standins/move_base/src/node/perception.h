@@ -1,5 +1,6 @@
 #pragma once
 
+#include <geometry_msgs/PoseStamped.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/node_handle.h>
@@ -41,6 +42,14 @@ public:
   Costmap & costmap() { return *costmap_; }
   const Costmap & costmap() const { return *costmap_; }
 
+  /// Rises with every map.
+  unsigned mapNumber() const { return map_number_; }
+  /// The latest scan that got onto the costmap; none before the first.
+  const sensor_msgs::LaserScan::ConstPtr & latestScan() const { return scan_; }
+  /// Where a frame was at the stamp of a message. @throws tf2::TransformException
+  Pose2 poseIn(const std::string & target, const std_msgs::Header & source) const;
+  /// A pose of another frame, by the latest transform. @throws tf2::TransformException
+  Pose2 inMap(const geometry_msgs::PoseStamped & pose) const;
   /// The latest pose of frame in target. @throws tf2::TransformException
   Pose2 poseIn(const std::string & target, const std::string & frame) const;
 
@@ -55,6 +64,7 @@ private:
   tf2::BufferCore buffer_;
   tf2_ros::TransformListener listener_;
   std::unique_ptr<Costmap> costmap_;
+  unsigned map_number_{0};
   nav_msgs::Odometry::ConstPtr odometry_;
   sensor_msgs::LaserScan::ConstPtr scan_;                 // the latest in the costmap
   std::deque<sensor_msgs::LaserScan::ConstPtr> waiting_;  // those not in the costmap yet

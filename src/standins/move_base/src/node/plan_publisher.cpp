@@ -5,12 +5,12 @@
 
 namespace move_base
 {
-PlanPublisher::PlanPublisher(ros::NodeHandle & node, const std::vector<std::string> & topics, bool latched)
+PlanPublisher::PlanPublisher(ros::NodeHandle & node, const std::vector<std::string> & topics)
 {
   std::set<std::string> resolved;
   for (const std::string & topic : topics) {
     if (resolved.insert(node.resolveName(topic)).second) {
-      publishers_.push_back(node.advertise<nav_msgs::Path>(topic, 1, latched));
+      publishers_.push_back(node.advertise<nav_msgs::Path>(topic, 1));
     }
   }
 }

@@ -13,7 +13,7 @@ class PlanPublisher
 {
 public:
   /// @param topics  names that are remapped to one topic count once
-  PlanPublisher(ros::NodeHandle & node, const std::vector<std::string> & topics, bool latched);
+  PlanPublisher(ros::NodeHandle & node, const std::vector<std::string> & topics);
 
   bool wanted() const;
   void publish(const nav_msgs::Path & plan) const;

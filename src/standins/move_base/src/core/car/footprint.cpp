@@ -1,6 +1,7 @@
 #include "car/footprint.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/errors.h"
 
@@ -33,6 +34,23 @@ double areaOf(const std::vector<Vec2> & corners)
   }
   return 0.5 * std::abs(twice);
 }
+
+// @return m, from the origin to the segment between two corners
+double distanceToEdge(const Vec2 & from, const Vec2 & to)
+{
+  const Vec2 edge = to - from;
+  const double part = std::clamp(-dot(from, edge) / std::max(dot(edge, edge), 1e-12), 0.0, 1.0);
+  return norm(from + part * edge);
+}
+
+double inscribedRadiusOf(const std::vector<Vec2> & corners)
+{
+  double radius = HUGE_VAL;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    radius = std::min(radius, distanceToEdge(corners[i], corners[(i + 1) % corners.size()]));
+  }
+  return radius;
+}
 }  // namespace
 
 Footprint::Footprint(std::vector<Vec2> corners, double padding) : corners_(std::move(corners))
@@ -44,6 +62,7 @@ Footprint::Footprint(std::vector<Vec2> corners, double padding) : corners_(std::
     corner.x += std::copysign(padding, corner.x);
     corner.y += std::copysign(padding, corner.y);
   }
+  inscribed_radius_ = inscribedRadiusOf(corners_);
   coverWithDiscs();
 }
 

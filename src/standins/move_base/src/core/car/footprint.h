@@ -26,6 +26,8 @@ public:
   const std::vector<Vec2> & corners() const { return corners_; }
   static constexpr std::size_t kDiscs = 7;
   const std::array<Disc, kDiscs> & discs() const { return discs_; }
+  /// From the base frame to the nearest edge, m.
+  double inscribedRadius() const { return inscribed_radius_; }
   /// Half of the width, m.
   double halfWidth() const { return half_width_; }
   /// Where the outline ends along the car's axis, m before the base frame; the rear end is behind it.
@@ -39,6 +41,7 @@ private:
 
   std::vector<Vec2> corners_;
   std::array<Disc, kDiscs> discs_;
+  double inscribed_radius_{0.0};
   double half_width_{0.0};
   double rear_{0.0};
   double front_{0.0};

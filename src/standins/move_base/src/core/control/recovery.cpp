@@ -13,34 +13,29 @@ constexpr double kClearanceGain = 0.01;  // m
 constexpr double kProgress = 1.0;        // m from where recovery began
 }  // namespace
 
-const char * nameOf(RecoveryBehavior behavior)
+std::vector<RecoveryBehavior> defaultRecoveries(double conservative_distance, bool may_move)
 {
-  switch (behavior) {
-    case RecoveryBehavior::kConservativeReset:
-      return "conservative_reset";
-    case RecoveryBehavior::kBackUp:
-      return "back_up";
-    case RecoveryBehavior::kAggressiveReset:
-      return "aggressive_reset";
-  }
-  return "";
+  const std::vector<RecoveryBehavior> behaviors{
+    {"conservative_reset", RecoveryBehavior::Kind::kForget, conservative_distance},
+    {"aggressive_reset", RecoveryBehavior::Kind::kForget, 0.0}};
+  return may_move ? withBackingUp(behaviors) : behaviors;
 }
 
-std::vector<RecoveryBehavior> recoveryBehaviors(bool may_move)
+std::vector<RecoveryBehavior> withBackingUp(const std::vector<RecoveryBehavior> & behaviors)
 {
-  if (!may_move) {
-    return {RecoveryBehavior::kConservativeReset, RecoveryBehavior::kAggressiveReset};
+  std::vector<RecoveryBehavior> all;
+  for (const RecoveryBehavior & behavior : behaviors) {
+    all.push_back(behavior);
+    all.push_back({"back_up", RecoveryBehavior::Kind::kBackUp});
   }
-  return {
-    RecoveryBehavior::kConservativeReset, RecoveryBehavior::kBackUp, RecoveryBehavior::kAggressiveReset,
-    RecoveryBehavior::kBackUp};
+  return all;
 }
 
-RecoveryBehavior RecoverySequence::next(const Pose2 & car, RecoveryNotice & notice)
+const RecoveryBehavior & RecoverySequence::next(const Pose2 & car, RecoveryNotice & notice)
 {
   begun_at_ = car;
-  const RecoveryBehavior behavior = behaviors_[index_];
-  notice = {static_cast<unsigned>(index_), static_cast<unsigned>(behaviors_.size()), nameOf(behavior)};
+  const RecoveryBehavior & behavior = behaviors_[index_];
+  notice = {static_cast<unsigned>(index_), static_cast<unsigned>(behaviors_.size()), behavior.name};
   ++index_;
   return behavior;
 }

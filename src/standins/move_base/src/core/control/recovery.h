@@ -10,18 +10,25 @@
 
 namespace move_base
 {
-/// What a car tries when it finds no way, in the names of the original where it has them.
-enum class RecoveryBehavior
+/// What a car tries when it finds no way.
+struct RecoveryBehavior
 {
-  kConservativeReset,  ///< forgets what the lidar saw far away
-  kBackUp,             ///< drives straight back a little, as a car cannot turn on the spot
-  kAggressiveReset,    ///< forgets everything that the lidar saw
+  enum class Kind
+  {
+    kForget,  ///< forgets what the lidar saw farther away than distance
+    kBackUp,  ///< drives straight back a little, as a car cannot turn on the spot
+  };
+  std::string name;
+  Kind kind{Kind::kForget};
+  double distance{0.0};  ///< m
 };
 
-const char * nameOf(RecoveryBehavior behavior);
-
-/// The behaviours in the order in which they are tried.
-std::vector<RecoveryBehavior> recoveryBehaviors(bool may_move);
+/// Those of the original, in the order in which they are tried.
+/// @param conservative_distance  m
+/// @param may_move               whether the car backs up after each
+std::vector<RecoveryBehavior> defaultRecoveries(double conservative_distance, bool may_move);
+/// The same behaviours, each with backing up after it.
+std::vector<RecoveryBehavior> withBackingUp(const std::vector<RecoveryBehavior> & behaviors);
 
 struct RecoveryNotice
 {
@@ -39,7 +46,7 @@ public:
   bool isSpent() const { return index_ >= behaviors_.size(); }
   /// Not to be called when spent.
   /// @param notice  what to say of it
-  RecoveryBehavior next(const Pose2 & car, RecoveryNotice & notice);
+  const RecoveryBehavior & next(const Pose2 & car, RecoveryNotice & notice);
   /// Recovery has helped when the car gets farther than recovery itself has moved it: then it begins anew.
   void noteProgress(const Pose2 & car);
   void startAgain() { index_ = 0; }

@@ -222,13 +222,10 @@ Vec2 Costmap::proximityGradient(const Pose2 & base) const
 
 std::int8_t Costmap::occupancy(std::size_t index) const
 {
-  const double clearance = distances_[index] - half_cell_ - footprint_.halfWidth();
-  if (distances_[index] == 0.0F) {
-    return unknown_[index] != 0 ? -1 : 100;
+  const bool unknown = unknown_[index] != 0;
+  if (distances_[index] == 0.0F && (options_.allow_unknown || !unknown)) {
+    return 100;
   }
-  if (clearance >= free_clearance_) {
-    return 0;
-  }
-  return static_cast<std::int8_t>(99.0 * std::exp(-options_.cost_scaling_factor * std::max(clearance, 0.0)));
+  return unknown ? -1 : 0;
 }
 }  // namespace move_base

@@ -7,6 +7,7 @@
 
 #include "car/footprint.h"
 #include "geometry/geometry.h"
+#include "map/inflation.h"
 #include "seen/laser_scan.h"
 #include "seen/live_layer.h"
 #include "seen/obstacle_tracker.h"
@@ -76,8 +77,17 @@ public:
   /// How proximityCost at a pose changes with x and y, 1/m: differences over a cell.
   Vec2 proximityGradient(const Pose2 & base) const;
 
-  /// A cell for display: 100 obstacle, 99 nearer than half the car's width, falling to 0; -1 unknown.
+  /// A cell as messages show it: 100 obstacle, 0 free, -1 unknown.
   std::int8_t occupancy(std::size_t index) const;
+  /// Two corners of a rectangle around all that the lidar has seen beside the map, with what lies near it; the first has
+  /// the greater coordinates if there is nothing, m.
+  const Vec2 & liveLow() const { return live_low_; }
+  const Vec2 & liveHigh() const { return live_high_; }
+  /// What the costs that are shown follow from.
+  Inflation inflation() const
+  {
+    return {options_.inflation_radius, options_.cost_scaling_factor, footprint_.inscribedRadius()};
+  }
 
 private:
   double distanceIn(const std::vector<float> & distances, const Vec2 & point) const

@@ -1,0 +1,56 @@
+#include "map/inflation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/distance_transform.h"
+
+namespace move_base
+{
+namespace
+{
+constexpr std::int8_t kObstacle = 100;
+constexpr std::int8_t kTouching = 99;
+constexpr int kMostCost = 252;  // of a costmap_2d::Costmap2D, that is neither touching nor an obstacle
+
+// costmap_2d's scale of 1 to 252 becomes 1 to 98.
+std::int8_t shown(int cost)
+{
+  return static_cast<std::int8_t>(cost == 0 ? 0 : 1 + 97 * (cost - 1) / (kMostCost - 1));
+}
+
+// @param cells_away  distance between the middles of two cells
+std::int8_t costAt(double cells_away, double resolution, const Inflation & inflation)
+{
+  const double away = cells_away * resolution;
+  if (away <= inflation.inscribed_radius) {
+    return kTouching;
+  }
+  if (cells_away > std::ceil(inflation.radius / resolution)) {
+    return 0;
+  }
+  const double factor = std::exp(-inflation.cost_scaling_factor * (away - inflation.inscribed_radius));
+  return shown(static_cast<int>(kMostCost * factor));
+}
+}  // namespace
+
+std::vector<std::int8_t> inflated(
+  const std::vector<std::int8_t> & cells, const GridGeometry & geometry, const Inflation & inflation)
+{
+  std::vector<std::uint8_t> obstacles(cells.size());
+  std::transform(cells.begin(), cells.end(), obstacles.begin(), [](std::int8_t cell) {
+    return static_cast<std::uint8_t>(cell == kObstacle);
+  });
+  const std::vector<float> distances = distanceTransform(obstacles, geometry.width, geometry.height);
+  std::vector<std::int8_t> costs(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (cells[i] == kObstacle) {
+      costs[i] = kObstacle;
+      continue;
+    }
+    const std::int8_t cost = costAt(distances[i], geometry.resolution, inflation);
+    costs[i] = cells[i] < 0 && cost < kTouching ? std::int8_t{-1} : cost;
+  }
+  return costs;
+}
+}  // namespace move_base

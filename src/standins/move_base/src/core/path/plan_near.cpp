@@ -1,0 +1,54 @@
+#include "path/plan_near.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace move_base
+{
+namespace
+{
+constexpr double kStep = 3.0;  // cells between two tries
+
+// The places of a square around a goal, from its sides' middles outwards.
+std::vector<Pose2> squareAround(const Pose2 & goal, double step, int ring)
+{
+  std::vector<Pose2> places;
+  for (int y = 0; y <= ring; ++y) {
+    for (int x = y == ring ? 0 : ring; x <= ring; ++x) {
+      for (const int up : {-1, 1}) {
+        for (const int right : {-1, 1}) {
+          if ((y > 0 || up > 0) && (x > 0 || right > 0)) {
+            places.push_back({goal.x + right * x * step, goal.y + up * y * step, goal.yaw});
+          }
+        }
+      }
+    }
+  }
+  return places;
+}
+}  // namespace
+
+Plan planNear(const PlannerOptions & options, const Costmap & costmap, const PlanRequest & request, double tolerance)
+{
+  Plan plan = GlobalPlanner(options).plan(costmap, request);
+  double step = kStep * costmap.geometry().resolution;
+  if (tolerance > 0.0) {
+    step = std::min(step, tolerance);
+  }
+  int expansions = plan.expansions;
+  for (int ring = 1; ring * step <= tolerance * (1.0 + 1e-9); ++ring) {
+    for (const Pose2 & goal : squareAround(request.goal, step, ring)) {
+      if (plan.found() || expansions >= options.max_expansions) {
+        return plan;
+      }
+      PlannerOptions left = options;
+      left.max_expansions -= expansions;
+      PlanRequest elsewhere = request;
+      elsewhere.goal = goal;
+      plan = GlobalPlanner(left).plan(costmap, elsewhere);
+      expansions += plan.expansions;
+    }
+  }
+  return plan;
+}
+}  // namespace move_base

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "path/global_planner.h"
+
+namespace move_base
+{
+/// A plan to a goal, or, where there is none, to the first place around it that one leads to, as move_base's make_plan looks for
+/// it: square by square, three cells apart, as far as the tolerance. All tries together have max_expansions.
+/// @param tolerance  m along each axis
+/// @throws OptionError
+Plan planNear(const PlannerOptions & options, const Costmap & costmap, const PlanRequest & request, double tolerance);
+}  // namespace move_base

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <workspace_support/parameter_reader.h>
+
+#include "parameters.h"
+
+/// The parts of readParameters(). @throws OptionError for a parameter of a wrong type or out of range
+namespace move_base
+{
+void readCostmaps(workspace_support::ParameterReader & reader, MoveBaseParameters & parameters);
+void readGlobalPlanner(workspace_support::ParameterReader & reader, MoveBaseParameters & parameters);
+void readLocalPlanner(workspace_support::ParameterReader & reader, MoveBaseParameters & parameters);
+}  // namespace move_base

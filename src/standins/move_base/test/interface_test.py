@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+"""The node's topics, services and parameters, to the letter of the original, with a car in lockstep."""
+
+import socket
+import subprocess
+import sys
+
+import pytest
+import rospy
+import rostest
+from actionlib_msgs.msg import GoalStatusArray
+from geometry_msgs.msg import PolygonStamped, PoseStamped
+from hall_case import WALL_PATIENCE, HallCase, Listener, pose_at
+from nav_msgs.msg import OccupancyGrid, Path
+from nav_msgs.srv import GetPlan
+
+
+class InterfaceTest(HallCase):
+    def test_the_action_is_up_only_with_all_that_driving_needs(self):
+        assert "/move_base/current_goal" in self.topics_before
+        assert "/move_base/status" not in self.topics_before
+        assert "/move_base/status" in dict(rospy.get_published_topics())
+
+    def test_goals_and_cancels_come_without_delay(self):
+        for publisher in (self.client.action_client.pub_goal, self.client.action_client.pub_cancel):
+            connections = publisher.impl.connections
+            assert connections
+            for connection in connections:
+                assert connection.socket.getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY)
+
+    def test_plans_come_under_the_planners_names_too(self):
+        names = ("NavfnROS/plan", "TebLocalPlannerROS/global_plan", "TebLocalPlannerROS/local_plan")
+        listeners = [Listener(f"move_base/{name}", Path) for name in names]
+        self.wait_until(lambda: all(each.connected() for each in listeners))
+        self.send(pose_at(3.0, 1.0))
+        self.result()
+        for listener in listeners:
+            assert listener.wait()[-1].poses
+
+    def test_the_status_comes_five_times_a_second(self):
+        listener = Listener("move_base/status", GoalStatusArray)
+        start = self.robot.now
+        self.wait_until(lambda: self.robot.now > start + 4.0)
+        assert 16 <= len(listener.messages) <= 24
+
+    def test_a_simple_goal_is_relayed_to_the_action(self):
+        goals = Listener("move_base/current_goal", PoseStamped)
+        publisher = rospy.Publisher("move_base_simple/goal", PoseStamped, queue_size=1)
+        self.wait_until(lambda: publisher.get_num_connections() > 0 and goals.connected())
+        publisher.publish(pose_at(2.5, 1.0))
+        assert goals.wait()[0].pose.position.x == pytest.approx(2.5)
+        self.wait_until(lambda: self.robot.pose[0] > 2.3 and self.robot.speed == 0.0)
+
+    def test_make_plan_plans_without_driving(self):
+        make_plan = rospy.ServiceProxy("move_base/make_plan", GetPlan)
+        plan = make_plan(start=pose_at(1.0, 1.0), goal=pose_at(6.0, 2.0), tolerance=0.0).plan
+        assert plan.header.frame_id == "map"
+        assert plan.poses[0].pose.position.x == pytest.approx(1.0, abs=1e-3)
+        assert plan.poses[-1].pose.position.x == pytest.approx(6.0, abs=1e-3)
+        assert self.robot.speed == 0.0
+
+    def test_make_plan_starts_at_the_car_unless_told(self):
+        make_plan = rospy.ServiceProxy("move_base/make_plan", GetPlan)
+        plan = make_plan(start=PoseStamped(), goal=pose_at(3.0, 1.0), tolerance=0.0).plan
+        assert plan.poses[0].pose.position.x == pytest.approx(1.0, abs=0.05)
+
+    def test_make_plan_is_empty_where_no_way_leads(self):
+        make_plan = rospy.ServiceProxy("move_base/make_plan", GetPlan)
+        assert make_plan(start=pose_at(1.0, 1.0), goal=pose_at(10.5, 5.0), tolerance=0.0).plan.poses == []
+
+    def test_make_plan_fails_while_a_goal_is_pursued(self):
+        make_plan = rospy.ServiceProxy("move_base/make_plan", GetPlan)
+        self.drive_off(pose_at(6.0, 2.0))
+        with pytest.raises(rospy.ServiceException):
+            make_plan(start=pose_at(1.0, 1.0), goal=pose_at(6.0, 2.0), tolerance=0.0)
+        self.client.cancel_goal()
+        self.result()
+
+    def test_plans_and_costmaps_are_shown(self):
+        listeners = {
+            "global_plan": Listener("move_base/global_plan", Path),
+            "local_plan": Listener("move_base/local_plan", Path),
+            "global_costmap": Listener("move_base/global_costmap/costmap", OccupancyGrid),
+            "local_costmap": Listener("move_base/local_costmap/costmap", OccupancyGrid),
+            "global_footprint": Listener("move_base/global_costmap/footprint", PolygonStamped),
+            "local_footprint": Listener("move_base/local_costmap/footprint", PolygonStamped),
+        }
+        self.wait_until(lambda: all(each.connected() for each in listeners.values()))
+        self.send(pose_at(6.0, 2.0))
+        self.result()
+        frames = {name: listener.wait()[-1].header.frame_id for name, listener in listeners.items()}
+        assert frames == {
+            "global_plan": "map",
+            "local_plan": "odom",
+            "global_costmap": "map",
+            "local_costmap": "odom",
+            "global_footprint": "map",
+            "local_footprint": "odom",
+        }
+        assert len(listeners["global_costmap"].messages[-1].data) == self.room.cells.size
+        local = listeners["local_costmap"].messages[-1]
+        assert (local.info.width, local.info.height) == (80, 80)
+        assert {100, 0} <= set(local.data)
+        assert -1 not in local.data
+
+    def test_a_wrong_parameter_ends_the_node_with_one_clear_line(self):
+        wrong = {
+            "max_vel_x": ("fast", 'parameter /wrong/max_vel_x: found "fast", must be a finite number'),
+            "controller_frequency": (0.0, "controller_frequency: found 0, must be a number > 0"),
+            "footprint": ([[0.0]], "must be a list of points, [[x, y], ...]"),
+            "lockstep": (3, "must be true or false"),
+            "max_planning_retries": (0.5, "must be a whole number"),
+            "base_local_planner": (1, "must be a text"),
+            "max_steering_angle": (0.2, "parameter /wrong/min_turning_radius: found 0.8, must be at least"),
+        }
+        for name, (value, message) in wrong.items():
+            rospy.set_param("wrong", {name: value})
+            run = subprocess.run(
+                ["rosrun", "move_base", "move_base", "__name:=wrong"],
+                capture_output=True,
+                text=True,
+                timeout=WALL_PATIENCE,
+                check=False,
+            )
+            assert run.returncode == 1, name
+            assert message in run.stderr
+            assert name in run.stderr
+            assert run.stderr.count("move_base: ") == 1, run.stderr
+
+    def test_make_plan_ends_within_the_tolerance_where_no_way_leads_to_the_goal(self):
+        make_plan = rospy.ServiceProxy("move_base/make_plan", GetPlan)
+        goal = pose_at(4.1, 2.0)
+        assert make_plan(start=PoseStamped(), goal=goal, tolerance=0.1).plan.poses == []
+        poses = make_plan(start=PoseStamped(), goal=goal, tolerance=1.0).plan.poses
+        assert poses[-1].pose.position.x == pytest.approx(4.1), "the goal itself, as with the original"
+        assert abs(poses[-2].pose.position.x - 4.1) <= 1.001
+
+    def test_the_global_planner_makes_plans_under_its_own_name(self):
+        make_plan = rospy.ServiceProxy("move_base/NavfnROS/make_plan", GetPlan)
+        assert make_plan(start=pose_at(1.0, 1.0), goal=pose_at(3.0, 1.0), tolerance=0.0).plan.poses
+
+    def test_plans_are_not_latched(self):
+        plans = Listener("move_base/global_plan", Path)
+        self.wait_until(plans.connected)
+        self.send(pose_at(3.0, 1.0))
+        self.result()
+        assert plans.wait()[-1]._connection_header["latching"] == "0"
+
+
+if __name__ == "__main__":
+    rospy.init_node("interface_test")
+    rostest.rosrun("move_base", "interface_test", InterfaceTest, sys.argv)

@@ -1,0 +1,119 @@
+#include "map/shown_costs.h"
+
+#include <gtest/gtest.h>
+
+#include "rooms.h"
+#include "seen/rolling_layer.h"
+
+namespace move_base
+{
+namespace
+{
+using testing::drawRoom;
+using testing::makeCostmap;
+using testing::scanFrom;
+
+constexpr double kCell = 0.05;
+
+// One obstacle in a grid of 41 x 41 cells; columns beyond the 25th are unknown.
+std::vector<std::int8_t> costsAroundOneObstacle(const Inflation & inflation, const GridGeometry & geometry)
+{
+  std::vector<std::int8_t> cells(geometry.size(), 0);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    cells[i] = geometry.cell(i).x > 25 ? std::int8_t{-1} : std::int8_t{0};
+  }
+  cells[geometry.index({20, 20})] = 100;
+  return inflated(cells, geometry, inflation);
+}
+
+TEST(Inflation, givesTheCostsOfTheOriginal)
+{
+  const GridGeometry geometry{41, 41, kCell, {}};
+  const auto costs = costsAroundOneObstacle({0.55, 10.0, 0.1286}, geometry);
+  const auto at = [&](int x, int y) { return static_cast<int>(costs[geometry.index({x, y})]); };
+  EXPECT_EQ(at(20, 20), 100);
+  EXPECT_EQ(at(18, 20), 99) << "0.1 m: the car surely touches it";
+  // costmap_2d: 252 exp(-10 (d - 0.1286)) cut to a whole number, 1 to 252 shown as 1 to 98.
+  EXPECT_EQ(at(17, 20), 1 + 97 * (203 - 1) / 251) << "0.15 m";
+  EXPECT_EQ(at(16, 20), 1 + 97 * (123 - 1) / 251) << "0.2 m";
+  EXPECT_EQ(at(16, 17), 1 + 97 * (74 - 1) / 251) << "0.25 m";
+  EXPECT_EQ(at(9, 20), 1 + 97 * (3 - 1) / 251) << "0.55 m";
+  EXPECT_EQ(at(8, 20), 0) << "0.6 m";
+}
+
+TEST(Inflation, leavesUnknownCellsUnknownUnlessTheCarTouchesThere)
+{
+  const GridGeometry geometry{41, 41, kCell, {}};
+  const auto costs = costsAroundOneObstacle({0.55, 10.0, 0.4}, geometry);
+  EXPECT_EQ(costs[geometry.index({27, 20})], 99) << "0.35 m";
+  EXPECT_EQ(costs[geometry.index({29, 20})], -1) << "0.45 m";
+}
+
+TEST(Inflation, goesOnBehindUnknownCells)
+{
+  const GridGeometry geometry{9, 1, kCell, {}};
+  const auto costs = inflated({100, -1, -1, -1, 0, 0, 0, 0, 0}, geometry, {0.55, 10.0, 0.05});
+  EXPECT_EQ(costs[1], 99);
+  EXPECT_EQ(costs[2], -1);
+  EXPECT_EQ(costs[4], 1 + 97 * (56 - 1) / 251) << "0.2 m";
+}
+
+TEST(ShownCosts, followWhatTheLidarSees)
+{
+  const OccupancyGrid map = drawRoom(10.0, 4.0);
+  Costmap costmap = makeCostmap(map);
+  ShownCosts shown;
+  shown.startOn(costmap);
+  const auto before = shown.cells();
+  costmap.observe(scanFrom({2.0, 2.0, 0.0}, [](double angle) { return std::abs(angle) < 0.1 ? 2.0 : 20.0; }));
+  shown.update(costmap);
+  ShownCosts anew;
+  anew.startOn(costmap);
+  EXPECT_EQ(shown.cells(), anew.cells());
+  EXPECT_NE(shown.cells(), before);
+  costmap.forgetBeyond({}, -1.0);
+  shown.update(costmap);
+  EXPECT_EQ(shown.cells(), before);
+}
+
+class Rolling : public ::testing::Test
+{
+protected:
+  int at(double x, double y) const { return layer_.cells()[layer_.geometry().index(layer_.geometry().cellAt({x, y}))]; }
+
+  RollingLayer layer_{4.0, 4.0, kCell, {}};
+};
+
+TEST_F(Rolling, hasItsSizeWhereverTheCarIs)
+{
+  for (const Vec2 & car : {Vec2{0.0, 0.0}, Vec2{-3.33, 100.01}}) {
+    layer_.moveTo(car);
+    EXPECT_EQ(layer_.cells().size(), 80U * 80U);
+    const Vec2 middle = layer_.geometry().origin.position() + Vec2{2.0, 2.0};
+    EXPECT_NEAR(middle.x, car.x, 0.51 * kCell);
+    EXPECT_NEAR(middle.y, car.y, 0.51 * kCell);
+  }
+}
+
+TEST_F(Rolling, marksWhatIsHitAndClearsWhatIsSeenThrough)
+{
+  layer_.moveTo({5.0, 5.0});
+  layer_.observe(scanFrom({5.0, 5.0, 0.0}, [](double angle) { return std::abs(angle) < 0.1 ? 1.01 : 20.0; }));
+  EXPECT_EQ(at(6.01, 5.0), 100);
+  EXPECT_EQ(at(5.9, 5.0), 0);
+  layer_.observe(scanFrom({5.0, 5.0, 0.0}, [](double) { return 20.0; }));
+  EXPECT_EQ(at(6.01, 5.0), 0);
+}
+
+TEST_F(Rolling, keepsWhatStaysInTheWindow)
+{
+  layer_.moveTo({5.0, 5.0});
+  layer_.observe(scanFrom({5.0, 5.0, 0.0}, [](double angle) { return std::abs(angle) < 0.1 ? 1.01 : 20.0; }));
+  layer_.moveTo({5.5, 4.5});
+  EXPECT_EQ(at(6.01, 5.0), 100);
+  layer_.moveTo({9.5, 5.0});
+  layer_.moveTo({5.0, 5.0});
+  EXPECT_EQ(at(6.01, 5.0), 0) << "it had left";
+}
+}  // namespace
+}  // namespace move_base

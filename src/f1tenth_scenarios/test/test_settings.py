@@ -71,6 +71,7 @@ def test_bad_setting_is_answered(file, text, problem):
         ("mu=0.3:1.0:3", ["0.3", "0.65", "1"]),
         ("world=a,b", ["a", "b"]),
         ("seed=4", ["4"]),
+        ("boxes=[],[{name: a, x: 1, y: 2}]", ["[]", "[{name: a, x: 1, y: 2}]"]),
     ],
 )
 def test_variation_stands_for_values(text, values):

@@ -2,17 +2,19 @@
 
 import json
 import math
+import types
 
 import numpy as np
 import pytest
 from f1tenth_scenarios.batch import jobs
 from f1tenth_scenarios.plan.planning import make_plan
 from f1tenth_scenarios.record.record import CarTrack
+from f1tenth_scenarios.scenario.settings import parse_variation
 from f1tenth_studies.study import Run
 from f1tenth_studies.table import table
 
 from f1tenth_scenarios import places
-from f1tenth_studies import cli, localization, passing, race_pace
+from f1tenth_studies import cli, localization, passing, race_pace, safety
 
 # Leaves the result that is beside it, for every run; `seed=13` fails.
 PROGRAM = """
@@ -146,6 +148,39 @@ def test_a_slower_car_must_be_passed(tmp_path, monkeypatch, change, speed, passe
     monkeypatch.setattr(passing, "_passes", lambda runs: passes)
     values = {"world": "circuit1", "cars.robot2.speed_max": speed}
     assert passing.STUDY.problem(run(tmp_path, values, **change)) == problem
+
+
+@pytest.mark.parametrize(
+    ("speeds", "stands_after", "problem"),
+    [
+        ([8.0] * 8 + [4.0, 2.0, 0.0] + [0.0] * 9, 1.5, ""),
+        ([8.0] * 12 + [1.0] * 8, math.inf, "the car did not come to a stand"),
+        ([8.0] * 14 + [0.0] * 6, math.inf, "the car did not come to a stand"),
+    ],
+)
+def test_safety_wants_a_standstill_while_inputs_fail(tmp_path, monkeypatch, speeds, stands_after, problem):
+    none = np.zeros(20)
+    time = 0.5 * np.arange(20)
+    track = CarTrack(
+        "robot1", time, none, none, none, np.array(speeds), none, none, none, none, ("",) * 20, none, (), ()
+    )
+    monkeypatch.setattr(Run, "record", types.SimpleNamespace(tracks={"robot1": track}))
+    one = run(tmp_path)
+    assert safety.speed_at_begin(one) == 8.0
+    assert safety.stop_after(one) == stands_after
+    assert safety.STUDY.problem(one) == problem
+    assert safety.STUDY.problem(run(tmp_path, contacts=[{}])) == "1 contacts, must be none"
+
+
+def test_safety_lets_each_input_and_each_pair_fail():
+    variation, speeds = (parse_variation(f"{key}={values}") for key, values in safety.STUDY.vary.items())
+    assert len(variation) == 12
+    assert len(speeds) == 3
+    file = places.package_path(cli.PACKAGE) / "scenarios" / "safety.yaml"
+    faults = [make_plan(str(file), settings=[str(each)]).scenario.cars[0].input_faults for each in variation]
+    assert {len(fault.inputs) for (fault,) in faults} == {1, 2}
+    assert {fault.delay for (fault,) in faults} == {None, safety.DELAY}
+    assert {(fault.at, fault.until) for (fault,) in faults} == {(safety.BEGIN, safety.END)}
 
 
 def test_a_study_is_swept_written_and_judged(program, tmp_path, capsys):

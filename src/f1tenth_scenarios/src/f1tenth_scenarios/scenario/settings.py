@@ -83,12 +83,16 @@ def _inner(hint: Any) -> Any:
 def parse_variation(text: str) -> list[Setting]:
     """Read what a key is to be: `seed=1:50` (whole numbers), `mu=0.3:1.0:8` (so many, evenly), `world=a,b`.
 
+    Values may be YAML in brackets, `boxes=[],[{name: box, x: 3, y: 0}]`.
+
     Raises:
         ScenarioError: it is none of these, or names a value twice.
     """
     setting = parse_setting(text)
     parts = setting.value.split(":")
-    if len(parts) == 3:
+    if setting.value[0] in "[{":
+        values = _split_beside_brackets(setting.value)
+    elif len(parts) == 3:
         values = _evenly_spaced(text, *parts)
     elif len(parts) == 2:
         values = _whole_numbers(text, *parts)
@@ -98,6 +102,17 @@ def parse_variation(text: str) -> list[Setting]:
     if count > 1:
         raise ScenarioError(f"'{text}' has the value {value} more than once")
     return [Setting(setting.key, value) for value in values]
+
+
+def _split_beside_brackets(text: str) -> list[str]:
+    values, depth = [""], 0
+    for letter in text:
+        depth += (letter in "[{") - (letter in "]}")
+        if letter == "," and depth == 0:
+            values.append("")
+        else:
+            values[-1] += letter
+    return values
 
 
 def _evenly_spaced(text: str, first: str, last: str, count: str) -> list[str]:

@@ -17,7 +17,6 @@ from nav_msgs.srv import GetPlan
 
 class InterfaceTest(HallCase):
     def test_the_action_is_up_only_with_all_that_driving_needs(self):
-        assert "/move_base/current_goal" in self.topics_before
         assert "/move_base/status" not in self.topics_before
         assert "/move_base/status" in dict(rospy.get_published_topics())
 

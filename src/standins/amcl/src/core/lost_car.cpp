@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine_types.h"
+
 namespace amcl
 {
 namespace
@@ -56,6 +58,13 @@ bool LostCar::isDue(const Pose2 & odometry) const
   return !last_ || std::hypot(odometry.x - last_->x, odometry.y - last_->y) >= kEvery;
 }
 
+void LostCar::drive(const Pose2 & motion)
+{
+  for (mrpt::math::TPose2D & pose : poses_) {
+    pose = toTPose2D(compose(fromTPose2D(pose), motion));
+  }
+}
+
 std::vector<Place> LostCar::look(const mrpt::obs::CObservation2DRangeScan & scan, const Pose2 & odometry)
 {
   sight_.add(scan, odometry);
@@ -63,12 +72,15 @@ std::vector<Place> LostCar::look(const mrpt::obs::CObservation2DRangeScan & scan
   if (seen.empty()) {
     return {};
   }
+  if (last_) {
+    drive(compose(inverse(*last_), odometry));
+  }
   last_ = odometry;
   ++looks_;
   std::vector<Place> places = road_.empty() ? search_.about(poses_, seen) : search_.everywhere(road_, seen);
   if (!places.empty()) {
     weigh(places);
-    is_over_ = road_.empty() || areOne(places) || looks_ == kMostLooks;
+    is_over_ = areOne(places) || looks_ == kMostLooks;
   }
   return places;
 }

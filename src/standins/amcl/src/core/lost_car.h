@@ -15,7 +15,7 @@ class LostCar
 public:
   /// It may be anywhere on a road.
   LostCar(const mrpt::maps::COccupancyGridMap2D & map, Points road);
-  /// It is at one of these poses, or near one: looked for once.
+  /// It is at one of these poses, or near one.
   LostCar(const mrpt::maps::COccupancyGridMap2D & map, std::vector<mrpt::math::TPose2D> poses);
 
   /// Takes a scan in.
@@ -27,10 +27,11 @@ public:
 
 private:
   bool isDue(const Pose2 & odometry) const;
+  void drive(const Pose2 & motion);
 
   PlaceSearch search_;
   Points road_;
-  std::vector<mrpt::math::TPose2D> poses_;
+  std::vector<mrpt::math::TPose2D> poses_;  // at the last look
   Sight sight_;
   std::optional<Pose2> last_;  // odometry at the last look
   int looks_{0};

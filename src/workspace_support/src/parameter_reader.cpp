@@ -208,6 +208,13 @@ bool ParameterReader::isKnown(const std::string & name) const
   return std::find(known_.begin(), known_.end(), name) != known_.end();
 }
 
+void ParameterReader::ignore(const std::vector<std::string> & names)
+{
+  for (const std::string & name : names) {
+    note(name);
+  }
+}
+
 std::vector<std::string> ParameterReader::unused() const
 {
   std::vector<std::string> names;

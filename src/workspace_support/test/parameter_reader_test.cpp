@@ -208,6 +208,8 @@ TEST(ParameterReader, TellsWhatNobodyHasAskedFor)
   EXPECT_EQ(some.below("whole").keys(), std::vector<std::string>{"map"});
   EXPECT_EQ(some.unused(), (std::vector<std::string>{"costmap/unused", "unused"}));
   EXPECT_EQ(refusalOf([&] { some.refuseUnused(); }), "parameter /node/costmap/unused: unknown; allowed: used");
+  some.ignore({"costmap/unused", "not there"});
+  EXPECT_EQ(some.unused(), std::vector<std::string>{"unused"});
 }
 
 TEST(ParameterReader, RefusesWhatIsUnknownNamingWhatIsAllowed)

@@ -67,6 +67,8 @@ public:
   /// @param allowed  "a text"
   [[noreturn]] void fail(const std::string & name, const std::string & allowed) const;
 
+  /// Counts parameters as asked for that are there for somebody else.
+  void ignore(const std::vector<std::string> & names);
   /// Parameters that nobody has asked for, without the name of this map.
   std::vector<std::string> unused() const;
   /// Refuses the first of these, and says which are known in its place.

@@ -15,7 +15,7 @@ ModelDescription onIce(ModelDescription model)
   return model;
 }
 
-ModelState moving(double x, double speed)
+ModelState movingAt(double x, double speed)
 {
   return {{x, 0.0, 0.0}, {speed, 0.0}, 0.0};
 }
@@ -30,7 +30,7 @@ Solid plate(const std::string & name)
 TEST(ModelMotion, FastModelsGoAsFarAsTheirSpeedSays)
 {
   Simulation simulation(world({onIce(movableBox("crate", 0.2, 0.0, 0.0))}));
-  simulation.placeModel(0, moving(0.0, 12.0));
+  simulation.placeModel(0, movingAt(0.0, 12.0));
   simulation.advanceTo(500'000'000);
   EXPECT_NEAR(simulation.modelPose("crate").x, 6.0, 0.05);
 }
@@ -44,7 +44,7 @@ TEST(ModelMotion, FastThinModelsDoNotPassThroughThinWalls)
   wall.pose = Pose3(2.0, 0, 0, 0, 0, 0);
   for (int i = 0; i < 8; ++i) {
     Simulation simulation(world({disc, wall}));
-    simulation.placeModel(0, moving(0.005 * i, 40.0));
+    simulation.placeModel(0, movingAt(0.005 * i, 40.0));
     simulation.advanceTo(200'000'000);
     EXPECT_LT(simulation.modelPose("disc").x, 2.0) << "from " << 0.005 * i;
   }
@@ -55,7 +55,7 @@ TEST(ModelMotion, HeavyModelsPushLightOnesOn)
   ModelDescription heavy = onIce(movableBox("heavy", 0.2, 0.0, 0.0));
   heavy.mass = 4.0;
   Simulation simulation(world({heavy, onIce(movableBox("light", 0.2, 0.5, 0.0))}));
-  simulation.placeModel(0, moving(0.0, 2.0));
+  simulation.placeModel(0, movingAt(0.0, 2.0));
   simulation.advanceTo(1'000'000'000);
   // Both go on with 2 m/s * 4 kg / 5 kg after 0.3 m.
   EXPECT_NEAR(simulation.modelPose("light").x, 0.5 + 1.6 * (1.0 - 0.3 / 2.0), 0.02);
@@ -80,7 +80,7 @@ TEST(ModelMotion, ModelsSlideFartherWhereGravityIsLess)
   WorldDescription moon = world({movableBox("crate", 0.2, 0.0, 0.0)});
   moon.gravity = 1.62;
   Simulation simulation(moon);
-  simulation.placeModel(0, moving(0.0, 2.0));
+  simulation.placeModel(0, movingAt(0.0, 2.0));
   simulation.advanceTo(4'000'000'000);
   EXPECT_NEAR(simulation.modelPose("crate").x, 2.0 * 2.0 / (2.0 * 0.5 * 1.62), 0.05);
 }

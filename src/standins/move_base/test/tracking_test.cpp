@@ -13,7 +13,7 @@ using testing::drawRoom;
 using testing::makeCostmap;
 using testing::SlidingCar;
 
-constexpr double kStepTime = 0.025;  // s
+constexpr double kControlStep = 0.025;  // s
 
 FollowerOptions shippedFollower(double speed)
 {
@@ -56,10 +56,10 @@ protected:
     PathFollower follower(shippedFollower(GetParam().speed));
     follower.setPath(path, costmap);
     SlidingCar car(start, GetParam().speed, GetParam().friction, GetParam().latency);
-    for (double t = 0.0; t < duration; t += kStepTime) {
-      const FollowStep step = follower.step(car.state(), costmap, kStepTime);
+    for (double t = 0.0; t < duration; t += kControlStep) {
+      const FollowStep step = follower.step(car.state(), costmap, kControlStep);
       ASSERT_FALSE(step.lost) << t;
-      car.drive(step.command, kStepTime);
+      car.drive(step.command, kControlStep);
       seen(t, car, step.position);
     }
   }

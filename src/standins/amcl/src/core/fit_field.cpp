@@ -7,10 +7,10 @@ namespace amcl
 {
 namespace
 {
-constexpr float kWall = 0.3F;   // probability to be free of cells that are walls
-constexpr float kFree = 0.7F;   // and of those that are not
-constexpr double kReach = 2.5;  // standard deviations
-constexpr int kFull = 255;      // stands for 1
+constexpr float kWall = 0.3F;           // probability to be free of cells that are walls
+constexpr float kFreeNeighbour = 0.7F;  // and of those that are not
+constexpr double kReach = 2.5;          // standard deviations
+constexpr int kFull = 255;              // stands for 1
 
 /// Whether it is a wall beside what is free: no beam ends farther inside.
 bool isSurface(const mrpt::maps::COccupancyGridMap2D & map, int column, int row)
@@ -19,7 +19,7 @@ bool isSurface(const mrpt::maps::COccupancyGridMap2D & map, int column, int row)
     return false;
   }
   for (int i = 0; i < 9; ++i) {
-    if (map.getCell(column + i % 3 - 1, row + i / 3 - 1) > kFree) {  // not so outside of the map
+    if (map.getCell(column + i % 3 - 1, row + i / 3 - 1) > kFreeNeighbour) {  // not so outside of the map
       return true;
     }
   }

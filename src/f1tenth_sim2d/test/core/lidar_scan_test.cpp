@@ -86,6 +86,15 @@ TEST(LidarScan, CarsSeeEachOtherButNotThemselves)
   EXPECT_NEAR(exactBeam(simulation, kRobot1), simulation.state(kRobot2).pose.x - 0.095 - 0.27, 1e-5);
 }
 
+TEST(LidarScan, DoesNotSeeWhatOfItsOwnCarStandsBeforeIt)
+{
+  CarDescription description = carWithSingleBeam("robot1");
+  description.solids.push_back(box("car::mast::collision", 0.02, 0.02, 0.3, 0.35, 0, 0.17));
+  Simulation simulation(world({wallAcross(3.0)}));
+  simulation.addCar(description, {}, {});
+  EXPECT_FLOAT_EQ(exactBeam(simulation), 3.0F - 0.27F);
+}
+
 TEST(LidarScan, SeesModelsWhereTheyAreNow)
 {
   Simulation simulation(world({movableBox("crate", 0.3, 1.5, 0.0)}));

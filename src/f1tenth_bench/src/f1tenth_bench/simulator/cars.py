@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from xml.etree import ElementTree
 
-import xacro
+from f1tenth_sim2d.environments.xacro_file import expanded
 
 import f1tenth_sim2d
 from f1tenth_bench.places import package_file
@@ -52,7 +52,7 @@ def urdf_file():
 
 def description(lidar):
     """Return the URDF of the workspace's car with another lidar."""
-    return _with_lidar(xacro.process_file(str(urdf_file())).toxml(), lidar)
+    return _with_lidar(expanded(urdf_file()), lidar)
 
 
 def f1tenth_car(lidar=F1TENTH, name="robot1"):

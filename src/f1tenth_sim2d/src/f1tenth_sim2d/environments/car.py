@@ -6,6 +6,7 @@ from xml.etree import ElementTree
 
 import f1tenth_sim2d
 from f1tenth_sim2d.environments.data import data_path
+from f1tenth_sim2d.environments.xacro_file import expanded
 
 
 @dataclass(frozen=True)
@@ -52,6 +53,4 @@ def with_lidar(text, lidar):
 
 @functools.lru_cache(maxsize=1)
 def _description():
-    import xacro
-
-    return xacro.process_file(str(data_path("f1tenth_description/urdf/f1tenth.urdf.xacro"))).toxml()
+    return expanded(data_path("f1tenth_description/urdf/f1tenth.urdf.xacro"))

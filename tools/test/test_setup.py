@@ -43,9 +43,14 @@ def run_setup(machine, *arguments):
     )
 
 
+RELEASE = re.search('VERSION_ID="(.*)"', Path("/etc/os-release").read_text())[1]
+
+
 def names_in(name):
+    """Packages of this release."""
     text = (ROOT / "setup" / name).read_text()
-    return [line.split()[0] for line in text.splitlines() if line and not line.startswith("#")]
+    lines = [line.split() for line in text.splitlines() if line and not line.startswith("#")]
+    return [name for name, *release in lines if release in ([], [f"@{RELEASE}"])]
 
 
 def install(machine, *names):
@@ -55,11 +60,10 @@ def install(machine, *names):
 
 def test_packages_of_another_release_are_left_alone(machine):
     lines = (ROOT / "setup" / "debian-packages.txt").read_text().splitlines()
-    release = re.search('VERSION_ID="(.*)"', Path("/etc/os-release").read_text())[1]
     of_one_release = [line.split() for line in lines if " @" in line and not line.startswith("#")]
     asked_for = run_setup(machine).stderr.split()
     assert "@12" not in asked_for
-    assert all((name in asked_for) is (wanted == f"@{release}") for name, wanted in of_one_release)
+    assert all((name in asked_for) is (wanted == f"@{RELEASE}") for name, wanted in of_one_release)
 
 
 def test_without_root_and_sudo_it_says_which_packages_to_install(machine):

@@ -14,6 +14,7 @@ using Eigen::Vector3d;
 
 /// Of the axis: a cylinder that leans less is upright, its sides off by less than a micrometre per metre of height.
 constexpr double kUprightSine = 1e-6;
+constexpr double kGrid = 1e-12;  // m
 
 /// A cylinder seen along the direction in which its axis leans: u is that direction in the ground plane, v is to its
 /// left. The axis is (sine, 0, cosine) in (u, v, z).
@@ -106,8 +107,17 @@ private:
   Vec2 direction_;
 };
 
-Section ofPoints(const std::vector<Vec2> & points)
+// Points that lie on a line but for rounding lose corners in Boost 1.83.
+double withoutRounding(double coordinate)
 {
+  return std::round(coordinate / kGrid) * kGrid;
+}
+
+Section ofPoints(std::vector<Vec2> points)
+{
+  for (Vec2 & point : points) {
+    point = {withoutRounding(point.x), withoutRounding(point.y)};
+  }
   ConvexPolygon hull = convexHull(points);
   return hull.empty() ? Section{} : Section{{std::move(hull)}, {}};
 }

@@ -51,7 +51,7 @@ class RoadOptions:
         for name, (low, high) in LIMITS.items():
             for value in np.atleast_1d(getattr(self, name)):
                 if not (isinstance(value, (int, float, np.number)) and low <= value <= high):
-                    raise RoadError(f"{name}: found {value!r}, allowed: {low:g} to {high:g}")
+                    raise RoadError(f"{name}: found {value}, allowed: {low:g} to {high:g}")
         self._check_together()
 
     def _check_together(self):

@@ -18,7 +18,7 @@ def write_command(folder, name, script):
 @pytest.fixture
 def machine(tmp_path):
     """Return a PATH on which nothing is installed yet, with nobody's rights and no sudo."""
-    for name in ("bash", "cat", "sed", "sort", "comm", "dirname", "env"):
+    for name in ("bash", "cat", "sed", "sort", "comm", "dirname", "env", "rm"):
         (tmp_path / name).symlink_to(f"/usr/bin/{name}")
     write_command(tmp_path, "dpkg-query", "exit 0")
     write_command(tmp_path, "id", "echo 1000")

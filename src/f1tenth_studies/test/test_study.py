@@ -1,5 +1,6 @@
 """Studies: their scenarios, what they measure and judge, and the command; runs are made up."""
 
+import importlib
 import json
 import math
 import types
@@ -55,7 +56,8 @@ def program(tmp_path, monkeypatch):
 @pytest.mark.parametrize("name", cli.STUDIES)
 @pytest.mark.parametrize("world", ["circuit1", "circuit5"])
 def test_the_scenario_of_a_study_is_one_on_every_circuit(name, world):
-    file = places.package_path(cli.PACKAGE) / "scenarios" / f"{name}.yaml"
+    study = importlib.import_module(f"{cli.PACKAGE}.{name}").STUDY
+    file = places.package_path(cli.PACKAGE) / "scenarios" / f"{study.scenario}.yaml"
     plan = make_plan(str(file), settings=[f"world={world}"])
     assert plan.goals_file("robot1").stem == world
     assert all(car.line.stem == world for car in plan.cars.values() if car.line)

@@ -15,12 +15,12 @@ from f1tenth_scenarios.stop_request import StopRequest
 from f1tenth_scenarios import places
 from f1tenth_studies.car_limits import CLEARANCE, read_limits
 from f1tenth_studies.fastest_lap import FastestLap, compute_fastest_lap, write_raceline
-from f1tenth_studies.study import Run, Study
+from f1tenth_studies.study import Run, Study, place_of
 from f1tenth_studies.table import document
 from f1tenth_studies.track import circuits, load_track
 
 PACKAGE = "f1tenth_studies"
-STUDIES = ("race_pace", "localization", "passing", "safety")
+STUDIES = ("race_pace", "localization", "passing", "safety", "roads", "tracks")
 GOOD, NOT_GOOD, BAD_INPUT = 0, 1, 2  # exit codes
 
 
@@ -67,42 +67,51 @@ def _guarded(program: str, action: Callable, options) -> int:
 
 def _study(options) -> int:
     study = importlib.import_module(f"{PACKAGE}.{options.name}").STUDY
-    own = {text.partition("=")[0]: text for text in options.vary}
-    variations = [own.pop(key, f"{key}={values}") for key, values in study.vary.items()] + list(own.values())
+    own = dict(text.partition("=")[::2] for text in options.vary)
     scenario = places.package_path(PACKAGE) / "scenarios" / f"{study.scenario}.yaml"
     results = (options.results or places.results_root()).resolve()
+    vary = study.make({**study.vary, **own}, _made(results / "places" / options.name))
+    variations = [f"{key}={values}" for key, values in vary.items()]
     sweep = Sweep(str(scenario), variations, results, options.set)
     with StopRequest().listening() as stop:
         sweep.run(stop, options.jobs)
     if stop.signal:
         return 128 + stop.signal
-    runs = _runs(sweep)
+    runs = _runs(sweep, study)
     if runs:
         text = document(study, runs, _command(options))
         print(text)
         if options.table:
             _write(options.table, text)
-    return _say(options.name, study, runs, sweep.problems)
+    return _say(options.name, study, runs, sweep)
 
 
-def _runs(sweep: Sweep) -> list[Run]:
+def _made(folder: Path) -> Path:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise ScenarioError(f"{folder}: cannot be made: {error.strerror}") from error
+    return folder
+
+
+def _runs(sweep: Sweep, study: Study) -> list[Run]:
     found = []
     for job in sweep.jobs:
         if job in sweep.results:
             values = dict(each.split("=", 1) for each in job.settings)
-            found.append(Run(values, sweep.results[job], job.folder))
+            found.append(Run({**values, **study.about(values)}, sweep.results[job], job.folder))
     return found
 
 
-def _say(name: str, study: Study, runs: Sequence[Run], without_result: Sequence[str]) -> int:
-    bad = [
-        f"{', '.join(run.values[key] for key in study.vary)}: {problem}"
-        for run in runs
-        if (problem := study.problem(run))
-    ]
-    for text in [*without_result, *bad]:
+def _say(name: str, study: Study, runs: Sequence[Run], sweep: Sweep) -> int:
+    bad = [f"{_name(run, sweep.keys)}: {problem}" for run in runs if (problem := study.problem(run))]
+    for text in [*sweep.problems, *bad]:
         print(f"study {name}: {text}", file=sys.stderr)
-    return NOT_GOOD if bad or without_result else GOOD
+    return NOT_GOOD if bad or sweep.problems else GOOD
+
+
+def _name(run: Run, keys: Sequence[str]) -> str:
+    return ", ".join(place_of(run.values) if key == "world" else run.values[key] for key in keys)
 
 
 def _command(options) -> str:

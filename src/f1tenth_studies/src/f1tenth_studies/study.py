@@ -70,11 +70,25 @@ class Study:
     rows: tuple[str, ...]  # the varied keys that make a row; runs that differ in others share one
     columns: tuple[Column, ...]
     problem: Callable[[Run], str]  # why a run is not good enough; empty when it is
+    # Writes files that the runs need into a folder; gives what is varied, from what the study varies.
+    make: Callable[[Mapping[str, str], Path], Mapping[str, str]] = lambda vary, folder: vary
+    # What rows may be named by, too, from the values of a run.
+    about: Callable[[Mapping[str, str]], Mapping[str, str]] = lambda values: {}
 
 
 def slowest(runs: Sequence[Run]) -> float:
     """The slowest lap, s; infinite without one."""
     return max((time for run in runs for time in run.lap_times), default=float("inf"))
+
+
+def place_of(values: Mapping[str, str]) -> str:
+    """Name of the place that was driven on."""
+    return Path(values["world"]).stem.removesuffix("_map")
+
+
+def failed_places(runs: Sequence[Run]) -> str:
+    """Names of those that failed."""
+    return ", ".join(place_of(run.values) for run in runs if run.failure())
 
 
 CLEARANCE = Column("least clearance (m)", lambda runs: min(run.clearance for run in runs))

@@ -1,0 +1,71 @@
+"""Places that a study makes: roads in the other direction, and lines for others to drive along."""
+
+import os
+from pathlib import Path
+from typing import Optional
+
+import numpy as np
+import yaml
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.road.course import Course, read_course
+
+_RACELINE_HEADER = "# s_m; x_m; y_m; psi_rad; kappa_radpm; vx_mps; ax_mps2"
+
+
+def data_folder() -> Path:
+    """Others' tracks: $F1TENTH_DATA/tracks.
+
+    Raises:
+        ScenarioError: it is not there.
+    """
+    folder = Path(os.environ.get("F1TENTH_DATA", ".")) / "tracks"
+    if not folder.is_dir():
+        raise ScenarioError(f"{folder}: not found; F1TENTH_DATA must name the folder in which 'tracks' is")
+    return folder
+
+
+def backwards(course: Course) -> Course:
+    """The same road in the other direction, from the same start."""
+    x, y, right, left = (np.roll(each[::-1], 1) for each in (course.x, course.y, course.right, course.left))
+    return Course(x, y, left, right)
+
+
+def write_place(stem: Path, map_file: Path, course: Course, line: Optional[np.ndarray] = None) -> Path:
+    """Make a place of a map that is there: STEM_map.yaml with another centreline beside it.
+
+    Args:
+        stem: of the files, in a folder that is there
+        map_file: of the road
+        course: its centreline
+        line: (n, 3), for drivers that follow one: x, y (m), speed (m/s)
+
+    Returns:
+        The file that names the place as a world.
+
+    Raises:
+        ScenarioError: a file cannot be read or written.
+    """
+    try:
+        description = yaml.safe_load(map_file.read_text(encoding="utf-8"))
+        description["image"] = str((map_file.parent / description["image"]).resolve())
+        path = stem.with_name(f"{stem.name}_map.yaml")
+        path.write_text(yaml.safe_dump(description), encoding="utf-8")
+        rows = np.column_stack([course.x, course.y, course.right, course.left])
+        np.savetxt(stem.with_name(f"{stem.name}_centerline.csv"), rows, fmt="%.4f", delimiter=", ")
+        if line is not None:
+            columns = np.zeros((len(line), 7))
+            columns[:, [1, 2, 5]] = line
+            target = stem.with_name(f"{stem.name}_raceline.csv")
+            np.savetxt(target, columns, fmt="%.5f", delimiter="; ", header=_RACELINE_HEADER, comments="")
+    except OSError as error:
+        raise ScenarioError(f"{error.filename}: {error.strerror}") from error
+    return path
+
+
+def both_directions(name: str, map_file: Path, centreline: Path, folder: Path) -> list[Path]:
+    """The places to drive a road along its centreline and against it."""
+    course = read_course(centreline)
+    return [
+        write_place(folder / name, map_file, course),
+        write_place(folder / f"{name}_reverse", map_file, backwards(course)),
+    ]

@@ -1,0 +1,68 @@
+"""Laps of random roads."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+from f1tenth_gazebo.roads import RoadError, make_road, write_road
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.road.course import read_course
+from f1tenth_scenarios.scenario.settings import parse_variation
+
+from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Study, failed_places, slowest
+
+_KEY = "road"
+_SHORT, _LONG = 80.0, 200.0  # m
+_NARROW, _WIDE = 1.6, 2.4  # m
+
+
+def _text() -> str:
+    return f"""\
+One lap from the standing start on roads of `rosrun f1tenth_gazebo make_road --seed N`, with default settings
+and perfect odometry. Their kinds: short (up to {_SHORT:g} m), middle (up to {_LONG:g} m) and long; narrow (up
+to {_NARROW:g} m at the narrowest place), middle (up to {_WIDE:g} m) and wide.
+
+Wanted: every lap is driven, and nothing is touched."""
+
+
+def _make(vary: Mapping[str, str], folder: Path) -> dict[str, str]:
+    """Writes the roads of the seeds; gives the worlds."""
+    worlds = []
+    for seed in (setting.value for setting in parse_variation(f"{_KEY}={vary[_KEY]}")):
+        try:
+            *_, world = write_road(make_road(int(seed)), folder / f"seed_{seed}")
+        except ValueError as error:
+            raise ScenarioError(f"{_KEY}={seed}: must be a seed, a whole number") from error
+        except (OSError, RoadError) as error:
+            raise ScenarioError(f"{_KEY}={seed}: {error}") from error
+        worlds.append(world)
+    others = {key: values for key, values in vary.items() if key != _KEY}
+    return {**others, "world": ",".join(map(str, worlds))}
+
+
+def _kind(values: Mapping[str, str]) -> dict[str, str]:
+    course = read_course(Path(values["world"].removesuffix(".world") + "_centerline.csv"))
+    width = float(np.min(course.right + course.left))
+    lengths = ("short", "middle", "long")[int(np.digitize(course.length, (_SHORT, _LONG)))]
+    widths = ("narrow", "middle", "wide")[int(np.digitize(width, (_NARROW, _WIDE)))]
+    return {"length": lengths, "width": widths}
+
+
+STUDY = Study(
+    title="Roads never seen",
+    text=_text,
+    scenario="unseen_road",
+    vary={_KEY: "0:199"},
+    rows=("length", "width"),
+    columns=(
+        Column("laps", len),
+        Column("failed", lambda runs: sum(bool(run.failure()) for run in runs)),
+        Column("which", failed_places),
+        Column("slowest lap (s)", slowest),
+        CLEARANCE,
+        CONTACTS,
+    ),
+    problem=lambda run: run.failure(),
+    make=_make,
+    about=_kind,
+)

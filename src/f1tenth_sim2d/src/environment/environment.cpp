@@ -11,17 +11,6 @@ namespace
 {
 constexpr double kReach = 5.0;  // m along the course, farther than any car gets in a period
 
-const LidarDescription & lidarOf(const EnvironmentOptions & options)
-{
-  if (options.cars.empty()) {
-    throw Error("cars: found 0, allowed are 1 or more");
-  }
-  if (options.cars.front().lidars.empty()) {
-    throw Error(options.cars.front().name + ": the car has no lidar, allowed are 1 or more");
-  }
-  return options.cars.front().lidars.front();
-}
-
 CarResult resultOf(const CarState & state)
 {
   CarResult result;
@@ -42,13 +31,6 @@ void setPosition(CarResult & car, const CoursePosition & position)
   car.course_heading = position.heading;
 }
 }  // namespace
-
-Environment::Environment(const PreparedWorld & world, const EnvironmentOptions & options)
-: world_(world),
-  options_(options),
-  observation_(options.parts, lidarOf(options), options.cars.size(), options.course ? options.course->length() : 0.0)
-{
-}
 
 void Environment::reset(std::uint64_t seed, const std::vector<CarStart> & starts)
 {

@@ -42,8 +42,11 @@ using Action = std::array<double, 2>;
 class Environment
 {
 public:
-  /// @throws Error for options that do not make one
-  explicit Environment(const PreparedWorld & world, const EnvironmentOptions & options);
+  /// @param options, observation  outlive this
+  Environment(const PreparedWorld & world, const EnvironmentOptions & options, const Observation & observation)
+  : world_(world), options_(options), observation_(observation)
+  {
+  }
 
   /// Begins an episode: time 0, the cars where they start.
   /// @throws Error if a car's place is not free or its parameters are not allowed; everything is then as before
@@ -59,7 +62,6 @@ public:
   /// @throws Error before the first reset, or if the file cannot be written
   void record(const std::string & file);
 
-  const Observation & observation() const { return observation_; }
   const std::vector<CarResult> & cars() const { return results_; }
   double time() const { return simulation_ ? toSeconds(simulation_->time()) : 0.0; }  ///< s
   const Simulation & simulation() const { return *simulation_; }
@@ -74,7 +76,7 @@ private:
 
   PreparedWorld world_;
   const EnvironmentOptions & options_;
-  Observation observation_;
+  const Observation & observation_;
   std::unique_ptr<Simulation> simulation_;
   std::vector<CarId> ids_;
   std::vector<Pedals> pedals_;

@@ -17,14 +17,32 @@ std::size_t atLeastOne(const char * what, std::size_t number)
   }
   return number;
 }
+
+const LidarDescription & lidarOf(const EnvironmentOptions & options)
+{
+  if (options.cars.empty()) {
+    throw Error("cars: found 0, allowed are 1 or more");
+  }
+  if (options.cars.front().lidars.empty()) {
+    throw Error(options.cars.front().name + ": the car has no lidar, allowed are 1 or more");
+  }
+  return options.cars.front().lidars.front();
+}
+
+Observation observationOf(const EnvironmentOptions & options)
+{
+  return {options.parts, lidarOf(options), options.cars.size(), options.course ? options.course->length() : 0.0};
+}
 }  // namespace
 
 Environments::Environments(
   const PreparedWorld & world, EnvironmentOptions options, std::size_t count, std::size_t threads)
-: options_(std::move(options)), pool_(std::min(atLeastOne("threads", threads), atLeastOne("environments", count)))
+: options_(std::move(options)),
+  observation_(observationOf(options_)),
+  pool_(std::min(atLeastOne("threads", threads), atLeastOne("environments", count)))
 {
   for (std::size_t i = 0; i < count; ++i) {
-    environments_.emplace_back(world, options_);
+    environments_.emplace_back(world, options_, observation_);
   }
   observations_.resize(count * cars() * observation().size());
   results_.resize(count * cars());

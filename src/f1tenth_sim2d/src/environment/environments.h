@@ -23,7 +23,7 @@ public:
   std::size_t count() const { return environments_.size(); }
   std::size_t cars() const { return options_.cars.size(); }
   const EnvironmentOptions & options() const { return options_; }
-  const Observation & observation() const { return environments_.front().observation(); }
+  const Observation & observation() const { return observation_; }
 
   /// Begins an episode of one environment. @throws Error as Environment::reset
   void reset(std::size_t index, std::uint64_t seed, const std::vector<CarStart> & starts);
@@ -45,6 +45,7 @@ private:
   void publish(std::size_t index);
 
   const EnvironmentOptions options_;
+  const Observation observation_;
   std::deque<Environment> environments_;
   std::vector<float> observations_;
   std::vector<CarResult> results_;

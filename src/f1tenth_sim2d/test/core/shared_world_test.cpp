@@ -52,6 +52,27 @@ TEST(SharedWorld, SimulationsInOneWorldDoNotNoticeEachOther)
   EXPECT_EQ(hashOfPushing(second), alone);
 }
 
+TEST(SharedWorld, EachLidarHasItsOwnBeamsAndRange)
+{
+  const PreparedWorld shared = roomWithCrate();
+  CarDescription short_sighted = car("robot1");
+  short_sighted.lidars.front().range_max = 2.0;
+  CarDescription coarse = car("robot1");
+  coarse.lidars.front().beam_count = 3;
+  const auto look = [&](const CarDescription & description) {
+    Simulation simulation(shared);
+    simulation.addCar(description, {}, {0.0, 0.0, M_PI});
+    std::vector<float> ranges(static_cast<std::size_t>(description.lidars.front().beam_count));
+    simulation.exactScan(kRobot1, 0, ranges.data());
+    return ranges;
+  };
+  const std::vector<float> all = look(car("robot1"));
+  const std::vector<float> three = look(coarse);
+  EXPECT_EQ(three, (std::vector<float>{all.front(), all[540], all.back()}));
+  EXPECT_GT(all[540], 2.0F);
+  EXPECT_EQ(look(short_sighted)[540], INFINITY);
+}
+
 TEST(SharedWorld, SimulationThatChangesItsModelsChangesNoOther)
 {
   const PreparedWorld shared = roomWithCrate();

@@ -101,6 +101,14 @@ WorldSection::WorldSection(const WorldDescription & world, double height)
   }
 }
 
+ScanSpaces & WorldSection::spacesFor(const LidarDescription & lidar) const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found =
+    std::find_if(spaces_.begin(), spaces_.end(), [&](const ScanSpaces & spaces) { return spaces.fit(lidar); });
+  return found != spaces_.end() ? *found : spaces_.emplace_back(lidar, walls_.itemCount());
+}
+
 void WorldSection::drawModels(const MovingPoses & poses, RangeRaster & raster) const
 {
   for (const Movable & movable : movables_) {

@@ -1,8 +1,10 @@
 #pragma once
 
-#include <memory>
+#include <deque>
+#include <mutex>
 #include <vector>
 
+#include "core/lidar/scan_space.h"
 #include "core/lidar/wall_grid.h"
 #include "f1tenth_sim2d/car_id.h"
 #include "f1tenth_sim2d/section.h"
@@ -43,6 +45,8 @@ public:
 
   double height() const { return height_; }
   const WallGrid & walls() const { return walls_; }
+  /// Where lidars with these beams scan.
+  ScanSpaces & spacesFor(const LidarDescription & lidar) const;
   void drawModels(const MovingPoses & poses, RangeRaster & raster) const;
   /// Ends a ray at the nearest thing of the world that it meets.
   void meet(const MovingPoses & poses, Ray & ray) const;
@@ -57,6 +61,8 @@ private:
   double height_;  ///< m
   WallGrid walls_;
   std::vector<Movable> movables_;
+  mutable std::mutex mutex_;  ///< of what follows
+  mutable std::deque<ScanSpaces> spaces_;
 };
 
 /// Everything that a lidar at one height sees: the world and all cars.

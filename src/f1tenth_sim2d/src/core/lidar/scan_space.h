@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "core/lidar/range_raster.h"
+#include "core/lidar/wall_grid.h"
+#include "f1tenth_sim2d/car_model.h"
+
+namespace f1tenth_sim2d
+{
+/// What a scan is made in. Large, and without a meaning between two scans.
+struct ScanSpace
+{
+  /// @param items  of the walls, as WallGrid counts them
+  ScanSpace(const LidarDescription & lidar, std::size_t items);
+
+  RangeRaster raster;
+  DrawnItems drawn;
+  std::vector<double> normal;  ///< standard normal noise
+};
+
+/// The spaces of all lidars with the same beams in the same walls, each lent for one scan. There are as many as threads
+/// have scanned at once, however many cars and simulations there are. For any thread.
+class ScanSpaces
+{
+public:
+  /// Makes the first space.
+  ScanSpaces(const LidarDescription & lidar, std::size_t items);
+
+  /// Whether a lidar can scan in these.
+  bool fit(const LidarDescription & lidar) const;
+
+  class GiveBack
+  {
+  public:
+    explicit GiveBack(ScanSpaces & owner) : owner_(&owner) {}
+    void operator()(ScanSpace * space) const { owner_->takeBack(space); }
+
+  private:
+    ScanSpaces * owner_;
+  };
+  using Loan = std::unique_ptr<ScanSpace, GiveBack>;
+
+  /// Allocates nothing, unless all that there are are lent.
+  Loan borrow();
+
+private:
+  void takeBack(ScanSpace * space) noexcept;
+
+  const LidarDescription lidar_;
+  const std::size_t items_;
+  std::mutex mutex_;  ///< of what follows
+  std::vector<std::unique_ptr<ScanSpace>> spaces_;
+  std::vector<ScanSpace *> free_;
+};
+}  // namespace f1tenth_sim2d

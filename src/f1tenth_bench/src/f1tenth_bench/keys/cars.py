@@ -1,25 +1,46 @@
-"""cars: what one more car costs."""
+"""cars, cars_touching: what one more car costs."""
 
 import f1tenth_sim2d
 from f1tenth_bench.benchmark import Measured, benchmark
 from f1tenth_bench.simulator.cars import f1tenth_car
 from f1tenth_bench.simulator.core_speed import measure_laps
 from f1tenth_bench.simulator.generated_worlds import ring_pose, ring_track
+from f1tenth_bench.simulator.spielberg import places_on_spielberg, spread_on_spielberg
 
-COUNTS = (1, 2, 4, 8, 16)
+COUNTS = (2, 4, 8, 16)
+MOST = max(COUNTS)
 SECONDS = 10.0
+APART = 2.0
+"""s, from one car to the next on the track."""
 
 
-@benchmark("cars", "x a car", at_most=1.5, is_ratio=True)
+@benchmark("cars", "x alone", at_most=1.3, is_ratio=True)
 def cars():
-    """Cost per car with 16 cars over that with 1, on a ring where they see and touch each other."""
-    costs = {}
-    details = {}
-    for count in COUNTS:
-        simulation = f1tenth_sim2d.Simulation(ring_track(), seed=1)
-        for i in range(count):
-            simulation.add_car(f1tenth_car(name=f"robot{i + 1}"), None, *ring_pose(i, count))
-        spent, laps, problem = measure_laps(simulation, SECONDS)
-        costs[count] = spent.cpu / count
-        details[str(count)] = laps["real_time_factor"]
-    return Measured(costs[16] / costs[1], {"real_time_factor": details})
+    """Cost of 16 cars over that of each alone, all over Spielberg, each with 1080 beams of 30 m."""
+    return _over_alone(spread_on_spielberg, places_on_spielberg(MOST, APART))
+
+
+@benchmark("cars_touching", "x alone", at_most=1.7, is_ratio=True)
+def cars_touching():
+    """Cost of 16 cars over that of each alone, on a ring where they crowd and touch each other."""
+    return _over_alone(_ring, [ring_pose(i, MOST) for i in range(MOST)], may_touch=True)
+
+
+def _over_alone(simulation_at, places, may_touch=False):
+    problems = []
+
+    def cost(places):
+        spent, _, problem = measure_laps(simulation_at(places), SECONDS, may_touch=may_touch)
+        problems.append(problem)
+        return spent.cpu
+
+    alone = [cost([place]) for place in places]
+    ratios = {count: cost(places[:: MOST // count]) / sum(alone[:: MOST // count]) for count in COUNTS}
+    return Measured(ratios[MOST], {"by_count": ratios}, max(problems, key=len))
+
+
+def _ring(places):
+    simulation = f1tenth_sim2d.Simulation(ring_track(), seed=1)
+    for i, place in enumerate(places, 1):
+        simulation.add_car(f1tenth_car(name=f"robot{i}"), None, *place)
+    return simulation

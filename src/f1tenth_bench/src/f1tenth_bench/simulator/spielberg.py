@@ -5,6 +5,7 @@ import math
 import f1tenth_sim2d
 from f1tenth_bench.places import data_file
 from f1tenth_bench.simulator.cars import SPIELBERG, f1tenth_car
+from f1tenth_bench.simulator.laps import PERIOD, record
 
 DISTANCE = 1.2
 """m, from one car to the next."""
@@ -12,10 +13,29 @@ DISTANCE = 1.2
 
 def spielberg(car_count):
     """Return a Simulation of cars in a row behind the start of Spielberg."""
-    world = f1tenth_sim2d.load_world(str(data_file("tracks/Spielberg/Spielberg_map.yaml")))
-    simulation = f1tenth_sim2d.Simulation(world, seed=1)
+    world = _world()
     x, y, yaw = world.start
-    for i in range(car_count):
-        place = (x - i * DISTANCE * math.cos(yaw), y - i * DISTANCE * math.sin(yaw), yaw)
-        simulation.add_car(f1tenth_car(SPIELBERG, f"robot{i + 1}"), None, *place)
+    behind = [i * DISTANCE for i in range(car_count)]
+    return _simulation(world, [(x - m * math.cos(yaw), y - m * math.sin(yaw), yaw) for m in behind])
+
+
+def places_on_spielberg(count, seconds):
+    """Return `count` poses (x, y, yaw), m and rad, that one car passes from the start on, `seconds` apart."""
+    driven = record(spielberg(1), count * seconds).poses[:, 0]
+    return driven[:: round(seconds / PERIOD)]
+
+
+def spread_on_spielberg(places):
+    """Return a Simulation of a car at each of these poses."""
+    return _simulation(_world(), places)
+
+
+def _world():
+    return f1tenth_sim2d.load_world(str(data_file("tracks/Spielberg/Spielberg_map.yaml")))
+
+
+def _simulation(world, places):
+    simulation = f1tenth_sim2d.Simulation(world, seed=1)
+    for i, place in enumerate(places, 1):
+        simulation.add_car(f1tenth_car(SPIELBERG, f"robot{i}"), None, *place)
     return simulation

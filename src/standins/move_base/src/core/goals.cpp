@@ -1,16 +1,14 @@
 #include "goals.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace move_base
 {
 bool cameNear(const Pose2 & from, const Pose2 & to, const Pose2 & goal, const GoalTolerance & tolerance)
 {
-  const Vec2 way = to.position() - from.position();
-  const double squared = dot(way, way);
-  const double part = squared > 0.0 ? std::clamp(dot(goal.position() - from.position(), way) / squared, 0.0, 1.0) : 1.0;
-  return distance(from.position() + part * way, goal.position()) <= tolerance.distance &&
+  const double part = nearestPart(from.position(), to.position(), goal.position());
+  const Vec2 nearest = from.position() + part * (to.position() - from.position());
+  return distance(nearest, goal.position()) <= tolerance.distance &&
          std::abs(normalizeAngle(to.yaw - goal.yaw)) <= tolerance.yaw;
 }
 

@@ -50,16 +50,13 @@ bool PlanRequests::canDrive(const Plan & plan, const CarState & car, const Costm
   if (car.speed < kTooFast) {
     return true;
   }
-  const auto nearest = std::min_element(
-    plan.path.begin(), plan.path.end(),
-    [&](const PathPoint & a, const PathPoint & b) { return distance(a.pose, car.pose) < distance(b.pose, car.pose); });
+  const std::size_t nearest = nearestTo(plan.path, car.pose);
+  const Pose2 & place = plan.path[nearest].pose;
   const std::vector<double> speeds = speedProfile(plan.path, costmap, options_.follower.limits);
-  const Vec2 from_path = car.pose.position() - nearest->pose.position();
-  const Vec2 ahead{std::cos(nearest->pose.yaw), std::sin(nearest->pose.yaw)};
+  const Vec2 from_path = car.pose.position() - place.position();
+  const Vec2 ahead{std::cos(place.yaw), std::sin(place.yaw)};
   const bool on_path = std::abs(cross(ahead, from_path)) <= options_.follower.max_path_deviation;
-  return on_path && !plan.path.front().reverse &&
-         car.speed <=
-           speeds[static_cast<std::size_t>(nearest - plan.path.begin())] + (passes() ? kFarTooFast : kTooFast);
+  return on_path && !plan.path.front().reverse && car.speed <= speeds[nearest] + (passes() ? kFarTooFast : kTooFast);
 }
 
 bool PlanRequests::isFar(double way, double speed, double time_needed) const

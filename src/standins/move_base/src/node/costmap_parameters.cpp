@@ -1,5 +1,6 @@
 #include <workspace_support/parameter_reader.h>
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <sstream>
 
 #include "parameter_groups.h"
@@ -10,11 +11,6 @@ namespace
 {
 using workspace_support::ParameterReader;
 using workspace_support::PluginName;
-
-bool endsWith(const std::string & text, const std::string & end)
-{
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
 
 // Where a parameter of a costmap is: its own place, and, for short, right under the node.
 std::vector<std::string> ofCostmap(const std::string & costmap, const std::string & name)
@@ -31,11 +27,12 @@ public:
     std::vector<PluginName> plugins;
     reader.read(costmap + "/plugins", plugins);
     for (const auto & [name, type] : plugins) {
-      if (endsWith(type, "StaticLayer")) {
+      if (boost::algorithm::ends_with(type, "StaticLayer")) {
         static_ = name;
-      } else if (endsWith(type, "ObstacleLayer") || endsWith(type, "VoxelLayer")) {
+      } else if (
+        boost::algorithm::ends_with(type, "ObstacleLayer") || boost::algorithm::ends_with(type, "VoxelLayer")) {
         obstacle_ = name;
-      } else if (endsWith(type, "InflationLayer")) {
+      } else if (boost::algorithm::ends_with(type, "InflationLayer")) {
         inflation_ = name;
       }
     }

@@ -67,10 +67,11 @@ void Displays::showSurroundings(const Pose2 & car, const ros::Time & stamp)
   if (global_footprint_.due(stamp)) {
     global_footprint_.publisher.publish(toPolygon(corners, car, headerOf(parameters_.global_frame, stamp)));
   }
-  const auto map = mapInLocalFrame();
-  if (map && local_footprint_.due(stamp)) {
-    local_footprint_.publisher.publish(
-      toPolygon(corners, compose(*map, car), headerOf(parameters_.local_frame, stamp)));
+  if (local_footprint_.due(stamp)) {
+    if (const auto map = mapInLocalFrame()) {
+      local_footprint_.publisher.publish(
+        toPolygon(corners, compose(*map, car), headerOf(parameters_.local_frame, stamp)));
+    }
   }
 }
 

@@ -38,9 +38,7 @@ double areaOf(const std::vector<Vec2> & corners)
 // @return m, from the origin to the segment between two corners
 double distanceToEdge(const Vec2 & from, const Vec2 & to)
 {
-  const Vec2 edge = to - from;
-  const double part = std::clamp(-dot(from, edge) / std::max(dot(edge, edge), 1e-12), 0.0, 1.0);
-  return norm(from + part * edge);
+  return norm(from + nearestPart(from, to, {}) * (to - from));
 }
 
 double inscribedRadiusOf(const std::vector<Vec2> & corners)

@@ -1,5 +1,7 @@
 #include "geometry/geometry.h"
 
+#include <algorithm>
+
 namespace move_base
 {
 namespace
@@ -15,5 +17,12 @@ Pose2 advance(const Pose2 & pose, double length, double curvature)
   }
   const double turn = length * curvature;
   return compose(pose, {std::sin(turn) / curvature, (1.0 - std::cos(turn)) / curvature, turn});
+}
+
+double nearestPart(const Vec2 & a, const Vec2 & b, const Vec2 & point)
+{
+  const Vec2 along = b - a;
+  const double squared = dot(along, along);
+  return squared > 0.0 ? std::clamp(dot(point - a, along) / squared, 0.0, 1.0) : 0.0;
 }
 }  // namespace move_base

@@ -23,4 +23,7 @@ using workspace_support::Vec2;
 /// @param length     m along the arc, negative backwards
 /// @param curvature  1/m, of the wheels' setting: positive is steering to the left
 Pose2 advance(const Pose2 & pose, double length, double curvature);
+
+/// Part of the straight way from a to b, within [0, 1], at which it is nearest to a point; 0 where a is b.
+double nearestPart(const Vec2 & a, const Vec2 & b, const Vec2 & point);
 }  // namespace move_base

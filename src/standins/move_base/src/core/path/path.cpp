@@ -105,4 +105,12 @@ double length(const std::vector<Arc> & arcs)
   }
   return sum;
 }
+
+std::size_t nearestTo(const Path & path, const Pose2 & pose)
+{
+  const auto nearest = std::min_element(path.begin(), path.end(), [&](const PathPoint & a, const PathPoint & b) {
+    return distance(a.pose, pose) < distance(b.pose, pose);
+  });
+  return static_cast<std::size_t>(nearest - path.begin());
+}
 }  // namespace move_base

@@ -35,4 +35,8 @@ Path samplePath(const Pose2 & start, const std::vector<Arc> & arcs, double spaci
 /// Length driven, m.
 double length(const Path & path);
 double length(const std::vector<Arc> & arcs);
+
+/// The point of a path nearest to a pose.
+/// @param path  of at least one point
+std::size_t nearestTo(const Path & path, const Pose2 & pose);
 }  // namespace move_base

@@ -9,14 +9,6 @@ namespace
 constexpr double kSearchAhead = 2.0;   // m
 constexpr double kSearchBehind = 0.5;  // m
 
-// Part of the way from a to b at which the point is nearest, within [0, 1].
-double nearestPart(const Vec2 & a, const Vec2 & b, const Vec2 & point)
-{
-  const Vec2 along = b - a;
-  const double squared = dot(along, along);
-  return squared > 0.0 ? std::clamp(dot(point - a, along) / squared, 0.0, 1.0) : 0.0;
-}
-
 PathPosition positionOn(
   const Path & path, const PathStretch & stretch, std::size_t index, double part, const Pose2 & pose)
 {

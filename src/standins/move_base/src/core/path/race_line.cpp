@@ -30,14 +30,6 @@ Vec2 normalAt(const Path & line, std::size_t i)
   return {-std::sin(line[i].pose.yaw), std::cos(line[i].pose.yaw)};
 }
 
-std::size_t nearestTo(const Path & line, const Pose2 & pose)
-{
-  const auto nearest = std::min_element(line.begin(), line.end(), [&](const PathPoint & a, const PathPoint & b) {
-    return distance(a.pose, pose) < distance(b.pose, pose);
-  });
-  return static_cast<std::size_t>(nearest - line.begin());
-}
-
 bool keepsHeading(const Path & line, const Gate & gate)
 {
   const double off = normalizeAngle(line[nearestTo(line, gate.pose)].pose.yaw - gate.pose.yaw);

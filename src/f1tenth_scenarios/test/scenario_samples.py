@@ -11,8 +11,10 @@ from f1tenth_scenarios.plan.task import Task
 from f1tenth_scenarios.record.observations import Failure, Observations, RaceState, RaceUpdate
 from f1tenth_scenarios.record.record import COLUMNS, read_record
 from f1tenth_scenarios.road.place import Place
+from f1tenth_scenarios.scenario.car import Car, Pose
+from f1tenth_scenarios.scenario.criteria import Criteria
 from f1tenth_scenarios.scenario.driver import Interface
-from f1tenth_scenarios.scenario.scenario import Car, Criteria, Limits, Pose, Scenario, Verdict
+from f1tenth_scenarios.scenario.scenario import Limits, Scenario, Verdict
 
 PERIOD = 0.025
 GOALS = {"robot1": (Pose(1.0, 0.0), Pose(2.0, 0.0), Pose(3.0, 0.0))}

@@ -12,7 +12,8 @@ from f1tenth_scenarios.judge.measured import Measured
 from f1tenth_scenarios.record.record import Record
 from f1tenth_scenarios.record.replay import Poses
 from f1tenth_scenarios.road.course import Course
-from f1tenth_scenarios.scenario.scenario import Criteria, Verdict
+from f1tenth_scenarios.scenario.criteria import Criteria
+from f1tenth_scenarios.scenario.scenario import Verdict
 from scenario_samples import TASKS, aborted, died, finished, record, rows, scenario, seen, with_clearance
 
 

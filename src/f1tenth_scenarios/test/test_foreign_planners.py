@@ -8,7 +8,9 @@ from f1tenth_scenarios.judge.judge import is_decided, judge
 from f1tenth_scenarios.plan.task import Task
 from f1tenth_scenarios.record.observations import Observations
 from f1tenth_scenarios.record.record import Record
-from f1tenth_scenarios.scenario.scenario import Criteria, Pose, StartLine, Verdict
+from f1tenth_scenarios.scenario.car import Pose
+from f1tenth_scenarios.scenario.criteria import Criteria
+from f1tenth_scenarios.scenario.scenario import StartLine, Verdict
 from report_samples import RADIUS, circling
 from scenario_samples import GOALS, TASKS, aborted, died, finished, record, rows, scenario, seen
 

@@ -3,8 +3,10 @@
 import pytest
 from f1tenth_scenarios.judge.judge import is_decided, judge
 from f1tenth_scenarios.record.record import Record
+from f1tenth_scenarios.scenario.car import Car, Command, Pose
+from f1tenth_scenarios.scenario.criteria import Criteria
 from f1tenth_scenarios.scenario.driver import Driver
-from f1tenth_scenarios.scenario.scenario import Car, Command, Criteria, Pose, Verdict
+from f1tenth_scenarios.scenario.scenario import Verdict
 from scenario_samples import (
     GOALS,
     TASKS,

@@ -5,7 +5,7 @@ import pytest
 from f1tenth_scenarios.record.record import Record
 from f1tenth_scenarios.results.picture import free_place, make_figure, write_picture
 from f1tenth_scenarios.results.track_map import TrackMap, read_track_map
-from f1tenth_scenarios.scenario.scenario import Pose
+from f1tenth_scenarios.scenario.car import Pose
 from PIL import Image
 from scenario_samples import GOALS, record, rows
 

@@ -6,7 +6,7 @@ import pytest
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan.handover import driver_arguments
 from f1tenth_scenarios.plan.planning import make_plan
-from f1tenth_scenarios.scenario.scenario import Pose
+from f1tenth_scenarios.scenario.car import Pose
 from scenario_samples import SCENARIO_TEXT
 
 CAR = "    goals: circuit1\n"

@@ -6,7 +6,8 @@ import pytest
 from f1tenth_scenarios.judge.judge import judge
 from f1tenth_scenarios.judge.laps import lap_times, start_of_race
 from f1tenth_scenarios.plan.task import Task
-from f1tenth_scenarios.scenario.scenario import Pose, StartLine
+from f1tenth_scenarios.scenario.car import Pose
+from f1tenth_scenarios.scenario.scenario import StartLine
 from report_samples import RADIUS, circling
 from scenario_samples import (
     GOALS,

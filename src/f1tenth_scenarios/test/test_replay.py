@@ -10,7 +10,7 @@ import pytest
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.record.replay import Poses, Replay, read_replay, write_replay
 from f1tenth_scenarios.record.scene import load_scene
-from f1tenth_scenarios.scenario.scenario import Pose
+from f1tenth_scenarios.scenario.car import Pose
 from report_samples import replay
 
 from f1tenth_scenarios import places

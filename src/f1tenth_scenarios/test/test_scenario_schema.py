@@ -3,7 +3,8 @@
 import pytest
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan.source import read_scenario
-from f1tenth_scenarios.scenario.scenario import Pose, Verdict
+from f1tenth_scenarios.scenario.car import Pose
+from f1tenth_scenarios.scenario.scenario import Verdict
 from scenario_samples import SCENARIO_TEXT
 
 TOP_KEYS = (

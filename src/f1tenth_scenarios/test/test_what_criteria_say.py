@@ -15,7 +15,8 @@ from f1tenth_scenarios.judge.measured import Measured
 from f1tenth_scenarios.record.observations import Failure
 from f1tenth_scenarios.record.record import COLUMNS, Record
 from f1tenth_scenarios.record.replay import Poses
-from f1tenth_scenarios.scenario.scenario import Criteria, Verdict
+from f1tenth_scenarios.scenario.criteria import Criteria
+from f1tenth_scenarios.scenario.scenario import Verdict
 from scenario_samples import record, rows, scenario
 
 from f1tenth_scenarios import places

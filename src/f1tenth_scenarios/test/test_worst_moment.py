@@ -16,7 +16,9 @@ from f1tenth_scenarios.judge.goal_passes import find_passes
 from f1tenth_scenarios.judge.judge import Decision, Judgement, first_collision
 from f1tenth_scenarios.judge.measured import Measured
 from f1tenth_scenarios.record.record import COLUMNS
-from f1tenth_scenarios.scenario.scenario import Criteria, Pose, Verdict
+from f1tenth_scenarios.scenario.car import Pose
+from f1tenth_scenarios.scenario.criteria import Criteria
+from f1tenth_scenarios.scenario.scenario import Verdict
 from scenario_samples import PERIOD, record, rows, scenario
 
 

@@ -7,7 +7,7 @@ from typing import Optional
 import numpy as np
 
 from f1tenth_scenarios.record.record import CarTrack
-from f1tenth_scenarios.scenario.scenario import Pose
+from f1tenth_scenarios.scenario.car import Pose
 
 
 @dataclasses.dataclass(frozen=True)

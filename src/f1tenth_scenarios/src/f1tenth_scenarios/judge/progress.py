@@ -7,7 +7,7 @@ import numpy as np
 from f1tenth_scenarios.judge.start_line import LapCounter
 from f1tenth_scenarios.plan.task import Task
 from f1tenth_scenarios.record.record import CarTrack
-from f1tenth_scenarios.scenario.scenario import Criteria
+from f1tenth_scenarios.scenario.criteria import Criteria
 
 
 class TaskProgress:

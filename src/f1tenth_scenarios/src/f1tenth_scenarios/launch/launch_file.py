@@ -21,8 +21,8 @@ from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.plan.scenario_world import write_world
 from f1tenth_scenarios.record.bag import RECORDER, recorder_arguments
 from f1tenth_scenarios.road.goals import goals_text
+from f1tenth_scenarios.scenario.car import Car, Input
 from f1tenth_scenarios.scenario.driver import Interface
-from f1tenth_scenarios.scenario.scenario import Car, Input
 
 # What takes time and helps nobody here is left out; timeouts in wall s, for each node.
 _OPTIONS = (

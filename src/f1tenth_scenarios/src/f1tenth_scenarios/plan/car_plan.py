@@ -12,7 +12,8 @@ from f1tenth_scenarios.road.course import Course, read_course
 from f1tenth_scenarios.road.goals import goals_along, read_goals
 from f1tenth_scenarios.road.place import Place, line_across
 from f1tenth_scenarios.road.raceline import read_raceline
-from f1tenth_scenarios.scenario.scenario import Car, Pose, Scenario, StartLine
+from f1tenth_scenarios.scenario.car import Car, Pose
+from f1tenth_scenarios.scenario.scenario import Scenario, StartLine
 
 
 @dataclasses.dataclass(frozen=True)

@@ -8,8 +8,8 @@ from typing import Any
 from f1tenth_scenarios import places
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan.driver_file import DriverFile, read_driver_file
+from f1tenth_scenarios.scenario.car import Car
 from f1tenth_scenarios.scenario.driver import Interface
-from f1tenth_scenarios.scenario.scenario import Car
 
 # Keys of a car that only its driver can make something of.
 _DRIVER_KEYS = ("line", "speed_max", "acceleration_max", "commands")

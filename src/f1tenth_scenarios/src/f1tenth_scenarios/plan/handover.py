@@ -6,7 +6,8 @@ from typing import Any, Optional
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan.participants import DEPUTY, has_deputy
 from f1tenth_scenarios.plan.plan import Plan
-from f1tenth_scenarios.scenario.scenario import Car, Input, Localization
+from f1tenth_scenarios.scenario.car import Car, Input
+from f1tenth_scenarios.scenario.scenario import Localization
 
 # s, after which the start signal is surely given: the countdown begins with the first period, not at 0.
 _START_MARGIN = 0.1

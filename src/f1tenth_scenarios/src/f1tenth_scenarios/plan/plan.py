@@ -8,7 +8,8 @@ from f1tenth_scenarios.plan.car_plan import CarPlan
 from f1tenth_scenarios.plan.task import Task
 from f1tenth_scenarios.road.course import Course
 from f1tenth_scenarios.road.place import Place
-from f1tenth_scenarios.scenario.scenario import Pose, Scenario
+from f1tenth_scenarios.scenario.car import Pose
+from f1tenth_scenarios.scenario.scenario import Scenario
 
 
 @dataclasses.dataclass(frozen=True)

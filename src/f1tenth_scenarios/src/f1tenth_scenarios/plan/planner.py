@@ -8,8 +8,9 @@ import yaml
 from f1tenth_scenarios import places
 from f1tenth_scenarios.errors import NotApplicableError
 from f1tenth_scenarios.plan.driver_file import DriverFile, read_driver_file
+from f1tenth_scenarios.scenario.car import Car
 from f1tenth_scenarios.scenario.driver import Driver
-from f1tenth_scenarios.scenario.scenario import Car, Scenario, Verdict
+from f1tenth_scenarios.scenario.scenario import Scenario, Verdict
 from f1tenth_scenarios.scenario.schema import read
 
 PLANNER = "planner"  # what settings call it

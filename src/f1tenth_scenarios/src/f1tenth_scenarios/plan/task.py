@@ -3,7 +3,8 @@
 import dataclasses
 from typing import Optional
 
-from f1tenth_scenarios.scenario.scenario import Pose, StartLine
+from f1tenth_scenarios.scenario.car import Pose
+from f1tenth_scenarios.scenario.scenario import StartLine
 
 
 @dataclasses.dataclass(frozen=True)

@@ -12,7 +12,7 @@ import f1tenth_sim2d
 from f1tenth_scenarios.record.replay import Lidar, Planar, Point, Poses, Replay, Shape
 
 if TYPE_CHECKING:  # scenarios need ROS, who records without it has none
-    from f1tenth_scenarios.scenario.scenario import Pose
+    from f1tenth_scenarios.scenario.car import Pose
 
 _CUT_HEIGHT = 0.12  # m above the ground, where no lidar says otherwise
 

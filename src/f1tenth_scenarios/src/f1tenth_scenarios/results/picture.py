@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.record.record import CarTrack, Record
 from f1tenth_scenarios.results.track_map import TrackMap
-from f1tenth_scenarios.scenario.scenario import Pose
+from f1tenth_scenarios.scenario.car import Pose
 
 _MARGIN = 1.0  # m, around what is drawn
 _LONG_SIDE = 11.0  # inch

@@ -8,7 +8,7 @@ import numpy as np
 import f1tenth_navigation_mgr
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.road.course import Course
-from f1tenth_scenarios.scenario.scenario import Pose
+from f1tenth_scenarios.scenario.car import Pose
 
 _SPACING = 4.0  # m, between goals along a road
 

@@ -8,7 +8,8 @@ from typing import Optional
 from f1tenth_scenarios import places
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.road.course import Course, read_course
-from f1tenth_scenarios.scenario.scenario import Pose, StartLine
+from f1tenth_scenarios.scenario.car import Pose
+from f1tenth_scenarios.scenario.scenario import StartLine
 
 _MAP_ENDING = "_map"
 _ORIGIN = Pose(0.0, 0.0, 0.0)

@@ -3,7 +3,7 @@
 from bisect import bisect_right
 from collections.abc import Sequence
 
-from f1tenth_scenarios.scenario.scenario import Command
+from f1tenth_scenarios.scenario.car import Command
 
 STANDING = Command(at=0.0, speed=0.0)
 

@@ -2,16 +2,13 @@
 
 import dataclasses
 import enum
-import re
 from typing import Optional
 
-from f1tenth_scenarios.scenario.driver import Driver
-from f1tenth_scenarios.scenario.schema import key
-
-Problem = Optional[tuple[str, str]]
+from f1tenth_scenarios.scenario.car import Car
+from f1tenth_scenarios.scenario.criteria import Criteria
+from f1tenth_scenarios.scenario.schema import Problem, key
 
 _GREATEST_PARAMETER = 2**31 - 1  # whole number that ROS's parameter server holds
-_NAMES_OF_THE_SIMULATOR = ("gazebo", "sim2d")  # namespaces at the root that are not a car's
 
 
 class Verdict(enum.Enum):
@@ -24,154 +21,11 @@ class Verdict(enum.Enum):
     ERROR = "error"
 
 
-class VehicleModel(enum.Enum):
-    """How a car moves: `model` in its YAML file."""
-
-    KINEMATIC = "kinematic"
-    SINGLE_TRACK = "single_track"
-    SINGLE_TRACK_DRIFT = "single_track_drift"
-
-
 class Localization(enum.Enum):
     """From what the cars know where they are."""
 
     STATIC = "static"
     AMCL = "amcl"
-
-
-@dataclasses.dataclass(frozen=True)
-class Pose:
-    """A pose in the map frame."""
-
-    x: float = key("Position in the map frame.", unit="m")
-    y: float = key("Position in the map frame.", unit="m")
-    yaw: float = key("Heading, counter-clockwise from the x axis.", unit="rad", default=0.0)
-
-
-@dataclasses.dataclass(frozen=True)
-class Command:
-    """What a car is told from a moment on."""
-
-    at: float = key("Simulated time from which the command holds.", unit="s", at_least=0)
-    speed: float = key("Speed along the car.", unit="m/s", at_least=-5, at_most=20)
-    steering_angle: float = key(
-        "Steering angle, left is positive.", unit="rad", at_least=-0.4189, at_most=0.4189, default=0.0
-    )
-
-
-class Input(enum.Enum):
-    """What a planner drives by."""
-
-    SCAN = "scan"
-    ODOM = "odom"
-    TF = "tf"
-
-
-@dataclasses.dataclass(frozen=True)
-class InputFault:
-    """A time in which inputs of a planner come late or not at all."""
-
-    inputs: tuple[Input, ...] = key("What is concerned: the lidar, the odometry, the transforms.")
-    at: float = key("Simulated time at which it begins.", unit="s", at_least=0)
-    until: float = key("Simulated time at which it is over.", unit="s", above=0)
-    delay: Optional[float] = key(
-        "By how much each message is late; none: all are lost.", unit="s", above=0, default=None
-    )
-
-    def problem(self) -> Problem:
-        """What is wrong between the keys: the key and the text, or nothing."""
-        if not self.inputs:
-            return "inputs", f"is empty; allowed: {', '.join(each.value for each in Input)}"
-        if self.until <= self.at:
-            return "until", f"is {self.until:g}, must be after 'at' ({self.at:g} s)"
-        return None
-
-
-@dataclasses.dataclass(frozen=True)
-class Car:
-    """One car of a scenario."""
-
-    name: str = key("Name and ROS namespace of the car.")
-    start: Optional[Pose] = key(
-        "Where the car's base_footprint is put; default: on the start line of the circuit or track, else at"
-        " the origin.",
-        default=None,
-    )
-    driver: Driver = key(
-        "Who drives. `race`: move_base and race_mgr drive to the goals; `pursuit`: pure pursuit of a line;"
-        " `commands`: a fixed command profile; `gap_follower`: steers into the widest gap; any other planner:"
-        " its launch file.",
-        default=Driver.short_forms()["race"],
-    )
-    goals: Optional[str] = key(
-        "Goals to be passed in order: a name under goals/ without .txt, or the path of a goals file relative"
-        " to the scenario file; default for the driver `race`: those of the circuit that is the world.",
-        default=None,
-    )
-    laps: Optional[int] = key(
-        "Laps to be driven, counted at the start line; goals are then only what the driver is given.",
-        at_least=1,
-        default=None,
-    )
-    line: Optional[str] = key(
-        "What the driver `pursuit` follows: a circuit under circuits/ without .yaml (its middle), or the path"
-        " of an X_raceline.csv or X_centerline.csv; default: the raceline beside the map, else the middle of"
-        " the road.",
-        default=None,
-    )
-    speed_max: Optional[float] = key(
-        "How fast the driver may go, if it has an argument of this name; default: what it is set to.",
-        unit="m/s",
-        above=0,
-        at_most=20,
-        default=None,
-    )
-    acceleration_max: Optional[float] = key(
-        "How hard the driver may speed up, brake and take bends, if it has an argument of this name; default:"
-        " what it is set to.",
-        unit="m/s^2",
-        above=0,
-        at_most=20,
-        default=None,
-    )
-    commands: tuple[Command, ...] = key("What the driver `commands` does, in order of time.", default=())
-    mu: Optional[float] = key(
-        "Friction of the car's tyres on the ground; default: the car's.", above=0, at_most=3, default=None
-    )
-    model: Optional[VehicleModel] = key(
-        "How the car moves: `kinematic`; `single_track`, tyres without a limit; `single_track_drift`,"
-        " tyres that slide; default: the car's.",
-        default=None,
-    )
-    dropped_beams: float = key(
-        "Probability of each beam of the planner's lidar to be lost.", at_least=0, at_most=1, default=0.0
-    )
-    input_faults: tuple[InputFault, ...] = key("When the planner's inputs fail.", default=())
-
-    def problem(self) -> Problem:
-        """What is wrong between the keys: the key and the text, or nothing."""
-        if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", self.name):
-            return "name", f"is '{self.name}', must be a letter followed by letters, digits and underscores"
-        if self.name in _NAMES_OF_THE_SIMULATOR:
-            return "name", f"is '{self.name}', must be none of {', '.join(_NAMES_OF_THE_SIMULATOR)}"
-        times = [command.at for command in self.commands]
-        if times != sorted(set(times)):
-            return "commands", "must be in order of time ('at'), each time once"
-        return self._problem_of_inputs()
-
-    def faults_of(self, name: Input) -> list[InputFault]:
-        """What befalls an input, in order of time."""
-        faults = (fault for fault in self.input_faults if name in fault.inputs)
-        return sorted(faults, key=lambda fault: fault.at)
-
-    def _problem_of_inputs(self) -> Problem:
-        if self.dropped_beams and self.faults_of(Input.SCAN):
-            return "input_faults", "cannot concern a scan with 'dropped_beams'"
-        for name in Input:
-            faults = self.faults_of(name)
-            if any(later.at < earlier.until for earlier, later in zip(faults, faults[1:])):
-                return "input_faults", f"overlap for '{name.value}'"
-        return None
 
 
 @dataclasses.dataclass(frozen=True)
@@ -228,59 +82,6 @@ class Limits:
         unit="s",
         above=0,
         default=300.0,
-    )
-
-
-@dataclasses.dataclass(frozen=True)
-class Criteria:
-    """What a run is measured by besides its verdict."""
-
-    goal_tolerance: float = key(
-        "A goal counts as passed within this distance.", unit="m", above=0, default=0.5
-    )
-    goal_yaw_tolerance: float = key(
-        "A goal counts as passed within this difference of heading.",
-        unit="rad",
-        above=0,
-        at_most=3.1416,
-        default=0.8,
-    )
-    light_touch: float = key(
-        "Contacts slower than this are no collision.", unit="m/s", at_least=0, default=0.0
-    )
-    minimum_clearance: Optional[float] = key(
-        "No car may come closer to anything than this.", unit="m", at_least=0, default=None
-    )
-    lap_time: Optional[float] = key("No lap may take longer.", unit="s", above=0, default=None)
-    lateral_acceleration: Optional[float] = key(
-        "No car may be pushed to the side harder than this.", unit="m/s^2", above=0, default=None
-    )
-    off_course: Optional[float] = key(
-        "No car's base_footprint may leave the road of `course` by more than this.",
-        unit="m",
-        at_least=0,
-        default=None,
-    )
-    standstill: Optional[float] = key(
-        "No car may stand still for longer after the start.", unit="s", at_least=0, default=None
-    )
-    slows_to: Optional[float] = key(
-        "Each car must, once it has been faster, come down to this speed; a car that is to stop.",
-        unit="m/s",
-        above=0,
-        default=None,
-    )
-    localization_error: Optional[float] = key(
-        "Largest distance between `amcl_pose` and the truth (RMS).", unit="m", above=0, default=None
-    )
-    localization_yaw_error: Optional[float] = key(
-        "Largest difference of heading between `amcl_pose` and the truth (RMS).",
-        unit="rad",
-        above=0,
-        default=None,
-    )
-    real_time_factor: Optional[float] = key(
-        "Least simulated seconds per wall second; depends on the machine.", above=0, default=None
     )
 
 

@@ -17,6 +17,9 @@ from f1tenth_scenarios.scenario.yaml_source import describe, error, items, scala
 
 T = TypeVar("T")
 
+Problem = Optional[tuple[str, str]]
+"""What a schema's method `problem` finds: a key and what is wrong with its value, or nothing."""
+
 
 @dataclasses.dataclass(frozen=True)
 class Key:

@@ -13,7 +13,8 @@ import numpy as np
 import yaml
 
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.scenario.scenario import Car, Scenario
+from f1tenth_scenarios.scenario.car import Car
+from f1tenth_scenarios.scenario.scenario import Scenario
 from f1tenth_scenarios.scenario.schema import keys
 
 _MOST_VALUES = 100_000

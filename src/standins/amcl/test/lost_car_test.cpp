@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "amcl/localizer.h"
 #include "engine_types.h"
 #include "road.h"
 #include "rooms.h"
@@ -58,6 +59,19 @@ TEST(LostCar, IsAtBothOfTwoPlacesThatLookAlike)
   EXPECT_GT(here, 0.1);
   EXPECT_GT(there, 0.1);
   EXPECT_FALSE(car.isOver());
+}
+
+TEST(LostCar, IsNotSaidToBeAtOneOfTheseForCertain)
+{
+  const OccupancyGrid grid = emptyRoom();
+  Estimate start;
+  start.pose = {1.0, 1.0, 0.0};
+  Localizer localizer(grid, LocalizerOptions(), start);
+  localizer.spreadOut();
+  localizer.process(scanOn(grid, {2.03, 1.52, 0.7}), {}, {});
+  const auto covariance = localizer.estimate().covariance;
+  EXPECT_GT(std::sqrt(covariance[0] + covariance[4]), 1.0);
+  EXPECT_GT(std::sqrt(covariance[8]), 1.0);
 }
 
 TEST(LostCar, IsLookedForAgainAfterAMetre)

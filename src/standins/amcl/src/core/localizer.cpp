@@ -139,6 +139,11 @@ public:
     const double map_variance = std::pow(0.5 * map_->getResolution(), 2);
     estimate.covariance[0] += map_variance;
     estimate.covariance[4] += map_variance;
+    if (lost_) {  // It may as well be at another place than where most particles are.
+      estimate.covariance[0] += 0.5 * (spread_(0, 0) + spread_(1, 1));
+      estimate.covariance[4] += 0.5 * (spread_(0, 0) + spread_(1, 1));
+      estimate.covariance[8] += spread_(2, 2);
+    }
     return estimate;
   }
 
@@ -173,6 +178,7 @@ private:
       }
     }
     set(poses);
+    spread_ = std::get<0>(particles_.getCovarianceAndMean());
     if (lost_->isOver()) {
       lost_.reset();
     }
@@ -226,6 +232,7 @@ private:
   void startAgain()
   {
     lost_.reset();
+    spread_.setZero();
     is_searching_ = false;
     odometry_.reset();
     due_ = true;
@@ -266,6 +273,7 @@ private:
   int updates_{0};
   Pose2 believed_;  // where the car was last said to be, in the frame of the map
   std::optional<LostCar> lost_;
+  mrpt::math::CMatrixDouble33 spread_;  // covariance of all places at the last look
   bool is_searching_{false};
   double power_{1.0};         // of the likelihood of a scan
   double search_power_{1.0};  // of a car that is lost

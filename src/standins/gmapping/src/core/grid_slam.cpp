@@ -146,6 +146,10 @@ private:
   {
     if (auto loop = loops_.find(way_, graph_.poses())) {
       loop->information = seenFrom({}, loop->information, kLoopError, kLoopTurnError);
+      if (loop->is_firm) {
+        // What a straight told before may lie beside: how far along it the car was is known only now.
+        graph_.keepFirm();
+      }
       graph_.connect(*loop);
       graph_.optimize();
     }

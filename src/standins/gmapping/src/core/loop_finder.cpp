@@ -33,6 +33,8 @@ constexpr double kLeastAgreement = 0.85;  // share of those that fall onto its w
 // A straight road looks alike everywhere: what tells less in one direction than this share of what it tells in the
 // other one tells nothing.
 constexpr double kLeastHold = 0.2;
+// 1/m^2 and 1/rad^2: tells nothing, so that no matrix is singular. What was expected is in the graph already.
+constexpr double kUnknown = 1e-4;
 
 void addEnds(const Stop & stop, const Pose2 & pose, std::size_t every, std::vector<Vec2> & points)
 {
@@ -187,6 +189,7 @@ std::optional<PoseEdge> LoopFinder::match(
   if (walls_tell.is_firm) {
     last_ = way.back().distance;
   }
-  return PoseEdge{earlier, way.size() - 1, matched.mean, walls_tell.information + prior.information, true};
+  const Eigen::Matrix3d information = walls_tell.information + kUnknown * Eigen::Matrix3d::Identity();
+  return PoseEdge{earlier, way.size() - 1, matched.mean, information, true, walls_tell.is_firm};
 }
 }  // namespace gmapping

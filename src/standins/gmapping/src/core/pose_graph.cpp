@@ -3,6 +3,7 @@
 #include <ceres/ceres.h>
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <array>
 
 namespace gmapping
@@ -56,6 +57,12 @@ std::size_t PoseGraph::add(const Pose2 & pose)
 {
   poses_.push_back(pose);
   return poses_.size() - 1;
+}
+
+void PoseGraph::keepFirm()
+{
+  const auto is_loose = [](const PoseEdge & edge) { return !edge.is_firm; };
+  edges_.erase(std::remove_if(edges_.begin(), edges_.end(), is_loose), edges_.end());
 }
 
 void PoseGraph::optimize()

@@ -17,6 +17,8 @@ struct PoseEdge
   Eigen::Matrix3d information;  ///< inverse of its covariance: x, y (m) and yaw (rad) in the frame of `from`
   /// A loop may be a mistake: then it counts less, the more it disagrees with all else.
   bool is_loop{false};
+  /// Whether it holds the pose in every direction.
+  bool is_firm{true};
 };
 
 /// Poses along a way and what connects them. The first one stays where it is.
@@ -26,6 +28,8 @@ public:
   /// Index of the new pose.
   std::size_t add(const Pose2 & pose);
   void connect(const PoseEdge & edge) { edges_.push_back(edge); }
+  /// Takes all edges out that are not firm.
+  void keepFirm();
   /// Moves the poses to where the edges agree best.
   void optimize();
 

@@ -184,6 +184,17 @@ TEST(Costmap, doesNotMarkTheWallsOfTheMap)
   EXPECT_EQ(costmap.revision(), 0U);
 }
 
+TEST(Costmap, takesAHitBesideACellOfAWallForTheWall)
+{
+  CostmapOptions options;
+  options.live.wall_tolerance = 0.0;
+  Costmap costmap = makeCostmap(drawRoom(10.0, 4.0), options);
+  costmap.observe(scanFrom({2.0, 2.0, 0.0}, [](double angle) { return 1.87 / std::abs(std::sin(angle)); }));
+  EXPECT_EQ(costmap.revision(), 0U);
+  costmap.observe(scanFrom({2.0, 2.0, 0.0}, [](double angle) { return 1.77 / std::abs(std::sin(angle)); }));
+  EXPECT_EQ(costmap.revision(), 1U);
+}
+
 TEST(Costmap, clearsWhatTheLidarSeesThrough)
 {
   Costmap costmap = makeCostmap(drawRoom(10.0, 4.0));

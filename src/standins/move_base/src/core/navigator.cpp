@@ -12,6 +12,9 @@ constexpr double kRetryInterval = 0.5;    // s between plans for the same goal: 
 constexpr double kPassingInterval = 0.1;  // s between looks for a way past others
 constexpr double kStandingSpeed = 0.05;   // m/s
 constexpr double kStopTime = 1.0;         // s, for which a car that has been stopped is told so
+constexpr double kMostLatency = 0.15;     // s, beyond what it is told to be
+constexpr double kLeastSlip = 0.2;        // times what it is told to be
+constexpr double kMostSlip = 4.0;         // the same
 constexpr double kLongestPeriod = 0.2;    // s, taken for a step after a pause
 }  // namespace
 
@@ -20,6 +23,8 @@ Navigator::Navigator(const NavigatorOptions & options, PlanWorker worker)
   follower_(options.follower),
   requests_(options_, goals_, follower_),
   job_(options.planner, std::move(worker)),
+  speed_lag_(follower_.speedLead()),
+  slip_watch_(options.follower.slip_gradient),
   recovery_(options.recoveries),
   oscillation_(options.oscillation_timeout, options.oscillation_distance)
 {
@@ -79,6 +84,8 @@ CycleOutput Navigator::cycle(const CycleInput & input, Costmap & costmap)
   CycleInput now = input;
   const double seen = input.time - input.age;
   const double measured = input.sensors_current ? seen : input.time - input.speed_age;
+  measureLatency(measured, input.car.speed);
+  measureSlip(seen, input.car.pose, costmap);
   now.car = reckoning_.predict(input.car, seen, measured, input.time);
   CycleOutput output;
   drive(now, costmap, output);
@@ -88,7 +95,25 @@ CycleOutput Navigator::cycle(const CycleInput & input, Costmap & costmap)
   previous_time_ = now.time;
   previous_pose_ = now.car.pose;
   reckoning_.note(now.time, output.command.value_or(DriveCommand{}));
+  speed_lag_.noteCommand(now.time, output.command.value_or(DriveCommand{}).speed);
   return output;
+}
+
+// Commands reach motor and steering on the same way.
+void Navigator::measureLatency(double time, double speed)
+{
+  speed_lag_.noteSpeed(time, speed);
+  const double told = options_.follower.latency;
+  follower_.setLatency(std::clamp(speed_lag_.lag() - PathFollower::kSpeedLag, told, told + kMostLatency));
+}
+
+void Navigator::measureSlip(double time, const Pose2 & pose, const Costmap & costmap)
+{
+  slip_watch_.note(time, pose);
+  if (options_.follower.slip_gradient > 0.0) {
+    const double times = slip_watch_.gradient() / options_.follower.slip_gradient;
+    follower_.setSlip(std::clamp(times, kLeastSlip, kMostSlip), costmap);
+  }
 }
 
 void Navigator::drive(const CycleInput & input, Costmap & costmap, CycleOutput & output)
@@ -264,7 +289,7 @@ void Navigator::passIfHindered(
     return;
   }
   auto plan = planPast(
-    {costmap, options_.planner, options_.follower.limits, plan_, request, others, follower_.placeOf(input.car),
+    {costmap, options_.planner, follower_.options().limits, plan_, request, others, follower_.placeOf(input.car),
      input.car.speed});
   if (plan) {
     plan_ = std::move(*plan);

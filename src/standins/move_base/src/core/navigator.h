@@ -7,6 +7,8 @@
 #include "control/dead_reckoning.h"
 #include "control/path_follower.h"
 #include "control/recovery.h"
+#include "control/slip_watch.h"
+#include "control/speed_lag.h"
 #include "goals.h"
 #include "navigator_options.h"
 #include "path/plan_job.h"
@@ -88,6 +90,8 @@ private:
     kOscillation
   };
 
+  void measureLatency(double time, double speed);
+  void measureSlip(double time, const Pose2 & pose, const Costmap & costmap);
   void drive(const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void driveBlind(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   void pursue(const CycleInput & input, Costmap & costmap, CycleOutput & output);
@@ -118,6 +122,8 @@ private:
   PlanRequests requests_;
   PlanJob job_;
   DeadReckoning reckoning_;
+  SpeedLag speed_lag_;
+  SlipWatch slip_watch_;
   RecoverySequence recovery_;
   OscillationWatch oscillation_;
   Plan plan_;

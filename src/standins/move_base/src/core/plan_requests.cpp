@@ -7,7 +7,7 @@ namespace move_base
 {
 namespace
 {
-constexpr double kGatePart = 0.75;        // of the goal tolerance, within which plans pass goals
+constexpr double kGatePart = 0.6;         // of the goal tolerance, within which plans pass goals
 constexpr double kGateYawPart = 0.65;     // the same for the heading, which slip changes as well
 constexpr double kLeadTime = 0.1;         // s beyond the latency, for which a new plan keeps to the old one
 constexpr double kApproachLength = 3.0;   // m, on top of the way of braking, that are planned to the goal itself
@@ -20,14 +20,14 @@ constexpr double kExtensionMargin = 1.0;  // m, of a plan beyond the goal, on to
 PlanRequest PlanRequests::from(const CarState & car, double time_needed) const
 {
   const double curvature = follower_.lastCommand().curvature;
-  PlanRequest request{advance(car.pose, car.speed * options_.follower.latency, curvature), goals_.front(), curvature};
+  PlanRequest request{advance(car.pose, car.speed * follower_.latency(), curvature), goals_.front(), curvature};
   if (passes()) {
     request.extension_length = extensionLength();
   }
   if (races(car, time_needed)) {
-    const SpeedLimits & limits = options_.follower.limits;
+    const SpeedLimits & limits = follower_.options().limits;
     request.race_line = RaceLineOptions{
-      kGatePart * tolerance().distance, kGateYawPart * tolerance().yaw, options_.follower.slip_gradient,
+      kGatePart * tolerance().distance, kGateYawPart * tolerance().yaw, follower_.options().slip_gradient,
       limits.max_lateral_acceleration, limits.max_vel_x};
   }
   if (options_.race_line || time_needed > 0.0) {
@@ -42,7 +42,7 @@ PlanRequest PlanRequests::from(const CarState & car, double time_needed) const
 
 double PlanRequests::leadTime(double time_needed) const
 {
-  return options_.follower.latency + kLeadTime + time_needed;
+  return follower_.latency() + kLeadTime + time_needed;
 }
 
 bool PlanRequests::canDrive(const Plan & plan, const CarState & car, const Costmap & costmap) const
@@ -52,10 +52,10 @@ bool PlanRequests::canDrive(const Plan & plan, const CarState & car, const Costm
   }
   const std::size_t nearest = nearestTo(plan.path, car.pose);
   const Pose2 & place = plan.path[nearest].pose;
-  const std::vector<double> speeds = speedProfile(plan.path, costmap, options_.follower.limits);
+  const std::vector<double> speeds = speedProfile(plan.path, costmap, follower_.options().limits);
   const Vec2 from_path = car.pose.position() - place.position();
   const Vec2 ahead{std::cos(place.yaw), std::sin(place.yaw)};
-  const bool on_path = std::abs(cross(ahead, from_path)) <= options_.follower.max_path_deviation;
+  const bool on_path = std::abs(cross(ahead, from_path)) <= follower_.options().max_path_deviation;
   return on_path && !plan.path.front().reverse && car.speed <= speeds[nearest] + (passes() ? kFarTooFast : kTooFast);
 }
 
@@ -73,12 +73,12 @@ bool PlanRequests::races(const CarState & car, double time_needed) const
 
 double PlanRequests::approachLength(double speed, double time_needed) const
 {
-  return options_.follower.limits.brakingDistance(speed) + kApproachLength + std::abs(speed) * time_needed;
+  return follower_.options().limits.brakingDistance(speed) + kApproachLength + std::abs(speed) * time_needed;
 }
 
 double PlanRequests::extensionLength() const
 {
-  const SpeedLimits & limits = options_.follower.limits;
+  const SpeedLimits & limits = follower_.options().limits;
   const double longest =
     limits.brakingDistance(limits.max_vel_x) + limits.max_vel_x * options_.coast_time + kExtensionMargin;
   return std::min(longest, goals_.wayToLast());

@@ -13,15 +13,16 @@ constexpr double kStoppedSpeed = 0.05;    // m/s
 constexpr double kEndReached = 0.03;      // m
 constexpr double kPredictionStep = 0.05;  // s
 constexpr double kPredictionTime = 0.8;   // s beyond the time needed for braking
-constexpr double kSpeedLead = 0.12;       // s, that a car's speed lags behind its command
 constexpr double kBrakingReserve = 1.5;   // of the deceleration of the speed profile, to come down to a slower profile
 constexpr double kLateralReserve = 1.05;  // of the lateral acceleration, to drive errors out
+constexpr double kSlipStep = 0.03;        // part by which the slip must change to be taken into account
+constexpr double kUsualSlip = 1.15;       // times what it is told to be, up to which the grip is that of a dry road
 constexpr double kStopMargin = 0.05;      // m, left before an obstacle
 // The speed commanded and the speed measured may differ by this much before the slew starts from the measured one, m/s.
 constexpr double kSpeedSlack = 0.5;
 constexpr double kSlackPart = 1.3;       // of what the speed lags behind when the car speeds up as it may
 constexpr double kTrafficTime = 2.5;     // s, for which others ahead count
-constexpr double kTrafficMargin = 0.06;  // m, beside them
+constexpr double kTrafficMargin = 0.03;  // m, beside them
 // Beyond this angle between car and path, steering back does not work, rad.
 constexpr double kMaxHeadingError = 1.2;
 }  // namespace
@@ -47,7 +48,7 @@ void FollowerOptions::validate() const
   requirePositive("max_path_deviation", max_path_deviation);
 }
 
-PathFollower::PathFollower(const FollowerOptions & options) : options_(options)
+PathFollower::PathFollower(const FollowerOptions & options) : given_(options), options_(options)
 {
   options_.validate();
 }
@@ -57,6 +58,23 @@ void PathFollower::setPath(const Path & path, const Costmap & costmap)
   path_ = path;
   speeds_ = speedProfile(path_, costmap, options_.limits);
   tracker_ = PathTracker(path_);
+}
+
+void PathFollower::setSlip(double times, const Costmap & costmap)
+{
+  if (std::abs(times - slip_) < kSlipStep * slip_) {
+    return;
+  }
+  slip_ = times;
+  options_.slip_gradient = given_.slip_gradient * times;
+  options_.understeer_gradient = given_.understeer_gradient * times;
+  options_.yaw_lag = given_.yaw_lag * times;
+  const double grip = std::min(1.0, kUsualSlip / times);
+  options_.limits.acc_lim_x = given_.limits.acc_lim_x * grip;
+  options_.limits.dec_lim_x = given_.limits.dec_lim_x * grip;
+  options_.limits.braking_power = given_.limits.braking_power * grip;
+  options_.limits.max_lateral_acceleration = given_.limits.max_lateral_acceleration * grip;
+  speeds_ = speedProfile(path_, costmap, options_.limits);
 }
 
 void PathFollower::clear()
@@ -128,6 +146,7 @@ FollowStep PathFollower::step(
   const CarState & car, const Costmap & costmap, double period, bool brake, const std::vector<Forecast> & others)
 {
   changeDirectionWhenStanding(car);
+  noteSent(period);
   FollowStep result;
   result.position = tracker_.moveTo(path_, car.pose);
   result.lost = std::abs(result.position.lateral) > options_.max_path_deviation ||
@@ -136,7 +155,7 @@ FollowStep PathFollower::step(
   const PathPosition predicted = tracker_.locate(path_, afterLatency(car));
 
   const double free = distanceToObstacle(car, costmap, result.prediction);
-  const double stoppable = options_.limits.speedToStopWithin(free - kStopMargin - std::abs(car.speed) * kSpeedLead);
+  const double stoppable = options_.limits.speedToStopWithin(free - kStopMargin - std::abs(car.speed) * speedLead());
   result.stuck = stoppable < kStoppedSpeed;
   result.blocked = result.stuck || pathBlocked(result.position, car.speed, costmap);
 
@@ -166,7 +185,7 @@ double PathFollower::slipOn(double curvature, double speed) const
 // By how much the car speeds up, its speed lagging behind the command.
 double PathFollower::accelerationTo(double command, double speed) const
 {
-  const double gain = (std::abs(command) - std::abs(speed)) / kSpeedLead;
+  const double gain = (std::abs(command) - std::abs(speed)) / speedLead();
   return std::clamp(gain, -options_.limits.deceleration(speed), options_.limits.acc_lim_x);
 }
 
@@ -183,12 +202,35 @@ double PathFollower::withUndersteer(double curvature, double speed, double accel
   return std::tan(std::clamp(angle, -options_.max_steering_angle, options_.max_steering_angle)) / wheelbase;
 }
 
+// What has been commanded within the latency is still to come.
 Pose2 PathFollower::afterLatency(const CarState & car) const
 {
   const double slip = slipOn(last_bend_, car.speed);
-  Pose2 pose = advance({car.pose.x, car.pose.y, car.pose.yaw - slip}, car.speed * options_.latency, last_bend_);
+  Pose2 pose{car.pose.x, car.pose.y, car.pose.yaw - slip};
+  double left = options_.latency;
+  for (const Sent & sent : sent_) {
+    pose = advance(pose, car.speed * std::min(sent.duration, left), sent.bend);
+    left -= std::min(sent.duration, left);
+  }
+  pose = advance(pose, car.speed * left, last_bend_);
   pose.yaw += slip;
   return pose;
+}
+
+void PathFollower::noteSent(double period)
+{
+  sent_.push_back({period, last_bend_});
+  double held = 0.0;
+  for (const Sent & sent : sent_) {
+    held += sent.duration;
+  }
+  while (!sent_.empty() && held - sent_.front().duration >= options_.latency) {
+    held -= sent_.front().duration;
+    sent_.pop_front();
+  }
+  if (held > options_.latency) {
+    sent_.front().duration -= held - options_.latency;
+  }
 }
 
 // Makes the lateral error decay along the way like a critically damped spring, on top of the curvature, 1/m, wanted
@@ -233,7 +275,7 @@ double PathFollower::profileAt(double s, std::size_t from) const
 
 double PathFollower::wantedSpeed(const PathPosition & position, double speed) const
 {
-  const double lead = std::min(std::abs(speed) * kSpeedLead, position.remaining);
+  const double lead = std::min(std::abs(speed) * speedLead(), position.remaining);
   const double here = profileAt(position.s, position.index);
   const double soon = profileAt(position.s + lead, position.index);
   return std::max(std::min(here, soon), options_.limits.min_vel_x);
@@ -294,7 +336,7 @@ void PathFollower::changeDirectionWhenStanding(const CarState & car)
 double PathFollower::slewed(double wanted, double speed, double period) const
 {
   const double greatest = std::max(options_.limits.acc_lim_x, options_.limits.dec_lim_x);
-  const double slack = std::max(kSpeedSlack, kSlackPart * kSpeedLead * greatest);
+  const double slack = std::max(kSpeedSlack, kSlackPart * speedLead() * greatest);
   const double from = std::clamp(last_.speed, speed - slack, speed + slack);
   const bool slower = std::abs(wanted) < std::abs(from) || wanted * from < 0.0;
   const double braking = std::min(options_.limits.dec_lim_x, kBrakingReserve * options_.limits.deceleration(from));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <vector>
 
 #include "map/costmap.h"
@@ -60,6 +61,8 @@ struct FollowStep
 class PathFollower
 {
 public:
+  static constexpr double kSpeedLag = 0.055;  ///< s, that a car's speed lags behind its command besides the latency
+
   /// @throws OptionError
   explicit PathFollower(const FollowerOptions & options);
 
@@ -70,6 +73,14 @@ public:
   bool hasPath() const { return !path_.empty(); }
   const Path & path() const { return path_; }
   void clear();
+  /// s, from measuring a pose to the wheels acting on the command; that of the options until it is set.
+  void setLatency(double latency) { options_.latency = latency; }
+  double latency() const { return options_.latency; }
+  /// Takes the tyres to slip so many times as much as the options say. Where that is clearly more, they have less grip,
+  /// and the car is asked for less. The speeds along the path follow.
+  void setSlip(double times, const Costmap & costmap);
+  /// s, that a car's speed lags behind its command.
+  double speedLead() const { return kSpeedLag + options_.latency; }
   const DriveCommand & lastCommand() const { return last_; }
 
   /// The path from behind the car to where it will be after the time, s; empty when the car is not on it.
@@ -89,6 +100,13 @@ public:
     const std::vector<Forecast> & others = {});
 
 private:
+  struct Sent
+  {
+    double duration;  // s
+    double bend;      // 1/m, wanted of the car's way
+  };
+
+  void noteSent(double period);
   double maxCurvature() const;
   double slipOn(double curvature, double speed) const;
   double accelerationTo(double command, double speed) const;
@@ -106,11 +124,14 @@ private:
   void changeDirectionWhenStanding(const CarState & car);
   double slewed(double wanted, double speed, double period) const;
 
-  FollowerOptions options_;
+  FollowerOptions given_;
+  FollowerOptions options_;  // as the car is found to be
+  double slip_{1.0};         // times that of given_
   Path path_;
   std::vector<double> speeds_;
   PathTracker tracker_;
   DriveCommand last_;
+  std::deque<Sent> sent_;
   double last_bend_{0.0};  // 1/m, wanted of the car's way by the last step
 };
 }  // namespace move_base

@@ -7,6 +7,11 @@
 
 namespace move_base
 {
+namespace
+{
+constexpr double kLeastTolerance = 1.5;  // cells
+}  // namespace
+
 void LiveLayerOptions::validate() const
 {
   requirePositive("obstacle_range", obstacle_range);
@@ -14,8 +19,12 @@ void LiveLayerOptions::validate() const
   requireNotNegative("wall_tolerance", wall_tolerance);
 }
 
+// A beam that hits the corner of a wall's cell may end in the next but one.
 LiveLayer::LiveLayer(const GridGeometry & geometry, const LiveLayerOptions & options)
-: geometry_(geometry), options_(options), marked_(geometry.size(), 0)
+: geometry_(geometry),
+  options_(options),
+  wall_tolerance_(std::max(options.wall_tolerance, kLeastTolerance * geometry.resolution)),
+  marked_(geometry.size(), 0)
 {
 }
 
@@ -66,7 +75,7 @@ std::vector<Vec2> LiveLayer::hits(const LaserScan & scan, const std::vector<floa
     const double angle = scan.angle_min + static_cast<double>(i) * scan.angle_increment;
     const Vec2 hit = transform(scan.sensor, {range * std::cos(angle), range * std::sin(angle)});
     const Cell cell = geometry_.cellAt(hit);
-    if (geometry_.contains(cell) && map_distances[geometry_.index(cell)] > options_.wall_tolerance) {
+    if (geometry_.contains(cell) && map_distances[geometry_.index(cell)] > wall_tolerance_) {
       hits.push_back(hit);
     }
   }

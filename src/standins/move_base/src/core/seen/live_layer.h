@@ -13,7 +13,7 @@ struct LiveLayerOptions
 {
   double obstacle_range{8.0};   ///< m, hits farther away mark nothing
   double raytrace_range{9.0};   ///< m, free space farther away clears nothing
-  double wall_tolerance{0.12};  ///< m, a hit this close to an obstacle of the map is that obstacle
+  double wall_tolerance{0.12};  ///< m, a hit this close to an obstacle of the map is that obstacle; 1.5 cells at least
 
   /// @throws OptionError
   void validate() const;
@@ -49,6 +49,7 @@ private:
 
   GridGeometry geometry_;
   LiveLayerOptions options_;
+  double wall_tolerance_;  // m
   std::vector<std::uint8_t> marked_;
   std::vector<std::size_t> cells_;
 };

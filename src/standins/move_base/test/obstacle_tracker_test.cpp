@@ -108,6 +108,19 @@ TEST(ObstacleTracker, aCarThatStopsIsNoMovingObstacleAfterASecond)
     }
   }
   EXPECT_TRUE(tracker.moving().empty());
+  ASSERT_EQ(tracker.stopped().size(), 1U);
+  EXPECT_LE(tracker.stopped()[0].outline.distanceTo(box.middle.position()), -0.15);
+  EXPECT_LE(box.distanceTo(tracker.stopped()[0].seen), 0.0);
+}
+
+TEST(ObstacleTracker, tellsWhereSomethingHasBeen)
+{
+  const auto moving = watch(kCar, 1.5, 3.0);
+  ASSERT_EQ(moving.size(), 1U);
+  EXPECT_NEAR(moving[0].watched, 2.0, 0.15);
+  ASSERT_GT(moving[0].trail.size(), 10U);
+  EXPECT_NEAR(distance(moving[0].trail.front(), moving[0].trail.back()), 3.0, 0.3);
+  EXPECT_NEAR(moving[0].trail.front().yaw, 0.3, 0.1);
 }
 
 TEST(ObstacleTracker, namesWhatItSawForTooShortATime)
@@ -132,6 +145,32 @@ TEST(ObstacleTracker, forgetsWhenTimeJumpsBack)
   ASSERT_FALSE(tracker.moving().empty());
   tracker.observe(1.0, {}, sidesOf(box, {}));
   EXPECT_TRUE(tracker.moving().empty());
+}
+
+// What the lidar at (2, 2) sees of the top of a low car, straight ahead.
+LaserScan scanOfTop(double range, double time)
+{
+  LaserScan scan = scanFrom({2.0, 2.0, 0.0}, [&](double angle) {
+    return std::abs(range * std::tan(angle)) < 0.05 && std::abs(angle) < 1.0 ? range / std::cos(angle) : 9.5;
+  });
+  scan.time = time;
+  return scan;
+}
+
+TEST(Costmap, aLowCarThatHasStoppedStandsThereUntilTheLidarSeesThroughWhereItWas)
+{
+  Costmap costmap = makeCostmap(drawRoom(12.0, 4.0));
+  const Vec2 in_its_tail{4.2, 2.0};
+  const double free = costmap.obstacleDistance(in_its_tail);
+  double time = 1.0;
+  for (; time < 4.0; time += kScan) {
+    costmap.observe(scanOfTop(std::min(1.75 + 1.5 * (time - 1.0), 2.5), time));
+  }
+  EXPECT_TRUE(costmap.moving().empty());
+  EXPECT_LT(costmap.obstacleDistance(in_its_tail), 0.0);
+  costmap.observe(scanOfTop(7.0, time));
+  costmap.observe(scanOfTop(7.0, time + kScan));
+  EXPECT_DOUBLE_EQ(costmap.obstacleDistance(in_its_tail), free);
 }
 
 TEST(Costmap, keepsWhatMovesOutOfTheDistances)

@@ -87,6 +87,9 @@ void Costmap::observe(const LaserScan & scan)
     hits.erase(std::remove_if(hits.begin(), hits.end(), inside), hits.end());
     changed = live_.forgetIn(outline) || changed;
   }
+  for (const StoppedObstacle & obstacle : tracker_.stopped()) {
+    changed = live_.remember(obstacle) || changed;
+  }
   for (const Box & glimpse : tracker_.glimpses()) {
     changed = live_.forgetIn(grown(glimpse, geometry_.resolution)) || changed;
   }

@@ -10,6 +10,7 @@ namespace move_base
 namespace
 {
 constexpr double kLeastTolerance = 1.5;  // cells
+constexpr double kSameObstacle = 0.3;    // m
 }  // namespace
 
 void LiveLayerOptions::validate() const
@@ -31,23 +32,56 @@ LiveLayer::LiveLayer(const GridGeometry & geometry, const LiveLayerOptions & opt
 bool LiveLayer::observe(const LaserScan & scan, const std::vector<Vec2> & hits)
 {
   const bool cleared = clear(scan);
-  const bool marked = mark(hits);
-  return cleared || marked;
+  const std::size_t before = cells_.size();
+  for (const Vec2 & hit : hits) {
+    mark(geometry_.index(geometry_.cellAt(hit)));
+  }
+  return cleared || cells_.size() != before;
 }
 
 bool LiveLayer::forgetBeyond(const Vec2 & centre, double radius)
 {
+  forgetStoppedIf([&](const Vec2 & seen) { return distance(seen, centre) > radius; });
   return forgetIf([&](const Vec2 & cell) { return distance(cell, centre) > radius; });
 }
 
 bool LiveLayer::forgetIn(const Box & outline)
 {
+  forgetStoppedIf([&](const Vec2 & seen) { return outline.distanceTo(seen) <= 0.0; });
   return forgetIf([&](const Vec2 & cell) { return outline.distanceTo(cell) <= 0.0; });
 }
 
 bool LiveLayer::clear(const LaserScan & scan)
 {
-  return forgetIf([&](const Vec2 & cell) { return seesThrough(scan, cell); });
+  forgetStoppedIf([&](const Vec2 & seen) { return seesThrough(scan, seen); });
+  return forgetIf([&](const Vec2 & cell) { return seesThrough(scan, cell) && !isStopped(cell); });
+}
+
+bool LiveLayer::remember(const StoppedObstacle & obstacle)
+{
+  const auto same = [&](const StoppedObstacle & known) { return distance(known.seen, obstacle.seen) < kSameObstacle; };
+  if (std::any_of(stopped_.begin(), stopped_.end(), same)) {
+    return false;
+  }
+  stopped_.push_back(obstacle);
+  const Box & outline = obstacle.outline;
+  const Vec2 reach = (outline.half_length + outline.half_width) * Vec2{1.0, 1.0};
+  const Cell low = geometry_.cellAt(outline.middle.position() - reach);
+  const Cell high = geometry_.cellAt(outline.middle.position() + reach);
+  for (Cell cell{0, low.y}; cell.y <= high.y; ++cell.y) {
+    for (cell.x = low.x; cell.x <= high.x; ++cell.x) {
+      if (geometry_.contains(cell) && outline.distanceTo(geometry_.centre(cell)) <= 0.0) {
+        mark(geometry_.index(cell));
+      }
+    }
+  }
+  return true;
+}
+
+bool LiveLayer::isStopped(const Vec2 & point) const
+{
+  return std::any_of(
+    stopped_.begin(), stopped_.end(), [&](const auto & each) { return each.outline.distanceTo(point) <= 0.0; });
 }
 
 bool LiveLayer::seesThrough(const LaserScan & scan, const Vec2 & point) const
@@ -82,17 +116,20 @@ std::vector<Vec2> LiveLayer::hits(const LaserScan & scan, const std::vector<floa
   return hits;
 }
 
-bool LiveLayer::mark(const std::vector<Vec2> & hits)
+void LiveLayer::mark(std::size_t index)
 {
-  const std::size_t before = cells_.size();
-  for (const Vec2 & hit : hits) {
-    const std::size_t index = geometry_.index(geometry_.cellAt(hit));
-    if (marked_[index] == 0) {
-      marked_[index] = 1;
-      cells_.push_back(index);
-    }
+  if (marked_[index] == 0) {
+    marked_[index] = 1;
+    cells_.push_back(index);
   }
-  return cells_.size() != before;
+}
+
+template <class Predicate>
+void LiveLayer::forgetStoppedIf(Predicate predicate)
+{
+  const auto forgotten =
+    std::remove_if(stopped_.begin(), stopped_.end(), [&](const auto & each) { return predicate(each.seen); });
+  stopped_.erase(forgotten, stopped_.end());
 }
 
 template <class Predicate>

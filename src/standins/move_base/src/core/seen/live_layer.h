@@ -6,6 +6,7 @@
 #include "car/box.h"
 #include "geometry/geometry.h"
 #include "seen/laser_scan.h"
+#include "seen/obstacle_tracker.h"
 
 namespace move_base
 {
@@ -29,6 +30,11 @@ public:
   /// @param map_distances  distance of each cell to the map's nearest obstacle, m
   std::vector<Vec2> hits(const LaserScan & scan, const std::vector<float> & map_distances) const;
 
+  /// Marks the whole outline of what has stopped until the lidar sees through the point where it was seen: above a low
+  /// car there is nothing else to hit.
+  /// @return whether any cell changed
+  bool remember(const StoppedObstacle & obstacle);
+
   /// Clears what the beams of the scan pass through, then marks what is hit, on the map.
   /// @return whether any cell changed
   bool observe(const LaserScan & scan, const std::vector<Vec2> & hits);
@@ -42,7 +48,10 @@ public:
 
 private:
   bool clear(const LaserScan & scan);
-  bool mark(const std::vector<Vec2> & hits);
+  bool isStopped(const Vec2 & point) const;
+  void mark(std::size_t index);
+  template <class Predicate>
+  void forgetStoppedIf(Predicate predicate);
   bool seesThrough(const LaserScan & scan, const Vec2 & point) const;
   template <class Predicate>
   bool forgetIf(Predicate predicate);
@@ -52,5 +61,6 @@ private:
   double wall_tolerance_;  // m
   std::vector<std::uint8_t> marked_;
   std::vector<std::size_t> cells_;
+  std::vector<StoppedObstacle> stopped_;
 };
 }  // namespace move_base

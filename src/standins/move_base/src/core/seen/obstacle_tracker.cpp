@@ -17,15 +17,18 @@ constexpr double kLargest = 1.5;          // m; what is larger is no car
 constexpr double kSameObstacle = 0.5;     // m, from where it was expected
 constexpr double kSightMemory = 0.25;     // s, over which a velocity is taken, and for which the unseen counts
 constexpr double kShortestSight = 0.095;  // s, of a velocity
+constexpr double kTrailMemory = 2.0;      // s
+constexpr double kTrailStep = 0.1;        // s
+constexpr double kLeastWay = 0.5;         // m, of what has driven about, before it stopped: less is an error
 constexpr double kStartsMoving = 0.4;     // m/s
 constexpr double kStopsMoving = 0.2;      // m/s
-constexpr double kStandsAfter = 1.0;      // s without moving
 // Of a car, of which the lidar sees one or two sides only, or what sticks out on top of it.
 constexpr double kLeastLength = 0.58;  // m
 constexpr double kLeastWidth = 0.31;   // m
 constexpr double kLargestTop = 0.2;    // m, of what may be the lidar of a low car
 constexpr double kTopToBumper = 0.4;   // m, from the middle of that to the farther end of the car
-constexpr double kSwing = 0.05;        // m, by which its ends are off the way of its top in a bend
+constexpr double kSwing = 0.05;   // m, by which its ends are off the way of its top in a bend, or once it has turned
+constexpr double kInside = 0.04;  // m, behind what is hit of it
 
 double slower(double a, double b)
 {
@@ -62,9 +65,16 @@ void ObstacleTracker::observe(double time, const Vec2 & sensor, const std::vecto
   assign(time, clustersOf(hits));
   forgetLost(time);
   moving_.clear();
+  stopped_.clear();
   for (const Track & track : tracks_) {
-    if (track.moves()) {
-      moving_.push_back(track.obstacle(sensor));
+    if (!track.hasMoved()) {
+      continue;
+    }
+    MovingObstacle obstacle = track.obstacle(sensor);
+    if (!track.stands()) {
+      moving_.push_back(std::move(obstacle));
+    } else if (distance(obstacle.trail.front(), obstacle.trail.back()) > kLeastWay) {
+      stopped_.push_back(track.stopped(sensor));
     }
   }
 }
@@ -176,11 +186,21 @@ void ObstacleTracker::Track::estimateVelocity()
   velocity_ = {
     slower(slope([](auto & s) { return s.low.x; }), slope([](auto & s) { return s.high.x; })),
     slower(slope([](auto & s) { return s.low.y; }), slope([](auto & s) { return s.high.y; }))};
-  if (norm(velocity_) > (last_moved_ ? kStopsMoving : kStartsMoving)) {
+  if (norm(velocity_) > (hasMoved() && !stands() ? kStopsMoving : kStartsMoving)) {
     last_moved_ = lastSeen();
     heading_ = std::atan2(velocity_.y, velocity_.x);
-  } else if (last_moved_ && lastSeen() > *last_moved_ + kStandsAfter) {
-    last_moved_.reset();
+    noteTrail();
+  }
+}
+
+void ObstacleTracker::Track::noteTrail()
+{
+  if (trail_.empty() || lastSeen() > trail_.back().time + kTrailStep) {
+    const Vec2 middle = expected(lastSeen());
+    trail_.push_back({lastSeen(), {middle.x, middle.y, heading_}});
+  }
+  while (trail_.front().time < lastSeen() - kTrailMemory) {
+    trail_.pop_front();
   }
 }
 
@@ -205,6 +225,17 @@ MovingObstacle ObstacleTracker::Track::obstacle(const Vec2 & sensor) const
   const Vec2 middle =
     transform({0.0, 0.0, heading_}, {0.5 * (along.low + along.high), 0.5 * (across.low + across.high)});
   const Box outline{{middle.x, middle.y, heading_}, 0.5 * (along.high - along.low), 0.5 * (across.high - across.low)};
-  return {outline, norm(velocity_), lastSeen()};
+  MovingObstacle obstacle{outline, norm(velocity_), lastSeen()};
+  for (const Place & place : trail_) {
+    obstacle.trail.push_back(place.pose);
+  }
+  obstacle.watched = trail_.empty() ? 0.0 : lastSeen() - trail_.front().time;
+  return obstacle;
+}
+
+StoppedObstacle ObstacleTracker::Track::stopped(const Vec2 & sensor) const
+{
+  const Vec2 & middle = hits_[hits_.size() / 2];
+  return {grown(obstacle(sensor).outline, kSwing), middle + (kInside / distance(sensor, middle)) * (middle - sensor)};
 }
 }  // namespace move_base

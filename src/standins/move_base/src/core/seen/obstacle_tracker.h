@@ -16,6 +16,16 @@ struct MovingObstacle
   Box outline;        ///< at least as large as a car; its heading is that of the motion
   double speed{0.0};  ///< m/s
   double seen{0.0};   ///< s, when
+  /// Where it has been in the last seconds, the oldest first, with the heading of the motion there.
+  std::vector<Pose2> trail{};
+  double watched{0.0};  ///< s, that its trail tells of
+};
+
+/// Something that drove about and came to a stand.
+struct StoppedObstacle
+{
+  Box outline;  ///< at least as large as a car
+  Vec2 seen;    ///< m, a point inside of what the lidar sees of it
 };
 
 /// Tells what moves from what stands, from scan to scan: hits near to each other are one obstacle, and how fast it is
@@ -31,6 +41,8 @@ public:
 
   /// What moves, and was seen a moment ago at the longest.
   const std::vector<MovingObstacle> & moving() const { return moving_; }
+  /// What drove about, stands now, and was seen a moment ago at the longest.
+  const std::vector<StoppedObstacle> & stopped() const { return stopped_; }
   /// Where something was seen for too short a time to tell whether it stands, and is not seen any more.
   const std::vector<Box> & glimpses() const { return glimpses_; }
 
@@ -42,6 +54,7 @@ private:
     Vec2 high;  // m
   };
   using Cluster = std::vector<Vec2>;
+  static constexpr double kStandsAfter = 1.0;  // s without moving
 
   class Track
   {
@@ -56,18 +69,28 @@ private:
     bool decided() const { return decided_; }
     /// The upright rectangle around all that was seen of it in a moment.
     Box extent() const;
-    bool moves() const { return last_moved_.has_value(); }
+    bool hasMoved() const { return last_moved_.has_value(); }
+    bool stands() const { return lastSeen() > *last_moved_ + kStandsAfter; }
     MovingObstacle obstacle(const Vec2 & sensor) const;
+    StoppedObstacle stopped(const Vec2 & sensor) const;
 
   private:
     void estimateVelocity();
+    void noteTrail();
+
+    struct Place
+    {
+      double time;
+      Pose2 pose;
+    };
 
     std::deque<Sighting> sightings_;
+    std::deque<Place> trail_;
     Cluster hits_;
     Vec2 velocity_;  // m/s
     bool decided_{false};
     double heading_{0.0};               // rad, of the motion
-    std::optional<double> last_moved_;  // s; nothing if it stands
+    std::optional<double> last_moved_;  // s; nothing if it never did
   };
 
   static std::vector<Cluster> clustersOf(const std::vector<Vec2> & hits);
@@ -76,6 +99,7 @@ private:
 
   std::vector<Track> tracks_;
   std::vector<MovingObstacle> moving_;
+  std::vector<StoppedObstacle> stopped_;
   std::vector<Box> glimpses_;
   double last_time_{0.0};
 };

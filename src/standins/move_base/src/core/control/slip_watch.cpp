@@ -12,7 +12,7 @@ constexpr double kLeastSpeed = 1.5;         // m/s
 constexpr double kLeastAcceleration = 1.0;  // m/s^2
 constexpr double kMostAcceleration = 20.0;  // m/s^2, beyond it the pose has jumped
 constexpr double kGreatestSlip = 0.6;       // rad, beyond it as well, or the car spins
-constexpr double kForgetting = 0.005;       // per measurement
+constexpr double kSlipForgetting = 0.005;   // per measurement
 }  // namespace
 
 // Least squares; what has been measured long ago fades.
@@ -42,7 +42,7 @@ void SlipWatch::note(double time, const Pose2 & pose)
   if (speed < kLeastSpeed || !corners || std::abs(slip) > kGreatestSlip) {
     return;
   }
-  slip_times_acceleration_ += slip * acceleration - kForgetting * slip_times_acceleration_;
-  squared_acceleration_ += acceleration * acceleration - kForgetting * squared_acceleration_;
+  slip_times_acceleration_ += slip * acceleration - kSlipForgetting * slip_times_acceleration_;
+  squared_acceleration_ += acceleration * acceleration - kSlipForgetting * squared_acceleration_;
 }
 }  // namespace move_base

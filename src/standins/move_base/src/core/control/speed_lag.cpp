@@ -7,19 +7,19 @@ namespace move_base
 {
 namespace
 {
-constexpr double kStep = 0.025;        // s, between the delays that are compared
-constexpr double kGreatest = 0.35;     // s
-constexpr double kLeastChange = 0.3;   // m/s, that a command must change by to tell something
-constexpr double kChangeTime = 0.25;   // s, within which
-constexpr double kForgetting = 0.01;   // per measurement
-constexpr double kExpectation = 0.01;  // m^2/s^2, error taken for a delay one step beside the expected one
-constexpr std::size_t kDelays = static_cast<std::size_t>(kGreatest / kStep) + 1;
+constexpr double kDelayStep = 0.025;     // s, between the delays that are compared
+constexpr double kGreatest = 0.35;       // s
+constexpr double kLeastChange = 0.3;     // m/s, that a command must change by to tell something
+constexpr double kChangeTime = 0.25;     // s, within which
+constexpr double kLagForgetting = 0.01;  // per measurement
+constexpr double kExpectation = 0.01;    // m^2/s^2, error taken for a delay one step beside the expected one
+constexpr std::size_t kDelays = static_cast<std::size_t>(kGreatest / kDelayStep) + 1;
 }  // namespace
 
 SpeedLag::SpeedLag(double expected) : errors_(kDelays)
 {
   for (std::size_t i = 0; i < kDelays; ++i) {
-    errors_[i] = kExpectation * std::pow(static_cast<double>(i) - expected / kStep, 2);
+    errors_[i] = kExpectation * std::pow(static_cast<double>(i) - expected / kDelayStep, 2);
   }
 }
 
@@ -41,8 +41,8 @@ void SpeedLag::noteSpeed(double time, double speed)
     return;
   }
   for (std::size_t i = 0; i < kDelays; ++i) {
-    const double error = speed - commandAt(time - kStep * static_cast<double>(i));
-    errors_[i] += error * error - kForgetting * errors_[i];
+    const double error = speed - commandAt(time - kDelayStep * static_cast<double>(i));
+    errors_[i] += error * error - kLagForgetting * errors_[i];
   }
 }
 
@@ -53,7 +53,7 @@ double SpeedLag::lag() const
   const double before = *(least - 1) - *least;
   const double after = *(least + 1) - *least;
   const double beside = before + after > 0.0 ? std::clamp(0.5 * (before - after) / (before + after), -1.0, 1.0) : 0.0;
-  return kStep * (static_cast<double>(least - errors_.begin()) + beside);
+  return kDelayStep * (static_cast<double>(least - errors_.begin()) + beside);
 }
 
 double SpeedLag::commandAt(double time) const

@@ -229,7 +229,6 @@ MovingObstacle ObstacleTracker::Track::obstacle(const Vec2 & sensor) const
   for (const Place & place : trail_) {
     obstacle.trail.push_back(place.pose);
   }
-  obstacle.watched = trail_.empty() ? 0.0 : lastSeen() - trail_.front().time;
   return obstacle;
 }
 

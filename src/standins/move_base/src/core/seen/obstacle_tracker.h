@@ -18,7 +18,6 @@ struct MovingObstacle
   double seen{0.0};   ///< s, when
   /// Where it has been in the last seconds, the oldest first, with the heading of the motion there.
   std::vector<Pose2> trail{};
-  double watched{0.0};  ///< s, that its trail tells of
 };
 
 /// Something that drove about and came to a stand.

@@ -271,8 +271,8 @@ def test_control_period_of_the_hash_is_checked(world):
 
 # Says how much memory one simulation of a world takes, with the world, and 63 more of them.
 MEMORY_OF_SIMULATIONS = """
-import subprocess
 import sys
+from pathlib import Path
 import f1tenth_sim2d
 
 def memory():

@@ -4,7 +4,7 @@ import math
 import threading
 
 import rospy
-from geometry_msgs.msg import TransformStamped
+from geometry_msgs.msg import Quaternion, Transform
 from nav_msgs.msg import Odometry
 from tf2_msgs.msg import TFMessage
 
@@ -52,8 +52,7 @@ class LapInputs:
     def __init__(self):
         """Subscribe."""
         self._odometry = Stamped()
-        self._corrections = Stamped()
-        self._frame = ""
+        self._corrections = {}
         rospy.Subscriber("odom", Odometry, self._odometry.add, tcp_nodelay=True)
         rospy.Subscriber("/tf", TFMessage, self._on_transforms, tcp_nodelay=True)
 
@@ -62,19 +61,21 @@ class LapInputs:
         odometry = self._odometry.at(stamp, ODOMETRY_PERIOD)
         if odometry is None:
             return None
-        self._frame = odometry.header.frame_id
-        pose = odometry.pose.pose
-        correction = TransformStamped()
-        correction.transform.rotation.w = 1.0
+        transform = self._correction(odometry.header.frame_id, stamp)
+        return _compose(transform, odometry.pose.pose), odometry.twist.twist.linear.x
+
+    def _correction(self, frame, stamp):
+        corrections = self._corrections.get(frame)
+        # A rospy.Time before zero is an error.
+        delay = min(rospy.Duration(MAP_DELAY), stamp - rospy.Time())
+        correction = corrections.at(stamp - delay, 0.0) if corrections else None
         # Until there is one, the map's frame is that of odometry.
-        if self._corrections:
-            correction = self._corrections.at(stamp - rospy.Duration(MAP_DELAY), 0.0) or correction
-        return _compose(correction.transform, pose), odometry.twist.twist.linear.x
+        return correction.transform if correction else Transform(rotation=Quaternion(w=1.0))
 
     def _on_transforms(self, message):
         for transform in message.transforms:
-            if transform.header.frame_id == "map" and transform.child_frame_id == self._frame:
-                self._corrections.add(transform)
+            if transform.header.frame_id == "map":
+                self._corrections.setdefault(transform.child_frame_id, Stamped()).add(transform)
 
 
 def _yaw(rotation):

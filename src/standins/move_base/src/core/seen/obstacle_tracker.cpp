@@ -67,13 +67,9 @@ void ObstacleTracker::observe(double time, const Vec2 & sensor, const std::vecto
   moving_.clear();
   stopped_.clear();
   for (const Track & track : tracks_) {
-    if (!track.hasMoved()) {
-      continue;
-    }
-    MovingObstacle obstacle = track.obstacle(sensor);
-    if (!track.stands()) {
-      moving_.push_back(std::move(obstacle));
-    } else if (distance(obstacle.trail.front(), obstacle.trail.back()) > kLeastWay) {
+    if (track.moves()) {
+      moving_.push_back(track.obstacle(sensor));
+    } else if (track.hasDriven()) {
       stopped_.push_back(track.stopped(sensor));
     }
   }
@@ -186,11 +182,16 @@ void ObstacleTracker::Track::estimateVelocity()
   velocity_ = {
     slower(slope([](auto & s) { return s.low.x; }), slope([](auto & s) { return s.high.x; })),
     slower(slope([](auto & s) { return s.low.y; }), slope([](auto & s) { return s.high.y; }))};
-  if (norm(velocity_) > (hasMoved() && !stands() ? kStopsMoving : kStartsMoving)) {
+  if (norm(velocity_) > (moves() ? kStopsMoving : kStartsMoving)) {
     last_moved_ = lastSeen();
     heading_ = std::atan2(velocity_.y, velocity_.x);
     noteTrail();
   }
+}
+
+bool ObstacleTracker::Track::hasDriven() const
+{
+  return !trail_.empty() && distance(trail_.front().pose, trail_.back().pose) > kLeastWay;
 }
 
 void ObstacleTracker::Track::noteTrail()

@@ -68,8 +68,9 @@ private:
     bool decided() const { return decided_; }
     /// The upright rectangle around all that was seen of it in a moment.
     Box extent() const;
-    bool hasMoved() const { return last_moved_.has_value(); }
-    bool stands() const { return lastSeen() > *last_moved_ + kStandsAfter; }
+    bool moves() const { return last_moved_ && lastSeen() <= *last_moved_ + kStandsAfter; }
+    /// Some way, when it last moved.
+    bool hasDriven() const;
     MovingObstacle obstacle(const Vec2 & sensor) const;
     StoppedObstacle stopped(const Vec2 & sensor) const;
 

@@ -140,8 +140,9 @@ public:
     estimate.covariance[0] += map_variance;
     estimate.covariance[4] += map_variance;
     if (lost_) {  // It may as well be at another place than where most particles are.
-      estimate.covariance[0] += 0.5 * (spread_(0, 0) + spread_(1, 1));
-      estimate.covariance[4] += 0.5 * (spread_(0, 0) + spread_(1, 1));
+      const double variance = 0.5 * (spread_(0, 0) + spread_(1, 1));
+      estimate.covariance[0] += variance;
+      estimate.covariance[4] += variance;
       estimate.covariance[8] += spread_(2, 2);
     }
     return estimate;

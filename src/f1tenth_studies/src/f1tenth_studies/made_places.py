@@ -8,8 +8,7 @@ import numpy as np
 import yaml
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.road.course import Course, read_course
-
-_RACELINE_HEADER = "# s_m; x_m; y_m; psi_rad; kappa_radpm; vx_mps; ax_mps2"
+from f1tenth_scenarios.road.raceline import COLUMNS, RACELINE
 
 
 def data_folder() -> Path:
@@ -55,8 +54,8 @@ def write_place(stem: Path, map_file: Path, course: Course, line: Optional[np.nd
         if line is not None:
             columns = np.zeros((len(line), 7))
             columns[:, [1, 2, 5]] = line
-            target = stem.with_name(f"{stem.name}_raceline.csv")
-            np.savetxt(target, columns, fmt="%.5f", delimiter="; ", header=_RACELINE_HEADER, comments="")
+            target = stem.with_name(f"{stem.name}{RACELINE}")
+            np.savetxt(target, columns, fmt="%.5f", delimiter="; ", header=COLUMNS)
     except OSError as error:
         raise ScenarioError(f"{error.filename}: {error.strerror}") from error
     return path

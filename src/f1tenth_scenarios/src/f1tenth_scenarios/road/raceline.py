@@ -10,6 +10,7 @@ from f1tenth_scenarios.road.course import Course, read_course
 from f1tenth_scenarios.road.numbers import read_numbers
 
 RACELINE = "_raceline.csv"  # ending of a file's name
+COLUMNS = "s_m; x_m; y_m; psi_rad; kappa_radpm; vx_mps; ax_mps2"
 # m: half the car, and what walls in a map and drivers differ from their lines.
 _MARGIN = 0.6
 
@@ -40,5 +41,5 @@ def read_raceline(path: Path) -> Raceline:
         course = read_course(path)
         room = float(np.minimum(course.left, course.right).min()) / 3
         return Raceline(course.x, course.y, np.full(len(course.x), math.inf), room)
-    table = read_numbers(path, ";", "s_m; x_m; y_m; psi_rad; kappa_radpm; vx_mps; ax_mps2")
+    table = read_numbers(path, ";", COLUMNS)
     return Raceline(table[:, 1], table[:, 2], table[:, 5])

@@ -70,7 +70,9 @@ def _study(options) -> int:
     own = dict(text.partition("=")[::2] for text in options.vary)
     scenario = places.package_path(PACKAGE) / "scenarios" / f"{study.scenario}.yaml"
     results = (options.results or places.results_root()).resolve()
-    vary = study.make({**study.vary, **own}, _made(results / "places" / options.name))
+    vary = {**study.vary, **own}
+    if study.make:
+        vary = study.make(vary, _made(results / "places" / options.name))
     variations = [f"{key}={values}" for key, values in vary.items()]
     sweep = Sweep(str(scenario), variations, results, options.set)
     with StopRequest().listening() as stop:

@@ -4,7 +4,7 @@ import dataclasses
 import functools
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, Callable
+from typing import Any, Callable, Optional
 
 from f1tenth_scenarios.record.files import TRAJECTORY_FILE
 from f1tenth_scenarios.record.record import Record, read_record
@@ -70,8 +70,8 @@ class Study:
     rows: tuple[str, ...]  # the varied keys that make a row; runs that differ in others share one
     columns: tuple[Column, ...]
     problem: Callable[[Run], str]  # why a run is not good enough; empty when it is
-    # Writes files that the runs need into a folder; gives what is varied, from what the study varies.
-    make: Callable[[Mapping[str, str], Path], Mapping[str, str]] = lambda vary, folder: vary
+    # Writes places that the runs need into a folder; gives what is varied, from what the study varies.
+    make: Optional[Callable[[Mapping[str, str], Path], Mapping[str, str]]] = None
     # What rows may be named by, too, from the values of a run.
     about: Callable[[Mapping[str, str]], Mapping[str, str]] = lambda values: {}
 

@@ -1,5 +1,6 @@
 """The race track on which the peers were measured."""
 
+import functools
 import math
 
 import f1tenth_sim2d
@@ -30,6 +31,7 @@ def spread_on_spielberg(places):
     return _simulation(_world(), places)
 
 
+@functools.lru_cache(maxsize=1)
 def _world():
     return f1tenth_sim2d.load_world(str(data_file("tracks/Spielberg/Spielberg_map.yaml")))
 

@@ -7,7 +7,10 @@
 /// -ffp-contract=off forbids to fuse. Sums over elements, which a vector unit would do in another order, have no place here.
 #if defined(F1TENTH_VECTORIZED)
 // A test compiles the functions for one vector unit after the other.
-#elif defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+// Which clone is taken is found out before the sanitizer's own library is ready.
+#define F1TENTH_VECTORIZED
+#elif defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define F1TENTH_VECTORIZED __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
 #else
 #define F1TENTH_VECTORIZED

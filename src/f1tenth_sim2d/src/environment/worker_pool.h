@@ -30,17 +30,17 @@ private:
   void takeTasks();
   void keep(std::size_t index, std::exception_ptr failure);
 
-  std::mutex mutex_;  ///< of all but the atomic number
+  std::mutex mutex_;  ///< of whatever is written here, but next_
   std::condition_variable begins_;
   std::condition_variable ends_;
   const std::function<void(std::size_t)> * task_{nullptr};
   std::size_t count_{0};
-  std::size_t round_{0};
-  std::size_t busy_{0};  ///< workers that have not finished the round
+  std::atomic<std::size_t> round_{0};
+  std::atomic<std::size_t> busy_{0};  ///< workers that have not finished the round
   std::atomic<std::size_t> next_{0};
   std::size_t failed_{0};
   std::exception_ptr failure_;
-  bool stop_{false};
+  std::atomic<bool> stop_{false};
   std::vector<std::thread> workers_;
 };
 }  // namespace f1tenth_sim2d

@@ -2,29 +2,44 @@
 # hides it from catkin and from rospack alike. Also runs as a script, for `catkin build`:
 #   cmake -P cmake/standins.cmake
 
-# Whether a package of this name is installed outside this workspace: package.xml on the
-# ROS package path or under a prefix of CMAKE_PREFIX_PATH, build and devel spaces left aside.
-function(find_original name own_source_dir result)
-  set(roots /usr/share /opt/ros/noetic/share)
+# All packages outside of own_source_dir, each as "NAME FOLDER": as rospack finds them, so that what is left out of the build is
+# what roslaunch will find elsewhere. It looks in all folders of the ROS package path and of the prefixes, however deep.
+function(find_packages own_source_dir result)
+  string(REPLACE ":" ";" roots "$ENV{ROS_PACKAGE_PATH}")
   string(REPLACE ":" ";" prefixes "$ENV{CMAKE_PREFIX_PATH}")
-  foreach(prefix IN LISTS prefixes)
-    list(APPEND roots "${prefix}/share")
-  endforeach()
-  string(REPLACE ":" ";" package_path "$ENV{ROS_PACKAGE_PATH}")
-  foreach(path IN LISTS package_path)
-    string(FIND "${path}/" "${own_source_dir}/" position)
-    if(NOT position EQUAL 0)
-      list(APPEND roots "${path}")
+  list(TRANSFORM prefixes APPEND /share)
+  list(APPEND roots ${prefixes} /opt/ros/noetic/share /usr/share)
+  list(FILTER roots EXCLUDE REGEX "^$")
+  foreach(root IN LISTS roots)
+    string(FIND "${root}/" "${own_source_dir}/" position)
+    if(position EQUAL 0)
+      list(REMOVE_ITEM roots "${root}")
     endif()
   endforeach()
+  list(JOIN roots ":" package_path)
+  execute_process(
+    COMMAND "${CMAKE_COMMAND}" -E env "ROS_PACKAGE_PATH=${package_path}" ROS_CACHE_TIMEOUT=0 rospack list
+    OUTPUT_VARIABLE packages
+    ERROR_VARIABLE error
+    RESULT_VARIABLE failure)
+  if(failure)
+    message(WARNING "Stand-ins: whether their originals are installed is not known: ${failure} ${error}")
+  endif()
+  string(REPLACE "\n" ";" packages "${packages}")
+  set(${result} "${packages}" PARENT_SCOPE)
+endfunction()
+
+# The folder of a package of this name among packages, unless it is a stand-in itself, as in an install space of this workspace
+# or in another checkout.
+function(find_original name packages own_source_dir result)
   set(${result} FALSE PARENT_SCOPE)
-  foreach(root IN LISTS roots)
-    if(EXISTS "${root}/${name}/package.xml")
-      # An install space of this workspace holds the stand-in itself; its description says so.
-      file(STRINGS "${root}/${name}/package.xml" standin REGEX "<description>Stand-in")
-      if(NOT standin)
-        set(${result} "${root}/${name}" PARENT_SCOPE)
-        return()
+  foreach(package IN LISTS packages)
+    if(package MATCHES "^${name} (.*)$")
+      set(folder "${CMAKE_MATCH_1}")
+      string(FIND "${folder}/" "${own_source_dir}/" position)
+      file(STRINGS "${folder}/package.xml" standin REGEX "<description>Stand-in")
+      if(NOT standin AND NOT position EQUAL 0)
+        set(${result} "${folder}" PARENT_SCOPE)
       endif()
     endif()
   endforeach()
@@ -32,11 +47,12 @@ endfunction()
 
 function(leave_out_standins folder)
   get_filename_component(source_dir "${folder}" DIRECTORY)
+  find_packages("${source_dir}" packages)
   file(GLOB manifests "${folder}/*/package.xml")
   foreach(manifest IN LISTS manifests)
     get_filename_component(standin "${manifest}" DIRECTORY)
     get_filename_component(name "${standin}" NAME)
-    find_original("${name}" "${source_dir}" original)
+    find_original("${name}" "${packages}" "${source_dir}" original)
     if(original)
       message(STATUS "Stand-in ${name}: left out, the original is at ${original}")
       file(WRITE "${standin}/CATKIN_IGNORE" "The original is installed: ${original}\n")

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
+MANIFEST = "<package><name>map_server</name><description>{}</description></package>"
 
 
 @pytest.fixture
@@ -15,7 +16,7 @@ def workspace(tmp_path):
     shutil.copy(ROOT / "cmake" / "standins.cmake", tmp_path / "ws" / "cmake")
     standin = tmp_path / "ws" / "src" / "standins" / "map_server"
     standin.mkdir(parents=True)
-    (standin / "package.xml").write_text("<package/>")
+    (standin / "package.xml").write_text(MANIFEST.format("Maps"))
     return tmp_path / "ws"
 
 
@@ -26,10 +27,10 @@ def leave_out(workspace, **environment):
     return workspace / "src" / "standins" / "map_server" / "CATKIN_IGNORE"
 
 
-def install_original(prefix):
-    package = prefix / "share" / "map_server"
+def install_original(prefix, folder="share"):
+    package = prefix / folder / "map_server"
     package.mkdir(parents=True)
-    (package / "package.xml").write_text("<package/>")
+    (package / "package.xml").write_text(MANIFEST.format("Maps"))
     return package
 
 
@@ -48,6 +49,18 @@ def test_a_standin_is_left_out_where_the_original_is_on_the_package_path(workspa
     assert leave_out(workspace, ROS_PACKAGE_PATH=str(tmp_path / "noetic" / "share")).exists()
 
 
+def test_a_standin_is_left_out_where_the_original_is_anywhere_in_another_workspace(workspace, tmp_path):
+    package = install_original(tmp_path / "other ws", "src/navigation")
+    ignore = leave_out(workspace, ROS_PACKAGE_PATH=f"{workspace / 'src'}:{tmp_path / 'other ws' / 'src'}")
+    assert str(package) in ignore.read_text()
+
+
+def test_an_original_that_rospack_does_not_look_at_does_not_count(workspace, tmp_path):
+    package = install_original(tmp_path / "other", "src/navigation")
+    (package / "CATKIN_IGNORE").touch()
+    assert not leave_out(workspace, ROS_PACKAGE_PATH=str(tmp_path / "other" / "src")).exists()
+
+
 def test_a_standin_comes_back_when_the_original_is_gone(workspace, tmp_path):
     package = install_original(tmp_path / "noetic")
     prefix = str(tmp_path / "noetic")
@@ -59,11 +72,12 @@ def test_a_standin_comes_back_when_the_original_is_gone(workspace, tmp_path):
 def test_a_standin_does_not_mistake_itself_for_the_original(workspace):
     assert not leave_out(workspace, ROS_PACKAGE_PATH=str(workspace / "src" / "standins")).exists()
     assert not leave_out(workspace, ROS_PACKAGE_PATH=str(workspace / "src")).exists()
+    assert not leave_out(workspace, ROS_PACKAGE_PATH=str(workspace.parent)).exists()
 
 
 def test_an_installed_standin_is_not_the_original(workspace, tmp_path):
     package = install_original(tmp_path / "install")
-    (package / "package.xml").write_text("<package><description>Stand-in: x</description></package>")
+    (package / "package.xml").write_text(MANIFEST.format("Stand-in: maps"))
     assert not leave_out(workspace, CMAKE_PREFIX_PATH=str(tmp_path / "install")).exists()
 
 

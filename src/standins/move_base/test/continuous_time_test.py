@@ -12,9 +12,10 @@ from actionlib_msgs.msg import GoalStatus, GoalStatusArray
 from fake_robot import FakeRobot, Room
 from geometry_msgs.msg import PoseStamped
 from move_base_msgs.msg import MoveBaseAction, MoveBaseActionFeedback, MoveBaseGoal
-from nav_msgs.msg import Path
+from nav_msgs.msg import OccupancyGrid, Path
 
 PATIENCE = rospy.Duration(120.0)  # simulated
+WALL_PATIENCE = 60.0  # s
 
 
 def goal_at(x, y):
@@ -64,6 +65,9 @@ class ContinuousTimeTest(unittest.TestCase):
         assert abs(self.robot.speed) < 0.1
         assert self.robot.pose == pytest.approx((11.0, 1.5, 0.0), abs=0.2)
         assert not self.robot.touched
+
+    def test_a_costmap_that_is_never_published_is_sent_to_a_new_subscriber(self):
+        assert rospy.wait_for_message("move_base/global_costmap/costmap", OccupancyGrid, WALL_PATIENCE).data
 
     def test_commands_come_at_the_controller_frequency_and_status_at_5_hz(self):
         status = []

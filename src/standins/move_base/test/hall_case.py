@@ -53,6 +53,9 @@ class Listener:
             self.messages.append(message)
             self._arrived.notify_all()
 
+    def close(self):
+        self._subscriber.unregister()
+
     def connected(self):
         return self._subscriber.get_num_connections() > 0
 
@@ -105,6 +108,13 @@ class HallCase(unittest.TestCase):
         while not condition():
             assert self.robot.now < end
             rospy.sleep(0.05)
+
+    def listen(self, topic, message_type):
+        """Listen, connected, until the test ends."""
+        listener = Listener(topic, message_type)
+        self.addCleanup(listener.close)
+        self.wait_until(listener.connected)
+        return listener
 
     def drive_off(self, pose):
         self.send(pose)

@@ -5,14 +5,31 @@ import socket
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatusArray
 from geometry_msgs.msg import PolygonStamped, PoseStamped
-from hall_case import WALL_PATIENCE, HallCase, Listener, pose_at
+from hall_case import WALL_PATIENCE, HallCase, Listener, make_room, pose_at
+from map_msgs.msg import OccupancyGridUpdate
 from nav_msgs.msg import OccupancyGrid, Path
 from nav_msgs.srv import GetPlan
+
+
+def cells_of(grid):
+    """The cells of a costmap, rows from below."""
+    return np.array(grid.data, np.int8).reshape(grid.info.height, grid.info.width)
+
+
+def with_updates(grid, updates):
+    """The cells of a costmap with the rectangles that were sent after it."""
+    cells = cells_of(grid)
+    for update in updates:
+        if update.header.stamp > grid.header.stamp:
+            part = cells[update.y : update.y + update.height, update.x : update.x + update.width]
+            part[:] = np.reshape(update.data, part.shape)
+    return cells
 
 
 class InterfaceTest(HallCase):
@@ -77,14 +94,13 @@ class InterfaceTest(HallCase):
 
     def test_plans_and_costmaps_are_shown(self):
         listeners = {
-            "global_plan": Listener("move_base/global_plan", Path),
-            "local_plan": Listener("move_base/local_plan", Path),
-            "global_costmap": Listener("move_base/global_costmap/costmap", OccupancyGrid),
-            "local_costmap": Listener("move_base/local_costmap/costmap", OccupancyGrid),
-            "global_footprint": Listener("move_base/global_costmap/footprint", PolygonStamped),
-            "local_footprint": Listener("move_base/local_costmap/footprint", PolygonStamped),
+            "global_plan": self.listen("move_base/global_plan", Path),
+            "local_plan": self.listen("move_base/local_plan", Path),
+            "global_costmap": self.listen("move_base/global_costmap/costmap", OccupancyGrid),
+            "local_costmap": self.listen("move_base/local_costmap/costmap", OccupancyGrid),
+            "global_footprint": self.listen("move_base/global_costmap/footprint", PolygonStamped),
+            "local_footprint": self.listen("move_base/local_costmap/footprint", PolygonStamped),
         }
-        self.wait_until(lambda: all(each.connected() for each in listeners.values()))
         self.send(pose_at(6.0, 2.0))
         self.result()
         frames = {name: listener.wait()[-1].header.frame_id for name, listener in listeners.items()}
@@ -101,6 +117,27 @@ class InterfaceTest(HallCase):
         assert (local.info.width, local.info.height) == (80, 80)
         assert {100, 0} <= set(local.data)
         assert -1 not in local.data
+
+    def test_a_costmap_is_sent_whole_to_a_new_subscriber_and_then_what_changes(self):
+        updates = self.listen("move_base/global_costmap/costmap_updates", OccupancyGridUpdate)
+        first = self.listen("move_base/global_costmap/costmap", OccupancyGrid)
+        before = first.wait()[0]
+        self.robot.real_room = make_room()
+        self.robot.real_room.add_wall(2.5, 0.9, 2.7, 1.1)
+        updates.wait(lambda messages: any(100 in message.data for message in messages))
+        assert len(first.messages) == 1
+        assert all(len(update.data) < len(before.data) for update in updates.messages)
+        first.close()
+        second = self.listen("move_base/global_costmap/costmap", OccupancyGrid)
+        cells = cells_of(second.wait()[0])
+        assert (cells[18:22, 48:52] == 100).any()
+        self.wait_until(lambda: np.array_equal(with_updates(before, updates.messages), cells))
+
+    def test_a_costmap_may_always_be_sent_whole(self):
+        updates = self.listen("move_base/local_costmap/costmap_updates", OccupancyGridUpdate)
+        whole = self.listen("move_base/local_costmap/costmap", OccupancyGrid)
+        whole.wait(lambda messages: len(messages) > 3)
+        assert updates.messages == []
 
     def test_a_wrong_parameter_ends_the_node_with_one_clear_line(self):
         wrong = {

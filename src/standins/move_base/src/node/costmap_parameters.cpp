@@ -85,6 +85,8 @@ void readShown(ParameterReader & reader, MoveBaseParameters & parameters)
 {
   reader.read("global_costmap/publish_frequency", parameters.global_publish_frequency);
   reader.read("local_costmap/publish_frequency", parameters.local_publish_frequency);
+  reader.read("global_costmap/always_send_full_costmap", parameters.global_always_whole);
+  reader.read("local_costmap/always_send_full_costmap", parameters.local_always_whole);
   reader.read("local_costmap/width", parameters.local_width);
   reader.read("local_costmap/height", parameters.local_height);
   reader.read("local_costmap/resolution", parameters.local_resolution);

@@ -10,14 +10,8 @@ Displays::Displays(ros::NodeHandle private_node, const MoveBaseParameters & para
   global_plan_(
     private_node, {"global_plan", parameters.global_planner + "/plan", parameters.local_planner + "/global_plan"}),
   local_plan_(private_node, {"local_plan", parameters.local_planner + "/local_plan"}),
-  global_costmap_{
-    private_node.advertise<nav_msgs::OccupancyGrid>("global_costmap/costmap", 1),
-    parameters.global_publish_frequency,
-    {}},
-  local_costmap_{
-    private_node.advertise<nav_msgs::OccupancyGrid>("local_costmap/costmap", 1),
-    parameters.local_publish_frequency,
-    {}},
+  global_costmap_(private_node, "global_costmap", parameters.global_publish_frequency, parameters.global_always_whole),
+  local_costmap_(private_node, "local_costmap", parameters.local_publish_frequency, parameters.local_always_whole),
   global_footprint_{
     private_node.advertise<geometry_msgs::PolygonStamped>("global_costmap/footprint", 1),
     parameters.global_publish_frequency,
@@ -54,7 +48,7 @@ void Displays::showLocalPlan(const std::vector<Pose2> & prediction, const ros::T
 
 void Displays::showSurroundings(const Pose2 & car, const ros::Time & stamp)
 {
-  if (local_costmap_.publisher.getNumSubscribers() > 0) {
+  if (local_costmap_.wanted()) {
     watchSurroundings();
   }
   if (global_costmap_.due(stamp)) {
@@ -75,16 +69,6 @@ void Displays::showSurroundings(const Pose2 & car, const ros::Time & stamp)
   }
 }
 
-bool Displays::Throttled::due(const ros::Time & stamp)
-{
-  const bool waiting = last && stamp >= *last && (stamp - *last).toSec() * frequency < 1.0;
-  if (frequency <= 0.0 || waiting || publisher.getNumSubscribers() == 0) {
-    return false;
-  }
-  last = stamp;
-  return true;
-}
-
 void Displays::showGlobalCostmap(const ros::Time & stamp)
 {
   const Costmap & costmap = perception_.costmap();
@@ -94,7 +78,7 @@ void Displays::showGlobalCostmap(const ros::Time & stamp)
   } else {
     costs_.update(costmap);
   }
-  global_costmap_.publisher.publish(
+  global_costmap_.publish(
     toOccupancyGrid(costs_.cells(), costmap.geometry(), {}, headerOf(parameters_.global_frame, stamp)));
 }
 
@@ -117,7 +101,7 @@ void Displays::watchSurroundings()
 void Displays::showLocalCostmap(const ros::Time & stamp)
 {
   const GridGeometry & geometry = surroundings_.geometry();
-  local_costmap_.publisher.publish(toOccupancyGrid(
+  local_costmap_.publish(toOccupancyGrid(
     inflated(surroundings_.cells(), geometry, surroundings_inflation_), geometry, {},
     headerOf(parameters_.local_frame, stamp)));
 }

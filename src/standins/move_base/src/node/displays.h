@@ -5,12 +5,14 @@
 #include <optional>
 #include <vector>
 
+#include "costmap_publisher.h"
 #include "map/shown_costs.h"
 #include "parameters.h"
 #include "path/path.h"
 #include "perception.h"
 #include "plan_publisher.h"
 #include "seen/rolling_layer.h"
+#include "throttled.h"
 
 namespace move_base
 {
@@ -26,16 +28,6 @@ public:
   void showSurroundings(const Pose2 & car, const ros::Time & stamp);
 
 private:
-  /// A topic that is published at most at a given rate, and only for subscribers.
-  struct Throttled
-  {
-    ros::Publisher publisher;
-    double frequency;
-    std::optional<ros::Time> last;
-
-    bool due(const ros::Time & stamp);
-  };
-
   void showGlobalCostmap(const ros::Time & stamp);
   void watchSurroundings();
   void showLocalCostmap(const ros::Time & stamp);
@@ -46,8 +38,8 @@ private:
   const Perception & perception_;
   PlanPublisher global_plan_;
   PlanPublisher local_plan_;
-  Throttled global_costmap_;
-  Throttled local_costmap_;
+  CostmapPublisher global_costmap_;
+  CostmapPublisher local_costmap_;
   Throttled global_footprint_;
   Throttled local_footprint_;
   ShownCosts costs_;

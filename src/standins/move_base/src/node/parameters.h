@@ -27,12 +27,14 @@ struct MoveBaseParameters
   bool shutdown_costmaps{false};                      ///< whether scans are ignored without a goal
   bool lockstep{false};
   std::string lockstep_after;            ///< participant that acts before this one; empty: none
-  double global_publish_frequency{0.0};  ///< Hz; 0: never
-  double local_publish_frequency{0.0};   ///< Hz; 0: never
-  double local_width{10.0};              ///< m
-  double local_height{10.0};             ///< m
-  double local_resolution{0.05};         ///< m
-  Inflation local_inflation;             ///< of what is shown; its inscribed radius is the footprint's
+  double global_publish_frequency{0.0};  ///< Hz; 0: costmaps for new subscribers only, footprints never
+  double local_publish_frequency{0.0};   ///< Hz; the same
+  bool global_always_whole{false};       ///< whether the costmap is sent whole when a part has changed
+  bool local_always_whole{false};
+  double local_width{10.0};       ///< m
+  double local_height{10.0};      ///< m
+  double local_resolution{0.05};  ///< m
+  Inflation local_inflation;      ///< of what is shown; its inscribed radius is the footprint's
   std::vector<Vec2> footprint;
   double footprint_padding{0.01};  ///< m
   CostmapOptions costmap;

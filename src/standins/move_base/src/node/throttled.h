@@ -1,0 +1,19 @@
+#pragma once
+
+#include <ros/publisher.h>
+#include <ros/time.h>
+
+#include <optional>
+
+namespace move_base
+{
+/// A topic that is published at most at a given rate, and only for subscribers.
+struct Throttled
+{
+  ros::Publisher publisher;
+  double frequency;  ///< Hz; 0: never
+  std::optional<ros::Time> last;
+
+  bool due(const ros::Time & stamp);
+};
+}  // namespace move_base

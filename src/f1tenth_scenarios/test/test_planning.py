@@ -9,6 +9,8 @@ from f1tenth_scenarios.plan.planning import make_plan
 from f1tenth_scenarios.scenario.car import Pose
 from scenario_samples import SCENARIO_TEXT
 
+from f1tenth_scenarios import places
+
 CAR = "    goals: circuit1\n"
 # A square of 10 m whose centreline begins in the middle of its left side and leads upwards.
 CENTRELINE = "# x_m, y_m, w_tr_right_m, w_tr_left_m\n0,5,1.0,0.6\n0,10,1,1\n10,10,1,1\n10,0,1,1\n0,0,1,1\n"
@@ -171,3 +173,38 @@ def test_laps_need_a_line(planned, tmp_path):
     (tmp_path / "empty.world").write_text("<sdf version='1.6'><world name='w'/></sdf>", encoding="utf-8")
     with pytest.raises(ScenarioError, match="'laps' of a car needs a 'start_line' or a 'course'"):
         planned("    driver: commands\n    commands: [{at: 0, speed: 1}]\n    laps: 1\n", world="empty.world")
+
+
+@pytest.fixture
+def originals(monkeypatch):
+    """Installs the originals of some stand-ins, as far as a plan can tell."""
+
+    def install(*names):
+        monkeypatch.setattr("f1tenth_scenarios.places.is_standin", lambda package: package not in names)
+
+    return install
+
+
+@pytest.mark.parametrize(
+    ("names", "note"),
+    [
+        (["move_base"], "run in real time, as the original of move_base knows no lockstep"),
+        (["amcl", "move_base"], "run in real time, as the original of amcl and move_base knows no lockstep"),
+        (["map_server"], ""),
+    ],
+)
+def test_with_an_original_that_knows_no_lockstep_the_run_is_paced(planned, originals, names, note):
+    originals(*names)
+    plan = planned(more="localization: amcl\n")
+    assert plan.note == note
+    assert plan.scenario.lockstep == (not note)
+
+
+def test_an_original_that_does_not_take_part_changes_nothing(planned, originals):
+    originals("amcl", "move_base")
+    assert planned("    driver: pursuit\n    laps: 1\n").scenario.lockstep
+
+
+def test_the_packages_of_this_workspace_are_standins():
+    assert places.is_standin("amcl")
+    assert not places.is_standin("f1tenth_scenarios")

@@ -34,6 +34,16 @@ def package_path(package: str) -> Path:
         raise ScenarioError(f"package {package} not found; is the workspace's setup.bash sourced?") from error
 
 
+def is_standin(package: str) -> bool:
+    """Whether a package is the workspace's stand-in, whose description says so, and not its original.
+
+    Raises:
+        ScenarioError: it is not installed, or the workspace is not sourced.
+    """
+    package_path(package)
+    return packages().get_manifest(package).description.startswith("Stand-in")
+
+
 @functools.lru_cache(maxsize=1)
 def packages() -> rospkg.RosPack:
     """What is known of the installed packages."""

@@ -2,12 +2,14 @@
 
 from collections.abc import Iterable
 
+from f1tenth_scenarios import places
 from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.scenario.scenario import Localization
 
 DIRECTOR = "scenario"
 DEPUTY = "deputy"
 _STARTER = "race_starter"
+_STANDINS = ("amcl", "move_base")  # of whose nodes the original may be installed, under the same name
 _BESIDE_DRIVER = (
     "amcl",
     "beam_dropper",
@@ -31,6 +33,12 @@ def participants(plan: Plan) -> list[str]:
     if scenario.has_events:
         names.append(DIRECTOR)
     return names
+
+
+def originals_among(names: Iterable[str]) -> list[str]:
+    """The packages of those who should take part, but are the originals of our stand-ins and cannot."""
+    packages = sorted({name.rpartition("/")[2] for name in names} & {*_STANDINS})
+    return [each for each in packages if not places.is_standin(each)]
 
 
 def has_deputy(plan: Plan, car: str) -> bool:

@@ -9,6 +9,7 @@ from f1tenth_scenarios import places
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan.car_plan import CarPlan, Surroundings, plan_car
 from f1tenth_scenarios.plan.handover import driver_arguments
+from f1tenth_scenarios.plan.participants import originals_among, participants
 from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.plan.planner import PLANNER, with_planner
 from f1tenth_scenarios.plan.scenario_world import check_boxes
@@ -68,7 +69,8 @@ def plan_scenario(file: Path, scenario: Scenario, folder: Path) -> Plan:
     course = read_course(places.course_file(scenario.course, file.parent)) if scenario.course else None
     plan = Plan(file.stem, file, scenario, place, _bound_to_start(cars), folder, course)
     _check(plan)
-    return plan
+    originals = " and ".join(originals_among(participants(plan)))
+    return in_real_time(plan, f"the original of {originals} knows no lockstep") if originals else plan
 
 
 def _bound_to_start(cars: dict[str, CarPlan]) -> dict[str, CarPlan]:

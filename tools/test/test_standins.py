@@ -51,8 +51,10 @@ def test_a_standin_is_left_out_where_the_original_is_on_the_package_path(workspa
 
 def test_a_standin_is_left_out_where_the_original_is_anywhere_in_another_workspace(workspace, tmp_path):
     package = install_original(tmp_path / "other ws", "src/navigation")
-    ignore = leave_out(workspace, ROS_PACKAGE_PATH=f"{workspace / 'src'}:{tmp_path / 'other ws' / 'src'}")
-    assert str(package) in ignore.read_text()
+    for own in (workspace / "src", workspace, workspace / "src" / "standins"):
+        ignore = leave_out(workspace, ROS_PACKAGE_PATH=f"{own}:{tmp_path / 'other ws' / 'src'}")
+        assert str(package) in ignore.read_text()
+        ignore.unlink()
 
 
 def test_an_original_that_rospack_does_not_look_at_does_not_count(workspace, tmp_path):

@@ -11,7 +11,7 @@ COPY setup setup
 COPY tools/setup tools/setup
 RUN tools/setup
 COPY . .
-RUN make build
+RUN make build UNITY=ON
 CMD ["make", "race"]
 
 FROM build AS test

@@ -52,7 +52,7 @@ def test_an_unknown_step_is_refused(tmp_path):
 def test_each_stage_of_the_workspace_can_be_carried_out():
     steps = run_dockerfile.steps_of((ROOT / "Dockerfile").read_text())
     build = run_dockerfile.steps_until(steps, "build")
-    assert ("RUN", "make build") in build
+    assert ("RUN", "make build UNITY=ON") in build
     assert ("RUN", "tools/setup --tests") not in build
     assert ("RUN", "tools/setup --tests") in run_dockerfile.steps_until(steps, "test")
 

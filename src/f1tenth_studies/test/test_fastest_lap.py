@@ -59,6 +59,13 @@ def test_lap_times_are_written(tmp_path):
     assert yaml.safe_load(file.read_text(encoding="utf-8")) == {"circuit1": pytest.approx(4.497, abs=0.01)}
 
 
+def test_points_of_a_long_track_lie_farther_apart(tmp_path):
+    np.savetxt(tmp_path / "ring_centerline.csv", ring(radius=64.0), delimiter=", ")
+    line = load_track(f"{tmp_path}/ring_centerline.csv")[:, :2]
+    steps = np.hypot(*(np.roll(line, -1, axis=0) - line).T)
+    assert steps == pytest.approx(2 * math.pi * 64.0 / 800, rel=0.01)
+
+
 def test_the_track_of_a_map_is_the_centreline_beside_it(tmp_path):
     np.savetxt(tmp_path / "ring_centerline.csv", ring(), delimiter=",")
     assert np.array_equal(

@@ -13,6 +13,7 @@ from f1tenth_scenarios.record.record import CarTrack
 from f1tenth_scenarios.scenario.settings import parse_variation
 from f1tenth_studies.study import Run
 from f1tenth_studies.table import table
+from f1tenth_studies.track import circuits
 
 from f1tenth_scenarios import places
 from f1tenth_studies import cli, localization, passing, race_pace, safety
@@ -84,11 +85,24 @@ def test_race_pace_says_what_is_not_good_enough(tmp_path, monkeypatch, change, p
 
 def test_race_pace_counts_laps_but_the_standing_one(tmp_path, monkeypatch):
     monkeypatch.setattr(race_pace, "_optimum", lambda world: 5.0)
-    assert table(race_pace.STUDY, [run(tmp_path)]).splitlines()[-1] == (
-        "| circuit1 | 5.000 | 2 | 5.000 | 5.500 | 1.10 | 0.120 | 0 |"
+    values = {"world": "circuit1", "place": "circuit1", "model": "single_track"}
+    assert table(race_pace.STUDY, [run(tmp_path, values)]).splitlines()[-1] == (
+        "| circuit1 | single_track | 5.000 | 2 | 5.000 | 5.500 | 1.10 | 0.120 | 0 |"
     )
-    none = run(tmp_path, cars={"robot1": {"lap_times": []}})
+    none = run(tmp_path, values, cars={"robot1": {"lap_times": []}})
     assert "| 0 | inf | inf | inf |" in table(race_pace.STUDY, [none])
+
+
+def test_race_pace_is_that_of_circuits_and_of_others_tracks(tmp_path, monkeypatch):
+    spa = tmp_path / "tracks" / "Spa" / "Spa_map.yaml"
+    spa.parent.mkdir(parents=True)
+    spa.touch()
+    monkeypatch.setenv("F1TENTH_DATA", str(tmp_path))
+    study = race_pace.STUDY
+    worlds = study.make(study.vary, tmp_path)["world"].split(",")
+    assert worlds == [*circuits(), str(spa)]
+    assert [study.about({"world": world})["place"] for world in worlds] == [*circuits(), "Spa"]
+    assert study.make({**study.vary, "world": "circuit3"}, tmp_path)["world"] == "circuit3"
 
 
 def test_localization_shows_the_worst_of_its_runs(tmp_path):

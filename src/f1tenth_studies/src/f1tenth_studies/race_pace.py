@@ -1,10 +1,13 @@
 """Flying laps compared with the theoretical optimum."""
 
 import functools
+from collections.abc import Mapping
+from pathlib import Path
 
 from f1tenth_studies.car_limits import read_limits
 from f1tenth_studies.fastest_lap import compute_fastest_lap
-from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Run, Study
+from f1tenth_studies.made_places import data_folder
+from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Run, Study, place_of
 from f1tenth_studies.track import circuits, load_track
 
 GREATEST_RATIO = 1.35
@@ -16,8 +19,10 @@ def _text() -> str:
 Flying laps of the planner compared with the theoretical optimum: the line of least curvature and the fastest
 speed along it, by trajectory-planning-helpers, under the limits of the simulator's car:
 {read_limits().describe()}.
-The optimum knows the whole circuit, turns the wheels in no time and passes no goals. The planner gets one
-goal after the other with perfect odometry and has to pass each within the tolerance of the scenarios.
+The optimum knows the whole road, turns the wheels in no time and passes no goals. The planner gets one
+goal after the other with perfect odometry and has to pass each within the tolerance of the scenarios. Both
+vehicle models drive: `single_track`, whose tyres' forces grow with slip, and `single_track_drift`, whose
+tyres slide.
 
 Wanted: every flying lap within {GREATEST_RATIO} times the optimum, no contact, at least
 {LEAST_CLEARANCE:g} m of clearance."""
@@ -49,12 +54,20 @@ def _problem(run: Run) -> str:
     return ""
 
 
+def _make(vary: Mapping[str, str], _: Path) -> dict[str, str]:
+    """Adds the circuits and others' tracks, unless there are worlds."""
+    if vary["world"]:
+        return dict(vary)
+    tracks = sorted(map(str, data_folder().glob("*/*_map.yaml")))
+    return {**vary, "world": ",".join([*circuits(), *tracks])}
+
+
 STUDY = Study(
     title="Race pace",
     text=_text,
     scenario="race_pace",
-    vary={"world": ",".join(circuits())},
-    rows=("world",),
+    vary={"world": "", "model": "single_track,single_track_drift"},
+    rows=("place", "model"),
     columns=(
         Column("optimum (s)", lambda runs: _optimum(runs[0].values["world"])),
         Column("flying laps", lambda runs: len(_flying(runs))),
@@ -65,4 +78,6 @@ STUDY = Study(
         CONTACTS,
     ),
     problem=_problem,
+    make=_make,
+    about=lambda values: {"place": place_of(values)},
 )

@@ -10,6 +10,8 @@ from scipy.ndimage import gaussian_filter1d
 from f1tenth_scenarios import places
 
 SPACING = 0.25  # m, between points of a track
+# Of a long road they lie farther apart: the time for its race line grows with the cube of their number.
+_MOST_POINTS = 800
 # The bends of a circuit's centreline are polygons, whose kinks would count as curvature.
 _SMOOTHING = 0.35  # m, standard deviation
 _MAP, _CENTRELINE = "_map.yaml", "_centerline.csv"
@@ -29,8 +31,8 @@ def load_track(name: str) -> np.ndarray:
             beside it (`X_map.yaml`)
 
     Returns:
-        (n, 4): x, y of the line in the map frame, room to its right and left (m); in driving order,
-        about SPACING apart, without the first point at the end again.
+        (n, 4): x, y of the line in the map frame, room to its right and left (m); in driving order, about
+        SPACING apart or 800 of them, without the first point at the end again.
 
     Raises:
         ScenarioError: there is no such track, or its file is wrong.
@@ -47,17 +49,17 @@ def load_track(name: str) -> np.ndarray:
 
 
 def resampled(rows: np.ndarray) -> np.ndarray:
-    """The same track, smooth between its points, with points SPACING apart."""
+    """The same track, smooth between its points, with points as far apart as those of load_track."""
     closed, at, distances = _places(rows)
     line = CubicSpline(at, closed[:, :2], bc_type="periodic")(distances)
     return np.column_stack([line, *_between(closed, at, distances, (2, 3))])
 
 
 def _rounded(rows: np.ndarray) -> np.ndarray:
-    """The same track, straight between its points but rounded at them, with points SPACING apart."""
+    """The same track, straight between its points but rounded at them, with points as far apart."""
     closed, at, distances = _places(rows)
     line = np.column_stack(_between(closed, at, distances, (0, 1)))
-    line = gaussian_filter1d(line, _SMOOTHING / SPACING, axis=0, mode="wrap")
+    line = gaussian_filter1d(line, _SMOOTHING / distances[1], axis=0, mode="wrap")
     return np.column_stack([line, *_between(closed, at, distances, (2, 3))])
 
 
@@ -65,7 +67,7 @@ def _places(rows: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The closed track, how far along each of its points lies, and where points are to lie; m."""
     closed = np.vstack([rows, rows[:1]])
     at = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(closed[:, :2], axis=0).T))])
-    count = round(at[-1] / SPACING)
+    count = min(round(at[-1] / SPACING), _MOST_POINTS)
     return closed, at, np.arange(count) * at[-1] / count
 
 

@@ -12,9 +12,6 @@ constexpr double kRetryInterval = 0.5;    // s between plans for the same goal: 
 constexpr double kPassingInterval = 0.1;  // s between looks for a way past others
 constexpr double kStandingSpeed = 0.05;   // m/s
 constexpr double kStopTime = 1.0;         // s, for which a car that has been stopped is told so
-constexpr double kMostLatency = 0.15;     // s, beyond what it is told to be
-constexpr double kLeastSlip = 0.2;        // times what it is told to be
-constexpr double kMostSlip = 4.0;         // the same
 constexpr double kLongestPeriod = 0.2;    // s, taken for a step after a pause
 }  // namespace
 
@@ -23,8 +20,7 @@ Navigator::Navigator(const NavigatorOptions & options, PlanWorker worker)
   follower_(options.follower),
   requests_(options_, goals_, follower_),
   job_(options.planner, std::move(worker)),
-  speed_lag_(follower_.speedLead()),
-  slip_watch_(options.follower.slip_gradient),
+  car_watch_(options.follower),
   recovery_(options.recoveries),
   oscillation_(options.oscillation_timeout, options.oscillation_distance)
 {
@@ -78,15 +74,15 @@ void Navigator::stop()
 CycleOutput Navigator::cycle(const CycleInput & input, Costmap & costmap)
 {
   if (previous_time_ && input.time < *previous_time_) {
-    reckoning_.clear();
+    car_watch_.clear();
     stop_until_ = 0.0;
   }
   CycleInput now = input;
   const double seen = input.time - input.age;
   const double measured = input.sensors_current ? seen : input.time - input.speed_age;
-  measureLatency(measured, input.car.speed);
-  measureSlip(seen, input.car.pose, costmap);
-  now.car = reckoning_.predict(input.car, seen, measured, input.time);
+  now.car = car_watch_.note({input.car, seen, measured}, input.time);
+  follower_.setLatency(car_watch_.latency());
+  follower_.setSlip(car_watch_.slip(), costmap);
   CycleOutput output;
   drive(now, costmap, output);
   if (active() && !no_plan_because_.empty()) {
@@ -94,26 +90,8 @@ CycleOutput Navigator::cycle(const CycleInput & input, Costmap & costmap)
   }
   previous_time_ = now.time;
   previous_pose_ = now.car.pose;
-  reckoning_.note(now.time, output.command.value_or(DriveCommand{}));
-  speed_lag_.noteCommand(now.time, output.command.value_or(DriveCommand{}).speed);
+  car_watch_.noteCommand(now.time, output.command.value_or(DriveCommand{}));
   return output;
-}
-
-// Commands reach motor and steering on the same way.
-void Navigator::measureLatency(double time, double speed)
-{
-  speed_lag_.noteSpeed(time, speed);
-  const double told = options_.follower.latency;
-  follower_.setLatency(std::clamp(speed_lag_.lag() - PathFollower::kSpeedLag, told, told + kMostLatency));
-}
-
-void Navigator::measureSlip(double time, const Pose2 & pose, const Costmap & costmap)
-{
-  slip_watch_.note(time, pose);
-  if (options_.follower.slip_gradient > 0.0) {
-    const double times = slip_watch_.gradient() / options_.follower.slip_gradient;
-    follower_.setSlip(std::clamp(times, kLeastSlip, kMostSlip), costmap);
-  }
 }
 
 void Navigator::drive(const CycleInput & input, Costmap & costmap, CycleOutput & output)

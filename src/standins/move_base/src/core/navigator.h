@@ -4,11 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "control/dead_reckoning.h"
+#include "control/car_watch.h"
 #include "control/path_follower.h"
 #include "control/recovery.h"
-#include "control/slip_watch.h"
-#include "control/speed_lag.h"
 #include "goals.h"
 #include "navigator_options.h"
 #include "path/plan_job.h"
@@ -90,8 +88,6 @@ private:
     kOscillation
   };
 
-  void measureLatency(double time, double speed);
-  void measureSlip(double time, const Pose2 & pose, const Costmap & costmap);
   void drive(const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void driveBlind(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   void pursue(const CycleInput & input, Costmap & costmap, CycleOutput & output);
@@ -121,9 +117,7 @@ private:
   PathFollower follower_;
   PlanRequests requests_;
   PlanJob job_;
-  DeadReckoning reckoning_;
-  SpeedLag speed_lag_;
-  SlipWatch slip_watch_;
+  CarWatch car_watch_;
   RecoverySequence recovery_;
   OscillationWatch oscillation_;
   Plan plan_;

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "control/dead_reckoning.h"
+#include "control/slip_watch.h"
+#include "control/speed_lag.h"
+
+namespace move_base
+{
+/// What is known of a car's motion.
+struct Sighting
+{
+  CarState car;
+  double seen{0.0};      ///< s, when it was at its pose
+  double measured{0.0};  ///< s, when it had its speed
+};
+
+/// Where a car is now, and how it answers to what it is told.
+class CarWatch
+{
+public:
+  /// @param told  how it is said to answer
+  explicit CarWatch(const FollowerOptions & told);
+
+  /// @param now  s, not before the commands already noted
+  /// @return the car's motion now
+  CarState note(const Sighting & sighting, double now);
+  /// What the car is told, time in s.
+  void noteCommand(double time, const DriveCommand & command);
+  /// To be called when time jumps back.
+  void clear() { reckoning_.clear(); }
+
+  /// s, from measuring a pose to the wheels acting on the command. Commands reach motor and steering on the same way.
+  double latency() const;
+  /// How far its tyres slip, times what is said.
+  double slip() const;
+
+private:
+  double told_latency_;  // s
+  double told_slip_;     // rad per m/s^2
+  DeadReckoning reckoning_;
+  SpeedLag speed_lag_;
+  SlipWatch slip_watch_;
+};
+}  // namespace move_base

@@ -21,8 +21,9 @@ Navigator::Navigator(const NavigatorOptions & options, PlanWorker worker)
   requests_(options_, goals_, follower_),
   job_(options.planner, std::move(worker)),
   car_watch_(options.follower),
-  recovery_(options.recoveries),
-  oscillation_(options.oscillation_timeout, options.oscillation_distance)
+  recovery_(
+    options.recoveries, options.oscillation_timeout, options.oscillation_distance,
+    options.follower.limits.max_vel_x_backwards)
 {
   options_.validate();
 }
@@ -32,8 +33,7 @@ void Navigator::setGoal(const Pose2 & goal, double time, std::vector<Pose2> next
   goals_.set(goal, std::move(next));
   job_.drop();
   state_ = State::kPlanning;
-  recovery_.startAgain();
-  oscillation_.startAgain(time);
+  recovery_.startAgain(time);
   planning_retries_ = 0;
   no_plan_because_.clear();
   last_valid_plan_ = last_valid_control_ = next_plan_ = next_passing_ = time;
@@ -125,8 +125,7 @@ void Navigator::driveBlind(const CycleInput & input, const Costmap & costmap, Cy
 
 void Navigator::pursue(const CycleInput & input, Costmap & costmap, CycleOutput & output)
 {
-  oscillation_.note(input.car.pose, input.time);
-  recovery_.noteProgress(input.car.pose);
+  recovery_.note(input.car.pose, input.time);
   switch (state_) {
     case State::kPlanning:
       planAhead(input, costmap, output);
@@ -246,7 +245,7 @@ void Navigator::control(const CycleInput & input, Costmap & costmap, CycleOutput
   if (!step.lost && !step.stuck) {
     last_valid_control_ = input.time;
   }
-  if (oscillation_.isOver(input.time)) {
+  if (recovery_.oscillates(input.time)) {
     recover(Trigger::kOscillation, input, costmap, output);
   } else if (input.time > last_valid_control_ + options_.controller_patience) {
     recover(Trigger::kControlling, input, costmap, output);
@@ -332,52 +331,30 @@ void Navigator::recover(Trigger trigger, const CycleInput & input, Costmap & cos
   stop();
   if (!options_.recovery_behavior_enabled || recovery_.isSpent()) {
     goals_.clear();
-    output.outcome = Outcome{false, failureOf(trigger)};
+    output.outcome = Outcome{false, failureOf(trigger, no_plan_because_)};
     return;
   }
-  begin(recovery_.next(input.car.pose, output.recovery.emplace()), input, costmap);
-}
-
-void Navigator::begin(const RecoveryBehavior & behavior, const CycleInput & input, Costmap & costmap)
-{
-  if (behavior.kind == RecoveryBehavior::Kind::kBackUp) {
-    back_up_ = BackUp(input.car.pose, input.time);
+  output.recovery = recovery_.begin(input.car.pose, input.time, costmap);
+  if (recovery_.backsUp()) {
     state_ = State::kBackingUp;
   } else {
-    costmap.forgetBeyond(input.car.pose.position(), behavior.distance);
-    endRecovery(input.time);
+    planAgain(input.time);
   }
 }
 
 void Navigator::driveBack(const CycleInput & input, const Costmap & costmap, CycleOutput & output)
 {
-  const double speed = options_.follower.limits.max_vel_x_backwards;
-  output.command = back_up_->step(input.car.pose, input.time, speed, costmap);
-  if (!output.command) {
-    output.command = DriveCommand{};
-    endRecovery(input.time);
+  output.command = recovery_.backUp(input.car.pose, input.time, costmap);
+  if (!recovery_.backsUp()) {
+    planAgain(input.time);
   }
 }
 
-void Navigator::endRecovery(double time)
+void Navigator::planAgain(double time)
 {
   state_ = State::kPlanning;
   planning_retries_ = 0;
   last_valid_plan_ = next_plan_ = time;
-  oscillation_.wait(time);
-}
-
-std::string Navigator::failureOf(Trigger trigger) const
-{
-  switch (trigger) {
-    case Trigger::kPlanning:
-      return "Failed to find a valid plan. Even after executing recovery behaviors. " + no_plan_because_;
-    case Trigger::kControlling:
-      return "Failed to find a valid control. Even after executing recovery behaviors.";
-    case Trigger::kOscillation:
-      return "Robot is oscillating. Even after executing recovery behaviors.";
-  }
-  return "";
 }
 
 double Navigator::period(double time) const

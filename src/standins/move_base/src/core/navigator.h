@@ -81,13 +81,6 @@ private:
     kControlling,
     kBackingUp
   };
-  enum class Trigger
-  {
-    kPlanning,
-    kControlling,
-    kOscillation
-  };
-
   void drive(const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void driveBlind(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   void pursue(const CycleInput & input, Costmap & costmap, CycleOutput & output);
@@ -106,11 +99,9 @@ private:
   bool needsPlan(const CycleInput & input, const FollowStep & step) const;
   void recover(Trigger trigger, const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void driveBack(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
-  void begin(const RecoveryBehavior & behavior, const CycleInput & input, Costmap & costmap);
-  void endRecovery(double time);
+  void planAgain(double time);
   double period(double time) const;
   void stop();
-  std::string failureOf(Trigger trigger) const;
 
   NavigatorOptions options_;
   Goals goals_;
@@ -118,8 +109,7 @@ private:
   PlanRequests requests_;
   PlanJob job_;
   CarWatch car_watch_;
-  RecoverySequence recovery_;
-  OscillationWatch oscillation_;
+  Recovery recovery_;
   Plan plan_;
   bool plan_races_{false};
 
@@ -134,7 +124,6 @@ private:
   std::optional<double> previous_time_;
   std::optional<double> coast_until_;
   double stop_until_{0.0};
-  std::optional<BackUp> back_up_;
   std::string no_plan_because_;  // since there was no plan
 };
 }  // namespace move_base

@@ -31,43 +31,63 @@ std::vector<RecoveryBehavior> withBackingUp(const std::vector<RecoveryBehavior> 
   return all;
 }
 
-const RecoveryBehavior & RecoverySequence::next(const Pose2 & car, RecoveryNotice & notice)
+void Recovery::startAgain(double time)
 {
-  begun_at_ = car;
-  const RecoveryBehavior & behavior = behaviors_[index_];
-  notice = {static_cast<unsigned>(index_), static_cast<unsigned>(behaviors_.size()), behavior.name};
-  ++index_;
-  return behavior;
-}
-
-void RecoverySequence::noteProgress(const Pose2 & car)
-{
-  if (index_ > 0 && distance(begun_at_, car) > kProgress) {
-    index_ = 0;
-  }
-}
-
-void OscillationWatch::startAgain(double time)
-{
+  index_ = 0;
   since_ = time;
   from_.reset();
+  backing_since_.reset();
 }
 
-void OscillationWatch::note(const Pose2 & car, double time)
+void Recovery::note(const Pose2 & car, double time)
 {
   if (!from_ || distance(*from_, car) >= way_) {
     from_ = car;
     since_ = time;
   }
+  if (index_ > 0 && distance(begun_at_, car) > kProgress) {
+    index_ = 0;
+  }
 }
 
-std::optional<DriveCommand> BackUp::step(const Pose2 & pose, double time, double speed, const Costmap & costmap) const
+RecoveryNotice Recovery::begin(const Pose2 & car, double time, Costmap & costmap)
 {
-  const double behind = costmap.clearance(advance(pose, -kLookBehind, 0.0));
-  const bool free = behind >= std::min(0.0, costmap.clearance(pose) + kClearanceGain);
-  if (!free || distance(pose, start_) >= kBackUpDistance || time > start_time_ + kBackUpTime) {
-    return std::nullopt;
+  const RecoveryBehavior & behavior = behaviors_[index_];
+  const RecoveryNotice notice{static_cast<unsigned>(index_), static_cast<unsigned>(behaviors_.size()), behavior.name};
+  begun_at_ = car;
+  ++index_;
+  if (behavior.kind == RecoveryBehavior::Kind::kBackUp) {
+    backing_since_ = time;
+  } else {
+    costmap.forgetBeyond(car.position(), behavior.distance);
+    since_ = time;
   }
-  return DriveCommand{-speed, 0.0};
+  return notice;
+}
+
+DriveCommand Recovery::backUp(const Pose2 & car, double time, const Costmap & costmap)
+{
+  const double behind = costmap.clearance(advance(car, -kLookBehind, 0.0));
+  const bool free = behind >= std::min(0.0, costmap.clearance(car) + kClearanceGain);
+  if (free && distance(car, begun_at_) < kBackUpDistance && time <= *backing_since_ + kBackUpTime) {
+    return {-speed_, 0.0};
+  }
+  backing_since_.reset();
+  since_ = time;
+  return {};
+}
+
+std::string failureOf(Trigger trigger, const std::string & no_plan_because)
+{
+  const std::string spent = ". Even after executing recovery behaviors.";
+  switch (trigger) {
+    case Trigger::kPlanning:
+      return "Failed to find a valid plan" + spent + " " + no_plan_because;
+    case Trigger::kControlling:
+      return "Failed to find a valid control" + spent;
+    case Trigger::kOscillation:
+      return "Robot is oscillating" + spent;
+  }
+  return "";
 }
 }  // namespace move_base

@@ -37,60 +37,53 @@ struct RecoveryNotice
   std::string name;
 };
 
-/// Which behaviour comes next.
-class RecoverySequence
+/// Why a car needs to recover.
+enum class Trigger
+{
+  kPlanning,
+  kControlling,
+  kOscillation
+};
+
+/// What a car that gets nowhere tries, one behaviour after the other.
+class Recovery
 {
 public:
-  explicit RecoverySequence(std::vector<RecoveryBehavior> behaviors) : behaviors_(std::move(behaviors)) {}
+  /// @param timeout  s without getting anywhere; 0: any time
+  /// @param way      m, that is somewhere
+  /// @param speed    m/s, of backing up
+  Recovery(std::vector<RecoveryBehavior> behaviors, double timeout, double way, double speed)
+  : behaviors_(std::move(behaviors)), timeout_(timeout), way_(way), speed_(speed)
+  {
+  }
+
+  /// For a new goal.
+  void startAgain(double time);
+  /// Where the car is. Recovery has helped when it gets farther than recovery itself has moved it: then it begins anew.
+  void note(const Pose2 & car, double time);
+  /// Whether it has got nowhere for long.
+  bool oscillates(double time) const { return timeout_ > 0.0 && time > since_ + timeout_; }
 
   bool isSpent() const { return index_ >= behaviors_.size(); }
-  /// Not to be called when spent.
-  /// @param notice  what to say of it
-  const RecoveryBehavior & next(const Pose2 & car, RecoveryNotice & notice);
-  /// Recovery has helped when the car gets farther than recovery itself has moved it: then it begins anew.
-  void noteProgress(const Pose2 & car);
-  void startAgain() { index_ = 0; }
+  /// The next behaviour, not to be called when they are spent: forgets at once, or begins to back up.
+  RecoveryNotice begin(const Pose2 & car, double time, Costmap & costmap);
+  /// Whether backing up goes on.
+  bool backsUp() const { return backing_since_.has_value(); }
+  /// Straight back until far enough, blocked, or too long under way: then it stands.
+  DriveCommand backUp(const Pose2 & car, double time, const Costmap & costmap);
 
 private:
   std::vector<RecoveryBehavior> behaviors_;
-  std::size_t index_{0};
-  Pose2 begun_at_;
-};
-
-/// Notices that a car gets nowhere.
-class OscillationWatch
-{
-public:
-  /// @param timeout  s; 0: it notices nothing
-  /// @param way      m, that the car must get away in that time
-  OscillationWatch(double timeout, double way) : timeout_(timeout), way_(way) {}
-
-  void startAgain(double time);
-  /// Gives it the whole time once more.
-  void wait(double time) { since_ = time; }
-  void note(const Pose2 & car, double time);
-  bool isOver(double time) const { return timeout_ > 0.0 && time > since_ + timeout_; }
-
-private:
   double timeout_;
   double way_;
+  double speed_;
+  std::size_t index_{0};
+  Pose2 begun_at_;
+  std::optional<double> backing_since_;
   double since_{0.0};
   std::optional<Pose2> from_;
 };
 
-/// Driving straight back until far enough, blocked, or too long under way.
-class BackUp
-{
-public:
-  /// @param time  s
-  BackUp(const Pose2 & start, double time) : start_(start), start_time_(time) {}
-
-  /// @param speed  m/s, above 0
-  /// @return nothing when it is over
-  std::optional<DriveCommand> step(const Pose2 & pose, double time, double speed, const Costmap & costmap) const;
-
-private:
-  Pose2 start_;
-  double start_time_;
-};
+/// Says that nothing has helped.
+std::string failureOf(Trigger trigger, const std::string & no_plan_because);
 }  // namespace move_base

@@ -8,7 +8,6 @@ namespace move_base
 {
 namespace
 {
-constexpr double kRetryInterval = 0.5;    // s between plans for the same goal: the world changes no faster
 constexpr double kPassingInterval = 0.1;  // s between looks for a way past others
 constexpr double kStandingSpeed = 0.05;   // m/s
 constexpr double kStopTime = 1.0;         // s, for which a car that has been stopped is told so
@@ -19,7 +18,7 @@ Navigator::Navigator(const NavigatorOptions & options, PlanWorker worker)
 : options_(options),
   follower_(options.follower),
   requests_(options_, goals_, follower_),
-  job_(options.planner, std::move(worker)),
+  planning_(options_, requests_, std::move(worker)),
   car_watch_(options.follower),
   recovery_(
     options.recoveries, options.oscillation_timeout, options.oscillation_distance,
@@ -31,12 +30,11 @@ Navigator::Navigator(const NavigatorOptions & options, PlanWorker worker)
 void Navigator::setGoal(const Pose2 & goal, double time, std::vector<Pose2> next)
 {
   goals_.set(goal, std::move(next));
-  job_.drop();
-  state_ = State::kPlanning;
+  planning_.drop();
+  planning_.forgetReason();
+  planAgain(time);
   recovery_.startAgain(time);
-  planning_retries_ = 0;
-  no_plan_because_.clear();
-  last_valid_plan_ = last_valid_control_ = next_plan_ = next_passing_ = time;
+  last_valid_control_ = next_passing_ = time;
   previous_pose_.reset();
   coast_until_.reset();
   stop_until_ = 0.0;
@@ -49,17 +47,17 @@ void Navigator::setNextGoals(std::vector<Pose2> next)
   if (requests_.passes() == passed) {
     return;
   }
-  job_.drop();
+  planning_.drop();
   if (state_ != State::kBackingUp) {
     state_ = State::kPlanning;
-    next_plan_ = previous_time_.value_or(0.0);
+    planning_.askFrom(previous_time_.value_or(0.0));
   }
 }
 
 void Navigator::cancel()
 {
   goals_.clear();
-  job_.drop();
+  planning_.drop();
   coast_until_.reset();
   stop();
 }
@@ -85,8 +83,8 @@ CycleOutput Navigator::cycle(const CycleInput & input, Costmap & costmap)
   follower_.setSlip(car_watch_.slip(), costmap);
   CycleOutput output;
   drive(now, costmap, output);
-  if (active() && !no_plan_because_.empty()) {
-    output.trouble = no_plan_because_;
+  if (active() && !planning_.noPlanBecause().empty()) {
+    output.trouble = planning_.noPlanBecause();
   }
   previous_time_ = now.time;
   previous_pose_ = now.car.pose;
@@ -115,8 +113,9 @@ void Navigator::driveBlind(const CycleInput & input, const Costmap & costmap, Cy
 {
   if (std::abs(input.car.speed) < kStandingSpeed) {
     output.command = DriveCommand{};
-    job_.drop();
-    next_plan_ = last_valid_plan_ = last_valid_control_ = input.time;
+    planning_.drop();
+    planning_.startAgain(input.time);
+    last_valid_control_ = input.time;
     state_ = state_ == State::kControlling ? State::kPlanning : state_;
   } else {
     hold(input, costmap, output);
@@ -141,33 +140,17 @@ void Navigator::pursue(const CycleInput & input, Costmap & costmap, CycleOutput 
 
 void Navigator::planAhead(const CycleInput & input, Costmap & costmap, CycleOutput & output)
 {
-  if (job_.isIdle() && !askForPlan(input, costmap)) {
-    hold(input, costmap, output);
-    return;
-  }
-  if (std::optional<PlanAnswer> answer = job_.answer(input.time)) {
+  if (std::optional<PlanAnswer> answer = planning_.answer(input.car, input.time, costmap)) {
     takePlan(std::move(*answer), input, costmap, output);
   } else {
     awaitPlan(input, costmap, output);
   }
 }
 
-bool Navigator::askForPlan(const CycleInput & input, const Costmap & costmap)
-{
-  if (input.time < next_plan_) {
-    return false;
-  }
-  next_plan_ = input.time + kRetryInterval;
-  const PlanRequest request = requests_.from(input.car, job_.timeNeeded());
-  drive_on_until_ = input.time + (request.lead.empty() ? 0.0 : requests_.leadTime(job_.timeNeeded()));
-  job_.begin(costmap, request, input.time);
-  return true;
-}
-
 // The car drives on as far as the new plan leaves the old one as it is, then it brakes along it.
 void Navigator::awaitPlan(const CycleInput & input, const Costmap & costmap, CycleOutput & output)
 {
-  if (input.time >= drive_on_until_ || !follower_.hasPath()) {
+  if (!planning_.leavesWayUntil(input.time) || !follower_.hasPath()) {
     hold(input, costmap, output);
     return;
   }
@@ -188,10 +171,9 @@ void Navigator::takePlan(PlanAnswer answer, const CycleInput & input, Costmap & 
   }
   plan_ = std::move(answer.plan);
   plan_races_ = answer.races;
-  no_plan_because_.clear();
+  planning_.succeeded(input.time);
   output.new_plan = true;
-  planning_retries_ = 0;
-  last_valid_plan_ = next_passing_ = input.time;
+  next_passing_ = input.time;
   follower_.setPath(plan_.path, costmap);
   state_ = State::kControlling;
   control(input, costmap, output);
@@ -200,14 +182,12 @@ void Navigator::takePlan(PlanAnswer answer, const CycleInput & input, Costmap & 
 void Navigator::planFailed(
   const Obstruction & obstruction, const CycleInput & input, Costmap & costmap, CycleOutput & output)
 {
-  no_plan_because_ = obstruction.reason;
+  planning_.failed(obstruction.reason);
   if (obstruction.lasting) {
     giveUp("Failed to find a valid plan. " + obstruction.reason, input, costmap, output);
     return;
   }
-  ++planning_retries_;
-  const bool spent = options_.max_planning_retries >= 0 && planning_retries_ > options_.max_planning_retries;
-  if (spent || input.time > last_valid_plan_ + options_.planner_patience) {
+  if (planning_.isSpent(input.time)) {
     recover(Trigger::kPlanning, input, costmap, output);
   } else {
     hold(input, costmap, output);
@@ -277,16 +257,14 @@ void Navigator::passIfHindered(
 
 bool Navigator::needsPlan(const CycleInput & input, const FollowStep & step) const
 {
-  if (input.time < next_plan_) {
+  if (!planning_.mayAsk(input.time)) {
     return false;
   }
   const bool approaches = plan_races_ && !requests_.passes() &&
-                          !requests_.isFar(plan_.goal_s - step.position.s, input.car.speed, job_.timeNeeded());
+                          !requests_.isFar(plan_.goal_s - step.position.s, input.car.speed, planning_.timeNeeded());
   const bool passed = step.position.s > plan_.goal_s + requests_.tolerance().distance;
-  const bool due =
-    options_.planner_frequency > 0.0 && input.time >= last_valid_plan_ + 1.0 / options_.planner_frequency;
   const bool missed = step.at_end && std::abs(input.car.speed) < kStandingSpeed;
-  return step.lost || step.blocked || missed || passed || approaches || due;
+  return step.lost || step.blocked || missed || passed || approaches || planning_.isDue(input.time);
 }
 
 bool Navigator::finishIfReached(const CycleInput & input, CycleOutput & output)
@@ -331,7 +309,7 @@ void Navigator::recover(Trigger trigger, const CycleInput & input, Costmap & cos
   stop();
   if (!options_.recovery_behavior_enabled || recovery_.isSpent()) {
     goals_.clear();
-    output.outcome = Outcome{false, failureOf(trigger, no_plan_because_)};
+    output.outcome = Outcome{false, failureOf(trigger, planning_.noPlanBecause())};
     return;
   }
   output.recovery = recovery_.begin(input.car.pose, input.time, costmap);
@@ -353,8 +331,7 @@ void Navigator::driveBack(const CycleInput & input, const Costmap & costmap, Cyc
 void Navigator::planAgain(double time)
 {
   state_ = State::kPlanning;
-  planning_retries_ = 0;
-  last_valid_plan_ = next_plan_ = time;
+  planning_.startAgain(time);
 }
 
 double Navigator::period(double time) const

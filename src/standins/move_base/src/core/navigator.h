@@ -9,9 +9,9 @@
 #include "control/recovery.h"
 #include "goals.h"
 #include "navigator_options.h"
-#include "path/plan_job.h"
 #include "path/plan_near.h"
 #include "plan_requests.h"
+#include "planning.h"
 
 namespace move_base
 {
@@ -85,7 +85,6 @@ private:
   void driveBlind(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   void pursue(const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void planAhead(const CycleInput & input, Costmap & costmap, CycleOutput & output);
-  bool askForPlan(const CycleInput & input, const Costmap & costmap);
   void awaitPlan(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   void takePlan(PlanAnswer answer, const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void planFailed(const Obstruction & obstruction, const CycleInput & input, Costmap & costmap, CycleOutput & output);
@@ -107,23 +106,18 @@ private:
   Goals goals_;
   PathFollower follower_;
   PlanRequests requests_;
-  PlanJob job_;
+  Planning planning_;
   CarWatch car_watch_;
   Recovery recovery_;
   Plan plan_;
   bool plan_races_{false};
 
   State state_{State::kPlanning};
-  int planning_retries_{0};
-  double last_valid_plan_{0.0};
   double last_valid_control_{0.0};
-  double next_plan_{0.0};
   double next_passing_{0.0};
-  double drive_on_until_{0.0};  // while a plan is being made
   std::optional<Pose2> previous_pose_;
   std::optional<double> previous_time_;
   std::optional<double> coast_until_;
   double stop_until_{0.0};
-  std::string no_plan_because_;  // since there was no plan
 };
 }  // namespace move_base

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "path/plan_job.h"
+#include "plan_requests.h"
+
+namespace move_base
+{
+/// Plans for the goal, asked for again and again until there is one or patience is spent.
+class Planning
+{
+public:
+  /// @throws OptionError
+  Planning(const NavigatorOptions & options, const PlanRequests & requests, PlanWorker worker)
+  : options_(options), requests_(requests), job_(options.planner, std::move(worker))
+  {
+  }
+
+  /// Asks at once the next time, and is patient again.
+  /// @param time  s
+  void startAgain(double time);
+  /// What is being planned is not wanted any more.
+  void drop() { job_.drop(); }
+
+  /// What has come of a plan; one is asked for when it is time to.
+  std::optional<PlanAnswer> answer(const CarState & car, double time, const Costmap & costmap);
+  /// Whether the plan that is being made leaves the car's way as it is until then: it may drive on.
+  bool leavesWayUntil(double time) const { return time < drive_on_until_; }
+
+  /// Notes that there is a plan, that the car can drive.
+  void succeeded(double time);
+  /// Notes why there is none.
+  void failed(const std::string & because);
+  /// Whether it has failed too often, or for too long.
+  bool isSpent(double time) const;
+  /// Why there is no plan, or empty.
+  const std::string & noPlanBecause() const { return no_plan_because_; }
+  void forgetReason() { no_plan_because_.clear(); }
+
+  /// Whether another plan may be asked for.
+  bool mayAsk(double time) const { return time >= next_plan_; }
+  void askFrom(double time) { next_plan_ = time; }
+  /// Whether plans are made from time to time, and it is time.
+  bool isDue(double time) const;
+  /// s, how long a plan may take
+  double timeNeeded() const { return job_.timeNeeded(); }
+
+private:
+  bool ask(const CarState & car, double time, const Costmap & costmap);
+
+  const NavigatorOptions & options_;
+  const PlanRequests & requests_;
+  PlanJob job_;
+  int retries_{0};
+  double last_valid_{0.0};
+  double next_plan_{0.0};
+  double drive_on_until_{0.0};
+  std::string no_plan_because_;
+};
+}  // namespace move_base

@@ -2,13 +2,10 @@
 
 #include <algorithm>
 
-#include "traffic/passing.h"
-
 namespace move_base
 {
 namespace
 {
-constexpr double kPassingInterval = 0.1;  // s between looks for a way past others
 constexpr double kStandingSpeed = 0.05;   // m/s
 constexpr double kStopTime = 1.0;         // s, for which a car that has been stopped is told so
 constexpr double kLongestPeriod = 0.2;    // s, taken for a step after a pause
@@ -19,6 +16,7 @@ Navigator::Navigator(const NavigatorOptions & options, PlanWorker worker)
   follower_(options.follower),
   requests_(options_, goals_, follower_),
   planning_(options_, requests_, std::move(worker)),
+  way_(options_, requests_, follower_),
   car_watch_(options.follower),
   recovery_(
     options.recoveries, options.oscillation_timeout, options.oscillation_distance,
@@ -34,7 +32,7 @@ void Navigator::setGoal(const Pose2 & goal, double time, std::vector<Pose2> next
   planning_.forgetReason();
   planAgain(time);
   recovery_.startAgain(time);
-  last_valid_control_ = next_passing_ = time;
+  last_valid_control_ = time;
   previous_pose_.reset();
   coast_until_.reset();
   stop_until_ = 0.0;
@@ -83,6 +81,7 @@ CycleOutput Navigator::cycle(const CycleInput & input, Costmap & costmap)
   follower_.setSlip(car_watch_.slip(), costmap);
   CycleOutput output;
   drive(now, costmap, output);
+  output.new_plan = way_.takeChange();
   if (active() && !planning_.noPlanBecause().empty()) {
     output.trouble = planning_.noPlanBecause();
   }
@@ -142,21 +141,11 @@ void Navigator::planAhead(const CycleInput & input, Costmap & costmap, CycleOutp
 {
   if (std::optional<PlanAnswer> answer = planning_.answer(input.car, input.time, costmap)) {
     takePlan(std::move(*answer), input, costmap, output);
+  } else if (planning_.leavesWayAt(input.time) && follower_.hasPath()) {
+    follow({input.time, input.car, costmap, forecasts(costmap, input.time)}, false, output);
   } else {
-    awaitPlan(input, costmap, output);
-  }
-}
-
-// The car drives on as far as the new plan leaves the old one as it is, then it brakes along it.
-void Navigator::awaitPlan(const CycleInput & input, const Costmap & costmap, CycleOutput & output)
-{
-  if (!planning_.leavesWayUntil(input.time) || !follower_.hasPath()) {
     hold(input, costmap, output);
-    return;
   }
-  FollowStep step = follower_.step(input.car, costmap, period(input.time), false, forecasts(costmap, input.time));
-  output.command = step.command;
-  output.prediction = std::move(step.prediction);
 }
 
 void Navigator::takePlan(PlanAnswer answer, const CycleInput & input, Costmap & costmap, CycleOutput & output)
@@ -169,12 +158,8 @@ void Navigator::takePlan(PlanAnswer answer, const CycleInput & input, Costmap & 
     hold(input, costmap, output);
     return;
   }
-  plan_ = std::move(answer.plan);
-  plan_races_ = answer.races;
   planning_.succeeded(input.time);
-  output.new_plan = true;
-  next_passing_ = input.time;
-  follower_.setPath(plan_.path, costmap);
+  way_.start(std::move(answer.plan), answer.races, {input.time, input.car, costmap, {}});
   state_ = State::kControlling;
   control(input, costmap, output);
 }
@@ -185,9 +170,7 @@ void Navigator::planFailed(
   planning_.failed(obstruction.reason);
   if (obstruction.lasting) {
     giveUp("Failed to find a valid plan. " + obstruction.reason, input, costmap, output);
-    return;
-  }
-  if (planning_.isSpent(input.time)) {
+  } else if (planning_.isSpent(input.time)) {
     recover(Trigger::kPlanning, input, costmap, output);
   } else {
     hold(input, costmap, output);
@@ -212,13 +195,12 @@ void Navigator::giveUp(
 void Navigator::control(const CycleInput & input, Costmap & costmap, CycleOutput & output)
 {
   const std::vector<Forecast> others = forecasts(costmap, input.time);
-  passIfHindered(input, costmap, others, output);
-  FollowStep step = follower_.step(input.car, costmap, period(input.time), false, others);
-  output.command = step.command;
+  const Scene scene{input.time, input.car, costmap, others};
+  way_.passOthers(scene);
+  const FollowStep step = follow(scene, false, output);
   if (finishIfReached(input, output)) {
     return;
   }
-  output.prediction = std::move(step.prediction);
   if (step.stuck) {
     output.trouble = "Something stands in the car's way.";
   }
@@ -229,42 +211,11 @@ void Navigator::control(const CycleInput & input, Costmap & costmap, CycleOutput
     recover(Trigger::kOscillation, input, costmap, output);
   } else if (input.time > last_valid_control_ + options_.controller_patience) {
     recover(Trigger::kControlling, input, costmap, output);
-  } else if (needsPlan(input, step)) {
+  } else if (
+    planning_.isDue(input.time) ||
+    (planning_.mayAsk(input.time) && way_.isOver(step, input.car, planning_.timeNeeded()))) {
     state_ = State::kPlanning;
   }
-}
-
-void Navigator::passIfHindered(
-  const CycleInput & input, const Costmap & costmap, const std::vector<Forecast> & others, CycleOutput & output)
-{
-  if (input.time < next_passing_ || !follower_.hindered(input.car, costmap, others)) {
-    return;
-  }
-  next_passing_ = input.time + kPassingInterval;
-  const PlanRequest request = requests_.from(input.car, 0.0);
-  if (request.lead.empty() || !request.race_line) {
-    return;
-  }
-  auto plan = planPast(
-    {costmap, options_.planner, follower_.options().limits, plan_, request, others, follower_.placeOf(input.car),
-     input.car.speed});
-  if (plan) {
-    plan_ = std::move(*plan);
-    output.new_plan = true;
-    follower_.setPath(plan_.path, costmap);
-  }
-}
-
-bool Navigator::needsPlan(const CycleInput & input, const FollowStep & step) const
-{
-  if (!planning_.mayAsk(input.time)) {
-    return false;
-  }
-  const bool approaches = plan_races_ && !requests_.passes() &&
-                          !requests_.isFar(plan_.goal_s - step.position.s, input.car.speed, planning_.timeNeeded());
-  const bool passed = step.position.s > plan_.goal_s + requests_.tolerance().distance;
-  const bool missed = step.at_end && std::abs(input.car.speed) < kStandingSpeed;
-  return step.lost || step.blocked || missed || passed || approaches || planning_.isDue(input.time);
 }
 
 bool Navigator::finishIfReached(const CycleInput & input, CycleOutput & output)
@@ -287,13 +238,19 @@ bool Navigator::finishIfReached(const CycleInput & input, CycleOutput & output)
 
 void Navigator::coast(const CycleInput & input, const Costmap & costmap, CycleOutput & output)
 {
-  FollowStep step =
-    follower_.step(input.car, costmap, period(input.time), input.time >= *coast_until_, forecasts(costmap, input.time));
-  output.command = step.command;
-  output.prediction = std::move(step.prediction);
+  const Scene scene{input.time, input.car, costmap, forecasts(costmap, input.time)};
+  const FollowStep step = follow(scene, input.time >= *coast_until_, output);
   if (std::abs(input.car.speed) < kStandingSpeed && step.command.speed == 0.0) {
     cancel();
   }
+}
+
+FollowStep Navigator::follow(const Scene & scene, bool brake, CycleOutput & output)
+{
+  FollowStep step = follower_.step(scene.car, scene.costmap, period(scene.time), brake, scene.others);
+  output.command = step.command;
+  output.prediction = std::move(step.prediction);
+  return step;
 }
 
 // Without a plan for the new goal the car comes to a stand along the old one, not wherever its wheels point.
@@ -313,9 +270,8 @@ void Navigator::recover(Trigger trigger, const CycleInput & input, Costmap & cos
     return;
   }
   output.recovery = recovery_.begin(input.car.pose, input.time, costmap);
-  if (recovery_.backsUp()) {
-    state_ = State::kBackingUp;
-  } else {
+  state_ = State::kBackingUp;
+  if (!recovery_.backsUp()) {
     planAgain(input.time);
   }
 }

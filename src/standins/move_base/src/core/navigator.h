@@ -10,8 +10,8 @@
 #include "goals.h"
 #include "navigator_options.h"
 #include "path/plan_near.h"
-#include "plan_requests.h"
 #include "planning.h"
+#include "way.h"
 
 namespace move_base
 {
@@ -66,7 +66,7 @@ public:
   CycleOutput cycle(const CycleInput & input, Costmap & costmap);
 
   /// The latest plan, empty before the first.
-  const Plan & plan() const { return plan_; }
+  const Plan & plan() const { return way_.plan(); }
   /// A plan for somebody else; changes nothing here.
   /// @param tolerance  m along each axis, within which another goal will do where there is none to this one
   Plan makePlan(const Costmap & costmap, const Pose2 & start, const Pose2 & goal, double tolerance) const
@@ -85,17 +85,14 @@ private:
   void driveBlind(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   void pursue(const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void planAhead(const CycleInput & input, Costmap & costmap, CycleOutput & output);
-  void awaitPlan(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   void takePlan(PlanAnswer answer, const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void planFailed(const Obstruction & obstruction, const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void giveUp(const std::string & text, const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   void control(const CycleInput & input, Costmap & costmap, CycleOutput & output);
-  void passIfHindered(
-    const CycleInput & input, const Costmap & costmap, const std::vector<Forecast> & others, CycleOutput & output);
+  FollowStep follow(const Scene & scene, bool brake, CycleOutput & output);
   void coast(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   void hold(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   bool finishIfReached(const CycleInput & input, CycleOutput & output);
-  bool needsPlan(const CycleInput & input, const FollowStep & step) const;
   void recover(Trigger trigger, const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void driveBack(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   void planAgain(double time);
@@ -107,14 +104,12 @@ private:
   PathFollower follower_;
   PlanRequests requests_;
   Planning planning_;
+  Way way_;
   CarWatch car_watch_;
   Recovery recovery_;
-  Plan plan_;
-  bool plan_races_{false};
 
   State state_{State::kPlanning};
   double last_valid_control_{0.0};
-  double next_passing_{0.0};
   std::optional<Pose2> previous_pose_;
   std::optional<double> previous_time_;
   std::optional<double> coast_until_;

@@ -58,6 +58,6 @@ bool Planning::isSpent(double time) const
 
 bool Planning::isDue(double time) const
 {
-  return options_.planner_frequency > 0.0 && time >= last_valid_ + 1.0 / options_.planner_frequency;
+  return mayAsk(time) && options_.planner_frequency > 0.0 && time >= last_valid_ + 1.0 / options_.planner_frequency;
 }
 }  // namespace move_base

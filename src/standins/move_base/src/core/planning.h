@@ -26,8 +26,8 @@ public:
 
   /// What has come of a plan; one is asked for when it is time to.
   std::optional<PlanAnswer> answer(const CarState & car, double time, const Costmap & costmap);
-  /// Whether the plan that is being made leaves the car's way as it is until then: it may drive on.
-  bool leavesWayUntil(double time) const { return time < drive_on_until_; }
+  /// Whether the plan that is being made leaves the car's way as it is so far: the car may drive on, then it brakes along it.
+  bool leavesWayAt(double time) const { return time < drive_on_until_; }
 
   /// Notes that there is a plan, that the car can drive.
   void succeeded(double time);

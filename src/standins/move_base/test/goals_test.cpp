@@ -15,6 +15,7 @@ using testing::Journey;
 using testing::makeCostmap;
 using testing::onOval;
 using testing::racingNavigator;
+using testing::scanFrom;
 
 NavigatorOptions passingNavigator()
 {
@@ -51,6 +52,25 @@ TEST(Goals, knowTheWayToTheLastOneUnlessTheyGoRound)
   EXPECT_EQ(goals.wayToLast(), 7.0);
   goals.setNext({{3.0, 0.0, 0.0}, {0.0, 0.0, 0.0}});
   EXPECT_EQ(goals.wayToLast(), HUGE_VAL);
+}
+
+TEST(Goals, giveWayToTheSideOnTheRoad)
+{
+  for (const double width : {3.0, 0.7}) {
+    Costmap costmap = makeCostmap(drawRoom(12.0, width));
+    const double middle = 0.5 * width;
+    costmap.observe(scanFrom({2.0, middle, 0.0}, [](double angle) { return std::abs(angle) < 0.05 ? 3.0 : 9.5; }));
+    Goals goals;
+    goals.set({4.8, middle, 0.0}, {{8.0, middle, 0.0}});
+    goals.moveAside(costmap, 0.1);
+    const double aside = std::abs(goals.front().y - middle);
+    if (width > 1.0) {
+      EXPECT_GE(costmap.clearance(goals.front()), 0.1);
+      EXPECT_LT(aside, 0.8);
+    } else {
+      EXPECT_EQ(aside, 0.0) << "behind a wall is no place";
+    }
+  }
 }
 
 TEST(Navigator, passesGoalsThatAnotherOneFollowsWithoutStopping)

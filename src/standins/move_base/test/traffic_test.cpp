@@ -51,6 +51,18 @@ TEST(Forecast, beginsNow)
   EXPECT_NEAR(forecast.at(0.0).middle.x, onOval(1.4).x, 1e-9);
 }
 
+TEST(Forecast, whoBrakesComesToAStandOnItsWay)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  const Forecast forecast = Forecast(carAt(onOval(6.0), 3.0), costmap, 0.0).braking(6.0);
+  EXPECT_NEAR(forecast.wayToStand(0.0), 0.75, 1e-9);
+  EXPECT_NEAR(forecast.wayToStand(0.25), 0.1875, 1e-9);
+  EXPECT_EQ(forecast.wayToStand(4.0), 0.0);
+  EXPECT_EQ(forecast.lastSpeed(), 0.0);
+  EXPECT_NEAR(distance(forecast.at(0.25).middle, onOval(6.0)), 0.5625, 0.05);
+  EXPECT_NEAR(distance(forecast.at(4.0).middle, onOval(6.0)), 0.75, 0.05);
+}
+
 // The first touch of a car that drives along x at 2 m/s with another, that does the same.
 std::optional<Touch> touchWith(const Pose2 & other, double speed)
 {
@@ -121,6 +133,33 @@ TEST(PathFollower, neverTouchesACarAheadOfIt)
   }
 }
 
+TEST(PathFollower, stopsBehindACarThatBrakesAllAtOnce)
+{
+  constexpr double kBraking = 6.0;    // m/s^2
+  constexpr double kSeenLate = 0.15;  // s
+  const Costmap costmap = makeCostmap(drawRoom(60.0, 4.0));
+  FollowerOptions options;
+  options.limits.max_vel_x = 6.0;
+  options.limits.acc_lim_x = options.limits.dec_lim_x = 6.0;
+  for (const double way : {6.0, 12.0, 18.0}) {
+    PathFollower follower(options);
+    follower.setPath(samplePath({1.0, 2.0, 0.0}, {{58.0, 0.0}}, 0.1), costmap);
+    KinematicCar car({1.0, 2.0, 0.0});
+    Pose2 other{4.0, 2.0, 0.0};
+    double speed = 3.0;
+    for (double time = 0.0; time < 10.0; time += kCycleTime) {
+      const bool brakes = other.x > 4.0 + way;
+      const double seen = brakes ? std::min(3.0, speed + kBraking * kSeenLate) : speed;
+      const Forecast forecast(carAt(other, speed > 0.0 ? seen : 0.0), costmap, 0.0);
+      car.drive(follower.step(car.state(), costmap, kCycleTime, false, {forecast}).command, kCycleTime);
+      speed = brakes ? std::max(0.0, speed - kBraking * kCycleTime) : speed;
+      other = advance(other, speed * kCycleTime, 0.0);
+      ASSERT_GT(clearance(carAt(other, speed).outline, costmap.footprint(), car.state().pose), 0.1) << way;
+    }
+    EXPECT_NEAR(car.state().speed, 0.0, 0.05);
+  }
+}
+
 // What a lidar at sensor sees of a car on the road; walls are left out.
 LaserScan scanOf(const Box & other, const Pose2 & sensor, double time)
 {
@@ -143,7 +182,8 @@ TEST(Navigator, passesASlowerCarWithoutTouchingIt)
   options.follower.limits.max_vel_theta = 8.0;
   options.follower.limits.acc_lim_x = options.follower.limits.dec_lim_x = 6.0;
   options.free_goal_vel = options.race_line = true;
-  for (const double speed : {0.8, 1.5}) {
+  for (const auto & [speed, planner_frequency] : {std::pair{0.8, 0.0}, {1.5, 0.0}, {0.8, 3.0}, {1.5, 3.0}}) {
+    options.planner_frequency = planner_frequency;  // plans know nothing of the other
     Costmap costmap = makeCostmap(drawRoom(40.0, 2.4));
     Navigator navigator(options);
     navigator.setGoal({38.0, 1.2, 0.0}, 10.0);

@@ -12,6 +12,26 @@ bool cameNear(const Pose2 & from, const Pose2 & to, const Pose2 & goal, const Go
          std::abs(normalizeAngle(to.yaw - goal.yaw)) <= tolerance.yaw;
 }
 
+void Goals::moveAside(const Costmap & costmap, double clearance)
+{
+  constexpr double kStep = 0.05;     // m
+  constexpr double kFarthest = 1.0;  // m
+  double nearest = kFarthest;
+  const Pose2 goal = *goal_;
+  for (const double left : {1.0, -1.0}) {
+    for (double aside = kStep; aside < nearest; aside += kStep) {
+      const Pose2 beside = compose(goal, {0.0, left * aside, 0.0});
+      if (costmap.wallDistance(beside.position()) <= 0.0) {
+        break;
+      }
+      if (costmap.clearance(beside) >= clearance) {
+        nearest = aside;
+        goal_ = beside;
+      }
+    }
+  }
+}
+
 void Goals::set(const Pose2 & goal, std::vector<Pose2> next)
 {
   goal_ = goal;

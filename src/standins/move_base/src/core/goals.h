@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/geometry.h"
+#include "map/costmap.h"
 
 namespace move_base
 {
@@ -28,6 +29,11 @@ public:
   void clear() { goal_.reset(); }
   bool any() const { return goal_.has_value(); }
   const Pose2 & front() const { return *goal_; }
+
+  /// Puts the goal elsewhere; what follows stays.
+  void move(const Pose2 & goal) { goal_ = goal; }
+  /// Moves the goal to its left or right, not far, to where a car has the clearance, m; if there is no such place it stays.
+  void moveAside(const Costmap & costmap, double clearance);
 
   void setNext(std::vector<Pose2> next) { next_ = std::move(next); }
   /// Whether another one follows: then the goal may be passed without a stop.

@@ -6,9 +6,9 @@ namespace move_base
 {
 namespace
 {
-constexpr double kStandingSpeed = 0.05;   // m/s
-constexpr double kStopTime = 1.0;         // s, for which a car that has been stopped is told so
-constexpr double kLongestPeriod = 0.2;    // s, taken for a step after a pause
+constexpr double kStandingSpeed = 0.05;  // m/s
+constexpr double kStopTime = 1.0;        // s, for which a car that has been stopped is told so
+constexpr double kLongestPeriod = 0.2;   // s, taken for a step after a pause
 }  // namespace
 
 Navigator::Navigator(const NavigatorOptions & options, PlanWorker worker)
@@ -16,7 +16,7 @@ Navigator::Navigator(const NavigatorOptions & options, PlanWorker worker)
   follower_(options.follower),
   requests_(options_, goals_, follower_),
   planning_(options_, requests_, std::move(worker)),
-  way_(options_, requests_, follower_),
+  way_(options_, goals_, requests_, follower_),
   car_watch_(options.follower),
   recovery_(
     options.recoveries, options.oscillation_timeout, options.oscillation_distance,
@@ -151,15 +151,16 @@ void Navigator::planAhead(const CycleInput & input, Costmap & costmap, CycleOutp
 void Navigator::takePlan(PlanAnswer answer, const CycleInput & input, Costmap & costmap, CycleOutput & output)
 {
   if (!answer.plan.found()) {
+    way_.makeRoom(answer.plan.status, costmap);
     planFailed(answer.obstruction, input, costmap, output);
     return;
   }
-  if (follower_.hasPath() && !requests_.canDrive(answer.plan, input.car, costmap)) {
+  const auto renewal = way_.renew(std::move(answer), {input.time, input.car, costmap, forecasts(costmap, input.time)});
+  if (renewal == Way::Renewal::kRefused) {
     hold(input, costmap, output);
     return;
   }
-  planning_.succeeded(input.time);
-  way_.start(std::move(answer.plan), answer.races, {input.time, input.car, costmap, {}});
+  planning_.succeeded(input.time, renewal == Way::Renewal::kStarted);
   state_ = State::kControlling;
   control(input, costmap, output);
 }

@@ -4,7 +4,8 @@ namespace move_base
 {
 namespace
 {
-constexpr double kRetryInterval = 0.5;  // s between plans for the same goal: the world changes no faster
+constexpr double kRetryInterval = 0.5;     // s between plans for the same goal: the world changes no faster
+constexpr double kNotTakenInterval = 0.1;  // s, the same when one was there but others were in the way
 }  // namespace
 
 void Planning::startAgain(double time)
@@ -37,8 +38,9 @@ bool Planning::ask(const CarState & car, double time, const Costmap & costmap)
   return true;
 }
 
-void Planning::succeeded(double time)
+void Planning::succeeded(double time, bool taken)
 {
+  next_plan_ = taken ? next_plan_ : time + kNotTakenInterval;
   no_plan_because_.clear();
   retries_ = 0;
   last_valid_ = time;

@@ -29,8 +29,9 @@ public:
   /// Whether the plan that is being made leaves the car's way as it is so far: the car may drive on, then it brakes along it.
   bool leavesWayAt(double time) const { return time < drive_on_until_; }
 
-  /// Notes that there is a plan, that the car can drive.
-  void succeeded(double time);
+  /// Notes that there is a plan that the car can drive.
+  /// @param taken  whether it does; if not, another is asked for soon
+  void succeeded(double time, bool taken);
   /// Notes why there is none.
   void failed(const std::string & because);
   /// Whether it has failed too often, or for too long.

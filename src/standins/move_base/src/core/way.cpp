@@ -1,5 +1,9 @@
 #include "way.h"
 
+#include <algorithm>
+#include <iterator>
+
+#include "path/plan_parts.h"
 #include "traffic/passing.h"
 
 namespace move_base
@@ -7,21 +11,93 @@ namespace move_base
 namespace
 {
 constexpr double kLookInterval = 0.1;   // s between looks for a way past others
+constexpr double kPassingPart = 0.7;    // of the lateral acceleration, past others: beside them errors cost most
 constexpr double kStoppedSpeed = 0.05;  // m/s
 }  // namespace
 
-void Way::start(Plan plan, bool races, const Scene & scene)
+Way::Renewal Way::renew(PlanAnswer answer, const Scene & scene)
 {
-  races_ = races;
-  next_look_ = scene.time;
-  take(std::move(plan), scene.costmap);
+  const bool past = leadsPastOthers(scene);
+  const bool drivable = !follower_.hasPath() || requests_.canDrive(answer.plan, scene.car, scene.costmap);
+  if (!past && !drivable) {
+    return Renewal::kRefused;
+  }
+  if (!past) {
+    start(std::move(answer), scene);
+  } else if (!drivable || !goOver(std::move(answer), scene)) {
+    keep(scene);
+    return Renewal::kKept;
+  }
+  return Renewal::kStarted;
 }
 
-void Way::take(Plan plan, const Costmap & costmap)
+void Way::makeRoom(SearchStatus status, const Costmap & costmap)
+{
+  if (status == SearchStatus::kGoalBlocked && requests_.passes()) {
+    goals_.moveAside(costmap, options_.planner.min_obstacle_dist);
+  }
+}
+
+void Way::start(PlanAnswer answer, const Scene & scene)
+{
+  races_ = answer.races;
+  next_look_ = scene.time;
+  take(std::move(answer.plan), scene.costmap, 1.0);
+}
+
+void Way::take(Plan plan, const Costmap & costmap, double lateral_part)
 {
   plan_ = std::move(plan);
   changed_ = true;
-  follower_.setPath(plan_.path, costmap);
+  follower_.setPath(plan_.path, costmap, lateral_part);
+}
+
+// Whether others drive about, and none of them is in the way.
+bool Way::leadsPastOthers(const Scene & scene) const
+{
+  return !scene.others.empty() && follower_.hasPath() && follower_.canDriveOn(scene.car) &&
+         !follower_.hindered(scene.car, scene.costmap, scene.others);
+}
+
+// Starts on the plan if nobody is in the way there, or on a way past them that leads into it.
+bool Way::goOver(PlanAnswer answer, const Scene & scene)
+{
+  const PathFollower before = follower_;
+  Plan old = plan_;
+  const bool was_changed = changed_;
+  start(std::move(answer), scene);
+  if (passOthers(scene)) {
+    return true;
+  }
+  plan_ = std::move(old);
+  changed_ = was_changed;
+  follower_ = before;
+  return false;
+}
+
+void Way::keep(const Scene & scene)
+{
+  const double here = follower_.placeOf(scene.car);
+  plan_.goal_s = placeOnPath(plan_.path, goals_.front(), here + distance(scene.car.pose, goals_.front()));
+  if (!moveGoalHere()) {
+    // It does not lead to the goal: another plan is asked for as soon as may be.
+    plan_.goal_s = here - 2.0 * requests_.tolerance().distance;
+  }
+}
+
+// What is only to be passed is passed wherever the way past others leads beside it.
+bool Way::moveGoalHere()
+{
+  constexpr double kAlong = 0.2;  // m
+  constexpr double kAside = 1.0;  // m
+  const auto there = std::find_if(
+    plan_.path.begin(), std::prev(plan_.path.end()), [&](const PathPoint & point) { return point.s >= plan_.goal_s; });
+  const Pose2 beside = compose(inverse(goals_.front()), there->pose);
+  if (!requests_.passes() || std::abs(beside.x) > kAlong || std::abs(beside.y) > kAside) {
+    return false;
+  }
+  goals_.move(there->pose);
+  return true;
 }
 
 bool Way::passOthers(const Scene & scene)
@@ -37,11 +113,13 @@ bool Way::passOthers(const Scene & scene)
   if (request.lead.empty() || !request.race_line) {
     return false;
   }
+  SpeedLimits limits = follower_.options().limits;
+  limits.max_lateral_acceleration *= kPassingPart;
   auto past = planPast(
-    {scene.costmap, options_.planner, follower_.options().limits, plan_, request, scene.others,
-     follower_.placeOf(scene.car), scene.car.speed});
+    {scene.costmap, options_.planner, limits, plan_, request, scene.others, follower_.placeOf(scene.car),
+     scene.car.speed});
   if (past) {
-    take(std::move(*past), scene.costmap);
+    take(std::move(*past), scene.costmap, kPassingPart);
   }
   return past.has_value();
 }

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "path/plan_job.h"
 #include "plan_requests.h"
 #include "traffic/forecast.h"
 
@@ -22,8 +23,8 @@ class Way
 {
 public:
   /// @param follower  is put on the way
-  Way(const NavigatorOptions & options, const PlanRequests & requests, PathFollower & follower)
-  : options_(options), requests_(requests), follower_(follower)
+  Way(const NavigatorOptions & options, Goals & goals, const PlanRequests & requests, PathFollower & follower)
+  : options_(options), goals_(goals), requests_(requests), follower_(follower)
   {
   }
 
@@ -31,8 +32,18 @@ public:
   /// Whether it has become another one since this was asked last.
   bool takeChange() { return std::exchange(changed_, false); }
 
-  /// @param races  whether the plan is a race line
-  void start(Plan plan, bool races, const Scene & scene);
+  enum class Renewal
+  {
+    kRefused,  ///< the car cannot go over to the plan
+    kKept,     ///< others would be in the way on it, but are not on what the car drives along
+    kStarted
+  };
+  /// Goes over to a plan, or to a way past others on it. Plans know nothing of others that drive about: a way past them
+  /// is left for no other on which they are in the way.
+  Renewal renew(PlanAnswer answer, const Scene & scene);
+  /// Moves a goal that is only passed to the side when something stands on it.
+  /// @param status  of the plan to it
+  void makeRoom(SearchStatus status, const Costmap & costmap);
   /// Looks for a way past others, if they are in the way.
   /// @return whether nobody is in the way any more
   bool passOthers(const Scene & scene);
@@ -42,9 +53,15 @@ public:
   bool isOver(const FollowStep & step, const CarState & car, double time_needed) const;
 
 private:
-  void take(Plan plan, const Costmap & costmap);
+  void start(PlanAnswer answer, const Scene & scene);
+  void take(Plan plan, const Costmap & costmap, double lateral_part);
+  bool leadsPastOthers(const Scene & scene) const;
+  bool goOver(PlanAnswer answer, const Scene & scene);
+  void keep(const Scene & scene);
+  bool moveGoalHere();
 
   const NavigatorOptions & options_;
+  Goals & goals_;
   const PlanRequests & requests_;
   PathFollower & follower_;
   Plan plan_;

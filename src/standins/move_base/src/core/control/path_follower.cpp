@@ -23,6 +23,7 @@ constexpr double kSpeedSlack = 0.5;
 constexpr double kSlackPart = 1.3;       // of what the speed lags behind when the car speeds up as it may
 constexpr double kTrafficTime = 2.5;     // s, for which others ahead count
 constexpr double kTrafficMargin = 0.03;  // m, beside them
+constexpr double kOthersBraking = 6.0;   // m/s^2, with which others may brake
 // Beyond this angle between car and path, steering back does not work, rad.
 constexpr double kMaxHeadingError = 1.2;
 }  // namespace
@@ -53,11 +54,19 @@ PathFollower::PathFollower(const FollowerOptions & options) : given_(options), o
   options_.validate();
 }
 
-void PathFollower::setPath(const Path & path, const Costmap & costmap)
+void PathFollower::setPath(const Path & path, const Costmap & costmap, double lateral_part)
 {
   path_ = path;
-  speeds_ = speedProfile(path_, costmap, options_.limits);
+  lateral_part_ = lateral_part;
+  limitSpeeds(costmap);
   tracker_ = PathTracker(path_);
+}
+
+void PathFollower::limitSpeeds(const Costmap & costmap)
+{
+  SpeedLimits limits = options_.limits;
+  limits.max_lateral_acceleration *= lateral_part_;
+  speeds_ = speedProfile(path_, costmap, limits);
 }
 
 void PathFollower::setSlip(double times, const Costmap & costmap)
@@ -74,7 +83,7 @@ void PathFollower::setSlip(double times, const Costmap & costmap)
   options_.limits.dec_lim_x = given_.limits.dec_lim_x * grip;
   options_.limits.braking_power = given_.limits.braking_power * grip;
   options_.limits.max_lateral_acceleration = given_.limits.max_lateral_acceleration * grip;
-  speeds_ = speedProfile(path_, costmap, options_.limits);
+  limitSpeeds(costmap);
 }
 
 void PathFollower::clear()
@@ -87,9 +96,10 @@ void PathFollower::clear()
 
 Path PathFollower::lead(const CarState & car, double time) const
 {
-  constexpr double kMaxOffset = 0.3;   // m
-  constexpr double kMaxHeading = 0.5;  // rad
-  if (path_.empty() || car.speed < kSpeedSlack) {
+  constexpr double kMaxOffset = 0.3;       // m
+  constexpr double kMaxHeading = 0.5;      // rad
+  constexpr double kLeastLeadSpeed = 0.2;  // m/s: also who creeps behind another looks for a way past it
+  if (path_.empty() || car.speed < kLeastLeadSpeed) {
     return {};
   }
   const PathPosition here = tracker_.locate(path_, car.pose);
@@ -101,6 +111,12 @@ Path PathFollower::lead(const CarState & car, double time) const
   const auto first = path_.begin() + static_cast<std::ptrdiff_t>(here.index);
   const auto last = std::find_if(first, path_.end(), [&](const PathPoint & point) { return point.s >= until; });
   return last == path_.end() ? Path{} : Path(first, std::next(last));
+}
+
+bool PathFollower::canDriveOn(const CarState & car) const
+{
+  constexpr double kReserve = 1.0;  // m
+  return tracker_.locate(path_, car.pose).remaining > options_.limits.brakingDistance(car.speed) + kReserve;
 }
 
 bool PathFollower::hindered(const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const
@@ -128,17 +144,26 @@ std::vector<Touch> PathFollower::touches(
   return all;
 }
 
-// As fast as those ahead on the path allow.
+// As fast as those ahead on the path allow, and slow enough to stop behind them if they brake.
 SpeedBehind PathFollower::speedBehindOthers(
   const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const
 {
-  SpeedBehind least;
-  for (const Touch & touch : touches(car, costmap, others)) {
-    if (touch.ahead) {
-      const SpeedBehind behind = speedBehind(touch, car.speed, options_.limits.deceleration(car.speed));
-      least = {std::min(least.wanted, behind.wanted), std::min(least.utmost, behind.utmost)};
-    }
+  std::vector<Forecast> braking;
+  for (const Forecast & other : others) {
+    braking.push_back(other.braking(kOthersBraking));
   }
+  SpeedBehind least;
+  const auto keepBehind = [&](const std::vector<Touch> & all, bool wanted) {
+    for (const Touch & touch : all) {
+      if (touch.ahead) {
+        const SpeedBehind behind = speedBehind(touch, car.speed, options_.limits.deceleration(car.speed));
+        least.utmost = std::min(least.utmost, behind.utmost);
+        least.wanted = std::min(least.wanted, wanted ? behind.wanted : HUGE_VAL);
+      }
+    }
+  };
+  keepBehind(touches(car, costmap, others), true);
+  keepBehind(touches(car, costmap, braking), false);
   return least;
 }
 

@@ -69,7 +69,8 @@ public:
   const FollowerOptions & options() const { return options_; }
 
   /// Starts on a path, which must have at least two points.
-  void setPath(const Path & path, const Costmap & costmap);
+  /// @param lateral_part  of the lateral acceleration, that it is driven with
+  void setPath(const Path & path, const Costmap & costmap, double lateral_part = 1.0);
   bool hasPath() const { return !path_.empty(); }
   const Path & path() const { return path_; }
   void clear();
@@ -89,6 +90,9 @@ public:
   /// The car's place on the path, m along it.
   double placeOf(const CarState & car) const { return tracker_.locate(path_, car.pose).s; }
 
+  /// Whether the path goes on for longer than the car needs to stand.
+  bool canDriveOn(const CarState & car) const;
+
   /// Whether somebody is going to be in the way.
   bool hindered(const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const;
 
@@ -106,6 +110,7 @@ private:
     double bend;      // 1/m, wanted of the car's way
   };
 
+  void limitSpeeds(const Costmap & costmap);
   void noteSent(double period);
   double maxCurvature() const;
   double slipOn(double curvature, double speed) const;
@@ -128,6 +133,7 @@ private:
   FollowerOptions options_;  // as the car is found to be
   double slip_{1.0};         // times that of given_
   Path path_;
+  double lateral_part_{1.0};
   std::vector<double> speeds_;
   PathTracker tracker_;
   DriveCommand last_;

@@ -59,9 +59,25 @@ Forecast::Forecast(const MovingObstacle & obstacle, const Costmap & costmap, dou
   }
 }
 
+Forecast Forecast::braking(double deceleration) const
+{
+  Forecast result = *this;
+  result.deceleration_ = deceleration;
+  return result;
+}
+
+double Forecast::wayToStand(double time) const
+{
+  const double speed = std::max(0.0, speed_ - deceleration_ * time);
+  return deceleration_ > 0.0 ? 0.5 * speed * speed / deceleration_ : 0.0;
+}
+
+// Who brakes is later where it would have been.
 Box Forecast::at(double time) const
 {
-  const double index = std::clamp(time / kForecastStep, 0.0, static_cast<double>(outlines_.size() - 1));
+  const bool brakes = deceleration_ > 0.0 && speed_ > 0.0;
+  const double driven = brakes ? (wayToStand(0.0) - wayToStand(time)) / speed_ : time;
+  const double index = std::clamp(driven / kForecastStep, 0.0, static_cast<double>(outlines_.size() - 1));
   const auto before = static_cast<std::size_t>(index);
   const Box & a = outlines_[before];
   const Box & b = outlines_[std::min(before + 1, outlines_.size() - 1)];

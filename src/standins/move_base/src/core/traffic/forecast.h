@@ -14,13 +14,23 @@ public:
   /// @param now  s, from when on
   Forecast(const MovingObstacle & obstacle, const Costmap & costmap, double now);
 
+  /// The same, if it brakes from now on.
+  /// @param deceleration  m/s^2
+  Forecast braking(double deceleration) const;
+
+  /// m/s, now
   double speed() const { return speed_; }
+  /// m/s, in the end
+  double lastSpeed() const { return deceleration_ > 0.0 ? 0.0 : speed_; }
+  /// How far it still drives after some time, s, until it stands, m; 0 for who does not brake.
+  double wayToStand(double time) const;
   /// Its outline after some time, s; the last one known, when that is too long.
   Box at(double time) const;
 
 private:
   std::vector<Box> outlines_;
   double speed_;
+  double deceleration_{0.0};
 };
 
 /// Of everything that moves on the costmap.

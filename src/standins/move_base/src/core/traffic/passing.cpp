@@ -12,14 +12,15 @@ namespace move_base
 namespace
 {
 constexpr double kBeside = 0.15;         // m, wanted between the cars
-constexpr double kBesideAtLeast = 0.06;  // m, in the end
+constexpr double kBesideAtLeast = 0.08;  // m, in the end
 constexpr double kApart = 0.1;           // m, before and behind the other within which the car stays beside it
 constexpr double kApartTime = 0.06;      // s, the same for each m/s of the car
 constexpr double kShadowSearch = 2.5;    // m along the line, in which the other is looked for
 constexpr std::size_t kUnmoved = 3;      // at the start of the line, that cannot move
 
-constexpr double kSwerve = 1.0;    // 1/m, of the way to the side at the start of the line
-constexpr double kFallBack = 1.0;  // m/s, slower than the others to get behind them
+constexpr double kSwerve = 1.0;      // 1/m, of the way to the side at the start of the line
+constexpr double kSwervePart = 0.8;  // of the lateral acceleration, that this may take
+constexpr double kFallBack = 1.0;    // m/s, slower than the others to get behind them
 
 enum class Side
 {
@@ -78,6 +79,8 @@ public:
     const Footprint & footprint = request.costmap.footprint();
     const double apart = kApart + kApartTime * request.speed;
     reach_ = {footprint.rear() - apart, footprint.front() + apart};
+    swerve_ =
+      std::min(kSwerve, kSwervePart * request.limits.max_lateral_acceleration / (request.speed * request.speed));
     until_start_ = (request.request.lead.back().s - request.s) / request.speed;
   }
 
@@ -131,7 +134,7 @@ private:
     const Vec2 straight_on = advance(line.front().pose, run, line.front().curvature).position();
     const Vec2 left{-std::sin(line[i].pose.yaw), std::cos(line[i].pose.yaw)};
     const double middle = dot(straight_on - line[i].pose.position(), left);
-    const double reach = 0.5 * kSwerve * run * run;
+    const double reach = 0.5 * swerve_ * run * run;
     if (manner_.side == Side::kLeft) {
       const bool fits = other.high + half + kBesideAtLeast <= room.high;
       room.low = std::clamp(std::min(other.high + half + kBeside, middle + reach), room.low, room.high);
@@ -145,6 +148,7 @@ private:
   const PassingRequest & request_;
   Manner manner_;
   Interval reach_;      // m, of the car and the distance kept, along it
+  double swerve_;       // 1/m
   double until_start_;  // s, until the line begins
 };
 

@@ -70,8 +70,9 @@ std::optional<Touch> firstTouch(
       const double along = std::cos(normalizeAngle(outline.middle.yaw - moment.pose.yaw));
       const Vec2 place = transform(inverse(moment.pose), outline.middle.position());
       return Touch{
-        moment.time, moment.s - drive.front().s, std::max(0.0, other.speed() * along),
-        place.x + outline.half_length > 0.0, place.x + outline.half_length < footprint.rear()};
+        moment.time, moment.s - drive.front().s + other.wayToStand(moment.time),
+        std::max(0.0, other.lastSpeed() * along), place.x + outline.half_length > 0.0,
+        place.x + outline.half_length < footprint.rear()};
     }
   }
   return std::nullopt;

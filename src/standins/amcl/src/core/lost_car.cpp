@@ -10,7 +10,7 @@ namespace amcl
 {
 namespace
 {
-constexpr double kEvery = 1.0;  // m between looks
+constexpr double kLookInterval = 1.0;  // m between looks
 constexpr int kMostLooks = 40;
 // A place is e times less likely if its fit is by so much worse: fits err by 0.01.
 constexpr double kFitScale = 0.005;
@@ -55,7 +55,7 @@ LostCar::LostCar(const mrpt::maps::COccupancyGridMap2D & map, std::vector<mrpt::
 
 bool LostCar::isDue(const Pose2 & odometry) const
 {
-  return !last_ || std::hypot(odometry.x - last_->x, odometry.y - last_->y) >= kEvery;
+  return !last_ || std::hypot(odometry.x - last_->x, odometry.y - last_->y) >= kLookInterval;
 }
 
 void LostCar::drive(const Pose2 & motion)

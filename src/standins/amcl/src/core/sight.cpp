@@ -6,7 +6,7 @@ namespace amcl
 {
 namespace
 {
-constexpr double kEvery = 0.5;  // m between scans that are kept
+constexpr double kViewInterval = 0.5;  // m between scans that are kept
 // m; odometry bends what was seen on a longer way.
 constexpr double kLength = 4.0;
 
@@ -34,7 +34,7 @@ Points endsOf(const mrpt::obs::CObservation2DRangeScan & scan)
 void Sight::add(const mrpt::obs::CObservation2DRangeScan & scan, const Pose2 & odometry)
 {
   last_ = {odometry, endsOf(scan)};
-  if (views_.empty() || between(views_.back().odometry, odometry) >= kEvery) {
+  if (views_.empty() || between(views_.back().odometry, odometry) >= kViewInterval) {
     views_.push_back(last_);
   }
   while (between(views_.front().odometry, odometry) > kLength) {

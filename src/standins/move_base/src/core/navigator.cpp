@@ -6,9 +6,8 @@ namespace move_base
 {
 namespace
 {
-constexpr double kStandingSpeed = 0.05;  // m/s
-constexpr double kStopTime = 1.0;        // s, for which a car that has been stopped is told so
-constexpr double kLongestPeriod = 0.2;   // s, taken for a step after a pause
+constexpr double kStopTime = 1.0;       // s, for which a car that has been stopped is told so
+constexpr double kLongestPeriod = 0.2;  // s, taken for a step after a pause
 }  // namespace
 
 Navigator::Navigator(const NavigatorOptions & options, PlanWorker worker)
@@ -110,7 +109,7 @@ void Navigator::drive(const CycleInput & input, Costmap & costmap, CycleOutput &
 // A fast car that stops with its wheels straight leaves the road: it brakes along its path, by dead reckoning.
 void Navigator::driveBlind(const CycleInput & input, const Costmap & costmap, CycleOutput & output)
 {
-  if (std::abs(input.car.speed) < kStandingSpeed) {
+  if (input.car.stands()) {
     output.command = DriveCommand{};
     planning_.drop();
     planning_.startAgain(input.time);
@@ -184,7 +183,7 @@ void Navigator::giveUp(
 {
   goals_.clear();
   output.outcome = Outcome{false, text};
-  if (std::abs(input.car.speed) > kStandingSpeed && follower_.hasPath()) {
+  if (!input.car.stands() && follower_.hasPath()) {
     coast_until_ = input.time;
     coast(input, costmap, output);
   } else {
@@ -222,8 +221,9 @@ void Navigator::control(const CycleInput & input, Costmap & costmap, CycleOutput
 bool Navigator::finishIfReached(const CycleInput & input, CycleOutput & output)
 {
   const Pose2 & before = previous_pose_.value_or(input.car.pose);
-  const bool stands = std::abs(input.car.speed) < kStandingSpeed;
-  if (!cameNear(before, input.car.pose, goals_.front(), requests_.tolerance()) || !(requests_.passes() || stands)) {
+  if (
+    !cameNear(before, input.car.pose, goals_.front(), requests_.tolerance()) ||
+    !(requests_.passes() || input.car.stands())) {
     return false;
   }
   output.outcome = Outcome{true, "Goal reached."};
@@ -241,7 +241,7 @@ void Navigator::coast(const CycleInput & input, const Costmap & costmap, CycleOu
 {
   const Scene scene{input.time, input.car, costmap, forecasts(costmap, input.time)};
   const FollowStep step = follow(scene, input.time >= *coast_until_, output);
-  if (std::abs(input.car.speed) < kStandingSpeed && step.command.speed == 0.0) {
+  if (input.car.stands() && step.command.speed == 0.0) {
     cancel();
   }
 }

@@ -10,9 +10,8 @@ namespace move_base
 {
 namespace
 {
-constexpr double kLookInterval = 0.1;   // s between looks for a way past others
-constexpr double kPassingPart = 0.7;    // of the lateral acceleration, past others: beside them errors cost most
-constexpr double kStoppedSpeed = 0.05;  // m/s
+constexpr double kLookInterval = 0.1;  // s between looks for a way past others
+constexpr double kPassingPart = 0.7;   // of the lateral acceleration, past others: beside them errors cost most
 }  // namespace
 
 Way::Renewal Way::renew(PlanAnswer answer, const Scene & scene)
@@ -129,7 +128,7 @@ bool Way::isOver(const FollowStep & step, const CarState & car, double time_need
   const double left = plan_.goal_s - step.position.s;
   const bool approaches = races_ && !requests_.passes() && !requests_.isFar(left, car.speed, time_needed);
   const bool passed = left < -requests_.tolerance().distance;
-  const bool missed = step.at_end && std::abs(car.speed) < kStoppedSpeed;
+  const bool missed = step.at_end && car.stands();
   return step.lost || step.blocked || missed || passed || approaches;
 }
 }  // namespace move_base

@@ -7,13 +7,13 @@ namespace move_base
 {
 namespace
 {
-constexpr double kMemory = 3.0;    // s; a car that has not been seen for longer stands
-constexpr double kStep = 0.02;     // s
-constexpr double kSpeedLag = 0.1;  // s, time constant of a car's speed
+constexpr double kMemory = 3.0;          // s; a car that has not been seen for longer stands
+constexpr double kReckoningStep = 0.02;  // s
+constexpr double kSpeedLag = 0.1;        // s, time constant of a car's speed
 
 CarState drive(CarState car, const DriveCommand & command, double duration)
 {
-  const int steps = std::max(1, static_cast<int>(std::ceil(duration / kStep - 1e-9)));
+  const int steps = std::max(1, static_cast<int>(std::ceil(duration / kReckoningStep - 1e-9)));
   const double step = duration / steps;
   const double part = 1.0 - std::exp(-step / kSpeedLag);
   for (int i = 0; i < steps; ++i) {

@@ -9,7 +9,6 @@ namespace move_base
 {
 namespace
 {
-constexpr double kStoppedSpeed = 0.05;    // m/s
 constexpr double kEndReached = 0.03;      // m
 constexpr double kPredictionStep = 0.05;  // s
 constexpr double kPredictionTime = 0.8;   // s beyond the time needed for braking
@@ -181,7 +180,7 @@ FollowStep PathFollower::step(
 
   const double free = distanceToObstacle(car, costmap, result.prediction);
   const double stoppable = options_.limits.speedToStopWithin(free - kStopMargin - std::abs(car.speed) * speedLead());
-  result.stuck = stoppable < kStoppedSpeed;
+  result.stuck = stoppable < kStandingSpeed;
   result.blocked = result.stuck || pathBlocked(result.position, car.speed, costmap);
 
   const bool stop = brake || result.lost || result.position.remaining <= kEndReached;
@@ -353,7 +352,7 @@ bool PathFollower::pathBlocked(const PathPosition & position, double speed, cons
 void PathFollower::changeDirectionWhenStanding(const CarState & car)
 {
   const PathPosition position = tracker_.locate(path_, car.pose);
-  if (position.remaining <= kEndReached && std::abs(car.speed) < kStoppedSpeed) {
+  if (position.remaining <= kEndReached && car.stands()) {
     tracker_.nextStretch();
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <deque>
 #include <vector>
 
@@ -31,10 +32,14 @@ struct FollowerOptions
 };
 
 /// A car's motion, in the map.
+inline constexpr double kStandingSpeed = 0.05;  // m/s, below it a car stands
+
 struct CarState
 {
   Pose2 pose;
   double speed{0.0};  ///< m/s, negative backwards
+
+  bool stands() const { return std::abs(speed) < kStandingSpeed; }
 };
 
 struct DriveCommand

@@ -7,7 +7,7 @@ namespace move_base
 {
 namespace
 {
-constexpr double kStep = 3.0;  // cells between two tries
+constexpr double kTryStep = 3.0;  // cells between two tries
 
 // The places of a square around a goal, from its sides' middles outwards.
 std::vector<Pose2> squareAround(const Pose2 & goal, double step, int ring)
@@ -31,7 +31,7 @@ std::vector<Pose2> squareAround(const Pose2 & goal, double step, int ring)
 Plan planNear(const PlannerOptions & options, const Costmap & costmap, const PlanRequest & request, double tolerance)
 {
   Plan plan = GlobalPlanner(options).plan(costmap, request);
-  double step = kStep * costmap.geometry().resolution;
+  double step = kTryStep * costmap.geometry().resolution;
   if (tolerance > 0.0) {
     step = std::min(step, tolerance);
   }

@@ -10,7 +10,7 @@ namespace move_base
 namespace
 {
 constexpr double kLeastTolerance = 1.5;  // cells
-constexpr double kSameObstacle = 0.3;    // m
+constexpr double kSameStopped = 0.3;     // m
 }  // namespace
 
 void LiveLayerOptions::validate() const
@@ -59,7 +59,7 @@ bool LiveLayer::clear(const LaserScan & scan)
 
 bool LiveLayer::remember(const StoppedObstacle & obstacle)
 {
-  const auto same = [&](const StoppedObstacle & known) { return distance(known.seen, obstacle.seen) < kSameObstacle; };
+  const auto same = [&](const StoppedObstacle & known) { return distance(known.seen, obstacle.seen) < kSameStopped; };
   if (std::any_of(stopped_.begin(), stopped_.end(), same)) {
     return false;
   }

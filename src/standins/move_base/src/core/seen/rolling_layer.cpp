@@ -9,7 +9,7 @@ namespace move_base
 {
 namespace
 {
-constexpr std::int8_t kObstacle = 100;
+constexpr std::int8_t kOccupied = 100;
 
 int cellsIn(const char * name, double length, double resolution)
 {
@@ -69,7 +69,7 @@ void RollingLayer::observe(const LaserScan & scan)
   }
   for (const Vec2 & hit : hits) {
     if (const Cell cell = geometry_.cellAt(hit); geometry_.contains(cell)) {
-      cells_[geometry_.index(cell)] = kObstacle;
+      cells_[geometry_.index(cell)] = kOccupied;
     }
   }
 }

@@ -19,13 +19,17 @@ def start(tmp_path, program, **environment):
 
 
 def starts_child(folder, program, own_session=False):
-    """A program that starts another one and writes its process id."""
-    return (
-        "import pathlib, subprocess, sys\n"
-        f"child = subprocess.Popen([sys.executable, '-c', {program!r}], start_new_session={own_session})\n"
+    """A program that starts another one, which writes its process id as soon as it can be told to end."""
+    child = (
+        "import os, pathlib\n"
         f"path = pathlib.Path({str(folder)!r})\n"
-        "(path / 'new').write_text(str(child.pid))\n"
+        "(path / 'new').write_text(str(os.getpid()))\n"
         "(path / 'new').rename(path / 'pid')\n"
+        f"{program}"
+    )
+    return (
+        "import subprocess, sys\n"
+        f"child = subprocess.Popen([sys.executable, '-c', {child!r}], start_new_session={own_session})\n"
     )
 
 
@@ -35,7 +39,7 @@ def pid_of_child(folder):
 
 def is_gone(pid):
     try:
-        return psutil.Process(pid).status() == psutil.STATUS_ZOMBIE
+        return psutil.Process(pid).status() in (psutil.STATUS_ZOMBIE, psutil.STATUS_DEAD)
     except psutil.NoSuchProcess:
         return True
 

@@ -224,7 +224,8 @@ def test_a_run_that_is_not_good_enough_is_named(program, tmp_path, capsys):
 
 
 def test_a_bad_value_is_bad_input(tmp_path, capsys):
-    assert cli.study_main(["race_pace", "--set", "laps=0", "--results", str(tmp_path)]) == cli.BAD_INPUT
+    arguments = ["race_pace", "--vary", "world=circuit1", "--set", "laps=0", "--results", str(tmp_path)]
+    assert cli.study_main(arguments) == cli.BAD_INPUT
     assert "study: laps=0:1: laps is 0, must be at least 1\n" in capsys.readouterr().err
 
 

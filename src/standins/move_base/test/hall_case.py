@@ -3,6 +3,7 @@
 import math
 import threading
 import unittest
+from xmlrpc.client import ServerProxy
 
 import actionlib
 import pytest
@@ -57,7 +58,16 @@ class Listener:
         self._subscriber.unregister()
 
     def connected(self):
-        return self._subscriber.get_num_connections() > 0
+        """Whether all that publish know of this listener: they note it after they have answered it."""
+        connections = self._subscriber.impl.connections
+        return bool(connections) and all(self._is_known_to(each.endpoint_id) for each in connections)
+
+    def _is_known_to(self, publisher_uri):
+        _, _, links = ServerProxy(publisher_uri).getBusInfo(rospy.get_name())
+        return any(
+            destination == rospy.get_name() and direction == "o" and topic == self._subscriber.resolved_name
+            for _, destination, direction, _, topic, *_ in links
+        )
 
     def wait(self, condition=lambda messages: messages):
         """Until the condition holds for the messages; fails after a while."""

@@ -17,6 +17,7 @@ MOST_SECONDS = 5.0  # wall, from the verdict, or being told to stop, until nothi
 RUNNER = "runner"  # what the command itself is called
 _MARK = "F1TENTH_FAULT"  # every descendant inherits it
 _LOOK_INTERVAL = 0.02  # wall s
+_KILL_PATIENCE = 10.0  # wall s, until what is killed is gone
 
 
 @dataclasses.dataclass(frozen=True)
@@ -138,9 +139,13 @@ class Victim:
         for other in self.beside:
             other.kill()
             other.wait()
-        for each in self.members():
-            with contextlib.suppress(psutil.NoSuchProcess):
-                each.kill()
+        # A signal takes its time to arrive, and what starts meanwhile has not got it.
+        deadline = time.monotonic() + _KILL_PATIENCE
+        while (left := self.members()) and time.monotonic() < deadline:
+            for each in left:
+                with contextlib.suppress(psutil.NoSuchProcess):
+                    each.kill()
+            psutil.wait_procs(left, timeout=_LOOK_INTERVAL)
         self.process.wait()
 
     def _is_member(self, process: psutil.Process) -> bool:

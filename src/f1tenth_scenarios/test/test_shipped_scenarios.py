@@ -88,6 +88,8 @@ def test_launch_file_hands_the_scenario_to_the_drivers(plan):
         if car.driver.name == "pursuit":
             assert parameters[f"/{car.name}/pure_pursuit/speed_max"] == car.speed_max
             assert parameters[f"/{car.name}/pure_pursuit/start_at"] > plan.scenario.time_to_start
+            awaits = parameters[f"/{car.name}/pure_pursuit/await_start"]
+            assert awaits == (not plan.scenario.lockstep)
         if car.driver.name == "race":
             is_amcl = plan.scenario.localization is Localization.AMCL
             first = f"{car.name}/amcl" if is_amcl else ""

@@ -113,13 +113,31 @@ TEST(ObstacleTracker, aCarThatStopsIsNoMovingObstacleAfterASecond)
   EXPECT_LE(box.distanceTo(tracker.stopped()[0].seen), 0.0);
 }
 
+TEST(ObstacleTracker, whoSlowsDownForLongAndStopsHasDriven)
+{
+  ObstacleTracker tracker;
+  Box box = kCar;
+  double speed = 0.8;
+  for (double time = 1.0; time < 6.0; time += kScan) {
+    tracker.observe(time, {}, sidesOf(box, {}));
+    box.middle = advance(box.middle, speed * kScan, 0.0);
+    speed = time < 3.0 ? speed : std::max(0.0, speed - 1.0 * kScan);
+  }
+  EXPECT_TRUE(tracker.moving().empty());
+  EXPECT_EQ(tracker.stopped().size(), 1U);
+}
+
 TEST(ObstacleTracker, tellsWhereSomethingHasBeen)
 {
   const auto moving = watch(kCar, 1.5, 3.0);
   ASSERT_EQ(moving.size(), 1U);
   ASSERT_GT(moving[0].trail.size(), 10U);
-  EXPECT_NEAR(distance(moving[0].trail.front(), moving[0].trail.back()), 3.0, 0.3);
-  EXPECT_NEAR(moving[0].trail.front().yaw, 0.3, 0.1);
+  const Sight & first = moving[0].trail.front();
+  const Sight & last = moving[0].trail.back();
+  EXPECT_NEAR(distance(first.pose, last.pose), 1.5 * (last.time - first.time), 0.05);
+  EXPECT_NEAR(last.time - first.time, 2.0, 0.15);
+  EXPECT_NEAR(distance(last.pose, moving[0].outline.middle), 0.0, 0.2);
+  EXPECT_NEAR(first.pose.yaw, 0.3, 0.1);
 }
 
 TEST(ObstacleTracker, namesWhatItSawForTooShortATime)

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "control/path_follower.h"
 #include "kinematic_car.h"
 #include "navigator.h"
@@ -63,6 +65,49 @@ TEST(Forecast, whoBrakesComesToAStandOnItsWay)
   EXPECT_NEAR(distance(forecast.at(4.0).middle, onOval(6.0)), 0.75, 0.05);
 }
 
+// A car on the straight of the oval, with a trail on which it was where aside says, m, after a time, s.
+MovingObstacle carWithTrail(const std::function<double(double)> & aside)
+{
+  MovingObstacle car = carAt(onOval(5.0), 2.0);
+  car.seen = 2.0;
+  for (double time = 0.0; time < 2.05; time += 0.1) {
+    const Pose2 place = onOval(1.0 + 2.0 * time);
+    const double yaw = std::atan2(aside(time + 0.01) - aside(time), 0.02);
+    car.trail.push_back({time, {place.x, place.y + aside(time), yaw}});
+  }
+  return car;
+}
+
+TEST(Forecast, whoKeptToTheRoadIsAsWideAsItIs)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  const Forecast forecast(carWithTrail([](double) { return 0.0; }), costmap, 2.0);
+  for (const double time : {0.0, 1.0, 2.0}) {
+    EXPECT_NEAR(forecast.at(time).half_width, 0.155, 0.03) << time;
+  }
+}
+
+TEST(Forecast, whoWeavesIsWhereverItWeavesTo)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  const Forecast forecast(carWithTrail([](double time) { return 0.3 * std::sin(M_PI * time); }), costmap, 2.0);
+  EXPECT_NEAR(forecast.at(0.0).half_width, 0.155, 1e-9);
+  EXPECT_GT(forecast.at(0.5).half_width, 0.3);
+  EXPECT_GT(forecast.at(1.0).half_width, 0.5);
+  EXPECT_NEAR(forecast.at(3.0).half_width, forecast.at(1.1).half_width, 0.01);
+}
+
+TEST(Forecast, whoWentToOneSideGoesThereAgain)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  const Forecast forecast(
+    carWithTrail([](double time) { return 0.4 * std::max(0.0, std::tanh(4.0 * (time - 1.2))); }), costmap, 2.0);
+  const Box & later = forecast.at(1.1);
+  const double y = later.middle.y - onOval(7.2).y;
+  EXPECT_GT(y + later.half_width, 0.45);
+  EXPECT_NEAR(y - later.half_width, -0.155, 0.06);
+}
+
 // The first touch of a car that drives along x at 2 m/s with another, that does the same.
 std::optional<Touch> touchWith(const Pose2 & other, double speed)
 {
@@ -93,6 +138,17 @@ TEST(FirstTouch, whoTouchesTheCarBesideItsRearAxleIsNotBehind)
   ASSERT_TRUE(beside);
   EXPECT_FALSE(beside->ahead);
   EXPECT_FALSE(beside->behind);
+}
+
+TEST(FirstTouch, whoIsBesideIsAheadIfItsMiddleIs)
+{
+  // Of two cars of the same length, that come together from the side at the same speed.
+  for (const double lead : {-0.1, 0.1}) {
+    const auto beside = touchWith({10.0 + 0.165 + lead, 4.6, -0.2}, 2.05);
+    ASSERT_TRUE(beside);
+    EXPECT_EQ(beside->ahead, lead > 0.0);
+    EXPECT_FALSE(beside->behind);
+  }
 }
 
 TEST(SpeedBehind, isThatOfTheOtherInTheEnd)

@@ -66,8 +66,9 @@ void ObstacleTracker::observe(double time, const Vec2 & sensor, const std::vecto
   forgetLost(time);
   moving_.clear();
   stopped_.clear();
-  for (const Track & track : tracks_) {
+  for (Track & track : tracks_) {
     if (track.moves()) {
+      track.noteTrail(sensor);
       moving_.push_back(track.obstacle(sensor));
     } else if (track.hasDriven()) {
       stopped_.push_back(track.stopped(sensor));
@@ -185,7 +186,6 @@ void ObstacleTracker::Track::estimateVelocity()
   if (norm(velocity_) > (moves() ? kStopsMoving : kStartsMoving)) {
     last_moved_ = lastSeen();
     heading_ = std::atan2(velocity_.y, velocity_.x);
-    noteTrail();
   }
 }
 
@@ -194,12 +194,12 @@ bool ObstacleTracker::Track::hasDriven() const
   return !trail_.empty() && distance(trail_.front().pose, trail_.back().pose) > kLeastWay;
 }
 
-void ObstacleTracker::Track::noteTrail()
+void ObstacleTracker::Track::noteTrail(const Vec2 & sensor)
 {
-  if (trail_.empty() || lastSeen() > trail_.back().time + kTrailStep) {
-    const Vec2 middle = expected(lastSeen());
-    trail_.push_back({lastSeen(), {middle.x, middle.y, heading_}});
+  if (last_moved_ != lastSeen() || (!trail_.empty() && lastSeen() <= trail_.back().time + kTrailStep)) {
+    return;
   }
+  trail_.push_back({lastSeen(), obstacle(sensor).outline.middle});
   while (trail_.front().time < lastSeen() - kTrailMemory) {
     trail_.pop_front();
   }
@@ -226,11 +226,7 @@ MovingObstacle ObstacleTracker::Track::obstacle(const Vec2 & sensor) const
   const Vec2 middle =
     transform({0.0, 0.0, heading_}, {0.5 * (along.low + along.high), 0.5 * (across.low + across.high)});
   const Box outline{{middle.x, middle.y, heading_}, 0.5 * (along.high - along.low), 0.5 * (across.high - across.low)};
-  MovingObstacle obstacle{outline, norm(velocity_), lastSeen()};
-  for (const Place & place : trail_) {
-    obstacle.trail.push_back(place.pose);
-  }
-  return obstacle;
+  return {outline, norm(velocity_), lastSeen(), trail_};
 }
 
 StoppedObstacle ObstacleTracker::Track::stopped(const Vec2 & sensor) const

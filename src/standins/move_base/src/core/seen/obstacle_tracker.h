@@ -10,14 +10,20 @@
 
 namespace move_base
 {
+/// Where the middle of something was, and when.
+struct Sight
+{
+  double time{0.0};  ///< s
+  Pose2 pose;        ///< its heading is that of the motion
+};
+
 /// Something that drives about, as the lidar saw it last.
 struct MovingObstacle
 {
-  Box outline;        ///< at least as large as a car; its heading is that of the motion
-  double speed{0.0};  ///< m/s
-  double seen{0.0};   ///< s, when
-  /// Where it has been in the last seconds, the oldest first, with the heading of the motion there.
-  std::vector<Pose2> trail{};
+  Box outline;                ///< at least as large as a car; its heading is that of the motion
+  double speed{0.0};          ///< m/s
+  double seen{0.0};           ///< s, when
+  std::deque<Sight> trail{};  ///< where it has been in the last seconds, the oldest first
 };
 
 /// Something that drove about and came to a stand.
@@ -73,19 +79,13 @@ private:
     bool hasDriven() const;
     MovingObstacle obstacle(const Vec2 & sensor) const;
     StoppedObstacle stopped(const Vec2 & sensor) const;
+    void noteTrail(const Vec2 & sensor);
 
   private:
     void estimateVelocity();
-    void noteTrail();
-
-    struct Place
-    {
-      double time;
-      Pose2 pose;
-    };
 
     std::deque<Sighting> sightings_;
-    std::deque<Place> trail_;
+    std::deque<Sight> trail_;
     Cluster hits_;
     Vec2 velocity_;  // m/s
     bool decided_{false};

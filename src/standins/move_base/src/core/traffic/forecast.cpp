@@ -12,6 +12,7 @@ constexpr double kForecastStep = 0.1;    // s
 constexpr double kRoadLookahead = 1.2;   // m
 constexpr double kRoadCheck = 0.15;      // m
 constexpr double kWallTolerance = 0.05;  // m, by which it may come nearer to a wall
+constexpr double kTrust = 1.05;          // s, that forecasts from the past are compared with what came
 // 1/m, from the straight line to what a car can steer.
 constexpr std::array<double, 15> kCurvatures{0.0,   0.1, -0.1, 0.2, -0.2, 0.3,  -0.3, 0.45,
                                              -0.45, 0.6, -0.6, 0.9, -0.9, 1.25, -1.25};
@@ -42,6 +43,24 @@ double curvatureOfRoad(const Pose2 & from, double wanted, const Costmap & costma
   }
   return best;
 }
+
+// How far beside what would have been forecast it has been since, m; how fast it was does not matter.
+Interval unrestOf(const MovingObstacle & obstacle, const Costmap & costmap)
+{
+  Interval unrest{0.0, 0.0};
+  const std::deque<Sight> & trail = obstacle.trail;
+  for (std::size_t then = 0; then < trail.size(); ++then) {
+    Pose2 forecast = trail[then].pose;
+    const double room = costmap.wallDistance(forecast.position()) - kWallTolerance;
+    for (std::size_t i = then + 1; i < trail.size() && trail[i].time < trail[then].time + kTrust; ++i) {
+      const double way = distance(trail[i - 1].pose, trail[i].pose);
+      forecast = advance(forecast, way, curvatureOfRoad(forecast, room, costmap));
+      const double beside = compose(inverse(forecast), trail[i].pose).y;
+      unrest = {std::min(unrest.low, beside), std::max(unrest.high, beside)};
+    }
+  }
+  return unrest;
+}
 }  // namespace
 
 Forecast::Forecast(const MovingObstacle & obstacle, const Costmap & costmap, double now) : speed_(obstacle.speed)
@@ -57,6 +76,7 @@ Forecast::Forecast(const MovingObstacle & obstacle, const Costmap & costmap, dou
     drive(kForecastStep);
     outlines_.push_back(outline);
   }
+  unrest_ = unrestOf(obstacle, costmap);
 }
 
 Forecast Forecast::braking(double deceleration) const
@@ -86,6 +106,9 @@ Box Forecast::at(double time) const
   result.middle.x += part * (b.middle.x - a.middle.x);
   result.middle.y += part * (b.middle.y - a.middle.y);
   result.middle.yaw += part * normalizeAngle(b.middle.yaw - a.middle.yaw);
+  const double doubt = std::min(1.0, time / kTrust);
+  result.middle = compose(result.middle, {0.0, 0.5 * doubt * (unrest_.low + unrest_.high), 0.0});
+  result.half_width += 0.5 * doubt * (unrest_.high - unrest_.low);
   return result;
 }
 

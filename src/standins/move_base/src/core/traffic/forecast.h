@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "geometry/interval.h"
 #include "map/costmap.h"
 #include "seen/obstacle_tracker.h"
 
@@ -24,12 +25,14 @@ public:
   double lastSpeed() const { return deceleration_ > 0.0 ? 0.0 : speed_; }
   /// How far it still drives after some time, s, until it stands, m; 0 for who does not brake.
   double wayToStand(double time) const;
-  /// Its outline after some time, s; the last one known, when that is too long.
+  /// Its outline after some time, s; the last one known, when that is too long. It widens with time as far as the same
+  /// forecasts would have been wrong where it has been: who weaves is wherever it weaves to.
   Box at(double time) const;
 
 private:
   std::vector<Box> outlines_;
   double speed_;
+  Interval unrest_;  // beside what is forecast
   double deceleration_{0.0};
 };
 

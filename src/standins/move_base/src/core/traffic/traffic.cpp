@@ -71,7 +71,7 @@ std::optional<Touch> firstTouch(
       const Vec2 place = transform(inverse(moment.pose), outline.middle.position());
       return Touch{
         moment.time, moment.s - drive.front().s + other.wayToStand(moment.time),
-        std::max(0.0, other.lastSpeed() * along), place.x + outline.half_length > 0.0,
+        std::max(0.0, other.lastSpeed() * along), place.x > 0.5 * (footprint.rear() + footprint.front()),
         place.x + outline.half_length < footprint.rear()};
     }
   }

@@ -3,6 +3,7 @@
 import os
 import shutil
 import subprocess
+import time
 
 PROGRAMS = ("Xvfb", "xdotool", "import", "rviz")
 
@@ -41,8 +42,17 @@ class Screen:
 
     def focus(self, title):
         """Wait for a window and give it the keyboard: there is no window manager to do so."""
-        window = self.run("xdotool", "search", "--sync", "--onlyvisible", "--name", title).split()[-1]
-        self.run("xdotool", "windowfocus", "--sync", window)
+        deadline = time.monotonic() + 120
+        while True:
+            # xdotool ends with an error when a window goes that it looks at, as a splash screen does.
+            try:
+                window = self.run("xdotool", "search", "--sync", "--onlyvisible", "--name", title).split()[-1]
+                self.run("xdotool", "windowfocus", "--sync", window)
+            except subprocess.CalledProcessError:
+                if time.monotonic() > deadline:
+                    raise
+            else:
+                return
 
     def press_key(self, key):
         self.run("xdotool", "key", key)

@@ -11,7 +11,7 @@ namespace move_base
 namespace
 {
 constexpr double kLookInterval = 0.1;  // s between looks for a way past others
-constexpr double kGatePart = 0.7;      // of the goal tolerance, within which ways past others pass goals
+constexpr double kPassingPart = 0.7;   // of the lateral acceleration, past others: beside them errors cost most
 }  // namespace
 
 Way::Renewal Way::renew(PlanAnswer answer, const Scene & scene)
@@ -41,14 +41,14 @@ void Way::start(PlanAnswer answer, const Scene & scene)
 {
   races_ = answer.races;
   next_look_ = scene.time;
-  take(std::move(answer.plan), scene.costmap, {});
+  take(std::move(answer.plan), scene.costmap, 1.0);
 }
 
-void Way::take(Plan plan, const Costmap & costmap, const Caution & caution)
+void Way::take(Plan plan, const Costmap & costmap, double lateral_part)
 {
   plan_ = std::move(plan);
   changed_ = true;
-  follower_.setPath(plan_.path, costmap, caution);
+  follower_.setPath(plan_.path, costmap, lateral_part);
 }
 
 // Whether others drive about, and none of them is in the way.
@@ -65,7 +65,7 @@ bool Way::goOver(PlanAnswer answer, const Scene & scene)
   Plan old = plan_;
   const bool was_changed = changed_;
   start(std::move(answer), scene);
-  if (passOthers(scene) && !follower_.hindered(scene.car, scene.costmap, scene.others)) {
+  if (passOthers(scene)) {
     return true;
   }
   plan_ = std::move(old);
@@ -95,9 +95,7 @@ bool Way::moveGoalHere()
   if (!requests_.passes() || std::abs(beside.x) > kAlong || std::abs(beside.y) > kAside) {
     return false;
   }
-  if (std::abs(beside.y) > kGatePart * requests_.tolerance().distance) {
-    goals_.move(there->pose);
-  }
+  goals_.move(there->pose);
   return true;
 }
 
@@ -114,12 +112,13 @@ bool Way::passOthers(const Scene & scene)
   if (request.lead.empty() || !request.race_line) {
     return false;
   }
+  SpeedLimits limits = follower_.options().limits;
+  limits.max_lateral_acceleration *= kPassingPart;
   auto past = planPast(
-    {scene.costmap, options_.planner, follower_.options().limits, plan_, request, scene.others,
-     follower_.placeOf(scene.car), scene.car});
+    {scene.costmap, options_.planner, limits, plan_, request, scene.others, follower_.placeOf(scene.car),
+     scene.car.speed});
   if (past) {
-    take(std::move(past->plan), scene.costmap, past->caution);
-    moveGoalHere();
+    take(std::move(*past), scene.costmap, kPassingPart);
   }
   return past.has_value();
 }

@@ -77,6 +77,19 @@ TEST(SpeedProfile, slowsBesideObstacles)
   EXPECT_LT(speedProfile(path, hall(), racingLimits()).front(), 2.0);
 }
 
+TEST(SpeedProfile, isDrivenWithCaution)
+{
+  const Path bend = samplePath({20.0, 2.0, 0.0}, {{6.0, 0.5}}, 0.1);
+  const auto speedAt = [&](std::size_t i, const Caution & caution) {
+    return speedProfile(bend, hall(), racingLimits(), caution)[i];
+  };
+  const double usual = speedAt(20, {});
+  EXPECT_NEAR(speedAt(20, {0.5}), std::sqrt(0.5) * usual, 0.01);
+  EXPECT_NEAR(speedAt(20, {1.0, 0.7, 2.5}), 0.7, 1e-9);
+  EXPECT_GT(speedAt(35, {1.0, 0.7, 2.5}), 0.8);
+  EXPECT_NEAR(speedAt(35, {1.0, 0.7, HUGE_VAL}), 0.7, 1e-9);
+}
+
 TEST(SpeedProfile, standsWhereTheDirectionChangesAndReversesSlowly)
 {
   const Path path = samplePath({20.0, 5.0, 0.0}, {{3.0, 0.0}, {-3.0, 0.0}}, 0.1);

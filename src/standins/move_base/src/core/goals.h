@@ -38,6 +38,7 @@ public:
   void setNext(std::vector<Pose2> next) { next_ = std::move(next); }
   /// Whether another one follows: then the goal may be passed without a stop.
   bool anyNext() const { return !next_.empty(); }
+  const std::vector<Pose2> & next() const { return next_; }
   /// Way that there is at least from the goal to the last one, m; HUGE_VAL when they lead back to the goal, and so on.
   double wayToLast() const;
 

@@ -11,7 +11,7 @@ namespace move_base
 namespace
 {
 constexpr double kLookInterval = 0.1;  // s between looks for a way past others
-constexpr double kPassingPart = 0.7;   // of the lateral acceleration, past others: beside them errors cost most
+constexpr double kGatePart = 0.7;      // of the goal tolerance, within which ways past others pass goals
 }  // namespace
 
 Way::Renewal Way::renew(PlanAnswer answer, const Scene & scene)
@@ -41,14 +41,14 @@ void Way::start(PlanAnswer answer, const Scene & scene)
 {
   races_ = answer.races;
   next_look_ = scene.time;
-  take(std::move(answer.plan), scene.costmap, 1.0);
+  take(std::move(answer.plan), scene.costmap, {});
 }
 
-void Way::take(Plan plan, const Costmap & costmap, double lateral_part)
+void Way::take(Plan plan, const Costmap & costmap, const Caution & caution)
 {
   plan_ = std::move(plan);
   changed_ = true;
-  follower_.setPath(plan_.path, costmap, lateral_part);
+  follower_.setPath(plan_.path, costmap, caution);
 }
 
 // Whether others drive about, and none of them is in the way.
@@ -65,7 +65,7 @@ bool Way::goOver(PlanAnswer answer, const Scene & scene)
   Plan old = plan_;
   const bool was_changed = changed_;
   start(std::move(answer), scene);
-  if (passOthers(scene)) {
+  if (passOthers(scene) && !follower_.hindered(scene.car, scene.costmap, scene.others)) {
     return true;
   }
   plan_ = std::move(old);
@@ -95,7 +95,9 @@ bool Way::moveGoalHere()
   if (!requests_.passes() || std::abs(beside.x) > kAlong || std::abs(beside.y) > kAside) {
     return false;
   }
-  goals_.move(there->pose);
+  if (std::abs(beside.y) > kGatePart * requests_.tolerance().distance) {
+    goals_.move(there->pose);
+  }
   return true;
 }
 
@@ -112,13 +114,12 @@ bool Way::passOthers(const Scene & scene)
   if (request.lead.empty() || !request.race_line) {
     return false;
   }
-  SpeedLimits limits = follower_.options().limits;
-  limits.max_lateral_acceleration *= kPassingPart;
   auto past = planPast(
-    {scene.costmap, options_.planner, limits, plan_, request, scene.others, follower_.placeOf(scene.car),
-     scene.car.speed});
+    {scene.costmap, options_.planner, follower_.options().limits, plan_, request, goals_.next(), scene.others,
+     follower_.placeOf(scene.car), scene.car});
   if (past) {
-    take(std::move(*past), scene.costmap, kPassingPart);
+    take(std::move(past->plan), scene.costmap, past->caution);
+    moveGoalHere();
   }
   return past.has_value();
 }

@@ -54,7 +54,7 @@ public:
 
 private:
   void start(PlanAnswer answer, const Scene & scene);
-  void take(Plan plan, const Costmap & costmap, double lateral_part);
+  void take(Plan plan, const Costmap & costmap, const Caution & caution);
   bool leadsPastOthers(const Scene & scene) const;
   bool goOver(PlanAnswer answer, const Scene & scene);
   void keep(const Scene & scene);

@@ -119,7 +119,10 @@ void bindFollower(py::module_ & module)
       "prediction", [](const FollowStep & step) { return fromPoses(step.prediction); }, "(n, 3) poses to come");
   py::class_<PathFollower>(module, "PathFollower", "Steers a car along a path.")
     .def(py::init<const FollowerOptions &>(), py::arg("options") = FollowerOptions{}, "Raises OptionError.")
-    .def("set_path", &PathFollower::setPath, py::arg("path"), py::arg("costmap"), py::arg("lateral_part") = 1.0)
+    .def(
+      "set_path",
+      [](PathFollower & follower, const Path & path, const Costmap & costmap) { follower.setPath(path, costmap); },
+      py::arg("path"), py::arg("costmap"))
     .def(
       "step",
       [](

@@ -53,19 +53,12 @@ PathFollower::PathFollower(const FollowerOptions & options) : given_(options), o
   options_.validate();
 }
 
-void PathFollower::setPath(const Path & path, const Costmap & costmap, double lateral_part)
+void PathFollower::setPath(const Path & path, const Costmap & costmap, const Caution & caution)
 {
   path_ = path;
-  lateral_part_ = lateral_part;
-  limitSpeeds(costmap);
+  caution_ = caution;
+  speeds_ = speedProfile(path_, costmap, options_.limits, caution_);
   tracker_ = PathTracker(path_);
-}
-
-void PathFollower::limitSpeeds(const Costmap & costmap)
-{
-  SpeedLimits limits = options_.limits;
-  limits.max_lateral_acceleration *= lateral_part_;
-  speeds_ = speedProfile(path_, costmap, limits);
 }
 
 void PathFollower::setSlip(double times, const Costmap & costmap)
@@ -82,7 +75,7 @@ void PathFollower::setSlip(double times, const Costmap & costmap)
   options_.limits.dec_lim_x = given_.limits.dec_lim_x * grip;
   options_.limits.braking_power = given_.limits.braking_power * grip;
   options_.limits.max_lateral_acceleration = given_.limits.max_lateral_acceleration * grip;
-  limitSpeeds(costmap);
+  speeds_ = speedProfile(path_, costmap, options_.limits, caution_);
 }
 
 void PathFollower::clear()

@@ -74,8 +74,7 @@ public:
   const FollowerOptions & options() const { return options_; }
 
   /// Starts on a path, which must have at least two points.
-  /// @param lateral_part  of the lateral acceleration, that it is driven with
-  void setPath(const Path & path, const Costmap & costmap, double lateral_part = 1.0);
+  void setPath(const Path & path, const Costmap & costmap, const Caution & caution = {});
   bool hasPath() const { return !path_.empty(); }
   const Path & path() const { return path_; }
   void clear();
@@ -138,7 +137,7 @@ private:
   FollowerOptions options_;  // as the car is found to be
   double slip_{1.0};         // times that of given_
   Path path_;
-  double lateral_part_{1.0};
+  Caution caution_;
   std::vector<double> speeds_;
   PathTracker tracker_;
   DriveCommand last_;

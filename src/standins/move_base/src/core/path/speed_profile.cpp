@@ -99,14 +99,17 @@ double SpeedLimits::speedToStopWithin(double distance) const
                     : std::sqrt(2.0 * dec_lim_x * std::max(distance, 0.0));
 }
 
-std::vector<double> speedProfile(const Path & path, const Costmap & costmap, const SpeedLimits & limits)
+std::vector<double> speedProfile(
+  const Path & path, const Costmap & costmap, const SpeedLimits & given, const Caution & caution)
 {
+  SpeedLimits limits = given;
+  limits.max_lateral_acceleration *= caution.lateral_part;
   std::vector<double> speeds(path.size());
   for (const PathStretch & stretch : stretches(path)) {
     for (std::size_t i = stretch.begin; i < stretch.end; ++i) {
       speeds[i] = std::min(
         {speedForCurvature(path[i], limits), speedForSteering(path, stretch, i, limits),
-         speedForClearance(path[i].pose, costmap, limits)});
+         speedForClearance(path[i].pose, costmap, limits), path[i].s < caution.until ? caution.pace : HUGE_VAL});
     }
     limitByAcceleration(path, stretch, limits, speeds.data());
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "map/costmap.h"
@@ -33,7 +34,16 @@ struct SpeedLimits
   double speedToStopWithin(double distance) const;
 };
 
+/// How much slower than it may a car drives along a path.
+struct Caution
+{
+  double lateral_part{1.0};  ///< of the lateral acceleration, that it drives with
+  double pace{HUGE_VAL};     ///< m/s, at most,
+  double until{0.0};         ///< m along the path
+};
+
 /// The greatest speed at each point of a path, m/s, by curvature, steering rate and clearance, such that the car can
 /// slow down in time for what lies ahead and stands where the driving direction changes and at the end.
-std::vector<double> speedProfile(const Path & path, const Costmap & costmap, const SpeedLimits & limits);
+std::vector<double> speedProfile(
+  const Path & path, const Costmap & costmap, const SpeedLimits & limits, const Caution & caution = {});
 }  // namespace move_base

@@ -15,12 +15,16 @@ constexpr double kBeside = 0.15;         // m, wanted between the cars
 constexpr double kBesideAtLeast = 0.08;  // m, in the end
 constexpr double kApart = 0.1;           // m, before and behind the other within which the car stays beside it
 constexpr double kApartTime = 0.06;      // s, the same for each m/s of the car
-constexpr double kShadowSearch = 2.5;    // m along the line, in which the other is looked for
+constexpr double kLeadsTo = 1.0;         // m, within which a line passes a goal
 constexpr std::size_t kUnmoved = 3;      // at the start of the line, that cannot move
 
-constexpr double kSwerve = 1.0;      // 1/m, of the way to the side at the start of the line
-constexpr double kSwervePart = 0.8;  // of the lateral acceleration, that this may take
-constexpr double kFallBack = 1.0;    // m/s, slower than the others to get behind them
+constexpr double kSwerve = 1.0;       // 1/m, of the way to the side at the start of the line
+constexpr double kSwervePart = 0.8;   // of the lateral acceleration, that this may take
+constexpr double kFallBack = 1.0;     // m/s, slower than the others to get behind them
+constexpr double kLateralPart = 0.7;  // of the lateral acceleration: beside others errors cost most
+constexpr double kSwingWay = 1.0;     // m, behind another until the car is to the side of it
+constexpr double kFallTime = 1.5;     // s, until it is behind them
+constexpr double kLeastPace = 0.5;    // m/s, of either
 
 enum class Side
 {
@@ -28,60 +32,49 @@ enum class Side
   kRight
 };
 
-// A side on which the car stays, and how fast it drives at most, m/s.
+// How the car drives: at most at a pace, m/s, for some way, m, and past the goal within a distance, m.
 struct Manner
 {
-  Side side;
   double pace;
+  double way;
+  double gate;
 };
 
-std::vector<double> speedsOn(const Path & path, const PassingRequest & request, double pace)
+Caution cautionOf(const Manner & manner, double s)
 {
-  std::vector<double> speeds = speedProfile(path, request.costmap, request.limits);
-  for (double & speed : speeds) {
-    speed = std::min(speed, pace);
-  }
-  return speeds;
+  return {kLateralPart, manner.pace, s + manner.way};
 }
 
-// Where an outline is along and beside a line, m.
-struct Shadow
+// Where an outline is as seen from a pose, m: along it and to its left.
+struct Extent
 {
   Interval along;
   Interval beside;
 };
 
-Shadow shadowOn(const Path & line, double near_s, const Box & outline)
+Extent extentOf(const Box & outline, const Pose2 & from)
 {
-  const Vec2 middle = outline.middle.position();
-  const PathPoint * nearest = &line.front();
-  double least = HUGE_VAL;
-  for (const PathPoint & point : line) {
-    const double away = distance(point.pose.position(), middle);
-    if (std::abs(point.s - near_s) < kShadowSearch && away < least) {
-      least = away;
-      nearest = &point;
-    }
-  }
-  const Pose2 place = compose(inverse(nearest->pose), outline.middle);
+  const Pose2 place = compose(inverse(from), outline.middle);
   const double c = std::abs(std::cos(place.yaw));
   const double s = std::abs(std::sin(place.yaw));
   const double length = c * outline.half_length + s * outline.half_width;
   const double width = s * outline.half_length + c * outline.half_width;
-  return {{nearest->s + place.x - length, nearest->s + place.x + length}, {place.y - width, place.y + width}};
+  return {{place.x - length, place.x + length}, {place.y - width, place.y + width}};
 }
 
 class WayPast
 {
 public:
-  WayPast(const PassingRequest & request, const Manner & manner) : request_(request), manner_(manner)
+  WayPast(const PassingRequest & request, const Manner & manner, Side side)
+  : request_(request), manner_(manner), side_(side)
   {
     const Footprint & footprint = request.costmap.footprint();
-    const double apart = kApart + kApartTime * request.speed;
+    const double apart = kApart + kApartTime * request.car.speed;
     reach_ = {footprint.rear() - apart, footprint.front() + apart};
-    swerve_ =
-      std::min(kSwerve, kSwervePart * request.limits.max_lateral_acceleration / (request.speed * request.speed));
-    until_start_ = (request.request.lead.back().s - request.s) / request.speed;
+    swerve_ = std::min(
+      kSwerve, kSwervePart * kLateralPart * request.limits.max_lateral_acceleration / std::pow(request.car.speed, 2));
+    way_to_start_ = request.request.lead.back().s - request.s;
+    until_start_ = way_to_start_ / request.car.speed;
   }
 
   Path line() const
@@ -98,8 +91,7 @@ public:
     }
     const ClearanceRule rule(request_.costmap, rest.front().pose, rest.back().pose, request_.planner.min_obstacle_dist);
     return raceLine(
-      rest, request_.costmap, rule,
-      {wanted.goal, wanted.race_line->gate_tolerance, wanted.race_line->gate_yaw_tolerance},
+      rest, request_.costmap, rule, {wanted.goal, manner_.gate, wanted.race_line->gate_yaw_tolerance},
       1.0 / request_.planner.min_turning_radius, *wanted.race_line,
       [this](const Path & line, std::vector<Interval> & corridor) { return narrow(line, corridor); });
   }
@@ -107,23 +99,40 @@ public:
 private:
   bool narrow(const Path & line, std::vector<Interval> & corridor) const
   {
-    const std::vector<double> speeds = speedsOn(line, request_, manner_.pace);
-    const std::vector<Moment> drive =
-      driveAlong(line, speeds, {line.front().s, 0.0, request_.speed}, request_.limits, kForecastTime - until_start_);
+    const std::vector<double> speeds =
+      speedProfile(line, request_.costmap, request_.limits, cautionOf(manner_, line.front().s - way_to_start_));
+    const std::vector<Moment> drive = driveAlong(
+      line, speeds, {line.front().s, 0.0, request_.car.speed}, request_.limits, kForecastTime - until_start_);
+    for (const Pose2 & goal : request_.next) {
+      passNear(goal, line, corridor);
+    }
     bool way_left = true;
     for (std::size_t k = 0; k < drive.size(); ++k) {
+      const std::size_t last = k + 1 < drive.size() ? drive[k + 1].index : drive[k].index;
       for (const Forecast & other : request_.others) {
-        const Shadow shadow = shadowOn(line, drive[k].s, other.at(until_start_ + drive[k].time));
-        if (drive[k].s + reach_.high < shadow.along.low || drive[k].s + reach_.low > shadow.along.high) {
-          continue;
-        }
-        const std::size_t last = k + 1 < drive.size() ? drive[k + 1].index : drive[k].index;
+        const Box outline = other.at(until_start_ + drive[k].time);
         for (std::size_t i = std::max(kUnmoved, drive[k].index); i <= last; ++i) {
-          way_left = keepBeside(shadow.beside, line, i, corridor[i]) && way_left;
+          const Extent extent = extentOf(outline, line[i].pose);
+          if (reach_.high >= extent.along.low && reach_.low <= extent.along.high) {
+            way_left = keepBeside(extent.beside, line, i, corridor[i]) && way_left;
+          }
         }
       }
     }
     return way_left;
+  }
+
+  // What lies beyond the goal is passed by the same line, if that leads there.
+  void passNear(const Pose2 & goal, const Path & line, std::vector<Interval> & corridor) const
+  {
+    const std::size_t i = nearestTo(line, goal);
+    const Pose2 place = compose(inverse(line[i].pose), goal);
+    if (i < kUnmoved || i + 1 == line.size() || std::abs(place.y) > kLeadsTo) {
+      return;
+    }
+    Interval & room = corridor[i];
+    room.low = std::clamp(place.y - manner_.gate, room.low, room.high);
+    room.high = std::clamp(place.y + manner_.gate, room.low, room.high);
   }
 
   // As far beside the other as wanted, or as there is room; at the start as far as the car gets.
@@ -135,7 +144,7 @@ private:
     const Vec2 left{-std::sin(line[i].pose.yaw), std::cos(line[i].pose.yaw)};
     const double middle = dot(straight_on - line[i].pose.position(), left);
     const double reach = 0.5 * swerve_ * run * run;
-    if (manner_.side == Side::kLeft) {
+    if (side_ == Side::kLeft) {
       const bool fits = other.high + half + kBesideAtLeast <= room.high;
       room.low = std::clamp(std::min(other.high + half + kBeside, middle + reach), room.low, room.high);
       return fits;
@@ -147,17 +156,21 @@ private:
 
   const PassingRequest & request_;
   Manner manner_;
-  Interval reach_;      // m, of the car and the distance kept, along it
-  double swerve_;       // 1/m
-  double until_start_;  // s, until the line begins
+  Side side_;
+  Interval reach_;       // m, of the car and the distance kept, along it
+  double swerve_;        // 1/m
+  double way_to_start_;  // m, until the line begins
+  double until_start_;   // s, the same
 };
 
 // How far the car gets, m; nothing if it touches another.
-std::optional<double> progressOn(const Plan & plan, const PassingRequest & request, double pace)
+std::optional<double> progressOn(const PassingPlan & past, const PassingRequest & request)
 {
+  const Path & path = past.plan.path;
   const double from = request.s - request.request.lead.front().s;
-  const std::vector<Moment> drive = driveAlong(
-    plan.path, speedsOn(plan.path, request, pace), {from, 0.0, request.speed}, request.limits, kForecastTime);
+  const std::vector<double> speeds = speedProfile(path, request.costmap, request.limits, past.caution);
+  const std::vector<Moment> drive =
+    driveAlong(path, speeds, {from, 0.0, request.car.speed}, request.limits, kForecastTime);
   for (const Forecast & other : request.others) {
     if (firstTouch(drive, request.costmap.footprint(), other, kBesideAtLeast)) {
       return std::nullopt;
@@ -167,38 +180,61 @@ std::optional<double> progressOn(const Plan & plan, const PassingRequest & reque
 }
 
 // The line on which the car gets farthest.
-std::optional<Plan> planAtPace(const PassingRequest & request, double pace)
+std::optional<PassingPlan> planIn(const PassingRequest & request, const Manner & manner)
 {
-  std::optional<Plan> best;
+  std::optional<PassingPlan> best;
   double farthest = 0.0;
+  const Path & lead = request.request.lead;
   for (const Side side : {Side::kLeft, Side::kRight}) {
-    Plan plan = request.plan;
-    plan.path = WayPast(request, {side, pace}).line();
-    if (plan.path.empty()) {
+    PassingPlan past{request.plan, cautionOf(manner, request.s - lead.front().s)};
+    past.plan.path = WayPast(request, manner, side).line();
+    if (past.plan.path.empty()) {
       continue;
     }
-    const Path & lead = request.request.lead;
-    prepend(lead, plan);
-    plan.goal_s = placeOnPath(plan.path, request.request.goal, request.plan.goal_s - lead.front().s);
-    const auto progress = progressOn(plan, request, pace);
+    prepend(lead, past.plan);
+    past.plan.goal_s = placeOnPath(past.plan.path, request.request.goal, request.plan.goal_s - lead.front().s);
+    const auto progress = progressOn(past, request);
     if (progress && *progress > farthest) {
       farthest = *progress;
-      best = std::move(plan);
+      best = std::move(past);
     }
   }
   return best;
 }
+
+// Whether the car reaches beyond the rear of another already.
+bool isBeside(const Box & other, const PassingRequest & request)
+{
+  const Extent extent = extentOf(other, request.car.pose);
+  return extent.along.low < request.costmap.footprint().front() &&
+         extent.along.high > request.costmap.footprint().rear();
+}
 }  // namespace
 
-std::optional<Plan> planPast(const PassingRequest & request)
+std::optional<PassingPlan> planPast(const PassingRequest & request)
 {
-  if (auto past = planAtPace(request, HUGE_VAL)) {
+  const double gate = request.request.race_line->gate_tolerance;
+  if (auto past = planIn(request, {HUGE_VAL, 0.0, gate})) {
     return past;
   }
-  double pace = HUGE_VAL;
+  double behind = HUGE_VAL;  // m/s, of those ahead
+  double beside = HUGE_VAL;
   for (const Forecast & other : request.others) {
-    pace = std::min(pace, other.speed() - kFallBack);
+    double & pace = isBeside(other.at(0.0), request) ? beside : behind;
+    pace = std::min(pace, other.speed());
   }
-  return planAtPace(request, std::max(pace, 0.0));
+  const double way_to_start = request.request.lead.back().s - request.s;
+  if (!std::isfinite(beside)) {
+    return planIn(request, {std::max(behind, kLeastPace), way_to_start + kSwingWay, gate});
+  }
+  const double pace = std::max(beside - kFallBack, kLeastPace);
+  const double way = way_to_start + pace * kFallTime;
+  for (const Manner & manner :
+       {Manner{pace, way, gate}, Manner{HUGE_VAL, 0.0, HUGE_VAL}, Manner{pace, way, HUGE_VAL}}) {
+    if (auto past = planIn(request, manner)) {
+      return past;
+    }
+  }
+  return std::nullopt;
 }
 }  // namespace move_base

@@ -11,7 +11,7 @@ namespace move_base
 namespace
 {
 constexpr double kLookInterval = 0.1;  // s between looks for a way past others
-constexpr double kGatePart = 0.7;      // of the goal tolerance, within which ways past others pass goals
+constexpr double kKeptPart = 0.7;      // of the goal tolerance, within which ways past others pass goals
 }  // namespace
 
 Way::Renewal Way::renew(PlanAnswer answer, const Scene & scene)
@@ -95,7 +95,7 @@ bool Way::moveGoalHere()
   if (!requests_.passes() || std::abs(beside.x) > kAlong || std::abs(beside.y) > kAside) {
     return false;
   }
-  if (std::abs(beside.y) > kGatePart * requests_.tolerance().distance) {
+  if (std::abs(beside.y) > kKeptPart * requests_.tolerance().distance) {
     goals_.move(there->pose);
   }
   return true;

@@ -4,6 +4,7 @@
 #include <deque>
 #include <vector>
 
+#include "car/car_state.h"
 #include "map/costmap.h"
 #include "path/path_tracker.h"
 #include "path/speed_profile.h"
@@ -29,17 +30,6 @@ struct FollowerOptions
 
   /// @throws OptionError
   void validate() const;
-};
-
-/// A car's motion, in the map.
-inline constexpr double kStandingSpeed = 0.05;  // m/s, below it a car stands
-
-struct CarState
-{
-  Pose2 pose;
-  double speed{0.0};  ///< m/s, negative backwards
-
-  bool stands() const { return std::abs(speed) < kStandingSpeed; }
 };
 
 struct DriveCommand

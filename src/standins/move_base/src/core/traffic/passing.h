@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "control/path_follower.h"
+#include "car/car_state.h"
 #include "path/global_planner.h"
 #include "path/speed_profile.h"
 #include "traffic/forecast.h"

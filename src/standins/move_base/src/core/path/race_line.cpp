@@ -21,6 +21,7 @@ constexpr double kLeastRoom = 1e-5;        // m, around a point that has none: t
 constexpr int kFixedPoints = 3;            // position, heading, curvature
 constexpr std::size_t kShortestLine = 12;  // points
 constexpr double kBendTolerance = 1.02;    // part of the greatest curvature
+constexpr double kLeadsBy = 1.0;           // m, to the side, within which a line leads by a pose
 constexpr double kClearanceSlack = 0.01;   // m, by which interpolated distances of a place differ
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
@@ -113,6 +114,16 @@ public:
     }
   }
 
+  void holdBeyond(const Gate & gate)
+  {
+    for (const Pose2 & pose : gate.beyond) {
+      const std::size_t i = nearestTo(line_, pose);
+      if (i + 1 < line_.size() && std::abs(leftOf(i, pose.position())) <= kLeadsBy) {
+        holdPoint(i, pose.position(), gate.tolerance);
+      }
+    }
+  }
+
   bool narrow(const Narrowing & narrowing)
   {
     const bool way_left = narrowing(line_, corridor_);
@@ -133,9 +144,15 @@ public:
   }
 
 private:
+  // How far a place is to the left of the line, m.
+  double leftOf(std::size_t i, const Vec2 & place) const
+  {
+    return dot(place - line_[i].pose.position(), normalAt(line_, i));
+  }
+
   void holdPoint(std::size_t i, const Vec2 & place, double tolerance)
   {
-    const double middle = dot(place - line_[i].pose.position(), normalAt(line_, i));
+    const double middle = leftOf(i, place);
     Interval & room = corridor_[i];
     room.low = std::clamp(middle - tolerance, room.low, room.high);
     room.high = std::clamp(middle + tolerance, room.low, room.high);
@@ -146,7 +163,7 @@ private:
     const double step = length(line_) / static_cast<double>(line_.size() - 1);
     for (std::size_t i = 0; i < kFixedPoints; ++i) {
       const Pose2 wanted = advance(line_.front().pose, static_cast<double>(i) * step, line_.front().curvature);
-      const double shift = dot(wanted.position() - line_[i].pose.position(), normalAt(line_, i));
+      const double shift = leftOf(i, wanted.position());
       corridor_[i] = {shift, shift};
     }
   }
@@ -248,6 +265,7 @@ Path raceLine(
     if (!free_heading) {
       problem.holdHeading(gate);
     }
+    problem.holdBeyond(gate);
     if (narrowing && !problem.narrow(narrowing)) {
       return {};
     }

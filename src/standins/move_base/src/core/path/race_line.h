@@ -15,6 +15,7 @@ struct Gate
   Pose2 pose;
   double tolerance{0.0};      ///< m
   double yaw_tolerance{0.0};  ///< rad
+  std::vector<Pose2> beyond{};  ///< passed as near, heading aside, where the line leads by them
 };
 
 /// Takes room away from the corridor around a line. @return whether there is a way left

@@ -199,13 +199,13 @@ void ObstacleTracker::Track::noteTrail(const Vec2 & sensor)
   if (last_moved_ != lastSeen() || (!trail_.empty() && lastSeen() <= trail_.back().time + kTrailStep)) {
     return;
   }
-  trail_.push_back({lastSeen(), obstacle(sensor).outline.middle});
+  trail_.push_back({lastSeen(), outline(sensor).middle});
   while (trail_.front().time < lastSeen() - kTrailMemory) {
     trail_.pop_front();
   }
 }
 
-MovingObstacle ObstacleTracker::Track::obstacle(const Vec2 & sensor) const
+Box ObstacleTracker::Track::outline(const Vec2 & sensor) const
 {
   const Pose2 frame = inverse({0.0, 0.0, heading_});
   Interval along{HUGE_VAL, -HUGE_VAL};
@@ -225,13 +225,12 @@ MovingObstacle ObstacleTracker::Track::obstacle(const Vec2 & sensor) const
   }
   const Vec2 middle =
     transform({0.0, 0.0, heading_}, {0.5 * (along.low + along.high), 0.5 * (across.low + across.high)});
-  const Box outline{{middle.x, middle.y, heading_}, 0.5 * (along.high - along.low), 0.5 * (across.high - across.low)};
-  return {outline, norm(velocity_), lastSeen(), trail_};
+  return {{middle.x, middle.y, heading_}, 0.5 * (along.high - along.low), 0.5 * (across.high - across.low)};
 }
 
 StoppedObstacle ObstacleTracker::Track::stopped(const Vec2 & sensor) const
 {
   const Vec2 & middle = hits_[hits_.size() / 2];
-  return {grown(obstacle(sensor).outline, kSwing), middle + (kInside / distance(sensor, middle)) * (middle - sensor)};
+  return {grown(outline(sensor), kSwing), middle + (kInside / distance(sensor, middle)) * (middle - sensor)};
 }
 }  // namespace move_base

@@ -77,7 +77,8 @@ private:
     bool moves() const { return last_moved_ && lastSeen() <= *last_moved_ + kStandsAfter; }
     /// Some way, when it last moved.
     bool hasDriven() const;
-    MovingObstacle obstacle(const Vec2 & sensor) const;
+    Box outline(const Vec2 & sensor) const;
+    MovingObstacle obstacle(const Vec2 & sensor) const { return {outline(sensor), norm(velocity_), lastSeen(), trail_}; }
     StoppedObstacle stopped(const Vec2 & sensor) const;
     void noteTrail(const Vec2 & sensor);
 

@@ -15,7 +15,6 @@ constexpr double kBeside = 0.15;         // m, wanted between the cars
 constexpr double kBesideAtLeast = 0.08;  // m, in the end
 constexpr double kApart = 0.1;           // m, before and behind the other within which the car stays beside it
 constexpr double kApartTime = 0.06;      // s, the same for each m/s of the car
-constexpr double kLeadsTo = 1.0;         // m, within which a line passes a goal
 constexpr std::size_t kUnmoved = 3;      // at the start of the line, that cannot move
 
 constexpr double kSwerve = 1.0;       // 1/m, of the way to the side at the start of the line
@@ -62,6 +61,12 @@ Extent extentOf(const Box & outline, const Pose2 & from)
   return {{place.x - length, place.x + length}, {place.y - width, place.y + width}};
 }
 
+// Along the plan's path until a line begins that leads past others, m.
+double wayToStart(const PassingRequest & request)
+{
+  return request.request.lead.back().s - request.s;
+}
+
 class WayPast
 {
 public:
@@ -73,7 +78,7 @@ public:
     reach_ = {footprint.rear() - apart, footprint.front() + apart};
     swerve_ = std::min(
       kSwerve, kSwervePart * kLateralPart * request.limits.max_lateral_acceleration / std::pow(request.car.speed, 2));
-    way_to_start_ = request.request.lead.back().s - request.s;
+    way_to_start_ = wayToStart(request);
     until_start_ = way_to_start_ / request.car.speed;
   }
 
@@ -91,7 +96,7 @@ public:
     }
     const ClearanceRule rule(request_.costmap, rest.front().pose, rest.back().pose, request_.planner.min_obstacle_dist);
     return raceLine(
-      rest, request_.costmap, rule, {wanted.goal, manner_.gate, wanted.race_line->gate_yaw_tolerance},
+      rest, request_.costmap, rule, {wanted.goal, manner_.gate, wanted.race_line->gate_yaw_tolerance, request_.next},
       1.0 / request_.planner.min_turning_radius, *wanted.race_line,
       [this](const Path & line, std::vector<Interval> & corridor) { return narrow(line, corridor); });
   }
@@ -103,9 +108,6 @@ private:
       speedProfile(line, request_.costmap, request_.limits, cautionOf(manner_, line.front().s - way_to_start_));
     const std::vector<Moment> drive = driveAlong(
       line, speeds, {line.front().s, 0.0, request_.car.speed}, request_.limits, kForecastTime - until_start_);
-    for (const Pose2 & goal : request_.next) {
-      passNear(goal, line, corridor);
-    }
     bool way_left = true;
     for (std::size_t k = 0; k < drive.size(); ++k) {
       const std::size_t last = k + 1 < drive.size() ? drive[k + 1].index : drive[k].index;
@@ -120,19 +122,6 @@ private:
       }
     }
     return way_left;
-  }
-
-  // What lies beyond the goal is passed by the same line, if that leads there.
-  void passNear(const Pose2 & goal, const Path & line, std::vector<Interval> & corridor) const
-  {
-    const std::size_t i = nearestTo(line, goal);
-    const Pose2 place = compose(inverse(line[i].pose), goal);
-    if (i < kUnmoved || i + 1 == line.size() || std::abs(place.y) > kLeadsTo) {
-      return;
-    }
-    Interval & room = corridor[i];
-    room.low = std::clamp(place.y - manner_.gate, room.low, room.high);
-    room.high = std::clamp(place.y + manner_.gate, room.low, room.high);
   }
 
   // As far beside the other as wanted, or as there is room; at the start as far as the car gets.
@@ -223,7 +212,7 @@ std::optional<PassingPlan> planPast(const PassingRequest & request)
     double & pace = isBeside(other.at(0.0), request) ? beside : behind;
     pace = std::min(pace, other.speed());
   }
-  const double way_to_start = request.request.lead.back().s - request.s;
+  const double way_to_start = wayToStart(request);
   if (!std::isfinite(beside)) {
     return planIn(request, {std::max(behind, kLeastPace), way_to_start + kSwingWay, gate});
   }

@@ -1,9 +1,11 @@
 """What is seen of the end of a command that was broken, and the table of it; commands are made up."""
 
+import os
+import subprocess
 import sys
 
 import pytest
-from f1tenth_studies.faults.catalogue import faults
+from f1tenth_studies.faults.catalogue import clock_of_its_own, faults
 from f1tenth_studies.faults.interrupts import Interrupts
 from f1tenth_studies.faults.table import document, problem
 from f1tenth_studies.faults.victim import Ending, Victim
@@ -55,6 +57,22 @@ def test_what_outlives_the_command_is_seen_and_ended(start):
         end = victim.end(0.2)
         assert end.seconds >= 0.2
         assert victim.members() == []
+
+
+def test_a_command_can_be_given_a_clock_of_its_own(tmp_path):
+    file = tmp_path / "set_back"
+    program = """
+import pathlib, sys, threading, time
+before = time.time(), time.monotonic()
+pathlib.Path(sys.argv[1]).touch()
+threading.Event().wait(0.05)
+print(time.time() - before[0], time.monotonic() - before[1])
+"""
+    command = [sys.executable, "-c", program, str(file)]
+    environment = {**os.environ, **clock_of_its_own(file)}
+    said = subprocess.run(command, env=environment, capture_output=True, check=True).stdout.split()
+    assert float(said[0]) == pytest.approx(-3600.0, abs=30.0)
+    assert 0.05 <= float(said[1]) < 30.0
 
 
 def test_nothing_is_left_when_the_block_is_left(start):

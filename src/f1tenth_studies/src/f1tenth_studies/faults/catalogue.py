@@ -23,6 +23,7 @@ _STARTER = "race_starter"  # ends with the start of the race
 _LITTLE_MEMORY = 300 << 20  # bytes of address space
 _DESCRIPTORS = 64
 _PAUSE = 10.0  # wall s, as by Ctrl-Z
+_SET_BACK = "set_back"  # file that sets the clock back
 # What stands before a command: a small or read-only disk in the place of the results, kept afterwards.
 _SMALL_DISK = 'mount -t tmpfs -o size=300k tmpfs "$1" && "${@:3}"; code=$?; cp -r "$1/." "$2"; exit $code'
 _READ_ONLY_DISK = 'mount --bind "$1" "$1" && mount -o remount,ro,bind "$1" && exec "${@:3}"'
@@ -103,6 +104,20 @@ def _on_disk(script: str) -> Callable[[Path], Victim]:
     return start
 
 
+def clock_of_its_own(file: Path) -> dict[str, str]:
+    """Variables with which a program's system time, not the machine's, is an hour back once a file is there."""
+    return {"LD_PRELOAD": "libf1tenth_set_back.so", "F1TENTH_SET_BACK": str(file)}
+
+
+def _start_by_clock(folder: Path) -> Victim:
+    return _start(folder, env=clock_of_its_own(folder / _SET_BACK))
+
+
+def _set_back(victim: Victim, moment: float) -> None:
+    victim.wait_for(lambda: victim.has_driven(moment))
+    (victim.results.parent / _SET_BACK).touch()
+
+
 def _subscribe(count: int, reads: bool, victim: Victim, _moment: float) -> None:
     module = [sys.executable, "-m", "f1tenth_studies.faults.subscribers", "/robot1/scan", str(count)]
     _beside(victim, [*module, "reading" if reads else "silent"])
@@ -129,6 +144,7 @@ def _master(node: psutil.Process) -> Mapping[str, str]:
 _OTHERS = (
     Fault(f"{RUNNER} stopped for {_PAUSE:g} s", _start, _pause_runner),
     Fault("clock stopped (pause_physics)", _start_long, _pause),
+    Fault("system time set back an hour", _start_by_clock, _set_back),
     Fault("disk full", _on_disk(_SMALL_DISK)),
     Fault("read-only results", _on_disk(_READ_ONLY_DISK)),
     Fault(f"{_DESCRIPTORS} descriptors", _limited(resource.RLIMIT_NOFILE, _DESCRIPTORS)),

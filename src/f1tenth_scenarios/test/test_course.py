@@ -25,6 +25,19 @@ def test_excess_is_measured_from_the_edge_of_the_road(square, x, y, excess):
     assert square.excess(np.array([x]), np.array([y])) == pytest.approx([excess])
 
 
+@pytest.mark.parametrize(
+    ("pose", "way", "ahead"),
+    [
+        ((1.0, 0.3, 0.1), 4.0, (5.0, 0.0, 0.0)),
+        ((1.0, 0.3, 0.1), 12.0, (10.0, 3.0, np.pi / 2)),
+        ((1.0, 0.3, 3.0), 4.0, (0.0, 3.0, np.pi / 2)),
+        ((0.2, 4.0, -1.5), 44.0, (0.0, 0.0, 0.0)),
+    ],
+)
+def test_what_is_ahead_lies_on_the_centreline_in_the_direction_of_the_pose(square, pose, way, ahead):
+    assert square.ahead_of(*pose, way) == pytest.approx(ahead, abs=1e-9)
+
+
 def test_circuit_of_the_workspace_is_one():
     course = read_course(places.course_file("circuit1", places.package_path(places.PACKAGE)))
     assert course.excess(np.array([0.0, 0.0]), np.array([0.0, 5.5])) == pytest.approx([0.0, 0.0], abs=1e-6)

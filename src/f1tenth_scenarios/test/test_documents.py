@@ -8,4 +8,4 @@ from f1tenth_scenarios.scenario.scenario import Scenario
 
 def test_readme_holds_every_key_as_the_schema_has_it():
     readme = Path(__file__).parent.parent / "README.md"
-    assert describe_keys(Scenario) in readme.read_text(encoding="utf-8")
+    assert f"\n\n{describe_keys(Scenario)}\n\n" in readme.read_text(encoding="utf-8")

@@ -12,7 +12,7 @@ TOP_KEYS = (
     " time_to_start, lockstep, real_time_factor, localization, boxes, criteria, faults"
 )
 CAR_KEYS = (
-    "name, start, driver, goals, laps, line, speed_max, acceleration_max, commands, mu, model, dropped_beams,"
+    "name, start, ahead, driver, goals, laps, line, speed_max, acceleration_max, commands, mu, model, dropped_beams,"
     " input_faults"
 )
 
@@ -132,6 +132,11 @@ ANSWERS = {
         "name: robot1",
         "name: robot-1",
         "FILE:4: cars[0].name is 'robot-1', must be a letter followed by letters, digits and underscores",
+    ),
+    "two starts": (
+        "name: robot1",
+        "name: robot1\n    start: {x: 1.0, y: 0.0}\n    ahead: 2.5",
+        "FILE:6: cars[0].ahead is given beside 'start'; the car can be put in one place only",
     ),
     "car named like the simulator": (
         "name: robot1",

@@ -46,7 +46,7 @@ def plan_car(car: Car, around: Surroundings) -> CarPlan:
     driver = plan_driver(car, around.beside)
     goals_file, goals = _goals(car, driver, around)
     return CarPlan(
-        start=car.start or around.place.start(),
+        start=car.start or around.place.start(car.ahead or 0.0),
         driver=driver,
         goals_file=goals_file,
         goals=goals,

@@ -50,6 +50,23 @@ class Course:
         index = int(np.argmin(np.hypot(off_x, off_y)))
         return float(self._between(self.right, part)[index]), float(self._between(self.left, part)[index])
 
+    def ahead_of(self, x: float, y: float, yaw: float, way: float) -> tuple[float, float, float]:
+        """The pose (m, rad) some way (m) along the centreline from where a pose is beside it, headed as that."""
+        part, off_x, off_y = self._nearest(x, y)
+        index = int(np.argmin(np.hypot(off_x, off_y)))
+        ahead_x, ahead_y = self._ahead()
+        along = 1.0 if ahead_x[index] * np.cos(yaw) + ahead_y[index] * np.sin(yaw) >= 0.0 else -1.0
+        lengths = np.hypot(ahead_x, ahead_y)
+        begins = np.concatenate([[0.0], np.cumsum(lengths)])
+        place = (begins[index] + part[index] * lengths[index] + along * way) % begins[-1]
+        piece = int(np.searchsorted(begins[:-1], place, side="right")) - 1
+        rest = (place - begins[piece]) / lengths[piece]
+        return (
+            float(self.x[piece] + rest * ahead_x[piece]),
+            float(self.y[piece] + rest * ahead_y[piece]),
+            float(np.arctan2(along * ahead_y[piece], along * ahead_x[piece])),
+        )
+
     def _excess(self, x: float, y: float) -> float:
         part, off_x, off_y = self._nearest(x, y)
         is_left = self._ahead()[0] * off_y - self._ahead()[1] * off_x > 0

@@ -34,17 +34,25 @@ class Place:
         """What is best driven along: the raceline, else the middle of the road."""
         return self.raceline or self.road
 
-    def start(self) -> Pose:
+    def start(self, ahead: float = 0.0) -> Pose:
         """Where a car starts: on a track at the first point of its centreline, headed for the second.
 
+        Args:
+            ahead: m along the middle of the road from there
+
         Raises:
-            ScenarioError: the centreline cannot be read.
+            ScenarioError: the centreline cannot be read, or there is none to go ahead along.
         """
-        if self.road is None or self.is_circuit:
+        if self.road is None:
+            if ahead:
+                raise ScenarioError(
+                    f"'ahead' of a car needs a road: {self.world} is no circuit and has no centreline beside it"
+                )
             return _ORIGIN
         course = read_course(self.road)
         heading = math.atan2(course.y[1] - course.y[0], course.x[1] - course.x[0])
-        return Pose(float(course.x[0]), float(course.y[0]), heading)
+        start = _ORIGIN if self.is_circuit else Pose(float(course.x[0]), float(course.y[0]), heading)
+        return Pose(*course.ahead_of(start.x, start.y, start.yaw, ahead)) if ahead else start
 
 
 def find_place(world: Path) -> Place:

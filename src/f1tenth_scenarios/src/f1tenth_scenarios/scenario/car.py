@@ -77,6 +77,11 @@ class Car:
         " the origin.",
         default=None,
     )
+    ahead: Optional[float] = key(
+        "How far along the middle of the road from the start line the car is put, in the place of `start`.",
+        unit="m",
+        default=None,
+    )
     driver: Driver = key(
         "Who drives. `race`: move_base and race_mgr drive to the goals; `pursuit`: pure pursuit of a line;"
         " `commands`: a fixed command profile; `gap_follower`: steers into the widest gap; any other planner:"
@@ -134,6 +139,8 @@ class Car:
             return "name", f"is '{self.name}', must be a letter followed by letters, digits and underscores"
         if self.name in _NAMES_OF_THE_SIMULATOR:
             return "name", f"is '{self.name}', must be none of {', '.join(_NAMES_OF_THE_SIMULATOR)}"
+        if self.start and self.ahead is not None:
+            return "ahead", "is given beside 'start'; the car can be put in one place only"
         times = [command.at for command in self.commands]
         if times != sorted(set(times)):
             return "commands", "must be in order of time ('at'), each time once"

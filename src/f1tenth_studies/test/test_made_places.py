@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan.planning import make_plan
-from f1tenth_scenarios.road.course import read_course
+from f1tenth_scenarios.road.course import Course, read_course
 from PIL import Image
 
 from f1tenth_scenarios import places
-from f1tenth_studies import cli, made_places, tracks
+from f1tenth_studies import cli, encounters, made_places, tracks
 
 SCENARIO = places.package_path(cli.PACKAGE) / "scenarios" / "unseen_road.yaml"
 SQUARE = np.array([(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)])
@@ -91,3 +91,36 @@ def test_five_roads_never_seen_are_driven(tmp_path, capsys):
     rows = [line.split(" | ") for line in capsys.readouterr().out.splitlines() if line.startswith("| ")][2:]
     assert sum(int(row[2]) for row in rows) == 5
     assert {row[7].strip(" |") for row in rows} == {"0"}
+
+
+@pytest.mark.parametrize("manner", ["middle", "side", "weaves", "brakes", "stands"])
+def test_the_other_of_an_encounter_drives_as_its_manner_says(manner):
+    encounter = encounters.Encounter("Square", 0.0, manner, speed=2.0, aside=-0.4, brakes_after=10.0)
+    x = np.arange(0.0, 40.0, 0.25)
+    road = Course(x, np.zeros_like(x), np.ones_like(x), np.ones_like(x))
+    line = encounters.line_of(encounter, road)
+    far = x > 8.0
+    assert np.allclose(line[x <= 4.0, 1], 0.0)
+    aside = {"side": (-0.4, -0.4), "weaves": (-0.3, 0.3)}.get(manner, (0.0, 0.0))
+    assert (line[far, 1].min(), line[far, 1].max()) == pytest.approx(aside, abs=1e-3)
+    assert set(line[x > 14.0, 2]) == {0.0 if manner in ("brakes", "stands") else 2.0}
+    assert set(line[x < 14.0, 2]) == {0.0 if manner == "stands" else 2.0}
+
+
+def test_encounters_begin_where_their_seed_says(data, tmp_path):
+    vary = encounters.STUDY.make({"encounter": "0,2"}, tmp_path)
+    worlds = vary["world"].split(",")
+    assert [encounters.STUDY.about({"world": world})["place"] for world in worlds] == ["Square", "Square"]
+    scenario = places.package_path(cli.PACKAGE) / "scenarios" / "encounters.yaml"
+    for world in worlds:
+        cars = make_plan(str(scenario), settings=[f"world={world}"]).cars
+        start, other = cars["robot1"].start, cars["robot2"].start
+        assert 2.0 < np.hypot(other.x - start.x, other.y - start.y) < 4.001
+        assert cars["robot2"].line == Path(world.replace("_map.yaml", "_raceline.csv"))
+    starts = [make_plan(str(scenario), settings=[f"world={world}"]).cars["robot1"].start for world in worlds]
+    assert starts[0] != starts[1]
+
+
+def test_an_encounter_of_no_seed_is_bad_input(data, tmp_path, capsys):
+    assert cli.study_main(["encounters", "--vary", "encounter=x", "--results", str(tmp_path)]) == cli.BAD_INPUT
+    assert "study: encounter=x: must be a seed, a whole number" in capsys.readouterr().err

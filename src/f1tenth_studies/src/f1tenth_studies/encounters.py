@@ -1,0 +1,137 @@
+"""Laps on which another car is met, each with a seed of its own."""
+
+import dataclasses
+import random
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.road.course import Course
+from f1tenth_scenarios.scenario.settings import parse_variation
+
+from f1tenth_scenarios import places
+from f1tenth_studies.made_places import data_folder, write_place
+from f1tenth_studies.study import CONTACTS, Column, Run, Study, place_of
+from f1tenth_studies.track import circuits, load_track
+
+LEAST_CLEARANCE = 0.08  # m
+_KEY = "encounter"
+_MANNERS = ("middle", "side", "weaves", "brakes", "stands")
+_SPEEDS = (0.5, 4.0)  # m/s
+_WEAVE, _WEAVE_RATE = 0.3, 0.5  # m, Hz
+_MOST_ASIDE = 0.6  # m
+_BRAKES_AFTER = (10.0, 30.0)  # m
+_BLEND = 3.0  # m, over which the other gets from the middle to its line
+_AHEAD = 4.0  # m, where it stands at the start: `ahead` of robot2 in the scenario
+
+
+def _text() -> str:
+    return f"""\
+A lap, begun anywhere on a circuit or a track, with another car {_AHEAD:g} m ahead at the start, that drives at
+{_SPEEDS[0]:g} to {_SPEEDS[1]:g} m/s along a line of its own and takes no notice: it keeps to the `middle` of the road or to one `side`,
+`weaves` ({_WEAVE:g} m, {_WEAVE_RATE:g} Hz), drives and then `brakes` for good, or `stands` from the start. The planner
+has perfect odometry, and knows from its lidar alone where the other is and how fast.
+
+Wanted: nothing is touched, and a clearance of at least {LEAST_CLEARANCE:g} m. Whoever stands or drives on a goal can make it
+one that cannot be reached."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Encounter:
+    """What one seed gives."""
+
+    place: str  # circuit or track
+    begin: float  # part of the road at which the lap begins
+    manner: str
+    speed: float  # m/s
+    aside: float  # m, to the left
+    brakes_after: float  # m
+
+
+def make_encounter(seed: int, tracks: Path) -> Encounter:
+    """The encounter of a seed, on one of the circuits or of the tracks in a folder."""
+    generator = random.Random(seed)
+    names = circuits() if seed % 2 else sorted(each.name for each in tracks.iterdir() if each.is_dir())
+    return Encounter(
+        place=generator.choice(names),
+        begin=generator.random(),
+        manner=generator.choice(_MANNERS),
+        speed=generator.uniform(*_SPEEDS),
+        aside=generator.choice((-1.0, 1.0)) * generator.uniform(0.2, _MOST_ASIDE),
+        brakes_after=generator.uniform(*_BRAKES_AFTER),
+    )
+
+
+def line_of(encounter: Encounter, course: Course) -> np.ndarray:
+    """Where the other drives, and how fast: x, y (m), speed (m/s), shape (n, 3), from the begin of the road on."""
+    x, y = course.x, course.y
+    step_x, step_y = np.gradient(x), np.gradient(y)
+    lengths = np.hypot(step_x, step_y)
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
+    aside = _aside(encounter, along) * np.clip((along - _AHEAD) / _BLEND, 0.0, 1.0)
+    speed = np.full(len(x), 0.0 if encounter.manner == "stands" else encounter.speed)
+    if encounter.manner == "brakes":
+        speed[along > _AHEAD + encounter.brakes_after] = 0.0
+    return np.column_stack([x - aside * step_y / lengths, y + aside * step_x / lengths, speed])
+
+
+def _aside(encounter: Encounter, along: np.ndarray) -> np.ndarray:
+    if encounter.manner == "weaves":
+        return _WEAVE * np.sin(2.0 * np.pi * _WEAVE_RATE * along / encounter.speed)
+    return np.full(len(along), encounter.aside if encounter.manner == "side" else 0.0)
+
+
+def _make(vary: Mapping[str, str], folder: Path) -> dict[str, str]:
+    """Writes the places of the seeds; gives the worlds."""
+    worlds = []
+    for setting in parse_variation(f"{_KEY}={vary[_KEY]}"):
+        try:
+            seed = int(setting.value)
+        except ValueError as error:
+            raise ScenarioError(f"{setting}: must be a seed, a whole number") from error
+        worlds.append(_write(seed, make_encounter(seed, data_folder()), folder))
+    others = {key: values for key, values in vary.items() if key != _KEY}
+    return {**others, "world": ",".join(map(str, worlds))}
+
+
+def _write(seed: int, encounter: Encounter, folder: Path) -> Path:
+    if encounter.place in circuits():
+        world = places.world_file(encounter.place, folder)
+        map_file, road = places.map_file(world), encounter.place
+    else:
+        map_file = road = data_folder() / encounter.place / f"{encounter.place}_map.yaml"
+    track = load_track(str(road))
+    course = Course(*np.roll(track, -int(encounter.begin * len(track)), axis=0).T)
+    stem = folder / f"{seed:03}_{encounter.place}_{encounter.manner}_{encounter.speed:.1f}"
+    return write_place(stem, map_file, course, line_of(encounter, course))
+
+
+def _clearance(run: Run) -> float:
+    return float(run.record.tracks["robot1"].clearance.min())
+
+
+def _problem(run: Run) -> str:
+    if run.contacts:
+        return run.failure()
+    if _clearance(run) < LEAST_CLEARANCE:
+        return f"clearance {_clearance(run):.3f} m, must be at least {LEAST_CLEARANCE:g} m"
+    return run.failure()
+
+
+STUDY = Study(
+    title="Meeting others",
+    text=_text,
+    scenario="encounters",
+    vary={_KEY: "0:59"},
+    rows=("seed", "place", "manner", "speed (m/s)"),
+    columns=(
+        Column("verdict", lambda runs: runs[0].result["verdict"]),
+        Column("finish (s)", lambda runs: float(runs[0].result["times"]["finish"] or "inf")),
+        Column("least clearance (m)", lambda runs: _clearance(runs[0])),
+        CONTACTS,
+    ),
+    problem=_problem,
+    make=_make,
+    about=lambda values: dict(zip(("seed", "place", "manner", "speed (m/s)"), place_of(values).split("_"))),
+)

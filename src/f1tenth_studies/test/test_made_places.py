@@ -121,6 +121,21 @@ def test_encounters_begin_where_their_seed_says(data, tmp_path):
     assert starts[0] != starts[1]
 
 
+def test_encounters_on_tracks_that_are_not_there_are_bad_input(tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("F1TENTH_DATA", str(tmp_path))
+    arguments = ["encounters", "--vary", "encounter=2", "--results", str(tmp_path)]
+    assert cli.study_main(arguments) == cli.BAD_INPUT
+    assert f"study: {tmp_path}/tracks: not found; F1TENTH_DATA must name" in capsys.readouterr().err
+
+
+def test_others_are_met_without_a_touch(tmp_path, monkeypatch, capsys):
+    monkeypatch.delenv("F1TENTH_DATA", raising=False)
+    arguments = ["encounters", "--vary", "encounter=1,3", "--results", str(tmp_path)]
+    assert cli.study_main(arguments) == cli.GOOD
+    rows = [line.split(" | ") for line in capsys.readouterr().out.splitlines() if line.startswith("| ")][2:]
+    assert [(row[4], row[7].strip(" |")) for row in rows] == [("success", "0")] * 2
+
+
 def test_an_encounter_of_no_seed_is_bad_input(data, tmp_path, capsys):
     assert cli.study_main(["encounters", "--vary", "encounter=x", "--results", str(tmp_path)]) == cli.BAD_INPUT
     assert "study: encounter=x: must be a seed, a whole number" in capsys.readouterr().err

@@ -49,10 +49,15 @@ class Encounter:
     brakes_after: float  # m
 
 
-def make_encounter(seed: int, tracks: Path) -> Encounter:
-    """The encounter of a seed, on one of the circuits or of the tracks in a folder."""
+def make_encounter(seed: int) -> Encounter:
+    """The encounter of a seed.
+
+    Raises:
+        ScenarioError: it is on a track, and there are none.
+    """
     generator = random.Random(seed)
-    names = circuits() if seed % 2 else sorted(each.name for each in tracks.iterdir() if each.is_dir())
+    on_circuit = seed % 2
+    names = circuits() if on_circuit else sorted(each.name for each in data_folder().iterdir() if each.is_dir())
     return Encounter(
         place=generator.choice(names),
         begin=generator.random(),
@@ -90,7 +95,7 @@ def _make(vary: Mapping[str, str], folder: Path) -> dict[str, str]:
             seed = int(setting.value)
         except ValueError as error:
             raise ScenarioError(f"{setting}: must be a seed, a whole number") from error
-        worlds.append(_write(seed, make_encounter(seed, data_folder()), folder))
+        worlds.append(_write(seed, make_encounter(seed), folder))
     others = {key: values for key, values in vary.items() if key != _KEY}
     return {**others, "world": ",".join(map(str, worlds))}
 

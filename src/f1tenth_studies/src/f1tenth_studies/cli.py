@@ -20,7 +20,7 @@ from f1tenth_studies.table import document
 from f1tenth_studies.track import circuits, load_track
 
 PACKAGE = "f1tenth_studies"
-STUDIES = ("race_pace", "localization", "passing", "encounters", "safety", "roads", "tracks")
+STUDIES = ("race_pace", "localization", "passing", "encounters", "rivals", "safety", "roads", "tracks")
 GOOD, NOT_GOOD, BAD_INPUT = 0, 1, 2  # exit codes
 
 

@@ -175,6 +175,23 @@ def test_laps_need_a_line(planned, tmp_path):
         planned("    driver: commands\n    commands: [{at: 0, speed: 1}]\n    laps: 1\n", world="empty.world")
 
 
+def test_a_car_can_be_put_some_way_along_any_road(planned, track):
+    ahead = "    driver: pursuit\n    laps: 1\n    ahead: 2.5\n"
+    on_circuit = planned(ahead).cars["robot1"].start
+    assert (on_circuit.x, on_circuit.y, on_circuit.yaw) == pytest.approx((2.5, 0.0, 0.0))
+    starts = [planned(car, world=track).cars["robot1"].start for car in (ahead.replace("2.5", "0"), ahead)]
+    start, on_track = starts
+    assert (start.x, start.y, start.yaw) == pytest.approx((0.0, 5.0, math.pi / 2))
+    assert (on_track.x, on_track.y, on_track.yaw) == pytest.approx((0.0, 7.5, math.pi / 2))
+
+
+def test_a_car_can_be_put_ahead_on_a_road_only(planned, tmp_path):
+    (tmp_path / "empty.world").write_text("<sdf version='1.6'><world name='w'/></sdf>", encoding="utf-8")
+    car = "    driver: commands\n    commands: [{at: 0, speed: 1}]\n    ahead: 1.0\n"
+    with pytest.raises(ScenarioError, match="'ahead' of a car needs a road: .*empty.world is no circuit"):
+        planned(car, world="empty.world")
+
+
 @pytest.fixture
 def originals(monkeypatch):
     """Installs the originals of some stand-ins, as far as a plan can tell."""

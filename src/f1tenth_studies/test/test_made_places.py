@@ -137,5 +137,6 @@ def test_others_are_met_without_a_touch(tmp_path, monkeypatch, capsys):
 
 
 def test_an_encounter_of_no_seed_is_bad_input(data, tmp_path, capsys):
-    assert cli.study_main(["encounters", "--vary", "encounter=x", "--results", str(tmp_path)]) == cli.BAD_INPUT
+    arguments = ["encounters", "--vary", "encounter=x", "--results", str(tmp_path)]
+    assert cli.study_main(arguments) == cli.BAD_INPUT
     assert "study: encounter=x: must be a seed, a whole number" in capsys.readouterr().err

@@ -17,6 +17,7 @@ from f1tenth_studies.track import circuits, load_track
 
 LEAST_CLEARANCE = 0.08  # m
 _KEY = "encounter"
+_ROWS = ("seed", "place", "manner", "speed (m/s)")  # as they stand in the name of a place
 _MANNERS = ("middle", "side", "weaves", "brakes", "stands")
 _SPEEDS = (0.5, 4.0)  # m/s
 _WEAVE, _WEAVE_RATE = 0.3, 0.5  # m, Hz
@@ -27,14 +28,16 @@ _AHEAD = 4.0  # m, where it stands at the start: `ahead` of robot2 in the scenar
 
 
 def _text() -> str:
+    low, high = _SPEEDS
     return f"""\
-A lap, begun anywhere on a circuit or a track, with another car {_AHEAD:g} m ahead at the start, that drives at
-{_SPEEDS[0]:g} to {_SPEEDS[1]:g} m/s along a line of its own and takes no notice: it keeps to the `middle` of the road or to one `side`,
-`weaves` ({_WEAVE:g} m, {_WEAVE_RATE:g} Hz), drives and then `brakes` for good, or `stands` from the start. The planner
-has perfect odometry, and knows from its lidar alone where the other is and how fast.
+A lap, begun anywhere on a circuit or a track, with another car {_AHEAD:g} m ahead at the start, that drives
+at {low:g} to {high:g} m/s along a line of its own and takes no notice: it keeps to the `middle` of the
+road or to one `side`, `weaves` ({_WEAVE:g} m, {_WEAVE_RATE:g} Hz), drives and then `brakes` for good, or
+`stands` from the start. The planner has perfect odometry, and knows from its lidar alone where the other is
+and how fast.
 
-Wanted: nothing is touched, and a clearance of at least {LEAST_CLEARANCE:g} m. Whoever stands or drives on a goal can make it
-one that cannot be reached."""
+Wanted: nothing is touched, and a clearance of at least {LEAST_CLEARANCE:g} m. Whoever stands or drives on a
+goal can make it one that cannot be reached."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -56,8 +59,7 @@ def make_encounter(seed: int) -> Encounter:
         ScenarioError: it is on a track, and there are none.
     """
     generator = random.Random(seed)
-    on_circuit = seed % 2
-    names = circuits() if on_circuit else sorted(each.name for each in data_folder().iterdir() if each.is_dir())
+    names = circuits() if seed % 2 else _tracks()
     return Encounter(
         place=generator.choice(names),
         begin=generator.random(),
@@ -68,8 +70,12 @@ def make_encounter(seed: int) -> Encounter:
     )
 
 
+def _tracks() -> list[str]:
+    return sorted(each.name for each in data_folder().iterdir() if each.is_dir())
+
+
 def line_of(encounter: Encounter, course: Course) -> np.ndarray:
-    """Where the other drives, and how fast: x, y (m), speed (m/s), shape (n, 3), from the begin of the road on."""
+    """Where the other drives, from the begin of the road on: x, y (m), speed (m/s), shape (n, 3)."""
     x, y = course.x, course.y
     step_x, step_y = np.gradient(x), np.gradient(y)
     lengths = np.hypot(step_x, step_y)
@@ -101,15 +107,19 @@ def _make(vary: Mapping[str, str], folder: Path) -> dict[str, str]:
 
 
 def _write(seed: int, encounter: Encounter, folder: Path) -> Path:
-    if encounter.place in circuits():
-        world = places.world_file(encounter.place, folder)
-        map_file, road = places.map_file(world), encounter.place
-    else:
-        map_file = road = data_folder() / encounter.place / f"{encounter.place}_map.yaml"
-    track = load_track(str(road))
+    road, map_file = _road_of(encounter.place)
+    track = load_track(road)
     course = Course(*np.roll(track, -int(encounter.begin * len(track)), axis=0).T)
     stem = folder / f"{seed:03}_{encounter.place}_{encounter.manner}_{encounter.speed:.1f}"
     return write_place(stem, map_file, course, line_of(encounter, course))
+
+
+def _road_of(place: str) -> tuple[str, Path]:
+    """What load_track reads of a circuit or track, and its map."""
+    if place in circuits():
+        return place, places.package_path(places.GAZEBO_PACKAGE) / "maps" / f"{place}.yaml"
+    file = data_folder() / place / f"{place}_map.yaml"
+    return str(file), file
 
 
 def _clearance(run: Run) -> float:
@@ -129,7 +139,7 @@ STUDY = Study(
     text=_text,
     scenario="encounters",
     vary={_KEY: "0:59"},
-    rows=("seed", "place", "manner", "speed (m/s)"),
+    rows=_ROWS,
     columns=(
         Column("verdict", lambda runs: runs[0].result["verdict"]),
         Column("finish (s)", lambda runs: float(runs[0].result["times"]["finish"] or "inf")),
@@ -138,5 +148,5 @@ STUDY = Study(
     ),
     problem=_problem,
     make=_make,
-    about=lambda values: dict(zip(("seed", "place", "manner", "speed (m/s)"), place_of(values).split("_"))),
+    about=lambda values: dict(zip(_ROWS, place_of(values).split("_"))),
 )

@@ -51,7 +51,7 @@ class Course:
         return float(self._between(self.right, part)[index]), float(self._between(self.left, part)[index])
 
     def ahead_of(self, x: float, y: float, yaw: float, way: float) -> tuple[float, float, float]:
-        """The pose (m, rad) some way (m) along the centreline from where a pose is beside it, headed as that."""
+        """The pose (m, rad) some way (m) along the centreline from where a pose lies, and headed as that."""
         part, off_x, off_y = self._nearest(x, y)
         index = int(np.argmin(np.hypot(off_x, off_y)))
         ahead_x, ahead_y = self._ahead()

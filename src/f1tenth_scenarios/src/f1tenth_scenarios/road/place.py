@@ -45,9 +45,8 @@ class Place:
         """
         if self.road is None:
             if ahead:
-                raise ScenarioError(
-                    f"'ahead' of a car needs a road: {self.world} is no circuit and has no centreline beside it"
-                )
+                what = "is no circuit and has no centreline beside it"
+                raise ScenarioError(f"'ahead' of a car needs a road: {self.world} {what}")
             return _ORIGIN
         course = read_course(self.road)
         heading = math.atan2(course.y[1] - course.y[0], course.x[1] - course.x[0])

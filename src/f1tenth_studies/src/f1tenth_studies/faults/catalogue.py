@@ -105,7 +105,7 @@ def _on_disk(script: str) -> Callable[[Path], Victim]:
 
 
 def clock_of_its_own(file: Path) -> dict[str, str]:
-    """Variables with which a program's system time, not the machine's, is an hour back once a file is there."""
+    """Variables with which the system time of a program alone is an hour back once a file is there."""
     return {"LD_PRELOAD": "libf1tenth_set_back.so", "F1TENTH_SET_BACK": str(file)}
 
 

@@ -13,8 +13,8 @@ namespace move_base
 struct Gate
 {
   Pose2 pose;
-  double tolerance{0.0};      ///< m
-  double yaw_tolerance{0.0};  ///< rad
+  double tolerance{0.0};        ///< m
+  double yaw_tolerance{0.0};    ///< rad
   std::vector<Pose2> beyond{};  ///< passed as near, heading aside, where the line leads by them
 };
 

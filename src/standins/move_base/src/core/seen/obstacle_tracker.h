@@ -78,7 +78,10 @@ private:
     /// Some way, when it last moved.
     bool hasDriven() const;
     Box outline(const Vec2 & sensor) const;
-    MovingObstacle obstacle(const Vec2 & sensor) const { return {outline(sensor), norm(velocity_), lastSeen(), trail_}; }
+    MovingObstacle obstacle(const Vec2 & sensor) const
+    {
+      return {outline(sensor), norm(velocity_), lastSeen(), trail_};
+    }
     StoppedObstacle stopped(const Vec2 & sensor) const;
     void noteTrail(const Vec2 & sensor);
 

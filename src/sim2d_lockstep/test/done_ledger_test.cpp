@@ -41,6 +41,7 @@ TEST(DoneLedger, NamesWhoIsMissingInTheOrderGiven)
   DoneLedger ledger({"c", "a", "b"});
   ledger.note("a", ros::Time(1.0));
   EXPECT_EQ(ledger.missing(ros::Time(1.0)), (std::vector<std::string>{"c", "b"}));
+  EXPECT_EQ(ledger.missing(ros::Time(1.5)), (std::vector<std::string>{"c", "a", "b"}));
 }
 
 TEST(DoneLedger, StartAgainForgetsTheOldRunOnly)

@@ -112,6 +112,9 @@ def test_negate_and_threshold_decide_what_is_occupied(write):
     assert negated.symmetric_difference(cells(ROOM > 0.65 * 255)).area == pytest.approx(0.0, abs=1e-12)
     grey = area(write(YAML.replace("0.65", "0.19")))
     assert grey.symmetric_difference(cells(ROOM < 254)).area == pytest.approx(0.0, abs=1e-12)
+    at_threshold = np.where(ROOM == 205, 204, ROOM).astype(np.uint8)  # (255 - 204) / 255 = 0.2
+    at = area(write(YAML.replace("0.65", "0.2"), pixels=at_threshold))
+    assert at.symmetric_difference(cells(ROOM == 0)).area == pytest.approx(0.0, abs=1e-12)
 
 
 def test_origin_may_be_turned(write):

@@ -99,12 +99,12 @@ def test_the_other_of_an_encounter_drives_as_its_manner_says(manner):
     x = np.arange(0.0, 40.0, 0.25)
     road = Course(x, np.zeros_like(x), np.ones_like(x), np.ones_like(x))
     line = encounters.line_of(encounter, road)
-    far = x > 8.0
-    assert np.allclose(line[x <= 4.0, 1], 0.0)
+    far = x > 10.0
+    assert np.allclose(line[x <= 6.0, 1], 0.0)
     aside = {"side": (-0.4, -0.4), "weaves": (-0.3, 0.3)}.get(manner, (0.0, 0.0))
     assert (line[far, 1].min(), line[far, 1].max()) == pytest.approx(aside, abs=1e-3)
-    assert set(line[x > 14.0, 2]) == {0.0 if manner in ("brakes", "stands") else 2.0}
-    assert set(line[x < 14.0, 2]) == {0.0 if manner == "stands" else 2.0}
+    assert set(line[x > 16.0, 2]) == {0.0 if manner in ("brakes", "stands") else 2.0}
+    assert set(line[x < 16.0, 2]) == {0.0 if manner == "stands" else 2.0}
 
 
 def test_encounters_begin_where_their_seed_says(data, tmp_path):
@@ -115,7 +115,7 @@ def test_encounters_begin_where_their_seed_says(data, tmp_path):
     for world in worlds:
         cars = make_plan(str(scenario), settings=[f"world={world}"]).cars
         start, other = cars["robot1"].start, cars["robot2"].start
-        assert 2.0 < np.hypot(other.x - start.x, other.y - start.y) < 4.001
+        assert 2.0 < np.hypot(other.x - start.x, other.y - start.y) < 6.001
         assert cars["robot2"].line == Path(world.replace("_map.yaml", "_raceline.csv"))
     starts = [make_plan(str(scenario), settings=[f"world={world}"]).cars["robot1"].start for world in worlds]
     assert starts[0] != starts[1]

@@ -24,7 +24,7 @@ _WEAVE, _WEAVE_RATE = 0.3, 0.5  # m, Hz
 _MOST_ASIDE = 0.6  # m
 _BRAKES_AFTER = (10.0, 30.0)  # m
 _BLEND = 3.0  # m, over which the other gets from the middle to its line
-_AHEAD = 4.0  # m, where it stands at the start: `ahead` of robot2 in the scenario
+_AHEAD = 6.0  # m, where it stands at the start, between two goals: `ahead` of robot2 in the scenario
 
 
 def _text() -> str:

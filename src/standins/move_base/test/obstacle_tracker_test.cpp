@@ -190,6 +190,41 @@ TEST(Costmap, aLowCarThatHasStoppedStandsThereUntilTheLidarSeesThroughWhereItWas
   EXPECT_DOUBLE_EQ(costmap.obstacleDistance(in_its_tail), free);
 }
 
+// The top of a low car that has always stood, seen by a lidar that drives towards it from so far, m/s.
+Costmap costmapPastTop(double speed, const Vec2 & top, double half)
+{
+  Costmap costmap = makeCostmap(drawRoom(12.0, 4.0));
+  for (double time = 1.0; time < 2.0; time += kScan) {
+    const Pose2 lidar{2.0 + speed * (time - 1.0), 2.0, 0.0};
+    LaserScan scan = scanFrom(lidar, [&](double angle) {
+      const double range = top.x - lidar.x;
+      const double y = lidar.y + range * std::tan(angle);
+      return std::abs(angle) < 1.0 && std::abs(y - top.y) < half ? range / std::cos(angle) : 9.5;
+    });
+    scan.time = time;
+    costmap.observe(scan);
+  }
+  return costmap;
+}
+
+TEST(Costmap, whatIsAsSmallAsTheTopOfALowCarMayBeOne)
+{
+  const Vec2 top{6.0, 2.0};
+  const Vec2 in_its_side{6.04, 2.15};
+  EXPECT_LT(costmapPastTop(1.0, top, 0.06).obstacleDistance(in_its_side), 0.0);
+  EXPECT_GT(costmapPastTop(1.0, top, 0.14).obstacleDistance({6.04, 2.25}), 0.05) << "too large for one";
+}
+
+TEST(Costmap, whoHasNotDrivenTakesNothingForACarThatMayWaitForTheSameStart)
+{
+  EXPECT_GT(costmapPastTop(0.2, {6.0, 2.0}, 0.06).obstacleDistance({6.04, 2.15}), 0.05);
+}
+
+TEST(Costmap, besideAWallThereIsNoRoomForACar)
+{
+  EXPECT_GT(costmapPastTop(1.0, {6.0, 3.76}, 0.06).obstacleDistance({6.04, 3.55}), 0.05);
+}
+
 TEST(Costmap, keepsWhatMovesOutOfTheDistances)
 {
   Costmap costmap = makeCostmap(drawRoom(12.0, 4.0));

@@ -88,7 +88,9 @@ void Costmap::observe(const LaserScan & scan)
     changed = live_.forgetIn(outline) || changed;
   }
   for (const StoppedObstacle & obstacle : tracker_.stopped()) {
-    changed = live_.remember(obstacle) || changed;
+    // Nearer to a wall there is no room for a car: it is a part of the wall.
+    const bool fits = wallDistance(obstacle.outline.middle.position()) > footprint_.halfWidth();
+    changed = (fits && live_.remember(obstacle)) || changed;
   }
   for (const Box & glimpse : tracker_.glimpses()) {
     changed = live_.forgetIn(grown(glimpse, geometry_.resolution)) || changed;

@@ -60,8 +60,12 @@ void ObstacleTracker::observe(double time, const Vec2 & sensor, const std::vecto
 {
   if (time <= last_time_) {
     tracks_.clear();
+    begin_.reset();
+    has_driven_ = false;
   }
   last_time_ = time;
+  begin_ = begin_.value_or(sensor);
+  has_driven_ = has_driven_ || distance(*begin_, sensor) > kLeastWay;
   assign(time, clustersOf(hits));
   forgetLost(time);
   moving_.clear();
@@ -70,7 +74,7 @@ void ObstacleTracker::observe(double time, const Vec2 & sensor, const std::vecto
     if (track.moves()) {
       track.noteTrail(sensor);
       moving_.push_back(track.obstacle(sensor));
-    } else if (track.hasDriven()) {
+    } else if (track.hasDriven() || (has_driven_ && track.mayBeTop())) {
       stopped_.push_back(track.stopped(sensor));
     }
   }
@@ -194,6 +198,12 @@ bool ObstacleTracker::Track::hasDriven() const
   return !trail_.empty() && distance(trail_.front().pose, trail_.back().pose) > kLeastWay;
 }
 
+bool ObstacleTracker::Track::mayBeTop() const
+{
+  const Box seen = extent();
+  return decided_ && !last_moved_ && 2.0 * std::max(seen.half_length, seen.half_width) < kLargestTop;
+}
+
 void ObstacleTracker::Track::noteTrail(const Vec2 & sensor)
 {
   if (last_moved_ != lastSeen() || (!trail_.empty() && lastSeen() <= trail_.back().time + kTrailStep)) {
@@ -231,6 +241,12 @@ Box ObstacleTracker::Track::outline(const Vec2 & sensor) const
 StoppedObstacle ObstacleTracker::Track::stopped(const Vec2 & sensor) const
 {
   const Vec2 & middle = hits_[hits_.size() / 2];
-  return {grown(outline(sensor), kSwing), middle + (kInside / distance(sensor, middle)) * (middle - sensor)};
+  const Vec2 inside = middle + (kInside / distance(sensor, middle)) * (middle - sensor);
+  if (hasDriven()) {
+    return {grown(outline(sensor), kSwing), inside};
+  }
+  // Nobody knows where it is headed: as wide as a car, whatever the side.
+  const double half = 0.5 * kLeastWidth + kSwing;
+  return {{{inside.x, inside.y, 0.0}, half, half}, inside};
 }
 }  // namespace move_base

@@ -26,7 +26,7 @@ struct MovingObstacle
   std::deque<Sight> trail{};  ///< where it has been in the last seconds, the oldest first
 };
 
-/// Something that drove about and came to a stand.
+/// Something that drove about and came to a stand, or that is all one sees of a low car that stands: its lidar.
 struct StoppedObstacle
 {
   Box outline;  ///< at least as large as a car
@@ -46,7 +46,7 @@ public:
 
   /// What moves, and was seen a moment ago at the longest.
   const std::vector<MovingObstacle> & moving() const { return moving_; }
-  /// What drove about, stands now, and was seen a moment ago at the longest.
+  /// What drove about or may be a car, stands now, and was seen a moment ago at the longest.
   const std::vector<StoppedObstacle> & stopped() const { return stopped_; }
   /// Where something was seen for too short a time to tell whether it stands, and is not seen any more.
   const std::vector<Box> & glimpses() const { return glimpses_; }
@@ -77,6 +77,8 @@ private:
     bool moves() const { return last_moved_ && lastSeen() <= *last_moved_ + kStandsAfter; }
     /// Some way, when it last moved.
     bool hasDriven() const;
+    /// Whether it has never moved and is no larger than the lidar of a low car.
+    bool mayBeTop() const;
     Box outline(const Vec2 & sensor) const;
     MovingObstacle obstacle(const Vec2 & sensor) const
     {
@@ -106,5 +108,7 @@ private:
   std::vector<StoppedObstacle> stopped_;
   std::vector<Box> glimpses_;
   double last_time_{0.0};
+  std::optional<Vec2> begin_;  // m, where the lidar was at first
+  bool has_driven_{false};     // Before, others may be waiting for the same start.
 };
 }  // namespace move_base

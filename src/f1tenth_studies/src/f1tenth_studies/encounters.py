@@ -36,8 +36,7 @@ road or to one `side`, `weaves` ({_WEAVE:g} m, {_WEAVE_RATE:g} Hz), drives and t
 `stands` from the start. The planner has perfect odometry, and knows from its lidar alone where the other is
 and how fast.
 
-Wanted: nothing is touched, and a clearance of at least {LEAST_CLEARANCE:g} m. Whoever stands or drives on a
-goal can make it one that cannot be reached."""
+Wanted: nothing is touched, and a clearance of at least {LEAST_CLEARANCE:g} m."""
 
 
 @dataclasses.dataclass(frozen=True)

@@ -6,12 +6,10 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
-from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.road.course import Course
-from f1tenth_scenarios.scenario.settings import parse_variation
 
 from f1tenth_scenarios import places
-from f1tenth_studies.made_places import data_folder, write_place
+from f1tenth_studies.made_places import seeds, track_map, track_names, with_worlds, write_place
 from f1tenth_studies.study import Column, Run, Study, place_of
 from f1tenth_studies.track import circuits, load_track
 
@@ -58,7 +56,7 @@ def make_encounter(seed: int) -> Encounter:
         ScenarioError: it is on a track, and there are none.
     """
     generator = random.Random(seed)
-    names = circuits() if seed % 2 else _tracks()
+    names = circuits() if seed % 2 else track_names()
     return Encounter(
         place=generator.choice(names),
         begin=generator.random(),
@@ -67,10 +65,6 @@ def make_encounter(seed: int) -> Encounter:
         aside=generator.choice((-1.0, 1.0)) * generator.uniform(0.2, _MOST_ASIDE),
         brakes_after=generator.uniform(*_BRAKES_AFTER),
     )
-
-
-def _tracks() -> list[str]:
-    return sorted(each.name for each in data_folder().iterdir() if each.is_dir())
 
 
 def line_of(encounter: Encounter, course: Course) -> np.ndarray:
@@ -94,15 +88,8 @@ def _aside(encounter: Encounter, along: np.ndarray) -> np.ndarray:
 
 def _make(vary: Mapping[str, str], folder: Path) -> dict[str, str]:
     """Writes the places of the seeds; gives the worlds."""
-    worlds = []
-    for setting in parse_variation(f"{_KEY}={vary[_KEY]}"):
-        try:
-            seed = int(setting.value)
-        except ValueError as error:
-            raise ScenarioError(f"{setting}: must be a seed, a whole number") from error
-        worlds.append(_write(seed, make_encounter(seed), folder))
-    others = {key: values for key, values in vary.items() if key != _KEY}
-    return {**others, "world": ",".join(map(str, worlds))}
+    worlds = [_write(seed, make_encounter(seed), folder) for seed in seeds(_KEY, vary[_KEY])]
+    return with_worlds(vary, _KEY, worlds)
 
 
 def _write(seed: int, encounter: Encounter, folder: Path) -> Path:
@@ -117,8 +104,7 @@ def _road_of(place: str) -> tuple[str, Path]:
     """What load_track reads of a circuit or track, and its map."""
     if place in circuits():
         return place, places.package_path(places.GAZEBO_PACKAGE) / "maps" / f"{place}.yaml"
-    file = data_folder() / place / f"{place}_map.yaml"
-    return str(file), file
+    return str(track_map(place)), track_map(place)
 
 
 def _clearance(run: Run) -> float:

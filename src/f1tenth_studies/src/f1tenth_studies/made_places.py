@@ -1,6 +1,7 @@
 """Places that a study makes: roads in the other direction, and lines for others to drive along."""
 
 import os
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Optional
 
@@ -9,6 +10,7 @@ import yaml
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.road.course import Course, read_course
 from f1tenth_scenarios.road.raceline import COLUMNS, RACELINE
+from f1tenth_scenarios.scenario.settings import parse_variation
 
 
 def data_folder() -> Path:
@@ -21,6 +23,37 @@ def data_folder() -> Path:
     if not folder.is_dir():
         raise ScenarioError(f"{folder}: not found; F1TENTH_DATA must name the folder in which 'tracks' is")
     return folder
+
+
+def track_names() -> list[str]:
+    """Names of others' tracks."""
+    return sorted(each.name for each in data_folder().iterdir() if each.is_dir())
+
+
+def track_map(name: str) -> Path:
+    """The map of one of them."""
+    return data_folder() / name / f"{name}_map.yaml"
+
+
+def seeds(key: str, values: str) -> list[int]:
+    """The seeds that a key is varied by.
+
+    Raises:
+        ScenarioError: one is no whole number.
+    """
+    found = []
+    for setting in parse_variation(f"{key}={values}"):
+        try:
+            found.append(int(setting.value))
+        except ValueError as error:
+            raise ScenarioError(f"{setting}: must be a seed, a whole number") from error
+    return found
+
+
+def with_worlds(vary: Mapping[str, str], key: str, worlds: Iterable[Path]) -> dict[str, str]:
+    """What is varied, with worlds in the place of a key."""
+    others = {name: values for name, values in vary.items() if name != key}
+    return {**others, "world": ",".join(map(str, worlds))}
 
 
 def backwards(course: Course) -> Course:

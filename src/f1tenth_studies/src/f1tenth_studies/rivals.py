@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from pathlib import Path
 
-from f1tenth_studies.made_places import data_folder
+from f1tenth_studies.made_places import track_map, with_worlds
 from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Study, place_of
 
 _KEY = "track"
@@ -19,9 +19,7 @@ Wanted: both drive their laps, and nothing is touched."""
 
 def _make(vary: Mapping[str, str], _: Path) -> dict[str, str]:
     """Gives the worlds of the tracks."""
-    worlds = [str(data_folder() / name / f"{name}_map.yaml") for name in vary[_KEY].split(",")]
-    others = {key: values for key, values in vary.items() if key != _KEY}
-    return {**others, "world": ",".join(worlds)}
+    return with_worlds(vary, _KEY, map(track_map, vary[_KEY].split(",")))
 
 
 def _laps(runs) -> str:

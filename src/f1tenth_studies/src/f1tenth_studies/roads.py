@@ -7,8 +7,8 @@ import numpy as np
 from f1tenth_gazebo.roads import RoadError, make_road, write_road
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.road.course import read_course
-from f1tenth_scenarios.scenario.settings import parse_variation
 
+from f1tenth_studies.made_places import seeds, with_worlds
 from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Study, failed_places, slowest
 
 _KEY = "road"
@@ -28,16 +28,13 @@ Wanted: every lap is driven, and nothing is touched."""
 def _make(vary: Mapping[str, str], folder: Path) -> dict[str, str]:
     """Writes the roads of the seeds; gives the worlds."""
     worlds = []
-    for seed in (setting.value for setting in parse_variation(f"{_KEY}={vary[_KEY]}")):
+    for seed in seeds(_KEY, vary[_KEY]):
         try:
-            *_, world = write_road(make_road(int(seed)), folder / f"seed_{seed}")
-        except ValueError as error:
-            raise ScenarioError(f"{_KEY}={seed}: must be a seed, a whole number") from error
+            *_, world = write_road(make_road(seed), folder / f"seed_{seed}")
         except (OSError, RoadError) as error:
             raise ScenarioError(f"{_KEY}={seed}: {error}") from error
         worlds.append(world)
-    others = {key: values for key, values in vary.items() if key != _KEY}
-    return {**others, "world": ",".join(map(str, worlds))}
+    return with_worlds(vary, _KEY, worlds)
 
 
 def _kind(values: Mapping[str, str]) -> dict[str, str]:

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from pathlib import Path
 
-from f1tenth_studies.made_places import both_directions, data_folder
+from f1tenth_studies.made_places import both_directions, track_map, track_names, with_worlds
 from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Study, place_of, slowest
 
 _KEY, _MODEL = "track", "model"
@@ -20,14 +20,11 @@ Wanted: every lap is driven, and nothing is touched."""
 
 def _make(vary: Mapping[str, str], folder: Path) -> dict[str, str]:
     """Writes the tracks in both directions; gives the worlds."""
-    data, worlds = data_folder(), []
-    names = vary[_KEY] or ",".join(sorted(each.name for each in data.iterdir() if each.is_dir()))
-    for name in names.split(","):
-        track = data / name / name
-        map_file, centreline = (track.with_name(name + end) for end in ("_map.yaml", "_centerline.csv"))
-        worlds += both_directions(name, map_file, centreline, folder)
-    others = {key: values for key, values in vary.items() if key != _KEY}
-    return {**others, "world": ",".join(map(str, worlds))}
+    worlds = []
+    for name in vary[_KEY].split(",") if vary[_KEY] else track_names():
+        map_file = track_map(name)
+        worlds += both_directions(name, map_file, map_file.with_name(f"{name}_centerline.csv"), folder)
+    return with_worlds(vary, _KEY, worlds)
 
 
 STUDY = Study(

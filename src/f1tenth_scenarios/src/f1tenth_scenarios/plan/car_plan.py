@@ -46,13 +46,17 @@ def plan_car(car: Car, around: Surroundings) -> CarPlan:
     driver = plan_driver(car, around.beside)
     goals_file, goals = _goals(car, driver, around)
     return CarPlan(
-        start=car.start or around.place.start(car.ahead or 0.0),
+        start=car.start or _start(car, around.place),
         driver=driver,
         goals_file=goals_file,
         goals=goals,
         line=_line(car, driver, around),
         task=_task(car, goals, around),
     )
+
+
+def _start(car: Car, place: Place) -> Pose:
+    return place.ahead_of_start(car.ahead) if car.ahead else place.start()
 
 
 def _goals(car: Car, driver: DriverPlan, around: Surroundings) -> tuple[Optional[Path], tuple[Pose, ...]]:

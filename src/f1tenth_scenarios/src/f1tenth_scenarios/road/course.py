@@ -1,6 +1,7 @@
 """The course of a race: a closed centreline and how far the road reaches on either side of it."""
 
 import dataclasses
+import math
 from pathlib import Path
 
 import numpy as np
@@ -55,17 +56,23 @@ class Course:
         part, off_x, off_y = self._nearest(x, y)
         index = int(np.argmin(np.hypot(off_x, off_y)))
         ahead_x, ahead_y = self._ahead()
-        along = 1.0 if ahead_x[index] * np.cos(yaw) + ahead_y[index] * np.sin(yaw) >= 0.0 else -1.0
-        lengths = np.hypot(ahead_x, ahead_y)
-        begins = np.concatenate([[0.0], np.cumsum(lengths)])
-        place = (begins[index] + part[index] * lengths[index] + along * way) % begins[-1]
-        piece = int(np.searchsorted(begins[:-1], place, side="right")) - 1
-        rest = (place - begins[piece]) / lengths[piece]
-        return (
-            float(self.x[piece] + rest * ahead_x[piece]),
-            float(self.y[piece] + rest * ahead_y[piece]),
-            float(np.arctan2(along * ahead_y[piece], along * ahead_x[piece])),
-        )
+        along = self.along()
+        here = along[index] + part[index] * (along[index + 1] - along[index])
+        is_along = ahead_x[index] * np.cos(yaw) + ahead_y[index] * np.sin(yaw) >= 0.0
+        place = (here + (way if is_along else -way)) % along[-1]
+        there_x, there_y, heading = (float(each[0]) for each in self.poses_at(np.array([place])))
+        return there_x, there_y, heading if is_along else math.remainder(heading + math.pi, math.tau)
+
+    def along(self) -> np.ndarray:
+        """How far along the centreline each vertex is, and the first one again, m: shape (n + 1,)."""
+        return np.concatenate([[0.0], np.cumsum(np.hypot(*self._ahead()))])
+
+    def poses_at(self, places: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Poses (m, rad) on the centreline, so far (m) along it; headed as the piece that leads there."""
+        x, y, along = np.append(self.x, self.x[0]), np.append(self.y, self.y[0]), self.along()
+        pieces = np.clip(np.searchsorted(along, places) - 1, 0, len(along) - 2)
+        headings = np.arctan2(np.diff(y), np.diff(x))[pieces]
+        return np.interp(places, along, x), np.interp(places, along, y), headings
 
     def _excess(self, x: float, y: float) -> float:
         part, off_x, off_y = self._nearest(x, y)

@@ -15,15 +15,10 @@ _SPACING = 4.0  # m, between goals along a road
 
 def goals_along(course: Course) -> tuple[Pose, ...]:
     """Goals all around a road, on its middle; the last one where the course begins."""
-    x, y = np.append(course.x, course.x[0]), np.append(course.y, course.y[0])
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
-    count = max(round(along[-1] / _SPACING), 3)
-    places = np.linspace(0.0, along[-1], count + 1)[1:]
-    # The heading of the piece that leads to each of them.
-    pieces = np.clip(np.searchsorted(along, places) - 1, 0, len(along) - 2)
-    headings = np.arctan2(np.diff(y), np.diff(x))[pieces]
-    goals = zip(np.interp(places, along, x), np.interp(places, along, y), headings)
-    return tuple(Pose(*map(float, goal)) for goal in goals)
+    length = course.along()[-1]
+    count = max(round(length / _SPACING), 3)
+    places = np.linspace(0.0, length, count + 1)[1:]
+    return tuple(Pose(*map(float, goal)) for goal in zip(*course.poses_at(places)))
 
 
 def goals_text(goals: Sequence[Pose]) -> str:

@@ -34,24 +34,29 @@ class Place:
         """What is best driven along: the raceline, else the middle of the road."""
         return self.raceline or self.road
 
-    def start(self, ahead: float = 0.0) -> Pose:
+    def start(self) -> Pose:
         """Where a car starts: on a track at the first point of its centreline, headed for the second.
 
-        Args:
-            ahead: m along the middle of the road from there
-
         Raises:
-            ScenarioError: the centreline cannot be read, or there is none to go ahead along.
+            ScenarioError: the centreline cannot be read.
         """
-        if self.road is None:
-            if ahead:
-                what = "is no circuit and has no centreline beside it"
-                raise ScenarioError(f"'ahead' of a car needs a road: {self.world} {what}")
+        if self.road is None or self.is_circuit:
             return _ORIGIN
         course = read_course(self.road)
         heading = math.atan2(course.y[1] - course.y[0], course.x[1] - course.x[0])
-        start = _ORIGIN if self.is_circuit else Pose(float(course.x[0]), float(course.y[0]), heading)
-        return Pose(*course.ahead_of(start.x, start.y, start.yaw, ahead)) if ahead else start
+        return Pose(float(course.x[0]), float(course.y[0]), heading)
+
+    def ahead_of_start(self, way: float) -> Pose:
+        """Some way (m) along the middle of the road from there.
+
+        Raises:
+            ScenarioError: the centreline cannot be read, or there is none.
+        """
+        if self.road is None:
+            what = "is no circuit and has no centreline beside it"
+            raise ScenarioError(f"'ahead' of a car needs a road: {self.world} {what}")
+        start = self.start()
+        return Pose(*read_course(self.road).ahead_of(start.x, start.y, start.yaw, way))
 
 
 def find_place(world: Path) -> Place:

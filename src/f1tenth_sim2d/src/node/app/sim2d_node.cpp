@@ -65,7 +65,7 @@ std::unique_ptr<LockstepBarrier> Sim2dNode::makeBarrier()
 Fleet::Surroundings Sim2dNode::surroundings()
 {
   const auto driver_of = [this](const std::string & car) {
-    return barrier_ ? barrier_->driverOf(car) : std::function<void()>([] {});
+    return barrier_ ? barrier_->driverOf(car) : CommandInput::Answered([](const ros::Time &) {});
   };
   return {scene_.gravity, parameters_.odometry, parameters_.simulate_pid,
           node_,          scene_.simulation,    world_,

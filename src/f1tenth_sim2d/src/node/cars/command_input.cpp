@@ -19,7 +19,7 @@ std::string topicOf(const CarDescription & car)
 }
 }  // namespace
 
-CommandInput::CommandInput(Simulation & simulation, CarId car, ros::NodeHandle node, std::function<void()> on_command)
+CommandInput::CommandInput(Simulation & simulation, CarId car, ros::NodeHandle node, Answered on_command)
 : simulation_(simulation), car_(car), on_command_(std::move(on_command))
 {
   const CarDescription & description = simulation.car(car);
@@ -38,15 +38,15 @@ CommandInput::CommandInput(Simulation & simulation, CarId car, ros::NodeHandle n
 
 void CommandInput::onTwist(const geometry_msgs::Twist & message)
 {
-  take([&] { simulation_.commandTwist(car_, message.linear.x, message.angular.z, message.linear.y); });
+  take({}, [&] { simulation_.commandTwist(car_, message.linear.x, message.angular.z, message.linear.y); });
 }
 
 void CommandInput::onDrive(const ackermann_msgs::AckermannDriveStamped & message)
 {
-  take([&] { simulation_.command(car_, {message.drive.speed, message.drive.steering_angle}); });
+  take(message.header.stamp, [&] { simulation_.command(car_, {message.drive.speed, message.drive.steering_angle}); });
 }
 
-void CommandInput::take(const std::function<void()> & command)
+void CommandInput::take(const ros::Time & stamp, const std::function<void()> & command)
 {
   try {
     command();
@@ -54,7 +54,7 @@ void CommandInput::take(const std::function<void()> & command)
   } catch (const Error & error) {
     refuse(error.what());
   }
-  on_command_();
+  on_command_(stamp);
 }
 
 void CommandInput::refuse(const std::string & why)

@@ -16,15 +16,18 @@ namespace f1tenth_sim2d
 class CommandInput
 {
 public:
+  /// Gets the stamp of a command; 0 for one without.
+  using Answered = std::function<void(const ros::Time &)>;
+
   /// @param node        in the car's namespace; its callback queue must be served by the simulation's thread
   /// @param on_command  called for every message, also for a refused one: the driver has answered
-  CommandInput(Simulation & simulation, CarId car, ros::NodeHandle node, std::function<void()> on_command);
+  CommandInput(Simulation & simulation, CarId car, ros::NodeHandle node, Answered on_command);
 
   /// What controllers within the node want; neither counted nor an answer.
   /// @throws Error for a value that makes no sense
   void apply(const DriveCommand & command) { simulation_.command(car_, command); }
   /// The driver has said something to a controller.
-  void noteAnswer() { on_command_(); }
+  void noteAnswer() { on_command_({}); }
   /// Counts and reports a command that was refused before it came here.
   void refuse(const std::string & why);
 
@@ -36,11 +39,11 @@ public:
 private:
   void onTwist(const geometry_msgs::Twist & message);
   void onDrive(const ackermann_msgs::AckermannDriveStamped & message);
-  void take(const std::function<void()> & command);
+  void take(const ros::Time & stamp, const std::function<void()> & command);
 
   Simulation & simulation_;
   const CarId car_;
-  const std::function<void()> on_command_;
+  const Answered on_command_;
   std::size_t accepted_{0};
   std::size_t refused_{0};
   std::string last_refusal_;

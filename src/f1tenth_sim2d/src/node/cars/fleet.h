@@ -34,7 +34,7 @@ public:
     TransformSender & transforms;
     PluginHost & plugins;
     /// What is to be called for every command of a car's driver.
-    std::function<std::function<void()>(const std::string & car)> driver_of;
+    std::function<CommandInput::Answered(const std::string & car)> driver_of;
   };
 
   struct Driver

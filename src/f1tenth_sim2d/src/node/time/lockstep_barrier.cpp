@@ -15,8 +15,8 @@ namespace f1tenth_sim2d
 namespace
 {
 const ros::WallDuration kRepeatInterval{0.1};
-// After which a command that came too early is taken for the one that is missing.
-const ros::WallDuration kStrayPatience{1.0};
+// Of the timeout: after that a command that came too early, or late, is taken for the one that is missing.
+constexpr double kStrayPatience = 0.5;
 }  // namespace
 
 ParticipantSilent::ParticipantSilent(std::string participant, const std::string & message)
@@ -38,26 +38,33 @@ void LockstepBarrier::open(SimTime end, std::int64_t number)
 {
   stamp_ = toRosTime(end);
   number_ = number;
+  first_ = started_ ? first_ : stamp_;
+  late_.clear();
 }
 
-std::function<void()> LockstepBarrier::driverOf(const std::string & car)
+std::function<void(const ros::Time &)> LockstepBarrier::driverOf(const std::string & car)
 {
-  return [this, car] { noteCommand(car); };
+  return [this, car](const ros::Time & stamp) { noteCommand(car, stamp); };
 }
 
-void LockstepBarrier::noteCommand(const std::string & car)
+// A driver that was slow to start answers the first scan as often as it was repeated, also when time has gone on.
+void LockstepBarrier::noteCommand(const std::string & car, const ros::Time & stamp)
 {
-  surplus_[car] += hasAnswered(car) ? 1 : 0;
+  if (started_ && !stamp.isZero() && stamp <= first_) {
+    late_.insert(car);
+    return;
+  }
+  surplus_[car] += hasAnswered(car) && stamp.isZero() ? 1 : 0;
   ledger_.note(car, stamp_);
 }
 
-// A driver that was slow to start has answered a repeated scan twice. The second answer may have passed for that to the
-// next scan; one that was then a scan behind, and keeps only the newest, has left one out that nobody will answer.
+// Without a stamp such an answer may have passed for that to the next scan; a driver that was then a scan behind, and keeps
+// only the newest, has left one out that nobody will answer. And one whose stamps lag behind its scans is not late at all.
 void LockstepBarrier::takeSurplus()
 {
   for (const std::string & name : ledger_.missing(stamp_)) {
-    if (surplus_[name] > 0) {
-      ROS_WARN("lockstep: an answer of %s came too early and is taken for that to another scan", name.c_str());
+    if (surplus_[name] > 0 || late_.count(name) > 0) {
+      ROS_WARN("lockstep: an answer of %s came too early or late and is taken for that to another scan", name.c_str());
       surplus_[name] = 0;
       ledger_.note(name, stamp_);
     }
@@ -90,11 +97,12 @@ void LockstepBarrier::wait(const Hooks & hooks)
 void LockstepBarrier::waitForAnswers(const Hooks & hooks, const ros::WallTime & deadline)
 {
   const ros::WallTime start = ros::WallTime::now();
+  const ros::WallTime end_of_patience = start + ros::WallDuration(kStrayPatience * options_.timeout_sec);
   ros::WallTime next_repeat = start + kRepeatInterval;
   while (!ledger_.allDone(stamp_) && !hooks.interrupted()) {
     queue_.callAvailable(kRepeatInterval);
     const ros::WallTime now = ros::WallTime::now();
-    if (now > start + kStrayPatience) {
+    if (now > end_of_patience) {
       takeSurplus();
     }
     if (now > deadline && !ledger_.allDone(stamp_)) {

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -49,9 +50,9 @@ public:
 
   /// Answers count for the period that ends at `end`, the `number`-th, from now on. To be called before it is published.
   void open(SimTime end, std::int64_t number);
-  /// What is to be called whenever the driver of this car has sent a command. Nobody waits for it if it is not among the
-  /// participants.
-  std::function<void()> driverOf(const std::string & car);
+  /// What is to be called with its stamp, 0 if it has none, whenever the driver of this car has sent a command. Nobody waits
+  /// for it if it is not among the participants.
+  std::function<void(const ros::Time &)> driverOf(const std::string & car);
   bool hasAnswered(const std::string & participant) const;
   /// Blocks until everybody has answered and everything sent before has been handled, or interrupted() is true.
   /// @throws ParticipantSilent
@@ -61,7 +62,7 @@ public:
 
 private:
   void waitForAnswers(const Hooks & hooks, const ros::WallTime & deadline);
-  void noteCommand(const std::string & car);
+  void noteCommand(const std::string & car, const ros::Time & stamp);
   void takeSurplus();
   void settle();
   [[noreturn]] void fail() const;
@@ -71,7 +72,9 @@ private:
   sim2d_lockstep::InboxDrain drain_;
   sim2d_lockstep::DoneLedger ledger_;
   ros::Subscriber subscriber_;
-  std::map<std::string, int> surplus_;  // commands by car, beyond the one in each period
+  std::map<std::string, int> surplus_;  // commands without a stamp by car, beyond the one in each period
+  std::set<std::string> late_;          // cars with a command in this period that answers the first
+  ros::Time first_;                     // end of the first period
   ros::Time stamp_;
   std::int64_t number_{0};
   bool started_{false};

@@ -1,24 +1,33 @@
 """When the deputy lets a period be over, and whom it finds not to fit lockstep."""
 
-import itertools
 import subprocess
 import sys
+import time
 
 import pytest
 from f1tenth_scenarios.drivers import deputy
 from f1tenth_scenarios.drivers.deputy import Deputy
 from f1tenth_scenarios.errors import MisfitError
 
+PATIENCE = 1.0  # s
 MARK = "F1TENTH_TEST_DRIVER=robot1 of a test"
 IDLE = "print('ready', flush=True); import time; time.sleep(600)"
+LOADING = """
+import time
+print('ready', flush=True)
+end = time.monotonic() + 0.5
+while time.monotonic() < end: pass
+time.sleep(600)
+"""
 BUSY = "print('ready', flush=True)\nwhile True: pass"
 
 
 class FakeWorld:
     """Notes what the deputy does; the driver sends commands as its script says: before rest, and after."""
 
-    def __init__(self, before=1, after=0):
+    def __init__(self, before=1, after=0, listens=True):
         self.done = []
+        self._listens = listens
         self._count, self._before, self._after = 0, before, after
         self._asked = 0
 
@@ -29,6 +38,9 @@ class FakeWorld:
         self._asked += 1
         self._count += self._before if self._asked % 2 else self._after
         return self._count
+
+    def has_listener(self):
+        return self._listens
 
     def publish_scans(self):
         self.done.append("scan")
@@ -43,7 +55,7 @@ class FakeWorld:
 @pytest.fixture
 def driver(monkeypatch):
     """Starts a process that plays the driver; everything in the deputy goes a little faster."""
-    for name, value in (("_PACE", 0.001), ("_CONNECTING", 0.001), ("_LOADING", 0.2)):
+    for name, value in (("_PACE", 0.001), ("_CONNECTING", 0.001), ("_LOADING", 0.2), ("_SPINNING", 0.1)):
         monkeypatch.setattr(deputy, name, value)
     running = []
 
@@ -65,14 +77,14 @@ def driver(monkeypatch):
 def test_scan_comes_before_the_time(driver):
     driver()
     world = FakeWorld()
-    Deputy(world, MARK).act("now")
+    Deputy(world, MARK, PATIENCE).act("now")
     assert world.done == ["scan", "now"]
 
 
 def test_driver_that_fits_has_started_up_after_some_periods(driver):
     driver()
     world = FakeWorld()
-    one = Deputy(world, MARK)
+    one = Deputy(world, MARK, PATIENCE)
     for period in range(40):
         one.act(period)
     assert world.done[-2:] == ["scan", 39]
@@ -80,7 +92,7 @@ def test_driver_that_fits_has_started_up_after_some_periods(driver):
 
 def test_who_sends_commands_while_time_stands_still_does_not_fit(driver):
     driver()
-    one = Deputy(FakeWorld(before=0, after=1), MARK)
+    one = Deputy(FakeWorld(before=0, after=1), MARK, PATIENCE)
     one.act(0)
     one.act(1)
     with pytest.raises(MisfitError, match="by the wall clock, while simulated time stands still"):
@@ -90,28 +102,45 @@ def test_who_sends_commands_while_time_stands_still_does_not_fit(driver):
 def test_who_never_rests_does_not_fit_once_it_sends_commands(driver):
     driver(BUSY)
     with pytest.raises(MisfitError, match="its threads do not come to rest within 0.2 s"):
-        Deputy(FakeWorld(), MARK).act("now")
+        Deputy(FakeWorld(), MARK, PATIENCE).act("now")
 
 
-def test_who_never_rests_may_still_be_loading(driver):
+def test_who_never_rests_gets_a_scan_but_no_time(driver):
     driver(BUSY)
     world = FakeWorld(before=0)
-    Deputy(world, MARK).act("now")
-    assert world.done == ["scan", "now"]
+    with pytest.raises(MisfitError, match="its threads do not come to rest within 1 s"):
+        Deputy(world, MARK, PATIENCE).act("now")
+    assert world.done == ["scan"]
 
 
-def test_a_period_waits_once_for_who_is_loading(driver):
+def test_no_scan_is_lost_on_who_has_not_subscribed_yet(driver):
     driver(BUSY)
-    seconds = itertools.count()
-    Deputy(FakeWorld(before=0), MARK, clock=lambda: next(seconds) * 0.01).act("now")
-    assert next(seconds) * 0.01 < 1.5 * deputy._LOADING
+    world = FakeWorld(before=0, listens=False)
+    with pytest.raises(MisfitError):
+        Deputy(world, MARK, PATIENCE).act("now")
+    assert world.done == []
+
+
+def test_time_waits_for_who_loads_long(driver):
+    driver(LOADING)
+    world = FakeWorld(before=0, listens=False)
+    began = time.monotonic()
+    Deputy(world, MARK, 30.0).act("now")
+    assert world.done == ["scan", "now"]
+    assert time.monotonic() - began > deputy._LOADING
+
+
+def test_who_has_loaded_long_may_answer_just_before_it_rests(driver, monkeypatch):
+    monkeypatch.setattr(deputy, "_SPINNING", 5.0)
+    driver(LOADING)
+    Deputy(FakeWorld(), MARK, 30.0).act("now")
 
 
 def test_time_stands_still_once_when_a_process_has_ended(driver):
     slept = []
     driver()
     victim = driver()
-    one = Deputy(FakeWorld(), MARK, sleep=slept.append)
+    one = Deputy(FakeWorld(), MARK, PATIENCE, sleep=slept.append)
     one.act(0)
     victim.kill()
     victim.wait()

@@ -21,7 +21,8 @@ EXIT_MISFIT = 4  # exit code of a deputy whose driver does not fit
 # While the driver starts up:
 _PACE = 0.025  # wall s per period at least: who waits by the wall clock is not overtaken
 _CONNECTING = 0.3  # wall s, for a new connection to come about; roscpp looks for them every 0.1 s
-_LOADING = 4.0  # wall s of a period without rest, after which time goes on all the same
+_LOADING = 4.0  # wall s of a period without rest, after which it gets its scan all the same: who spins may wait for one
+_SPINNING = 1.0  # wall s without rest after a command, when it has had those: it spins
 _STEADY_PERIODS = 20  # with commands and without a new connection, after which it has started up
 _LATE_COMMANDS = 3  # in these periods, sent by somebody at rest: more are no accident
 
@@ -34,6 +35,9 @@ class World(Protocol):
 
     def commands(self) -> int:
         """How many commands the driver has sent so far."""
+
+    def has_listener(self) -> bool:
+        """Whether somebody would get a scan."""
 
     def publish_scans(self) -> None:
         """Pass on the scans that have come since; everything is sent when it returns."""
@@ -52,12 +56,20 @@ class Deputy:
         self,
         world: World,
         mark: str,
+        patience: float,
         clock: Callable[[], float] = time.monotonic,
         sleep: Callable[[float], None] = time.sleep,
     ):
-        """`mark`: NAME=VALUE in the environment of the driver's processes; `clock`, `sleep`: wall time, s."""
+        """What it waits for, and how long.
+
+        Args:
+            mark: NAME=VALUE in the environment of the driver's processes.
+            patience: within which the driver must come to rest in a period while it starts up; wall s.
+            clock, sleep: wall time, s.
+        """
         self._world = world
         self._mark = mark
+        self._patience = patience
         self._clock = clock
         self._sleep = sleep
         self._began = clock()  # the current period
@@ -72,10 +84,11 @@ class Deputy:
         """Let the driver handle a period; returns when it has.
 
         Raises:
-            MisfitError: while it starts up, the driver shows that it does not go by simulated time.
+            MisfitError: while it starts up, the driver shows that it does not go by simulated time, or does not
+                come to rest.
         """
         self._began = self._clock()
-        self._settle()
+        self._settle(is_enough=self._world.has_listener)
         self._world.publish_scans()
         self._settle()
         self._world.publish_clock(stamp)
@@ -91,12 +104,17 @@ class Deputy:
         self._pids -= self._ended
         self._ended.clear()
 
-    def _settle(self) -> None:
-        """Wait until the driver is at rest; while it starts up, only for some time in each period."""
+    def _settle(self, is_enough: Callable[[], bool] = lambda: False) -> None:
+        """Wait until the driver is at rest; or, while it starts up, for some time if that is enough."""
         while not self._is_at_rest() and not self._world.is_over():
-            if self._start and self._clock() - self._began > _LOADING:
-                self._start.note_restless(self._world.commands())
-                return
+            if self._start:
+                now = self._clock()
+                is_loading = now - self._began <= _LOADING
+                self._start.check_restless(self._world.commands(), now, is_loading)
+                if now - self._began > self._patience:
+                    raise MisfitError(f"its threads do not come to rest within {self._patience:g} s")
+                if not is_loading and is_enough():
+                    return
             self._sleep(_LOOK_INTERVAL)
 
     def _is_at_rest(self) -> bool:
@@ -133,11 +151,20 @@ class _Start:
         self.connections: object = None
         self.steady_periods = 0  # with commands, and without a new connection
         self._commands = 0
+        self._sending_since: Optional[float] = None  # wall s, in the current period
         self._late = 0
 
-    def note_restless(self, commands: int) -> None:
-        """The driver did not come to rest; it may still be loading, unless it sends commands."""
-        if commands > self._commands:
+    def check_restless(self, commands: int, now: float, is_loading: bool) -> None:
+        """The driver is not at rest; how many commands there are, and the wall time (s).
+
+        Raises:
+            MisfitError: it has had its time to load, and does not rest though it sends commands.
+        """
+        if commands == self._commands:
+            self._sending_since = None
+        elif self._sending_since is None:
+            self._sending_since = now
+        elif not is_loading and now - self._sending_since > _SPINNING:
             raise MisfitError(f"it sends commands, but its threads do not come to rest within {_LOADING:g} s")
 
     def note(self, at_rest: int, later: int) -> None:

@@ -40,6 +40,7 @@ _F1TENTH_OWN = {
     "/odom": "perfect_odom",
     "/ego_racecar/odom": "perfect_odom",
 }
+_PATIENCE = 0.8  # of limits.answer: a deputy must say what it found before it is given up itself
 _F1TENTH_OPPONENT = {"/opp_scan": "scan", "/opp_drive": "drive", "/opp_racecar/odom": "perfect_odom"}
 
 
@@ -100,6 +101,7 @@ def _car_arguments(plan: Plan, car: Car) -> dict[str, Any]:
         "yaw": start.yaw,
         "lockstep": plan.scenario.lockstep,
         "driver_mark": "=".join(_driver_mark(plan, car)) if has_deputy(plan, car.name) else "",
+        "driver_patience": _PATIENCE * plan.scenario.limits.answer,
         "scan_topic": input_topics(plan, car)[Input.SCAN],
         "planner": driver_participants(plan, car.name)[0],
         "vehicle": plan.vehicle_file(car.name) if _vehicle(car) else "",

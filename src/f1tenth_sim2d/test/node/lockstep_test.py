@@ -71,7 +71,7 @@ class StumblingDriver:
 
 
 class StampingDriver:
-    """Stamps its answers, each a period late if it lags; the second scan gets one to the first before its own."""
+    """Stamps its answers, a period late if it lags; if not, it answers the first scan after the second."""
 
     def __init__(self, lag=0):
         self._lag = lag

@@ -21,7 +21,7 @@ EXIT_MISFIT = 4  # exit code of a deputy whose driver does not fit
 # While the driver starts up:
 _PACE = 0.025  # wall s per period at least: who waits by the wall clock is not overtaken
 _CONNECTING = 0.3  # wall s, for a new connection to come about; roscpp looks for them every 0.1 s
-_LOADING = 4.0  # wall s of a period without rest, after which it gets its scan all the same: who spins may wait for one
+_LOADING = 4.0  # wall s of a period without rest, after which it gets its scan: who spins may wait for it
 _SPINNING = 1.0  # wall s without rest after a command, when it has had those: it spins
 _STEADY_PERIODS = 20  # with commands and without a new connection, after which it has started up
 _LATE_COMMANDS = 3  # in these periods, sent by somebody at rest: more are no accident
@@ -84,8 +84,7 @@ class Deputy:
         """Let the driver handle a period; returns when it has.
 
         Raises:
-            MisfitError: while it starts up, the driver shows that it does not go by simulated time, or does not
-                come to rest.
+            MisfitError: while it starts up, the driver does not come to rest, or not go by simulated time.
         """
         self._began = self._clock()
         self._settle(is_enough=self._world.has_listener)

@@ -5,6 +5,12 @@ from setuptools import setup
 
 setup(
     **generate_distutils_setup(
-        packages=["f1tenth_studies", "f1tenth_studies.faults"], package_dir={"": "src"}
+        packages=[
+            "f1tenth_studies",
+            "f1tenth_studies.faults",
+            "f1tenth_studies.optimum",
+            "f1tenth_studies.studies",
+        ],
+        package_dir={"": "src"},
     )
 )

@@ -7,9 +7,9 @@ import pytest
 import yaml
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.results.reference_laps import reference_laps_file
-from f1tenth_studies.car_limits import GRAVITY, Limits, read_limits
-from f1tenth_studies.fastest_lap import compute_fastest_lap, write_raceline
-from f1tenth_studies.track import SPACING, circuits, load_track
+from f1tenth_studies.optimum.car_limits import GRAVITY, Limits, read_limits
+from f1tenth_studies.optimum.fastest_lap import compute_fastest_lap, write_raceline
+from f1tenth_studies.optimum.track import SPACING, circuits, load_track
 
 from f1tenth_studies import cli
 

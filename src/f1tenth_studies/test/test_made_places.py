@@ -7,10 +7,11 @@ import pytest
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan.planning import make_plan
 from f1tenth_scenarios.road.course import Course, read_course
+from f1tenth_studies.studies import encounters, tracks
 from PIL import Image
 
 from f1tenth_scenarios import places
-from f1tenth_studies import cli, encounters, made_places, tracks
+from f1tenth_studies import cli, made_places
 
 SCENARIO = places.package_path(cli.PACKAGE) / "scenarios" / "unseen_road.yaml"
 SQUARE = np.array([(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)])

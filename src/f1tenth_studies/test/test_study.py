@@ -11,12 +11,13 @@ from f1tenth_scenarios.batch import jobs
 from f1tenth_scenarios.plan.planning import make_plan
 from f1tenth_scenarios.record.record import CarTrack
 from f1tenth_scenarios.scenario.settings import parse_variation
+from f1tenth_studies.optimum.track import circuits
+from f1tenth_studies.studies import localization, passing, race_pace, safety
 from f1tenth_studies.study import Run
 from f1tenth_studies.table import table
-from f1tenth_studies.track import circuits
 
 from f1tenth_scenarios import places
-from f1tenth_studies import cli, localization, passing, race_pace, safety
+from f1tenth_studies import cli
 
 # Leaves the result that is beside it, for every run; `seed=13` fails.
 PROGRAM = """
@@ -57,7 +58,7 @@ def program(tmp_path, monkeypatch):
 @pytest.mark.parametrize("name", cli.STUDIES)
 @pytest.mark.parametrize("world", ["circuit1", "circuit5"])
 def test_the_scenario_of_a_study_is_one_on_every_circuit(name, world):
-    study = importlib.import_module(f"{cli.PACKAGE}.{name}").STUDY
+    study = importlib.import_module(f"{cli.PACKAGE}.studies.{name}").STUDY
     file = places.package_path(cli.PACKAGE) / "scenarios" / f"{study.scenario}.yaml"
     plan = make_plan(str(file), settings=[f"world={world}"])
     assert plan.goals_file("robot1").stem == world

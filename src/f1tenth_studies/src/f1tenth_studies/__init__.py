@@ -1,1 +1,1 @@
-"""Tables made from many runs: race pace, localization, passing."""
+"""Tables made from many runs."""

@@ -13,11 +13,11 @@ from f1tenth_scenarios.results.reference_laps import reference_laps_text
 from f1tenth_scenarios.stop_request import StopRequest
 
 from f1tenth_scenarios import places
-from f1tenth_studies.car_limits import CLEARANCE, read_limits
-from f1tenth_studies.fastest_lap import FastestLap, compute_fastest_lap, write_raceline
+from f1tenth_studies.optimum.car_limits import CLEARANCE, read_limits
+from f1tenth_studies.optimum.fastest_lap import FastestLap, compute_fastest_lap, write_raceline
+from f1tenth_studies.optimum.track import circuits, load_track
 from f1tenth_studies.study import Run, Study, place_of
 from f1tenth_studies.table import document
-from f1tenth_studies.track import circuits, load_track
 
 PACKAGE = "f1tenth_studies"
 STUDIES = ("race_pace", "localization", "passing", "encounters", "rivals", "safety", "roads", "tracks")
@@ -66,7 +66,7 @@ def _guarded(program: str, action: Callable, options) -> int:
 
 
 def _study(options) -> int:
-    study = importlib.import_module(f"{PACKAGE}.{options.name}").STUDY
+    study = importlib.import_module(f"{PACKAGE}.studies.{options.name}").STUDY
     own = dict(text.partition("=")[::2] for text in options.vary)
     scenario = places.package_path(PACKAGE) / "scenarios" / f"{study.scenario}.yaml"
     results = (options.results or places.results_root()).resolve()

@@ -4,11 +4,11 @@ import functools
 from collections.abc import Mapping
 from pathlib import Path
 
-from f1tenth_studies.car_limits import read_limits
-from f1tenth_studies.fastest_lap import compute_fastest_lap
 from f1tenth_studies.made_places import data_folder
+from f1tenth_studies.optimum.car_limits import read_limits
+from f1tenth_studies.optimum.fastest_lap import compute_fastest_lap
+from f1tenth_studies.optimum.track import circuits, load_track
 from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Run, Study, place_of
-from f1tenth_studies.track import circuits, load_track
 
 GREATEST_RATIO = 1.35
 LEAST_CLEARANCE = 0.05  # m

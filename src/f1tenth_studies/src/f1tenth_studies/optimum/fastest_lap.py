@@ -11,8 +11,8 @@ import numpy as np
 import trajectory_planning_helpers as tph
 from f1tenth_scenarios.errors import ScenarioError
 
-from f1tenth_studies.car_limits import GRAVITY, Limits
-from f1tenth_studies.track import resampled
+from f1tenth_studies.optimum.car_limits import GRAVITY, Limits
+from f1tenth_studies.optimum.track import resampled
 
 _LINE_SPACING = 0.05  # m, between points of the race line
 _ROUNDS = 5  # each takes the line before as its reference, because curvature is linearised around that

@@ -10,8 +10,8 @@ from f1tenth_scenarios.road.course import Course
 
 from f1tenth_scenarios import places
 from f1tenth_studies.made_places import seeds, track_map, track_names, with_worlds, write_place
+from f1tenth_studies.optimum.track import circuits, load_track
 from f1tenth_studies.study import Column, Run, Study, place_of
-from f1tenth_studies.track import circuits, load_track
 
 LEAST_CLEARANCE = 0.08  # m
 _KEY = "encounter"

@@ -2,8 +2,8 @@
 
 import math
 
+from f1tenth_studies.optimum.track import circuits
 from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Run, Study, slowest
-from f1tenth_studies.track import circuits
 
 
 def _text() -> str:

@@ -3,8 +3,8 @@
 import numpy as np
 from f1tenth_scenarios.record.record import CarTrack
 
+from f1tenth_studies.optimum.track import circuits, load_track
 from f1tenth_studies.study import CONTACTS, Column, Run, Study, slowest
-from f1tenth_studies.track import circuits, load_track
 
 # A car that drives no faster than this is clearly slower, and must be passed; m/s.
 CLEARLY_SLOWER = 1.5

@@ -1,0 +1,1 @@
+"""The fastest lap that is possible."""

@@ -1,0 +1,1 @@
+"""The studies: values to sweep, columns, and what is good enough."""

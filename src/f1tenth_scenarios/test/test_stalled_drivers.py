@@ -23,7 +23,7 @@ SCENARIO = {
         {"name": "robot1", "driver": {"launch": str(PLANNER), "interface": "f1tenth"}, "laps": 1},
         {"name": "robot2", "start": {"x": 3.0, "y": 0.0}, "driver": "pursuit", "speed_max": 1.2},
     ],
-    "limits": {"timeout": 5.0},
+    "limits": {"timeout": 5.0, "answer": 60.0},
     "expected": "timeout",
     "seed": 1,
 }

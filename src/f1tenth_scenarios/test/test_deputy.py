@@ -55,8 +55,8 @@ class FakeWorld:
 @pytest.fixture
 def driver(monkeypatch):
     """Starts a process that plays the driver; everything in the deputy goes a little faster."""
-    for name, value in (("_PACE", 0.001), ("_CONNECTING", 0.001), ("_LOADING", 0.2), ("_SPINNING", 0.1)):
-        monkeypatch.setattr(deputy, name, value)
+    for name in ("_PACE", "_CONNECTING"):
+        monkeypatch.setattr(deputy, name, 0.001)
     running = []
 
     def start(program=IDLE):
@@ -72,6 +72,13 @@ def driver(monkeypatch):
     for process in running:
         process.kill()
         process.communicate()
+
+
+@pytest.fixture
+def hurried(monkeypatch):
+    """The deputy gives a driver less time to load."""
+    monkeypatch.setattr(deputy, "_LOADING", 0.2)
+    monkeypatch.setattr(deputy, "_SPINNING", 0.1)
 
 
 def test_scan_comes_before_the_time(driver):
@@ -99,13 +106,13 @@ def test_who_sends_commands_while_time_stands_still_does_not_fit(driver):
         one.act(2)
 
 
-def test_who_never_rests_does_not_fit_once_it_sends_commands(driver):
+def test_who_never_rests_does_not_fit_once_it_sends_commands(driver, hurried):
     driver(BUSY)
     with pytest.raises(MisfitError, match="its threads do not come to rest within 0.2 s"):
         Deputy(FakeWorld(), MARK, PATIENCE).act("now")
 
 
-def test_who_never_rests_gets_a_scan_but_no_time(driver):
+def test_who_never_rests_gets_a_scan_but_no_time(driver, hurried):
     driver(BUSY)
     world = FakeWorld(before=0)
     with pytest.raises(MisfitError, match="its threads do not come to rest within 1 s"):
@@ -113,7 +120,7 @@ def test_who_never_rests_gets_a_scan_but_no_time(driver):
     assert world.done == ["scan"]
 
 
-def test_no_scan_is_lost_on_who_has_not_subscribed_yet(driver):
+def test_no_scan_is_lost_on_who_has_not_subscribed_yet(driver, hurried):
     driver(BUSY)
     world = FakeWorld(before=0, listens=False)
     with pytest.raises(MisfitError):
@@ -121,7 +128,7 @@ def test_no_scan_is_lost_on_who_has_not_subscribed_yet(driver):
     assert world.done == []
 
 
-def test_time_waits_for_who_loads_long(driver):
+def test_time_waits_for_who_loads_long(driver, hurried):
     driver(LOADING)
     world = FakeWorld(before=0, listens=False)
     began = time.monotonic()
@@ -130,7 +137,7 @@ def test_time_waits_for_who_loads_long(driver):
     assert time.monotonic() - began > deputy._LOADING
 
 
-def test_who_has_loaded_long_may_answer_just_before_it_rests(driver, monkeypatch):
+def test_who_has_loaded_long_may_answer_just_before_it_rests(driver, hurried, monkeypatch):
     monkeypatch.setattr(deputy, "_SPINNING", 5.0)
     driver(LOADING)
     Deputy(FakeWorld(), MARK, 30.0).act("now")

@@ -106,13 +106,12 @@ class Deputy:
     def _settle(self, is_enough: Callable[[], bool] = lambda: False) -> None:
         """Wait until the driver is at rest; or, while it starts up, for some time if that is enough."""
         while not self._is_at_rest() and not self._world.is_over():
-            if self._start:
-                now = self._clock()
-                is_loading = now - self._began <= _LOADING
-                self._start.check_restless(self._world.commands(), now, is_loading)
-                if now - self._began > self._patience:
+            waited = self._clock() - self._began
+            if self._start and waited > _LOADING:
+                self._start.check_restless(self._world.commands(), waited)
+                if waited > self._patience:
                     raise MisfitError(f"its threads do not come to rest within {self._patience:g} s")
-                if not is_loading and is_enough():
+                if is_enough():
                     return
             self._sleep(_LOOK_INTERVAL)
 
@@ -150,20 +149,22 @@ class _Start:
         self.connections: object = None
         self.steady_periods = 0  # with commands, and without a new connection
         self._commands = 0
-        self._sending_since: Optional[float] = None  # wall s, in the current period
+        self._sending_since: Optional[float] = None  # s in the current period, without rest
         self._late = 0
 
-    def check_restless(self, commands: int, now: float, is_loading: bool) -> None:
-        """The driver is not at rest; how many commands there are, and the wall time (s).
+    def check_restless(self, commands: int, waited: float) -> None:
+        """The driver has had its time to load, and is not at rest.
+
+        Args:
+            commands: how many there were so far.
+            waited: in this period, s.
 
         Raises:
-            MisfitError: it has had its time to load, and does not rest though it sends commands.
+            MisfitError: it does not rest though it sends commands.
         """
-        if commands == self._commands:
-            self._sending_since = None
-        elif self._sending_since is None:
-            self._sending_since = now
-        elif not is_loading and now - self._sending_since > _SPINNING:
+        if commands > self._commands and self._sending_since is None:
+            self._sending_since = waited
+        if self._sending_since is not None and waited - self._sending_since > _SPINNING:
             raise MisfitError(f"it sends commands, but its threads do not come to rest within {_LOADING:g} s")
 
     def note(self, at_rest: int, later: int) -> None:
@@ -171,7 +172,7 @@ class _Start:
         self._late += later - at_rest
         if self._late >= _LATE_COMMANDS:
             raise MisfitError("it sends commands by the wall clock, while simulated time stands still")
-        self._commands = later
+        self._commands, self._sending_since = later, None
         self.steady_periods += bool(later)
 
     @property

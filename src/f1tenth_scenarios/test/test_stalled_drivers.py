@@ -1,4 +1,4 @@
-"""Drivers whose processes are stopped for seconds, as on a machine that is overloaded: the run is the same."""
+"""Drivers whose processes stand still for seconds, as on a busy machine: the run is the same."""
 
 import json
 import os

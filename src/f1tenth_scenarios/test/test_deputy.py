@@ -1,5 +1,8 @@
 """When the deputy lets a period be over, and whom it finds not to fit lockstep."""
 
+import contextlib
+import os
+import signal
 import subprocess
 import sys
 import time
@@ -19,6 +22,12 @@ end = time.monotonic() + 0.5
 while time.monotonic() < end: pass
 time.sleep(600)
 """
+STARTING = """
+import subprocess, sys
+print('ready', flush=True)
+sys.stdin.readline()
+subprocess.run([sys.executable, '-c', 'while True: pass'])
+"""
 BUSY = "print('ready', flush=True)\nwhile True: pass"
 
 
@@ -27,12 +36,21 @@ class FakeWorld:
 
     def __init__(self, before=1, after=0, listens=True):
         self.done = []
+        self.helper = 0
+        self.looks = [set()]  # at the connections that are missing; the last one stays
+        self.states = ["steady"]  # of the connections, as long; the last one stays
         self._listens = listens
         self._count, self._before, self._after = 0, before, after
         self._asked = 0
 
+    def helpers(self):
+        return [self.helper] if self.helper else []
+
     def connections(self):
-        return "steady"
+        return self.states.pop(0) if self.states[1:] else self.states[0]
+
+    def missing(self):
+        return self.looks.pop(0) if self.looks[1:] else self.looks[0]
 
     def commands(self):
         self._asked += 1
@@ -55,14 +73,19 @@ class FakeWorld:
 @pytest.fixture
 def driver(monkeypatch):
     """Starts a process that plays the driver; everything in the deputy goes a little faster."""
-    for name in ("_PACE", "_CONNECTING"):
+    for name in ("_PACE", "_CONNECTING", "_CONNECTION_INTERVAL"):
         monkeypatch.setattr(deputy, name, 0.001)
     running = []
 
     def start(program=IDLE):
         name, _, value = MARK.partition("=")
         process = subprocess.Popen(
-            [sys.executable, "-c", program], env={name: value}, stdout=subprocess.PIPE, text=True
+            [sys.executable, "-c", program],
+            env={name: value},
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            start_new_session=True,
         )
         running.append(process)
         process.stdout.readline()
@@ -70,7 +93,8 @@ def driver(monkeypatch):
 
     yield start
     for process in running:
-        process.kill()
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
         process.communicate()
 
 
@@ -86,6 +110,65 @@ def test_scan_comes_before_the_time(driver):
     world = FakeWorld()
     Deputy(world, MARK, PATIENCE).act("now")
     assert world.done == ["scan", "now"]
+
+
+def test_nothing_comes_before_all_have_loaded_and_connected(driver, hurried):
+    driver(LOADING)
+    world = FakeWorld(before=0, listens=False)
+    world.states = ["none", "one", "two"]
+    one_is_missing = {("topic", "publisher", "subscriber")}
+    world.looks = [one_is_missing, one_is_missing, set()]
+    began = time.monotonic()
+    Deputy(world, MARK, 30.0).begin()
+    assert time.monotonic() - began > deputy._LOADING
+    assert (world.done, world.states, world.looks) == ([], ["two"], [set()])
+
+
+def test_connection_that_never_comes_about_is_waited_for_once(driver, monkeypatch):
+    monkeypatch.setattr(deputy, "_UNCONNECTED", 0.2)
+    driver()
+    world = FakeWorld()
+    world.looks = [{("topic", "publisher", "subscriber")}]
+    one = Deputy(world, MARK, 30.0)
+    one.begin()
+    world.states = ["other"]
+    began = time.monotonic()
+    one.act(0)
+    assert time.monotonic() - began < deputy._UNCONNECTED
+
+
+def test_who_waits_for_the_master_is_not_at_rest(driver, hurried):
+    driver()
+    world = FakeWorld(before=0)
+    world.helper = driver(LOADING).pid
+    began = time.monotonic()
+    Deputy(world, MARK, 30.0).begin()
+    assert time.monotonic() - began > deputy._LOADING
+
+
+def test_who_waits_for_a_process_just_started_is_not_at_rest(driver, hurried, monkeypatch):
+    monkeypatch.setattr(deputy, "_SEARCH_INTERVAL", 1e6)
+    process = driver(STARTING)
+    world = FakeWorld(before=0, listens=False)
+    one = Deputy(world, MARK, PATIENCE)
+    one.begin()
+    process.stdin.write("start\n")
+    process.stdin.flush()
+    time.sleep(0.1)
+    with pytest.raises(MisfitError, match="do not come to rest"):
+        one.act(0)
+
+
+def test_who_spins_is_not_given_more_time_for_it_twice(driver, hurried):
+    driver(BUSY)
+    world = FakeWorld(before=0)
+    one = Deputy(world, MARK, PATIENCE)
+    began = time.monotonic()
+    one.begin()
+    with pytest.raises(MisfitError):
+        one.act(0)
+    assert time.monotonic() - began < PATIENCE + deputy._LOADING
+    assert world.done == ["scan"]
 
 
 def test_driver_that_fits_has_started_up_after_some_periods(driver):

@@ -1,6 +1,7 @@
 """Planners as people write them, none made for lockstep: each has a verdict on a circuit and on two tracks.
 
-A loop with a rate that sleeps first, callbacks that answer every second scan, and two nodes with a timer.
+A loop with a rate that sleeps first, callbacks that answer every second scan, and two nodes with a timer; and
+who waits for the simulated time as roscpp does.
 """
 
 import json
@@ -34,13 +35,13 @@ def planner(name, course, folder):
     return {"launch": str(PLANNERS / f"{name}.launch"), **DRIVERS[name], **arguments}
 
 
-def scenario(folder, world, car):
+def scenario(folder, world, car, timeout=90.0, expected="success"):
     description = {
         "description": "A planner that knows nothing of lockstep.",
         "world": str(world),
         "cars": [{"name": "robot1", **car}],
-        "limits": {"timeout": 90.0},
-        "expected": "success",
+        "limits": {"timeout": timeout},
+        "expected": expected,
         # A planner that looks for room does not keep to the middle.
         "criteria": {"goal_tolerance": 1.5},
         "seed": 1,
@@ -61,12 +62,12 @@ def line_of(course, folder):
     return str(file)
 
 
-def verdict(file, folder):
+def verdict(file, folder, expected="success"):
     command = [sys.executable, "-m", "f1tenth_scenarios", "run", str(file), "--results", str(folder)]
     done = subprocess.run(command, capture_output=True, text=True, timeout=3 * PATIENCE)
     result = json.loads((folder / file.stem / "result.json").read_text(encoding="utf-8"))
     assert result["lockstep"], result["note"]
-    assert result["verdict"] == "success", done.stdout
+    assert result["verdict"] == expected, done.stdout
     assert done.returncode == 0
     return result
 
@@ -90,3 +91,11 @@ def test_it_drives_along_a_track(tmp_path, name, track):
     car = {"driver": planner(name, course, tmp_path), "goals": str(goals)}
     result = verdict(scenario(tmp_path, world, car), tmp_path)
     assert len(result["cars"]["robot1"]["goals_passed"]) == GOALS
+
+
+@pytest.mark.parametrize("how", ["rate", "timer"])
+def test_who_polls_the_time_drives_the_same_again(tmp_path, how):
+    car = {"driver": {"launch": str(PLANNERS / "polling.launch"), "arguments": {"how": how}}, "laps": 1}
+    file = scenario(tmp_path, "circuit5", car, timeout=3.0, expected="timeout")
+    results = [verdict(file, tmp_path / str(run), expected="timeout") for run in range(3)]
+    assert len({each["trajectory_hash"] for each in results}) == 1

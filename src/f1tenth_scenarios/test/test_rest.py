@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 import threading
+import time
 
 import pytest
 from f1tenth_scenarios.drivers.rest import Rest, marked_processes
@@ -22,6 +23,30 @@ print("ready", flush=True)
 for line in sys.stdin:
     inbox.put(int(line))
 """
+# Answers each line, but sleeps for a moment before, as rospy does between two subscribers.
+NAPPER = """
+import sys, time
+print("ready", flush=True)
+for line in sys.stdin:
+    time.sleep(0.002)
+    print(sum(range(int(line))), flush=True)
+"""
+# Looks every millisecond whether there is a line, as a ros::Rate and a ros::Timer look at simulated time.
+POLLER = """
+import queue, sys, threading, time
+inbox, never = queue.SimpleQueue(), threading.Condition()
+def work():
+    while True:
+        {wait}
+        while not inbox.empty():
+            print(sum(range(inbox.get())), flush=True)
+threading.Thread(target=work, daemon=True).start()
+print("ready", flush=True)
+for line in sys.stdin:
+    inbox.put(int(line))
+"""
+LIKE_A_RATE = POLLER.format(wait="time.sleep(0.001)")
+LIKE_A_TIMER = POLLER.format(wait="\n        with never: never.wait(0.001)")
 
 
 @pytest.fixture
@@ -58,15 +83,25 @@ def test_processes_are_found_by_their_mark_with_those_that_they_started(start):
     os.kill(next(iter(marked_processes("COLOUR=red 77") - {other.pid})), 9)
 
 
-def test_answer_is_there_whenever_rest_is_reached(start):
-    worker = start(WORKER)
+def learn(rest, pid):
+    """Who polls, from a moment without anything to do."""
+    before, began = rest.counts([pid]), time.monotonic()
+    time.sleep(0.1)
+    rest.learn(before, rest.counts([pid]), time.monotonic() - began)
+
+
+@pytest.mark.parametrize("program", [WORKER, NAPPER, LIKE_A_RATE, LIKE_A_TIMER])
+def test_answer_is_there_whenever_rest_is_reached(start, program):
+    worker = start(program)
     assert worker.stdout.readline() == "ready\n"
     os.set_blocking(worker.stdout.fileno(), False)
     rest = Rest()
+    learn(rest, worker.pid)
     for count in range(1, 200):
         worker.stdin.write(f"{count * 1000}\n")
         worker.stdin.flush()
-        wait_for(lambda: rest.is_reached([worker.pid]))
+        rest.renew()
+        assert wait_for(lambda: rest.is_reached([worker.pid]))
         assert worker.stdout.readline() == f"{sum(range(count * 1000))}\n"
 
 
@@ -75,6 +110,15 @@ def test_who_computes_is_not_at_rest(start):
     busy.stdout.readline()
     rest = Rest()
     assert not any(rest.is_reached([busy.pid]) for _ in range(100))
+
+
+def test_who_sleeps_for_long_is_at_rest(start):
+    sleeper = start("import time\nprint('ready', flush=True)\nwhile True: time.sleep(600)")
+    sleeper.stdout.readline()
+    rest = Rest()
+    assert wait_for(lambda: rest.is_reached([sleeper.pid]))
+    rest.renew()
+    assert rest.is_reached([sleeper.pid])
 
 
 def test_who_has_ended_is_at_rest(start):

@@ -66,6 +66,7 @@ def test_launch_file_hands_the_scenario_to_the_simulator(plan):
     assert parameters["/sim2d/participants"] == participants(plan)
     assert parameters["/sim2d/lockstep"] is plan.scenario.lockstep
     assert parameters["/sim2d/lockstep_timeout"] == plan.scenario.limits.answer
+    assert parameters["/sim2d/lockstep_startup_timeout"] == 60.0 + plan.scenario.limits.answer
     assert parameters["/sim2d/seed"] == plan.scenario.seed
     assert parameters["/sim2d/record"] == str(plan.record_file)
     assert parameters["/sim2d/result_file"] == str(plan.simulator_result_file)

@@ -15,12 +15,14 @@ from f1tenth_scenarios.drivers.rest import Rest, has_ended, marked_processes
 from f1tenth_scenarios.errors import MisfitError
 
 _LOOK_INTERVAL = 2e-4  # wall s, between two looks at the threads
+_CONNECTION_INTERVAL = 0.01  # wall s, between two looks at its connections
 _SEARCH_INTERVAL = 0.25  # wall s, between two searches for processes
 _NOTICING = 0.5  # wall s, for which time stands still when a process has ended, so that the runner notices it
 EXIT_MISFIT = 4  # exit code of a deputy whose driver does not fit
 # While the driver starts up:
 _PACE = 0.025  # wall s per period at least: who waits by the wall clock is not overtaken
-_CONNECTING = 0.3  # wall s, for a new connection to come about; roscpp looks for them every 0.1 s
+_CONNECTING = 0.3  # wall s without a change at the master, after which nobody is about to connect
+_UNCONNECTED = 4.0  # wall s, after which a connection is given up: its ends differ in type, or one is gone
 _LOADING = 4.0  # wall s of a period without rest, after which it gets its scan: who spins may wait for it
 _SPINNING = 1.0  # wall s without rest after a command, when it has had those: it spins
 _STEADY_PERIODS = 20  # with commands and without a new connection, after which it has started up
@@ -30,8 +32,14 @@ _LATE_COMMANDS = 3  # in these periods, sent by somebody at rest: more are no ac
 class World(Protocol):
     """What the deputy sees and does in ROS."""
 
+    def helpers(self) -> list[int]:
+        """Processes whose answers the driver waits for while it starts up: they have to be at rest, too."""
+
     def connections(self) -> object:
         """Who publishes and subscribes what; equal as long as nothing has changed."""
+
+    def missing(self) -> set:
+        """The connections of the driver that should be there by now, and are not."""
 
     def commands(self) -> int:
         """How many commands the driver has sent so far."""
@@ -72,13 +80,25 @@ class Deputy:
         self._patience = patience
         self._clock = clock
         self._sleep = sleep
-        self._began = clock()  # the current period
+        self._began = clock()  # the current period, or the one since which there was no rest
+        self._is_restless = False  # whether the last wait has ended without rest
         self._own = os.getpid()
         self._rest = Rest(threading.get_native_id())
+        self._helpers = world.helpers()
         self._pids: set[int] = set()
         self._ended: set[int] = set()  # those of them that are gone, and not held for yet
         self._searched: Optional[float] = None
         self._start: Optional[_Start] = _Start()
+
+    def begin(self) -> None:
+        """Let the driver load and connect, before its first period; returns when it has, or spins.
+
+        Raises:
+            MisfitError: it does not come to rest.
+        """
+        self._settle(is_enough=self._world.has_listener)
+        if self._start and not self._is_restless:
+            self._let_connect(self._start)
 
     def act(self, stamp) -> None:
         """Let the driver handle a period; returns when it has.
@@ -86,7 +106,8 @@ class Deputy:
         Raises:
             MisfitError: while it starts up, the driver does not come to rest, or not go by simulated time.
         """
-        self._began = self._clock()
+        if not self._is_restless:
+            self._began = self._clock()
         self._settle(is_enough=self._world.has_listener)
         self._world.publish_scans()
         self._settle()
@@ -105,6 +126,8 @@ class Deputy:
 
     def _settle(self, is_enough: Callable[[], bool] = lambda: False) -> None:
         """Wait until the driver is at rest; or, while it starts up, for some time if that is enough."""
+        self._is_restless = False
+        self._rest.renew()
         while not self._is_at_rest() and not self._world.is_over():
             waited = self._clock() - self._began
             if self._start and waited > _LOADING:
@@ -112,34 +135,57 @@ class Deputy:
                 if waited > self._patience:
                     raise MisfitError(f"its threads do not come to rest within {self._patience:g} s")
                 if is_enough():
+                    self._is_restless = True
                     return
             self._sleep(_LOOK_INTERVAL)
 
     def _is_at_rest(self) -> bool:
         """Whether the driver is, and what it has sent to this process is noted."""
-        now = self._clock()
-        if self._searched is None or now - self._searched > _SEARCH_INTERVAL:
-            self._searched = now
-            before, self._pids = self._pids, marked_processes(self._mark)
-            self._ended |= before - self._pids
-        # Before the first process has been started there is nobody who could be at rest.
-        is_there = bool(self._pids) or self._start is None
-        return is_there and self._rest.is_reached([*self._pids, self._own])
+        if self._searched is None or self._clock() - self._searched > _SEARCH_INTERVAL:
+            self._search()
+        if self._start is None:
+            return self._rest.is_reached([*self._pids, self._own])
+        # Before the first process has been started there is nobody who could be at rest; and who waits for a
+        # process that it has just started is not.
+        everybody = [*self._pids, self._own, *self._helpers]
+        return bool(self._pids) and self._rest.is_reached(everybody) and not self._search()
+
+    def _search(self) -> bool:
+        """Look for the driver's processes; whether there are new ones."""
+        self._searched = self._clock()
+        before, self._pids = self._pids, marked_processes(self._mark)
+        self._ended |= before - self._pids
+        return not self._pids <= before
 
     def _watch_start(self, start: "_Start") -> None:
         at_rest = self._world.commands()
-        self._hold(start)
-        self._settle()
+        self._let_connect(start)
         start.note(at_rest, self._world.commands())
         if start.is_over:
             self._start = None
 
-    def _hold(self, start: "_Start") -> None:
+    def _let_connect(self, start: "_Start") -> None:
         """Keep the time from overtaking somebody who is about to connect, or waits by the wall clock."""
-        self._sleep(_PACE)
+        self._watch(_PACE)
+        self._settle()
         while (connections := self._world.connections()) != start.connections and not self._world.is_over():
             start.connections, start.steady_periods = connections, 0
+            self._await_connections(start)
             self._sleep(_CONNECTING)
+            self._settle()
+
+    def _watch(self, duration: float) -> None:
+        """Learn who polls, from what happens while nothing does."""
+        before, began = self._rest.counts(self._pids), self._clock()
+        self._sleep(duration)
+        self._rest.learn(before, self._rest.counts(self._pids), self._clock() - began)
+
+    def _await_connections(self, start: "_Start") -> None:
+        end = self._clock() + _UNCONNECTED
+        while (missing := self._world.missing() - start.unconnected) and not self._world.is_over():
+            if self._clock() > end:
+                start.unconnected |= missing
+            self._sleep(_CONNECTION_INTERVAL)
 
 
 class _Start:
@@ -147,6 +193,7 @@ class _Start:
 
     def __init__(self):
         self.connections: object = None
+        self.unconnected: set = set()  # connections that do not come about
         self.steady_periods = 0  # with commands, and without a new connection
         self._commands = 0
         self._sending_since: Optional[float] = None  # s in the current period, without rest

@@ -4,11 +4,24 @@ By what the kernel says of their threads (man 5 proc). A thread that is woken co
 moment on, so work that goes from hand to hand is never overlooked.
 """
 
+import dataclasses
+import math
 import os
-from collections.abc import Iterable, Iterator
+import threading
+import time
+from collections.abc import Callable, Iterable, Iterator
 from typing import Optional
 
+Thread = tuple[int, int]  # ids of the process and of the thread
+Switches = dict[Thread, bytes]  # how often each thread has been switched to: digits
+
 _ASLEEP = b"SIZX"  # waiting, idle, or ended
+_MOMENT = 0.015  # s; a sleep that has lasted longer is a long one
+_LONGEST_POLL = 0.003  # s, between two looks of who polls
+_FEWEST_POLLS = 8
+_NAP = b"nanosleep"  # part of what the kernel calls a sleep for some time
+_NO_WAIT = (b"0", b"")  # of who is not switched off yet, or may not be seen
+_LONG_ENOUGH = 0.5  # s, to fall asleep
 _SEARCH_LIMIT = 1 << 16  # bytes of an environment that are looked through
 
 
@@ -24,22 +37,57 @@ def has_ended(pid: int) -> bool:
 
 
 class Rest:
-    """Looks at all threads of some processes."""
+    """Looks at all threads of some processes.
 
-    def __init__(self, ignored_thread: Optional[int] = None):
-        """`ignored_thread`: id of one that is not looked at, as that of who asks."""
+    Some threads wake by themselves to see whether something is new, and sleep on: ros::Rate and ros::Timer do
+    so every millisecond while time is simulated. And rospy sleeps for a moment between two subscribers of
+    the same message. So who has just begun a sleep of its own choice, or is known to poll, has to come round
+    once while nobody else does anything; who sleeps for longer than such a moment is at rest.
+    """
+
+    def __init__(self, ignored_thread: Optional[int] = None, clock: Callable[[], float] = time.monotonic):
+        """`ignored_thread`: id of one that is not looked at, as that of who asks; `clock`: wall time, s."""
         self._ignored = ignored_thread
-        self._awake: Optional[tuple[int, int]] = None  # who was found running last: it is asked first
+        self._clock = clock
+        self._tells_waits = _tells_waits()
+        self._awake: Optional[Thread] = None  # who was found running last: it is asked first
+        self._asleep: Optional[_Asleep] = None  # when all were, first
+        self._naps: dict[Thread, _Nap] = {}
+        self._pollers: set[Thread] = set()
+
+    def renew(self) -> None:
+        """Something new was given to the processes: what was seen of them before counts no more."""
+        self._asleep = None
 
     def is_reached(self, pids: Iterable[int]) -> bool:
-        """Whether there was a moment, since this was called, at which every thread was asleep."""
+        """Whether at a moment since renew() every thread was asleep, with nothing left to do."""
         if self._awake and self._state(*self._awake)[0]:
             return False
-        before = self._look(pids)
-        # Those that have not been switched to between two looks have slept all the time between them.
-        return before is not None and before == self._look(pids)
+        found = self._look(pids)
+        if found is None:
+            return False
+        if self._asleep is None or not self._asleep.is_same(found):
+            if not self._note_naps(found):
+                return False
+            self._asleep = _Asleep(self._clock(), found, set(filter(self._may_wake, found.items())))
+        if not self._has_come_round(self._asleep, found):
+            return False
+        # Those that have not been switched to between two looks have slept all the time between them; but who
+        # is only about to sleep may still think better of it.
+        return found == self._look(pids) and not any(map(self._is_about_to_sleep, found))
 
-    def _look(self, pids) -> Optional[dict[tuple[int, int], bytes]]:
+    def counts(self, pids: Iterable[int]) -> Switches:
+        """How often each thread has been switched to."""
+        return {(pid, thread): self._state(pid, thread)[1] for pid in pids for thread in _threads(pid)}
+
+    def learn(self, before: Switches, after: Switches, elapsed: float) -> None:
+        """Note who polls, from how often each was switched to while nothing new was given for so long, s."""
+        least = max(_FEWEST_POLLS, elapsed / _LONGEST_POLL)
+        for thread, count in after.items():
+            if thread in before and int(count or 0) - int(before[thread] or 0) >= least:
+                self._pollers.add(thread)
+
+    def _look(self, pids) -> Optional[Switches]:
         """How often each thread has been switched to; nothing if one of them runs."""
         found = {}
         for pid in pids:
@@ -53,6 +101,31 @@ class Rest:
                 found[pid, thread] = switches
         return found
 
+    def _note_naps(self, found: Switches) -> bool:
+        """Note who has chosen to sleep since the last time; not if one of them is only about to sleep."""
+        for thread, switches in found.items():
+            known = self._naps.get(thread)
+            if known is None or known.switches != switches:
+                if self._is_about_to_sleep(thread):
+                    return False
+                begin = self._clock() if _NAP in _wait_of(*thread) else -math.inf
+                self._naps[thread] = _Nap(switches, begin)
+        self._naps = {thread: self._naps[thread] for thread in found}
+        return True
+
+    def _may_wake(self, found: tuple[Thread, bytes]) -> bool:
+        """Whether a thread that is asleep may wake by itself in a moment."""
+        thread, _ = found
+        return thread in self._pollers or self._clock() - self._naps[thread].begin < _MOMENT
+
+    def _has_come_round(self, asleep: "_Asleep", found: Switches) -> bool:
+        if self._clock() - asleep.since > _MOMENT:
+            return True
+        return all(found[thread] != switches for thread, switches in asleep.may_wake)
+
+    def _is_about_to_sleep(self, thread: Thread) -> bool:
+        return self._tells_waits and _wait_of(*thread) in _NO_WAIT
+
     @staticmethod
     def _state(pid: int, thread: int) -> tuple[bool, bytes]:
         """Whether a thread runs or wants to, and how often it was switched to; who is gone is asleep."""
@@ -60,6 +133,49 @@ class Rest:
         switches = _read(f"{folder}/schedstat").split()
         state = _state_of(folder)
         return bool(state) and state not in _ASLEEP, switches[-1] if switches else b""
+
+
+@dataclasses.dataclass(frozen=True)
+class _Asleep:
+    """All threads, when they were asleep."""
+
+    since: float  # s
+    switches: Switches
+    may_wake: set[tuple[Thread, bytes]]  # who, and how often it had been switched to
+
+    def is_same(self, found: Switches) -> bool:
+        """Whether nobody has been awake since, but those who wake by themselves."""
+        free = {thread for thread, _ in self.may_wake}
+        return found.keys() == self.switches.keys() and all(
+            switches == self.switches[thread] for thread, switches in found.items() if thread not in free
+        )
+
+
+@dataclasses.dataclass(frozen=True)
+class _Nap:
+    """When a thread was first seen in a sleep that it had chosen; long ago if it waits for something."""
+
+    switches: bytes
+    begin: float  # s
+
+
+def _wait_of(pid: int, thread: int) -> bytes:
+    """The kernel's function in which a thread sleeps, if the kernel tells."""
+    return _read(f"/proc/{pid}/task/{thread}/wchan")
+
+
+def _tells_waits() -> bool:
+    """Whether the kernel tells of the threads of this user in what they sleep."""
+    done = threading.Event()
+    sleeper = threading.Thread(target=done.wait, daemon=True)
+    sleeper.start()
+    end = time.monotonic() + _LONG_ENOUGH
+    told = False
+    while not told and time.monotonic() < end:
+        time.sleep(_LONG_ENOUGH / 100)
+        told = _wait_of(os.getpid(), sleeper.native_id or 0) not in _NO_WAIT
+    done.set()
+    return told
 
 
 def _state_of(folder: str) -> bytes:

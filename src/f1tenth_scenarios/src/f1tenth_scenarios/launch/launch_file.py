@@ -68,6 +68,8 @@ def write_launch_file(plan: Plan) -> None:
     for car in plan.scenario.cars:
         _include(launch, _own("scenario_car.launch"), _car_arguments(plan, car))
         _add_driver(launch, plan, car)
+        if has_deputy(plan, car.name):
+            _include(launch, _own("deputy.launch"), _deputy_arguments(plan, car))
     arguments = recorder_arguments(plan.bag_file, list(plan.cars))
     ElementTree.SubElement(launch, "node", pkg="rosbag", type="record", name=RECORDER, args=arguments)
     ElementTree.indent(launch)
@@ -100,9 +102,6 @@ def _car_arguments(plan: Plan, car: Car) -> dict[str, Any]:
         "y": start.y,
         "yaw": start.yaw,
         "lockstep": plan.scenario.lockstep,
-        "driver_mark": "=".join(_driver_mark(plan, car)) if has_deputy(plan, car.name) else "",
-        "driver_patience": _PATIENCE * plan.scenario.limits.answer,
-        "scan_topic": input_topics(plan, car)[Input.SCAN],
         "planner": driver_participants(plan, car.name)[0],
         "vehicle": plan.vehicle_file(car.name) if _vehicle(car) else "",
         "dropped_beams": car.dropped_beams,
@@ -110,6 +109,16 @@ def _car_arguments(plan: Plan, car: Car) -> dict[str, Any]:
         "odometry": odometry(plan),
         "localization": plan.scenario.localization.value,
         "seed": plan.scenario.seed,
+    }
+
+
+def _deputy_arguments(plan: Plan, car: Car) -> dict[str, Any]:
+    return {
+        "car_name": car.name,
+        "driver_mark": "=".join(_driver_mark(plan, car)),
+        "driver_patience": _PATIENCE * plan.scenario.limits.answer,
+        "scan_topic": input_topics(plan, car)[Input.SCAN],
+        "localization": plan.scenario.localization.value,
     }
 
 

@@ -5,6 +5,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 
 import pytest
@@ -39,7 +40,7 @@ class FakeWorld:
         self.helper = 0
         self.looks = [set()]  # at the connections that are missing; the last one stays
         self.states = ["steady"]  # of the connections, as long; the last one stays
-        self._listens = listens
+        self.listens = listens
         self._count, self._before, self._after = 0, before, after
         self._asked = 0
 
@@ -58,7 +59,7 @@ class FakeWorld:
         return self._count
 
     def has_listener(self):
-        return self._listens
+        return self.listens
 
     def publish_scans(self):
         self.done.append("scan")
@@ -122,6 +123,17 @@ def test_nothing_comes_before_all_have_loaded_and_connected(driver, hurried):
     Deputy(world, MARK, 30.0).begin()
     assert time.monotonic() - began > deputy._LOADING
     assert (world.done, world.states, world.looks) == ([], ["two"], [set()])
+
+
+def test_who_listens_late_is_not_taken_to_spin(driver, hurried):
+    driver(LOADING)
+    world = FakeWorld(before=0, listens=False)
+    world.states = ["none", "one"]
+    listens_late = threading.Timer(0.35, setattr, (world, "listens", True))
+    listens_late.start()
+    Deputy(world, MARK, 30.0).begin()
+    listens_late.join()
+    assert world.states == ["one"]  # it has been waited for
 
 
 def test_connection_that_never_comes_about_is_waited_for_once(driver, monkeypatch):

@@ -23,7 +23,7 @@ EXIT_MISFIT = 4  # exit code of a deputy whose driver does not fit
 _PACE = 0.025  # wall s per period at least: who waits by the wall clock is not overtaken
 _CONNECTING = 0.3  # wall s without a change at the master, after which nobody is about to connect
 _UNCONNECTED = 4.0  # wall s, after which a connection is given up: its ends differ in type, or one is gone
-_LOADING = 4.0  # wall s of a period without rest, after which it gets its scan: who spins may wait for it
+_LOADING = 4.0  # wall s without rest, after which who listens gets its scan: who spins may wait for it
 _SPINNING = 1.0  # wall s without rest after a command, when it has had those: it spins
 _STEADY_PERIODS = 20  # with commands and without a new connection, after which it has started up
 _LATE_COMMANDS = 3  # in these periods, sent by somebody at rest: more are no accident
@@ -82,6 +82,7 @@ class Deputy:
         self._sleep = sleep
         self._began = clock()  # the current period, or the one since which there was no rest
         self._is_restless = False  # whether the last wait has ended without rest
+        self._listening_since: Optional[float] = None  # s, without rest
         self._own = os.getpid()
         self._rest = Rest(threading.get_native_id())
         self._helpers = world.helpers()
@@ -96,7 +97,7 @@ class Deputy:
         Raises:
             MisfitError: it does not come to rest.
         """
-        self._settle(is_enough=self._world.has_listener)
+        self._settle(may_spin=True)
         if self._start and not self._is_restless:
             self._let_connect(self._start)
 
@@ -108,7 +109,7 @@ class Deputy:
         """
         if not self._is_restless:
             self._began = self._clock()
-        self._settle(is_enough=self._world.has_listener)
+        self._settle(may_spin=True)
         self._world.publish_scans()
         self._settle()
         self._world.publish_clock(stamp)
@@ -124,20 +125,30 @@ class Deputy:
         self._pids -= self._ended
         self._ended.clear()
 
-    def _settle(self, is_enough: Callable[[], bool] = lambda: False) -> None:
-        """Wait until the driver is at rest; or, while it starts up, for some time if that is enough."""
+    def _settle(self, may_spin: bool = False) -> None:
+        """Wait until the driver is at rest; or, while it starts up, for a time if it may wait for scans."""
         self._is_restless = False
         self._rest.renew()
         while not self._is_at_rest() and not self._world.is_over():
             waited = self._clock() - self._began
+            has_listened = self._start is not None and self._has_listened()
             if self._start and waited > _LOADING:
                 self._start.check_restless(self._world.commands(), waited)
                 if waited > self._patience:
                     raise MisfitError(f"its threads do not come to rest within {self._patience:g} s")
-                if is_enough():
+                if may_spin and has_listened:
                     self._is_restless = True
                     return
             self._sleep(_LOOK_INTERVAL)
+        self._listening_since = None
+
+    def _has_listened(self) -> bool:
+        """Whether a driver without rest has listened for scans for as long as it may take to load."""
+        if not self._world.has_listener():
+            return False
+        if self._listening_since is None:
+            self._listening_since = self._clock()
+        return self._clock() - self._listening_since > _LOADING
 
     def _is_at_rest(self) -> bool:
         """Whether the driver is, and what it has sent to this process is noted."""

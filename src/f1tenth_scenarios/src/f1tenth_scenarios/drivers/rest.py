@@ -69,16 +69,16 @@ class Rest:
         if self._asleep is None or not self._asleep.is_same(found):
             if not self._note_naps(found):
                 return False
-            self._asleep = _Asleep(self._clock(), found, set(filter(self._may_wake, found.items())))
+            self._asleep = _Asleep(self._clock(), found, set(filter(self._may_wake, found)))
         if not self._has_come_round(self._asleep, found):
             return False
         # Those that have not been switched to between two looks have slept all the time between them; but who
         # is only about to sleep may still think better of it.
-        return found == self._look(pids) and not any(map(self._is_about_to_sleep, found))
+        return found == self._look(pids) and None not in map(self._wait_of, found)
 
     def counts(self, pids: Iterable[int]) -> Switches:
         """How often each thread has been switched to."""
-        return {(pid, thread): self._state(pid, thread)[1] for pid in pids for thread in _threads(pid)}
+        return {each: self._state(*each)[1] for each in self._threads_of(pids)}
 
     def learn(self, before: Switches, after: Switches, elapsed: float) -> None:
         """Note who polls, from how often each was switched to while nothing new was given for so long, s."""
@@ -90,41 +90,42 @@ class Rest:
     def _look(self, pids) -> Optional[Switches]:
         """How often each thread has been switched to; nothing if one of them runs."""
         found = {}
-        for pid in pids:
-            for thread in _threads(pid):
-                if thread == self._ignored:
-                    continue
-                runs, switches = self._state(pid, thread)
-                if runs:
-                    self._awake = pid, thread
-                    return None
-                found[pid, thread] = switches
+        for thread in self._threads_of(pids):
+            runs, switches = self._state(*thread)
+            if runs:
+                self._awake = thread
+                return None
+            found[thread] = switches
         return found
+
+    def _threads_of(self, pids: Iterable[int]) -> Iterator[Thread]:
+        return ((pid, thread) for pid in pids for thread in _threads(pid) if thread != self._ignored)
 
     def _note_naps(self, found: Switches) -> bool:
         """Note who has chosen to sleep since the last time; not if one of them is only about to sleep."""
         for thread, switches in found.items():
             known = self._naps.get(thread)
             if known is None or known.switches != switches:
-                if self._is_about_to_sleep(thread):
+                wait = self._wait_of(thread)
+                if wait is None:
                     return False
-                begin = self._clock() if _NAP in _wait_of(*thread) else -math.inf
-                self._naps[thread] = _Nap(switches, begin)
+                self._naps[thread] = _Nap(switches, self._clock() if _NAP in wait else -math.inf)
         self._naps = {thread: self._naps[thread] for thread in found}
         return True
 
-    def _may_wake(self, found: tuple[Thread, bytes]) -> bool:
+    def _may_wake(self, thread: Thread) -> bool:
         """Whether a thread that is asleep may wake by itself in a moment."""
-        thread, _ = found
         return thread in self._pollers or self._clock() - self._naps[thread].begin < _MOMENT
 
     def _has_come_round(self, asleep: "_Asleep", found: Switches) -> bool:
         if self._clock() - asleep.since > _MOMENT:
             return True
-        return all(found[thread] != switches for thread, switches in asleep.may_wake)
+        return all(found[thread] != asleep.switches[thread] for thread in asleep.may_wake)
 
-    def _is_about_to_sleep(self, thread: Thread) -> bool:
-        return self._tells_waits and _wait_of(*thread) in _NO_WAIT
+    def _wait_of(self, thread: Thread) -> Optional[bytes]:
+        """In what a thread sleeps, as far as the kernel tells; nothing if it is only about to."""
+        wait = _wait_of(*thread)
+        return None if self._tells_waits and wait in _NO_WAIT else wait
 
     @staticmethod
     def _state(pid: int, thread: int) -> tuple[bool, bytes]:
@@ -141,13 +142,12 @@ class _Asleep:
 
     since: float  # s
     switches: Switches
-    may_wake: set[tuple[Thread, bytes]]  # who, and how often it had been switched to
+    may_wake: set[Thread]
 
     def is_same(self, found: Switches) -> bool:
         """Whether nobody has been awake since, but those who wake by themselves."""
-        free = {thread for thread, _ in self.may_wake}
         return found.keys() == self.switches.keys() and all(
-            switches == self.switches[thread] for thread, switches in found.items() if thread not in free
+            found[thread] == self.switches[thread] for thread in found.keys() - self.may_wake
         )
 
 

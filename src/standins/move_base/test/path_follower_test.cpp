@@ -119,6 +119,30 @@ TEST(PathFollower, stopsBeforeAnObstacleThatAppears)
   EXPECT_GT(car.state().pose.x, 7.0);
 }
 
+TEST(PathFollower, keepsItsWheelsTurnedUntilItStandsBeforeAnObstacle)
+{
+  Costmap costmap = makeCostmap(drawRoom(8.0, 8.0));
+  PathFollower follower(racingFollower());
+  const Pose2 start{2.0, 2.0, 0.0};
+  follower.setPath(samplePath(start, {{6.0, 0.8}}, 0.1), costmap);
+  KinematicCar car(start);
+  for (double t = 0.0; t < 1.0; t += kStepTime) {
+    car.drive(follower.step(car.state(), costmap, kStepTime).command, kStepTime);
+  }
+  const Pose2 seen_from = car.state().pose;
+  costmap.observe(scanFrom(
+    seen_from, [&](double angle) { return std::abs(normalizeAngle(angle - seen_from.yaw)) < 0.5 ? 1.2 : 20.0; }));
+  FollowStep step;
+  for (double t = 0.0; t < 3.0 && !car.state().stands(); t += kStepTime) {
+    step = follower.step(car.state(), costmap, kStepTime);
+    EXPECT_GT(step.command.yawRate() / step.command.speed, 0.5) << t;
+    car.drive(step.command, kStepTime);
+  }
+  EXPECT_TRUE(step.stuck);
+  EXPECT_TRUE(car.state().stands());
+  EXPECT_EQ(follower.step(car.state(), costmap, kStepTime).command.speed, 0.0);
+}
+
 TEST(PathFollower, brakesAlongThePathWhenTold)
 {
   const Costmap costmap = makeCostmap(drawOval());

@@ -17,6 +17,8 @@ constexpr double kLateralReserve = 1.05;  // of the lateral acceleration, to dri
 constexpr double kSlipStep = 0.03;        // part by which the slip must change to be taken into account
 constexpr double kUsualSlip = 1.15;       // times what it is told to be, up to which the grip is that of a dry road
 constexpr double kStopMargin = 0.05;      // m, left before an obstacle
+// A Twist without speed says nothing of the wheels: they would straighten while the car still rolls, m/s.
+constexpr double kCreep = 1e-3;
 // The speed commanded and the speed measured may differ by this much before the slew starts from the measured one, m/s.
 constexpr double kSpeedSlack = 0.5;
 constexpr double kSlackPart = 1.3;       // of what the speed lags behind when the car speeds up as it may
@@ -182,6 +184,9 @@ FollowStep PathFollower::step(
   const double speed = stop ? 0.0 : std::min({wantedSpeed(predicted, car.speed), utmost, behind.wanted});
   const double slow = slewed(result.position.reverse ? -speed : speed, car.speed, period);
   result.command.speed = std::clamp(slow, -stoppable, utmost);
+  if (!car.stands() && std::abs(result.command.speed) < kCreep) {
+    result.command.speed = std::copysign(kCreep, car.speed);
+  }
   last_bend_ = steer(predicted, curvatureAhead(predicted, car.speed), std::abs(car.speed));
   result.command.curvature = withUndersteer(last_bend_, car.speed, accelerationTo(result.command.speed, car.speed));
   last_ = result.command;

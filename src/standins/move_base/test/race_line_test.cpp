@@ -126,6 +126,25 @@ TEST(RaceLine, staysOnItsSideOfAnObstacle)
   EXPECT_GT(leastClearance(race.path, costmap), 0.085);
 }
 
+// Who is headed to one side of what stands in the way turns to the other side gently, not with the wheels at their stop.
+TEST(RaceLine, isNotGivenUpWhereTheWayIsNarrow)
+{
+  for (const double gap : {0.56, 0.58, 0.60, 0.62, 0.64}) {
+    const OccupancyGrid road = drawMap(16.0, 2.0, [=](const Vec2 & p) {
+      return !inRectangle(p, {0.1, 0.1}, {15.9, 1.9}) || inRectangle(p, {6.0, 0.1}, {6.4, 1.9 - gap});
+    });
+    const Costmap costmap = makeCostmap(road);
+    PlanRequest request{{2.0, 1.0, -0.08}, {4.0, 1.0, 0.0}, -0.09};
+    request.extension_length = 8.0;
+    request.race_line = kRacing;
+    const Plan plan = GlobalPlanner(PlannerOptions{}).plan(costmap, request);
+    ASSERT_TRUE(plan.found()) << gap;
+    EXPECT_NEAR(plan.path[1].curvature, -0.09, 0.02) << gap;
+    EXPECT_LT(greatestCurvature(plan.path), 0.8) << gap;
+    EXPECT_GT(leastClearance(plan.path, costmap), 0.06) << gap;
+  }
+}
+
 TEST(RaceLine, isTheSameEveryTime)
 {
   const Costmap costmap = makeCostmap(drawOval());

@@ -221,7 +221,9 @@ private:
     bool broken = false;
     for (std::size_t i = kFixedPoints; i < path.size(); ++i) {
       const Pose2 & pose = path[i].pose;
-      const double required = std::min(rule_.at(pose.position()), costmap_.clearance(line_[i].pose)) - kClearanceSlack;
+      // Shifts do not change how far the nose is turned: with the same slip the line given counts as close enough.
+      const double given = clearanceWithSlip(costmap_, line_[i].pose, noses[i]);
+      const double required = std::min(rule_.at(pose.position()), given) - kClearanceSlack;
       const bool close = clearanceWithSlip(costmap_, pose, noses[i]) < required;
       const double bend_allowed = std::max(greatest_curvature_, std::abs(line_[i].curvature));
       const bool bent = i + 1 < path.size() && std::abs(path[i].curvature) > kBendTolerance * bend_allowed;

@@ -72,7 +72,7 @@ def test_launch_file_hands_the_scenario_to_the_simulator(plan):
     assert parameters["/sim2d/result_file"] == str(plan.simulator_result_file)
     for car in plan.scenario.cars:
         assert parameters[f"/sim2d/cars/{car.name}/x"] == plan.cars[car.name].start.x
-        is_changed = car.mu is not None or car.model is not None
+        is_changed = any(each is not None for each in (car.mu, car.actuation_latency, car.model))
         assert (f"/sim2d/cars/{car.name}/vehicle" in parameters) == is_changed
 
 

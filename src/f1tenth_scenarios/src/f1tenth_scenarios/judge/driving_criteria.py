@@ -19,6 +19,16 @@ def least_clearance(judgement: Judgement) -> Optional[float]:
     return min((float(track.clearance.min()) for track in _tracks(judgement)), default=None)
 
 
+def lateral(track: CarTrack) -> np.ndarray:
+    """Acceleration of base_footprint to the left, m/s^2."""
+    return _rate(track, track.v_y) + track.v_x * track.yaw_rate
+
+
+def longitudinal(track: CarTrack) -> np.ndarray:
+    """Acceleration of base_footprint along the car, m/s^2."""
+    return _rate(track, track.v_x) - track.v_y * track.yaw_rate
+
+
 def minimum_clearance(scenario: Scenario, judgement: Judgement, _measured: Measured) -> Criterion:
     """How close a car came to anything."""
     actual = least_clearance(judgement)
@@ -40,7 +50,7 @@ def lap_time(scenario: Scenario, _judgement: Judgement, measured: Measured) -> C
 
 def lateral_acceleration(scenario: Scenario, judgement: Judgement, _measured: Measured) -> Criterion:
     """The largest acceleration to the side, of base_footprint."""
-    peaks = [(float(peaks.max()), track.car) for track, peaks in _lateral(judgement)]
+    peaks = [(float(np.abs(lateral(track)).max()), track.car) for track in _tracks(judgement)]
     actual, car = max(peaks, default=(None, ""))
     text = "" if actual is None else f"{car} reached {actual:.2f} m/s^2"
     return _at_most(scenario, "lateral_acceleration", actual, "m/s^2", text)
@@ -83,10 +93,8 @@ def _tracks(judgement) -> Iterator[CarTrack]:
     return (track for track in judgement.record.tracks.values() if len(track.time))
 
 
-def _lateral(judgement):
-    for track in _tracks(judgement):
-        slip = np.gradient(track.v_y, track.time) if len(track.time) > 1 else np.zeros(1)
-        yield track, np.abs(slip + track.v_x * track.yaw_rate)
+def _rate(track: CarTrack, values: np.ndarray) -> np.ndarray:
+    return np.gradient(values, track.time) if len(values) > 1 else np.zeros(len(values))
 
 
 def _longest_pause(track: CarTrack, start: float) -> float:

@@ -124,8 +124,9 @@ def _deputy_arguments(plan: Plan, car: Car) -> dict[str, Any]:
 
 def _vehicle(car: Car) -> str:
     """What the scenario changes of the car's parameters, as their YAML file; empty if nothing."""
-    mu = "" if car.mu is None else f"mu: {car.mu!r}\n"
-    return mu + ("" if car.model is None else f"model: {car.model.value}\n")
+    model = None if car.model is None else car.model.value
+    changes = {"mu": car.mu, "actuation_latency": car.actuation_latency, "model": model}
+    return "".join(f"{name}: {value}\n" for name, value in changes.items() if value is not None)
 
 
 def _driver_mark(plan: Plan, car: Car) -> tuple[str, str]:

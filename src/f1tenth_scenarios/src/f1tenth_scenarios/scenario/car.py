@@ -123,6 +123,13 @@ class Car:
     mu: Optional[float] = key(
         "Friction of the car's tyres on the ground; default: the car's.", above=0, at_most=3, default=None
     )
+    actuation_latency: Optional[float] = key(
+        "How long after a command the car begins to follow it; default: the car's.",
+        unit="s",
+        at_least=0,
+        at_most=1,
+        default=None,
+    )
     model: Optional[VehicleModel] = key(
         "How the car moves: `kinematic`; `single_track`, tyres without a limit; `single_track_drift`,"
         " tyres that slide; default: the car's.",

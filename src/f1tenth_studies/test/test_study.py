@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from f1tenth_scenarios.batch import jobs
 from f1tenth_scenarios.plan.planning import make_plan
-from f1tenth_scenarios.record.record import CarTrack
+from f1tenth_scenarios.record.record import CarTrack, Record
 from f1tenth_scenarios.scenario.settings import parse_variation
 from f1tenth_studies.optimum.track import circuits
-from f1tenth_studies.studies import localization, passing, race_pace, safety
+from f1tenth_studies.studies import localization, passing, race_pace, safety, stability
 from f1tenth_studies.study import Run
 from f1tenth_studies.table import table
 
@@ -235,3 +235,76 @@ def test_a_table_that_cannot_be_written_is_bad_input(program, tmp_path, capsys):
     arguments = ["localization", "--vary", "world=circuit1", "--vary", "seed=4", "--results", str(tmp_path)]
     assert cli.study_main([*arguments, "--table", "/nowhere/t.md"]) == cli.BAD_INPUT
     assert "study: /nowhere/t.md: cannot be written: No such file" in capsys.readouterr().err
+
+
+def oval(straight=20.0, radius=3.0):
+    """Two straights along x, joined by half circles: points 0.25 m apart, from the begin of a straight on."""
+    line = np.arange(0.0, straight, 0.25)
+    arc = np.arange(0.0, math.pi, 0.25 / radius)
+    x = [line, straight + radius * np.sin(arc), straight - line, -radius * np.sin(arc)]
+    y = [0.0 * line, radius - radius * np.cos(arc), 2.0 * radius + 0.0 * line, radius + radius * np.cos(arc)]
+    rows = np.column_stack([np.concatenate(x), np.concatenate(y)])
+    return np.column_stack([rows, np.ones((len(rows), 2))])
+
+
+def driving(road, yaw_rate, v_x=None):
+    """A car that drives along a road at 10 m/s, with a yaw rate in each of its points."""
+    time = 0.025 * np.arange(len(road))
+    none = np.zeros(len(road))
+    v_x = np.full(len(road), 10.0) if v_x is None else v_x
+    return CarTrack(
+        "robot1",
+        time,
+        road[:, 0],
+        road[:, 1],
+        none,
+        v_x,
+        none,
+        yaw_rate,
+        none,
+        none,
+        ("",) * len(road),
+        none,
+        (),
+        (),
+    )
+
+
+def test_weaving_counts_on_straights_only():
+    road = oval()
+    time = 0.025 * np.arange(len(road))
+    in_bend = np.abs(road[:, 1] - 3.0) < 2.9
+    assert stability.changes_of_sign(driving(road, np.sin(2.0 * np.pi * 2.5 * time)), road) == pytest.approx(
+        5.0, 0.15
+    )
+    assert stability.changes_of_sign(driving(road, np.where(in_bend, 3.3, 0.2)), road) == 0.0
+    assert stability.changes_of_sign(driving(road, 0.04 * np.sin(30.0 * time)), road) == 0.0
+    # Each straight is left in another direction than it was entered, and that is no weaving of the next one.
+    assert stability.changes_of_sign(driving(road, np.where(road[:, 1] > 3.0, -1.0, 1.0)), road) == 0.0
+    assert stability.changes_of_sign(driving(ring(), np.sin(30.0 * 0.025 * np.arange(200))), ring()) == 0.0
+
+
+@pytest.mark.parametrize(
+    ("yaw_rate", "speeds", "problem"),
+    [
+        (0.8, (10.0, 10.0), ""),
+        (0.9, (10.0, 10.0), "9.00 m/s^2 to the side, must be at most 8.25"),
+        (0.0, (10.0, 9.6), "8.00 m/s^2 along the car, must be at most 7.70"),
+    ],
+)
+def test_stability_says_what_is_not_good_enough(tmp_path, monkeypatch, yaw_rate, speeds, problem):
+    road = oval()
+    v_x = np.where(np.arange(len(road)) < 100, *speeds)
+    found = run(tmp_path)
+    track = driving(road, np.full(len(road), yaw_rate), v_x)
+    monkeypatch.setattr(type(found), "record", Record({"robot1": track}))
+    assert stability.STUDY.problem(found) == problem
+
+
+def test_stability_is_that_of_two_circuits_and_a_track(tmp_path, monkeypatch):
+    (tmp_path / "tracks").mkdir()
+    monkeypatch.setenv("F1TENTH_DATA", str(tmp_path))
+    track = tmp_path / "tracks" / "Oschersleben" / "Oschersleben_map.yaml"
+    study = stability.STUDY
+    assert study.make(study.vary, tmp_path)["world"] == f"circuit1,circuit4,{track}"
+    assert study.make({**study.vary, "world": "circuit3"}, tmp_path)["world"] == "circuit3"

@@ -20,7 +20,17 @@ from f1tenth_studies.study import Run, Study, place_of
 from f1tenth_studies.table import document
 
 PACKAGE = "f1tenth_studies"
-STUDIES = ("race_pace", "localization", "passing", "encounters", "rivals", "safety", "roads", "tracks")
+STUDIES = (
+    "race_pace",
+    "localization",
+    "passing",
+    "encounters",
+    "rivals",
+    "safety",
+    "roads",
+    "tracks",
+    "stability",
+)
 GOOD, NOT_GOOD, BAD_INPUT = 0, 1, 2  # exit codes
 
 

@@ -97,6 +97,37 @@ TEST(Forecast, whoWeavesIsWhereverItWeavesTo)
   EXPECT_NEAR(forecast.at(3.0).half_width, forecast.at(1.1).half_width, 0.01);
 }
 
+TEST(Forecast, whoWeavesStraysAndMayBeOnEitherSideAtOnce)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  const Forecast weaves(carWithTrail([](double time) { return 0.3 * std::sin(M_PI * time); }), costmap, 2.0);
+  const Forecast keeps_on(carWithTrail([](double) { return 0.0; }), costmap, 2.0);
+  EXPECT_TRUE(weaves.strays());
+  EXPECT_FALSE(keeps_on.strays());
+  EXPECT_GT(weaves.anywhere().at(0.0).half_width, weaves.at(2.0).half_width - 1e-9);
+  const Pose2 place = weaves.at(0.0).middle;
+  EXPECT_NEAR(distance(weaves.anywhere().at(0.0).middle, place), 0.0, 1e-9);
+}
+
+// Who weaves at 2 m/s is followed, on whatever side there seems to be room, until the car is beside it.
+TEST(PathFollower, keepsBehindWhoWeaves)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  const auto weaving = [](double time) { return 0.3 * std::sin(M_PI * time) - 0.25; };
+  const Forecast forecast(carWithTrail(weaving), costmap, 2.0);
+  const Pose2 other = forecast.at(0.0).middle;
+  const Footprint & footprint = costmap.footprint();
+  PathFollower follower(FollowerOptions{});
+  const Pose2 behind = onOval(3.5);
+  follower.setPath(samplePath({behind.x, behind.y + 0.35, behind.yaw}, {{6.0, 0.0}}, 0.1), costmap);
+  const CarState car{{behind.x, behind.y + 0.35, behind.yaw}, 4.0};
+  EXPECT_TRUE(isKeptBehind(forecast, car.pose, footprint));
+  EXPECT_TRUE(follower.hindered(car, costmap, {forecast}));
+  const Pose2 beside{other.x - 0.3, other.y + 0.5, 0.0};
+  EXPECT_FALSE(isKeptBehind(forecast, beside, footprint));
+  EXPECT_TRUE(isBeside(forecast.at(0.0), beside, footprint));
+}
+
 TEST(Forecast, whoWentToOneSideGoesThereAgain)
 {
   const Costmap costmap = makeCostmap(drawOval());

@@ -12,6 +12,7 @@ constexpr double kForecastStep = 0.1;    // s
 constexpr double kRoadLookahead = 1.2;   // m
 constexpr double kRoadCheck = 0.15;      // m
 constexpr double kWallTolerance = 0.05;  // m, by which it may come nearer to a wall
+constexpr double kStrays = 0.3;          // m, of unrest
 constexpr double kTrust = 1.05;          // s, that forecasts from the past are compared with what came
 // 1/m, from the straight line to what a car can steer.
 constexpr std::array<double, 15> kCurvatures{0.0,   0.1, -0.1, 0.2, -0.2, 0.3,  -0.3, 0.45,
@@ -86,6 +87,20 @@ Forecast Forecast::braking(double deceleration) const
   return result;
 }
 
+Forecast Forecast::anywhere() const
+{
+  Forecast result = *this;
+  const double most = std::max(-unrest_.low, unrest_.high);
+  result.unrest_ = {-most, most};
+  result.is_anywhere_ = true;
+  return result;
+}
+
+bool Forecast::strays() const
+{
+  return unrest_.high - unrest_.low > kStrays;
+}
+
 double Forecast::wayToStand(double time) const
 {
   const double speed = std::max(0.0, speed_ - deceleration_ * time);
@@ -106,7 +121,7 @@ Box Forecast::at(double time) const
   result.middle.x += part * (b.middle.x - a.middle.x);
   result.middle.y += part * (b.middle.y - a.middle.y);
   result.middle.yaw += part * normalizeAngle(b.middle.yaw - a.middle.yaw);
-  const double doubt = std::min(1.0, time / kTrust);
+  const double doubt = is_anywhere_ ? 1.0 : std::min(1.0, time / kTrust);
   result.middle = compose(result.middle, {0.0, 0.5 * doubt * (unrest_.low + unrest_.high), 0.0});
   result.half_width += 0.5 * doubt * (unrest_.high - unrest_.low);
   return result;

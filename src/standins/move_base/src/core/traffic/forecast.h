@@ -19,6 +19,11 @@ public:
   /// @param deceleration  m/s^2
   Forecast braking(double deceleration) const;
 
+  /// The same, if it may at any time be as far to either side as it has strayed to one.
+  Forecast anywhere() const;
+
+  /// Whether it strays so far from where it was to be expected that nobody can tell on which side it will be.
+  bool strays() const;
   /// m/s, now
   double speed() const { return speed_; }
   /// m/s, in the end
@@ -32,7 +37,8 @@ public:
 private:
   std::vector<Box> outlines_;
   double speed_;
-  Interval unrest_;  // beside what is forecast
+  Interval unrest_;          // beside what is forecast
+  bool is_anywhere_{false};  // from now on, not only after some time
   double deceleration_{0.0};
 };
 

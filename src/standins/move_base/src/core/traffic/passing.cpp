@@ -44,23 +44,6 @@ Caution cautionOf(const Manner & manner, double s)
   return {kLateralPart, manner.pace, s + manner.way};
 }
 
-// Where an outline is as seen from a pose, m: along it and to its left.
-struct Extent
-{
-  Interval along;
-  Interval beside;
-};
-
-Extent extentOf(const Box & outline, const Pose2 & from)
-{
-  const Pose2 place = compose(inverse(from), outline.middle);
-  const double c = std::abs(std::cos(place.yaw));
-  const double s = std::abs(std::sin(place.yaw));
-  const double length = c * outline.half_length + s * outline.half_width;
-  const double width = s * outline.half_length + c * outline.half_width;
-  return {{place.x - length, place.x + length}, {place.y - width, place.y + width}};
-}
-
 // Along the plan's path until a line begins that leads past others, m.
 double wayToStart(const PassingRequest & request)
 {
@@ -190,18 +173,15 @@ std::optional<PassingPlan> planIn(const PassingRequest & request, const Manner &
   }
   return best;
 }
-
-// Whether the car reaches beyond the rear of another already.
-bool isBeside(const Box & other, const PassingRequest & request)
-{
-  const Extent extent = extentOf(other, request.car.pose);
-  return extent.along.low < request.costmap.footprint().front() &&
-         extent.along.high > request.costmap.footprint().rear();
-}
 }  // namespace
 
 std::optional<PassingPlan> planPast(const PassingRequest & request)
 {
+  const Footprint & footprint = request.costmap.footprint();
+  const auto is_kept_behind = [&](const Forecast & other) { return isKeptBehind(other, request.car.pose, footprint); };
+  if (std::any_of(request.others.begin(), request.others.end(), is_kept_behind)) {
+    return std::nullopt;
+  }
   const double gate = request.request.race_line->gate_tolerance;
   if (auto past = planIn(request, {HUGE_VAL, 0.0, gate})) {
     return past;
@@ -209,7 +189,7 @@ std::optional<PassingPlan> planPast(const PassingRequest & request)
   double behind = HUGE_VAL;  // m/s, of those ahead
   double beside = HUGE_VAL;
   for (const Forecast & other : request.others) {
-    double & pace = isBeside(other.at(0.0), request) ? beside : behind;
+    double & pace = isBeside(other.at(0.0), request.car.pose, footprint) ? beside : behind;
     pace = std::min(pace, other.speed());
   }
   const double way_to_start = wayToStart(request);

@@ -13,6 +13,7 @@ constexpr double kOffsetLength = 0.8;  // m, over which a car comes back to its 
 constexpr double kClosingLag = 0.15;   // s, that a car's speed and what is known of the other's lag behind
 constexpr double kStandoff = 0.5;      // m, kept behind another
 constexpr double kTimeGap = 0.25;      // s, the same for its speed
+constexpr double kFastToPass = 1.5;    // m/s, of who strays
 constexpr double kFallBehind = 1.0;    // m/s slower than the other, when it is too near already
 constexpr double kApproachRate = 2.5;  // 1/s, of the last metre to it
 
@@ -28,6 +29,27 @@ PathPoint pointAt(const Path & path, std::size_t index, double s)
   return point;
 }
 }  // namespace
+
+Extent extentOf(const Box & outline, const Pose2 & from)
+{
+  const Pose2 place = compose(inverse(from), outline.middle);
+  const double c = std::abs(std::cos(place.yaw));
+  const double s = std::abs(std::sin(place.yaw));
+  const double length = c * outline.half_length + s * outline.half_width;
+  const double width = s * outline.half_length + c * outline.half_width;
+  return {{place.x - length, place.x + length}, {place.y - width, place.y + width}};
+}
+
+bool isBeside(const Box & other, const Pose2 & car, const Footprint & footprint)
+{
+  const Extent extent = extentOf(other, car);
+  return extent.along.low < footprint.front() && extent.along.high > footprint.rear();
+}
+
+bool isKeptBehind(const Forecast & other, const Pose2 & car, const Footprint & footprint)
+{
+  return other.strays() && other.speed() > kFastToPass && extentOf(other.at(0.0), car).along.low >= footprint.front();
+}
 
 std::vector<Moment> driveAlong(
   const Path & path, const std::vector<double> & speeds, const Departure & departure, const SpeedLimits & limits,

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/interval.h"
 #include "path/path.h"
 #include "path/speed_profile.h"
 #include "traffic/forecast.h"
@@ -31,6 +32,21 @@ struct Departure
 std::vector<Moment> driveAlong(
   const Path & path, const std::vector<double> & speeds, const Departure & departure, const SpeedLimits & limits,
   double horizon);
+
+/// Where an outline is as seen from a pose, m: along it and to its left.
+struct Extent
+{
+  Interval along;
+  Interval beside;
+};
+Extent extentOf(const Box & outline, const Pose2 & from);
+
+/// Whether a car reaches beyond the rear of another already, and not yet beyond its front.
+bool isBeside(const Box & other, const Pose2 & car, const Footprint & footprint);
+
+/// Whether another ahead is not passed: who strays that much, and is so fast that passing it takes long, may cross the
+/// way of the car meanwhile.
+bool isKeptBehind(const Forecast & other, const Pose2 & car, const Footprint & footprint);
 
 /// When a car would touch another.
 struct Touch

@@ -215,6 +215,13 @@ TEST(Costmap, whatIsAsSmallAsTheTopOfALowCarMayBeOne)
   EXPECT_GT(costmapPastTop(1.0, top, 0.14).obstacleDistance({6.04, 2.25}), 0.05) << "too large for one";
 }
 
+TEST(Costmap, aLowCarThatHasAlwaysStoodIsTakenToStandAlongTheRoad)
+{
+  const Costmap costmap = costmapPastTop(1.0, {6.0, 2.0}, 0.06);
+  EXPECT_LT(costmap.obstacleDistance({6.35, 2.0}), 0.0);
+  EXPECT_GT(costmap.obstacleDistance({6.04, 2.35}), 0.05);
+}
+
 TEST(Costmap, whoHasNotDrivenTakesNothingForACarThatMayWaitForTheSameStart)
 {
   EXPECT_GT(costmapPastTop(0.2, {6.0, 2.0}, 0.06).obstacleDistance({6.04, 2.15}), 0.05);

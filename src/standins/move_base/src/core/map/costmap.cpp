@@ -87,7 +87,8 @@ void Costmap::observe(const LaserScan & scan)
     hits.erase(std::remove_if(hits.begin(), hits.end(), inside), hits.end());
     changed = live_.forgetIn(outline) || changed;
   }
-  for (const StoppedObstacle & obstacle : tracker_.stopped()) {
+  for (StoppedObstacle obstacle : tracker_.stopped()) {
+    obstacle.outline = obstacle.headed ? obstacle.outline : alongRoad(obstacle.outline);
     // Nearer to a wall there is no room for a car: it is a part of the wall.
     const bool fits = wallDistance(obstacle.outline.middle.position()) > footprint_.halfWidth();
     changed = (fits && live_.remember(obstacle)) || changed;
@@ -98,6 +99,34 @@ void Costmap::observe(const LaserScan & scan)
   if (live_.observe(scan, hits) || changed) {
     rebuild();
   }
+}
+
+// A car stands along its road, which is where there is room to both ends of it; where no way is much freer than the
+// others, it is as wide as a car, whatever the side.
+Box Costmap::alongRoad(const Box & outline) const
+{
+  constexpr int kHeadings = 18;
+  constexpr double kReach = 1.2;          // m
+  constexpr double kStep = 0.15;          // m
+  constexpr double kClearlyFreer = 0.15;  // m
+  Box best = outline;
+  double most = -HUGE_VAL;
+  double least = HUGE_VAL;
+  for (int i = 0; i < kHeadings; ++i) {
+    Box turned = outline;
+    turned.middle.yaw = normalizeAngle(i * M_PI / kHeadings);
+    double room = HUGE_VAL;
+    for (double along = -kReach; along <= kReach; along += kStep) {
+      room = std::min(room, wallDistance(advance(turned.middle, along, 0.0).position()));
+    }
+    best = room > most ? turned : best;
+    most = std::max(most, room);
+    least = std::min(least, room);
+  }
+  if (most < least + kClearlyFreer) {
+    best.half_length = best.half_width;
+  }
+  return best;
 }
 
 void Costmap::forgetBeyond(const Vec2 & centre, double radius)

@@ -90,6 +90,8 @@ public:
   }
 
 private:
+  Box alongRoad(const Box & outline) const;
+
   double distanceIn(const std::vector<float> & distances, const Vec2 & point) const
   {
     const double gx = (point.x - geometry_.origin.x) / geometry_.resolution - 0.5;

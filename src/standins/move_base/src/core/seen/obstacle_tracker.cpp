@@ -245,8 +245,6 @@ StoppedObstacle ObstacleTracker::Track::stopped(const Vec2 & sensor) const
   if (hasDriven()) {
     return {grown(outline(sensor), kSwing), inside};
   }
-  // Nobody knows where it is headed: as wide as a car, whatever the side.
-  const double half = 0.5 * kLeastWidth + kSwing;
-  return {{{inside.x, inside.y, 0.0}, half, half}, inside};
+  return {{{inside.x, inside.y, 0.0}, kTopToBumper, 0.5 * kLeastWidth + kSwing}, inside, false};
 }
 }  // namespace move_base

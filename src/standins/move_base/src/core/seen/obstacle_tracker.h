@@ -29,8 +29,9 @@ struct MovingObstacle
 /// Something that drove about and came to a stand, or that is all one sees of a low car that stands: its lidar.
 struct StoppedObstacle
 {
-  Box outline;  ///< at least as large as a car
-  Vec2 seen;    ///< m, a point inside of what the lidar sees of it
+  Box outline;        ///< at least as large as a car
+  Vec2 seen;          ///< m, a point inside of what the lidar sees of it
+  bool headed{true};  ///< whether the outline's heading is known
 };
 
 /// Tells what moves from what stands, from scan to scan: hits near to each other are one obstacle, and how fast it is

@@ -3,6 +3,7 @@
 
 #include "control/slip_watch.h"
 #include "control/speed_lag.h"
+#include "control/traction_watch.h"
 #include "sliding_car.h"
 
 namespace move_base
@@ -98,6 +99,63 @@ TEST(SlipWatch, beginsAgainWhenTimeJumpsBack)
     }
   }
   EXPECT_DOUBLE_EQ(watch.gradient(), 0.0178) << "too short to tell";
+}
+
+// Share of 7 m/s^2 that a car reaches which speeds up to a speed, m/s, and answers late, s, with so much grip, m/s^2. What
+// it is told is as far ahead of it as the follower lets it be.
+double tractionOf(double grip, double acceleration, double latency, double start = 0.0)
+{
+  TractionWatch watch(7.0);
+  std::deque<double> pending(static_cast<std::size_t>(std::lround(latency / 0.001)), start);
+  double speed = start;
+  double told = start;
+  for (int i = 0; i < 1500; ++i) {
+    if (i % 25 == 0) {
+      told = std::min(told + 0.025 * acceleration, speed + 1.3 * (0.1 + latency) * 7.0);
+      watch.noteCommand({told, 0.0});
+      watch.noteSpeed(0.001 * i, speed);
+    }
+    pending.push_back(told);
+    speed += 0.001 * std::min(grip, 10.0 * (pending.front() - speed));
+    pending.pop_front();
+  }
+  return watch.share();
+}
+
+TEST(TractionWatch, measuresHowMuchOfItsAccelerationACarReaches)
+{
+  for (const double latency : {0.0, 0.05, 0.1}) {
+    EXPECT_GT(tractionOf(9.5, 7.0, latency), 0.95) << latency;
+    EXPECT_NEAR(tractionOf(3.0, 7.0, latency), 3.0 / 7.0, 0.02) << latency;
+  }
+}
+
+TEST(TractionWatch, tellsNothingOfWhoNeedsLessOrIsFast)
+{
+  EXPECT_EQ(tractionOf(9.5, 2.0, 0.02), 1.0);
+  EXPECT_EQ(tractionOf(3.0, 7.0, 0.02, 4.5), 1.0) << "the motor's power may be what it lacks";
+}
+
+TEST(TractionWatch, tellsNothingOfWhoCorners)
+{
+  TractionWatch watch(7.0);
+  watch.noteCommand({3.5, 0.5});
+  for (int i = 0; i < 40; ++i) {
+    watch.noteSpeed(0.025 * i, 2.0 + 0.025 * i);
+  }
+  EXPECT_EQ(watch.share(), 1.0);
+}
+
+TEST(TractionWatch, beginsAgainWhenTimeJumpsBack)
+{
+  TractionWatch watch(7.0);
+  watch.noteCommand({3.0, 0.0});
+  for (const double start : {100.0, 1.0}) {
+    for (int i = 0; i < 15; ++i) {
+      watch.noteSpeed(start + 0.025 * i, 0.0);
+    }
+  }
+  EXPECT_EQ(watch.share(), 1.0) << "too short to tell";
 }
 }  // namespace
 }  // namespace move_base

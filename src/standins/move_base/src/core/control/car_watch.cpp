@@ -15,13 +15,15 @@ CarWatch::CarWatch(const FollowerOptions & told)
 : told_latency_(told.latency),
   told_slip_(told.slip_gradient),
   speed_lag_(PathFollower::kSpeedLag + told.latency),
-  slip_watch_(told.slip_gradient)
+  slip_watch_(told.slip_gradient),
+  traction_watch_(told.limits.acc_lim_x)
 {
 }
 
 CarState CarWatch::note(const Sighting & sighting, double now)
 {
   speed_lag_.noteSpeed(sighting.measured, sighting.car.speed);
+  traction_watch_.noteSpeed(sighting.measured, sighting.car.speed);
   slip_watch_.note(sighting.seen, sighting.car.pose);
   return reckoning_.predict(sighting.car, sighting.seen, sighting.measured, now);
 }
@@ -30,6 +32,7 @@ void CarWatch::noteCommand(double time, const DriveCommand & command)
 {
   reckoning_.note(time, command);
   speed_lag_.noteCommand(time, command.speed);
+  traction_watch_.noteCommand(command);
 }
 
 double CarWatch::latency() const
@@ -40,5 +43,10 @@ double CarWatch::latency() const
 double CarWatch::slip() const
 {
   return told_slip_ > 0.0 ? std::clamp(slip_watch_.gradient() / told_slip_, kLeastSlip, kMostSlip) : 1.0;
+}
+
+double CarWatch::traction() const
+{
+  return told_slip_ > 0.0 ? traction_watch_.share() : 1.0;
 }
 }  // namespace move_base

@@ -3,6 +3,7 @@
 #include "control/dead_reckoning.h"
 #include "control/slip_watch.h"
 #include "control/speed_lag.h"
+#include "control/traction_watch.h"
 
 namespace move_base
 {
@@ -33,6 +34,8 @@ public:
   double latency() const;
   /// How far its tyres slip, times what is said.
   double slip() const;
+  /// How much of the acceleration that it is told it reaches.
+  double traction() const;
 
 private:
   double told_latency_;  // s
@@ -40,5 +43,6 @@ private:
   DeadReckoning reckoning_;
   SpeedLag speed_lag_;
   SlipWatch slip_watch_;
+  TractionWatch traction_watch_;
 };
 }  // namespace move_base

@@ -16,6 +16,7 @@ constexpr double kBrakingReserve = 1.5;   // of the deceleration of the speed pr
 constexpr double kLateralReserve = 1.05;  // of the lateral acceleration, to drive errors out
 constexpr double kSlipStep = 0.03;        // part by which the slip must change to be taken into account
 constexpr double kUsualSlip = 1.15;       // times what it is told to be, up to which the grip is that of a dry road
+constexpr double kUsualTraction = 0.9;    // of the acceleration told, from which the grip is that of a dry road
 constexpr double kStopMargin = 0.05;      // m, left before an obstacle
 // A Twist without speed says nothing of the wheels: they would straighten while the car still rolls, m/s.
 constexpr double kCreep = 1e-3;
@@ -63,16 +64,18 @@ void PathFollower::setPath(const Path & path, const Costmap & costmap, const Cau
   tracker_ = PathTracker(path_);
 }
 
-void PathFollower::setSlip(double times, const Costmap & costmap)
+void PathFollower::setTyres(double times, double traction, const Costmap & costmap)
 {
-  if (std::abs(times - slip_) < kSlipStep * slip_) {
+  if (std::abs(times - slip_) < kSlipStep * slip_ && std::abs(traction - traction_) < kSlipStep * traction_) {
     return;
   }
   slip_ = times;
+  traction_ = traction;
   options_.slip_gradient = given_.slip_gradient * times;
   options_.understeer_gradient = given_.understeer_gradient * times;
   options_.yaw_lag = given_.yaw_lag * times;
-  const double grip = std::min(1.0, kUsualSlip / times);
+  const double passed_on = traction < kUsualTraction ? traction : 1.0;
+  const double grip = std::min(passed_on, kUsualSlip / times);
   options_.limits.acc_lim_x = given_.limits.acc_lim_x * grip;
   options_.limits.dec_lim_x = given_.limits.dec_lim_x * grip;
   options_.limits.braking_power = given_.limits.braking_power * grip;

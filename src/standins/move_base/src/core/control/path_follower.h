@@ -70,9 +70,10 @@ public:
   /// s, from measuring a pose to the wheels acting on the command; that of the options until it is set.
   void setLatency(double latency) { options_.latency = latency; }
   double latency() const { return options_.latency; }
-  /// Takes the tyres to slip so many times as much as the options say. Where that is clearly more, they have less grip,
-  /// and the car is asked for less. The speeds along the path follow.
-  void setSlip(double times, const Costmap & costmap);
+  /// Takes the tyres to slip so many times as much as the options say. Where that is clearly more, or where they pass on
+  /// but a share of the acceleration that the car is told, they have less grip, and the car is asked for less. The
+  /// speeds along the path follow.
+  void setTyres(double slip_times, double traction, const Costmap & costmap);
   /// s, that a car's speed lags behind its command.
   double speedLead() const { return kSpeedLag + options_.latency; }
   const DriveCommand & lastCommand() const { return last_; }
@@ -125,6 +126,7 @@ private:
   FollowerOptions given_;
   FollowerOptions options_;  // as the car is found to be
   double slip_{1.0};         // times that of given_
+  double traction_{1.0};     // of the acceleration told
   Path path_;
   Caution caution_;
   std::vector<double> speeds_;

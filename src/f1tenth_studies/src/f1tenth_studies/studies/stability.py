@@ -116,7 +116,7 @@ STUDY = Study(
         "world": "",
         "model": "single_track,single_track_drift",
         "mu": "0.5,0.75,1.05",
-        "actuation_latency": "0,0.05,0.1",
+        "actuation_latency": "0,0.1",
         "speed_max": "5,10",
     },
     rows=("model", "mu", "actuation_latency"),

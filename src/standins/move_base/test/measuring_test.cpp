@@ -76,6 +76,23 @@ TEST(SlipWatch, measuresHowFarACarDriftsInBends)
   EXPECT_NEAR(driftOf(0.5), 0.0374, 0.003);
 }
 
+TEST(SlipWatch, hasFeltTheTyresAfterHalfASecondOfABend)
+{
+  SlipWatch watch(0.0178);
+  SlidingCar car({0.0, 0.0, 0.0}, 4.0, 0.5, 0.0);
+  const auto drive = [&](double from, double until, double curvature) {
+    for (double time = from; time < until; time += kStep) {
+      watch.note(time, car.state().pose);
+      car.drive({4.0, curvature}, kStep);
+    }
+  };
+  drive(0.0, 2.0, 0.0);
+  EXPECT_FALSE(watch.hasFelt());
+  drive(2.0, 3.5, 0.25);
+  EXPECT_TRUE(watch.hasFelt());
+  EXPECT_NEAR(watch.gradient(), 0.0374, 0.005);
+}
+
 TEST(SlipWatch, isNotMisledByAPoseThatJumps)
 {
   EXPECT_NEAR(driftOf(1.0489, 5.0), driftOf(1.0489), 0.002);

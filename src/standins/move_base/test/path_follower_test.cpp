@@ -143,6 +143,26 @@ TEST(PathFollower, keepsItsWheelsTurnedUntilItStandsBeforeAnObstacle)
   EXPECT_EQ(follower.step(car.state(), costmap, kStepTime).command.speed, 0.0);
 }
 
+TEST(PathFollower, asksLessOfTyresThatHoldLess)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  PathFollower follower(racingFollower());
+  follower.setPath(samplePath({2.0, 2.0, 0.0}, {{6.0, 0.0}}, 0.1), costmap);
+  const SpeedLimits told = follower.options().limits;
+  const auto part = [&](const Tyres & tyres) {
+    follower.setTyres(tyres, costmap);
+    const SpeedLimits & limits = follower.options().limits;
+    return std::pair(
+      limits.acc_lim_x / told.acc_lim_x, limits.max_lateral_acceleration / told.max_lateral_acceleration);
+  };
+  EXPECT_EQ(part({1.1, 0.95, true}), std::pair(1.0, 1.0)) << "as on a usual floor";
+  EXPECT_EQ(part({1.0, 1.0, false}), std::pair(1.0, 0.6)) << "until a bend has shown it";
+  EXPECT_NEAR(part({2.0, 1.0, true}).second, 1.15 / 2.0, 1e-9) << "they slip";
+  EXPECT_NEAR(part({1.0, 0.5, true}).first, 0.85 * 0.5, 1e-9) << "they spin";
+  EXPECT_NEAR(part({1.0, 0.5, false}).second, 0.85 * 0.5, 1e-9);
+  EXPECT_EQ(part({1.0, 1.0, true}), std::pair(1.0, 1.0));
+}
+
 TEST(PathFollower, brakesAlongThePathWhenTold)
 {
   const Costmap costmap = makeCostmap(drawOval());

@@ -57,7 +57,7 @@ protected:
     const Costmap costmap = makeCostmap(drawRoom(100.0, 40.0));
     PathFollower follower(shippedFollower(GetParam().speed));
     follower.setLatency(follower.latency() + GetParam().latency);
-    follower.setTyres(slip(), 1.0, costmap);
+    follower.setTyres({slip()}, costmap);
     follower.setPath(path, costmap);
     SlidingCar car(start, GetParam().speed, GetParam().friction, GetParam().latency);
     for (double t = 0.0; t < duration; t += kControlStep) {

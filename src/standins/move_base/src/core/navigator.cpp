@@ -77,7 +77,7 @@ CycleOutput Navigator::cycle(const CycleInput & input, Costmap & costmap)
   const double measured = input.sensors_current ? seen : input.time - input.speed_age;
   now.car = car_watch_.note({input.car, seen, measured}, input.time);
   follower_.setLatency(car_watch_.latency());
-  follower_.setTyres(car_watch_.slip(), car_watch_.traction(), costmap);
+  follower_.setTyres(car_watch_.tyres(), costmap);
   CycleOutput output;
   drive(now, costmap, output);
   output.new_plan = way_.takeChange();

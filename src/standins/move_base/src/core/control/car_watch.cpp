@@ -40,13 +40,12 @@ double CarWatch::latency() const
   return std::clamp(speed_lag_.lag() - PathFollower::kSpeedLag, told_latency_, told_latency_ + kMostLatency);
 }
 
-double CarWatch::slip() const
+Tyres CarWatch::tyres() const
 {
-  return told_slip_ > 0.0 ? std::clamp(slip_watch_.gradient() / told_slip_, kLeastSlip, kMostSlip) : 1.0;
-}
-
-double CarWatch::traction() const
-{
-  return told_slip_ > 0.0 ? traction_watch_.share() : 1.0;
+  if (told_slip_ <= 0.0) {
+    return {};
+  }
+  const double slip = std::clamp(slip_watch_.gradient() / told_slip_, kLeastSlip, kMostSlip);
+  return {slip, traction_watch_.share(), slip_watch_.hasFelt()};
 }
 }  // namespace move_base

@@ -32,10 +32,8 @@ public:
 
   /// s, from measuring a pose to the wheels acting on the command. Commands reach motor and steering on the same way.
   double latency() const;
-  /// How far its tyres slip, times what is said.
-  double slip() const;
-  /// How much of the acceleration that it is told it reaches.
-  double traction() const;
+  /// What its tyres have shown.
+  Tyres tyres() const;
 
 private:
   double told_latency_;  // s

@@ -17,6 +17,8 @@ constexpr double kLateralReserve = 1.05;  // of the lateral acceleration, to dri
 constexpr double kSlipStep = 0.03;        // part by which the slip must change to be taken into account
 constexpr double kUsualSlip = 1.15;       // times what it is told to be, up to which the grip is that of a dry road
 constexpr double kUsualTraction = 0.9;    // of the acceleration told, from which the grip is that of a dry road
+constexpr double kSpinning = 0.85;        // of what spinning wheels pass on, that they do while they steer as well
+constexpr double kUnfelt = 0.6;           // of the lateral acceleration, until a bend has shown how the tyres slip
 constexpr double kStopMargin = 0.05;      // m, left before an obstacle
 // A Twist without speed says nothing of the wheels: they would straighten while the car still rolls, m/s.
 constexpr double kCreep = 1e-3;
@@ -64,22 +66,24 @@ void PathFollower::setPath(const Path & path, const Costmap & costmap, const Cau
   tracker_ = PathTracker(path_);
 }
 
-void PathFollower::setTyres(double times, double traction, const Costmap & costmap)
+void PathFollower::setTyres(const Tyres & tyres, const Costmap & costmap)
 {
-  if (std::abs(times - slip_) < kSlipStep * slip_ && std::abs(traction - traction_) < kSlipStep * traction_) {
+  const bool same_slip = std::abs(tyres.slip - tyres_.slip) < kSlipStep * tyres_.slip;
+  const bool same_traction = std::abs(tyres.traction - tyres_.traction) < kSlipStep * tyres_.traction;
+  if (same_slip && same_traction && tyres.felt == tyres_.felt) {
     return;
   }
-  slip_ = times;
-  traction_ = traction;
-  options_.slip_gradient = given_.slip_gradient * times;
-  options_.understeer_gradient = given_.understeer_gradient * times;
-  options_.yaw_lag = given_.yaw_lag * times;
-  const double passed_on = traction < kUsualTraction ? traction : 1.0;
-  const double grip = std::min(passed_on, kUsualSlip / times);
+  tyres_ = tyres;
+  options_.slip_gradient = given_.slip_gradient * tyres.slip;
+  options_.understeer_gradient = given_.understeer_gradient * tyres.slip;
+  options_.yaw_lag = given_.yaw_lag * tyres.slip;
+  const double passed_on = tyres.traction < kUsualTraction ? kSpinning * tyres.traction : 1.0;
+  const double grip = std::min(passed_on, kUsualSlip / tyres.slip);
+  const double to_side = tyres.felt ? grip : std::min(grip, kUnfelt);
   options_.limits.acc_lim_x = given_.limits.acc_lim_x * grip;
   options_.limits.dec_lim_x = given_.limits.dec_lim_x * grip;
   options_.limits.braking_power = given_.limits.braking_power * grip;
-  options_.limits.max_lateral_acceleration = given_.limits.max_lateral_acceleration * grip;
+  options_.limits.max_lateral_acceleration = given_.limits.max_lateral_acceleration * to_side;
   speeds_ = speedProfile(path_, costmap, options_.limits, caution_);
 }
 

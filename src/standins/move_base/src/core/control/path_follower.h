@@ -31,6 +31,14 @@ struct FollowerOptions
   void validate() const;
 };
 
+/// What is known of a car's tyres beside what the options say.
+struct Tyres
+{
+  double slip{1.0};      ///< times what the options say
+  double traction{1.0};  ///< share of the acceleration told that comes of it, where the car falls behind its command
+  bool felt{true};       ///< whether a bend has shown how far they slip
+};
+
 struct DriveCommand
 {
   double speed{0.0};      ///< m/s, negative backwards
@@ -70,10 +78,9 @@ public:
   /// s, from measuring a pose to the wheels acting on the command; that of the options until it is set.
   void setLatency(double latency) { options_.latency = latency; }
   double latency() const { return options_.latency; }
-  /// Takes the tyres to slip so many times as much as the options say. Where that is clearly more, or where they pass on
-  /// but a share of the acceleration that the car is told, they have less grip, and the car is asked for less. The
-  /// speeds along the path follow.
-  void setTyres(double slip_times, double traction, const Costmap & costmap);
+  /// Where the tyres clearly slip more than the options say, or pass on but a share of the acceleration told, they have less
+  /// grip, and the car is asked for less; to the side also until a bend has shown it. The speeds along the path follow.
+  void setTyres(const Tyres & tyres, const Costmap & costmap);
   /// s, that a car's speed lags behind its command.
   double speedLead() const { return kSpeedLag + options_.latency; }
   const DriveCommand & lastCommand() const { return last_; }
@@ -125,8 +132,7 @@ private:
 
   FollowerOptions given_;
   FollowerOptions options_;  // as the car is found to be
-  double slip_{1.0};         // times that of given_
-  double traction_{1.0};     // of the acceleration told
+  Tyres tyres_;
   Path path_;
   Caution caution_;
   std::vector<double> speeds_;

@@ -17,11 +17,14 @@ public:
   void note(double time, const Pose2 & pose);
   void clear() { places_.clear(); }
 
+  /// Whether what has been measured in bends counts far more than what was expected.
+  bool hasFelt() const { return squared_acceleration_ > kFelt * kExpectation; }
   /// rad per m/s^2
   double gradient() const { return slip_times_acceleration_ / squared_acceleration_; }
 
 private:
   static constexpr double kExpectation = 10.0;  // m^2/s^4, weight of what is expected: a moment of a bend outweighs it
+  static constexpr double kFelt = 30.0;
 
   struct Place
   {

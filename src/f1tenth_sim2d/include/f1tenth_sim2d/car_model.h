@@ -123,26 +123,10 @@ struct DriveDescription
     std::numeric_limits<double>::infinity()};  ///< m/s^2, of the wheels; besides that of the car's parameters
 };
 
-/// A <transmission>: how ros_control reaches a joint.
-struct TransmissionDescription
-{
-  enum class Interface
-  {
-    kEffort,
-    kVelocity,
-    kPosition
-  };
-  std::string name;
-  std::string joint;
-  std::vector<Interface> interfaces;
-  double mechanical_reduction{1.0};
-};
-
-/// libgazebo_ros_control.so: the controllers of a controller_manager move the joints of the transmissions.
+/// libgazebo_ros_control.so: the controllers of a controller_manager move wheels and steering joints.
 struct RosControlDescription
 {
   std::string ros_namespace;  ///< as topics: without slash in front it belongs into the car's; empty: the car's itself
-  std::string robot_param{"robot_description"};
   double control_period_sec{0.0};  ///< 0: the physics step
 };
 
@@ -167,7 +151,6 @@ struct CarDescription
   std::vector<std::shared_ptr<const SensorDescription>> sensors;  ///< of further kinds
   std::optional<DriveDescription> drive;
   std::optional<RosControlDescription> ros_control;
-  std::vector<TransmissionDescription> transmissions;
 
   std::vector<JointDescription> mechanism;  ///< all wheels and steering joints
   std::vector<JointDescription> joints;     ///< those of them that joint_states carries

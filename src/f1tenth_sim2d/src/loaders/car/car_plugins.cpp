@@ -7,7 +7,6 @@
 #include "loaders/car/car_joints.h"
 #include "loaders/car/drive_plugins.h"
 #include "loaders/car/sensor_readers.h"
-#include "loaders/car/transmissions.h"
 
 namespace f1tenth_sim2d
 {
@@ -40,8 +39,6 @@ void readRosControl(const Element & plugin, CarContext & context)
   }
   RosControlDescription control;
   control.ros_namespace = context.rosNamespace(plugin);
-  control.robot_param = plugin.textOf("robotParam", control.robot_param);
-  requireRosName(plugin, "<robotParam>", control.robot_param);
   control.control_period_sec = plugin.notNegative("controlPeriod", 0.0);
   context.car.ros_control = std::move(control);
 }
@@ -67,18 +64,21 @@ std::map<std::string, Read> builtIn(const std::vector<MechanismJoint> & mechanis
   };
 }
 
-/// Transmissions of joints that are no wheel or steering joint move nothing here.
-void readTransmissionsOfMechanism(CarContext & context)
+/// Controllers move wheels and steering joints whatever their transmissions say: only what is not simulated is named.
+void warnOfTransmissions(const CarContext & context)
 {
-  for (const Element & element : context.model.transmissions) {
-    const auto transmission = readTransmission(element, context.warnings);
+  for (const Element & transmission : context.model.transmissions) {
+    const std::string type =
+      transmission.has("type") ? transmission.attribute("type") : transmission.child("type").text();
+    const std::string name = transmission.child("joint").name();
     const auto & joints = context.car.mechanism;
-    const auto is_meant = [&](const JointDescription & joint) { return joint.name == transmission->joint; };
-    if (transmission && std::any_of(joints.begin(), joints.end(), is_meant)) {
-      context.car.transmissions.push_back(*transmission);
-    } else if (transmission) {
+    const auto is_meant = [&name](const JointDescription & joint) { return joint.name == name; };
+    if (type.substr(type.find_last_of('/') + 1) != "SimpleTransmission") {
       context.warnings.add(
-        "joint '" + transmission->joint + "' is left out: neither a wheel nor a steering joint", element.fileLine());
+        "a transmission of type '" + type + "' is left out: simulated is SimpleTransmission", transmission.fileLine());
+    } else if (std::none_of(joints.begin(), joints.end(), is_meant)) {
+      context.warnings.add(
+        "joint '" + name + "' is left out: neither a wheel nor a steering joint", transmission.fileLine());
     }
   }
 }
@@ -95,6 +95,6 @@ void readPlugins(const std::vector<MechanismJoint> & mechanism, CarContext & con
       context.car.plugins.push_back(pluginElement(plugin));
     }
   }
-  readTransmissionsOfMechanism(context);
+  warnOfTransmissions(context);
 }
 }  // namespace f1tenth_sim2d

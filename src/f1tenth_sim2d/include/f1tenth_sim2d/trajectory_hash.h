@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "f1tenth_sim2d/simulation.h"
+
+struct evp_md_ctx_st;
 
 namespace f1tenth_sim2d
 {
@@ -12,7 +16,6 @@ class TrajectoryHash
 {
 public:
   TrajectoryHash();
-  ~TrajectoryHash();
 
   void add(const Simulation & simulation);
   /// Digest of everything added so far, 64 hexadecimal digits; more may be added afterwards.
@@ -20,7 +23,13 @@ public:
   void reset();
 
 private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  using Context = evp_md_ctx_st;  // of OpenSSL
+  struct Free
+  {
+    void operator()(Context * context) const;
+  };
+
+  std::unique_ptr<Context, Free> context_;
+  std::vector<std::uint8_t> bytes_;  // of one period
 };
 }  // namespace f1tenth_sim2d

@@ -167,12 +167,6 @@ std::optional<std::pair<std::string, XmlRpcValue>> ParameterReader::find(const P
       return std::pair(name, *value);
     }
   }
-  for (const std::string & name : names.deprecated) {
-    if (const auto value = lookUp(name)) {
-      ROS_WARN("parameter %s: has a new name, %s", fullName(name).c_str(), fullName(names.current.front()).c_str());
-      return std::pair(name, *value);
-    }
-  }
   return std::nullopt;
 }
 
@@ -194,11 +188,9 @@ std::optional<XmlRpcValue> ParameterReader::lookUp(const std::string & name) con
 
 void ParameterReader::note(const ParameterNames & names)
 {
-  for (const auto * list : {&names.current, &names.deprecated}) {
-    for (const std::string & name : *list) {
-      if (!isKnown(name)) {
-        known_.push_back(name);
-      }
+  for (const std::string & name : names.current) {
+    if (!isKnown(name)) {
+      known_.push_back(name);
     }
   }
 }

@@ -101,8 +101,6 @@ TEST(ParameterReader, LeavesWhatIsNotThere)
 TEST(ParameterReader, TakesTheFirstNameThatIsSet)
 {
   EXPECT_EQ(valueOf<double>({"absent", "costmap/layer/radius", "speed"}), 0.3);
-  EXPECT_EQ(valueOf<double>(ParameterNames("absent").formerly("speed")), 2.5);
-  EXPECT_EQ(valueOf<double>(ParameterNames("speed").formerly("count")), 2.5);
 }
 
 TEST(ParameterReader, SaysWhatWasFoundAndWhatIsAllowed)

@@ -39,11 +39,3 @@ TEST(Conversions, ContactForceIsSharedByItsPoints)
   EXPECT_EQ(state.contact_normals[0].x, -1.0);
   EXPECT_EQ(state.depths, contact.depths);
 }
-
-TEST(Conversions, PoseRelativeToAnother)
-{
-  const Pose2 pose = relativeTo({2.0, 3.0, M_PI}, {2.0, 1.0, M_PI / 2.0});
-  EXPECT_NEAR(pose.x, 2.0, 1e-15);
-  EXPECT_NEAR(pose.y, 0.0, 1e-15);
-  EXPECT_NEAR(pose.yaw, M_PI / 2.0, 1e-15);
-}

@@ -16,15 +16,6 @@ struct ParameterNames
   ParameterNames(std::vector<std::string> names) : current(std::move(names)) {}
   ParameterNames(std::initializer_list<std::string> names) : current(names) {}
 
-  /// The same, also known by a name that it had before: that one warns.
-  ParameterNames formerly(std::string name) const
-  {
-    ParameterNames names = *this;
-    names.deprecated.push_back(std::move(name));
-    return names;
-  }
-
   std::vector<std::string> current;
-  std::vector<std::string> deprecated;
 };
 }  // namespace workspace_support

@@ -83,10 +83,4 @@ Vec2 rotated(const Vec2 & vector, double yaw)
   const double s = std::sin(yaw);
   return {c * vector.x - s * vector.y, s * vector.x + c * vector.y};
 }
-
-Pose2 relativeTo(const Pose2 & pose, const Pose2 & reference)
-{
-  const Vec2 offset = rotated({pose.x - reference.x, pose.y - reference.y}, -reference.yaw);
-  return {offset.x, offset.y, std::remainder(pose.yaw - reference.yaw, 2.0 * M_PI)};
-}
 }  // namespace f1tenth_sim2d

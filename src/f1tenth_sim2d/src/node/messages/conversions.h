@@ -22,6 +22,4 @@ gazebo_msgs::ContactState toContactState(const Contact & contact);
 
 /// A vector given in a frame turned by yaw, in the frame that it is turned against.
 Vec2 rotated(const Vec2 & vector, double yaw);
-/// Pose of `pose` in the frame `reference`, both in the world.
-Pose2 relativeTo(const Pose2 & pose, const Pose2 & reference);
 }  // namespace f1tenth_sim2d

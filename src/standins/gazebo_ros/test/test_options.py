@@ -4,13 +4,15 @@ from gazebo_ros.server_options import find_world, parse, resource_folders
 
 
 def test_without_arguments_the_world_is_empty():
-    options, seed = parse([])
-    assert (options.world, options.paused, options.left_out, seed) == ("worlds/empty.world", False, (), None)
+    options, left_out = parse([])
+    assert (options.world, options.pause, options.seed) == ("worlds/empty.world", False, None)
+    assert left_out == []
 
 
 def test_arguments_of_the_original_launch_file():
-    options, seed = parse(["-u", "-e", "ode", "--verbose", "--seed", "7", "/a/b.world", "__name:=gazebo"])
-    assert (options.world, options.paused, options.left_out, seed) == ("/a/b.world", True, (), 7)
+    options, left_out = parse(["-u", "-e", "ode", "--verbose", "--seed", "7", "/a/b.world", "__name:=gazebo"])
+    assert (options.world, options.pause, options.seed) == ("/a/b.world", True, 7)
+    assert left_out == []
 
 
 def test_profile_is_the_name_of_a_physics():
@@ -19,8 +21,8 @@ def test_profile_is_the_name_of_a_physics():
 
 
 def test_options_without_effect_are_named():
-    options, _ = parse(["-s", "libgazebo_ros_api_plugin.so", "--record", "w.world"])
-    assert options.left_out == ("server_plugin", "record")
+    _, left_out = parse(["-s", "libgazebo_ros_api_plugin.so", "--record", "w.world"])
+    assert left_out == ["server_plugin", "record"]
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,8 @@ def test_defaults():
         "",
         "/gazebo",
     )
-    assert (options.xyz, options.rpy, options.joints) == ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), ())
+    assert (options.x, options.y, options.z) == (0.0, 0.0, 0.0)
+    assert (options.R, options.P, options.Y, options.joints) == (0.0, 0.0, 0.0, [])
     assert not options.unpause
     assert options.wait is None
 
@@ -26,14 +27,11 @@ def test_all_options_of_the_original():
         + ["-J", "hinge", "0.5", "-b", "__name:=spawn"],
         "/",
     )
-    assert (options.kind, options.file, options.xyz, options.rpy) == (
-        "sdf",
-        "/m.sdf",
-        (1.0, -2.5, 0.1),
-        (0.0, 0.0, 1.5),
-    )
+    assert (options.kind, options.file) == ("sdf", "/m.sdf")
+    assert (options.x, options.y, options.z) == (1.0, -2.5, 0.1)
+    assert (options.R, options.P, options.Y) == (0.0, 0.0, 1.5)
     assert (options.robot_namespace, options.reference_frame, options.wait) == ("/r", "base", "other")
-    assert (options.unpause, options.bond, options.joints) == (True, True, (("hinge", 0.5),))
+    assert (options.unpause, options.bond, options.joints) == (True, True, [["hinge", "0.5"]])
 
 
 @pytest.mark.parametrize(

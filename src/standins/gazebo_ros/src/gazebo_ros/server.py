@@ -37,7 +37,7 @@ def executable():
     raise UsageError("no executable sim2d of f1tenth_sim2d below CMAKE_PREFIX_PATH: build the workspace")
 
 
-def set_parameters(tree, options, seed):
+def set_parameters(tree, options):
     """Say what the command line says; other parameters of the tree are the user's."""
     share = rospkg.RosPack().get_path("gazebo_ros")
     folders = server_options.resource_folders(os.environ, share)
@@ -46,9 +46,9 @@ def set_parameters(tree, options, seed):
     factor = real_time_factor(world, options.profile)
     if factor is not None:
         rospy.set_param(f"{tree}/real_time_factor", factor)
-    rospy.set_param(f"{tree}/paused", options.paused)
-    if seed is not None:
-        rospy.set_param(f"{tree}/seed", seed)
+    rospy.set_param(f"{tree}/paused", options.pause)
+    if options.seed is not None:
+        rospy.set_param(f"{tree}/seed", options.seed)
 
 
 def main(debugger=()):
@@ -58,12 +58,12 @@ def main(debugger=()):
         debugger: command in front of the simulator's.
     """
     try:
-        options, seed = server_options.parse(sys.argv[1:])
+        options, left_out = server_options.parse(sys.argv[1:])
         name = node_name(sys.argv)
         tree = f"{name}/sim2d"
-        set_parameters(tree, options, seed)
-        if options.left_out:
-            print(f"gzserver: without effect here: {', '.join(options.left_out)}", file=sys.stderr)
+        set_parameters(tree, options)
+        if left_out:
+            print(f"gzserver: without effect here: {', '.join(left_out)}", file=sys.stderr)
         remappings = [each for each in sys.argv[1:] if ":=" in each]
         if not any(each.startswith("__name:=") for each in remappings):
             remappings.append(f"__name:={DEFAULT_NAME}")

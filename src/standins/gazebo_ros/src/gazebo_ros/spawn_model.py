@@ -62,7 +62,8 @@ def database_file(name, environment):
 
 def initial_pose(options):
     """Return the Pose of the options."""
-    return Pose(Point(*options.xyz), Quaternion(*quaternion_from_euler(*options.rpy)))
+    orientation = quaternion_from_euler(options.R, options.P, options.Y)
+    return Pose(Point(options.x, options.y, options.z), Quaternion(*orientation))
 
 
 def wait_for_model(name, namespace):

@@ -20,6 +20,11 @@ def use_namespace(namespace):
     _manager = f"{namespace.rstrip('/')}/controller_manager"
 
 
+def service_name(service):
+    """Of a service of the controller manager."""
+    return f"{_manager}/{service}"
+
+
 def call(service, kind, *arguments, timeout=None):
     """Call a service of the controller manager of this namespace.
 
@@ -27,7 +32,7 @@ def call(service, kind, *arguments, timeout=None):
         rospy.ROSException: it has not come within the timeout, wall s.
         rospy.ServiceException: it failed.
     """
-    name = f"{_manager}/{service}"
+    name = service_name(service)
     rospy.wait_for_service(name, timeout)
     return rospy.ServiceProxy(name, kind)(*arguments)
 

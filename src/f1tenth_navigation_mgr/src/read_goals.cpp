@@ -1,4 +1,5 @@
 #include <array>
+#include <boost/algorithm/string/join.hpp>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -15,6 +16,8 @@ namespace
 // Files written with two decimals are off by at most this much.
 constexpr double kQuaternionTolerance{0.01};
 
+using boost::algorithm::join;
+
 constexpr const char * kForms{R"("x y yaw" or "x y z qx qy qz qw")"};
 constexpr std::array<const char *, 3> kPlanarNames{"x", "y", "yaw"};
 constexpr std::array<const char *, 7> kFullNames{"x", "y", "z", "qx", "qy", "qz", "qw"};
@@ -25,13 +28,6 @@ std::vector<std::string> fieldsOf(const std::string & line)
   std::vector<std::string> fields;
   for (std::string field; stream >> field;) fields.push_back(field);
   return fields;
-}
-
-std::string joined(const std::vector<std::string> & parts, const std::string & separator)
-{
-  std::string text;
-  for (const auto & part : parts) text += (text.empty() ? "" : separator) + part;
-  return text;
 }
 
 /// Reads one file line by line; every error names the line that is being read.
@@ -74,11 +70,11 @@ private:
   void readFrame(const std::vector<std::string> & fields)
   {
     if (!at_first_entry_) fail("frame_id must stand before everything else, and once");
-    frame_id_ = joined({fields.begin() + 1, fields.end()}, " ");
+    frame_id_ = join(std::vector<std::string>{fields.begin() + 1, fields.end()}, " ");
     for (const auto & known : known_frames_) {
       if (frame_id_ == known) return;
     }
-    fail("unknown frame \"" + frame_id_ + "\", expected one of: " + joined(known_frames_, ", "));
+    fail("unknown frame \"" + frame_id_ + "\", expected one of: " + join(known_frames_, ", "));
   }
 
   Goal readGoal(const std::vector<std::string> & fields) const

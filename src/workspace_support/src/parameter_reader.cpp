@@ -3,6 +3,7 @@
 #include <ros/console.h>
 
 #include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/predicate.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -26,11 +27,6 @@ XmlRpcValue parametersOf(const ros::NodeHandle & node)
 bool isMap(const XmlRpcValue & value)
 {
   return value.getType() == XmlRpcValue::TypeStruct;
-}
-
-bool startsWith(const std::string & text, const std::string & start)
-{
-  return text.compare(0, start.size(), start) == 0;
 }
 }  // namespace
 
@@ -239,7 +235,7 @@ void ParameterReader::refuseUnused() const
   const std::string place = name.substr(0, name.rfind('/') + 1);
   std::vector<std::string> allowed;
   for (const std::string & known : known_) {
-    if (startsWith(known, place)) {
+    if (boost::algorithm::starts_with(known, place)) {
       allowed.push_back(known.substr(place.size()));
     }
   }
@@ -252,7 +248,7 @@ void ParameterReader::warnOfUnused(const std::vector<std::string> & important) c
 {
   std::vector<std::string> rest;
   for (const std::string & name : unused()) {
-    const auto begins = [&](const std::string & beginning) { return startsWith(name, beginning); };
+    const auto begins = [&](const std::string & beginning) { return boost::algorithm::starts_with(name, beginning); };
     if (std::any_of(important.begin(), important.end(), begins)) {
       ROS_WARN("No use is made of parameter %s", fullName(name).c_str());
     } else {

@@ -1,7 +1,9 @@
 #include "odometry_parameters.h"
 
 #include <algorithm>
-#include <cctype>
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <cmath>
 #include <functional>
 #include <locale>
@@ -20,28 +22,6 @@ using ros::console::levels::Level;
 // The pose that the simulator keeps.
 constexpr const char * kRootLink = "base_footprint";
 
-std::string joined(const std::vector<std::string> & words)
-{
-  std::string result;
-  for (const auto & word : words) {
-    result += (result.empty() ? "" : ", ") + word;
-  }
-  return result;
-}
-
-std::string lowered(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
-
-std::string trimmed(const std::string & text)
-{
-  const auto begin = text.find_first_not_of(" \t\r\n");
-  const auto end = text.find_last_not_of(" \t\r\n");
-  return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
-}
-
 /// One tag of the element, for reading and for refusing it.
 struct Tag
 {
@@ -56,7 +36,7 @@ struct Tag
 
   bool flag() const
   {
-    const std::string value = lowered(text);
+    const std::string value = boost::algorithm::to_lower_copy(text);
     if (value == "true" || value == "1") {
       return true;
     }
@@ -92,7 +72,7 @@ struct Tag
   std::string link(const std::vector<std::string> & links) const
   {
     if (std::find(links.begin(), links.end(), text) == links.end()) {
-      refuse("a link of the robot description: " + joined(links));
+      refuse("a link of the robot description: " + boost::algorithm::join(links, ", "));
     }
     if (text != kRootLink) {
       refuse(std::string(kRootLink) + ": every other link gets its transform from the robot description");
@@ -106,7 +86,7 @@ struct Tag
       {"debug", ros::console::levels::Debug}, {"info", ros::console::levels::Info},
       {"warn", ros::console::levels::Warn},   {"error", ros::console::levels::Error},
       {"fatal", ros::console::levels::Fatal}, {"na", std::nullopt}};
-    const auto level = kLevels.find(lowered(text));
+    const auto level = kLevels.find(boost::algorithm::to_lower_copy(text));
     if (level == kLevels.end()) {
       refuse("one of Debug, Info, Warn, Error, Fatal, na");
     }
@@ -125,7 +105,8 @@ const std::function<void(const Tag &)> & readerOf(const Readers & readers, const
     }
     allowed.push_back(name);
   }
-  throw f1tenth_sim2d::Error(tag.place + ": <" + tag.name + ">: unknown; allowed: " + joined(allowed));
+  throw f1tenth_sim2d::Error(
+    tag.place + ": <" + tag.name + ">: unknown; allowed: " + boost::algorithm::join(allowed, ", "));
 }
 }  // namespace
 
@@ -143,7 +124,7 @@ OdometryParameters parseOdometryParameters(
   };
   std::set<std::string> seen;
   for (const auto & [name, text] : element.parameters) {
-    const Tag tag{element.place, name, trimmed(text)};
+    const Tag tag{element.place, name, boost::algorithm::trim_copy(text)};
     const auto & read = readerOf(readers, tag);
     if (!seen.insert(name).second) {
       throw f1tenth_sim2d::Error(element.place + ": <" + name + ">: found twice, expected once");

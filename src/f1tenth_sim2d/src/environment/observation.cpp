@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/join.hpp>
 #include <cmath>
 
 #include "f1tenth_sim2d/errors.h"
@@ -33,10 +34,7 @@ ObservationPart observationPart(const std::string & name)
   if (found != kNames.end()) {
     return static_cast<ObservationPart>(found - kNames.begin());
   }
-  std::string allowed;
-  for (const char * each : kNames) {
-    allowed += (allowed.empty() ? "" : ", ") + std::string(each);
-  }
+  const std::string allowed = boost::algorithm::join(std::vector<std::string>(kNames.begin(), kNames.end()), ", ");
   throw Error("observation: found '" + name + "', allowed are " + allowed);
 }
 

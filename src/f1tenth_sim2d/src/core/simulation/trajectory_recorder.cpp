@@ -1,5 +1,6 @@
 #include "core/simulation/trajectory_recorder.h"
 
+#include <boost/algorithm/string/join.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -13,20 +14,11 @@ namespace
 constexpr double kClearanceLimit = 5.0;  // m
 constexpr SimTime kSecond = 1000000000;  // ns
 
-std::string joinedNames(const std::set<std::string> & names)
-{
-  std::string result;
-  for (const auto & name : names) {
-    result += (result.empty() ? "" : ";") + name;
-  }
-  return result;
-}
-
 std::string columnsOf(const Touch & touch)
 {
   char speed[32];
   std::snprintf(speed, sizeof speed, "%.17g", touch.speed);
-  return joinedNames(touch.models) + ',' + speed;
+  return boost::algorithm::join(touch.models, ";") + ',' + speed;
 }
 
 std::string numbers(const CarState & state, double clearance)

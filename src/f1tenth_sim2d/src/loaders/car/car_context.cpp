@@ -1,18 +1,14 @@
 #include "loaders/car/car_context.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <cctype>
 
 namespace f1tenth_sim2d
 {
 namespace
 {
-std::string withoutSlashesAround(const std::string & text)
-{
-  const std::size_t first = text.find_first_not_of('/');
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of('/') - first + 1);
-}
-
 bool isIn(char letter, const char * marks)
 {
   return std::isalnum(static_cast<unsigned char>(letter)) != 0 || std::string(marks).find(letter) != std::string::npos;
@@ -48,7 +44,7 @@ std::string CarContext::rosNamespace(const Element & plugin) const
 {
   const std::string given = plugin.child("robotNamespace").text();
   requireRosName(plugin, "<robotNamespace>", given);
-  const std::string space = withoutSlashesAround(given);
+  const std::string space = boost::algorithm::trim_copy_if(given, boost::algorithm::is_any_of("/"));
   return given.empty() || space == car.ros_namespace ? "" : "/" + space;
 }
 

@@ -3,6 +3,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <set>
 
 #include "f1tenth_sim2d/errors.h"
@@ -89,13 +90,12 @@ YAML::Node readFile(const std::string & path)
 
 VehicleModel vehicleModel(const std::string & name)
 {
-  std::string allowed;
-  for (std::size_t i = 0; i < kVehicleModelNames.size(); ++i) {
-    if (name == kVehicleModelNames[i]) {
-      return static_cast<VehicleModel>(i);
-    }
-    allowed += (i == 0 ? "" : ", ") + std::string(kVehicleModelNames[i]);
+  const auto & names = kVehicleModelNames;
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) {
+    return static_cast<VehicleModel>(found - names.begin());
   }
+  const std::string allowed = boost::algorithm::join(std::vector<std::string>(names.begin(), names.end()), ", ");
   throw Error("model is '" + name + "', allowed are " + allowed);
 }
 

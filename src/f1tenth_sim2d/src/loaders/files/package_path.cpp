@@ -3,6 +3,7 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <filesystem>
 
 #include "loaders/files/path_list.h"
@@ -36,15 +37,6 @@ std::vector<fs::path> foldersIn(const fs::path & folder)
   return found;
 }
 
-std::string withFolder(std::string path, const std::string & folder)
-{
-  static const std::string mark = "${prefix}";
-  for (std::size_t at = 0; (at = path.find(mark, at)) != std::string::npos; at += folder.size()) {
-    path.replace(at, mark.size(), folder);
-  }
-  return path;
-}
-
 void appendExported(const tinyxml2::XMLElement & package, const std::string & folder, std::vector<std::string> & found)
 {
   const tinyxml2::XMLElement * const exports = package.FirstChildElement("export");
@@ -52,7 +44,7 @@ void appendExported(const tinyxml2::XMLElement & package, const std::string & fo
        tag = tag->NextSiblingElement("gazebo_ros")) {
     if (const char * const value = tag->Attribute("gazebo_model_path")) {
       for (const std::string & path : splitPathList(value)) {
-        found.push_back(withFolder(path, folder));
+        found.push_back(boost::algorithm::replace_all_copy(path, "${prefix}", folder));
       }
     }
   }

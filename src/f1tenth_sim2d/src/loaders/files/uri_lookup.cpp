@@ -1,6 +1,7 @@
 #include "loaders/files/uri_lookup.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <filesystem>
 
 namespace f1tenth_sim2d
@@ -23,15 +24,6 @@ std::string findIn(const std::vector<std::string> & folders, const fs::path & pa
     }
   }
   return "";
-}
-
-std::string joined(const std::vector<std::string> & parts, const std::string & separator)
-{
-  std::string text;
-  for (const std::string & part : parts) {
-    text += (text.empty() ? "" : separator) + part;
-  }
-  return text;
 }
 }  // namespace
 
@@ -97,9 +89,10 @@ std::string UriLookup::searchedFolders() const
   if (folders_.empty() && package_folders_.empty()) {
     return "nothing, since GAZEBO_MODEL_PATH and ROS_PACKAGE_PATH are empty";
   }
-  std::string text = joined(folders_, ", ");
+  std::string text = boost::algorithm::join(folders_, ", ");
   if (!package_folders_.empty()) {
-    text += (text.empty() ? "" : ", ") + std::string("and the ROS packages below ") + joined(package_folders_, ", ");
+    text += (text.empty() ? "" : ", ") + std::string("and the ROS packages below ") +
+            boost::algorithm::join(package_folders_, ", ");
   }
   return text;
 }

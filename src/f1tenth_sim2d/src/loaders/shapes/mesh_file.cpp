@@ -7,6 +7,7 @@
 
 #include <array>
 #include <assimp/Importer.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -133,10 +134,7 @@ std::string bytesOf(const std::string & path)
   std::ifstream file(path, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(file), {}};
   // Where the FBX exporter has no picture it writes a URI without a path, at which Assimp aborts. Pictures are not read.
-  static const std::string nowhere = ">file://<";
-  for (std::size_t at = 0; (at = bytes.find(nowhere, at)) != std::string::npos;) {
-    bytes.replace(at, nowhere.size(), ">nothing<");
-  }
+  boost::algorithm::replace_all(bytes, ">file://<", ">nothing<");
   return bytes;
 }
 

@@ -2,8 +2,7 @@
 
 #include <tinyxml2.h>
 
-#include <algorithm>
-#include <cctype>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <filesystem>
 #include <set>
 #include <sstream>
@@ -19,10 +18,7 @@ namespace fs = std::filesystem;
 
 std::string extensionOf(const std::string & path)
 {
-  std::string extension = fs::path(path).extension().string();
-  std::transform(
-    extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  return extension;
+  return boost::algorithm::to_lower_copy(fs::path(path).extension().string());
 }
 
 std::string keyOf(const std::string & path, const MeshSelection & selection)

@@ -1,5 +1,6 @@
 #include "loaders/xml/element.h"
 
+#include <boost/algorithm/string/case_conv.hpp>
 #include <cmath>
 #include <sstream>
 
@@ -193,10 +194,7 @@ double Element::length(const std::string & tag) const
 
 bool Element::flag(const char * tag, bool fallback) const
 {
-  std::string text = child(tag).text();
-  for (char & letter : text) {
-    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  }
+  const std::string text = boost::algorithm::to_lower_copy(child(tag).text());
   if (text.empty()) {
     return fallback;
   }

@@ -5,6 +5,8 @@
 #include <ros/param.h>
 #include <tinyxml2.h>
 
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <cmath>
 #include <vector>
 
@@ -18,11 +20,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-std::string trimmedOfSlashes(const std::string & name)
-{
-  const auto begin = name.find_first_not_of('/');
-  return begin == std::string::npos ? "" : name.substr(begin, name.find_last_not_of('/') - begin + 1);
-}
+using boost::algorithm::is_any_of;
 
 constexpr double kLengthPerWheelbase = 1.6;
 constexpr double kStep = 0.05;  // m, between places that are tried
@@ -69,7 +67,7 @@ std::string framePrefix(const std::string & ros_namespace)
   if (ros::param::search(ros_namespace, "tf_prefix", key)) {
     ros::param::get(key, prefix);
   }
-  prefix = trimmedOfSlashes(prefix);
+  boost::algorithm::trim_if(prefix, is_any_of("/"));
   return prefix.empty() ? "" : prefix + "/";
 }
 }  // namespace
@@ -91,7 +89,7 @@ void Spawner::spawnCar(const Request & request, const std::string & source)
 {
   CarParameters parameters;
   parameters.name = request.name;
-  parameters.ros_namespace = "/" + trimmedOfSlashes(request.ros_namespace);
+  parameters.ros_namespace = "/" + boost::algorithm::trim_copy_if(request.ros_namespace, is_any_of("/"));
   const CarDescription description =
     loadCar(request.xml, request.name, source, searchPathFromEnvironment(), parameters.ros_namespace.substr(1));
   warnOnce(description.source, description.warnings);

@@ -10,11 +10,9 @@ from f1tenth_scenarios import versions
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
     monkeypatch.setattr("f1tenth_scenarios.places.package_path", lambda _: tmp_path)
-    for function in (versions.ask_commit, versions.commit):
-        function.cache_clear()
+    versions.commit.cache_clear()
     yield tmp_path
-    for function in (versions.ask_commit, versions.commit):
-        function.cache_clear()
+    versions.commit.cache_clear()
 
 
 def git(folder, *arguments):
@@ -33,7 +31,6 @@ def make_commit(folder):
 
 def test_commit_is_that_of_the_workspace(folder):
     made = make_commit(folder)
-    versions.ask_commit()
     assert versions.commit() == made
 
 

@@ -27,29 +27,15 @@ def collect() -> dict[str, Optional[str]]:
 
 
 @functools.lru_cache
-def ask_commit() -> Optional[subprocess.Popen]:
-    """Begin to find out the commit: git looks at all files, meanwhile something else may be done."""
+def commit() -> Optional[str]:
+    """The commit of the workspace, with `-dirty` if it was changed since; nothing outside of git."""
     folder = places.package_path(places.PACKAGE)
     command = ["git", "-C", str(folder), "describe", "--always", "--dirty", "--abbrev=12"]
     try:
-        return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-    except OSError:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=10)
+    except (OSError, subprocess.TimeoutExpired):
         return None
-
-
-@functools.lru_cache
-def commit() -> Optional[str]:
-    """The commit of the workspace, with `-dirty` if it was changed since; nothing outside of git."""
-    git = ask_commit()
-    if git is None:
-        return None
-    try:
-        output, _ = git.communicate(timeout=10)
-    except subprocess.TimeoutExpired:
-        git.kill()
-        git.communicate()
-        return None
-    return output.strip() if git.returncode == 0 else None
+    return done.stdout.strip() if done.returncode == 0 else None
 
 
 def _package_version(package: str) -> Optional[str]:

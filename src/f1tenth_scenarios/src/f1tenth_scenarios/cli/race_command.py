@@ -2,7 +2,6 @@
 
 import dataclasses
 
-from f1tenth_scenarios import versions
 from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.cli.exit_codes import PASSED
 from f1tenth_scenarios.cli.options import planner_of, results_of
@@ -23,5 +22,4 @@ def race(options) -> int:
         with replacing(options.save) as temporary:
             temporary.write_text(race_text(wanted), encoding="utf-8")
         return PASSED
-    versions.ask_commit()
     return with_report(run_plan(dataclasses.replace(plan, keep_bag=options.bag), options.attach), options)

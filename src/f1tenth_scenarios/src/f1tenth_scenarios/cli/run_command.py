@@ -5,7 +5,7 @@ import dataclasses
 from collections.abc import Sequence
 from pathlib import Path
 
-from f1tenth_scenarios import places, versions
+from f1tenth_scenarios import places
 from f1tenth_scenarios.batch.jobs import Job, Outcome, run_jobs
 from f1tenth_scenarios.cli.exit_codes import NOT_PASSED, PASSED, exit_code
 from f1tenth_scenarios.cli.options import planner_of, results_of
@@ -30,7 +30,6 @@ def run(options) -> int:
         return _repeat(options, settings)
     names = places.scenario_names() if options.all else options.names
     if len(names) == 1:
-        versions.ask_commit()
         folder = results_of(options) / places.scenario_file(names[0]).stem
         plan = make_plan(names[0], folder, settings)
         code = run_plan(dataclasses.replace(plan, keep_bag=options.bag))

@@ -8,11 +8,10 @@ from pettingzoo import ParallelEnv
 
 from f1tenth_sim2d.environments.episode import OPTIONS
 from f1tenth_sim2d.environments.picture import View
-from f1tenth_sim2d.environments.recording import recorder_into
-from f1tenth_sim2d.environments.stage import Stage
+from f1tenth_sim2d.environments.shown import ShownEnv
 
 
-class F1TenthParallelEnv(ParallelEnv):
+class F1TenthParallelEnv(ShownEnv, ParallelEnv):
     """Several cars on one road, each with a driver of its own: car_0, car_1, ….
 
     A car that has driven its laps or touched something loses its driver; it stops and stays where it is.
@@ -37,16 +36,12 @@ class F1TenthParallelEnv(ParallelEnv):
             ValueError: settings that are not allowed.
             f1tenth_sim2d.LoadError: a place that cannot be used.
         """
-        self.render_mode = render_mode
-        self._stage = Stage({"cars": 2, **settings})
-        self._view = View(render_mode, self._stage.place)
-        self._recorder = recorder_into(record, self._stage)
+        super().__init__(render_mode, record, {"cars": 2, **settings})
         self.possible_agents = [f"car_{i}" for i in range(self._stage.settings.cars)]
         self.agents: list = []
         self.observation_spaces = dict.fromkeys(self.possible_agents, self._stage.car_space)
         self.action_spaces = dict.fromkeys(self.possible_agents, self._stage.action_space)
         self._rng, _ = seeding.np_random()
-        self._closed = False
 
     def observation_space(self, agent):
         """Space of what a car observes."""
@@ -67,11 +62,8 @@ class F1TenthParallelEnv(ParallelEnv):
         self._require_open()
         if seed is not None:
             self._rng, _ = seeding.np_random(seed)
-        self._stage.begin(0, self._rng, _known(options or {}))
+        self._begin(self._rng, _known(options or {}))
         self.agents = list(self.possible_agents)
-        self._view.show(self._stage.results[0])
-        if self._recorder:
-            self._recorder.begin()
         return self._of_agents(self._observe), self._of_agents(self._info)
 
     def step(self, actions):
@@ -103,18 +95,6 @@ class F1TenthParallelEnv(ParallelEnv):
             self._recorder.note(not self.agents)
         return answer
 
-    def render(self):
-        """Return the picture from above: uint8 array of shape (height, width, 3); None unless rgb_array."""
-        self._require_open()
-        return self._view.render(self._stage.results[0])
-
-    def close(self):
-        """Give up everything; closing twice is allowed."""
-        self._view.close()
-        if self._recorder and not self._closed:
-            self._recorder.close()
-        self._closed = True
-
     def _rows(self, actions):
         rows = np.zeros((1, len(self.possible_agents), 2))
         for i, agent in enumerate(self.possible_agents):
@@ -133,10 +113,6 @@ class F1TenthParallelEnv(ParallelEnv):
 
     def _info(self, index):
         return self._stage.info(0, index)
-
-    def _require_open(self):
-        if self._closed:
-            raise ValueError("the environment is closed")
 
 
 def _known(options):

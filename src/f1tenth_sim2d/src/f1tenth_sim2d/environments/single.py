@@ -4,11 +4,11 @@ import gymnasium
 import numpy as np
 
 from f1tenth_sim2d.environments.picture import View
-from f1tenth_sim2d.environments.recording import recorder_into
-from f1tenth_sim2d.environments.stage import Stage, repeated
+from f1tenth_sim2d.environments.shown import ShownEnv
+from f1tenth_sim2d.environments.stage import repeated
 
 
-class F1TenthEnv(gymnasium.Env):
+class F1TenthEnv(ShownEnv, gymnasium.Env):
     """Drives the cars of one simulation.
 
     With one car, observation and action are that car's; with several, they have one more axis in front, for
@@ -32,16 +32,12 @@ class F1TenthEnv(gymnasium.Env):
             ValueError: settings that are not allowed.
             f1tenth_sim2d.LoadError: a place that cannot be used.
         """
-        self.render_mode = render_mode
-        self._stage = Stage(settings)
-        self._view = View(render_mode, self._stage.place)
-        self._recorder = recorder_into(record, self._stage)
+        super().__init__(render_mode, record, settings)
         self._cars = self._stage.settings.cars
         self.observation_space = repeated(self._stage.car_space, self._cars)
         self.action_space = repeated(self._stage.action_space, self._cars)
         self._driven = np.ones((1, self._cars), dtype=bool)
         self._begun = False
-        self._closed = False
 
     def reset(self, *, seed=None, options=None):
         """Begin an episode.
@@ -56,11 +52,8 @@ class F1TenthEnv(gymnasium.Env):
         """
         self._require_open()
         super().reset(seed=seed)
-        self._stage.begin(0, self.np_random, options)
+        self._begin(self.np_random, options)
         self._begun = True
-        self._view.show(self._stage.results[0])
-        if self._recorder:
-            self._recorder.begin()
         return self._observation(), self._stage.info(0)
 
     def step(self, action):
@@ -85,21 +78,5 @@ class F1TenthEnv(gymnasium.Env):
         info["rewards"] = rewards
         return self._observation(), float(rewards[0]), finished, late, info
 
-    def render(self):
-        """Return the picture from above: uint8 array of shape (height, width, 3); None unless rgb_array."""
-        self._require_open()
-        return self._view.render(self._stage.results[0])
-
-    def close(self):
-        """Give up everything; closing twice is allowed."""
-        self._view.close()
-        if self._recorder and not self._closed:
-            self._recorder.close()
-        self._closed = True
-
     def _observation(self):
         return self._stage.observation((0, 0) if self._cars == 1 else 0)
-
-    def _require_open(self):
-        if self._closed:
-            raise ValueError("the environment is closed")

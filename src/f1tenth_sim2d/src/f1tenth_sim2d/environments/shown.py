@@ -1,0 +1,38 @@
+"""What the environments that can be seen and recorded have in common."""
+
+from f1tenth_sim2d.environments.picture import View
+from f1tenth_sim2d.environments.recording import recorder_into
+from f1tenth_sim2d.environments.stage import Stage
+
+
+class ShownEnv:
+    """One simulation, shown and recorded as asked for."""
+
+    def __init__(self, render_mode, record, settings):
+        self.render_mode = render_mode
+        self._stage = Stage(settings)
+        self._view = View(render_mode, self._stage.place)
+        self._recorder = recorder_into(record, self._stage)
+        self._closed = False
+
+    def render(self):
+        """Return the picture from above: uint8 array of shape (height, width, 3); None unless rgb_array."""
+        self._require_open()
+        return self._view.render(self._stage.results[0])
+
+    def close(self):
+        """Give up everything; closing twice is allowed."""
+        self._view.close()
+        if self._recorder and not self._closed:
+            self._recorder.close()
+        self._closed = True
+
+    def _begin(self, rng, options):
+        self._stage.begin(0, rng, options)
+        self._view.show(self._stage.results[0])
+        if self._recorder:
+            self._recorder.begin()
+
+    def _require_open(self):
+        if self._closed:
+            raise ValueError("the environment is closed")

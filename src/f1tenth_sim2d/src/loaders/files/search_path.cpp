@@ -6,15 +6,6 @@
 
 namespace f1tenth_sim2d
 {
-namespace
-{
-std::vector<std::string> pathListFromEnvironment(const char * variable)
-{
-  const char * const value = std::getenv(variable);
-  return splitPathList(value ? value : "");
-}
-}  // namespace
-
 std::vector<std::string> splitPathList(const std::string & text)
 {
   std::istringstream stream(text);
@@ -25,6 +16,12 @@ std::vector<std::string> splitPathList(const std::string & text)
     }
   }
   return parts;
+}
+
+std::vector<std::string> pathListFromEnvironment(const char * variable)
+{
+  const char * const value = std::getenv(variable);
+  return splitPathList(value ? value : "");
 }
 
 SearchPath searchPathFromEnvironment()

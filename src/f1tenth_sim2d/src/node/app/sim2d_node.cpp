@@ -34,7 +34,7 @@ Sim2dNode::Sim2dNode(const NodeParameters & parameters)
   scene_(buildScene(parameters)),
   plugins_(pluginFoldersFromEnvironment()),
   world_(scene_.simulation, transforms_, parameters.control_period_sec, parameters.record_file),
-  clock_(outbox_, node_),
+  clock_(outbox_.advertise<rosgraph_msgs::Clock>(node_, "/clock")),
   barrier_(makeBarrier()),
   fleet_(surroundings()),
   models_(node_, scene_.simulation, fleet_),
@@ -92,7 +92,7 @@ void Sim2dNode::addTime()
   control_.is_lockstep = parameters_.time_mode == TimeMode::kLockstep;
   control_.real_time_factor = parameters_.time_mode == TimeMode::kPaced ? parameters_.real_time_factor : 0.0;
   if (!control_.is_lockstep) {
-    world_.schedule().add(periodOf(parameters_.clock_rate_hz), [this](SimTime now) { clock_.publish(now); });
+    world_.schedule().add(periodOf(parameters_.clock_rate_hz), [this](SimTime now) { clock_.publish(toClock(now)); });
   }
 }
 

@@ -2,10 +2,12 @@
 
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
+#include <rosgraph_msgs/Clock.h>
 
 #include <memory>
 #include <optional>
 
+#include "f1tenth_sim2d/publishing.h"
 #include "node/app/run_result.h"
 #include "node/cars/fleet.h"
 #include "node/cars/plugin_host.h"
@@ -13,7 +15,6 @@
 #include "node/gazebo_api/gazebo_world.h"
 #include "node/messages/transform_batch.h"
 #include "node/parameters/node_parameters.h"
-#include "node/time/clock_publisher.h"
 #include "node/time/lockstep_barrier.h"
 #include "node/time/time_keeper.h"
 #include "node/transport/flow_control.h"
@@ -57,7 +58,7 @@ private:
   PluginHost plugins_;
   SimulatedWorld world_;
   TimeControl control_;
-  ClockPublisher clock_;
+  TopicPublisher<rosgraph_msgs::Clock> clock_;
   std::unique_ptr<LockstepBarrier> barrier_;  // in lockstep only
   Fleet fleet_;
   std::optional<RunningOutputs> global_outputs_;

@@ -2,34 +2,17 @@
 
 #include <ros/console.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <sstream>
 
 #include "f1tenth_sim2d/errors.h"
+#include "loaders/files/path_list.h"
 
 namespace f1tenth_sim2d
 {
-namespace
-{
-std::vector<std::string> pathsFromEnvironment(const char * variable)
-{
-  std::vector<std::string> paths;
-  const char * value = std::getenv(variable);
-  std::istringstream stream(value == nullptr ? "" : value);
-  for (std::string path; std::getline(stream, path, ':');) {
-    if (!path.empty()) {
-      paths.push_back(path);
-    }
-  }
-  return paths;
-}
-}  // namespace
-
 std::vector<std::string> pluginFoldersFromEnvironment()
 {
-  std::vector<std::string> folders = pathsFromEnvironment("LD_LIBRARY_PATH");
-  for (const auto & prefix : pathsFromEnvironment("CMAKE_PREFIX_PATH")) {
+  std::vector<std::string> folders = pathListFromEnvironment("LD_LIBRARY_PATH");
+  for (const auto & prefix : pathListFromEnvironment("CMAKE_PREFIX_PATH")) {
     folders.push_back(prefix + "/lib");
   }
   return folders;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <ros/time.h>
+#include <rosgraph_msgs/Clock.h>
 
 #include <cstdint>
 #include <memory>
@@ -35,6 +36,13 @@ using OutputList = std::vector<std::unique_ptr<Output>>;
 inline ros::Time toRosTime(SimTime time)
 {
   return ros::Time().fromNSec(static_cast<std::uint64_t>(time));
+}
+
+inline rosgraph_msgs::Clock toClock(SimTime time)
+{
+  rosgraph_msgs::Clock message;
+  message.clock = toRosTime(time);
+  return message;
 }
 
 /// An output of one topic with one message that is reused. Costs nothing while nobody subscribes.

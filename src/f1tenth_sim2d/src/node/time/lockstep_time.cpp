@@ -1,12 +1,13 @@
 #include "node/time/lockstep_time.h"
 
+#include "node/messages/output.h"
 #include "node/time/stop_signal.h"
 
 namespace f1tenth_sim2d
 {
 LockstepTime::LockstepTime(
   const Simulation & simulation, SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control,
-  Outbox & outbox, FlowControl & flow, ClockPublisher & clock, LockstepBarrier & barrier)
+  Outbox & outbox, FlowControl & flow, const TopicPublisher<rosgraph_msgs::Clock> & clock, LockstepBarrier & barrier)
 : simulation_(simulation),
   world_(world),
   queue_(queue),
@@ -40,7 +41,7 @@ void LockstepTime::advance()
 void LockstepTime::publishClock()
 {
   drain_.drain();
-  clock_.publish(world_.time());
+  clock_.publish(toClock(world_.time()));
 }
 
 // A driver that has answered would answer a second scan with a second command, so it gets none. The others' messages

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <ros/callback_queue.h>
+#include <rosgraph_msgs/Clock.h>
 #include <sim2d_lockstep/participant.h>
 
-#include "node/time/clock_publisher.h"
+#include "f1tenth_sim2d/publishing.h"
 #include "node/time/lockstep_barrier.h"
 #include "node/time/time_keeper.h"
 #include "node/transport/flow_control.h"
@@ -18,7 +19,7 @@ class LockstepTime : public TimeKeeper
 public:
   LockstepTime(
     const Simulation & simulation, SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control,
-    Outbox & outbox, FlowControl & flow, ClockPublisher & clock, LockstepBarrier & barrier);
+    Outbox & outbox, FlowControl & flow, const TopicPublisher<rosgraph_msgs::Clock> & clock, LockstepBarrier & barrier);
   /// @throws ParticipantSilent
   void advance() override;
   void restart() override;
@@ -33,7 +34,7 @@ private:
   const TimeControl & control_;
   Outbox & outbox_;
   FlowControl & flow_;
-  ClockPublisher & clock_;
+  const TopicPublisher<rosgraph_msgs::Clock> & clock_;
   LockstepBarrier & barrier_;
   sim2d_lockstep::InboxDrain drain_;
   std::size_t subscribers_{0};  // that have had the first period

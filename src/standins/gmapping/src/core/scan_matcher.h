@@ -22,7 +22,8 @@ struct PoseBelief
 /// drifts twice as fast.
 constexpr double kMatchingCell = 0.02;
 
-/// Lays scans onto a map: where beams end near a straight wall, they pull the scan onto it.
+/// Lays scans onto a map: where beams end near a straight wall, they pull the scan onto it, the more the
+/// better the wall is known.
 class ScanMatcher
 {
 public:
@@ -39,6 +40,7 @@ private:
   {
     Vec2 offset;  // of the wall from the beam's end, m
     Vec2 normal;
+    double trust;                                                                  // 0 to 1: how well it is known
     double distance() const { return offset.x * normal.x + offset.y * normal.y; }  // m
   };
 

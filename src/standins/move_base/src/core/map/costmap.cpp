@@ -101,24 +101,32 @@ void Costmap::observe(const LaserScan & scan)
   }
 }
 
+double Costmap::roomAlong(const Pose2 & from, double curvature) const
+{
+  constexpr double kReach = 1.2;  // m
+  constexpr double kStep = 0.15;  // m
+  double room = HUGE_VAL;
+  for (double s = kStep; s <= kReach; s += kStep) {
+    room = std::min(room, wallDistance(advance(from, s, curvature).position()));
+  }
+  return room;
+}
+
 // A car stands along its road, which is where there is room to both ends of it; where no way is much freer than the
 // others, it is as wide as a car, whatever the side.
 Box Costmap::alongRoad(const Box & outline) const
 {
   constexpr int kHeadings = 18;
-  constexpr double kReach = 1.2;          // m
-  constexpr double kStep = 0.15;          // m
   constexpr double kClearlyFreer = 0.15;  // m
+  const double here = wallDistance(outline.middle.position());
   Box best = outline;
   double most = -HUGE_VAL;
   double least = HUGE_VAL;
   for (int i = 0; i < kHeadings; ++i) {
     Box turned = outline;
     turned.middle.yaw = normalizeAngle(i * M_PI / kHeadings);
-    double room = HUGE_VAL;
-    for (double along = -kReach; along <= kReach; along += kStep) {
-      room = std::min(room, wallDistance(advance(turned.middle, along, 0.0).position()));
-    }
+    const Pose2 back = compose(turned.middle, {0.0, 0.0, M_PI});
+    const double room = std::min({here, roomAlong(turned.middle, 0.0), roomAlong(back, 0.0)});
     best = room > most ? turned : best;
     most = std::max(most, room);
     least = std::min(least, room);

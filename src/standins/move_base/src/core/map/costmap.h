@@ -51,6 +51,8 @@ public:
   double obstacleDistance(const Vec2 & point) const { return distanceIn(distances_, point); }
   /// The same to the nearest obstacle of the map.
   double wallDistance(const Vec2 & point) const { return distanceIn(map_distances_, point); }
+  /// The least of those, m, on the next 1.2 m of an arc, 1/m.
+  double roomAlong(const Pose2 & from, double curvature) const;
 
   /// Whether the map knows nothing of a cell.
   bool isUnknown(std::size_t index) const { return unknown_[index] != 0; }

@@ -9,8 +9,6 @@ namespace move_base
 namespace
 {
 constexpr double kForecastStep = 0.1;    // s
-constexpr double kRoadLookahead = 1.2;   // m
-constexpr double kRoadCheck = 0.15;      // m
 constexpr double kWallTolerance = 0.05;  // m, by which it may come nearer to a wall
 constexpr double kStrays = 0.3;          // m, of unrest
 constexpr double kTrust = 1.05;          // s, that forecasts from the past are compared with what came
@@ -18,22 +16,13 @@ constexpr double kTrust = 1.05;          // s, that forecasts from the past are 
 constexpr std::array<double, 15> kCurvatures{0.0,   0.1, -0.1, 0.2, -0.2, 0.3,  -0.3, 0.45,
                                              -0.45, 0.6, -0.6, 0.9, -0.9, 1.25, -1.25};
 
-double roomAlong(const Pose2 & from, double curvature, const Costmap & costmap)
-{
-  double room = HUGE_VAL;
-  for (double s = kRoadCheck; s <= kRoadLookahead; s += kRoadCheck) {
-    room = std::min(room, costmap.wallDistance(advance(from, s, curvature).position()));
-  }
-  return room;
-}
-
 // The straightest way that keeps the distance from walls, or else the one that keeps the most.
 double curvatureOfRoad(const Pose2 & from, double wanted, const Costmap & costmap)
 {
   double best = 0.0;
   double most = -HUGE_VAL;
   for (const double curvature : kCurvatures) {
-    const double room = std::min(roomAlong(from, curvature, costmap), wanted);
+    const double room = std::min(costmap.roomAlong(from, curvature), wanted);
     if (room > most) {
       best = curvature;
       most = room;

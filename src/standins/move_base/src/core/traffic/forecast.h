@@ -24,6 +24,7 @@ public:
 
   /// Whether it strays so far from where it was to be expected that nobody can tell on which side it will be.
   bool strays() const;
+
   /// m/s, now
   double speed() const { return speed_; }
   /// m/s, in the end

@@ -1,5 +1,6 @@
 """Whether the car does what its planner is told, with slow actuators and on slippery floors."""
 
+import functools
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
@@ -77,8 +78,13 @@ def _straight(road: np.ndarray) -> np.ndarray:
     return np.max(around, axis=0) < _STRAIGHT
 
 
+@functools.cache
+def _road(world: str) -> np.ndarray:
+    return load_track(world)
+
+
 def _weaving(run: Run) -> float:
-    return changes_of_sign(run.record.tracks["robot1"], load_track(run.values["world"]))
+    return changes_of_sign(run.record.tracks["robot1"], _road(run.values["world"]))
 
 
 def _worst(measure: Callable[[Run], float]) -> Callable:
@@ -95,11 +101,9 @@ def _problem(run: Run) -> str:
         if actual > limit:
             return f"{actual:.2f} m/s^2 {name}, must be at most {limit:.2f}"
     changes = _weaving(run)
-    return (
-        f"{changes:.2f} changes per second, must be less than {MOST_CHANGES:g}"
-        if changes >= MOST_CHANGES
-        else ""
-    )
+    if changes >= MOST_CHANGES:
+        return f"{changes:.2f} changes per second, must be less than {MOST_CHANGES:g}"
+    return ""
 
 
 def _make(vary: Mapping[str, str], _: Path) -> dict[str, str]:

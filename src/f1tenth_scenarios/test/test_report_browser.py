@@ -11,6 +11,7 @@ from f1tenth_scenarios import places
 
 pytest.importorskip("selenium", reason="python3-selenium is not installed")
 
+from selenium.common.exceptions import StaleElementReferenceException  # noqa: E402
 from selenium.webdriver.common.keys import Keys  # noqa: E402
 from selenium.webdriver.support.ui import Select, WebDriverWait  # noqa: E402
 
@@ -48,7 +49,9 @@ def open_run(window, report, name):
 
 
 def until(window, condition):
-    return WebDriverWait(window, PATIENCE).until(lambda _: condition())
+    """Waits for the condition, also past elements that the page replaces while they are looked at."""
+    wait = WebDriverWait(window, PATIENCE, ignored_exceptions=(StaleElementReferenceException,))
+    return wait.until(lambda _: condition())
 
 
 def find(window, selector):

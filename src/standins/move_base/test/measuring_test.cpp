@@ -1,8 +1,9 @@
 // What is measured of a car while it drives: how late it answers, and how far it drifts.
 #include <gtest/gtest.h>
 
+#include "control/car_watch.h"
+#include "control/response_lag.h"
 #include "control/slip_watch.h"
-#include "control/speed_lag.h"
 #include "control/traction_watch.h"
 #include "sliding_car.h"
 
@@ -12,7 +13,8 @@ namespace
 {
 using testing::SlidingCar;
 
-constexpr double kStep = 0.025;  // s
+constexpr double kStep = 0.025;            // s
+constexpr double kLeastSpeedChange = 0.3;  // m/s
 
 class AnswerOf : public ::testing::TestWithParam<double>
 {
@@ -20,40 +22,87 @@ class AnswerOf : public ::testing::TestWithParam<double>
 
 TEST_P(AnswerOf, aCarThatSpeedsUpTellsItsLatency)
 {
-  SpeedLag lag(0.1);
+  ResponseLag lag(kLeastSpeedChange);
   SlidingCar car({0.0, 0.0, 0.0}, 1.0, 1.05, GetParam());
   for (int i = 0; i < 40; ++i) {
     const double time = 5.0 + kStep * i;
-    lag.noteSpeed(time, car.state().speed);
+    lag.noteAnswer(time, car.state().speed);
     const DriveCommand command{1.0 + 7.0 * kStep * i, 0.0};
     lag.noteCommand(time, command.speed);
     car.drive(command, kStep);
   }
-  EXPECT_NEAR(lag.lag(), 0.1 + GetParam(), 0.02) << "its speed control takes a tenth of a second besides";
+  EXPECT_NEAR(lag.lag(0.1), 0.1 + GetParam(), 0.02) << "its speed control takes a tenth of a second besides";
 }
 
-INSTANTIATE_TEST_SUITE_P(SpeedLag, AnswerOf, ::testing::Values(0.0, 0.02, 0.05, 0.1));
-
-TEST(SpeedLag, isWhatIsExpectedWhileNothingChanges)
+TEST_P(AnswerOf, aCarThatTurnsTellsItsLatency)
 {
-  SpeedLag lag(0.11);
-  EXPECT_NEAR(lag.lag(), 0.11, 1e-9);
+  ResponseLag lag(0.1);
+  SlidingCar car({0.0, 0.0, 0.0}, 4.0, 1.05, GetParam());
+  for (int i = 0; i < 120; ++i) {
+    const double time = 5.0 + kStep * i;
+    const double curvature = 0.3 * std::sin(2.5 * time);
+    lag.noteCommand(time, curvature);
+    const double before = car.state().pose.yaw;
+    car.drive({4.0, curvature}, kStep);
+    lag.noteAnswer(time + 0.5 * kStep, (car.state().pose.yaw - before) / (4.0 * kStep));
+  }
+  EXPECT_NEAR(lag.lag(0.0), 0.035 + GetParam(), 0.015) << "its wheels and its yaw take their time besides";
+}
+
+INSTANTIATE_TEST_SUITE_P(ResponseLag, AnswerOf, ::testing::Values(0.0, 0.02, 0.05, 0.1));
+
+TEST(ResponseLag, isWhatIsExpectedWhileNothingChanges)
+{
+  ResponseLag lag(kLeastSpeedChange);
+  EXPECT_NEAR(lag.lag(0.11), 0.11, 1e-9);
   for (int i = 0; i < 100; ++i) {
     lag.noteCommand(kStep * i, 3.0);
     if (kStep * i > 0.5) {
-      lag.noteSpeed(kStep * i, 2.5);
+      lag.noteAnswer(kStep * i, 2.5);
     }
   }
-  EXPECT_NEAR(lag.lag(), 0.11, 1e-9);
+  EXPECT_NEAR(lag.lag(0.11), 0.11, 1e-9);
 }
 
-TEST(SpeedLag, beginsAgainWhenTimeJumpsBack)
+TEST(ResponseLag, beginsAgainWhenTimeJumpsBack)
 {
-  SpeedLag lag(0.1);
+  ResponseLag lag(kLeastSpeedChange);
   lag.noteCommand(100.0, 8.0);
   lag.noteCommand(1.0, 0.0);
-  lag.noteSpeed(1.1, 0.0);
-  EXPECT_NEAR(lag.lag(), 0.1, 1e-9);
+  lag.noteAnswer(1.1, 0.0);
+  EXPECT_NEAR(lag.lag(0.1), 0.1, 1e-9);
+}
+
+// What has been found of a car after some time, s, whose speed and yaw follow what it is told so late, s.
+Lags lagsOf(double speed_lag, double yaw_lag, double duration)
+{
+  constexpr double kStraight = 3.0;  // s
+  const auto speed = [](double time) { return time > 0.0 ? 3.0 - 3.0 * std::cos(2.0 * time) : 0.0; };
+  const auto bend = [](double time) { return time > kStraight ? 0.5 * std::sin(2.0 * (time - kStraight)) : 0.0; };
+  CarWatch watch{FollowerOptions{}};
+  CarState car;
+  for (double time = 0.0; time < duration; time += kStep) {
+    watch.note({car, time, time}, time);
+    watch.noteCommand(time, {speed(time), bend(time)}, bend(time));
+    car.speed = speed(time + kStep - speed_lag);
+    car.pose = advance(car.pose, car.speed * kStep, bend(time + 0.5 * kStep - yaw_lag));
+  }
+  return watch.lags();
+}
+
+TEST(CarWatch, takesTheLatencyFromTheYawOnceTheCarHasTurned)
+{
+  const Lags straight = lagsOf(0.2, 0.1, 2.5);
+  EXPECT_NEAR(straight.speed, 0.2, 0.005);
+  EXPECT_NEAR(straight.latency, 0.2 - PathFollower::kSpeedLag, 0.005) << "as late as the speed, for all it knows";
+  const Lags turned = lagsOf(0.2, 0.1, 6.0);
+  EXPECT_NEAR(turned.speed, 0.2, 0.005);
+  EXPECT_NEAR(turned.latency, 0.1, 0.015) << "tyres that slide pass on a speed later";
+}
+
+TEST(CarWatch, takesTheLatencyForNoLessThanItIsTold)
+{
+  EXPECT_EQ(lagsOf(0.2, 0.0, 6.0).latency, FollowerOptions{}.latency);
 }
 
 // The slip gradient of a car in a bend of 5 m.

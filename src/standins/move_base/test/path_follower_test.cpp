@@ -143,6 +143,31 @@ TEST(PathFollower, keepsItsWheelsTurnedUntilItStandsBeforeAnObstacle)
   EXPECT_EQ(follower.step(car.state(), costmap, kStepTime).command.speed, 0.0);
 }
 
+// How much slower than it drives a car is told to be that meets an obstacle, m/s, after 3 m of a way so bent, 1/m.
+double brakingInBend(double curvature)
+{
+  Costmap costmap = makeCostmap(drawRoom(16.0, 16.0));
+  PathFollower follower(racingFollower());
+  const Pose2 start{4.0, 4.0, 0.0};
+  follower.setPath(samplePath(start, {{12.0, curvature}}, 0.1), costmap);
+  KinematicCar car(start);
+  while (distance(car.state().pose, start) < 3.0) {
+    car.drive(follower.step(car.state(), costmap, kStepTime).command, kStepTime);
+  }
+  const Pose2 seen_from = car.state().pose;
+  costmap.observe(scanFrom(
+    seen_from, [&](double angle) { return std::abs(normalizeAngle(angle - seen_from.yaw)) < 0.8 ? 0.6 : 20.0; }));
+  return car.state().speed - follower.step(car.state(), costmap, kStepTime).command.speed;
+}
+
+TEST(PathFollower, brakesWithWhatTheTyresHaveLeftInABend)
+{
+  const double lead = racingFollower().latency + PathFollower::kSpeedLag;
+  EXPECT_GT(brakingInBend(0.0), 2.0) << "as hard as it can";
+  EXPECT_GT(brakingInBend(0.4), 0.2 * 3.0 * lead);
+  EXPECT_LT(brakingInBend(0.4), 0.6 * 3.0 * lead);
+}
+
 TEST(PathFollower, asksLessOfTyresThatHoldLess)
 {
   const Costmap costmap = makeCostmap(drawOval());

@@ -56,7 +56,8 @@ protected:
   {
     const Costmap costmap = makeCostmap(drawRoom(100.0, 40.0));
     PathFollower follower(shippedFollower(GetParam().speed));
-    follower.setLatency(follower.latency() + GetParam().latency);
+    const Lags told = follower.lags();
+    follower.setLags({told.latency + GetParam().latency, told.speed + GetParam().latency});
     follower.setTyres({slip()}, costmap);
     follower.setPath(path, costmap);
     SlidingCar car(start, GetParam().speed, GetParam().friction, GetParam().latency);

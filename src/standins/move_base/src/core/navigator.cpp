@@ -76,7 +76,7 @@ CycleOutput Navigator::cycle(const CycleInput & input, Costmap & costmap)
   const double seen = input.time - input.age;
   const double measured = input.sensors_current ? seen : input.time - input.speed_age;
   now.car = car_watch_.note({input.car, seen, measured}, input.time);
-  follower_.setLatency(car_watch_.latency());
+  follower_.setLags(car_watch_.lags());
   follower_.setTyres(car_watch_.tyres(), costmap);
   CycleOutput output;
   drive(now, costmap, output);
@@ -86,7 +86,7 @@ CycleOutput Navigator::cycle(const CycleInput & input, Costmap & costmap)
   }
   previous_time_ = now.time;
   previous_pose_ = now.car.pose;
-  car_watch_.noteCommand(now.time, output.command.value_or(DriveCommand{}));
+  car_watch_.noteCommand(now.time, output.command.value_or(DriveCommand{}), follower_.lastBend());
   return output;
 }
 

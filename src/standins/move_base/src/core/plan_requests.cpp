@@ -20,7 +20,7 @@ constexpr double kExtensionMargin = 1.0;  // m, of a plan beyond the goal, on to
 PlanRequest PlanRequests::from(const CarState & car, double time_needed) const
 {
   const double curvature = follower_.lastCommand().curvature;
-  PlanRequest request{advance(car.pose, car.speed * follower_.latency(), curvature), goals_.front(), curvature};
+  PlanRequest request{advance(car.pose, car.speed * follower_.lags().latency, curvature), goals_.front(), curvature};
   if (passes()) {
     request.extension_length = extensionLength();
   }
@@ -42,7 +42,7 @@ PlanRequest PlanRequests::from(const CarState & car, double time_needed) const
 
 double PlanRequests::leadTime(double time_needed) const
 {
-  return follower_.latency() + kLeadTime + time_needed;
+  return follower_.lags().latency + kLeadTime + time_needed;
 }
 
 bool PlanRequests::canDrive(const Plan & plan, const CarState & car, const Costmap & costmap) const

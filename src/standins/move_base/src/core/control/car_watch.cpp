@@ -1,20 +1,27 @@
 #include "control/car_watch.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace move_base
 {
 namespace
 {
-constexpr double kMostLatency = 0.15;  // s, beyond what it is told to be
-constexpr double kLeastSlip = 0.2;     // times what it is told to be
-constexpr double kMostSlip = 4.0;      // the same
+constexpr double kMostLatency = 0.15;          // s, beyond what it is told to be
+constexpr double kLeastSlip = 0.2;             // times what it is told to be
+constexpr double kMostSlip = 4.0;              // the same
+constexpr double kLeastSpeedChange = 0.3;      // m/s, in a command, that tells how late the speed follows
+constexpr double kLeastCurvatureChange = 0.1;  // 1/m, the same of the yaw
+constexpr double kLeastTurnSpeed = 1.5;        // m/s, from which its yaw tells something
+constexpr double kLongestTurn = 0.1;           // s, between poses that tell a curvature
+constexpr double kMostCurvature = 2.0;         // 1/m, beyond it the pose has jumped
 }  // namespace
 
 CarWatch::CarWatch(const FollowerOptions & told)
 : told_latency_(told.latency),
   told_slip_(told.slip_gradient),
-  speed_lag_(PathFollower::kSpeedLag + told.latency),
+  speed_lag_(kLeastSpeedChange),
+  yaw_lag_(kLeastCurvatureChange),
   slip_watch_(told.slip_gradient),
   traction_watch_(told.limits.acc_lim_x)
 {
@@ -22,22 +29,54 @@ CarWatch::CarWatch(const FollowerOptions & told)
 
 CarState CarWatch::note(const Sighting & sighting, double now)
 {
-  speed_lag_.noteSpeed(sighting.measured, sighting.car.speed);
+  if (sighting.car.speed >= 0.0) {
+    speed_lag_.noteAnswer(sighting.measured, sighting.car.speed);
+  }
+  noteBend(sighting);
   traction_watch_.noteSpeed(sighting.measured, sighting.car.speed);
   slip_watch_.note(sighting.seen, sighting.car.pose);
   return reckoning_.predict(sighting.car, sighting.seen, sighting.measured, now);
 }
 
-void CarWatch::noteCommand(double time, const DriveCommand & command)
+void CarWatch::noteBend(const Sighting & sighting)
+{
+  const double duration = before_ ? sighting.seen - before_->seen : 0.0;
+  if (before_ && duration == 0.0) {
+    return;
+  }
+  if (duration > 0.0 && duration < kLongestTurn && sighting.car.speed > kLeastTurnSpeed) {
+    const double turn = normalizeAngle(sighting.car.pose.yaw - before_->car.pose.yaw);
+    const double curvature = turn / (duration * sighting.car.speed);
+    if (std::abs(curvature) < kMostCurvature) {
+      yaw_lag_.noteAnswer(sighting.seen - 0.5 * duration, curvature);
+    }
+  }
+  before_ = sighting;
+}
+
+void CarWatch::clear()
+{
+  reckoning_.clear();
+  before_.reset();
+}
+
+void CarWatch::noteCommand(double time, const DriveCommand & command, double bend)
 {
   reckoning_.note(time, command);
   speed_lag_.noteCommand(time, command.speed);
+  yaw_lag_.noteCommand(time, bend);
   traction_watch_.noteCommand(command);
 }
 
-double CarWatch::latency() const
+// Commands reach motor and steering on the same way, but tyres that slide pass on a speed later than a turn.
+Lags CarWatch::lags() const
 {
-  return std::clamp(speed_lag_.lag() - PathFollower::kSpeedLag, told_latency_, told_latency_ + kMostLatency);
+  const auto plausible = [&](double latency) {
+    return std::clamp(latency, told_latency_, told_latency_ + kMostLatency);
+  };
+  constexpr double kSpeedLag = PathFollower::kSpeedLag;
+  const double of_speed = plausible(speed_lag_.lag(kSpeedLag + told_latency_) - kSpeedLag);
+  return {std::min(plausible(yaw_lag_.lag(of_speed)), of_speed), kSpeedLag + of_speed};
 }
 
 Tyres CarWatch::tyres() const

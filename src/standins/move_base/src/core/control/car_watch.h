@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
+
 #include "control/dead_reckoning.h"
+#include "control/path_follower.h"
+#include "control/response_lag.h"
 #include "control/slip_watch.h"
-#include "control/speed_lag.h"
 #include "control/traction_watch.h"
 
 namespace move_base
@@ -26,20 +29,25 @@ public:
   /// @return the car's motion now
   CarState note(const Sighting & sighting, double now);
   /// What the car is told, time in s.
-  void noteCommand(double time, const DriveCommand & command);
+  /// @param bend  1/m, of its way, that is to come of it
+  void noteCommand(double time, const DriveCommand & command, double bend);
   /// To be called when time jumps back.
-  void clear() { reckoning_.clear(); }
+  void clear();
 
-  /// s, from measuring a pose to the wheels acting on the command. Commands reach motor and steering on the same way.
-  double latency() const;
+  /// How late it does what it is told.
+  Lags lags() const;
   /// What its tyres have shown.
   Tyres tyres() const;
 
 private:
+  void noteBend(const Sighting & sighting);
+
   double told_latency_;  // s
   double told_slip_;     // rad per m/s^2
   DeadReckoning reckoning_;
-  SpeedLag speed_lag_;
+  ResponseLag speed_lag_;
+  ResponseLag yaw_lag_;
+  std::optional<Sighting> before_;
   SlipWatch slip_watch_;
   TractionWatch traction_watch_;
 };

@@ -20,6 +20,8 @@ constexpr double kUsualTraction = 0.9;    // of the acceleration told, from whic
 constexpr double kSpinning = 0.85;        // of what spinning wheels pass on, that they do while they steer as well
 constexpr double kUnfelt = 0.6;           // of the lateral acceleration, until a bend has shown how the tyres slip
 constexpr double kStopMargin = 0.05;      // m, left before an obstacle
+constexpr double kBends = 0.5;            // of the lateral acceleration, from which braking is limited for it
+constexpr double kLeastLeft = 0.35;       // of the deceleration, however hard the car corners
 // A Twist without speed says nothing of the wheels: they would straighten while the car still rolls, m/s.
 constexpr double kCreep = 1e-3;
 // The speed commanded and the speed measured may differ by this much before the slew starts from the measured one, m/s.
@@ -53,7 +55,8 @@ void FollowerOptions::validate() const
   requirePositive("max_path_deviation", max_path_deviation);
 }
 
-PathFollower::PathFollower(const FollowerOptions & options) : given_(options), options_(options)
+PathFollower::PathFollower(const FollowerOptions & options)
+: given_(options), options_(options), lags_{options.latency, kSpeedLag + options.latency}
 {
   options_.validate();
 }
@@ -183,7 +186,7 @@ FollowStep PathFollower::step(
   const PathPosition predicted = tracker_.locate(path_, afterLatency(car));
 
   const double free = distanceToObstacle(car, costmap, result.prediction);
-  const double stoppable = options_.limits.speedToStopWithin(free - kStopMargin - std::abs(car.speed) * speedLead());
+  const double stoppable = options_.limits.speedToStopWithin(free - kStopMargin - std::abs(car.speed) * lags_.speed);
   result.stuck = stoppable < kStandingSpeed;
   result.blocked = result.stuck || pathBlocked(result.position, car.speed, costmap);
 
@@ -192,7 +195,8 @@ FollowStep PathFollower::step(
   const double utmost = std::min(stoppable, behind.utmost);
   const double speed = stop ? 0.0 : std::min({wantedSpeed(predicted, car.speed), utmost, behind.wanted});
   const double slow = slewed(result.position.reverse ? -speed : speed, car.speed, period);
-  result.command.speed = std::clamp(slow, -stoppable, utmost);
+  const double gentle = gentlest(car.speed);
+  result.command.speed = std::clamp(slow, -std::max(stoppable, gentle), std::max(utmost, gentle));
   if (!car.stands() && std::abs(result.command.speed) < kCreep) {
     result.command.speed = std::copysign(kCreep, car.speed);
   }
@@ -213,10 +217,24 @@ double PathFollower::slipOn(double curvature, double speed) const
   return options_.slip_gradient * std::clamp(speed * speed * curvature, -limit, limit);
 }
 
+// Of its deceleration, what the tyres have left that hold a car in a bend: with more than that its tail comes round.
+double PathFollower::leftInBend(double speed) const
+{
+  const double part = speed * speed * last_bend_ / options_.limits.max_lateral_acceleration;
+  return std::sqrt(std::max(1.0 - part * part, kLeastLeft * kLeastLeft));
+}
+
+// Not slower than this, whatever a car in a bend brakes for: who spins does not stop sooner.
+double PathFollower::gentlest(double speed) const
+{
+  const bool bends = std::abs(speed * speed * last_bend_) > kBends * options_.limits.max_lateral_acceleration;
+  return bends ? std::abs(speed) - leftInBend(speed) * options_.limits.dec_lim_x * lags_.speed : 0.0;
+}
+
 // By how much the car speeds up, its speed lagging behind the command.
 double PathFollower::accelerationTo(double command, double speed) const
 {
-  const double gain = (std::abs(command) - std::abs(speed)) / speedLead();
+  const double gain = (std::abs(command) - std::abs(speed)) / lags_.speed;
   return std::clamp(gain, -options_.limits.deceleration(speed), options_.limits.acc_lim_x);
 }
 
@@ -238,7 +256,7 @@ Pose2 PathFollower::afterLatency(const CarState & car) const
 {
   const double slip = slipOn(last_bend_, car.speed);
   Pose2 pose{car.pose.x, car.pose.y, car.pose.yaw - slip};
-  double left = options_.latency;
+  double left = lags_.latency;
   for (const Sent & sent : sent_) {
     pose = advance(pose, car.speed * std::min(sent.duration, left), sent.bend);
     left -= std::min(sent.duration, left);
@@ -255,12 +273,12 @@ void PathFollower::noteSent(double period)
   for (const Sent & sent : sent_) {
     held += sent.duration;
   }
-  while (!sent_.empty() && held - sent_.front().duration >= options_.latency) {
+  while (!sent_.empty() && held - sent_.front().duration >= lags_.latency) {
     held -= sent_.front().duration;
     sent_.pop_front();
   }
-  if (held > options_.latency) {
-    sent_.front().duration -= held - options_.latency;
+  if (held > lags_.latency) {
+    sent_.front().duration -= held - lags_.latency;
   }
 }
 
@@ -306,7 +324,7 @@ double PathFollower::profileAt(double s, std::size_t from) const
 
 double PathFollower::wantedSpeed(const PathPosition & position, double speed) const
 {
-  const double lead = std::min(std::abs(speed) * speedLead(), position.remaining);
+  const double lead = std::min(std::abs(speed) * lags_.speed, position.remaining);
   const double here = profileAt(position.s, position.index);
   const double soon = profileAt(position.s + lead, position.index);
   return std::max(std::min(here, soon), options_.limits.min_vel_x);
@@ -367,10 +385,11 @@ void PathFollower::changeDirectionWhenStanding(const CarState & car)
 double PathFollower::slewed(double wanted, double speed, double period) const
 {
   const double greatest = std::max(options_.limits.acc_lim_x, options_.limits.dec_lim_x);
-  const double slack = std::max(kSpeedSlack, kSlackPart * speedLead() * greatest);
+  const double slack = std::max(kSpeedSlack, kSlackPart * lags_.speed * greatest);
   const double from = std::clamp(last_.speed, speed - slack, speed + slack);
   const bool slower = std::abs(wanted) < std::abs(from) || wanted * from < 0.0;
-  const double braking = std::min(options_.limits.dec_lim_x, kBrakingReserve * options_.limits.deceleration(from));
+  const double left = leftInBend(speed) * options_.limits.deceleration(from);
+  const double braking = std::min(options_.limits.dec_lim_x, kBrakingReserve * left);
   const double step = (slower ? braking : options_.limits.acc_lim_x) * period;
   return from + std::clamp(wanted - from, -step, step);
 }

@@ -31,6 +31,13 @@ struct FollowerOptions
   void validate() const;
 };
 
+/// How late a car does what it is told.
+struct Lags
+{
+  double latency{0.0};  ///< s, from measuring a pose to the wheels acting on the command
+  double speed{0.0};    ///< s, that its speed lags behind its command
+};
+
 /// What is known of a car's tyres beside what the options say.
 struct Tyres
 {
@@ -75,15 +82,15 @@ public:
   bool hasPath() const { return !path_.empty(); }
   const Path & path() const { return path_; }
   void clear();
-  /// s, from measuring a pose to the wheels acting on the command; that of the options until it is set.
-  void setLatency(double latency) { options_.latency = latency; }
-  double latency() const { return options_.latency; }
+  /// Those of the options until they are set.
+  void setLags(const Lags & lags) { lags_ = lags; }
+  const Lags & lags() const { return lags_; }
   /// Where the tyres clearly slip more than the options say, or pass on but a share of the acceleration told, they have less
   /// grip, and the car is asked for less; to the side also until a bend has shown it. The speeds along the path follow.
   void setTyres(const Tyres & tyres, const Costmap & costmap);
-  /// s, that a car's speed lags behind its command.
-  double speedLead() const { return kSpeedLag + options_.latency; }
   const DriveCommand & lastCommand() const { return last_; }
+  /// 1/m, of the car's way, that the last command is to bring about.
+  double lastBend() const { return last_bend_; }
 
   /// The path from behind the car to where it will be after the time, s; empty when the car is not on it.
   Path lead(const CarState & car, double time) const;
@@ -115,6 +122,8 @@ private:
   void noteSent(double period);
   double maxCurvature() const;
   double slipOn(double curvature, double speed) const;
+  double leftInBend(double speed) const;
+  double gentlest(double speed) const;
   double accelerationTo(double command, double speed) const;
   double withUndersteer(double curvature, double speed, double acceleration) const;
   double curvatureAhead(const PathPosition & position, double speed) const;
@@ -132,6 +141,7 @@ private:
 
   FollowerOptions given_;
   FollowerOptions options_;  // as the car is found to be
+  Lags lags_;
   Tyres tyres_;
   Path path_;
   Caution caution_;

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <deque>
+#include <vector>
+
+namespace move_base
+{
+/// How long a car takes to do what it is told, in speed or steering, measured whenever that changes: of some delays the
+/// one at which the commands were most like what came of them.
+class ResponseLag
+{
+public:
+  /// @param least_change  by which a command must change to tell something
+  explicit ResponseLag(double least_change);
+
+  /// @param value  told to the car at that time, s
+  void noteCommand(double time, double value);
+  /// @param value  of the car at that time, s
+  void noteAnswer(double time, double value);
+
+  /// @param expected  s, until there is something to measure
+  /// @return s
+  double lag(double expected) const;
+
+private:
+  struct Command
+  {
+    double time;
+    double value;
+  };
+
+  double commandAt(double time) const;
+
+  double least_change_;
+  std::deque<Command> commands_;
+  std::vector<double> errors_;  // squared and summed, of each delay
+  double expectation_;          // squared error taken for a delay one step beside the expected one
+};
+}  // namespace move_base

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "loaders/car/car_context.h"
+#include "loaders/model/car_context.h"
 
 namespace f1tenth_sim2d
 {

@@ -6,7 +6,7 @@
 
 #include "loaders/car/car_joints.h"
 #include "loaders/car/drive_plugins.h"
-#include "loaders/car/sensor_readers.h"
+#include "loaders/sensors/sensor_readers.h"
 
 namespace f1tenth_sim2d
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "loaders/car/car_context.h"
+#include "loaders/model/car_context.h"
 
 namespace f1tenth_sim2d
 {

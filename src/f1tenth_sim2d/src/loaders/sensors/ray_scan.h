@@ -1,6 +1,6 @@
 #pragma once
 
-#include "loaders/car/sensor_readers.h"
+#include "loaders/sensors/sensor_readers.h"
 
 namespace f1tenth_sim2d
 {

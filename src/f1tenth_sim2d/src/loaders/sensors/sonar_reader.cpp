@@ -1,9 +1,9 @@
-#include "loaders/car/sonar_reader.h"
+#include "loaders/sensors/sonar_reader.h"
 
 #include <algorithm>
 
 #include "f1tenth_sim2d/sonar.h"
-#include "loaders/car/ray_scan.h"
+#include "loaders/sensors/ray_scan.h"
 
 namespace f1tenth_sim2d
 {

@@ -1,9 +1,9 @@
-#include "loaders/car/sensor_readers.h"
+#include "loaders/sensors/sensor_readers.h"
 
 #include <cmath>
 
-#include "loaders/car/contact_sensor.h"
-#include "loaders/car/ray_scan.h"
+#include "loaders/sensors/contact_sensor.h"
+#include "loaders/sensors/ray_scan.h"
 
 namespace f1tenth_sim2d
 {

@@ -1,4 +1,4 @@
-#include "loaders/car/contact_sensor.h"
+#include "loaders/sensors/contact_sensor.h"
 
 #include <algorithm>
 

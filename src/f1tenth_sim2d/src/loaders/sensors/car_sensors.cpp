@@ -1,10 +1,10 @@
-#include "loaders/car/car_sensors.h"
+#include "loaders/sensors/car_sensors.h"
 
 #include <algorithm>
 #include <set>
 
-#include "loaders/car/sensor_readers.h"
-#include "loaders/car/sonar_reader.h"
+#include "loaders/sensors/sensor_readers.h"
+#include "loaders/sensors/sonar_reader.h"
 
 namespace f1tenth_sim2d
 {

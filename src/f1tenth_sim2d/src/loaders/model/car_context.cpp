@@ -1,4 +1,4 @@
-#include "loaders/car/car_context.h"
+#include "loaders/model/car_context.h"
 
 #include <algorithm>
 #include <boost/algorithm/string/classification.hpp>

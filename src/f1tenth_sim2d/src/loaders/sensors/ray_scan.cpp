@@ -1,4 +1,4 @@
-#include "loaders/car/ray_scan.h"
+#include "loaders/sensors/ray_scan.h"
 
 #include <cmath>
 #include <sstream>

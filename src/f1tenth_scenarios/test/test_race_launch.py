@@ -5,6 +5,7 @@ import os
 import subprocess
 
 import pytest
+import rosbag
 from f1tenth_scenarios.launch.private_master import private_master
 from patience import PATIENCE
 
@@ -17,8 +18,8 @@ PLANNERS = places.package_path(places.PACKAGE) / "test" / "planners"
 def race(tmp_path):
     """Runs race.launch with some arguments in a folder of its own; returns its output and the result."""
 
-    def run(*arguments):
-        more = f"more:=--results {tmp_path}/results"
+    def run(*arguments, options=""):
+        more = f"more:=--results {tmp_path}/results {options}"
         command = ["roslaunch", "f1tenth_scenarios", "race.launch", *arguments, more]
         # roslaunch names the folder by this variable, as a shell sets it.
         environment = {**os.environ, "ROS_LOG_DIR": str(tmp_path / "log"), "PWD": str(tmp_path)}
@@ -38,6 +39,14 @@ def test_race_of_two_is_judged_and_ends(race):
     assert "verdict:           success (expected success)" in said
     assert result["verdict"] == "success"
     assert [len(car["lap_times"]) for car in result["cars"].values()] == [1, 1]
+
+
+def test_who_looks_on_sees_the_wheels(race, tmp_path):
+    race("planner:=pursuit", options="--bag")
+    (file,) = (tmp_path / "results").glob("*/run.bag")
+    with rosbag.Bag(str(file)) as bag:
+        frames = {each.child_frame_id for _, said, _ in bag.read_messages("/tf") for each in said.transforms}
+    assert {"robot1/front_left_wheel", "robot1/rear_right_wheel"} <= frames
 
 
 def test_path_of_a_planner_counts_from_where_roslaunch_was_called(race, tmp_path):

@@ -43,7 +43,7 @@ def run_plan(plan: Plan, attach: bool = False) -> int:
 
     Args:
         plan: what to run
-        attach: whether to use the ROS master that runs
+        attach: whether to use the ROS master that runs, where somebody looks on
     """
     from f1tenth_scenarios.run.ros_session import run_with_ros
 
@@ -51,7 +51,7 @@ def run_plan(plan: Plan, attach: bool = False) -> int:
     progress = ProgressLine(plan.name)
     master = contextlib.nullcontext() if attach else private_master()
     with StopRequest().listening() as stop, master:
-        result = run_with_ros(plan, stop, progress.update)
+        result = run_with_ros(dataclasses.replace(plan, watched=attach), stop, progress.update)
     progress.clear()
     print(summary(result, plan), flush=True)
     return exit_code(result.passed, stop)

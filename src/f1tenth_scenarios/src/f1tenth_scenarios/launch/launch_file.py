@@ -109,6 +109,7 @@ def _car_arguments(plan: Plan, car: Car) -> dict[str, Any]:
         "odometry": odometry(plan),
         "localization": plan.scenario.localization.value,
         "seed": plan.scenario.seed,
+        "wheels": plan.watched,
     }
 
 

@@ -25,6 +25,7 @@ class Plan:
     course: Optional[Course] = None
     settings: tuple[str, ...] = ()  # KEY=VALUE, set from outside of the file
     keep_bag: bool = False  # also if the run passes
+    watched: bool = False  # somebody looks on, in rviz
     note: str = ""  # why the run is another one than the scenario asks for
 
     @property

@@ -8,6 +8,7 @@ namespace move_base
 namespace
 {
 constexpr double kMostLatency = 0.15;          // s, beyond what it is told to be
+constexpr double kYawDoubt = 0.03;             // s, by which the yaw may seem to answer too soon
 constexpr double kLeastSlip = 0.2;             // times what it is told to be
 constexpr double kMostSlip = 4.0;              // the same
 constexpr double kLeastSpeedChange = 0.3;      // m/s, in a command, that tells how late the speed follows
@@ -76,7 +77,8 @@ Lags CarWatch::lags() const
   };
   constexpr double kSpeedLag = PathFollower::kSpeedLag;
   const double of_speed = plausible(speed_lag_.lag(kSpeedLag + told_latency_) - kSpeedLag);
-  return {std::min(plausible(yaw_lag_.lag(of_speed)), of_speed), kSpeedLag + of_speed};
+  const double of_yaw = plausible(yaw_lag_.lag(of_speed - kYawDoubt) + kYawDoubt);
+  return {std::min(of_yaw, of_speed), kSpeedLag + of_speed};
 }
 
 Tyres CarWatch::tyres() const

@@ -194,7 +194,8 @@ FollowStep PathFollower::step(
   const SpeedBehind behind = speedBehindOthers(car, costmap, others);
   const double utmost = std::min(stoppable, behind.utmost);
   const double speed = stop ? 0.0 : std::min({wantedSpeed(predicted, car.speed), utmost, behind.wanted});
-  const double slow = slewed(result.position.reverse ? -speed : speed, car.speed, period);
+  const double left = brake ? leftInBend(car.speed) : 1.0;
+  const double slow = slewed(result.position.reverse ? -speed : speed, car.speed, left, period);
   const double gentle = gentlest(car.speed);
   result.command.speed = std::clamp(slow, -std::max(stoppable, gentle), std::max(utmost, gentle));
   if (!car.stands() && std::abs(result.command.speed) < kCreep) {
@@ -382,14 +383,14 @@ void PathFollower::changeDirectionWhenStanding(const CarState & car)
   }
 }
 
-double PathFollower::slewed(double wanted, double speed, double period) const
+double PathFollower::slewed(double wanted, double speed, double left, double period) const
 {
   const double greatest = std::max(options_.limits.acc_lim_x, options_.limits.dec_lim_x);
   const double slack = std::max(kSpeedSlack, kSlackPart * lags_.speed * greatest);
   const double from = std::clamp(last_.speed, speed - slack, speed + slack);
   const bool slower = std::abs(wanted) < std::abs(from) || wanted * from < 0.0;
-  const double left = leftInBend(speed) * options_.limits.deceleration(from);
-  const double braking = std::min(options_.limits.dec_lim_x, kBrakingReserve * left);
+  const double braking =
+    std::min(options_.limits.dec_lim_x, kBrakingReserve * left * options_.limits.deceleration(from));
   const double step = (slower ? braking : options_.limits.acc_lim_x) * period;
   return from + std::clamp(wanted - from, -step, step);
 }

@@ -221,8 +221,7 @@ double PathFollower::slipOn(double curvature, double speed) const
 // Of its deceleration, what the tyres have left that hold a car in a bend: with more than that its tail comes round.
 double PathFollower::leftInBend(double speed) const
 {
-  const double part = speed * speed * last_bend_ / options_.limits.max_lateral_acceleration;
-  return std::sqrt(std::max(1.0 - part * part, kLeastLeft * kLeastLeft));
+  return std::max(options_.limits.leftInBend(speed, last_bend_), kLeastLeft);
 }
 
 // Not slower than this, whatever a car in a bend brakes for: who spins does not stop sooner.

@@ -38,25 +38,18 @@ double speedForClearance(const Pose2 & pose, const Costmap & costmap, const Spee
   return limits.min_vel_x + part * (limits.max_vel_x - limits.min_vel_x);
 }
 
-// What is left of an acceleration along the path while the car drives a bend: the friction ellipse.
-double leftOver(double acceleration, double speed, double curvature, const SpeedLimits & limits)
-{
-  const double lateral = speed * speed * std::abs(curvature) / limits.max_lateral_acceleration;
-  return acceleration * std::sqrt(std::max(0.0, 1.0 - lateral * lateral));
-}
-
 void limitByAcceleration(const Path & path, const PathStretch & stretch, const SpeedLimits & limits, double * speeds)
 {
   speeds[stretch.end - 1] = 0.0;
   for (std::size_t i = stretch.end - 1; i-- > stretch.begin;) {
     const double step = path[i + 1].s - path[i].s;
     const double deceleration =
-      leftOver(limits.deceleration(speeds[i + 1]), speeds[i + 1], path[i + 1].curvature, limits);
+      limits.deceleration(speeds[i + 1]) * limits.leftInBend(speeds[i + 1], path[i + 1].curvature);
     speeds[i] = std::min(speeds[i], std::sqrt(speeds[i + 1] * speeds[i + 1] + 2.0 * deceleration * step));
   }
   for (std::size_t i = stretch.begin; i + 1 < stretch.end; ++i) {
     const double step = path[i + 1].s - path[i].s;
-    const double acceleration = leftOver(limits.acc_lim_x, speeds[i], path[i].curvature, limits);
+    const double acceleration = limits.acc_lim_x * limits.leftInBend(speeds[i], path[i].curvature);
     speeds[i + 1] = std::min(speeds[i + 1], std::sqrt(speeds[i] * speeds[i] + 2.0 * acceleration * step));
   }
 }
@@ -89,6 +82,12 @@ double SpeedLimits::brakingDistance(double speed) const
 {
   const double full = std::min(std::abs(speed), braking_power / dec_lim_x);
   return (std::pow(std::abs(speed), 3) - std::pow(full, 3)) / (3.0 * braking_power) + full * full / (2.0 * dec_lim_x);
+}
+
+double SpeedLimits::leftInBend(double speed, double curvature) const
+{
+  const double lateral = speed * speed * std::abs(curvature) / max_lateral_acceleration;
+  return std::sqrt(std::max(0.0, 1.0 - lateral * lateral));
 }
 
 double SpeedLimits::speedToStopWithin(double distance) const

@@ -22,4 +22,5 @@ def race(options) -> int:
         with replacing(options.save) as temporary:
             temporary.write_text(race_text(wanted), encoding="utf-8")
         return PASSED
-    return with_report(run_plan(dataclasses.replace(plan, keep_bag=options.bag), options.attach), options)
+    plan = dataclasses.replace(plan, keep_bag=options.bag, watched=options.attach)
+    return with_report(run_plan(plan), options)

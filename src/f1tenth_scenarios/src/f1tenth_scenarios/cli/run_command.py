@@ -38,20 +38,15 @@ def run(options) -> int:
     return with_report(code, options)
 
 
-def run_plan(plan: Plan, attach: bool = False) -> int:
-    """Run one scenario and print what came of it; returns the exit code.
-
-    Args:
-        plan: what to run
-        attach: whether to use the ROS master that runs, where somebody looks on
-    """
+def run_plan(plan: Plan) -> int:
+    """Run one scenario and print what came of it; returns the exit code."""
     from f1tenth_scenarios.run.ros_session import run_with_ros
 
     require_memory()
     progress = ProgressLine(plan.name)
-    master = contextlib.nullcontext() if attach else private_master()
+    master = contextlib.nullcontext() if plan.watched else private_master()
     with StopRequest().listening() as stop, master:
-        result = run_with_ros(dataclasses.replace(plan, watched=attach), stop, progress.update)
+        result = run_with_ros(plan, stop, progress.update)
     progress.clear()
     print(summary(result, plan), flush=True)
     return exit_code(result.passed, stop)

@@ -25,7 +25,7 @@ class Plan:
     course: Optional[Course] = None
     settings: tuple[str, ...] = ()  # KEY=VALUE, set from outside of the file
     keep_bag: bool = False  # also if the run passes
-    watched: bool = False  # somebody looks on, in rviz
+    watched: bool = False  # it uses the ROS master that runs, where somebody looks on
     note: str = ""  # why the run is another one than the scenario asks for
 
     @property

@@ -121,11 +121,26 @@ TEST(PathFollower, keepsBehindWhoWeaves)
   const Pose2 behind = onOval(3.5);
   follower.setPath(samplePath({behind.x, behind.y + 0.35, behind.yaw}, {{6.0, 0.0}}, 0.1), costmap);
   const CarState car{{behind.x, behind.y + 0.35, behind.yaw}, 4.0};
-  EXPECT_TRUE(isKeptBehind(forecast, car.pose, footprint));
-  EXPECT_TRUE(follower.hindered(car, costmap, {forecast}));
+  const Forecast ahead = seenFrom(car.pose, footprint, forecast);
+  EXPECT_TRUE(ahead.isAnywhere());
+  EXPECT_TRUE(follower.hindered(car, costmap, {ahead}));
   const Pose2 beside{other.x - 0.3, other.y + 0.5, 0.0};
-  EXPECT_FALSE(isKeptBehind(forecast, beside, footprint));
+  EXPECT_FALSE(seenFrom(beside, footprint, forecast).isAnywhere());
   EXPECT_TRUE(isBeside(forecast.at(0.0), beside, footprint));
+}
+
+// Who weaves at 1.4 m/s is passed only where there is room beside all that it sweeps; who is slow, beside where it is.
+TEST(Forecast, whoWeavesSlowlyIsPassedBeforeItComesOver)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  MovingObstacle other = carWithTrail([](double time) { return 0.3 * std::sin(M_PI * time); });
+  for (const double speed : {0.9, 1.4}) {
+    other.speed = speed;
+    const Forecast forecast(other, costmap, 2.0);
+    const Forecast ahead = seenFrom(onOval(3.5), costmap.footprint(), forecast);
+    EXPECT_EQ(ahead.isAnywhere(), speed > 1.0);
+    EXPECT_EQ(ahead.at(0.0).half_width > forecast.at(0.0).half_width + 0.3, speed > 1.0);
+  }
 }
 
 TEST(Forecast, whoWentToOneSideGoesThereAgain)

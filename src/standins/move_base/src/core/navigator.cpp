@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "traffic/traffic.h"
+
 namespace move_base
 {
 namespace
@@ -141,7 +143,7 @@ void Navigator::planAhead(const CycleInput & input, Costmap & costmap, CycleOutp
   if (std::optional<PlanAnswer> answer = planning_.answer(input.car, input.time, costmap)) {
     takePlan(std::move(*answer), input, costmap, output);
   } else if (planning_.leavesWayAt(input.time) && follower_.hasPath()) {
-    follow({input.time, input.car, costmap, forecasts(costmap, input.time)}, false, output);
+    follow({input.time, input.car, costmap, forecasts(costmap, input.time, input.car.pose)}, false, output);
   } else {
     hold(input, costmap, output);
   }
@@ -154,7 +156,8 @@ void Navigator::takePlan(PlanAnswer answer, const CycleInput & input, Costmap & 
     planFailed(answer.obstruction, input, costmap, output);
     return;
   }
-  const auto renewal = way_.renew(std::move(answer), {input.time, input.car, costmap, forecasts(costmap, input.time)});
+  const auto renewal =
+    way_.renew(std::move(answer), {input.time, input.car, costmap, forecasts(costmap, input.time, input.car.pose)});
   if (renewal == Way::Renewal::kRefused) {
     hold(input, costmap, output);
     return;
@@ -194,7 +197,7 @@ void Navigator::giveUp(
 
 void Navigator::control(const CycleInput & input, Costmap & costmap, CycleOutput & output)
 {
-  const std::vector<Forecast> others = forecasts(costmap, input.time);
+  const std::vector<Forecast> others = forecasts(costmap, input.time, input.car.pose);
   const Scene scene{input.time, input.car, costmap, others};
   way_.passOthers(scene);
   const FollowStep step = follow(scene, false, output);
@@ -239,7 +242,7 @@ bool Navigator::finishIfReached(const CycleInput & input, CycleOutput & output)
 
 void Navigator::coast(const CycleInput & input, const Costmap & costmap, CycleOutput & output)
 {
-  const Scene scene{input.time, input.car, costmap, forecasts(costmap, input.time)};
+  const Scene scene{input.time, input.car, costmap, forecasts(costmap, input.time, input.car.pose)};
   const FollowStep step = follow(scene, input.time >= *coast_until_, output);
   if (input.car.stands() && step.command.speed == 0.0) {
     cancel();

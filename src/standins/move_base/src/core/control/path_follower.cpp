@@ -141,9 +141,7 @@ std::vector<Touch> PathFollower::touches(
     driveAlong(path_, speeds_, {here.s, here.lateral, car.speed}, options_.limits, kTrafficTime);
   std::vector<Touch> all;
   for (const Forecast & other : others) {
-    const bool is_kept_behind = isKeptBehind(other, car.pose, costmap.footprint());
-    const Forecast & forecast = is_kept_behind ? other.anywhere() : other;
-    if (const auto touch = firstTouch(drive, costmap.footprint(), forecast, kTrafficMargin)) {
+    if (const auto touch = firstTouch(drive, costmap.footprint(), other, kTrafficMargin)) {
       all.push_back(*touch);
     }
   }

@@ -115,13 +115,4 @@ Box Forecast::at(double time) const
   result.half_width += 0.5 * doubt * (unrest_.high - unrest_.low);
   return result;
 }
-
-std::vector<Forecast> forecasts(const Costmap & costmap, double now)
-{
-  std::vector<Forecast> result;
-  for (const MovingObstacle & obstacle : costmap.moving()) {
-    result.emplace_back(obstacle, costmap, now);
-  }
-  return result;
-}
 }  // namespace move_base

@@ -21,6 +21,7 @@ public:
 
   /// The same, if it may at any time be as far to either side as it has strayed to one.
   Forecast anywhere() const;
+  bool isAnywhere() const { return is_anywhere_; }
 
   /// Whether it strays so far from where it was to be expected that nobody can tell on which side it will be.
   bool strays() const;
@@ -42,9 +43,6 @@ private:
   bool is_anywhere_{false};  // from now on, not only after some time
   double deceleration_{0.0};
 };
-
-/// Of everything that moves on the costmap.
-std::vector<Forecast> forecasts(const Costmap & costmap, double now);
 
 /// How far forecasts reach, s.
 constexpr double kForecastTime = 4.0;

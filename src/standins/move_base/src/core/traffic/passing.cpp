@@ -178,10 +178,6 @@ std::optional<PassingPlan> planIn(const PassingRequest & request, const Manner &
 std::optional<PassingPlan> planPast(const PassingRequest & request)
 {
   const Footprint & footprint = request.costmap.footprint();
-  const auto is_kept_behind = [&](const Forecast & other) { return isKeptBehind(other, request.car.pose, footprint); };
-  if (std::any_of(request.others.begin(), request.others.end(), is_kept_behind)) {
-    return std::nullopt;
-  }
   const double gate = request.request.race_line->gate_tolerance;
   if (auto past = planIn(request, {HUGE_VAL, 0.0, gate})) {
     return past;

@@ -13,7 +13,7 @@ constexpr double kOffsetLength = 0.8;  // m, over which a car comes back to its 
 constexpr double kClosingLag = 0.15;   // s, that a car's speed and what is known of the other's lag behind
 constexpr double kStandoff = 0.5;      // m, kept behind another
 constexpr double kTimeGap = 0.25;      // s, the same for its speed
-constexpr double kFastToPass = 1.5;    // m/s, of who strays
+constexpr double kFastToPass = 1.1;    // m/s, of who strays
 constexpr double kFallBehind = 1.0;    // m/s slower than the other, when it is too near already
 constexpr double kApproachRate = 2.5;  // 1/s, of the last metre to it
 
@@ -46,9 +46,19 @@ bool isBeside(const Box & other, const Pose2 & car, const Footprint & footprint)
   return extent.along.low < footprint.front() && extent.along.high > footprint.rear();
 }
 
-bool isKeptBehind(const Forecast & other, const Pose2 & car, const Footprint & footprint)
+Forecast seenFrom(const Pose2 & car, const Footprint & footprint, const Forecast & other)
 {
-  return other.strays() && other.speed() > kFastToPass && extentOf(other.at(0.0), car).along.low >= footprint.front();
+  const bool is_ahead = extentOf(other.at(0.0), car).along.low >= footprint.front();
+  return is_ahead && other.strays() && other.speed() > kFastToPass ? other.anywhere() : other;
+}
+
+std::vector<Forecast> forecasts(const Costmap & costmap, double now, const Pose2 & car)
+{
+  std::vector<Forecast> result;
+  for (const MovingObstacle & obstacle : costmap.moving()) {
+    result.push_back(seenFrom(car, costmap.footprint(), Forecast(obstacle, costmap, now)));
+  }
+  return result;
 }
 
 std::vector<Moment> driveAlong(

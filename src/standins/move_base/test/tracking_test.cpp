@@ -104,7 +104,7 @@ TEST_P(TrackingOfBends, brakesIntoABendWithinTheLimits)
         off = std::max(off, std::abs(position.lateral));
       }
     });
-  EXPECT_LT(lateral, 1.1 * 7.0 * std::min(1.0, 1.15 / slip()));
+  EXPECT_LT(lateral, 1.1 * 7.0 * std::min(1.0, std::pow(1.15 / slip(), 1.5)));
   EXPECT_LT(off, 0.3);
 }
 

@@ -16,6 +16,7 @@ constexpr double kBrakingReserve = 1.5;   // of the deceleration of the speed pr
 constexpr double kLateralReserve = 1.05;  // of the lateral acceleration, to drive errors out
 constexpr double kSlipStep = 0.03;        // part by which the slip must change to be taken into account
 constexpr double kUsualSlip = 1.15;       // times what it is told to be, up to which the grip is that of a dry road
+constexpr double kSlipPower = 1.5;        // of the slip beyond: on average it is measured before it is all there
 constexpr double kUsualTraction = 0.9;    // of the acceleration told, from which the grip is that of a dry road
 constexpr double kSpinning = 0.85;        // of what spinning wheels pass on, that they do while they steer as well
 constexpr double kUnfelt = 0.6;           // of the lateral acceleration, until a bend has shown how the tyres slip
@@ -81,7 +82,7 @@ void PathFollower::setTyres(const Tyres & tyres, const Costmap & costmap)
   options_.understeer_gradient = given_.understeer_gradient * tyres.slip;
   options_.yaw_lag = given_.yaw_lag * tyres.slip;
   const double passed_on = tyres.traction < kUsualTraction ? kSpinning * tyres.traction : 1.0;
-  const double grip = std::min(passed_on, kUsualSlip / tyres.slip);
+  const double grip = std::min(passed_on, std::pow(kUsualSlip / tyres.slip, kSlipPower));
   const double to_side = tyres.felt ? grip : std::min(grip, kUnfelt);
   options_.limits.acc_lim_x = given_.limits.acc_lim_x * grip;
   options_.limits.dec_lim_x = given_.limits.dec_lim_x * grip;

@@ -132,6 +132,25 @@ TEST_F(PlanningBeside, aPlanThatComesTooLateToBeDrivenIsMadeAnew)
   expectAtGoal(onOval(18.0));
 }
 
+// It brakes meanwhile, and may soon be slow enough.
+TEST_F(PlanningBeside, whereAPlanCannotBeDrivenAnotherIsAskedForSoon)
+{
+  driveOff();
+  journey_.navigator.setGoal(onOval(18.0), journey_.time);
+  journey_.cycle();
+  const Pose2 beside = compose(journey_.car.state().pose, {0.0, 0.8, 0.0});
+  journey_.car = testing::KinematicCar(beside);
+  journey_.car.drive({2.0, 0.0}, 0.5);
+  slow_.work();
+  EXPECT_FALSE(journey_.cycle().new_plan);
+  EXPECT_EQ(slow_.pending(), 0U);
+  const double before = journey_.command.speed;
+  journey_.cycle();
+  journey_.cycle();
+  EXPECT_LT(journey_.command.speed, before);
+  EXPECT_EQ(slow_.pending(), 1U);
+}
+
 TEST_F(PlanningBeside, cancellingStopsTheCarAtOnceAndTheOldPlanIsNotTaken)
 {
   driveOff();

@@ -159,6 +159,7 @@ void Navigator::takePlan(PlanAnswer answer, const CycleInput & input, Costmap & 
   const auto renewal =
     way_.renew(std::move(answer), {input.time, input.car, costmap, forecasts(costmap, input.time, input.car.pose)});
   if (renewal == Way::Renewal::kRefused) {
+    planning_.refused(input.time);
     hold(input, costmap, output);
     return;
   }

@@ -12,7 +12,7 @@ constexpr double kGateYawPart = 0.65;     // the same for the heading, which sli
 constexpr double kLeadTime = 0.1;         // s beyond the latency, for which a new plan keeps to the old one
 constexpr double kApproachLength = 3.0;   // m, on top of the way of braking, that are planned to the goal itself
 constexpr double kApproachMargin = 1.0;   // m
-constexpr double kTooFast = 0.5;          // m/s, by which a car may be faster than a new plan allows
+constexpr double kTooFast = 0.2;          // m/s, by which a car may be faster than a new plan allows
 constexpr double kFarTooFast = 1.5;       // m/s, the same for a plan that is not to end at a standstill
 constexpr double kExtensionMargin = 1.0;  // m, of a plan beyond the goal, on top of the way of braking
 }  // namespace
@@ -56,7 +56,13 @@ bool PlanRequests::canDrive(const Plan & plan, const CarState & car, const Costm
   const Vec2 from_path = car.pose.position() - place.position();
   const Vec2 ahead{std::cos(place.yaw), std::sin(place.yaw)};
   const bool on_path = std::abs(cross(ahead, from_path)) <= follower_.options().max_path_deviation;
-  return on_path && !plan.path.front().reverse && car.speed <= speeds[nearest] + (passes() ? kFarTooFast : kTooFast);
+  // Until it becomes slower it drives on for a while.
+  const double soon = plan.path[nearest].s + (passes() ? 0.0 : car.speed * follower_.lags().speed);
+  std::size_t there = nearest;
+  while (there + 1 < plan.path.size() && plan.path[there].s < soon) {
+    ++there;
+  }
+  return on_path && !plan.path.front().reverse && car.speed <= speeds[there] + (passes() ? kFarTooFast : kTooFast);
 }
 
 bool PlanRequests::isFar(double way, double speed, double time_needed) const

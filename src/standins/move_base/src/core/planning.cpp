@@ -5,7 +5,7 @@ namespace move_base
 namespace
 {
 constexpr double kRetryInterval = 0.5;     // s between plans for the same goal: the world changes no faster
-constexpr double kNotTakenInterval = 0.1;  // s, the same when one was there but others were in the way
+constexpr double kNotTakenInterval = 0.1;  // s, the same when one was there that the car could not go over to
 }  // namespace
 
 void Planning::startAgain(double time)
@@ -44,6 +44,11 @@ void Planning::succeeded(double time, bool taken)
   no_plan_because_.clear();
   retries_ = 0;
   last_valid_ = time;
+}
+
+void Planning::refused(double time)
+{
+  next_plan_ = time + kNotTakenInterval;
 }
 
 void Planning::failed(const std::string & because)

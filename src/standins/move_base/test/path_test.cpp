@@ -100,5 +100,14 @@ TEST(PathTracker, goesOnToTheOtherDirectionOnlyWhenTold)
   EXPECT_NEAR(position.lateral, -0.1, 1e-9) << "left of the car is right of its motion";
   EXPECT_FALSE(tracker.nextStretch());
 }
+
+TEST(Path, givesTheFirstPointAtAPlaceOrBeyondIt)
+{
+  const Path path = samplePath({0.0, 0.0, 0.0}, {{1.0, 0.0}}, 0.25);
+  EXPECT_EQ(firstBeyond(path, 0.0), 0U);
+  EXPECT_EQ(firstBeyond(path, 0.3), 2U);
+  EXPECT_EQ(firstBeyond(path, 0.3, 3), 3U);
+  EXPECT_EQ(firstBeyond(path, 9.0), path.size() - 1);
+}
 }  // namespace
 }  // namespace move_base

@@ -58,11 +58,8 @@ bool PlanRequests::canDrive(const Plan & plan, const CarState & car, const Costm
   const bool on_path = std::abs(cross(ahead, from_path)) <= follower_.options().max_path_deviation;
   // Until it becomes slower it drives on for a while.
   const double soon = plan.path[nearest].s + (passes() ? 0.0 : car.speed * follower_.lags().speed);
-  std::size_t there = nearest;
-  while (there + 1 < plan.path.size() && plan.path[there].s < soon) {
-    ++there;
-  }
-  return on_path && !plan.path.front().reverse && car.speed <= speeds[there] + (passes() ? kFarTooFast : kTooFast);
+  const double allowed = speeds[firstBeyond(plan.path, soon, nearest)] + (passes() ? kFarTooFast : kTooFast);
+  return on_path && !plan.path.front().reverse && car.speed <= allowed;
 }
 
 bool PlanRequests::isFar(double way, double speed, double time_needed) const

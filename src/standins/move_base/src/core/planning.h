@@ -32,7 +32,7 @@ public:
   /// Notes that there is a plan that the car can drive.
   /// @param taken  whether it does; if not, another is asked for soon
   void succeeded(double time, bool taken);
-  /// Notes that there is one for which the car is too fast yet: another is asked for soon.
+  /// Notes that there is one that the car cannot go over to yet: another is asked for soon.
   void refused(double time);
   /// Notes why there is none.
   void failed(const std::string & because);

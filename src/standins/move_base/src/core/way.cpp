@@ -1,7 +1,6 @@
 #include "way.h"
 
-#include <algorithm>
-#include <iterator>
+#include <cmath>
 
 #include "path/plan_parts.h"
 #include "traffic/passing.h"
@@ -89,14 +88,13 @@ bool Way::moveGoalHere()
 {
   constexpr double kAlong = 0.2;  // m
   constexpr double kAside = 1.0;  // m
-  const auto there = std::find_if(
-    plan_.path.begin(), std::prev(plan_.path.end()), [&](const PathPoint & point) { return point.s >= plan_.goal_s; });
-  const Pose2 beside = compose(inverse(goals_.front()), there->pose);
+  const Pose2 & there = plan_.path[firstBeyond(plan_.path, plan_.goal_s)].pose;
+  const Pose2 beside = compose(inverse(goals_.front()), there);
   if (!requests_.passes() || std::abs(beside.x) > kAlong || std::abs(beside.y) > kAside) {
     return false;
   }
   if (std::abs(beside.y) > kKeptPart * requests_.tolerance().distance) {
-    goals_.move(there->pose);
+    goals_.move(there);
   }
   return true;
 }

@@ -113,4 +113,13 @@ std::size_t nearestTo(const Path & path, const Pose2 & pose)
   });
   return static_cast<std::size_t>(nearest - path.begin());
 }
+
+std::size_t firstBeyond(const Path & path, double s, std::size_t from)
+{
+  std::size_t i = from;
+  while (i + 1 < path.size() && path[i].s < s) {
+    ++i;
+  }
+  return i;
+}
 }  // namespace move_base

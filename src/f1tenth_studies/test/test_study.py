@@ -86,9 +86,10 @@ def test_race_pace_says_what_is_not_good_enough(tmp_path, monkeypatch, change, p
 
 def test_race_pace_counts_laps_but_the_standing_one(tmp_path, monkeypatch):
     monkeypatch.setattr(race_pace, "_optimum", lambda world: 5.0)
+    monkeypatch.setattr(race_pace, "_optimum_in_sight", lambda world: 5.125)
     values = {"world": "circuit1", "place": "circuit1", "model": "single_track"}
     assert table(race_pace.STUDY, [run(tmp_path, values)]).splitlines()[-1] == (
-        "| circuit1 | single_track | 5.000 | 2 | 5.000 | 5.500 | 1.10 | 0.120 | 0 |"
+        "| circuit1 | single_track | 5.000 | 5.125 | 2 | 5.000 | 5.500 | 1.10 | 0.120 | 0 |"
     )
     none = run(tmp_path, values, cars={"robot1": {"lap_times": []}})
     assert "| 0 | inf | inf | inf |" in table(race_pace.STUDY, [none])

@@ -55,11 +55,23 @@ def compute_fastest_lap(track: np.ndarray, limits: Limits) -> FastestLap:
         refline=track[:, :2], normvectors=normals, alpha=shift, stepsize_interp=_LINE_SPACING
     )
     yaw, curvature = tph.calc_head_curv_an.calc_head_curv_an(coeffs_x, coeffs_y, splines, parts)
-    speed = _speed(curvature, steps, limits)
-    acceleration = tph.calc_ax_profile.calc_ax_profile(np.append(speed, speed[0]), steps)
-    lap_time = float(tph.calc_t_profile.calc_t_profile(speed, steps, ax_profile=acceleration)[-1])
+    speed, acceleration, lap_time = _driven(curvature, steps, limits)
     x, y = line.T
     return FastestLap(s, x, y, yaw + np.pi / 2, curvature, speed, acceleration, lap_time)
+
+
+def time_along(lap: FastestLap, limits: Limits) -> float:
+    """The least time (s) for the line of a lap, under other limits than the lap's own."""
+    closing = np.hypot(lap.x[0] - lap.x[-1], lap.y[0] - lap.y[-1])
+    return _driven(lap.curvature, np.append(np.diff(lap.s), closing), limits)[2]
+
+
+def _driven(curvature, steps, limits):
+    """Speed, acceleration, and time of a lap."""
+    speed = _speed(curvature, steps, limits)
+    acceleration = tph.calc_ax_profile.calc_ax_profile(np.append(speed, speed[0]), steps)
+    times = tph.calc_t_profile.calc_t_profile(speed, steps, ax_profile=acceleration)
+    return speed, acceleration, float(times[-1])
 
 
 def _splines(track):

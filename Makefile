@@ -117,8 +117,8 @@ coremutants: setup ## the same of the C++ parts: make coremutants OF="core locks
 lint: setup ## check format, style and types of all files
 	@pre-commit run --all-files --show-diff-on-failure
 
-tidy: build ## clang-tidy over the C++ files: make tidy FILES=src/f1tenth_sim2d/src/node
-	@tools/tidy $(BUILD_DIR) $(FILES)
+tidy: installed ## clang-tidy over the C++ files: make tidy FILES=src/f1tenth_sim2d/src/node
+	@tools/tidy $(BUILD_DIR)/tidy $(FILES)
 
 format: setup ## format all files
 	@clang-format -i $(CPP_FILES)

@@ -7,9 +7,10 @@ namespace gmapping
 {
 namespace
 {
-constexpr double kFine = 0.1;    // m per cell
-constexpr double kCoarse = 0.5;  // m per cell
-constexpr double kTurn = 0.015;  // rad: 15 cm at 10 m
+constexpr double kFine = 0.1;  // m per cell
+constexpr int kFinePerCoarse = 5;
+constexpr double kCoarse = kFinePerCoarse * kFine;  // m per cell
+constexpr double kTurn = 0.015;                     // rad: 15 cm at 10 m
 // What a place as far from the middle as the window reaches counts less, so that a straight wall is not moved along
 // itself for nothing.
 constexpr double kDistrust = 0.6;
@@ -99,7 +100,7 @@ Pose2 WallSearch::best(const std::vector<Vec2> & points, const SearchWindow & wi
       break;
     }
     const std::vector<Vec2> turned = turnedBy(points, candidate.pose.yaw);
-    constexpr int kSteps = static_cast<int>(0.5 * kCoarse / kFine + 0.5);
+    constexpr int kSteps = (kFinePerCoarse + 1) / 2;
     for (int x = -kSteps; x <= kSteps; ++x) {
       for (int y = -kSteps; y <= kSteps; ++y) {
         const Pose2 pose{candidate.pose.x + x * kFine, candidate.pose.y + y * kFine, candidate.pose.yaw};

@@ -48,6 +48,7 @@ def _optimum(world: str) -> float:
     return _fastest_lap(world).lap_time
 
 
+@functools.cache
 def _optimum_in_sight(world: str) -> float:
     return time_along(_fastest_lap(world), dataclasses.replace(read_limits(), max_speed=SIGHT_SPEED))
 

@@ -106,6 +106,22 @@ TEST(RaceLine, startsWithTheCurvatureOfTheWheels)
   EXPECT_NEAR(plan.path[1].curvature, 0.4, 0.02);
 }
 
+// A car in a tight bend has its wheels at their stop, a little farther than plans turn them, and the way goes on to the other side.
+TEST(RaceLine, leavesABendInWhichTheWheelsAreAtTheirStop)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  for (const double wheels : {1.34, -1.34}) {
+    for (const double aside : {-0.6, -0.4, 0.4, 0.6}) {
+      PlanRequest request{compose(onOval(9.0), {0.0, 0.0, aside}), onOval(15.0), wheels};
+      request.extension_length = 6.0;
+      request.race_line = kRacing;
+      const Plan plan = GlobalPlanner(PlannerOptions{}).plan(costmap, request);
+      ASSERT_TRUE(plan.found());
+      EXPECT_LT(greatestCurvature(plan.path), 1.03 * std::abs(wheels)) << wheels << " " << aside;
+    }
+  }
+}
+
 TEST(RaceLine, keepsTheTurningRadiusInAHairpin)
 {
   const Costmap costmap = makeCostmap(drawHairpin());

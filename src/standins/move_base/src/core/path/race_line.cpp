@@ -218,14 +218,16 @@ private:
   bool narrowWhereBroken(const Path & path)
   {
     const std::vector<double> noses = slips(path, options_);
+    const double wheels = std::abs(line_.front().curvature);  // may be turned farther than plans turn them
     bool broken = false;
-    for (std::size_t i = kFixedPoints; i < path.size(); ++i) {
+    // The last fixed point is bent by where the next one, which can move, lies.
+    for (std::size_t i = kFixedPoints - 1; i < path.size(); ++i) {
       const Pose2 & pose = path[i].pose;
       // Shifts do not change how far the nose is turned: with the same slip the line given counts as close enough.
       const double given = clearanceWithSlip(costmap_, line_[i].pose, noses[i]);
       const double required = std::min(rule_.at(pose.position()), given) - kClearanceSlack;
-      const bool close = clearanceWithSlip(costmap_, pose, noses[i]) < required;
-      const double bend_allowed = std::max(greatest_curvature_, std::abs(line_[i].curvature));
+      const bool close = i >= kFixedPoints && clearanceWithSlip(costmap_, pose, noses[i]) < required;
+      const double bend_allowed = std::max({greatest_curvature_, std::abs(line_[i].curvature), wheels});
       const bool bent = i + 1 < path.size() && std::abs(path[i].curvature) > kBendTolerance * bend_allowed;
       if (close || bent) {
         narrowAround(line_[i].s);

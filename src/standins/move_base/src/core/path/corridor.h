@@ -5,7 +5,6 @@
 #include "geometry/interval.h"
 #include "map/costmap.h"
 #include "path/path.h"
-#include "search/arc_price.h"
 
 namespace move_base
 {
@@ -13,8 +12,8 @@ namespace move_base
 double clearanceWithSlip(const Costmap & costmap, const Pose2 & pose, double slip);
 
 /// How far the car may be moved to either side of each point of the path, m, positive to the left of the car, so that
-/// it keeps the rule.
+/// it keeps a clearance, m, or, where the path itself is nearer to obstacles, comes no nearer.
 /// @param slips  rad, by which the nose points off the motion, of each point
 std::vector<Interval> corridorAround(
-  const Path & path, const Costmap & costmap, const ClearanceRule & rule, const std::vector<double> & slips);
+  const Path & path, const Costmap & costmap, double clearance, const std::vector<double> & slips);
 }  // namespace move_base

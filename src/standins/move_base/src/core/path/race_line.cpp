@@ -87,14 +87,14 @@ class RaceLine
 {
 public:
   RaceLine(
-    const Path & line, const Costmap & costmap, const ClearanceRule & rule, double greatest_curvature,
+    const Path & line, const Costmap & costmap, double clearance, double greatest_curvature,
     const RaceLineOptions & options)
   : line_(line),
     costmap_(costmap),
-    rule_(rule),
+    clearance_(clearance),
     greatest_curvature_(greatest_curvature),
     options_(options),
-    corridor_(corridorAround(line, costmap, rule, slips(line, options)))
+    corridor_(corridorAround(line, costmap, clearance, slips(line, options)))
   {
     fixStart();
   }
@@ -225,7 +225,7 @@ private:
       const Pose2 & pose = path[i].pose;
       // Shifts do not change how far the nose is turned: with the same slip the line given counts as close enough.
       const double given = clearanceWithSlip(costmap_, line_[i].pose, noses[i]);
-      const double required = std::min(rule_.at(pose.position()), given) - kClearanceSlack;
+      const double required = std::min(clearance_, given) - kClearanceSlack;
       const bool close = i >= kFixedPoints && clearanceWithSlip(costmap_, pose, noses[i]) < required;
       const double bend_allowed = std::max({greatest_curvature_, std::abs(line_[i].curvature), wheels});
       const bool bent = i + 1 < path.size() && std::abs(path[i].curvature) > kBendTolerance * bend_allowed;
@@ -249,7 +249,7 @@ private:
 
   const Path & line_;
   const Costmap & costmap_;
-  const ClearanceRule & rule_;
+  double clearance_;  // m
   double greatest_curvature_;
   RaceLineOptions options_;
   std::vector<Interval> corridor_;
@@ -257,13 +257,13 @@ private:
 }  // namespace
 
 Path raceLine(
-  const Path & path, const Costmap & costmap, const ClearanceRule & rule, const Gate & gate, double greatest_curvature,
+  const Path & path, const Costmap & costmap, double clearance, const Gate & gate, double greatest_curvature,
   const RaceLineOptions & options, const Narrowing & narrowing)
 {
   Path line = path;
   bool free_heading = true;
   for (int round = 0; round < kRounds && line.size() >= kShortestLine; ++round) {
-    RaceLine problem(line, costmap, rule, greatest_curvature, options);
+    RaceLine problem(line, costmap, clearance, greatest_curvature, options);
     problem.hold(gate);
     free_heading = free_heading && keepsHeading(line, gate);
     if (!free_heading) {

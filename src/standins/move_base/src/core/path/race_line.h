@@ -5,7 +5,6 @@
 
 #include "path/corridor.h"
 #include "path/global_planner.h"
-#include "search/arc_price.h"
 
 namespace move_base
 {
@@ -23,9 +22,9 @@ using Narrowing = std::function<bool(const Path & line, std::vector<Interval> & 
 
 /// The line of least curvature in the free corridor around a path that is driven forwards (Heilmeier et al. 2020): it
 /// uses the width of the road so that bends become wide. Pose and curvature at the start stay, the end is free.
-/// The result keeps the rule and the greatest curvature, 1/m, wherever the given path does, and passes the gate if that
-/// does. Without a way through the narrowed corridor it is empty.
+/// The result keeps the clearance, m, and the greatest curvature, 1/m, wherever the given path does, and comes no nearer
+/// to obstacles elsewhere; it passes the gate if the path does. Without a way through the narrowed corridor it is empty.
 Path raceLine(
-  const Path & path, const Costmap & costmap, const ClearanceRule & rule, const Gate & gate, double greatest_curvature,
+  const Path & path, const Costmap & costmap, double clearance, const Gate & gate, double greatest_curvature,
   const RaceLineOptions & options, const Narrowing & narrowing = {});
 }  // namespace move_base

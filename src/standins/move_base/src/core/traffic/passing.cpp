@@ -77,9 +77,9 @@ public:
     if (rest.size() < 2) {
       return {};
     }
-    const ClearanceRule rule(request_.costmap, rest.front().pose, rest.back().pose, request_.planner.min_obstacle_dist);
     return raceLine(
-      rest, request_.costmap, rule, {wanted.goal, manner_.gate, wanted.race_line->gate_yaw_tolerance, request_.next},
+      rest, request_.costmap, request_.planner.min_obstacle_dist,
+      {wanted.goal, manner_.gate, wanted.race_line->gate_yaw_tolerance, request_.next},
       1.0 / request_.planner.min_turning_radius, *wanted.race_line,
       [this](const Path & line, std::vector<Interval> & corridor) { return narrow(line, corridor); });
   }

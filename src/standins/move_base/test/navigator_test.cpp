@@ -336,6 +336,33 @@ TEST(Navigator, brakesAlongTheOldPathWhenThereIsNoPlanForTheNewGoal)
   EXPECT_GT(journey.clearance, 0.3);
 }
 
+// Patience with a plan begins when it fails, not when the last one was made.
+TEST(Navigator, comesToAStandInTheBendBeforeItRecovers)
+{
+  NavigatorOptions options = racingNavigator();
+  options.planner_patience = 0.3;
+  options.planner.max_expansions = 5000;
+  Journey journey(options, makeCostmap(drawOval()), onOval(6.0));
+  const auto closeRoadAhead = [&](const Pose2 & from) {
+    journey.costmap().observe(scanFrom(from, [&](double angle) {
+      const double off = std::abs(normalizeAngle(angle - from.yaw));
+      return off < 0.9 ? 1.0 / std::cos(off) : 0.0;
+    }));
+  };
+  journey.navigator.setGoal(onOval(24.0), journey.time);
+  for (int i = 0; i < 30; ++i) {
+    journey.cycle();
+  }
+  EXPECT_GT(journey.car.state().speed, 2.0);
+  closeRoadAhead(onOval(14.0));
+  closeRoadAhead(compose(onOval(4.0), {0.0, 0.0, M_PI}));
+  while (journey.recoveries.empty()) {
+    journey.cycle();
+  }
+  EXPECT_LT(journey.car.state().speed, 0.1);
+  EXPECT_GT(journey.clearance, 0.45);
+}
+
 TEST(Navigator, drivesTheSameWayEveryTime)
 {
   std::vector<Pose2> ends;

@@ -147,6 +147,9 @@ void Navigator::planAhead(const CycleInput & input, Costmap & costmap, CycleOutp
   } else {
     hold(input, costmap, output);
   }
+  if (goals_.any() && state_ == State::kPlanning && requests_.passes()) {
+    finishIfReached(input, output);
+  }
 }
 
 void Navigator::takePlan(PlanAnswer answer, const CycleInput & input, Costmap & costmap, CycleOutput & output)
@@ -218,7 +221,7 @@ void Navigator::control(const CycleInput & input, Costmap & costmap, CycleOutput
   } else if (
     planning_.isDue(input.time) ||
     (planning_.mayAsk(input.time) && way_.isOver(step, input.car, planning_.timeNeeded()))) {
-    state_ = State::kPlanning;
+    planAgain(input.time);
   }
 }
 
@@ -267,6 +270,10 @@ void Navigator::hold(const CycleInput & input, const Costmap & costmap, CycleOut
 
 void Navigator::recover(Trigger trigger, const CycleInput & input, Costmap & costmap, CycleOutput & output)
 {
+  if (!input.car.stands()) {
+    hold(input, costmap, output);
+    return;
+  }
   output.command = DriveCommand{};
   stop();
   if (!options_.recovery_behavior_enabled || recovery_.isSpent()) {

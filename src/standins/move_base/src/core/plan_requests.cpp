@@ -59,7 +59,10 @@ bool PlanRequests::canDrive(const Plan & plan, const CarState & car, const Costm
   // Until it becomes slower it drives on for a while.
   const double soon = plan.path[nearest].s + (passes() ? 0.0 : car.speed * follower_.lags().speed);
   const double allowed = speeds[firstBeyond(plan.path, soon, nearest)] + (passes() ? kFarTooFast : kTooFast);
-  return on_path && !plan.path.front().reverse && car.speed <= allowed;
+  const double stop = plan.path[nearest].s + follower_.options().limits.brakingDistance(car.speed);
+  const bool turns = std::any_of(
+    plan.path.begin(), plan.path.end(), [&](const PathPoint & point) { return point.s <= stop && point.reverse; });
+  return on_path && !turns && car.speed <= allowed;
 }
 
 bool PlanRequests::isFar(double way, double speed, double time_needed) const

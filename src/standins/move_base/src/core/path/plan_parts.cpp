@@ -25,7 +25,9 @@ void prepend(const Path & lead, Plan & plan)
   for (PathPoint & point : path) {
     point.s -= start_s;
   }
-  path.pop_back();
+  if (!plan.path.front().reverse) {
+    path.pop_back();
+  }
   for (PathPoint & point : plan.path) {
     point.s += shift;
     path.push_back(point);

@@ -161,6 +161,28 @@ TEST(RaceLine, isNotGivenUpWhereTheWayIsNarrow)
   }
 }
 
+TEST(RaceLine, keepsItsDistanceWhereThereIsRoomOnAWayThroughAGap)
+{
+  const auto drawRoad = [](double gap) {
+    return drawMap(12.0, 9.0, [=](const Vec2 & p) {
+      const bool along = inRectangle(p, {0.2, 1.0}, {7.0, 2.6});
+      const bool up = inRectangle(p, {5.4, 1.0}, {7.0, 8.8});
+      const bool before_gap = inRectangle(p, {5.4, 6.0}, {7.0 - gap, 6.3});
+      return !(along || up) || before_gap;
+    });
+  };
+  for (const double gap : {0.45, 0.9}) {
+    const Costmap costmap = makeCostmap(drawRoad(gap));
+    const Plan plan = planOn(costmap, {1.0, 1.8, 0.0}, {6.7, 7.8, 0.5 * M_PI}, kRacing);
+    ASSERT_TRUE(plan.found()) << gap;
+    double least = HUGE_VAL;
+    for (const PathPoint & point : plan.path) {
+      least = point.pose.y < 4.5 ? std::min(least, costmap.clearance(point.pose)) : least;
+    }
+    EXPECT_GT(least, 0.085) << gap;
+  }
+}
+
 TEST(RaceLine, isTheSameEveryTime)
 {
   const Costmap costmap = makeCostmap(drawOval());

@@ -68,7 +68,7 @@ Plan GlobalPlanner::planWithClearance(
   if (request.race_line && stretches(plan.path).size() == 1 && !plan.path.front().reverse) {
     plan.path.front().curvature = request.start_curvature;
     plan.path = raceLine(
-      plan.path, costmap, clearance,
+      plan.path, costmap, options_.min_obstacle_dist,
       {request.goal, request.race_line->gate_tolerance, request.race_line->gate_yaw_tolerance},
       1.0 / options_.min_turning_radius, *request.race_line);
   }

@@ -212,13 +212,23 @@ TEST(TractionWatch, tellsNothingOfWhoCorners)
   EXPECT_EQ(watch.share(), 1.0);
 }
 
+TEST(TractionWatch, tellsNothingOfWhoIsHeld)
+{
+  TractionWatch watch(7.0);
+  watch.noteCommand({3.0, 0.0});
+  for (int i = 0; i < 80; ++i) {
+    watch.noteSpeed(0.025 * i, 0.0);
+  }
+  EXPECT_EQ(watch.share(), 1.0);
+}
+
 TEST(TractionWatch, beginsAgainWhenTimeJumpsBack)
 {
   TractionWatch watch(7.0);
   watch.noteCommand({3.0, 0.0});
   for (const double start : {100.0, 1.0}) {
     for (int i = 0; i < 15; ++i) {
-      watch.noteSpeed(start + 0.025 * i, 0.0);
+      watch.noteSpeed(start + 0.025 * i, 0.5);
     }
   }
   EXPECT_EQ(watch.share(), 1.0) << "too short to tell";

@@ -7,6 +7,7 @@ namespace move_base
 {
 namespace
 {
+constexpr double kStill = 0.1;           // m/s; slower, something holds the car
 constexpr double kBehind = 0.4;          // m/s, behind its command
 constexpr double kFastest = 4.0;         // m/s; faster, the motor's power may be what it lacks
 constexpr double kCornering = 1.0;       // m/s^2, to the side; more takes grip away
@@ -24,7 +25,7 @@ void TractionWatch::noteSpeed(double time, double speed)
     return;
   }
   const bool corners = speed * speed * std::abs(command_.curvature) > kCornering;
-  if (command_.speed - speed < kBehind || speed < 0.0 || speed > kFastest || corners) {
+  if (command_.speed - speed < kBehind || speed < kStill || speed > kFastest || corners) {
     behind_.clear();
     return;
   }

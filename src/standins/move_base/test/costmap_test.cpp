@@ -119,6 +119,25 @@ TEST(Costmap, farFromAllHeedsWhatTheLidarSaw)
   EXPECT_LT(after, before);
 }
 
+// Lidars that look all around may begin at their left as well as behind.
+TEST(Costmap, forgetsWhatAScanOfPositiveAnglesSeesThrough)
+{
+  for (const double direction : {-1.5, 1.5}) {
+    Costmap costmap = makeCostmap(drawRoom(12.0, 9.0));
+    const Pose2 there{6.0 + 2.0 * std::cos(direction), 4.5 + 2.0 * std::sin(direction), 0.0};
+    for (const double time : {0.0, 1.0}) {
+      LaserScan scan = scanFrom({6.0, 4.5, M_PI}, [&](double angle) {
+        return time == 0.0 && std::abs(normalizeAngle(angle - direction)) < 0.1 ? 2.0 : 8.0;
+      });
+      scan.sensor.yaw = 0.0;
+      scan.angle_min = 0.0;
+      scan.time = time;
+      costmap.observe(scan);
+      EXPECT_EQ(costmap.clearance(there) < 0.0, time == 0.0) << direction;
+    }
+  }
+}
+
 TEST(Costmap, gradientIsThatOfTheCostOverACell)
 {
   Costmap costmap = makeCostmap(drawRoom(6.0, 4.0));

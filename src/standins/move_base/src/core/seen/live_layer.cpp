@@ -89,7 +89,9 @@ bool LiveLayer::seesThrough(const LaserScan & scan, const Vec2 & point) const
   const Vec2 relative = point - scan.sensor.position();
   const double range = norm(relative);
   const double angle = normalizeAngle(std::atan2(relative.y, relative.x) - scan.sensor.yaw);
-  const double beam = std::round((angle - scan.angle_min) / scan.angle_increment);
+  const double full_turn = std::round(2.0 * M_PI / std::abs(scan.angle_increment));
+  double beam = std::round((angle - scan.angle_min) / scan.angle_increment);
+  beam += beam < 0.0 ? full_turn : 0.0;
   if (range > options_.raytrace_range || beam < 0.0 || beam >= static_cast<double>(scan.ranges.size())) {
     return false;
   }

@@ -44,13 +44,14 @@ class Screen:
         """Wait for a window and give it the keyboard: there is no window manager to do so."""
         deadline = time.monotonic() + 120
         while True:
-            # xdotool ends with an error when a window goes that it looks at, as a splash screen does.
+            # When a window goes that it looks at, as a splash screen does, xdotool ends with an error, or waits for ever.
             try:
-                window = self.run("xdotool", "search", "--sync", "--onlyvisible", "--name", title).split()[-1]
-                self.run("xdotool", "windowfocus", "--sync", window)
-            except subprocess.CalledProcessError:
+                window = self.run("xdotool", "search", "--onlyvisible", "--name", title, timeout=10).split()[-1]
+                self.run("xdotool", "windowfocus", "--sync", window, timeout=10)
+            except (subprocess.CalledProcessError, subprocess.TimeoutExpired):
                 if time.monotonic() > deadline:
                     raise
+                time.sleep(0.2)
             else:
                 return
 

@@ -46,8 +46,8 @@ class Screen:
         while True:
             # When a window goes that it looks at, as a splash screen does, xdotool ends with an error, or waits for ever.
             try:
-                window = self.run("xdotool", "search", "--onlyvisible", "--name", title, timeout=10).split()[-1]
-                self.run("xdotool", "windowfocus", "--sync", window, timeout=10)
+                windows = self.run("xdotool", "search", "--onlyvisible", "--name", title, timeout=10).split()
+                self.run("xdotool", "windowfocus", "--sync", windows[-1], timeout=10)
             except (subprocess.CalledProcessError, subprocess.TimeoutExpired):
                 if time.monotonic() > deadline:
                     raise

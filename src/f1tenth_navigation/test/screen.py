@@ -44,7 +44,7 @@ class Screen:
         """Wait for a window and give it the keyboard: there is no window manager to do so."""
         deadline = time.monotonic() + 120
         while True:
-            # When a window goes that it looks at, as a splash screen does, xdotool ends with an error, or waits for ever.
+            # When a window goes that it looks at, as a splash screen does, xdotool fails or waits for ever.
             try:
                 windows = self.run("xdotool", "search", "--onlyvisible", "--name", title, timeout=10).split()
                 self.run("xdotool", "windowfocus", "--sync", windows[-1], timeout=10)

@@ -65,7 +65,7 @@ Plan GlobalPlanner::planWithClearance(
   }
   const Path path = samplePath(request.start, result.arcs, kSpacing);
   plan.path = smoothPath(path, costmap, rule, 1.0 / options_.min_turning_radius, goal_s);
-  if (request.race_line && stretches(plan.path).size() == 1 && !plan.path.front().reverse) {
+  if (request.race_line && isForward(plan.path)) {
     plan.path.front().curvature = request.start_curvature;
     plan.path = raceLine(
       plan.path, costmap, options_.min_obstacle_dist,

@@ -69,6 +69,11 @@ std::vector<PathStretch> stretches(const Path & path)
   return result;
 }
 
+bool isForward(const Path & path)
+{
+  return std::none_of(path.begin(), path.end(), [](const PathPoint & point) { return point.reverse; });
+}
+
 Path samplePath(const Pose2 & start, const std::vector<Arc> & arcs, double spacing)
 {
   Path path;

@@ -28,6 +28,8 @@ struct PathStretch
 
 /// Splits a path where the driving direction changes.
 std::vector<PathStretch> stretches(const Path & path);
+/// Whether it is driven forwards all along.
+bool isForward(const Path & path);
 
 /// The path that arcs describe. Within one driving direction points are equally far apart, at most spacing, m.
 Path samplePath(const Pose2 & start, const std::vector<Arc> & arcs, double spacing);

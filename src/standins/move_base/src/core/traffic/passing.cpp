@@ -74,7 +74,7 @@ public:
         rest.push_back(point);
       }
     }
-    if (rest.size() < 2 || stretches(rest).size() != 1 || rest.front().reverse) {
+    if (rest.size() < 2 || !isForward(rest)) {
       return {};
     }
     return raceLine(

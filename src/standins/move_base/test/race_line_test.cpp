@@ -19,9 +19,11 @@ using testing::onOval;
 constexpr double kGreatestCurvature = 1.25;  // 1/m
 const RaceLineOptions kRacing{0.3, 0.4, 0.0178, 7.0, 8.0};
 
-Plan planOn(const Costmap & costmap, const Pose2 & start, const Pose2 & goal, std::optional<RaceLineOptions> racing)
+Plan planOn(
+  const Costmap & costmap, const Pose2 & start, const Pose2 & goal, std::optional<RaceLineOptions> racing,
+  double wheels = 0.0)
 {
-  PlanRequest request{start, goal};
+  PlanRequest request{start, goal, wheels};
   request.extension_length = 6.0;
   request.race_line = racing;
   return GlobalPlanner(PlannerOptions{}).plan(costmap, request);
@@ -97,11 +99,7 @@ TEST(RaceLine, passesTheGoalWithItsHeadingOnAWideRoad)
 TEST(RaceLine, startsWithTheCurvatureOfTheWheels)
 {
   const Costmap costmap = makeCostmap(drawOval());
-  PlanRequest request{onOval(9.0), onOval(15.0)};
-  request.start_curvature = 0.4;
-  request.extension_length = 6.0;
-  request.race_line = kRacing;
-  const Plan plan = GlobalPlanner(PlannerOptions{}).plan(costmap, request);
+  const Plan plan = planOn(costmap, onOval(9.0), onOval(15.0), kRacing, 0.4);
   ASSERT_TRUE(plan.found());
   EXPECT_NEAR(plan.path[1].curvature, 0.4, 0.02);
 }
@@ -112,10 +110,7 @@ TEST(RaceLine, leavesABendInWhichTheWheelsAreAtTheirStop)
   const Costmap costmap = makeCostmap(drawOval());
   for (const double wheels : {1.34, -1.34}) {
     for (const double aside : {-0.6, -0.4, 0.4, 0.6}) {
-      PlanRequest request{compose(onOval(9.0), {0.0, 0.0, aside}), onOval(15.0), wheels};
-      request.extension_length = 6.0;
-      request.race_line = kRacing;
-      const Plan plan = GlobalPlanner(PlannerOptions{}).plan(costmap, request);
+      const Plan plan = planOn(costmap, compose(onOval(9.0), {0.0, 0.0, aside}), onOval(15.0), kRacing, wheels);
       ASSERT_TRUE(plan.found());
       EXPECT_LT(greatestCurvature(plan.path), 1.03 * std::abs(wheels)) << wheels << " " << aside;
     }

@@ -75,7 +75,8 @@ void bindResults(py::module_ & module)
     .def_readwrite("acknowledge", &Timeouts::acknowledge)
     .def_readwrite("disconnect", &Timeouts::disconnect)
     .def_readwrite("silence", &Timeouts::silence)
-    .def_readwrite("result", &Timeouts::result);
+    .def_readwrite("result", &Timeouts::result)
+    .def_readwrite("reconnect", &Timeouts::reconnect);
 }
 
 void bindNavigationMgr(py::module_ & module)

@@ -48,7 +48,14 @@ void MoveBaseClient::Connect()
   Listen<move_base_msgs::MoveBaseActionResult>("result", [] {});
   // Before the client, so that the server knows this topic when it is told the first goal.
   goals_ahead_ = nh_.advertise<nav_msgs::Path>("move_base/goals_ahead", 1, true);
+  Offer();
+}
+
+void MoveBaseClient::Offer()
+{
+  client_.reset();  // first: a topic that is advertised a second time is not announced
   client_ = std::make_unique<Client>(nh_, "move_base", &queue_);
+  offered_ = ros::WallTime::now();
 }
 
 void MoveBaseClient::Serve(ros::WallDuration max_wait)
@@ -60,11 +67,15 @@ void MoveBaseClient::Serve(ros::WallDuration max_wait)
 
 void MoveBaseClient::WatchConnection()
 {
+  const ros::WallTime now = ros::WallTime::now();
   if (client_->isServerConnected()) {
     gone_since_.reset();
-  } else if (!gone_since_) {
-    gone_since_ = ros::WallTime::now();
+    return;
   }
+  if (!gone_since_) gone_since_ = now;
+  // A rospy server that subscribes at the very moment at which this process advertises may miss it for ever: rospy
+  // can take the master's answer, which is older, for newer than the master's update.
+  if (!flight_ && (now - offered_).toSec() > timeouts_.reconnect) Offer();
 }
 
 bool MoveBaseClient::IsConnected() const

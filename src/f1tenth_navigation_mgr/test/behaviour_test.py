@@ -44,8 +44,8 @@ REACHED = "Goal reached."
 class Server:
     """The mock in a process of its own, in a namespace."""
 
-    def __init__(self, robot):
-        command = [sys.executable, os.path.join(HERE, "mock_move_base.py"), f"__ns:=/{robot}"]
+    def __init__(self, robot, *arguments):
+        command = [sys.executable, os.path.join(HERE, "mock_move_base.py"), *arguments, f"__ns:=/{robot}"]
         self._process = subprocess.Popen(command)
 
     def __enter__(self):
@@ -245,6 +245,12 @@ def test_waits_for_a_server_that_comes_late():
         with Server("late"):
             assert driver.finish() == 0
         assert driver.lines[0] == "sent"
+
+
+def test_finds_a_server_that_missed_its_topics():
+    with Server("deaf", "miss_first"):
+        lines = run_goals(SUCCEED, robot="deaf")
+    assert lines == ["sent", f"goal 0 succeeded: {REACHED}", "reached", "queue_empty"]
 
 
 def test_sends_nothing_before_there_is_a_clock():

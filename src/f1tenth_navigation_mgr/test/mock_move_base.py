@@ -6,6 +6,7 @@ Written on the action's topics, without actionlib, because it has to break actio
 
 import os
 import signal
+import sys
 import threading
 import warnings
 from collections import Counter
@@ -14,6 +15,7 @@ import rospy
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 from move_base_msgs.msg import MoveBaseActionFeedback, MoveBaseActionGoal, MoveBaseActionResult
 from nav_msgs.msg import Path
+from rospy.impl.registration import RegManager
 
 SUCCEED, ABORT, REJECT, DROP, DELAY, DIE, LOSE_RESULT, HANG, FORGET, IGNORE, DRIVE, ACCEPT_LATE = range(12)
 # These end by saying which goals follow: as soon as that is known, only if one does, only if none does.
@@ -30,6 +32,19 @@ def publisher(topic, message_type, latch=False):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", SyntaxWarning)
         return rospy.Publisher(f"move_base/{topic}", message_type, latch=latch, queue_size=None)
+
+
+def miss_first_publisher(topic):
+    """Lose the first publisher of a topic, as rospy does that is told of it while it subscribes."""
+    update, missed = RegManager.publisher_update, []
+
+    def lossy_update(manager, name, uris):
+        if name == rospy.resolve_name(topic) and uris and not missed:
+            missed.extend(uris)
+        else:
+            update(manager, name, uris)
+
+    RegManager.publisher_update = lossy_update
 
 
 class MockMoveBase:
@@ -138,4 +153,6 @@ class MockMoveBase:
 
 if __name__ == "__main__":
     rospy.init_node("move_base")
+    if "miss_first" in sys.argv:
+        miss_first_publisher("move_base/goal")
     MockMoveBase().run()

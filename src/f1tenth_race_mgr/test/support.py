@@ -37,7 +37,7 @@ class Node:
 
     def __init__(self, script):
         self._process = subprocess.Popen(
-            [sys.executable, script, "__ns:=/robot1"], stderr=subprocess.PIPE, text=True
+            [sys.executable, "-X", "faulthandler", script, "__ns:=/robot1"], stderr=subprocess.PIPE, text=True
         )
 
     def __enter__(self):
@@ -56,8 +56,16 @@ class Node:
 
     def finish(self):
         """Return exit code and what was said on stderr."""
-        _, errors = self._process.communicate(timeout=LIMIT)
+        try:
+            _, errors = self._process.communicate(timeout=LIMIT)
+        except subprocess.TimeoutExpired as error:
+            raise AssertionError(f"did not end in {LIMIT:g} s:\n{self._where_it_hangs()}") from error
         return self._process.returncode, errors
+
+    def _where_it_hangs(self):
+        # Python's faulthandler prints the stacks of all threads.
+        self._process.send_signal(signal.SIGABRT)
+        return self._process.communicate(timeout=LIMIT)[1]
 
     def is_alive(self):
         return self._process.poll() is None

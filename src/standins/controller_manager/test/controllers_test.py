@@ -11,7 +11,13 @@ import unittest
 import rospkg
 import rospy
 import rostest
-from controller_manager_msgs.srv import ListControllers, ListControllerTypes, SwitchController
+from controller_manager_msgs.srv import (
+    ListControllers,
+    ListControllerTypes,
+    LoadController,
+    SwitchController,
+    UnloadController,
+)
 from diagnostic_msgs.msg import DiagnosticArray
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64
@@ -52,6 +58,38 @@ class Watch:
 
     def close(self):
         self._subscriber.unregister()
+
+
+class EndingManager:
+    """A controller manager of a namespace that fails to stop controllers, as one does that is ending.
+
+    Args:
+        time_left: wall s until its services are gone; None: they stay.
+
+    """
+
+    def __init__(self, namespace, time_left):
+        self._time_left = time_left
+        answers = {
+            "load_controller": (LoadController, lambda request: True),
+            "switch_controller": (SwitchController, self._switch),
+            "unload_controller": (UnloadController, lambda request: True),
+        }
+        self._services = [
+            rospy.Service(f"/{namespace}/controller_manager/{name}", kind, answer)
+            for name, (kind, answer) in answers.items()
+        ]
+
+    def _switch(self, request):
+        if request.start_controllers:
+            return True
+        if self._time_left is not None:
+            threading.Timer(self._time_left, self.close).start()
+        raise rospy.ServiceException("not any more")
+
+    def close(self):
+        for service in self._services:
+            service.shutdown()
 
 
 class ControllersTest(unittest.TestCase):
@@ -184,6 +222,34 @@ class ControllersTest(unittest.TestCase):
             return status.level == 1 and "left_rear_wheel_joint: commanded nan" in status.message
 
         diagnostics.wait_for(is_counted)
+
+    def end_with(self, manager, namespace, *options, end_at="Started controllers"):
+        """Start a spawner at this manager, end it when it says this, and return all that it has said."""
+        self.addCleanup(manager.close)
+        spawner = subprocess.Popen(
+            [command_path("spawner"), "wheel", *options],
+            env={**os.environ, "ROS_NAMESPACE": namespace, "PYTHONUNBUFFERED": "1"},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+        )
+        said = []
+        for line in spawner.stdout:
+            said.append(line)
+            if end_at in line:
+                spawner.send_signal(signal.SIGINT)
+        assert spawner.wait(LONG) == 0
+        return "".join(said)
+
+    def test_controllers_of_a_manager_that_is_ending_are_not_left_behind(self):
+        assert "left behind" not in self.end_with(EndingManager("ending", 0.3), "ending")
+
+    def test_controllers_of_a_manager_that_fails_and_stays_are_left_behind(self):
+        assert "Controllers were left behind" in self.end_with(EndingManager("staying", None), "staying")
+
+    def test_spawner_that_waits_for_a_go_ends_without_a_word(self):
+        said = self.end_with(EndingManager("waiting", None), "waiting", "--wait-for", "go", end_at="Loading")
+        assert "Traceback" not in said
 
     def test_types_that_can_be_loaded(self):
         types = rospy.ServiceProxy(MANAGER + "list_controller_types", ListControllerTypes)().types

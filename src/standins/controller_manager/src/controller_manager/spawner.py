@@ -1,5 +1,9 @@
 """spawner: loads and starts controllers, and takes them away when it ends."""
 
+import signal
+import threading
+import time
+
 import rosgraph
 import rospy
 from controller_manager_msgs.srv import LoadController, UnloadController
@@ -10,6 +14,7 @@ from .command_line import spawner_parser
 
 EXIT_NO_MANAGER = 1
 EXIT_NOT_LOADED = 2
+POLL_PERIOD = 0.05  # wall s
 SERVICES = ("load_controller", "unload_controller", "switch_controller")
 
 
@@ -26,20 +31,47 @@ def wait_for_manager(timeout):
         rospy.wait_for_service(manager.service_name(service), timeout)
 
 
-def load(controllers, loaded):
+class Ending:
+    """Shuts ROS down on SIGINT and SIGTERM: beside the main thread, and not while that loads a controller.
+
+    rospy would do it in the signal's handler, and hang where the main thread is logging: both ask the master.
+
+    Args:
+        patience: wall s for the controller that is being loaded.
+
+    """
+
+    def __init__(self, patience):
+        self.has_begun = False
+        self.loading = threading.Lock()
+        self._patience = patience
+        for number in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(number, lambda *_: threading.Thread(target=self._end).start())
+
+    def _end(self):
+        self.has_begun = True
+        if self.loading.acquire(timeout=self._patience):
+            self.loading.release()
+        rospy.signal_shutdown("told to end")
+
+
+def load(controllers, loaded, ending):
     """Load controllers, each of which is then appended to loaded: the end may come meanwhile."""
     for name in controllers:
-        if manager.call("load_controller", LoadController, name).ok:
-            rospy.loginfo("Loading controller: %s", name)
-            loaded.append(name)
-        else:
-            rospy.logerr("Failed to load %s", name)
+        with ending.loading:
+            if ending.has_begun:
+                return
+            if manager.call("load_controller", LoadController, name).ok:
+                rospy.loginfo("Loading controller: %s", name)
+                loaded.append(name)
+            else:
+                rospy.logerr("Failed to load %s", name)
 
 
 def take_away(loaded, timeout):
     """Stop and unload what was loaded, if the controller manager answers within timeout, wall s.
 
-    One that has ended has taken its controllers along.
+    One that has ended has taken its controllers along; one that is ending has as long once more to be gone.
     """
     if not loaded or not all(map(_is_there, SERVICES)):
         return
@@ -49,8 +81,17 @@ def take_away(loaded, timeout):
         for name in reversed(loaded):
             manager.call("unload_controller", UnloadController, name, timeout=timeout)
     except (rospy.ROSException, rospy.ServiceException) as error:
-        if _is_there("unload_controller"):
+        if not _ends_within(timeout):
             rospy.logwarn("Controllers were left behind: %s", error)
+
+
+def _ends_within(timeout):
+    end = time.monotonic() + timeout
+    while _is_there("unload_controller"):
+        if time.monotonic() > end:
+            return False
+        time.sleep(POLL_PERIOD)
+    return True
 
 
 def _is_there(service):
@@ -68,20 +109,18 @@ def wait_for_go(topic):
             return
 
 
-def main():
-    """Run; return the exit code."""
-    rospy.init_node("spawner", anonymous=True)
-    options = spawner_parser().parse_args(rospy.myargv()[1:])
-    if options.namespace:
-        manager.use_namespace(options.namespace)
+def run(options, ending):
+    """Load and start controllers, and wait for the end; return the exit code."""
     try:
         wait_for_manager(options.timeout)
+    except rospy.ROSInterruptException:
+        raise
     except rospy.ROSException:
         rospy.logerr("No controller manager within %s s. Its name is controller_manager/...", options.timeout)
         return EXIT_NO_MANAGER
     loaded = []
     rospy.on_shutdown(lambda: take_away(loaded, options.shutdown_timeout))
-    load(options.controllers, loaded)
+    load(options.controllers, loaded, ending)
     if options.wait_for:
         wait_for_go(options.wait_for)
     if not options.stopped and not manager.switch_controllers(loaded, []):
@@ -90,3 +129,15 @@ def main():
     rospy.loginfo("Started controllers: %s", ", ".join(options.controllers))
     rospy.spin()
     return 0 if len(loaded) == len(options.controllers) else EXIT_NOT_LOADED
+
+
+def main():
+    """Run; return the exit code."""
+    options = spawner_parser().parse_args(rospy.myargv()[1:])
+    rospy.init_node("spawner", anonymous=True, disable_signals=True)
+    if options.namespace:
+        manager.use_namespace(options.namespace)
+    try:
+        return run(options, Ending(options.shutdown_timeout))
+    except rospy.ROSInterruptException:
+        return 0

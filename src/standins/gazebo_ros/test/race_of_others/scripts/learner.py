@@ -27,5 +27,5 @@ def main():
 
 
 if __name__ == "__main__":
-    with contextlib.suppress(rospy.ROSInterruptException, rospy.ServiceException):
+    with contextlib.suppress(rospy.ROSException, rospy.ServiceException):
         main()

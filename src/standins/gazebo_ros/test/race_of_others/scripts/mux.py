@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Hands the newest drive command on to the four joints that move the car."""
 
+import contextlib
+
 import rospy
 from ackermann_msgs.msg import AckermannDriveStamped
 from std_msgs.msg import Float64
@@ -16,10 +18,11 @@ def main():
     ]
 
     def hand_on(message):
-        for wheel in wheels:
-            wheel.publish(message.drive.speed / WHEEL_RADIUS)
-        for hinge in hinges:
-            hinge.publish(message.drive.steering_angle)
+        with contextlib.suppress(rospy.ROSException):  # shut down meanwhile
+            for wheel in wheels:
+                wheel.publish(message.drive.speed / WHEEL_RADIUS)
+            for hinge in hinges:
+                hinge.publish(message.drive.steering_angle)
 
     rospy.Subscriber("drive_of_planner", AckermannDriveStamped, hand_on, queue_size=1)
     rospy.spin()

@@ -17,7 +17,7 @@ from f1tenth_studies.optimum.car_limits import CLEARANCE, read_limits
 from f1tenth_studies.optimum.fastest_lap import FastestLap, compute_fastest_lap, write_raceline
 from f1tenth_studies.optimum.track import circuits, load_track
 from f1tenth_studies.study import Run, Study, place_of
-from f1tenth_studies.table import document
+from f1tenth_studies.table import document, remarks
 
 PACKAGE = "f1tenth_studies"
 STUDIES = (
@@ -44,7 +44,9 @@ def study_main(arguments: Optional[Sequence[str]] = None) -> int:
     parser.add_argument(
         "--set", action="append", default=[], metavar="KEY=VALUE", help="the same in all runs"
     )
-    parser.add_argument("--table", type=Path, metavar="FILE", help="write the table there, too")
+    parser.add_argument(
+        "--table", type=Path, metavar="FILE", help="write the table there, too; what is below it stays"
+    )
     parser.add_argument("--results", type=Path, metavar="FOLDER", help="default: results of the workspace")
     parser.add_argument("--jobs", type=int, metavar="N", help="runs at a time; default: one per core")
     return _guarded(parser.prog, _study, parser.parse_args(arguments))
@@ -94,7 +96,7 @@ def _study(options) -> int:
         text = document(study, runs, _command(options))
         print(text)
         if options.table:
-            _write(options.table, text)
+            _write(options.table, text + remarks(_read(options.table)))
     return _say(options.name, study, runs, sweep)
 
 
@@ -150,6 +152,13 @@ def _references(options) -> int:
 def _describe(name: str, lap: FastestLap) -> str:
     low, high = lap.speed.min(), lap.speed.max()
     return f"{name}: {lap.lap_time:.3f} s, {lap.s[-1]:.1f} m, {low:.1f} to {high:.1f} m/s"
+
+
+def _read(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8") if path.is_file() else ""
+    except (OSError, UnicodeDecodeError) as error:
+        raise ScenarioError(f"{path}: cannot be read: {error}") from error
 
 
 def _write(path: Path, text: str) -> None:

@@ -36,6 +36,12 @@ def table(study: Study, runs: Sequence[Run]) -> str:
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
+def remarks(text: str) -> str:
+    """What stands below the table of a document: words of people about it."""
+    before, last, after = text.rpartition("|\n")
+    return after if before and last else ""
+
+
 def machine() -> str:
     """The processor of this machine and how many of its cores may be used."""
     try:

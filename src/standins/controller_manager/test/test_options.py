@@ -1,5 +1,12 @@
+import os
+import subprocess
+import sys
+from pathlib import Path
+
 import pytest
 from controller_manager.command_line import manager_parser, run_manager, spawner_parser, unspawner_parser
+
+LONG = 60.0  # wall s: only a hang takes that long
 
 
 def test_spawner_starts_and_waits_half_a_minute_by_default():
@@ -43,3 +50,17 @@ def test_command_without_controller_is_refused(capsys):
     with pytest.raises(SystemExit):
         run_manager(["load"])
     assert "load: name at least one controller" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", ["controller_manager", "spawner", "unspawner"])
+def test_help_needs_no_master(command):
+    script = Path(__file__).parents[1] / "scripts" / command
+    done = subprocess.run(
+        [sys.executable, str(script), "--help"],
+        env={**os.environ, "ROS_MASTER_URI": "http://localhost:1"},
+        capture_output=True,
+        text=True,
+        timeout=LONG,
+    )
+    assert done.returncode == 0
+    assert done.stdout.startswith(f"usage: {command} [-h]")

@@ -2,6 +2,8 @@
 
 import argparse
 
+import rospy
+
 from . import controller_manager_interface as manager
 
 DEFAULT_TIMEOUT = 30.0  # wall s
@@ -71,4 +73,6 @@ def run_manager(arguments):
     found = parser.parse_args(arguments)
     if not found.controllers and found.command not in WITHOUT_NAMES:
         parser.error(f"{found.command}: name at least one controller")
+    # Not before the arguments are known to be good: it waits for a master.
+    rospy.init_node("controller_manager_command", anonymous=True)
     return 0 if COMMANDS[found.command](found.controllers) else 1

@@ -99,9 +99,10 @@ def spawn(options, description):
 
 def main():
     """Spawn a model; return the exit code."""
-    rospy.init_node("spawn_model", anonymous=True)
     try:
+        # Before the node, which waits for a master.
         options = parse(rospy.myargv()[1:], rospy.get_namespace())
+        rospy.init_node("spawn_model", anonymous=True)
         description = read_description(options, os.environ)
         if options.joints:
             rospy.logwarn(

@@ -55,7 +55,7 @@ std::string saveErrorOf(const std::string & path, const Goals & goals)
 /// A folder that is gone after the test.
 class GoalsFile : public ::testing::Test
 {
-protected:
+public:
   GoalsFile()
   {
     std::string name{(fs::temp_directory_path() / "goals_file_test_XXXXXX").string()};
@@ -63,6 +63,7 @@ protected:
   }
   ~GoalsFile() override { fs::remove_all(folder_); }
 
+protected:
   std::string path(const std::string & name) const { return (folder_ / name).string(); }
 
   fs::path folder_;

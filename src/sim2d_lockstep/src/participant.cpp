@@ -36,7 +36,7 @@ void checkNames(const std::string & name, const std::vector<std::string> & after
 class Participant::Impl
 {
 public:
-  Impl(std::string name, std::vector<std::string> after) : name_(std::move(name)), ledger_(std::move(after))
+  Impl(std::string name, const std::vector<std::string> & after) : name_(std::move(name)), ledger_(after)
   {
     node_.setCallbackQueue(&queue_);
     const auto hints = ros::TransportHints().tcpNoDelay();
@@ -174,10 +174,10 @@ private:
   int periods_since_left_{0};
 };
 
-Participant::Participant(std::string name, std::vector<std::string> after)
+Participant::Participant(std::string name, const std::vector<std::string> & after)
 {
   checkNames(name, after);
-  impl_ = std::make_unique<Impl>(std::move(name), std::move(after));
+  impl_ = std::make_unique<Impl>(std::move(name), after);
 }
 Participant::~Participant() = default;
 std::optional<ros::Time> Participant::waitForPeriod(ros::WallDuration timeout)

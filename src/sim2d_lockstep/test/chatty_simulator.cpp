@@ -28,6 +28,7 @@ int main(int argc, char ** argv)
   // Advertised first, so that roscpp would send it first if it were left to roscpp.
   auto clock = node.advertise<rosgraph_msgs::Clock>("/clock", 10);
   std::vector<ros::Publisher> topics;
+  topics.reserve(kTopics);
   for (int i = 0; i < kTopics; ++i) {
     topics.push_back(node.advertise<std_msgs::UInt32>("topic" + std::to_string(i), 10));
   }

@@ -47,6 +47,7 @@ TEST(InboxDrain, WhatWasSentBeforeTheClockIsThereWhenTheParticipantActs)
   ros::NodeHandle node;
   std::vector<std::uint32_t> numbers(kTopics, 0);
   std::vector<ros::Subscriber> subscribers;
+  subscribers.reserve(kTopics);
   for (int i = 0; i < kTopics; ++i) {
     subscribers.push_back(node.subscribe<std_msgs::UInt32>(
       "topic" + std::to_string(i), 0,

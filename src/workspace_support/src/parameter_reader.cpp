@@ -30,7 +30,7 @@ bool isMap(const XmlRpcValue & value)
 }
 }  // namespace
 
-ParameterReader::ParameterReader(std::string name, XmlRpcValue map) : name_(std::move(name)), map_(std::move(map))
+ParameterReader::ParameterReader(std::string name, const XmlRpcValue & map) : name_(std::move(name)), map_(map)
 {
   if (!map_.valid()) {
     map_.begin();  // turns a value that is not set into an empty map
@@ -210,9 +210,9 @@ std::vector<std::string> ParameterReader::unused() const
   return names;
 }
 
-void ParameterReader::addUnused(const std::string & prefix, Raw map, std::vector<std::string> & names) const
+void ParameterReader::addUnused(const std::string & prefix, const Raw & map, std::vector<std::string> & names) const
 {
-  for (auto & [key, value] : map) {
+  for (const auto & [key, value] : map) {
     const std::string name = prefix + key;
     if (isKnown(name)) {
       continue;

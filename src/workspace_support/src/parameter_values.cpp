@@ -44,7 +44,7 @@ std::optional<double> toDouble(XmlRpcValue value)
   return value.getType() == XmlRpcValue::TypeDouble ? std::optional<double>(double(value)) : std::nullopt;
 }
 
-std::optional<int> toInt(XmlRpcValue value)
+std::optional<int> toInt(const XmlRpcValue & value)
 {
   const auto number = toDouble(value);
   const bool is_whole = number && std::trunc(*number) == *number &&

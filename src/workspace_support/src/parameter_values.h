@@ -14,7 +14,7 @@ namespace workspace_support
 {
 std::optional<double> toDouble(XmlRpc::XmlRpcValue value);
 /// Also a number with a point, if it is whole.
-std::optional<int> toInt(XmlRpc::XmlRpcValue value);
+std::optional<int> toInt(const XmlRpc::XmlRpcValue & value);
 std::optional<bool> toBool(XmlRpc::XmlRpcValue value);
 std::optional<std::string> toText(XmlRpc::XmlRpcValue value);
 /// [[x, y], ...], also as a text.

@@ -80,6 +80,7 @@ struct Projection
   void add(const std::vector<Vector3d> & polygon)
   {
     std::vector<Vec2> points;
+    points.reserve(polygon.size());
     for (const Vector3d & corner : polygon) {
       points.push_back({corner.x(), corner.y()});
     }

@@ -104,6 +104,7 @@ TEST(SharedWorld, SimulationsOnSeveralThreadsAreTheSameAsAlone)
   const std::string alone = hashAlone();
   std::vector<std::string> hashes(4);
   std::vector<std::thread> threads;
+  threads.reserve(hashes.size());
   for (std::string & hash : hashes) {
     threads.emplace_back([&] {
       Simulation simulation(shared);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <vector>
 
@@ -15,10 +16,17 @@ std::vector<double> resultsOf(void (*run)(double *))
   return results;
 }
 
+std::uint64_t bitsOf(double value)
+{
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof(bits));
+  return bits;
+}
+
 void expectSameBits(const std::vector<double> & a, const std::vector<double> & b)
 {
   for (std::size_t i = 0; i < a.size(); ++i) {
-    ASSERT_EQ(std::memcmp(&a[i], &b[i], sizeof(double)), 0) << i << ": " << a[i] << " and " << b[i];
+    ASSERT_EQ(bitsOf(a[i]), bitsOf(b[i])) << i << ": " << a[i] << " and " << b[i];
   }
 }
 

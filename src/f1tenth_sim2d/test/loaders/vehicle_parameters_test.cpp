@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
-
+#include "loaders/car/vehicle_keys.h"
 #include "temp_folder.h"
 
 namespace f1tenth_sim2d
@@ -43,7 +42,9 @@ TEST(VehicleParameters, ShippedFileHoldsEveryDefault)
   EXPECT_EQ(shipped.I_y_w, defaults.I_y_w);
   EXPECT_EQ(shipped.T_sb, defaults.T_sb);
   EXPECT_EQ(shipped.T_se, defaults.T_se);
-  EXPECT_EQ(std::memcmp(&shipped.tire, &defaults.tire, sizeof(TireParameters)), 0) << "all of them are doubles";
+  for (const auto & key : vehicle_keys::kTire) {
+    EXPECT_EQ(shipped.tire.*key.member, defaults.tire.*key.member) << key.name;
+  }
   EXPECT_EQ(shipped.odometry_rate_hz, defaults.odometry_rate_hz);
   EXPECT_EQ(shipped.odometry_speed_scale, defaults.odometry_speed_scale);
   EXPECT_EQ(shipped.odometry_speed_noise_stddev, defaults.odometry_speed_noise_stddev);

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 using f1tenth_sim2d::Pid;
-using f1tenth_sim2d::PidGains;
 
 namespace
 {

@@ -9,14 +9,13 @@
 
 #include "f1tenth_sim2d/errors.h"
 
-using f1tenth_sim2d::RunResult;
 using f1tenth_sim2d::writeResult;
 
 namespace
 {
 class RunResultTest : public testing::Test
 {
-protected:
+public:
   RunResultTest()
   {
     std::string name = (std::filesystem::temp_directory_path() / "run_result_XXXXXX").string();
@@ -24,6 +23,7 @@ protected:
   }
   ~RunResultTest() override { std::filesystem::remove_all(folder_); }
 
+protected:
   std::filesystem::path folder_;
 };
 }  // namespace

@@ -50,7 +50,7 @@ public:
   /// @param after  participants that act before this one in every period; their messages of a period have arrived
   ///               when this one acts on it. Empty: acts as soon as the period's /clock is there.
   /// @throws std::invalid_argument for an empty name, one with a leading slash, or one that is after itself
-  explicit Participant(std::string name, std::vector<std::string> after = {});
+  explicit Participant(std::string name, const std::vector<std::string> & after = {});
   ~Participant();
   Participant(const Participant &) = delete;
   Participant & operator=(const Participant &) = delete;

@@ -14,7 +14,7 @@ float nearestByTrial(const std::vector<std::uint8_t> & marked, int width, int he
   double least = width + height;
   for (int v = 0; v < height; ++v) {
     for (int u = 0; u < width; ++u) {
-      if (marked[static_cast<std::size_t>(v * width + u)] != 0) {
+      if (marked[static_cast<std::size_t>(v) * width + u] != 0) {
         least = std::min(least, std::hypot(u - x, v - y));
       }
     }
@@ -36,7 +36,7 @@ TEST(DistanceTransform, equalsTheDistanceFoundByTrial)
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
         ASSERT_FLOAT_EQ(
-          distances[static_cast<std::size_t>(y * kWidth + x)], nearestByTrial(marked, kWidth, kHeight, x, y));
+          distances[static_cast<std::size_t>(y) * kWidth + x], nearestByTrial(marked, kWidth, kHeight, x, y));
       }
     }
   }

@@ -33,7 +33,7 @@ public:
   /// Needs no ROS master.
   /// @param name  full name of the map ("/sim2d"), the start of every error message
   /// @param map   not set: no parameters
-  ParameterReader(std::string name, XmlRpc::XmlRpcValue map);
+  ParameterReader(std::string name, const XmlRpc::XmlRpcValue & map);
   /// All parameters in the namespace of a node.
   explicit ParameterReader(const ros::NodeHandle & node);
 
@@ -83,7 +83,7 @@ private:
   std::optional<Raw> lookUp(const std::string & name) const;
   void note(const ParameterNames & names);
   bool isKnown(const std::string & name) const;
-  void addUnused(const std::string & prefix, Raw map, std::vector<std::string> & names) const;
+  void addUnused(const std::string & prefix, const Raw & map, std::vector<std::string> & names) const;
   template <class Value, class Convert>
   bool readAs(const ParameterNames & names, const std::string & allowed, Value & value, const Convert & convert);
 
@@ -97,6 +97,7 @@ bool ParameterReader::readChoice(
   const ParameterNames & names, Value & value, const std::vector<std::pair<std::string, Value>> & choices)
 {
   std::vector<std::string> words;
+  words.reserve(choices.size());
   for (const auto & choice : choices) {
     words.push_back(choice.first);
   }

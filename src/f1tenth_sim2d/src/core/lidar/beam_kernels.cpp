@@ -39,7 +39,8 @@ inline double roundedUp(double value)
 /// Whether a rough direction tells on which side of every beam it lies.
 inline bool isBetweenBeams(const BeamView & view, double rough_beam)
 {
-  const double to_beam = rough_beam - static_cast<int>(rough_beam + 0.5);
+  // A beam is not negative, and the compiler does not vectorize lround().
+  const double to_beam = rough_beam - static_cast<int>(rough_beam + 0.5);  // NOLINT(bugprone-incorrect-roundings)
   return std::abs(to_beam) > kRoughAngleError * view.beams_per_radian + kCornerTolerance;
 }
 

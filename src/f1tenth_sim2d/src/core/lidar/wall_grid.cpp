@@ -153,8 +153,10 @@ void WallGrid::measureCells(const std::vector<Bounds> & bounds)
 {
   extents_.resize(begin_.size() - 1);
   for (std::size_t cell = 0; cell < extents_.size(); ++cell) {
-    const double x = origin_.x + static_cast<double>(cell % column_count_) * cell_size_;
-    const double y = origin_.y + static_cast<double>(cell / column_count_) * cell_size_;
+    const std::size_t column = cell % column_count_;
+    const std::size_t row = cell / column_count_;
+    const double x = origin_.x + static_cast<double>(column) * cell_size_;
+    const double y = origin_.y + static_cast<double>(row) * cell_size_;
     Bounds all;
     for (std::uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i) {
       all.include(bounds[items_[i]].low);

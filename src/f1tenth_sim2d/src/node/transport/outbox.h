@@ -3,7 +3,6 @@
 #include <ros/node_handle.h>
 
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "node/transport/topic.h"
@@ -15,7 +14,7 @@ class Outbox : public Advertiser
 {
 public:
   /// @param node  its callback queue must be served by the simulation's thread
-  explicit Outbox(ros::NodeHandle node) : node_(std::move(node)) {}
+  explicit Outbox(const ros::NodeHandle & node) : node_(node) {}
 
   /// The topics of which more than `limit` messages wait for a subscriber.
   std::vector<std::shared_ptr<Topic>> lagging(std::size_t limit) const;

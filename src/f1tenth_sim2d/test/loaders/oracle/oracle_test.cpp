@@ -137,7 +137,7 @@ void expectSame(const Solid & ours, const sdf::Collision & theirs)
 
 void expectSame(const Inertia & ours, const sdf::Link & link)
 {
-  const ignition::math::Inertiald theirs = link.Inertial();
+  const ignition::math::Inertiald & theirs = link.Inertial();
   EXPECT_NEAR(ours.mass, theirs.MassMatrix().Mass(), kTolerance);
   const Pose3d centre = resolved(link.SemanticPose(), "__model__") * theirs.Pose();
   EXPECT_NEAR((ours.centre - fromIgnition(centre).position).norm(), 0.0, kTolerance);

@@ -59,6 +59,7 @@ void keepPeaks(std::vector<Place> & places, std::size_t count)
 Points someOf(const Points & points, std::size_t count)
 {
   Points some;
+  some.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     some.push_back(points[i * points.size() / count]);
   }
@@ -73,8 +74,11 @@ void climb(const FitField & field, const Points & seen, Place & place)
   for (int halvings = 0; halvings < kHalvings;) {
     Place best = place;
     for (int i = 0; i < 27; ++i) {
+      const int steps_x = i % 3 - 1;
+      const int steps_y = i / 3 % 3 - 1;
+      const int turns = i / 9 - 1;
       const mrpt::math::TPose2D next(
-        place.pose.x + (i % 3 - 1) * step, place.pose.y + (i / 3 % 3 - 1) * step, place.pose.phi + (i / 9 - 1) * turn);
+        place.pose.x + steps_x * step, place.pose.y + steps_y * step, place.pose.phi + turns * turn);
       const double fit = field.fit(seen, next, best.fit);
       best = fit > best.fit ? Place{next, fit} : best;
     }
@@ -124,6 +128,7 @@ std::vector<Place> PlaceSearch::everywhere(const Points & road, const Points & s
 std::vector<Place> PlaceSearch::about(const std::vector<mrpt::math::TPose2D> & poses, const Points & seen) const
 {
   std::vector<Place> places;
+  places.reserve(poses.size());
   for (const auto & pose : poses) {
     places.push_back({pose, 0.0});
   }

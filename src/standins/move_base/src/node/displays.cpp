@@ -39,6 +39,7 @@ void Displays::showLocalPlan(const std::vector<Pose2> & prediction, const ros::T
   }
   if (const auto map = mapInLocalFrame()) {
     std::vector<Pose2> poses;
+    poses.reserve(prediction.size());
     for (const Pose2 & pose : prediction) {
       poses.push_back(compose(*map, pose));
     }

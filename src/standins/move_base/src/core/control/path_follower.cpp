@@ -154,6 +154,7 @@ SpeedBehind PathFollower::speedBehindOthers(
   const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const
 {
   std::vector<Forecast> braking;
+  braking.reserve(others.size());
   for (const Forecast & other : others) {
     braking.push_back(other.braking(kOthersBraking));
   }

@@ -149,12 +149,13 @@ void Costmap::forStampRows(const Cell & cell, const Visit & visit) const
 {
   const int left = std::max(cell.x - stamp_reach_, 0);
   const int right = std::min(cell.x + stamp_reach_, geometry_.width - 1);
+  const int count = right - left + 1;
   const int low = std::max(cell.y - stamp_reach_, 0);
   const int high = std::min(cell.y + stamp_reach_, geometry_.height - 1);
   const GridGeometry stamp{2 * stamp_reach_ + 1, 2 * stamp_reach_ + 1, geometry_.resolution, {}};
   for (int y = low; y <= high; ++y) {
     const Cell in_stamp{left - cell.x + stamp_reach_, y - cell.y + stamp_reach_};
-    visit(geometry_.index({left, y}), stamp.index(in_stamp), static_cast<std::size_t>(right - left + 1));
+    visit(geometry_.index({left, y}), stamp.index(in_stamp), static_cast<std::size_t>(count));
   }
 }
 

@@ -62,9 +62,8 @@ LinearCurvature curvatureOf(const Path & line)
     const Vec2 normal = normalAt(line, i);
     const auto row = static_cast<int>(i) - 1;
     result.bend[row] = 0.0;
-    for (const int neighbour : {-1, 0, 1}) {
-      const auto j = static_cast<std::size_t>(static_cast<int>(i) + neighbour);
-      const double weight = (neighbour == 0 ? -2.0 : 1.0) / (step * step);
+    for (const std::size_t j : {i - 1, i, i + 1}) {
+      const double weight = (j == i ? -2.0 : 1.0) / (step * step);
       result.bend[row] += weight * dot(normal, line[j].pose.position() - line[i].pose.position());
       slope.emplace_back(row, static_cast<int>(j), weight * dot(normal, normalAt(line, j)));
     }

@@ -30,6 +30,6 @@ int & SearchNodes::binOf(const Pose2 & pose)
   }
   const double turn = normalizeAngle(pose.yaw) / (2.0 * M_PI) + 0.5;
   const int heading = static_cast<int>(std::lround(turn * kHeadingBins)) % kHeadingBins;
-  return headings_[static_cast<std::size_t>(block + heading)];
+  return headings_[static_cast<std::size_t>(block) + static_cast<std::size_t>(heading)];
 }
 }  // namespace move_base

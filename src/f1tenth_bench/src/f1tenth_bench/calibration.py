@@ -31,7 +31,7 @@ class Calibration:
         )
 
 
-REFERENCE = Calibration(arithmetic_s=0.0190, memory_s=0.0300)
+REFERENCE = Calibration(arithmetic_s=0.0187, memory_s=0.0141)
 """Of a machine of the kind of docs/speed.md (AMD EPYC, 2 cores), least of many runs: slowness 1."""
 
 

@@ -20,6 +20,14 @@ geometry_msgs::Quaternion toQuaternion(double yaw)
 }
 }  // namespace
 
+std_msgs::Header headerOf(const std::string & frame, const ros::Time & stamp)
+{
+  std_msgs::Header header;
+  header.frame_id = frame;
+  header.stamp = stamp;
+  return header;
+}
+
 Pose2 fromPose(const geometry_msgs::Pose & pose)
 {
   return {pose.position.x, pose.position.y, yawOf(pose.orientation)};
@@ -69,7 +77,6 @@ nav_msgs::OccupancyGrid toOccupancyGrid(const OccupancyGrid & grid, const std_ms
 {
   nav_msgs::OccupancyGrid message;
   message.header = header;
-  message.info.map_load_time = header.stamp;
   message.info.resolution = static_cast<float>(grid.geometry.resolution);
   message.info.width = static_cast<std::uint32_t>(grid.geometry.width);
   message.info.height = static_cast<std::uint32_t>(grid.geometry.height);

@@ -23,11 +23,4 @@ NumberRule atLeast(double least, const std::string & meaning)
 {
   return {[least](double value) { return value >= least; }, " >= " + shown(least) + meaning};
 }
-
-NumberRule between(double least, double most)
-{
-  return {
-    [least, most](double value) { return value >= least && value <= most; },
-    " from " + shown(least) + " to " + shown(most)};
-}
 }  // namespace workspace_support

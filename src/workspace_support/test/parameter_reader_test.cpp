@@ -118,7 +118,6 @@ TEST(ParameterReader, SaysWhatWasFoundAndWhatIsAllowed)
 
 TEST(ParameterReader, NumbersObeyTheirRule)
 {
-  EXPECT_EQ(refusal("speed", 0.0, between(0.0, 1.0)), "parameter /node/speed: found 2.5, must be a number from 0 to 1");
   EXPECT_EQ(
     refusal("count", 0, atLeast(8, " (or none)")),
     "parameter /node/count: found 7, must be a whole number >= 8 (or none)");

@@ -170,7 +170,7 @@ class AmclTest(unittest.TestCase):
         for name, value, answer in [
             ("laser_model_type", "sonar", 'found "sonar", must be one of beam, likelihood_field, '),
             ("odom_model_type", "car", 'found "car", must be one of diff, omni, diff-corrected, '),
-            ("min_particles", -5, "found -5.000000, must be above 0"),
+            ("min_particles", -5, "found -5, must be a number above 0"),
             ("initial_pose_x", math.inf, "found inf, must be a finite number"),
             ("initial_cov_aa", -1.0, "found -1, must be a number >= 0"),
             ("transform_tolerance", -0.1, "found -0.1, must be a number >= 0"),

@@ -30,12 +30,11 @@ TEST(SlamOptions, DefaultsAreValid)
 
 TEST(SlamOptions, WrongValuesAreNamed)
 {
-  EXPECT_EQ(complaint([](auto & o) { o.delta = -1.0; }), "delta: found -1.000000, must be above 0");
-  EXPECT_EQ(complaint([](auto & o) { o.motion.srt = -0.1; }), "srt: found -0.100000, must be 0 or above");
-  EXPECT_EQ(complaint([](auto & o) { o.matcher.iterations = 0; }), "iterations: found 0.000000, must be above 0");
-  EXPECT_EQ(complaint([](auto & o) { o.max_urange = 0.0; }), "maxUrange: found 0.000000, must be above 0");
-  EXPECT_EQ(
-    complaint([](auto & o) { o.xmax = -200.0; }), "xmax: found -200.000000, must be above xmin, which is -100.000000");
+  EXPECT_EQ(complaint([](auto & o) { o.delta = -1.0; }), "delta: found -1, must be a number above 0");
+  EXPECT_EQ(complaint([](auto & o) { o.motion.srt = -0.1; }), "srt: found -0.1, must be a number of at least 0");
+  EXPECT_EQ(complaint([](auto & o) { o.matcher.iterations = 0; }), "iterations: found 0, must be a number above 0");
+  EXPECT_EQ(complaint([](auto & o) { o.max_urange = 0.0; }), "maxUrange: found 0, must be a number above 0");
+  EXPECT_EQ(complaint([](auto & o) { o.xmax = -200.0; }), "xmax: found -200, must be above xmin, which is -100");
 }
 }  // namespace
 }  // namespace gmapping

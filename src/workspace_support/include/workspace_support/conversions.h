@@ -4,6 +4,9 @@
 #include <geometry_msgs/Transform.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <sensor_msgs/LaserScan.h>
+#include <std_msgs/Header.h>
+
+#include <string>
 
 #include "workspace_support/grid.h"
 #include "workspace_support/planar.h"
@@ -12,6 +15,7 @@
 /// Between messages and plain types. Quaternions count as rotations about z, of a lidar that may hang upside down.
 namespace workspace_support
 {
+std_msgs::Header headerOf(const std::string & frame, const ros::Time & stamp);
 /// The x axis of the pose, seen from above.
 Pose2 fromPose(const geometry_msgs::Pose & pose);
 geometry_msgs::Pose toPose(const Pose2 & pose);

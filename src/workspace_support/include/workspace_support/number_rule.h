@@ -15,5 +15,4 @@ struct NumberRule
 NumberRule positive();
 /// @param meaning  of the least value, as error messages say it: " (0: never)"
 NumberRule atLeast(double least, const std::string & meaning = "");
-NumberRule between(double least, double most);
 }  // namespace workspace_support

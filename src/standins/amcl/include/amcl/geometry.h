@@ -6,6 +6,7 @@
 
 namespace amcl
 {
+using workspace_support::distance;
 using workspace_support::normalizeAngle;
 using workspace_support::OccupancyGrid;
 using workspace_support::Pose2;

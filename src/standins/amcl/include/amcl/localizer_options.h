@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <string>
 
 namespace amcl
 {
@@ -23,10 +22,6 @@ enum class LaserModel
   kLikelihoodField,      ///< distance of the beams' ends from the nearest wall, averaged over the beams
   kLikelihoodFieldProb,  ///< the same, multiplied: as if the beams were independent of each other
 };
-
-/// @throws OptionError that names the parameter and the allowed names
-OdometryModel toOdometryModel(const std::string & name);
-LaserModel toLaserModel(const std::string & name);
 
 /// Odometry errs in proportion to what it measures.
 struct OdometryOptions

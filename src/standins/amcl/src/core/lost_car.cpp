@@ -55,7 +55,7 @@ LostCar::LostCar(const mrpt::maps::COccupancyGridMap2D & map, std::vector<mrpt::
 
 bool LostCar::isDue(const Pose2 & odometry) const
 {
-  return !last_ || std::hypot(odometry.x - last_->x, odometry.y - last_->y) >= kLookInterval;
+  return !last_ || distance(odometry, *last_) >= kLookInterval;
 }
 
 void LostCar::drive(const Pose2 & motion)

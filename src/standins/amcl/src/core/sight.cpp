@@ -10,11 +10,6 @@ constexpr double kViewInterval = 0.5;  // m between scans that are kept
 // m; odometry bends what was seen on a longer way.
 constexpr double kLength = 4.0;
 
-double between(const Pose2 & a, const Pose2 & b)
-{
-  return std::hypot(a.x - b.x, a.y - b.y);
-}
-
 Points endsOf(const mrpt::obs::CObservation2DRangeScan & scan)
 {
   const mrpt::poses::CPose2D lidar(scan.sensorPose);
@@ -34,10 +29,10 @@ Points endsOf(const mrpt::obs::CObservation2DRangeScan & scan)
 void Sight::add(const mrpt::obs::CObservation2DRangeScan & scan, const Pose2 & odometry)
 {
   last_ = {odometry, endsOf(scan)};
-  if (views_.empty() || between(views_.back().odometry, odometry) >= kViewInterval) {
+  if (views_.empty() || distance(views_.back().odometry, odometry) >= kViewInterval) {
     views_.push_back(last_);
   }
-  while (between(views_.front().odometry, odometry) > kLength) {
+  while (distance(views_.front().odometry, odometry) > kLength) {
     views_.pop_front();
   }
 }

@@ -153,25 +153,17 @@ void AmclNode::announceStart()
   }
 }
 
-std_msgs::Header AmclNode::headerAt(const ros::Time & stamp) const
-{
-  std_msgs::Header header;
-  header.stamp = stamp;
-  header.frame_id = parameters_.global_frame_id;
-  return header;
-}
-
 void AmclNode::publishEstimate(const ros::Time & stamp)
 {
   geometry_msgs::PoseWithCovarianceStamped message;
-  message.header = headerAt(stamp);
+  message.header = headerOf(parameters_.global_frame_id, stamp);
   message.pose = toPoseWithCovariance(estimate_);
   pose_publisher_.publish(message);
 }
 
 void AmclNode::publishParticles(const ros::Time & stamp)
 {
-  particle_publisher_.publish(toPoseArray(localizer_->particles(), headerAt(stamp)));
+  particle_publisher_.publish(toPoseArray(localizer_->particles(), headerOf(parameters_.global_frame_id, stamp)));
 }
 
 void AmclNode::broadcast(const std::vector<ros::Time> & stamps)
@@ -182,7 +174,7 @@ void AmclNode::broadcast(const std::vector<ros::Time> & stamps)
   tf2_msgs::TFMessage message;
   for (const ros::Time & stamp : stamps) {
     geometry_msgs::TransformStamped transform;
-    transform.header = headerAt(stamp);
+    transform.header = headerOf(parameters_.global_frame_id, stamp);
     transform.child_frame_id = parameters_.odom_frame_id;
     transform.transform = toTransform(*map_to_odom_);
     message.transforms.push_back(transform);

@@ -53,7 +53,6 @@ private:
   void broadcast(const std::vector<ros::Time> & stamps);
   void announceStart();
   void savePose(const ros::Time & now);
-  std_msgs::Header headerAt(const ros::Time & stamp) const;
 
   NodeParameters parameters_;
   Odometry odometry_;

@@ -16,6 +16,7 @@ using workspace_support::fromLaserScan;
 using workspace_support::fromOccupancyGrid;
 using workspace_support::fromPose;
 using workspace_support::fromTransform;
+using workspace_support::headerOf;
 using workspace_support::isUpsideDown;
 using workspace_support::toPose;
 using workspace_support::toTransform;

@@ -69,9 +69,12 @@ Estimate readStart(const ros::NodeHandle & node, ParameterReader & reader)
 
 void readOdometry(ParameterReader & reader, OdometryOptions & odometry)
 {
-  std::string model = "diff";
-  reader.read("odom_model_type", model);
-  reader.check([&] { odometry.model = toOdometryModel(model); });
+  reader.readChoice(
+    "odom_model_type", odometry.model,
+    {{"diff", OdometryModel::kDiff},
+     {"omni", OdometryModel::kOmni},
+     {"diff-corrected", OdometryModel::kDiffCorrected},
+     {"omni-corrected", OdometryModel::kOmniCorrected}});
   reader.read("odom_alpha1", odometry.alpha1);
   reader.read("odom_alpha2", odometry.alpha2);
   reader.read("odom_alpha3", odometry.alpha3);
@@ -81,9 +84,11 @@ void readOdometry(ParameterReader & reader, OdometryOptions & odometry)
 
 void readLaser(ParameterReader & reader, LaserOptions & laser)
 {
-  std::string model = "likelihood_field";
-  reader.read("laser_model_type", model);
-  reader.check([&] { laser.model = toLaserModel(model); });
+  reader.readChoice(
+    "laser_model_type", laser.model,
+    {{"beam", LaserModel::kBeam},
+     {"likelihood_field", LaserModel::kLikelihoodField},
+     {"likelihood_field_prob", LaserModel::kLikelihoodFieldProb}});
   reader.read("laser_max_beams", laser.max_beams);
   reader.read("laser_min_range", laser.min_range);
   reader.read("laser_max_range", laser.max_range);

@@ -113,14 +113,16 @@ def run(options, ending):
     """Load and start controllers, and wait for the end; return the exit code."""
     try:
         wait_for_manager(options.timeout)
-    except rospy.ROSInterruptException:
-        raise
     except rospy.ROSException:
+        if ending.has_begun:
+            raise
         rospy.logerr("No controller manager within %s s. Its name is controller_manager/...", options.timeout)
         return EXIT_NO_MANAGER
     loaded = []
     rospy.on_shutdown(lambda: take_away(loaded, options.shutdown_timeout))
     load(options.controllers, loaded, ending)
+    if ending.has_begun:
+        return 0
     if options.wait_for:
         wait_for_go(options.wait_for)
     if not options.stopped and not manager.switch_controllers(loaded, []):
@@ -137,7 +139,10 @@ def main():
     rospy.init_node("spawner", anonymous=True, disable_signals=True)
     if options.namespace:
         manager.use_namespace(options.namespace)
+    ending = Ending(options.shutdown_timeout)
     try:
-        return run(options, Ending(options.shutdown_timeout))
-    except rospy.ROSInterruptException:
-        return 0
+        return run(options, ending)
+    except (rospy.ROSException, rospy.ServiceException):
+        if ending.has_begun:
+            return 0
+        raise

@@ -1,9 +1,12 @@
 #pragma once
 
-#include <workspace_support/errors.h>
+#include <workspace_support/option_checks.h>
 
 namespace gmapping
 {
 using workspace_support::Error;
 using workspace_support::OptionError;
+using workspace_support::requireNotNegative;
+using workspace_support::requireOption;
+using workspace_support::requirePositive;
 }  // namespace gmapping

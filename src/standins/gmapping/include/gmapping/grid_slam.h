@@ -17,8 +17,6 @@ public:
   /// @throws OptionError
   explicit GridSlam(const SlamOptions & options);
   ~GridSlam();
-  GridSlam(GridSlam &&) noexcept;
-  GridSlam & operator=(GridSlam &&) noexcept;
 
   /// Takes a scan in. The first one is put into the map where odometry says; of those after it counts whatever lies
   /// far enough from the last that counted.

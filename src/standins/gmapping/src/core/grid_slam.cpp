@@ -187,8 +187,6 @@ GridSlam::GridSlam(const SlamOptions & options)
   impl_ = std::make_unique<Impl>(options);
 }
 GridSlam::~GridSlam() = default;
-GridSlam::GridSlam(GridSlam &&) noexcept = default;
-GridSlam & GridSlam::operator=(GridSlam &&) noexcept = default;
 
 bool GridSlam::process(const Scan & scan, const Pose2 & odometry, double time)
 {

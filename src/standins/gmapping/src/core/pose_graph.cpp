@@ -53,12 +53,6 @@ ceres::Solver::Options solverOptions()
 }
 }  // namespace
 
-std::size_t PoseGraph::add(const Pose2 & pose)
-{
-  poses_.push_back(pose);
-  return poses_.size() - 1;
-}
-
 void PoseGraph::keepFirm()
 {
   const auto is_loose = [](const PoseEdge & edge) { return !edge.is_firm; };

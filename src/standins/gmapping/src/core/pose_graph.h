@@ -25,8 +25,7 @@ struct PoseEdge
 class PoseGraph
 {
 public:
-  /// Index of the new pose.
-  std::size_t add(const Pose2 & pose);
+  void add(const Pose2 & pose) { poses_.push_back(pose); }
   void connect(const PoseEdge & edge) { edges_.push_back(edge); }
   /// Takes all edges out that are not firm.
   void keepFirm();
@@ -34,7 +33,6 @@ public:
   void optimize();
 
   const std::vector<Pose2> & poses() const { return poses_; }
-  std::size_t size() const { return poses_.size(); }
 
 private:
   std::vector<Pose2> poses_;

@@ -1,6 +1,7 @@
 #include "gmapping/slam_options.h"
 
 #include <cmath>
+#include <sstream>
 #include <string>
 
 #include "gmapping/errors.h"
@@ -9,53 +10,34 @@ namespace gmapping
 {
 namespace
 {
-void refuse(const std::string & name, double found, const std::string & allowed)
+void requireAbove(const std::string & name, double value, const std::string & other, double least)
 {
-  throw OptionError(name + ": found " + std::to_string(found) + ", must be " + allowed);
-}
-
-void expectPositive(const std::string & name, double value)
-{
-  if (!(std::isfinite(value) && value > 0.0)) {
-    refuse(name, value, "above 0");
-  }
-}
-
-void expectNotNegative(const std::string & name, double value)
-{
-  if (!(std::isfinite(value) && value >= 0.0)) {
-    refuse(name, value, "0 or above");
-  }
-}
-
-void expectAbove(const std::string & name, double value, const std::string & other, double least)
-{
-  if (!(std::isfinite(value) && value > least)) {
-    refuse(name, value, "above " + other + ", which is " + std::to_string(least));
-  }
+  std::ostringstream allowed;
+  allowed << "above " << other << ", which is " << least;
+  requireOption(std::isfinite(value) && value > least, name, value, allowed.str());
 }
 
 void validateMatcher(const MatcherOptions & options)
 {
-  expectPositive("sigma", options.sigma);
-  expectNotNegative("kernelSize", options.kernel_size);
-  expectPositive("iterations", options.iterations);
-  expectNotNegative("lskip", options.lskip);
+  requirePositive("sigma", options.sigma);
+  requireNotNegative("kernelSize", options.kernel_size);
+  requirePositive("iterations", options.iterations);
+  requireNotNegative("lskip", options.lskip);
 }
 
 void validateMotion(const MotionNoise & noise)
 {
-  expectNotNegative("srr", noise.srr);
-  expectNotNegative("srt", noise.srt);
-  expectNotNegative("str", noise.str);
-  expectNotNegative("stt", noise.stt);
+  requireNotNegative("srr", noise.srr);
+  requireNotNegative("srt", noise.srt);
+  requireNotNegative("str", noise.str);
+  requireNotNegative("stt", noise.stt);
 }
 
 void validateExtent(const SlamOptions & options)
 {
-  expectPositive("delta", options.delta);
-  expectAbove("xmax", options.xmax, "xmin", options.xmin);
-  expectAbove("ymax", options.ymax, "ymin", options.ymin);
+  requirePositive("delta", options.delta);
+  requireAbove("xmax", options.xmax, "xmin", options.xmin);
+  requireAbove("ymax", options.ymax, "ymin", options.ymin);
 }
 }  // namespace
 
@@ -64,10 +46,10 @@ void SlamOptions::validate() const
   validateMotion(motion);
   validateMatcher(matcher);
   validateExtent(*this);
-  expectPositive("maxRange", max_range.value_or(1.0));
-  expectPositive("maxUrange", max_urange.value_or(1.0));
-  expectNotNegative("linearUpdate", linear_update);
-  expectNotNegative("angularUpdate", angular_update);
-  expectNotNegative("occ_thresh", occ_thresh);
+  requirePositive("maxRange", max_range.value_or(1.0));
+  requirePositive("maxUrange", max_urange.value_or(1.0));
+  requireNotNegative("linearUpdate", linear_update);
+  requireNotNegative("angularUpdate", angular_update);
+  requireNotNegative("occ_thresh", occ_thresh);
 }
 }  // namespace gmapping

@@ -7,6 +7,7 @@ namespace gmapping
 {
 using workspace_support::fromLaserScan;
 using workspace_support::fromTransform;
+using workspace_support::headerOf;
 using workspace_support::isUpsideDown;
 using workspace_support::toOccupancyGrid;
 using workspace_support::toTransform;

@@ -108,10 +108,8 @@ void SlamNode::broadcast(const ros::Time & now)
 
 void SlamNode::publishMap(const ros::Time & stamp)
 {
-  std_msgs::Header header;
-  header.stamp = stamp;
-  header.frame_id = parameters_.map_frame;
-  map_ = toOccupancyGrid(slam_.map(), header);
+  map_ = toOccupancyGrid(slam_.map(), headerOf(parameters_.map_frame, stamp));
+  map_.info.map_load_time = stamp;
   last_map_ = stamp;
   map_publisher_.publish(map_);
   metadata_publisher_.publish(map_.info);

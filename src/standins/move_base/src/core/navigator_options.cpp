@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "geometry/option_checks.h"
+#include "geometry/errors.h"
 
 namespace move_base
 {

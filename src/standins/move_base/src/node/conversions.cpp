@@ -86,26 +86,4 @@ geometry_msgs::PolygonStamped toPolygon(
   }
   return polygon;
 }
-
-nav_msgs::OccupancyGrid toOccupancyGrid(
-  const std::vector<std::int8_t> & cells, const GridGeometry & geometry, const Pose2 & frame_pose,
-  const std_msgs::Header & header)
-{
-  nav_msgs::OccupancyGrid message;
-  message.header = header;
-  message.info.resolution = static_cast<float>(geometry.resolution);
-  message.info.width = static_cast<std::uint32_t>(geometry.width);
-  message.info.height = static_cast<std::uint32_t>(geometry.height);
-  message.info.origin = toPose(compose(frame_pose, geometry.origin));
-  message.data = cells;
-  return message;
-}
-
-std_msgs::Header headerOf(const std::string & frame, const ros::Time & stamp)
-{
-  std_msgs::Header header;
-  header.frame_id = frame;
-  header.stamp = stamp;
-  return header;
-}
 }  // namespace move_base

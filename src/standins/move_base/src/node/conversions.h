@@ -21,6 +21,8 @@ namespace move_base
 {
 using workspace_support::fromPose;
 using workspace_support::fromTransform;
+using workspace_support::headerOf;
+using workspace_support::toOccupancyGrid;
 using workspace_support::toPose;
 
 geometry_msgs::PoseStamped toPoseStamped(const Pose2 & pose, const std_msgs::Header & header);
@@ -45,12 +47,4 @@ std::vector<Pose2> posesOf(const Path & path);
 /// The footprint of a car at pose.
 geometry_msgs::PolygonStamped toPolygon(
   const std::vector<Vec2> & footprint, const Pose2 & pose, const std_msgs::Header & header);
-
-/// A grid that is not turned in its own frame.
-/// @param frame_pose  of the grid's frame in that of header
-nav_msgs::OccupancyGrid toOccupancyGrid(
-  const std::vector<std::int8_t> & cells, const GridGeometry & geometry, const Pose2 & frame_pose,
-  const std_msgs::Header & header);
-
-std_msgs::Header headerOf(const std::string & frame, const ros::Time & stamp);
 }  // namespace move_base

@@ -80,7 +80,7 @@ void Displays::showGlobalCostmap(const ros::Time & stamp)
     costs_.update(costmap);
   }
   global_costmap_.publish(
-    toOccupancyGrid(costs_.cells(), costmap.geometry(), {}, headerOf(parameters_.global_frame, stamp)));
+    toOccupancyGrid({costmap.geometry(), costs_.cells()}, headerOf(parameters_.global_frame, stamp)));
 }
 
 // Every scan counts: what one sees the next ones may not.
@@ -103,7 +103,7 @@ void Displays::showLocalCostmap(const ros::Time & stamp)
 {
   const GridGeometry & geometry = surroundings_.geometry();
   local_costmap_.publish(toOccupancyGrid(
-    inflated(surroundings_.cells(), geometry, surroundings_inflation_), geometry, {},
+    {geometry, inflated(surroundings_.cells(), geometry, surroundings_inflation_)},
     headerOf(parameters_.local_frame, stamp)));
 }
 

@@ -157,7 +157,7 @@ void MoveBaseNode::accept(const geometry_msgs::PoseStamped & target, const ros::
   }
   try {
     const Pose2 goal = perception_.inMap(target);
-    goal_publisher_.publish(toPoseStamped(goal, mapHeader(now)));
+    goal_publisher_.publish(toPoseStamped(goal, headerOf(parameters_.global_frame, now)));
     target_ = target;
     failure_.clear();
     navigator_.setGoal(goal, now.toSec(), nextGoals());
@@ -246,7 +246,7 @@ void MoveBaseNode::publish(const CycleOutput & output, const CycleInput & input,
 
 void MoveBaseNode::report(const CycleOutput & output, const CycleInput & input, const ros::Time & now)
 {
-  const auto pose = toPoseStamped(input.car.pose, mapHeader(now));
+  const auto pose = toPoseStamped(input.car.pose, headerOf(parameters_.global_frame, now));
   if (server_.isActive()) {
     move_base_msgs::MoveBaseFeedback feedback;
     feedback.base_position = pose;
@@ -292,8 +292,4 @@ void MoveBaseNode::relayGoal(const geometry_msgs::PoseStamped::ConstPtr & target
   action_goal_publisher_.publish(action_goal);
 }
 
-std_msgs::Header MoveBaseNode::mapHeader(const ros::Time & stamp) const
-{
-  return headerOf(parameters_.global_frame, stamp);
-}
 }  // namespace move_base

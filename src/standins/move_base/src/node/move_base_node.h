@@ -54,7 +54,6 @@ private:
   void finish(const Outcome & outcome);
   void publishZero();
   void relayGoal(const geometry_msgs::PoseStamped::ConstPtr & target);
-  std_msgs::Header mapHeader(const ros::Time & stamp) const;
 
   MoveBaseParameters parameters_;
   ros::CallbackQueue & queue_;

@@ -118,7 +118,6 @@ private:
     double bend;      // 1/m, wanted of the car's way
   };
 
-  void limitSpeeds(const Costmap & costmap);
   void noteSent(double period);
   double maxCurvature() const;
   double slipOn(double curvature, double speed) const;

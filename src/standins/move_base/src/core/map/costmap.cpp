@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "geometry/distance_transform.h"
-#include "geometry/option_checks.h"
+#include "geometry/errors.h"
 
 namespace move_base
 {

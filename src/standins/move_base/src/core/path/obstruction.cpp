@@ -37,10 +37,10 @@ Obstruction obstructionOf(const Costmap & costmap, const PlanRequest & request, 
   if (status == SearchStatus::kGoalBlocked) {
     return atGoal(map, request.goal);
   }
-  if (!std::isfinite(CostToGo(map, request.goal.position(), kPointClearance).at(request.start.position()))) {
+  if (!std::isfinite(CostToGo(map, request.goal.position()).at(request.start.position()))) {
     return {"No way leads to the goal.", true};
   }
-  if (!std::isfinite(CostToGo(costmap, request.goal.position(), kPointClearance).at(request.start.position()))) {
+  if (!std::isfinite(CostToGo(costmap, request.goal.position()).at(request.start.position()))) {
     return {"What the lidar sees closes the way to the goal.", false};
   }
   if (status == SearchStatus::kBudgetSpent) {

@@ -6,31 +6,26 @@ namespace move_base
 {
 namespace
 {
-// Arcs [begin, end) are of one driving direction.
-struct ArcRange
+// [begin, end) of items that agree on the driving direction.
+template <class Item, class IsReverse>
+std::vector<PathStretch> split(const std::vector<Item> & items, const IsReverse & is_reverse)
 {
-  std::size_t begin;
-  std::size_t end;
-};
-
-std::vector<ArcRange> directionRanges(const std::vector<Arc> & arcs)
-{
-  std::vector<ArcRange> ranges;
+  std::vector<PathStretch> result;
   std::size_t begin = 0;
-  for (std::size_t i = 1; i <= arcs.size(); ++i) {
-    if (i == arcs.size() || (arcs[i].length < 0.0) != (arcs[begin].length < 0.0)) {
-      ranges.push_back({begin, i});
+  for (std::size_t i = 1; i <= items.size(); ++i) {
+    if (i == items.size() || is_reverse(items[i]) != is_reverse(items[begin])) {
+      result.push_back({begin, i});
       begin = i;
     }
   }
-  return ranges;
+  return result;
 }
 
 // Walks along arcs of one direction, forwards only.
 class ArcWalker
 {
 public:
-  ArcWalker(const Pose2 & start, const std::vector<Arc> & arcs, const ArcRange & range)
+  ArcWalker(const Pose2 & start, const std::vector<Arc> & arcs, const PathStretch & range)
   : arcs_(arcs), arc_(range.begin), last_(range.end - 1), arc_start_(start)
   {
   }
@@ -58,15 +53,7 @@ private:
 
 std::vector<PathStretch> stretches(const Path & path)
 {
-  std::vector<PathStretch> result;
-  std::size_t begin = 0;
-  for (std::size_t i = 1; i <= path.size(); ++i) {
-    if (i == path.size() || path[i].reverse != path[begin].reverse) {
-      result.push_back({begin, i});
-      begin = i;
-    }
-  }
-  return result;
+  return split(path, [](const PathPoint & point) { return point.reverse; });
 }
 
 bool isForward(const Path & path)
@@ -79,7 +66,7 @@ Path samplePath(const Pose2 & start, const std::vector<Arc> & arcs, double spaci
   Path path;
   Pose2 pose = start;
   double driven = 0.0;
-  for (const ArcRange & range : directionRanges(arcs)) {
+  for (const PathStretch & range : split(arcs, [](const Arc & arc) { return arc.length < 0.0; })) {
     const double total = length(std::vector<Arc>(
       arcs.begin() + static_cast<std::ptrdiff_t>(range.begin), arcs.begin() + static_cast<std::ptrdiff_t>(range.end)));
     const int steps = std::max(1, static_cast<int>(std::ceil(total / spacing - 1e-9)));

@@ -44,12 +44,10 @@ Matrix differences(int count, const std::vector<double> & stencil)
 class Band
 {
 public:
-  Band(const Path & given, PathStretch stretch, const Costmap & costmap, const ClearanceRule & rule, double pinned_s)
+  Band(const Path & given, const Costmap & costmap, const ClearanceRule & rule, double pinned_s)
   : costmap_(costmap),
     rule_(rule),
-    given_(
-      given.begin() + static_cast<std::ptrdiff_t>(stretch.begin),
-      given.begin() + static_cast<std::ptrdiff_t>(stretch.end)),
+    given_(given),
     pinned_(given_.size(), false),
     spacing_(length(given_) / static_cast<double>(given_.size() - 1))
   {
@@ -185,7 +183,7 @@ Path smoothPath(
       path.begin() + static_cast<std::ptrdiff_t>(stretch.begin),
       path.begin() + static_cast<std::ptrdiff_t>(stretch.end));
     if (part.size() >= kFewestPoints) {
-      part = Band(path, stretch, costmap, rule, pinned_s).relaxed(greatest_curvature);
+      part = Band(part, costmap, rule, pinned_s).relaxed(greatest_curvature);
     }
     const double shift = (smooth.empty() ? 0.0 : smooth.back().s) - part.front().s;
     for (PathPoint & point : part) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/option_checks.h"
+#include "geometry/errors.h"
 
 namespace move_base
 {

@@ -40,10 +40,8 @@ GridGeometry coarser(const GridGeometry & fine)
 }
 }  // namespace
 
-CostToGo::CostToGo(
-  const Costmap & costmap, const Vec2 & goal, double passable_clearance, const std::optional<Box> & gate)
+CostToGo::CostToGo(const Costmap & costmap, const Vec2 & goal, const std::optional<Box> & gate)
 : costmap_(costmap),
-  passable_clearance_(passable_clearance),
   gate_(gate),
   geometry_(coarser(costmap.geometry())),
   costs_(geometry_.size(), kInfinite),
@@ -111,6 +109,6 @@ double CostToGo::pricePerMetre(std::size_t cell)
 
 bool CostToGo::isClosed(const Vec2 & point, double room) const
 {
-  return room < passable_clearance_ || (gate_ && gate_->distanceTo(point) <= geometry_.resolution);
+  return room < kPointClearance || (gate_ && gate_->distanceTo(point) <= geometry_.resolution);
 }
 }  // namespace move_base

@@ -10,14 +10,17 @@
 
 namespace move_base
 {
+/// Free room around a point that is led to a goal, m. It may pass where the car does not fit: less than half of the car's
+/// width keeps the lead optimistic.
+constexpr double kPointClearance = 0.1;
+
 /// What it costs a point to move to the goal: Dijkstra from the goal over a coarse grid, as far as it is asked for.
 /// Steers the search of the hybrid A*, which knows what a car can do.
 class CostToGo
 {
 public:
-  /// @param passable_clearance  m, distance to obstacles that a cell must have
-  /// @param gate                where no way leads through, besides
-  CostToGo(const Costmap & costmap, const Vec2 & goal, double passable_clearance, const std::optional<Box> & gate = {});
+  /// @param gate  where no way leads through, besides
+  CostToGo(const Costmap & costmap, const Vec2 & goal, const std::optional<Box> & gate = {});
 
   /// Cost in metres of free road; infinite where the goal cannot be reached from. Continues the search if need be.
   double at(const Vec2 & point);
@@ -36,7 +39,6 @@ private:
   bool isClosed(const Vec2 & point, double room) const;
 
   const Costmap & costmap_;
-  double passable_clearance_;
   std::optional<Box> gate_;
   GridGeometry geometry_;
   std::vector<double> costs_;

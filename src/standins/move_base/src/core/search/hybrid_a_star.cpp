@@ -6,7 +6,7 @@
 #include <optional>
 #include <queue>
 
-#include "geometry/option_checks.h"
+#include "geometry/errors.h"
 #include "search/arc_price.h"
 #include "search/cost_to_go.h"
 #include "search/search_nodes.h"
@@ -218,7 +218,7 @@ SearchResult searchAhead(
   if (!gate) {
     return {};
   }
-  CostToGo way(costmap, query.goal.position(), kPointClearance, gate);
+  CostToGo way(costmap, query.goal.position(), gate);
   const Pose2 & start = query.start;
   const double turn = curves.length(start, {start.x, start.y, normalizeAngle(start.yaw + M_PI)});
   const double most = kGreed * (shortest + turn);
@@ -273,7 +273,7 @@ SearchResult searchHybridAStar(
   if (rule.goalClearance() < 0.0) {
     return {SearchStatus::kGoalBlocked, {}, 0};
   }
-  CostToGo way(costmap, query.goal.position(), kPointClearance);
+  CostToGo way(costmap, query.goal.position());
   const double shortest = way.at(query.start.position());
   SearchQuery rest = query;
   if (way.at(advance(query.start, kArcLength, 0.0).position()) > shortest) {

@@ -24,10 +24,6 @@ struct PlannerOptions
   void validate() const;
 };
 
-/// Free room around a point that is led to a goal, m. It may pass where the car does not fit: less than half of the car's
-/// width keeps the lead optimistic.
-constexpr double kPointClearance = 0.1;
-
 enum class SearchStatus
 {
   kFound,

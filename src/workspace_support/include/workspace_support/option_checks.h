@@ -4,10 +4,10 @@
 #include <sstream>
 #include <string>
 
-#include "geometry/errors.h"
+#include "workspace_support/errors.h"
 
 /// Checks of options, with messages that say which one, what was found and what is allowed.
-namespace move_base
+namespace workspace_support
 {
 inline void requireOption(bool holds, const std::string & name, double found, const std::string & allowed)
 {
@@ -27,4 +27,4 @@ inline void requireNotNegative(const std::string & name, double found)
 {
   requireOption(std::isfinite(found) && found >= 0.0, name, found, "a number of at least 0");
 }
-}  // namespace move_base
+}  // namespace workspace_support

@@ -1,16 +1,6 @@
-"""Read by catkin_python_setup()."""
+"""The Python module of f1tenth_studies, for catkin_python_setup()."""
 
 from catkin_pkg.python_setup import generate_distutils_setup
-from setuptools import setup
+from setuptools import find_packages, setup
 
-setup(
-    **generate_distutils_setup(
-        packages=[
-            "f1tenth_studies",
-            "f1tenth_studies.faults",
-            "f1tenth_studies.optimum",
-            "f1tenth_studies.studies",
-        ],
-        package_dir={"": "src"},
-    )
-)
+setup(**generate_distutils_setup(packages=find_packages("src"), package_dir={"": "src"}))

@@ -1,9 +1,10 @@
 """A circuit's file must be read, or refused with its place."""
 
+import math
 import re
 
 import pytest
-from f1tenth_gazebo.circuits.centreline import MAX_TURN, centreline, wrap_angle
+from f1tenth_gazebo.circuits.centreline import MAX_TURN, centreline
 from f1tenth_gazebo.circuits.circuit_file import load_circuit
 from f1tenth_gazebo.circuits.lap import Lap
 from f1tenth_gazebo.errors import CircuitError
@@ -32,7 +33,7 @@ def test_centreline_turns_in_small_steps_and_keeps_its_radius(tmp_path):
     vertices = centreline(load_circuit(write(tmp_path, SQUARE)))
     lap = Lap(vertices)
     headings = [lap.pose(i * lap.length / 1000).yaw for i in range(1000)]
-    turns = [abs(wrap_angle(b - a)) for a, b in zip(headings, headings[1:])]
+    turns = [abs(math.remainder(b - a, math.tau)) for a, b in zip(headings, headings[1:])]
     assert max(turns) <= MAX_TURN + 1e-9
     assert lap.length == pytest.approx(40 - 8 * 2.0 + 2 * 3.14159 * 2.0, abs=0.1)
 

@@ -9,10 +9,6 @@ import rosbag
 from f1tenth_scenarios.launch.private_master import private_master
 from patience import PATIENCE
 
-from f1tenth_scenarios import places
-
-PLANNERS = places.package_path(places.PACKAGE) / "test" / "planners"
-
 
 @pytest.fixture
 def race(tmp_path):

@@ -37,7 +37,7 @@ def test_picture_is_written(tmp_path):
 @pytest.mark.parametrize("text", ["image: none.pgm", "image: [", "7", "resolution: 1"])
 def test_map_that_cannot_be_read_costs_the_picture_its_walls_only(tmp_path, text):
     run = succeeding(tmp_path)
-    run.plan.map.write_text(text, encoding="utf-8")
+    run.plan.place.map.write_text(text, encoding="utf-8")
     assert result_of(run)["verdict"] == "success"
     assert (run.plan.folder / "trajectory.png").exists()
 

@@ -133,11 +133,6 @@ def results_root() -> Path:
     return (Path(base) if base else workspace_root() / "results").resolve()
 
 
-def results_folder(name: str) -> Path:
-    """Where a scenario's results go: the folder NAME in the results' root."""
-    return results_root() / name
-
-
 def workspace_root() -> Path:
     """The folder that holds the workspace's src; the working directory when this package is installed."""
     for parent in package_path(PACKAGE).parents:

@@ -3,7 +3,8 @@ import pytest
 from map_files import random_cells
 from map_server.errors import MapSaveError
 from map_server.grid_map import GridMap
-from map_server.map_io import load_map_file, save_map
+from map_server.map_io import load_map, save_map
+from map_server.metadata import read_metadata
 
 
 def a_map(cells, origin=(-1.5, 2.25, 0.0)):
@@ -14,7 +15,7 @@ def a_map(cells, origin=(-1.5, 2.25, 0.0)):
 def test_map_saved_and_loaded_again_is_identical_cell_by_cell(tmp_path, seed):
     grid = a_map(random_cells(seed, height=20 + seed, width=31), origin=(-12.345678, 0.5, -1.25))
     save_map(grid, tmp_path / "map")
-    again = load_map_file(tmp_path / "map.yaml")
+    again = load_map(read_metadata(tmp_path / "map.yaml"))
     np.testing.assert_array_equal(again.cells, grid.cells)
     assert (again.resolution, again.origin) == (grid.resolution, grid.origin)
 
@@ -41,19 +42,19 @@ def test_image_is_written_as_by_the_original_with_the_top_row_first(tmp_path):
 @pytest.mark.parametrize("name", ["two words", "a: b", "a #1", "'quoted", "-", "null"])
 def test_any_file_name_can_be_loaded_again(tmp_path, name):
     save_map(a_map([[100]]), tmp_path / name)
-    assert load_map_file(tmp_path / f"{name}.yaml").cells.tolist() == [[100]]
+    assert load_map(read_metadata(tmp_path / f"{name}.yaml")).cells.tolist() == [[100]]
 
 
 def test_saved_pair_can_be_moved(tmp_path):
     (tmp_path / "old").mkdir()
     save_map(a_map([[100]]), tmp_path / "old" / "map")
     (tmp_path / "old").rename(tmp_path / "new")
-    assert load_map_file(tmp_path / "new" / "map.yaml").cells.tolist() == [[100]]
+    assert load_map(read_metadata(tmp_path / "new" / "map.yaml")).cells.tolist() == [[100]]
 
 
 def test_thresholds_decide_what_is_saved(tmp_path):
     save_map(a_map([[10, 40, 90]]), tmp_path / "map", occupied_at_least=40, free_at_most=9)
-    assert load_map_file(tmp_path / "map.yaml").cells.tolist() == [[-1, 100, 100]]
+    assert load_map(read_metadata(tmp_path / "map.yaml")).cells.tolist() == [[-1, 100, 100]]
 
 
 def test_map_without_cells_is_refused(tmp_path):

@@ -36,15 +36,10 @@ def centreline(circuit):
     return vertices
 
 
-def wrap_angle(angle):
-    """The same angle between -pi and pi, rad."""
-    return math.remainder(angle, 2 * math.pi)
-
-
 def _turn(before, corner, after):
     heading_in = math.atan2(corner.y - before.y, corner.x - before.x)
     heading_out = math.atan2(after.y - corner.y, after.x - corner.x)
-    return heading_in, wrap_angle(heading_out - heading_in)
+    return heading_in, math.remainder(heading_out - heading_in, math.tau)
 
 
 def _tangent_length(before, corner, after):

@@ -3,7 +3,6 @@
 import math
 from dataclasses import dataclass
 
-from f1tenth_gazebo.circuits.centreline import wrap_angle
 from f1tenth_gazebo.errors import CircuitError
 
 THICKNESS = 0.15
@@ -51,7 +50,7 @@ def _offset(vertices, side):
     for i, vertex in enumerate(vertices):
         before, after = vertices[i - 1], vertices[(i + 1) % count]
         heading_in = math.atan2(vertex.y - before.y, vertex.x - before.x)
-        turn = wrap_angle(math.atan2(after.y - vertex.y, after.x - vertex.x) - heading_in)
+        turn = math.remainder(math.atan2(after.y - vertex.y, after.x - vertex.x) - heading_in, math.tau)
         distance = side * (vertex.width + THICKNESS) / 2 / math.cos(turn / 2)
         normal = heading_in + turn / 2 + math.pi / 2
         points.append((vertex.x + distance * math.cos(normal), vertex.y + distance * math.sin(normal)))
@@ -81,5 +80,7 @@ def _wall(points, i, material, closed):
 
 
 def _mitre(a, b, c):
-    turn = wrap_angle(math.atan2(c[1] - b[1], c[0] - b[0]) - math.atan2(b[1] - a[1], b[0] - a[0]))
+    turn = math.remainder(
+        math.atan2(c[1] - b[1], c[0] - b[0]) - math.atan2(b[1] - a[1], b[0] - a[0]), math.tau
+    )
     return THICKNESS / 2 * math.tan(abs(turn) / 2)

@@ -53,10 +53,10 @@ def _paths(value) -> list[Path]:
 
 def _images(plan: Plan) -> list[Path]:
     """What the map is drawn in; nothing if it cannot be read, as the run will say."""
-    if plan.map is None:
+    if plan.place.map is None:
         return []
     with contextlib.suppress(OSError, ValueError, KeyError, TypeError, yaml.YAMLError):
-        return [plan.map.parent / yaml.safe_load(plan.map.read_text(encoding="utf-8"))["image"]]
+        return [plan.place.map.parent / yaml.safe_load(plan.place.map.read_text(encoding="utf-8"))["image"]]
     return []
 
 

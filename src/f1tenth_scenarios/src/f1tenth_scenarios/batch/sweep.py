@@ -1,5 +1,6 @@
 """Many variations of a scenario: `scenario sweep`."""
 
+import itertools
 import os
 import sys
 from collections.abc import Iterator, Sequence
@@ -13,7 +14,7 @@ from f1tenth_scenarios.batch.table_file import check_table_file, write_table
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan.planning import make_plan
 from f1tenth_scenarios.results.console import CountLine
-from f1tenth_scenarios.scenario.settings import Setting, combinations, folder_name, parse_variation
+from f1tenth_scenarios.scenario.settings import Setting, folder_name, parse_variation
 from f1tenth_scenarios.stop_request import StopRequest
 
 _TABLE_FILE, _PICTURE_FILE = "sweep.csv", "sweep.png"
@@ -42,7 +43,7 @@ class Sweep:
                 raise ScenarioError(f"--vary {key}: is varied more than once")
         self._software = hash_software()
         self._inputs: dict[Job, str] = {}
-        for combination in combinations(varied):
+        for combination in itertools.product(*varied):
             self._add(name, combination, results, settings)
         self.reused: list[Job] = []
         self.results: dict[Job, dict[str, Any]] = {}

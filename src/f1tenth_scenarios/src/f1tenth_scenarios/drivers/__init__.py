@@ -1,1 +1,1 @@
-"""What a scenario can put behind the wheel, and the race table."""
+"""What a scenario can put behind the wheel."""

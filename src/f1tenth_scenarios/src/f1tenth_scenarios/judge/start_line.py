@@ -21,23 +21,20 @@ class LapCounter:
         self._before: Optional[tuple[float, float, float]] = None
         self._level: Optional[int] = None  # laps ahead of the line
         self.lap_times: list[float] = []  # s
-        self.finish: Optional[float] = None  # s, when the last lap was completed
 
-    def update(self, time: float, x: float, y: float) -> bool:
-        """Take the place (m) of the car at a time (s); whether it has just completed a lap."""
+    def update(self, time: float, x: float, y: float) -> None:
+        """Take the place (m) of the car at a time (s)."""
         along, across = self._coordinates(x, y)
         if self._level is None:
             self._level = 0 if along >= 0 else -1
         crossing = self._crossing(time, along, across)
         self._before = time, along, across
         if crossing is None:
-            return False
+            return
         self._level += 1 if along >= 0 else -1
-        if self._level <= len(self.lap_times):
-            return False
-        self.lap_times.append(crossing - self._began)
-        self._began = self.finish = crossing
-        return True
+        if self._level > len(self.lap_times):
+            self.lap_times.append(crossing - self._began)
+            self._began = crossing
 
     def _coordinates(self, x, y):
         """Along the direction of the line's crossing, and to its left, m."""

@@ -56,7 +56,7 @@ def write_launch_file(plan: Plan) -> None:
         ScenarioError: roslaunch would take something for what it is not.
     """
     if plan.scenario.boxes:
-        write_world(plan.world, plan.scenario, plan.run_world)
+        write_world(plan.place.world, plan.scenario, plan.run_world)
     for car in plan.scenario.cars:
         if vehicle := _vehicle(car):
             plan.vehicle_file(car.name).write_text(vehicle, encoding="utf-8")
@@ -80,7 +80,7 @@ def _shared_arguments(plan: Plan) -> dict[str, Any]:
     scenario = plan.scenario
     return {
         "world_file_name": plan.run_world,
-        "map_file": plan.map or "",
+        "map_file": plan.place.map or "",
         "lockstep": scenario.lockstep,
         "participants": f"[{', '.join(participants(plan))}]",
         "lockstep_timeout": scenario.limits.answer,

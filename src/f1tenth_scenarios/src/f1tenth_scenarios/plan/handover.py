@@ -29,7 +29,7 @@ def offered_arguments(plan: Plan, car: Car) -> dict[str, Any]:
         "laps": car.laps + 1 if car.laps else plan.scenario.laps,
         "line": plan.cars[car.name].line,
         "road": plan.place.road,
-        "map_file": plan.map,
+        "map_file": plan.place.map,
         "speed_max": car.speed_max,
         "acceleration_max": car.acceleration_max,
         "commands": _commands(car) if car.commands else None,

@@ -29,16 +29,6 @@ class Plan:
     note: str = ""  # why the run is another one than the scenario asks for
 
     @property
-    def world(self) -> Path:
-        """The world as it is on disk."""
-        return self.place.world
-
-    @property
-    def map(self) -> Optional[Path]:
-        """YAML."""
-        return self.place.map
-
-    @property
     def tasks(self) -> dict[str, Task]:
         """Per car, what it has to do."""
         return {name: car.task for name, car in self.cars.items()}
@@ -56,7 +46,7 @@ class Plan:
     @property
     def run_world(self) -> Path:
         """The world that is simulated: with the scenario's boxes."""
-        return self.log_folder / "boxes.world" if self.scenario.boxes else self.world
+        return self.log_folder / "boxes.world" if self.scenario.boxes else self.place.world
 
     @property
     def has_countdown(self) -> bool:

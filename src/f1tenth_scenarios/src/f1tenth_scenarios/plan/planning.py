@@ -45,7 +45,7 @@ def make_plan(name: str, folder: Optional[Path] = None, settings: Sequence[str] 
     try:
         for planner in (each for each in parsed if each.key == PLANNER):
             scenario = with_planner(scenario, compose_value(planner), file.parent)
-        plan = plan_scenario(file, scenario, folder or places.results_folder(file.stem))
+        plan = plan_scenario(file, scenario, folder or places.results_root() / file.stem)
         return dataclasses.replace(plan, settings=tuple(settings))
     except ScenarioError as error:
         raise type(error)(f"{file}: {error}") from error
@@ -93,9 +93,9 @@ def _check(plan: Plan) -> None:
     scenario = plan.scenario
     for car in scenario.cars:
         driver_arguments(plan, car)
-    if scenario.localization is Localization.AMCL and plan.map is None:
+    if scenario.localization is Localization.AMCL and plan.place.map is None:
         raise ScenarioError(
-            f"'localization: amcl' needs a map, and {plan.world} has none beside it or in ../maps"
+            f"'localization: amcl' needs a map, and {plan.place.world} has none beside it or in ../maps"
         )
     if scenario.expected is Verdict.SUCCESS and all(task.is_empty for task in plan.tasks.values()):
         raise ScenarioError("'expected: success' needs a car with 'goals' or 'laps'")

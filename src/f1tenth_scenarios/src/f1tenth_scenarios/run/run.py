@@ -186,7 +186,7 @@ def _road(plan: Plan) -> list[tuple[float, float]]:
 def _track_map(plan: Plan) -> Optional[TrackMap]:
     """Nothing if it cannot be read, as map_server has said already."""
     try:
-        return read_track_map(plan.map) if plan.map else None
+        return read_track_map(plan.place.map) if plan.place.map else None
     except ScenarioError:
         return None
 

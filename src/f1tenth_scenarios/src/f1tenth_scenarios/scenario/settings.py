@@ -2,11 +2,10 @@
 
 import collections
 import dataclasses
-import itertools
 import math
 import re
 import typing
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any, Optional
 
 import numpy as np
@@ -143,11 +142,6 @@ def _read(text, kind, value, rule):
 def _check_count(text: str, count: int) -> None:
     if not 0 < count <= _MOST_VALUES:
         raise ScenarioError(f"'{text}' stands for {max(count, 0)} values, must be 1 to {_MOST_VALUES}")
-
-
-def combinations(variations: Sequence[Sequence[Setting]]) -> Iterator[tuple[Setting, ...]]:
-    """Every value of each with every value of the others."""
-    return itertools.product(*variations)
 
 
 def folder_name(settings: Sequence[Setting]) -> str:

@@ -2,9 +2,11 @@
 
 import argparse
 import contextlib
+import os
 import random
 import shutil
 import signal
+import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator, Sequence
@@ -13,7 +15,6 @@ from typing import Optional
 
 from f1tenth_studies.faults.catalogue import DRIVEN, Fault, faults, node_names
 from f1tenth_studies.faults.interrupts import COMMANDS, interrupt
-from f1tenth_studies.faults.load import busy_cores
 from f1tenth_studies.faults.table import document, problem
 from f1tenth_studies.faults.victim import Ending
 
@@ -67,11 +68,24 @@ def _endings(options, folder: Path) -> Iterator[tuple[str, Ending]]:
     for number, fault in enumerate(known):
         yield fault.name, _break(fault, DRIVEN, _made(folder / f"{number:02}"))
     generator = random.Random(options.seed)
-    with busy_cores() if options.random else contextlib.nullcontext():
+    with _busy_cores() if options.random else contextlib.nullcontext():
         for number in range(options.random):
             fault, moment = generator.choice(known), generator.uniform(*_MOMENTS)
             name = f"{fault.name}, at {moment:.1f} s, busy cores"
             yield name, _break(fault, moment, _made(folder / f"random{number:02}"))
+
+
+@contextlib.contextmanager
+def _busy_cores() -> Iterator[None]:
+    """Keep every core busy while the block runs."""
+    command = [sys.executable, "-c", "while True: pass"]
+    busy = [subprocess.Popen(command) for _ in os.sched_getaffinity(0)]
+    try:
+        yield
+    finally:
+        for each in busy:
+            each.kill()
+            each.wait()
 
 
 def _made(folder: Path) -> Path:

@@ -8,7 +8,6 @@ import yaml
 from map_server.errors import MapSaveError
 from map_server.files import replace_files
 from map_server.grid_map import GridMap
-from map_server.metadata import read_metadata
 from map_server.occupancy import pixels_from_cells
 from map_server.pixels import read_cells
 
@@ -19,11 +18,6 @@ DEFAULT_FREE = 25
 def load_map(metadata):
     """Load the map that `metadata` describes. Raises MapImageError."""
     return GridMap(cells=read_cells(metadata), resolution=metadata.resolution, origin=metadata.origin)
-
-
-def load_map_file(path):
-    """Load the map of a YAML file. Raises MapError."""
-    return load_map(read_metadata(path))
 
 
 def save_map(grid, name, occupied_at_least=DEFAULT_OCCUPIED, free_at_most=DEFAULT_FREE):

@@ -7,8 +7,6 @@
 
 namespace
 {
-constexpr double kPi = 3.14159265358979323846;
-
 /// The car after the conversion from URDF to SDF that Gazebo and the simulator do.
 class SdfConversion : public testing::Test
 {
@@ -60,8 +58,8 @@ TEST_F(SdfConversion, KeepsOneLidarWithItsBeams)
   EXPECT_DOUBLE_EQ(sensor.UpdateRate(), 40.0);
   const sdf::Lidar & lidar = *sensor.LidarSensor();
   EXPECT_EQ(lidar.HorizontalScanSamples(), 1081u);
-  EXPECT_NEAR(lidar.HorizontalScanMinAngle().Radian(), -135.0 / 180.0 * kPi, 1e-6);
-  EXPECT_NEAR(lidar.HorizontalScanMaxAngle().Radian(), 135.0 / 180.0 * kPi, 1e-6);
+  EXPECT_NEAR(lidar.HorizontalScanMinAngle().Radian(), -135.0 / 180.0 * M_PI, 1e-6);
+  EXPECT_NEAR(lidar.HorizontalScanMaxAngle().Radian(), 135.0 / 180.0 * M_PI, 1e-6);
   EXPECT_DOUBLE_EQ(lidar.RangeMin(), 0.06);
   EXPECT_DOUBLE_EQ(lidar.RangeMax(), 10.0);
   EXPECT_EQ(lidar.LidarNoise().Type(), sdf::NoiseType::GAUSSIAN);

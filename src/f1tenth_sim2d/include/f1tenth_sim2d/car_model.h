@@ -99,6 +99,9 @@ struct JointDescription
   double upper{std::numeric_limits<double>::infinity()};         ///< rad
   double velocity_max{std::numeric_limits<double>::infinity()};  ///< rad/s
   double effort_max{std::numeric_limits<double>::infinity()};    ///< N m
+
+  /// Whether it is a steering joint.
+  bool steers() const { return role == Role::kSteeringLeft || role == Role::kSteeringRight; }
 };
 
 /// A plugin that drives the car by geometry_msgs/Twist and publishes its odometry.

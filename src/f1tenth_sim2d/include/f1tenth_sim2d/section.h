@@ -26,6 +26,10 @@ struct Section
 /// @param pose  of the solid in the frame in which z and the result are given
 /// A Plane has no section.
 Section sectionAt(const Solid & solid, const Pose3 & pose, double z);
+/// The same of several solids, whose poses are relative to a frame.
+Section sectionAt(const std::vector<Solid> & solids, const Pose3 & frame, double z);
+/// The same of the static models of a world.
+Section staticSectionAt(const WorldDescription & world, double z);
 
 /// Shadow on the ground of the part of a solid between z_min and z_max, m: what a body of that vertical span touches.
 /// Convex pieces; outlines that are not convex come decomposed.

@@ -110,6 +110,8 @@ public:
   /// Models of the world, in the order in which they came.
   const std::vector<ModelDescription> & models() const;
   ModelState modelState(std::size_t index) const;
+  /// @throws Error for an unknown name
+  std::size_t indexOfModel(const std::string & model) const;
   /// Pose of a model of the world now (movable ones move). @throws Error for an unknown name
   Pose2 modelPose(const std::string & model) const;
   std::vector<std::string> modelNames() const;

@@ -105,11 +105,38 @@ struct ShadowBetween
   Section operator()(const Plane &) const { return {}; }
   Section operator()(const Mesh & mesh) const { return shadow(*mesh.surface, pose, z_min, z_max); }
 };
+
+void append(Section & all, const std::vector<Solid> & solids, const Pose3 & frame, double z)
+{
+  for (const Solid & solid : solids) {
+    const Section section = sectionAt(solid, frame * solid.pose, z);
+    all.outlines.insert(all.outlines.end(), section.outlines.begin(), section.outlines.end());
+    all.circles.insert(all.circles.end(), section.circles.begin(), section.circles.end());
+  }
+}
 }  // namespace
 
 Section sectionAt(const Solid & solid, const Pose3 & pose, double z)
 {
   return std::visit(CutAt{pose, z}, solid.shape);
+}
+
+Section sectionAt(const std::vector<Solid> & solids, const Pose3 & frame, double z)
+{
+  Section all;
+  append(all, solids, frame, z);
+  return all;
+}
+
+Section staticSectionAt(const WorldDescription & world, double z)
+{
+  Section all;
+  for (const ModelDescription & model : world.models) {
+    if (model.is_static) {
+      append(all, model.solids, model.pose, z);
+    }
+  }
+  return all;
 }
 
 Section footprintBetween(const Solid & solid, const Pose3 & pose, double z_min, double z_max)

@@ -200,18 +200,9 @@ py::tuple PythonSimulation::modelPose(const std::string & name) const
   return py::make_tuple(pose.x, pose.y, pose.yaw);
 }
 
-std::size_t PythonSimulation::indexOfModel(const std::string & name) const
-{
-  simulation_.modelPose(name);
-  const std::vector<ModelDescription> & models = simulation_.models();
-  const auto found =
-    std::find_if(models.begin(), models.end(), [&](const ModelDescription & model) { return model.name == name; });
-  return static_cast<std::size_t>(found - models.begin());
-}
-
 void PythonSimulation::placeModel(
   const std::string & name, double x, double y, double yaw, double v_x, double v_y, double yaw_rate)
 {
-  simulation_.placeModel(indexOfModel(name), {{x, y, yaw}, {v_x, v_y}, yaw_rate});
+  simulation_.placeModel(simulation_.indexOfModel(name), {{x, y, yaw}, {v_x, v_y}, yaw_rate});
 }
 }  // namespace f1tenth_sim2d

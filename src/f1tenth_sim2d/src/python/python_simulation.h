@@ -58,13 +58,12 @@ public:
   std::vector<std::string> modelNames() const { return simulation_.modelNames(); }
   pybind11::tuple modelPose(const std::string & name) const;
   void addModel(const ModelDescription & model) { simulation_.addModel(model); }
-  void removeModel(const std::string & name) { simulation_.removeModel(indexOfModel(name)); }
+  void removeModel(const std::string & name) { simulation_.removeModel(simulation_.indexOfModel(name)); }
   void placeModel(const std::string & name, double x, double y, double yaw, double v_x, double v_y, double yaw_rate);
 
 private:
   SimTime periodEnd() const;
   void hashPeriod();
-  std::size_t indexOfModel(const std::string & name) const;
   pybind11::ssize_t beamCount(CarId car, std::size_t lidar) const;
   void scanInto(float * ranges, CarId car, std::size_t lidar, bool exact) const;
 

@@ -14,15 +14,6 @@ namespace
 {
 namespace py = pybind11;
 
-void addSection(Section & all, const ModelDescription & model, double z)
-{
-  for (const Solid & solid : model.solids) {
-    const Section section = sectionAt(solid, model.pose * solid.pose, z);
-    all.outlines.insert(all.outlines.end(), section.outlines.begin(), section.outlines.end());
-    all.circles.insert(all.circles.end(), section.circles.begin(), section.circles.end());
-  }
-}
-
 py::array_t<double> toArray(const std::vector<Circle> & circles)
 {
   py::array_t<double> array({static_cast<py::ssize_t>(circles.size()), py::ssize_t{3}});
@@ -55,21 +46,13 @@ void requireFinite(double z)
 py::tuple sectionOfStaticModels(const PythonWorld & world, double z)
 {
   requireFinite(z);
-  Section all;
-  for (const ModelDescription & model : world.description().models) {
-    if (model.is_static) {
-      addSection(all, model, z);
-    }
-  }
-  return toTuple(all);
+  return toTuple(staticSectionAt(world.description(), z));
 }
 
 py::tuple sectionOfModel(const ModelDescription & model, double z)
 {
   requireFinite(z);
-  Section all;
-  addSection(all, model, z);
-  return toTuple(all);
+  return toTuple(sectionAt(model.solids, model.pose, z));
 }
 
 PythonWorld load(const std::string & path, const std::optional<std::vector<std::string>> & model_path)

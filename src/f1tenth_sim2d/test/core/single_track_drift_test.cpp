@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "core/car/actuation.h"
-#include "core/math/pi.h"
 
 namespace f1tenth_sim2d::test
 {
@@ -127,7 +126,7 @@ TEST_P(DriftAgainstCommonRoad, StaysWithinACentimetreAndAFifthOfADegreeForFiveSe
     }
     const BodyState & expected = rows[i + 1].state;
     ASSERT_LT(std::hypot(state.x - expected.x, state.y - expected.y), 0.01) << "after " << rows[i + 1].time << " s";
-    ASSERT_LT(std::abs(state.psi - expected.psi), 0.2 * kPi / 180.0) << "after " << rows[i + 1].time << " s";
+    ASSERT_LT(std::abs(state.psi - expected.psi), 0.2 * M_PI / 180.0) << "after " << rows[i + 1].time << " s";
     ASSERT_NEAR(state.v, expected.v, 0.02) << "after " << rows[i + 1].time << " s";
     ASSERT_NEAR(model.axleSpeeds()->rear, 0.344 * rows[i + 1].omega_r, 0.2) << "after " << rows[i + 1].time << " s";
   }

@@ -53,7 +53,7 @@ TEST_P(AgainstCommonRoad, StaysWithinACentimetreAndAFifthOfADegreeForFiveSeconds
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const BodyState & expected = rows[i].state;
     ASSERT_LT(std::hypot(state.x - expected.x, state.y - expected.y), 0.01) << "row " << i;
-    ASSERT_LT(std::abs(state.psi - expected.psi), 0.2 * kPi / 180.0) << "row " << i;
+    ASSERT_LT(std::abs(state.psi - expected.psi), 0.2 * M_PI / 180.0) << "row " << i;
     ASSERT_NEAR(state.v, expected.v, 0.01) << "row " << i;
     for (int step = 0; step < 50; ++step) {
       model.advance(state, rows[i].input, 0.001);
@@ -183,7 +183,7 @@ TEST(SingleTrack, BodyVelocityAndSpeedAreTwoViewsOfTheSame)
     setBodyVelocity(state, velocity);
     EXPECT_NEAR(bodyVelocity(state).x, velocity.x, 1e-12);
     EXPECT_NEAR(bodyVelocity(state).y, velocity.y, 1e-12);
-    EXPECT_LE(std::abs(state.beta), kPi / 2);
+    EXPECT_LE(std::abs(state.beta), M_PI / 2);
   }
 }
 }  // namespace f1tenth_sim2d::test

@@ -30,9 +30,9 @@ INSTANTIATE_TEST_SUITE_P(Radians, SineCosineUpTo, ::testing::Values(0.8, 3.2, 10
 TEST(SineCosine, OfWholeQuarterTurnsIsExactToRounding)
 {
   for (int quarter = -8; quarter <= 8; ++quarter) {
-    const SineCosine at = sineCosine(quarter * (kPi / 2));
-    EXPECT_NEAR(at.sine, std::sin(quarter * (kPi / 2)), kUlp) << quarter;
-    EXPECT_NEAR(at.cosine, std::cos(quarter * (kPi / 2)), kUlp) << quarter;
+    const SineCosine at = sineCosine(quarter * (M_PI / 2));
+    EXPECT_NEAR(at.sine, std::sin(quarter * (M_PI / 2)), kUlp) << quarter;
+    EXPECT_NEAR(at.cosine, std::cos(quarter * (M_PI / 2)), kUlp) << quarter;
   }
   EXPECT_EQ(sineCosine(0.0).sine, 0.0);
   EXPECT_EQ(sineCosine(0.0).cosine, 1.0);

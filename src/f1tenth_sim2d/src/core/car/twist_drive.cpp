@@ -35,9 +35,8 @@ TwistCommand twistFromCommand(const DriveCommand & command, double wheelbase)
 
 bool TwistDrive::drives(const CarDescription & car)
 {
-  const bool steers = std::any_of(car.mechanism.begin(), car.mechanism.end(), [](const JointDescription & joint) {
-    return joint.role == JointDescription::Role::kSteeringLeft || joint.role == JointDescription::Role::kSteeringRight;
-  });
+  const bool steers = std::any_of(
+    car.mechanism.begin(), car.mechanism.end(), [](const JointDescription & joint) { return joint.steers(); });
   return car.drive && car.drive->kind != Kind::kAckermann && !steers;
 }
 

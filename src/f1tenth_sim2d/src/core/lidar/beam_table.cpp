@@ -1,5 +1,7 @@
 #include "core/lidar/beam_table.h"
 
+#include <cmath>
+
 #include "core/math/planar_pose.h"
 
 namespace f1tenth_sim2d
@@ -15,7 +17,7 @@ double beamsPerRadian(const LidarDescription & lidar)
 BeamTable::BeamTable(const LidarDescription & lidar)
 : angle_min(normalizeAngle(lidar.angle_min)),
   beams_per_radian(beamsPerRadian(lidar)),
-  beams_per_turn(2.0 * kPi * beams_per_radian)
+  beams_per_turn(2.0 * M_PI * beams_per_radian)
 {
   cosine.reserve(lidar.beam_count);
   sine.reserve(lidar.beam_count);

@@ -9,26 +9,6 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-void append(Section & section, const std::vector<Solid> & solids, const Pose3 & frame, double height)
-{
-  for (const Solid & solid : solids) {
-    const Section cut = sectionAt(solid, frame * solid.pose, height);
-    section.outlines.insert(section.outlines.end(), cut.outlines.begin(), cut.outlines.end());
-    section.circles.insert(section.circles.end(), cut.circles.begin(), cut.circles.end());
-  }
-}
-
-Section staticSection(const WorldDescription & world, double height)
-{
-  Section section;
-  for (const ModelDescription & model : world.models) {
-    if (model.is_static) {
-      append(section, model.solids, model.pose, height);
-    }
-  }
-  return section;
-}
-
 double boundingRadius(const Section & section)
 {
   double radius = 0.0;
@@ -45,9 +25,8 @@ double boundingRadius(const Section & section)
 }  // namespace
 
 MovingSection::MovingSection(const std::vector<Solid> & solids, const Pose3 & frame, double height)
+: section_(sectionAt(solids, frame, height)), radius_(boundingRadius(section_))
 {
-  append(section_, solids, frame, height);
-  radius_ = boundingRadius(section_);
 }
 
 void MovingSection::draw(const Transform2 & body, RangeRaster & raster) const
@@ -91,7 +70,7 @@ void MovingSection::meet(const Transform2 & body, Ray & ray) const
 }
 
 WorldSection::WorldSection(const WorldDescription & world, double height)
-: height_(height), walls_(staticSection(world, height))
+: height_(height), walls_(staticSectionAt(world, height))
 {
   for (std::size_t i = 0; i < world.models.size(); ++i) {
     const ModelDescription & model = world.models[i];

@@ -34,7 +34,7 @@ public:
 
 private:
   Section section_;
-  double radius_{0.0};  ///< m
+  double radius_;  ///< m
 };
 
 /// What of a world is seen at one height, worked out once, for any number of simulations on any threads.

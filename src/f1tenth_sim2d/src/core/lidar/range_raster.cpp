@@ -157,7 +157,7 @@ bool RangeRaster::couldShow(const Vec2 & centre_world, double radius)
   }
   // The half width is asin(radius / distance), which is below its own tangent.
   const double half_width = radius / std::sqrt(tangent_squared) + kRoughAngleError;
-  if (half_width >= kPi) {
+  if (half_width >= M_PI) {
     return true;
   }
   const double begin = beamOf(roughAngle(centre.y, centre.x) - half_width);

@@ -169,27 +169,19 @@ void WallGrid::measureCells(const std::vector<Bounds> & bounds)
   }
 }
 
-WallGrid::CellRange WallGrid::columns(double low, double high) const
+WallGrid::CellRange WallGrid::cells(double low, double high, double origin, int count) const
 {
-  const double last = column_count_ - 1;
+  const double last = count - 1;
   return {
-    static_cast<int>(std::clamp(std::floor((low - origin_.x) / cell_size_), 0.0, last)),
-    static_cast<int>(std::clamp(std::floor((high - origin_.x) / cell_size_), -1.0, last))};
-}
-
-WallGrid::CellRange WallGrid::rows(double low, double high) const
-{
-  const double last = row_count_ - 1;
-  return {
-    static_cast<int>(std::clamp(std::floor((low - origin_.y) / cell_size_), 0.0, last)),
-    static_cast<int>(std::clamp(std::floor((high - origin_.y) / cell_size_), -1.0, last))};
+    static_cast<int>(std::clamp(std::floor((low - origin) / cell_size_), 0.0, last)),
+    static_cast<int>(std::clamp(std::floor((high - origin) / cell_size_), -1.0, last))};
 }
 
 template <typename Visit>
 void WallGrid::forEachCell(const Vec2 & low, const Vec2 & high, Visit visit) const
 {
-  const CellRange column_range = columns(low.x, high.x);
-  const CellRange row_range = rows(low.y, high.y);
+  const CellRange column_range = cells(low.x, high.x, origin_.x, column_count_);
+  const CellRange row_range = cells(low.y, high.y, origin_.y, row_count_);
   for (int row = row_range.first; row <= row_range.last; ++row) {
     for (int column = column_range.first; column <= column_range.last; ++column) {
       visit(static_cast<std::size_t>(row) * column_count_ + column);

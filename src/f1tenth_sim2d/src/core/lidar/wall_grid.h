@@ -84,8 +84,7 @@ private:
   void layOut();
   template <typename Visit>
   void forEachCell(const Vec2 & low, const Vec2 & high, Visit visit) const;
-  CellRange columns(double low, double high) const;
-  CellRange rows(double low, double high) const;
+  CellRange cells(double low, double high, double origin, int count) const;
   void measureCells(const std::vector<Bounds> & bounds);
   void drawRing(int column, int row, int ring, const Drawing & drawing) const;
   static bool isOutOfSight(const Circle & extent, const Drawing & drawing);

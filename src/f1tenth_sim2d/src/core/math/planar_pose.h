@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "core/math/pi.h"
 #include "core/math/trigonometry.h"
 #include "f1tenth_sim2d/geometry.h"
 #include "f1tenth_sim2d/pose3.h"

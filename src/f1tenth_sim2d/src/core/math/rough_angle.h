@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "core/math/pi.h"
-
 namespace f1tenth_sim2d
 {
 constexpr double kRoughAngleError = 1e-7;  // rad
@@ -26,7 +24,7 @@ inline double roughAngle(double y, double x)
   series = series * u + 0.1999355085;
   series = series * u - 0.3333314528;
   const double octant = t * (series * u + 1.0);
-  const double quadrant = is_steep ? 0.5 * kPi - octant : octant;
-  return std::copysign(x < 0.0 ? kPi - quadrant : quadrant, y);
+  const double quadrant = is_steep ? 0.5 * M_PI - octant : octant;
+  return std::copysign(x < 0.0 ? M_PI - quadrant : quadrant, y);
 }
 }  // namespace f1tenth_sim2d

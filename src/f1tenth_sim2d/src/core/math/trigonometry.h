@@ -27,12 +27,12 @@ inline SineCosine sineCosine(double angle)
   constexpr double kRounder = 0x1.8p+52;  // adding it rounds to a whole number
   constexpr double kLargest = 1e5;        // rad
   if (!(std::abs(angle) < kLargest)) {
-    angle = std::remainder(angle, 2.0 * kPi);
+    angle = std::remainder(angle, 2.0 * M_PI);
     if (std::isnan(angle)) {
       return {angle, angle};
     }
   }
-  const double quarters = (angle * (2.0 / kPi) + kRounder) - kRounder;
+  const double quarters = (angle * (2.0 / M_PI) + kRounder) - kRounder;
   const double x = ((angle - quarters * kQuarter1) - quarters * kQuarter2) - quarters * kQuarter3;
   const double u = x * x;
   // Taylor series; within pi / 4 the first term left out is below 5e-17.

@@ -1,6 +1,5 @@
 #include "f1tenth_sim2d/simulation.h"
 
-#include "core/car/state_bytes.h"
 #include "core/contacts/clearance.h"
 #include "core/simulation/simulation_impl.h"
 #include "core/simulation/validation.h"
@@ -163,15 +162,20 @@ void Simulation::placeModel(std::size_t index, const ModelState & state)
   impl_->placeModel(index, state);
 }
 
-Pose2 Simulation::modelPose(const std::string & model) const
+std::size_t Simulation::indexOfModel(const std::string & model) const
 {
   const std::vector<ModelDescription> & models = impl_->world().models;
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (models[i].name == model) {
-      return impl_->collisions().modelState(i).pose;
+      return i;
     }
   }
   throw Error("there is no model " + model + " in " + impl_->world().file);
+}
+
+Pose2 Simulation::modelPose(const std::string & model) const
+{
+  return modelState(indexOfModel(model)).pose;
 }
 
 std::vector<std::string> Simulation::modelNames() const
@@ -186,7 +190,11 @@ std::vector<std::string> Simulation::modelNames() const
 void Simulation::appendStateBytes(std::vector<std::uint8_t> & bytes) const
 {
   for (const auto & car : impl_->registry().cars()) {
-    appendBytes(car->car.dynamicState(), bytes);
+    const BodyState & s = car->car.dynamicState();
+    const double values[]{s.x, s.y, s.delta, s.v, s.psi, s.psi_dot, s.beta};
+    // In the order of bytes of the machine, which is a little-endian one.
+    const auto * const first = reinterpret_cast<const std::uint8_t *>(values);
+    bytes.insert(bytes.end(), first, first + sizeof(values));
   }
 }
 }  // namespace f1tenth_sim2d

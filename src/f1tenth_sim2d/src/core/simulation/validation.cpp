@@ -5,7 +5,6 @@
 #include <sstream>
 #include <utility>
 
-#include "core/math/pi.h"
 #include "f1tenth_sim2d/errors.h"
 
 namespace f1tenth_sim2d
@@ -16,10 +15,10 @@ constexpr double kStepMin = 1e-5;         // s
 constexpr double kStepMax = 0.02;         // s
 constexpr double kLevelTolerance = 1e-6;  // rad
 // What a driver may ask for: far beyond any car of this size, but not a number that has lost its meaning.
-constexpr double kSpeedMax = 100.0;          // m/s
-constexpr double kSteeringMax = 6.2832;      // rad
-constexpr double kYawRateMax = 1000.0;       // rad/s
-constexpr double kBeamAngleMax = 4.0 * kPi;  // rad: beams beyond a full turn look where others look
+constexpr double kSpeedMax = 100.0;           // m/s
+constexpr double kSteeringMax = 6.2832;       // rad
+constexpr double kYawRateMax = 1000.0;        // rad/s
+constexpr double kBeamAngleMax = 4.0 * M_PI;  // rad: beams beyond a full turn look where others look
 // Of bodies: Box2D reckons in single precision, in which less is nothing and more is infinite.
 constexpr double kMassMin = 1e-6;          // kg
 constexpr double kMassMax = 1e9;           // kg
@@ -52,15 +51,6 @@ void requireFinite(double value, const std::string & where, const std::string & 
 }
 
 /// Refuses NaN, too.
-void requireWithin(double value, double limit, const std::string & where, const std::string & what)
-{
-  if (!(std::abs(value) <= limit)) {
-    std::ostringstream message;
-    message << where << ": " << what << " is " << value << ", allowed is " << -limit << " to " << limit;
-    throw Error(message.str());
-  }
-}
-
 void requireBetween(double value, double least, double greatest, const std::string & where, const std::string & what)
 {
   if (!(value >= least && value <= greatest)) {
@@ -68,6 +58,11 @@ void requireBetween(double value, double least, double greatest, const std::stri
     message << where << ": " << what << " is " << value << ", allowed is " << least << " to " << greatest;
     throw Error(message.str());
   }
+}
+
+void requireWithin(double value, double limit, const std::string & where, const std::string & what)
+{
+  requireBetween(value, -limit, limit, where, what);
 }
 
 void requireBody(double mass, double inertia, const std::string & where)

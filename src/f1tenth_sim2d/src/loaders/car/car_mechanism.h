@@ -15,11 +15,7 @@ struct MechanismJoint
   double radius{0.0};     ///< m, of a wheel
   double mu{0.0};         ///< friction coefficient of a wheel
 
-  bool steers() const
-  {
-    using Role = JointDescription::Role;
-    return description.role == Role::kSteeringLeft || description.role == Role::kSteeringRight;
-  }
+  bool steers() const { return description.steers(); }
 };
 
 /// Finds the car's wheels and steering joints. Wheels turn about the y axis; steering joints turn about the z axis and

@@ -1,4 +1,3 @@
-#include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
 #include "loaders/car/car_dynamics.h"
 #include "loaders/car/car_mechanism.h"
@@ -11,19 +10,6 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-Model readModel(const std::string & xml, const std::string & source, ModelReader & reader)
-{
-  const Element root = reader.documents().readText(xml, source);
-  if (!root.is("robot") && !root.is("sdf")) {
-    root.fail("is no robot description, allowed are <robot> (URDF) and <sdf>");
-  }
-  std::optional<Model> model = reader.readDocument(root);
-  if (!model) {
-    throw LoadError(source, "", "holds no <model>");
-  }
-  return flattened(std::move(*model));
-}
-
 /// The link that stands for the car.
 std::string baseFrameOf(const Model & model)
 {
@@ -86,7 +72,7 @@ CarDescription loadCar(
   const UriLookup uris(search_path, "");
   WarningCollector warnings;
   ModelReader reader(uris, warnings);
-  const Model model = readModel(xml, source, reader);
+  const Model model = flattened(reader.readText(xml, source, "robot description"));
   CarDescription car;
   car.name = name;
   car.ros_namespace = ros_namespace.value_or(name);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "f1tenth_sim2d/errors.h"
 #include "loaders/model/known_tags.h"
 #include "loaders/model/model_file.h"
 #include "loaders/model/read_pose.h"
@@ -32,6 +33,19 @@ void checkReserved(const Element & element, WarningCollector & warnings)
   }
 }
 }  // namespace
+
+Model ModelReader::readText(const std::string & xml, const std::string & source, const std::string & what)
+{
+  const Element root = documents_.readText(xml, source);
+  if (!root.is("robot") && !root.is("sdf")) {
+    root.fail("is no " + what + ", allowed are <robot> (URDF) and <sdf>");
+  }
+  std::optional<Model> model = readDocument(root);
+  if (!model) {
+    throw LoadError(source, "", "holds no <model>");
+  }
+  return std::move(*model);
+}
 
 std::optional<Model> ModelReader::readDocument(const Element & root)
 {

@@ -26,6 +26,12 @@ public:
   WarningCollector & warnings() { return warnings_; }
   MeshLibrary & meshes() { return meshes_; }
 
+  /// The model of a text.
+  /// @param source  what error messages call the text
+  /// @param what    it should be, for them: "robot description"
+  /// @throws LoadError, also if it holds none
+  Model readText(const std::string & xml, const std::string & source, const std::string & what);
+
   /// The model of a document: <robot>, or <model> in <sdf>. None if it holds none.
   /// @throws LoadError
   std::optional<Model> readDocument(const Element & root);

@@ -1,4 +1,3 @@
-#include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
 #include "loaders/model/model_reader.h"
 #include "loaders/world/describe_model.h"
@@ -33,17 +32,10 @@ LoadedModel loadModel(
   const UriLookup uris(search_path, "");
   WarningCollector warnings;
   ModelReader reader(uris, warnings);
-  const Element root = reader.documents().readText(xml, source);
-  if (!root.is("robot") && !root.is("sdf")) {
-    root.fail("is no model, allowed are <robot> (URDF) and <sdf>");
-  }
-  std::optional<Model> model = reader.readDocument(root);
-  if (!model) {
-    throw LoadError(source, "", "holds no <model>");
-  }
-  model->name = name;
+  Model model = reader.readText(xml, source, "model");
+  model.name = name;
   LoadedModel loaded;
-  appendModel(*model, pose, loaded.models, warnings);
+  appendModel(model, pose, loaded.models, warnings);
   loaded.warnings = warnings.messages();
   return loaded;
 }

@@ -173,19 +173,19 @@ JointStatesOutput::JointStatesOutput(
 
 void JointStatesOutput::fill(sensor_msgs::JointState & message, SimTime now)
 {
-  using Role = JointDescription::Role;
   const CarState & state = car_.simulation.state(car_.id);
   const SteeringAngles steering = ackermannSteering(
     state.steering_angle, car_.simulation.parameters(car_.id).wheelbase(), car_.description().track_width);
   message.header.stamp = toRosTime(now);
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    const auto & [role, direction] = std::pair(joints_[i].role, joints_[i].direction);
-    if (role == Role::kSteeringLeft || role == Role::kSteeringRight) {
-      message.position[i] = direction * (role == Role::kSteeringLeft ? steering.left : steering.right);
+    const JointDescription & joint = joints_[i];
+    if (joint.steers()) {
+      const bool is_left = joint.role == JointDescription::Role::kSteeringLeft;
+      message.position[i] = joint.direction * (is_left ? steering.left : steering.right);
     } else {
-      const auto wheel = static_cast<std::size_t>(role);
-      message.position[i] = direction * state.wheel_angles[wheel];
-      message.velocity[i] = direction * state.wheel_speeds[wheel];
+      const auto wheel = static_cast<std::size_t>(joint.role);
+      message.position[i] = joint.direction * state.wheel_angles[wheel];
+      message.velocity[i] = joint.direction * state.wheel_speeds[wheel];
     }
   }
 }

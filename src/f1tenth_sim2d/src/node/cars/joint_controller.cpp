@@ -6,14 +6,6 @@
 
 namespace f1tenth_sim2d
 {
-namespace
-{
-bool isSteering(const JointDescription & joint)
-{
-  return joint.role == JointDescription::Role::kSteeringLeft || joint.role == JointDescription::Role::kSteeringRight;
-}
-}  // namespace
-
 const std::vector<JointControllerType> & jointControllerTypes()
 {
   using Kind = JointCommand::Kind;
@@ -33,11 +25,11 @@ JointController::JointController(
   const std::string & name, Listener listener)
 : type_(type), joint_(joint), wheel_radius_(wheel_radius), listener_(std::move(listener))
 {
-  if (isSteering(joint) != (type.kind == JointCommand::Kind::kPosition)) {
+  if (joint.steers() != (type.kind == JointCommand::Kind::kPosition)) {
     throw Error(
       "controller " + name + ": " + type.name + " cannot move " + joint.name + ", which is a " +
-      (isSteering(joint) ? "steering joint: take a JointPositionController"
-                         : "wheel: take a JointVelocityController or a JointEffortController"));
+      (joint.steers() ? "steering joint: take a JointPositionController"
+                      : "wheel: take a JointVelocityController or a JointEffortController"));
   }
   subscriber_ = node.subscribe<std_msgs::Float64>(
     name + "/command", 10, [this](const std_msgs::Float64::ConstPtr & message) { take(message->data); },

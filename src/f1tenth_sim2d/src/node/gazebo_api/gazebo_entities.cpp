@@ -2,19 +2,13 @@
 
 #include <algorithm>
 
+#include "core/math/planar_pose.h"
 #include "node/messages/conversions.h"
 
 namespace f1tenth_sim2d
 {
 namespace
 {
-
-/// Height and tilt of a pose; position and heading taken out.
-Pose3 heightAndTilt(const Pose3 & pose)
-{
-  return onGround({pose.position.x(), pose.position.y(), pose.yaw()}).inverse() * pose;
-}
-
 Vec2 velocityAt(const Pose3 & place, const Pose2 & origin, const Vec2 & velocity, double yaw_rate)
 {
   return {
@@ -41,7 +35,7 @@ std::vector<Entity> models(const Simulation & simulation)
        i,
        {},
        model.name,
-       onGround(state.pose) * heightAndTilt(model.pose),
+       onGround(state.pose) * withoutPlanar(model.pose),
        state.velocity,
        state.yaw_rate});
   }
@@ -101,7 +95,6 @@ geometry_msgs::Twist twistOf(const Entity & entity)
 
 Pose2 carPose(const CarDescription & car, const Pose3 & model_pose)
 {
-  const Pose3 pose = model_pose * car.model_pose.inverse();
-  return {pose.position.x(), pose.position.y(), pose.yaw()};
+  return planar(model_pose * car.model_pose.inverse());
 }
 }  // namespace f1tenth_sim2d

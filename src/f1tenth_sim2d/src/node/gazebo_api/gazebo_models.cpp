@@ -2,6 +2,7 @@
 
 #include <ros/console.h>
 
+#include "core/math/planar_pose.h"
 #include "f1tenth_sim2d/errors.h"
 #include "node/messages/conversions.h"
 
@@ -145,7 +146,7 @@ void GazeboModels::put(const gazebo_msgs::ModelState & wanted, const Entity & en
   const Vec2 velocity = rotated({wanted.twist.linear.x, wanted.twist.linear.y}, reference.pose.yaw());
   const double yaw_rate = wanted.twist.angular.z;
   if (entity.kind == Entity::Kind::kModel) {
-    simulation_.placeModel(entity.model, {{pose.position.x(), pose.position.y(), pose.yaw()}, velocity, yaw_rate});
+    simulation_.placeModel(entity.model, {planar(pose), velocity, yaw_rate});
     return;
   }
   const Pose2 place = carPose(simulation_.car(entity.car), pose);

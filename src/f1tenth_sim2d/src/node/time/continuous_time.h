@@ -19,7 +19,6 @@ public:
   }
   /// By one control period.
   void advance() override;
-  void restart() override {}
 
 private:
   SimulatedWorld & world_;

@@ -60,6 +60,4 @@ void LockstepTime::repeatPeriod()
   }
   publishClock();
 }
-
-void LockstepTime::restart() {}
 }  // namespace f1tenth_sim2d

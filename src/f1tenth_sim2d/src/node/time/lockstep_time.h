@@ -22,7 +22,6 @@ public:
     Outbox & outbox, FlowControl & flow, const TopicPublisher<rosgraph_msgs::Clock> & clock, LockstepBarrier & barrier);
   /// @throws ParticipantSilent
   void advance() override;
-  void restart() override;
 
 private:
   void publishClock();

@@ -13,7 +13,7 @@ public:
   /// while it waits, then looks whether to stop.
   virtual void advance() = 0;
   /// After a pause, or when simulated time has gone back to 0.
-  virtual void restart() = 0;
+  virtual void restart() {}
 };
 
 /// What others may do to the flow of time; all on the simulation's thread.

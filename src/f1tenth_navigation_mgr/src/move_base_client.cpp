@@ -40,6 +40,10 @@ void MoveBaseClient::Listen(const std::string & topic, const std::function<void(
 
 void MoveBaseClient::Connect()
 {
+  // Whatever there is goes first: a topic that this process has already is not asked for or announced anew.
+  client_.reset();
+  listeners_.clear();
+  goals_ahead_ = {};
   // The subscriptions of a process to one topic share one connection, made with the hints of the first. actionlib
   // gives none, and without TCP_NODELAY a small message may wait 40 ms in the sender: in lockstep, for many periods.
   Listen<actionlib_msgs::GoalStatusArray>("status", [this] {
@@ -48,14 +52,8 @@ void MoveBaseClient::Connect()
   Listen<move_base_msgs::MoveBaseActionResult>("result", [] {});
   // Before the client, so that the server knows this topic when it is told the first goal.
   goals_ahead_ = nh_.advertise<nav_msgs::Path>("move_base/goals_ahead", 1, true);
-  Offer();
-}
-
-void MoveBaseClient::Offer()
-{
-  client_.reset();  // first: a topic that is advertised a second time is not announced
   client_ = std::make_unique<Client>(nh_, "move_base", &queue_);
-  offered_ = ros::WallTime::now();
+  connected_ = ros::WallTime::now();
 }
 
 void MoveBaseClient::Serve(ros::WallDuration max_wait)
@@ -73,9 +71,9 @@ void MoveBaseClient::WatchConnection()
     return;
   }
   if (!gone_since_) gone_since_ = now;
-  // A rospy server that subscribes at the very moment at which this process advertises may miss it for ever: rospy
-  // can take the master's answer, which is older, for newer than the master's update.
-  if (!flight_ && (now - offered_).toSec() > timeouts_.reconnect) Offer();
+  // Two that start at the same moment may miss each other for ever: rospy can take the master's answer to a
+  // subscription, which is older, for newer than the master's update, and roscpp asks a publisher once only.
+  if (!flight_ && (now - connected_).toSec() > timeouts_.reconnect) Connect();
 }
 
 bool MoveBaseClient::IsConnected() const

@@ -247,9 +247,10 @@ def test_waits_for_a_server_that_comes_late():
         assert driver.lines[0] == "sent"
 
 
-def test_finds_a_server_that_missed_its_topics():
-    with Server("deaf", "miss_first"):
-        lines = run_goals(SUCCEED, robot="deaf")
+@pytest.mark.parametrize("how", ["miss_first", "refuse_first"])
+def test_finds_a_server_that_missed_it_at_first(how):
+    with Server(how, how):
+        lines = run_goals(SUCCEED, robot=how)
     assert lines == ["sent", f"goal 0 succeeded: {REACHED}", "reached", "queue_empty"]
 
 

@@ -15,6 +15,7 @@ import rospy
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 from move_base_msgs.msg import MoveBaseActionFeedback, MoveBaseActionGoal, MoveBaseActionResult
 from nav_msgs.msg import Path
+from rospy.impl.masterslave import ROSHandler
 from rospy.impl.registration import RegManager
 
 SUCCEED, ABORT, REJECT, DROP, DELAY, DIE, LOSE_RESULT, HANG, FORGET, IGNORE, DRIVE, ACCEPT_LATE = range(12)
@@ -45,6 +46,19 @@ def miss_first_publisher(topic):
             update(manager, name, uris)
 
     RegManager.publisher_update = lossy_update
+
+
+def refuse_first_subscriber(topic):
+    """Answer the first who asks for a topic that it is not published."""
+    answer, refused = ROSHandler.requestTopic, []
+
+    def refuse_once(handler, caller, name, protocols):
+        if name == rospy.resolve_name(topic) and not refused:
+            refused.append(caller)
+            return -1, f"not a publisher of {name}", []
+        return answer(handler, caller, name, protocols)
+
+    ROSHandler.requestTopic = refuse_once
 
 
 class MockMoveBase:
@@ -155,4 +169,6 @@ if __name__ == "__main__":
     rospy.init_node("move_base")
     if "miss_first" in sys.argv:
         miss_first_publisher("move_base/goal")
+    if "refuse_first" in sys.argv:
+        refuse_first_subscriber("move_base/status")
     MockMoveBase().run()

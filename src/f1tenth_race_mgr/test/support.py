@@ -46,7 +46,10 @@ class Node:
     def __exit__(self, *_):
         self.kill()
         self._process.wait()
-        self._process.stderr.close()
+        if not self._process.stderr.closed:  # as finish() leaves it
+            # Whoever looks for the cause of a failure gets it from pytest.
+            print(self._process.stderr.read(), end="")
+            self._process.stderr.close()
 
     def kill(self):
         self._process.kill()

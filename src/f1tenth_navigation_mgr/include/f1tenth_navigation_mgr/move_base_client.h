@@ -82,7 +82,6 @@ private:
   template <typename Message>
   void Listen(const std::string & topic, const std::function<void()> & heard);
   void Connect();
-  void Offer();
   void WatchConnection();
   void SendCancel(const ros::Time & now);
   void AskAgain(const ros::WallTime & now);
@@ -97,7 +96,7 @@ private:
   ros::CallbackQueue queue_;
   ros::Publisher goals_ahead_;
   std::unique_ptr<Client> client_;  ///< null until there is a clock: its constructor blocks without
-  ros::WallTime offered_;           ///< when the client was made
+  ros::WallTime connected_;         ///< when the topics were asked for and offered
   std::vector<ros::Subscriber> listeners_;
   Moment last_status_;
   std::optional<ros::WallTime> gone_since_;

@@ -11,6 +11,6 @@ struct Timeouts
   double disconnect{2.0};    ///< wall s without connection (its process has died), then the goal is lost
   double silence{5.0};       ///< s, both clocks, without a status message, then the goal is lost
   double result{2.0};  ///< wall s between the status that says the goal is over and its result, then the status counts
-  double reconnect{3.0};  ///< wall s without connection and goal, then the topics are offered anew
+  double reconnect{3.0};  ///< wall s without connection and goal, then all topics are asked for anew
 };
 }  // namespace f1tenth_navigation_mgr

@@ -2,10 +2,14 @@
 
 #include <nav_msgs/Path.h>
 
+#include <algorithm>
+
 namespace f1tenth_navigation_mgr
 {
 namespace
 {
+constexpr double kMostPatience = 4.0;  // times Timeouts::reconnect
+
 geometry_msgs::PoseStamped toMessage(const Goal & goal, const ros::Time & stamp)
 {
   geometry_msgs::PoseStamped message;
@@ -22,7 +26,10 @@ geometry_msgs::PoseStamped toMessage(const Goal & goal, const ros::Time & stamp)
 }
 }  // namespace
 
-MoveBaseClient::MoveBaseClient(const std::string & ns, const Timeouts & timeouts) : timeouts_{timeouts}, nh_{ns} {}
+MoveBaseClient::MoveBaseClient(const std::string & ns, const Timeouts & timeouts)
+: timeouts_{timeouts}, nh_{ns}, patience_{timeouts.reconnect}
+{
+}
 
 std::string MoveBaseClient::OdomFrame() const
 {
@@ -68,12 +75,17 @@ void MoveBaseClient::WatchConnection()
   const ros::WallTime now = ros::WallTime::now();
   if (client_->isServerConnected()) {
     gone_since_.reset();
+    patience_ = timeouts_.reconnect;
     return;
   }
   if (!gone_since_) gone_since_ = now;
   // Two that start at the same moment may miss each other for ever: rospy can take the master's answer to a
   // subscription, which is older, for newer than the master's update, and roscpp asks a publisher once only.
-  if (!flight_ && (now - connected_).toSec() > timeouts_.reconnect) Connect();
+  if (!flight_ && (now - connected_).toSec() > patience_) {
+    // Growing, so that a machine on which connecting takes as long gets there, too.
+    patience_ = std::min(2.0 * patience_, kMostPatience * timeouts_.reconnect);
+    Connect();
+  }
 }
 
 bool MoveBaseClient::IsConnected() const

@@ -97,6 +97,7 @@ private:
   ros::Publisher goals_ahead_;
   std::unique_ptr<Client> client_;  ///< null until there is a clock: its constructor blocks without
   ros::WallTime connected_;         ///< when the topics were asked for and offered
+  double patience_;                 ///< wall s from then until they are anew
   std::vector<ros::Subscriber> listeners_;
   Moment last_status_;
   std::optional<ros::WallTime> gone_since_;

@@ -218,20 +218,17 @@ def test_a_study_is_swept_written_and_judged(program, tmp_path, capsys):
     assert err.count("exit code 1, no result: bad luck") == 2
 
 
+def study_one_run(results, *options):
+    """The command `study` of a single run; its exit code."""
+    arguments = ["localization", "--vary", "world=circuit1", "--vary", "seed=4", "--results", str(results)]
+    return cli.study_main([*arguments, *options])
+
+
 def test_what_stands_below_the_table_stays(program, tmp_path):
     program()
     file = tmp_path / "table.md"
     file.write_text("# Old\n\n| a |\n| --- |\n| 1 |\n\nWhat we saw: | was narrow.\n", encoding="utf-8")
-    arguments = [
-        "localization",
-        "--vary",
-        "world=circuit1",
-        "--vary",
-        "seed=4",
-        "--results",
-        str(tmp_path / "r"),
-    ]
-    cli.study_main([*arguments, "--table", str(file)])
+    study_one_run(tmp_path / "r", "--table", str(file))
     head, _, below = file.read_text(encoding="utf-8").rpartition("|\n")
     assert head.startswith("# Localization\n")
     assert below == "\nWhat we saw: | was narrow.\n"
@@ -241,23 +238,13 @@ def test_a_table_that_cannot_be_read_is_bad_input(program, tmp_path, capsys):
     program()
     file = tmp_path / "table.md"
     file.write_bytes(b"\xff")
-    arguments = [
-        "localization",
-        "--vary",
-        "world=circuit1",
-        "--vary",
-        "seed=4",
-        "--results",
-        str(tmp_path / "r"),
-    ]
-    assert cli.study_main([*arguments, "--table", str(file)]) == cli.BAD_INPUT
+    assert study_one_run(tmp_path / "r", "--table", str(file)) == cli.BAD_INPUT
     assert f"study: {file}: cannot be read: 'utf-8' codec" in capsys.readouterr().err
 
 
 def test_a_run_that_is_not_good_enough_is_named(program, tmp_path, capsys):
     program(verdict="aborted", reason="gave up")
-    arguments = ["localization", "--vary", "world=circuit1", "--vary", "seed=4", "--results", str(tmp_path)]
-    assert cli.study_main(arguments) == cli.NOT_GOOD
+    assert study_one_run(tmp_path) == cli.NOT_GOOD
     assert "study localization: circuit1, 4: gave up\n" in capsys.readouterr().err
 
 
@@ -269,8 +256,7 @@ def test_a_bad_value_is_bad_input(tmp_path, capsys):
 
 def test_a_table_that_cannot_be_written_is_bad_input(program, tmp_path, capsys):
     program()
-    arguments = ["localization", "--vary", "world=circuit1", "--vary", "seed=4", "--results", str(tmp_path)]
-    assert cli.study_main([*arguments, "--table", "/nowhere/t.md"]) == cli.BAD_INPUT
+    assert study_one_run(tmp_path, "--table", "/nowhere/t.md") == cli.BAD_INPUT
     assert "study: /nowhere/t.md: cannot be written: No such file" in capsys.readouterr().err
 
 

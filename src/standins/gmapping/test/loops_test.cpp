@@ -5,6 +5,7 @@
 
 #include "loop_finder.h"
 #include "pose_graph.h"
+#include "rooms.h"
 
 namespace gmapping
 {
@@ -48,6 +49,25 @@ TEST(LoopFinder, StraightRoadTellsHeadingAndSideButNotHowFarAlongItTheLidarIs)
   const Eigen::Matrix3d covariance = loop->information.inverse();
   EXPECT_GT(std::sqrt(covariance(0, 0)), 10.0);
   EXPECT_LT(std::sqrt(covariance(2, 2)), 0.01);
+}
+
+TEST(LoopFinder, StopsBeforeTheLastOneTellWhereItIs)
+{
+  Way way;
+  std::vector<Pose2> poses;
+  for (int lap = 0; lap < 2; ++lap) {
+    for (int i = 0; i < 40; ++i) {
+      const Pose2 truth{-2.0 + 0.1 * i, 0.0, 0.0};
+      way.push_back({truth, hitBeams(scanInRoom(truth), 10.0), 100.0 * lap + 0.5 * i});
+      poses.push_back({truth.x + 0.1 * lap, 0.04 * lap, 0.0});
+    }
+  }
+  way.back().beams.resize(1);
+  const auto loop = LoopFinder(MatcherOptions()).find(way, poses);
+  ASSERT_TRUE(loop);
+  EXPECT_TRUE(loop->is_firm);
+  EXPECT_NEAR(loop->relative.x, way.back().local.x - way[loop->from].local.x, 0.005);
+  EXPECT_NEAR(loop->relative.y, 0.0, 0.005);
 }
 
 TEST(PoseGraph, LoopsThatDoNotHoldInEveryDirectionCanBeTakenOut)

@@ -19,6 +19,16 @@ std::vector<Beam> hitBeams(const Scan & scan, double max_range)
   return beams;
 }
 
+std::vector<Vec2> endsOf(const std::vector<Beam> & beams)
+{
+  const BeamCaster caster({});
+  std::vector<Vec2> ends(beams.size());
+  std::transform(beams.begin(), beams.end(), ends.begin(), [&](const Beam & beam) {
+    return caster.along(caster.direction(beam), beam.range);
+  });
+  return ends;
+}
+
 void registerBeams(CellMap & map, const std::vector<Beam> & beams, const Pose2 & pose, double max_urange)
 {
   map.grow({pose.x, pose.y}, max_urange);

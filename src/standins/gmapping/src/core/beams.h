@@ -18,6 +18,9 @@ struct Beam
 /// The beams of a scan that hit something nearer than max_range.
 std::vector<Beam> hitBeams(const Scan & scan, double max_range);
 
+/// Where beams ended, in the lidar's frame, m.
+std::vector<Vec2> endsOf(const std::vector<Beam> & beams);
+
 /// Where a beam is after a distance (m) from the lidar at pose.
 class BeamCaster
 {

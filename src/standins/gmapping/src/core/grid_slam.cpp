@@ -9,11 +9,10 @@
 
 #include "beams.h"
 #include "cell_map.h"
-#include "local_map.h"
 #include "loop_finder.h"
 #include "motion.h"
 #include "pose_graph.h"
-#include "scan_matcher.h"
+#include "scan_tracker.h"
 #include "way.h"
 
 namespace gmapping
@@ -53,7 +52,7 @@ class GridSlam::Impl
 {
 public:
   explicit Impl(const SlamOptions & options)
-  : options_(options), matcher_(options.matcher), loops_(options.matcher), map_(options.delta)
+  : options_(options), tracker_(options.matcher, options.motion), loops_(options.matcher), map_(options.delta)
   {
   }
 
@@ -64,14 +63,19 @@ public:
       return true;
     }
     drive(odometry);
-    if (!due(time)) {
+    const bool counts = due(time);
+    if (!counts && !tracker_.isDue()) {
       return false;
     }
-    last_time_ = time;
-    update(hitBeams(scan, max_range_));
-    progress_ = {};
-    motion_ = {};
-    return true;
+    std::vector<Beam> beams = hitBeams(scan, max_range_);
+    tracker_.look(beams);
+    if (counts) {
+      last_time_ = time;
+      update(std::move(beams));
+      progress_ = {};
+      motion_ = {};
+    }
+    return counts;
   }
 
   const std::vector<Pose2> & path() const { return graph_.poses(); }
@@ -99,6 +103,7 @@ private:
     max_range_ = options_.max_range.value_or(scan.range_max - kShortOfMaxRange);
     max_urange_ = options_.max_urange.value_or(max_range_);
     add({odometry, hitBeams(scan, max_range_), 0.0}, odometry);
+    tracker_.start(way_.back().beams, odometry, max_urange_);
   }
 
   void drive(const Pose2 & odometry)
@@ -106,8 +111,8 @@ private:
     const Pose2 motion = compose(inverse(*odometry_), odometry);
     odometry_ = odometry;
     motion_ = compose(motion_, motion);
-    progress_.distance += std::hypot(motion.x, motion.y);
-    progress_.turn += std::abs(motion.yaw);
+    progress_.add(motion);
+    tracker_.drive(motion);
   }
 
   bool due(double time) const
@@ -119,15 +124,10 @@ private:
   void update(std::vector<Beam> beams)
   {
     const Stop & last = way_.back();
-    const PoseBelief expected = expectedPose(last.local, motion_, progress_, options_.motion);
-    const PoseBelief matched = matcher_.match(local_map_.map(), beams, expected);
-    const bool fits = matcher_.score(local_map_.map(), beams, matched.mean) > options_.matcher.minimum_score;
-    const Pose2 local = fits ? matched.mean : expected.mean;
-    PoseEdge edge{way_.size() - 1, way_.size(), compose(inverse(last.local), local), expected.information, false};
-    edge.information /= kSlip * kSlip;
-    if (fits) {
-      edge.information += matched.information - expected.information;
-    }
+    const Pose2 local = tracker_.pose();
+    PoseEdge edge{way_.size() - 1, way_.size(), compose(inverse(last.local), local), {}, false};
+    edge.information = expectedPose(last.local, motion_, progress_, options_.motion).information / (kSlip * kSlip);
+    edge.information += tracker_.information();
     const double turn_error = kLeastTurnError + kTurnErrorRate * progress_.turn;
     edge.information = seenFrom(last.local, edge.information, kLeastError, turn_error);
     add({local, std::move(beams), last.distance + progress_.distance}, compose(pose(), edge.relative));
@@ -137,7 +137,6 @@ private:
 
   void add(Stop stop, const Pose2 & pose)
   {
-    local_map_.add(stop.beams, stop.local, max_urange_);
     way_.push_back(std::move(stop));
     graph_.add(pose);
   }
@@ -166,9 +165,8 @@ private:
   }
 
   SlamOptions options_;
-  ScanMatcher matcher_;
+  ScanTracker tracker_;
   LoopFinder loops_;
-  LocalMap local_map_;  // in the frame of the local poses
   Way way_;
   PoseGraph graph_;  // a pose for each stop
   CellMap map_;      // of the first stops, at the poses in mapped_

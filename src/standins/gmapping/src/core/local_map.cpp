@@ -6,8 +6,8 @@ namespace gmapping
 {
 namespace
 {
-// With half a metre between scans, twice the range of a lidar of 10 m lies behind.
-constexpr int kScans = 40;
+// With a tenth of a metre between scans, twice the range of a lidar of 10 m lies behind.
+constexpr int kScans = 200;
 }  // namespace
 
 void LocalMap::add(const std::vector<Beam> & beams, const Pose2 & pose, double max_urange)

@@ -25,11 +25,12 @@ constexpr double kGate = 2.5;             // standard deviations that are looked
 // m of way before and behind the earlier stop that show what was there. With less before it, points behind the start
 // of the map find nothing and pull the last stop ahead.
 constexpr double kAround = 8.0;
-constexpr double kBehind = 6.0;           // m of way before the last stop that are laid onto it
-constexpr std::size_t kPoints = 500;      // of them, about
-constexpr double kLeastKnown = 0.6;       // share of the points that the earlier map knows anything about
-constexpr int kBetweenBeams = 1;          // cells
-constexpr double kLeastAgreement = 0.85;  // share of those that fall onto its walls
+constexpr double kBehind = 6.0;            // m of way before the last stop that are laid onto it
+constexpr std::size_t kPoints = 500;       // of them, about, for the search
+constexpr std::size_t kMorePoints = 3000;  // for matching: a single scan fits a straight road of pixels at many places
+constexpr double kLeastKnown = 0.6;        // share of the points that the earlier map knows anything about
+constexpr int kBetweenBeams = 1;           // cells
+constexpr double kLeastAgreement = 0.85;   // share of those that fall onto its walls
 // A straight road looks alike everywhere: what tells less in one direction than this share of what it tells in the
 // other one tells nothing.
 constexpr double kLeastHold = 0.2;
@@ -44,8 +45,9 @@ void addEnds(const Stop & stop, const Pose2 & pose, std::size_t every, std::vect
   }
 }
 
-/// Ends of beams of the last stops, in the frame of the last one: held together by their local poses.
-std::vector<Vec2> recentPoints(const Way & way)
+/// Ends of beams of the last stops, as many as are asked for, about, in the frame of the last one: held together by their
+/// local poses.
+std::vector<Vec2> recentPoints(const Way & way, std::size_t count)
 {
   const Stop & last = way.back();
   const auto first =
@@ -54,7 +56,7 @@ std::vector<Vec2> recentPoints(const Way & way)
   std::for_each(first, way.end(), [&](const Stop & stop) { beams += stop.beams.size(); });
   std::vector<Vec2> points;
   std::for_each(first, way.end(), [&](const Stop & stop) {
-    addEnds(stop, compose(inverse(last.local), stop.local), std::max<std::size_t>(1, beams / kPoints), points);
+    addEnds(stop, compose(inverse(last.local), stop.local), std::max<std::size_t>(1, beams / count), points);
   });
   return points;
 }
@@ -168,7 +170,7 @@ std::optional<PoseEdge> LoopFinder::match(
   const Way & way, const std::vector<Pose2> & poses, std::size_t earlier, const Doubt & doubt)
 {
   const std::vector<Vec2> walls = wallsAbout(way, earlier);
-  const std::vector<Vec2> points = recentPoints(way);
+  const std::vector<Vec2> points = recentPoints(way, kPoints);
   if (walls.empty() || points.empty()) {
     return std::nullopt;
   }
@@ -178,7 +180,7 @@ std::optional<PoseEdge> LoopFinder::match(
   PoseBelief prior{search.best(points, window)};
   prior.information.diagonal() << std::pow(doubt.position, -2), std::pow(doubt.position, -2), std::pow(doubt.yaw, -2);
   const CellMap map = mapAbout(way, earlier);
-  const PoseBelief matched = matcher_.match(map, way.back().beams, prior);
+  const PoseBelief matched = matcher_.match(map, recentPoints(way, kMorePoints), prior);
   const std::vector<Vec2> known = knownPoints(points, matched.mean, map);
   const bool agrees = static_cast<double>(known.size()) >= kLeastKnown * static_cast<double>(points.size()) &&
                       search.share(known, matched.mean) >= kLeastAgreement;

@@ -14,6 +14,12 @@ constexpr double kLeastRotation = 1e-4;     // rad
 constexpr double kSideways = 0.3;
 }  // namespace
 
+void Progress::add(const Pose2 & motion)
+{
+  distance += std::hypot(motion.x, motion.y);
+  turn += std::abs(motion.yaw);
+}
+
 PoseBelief expectedPose(const Pose2 & pose, const Pose2 & motion, const Progress & progress, const MotionNoise & noise)
 {
   const double along = kLeastTranslation + noise.srr * progress.distance;

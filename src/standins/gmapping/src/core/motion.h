@@ -11,6 +11,8 @@ struct Progress
 {
   double distance{0.0};  ///< m
   double turn{0.0};      ///< rad, to either side
+
+  void add(const Pose2 & motion);
 };
 
 /// Where the lidar is after it has moved by what odometry says.

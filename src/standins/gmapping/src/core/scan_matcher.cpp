@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "moments.h"
-
 namespace gmapping
 {
 namespace
@@ -15,10 +13,10 @@ namespace
 // farther away.
 constexpr double kWallShare = 0.05;
 // A cell that was hit often is well known, but the neighbours count, too.
-constexpr std::uint32_t kMostHits = 10;
+constexpr std::uint32_t kMostHits = 50;
 // Of the pixels of a wall far ahead only the tips are seen at first, so that it seems to lie nearer than it does from
 // near: what few beams have found counts less, by half with this many around an end.
-constexpr double kFewHits = 20.0;
+constexpr double kFewHits = 25.0;
 // Far beams may be off by more than sigma at first: the search begins with wider tolerance.
 constexpr double kFirstSigmas[] = {2.0, 1.0};
 constexpr double kSmallStep = 1e-5;  // m and rad
@@ -28,19 +26,24 @@ double gaussian(double distance, double sigma)
   return std::exp(-0.5 * distance * distance / (sigma * sigma));
 }
 
+double weightOf(const MapCell & cell)
+{
+  return std::min(cell.hits, kMostHits);
+}
+
 Eigen::Vector3d difference(const Pose2 & a, const Pose2 & b)
 {
   return {a.x - b.x, a.y - b.y, normalizeAngle(a.yaw - b.yaw)};
 }
 }  // namespace
 
-PoseBelief ScanMatcher::match(const CellMap & map, const std::vector<Beam> & beams, const PoseBelief & expected) const
+PoseBelief ScanMatcher::match(const CellMap & map, const std::vector<Vec2> & ends, const PoseBelief & expected) const
 {
   PoseBelief belief = expected;
   for (const double factor : kFirstSigmas) {
     for (int i = 0; i < options_.iterations; ++i) {
       const Pose2 before = belief.mean;
-      belief = step(map, beams, expected, before, factor * options_.sigma);
+      belief = step(map, ends, expected, before, factor * options_.sigma);
       if (difference(belief.mean, before).cwiseAbs().maxCoeff() < kSmallStep) {
         break;
       }
@@ -50,12 +53,12 @@ PoseBelief ScanMatcher::match(const CellMap & map, const std::vector<Beam> & bea
 }
 
 PoseBelief ScanMatcher::step(
-  const CellMap & map, const std::vector<Beam> & beams, const PoseBelief & expected, const Pose2 & pose,
+  const CellMap & map, const std::vector<Vec2> & ends, const PoseBelief & expected, const Pose2 & pose,
   double sigma) const
 {
   PoseBelief next = expected;
   Eigen::Vector3d pull = expected.information * difference(expected.mean, pose);
-  forEachEnd(beams, pose, [&](const Vec2 & end) {
+  forEachEnd(ends, pose, [&](const Vec2 & end) {
     if (const auto wall = wallNear(map, end)) {
       const Vec2 & n = wall->normal;
       const double distance = wall->distance();
@@ -71,10 +74,10 @@ PoseBelief ScanMatcher::step(
   return next;
 }
 
-double ScanMatcher::score(const CellMap & map, const std::vector<Beam> & beams, const Pose2 & pose) const
+double ScanMatcher::score(const CellMap & map, const std::vector<Vec2> & ends, const Pose2 & pose) const
 {
   double sum = 0.0;
-  forEachEnd(beams, pose, [&](const Vec2 & end) {
+  forEachEnd(ends, pose, [&](const Vec2 & end) {
     const auto wall = wallNear(map, end);
     sum += wall ? gaussian(wall->distance(), options_.sigma) : 0.0;
   });
@@ -82,32 +85,56 @@ double ScanMatcher::score(const CellMap & map, const std::vector<Beam> & beams, 
 }
 
 template <class Visit>
-void ScanMatcher::forEachEnd(const std::vector<Beam> & beams, const Pose2 & pose, Visit visit) const
+void ScanMatcher::forEachEnd(const std::vector<Vec2> & ends, const Pose2 & pose, Visit visit) const
 {
-  const BeamCaster caster(pose);
-  for (std::size_t i = 0; i < beams.size(); i += options_.lskip + 1) {
-    visit(caster.along(caster.direction(beams[i]), beams[i].range));
+  for (std::size_t i = 0; i < ends.size(); i += options_.lskip + 1) {
+    visit(transform(pose, ends[i]));
   }
+}
+
+template <class Visit>
+void ScanMatcher::forEachWallCell(const CellMap & map, const Cell & centre, Visit visit) const
+{
+  for (int dx = -options_.kernel_size; dx <= options_.kernel_size; ++dx) {
+    for (int dy = -options_.kernel_size; dy <= options_.kernel_size; ++dy) {
+      const Cell index{centre.x + dx, centre.y + dy};
+      const MapCell * cell = map.cell(index);
+      if (cell != nullptr && cell->occupied(kWallShare)) {
+        visit(index, *cell);
+      }
+    }
+  }
+}
+
+Moments ScanMatcher::wallAround(const CellMap & map, const Cell & centre, const Vec2 & place) const
+{
+  Moments moments;
+  forEachWallCell(map, centre, [&](const Cell & index, const MapCell & cell) {
+    const Vec2 mean = map.meanHit(index, cell);
+    // From the place, as differences of large numbers would lose their digits.
+    moments.add({mean.x - place.x, mean.y - place.y}, weightOf(cell));
+  });
+  return moments;
 }
 
 std::optional<ScanMatcher::Wall> ScanMatcher::wallNear(const CellMap & map, const Vec2 & place) const
 {
-  const Cell hit = map.index(place);
-  Moments moments;
-  double hits = 0.0;
-  for (int dx = -options_.kernel_size; dx <= options_.kernel_size; ++dx) {
-    for (int dy = -options_.kernel_size; dy <= options_.kernel_size; ++dy) {
-      const Cell index{hit.x + dx, hit.y + dy};
-      const MapCell * cell = map.cell(index);
-      if (cell != nullptr && cell->occupied(kWallShare)) {
-        const Vec2 mean = map.meanHit(index, *cell);
-        // From the place, as differences of large numbers would lose their digits.
-        moments.add({mean.x - place.x, mean.y - place.y}, std::min(cell->hits, kMostHits));
-        hits += cell->hits;
-      }
-    }
+  const Cell end = map.index(place);
+  const Moments wall = wallAround(map, end, place);
+  const auto normal = wall.normal();
+  if (!normal) {
+    return std::nullopt;
   }
-  const auto normal = moments.normal();
-  return normal ? std::optional<Wall>(Wall{moments.mean(), *normal, hits / (hits + kFewHits)}) : std::nullopt;
+  // Where a wall has corners, as pixels have, the mean lies beside all of its faces. What taking the mean once more
+  // does to it is taken away from it (Tukey's twicing).
+  Moments twice;
+  double hits = 0.0;
+  forEachWallCell(map, end, [&](const Cell & index, const MapCell & cell) {
+    twice.add(wallAround(map, index, place).mean(), weightOf(cell));
+    hits += cell.hits;
+  });
+  const Vec2 once = wall.mean();
+  const Vec2 offset{2.0 * once.x - twice.mean().x, 2.0 * once.y - twice.mean().y};
+  return Wall{offset, *normal, hits / (hits + kFewHits)};
 }
 }  // namespace gmapping

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "beams.h"
 #include "cell_map.h"
 #include "gmapping/geometry.h"
 #include "gmapping/slam_options.h"
+#include "moments.h"
 
 namespace gmapping
 {
@@ -30,10 +30,11 @@ public:
   explicit ScanMatcher(const MatcherOptions & options) : options_(options) {}
 
   /// What scan and odometry say together: Gauss-Newton on the distances of the beams' ends from the walls.
+  /// @param ends      where beams ended, in the lidar's frame, m
   /// @param expected  what odometry says
-  PoseBelief match(const CellMap & map, const std::vector<Beam> & beams, const PoseBelief & expected) const;
+  PoseBelief match(const CellMap & map, const std::vector<Vec2> & ends, const PoseBelief & expected) const;
   /// How well a scan fits: 1 for each beam that ends on a wall, less for the others.
-  double score(const CellMap & map, const std::vector<Beam> & beams, const Pose2 & pose) const;
+  double score(const CellMap & map, const std::vector<Vec2> & ends, const Pose2 & pose) const;
 
 private:
   struct Wall
@@ -45,11 +46,15 @@ private:
   };
 
   PoseBelief step(
-    const CellMap & map, const std::vector<Beam> & beams, const PoseBelief & expected, const Pose2 & pose,
+    const CellMap & map, const std::vector<Vec2> & ends, const PoseBelief & expected, const Pose2 & pose,
     double sigma) const;
   std::optional<Wall> wallNear(const CellMap & map, const Vec2 & place) const;
+  /// Of the cells of walls about a cell: means of their hits, seen from a place (m).
+  Moments wallAround(const CellMap & map, const Cell & centre, const Vec2 & place) const;
   template <class Visit>
-  void forEachEnd(const std::vector<Beam> & beams, const Pose2 & pose, Visit visit) const;
+  void forEachWallCell(const CellMap & map, const Cell & centre, Visit visit) const;
+  template <class Visit>
+  void forEachEnd(const std::vector<Vec2> & ends, const Pose2 & pose, Visit visit) const;
 
   MatcherOptions options_;
 };

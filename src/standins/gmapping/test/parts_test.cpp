@@ -25,6 +25,15 @@ TEST(HitBeams, LeaveOutWhatHitNothing)
   EXPECT_DOUBLE_EQ(beams[1].range, 2.0);
 }
 
+TEST(EndsOf, LieWhereTheBeamsPoint)
+{
+  const auto ends = endsOf({{0.0F, 1.0F, 2.0F}, {-1.0F, 0.0F, 3.0F}});
+  ASSERT_EQ(ends.size(), 2U);
+  EXPECT_DOUBLE_EQ(ends[0].x, 0.0);
+  EXPECT_DOUBLE_EQ(ends[0].y, 2.0);
+  EXPECT_DOUBLE_EQ(ends[1].x, -3.0);
+}
+
 TEST(RegisterBeams, BeamLongerThanTheUsableRangeIsFreeUpToThere)
 {
   CellMap map(0.1);

@@ -21,10 +21,9 @@ std::vector<Beam> hitBeams(const Scan & scan, double max_range)
 
 std::vector<Vec2> endsOf(const std::vector<Beam> & beams)
 {
-  const BeamCaster caster({});
   std::vector<Vec2> ends(beams.size());
-  std::transform(beams.begin(), beams.end(), ends.begin(), [&](const Beam & beam) {
-    return caster.along(caster.direction(beam), beam.range);
+  std::transform(beams.begin(), beams.end(), ends.begin(), [](const Beam & beam) {
+    return Vec2{static_cast<double>(beam.range) * beam.cos, static_cast<double>(beam.range) * beam.sin};
   });
   return ends;
 }

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,8 +24,8 @@ constexpr double kShortOfMaxRange = 0.01;  // m
 constexpr double kLeastError = 0.001;      // m
 constexpr double kLeastTurnError = 3e-4;   // rad
 constexpr double kTurnErrorRate = 1.5e-3;  // rad per rad
-// Wheels slip alike for a while, which adds up faster than errors that do not know of each other: in the graph
-// odometry counts for less than for matching, by this many standard deviations.
+// Wheels slip alike for a while, which adds up faster than errors that do not know of each other: standard deviations
+// of odometry in the graph for one that it is said to have.
 constexpr double kSlip = 4.0;
 // Of a loop, as an earlier map is not exact either.
 constexpr double kLoopError = 0.01;       // m

@@ -16,8 +16,8 @@ class LoopFinder
 public:
   explicit LoopFinder(const MatcherOptions & options) : matcher_(options) {}
 
-  /// What the last stop sees, laid onto what was seen there before; nothing if it was not there before, if it was
-  /// looked for a moment ago, or if the two do not agree.
+  /// What the last few metres have shown, laid onto what was seen at the last stop before; nothing if the lidar was not
+  /// there before, if that was looked for a moment ago, or if the two do not agree.
   /// @param poses  of the stops, as they are believed to be now
   std::optional<PoseEdge> find(const Way & way, const std::vector<Pose2> & poses);
 

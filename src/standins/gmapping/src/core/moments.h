@@ -11,7 +11,6 @@ class Moments
 {
 public:
   void add(const Vec2 & point, double weight);
-  bool empty() const { return count_ == 0; }
   Vec2 mean() const { return {x_ / weight_, y_ / weight_}; }  ///< m
   /// Unit vector across the line.
   std::optional<Vec2> normal() const;

@@ -30,7 +30,7 @@ public:
   explicit ScanMatcher(const MatcherOptions & options) : options_(options) {}
 
   /// What scan and odometry say together: Gauss-Newton on the distances of the beams' ends from the walls.
-  /// @param ends      where beams ended, in the lidar's frame, m
+  /// @param ends      where beams ended, in the lidar's frame, m; of one scan, or of several moved into that frame
   /// @param expected  what odometry says
   PoseBelief match(const CellMap & map, const std::vector<Vec2> & ends, const PoseBelief & expected) const;
   /// How well a scan fits: 1 for each beam that ends on a wall, less for the others.

@@ -4,7 +4,7 @@ namespace gmapping
 {
 namespace
 {
-constexpr double kEveryWay = 0.1;       // m between looks
+constexpr double kEveryWay = 0.1;    // m between looks
 constexpr double kEveryTurn = 0.06;  // rad
 // Wheels slip alike from look to look, and the map of the looks would follow them. What odometry says of a turn hardly
 // counts beside the walls; its way is still needed, as the steps of pixels make ways too long.

@@ -12,8 +12,8 @@
 
 namespace gmapping
 {
-/// Follows the lidar by laying its scans onto a map of the way just behind, one every few centimetres: many looks make
-/// up for the noise of each. Its poses are smooth, but they drift.
+/// Follows the lidar by laying its scans onto a map of the way just behind, one every 0.1 m: many looks make up for
+/// the noise of each. Its poses are smooth, but they drift.
 class ScanTracker
 {
 public:
@@ -25,6 +25,7 @@ public:
   void drive(const Pose2 & motion);
   /// Whether the lidar has moved far enough for another look.
   bool isDue() const;
+  /// Lays a scan onto the map, and adds it to the map.
   void look(const std::vector<Beam> & beams);
 
   /// At the last look.

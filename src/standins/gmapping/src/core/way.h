@@ -10,7 +10,7 @@ namespace gmapping
 /// A scan that counted.
 struct Stop
 {
-  Pose2 local;              ///< of the lidar, as matching one scan to those before it says: smooth, but it drifts
+  Pose2 local;              ///< of the lidar, as ScanTracker says: smooth, but it drifts
   std::vector<Beam> beams;  ///< what was hit
   double distance{0.0};     ///< driven until here, m
 };

@@ -15,7 +15,7 @@ from f1tenth_gazebo.driving.gap_follower import GapFollower, GapFollowerOptions
 from f1tenth_gazebo.driving.lap_inputs import LapInputs
 from f1tenth_gazebo.driving.lap_watch import LapError, LapWatch
 from f1tenth_gazebo.maps.map_file import save_map
-from f1tenth_gazebo.maps.occupancy import FREE, OCCUPIED, UNKNOWN, Grid
+from f1tenth_gazebo.maps.occupancy import grid_of
 
 STANDS = 0.1
 """Slower than this the car stands, m/s."""
@@ -98,9 +98,8 @@ class MapKeeper:
             return False
         grid = OccupancyGrid().deserialize(self._message._buff)
         cells = np.array(grid.data, dtype=np.int8).reshape(grid.info.height, grid.info.width)
-        pixels = np.select([cells == 0, cells == 100], [np.uint8(FREE), np.uint8(OCCUPIED)], UNKNOWN)
         corner = grid.info.origin.position
-        save_map(Grid(pixels.astype(np.uint8), corner.x, corner.y, grid.info.resolution), stem)
+        save_map(grid_of(cells == 100, cells == 0, (corner.x, corner.y), grid.info.resolution), stem)
         return True
 
 

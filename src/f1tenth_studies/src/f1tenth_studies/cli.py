@@ -13,6 +13,7 @@ from f1tenth_scenarios.results.reference_laps import reference_laps_text
 from f1tenth_scenarios.stop_request import StopRequest
 
 from f1tenth_scenarios import places
+from f1tenth_studies.files import made_folder, text_of, write_text
 from f1tenth_studies.optimum.car_limits import CLEARANCE, read_limits
 from f1tenth_studies.optimum.fastest_lap import FastestLap, compute_fastest_lap, write_raceline
 from f1tenth_studies.optimum.track import circuits, load_track
@@ -84,7 +85,7 @@ def _study(options) -> int:
     results = (options.results or places.results_root()).resolve()
     vary = {**study.vary, **own}
     if study.make:
-        vary = study.make(vary, _made(results / "places" / options.name))
+        vary = study.make(vary, made_folder(results / "places" / options.name))
     variations = [f"{key}={values}" for key, values in vary.items()]
     sweep = Sweep(str(scenario), variations, results, options.set)
     with StopRequest().listening() as stop:
@@ -96,16 +97,8 @@ def _study(options) -> int:
         text = document(study, runs, _command(options))
         print(text)
         if options.table:
-            _write(options.table, text + remarks(_read(options.table)))
+            write_text(options.table, text + remarks(text_of(options.table)))
     return _say(options.name, study, runs, sweep)
-
-
-def _made(folder: Path) -> Path:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise ScenarioError(f"{folder}: cannot be made: {error.strerror}") from error
-    return folder
 
 
 def _runs(sweep: Sweep, study: Study) -> list[Run]:
@@ -145,24 +138,10 @@ def _references(options) -> int:
             stem = Path(name).stem.removesuffix("_centerline")
             write_raceline(options.output / f"{stem}_raceline.csv", lap, limits)
     if options.laps:
-        _write(options.laps, reference_laps_text(laps))
+        write_text(options.laps, reference_laps_text(laps))
     return GOOD
 
 
 def _describe(name: str, lap: FastestLap) -> str:
     low, high = lap.speed.min(), lap.speed.max()
     return f"{name}: {lap.lap_time:.3f} s, {lap.s[-1]:.1f} m, {low:.1f} to {high:.1f} m/s"
-
-
-def _read(path: Path) -> str:
-    try:
-        return path.read_text(encoding="utf-8") if path.is_file() else ""
-    except (OSError, UnicodeDecodeError) as error:
-        raise ScenarioError(f"{path}: cannot be read: {error}") from error
-
-
-def _write(path: Path, text: str) -> None:
-    try:
-        path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise ScenarioError(f"{path}: cannot be written: {error.strerror}") from error

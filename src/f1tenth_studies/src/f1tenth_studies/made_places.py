@@ -7,6 +7,7 @@ from typing import Optional
 
 import numpy as np
 import yaml
+from f1tenth_gazebo.roads import RoadError, make_road, write_road
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.road.course import Course, read_course
 from f1tenth_scenarios.road.raceline import COLUMNS, RACELINE
@@ -101,3 +102,22 @@ def both_directions(name: str, map_file: Path, centreline: Path, folder: Path) -
         write_place(folder / name, map_file, course),
         write_place(folder / f"{name}_reverse", map_file, backwards(course)),
     ]
+
+
+def track_worlds(name: str, folder: Path) -> list[Path]:
+    """One of others' tracks as two places, there and back; see `write_place`."""
+    map_file = track_map(name)
+    return both_directions(name, map_file, map_file.with_name(f"{name}_centerline.csv"), folder)
+
+
+def road_world(seed: int, folder: Path) -> Path:
+    """The world of a random road, written to a folder.
+
+    Raises:
+        ScenarioError: there is no such road, or a file cannot be written.
+    """
+    try:
+        *_, world = write_road(make_road(seed), folder / f"seed_{seed}")
+    except (OSError, RoadError) as error:
+        raise ScenarioError(f"road={seed}: {error}") from error
+    return world

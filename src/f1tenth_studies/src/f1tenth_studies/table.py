@@ -20,8 +20,12 @@ def document(study: Study, runs: Sequence[Run], command: str) -> str:
         runs: in the order of their values
         command: what has made it
     """
-    made = f"Made on {datetime.date.today()} at commit {commit()} on {machine()} by\n\n    {command}\n"
-    return f"# {study.title}\n\n{study.text().strip()}\n\n{made}\n{table(study, runs)}"
+    return f"# {study.title}\n\n{study.text().strip()}\n\n{made_by(command)}\n{table(study, runs)}"
+
+
+def made_by(command: str) -> str:
+    """When and where a document was made, and by what."""
+    return f"Made on {datetime.date.today()} at commit {commit()} on {machine()} by\n\n    {command}\n"
 
 
 def table(study: Study, runs: Sequence[Run]) -> str:

@@ -13,12 +13,15 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Optional
 
+from f1tenth_scenarios.errors import ScenarioError
+
 from f1tenth_studies.faults.catalogue import DRIVEN, Fault, faults, node_names
 from f1tenth_studies.faults.interrupts import COMMANDS, interrupt
 from f1tenth_studies.faults.table import document, problem
 from f1tenth_studies.faults.victim import Ending
+from f1tenth_studies.files import write_text
 
-GOOD, NOT_GOOD = 0, 1  # exit codes
+GOOD, NOT_GOOD, BAD_INPUT = 0, 1, 2  # exit codes
 _PATIENCE = 90.0  # wall s, for a run to end by itself after something broke
 _MOMENTS = (0.2, 8.0)  # s simulated, between which a random fault happens
 
@@ -35,6 +38,9 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         return _run(options)
+    except ScenarioError as error:
+        print(f"faults: {error}", file=sys.stderr)
+        return BAD_INPUT
     except KeyboardInterrupt:
         return 128 + signal.SIGINT
 
@@ -47,7 +53,7 @@ def _run(options) -> int:
     text = document(endings, interrupts, " ".join(["rosrun f1tenth_studies faults", *sys.argv[1:]]))
     print(text)
     if options.table:
-        options.table.write_text(text, encoding="utf-8")
+        write_text(options.table, text)
     problems = [f"{name}: {what}" for name, ending in endings if (what := problem(ending))]
     problems += [f"{each.command}: {what}" for each in interrupts for what in each.problems]
     return _say(problems, folder)

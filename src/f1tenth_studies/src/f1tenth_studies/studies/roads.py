@@ -4,11 +4,9 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
-from f1tenth_gazebo.roads import RoadError, make_road, write_road
-from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.road.course import read_course
 
-from f1tenth_studies.made_places import seeds, with_worlds
+from f1tenth_studies.made_places import road_world, seeds, with_worlds
 from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Study, failed_places, slowest
 
 _KEY = "road"
@@ -27,13 +25,7 @@ Wanted: every lap is driven, and nothing is touched."""
 
 def _make(vary: Mapping[str, str], folder: Path) -> dict[str, str]:
     """Writes the roads of the seeds; gives the worlds."""
-    worlds = []
-    for seed in seeds(_KEY, vary[_KEY]):
-        try:
-            *_, world = write_road(make_road(seed), folder / f"seed_{seed}")
-        except (OSError, RoadError) as error:
-            raise ScenarioError(f"{_KEY}={seed}: {error}") from error
-        worlds.append(world)
+    worlds = [road_world(seed, folder) for seed in seeds(_KEY, vary[_KEY])]
     return with_worlds(vary, _KEY, worlds)
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from pathlib import Path
 
-from f1tenth_studies.made_places import both_directions, track_map, track_names, with_worlds
+from f1tenth_studies.made_places import track_names, track_worlds, with_worlds
 from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Study, place_of, slowest
 
 _KEY, _MODEL = "track", "model"
@@ -20,10 +20,8 @@ Wanted: every lap is driven, and nothing is touched."""
 
 def _make(vary: Mapping[str, str], folder: Path) -> dict[str, str]:
     """Writes the tracks in both directions; gives the worlds."""
-    worlds = []
-    for name in vary[_KEY].split(",") if vary[_KEY] else track_names():
-        map_file = track_map(name)
-        worlds += both_directions(name, map_file, map_file.with_name(f"{name}_centerline.csv"), folder)
+    names = vary[_KEY].split(",") if vary[_KEY] else track_names()
+    worlds = [world for name in names for world in track_worlds(name, folder)]
     return with_worlds(vary, _KEY, worlds)
 
 

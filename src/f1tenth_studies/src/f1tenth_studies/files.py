@@ -1,0 +1,42 @@
+"""Files and folders that commands read and write: what goes wrong with them is one line."""
+
+from pathlib import Path
+
+from f1tenth_scenarios.errors import ScenarioError
+
+
+def made_folder(folder: Path) -> Path:
+    """The folder, which is there afterwards.
+
+    Raises:
+        ScenarioError: it cannot be made.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise ScenarioError(f"{folder}: cannot be made: {error.strerror}") from error
+    return folder
+
+
+def text_of(path: Path) -> str:
+    """What is in a file; empty if it is not there.
+
+    Raises:
+        ScenarioError: it cannot be read.
+    """
+    try:
+        return path.read_text(encoding="utf-8") if path.is_file() else ""
+    except (OSError, UnicodeDecodeError) as error:
+        raise ScenarioError(f"{path}: cannot be read: {error}") from error
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write a file.
+
+    Raises:
+        ScenarioError: it cannot be written.
+    """
+    try:
+        path.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise ScenarioError(f"{path}: cannot be written: {error.strerror}") from error

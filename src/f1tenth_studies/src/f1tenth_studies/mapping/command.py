@@ -1,0 +1,114 @@
+"""The command `maps`."""
+
+import argparse
+import concurrent.futures
+import multiprocessing
+import os
+import shlex
+import signal
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Optional
+
+from f1tenth_scenarios.errors import ScenarioError
+
+from f1tenth_scenarios import places
+from f1tenth_studies.files import made_folder, text_of, write_text
+from f1tenth_studies.mapping.document import document
+from f1tenth_studies.mapping.drive import Drive, Mapped, map_drive
+from f1tenth_studies.mapping.places import circuit_drives, road_drives, track_drives
+from f1tenth_studies.table import made_by, remarks
+
+GOOD, NOT_GOOD, BAD_INPUT = 0, 1, 2  # exit codes
+_ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
+
+def main(arguments: Optional[Sequence[str]] = None) -> int:
+    """Run the command; returns the exit code: 1 when a map was not good enough."""
+    parser = argparse.ArgumentParser(prog="maps", description="Drives around, and judges the maps of it.")
+    parser.add_argument("--circuits", default="0:5", metavar="SEEDS", help="of each circuit (%(default)s)")
+    parser.add_argument(
+        "--tracks", default="0:1", metavar="SEEDS", help="of each track, in both directions (%(default)s)"
+    )
+    parser.add_argument("--roads", default="0:19", metavar="SEEDS", help="of make_road (%(default)s)")
+    parser.add_argument(
+        "--table", type=Path, metavar="FILE", help="write the table there, too; what is below it stays"
+    )
+    parser.add_argument("--results", type=Path, metavar="FOLDER", help="default: results of the workspace")
+    parser.add_argument("--jobs", type=int, metavar="N", help="drives at a time; default: one per core")
+    options = parser.parse_args(arguments)
+    for each in _ENDINGS:
+        signal.signal(each, _end)
+    try:
+        return _run(options, sys.argv[1:] if arguments is None else arguments)
+    except ScenarioError as error:
+        print(f"maps: {error}", file=sys.stderr)
+        return BAD_INPUT
+
+
+def _end(number: int, _) -> None:
+    raise SystemExit(128 + number)
+
+
+def _run(options: argparse.Namespace, arguments: Sequence[str]) -> int:
+    if options.jobs is not None and options.jobs < 1:
+        raise ScenarioError(f"--jobs is {options.jobs}, must be at least 1")
+    below = _below(options.table) if options.table else ""
+    mapped = _mapped(_drives(options), options.jobs or len(os.sched_getaffinity(0)))
+    text = document(mapped, made_by(shlex.join(["rosrun", "f1tenth_studies", "maps", *arguments])))
+    print(text)
+    if options.table:
+        write_text(options.table, text + below)
+    return GOOD if all(each.passed for each in mapped) else NOT_GOOD
+
+
+def _below(table: Path) -> str:
+    """What stands below a table that is there; a wrong path is told before the drives, not after them."""
+    if not table.resolve().parent.is_dir():
+        raise ScenarioError(f"--table {table}: there is no such folder")
+    return remarks(text_of(table))
+
+
+def _drives(options: argparse.Namespace) -> list[Drive]:
+    folder = made_folder((options.results or places.results_root()).resolve() / "places" / "maps")
+    drives = [
+        *circuit_drives(options.circuits),
+        *track_drives(options.tracks, folder),
+        *road_drives(options.roads, folder),
+    ]
+    if not drives:
+        raise ScenarioError("no seeds given: nothing to drive")
+    return drives
+
+
+def _mapped(drives: Sequence[Drive], jobs: int) -> list[Mapped]:
+    """What came of each drive, in their order."""
+    # Not spawned: they would find the modules of the source tree, which lack what was compiled.
+    context = multiprocessing.get_context("fork")
+    pool = concurrent.futures.ProcessPoolExecutor(jobs, context, _let_the_first_end_this)
+    try:
+        return [_said(each.result()) for each in [pool.submit(map_drive, drive) for drive in drives]]
+    except concurrent.futures.BrokenExecutor as error:
+        raise ScenarioError("the process of a drive was killed; is there enough memory?") from error
+    except SystemExit:
+        for child in multiprocessing.active_children():
+            child.terminate()
+        raise
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _let_the_first_end_this() -> None:
+    for each in _ENDINGS:
+        signal.signal(each, signal.SIG_DFL)
+    # Ctrl-C reaches all processes of a terminal.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+def _said(mapped: Mapped) -> Mapped:
+    drive, check = mapped.drive, mapped.check
+    shares = f"{100 * check.cells_near_walls:.1f} %, {100 * check.walls_near_cells:.1f} %"
+    said = "; ".join(filter(None, [shares, mapped.problem]))
+    print(f"maps: {drive.place}, seed {drive.seed}: {said}", file=sys.stderr, flush=True)
+    return mapped

@@ -6,6 +6,7 @@ import sys
 
 import pytest
 from f1tenth_studies.faults.catalogue import clock_of_its_own, faults
+from f1tenth_studies.faults.command import BAD_INPUT, main
 from f1tenth_studies.faults.interrupts import Interrupts
 from f1tenth_studies.faults.table import document, problem
 from f1tenth_studies.faults.victim import Ending, Victim
@@ -129,3 +130,8 @@ def test_every_node_is_killed_and_stopped():
         "robot1/move_base stopped",
     ]
     assert len(set(names)) == len(names)
+
+
+def test_a_table_that_cannot_be_written_is_told_before_anything_is_broken(capsys):
+    assert main(["--table", "/nowhere/faults.md"]) == BAD_INPUT
+    assert capsys.readouterr().err == "faults: --table /nowhere/faults.md: there is no such folder\n"

@@ -257,7 +257,9 @@ def test_a_bad_value_is_bad_input(tmp_path, capsys):
 def test_a_table_that_cannot_be_written_is_bad_input(program, tmp_path, capsys):
     program()
     assert study_one_run(tmp_path, "--table", "/nowhere/t.md") == cli.BAD_INPUT
-    assert "study: /nowhere/t.md: cannot be written: No such file" in capsys.readouterr().err
+    assert "study: --table /nowhere/t.md: there is no such folder" in capsys.readouterr().err
+    assert study_one_run(tmp_path, "--table", str(tmp_path)) == cli.BAD_INPUT
+    assert f"study: {tmp_path}: cannot be written: Is a directory" in capsys.readouterr().err
 
 
 def oval(straight=20.0, radius=3.0):

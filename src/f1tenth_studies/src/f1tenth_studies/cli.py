@@ -13,7 +13,7 @@ from f1tenth_scenarios.results.reference_laps import reference_laps_text
 from f1tenth_scenarios.stop_request import StopRequest
 
 from f1tenth_scenarios import places
-from f1tenth_studies.files import made_folder, text_of, write_text
+from f1tenth_studies.files import expect_folder_of, made_folder, text_of, write_text
 from f1tenth_studies.optimum.car_limits import CLEARANCE, read_limits
 from f1tenth_studies.optimum.fastest_lap import FastestLap, compute_fastest_lap, write_raceline
 from f1tenth_studies.optimum.track import circuits, load_track
@@ -79,6 +79,7 @@ def _guarded(program: str, action: Callable, options) -> int:
 
 
 def _study(options) -> int:
+    expect_folder_of(options.table, "--table")
     study = importlib.import_module(f"{PACKAGE}.studies.{options.name}").STUDY
     own = dict(text.partition("=")[::2] for text in options.vary)
     scenario = places.package_path(PACKAGE) / "scenarios" / f"{study.scenario}.yaml"
@@ -128,6 +129,7 @@ def _command(options) -> str:
 
 
 def _references(options) -> int:
+    expect_folder_of(options.laps, "--laps")
     limits = read_limits(options.clearance)
     laps = {}
     for name in options.names:

@@ -1,6 +1,7 @@
 """Files and folders that commands read and write: what goes wrong with them is one line."""
 
 from pathlib import Path
+from typing import Optional
 
 from f1tenth_scenarios.errors import ScenarioError
 
@@ -16,6 +17,16 @@ def made_folder(folder: Path) -> Path:
     except OSError as error:
         raise ScenarioError(f"{folder}: cannot be made: {error.strerror}") from error
     return folder
+
+
+def expect_folder_of(path: Optional[Path], option: str) -> None:
+    """Tell a wrong path before the work whose outcome is to be written there, not after it.
+
+    Raises:
+        ScenarioError: the folder of the path that an option names is not there.
+    """
+    if path and not path.resolve().parent.is_dir():
+        raise ScenarioError(f"{option} {path}: there is no such folder")
 
 
 def text_of(path: Path) -> str:

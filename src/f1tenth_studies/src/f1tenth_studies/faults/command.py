@@ -19,7 +19,7 @@ from f1tenth_studies.faults.catalogue import DRIVEN, Fault, faults, node_names
 from f1tenth_studies.faults.interrupts import COMMANDS, interrupt
 from f1tenth_studies.faults.table import document, problem
 from f1tenth_studies.faults.victim import Ending
-from f1tenth_studies.files import write_text
+from f1tenth_studies.files import expect_folder_of, write_text
 
 GOOD, NOT_GOOD, BAD_INPUT = 0, 1, 2  # exit codes
 _PATIENCE = 90.0  # wall s, for a run to end by itself after something broke
@@ -46,6 +46,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
 
 
 def _run(options) -> int:
+    expect_folder_of(options.table, "--table")
     folder = Path(tempfile.mkdtemp(prefix="faults."))
     endings = list(_endings(options, folder))
     names = [each for each in COMMANDS if options.moments and options.only in each]

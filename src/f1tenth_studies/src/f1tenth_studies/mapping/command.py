@@ -14,7 +14,7 @@ from typing import Optional
 from f1tenth_scenarios.errors import ScenarioError
 
 from f1tenth_scenarios import places
-from f1tenth_studies.files import made_folder, text_of, write_text
+from f1tenth_studies.files import expect_folder_of, made_folder, text_of, write_text
 from f1tenth_studies.mapping.document import document
 from f1tenth_studies.mapping.drive import Drive, Mapped, map_drive
 from f1tenth_studies.mapping.places import circuit_drives, road_drives, track_drives
@@ -54,20 +54,13 @@ def _end(number: int, _) -> None:
 def _run(options: argparse.Namespace, arguments: Sequence[str]) -> int:
     if options.jobs is not None and options.jobs < 1:
         raise ScenarioError(f"--jobs is {options.jobs}, must be at least 1")
-    below = _below(options.table) if options.table else ""
+    expect_folder_of(options.table, "--table")
     mapped = _mapped(_drives(options), options.jobs or len(os.sched_getaffinity(0)))
     text = document(mapped, made_by(shlex.join(["rosrun", "f1tenth_studies", "maps", *arguments])))
     print(text)
     if options.table:
-        write_text(options.table, text + below)
+        write_text(options.table, text + remarks(text_of(options.table)))
     return GOOD if all(each.passed for each in mapped) else NOT_GOOD
-
-
-def _below(table: Path) -> str:
-    """What stands below a table that is there; a wrong path is told before the drives, not after them."""
-    if not table.resolve().parent.is_dir():
-        raise ScenarioError(f"--table {table}: there is no such folder")
-    return remarks(text_of(table))
 
 
 def _drives(options: argparse.Namespace) -> list[Drive]:

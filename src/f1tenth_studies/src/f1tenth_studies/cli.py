@@ -2,6 +2,7 @@
 
 import argparse
 import importlib
+import pkgutil
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -13,6 +14,7 @@ from f1tenth_scenarios.results.reference_laps import reference_laps_text
 from f1tenth_scenarios.stop_request import StopRequest
 
 from f1tenth_scenarios import places
+from f1tenth_studies import studies
 from f1tenth_studies.files import expect_folder_of, made_folder, text_of, write_text
 from f1tenth_studies.optimum.car_limits import CLEARANCE, read_limits
 from f1tenth_studies.optimum.fastest_lap import FastestLap, compute_fastest_lap, write_raceline
@@ -21,17 +23,7 @@ from f1tenth_studies.study import Run, Study, place_of
 from f1tenth_studies.table import document, remarks
 
 PACKAGE = "f1tenth_studies"
-STUDIES = (
-    "race_pace",
-    "localization",
-    "passing",
-    "encounters",
-    "rivals",
-    "safety",
-    "roads",
-    "tracks",
-    "stability",
-)
+STUDIES = sorted(each.name for each in pkgutil.iter_modules(studies.__path__))
 GOOD, NOT_GOOD, BAD_INPUT = 0, 1, 2  # exit codes
 
 

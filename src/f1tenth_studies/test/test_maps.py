@@ -17,8 +17,11 @@ from f1tenth_studies.mapping.drive import Drive, Mapped, map_drive
 from f1tenth_studies.mapping.places import circuit_drives, road_drives, track_drives
 from f1tenth_studies.optimum.track import circuits
 
+from f1tenth_scenarios import places
+
 SCRIPT = Path(__file__).resolve().parents[1] / "scripts" / "maps"
 needs_mapper = pytest.mark.skipif(not find_spec("gmapping_core"), reason="gmapping is the original here")
+DATA = Path(os.environ.get("F1TENTH_DATA", places.workspace_root().parent / "shared" / "data"))
 GOOD, DOUBLED = MapCheck(1.0, 0.99, 0.1), MapCheck(0.99, 0.96, 0.4)
 
 
@@ -86,8 +89,9 @@ def test_every_circuit_is_driven_with_every_seed():
     assert found == [(name, seed) for name in circuits() for seed in (0, 1)]
 
 
-@pytest.mark.skipif("F1TENTH_DATA" not in os.environ, reason="F1TENTH_DATA is not set")
-def test_tracks_are_driven_in_both_directions(tmp_path):
+@pytest.mark.skipif(not DATA.is_dir(), reason=f"no {DATA}")
+def test_tracks_are_driven_in_both_directions(tmp_path, monkeypatch):
+    monkeypatch.setenv("F1TENTH_DATA", str(DATA))
     found = [each for each in track_drives("7", tmp_path) if "Spa" in each.place]
     assert [each.place for each in found] == ["Spa", "Spa_reverse"]
     assert {each.seed for each in found} == {7}

@@ -21,7 +21,7 @@ std::vector<Beam> hitBeams(const Scan & scan, double max_range);
 /// Where beams ended, in the lidar's frame, m.
 std::vector<Vec2> endsOf(const std::vector<Beam> & beams);
 
-/// Where a beam is after a distance (m) from the lidar at pose.
+/// Where beams and their ends are in the map, of a lidar at pose: `transform`, with sine and cosine taken once.
 class BeamCaster
 {
 public:
@@ -31,6 +31,12 @@ public:
   {
     return {cos_ * beam.cos - sin_ * beam.sin, sin_ * beam.cos + cos_ * beam.sin};
   }
+  /// @param end  in the lidar's frame, m
+  Vec2 place(const Vec2 & end) const
+  {
+    return {pose_.x + cos_ * end.x - sin_ * end.y, pose_.y + sin_ * end.x + cos_ * end.y};
+  }
+  /// @param distance  from the lidar, m
   Vec2 along(const Vec2 & direction, double distance) const
   {
     return {pose_.x + distance * direction.x, pose_.y + distance * direction.y};

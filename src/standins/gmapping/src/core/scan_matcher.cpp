@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beams.h"
+
 namespace gmapping
 {
 namespace
@@ -87,8 +89,9 @@ double ScanMatcher::score(const CellMap & map, const std::vector<Vec2> & ends, c
 template <class Visit>
 void ScanMatcher::forEachEnd(const std::vector<Vec2> & ends, const Pose2 & pose, Visit visit) const
 {
+  const BeamCaster caster(pose);
   for (std::size_t i = 0; i < ends.size(); i += options_.lskip + 1) {
-    visit(transform(pose, ends[i]));
+    visit(caster.place(ends[i]));
   }
 }
 

@@ -5,7 +5,6 @@
 #include <random>
 #include <vector>
 
-#include "core/lidar/ray.h"
 #include "core/math/noise.h"
 #include "sample_world.h"
 
@@ -157,25 +156,27 @@ TEST(Rays, FromOutsideTheGridOfWallsFindThem)
 
 TEST(Rays, AlongAWallDoNotMeetItAndThroughACornerDo)
 {
-  Ray along{{0.0, 0.0}, {1.0, 0.0}, 10.0};
-  along.meetWall({5.0, 0.0}, {2.0, 0.0});
-  EXPECT_EQ(along.range, 10.0);
-  Ray corner{{0.0, 0.0}, {1.0, 0.0}, 10.0};
-  corner.meetWall({3.0, 0.0}, {3.0, 1.0});
-  EXPECT_EQ(corner.range, 10.0) << "seen from behind";
-  corner.meetWall({3.0, 0.0}, {3.0, -1.0});
-  EXPECT_NEAR(corner.range, 3.0, 1e-12);
+  Simulation simulation(world({staticModel("block", box("block::l::c", 1.0, 1.0, 1.0, 3.0, 0.5, 0.5))}));
+  simulation.addCar(car("robot1"), {}, {});
+  EXPECT_NEAR(onlyRay(simulation, kRobot1, {0.0, 0.0, 0.0}, 0.3), 2.5, 1e-9);
+  EXPECT_EQ(onlyRay(simulation, kRobot1, {3.0, 0.0, 0.0}, 0.3), kInfinity);
 }
 
 TEST(Rays, MeetACircleOnlyFromOutside)
 {
-  Ray ray{{0.0, 0.0}, {1.0, 0.0}, 10.0};
-  ray.meetCircle({{1.0, 0.0}, 2.0});
-  EXPECT_EQ(ray.range, 10.0);
-  ray.meetCircle({{-3.0, 0.0}, 1.0});
-  EXPECT_EQ(ray.range, 10.0) << "behind it";
-  ray.meetCircle({{5.0, 0.6}, 1.0});
-  EXPECT_NEAR(ray.range, 5.0 - 0.8, 1e-12);
+  Simulation simulation(world({pillar("pillar", true, 1.0, 5.0, 0.6)}));
+  simulation.addCar(car("robot1"), {}, {});
+  EXPECT_NEAR(onlyRay(simulation, kRobot1, {}, 0.3), 5.0 - 0.8, 1e-9);
+  EXPECT_EQ(onlyRay(simulation, kRobot1, {5.0, 0.5, 0.0}, 0.3), kInfinity);
+  EXPECT_EQ(onlyRay(simulation, kRobot1, {8.0, 0.0, 0.0}, 0.3), kInfinity) << "behind it";
+}
+
+TEST(Rays, WithoutLimitSeeTheFarthestWall)
+{
+  Simulation simulation(world({wallAcross(2000.0)}));
+  simulation.addCar(car("robot1"), {}, {});
+  EXPECT_NEAR(onlyRay(simulation, kRobot1, {}, 0.3, kInfinity), 2000.0, 1e-6);
+  EXPECT_EQ(onlyRay(simulation, kRobot1, {0.0, 0.0, M_PI}, 0.3, kInfinity), kInfinity);
 }
 
 TEST(SensorNoise, DependsOnCarSensorTimeAndIndexOnly)

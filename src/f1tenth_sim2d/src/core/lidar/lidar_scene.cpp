@@ -47,28 +47,6 @@ void MovingSection::draw(const Transform2 & body, RangeRaster & raster) const
   }
 }
 
-void MovingSection::meet(const Transform2 & body, Ray & ray) const
-{
-  Ray bounds = ray;
-  bounds.meetCircle({{body.x, body.y}, radius_});
-  const Vec2 apart{body.x - ray.origin.x, body.y - ray.origin.y};
-  if (bounds.range >= ray.range && length(apart) > radius_) {
-    return;
-  }
-  Ray own = ray.seenFrom(body);
-  for (const Outline & outline : section_.outlines) {
-    Vec2 previous = outline.back();
-    for (const Vec2 & corner : outline) {
-      own.meetWall(previous, corner);
-      previous = corner;
-    }
-  }
-  for (const Circle & circle : section_.circles) {
-    own.meetCircle(circle);
-  }
-  ray.range = own.range;
-}
-
 WorldSection::WorldSection(const WorldDescription & world, double height)
 : height_(height), walls_(staticSectionAt(world, height))
 {
@@ -95,14 +73,6 @@ void WorldSection::drawModels(const MovingPoses & poses, RangeRaster & raster) c
   }
 }
 
-void WorldSection::meet(const MovingPoses & poses, Ray & ray) const
-{
-  walls_.meet(ray);
-  for (const Movable & movable : movables_) {
-    movable.section.meet(Transform2(poses.ofModel(movable.model)), ray);
-  }
-}
-
 MovingSection LidarScene::sectionOf(const std::vector<Solid> & car) const
 {
   return {car, Pose3(), world_->height()};
@@ -121,16 +91,6 @@ void LidarScene::draw(CarId own, const MovingPoses & poses, RangeRaster & raster
   for (const SeenCar & car : cars_) {
     if (car.id != own) {
       car.section.draw(Transform2(poses.ofCar(car.id)), raster);
-    }
-  }
-}
-
-void LidarScene::meet(CarId own, const MovingPoses & poses, Ray & ray) const
-{
-  world_->meet(poses, ray);
-  for (const SeenCar & car : cars_) {
-    if (car.id != own) {
-      car.section.meet(Transform2(poses.ofCar(car.id)), ray);
     }
   }
 }

@@ -30,7 +30,6 @@ public:
   MovingSection(const std::vector<Solid> & solids, const Pose3 & frame, double height);
 
   void draw(const Transform2 & body, RangeRaster & raster) const;
-  void meet(const Transform2 & body, Ray & ray) const;
 
 private:
   Section section_;
@@ -48,8 +47,6 @@ public:
   /// Where lidars with these beams scan.
   ScanSpaces & spacesFor(const LidarDescription & lidar) const;
   void drawModels(const MovingPoses & poses, RangeRaster & raster) const;
-  /// Ends a ray at the nearest thing of the world that it meets.
-  void meet(const MovingPoses & poses, Ray & ray) const;
 
 private:
   struct Movable
@@ -83,8 +80,6 @@ public:
 
   /// Draws the world as it is seen from a car, which does not see itself.
   void draw(CarId own, const MovingPoses & poses, RangeRaster & raster, DrawnItems & drawn) const;
-  /// Ends a ray of a car at the nearest thing that it meets.
-  void meet(CarId own, const MovingPoses & poses, Ray & ray) const;
 
 private:
   struct SeenCar

@@ -24,7 +24,7 @@ LidarSensor::LidarSensor(const LidarDescription & description, const LidarScene 
 
 void LidarSensor::measure(ScanSpace & space, CarId own, const Pose2 & car, const MovingPoses & poses) const
 {
-  space.raster.begin(chain(car, mount_));
+  space.raster.begin(chain(car, mount_), description_.range_max);
   scene_->draw(own, poses, space.raster, space.drawn);
 }
 

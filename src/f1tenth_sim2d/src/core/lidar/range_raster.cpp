@@ -17,20 +17,16 @@ constexpr double kSlack = 1e-6;
 RangeRaster::RangeRaster(const LidarDescription & lidar)
 : beams_(lidar),
   view_{
-    {},
-    lidar.range_max,
-    beams_.angle_min,
-    beams_.beams_per_radian,
-    beams_.beams_per_turn,
-    static_cast<double>(beams_.count() - 1)},
-  inverse_ranges_(beams_.count()),
-  range_squared_(lidar.range_max * lidar.range_max)
+    {}, 0.0, beams_.angle_min, beams_.beams_per_radian, beams_.beams_per_turn, static_cast<double>(beams_.count() - 1)},
+  inverse_ranges_(beams_.count())
 {
 }
 
-void RangeRaster::begin(const Pose2 & sensor)
+void RangeRaster::begin(const Pose2 & sensor, double range_max)
 {
   view_.sensor = Transform2(sensor);
+  view_.range_max = range_max;
+  range_squared_ = range_max * range_max;
   waiting_ = 0;
   std::fill(inverse_ranges_.begin(), inverse_ranges_.end(), 0.0);
   farthest_ = inverse_ranges_.size() / 2;

@@ -23,7 +23,8 @@ public:
   explicit RangeRaster(const LidarDescription & lidar);
 
   /// Starts a scan from sensor, in the world.
-  void begin(const Pose2 & sensor);
+  /// @param range_max  m
+  void begin(const Pose2 & sensor, double range_max);
 
   /// Draws a wall from a to b, m, in the world; it is seen from its right side only, as is the outline of a solid.
   void addSegment(const Vec2 & a, const Vec2 & b)
@@ -77,7 +78,7 @@ private:
   BeamTable beams_;
   BeamView view_;
   std::vector<double> inverse_ranges_;
-  double range_squared_;     ///< m^2
+  double range_squared_{0.0};  ///< m^2
   std::size_t farthest_{0};  ///< a beam that saw nothing nearer than any other when sight() last looked at all of them
   double least_{0.0};        ///< 1/m, its inverse range then
   WallBatch batch_{};

@@ -8,7 +8,7 @@ namespace
 {
 auto beamsOf(const LidarDescription & lidar)
 {
-  return std::tie(lidar.beam_count, lidar.angle_min, lidar.angle_max, lidar.range_max);
+  return std::tie(lidar.beam_count, lidar.angle_min, lidar.angle_max);
 }
 }  // namespace
 

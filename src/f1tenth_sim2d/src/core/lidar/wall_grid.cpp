@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace f1tenth_sim2d
 {
@@ -35,44 +34,6 @@ Bounds boundsOf(const Circle & circle)
   bounds.include({circle.centre.x + circle.radius, circle.centre.y + circle.radius});
   return bounds;
 }
-/// A ray in one direction of a grid.
-struct Axis
-{
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-  /// @param from   m, from the lower end of the grid
-  /// @param slope  of the ray, along this axis
-  Axis(double from, double slope, double size, int count) : origin(from), direction(slope), cell(size), last(count - 1)
-  {
-    const double end = size * count;
-    if (slope != 0.0) {
-      step = slope > 0.0 ? 1 : -1;
-      enter = (slope > 0.0 ? -from : end - from) / slope;
-      leave = (slope > 0.0 ? end - from : -from) / slope;
-    } else if (from < 0.0 || from > end) {
-      leave = -kInfinity;
-    }
-  }
-
-  int cellAt(double distance) const
-  {
-    const double place = std::floor((origin + distance * direction) / cell);
-    return static_cast<int>(std::clamp(place, 0.0, static_cast<double>(last)));
-  }
-  /// Distance at which the ray leaves a cell.
-  double leaves(int index) const
-  {
-    return step == 0 ? kInfinity : ((index + (step > 0 ? 1 : 0)) * cell - origin) / direction;
-  }
-
-  double origin;
-  double direction;
-  double cell;  ///< m
-  int last;
-  int step{0};
-  double enter{-kInfinity};  ///< m, along the ray
-  double leave{kInfinity};
-};
 }  // namespace
 
 void DrawnItems::beginScan()
@@ -273,42 +234,6 @@ void WallGrid::drawItems(std::uint32_t begin, std::uint32_t count, const Drawing
     if (drawing.drawn.isFirstTime(items_[i - 1])) {
       const Circle & circle = circles_[items_[i - 1] - walls_.size()];
       raster.addCircle(circle.centre, circle.radius);
-    }
-  }
-}
-
-// Cell by cell along the ray (J. Amanatides, A. Woo: A Fast Voxel Traversal Algorithm for Ray Tracing, 1987), from where it enters
-// the grid to where nothing nearer can come.
-void WallGrid::meet(Ray & ray) const
-{
-  if (items_.empty()) {
-    return;
-  }
-  const Axis along_x(ray.origin.x - origin_.x, ray.direction.x, cell_size_, column_count_);
-  const Axis along_y(ray.origin.y - origin_.y, ray.direction.y, cell_size_, row_count_);
-  double entered = std::max({along_x.enter, along_y.enter, 0.0});
-  const double left = std::min(along_x.leave, along_y.leave);
-  int column = along_x.cellAt(entered);
-  int row = along_y.cellAt(entered);
-  while (entered <= left && entered <= ray.range) {
-    meetCell(static_cast<std::size_t>(row) * column_count_ + column, ray);
-    const double next_x = along_x.leaves(column);
-    const double next_y = along_y.leaves(row);
-    entered = std::min(next_x, next_y);
-    (next_x < next_y ? column : row) += next_x < next_y ? along_x.step : along_y.step;
-    if (column < 0 || row < 0 || column >= column_count_ || row >= row_count_) {
-      return;
-    }
-  }
-}
-
-void WallGrid::meetCell(std::size_t cell, Ray & ray) const
-{
-  for (std::uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i) {
-    if (items_[i] < walls_.size()) {
-      ray.meetWall({a_x_[i], a_y_[i]}, {b_x_[i], b_y_[i]});
-    } else {
-      ray.meetCircle(circles_[items_[i] - walls_.size()]);
     }
   }
 }

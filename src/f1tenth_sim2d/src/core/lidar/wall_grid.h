@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/lidar/range_raster.h"
-#include "core/lidar/ray.h"
 #include "f1tenth_sim2d/section.h"
 
 namespace f1tenth_sim2d
@@ -58,9 +57,6 @@ public:
   /// @param drawn  of itemCount() items, the lidar's own
   void draw(RangeRaster & raster, DrawnItems & drawn) const;
 
-  /// Ends a ray at the nearest wall that it meets.
-  void meet(Ray & ray) const;
-
 private:
   /// A scan in the making.
   struct Drawing
@@ -89,7 +85,6 @@ private:
   void drawRing(int column, int row, int ring, const Drawing & drawing) const;
   static bool isOutOfSight(const Circle & extent, const Drawing & drawing);
   void drawCell(std::size_t cell, const Drawing & drawing) const;
-  void meetCell(std::size_t cell, Ray & ray) const;
   void drawItems(std::uint32_t begin, std::uint32_t count, const Drawing & drawing) const;
 
   std::vector<Wall> walls_;

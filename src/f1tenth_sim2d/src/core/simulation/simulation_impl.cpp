@@ -16,6 +16,8 @@ namespace f1tenth_sim2d
 {
 namespace
 {
+constexpr double kFarthest = 1e6;  // m; no world is that large, and an endless ray would not know when to end
+
 /// "walls::Wall_3" of "walls::Wall_3::Wall_3_Collision": what a person knows the solid by.
 std::string withoutCollision(const std::string & scoped_name)
 {
@@ -338,17 +340,20 @@ void Simulation::Impl::scan(CarId id, std::size_t lidar, bool noisy, float * ran
 
 void Simulation::Impl::castRays(CarId id, const RayFan & fan, double * ranges) const
 {
-  const RegisteredCar & own = car(id);
-  const Transform2 origin(compose(own.car.pose(), fan.origin));
+  const Pose2 origin = chain(car(id).car.pose(), fan.origin);
   const LidarScene & scene = [&]() -> const LidarScene & {
     const std::lock_guard<std::mutex> lock(scenes_mutex_);
     return sceneAt(fan.height, cars(), *geometry_, scenes_);
   }();
+  LidarDescription ray;
+  ray.beam_count = 1;
+  const double range_max = std::min(kFarthest, fan.range_max);
+  const ScanSpaces::Loan space = scene.world().spacesFor(ray).borrow();
   for (std::size_t i = 0; i < fan.directions.size(); ++i) {
-    const SineCosine direction = sineCosine(fan.directions[i]);
-    Ray ray{{origin.x, origin.y}, origin.rotate({direction.cosine, direction.sine}), fan.range_max};
-    scene.meet(id, *this, ray);
-    ranges[i] = ray.range < fan.range_max ? ray.range : std::numeric_limits<double>::infinity();
+    space->raster.begin({origin.x, origin.y, origin.yaw + fan.directions[i]}, range_max);
+    scene.draw(id, *this, space->raster, space->drawn);
+    const double range = 1.0 / space->raster.inverseRanges()[0];
+    ranges[i] = range < fan.range_max ? range : std::numeric_limits<double>::infinity();
   }
 }
 

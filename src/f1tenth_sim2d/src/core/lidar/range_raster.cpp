@@ -12,14 +12,26 @@ namespace
 constexpr int kFewBeams = 6;  // not worth a call
 // Of a bound, so that rounding never hides anything.
 constexpr double kSlack = 1e-6;
+
+double beamsPerRadian(const LidarDescription & lidar)
+{
+  return lidar.beam_count > 1 ? (lidar.beam_count - 1) / (lidar.angle_max - lidar.angle_min) : 1.0;
+}
 }  // namespace
 
-RangeRaster::RangeRaster(const LidarDescription & lidar)
-: beams_(lidar),
-  view_{
-    {}, 0.0, beams_.angle_min, beams_.beams_per_radian, beams_.beams_per_turn, static_cast<double>(beams_.count() - 1)},
-  inverse_ranges_(beams_.count())
+RangeRaster::RangeRaster(const LidarDescription & lidar) : inverse_ranges_(lidar.beam_count)
 {
+  view_.angle_min = normalizeAngle(lidar.angle_min);
+  view_.beams_per_radian = beamsPerRadian(lidar);
+  view_.beams_per_turn = 2.0 * M_PI * view_.beams_per_radian;
+  view_.last_beam = lidar.beam_count - 1;
+  cosine_.reserve(lidar.beam_count);
+  sine_.reserve(lidar.beam_count);
+  for (int i = 0; i < lidar.beam_count; ++i) {
+    const SineCosine at = sineCosine(view_.angle_min + i / view_.beams_per_radian);
+    cosine_.push_back(at.cosine);
+    sine_.push_back(at.sine);
+  }
 }
 
 void RangeRaster::begin(const Pose2 & sensor, double range_max)
@@ -38,14 +50,13 @@ void RangeRaster::begin(const Pose2 & sensor, double range_max)
 template <typename Visit>
 bool RangeRaster::anyInterval(double begin, double width, Visit visit) const
 {
-  const double last_beam = beams_.count() - 1;
-  begin -= beams_.beams_per_turn;
+  begin -= view_.beams_per_turn;
   if (begin + width + kCornerTolerance < 0.0) {
-    begin += beams_.beams_per_turn;
+    begin += view_.beams_per_turn;
   }
-  for (; begin <= last_beam + kCornerTolerance; begin += beams_.beams_per_turn) {
+  for (; begin <= view_.last_beam + kCornerTolerance; begin += view_.beams_per_turn) {
     const double from = std::max(begin - kCornerTolerance, 0.0);
-    const double to = std::min(begin + width + kCornerTolerance, last_beam);
+    const double to = std::min(begin + width + kCornerTolerance, view_.last_beam);
     const int whole = static_cast<int>(from);
     const int first = whole < from ? whole + 1 : whole;
     if (first <= to && visit(first, static_cast<int>(to))) {
@@ -58,8 +69,8 @@ bool RangeRaster::anyInterval(double begin, double width, Visit visit) const
 // For angles from half a turn below to half a turn above: within one turn about [0, beams_per_turn).
 double RangeRaster::beamOf(double angle) const
 {
-  const double beam = (angle - beams_.angle_min) * beams_.beams_per_radian;
-  return beam < 0.0 ? beam + beams_.beams_per_turn : beam;
+  const double beam = (angle - view_.angle_min) * view_.beams_per_radian;
+  return beam < 0.0 ? beam + view_.beams_per_turn : beam;
 }
 
 void RangeRaster::drawWaiting()
@@ -88,8 +99,8 @@ void RangeRaster::drawExactly(std::size_t wall)
   const Vec2 b = view_.sensor.rotateBack({batch_.b_x[wall], batch_.b_y[wall]});
   const double beam_a = beamOf(direction(a.y, a.x));
   const double beam_b = beamOf(direction(b.y, b.x));
-  const double width = beam_a < beam_b ? beam_a - beam_b + beams_.beams_per_turn : beam_a - beam_b;
-  if (width > kWidthMax * beams_.beams_per_turn) {
+  const double width = beam_a < beam_b ? beam_a - beam_b + view_.beams_per_turn : beam_a - beam_b;
+  if (width > kWidthMax * view_.beams_per_turn) {
     return;
   }
   anyInterval(beam_b, width, [&](int first, int last) {
@@ -102,8 +113,8 @@ void RangeRaster::draw(std::size_t wall, int first, int last)
 {
   const double along_cosine = batch_.along_cosine[wall];
   const double along_sine = batch_.along_sine[wall];
-  const double * const cosine = beams_.cosine.data();
-  const double * const sine = beams_.sine.data();
+  const double * const cosine = cosine_.data();
+  const double * const sine = sine_.data();
   double * const inverse = inverse_ranges_.data();
   if (last - first >= kFewBeams) {
     drawWall(along_cosine, along_sine, cosine + first, sine + first, inverse + first, last - first + 1);
@@ -125,9 +136,9 @@ void RangeRaster::addCircle(const Vec2 & centre_world, double radius)
   const double half_width = std::asin(radius / distance);
   const double radius_squared = radius * radius;
   const double begin = beamOf(direction(centre.y, centre.x) - half_width);
-  anyInterval(begin, 2.0 * half_width * beams_.beams_per_radian, [&](int first, int last) {
-    const double * cosine = beams_.cosine.data();
-    const double * sine = beams_.sine.data();
+  anyInterval(begin, 2.0 * half_width * view_.beams_per_radian, [&](int first, int last) {
+    const double * cosine = cosine_.data();
+    const double * sine = sine_.data();
     double * inverse = inverse_ranges_.data();
     for (int i = first; i <= last; ++i) {
       const double along = centre.x * cosine[i] + centre.y * sine[i];
@@ -159,7 +170,7 @@ bool RangeRaster::couldShow(const Vec2 & centre_world, double radius)
   const double begin = beamOf(roughAngle(centre.y, centre.x) - half_width);
   const double threshold = (1.0 - kSlack) / nearest;
   const double * const inverse = inverseRanges();
-  return anyInterval(begin, 2.0 * half_width * beams_.beams_per_radian, [&](int first, int last) {
+  return anyInterval(begin, 2.0 * half_width * view_.beams_per_radian, [&](int first, int last) {
     return anyBelow(inverse + first, last - first + 1, threshold);
   });
 }

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/lidar/beam_kernels.h"
-#include "core/lidar/beam_table.h"
 #include "core/math/planar_pose.h"
+#include "f1tenth_sim2d/car_model.h"
 #include "f1tenth_sim2d/geometry.h"
 
 namespace f1tenth_sim2d
@@ -63,7 +63,7 @@ public:
   /// Inverse ranges of all beams, 1/m; 0 where nothing was drawn. May fall below 1 / rangeMax().
   const double * inverseRanges();
 
-  int beamCount() const { return beams_.count(); }
+  int beamCount() const { return static_cast<int>(inverse_ranges_.size()); }
   double rangeMax() const { return view_.range_max; }
   const Transform2 & sensor() const { return view_.sensor; }
 
@@ -75,8 +75,9 @@ private:
   void drawExactly(std::size_t wall);
   void draw(std::size_t wall, int first, int last);
 
-  BeamTable beams_;
-  BeamView view_;
+  BeamView view_{};
+  std::vector<double> cosine_;  ///< of the beams, in the frame of the lidar
+  std::vector<double> sine_;
   std::vector<double> inverse_ranges_;
   double range_squared_{0.0};  ///< m^2
   std::size_t farthest_{0};  ///< a beam that saw nothing nearer than any other when sight() last looked at all of them

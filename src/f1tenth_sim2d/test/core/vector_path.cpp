@@ -76,9 +76,9 @@ void addBeams(Results & results)
   results.add(answers, 2);
   gaussians(noiseKey(1, 2, NoiseStream::kLidar, 3, 4), kBeams, normal);
   results.add(normal, kBeams);
-  reportRanges(inverse, kBeams, {0.5, 10.0}, ranges);
+  reportRanges(inverse, normal, kBeams, 0.0, 0.0, {0.5, 10.0}, ranges);
   results.add(ranges, kBeams);
-  reportNoisyRanges(inverse, normal, kBeams, 0.001, 0.01, {0.5, 10.0}, ranges);
+  reportRanges(inverse, normal, kBeams, 0.001, 0.01, {0.5, 10.0}, ranges);
   results.add(ranges, kBeams);
 }
 }  // namespace

@@ -151,16 +151,6 @@ double leastOf(const double * values, std::size_t count)
 
 F1TENTH_VECTORIZED
 void reportRanges(
-  const double * __restrict inverse, std::size_t count, const RangeLimits & limits, float * __restrict ranges)
-{
-  const RangeLimits l = limits;
-  for (std::size_t i = 0; i < count; ++i) {
-    ranges[i] = report(1.0 / inverse[i], l);
-  }
-}
-
-F1TENTH_VECTORIZED
-void reportNoisyRanges(
   const double * __restrict inverse, const double * __restrict normal, std::size_t count, double mean, double stddev,
   const RangeLimits & limits, float * __restrict ranges)
 {

@@ -83,11 +83,8 @@ struct RangeLimits
   double range_max;
 };
 
-/// Ranges, m, of inverse ranges, 1/m.
-void reportRanges(const double * inverse, std::size_t count, const RangeLimits & limits, float * ranges);
-
-/// The same with noise added: mean + stddev * normal[i], m.
-void reportNoisyRanges(
+/// Ranges, m, of inverse ranges, 1/m, with noise added: mean + stddev * normal[i], m.
+void reportRanges(
   const double * inverse, const double * normal, std::size_t count, double mean, double stddev,
   const RangeLimits & limits, float * ranges);
 }  // namespace f1tenth_sim2d

@@ -6,14 +6,6 @@
 
 namespace f1tenth_sim2d
 {
-namespace
-{
-RangeLimits limitsOf(const LidarDescription & lidar)
-{
-  return {lidar.range_min, lidar.range_max};
-}
-}  // namespace
-
 LidarSensor::LidarSensor(const LidarDescription & description, const LidarScene & scene)
 : description_(description),
   mount_(planar(description.pose)),
@@ -22,27 +14,19 @@ LidarSensor::LidarSensor(const LidarDescription & description, const LidarScene 
 {
 }
 
-void LidarSensor::measure(ScanSpace & space, CarId own, const Pose2 & car, const MovingPoses & poses) const
-{
-  space.raster.begin(chain(car, mount_), description_.range_max);
-  scene_->draw(own, poses, space.raster, space.drawn);
-}
-
-void LidarSensor::scan(CarId own, const Pose2 & car, const MovingPoses & poses, float * ranges) const
+void LidarSensor::scan(
+  CarId own, const Pose2 & car, const MovingPoses & poses, std::optional<std::uint64_t> noise_key, float * ranges) const
 {
   const ScanSpaces::Loan space = spaces_->borrow();
-  measure(*space, own, car, poses);
-  reportRanges(space->raster.inverseRanges(), space->normal.size(), limitsOf(description_), ranges);
-}
-
-void LidarSensor::noisyScan(
-  CarId own, const Pose2 & car, const MovingPoses & poses, std::uint64_t key, float * ranges) const
-{
-  const ScanSpaces::Loan space = spaces_->borrow();
-  measure(*space, own, car, poses);
-  gaussians(key, space->normal.size(), space->normal.data());
-  reportNoisyRanges(
-    space->raster.inverseRanges(), space->normal.data(), space->normal.size(), description_.noise_mean,
-    description_.noise_stddev, limitsOf(description_), ranges);
+  space->raster.begin(chain(car, mount_), description_.range_max);
+  scene_->draw(own, poses, space->raster, space->drawn);
+  if (noise_key) {
+    gaussians(*noise_key, space->normal.size(), space->normal.data());
+  }
+  const double mean = noise_key ? description_.noise_mean : 0.0;
+  const double stddev = noise_key ? description_.noise_stddev : 0.0;
+  reportRanges(
+    space->raster.inverseRanges(), space->normal.data(), space->normal.size(), mean, stddev,
+    {description_.range_min, description_.range_max}, ranges);
 }
 }  // namespace f1tenth_sim2d

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "core/lidar/lidar_scene.h"
 #include "core/lidar/scan_space.h"
@@ -15,16 +16,14 @@ public:
   /// @param scene  at the height of this lidar
   LidarSensor(const LidarDescription & description, const LidarScene & scene);
 
-  /// @param car     pose of base_footprint
-  /// @param ranges  beam_count values, m, as Simulation::exactScan() documents them
-  void scan(CarId own, const Pose2 & car, const MovingPoses & poses, float * ranges) const;
-
-  /// The same with the noise of a key.
-  void noisyScan(CarId own, const Pose2 & car, const MovingPoses & poses, std::uint64_t key, float * ranges) const;
+  /// @param car        pose of base_footprint
+  /// @param noise_key  of the noise, if there is to be any
+  /// @param ranges     beam_count values, m, as Simulation::exactScan() documents them
+  void scan(
+    CarId own, const Pose2 & car, const MovingPoses & poses, std::optional<std::uint64_t> noise_key,
+    float * ranges) const;
 
 private:
-  void measure(ScanSpace & space, CarId own, const Pose2 & car, const MovingPoses & poses) const;
-
   LidarDescription description_;
   Pose2 mount_;
   const LidarScene * scene_;

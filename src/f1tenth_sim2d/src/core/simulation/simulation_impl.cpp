@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 #include "core/contacts/clearance.h"
@@ -328,14 +329,12 @@ Pose2 Simulation::Impl::ofCar(CarId id) const
 void Simulation::Impl::scan(CarId id, std::size_t lidar, bool noisy, float * ranges) const
 {
   const RegisteredCar & own = car(id);
-  const LidarSensor & sensor = own.lidars.at(lidar);
+  std::optional<std::uint64_t> noise_key;
   if (noisy) {
-    const std::uint64_t key =
+    noise_key =
       noiseKey(options_.seed, own.noise_stream, NoiseStream::kLidar, lidar, static_cast<std::uint64_t>(time_));
-    sensor.noisyScan(id, own.car.pose(), *this, key, ranges);
-  } else {
-    sensor.scan(id, own.car.pose(), *this, ranges);
   }
+  own.lidars.at(lidar).scan(id, own.car.pose(), *this, noise_key, ranges);
 }
 
 void Simulation::Impl::castRays(CarId id, const RayFan & fan, double * ranges) const

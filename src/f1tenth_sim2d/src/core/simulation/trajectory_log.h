@@ -1,25 +1,29 @@
 #pragma once
 
-#include <optional>
+#include <cstdint>
+#include <fstream>
+#include <map>
+#include <set>
 #include <string>
 
-#include "core/simulation/trajectory_recorder.h"
 #include "f1tenth_sim2d/simulation.h"
 #include "f1tenth_sim2d/trajectory_hash.h"
 
 namespace f1tenth_sim2d
 {
-/// What is kept of a run, control period by control period: the hash, and the record if there is one.
+/// What is kept of a run, control period by control period: the hash, and the record if there is one. That is a CSV file with
+/// one row a car and period, with all digits of every number. Columns: docs/contracts.md.
 class TrajectoryLog
 {
 public:
   /// @param record_file  empty: none
-  /// @throws Error if it cannot be written
+  /// @throws Error if it cannot be written, as all that writes does
   TrajectoryLog(const Simulation & simulation, const std::string & record_file);
 
   /// Every contact, once, in the period in which it was.
   void note(CarId car, const Contact & contact);
   void endPeriod();
+  /// Begins the record anew, too.
   void restart();
   /// Leaves nothing of the record in memory.
   void flush();
@@ -28,10 +32,23 @@ public:
   std::string hash() const { return hash_.hexDigest(); }
 
 private:
+  /// What a car touched in this period.
+  struct Touch
+  {
+    std::set<std::string> models;  ///< their names
+    double speed{0.0};             ///< m/s, as in Contact: the greatest
+  };
+
+  void beginRecord();
+  void writeRecord();
+  static std::string columnsOf(const Touch & touch);
+  void requireGood() const;
+
   const Simulation & simulation_;
+  const std::string record_file_;
+  std::ofstream record_;
   TrajectoryHash hash_;
-  std::optional<TrajectoryRecorder> recorder_;
-  Touches touches_;
+  std::map<CarId, Touch> touches_;  ///< of cars that touched anything
   std::int64_t periods_{0};
 };
 }  // namespace f1tenth_sim2d

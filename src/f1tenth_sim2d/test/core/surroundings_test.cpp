@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/contacts/static_pieces.h"
+#include "core/contacts/piece_set.h"
 #include "f1tenth_sim2d/trajectory_hash.h"
 #include "sample_world.h"
 
@@ -21,10 +21,10 @@ Piece square(float x, float y)
   return piece;
 }
 
-std::vector<std::size_t> found(const StaticPieces & statics, const b2AABB & region)
+std::vector<std::size_t> found(const PieceSet & pieces, const b2AABB & region)
 {
   std::vector<std::size_t> indices;
-  statics.forEachIn(region, [&](std::size_t index, const Piece &) { indices.push_back(index); });
+  pieces.forEachFixedIn(region, [&](std::size_t index, const Piece &) { indices.push_back(index); });
   return indices;
 }
 
@@ -55,14 +55,14 @@ std::string hashOfScraping(Simulation & simulation)
 }
 }  // namespace
 
-TEST(StaticPieces, ThoseInARegionAreFound)
+TEST(PieceSet, FixedOnesInARegionAreFound)
 {
-  const StaticPieces statics({square(0.0F, 0.0F), square(100.0F, 0.0F)});
-  EXPECT_EQ(statics.size(), 2u);
-  EXPECT_EQ(found(statics, {{-2.0F, -2.0F}, {2.0F, 2.0F}}), std::vector<std::size_t>{0});
-  EXPECT_EQ(found(statics, {{98.0F, -2.0F}, {98.95F, 2.0F}}), std::vector<std::size_t>{1});
-  EXPECT_TRUE(found(statics, {{40.0F, 0.0F}, {60.0F, 1.0F}}).empty());
-  EXPECT_EQ(found(statics, {{-2.0F, -2.0F}, {200.0F, 2.0F}}).size(), 2u);
+  const PieceSet pieces(Layer::kWholeSolid, {}, {square(0.0F, 0.0F), square(100.0F, 0.0F)});
+  EXPECT_EQ(pieces.fixedCount(), 2u);
+  EXPECT_EQ(found(pieces, {{-2.0F, -2.0F}, {2.0F, 2.0F}}), std::vector<std::size_t>{0});
+  EXPECT_EQ(found(pieces, {{98.0F, -2.0F}, {98.95F, 2.0F}}), std::vector<std::size_t>{1});
+  EXPECT_TRUE(found(pieces, {{40.0F, 0.0F}, {60.0F, 1.0F}}).empty());
+  EXPECT_EQ(found(pieces, {{-2.0F, -2.0F}, {200.0F, 2.0F}}).size(), 2u);
 }
 
 TEST(Surroundings, CarThatHasTouchedAWallIsStoppedByOneFarFromIt)

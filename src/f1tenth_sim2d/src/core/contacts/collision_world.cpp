@@ -82,7 +82,7 @@ std::vector<Piece> CollisionWorld::wholePieces(std::size_t model) const
 
 void CollisionWorld::know(const PieceSet & pieces)
 {
-  known_.push_back({&pieces, std::vector<bool>(pieces.fixed().size()), false});
+  known_.push_back({&pieces, std::vector<bool>(pieces.fixedCount()), false});
 }
 
 void CollisionWorld::addMovablePieces(Known & known)
@@ -204,7 +204,7 @@ void CollisionWorld::surround(Participant & participant, double travel)
     if (!known.in_use) {
       continue;
     }
-    known.pieces->fixed().forEachIn(*region, [&](std::size_t index, const Piece & piece) {
+    known.pieces->forEachFixedIn(*region, [&](std::size_t index, const Piece & piece) {
       if (!known.has_fixed[index]) {
         known.has_fixed[index] = true;
         addFixture(*static_body_, piece);

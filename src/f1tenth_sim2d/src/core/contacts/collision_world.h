@@ -99,8 +99,7 @@ private:
   void visitSet(const PieceSet & set, const b2Vec2 & centre, double radius, Visit & visit) const
   {
     const b2Transform in_world(b2Vec2_zero, b2Rot(0.0F));
-    set.fixed().forEachIn(
-      squareAround(centre, radius), [&](std::size_t, const Piece & piece) { visit(piece, in_world); });
+    set.forEachFixedIn(squareAround(centre, radius), [&](std::size_t, const Piece & piece) { visit(piece, in_world); });
     for (const Movable & movable : movables_) {
       const b2Transform & at = movable.participant.body->GetTransform();
       if (fromBox(b2Distance(at.p, centre)) <= radius + movable.participant.outer_radius) {

@@ -4,9 +4,15 @@
 
 namespace f1tenth_sim2d
 {
-PieceSet::PieceSet(Layer layer, CutPieces pieces)
-: layer_(layer), movable_(std::move(pieces.movable)), fixed_(std::move(pieces.fixed))
+PieceSet::PieceSet(Layer layer, std::vector<Piece> movable, std::vector<Piece> fixed)
+: layer_(layer), movable_(std::move(movable)), fixed_(std::move(fixed))
 {
+  const b2Transform in_world(b2Vec2_zero, b2Rot(0.0F));
+  for (std::uintptr_t i = 0; i < fixed_.size(); ++i) {
+    b2AABB bounds;
+    fixed_[i].boxShape().ComputeAABB(&bounds, in_world, 0);
+    tree_.CreateProxy(bounds, reinterpret_cast<void *>(i));
+  }
 }
 
 PieceSet::Range PieceSet::ofMovable(std::size_t model) const

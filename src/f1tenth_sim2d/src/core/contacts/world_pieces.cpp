@@ -8,7 +8,6 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-
 ModelBody bodyOf(const ModelDescription & model)
 {
   if (model.is_static) {
@@ -40,16 +39,18 @@ void forEachSolid(const WorldDescription & world, Visit visit)
 
 /// The pieces of the solids that cut(solid, pose, properties) gives a footprint of.
 template <typename Cut>
-CutPieces cutPieces(const WorldDescription & world, const std::vector<ModelBody> & bodies, Cut cut)
+std::unique_ptr<const PieceSet> cutPieces(
+  const WorldDescription & world, const std::vector<ModelBody> & bodies, Layer layer, Cut cut)
 {
-  CutPieces result;
+  std::vector<Piece> movable;
+  std::vector<Piece> fixed;
   forEachSolid(world, [&](const Solid & solid, const Pose3 & pose, Piece properties) {
     if (const std::optional<Section> footprint = cut(solid, pose, properties)) {
-      std::vector<Piece> & pieces = world.models[properties.body].is_static ? result.fixed : result.movable;
+      std::vector<Piece> & pieces = world.models[properties.body].is_static ? fixed : movable;
       appendPieces(pieces, *footprint, bodies[properties.body].centre_of_mass, solid, properties);
     }
   });
-  return result;
+  return std::make_unique<PieceSet>(layer, std::move(movable), std::move(fixed));
 }
 
 std::vector<ModelBody> bodiesOf(const WorldDescription & world)
@@ -62,18 +63,17 @@ std::vector<ModelBody> bodiesOf(const WorldDescription & world)
 }
 }  // namespace
 
-WorldPieces::WorldPieces(const WorldDescription & world)
-: world_(world), bodies_(bodiesOf(world)), whole_(Layer::kWholeSolid, cutWhole())
+WorldPieces::WorldPieces(const WorldDescription & world) : world_(world), bodies_(bodiesOf(world)), whole_(cutWhole())
 {
 }
 
-CutPieces WorldPieces::cutWhole() const
+std::unique_ptr<const PieceSet> WorldPieces::cutWhole() const
 {
   const auto cut = [](const Solid & solid, const Pose3 & pose, Piece & properties) -> std::optional<Section> {
     properties.layer = isUprightPrism(solid, pose) ? Layer::kWholeSolid : Layer::kModelsOnly;
     return footprintBetween(solid, pose, properties.span.bottom, properties.span.top);
   };
-  return cutPieces(world_, bodies_, cut);
+  return cutPieces(world_, bodies_, Layer::kWholeSolid, cut);
 }
 
 const PieceSet & WorldPieces::layerFor(const VerticalSpan & span) const
@@ -81,7 +81,7 @@ const PieceSet & WorldPieces::layerFor(const VerticalSpan & span) const
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const SpanLayer & layer : layers_) {
     if (layer.span.bottom == span.bottom && layer.span.top == span.top) {
-      return layer.pieces;
+      return *layer.pieces;
     }
   }
   const auto number = static_cast<Layer>(layers_.size());
@@ -92,6 +92,7 @@ const PieceSet & WorldPieces::layerFor(const VerticalSpan & span) const
     properties.layer = number;
     return footprintBetween(solid, pose, span.bottom, span.top);
   };
-  return layers_.emplace_back(span, number, cutPieces(world_, bodies_, cut)).pieces;
+  layers_.push_back({span, cutPieces(world_, bodies_, number, cut)});
+  return *layers_.back().pieces;
 }
 }  // namespace f1tenth_sim2d

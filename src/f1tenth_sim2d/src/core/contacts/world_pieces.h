@@ -1,8 +1,7 @@
 #pragma once
 
-#include <deque>
+#include <memory>
 #include <mutex>
-#include <utility>
 #include <vector>
 
 #include "core/contacts/piece.h"
@@ -26,26 +25,24 @@ public:
   explicit WorldPieces(const WorldDescription & world);
 
   /// Of whole solids: what upright ones are in every layer, and what models touch of each other.
-  const PieceSet & whole() const { return whole_; }
+  const PieceSet & whole() const { return *whole_; }
   /// The layer of car solids of this span; the world is cut for it at the first time.
   const PieceSet & layerFor(const VerticalSpan & span) const;
   const std::vector<ModelBody> & bodies() const { return bodies_; }
 
 private:
-  CutPieces cutWhole() const;
+  std::unique_ptr<const PieceSet> cutWhole() const;
 
   struct SpanLayer
   {
-    SpanLayer(const VerticalSpan & s, Layer number, CutPieces cut) : span(s), pieces(number, std::move(cut)) {}
-
     VerticalSpan span;
-    PieceSet pieces;
+    std::unique_ptr<const PieceSet> pieces;
   };
 
   const WorldDescription & world_;
   const std::vector<ModelBody> bodies_;
-  const PieceSet whole_;
+  const std::unique_ptr<const PieceSet> whole_;
   mutable std::mutex mutex_;  ///< of what follows
-  mutable std::deque<SpanLayer> layers_;
+  mutable std::vector<SpanLayer> layers_;
 };
 }  // namespace f1tenth_sim2d

@@ -4,6 +4,7 @@
 
 #include "core/math/planar_pose.h"
 #include "f1tenth_sim2d/errors.h"
+#include "node/gazebo_api/spawner.h"
 #include "node/messages/conversions.h"
 
 namespace f1tenth_sim2d
@@ -42,7 +43,7 @@ bool isModel(const std::optional<Entity> & entity)
 }  // namespace
 
 GazeboModels::GazeboModels(ros::NodeHandle & node, Simulation & simulation, Fleet & fleet)
-: simulation_(simulation), fleet_(fleet), spawner_(simulation, fleet)
+: simulation_(simulation), fleet_(fleet)
 {
   const auto serve = [&](const std::string & name, auto method) {
     servers_.push_back(node.advertiseService("/gazebo/" + name, method, this));
@@ -77,9 +78,10 @@ bool GazeboModels::spawn(gazebo_msgs::SpawnModel::Request & request, gazebo_msgs
       "SpawnModel: reference reference_frame not found, did you forget to scope the link by model name?");
   }
   try {
-    spawner_.spawn(
+    spawnEntity(
       {request.model_name, request.model_xml, request.robot_namespace,
-       reference->pose * fromPose(request.initial_pose)});
+       reference->pose * fromPose(request.initial_pose)},
+      simulation_, fleet_);
   } catch (const std::exception & error) {  // ROS has exceptions of its own, for names that it does not take
     return answer(response, false, std::string("SpawnModel: Failure - ") + error.what());
   }

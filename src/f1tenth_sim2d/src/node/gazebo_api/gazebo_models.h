@@ -12,7 +12,6 @@
 
 #include "node/cars/fleet.h"
 #include "node/gazebo_api/gazebo_entities.h"
-#include "node/gazebo_api/spawner.h"
 
 namespace f1tenth_sim2d
 {
@@ -35,7 +34,6 @@ private:
 
   Simulation & simulation_;
   Fleet & fleet_;
-  Spawner spawner_;
   std::vector<ros::ServiceServer> servers_;
   ros::Subscriber state_subscriber_;
 };

@@ -3,7 +3,6 @@
 #include <malloc.h>
 #include <ros/console.h>
 #include <ros/param.h>
-#include <tinyxml2.h>
 
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/trim.hpp>
@@ -39,26 +38,6 @@ std::vector<Pose2> placesAround(const Pose2 & pose, double limit)
   return places;
 }
 
-// As gazebo_ros does: a description may leave its name to whoever spawns it.
-std::string withName(const std::string & xml, const std::string & name)
-{
-  tinyxml2::XMLDocument document;
-  if (document.Parse(xml.c_str(), xml.size()) != tinyxml2::XML_SUCCESS) {
-    return xml;
-  }
-  tinyxml2::XMLElement * const root = document.RootElement();
-  tinyxml2::XMLElement * const model = root->FirstChildElement("model");
-  tinyxml2::XMLElement * const named = model != nullptr ? model : root;
-  const char * const own = named->Attribute("name");
-  if (own == nullptr || *own != '\0') {
-    return xml;
-  }
-  named->SetAttribute("name", name.c_str());
-  tinyxml2::XMLPrinter printer;
-  document.Print(&printer);
-  return printer.CStr();
-}
-
 // As the plugins of gazebo_ros do: a tf_prefix in the car's namespace, or above it, stands before its frames.
 std::string framePrefix(const std::string & ros_namespace)
 {
@@ -70,40 +49,14 @@ std::string framePrefix(const std::string & ros_namespace)
   boost::algorithm::trim_if(prefix, is_any_of("/"));
   return prefix.empty() ? "" : prefix + "/";
 }
-}  // namespace
-
-void Spawner::spawn(const Request & asked)
-{
-  Request request = asked;
-  request.xml = withName(asked.xml, asked.name);
-  const std::string source = "description of " + request.name;
-  if (describesCar(request.xml, source)) {
-    spawnCar(request, source);
-  } else {
-    spawnModel(request, source);
-  }
-  malloc_trim(0);
-}
-
-void Spawner::spawnCar(const Request & request, const std::string & source)
-{
-  CarParameters parameters;
-  parameters.name = request.name;
-  parameters.ros_namespace = "/" + boost::algorithm::trim_copy_if(request.ros_namespace, is_any_of("/"));
-  const CarDescription description =
-    loadCar(request.xml, request.name, source, searchPathFromEnvironment(), parameters.ros_namespace.substr(1));
-  warnOnce(description.source, description.warnings);
-  parameters.frame_prefix = framePrefix(parameters.ros_namespace);
-  addNear(parameters, description, carPose(description, request.pose));
-}
 
 // As in Gazebo, a car that would stand in something is pushed out of it.
-void Spawner::addNear(const CarParameters & parameters, const CarDescription & car, const Pose2 & pose)
+void addNear(const CarParameters & parameters, const CarDescription & car, const Pose2 & pose, Fleet & fleet)
 {
   std::string complaint;
   for (const Pose2 & place : placesAround(pose, kLengthPerWheelbase * car.parameters.wheelbase())) {
     try {
-      fleet_.add(parameters, car, car.parameters, place);
+      fleet.add(parameters, car, car.parameters, place);
     } catch (const OccupiedPlace & error) {
       complaint = complaint.empty() ? error.what() : complaint;
       continue;
@@ -117,12 +70,36 @@ void Spawner::addNear(const CarParameters & parameters, const CarDescription & c
   throw OccupiedPlace(complaint + ", and no place within a car's length is free");
 }
 
-void Spawner::spawnModel(const Request & request, const std::string & source)
+void spawnCar(const SpawnRequest & request, const std::string & source, Fleet & fleet)
+{
+  CarParameters parameters;
+  parameters.name = request.name;
+  parameters.ros_namespace = "/" + boost::algorithm::trim_copy_if(request.ros_namespace, is_any_of("/"));
+  const CarDescription description =
+    loadCar(request.xml, request.name, source, searchPathFromEnvironment(), parameters.ros_namespace.substr(1));
+  warnOnce(description.source, description.warnings);
+  parameters.frame_prefix = framePrefix(parameters.ros_namespace);
+  addNear(parameters, description, carPose(description, request.pose), fleet);
+}
+
+void spawnModel(const SpawnRequest & request, const std::string & source, Simulation & simulation)
 {
   const LoadedModel loaded = loadModel(request.xml, request.name, request.pose, source, searchPathFromEnvironment());
   warnOnce(source, loaded.warnings);
   for (const auto & model : loaded.models) {
-    simulation_.addModel(model);
+    simulation.addModel(model);
   }
+}
+}  // namespace
+
+void spawnEntity(const SpawnRequest & request, Simulation & simulation, Fleet & fleet)
+{
+  const std::string source = "description of " + request.name;
+  if (describesCar(request.xml, source)) {
+    spawnCar(request, source, fleet);
+  } else {
+    spawnModel(request, source, simulation);
+  }
+  malloc_trim(0);
 }
 }  // namespace f1tenth_sim2d

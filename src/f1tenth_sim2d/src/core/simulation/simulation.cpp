@@ -137,9 +137,14 @@ double Simulation::clearance(CarId car, double limit) const
   return f1tenth_sim2d::clearance(placedCars(registry.cars()), registry.indexOf(car), impl_->collisions(), limit);
 }
 
+const WorldDescription & Simulation::world() const
+{
+  return impl_->world();
+}
+
 const std::vector<ModelDescription> & Simulation::models() const
 {
-  return impl_->world().models;
+  return world().models;
 }
 
 ModelState Simulation::modelState(std::size_t index) const

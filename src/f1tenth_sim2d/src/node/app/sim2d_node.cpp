@@ -4,12 +4,14 @@
 
 #include <utility>
 
+#include "f1tenth_sim2d/loaders.h"
 #include "node/app/diagnostics_output.h"
 #include "node/cars/start_cars.h"
 #include "node/gazebo_api/gazebo_states.h"
 #include "node/time/continuous_time.h"
 #include "node/time/lockstep_time.h"
 #include "node/time/stop_signal.h"
+#include "node/world/warnings.h"
 
 namespace f1tenth_sim2d
 {
@@ -23,6 +25,18 @@ ros::NodeHandle nodeWithQueue(const std::string & name_space, ros::CallbackQueue
   node.setCallbackQueue(&queue);
   return node;
 }
+
+/// Without cars; says once what of the world cannot be represented.
+Simulation simulationOf(const NodeParameters & parameters)
+{
+  const WorldDescription world = loadWorld(parameters.world_file, searchPathFromEnvironment());
+  std::vector<std::string> warnings = world.warnings;
+  for (const auto & plugin : world.plugins) {
+    warnings.push_back(plugin.place + ": plugin " + plugin.filename + " of the world");
+  }
+  warnOnce(world.file, warnings);
+  return Simulation(world, parameters.simulation);
+}
 }  // namespace
 
 Sim2dNode::Sim2dNode(const NodeParameters & parameters)
@@ -31,17 +45,17 @@ Sim2dNode::Sim2dNode(const NodeParameters & parameters)
   outbox_(node_),
   flow_(outbox_, queue_, {true, parameters.silent_subscriber_timeout_sec}),
   transforms_(outbox_, node_),
-  scene_(buildScene(parameters)),
+  simulation_(simulationOf(parameters)),
   plugins_(pluginFoldersFromEnvironment()),
-  world_(scene_.simulation, transforms_, parameters.control_period_sec, parameters.record_file),
+  world_(simulation_, transforms_, parameters.control_period_sec, parameters.record_file),
   clock_(outbox_.advertise<rosgraph_msgs::Clock>(node_, "/clock")),
   barrier_(makeBarrier()),
   fleet_(surroundings()),
-  models_(node_, scene_.simulation, fleet_),
+  models_(node_, simulation_, fleet_),
   world_services_(
-    node_, scene_.simulation, scene_.gravity, control_, {[this] { restart(); }, [this] { world_.resetPoses(); }})
+    node_, simulation_, control_, {[this] { restart(); }, [this] { world_.resetPoses(); }})
 {
-  addCars(parameters_.cars, scene_.start, fleet_);
+  addCars(parameters_.cars, simulation_.world().start, fleet_);
   global_outputs_.emplace(world_, globalOutputs());
   addTime();
   if (parameters_.cars.empty()) {
@@ -67,8 +81,8 @@ Fleet::Surroundings Sim2dNode::surroundings()
   const auto driver_of = [this](const std::string & car) {
     return barrier_ ? barrier_->driverOf(car) : CommandInput::Answered([](const ros::Time &) {});
   };
-  return {scene_.gravity, parameters_.odometry, parameters_.simulate_pid,
-          node_,          scene_.simulation,    world_,
+  return {parameters_.odometry, parameters_.simulate_pid,
+          node_,          simulation_,    world_,
           outbox_,        transforms_,          plugins_,
           driver_of};
 }
@@ -77,9 +91,9 @@ OutputList Sim2dNode::globalOutputs()
 {
   OutputList outputs;
   outputs.push_back(std::make_unique<EntityStatesOutput<gazebo_msgs::ModelStates>>(
-    outbox_.advertise<gazebo_msgs::ModelStates>(node_, "/gazebo/model_states"), scene_.simulation, &entities));
+    outbox_.advertise<gazebo_msgs::ModelStates>(node_, "/gazebo/model_states"), simulation_, &entities));
   outputs.push_back(std::make_unique<EntityStatesOutput<gazebo_msgs::LinkStates>>(
-    outbox_.advertise<gazebo_msgs::LinkStates>(node_, "/gazebo/link_states"), scene_.simulation, &links));
+    outbox_.advertise<gazebo_msgs::LinkStates>(node_, "/gazebo/link_states"), simulation_, &links));
   outputs.push_back(std::make_unique<DiagnosticsOutput>(
     outbox_.advertise<diagnostic_msgs::DiagnosticArray>(node_, "/diagnostics"), control_,
     [this] { return fleet_.drivers(); }, flow_));
@@ -101,7 +115,7 @@ std::unique_ptr<TimeKeeper> Sim2dNode::makeTimeKeeper()
   flow_.setWaiting(control_.real_time_factor <= 0.0);
   if (control_.is_lockstep) {
     return std::make_unique<LockstepTime>(
-      scene_.simulation, world_, queue_, control_, outbox_, flow_, clock_, *barrier_);
+      simulation_, world_, queue_, control_, outbox_, flow_, clock_, *barrier_);
   }
   if (control_.real_time_factor > 0.0) {
     return std::make_unique<PacedTime>(world_, queue_, control_, flow_);

@@ -20,7 +20,6 @@
 #include "node/transport/flow_control.h"
 #include "node/transport/outbox.h"
 #include "node/world/running_outputs.h"
-#include "node/world/scene.h"
 #include "node/world/simulated_world.h"
 
 namespace f1tenth_sim2d
@@ -54,7 +53,7 @@ private:
   Outbox outbox_;
   FlowControl flow_;
   TransformBatch transforms_;
-  Scene scene_;
+  Simulation simulation_;
   PluginHost plugins_;
   SimulatedWorld world_;
   TimeControl control_;

@@ -140,13 +140,13 @@ void PoseOutput::sample(nav_msgs::Odometry & message)
     toTwist({velocity.x - state.yaw_rate * arm.y(), velocity.y + state.yaw_rate * arm.x()}, state.yaw_rate);
 }
 
-ImuOutput::ImuOutput(const CarHandle & car, double gravity) : SensorOutput(car, *car.description().imu)
+ImuOutput::ImuOutput(const CarHandle & car) : SensorOutput(car, *car.description().imu)
 {
   const double acceleration_variance = square(sensor_.acceleration_noise_stddev);
   message_.orientation_covariance = {kExact, 0, 0, 0, kExact, 0, 0, 0, kExact};
   message_.angular_velocity_covariance = {kExact, 0, 0, 0, kExact, 0, 0, 0, square(sensor_.yaw_rate_noise_stddev)};
   message_.linear_acceleration_covariance = {acceleration_variance, 0, 0, 0, acceleration_variance, 0, 0, 0, kExact};
-  message_.linear_acceleration.z = gravity;
+  message_.linear_acceleration.z = car_.simulation.world().gravity;
 }
 
 void ImuOutput::sample(sensor_msgs::Imu & message)

@@ -84,8 +84,7 @@ private:
 class ImuOutput : public SensorOutput<ImuDescription, sensor_msgs::Imu>
 {
 public:
-  /// @param gravity  m/s^2, what the accelerometer reads upwards
-  ImuOutput(const CarHandle & car, double gravity);
+  explicit ImuOutput(const CarHandle & car);
 
 private:
   void sample(sensor_msgs::Imu & message) override;

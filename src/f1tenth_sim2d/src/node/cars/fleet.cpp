@@ -57,7 +57,7 @@ OutputList Fleet::makeOutputs(Car & car) const
   }
   addOdometry(handle, outputs);
   if (description.imu) {
-    outputs.push_back(std::make_unique<ImuOutput>(handle, around_.gravity));
+    outputs.push_back(std::make_unique<ImuOutput>(handle));
   }
   if (!description.joints.empty()) {
     outputs.push_back(std::make_unique<JointStatesOutput>(

@@ -24,7 +24,6 @@ public:
   /// Everything outlives the fleet.
   struct Surroundings
   {
-    double gravity;  ///< m/s^2, downwards
     OdometryOwner odometry;
     bool simulates_pid;    ///< of controllers of ros_control
     ros::NodeHandle node;  ///< its callback queue must be served by the simulation's thread

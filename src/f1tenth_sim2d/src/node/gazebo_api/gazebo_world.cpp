@@ -35,8 +35,8 @@ std::string objection(const gazebo_msgs::SetPhysicsProperties::Request & request
 }  // namespace
 
 GazeboWorld::GazeboWorld(
-  ros::NodeHandle & node, const Simulation & simulation, double gravity, TimeControl & control, Actions actions)
-: simulation_(simulation), gravity_(gravity), control_(control), actions_(std::move(actions))
+  ros::NodeHandle & node, const Simulation & simulation, TimeControl & control, Actions actions)
+: simulation_(simulation), control_(control), actions_(std::move(actions))
 {
   serveEmpty(node, "pause_physics", [this] { control_.paused = true; });
   serveEmpty(node, "unpause_physics", [this] { control_.paused = false; });
@@ -75,7 +75,7 @@ bool GazeboWorld::getPhysics(GetPhysics::Request & /*request*/, GetPhysics::Resp
   response.time_step = timeStepSec();
   response.pause = control_.paused;
   response.max_update_rate = control_.real_time_factor / timeStepSec();
-  response.gravity.z = -gravity_;
+  response.gravity.z = -simulation_.world().gravity;
   response.success = true;
   response.status_message = "GetPhysicsProperties: got properties";
   return true;
@@ -83,7 +83,7 @@ bool GazeboWorld::getPhysics(GetPhysics::Request & /*request*/, GetPhysics::Resp
 
 bool GazeboWorld::setPhysics(SetPhysics::Request & request, SetPhysics::Response & response)
 {
-  std::string problem = objection(request, timeStepSec(), gravity_);
+  std::string problem = objection(request, timeStepSec(), simulation_.world().gravity);
   if (problem.empty() && control_.is_lockstep && differs(request.max_update_rate, 0.0)) {
     problem = "max_update_rate must stay 0 in lockstep";
   }

@@ -26,10 +26,8 @@ public:
     std::function<void()> reset_poses;  ///< cars and models back to where they started
   };
 
-  /// @param node     its callback queue must be served by the simulation's thread
-  /// @param gravity  m/s^2, downwards
-  GazeboWorld(
-    ros::NodeHandle & node, const Simulation & simulation, double gravity, TimeControl & control, Actions actions);
+  /// @param node  its callback queue must be served by the simulation's thread
+  GazeboWorld(ros::NodeHandle & node, const Simulation & simulation, TimeControl & control, Actions actions);
 
 private:
   using GetPhysics = gazebo_msgs::GetPhysicsProperties;
@@ -42,7 +40,6 @@ private:
   double timeStepSec() const { return static_cast<double>(simulation_.stepLength()) * 1e-9; }
 
   const Simulation & simulation_;
-  const double gravity_;
   TimeControl & control_;
   const Actions actions_;
   std::vector<ros::ServiceServer> servers_;

@@ -2,22 +2,18 @@
 
 #include <pybind11/numpy.h>
 
+#include <array>
+#include <type_traits>
 #include <vector>
-
-#include "f1tenth_sim2d/geometry.h"
 
 namespace f1tenth_sim2d
 {
-/// Points as an array of shape (n, 2).
-inline pybind11::array_t<double> toArray(const std::vector<Vec2> & points)
+/// An array with a row for each item and a column for each of the numbers that an item consists of.
+template <typename Item>
+pybind11::array_t<double> toArray(const std::vector<Item> & items)
 {
-  pybind11::array_t<double> array({static_cast<pybind11::ssize_t>(points.size()), pybind11::ssize_t{2}});
-  auto cells = array.mutable_unchecked<2>();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto row = static_cast<pybind11::ssize_t>(i);
-    cells(row, 0) = points[i].x;
-    cells(row, 1) = points[i].y;
-  }
-  return array;
+  static_assert(std::is_trivially_copyable_v<Item> && alignof(Item) == alignof(double));
+  const std::array<std::size_t, 2> shape{items.size(), sizeof(Item) / sizeof(double)};
+  return pybind11::array_t<double>(shape, reinterpret_cast<const double *>(items.data()));
 }
 }  // namespace f1tenth_sim2d

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "python/arrays.h"
+
 namespace f1tenth_sim2d
 {
 namespace
@@ -120,17 +122,11 @@ void PythonSimulation::commandTwist(CarId car, double linear_x, double angular_z
 
 py::array_t<double> PythonSimulation::poses() const
 {
-  py::array_t<double> array({static_cast<py::ssize_t>(simulation_.cars().size()), py::ssize_t{3}});
-  auto cells = array.mutable_unchecked<2>();
-  py::ssize_t row = 0;
+  std::vector<Pose2> poses;
   for (const CarId car : simulation_.cars()) {
-    const Pose2 & pose = simulation_.state(car).pose;
-    cells(row, 0) = pose.x;
-    cells(row, 1) = pose.y;
-    cells(row, 2) = pose.yaw;
-    ++row;
+    poses.push_back(simulation_.state(car).pose);
   }
-  return array;
+  return toArray(poses);
 }
 
 py::ssize_t PythonSimulation::beamCount(CarId car, std::size_t lidar) const

@@ -1,5 +1,6 @@
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <optional>
 
 #include "f1tenth_sim2d/loaders.h"
@@ -14,24 +15,11 @@ namespace
 {
 namespace py = pybind11;
 
-py::array_t<double> toArray(const std::vector<Circle> & circles)
-{
-  py::array_t<double> array({static_cast<py::ssize_t>(circles.size()), py::ssize_t{3}});
-  auto cells = array.mutable_unchecked<2>();
-  for (std::size_t i = 0; i < circles.size(); ++i) {
-    const auto row = static_cast<py::ssize_t>(i);
-    cells(row, 0) = circles[i].centre.x;
-    cells(row, 1) = circles[i].centre.y;
-    cells(row, 2) = circles[i].radius;
-  }
-  return array;
-}
-
 py::tuple toTuple(const Section & section)
 {
   py::list outlines;
   for (const Outline & outline : section.outlines) {
-    outlines.append(f1tenth_sim2d::toArray(outline));
+    outlines.append(toArray(outline));
   }
   return py::make_tuple(outlines, toArray(section.circles));
 }

@@ -58,7 +58,7 @@ py::array scanArray(const py::object & out, const Shape & shape)
 }  // namespace
 
 PythonSimulation::PythonSimulation(PythonWorld & world, double physics_step, std::uint64_t seed, double control_period)
-: simulation_(world.prepared(), {physics_step, seed}), control_period_(control_period)
+: Simulation(world.prepared(), {physics_step, seed}), control_period_(control_period)
 {
   if (!(control_period >= physics_step && control_period <= kLongestPeriod)) {
     throw py::value_error(
@@ -69,12 +69,12 @@ PythonSimulation::PythonSimulation(PythonWorld & world, double physics_step, std
 CarId PythonSimulation::addCar(
   const CarDescription & car, const std::optional<VehicleParameters> & parameters, double x, double y, double yaw)
 {
-  return simulation_.addCar(car, parameters.value_or(car.parameters), {x, y, yaw});
+  return Simulation::addCar(car, parameters.value_or(car.parameters), {x, y, yaw});
 }
 
 void PythonSimulation::placeCar(CarId car, double x, double y, double yaw, double v_x, double v_y, double yaw_rate)
 {
-  simulation_.placeCar(car, {x, y, yaw}, {v_x, v_y}, yaw_rate);
+  Simulation::placeCar(car, {x, y, yaw}, {v_x, v_y}, yaw_rate);
 }
 
 SimTime PythonSimulation::periodEnd() const
@@ -84,15 +84,15 @@ SimTime PythonSimulation::periodEnd() const
 
 void PythonSimulation::hashPeriod()
 {
-  if (simulation_.time() >= periodEnd()) {
-    hash_.add(simulation_);
+  if (Simulation::time() >= periodEnd()) {
+    hash_.add(*this);
     ++periods_;
   }
 }
 
 void PythonSimulation::step()
 {
-  simulation_.step();
+  Simulation::step();
   hashPeriod();
 }
 
@@ -102,43 +102,38 @@ void PythonSimulation::advanceTo(double end)
     throw py::value_error("the time to advance to is not finite or beyond 1e9 s");
   }
   const SimTime last = fromSeconds(end);
-  while (simulation_.time() < last) {
-    simulation_.advanceTo(std::min(last, periodEnd()));
+  while (Simulation::time() < last) {
+    Simulation::advanceTo(std::min(last, periodEnd()));
     hashPeriod();
   }
 }
 
 void PythonSimulation::reset()
 {
-  simulation_.reset();
+  Simulation::reset();
   hash_.reset();
   periods_ = 0;
-}
-
-void PythonSimulation::commandTwist(CarId car, double linear_x, double angular_z, double linear_y)
-{
-  simulation_.commandTwist(car, linear_x, angular_z, linear_y);
 }
 
 py::array_t<double> PythonSimulation::poses() const
 {
   std::vector<Pose2> poses;
-  for (const CarId car : simulation_.cars()) {
-    poses.push_back(simulation_.state(car).pose);
+  for (const CarId car : cars()) {
+    poses.push_back(state(car).pose);
   }
   return toArray(poses);
 }
 
 py::ssize_t PythonSimulation::beamCount(CarId car, std::size_t lidar) const
 {
-  const std::vector<LidarDescription> & lidars = simulation_.car(car).lidars;
+  const std::vector<LidarDescription> & lidars = Simulation::car(car).lidars;
   requireIndex("lidar", lidar, lidars.size());
   return lidars[lidar].beam_count;
 }
 
 void PythonSimulation::scanInto(float * ranges, CarId car, std::size_t lidar, bool exact) const
 {
-  exact ? simulation_.exactScan(car, lidar, ranges) : simulation_.scan(car, lidar, ranges);
+  exact ? exactScan(car, lidar, ranges) : Simulation::scan(car, lidar, ranges);
 }
 
 py::array PythonSimulation::scan(CarId car, std::size_t lidar, const py::object & out, bool exact) const
@@ -152,13 +147,13 @@ py::array PythonSimulation::scan(CarId car, std::size_t lidar, const py::object 
 
 py::array PythonSimulation::scans(std::size_t lidar, const py::object & out, bool exact) const
 {
-  const std::vector<CarId> & cars = simulation_.cars();
+  const std::vector<CarId> & cars = Simulation::cars();
   const py::ssize_t beam_count = cars.empty() ? 0 : beamCount(cars[0], lidar);
   for (const CarId car : cars) {
     if (beamCount(car, lidar) != beam_count) {
       throw py::value_error(
-        "lidar " + std::to_string(lidar) + " of " + simulation_.car(car).name + " has " +
-        std::to_string(beamCount(car, lidar)) + " beams, that of " + simulation_.car(cars[0]).name + " " +
+        "lidar " + std::to_string(lidar) + " of " + Simulation::car(car).name + " has " +
+        std::to_string(beamCount(car, lidar)) + " beams, that of " + Simulation::car(cars[0]).name + " " +
         std::to_string(beam_count) + ": one array needs as many of each");
     }
   }
@@ -186,19 +181,19 @@ py::array_t<double> PythonSimulation::castRays(
     fan.directions.push_back(cells(i));
   }
   py::array_t<double> ranges(cells.shape(0));
-  simulation_.castRays(car, fan, ranges.mutable_data());
+  Simulation::castRays(car, fan, ranges.mutable_data());
   return ranges;
 }
 
 py::tuple PythonSimulation::modelPose(const std::string & name) const
 {
-  const Pose2 pose = simulation_.modelPose(name);
+  const Pose2 pose = Simulation::modelPose(name);
   return py::make_tuple(pose.x, pose.y, pose.yaw);
 }
 
 void PythonSimulation::placeModel(
   const std::string & name, double x, double y, double yaw, double v_x, double v_y, double yaw_rate)
 {
-  simulation_.placeModel(simulation_.indexOfModel(name), {{x, y, yaw}, {v_x, v_y}, yaw_rate});
+  Simulation::placeModel(indexOfModel(name), {{x, y, yaw}, {v_x, v_y}, yaw_rate});
 }
 }  // namespace f1tenth_sim2d

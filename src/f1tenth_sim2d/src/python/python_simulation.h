@@ -14,7 +14,7 @@
 namespace f1tenth_sim2d
 {
 /// A Simulation as Python sees it: seconds, numpy arrays, names, and a trajectory hash at fixed periods.
-class PythonSimulation
+class PythonSimulation : public Simulation
 {
 public:
   /// @param control_period  s, of the trajectory hash
@@ -25,27 +25,16 @@ public:
 
   CarId addCar(
     const CarDescription & car, const std::optional<VehicleParameters> & parameters, double x, double y, double yaw);
-  void removeCar(CarId car) { simulation_.removeCar(car); }
-  std::vector<CarId> cars() const { return simulation_.cars(); }
   void placeCar(CarId car, double x, double y, double yaw, double v_x, double v_y, double yaw_rate);
-  CarDescription car(CarId car) const { return simulation_.car(car); }
-  VehicleParameters parameters(CarId car) const { return simulation_.parameters(car); }
 
-  double time() const { return toSeconds(simulation_.time()); }
+  double time() const { return toSeconds(Simulation::time()); }
   void step();
   void advanceTo(double end);
   void reset();
   std::string trajectoryHash() const { return hash_.hexDigest(); }
 
-  void command(CarId car, double speed, double steering_angle) { simulation_.command(car, {speed, steering_angle}); }
-  void commandTwist(CarId car, double linear_x, double angular_z, double linear_y);
+  void command(CarId car, double speed, double steering_angle) { Simulation::command(car, {speed, steering_angle}); }
 
-  CarState state(CarId car) const { return simulation_.state(car); }
-  WheelOdometry wheelOdometry(CarId car) const { return simulation_.wheelOdometry(car); }
-  ImuSample imu(CarId car) const { return simulation_.imu(car); }
-  std::vector<Contact> contacts(CarId car) const { return simulation_.contacts(car); }
-  void clearContacts(CarId car) { simulation_.clearContacts(car); }
-  double clearance(CarId car, double limit) const { return simulation_.clearance(car, limit); }
   pybind11::array_t<double> poses() const;
   /// Into out, a float32 array of shape (beam_count,), or into a new one.
   pybind11::array scan(CarId car, std::size_t lidar, const pybind11::object & out, bool exact) const;
@@ -55,10 +44,8 @@ public:
     CarId car, const pybind11::array_t<double> & directions, double x, double y, double height, double yaw,
     double range_max) const;
 
-  std::vector<std::string> modelNames() const { return simulation_.modelNames(); }
   pybind11::tuple modelPose(const std::string & name) const;
-  void addModel(const ModelDescription & model) { simulation_.addModel(model); }
-  void removeModel(const std::string & name) { simulation_.removeModel(simulation_.indexOfModel(name)); }
+  void removeModel(const std::string & name) { Simulation::removeModel(indexOfModel(name)); }
   void placeModel(const std::string & name, double x, double y, double yaw, double v_x, double v_y, double yaw_rate);
 
 private:
@@ -67,7 +54,6 @@ private:
   pybind11::ssize_t beamCount(CarId car, std::size_t lidar) const;
   void scanInto(float * ranges, CarId car, std::size_t lidar, bool exact) const;
 
-  Simulation simulation_;
   double control_period_;  ///< s
   std::int64_t periods_{0};
   TrajectoryHash hash_;

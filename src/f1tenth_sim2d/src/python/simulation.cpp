@@ -16,14 +16,14 @@ using ReleaseGil = py::call_guard<py::gil_scoped_release>;
 
 void bindTime(Class & type)
 {
-  type.def_property_readonly("time", inTurn(&S::time), "Simulated time since the start, s.")
-    .def("step", inTurn(&S::step), "Advance by one physics step.", ReleaseGil())
+  type.def_property_readonly("time", inTurn<S>(&S::time), "Simulated time since the start, s.")
+    .def("step", inTurn<S>(&S::step), "Advance by one physics step.", ReleaseGil())
     .def(
-      "advance_to", inTurn(&S::advanceTo), py::arg("time"), "Step until the simulated time is at least `time`, s.",
+      "advance_to", inTurn<S>(&S::advanceTo), py::arg("time"), "Step until the simulated time is at least `time`, s.",
       ReleaseGil())
-    .def("reset", inTurn(&S::reset), "Back to time 0, with all cars at their start and the same seed.")
+    .def("reset", inTurn<S>(&S::reset), "Back to time 0, with all cars at their start and the same seed.")
     .def(
-      "trajectory_hash", inTurn(&S::trajectoryHash),
+      "trajectory_hash", inTurn<S>(&S::trajectoryHash),
       R"(SHA-256 over all car states at the end of each control period since the start, 64 hexadecimal digits.
 
 It does not matter by which calls time was advanced. The ROS node has the same hash for the same drive.)");
@@ -33,7 +33,7 @@ void bindCars(Class & type)
 {
   type
     .def(
-      "add_car", inTurn(&S::addCar), py::arg("car"), py::arg("parameters") = py::none(), py::arg("x") = 0.0,
+      "add_car", inTurn<S>(&S::addCar), py::arg("car"), py::arg("parameters") = py::none(), py::arg("x") = 0.0,
       py::arg("y") = 0.0, py::arg("yaw") = 0.0,
       R"(Put a car into the world.
 
@@ -49,10 +49,10 @@ Raises:
     Error: the name is taken, or the place is not free; nothing has changed then.
 )")
     .def(
-      "remove_car", inTurn(&S::removeCar), py::arg("car"),
+      "remove_car", inTurn<S>(&S::removeCar), py::arg("car"),
       "Take a car out. The others keep their ids and their noise. Raises IndexError if it is not there.")
     .def(
-      "place_car", inTurn(&S::placeCar), py::arg("car"), py::arg("x"), py::arg("y"), py::arg("yaw"),
+      "place_car", inTurn<S>(&S::placeCar), py::arg("car"), py::arg("x"), py::arg("y"), py::arg("yaw"),
       py::arg("v_x") = 0.0, py::arg("v_y") = 0.0, py::arg("yaw_rate") = 0.0,
       R"(Put a car somewhere else, as a hand would: its commands stay in force, wheel odometry does not notice.
 
@@ -65,32 +65,35 @@ Args:
 Raises:
     Error: the place is not free, or a number is not finite; the car then stays where it is.
 )")
-    .def_property_readonly("cars", inTurn(&S::cars), "Ids of the cars that are there, in the order in which they came.")
-    .def("car", inTurn(&S::car), py::arg("car"), "Description of a car, a copy.")
-    .def("parameters", inTurn(&S::parameters), py::arg("car"), "VehicleParameters of a car, a copy.")
+    .def_property_readonly(
+      "cars", inTurn<S>(&S::cars), "Ids of the cars that are there, in the order in which they came.")
+    .def("car", inTurn<S>(&S::car), py::arg("car"), "Description of a car, a copy.")
+    .def("parameters", inTurn<S>(&S::parameters), py::arg("car"), "VehicleParameters of a car, a copy.")
     .def(
-      "command", inTurn(&S::command), py::arg("car"), py::arg("speed"), py::arg("steering_angle"),
+      "command", inTurn<S>(&S::command), py::arg("car"), py::arg("speed"), py::arg("steering_angle"),
       "Ask for a speed, m/s, and a steering angle, rad. Raises Error for a value that is not finite.")
     .def(
-      "command_twist", inTurn(&S::commandTwist), py::arg("car"), py::arg("linear_x"), py::arg("angular_z"),
+      "command_twist", inTurn<S>(&S::commandTwist), py::arg("car"), py::arg("linear_x"), py::arg("angular_z"),
       py::arg("linear_y") = 0.0,
       "Ask for a speed, m/s, and a yaw rate, rad/s, as cmd_vel does; linear_y, m/s to the left, is for planar drives.");
 }
 
 void bindReadings(Class & type)
 {
-  type.def("state", inTurn(&S::state), py::arg("car"), "True state of a car: a CarState, a copy.")
+  type.def("state", inTurn<S>(&S::state), py::arg("car"), "True state of a car: a CarState, a copy.")
     .def(
-      "poses", inTurn(&S::poses), "Poses of all cars in the world: float64 array of shape (len(cars), 3), x, y, yaw.")
-    .def("wheel_odometry", inTurn(&S::wheelOdometry), py::arg("car"), "A WheelOdometry, from the start pose.")
-    .def("imu", inTurn(&S::imu), py::arg("car"), "An ImuSample.")
-    .def("contacts", inTurn(&S::contacts), py::arg("car"), "Contacts since the last clear_contacts, ground excluded.")
-    .def("clear_contacts", inTurn(&S::clearContacts), py::arg("car"))
+      "poses", inTurn<S>(&S::poses),
+      "Poses of all cars in the world: float64 array of shape (len(cars), 3), x, y, yaw.")
+    .def("wheel_odometry", inTurn<S>(&S::wheelOdometry), py::arg("car"), "A WheelOdometry, from the start pose.")
+    .def("imu", inTurn<S>(&S::imu), py::arg("car"), "An ImuSample.")
     .def(
-      "clearance", inTurn(&S::clearance), py::arg("car"), py::arg("limit") = 5.0,
+      "contacts", inTurn<S>(&S::contacts), py::arg("car"), "Contacts since the last clear_contacts, ground excluded.")
+    .def("clear_contacts", inTurn<S>(&S::clearContacts), py::arg("car"))
+    .def(
+      "clearance", inTurn<S>(&S::clearance), py::arg("car"), py::arg("limit") = 5.0,
       "Least distance from the car's outline to anything it could touch, m; 0 in contact, at most `limit`.")
     .def(
-      "scan", inTurn(&S::scan), py::arg("car"), py::arg("lidar") = 0, py::arg("out") = py::none(),
+      "scan", inTurn<S>(&S::scan), py::arg("car"), py::arg("lidar") = 0, py::arg("out") = py::none(),
       py::arg("exact") = false,
       R"(What a lidar of a car measures now.
 
@@ -108,7 +111,7 @@ Raises:
     IndexError: no such car or lidar.
 )")
     .def(
-      "scans", inTurn(&S::scans), py::arg("lidar") = 0, py::arg("out") = py::none(), py::arg("exact") = false,
+      "scans", inTurn<S>(&S::scans), py::arg("lidar") = 0, py::arg("out") = py::none(), py::arg("exact") = false,
       R"(What a lidar of each car measures now, in the order of `cars`.
 
 Args:
@@ -124,8 +127,8 @@ Raises:
     IndexError: a car has no such lidar.
 )")
     .def(
-      "cast_rays", inTurn(&S::castRays), py::arg("car"), py::arg("directions"), py::arg("x") = 0.0, py::arg("y") = 0.0,
-      py::arg("height") = 0.1, py::arg("yaw") = 0.0, py::arg("range_max") = 100.0,
+      "cast_rays", inTurn<S>(&S::castRays), py::arg("car"), py::arg("directions"), py::arg("x") = 0.0,
+      py::arg("y") = 0.0, py::arg("height") = 0.1, py::arg("yaw") = 0.0, py::arg("range_max") = 100.0,
       R"(What level rays from a point of a car meet now, without noise. The car does not see itself.
 
 Args:
@@ -142,12 +145,12 @@ Returns:
 
 void bindModels(Class & type)
 {
-  type.def("model_names", inTurn(&S::modelNames), "Names of the world's models.")
+  type.def("model_names", inTurn<S>(&S::modelNames), "Names of the world's models.")
     .def(
-      "model_pose", inTurn(&S::modelPose), py::arg("name"),
+      "model_pose", inTurn<S>(&S::modelPose), py::arg("name"),
       "(x, y, yaw) of a model now. Raises Error for an unknown name.")
     .def(
-      "add_model", inTurn(&S::addModel), py::arg("model"),
+      "add_model", inTurn<S>(&S::addModel), py::arg("model"),
       R"(Put one more model into the world; reset brings it back to this pose. Costs as much as loading the world.
 
 Args:
@@ -157,9 +160,10 @@ Raises:
     Error: the name is taken, or a movable model has no mass.
 )")
     .def(
-      "remove_model", inTurn(&S::removeModel), py::arg("name"), "Take a model out. Raises Error for an unknown name.")
+      "remove_model", inTurn<S>(&S::removeModel), py::arg("name"),
+      "Take a model out. Raises Error for an unknown name.")
     .def(
-      "place_model", inTurn(&S::placeModel), py::arg("name"), py::arg("x"), py::arg("y"), py::arg("yaw"),
+      "place_model", inTurn<S>(&S::placeModel), py::arg("name"), py::arg("x"), py::arg("y"), py::arg("yaw"),
       py::arg("v_x") = 0.0, py::arg("v_y") = 0.0, py::arg("yaw_rate") = 0.0,
       R"(Put a model somewhere else; its height and tilt stay.
 

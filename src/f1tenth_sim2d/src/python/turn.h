@@ -28,19 +28,19 @@ private:
   std::atomic_flag & taken_;
 };
 
-/// A method as a function that takes the object's turn while it runs.
-template <typename Object, typename Result, typename... Arguments>
-auto inTurn(Result (Object::*method)(Arguments...))
+/// A method of a class or its base as a function that takes the object's turn while it runs, and copies what it returns.
+template <typename Object, typename Base, typename Result, typename... Arguments>
+auto inTurn(Result (Base::*method)(Arguments...))
 {
-  return [method](Object & object, Arguments... arguments) -> Result {
+  return [method](Object & object, Arguments... arguments) -> std::decay_t<Result> {
     const Turn turn(object.taken());
     return (object.*method)(std::forward<Arguments>(arguments)...);
   };
 }
-template <typename Object, typename Result, typename... Arguments>
-auto inTurn(Result (Object::*method)(Arguments...) const)
+template <typename Object, typename Base, typename Result, typename... Arguments>
+auto inTurn(Result (Base::*method)(Arguments...) const)
 {
-  return [method](Object & object, Arguments... arguments) -> Result {
+  return [method](Object & object, Arguments... arguments) -> std::decay_t<Result> {
     const Turn turn(object.taken());
     return (object.*method)(std::forward<Arguments>(arguments)...);
   };

@@ -52,8 +52,7 @@ Sim2dNode::Sim2dNode(const NodeParameters & parameters)
   barrier_(makeBarrier()),
   fleet_(surroundings()),
   models_(node_, simulation_, fleet_),
-  world_services_(
-    node_, simulation_, control_, {[this] { restart(); }, [this] { world_.resetPoses(); }})
+  world_services_(node_, simulation_, control_, {[this] { restart(); }, [this] { world_.resetPoses(); }})
 {
   addCars(parameters_.cars, simulation_.world().start, fleet_);
   global_outputs_.emplace(world_, globalOutputs());
@@ -81,9 +80,14 @@ Fleet::Surroundings Sim2dNode::surroundings()
   const auto driver_of = [this](const std::string & car) {
     return barrier_ ? barrier_->driverOf(car) : CommandInput::Answered([](const ros::Time &) {});
   };
-  return {parameters_.odometry, parameters_.simulate_pid,
-          node_,          simulation_,    world_,
-          outbox_,        transforms_,          plugins_,
+  return {parameters_.odometry,
+          parameters_.simulate_pid,
+          node_,
+          simulation_,
+          world_,
+          outbox_,
+          transforms_,
+          plugins_,
           driver_of};
 }
 
@@ -114,8 +118,7 @@ std::unique_ptr<TimeKeeper> Sim2dNode::makeTimeKeeper()
 {
   flow_.setWaiting(control_.real_time_factor <= 0.0);
   if (control_.is_lockstep) {
-    return std::make_unique<LockstepTime>(
-      simulation_, world_, queue_, control_, outbox_, flow_, clock_, *barrier_);
+    return std::make_unique<LockstepTime>(simulation_, world_, queue_, control_, outbox_, flow_, clock_, *barrier_);
   }
   if (control_.real_time_factor > 0.0) {
     return std::make_unique<PacedTime>(world_, queue_, control_, flow_);

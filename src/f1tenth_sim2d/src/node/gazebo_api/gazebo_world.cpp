@@ -34,8 +34,7 @@ std::string objection(const gazebo_msgs::SetPhysicsProperties::Request & request
 }
 }  // namespace
 
-GazeboWorld::GazeboWorld(
-  ros::NodeHandle & node, const Simulation & simulation, TimeControl & control, Actions actions)
+GazeboWorld::GazeboWorld(ros::NodeHandle & node, const Simulation & simulation, TimeControl & control, Actions actions)
 : simulation_(simulation), control_(control), actions_(std::move(actions))
 {
   serveEmpty(node, "pause_physics", [this] { control_.paused = true; });

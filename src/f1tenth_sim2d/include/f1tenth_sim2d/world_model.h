@@ -92,15 +92,6 @@ struct PluginElement
   std::vector<std::pair<std::string, std::string>> parameters;  ///< tag and text, in order
 };
 
-/// A <physics> of a world: the pace at which Gazebo would run it.
-struct PhysicsProfile
-{
-  std::string name;
-  bool is_default{false};                ///< says so; else the first one is
-  double real_time_update_rate{1000.0};  ///< steps per wall second; 0: as fast as it goes
-  double max_step_size{0.001};           ///< s
-};
-
 struct WorldDescription
 {
   std::string file;  ///< where it came from
@@ -109,7 +100,6 @@ struct WorldDescription
   Pose2 start;          ///< where a car starts unless told otherwise; that of a race track is on its centreline
   std::vector<ModelDescription> models;
   std::vector<PluginElement> plugins;
-  std::vector<PhysicsProfile> physics;  ///< in the order of the file
-  std::vector<std::string> warnings;    ///< what cannot be represented: one entry a kind, with its element path
+  std::vector<std::string> warnings;  ///< what cannot be represented: one entry a kind, with its element path
 };
 }  // namespace f1tenth_sim2d

@@ -49,17 +49,6 @@ double readGravity(const Element & world)
   return -gravity.z();
 }
 
-PhysicsProfile readPhysics(const Element & physics)
-{
-  PhysicsProfile profile;
-  profile.name = physics.name();
-  profile.is_default = physics.attribute("default") == "true" || physics.attribute("default") == "1";
-  const char * const rate = physics.child("update_rate") ? "update_rate" : "real_time_update_rate";  // SDF 1.3
-  profile.real_time_update_rate = physics.notNegative(rate, profile.real_time_update_rate);
-  profile.max_step_size = physics.notNegative("max_step_size", profile.max_step_size);
-  return profile;
-}
-
 /// A world that Gazebo saved carries its models' last poses in <state>, and Gazebo starts from those.
 std::map<std::string, Pose3> savedPoses(const Element & world, WarningCollector & warnings)
 {
@@ -86,9 +75,6 @@ void readChildren(const Element & world, WorldDescription & description, Warning
   }
   for (const Element & plugin : world.children("plugin")) {
     description.plugins.push_back(pluginElement(plugin));
-  }
-  for (const Element & physics : world.children("physics")) {
-    description.physics.push_back(readPhysics(physics));
   }
 }
 

@@ -114,7 +114,6 @@ struct DriveDescription
     kSkidSteer,     ///< libgazebo_ros_skid_steer_drive.so
     kPlanarMove     ///< libgazebo_ros_planar_move.so
   } kind{Kind::kAckermann};
-  std::string name;
   std::string command_topic{"cmd_vel"};
   std::string odometry_topic{"odom"};
   std::string odometry_frame{"odom"};

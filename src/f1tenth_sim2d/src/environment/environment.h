@@ -64,7 +64,6 @@ public:
 
   const std::vector<CarResult> & cars() const { return results_; }
   double time() const { return simulation_ ? toSeconds(simulation_->time()) : 0.0; }  ///< s
-  const Simulation & simulation() const { return *simulation_; }
   /// Rows of all cars, one after the other.
   void observe(float * rows) const;
 

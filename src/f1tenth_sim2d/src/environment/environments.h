@@ -22,7 +22,6 @@ public:
 
   std::size_t count() const { return environments_.size(); }
   std::size_t cars() const { return options_.cars.size(); }
-  const EnvironmentOptions & options() const { return options_; }
   const Observation & observation() const { return observation_; }
 
   /// Begins an episode of one environment. @throws Error as Environment::reset

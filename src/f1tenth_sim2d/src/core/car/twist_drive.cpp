@@ -52,8 +52,6 @@ TwistDrive::TwistDrive(const CarDescription & car, const VehicleParameters & par
 {
 }
 
-void TwistDrive::place(const BodyState & /*state*/) {}
-
 void TwistDrive::command(const DriveCommand & command, SimTime now)
 {
   commands_.give(limited(twistFromCommand(command, parameters_.wheelbase())), now);

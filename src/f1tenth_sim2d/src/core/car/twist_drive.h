@@ -21,7 +21,6 @@ public:
   TwistDrive(const CarDescription & car, const VehicleParameters & parameters);
 
   void restart() override;
-  void place(const BodyState & state) override;
   void command(const DriveCommand & command, SimTime now) override;
   void command(const TwistCommand & command, SimTime now) override;
   void advance(BodyState & state, SimTime now, double dt) override;

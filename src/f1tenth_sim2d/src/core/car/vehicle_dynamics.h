@@ -26,7 +26,7 @@ public:
   /// Forgets all commands.
   virtual void restart() = 0;
   /// The car was put somewhere; commands stay in force.
-  virtual void place(const BodyState & state) = 0;
+  virtual void place(const BodyState & /*state*/) {}
 
   /// Commands of the driver at now, within the limits of validation.h; they take effect after the car's latency. Either kind
   /// serves every car: one that steers takes a twist as the steering angle that it means, the others a steering angle as

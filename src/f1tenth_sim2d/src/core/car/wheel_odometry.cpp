@@ -17,13 +17,8 @@ void WheelOdometryIntegrator::restart(const Pose2 & pose, double steering_angle,
 {
   current_ = {};
   current_.pose = pose;
-  next_sample_ = static_cast<std::int64_t>(std::floor(toSeconds(now) * parameters_.odometry_rate_hz)) + 1;
-  next_time_ = sampleTime(next_sample_);
-  distance_ = 0.0;
-  sideways_ = 0.0;
-  turn_ = 0.0;
-  elapsed_ = 0.0;
   last_steering_angle_ = steering_angle;
+  beginSample(static_cast<std::int64_t>(std::floor(toSeconds(now) * parameters_.odometry_rate_hz)) + 1);
 }
 
 void WheelOdometryIntegrator::advance(const BodyState & state, double distance, double turn, double dt, SimTime now)
@@ -34,20 +29,20 @@ void WheelOdometryIntegrator::advance(const BodyState & state, double distance, 
     sideways_ += (bodyVelocity(state).y - parameters_.l_r * state.psi_dot) * dt;
     turn_ += turn;
   }
-  if (isDue(now)) {
+  if (now >= next_time_) {
     steers_ ? sampleSteered(state.delta) : sampleFree();
     integrate();
   }
 }
 
-bool WheelOdometryIntegrator::isDue(SimTime now) const
+void WheelOdometryIntegrator::beginSample(std::int64_t number)
 {
-  return now >= next_time_;
-}
-
-SimTime WheelOdometryIntegrator::sampleTime(std::int64_t number) const
-{
-  return fromSeconds(static_cast<double>(number) / parameters_.odometry_rate_hz);
+  distance_ = 0.0;
+  sideways_ = 0.0;
+  turn_ = 0.0;
+  elapsed_ = 0.0;
+  next_sample_ = number;
+  next_time_ = fromSeconds(static_cast<double>(number) / parameters_.odometry_rate_hz);
 }
 
 std::uint64_t WheelOdometryIntegrator::noiseKeyNow() const
@@ -96,11 +91,6 @@ void WheelOdometryIntegrator::integrate()
   current_.pose.x += ahead * course.cosine - aside * course.sine;
   current_.pose.y += ahead * course.sine + aside * course.cosine;
   current_.pose.yaw = normalizeAngle(current_.pose.yaw + turn);
-  distance_ = 0.0;
-  sideways_ = 0.0;
-  turn_ = 0.0;
-  elapsed_ = 0.0;
-  ++next_sample_;
-  next_time_ = sampleTime(next_sample_);
+  beginSample(next_sample_ + 1);
 }
 }  // namespace f1tenth_sim2d

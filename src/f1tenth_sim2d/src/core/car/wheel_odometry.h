@@ -35,13 +35,12 @@ public:
   const WheelOdometry & current() const { return current_; }
 
 private:
-  bool isDue(SimTime now) const;
   void sampleSteered(double steering_angle);
   void sampleFree();
   std::uint64_t noiseKeyNow() const;
   double measuredSpeed(double distance, double noise) const;
   void integrate();
-  SimTime sampleTime(std::int64_t number) const;
+  void beginSample(std::int64_t number);
 
   VehicleParameters parameters_;
   bool steers_;
@@ -51,10 +50,11 @@ private:
   WheelOdometry current_;
   std::int64_t next_sample_{1};
   SimTime next_time_{0};
-  double distance_{0.0};
-  double sideways_{0.0};
-  double turn_{0.0};
-  double elapsed_{0.0};
+  // Since the last sample.
+  double distance_{0.0};  ///< m
+  double sideways_{0.0};  ///< m
+  double turn_{0.0};      ///< rad
+  double elapsed_{0.0};   ///< s
   double last_steering_angle_{0.0};
 };
 }  // namespace f1tenth_sim2d

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/contacts/box_units.h"
+#include "geometry/planar.h"
 
 namespace f1tenth_sim2d
 {
@@ -11,17 +12,6 @@ namespace
 {
 constexpr double kLeastEdge = 1e-5;  // m
 constexpr double kLeastArea = 1e-8;  // m^2
-
-double area(const ConvexPolygon & polygon)
-{
-  double twice = 0.0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 & a = polygon[i];
-    const Vec2 & b = polygon[(i + 1) % polygon.size()];
-    twice += a.x * b.y - b.x * a.y;
-  }
-  return 0.5 * twice;
-}
 
 ConvexPolygon withoutShortEdges(const ConvexPolygon & polygon)
 {
@@ -83,7 +73,7 @@ std::vector<PieceShape> pieceShapes(const Section & footprint, const Vec2 & orig
   std::vector<PieceShape> shapes;
   for (const Outline & outline : footprint.outlines) {
     for (const ConvexPolygon & part : split(withoutShortEdges(outline))) {
-      if (area(part) > kLeastArea) {
+      if (signedArea(part) > kLeastArea) {
         shapes.emplace_back(polygonShape(part, origin));
       }
     }

@@ -6,8 +6,6 @@ namespace f1tenth_sim2d
 {
 Kinematic::Kinematic(const VehicleParameters & p) : wheelbase_(p.wheelbase()), rear_share_(p.l_r / p.wheelbase()) {}
 
-void Kinematic::restart(const BodyState & /*state*/) {}
-
 // Of a velocity that contacts left the part along the track stays.
 void Kinematic::advance(BodyState & state, const SteeredInput & input, double dt)
 {

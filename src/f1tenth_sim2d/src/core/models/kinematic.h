@@ -11,7 +11,6 @@ class Kinematic : public SteeredModel
 public:
   explicit Kinematic(const VehicleParameters & parameters);
 
-  void restart(const BodyState & state) override;
   void advance(BodyState & state, const SteeredInput & input, double dt) override;
 
 private:

@@ -28,7 +28,7 @@ public:
   virtual ~SteeredModel() = default;
 
   /// The car was put somewhere: what the model keeps of its own follows from the state from now on.
-  virtual void restart(const BodyState & state) = 0;
+  virtual void restart(const BodyState & /*state*/) {}
 
   /// Advances state by dt, s.
   virtual void advance(BodyState & state, const SteeredInput & input, double dt) = 0;

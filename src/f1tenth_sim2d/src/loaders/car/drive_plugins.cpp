@@ -64,7 +64,6 @@ void readDrive(Kind kind, const Element & plugin, CarContext & context)
   const Tags & tags = tagsOf(kind);
   DriveDescription drive;
   drive.kind = kind;
-  drive.name = plugin.name();
   drive.command_topic = context.topic(plugin, remapped(plugin, plugin.textOf(tags.command_topic, "cmd_vel")));
   drive.odometry_topic = context.topic(plugin, remapped(plugin, plugin.textOf(tags.odometry_topic, "odom")));
   drive.odometry_frame = context.frame(plugin, plugin.textOf(tags.odometry_frame, "odom"));

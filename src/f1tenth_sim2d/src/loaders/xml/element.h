@@ -22,7 +22,6 @@ public:
   Element(const tinyxml2::XMLElement * node, const XmlDocument * document) : node_(node), document_(document) {}
 
   explicit operator bool() const { return node_ != nullptr; }
-  bool operator==(const Element & other) const { return node_ == other.node_; }
 
   std::string tag() const { return node_ ? node_->Name() : ""; }
   bool is(const char * tag) const { return node_ && node_->Name() == std::string(tag); }

@@ -76,11 +76,4 @@ gazebo_msgs::ContactState toContactState(const Contact & contact)
   message.depths = contact.depths;
   return message;
 }
-
-Vec2 rotated(const Vec2 & vector, double yaw)
-{
-  const double c = std::cos(yaw);
-  const double s = std::sin(yaw);
-  return {c * vector.x - s * vector.y, s * vector.x + c * vector.y};
-}
 }  // namespace f1tenth_sim2d

@@ -21,5 +21,8 @@ geometry_msgs::Twist toTwist(const Vec2 & velocity, double yaw_rate);
 gazebo_msgs::ContactState toContactState(const Contact & contact);
 
 /// A vector given in a frame turned by yaw, in the frame that it is turned against.
-Vec2 rotated(const Vec2 & vector, double yaw);
+inline Vec2 rotated(const Vec2 & vector, double yaw)
+{
+  return transform({0.0, 0.0, yaw}, vector);
+}
 }  // namespace f1tenth_sim2d

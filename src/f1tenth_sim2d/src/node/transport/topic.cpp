@@ -1,9 +1,9 @@
 #include "node/transport/topic.h"
 
+#include <ros/topic_manager.h>
+
 #include <algorithm>
 #include <boost/algorithm/string/join.hpp>
-
-#include "node/transport/serialized.h"
 
 namespace f1tenth_sim2d
 {
@@ -29,7 +29,10 @@ void Topic::publish(const ros::SerializedMessage & message)
   }
   forgetWritten();
   lost_ += in_flight_.size() > kQueueSize ? 1 : 0;
-  publisher_.publish(Serialized{message});
+  // Serialised already, so that roscpp shares its buffer with us; Publisher::publish() would do it once more.
+  ros::SerializedMessage sent;
+  ros::TopicManager::instance()->publish(
+    publisher_.getTopic(), [&message] { return message; }, sent);
   in_flight_.push_back(message.buf);
 }
 

@@ -1,76 +1,147 @@
 #include "f1tenth_sim2d/simulation.h"
 
+#include <sstream>
+
 #include "core/contacts/clearance.h"
+#include "core/math/planar_pose.h"
+#include "core/simulation/encounters.h"
 #include "core/simulation/simulation_impl.h"
 #include "core/simulation/validation.h"
-#include "f1tenth_sim2d/errors.h"
 
 namespace f1tenth_sim2d
 {
+namespace
+{
+std::string text(const Pose2 & pose)
+{
+  std::ostringstream stream;
+  stream << "(" << pose.x << ", " << pose.y << ", " << pose.yaw << ")";
+  return stream.str();
+}
+}  // namespace
+
 Simulation::Simulation(const PreparedWorld & world, const SimulationOptions & options)
 : impl_(std::make_unique<Impl>(world.geometry_, options))
 {
 }
+
 Simulation::Simulation(const WorldDescription & world, const SimulationOptions & options)
 : Simulation(PreparedWorld(world), options)
 {
 }
+
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation &&) noexcept = default;
 Simulation & Simulation::operator=(Simulation &&) noexcept = default;
 
-CarId Simulation::addCar(const CarDescription & car, const VehicleParameters & parameters, const Pose2 & pose)
+CarId Simulation::addCar(const CarDescription & description, const VehicleParameters & parameters, const Pose2 & pose)
 {
-  return impl_->addCar(car, parameters, pose);
+  validate(description, pose);
+  validate(parameters, description.name);
+  impl_->refuseTakenName(description.name);
+  const CarId id = impl_->registry.nextId();
+  auto car = std::make_unique<RegisteredCar>(
+    id, impl_->registry.freeNoiseStream(), description, parameters, pose, impl_->options.seed,
+    impl_->geometry->pieces());
+  car->car.restart(impl_->time);
+  std::vector<PlacedCar> places = placedCars(impl_->cars());
+  places.push_back(car->placed());
+  impl_->refuseOccupiedPlace(places, impl_->cars().size(), description.name + ": the start pose " + text(pose));
+  impl_->letIn(std::move(car));
+  return id;
 }
 
-void Simulation::removeCar(CarId car)
+void Simulation::removeCar(CarId id)
 {
-  impl_->removeCar(car);
+  impl_->registry.indexOf(id);
+  const std::vector<ModelMotion> motions = impl_->collisions->motions();
+  auto collisions = impl_->emptyCollisions();
+  impl_->registry.remove(id);
+  for (LidarScene & scene : impl_->scenes) {
+    scene.removeCar(id);
+  }
+  impl_->enter(std::move(collisions));
+  impl_->collisions->setMotions(motions);
 }
 
-void Simulation::placeCar(CarId car, const Pose2 & pose, const Vec2 & velocity, double yaw_rate)
+void Simulation::placeCar(CarId id, const Pose2 & pose, const Vec2 & velocity, double yaw_rate)
 {
-  impl_->placeCar(car, pose, velocity, yaw_rate);
+  const std::size_t index = impl_->registry.indexOf(id);
+  RegisteredCar & own = *impl_->cars()[index];
+  validate(own.description, pose);
+  validate(ModelState{pose, velocity, yaw_rate}, own.description.name);
+  std::vector<PlacedCar> places = placedCars(impl_->cars());
+  places[index].pose = chain(pose, {own.car.parameters().l_r, 0.0, 0.0});
+  impl_->refuseOccupiedPlace(places, index, own.description.name + ": the pose " + text(pose));
+  own.car.place(pose, velocity, yaw_rate);
+  forgetSurroundings(impl_->cars());
 }
 
 const std::vector<CarId> & Simulation::cars() const
 {
-  return impl_->registry().ids();
+  return impl_->registry.ids();
 }
+
 const CarDescription & Simulation::car(CarId car) const
 {
   return impl_->car(car).description;
 }
+
 const VehicleParameters & Simulation::parameters(CarId car) const
 {
   return impl_->car(car).car.parameters();
 }
+
 SimTime Simulation::time() const
 {
-  return impl_->time();
+  return impl_->time;
 }
+
 SimTime Simulation::stepLength() const
 {
-  return impl_->stepLength();
+  return impl_->step_length;
 }
+
 void Simulation::step()
 {
-  impl_->step();
-}
-void Simulation::reset()
-{
-  impl_->reset();
-}
-void Simulation::resetPoses()
-{
-  impl_->resetPoses();
+  for (const auto & car : impl_->cars()) {
+    car->car.predict(impl_->time, impl_->dt);
+  }
+  const bool touched = applyContacts(impl_->cars(), *impl_->collisions, impl_->dt);
+  if (touched) {
+    impl_->logContacts();
+  }
+  impl_->time += impl_->step_length;
+  for (const auto & car : impl_->cars()) {
+    car->car.commit(impl_->time, impl_->dt);
+  }
 }
 
 void Simulation::advanceTo(SimTime end)
 {
-  while (impl_->time() < end) {
-    impl_->step();
+  while (impl_->time < end) {
+    step();
+  }
+}
+
+void Simulation::reset()
+{
+  impl_->time = 0;
+  resetPoses();
+}
+
+void Simulation::resetPoses()
+{
+  impl_->returnStaticModels();
+  for (const auto & car : impl_->cars()) {
+    car->car.restart(impl_->time);
+    car->contacts.clear();
+  }
+  // The same calls in the same order as from fresh, so that Box2D's inner order is the same, too.
+  if (impl_->collisions->isPristine()) {
+    forgetSurroundings(impl_->cars());
+  } else {
+    impl_->enter(impl_->emptyCollisions());
   }
 }
 
@@ -78,47 +149,19 @@ void Simulation::command(CarId car, const DriveCommand & command)
 {
   RegisteredCar & driven = impl_->car(car);
   validate(command, driven.description.name);
-  driven.car.command(command, impl_->time());
+  driven.car.command(command, impl_->time);
 }
 
 void Simulation::commandTwist(CarId car, double linear_x, double angular_z, double linear_y)
 {
   RegisteredCar & driven = impl_->car(car);
   validateTwist({linear_x, linear_y}, angular_z, driven.description.name);
-  driven.car.command(TwistCommand{{linear_x, linear_y}, angular_z}, impl_->time());
+  driven.car.command(TwistCommand{{linear_x, linear_y}, angular_z}, impl_->time);
 }
 
 CarState Simulation::state(CarId car) const
 {
   return impl_->car(car).car.state();
-}
-WheelOdometry Simulation::wheelOdometry(CarId car) const
-{
-  return impl_->car(car).car.wheelOdometry();
-}
-ImuSample Simulation::imu(CarId car) const
-{
-  return impl_->imu(car);
-}
-
-void Simulation::scan(CarId car, std::size_t lidar, float * ranges) const
-{
-  impl_->scan(car, lidar, true, ranges);
-}
-
-void Simulation::exactScan(CarId car, std::size_t lidar, float * ranges) const
-{
-  impl_->scan(car, lidar, false, ranges);
-}
-
-void Simulation::castRays(CarId car, const RayFan & fan, double * ranges) const
-{
-  impl_->castRays(car, fan, ranges);
-}
-
-double Simulation::noise(CarId car, const std::string & sensor, std::uint64_t index) const
-{
-  return impl_->noise(car, sensor, index);
 }
 
 const std::vector<Contact> & Simulation::contacts(CarId car) const
@@ -133,8 +176,8 @@ void Simulation::clearContacts(CarId car)
 
 double Simulation::clearance(CarId car, double limit) const
 {
-  const CarRegistry & registry = impl_->registry();
-  return f1tenth_sim2d::clearance(placedCars(registry.cars()), registry.indexOf(car), impl_->collisions(), limit);
+  const CarRegistry & registry = impl_->registry;
+  return f1tenth_sim2d::clearance(placedCars(registry.cars()), registry.indexOf(car), *impl_->collisions, limit);
 }
 
 const WorldDescription & Simulation::world() const
@@ -142,59 +185,9 @@ const WorldDescription & Simulation::world() const
   return impl_->world();
 }
 
-const std::vector<ModelDescription> & Simulation::models() const
-{
-  return world().models;
-}
-
-ModelState Simulation::modelState(std::size_t index) const
-{
-  return impl_->collisions().modelState(index);
-}
-
-void Simulation::addModel(const ModelDescription & model)
-{
-  impl_->addModel(model);
-}
-
-void Simulation::removeModel(std::size_t index)
-{
-  impl_->removeModel(index);
-}
-
-void Simulation::placeModel(std::size_t index, const ModelState & state)
-{
-  impl_->placeModel(index, state);
-}
-
-std::size_t Simulation::indexOfModel(const std::string & model) const
-{
-  const std::vector<ModelDescription> & models = impl_->world().models;
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    if (models[i].name == model) {
-      return i;
-    }
-  }
-  throw Error("there is no model " + model + " in " + impl_->world().file);
-}
-
-Pose2 Simulation::modelPose(const std::string & model) const
-{
-  return modelState(indexOfModel(model)).pose;
-}
-
-std::vector<std::string> Simulation::modelNames() const
-{
-  std::vector<std::string> names;
-  for (const ModelDescription & model : impl_->world().models) {
-    names.push_back(model.name);
-  }
-  return names;
-}
-
 void Simulation::appendStateBytes(std::vector<std::uint8_t> & bytes) const
 {
-  for (const auto & car : impl_->registry().cars()) {
+  for (const auto & car : impl_->registry.cars()) {
     const BodyState & s = car->car.dynamicState();
     const double values[]{s.x, s.y, s.delta, s.v, s.psi, s.psi_dot, s.beta};
     // In the order of bytes of the machine, which is a little-endian one.

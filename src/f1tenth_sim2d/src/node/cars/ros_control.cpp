@@ -14,6 +14,8 @@ namespace f1tenth_sim2d
 {
 namespace
 {
+using workspace_support::ParameterReader;
+
 const std::string kJointStateController = "joint_state_controller/JointStateController";
 // More often would not change what a car with an actuation latency does.
 constexpr double kLeastPeriod = 0.005;  // s
@@ -26,7 +28,7 @@ bool isAmong(const std::vector<std::string> & names, const std::string & name)
 /// Whether there are any.
 bool readGains(const ros::NodeHandle & node, PidGains & gains)
 {
-  workspace_support::ParameterReader reader(node);
+  ParameterReader reader(node);
   reader.read("i_clamp", gains.i_clamp, workspace_support::atLeast(0.0));
   const bool has_p = reader.read("p", gains.p);
   const bool has_i = reader.read("i", gains.i);
@@ -232,13 +234,12 @@ void RosControl::start(Controller & controller)
 
 RosControl::Controller RosControl::make(const std::string & name)
 {
-  const std::string type = parameter(name + "/type");
+  ParameterReader reader({car_.node, name});
+  std::string type;
+  reader.readRequired("type", type);
   if (type == kJointStateController) {
     double rate_hz = 50.0;
-    car_.node.getParam(name + "/publish_rate", rate_hz);
-    if (!(rate_hz > 0.0)) {
-      throw Error("controller " + name + ": publish_rate must be a number of Hz > 0");
-    }
+    reader.read("publish_rate", rate_hz, workspace_support::positive());
     Controller controller{type, "initialized", nullptr, nullptr};
     controller.joint_states =
       std::make_unique<JointStatesOutput>(car_, "joint_states", rate_hz, car_.description().mechanism);
@@ -295,7 +296,8 @@ void RosControl::useGains(const std::string & name, JointController & controller
 
 const JointDescription & RosControl::joint(const std::string & controller) const
 {
-  const std::string name = parameter(controller + "/joint");
+  std::string name;
+  ParameterReader({car_.node, controller}).readRequired("joint", name);
   const auto & joints = car_.description().mechanism;
   const auto found = std::find_if(joints.begin(), joints.end(), [&](const auto & each) { return each.name == name; });
   if (found == joints.end()) {
@@ -307,14 +309,5 @@ const JointDescription & RosControl::joint(const std::string & controller) const
       boost::algorithm::join(names, ", "));
   }
   return *found;
-}
-
-std::string RosControl::parameter(const std::string & name) const
-{
-  std::string value;
-  if (!car_.node.getParam(name, value) || value.empty()) {
-    throw Error("parameter " + car_.node.resolveName(name) + ": not set, expected a text");
-  }
-  return value;
 }
 }  // namespace f1tenth_sim2d

@@ -68,7 +68,6 @@ private:
   Controller make(const std::string & name);
   Controller makeJointController(const std::string & name, const JointControllerType & type);
   const JointDescription & joint(const std::string & controller) const;
-  std::string parameter(const std::string & name) const;
   void useGains(const std::string & name, JointController & controller) const;
   std::vector<JointCommand> wanted(double dt);
   double speedOf(const JointDescription & joint) const;

@@ -73,9 +73,9 @@ TEST(NodeParameters, DefaultsAreThoseOfTheDocumentation)
   EXPECT_EQ(parameters.world_file, "circuit1.world");
   EXPECT_EQ(parameters.time_mode, TimeMode::kPaced);
   EXPECT_EQ(parameters.real_time_factor, 1.0);
-  EXPECT_TRUE(parameters.participants.empty());
-  EXPECT_EQ(parameters.lockstep_timeout_sec, 5.0);
-  EXPECT_EQ(parameters.lockstep_startup_timeout_sec, 60.0);
+  EXPECT_TRUE(parameters.lockstep.participants.empty());
+  EXPECT_EQ(parameters.lockstep.timeout_sec, 5.0);
+  EXPECT_EQ(parameters.lockstep.startup_timeout_sec, 60.0);
   EXPECT_EQ(parameters.control_period_sec, 0.025);
   EXPECT_EQ(parameters.simulation.physics_step, 0.001);
   EXPECT_EQ(parameters.simulation.seed, 0u);
@@ -108,7 +108,7 @@ TEST(NodeParameters, ReadsEverythingThatIsThere)
   value["cars"]["robot1"]["frame_prefix"] = "";
   value["cars"]["robot1"]["vehicle"] = "car.yaml";
   const auto parameters = parseNodeParameters("/sim2d", value);
-  EXPECT_EQ(parameters.participants, (std::vector<std::string>{"robot1", "robot1/race_mgr"}));
+  EXPECT_EQ(parameters.lockstep.participants, (std::vector<std::string>{"robot1", "robot1/race_mgr"}));
   EXPECT_EQ(parameters.simulation.seed, 7u);
   EXPECT_EQ(parameters.odometry, OdometryOwner::kWheel);
   EXPECT_EQ(parameters.cars[0].pose.value().yaw, 0.5);

@@ -43,7 +43,7 @@ Sim2dNode::Sim2dNode(const NodeParameters & parameters)
 : parameters_(parameters),
   node_(nodeWithQueue("/", queue_)),
   outbox_(node_),
-  flow_(outbox_, queue_, {true, parameters.silent_subscriber_timeout_sec}),
+  flow_(outbox_, queue_, parameters.silent_subscriber_timeout_sec),
   transforms_(outbox_, node_),
   simulation_(simulationOf(parameters)),
   plugins_(pluginFoldersFromEnvironment()),
@@ -69,10 +69,7 @@ std::unique_ptr<LockstepBarrier> Sim2dNode::makeBarrier()
   if (parameters_.time_mode != TimeMode::kLockstep) {
     return nullptr;
   }
-  return std::make_unique<LockstepBarrier>(
-    node_, queue_,
-    LockstepOptions{
-      parameters_.participants, parameters_.lockstep_timeout_sec, parameters_.lockstep_startup_timeout_sec});
+  return std::make_unique<LockstepBarrier>(node_, queue_, parameters_.lockstep);
 }
 
 Fleet::Surroundings Sim2dNode::surroundings()

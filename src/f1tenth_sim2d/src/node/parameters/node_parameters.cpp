@@ -79,9 +79,9 @@ void readTime(ParameterReader & reader, NodeParameters & parameters)
   } else {
     parameters.time_mode = parameters.real_time_factor > 0.0 ? TimeMode::kPaced : TimeMode::kFree;
   }
-  reader.read("participants", parameters.participants);
-  reader.read("lockstep_timeout", parameters.lockstep_timeout_sec, positive());
-  reader.read("lockstep_startup_timeout", parameters.lockstep_startup_timeout_sec, positive());
+  reader.read("participants", parameters.lockstep.participants);
+  reader.read("lockstep_timeout", parameters.lockstep.timeout_sec, positive());
+  reader.read("lockstep_startup_timeout", parameters.lockstep.startup_timeout_sec, positive());
   reader.read("paused", parameters.paused);
   reader.read("clock_rate", parameters.clock_rate_hz, positive());
   reader.read("silent_subscriber_timeout", parameters.silent_subscriber_timeout_sec, positive());

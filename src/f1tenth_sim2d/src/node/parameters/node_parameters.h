@@ -40,16 +40,21 @@ struct CarParameters
 /// Where a car starts in a world with this start.
 Pose2 startPose(const CarParameters & car, const Pose2 & world_start);
 
+struct LockstepOptions
+{
+  std::vector<std::string> participants;  ///< in the order in which they act
+  double timeout_sec{5.0};                ///< wall time, per period
+  double startup_timeout_sec{60.0};       ///< wall time, until everybody has answered once
+};
+
 /// Everything the node is told, read once.
 struct NodeParameters
 {
   std::string world_file;
   std::vector<CarParameters> cars;
   TimeMode time_mode{TimeMode::kPaced};
-  double real_time_factor{1.0};               ///< of paced time
-  std::vector<std::string> participants;      ///< in the order in which they act
-  double lockstep_timeout_sec{5.0};           ///< wall time
-  double lockstep_startup_timeout_sec{60.0};  ///< wall time
+  double real_time_factor{1.0};  ///< of paced time
+  LockstepOptions lockstep;
   double control_period_sec{0.025};
   SimulationOptions simulation;
   bool paused{false};                          ///< at the start

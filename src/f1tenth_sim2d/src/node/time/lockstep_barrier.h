@@ -13,6 +13,7 @@
 
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/simulation.h"
+#include "node/parameters/node_parameters.h"
 
 namespace f1tenth_sim2d
 {
@@ -26,13 +27,6 @@ public:
 
 private:
   std::string participant_;
-};
-
-struct LockstepOptions
-{
-  std::vector<std::string> participants;
-  double timeout_sec{5.0};           ///< wall time, per period
-  double startup_timeout_sec{60.0};  ///< wall time, until everybody has answered once
 };
 
 /// Where the simulation waits until every participant has answered a period; docs/lockstep.md.

@@ -17,8 +17,8 @@ const ros::WallDuration kPatience{1.0};  // after which it is said who is waited
 const ros::WallDuration kFarewell{2.0};  // at most, at the end
 }  // namespace
 
-FlowControl::FlowControl(Outbox & outbox, ros::CallbackQueue & queue, FlowOptions options)
-: outbox_(outbox), queue_(queue), options_(options)
+FlowControl::FlowControl(Outbox & outbox, ros::CallbackQueue & queue, double silent_subscriber_sec)
+: outbox_(outbox), queue_(queue), silent_subscriber_sec_(silent_subscriber_sec)
 {
 }
 
@@ -27,7 +27,7 @@ void FlowControl::waitForSubscribers(const std::function<bool()> & interrupted)
   if (!outbox_.isLagging(kWaitAbove)) {
     return;
   }
-  if (options_.wait) {
+  if (waits_) {
     const ros::WallTime start = ros::WallTime::now();
     waitUntilBelow(kGoOnBelow, interrupted);
     waited_sec_ += (ros::WallTime::now() - start).toSec();
@@ -46,7 +46,7 @@ void FlowControl::waitUntilBelow(std::size_t limit, const std::function<bool()> 
       Progress & progress = progress_.try_emplace(topic->name(), Progress{in_flight, now}).first->second;
       if (progress.in_flight != in_flight) {
         progress = {in_flight, now};
-      } else if (now - progress.since > ros::WallDuration(options_.silent_subscriber_sec)) {
+      } else if (now - progress.since > ros::WallDuration(silent_subscriber_sec_)) {
         giveUp(*topic);
       } else if (now - progress.since > kPatience) {
         note(*topic);
@@ -69,7 +69,7 @@ void FlowControl::giveUp(Topic & topic)
   const std::string names = topic.thoseBehind();
   ROS_WARN(
     "%s has read nothing of %s for %g s: the simulation no longer waits for it", names.c_str(), topic.name().c_str(),
-    options_.silent_subscriber_sec);
+    silent_subscriber_sec_);
   slow_.insert(names + " (" + topic.name() + ", no longer waited for)");
   topic.giveUpThoseBehind();
 }
@@ -79,7 +79,7 @@ void FlowControl::note(const Topic & topic)
   const std::string names = topic.thoseBehind();
   ROS_WARN_THROTTLE(
     10.0, "%s does not keep up with %s%s", names.c_str(), topic.name().c_str(),
-    options_.wait ? ": the simulation waits for it" : " and loses messages");
+    waits_ ? ": the simulation waits for it" : " and loses messages");
   slow_.insert(names + " (" + topic.name() + ")");
 }
 

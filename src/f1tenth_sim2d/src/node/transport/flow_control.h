@@ -12,24 +12,18 @@
 
 namespace f1tenth_sim2d
 {
-/// What to do with subscribers that do not keep up.
-struct FlowOptions
-{
-  bool wait{true};                     ///< whether the simulation waits for them
-  double silent_subscriber_sec{10.0};  ///< wall s after which one that reads nothing at all is given up
-};
-
 /// Keeps the simulation from running away from its subscribers. It waits while somebody has too much left to read, and
 /// says who it is. A subscriber that reads nothing at all for long is named and no longer waited for until it has caught
 /// up, so that nobody can hang a run.
 class FlowControl
 {
 public:
-  /// @param queue  served while waiting
-  FlowControl(Outbox & outbox, ros::CallbackQueue & queue, FlowOptions options);
+  /// @param queue                  served while waiting
+  /// @param silent_subscriber_sec  wall s after which a subscriber that reads nothing at all is given up
+  FlowControl(Outbox & outbox, ros::CallbackQueue & queue, double silent_subscriber_sec);
 
   /// Whether the simulation waits for slow subscribers, or lets them lose messages.
-  void setWaiting(bool wait) { options_.wait = wait; }
+  void setWaiting(bool wait) { waits_ = wait; }
 
   /// Returns when everybody keeps up, or interrupted() is true.
   void waitForSubscribers(const std::function<bool()> & interrupted);
@@ -57,7 +51,8 @@ private:
 
   Outbox & outbox_;
   ros::CallbackQueue & queue_;
-  FlowOptions options_;
+  const double silent_subscriber_sec_;
+  bool waits_{true};
   std::map<std::string, Progress> progress_;     // by topic, while it lags behind
   std::map<std::string, std::uint64_t> losses_;  // by topic, as far as they have been noted
   std::set<std::string> slow_;

@@ -1,11 +1,12 @@
 #include "amcl/localizer_options.h"
 
 #include <gtest/gtest.h>
+#include <workspace_support/errors.h>
 
 #include <functional>
 #include <string>
 
-#include "amcl/errors.h"
+#include "amcl/geometry.h"
 
 namespace amcl
 {

@@ -1,12 +1,12 @@
 #include "map/costmap.h"
 
 #include <gtest/gtest.h>
+#include <workspace_support/errors.h>
 
 #include <limits>
 #include <random>
 
 #include "expect_throws.h"
-#include "geometry/errors.h"
 #include "rooms.h"
 
 namespace move_base

@@ -1,9 +1,9 @@
 #include "control/path_follower.h"
 
 #include <gtest/gtest.h>
+#include <workspace_support/errors.h>
 
 #include "expect_throws.h"
-#include "geometry/errors.h"
 #include "kinematic_car.h"
 #include "rooms.h"
 

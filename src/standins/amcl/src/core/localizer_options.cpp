@@ -1,6 +1,8 @@
 #include "amcl/localizer_options.h"
 
-#include "amcl/errors.h"
+#include <workspace_support/option_checks.h>
+
+#include "amcl/geometry.h"
 
 namespace amcl
 {

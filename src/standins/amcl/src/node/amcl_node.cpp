@@ -4,11 +4,11 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/console.h>
 #include <tf2_msgs/TFMessage.h>
+#include <workspace_support/errors.h>
 #include <workspace_support/lidar_inputs.h>
 
 #include <cmath>
 
-#include "amcl/errors.h"
 #include "conversions.h"
 
 namespace amcl
@@ -29,7 +29,7 @@ AmclNode::AmclNode(const NodeParameters & parameters, ros::CallbackQueue & queue
   estimate_(parameters.start),
   private_node_("~")
 {
-  ros::NodeHandle node = workspace_support::servedBy(queue);
+  ros::NodeHandle node = servedBy(queue);
   pose_publisher_ = node.advertise<geometry_msgs::PoseWithCovarianceStamped>("amcl_pose", 2, true);
   particle_publisher_ = node.advertise<geometry_msgs::PoseArray>("particlecloud", 2, true);
   // Latched, unlike a tf2_ros::TransformBroadcaster: in lockstep's first period others wait for the transform.
@@ -57,7 +57,7 @@ bool AmclNode::build(const nav_msgs::OccupancyGrid & map, const Estimate & start
 {
   try {
     localizer_ = Localizer(fromOccupancyGrid(map), parameters_.localizer, start);
-  } catch (const MapError & error) {
+  } catch (const Error & error) {
     ROS_ERROR("%s; it is not used", error.what());
     return false;
   }
@@ -220,7 +220,7 @@ bool AmclNode::onGlobalLocalization(std_srvs::Empty::Request &, std_srvs::Empty:
   try {
     localizer_->spreadOut();
     must_publish_ = true;
-  } catch (const MapError & error) {
+  } catch (const Error & error) {
     ROS_ERROR("%s", error.what());
     return false;
   }

@@ -1,11 +1,11 @@
 #include <ros/ros.h>
 #include <sim2d_lockstep/participant.h>
+#include <workspace_support/errors.h>
 #include <workspace_support/lidar_inputs.h>
 
 #include <iostream>
 #include <vector>
 
-#include "amcl/errors.h"
 #include "amcl_node.h"
 
 namespace

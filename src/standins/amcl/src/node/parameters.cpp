@@ -1,21 +1,17 @@
 #include "parameters.h"
 
 #include <ros/console.h>
+#include <workspace_support/errors.h>
 #include <workspace_support/parameter_reader.h>
 
 #include <cmath>
 
-#include "amcl/errors.h"
 #include "conversions.h"
 
 namespace amcl
 {
 namespace
 {
-using workspace_support::atLeast;
-using workspace_support::NumberRule;
-using workspace_support::ParameterReader;
-
 // Of the original where they are not zero: (0.5 m)^2, (0.5 m)^2, (pi/12)^2.
 constexpr double kStartVariance = 0.5 * 0.5;                         // m^2
 constexpr double kStartYawVariance = (M_PI / 12.0) * (M_PI / 12.0);  // rad^2

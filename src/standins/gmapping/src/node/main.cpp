@@ -1,10 +1,10 @@
 #include <ros/ros.h>
 #include <sim2d_lockstep/participant.h>
+#include <workspace_support/errors.h>
 #include <workspace_support/lidar_inputs.h>
 
 #include <iostream>
 
-#include "gmapping/errors.h"
 #include "slam_node.h"
 
 namespace

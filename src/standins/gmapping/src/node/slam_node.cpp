@@ -3,18 +3,17 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/console.h>
 #include <std_msgs/Float64.h>
+#include <workspace_support/conversions.h>
 #include <workspace_support/lidar_inputs.h>
 
 #include <utility>
-
-#include "conversions.h"
 
 namespace gmapping
 {
 SlamNode::SlamNode(const NodeParameters & parameters, ros::CallbackQueue & queue)
 : parameters_(parameters), slam_(parameters.slam)
 {
-  ros::NodeHandle node = workspace_support::servedBy(queue);
+  ros::NodeHandle node = servedBy(queue);
   map_publisher_ = node.advertise<nav_msgs::OccupancyGrid>("map", 1, true);
   metadata_publisher_ = node.advertise<nav_msgs::MapMetaData>("map_metadata", 1, true);
   entropy_publisher_ = ros::NodeHandle("~").advertise<std_msgs::Float64>("entropy", 1, true);

@@ -1,9 +1,9 @@
 #include "conversions.h"
 
+#include <workspace_support/errors.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include "geometry/errors.h"
 
 namespace move_base
 {
@@ -27,7 +27,7 @@ bool isPlanar(const geometry_msgs::Quaternion & q)
 
 OccupancyGrid fromUnturnedGrid(const nav_msgs::OccupancyGrid & message)
 {
-  OccupancyGrid grid = workspace_support::fromOccupancyGrid(message);
+  OccupancyGrid grid = fromOccupancyGrid(message);
   if (std::abs(grid.geometry.origin.yaw) > 1e-6) {
     throw Error("map: origin has the yaw " + std::to_string(grid.geometry.origin.yaw) + ", must be 0");
   }

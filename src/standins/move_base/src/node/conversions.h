@@ -19,12 +19,6 @@
 /// Between messages and the core's types. Quaternions count as rotations about z.
 namespace move_base
 {
-using workspace_support::fromPose;
-using workspace_support::fromTransform;
-using workspace_support::headerOf;
-using workspace_support::toOccupancyGrid;
-using workspace_support::toPose;
-
 geometry_msgs::PoseStamped toPoseStamped(const Pose2 & pose, const std_msgs::Header & header);
 
 /// Whether it is a rotation about z alone, as a goal must have.

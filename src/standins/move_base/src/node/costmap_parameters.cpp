@@ -9,9 +9,6 @@ namespace move_base
 {
 namespace
 {
-using workspace_support::ParameterReader;
-using workspace_support::PluginName;
-
 // Where a parameter of a costmap is: its own place, and, for short, right under the node.
 std::vector<std::string> ofCostmap(const std::string & costmap, const std::string & name)
 {

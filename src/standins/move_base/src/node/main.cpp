@@ -1,9 +1,9 @@
 #include <ros/ros.h>
 #include <sim2d_lockstep/participant.h>
+#include <workspace_support/errors.h>
 
 #include <iostream>
 
-#include "geometry/errors.h"
 #include "move_base_node.h"
 
 namespace

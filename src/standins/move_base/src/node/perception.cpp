@@ -1,12 +1,12 @@
 #include "perception.h"
 
 #include <ros/console.h>
+#include <workspace_support/errors.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "conversions.h"
-#include "geometry/errors.h"
 
 namespace move_base
 {

@@ -1,11 +1,12 @@
 #include "map/costmap.h"
 
+#include <workspace_support/option_checks.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "geometry/distance_transform.h"
-#include "geometry/errors.h"
 
 namespace move_base
 {

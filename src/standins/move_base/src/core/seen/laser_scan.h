@@ -7,7 +7,7 @@
 namespace move_base
 {
 /// A scan and where it was taken. +inf: nothing hit (REP-117).
-struct LaserScan : workspace_support::Scan
+struct LaserScan : Scan
 {
   Pose2 sensor;      ///< in the map, when the scan was taken
   double time{0.0};  ///< s, when it was taken

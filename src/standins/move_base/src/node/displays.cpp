@@ -75,12 +75,11 @@ void Displays::showGlobalCostmap(const ros::Time & stamp)
   const Costmap & costmap = perception_.costmap();
   if (map_number_ != perception_.mapNumber()) {
     map_number_ = perception_.mapNumber();
-    costs_.startOn(costmap);
-  } else {
-    costs_.update(costmap);
+    map_costs_ = inflated(costmap.mapCells(), costmap.geometry(), costmap.inflation());
   }
-  global_costmap_.publish(
-    toOccupancyGrid({costmap.geometry(), costs_.cells()}, headerOf(parameters_.global_frame, stamp)));
+  OccupancyGrid costs{costmap.geometry(), map_costs_};
+  addObstacles(costs, costmap.liveCells(), costmap.inflation());
+  global_costmap_.publish(toOccupancyGrid(costs, headerOf(parameters_.global_frame, stamp)));
 }
 
 // Every scan counts: what one sees the next ones may not.

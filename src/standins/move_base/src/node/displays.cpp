@@ -92,7 +92,8 @@ void Displays::watchSurroundings()
   last_scan_ = scan;
   try {
     surroundings_.moveTo(perception_.poseIn(parameters_.local_frame, parameters_.base_frame).position());
-    surroundings_.observe(fromLaserScan(*scan, perception_.poseIn(parameters_.local_frame, scan->header)));
+    surroundings_.observe(
+      fromLaserScan(*scan, perception_.poseIn(parameters_.local_frame, scan->header.frame_id, scan->header.stamp)));
   } catch (const tf2::TransformException &) {
     // The next one may be placed.
   }

@@ -7,6 +7,13 @@ namespace move_base
 {
 using namespace workspace_support;
 
+/// From low to high, m.
+struct Interval
+{
+  double low{0.0};
+  double high{0.0};
+};
+
 /// Where a car is after driving an arc.
 /// @param length     m along the arc, negative backwards
 /// @param curvature  1/m, of the wheels' setting: positive is steering to the left

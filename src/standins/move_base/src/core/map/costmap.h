@@ -8,7 +8,6 @@
 #include "car/footprint.h"
 #include "geometry/geometry.h"
 #include "map/inflation.h"
-#include "seen/laser_scan.h"
 #include "seen/live_layer.h"
 #include "seen/obstacle_tracker.h"
 

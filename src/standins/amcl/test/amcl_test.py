@@ -14,8 +14,8 @@ from geometry_msgs.msg import PoseArray, PoseWithCovarianceStamped
 from nav_msgs.msg import OccupancyGrid
 from nav_msgs.srv import GetMap, GetMapResponse, SetMap, SetMapRequest
 from played_car import PERIOD, START, drive, mounting, room, scan, stamp_of, transform
+from played_simulator import PATIENCE, Simulator
 from std_srvs.srv import Empty
-from workspace_support.played_simulator import PATIENCE, Simulator
 
 PERIODS = 60
 

@@ -259,12 +259,5 @@ TEST(Localizer, MapOnWhichNothingIsFreeIsNamed)
     EXPECT_STREQ(error.what(), "nothing is free on the map");
   }
 }
-
-TEST(Localizer, WrongOptionsAreRefused)
-{
-  LocalizerOptions options;
-  options.max_particles = -1;
-  EXPECT_THROW(Localizer(room(), options, {}), OptionError);
-}
 }  // namespace
 }  // namespace amcl

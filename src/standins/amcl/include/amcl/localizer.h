@@ -30,7 +30,7 @@ enum class Outcome
 class Localizer
 {
 public:
-  /// @throws OptionError, or Error for a map without cells
+  /// @throws Error for a map without cells
   Localizer(const OccupancyGrid & map, const LocalizerOptions & options, const Estimate & start);
   ~Localizer();
   Localizer(Localizer &&) noexcept;

@@ -281,9 +281,8 @@ private:
 };
 
 Localizer::Localizer(const OccupancyGrid & map, const LocalizerOptions & options, const Estimate & start)
+: impl_(std::make_unique<Impl>(map, options, start))
 {
-  options.validate();
-  impl_ = std::make_unique<Impl>(map, options, start);
 }
 Localizer::~Localizer() = default;
 Localizer::Localizer(Localizer &&) noexcept = default;

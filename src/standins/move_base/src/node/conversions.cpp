@@ -39,19 +39,11 @@ LaserScan fromLaserScan(const sensor_msgs::LaserScan & message, const Pose2 & se
   return {workspace_support::fromLaserScan(message, false), sensor, message.header.stamp.toSec()};
 }
 
-geometry_msgs::Twist toTwist(const DriveCommand & command)
+geometry_msgs::Twist toTwist(double speed, double turn)
 {
   geometry_msgs::Twist twist;
-  twist.linear.x = command.speed;
-  twist.angular.z = command.yawRate();
-  return twist;
-}
-
-geometry_msgs::Twist toTwistWithAngle(const DriveCommand & command, double wheelbase)
-{
-  geometry_msgs::Twist twist;
-  twist.linear.x = command.speed;
-  twist.angular.z = command.speed == 0.0 ? 0.0 : std::atan(wheelbase * command.curvature);
+  twist.linear.x = speed;
+  twist.angular.z = turn;
   return twist;
 }
 

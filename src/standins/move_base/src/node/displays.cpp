@@ -20,11 +20,8 @@ Displays::Displays(ros::NodeHandle private_node, const MoveBaseParameters & para
     private_node.advertise<geometry_msgs::PolygonStamped>("local_costmap/footprint", 1),
     parameters.local_publish_frequency,
     {}},
-  surroundings_(parameters.local_width, parameters.local_height, parameters.local_resolution, parameters.costmap.live),
-  surroundings_inflation_(parameters.local_inflation)
+  surroundings_(parameters.local_width, parameters.local_height, parameters.local_resolution, parameters.costmap.live)
 {
-  surroundings_inflation_.inscribed_radius =
-    Footprint(parameters.footprint, parameters.footprint_padding).inscribedRadius();
 }
 
 void Displays::showGlobalPlan(const Path & path, const ros::Time & stamp)
@@ -103,7 +100,7 @@ void Displays::showLocalCostmap(const ros::Time & stamp)
 {
   const GridGeometry & geometry = surroundings_.geometry();
   local_costmap_.publish(toOccupancyGrid(
-    {geometry, inflated(surroundings_.cells(), geometry, surroundings_inflation_)},
+    {geometry, inflated(surroundings_.cells(), geometry, parameters_.local_inflation)},
     headerOf(parameters_.local_frame, stamp)));
 }
 

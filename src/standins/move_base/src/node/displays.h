@@ -45,7 +45,6 @@ private:
   std::vector<std::int8_t> map_costs_;
   unsigned map_number_{0};  // of the map in map_costs_
   RollingLayer surroundings_;
-  Inflation surroundings_inflation_;
   sensor_msgs::LaserScan::ConstPtr last_scan_;  // in surroundings_
 };
 }  // namespace move_base

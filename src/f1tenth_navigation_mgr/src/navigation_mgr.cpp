@@ -17,27 +17,6 @@ ros::Time rosNow()
 }
 }  // namespace
 
-const char * ToString(SpinResult result)
-{
-  switch (result) {
-    case SpinResult::kNotConnected:
-      return "not_connected";
-    case SpinResult::kDriving:
-      return "driving";
-    case SpinResult::kSent:
-      return "sent";
-    case SpinResult::kReached:
-      return "reached";
-    case SpinResult::kFailed:
-      return "failed";
-    case SpinResult::kQueueEmpty:
-      return "queue_empty";
-    case SpinResult::kIdle:
-      break;
-  }
-  return "idle";
-}
-
 NavigationMgr::NavigationMgr(const std::string & robot, const Timeouts & timeouts) : client_{robot, timeouts} {}
 
 void NavigationMgr::LoadGoals(const std::string & path)

@@ -35,23 +35,6 @@ std::string lossText(const std::string & action, const std::string & what, doubl
 }
 }  // namespace
 
-const char * ToString(GoalOutcome outcome)
-{
-  switch (outcome) {
-    case GoalOutcome::kSucceeded:
-      return "succeeded";
-    case GoalOutcome::kAborted:
-      return "aborted";
-    case GoalOutcome::kRejected:
-      return "rejected";
-    case GoalOutcome::kPreempted:
-      return "preempted";
-    case GoalOutcome::kLost:
-      break;
-  }
-  return "lost";
-}
-
 bool MoveBaseClient::BothPassed(const Moment & since, const Moment & now, double seconds)
 {
   return (now.wall - since.wall).toSec() > seconds && (now.ros - since.ros).toSec() > seconds;

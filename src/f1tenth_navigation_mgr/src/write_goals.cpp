@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
-#include <sstream>
 
 #include "f1tenth_navigation_mgr/goals_file.h"
 
@@ -49,29 +48,26 @@ void writeGoal(std::ostream & text, const Goal & goal)
   std::filesystem::remove(temporary, ignored);
   throw GoalsFileError{path + ": cannot be written: " + reason};
 }
-}  // namespace
 
-void WriteGoals(std::ostream & text, const std::string & name, const Goals & goals)
+void expectOneFrame(const std::string & path, const Goals & goals)
 {
-  if (goals.empty()) throw GoalsFileError{name + ": no goals to save"};
+  if (goals.empty()) throw GoalsFileError{path + ": no goals to save"};
   for (const auto & goal : goals) {
     if (goal.frame_id == goals.front().frame_id) continue;
     throw GoalsFileError{
-      name + ": a goals file has one frame, found \"" + goals.front().frame_id + "\" and \"" + goal.frame_id + "\""};
+      path + ": a goals file has one frame, found \"" + goals.front().frame_id + "\" and \"" + goal.frame_id + "\""};
   }
-  text << "frame_id: " << goals.front().frame_id << '\n';
-  for (const auto & goal : goals) writeGoal(text, goal);
 }
+}  // namespace
 
 void SaveGoalsFile(const std::string & path, const Goals & goals)
 {
-  std::ostringstream text;
-  WriteGoals(text, path, goals);
-
+  expectOneFrame(path, goals);
   const std::string temporary{path + ".tmp"};
   errno = 0;
   std::ofstream file{temporary, std::ios::trunc};
-  file << text.str();
+  file << "frame_id: " << goals.front().frame_id << '\n';
+  for (const auto & goal : goals) writeGoal(file, goal);
   file.close();
   if (!file || std::rename(temporary.c_str(), path.c_str()) != 0) failWriting(path, temporary);
 }

@@ -16,22 +16,6 @@ namespace
 {
 const std::string kForms{R"("x y yaw" or "x y z qx qy qz qw")"};
 
-Goals read(const std::string & text, const std::vector<std::string> & frames = {"map"})
-{
-  std::istringstream stream{text};
-  return ReadGoals(stream, "goals.txt", frames);
-}
-
-std::string errorOf(const std::string & text, const std::vector<std::string> & frames = {"map"})
-{
-  try {
-    read(text, frames);
-  } catch (const GoalsFileError & error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 std::string loadErrorOf(const std::string & path)
 {
   try {
@@ -66,10 +50,27 @@ public:
 protected:
   std::string path(const std::string & name) const { return (folder_ / name).string(); }
 
+  Goals read(const std::string & text, const std::vector<std::string> & frames = {"map"}) const
+  {
+    std::ofstream{path("goals.txt")} << text;
+    return LoadGoalsFile(path("goals.txt"), frames);
+  }
+
+  /// Without the folder.
+  std::string errorOf(const std::string & text, const std::vector<std::string> & frames = {"map"}) const
+  {
+    try {
+      read(text, frames);
+    } catch (const GoalsFileError & error) {
+      return std::string{error.what()}.substr(folder_.string().size() + 1);
+    }
+    return "no error";
+  }
+
   fs::path folder_;
 };
 
-TEST(ReadGoals, ReadsThreeNumbersAsPositionAndYaw)
+TEST_F(GoalsFile, ReadsThreeNumbersAsPositionAndYaw)
 {
   const auto goals = read("1 -2.5 1e-1\n");
   ASSERT_EQ(goals.size(), 1u);
@@ -79,7 +80,7 @@ TEST(ReadGoals, ReadsThreeNumbersAsPositionAndYaw)
   EXPECT_EQ(goals[0].frame_id, "map");
 }
 
-TEST(ReadGoals, ReadsSevenNumbersAsPose)
+TEST_F(GoalsFile, ReadsSevenNumbersAsPose)
 {
   const auto goals = read("1 2 3 0 0 0.7071 0.7071");
   ASSERT_EQ(goals.size(), 1u);
@@ -88,14 +89,14 @@ TEST(ReadGoals, ReadsSevenNumbersAsPose)
   EXPECT_NEAR(goals[0].Yaw(), M_PI / 2.0, 1e-4);
 }
 
-TEST(ReadGoals, SkipsCommentsBlankLinesAndCarriageReturns)
+TEST_F(GoalsFile, SkipsCommentsBlankLinesAndCarriageReturns)
 {
   const auto goals = read("# goals\r\n\r\n  \t\n1 2 3 # first\r\n#4 5 6\n+7 8 9");
   ASSERT_EQ(goals.size(), 2u);
   EXPECT_EQ(goals[1].x, 7.0);
 }
 
-TEST(ReadGoals, KeepsTheOrderOfTheFile)
+TEST_F(GoalsFile, KeepsTheOrderOfTheFile)
 {
   const auto goals = read("3 0 0\n1 0 0\n2 0 0\n");
   EXPECT_EQ(goals[0].x, 3.0);
@@ -103,27 +104,27 @@ TEST(ReadGoals, KeepsTheOrderOfTheFile)
   EXPECT_EQ(goals[2].x, 2.0);
 }
 
-TEST(ReadGoals, TakesAKnownFrameFromTheFirstLine)
+TEST_F(GoalsFile, TakesAKnownFrameFromTheFirstLine)
 {
   EXPECT_EQ(read("# c\nframe_id: robot1/odom\n1 2 3", {"map", "robot1/odom"})[0].frame_id, "robot1/odom");
 }
 
-TEST(ReadGoals, RefusesTooFewNumbers)
+TEST_F(GoalsFile, RefusesTooFewNumbers)
 {
   EXPECT_EQ(errorOf("1 2 3\n1 2\n"), "goals.txt:2: too few numbers: 2, expected 3 or 7: " + kForms);
 }
 
-TEST(ReadGoals, RefusesTooManyNumbers)
+TEST_F(GoalsFile, RefusesTooManyNumbers)
 {
   EXPECT_EQ(errorOf("1 2 3 4 5 6 7 8"), "goals.txt:1: too many numbers: 8, expected 3 or 7: " + kForms);
 }
 
-TEST(ReadGoals, RefusesACountBetweenTheForms)
+TEST_F(GoalsFile, RefusesACountBetweenTheForms)
 {
   EXPECT_EQ(errorOf("1 2 3 4"), "goals.txt:1: wrong count of numbers: 4, expected 3 or 7: " + kForms);
 }
 
-TEST(ReadGoals, RefusesWhatIsNotANumber)
+TEST_F(GoalsFile, RefusesWhatIsNotANumber)
 {
   EXPECT_EQ(errorOf("# c\n\n1 2 north"), "goals.txt:3: yaw is not a number: \"north\"");
   EXPECT_EQ(errorOf("1,5 2 3"), "goals.txt:1: x is not a number: \"1,5\"");
@@ -131,14 +132,14 @@ TEST(ReadGoals, RefusesWhatIsNotANumber)
   EXPECT_EQ(errorOf("1 +-2 3"), "goals.txt:1: y is not a number: \"+-2\"");
 }
 
-TEST(ReadGoals, RefusesNotFiniteNumbers)
+TEST_F(GoalsFile, RefusesNotFiniteNumbers)
 {
   EXPECT_EQ(errorOf("nan 2 3"), "goals.txt:1: x is not finite: nan");
   EXPECT_EQ(errorOf("1 2 -inf"), "goals.txt:1: yaw is not finite: -inf");
   EXPECT_EQ(errorOf("1 1e999 3"), "goals.txt:1: y is out of range: 1e999");
 }
 
-TEST(ReadGoals, RefusesAQuaternionThatIsNotOne)
+TEST_F(GoalsFile, RefusesAQuaternionThatIsNotOne)
 {
   EXPECT_EQ(
     errorOf("1 2 0 0 0 0 0"),
@@ -148,7 +149,7 @@ TEST(ReadGoals, RefusesAQuaternionThatIsNotOne)
     "goals.txt:1: qx qy qz qw is not a unit quaternion: its length is 1.41421, expected 1 within 0.01");
 }
 
-TEST(ReadGoals, RefusesAnUnknownFrame)
+TEST_F(GoalsFile, RefusesAnUnknownFrame)
 {
   EXPECT_EQ(
     errorOf("frame_id: mars\n1 2 3", {"map", "robot1/odom"}),
@@ -156,14 +157,14 @@ TEST(ReadGoals, RefusesAnUnknownFrame)
   EXPECT_EQ(errorOf("frame_id:\n1 2 3"), "goals.txt:1: unknown frame \"\", expected one of: map");
 }
 
-TEST(ReadGoals, RefusesAFrameThatIsNotFirst)
+TEST_F(GoalsFile, RefusesAFrameThatIsNotFirst)
 {
   const std::string expected{"goals.txt:2: frame_id must stand before everything else, and once"};
   EXPECT_EQ(errorOf("1 2 3\nframe_id: map\n"), expected);
   EXPECT_EQ(errorOf("frame_id: map\nframe_id: map\n1 2 3"), expected);
 }
 
-TEST(ReadGoals, RefusesATextWithoutGoals)
+TEST_F(GoalsFile, RefusesATextWithoutGoals)
 {
   const std::string expected{"goals.txt: no goals in the file; expected lines of " + kForms};
   EXPECT_EQ(errorOf(""), expected);
@@ -187,10 +188,11 @@ TEST_F(GoalsFile, ReadsBackExactlyWhatItSaved)
   EXPECT_EQ(LoadGoalsFile(path("goals.txt")), goals);
 }
 
-TEST(WriteGoals, WritesTheShortFormWhereNothingIsLost)
+TEST_F(GoalsFile, WritesTheShortFormWhereNothingIsLost)
 {
+  SaveGoalsFile(path("goals.txt"), {PlanarGoal(1.5, -2.0, 0.0), Goal{"map", 1.0, 2.0, 0.5, 0.0, 0.0, 0.0, 1.0}});
   std::ostringstream text;
-  WriteGoals(text, "goals.txt", {PlanarGoal(1.5, -2.0, 0.0), Goal{"map", 1.0, 2.0, 0.5, 0.0, 0.0, 0.0, 1.0}});
+  text << std::ifstream{path("goals.txt")}.rdbuf();
   EXPECT_EQ(text.str(), "frame_id: map\n1.5 -2 0\n1 2 0.5 0 0 0 1\n");
 }
 

@@ -3,6 +3,7 @@
 #include <ros/ros.h>
 
 #include <iostream>
+#include <map>
 
 #include "f1tenth_navigation_mgr/navigation_mgr.h"
 
@@ -13,9 +14,23 @@ namespace
 constexpr std::size_t kLoopedGoals{5};
 constexpr int kSpinsAfterEnd{5};
 
+const std::map<GoalOutcome, const char *> kOutcomes{
+  {GoalOutcome::kSucceeded, "succeeded"},
+  {GoalOutcome::kAborted, "aborted"},
+  {GoalOutcome::kRejected, "rejected"},
+  {GoalOutcome::kPreempted, "preempted"},
+  {GoalOutcome::kLost, "lost"}};
+
+// The others are nothing that has happened.
+const std::map<SpinResult, const char *> kEvents{
+  {SpinResult::kSent, "sent"},
+  {SpinResult::kReached, "reached"},
+  {SpinResult::kFailed, "failed"},
+  {SpinResult::kQueueEmpty, "queue_empty"}};
+
 void print(const GoalResult & result)
 {
-  std::cout << "goal " << result.goal.x << " " << ToString(result.outcome) << ": " << result.text << std::endl;
+  std::cout << "goal " << result.goal.x << " " << kOutcomes.at(result.outcome) << ": " << result.text << std::endl;
 }
 
 // The thesis's Spin, with its names.
@@ -26,17 +41,12 @@ SpinResult spinByParts(NavigationMgr & navmgr)
   return navmgr.Spin();
 }
 
-bool isEvent(SpinResult did)
-{
-  return did != SpinResult::kNotConnected && did != SpinResult::kDriving && did != SpinResult::kIdle;
-}
-
 void drive(NavigationMgr & navmgr, const std::string & mode)
 {
   bool over{false};
   for (int left = kSpinsAfterEnd; ros::ok() && left > 0; left -= over ? 1 : 0) {
     const auto did = mode == "parts" ? spinByParts(navmgr) : navmgr.Spin();
-    if (isEvent(did)) std::cout << ToString(did) << std::endl;
+    if (const auto event = kEvents.find(did); event != kEvents.end()) std::cout << event->second << std::endl;
     if (did == SpinResult::kSent && (mode == "cancel" || navmgr.Results().size() >= kLoopedGoals)) {
       navmgr.ClearGoals();
       navmgr.Cancel();

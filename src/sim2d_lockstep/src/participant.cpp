@@ -20,6 +20,7 @@ namespace
 const ros::WallDuration kShutdownCheck{0.1};
 const ros::WallDuration kClockCheck{20e-6};
 const ros::WallDuration kFarewell{1.0};
+const ros::WallDuration kNotReady{0.002};
 
 void checkNames(const std::string & name, const std::vector<std::string> & after)
 {
@@ -184,13 +185,20 @@ std::optional<ros::Time> Participant::waitForPeriod(ros::WallDuration timeout)
 {
   return impl_->waitForPeriod(timeout);
 }
-void Participant::done(const ros::Time & stamp)
-{
-  impl_->done(stamp, stamp);
-}
 void Participant::done(const ros::Time & stamp, const ros::Time & until)
 {
   impl_->done(stamp, until);
+}
+void Participant::actInPeriods(const std::function<bool(const ros::Time &)> & act)
+{
+  while (ros::ok()) {
+    const auto stamp = waitForPeriod(kShutdownCheck);
+    if (stamp && act(*stamp)) {
+      done(*stamp);
+    } else if (stamp) {
+      kNotReady.sleep();
+    }
+  }
 }
 void Participant::leave()
 {

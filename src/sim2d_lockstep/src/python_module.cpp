@@ -47,7 +47,7 @@ ros::Time toTime(const py::handle & stamp)
 void done(Participant & participant, const py::handle & stamp, const py::handle & until)
 {
   const ros::Time time = toTime(stamp);
-  const ros::Time next = until.is_none() ? time : toTime(until);
+  const ros::Time next = until.is_none() ? ros::Time() : toTime(until);
   const py::gil_scoped_release release;
   participant.done(time, next);
 }

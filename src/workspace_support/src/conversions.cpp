@@ -56,6 +56,15 @@ geometry_msgs::Transform toTransform(const Pose2 & pose)
   return transform;
 }
 
+std::optional<geometry_msgs::TransformStamped> lookUp(
+  const tf2::BufferCore & transforms, const std::string & target, const std::string & frame, const ros::Time & stamp)
+{
+  if (!transforms.canTransform(target, frame, stamp)) {
+    return std::nullopt;
+  }
+  return transforms.lookupTransform(target, frame, stamp);
+}
+
 bool isUpsideDown(const geometry_msgs::Transform & transform)
 {
   const auto & q = transform.rotation;

@@ -18,9 +18,6 @@ enum class GoalOutcome
   kLost,       ///< the planner died, forgot the goal, fell silent or never took notice of it
 };
 
-/// "succeeded", "aborted", "rejected", "preempted", "lost"
-const char * ToString(GoalOutcome outcome);
-
 struct GoalResult
 {
   Goal goal;

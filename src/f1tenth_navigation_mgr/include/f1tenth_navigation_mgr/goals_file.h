@@ -1,7 +1,5 @@
 #pragma once
 
-#include <istream>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -16,16 +14,8 @@ namespace f1tenth_navigation_mgr
 /// @throws GoalsFileError `FILE:LINE: what is wrong` at the first wrong line; a file without goals is wrong
 Goals LoadGoalsFile(const std::string & path, const std::vector<std::string> & known_frames = {"map"});
 
-/// The same for text that is already open.
-/// @param name  what error messages call it
-Goals ReadGoals(std::istream & text, const std::string & name, const std::vector<std::string> & known_frames = {"map"});
-
 /// Writes path.tmp in the same folder first and renames it, so that path is never half a file.
 /// What was saved reads back as the identical goals.
 /// @throws GoalsFileError when goals is empty, when its frames differ, and when the file cannot be written
 void SaveGoalsFile(const std::string & path, const Goals & goals);
-
-/// The same into a stream.
-/// @throws GoalsFileError when goals is empty or its frames differ; the message begins with name
-void WriteGoals(std::ostream & text, const std::string & name, const Goals & goals);
 }  // namespace f1tenth_navigation_mgr

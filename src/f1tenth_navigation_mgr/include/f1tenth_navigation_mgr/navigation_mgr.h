@@ -30,9 +30,6 @@ enum class SpinResult
   kIdle,          ///< nothing: the queue is still empty
 };
 
-/// "not_connected", "driving", "sent", "reached", "failed", "queue_empty", "idle"
-const char * ToString(SpinResult result);
-
 /// Sends a car's goals to its move_base, one after the other.
 ///
 ///     NavigationMgr navmgr{"robot1"};

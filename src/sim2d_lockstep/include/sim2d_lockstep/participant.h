@@ -3,6 +3,7 @@
 #include <ros/duration.h>
 #include <ros/time.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -65,10 +66,13 @@ public:
 
   /// Publishes on /sim2d/done that this node has acted up to stamp, after everything it has published before.
   /// Say the first one only when the node is ready to act (map there, servers connected): the simulator waits.
-  void done(const ros::Time & stamp);
-  /// The same for a node that acts more seldom than every period: nobody waits for it, and waitForPeriod() returns
-  /// nothing, before the first period that ends at `until` or later.
-  void done(const ros::Time & stamp, const ros::Time & until);
+  /// @param until  of a node that acts more seldom than every period: nobody waits for it, and waitForPeriod() returns
+  ///               nothing, before the first period that ends then or later
+  void done(const ros::Time & stamp, const ros::Time & until = {});
+
+  /// Acts in every period and says that it is done, until ROS shuts down.
+  /// @param act  of a period's stamp; returns whether the node was ready to, otherwise is called again for the same period
+  void actInPeriods(const std::function<bool(const ros::Time &)> & act);
 
   /// Leaves for good: the simulator and all that come after this participant never wait for it again. Blocks until the
   /// simulator has gone on without it, at most 1 s of wall time: a process that ends earlier may take its last words

@@ -14,8 +14,8 @@ from geometry_msgs.msg import PoseArray, PoseWithCovarianceStamped
 from nav_msgs.msg import OccupancyGrid
 from nav_msgs.srv import GetMap, GetMapResponse, SetMap, SetMapRequest
 from played_car import PERIOD, START, drive, mounting, room, scan, stamp_of, transform
+from played_simulator import PATIENCE, Simulator
 from std_srvs.srv import Empty
-from workspace_support.played_simulator import PATIENCE, Simulator
 
 PERIODS = 60
 
@@ -170,7 +170,17 @@ class AmclTest(unittest.TestCase):
         for name, value, answer in [
             ("laser_model_type", "sonar", 'found "sonar", must be one of beam, likelihood_field, '),
             ("odom_model_type", "car", 'found "car", must be one of diff, omni, diff-corrected, '),
-            ("min_particles", -5, "found -5, must be a number above 0"),
+            ("min_particles", -5, "found -5, must be a whole number >= 1"),
+            ("update_min_d", math.nan, "found nan, must be a number >= 0"),
+            ("update_min_a", -0.1, "found -0.1, must be a number >= 0"),
+            ("kld_err", 0.0, "found 0, must be a number > 0"),
+            ("kld_z", math.inf, "found inf, must be a finite number"),
+            ("resample_interval", 0, "found 0, must be a whole number >= 1"),
+            ("odom_alpha3", -1.0, "found -1, must be a number >= 0"),
+            ("laser_max_beams", 1, "found 1, must be a whole number >= 2"),
+            ("laser_z_rand", -0.1, "found -0.1, must be a number >= 0"),
+            ("laser_sigma_hit", math.nan, "found nan, must be a number > 0"),
+            ("laser_max_range", math.nan, "found nan, must be a finite number"),
             ("initial_pose_x", math.inf, "found inf, must be a finite number"),
             ("initial_cov_aa", -1.0, "found -1, must be a number >= 0"),
             ("transform_tolerance", -0.1, "found -0.1, must be a number >= 0"),

@@ -1,11 +1,11 @@
 #include "engine_types.h"
 
 #include <gtest/gtest.h>
+#include <workspace_support/errors.h>
 
 #include <limits>
 #include <string>
 
-#include "amcl/errors.h"
 #include "rooms.h"
 
 namespace amcl
@@ -93,7 +93,7 @@ TEST(ToGridMap, MapWithoutCellsIsRefused)
   try {
     toGridMap(OccupancyGrid{{3, 2, 0.05, {}}, {0}}, LaserOptions{});
     FAIL();
-  } catch (const MapError & error) {
+  } catch (const Error & error) {
     EXPECT_STREQ(error.what(), "the map has 3 x 2 cells of 0.050000 m and data for 1");
   }
 }

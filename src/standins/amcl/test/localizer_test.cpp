@@ -1,12 +1,12 @@
 #include "amcl/localizer.h"
 
 #include <gtest/gtest.h>
+#include <workspace_support/errors.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "amcl/errors.h"
 #include "rooms.h"
 
 namespace amcl
@@ -255,16 +255,9 @@ TEST(Localizer, MapOnWhichNothingIsFreeIsNamed)
   try {
     localizer.spreadOut();
     FAIL();
-  } catch (const MapError & error) {
+  } catch (const Error & error) {
     EXPECT_STREQ(error.what(), "nothing is free on the map");
   }
-}
-
-TEST(Localizer, WrongOptionsAreRefused)
-{
-  LocalizerOptions options;
-  options.max_particles = -1;
-  EXPECT_THROW(Localizer(room(), options, {}), OptionError);
 }
 }  // namespace
 }  // namespace amcl

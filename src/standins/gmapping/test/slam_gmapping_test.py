@@ -15,8 +15,8 @@ import rostest
 from nav_msgs.msg import MapMetaData, OccupancyGrid
 from nav_msgs.srv import GetMap
 from played_car import PERIOD, drive, mounting
+from played_simulator import PATIENCE, Simulator
 from std_msgs.msg import Float64
-from workspace_support.played_simulator import PATIENCE, Simulator
 
 PERIODS = 60
 

@@ -1,11 +1,12 @@
 #include "gmapping/slam_options.h"
 
 #include <gtest/gtest.h>
+#include <workspace_support/errors.h>
 
 #include <functional>
 #include <string>
 
-#include "gmapping/errors.h"
+#include "gmapping/geometry.h"
 
 namespace gmapping
 {

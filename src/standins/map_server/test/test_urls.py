@@ -4,9 +4,7 @@ import pytest
 from map_server.errors import MapNotFoundError
 from map_server.urls import path_of
 
-
-def folder_of(package):
-    return {"maps": "/share/maps"}[package]
+PACKAGE = Path(__file__).resolve().parents[1]
 
 
 @pytest.mark.parametrize(
@@ -15,20 +13,20 @@ def folder_of(package):
         ("/a/b.yaml", "/a/b.yaml"),
         ("b.yaml", "b.yaml"),
         ("file:///a/b%20c.yaml", "/a/b c.yaml"),
-        ("package://maps/floor/b.yaml", "/share/maps/floor/b.yaml"),
+        ("package://map_server/floor/b.yaml", PACKAGE / "floor/b.yaml"),
     ],
 )
 def test_url_means_a_path(url, path):
-    assert path_of(url, folder_of) == Path(path)
+    assert path_of(url) == Path(path)
 
 
 @pytest.mark.parametrize("url", ["http://host/b.yaml", "file://host/b.yaml", "package:///b.yaml"])
 def test_other_urls_are_refused(url):
     with pytest.raises(MapNotFoundError) as raised:
-        path_of(url, folder_of)
+        path_of(url)
     assert str(raised.value) == f"{url}: allowed are a path, file:///PATH and package://PACKAGE/PATH"
 
 
 def test_unknown_package_is_named():
     with pytest.raises(MapNotFoundError, match="package://none/b.yaml: there is no package none"):
-        path_of("package://none/b.yaml", folder_of)
+        path_of("package://none/b.yaml")

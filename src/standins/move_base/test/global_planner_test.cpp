@@ -1,9 +1,9 @@
 #include "path/global_planner.h"
 
 #include <gtest/gtest.h>
+#include <workspace_support/errors.h>
 
 #include "expect_throws.h"
-#include "geometry/errors.h"
 #include "rooms.h"
 
 namespace move_base

@@ -1,9 +1,9 @@
 #include "navigator.h"
 
 #include <gtest/gtest.h>
+#include <workspace_support/errors.h>
 
 #include "expect_throws.h"
-#include "geometry/errors.h"
 #include "journey.h"
 
 namespace move_base

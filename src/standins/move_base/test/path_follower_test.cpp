@@ -1,9 +1,9 @@
 #include "control/path_follower.h"
 
 #include <gtest/gtest.h>
+#include <workspace_support/errors.h>
 
 #include "expect_throws.h"
-#include "geometry/errors.h"
 #include "kinematic_car.h"
 #include "rooms.h"
 
@@ -103,7 +103,7 @@ TEST(PathFollower, stopsBeforeAnObstacleThatAppears)
   bool blocked = false;
   bool stuck = false;
   for (double t = 0.0; t < 10.0; t += kStepTime) {
-    if (t > 2.0 && costmap.revision() == 0) {
+    if (t > 2.0 && costmap.liveCells().empty()) {
       const double away = 8.0 - car.state().pose.x;
       costmap.observe(scanFrom(car.state().pose, [&](double angle) { return std::abs(angle) < 0.15 ? away : 20.0; }));
     }

@@ -2,10 +2,13 @@
 
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Transform.h>
+#include <geometry_msgs/TransformStamped.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <sensor_msgs/LaserScan.h>
 #include <std_msgs/Header.h>
+#include <tf2/buffer_core.h>
 
+#include <optional>
 #include <string>
 
 #include "workspace_support/grid.h"
@@ -21,6 +24,9 @@ Pose2 fromPose(const geometry_msgs::Pose & pose);
 geometry_msgs::Pose toPose(const Pose2 & pose);
 Pose2 fromTransform(const geometry_msgs::Transform & transform);
 geometry_msgs::Transform toTransform(const Pose2 & pose);
+/// Pose of a frame in another one; time 0: the latest. Nothing if it is not known.
+std::optional<geometry_msgs::TransformStamped> lookUp(
+  const tf2::BufferCore & transforms, const std::string & target, const std::string & frame, const ros::Time & stamp);
 /// Whether the z axis of the transform points down.
 bool isUpsideDown(const geometry_msgs::Transform & transform);
 /// The map with its origin as it stands: x, y and yaw.

@@ -6,9 +6,5 @@
 
 namespace amcl
 {
-using workspace_support::distance;
-using workspace_support::normalizeAngle;
-using workspace_support::OccupancyGrid;
-using workspace_support::Pose2;
-using workspace_support::Scan;
+using namespace workspace_support;
 }  // namespace amcl

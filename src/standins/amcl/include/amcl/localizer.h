@@ -30,7 +30,7 @@ enum class Outcome
 class Localizer
 {
 public:
-  /// @throws OptionError, or MapError for a map without cells
+  /// @throws Error for a map without cells
   Localizer(const OccupancyGrid & map, const LocalizerOptions & options, const Estimate & start);
   ~Localizer();
   Localizer(Localizer &&) noexcept;
@@ -39,7 +39,7 @@ public:
   /// Believes from now on what somebody else says. The next scan counts.
   void setPose(const Estimate & estimate);
   /// Forgets where the car is: it may be anywhere that is free on the map. The next scan counts.
-  /// @throws MapError if nothing is free there
+  /// @throws Error if nothing is free there
   void spreadOut();
   /// Makes the next scan count even if the car stands.
   void updateNext();

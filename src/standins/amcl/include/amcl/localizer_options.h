@@ -59,8 +59,5 @@ struct LocalizerOptions
   double update_min_a{M_PI / 6.0};  ///< rad between scans that count
   int resample_interval{2};         ///< scans that count until the particles are drawn anew
   std::uint32_t seed{0};            ///< of the particles
-
-  /// @throws OptionError that names the parameter
-  void validate() const;
 };
 }  // namespace amcl

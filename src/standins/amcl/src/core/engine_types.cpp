@@ -1,10 +1,10 @@
 #include "engine_types.h"
 
+#include <workspace_support/errors.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
-
-#include "amcl/errors.h"
 
 namespace amcl
 {
@@ -32,7 +32,7 @@ void expectCells(const OccupancyGrid & grid)
   if (
     count == 0 || grid.cells.size() != count ||
     !(std::isfinite(grid.geometry.resolution) && grid.geometry.resolution > 0.0)) {
-    throw MapError(
+    throw Error(
       "the map has " + std::to_string(grid.geometry.width) + " x " + std::to_string(grid.geometry.height) +
       " cells of " + std::to_string(grid.geometry.resolution) + " m and data for " + std::to_string(grid.cells.size()));
   }

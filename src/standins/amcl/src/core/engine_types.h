@@ -25,7 +25,7 @@ inline Pose2 fromTPose2D(const mrpt::math::TPose2D & pose)
 
 /// The map with its lower left corner at the origin and its rows along x, as MRPT moves corners to multiples of the
 /// resolution and has no rotated maps. It is one unknown row and column larger.
-/// @throws MapError for a map without cells
+/// @throws Error for a map without cells
 mrpt::maps::COccupancyGridMap2D::Ptr toGridMap(const OccupancyGrid & grid, const LaserOptions & options);
 
 /// The beams that are looked at: at most max_beams, evenly spread, those without an echo or out of range being invalid.

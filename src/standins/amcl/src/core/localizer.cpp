@@ -6,13 +6,13 @@
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/poses/CPosePDFGaussian.h>
 #include <mrpt/slam/CMonteCarloLocalization2D.h>
+#include <workspace_support/errors.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
-#include "amcl/errors.h"
 #include "clusters.h"
 #include "engine_types.h"
 #include "lost_car.h"
@@ -98,7 +98,7 @@ public:
   {
     const auto road = roadAbout(*map_, compose(inverse(origin_), believed_));
     if (road.empty()) {
-      throw MapError("nothing is free on the map");
+      throw Error("nothing is free on the map");
     }
     set(drawOn(road, static_cast<std::size_t>(options_.max_particles)));
     startAgain();
@@ -281,9 +281,8 @@ private:
 };
 
 Localizer::Localizer(const OccupancyGrid & map, const LocalizerOptions & options, const Estimate & start)
+: impl_(std::make_unique<Impl>(map, options, start))
 {
-  options.validate();
-  impl_ = std::make_unique<Impl>(map, options, start);
 }
 Localizer::~Localizer() = default;
 Localizer::Localizer(Localizer &&) noexcept = default;

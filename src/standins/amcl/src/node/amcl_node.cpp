@@ -1,14 +1,13 @@
 #include "amcl_node.h"
 
 #include <geometry_msgs/PoseArray.h>
-#include <geometry_msgs/TransformStamped.h>
 #include <ros/console.h>
 #include <tf2_msgs/TFMessage.h>
+#include <workspace_support/errors.h>
 #include <workspace_support/lidar_inputs.h>
 
 #include <cmath>
 
-#include "amcl/errors.h"
 #include "conversions.h"
 
 namespace amcl
@@ -24,12 +23,9 @@ bool isFinite(const Pose2 & pose)
 }  // namespace
 
 AmclNode::AmclNode(const NodeParameters & parameters, ros::CallbackQueue & queue)
-: parameters_(parameters),
-  odometry_(parameters.odom_frame_id, parameters.base_frame_id),
-  estimate_(parameters.start),
-  private_node_("~")
+: parameters_(parameters), estimate_(parameters.start), private_node_("~")
 {
-  ros::NodeHandle node = workspace_support::servedBy(queue);
+  ros::NodeHandle node = servedBy(queue);
   pose_publisher_ = node.advertise<geometry_msgs::PoseWithCovarianceStamped>("amcl_pose", 2, true);
   particle_publisher_ = node.advertise<geometry_msgs::PoseArray>("particlecloud", 2, true);
   // Latched, unlike a tf2_ros::TransformBroadcaster: in lockstep's first period others wait for the transform.
@@ -57,7 +53,7 @@ bool AmclNode::build(const nav_msgs::OccupancyGrid & map, const Estimate & start
 {
   try {
     localizer_ = Localizer(fromOccupancyGrid(map), parameters_.localizer, start);
-  } catch (const MapError & error) {
+  } catch (const Error & error) {
     ROS_ERROR("%s; it is not used", error.what());
     return false;
   }
@@ -77,10 +73,11 @@ void AmclNode::setPose(const geometry_msgs::PoseWithCovarianceStamped & message)
     return;
   }
   // The car has moved on since it was there.
-  const auto then = odometry_.poseAt(message.header.stamp);
-  const auto now = odometry_.poseAt(ros::Time(0));
+  const auto then = odometryAt(message.header.stamp);
+  const auto now = odometryAt(ros::Time(0));
   if (then && now) {
-    estimate.pose = compose(estimate.pose, compose(inverse(*then), *now));
+    const Pose2 motion = compose(inverse(fromTransform(then->transform)), fromTransform(now->transform));
+    estimate.pose = compose(estimate.pose, motion);
   }
   estimate_ = estimate;
   if (localizer_) {
@@ -101,11 +98,14 @@ void AmclNode::handleScans()
 {
   while (localizer_ && !waiting_.empty()) {
     const auto scan = waiting_.front();
-    const auto odometry = odometry_.poseAt(scan->header.stamp);
-    const auto mount = odometry_.mountOf(scan->header.frame_id);
-    if (odometry && mount) {
-      handle(*scan, *odometry, *mount);
-    } else if (isHopeless(*scan)) {
+    const auto odometry = odometryAt(scan->header.stamp);
+    const auto latest = odometryAt(ros::Time(0));
+    const auto lidar =
+      lookUp(transforms_, parameters_.base_frame_id, withoutSlash(scan->header.frame_id), ros::Time(0));
+    const bool is_past = latest && latest->header.stamp > scan->header.stamp;
+    if (odometry && lidar) {
+      handle(*scan, fromTransform(odometry->transform), lidar->transform);
+    } else if (is_past && lidar) {
       ROS_WARN_THROTTLE(
         5.0, "A scan at %.3f s is left out: there is no transform from %s to %s for it", scan->header.stamp.toSec(),
         parameters_.odom_frame_id.c_str(), scan->header.frame_id.c_str());
@@ -117,17 +117,16 @@ void AmclNode::handleScans()
   announceStart();
 }
 
-// Whether the transforms have gone past the scan already.
-bool AmclNode::isHopeless(const sensor_msgs::LaserScan & scan) const
+std::optional<geometry_msgs::TransformStamped> AmclNode::odometryAt(const ros::Time & stamp) const
 {
-  const auto latest = odometry_.latest();
-  return latest && *latest > scan.header.stamp && odometry_.mountOf(scan.header.frame_id);
+  return lookUp(transforms_, parameters_.odom_frame_id, parameters_.base_frame_id, stamp);
 }
 
-void AmclNode::handle(const sensor_msgs::LaserScan & scan, const Pose2 & odometry, const LidarMount & mount)
+void AmclNode::handle(
+  const sensor_msgs::LaserScan & scan, const Pose2 & odometry, const geometry_msgs::Transform & lidar)
 {
   const ros::Time & stamp = scan.header.stamp;
-  const Outcome outcome = localizer_->process(fromLaserScan(scan, mount.upside_down), mount.pose, odometry);
+  const Outcome outcome = localizer_->process(fromLaserScan(scan, isUpsideDown(lidar)), fromTransform(lidar), odometry);
   if (outcome != Outcome::kIgnored) {
     publishParticles(stamp);
   }
@@ -145,11 +144,12 @@ void AmclNode::handle(const sensor_msgs::LaserScan & scan, const Pose2 & odometr
 
 void AmclNode::announceStart()
 {
-  const auto stamp = odometry_.latest();
-  if (localizer_ && !map_to_odom_ && stamp) {
-    map_to_odom_ = compose(estimate_.pose, inverse(*odometry_.poseAt(*stamp)));
+  const auto odometry = odometryAt(ros::Time(0));
+  if (localizer_ && !map_to_odom_ && odometry) {
+    const ros::Time & stamp = odometry->header.stamp;
+    map_to_odom_ = compose(estimate_.pose, inverse(fromTransform(odometry->transform)));
     // From now on, not only from a later time on.
-    broadcast({*stamp, *stamp + ros::Duration(parameters_.transform_tolerance)});
+    broadcast({stamp, stamp + ros::Duration(parameters_.transform_tolerance)});
   }
 }
 
@@ -200,7 +200,7 @@ void AmclNode::savePose(const ros::Time & now)
 
 void AmclNode::forgetInputs()
 {
-  odometry_.transforms().clear();
+  transforms_.clear();
   waiting_.clear();
   last_saved_.reset();
 }
@@ -220,7 +220,7 @@ bool AmclNode::onGlobalLocalization(std_srvs::Empty::Request &, std_srvs::Empty:
   try {
     localizer_->spreadOut();
     must_publish_ = true;
-  } catch (const MapError & error) {
+  } catch (const Error & error) {
     ROS_ERROR("%s", error.what());
     return false;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <geometry_msgs/TransformStamped.h>
 #include <nav_msgs/GetMap.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/SetMap.h>
@@ -8,13 +9,13 @@
 #include <ros/node_handle.h>
 #include <sensor_msgs/LaserScan.h>
 #include <std_srvs/Empty.h>
+#include <tf2/buffer_core.h>
 
 #include <deque>
 #include <optional>
 #include <vector>
 
 #include "amcl/localizer.h"
-#include "odometry.h"
 #include "parameters.h"
 
 namespace amcl
@@ -26,7 +27,8 @@ public:
   /// @param queue  of the services
   AmclNode(const NodeParameters & parameters, ros::CallbackQueue & queue);
 
-  tf2::BufferCore & transforms() { return odometry_.transforms(); }
+  /// To be filled by whoever receives transforms.
+  tf2::BufferCore & transforms() { return transforms_; }
   /// Whether there is a map and a transform from it.
   bool ready() const { return map_to_odom_.has_value(); }
 
@@ -46,8 +48,9 @@ private:
 
   /// @return whether the map is good; if not, the last one stays
   bool build(const nav_msgs::OccupancyGrid & map, const Estimate & start);
-  void handle(const sensor_msgs::LaserScan & scan, const Pose2 & odometry, const LidarMount & mount);
-  bool isHopeless(const sensor_msgs::LaserScan & scan) const;
+  /// Of the car; time 0: the latest.
+  std::optional<geometry_msgs::TransformStamped> odometryAt(const ros::Time & stamp) const;
+  void handle(const sensor_msgs::LaserScan & scan, const Pose2 & odometry, const geometry_msgs::Transform & lidar);
   void publishEstimate(const ros::Time & stamp);
   void publishParticles(const ros::Time & stamp);
   void broadcast(const std::vector<ros::Time> & stamps);
@@ -55,7 +58,7 @@ private:
   void savePose(const ros::Time & now);
 
   NodeParameters parameters_;
-  Odometry odometry_;
+  tf2::BufferCore transforms_;
   std::optional<Localizer> localizer_;
   Estimate estimate_;
   std::optional<Pose2> map_to_odom_;

@@ -12,15 +12,6 @@
 /// Between messages and the core's types.
 namespace amcl
 {
-using workspace_support::fromLaserScan;
-using workspace_support::fromOccupancyGrid;
-using workspace_support::fromPose;
-using workspace_support::fromTransform;
-using workspace_support::headerOf;
-using workspace_support::isUpsideDown;
-using workspace_support::toPose;
-using workspace_support::toTransform;
-
 /// A name of a frame as tf2 knows it: those of tf1 may begin with a slash.
 std::string withoutSlash(const std::string & frame);
 

@@ -1,17 +1,16 @@
 #include <ros/ros.h>
 #include <sim2d_lockstep/participant.h>
+#include <workspace_support/errors.h>
 #include <workspace_support/lidar_inputs.h>
 
 #include <iostream>
 #include <vector>
 
-#include "amcl/errors.h"
 #include "amcl_node.h"
 
 namespace
 {
 const ros::WallDuration kPatience{0.1};
-const ros::WallDuration kPoll{0.002};
 const ros::WallDuration kMapRetry{0.5};
 const ros::TransportHints kNoDelay = ros::TransportHints().tcpNoDelay();
 
@@ -74,23 +73,15 @@ void spinInLockstep(const amcl::AmclNode & amcl, Inputs & inputs, ros::CallbackQ
 {
   sim2d_lockstep::Participant participant(ros::this_node::getName().substr(1));
   bool ready = false;
-  while (ros::ok()) {
-    const auto stamp = participant.waitForPeriod(kPatience);
-    if (!stamp) {
-      continue;
-    }
+  participant.actInPeriods([&](const ros::Time & stamp) {
     if (!ready) {
-      inputs.startAfter(*stamp);
+      inputs.startAfter(stamp);
     }
     queue.callAvailable();
-    inputs.handle(*stamp);
+    inputs.handle(stamp);
     ready = ready || (inputs.areConnected() && amcl.ready());
-    if (ready) {
-      participant.done(*stamp);
-    } else {
-      kPoll.sleep();
-    }
-  }
+    return ready;
+  });
 }
 }  // namespace
 

@@ -1,21 +1,17 @@
 #include "parameters.h"
 
 #include <ros/console.h>
+#include <workspace_support/errors.h>
 #include <workspace_support/parameter_reader.h>
 
 #include <cmath>
 
-#include "amcl/errors.h"
 #include "conversions.h"
 
 namespace amcl
 {
 namespace
 {
-using workspace_support::atLeast;
-using workspace_support::NumberRule;
-using workspace_support::ParameterReader;
-
 // Of the original where they are not zero: (0.5 m)^2, (0.5 m)^2, (pi/12)^2.
 constexpr double kStartVariance = 0.5 * 0.5;                         // m^2
 constexpr double kStartYawVariance = (M_PI / 12.0) * (M_PI / 12.0);  // rad^2
@@ -75,11 +71,11 @@ void readOdometry(ParameterReader & reader, OdometryOptions & odometry)
      {"omni", OdometryModel::kOmni},
      {"diff-corrected", OdometryModel::kDiffCorrected},
      {"omni-corrected", OdometryModel::kOmniCorrected}});
-  reader.read("odom_alpha1", odometry.alpha1);
-  reader.read("odom_alpha2", odometry.alpha2);
-  reader.read("odom_alpha3", odometry.alpha3);
-  reader.read("odom_alpha4", odometry.alpha4);
-  reader.read("odom_alpha5", odometry.alpha5);
+  reader.read("odom_alpha1", odometry.alpha1, atLeast(0.0));
+  reader.read("odom_alpha2", odometry.alpha2, atLeast(0.0));
+  reader.read("odom_alpha3", odometry.alpha3, atLeast(0.0));
+  reader.read("odom_alpha4", odometry.alpha4, atLeast(0.0));
+  reader.read("odom_alpha5", odometry.alpha5, atLeast(0.0));
 }
 
 void readLaser(ParameterReader & reader, LaserOptions & laser)
@@ -89,28 +85,28 @@ void readLaser(ParameterReader & reader, LaserOptions & laser)
     {{"beam", LaserModel::kBeam},
      {"likelihood_field", LaserModel::kLikelihoodField},
      {"likelihood_field_prob", LaserModel::kLikelihoodFieldProb}});
-  reader.read("laser_max_beams", laser.max_beams);
+  reader.read("laser_max_beams", laser.max_beams, atLeast(2));
   reader.read("laser_min_range", laser.min_range);
   reader.read("laser_max_range", laser.max_range);
-  reader.read("laser_z_hit", laser.z_hit);
-  reader.read("laser_z_rand", laser.z_rand);
-  reader.read("laser_sigma_hit", laser.sigma_hit);
-  reader.read("laser_likelihood_max_dist", laser.likelihood_max_dist);
+  reader.read("laser_z_hit", laser.z_hit, atLeast(0.0));
+  reader.read("laser_z_rand", laser.z_rand, atLeast(0.0));
+  reader.read("laser_sigma_hit", laser.sigma_hit, positive());
+  reader.read("laser_likelihood_max_dist", laser.likelihood_max_dist, positive());
 }
 
 void readFilter(ParameterReader & reader, LocalizerOptions & localizer)
 {
-  reader.read("min_particles", localizer.min_particles);
+  reader.read("min_particles", localizer.min_particles, atLeast(1));
   reader.read("max_particles", localizer.max_particles);
   if (localizer.max_particles < localizer.min_particles) {
     ROS_WARN("max_particles is set to min_particles, which is %d, as it was below that", localizer.min_particles);
     localizer.max_particles = localizer.min_particles;
   }
-  reader.read("kld_err", localizer.kld_err);
+  reader.read("kld_err", localizer.kld_err, positive());
   reader.read("kld_z", localizer.kld_z);
-  reader.read("update_min_d", localizer.update_min_d);
-  reader.read("update_min_a", localizer.update_min_a);
-  reader.read("resample_interval", localizer.resample_interval);
+  reader.read("update_min_d", localizer.update_min_d, atLeast(0.0));
+  reader.read("update_min_a", localizer.update_min_a, atLeast(0.0));
+  reader.read("resample_interval", localizer.resample_interval, atLeast(1));
   int seed = 0;
   reader.read("seed", seed);
   localizer.seed = static_cast<std::uint32_t>(seed);
@@ -127,7 +123,6 @@ NodeParameters readParameters(const ros::NodeHandle & node)
   readOdometry(reader, parameters.localizer.odometry);
   readLaser(reader, parameters.localizer.laser);
   readFilter(reader, parameters.localizer);
-  reader.check([&] { parameters.localizer.validate(); });
   reader.warnOfUnused();
   return parameters;
 }

@@ -6,12 +6,5 @@
 
 namespace gmapping
 {
-using workspace_support::Cell;
-using workspace_support::distance;
-using workspace_support::normalizeAngle;
-using workspace_support::OccupancyGrid;
-using workspace_support::Pose2;
-using workspace_support::Scan;
-using workspace_support::transform;
-using workspace_support::Vec2;
+using namespace workspace_support;
 }  // namespace gmapping

@@ -12,7 +12,6 @@
 #include "motion.h"
 #include "pose_graph.h"
 #include "scan_tracker.h"
-#include "way.h"
 
 namespace gmapping
 {

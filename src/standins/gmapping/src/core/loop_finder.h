@@ -4,12 +4,23 @@
 #include <optional>
 #include <vector>
 
+#include "beams.h"
 #include "pose_graph.h"
 #include "scan_matcher.h"
-#include "way.h"
 
 namespace gmapping
 {
+/// A scan that counted.
+struct Stop
+{
+  Pose2 local;              ///< of the lidar, as ScanTracker says: smooth, but it drifts
+  std::vector<Beam> beams;  ///< what was hit
+  double distance{0.0};     ///< driven until here, m
+};
+
+/// All of them, in order.
+using Way = std::vector<Stop>;
+
 /// Notices that the lidar is where it has been before.
 class LoopFinder
 {

@@ -1,10 +1,12 @@
 #include "gmapping/slam_options.h"
 
+#include <workspace_support/option_checks.h>
+
 #include <cmath>
 #include <sstream>
 #include <string>
 
-#include "gmapping/errors.h"
+#include "gmapping/geometry.h"
 
 namespace gmapping
 {

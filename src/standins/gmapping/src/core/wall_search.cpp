@@ -31,34 +31,30 @@ WallSearch::WallSearch(const std::vector<Vec2> & walls) : fine_(layerOf(walls, k
 {
 }
 
-int WallSearch::Layer::valueAt(double x, double y) const
+int WallSearch::Layer::valueAt(const Vec2 & point) const
 {
-  const int column = static_cast<int>(std::floor((x - origin.x) / cell));
-  const int row = static_cast<int>(std::floor((y - origin.y) / cell));
-  const bool inside = column >= 0 && row >= 0 && column < columns && row < rows;
-  return inside ? values[static_cast<std::size_t>(row) * columns + column] : 0;
+  const Cell cell = geometry.cellAt(point);
+  return geometry.contains(cell) ? values[geometry.index(cell)] : 0;
 }
 
 /// Cells with a wall or beside one. A coarse cell then has whatever its fine ones have, wherever a step begins.
 WallSearch::Layer WallSearch::layerOf(const std::vector<Vec2> & walls, double cell)
 {
-  Layer layer;
-  layer.cell = cell;
   Vec2 low{walls.front()};
   Vec2 high{walls.front()};
   for (const Vec2 & wall : walls) {
     low = {std::min(low.x, wall.x), std::min(low.y, wall.y)};
     high = {std::max(high.x, wall.x), std::max(high.y, wall.y)};
   }
-  layer.origin = {low.x - 2.0 * cell, low.y - 2.0 * cell};
-  layer.columns = static_cast<int>((high.x - layer.origin.x) / cell) + 3;
-  layer.rows = static_cast<int>((high.y - layer.origin.y) / cell) + 3;
-  layer.values.assign(static_cast<std::size_t>(layer.columns) * layer.rows, 0);
+  Layer layer{{0, 0, cell, {low.x - 2.0 * cell, low.y - 2.0 * cell, 0.0}}, {}};
+  const Cell last = layer.geometry.cellAt(high);
+  layer.geometry.width = last.x + 3;
+  layer.geometry.height = last.y + 3;
+  layer.values.assign(layer.geometry.size(), 0);
   for (const Vec2 & wall : walls) {
-    const int column = static_cast<int>((wall.x - layer.origin.x) / cell);
-    const int row = static_cast<int>((wall.y - layer.origin.y) / cell);
-    for (int y = row - 1; y <= row + 1; ++y) {
-      std::fill_n(layer.values.begin() + static_cast<std::ptrdiff_t>(y) * layer.columns + column - 1, 3, 1);
+    const Cell middle = layer.geometry.cellAt(wall);
+    for (int y = middle.y - 1; y <= middle.y + 1; ++y) {
+      std::fill_n(&layer.values[layer.geometry.index({middle.x - 1, y})], 3, 1);
     }
   }
   return layer;
@@ -68,7 +64,7 @@ double WallSearch::score(const Layer & layer, const std::vector<Vec2> & turned, 
 {
   int sum = 0;
   for (const Vec2 & point : turned) {
-    sum += layer.valueAt(point.x + offset.x, point.y + offset.y);
+    sum += layer.valueAt(point + offset);
   }
   return static_cast<double>(sum) / static_cast<double>(turned.size());
 }

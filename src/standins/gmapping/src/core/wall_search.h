@@ -32,13 +32,10 @@ public:
 private:
   struct Layer
   {
-    double cell{0.0};  // m
-    int columns{0};
-    int rows{0};
-    Vec2 origin;  // lower left corner
+    GridGeometry geometry;
     std::vector<std::uint8_t> values;
 
-    int valueAt(double x, double y) const;
+    int valueAt(const Vec2 & point) const;
   };
   struct Candidate
   {

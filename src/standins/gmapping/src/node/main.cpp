@@ -1,10 +1,10 @@
 #include <ros/ros.h>
 #include <sim2d_lockstep/participant.h>
+#include <workspace_support/errors.h>
 #include <workspace_support/lidar_inputs.h>
 
 #include <iostream>
 
-#include "gmapping/errors.h"
 #include "slam_node.h"
 
 namespace
@@ -12,7 +12,6 @@ namespace
 using workspace_support::LidarInputs;
 
 const ros::WallDuration kPatience{0.1};
-const ros::WallDuration kPoll{0.002};
 
 void handle(gmapping::SlamNode & slam, LidarInputs & inputs, const ros::Time & now)
 {
@@ -44,24 +43,18 @@ void spinInLockstep(gmapping::SlamNode & slam, LidarInputs & inputs, ros::Callba
 {
   sim2d_lockstep::Participant participant(ros::this_node::getName().substr(1));
   bool ready = false;
-  while (ros::ok()) {
-    const auto stamp = participant.waitForPeriod(kPatience);
-    if (!stamp) {
-      continue;
-    }
+  participant.actInPeriods([&](const ros::Time & stamp) {
     if (!ready) {
-      inputs.startAfter(*stamp);
+      inputs.startAfter(stamp);
     }
     queue.callAvailable();
-    handle(slam, inputs, *stamp);
+    handle(slam, inputs, stamp);
     ready = ready || (inputs.areConnected() && slam.knowsOdometry());
     if (ready) {
-      slam.broadcast(*stamp);
-      participant.done(*stamp);
-    } else {
-      kPoll.sleep();
+      slam.broadcast(stamp);
     }
-  }
+    return ready;
+  });
 }
 }  // namespace
 

@@ -2,12 +2,12 @@
 
 #include <workspace_support/parameter_reader.h>
 
+#include "gmapping/geometry.h"
+
 namespace gmapping
 {
 namespace
 {
-using workspace_support::ParameterReader;
-
 void readFilter(ParameterReader & reader, SlamOptions & slam)
 {
   reader.read("srr", slam.motion.srr);
@@ -51,7 +51,7 @@ NodeParameters readParameters(const ros::NodeHandle & node)
   reader.read("base_frame", parameters.base_frame);
   reader.read("map_frame", parameters.map_frame);
   reader.read("odom_frame", parameters.odom_frame);
-  reader.read("throttle_scans", parameters.throttle_scans, workspace_support::atLeast(1));
+  reader.read("throttle_scans", parameters.throttle_scans, atLeast(1));
   reader.read("map_update_interval", parameters.map_update_interval);
   reader.read("transform_publish_period", parameters.transform_publish_period);
   parameters.tf_delay = parameters.transform_publish_period;

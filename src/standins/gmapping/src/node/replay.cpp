@@ -2,13 +2,13 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <tf2_msgs/TFMessage.h>
+#include <workspace_support/errors.h>
 
 #include <cstdlib>
 #include <iostream>
 #include <map>
 #include <string>
 
-#include "gmapping/errors.h"
 #include "slam_node.h"
 
 namespace

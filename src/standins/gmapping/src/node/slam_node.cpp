@@ -3,18 +3,17 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/console.h>
 #include <std_msgs/Float64.h>
+#include <workspace_support/conversions.h>
 #include <workspace_support/lidar_inputs.h>
 
 #include <utility>
-
-#include "conversions.h"
 
 namespace gmapping
 {
 SlamNode::SlamNode(const NodeParameters & parameters, ros::CallbackQueue & queue)
 : parameters_(parameters), slam_(parameters.slam)
 {
-  ros::NodeHandle node = workspace_support::servedBy(queue);
+  ros::NodeHandle node = servedBy(queue);
   map_publisher_ = node.advertise<nav_msgs::OccupancyGrid>("map", 1, true);
   metadata_publisher_ = node.advertise<nav_msgs::MapMetaData>("map_metadata", 1, true);
   entropy_publisher_ = ros::NodeHandle("~").advertise<std_msgs::Float64>("entropy", 1, true);
@@ -34,9 +33,9 @@ void SlamNode::handleScans()
 {
   while (!waiting_.empty()) {
     const auto scan = waiting_.front();
-    const auto odometry = odometryOf(*scan);
+    const auto odometry = lookUp(transforms_, parameters_.odom_frame, scan->header.frame_id, scan->header.stamp);
     if (odometry) {
-      handle(*scan, *odometry);
+      handle(*scan, fromTransform(odometry->transform));
     } else if (isHopeless(*scan)) {
       ROS_WARN_THROTTLE(
         5.0, "A scan at %.3f s is left out: there is no transform from %s to %s for it", scan->header.stamp.toSec(),
@@ -48,21 +47,11 @@ void SlamNode::handleScans()
   }
 }
 
-std::optional<Pose2> SlamNode::odometryOf(const sensor_msgs::LaserScan & scan) const
-{
-  const std::string & lidar = scan.header.frame_id;
-  if (!transforms_.canTransform(parameters_.odom_frame, lidar, scan.header.stamp)) {
-    return std::nullopt;
-  }
-  return fromTransform(transforms_.lookupTransform(parameters_.odom_frame, lidar, scan.header.stamp).transform);
-}
-
 // Whether the transforms have gone past the scan already.
 bool SlamNode::isHopeless(const sensor_msgs::LaserScan & scan) const
 {
-  const std::string & lidar = scan.header.frame_id;
-  return transforms_.canTransform(parameters_.odom_frame, lidar, ros::Time(0)) &&
-         transforms_.lookupTransform(parameters_.odom_frame, lidar, ros::Time(0)).header.stamp > scan.header.stamp;
+  const auto latest = lookUp(transforms_, parameters_.odom_frame, scan.header.frame_id, ros::Time(0));
+  return latest && latest->header.stamp > scan.header.stamp;
 }
 
 void SlamNode::handle(const sensor_msgs::LaserScan & scan, const Pose2 & odometry)
@@ -82,8 +71,8 @@ void SlamNode::handle(const sensor_msgs::LaserScan & scan, const Pose2 & odometr
 bool SlamNode::upsideDown(const std::string & frame) const
 {
   // Seen from the car: odometry says the same, but would have to be level.
-  return transforms_.canTransform(parameters_.base_frame, frame, ros::Time(0)) &&
-         isUpsideDown(transforms_.lookupTransform(parameters_.base_frame, frame, ros::Time(0)).transform);
+  const auto lidar = lookUp(transforms_, parameters_.base_frame, frame, ros::Time(0));
+  return lidar && isUpsideDown(lidar->transform);
 }
 
 void SlamNode::broadcast(const ros::Time & now)

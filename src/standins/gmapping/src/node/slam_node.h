@@ -44,7 +44,6 @@ public:
   void forgetInputs();
 
 private:
-  std::optional<Pose2> odometryOf(const sensor_msgs::LaserScan & scan) const;
   bool isHopeless(const sensor_msgs::LaserScan & scan) const;
   void handle(const sensor_msgs::LaserScan & scan, const Pose2 & odometry);
   bool upsideDown(const std::string & frame) const;

@@ -2,8 +2,8 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <workspace_support/errors.h>
 
-#include "gmapping/errors.h"
 #include "gmapping/grid_slam.h"
 
 namespace py = pybind11;

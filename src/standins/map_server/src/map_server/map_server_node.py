@@ -3,7 +3,6 @@
 import sys
 import threading
 
-import rospkg
 import rospy
 from nav_msgs.msg import MapMetaData, OccupancyGrid
 from nav_msgs.srv import GetMap, GetMapResponse, LoadMap, LoadMapResponse
@@ -63,7 +62,7 @@ class MapServerNode:
 
     def _on_change_map(self, request):
         try:
-            path = path_of(request.map_url, _package_folder)
+            path = path_of(request.map_url)
             with self._lock:
                 self._message = self._load(read_metadata(path))
                 self._publish()
@@ -71,13 +70,6 @@ class MapServerNode:
         except MapError as error:
             rospy.logerr("The map stays as it is: %s", error)
             return LoadMapResponse(result=_RESULTS[type(error)])
-
-
-def _package_folder(name):
-    try:
-        return rospkg.RosPack().get_path(name)
-    except rospkg.ResourceNotFound as error:
-        raise LookupError(name) from error
 
 
 def _metadata(arguments):

@@ -3,13 +3,14 @@
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
+import rospkg
+
 from map_server.errors import MapNotFoundError
 
 
-def path_of(url, package_folder):
+def path_of(url):
     """Return the file of a plain path, file:///PATH or package://PACKAGE/PATH.
 
-    `package_folder` finds the folder of a package and raises LookupError for an unknown one.
     Raises MapNotFoundError.
     """
     parts = urlsplit(url)
@@ -20,6 +21,6 @@ def path_of(url, package_folder):
     if parts.scheme != "package" or not parts.netloc:
         raise MapNotFoundError(f"{url}: allowed are a path, file:///PATH and package://PACKAGE/PATH")
     try:
-        return Path(package_folder(parts.netloc)) / unquote(parts.path).lstrip("/")
-    except LookupError as error:
+        return Path(rospkg.RosPack().get_path(parts.netloc)) / unquote(parts.path).lstrip("/")
+    except rospkg.ResourceNotFound as error:
         raise MapNotFoundError(f"{url}: there is no package {parts.netloc}") from error

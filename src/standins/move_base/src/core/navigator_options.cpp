@@ -1,9 +1,9 @@
 #include "navigator_options.h"
 
+#include <workspace_support/option_checks.h>
+
 #include <cmath>
 #include <string>
-
-#include "geometry/errors.h"
 
 namespace move_base
 {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "path/plan_parts.h"
 #include "traffic/passing.h"
 
 namespace move_base

@@ -1,9 +1,9 @@
 #include "conversions.h"
 
+#include <workspace_support/errors.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include "geometry/errors.h"
 
 namespace move_base
 {
@@ -27,7 +27,7 @@ bool isPlanar(const geometry_msgs::Quaternion & q)
 
 OccupancyGrid fromUnturnedGrid(const nav_msgs::OccupancyGrid & message)
 {
-  OccupancyGrid grid = workspace_support::fromOccupancyGrid(message);
+  OccupancyGrid grid = fromOccupancyGrid(message);
   if (std::abs(grid.geometry.origin.yaw) > 1e-6) {
     throw Error("map: origin has the yaw " + std::to_string(grid.geometry.origin.yaw) + ", must be 0");
   }
@@ -39,19 +39,11 @@ LaserScan fromLaserScan(const sensor_msgs::LaserScan & message, const Pose2 & se
   return {workspace_support::fromLaserScan(message, false), sensor, message.header.stamp.toSec()};
 }
 
-geometry_msgs::Twist toTwist(const DriveCommand & command)
+geometry_msgs::Twist toTwist(double speed, double turn)
 {
   geometry_msgs::Twist twist;
-  twist.linear.x = command.speed;
-  twist.angular.z = command.yawRate();
-  return twist;
-}
-
-geometry_msgs::Twist toTwistWithAngle(const DriveCommand & command, double wheelbase)
-{
-  geometry_msgs::Twist twist;
-  twist.linear.x = command.speed;
-  twist.angular.z = command.speed == 0.0 ? 0.0 : std::atan(wheelbase * command.curvature);
+  twist.linear.x = speed;
+  twist.angular.z = turn;
   return twist;
 }
 

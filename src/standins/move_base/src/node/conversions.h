@@ -19,12 +19,6 @@
 /// Between messages and the core's types. Quaternions count as rotations about z.
 namespace move_base
 {
-using workspace_support::fromPose;
-using workspace_support::fromTransform;
-using workspace_support::headerOf;
-using workspace_support::toOccupancyGrid;
-using workspace_support::toPose;
-
 geometry_msgs::PoseStamped toPoseStamped(const Pose2 & pose, const std_msgs::Header & header);
 
 /// Whether it is a rotation about z alone, as a goal must have.
@@ -36,11 +30,8 @@ OccupancyGrid fromUnturnedGrid(const nav_msgs::OccupancyGrid & message);
 /// @param sensor  in the map, when the scan was taken
 LaserScan fromLaserScan(const sensor_msgs::LaserScan & message, const Pose2 & sensor);
 
-geometry_msgs::Twist toTwist(const DriveCommand & command);
-
-/// The same with the angle of the wheels in place of the yaw rate, as the original with cmd_angle_instead_rotvel.
-/// @param wheelbase  m
-geometry_msgs::Twist toTwistWithAngle(const DriveCommand & command, double wheelbase);
+/// @param turn  rad/s of the car; or rad of the wheels, as the original with cmd_angle_instead_rotvel
+geometry_msgs::Twist toTwist(double speed, double turn);
 nav_msgs::Path toPath(const std::vector<Pose2> & poses, const std_msgs::Header & header);
 std::vector<Pose2> posesOf(const Path & path);
 

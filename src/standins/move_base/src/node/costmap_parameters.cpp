@@ -9,9 +9,6 @@ namespace move_base
 {
 namespace
 {
-using workspace_support::ParameterReader;
-using workspace_support::PluginName;
-
 // Where a parameter of a costmap is: its own place, and, for short, right under the node.
 std::vector<std::string> ofCostmap(const std::string & costmap, const std::string & name)
 {
@@ -111,7 +108,8 @@ void readCostmaps(ParameterReader & reader, MoveBaseParameters & parameters)
   reader.read(global.ofStatic("lethal_cost_threshold"), costmap.lethal_cost_threshold);
   reader.read(global.ofInflation("inflation_radius"), costmap.inflation_radius);
   reader.read(global.ofInflation("cost_scaling_factor"), costmap.cost_scaling_factor);
-  parameters.local_inflation = {costmap.inflation_radius, costmap.cost_scaling_factor, 0.0};
+  const Footprint footprint(parameters.footprint, parameters.footprint_padding);
+  parameters.local_inflation = {costmap.inflation_radius, costmap.cost_scaling_factor, footprint.inscribedRadius()};
   reader.read(local.ofInflation("inflation_radius"), parameters.local_inflation.radius);
   reader.read(local.ofInflation("cost_scaling_factor"), parameters.local_inflation.cost_scaling_factor);
   reader.read("clearance_weight", costmap.clearance_weight);

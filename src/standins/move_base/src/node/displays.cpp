@@ -20,11 +20,8 @@ Displays::Displays(ros::NodeHandle private_node, const MoveBaseParameters & para
     private_node.advertise<geometry_msgs::PolygonStamped>("local_costmap/footprint", 1),
     parameters.local_publish_frequency,
     {}},
-  surroundings_(parameters.local_width, parameters.local_height, parameters.local_resolution, parameters.costmap.live),
-  surroundings_inflation_(parameters.local_inflation)
+  surroundings_(parameters.local_width, parameters.local_height, parameters.local_resolution, parameters.costmap.live)
 {
-  surroundings_inflation_.inscribed_radius =
-    Footprint(parameters.footprint, parameters.footprint_padding).inscribedRadius();
 }
 
 void Displays::showGlobalPlan(const Path & path, const ros::Time & stamp)
@@ -75,12 +72,11 @@ void Displays::showGlobalCostmap(const ros::Time & stamp)
   const Costmap & costmap = perception_.costmap();
   if (map_number_ != perception_.mapNumber()) {
     map_number_ = perception_.mapNumber();
-    costs_.startOn(costmap);
-  } else {
-    costs_.update(costmap);
+    map_costs_ = inflated(costmap.mapCells(), costmap.geometry(), costmap.inflation());
   }
-  global_costmap_.publish(
-    toOccupancyGrid({costmap.geometry(), costs_.cells()}, headerOf(parameters_.global_frame, stamp)));
+  OccupancyGrid costs{costmap.geometry(), map_costs_};
+  addObstacles(costs, costmap.liveCells(), costmap.inflation());
+  global_costmap_.publish(toOccupancyGrid(costs, headerOf(parameters_.global_frame, stamp)));
 }
 
 // Every scan counts: what one sees the next ones may not.
@@ -93,7 +89,8 @@ void Displays::watchSurroundings()
   last_scan_ = scan;
   try {
     surroundings_.moveTo(perception_.poseIn(parameters_.local_frame, parameters_.base_frame).position());
-    surroundings_.observe(fromLaserScan(*scan, perception_.poseIn(parameters_.local_frame, scan->header)));
+    surroundings_.observe(
+      fromLaserScan(*scan, perception_.poseIn(parameters_.local_frame, scan->header.frame_id, scan->header.stamp)));
   } catch (const tf2::TransformException &) {
     // The next one may be placed.
   }
@@ -103,7 +100,7 @@ void Displays::showLocalCostmap(const ros::Time & stamp)
 {
   const GridGeometry & geometry = surroundings_.geometry();
   local_costmap_.publish(toOccupancyGrid(
-    {geometry, inflated(surroundings_.cells(), geometry, surroundings_inflation_)},
+    {geometry, inflated(surroundings_.cells(), geometry, parameters_.local_inflation)},
     headerOf(parameters_.local_frame, stamp)));
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "costmap_publisher.h"
-#include "map/shown_costs.h"
+#include "map/inflation.h"
 #include "parameters.h"
 #include "path/path.h"
 #include "perception.h"
@@ -42,10 +42,9 @@ private:
   CostmapPublisher local_costmap_;
   Throttled global_footprint_;
   Throttled local_footprint_;
-  ShownCosts costs_;
-  unsigned map_number_{0};  // of the map in costs_
+  std::vector<std::int8_t> map_costs_;
+  unsigned map_number_{0};  // of the map in map_costs_
   RollingLayer surroundings_;
-  Inflation surroundings_inflation_;
   sensor_msgs::LaserScan::ConstPtr last_scan_;  // in surroundings_
 };
 }  // namespace move_base

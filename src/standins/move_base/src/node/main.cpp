@@ -1,15 +1,14 @@
 #include <ros/ros.h>
 #include <sim2d_lockstep/participant.h>
+#include <workspace_support/errors.h>
 
 #include <iostream>
 
-#include "geometry/errors.h"
 #include "move_base_node.h"
 
 namespace
 {
-const ros::WallDuration kPatience{0.1};
-const ros::WallDuration kPoll{0.002};
+const ros::WallDuration kPatience{0.002};
 
 void reportMissing(const move_base::MoveBaseNode & node)
 {
@@ -21,7 +20,7 @@ void reportMissing(const move_base::MoveBaseNode & node)
 void spin(move_base::MoveBaseNode & node, ros::CallbackQueue & queue)
 {
   while (ros::ok()) {
-    queue.callAvailable(kPoll);
+    queue.callAvailable(kPatience);
     node.handleCallbacks();
     reportMissing(node);
     if (ros::Time::isValid()) {
@@ -35,21 +34,15 @@ void spinInLockstep(move_base::MoveBaseNode & node, const std::string & after)
   const auto predecessors = after.empty() ? std::vector<std::string>{} : std::vector<std::string>{after};
   sim2d_lockstep::Participant participant(ros::this_node::getName().substr(1), predecessors);
   bool ready = false;
-  while (ros::ok()) {
-    const auto stamp = participant.waitForPeriod(kPatience);
-    if (!stamp) {
-      continue;
-    }
+  participant.actInPeriods([&](const ros::Time & stamp) {
     node.handleCallbacks();
     reportMissing(node);
     ready = ready || node.ready();
     if (ready) {
-      node.cycle(*stamp);
-      participant.done(*stamp);
-    } else {
-      kPoll.sleep();
+      node.cycle(stamp);
     }
-  }
+    return ready;
+  });
 }
 }  // namespace
 

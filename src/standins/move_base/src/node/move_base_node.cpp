@@ -133,19 +133,13 @@ void MoveBaseNode::watchClock(const ros::Time & now)
 
 void MoveBaseNode::updateGoal(const ros::Time & now)
 {
-  if (server_.isNewGoalAvailable()) {
-    const auto goal = server_.acceptNewGoal();
-    if (server_.isPreemptRequested()) {
-      navigator_.cancel();
-      publishZero();
-      server_.setPreempted();
-    } else {
-      accept(goal->target_pose, now);
-    }
-  } else if (server_.isActive() && server_.isPreemptRequested()) {
+  const auto goal = server_.isNewGoalAvailable() ? server_.acceptNewGoal() : nullptr;
+  if ((goal || server_.isActive()) && server_.isPreemptRequested()) {
     navigator_.cancel();
     publishZero();
     server_.setPreempted();
+  } else if (goal) {
+    accept(goal->target_pose, now);
   }
 }
 
@@ -232,10 +226,10 @@ void MoveBaseNode::diagnose(const CycleOutput & output, const ros::Time & now)
 
 void MoveBaseNode::publish(const CycleOutput & output, const CycleInput & input, const ros::Time & now)
 {
-  if (output.command) {
-    const double wheelbase = parameters_.navigator.follower.limits.wheelbase;
+  if (const auto & command = output.command) {
+    const double angle = command->steeringAngle(parameters_.navigator.follower.limits.wheelbase);
     velocity_publisher_.publish(
-      parameters_.cmd_angle_instead_rotvel ? toTwistWithAngle(*output.command, wheelbase) : toTwist(*output.command));
+      toTwist(command->speed, parameters_.cmd_angle_instead_rotvel ? angle : command->yawRate()));
   }
   if (output.new_plan) {
     displays_.showGlobalPlan(navigator_.plan().path, now);

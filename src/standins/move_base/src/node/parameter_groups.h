@@ -7,7 +7,7 @@
 /// The parts of readParameters(). @throws OptionError for a parameter of a wrong type or out of range
 namespace move_base
 {
-void readCostmaps(workspace_support::ParameterReader & reader, MoveBaseParameters & parameters);
-void readGlobalPlanner(workspace_support::ParameterReader & reader, MoveBaseParameters & parameters);
-void readLocalPlanner(workspace_support::ParameterReader & reader, MoveBaseParameters & parameters);
+void readCostmaps(ParameterReader & reader, MoveBaseParameters & parameters);
+void readGlobalPlanner(ParameterReader & reader, MoveBaseParameters & parameters);
+void readLocalPlanner(ParameterReader & reader, MoveBaseParameters & parameters);
 }  // namespace move_base

@@ -1,18 +1,15 @@
 #include "parameters.h"
 
 #include <ros/console.h>
+#include <workspace_support/errors.h>
 #include <workspace_support/parameter_reader.h>
 
-#include "geometry/errors.h"
 #include "parameter_groups.h"
 
 namespace move_base
 {
 namespace
 {
-using workspace_support::ParameterReader;
-using workspace_support::PluginName;
-
 // A behaviour of a list as the original reads it; nothing for one that there is none of here.
 std::optional<RecoveryBehavior> recoveryOf(ParameterReader & reader, const PluginName & plugin)
 {
@@ -60,7 +57,7 @@ void readMoveBase(ParameterReader & reader, MoveBaseParameters & parameters)
   reader.read("lockstep", parameters.lockstep);
   reader.read("lockstep_after", parameters.lockstep_after);
   double controller_frequency = 20.0;
-  const bool told = reader.read("controller_frequency", controller_frequency, workspace_support::positive());
+  const bool told = reader.read("controller_frequency", controller_frequency, positive());
   if (told || !parameters.lockstep) {
     parameters.controller_period = 1.0 / controller_frequency;
   } else {

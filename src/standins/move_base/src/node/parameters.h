@@ -34,7 +34,7 @@ struct MoveBaseParameters
   double local_width{10.0};       ///< m
   double local_height{10.0};      ///< m
   double local_resolution{0.05};  ///< m
-  Inflation local_inflation;      ///< of what is shown; its inscribed radius is the footprint's
+  Inflation local_inflation;      ///< of what is shown
   std::vector<Vec2> footprint;
   double footprint_padding{0.01};  ///< m
   CostmapOptions costmap;

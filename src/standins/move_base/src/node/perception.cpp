@@ -1,12 +1,12 @@
 #include "perception.h"
 
 #include <ros/console.h>
+#include <workspace_support/errors.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "conversions.h"
-#include "geometry/errors.h"
 
 namespace move_base
 {
@@ -85,9 +85,8 @@ void Perception::updateCostmap()
   }
   for (std::size_t i = 0; i < waiting_.size();) {
     const sensor_msgs::LaserScan & scan = *waiting_[i];
-    if (buffer_.canTransform(parameters_.global_frame, scan.header.frame_id, scan.header.stamp)) {
-      const auto sensor = buffer_.lookupTransform(parameters_.global_frame, scan.header.frame_id, scan.header.stamp);
-      costmap_->observe(fromLaserScan(scan, fromTransform(sensor.transform)));
+    if (const auto sensor = lookUp(buffer_, parameters_.global_frame, scan.header.frame_id, scan.header.stamp)) {
+      costmap_->observe(fromLaserScan(scan, fromTransform(sensor->transform)));
       scan_ = waiting_[i];
       // Of those before it the transform will not come any more.
       waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
@@ -106,14 +105,9 @@ void Perception::startAgain()
   waiting_.clear();
 }
 
-Pose2 Perception::poseIn(const std::string & target, const std::string & frame) const
+Pose2 Perception::poseIn(const std::string & target, const std::string & frame, const ros::Time & stamp) const
 {
-  return fromTransform(buffer_.lookupTransform(target, frame, ros::Time(0)).transform);
-}
-
-Pose2 Perception::poseIn(const std::string & target, const std_msgs::Header & source) const
-{
-  return fromTransform(buffer_.lookupTransform(target, source.frame_id, source.stamp).transform);
+  return fromTransform(buffer_.lookupTransform(target, frame, stamp).transform);
 }
 
 Pose2 Perception::inMap(const geometry_msgs::PoseStamped & pose) const
@@ -151,9 +145,6 @@ void Perception::onScan(const sensor_msgs::LaserScan::ConstPtr & scan)
 
 std::optional<geometry_msgs::TransformStamped> Perception::baseTransform() const
 {
-  if (!buffer_.canTransform(parameters_.global_frame, parameters_.base_frame, ros::Time(0))) {
-    return std::nullopt;
-  }
-  return buffer_.lookupTransform(parameters_.global_frame, parameters_.base_frame, ros::Time(0));
+  return lookUp(buffer_, parameters_.global_frame, parameters_.base_frame, ros::Time(0));
 }
 }  // namespace move_base

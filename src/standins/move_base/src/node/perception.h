@@ -46,12 +46,10 @@ public:
   unsigned mapNumber() const { return map_number_; }
   /// The latest scan that got onto the costmap; none before the first.
   const sensor_msgs::LaserScan::ConstPtr & latestScan() const { return scan_; }
-  /// Where a frame was at the stamp of a message. @throws tf2::TransformException
-  Pose2 poseIn(const std::string & target, const std_msgs::Header & source) const;
   /// A pose of another frame, by the latest transform. @throws tf2::TransformException
   Pose2 inMap(const geometry_msgs::PoseStamped & pose) const;
-  /// The latest pose of frame in target. @throws tf2::TransformException
-  Pose2 poseIn(const std::string & target, const std::string & frame) const;
+  /// Pose of frame in target; time 0: the latest. @throws tf2::TransformException
+  Pose2 poseIn(const std::string & target, const std::string & frame, const ros::Time & stamp = {}) const;
 
 private:
   void onMap(const nav_msgs::OccupancyGrid::ConstPtr & map);

@@ -9,8 +9,6 @@ namespace move_base
 {
 namespace
 {
-using workspace_support::ParameterReader;
-
 // "teb_local_planner/TebLocalPlannerROS" has its parameters in ~TebLocalPlannerROS.
 std::string pluginNamespace(ParameterReader & reader, const std::string & parameter, std::string plugin)
 {

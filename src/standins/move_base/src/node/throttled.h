@@ -14,6 +14,14 @@ struct Throttled
   double frequency;  ///< Hz; 0: never
   std::optional<ros::Time> last;
 
-  bool due(const ros::Time & stamp);
+  bool due(const ros::Time & stamp)
+  {
+    const bool waiting = last && stamp >= *last && (stamp - *last).toSec() * frequency < 1.0;
+    if (frequency <= 0.0 || waiting || publisher.getNumSubscribers() == 0) {
+      return false;
+    }
+    last = stamp;
+    return true;
+  }
 };
 }  // namespace move_base

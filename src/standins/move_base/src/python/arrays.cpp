@@ -1,8 +1,8 @@
 #include "arrays.h"
 
-#include <sstream>
+#include <workspace_support/errors.h>
 
-#include "geometry/errors.h"
+#include <sstream>
 
 namespace move_base
 {

@@ -1,7 +1,9 @@
 // The Python module move_base_core: costmap, planner, speed profile and path follower, without ROS.
 #include "arrays.h"
+
+#include <workspace_support/errors.h>
+
 #include "control/path_follower.h"
-#include "geometry/errors.h"
 #include "options.h"
 #include "path/global_planner.h"
 

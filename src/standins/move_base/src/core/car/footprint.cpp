@@ -1,9 +1,9 @@
 #include "car/footprint.h"
 
+#include <workspace_support/errors.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include "geometry/errors.h"
 
 namespace move_base
 {

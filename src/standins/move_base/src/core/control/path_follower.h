@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <deque>
 #include <vector>
 
@@ -52,6 +53,8 @@ struct DriveCommand
   double curvature{0.0};  ///< 1/m, positive is steering to the left
 
   double yawRate() const { return speed * curvature; }
+  /// rad, of the wheels; straight for a car that stops. @param wheelbase  m
+  double steeringAngle(double wheelbase) const { return speed == 0.0 ? 0.0 : std::atan(wheelbase * curvature); }
 };
 
 /// What one step of following gives.

@@ -5,19 +5,14 @@
 
 namespace move_base
 {
-using workspace_support::Cell;
-using workspace_support::compose;
-using workspace_support::cross;
-using workspace_support::distance;
-using workspace_support::dot;
-using workspace_support::GridGeometry;
-using workspace_support::inverse;
-using workspace_support::norm;
-using workspace_support::normalizeAngle;
-using workspace_support::OccupancyGrid;
-using workspace_support::Pose2;
-using workspace_support::transform;
-using workspace_support::Vec2;
+using namespace workspace_support;
+
+/// From low to high, m.
+struct Interval
+{
+  double low{0.0};
+  double high{0.0};
+};
 
 /// Where a car is after driving an arc.
 /// @param length     m along the arc, negative backwards

@@ -1,11 +1,12 @@
 #include "map/costmap.h"
 
+#include <workspace_support/option_checks.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "geometry/distance_transform.h"
-#include "geometry/errors.h"
 
 namespace move_base
 {
@@ -172,7 +173,6 @@ void Costmap::rebuild()
   for (const std::size_t index : live_.cells()) {
     stamp(geometry_.cell(index));
   }
-  ++revision_;
 }
 
 void Costmap::stamp(const Cell & cell)
@@ -263,12 +263,12 @@ Vec2 Costmap::proximityGradient(const Pose2 & base) const
     (cost(base.x, base.y + h) - cost(base.x, base.y - h)) / (2.0 * h)};
 }
 
-std::int8_t Costmap::occupancy(std::size_t index) const
+std::vector<std::int8_t> Costmap::mapCells() const
 {
-  const bool unknown = unknown_[index] != 0;
-  if (distances_[index] == 0.0F && (options_.allow_unknown || !unknown)) {
-    return 100;
+  std::vector<std::int8_t> cells(geometry_.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    cells[i] = isUnknown(i) ? -1 : map_distances_[i] == 0.0F ? 100 : 0;
   }
-  return unknown ? -1 : 0;
+  return cells;
 }
 }  // namespace move_base

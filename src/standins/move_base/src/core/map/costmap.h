@@ -8,7 +8,6 @@
 #include "car/footprint.h"
 #include "geometry/geometry.h"
 #include "map/inflation.h"
-#include "seen/laser_scan.h"
 #include "seen/live_layer.h"
 #include "seen/obstacle_tracker.h"
 
@@ -44,8 +43,6 @@ public:
   const std::vector<MovingObstacle> & moving() const { return tracker_.moving(); }
   /// Forgets what the lidar saw farther than radius from centre, m.
   void forgetBeyond(const Vec2 & centre, double radius);
-  /// Rises with every change of the live layer.
-  unsigned revision() const { return revision_; }
 
   /// Distance from a point to the nearest obstacle that stands, m; not above 0 inside of one and outside of the map.
   double obstacleDistance(const Vec2 & point) const { return distanceIn(distances_, point); }
@@ -79,12 +76,10 @@ public:
   /// How proximityCost at a pose changes with x and y, 1/m: differences over a cell.
   Vec2 proximityGradient(const Pose2 & base) const;
 
-  /// A cell as messages show it: 100 obstacle, 0 free, -1 unknown.
-  std::int8_t occupancy(std::size_t index) const;
-  /// Two corners of a rectangle around all that the lidar has seen beside the map, with what lies near it; the first has
-  /// the greater coordinates if there is nothing, m.
-  const Vec2 & liveLow() const { return live_low_; }
-  const Vec2 & liveHigh() const { return live_high_; }
+  /// The cells of the map as messages show them: 100 obstacle, 0 free, -1 unknown.
+  std::vector<std::int8_t> mapCells() const;
+  /// Where the lidar has seen obstacles beside the map.
+  const std::vector<Cell> & liveCells() const { return stamped_; }
   /// What the costs that are shown follow from.
   Inflation inflation() const
   {
@@ -134,6 +129,5 @@ private:
   std::vector<Cell> stamped_;          // where the stamp is in distances_
   Vec2 live_low_{HUGE_VAL, HUGE_VAL};  // m, corners of a rectangle around all that is stamped
   Vec2 live_high_{-HUGE_VAL, -HUGE_VAL};
-  unsigned revision_{0};
 };
 }  // namespace move_base

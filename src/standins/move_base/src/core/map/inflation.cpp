@@ -53,4 +53,25 @@ std::vector<std::int8_t> inflated(
   }
   return costs;
 }
+
+void addObstacles(OccupancyGrid & costs, const std::vector<Cell> & obstacles, const Inflation & inflation)
+{
+  const GridGeometry & geometry = costs.geometry;
+  const int reach =
+    static_cast<int>(std::ceil(std::max(inflation.radius, inflation.inscribed_radius) / geometry.resolution));
+  const GridGeometry square{2 * reach + 1, 2 * reach + 1, geometry.resolution, {}};
+  std::vector<std::int8_t> around(square.size(), 0);
+  around[square.index({reach, reach})] = kObstacle;
+  around = inflated(around, square, inflation);
+  for (const Cell & obstacle : obstacles) {
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      const Cell in_square = square.cell(i);
+      const Cell cell{obstacle.x + in_square.x - reach, obstacle.y + in_square.y - reach};
+      if (geometry.contains(cell)) {
+        std::int8_t & cost = costs.cells[geometry.index(cell)];
+        cost = cost >= 0 || around[i] >= kTouching ? std::max(cost, around[i]) : cost;
+      }
+    }
+  }
+}
 }  // namespace move_base

@@ -19,4 +19,7 @@ struct Inflation
 /// @param cells  row by row: 100 obstacle, -1 unknown, else free; unknown cells cost what is at least 99
 std::vector<std::int8_t> inflated(
   const std::vector<std::int8_t> & cells, const GridGeometry & geometry, const Inflation & inflation);
+
+/// Puts more obstacles into costs that inflated() gave: as if they had been among its cells.
+void addObstacles(OccupancyGrid & costs, const std::vector<Cell> & obstacles, const Inflation & inflation);
 }  // namespace move_base

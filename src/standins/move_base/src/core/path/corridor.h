@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "geometry/interval.h"
 #include "map/costmap.h"
 #include "path/path.h"
 

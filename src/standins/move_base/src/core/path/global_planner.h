@@ -44,6 +44,12 @@ struct PlanRequest
   std::shared_ptr<const std::atomic<bool>> dropped{};
 };
 
+/// How far along the path the goal is, m: at its nearest point, among those near to near_s.
+double placeOnPath(const Path & path, const Pose2 & goal, double near_s);
+
+/// Puts what leads to the start of a plan's path in front of it.
+void prepend(const Path & lead, Plan & plan);
+
 /// Plans paths that the car can drive and that keep to the middle where there is room.
 class GlobalPlanner
 {

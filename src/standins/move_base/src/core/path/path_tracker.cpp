@@ -65,13 +65,11 @@ PathPosition PathTracker::moveTo(const Path & path, const Pose2 & pose)
   return position;
 }
 
-bool PathTracker::nextStretch()
+void PathTracker::nextStretch()
 {
-  if (onLastStretch()) {
-    return false;
+  if (!onLastStretch()) {
+    ++stretch_;
+    index_ = stretches_[stretch_].begin;
   }
-  ++stretch_;
-  index_ = stretches_[stretch_].begin;
-  return true;
 }
 }  // namespace move_base

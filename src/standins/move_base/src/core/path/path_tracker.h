@@ -28,8 +28,8 @@ public:
   /// The same, and remembers it.
   PathPosition moveTo(const Path & path, const Pose2 & pose);
 
-  /// Goes on to the stretch in the other driving direction. @return false on the last one
-  bool nextStretch();
+  /// Goes on to the stretch in the other driving direction, unless it is on the last one.
+  void nextStretch();
   bool onLastStretch() const { return stretch_ + 1 >= stretches_.size(); }
 
 private:

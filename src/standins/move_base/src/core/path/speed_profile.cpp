@@ -1,9 +1,9 @@
 #include "path/speed_profile.h"
 
+#include <workspace_support/option_checks.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include "geometry/errors.h"
 
 namespace move_base
 {

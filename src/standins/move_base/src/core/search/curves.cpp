@@ -1,10 +1,9 @@
 #include "search/curves.h"
 
-#include <ompl/base/ScopedState.h>
 #include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/base/spaces/ReedsSheppStateSpace.h>
 
-#include <optional>
+#include <iterator>
 
 namespace move_base
 {
@@ -21,82 +20,43 @@ void assign(ob::State * state, const Pose2 & pose)
   se2->setXY(pose.x, pose.y);
   se2->setYaw(pose.yaw);
 }
+
+template <class Word, class Letter>
+std::vector<Arc> arcsOf(const Word & word, Letter left, Letter right, double radius)
+{
+  std::vector<Arc> arcs;
+  for (std::size_t i = 0; i < std::size(word.length_); ++i) {
+    if (std::abs(word.length_[i]) > kEmptyArc) {
+      const double sense = word.type_[i] == left ? 1.0 : word.type_[i] == right ? -1.0 : 0.0;
+      arcs.push_back({word.length_[i] * radius, sense / radius});
+    }
+  }
+  return arcs;
+}
 }  // namespace
 
-class ShortestCurves::Impl
+struct ShortestCurves::Spaces
 {
-public:
-  Impl(double minimum_radius, bool allow_reversing)
-  : radius_(minimum_radius), allow_reversing_(allow_reversing), dubins_(minimum_radius), reeds_shepp_(minimum_radius)
+  explicit Spaces(double radius)
+  : dubins(radius), reeds_shepp(radius), from(dubins.allocState()), to(dubins.allocState())
   {
-    from_ = dubins_.allocState();
-    to_ = dubins_.allocState();
   }
-  ~Impl()
+  ~Spaces()
   {
-    dubins_.freeState(from_);
-    dubins_.freeState(to_);
+    dubins.freeState(from);
+    dubins.freeState(to);
   }
-  Impl(const Impl &) = delete;
-  Impl & operator=(const Impl &) = delete;
+  Spaces(const Spaces &) = delete;
+  Spaces & operator=(const Spaces &) = delete;
 
-  double length(const Pose2 & from, const Pose2 & to)
-  {
-    assign(from_, from);
-    assign(to_, to);
-    return radius_ *
-           (allow_reversing_ ? reeds_shepp_.reedsShepp(from_, to_).length() : dubins_.dubins(from_, to_).length());
-  }
-
-  std::vector<Arc> arcs(const Pose2 & from, const Pose2 & to)
-  {
-    assign(from_, from);
-    assign(to_, to);
-    return allow_reversing_ ? reedsSheppArcs() : dubinsArcs();
-  }
-
-private:
-  std::vector<Arc> dubinsArcs()
-  {
-    const ob::DubinsStateSpace::DubinsPath path = dubins_.dubins(from_, to_);
-    std::vector<Arc> arcs;
-    for (int i = 0; i < 3; ++i) {
-      const bool left = path.type_[i] == ob::DubinsStateSpace::DUBINS_LEFT;
-      const bool right = path.type_[i] == ob::DubinsStateSpace::DUBINS_RIGHT;
-      append(arcs, path.length_[i], left, right);
-    }
-    return arcs;
-  }
-
-  std::vector<Arc> reedsSheppArcs()
-  {
-    const ob::ReedsSheppStateSpace::ReedsSheppPath path = reeds_shepp_.reedsShepp(from_, to_);
-    std::vector<Arc> arcs;
-    for (int i = 0; i < 5; ++i) {
-      const bool left = path.type_[i] == ob::ReedsSheppStateSpace::RS_LEFT;
-      const bool right = path.type_[i] == ob::ReedsSheppStateSpace::RS_RIGHT;
-      append(arcs, path.length_[i], left, right);
-    }
-    return arcs;
-  }
-
-  void append(std::vector<Arc> & arcs, double unit_length, bool left, bool right) const
-  {
-    if (std::abs(unit_length) > kEmptyArc) {
-      arcs.push_back({unit_length * radius_, (left ? 1.0 : right ? -1.0 : 0.0) / radius_});
-    }
-  }
-
-  double radius_;
-  bool allow_reversing_;
-  ob::DubinsStateSpace dubins_;
-  ob::ReedsSheppStateSpace reeds_shepp_;
-  ob::State * from_;
-  ob::State * to_;
+  ob::DubinsStateSpace dubins;
+  ob::ReedsSheppStateSpace reeds_shepp;
+  ob::State * from;
+  ob::State * to;
 };
 
 ShortestCurves::ShortestCurves(double minimum_radius, bool allow_reversing)
-: impl_(std::make_unique<Impl>(minimum_radius, allow_reversing))
+: radius_(minimum_radius), allow_reversing_(allow_reversing), spaces_(std::make_unique<Spaces>(minimum_radius))
 {
 }
 
@@ -104,11 +64,21 @@ ShortestCurves::~ShortestCurves() = default;
 
 double ShortestCurves::length(const Pose2 & from, const Pose2 & to) const
 {
-  return impl_->length(from, to);
+  assign(spaces_->from, from);
+  assign(spaces_->to, to);
+  return radius_ * (allow_reversing_ ? spaces_->reeds_shepp.reedsShepp(spaces_->from, spaces_->to).length()
+                                     : spaces_->dubins.dubins(spaces_->from, spaces_->to).length());
 }
 
 std::vector<Arc> ShortestCurves::arcs(const Pose2 & from, const Pose2 & to) const
 {
-  return impl_->arcs(from, to);
+  assign(spaces_->from, from);
+  assign(spaces_->to, to);
+  if (allow_reversing_) {
+    const auto word = spaces_->reeds_shepp.reedsShepp(spaces_->from, spaces_->to);
+    return arcsOf(word, ob::ReedsSheppStateSpace::RS_LEFT, ob::ReedsSheppStateSpace::RS_RIGHT, radius_);
+  }
+  const auto word = spaces_->dubins.dubins(spaces_->from, spaces_->to);
+  return arcsOf(word, ob::DubinsStateSpace::DUBINS_LEFT, ob::DubinsStateSpace::DUBINS_RIGHT, radius_);
 }
 }  // namespace move_base

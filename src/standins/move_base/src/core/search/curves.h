@@ -28,7 +28,10 @@ public:
   std::vector<Arc> arcs(const Pose2 & from, const Pose2 & to) const;
 
 private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  struct Spaces;
+
+  double radius_;
+  bool allow_reversing_;
+  std::unique_ptr<Spaces> spaces_;  // OMPL's headers are large
 };
 }  // namespace move_base

@@ -1,12 +1,13 @@
 #include "search/hybrid_a_star.h"
 
+#include <workspace_support/option_checks.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
 #include <queue>
 
-#include "geometry/errors.h"
 #include "search/arc_price.h"
 #include "search/cost_to_go.h"
 #include "search/search_nodes.h"

@@ -1,15 +1,23 @@
 #pragma once
 
+#include <workspace_support/scan.h>
+
 #include <cstdint>
 #include <vector>
 
 #include "car/box.h"
 #include "geometry/geometry.h"
-#include "seen/laser_scan.h"
 #include "seen/obstacle_tracker.h"
 
 namespace move_base
 {
+/// A scan and where it was taken. +inf: nothing hit (REP-117).
+struct LaserScan : Scan
+{
+  Pose2 sensor;      ///< in the map, when the scan was taken
+  double time{0.0};  ///< s, when it was taken
+};
+
 struct LiveLayerOptions
 {
   double obstacle_range{8.0};   ///< m, hits farther away mark nothing

@@ -5,8 +5,6 @@
 #include <functional>
 #include <utility>
 
-#include "geometry/interval.h"
-
 namespace move_base
 {
 namespace

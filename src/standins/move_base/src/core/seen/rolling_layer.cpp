@@ -1,9 +1,9 @@
 #include "seen/rolling_layer.h"
 
+#include <workspace_support/option_checks.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include "geometry/errors.h"
 
 namespace move_base
 {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "geometry/geometry.h"
-#include "seen/laser_scan.h"
 #include "seen/live_layer.h"
 
 namespace move_base

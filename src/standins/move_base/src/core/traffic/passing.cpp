@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "path/plan_parts.h"
 #include "path/race_line.h"
 #include "traffic/traffic.h"
 

@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/interval.h"
 #include "path/path.h"
 #include "path/speed_profile.h"
 #include "traffic/forecast.h"

@@ -1,7 +1,8 @@
-#include "map/shown_costs.h"
+#include "map/inflation.h"
 
 #include <gtest/gtest.h>
 
+#include "map/costmap.h"
 #include "rooms.h"
 #include "seen/rolling_layer.h"
 
@@ -13,7 +14,7 @@ using testing::drawRoom;
 using testing::makeCostmap;
 using testing::scanFrom;
 
-constexpr double kCell = 0.05;
+constexpr double kGridCell = 0.05;
 
 // One obstacle in a grid of 41 x 41 cells; columns beyond the 25th are unknown.
 std::vector<std::int8_t> costsAroundOneObstacle(const Inflation & inflation, const GridGeometry & geometry)
@@ -28,7 +29,7 @@ std::vector<std::int8_t> costsAroundOneObstacle(const Inflation & inflation, con
 
 TEST(Inflation, givesTheCostsOfTheOriginal)
 {
-  const GridGeometry geometry{41, 41, kCell, {}};
+  const GridGeometry geometry{41, 41, kGridCell, {}};
   const auto costs = costsAroundOneObstacle({0.55, 10.0, 0.1286}, geometry);
   const auto at = [&](int x, int y) { return static_cast<int>(costs[geometry.index({x, y})]); };
   EXPECT_EQ(at(20, 20), 100);
@@ -43,7 +44,7 @@ TEST(Inflation, givesTheCostsOfTheOriginal)
 
 TEST(Inflation, leavesUnknownCellsUnknownUnlessTheCarTouchesThere)
 {
-  const GridGeometry geometry{41, 41, kCell, {}};
+  const GridGeometry geometry{41, 41, kGridCell, {}};
   const auto costs = costsAroundOneObstacle({0.55, 10.0, 0.4}, geometry);
   EXPECT_EQ(costs[geometry.index({27, 20})], 99) << "0.35 m";
   EXPECT_EQ(costs[geometry.index({29, 20})], -1) << "0.45 m";
@@ -51,29 +52,33 @@ TEST(Inflation, leavesUnknownCellsUnknownUnlessTheCarTouchesThere)
 
 TEST(Inflation, goesOnBehindUnknownCells)
 {
-  const GridGeometry geometry{9, 1, kCell, {}};
+  const GridGeometry geometry{9, 1, kGridCell, {}};
   const auto costs = inflated({100, -1, -1, -1, 0, 0, 0, 0, 0}, geometry, {0.55, 10.0, 0.05});
   EXPECT_EQ(costs[1], 99);
   EXPECT_EQ(costs[2], -1);
   EXPECT_EQ(costs[4], 1 + 97 * (56 - 1) / 251) << "0.2 m";
 }
 
-TEST(ShownCosts, followWhatTheLidarSees)
+TEST(Inflation, takesObstaclesInLater)
 {
-  const OccupancyGrid map = drawRoom(10.0, 4.0);
+  OccupancyGrid map = drawRoom(10.0, 4.0);
+  for (int x = 70; x < 90; ++x) {
+    map.cells[map.geometry.index({x, 35})] = -1;
+  }
   Costmap costmap = makeCostmap(map);
-  ShownCosts shown;
-  shown.startOn(costmap);
-  const auto before = shown.cells();
+  const GridGeometry & geometry = costmap.geometry();
+  const auto before = inflated(costmap.mapCells(), geometry, costmap.inflation());
   costmap.observe(scanFrom({2.0, 2.0, 0.0}, [](double angle) { return std::abs(angle) < 0.1 ? 2.0 : 20.0; }));
-  shown.update(costmap);
-  ShownCosts anew;
-  anew.startOn(costmap);
-  EXPECT_EQ(shown.cells(), anew.cells());
-  EXPECT_NE(shown.cells(), before);
+  OccupancyGrid shown{geometry, before};
+  addObstacles(shown, costmap.liveCells(), costmap.inflation());
+  std::vector<std::int8_t> cells = costmap.mapCells();
+  for (const Cell & cell : costmap.liveCells()) {
+    cells[geometry.index(cell)] = 100;
+  }
+  EXPECT_EQ(shown.cells, inflated(cells, geometry, costmap.inflation()));
+  EXPECT_NE(shown.cells, before);
   costmap.forgetBeyond({}, -1.0);
-  shown.update(costmap);
-  EXPECT_EQ(shown.cells(), before);
+  EXPECT_TRUE(costmap.liveCells().empty());
 }
 
 class Rolling : public ::testing::Test
@@ -81,7 +86,7 @@ class Rolling : public ::testing::Test
 protected:
   int at(double x, double y) const { return layer_.cells()[layer_.geometry().index(layer_.geometry().cellAt({x, y}))]; }
 
-  RollingLayer layer_{4.0, 4.0, kCell, {}};
+  RollingLayer layer_{4.0, 4.0, kGridCell, {}};
 };
 
 TEST_F(Rolling, hasItsSizeWhereverTheCarIs)
@@ -90,8 +95,8 @@ TEST_F(Rolling, hasItsSizeWhereverTheCarIs)
     layer_.moveTo(car);
     EXPECT_EQ(layer_.cells().size(), 80U * 80U);
     const Vec2 middle = layer_.geometry().origin.position() + Vec2{2.0, 2.0};
-    EXPECT_NEAR(middle.x, car.x, 0.51 * kCell);
-    EXPECT_NEAR(middle.y, car.y, 0.51 * kCell);
+    EXPECT_NEAR(middle.x, car.x, 0.51 * kGridCell);
+    EXPECT_NEAR(middle.y, car.y, 0.51 * kGridCell);
   }
 }
 

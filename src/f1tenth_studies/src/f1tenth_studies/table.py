@@ -20,7 +20,7 @@ def document(study: Study, runs: Sequence[Run], command: str) -> str:
         runs: in the order of their values
         command: what has made it
     """
-    return f"# {study.title}\n\n{study.text().strip()}\n\n{made_by(command)}\n{table(study, runs)}"
+    return f"# {study.title}\n\n{study.text.strip()}\n\n{made_by(command)}\n{table(study, runs)}"
 
 
 def made_by(command: str) -> str:

@@ -1,8 +1,7 @@
 """Publishes the status of the race."""
 
-import warnings
-
 import rospy
+from workspace_support.nodes import synchronous_publisher
 
 from f1tenth_race_mgr.msg import RaceStatus
 
@@ -23,11 +22,8 @@ class StatusPublisher:
     """The latched topic race_status."""
 
     def __init__(self):
-        # Synchronous (queue_size None, of which rospy warns): with a queue the last status, written by
-        # rospy's own thread, could be lost when the node ends. A few messages a lap fill no buffer.
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", SyntaxWarning)
-            self._publisher = rospy.Publisher("race_status", RaceStatus, latch=True, queue_size=None)
+        # So that the last status is out before the node ends. A few messages a lap fill no buffer.
+        self._publisher = synchronous_publisher("race_status", RaceStatus, latch=True)
 
     def __call__(self, status, now):
         """Publish and log; after ROS has shut down, log only."""

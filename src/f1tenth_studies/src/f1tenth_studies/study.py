@@ -89,7 +89,7 @@ class Study:
         return made
 
     def about(self, values: Mapping[str, str]) -> Mapping[str, str]:
-        """What rows may be named by: the values of a run and its place, as the key that stands for it, too."""
+        """What rows may be named by: values of a run, and its place, also as the key that stands for it."""
         place = place_of(values)
         key = self.places[0] if self.places else "place"
         return {"place": place, key: place, **values, **self.labels(values)}

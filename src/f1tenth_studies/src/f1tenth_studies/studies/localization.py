@@ -5,7 +5,6 @@ import math
 from f1tenth_studies.optimum.track import circuits
 from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Study, slowest
 
-
 _TEXT = """\
 Laps with the noisy odometry of the wheels, corrected by amcl on the map (`localization:=amcl`), from the
 standing start. The planner drives as in docs/race_pace.md, at race pace, but knows from amcl alone where it

@@ -85,7 +85,7 @@ class RosWatch:
         return _driver_failure(self._plan, *problems[0]) if problems else None
 
     def estimates(self) -> dict[str, Poses]:
-        """What was heard of `amcl_pose`, by car: all of it, if the localizations end within some time."""
+        """Where `amcl_pose` took the cars to be: all that was said, if localizations end within some time."""
         deadline = time.monotonic() + _PATIENCE
         while any(each.get_num_connections() for each in self._localizations) and time.monotonic() < deadline:
             time.sleep(_LOOK_INTERVAL)
@@ -98,7 +98,7 @@ class RosWatch:
         return {car: Poses(*heard) for car, heard in found.items()}
 
     def descriptions(self) -> dict[str, str]:
-        """The robot_description of each car on the parameter server."""
+        """The robot_description of each car, empty if it has none; from any thread."""
         return {car: rospy.get_param(f"/{car}/robot_description", "") for car in self._cars}
 
     def close(self) -> None:

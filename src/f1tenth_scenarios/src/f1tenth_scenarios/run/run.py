@@ -5,7 +5,7 @@ import dataclasses
 import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Callable, Optional
+from typing import TYPE_CHECKING, Callable, Optional
 
 from f1tenth_scenarios import versions
 from f1tenth_scenarios.errors import ScenarioError
@@ -27,8 +27,11 @@ from f1tenth_scenarios.results.results_folder import claimed
 from f1tenth_scenarios.results.track_map import TrackMap, read_track_map
 from f1tenth_scenarios.results.writing import write_rest, write_verdict
 from f1tenth_scenarios.run.preparation import Preparation
-from f1tenth_scenarios.run.supervisor import Progress, Supervisor, Watch
+from f1tenth_scenarios.run.supervisor import Progress, Supervisor
 from f1tenth_scenarios.stop_request import StopRequest
+
+if TYPE_CHECKING:  # it needs ROS
+    from f1tenth_scenarios.run.ros_watch import RosWatch
 
 Files = Mapping[str, Callable[[Path], None]]  # what writes a file of the results, by its name
 
@@ -41,7 +44,7 @@ def execute(
     plan: Plan,
     command: Sequence[str],
     environment: Mapping[str, str],
-    make_watch: Callable[[], Watch],
+    make_watch: Callable[[], "RosWatch"],
     stop: StopRequest,
     progress: Progress = lambda simulated, wall: None,
     started: Optional[float] = None,

@@ -1,10 +1,24 @@
-"""What a criterion says: what was measured, what is asked for, and whether that is met."""
+"""What a criterion judges and says: what was measured, what is asked for, and whether that is met."""
 
 import dataclasses
 import enum
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import Any, Optional
 
+from f1tenth_scenarios.record.replay import Poses
+from f1tenth_scenarios.road.course import Course
 from f1tenth_scenarios.scenario.scenario import Scenario, Verdict
+
+
+@dataclasses.dataclass(frozen=True)
+class Measured:
+    """What the record alone does not hold."""
+
+    start: Optional[float] = None  # s, when the race began; nothing without a race
+    lap_times: Mapping[str, Sequence[float]] = dataclasses.field(default_factory=dict)  # s, by car
+    real_time_factor: Optional[float] = None
+    estimates: Mapping[str, Poses] = dataclasses.field(default_factory=dict)  # of the localization, by car
+    course: Optional[Course] = None
 
 
 class Status(enum.Enum):

@@ -5,9 +5,8 @@ from typing import Optional
 
 import numpy as np
 
-from f1tenth_scenarios.judge.criterion import Criterion, Status, expects_failure, status_of
+from f1tenth_scenarios.judge.criterion import Criterion, Measured, Status, expects_failure, status_of
 from f1tenth_scenarios.judge.judge import Judgement
-from f1tenth_scenarios.judge.measured import Measured
 from f1tenth_scenarios.record.record import CarTrack
 from f1tenth_scenarios.scenario.scenario import Scenario
 

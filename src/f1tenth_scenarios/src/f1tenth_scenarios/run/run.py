@@ -13,7 +13,7 @@ from f1tenth_scenarios.judge import criteria
 from f1tenth_scenarios.judge.driving_criteria import least_clearance
 from f1tenth_scenarios.judge.judge import judge
 from f1tenth_scenarios.judge.laps import lap_times, start_of_race
-from f1tenth_scenarios.judge.measured import Measured
+from f1tenth_scenarios.judge.criterion import Measured
 from f1tenth_scenarios.launch.launch_file import write_launch_file
 from f1tenth_scenarios.launch.processes import ProcessTree
 from f1tenth_scenarios.plan.plan import Plan

@@ -1,31 +1,19 @@
 """An occupancy grid from the section of a world: walls, what can be reached from the start, and the rest."""
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 from scipy import ndimage
 
 from f1tenth_gazebo.errors import CircuitError
+from f1tenth_gazebo.maps.map_file import RESOLUTION, Grid
 
-RESOLUTION = 0.05
-"""m per cell"""
 MARGIN = 0.5
 """Width of the unknown border around everything solid, m."""
 _SAMPLES = 5
 
 OCCUPIED, UNKNOWN, FREE = 0, 205, 254
 """Pixel values, as map_saver writes them."""
-
-
-@dataclass(frozen=True)
-class Grid:
-    """Pixels of a map, row 0 at the bottom, with the pose of its lower left corner."""
-
-    pixels: np.ndarray
-    x: float  # m
-    y: float  # m
-    resolution: float = RESOLUTION  # m
 
 
 def occupancy_grid(outlines, circles, start=(0.0, 0.0)):

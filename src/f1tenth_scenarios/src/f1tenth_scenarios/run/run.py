@@ -7,13 +7,15 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Callable, Optional
 
+from f1tenth_gazebo.errors import MapError
+from f1tenth_gazebo.maps.map_file import Grid, load_map
 from f1tenth_scenarios import versions
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.judge import criteria
+from f1tenth_scenarios.judge.criterion import Measured
 from f1tenth_scenarios.judge.driving_criteria import least_clearance
 from f1tenth_scenarios.judge.judge import judge
 from f1tenth_scenarios.judge.laps import lap_times, start_of_race
-from f1tenth_scenarios.judge.criterion import Measured
 from f1tenth_scenarios.launch.launch_file import write_launch_file
 from f1tenth_scenarios.launch.processes import ProcessTree
 from f1tenth_scenarios.plan.plan import Plan
@@ -24,7 +26,6 @@ from f1tenth_scenarios.record.record import Record, read_record
 from f1tenth_scenarios.record.replay import Replay, write_replay
 from f1tenth_scenarios.results.result import Result, write_trajectory
 from f1tenth_scenarios.results.results_folder import claimed
-from f1tenth_scenarios.results.track_map import TrackMap, read_track_map
 from f1tenth_scenarios.results.writing import write_rest, write_verdict
 from f1tenth_scenarios.run.preparation import Preparation
 from f1tenth_scenarios.run.supervisor import Progress, Supervisor
@@ -186,11 +187,11 @@ def _road(plan: Plan) -> list[tuple[float, float]]:
     return [] if course is None else [(round(x, 2), round(y, 2)) for x, y in zip(course.x, course.y)]
 
 
-def _track_map(plan: Plan) -> Optional[TrackMap]:
+def _track_map(plan: Plan) -> Optional[Grid]:
     """Nothing if it cannot be read, as map_server has said already."""
     try:
-        return read_track_map(plan.place.map) if plan.place.map else None
-    except ScenarioError:
+        return load_map(plan.place.map) if plan.place.map else None
+    except MapError:
         return None
 
 

@@ -7,11 +7,11 @@ from typing import Optional
 
 import matplotlib
 import numpy as np
+from f1tenth_gazebo.maps.map_file import Grid
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
-from f1tenth_gazebo.maps.map_file import Grid
 from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.record.record import CarTrack, Record
 from f1tenth_scenarios.scenario.car import Pose

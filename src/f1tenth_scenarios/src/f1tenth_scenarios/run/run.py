@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Callable, Optional
 
 from f1tenth_gazebo.errors import MapError
 from f1tenth_gazebo.maps.map_file import Grid, load_map
+
 from f1tenth_scenarios import versions
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.judge import criteria

@@ -38,7 +38,7 @@ def check_map(grid, outlines, circles):
         outlines, circles: from World.section at the height of the lidar.
     """
     cells = _centres(grid)
-    sides = [*map(_along, outlines), *(_around(*circle) for circle in circles)]
+    sides = [*map(along, outlines), *(_around(*circle) for circle in circles)]
     walls, normals = (np.concatenate(each) for each in zip(*sides))
     seen = np.zeros(len(walls), bool)
     for away in _BEFORE:
@@ -61,8 +61,8 @@ def _centres(grid):
     return np.column_stack([columns + 0.5, rows + 0.5]) * grid.resolution + (grid.x, grid.y)
 
 
-def _along(outline):
-    """Samples along an outline that has its solid on the left, and the directions away from that."""
+def along(outline):
+    """Samples along a closed outline that has its solid on the left, and the directions away from that."""
     samples, normals = [], []
     for a, b in zip(outline, np.roll(outline, -1, axis=0)):
         length = np.linalg.norm(b - a)

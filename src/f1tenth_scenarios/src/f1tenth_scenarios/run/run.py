@@ -166,7 +166,7 @@ def _files_of_bag(plan: Plan, done: Result, preparation: Preparation) -> Files:
         try:
             said = read_bag(plan.bag_file, [car.name for car in plan.scenario.cars])
         finally:
-            replay = preparation.scene().replay(plan.goals, said, _road(plan))
+            replay = preparation.scene().with_run(plan.goals, said, _road(plan))
             write_replay(path, replay.until(done.judgement.decision.stamp))
 
     is_kept = plan.keep_bag or not done.passed

@@ -8,7 +8,7 @@ import subprocess
 
 import pytest
 from circuits import NAMES, PACKAGE
-from f1tenth_gazebo.maps.map_check import read_map
+from f1tenth_gazebo.maps.map_file import load_map
 from f1tenth_gazebo.maps.map_tool import main
 
 # One circuit at every run of the tests; F1TENTH_ALL_MAPS=1 makes all of them.
@@ -58,7 +58,7 @@ def test_interrupted_drive_leaves_what_has_been_mapped(tmp_path):
         process.send_signal(signal.SIGINT)
         output = process.communicate(timeout=120)[0]
     assert "drive_lap: interrupted after" in output
-    assert (read_map(tmp_path / "part.yaml")[0] == 254).any()
+    assert (load_map(tmp_path / "part.yaml").pixels == 254).any()
 
 
 def test_drive_without_an_end_is_given_up(tmp_path):
@@ -66,7 +66,7 @@ def test_drive_without_an_end_is_given_up(tmp_path):
     with launched("circuit1", stem, "time_limit:=3.0") as (process, _):
         output = process.communicate(timeout=120)[0]
     assert "drive_lap: no lap is complete after 3 s, at (" in output
-    assert (read_map(tmp_path / "part.yaml")[0] == 254).any()
+    assert (load_map(tmp_path / "part.yaml").pixels == 254).any()
 
 
 def test_file_that_is_no_map_is_refused_in_one_line(tmp_path, capsys):

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from f1tenth_gazebo.maps.map_check import check_map, read_map
-from f1tenth_gazebo.maps.map_file import save_map
+from f1tenth_gazebo.maps.map_check import check_map
+from f1tenth_gazebo.maps.map_file import Grid, load_map, save_map
 from f1tenth_gazebo.maps.occupancy import OCCUPIED, occupancy_grid
 
 
@@ -25,7 +25,7 @@ def room():
 
 
 def check(grid, dx=0.0, circles=((1.0, 1.0, 0.1),)):
-    return check_map(grid.pixels, 0.05, (grid.x + dx, grid.y), ROOM, list(circles))
+    return check_map(Grid(grid.pixels, grid.x + dx, grid.y), ROOM, list(circles))
 
 
 def test_true_map_passes(room):
@@ -53,10 +53,10 @@ def test_missing_wall_fails(room):
 
 def test_saved_map_reads_back(room, tmp_path):
     save_map(room, tmp_path / "a")
-    pixels, resolution, origin = read_map(tmp_path / "a.yaml")
-    assert (pixels == room.pixels).all()
-    assert resolution == 0.05
-    assert origin == pytest.approx((room.x, room.y))
+    found = load_map(tmp_path / "a.yaml")
+    assert (found.pixels == room.pixels).all()
+    assert found.resolution == 0.05
+    assert (found.x, found.y) == pytest.approx((room.x, room.y))
 
 
 def test_far_side_of_a_wall_of_pixels_does_not_count():
@@ -68,5 +68,5 @@ def test_far_side_of_a_wall_of_pixels_does_not_count():
     wall = np.maximum(0.0, np.ceil(x / step) - 1.0) * step
     pixels = np.select([y < wall, y < wall + 0.1], [254, 0], 205).astype(np.uint8)
     pixels[x > count * step] = 205
-    result = check_map(pixels, 0.05, (0.0, 0.0), [outline], [])
+    result = check_map(Grid(pixels, 0.0, 0.0), [outline], [])
     assert result.walls_near_cells > 0.97

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 from f1tenth_gazebo.errors import CircuitError
-from f1tenth_gazebo.maps.map_file import pgm_bytes, save_map, yaml_text
-from f1tenth_gazebo.maps.occupancy import FREE, OCCUPIED, UNKNOWN, Grid, occupancy_grid
+from f1tenth_gazebo.maps.map_file import Grid, pgm_bytes, save_map, yaml_text
+from f1tenth_gazebo.maps.occupancy import FREE, OCCUPIED, UNKNOWN, occupancy_grid
 
 
 def rectangle(x_low, y_low, x_high, y_high):

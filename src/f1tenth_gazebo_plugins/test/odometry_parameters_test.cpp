@@ -37,7 +37,6 @@ TEST(OdometryParameters, DefaultsWithoutTags)
   EXPECT_EQ(parameters.update_rate_hz, 200.0);
   EXPECT_EQ(parameters.topic, "perfect_odom");
   EXPECT_EQ(parameters.odometry_frame, "odom");
-  EXPECT_EQ(parameters.base_frame, "base_footprint");
   EXPECT_FALSE(parameters.log_level);
 }
 

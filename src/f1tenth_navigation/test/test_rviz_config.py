@@ -2,8 +2,7 @@ from pathlib import Path
 
 import pytest
 import yaml
-from f1tenth_navigation.rviz_config import ConfigError, config_for_car, is_for_car
-from f1tenth_navigation.rviz_for_car import main
+from f1tenth_navigation.rviz_for_car import ConfigError, config_for_car, is_for_car, main
 
 CONFIGS = sorted((Path(__file__).parents[1] / "rviz").glob("*.rviz"))
 

@@ -160,9 +160,9 @@ def test_loop_mode_never_finishes_and_counts_laps(start, planner):
 @pytest.mark.parametrize(
     ("goals", "parameters", "message"),
     [
-        (REACHED, {"loop": True}, f"{NODE}/loop: unknown parameter, expected one of: use_absolute_fpath, "),
-        (REACHED, {"loop_mode": "yes"}, f"{NODE}/loop_mode: expected true or false, found 'yes'"),
-        (REACHED, {"f1tenth_race_mgr": {"a": 1}}, f"{NODE}/f1tenth_race_mgr/a: unknown parameter"),
+        (REACHED, {"loop": True}, f"{NODE}/loop: unknown; allowed: use_absolute_fpath, "),
+        (REACHED, {"loop_mode": "yes"}, f"{NODE}/loop_mode: found 'yes', must be true or false"),
+        (REACHED, {"f1tenth_race_mgr": {"a": 1}}, f"{NODE}/f1tenth_race_mgr/a: unknown"),
         (
             REACHED,
             {"use_absolute_fpath": False, "package_name": "no_such_package"},
@@ -184,7 +184,7 @@ def test_reads_the_block_beside_the_node(start):
     code, errors = start(REACHED).finish()
     rospy.delete_param("/robot1/f1tenth_race_mgr")
     assert code == 2
-    assert "/robot1/f1tenth_race_mgr/looop_mode: unknown parameter" in errors
+    assert "/robot1/f1tenth_race_mgr/looop_mode: unknown;" in errors
 
 
 if __name__ == "__main__":

@@ -6,13 +6,13 @@ import subprocess
 import sys
 import threading
 import time
-import warnings
 
 import rospkg
 import rospy
 from move_base_msgs.msg import MoveBaseActionResult
 from rosgraph_msgs.msg import Clock, Log
 from std_msgs.msg import Header, Int32
+from workspace_support.nodes import synchronous_publisher
 
 from f1tenth_race_mgr.msg import RaceStatus
 
@@ -24,12 +24,6 @@ QUIET = 0.5  # wall s in which something must not happen
 PACKAGES = rospkg.RosPack()
 MOCK = os.path.join(PACKAGES.get_path("f1tenth_navigation_mgr"), "test", "mock_move_base.py")
 RACE_MGR = os.path.join(PACKAGES.get_path("f1tenth_race_mgr"), "scripts", "race_mgr")
-
-
-def synchronous_publisher(topic, message_type, latch=True):
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", SyntaxWarning)
-        return rospy.Publisher(topic, message_type, latch=latch, queue_size=None)
 
 
 class Node:
@@ -122,7 +116,7 @@ class StartSignal:
     """Plays the race starter."""
 
     def __init__(self):
-        self._publisher = synchronous_publisher("/time_to_start", Int32)
+        self._publisher = synchronous_publisher("/time_to_start", Int32, latch=True)
 
     def __enter__(self):
         return self
@@ -139,8 +133,8 @@ class Lockstep:
 
     def __enter__(self):
         rospy.set_param("/use_sim_time", True)
-        self._clock = synchronous_publisher("/clock", Clock)
-        self._done = synchronous_publisher("/sim2d/done", Header)
+        self._clock = synchronous_publisher("/clock", Clock, latch=True)
+        self._done = synchronous_publisher("/sim2d/done", Header, latch=True)
         self._answers = Listener(
             "/sim2d/done", Header, lambda message: (message.frame_id, message.stamp.to_nsec())
         )

@@ -14,6 +14,17 @@ from std_msgs.msg import Header
 from tf2_msgs.msg import TFMessage
 
 PATIENCE = 20  # wall s
+RIGHT = {"input": "scan", "at": 1.0, "until": 2}
+WRONG = (
+    "all",
+    ["scan"],
+    [{"input": "scan", "at": 1.0}],
+    {"input": "imu"},
+    {"input": 1},
+    {"until": 1.0},
+    {"at": "soon"},
+    {"delay": "long"},
+)
 
 
 class FaultyInputsTest(unittest.TestCase):
@@ -53,8 +64,12 @@ class FaultyInputsTest(unittest.TestCase):
 
     def test_wrong_parameter_ends_the_node_with_one_line(self):
         command = ["rosrun", "f1tenth_scenarios", "faulty_inputs", "__name:=wrong"]
-        done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, check=False)
-        assert (done.returncode, done.stderr) == (1, "faulty_inputs: ~faults must be a list of faults\n")
+        for changes in WRONG:
+            rospy.set_param("/wrong/faults", [RIGHT | changes] if isinstance(changes, dict) else changes)
+            done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, check=False)
+            assert done.returncode == 1, changes
+            assert done.stderr.startswith("faulty_inputs: ~faults must be a list of {input: odom, ")
+            assert done.stderr.count("\n") == 1
 
     def _step(self, seconds):
         stamp = rospy.Time.from_sec(seconds)

@@ -5,7 +5,6 @@ from pathlib import Path
 
 from f1tenth_scenarios.plan.car_plan import CarPlan
 from f1tenth_scenarios.plan.driver_file import read_driver_file
-from f1tenth_scenarios.plan.driver_plan import DriverPlan
 from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.plan.task import Task
 from f1tenth_scenarios.record.observations import Failure, Observations, RaceState, RaceUpdate
@@ -13,7 +12,6 @@ from f1tenth_scenarios.record.record import COLUMNS, read_record
 from f1tenth_scenarios.road.place import Place
 from f1tenth_scenarios.scenario.car import Car, Pose
 from f1tenth_scenarios.scenario.criteria import Criteria
-from f1tenth_scenarios.scenario.driver import Interface
 from f1tenth_scenarios.scenario.scenario import Limits, Scenario, Verdict
 
 PERIOD = 0.025
@@ -61,7 +59,7 @@ TASKS = tasks()
 def sample_plan(folder, wanted, results=None, launch="move_base.launch"):
     """A run of a scenario whose cars have the same driver, on files that need not be there."""
     goals = {car.name: GOALS["robot1"] for car in wanted.cars}
-    driver = DriverPlan("race", read_driver_file(DRIVERS / launch), Interface.NATIVE, {})
+    driver = read_driver_file(DRIVERS / launch)
     return Plan(
         name="sample",
         file=folder / "sample.yaml",

@@ -3,8 +3,7 @@
 import pytest
 from f1tenth_scenarios.plan.participants import participants
 from f1tenth_scenarios.run.events.agenda import Agenda, PeriodGate
-from f1tenth_scenarios.scenario.car import Command
-from f1tenth_scenarios.scenario.profile import STANDING, command_at
+from f1tenth_scenarios.scenario.car import STANDING, Command, command_at
 from f1tenth_scenarios.scenario.scenario import Fault, Localization
 from scenario_samples import sample_plan, scenario
 

@@ -246,6 +246,13 @@ def test_option_that_cannot_be_used_is_named(capsys, tmp_path, arguments, answer
     assert capsys.readouterr().err == f"scenario: {answer.format(folder=tmp_path)}\n"
 
 
+@pytest.mark.parametrize("arguments", [["--path", "{}/none", "list"], ["list", "--path", "{}/none"]])
+def test_search_path_that_is_not_there_is_bad_input(capsys, tmp_path, arguments):
+    with pytest.raises(SystemExit, match="2"):
+        cli.main([each.format(tmp_path) for each in arguments])
+    assert f"argument --path: {tmp_path}/none: no such folder\n" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(("error", "code"), [(KeyboardInterrupt, 130), (BrokenPipeError, 141)])
 def test_end_from_outside_is_no_traceback(monkeypatch, error, code):
     def stop(_name):

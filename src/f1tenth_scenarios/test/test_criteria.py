@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 from f1tenth_scenarios.judge import criteria
 from f1tenth_scenarios.judge.criteria import evaluate
-from f1tenth_scenarios.judge.criterion import Status
+from f1tenth_scenarios.judge.criterion import Measured, Status
 from f1tenth_scenarios.judge.judge import judge
-from f1tenth_scenarios.judge.measured import Measured
 from f1tenth_scenarios.record.record import Record
 from f1tenth_scenarios.record.replay import Poses
 from f1tenth_scenarios.road.course import Course

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
+from f1tenth_gazebo.maps.map_file import Grid, load_map
 from f1tenth_scenarios.record.record import Record
 from f1tenth_scenarios.results.picture import free_place, make_figure, write_picture
-from f1tenth_scenarios.results.track_map import TrackMap, read_track_map
 from f1tenth_scenarios.scenario.car import Pose
 from PIL import Image
 from scenario_samples import GOALS, record, rows
@@ -39,14 +39,14 @@ def draw(path, run, track_map=None, goals=GOALS, title="sample"):
 
 @pytest.mark.parametrize("negate", [0, 1])
 def test_map_covers_the_rectangle_that_its_description_says(tmp_path, negate):
-    track_map = read_track_map(write_map(tmp_path, negate))
+    track_map = load_map(write_map(tmp_path, negate))
     assert track_map.extent == pytest.approx((-1.0, 7.0, -2.0, 2.0))
     assert (track_map.pixels[0, 0], track_map.pixels[20, 40]) == (0, 254)
 
 
 def test_contact_is_marked(tmp_path):
     run = record(tmp_path, rows(3.0, contacts={2.0: "Wall_1"}))
-    assert RED in colours(draw(tmp_path / "picture.png", run, read_track_map(write_map(tmp_path))))
+    assert RED in colours(draw(tmp_path / "picture.png", run, load_map(write_map(tmp_path))))
 
 
 def test_run_without_contact_has_no_mark(tmp_path):
@@ -60,7 +60,7 @@ def test_every_length_of_run_can_be_drawn(tmp_path, run_length):
 
 
 def test_nothing_at_all_can_be_drawn(tmp_path):
-    free = TrackMap(np.full((4, 4), 254, dtype=np.uint8), (0.0, 1.0, 0.0, 1.0))
+    free = Grid(np.full((4, 4), 254, dtype=np.uint8), 0.0, 0.0, resolution=0.25)
     assert WHITE in colours(draw(tmp_path / "picture.png", Record({}), free, goals={}))
 
 
@@ -78,7 +78,7 @@ def test_the_name_of_a_car_lies_neither_on_a_path_nor_on_a_goal():
 
 
 def test_no_text_lies_on_another_above_a_narrow_map(tmp_path):
-    narrow = TrackMap(np.full((200, 20), 254, dtype=np.uint8), (-1.0, 1.0, -10.0, 10.0))
+    narrow = Grid(np.full((200, 20), 254, dtype=np.uint8), -1.0, -10.0, resolution=0.1)
     figure = make_figure("a_long_name_of_a_scenario", ("success: every goal was passed", "lap time 3 s"),
                          record(tmp_path, rows(1.0, contacts={0.5: "Wall_1"})), {}, narrow)  # fmt: skip
     axes = figure.axes[0]

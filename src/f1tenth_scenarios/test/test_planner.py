@@ -23,17 +23,14 @@ def planned(tmp_path):
 
 def test_planner_takes_the_place_of_ours(planned):
     plan = planned("circuit3", "speed", given={"speed": "4.0"})
-    driver = plan.cars["robot1"].driver
-    assert (driver.file.path.name, driver.interface, driver.arguments) == (
-        "my.launch",
-        Interface.F1TENTH,
-        {"speed": "4.0"},
-    )
+    assert plan.cars["robot1"].driver.path.name == "my.launch"
+    driver = plan.scenario.cars[0].driver
+    assert (driver.interface, driver.arguments) == (Interface.F1TENTH, {"speed": "4.0"})
 
 
 def test_other_drivers_stay(planned):
     plan = planned("overtaking")
-    assert [car.driver.name for car in plan.cars.values()][1] == "pursuit"
+    assert plan.scenario.cars[1].driver.name == "pursuit"
 
 
 def test_who_knows_no_goals_is_judged_by_laps(planned):

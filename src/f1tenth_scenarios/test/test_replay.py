@@ -74,7 +74,7 @@ def test_what_is_no_replay_is_refused(tmp_path, content, problem):
 
 
 def test_walls_and_movable_models_are_told_apart(world):
-    made = load_scene(world, {}).replay({"robot1": (Pose(1.0, 2.0, 3.0),)}, Replay())
+    made = load_scene(world, {}).with_run({"robot1": (Pose(1.0, 2.0, 3.0),)}, Replay())
     (wall,) = made.walls.outlines
     assert sorted(wall) == [(1.5, -0.1), (1.5, 0.1), (2.5, -0.1), (2.5, 0.1)]
     assert set(made.models) == {"crate"}
@@ -91,7 +91,7 @@ def test_walls_and_movable_models_are_told_apart(world):
 
 def test_models_are_where_they_were_heard_to_be(world):
     said = Replay(models={"crate": Poses([0.0], [(5.0, 5.0, 0.0)]), "wall": Poses([0.0], [(2.0, 0.0, 0.0)])})
-    made = load_scene(world, {}).replay({}, said)
+    made = load_scene(world, {}).with_run({}, said)
     assert made.models["crate"].values == [(5.0, 5.0, 0.0)]
     assert set(made.models) == {"crate"}
 
@@ -114,7 +114,7 @@ def car_with_lidar(x):
 def test_each_lidar_is_where_its_car_carries_it(world):
     ahead = car_with_lidar(0.3)
     scene = load_scene(world, {"robot1": ahead, "robot2": ahead, "robot3": car_with_lidar(0.1), "robot4": ""})
-    lidars = scene.replay({}, Replay()).lidars
+    lidars = scene.lidars
     assert {car: round(x, 9) for car, (_, _, x, _, _, _) in lidars.items()} == {
         "robot1": 0.3, "robot2": 0.3, "robot3": 0.1,
     }  # fmt: skip
@@ -125,6 +125,6 @@ def test_each_lidar_is_where_its_car_carries_it(world):
 
 def test_world_that_cannot_be_read_leaves_the_walls_out(tmp_path):
     goals = {"robot1": (Pose(1.0, 2.0),)}
-    made = load_scene(tmp_path / "none.world", {}).replay(goals, Replay())
+    made = load_scene(tmp_path / "none.world", {}).with_run(goals, Replay())
     assert made.walls.outlines == ()
     assert made.goals == {"robot1": [(1.0, 2.0, 0.0)]}

@@ -8,10 +8,9 @@ import pytest
 import yaml
 from f1tenth_scenarios.judge import driving_criteria as driving
 from f1tenth_scenarios.judge import run_criteria, verdict_criteria
-from f1tenth_scenarios.judge.criterion import Criterion, Status
+from f1tenth_scenarios.judge.criterion import Criterion, Measured, Status
 from f1tenth_scenarios.judge.goal_passes import GoalPasses
 from f1tenth_scenarios.judge.judge import Decision, Judgement
-from f1tenth_scenarios.judge.measured import Measured
 from f1tenth_scenarios.record.observations import Failure
 from f1tenth_scenarios.record.record import COLUMNS, Record
 from f1tenth_scenarios.record.replay import Poses

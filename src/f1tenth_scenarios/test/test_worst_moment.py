@@ -4,7 +4,7 @@ import math
 
 import pytest
 from f1tenth_scenarios.judge.contacts import find_contacts
-from f1tenth_scenarios.judge.criterion import Status
+from f1tenth_scenarios.judge.criterion import Measured, Status
 from f1tenth_scenarios.judge.driving_criteria import (
     lateral_acceleration,
     least_clearance,
@@ -14,7 +14,6 @@ from f1tenth_scenarios.judge.driving_criteria import (
 )
 from f1tenth_scenarios.judge.goal_passes import find_passes
 from f1tenth_scenarios.judge.judge import Decision, Judgement, first_collision
-from f1tenth_scenarios.judge.measured import Measured
 from f1tenth_scenarios.record.record import COLUMNS
 from f1tenth_scenarios.scenario.car import Pose
 from f1tenth_scenarios.scenario.criteria import Criteria

@@ -38,7 +38,7 @@ def test_a_track_is_driven_in_both_directions_from_the_same_start(data, tmp_path
     vary = tracks.STUDY.make({"track": "", "laps": "3"}, tmp_path)
     assert vary["laps"] == "3"
     along, against = vary["world"].split(",")
-    assert tracks.STUDY.about({"world": against}) == {"track": "Square_reverse"}
+    assert tracks.STUDY.about({"world": against})["track"] == "Square_reverse"
     plans = [make_plan(str(SCENARIO), settings=[f"world={world}"]) for world in (along, against)]
     starts = [plan.cars["robot1"].start for plan in plans]
     assert [(start.x, start.y) for start in starts] == [(0.0, 0.0), (0.0, 0.0)]

@@ -3,31 +3,19 @@
 import os
 from pathlib import Path
 
-import rospkg
+from f1tenth_scenarios.places import GAZEBO_PACKAGE, package_path
 
 from f1tenth_bench.benchmark import NotAvailable
 
 
-def package_file(package, relative):
-    """Path of a file in a package on the ROS package path.
-
-    Raises:
-        NotAvailable: there is no such package.
-    """
-    try:
-        return Path(rospkg.RosPack().get_path(package)) / relative
-    except rospkg.ResourceNotFound as missing:
-        raise NotAvailable(f"no package {missing}; source the workspace's setup.bash") from missing
-
-
 def circuits():
     """Names of the circuits that the workspace ships."""
-    return sorted(path.stem for path in package_file("f1tenth_gazebo", "circuits").glob("*.yaml"))
+    return sorted(path.stem for path in (package_path(GAZEBO_PACKAGE) / "circuits").glob("*.yaml"))
 
 
 def circuit_file(name):
     """Path of the world of a circuit that the workspace ships."""
-    return package_file("f1tenth_gazebo", f"worlds/{name}.world")
+    return package_path(GAZEBO_PACKAGE) / "worlds" / f"{name}.world"
 
 
 def data_file(relative):
@@ -36,7 +24,7 @@ def data_file(relative):
     Raises:
         NotAvailable: it is not there.
     """
-    data = Path(os.environ.get("F1TENTH_DATA", package_file("f1tenth_bench", "../../../shared/data")))
+    data = Path(os.environ.get("F1TENTH_DATA", package_path("f1tenth_bench") / "../../../shared/data"))
     path = data / relative
     if not path.exists():
         raise NotAvailable(f"no {path}; F1TENTH_DATA says where the data are")

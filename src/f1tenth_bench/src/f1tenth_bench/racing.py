@@ -2,10 +2,12 @@
 
 import numpy as np
 import yaml
+from f1tenth_scenarios.places import GAZEBO_PACKAGE, package_path
+from f1tenth_scenarios.road.goals import read_goals
 from PIL import Image
 
 from f1tenth_bench.benchmark import NotAvailable
-from f1tenth_bench.places import data_file, package_file
+from f1tenth_bench.places import data_file
 
 TRACKS = ("Austin", "Oschersleben", "Spielberg")
 _STARTS = 6  # a track
@@ -60,8 +62,9 @@ def race_options():
 def half_laps(name):
     """The map of a circuit or track, and pairs of poses half a lap apart."""
     if name not in TRACKS:
-        poses = _goals(package_file("f1tenth_gazebo", f"goals/{name}.txt"))
-        costmap = load_costmap(package_file("f1tenth_gazebo", f"maps/{name}.yaml"))
+        gazebo = package_path(GAZEBO_PACKAGE)
+        poses = np.array([(goal.x, goal.y, goal.yaw) for goal in read_goals(gazebo / f"goals/{name}.txt")])
+        costmap = load_costmap(gazebo / f"maps/{name}.yaml")
         starts = range(len(poses))
     else:
         poses = _centreline(data_file(f"tracks/{name}/{name}_centerline.csv"))
@@ -71,12 +74,7 @@ def half_laps(name):
 
 
 def _parameters(name):
-    return yaml.safe_load(package_file("f1tenth_navigation", f"config/{name}").read_text())
-
-
-def _goals(path):
-    rows = [line.split() for line in path.read_text().splitlines()]
-    return np.array([[float(value) for value in row] for row in rows if len(row) == 3 and row[0] != "#"])
+    return yaml.safe_load((package_path("f1tenth_navigation") / "config" / name).read_text())
 
 
 def _centreline(path):

@@ -7,9 +7,10 @@ import rospy
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 from gazebo_msgs.msg import ContactsState
 from std_msgs.msg import Bool, UInt32
+from workspace_support.nodes import ParameterError
 
 from f1tenth_gazebo_plugins.collision_monitor import SECOND, CollisionMonitor
-from f1tenth_gazebo_plugins.parameters import ParameterError, parse_parameters
+from f1tenth_gazebo_plugins.parameters import read_parameters
 
 BAD_INPUT = 2
 # Wall time, s, between looks at the clock, which counts only while no sensor speaks.
@@ -89,7 +90,7 @@ def main():
     """Run the node; return its exit code."""
     rospy.init_node("collision_detection")
     try:
-        parameters = parse_parameters(rospy.get_name(), rospy.get_param("~", None))
+        parameters = read_parameters(rospy.get_name(), rospy.get_param("~", {}))
     except ParameterError as error:
         rospy.logfatal(str(error))
         return BAD_INPUT

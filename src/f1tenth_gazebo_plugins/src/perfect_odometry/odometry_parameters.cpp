@@ -19,9 +19,6 @@ namespace
 {
 using ros::console::levels::Level;
 
-// The pose that the simulator keeps.
-constexpr const char * kRootLink = "base_footprint";
-
 /// One tag of the element, for reading and for refusing it.
 struct Tag
 {
@@ -69,7 +66,7 @@ struct Tag
     return text;
   }
 
-  std::string link(const std::vector<std::string> & links) const
+  void requireRoot(const std::vector<std::string> & links) const
   {
     if (std::find(links.begin(), links.end(), text) == links.end()) {
       refuse("a link of the robot description: " + boost::algorithm::join(links, ", "));
@@ -77,7 +74,6 @@ struct Tag
     if (text != kRootLink) {
       refuse(std::string(kRootLink) + ": every other link gets its transform from the robot description");
     }
-    return text;
   }
 
   std::optional<Level> logLevel() const
@@ -119,7 +115,7 @@ OdometryParameters parseOdometryParameters(
     {"updateRate", [&](const Tag & tag) { parameters.update_rate_hz = tag.rate(max_rate_hz); }},
     {"odometryTopic", [&](const Tag & tag) { parameters.topic = tag.word(); }},
     {"odometryFrame", [&](const Tag & tag) { parameters.odometry_frame = tag.word(); }},
-    {"robotBaseFrame", [&](const Tag & tag) { parameters.base_frame = tag.link(links); }},
+    {"robotBaseFrame", [&](const Tag & tag) { tag.requireRoot(links); }},
     {"rosDebugLevel", [&](const Tag & tag) { parameters.log_level = tag.logLevel(); }},
   };
   std::set<std::string> seen;

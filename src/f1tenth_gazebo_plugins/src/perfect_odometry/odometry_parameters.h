@@ -10,6 +10,9 @@
 
 namespace f1tenth_gazebo_plugins
 {
+/// The link whose pose the simulator keeps: the only robotBaseFrame there can be.
+inline constexpr const char * kRootLink = "base_footprint";
+
 /// The tags of the plugin's element.
 struct OdometryParameters
 {
@@ -17,7 +20,6 @@ struct OdometryParameters
   double update_rate_hz{200.0};  ///< of simulated time
   std::string topic{"perfect_odom"};
   std::string odometry_frame{"odom"};
-  std::string base_frame{"base_footprint"};
   std::optional<ros::console::levels::Level> log_level;  ///< none: leaves the logger as it is
 };
 

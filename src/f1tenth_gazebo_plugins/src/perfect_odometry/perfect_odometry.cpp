@@ -1,7 +1,8 @@
 #include "perfect_odometry.h"
 
+#include <workspace_support/conversions.h>
+
 #include <class_loader/class_loader.hpp>
-#include <cmath>
 
 namespace f1tenth_gazebo_plugins
 {
@@ -14,14 +15,6 @@ void setLogLevel(ros::console::levels::Level level)
   if (ros::console::set_logger_level(kLogger, level)) {
     ros::console::notifyLoggerLevelsChanged();
   }
-}
-
-geometry_msgs::Quaternion toQuaternion(double yaw)
-{
-  geometry_msgs::Quaternion message;
-  message.z = std::sin(yaw / 2.0);
-  message.w = std::cos(yaw / 2.0);
-  return message;
 }
 }  // namespace
 
@@ -36,7 +29,7 @@ void PerfectOdometry::load(
     setLogLevel(*parameters_.log_level);
   }
   odometry_.header.frame_id = context.frame_prefix + parameters_.odometry_frame;
-  odometry_.child_frame_id = context.frame_prefix + parameters_.base_frame;
+  odometry_.child_frame_id = context.frame_prefix + kRootLink;
   transform_.header.frame_id = odometry_.header.frame_id;
   transform_.child_frame_id = odometry_.child_frame_id;
   publisher_ = context.advertiser.advertise<nav_msgs::Odometry>(context.node, parameters_.topic);
@@ -59,9 +52,7 @@ void PerfectOdometry::update(const ros::Time & stamp)
 void PerfectOdometry::publishOdometry(const ros::Time & stamp, const f1tenth_sim2d::CarState & state)
 {
   odometry_.header.stamp = stamp;
-  odometry_.pose.pose.position.x = state.pose.x;
-  odometry_.pose.pose.position.y = state.pose.y;
-  odometry_.pose.pose.orientation = toQuaternion(state.pose.yaw);
+  odometry_.pose.pose = workspace_support::toPose(state.pose);
   odometry_.twist.twist.linear.x = state.velocity.x;
   odometry_.twist.twist.linear.y = state.velocity.y;
   odometry_.twist.twist.angular.z = state.yaw_rate;
@@ -71,9 +62,7 @@ void PerfectOdometry::publishOdometry(const ros::Time & stamp, const f1tenth_sim
 void PerfectOdometry::publishTransform(const ros::Time & stamp, const f1tenth_sim2d::CarState & state)
 {
   transform_.header.stamp = stamp;
-  transform_.transform.translation.x = state.pose.x;
-  transform_.transform.translation.y = state.pose.y;
-  transform_.transform.rotation = toQuaternion(state.pose.yaw);
+  transform_.transform = workspace_support::toTransform(state.pose);
   context_->transforms.send(transform_);
 }
 }  // namespace f1tenth_gazebo_plugins

@@ -4,14 +4,14 @@ import time
 
 import rospkg
 import rospy
+from workspace_support.nodes import ParameterError, parse_parameters
 
 from f1tenth_navigation_mgr import GoalsFileError, NavigationMgr, StartSignal
-from f1tenth_race_mgr.goals_publisher import publish_goals
 from f1tenth_race_mgr.pacing import ClockPacing, LockstepPacing
-from f1tenth_race_mgr.parameters import BLOCK, ParameterError, goals_path, parse_parameters
+from f1tenth_race_mgr.parameters import BLOCK, Parameters, goals_path
+from f1tenth_race_mgr.publishers import StatusPublisher, publish_goals
 from f1tenth_race_mgr.race import Race
 from f1tenth_race_mgr.state import State
-from f1tenth_race_mgr.status_publisher import StatusPublisher
 from f1tenth_race_mgr.stop_requests import StopRequests
 
 EXIT_BAD_INPUT = 2
@@ -35,7 +35,7 @@ def read_parameters():
     if beside != node:
         sources.append((beside, rospy.get_param(beside, {})))
     try:
-        return parse_parameters(sources)
+        return parse_parameters(Parameters, *sources)
     except ParameterError as error:
         raise BadInputError(error) from error
 

@@ -2,13 +2,13 @@
 
 import signal
 import time
-import warnings
+from dataclasses import dataclass
 
 import rospy
 from std_msgs.msg import Int32
+from workspace_support.nodes import ParameterError, parse_parameters, synchronous_publisher
 
 from f1tenth_race_starter.countdown import Countdown
-from f1tenth_race_starter.parameters import ParameterError, parse_parameters
 
 EXIT_STARTED = 0
 EXIT_STOPPED = 1
@@ -18,6 +18,15 @@ POLL_PERIOD = 0.005  # wall s
 PERIOD_TIMEOUT = 0.1  # wall s, how long a stop request may wait
 
 
+@dataclass(frozen=True)
+class Parameters:
+    """What the node reads from its private namespace."""
+
+    time_to_start: int = 5  # s of ROS time
+    lockstep: bool = False
+    linger: float = 5.0  # wall s
+
+
 class RaceStarter:
     """Publishes the countdown, by the clock or once per period in lockstep."""
 
@@ -25,7 +34,8 @@ class RaceStarter:
         self._parameters = parameters
         self._stop_requests = stop_requests
         self._countdown = Countdown(parameters.time_to_start)
-        self._publisher = _synchronous_publisher("time_to_start", Int32)
+        # Six messages of four bytes fill no buffer.
+        self._publisher = synchronous_publisher("time_to_start", Int32, latch=True)
 
     def run(self):
         """Block until the 0 is announced and `linger` is over, or ROS shuts down; return the exit code."""
@@ -70,18 +80,6 @@ class RaceStarter:
             time.sleep(POLL_PERIOD)
 
 
-def _synchronous_publisher(topic, message_type):
-    """Return a latched publisher whose publish() has written to every subscriber's socket when it returns.
-
-    With a queue, rospy writes in a thread of its own: the message could be overtaken by the `done` that says
-    it was sent, and could be lost when the node ends. rospy warns of a stalled subscriber blocking the
-    publisher; six messages of four bytes fill no buffer.
-    """
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", SyntaxWarning)
-        return rospy.Publisher(topic, message_type, latch=True, queue_size=None)
-
-
 def _note_stop_signals():
     """Return a list that grows with each SIGINT and SIGTERM.
 
@@ -98,7 +96,7 @@ def main():
     stop_requests = _note_stop_signals()
     rospy.init_node("race_starter", disable_signals=True)
     try:
-        parameters = parse_parameters(rospy.get_param("~", {}), rospy.get_name())
+        parameters = parse_parameters(Parameters, (rospy.get_name(), rospy.get_param("~", {})))
     except ParameterError as error:
         rospy.logfatal("%s", error)
         return EXIT_BAD_INPUT

@@ -4,11 +4,14 @@
 #include <sensor_msgs/LaserScan.h>
 #include <sim2d_lockstep/participant.h>
 #include <tf2_msgs/TFMessage.h>
+#include <xmlrpcpp/XmlRpcException.h>
+#include <xmlrpcpp/XmlRpcValue.h>
 
 #include <iostream>
+#include <map>
 #include <memory>
+#include <set>
 
-#include "fault_parameters.h"
 #include "relay.h"
 
 namespace
@@ -17,9 +20,44 @@ using f1tenth_scenarios::InputFault;
 using f1tenth_scenarios::Relay;
 using f1tenth_scenarios::TopicRelay;
 using Relays = std::vector<std::unique_ptr<Relay>>;
+using XmlRpc::XmlRpcException;
+using XmlRpc::XmlRpcValue;
 
+const char * const kUsage =
+  "~faults must be a list of {input: odom, scan or tf, at: s, until: s, later, and, if wanted, delay: s}";
+const std::set<std::string> kInputs{"odom", "scan", "tf"};
 const ros::WallDuration kPatience{0.1};
 const ros::WallDuration kPoll{0.002};
+
+double seconds(XmlRpcValue & fault, const std::string & key)
+{
+  XmlRpcValue & value = fault[key];
+  // A missing one would be read as 0.
+  if (!value.valid()) {
+    throw XmlRpcException(key);
+  }
+  return value.getType() == XmlRpcValue::TypeInt ? static_cast<int>(value) : static_cast<double>(value);
+}
+
+// The parameter `faults`, by input. Whatever is wrong with it is an XmlRpcException.
+std::map<std::string, std::vector<InputFault>> readFaults()
+{
+  XmlRpcValue list;
+  ros::param::get("~faults", list);
+  std::map<std::string, std::vector<InputFault>> faults;
+  for (int index = 0; index < list.size(); ++index) {
+    XmlRpcValue & each = list[index];
+    const InputFault fault{
+      seconds(each, "at"), seconds(each, "until"),
+      each.hasMember("delay") ? std::optional<double>(seconds(each, "delay")) : std::nullopt};
+    const auto input = static_cast<std::string>(each["input"]);
+    if (kInputs.count(input) == 0 || fault.until <= fault.at) {
+      throw XmlRpcException(input);
+    }
+    faults[input].push_back(fault);
+  }
+  return faults;
+}
 
 std::unique_ptr<Relay> makeRelay(ros::NodeHandle & node, const std::string & input, std::vector<InputFault> faults)
 {
@@ -34,10 +72,8 @@ std::unique_ptr<Relay> makeRelay(ros::NodeHandle & node, const std::string & inp
 
 Relays makeRelays(ros::NodeHandle & node)
 {
-  XmlRpc::XmlRpcValue list;
-  ros::param::get("~faults", list);
   Relays relays;
-  for (auto & [input, faults] : f1tenth_scenarios::readFaults(list)) {
+  for (auto & [input, faults] : readFaults()) {
     relays.push_back(makeRelay(node, input, std::move(faults)));
   }
   return relays;
@@ -88,8 +124,8 @@ int main(int argc, char ** argv)
     } else {
       spin(relays);
     }
-  } catch (const f1tenth_scenarios::FaultParameterError & error) {
-    std::cerr << "faulty_inputs: " << error.what() << std::endl;
+  } catch (const XmlRpcException &) {
+    std::cerr << "faulty_inputs: " << kUsage << std::endl;
     return 1;
   }
   return 0;

@@ -15,7 +15,7 @@ from f1tenth_scenarios.stop_request import StopRequest
 
 from f1tenth_scenarios import places
 from f1tenth_studies import studies
-from f1tenth_studies.files import expect_folder_of, made_folder, text_of, write_text
+from f1tenth_studies.files import expect_folder_of, text_of, write_text
 from f1tenth_studies.optimum.car_limits import CLEARANCE, read_limits
 from f1tenth_studies.optimum.fastest_lap import FastestLap, compute_fastest_lap, write_raceline
 from f1tenth_studies.optimum.track import circuits, load_track
@@ -76,9 +76,7 @@ def _study(options) -> int:
     own = dict(text.partition("=")[::2] for text in options.vary)
     scenario = places.package_path(PACKAGE) / "scenarios" / f"{study.scenario}.yaml"
     results = (options.results or places.results_root()).resolve()
-    vary = {**study.vary, **own}
-    if study.make:
-        vary = study.make(vary, made_folder(results / "places" / options.name))
+    vary = study.make({**study.vary, **own}, results / "places" / options.name)
     variations = [f"{key}={values}" for key, values in vary.items()]
     sweep = Sweep(str(scenario), variations, results, options.set)
     with StopRequest().listening() as stop:
@@ -99,7 +97,7 @@ def _runs(sweep: Sweep, study: Study) -> list[Run]:
     for job in sweep.jobs:
         if job in sweep.results:
             values = dict(each.split("=", 1) for each in job.settings)
-            found.append(Run({**values, **study.about(values)}, sweep.results[job], job.folder))
+            found.append(Run(study.about(values), sweep.results[job], job.folder))
     return found
 
 

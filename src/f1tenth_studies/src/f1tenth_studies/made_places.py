@@ -1,7 +1,6 @@
 """Places that a study makes: roads in the other direction, and lines for others to drive along."""
 
 import os
-from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Optional
 
@@ -49,12 +48,6 @@ def seeds(key: str, values: str) -> list[int]:
         except ValueError as error:
             raise ScenarioError(f"{setting}: must be a seed, a whole number") from error
     return found
-
-
-def with_worlds(vary: Mapping[str, str], key: str, worlds: Iterable[Path]) -> dict[str, str]:
-    """What is varied, with worlds in the place of a key."""
-    others = {name: values for name, values in vary.items() if name != key}
-    return {**others, "world": ",".join(map(str, worlds))}
 
 
 def backwards(course: Course) -> Course:

@@ -2,12 +2,14 @@
 
 import dataclasses
 import functools
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Callable, Optional
 
 from f1tenth_scenarios.record.files import TRAJECTORY_FILE
 from f1tenth_scenarios.record.record import Record, read_record
+
+from f1tenth_studies.files import made_folder
 
 
 @dataclasses.dataclass(frozen=True)
@@ -64,16 +66,37 @@ class Study:
     """A scenario to sweep and a table to make of it."""
 
     title: str
-    text: Callable[[], str]  # Markdown: what is measured, what is wanted
+    text: str  # Markdown: what is measured, what is wanted
     scenario: str  # file in this package's folder `scenarios`
     vary: Mapping[str, str]  # values by key, as `scenario sweep --vary` reads them
     rows: tuple[str, ...]  # the varied keys that make a row; runs that differ in others share one
     columns: tuple[Column, ...]
-    problem: Callable[[Run], str]  # why a run is not good enough; empty when it is
-    # Writes places that the runs need into a folder; gives what is varied, from what the study varies.
-    make: Optional[Callable[[Mapping[str, str], Path], Mapping[str, str]]] = None
+    # Why a run without a failure is not good enough either; empty when it is.
+    defect: Callable[[Run], str] = lambda run: ""
+    # The varied key that stands for places, and what makes worlds of its values, in a folder.
+    places: Optional[tuple[str, Callable[[str, Path], Iterable[Path | str]]]] = None
     # What rows may be named by, too, from the values of a run.
-    about: Callable[[Mapping[str, str]], Mapping[str, str]] = lambda values: {}
+    labels: Callable[[Mapping[str, str]], Mapping[str, str]] = lambda values: {}
+
+    def make(self, vary: Mapping[str, str], folder: Path) -> Mapping[str, str]:
+        """Write the places that the runs need to a folder; gives what is varied, of what is wanted."""
+        if not self.places:
+            return vary
+        key, worlds = self.places
+        made = {**vary, "world": ",".join(map(str, worlds(vary[key], made_folder(folder))))}
+        if key != "world":
+            del made[key]
+        return made
+
+    def about(self, values: Mapping[str, str]) -> Mapping[str, str]:
+        """What rows may be named by: values of a run, and its place, also as the key that stands for it."""
+        place = place_of(values)
+        key = self.places[0] if self.places else "place"
+        return {"place": place, key: place, **values, **self.labels(values)}
+
+    def problem(self, run: Run) -> str:
+        """Why a run is not good enough; empty when it is."""
+        return run.failure() or self.defect(run)
 
 
 def slowest(runs: Sequence[Run]) -> float:
@@ -82,8 +105,8 @@ def slowest(runs: Sequence[Run]) -> float:
 
 
 def place_of(values: Mapping[str, str]) -> str:
-    """Name of the place that was driven on."""
-    return Path(values["world"]).stem.removesuffix("_map")
+    """Name of the place that was driven on; empty if there is no choice."""
+    return Path(values.get("world", "")).stem.removesuffix("_map")
 
 
 def failed_places(runs: Sequence[Run]) -> str:

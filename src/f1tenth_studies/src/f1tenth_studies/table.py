@@ -20,12 +20,13 @@ def document(study: Study, runs: Sequence[Run], command: str) -> str:
         runs: in the order of their values
         command: what has made it
     """
-    return f"# {study.title}\n\n{study.text().strip()}\n\n{made_by(command)}\n{table(study, runs)}"
+    return f"# {study.title}\n\n{study.text.strip()}\n\n{made_by(command)}\n{table(study, runs)}"
 
 
-def made_by(command: str) -> str:
-    """When and where a document was made, and by what."""
-    return f"Made on {datetime.date.today()} at commit {commit()} on {machine()} by\n\n    {command}\n"
+def made_by(command: str, remark: str = "") -> str:
+    """When and where a document was made, and by what; a remark is about where."""
+    where = f"{machine()}{remark}"
+    return f"Made on {datetime.date.today()} at commit {commit()} on {where} by\n\n    {command}\n"
 
 
 def table(study: Study, runs: Sequence[Run]) -> str:

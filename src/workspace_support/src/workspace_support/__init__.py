@@ -1,1 +1,1 @@
-"""What the tests of the stand-ins have in common."""
+"""What Python code of several packages has in common."""

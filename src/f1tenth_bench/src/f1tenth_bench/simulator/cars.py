@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 from xml.etree import ElementTree
 
+from f1tenth_scenarios.places import package_path
 from f1tenth_sim2d.environments.xacro_file import expanded
 
 import f1tenth_sim2d
-from f1tenth_bench.places import package_file
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ BARE_LIDAR = """<sdf version="1.7"><model name="lidar"><link name="base_footprin
 
 def urdf_file():
     """Path of the description of the workspace's car."""
-    return package_file("f1tenth_description", "urdf/f1tenth.urdf.xacro")
+    return package_path("f1tenth_description") / "urdf/f1tenth.urdf.xacro"
 
 
 def description(lidar):

@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 
 import numpy as np
-import yaml
 from scipy.spatial import cKDTree
 
 NEAR = 0.10
@@ -31,50 +30,39 @@ class MapCheck:
         return min(self.cells_near_walls, self.walls_near_cells) >= 0.97
 
 
-def read_map(path):
-    """(pixels with row 0 at the bottom, resolution in m, (x, y) of the lower left corner) of a saved map.
-
-    Args:
-        path: a YAML file as map_saver writes it, with a binary PGM image beside it.
-    """
-    description = yaml.safe_load(path.read_text())
-    header, _, rest = (path.parent / description["image"]).read_bytes().partition(b"\n255\n")
-    columns, rows = map(int, header.split(b"\n")[-1].split())
-    pixels = np.frombuffer(rest, dtype=np.uint8).reshape(rows, columns)[::-1]
-    return pixels, description["resolution"], tuple(description["origin"][:2])
-
-
-def check_map(pixels, resolution, origin, outlines, circles):
+def check_map(grid, outlines, circles):
     """Compare a map with a section of its world.
 
     Args:
-        pixels, resolution, origin: from read_map.
+        grid: the map.
         outlines, circles: from World.section at the height of the lidar.
     """
-    cells = _centres(pixels == 0, resolution, origin)
-    sides = [*map(_along, outlines), *(_around(*circle) for circle in circles)]
+    cells = _centres(grid)
+    sides = [*map(along, outlines), *(_around(*circle) for circle in circles)]
     walls, normals = (np.concatenate(each) for each in zip(*sides))
     seen = np.zeros(len(walls), bool)
     for away in _BEFORE:
-        seen |= _is_free(walls + away * normals, pixels, resolution, origin)
+        seen |= _is_free(walls + away * normals, grid)
     to_wall = cKDTree(walls).query(cells)[0]
     to_cell = cKDTree(cells).query(walls[seen])[0]
     return MapCheck(float((to_wall <= NEAR).mean()), float((to_cell <= NEAR).mean()), float(to_wall.max()))
 
 
-def _is_free(points, pixels, resolution, origin):
-    columns, rows = np.floor((points - origin) / resolution).astype(int).T
+def _is_free(points, grid):
+    columns, rows = np.floor((points - (grid.x, grid.y)) / grid.resolution).astype(int).T
+    pixels = grid.pixels
     inside = (columns >= 0) & (rows >= 0) & (columns < pixels.shape[1]) & (rows < pixels.shape[0])
     return inside & (pixels[np.where(inside, rows, 0), np.where(inside, columns, 0)] == 254)
 
 
-def _centres(mask, resolution, origin):
-    rows, columns = np.nonzero(mask)
-    return np.column_stack([columns + 0.5, rows + 0.5]) * resolution + origin
+def _centres(grid):
+    """Of the wall cells, m."""
+    rows, columns = np.nonzero(grid.pixels == 0)
+    return np.column_stack([columns + 0.5, rows + 0.5]) * grid.resolution + (grid.x, grid.y)
 
 
-def _along(outline):
-    """Samples along an outline that has its solid on the left, and the directions away from that."""
+def along(outline):
+    """Samples along a closed outline that has its solid on the left, and the directions away from that."""
     samples, normals = [], []
     for a, b in zip(outline, np.roll(outline, -1, axis=0)):
         length = np.linalg.norm(b - a)

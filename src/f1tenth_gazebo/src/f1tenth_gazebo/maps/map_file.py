@@ -1,9 +1,17 @@
 """A map as map_saver writes it: NAME.pgm and NAME.yaml."""
 
+from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+import yaml
+from PIL import Image
+
+from f1tenth_gazebo.errors import MapError
 from f1tenth_gazebo.whole_files import write_all
 
+RESOLUTION = 0.05
+"""m per cell"""
 _YAML = """image: {image}
 resolution: {resolution:.6f}
 origin: [{x:.6f}, {y:.6f}, 0.000000]
@@ -12,6 +20,39 @@ occupied_thresh: 0.65
 free_thresh: 0.196
 
 """
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Pixels of a map, row 0 at the bottom, with the pose of its lower left corner."""
+
+    pixels: np.ndarray
+    x: float  # m
+    y: float  # m
+    resolution: float = RESOLUTION  # m
+
+    @property
+    def extent(self):
+        """What it covers, m: left, right, bottom, top."""
+        height, width = (size * self.resolution for size in self.pixels.shape)
+        return self.x, self.x + width, self.y, self.y + height
+
+
+def load_map(path):
+    """Read a map in map_server's format, dark where something is.
+
+    Raises:
+        MapError: it is not one.
+    """
+    try:
+        description = yaml.safe_load(path.read_text(encoding="utf-8"))
+        with Image.open(path.parent / description["image"]) as image:
+            pixels = np.asarray(image.convert("L"))[::-1]
+        x, y, resolution = map(float, (*description["origin"][:2], description["resolution"]))
+        return Grid(255 - pixels if description.get("negate") else pixels, x, y, resolution)
+    except (OSError, ValueError, KeyError, TypeError, yaml.YAMLError) as error:
+        text = " ".join(str(error).split())
+        raise MapError(f"{path}: not a map as map_saver writes it: {text}") from error
 
 
 def pgm_bytes(grid):

@@ -4,10 +4,10 @@ import argparse
 import sys
 from pathlib import Path
 
-import yaml
-
 import f1tenth_sim2d
-from f1tenth_gazebo.maps.map_check import check_map, read_map
+from f1tenth_gazebo.errors import MapError
+from f1tenth_gazebo.maps.map_check import check_map
+from f1tenth_gazebo.maps.map_file import load_map
 from f1tenth_gazebo.maps.world_grid import LIDAR_HEIGHT
 
 
@@ -21,15 +21,9 @@ def main(arguments=None):
     options = parser.parse_args(arguments)
     try:
         section = f1tenth_sim2d.load_world(options.world).section(LIDAR_HEIGHT)
-        result = check_map(*read_map(Path(options.map)), *section)
-    except (f1tenth_sim2d.Error, OSError) as error:
+        result = check_map(load_map(Path(options.map)), *section)
+    except (f1tenth_sim2d.Error, MapError) as error:
         print(error, file=sys.stderr)
-        return 2
-    except (ValueError, KeyError, TypeError, yaml.YAMLError) as error:
-        print(
-            f"{options.map}: not a map as map_saver writes it: {' '.join(str(error).split())}",
-            file=sys.stderr,
-        )
         return 2
     print(
         f"wall cells within 0.10 m of a true wall: {100.0 * result.cells_near_walls:.1f} %, "

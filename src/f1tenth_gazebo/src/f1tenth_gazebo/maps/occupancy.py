@@ -1,31 +1,20 @@
 """An occupancy grid from the section of a world: walls, what can be reached from the start, and the rest."""
 
 import math
-from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from scipy import ndimage
 
 from f1tenth_gazebo.errors import CircuitError
+from f1tenth_gazebo.maps.map_file import RESOLUTION, Grid
 
-RESOLUTION = 0.05
-"""m per cell"""
 MARGIN = 0.5
 """Width of the unknown border around everything solid, m."""
 _SAMPLES = 5
 
 OCCUPIED, UNKNOWN, FREE = 0, 205, 254
 """Pixel values, as map_saver writes them."""
-
-
-@dataclass(frozen=True)
-class Grid:
-    """Pixels of a map, row 0 at the bottom, with the pose of its lower left corner."""
-
-    pixels: np.ndarray
-    x: float  # m
-    y: float  # m
-    resolution: float = RESOLUTION  # m
 
 
 def occupancy_grid(outlines, circles, start=(0.0, 0.0)):
@@ -56,10 +45,12 @@ def occupied_cells(outlines, circles, resolution):
     low, high = _bounds(outlines, circles, resolution)
     occupied = np.zeros(tuple(int(n) for n in np.ceil((high - low) / resolution - 1e-9))[::-1], dtype=bool)
     for outline in outlines:
-        _fill(occupied, low, resolution, outline.min(axis=0), outline.max(axis=0), _InPolygon(outline))
+        is_inside = partial(_in_polygon, outline)
+        _fill(occupied, low, resolution, outline.min(axis=0), outline.max(axis=0), is_inside)
     for x, y, radius in circles:
         centre = np.array([x, y])
-        _fill(occupied, low, resolution, centre - radius, centre + radius, _InCircle(x, y, radius))
+        is_inside = partial(_in_circle, centre, radius)
+        _fill(occupied, low, resolution, centre - radius, centre + radius, is_inside)
     return occupied, low
 
 
@@ -94,26 +85,18 @@ def _fill(occupied, origin, resolution, low, high, contains):
     occupied[first[1] : last[1], first[0] : last[0]] |= samples.reshape(shape).any(axis=(1, 3))
 
 
-class _InPolygon:
-    def __init__(self, outline):
-        self._edges = list(zip(outline, np.roll(outline, -1, axis=0)))
-
-    def __call__(self, x, y):
-        """Even-odd rule."""
-        inside = np.zeros(np.broadcast(x, y).shape, dtype=bool)
-        for (ax, ay), (bx, by) in self._edges:
-            if ay != by:
-                crosses = (ay > y) != (by > y)
-                inside ^= crosses & (x < ax + (y - ay) * (bx - ax) / (by - ay))
-        return inside
+def _in_polygon(outline, x, y):
+    """Even-odd rule."""
+    inside = np.zeros(np.broadcast(x, y).shape, dtype=bool)
+    for (ax, ay), (bx, by) in zip(outline, np.roll(outline, -1, axis=0)):
+        if ay != by:
+            crosses = (ay > y) != (by > y)
+            inside ^= crosses & (x < ax + (y - ay) * (bx - ax) / (by - ay))
+    return inside
 
 
-class _InCircle:
-    def __init__(self, x, y, radius):
-        self._x, self._y, self._radius = x, y, radius
-
-    def __call__(self, x, y):
-        return (x - self._x) ** 2 + (y - self._y) ** 2 < self._radius**2
+def _in_circle(centre, radius, x, y):
+    return (x - centre[0]) ** 2 + (y - centre[1]) ** 2 < radius**2
 
 
 def _reachable(occupied, low, start):

@@ -7,17 +7,6 @@ from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.scenario.driver import Driver, Interface
 
 
-def add_search_paths(folder: Path) -> None:
-    """Look for what has a name in a folder, too.
-
-    Raises:
-        ScenarioError: there is no such folder.
-    """
-    if not folder.is_dir():
-        raise ScenarioError(f"--path {folder}: no such folder")
-    places.add_search_path(folder)
-
-
 def results_of(options) -> Path:
     """The folder of all results."""
     return (options.results or places.results_root()).resolve()

@@ -4,8 +4,8 @@ import argparse
 from pathlib import Path
 from typing import Callable, TypeAlias
 
+from f1tenth_scenarios import places
 from f1tenth_scenarios.cli.compare_command import compare
-from f1tenth_scenarios.cli.options import add_search_paths
 from f1tenth_scenarios.cli.race_command import race
 from f1tenth_scenarios.cli.run_command import run
 from f1tenth_scenarios.cli.show_commands import check, report, show_keys, show_list
@@ -29,7 +29,7 @@ def make_parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="scenario", description="Runs and judges scenarios of the F1/10 car."
     )
-    parser.add_argument("--path", action=_SearchPath, metavar="FOLDER", help=_PATH)
+    parser.add_argument("--path", type=_search_path, metavar="FOLDER", help=_PATH)
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
     _add_shows(commands)
     _add_run(commands)
@@ -40,17 +40,17 @@ def make_parser() -> argparse.ArgumentParser:
     return parser
 
 
-class _SearchPath(argparse.Action):
-    """Takes effect at once, as other options are looked up there."""
-
-    def __call__(self, _parser, _namespace, values, _option=None):
-        add_search_paths(Path(values))
+def _search_path(folder: str) -> None:
+    """Takes effect at once, and what commands are told to use is looked up there."""
+    if not Path(folder).is_dir():
+        raise argparse.ArgumentTypeError(f"{folder}: no such folder")
+    places.add_search_path(Path(folder))
 
 
 def _command(commands: _Subparsers, name: str, action: Callable, text: str) -> argparse.ArgumentParser:
     command = commands.add_parser(name, help=text, description=text)
     command.set_defaults(action=action)
-    command.add_argument("--path", action=_SearchPath, metavar="FOLDER", help=_PATH)
+    command.add_argument("--path", type=_search_path, metavar="FOLDER", help=_PATH)
     return command
 
 

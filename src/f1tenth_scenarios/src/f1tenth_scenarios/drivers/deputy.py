@@ -9,7 +9,7 @@ connection of its own.
 import os
 import threading
 import time
-from typing import Callable, Optional, Protocol
+from typing import Any, Callable, Optional
 
 from f1tenth_scenarios.drivers.rest import Rest, has_ended, marked_processes
 from f1tenth_scenarios.errors import MisfitError
@@ -29,40 +29,12 @@ _STEADY_PERIODS = 20  # with commands and without a new connection, after which 
 _LATE_COMMANDS = 3  # in these periods, sent by somebody at rest: more are no accident
 
 
-class World(Protocol):
-    """What the deputy sees and does in ROS."""
-
-    def helpers(self) -> list[int]:
-        """Processes whose answers the driver waits for while it starts up: they have to be at rest, too."""
-
-    def connections(self) -> object:
-        """Who publishes and subscribes what; equal as long as nothing has changed."""
-
-    def missing(self) -> set:
-        """The connections of the driver that should be there by now, and are not."""
-
-    def commands(self) -> int:
-        """How many commands the driver has sent so far."""
-
-    def has_listener(self) -> bool:
-        """Whether somebody would get a scan."""
-
-    def publish_scans(self) -> None:
-        """Pass on the scans that have come since; everything is sent when it returns."""
-
-    def publish_clock(self, stamp) -> None:
-        """Tell the driver's nodes the time; everything is sent when it returns."""
-
-    def is_over(self) -> bool:
-        """Whether the run ends."""
-
-
 class Deputy:
     """Waits for the driver in each period."""
 
     def __init__(
         self,
-        world: World,
+        world: Any,
         mark: str,
         patience: float,
         clock: Callable[[], float] = time.monotonic,
@@ -71,6 +43,7 @@ class Deputy:
         """What it waits for, and how long.
 
         Args:
+            world: what it sees and does in ROS, the RosWorld of the script `deputy`.
             mark: NAME=VALUE in the environment of the driver's processes.
             patience: within which the driver must come to rest in a period while it starts up; wall s.
             clock, sleep: wall time, s.

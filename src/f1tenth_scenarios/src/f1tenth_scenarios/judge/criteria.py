@@ -6,9 +6,8 @@ What is asked for follows from the expected verdict: a scenario that expects a c
 from typing import Callable
 
 from f1tenth_scenarios.judge import driving_criteria, run_criteria, verdict_criteria
-from f1tenth_scenarios.judge.criterion import Criterion
+from f1tenth_scenarios.judge.criterion import Criterion, Measured
 from f1tenth_scenarios.judge.judge import Judgement
-from f1tenth_scenarios.judge.measured import Measured
 from f1tenth_scenarios.scenario.scenario import Scenario
 
 _ALWAYS = (

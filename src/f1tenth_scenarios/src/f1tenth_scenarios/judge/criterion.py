@@ -1,10 +1,24 @@
-"""What a criterion says: what was measured, what is asked for, and whether that is met."""
+"""What a criterion judges and says: what was measured, what is asked for, and whether that is met."""
 
 import dataclasses
 import enum
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import Any, Optional
 
-from f1tenth_scenarios.scenario.scenario import Scenario, Verdict
+from f1tenth_scenarios.record.replay import Poses
+from f1tenth_scenarios.road.course import Course
+from f1tenth_scenarios.scenario.scenario import Verdict
+
+
+@dataclasses.dataclass(frozen=True)
+class Measured:
+    """What the record alone does not hold."""
+
+    start: Optional[float] = None  # s, when the race began; nothing without a race
+    lap_times: Mapping[str, Sequence[float]] = dataclasses.field(default_factory=dict)  # s, by car
+    real_time_factor: Optional[float] = None
+    estimates: Mapping[str, Poses] = dataclasses.field(default_factory=dict)  # of the localization, by car
+    course: Optional[Course] = None
 
 
 class Status(enum.Enum):
@@ -38,6 +52,15 @@ def status_of(met: bool) -> Status:
     return Status.PASSED if met else Status.FAILED
 
 
-def expects_failure(scenario: Scenario) -> bool:
-    """Whether the run is expected to end in a way that makes measures of good driving pointless."""
-    return scenario.expected in (Verdict.COLLISION, Verdict.ERROR)
+def compared(scenario, name, is_met, worst, unit, text, missing="nothing was recorded") -> Criterion:
+    """Compare a measure with the limit of its name; not judged where a crash or an error is expected.
+
+    `worst` is what was measured and what else `text` tells, with places for these; nothing if nothing was.
+    `is_met` takes the measure and the limit.
+    """
+    limit, actual = getattr(scenario.criteria, name), worst[0] if worst else None
+    if scenario.expected in (Verdict.COLLISION, Verdict.ERROR):
+        return Criterion(name, Status.NOT_JUDGED, actual, limit, unit, "a failure is expected")
+    if worst is None:
+        return Criterion(name, Status.FAILED, None, limit, unit, missing)
+    return Criterion(name, status_of(is_met(actual, limit)), actual, limit, unit, text.format(*worst))

@@ -1,13 +1,13 @@
 """Criteria of how the cars drove; not judged where a crash or an error is expected."""
 
+import operator
 from collections.abc import Iterator
 from typing import Optional
 
 import numpy as np
 
-from f1tenth_scenarios.judge.criterion import Criterion, Status, expects_failure, status_of
+from f1tenth_scenarios.judge.criterion import Criterion, Measured, compared
 from f1tenth_scenarios.judge.judge import Judgement
-from f1tenth_scenarios.judge.measured import Measured
 from f1tenth_scenarios.record.record import CarTrack
 from f1tenth_scenarios.scenario.scenario import Scenario
 
@@ -31,9 +31,9 @@ def longitudinal(track: CarTrack) -> np.ndarray:
 
 def minimum_clearance(scenario: Scenario, judgement: Judgement, _measured: Measured) -> Criterion:
     """How close a car came to anything."""
-    actual = least_clearance(judgement)
-    text = "" if actual is None else f"came as close as {actual:.3f} m"
-    return _at_least(scenario, "minimum_clearance", actual, "m", text)
+    least = least_clearance(judgement)
+    worst = None if least is None else (least,)
+    return compared(scenario, "minimum_clearance", operator.ge, worst, "m", "came as close as {:.3f} m")
 
 
 def lap_time(scenario: Scenario, _judgement: Judgement, measured: Measured) -> Criterion:
@@ -43,17 +43,13 @@ def lap_time(scenario: Scenario, _judgement: Judgement, measured: Measured) -> C
         for car, times in measured.lap_times.items()
         for number, time in enumerate(times, 1)
     ]
-    actual, car, number = max(laps, default=(None, "", 0))
-    text = "" if actual is None else f"lap {number} of {car} took {actual:.3f} s"
-    return _at_most(scenario, "lap_time", actual, "s", text, missing="no lap was completed")
+    return _at_most(scenario, "lap_time", laps, "s", "lap {2} of {1} took {0:.3f} s", "no lap was completed")
 
 
 def lateral_acceleration(scenario: Scenario, judgement: Judgement, _measured: Measured) -> Criterion:
     """The largest acceleration to the side, of base_footprint."""
     peaks = [(float(np.abs(lateral(track)).max()), track.car) for track in _tracks(judgement)]
-    actual, car = max(peaks, default=(None, ""))
-    text = "" if actual is None else f"{car} reached {actual:.2f} m/s^2"
-    return _at_most(scenario, "lateral_acceleration", actual, "m/s^2", text)
+    return _at_most(scenario, "lateral_acceleration", peaks, "m/s^2", "{1} reached {0:.2f} m/s^2")
 
 
 def off_course(scenario: Scenario, judgement: Judgement, measured: Measured) -> Criterion:
@@ -63,17 +59,13 @@ def off_course(scenario: Scenario, judgement: Judgement, measured: Measured) -> 
         for track in _tracks(judgement)
         if measured.course
     ]
-    actual, car = max(excess, default=(None, ""))
-    text = "" if actual is None else f"{car} was up to {actual:.3f} m beyond the edge"
-    return _at_most(scenario, "off_course", actual, "m", text)
+    return _at_most(scenario, "off_course", excess, "m", "{1} was up to {0:.3f} m beyond the edge")
 
 
 def standstill(scenario: Scenario, judgement: Judgement, measured: Measured) -> Criterion:
     """The longest time that a car stood still after the start."""
     pauses = [(_longest_pause(track, measured.start or 0.0), track.car) for track in _tracks(judgement)]
-    actual, car = max(pauses, default=(None, ""))
-    text = "" if actual is None else f"{car} stood for {actual:.3f} s"
-    return _at_most(scenario, "standstill", actual, "s", text)
+    return _at_most(scenario, "standstill", pauses, "s", "{1} stood for {0:.3f} s")
 
 
 def slows_to(scenario: Scenario, judgement: Judgement, _measured: Measured) -> Criterion:
@@ -84,9 +76,9 @@ def slows_to(scenario: Scenario, judgement: Judgement, _measured: Measured) -> C
         for track in _tracks(judgement)
         if (track.speed > limit).any()
     ]
-    actual, car = max(speeds, default=(None, ""))
-    text = "" if actual is None else f"{car} slowed down to {actual:.3f} m/s"
-    return _at_most(scenario, "slows_to", actual, "m/s", text, missing="no car was faster")
+    return _at_most(
+        scenario, "slows_to", speeds, "m/s", "{1} slowed down to {0:.3f} m/s", "no car was faster"
+    )
 
 
 def _tracks(judgement) -> Iterator[CarTrack]:
@@ -110,19 +102,6 @@ def _longest_pause(track: CarTrack, start: float) -> float:
     return longest
 
 
-def _at_most(scenario, name, actual, unit, text, missing="nothing was recorded"):
-    limit = getattr(scenario.criteria, name)
-    return _compared(scenario, name, actual, limit, unit, text, missing, lambda: actual <= limit)
-
-
-def _at_least(scenario, name, actual, unit, text, missing="nothing was recorded"):
-    limit = getattr(scenario.criteria, name)
-    return _compared(scenario, name, actual, limit, unit, text, missing, lambda: actual >= limit)
-
-
-def _compared(scenario, name, actual, limit, unit, text, missing, is_met):
-    if expects_failure(scenario):
-        return Criterion(name, Status.NOT_JUDGED, actual, limit, unit, "a failure is expected")
-    if actual is None:
-        return Criterion(name, Status.FAILED, None, limit, unit, missing)
-    return Criterion(name, status_of(is_met()), actual, limit, unit, text)
+def _at_most(scenario, name, found, *said) -> Criterion:
+    """`found`: what was measured, each with what else is told of it; the greatest counts."""
+    return compared(scenario, name, operator.le, max(found, default=None), *said)

@@ -1,6 +1,5 @@
 """Cars that move before the race has begun."""
 
-import dataclasses
 import math
 from collections.abc import Mapping, Sequence
 from typing import Optional
@@ -11,15 +10,6 @@ from f1tenth_scenarios.record.record import STAMP_EPSILON, Record
 from f1tenth_scenarios.scenario.scenario import Scenario
 
 _DISTANCE = 0.05  # m, from where a car was put
-
-
-@dataclasses.dataclass(frozen=True)
-class FalseStart:
-    """Who moved when."""
-
-    stamp: float  # s
-    car: str
-    reason: str
 
 
 class FirstMoves:
@@ -54,8 +44,8 @@ def race_start(updates: Sequence[RaceUpdate]) -> Optional[float]:
 
 def find_false_start(
     scenario: Scenario, tasks: Mapping[str, Task], moves: FirstMoves, updates: Sequence[RaceUpdate]
-) -> Optional[FalseStart]:
-    """The first false start of a car that is to wait for the start; nothing without one.
+) -> Optional[tuple[float, str]]:
+    """The first false start of a car that is to wait for the start, s, and in words; nothing without one.
 
     Before the countdown can be over it is one whatever is heard of the start.
     """
@@ -65,8 +55,8 @@ def find_false_start(
     stamp, car = min(early)
     said = f"false start: {car} moved at {stamp:.3f} s, before"
     if stamp + STAMP_EPSILON < scenario.time_to_start:
-        return FalseStart(stamp, car, f"{said} the countdown of {scenario.time_to_start} s was over")
+        return stamp, f"{said} the countdown of {scenario.time_to_start} s was over"
     start = race_start(updates)
     if start is not None and stamp + STAMP_EPSILON < start:
-        return FalseStart(stamp, car, f"{said} the start at {start:.3f} s")
+        return stamp, f"{said} the start at {start:.3f} s"
     return None

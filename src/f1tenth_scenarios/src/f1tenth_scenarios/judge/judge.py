@@ -27,7 +27,6 @@ class Decision:
     stamp: float  # s, simulated
     verdict: Verdict
     reason: str
-    car: Optional[str] = None
 
 
 @dataclasses.dataclass(frozen=True)
@@ -117,20 +116,21 @@ def _collisions(scenario, seen):
     if contact:
         touched = " and ".join(contact.touched)
         reason = f"{contact.car} touched {touched} at {contact.start:.3f} s with {contact.speed:.2f} m/s"
-        yield Decision(contact.start, Verdict.COLLISION, reason, contact.car)
+        yield Decision(contact.start, Verdict.COLLISION, reason)
 
 
 def _false_starts(scenario, tasks, seen):
     found = find_false_start(scenario, tasks, moves_of(seen.record), seen.updates)
     if found:
-        yield Decision(found.stamp, Verdict.ABORTED, found.reason, found.car)
+        stamp, reason = found
+        yield Decision(stamp, Verdict.ABORTED, reason)
 
 
 def _races_aborted(updates):
     for update in updates:
         if update.state is RaceState.ABORTED:
             reason = f"{update.car} gave up at {update.stamp:.3f} s: {update.reason or 'no reason given'}"
-            yield Decision(update.stamp, Verdict.ABORTED, reason, update.car)
+            yield Decision(update.stamp, Verdict.ABORTED, reason)
 
 
 def _tasks_done(tasks, updates, finishes):
@@ -214,5 +214,5 @@ def _verify_success(decision: Decision, record: Record, passes: Mapping[str, Goa
                 f"{car} says that it finished, but did not pass goal {len(result.times) + 1} of"
                 f" {result.wanted} in order{where}"
             )
-            return Decision(decision.stamp, Verdict.ABORTED, reason, car)
+            return Decision(decision.stamp, Verdict.ABORTED, reason)
     return decision

@@ -1,10 +1,11 @@
 """Criteria of what surrounds the driving: localization and computing time."""
 
+import operator
+
 import numpy as np
 
-from f1tenth_scenarios.judge.criterion import Criterion, Status, expects_failure, status_of
+from f1tenth_scenarios.judge.criterion import Criterion, Measured, compared, status_of
 from f1tenth_scenarios.judge.judge import Judgement
-from f1tenth_scenarios.judge.measured import Measured
 from f1tenth_scenarios.scenario.scenario import Scenario
 
 
@@ -30,15 +31,11 @@ def real_time_factor(scenario: Scenario, _judgement: Judgement, measured: Measur
 
 def _error_criterion(scenario, name, errors, unit):
     """`errors`: of each car, at each of its estimates."""
-    limit = getattr(scenario.criteria, name)
-    actual = max((float(np.sqrt(np.mean(np.square(each)))) for each in errors), default=None)
-    if expects_failure(scenario):
-        return Criterion(name, Status.NOT_JUDGED, actual, limit, unit, "a failure is expected")
-    if actual is None:
-        return Criterion(name, Status.FAILED, None, limit, unit, "no estimate (amcl_pose) was heard")
-    greatest = max(map(np.max, errors))
-    reason = f"{actual:.3f} {unit} (RMS), {greatest:.3f} {unit} at most"
-    return Criterion(name, status_of(actual <= limit), actual, limit, unit, reason)
+    worst = None
+    if errors:
+        worst = max(float(np.sqrt(np.mean(np.square(each)))) for each in errors), max(map(np.max, errors))
+    text = f"{{:.3f}} {unit} (RMS), {{:.3f}} {unit} at most"
+    return compared(scenario, name, operator.le, worst, unit, text, "no estimate (amcl_pose) was heard")
 
 
 def _errors(judgement: Judgement, measured: Measured) -> list[np.ndarray]:

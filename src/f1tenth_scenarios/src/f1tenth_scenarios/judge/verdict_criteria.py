@@ -1,8 +1,7 @@
 """Criteria of how a run ended."""
 
-from f1tenth_scenarios.judge.criterion import Criterion, Status, status_of
+from f1tenth_scenarios.judge.criterion import Criterion, Measured, Status, status_of
 from f1tenth_scenarios.judge.judge import Judgement
-from f1tenth_scenarios.judge.measured import Measured
 from f1tenth_scenarios.scenario.scenario import Scenario, Verdict
 
 

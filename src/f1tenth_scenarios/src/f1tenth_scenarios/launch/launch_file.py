@@ -146,27 +146,27 @@ def _faults(car: Car) -> list[dict[str, Any]]:
 
 
 def _add_driver(launch: ElementTree.Element, plan: Plan, car: Car) -> None:
-    driver = plan.cars[car.name].driver
+    file = str(plan.cars[car.name].driver.path)
     group = ElementTree.SubElement(launch, "group", ns=car.name)
     name, value = _driver_mark(plan, car)
     ElementTree.SubElement(group, "env", name=name, value=value)
     for old, new in _remappings(plan, car).items():
         ElementTree.SubElement(group, "remap", {"from": old, "to": new})
-    _check_text(str(driver.file.path))
-    _include(group, str(driver.file.path), driver_arguments(plan, car))
+    _check_text(file)
+    _include(group, file, driver_arguments(plan, car))
 
 
 def _remappings(plan: Plan, car: Car) -> dict[str, str]:
     """The names of topics that are others for the driver of a car."""
     own = f"/{car.name}"
     usual, actual = usual_topics(plan), driver_topics(plan, car)
-    driver = plan.cars[car.name].driver
+    taken = plan.cars[car.name].driver.arguments
     found = {
         _absolute(own, usual[each]): _absolute(own, actual[each])
         for each in Input
-        if usual[each] != actual[each] and not driver.takes(f"{each.value}_topic")
+        if usual[each] != actual[each] and f"{each.value}_topic" not in taken
     }
-    if driver.interface is Interface.F1TENTH:
+    if car.driver.interface is Interface.F1TENTH:
         theirs = {old: f"{own}/{new}" for old, new in _F1TENTH_OWN.items()}
         found |= {old: found.get(new, new) for old, new in theirs.items()}
         opponent = opponent_of(plan, car)

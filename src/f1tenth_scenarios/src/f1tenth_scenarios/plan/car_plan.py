@@ -6,7 +6,7 @@ from typing import Optional
 
 from f1tenth_scenarios import places
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.plan.driver_plan import DriverPlan, plan_driver
+from f1tenth_scenarios.plan.driver_file import DriverFile
 from f1tenth_scenarios.plan.task import Task
 from f1tenth_scenarios.road.course import Course, read_course
 from f1tenth_scenarios.road.goals import goals_along, read_goals
@@ -21,7 +21,7 @@ class CarPlan:
     """A car with everything that its driver and its judge must know."""
 
     start: Pose
-    driver: DriverPlan
+    driver: DriverFile
     goals_file: Optional[Path]  # nothing when it has no goals, or they are in no file
     goals: tuple[Pose, ...]  # of one lap
     line: Optional[Path]  # that it may follow
@@ -35,15 +35,15 @@ class Surroundings:
     scenario: Scenario
     place: Place
     beside: Path  # folder from which paths count
+    has_countdown: bool  # whether somebody waits for a start signal
 
 
-def plan_car(car: Car, around: Surroundings) -> CarPlan:
+def plan_car(car: Car, driver: DriverFile, around: Surroundings) -> CarPlan:
     """Find and read what a scenario says about a car.
 
     Raises:
         ScenarioError: what is wrong.
     """
-    driver = plan_driver(car, around.beside)
     goals_file, goals = _goals(car, driver, around)
     return CarPlan(
         start=car.start or _start(car, around.place),
@@ -51,7 +51,7 @@ def plan_car(car: Car, around: Surroundings) -> CarPlan:
         goals_file=goals_file,
         goals=goals,
         line=_line(car, driver, around),
-        task=_task(car, goals, around),
+        task=_task(car, driver, goals, around),
     )
 
 
@@ -59,12 +59,12 @@ def _start(car: Car, place: Place) -> Pose:
     return place.ahead_of_start(car.ahead) if car.ahead else place.start()
 
 
-def _goals(car: Car, driver: DriverPlan, around: Surroundings) -> tuple[Optional[Path], tuple[Pose, ...]]:
+def _goals(car: Car, driver: DriverFile, around: Surroundings) -> tuple[Optional[Path], tuple[Pose, ...]]:
     """The goals file, and what is in it; for a driver that cannot do without, those of the road."""
     place = around.place
     if car.goals:
         path = places.goals_file(car.goals, around.beside)
-    elif not driver.needs("goals_file") or place.road is None:
+    elif "goals_file" not in driver.required or place.road is None:
         return None, ()
     elif place.is_circuit:
         path = places.goals_file(place.world.stem, around.beside)
@@ -73,10 +73,14 @@ def _goals(car: Car, driver: DriverPlan, around: Surroundings) -> tuple[Optional
     return path, tuple(read_goals(path))
 
 
-def _task(car: Car, goals: tuple[Pose, ...], around: Surroundings) -> Task:
-    if not car.laps:
-        return Task(goals * around.scenario.laps)
-    return Task((), car.laps, _start_line(around))
+def _task(car: Car, driver: DriverFile, goals: tuple[Pose, ...], around: Surroundings) -> Task:
+    return Task(
+        goals=() if car.laps else goals * around.scenario.laps,
+        laps=car.laps or 0,
+        line=_start_line(around) if car.laps else None,
+        obeys_start=around.has_countdown and driver.obeys_start,
+        reports=driver.needs_countdown,
+    )
 
 
 def _start_line(around: Surroundings) -> StartLine:
@@ -97,8 +101,8 @@ def _course(around: Surroundings) -> Optional[Course]:
     return read_course(around.place.road) if around.place.road else None
 
 
-def _line(car: Car, driver: DriverPlan, around: Surroundings) -> Optional[Path]:
-    if not driver.takes("line"):
+def _line(car: Car, driver: DriverFile, around: Surroundings) -> Optional[Path]:
+    if "line" not in driver.arguments:
         return None
     path = places.course_file(car.line, around.beside) if car.line else around.place.line
     if path is not None:

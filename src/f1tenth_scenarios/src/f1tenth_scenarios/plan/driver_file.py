@@ -6,10 +6,16 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 from typing import Optional
 
+from f1tenth_scenarios import places
 from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.scenario.car import Car
 
 # Its value, separated by blanks, names those who take part in lockstep; a deputy does so for all others.
 _PARTICIPANTS = "participants"
+# Who has this argument waits for the 0 on /time_to_start; who has the other one is told when that is.
+_COUNTDOWN, _START = "time_to_start", "start_at"
+# Keys of a car that only its driver can make something of.
+_DRIVER_KEYS = ("line", "speed_max", "acceleration_max", "commands")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -21,11 +27,42 @@ class DriverFile:
     required: frozenset[str]  # that must be given
     participants: Optional[str] = None  # of lockstep, with $(arg car_name) in it
 
+    @property
+    def needs_countdown(self) -> bool:
+        """Whether the driver waits for the start signal."""
+        return _COUNTDOWN in self.arguments
+
+    @property
+    def obeys_start(self) -> bool:
+        """Whether the driver stands still until the start."""
+        return self.needs_countdown or _START in self.arguments
+
     def participants_of(self, car: str) -> Optional[list[str]]:
         """Names of docs/lockstep.md, for a car of this name; nothing when the file does not say."""
         if self.participants is None:
             return None
         return re.sub(r"\$\(arg car_name\)", car, self.participants).split()
+
+
+def find_driver(car: Car, beside: Path) -> DriverFile:
+    """Find the driver of a car and check what the scenario gives it.
+
+    Args:
+        car: with its driver
+        beside: folder from which paths count
+
+    Raises:
+        ScenarioError: there is no such file, or it does not take what it is given.
+    """
+    file = read_driver_file(places.launch_file(car.driver.launch, beside))
+    known = ", ".join(sorted(file.arguments)) or "none"
+    for name in car.driver.arguments:
+        if name not in file.arguments:
+            raise ScenarioError(f"{car.name}: {file.path} has no argument '{name}'; it has: {known}")
+    for key in _DRIVER_KEYS:
+        if getattr(car, key) and key not in file.arguments:
+            raise ScenarioError(f"{car.name}: '{key}' is nothing that the driver '{car.driver.name}' takes")
+    return file
 
 
 def read_driver_file(path: Path) -> DriverFile:

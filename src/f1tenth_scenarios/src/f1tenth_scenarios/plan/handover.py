@@ -53,13 +53,14 @@ def driver_arguments(plan: Plan, car: Car) -> dict[str, Any]:
     Raises:
         ScenarioError: it needs something that the scenario does not give it.
     """
-    driver = plan.cars[car.name].driver
-    filled = driver.filled(offered_arguments(plan, car))
-    for name in sorted(driver.file.required):
-        if name not in filled:
+    file = plan.cars[car.name].driver
+    offered = offered_arguments(plan, car).items()
+    told = {name: value for name, value in offered if name in file.arguments} | car.driver.arguments
+    for name in sorted(file.required):
+        if name not in told:
             what = _LACKS.get(name, f"a value for its argument '{name}'")
-            raise ScenarioError(f"{car.name}: the driver '{driver.name}' needs {what}")
-    return filled
+            raise ScenarioError(f"{car.name}: the driver '{car.driver.name}' needs {what}")
+    return told
 
 
 def odometry(plan: Plan) -> str:

@@ -43,17 +43,17 @@ def originals_among(names: Iterable[str]) -> list[str]:
 
 def has_deputy(plan: Plan, car: str) -> bool:
     """Whether somebody takes part for the car's driver, which knows nothing of lockstep."""
-    return plan.scenario.lockstep and plan.cars[car].driver.file.participants is None
+    return plan.scenario.lockstep and plan.cars[car].driver.participants is None
 
 
 def driver_participants(plan: Plan, car: str) -> list[str]:
     """Who answers for the car's driver."""
-    return plan.cars[car].driver.file.participants_of(car) or [f"{car}/{DEPUTY}"]
+    return plan.cars[car].driver.participants_of(car) or [f"{car}/{DEPUTY}"]
 
 
 def named_nodes(plan: Plan, car: str) -> set[str]:
     """The nodes that the car's driver names as participants: it is nothing without them."""
-    return set(plan.cars[car].driver.file.participants_of(car) or ()) - {car}
+    return set(plan.cars[car].driver.participants_of(car) or ()) - {car}
 
 
 def driver_nodes_among(car: str, nodes: Iterable[str]) -> list[str]:

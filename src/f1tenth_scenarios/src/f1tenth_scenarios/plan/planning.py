@@ -7,7 +7,8 @@ from typing import Optional
 
 from f1tenth_scenarios import places
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.plan.car_plan import CarPlan, Surroundings, plan_car
+from f1tenth_scenarios.plan.car_plan import Surroundings, plan_car
+from f1tenth_scenarios.plan.driver_file import find_driver
 from f1tenth_scenarios.plan.handover import driver_arguments
 from f1tenth_scenarios.plan.participants import originals_among, participants
 from f1tenth_scenarios.plan.plan import Plan
@@ -64,29 +65,15 @@ def plan_scenario(file: Path, scenario: Scenario, folder: Path) -> Plan:
     """
     place = find_place(places.world_file(scenario.world, file.parent))
     check_boxes(place.world, scenario)
-    around = Surroundings(scenario, place, file.parent)
-    cars = {car.name: plan_car(car, around) for car in scenario.cars}
+    drivers = {car.name: find_driver(car, file.parent) for car in scenario.cars}
+    has_countdown = any(each.needs_countdown for each in drivers.values())
+    around = Surroundings(scenario, place, file.parent, has_countdown)
+    cars = {car.name: plan_car(car, drivers[car.name], around) for car in scenario.cars}
     course = read_course(places.course_file(scenario.course, file.parent)) if scenario.course else None
-    plan = Plan(file.stem, file, scenario, place, _bound_to_start(cars), folder, course)
+    plan = Plan(file.stem, file, scenario, place, cars, folder, course)
     _check(plan)
     originals = " and ".join(originals_among(participants(plan)))
     return in_real_time(plan, f"the original of {originals} knows no lockstep") if originals else plan
-
-
-def _bound_to_start(cars: dict[str, CarPlan]) -> dict[str, CarPlan]:
-    """The cars with what their drivers have to do with the start; without a countdown there is none."""
-    countdown = any(car.driver.needs_countdown for car in cars.values())
-    return {
-        name: dataclasses.replace(
-            car,
-            task=dataclasses.replace(
-                car.task,
-                obeys_start=countdown and car.driver.obeys_start,
-                reports=car.driver.needs_countdown,
-            ),
-        )
-        for name, car in cars.items()
-    }
 
 
 def _check(plan: Plan) -> None:

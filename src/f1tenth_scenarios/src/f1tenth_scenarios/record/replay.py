@@ -5,11 +5,14 @@ import gzip
 import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.record.record import STAMP_EPSILON
+
+if TYPE_CHECKING:  # scenarios need ROS, who records without it has none
+    from f1tenth_scenarios.scenario.car import Pose
 
 _FORMAT = 2
 
@@ -65,6 +68,28 @@ class Replay:
     global_plans: Mapping[str, Paths] = dataclasses.field(default_factory=dict)  # by car
     local_plans: Mapping[str, Paths] = dataclasses.field(default_factory=dict)  # by car
     models: Mapping[str, Poses] = dataclasses.field(default_factory=dict)  # by name
+
+    def with_run(
+        self, goals: Mapping[str, Sequence["Pose"]], said: "Replay", road: Sequence[Point] = ()
+    ) -> "Replay":
+        """A scene with what belongs to a run in it.
+
+        Args:
+            goals: by car, of one lap
+            said: plans, and where models were
+            road: its middle, closed, in driving order
+        """
+        return dataclasses.replace(
+            said,
+            walls=self.walls,
+            goals={car: [(pose.x, pose.y, pose.yaw) for pose in poses] for car, poses in goals.items()},
+            road=road,
+            lidars=self.lidars,
+            models={
+                name: dataclasses.replace(said.models.get(name, model), shape=model.shape)
+                for name, model in self.models.items()
+            },
+        )
 
     def until(self, stamp: float) -> "Replay":
         """What holds up to and including a stamp (s)."""

@@ -1,54 +1,18 @@
-"""Putting the world around what was said in a run."""
+"""The scene of a run: what stands in its world, cut at the height of the cars' lidars, and the lidars."""
 
 import contextlib
-import dataclasses
 import math
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import f1tenth_sim2d
-from f1tenth_scenarios.record.replay import Lidar, Planar, Point, Poses, Replay, Shape
-
-if TYPE_CHECKING:  # scenarios need ROS, who records without it has none
-    from f1tenth_scenarios.scenario.car import Pose
+from f1tenth_scenarios.record.replay import Lidar, Planar, Poses, Replay, Shape
 
 _CUT_HEIGHT = 0.12  # m above the ground, where no lidar says otherwise
 
 
-@dataclasses.dataclass(frozen=True)
-class Scene:
-    """What stands in a world, cut at the height of the cars' lidars, and the lidars."""
-
-    walls: Shape = Shape()
-    models: Mapping[str, Poses] = dataclasses.field(default_factory=dict)  # movable, where the world has them
-    lidars: Mapping[str, Lidar] = dataclasses.field(default_factory=dict)  # by car
-
-    def replay(
-        self, goals: Mapping[str, Sequence["Pose"]], said: Replay, road: Sequence[Point] = ()
-    ) -> Replay:
-        """What was said in a run, with the world around it.
-
-        Args:
-            goals: by car, of one lap
-            said: plans, and where models were
-            road: its middle, closed, in driving order
-        """
-        return dataclasses.replace(
-            said,
-            walls=self.walls,
-            goals={car: [(pose.x, pose.y, pose.yaw) for pose in poses] for car, poses in goals.items()},
-            road=road,
-            lidars=self.lidars,
-            models={
-                name: dataclasses.replace(said.models.get(name, model), shape=model.shape)
-                for name, model in self.models.items()
-            },
-        )
-
-
-def load_scene(world: Path, descriptions: Mapping[str, str]) -> Scene:
+def load_scene(world: Path, descriptions: Mapping[str, str]) -> Replay:
     """Read a world, and the cars' robot_descriptions by name.
 
     Returns:
@@ -61,13 +25,13 @@ def load_scene(world: Path, descriptions: Mapping[str, str]) -> Scene:
         with _model_path():
             return scene_of(f1tenth_sim2d.load_world(str(world)), lidars)
     except f1tenth_sim2d.Error:
-        return Scene()
+        return Replay()
 
 
-def scene_of(world: f1tenth_sim2d.World, lidars: Mapping[str, f1tenth_sim2d.Lidar]) -> Scene:
+def scene_of(world: f1tenth_sim2d.World, lidars: Mapping[str, f1tenth_sim2d.Lidar]) -> Replay:
     """The scene of a world that is loaded, and of the lidars of the cars by name."""
     height = next((lidar.pose[2] for lidar in lidars.values()), _CUT_HEIGHT)
-    return Scene(
+    return Replay(
         walls=_shape(*world.section(height)),
         models={model.name: _model(model, height) for model in world.models if not model.is_static},
         lidars={car: _described(lidar) for car, lidar in lidars.items()},

@@ -10,7 +10,7 @@ from f1tenth_sim2d.environments.stage import Stage
 
 from f1tenth_scenarios.record.files import REPLAY_FILE, REPORT_FILE, RESULT_FILE, TRAJECTORY_FILE
 from f1tenth_scenarios.record.record import read_record
-from f1tenth_scenarios.record.replay import Replay, write_replay
+from f1tenth_scenarios.record.replay import write_replay
 from f1tenth_scenarios.record.scene import scene_of
 from f1tenth_scenarios.report.page import write_report
 
@@ -87,7 +87,7 @@ class Recorder:
         place = self._stage.place
         scene = scene_of(place.world, {car.name: car.lidars[0] for car in self._stage.cars})
         road = () if place.centreline is None else place.centreline[:, :2].tolist()
-        return scene.replay({}, Replay(), road)
+        return dataclasses.replace(scene, road=road)
 
     def _result(self, record):
         tracks = record.tracks

@@ -19,54 +19,11 @@ _REDRAW_INTERVAL = 0.2  # wall s
 _LINE_WIDTH = 200  # characters, of a log's lines
 
 
-class ProgressLine:
+class _Line:
     """One line that is drawn over and over; nothing where the output is no terminal."""
 
-    def __init__(self, name: str, stream: TextIO = sys.stderr):
-        self._name = name
-        self._stream = stream
-        self._shown = stream.isatty()
-        self._next = 0.0
-        self._pace = Pace()
-
-    def update(self, simulated: Optional[float], wall: float) -> None:
-        """Show how far the run is: simulated and wall time, s."""
-        self._pace.note(simulated, wall)
-        if not self._shown or time.monotonic() < self._next:
-            return
-        self._next = time.monotonic() + _REDRAW_INTERVAL
-        self._stream.write(f"\r\033[K{self._name}  {self._text(simulated, wall)}")
-        self._stream.flush()
-
-    def clear(self) -> None:
-        """Leave an empty line."""
-        if self._shown:
-            self._stream.write("\r\033[K")
-            self._stream.flush()
-
-    def _text(self, simulated, wall):
-        if simulated is None:
-            return f"starting  {wall:.0f} s"
-        factor = f"  {self._pace.factor:.1f}x real time" if self._pace.factor else ""
-        return f"{simulated:.1f} s simulated{factor}"
-
-
-class CountLine:
-    """How many runs are done, drawn over and over; nothing where the output is no terminal."""
-
-    _WIDTH = 30  # characters
-
-    def __init__(self, name: str, count: int, stream: TextIO = sys.stderr):
-        self._name, self._count, self._stream = name, count, stream
-        self._done = self._passed = 0
-
-    def update(self, passed: bool) -> None:
-        """One more run is done."""
-        self._done += 1
-        self._passed += passed
-        filled = self._WIDTH * self._done // self._count
-        bar = "█" * filled + "░" * (self._WIDTH - filled)
-        self._draw(f"{self._name}  {bar}  {self._done} of {self._count}, {self._passed} passed")
+    def __init__(self, name: str, stream: TextIO):
+        self._name, self._stream = name, stream
 
     def clear(self) -> None:
         """Leave an empty line."""
@@ -76,6 +33,47 @@ class CountLine:
         if self._stream.isatty():
             self._stream.write(f"\r\033[K{text}")
             self._stream.flush()
+
+
+class ProgressLine(_Line):
+    """How far a run is."""
+
+    def __init__(self, name: str, stream: TextIO = sys.stderr):
+        super().__init__(name, stream)
+        self._next = 0.0
+        self._pace = Pace()
+
+    def update(self, simulated: Optional[float], wall: float) -> None:
+        """Show how far the run is: simulated and wall time, s."""
+        self._pace.note(simulated, wall)
+        if time.monotonic() >= self._next:
+            self._next = time.monotonic() + _REDRAW_INTERVAL
+            self._draw(f"{self._name}  {self._text(simulated, wall)}")
+
+    def _text(self, simulated, wall):
+        if simulated is None:
+            return f"starting  {wall:.0f} s"
+        factor = f"  {self._pace.factor:.1f}x real time" if self._pace.factor else ""
+        return f"{simulated:.1f} s simulated{factor}"
+
+
+class CountLine(_Line):
+    """How many runs are done."""
+
+    _WIDTH = 30  # characters
+
+    def __init__(self, name: str, count: int, stream: TextIO = sys.stderr):
+        super().__init__(name, stream)
+        self._count = count
+        self._done = self._passed = 0
+
+    def update(self, passed: bool) -> None:
+        """One more run is done."""
+        self._done += 1
+        self._passed += passed
+        filled = self._WIDTH * self._done // self._count
+        bar = "█" * filled + "░" * (self._WIDTH - filled)
+        self._draw(f"{self._name}  {bar}  {self._done} of {self._count}, {self._passed} passed")
 
 
 def summary(result: Result, plan: Plan) -> str:

@@ -7,13 +7,13 @@ from typing import Optional
 
 import matplotlib
 import numpy as np
+from f1tenth_gazebo.maps.map_file import Grid
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
 from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.record.record import CarTrack, Record
-from f1tenth_scenarios.results.track_map import TrackMap
 from f1tenth_scenarios.scenario.car import Pose
 
 _MARGIN = 1.0  # m, around what is drawn
@@ -32,7 +32,7 @@ def write_picture(
     lines: Sequence[str],
     record: Record,
     goals: Mapping[str, Sequence[Pose]],
-    track_map: Optional[TrackMap],
+    track_map: Optional[Grid],
 ) -> None:
     """Draw a run into a PNG file, which replaces the old one when it is complete.
 
@@ -81,10 +81,8 @@ def _wall_extremes(track_map):
     rows, columns = np.nonzero(track_map.pixels < 128)
     if not len(rows):
         return np.empty(0), np.empty(0)
-    left, right, bottom, top = track_map.extent
-    height, width = track_map.pixels.shape
-    x = left + (right - left) * np.array([columns.min(), columns.max() + 1]) / width
-    y = top - (top - bottom) * np.array([rows.min(), rows.max() + 1]) / height
+    x = track_map.x + track_map.resolution * np.array([columns.min(), columns.max() + 1])
+    y = track_map.y + track_map.resolution * np.array([rows.min(), rows.max() + 1])
     return x, y
 
 
@@ -99,9 +97,8 @@ def _draw_map(axes, track_map):
         return
     # Walls dark, free space white, unknown light: a map's own greys are too heavy behind a coloured path.
     shades = np.select([track_map.pixels < 128, track_map.pixels > 230], [0.25, 1.0], default=0.93)
-    axes.imshow(
-        shades, extent=track_map.extent, cmap="gray", vmin=0, vmax=1, interpolation="nearest", zorder=0
-    )
+    place = {"origin": "lower", "extent": track_map.extent, "zorder": 0}
+    axes.imshow(shades, cmap="gray", vmin=0, vmax=1, interpolation="nearest", **place)
 
 
 def _draw_paths(figure, axes, tracks):

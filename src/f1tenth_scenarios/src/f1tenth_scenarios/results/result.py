@@ -9,10 +9,9 @@ from pathlib import Path
 from typing import Any, Optional
 
 from f1tenth_scenarios.atomic import replacing
-from f1tenth_scenarios.judge.criterion import Criterion, Status
+from f1tenth_scenarios.judge.criterion import Criterion, Measured, Status
 from f1tenth_scenarios.judge.driving_criteria import least_clearance
 from f1tenth_scenarios.judge.judge import Judgement
-from f1tenth_scenarios.judge.measured import Measured
 from f1tenth_scenarios.record.record import COLUMNS, Record
 from f1tenth_scenarios.scenario.scenario import Scenario
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Callable
 from f1tenth_scenarios.run.supervisor import Progress
 
 if TYPE_CHECKING:
-    from f1tenth_scenarios.record.scene import Scene
+    from f1tenth_scenarios.record.replay import Replay
 
 
 class Preparation:
@@ -45,7 +45,7 @@ class Preparation:
         """The module that draws, which imports matplotlib."""
         return self._picture.result()
 
-    def scene(self) -> "Scene":
+    def scene(self) -> "Replay":
         """What the replay shows around the cars."""
         return self._scene.result()
 

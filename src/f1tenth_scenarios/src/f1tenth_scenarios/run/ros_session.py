@@ -1,6 +1,7 @@
 """A run of a scenario with ROS around it."""
 
 import logging
+from typing import TYPE_CHECKING
 
 from f1tenth_scenarios.errors import MisfitError
 from f1tenth_scenarios.launch.launch_file import launch_command
@@ -9,8 +10,11 @@ from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.plan.planning import in_real_time
 from f1tenth_scenarios.results.result import Result
 from f1tenth_scenarios.run.run import execute
-from f1tenth_scenarios.run.supervisor import Progress, Watch
+from f1tenth_scenarios.run.supervisor import Progress
 from f1tenth_scenarios.stop_request import StopRequest
+
+if TYPE_CHECKING:
+    from f1tenth_scenarios.run.ros_watch import RosWatch
 
 # Every line of a node's output names the node, so that its last words can be found among the others'.
 _CONSOLE_FORMAT = "[${severity}] [${time}] [${node}]: ${message}"
@@ -42,7 +46,7 @@ def _run(plan: Plan, stop: StopRequest, progress: Progress) -> Result:
     return execute(plan, command, environment, lambda: _watch(plan), stop, progress, process_start())
 
 
-def _watch(plan: Plan) -> Watch:
+def _watch(plan: Plan) -> "RosWatch":
     import rospy
 
     from f1tenth_scenarios.run.ros_watch import RosWatch

@@ -4,19 +4,20 @@ import queue
 import time
 from typing import Optional
 
+import rosgraph
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from geometry_msgs.msg import PoseWithCovarianceStamped
 from std_msgs.msg import Bool
 
 from f1tenth_race_mgr.msg import RaceStatus
+from f1tenth_scenarios.plan.participants import driver_nodes_among
 from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.record.bag import planar
 from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_scenarios.record.replay import Poses
 from f1tenth_scenarios.run.diagnosis.command_watch import CommandCount, CommandWatch
 from f1tenth_scenarios.run.diagnosis.culprit import failure_of_driver
-from f1tenth_scenarios.run.diagnosis.ros_graph import driver_nodes
 from f1tenth_scenarios.run.events.director import Director
 
 _PATIENCE, _LOOK_INTERVAL = 2.0, 0.005  # wall s
@@ -46,8 +47,16 @@ def _steady_cars(plan: Plan) -> list[str]:
     ]
 
 
-def _driver_failure(plan: Plan, car: str, reason: str) -> Failure:
-    return failure_of_driver(plan, car, driver_nodes(car), reason)
+def _driver_nodes(car: str) -> list[str]:
+    """The nodes of a car's driver, those that send commands first; names without the leading slash."""
+    try:
+        publishers, subscribers, services = rosgraph.Master("/scenario").getSystemState()
+    except (rosgraph.MasterException, OSError):
+        return []
+    commanding = {f"/{car}/drive", f"/{car}/cmd_vel"}
+    first = [node for topic, nodes in publishers if topic in commanding for node in nodes]
+    known = {node for _, nodes in (*publishers, *subscribers, *services) for node in nodes}
+    return driver_nodes_among(car, [node.lstrip("/") for node in dict.fromkeys([*first, *sorted(known)])])
 
 
 class RosWatch:
@@ -82,10 +91,13 @@ class RosWatch:
         while not self._counts.empty():
             self._commands.take(self._counts.get())
         problems = self._commands.problems(done)
-        return _driver_failure(self._plan, *problems[0]) if problems else None
+        if not problems:
+            return None
+        car, reason = problems[0]
+        return failure_of_driver(self._plan, car, _driver_nodes(car), reason)
 
     def estimates(self) -> dict[str, Poses]:
-        """What was heard of `amcl_pose`, by car: all of it, if the localizations end within some time."""
+        """Where `amcl_pose` took the cars to be: all that was said, if localizations end within some time."""
         deadline = time.monotonic() + _PATIENCE
         while any(each.get_num_connections() for each in self._localizations) and time.monotonic() < deadline:
             time.sleep(_LOOK_INTERVAL)
@@ -98,7 +110,7 @@ class RosWatch:
         return {car: Poses(*heard) for car, heard in found.items()}
 
     def descriptions(self) -> dict[str, str]:
-        """The robot_description of each car on the parameter server."""
+        """The robot_description of each car, empty if it has none; from any thread."""
         return {car: rospy.get_param(f"/{car}/robot_description", "") for car in self._cars}
 
     def close(self) -> None:

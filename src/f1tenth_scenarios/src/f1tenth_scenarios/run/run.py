@@ -5,15 +5,18 @@ import dataclasses
 import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Callable, Optional
+from typing import TYPE_CHECKING, Callable, Optional
+
+from f1tenth_gazebo.errors import MapError
+from f1tenth_gazebo.maps.map_file import Grid, load_map
 
 from f1tenth_scenarios import versions
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.judge import criteria
+from f1tenth_scenarios.judge.criterion import Measured
 from f1tenth_scenarios.judge.driving_criteria import least_clearance
 from f1tenth_scenarios.judge.judge import judge
 from f1tenth_scenarios.judge.laps import lap_times, start_of_race
-from f1tenth_scenarios.judge.measured import Measured
 from f1tenth_scenarios.launch.launch_file import write_launch_file
 from f1tenth_scenarios.launch.processes import ProcessTree
 from f1tenth_scenarios.plan.plan import Plan
@@ -24,11 +27,13 @@ from f1tenth_scenarios.record.record import Record, read_record
 from f1tenth_scenarios.record.replay import Replay, write_replay
 from f1tenth_scenarios.results.result import Result, write_trajectory
 from f1tenth_scenarios.results.results_folder import claimed
-from f1tenth_scenarios.results.track_map import TrackMap, read_track_map
 from f1tenth_scenarios.results.writing import write_rest, write_verdict
 from f1tenth_scenarios.run.preparation import Preparation
-from f1tenth_scenarios.run.supervisor import Progress, Supervisor, Watch
+from f1tenth_scenarios.run.supervisor import Progress, Supervisor
 from f1tenth_scenarios.stop_request import StopRequest
+
+if TYPE_CHECKING:  # it needs ROS
+    from f1tenth_scenarios.run.ros_watch import RosWatch
 
 Files = Mapping[str, Callable[[Path], None]]  # what writes a file of the results, by its name
 
@@ -41,7 +46,7 @@ def execute(
     plan: Plan,
     command: Sequence[str],
     environment: Mapping[str, str],
-    make_watch: Callable[[], Watch],
+    make_watch: Callable[[], "RosWatch"],
     stop: StopRequest,
     progress: Progress = lambda simulated, wall: None,
     started: Optional[float] = None,
@@ -161,7 +166,7 @@ def _files_of_bag(plan: Plan, done: Result, preparation: Preparation) -> Files:
         try:
             said = read_bag(plan.bag_file, [car.name for car in plan.scenario.cars])
         finally:
-            replay = preparation.scene().replay(plan.goals, said, _road(plan))
+            replay = preparation.scene().with_run(plan.goals, said, _road(plan))
             write_replay(path, replay.until(done.judgement.decision.stamp))
 
     is_kept = plan.keep_bag or not done.passed
@@ -183,11 +188,11 @@ def _road(plan: Plan) -> list[tuple[float, float]]:
     return [] if course is None else [(round(x, 2), round(y, 2)) for x, y in zip(course.x, course.y)]
 
 
-def _track_map(plan: Plan) -> Optional[TrackMap]:
+def _track_map(plan: Plan) -> Optional[Grid]:
     """Nothing if it cannot be read, as map_server has said already."""
     try:
-        return read_track_map(plan.place.map) if plan.place.map else None
-    except ScenarioError:
+        return load_map(plan.place.map) if plan.place.map else None
+    except MapError:
         return None
 
 

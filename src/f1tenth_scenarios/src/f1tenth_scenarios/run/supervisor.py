@@ -1,7 +1,7 @@
 """Watching a run until something decides it."""
 
 import time
-from typing import Callable, Optional, Protocol
+from typing import TYPE_CHECKING, Callable, Optional
 
 from f1tenth_scenarios.judge.false_start import find_false_start
 from f1tenth_scenarios.judge.judge import first_collision, is_decided
@@ -11,39 +11,18 @@ from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_scenarios.record.pace import Pace
 from f1tenth_scenarios.record.record import STAMP_EPSILON, read_record
-from f1tenth_scenarios.record.replay import Poses
 from f1tenth_scenarios.run.diagnosis.breakdown import Breakdown
 from f1tenth_scenarios.run.diagnosis.culprit import LINE_COUNT
 from f1tenth_scenarios.run.diagnosis.launch_log import LaunchLog
 from f1tenth_scenarios.run.file_tail import RecordTail, last_lines
 from f1tenth_scenarios.stop_request import StopRequest
 
+if TYPE_CHECKING:  # it needs ROS
+    from f1tenth_scenarios.run.ros_watch import RosWatch
+
 _POLL_INTERVAL = 0.02  # wall s
 # What was recorded of a collision gets this long (wall s) to arrive.
 _RECORD_LAG = 1.0
-
-
-class Watch(Protocol):
-    """What is heard on topics."""
-
-    def take(self) -> list[RaceUpdate]:
-        """The updates since the last call."""
-
-    def collided(self) -> frozenset[str]:
-        """The cars that have reported a collision so far."""
-
-    def failure(self, done: set[str]) -> Optional[Failure]:
-        """What went wrong on this side, if anything did; `done`: the cars that have finished."""
-
-    def close(self) -> None:
-        """Stop listening."""
-
-    def estimates(self) -> dict[str, Poses]:
-        """Where the cars' localizations took them to be, by car, as far as was heard."""
-
-    def descriptions(self) -> dict[str, str]:
-        """The robot_description of each car, empty if it has none; from any thread."""
-
 
 Progress = Callable[[Optional[float], float], None]
 
@@ -51,7 +30,9 @@ Progress = Callable[[Optional[float], float], None]
 class Supervisor:
     """Looks at record, topics and processes until the run is decided."""
 
-    def __init__(self, plan: Plan, tree: ProcessTree, watch: Watch, stop: StopRequest, progress: Progress):
+    def __init__(
+        self, plan: Plan, tree: ProcessTree, watch: "RosWatch", stop: StopRequest, progress: Progress
+    ):
         """`progress` is called with the simulated time and the wall time since the start, both s."""
         self._plan = plan
         self._watch = watch

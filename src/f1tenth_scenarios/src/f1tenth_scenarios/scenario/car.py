@@ -3,6 +3,8 @@
 import dataclasses
 import enum
 import re
+from bisect import bisect_right
+from collections.abc import Sequence
 from typing import Optional
 
 from f1tenth_scenarios.scenario.driver import Driver
@@ -37,6 +39,15 @@ class Command:
     steering_angle: float = key(
         "Steering angle, left is positive.", unit="rad", at_least=-0.4189, at_most=0.4189, default=0.0
     )
+
+
+STANDING = Command(at=0.0, speed=0.0)
+
+
+def command_at(commands: Sequence[Command], now: float) -> Command:
+    """The command that holds at a time (s): the last one begun; standing before the first."""
+    begun = bisect_right([command.at for command in commands], now + 1e-9)
+    return commands[begun - 1] if begun else STANDING
 
 
 class Input(enum.Enum):

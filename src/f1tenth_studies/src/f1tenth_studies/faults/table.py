@@ -1,25 +1,19 @@
 """The document of the faults."""
 
-import datetime
 import os
 import re
 from collections.abc import Sequence
 from typing import Optional
 
-from f1tenth_scenarios.versions import commit
-
 from f1tenth_studies.faults.interrupts import Interrupts
 from f1tenth_studies.faults.victim import MOST_SECONDS, Ending
-from f1tenth_studies.table import machine
+from f1tenth_studies.table import made_by
 
 _HEAD = """\
 # Faults
 
 What a run of `circuit1` (two laps, in lockstep) makes of whatever breaks after 3 s of simulated time.
-Made on {date} at commit {commit} on {machine}, with a load of {load:.0f} at the end, by
-
-    {command}
-
+{made}
 `limits.answer` is 5 s here and `limits.wall` 60 s: a node that is stopped is noticed after the first, a clock
 that is stopped after the second. Wanted: the right verdict and culprit, a JUnit file, and at most {most:g} s
 from the verdict until nothing of the run is left. A run that cannot begin, as there is too little memory or
@@ -41,15 +35,8 @@ At random moments of a command; wanted: exit code 130, no traceback, nothing of 
 
 def document(endings: Sequence[tuple[str, Ending]], interrupts: Sequence[Interrupts], command: str) -> str:
     """The whole document: endings by fault, and interrupted commands."""
-    head = _HEAD.format(
-        date=datetime.date.today(),
-        commit=commit(),
-        machine=machine(),
-        load=os.getloadavg()[1],
-        command=command,
-        most=MOST_SECONDS,
-    )
-    text = head + "".join(_row(name, each) for name, each in endings)
+    made = made_by(command, f", with a load of {os.getloadavg()[1]:.0f} at the end,")
+    text = _HEAD.format(made=made, most=MOST_SECONDS) + "".join(_row(name, each) for name, each in endings)
     if interrupts:
         text += _INTERRUPTS.format(most=MOST_SECONDS) + "".join(map(_interrupt_row, interrupts))
     return text

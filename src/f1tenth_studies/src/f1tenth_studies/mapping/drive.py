@@ -192,4 +192,4 @@ def _options(mapper: Any) -> Any:
 def _check(slam: Any, world: Any) -> MapCheck:
     cells, resolution, corner = slam.map()
     grid = grid_of(cells == 100, cells == 0, corner, resolution)
-    return check_map(grid.pixels, resolution, corner, *world.section(LIDAR_HEIGHT))
+    return check_map(grid, *world.section(LIDAR_HEIGHT))

@@ -9,7 +9,7 @@ import numpy as np
 from f1tenth_scenarios.road.course import Course
 
 from f1tenth_scenarios import places
-from f1tenth_studies.made_places import seeds, track_map, track_names, with_worlds, write_place
+from f1tenth_studies.made_places import seeds, track_map, track_names, write_place
 from f1tenth_studies.optimum.track import circuits, load_track
 from f1tenth_studies.study import Column, Run, Study, place_of
 
@@ -17,7 +17,7 @@ LEAST_CLEARANCE = 0.08  # m
 _KEY = "encounter"
 _ROWS = ("seed", "place", "manner", "speed (m/s)")  # as they stand in the name of a place
 _MANNERS = ("middle", "side", "weaves", "brakes", "stands")
-_SPEEDS = (0.5, 4.0)  # m/s
+_SLOW, _FAST = 0.5, 4.0  # m/s
 _WEAVE, _WEAVE_RATE = 0.3, 0.5  # m, Hz
 _MOST_ASIDE = 0.6  # m
 _BRAKES_AFTER = (10.0, 30.0)  # m
@@ -25,11 +25,9 @@ _BLEND = 3.0  # m, over which the other gets from the middle to its line
 _AHEAD = 6.0  # m, where it stands at the start, between two goals: `ahead` of robot2 in the scenario
 
 
-def _text() -> str:
-    low, high = _SPEEDS
-    return f"""\
+_TEXT = f"""\
 A lap, begun anywhere on a circuit or a track, with another car {_AHEAD:g} m ahead at the start, that drives
-at {low:g} to {high:g} m/s along a line of its own and takes no notice: it keeps to the `middle` of the
+at {_SLOW:g} to {_FAST:g} m/s along a line of its own and takes no notice: it keeps to the `middle` of the
 road or to one `side`, `weaves` ({_WEAVE:g} m, {_WEAVE_RATE:g} Hz), drives and then `brakes` for good, or
 `stands` from the start. The planner has perfect odometry, and knows from its lidar alone where the other is
 and how fast.
@@ -61,7 +59,7 @@ def make_encounter(seed: int) -> Encounter:
         place=generator.choice(names),
         begin=generator.random(),
         manner=generator.choice(_MANNERS),
-        speed=generator.uniform(*_SPEEDS),
+        speed=generator.uniform(_SLOW, _FAST),
         aside=generator.choice((-1.0, 1.0)) * generator.uniform(0.2, _MOST_ASIDE),
         brakes_after=generator.uniform(*_BRAKES_AFTER),
     )
@@ -86,10 +84,8 @@ def _aside(encounter: Encounter, along: np.ndarray) -> np.ndarray:
     return np.full(len(along), encounter.aside if encounter.manner == "side" else 0.0)
 
 
-def _make(vary: Mapping[str, str], folder: Path) -> dict[str, str]:
-    """Writes the places of the seeds; gives the worlds."""
-    worlds = [_write(seed, make_encounter(seed), folder) for seed in seeds(_KEY, vary[_KEY])]
-    return with_worlds(vary, _KEY, worlds)
+def _worlds(values: str, folder: Path) -> list[Path]:
+    return [_write(seed, make_encounter(seed), folder) for seed in seeds(_KEY, values)]
 
 
 def _write(seed: int, encounter: Encounter, folder: Path) -> Path:
@@ -117,22 +113,20 @@ def _contacts(runs) -> int:
     return sum("robot1" in names for names in touched)
 
 
-def _about(values: Mapping[str, str]) -> dict[str, str]:
+def _labels(values: Mapping[str, str]) -> dict[str, str]:
     seed, *place, manner, speed = place_of(values).split("_")
     return dict(zip(_ROWS, (seed, "_".join(place), manner, speed)))
 
 
-def _problem(run: Run) -> str:
-    if run.contacts:
-        return run.failure()
+def _defect(run: Run) -> str:
     if _clearance(run) < LEAST_CLEARANCE:
         return f"clearance {_clearance(run):.3f} m, must be at least {LEAST_CLEARANCE:g} m"
-    return run.failure()
+    return ""
 
 
 STUDY = Study(
     title="Meeting others",
-    text=_text,
+    text=_TEXT,
     scenario="encounters",
     vary={_KEY: "0:59"},
     rows=_ROWS,
@@ -142,7 +136,7 @@ STUDY = Study(
         Column("least clearance (m)", lambda runs: _clearance(runs[0])),
         Column("contacts", _contacts),
     ),
-    problem=_problem,
-    make=_make,
-    about=_about,
+    defect=_defect,
+    places=(_KEY, _worlds),
+    labels=_labels,
 )

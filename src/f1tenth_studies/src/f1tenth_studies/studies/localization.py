@@ -3,11 +3,9 @@
 import math
 
 from f1tenth_studies.optimum.track import circuits
-from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Run, Study, slowest
+from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Study, slowest
 
-
-def _text() -> str:
-    return """\
+_TEXT = """\
 Laps with the noisy odometry of the wheels, corrected by amcl on the map (`localization:=amcl`), from the
 standing start. The planner drives as in docs/race_pace.md, at race pace, but knows from amcl alone where it
 is. A car that corners hard slides, and its wheels do not notice: within 0.1 s they may be wrong by 0.1 m
@@ -17,14 +15,9 @@ runs, each with a seed of its own, the worst counts.
 Wanted: every goal passed without contact, at most 0.1 m and 3 degrees."""
 
 
-def _problem(run: Run) -> str:
-    # The limits of the errors are criteria of the scenario.
-    return run.failure() or ("" if run.result["passed"] else run.result["reason"])
-
-
 STUDY = Study(
     title="Localization",
-    text=_text,
+    text=_TEXT,
     scenario="localization",
     vary={"world": ",".join(circuits()), "seed": "1:3"},
     rows=("world",),
@@ -41,5 +34,6 @@ STUDY = Study(
         CLEARANCE,
         CONTACTS,
     ),
-    problem=_problem,
+    # The limits of the errors are criteria of the scenario.
+    defect=lambda run: "" if run.result["passed"] else run.result["reason"],
 )

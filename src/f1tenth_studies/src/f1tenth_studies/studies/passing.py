@@ -11,8 +11,7 @@ CLEARLY_SLOWER = 1.5
 _OTHERS_SPEED = "cars.robot2.speed_max"
 
 
-def _text() -> str:
-    return f"""\
+_TEXT = f"""\
 Laps at race pace on a road on which another car keeps to the middle at a speed of its own (m/s) and takes no
 notice. The planner has perfect odometry, and knows from its lidar alone where the other is and how fast. The
 other stands 2.5 m ahead of it at the start; a fast car meets it again in each lap.
@@ -55,17 +54,14 @@ def _passes(runs) -> int:
     return count_passes(load_track(run.values["world"]), tracks["robot1"], tracks["robot2"])
 
 
-def _problem(run: Run) -> str:
-    if run.failure():
-        return run.failure()
-    if float(run.values[_OTHERS_SPEED]) <= CLEARLY_SLOWER and not _passes([run]):
-        return "the slower car was not passed"
-    return ""
+def _defect(run: Run) -> str:
+    missed = float(run.values[_OTHERS_SPEED]) <= CLEARLY_SLOWER and not _passes([run])
+    return "the slower car was not passed" if missed else ""
 
 
 STUDY = Study(
     title="Passing a slower car",
-    text=_text,
+    text=_TEXT,
     scenario="passing",
     vary={"world": ",".join(circuits()), _OTHERS_SPEED: "0.6,1,1.25,1.5,2,2.5,3"},
     rows=("world", _OTHERS_SPEED),
@@ -76,5 +72,5 @@ STUDY = Study(
         Column("least clearance (m)", lambda runs: float(runs[0].record.tracks["robot1"].clearance.min())),
         CONTACTS,
     ),
-    problem=_problem,
+    defect=_defect,
 )

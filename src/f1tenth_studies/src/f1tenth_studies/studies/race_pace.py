@@ -2,14 +2,13 @@
 
 import dataclasses
 import functools
-from collections.abc import Mapping
 from pathlib import Path
 
 from f1tenth_studies.made_places import data_folder
 from f1tenth_studies.optimum.car_limits import read_limits
 from f1tenth_studies.optimum.fastest_lap import FastestLap, compute_fastest_lap, time_along
 from f1tenth_studies.optimum.track import circuits, load_track
-from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Run, Study, place_of
+from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Run, Study
 
 GREATEST_RATIO = 1.35
 LEAST_CLEARANCE = 0.05  # m
@@ -17,8 +16,7 @@ LEAST_CLEARANCE = 0.05  # m
 SIGHT_SPEED = 10.0  # m/s
 
 
-def _text() -> str:
-    return f"""\
+_TEXT = f"""\
 Flying laps of the planner compared with the theoretical optimum: the line of least curvature and the fastest
 speed along it, by trajectory-planning-helpers, under the limits of the simulator's car:
 {read_limits().describe()}.
@@ -57,9 +55,7 @@ def _ratio(runs) -> float:
     return max(_flying(runs), default=float("inf")) / _optimum(runs[0].values["world"])
 
 
-def _problem(run: Run) -> str:
-    if run.failure():
-        return run.failure()
+def _defect(run: Run) -> str:
     if not _flying([run]):
         return "no flying lap"
     if _ratio([run]) > GREATEST_RATIO:
@@ -69,17 +65,16 @@ def _problem(run: Run) -> str:
     return ""
 
 
-def _make(vary: Mapping[str, str], _: Path) -> dict[str, str]:
-    """Adds the circuits and others' tracks, unless there are worlds."""
-    if vary["world"]:
-        return dict(vary)
-    tracks = sorted(map(str, data_folder().glob("*/*_map.yaml")))
-    return {**vary, "world": ",".join([*circuits(), *tracks])}
+def _worlds(values: str, _: Path) -> list[str]:
+    """The circuits and others' tracks, unless there are others."""
+    if values:
+        return [values]
+    return [*circuits(), *sorted(map(str, data_folder().glob("*/*_map.yaml")))]
 
 
 STUDY = Study(
     title="Race pace",
-    text=_text,
+    text=_TEXT,
     scenario="race_pace",
     vary={"world": "", "model": "single_track,single_track_drift"},
     rows=("place", "model"),
@@ -93,7 +88,6 @@ STUDY = Study(
         CLEARANCE,
         CONTACTS,
     ),
-    problem=_problem,
-    make=_make,
-    about=lambda values: {"place": place_of(values)},
+    defect=_defect,
+    places=("world", _worlds),
 )

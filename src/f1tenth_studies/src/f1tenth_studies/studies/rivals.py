@@ -1,25 +1,16 @@
 """Laps of two cars of ours against each other."""
 
-from collections.abc import Mapping
-from pathlib import Path
-
-from f1tenth_studies.made_places import track_map, with_worlds
-from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Study, place_of
+from f1tenth_studies.made_places import track_map
+from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Study
 
 _KEY = "track"
 
 
-def _text() -> str:
-    return """\
+_TEXT = """\
 Five laps of tracks of the F1TENTH community by two cars of ours that start together, one 1.5 m behind the
 other, with perfect odometry. Each knows from its lidar alone where the other is.
 
 Wanted: both drive their laps, and nothing is touched."""
-
-
-def _make(vary: Mapping[str, str], _: Path) -> dict[str, str]:
-    """Gives the worlds of the tracks."""
-    return with_worlds(vary, _KEY, map(track_map, vary[_KEY].split(",")))
 
 
 def _laps(runs) -> str:
@@ -34,7 +25,7 @@ def _slowest(runs) -> float:
 
 STUDY = Study(
     title="Two of ours",
-    text=_text,
+    text=_TEXT,
     scenario="rivals",
     vary={_KEY: "Oschersleben,Spielberg,Catalunya", "seed": "0:9"},
     rows=(_KEY,),
@@ -45,7 +36,5 @@ STUDY = Study(
         CLEARANCE,
         CONTACTS,
     ),
-    problem=lambda run: run.failure(),
-    make=_make,
-    about=lambda values: {_KEY: place_of(values)},
+    places=(_KEY, lambda values, _: map(track_map, values.split(","))),
 )

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 from f1tenth_scenarios.road.course import read_course
 
-from f1tenth_studies.made_places import road_world, seeds, with_worlds
+from f1tenth_studies.made_places import road_world, seeds
 from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Study, failed_places, slowest
 
 _KEY = "road"
@@ -14,19 +14,12 @@ _SHORT, _LONG = 80.0, 200.0  # m
 _NARROW, _WIDE = 1.6, 2.4  # m
 
 
-def _text() -> str:
-    return f"""\
+_TEXT = f"""\
 One lap from the standing start on roads of `rosrun f1tenth_gazebo make_road --seed N`, with default settings
 and perfect odometry. Their kinds: short (up to {_SHORT:g} m), middle (up to {_LONG:g} m) and long; narrow (up
 to {_NARROW:g} m at the narrowest place), middle (up to {_WIDE:g} m) and wide.
 
 Wanted: every lap is driven, and nothing is touched."""
-
-
-def _make(vary: Mapping[str, str], folder: Path) -> dict[str, str]:
-    """Writes the roads of the seeds; gives the worlds."""
-    worlds = [road_world(seed, folder) for seed in seeds(_KEY, vary[_KEY])]
-    return with_worlds(vary, _KEY, worlds)
 
 
 def _kind(values: Mapping[str, str]) -> dict[str, str]:
@@ -39,7 +32,7 @@ def _kind(values: Mapping[str, str]) -> dict[str, str]:
 
 STUDY = Study(
     title="Roads never seen",
-    text=_text,
+    text=_TEXT,
     scenario="unseen_road",
     vary={_KEY: "0:199"},
     rows=("length", "width"),
@@ -51,7 +44,6 @@ STUDY = Study(
         CLEARANCE,
         CONTACTS,
     ),
-    problem=lambda run: run.failure(),
-    make=_make,
-    about=_kind,
+    places=(_KEY, lambda values, folder: [road_world(seed, folder) for seed in seeds(_KEY, values)]),
+    labels=_kind,
 )

@@ -12,8 +12,7 @@ STANDING = 0.05  # m/s
 _FAULTS, _SPEED = "cars.robot1.input_faults", "cars.robot1.speed_max"
 
 
-def _text() -> str:
-    return f"""\
+_TEXT = f"""\
 What the planner drives by is missing, or comes {DELAY:g} s late, from {BEGIN:g} to {END:g} s of simulated
 time: the lidar (scan), the odometry (odom), the transforms (tf), alone and in pairs. The car is on the first
 straight of circuit5 then, at the speed that it may drive (m/s), and is to finish its lap afterwards. Each run
@@ -48,15 +47,13 @@ def stop_after(run: Run) -> float:
     return float(standing[0]) - BEGIN if len(standing) else float("inf")
 
 
-def _problem(run: Run) -> str:
-    if run.failure():
-        return run.failure()
+def _defect(run: Run) -> str:
     return "" if np.isfinite(stop_after(run)) else "the car did not come to a stand"
 
 
 STUDY = Study(
     title="Missing and late inputs",
-    text=_text,
+    text=_TEXT,
     scenario="safety",
     vary={_FAULTS: _values(), _SPEED: "1,4,8"},
     rows=(_FAULTS, _SPEED),
@@ -66,5 +63,5 @@ STUDY = Study(
         CLEARANCE,
         CONTACTS,
     ),
-    problem=_problem,
+    defect=_defect,
 )

@@ -1,7 +1,7 @@
 """Whether the car does what its planner is told, with slow actuators and on slippery floors."""
 
 import functools
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -25,8 +25,7 @@ _STRAIGHT = 0.05  # 1/m
 _STILL = 0.05  # rad/s, below which a yaw rate has no sign
 
 
-def _text() -> str:
-    return f"""\
+_TEXT = f"""\
 A lap from the standing start on {", ".join(_PLACES[:-1])} and the track {_PLACES[-1]}, with default settings
 and perfect odometry, at most at 5 and at 10 m/s, with both vehicle models: with the friction of the usual
 floor and less (mu), and with cars that follow a command sooner or later (actuation_latency, s; 0.02 is
@@ -91,9 +90,7 @@ def _worst(measure: Callable[[Run], float]) -> Callable:
     return lambda runs: max(measure(run) for run in runs)
 
 
-def _problem(run: Run) -> str:
-    if run.failure():
-        return run.failure()
+def _defect(run: Run) -> str:
     for name, actual, limit in (
         ("to the side", greatest(lateral, run), EXCESS * LATERAL_LIMIT),
         ("along the car", greatest(longitudinal, run), EXCESS * LONGITUDINAL_LIMIT),
@@ -106,15 +103,14 @@ def _problem(run: Run) -> str:
     return ""
 
 
-def _make(vary: Mapping[str, str], _: Path) -> dict[str, str]:
-    """Adds the circuits and the track, unless there are worlds."""
-    worlds = vary["world"] or ",".join([*_PLACES[:-1], str(track_map(_PLACES[-1]))])
-    return {**vary, "world": worlds}
+def _worlds(values: str, _: Path) -> list[str]:
+    """The circuits and the track, unless there are others."""
+    return [values] if values else [*_PLACES[:-1], str(track_map(_PLACES[-1]))]
 
 
 STUDY = Study(
     title="Stability",
-    text=_text,
+    text=_TEXT,
     scenario="unseen_road",
     vary={
         "world": "",
@@ -133,6 +129,6 @@ STUDY = Study(
         CLEARANCE,
         CONTACTS,
     ),
-    problem=_problem,
-    make=_make,
+    defect=_defect,
+    places=("world", _worlds),
 )

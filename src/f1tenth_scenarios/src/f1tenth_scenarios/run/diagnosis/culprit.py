@@ -65,7 +65,7 @@ def failure_of_driver(plan: Plan, car: str, nodes: Sequence[str], reason: str) -
     """A car's driver is of no use: its node that told of an error, else the first, else its launch file."""
     ends = [NodeEnd(node, 0) for node in nodes]
     if not ends:
-        return _node_failure(plan, NodeEnd(f"{car} ({plan.cars[car].driver.file.path})", 0), reason)
+        return _node_failure(plan, NodeEnd(f"{car} ({plan.cars[car].driver.path})", 0), reason)
     failures = [_node_failure(plan, end, reason) for end in ends]
     return next((each for each in failures if any(map(_tells_of_error, each.log_lines))), failures[0])
 

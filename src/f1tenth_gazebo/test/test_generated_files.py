@@ -64,7 +64,7 @@ def test_readme_lists_the_circuits():
 def test_a_wrong_circuit_ends_in_one_line_and_exit_code_1(tmp_path, capsys):
     (tmp_path / "bad.yaml").write_text("corners: 3\n")
     assert make_world([str(tmp_path / "bad.yaml"), "-o", str(tmp_path / "w")]) == 1
-    assert capsys.readouterr().err == f"{tmp_path}/bad.yaml: corners: found 3, allowed: a list\n"
+    assert capsys.readouterr().err == f"{tmp_path}/bad.yaml:1: corners must be a list, found '3'\n"
     assert not (tmp_path / "w").exists()
 
 

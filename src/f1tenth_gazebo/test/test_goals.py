@@ -5,7 +5,8 @@ import math
 import circuits
 import pytest
 from f1tenth_gazebo.circuits.centreline import centreline
-from f1tenth_gazebo.circuits.lap import Lap, Pose
+from f1tenth_gazebo.circuits.circuit import Pose
+from f1tenth_gazebo.circuits.lap import Lap
 from f1tenth_gazebo.goals.goals_file import goals_text, lap_goals
 from shapely.geometry import Point
 

@@ -1,9 +1,13 @@
 """What this package raises for a user's mistake."""
 
 
-class CircuitError(Exception):
-    """A circuit that cannot be built; one line: file, place, what was found, what is allowed."""
+class FileError(Exception):
+    """A file that is not as it must be; one line: FILE:LINE, place, what was found, what is allowed."""
 
 
-class MapError(Exception):
+class CircuitError(FileError):
+    """A circuit that cannot be built; one line: its name, place, what was found, what is allowed."""
+
+
+class MapError(FileError):
     """A file is no map; the text is one line that names it."""

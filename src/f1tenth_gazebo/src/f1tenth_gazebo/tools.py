@@ -7,7 +7,7 @@ from pathlib import Path
 from f1tenth_gazebo.circuits.centreline import centreline
 from f1tenth_gazebo.circuits.centreline_file import centreline_text
 from f1tenth_gazebo.circuits.circuit_file import load_circuit
-from f1tenth_gazebo.errors import CircuitError
+from f1tenth_gazebo.errors import FileError
 from f1tenth_gazebo.goals.goals_file import goals_text, lap_goals
 from f1tenth_gazebo.maps.map_file import save_map
 from f1tenth_gazebo.maps.world_grid import LIDAR_HEIGHT, world_grid
@@ -70,7 +70,7 @@ def _write_world(circuit, path):
 def _run(action):
     try:
         action()
-    except (CircuitError, OSError) as error:
+    except (FileError, OSError) as error:
         print(error, file=sys.stderr)
         return 1
     return 0

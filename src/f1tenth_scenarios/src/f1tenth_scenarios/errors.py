@@ -1,5 +1,8 @@
 """The exceptions of this package."""
 
+import contextlib
+from collections.abc import Iterator
+
 
 class ScenarioError(Exception):
     """What the user asked for cannot be done; the message is one line: where, what, what is allowed."""
@@ -11,3 +14,12 @@ class NotApplicableError(ScenarioError):
 
 class MisfitError(Exception):
     """A car's driver turned out not to fit lockstep; the message says which and why."""
+
+
+@contextlib.contextmanager
+def as_scenario_error(*kinds: type[Exception]) -> Iterator[None]:
+    """Raise what another package says of a user's mistake as a ScenarioError."""
+    try:
+        yield
+    except kinds as error:
+        raise ScenarioError(str(error)) from error

@@ -37,8 +37,8 @@ def centreline(circuit):
 
 
 def _turn(before, corner, after):
-    heading_in = math.atan2(corner.y - before.y, corner.x - before.x)
-    heading_out = math.atan2(after.y - corner.y, after.x - corner.x)
+    heading_in = math.atan2(corner.at.y - before.at.y, corner.at.x - before.at.x)
+    heading_out = math.atan2(after.at.y - corner.at.y, after.at.x - corner.at.x)
     return heading_in, math.remainder(heading_out - heading_in, math.tau)
 
 
@@ -53,7 +53,7 @@ def _check_room_for_bends(circuit):
     lengths = [_tangent_length(corners[i - 1], corners[i], corners[(i + 1) % count]) for i in range(count)]
     for i in range(count):
         a, b = corners[i - 1], corners[i]
-        distance = math.hypot(b.x - a.x, b.y - a.y)
+        distance = math.hypot(b.at.x - a.at.x, b.at.y - a.at.y)
         if lengths[i - 1] + lengths[i] > distance + 1e-9:
             raise CircuitError(
                 f"{circuit.name}: corners[{(i - 1) % count}] and corners[{i}]: their bends need "
@@ -64,13 +64,13 @@ def _check_room_for_bends(circuit):
 def _rounded(number, before, corner, after):
     heading, turn = _turn(before, corner, after)
     if turn == 0.0:
-        return [Vertex(corner.x, corner.y, corner.width, bend=None)]
+        return [Vertex(corner.at.x, corner.at.y, corner.width, bend=None)]
     pieces = math.ceil(abs(turn) / MAX_TURN - 1e-9)
     step = turn / pieces
     reach = corner.radius * math.tan(abs(turn) / 2)
     half = corner.radius * math.tan(abs(step) / 2)
-    x = corner.x - (reach - half) * math.cos(heading)
-    y = corner.y - (reach - half) * math.sin(heading)
+    x = corner.at.x - (reach - half) * math.cos(heading)
+    y = corner.at.y - (reach - half) * math.sin(heading)
     vertices = [Vertex(x, y, corner.width, bend=number)]
     for i in range(1, pieces):
         x += 2 * half * math.cos(heading + i * step)

@@ -15,4 +15,4 @@ def centreline_text(circuit):
 
 def _width_at_start(circuit):
     first, last = circuit.corners[0], circuit.corners[-1]
-    return last.width + (first.width - last.width) * -last.x / (first.x - last.x)
+    return last.width + (first.width - last.width) * -last.at.x / (first.at.x - last.at.x)

@@ -2,19 +2,11 @@
 
 import bisect
 import math
-from dataclasses import dataclass
+
+from f1tenth_gazebo.circuits.circuit import Pose
 
 MIN_STRAIGHT = 0.8
 """What is shorter between two bends is no straight, m."""
-
-
-@dataclass(frozen=True)
-class Pose:
-    """A pose in the map frame."""
-
-    x: float  # m
-    y: float  # m
-    yaw: float  # rad
 
 
 class Lap:

@@ -5,8 +5,9 @@ import math
 import numpy as np
 
 from f1tenth_gazebo.circuits.centreline import centreline
+from f1tenth_gazebo.circuits.circuit import Pose
 from f1tenth_gazebo.circuits.circuit_file import load_circuit
-from f1tenth_gazebo.circuits.lap import Lap, Pose
+from f1tenth_gazebo.circuits.lap import Lap
 
 _SPACING = 3.0  # m, between the places at which the direction is shown
 _MAP, _CENTRELINE = "_map", "_centerline.csv"
@@ -21,7 +22,7 @@ def road_ahead(world, circuits_folder):
 
     Raises:
         OSError, ValueError: the centreline beside a map cannot be read.
-        CircuitError: the description of a circuit is wrong.
+        FileError: the description of a circuit is wrong.
     """
     table = world.with_name(world.stem.removesuffix(_MAP) + _CENTRELINE)
     if table.is_file():

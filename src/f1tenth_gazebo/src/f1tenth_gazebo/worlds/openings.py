@@ -36,7 +36,7 @@ def place_openings(circuit, walls):
         if abs(along) + opening.width / 2 + _MARGIN > walls[index].length / 2:
             raise CircuitError(
                 f"{circuit.name}: openings[{number}]: {opening.width} m do not fit into the wall nearest to "
-                f"({opening.x}, {opening.y}), which is {walls[index].length:.2f} m long"
+                f"({opening.near.x}, {opening.near.y}), which is {walls[index].length:.2f} m long"
             )
         placed.setdefault(index, []).append((along, opening))
     return placed
@@ -59,7 +59,7 @@ def blocks(wall, openings):
 
 
 def _in_wall(wall, opening):
-    dx, dy = opening.x - wall.x, opening.y - wall.y
+    dx, dy = opening.near.x - wall.x, opening.near.y - wall.y
     along = dx * math.cos(wall.yaw) + dy * math.sin(wall.yaw)
     across = -dx * math.sin(wall.yaw) + dy * math.cos(wall.yaw)
     return along, across

@@ -168,9 +168,9 @@ def _props(circuit):
         yield _PROP.format(
             model=prop.model,
             name=prop.model if number == 0 else f"{prop.model}_{number}",
-            x=_number(prop.x),
-            y=_number(prop.y),
-            yaw=_number(prop.yaw),
+            x=_number(prop.at.x),
+            y=_number(prop.at.y),
+            yaw=_number(prop.at.yaw),
         )
 
 

@@ -4,14 +4,15 @@ import dataclasses
 from pathlib import Path
 
 import yaml
+from f1tenth_gazebo.errors import FileError
+from f1tenth_gazebo.yaml_files.schema import read
 
 from f1tenth_scenarios import places
-from f1tenth_scenarios.errors import NotApplicableError
+from f1tenth_scenarios.errors import NotApplicableError, as_scenario_error
 from f1tenth_scenarios.plan.driver_file import DriverFile, read_driver_file
 from f1tenth_scenarios.scenario.car import Car
 from f1tenth_scenarios.scenario.driver import Driver
 from f1tenth_scenarios.scenario.scenario import Scenario, Verdict
-from f1tenth_scenarios.scenario.schema import read
 
 PLANNER = "planner"  # what settings call it
 _OURS = "race"
@@ -23,6 +24,7 @@ def planner_setting(planner: Driver) -> str:
     return f"{PLANNER}={text.strip()}"
 
 
+@as_scenario_error(FileError)
 def with_planner(scenario: Scenario, node: yaml.Node, beside: Path) -> Scenario:
     """The scenario with another planner in all cars that are driven by ours.
 

@@ -7,16 +7,17 @@ from pathlib import Path
 from typing import Any, Optional
 
 import yaml
+from f1tenth_gazebo.errors import FileError
+from f1tenth_gazebo.yaml_files.schema import read
 
 from f1tenth_scenarios import places
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.errors import ScenarioError, as_scenario_error
 from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.plan.planning import plan_scenario
 from f1tenth_scenarios.road.course import read_course
 from f1tenth_scenarios.road.place import Place, find_place
 from f1tenth_scenarios.scenario.driver import Driver
 from f1tenth_scenarios.scenario.scenario import Scenario
-from f1tenth_scenarios.scenario.schema import read
 from f1tenth_scenarios.scenario.settings import apply_settings, parse_setting
 
 _SLOWEST = 1.0  # m/s on average, before the time is over
@@ -40,6 +41,7 @@ class Race:
         return f"race_{places.world_file(self.place, Path.cwd()).stem.removesuffix('_map')}"
 
 
+@as_scenario_error(FileError)
 def plan_race(race: Race, folder: Path, settings: Sequence[str] = ()) -> Plan:
     """Make a run of a race.
 

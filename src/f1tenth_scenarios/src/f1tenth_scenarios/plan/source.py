@@ -4,17 +4,20 @@ from pathlib import Path
 from typing import Callable
 
 import yaml
+from f1tenth_gazebo.errors import FileError
+from f1tenth_gazebo.yaml_files.schema import read
+from f1tenth_gazebo.yaml_files.yaml_source import compose
 
+from f1tenth_scenarios.errors import as_scenario_error
 from f1tenth_scenarios.road.course import read_course
-from f1tenth_scenarios.scenario import yaml_source
 from f1tenth_scenarios.scenario.scenario import Scenario
-from f1tenth_scenarios.scenario.schema import read
 
 _SLOWEST = 0.5  # m/s on average, before the time is over
 _STARTING = 30.0  # s, on top of that
 _SEED = 1
 
 
+@as_scenario_error(FileError)
 def read_scenario(path: Path, change: Callable[[yaml.MappingNode], None] = lambda root: None) -> Scenario:
     """Read and validate a scenario file, or the file of a circuit, which stands for a lap of it.
 
@@ -23,7 +26,7 @@ def read_scenario(path: Path, change: Callable[[yaml.MappingNode], None] = lambd
     Raises:
         ScenarioError: with the place and what is allowed there.
     """
-    root = yaml_source.compose(path)
+    root = compose(path)
     # What every circuit has and no scenario.
     if any(key.value == "corners" for key, _ in root.value):
         root = _scenario_of(path)

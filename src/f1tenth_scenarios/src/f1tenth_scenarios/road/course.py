@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 from f1tenth_gazebo.circuits.centreline import centreline
 from f1tenth_gazebo.circuits.circuit_file import load_circuit
-from f1tenth_gazebo.errors import CircuitError
+from f1tenth_gazebo.errors import FileError
 
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.errors import as_scenario_error
 from f1tenth_scenarios.road.numbers import read_numbers
 
 
@@ -106,10 +106,8 @@ def read_course(path: Path) -> Course:
 
 
 def _from_circuit(path):
-    try:
+    with as_scenario_error(FileError):
         vertices = centreline(load_circuit(path))
-    except CircuitError as error:
-        raise ScenarioError(str(error)) from error
     x, y, width = np.array([(each.x, each.y, each.width) for each in vertices]).T
     return Course(x, y, width / 2, width / 2)
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 import f1tenth_navigation_mgr
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.errors import as_scenario_error
 from f1tenth_scenarios.road.course import Course
 from f1tenth_scenarios.scenario.car import Pose
 
@@ -32,8 +32,6 @@ def read_goals(path: Path) -> list[Pose]:
     Raises:
         ScenarioError: with the file, the line and what is wrong there.
     """
-    try:
+    with as_scenario_error(f1tenth_navigation_mgr.GoalsFileError):
         goals = f1tenth_navigation_mgr.load_goals_file(str(path))
-    except f1tenth_navigation_mgr.GoalsFileError as error:
-        raise ScenarioError(str(error)) from error
     return [Pose(goal.x, goal.y, goal.yaw) for goal in goals]

@@ -1,1 +1,1 @@
-"""What a scenario file says: read, validated, documented; its plan ready to run."""
+"""What a scenario file says: its schemas, values set from outside, the table of its keys."""

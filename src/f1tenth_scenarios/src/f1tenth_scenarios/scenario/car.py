@@ -7,8 +7,9 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from typing import Optional
 
+from f1tenth_gazebo.yaml_files.schema import Problem, key
+
 from f1tenth_scenarios.scenario.driver import Driver
-from f1tenth_scenarios.scenario.schema import Problem, key
 
 _NAMES_OF_THE_SIMULATOR = ("gazebo", "sim2d")  # namespaces at the root that are not a car's
 

@@ -3,7 +3,7 @@
 import dataclasses
 from typing import Optional
 
-from f1tenth_scenarios.scenario.schema import key
+from f1tenth_gazebo.yaml_files.schema import key
 
 
 @dataclasses.dataclass(frozen=True)

@@ -4,7 +4,7 @@ import dataclasses
 import enum
 import typing
 
-from f1tenth_scenarios.scenario.schema import is_required, keys, short_forms
+from f1tenth_gazebo.yaml_files.schema import is_required, keys, short_forms
 
 _WORDS = {bool: "true, false", int: "whole number", float: "number", str: "text"}
 

@@ -4,7 +4,7 @@ import dataclasses
 import enum
 from typing import Any
 
-from f1tenth_scenarios.scenario.schema import key
+from f1tenth_gazebo.yaml_files.schema import key
 
 _OWN = "package://f1tenth_scenarios/launch/drivers"
 

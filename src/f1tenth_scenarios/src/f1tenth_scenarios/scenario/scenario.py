@@ -4,9 +4,10 @@ import dataclasses
 import enum
 from typing import Optional
 
+from f1tenth_gazebo.yaml_files.schema import Problem, key
+
 from f1tenth_scenarios.scenario.car import Car
 from f1tenth_scenarios.scenario.criteria import Criteria
-from f1tenth_scenarios.scenario.schema import Problem, key
 
 _GREATEST_PARAMETER = 2**31 - 1  # whole number that ROS's parameter server holds
 

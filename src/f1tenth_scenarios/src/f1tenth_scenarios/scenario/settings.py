@@ -10,11 +10,11 @@ from typing import Any, Optional
 
 import numpy as np
 import yaml
+from f1tenth_gazebo.yaml_files.schema import keys
 
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.scenario.car import Car
 from f1tenth_scenarios.scenario.scenario import Scenario
-from f1tenth_scenarios.scenario.schema import keys
 
 _MOST_VALUES = 100_000
 

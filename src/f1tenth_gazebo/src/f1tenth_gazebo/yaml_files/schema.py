@@ -1,8 +1,9 @@
 """One description of a YAML file's keys that reads, validates and documents it.
 
-A schema is a frozen dataclass whose fields are made with `key`. Types: bool, int, float, str, an Enum,
-another schema, `Optional[T]`, `tuple[T, ...]` and `dict[str, str]` (any keys). A field without default is a
-required key. A schema with a method `short_forms` may also be given by one of these names.
+A schema is a frozen dataclass whose keys are the fields made with `key`. Types: bool, int, float, str, an
+Enum, another schema, `Optional[T]`, `tuple[T, ...]`, a NamedTuple of floats (a list of as many numbers) and
+`dict[str, str]` (any keys). A field without default is a required key. A schema with a method `short_forms`
+may also be given by one of these names.
 """
 
 import dataclasses
@@ -13,7 +14,7 @@ from typing import Any, Optional, TypeVar
 
 import yaml
 
-from f1tenth_scenarios.scenario.yaml_source import describe, error, items, scalar
+from f1tenth_gazebo.yaml_files.yaml_source import describe, error, items, scalar
 
 T = TypeVar("T")
 
@@ -75,7 +76,7 @@ def read(schema: type[T], node: yaml.Node, path: str = "") -> T:
         path: of the node inside the file, as in `cars[0].start`
 
     Raises:
-        ScenarioError: a key is unknown, missing, of the wrong type or out of range, or the schema's own
+        FileError: a key is unknown, missing, of the wrong type or out of range, or the schema's own
             `problem()` finds something.
     """
     shorts = short_forms(schema)
@@ -100,7 +101,8 @@ def short_forms(schema: type[T]) -> dict[str, T]:
 
 def keys(schema: type) -> dict[str, Key]:
     """The keys of a schema in the order of their declaration."""
-    return {field.name: field.metadata["key"] for field in dataclasses.fields(schema)}
+    fields = dataclasses.fields(schema)
+    return {field.name: field.metadata["key"] for field in fields if "key" in field.metadata}
 
 
 def _read_entries(schema, node, path):
@@ -140,6 +142,8 @@ def _read_value(hint, info, node, path):
         return read(hint, node, path)
     if issubclass(hint, enum.Enum):
         return _read_choice(hint, node, path)
+    if issubclass(hint, tuple):
+        return _read_numbers(hint, info, node, path)
     return _read_scalar(hint, info, node, path)
 
 
@@ -147,6 +151,15 @@ def _read_list(hint, info, node, path):
     if not isinstance(node, yaml.SequenceNode):
         raise error(node, f"{path} must be a list, found {describe(node)}")
     return tuple(_read_value(hint, info, item, f"{path}[{index}]") for index, item in enumerate(node.value))
+
+
+def _read_numbers(hint, info, node, path):
+    wanted = f"{len(hint._fields)} numbers ({', '.join(hint._fields)})"
+    if not isinstance(node, yaml.SequenceNode):
+        raise error(node, f"{path} must be a list of {wanted}, found {describe(node)}")
+    if len(node.value) != len(hint._fields):
+        raise error(node, f"{path} must be a list of {wanted}, found a list of {len(node.value)}")
+    return hint(*_read_list(float, info, node, path))
 
 
 def _read_texts(node, path):

@@ -5,32 +5,32 @@ from pathlib import Path
 
 import yaml
 
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_gazebo.errors import FileError
 
 
-def error(node: yaml.Node, text: str) -> ScenarioError:
+def error(node: yaml.Node, text: str) -> FileError:
     """What is wrong at a node: FILE:LINE: text."""
-    return ScenarioError(f"{node.start_mark.name}:{node.start_mark.line + 1}: {text}")
+    return FileError(f"{node.start_mark.name}:{node.start_mark.line + 1}: {text}")
 
 
 def compose(path: Path) -> yaml.MappingNode:
     """Read a file whose top level is a mapping.
 
     Raises:
-        ScenarioError: the file cannot be read, is not YAML, or holds something else than a mapping.
+        FileError: the file cannot be read, is not YAML, or holds something else than a mapping.
     """
     try:
         with open(path, encoding="utf-8") as stream:
             root = yaml.compose(stream, Loader=yaml.SafeLoader)
     except OSError as problem:
-        raise ScenarioError(f"{path}: cannot be read: {problem.strerror}") from problem
+        raise FileError(f"{path}: cannot be read: {problem.strerror}") from problem
     except yaml.MarkedYAMLError as problem:
         line = problem.problem_mark.line + 1 if problem.problem_mark else 1
-        raise ScenarioError(f"{path}:{line}: not YAML: {problem.problem}") from problem
+        raise FileError(f"{path}:{line}: not YAML: {problem.problem}") from problem
     except (yaml.YAMLError, UnicodeDecodeError) as problem:
-        raise ScenarioError(f"{path}: not YAML: {' '.join(str(problem).split())}") from problem
+        raise FileError(f"{path}: not YAML: {' '.join(str(problem).split())}") from problem
     if not isinstance(root, yaml.MappingNode):
-        raise ScenarioError(f"{path}:1: must be a mapping of keys to values")
+        raise FileError(f"{path}:1: must be a mapping of keys to values")
     return root
 
 
@@ -38,7 +38,7 @@ def items(node: yaml.MappingNode) -> Iterator[tuple[str, yaml.Node, yaml.Node]]:
     """The entries of a mapping in order: the key's text, the key and the value.
 
     Raises:
-        ScenarioError: a key is given twice.
+        FileError: a key is given twice.
     """
     seen: dict[str, yaml.Node] = {}
     for key, value in node.value:

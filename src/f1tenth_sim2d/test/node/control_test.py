@@ -82,7 +82,7 @@ class ControlTest(unittest.TestCase):
 
     def test_reset_in_lockstep_repeats_the_run(self):
         sim2d = self.start_lockstep()
-        self.stepper.advance_to(8 * PERIOD)
+        self.stepper.advance_to(40 * PERIOD)
         reset = service("reset_simulation", Empty)
         self.stepper.restart()
         reset()
@@ -93,6 +93,8 @@ class ControlTest(unittest.TestCase):
         assert again.stop() == 0
         assert sim2d.result()["periods"] == again.result()["periods"] == 8
         assert sim2d.result()["trajectory_hash"] == again.result()["trajectory_hash"]
+        assert len(sim2d.record()) == 8
+        assert sim2d.record() == again.record()
 
     def test_model_state_of_cars_and_models(self):
         self.start_lockstep(cars={"robot1": {"x": 1.0, "y": -1.0, "yaw": math.pi / 2}})

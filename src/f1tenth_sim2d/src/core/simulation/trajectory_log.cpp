@@ -73,7 +73,9 @@ void TrajectoryLog::beginRecord()
   if (record_file_.empty()) {
     return;
   }
-  record_ = std::ofstream(record_file_, std::ios::trunc);
+  // First what is still in memory of a run before, or it would be written into the new record.
+  record_.close();
+  record_.open(record_file_, std::ios::trunc);
   requireGood();
   record_ << "time,car,x,y,yaw,v_x,v_y,yaw_rate,steering_angle,clearance,contacts,contact_speed,hash\n";
 }

@@ -107,7 +107,8 @@ public:
   /// Least distance from the car's outline to anything it could touch, m; 0 in contact; at most limit.
   double clearance(CarId car, double limit) const;
 
-  /// The world as it is, its models where they started.
+  /// The world: static models where they are, movable ones where they started. Valid until a model comes or goes, or a static
+  /// one is moved or comes back.
   const WorldDescription & world() const;
   /// Models of the world, in the order in which they came.
   const std::vector<ModelDescription> & models() const;

@@ -23,7 +23,7 @@ CarDescription describe(const CarParameters & car)
 }
 }  // namespace
 
-void addCars(const std::vector<CarParameters> & cars, const Pose2 & start, Fleet & fleet)
+void addCars(const std::vector<CarParameters> & cars, Pose2 start, Fleet & fleet)
 {
   for (const auto & car : cars) {
     const CarDescription description = describe(car);

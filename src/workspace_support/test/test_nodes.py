@@ -1,13 +1,13 @@
-"""The checks on the parameters of nodes."""
+"""The checks on the parameters of nodes, and publishers that send at once."""
 
+import warnings
 from dataclasses import dataclass
 
 import pytest
-from workspace_support.nodes import ParameterError, parse_parameters
+from workspace_support.nodes import ParameterError, parse_parameters, synchronous_publisher
 
 WHOLE_NUMBER = "must be a whole number from 0 to 2147483647"
-NUMBER = "must be a number, 0 or more"
-NAMES = "must be a list of different names"
+NUMBER = "must be a number >= 0"
 
 
 @dataclass(frozen=True)
@@ -52,10 +52,10 @@ def test_the_first_source_counts_most():
         ({"seconds": False}, f"/seconds: found False, {NUMBER}"),
         ({"path": 5}, "/path: found 5, must be a text that is not empty"),
         ({"path": ""}, "/path: found '', must be a text that is not empty"),
-        ({"topics": "a"}, f"/topics: found 'a', {NAMES}"),
-        ({"topics": ["a", 1]}, f"/topics: found ['a', 1], {NAMES}"),
-        ({"topics": [""]}, f"/topics: found [''], {NAMES}"),
-        ({"topics": ["a", "a"]}, f"/topics: found ['a', 'a'], {NAMES}"),
+        ({"topics": "a"}, "/topics: found 'a', must be a list of names"),
+        ({"topics": ["a", 1]}, "/topics[1]: found 1, must be a name"),
+        ({"topics": [""]}, "/topics[0]: found '', must be a name"),
+        ({"topics": ["a", "b", "a"]}, "/topics[2]: found 'a' twice, must be a different name"),
         ({"coun": 5}, "/coun: unknown; allowed: count, lockstep, seconds, path, topics"),
         ("text", ": found 'text', must be a map"),
     ],
@@ -64,3 +64,19 @@ def test_refuses_in_one_line(found, message):
     with pytest.raises(ParameterError) as error:
         parse_parameters(Parameters, ("/n", found))
     assert str(error.value) == f"parameter /n{message}"
+
+
+def test_publisher_has_no_queue_and_warns_of_nothing(monkeypatch):
+    made = []
+
+    def publisher(*arguments, **options):
+        # As rospy does.
+        warnings.warn("should be created with 'queue_size'", SyntaxWarning, stacklevel=2)
+        made.append((arguments, options))
+        return "a publisher"
+
+    monkeypatch.setattr("rospy.Publisher", publisher)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert synchronous_publisher("topic", str, latch=True) == "a publisher"
+    assert made == [(("topic", str), {"queue_size": None, "latch": True})]

@@ -15,8 +15,8 @@ _RULES = {
         f"a whole number from 0 to {_INT32_MAX}",
         lambda value: type(value) is int and 0 <= value <= _INT32_MAX,
     ),
-    float: ("a number, 0 or more", lambda value: type(value) in (int, float) and 0 <= value < inf),
-    tuple: ("a list of different names", lambda value: isinstance(value, list) and _are_names(value)),
+    float: ("a number >= 0", lambda value: type(value) in (int, float) and 0 <= value < inf),
+    tuple: ("a list of names", lambda value: isinstance(value, list)),
 }
 
 
@@ -33,7 +33,7 @@ def parse_parameters(kind, *sources):
         sources: (place, dict) pairs, the most important first; a place is what messages call it ("/n").
 
     Raises:
-        ParameterError: "parameter PLACE/KEY: what is wrong".
+        ParameterError: "parameter PLACE/KEY: what is wrong", of a name in a list "parameter PLACE/KEY[i]: ...".
 
     """
     defaults: dict = {field.name: field.default for field in fields(kind)}
@@ -47,6 +47,8 @@ def parse_parameters(kind, *sources):
             allowed, is_valid = _RULES[type(defaults[key])]
             if not is_valid(value):
                 raise ParameterError(f"parameter {place}/{key}: found {value!r}, must be {allowed}")
+            if isinstance(value, list):
+                _check_names(f"parameter {place}/{key}", value)
             merged[key] = type(defaults[key])(value)
     return kind(**merged)
 
@@ -62,5 +64,9 @@ def synchronous_publisher(topic, message_type, **options):
         return rospy.Publisher(topic, message_type, queue_size=None, **options)
 
 
-def _are_names(values):
-    return all(isinstance(each, str) and each for each in values) and len(set(values)) == len(values)
+def _check_names(place, values):
+    for i, value in enumerate(values):
+        if not (isinstance(value, str) and value):
+            raise ParameterError(f"{place}[{i}]: found {value!r}, must be a name")
+        if value in values[:i]:
+            raise ParameterError(f"{place}[{i}]: found {value!r} twice, must be a different name")

@@ -33,7 +33,7 @@ def parse_parameters(kind, *sources):
         sources: (place, dict) pairs, the most important first; a place is what messages call it ("/n").
 
     Raises:
-        ParameterError: "parameter PLACE/KEY: what is wrong", of a name in a list "parameter PLACE/KEY[i]: ...".
+        ParameterError: "parameter PLACE/KEY: what is wrong"; PLACE/KEY[i] if it is a name in a list.
 
     """
     defaults: dict = {field.name: field.default for field in fields(kind)}

@@ -83,6 +83,8 @@ public:
     waitForPeriodsWithout(unanswered);
   }
 
+  bool hasLeft() const { return left_; }
+
 private:
   bool ready() const
   {
@@ -191,11 +193,12 @@ void Participant::done(const ros::Time & stamp, const ros::Time & until)
 }
 void Participant::actInPeriods(const std::function<bool(const ros::Time &)> & act)
 {
-  while (ros::ok()) {
+  while (ros::ok() && !impl_->hasLeft()) {
     const auto stamp = waitForPeriod(kShutdownCheck);
-    if (stamp && act(*stamp)) {
+    const bool acted = stamp && act(*stamp);
+    if (acted && !impl_->hasLeft()) {
       done(*stamp);
-    } else if (stamp) {
+    } else if (stamp && !acted) {
       kNotReady.sleep();
     }
   }

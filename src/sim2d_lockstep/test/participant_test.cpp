@@ -167,6 +167,32 @@ TEST_F(ParticipantTest, LeavesWhenTheSimulatorGoesOnWithoutIt)
   EXPECT_EQ(heard_.size(), 2u) << "it has answered a period after its farewell";
 }
 
+TEST_F(ParticipantTest, ActsUntilItIsReadyInEachPeriodAndNoMoreWhenItHasLeft)
+{
+  Participant participant("a");
+  std::vector<ros::Time> stamps;
+  auto acting = std::async(std::launch::async, [&] {
+    participant.actInPeriods([&](const ros::Time & stamp) {
+      stamps.push_back(stamp);
+      if (stamp == kSecond) {
+        participant.leave();
+      }
+      return stamps.size() >= 3;
+    });
+  });
+  publishClock(kFirst);
+  ASSERT_TRUE(hear(1));
+  publishClock(kSecond);
+  ASSERT_TRUE(hear(2));
+  publishClock(kThird);
+  acting.get();
+  queue_.callAvailable(kSoon);
+  EXPECT_EQ(stamps, (std::vector<ros::Time>{kFirst, kFirst, kFirst, kSecond}));
+  ASSERT_EQ(heard_.size(), 2u);
+  EXPECT_EQ(heard_[0].stamp, kFirst);
+  EXPECT_EQ(heard_[1].stamp, kLeft);
+}
+
 TEST_F(ParticipantTest, ClockThatJumpsBackStartsANewRun)
 {
   Participant participant("b", {"a"});

@@ -67,11 +67,12 @@ public:
   /// Publishes on /sim2d/done that this node has acted up to stamp, after everything it has published before.
   /// Say the first one only when the node is ready to act (map there, servers connected): the simulator waits.
   /// @param until  of a node that acts more seldom than every period: nobody waits for it, and waitForPeriod() returns
-  ///               nothing, before the first period that ends then or later
+  ///               nothing, before the first period that ends then or later; ros::Time(), the default: acts in the next one
   void done(const ros::Time & stamp, const ros::Time & until = {});
 
-  /// Acts in every period and says that it is done, until ROS shuts down.
-  /// @param act  of a period's stamp; returns whether the node was ready to, otherwise is called again for the same period
+  /// Acts in every period and says that it is done, until ROS shuts down or the participant has left.
+  /// @param act  of a period's stamp; returns whether the node was ready to, otherwise is called again for the same period; may
+  ///             call leave()
   void actInPeriods(const std::function<bool(const ros::Time &)> & act);
 
   /// Leaves for good: the simulator and all that come after this participant never wait for it again. Blocks until the

@@ -81,6 +81,23 @@ TEST(Inflation, takesObstaclesInLater)
   EXPECT_TRUE(costmap.liveCells().empty());
 }
 
+TEST(Inflation, takesObstaclesInAtTheEdgesAndAmongUnknownCells)
+{
+  const GridGeometry geometry{41, 17, kGridCell, {}};
+  const Inflation inflation{0.55, 10.0, 0.1286};
+  std::vector<std::int8_t> cells(geometry.size(), 0);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    cells[i] = geometry.cell(i).x % 7 < 3 ? std::int8_t{-1} : std::int8_t{0};
+  }
+  OccupancyGrid costs{geometry, inflated(cells, geometry, inflation)};
+  const std::vector<Cell> obstacles{{0, 0}, {40, 3}, {20, 16}, {21, 16}, {23, 8}};
+  addObstacles(costs, obstacles, inflation);
+  for (const Cell & obstacle : obstacles) {
+    cells[geometry.index(obstacle)] = 100;
+  }
+  EXPECT_EQ(costs.cells, inflated(cells, geometry, inflation));
+}
+
 class Rolling : public ::testing::Test
 {
 protected:

@@ -56,6 +56,9 @@ std::vector<std::int8_t> inflated(
 
 void addObstacles(OccupancyGrid & costs, const std::vector<Cell> & obstacles, const Inflation & inflation)
 {
+  if (obstacles.empty()) {
+    return;
+  }
   const GridGeometry & geometry = costs.geometry;
   const int reach =
     static_cast<int>(std::ceil(std::max(inflation.radius, inflation.inscribed_radius) / geometry.resolution));
@@ -64,12 +67,15 @@ void addObstacles(OccupancyGrid & costs, const std::vector<Cell> & obstacles, co
   around[square.index({reach, reach})] = kObstacle;
   around = inflated(around, square, inflation);
   for (const Cell & obstacle : obstacles) {
-    for (std::size_t i = 0; i < around.size(); ++i) {
-      const Cell in_square = square.cell(i);
-      const Cell cell{obstacle.x + in_square.x - reach, obstacle.y + in_square.y - reach};
-      if (geometry.contains(cell)) {
-        std::int8_t & cost = costs.cells[geometry.index(cell)];
-        cost = cost >= 0 || around[i] >= kTouching ? std::max(cost, around[i]) : cost;
+    const Cell low{std::max(obstacle.x - reach, 0), std::max(obstacle.y - reach, 0)};
+    const Cell high{std::min(obstacle.x + reach, geometry.width - 1), std::min(obstacle.y + reach, geometry.height - 1)};
+    for (int y = low.y; y <= high.y; ++y) {
+      for (int x = low.x; x <= high.x; ++x) {
+        const std::int8_t added = around[square.index({x - obstacle.x + reach, y - obstacle.y + reach})];
+        std::int8_t & cost = costs.cells[geometry.index({x, y})];
+        if (added > cost && (cost >= 0 || added >= kTouching)) {
+          cost = added;
+        }
       }
     }
   }

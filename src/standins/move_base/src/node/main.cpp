@@ -8,7 +8,7 @@
 
 namespace
 {
-const ros::WallDuration kPatience{0.002};
+const ros::WallDuration kPoll{0.002};
 
 void reportMissing(const move_base::MoveBaseNode & node)
 {
@@ -20,7 +20,7 @@ void reportMissing(const move_base::MoveBaseNode & node)
 void spin(move_base::MoveBaseNode & node, ros::CallbackQueue & queue)
 {
   while (ros::ok()) {
-    queue.callAvailable(kPatience);
+    queue.callAvailable(kPoll);
     node.handleCallbacks();
     reportMissing(node);
     if (ros::Time::isValid()) {

@@ -196,6 +196,27 @@ TEST(Costmap, marksWhatTheMapDoesNotKnow)
   EXPECT_FALSE(costmap.liveCells().empty());
 }
 
+TEST(Costmap, doesNotChangeWithAScanThatSaysTheSame)
+{
+  Costmap costmap = makeCostmap(drawRoom(10.0, 4.0));
+  const LaserScan scan =
+    scanFrom({2.0, 2.0, 0.3}, [](double angle) { return std::abs(normalizeAngle(angle)) < 0.1 ? 2.0 : kInfinite; });
+  const auto seen = [&costmap] {
+    std::vector<double> distances;
+    for (std::size_t i = 0; i < costmap.geometry().size(); ++i) {
+      distances.push_back(costmap.obstacleDistance(costmap.geometry().centre(costmap.geometry().cell(i))));
+    }
+    return distances;
+  };
+  costmap.observe(scan);
+  const std::size_t marked = costmap.liveCells().size();
+  const std::vector<double> before = seen();
+  costmap.observe(scan);
+  EXPECT_GT(marked, 0U);
+  EXPECT_EQ(costmap.liveCells().size(), marked);
+  EXPECT_EQ(seen(), before);
+}
+
 TEST(Costmap, doesNotMarkTheWallsOfTheMap)
 {
   Costmap costmap = makeCostmap(drawRoom(10.0, 4.0));

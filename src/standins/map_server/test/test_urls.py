@@ -17,7 +17,7 @@ PACKAGE = Path(__file__).resolve().parents[1]
     ],
 )
 def test_url_means_a_path(url, path):
-    assert path_of(url) == Path(path)
+    assert path_of(url).resolve() == Path(path).resolve()
 
 
 @pytest.mark.parametrize("url", ["http://host/b.yaml", "file://host/b.yaml", "package:///b.yaml"])

@@ -99,13 +99,11 @@ void AmclNode::handleScans()
   while (localizer_ && !waiting_.empty()) {
     const auto scan = waiting_.front();
     const auto odometry = odometryAt(scan->header.stamp);
-    const auto latest = odometryAt(ros::Time(0));
     const auto lidar =
       lookUp(transforms_, parameters_.base_frame_id, withoutSlash(scan->header.frame_id), ros::Time(0));
-    const bool is_past = latest && latest->header.stamp > scan->header.stamp;
     if (odometry && lidar) {
       handle(*scan, fromTransform(odometry->transform), lidar->transform);
-    } else if (is_past && lidar) {
+    } else if (lidar && isHopeless(*scan)) {
       ROS_WARN_THROTTLE(
         5.0, "A scan at %.3f s is left out: there is no transform from %s to %s for it", scan->header.stamp.toSec(),
         parameters_.odom_frame_id.c_str(), scan->header.frame_id.c_str());
@@ -115,6 +113,12 @@ void AmclNode::handleScans()
     waiting_.pop_front();
   }
   announceStart();
+}
+
+bool AmclNode::isHopeless(const sensor_msgs::LaserScan & scan) const
+{
+  const auto latest = odometryAt(ros::Time(0));
+  return latest && latest->header.stamp > scan.header.stamp;
 }
 
 std::optional<geometry_msgs::TransformStamped> AmclNode::odometryAt(const ros::Time & stamp) const

@@ -50,6 +50,8 @@ private:
   bool build(const nav_msgs::OccupancyGrid & map, const Estimate & start);
   /// Of the car; time 0: the latest.
   std::optional<geometry_msgs::TransformStamped> odometryAt(const ros::Time & stamp) const;
+  /// Of a scan without odometry: whether there is later odometry, so that none for it will come.
+  bool isHopeless(const sensor_msgs::LaserScan & scan) const;
   void handle(const sensor_msgs::LaserScan & scan, const Pose2 & odometry, const geometry_msgs::Transform & lidar);
   void publishEstimate(const ros::Time & stamp);
   void publishParticles(const ros::Time & stamp);

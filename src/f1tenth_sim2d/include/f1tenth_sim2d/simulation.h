@@ -133,7 +133,7 @@ public:
   void appendStateBytes(std::vector<std::uint8_t> & bytes) const;
 
 private:
-  class Impl;
+  struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 }  // namespace f1tenth_sim2d

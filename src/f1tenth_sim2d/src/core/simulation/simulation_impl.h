@@ -15,9 +15,8 @@
 namespace f1tenth_sim2d
 {
 /// What a simulation consists of, and what its functions have in common.
-class Simulation::Impl : public MovingPoses
+struct Simulation::Impl : MovingPoses
 {
-public:
   using Scenes = std::deque<LidarScene>;
   using Lidars = std::vector<LidarSensor>;
 

@@ -87,9 +87,10 @@ void TrajectoryLog::writeRecord()
   }
   const std::string hash = hash_.hexDigest();
   for (const CarId car : simulation_.cars()) {
+    const auto touch = touches_.find(car);
     record_ << seconds(simulation_.time()) << ',' << simulation_.car(car).name << ','
             << numbers(simulation_.state(car), simulation_.clearance(car, kClearanceLimit)) << ','
-            << columnsOf(touches_[car]) << ',' << hash << '\n';
+            << columnsOf(touch != touches_.end() ? touch->second : Touch{}) << ',' << hash << '\n';
   }
   requireGood();
 }

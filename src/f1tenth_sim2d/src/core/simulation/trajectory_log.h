@@ -12,7 +12,7 @@
 namespace f1tenth_sim2d
 {
 /// What is kept of a run, control period by control period: the hash, and the record if there is one. That is a CSV file with
-/// one row a car and period, with all digits of every number. Columns: docs/contracts.md.
+/// one row per car and period, with all digits of every number. Columns: docs/contracts.md.
 class TrajectoryLog
 {
 public:

@@ -9,6 +9,7 @@
 namespace f1tenth_sim2d
 {
 /// An array with a row for each item and a column for each of the numbers that an item consists of.
+/// @tparam Item  all its members must be doubles, which cannot be checked here
 template <typename Item>
 pybind11::array_t<double> toArray(const std::vector<Item> & items)
 {

@@ -197,6 +197,41 @@ TEST(LidarScan, NoiseIsAFunctionOfSeedCarLidarAndTime)
   EXPECT_NE(firstScan(1, 5), firstScan(1, 6));
 }
 
+TEST(LidarScan, IsExactAfterANoisyOneAsBefore)
+{
+  CarDescription description = car("robot1");
+  description.lidars[0].noise_mean = 0.02;
+  description.lidars[0].noise_stddev = 0.01;
+  Simulation simulation(world({room(3.0)}));
+  simulation.addCar(description, {}, {0.4, 0.3, 0.2});
+  std::vector<float> before(1081);
+  std::vector<float> noisy(1081);
+  std::vector<float> after(1081);
+  simulation.exactScan(kRobot1, 0, before.data());
+  simulation.scan(kRobot1, 0, noisy.data());
+  simulation.exactScan(kRobot1, 0, after.data());
+  EXPECT_NE(noisy, before);
+  EXPECT_EQ(after, before);
+}
+
+TEST(LidarScan, EndsAtTheRangeOfItsOwnLidar)
+{
+  CarDescription description = carWithSingleBeam("robot1");
+  description.lidars.push_back(description.lidars[0]);
+  description.lidars[0].range_max = 5.0;
+  description.lidars[1].range_max = 2.0;
+  Simulation simulation(world({wallAcross(3.0)}));
+  simulation.addCar(description, {}, {});
+  for (int i = 0; i < 3; ++i) {
+    float farther = 0.0F;
+    float nearer = 0.0F;
+    simulation.exactScan(kRobot1, 0, &farther);
+    simulation.exactScan(kRobot1, 1, &nearer);
+    EXPECT_FLOAT_EQ(farther, 3.0F - 0.27F);
+    EXPECT_EQ(nearer, kNothing);
+  }
+}
+
 TEST(LidarScan, NoBeamSlipsThroughACorner)
 {
   CarDescription description = carWithSingleBeam("robot1", M_PI / 4);

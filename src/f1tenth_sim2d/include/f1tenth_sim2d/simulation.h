@@ -94,6 +94,7 @@ public:
   /// What rays from a car meet now: for each the range, m, +inf where nothing is within range_max. Exact; a car does not see
   /// itself. Writes as many numbers as the fan has directions. Allocates nothing, but that the first call at a height works out
   /// what is to be seen there.
+  /// @throws Error for a number that is not finite, or a range_max that is not 0 or more; it may be infinite
   void castRays(CarId car, const RayFan & fan, double * ranges) const;
 
   /// Sample `index` of the standard normal noise of a sensor of a car now: a function of seed, car, name of the sensor, time

@@ -140,6 +140,9 @@ Args:
 
 Returns:
     float64 array of shape (n,): ranges, m, +inf where nothing is within range_max.
+
+Raises:
+    Error: a number is not finite, or range_max is not 0 or more; it may be infinite.
 )");
 }
 

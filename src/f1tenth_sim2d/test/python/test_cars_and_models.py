@@ -145,3 +145,21 @@ def test_rays_meet_what_the_beams_of_a_lidar_meet(simulation):
     assert np.isinf(simulation.cast_rays(0, [math.pi], range_max=1.0))
     with pytest.raises(ValueError, match=r"^directions has 2 dimensions, allowed is 1: shape \(n,\)$"):
         simulation.cast_rays(0, np.zeros((2, 2)))
+
+
+@pytest.mark.parametrize(
+    ("number", "text"),
+    [
+        ({"directions": [0.0, math.inf]}, "direction (rad) of a ray is inf, allowed is a finite number"),
+        ({"x": math.nan}, "x (m) of the rays is nan, allowed is a finite number"),
+        ({"y": -math.inf}, "y (m) of the rays is -inf, allowed is a finite number"),
+        ({"yaw": math.nan}, "yaw (rad) of the rays is nan, allowed is a finite number"),
+        ({"height": math.inf}, "height (m) of the rays is inf, allowed is a finite number"),
+        ({"range_max": math.nan}, "largest range (m) of the rays is nan, allowed is 0 or more"),
+        ({"range_max": -1.0}, "largest range (m) of the rays is -1, allowed is 0 or more"),
+    ],
+)
+def test_rays_from_and_to_nowhere_are_refused(simulation, number, text):
+    with pytest.raises(f1tenth_sim2d.Error) as raised:
+        simulation.cast_rays(0, **{"directions": [0.0], **number})
+    assert str(raised.value) == f"{simulation.car(0).name}: {text}"

@@ -5,6 +5,7 @@
 #include "core/math/noise.h"
 #include "core/math/planar_pose.h"
 #include "core/simulation/simulation_impl.h"
+#include "core/simulation/validation.h"
 
 namespace f1tenth_sim2d
 {
@@ -55,7 +56,9 @@ void Simulation::Impl::scan(CarId id, std::size_t lidar, bool noisy, float * ran
 
 void Simulation::castRays(CarId id, const RayFan & fan, double * ranges) const
 {
-  const Pose2 origin = chain(impl_->car(id).car.pose(), fan.origin);
+  const RegisteredCar & own = impl_->car(id);
+  validate(fan, own.description.name);
+  const Pose2 origin = chain(own.car.pose(), fan.origin);
   const LidarScene & scene = [&]() -> const LidarScene & {
     const std::lock_guard<std::mutex> lock(impl_->scenes_mutex);
     return impl_->sceneAt(fan.height, impl_->cars(), *impl_->geometry, impl_->scenes);

@@ -36,7 +36,7 @@ constexpr double kShapeMin = 0.1;  // beyond these the magic formula is no tyre
 constexpr double kShapeMax = 2.5;
 constexpr double kStiffnessMax = 1e4;
 
-void require(bool condition, const std::string & where, const std::string & what, double found, const char * allowed)
+void require(bool condition, const std::string & where, const char * what, double found, const char * allowed)
 {
   if (!condition) {
     std::ostringstream message;
@@ -45,13 +45,13 @@ void require(bool condition, const std::string & where, const std::string & what
   }
 }
 
-void requireFinite(double value, const std::string & where, const std::string & what)
+void requireFinite(double value, const std::string & where, const char * what)
 {
   require(std::isfinite(value), where, what, value, "a finite number");
 }
 
 /// Refuses NaN, too.
-void requireBetween(double value, double least, double greatest, const std::string & where, const std::string & what)
+void requireBetween(double value, double least, double greatest, const std::string & where, const char * what)
 {
   if (!(value >= least && value <= greatest)) {
     std::ostringstream message;
@@ -60,7 +60,7 @@ void requireBetween(double value, double least, double greatest, const std::stri
   }
 }
 
-void requireWithin(double value, double limit, const std::string & where, const std::string & what)
+void requireWithin(double value, double limit, const std::string & where, const char * what)
 {
   requireBetween(value, -limit, limit, where, what);
 }
@@ -187,6 +187,18 @@ void validate(const DriveCommand & command, const std::string & car)
 {
   requireWithin(command.speed, kSpeedMax, car, "commanded speed (m/s)");
   requireWithin(command.steering_angle, kSteeringMax, car, "commanded steering angle (rad)");
+}
+
+void validate(const RayFan & fan, const std::string & car)
+{
+  requireFinite(fan.origin.x, car, "x (m) of the rays");
+  requireFinite(fan.origin.y, car, "y (m) of the rays");
+  requireFinite(fan.origin.yaw, car, "yaw (rad) of the rays");
+  requireFinite(fan.height, car, "height (m) of the rays");
+  for (const double direction : fan.directions) {
+    requireFinite(direction, car, "direction (rad) of a ray");
+  }
+  require(fan.range_max >= 0.0, car, "largest range (m) of the rays", fan.range_max, "0 or more");
 }
 
 void validateTwist(const Vec2 & linear, double angular_z, const std::string & car)

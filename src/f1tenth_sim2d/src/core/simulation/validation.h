@@ -1,6 +1,7 @@
 #pragma once
 
 #include "f1tenth_sim2d/car_model.h"
+#include "f1tenth_sim2d/ray_fan.h"
 #include "f1tenth_sim2d/simulation.h"
 #include "f1tenth_sim2d/world_model.h"
 
@@ -16,6 +17,8 @@ void validate(const VehicleParameters & parameters, const std::string & car);
 void validate(const ModelDescription & model, const std::string & where);
 /// @param what  the model or car that is to be put there
 void validate(const ModelState & state, const std::string & what);
+/// @param car  name of the car
+void validate(const RayFan & fan, const std::string & car);
 /// @param car  name of the car
 void validate(const DriveCommand & command, const std::string & car);
 void validateTwist(const Vec2 & linear, double angular_z, const std::string & car);

@@ -75,10 +75,15 @@ def test_file_that_is_no_map_is_refused_in_one_line(tmp_path, capsys):
     world = str(PACKAGE / "worlds" / "circuit1.world")
     assert main([str(path), world]) == 2
     error = capsys.readouterr().err
-    assert error.startswith(f"{path}: not a map as map_saver writes it: ")
+    assert error.startswith(f"{path}: not a map in map_server's format: ")
     assert error.count("\n") == 1
 
 
-def test_missing_map_is_named(tmp_path, capsys):
-    assert main([str(tmp_path / "none.yaml"), str(PACKAGE / "worlds" / "circuit1.world")]) == 2
-    assert "none.yaml" in capsys.readouterr().err
+def test_missing_file_is_named(tmp_path, capsys):
+    path, image = tmp_path / "a.yaml", tmp_path / "a.pgm"
+    command = [str(path), str(PACKAGE / "worlds" / "circuit1.world")]
+    assert main(command) == 2
+    assert capsys.readouterr().err == f"{path}: cannot be read: No such file or directory\n"
+    path.write_text(f"image: {image.name}\nresolution: 0.05\norigin: [0.0, 0.0, 0.0]\n")
+    assert main(command) == 2
+    assert capsys.readouterr().err == f"{image}: cannot be read: No such file or directory\n"

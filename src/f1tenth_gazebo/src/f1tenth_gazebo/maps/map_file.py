@@ -42,7 +42,7 @@ def load_map(path):
     """Read a map in map_server's format, dark where something is.
 
     Raises:
-        MapError: it is not one.
+        MapError: it is not one, or a file of it cannot be read.
     """
     try:
         description = yaml.safe_load(path.read_text(encoding="utf-8"))
@@ -51,8 +51,14 @@ def load_map(path):
         x, y, resolution = map(float, (*description["origin"][:2], description["resolution"]))
         return Grid(255 - pixels if description.get("negate") else pixels, x, y, resolution)
     except (OSError, ValueError, KeyError, TypeError, yaml.YAMLError) as error:
-        text = " ".join(str(error).split())
-        raise MapError(f"{path}: not a map as map_saver writes it: {text}") from error
+        raise MapError(_problem(path, error)) from error
+
+
+def _problem(path, error):
+    if isinstance(error, OSError) and error.strerror:
+        return f"{error.filename or path}: cannot be read: {error.strerror}"
+    text = " ".join(str(error).split())
+    return f"{path}: not a map in map_server's format: {text}"
 
 
 def pgm_bytes(grid):

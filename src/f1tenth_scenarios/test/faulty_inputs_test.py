@@ -16,14 +16,19 @@ from tf2_msgs.msg import TFMessage
 PATIENCE = 20  # wall s
 RIGHT = {"input": "scan", "at": 1.0, "until": 2}
 WRONG = (
+    None,
+    "",
     "all",
+    {},
     ["scan"],
     [{"input": "scan", "at": 1.0}],
-    {"input": "imu"},
-    {"input": 1},
-    {"until": 1.0},
-    {"at": "soon"},
-    {"delay": "long"},
+    [{"at": 1.0, "until": 2}],
+    [RIGHT | {"input": "imu"}],
+    [RIGHT | {"input": 1}],
+    [RIGHT | {"until": 1.0}],
+    [RIGHT | {"at": "soon"}],
+    [RIGHT | {"delay": "long"}],
+    [RIGHT, RIGHT | {"input": "imu"}],
 )
 
 
@@ -62,12 +67,20 @@ class FaultyInputsTest(unittest.TestCase):
         self._step(3.025)
         assert scans.get(timeout=PATIENCE) == (3.0,)
 
+        scan.publish(LaserScan(ranges=[4.0]))
+        self._step(4.5)
+        self._step(4.975)
+        scan.publish(LaserScan(ranges=[5.0]))
+        self._step(5.025)
+        assert scans.get(timeout=PATIENCE) == (5.0,)
+
     def test_wrong_parameter_ends_the_node_with_one_line(self):
         command = ["rosrun", "f1tenth_scenarios", "faulty_inputs", "__name:=wrong"]
-        for changes in WRONG:
-            rospy.set_param("/wrong/faults", [RIGHT | changes] if isinstance(changes, dict) else changes)
+        for faults in WRONG:
+            if faults is not None:  # else it is not set
+                rospy.set_param("/wrong/faults", faults)
             done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, check=False)
-            assert done.returncode == 1, changes
+            assert done.returncode == 1, faults
             assert done.stderr.startswith("faulty_inputs: ~faults must be a list of {input: odom, ")
             assert done.stderr.count("\n") == 1
 

@@ -44,6 +44,10 @@ std::map<std::string, std::vector<InputFault>> readFaults()
 {
   XmlRpcValue list;
   ros::param::get("~faults", list);
+  // Texts and maps have a size, too.
+  if (list.getType() != XmlRpcValue::TypeArray) {
+    throw XmlRpcException("faults");
+  }
   std::map<std::string, std::vector<InputFault>> faults;
   for (int index = 0; index < list.size(); ++index) {
     XmlRpcValue & each = list[index];
@@ -117,16 +121,17 @@ int main(int argc, char ** argv)
 {
   ros::init(argc, argv, "faulty_inputs");
   ros::NodeHandle node;
+  Relays relays;
   try {
-    const Relays relays = makeRelays(node);
-    if (ros::param::param("~lockstep", false)) {
-      spinInLockstep(relays, ros::param::param<std::string>("~planner", "move_base"));
-    } else {
-      spin(relays);
-    }
+    relays = makeRelays(node);
   } catch (const XmlRpcException &) {
     std::cerr << "faulty_inputs: " << kUsage << std::endl;
     return 1;
+  }
+  if (ros::param::param("~lockstep", false)) {
+    spinInLockstep(relays, ros::param::param<std::string>("~planner", "move_base"));
+  } else {
+    spin(relays);
   }
   return 0;
 }

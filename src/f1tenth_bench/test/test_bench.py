@@ -2,9 +2,10 @@ import json
 import sys
 
 import pytest
-from f1tenth_bench.__main__ import parse_arguments
-from f1tenth_bench.benchmark import Benchmark, Measured
+from f1tenth_bench.__main__ import parse_arguments, result_of
+from f1tenth_bench.benchmark import Benchmark, Measured, NotAvailable
 from f1tenth_bench.keys import all_benchmarks
+from f1tenth_scenarios.errors import ScenarioError
 
 from f1tenth_bench import benchmark, report
 
@@ -32,6 +33,15 @@ def test_what_was_not_measured_is_neither_good_nor_bad():
     result = report.Result(SPEED, None, reason="no data")
     assert result.ok is None
     assert " ".join(report.row(result).split()) == "speed - x >= 2 >= 2 not measured: no data"
+
+
+@pytest.mark.parametrize("kind", [NotAvailable, ScenarioError])
+def test_what_is_missing_costs_only_the_key_that_needs_it(kind):
+    def measure():
+        raise kind("no data")
+
+    which, calibration = Benchmark("speed", "x", measure, at_least=2.0), object()
+    assert result_of(which, calibration) == (report.Result(which, None, reason="no data"), calibration)
 
 
 def test_keys_that_were_not_measured_stay_in_the_file(tmp_path):

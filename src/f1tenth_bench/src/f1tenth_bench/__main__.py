@@ -4,6 +4,8 @@ import argparse
 import sys
 from pathlib import Path
 
+from f1tenth_scenarios.errors import ScenarioError
+
 from f1tenth_bench import report
 from f1tenth_bench.benchmark import Measured, NotAvailable
 from f1tenth_bench.calibration import calibrate
@@ -36,7 +38,7 @@ def result_of(benchmark, before):
     """
     try:
         measured = benchmark.measure()
-    except NotAvailable as missing:
+    except (NotAvailable, ScenarioError) as missing:
         return report.Result(benchmark, None, reason=str(missing)), before
     if not isinstance(measured, Measured):
         raise TypeError(f"{benchmark.key}: its function returned {measured!r}, not a Measured")

@@ -3,7 +3,6 @@
 import numpy as np
 import yaml
 from f1tenth_scenarios.places import GAZEBO_PACKAGE, package_path
-from f1tenth_scenarios.road.goals import read_goals
 from PIL import Image
 
 from f1tenth_bench.benchmark import NotAvailable
@@ -62,6 +61,8 @@ def race_options():
 def half_laps(name):
     """The map of a circuit or track, and pairs of poses half a lap apart."""
     if name not in TRACKS:
+        from f1tenth_scenarios.road.goals import read_goals
+
         gazebo = package_path(GAZEBO_PACKAGE)
         poses = np.array([(goal.x, goal.y, goal.yaw) for goal in read_goals(gazebo / f"goals/{name}.txt")])
         costmap = load_costmap(gazebo / f"maps/{name}.yaml")

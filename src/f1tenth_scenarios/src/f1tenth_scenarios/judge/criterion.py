@@ -2,12 +2,12 @@
 
 import dataclasses
 import enum
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Optional
 
 from f1tenth_scenarios.record.replay import Poses
 from f1tenth_scenarios.road.course import Course
-from f1tenth_scenarios.scenario.scenario import Verdict
+from f1tenth_scenarios.scenario.scenario import Scenario, Verdict
 
 
 @dataclasses.dataclass(frozen=True)
@@ -52,10 +52,19 @@ def status_of(met: bool) -> Status:
     return Status.PASSED if met else Status.FAILED
 
 
-def compared(scenario, name, is_met, worst, unit, text, missing="nothing was recorded") -> Criterion:
+def compared(
+    scenario: Scenario,
+    name: str,
+    is_met: Callable[[Any, Any], bool],
+    worst: Optional[tuple[Any, ...]],
+    unit: str,
+    text: str,
+    missing: str = "nothing was recorded",
+) -> Criterion:
     """Compare a measure with the limit of its name; not judged where a crash or an error is expected.
 
-    `worst` is what was measured and what else `text` tells, with places for these; nothing if nothing was.
+    `worst`: the measure, followed by what else `text` names (`{0}` is the measure); None if nothing was
+    measured.
     `is_met` takes the measure and the limit.
     """
     limit, actual = getattr(scenario.criteria, name), worst[0] if worst else None

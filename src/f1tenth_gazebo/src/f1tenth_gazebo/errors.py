@@ -2,7 +2,7 @@
 
 
 class FileError(Exception):
-    """A file that is not as it must be; one line: FILE:LINE, place, what was found, what is allowed."""
+    """A file is not as it must be; one line: FILE:LINE or FILE, place, what was found, what is allowed."""
 
 
 class CircuitError(FileError):

@@ -11,8 +11,8 @@ BUMPERS = ("bumper_front", "bumper_rear", "bumper_left", "bumper_right")
 class Parameters:
     """topics: contact sensors to listen to. ground_models: models that a car may touch."""
 
-    topics: tuple = BUMPERS
-    ground_models: tuple = ("ground_plane",)
+    topics: tuple[str, ...] = BUMPERS
+    ground_models: tuple[str, ...] = ("ground_plane",)
 
 
 def read_parameters(name, found):

@@ -79,7 +79,10 @@ class Study:
     labels: Callable[[Mapping[str, str]], Mapping[str, str]] = lambda values: {}
 
     def make(self, vary: Mapping[str, str], folder: Path) -> Mapping[str, str]:
-        """Write the places that the runs need to a folder; gives what is varied, of what is wanted."""
+        """Write the places that the runs need to a folder.
+
+        Returns what to vary: `vary` with worlds in the place of the places' key.
+        """
         if not self.places:
             return vary
         key, worlds = self.places

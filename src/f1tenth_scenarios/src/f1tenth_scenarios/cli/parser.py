@@ -41,7 +41,7 @@ def make_parser() -> argparse.ArgumentParser:
 
 
 def _search_path(folder: str) -> None:
-    """Takes effect at once, and what commands are told to use is looked up there."""
+    """Adds the folder at once, as commands look names up there; nothing is kept in the options."""
     if not Path(folder).is_dir():
         raise argparse.ArgumentTypeError(f"{folder}: no such folder")
     places.add_search_path(Path(folder))

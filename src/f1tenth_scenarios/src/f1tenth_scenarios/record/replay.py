@@ -59,7 +59,7 @@ class Poses(Timed):
 
 @dataclasses.dataclass(frozen=True)
 class Replay:
-    """All of it, of one run."""
+    """What the replay of a run shows besides its trajectories."""
 
     walls: Shape = Shape()
     goals: Mapping[str, Sequence[Planar]] = dataclasses.field(default_factory=dict)  # by car, of one lap
@@ -72,7 +72,7 @@ class Replay:
     def with_run(
         self, goals: Mapping[str, Sequence["Pose"]], said: "Replay", road: Sequence[Point] = ()
     ) -> "Replay":
-        """A scene with what belongs to a run in it.
+        """This scene with a run in it.
 
         Args:
             goals: by car, of one lap

@@ -97,7 +97,10 @@ class RosWatch:
         return failure_of_driver(self._plan, car, _driver_nodes(car), reason)
 
     def estimates(self) -> dict[str, Poses]:
-        """Where `amcl_pose` took the cars to be: all that was said, if localizations end within some time."""
+        """Where localization took the cars to be.
+
+        That is all that was said, if the localizations end within some time.
+        """
         deadline = time.monotonic() + _PATIENCE
         while any(each.get_num_connections() for each in self._localizations) and time.monotonic() < deadline:
             time.sleep(_LOOK_INTERVAL)

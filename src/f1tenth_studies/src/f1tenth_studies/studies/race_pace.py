@@ -66,7 +66,7 @@ def _defect(run: Run) -> str:
 
 
 def _worlds(values: str, _: Path) -> list[str]:
-    """The circuits and others' tracks, unless there are others."""
+    """The circuits and others' tracks, unless worlds are given."""
     if values:
         return [values]
     return [*circuits(), *sorted(map(str, data_folder().glob("*/*_map.yaml")))]

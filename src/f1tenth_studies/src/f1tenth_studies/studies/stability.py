@@ -104,7 +104,7 @@ def _defect(run: Run) -> str:
 
 
 def _worlds(values: str, _: Path) -> list[str]:
-    """The circuits and the track, unless there are others."""
+    """The circuits and the track, unless worlds are given."""
     return [values] if values else [*_PLACES[:-1], str(track_map(_PLACES[-1]))]
 
 

@@ -68,7 +68,8 @@ void addObstacles(OccupancyGrid & costs, const std::vector<Cell> & obstacles, co
   around = inflated(around, square, inflation);
   for (const Cell & obstacle : obstacles) {
     const Cell low{std::max(obstacle.x - reach, 0), std::max(obstacle.y - reach, 0)};
-    const Cell high{std::min(obstacle.x + reach, geometry.width - 1), std::min(obstacle.y + reach, geometry.height - 1)};
+    const Cell high{
+      std::min(obstacle.x + reach, geometry.width - 1), std::min(obstacle.y + reach, geometry.height - 1)};
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
         const std::int8_t added = around[square.index({x - obstacle.x + reach, y - obstacle.y + reach})];

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
+from f1tenth_gazebo.sampling import along, around
+
 NEAR = 0.10
 """m"""
-_STEP = 0.02
-"""Of the samples along a wall, m."""
 _BEFORE = (0.1, 0.2, 0.3)
 """A true wall counts if the map is free so far before it, m: nobody can map what no car can see."""
 
@@ -38,7 +38,7 @@ def check_map(grid, outlines, circles):
         outlines, circles: from World.section at the height of the lidar.
     """
     cells = _centres(grid)
-    sides = [*map(along, outlines), *(_around(*circle) for circle in circles)]
+    sides = [*map(along, outlines), *(around(*circle) for circle in circles)]
     walls, normals = (np.concatenate(each) for each in zip(*sides))
     seen = np.zeros(len(walls), bool)
     for away in _BEFORE:
@@ -59,20 +59,3 @@ def _centres(grid):
     """Of the wall cells, m."""
     rows, columns = np.nonzero(grid.pixels == 0)
     return np.column_stack([columns + 0.5, rows + 0.5]) * grid.resolution + (grid.x, grid.y)
-
-
-def along(outline):
-    """Samples along a closed outline that has its solid on the left, and the directions away from that."""
-    samples, normals = [], []
-    for a, b in zip(outline, np.roll(outline, -1, axis=0)):
-        length = np.linalg.norm(b - a)
-        count = max(1, int(length / _STEP))
-        samples.append(a + np.linspace(0.0, 1.0, count, endpoint=False)[:, np.newaxis] * (b - a))
-        normals.append(np.tile(np.array([b[1] - a[1], a[0] - b[0]]) / length, (count, 1)))
-    return np.concatenate(samples), np.concatenate(normals)
-
-
-def _around(x, y, radius):
-    angles = np.linspace(0.0, 2.0 * np.pi, max(8, int(2.0 * np.pi * radius / _STEP)))
-    normals = np.column_stack([np.cos(angles), np.sin(angles)])
-    return np.array([x, y]) + radius * normals, normals

@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.spatial import cKDTree
 
-from f1tenth_gazebo.maps.map_check import along
+from f1tenth_gazebo.sampling import along
 
 
 def clearance(points, walls, islands):

@@ -80,3 +80,12 @@ def test_publisher_has_no_queue_and_warns_of_nothing(monkeypatch):
         warnings.simplefilter("error")
         assert synchronous_publisher("topic", str, latch=True) == "a publisher"
     assert made == [(("topic", str), {"queue_size": None, "latch": True})]
+
+
+def test_publisher_hides_no_other_warning(monkeypatch):
+    def publisher(*_, **__):
+        warnings.warn("old", DeprecationWarning, stacklevel=2)
+
+    monkeypatch.setattr("rospy.Publisher", publisher)
+    with pytest.warns(DeprecationWarning, match="^old$"):
+        synchronous_publisher("topic", str)

@@ -1,12 +1,14 @@
 """Each criterion reports what was measured and what is asked for, and each can fail."""
 
 import dataclasses
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from f1tenth_scenarios.judge import criteria
 from f1tenth_scenarios.judge.criteria import evaluate
 from f1tenth_scenarios.judge.criterion import Measured, Status
+from f1tenth_scenarios.judge.driving_criteria import lateral, longitudinal
 from f1tenth_scenarios.judge.judge import judge
 from f1tenth_scenarios.record.record import Record
 from f1tenth_scenarios.record.replay import Poses
@@ -219,3 +221,20 @@ def test_measure_of_driving_is_not_judged_where_a_crash_is_expected(runs, name):
 def test_measure_is_judged_only_with_a_limit(name):
     assert name not in criteria.names(scenario())
     assert name in criteria.names(limited(**{name: 1.0}))
+
+
+def test_accelerations_are_those_of_the_turning_body():
+    time = np.linspace(0.0, 2.0, 2001)
+    yaw, yaw_rate = 0.7 * time, np.full_like(time, 0.7)
+    # Sliding straight on, braked by 1 m/s^2, while it turns.
+    speed = 4.0 - time
+    track = SimpleNamespace(time=time, v_x=speed * np.cos(yaw), v_y=-speed * np.sin(yaw), yaw_rate=yaw_rate)
+    np.testing.assert_allclose(longitudinal(track), -np.cos(yaw), atol=0.005)
+    np.testing.assert_allclose(lateral(track), np.sin(yaw), atol=0.005)
+
+
+def test_speed_of_a_single_row_has_no_rate():
+    one = np.ones(1)
+    track = SimpleNamespace(time=one, v_x=3 * one, v_y=5 * one, yaw_rate=2 * one)
+    assert longitudinal(track).tolist() == [-10.0]
+    assert lateral(track).tolist() == [6.0]

@@ -2,7 +2,7 @@
 
 import operator
 from collections.abc import Iterator
-from typing import Optional
+from typing import Optional, Union
 
 import numpy as np
 
@@ -85,8 +85,8 @@ def _tracks(judgement) -> Iterator[CarTrack]:
     return (track for track in judgement.record.tracks.values() if len(track.time))
 
 
-def _rate(track: CarTrack, values: np.ndarray) -> np.ndarray:
-    return np.gradient(values, track.time) if len(values) > 1 else np.zeros(len(values))
+def _rate(track: CarTrack, values: np.ndarray) -> Union[np.ndarray, float]:
+    return np.gradient(values, track.time) if len(values) > 1 else 0.0
 
 
 def _longest_pause(track: CarTrack, start: float) -> float:

@@ -20,7 +20,7 @@ from f1tenth_scenarios.judge.laps import lap_times, start_of_race
 from f1tenth_scenarios.launch.launch_file import write_launch_file
 from f1tenth_scenarios.launch.processes import ProcessTree
 from f1tenth_scenarios.plan.plan import Plan
-from f1tenth_scenarios.record.bag import read_bag
+from f1tenth_scenarios.record.bag import RECORDER, read_bag
 from f1tenth_scenarios.record.files import BAG_FILE, PICTURE_FILE, REPLAY_FILE, TRAJECTORY_FILE
 from f1tenth_scenarios.record.observations import Failure, Observations
 from f1tenth_scenarios.record.record import Record, read_record
@@ -70,14 +70,15 @@ def execute(
         _prepare(plan)
         watch = make_watch()
         with _started(plan, command, environment, stop) as tree:
-            done, preparation = _drive(plan, tree, watch, stop, progress)
+            done, preparation, recorder = _drive(plan, tree, watch, stop, progress)
             # A run that was told to stop is none that another could be compared with.
             folder = claim.place_of_interrupted() if stop.signal else claim.place_of_results()
             done = dataclasses.replace(done, folder=folder, wall_time=time.monotonic() - started)
             # First, because whatever else cannot be written must not cost the verdict.
             write_verdict(plan, done)
             problems = write_rest(folder, _worth_a_wait(_files_of_record(plan, done, preparation), stop))
-        problems += write_rest(folder, _worth_a_wait(_files_of_bag(plan, done, preparation), stop))
+            tree.interrupt(recorder, _grace(stop))
+            problems += write_rest(folder, _worth_a_wait(_files_of_bag(plan, done, preparation), stop))
         plan.bag_file.unlink(missing_ok=True)
         done = dataclasses.replace(done, wall_time=time.monotonic() - started, not_written=problems)
         with contextlib.suppress(ScenarioError):  # what it said before was complete but for the time
@@ -106,18 +107,19 @@ def _grace(stop: StopRequest) -> float:
     return _HURRIED_GRACE if stop.signal else _SHUTDOWN_GRACE
 
 
-def _drive(plan, tree, watch, stop, progress) -> tuple[Result, Preparation]:
+def _drive(plan, tree, watch, stop, progress) -> tuple[Result, Preparation, Optional[int]]:
+    """The run, judged; what was prepared beside it; and the process that writes the bag, which may go on."""
     with contextlib.closing(watch):
         preparation = Preparation(plan.run_world, watch.descriptions)
         supervisor = Supervisor(plan, tree, watch, stop, preparation.beside(progress))
         failure = supervisor.wait()
         # The others may take their time to end, the simulator completes its record.
-        tree.interrupt(supervisor.simulator_pid, _grace(stop))
+        tree.interrupt(supervisor.pid("sim2d"), _grace(stop))
         seen = _observations(plan, supervisor, watch, failure)
         done = _judge(plan, seen, watch.estimates(), supervisor.pace.factor)
         if not stop.signal:
             preparation.begin()
-    return done, preparation
+    return done, preparation, supervisor.pid(RECORDER)
 
 
 def _observations(plan, supervisor, watch, failure) -> Observations:
@@ -159,7 +161,7 @@ def _files_of_record(plan: Plan, done: Result, preparation: Preparation) -> File
 
 
 def _files_of_bag(plan: Plan, done: Result, preparation: Preparation) -> Files:
-    """What needs the bag, which is complete when all nodes have ended."""
+    """What needs the bag, which is complete when its recorder has ended."""
 
     def write_scene(path):
         said = Replay()

@@ -53,10 +53,9 @@ class Supervisor:
         self.updates: list[RaceUpdate] = []
         self.pace = Pace()
 
-    @property
-    def simulator_pid(self) -> Optional[int]:
-        """The simulator's process; nothing before it was started."""
-        return self._launch_log.pids.get("sim2d")
+    def pid(self, node: str) -> Optional[int]:
+        """A node's process; nothing before it was started."""
+        return self._launch_log.pids.get(node)
 
     def wait(self) -> Optional[Failure]:
         """Return when the run is decided; with a failure if the set-up broke."""

@@ -1,15 +1,16 @@
-"""The command lines of make_world, make_goals and make_map."""
+"""The command lines of make_world, make_goals, make_map and make_centerline."""
 
 import argparse
 import sys
 from pathlib import Path
 
 from f1tenth_gazebo.circuits.centreline import centreline
-from f1tenth_gazebo.circuits.centreline_file import centreline_text
+from f1tenth_gazebo.circuits.centreline_file import centreline_text, table_text
 from f1tenth_gazebo.circuits.circuit_file import load_circuit
-from f1tenth_gazebo.errors import FileError
+from f1tenth_gazebo.errors import FileError, MapError
 from f1tenth_gazebo.goals.goals_file import goals_text, lap_goals
-from f1tenth_gazebo.maps.map_file import save_map
+from f1tenth_gazebo.maps.map_file import load_map, save_map
+from f1tenth_gazebo.maps.road_middle import middle_of_road
 from f1tenth_gazebo.maps.world_grid import LIDAR_HEIGHT, world_grid
 from f1tenth_gazebo.whole_files import write_all
 from f1tenth_gazebo.worlds.world_file import world_text
@@ -57,6 +58,28 @@ def make_map(arguments=None):
     return _run(lambda: save_map(world_grid(options.world, options.height), options.output))
 
 
+def make_centerline(arguments=None):
+    """Write the middle of the road that a map shows; return the exit code."""
+    parser = argparse.ArgumentParser(
+        prog="make_centerline",
+        description="Write the middle of the closed road that a map shows, and how wide it is.",
+    )
+    parser.add_argument("map", help="YAML file of the map")
+    parser.add_argument(
+        "--start",
+        type=float,
+        nargs=3,
+        default=(0.0, 0.0, 0.0),
+        metavar=("X", "Y", "YAW"),
+        help="where it begins and which way it goes, m and rad (default: the map's origin, along x)",
+    )
+    parser.add_argument(
+        "-o", dest="output", metavar="FILE", help="default: NAME_centerline.csv beside the map"
+    )
+    options = parser.parse_args(arguments)
+    return _run(lambda: _write_middle(Path(options.map), options.start, options.output))
+
+
 def circuit_goals_text(circuit):
     """The goals file of a circuit."""
     return goals_text(lap_goals(centreline(circuit)), circuit.name)
@@ -65,6 +88,16 @@ def circuit_goals_text(circuit):
 def _write_world(circuit, path):
     world, line = world_text(circuit), centreline_text(circuit)
     write_all({path: world.encode(), path.with_name(f"{path.stem}_centerline.csv"): line.encode()})
+
+
+def _write_middle(path, start, output):
+    grid = load_map(path)
+    try:
+        rows = middle_of_road(grid, start)
+    except MapError as error:
+        raise MapError(f"{path}: {error}") from error
+    beside = path.with_name(f"{path.stem.removesuffix('_map')}_centerline.csv")
+    write_all({Path(output or beside): table_text(rows).encode()})
 
 
 def _run(action):

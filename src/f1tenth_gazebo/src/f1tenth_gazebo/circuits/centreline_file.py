@@ -2,15 +2,20 @@
 
 from f1tenth_gazebo.circuits.centreline import centreline
 
-HEADER = "# x_m, y_m, w_tr_right_m, w_tr_left_m"
+_HEADER = "# x_m, y_m, w_tr_right_m, w_tr_left_m"
+
+
+def table_text(rows):
+    """Rows of x, y and the widths to the right and to the left, m, in the format of f1tenth_racetracks."""
+    lines = [_HEADER, *(", ".join(f"{value:.4f}" for value in row) for row in rows)]
+    return "\n".join(lines).replace("-0.0000", "0.0000") + "\n"
 
 
 def centreline_text(circuit):
     """One lap in the format of f1tenth_racetracks, from the start line on."""
     vertices = centreline(circuit)
     points = [(0.0, 0.0, _width_at_start(circuit)), *((v.x, v.y, v.width) for v in vertices)]
-    rows = [f"{x:.4f}, {y:.4f}, {width / 2:.4f}, {width / 2:.4f}" for x, y, width in points]
-    return "\n".join([HEADER, *rows]).replace("-0.0000", "0.0000") + "\n"
+    return table_text((x, y, width / 2, width / 2) for x, y, width in points)
 
 
 def _width_at_start(circuit):

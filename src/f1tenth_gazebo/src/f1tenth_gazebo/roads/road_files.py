@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, ImageDraw
 
-from f1tenth_gazebo.circuits.centreline_file import HEADER
+from f1tenth_gazebo.circuits.centreline_file import table_text
 from f1tenth_gazebo.maps.map_file import pgm_bytes, yaml_text
 from f1tenth_gazebo.maps.occupancy import grid_of, occupied_cells
 from f1tenth_gazebo.roads.road_walls import MATERIAL
@@ -52,7 +52,5 @@ def road_grid(road):
 
 def centreline_text(road):
     """The line in the format of f1tenth_racetracks, from the start on."""
-    columns = np.column_stack([road.line.points, road.to_right, road.to_left])[::_CENTRELINE_STEP]
-    lines = [HEADER]
-    lines += [", ".join(f"{value:.4f}" for value in row) for row in columns + 0.0]
-    return "\n".join(lines) + "\n"
+    columns = np.column_stack([road.line.points, road.to_right, road.to_left])
+    return table_text(columns[::_CENTRELINE_STEP])

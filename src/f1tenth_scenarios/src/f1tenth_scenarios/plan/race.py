@@ -100,6 +100,6 @@ def _length(place: Place) -> float:
     """Of the road, m."""
     if place.road is None:
         raise ScenarioError(
-            f"a race needs a road: {place.world} is no circuit and has no centreline beside it"
+            f"a race needs a road: {place.no_road}; `rosrun f1tenth_gazebo make_centerline` writes it"
         )
     return read_course(place.road).length

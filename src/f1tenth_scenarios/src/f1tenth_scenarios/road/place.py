@@ -11,7 +11,7 @@ from f1tenth_scenarios.road.course import Course, read_course
 from f1tenth_scenarios.scenario.car import Pose
 from f1tenth_scenarios.scenario.scenario import StartLine
 
-_MAP_ENDING = "_map"
+_MAP_ENDING, _CENTERLINE = "_map", "_centerline.csv"
 _ORIGIN = Pose(0.0, 0.0, 0.0)
 
 
@@ -46,6 +46,13 @@ class Place:
         heading = math.atan2(course.y[1] - course.y[0], course.x[1] - course.x[0])
         return Pose(float(course.x[0]), float(course.y[0]), heading)
 
+    @property
+    def no_road(self) -> str:
+        """What is missing of a place without a road."""
+        return (
+            f"{self.world} is no circuit, and there is no {_beside_name(self.world, _CENTERLINE)} beside it"
+        )
+
     def ahead_of_start(self, way: float) -> Pose:
         """Some way (m) along the middle of the road from there.
 
@@ -53,8 +60,7 @@ class Place:
             ScenarioError: the centreline cannot be read, or there is none.
         """
         if self.road is None:
-            what = "is no circuit and has no centreline beside it"
-            raise ScenarioError(f"'ahead' of a car needs a road: {self.world} {what}")
+            raise ScenarioError(f"'ahead' of a car needs a road: {self.no_road}")
         start = self.start()
         return Pose(*read_course(self.road).ahead_of(start.x, start.y, start.yaw, way))
 
@@ -75,7 +81,7 @@ def line_across(course: Course, start: Pose) -> StartLine:
 
 def _road(world: Path) -> Optional[Path]:
     # A circuit says more than the centreline that is written beside its world.
-    return _circuit(world) or _beside(world, "_centerline.csv")
+    return _circuit(world) or _beside(world, _CENTERLINE)
 
 
 def _circuit(world: Path) -> Optional[Path]:
@@ -88,5 +94,9 @@ def _circuit(world: Path) -> Optional[Path]:
 
 
 def _beside(world: Path, ending: str) -> Optional[Path]:
-    path = world.with_name(world.stem.removesuffix(_MAP_ENDING) + ending)
+    path = world.with_name(_beside_name(world, ending))
     return path if path.is_file() else None
+
+
+def _beside_name(world: Path, ending: str) -> str:
+    return world.stem.removesuffix(_MAP_ENDING) + ending

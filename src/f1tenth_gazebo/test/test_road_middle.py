@@ -1,0 +1,115 @@
+"""The middle of a road is found on a map of it."""
+
+import os
+from pathlib import Path
+
+import circuits
+import numpy as np
+import pytest
+from f1tenth_gazebo.errors import MapError
+from f1tenth_gazebo.maps.map_file import Grid, load_map, save_map
+from f1tenth_gazebo.maps.road_middle import middle_of_road
+from f1tenth_gazebo.tools import make_centerline
+from scipy.spatial import cKDTree
+
+TRACKS = Path(os.environ.get("F1TENTH_DATA", circuits.PACKAGE.parents[2] / "shared" / "data")) / "tracks"
+FREE, WALL = 254, 0
+
+
+def ring(islands=()):
+    """A road between squares of 8 and 4 m about (3, 0): on its lower side it is 2 m wide along y = -3."""
+    pixels = np.zeros((200, 200), np.uint8)
+    pixels[20:180, 20:180] = FREE
+    pixels[60:140, 60:140] = WALL
+    for rows, columns in islands:
+        pixels[rows, columns] = WALL
+    return Grid(pixels, -2.0, -5.0)
+
+
+def dense(points):
+    """The closed line as many points."""
+    steps = np.linspace(0.0, 1.0, 20, endpoint=False)[:, np.newaxis, np.newaxis]
+    return (points + (np.roll(points, -1, axis=0) - points) * steps).reshape(-1, 2)
+
+
+def apart(points, line):
+    """How far points are from a closed line, m."""
+    return cKDTree(dense(line)).query(points)[0]
+
+
+@pytest.mark.parametrize(("yaw", "turn"), [(0.0, 1.0), (3.1, -1.0)])
+def test_line_goes_the_way_of_the_start_with_the_road_to_both_sides(yaw, turn):
+    rows = middle_of_road(ring(), (3.0, -3.0, yaw))
+    assert rows[0] == pytest.approx([3.0, -3.0, 1.0, 1.0], abs=0.06)
+    heading = rows[1, :2] - rows[0, :2]
+    assert heading[0] * turn > 0.0
+    assert abs(heading[1]) < 0.02
+    x, y = rows.T[:2]
+    assert np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) * turn > 0.0
+
+
+def test_widths_are_those_to_either_side():
+    grid = ring([(slice(20, 30), slice(80, 120))])  # the outer wall comes 0.5 m nearer about the start
+    ahead, back = (middle_of_road(grid, (3.0, -2.8, yaw))[0] for yaw in (0.0, np.pi))
+    assert ahead[2:] == pytest.approx([0.75, 0.75], abs=0.06)
+    assert back[2:] == pytest.approx(ahead[[3, 2]], abs=0.02)
+
+
+def test_islands_are_taken_for_road():
+    rows = middle_of_road(ring([(slice(155, 160), slice(100, 105))]), (3.0, -3.0, 0.0))
+    assert apart(rows[:, :2], middle_of_road(ring(), (3.0, -3.0, 0.0))[:, :2]).max() < 0.01
+
+
+# Furniture stands beside the road of the detailed one.
+@pytest.mark.parametrize("name", sorted({*circuits.NAMES} - {"circuit_detailed"}))
+def test_middle_of_a_circuit_is_its_centreline(name):
+    rows = middle_of_road(load_map(circuits.PACKAGE / "maps" / f"{name}.yaml"))
+    lap = circuits.lap(name)
+    line = np.array([lap.pose(way)[:2] for way in np.arange(0.0, lap.length, 0.1)])
+    assert apart(rows[:, :2], line).max() < 0.08
+    assert apart(line, rows[:, :2]).max() < 0.08
+
+
+@pytest.mark.parametrize("name", ["Austin", "Catalunya", "Oschersleben", "Spa", "Spielberg"])
+def test_middle_of_a_track_is_the_line_that_came_with_it(name):
+    if not TRACKS.is_dir():
+        pytest.skip(f"no {TRACKS}; F1TENTH_DATA names its folder")
+    given = np.genfromtxt(TRACKS / name / f"{name}_centerline.csv", delimiter=",")[:, :2]
+    start = (*given[0], np.arctan2(*(given[1] - given[0])[::-1]))
+    rows = middle_of_road(load_map(TRACKS / name / f"{name}_map.yaml"), start)
+    assert apart(rows[:, :2], given).mean() < 0.015
+    assert apart(given, rows[:, :2]).max() < 0.25  # in hairpins theirs is not in the middle
+    assert (rows[3, :2] - rows[0, :2]) @ (given[1] - given[0]) > 0.0
+
+
+@pytest.mark.parametrize(
+    ("grid", "start", "problem"),
+    [
+        (ring(), (3.0, 0.0, 0.0), r"at the start \(3, 0\) the map shows no road, must be free"),
+        (ring(), (30.0, 0.0, 0.0), r"at the start \(30, 0\) the map shows no road, must be free"),
+        (
+            Grid(np.pad(np.full((50, 50), FREE, np.uint8), 5), -1.0, -1.0),
+            (0.0, 0.0, 0.0),
+            "the road at the start goes around nothing, must lead back to the start",
+        ),
+    ],
+)
+def test_map_without_a_road_is_refused(grid, start, problem):
+    with pytest.raises(MapError, match=f"^{problem}$"):
+        middle_of_road(grid, start)
+
+
+def test_command_writes_the_line_beside_the_map_and_names_a_map_without_a_road(tmp_path, capsys):
+    save_map(ring(), tmp_path / "lab_map")
+    lab = str(tmp_path / "lab_map.yaml")
+    assert make_centerline([lab, "--start", "3", "0", "0"]) == 1
+    assert capsys.readouterr().err == f"{lab}: at the start (3, 0) the map shows no road, must be free\n"
+    assert make_centerline([lab, "--start", "3", "-3", "0"]) == 0
+    lines = (tmp_path / "lab_centerline.csv").read_text(encoding="utf-8").splitlines()
+    assert lines[0] == "# x_m, y_m, w_tr_right_m, w_tr_left_m"
+    assert len(lines) == pytest.approx(24.0 / 0.3, abs=4)
+
+
+def test_command_names_a_map_that_is_not_there(tmp_path, capsys):
+    assert make_centerline([str(tmp_path / "none.yaml")]) == 1
+    assert capsys.readouterr().err == f"{tmp_path / 'none.yaml'}: cannot be read: No such file or directory\n"

@@ -11,7 +11,7 @@ def problems(*counts, cars=("robot1",), done=()):
     watch = CommandWatch(cars, 10.0)
     for stamp, accepted, refused in counts:
         watch.take(CommandCount(stamp, "robot1", accepted, refused, NAN if refused else ""))
-    return watch.problems(set(done))
+    return [(each.car, each.text, each.stamp, each.is_mute) for each in watch.problems(set(done))]
 
 
 def test_steady_driver_has_no_problem():
@@ -21,19 +21,19 @@ def test_steady_driver_has_no_problem():
 def test_driver_that_never_speaks_is_silent():
     text = "has sent no command at all for 10 s of simulated time (limits.silence)"
     assert problems((9.0, 0, 0)) == []
-    assert problems((9.0, 0, 0), (10.0, 0, 0)) == [("robot1", text)]
+    assert problems((9.0, 0, 0), (10.0, 0, 0)) == [("robot1", text, 10.0, True)]
 
 
 def test_driver_that_falls_silent_is_noticed():
     assert problems((3.0, 120, 0), (12.0, 120, 0)) == []
     text = "has sent no command for 10 s of simulated time (limits.silence)"
-    assert problems((3.0, 120, 0), (13.0, 120, 0)) == [("robot1", text)]
+    assert problems((3.0, 120, 0), (13.0, 120, 0)) == [("robot1", text, 13.0, False)]
 
 
 def test_nonsense_is_noticed_when_it_goes_on():
     assert problems((1.0, 10, 30), (2.0, 50, 30)) == []
     assert problems((1.0, 0, 30), (2.0, 0, 70)) == [
-        ("robot1", "sends only commands that the simulator refuses: speed is nan")
+        ("robot1", "sends only commands that the simulator refuses: speed is nan", 2.0, False)
     ]
 
 
@@ -43,8 +43,8 @@ def test_flood_is_noticed(count, found):
 
 
 def test_first_problem_is_the_one_that_is_told():
-    ((_, text),) = problems((1.0, 5000, 0), (20.0, 5000, 0))
-    assert text == "sends 5000 commands per second of simulated time, may be 400"
+    ((_, text, stamp, _),) = problems((1.0, 5000, 0), (20.0, 5000, 0))
+    assert (text, stamp) == ("sends 5000 commands per second of simulated time, may be 400", 1.0)
 
 
 def test_who_is_done_or_not_watched_may_be_silent():

@@ -1,5 +1,7 @@
 """What decides a run, and that everything after it is cut."""
 
+import dataclasses
+
 import pytest
 from f1tenth_scenarios.judge.judge import is_decided, judge
 from f1tenth_scenarios.record.record import Record
@@ -93,6 +95,12 @@ def test_broken_set_up_is_an_error_and_names_the_culprit(tmp_path):
     assert judgement.decision.verdict is Verdict.ERROR
     assert judgement.decision.reason == "robot1/move_base: was killed by signal 9"
     assert judgement.failure == died()
+
+
+def test_failure_that_says_when_it_was_clear_ends_the_run_there(tmp_path):
+    failure = dataclasses.replace(died(), stamp=1.0)
+    judgement = judge(scenario(), TASKS, seen(record(tmp_path, rows(2.0)), failure=failure))
+    assert judgement.decision.stamp == judgement.record.end == 1.0
 
 
 def test_contact_before_the_set_up_broke_is_still_a_collision(tmp_path):

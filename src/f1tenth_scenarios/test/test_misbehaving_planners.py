@@ -54,6 +54,12 @@ def judged(tmp_path):
             "has sent no command at all for 10 s",
             "object has no attribute 'no_such_field'",
         ),
+        (
+            "sends_elsewhere",
+            "AckermannDriveStamped on /nav, which nobody hears; hears /scan, which nobody",
+            "",
+        ),
+        ("sends_twists", "; publishes geometry_msgs/Twist on /robot1/drive; the car takes ", ""),
         ("is_silent", "has sent no command at all for 10 s", "waiting for a joystick"),
         ("says_nan", "sends only commands that the simulator refuses: ", ""),
         ("floods", " commands per second of simulated time, may be 400", ""),
@@ -88,3 +94,13 @@ def test_planner_that_goes_by_the_wall_clock_is_run_in_real_time_and_that_is_sai
         "run in real time, as the driver of robot1 does not fit lockstep: it sends commands by the wall clock"
     )
     assert f"note:              {note}, while simulated time stands still\n" in said
+
+
+def test_drivers_of_two_cars_that_hear_each_other_are_no_verdict_on_either(judged):
+    result, _ = judged("--arg", "how:=hears_everybody", "--planner", str(LAUNCH))
+    assert result["reason"] == (
+        "robot1/planner: hears /nav of robot2/planner, which drives another car: the drivers of robot1 and"
+        " robot2 share this topic; name it without the leading slash"
+    )
+    assert (result["verdict"], result["culprit"]["culprit"]) == ("error", "robot1/planner")
+    assert not result["note"]

@@ -7,6 +7,7 @@ import time
 
 import rospy
 from ackermann_msgs.msg import AckermannDriveStamped
+from geometry_msgs.msg import Twist
 from sensor_msgs.msg import LaserScan
 
 
@@ -66,6 +67,26 @@ def hangs_in_callback(publisher):
         publisher.publish(command(0.5))
 
     rospy.Subscriber("scan", LaserScan, answer, queue_size=1)
+    rospy.spin()
+
+
+def sends_elsewhere(publisher):
+    publisher.unregister()
+    elsewhere = rospy.Publisher("/nav", AckermannDriveStamped, queue_size=1)
+    rospy.Subscriber("/scan", LaserScan, lambda _scan: elsewhere.publish(command()), queue_size=1)
+    rospy.spin()
+
+
+def sends_twists(publisher):
+    publisher.unregister()
+    rospy.Publisher("drive", Twist, queue_size=1)
+    rospy.spin()
+
+
+def hears_everybody(publisher):
+    shared = rospy.Publisher("/nav", AckermannDriveStamped, queue_size=1)
+    rospy.Subscriber("scan", LaserScan, lambda _scan: shared.publish(command(0.5)), queue_size=1)
+    rospy.Subscriber("/nav", AckermannDriveStamped, publisher.publish, queue_size=1)
     rospy.spin()
 
 

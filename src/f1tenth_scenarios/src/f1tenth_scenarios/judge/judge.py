@@ -172,7 +172,8 @@ def _timeouts(scenario, seen):
 def _breakdowns(seen):
     failure = _failure(seen)
     if failure:
-        yield Decision(_end(seen.record), Verdict.ERROR, f"{failure.culprit}: {failure.reason}")
+        stamp = _end(seen.record) if failure.stamp is None else failure.stamp
+        yield Decision(stamp, Verdict.ERROR, f"{failure.culprit}: {failure.reason}")
 
 
 def _failure(seen) -> Optional[Failure]:

@@ -34,7 +34,7 @@ _OPTIONS = (
 )
 # Topics of f1tenth_simulator and f1tenth_gym_ros, which give the true pose as odometry: ours for the driver's
 # car, and for its opponent.
-_F1TENTH_OWN = {
+F1TENTH_OWN = {
     "/scan": "scan",
     "/drive": "drive",
     "/odom": "perfect_odom",
@@ -167,7 +167,7 @@ def _remappings(plan: Plan, car: Car) -> dict[str, str]:
         if usual[each] != actual[each] and f"{each.value}_topic" not in taken
     }
     if car.driver.interface is Interface.F1TENTH:
-        theirs = {old: f"{own}/{new}" for old, new in _F1TENTH_OWN.items()}
+        theirs = {old: f"{own}/{new}" for old, new in F1TENTH_OWN.items()}
         found |= {old: found.get(new, new) for old, new in theirs.items()}
         opponent = opponent_of(plan, car)
         found |= {old: f"/{opponent}/{new}" for old, new in _F1TENTH_OPPONENT.items() if opponent}

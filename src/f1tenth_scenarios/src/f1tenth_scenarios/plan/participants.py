@@ -1,5 +1,6 @@
 """Whom the simulator waits for in lockstep."""
 
+import re
 from collections.abc import Iterable
 
 from f1tenth_scenarios import places
@@ -19,6 +20,8 @@ _BESIDE_DRIVER = (
     "map_to_odom",
     "robot_state_publisher",
 )
+# With which a Python node takes part in lockstep.
+_SECOND_NODE = re.compile(r"_lockstep_\d+$")
 
 
 def participants(plan: Plan) -> list[str]:
@@ -59,7 +62,8 @@ def named_nodes(plan: Plan, car: str) -> set[str]:
 def driver_nodes_among(car: str, nodes: Iterable[str]) -> list[str]:
     """Those of some nodes that are the driver's of a car: all others in its namespace are ours."""
     beside = {f"{car}/{name}" for name in _BESIDE_DRIVER}
-    return [node for node in nodes if node.startswith(f"{car}/") and node not in beside]
+    named = (node for node in nodes if not _SECOND_NODE.search(node))
+    return [node for node in named if node.startswith(f"{car}/") and node not in beside]
 
 
 def _of_car(plan, car):

@@ -27,6 +27,7 @@ class Failure:
     reason: str
     log_file: Optional[str] = None
     log_lines: tuple[str, ...] = ()
+    stamp: Optional[float] = None  # s, simulated, when it was clear; nothing: when the record ends
 
 
 @dataclasses.dataclass(frozen=True)

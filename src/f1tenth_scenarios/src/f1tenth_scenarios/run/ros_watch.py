@@ -1,26 +1,28 @@
 """What is heard of a run on topics."""
 
+import dataclasses
 import queue
 import time
 from typing import Optional
 
-import rosgraph
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from geometry_msgs.msg import PoseWithCovarianceStamped
 from std_msgs.msg import Bool
 
 from f1tenth_race_mgr.msg import RaceStatus
-from f1tenth_scenarios.plan.participants import driver_nodes_among
 from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.record.bag import planar
 from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_scenarios.record.replay import Poses
-from f1tenth_scenarios.run.diagnosis.command_watch import CommandCount, CommandWatch
+from f1tenth_scenarios.run.diagnosis.command_watch import CommandCount, CommandWatch, Problem
 from f1tenth_scenarios.run.diagnosis.culprit import failure_of_driver
+from f1tenth_scenarios.run.diagnosis.loose_ends import driver_nodes, shared_topic, why_mute
 from f1tenth_scenarios.run.events.director import Director
+from f1tenth_scenarios.run.ros_graph import publications_of, read_graph
 
 _PATIENCE, _LOOK_INTERVAL = 2.0, 0.005  # wall s
+_GRAPH_INTERVAL = 0.5  # wall s between two looks at who hears whom
 _COMMANDS_OF, _REFUSED = "sim2d: commands of ", "refused: "  # in the simulator's diagnostics
 
 
@@ -47,18 +49,6 @@ def _steady_cars(plan: Plan) -> list[str]:
     ]
 
 
-def _driver_nodes(car: str) -> list[str]:
-    """The nodes of a car's driver, those that send commands first; names without the leading slash."""
-    try:
-        publishers, subscribers, services = rosgraph.Master("/scenario").getSystemState()
-    except (rosgraph.MasterException, OSError):
-        return []
-    commanding = {f"/{car}/drive", f"/{car}/cmd_vel"}
-    first = [node for topic, nodes in publishers if topic in commanding for node in nodes]
-    known = {node for _, nodes in (*publishers, *subscribers, *services) for node in nodes}
-    return driver_nodes_among(car, [node.lstrip("/") for node in dict.fromkeys([*first, *sorted(known)])])
-
-
 class RosWatch:
     """Listens to race_status and collision, and breaks what is to be broken. Needs a running rospy node."""
 
@@ -74,6 +64,7 @@ class RosWatch:
         self._subscribers.append(rospy.Subscriber("/diagnostics", DiagnosticArray, self._take_diagnostics))
         self._estimates: queue.SimpleQueue = queue.SimpleQueue()
         self._localizations = [self._subscribe_estimate(car) for car in self._cars]
+        self._next_look = 0.0
         self._director = Director(plan) if plan.scenario.has_events else None
 
     def take(self) -> list[RaceUpdate]:
@@ -91,10 +82,25 @@ class RosWatch:
         while not self._counts.empty():
             self._commands.take(self._counts.get())
         problems = self._commands.problems(done)
-        if not problems:
+        return self._failure_of_driver(problems[0]) if problems else self._mixed_up()
+
+    def _failure_of_driver(self, problem: Problem) -> Failure:
+        graph = read_graph()
+        nodes = driver_nodes(graph, problem.car)
+        reasons = [problem.text]
+        if problem.is_mute:
+            interfaces = {car.name: car.driver.interface for car in self._plan.scenario.cars}
+            reasons += why_mute(graph, problem.car, publications_of(nodes), interfaces[problem.car])
+        failure = failure_of_driver(self._plan, problem.car, nodes, "; ".join(reasons))
+        return dataclasses.replace(failure, stamp=problem.stamp)
+
+    def _mixed_up(self) -> Optional[Failure]:
+        """Whether a car's driver hears that of another; looks now and then, as nodes come up one by one."""
+        if len(self._cars) < 2 or time.monotonic() < self._next_look:
             return None
-        car, reason = problems[0]
-        return failure_of_driver(self._plan, car, _driver_nodes(car), reason)
+        self._next_look = time.monotonic() + _GRAPH_INTERVAL
+        found = shared_topic(read_graph(), self._cars)
+        return found and Failure(*found, str(self._plan.launch_log))
 
     def estimates(self) -> dict[str, Poses]:
         """Where localization took the cars to be.

@@ -2,7 +2,7 @@
 
 import dataclasses
 from collections.abc import Iterable
-from typing import Optional
+from typing import NamedTuple, Optional
 
 _MOST_PER_SECOND = 400.0  # of simulated time; a lidar scans 40 times
 _NONSENSE_SAMPLES = 2  # in a row with nothing but refused commands
@@ -19,6 +19,15 @@ class CommandCount:
     refusal: str = ""  # why the last one was refused
 
 
+class Problem(NamedTuple):
+    """What is wrong with the commands of a car's driver."""
+
+    car: str
+    text: str
+    stamp: float  # s, simulated, when it was clear
+    is_mute: bool = False  # whether there has been no command at all
+
+
 class CommandWatch:
     """Follows the counts of some cars, each with a steady rate."""
 
@@ -28,7 +37,7 @@ class CommandWatch:
         self._last: dict[str, Optional[CommandCount]] = dict.fromkeys(cars)
         self._heard: dict[str, float] = dict.fromkeys(self._last, 0.0)
         self._nonsense: dict[str, int] = dict.fromkeys(self._last, 0)
-        self._problems: dict[str, str] = {}
+        self._problems: dict[str, Problem] = {}
 
     def take(self, count: CommandCount) -> None:
         """Take the next count of a car; of others none is kept."""
@@ -42,11 +51,12 @@ class CommandWatch:
         self._nonsense[count.car] = self._nonsense[count.car] + 1 if refused and not accepted else 0
         problem = self._problem(count, (accepted + refused) / max(count.stamp - before.stamp, 1e-9))
         if problem:
-            self._problems.setdefault(count.car, problem)
+            is_mute = not self._heard[count.car]
+            self._problems.setdefault(count.car, Problem(count.car, problem, count.stamp, is_mute))
 
-    def problems(self, done: set[str]) -> list[tuple[str, str]]:
-        """Cars that are not done, and what is wrong with their commands."""
-        return [(car, text) for car, text in self._problems.items() if car not in done]
+    def problems(self, done: set[str]) -> list[Problem]:
+        """Those of cars that are not done."""
+        return [each for each in self._problems.values() if each.car not in done]
 
     def _problem(self, count: CommandCount, rate: float) -> str:
         if rate > _MOST_PER_SECOND:

@@ -3,15 +3,11 @@
 import os
 import signal
 import time
-import xmlrpc.client
-from typing import Any
 
 import psutil
-import rosgraph
 
 from f1tenth_scenarios.errors import ScenarioError
-
-_CALLER = "/scenario"
+from f1tenth_scenarios.run.ros_graph import ask
 
 
 def kill_node(name: str, timeout: float = 2.0) -> None:
@@ -42,15 +38,7 @@ def node_pid(name: str) -> int:
     Raises:
         ScenarioError: there is no such node, or it does not answer.
     """
-    try:
-        uri = rosgraph.Master(_CALLER).lookupNode(f"/{name}")
-        node: Any = xmlrpc.client.ServerProxy(uri)
-        code, message, pid = node.getPid(_CALLER)
-    except (rosgraph.MasterException, OSError, xmlrpc.client.Error) as error:
-        raise ScenarioError(f"cannot find {name}: {error}") from error
-    if code != 1:
-        raise ScenarioError(f"cannot find {name}: {message}")
-    return pid
+    return ask(name, "getPid")
 
 
 def _runs(pid: int) -> bool:

@@ -1,0 +1,88 @@
+"""What the ROS graph shows of drivers that cannot work: topics that lead nowhere, or to another car."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Optional
+
+from f1tenth_scenarios.launch.launch_file import F1TENTH_OWN
+from f1tenth_scenarios.plan.participants import driver_nodes_among
+from f1tenth_scenarios.run.ros_graph import RosGraph
+from f1tenth_scenarios.scenario.driver import Interface
+
+_DRIVE, _TWIST = "ackermann_msgs/AckermannDriveStamped", "geometry_msgs/Twist"
+_COMMANDS = {"drive": _DRIVE, "cmd_vel": _TWIST}  # that a car takes, and their types
+_LIKE_COMMANDS = (_DRIVE, _TWIST, "ackermann_msgs/AckermannDrive", "geometry_msgs/TwistStamped")
+_EVERYBODYS = ("/tf", "/tf_static", "/clock", "/rosout", "/diagnostics", "/sim2d/done")
+
+
+def driver_nodes(graph: RosGraph, car: str) -> list[str]:
+    """The nodes of a car's driver, those that send commands first."""
+    first = [node for name in _COMMANDS for node in graph.publishers.get(f"/{car}/{name}", ())]
+    return driver_nodes_among(car, dict.fromkeys([*first, *graph.nodes]))
+
+
+def why_mute(
+    graph: RosGraph, car: str, publications: Iterable[tuple[str, str]], interface: Interface
+) -> list[str]:
+    """Why no command of a driver may have arrived, in words.
+
+    Args:
+        graph: all topics
+        car: whose driver it is
+        publications: the topics that its nodes publish, and their types
+        interface: of the driver
+    """
+    own = {f"/{car}/{name}": kind for name, kind in _COMMANDS.items()}
+    published = sorted(set(publications))
+    wrong = [f"publishes {kind} on {topic}" for topic, kind in published if own.get(topic, kind) != kind]
+    astray = [
+        (topic, kind)
+        for topic, kind in published
+        if kind in _LIKE_COMMANDS and topic not in own and not graph.subscribers.get(topic)
+    ]
+    wrong += [f"publishes {kind} on {topic}, which nobody hears" for topic, kind in astray]
+    nodes = set(driver_nodes_among(car, graph.nodes))
+    silent = [
+        topic
+        for topic, hearers in sorted(graph.subscribers.items())
+        if nodes & set(hearers) and not graph.publishers.get(topic)
+    ]
+    found = list(wrong)
+    if silent:
+        found.append(f"hears {_listed(silent)}, which nobody publishes")
+    if wrong:
+        found.append(f"the car takes {_listed([f'{kind} on {topic}' for topic, kind in own.items()], 'or')}")
+    if interface is Interface.NATIVE and F1TENTH_OWN.keys() & {*silent, *(topic for topic, _ in astray)}:
+        found.append("see --interface f1tenth")
+    return found
+
+
+def shared_topic(graph: RosGraph, cars: Sequence[str]) -> Optional[tuple[str, str]]:
+    """A node that hears the driver of another car on a topic that both drivers publish, and what it hears.
+
+    Nothing if there is none. What lies in a car's namespace is meant for that car.
+    """
+    drivers = {car: driver_nodes_among(car, graph.nodes) for car in cars}
+    for topic, hearers in sorted(graph.subscribers.items()):
+        if topic in _EVERYBODYS or any(topic.startswith(f"/{car}/") for car in cars):
+            continue
+        publishers = _by_car(drivers, graph.publishers.get(topic, ()))
+        if len(publishers) < 2:
+            continue
+        for car, nodes in _by_car(drivers, hearers).items():
+            other = next(name for name in publishers if name != car)
+            return nodes[0], (
+                f"hears {topic} of {publishers[other][0]}, which drives another car: the drivers of"
+                f" {_listed(list(publishers))} share this topic; name it without the leading slash"
+            )
+    return None
+
+
+def _by_car(drivers: Mapping[str, Sequence[str]], nodes: Iterable[str]) -> dict[str, list[str]]:
+    """The drivers' nodes among some, by car."""
+    there = set(nodes)
+    found = {car: sorted(there & set(own)) for car, own in drivers.items()}
+    return {car: own for car, own in found.items() if own}
+
+
+def _listed(words: Sequence[str], last: str = "and") -> str:
+    return f" {last} ".join(part for part in (", ".join(words[:-1]), words[-1]) if part)

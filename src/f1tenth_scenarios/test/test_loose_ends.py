@@ -1,0 +1,90 @@
+"""A driver that cannot work is told so by the topics that lead nowhere, or to another car's driver."""
+
+import pytest
+from f1tenth_scenarios.plan.participants import driver_nodes_among
+from f1tenth_scenarios.run.diagnosis.loose_ends import driver_nodes, shared_topic, why_mute
+from f1tenth_scenarios.run.ros_graph import RosGraph
+from f1tenth_scenarios.scenario.driver import Interface
+
+STAMPED, TWIST = "ackermann_msgs/AckermannDriveStamped", "geometry_msgs/Twist"
+TAKES = f"the car takes {STAMPED} on /robot1/drive or {TWIST} on /robot1/cmd_vel"
+
+
+def why(published=(), heard=(), offered=(), read=(), interface=Interface.NATIVE):
+    """What is said of robot1/planner, which publishes and hears topics; others offer and read some."""
+    subscribers = {topic: ["robot1/planner"] for topic in heard} | {topic: ["sim2d"] for topic in read}
+    return why_mute(
+        RosGraph({topic: ["sim2d"] for topic in offered}, subscribers), "robot1", published, interface
+    )
+
+
+def test_driver_that_is_connected_is_told_nothing():
+    assert why([("/robot1/drive", STAMPED)], ["/robot1/scan"], ["/robot1/scan"], ["/robot1/drive"]) == []
+
+
+@pytest.mark.parametrize(
+    "kind", [STAMPED, TWIST, "ackermann_msgs/AckermannDrive", "geometry_msgs/TwistStamped"]
+)
+def test_commands_that_nobody_hears_are_named(kind):
+    assert why([("/nav", kind)]) == [f"publishes {kind} on /nav, which nobody hears", TAKES]
+
+
+def test_commands_that_a_node_passes_on_and_what_are_no_commands_are_not():
+    assert why([("/nav", STAMPED), ("/markers", "visualization_msgs/Marker")], read=["/nav"]) == []
+
+
+@pytest.mark.parametrize(("topic", "kind"), [("/robot1/drive", TWIST), ("/robot1/cmd_vel", STAMPED)])
+def test_commands_of_another_type_than_the_car_takes_are_named(topic, kind):
+    assert why([(topic, kind)], read=[topic]) == [f"publishes {kind} on {topic}", TAKES]
+
+
+def test_inputs_that_nobody_publishes_are_named():
+    assert why(heard=["/joy", "/key"]) == ["hears /joy and /key, which nobody publishes"]
+
+
+@pytest.mark.parametrize(("interface", "is_told"), [(Interface.NATIVE, True), (Interface.F1TENTH, False)])
+def test_names_of_f1tenth_simulator_are_known(interface, is_told):
+    assert ("see --interface f1tenth" in why(heard=["/scan"], interface=interface)) == is_told
+    assert ("see --interface f1tenth" in why([("/drive", STAMPED)], interface=interface)) == is_told
+
+
+def test_driver_s_nodes_are_those_that_send_commands_first():
+    graph = RosGraph(
+        {"/robot1/drive": ["robot1/z"], "/robot2/drive": ["robot2/b"]},
+        {"/robot1/scan": ["robot1/a", "robot1/collision_detection"]},
+        {"/robot1/y/get_loggers": ["robot1/y"]},
+    )
+    assert driver_nodes(graph, "robot1") == ["robot1/z", "robot1/a", "robot1/y"]
+
+
+def test_nodes_that_take_part_in_lockstep_for_others_are_no_drivers():
+    nodes = ["robot1/robot1_deputy_lockstep_1795673917733307038", "robot1/deputy", "robot1/wall_follow"]
+    assert driver_nodes_among("robot1", nodes) == ["robot1/wall_follow"]
+
+
+def shared(publishers, hearers, topic="/nav"):
+    return shared_topic(RosGraph({topic: publishers}, {topic: hearers}), ["robot1", "robot2"])
+
+
+def test_driver_that_hears_that_of_another_car_is_found():
+    node, text = shared(["robot1/planner", "robot2/planner"], ["robot2/mux", "robot1/mux"])
+    assert node == "robot1/mux"
+    assert text == (
+        "hears /nav of robot2/planner, which drives another car: the drivers of robot1 and robot2 share this"
+        " topic; name it without the leading slash"
+    )
+
+
+@pytest.mark.parametrize(
+    ("publishers", "hearers", "topic"),
+    [
+        (["robot1/planner"], ["robot1/mux"], "/nav"),
+        (["robot1/planner"], ["robot2/mux"], "/plans"),  # meant for the other
+        (["robot1/planner", "robot2/planner"], ["rviz"], "/markers"),
+        (["robot1/planner", "robot2/planner"], ["robot1/planner"], "/tf"),
+        (["robot1/move_base", "robot2/move_base"], ["robot1/move_base"], "/sim2d/done"),
+        (["robot1/planner", "robot2/planner"], ["robot1/planner"], "/robot1/plan"),
+    ],
+)
+def test_what_drivers_may_share_is_not(publishers, hearers, topic):
+    assert shared(publishers, hearers, topic) is None

@@ -61,12 +61,14 @@ bool Way::goOver(PlanAnswer answer, const Scene & scene)
 {
   const PathFollower before = follower_;
   Plan old = plan_;
+  const bool raced = races_;
   const bool was_changed = changed_;
   start(std::move(answer), scene);
   if (passOthers(scene) && !follower_.hindered(scene.car, scene.costmap, scene.others)) {
     return true;
   }
   plan_ = std::move(old);
+  races_ = raced;
   changed_ = was_changed;
   follower_ = before;
   return false;

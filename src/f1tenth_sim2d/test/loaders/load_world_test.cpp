@@ -136,6 +136,34 @@ TEST(LoadWorld, StartsFromTheStateThatGazeboSaved)
   EXPECT_NEAR(description.models[0].pose.yaw(), 0.5, 1e-12);
 }
 
+TEST(LoadWorld, ScalesModelsAsTheStateSays)
+{
+  const std::string state = "<state world_name='test'><model name='m'><scale>0.5 4 2</scale></model></state>";
+  const auto shape_of = [&state](const std::string & geometry) {
+    return loadText(model("m", "", geometry) + state).models.at(0).solids.at(0).shape;
+  };
+  EXPECT_EQ(std::get<Box>(shape_of(kUnitBox)).size, Eigen::Vector3d(0.5, 4, 2));
+  const auto cylinder = std::get<Cylinder>(shape_of("<cylinder><radius>1</radius><length>3</length></cylinder>"));
+  EXPECT_EQ(cylinder.radius, 4.0);
+  EXPECT_EQ(cylinder.length, 6.0);
+  EXPECT_EQ(std::get<Sphere>(shape_of("<sphere><radius>1</radius></sphere>")).radius, 4.0);
+}
+
+TEST(LoadWorld, PutsLinksAndNestedModelsWhereTheStateSays)
+{
+  const WorldDescription description = loadText(
+    "<model name='m'><link name='a'/><link name='b'><inertial><mass>3</mass></inertial><collision name='c'>"
+    "<pose>0 0 1 0 0 0</pose><geometry><sphere><radius>1</radius></sphere></geometry></collision></link>"
+    "<model name='n'><link name='l'/></model></model>"
+    "<state world_name='test'><model name='m'><pose>1 0 0 0 0 1.5707963267948966</pose>"
+    "<link name='a'><pose>1 0.0001 0 0 0 1.5708</pose></link><link name='b'><pose>1 4 0 0 0 1.5707963267948966</pose>"
+    "</link><model name='n'><pose>5 6 0 0 0 0</pose></model></model></state>");
+  const ModelDescription & m = description.models.at(0);
+  EXPECT_TRUE(m.solids.at(0).pose.position.isApprox(Eigen::Vector3d(4, 0, 1))) << m.solids[0].pose.position.transpose();
+  EXPECT_NEAR(m.centre_of_mass.x, 3.0, 1e-12);  // the first link is where it was but for the rounding of the file
+  EXPECT_TRUE(description.models.at(1).pose.position.isApprox(Eigen::Vector3d(5, 6, 0)));
+}
+
 TEST(LoadWorld, ReadsGravity)
 {
   EXPECT_NEAR(loadText("<gravity>0 0 -1.62</gravity>").gravity, 1.62, 1e-12);
@@ -202,6 +230,18 @@ TEST(LoadWorldWarnings, AreOneAKindWithTheFirstPlaceAndACount)
   for (std::size_t i = 0; i < expected.size(); ++i) {
     EXPECT_EQ(description.warnings[i], description.file + ":4: " + expected[i]);
   }
+}
+
+TEST(LoadWorldWarnings, AScaleThatAShapeCannotHave)
+{
+  const WorldDescription description = loadText(
+    model("m", "", "<capsule><radius>1</radius><length>1</length></capsule>") +
+    "<state world_name='test'><model name='m'>\n<scale>2 2 2</scale></model></state>");
+  EXPECT_EQ(
+    description.warnings, std::vector<std::string>{
+                            description.file +
+                            ":5: world[test]/state/model[m]/scale: <scale> of a <state> is applied to boxes, "
+                            "cylinders and spheres only, as in Gazebo"});
 }
 
 TEST(LoadWorldWarnings, PhysicsSceneGuiAndLightsAreSilent)

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <sstream>
 
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
@@ -46,6 +47,11 @@ double readGravity(const Element & world)
   const Eigen::Vector3d gravity = (of_physics ? physics : world).vector("gravity", {0.0, 0.0, kDefaultGravity});
   if (!gravity.allFinite()) {
     world.fail("<gravity> is not finite");
+  }
+  if (gravity.z() > 0.0) {
+    std::ostringstream reason;
+    reason << "z of <gravity> is " << gravity.z() << ", allowed is at most 0: it points downwards";
+    world.fail(reason.str());
   }
   return -gravity.z();
 }

@@ -232,16 +232,60 @@ TEST(LoadWorldWarnings, AreOneAKindWithTheFirstPlaceAndACount)
   }
 }
 
+std::string warningOf(const std::string & inside)
+{
+  const WorldDescription description = loadText(inside);
+  return description.warnings.size() == 1 ? description.warnings[0].substr(description.file.size()) : "not one";
+}
+
+TEST(LoadWorldWarnings, CollisionsThatGazeboLetsPass)
+{
+  const auto with_contact = [](const std::string & contact) {
+    return "<model name='m'><link name='l'><collision name='c'><geometry><sphere><radius>1</radius></sphere></geometry>"
+           "<surface><contact>" +
+           contact + "</contact></surface></collision></link></model>";
+  };
+  const std::string place = ":4: world[test]/model[m]/link[l]/collision[c]/surface/contact: ";
+  EXPECT_EQ(
+    warningOf(with_contact("<collide_without_contact>1</collide_without_contact>")),
+    place + "<collide_without_contact> is left out: what a lidar sees is solid");
+  for (const char * const nothing : {"0", "0x00"}) {
+    EXPECT_EQ(
+      warningOf(with_contact(std::string("<collide_bitmask>") + nothing + "</collide_bitmask>")),
+      place + "<collide_bitmask> of 0 is left out: what a lidar sees is solid");
+  }
+  EXPECT_TRUE(loadText(with_contact("<collide_bitmask>0x02</collide_bitmask>")).warnings.empty());
+}
+
+TEST(LoadWorldWarnings, JointsOfWhatIsFixedToTheWorld)
+{
+  EXPECT_EQ(
+    warningOf(
+      "<model name='door'><link name='frame'/><link name='leaf'/><joint name='wall' type='fixed'><parent>world</parent>"
+      "<child>frame</child></joint><joint name='hinge' "
+      "type='revolute'><parent>frame</parent><child>leaf</child></joint>"
+      "</model>"),
+    ":4: world[test]/model[door]/joint[hinge]: <joint> does not move: a model is one rigid body");
+}
+
+TEST(LoadWorldWarnings, PlanesThatAreNotLevel)
+{
+  const std::string left_out =
+    ":4: world[test]/model[m]/link[link]: <plane> that is not level is left out: the ground is level";
+  EXPECT_EQ(warningOf(model("m", "", "<plane><normal>1 0 0</normal></plane>")), left_out);
+  EXPECT_EQ(warningOf(model("m", "<pose>0 0 0 0.01 0 0</pose>", "<plane/>")), left_out);
+  EXPECT_TRUE(loadText(model("m", "<pose>0 0 0 0.0001 0 0</pose>", "<plane/>")).warnings.empty());
+}
+
 TEST(LoadWorldWarnings, AScaleThatAShapeCannotHave)
 {
   const WorldDescription description = loadText(
     model("m", "", "<capsule><radius>1</radius><length>1</length></capsule>") +
     "<state world_name='test'><model name='m'>\n<scale>2 2 2</scale></model></state>");
-  EXPECT_EQ(
-    description.warnings, std::vector<std::string>{
-                            description.file +
-                            ":5: world[test]/state/model[m]/scale: <scale> of a <state> is applied to boxes, "
-                            "cylinders and spheres only, as in Gazebo"});
+  const std::string warning =
+    ":5: world[test]/state/model[m]/scale: <scale> of a <state> is applied to boxes, cylinders and spheres only, as in "
+    "Gazebo";
+  EXPECT_EQ(description.warnings, std::vector<std::string>{description.file + warning});
 }
 
 TEST(LoadWorldWarnings, PhysicsSceneGuiAndLightsAreSilent)

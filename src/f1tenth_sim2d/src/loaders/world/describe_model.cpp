@@ -9,6 +9,9 @@ namespace f1tenth_sim2d
 {
 namespace
 {
+/// Of a plane that counts as level the least z of its normal: within a tenth of a degree.
+constexpr double kLevel = 1.0 - 1.5e-6;
+
 bool holdsToTheWorld(const JointPart & joint)
 {
   return joint.type == "fixed" && (joint.parent == "world" || joint.child == "world");
@@ -56,6 +59,22 @@ void warnOfSensorsAndPlugins(const Model & model, WarningCollector & warnings)
   }
 }
 
+bool isUnevenPlane(const Solid & solid, const Pose3 & model)
+{
+  return std::holds_alternative<Plane>(solid.shape) && (model * solid.pose).up().z() < kLevel;
+}
+
+void warnOfPlanes(const Model & model, const Pose3 & pose, WarningCollector & warnings)
+{
+  for (const LinkPart & link : model.links) {
+    for (const Solid & solid : link.solids) {
+      if (isUnevenPlane(solid, pose)) {
+        warnings.add("<plane> that is not level is left out: the ground is level", link.element.fileLine());
+      }
+    }
+  }
+}
+
 std::vector<Solid> solidsOf(const Model & model, const std::string & scope)
 {
   std::vector<Solid> solids;
@@ -99,14 +118,15 @@ void append(
   const Model model = withTiedModels(given);
   model.element.requireNear(pose.position);
   warnOfSensorsAndPlugins(model, warnings);
+  warnOfPlanes(model, pose, warnings);
   ModelDescription description;
   description.name = scope + model.name;
   description.pose = pose;
-  description.is_static =
-    is_static || model.is_static || std::any_of(model.joints.begin(), model.joints.end(), holdsToTheWorld);
-  if (!description.is_static) {
+  const bool stands = is_static || model.is_static;  // in Gazebo, too, where a joint to the world holds one link only
+  if (!stands) {
     warnOfJoints(model, warnings);
   }
+  description.is_static = stands || std::any_of(model.joints.begin(), model.joints.end(), holdsToTheWorld);
   if (!model.links.empty()) {
     description.solids = solidsOf(model, description.name);
     describeInertia(model, description);

@@ -119,6 +119,26 @@ TEST(LoadWorld, NestedModelsGetScopedNamesAndTheOutermostPose)
   EXPECT_EQ(description.models[1].solids[0].name, "outer::inner::l::c");
 }
 
+TEST(LoadWorld, ModelsMadeOfOthersThatDoNotMoveApartAreOneBody)
+{
+  const std::string parts =
+    "<model name='a'><link name='l'><collision name='c'><geometry><sphere><radius>1</radius></sphere></geometry>"
+    "</collision></link></model><model name='b'><static>1</static><link name='l'/></model>";
+  const std::string single = parts.substr(0, parts.rfind("<model"));
+  const auto load = [](const std::string & inside) {
+    return loadText("<model name='m'>" + inside + "</model>").models;
+  };
+  for (const std::string & inside : {single, "<static>1</static>" + parts}) {
+    const std::vector<ModelDescription> models = load(inside);
+    ASSERT_EQ(models.size(), 1u);
+    EXPECT_EQ(models[0].name, "m");
+    EXPECT_EQ(models[0].solids.at(0).name, "m::a::l::c");
+    EXPECT_EQ(models[0].is_static, inside != single);
+  }
+  EXPECT_TRUE(load(parts.substr(parts.rfind("<model"))).at(0).is_static);
+  EXPECT_EQ(load(parts).size(), 2u);
+}
+
 TEST(LoadWorld, TurnsAPlaneToItsNormal)
 {
   const WorldDescription description =

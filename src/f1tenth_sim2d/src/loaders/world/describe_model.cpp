@@ -17,6 +17,11 @@ bool holdsToTheWorld(const JointPart & joint)
   return joint.type == "fixed" && (joint.parent == "world" || joint.child == "world");
 }
 
+bool isStatic(const Model & model)
+{
+  return model.is_static;
+}
+
 /// Whether a joint of a model holds something that is nested in it.
 bool isTied(const Model & nested, const std::vector<JointPart> & joints)
 {
@@ -26,9 +31,15 @@ bool isTied(const Model & nested, const std::vector<JointPart> & joints)
   });
 }
 
+bool isOneBody(const Model & model);
+
 /// A model and those nested in it that its joints hold are one: they move together.
 Model withTiedModels(Model model)
 {
+  if (isOneBody(model)) {
+    model.is_static = std::all_of(model.models.begin(), model.models.end(), isStatic) || model.is_static;
+    return flattened(std::move(model));
+  }
   const auto is_tied = [&model](const Model & nested) { return isTied(nested, model.joints); };
   const auto first_loose = std::stable_partition(model.models.begin(), model.models.end(), is_tied);
   std::vector<Model> loose(std::make_move_iterator(first_loose), std::make_move_iterator(model.models.end()));
@@ -36,6 +47,16 @@ Model withTiedModels(Model model)
   model = flattened(std::move(model));
   model.models = std::move(loose);
   return model;
+}
+
+/// Whether a model is made of nested ones alone that do not move apart: a single one, or none that moves at all.
+bool isOneBody(const Model & model)
+{
+  if (!model.links.empty() || model.models.empty()) {
+    return false;
+  }
+  return model.is_static || std::all_of(model.models.begin(), model.models.end(), isStatic) ||
+         (model.models.size() == 1 && withTiedModels(model.models.front()).models.empty());
 }
 
 void warnOfJoints(const Model & model, WarningCollector & warnings)

@@ -159,6 +159,18 @@ class GazeboApiTest(unittest.TestCase):
         assert self.state("robot1").pose.position.x == 0.0
         assert self.names() == ["walls", "crate", "robot1"]
 
+    def test_orientations_that_are_not_finite_are_refused(self):
+        self.start_lockstep(FIRST)
+        twisted = Pose(Point(1.0, 1.0, 0.0), Quaternion(0.0, 0.0, math.nan, 1.0))
+        reason = "the orientation (x y z w) is 0 0 nan 1, allowed are finite numbers"
+        answer = self.call(
+            "spawn_urdf_model", SpawnModel, model_name="box", model_xml=BOX, initial_pose=twisted
+        )
+        assert (answer.success, answer.status_message) == (False, "SpawnModel: Failure - " + reason)
+        answer = self.put(model_name="crate", pose=twisted)
+        assert (answer.success, answer.status_message) == (False, "SetModelState: " + reason)
+        assert self.names() == ["walls", "crate", "robot1"]
+
     def test_model_with_others_nested_in_it_comes_and_goes_as_one(self):
         self.start_lockstep(FIRST)
         sdf = "<sdf version='1.7'><model name='m'>{}</model></sdf>".format

@@ -39,6 +39,19 @@ Outline doubled(Outline line)
   return line;
 }
 
+/// Whether a clockwise outline is that of a hollow, with matter around it. Else the triangles of a surface are clockwise
+/// seen from outside, whether it is a room or turned inside out by mistake.
+bool isWithinMatter(const Outline & hollow, const std::vector<Outline> & outlines)
+{
+  int layers = 0;
+  for (const Outline & outline : outlines) {
+    if (&outline != &hollow && contains(outline, hollow.front())) {
+      layers += signedArea(outline) > 0.0 ? 1 : -1;
+    }
+  }
+  return layers > 0;
+}
+
 /// The part of a convex polygon in space on one side of a horizontal plane.
 std::vector<Vector3d> clipped(const std::vector<Vector3d> & polygon, double z, double side)
 {
@@ -119,7 +132,15 @@ Projection projectionBetween(
 Section cut(const TriangleMesh & mesh, const Pose3 & pose, double z)
 {
   MeshOutlines found = outlinesAt(mesh, placed(mesh, pose), z);
-  Section section{std::move(found.closed), {}};
+  Section section;
+  for (const Outline & outline : found.closed) {
+    if (signedArea(outline) < 0.0 && !isWithinMatter(outline, found.closed)) {
+      found.open.push_back(outline);
+      found.open.back().push_back(outline.front());
+    } else {
+      section.outlines.push_back(outline);
+    }
+  }
   for (Outline & line : found.open) {
     section.outlines.push_back(doubled(std::move(line)));
   }

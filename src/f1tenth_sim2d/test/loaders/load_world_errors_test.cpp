@@ -144,6 +144,11 @@ const std::vector<BadWorld> kBadWorlds{
   {"BounceNan", surface("<bounce><restitution_coefficient>nan</restitution_coefficient></bounce>"),
    "test.world: world[w]/model[m]/link[l]/collision[c]/surface/bounce: <restitution_coefficient> is nan, allowed are "
    "finite numbers from 0"},
+  {"GravityUpwards", oneWorld("<gravity>0 0 9.8</gravity>"),
+   "test.world: world[w]: z of <gravity> is 9.8, allowed is at most 0: it points downwards"},
+  {"ScaleOfAStateIsZero",
+   oneWorld("<model name='m'><link name='l'/></model><state><model name='m'><scale>1 0 1</scale></model></state>"),
+   "test.world: world[w]/state/model[m]: <scale> is '1 0 1', allowed are three finite numbers greater than 0"},
 };
 
 class LoadWorldErrors : public testing::TestWithParam<BadWorld>

@@ -119,6 +119,26 @@ TEST(LoadWorld, NestedModelsGetScopedNamesAndTheOutermostPose)
   EXPECT_EQ(description.models[1].solids[0].name, "outer::inner::l::c");
 }
 
+TEST(LoadWorld, ModelsMadeOfOthersThatDoNotMoveApartAreOneBody)
+{
+  const std::string parts =
+    "<model name='a'><link name='l'><collision name='c'><geometry><sphere><radius>1</radius></sphere></geometry>"
+    "</collision></link></model><model name='b'><static>1</static><link name='l'/></model>";
+  const std::string single = parts.substr(0, parts.rfind("<model"));
+  const auto load = [](const std::string & inside) {
+    return loadText("<model name='m'>" + inside + "</model>").models;
+  };
+  for (const std::string & inside : {single, "<static>1</static>" + parts}) {
+    const std::vector<ModelDescription> models = load(inside);
+    ASSERT_EQ(models.size(), 1u);
+    EXPECT_EQ(models[0].name, "m");
+    EXPECT_EQ(models[0].solids.at(0).name, "m::a::l::c");
+    EXPECT_EQ(models[0].is_static, inside != single);
+  }
+  EXPECT_TRUE(load(parts.substr(parts.rfind("<model"))).at(0).is_static);
+  EXPECT_EQ(load(parts).size(), 2u);
+}
+
 TEST(LoadWorld, TurnsAPlaneToItsNormal)
 {
   const WorldDescription description =
@@ -134,6 +154,34 @@ TEST(LoadWorld, StartsFromTheStateThatGazeboSaved)
     "<state world_name='test'><model name='m'><pose>7 8 0 0 0 0.5</pose></model></state>");
   EXPECT_EQ(description.models[0].pose.position, Eigen::Vector3d(7, 8, 0));
   EXPECT_NEAR(description.models[0].pose.yaw(), 0.5, 1e-12);
+}
+
+TEST(LoadWorld, ScalesModelsAsTheStateSays)
+{
+  const std::string state = "<state world_name='test'><model name='m'><scale>0.5 4 2</scale></model></state>";
+  const auto shape_of = [&state](const std::string & geometry) {
+    return loadText(model("m", "", geometry) + state).models.at(0).solids.at(0).shape;
+  };
+  EXPECT_EQ(std::get<Box>(shape_of(kUnitBox)).size, Eigen::Vector3d(0.5, 4, 2));
+  const auto cylinder = std::get<Cylinder>(shape_of("<cylinder><radius>1</radius><length>3</length></cylinder>"));
+  EXPECT_EQ(cylinder.radius, 4.0);
+  EXPECT_EQ(cylinder.length, 6.0);
+  EXPECT_EQ(std::get<Sphere>(shape_of("<sphere><radius>1</radius></sphere>")).radius, 4.0);
+}
+
+TEST(LoadWorld, PutsLinksAndNestedModelsWhereTheStateSays)
+{
+  const WorldDescription description = loadText(
+    "<model name='m'><link name='a'/><link name='b'><inertial><mass>3</mass></inertial><collision name='c'>"
+    "<pose>0 0 1 0 0 0</pose><geometry><sphere><radius>1</radius></sphere></geometry></collision></link>"
+    "<model name='n'><link name='l'/></model></model>"
+    "<state world_name='test'><model name='m'><pose>1 0 0 0 0 1.5707963267948966</pose>"
+    "<link name='a'><pose>1 0.0001 0 0 0 1.5708</pose></link><link name='b'><pose>1 4 0 0 0 1.5707963267948966</pose>"
+    "</link><model name='n'><pose>5 6 0 0 0 0</pose></model></model></state>");
+  const ModelDescription & m = description.models.at(0);
+  EXPECT_TRUE(m.solids.at(0).pose.position.isApprox(Eigen::Vector3d(4, 0, 1))) << m.solids[0].pose.position.transpose();
+  EXPECT_NEAR(m.centre_of_mass.x, 3.0, 1e-12);  // the first link is where it was but for the rounding of the file
+  EXPECT_TRUE(description.models.at(1).pose.position.isApprox(Eigen::Vector3d(5, 6, 0)));
 }
 
 TEST(LoadWorld, ReadsGravity)
@@ -202,6 +250,62 @@ TEST(LoadWorldWarnings, AreOneAKindWithTheFirstPlaceAndACount)
   for (std::size_t i = 0; i < expected.size(); ++i) {
     EXPECT_EQ(description.warnings[i], description.file + ":4: " + expected[i]);
   }
+}
+
+std::string warningOf(const std::string & inside)
+{
+  const WorldDescription description = loadText(inside);
+  return description.warnings.size() == 1 ? description.warnings[0].substr(description.file.size()) : "not one";
+}
+
+TEST(LoadWorldWarnings, CollisionsThatGazeboLetsPass)
+{
+  const auto with_contact = [](const std::string & contact) {
+    return "<model name='m'><link name='l'><collision name='c'><geometry><sphere><radius>1</radius></sphere></geometry>"
+           "<surface><contact>" +
+           contact + "</contact></surface></collision></link></model>";
+  };
+  const std::string place = ":4: world[test]/model[m]/link[l]/collision[c]/surface/contact: ";
+  EXPECT_EQ(
+    warningOf(with_contact("<collide_without_contact>1</collide_without_contact>")),
+    place + "<collide_without_contact> is left out: what a lidar sees is solid");
+  for (const char * const nothing : {"0", "0x00"}) {
+    EXPECT_EQ(
+      warningOf(with_contact(std::string("<collide_bitmask>") + nothing + "</collide_bitmask>")),
+      place + "<collide_bitmask> of 0 is left out: what a lidar sees is solid");
+  }
+  EXPECT_TRUE(loadText(with_contact("<collide_bitmask>0x02</collide_bitmask>")).warnings.empty());
+}
+
+TEST(LoadWorldWarnings, JointsOfWhatIsFixedToTheWorld)
+{
+  EXPECT_EQ(
+    warningOf(
+      "<model name='door'><link name='frame'/><link name='leaf'/><joint name='wall' type='fixed'><parent>world</parent>"
+      "<child>frame</child></joint><joint name='hinge' "
+      "type='revolute'><parent>frame</parent><child>leaf</child></joint>"
+      "</model>"),
+    ":4: world[test]/model[door]/joint[hinge]: <joint> does not move: a model is one rigid body");
+}
+
+TEST(LoadWorldWarnings, PlanesThatAreNotLevel)
+{
+  const std::string left_out =
+    ":4: world[test]/model[m]/link[link]: <plane> that is not level is left out: the ground is level";
+  EXPECT_EQ(warningOf(model("m", "", "<plane><normal>1 0 0</normal></plane>")), left_out);
+  EXPECT_EQ(warningOf(model("m", "<pose>0 0 0 0.01 0 0</pose>", "<plane/>")), left_out);
+  EXPECT_TRUE(loadText(model("m", "<pose>0 0 0 0.0001 0 0</pose>", "<plane/>")).warnings.empty());
+}
+
+TEST(LoadWorldWarnings, AScaleThatAShapeCannotHave)
+{
+  const WorldDescription description = loadText(
+    model("m", "", "<capsule><radius>1</radius><length>1</length></capsule>") +
+    "<state world_name='test'><model name='m'>\n<scale>2 2 2</scale></model></state>");
+  const std::string warning =
+    ":5: world[test]/state/model[m]/scale: <scale> of a <state> is applied to boxes, cylinders and spheres only, as in "
+    "Gazebo";
+  EXPECT_EQ(description.warnings, std::vector<std::string>{description.file + warning});
 }
 
 TEST(LoadWorldWarnings, PhysicsSceneGuiAndLightsAreSilent)

@@ -159,6 +159,34 @@ class GazeboApiTest(unittest.TestCase):
         assert self.state("robot1").pose.position.x == 0.0
         assert self.names() == ["walls", "crate", "robot1"]
 
+    def test_orientations_that_are_not_finite_are_refused(self):
+        self.start_lockstep(FIRST)
+        twisted = Pose(Point(1.0, 1.0, 0.0), Quaternion(0.0, 0.0, math.nan, 1.0))
+        reason = "the orientation (x y z w) is 0 0 nan 1, allowed are finite numbers"
+        answer = self.call(
+            "spawn_urdf_model", SpawnModel, model_name="box", model_xml=BOX, initial_pose=twisted
+        )
+        assert (answer.success, answer.status_message) == (False, "SpawnModel: Failure - " + reason)
+        answer = self.put(model_name="crate", pose=twisted)
+        assert (answer.success, answer.status_message) == (False, "SetModelState: " + reason)
+        assert self.names() == ["walls", "crate", "robot1"]
+
+    def test_model_with_others_nested_in_it_comes_and_goes_as_one(self):
+        self.start_lockstep(FIRST)
+        sdf = "<sdf version='1.7'><model name='m'>{}</model></sdf>".format
+        link = "<link name='l'><inertial><mass>1</mass></inertial></link>"
+        brick = f"<model name='brick'>{link}</model>"
+        for name, parts, names in (("box", brick, ["box"]), ("pair", link + brick, ["pair", "pair::brick"])):
+            assert self.spawn(name, sdf(parts), 1.0, 1.0).success
+            assert self.names() == ["walls", "crate", *names, "robot1"]
+            assert self.state(name).pose.position.x == 1.0
+            assert self.call("delete_model", DeleteModel, name).success
+            assert self.names() == ["walls", "crate", "robot1"]
+        answer = self.spawn("heap", sdf(brick + brick.replace("brick", "other")), 1.0, 1.0)
+        assert not answer.success
+        assert "has no <link> of its own" in answer.status_message
+        assert self.names() == ["walls", "crate", "robot1"]
+
     def test_description_without_a_name_gets_the_one_asked_for(self):
         self.start_lockstep(FIRST)
         nameless = car_description().replace('<robot name="car">', '<robot name="">')

@@ -61,3 +61,30 @@ def test_section_is_the_slice_of_the_mesh(name, pose, tmp_path):
 def _farthest_corner(lines, others):
     corners = MultiPoint([corner for line in lines.geoms for corner in line.coords])
     return max(others.distance(corner) for corner in corners.geoms)
+
+
+CORNERS = [(x, y, z) for z in (0, 1) for x, y in ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5))]
+SIDES = [(0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
+FACES = [(3, 2, 1, 0), (4, 5, 6, 7), *SIDES]
+
+
+def obj_of(faces):
+    corners = [f"v {x} {y} {z}" for x, y, z in CORNERS]
+    return "\n".join([*corners, *("f " + " ".join(str(corner + 1) for corner in face) for face in faces), ""])
+
+
+def turned(faces, which):
+    return [face[::-1] if i in which else face for i, face in enumerate(faces)]
+
+
+@pytest.mark.parametrize("which", [(), range(6), (0, 3), (2, 3, 4), (2, 3, 4, 5)], ids=str)
+def test_lidar_sees_the_near_face_of_a_box_whichever_way_its_faces_are_turned(which, car, tmp_path):
+    (tmp_path / "box.obj").write_text(obj_of(turned(FACES, which)))
+    world = load_mesh(tmp_path, tmp_path / "box.obj", 1.0, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
+    simulation = f1tenth_sim2d.Simulation(world)
+    simulation.add_car(car, None, -5.0, -5.0, 0.0)
+    for angle in np.deg2rad([0.0, 90.0, 180.0, 270.0]):
+        x = 5.0 - 5.0 * np.cos(angle) - 0.2 * np.sin(angle)  # in the frame of the car
+        y = 5.0 - 5.0 * np.sin(angle) + 0.2 * np.cos(angle)
+        [distance] = simulation.cast_rays(0, [angle], x=x, y=y, height=0.4, range_max=100.0)
+        assert distance == pytest.approx(4.5, abs=1e-4)

@@ -1,6 +1,7 @@
 #include "loaders/model/sdf_parts.h"
 
 #include <cmath>
+#include <cstdlib>
 
 #include "loaders/model/known_tags.h"
 #include "loaders/model/read_pose.h"
@@ -81,6 +82,17 @@ void readAxis(const Element & axis, const FrameScope & frames, JointPart & joint
   joint.effort = positiveLimitOf(axis.number("limit/effort", -1.0));
   joint.velocity = positiveLimitOf(axis.number("limit/velocity", -1.0));
 }
+
+/// Of something that Gazebo lets everything pass through.
+void warnOfGhost(const Element & contact, WarningCollector & warnings)
+{
+  if (contact.flag("collide_without_contact", false)) {
+    warnings.add("<collide_without_contact> is left out: what a lidar sees is solid", contact.fileLine());
+  }
+  if (std::strtoul(contact.textOf("collide_bitmask", "1").c_str(), nullptr, 0) == 0) {
+    warnings.add("<collide_bitmask> of 0 is left out: what a lidar sees is solid", contact.fileLine());
+  }
+}
 }  // namespace
 
 void readLink(LinkPart & link, const FrameScope & frames, MeshLibrary & meshes, WarningCollector & warnings)
@@ -109,6 +121,7 @@ void readJoint(JointPart & joint, const FrameScope & frames)
 
 void readSurface(const Element & surface, Solid & solid, WarningCollector & warnings)
 {
+  warnOfGhost(surface.child("contact"), warnings);
   if (const Element friction = surface.child("friction").child("ode")) {
     solid.mu = frictionOf(friction, friction.number("mu", solid.mu), warnings);
   }

@@ -9,9 +9,17 @@ namespace f1tenth_sim2d
 {
 namespace
 {
+/// Of a plane that counts as level the least z of its normal: within a tenth of a degree.
+constexpr double kLevel = 1.0 - 1.5e-6;
+
 bool holdsToTheWorld(const JointPart & joint)
 {
   return joint.type == "fixed" && (joint.parent == "world" || joint.child == "world");
+}
+
+bool isStatic(const Model & model)
+{
+  return model.is_static;
 }
 
 /// Whether a joint of a model holds something that is nested in it.
@@ -23,9 +31,15 @@ bool isTied(const Model & nested, const std::vector<JointPart> & joints)
   });
 }
 
+bool isOneBody(const Model & model);
+
 /// A model and those nested in it that its joints hold are one: they move together.
 Model withTiedModels(Model model)
 {
+  if (isOneBody(model)) {
+    model.is_static = std::all_of(model.models.begin(), model.models.end(), isStatic) || model.is_static;
+    return flattened(std::move(model));
+  }
   const auto is_tied = [&model](const Model & nested) { return isTied(nested, model.joints); };
   const auto first_loose = std::stable_partition(model.models.begin(), model.models.end(), is_tied);
   std::vector<Model> loose(std::make_move_iterator(first_loose), std::make_move_iterator(model.models.end()));
@@ -33,6 +47,16 @@ Model withTiedModels(Model model)
   model = flattened(std::move(model));
   model.models = std::move(loose);
   return model;
+}
+
+/// Whether a model is made of nested ones alone that do not move apart: a single one, or none that moves at all.
+bool isOneBody(const Model & model)
+{
+  if (!model.links.empty() || model.models.empty()) {
+    return false;
+  }
+  return model.is_static || std::all_of(model.models.begin(), model.models.end(), isStatic) ||
+         (model.models.size() == 1 && withTiedModels(model.models.front()).models.empty());
 }
 
 void warnOfJoints(const Model & model, WarningCollector & warnings)
@@ -52,6 +76,22 @@ void warnOfSensorsAndPlugins(const Model & model, WarningCollector & warnings)
   for (const LinkPart & link : model.links) {
     for (const SensorPart & sensor : link.sensors) {
       warnings.add("<sensor> is left out: only cars have sensors", sensor.element.fileLine());
+    }
+  }
+}
+
+bool isUnevenPlane(const Solid & solid, const Pose3 & model)
+{
+  return std::holds_alternative<Plane>(solid.shape) && (model * solid.pose).up().z() < kLevel;
+}
+
+void warnOfPlanes(const Model & model, const Pose3 & pose, WarningCollector & warnings)
+{
+  for (const LinkPart & link : model.links) {
+    for (const Solid & solid : link.solids) {
+      if (isUnevenPlane(solid, pose)) {
+        warnings.add("<plane> that is not level is left out: the ground is level", link.element.fileLine());
+      }
     }
   }
 }
@@ -99,14 +139,15 @@ void append(
   const Model model = withTiedModels(given);
   model.element.requireNear(pose.position);
   warnOfSensorsAndPlugins(model, warnings);
+  warnOfPlanes(model, pose, warnings);
   ModelDescription description;
   description.name = scope + model.name;
   description.pose = pose;
-  description.is_static =
-    is_static || model.is_static || std::any_of(model.joints.begin(), model.joints.end(), holdsToTheWorld);
-  if (!description.is_static) {
+  const bool stands = is_static || model.is_static;  // in Gazebo, too, where a joint to the world holds one link only
+  if (!stands) {
     warnOfJoints(model, warnings);
   }
+  description.is_static = stands || std::any_of(model.joints.begin(), model.joints.end(), holdsToTheWorld);
   if (!model.links.empty()) {
     description.solids = solidsOf(model, description.name);
     describeInertia(model, description);

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <sstream>
 
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
@@ -9,6 +10,7 @@
 #include "loaders/model/model_reader.h"
 #include "loaders/model/read_pose.h"
 #include "loaders/world/describe_model.h"
+#include "loaders/world/saved_state.h"
 
 namespace f1tenth_sim2d
 {
@@ -46,25 +48,12 @@ double readGravity(const Element & world)
   if (!gravity.allFinite()) {
     world.fail("<gravity> is not finite");
   }
+  if (gravity.z() > 0.0) {
+    std::ostringstream reason;
+    reason << "z of <gravity> is " << gravity.z() << ", allowed is at most 0: it points downwards";
+    world.fail(reason.str());
+  }
   return -gravity.z();
-}
-
-/// A world that Gazebo saved carries its models' last poses in <state>, and Gazebo starts from those.
-std::map<std::string, Pose3> savedPoses(const Element & world, WarningCollector & warnings)
-{
-  std::map<std::string, Pose3> poses;
-  const Element state = world.child("state");
-  for (const Element & model : state.children("model")) {
-    if (model.child("pose")) {
-      poses.emplace(model.name(), readPose(model, "").pose);
-    }
-  }
-  for (const char * const change : {"insertions", "deletions"}) {
-    if (const Element changed = state.child(change); changed && !changed.children().empty()) {
-      warnings.add(std::string("<") + change + "> of a <state> are left out", changed.fileLine());
-    }
-  }
-  return poses;
 }
 
 void readChildren(const Element & world, WorldDescription & description, WarningCollector & warnings)
@@ -91,10 +80,12 @@ void readModels(const Element & world, ModelReader & reader, WorldDescription & 
       models.push_back(std::move(*model));
     }
   }
-  const std::map<std::string, Pose3> saved = savedPoses(world, reader.warnings());
-  for (const Model & model : models) {
-    const auto state = saved.find(model.name);
-    const Pose3 pose = state == saved.end() ? frames.poseOf(model.name, model.element) : state->second;
+  const std::map<std::string, Element> saved = savedModels(world, reader.warnings());
+  for (Model & model : models) {
+    Pose3 pose = frames.poseOf(model.name, model.element);
+    if (const auto state = saved.find(model.name); state != saved.end()) {
+      restore(state->second, pose, model, reader.warnings());
+    }
     appendModel(model, pose, description.models, reader.warnings());
   }
 }

@@ -1,8 +1,11 @@
 #include "node/gazebo_api/gazebo_entities.h"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 #include "core/math/planar_pose.h"
+#include "f1tenth_sim2d/errors.h"
 #include "node/messages/conversions.h"
 
 namespace f1tenth_sim2d
@@ -83,6 +86,12 @@ bool isWorld(const std::string & name)
 Pose3 fromPose(const geometry_msgs::Pose & pose)
 {
   const Pose3::Rotation given(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z);
+  if (!std::isfinite(given.norm())) {
+    std::ostringstream message;
+    message << "the orientation (x y z w) is " << given.x() << " " << given.y() << " " << given.z() << " " << given.w()
+            << ", allowed are finite numbers";
+    throw Error(message.str());
+  }
   // As in gazebo_ros: a quaternion that was not set means no rotation.
   const Pose3::Rotation rotation = given.norm() > 0.0 ? given.normalized() : Pose3::Rotation::Identity();
   return {{pose.position.x, pose.position.y, pose.position.z}, rotation};

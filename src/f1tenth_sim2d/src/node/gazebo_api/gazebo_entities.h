@@ -37,6 +37,7 @@ std::optional<Entity> find(const Simulation & simulation, const std::string & na
 /// Whether a name stands for the world's frame: "", "world", "map" and the like.
 bool isWorld(const std::string & name);
 
+/// @throws Error for an orientation that is not finite
 Pose3 fromPose(const geometry_msgs::Pose & pose);
 geometry_msgs::Twist twistOf(const Entity & entity);
 /// Where the car's own frame is when the frame of its model is at a pose.

@@ -36,6 +36,17 @@ Entity seenFrom(const Entity & reference, Entity entity)
   return entity;
 }
 
+/// A model and those nested in it that are bodies of their own.
+void removeWithNested(Simulation & simulation, const std::string & name)
+{
+  for (std::size_t i = simulation.models().size(); i-- > 0;) {
+    const std::string & each = simulation.models()[i].name;
+    if (each == name || each.rfind(name + "::", 0) == 0) {
+      simulation.removeModel(i);
+    }
+  }
+}
+
 bool isModel(const std::optional<Entity> & entity)
 {
   return entity && entity->kind != Entity::Kind::kLink;
@@ -97,7 +108,7 @@ bool GazeboModels::remove(gazebo_msgs::DeleteModel::Request & request, gazebo_ms
   if (entity->kind == Entity::Kind::kCar) {
     fleet_.remove(entity->car);
   } else {
-    simulation_.removeModel(entity->model);
+    removeWithNested(simulation_, request.model_name);
   }
   return answer(response, true, "DeleteModel: successfully deleted model");
 }

@@ -85,6 +85,12 @@ void spawnCar(const SpawnRequest & request, const std::string & source, Fleet & 
 void spawnModel(const SpawnRequest & request, const std::string & source, Simulation & simulation)
 {
   const LoadedModel loaded = loadModel(request.xml, request.name, request.pose, source, searchPathFromEnvironment());
+  if (loaded.models.empty() || loaded.models.front().name != request.name) {
+    throw Error(
+      source +
+      ": model has no <link> of its own, and its nested models move apart; allowed are models with a <link>, or whose "
+      "nested ones are joined by a <joint>, are static or only one");
+  }
   warnOnce(source, loaded.warnings);
   for (const auto & model : loaded.models) {
     simulation.addModel(model);

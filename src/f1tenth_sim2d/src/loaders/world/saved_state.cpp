@@ -1,0 +1,115 @@
+#include "loaders/world/saved_state.h"
+
+#include <algorithm>
+
+#include "loaders/model/read_pose.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+using Eigen::Vector3d;
+
+/// Poses are saved with six digits: what differs by less than this has not moved, m and rad.
+constexpr double kRounding = 1e-3;
+
+Vector3d readScale(const Element & saved)
+{
+  const Vector3d scale = saved.vector("scale", Vector3d::Ones());
+  if (!scale.allFinite() || scale.minCoeff() <= 0.0) {
+    saved.fail("<scale> is '" + saved.child("scale").text() + "', allowed are three finite numbers greater than 0");
+  }
+  return scale;
+}
+
+/// As Gazebo scales shapes, which keep their poses in the link; false if it cannot scale this one.
+bool scaleShape(const Vector3d & scale, Shape & shape)
+{
+  if (auto * const box = std::get_if<Box>(&shape)) {
+    box->size = box->size.cwiseProduct(scale);
+  } else if (auto * const cylinder = std::get_if<Cylinder>(&shape)) {
+    cylinder->radius *= std::max(scale.x(), scale.y());
+    cylinder->length *= scale.z();
+  } else if (auto * const sphere = std::get_if<Sphere>(&shape)) {
+    sphere->radius *= scale.maxCoeff();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void scaleLinks(const Element & saved, Model & model, WarningCollector & warnings)
+{
+  const Vector3d scale = readScale(saved);
+  for (LinkPart & link : model.links) {
+    for (Solid & solid : link.solids) {
+      if (scale != Vector3d::Ones() && !scaleShape(scale, solid.shape)) {
+        warnings.add(
+          "<scale> of a <state> is applied to boxes, cylinders and spheres only, as in Gazebo",
+          saved.child("scale").fileLine());
+      }
+    }
+  }
+}
+
+bool isSame(const Pose3 & a, const Pose3 & b)
+{
+  return (a.position - b.position).norm() < kRounding && a.rotation.angularDistance(b.rotation) < kRounding;
+}
+
+void moveLink(const Pose3 & pose, LinkPart & link)
+{
+  if (isSame(pose, link.pose)) {
+    return;
+  }
+  const Pose3 change = pose * link.pose.inverse();
+  link.pose = pose;
+  link.inertia = placed(link.inertia, change);
+  for (Solid & solid : link.solids) {
+    solid.pose = change * solid.pose;
+  }
+}
+
+/// The part of a model that a saved element is about; null if the model has none of this name.
+template <typename Part>
+Part * partOf(std::vector<Part> & parts, const Element & saved)
+{
+  const auto found =
+    std::find_if(parts.begin(), parts.end(), [&saved](const Part & part) { return part.name == saved.name(); });
+  return found == parts.end() || !saved.child("pose") ? nullptr : &*found;
+}
+}  // namespace
+
+std::map<std::string, Element> savedModels(const Element & world, WarningCollector & warnings)
+{
+  std::map<std::string, Element> models;
+  const Element state = world.child("state");
+  for (const Element & model : state.children("model")) {
+    models.emplace(model.name(), model);
+  }
+  for (const char * const change : {"insertions", "deletions"}) {
+    if (const Element changed = state.child(change); changed && !changed.children().empty()) {
+      warnings.add(std::string("<") + change + "> of a <state> are left out", changed.fileLine());
+    }
+  }
+  return models;
+}
+
+void restore(const Element & saved, Pose3 & pose, Model & model, WarningCollector & warnings)
+{
+  pose = saved.child("pose") ? readPose(saved, "").pose : pose;
+  scaleLinks(saved, model, warnings);
+  for (const Element & link : saved.children("link")) {
+    if (LinkPart * const part = partOf(model.links, link)) {
+      moveLink(pose.inverse() * readPose(link, "").pose, *part);
+    }
+  }
+  for (const Element & nested : saved.children("model")) {
+    if (Model * const part = partOf(model.models, nested)) {
+      Pose3 place;
+      restore(nested, place, *part, warnings);
+      part->pose = pose.inverse() * place;
+    }
+  }
+}
+}  // namespace f1tenth_sim2d

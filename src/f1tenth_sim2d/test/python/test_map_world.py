@@ -177,7 +177,7 @@ def error(path):
             "image: []",
             "room_map.yaml:1: image: found no single value, allowed is a file name",
         ),
-        ("room.png", "none.png", "none.png: no such image, or it cannot be read"),
+        ("room.png", "none.png", "none.png: no such file, or it cannot be read"),
         (
             "room.png",
             "room_map.yaml",
@@ -190,6 +190,13 @@ def test_mistakes_in_the_yaml_file_are_named(write, tmp_path, old, new, message)
     path = write()
     Path(path).write_text(YAML.replace(old, new, 1))
     assert error(path) == message
+
+
+def test_folder_in_the_place_of_an_image_is_named(write, tmp_path):
+    path = write()
+    (tmp_path / "room.png").unlink()
+    (tmp_path / "room.png").mkdir()
+    assert error(path) == "room.png: is a folder, not a file"
 
 
 def test_yaml_file_that_is_no_map_is_named(write):

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "f1tenth_sim2d/errors.h"
+#include "loaders/files/read_file.h"
 
 namespace f1tenth_sim2d
 {
@@ -106,9 +107,7 @@ private:
   YAML::Node load() const
   {
     try {
-      return YAML::LoadFile(path_);
-    } catch (const YAML::BadFile &) {
-      throw LoadError(path_, "", "cannot be read");
+      return YAML::Load(readFile(path_));
     } catch (const YAML::ParserException & error) {
       throw LoadError(path_ + ":" + std::to_string(error.mark.line + 1), "", "not YAML: " + error.msg);
     }

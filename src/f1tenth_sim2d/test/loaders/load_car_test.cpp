@@ -198,6 +198,20 @@ TEST(LoadCarWarnings, NameTheCamera)
   EXPECT_EQ(load(smallCar()).warnings, expected);
 }
 
+TEST(LoadCarWarnings, NameWheelsThatTurnAboutAnotherAxisAndWhatSteersThem)
+{
+  const std::string front = "joint 'front_left_";
+  const std::string end =
+    "_joint' is left out: neither a wheel (about the y axis of the car) nor a steering joint (about z, with a wheel on "
+    "it)";
+  const CarDescription car = load(smallCarWith("<axis xyz=\"0 1 0\"/>", ""));
+  EXPECT_TRUE(hasLine(
+    car.warnings, "test.urdf:28: robot[small_car]/joint[front_left_wheel_joint] and 1 more: " + front + "wheel" + end));
+  EXPECT_TRUE(hasLine(
+    car.warnings,
+    "test.urdf:18: robot[small_car]/joint[front_left_steering_joint] and 1 more: " + front + "steering" + end));
+}
+
 TEST(LoadCarWarnings, NameSensorsWithoutRosPlugin)
 {
   const CarDescription car = load(smallCarWith("libgazebo_ros_laser.so", "libother.so"));

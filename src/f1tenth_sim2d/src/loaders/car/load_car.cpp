@@ -59,6 +59,7 @@ void readParts(CarContext & context)
   placeFrame(context);
   const std::vector<MechanismJoint> mechanism = findMechanism(context);
   readMechanism(mechanism, context.car);
+  warnOfOtherJoints(mechanism, context);
   readSensors(context);
   readPlugins(mechanism, context);
   readDynamics(mechanism, context);

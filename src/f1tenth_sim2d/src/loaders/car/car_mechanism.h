@@ -12,10 +12,10 @@ namespace f1tenth_sim2d
 struct MechanismJoint
 {
   JointDescription description;
-  std::string child;      ///< link
-  Eigen::Vector3d place;  ///< m
-  double radius{0.0};     ///< m, of a wheel
-  double mu{0.0};         ///< friction coefficient of a wheel
+  std::string child;           ///< link
+  Eigen::Vector3d place;       ///< m
+  double radius{0.0};          ///< m, of a wheel
+  std::optional<double> mu{};  ///< friction coefficient of a wheel with a round collision
 
   bool steers() const { return description.steers(); }
 };

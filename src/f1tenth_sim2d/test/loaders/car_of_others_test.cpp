@@ -226,6 +226,21 @@ TEST_F(CarOfOthers, DrivesByThePluginsOfGazeboRos)
   EXPECT_EQ(ackermann.command_topic, "motor");
   EXPECT_EQ(ackermann.odometry_rate_hz, 40.0);
   EXPECT_FALSE(ackermann.publishes_odometry);
+  EXPECT_EQ(ackermann.steering_max, 0.6);
+  EXPECT_EQ(ackermann.speed_max, 20.0);
+}
+
+TEST_F(CarOfOthers, HasTheLimitsAndTheNamespaceOfAnAckermannDrive)
+{
+  const DriveDescription drive = *load(withPlugin(
+                                         "libgazebo_ros_ackermann_drive.so",
+                                         "<ros><namespace>demo</namespace><remapping>odom:=/odometry</remapping></ros>"
+                                         "<max_steer>0.3</max_steer><max_speed>4</max_speed>"))
+                                    .drive;
+  EXPECT_EQ(drive.command_topic, "/demo/cmd_vel");
+  EXPECT_EQ(drive.odometry_topic, "/odometry");
+  EXPECT_EQ(drive.steering_max, 0.3);
+  EXPECT_EQ(drive.speed_max, 4.0);
 }
 
 TEST_F(CarOfOthers, WithoutWheelsKeepsItsOwnFrameAndTheDynamicsOfTheF1TenthCar)

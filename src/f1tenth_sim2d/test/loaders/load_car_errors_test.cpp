@@ -40,6 +40,11 @@ std::vector<BadCar> badCars()
      "test.urdf: robot[r]/link[base_footprint]: this name is taken; names are unique among the links of a robot"},
     {"TwoRoots", robot("<link name='a'/><link name='b'/>"),
      "test.urdf: robot[r]: has two links without a parent, 'a' and 'b'; allowed is one"},
+    {"XacroThatIsNotExpanded",
+     "<robot name='r' xmlns:xacro='x'><link name='a'/><xacro:wheel name='b'/><joint name='j' type='fixed'><parent "
+     "link='a'/><child link='b'/></joint></robot>",
+     "test.urdf: robot[r]/joint[j]: names the link 'b', which is not there: the description holds <xacro:…> tags; "
+     "expand it with xacro first"},
     {"BoxOfTwoNumbers", smallCarWith("<box size=\"0.02 0.2 0.06\"/>", "<box size=\"1 1\"/>"),
      "test.urdf: robot[small_car]/link[bumper_front]/collision/geometry/box: attribute 'size' is '1 1', allowed are "
      "three "

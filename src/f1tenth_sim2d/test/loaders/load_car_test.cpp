@@ -162,6 +162,15 @@ TEST(LoadCar, KeepsPluginsThatAreNotBuiltInWithTheirTags)
   EXPECT_EQ(car.plugins[0].parameters, parameters);
 }
 
+TEST(LoadCarWarnings, NamePluginsWithoutLibrary)
+{
+  const CarDescription car = load(smallCarWith("</robot>", "<gazebo><plugin name='mine'/></gazebo></robot>"));
+  EXPECT_EQ(car.plugins.size(), 1u);
+  EXPECT_TRUE(hasLine(
+    car.warnings,
+    "test.urdf:250: robot[small_car]/gazebo[11]/plugin[mine]: has no attribute 'filename' and is left out"));
+}
+
 TEST(LoadCar, FrameIdsHaveNoPrefix)
 {
   EXPECT_EQ(load(smallCarWith("<frameName>laser", "<frameName>robot1/laser")).lidars[0].frame, "laser");

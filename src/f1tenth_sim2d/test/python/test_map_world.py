@@ -218,6 +218,11 @@ def test_yaml_file_that_is_no_map_is_named(write):
     assert error(path) == "room_map.yaml: not a map description, allowed are lines 'key: value'"
 
 
+def test_suffix_may_be_in_capitals(write, tmp_path):
+    shouted = Path(write()).rename(tmp_path / "ROOM.YAML")
+    assert area(str(shouted)).symmetric_difference(cells(ROOM == 0)).area == pytest.approx(0.0, abs=1e-12)
+
+
 @pytest.mark.parametrize(
     ("image", "message"),
     [

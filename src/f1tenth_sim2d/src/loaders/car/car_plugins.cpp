@@ -90,6 +90,8 @@ void readPlugins(const std::vector<MechanismJoint> & mechanism, CarContext & con
     const auto reader = readers.find(libraryName(plugin));
     if (reader != readers.end()) {
       reader->second(plugin);
+    } else if (libraryName(plugin).empty()) {
+      context.warnings.add("has no attribute 'filename' and is left out", plugin.fileLine());
     } else {
       context.car.plugins.push_back(pluginElement(plugin));
     }

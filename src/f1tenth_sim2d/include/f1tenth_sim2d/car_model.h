@@ -123,6 +123,8 @@ struct DriveDescription
   bool publishes_transform{true};
   double acceleration_max{
     std::numeric_limits<double>::infinity()};  ///< m/s^2, of the wheels; besides that of the car's parameters
+  double steering_max{0.6};                    ///< rad, of an Ackermann drive; besides that of the car's parameters
+  double speed_max{20.0};                      ///< m/s, likewise
 };
 
 /// libgazebo_ros_control.so: the controllers of a controller_manager move wheels and steering joints.

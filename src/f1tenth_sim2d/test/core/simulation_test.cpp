@@ -166,6 +166,16 @@ TEST(Simulation, StartThatIsNotFiniteIsRefused)
     "robot1: y (m) of the pose is nan, allowed is a finite number");
 }
 
+TEST(Simulation, StartBeyondTheWorldIsRefused)
+{
+  Simulation simulation(world());
+  EXPECT_EQ(
+    messageOf([&] {
+      simulation.addCar(car("robot1"), {}, {1e9, 0, 0});
+    }),
+    "robot1: x (m) of the pose is 1e+09, allowed is -100000 to 100000");
+}
+
 TEST(Simulation, CarPlacedElsewhereStandsThereAndResetBringsItBack)
 {
   Simulation simulation(world({room(3.0)}));

@@ -157,13 +157,12 @@ TEST_F(CarOfOthers, WarnsOfTransmissionsThatMoveNothingHere)
 {
   const CarDescription mast = load(changed("<joint name=\"left_rear_wheel_joint\"/>", "<joint name=\"mast_joint\"/>"));
   EXPECT_EQ(
-    mast.warnings.back(),
-    "racecar.urdf:121: robot[racecar]/transmission[left_rear_wheel_transmission]: joint 'mast_joint' is left out: "
-    "neither a wheel nor a steering "
-    "joint");
+    mast.warnings.front(),
+    "racecar.urdf:133: robot[racecar]/joint[mast_joint] and 1 more: joint 'mast_joint' is left out: neither a wheel "
+    "(about the y axis of the car) nor a steering joint (about z, with a wheel on it)");
   const CarDescription odd = load(changed("SimpleTransmission", "DifferentialTransmission"));
   EXPECT_EQ(
-    odd.warnings.front(),
+    odd.warnings.at(1),
     "racecar.urdf:109: robot[racecar]/transmission[left_steering_hinge_transmission] and 3 more: a transmission of "
     "type "
     "'transmission_interface/DifferentialTransmission' is left out: simulated is SimpleTransmission");
@@ -211,7 +210,7 @@ TEST_F(CarOfOthers, DrivesByThePluginsOfGazeboRos)
   EXPECT_EQ(diff.drive->base_frame, "base_footprint");
   EXPECT_EQ(diff.drive->odometry_rate_hz, 30.0);
   EXPECT_EQ(
-    diff.warnings.front(),
+    diff.warnings.at(1),
     "racecar.urdf:190: robot[racecar]/gazebo[5]/plugin[drive]: is a second plugin that drives the car and left out");
 
   const DriveDescription planar = *load(withPlugin("libgazebo_ros_planar_move.so", "")).drive;
@@ -227,6 +226,21 @@ TEST_F(CarOfOthers, DrivesByThePluginsOfGazeboRos)
   EXPECT_EQ(ackermann.command_topic, "motor");
   EXPECT_EQ(ackermann.odometry_rate_hz, 40.0);
   EXPECT_FALSE(ackermann.publishes_odometry);
+  EXPECT_EQ(ackermann.steering_max, 0.6);
+  EXPECT_EQ(ackermann.speed_max, 20.0);
+}
+
+TEST_F(CarOfOthers, HasTheLimitsAndTheNamespaceOfAnAckermannDrive)
+{
+  const DriveDescription drive = *load(withPlugin(
+                                         "libgazebo_ros_ackermann_drive.so",
+                                         "<ros><namespace>demo</namespace><remapping>odom:=/odometry</remapping></ros>"
+                                         "<max_steer>0.3</max_steer><max_speed>4</max_speed>"))
+                                    .drive;
+  EXPECT_EQ(drive.command_topic, "/demo/cmd_vel");
+  EXPECT_EQ(drive.odometry_topic, "/odometry");
+  EXPECT_EQ(drive.steering_max, 0.3);
+  EXPECT_EQ(drive.speed_max, 4.0);
 }
 
 TEST_F(CarOfOthers, WithoutWheelsKeepsItsOwnFrameAndTheDynamicsOfTheF1TenthCar)

@@ -40,6 +40,11 @@ std::vector<BadCar> badCars()
      "test.urdf: robot[r]/link[base_footprint]: this name is taken; names are unique among the links of a robot"},
     {"TwoRoots", robot("<link name='a'/><link name='b'/>"),
      "test.urdf: robot[r]: has two links without a parent, 'a' and 'b'; allowed is one"},
+    {"XacroThatIsNotExpanded",
+     "<robot name='r' xmlns:xacro='x'><link name='a'/><xacro:wheel name='b'/><joint name='j' type='fixed'><parent "
+     "link='a'/><child link='b'/></joint></robot>",
+     "test.urdf: robot[r]/joint[j]: names the link 'b', which is not there: the description holds <xacro:…> tags; "
+     "expand it with xacro first"},
     {"BoxOfTwoNumbers", smallCarWith("<box size=\"0.02 0.2 0.06\"/>", "<box size=\"1 1\"/>"),
      "test.urdf: robot[small_car]/link[bumper_front]/collision/geometry/box: attribute 'size' is '1 1', allowed are "
      "three "
@@ -65,6 +70,16 @@ std::vector<BadCar> badCars()
      "test.urdf: robot[small_car]/link[rear_left_wheel]: has a <collision>, but no mass, so that Gazebo leaves it out; "
      "needed is an "
      "<inertial> with a mass above 0"},
+    {"NegativeMass", smallCarWith("<mass value=\"3.0\"/>", "<mass value=\"-3\"/>"),
+     "test.urdf: robot[small_car]/link[base_footprint]: the mass (kg) is -2.8, allowed are finite numbers from 0"},
+    {"MassThatIsNoNumber", smallCarWith("<mass value=\"3.0\"/>", "<mass value=\"nan\"/>"),
+     "test.urdf: robot[small_car]/link[base_footprint]: the mass (kg) is nan, allowed are finite numbers from 0"},
+    {"InertiaThatIsNoNumber", smallCarWith("ixx=\"1e-3\"", "ixx=\"nan\""),
+     "test.urdf: robot[small_car]/link[base_footprint]: the moments of inertia are not finite"},
+    {"WheelWithoutFriction",
+     smallCarWith("</robot>", "<gazebo reference=\"rear_left_wheel\"><mu1>0</mu1></gazebo></robot>"),
+     "test.urdf: robot[small_car]/link[rear_left_wheel]: the friction (mu1) of this wheel is 0, allowed are numbers "
+     "greater than 0"},
     {"TiltedLidar", smallCarWith("<origin xyz=\"0.27 0 0.11\"/>", "<origin xyz=\"0.27 0 0.11\" rpy=\"0 0.1 0\"/>"),
      kLidar + ": is tilted; a lidar has to be level, with its z axis upwards"},
     {"LidarUpsideDown",

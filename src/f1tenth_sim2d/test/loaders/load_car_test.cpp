@@ -162,6 +162,15 @@ TEST(LoadCar, KeepsPluginsThatAreNotBuiltInWithTheirTags)
   EXPECT_EQ(car.plugins[0].parameters, parameters);
 }
 
+TEST(LoadCarWarnings, NamePluginsWithoutLibrary)
+{
+  const CarDescription car = load(smallCarWith("</robot>", "<gazebo><plugin name='mine'/></gazebo></robot>"));
+  EXPECT_EQ(car.plugins.size(), 1u);
+  EXPECT_TRUE(hasLine(
+    car.warnings,
+    "test.urdf:250: robot[small_car]/gazebo[11]/plugin[mine]: has no attribute 'filename' and is left out"));
+}
+
 TEST(LoadCar, FrameIdsHaveNoPrefix)
 {
   EXPECT_EQ(load(smallCarWith("<frameName>laser", "<frameName>robot1/laser")).lidars[0].frame, "laser");
@@ -196,6 +205,20 @@ TEST(LoadCarWarnings, NameTheCamera)
     "has nothing "
     "to see"};
   EXPECT_EQ(load(smallCar()).warnings, expected);
+}
+
+TEST(LoadCarWarnings, NameWheelsThatTurnAboutAnotherAxisAndWhatSteersThem)
+{
+  const std::string front = "joint 'front_left_";
+  const std::string end =
+    "_joint' is left out: neither a wheel (about the y axis of the car) nor a steering joint (about z, with a wheel on "
+    "it)";
+  const CarDescription car = load(smallCarWith("<axis xyz=\"0 1 0\"/>", ""));
+  EXPECT_TRUE(hasLine(
+    car.warnings, "test.urdf:28: robot[small_car]/joint[front_left_wheel_joint] and 1 more: " + front + "wheel" + end));
+  EXPECT_TRUE(hasLine(
+    car.warnings,
+    "test.urdf:18: robot[small_car]/joint[front_left_steering_joint] and 1 more: " + front + "steering" + end));
 }
 
 TEST(LoadCarWarnings, NameSensorsWithoutRosPlugin)

@@ -69,6 +69,14 @@ TEST(VehicleParametersErrors, MissingFile)
     "/nowhere/car.yaml: no such file, or it cannot be read");
 }
 
+TEST(VehicleParametersErrors, FolderInThePlaceOfTheFile)
+{
+  const TempFolder folder;
+  EXPECT_EQ(
+    withoutFolder(loadErrorOf([&folder] { loadVehicleParameters(folder.path() + "/."); }), folder),
+    ".: is a folder, not a file");
+}
+
 TEST(VehicleParametersErrors, UnknownKeyNamesTheAllowedOnes)
 {
   EXPECT_EQ(

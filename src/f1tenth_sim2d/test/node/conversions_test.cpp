@@ -13,6 +13,23 @@ TEST(Conversions, YawBecomesAUnitQuaternionAboutZ)
   EXPECT_DOUBLE_EQ(quaternion.w, std::sqrt(0.75));
 }
 
+TEST(Conversions, TwistToAnAckermannDriveHoldsASteeringAngle)
+{
+  DriveDescription drive;
+  drive.steering_max = 0.4;
+  drive.speed_max = 3.0;
+  const auto command = [&drive](double speed, double angle) {
+    return toDriveCommand(toTwist({speed, 0}, angle), drive);
+  };
+  EXPECT_EQ(command(2.0, 0.3).speed, 2.0);
+  EXPECT_EQ(command(2.0, 0.3).steering_angle, 0.3);
+  EXPECT_EQ(command(0.0, 0.3).steering_angle, 0.3);
+  EXPECT_EQ(command(-2.0, 0.3).steering_angle, -0.3) << "as Gazebo's plugin does";
+  EXPECT_EQ(command(9.0, -9.0).speed, 3.0);
+  EXPECT_EQ(command(9.0, -9.0).steering_angle, -0.4);
+  EXPECT_TRUE(std::isnan(command(2.0, std::nan("")).steering_angle)) << "so that it is refused";
+}
+
 TEST(Conversions, ContactForceIsSharedByItsPoints)
 {
   Contact contact;

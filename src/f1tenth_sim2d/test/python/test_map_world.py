@@ -110,7 +110,7 @@ def test_every_kind_of_pgm_reads_the_same(write, tmp_path, kind, white):
 def test_negate_and_threshold_decide_what_is_occupied(write):
     negated = area(write(YAML.replace("negate: 0", "negate: 1")))
     assert negated.symmetric_difference(cells(ROOM > 0.65 * 255)).area == pytest.approx(0.0, abs=1e-12)
-    grey = area(write(YAML.replace("0.65", "0.19")))
+    grey = area(write(YAML.replace("0.196", "0.1").replace("0.65", "0.19")))
     assert grey.symmetric_difference(cells(ROOM < 254)).area == pytest.approx(0.0, abs=1e-12)
     at_threshold = np.where(ROOM == 205, 204, ROOM).astype(np.uint8)  # (255 - 204) / 255 = 0.2
     at = area(write(YAML.replace("0.65", "0.2"), pixels=at_threshold))
@@ -118,6 +118,8 @@ def test_negate_and_threshold_decide_what_is_occupied(write):
 
 
 def test_origin_may_be_turned(write):
+    with_four = area(write(YAML.replace("2.0, 0.0]", "2.0, 0.0, 7.0]")))
+    assert with_four.equals(area(write())), "what comes after is left aside, as map_server does"
     turned = area(write(YAML.replace("2.0, 0.0]", "2.0, 1.5707963267948966]")))
     assert turned.bounds == pytest.approx((-2.5, 2.0, -1.0, 4.0))
 
@@ -165,19 +167,30 @@ def error(path):
         (
             "[-1.0, 2.0, 0.0]",
             "[-1.0, 2.0]",
-            "room_map.yaml:3: origin: found no single value, "
-            "allowed is three numbers: x (m), y (m), yaw (rad)",
+            "room_map.yaml:3: origin: found a list of 2, allowed is three numbers: x (m), y (m), yaw (rad)",
         ),
         ("negate: 0", "negate: 2", "room_map.yaml:4: negate: found '2', allowed is 0 or 1"),
         ("0.65", "65", "room_map.yaml:5: occupied_thresh: found '65', allowed is a number from 0 to 1"),
         ("0.196", "-1", "room_map.yaml:6: free_thresh: found '-1', allowed is a number from 0 to 1"),
+        (
+            "0.196",
+            "0.66",
+            "room_map.yaml:6: free_thresh: found '0.66', "
+            "allowed is a number up to occupied_thresh, which is 0.65",
+        ),
+        (
+            "0.196",
+            "0.65\nmode: scale",
+            "room_map.yaml:6: free_thresh: found '0.65', "
+            "allowed is a number below occupied_thresh, which is 0.65",
+        ),
         ("free", "mode: grey\nfree", "room_map.yaml:6: mode: found 'grey', allowed is trinary, scale or raw"),
         (
             "image: room.png",
             "image: []",
-            "room_map.yaml:1: image: found no single value, allowed is a file name",
+            "room_map.yaml:1: image: found a list of 0, allowed is a file name",
         ),
-        ("room.png", "none.png", "none.png: no such image, or it cannot be read"),
+        ("room.png", "none.png", "none.png: no such file, or it cannot be read"),
         (
             "room.png",
             "room_map.yaml",
@@ -192,10 +205,22 @@ def test_mistakes_in_the_yaml_file_are_named(write, tmp_path, old, new, message)
     assert error(path) == message
 
 
+def test_folder_in_the_place_of_an_image_is_named(write, tmp_path):
+    path = write()
+    (tmp_path / "room.png").unlink()
+    (tmp_path / "room.png").mkdir()
+    assert error(path) == "room.png: is a folder, not a file"
+
+
 def test_yaml_file_that_is_no_map_is_named(write):
     path = write()
     Path(path).write_text("- a\n- b\n")
     assert error(path) == "room_map.yaml: not a map description, allowed are lines 'key: value'"
+
+
+def test_suffix_may_be_in_capitals(write, tmp_path):
+    shouted = Path(write()).rename(tmp_path / "ROOM.YAML")
+    assert area(str(shouted)).symmetric_difference(cells(ROOM == 0)).area == pytest.approx(0.0, abs=1e-12)
 
 
 @pytest.mark.parametrize(

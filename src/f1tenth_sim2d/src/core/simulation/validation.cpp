@@ -150,6 +150,8 @@ void validate(const CarDescription & car, const Pose2 & start)
   requireFinite(start.x, car.name, "x (m) of the pose");
   requireFinite(start.y, car.name, "y (m) of the pose");
   requireFinite(start.yaw, car.name, "yaw (rad) of the pose");
+  requireWithin(start.x, kLengthMax, car.name, "x (m) of the pose");
+  requireWithin(start.y, kLengthMax, car.name, "y (m) of the pose");
   require(car.wheel_radius > 0.0, car.name, "wheel radius (m)", car.wheel_radius, "more than 0");
   for (const LidarDescription & lidar : car.lidars) {
     validateLidar(lidar, car.name);

@@ -56,7 +56,7 @@ def find_place(place):
     path = Path(place)
     if str(place) in circuits():
         path = data_path(f"f1tenth_gazebo/worlds/{place}.world")
-    elif path.suffix not in {".world", ".yaml"} or not path.is_file():
+    elif path.suffix.lower() not in {".world", ".yaml"} or not path.is_file():
         raise ValueError(
             f"place: found {str(place)!r}, allowed are {', '.join(circuits())}, "
             "and paths of .world files and of maps' .yaml files"

@@ -40,8 +40,20 @@ void placeOnOneAxle(double centre_of_mass, CarContext & context)
   }
 }
 
+void requireMass(const LinkPart & link)
+{
+  const Inertia & inertia = link.inertia;
+  link.element.requireNotNegative("the mass (kg)", inertia.mass);
+  if (!inertia.moments.allFinite()) {
+    link.element.fail("the moments of inertia are not finite");
+  }
+}
+
 void readMass(const std::vector<MechanismJoint> & mechanism, CarContext & context)
 {
+  for (const LinkPart & link : context.model.links) {
+    requireMass(link);
+  }
   const Inertia whole = placed(inertiaOf(context.model), context.car_in_model.inverse());
   const Eigen::Vector3d & centre = whole.centre;
   VehicleParameters & parameters = context.car.parameters;
@@ -66,12 +78,23 @@ void readMass(const std::vector<MechanismJoint> & mechanism, CarContext & contex
   parameters.l_f = *wheelbase - parameters.l_r;
 }
 
+/// As in the YAML file of a vehicle: a wheel without any friction would neither drive nor steer.
+void requireFriction(const MechanismJoint & wheel, const Model & model)
+{
+  for (const LinkPart & link : model.links) {
+    if (link.name == wheel.child && *wheel.mu <= 0.0) {
+      link.element.fail("the friction (mu1) of this wheel is 0, allowed are numbers greater than 0");
+    }
+  }
+}
+
 void readFriction(const std::vector<MechanismJoint> & mechanism, CarContext & context)
 {
   double least = std::numeric_limits<double>::infinity();
   for (const MechanismJoint & joint : mechanism) {
-    if (joint.mu > 0.0) {
-      least = std::min(least, joint.mu);
+    if (joint.mu) {
+      requireFriction(joint, context.model);
+      least = std::min(least, *joint.mu);
     }
   }
   if (!std::isfinite(least)) {

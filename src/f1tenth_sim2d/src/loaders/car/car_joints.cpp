@@ -38,8 +38,7 @@ void addJoint(
   const auto joint = std::find_if(
     mechanism.begin(), mechanism.end(), [&name](const MechanismJoint & each) { return each.description.name == name; });
   if (joint == mechanism.end()) {
-    context.warnings.add(
-      "joint '" + name + "' is left out: neither a wheel nor a steering joint", publisher.fileLine());
+    context.warnings.add(leftOut(name), publisher.fileLine());
     return;
   }
   requireNewCorner(joint->description, publisher, context.car);

@@ -165,6 +165,25 @@ std::vector<MechanismJoint> findMechanism(const CarContext & context)
   return joints;
 }
 
+std::string leftOut(const std::string & joint)
+{
+  return "joint '" + joint +
+         "' is left out: neither a wheel (about the y axis of the car) nor a steering joint (about z, with a wheel on "
+         "it)";
+}
+
+void warnOfOtherJoints(const std::vector<MechanismJoint> & mechanism, CarContext & context)
+{
+  for (const JointPart & joint : context.model.joints) {
+    const auto is_meant = [&joint](const MechanismJoint & each) { return each.description.name == joint.name; };
+    // Limits that are equal are how some descriptions fix a joint.
+    const bool moves = joint.type != "fixed" && joint.lower != joint.upper;
+    if (moves && std::none_of(mechanism.begin(), mechanism.end(), is_meant)) {
+      context.warnings.add(leftOut(joint.name), joint.element.fileLine());
+    }
+  }
+}
+
 Pose3 properFrame(const std::vector<MechanismJoint> & mechanism)
 {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "loaders/model/car_context.h"
@@ -10,10 +12,10 @@ namespace f1tenth_sim2d
 struct MechanismJoint
 {
   JointDescription description;
-  std::string child;      ///< link
-  Eigen::Vector3d place;  ///< m
-  double radius{0.0};     ///< m, of a wheel
-  double mu{0.0};         ///< friction coefficient of a wheel
+  std::string child;           ///< link
+  Eigen::Vector3d place;       ///< m
+  double radius{0.0};          ///< m, of a wheel
+  std::optional<double> mu{};  ///< friction coefficient of a wheel with a round collision
 
   bool steers() const { return description.steers(); }
 };
@@ -22,6 +24,12 @@ struct MechanismJoint
 /// carry a wheel; where they sit says front, rear, left and right. Needs the car's solids.
 /// @throws LoadError for an axis that cannot be resolved
 std::vector<MechanismJoint> findMechanism(const CarContext & context);
+
+/// Warns of joints that could move, but are none of these.
+void warnOfOtherJoints(const std::vector<MechanismJoint> & mechanism, CarContext & context);
+
+/// What warnings say of such a joint.
+std::string leftOut(const std::string & joint);
 
 /// Where the car's frame belongs, seen from where it is: on the ground below the middle of the rear axle. A frame that
 /// is there to within a millimetre, and a car without wheels, stay.

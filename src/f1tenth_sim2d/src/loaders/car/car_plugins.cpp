@@ -77,8 +77,7 @@ void warnOfTransmissions(const CarContext & context)
       context.warnings.add(
         "a transmission of type '" + type + "' is left out: simulated is SimpleTransmission", transmission.fileLine());
     } else if (std::none_of(joints.begin(), joints.end(), is_meant)) {
-      context.warnings.add(
-        "joint '" + name + "' is left out: neither a wheel nor a steering joint", transmission.fileLine());
+      context.warnings.add(leftOut(name), transmission.fileLine());
     }
   }
 }
@@ -91,6 +90,8 @@ void readPlugins(const std::vector<MechanismJoint> & mechanism, CarContext & con
     const auto reader = readers.find(libraryName(plugin));
     if (reader != readers.end()) {
       reader->second(plugin);
+    } else if (libraryName(plugin).empty()) {
+      context.warnings.add("has no attribute 'filename' and is left out", plugin.fileLine());
     } else {
       context.car.plugins.push_back(pluginElement(plugin));
     }

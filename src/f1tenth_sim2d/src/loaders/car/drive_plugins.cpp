@@ -53,6 +53,17 @@ std::string remapped(const Element & plugin, const std::string & topic)
   }
   return topic;
 }
+
+/// A topic after the <remapping> and in the <namespace>.
+std::string resolved(const Element & plugin, const std::string & given)
+{
+  const std::string topic = remapped(plugin, given);
+  const std::string space = plugin.child("ros").child("namespace").text();
+  if (space.empty() || topic.front() == '/') {
+    return topic;
+  }
+  return (space.front() == '/' ? "" : "/") + space + (space.back() == '/' ? "" : "/") + topic;
+}
 }  // namespace
 
 void readDrive(Kind kind, const Element & plugin, CarContext & context)
@@ -64,8 +75,8 @@ void readDrive(Kind kind, const Element & plugin, CarContext & context)
   const Tags & tags = tagsOf(kind);
   DriveDescription drive;
   drive.kind = kind;
-  drive.command_topic = context.topic(plugin, remapped(plugin, plugin.textOf(tags.command_topic, "cmd_vel")));
-  drive.odometry_topic = context.topic(plugin, remapped(plugin, plugin.textOf(tags.odometry_topic, "odom")));
+  drive.command_topic = context.topic(plugin, resolved(plugin, plugin.textOf(tags.command_topic, "cmd_vel")));
+  drive.odometry_topic = context.topic(plugin, resolved(plugin, plugin.textOf(tags.odometry_topic, "odom")));
   drive.odometry_frame = context.frame(plugin, plugin.textOf(tags.odometry_frame, "odom"));
   drive.base_frame = context.frame(plugin, plugin.textOf(tags.base_frame, "base_footprint"));
   drive.odometry_rate_hz = plugin.notNegative(tags.rate, tags.default_rate_hz);
@@ -73,6 +84,10 @@ void readDrive(Kind kind, const Element & plugin, CarContext & context)
   drive.publishes_transform = flag(plugin, tags.transform);
   if (const double limit = plugin.notNegative("wheelAcceleration", 0.0); kind == Kind::kDifferential && limit > 0.0) {
     drive.acceleration_max = limit;
+  }
+  if (kind == Kind::kAckermann) {
+    drive.steering_max = plugin.notNegative("max_steer", drive.steering_max);
+    drive.speed_max = plugin.notNegative("max_speed", drive.speed_max);
   }
   context.car.drive = std::move(drive);
 }

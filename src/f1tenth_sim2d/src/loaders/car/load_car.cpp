@@ -1,3 +1,4 @@
+#include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
 #include "loaders/car/car_dynamics.h"
 #include "loaders/car/car_mechanism.h"
@@ -59,9 +60,21 @@ void readParts(CarContext & context)
   placeFrame(context);
   const std::vector<MechanismJoint> mechanism = findMechanism(context);
   readMechanism(mechanism, context.car);
+  warnOfOtherJoints(mechanism, context);
   readSensors(context);
   readPlugins(mechanism, context);
   readDynamics(mechanism, context);
+}
+Model readRobot(ModelReader & reader, const std::string & xml, const std::string & source)
+{
+  try {
+    return flattened(reader.readText(xml, source, "robot description"));
+  } catch (const LoadError & error) {
+    if (xml.find("<xacro:") == std::string::npos) {
+      throw;
+    }
+    throw LoadError(error.what(), "", "the description holds <xacro:…> tags; expand it with xacro first");
+  }
 }
 }  // namespace
 
@@ -72,7 +85,7 @@ CarDescription loadCar(
   const UriLookup uris(search_path, "");
   WarningCollector warnings;
   ModelReader reader(uris, warnings);
-  const Model model = flattened(reader.readText(xml, source, "robot description"));
+  const Model model = readRobot(reader, xml, source);
   CarDescription car;
   car.name = name;
   car.ros_namespace = ros_namespace.value_or(name);

@@ -8,6 +8,7 @@
 
 #include "f1tenth_sim2d/errors.h"
 #include "loaders/car/vehicle_keys.h"
+#include "loaders/files/read_file.h"
 
 namespace f1tenth_sim2d
 {
@@ -76,12 +77,10 @@ void readMap(
   }
 }
 
-YAML::Node readFile(const std::string & path)
+YAML::Node readYaml(const std::string & path)
 {
   try {
-    return YAML::LoadFile(path);
-  } catch (const YAML::BadFile &) {
-    throw LoadError(path, "", "no such file, or it cannot be read");
+    return YAML::Load(readFile(path));
   } catch (const YAML::ParserException & error) {
     fail(path, error.mark, "not YAML: " + error.msg);
   }
@@ -101,7 +100,7 @@ VehicleModel vehicleModel(const std::string & name)
 
 VehicleParameters loadVehicleParameters(const std::string & path)
 {
-  const YAML::Node root = readFile(path);
+  const YAML::Node root = readYaml(path);
   VehicleParameters parameters;
   if (root.IsNull()) {
     return parameters;

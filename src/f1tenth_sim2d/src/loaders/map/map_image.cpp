@@ -1,26 +1,15 @@
 #include "loaders/map/map_image.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "f1tenth_sim2d/errors.h"
+#include "loaders/files/read_file.h"
 
 namespace f1tenth_sim2d
 {
 namespace
 {
 constexpr std::size_t kPixelsMax = 100'000'000;
-
-std::string readBytes(const std::string & path)
-{
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file) {
-    throw LoadError(path, "", "no such image, or it cannot be read");
-  }
-  return bytes;
-}
 }  // namespace
 
 double MapImage::brightness(std::size_t pixel, bool with_alpha) const
@@ -45,7 +34,7 @@ void requireMapSize(const std::string & path, std::size_t width, std::size_t hei
 
 MapImage readMapImage(const std::string & path)
 {
-  const std::string bytes = readBytes(path);
+  const std::string bytes = readFile(path);
   if (bytes.rfind("\x89PNG", 0) == 0) {
     return readPng(path, bytes);
   }

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "f1tenth_sim2d/errors.h"
+#include "loaders/files/read_file.h"
 
 namespace f1tenth_sim2d
 {
@@ -67,13 +68,25 @@ public:
   {
     const YAML::Node node = root_[key];
     std::array<double, 3> values{NAN, NAN, NAN};
-    for (std::size_t i = 0; node.IsSequence() && node.size() == 3 && i < 3; ++i) {
+    // map_server leaves aside what comes after.
+    for (std::size_t i = 0; node.IsSequence() && node.size() >= 3 && i < 3; ++i) {
       values[i] = decoded(node[i]);
     }
     if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); })) {
       fail(key, node, "three numbers: x (m), y (m), yaw (rad)");
     }
     return {values[0], values[1], values[2]};
+  }
+
+  /// As map_server: free pixels are lighter than occupied ones.
+  void requireOrder(double free_thresh, double occupied_thresh, bool may_be_equal) const
+  {
+    if (!(free_thresh < occupied_thresh || (may_be_equal && free_thresh == occupied_thresh))) {
+      fail(
+        "free_thresh", root_["free_thresh"],
+        std::string("a number ") + (may_be_equal ? "up to" : "below") + " occupied_thresh, which is " +
+          root_["occupied_thresh"].Scalar());
+    }
   }
 
   MapMetadata::Mode mode() const
@@ -106,9 +119,7 @@ private:
   YAML::Node load() const
   {
     try {
-      return YAML::LoadFile(path_);
-    } catch (const YAML::BadFile &) {
-      throw LoadError(path_, "", "cannot be read");
+      return YAML::Load(readFile(path_));
     } catch (const YAML::ParserException & error) {
       throw LoadError(path_ + ":" + std::to_string(error.mark.line + 1), "", "not YAML: " + error.msg);
     }
@@ -122,7 +133,9 @@ private:
 
   [[noreturn]] void fail(const char * key, const YAML::Node & node, const std::string & allowed) const
   {
-    const std::string found = node.IsScalar() ? "'" + node.Scalar() + "'" : "no single value";
+    const std::string found = node.IsScalar()     ? "'" + node.Scalar() + "'"
+                              : node.IsSequence() ? "a list of " + std::to_string(node.size())
+                                                  : "no single value";
     throw LoadError(
       path_ + ":" + std::to_string(node.Mark().line + 1), key, "found " + found + ", allowed is " + allowed);
   }
@@ -142,8 +155,9 @@ MapMetadata readMapMetadata(const std::string & path)
   metadata.origin = keys.pose("origin");
   metadata.negate = keys.flag("negate");
   metadata.occupied_thresh = keys.number("occupied_thresh", kBelowZero, 1.0, "a number from 0 to 1");
-  keys.number("free_thresh", kBelowZero, 1.0, "a number from 0 to 1");
+  const double free_thresh = keys.number("free_thresh", kBelowZero, 1.0, "a number from 0 to 1");
   metadata.mode = keys.mode();
+  keys.requireOrder(free_thresh, metadata.occupied_thresh, metadata.mode != MapMetadata::Mode::kScale);
   metadata.warnings = keys.warnings();
   return metadata;
 }

@@ -1,5 +1,6 @@
 #include "loaders/map/map_world.h"
 
+#include <boost/algorithm/string/case_conv.hpp>
 #include <filesystem>
 
 #include "loaders/map/map_centreline.h"
@@ -41,7 +42,7 @@ CellGrid cellsOf(const MapImage & image, const MapMetadata & metadata)
 
 bool isMapFile(const std::string & path)
 {
-  const std::string ending = std::filesystem::path(path).extension().string();
+  const std::string ending = boost::algorithm::to_lower_copy(std::filesystem::path(path).extension().string());
   return ending == ".yaml" || ending == ".yml";
 }
 

@@ -27,6 +27,9 @@ using Eigen::Vector3d;
 /// m; farther out nothing is meant, and numbers would lose the precision that sections need.
 constexpr double kFarthestVertex = 1e5;
 
+/// What Assimp calls a file that it reads from memory, without the format.
+const std::string kNameOfMemory = "$$$___magic___$$$.";
+
 /// The triangles of a scene, put where its nodes put them.
 class SurfaceBuilder
 {
@@ -133,6 +136,9 @@ std::string bytesOf(const std::string & path)
 {
   std::ifstream file(path, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file || bytes.empty()) {
+    throw Error(file ? "cannot be read: the file is empty" : "cannot be read: it cannot be opened");
+  }
   // Where the FBX exporter has no picture it writes a URI without a path, at which Assimp aborts. Pictures are not read.
   boost::algorithm::replace_all(bytes, ">file://<", ">nothing<");
   return bytes;
@@ -147,7 +153,9 @@ const aiScene & import(Assimp::Importer & importer, const std::string & path)
   const aiScene * const scene = importer.ReadFileFromMemory(
     bytes.data(), bytes.size(), aiProcess_Triangulate | aiProcess_SortByPType, format.c_str());
   if (!scene || !scene->mRootNode) {
-    throw Error("cannot be read: " + std::string(importer.GetErrorString()));
+    std::string reason = importer.GetErrorString();
+    boost::algorithm::replace_all(reason, kNameOfMemory + format, "the file");
+    throw Error("cannot be read: " + reason);
   }
   return *scene;
 }

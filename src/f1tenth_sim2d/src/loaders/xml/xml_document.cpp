@@ -1,10 +1,9 @@
 #include "loaders/xml/xml_document.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "f1tenth_sim2d/errors.h"
+#include "loaders/files/read_file.h"
 #include "loaders/xml/xml_text.h"
 
 namespace f1tenth_sim2d
@@ -36,12 +35,7 @@ Element XmlDocuments::readFile(const std::string & path, const Element & asked_b
     document->file = path;
     document->folder = std::filesystem::path(path).parent_path().string();
     document->included_by = asked_by ? asked_by.place() : "";
-    std::ifstream file(path, std::ios::binary);
-    const std::string xml{std::istreambuf_iterator<char>(file), {}};
-    if (!file) {
-      throw LoadError(path, "", "cannot be read");
-    }
-    return read(*document, xml);
+    return read(*document, f1tenth_sim2d::readFile(path));
   }
   return {document->text.RootElement(), document.get()};
 }

@@ -2,9 +2,11 @@
 
 #include <ros/console.h>
 
+#include <optional>
 #include <utility>
 
 #include "f1tenth_sim2d/errors.h"
+#include "node/messages/conversions.h"
 
 namespace f1tenth_sim2d
 {
@@ -38,7 +40,14 @@ CommandInput::CommandInput(Simulation & simulation, CarId car, ros::NodeHandle n
 
 void CommandInput::onTwist(const geometry_msgs::Twist & message)
 {
-  take({}, [&] { simulation_.commandTwist(car_, message.linear.x, message.angular.z, message.linear.y); });
+  const std::optional<DriveDescription> & drive = simulation_.car(car_).drive;
+  take({}, [&] {
+    if (drive && drive->kind == DriveDescription::Kind::kAckermann) {
+      simulation_.command(car_, toDriveCommand(message, *drive));
+    } else {
+      simulation_.commandTwist(car_, message.linear.x, message.angular.z, message.linear.y);
+    }
+  });
 }
 
 void CommandInput::onDrive(const ackermann_msgs::AckermannDriveStamped & message)

@@ -1,5 +1,6 @@
 #include "node/messages/conversions.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace f1tenth_sim2d
@@ -56,6 +57,14 @@ geometry_msgs::Twist toTwist(const Vec2 & velocity, double yaw_rate)
   message.linear = toVector3(velocity);
   message.angular.z = yaw_rate;
   return message;
+}
+
+DriveCommand toDriveCommand(const geometry_msgs::Twist & twist, const DriveDescription & drive)
+{
+  const double angle = twist.angular.z * std::copysign(1.0, twist.linear.x);
+  return {
+    std::clamp(twist.linear.x, -drive.speed_max, drive.speed_max),
+    std::clamp(angle, -drive.steering_max, drive.steering_max)};
 }
 
 gazebo_msgs::ContactState toContactState(const Contact & contact)

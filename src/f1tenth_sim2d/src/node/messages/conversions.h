@@ -8,7 +8,7 @@
 #include "f1tenth_sim2d/pose3.h"
 #include "f1tenth_sim2d/simulation.h"
 
-/// From the core's types to messages.
+/// Between the core's types and messages.
 namespace f1tenth_sim2d
 {
 geometry_msgs::Quaternion toQuaternion(double yaw);
@@ -17,6 +17,8 @@ geometry_msgs::Pose toPose(const Pose3 & pose);
 Pose3 onGround(const Pose2 & pose);
 /// @param velocity  m/s, in the frame of the twist
 geometry_msgs::Twist toTwist(const Vec2 & velocity, double yaw_rate);
+/// What a Twist means to an Ackermann drive: its angular.z is a steering angle (rad), which changes sides in reverse.
+DriveCommand toDriveCommand(const geometry_msgs::Twist & twist, const DriveDescription & drive);
 /// The force is spread evenly over the contact points.
 gazebo_msgs::ContactState toContactState(const Contact & contact);
 

@@ -1,0 +1,29 @@
+#include "loaders/files/read_file.h"
+
+#include <filesystem>
+#include <fstream>
+#include <ios>
+#include <iterator>
+
+#include "f1tenth_sim2d/errors.h"
+
+namespace f1tenth_sim2d
+{
+std::string readFile(const std::string & path)
+{
+  std::error_code ignored;
+  // Opening a folder succeeds; what reading it throws does not name it.
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw LoadError(path, "", "is a folder, not a file");
+  }
+  std::ifstream file(path, std::ios::binary);
+  try {
+    std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    if (file) {
+      return bytes;
+    }
+  } catch (const std::ios_base::failure &) {  // of the device; an iterator does not leave it to the stream
+  }
+  throw LoadError(path, "", "no such file, or it cannot be read");
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace f1tenth_sim2d
+{
+/// The bytes of a file.
+/// @throws LoadError for one that is not there, that is a folder, or that cannot be read
+std::string readFile(const std::string & path);
+}  // namespace f1tenth_sim2d

@@ -107,6 +107,8 @@ TEST_F(CarOfOthers, IsRefusedNothingWhereADescriptionSaysTooMuch)
   EXPECT_EQ(slippery.parameters.mu, 0.9);
   const CarDescription glued = load(changed("<mu1>0.9</mu1>", "<mu1>5</mu1>"));
   EXPECT_EQ(glued.parameters.mu, 0.8);
+  const CarDescription on_a_caster = load(changed("<mu1>0.8</mu1>", "<mu1>0</mu1>"));
+  EXPECT_EQ(on_a_caster.parameters.mu, 0.9);
   const CarDescription nose_heavy = load(changed("-0.01 0 0.02", "0.3 0 0.02"));
   EXPECT_NEAR(nose_heavy.parameters.l_r, 0.33 * 0.17145 / 0.3302, 1e-9);
   EXPECT_EQ(

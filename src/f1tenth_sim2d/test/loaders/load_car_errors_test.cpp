@@ -76,10 +76,14 @@ std::vector<BadCar> badCars()
      "test.urdf: robot[small_car]/link[base_footprint]: the mass (kg) is nan, allowed are finite numbers from 0"},
     {"InertiaThatIsNoNumber", smallCarWith("ixx=\"1e-3\"", "ixx=\"nan\""),
      "test.urdf: robot[small_car]/link[base_footprint]: the moments of inertia are not finite"},
-    {"WheelWithoutFriction",
-     smallCarWith("</robot>", "<gazebo reference=\"rear_left_wheel\"><mu1>0</mu1></gazebo></robot>"),
-     "test.urdf: robot[small_car]/link[rear_left_wheel]: the friction (mu1) of this wheel is 0, allowed are numbers "
-     "greater than 0"},
+    {"WheelsWithoutFriction",
+     smallCarWith(
+       "</robot>",
+       "<gazebo reference=\"rear_left_wheel\"><mu1>0</mu1></gazebo>"
+       "<gazebo reference=\"rear_right_wheel\"><mu1>0</mu1></gazebo>"
+       "<gazebo reference=\"front_left_wheel\"><mu1>0</mu1></gazebo>"
+       "<gazebo reference=\"front_right_wheel\"><mu1>0</mu1></gazebo></robot>"),
+     "test.urdf: robot[small_car]: the friction (mu1) of all wheels is 0, allowed are numbers greater than 0"},
     {"TiltedLidar", smallCarWith("<origin xyz=\"0.27 0 0.11\"/>", "<origin xyz=\"0.27 0 0.11\" rpy=\"0 0.1 0\"/>"),
      kLidar + ": is tilted; a lidar has to be level, with its z axis upwards"},
     {"LidarUpsideDown",

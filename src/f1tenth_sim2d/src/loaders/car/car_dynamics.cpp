@@ -78,24 +78,18 @@ void readMass(const std::vector<MechanismJoint> & mechanism, CarContext & contex
   parameters.l_f = *wheelbase - parameters.l_r;
 }
 
-/// As in the YAML file of a vehicle: a wheel without any friction would neither drive nor steer.
-void requireFriction(const MechanismJoint & wheel, const Model & model)
-{
-  for (const LinkPart & link : model.links) {
-    if (link.name == wheel.child && *wheel.mu <= 0.0) {
-      link.element.fail("the friction (mu1) of this wheel is 0, allowed are numbers greater than 0");
-    }
-  }
-}
-
+/// Casters may have none: they only carry. A car whose wheels all have none would neither drive nor steer.
 void readFriction(const std::vector<MechanismJoint> & mechanism, CarContext & context)
 {
   double least = std::numeric_limits<double>::infinity();
   for (const MechanismJoint & joint : mechanism) {
-    if (joint.mu) {
-      requireFriction(joint, context.model);
+    if (joint.mu.value_or(0.0) > 0.0) {
       least = std::min(least, *joint.mu);
     }
+  }
+  const auto is_said = [](const MechanismJoint & joint) { return joint.mu.has_value(); };
+  if (!std::isfinite(least) && std::any_of(mechanism.begin(), mechanism.end(), is_said)) {
+    context.model.element.fail("the friction (mu1) of all wheels is 0, allowed are numbers greater than 0");
   }
   if (!std::isfinite(least)) {
     return;

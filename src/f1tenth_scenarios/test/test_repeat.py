@@ -20,7 +20,9 @@ def test_repeat_says_that_all_were_the_same(program, tmp_path, capsys, at_once):
 def test_repeat_finds_a_difference(program, tmp_path, capsys):
     program.drifts()
     assert not repeat("circuit1", 2, tmp_path, [], StopRequest())
-    assert "trajectories:      2 different ones" in capsys.readouterr().out
+    assert (
+        "trajectories:      2 different ones: does the planner ask the wall clock" in capsys.readouterr().out
+    )
 
 
 @pytest.mark.parametrize("code", [1, 2])
@@ -61,7 +63,11 @@ def test_spread_of_runs_without_laps():
     assert lines["minimum clearance"] == "none"
 
 
-def test_spread_says_from_where_to_where():
+@pytest.mark.parametrize(
+    ("lockstep", "why"),
+    [(False, ""), (True, ": does the planner ask the wall clock, or draw random numbers without a seed?")],
+)
+def test_spread_says_from_where_to_where(lockstep, why):
     results = [
         {"verdict": verdict, "passed": passed, "trajectory_hash": verdict, "times": {"lap_time": lap}}
         | {"minimum_clearance": lap / 100}
@@ -71,11 +77,12 @@ def test_spread_says_from_where_to_where():
             ("success", True, 8.0),
         )
     ]
+    results = [each | {"lockstep": lockstep} for each in results]
     assert spread(results) == [
         ("runs", "3"),
         ("verdicts", "2 success, 1 collision"),
         ("passed", "2 of 3"),
-        ("trajectories", "2 different ones"),
+        ("trajectories", f"2 different ones{why}"),
         ("lap time", "7.500 to 9.000 s"),
         ("minimum clearance", "0.075 to 0.090 m"),
     ]

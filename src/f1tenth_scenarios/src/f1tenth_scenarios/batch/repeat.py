@@ -11,6 +11,8 @@ from f1tenth_scenarios.plan.planning import make_plan
 from f1tenth_scenarios.results.console import CountLine
 from f1tenth_scenarios.stop_request import StopRequest
 
+_WHY = ": does the planner ask the wall clock, or draw random numbers without a seed?"
+
 
 def repeat(
     name: str, count: int, results: Path, settings: Sequence[str], stop: StopRequest, at_once: int = 1
@@ -53,23 +55,32 @@ def spread(results: Sequence[dict[str, Any]]) -> list[tuple[str, str]]:
     verdicts = collections.Counter(result["verdict"] for result in results)
     laps = [result["times"]["lap_time"] for result in results if result["times"]["lap_time"] is not None]
     clearances = [each["minimum_clearance"] for each in results if each["minimum_clearance"] is not None]
-    hashes = len({result["trajectory_hash"] for result in results})
     return [
         ("runs", str(len(results))),
         ("verdicts", ", ".join(f"{count} {verdict}" for verdict, count in verdicts.most_common())),
         ("passed", f"{sum(result['passed'] for result in results)} of {len(results)}"),
-        ("trajectories", "all the same, bit for bit" if hashes == 1 else f"{hashes} different ones"),
+        ("trajectories", _trajectories(results)),
         *[("note", note) for note in dict.fromkeys(result.get("note") for result in results) if note],
         ("lap time", _range(laps, "s")),
         ("minimum clearance", _range(clearances, "m")),
     ]
 
 
+def _trajectories(results):
+    hashes = len({result["trajectory_hash"] for result in results})
+    if hashes == 1:
+        return "all the same, bit for bit"
+    why = _WHY if _in_lockstep(results) else ""
+    return f"{hashes} different ones{why}"
+
+
+def _in_lockstep(results):
+    return all(each.get("lockstep", True) for each in results)
+
+
 def is_steady(results: Sequence[dict[str, Any]]) -> bool:
     """Whether every run passed with the same verdict; in lockstep with the same trajectory as well."""
-    same = (
-        ["verdict", "trajectory_hash"] if all(each.get("lockstep", True) for each in results) else ["verdict"]
-    )
+    same = ["verdict", "trajectory_hash"] if _in_lockstep(results) else ["verdict"]
     return all(result["passed"] for result in results) and all(
         len({result[name] for result in results}) == 1 for name in same
     )

@@ -137,6 +137,10 @@ TEST(LoadWorld, ModelsMadeOfOthersThatDoNotMoveApartAreOneBody)
   }
   EXPECT_TRUE(load(parts.substr(parts.rfind("<model"))).at(0).is_static);
   EXPECT_EQ(load(parts).size(), 2u);
+  const std::vector<ModelDescription> twice =
+    load("<model name='n'>" + parts.substr(parts.rfind("<model")) + "</model>");
+  ASSERT_EQ(twice.size(), 1u);
+  EXPECT_TRUE(twice[0].is_static);
 }
 
 TEST(LoadWorld, TurnsAPlaneToItsNormal)

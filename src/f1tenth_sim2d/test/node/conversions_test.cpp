@@ -28,6 +28,7 @@ TEST(Conversions, TwistToAnAckermannDriveHoldsASteeringAngle)
   EXPECT_EQ(command(9.0, -9.0).speed, 3.0);
   EXPECT_EQ(command(9.0, -9.0).steering_angle, -0.4);
   EXPECT_TRUE(std::isnan(command(2.0, std::nan("")).steering_angle)) << "so that it is refused";
+  EXPECT_TRUE(std::isinf(command(HUGE_VAL, 0.3).speed)) << "so that it is refused";
 }
 
 TEST(Conversions, ContactForceIsSharedByItsPoints)

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <filesystem>
 
 #include "loaders/files/path_list.h"
-#include "loaders/xml/xml_text.h"
 
 namespace f1tenth_sim2d
 {
@@ -87,7 +87,9 @@ void PackagePath::addPackage(const std::string & folder)
   }
   const tinyxml2::XMLElement * const package = document.FirstChildElement("package");
   const tinyxml2::XMLElement * const name = package ? package->FirstChildElement("name") : nullptr;
-  if (!name || !name->GetText() || !folder_of_.try_emplace(withoutBlanksAround(name->GetText()), folder).second) {
+  if (
+    !name || !name->GetText() ||
+    !folder_of_.try_emplace(boost::trim_copy(std::string(name->GetText())), folder).second) {
     return;
   }
   appendExported(*package, folder, model_folders_);

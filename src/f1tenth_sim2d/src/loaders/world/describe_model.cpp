@@ -17,9 +17,11 @@ bool holdsToTheWorld(const JointPart & joint)
   return joint.type == "fixed" && (joint.parent == "world" || joint.child == "world");
 }
 
+/// Whether a model does not move, or consists of nested ones alone that do not.
 bool isStatic(const Model & model)
 {
-  return model.is_static;
+  const bool only_nested = model.links.empty() && !model.models.empty();
+  return model.is_static || (only_nested && std::all_of(model.models.begin(), model.models.end(), isStatic));
 }
 
 /// Whether a joint of a model holds something that is nested in it.
@@ -37,7 +39,7 @@ bool isOneBody(const Model & model);
 Model withTiedModels(Model model)
 {
   if (isOneBody(model)) {
-    model.is_static = std::all_of(model.models.begin(), model.models.end(), isStatic) || model.is_static;
+    model.is_static = isStatic(model);
     return flattened(std::move(model));
   }
   const auto is_tied = [&model](const Model & nested) { return isTied(nested, model.joints); };
@@ -55,8 +57,7 @@ bool isOneBody(const Model & model)
   if (!model.links.empty() || model.models.empty()) {
     return false;
   }
-  return model.is_static || std::all_of(model.models.begin(), model.models.end(), isStatic) ||
-         (model.models.size() == 1 && withTiedModels(model.models.front()).models.empty());
+  return isStatic(model) || (model.models.size() == 1 && withTiedModels(model.models.front()).models.empty());
 }
 
 void warnOfJoints(const Model & model, WarningCollector & warnings)

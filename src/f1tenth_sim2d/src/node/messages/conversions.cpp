@@ -59,12 +59,19 @@ geometry_msgs::Twist toTwist(const Vec2 & velocity, double yaw_rate)
   return message;
 }
 
+namespace
+{
+/// What is not finite stays so, and is refused.
+double bounded(double value, double most)
+{
+  return std::isfinite(value) ? std::clamp(value, -most, most) : value;
+}
+}  // namespace
+
 DriveCommand toDriveCommand(const geometry_msgs::Twist & twist, const DriveDescription & drive)
 {
   const double angle = twist.angular.z * std::copysign(1.0, twist.linear.x);
-  return {
-    std::clamp(twist.linear.x, -drive.speed_max, drive.speed_max),
-    std::clamp(angle, -drive.steering_max, drive.steering_max)};
+  return {bounded(twist.linear.x, drive.speed_max), bounded(angle, drive.steering_max)};
 }
 
 gazebo_msgs::ContactState toContactState(const Contact & contact)

@@ -29,8 +29,6 @@ def test_a_path_may_be_relative_or_absolute(worlds, tmp_path):
 def test_a_map_is_a_world_too(worlds, tmp_path):
     (tmp_path / "track_map.yaml").write_text("")
     assert find_world("track_map.yaml", worlds, tmp_path) == tmp_path / "track_map.yaml"
-    (tmp_path / "TRACK.YAML").write_text("")
-    assert find_world("TRACK.YAML", worlds, tmp_path) == tmp_path / "TRACK.YAML"
 
 
 def test_a_wrong_name_is_answered_with_the_known_ones(worlds, tmp_path):

@@ -48,11 +48,14 @@ def test_line_goes_the_way_of_the_start_with_the_road_to_both_sides(yaw, turn):
     assert np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) * turn > 0.0
 
 
-def test_widths_are_those_to_either_side():
-    grid = ring([(slice(20, 30), slice(80, 120))])  # the outer wall comes 0.5 m nearer about the start
-    ahead, back = (middle_of_road(grid, (3.0, -2.8, yaw))[0] for yaw in (0.0, np.pi))
-    assert ahead[2:] == pytest.approx([0.75, 0.75], abs=0.06)
-    assert back[2:] == pytest.approx(ahead[[3, 2]], abs=0.02)
+def test_width_is_that_to_the_nearer_side():
+    for row in middle_of_road(ring(), (3.0, -3.0, 0.0)):
+        away = np.abs(row[:2] - (3.0, 0.0))
+        nearer = min(4.0 - max(away), np.hypot(*np.maximum(away - 2.0, 0.0)))
+        assert row[2] == row[3]
+        assert row[2] == pytest.approx(nearer, abs=0.06)
+    narrow = middle_of_road(ring([(slice(20, 40), slice(60, 140))]), (3.0, -2.5, 0.0))
+    assert narrow[0, 2:] == pytest.approx([0.5, 0.5], abs=0.06)
 
 
 def test_islands_are_taken_for_road():
@@ -87,6 +90,12 @@ def test_middle_of_a_track_is_the_line_that_came_with_it(name):
     [
         (ring(), (3.0, 0.0, 0.0), r"at the start \(3, 0\) the map shows no road, must be free"),
         (ring(), (30.0, 0.0, 0.0), r"at the start \(30, 0\) the map shows no road, must be free"),
+        (ring(), (np.nan, 0.0, 0.0), r"the start is \(nan, 0.0, 0.0\), must be finite numbers"),
+        (
+            ring([(slice(22, 58), slice(90, 110))]),
+            (-0.5, 0.0, 0.0),
+            r"something stands in the middle of the road at \(\S+, \S+\); it may go around one thing only",
+        ),
         (
             Grid(np.pad(np.full((50, 50), FREE, np.uint8), 5), -1.0, -1.0),
             (0.0, 0.0, 0.0),
@@ -113,3 +122,15 @@ def test_command_writes_the_line_beside_the_map_and_names_a_map_without_a_road(t
 def test_command_names_a_map_that_is_not_there(tmp_path, capsys):
     assert make_centerline([str(tmp_path / "none.yaml")]) == 1
     assert capsys.readouterr().err == f"{tmp_path / 'none.yaml'}: cannot be read: No such file or directory\n"
+
+
+def test_map_says_what_is_free_and_must_not_be_turned(tmp_path):
+    save_map(ring(), tmp_path / "lab")
+    path = tmp_path / "lab.yaml"
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text.replace("free_thresh: 0.196", "free_thresh: 0.001"), encoding="utf-8")
+    with pytest.raises(MapError, match="the map shows no road"):
+        middle_of_road(load_map(path), (3.0, -3.0, 0.0))
+    path.write_text(text.replace("0.000000]", "0.5]"), encoding="utf-8")
+    with pytest.raises(MapError, match=f"^{path}: its origin is turned by 0.5 rad, must not be turned$"):
+        load_map(path)

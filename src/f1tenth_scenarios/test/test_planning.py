@@ -188,7 +188,11 @@ def test_a_car_can_be_put_some_way_along_any_road(planned, track):
 def test_a_car_can_be_put_ahead_on_a_road_only(planned, tmp_path):
     (tmp_path / "empty.world").write_text("<sdf version='1.6'><world name='w'/></sdf>", encoding="utf-8")
     car = "    driver: commands\n    commands: [{at: 0, speed: 1}]\n    ahead: 1.0\n"
-    with pytest.raises(ScenarioError, match="'ahead' of a car needs a road: .*empty.world is no circuit"):
+    lacks = "'ahead' of a car needs a road: .*empty.world is no circuit, and there is no empty_centerline.csv"
+    with pytest.raises(ScenarioError, match=f"{lacks} beside it$"):
+        planned(car, world="empty.world")
+    (tmp_path / "empty.yaml").touch()
+    with pytest.raises(ScenarioError, match=f"{lacks} beside it; `rosrun f1tenth_gazebo make_centerline "):
         planned(car, world="empty.world")
 
 

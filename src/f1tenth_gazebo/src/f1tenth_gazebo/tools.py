@@ -71,7 +71,7 @@ def make_centerline(arguments=None):
         nargs=3,
         default=(0.0, 0.0, 0.0),
         metavar=("X", "Y", "YAW"),
-        help="where it begins and which way it goes, m and rad (default: the map's origin, along x)",
+        help="where it begins and which way it goes in the map frame, m and rad (default: 0 0 0)",
     )
     parser.add_argument(
         "-o", dest="output", metavar="FILE", help="default: NAME_centerline.csv beside the map"

@@ -30,6 +30,7 @@ class Grid:
     x: float  # m
     y: float  # m
     resolution: float = RESOLUTION  # m
+    free_thresh: float = 0.196  # how dark a free pixel is at most: 0 is white, 1 black
 
     @property
     def extent(self):
@@ -49,9 +50,14 @@ def load_map(path):
         with Image.open(path.parent / description["image"]) as image:
             pixels = np.asarray(image.convert("L"))[::-1]
         x, y, resolution = map(float, (*description["origin"][:2], description["resolution"]))
-        return Grid(255 - pixels if description.get("negate") else pixels, x, y, resolution)
+        pixels = 255 - pixels if description.get("negate") else pixels
+        grid = Grid(pixels, x, y, resolution, float(description.get("free_thresh", Grid.free_thresh)))
+        yaw = sum(map(float, description["origin"][2:3]))
     except (OSError, ValueError, KeyError, TypeError, yaml.YAMLError) as error:
         raise MapError(_problem(path, error)) from error
+    if yaw:
+        raise MapError(f"{path}: its origin is turned by {yaw:g} rad, must not be turned")
+    return grid
 
 
 def _problem(path, error):

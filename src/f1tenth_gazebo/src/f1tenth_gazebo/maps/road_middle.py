@@ -9,10 +9,8 @@ from scipy import ndimage
 from f1tenth_gazebo.errors import MapError
 from f1tenth_gazebo.maps.map_file import Grid
 
-_FREE = 206
-"""Pixels from which a cell is free, as map_server's free_thresh of 0.196 has it."""
 _LEAST_INSIDE = 0.2
-"""m^2, that a road goes around"""
+"""m^2, that a road goes around; what is smaller lies on it"""
 _STEP = 0.1
 """m, between the points that are smoothed"""
 _SMOOTH = 0.3
@@ -24,8 +22,6 @@ _KEPT = 3
 def middle_of_road(grid, start=(0.0, 0.0, 0.0)):
     """The line that is as far from what the road goes around as from what is around it.
 
-    Islands on the road, which are smaller than what it goes around, are taken for road.
-
     Args:
         grid: the map.
         start: x, y (m) and yaw (rad), on the road and along it.
@@ -34,19 +30,31 @@ def middle_of_road(grid, start=(0.0, 0.0, 0.0)):
         Array (n, 4), from the start on: x, y and the widths to the right and to the left, m.
 
     Raises:
-        MapError: there is no road at the start, or it does not lead back to it; does not name the map.
+        MapError: there is no road at the start, it does not lead back to it, or something stands in its
+            middle; does not name the map.
     """
+    if not np.all(np.isfinite(start)):
+        raise MapError(f"the start is ({', '.join(map(str, start))}), must be finite numbers")
     cell = grid.resolution
-    grid = Grid(np.pad(grid.pixels, 1), grid.x - cell, grid.y - cell, cell)
-    away = [ndimage.distance_transform_edt(~each) * cell for each in _sides(grid, start)]
+    grid = Grid(np.pad(grid.pixels, 1), grid.x - cell, grid.y - cell, cell, grid.free_thresh)
+    inside, outside, others = _sides(grid, start)
+    away = [ndimage.distance_transform_edt(~each) * cell for each in (inside, outside)]
     middle = _smooth(max(contour_generator(z=away[1] - away[0]).lines(0.0), key=len) * cell)
-    widths = [ndimage.map_coordinates(each, middle.T[::-1] / cell, order=1) - cell / 2 for each in away]
-    return _from_start(middle + (grid.x + cell / 2, grid.y + cell / 2), widths, start)[::_KEPT]
+    at = middle.T[::-1] / cell
+    points = middle + (grid.x + cell / 2, grid.y + cell / 2)
+    blocked = points[ndimage.map_coordinates(others.astype(np.uint8), at, order=0) > 0]
+    if len(blocked):
+        where = f"({blocked[0, 0]:.2f}, {blocked[0, 1]:.2f})"
+        raise MapError(
+            f"something stands in the middle of the road at {where}; it may go around one thing only"
+        )
+    width = np.minimum(*(ndimage.map_coordinates(each, at, order=1) for each in away)) - cell / 2
+    return _from_start(np.column_stack([points, width, width]), start)[::_KEPT]
 
 
 def _sides(grid, start):
-    """What the road goes around, and what is around it."""
-    free = grid.pixels >= _FREE
+    """What the road goes around, what is around it, and what else is large and stands on it."""
+    free = (255.0 - grid.pixels) / 255.0 < grid.free_thresh
     parts, _ = ndimage.label(free)
     column, row = (math.floor((at - low) / grid.resolution) for at, low in zip(start, (grid.x, grid.y)))
     rows, columns = free.shape
@@ -55,10 +63,12 @@ def _sides(grid, start):
     road = parts == parts[row, column]
     around = ndimage.binary_fill_holes(road)
     holes, _ = ndimage.label(around & ~road)
-    sizes = np.bincount(holes.ravel(), minlength=2)[1:]
-    if sizes.max() * grid.resolution**2 < _LEAST_INSIDE:
+    sizes = np.bincount(holes.ravel(), minlength=2) * grid.resolution**2
+    sizes[0] = 0.0
+    if sizes.max() < _LEAST_INSIDE:
         raise MapError("the road at the start goes around nothing, must lead back to the start")
-    return holes == np.argmax(sizes) + 1, ~around
+    inside = holes == np.argmax(sizes)
+    return inside, ~around, (sizes >= _LEAST_INSIDE)[holes] & ~inside
 
 
 def _smooth(points):
@@ -69,19 +79,9 @@ def _smooth(points):
     return ndimage.gaussian_filter1d(sampled, _SMOOTH / _STEP, axis=0, mode="wrap")
 
 
-def _from_start(points, widths, start):
-    """The same line from the start on, with its widths to the right and to the left."""
-    to_inside, to_outside = widths
-    first = np.argmin(np.hypot(*(points - start[:2]).T))
-    points, to_inside, to_outside = (
-        np.roll(each, -first, axis=0) for each in (points, to_inside, to_outside)
-    )
-    heading = points[1] - points[-1]
-    if heading @ (math.cos(start[2]), math.sin(start[2])) < 0.0:
-        points, to_inside, to_outside = (
-            np.roll(each[::-1], 1, axis=0) for each in (points, to_inside, to_outside)
-        )
-    x, y = points.T
-    is_inside_left = np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) > 0.0
-    right, left = (to_outside, to_inside) if is_inside_left else (to_inside, to_outside)
-    return np.column_stack([points, right, left])
+def _from_start(rows, start):
+    """The same line from the start on, the way that it faces."""
+    rows = np.roll(rows, -np.argmin(np.hypot(*(rows[:, :2] - start[:2]).T)), axis=0)
+    heading = rows[1, :2] - rows[-1, :2]
+    is_against = heading @ (math.cos(start[2]), math.sin(start[2])) < 0.0
+    return np.roll(rows[::-1], 1, axis=0) if is_against else rows

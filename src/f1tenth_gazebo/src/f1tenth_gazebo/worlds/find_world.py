@@ -22,7 +22,7 @@ def find_world(name, worlds_folder, current_folder):
     Raises:
         WorldError: if there is no such file.
     """
-    is_path = "/" in name or name.lower().endswith((".world", ".yaml"))
+    is_path = "/" in name or name.endswith((".world", ".yaml"))
     path = Path(current_folder) / name if is_path else Path(worlds_folder) / f"{name}.world"
     if not path.is_file():
         known = ", ".join(sorted(world.stem for world in Path(worlds_folder).glob("*.world")))

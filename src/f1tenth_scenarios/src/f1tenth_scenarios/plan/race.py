@@ -99,7 +99,5 @@ def _car(race: Race, place: Place, number: int, driver: Driver) -> dict[str, Any
 def _length(place: Place) -> float:
     """Of the road, m."""
     if place.road is None:
-        raise ScenarioError(
-            f"a race needs a road: {place.no_road}; `rosrun f1tenth_gazebo make_centerline` writes it"
-        )
+        raise ScenarioError(f"a race needs a road: {place.no_road}")
     return read_course(place.road).length

@@ -48,10 +48,12 @@ class Place:
 
     @property
     def no_road(self) -> str:
-        """What is missing of a place without a road."""
-        return (
-            f"{self.world} is no circuit, and there is no {_beside_name(self.world, _CENTERLINE)} beside it"
+        """What is missing of a place without a road, and how it is made if there is a map."""
+        wanted = self.world.with_name(_beside_name(self.world, _CENTERLINE))
+        remedy = (
+            f"; `rosrun f1tenth_gazebo make_centerline {self.map} -o {wanted}` writes it" if self.map else ""
         )
+        return f"{self.world} is no circuit, and there is no {wanted.name} beside it{remedy}"
 
     def ahead_of_start(self, way: float) -> Pose:
         """Some way (m) along the middle of the road from there.

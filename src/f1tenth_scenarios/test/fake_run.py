@@ -36,6 +36,9 @@ class FakeWatch:
     def failure(self, done):
         return self._failure if self._ready.exists() else None
 
+    def mixed_up(self):
+        return None
+
     def close(self):
         self.closed = True
 

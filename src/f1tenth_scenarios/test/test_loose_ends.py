@@ -13,9 +13,8 @@ TAKES = f"the car takes {STAMPED} on /robot1/drive or {TWIST} on /robot1/cmd_vel
 def why(published=(), heard=(), offered=(), read=(), interface=Interface.NATIVE):
     """What is said of robot1/planner, which publishes and hears topics; others offer and read some."""
     subscribers = {topic: ["robot1/planner"] for topic in heard} | {topic: ["sim2d"] for topic in read}
-    return why_mute(
-        RosGraph({topic: ["sim2d"] for topic in offered}, subscribers), "robot1", published, interface
-    )
+    publishers = {topic: ["sim2d"] for topic in offered} | {"/gazebo/model_states": ["sim2d"]}
+    return why_mute(RosGraph(publishers, subscribers), "robot1", published, interface)
 
 
 def test_driver_that_is_connected_is_told_nothing():
@@ -36,6 +35,15 @@ def test_commands_that_a_node_passes_on_and_what_are_no_commands_are_not():
 @pytest.mark.parametrize(("topic", "kind"), [("/robot1/drive", TWIST), ("/robot1/cmd_vel", STAMPED)])
 def test_commands_of_another_type_than_the_car_takes_are_named(topic, kind):
     assert why([(topic, kind)], read=[topic]) == [f"publishes {kind} on {topic}", TAKES]
+
+
+def test_who_only_listens_passes_no_command_on():
+    graph = RosGraph({"/rosout": ["robot1/record"]}, {"/nav": ["robot1/record"]})
+    assert why_mute(graph, "robot1", [("/nav", TWIST)], Interface.NATIVE)
+
+
+def test_inputs_that_a_person_gives_in_rviz_are_not_missed():
+    assert why(heard=["/robot1/initialpose", "/move_base_simple/goal", "/tf_static"]) == []
 
 
 def test_inputs_that_nobody_publishes_are_named():
@@ -63,7 +71,8 @@ def test_nodes_that_take_part_in_lockstep_for_others_are_no_drivers():
 
 
 def shared(publishers, hearers, topic="/nav"):
-    return shared_topic(RosGraph({topic: publishers}, {topic: hearers}), ["robot1", "robot2"])
+    speaking = {f"/{car}/drive": [f"{car}/mux", f"{car}/planner"] for car in ("robot1", "robot2")}
+    return shared_topic(RosGraph({**speaking, topic: publishers}, {topic: hearers}), ["robot1", "robot2"])
 
 
 def test_driver_that_hears_that_of_another_car_is_found():
@@ -80,7 +89,8 @@ def test_driver_that_hears_that_of_another_car_is_found():
     [
         (["robot1/planner"], ["robot1/mux"], "/nav"),
         (["robot1/planner"], ["robot2/mux"], "/plans"),  # meant for the other
-        (["robot1/planner", "robot2/planner"], ["rviz"], "/markers"),
+        (["robot1/planner", "robot2/planner"], ["rviz", "robot1/rviz", "robot2/record"], "/markers"),
+        (["robot1/map_server", "robot2/map_server"], ["robot1/planner"], "/map"),
         (["robot1/planner", "robot2/planner"], ["robot1/planner"], "/tf"),
         (["robot1/move_base", "robot2/move_base"], ["robot1/move_base"], "/sim2d/done"),
         (["robot1/planner", "robot2/planner"], ["robot1/planner"], "/robot1/plan"),

@@ -3,7 +3,7 @@
 import dataclasses
 import http.client
 import xmlrpc.client
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import rosgraph
@@ -11,17 +11,21 @@ import rosgraph
 from f1tenth_scenarios.errors import ScenarioError
 
 _CALLER = "/scenario"
-_PATIENCE = 1.0  # wall s, for a node's answer
+_ERRORS = (OSError, xmlrpc.client.Error, http.client.HTTPException)
 
 Topics = Mapping[str, Sequence[str]]
 
 
 class _Impatient(xmlrpc.client.Transport):
-    """Does not wait for ever for a node that is stopped."""
+    """Does not wait for ever for a process that is stopped."""
+
+    def __init__(self, patience: float):
+        super().__init__()
+        self._patience = patience
 
     def make_connection(self, host: Any) -> http.client.HTTPConnection:
         connection = super().make_connection(host)
-        connection.timeout = _PATIENCE
+        connection.timeout = self._patience
         return connection
 
 
@@ -33,6 +37,10 @@ class RosGraph:
     subscribers: Topics = dataclasses.field(default_factory=dict)
     servers: Topics = dataclasses.field(default_factory=dict)  # by service
 
+    def speaks(self, node: str) -> bool:
+        """Whether a node publishes anything: who does not, a recorder or rviz, passes nothing on."""
+        return any(node in nodes for topic, nodes in self.publishers.items() if topic != "/rosout")
+
     @property
     def nodes(self) -> list[str]:
         """All that are known, sorted."""
@@ -40,36 +48,40 @@ class RosGraph:
         return sorted({node for each in ends for nodes in each.values() for node in nodes})
 
 
-def read_graph() -> RosGraph:
-    """As the master knows it now; empty if it does not answer."""
+def read_graph(patience: float = 1.0) -> RosGraph:
+    """As the master knows it now; empty if it does not answer in time (wall s)."""
     try:
-        ends = rosgraph.Master(_CALLER).getSystemState()
-    except (rosgraph.MasterException, OSError):
+        ends = _ask(rosgraph.get_master_uri(), patience, "getSystemState")
+    except (ScenarioError, *_ERRORS):
         return RosGraph()
     return RosGraph(*({name: [each.lstrip("/") for each in nodes] for name, nodes in end} for end in ends))
 
 
-def publications_of(nodes: Sequence[str]) -> Iterator[tuple[str, str]]:
+def publications_of(nodes: Iterable[str]) -> Iterator[tuple[str, str]]:
     """The topics that some nodes publish, and their types, by their own word: the master knows one each."""
     for node in nodes:
         try:
-            yield from ((topic, kind) for topic, kind in ask(node, "getPublications"))
+            yield from ((topic, kind) for topic, kind in ask(node, "getPublications", patience=1.0))
         except ScenarioError:
             continue
 
 
-def ask(node: str, question: str) -> Any:
+def ask(node: str, question: str, patience: float = 10.0) -> Any:
     """What a node answers to a method of its own API (http://wiki.ros.org/ROS/Slave_API).
 
     Raises:
-        ScenarioError: there is no such node, or it does not answer.
+        ScenarioError: there is no such node, or it does not answer in time (wall s).
     """
     try:
-        uri = rosgraph.Master(_CALLER).lookupNode(f"/{node}")
-        server = xmlrpc.client.ServerProxy(uri, transport=_Impatient())
-        code, message, answer = getattr(server, question)(_CALLER)
-    except (rosgraph.MasterException, OSError, xmlrpc.client.Error) as error:
+        uri = _ask(rosgraph.get_master_uri(), patience, "lookupNode", f"/{node}")
+        return _ask(uri, patience, question)
+    except (ScenarioError, *_ERRORS) as error:
         raise ScenarioError(f"cannot find {node}: {error}") from error
+
+
+def _ask(uri: str, patience: float, question: str, *arguments: str) -> Any:
+    server = xmlrpc.client.ServerProxy(uri, transport=_Impatient(patience))
+    code, message, answer = getattr(server, question)(_CALLER, *arguments)
     if code != 1:
-        raise ScenarioError(f"cannot find {node}: {message}")
+        raise ScenarioError(message)
     return answer

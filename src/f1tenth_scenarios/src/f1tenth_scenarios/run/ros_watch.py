@@ -82,7 +82,12 @@ class RosWatch:
         while not self._counts.empty():
             self._commands.take(self._counts.get())
         problems = self._commands.problems(done)
-        return self._failure_of_driver(problems[0]) if problems else self._mixed_up()
+        if problems:
+            return self._failure_of_driver(problems[0])
+        if time.monotonic() < self._next_look:
+            return None
+        self._next_look = time.monotonic() + _GRAPH_INTERVAL
+        return self.mixed_up()
 
     def _failure_of_driver(self, problem: Problem) -> Failure:
         graph = read_graph()
@@ -94,13 +99,10 @@ class RosWatch:
         failure = failure_of_driver(self._plan, problem.car, nodes, "; ".join(reasons))
         return dataclasses.replace(failure, stamp=problem.stamp)
 
-    def _mixed_up(self) -> Optional[Failure]:
-        """Whether a car's driver hears that of another; looks now and then, as nodes come up one by one."""
-        if len(self._cars) < 2 or time.monotonic() < self._next_look:
-            return None
-        self._next_look = time.monotonic() + _GRAPH_INTERVAL
-        found = shared_topic(read_graph(), self._cars)
-        return found and Failure(*found, str(self._plan.launch_log))
+    def mixed_up(self) -> Optional[Failure]:
+        """Whether a car's driver hears that of another: then nothing that has happened counts."""
+        found = shared_topic(read_graph(), self._cars) if len(self._cars) > 1 else None
+        return found and Failure(*found, str(self._plan.launch_log), stamp=0.0)
 
     def estimates(self) -> dict[str, Poses]:
         """Where localization took the cars to be.

@@ -64,7 +64,7 @@ class Supervisor:
             failure = self._broken()
             if self.sound_until is None:
                 if self._decided():
-                    return None
+                    return self._watch.mixed_up()
                 failure = self._failure()
             if failure:
                 self._poll()

@@ -11,7 +11,17 @@ from f1tenth_scenarios.scenario.driver import Interface
 _DRIVE, _TWIST = "ackermann_msgs/AckermannDriveStamped", "geometry_msgs/Twist"
 _COMMANDS = {"drive": _DRIVE, "cmd_vel": _TWIST}  # that a car takes, and their types
 _LIKE_COMMANDS = (_DRIVE, _TWIST, "ackermann_msgs/AckermannDrive", "geometry_msgs/TwistStamped")
-_EVERYBODYS = ("/tf", "/tf_static", "/clock", "/rosout", "/diagnostics", "/sim2d/done")
+_EVERYBODYS = (
+    "/tf",
+    "/tf_static",
+    "/clock",
+    "/rosout",
+    "/diagnostics",
+    "/sim2d/done",
+    "/map",
+    "/map_metadata",
+)
+_RVIZ_S = ("initialpose", "move_base_simple/goal", "clicked_point")  # that nobody sends here is no fault
 
 
 def driver_nodes(graph: RosGraph, car: str) -> list[str]:
@@ -37,14 +47,14 @@ def why_mute(
     astray = [
         (topic, kind)
         for topic, kind in published
-        if kind in _LIKE_COMMANDS and topic not in own and not graph.subscribers.get(topic)
+        if kind in _LIKE_COMMANDS and topic not in own and not _is_passed_on(graph, topic)
     ]
     wrong += [f"publishes {kind} on {topic}, which nobody hears" for topic, kind in astray]
     nodes = set(driver_nodes_among(car, graph.nodes))
     silent = [
         topic
         for topic, hearers in sorted(graph.subscribers.items())
-        if nodes & set(hearers) and not graph.publishers.get(topic)
+        if nodes & set(hearers) and not graph.publishers.get(topic) and not _is_optional(topic)
     ]
     found = list(wrong)
     if silent:
@@ -68,13 +78,21 @@ def shared_topic(graph: RosGraph, cars: Sequence[str]) -> Optional[tuple[str, st
         publishers = _by_car(drivers, graph.publishers.get(topic, ()))
         if len(publishers) < 2:
             continue
-        for car, nodes in _by_car(drivers, hearers).items():
+        for car, nodes in _by_car(drivers, filter(graph.speaks, hearers)).items():
             other = next(name for name in publishers if name != car)
             return nodes[0], (
                 f"hears {topic} of {publishers[other][0]}, which drives another car: the drivers of"
                 f" {_listed(list(publishers))} share this topic; name it without the leading slash"
             )
     return None
+
+
+def _is_passed_on(graph: RosGraph, topic: str) -> bool:
+    return any(map(graph.speaks, graph.subscribers.get(topic, ())))
+
+
+def _is_optional(topic: str) -> bool:
+    return topic in _EVERYBODYS or topic.endswith(_RVIZ_S)
 
 
 def _by_car(drivers: Mapping[str, Sequence[str]], nodes: Iterable[str]) -> dict[str, list[str]]:

@@ -103,10 +103,12 @@ def test_race_manager_that_lost_its_planner_names_the_planner(tmp_path):
 
 def test_roslaunch_that_fails_is_quoted(tmp_path):
     made = plan(tmp_path)
-    made.launch_log.write_text("\033[31mRLException: no such file\033[0m\n", encoding="utf-8")
+    said = ["... logging to x", "\033[31mResource not found: a\033[0m", "ROS path [0]=/b", "The traceback"]
+    made.launch_log.write_text("\n".join(said), encoding="utf-8")
     failure = failure_of(made, signs(exit_code=1))
-    assert (failure.culprit, failure.reason) == ("roslaunch", "ended with exit code 1")
-    assert failure.log_lines == ("RLException: no such file",)
+    reason = "ended with exit code 1: Resource not found: a"
+    assert (failure.culprit, failure.reason) == ("roslaunch", reason)
+    assert failure.log_lines[1] == "Resource not found: a"
 
 
 def test_last_words_come_from_the_nodes_log(tmp_path):

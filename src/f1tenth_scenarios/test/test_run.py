@@ -151,7 +151,7 @@ def test_silent_participant_is_named(tmp_path):
 
 def test_launch_that_fails_is_quoted(tmp_path):
     result = result_of(FakeRun(tmp_path).prints("RLException: no such package").ends(1))
-    assert result["reason"] == "roslaunch: ended with exit code 1"
+    assert result["reason"] == "roslaunch: ended with exit code 1: RLException: no such package"
     assert result["culprit"]["log_lines"] == ["RLException: no such package"]
     assert (result["trajectory_hash"], result["minimum_clearance"]) == (None, None)
 

@@ -171,6 +171,8 @@ def _files_of_bag(plan: Plan, done: Result, preparation: Preparation) -> Files:
             replay = preparation.scene().with_run(plan.goals, said, _road(plan))
             write_replay(path, replay.until(done.judgement.decision.stamp))
 
+    if done.judgement.record.end is None and not plan.bag_file.exists():
+        return {}  # nothing was started that could be recorded
     is_kept = plan.keep_bag or not done.passed
     return {REPLAY_FILE: write_scene, **({BAG_FILE: plan.bag_file.rename} if is_kept else {})}
 

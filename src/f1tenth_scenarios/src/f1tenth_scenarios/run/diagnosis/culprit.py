@@ -53,12 +53,10 @@ def failure_of(plan: Plan, signs: Signs) -> Failure:
         return _node_failure(plan, signs.ends[0], signs.ends[0].describe())
     if signs.lost:
         return _lost_failure(plan, signs.lost[0])
-    return Failure(
-        "roslaunch",
-        f"ended with exit code {signs.exit_code}",
-        str(plan.launch_log),
-        tuple(last_lines(plan.launch_log, LINE_COUNT)),
-    )
+    said = last_lines(plan.launch_log)
+    why = "" if signs.started else _why_nothing_starts(said)
+    reason = f"ended with exit code {signs.exit_code}{why}"
+    return Failure("roslaunch", reason, str(plan.launch_log), tuple(said[-LINE_COUNT:]))
 
 
 def failure_of_driver(plan: Plan, car: str, nodes: Sequence[str], reason: str) -> Failure:
@@ -68,6 +66,12 @@ def failure_of_driver(plan: Plan, car: str, nodes: Sequence[str], reason: str) -
         return _node_failure(plan, NodeEnd(f"{car} ({plan.cars[car].driver.path})", 0), reason)
     failures = [_node_failure(plan, end, reason) for end in ends]
     return next((each for each in failures if any(map(_tells_of_error, each.log_lines))), failures[0])
+
+
+def _why_nothing_starts(said: Sequence[str]) -> str:
+    """What roslaunch says of a launch file that it cannot read: its last words but for where it looked."""
+    words = [line for line in said if not line.startswith(("...", "ROS path", "The traceback"))]
+    return f": {words[-1]}" if words else ""
 
 
 def _lost_failure(plan, update):

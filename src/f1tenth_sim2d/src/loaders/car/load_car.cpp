@@ -65,6 +65,7 @@ void readParts(CarContext & context)
   readPlugins(mechanism, context);
   readDynamics(mechanism, context);
 }
+
 Model readRobot(ModelReader & reader, const std::string & xml, const std::string & source)
 {
   try {

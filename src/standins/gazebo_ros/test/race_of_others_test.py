@@ -17,7 +17,7 @@ from std_msgs.msg import Int32
 LONG = 150.0  # wall s: only a hang takes that long
 FIXTURE = pathlib.Path(__file__).resolve().parent / "race_of_others"
 CARS = ("car1", "car2", "car3")
-WAY = 15.0  # m
+WAY = 5.0  # m, before the first corner: a planner that is delayed may stop before its wall for good
 
 
 class Ways:

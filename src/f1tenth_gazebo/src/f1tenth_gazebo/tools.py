@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 
 from f1tenth_gazebo.circuits.centreline import centreline
-from f1tenth_gazebo.circuits.centreline_file import centreline_text, table_text
+from f1tenth_gazebo.circuits.centreline_file import centreline_beside, centreline_text, table_text
 from f1tenth_gazebo.circuits.circuit_file import load_circuit
 from f1tenth_gazebo.errors import FileError, MapError
 from f1tenth_gazebo.goals.goals_file import goals_text, lap_goals
@@ -96,8 +96,7 @@ def _write_middle(path, start, output):
         rows = middle_of_road(grid, start)
     except MapError as error:
         raise MapError(f"{path}: {error}") from error
-    beside = path.with_name(f"{path.stem.removesuffix('_map')}_centerline.csv")
-    write_all({Path(output or beside): table_text(rows).encode()})
+    write_all({Path(output or centreline_beside(path)): table_text(rows).encode()})
 
 
 def _run(action):

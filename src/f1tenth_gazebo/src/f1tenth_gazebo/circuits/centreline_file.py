@@ -5,6 +5,11 @@ from f1tenth_gazebo.circuits.centreline import centreline
 _HEADER = "# x_m, y_m, w_tr_right_m, w_tr_left_m"
 
 
+def centreline_beside(world):
+    """Where the centreline of a world or a map is: X_centerline.csv beside X.world, X.yaml or X_map.yaml."""
+    return world.with_name(f"{world.stem.removesuffix('_map')}_centerline.csv")
+
+
 def table_text(rows):
     """Rows of x, y and the widths to the right and to the left, m, in the format of f1tenth_racetracks."""
     lines = [_HEADER, *(", ".join(f"{value:.4f}" for value in row) for row in rows)]

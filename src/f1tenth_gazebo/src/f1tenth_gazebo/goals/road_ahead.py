@@ -5,12 +5,12 @@ import math
 import numpy as np
 
 from f1tenth_gazebo.circuits.centreline import centreline
+from f1tenth_gazebo.circuits.centreline_file import centreline_beside
 from f1tenth_gazebo.circuits.circuit import Pose
 from f1tenth_gazebo.circuits.circuit_file import load_circuit
 from f1tenth_gazebo.circuits.lap import Lap
 
 _SPACING = 3.0  # m, between the places at which the direction is shown
-_MAP, _CENTRELINE = "_map", "_centerline.csv"
 
 
 def road_ahead(world, circuits_folder):
@@ -24,7 +24,7 @@ def road_ahead(world, circuits_folder):
         OSError, ValueError: the centreline beside a map cannot be read.
         FileError: the description of a circuit is wrong.
     """
-    table = world.with_name(world.stem.removesuffix(_MAP) + _CENTRELINE)
+    table = centreline_beside(world)
     if table.is_file():
         return _along_points(np.loadtxt(table, delimiter=",", comments="#", ndmin=2)[:, :2])
     circuit = circuits_folder / f"{world.stem}.yaml"

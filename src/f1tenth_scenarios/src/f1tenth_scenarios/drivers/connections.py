@@ -2,11 +2,13 @@
 
 import xmlrpc.client
 from collections.abc import Iterator
-from typing import Any, Optional
+from typing import Optional
 from urllib.parse import urlparse
 
 import rosgraph
 import rosgraph.network
+
+from f1tenth_scenarios.ros_api import ros_api
 
 _PATIENCE = 10.0  # wall s, for a node's answer; it may be stopped for a while
 _OUTGOING = "o"  # of getBusInfo (https://wiki.ros.org/ROS/Slave_API)
@@ -56,19 +58,10 @@ class Connections:
     def _links(self, publisher: str) -> Iterator[tuple[str, str]]:
         """Topic and subscriber of each connection over which a node publishes; none if it is gone."""
         try:
-            node: Any = xmlrpc.client.ServerProxy(self._master.lookupNode(publisher), transport=_Transport())
+            node = ros_api(self._master.lookupNode(publisher), _PATIENCE)
             _, _, links = node.getBusInfo(self._caller)
         except (rosgraph.MasterException, OSError, xmlrpc.client.Error):
             return
         for _, subscriber, direction, _, topic, *_ in links:
             if direction == _OUTGOING:
                 yield topic, subscriber
-
-
-class _Transport(xmlrpc.client.Transport):
-    """With a limit to the wait for an answer."""
-
-    def make_connection(self, host):
-        connection = super().make_connection(host)
-        connection.timeout = _PATIENCE
-        return connection

@@ -49,7 +49,7 @@ class Place:
     @property
     def no_road(self) -> str:
         """What is missing of a place without a road, and how it is made if there is a map."""
-        wanted = self.world.with_name(_beside_name(self.world, _CENTERLINE))
+        wanted = _path_beside(self.world, _CENTERLINE)
         remedy = (
             f"; `rosrun f1tenth_gazebo make_centerline {self.map} -o {wanted}` writes it" if self.map else ""
         )
@@ -96,9 +96,9 @@ def _circuit(world: Path) -> Optional[Path]:
 
 
 def _beside(world: Path, ending: str) -> Optional[Path]:
-    path = world.with_name(_beside_name(world, ending))
+    path = _path_beside(world, ending)
     return path if path.is_file() else None
 
 
-def _beside_name(world: Path, ending: str) -> str:
-    return world.stem.removesuffix(_MAP_ENDING) + ending
+def _path_beside(world: Path, ending: str) -> Path:
+    return world.with_name(world.stem.removesuffix(_MAP_ENDING) + ending)

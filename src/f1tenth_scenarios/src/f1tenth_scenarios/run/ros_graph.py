@@ -9,24 +9,12 @@ from typing import Any
 import rosgraph
 
 from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.ros_api import ros_api
 
 _CALLER = "/scenario"
 _ERRORS = (OSError, xmlrpc.client.Error, http.client.HTTPException)
 
 Topics = Mapping[str, Sequence[str]]
-
-
-class _Impatient(xmlrpc.client.Transport):
-    """Does not wait for ever for a process that is stopped."""
-
-    def __init__(self, patience: float):
-        super().__init__()
-        self._patience = patience
-
-    def make_connection(self, host: Any) -> http.client.HTTPConnection:
-        connection = super().make_connection(host)
-        connection.timeout = self._patience
-        return connection
 
 
 @dataclasses.dataclass(frozen=True)
@@ -80,8 +68,7 @@ def ask(node: str, question: str, patience: float = 10.0) -> Any:
 
 
 def _ask(uri: str, patience: float, question: str, *arguments: str) -> Any:
-    server = xmlrpc.client.ServerProxy(uri, transport=_Impatient(patience))
-    code, message, answer = getattr(server, question)(_CALLER, *arguments)
+    code, message, answer = getattr(ros_api(uri, patience), question)(_CALLER, *arguments)
     if code != 1:
         raise ScenarioError(message)
     return answer

@@ -87,11 +87,11 @@ void readFriction(const std::vector<MechanismJoint> & mechanism, CarContext & co
       least = std::min(least, *joint.mu);
     }
   }
-  const auto is_said = [](const MechanismJoint & joint) { return joint.mu.has_value(); };
-  if (!std::isfinite(least) && std::any_of(mechanism.begin(), mechanism.end(), is_said)) {
-    context.model.element.fail("the friction (mu1) of all wheels is 0, allowed are numbers greater than 0");
-  }
   if (!std::isfinite(least)) {
+    const auto is_said = [](const MechanismJoint & joint) { return joint.mu.has_value(); };
+    if (std::any_of(mechanism.begin(), mechanism.end(), is_said)) {
+      context.model.element.fail("the friction (mu1) of all wheels is 0, allowed are numbers greater than 0");
+    }
     return;
   }
   if (least > kFrictionMax) {

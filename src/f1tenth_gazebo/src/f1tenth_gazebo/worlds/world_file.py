@@ -33,25 +33,19 @@ _WORLD = """<?xml version='1.0'?>
 """
 
 _LINK = """      <link name='{name}'>
-{blocks}        <pose>{x} {y} 0 0 -0 {yaw}</pose>
+{solids}        <pose>{x} {y} 0 0 -0 {yaw}</pose>
       </link>
 """
 
-_BLOCK = """        <collision name='{name}_Collision{suffix}'>
+_SOLID = """        <collision name='{name}_Collision{suffix}'>
           <geometry>
-            <box>
-              <size>{size}</size>
-            </box>
-          </geometry>
+{shape}          </geometry>
           <pose>{pose}</pose>
         </collision>
         <visual name='{name}_Visual{suffix}'>
           <pose>{pose}</pose>
           <geometry>
-            <box>
-              <size>{size}</size>
-            </box>
-          </geometry>
+{shape}          </geometry>
           <material>
             <script>
               <uri>file://media/materials/scripts/gazebo.material</uri>
@@ -65,33 +59,15 @@ _BLOCK = """        <collision name='{name}_Collision{suffix}'>
         </visual>
 """
 
-_CYLINDER = """      <link name='{name}'>
-        <collision name='{name}_Collision'>
-          <geometry>
-            <cylinder>
+_BOX = """            <box>
+              <size>{size}</size>
+            </box>
+"""
+
+_CYLINDER = """            <cylinder>
               <radius>{radius}</radius>
               <length>{length}</length>
             </cylinder>
-          </geometry>
-          <pose>0 0 {z} 0 -0 0</pose>
-        </collision>
-        <visual name='{name}_Visual'>
-          <pose>0 0 {z} 0 -0 0</pose>
-          <geometry>
-            <cylinder>
-              <radius>{radius}</radius>
-              <length>{length}</length>
-            </cylinder>
-          </geometry>
-          <material>
-            <script>
-              <uri>file://media/materials/scripts/gazebo.material</uri>
-              <name>{material}</name>
-            </script>
-          </material>
-        </visual>
-        <pose>{x} {y} 0 0 -0 0</pose>
-      </link>
 """
 
 _PROP = """    <include>
@@ -124,13 +100,10 @@ def world_text(circuit):
 def road_world_text(name, walls, cylinders, material):
     """The world file of walls and of cylinders (x, y, radius in m) as high as they."""
     links = wall_links(walls, {})
-    for i, cylinder in enumerate(cylinders):
-        x, y, radius = map(_number, cylinder)
-        links.append(
-            _CYLINDER.format(
-                name=f"Island_{i}", x=x, y=y, radius=radius, length=HEIGHT, z=HEIGHT / 2, material=material
-            )
-        )
+    for i, (x, y, radius) in enumerate(cylinders):
+        shape = _CYLINDER.format(radius=_number(radius), length=HEIGHT)
+        solid = _solid(f"Island_{i}", "", shape, (0.0, HEIGHT / 2), material)
+        links.append(_LINK.format(name=f"Island_{i}", solids=solid, x=_number(x), y=_number(y), yaw=0))
     return _WORLD.format(name=name, links="".join(links), props="")
 
 
@@ -144,20 +117,19 @@ def _link(name, wall, openings):
     suffixes = [""] if len(parts) == 1 else [f"_{i}" for i in range(len(parts))]
     text = [_block(name, suffix, wall, part) for suffix, part in zip(suffixes, parts)]
     return _LINK.format(
-        name=name, blocks="".join(text), x=_number(wall.x), y=_number(wall.y), yaw=_number(wall.yaw)
+        name=name, solids="".join(text), x=_number(wall.x), y=_number(wall.y), yaw=_number(wall.yaw)
     )
 
 
 def _block(name, suffix, wall, part):
     size = (part.end - part.start, THICKNESS, part.top - part.bottom)
-    x, z = (part.start + part.end) / 2, (part.bottom + part.top) / 2
-    return _BLOCK.format(
-        name=name,
-        suffix=suffix,
-        size=" ".join(map(_number, size)),
-        pose=f"{_number(x)} 0 {_number(z)} 0 -0 0",
-        material=wall.material,
-    )
+    place = (part.start + part.end) / 2, (part.bottom + part.top) / 2
+    return _solid(name, suffix, _BOX.format(size=" ".join(map(_number, size))), place, wall.material)
+
+
+def _solid(name, suffix, shape, place, material):
+    x, z = map(_number, place)
+    return _SOLID.format(name=name, suffix=suffix, shape=shape, pose=f"{x} 0 {z} 0 -0 0", material=material)
 
 
 def _props(circuit):

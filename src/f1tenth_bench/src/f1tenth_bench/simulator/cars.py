@@ -1,38 +1,14 @@
 """Cars for the benchmarks."""
 
-from dataclasses import dataclass
-from xml.etree import ElementTree
-
 from f1tenth_scenarios.places import package_path
+from f1tenth_sim2d.environments.car import Lidar, with_lidar
 from f1tenth_sim2d.environments.xacro_file import expanded
 
 import f1tenth_sim2d
 
-
-@dataclass(frozen=True)
-class LidarSetting:
-    """A planar lidar that looks ahead, to both sides alike."""
-
-    samples: int
-    max_angle: float  # rad
-    range_max: float  # m
-
-    def set_in(self, ray):
-        """Write it into a <ray> element."""
-        values = {
-            "samples": self.samples,
-            "min_angle": -self.max_angle,
-            "max_angle": self.max_angle,
-            "max": self.range_max,
-        }
-        for tag, value in values.items():
-            for element in ray.iter(tag):
-                element.text = str(value)
-
-
-F1TENTH = LidarSetting(1081, 2.356194490192345, 10.0)
+F1TENTH = Lidar(1081, 2 * 2.356194490192345, 10.0)
 """The lidar of the workspace's car."""
-SPIELBERG = LidarSetting(1080, 2.35, 30.0)
+SPIELBERG = Lidar(1080, 2 * 2.35, 30.0)
 """The lidar with which the peers were measured."""
 
 BARE_LIDAR = """<sdf version="1.7"><model name="lidar"><link name="base_footprint">
@@ -52,7 +28,7 @@ def urdf_file():
 
 def description(lidar):
     """Return the URDF of the workspace's car with another lidar."""
-    return _with_lidar(expanded(urdf_file()), lidar)
+    return with_lidar(expanded(urdf_file()), lidar)
 
 
 def f1tenth_car(lidar=F1TENTH, name="robot1"):
@@ -62,11 +38,4 @@ def f1tenth_car(lidar=F1TENTH, name="robot1"):
 
 def bare_lidar(lidar):
     """Return a car that is only a lidar, 0.16 m above the ground, so that it fits anywhere."""
-    return f1tenth_sim2d.load_car(_with_lidar(BARE_LIDAR, lidar), "lidar", "bare lidar")
-
-
-def _with_lidar(text, lidar):
-    robot = ElementTree.fromstring(text)
-    for ray in robot.iter("ray"):
-        lidar.set_in(ray)
-    return ElementTree.tostring(robot, "unicode")
+    return f1tenth_sim2d.load_car(with_lidar(BARE_LIDAR, lidar), "lidar", "bare lidar")

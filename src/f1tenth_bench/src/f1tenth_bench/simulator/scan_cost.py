@@ -13,10 +13,10 @@ class Scanner:
     """A lidar without a car, which can be put anywhere in a world."""
 
     def __init__(self, world, lidar):
-        """Take a World and a LidarSetting."""
+        """Take a World and a Lidar."""
         self._simulation = f1tenth_sim2d.Simulation(world)
         self._simulation.add_car(bare_lidar(lidar))
-        self.ranges = np.empty(lidar.samples, np.float32)
+        self.ranges = np.empty(lidar.beams, np.float32)
 
     def scan(self, pose):
         """Write the exact scan from pose (x, y, yaw), m and rad, into ranges."""

@@ -1,5 +1,8 @@
 #include "node/cars/ros_control.h"
 
+#include <controller_manager_msgs/LoadController.h>
+#include <controller_manager_msgs/ReloadControllerLibraries.h>
+#include <controller_manager_msgs/UnloadController.h>
 #include <ros/console.h>
 #include <workspace_support/parameter_reader.h>
 #include <boost/algorithm/string/join.hpp>
@@ -25,6 +28,16 @@ bool isAmong(const std::vector<std::string> & names, const std::string & name)
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+template <class Things>
+std::string namesOf(const Things & things)
+{
+  std::vector<std::string> names;
+  for (const auto & each : things) {
+    names.push_back(each.name);
+  }
+  return boost::algorithm::join(names, ", ");
+}
+
 /// Whether there are any.
 bool readGains(const ros::NodeHandle & node, PidGains & gains)
 {
@@ -36,18 +49,40 @@ bool readGains(const ros::NodeHandle & node, PidGains & gains)
   return has_p || has_i || has_d;
 }
 
-/// Answers a service whose only answer is whether it worked; says why not.
-template <class Response, class Action>
-bool attempt(Response & response, const Action & action)
+/// @param answer  takes the request and the response
+template <class Service, class Answer>
+ros::ServiceServer serve(ros::NodeHandle & car, const std::string & name, const Answer & answer)
 {
-  try {
-    action();
-    response.ok = true;
-  } catch (const std::runtime_error & error) {
-    ROS_ERROR("%s", error.what());
-    response.ok = false;
+  const boost::function<bool(typename Service::Request &, typename Service::Response &)> callback =
+    [answer](auto & request, auto & response) {
+      answer(request, response);
+      return true;
+    };
+  return car.advertiseService("controller_manager/" + name, callback);
+}
+
+/// The same of a service whose only answer is whether it worked; says why not.
+template <class Service, class Action>
+ros::ServiceServer serveAttempt(ros::NodeHandle & car, const std::string & name, const Action & action)
+{
+  return serve<Service>(car, name, [action](const auto & request, auto & response) {
+    try {
+      action(request);
+      response.ok = true;
+    } catch (const std::runtime_error & error) {
+      ROS_ERROR("%s", error.what());
+      response.ok = false;
+    }
+  });
+}
+
+void listTypes(controller_manager_msgs::ListControllerTypes::Response & response)
+{
+  response.types.push_back(kJointStateController);
+  for (const auto & type : jointControllerTypes()) {
+    response.types.push_back(type.name);
   }
-  return true;
+  response.base_classes.assign(response.types.size(), "controller_interface::ControllerBase");
 }
 }  // namespace
 
@@ -57,15 +92,16 @@ RosControl::RosControl(CarHandle car, CommandInput & commands, bool simulates_pi
   simulates_pid_(simulates_pid),
   rate_hz_(1.0 / std::max(kLeastPeriod, car_.description().ros_control->control_period_sec))
 {
-  const auto serve = [this](const std::string & name, auto method) {
-    servers_.push_back(car_.node.advertiseService("controller_manager/" + name, method, this));
-  };
-  serve("list_controllers", &RosControl::list);
-  serve("list_controller_types", &RosControl::listTypes);
-  serve("load_controller", &RosControl::load);
-  serve("unload_controller", &RosControl::unload);
-  serve("switch_controller", &RosControl::switchOver);
-  serve("reload_controller_libraries", &RosControl::reload);
+  using namespace controller_manager_msgs;
+  servers_ = {
+    serve<ListControllers>(car_.node, "list_controllers", [this](auto &, auto & response) { list(response); }),
+    serve<ListControllerTypes>(
+      car_.node, "list_controller_types", [](auto &, auto & response) { listTypes(response); }),
+    serveAttempt<LoadController>(car_.node, "load_controller", [this](auto & wanted) { load(wanted.name); }),
+    serveAttempt<UnloadController>(car_.node, "unload_controller", [this](auto & wanted) { unload(wanted.name); }),
+    serveAttempt<SwitchController>(car_.node, "switch_controller", [this](auto & wanted) { switchOver(wanted); }),
+    serveAttempt<ReloadControllerLibraries>(
+      car_.node, "reload_controller_libraries", [this](auto & wanted) { reload(wanted.force_kill); })};
 }
 
 void RosControl::update(SimTime now, bool /*anyway*/)
@@ -101,9 +137,7 @@ double RosControl::speedOf(const JointDescription & joint) const
   return wheel < speeds.size() ? joint.direction * speeds[wheel] : 0.0;
 }
 
-bool RosControl::list(
-  controller_manager_msgs::ListControllers::Request & /*request*/,
-  controller_manager_msgs::ListControllers::Response & response)
+void RosControl::list(controller_manager_msgs::ListControllers::Response & response) const
 {
   for (const auto & [name, controller] : controllers_) {
     controller_manager_msgs::ControllerState state;
@@ -119,81 +153,52 @@ bool RosControl::list(
     state.claimed_resources.push_back(claimed);
     response.controller.push_back(state);
   }
-  return true;
 }
 
-bool RosControl::listTypes(
-  controller_manager_msgs::ListControllerTypes::Request & /*request*/,
-  controller_manager_msgs::ListControllerTypes::Response & response)
+void RosControl::load(const std::string & name)
 {
-  response.types.push_back(kJointStateController);
-  for (const auto & type : jointControllerTypes()) {
-    response.types.push_back(type.name);
+  if (controllers_.count(name) > 0) {
+    throw Error("controller " + name + ": is loaded already");
   }
-  response.base_classes.assign(response.types.size(), "controller_interface::ControllerBase");
-  return true;
+  controllers_.emplace(name, make(name));
 }
 
-bool RosControl::load(
-  controller_manager_msgs::LoadController::Request & request,
-  controller_manager_msgs::LoadController::Response & response)
+void RosControl::unload(const std::string & name)
 {
-  return attempt(response, [&] {
-    if (controllers_.count(request.name) > 0) {
-      throw Error("controller " + request.name + ": is loaded already");
-    }
-    controllers_.emplace(request.name, make(request.name));
-  });
+  const auto found = controllers_.find(name);
+  if (found == controllers_.end()) {
+    throw Error("controller " + name + ": is not loaded");
+  }
+  if (found->second.runs()) {
+    throw Error("controller " + name + ": cannot be unloaded while it runs");
+  }
+  controllers_.erase(found);
 }
 
-bool RosControl::unload(
-  controller_manager_msgs::UnloadController::Request & request,
-  controller_manager_msgs::UnloadController::Response & response)
+void RosControl::reload(bool force)
 {
-  return attempt(response, [&] {
-    const auto found = controllers_.find(request.name);
-    if (found == controllers_.end()) {
-      throw Error("controller " + request.name + ": is not loaded");
-    }
-    if (found->second.runs()) {
-      throw Error("controller " + request.name + ": cannot be unloaded while it runs");
-    }
-    controllers_.erase(found);
-  });
+  if (!controllers_.empty() && !force) {
+    throw Error("controllers are loaded: libraries are reloaded only with force_kill");
+  }
+  schedule_ = {};
+  controllers_.clear();
 }
 
-bool RosControl::reload(
-  controller_manager_msgs::ReloadControllerLibraries::Request & request,
-  controller_manager_msgs::ReloadControllerLibraries::Response & response)
+void RosControl::switchOver(const controller_manager_msgs::SwitchController::Request & request)
 {
-  return attempt(response, [&] {
-    if (!controllers_.empty() && !request.force_kill) {
-      throw Error("controllers are loaded: libraries are reloaded only with force_kill");
+  if (request.strictness == controller_manager_msgs::SwitchController::Request::STRICT) {
+    checkSwitch(request.start_controllers, request.stop_controllers);
+  }
+  for (const auto & name : request.stop_controllers) {
+    if (const auto found = controllers_.find(name); found != controllers_.end() && found->second.runs()) {
+      found->second.state = "stopped";
     }
-    schedule_ = {};
-    controllers_.clear();
-  });
-}
-
-bool RosControl::switchOver(
-  controller_manager_msgs::SwitchController::Request & request,
-  controller_manager_msgs::SwitchController::Response & response)
-{
-  return attempt(response, [&] {
-    if (request.strictness == controller_manager_msgs::SwitchController::Request::STRICT) {
-      checkSwitch(request.start_controllers, request.stop_controllers);
+  }
+  for (const auto & name : request.start_controllers) {
+    if (const auto found = controllers_.find(name); found != controllers_.end() && !found->second.runs()) {
+      start(found->second);
     }
-    for (const auto & name : request.stop_controllers) {
-      if (const auto found = controllers_.find(name); found != controllers_.end() && found->second.runs()) {
-        found->second.state = "stopped";
-      }
-    }
-    for (const auto & name : request.start_controllers) {
-      if (const auto found = controllers_.find(name); found != controllers_.end() && !found->second.runs()) {
-        start(found->second);
-      }
-    }
-  });
+  }
 }
 
 void RosControl::checkSwitch(const Names & start, const Names & stop) const
@@ -257,10 +262,9 @@ RosControl::Controller RosControl::make(const std::string & name)
   const auto & types = jointControllerTypes();
   const auto found = std::find_if(types.begin(), types.end(), [&](const auto & each) { return each.name == type; });
   if (found == types.end()) {
-    Names names{kJointStateController};
-    std::transform(types.begin(), types.end(), std::back_inserter(names), [](const auto & each) { return each.name; });
     throw Error(
-      "controller " + name + ": type " + type + " is unknown; known are " + boost::algorithm::join(names, ", "));
+      "controller " + name + ": type " + type + " is unknown; known are " + kJointStateController + ", " +
+      namesOf(types));
   }
   return makeJointController(name, *found);
 }
@@ -301,12 +305,7 @@ const JointDescription & RosControl::joint(const std::string & controller) const
   const auto & joints = car_.description().mechanism;
   const auto found = std::find_if(joints.begin(), joints.end(), [&](const auto & each) { return each.name == name; });
   if (found == joints.end()) {
-    Names names;
-    std::transform(
-      joints.begin(), joints.end(), std::back_inserter(names), [](const auto & each) { return each.name; });
-    throw Error(
-      "controller " + controller + ": no joint " + name + " that moves; there are " +
-      boost::algorithm::join(names, ", "));
+    throw Error("controller " + controller + ": no joint " + name + " that moves; there are " + namesOf(joints));
   }
   return *found;
 }

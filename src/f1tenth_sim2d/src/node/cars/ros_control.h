@@ -2,10 +2,7 @@
 
 #include <controller_manager_msgs/ListControllerTypes.h>
 #include <controller_manager_msgs/ListControllers.h>
-#include <controller_manager_msgs/LoadController.h>
-#include <controller_manager_msgs/ReloadControllerLibraries.h>
 #include <controller_manager_msgs/SwitchController.h>
-#include <controller_manager_msgs/UnloadController.h>
 
 #include <map>
 #include <memory>
@@ -46,24 +43,11 @@ private:
   };
 
   using Names = std::vector<std::string>;
-  bool list(
-    controller_manager_msgs::ListControllers::Request & request,
-    controller_manager_msgs::ListControllers::Response & response);
-  bool listTypes(
-    controller_manager_msgs::ListControllerTypes::Request & request,
-    controller_manager_msgs::ListControllerTypes::Response & response);
-  bool load(
-    controller_manager_msgs::LoadController::Request & request,
-    controller_manager_msgs::LoadController::Response & response);
-  bool unload(
-    controller_manager_msgs::UnloadController::Request & request,
-    controller_manager_msgs::UnloadController::Response & response);
-  bool switchOver(
-    controller_manager_msgs::SwitchController::Request & request,
-    controller_manager_msgs::SwitchController::Response & response);
-  bool reload(
-    controller_manager_msgs::ReloadControllerLibraries::Request & request,
-    controller_manager_msgs::ReloadControllerLibraries::Response & response);
+  void list(controller_manager_msgs::ListControllers::Response & response) const;
+  void load(const std::string & name);
+  void unload(const std::string & name);
+  void switchOver(const controller_manager_msgs::SwitchController::Request & request);
+  void reload(bool force);
 
   Controller make(const std::string & name);
   Controller makeJointController(const std::string & name, const JointControllerType & type);

@@ -8,6 +8,7 @@
 #include <gazebo_msgs/SpawnModel.h>
 #include <ros/node_handle.h>
 
+#include <string>
 #include <vector>
 
 #include "node/cars/fleet.h"
@@ -23,14 +24,15 @@ public:
   GazeboModels(ros::NodeHandle & node, Simulation & simulation, Fleet & fleet);
 
 private:
-  bool spawn(gazebo_msgs::SpawnModel::Request & request, gazebo_msgs::SpawnModel::Response & response);
-  bool remove(gazebo_msgs::DeleteModel::Request & request, gazebo_msgs::DeleteModel::Response & response);
-  bool getState(gazebo_msgs::GetModelState::Request & request, gazebo_msgs::GetModelState::Response & response);
-  bool setState(gazebo_msgs::SetModelState::Request & request, gazebo_msgs::SetModelState::Response & response);
-  bool getLinkState(gazebo_msgs::GetLinkState::Request & request, gazebo_msgs::GetLinkState::Response & response);
-  bool getProperties(
-    gazebo_msgs::GetModelProperties::Request & request, gazebo_msgs::GetModelProperties::Response & response);
-  void put(const gazebo_msgs::ModelState & wanted, const Entity & entity, const Entity & reference);
+  void spawn(const gazebo_msgs::SpawnModel::Request & request, gazebo_msgs::SpawnModel::Response & response);
+  void remove(const gazebo_msgs::DeleteModel::Request & request, gazebo_msgs::DeleteModel::Response & response);
+  void getState(const gazebo_msgs::GetModelState::Request & request, gazebo_msgs::GetModelState::Response & response);
+  void setState(const gazebo_msgs::SetModelState::Request & request, gazebo_msgs::SetModelState::Response & response);
+  void getLinkState(const gazebo_msgs::GetLinkState::Request & request, gazebo_msgs::GetLinkState::Response & response);
+  void getProperties(
+    const gazebo_msgs::GetModelProperties::Request & request, gazebo_msgs::GetModelProperties::Response & response);
+  Entity model(const std::string & name) const;
+  void put(const gazebo_msgs::ModelState & wanted);
 
   Simulation & simulation_;
   Fleet & fleet_;

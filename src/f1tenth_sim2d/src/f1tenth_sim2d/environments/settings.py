@@ -3,7 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from numbers import Real
+from numbers import Integral, Real
 from os import PathLike
 from typing import Callable, Optional, Union
 
@@ -72,6 +72,9 @@ class Settings:
         _require_one_of("start", self.start, _STARTS)
         require_number("physics_step", self.physics_step, 1e-5, 0.1)
         require_number("period", self.period, self.physics_step, 10.0)
+        require_number("beams", self.beams, 2, 100_000, int)
+        require_number("field_of_view", self.field_of_view, 1e-6, 6.2832)
+        require_number("range_max", self.range_max, 0.1, 1000.0)
         require_number("max_time", self.max_time, self.period, 1e6)
         require_number("contact_penalty", self.contact_penalty, 0.0, 1e6)
         if self.laps is not None:
@@ -106,7 +109,8 @@ def vehicle_keys():
 
 def require_number(name, value, least, greatest, kind: type = Real):
     """Raise ValueError for what is no number of the kind from least to greatest."""
-    if isinstance(value, bool) or not isinstance(value, kind) or not least <= value <= greatest:
+    is_kind = isinstance(value, Integral if kind is int else kind) and not isinstance(value, bool)
+    if not is_kind or not least <= value <= greatest:
         what = "a whole number" if kind is int else "a number"
         raise ValueError(f"{name}: found {value!r}, allowed is {what} from {least} to {greatest}")
 

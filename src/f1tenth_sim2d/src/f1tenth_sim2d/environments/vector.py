@@ -7,6 +7,7 @@ from gymnasium.utils import seeding
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
+from f1tenth_sim2d.environments.settings import require_number
 from f1tenth_sim2d.environments.stage import Stage, repeated
 
 
@@ -37,8 +38,7 @@ class F1TenthVectorEnv(VectorEnv):
         """
         threads = len(os.sched_getaffinity(0)) if threads is None else threads
         for name, value in (("num_envs", num_envs), ("threads", threads)):
-            if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= 100_000:
-                raise ValueError(f"{name}: found {value!r}, allowed is a whole number from 1 to 100000")
+            require_number(name, value, 1, 100_000, int)
         if render_mode is not None:
             raise ValueError(f"render_mode: found {render_mode!r}, allowed is None")
         self.render_mode = None

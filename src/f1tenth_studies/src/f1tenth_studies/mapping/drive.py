@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -24,16 +25,6 @@ _STEP = 0.001  # s
 _ODOMETRY_MS = 20  # between two messages of the wheels' odometry
 _TIME_LIMIT = 1200.0  # s simulated, as in create_map.launch
 _PARAMETERS = "config/slam_gmapping.yaml"
-# Names of slam_gmapping's parameters that are called otherwise in Python.
-_NAMES = {
-    "linearUpdate": "linear_update",
-    "angularUpdate": "angular_update",
-    "temporalUpdate": "temporal_update",
-    "maxRange": "max_range",
-    "maxUrange": "max_urange",
-    "kernelSize": "kernel_size",
-    "minimumScore": "minimum_score",
-}
 _OF_THE_NODE = "map_update_interval"
 
 Pose = tuple[float, float, float]  # x, y (m), yaw (rad)
@@ -180,7 +171,7 @@ def _options(mapper: Any) -> Any:
     path = places.package_path(places.GAZEBO_PACKAGE) / _PARAMETERS
     options = mapper.SlamOptions()
     for parameter, value in yaml.safe_load(path.read_text(encoding="utf-8")).items():
-        name = _NAMES.get(parameter, parameter)
+        name = re.sub("[A-Z]", lambda letter: f"_{letter[0].lower()}", parameter)  # in Python
         owners = [each for each in (options, options.motion, options.matcher) if hasattr(each, name)]
         if not owners and parameter != _OF_THE_NODE:
             raise ScenarioError(f"{path}: {parameter}: the mapper's Python module does not know it")

@@ -83,11 +83,11 @@ void expectNear(const Pose2 & found, const Pose2 & wanted, double distance, doub
 
 TEST(Localizer, StartsWhereItIsTold)
 {
-  const Localizer localizer(room(), smallSteps(), around({1.0, 0.5, 0.3}, 0.1, 0.05));
-  expectNear(localizer.estimate().pose, {1.0, 0.5, 0.3}, 0.01, 0.005);
-  EXPECT_NEAR(localizer.estimate().covariance[0], 0.01, 0.001);
-  EXPECT_NEAR(localizer.estimate().covariance[8], 0.0025, 0.0003);
-  EXPECT_EQ(localizer.particles().size(), 5000U);
+  const auto localizer = Localizer::make(room(), smallSteps(), around({1.0, 0.5, 0.3}, 0.1, 0.05));
+  expectNear(localizer->estimate().pose, {1.0, 0.5, 0.3}, 0.01, 0.005);
+  EXPECT_NEAR(localizer->estimate().covariance[0], 0.01, 0.001);
+  EXPECT_NEAR(localizer->estimate().covariance[8], 0.0025, 0.0003);
+  EXPECT_EQ(localizer->particles().size(), 5000U);
 }
 
 TEST(Localizer, FindsTheCarFromAnOffset)
@@ -95,11 +95,11 @@ TEST(Localizer, FindsTheCarFromAnOffset)
   for (const auto model : {LaserModel::kLikelihoodField, LaserModel::kLikelihoodFieldProb, LaserModel::kBeam}) {
     LocalizerOptions options = smallSteps();
     options.laser.model = model;
-    Localizer localizer(room(), options, around({-1.7, -0.8, 0.15}, 0.4, 0.2));
+    const auto localizer = Localizer::make(room(), options, around({-1.7, -0.8, 0.15}, 0.4, 0.2));
     Drive drive(room(), {-2.0, -0.5, 0.0});
-    drive.steps(localizer, 40);
+    drive.steps(*localizer, 40);
     SCOPED_TRACE(static_cast<int>(model));
-    expectNear(localizer.estimate().pose, drive.truth(), 0.05, 0.02);
+    expectNear(localizer->estimate().pose, drive.truth(), 0.05, 0.02);
   }
 }
 
@@ -109,10 +109,10 @@ TEST(Localizer, FindsTheCarWithoutRandomBeamsToo)
   options.laser.model = LaserModel::kLikelihoodFieldProb;
   options.laser.z_rand = 0.0;
   options.laser.sigma_hit = 0.02;  // ends of beams some way off a wall have no likelihood at all
-  Localizer localizer(room(), options, around({-1.9, -0.6, 0.05}, 0.2, 0.1));
+  const auto localizer = Localizer::make(room(), options, around({-1.9, -0.6, 0.05}, 0.2, 0.1));
   Drive drive(room(), {-2.0, -0.5, 0.0});
-  drive.steps(localizer, 40);
-  expectNear(localizer.estimate().pose, drive.truth(), 0.06, 0.03);
+  drive.steps(*localizer, 40);
+  expectNear(localizer->estimate().pose, drive.truth(), 0.06, 0.03);
 }
 
 TEST(Localizer, MapsMayLieAskew)
@@ -120,41 +120,41 @@ TEST(Localizer, MapsMayLieAskew)
   const Pose2 origin{4.013, -1.027, 0.7};
   const OccupancyGrid map = room(origin);
   const Pose2 start = compose(origin, {1.0, 2.0, 0.0});
-  Localizer localizer(map, smallSteps(), around(compose(start, {0.2, 0.1, 0.1}), 0.3, 0.15));
+  const auto localizer = Localizer::make(map, smallSteps(), around(compose(start, {0.2, 0.1, 0.1}), 0.3, 0.15));
   Drive drive(map, start);
-  drive.steps(localizer, 40);
-  expectNear(localizer.estimate().pose, drive.truth(), 0.04, 0.02);
+  drive.steps(*localizer, 40);
+  expectNear(localizer->estimate().pose, drive.truth(), 0.04, 0.02);
 }
 
 TEST(Localizer, FindsTheCarAnywhereOnACircuit)
 {
   const OccupancyGrid map = readMap(AMCL_TEST_MAPS "/circuit_detailed.pgm", {-6.8, -4.8, 0.0});
-  Localizer localizer(map, asOnTheCar(), {});
-  localizer.spreadOut();
-  EXPECT_EQ(localizer.particles().size(), 2000U);
+  const auto localizer = Localizer::make(map, asOnTheCar(), {});
+  localizer->spreadOut();
+  EXPECT_EQ(localizer->particles().size(), 2000U);
   Drive drive(map, {0.58, 0.12, -0.16});
-  drive.steps(localizer, 60, {0.08, 0.0, 0.0});
-  expectNear(localizer.estimate().pose, drive.truth(), 0.1, 0.05);
+  drive.steps(*localizer, 60, {0.08, 0.0, 0.0});
+  expectNear(localizer->estimate().pose, drive.truth(), 0.1, 0.05);
 }
 
 TEST(Localizer, FindsTheCarFromFarOffIfItWasToldThatItMayBe)
 {
   const OccupancyGrid map = readMap(AMCL_TEST_MAPS "/circuit_detailed.pgm", {-6.8, -4.8, 0.0});
   for (const double direction : {1.3, 3.9}) {
-    Localizer localizer(
+    const auto localizer = Localizer::make(
       map, asOnTheCar(), around({0.58 + 2.0 * std::cos(direction), 0.12 + 2.0 * std::sin(direction), 0.36}, 2.0, 0.52));
     Drive drive(map, {0.58, 0.12, -0.16});
-    drive.steps(localizer, 10, {0.08, 0.0, 0.0});
-    expectNear(localizer.estimate().pose, drive.truth(), 0.2, 0.1);
+    drive.steps(*localizer, 10, {0.08, 0.0, 0.0});
+    expectNear(localizer->estimate().pose, drive.truth(), 0.2, 0.1);
   }
 }
 
 TEST(Localizer, IsNoSurerThanItsMap)
 {
-  Localizer localizer(room(), smallSteps(), around({-2.0, -0.5, 0.0}, 0.05, 0.05));
+  const auto localizer = Localizer::make(room(), smallSteps(), around({-2.0, -0.5, 0.0}, 0.05, 0.05));
   Drive drive(room(), {-2.0, -0.5, 0.0});
-  drive.steps(localizer, 40);
-  const Estimate estimate = localizer.estimate();
+  drive.steps(*localizer, 40);
+  const Estimate estimate = localizer->estimate();
   EXPECT_GT(std::min(estimate.covariance[0], estimate.covariance[4]), 0.025 * 0.025);  // half a cell
   EXPECT_LT(std::max(estimate.covariance[0], estimate.covariance[4]), 0.05 * 0.05);
 }
@@ -165,23 +165,23 @@ TEST(Localizer, SpreadsOnlyWhereTheCarCanHaveGone)
   for (int y = 0; y < 100; ++y) {
     halves.cells[y * 160 + 80] = 100;  // x = 1 m
   }
-  Localizer localizer(halves, smallSteps(), {});
-  localizer.spreadOut();
-  for (const Pose2 & particle : localizer.particles()) {
+  const auto localizer = Localizer::make(halves, smallSteps(), {});
+  localizer->spreadOut();
+  for (const Pose2 & particle : localizer->particles()) {
     EXPECT_LT(particle.x, 1.0);
   }
-  localizer.setPose(around({2.0, 0.0, 0.0}, 0.1, 0.1));
-  localizer.spreadOut();
-  for (const Pose2 & particle : localizer.particles()) {
+  localizer->setPose(around({2.0, 0.0, 0.0}, 0.1, 0.1));
+  localizer->spreadOut();
+  for (const Pose2 & particle : localizer->particles()) {
     EXPECT_GT(particle.x, 1.05);
   }
 }
 
 TEST(Localizer, SpreadsOverFreeCellsOnly)
 {
-  Localizer localizer(room(), smallSteps(), {});
-  localizer.spreadOut();
-  for (const Pose2 & particle : localizer.particles()) {
+  const auto localizer = Localizer::make(room(), smallSteps(), {});
+  localizer->spreadOut();
+  for (const Pose2 & particle : localizer->particles()) {
     const bool in_room = particle.x > -3.0 && particle.x < 5.0 && particle.y > -2.5 && particle.y < 2.5;
     const bool in_pillar = particle.x > 3.06 && particle.x < 3.44 && particle.y > 0.56 && particle.y < 1.44;
     EXPECT_TRUE(in_room && !in_pillar) << particle.x << " " << particle.y;
@@ -190,70 +190,70 @@ TEST(Localizer, SpreadsOverFreeCellsOnly)
 
 TEST(Localizer, NeedsFewerParticlesTheSurerItIs)
 {
-  Localizer localizer(room(), smallSteps(), around({-2.0, -0.5, 0.0}, 0.4, 0.2));
+  const auto localizer = Localizer::make(room(), smallSteps(), around({-2.0, -0.5, 0.0}, 0.4, 0.2));
   Drive drive(room(), {-2.0, -0.5, 0.0});
-  std::size_t before = localizer.particles().size();
+  std::size_t before = localizer->particles().size();
   EXPECT_EQ(before, 5000U);
-  drive.steps(localizer, 3);
-  EXPECT_LT(localizer.particles().size(), before);
-  before = localizer.particles().size();
-  drive.steps(localizer, 20);
-  EXPECT_LE(localizer.particles().size(), before);
-  EXPECT_LT(localizer.particles().size(), 1000U);
-  EXPECT_GE(localizer.particles().size(), 100U);
+  drive.steps(*localizer, 3);
+  EXPECT_LT(localizer->particles().size(), before);
+  before = localizer->particles().size();
+  drive.steps(*localizer, 20);
+  EXPECT_LE(localizer->particles().size(), before);
+  EXPECT_LT(localizer->particles().size(), 1000U);
+  EXPECT_GE(localizer->particles().size(), 100U);
 }
 
 TEST(Localizer, SameSeedGivesTheSameParticlesAndAnotherSeedOthers)
 {
   LocalizerOptions options = smallSteps();
   const Estimate start = around({-2.0, -0.5, 0.0}, 0.2, 0.1);
-  Localizer first(room(), options, start);
-  Localizer second(room(), options, start);
+  const auto first = Localizer::make(room(), options, start);
+  const auto second = Localizer::make(room(), options, start);
   options.seed = 1;
-  Localizer other(room(), options, start);
+  const auto other = Localizer::make(room(), options, start);
   Drive one(room(), start.pose);
   Drive two(room(), start.pose);
   Drive three(room(), start.pose);
   for (int i = 0; i < 10; ++i) {  // Taking turns: they must not draw from each other's random numbers.
-    one.step(first);
-    two.step(second);
-    three.step(other);
+    one.step(*first);
+    two.step(*second);
+    three.step(*other);
   }
-  ASSERT_EQ(first.particles().size(), second.particles().size());
-  EXPECT_EQ(first.particles().back().x, second.particles().back().x);
-  EXPECT_EQ(first.estimate().pose.yaw, second.estimate().pose.yaw);
-  EXPECT_NE(first.estimate().pose.yaw, other.estimate().pose.yaw);
+  ASSERT_EQ(first->particles().size(), second->particles().size());
+  EXPECT_EQ(first->particles().back().x, second->particles().back().x);
+  EXPECT_EQ(first->estimate().pose.yaw, second->estimate().pose.yaw);
+  EXPECT_NE(first->estimate().pose.yaw, other->estimate().pose.yaw);
 }
 
 TEST(Localizer, OnlyScansFarEnoughFromTheLastCount)
 {
   LocalizerOptions options = smallSteps();
   options.resample_interval = 2;
-  Localizer localizer(room(), options, around({-2.0, -0.5, 0.0}, 0.05, 0.05));
+  const auto localizer = Localizer::make(room(), options, around({-2.0, -0.5, 0.0}, 0.05, 0.05));
   Drive drive(room(), {-2.0, -0.5, 0.0});
-  EXPECT_EQ(drive.step(localizer, {}), Outcome::kUpdated);
-  EXPECT_EQ(drive.step(localizer, {0.04, 0.0, 0.0}), Outcome::kIgnored);
-  EXPECT_EQ(drive.step(localizer, {0.02, 0.0, 0.0}), Outcome::kUpdated);
-  EXPECT_EQ(drive.step(localizer, {0.0, 0.0, 0.06}), Outcome::kResampled);
-  EXPECT_EQ(drive.step(localizer, {}), Outcome::kIgnored);
-  localizer.updateNext();
-  EXPECT_EQ(drive.step(localizer, {}), Outcome::kUpdated);
+  EXPECT_EQ(drive.step(*localizer, {}), Outcome::kUpdated);
+  EXPECT_EQ(drive.step(*localizer, {0.04, 0.0, 0.0}), Outcome::kIgnored);
+  EXPECT_EQ(drive.step(*localizer, {0.02, 0.0, 0.0}), Outcome::kUpdated);
+  EXPECT_EQ(drive.step(*localizer, {0.0, 0.0, 0.06}), Outcome::kResampled);
+  EXPECT_EQ(drive.step(*localizer, {}), Outcome::kIgnored);
+  localizer->updateNext();
+  EXPECT_EQ(drive.step(*localizer, {}), Outcome::kUpdated);
 }
 
 TEST(Localizer, BelievesWhatItIsToldLater)
 {
-  Localizer localizer(room(), smallSteps(), around({-2.0, -0.5, 0.0}, 0.05, 0.05));
-  localizer.setPose(around({2.0, 1.0, -1.0}, 0.05, 0.05));
-  expectNear(localizer.estimate().pose, {2.0, 1.0, -1.0}, 0.01, 0.01);
+  const auto localizer = Localizer::make(room(), smallSteps(), around({-2.0, -0.5, 0.0}, 0.05, 0.05));
+  localizer->setPose(around({2.0, 1.0, -1.0}, 0.05, 0.05));
+  expectNear(localizer->estimate().pose, {2.0, 1.0, -1.0}, 0.01, 0.01);
 }
 
 TEST(Localizer, MapOnWhichNothingIsFreeIsNamed)
 {
   OccupancyGrid map = room();
   map.cells.assign(map.cells.size(), 100);
-  Localizer localizer(map, smallSteps(), {});
+  const auto localizer = Localizer::make(map, smallSteps(), {});
   try {
-    localizer.spreadOut();
+    localizer->spreadOut();
     FAIL();
   } catch (const Error & error) {
     EXPECT_STREQ(error.what(), "nothing is free on the map");

@@ -66,10 +66,10 @@ TEST(LostCar, IsNotSaidToBeAtOneOfTheseForCertain)
   const OccupancyGrid grid = emptyRoom();
   Estimate start;
   start.pose = {1.0, 1.0, 0.0};
-  Localizer localizer(grid, LocalizerOptions(), start);
-  localizer.spreadOut();
-  localizer.process(scanOn(grid, {2.03, 1.52, 0.7}), {}, {});
-  const auto covariance = localizer.estimate().covariance;
+  const auto localizer = Localizer::make(grid, LocalizerOptions(), start);
+  localizer->spreadOut();
+  localizer->process(scanOn(grid, {2.03, 1.52, 0.7}), {}, {});
+  const auto covariance = localizer->estimate().covariance;
   EXPECT_GT(std::sqrt(covariance[0] + covariance[4]), 1.0);
   EXPECT_GT(std::sqrt(covariance[8]), 1.0);
 }

@@ -42,18 +42,18 @@ std::int8_t cellAt(const OccupancyGrid & map, double x, double y)
 
 TEST(GridSlam, FirstScanIsPutWhereOdometrySays)
 {
-  GridSlam slam(smallMap());
-  EXPECT_TRUE(slam.process(scanInRoom({}), {1.0, 2.0, 0.5}, 0.0));
-  EXPECT_DOUBLE_EQ(slam.pose().x, 1.0);
-  EXPECT_DOUBLE_EQ(slam.pose().y, 2.0);
-  EXPECT_DOUBLE_EQ(slam.pose().yaw, 0.5);
+  const auto slam = GridSlam::make(smallMap());
+  EXPECT_TRUE(slam->process(scanInRoom({}), {1.0, 2.0, 0.5}, 0.0));
+  EXPECT_DOUBLE_EQ(slam->pose().x, 1.0);
+  EXPECT_DOUBLE_EQ(slam->pose().y, 2.0);
+  EXPECT_DOUBLE_EQ(slam->pose().yaw, 0.5);
 }
 
 TEST(GridSlam, MapHasFreeOccupiedAndUnknownCells)
 {
-  GridSlam slam(smallMap());
-  slam.process(scanInRoom({}), {}, 0.0);
-  const OccupancyGrid map = slam.map();
+  const auto slam = GridSlam::make(smallMap());
+  slam->process(scanInRoom({}), {}, 0.0);
+  const OccupancyGrid map = slam->map();
   EXPECT_EQ(cellAt(map, 1.0, 0.1), 0);
   EXPECT_EQ(cellAt(map, 5.02, 0.01), 100);
   EXPECT_EQ(cellAt(map, 6.0, 0.0), -1);
@@ -61,68 +61,68 @@ TEST(GridSlam, MapHasFreeOccupiedAndUnknownCells)
 
 TEST(GridSlam, OnlyScansFarEnoughFromTheLastCount)
 {
-  GridSlam slam(smallMap());
-  EXPECT_TRUE(slam.process(scanInRoom({}), {}, 0.0));
-  EXPECT_FALSE(slam.process(scanInRoom({}), {0.19, 0.0, 0.0}, 0.1));
-  EXPECT_TRUE(slam.process(scanInRoom({}), {0.21, 0.0, 0.0}, 0.2));
-  EXPECT_FALSE(slam.process(scanInRoom({}), {0.21, 0.0, 0.19}, 0.3));
-  EXPECT_TRUE(slam.process(scanInRoom({}), {0.21, 0.0, 0.21}, 0.4));
-  EXPECT_FALSE(slam.process(scanInRoom({}), {0.21, 0.0, 0.21}, 1000.0));
+  const auto slam = GridSlam::make(smallMap());
+  EXPECT_TRUE(slam->process(scanInRoom({}), {}, 0.0));
+  EXPECT_FALSE(slam->process(scanInRoom({}), {0.19, 0.0, 0.0}, 0.1));
+  EXPECT_TRUE(slam->process(scanInRoom({}), {0.21, 0.0, 0.0}, 0.2));
+  EXPECT_FALSE(slam->process(scanInRoom({}), {0.21, 0.0, 0.19}, 0.3));
+  EXPECT_TRUE(slam->process(scanInRoom({}), {0.21, 0.0, 0.21}, 0.4));
+  EXPECT_FALSE(slam->process(scanInRoom({}), {0.21, 0.0, 0.21}, 1000.0));
 }
 
 TEST(GridSlam, StandingScansCountAfterTheTemporalUpdate)
 {
   SlamOptions options = smallMap();
   options.temporal_update = 1.0;
-  GridSlam slam(options);
-  slam.process(scanInRoom({}), {}, 0.0);
-  EXPECT_FALSE(slam.process(scanInRoom({}), {}, 0.9));
-  EXPECT_TRUE(slam.process(scanInRoom({}), {}, 1.1));
+  const auto slam = GridSlam::make(options);
+  slam->process(scanInRoom({}), {}, 0.0);
+  EXPECT_FALSE(slam->process(scanInRoom({}), {}, 0.9));
+  EXPECT_TRUE(slam->process(scanInRoom({}), {}, 1.1));
 }
 
 TEST(GridSlam, CorrectsOdometryThatTurnsAway)
 {
-  GridSlam slam(smallMap());
-  const Pose2 truth = driveWithDrift(slam);
-  EXPECT_NEAR(slam.pose().x, truth.x, 0.03);
-  EXPECT_NEAR(slam.pose().y, truth.y, 0.03);
-  EXPECT_NEAR(slam.pose().yaw, truth.yaw, 0.01);
+  const auto slam = GridSlam::make(smallMap());
+  const Pose2 truth = driveWithDrift(*slam);
+  EXPECT_NEAR(slam->pose().x, truth.x, 0.03);
+  EXPECT_NEAR(slam->pose().y, truth.y, 0.03);
+  EXPECT_NEAR(slam->pose().yaw, truth.yaw, 0.01);
 }
 
 TEST(GridSlam, SameScansGiveTheSameMap)
 {
-  GridSlam first(smallMap());
-  GridSlam second(smallMap());
-  driveWithDrift(first);
-  driveWithDrift(second);
-  EXPECT_EQ(first.map().cells, second.map().cells);
-  EXPECT_EQ(first.pose().yaw, second.pose().yaw);
+  const auto first = GridSlam::make(smallMap());
+  const auto second = GridSlam::make(smallMap());
+  driveWithDrift(*first);
+  driveWithDrift(*second);
+  EXPECT_EQ(first->map().cells, second->map().cells);
+  EXPECT_EQ(first->pose().yaw, second->pose().yaw);
 }
 
 TEST(GridSlam, MapHasAtLeastTheExtentAskedForAndGrows)
 {
-  GridSlam slam(smallMap());
-  slam.process(scanInRoom({}), {}, 0.0);
-  const OccupancyGrid small = slam.map();
+  const auto slam = GridSlam::make(smallMap());
+  slam->process(scanInRoom({}), {}, 0.0);
+  const OccupancyGrid small = slam->map();
   EXPECT_GT(small.geometry.width * small.geometry.resolution, 8.0);
 
   SlamOptions large = smallMap();
   large.xmin = -40.0;
-  GridSlam wide(large);
-  wide.process(scanInRoom({}), {}, 0.0);
-  EXPECT_NEAR(wide.map().geometry.origin.x, -40.0, 0.026);
-  EXPECT_EQ(cellAt(wide.map(), 5.02, 0.01), 100);
+  const auto wide = GridSlam::make(large);
+  wide->process(scanInRoom({}), {}, 0.0);
+  EXPECT_NEAR(wide->map().geometry.origin.x, -40.0, 0.026);
+  EXPECT_EQ(cellAt(wide->map(), 5.02, 0.01), 100);
 }
 
 TEST(GridSlam, ScanThatMatchesBadlyLeavesThePoseToOdometry)
 {
   SlamOptions options = smallMap();
   options.matcher.minimum_score = 1000.0;
-  GridSlam slam(options);
-  slam.process(scanInRoom({}), {}, 0.0);
-  slam.process(scanInRoom({0.3, 0.1, 0.0}), {0.3, 0.0, 0.0}, 0.1);
-  EXPECT_DOUBLE_EQ(slam.pose().x, 0.3);
-  EXPECT_DOUBLE_EQ(slam.pose().y, 0.0);
+  const auto slam = GridSlam::make(options);
+  slam->process(scanInRoom({}), {}, 0.0);
+  slam->process(scanInRoom({0.3, 0.1, 0.0}), {0.3, 0.0, 0.0}, 0.1);
+  EXPECT_DOUBLE_EQ(slam->pose().x, 0.3);
+  EXPECT_DOUBLE_EQ(slam->pose().y, 0.0);
 }
 }  // namespace
 }  // namespace gmapping

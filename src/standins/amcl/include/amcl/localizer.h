@@ -31,31 +31,26 @@ class Localizer
 {
 public:
   /// @throws Error for a map without cells
-  Localizer(const OccupancyGrid & map, const LocalizerOptions & options, const Estimate & start);
-  ~Localizer();
-  Localizer(Localizer &&) noexcept;
-  Localizer & operator=(Localizer &&) noexcept;
+  static std::unique_ptr<Localizer> make(
+    const OccupancyGrid & map, const LocalizerOptions & options, const Estimate & start);
+  virtual ~Localizer() = default;
 
   /// Believes from now on what somebody else says. The next scan counts.
-  void setPose(const Estimate & estimate);
+  virtual void setPose(const Estimate & estimate) = 0;
   /// Forgets where the car is: it may be anywhere that is free on the map. The next scan counts.
   /// @throws Error if nothing is free there
-  void spreadOut();
+  virtual void spreadOut() = 0;
   /// Makes the next scan count even if the car stands.
-  void updateNext();
+  virtual void updateNext() = 0;
 
   /// Takes a scan in.
   /// @param lidar     pose of the lidar on the car
   /// @param odometry  pose of the car when the scan was taken, as odometry knows it
-  Outcome process(const Scan & scan, const Pose2 & lidar, const Pose2 & odometry);
+  virtual Outcome process(const Scan & scan, const Pose2 & lidar, const Pose2 & odometry) = 0;
 
   /// Mean and covariance of the particles that stand together and weigh most, as of the last scan that counted.
-  Estimate estimate() const;
+  virtual Estimate estimate() const = 0;
   /// All particles, in the map frame.
-  std::vector<Pose2> particles() const;
-
-private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  virtual std::vector<Pose2> particles() const = 0;
 };
 }  // namespace amcl

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "clusters.h"
 #include "engine_types.h"
@@ -58,12 +57,11 @@ mrpt::obs::CActionCollection toAction(const Pose2 & motion, const OdometryOption
   action.insert(movement);
   return action;
 }
-}  // namespace
 
-class Localizer::Impl
+class ParticleLocalizer final : public Localizer
 {
 public:
-  Impl(const OccupancyGrid & map, const LocalizerOptions & options, const Estimate & start)
+  ParticleLocalizer(const OccupancyGrid & map, const LocalizerOptions & options, const Estimate & start)
   : options_(options), origin_(map.geometry.origin), map_(toGridMap(map, options.laser)), random_(options.seed)
   {
     particles_.options.metricMap = map_;
@@ -77,7 +75,7 @@ public:
     setPose(start);
   }
 
-  void setPose(const Estimate & estimate)
+  void setPose(const Estimate & estimate) override
   {
     const RandomScope scope(random_);
     mrpt::math::CMatrixDouble33 covariance;
@@ -94,7 +92,7 @@ public:
     }
   }
 
-  void spreadOut()
+  void spreadOut() override
   {
     const auto road = roadAbout(*map_, compose(inverse(origin_), believed_));
     if (road.empty()) {
@@ -105,9 +103,9 @@ public:
     lost_.emplace(*map_, road);
   }
 
-  void updateNext() { due_ = true; }
+  void updateNext() override { due_ = true; }
 
-  Outcome process(const Scan & scan, const Pose2 & lidar, const Pose2 & odometry)
+  Outcome process(const Scan & scan, const Pose2 & lidar, const Pose2 & odometry) override
   {
     Pose2 motion = odometry_ ? compose(inverse(*odometry_), odometry) : Pose2{};
     if (!due_ && !farEnough(motion)) {
@@ -127,7 +125,7 @@ public:
     return update(motion, observation);
   }
 
-  Estimate estimate() const
+  Estimate estimate() const override
   {
     std::vector<WeightedPose> weighted;
     weighted.reserve(particles_.size());
@@ -148,7 +146,7 @@ public:
     return estimate;
   }
 
-  std::vector<Pose2> particles() const
+  std::vector<Pose2> particles() const override
   {
     std::vector<Pose2> poses;
     poses.reserve(particles_.size());
@@ -279,37 +277,11 @@ private:
   double power_{1.0};         // of the likelihood of a scan
   double search_power_{1.0};  // of a car that is lost
 };
+}  // namespace
 
-Localizer::Localizer(const OccupancyGrid & map, const LocalizerOptions & options, const Estimate & start)
-: impl_(std::make_unique<Impl>(map, options, start))
+std::unique_ptr<Localizer> Localizer::make(
+  const OccupancyGrid & map, const LocalizerOptions & options, const Estimate & start)
 {
-}
-Localizer::~Localizer() = default;
-Localizer::Localizer(Localizer &&) noexcept = default;
-Localizer & Localizer::operator=(Localizer &&) noexcept = default;
-
-void Localizer::setPose(const Estimate & estimate)
-{
-  impl_->setPose(estimate);
-}
-void Localizer::spreadOut()
-{
-  impl_->spreadOut();
-}
-void Localizer::updateNext()
-{
-  impl_->updateNext();
-}
-Outcome Localizer::process(const Scan & scan, const Pose2 & lidar, const Pose2 & odometry)
-{
-  return impl_->process(scan, lidar, odometry);
-}
-Estimate Localizer::estimate() const
-{
-  return impl_->estimate();
-}
-std::vector<Pose2> Localizer::particles() const
-{
-  return impl_->particles();
+  return std::make_unique<ParticleLocalizer>(map, options, start);
 }
 }  // namespace amcl

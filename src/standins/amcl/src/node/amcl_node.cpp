@@ -52,7 +52,7 @@ void AmclNode::setMap(const nav_msgs::OccupancyGrid & map)
 bool AmclNode::build(const nav_msgs::OccupancyGrid & map, const Estimate & start)
 {
   try {
-    localizer_ = Localizer(fromOccupancyGrid(map), parameters_.localizer, start);
+    localizer_ = Localizer::make(fromOccupancyGrid(map), parameters_.localizer, start);
   } catch (const Error & error) {
     ROS_ERROR("%s; it is not used", error.what());
     return false;
@@ -237,6 +237,6 @@ bool AmclNode::onUpdateWithoutMotion(std_srvs::Empty::Request &, std_srvs::Empty
     localizer_->updateNext();
     must_publish_ = true;
   }
-  return localizer_.has_value();
+  return localizer_ != nullptr;
 }
 }  // namespace amcl

@@ -12,6 +12,7 @@
 #include <tf2/buffer_core.h>
 
 #include <deque>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -61,7 +62,7 @@ private:
 
   NodeParameters parameters_;
   tf2::BufferCore transforms_;
-  std::optional<Localizer> localizer_;
+  std::unique_ptr<Localizer> localizer_;
   Estimate estimate_;
   std::optional<Pose2> map_to_odom_;
   bool must_publish_{true};  // the next estimate, even if the particles are not drawn anew

@@ -15,25 +15,21 @@ class GridSlam
 {
 public:
   /// @throws OptionError
-  explicit GridSlam(const SlamOptions & options);
-  ~GridSlam();
+  static std::unique_ptr<GridSlam> make(const SlamOptions & options);
+  virtual ~GridSlam() = default;
 
   /// Takes a scan in. The first one is put into the map where odometry says; of those after it counts whatever lies
   /// far enough from the last that counted. Those between help to follow the lidar: all have to be given.
   /// @param odometry  pose of the lidar when it took the scan, as odometry knows it
   /// @param time      s, of the scan
   /// @return whether the scan counted
-  bool process(const Scan & scan, const Pose2 & odometry, double time);
+  virtual bool process(const Scan & scan, const Pose2 & odometry, double time) = 0;
 
   /// Pose of the lidar in the map as of the last scan that counted. Jumps when a loop is closed.
-  Pose2 pose() const;
+  virtual Pose2 pose() const = 0;
   /// Poses of the lidar at all scans that counted, as they are believed to be now.
-  const std::vector<Pose2> & path() const;
+  virtual const std::vector<Pose2> & path() const = 0;
   /// Takes longer after a loop was closed: then the map is made anew from all scans.
-  OccupancyGrid map();
-
-private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  virtual OccupancyGrid map() = 0;
 };
 }  // namespace gmapping

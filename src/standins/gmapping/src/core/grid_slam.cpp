@@ -44,17 +44,16 @@ Eigen::Matrix3d seenFrom(const Pose2 & pose, const Eigen::Matrix3d & information
   const Eigen::Vector3d least(error * error, error * error, turn_error * turn_error);
   return (turned.inverse() + Eigen::Matrix3d(least.asDiagonal())).inverse();
 }
-}  // namespace
 
-class GridSlam::Impl
+class GraphSlam final : public GridSlam
 {
 public:
-  explicit Impl(const SlamOptions & options)
+  explicit GraphSlam(const SlamOptions & options)
   : options_(options), tracker_(options.matcher, options.motion), loops_(options.matcher), map_(options.delta)
   {
   }
 
-  bool process(const Scan & scan, const Pose2 & odometry, double time)
+  bool process(const Scan & scan, const Pose2 & odometry, double time) override
   {
     if (!odometry_) {
       start(scan, odometry, time);
@@ -76,11 +75,10 @@ public:
     return counts;
   }
 
-  const std::vector<Pose2> & path() const { return graph_.poses(); }
-  Pose2 pose() const { return way_.empty() ? Pose2{} : graph_.poses().back(); }
-  const SlamOptions & options() const { return options_; }
+  const std::vector<Pose2> & path() const override { return graph_.poses(); }
+  Pose2 pose() const override { return way_.empty() ? Pose2{} : graph_.poses().back(); }
 
-  const CellMap & map()
+  OccupancyGrid map() override
   {
     if (hasMoved()) {
       map_ = CellMap(options_.delta);
@@ -90,7 +88,7 @@ public:
       mapped_.push_back(graph_.poses()[i]);
       registerBeams(map_, way_[i].beams, mapped_.back(), max_urange_);
     }
-    return map_;
+    return map_.grid(options_);
   }
 
 private:
@@ -176,28 +174,11 @@ private:
   double max_range_{0.0};   // m
   double max_urange_{0.0};  // m
 };
+}  // namespace
 
-GridSlam::GridSlam(const SlamOptions & options)
+std::unique_ptr<GridSlam> GridSlam::make(const SlamOptions & options)
 {
   options.validate();
-  impl_ = std::make_unique<Impl>(options);
-}
-GridSlam::~GridSlam() = default;
-
-bool GridSlam::process(const Scan & scan, const Pose2 & odometry, double time)
-{
-  return impl_->process(scan, odometry, time);
-}
-Pose2 GridSlam::pose() const
-{
-  return impl_->pose();
-}
-const std::vector<Pose2> & GridSlam::path() const
-{
-  return impl_->path();
-}
-OccupancyGrid GridSlam::map()
-{
-  return impl_->map().grid(impl_->options());
+  return std::make_unique<GraphSlam>(options);
 }
 }  // namespace gmapping

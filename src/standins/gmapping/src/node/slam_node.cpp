@@ -11,7 +11,7 @@
 namespace gmapping
 {
 SlamNode::SlamNode(const NodeParameters & parameters, ros::CallbackQueue & queue)
-: parameters_(parameters), slam_(parameters.slam)
+: parameters_(parameters), slam_(GridSlam::make(parameters.slam))
 {
   ros::NodeHandle node = servedBy(queue);
   map_publisher_ = node.advertise<nav_msgs::OccupancyGrid>("map", 1, true);
@@ -56,12 +56,12 @@ bool SlamNode::isHopeless(const sensor_msgs::LaserScan & scan) const
 
 void SlamNode::handle(const sensor_msgs::LaserScan & scan, const Pose2 & odometry)
 {
-  if (!slam_.process(fromLaserScan(scan, upsideDown(scan.header.frame_id)), odometry, scan.header.stamp.toSec())) {
+  if (!slam_->process(fromLaserScan(scan, upsideDown(scan.header.frame_id)), odometry, scan.header.stamp.toSec())) {
     return;
   }
   {
     const std::lock_guard<std::mutex> lock(broadcast_mutex_);
-    map_to_odom_ = compose(slam_.pose(), inverse(odometry));
+    map_to_odom_ = compose(slam_->pose(), inverse(odometry));
   }
   if (!last_map_ || scan.header.stamp - *last_map_ > ros::Duration(parameters_.map_update_interval)) {
     publishMap(scan.header.stamp);
@@ -97,7 +97,7 @@ void SlamNode::broadcast(const ros::Time & now)
 
 void SlamNode::publishMap(const ros::Time & stamp)
 {
-  map_ = toOccupancyGrid(slam_.map(), headerOf(parameters_.map_frame, stamp));
+  map_ = toOccupancyGrid(slam_->map(), headerOf(parameters_.map_frame, stamp));
   map_.info.map_load_time = stamp;
   last_map_ = stamp;
   map_publisher_.publish(map_);

@@ -9,6 +9,7 @@
 #include <tf2_ros/transform_broadcaster.h>
 
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <optional>
 
@@ -50,7 +51,7 @@ private:
   bool onGetMap(nav_msgs::GetMap::Request & request, nav_msgs::GetMap::Response & response);
 
   NodeParameters parameters_;
-  GridSlam slam_;
+  std::unique_ptr<GridSlam> slam_;
   tf2::BufferCore transforms_;
   tf2_ros::TransformBroadcaster broadcaster_;
   ros::Publisher map_publisher_;

@@ -92,7 +92,7 @@ PYBIND11_MODULE(gmapping_core, module)
     .def_readwrite("delta", &SlamOptions::delta, "m per cell")
     .def_readwrite("occ_thresh", &SlamOptions::occ_thresh);
   py::class_<GridSlam>(module, "GridSlam", "Builds a map from scans and odometry.")
-    .def(py::init<const SlamOptions &>(), py::arg("options"), "Raises Error for an option that is out of range.")
+    .def(py::init(&GridSlam::make), py::arg("options"), "Raises Error for an option that is out of range.")
     .def(
       "process", &process, py::arg("ranges"), py::arg("angle_min"), py::arg("angle_increment"), py::arg("range_min"),
       py::arg("range_max"), py::arg("odometry"), py::arg("time"),

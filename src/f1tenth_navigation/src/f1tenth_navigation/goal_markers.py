@@ -23,7 +23,7 @@ def goal_markers(poses, problems=None):
     for number, pose in enumerate(poses, 1):
         problem = problems.get(number, "")
         markers.markers += [
-            _arrow(number, pose),
+            arrow_marker("arrows", number, pose, (LENGTH, WIDTH, WIDTH), PINK),
             _disc(number, pose, RED if problem else BLUE),
             text_marker("numbers", number, pose, str(number), HEIGHT, WHITE),
         ]
@@ -56,6 +56,14 @@ def text_marker(namespace, number, pose, text, height, colour):
     return marker
 
 
+def arrow_marker(namespace, number, pose, scale, colour):
+    """A Marker with an arrow of some scale (x, y, z; m) at a PoseStamped."""
+    marker = _marker(namespace, Marker.ARROW, number, pose, colour)
+    marker.pose.orientation = pose.pose.orientation
+    marker.scale.x, marker.scale.y, marker.scale.z = scale
+    return marker
+
+
 def _marker(namespace, kind, number, pose, colour):
     marker = Marker(ns=namespace, type=kind, id=number, action=Marker.ADD)
     marker.header.frame_id = pose.header.frame_id
@@ -63,13 +71,6 @@ def _marker(namespace, kind, number, pose, colour):
     marker.pose.position.y = pose.pose.position.y
     marker.color.r, marker.color.g, marker.color.b = colour
     marker.color.a = 1.0
-    return marker
-
-
-def _arrow(number, pose):
-    marker = _marker("arrows", Marker.ARROW, number, pose, PINK)
-    marker.pose.orientation = pose.pose.orientation
-    marker.scale.x, marker.scale.y, marker.scale.z = LENGTH, WIDTH, WIDTH
     return marker
 
 

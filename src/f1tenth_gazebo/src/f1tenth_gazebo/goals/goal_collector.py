@@ -8,10 +8,10 @@ from pathlib import Path
 
 import rospkg
 import rospy
-from f1tenth_navigation.goal_markers import goal_markers, text_marker
+from f1tenth_navigation.goal_markers import arrow_marker, goal_markers, text_marker
 from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import OccupancyGrid
-from visualization_msgs.msg import Marker, MarkerArray
+from visualization_msgs.msg import MarkerArray
 
 from f1tenth_gazebo.errors import FileError
 from f1tenth_gazebo.goals.clicked_goals import ClickedGoals
@@ -96,22 +96,14 @@ def stamped(x, y, yaw, frame="map"):
 def road_markers(road):
     """The start, the driving direction along the road, and what clicks do, as a MarkerArray."""
     poses = [stamped(pose.x, pose.y, pose.yaw) for pose in road]
-    markers = [_arrow(number, pose, number == 0) for number, pose in enumerate(poses)]
+    markers = [arrow_marker("road", 0, poses[0], (1.2, 0.25, 0.1), _GREEN)]
+    markers += [arrow_marker("road", i, pose, (0.6, 0.1, 0.05), _GREY) for i, pose in enumerate(poses[1:], 1)]
     start = text_marker("start", 0, poses[0], "start", 0.45, _GREEN)
     start.pose.position.y += 0.6
     hint = text_marker("hint", 0, poses[0], _HINT, 0.35, (1.0, 1.0, 1.0))
     hint.pose.position.y = min(pose.pose.position.y for pose in poses) - 2.5
     hint.pose.position.x = (min(p.pose.position.x for p in poses) + max(p.pose.position.x for p in poses)) / 2
     return MarkerArray(markers=[*markers, start, hint])
-
-
-def _arrow(number, pose, is_start):
-    marker = Marker(ns="road", type=Marker.ARROW, id=number, action=Marker.ADD, pose=pose.pose)
-    marker.header.frame_id = pose.header.frame_id
-    marker.scale.x, marker.scale.y, marker.scale.z = (1.2, 0.25, 0.1) if is_start else (0.6, 0.1, 0.05)
-    marker.color.r, marker.color.g, marker.color.b = _GREEN if is_start else _GREY
-    marker.color.a = 1.0
-    return marker
 
 
 def main():

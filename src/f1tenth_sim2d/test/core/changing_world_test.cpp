@@ -230,12 +230,12 @@ TEST(ChangingWorld, RefusesWhatMakesNoSense)
     errorOf([&] {
       simulation.placeModel(0, {{nan, 0.0, 0.0}, {}, 0.0});
     }),
-    "walls: x (m) is nan, allowed is a finite number");
+    "walls: x (m) is nan, allowed is -100000 to 100000");
   EXPECT_EQ(
     errorOf([&] {
       simulation.placeCar(kRobot1, {}, {nan, 0.0});
     }),
-    "robot1: velocity in x (m/s) is nan, allowed is a finite number");
+    "robot1: velocity in x (m/s) is nan, allowed is -1000 to 1000");
 }
 
 TEST(ChangingWorld, RefusesAbsurdMotionsOfModels)

@@ -163,7 +163,7 @@ TEST(Simulation, StartThatIsNotFiniteIsRefused)
     messageOf([&] {
       simulation.addCar(car("robot1"), {}, {0, kNan, 0});
     }),
-    "robot1: y (m) of the pose is nan, allowed is a finite number");
+    "robot1: y (m) of the pose is nan, allowed is -100000 to 100000");
 }
 
 TEST(Simulation, StartBeyondTheWorldIsRefused)
@@ -215,7 +215,7 @@ TEST(Simulation, CarIsNotPlacedWhereItDoesNotFit)
     messageOf([&] {
       simulation.placeCar(kRobot1, {1.2, kNan, 0});
     }),
-    "robot1: y (m) of the pose is nan, allowed is a finite number");
+    "robot1: y (m) of the pose is nan, allowed is -100000 to 100000");
   EXPECT_NEAR(simulation.state(kRobot1).pose.x, 0.0, 1e-12);
 }
 

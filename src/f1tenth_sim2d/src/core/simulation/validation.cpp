@@ -125,14 +125,9 @@ void validate(const ModelDescription & model, const std::string & where)
 
 void validate(const ModelState & state, const std::string & what)
 {
-  requireFinite(state.pose.x, what, "x (m)");
-  requireFinite(state.pose.y, what, "y (m)");
-  requireFinite(state.pose.yaw, what, "yaw (rad)");
-  requireFinite(state.velocity.x, what, "velocity in x (m/s)");
-  requireFinite(state.velocity.y, what, "velocity in y (m/s)");
-  requireFinite(state.yaw_rate, what, "yaw rate (rad/s)");
   requireWithin(state.pose.x, kLengthMax, what, "x (m)");
   requireWithin(state.pose.y, kLengthMax, what, "y (m)");
+  requireFinite(state.pose.yaw, what, "yaw (rad)");
   requireWithin(state.velocity.x, kModelSpeedMax, what, "velocity in x (m/s)");
   requireWithin(state.velocity.y, kModelSpeedMax, what, "velocity in y (m/s)");
   requireWithin(state.yaw_rate, kYawRateMax, what, "yaw rate (rad/s)");
@@ -147,11 +142,9 @@ const SimulationOptions & validated(const SimulationOptions & options)
 
 void validate(const CarDescription & car, const Pose2 & start)
 {
-  requireFinite(start.x, car.name, "x (m) of the pose");
-  requireFinite(start.y, car.name, "y (m) of the pose");
-  requireFinite(start.yaw, car.name, "yaw (rad) of the pose");
   requireWithin(start.x, kLengthMax, car.name, "x (m) of the pose");
   requireWithin(start.y, kLengthMax, car.name, "y (m) of the pose");
+  requireFinite(start.yaw, car.name, "yaw (rad) of the pose");
   require(car.wheel_radius > 0.0, car.name, "wheel radius (m)", car.wheel_radius, "more than 0");
   for (const LidarDescription & lidar : car.lidars) {
     validateLidar(lidar, car.name);

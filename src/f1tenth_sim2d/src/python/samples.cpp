@@ -10,25 +10,26 @@ namespace
 {
 namespace py = pybind11;
 
+/// Reads a part of a member.
+template <typename Owner, typename Member>
+auto through(Member Owner::*member, double Member::*part)
+{
+  return [member, part](const Owner & owner) { return owner.*member.*part; };
+}
+
 void bindCarState(py::module_ & module)
 {
   py::class_<CarState>(module, "CarState", "True state of a car: that of base_footprint, below the rear axle.")
-    .def_property_readonly(
-      "x", [](const CarState & state) { return state.pose.x; }, "In the world, m.")
-    .def_property_readonly(
-      "y", [](const CarState & state) { return state.pose.y; }, "In the world, m.")
-    .def_property_readonly(
-      "yaw", [](const CarState & state) { return state.pose.yaw; }, "In the world, rad.")
-    .def_property_readonly(
-      "v_x", [](const CarState & state) { return state.velocity.x; }, "Along the car, m/s.")
-    .def_property_readonly(
-      "v_y", [](const CarState & state) { return state.velocity.y; }, "To its left, m/s.")
+    .def_property_readonly("x", through(&CarState::pose, &Pose2::x), "In the world, m.")
+    .def_property_readonly("y", through(&CarState::pose, &Pose2::y), "In the world, m.")
+    .def_property_readonly("yaw", through(&CarState::pose, &Pose2::yaw), "In the world, rad.")
+    .def_property_readonly("v_x", through(&CarState::velocity, &Vec2::x), "Along the car, m/s.")
+    .def_property_readonly("v_y", through(&CarState::velocity, &Vec2::y), "To its left, m/s.")
     .def_readonly("yaw_rate", &CarState::yaw_rate, "rad/s.")
     .def_property_readonly(
-      "a_x", [](const CarState & state) { return state.acceleration.x; },
-      "Of the centre of mass, along the car, m/s^2.")
+      "a_x", through(&CarState::acceleration, &Vec2::x), "Of the centre of mass, along the car, m/s^2.")
     .def_property_readonly(
-      "a_y", [](const CarState & state) { return state.acceleration.y; }, "Of the centre of mass, to its left, m/s^2.")
+      "a_y", through(&CarState::acceleration, &Vec2::y), "Of the centre of mass, to its left, m/s^2.")
     .def_readonly("steering_angle", &CarState::steering_angle, "Of the single-track front wheel, rad.")
     .def_readonly("wheel_angles", &CarState::wheel_angles, "Front left, front right, rear left, rear right; rad.")
     .def_readonly("wheel_speeds", &CarState::wheel_speeds, "The same order; rad/s.");
@@ -37,22 +38,17 @@ void bindCarState(py::module_ & module)
 void bindReadings(py::module_ & module)
 {
   py::class_<WheelOdometry>(module, "WheelOdometry", "Dead reckoning from noisy speed and steering.")
-    .def_property_readonly(
-      "x", [](const WheelOdometry & odometry) { return odometry.pose.x; }, "m.")
-    .def_property_readonly(
-      "y", [](const WheelOdometry & odometry) { return odometry.pose.y; }, "m.")
-    .def_property_readonly(
-      "yaw", [](const WheelOdometry & odometry) { return odometry.pose.yaw; }, "rad.")
+    .def_property_readonly("x", through(&WheelOdometry::pose, &Pose2::x), "m.")
+    .def_property_readonly("y", through(&WheelOdometry::pose, &Pose2::y), "m.")
+    .def_property_readonly("yaw", through(&WheelOdometry::pose, &Pose2::yaw), "rad.")
     .def_readonly("speed", &WheelOdometry::speed, "Along the car, m/s.")
     .def_readonly("yaw_rate", &WheelOdometry::yaw_rate, "rad/s.");
 
   py::class_<ImuSample>(module, "ImuSample", "A reading of the IMU.")
     .def_readonly("yaw", &ImuSample::yaw, "rad.")
     .def_readonly("yaw_rate", &ImuSample::yaw_rate, "rad/s.")
-    .def_property_readonly(
-      "a_x", [](const ImuSample & imu) { return imu.acceleration.x; }, "Along the car, m/s^2.")
-    .def_property_readonly(
-      "a_y", [](const ImuSample & imu) { return imu.acceleration.y; }, "To its left, m/s^2.");
+    .def_property_readonly("a_x", through(&ImuSample::acceleration, &Vec2::x), "Along the car, m/s^2.")
+    .def_property_readonly("a_y", through(&ImuSample::acceleration, &Vec2::y), "To its left, m/s^2.");
 }
 
 void bindContact(py::module_ & module)

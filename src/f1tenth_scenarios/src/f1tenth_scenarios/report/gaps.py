@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from f1tenth_scenarios.record.record import CarTrack, Record
 
@@ -17,7 +18,7 @@ def gaps_to_leader(record: Record, road: Sequence) -> dict[str, np.ndarray]:
     tracks = [track for track in record.tracks.values() if len(track.time)]
     if len(tracks) < 2 or not len(road):
         return {}
-    ways = {track.car: _way(track, road) for track in tracks}
+    ways = {track.car: way_along(track, road) for track in tracks}
     gaps = {}
     for own in tracks:
         at = [np.interp(own.time, other.time, ways[other.car]) for other in tracks]
@@ -25,8 +26,11 @@ def gaps_to_leader(record: Record, road: Sequence) -> dict[str, np.ndarray]:
     return gaps
 
 
-def _way(track: CarTrack, road: Sequence) -> np.ndarray:
-    """Way along the road, m, that goes on from lap to lap; it begins at most half a lap away from 0."""
+def way_along(track: CarTrack, road: ArrayLike) -> np.ndarray:
+    """Way along a road, m, that goes on from lap to lap; it begins at most half a lap away from 0.
+
+    `road` as of gaps_to_leader.
+    """
     points = np.asarray(road, dtype=float)
     closed = np.vstack([points, points[:1]])
     at = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(closed, axis=0).T))])

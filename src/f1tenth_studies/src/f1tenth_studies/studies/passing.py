@@ -2,6 +2,8 @@
 
 import numpy as np
 from f1tenth_scenarios.record.record import CarTrack
+from f1tenth_scenarios.report.gaps import way_along
+from f1tenth_scenarios.road.course import Course
 
 from f1tenth_studies.optimum.track import circuits, load_track
 from f1tenth_studies.study import CONTACTS, Column, Run, Study, slowest
@@ -25,27 +27,14 @@ def count_passes(track: np.ndarray, behind: CarTrack, ahead: CarTrack) -> int:
     `track` as of load_track.
     """
     periods = min(len(behind.x), len(ahead.x))
-    total = _lengths(track)[-1]
-    own = _progress(track, behind.x[:periods], behind.y[:periods])
-    lead = own - _progress(track, ahead.x[:periods], ahead.y[:periods])
+    total = Course(*track.T).length
+    own, other = (way_along(each, track[:, :2])[:periods] for each in (behind, ahead))
+    lead = own - other
     # The course may be described in the other direction.
     lead *= 1.0 if own[-1] >= own[0] else -1.0
     # At the start the one ahead may be on either side of where the course begins.
     lead -= total * np.ceil(lead[0] / total)
     return int(np.floor(lead.max() / total)) + 1
-
-
-def _progress(track: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """Way along the track, m, that goes on from lap to lap."""
-    lengths = _lengths(track)
-    nearest = [int(np.argmin(np.hypot(track[:, 0] - px, track[:, 1] - py))) for px, py in zip(x, y)]
-    return np.unwrap(lengths[nearest], period=lengths[-1])
-
-
-def _lengths(track: np.ndarray) -> np.ndarray:
-    """Of the track up to each point, and once around, m."""
-    steps = np.hypot(*np.diff(track[:, :2], axis=0, append=track[:1, :2]).T)
-    return np.concatenate([[0.0], np.cumsum(steps)])
 
 
 def _passes(runs) -> int:

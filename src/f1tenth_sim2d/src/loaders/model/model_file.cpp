@@ -2,12 +2,12 @@
 
 #include <tinyxml2.h>
 
+#include <boost/algorithm/string/trim.hpp>
 #include <filesystem>
 #include <optional>
 
 #include "loaders/model/read_pose.h"
 #include "loaders/xml/xml_document.h"
-#include "loaders/xml/xml_text.h"
 
 namespace f1tenth_sim2d
 {
@@ -34,7 +34,7 @@ std::string newestFile(const fs::path & config)
     const int version = text ? versionIn(text) : 0;
     if (sdf->GetText() && version > best && version <= kNewestSdfVersion) {
       best = version;
-      newest = withoutBlanksAround(sdf->GetText());
+      newest = boost::algorithm::trim_copy(std::string(sdf->GetText()));
     }
   }
   return newest;

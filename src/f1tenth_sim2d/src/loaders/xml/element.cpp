@@ -1,6 +1,7 @@
 #include "loaders/xml/element.h"
 
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <cmath>
 #include <sstream>
 
@@ -56,13 +57,13 @@ void appendParameters(const Element & parent, const std::string & scope, PluginE
 std::string Element::attribute(const char * attribute) const
 {
   const char * const text = node_ ? node_->Attribute(attribute) : nullptr;
-  return text ? withoutBlanksAround(text) : "";
+  return text ? boost::algorithm::trim_copy(std::string(text)) : "";
 }
 
 std::string Element::text() const
 {
   const char * const text = node_ ? node_->GetText() : nullptr;
-  return text ? withoutBlanksAround(text) : "";
+  return text ? boost::algorithm::trim_copy(std::string(text)) : "";
 }
 
 std::string Element::value() const

@@ -8,8 +8,6 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-const char * const kBlanks = " \t\r\n";
-
 /// Copies an XML text and puts right what stands between "<" and ">".
 class XmlRepair
 {
@@ -96,12 +94,6 @@ private:
   std::string result_;
 };
 }  // namespace
-
-std::string withoutBlanksAround(const std::string & text)
-{
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
 
 std::vector<std::string> wordsIn(const std::string & text)
 {

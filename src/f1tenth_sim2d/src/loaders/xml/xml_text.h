@@ -6,9 +6,6 @@
 
 namespace f1tenth_sim2d
 {
-/// Text without the blanks around it.
-std::string withoutBlanksAround(const std::string & text);
-
 /// The words of a text, with blanks between them.
 std::vector<std::string> wordsIn(const std::string & text);
 

@@ -2,9 +2,25 @@
 
 #include <pybind11/pybind11.h>
 
+#include <string>
+#include <vector>
+
 /// The parts of the Python module f1tenth_sim2d.
 namespace f1tenth_sim2d
 {
+/// Reads a text of each item that a list has.
+template <typename Owner, typename Item>
+auto ofEach(std::vector<Item> Owner::*items, std::string Item::*text)
+{
+  return [items, text](const Owner & owner) {
+    std::vector<std::string> texts;
+    for (const Item & item : owner.*items) {
+      texts.push_back(item.*text);
+    }
+    return texts;
+  };
+}
+
 void bindErrors(pybind11::module_ & module);
 void bindVehicleParameters(pybind11::module_ & module);
 void bindWorld(pybind11::module_ & module);

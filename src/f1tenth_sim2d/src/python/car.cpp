@@ -38,15 +38,6 @@ void bindSensors(py::module_ & module)
     .def_readonly("rate_hz", &BumperDescription::rate_hz)
     .def_readonly("collision_names", &BumperDescription::collision_names, "Scoped names of what it watches.");
 }
-
-std::vector<std::string> jointNames(const CarDescription & car)
-{
-  std::vector<std::string> names;
-  for (const JointDescription & joint : car.joints) {
-    names.push_back(joint.name);
-  }
-  return names;
-}
 }  // namespace
 
 void bindCar(py::module_ & module)
@@ -57,20 +48,15 @@ void bindCar(py::module_ & module)
     .def_readonly("links", &CarDescription::links, "All links of the robot description.")
     .def_readonly("lidars", &CarDescription::lidars)
     .def_readonly("bumpers", &CarDescription::bumpers)
-    .def_property_readonly("joints", &jointNames, "Names of the joints whose state is published.")
+    .def_property_readonly(
+      "joints", ofEach(&CarDescription::joints, &JointDescription::name),
+      "Names of the joints whose state is published.")
     .def_readonly("wheel_radius", &CarDescription::wheel_radius, "m.")
     .def_readonly("track_width", &CarDescription::track_width, "Between the steering joints, m.")
     .def_readonly("base_frame", &CarDescription::base_frame, "The link that stands for the car.")
     .def_readonly("parameters", &CarDescription::parameters, "Dynamics as the description gives them.")
     .def_property_readonly(
-      "plugins",
-      [](const CarDescription & car) {
-        std::vector<std::string> filenames;
-        for (const PluginElement & plugin : car.plugins) {
-          filenames.push_back(plugin.filename);
-        }
-        return filenames;
-      },
+      "plugins", ofEach(&CarDescription::plugins, &PluginElement::filename),
       "File names of the plugins that are not built in.")
     .def_readonly("warnings", &CarDescription::warnings, "What was left out: one line per kind.");
 

@@ -76,14 +76,7 @@ void bindWorld(py::module_ & module)
       },
       "Pose in the world at the start: (x, y, yaw), m and rad.")
     .def_property_readonly(
-      "collisions",
-      [](const ModelDescription & model) {
-        std::vector<std::string> names;
-        for (const Solid & solid : model.solids) {
-          names.push_back(solid.name);
-        }
-        return names;
-      },
+      "collisions", ofEach(&ModelDescription::solids, &Solid::name),
       "Scoped names of the collision elements, \"model::link::collision\".")
     .def(
       "section", &sectionOfModel, py::arg("z"),

@@ -27,14 +27,14 @@ protected:
     costmap_ = makeCostmap(drawRoom(40.0, width + 0.2));
     const double middle = 0.5 * width + 0.1;
     plan_.path = samplePath({kX, middle, 0.0}, {{25.0, 0.0}}, 0.1);
-    plan_.goal_s = 24.0;
+    plan_.goal_s = goal_s_;
     PlanRequest request{{}, {kX + plan_.goal_s, middle, 0.0}};
-    request.race_line = RaceLineOptions{0.3, 0.4, 0.0, limits_.max_lateral_acceleration, limits_.max_vel_x};
+    request.race_line = RaceLineOptions{0.3, 0.4, 0.0, limits_.max_lateral_acceleration, limits_.max_vel_x, next_};
     request.lead.assign(plan_.path.begin(), plan_.path.begin() + 4);
     request.start = request.lead.back().pose;
     const Pose2 there{kX + pose.x, middle + pose.y, pose.yaw};
     others_ = {Forecast({{there, 0.29, 0.155}, speed, 0.0}, costmap_, 0.0)};
-    return planPast({costmap_, {}, limits_, plan_, request, next_, others_, 0.0, {{kX, middle, 0.0}, kSpeed}});
+    return planPast({costmap_, {}, limits_, plan_, request, others_, 0.0, {{kX, middle, 0.0}, kSpeed}});
   }
 
   /// Whether the car, driving as the plan says, comes near the other.
@@ -59,7 +59,8 @@ protected:
   SpeedLimits limits_{racing()};
   Costmap costmap_{makeCostmap(drawRoom(4.0, 4.0))};
   Plan plan_{SearchStatus::kFound, {}, 0.0, 0};
-  std::vector<Pose2> next_;
+  double goal_s_{24.0};      ///< m, where the goal is on the plan
+  std::vector<Pose2> next_;  ///< goals beyond it
   std::vector<Forecast> others_;
 
 private:
@@ -88,6 +89,7 @@ TEST_F(PlanPast, leadsPastWhoIsSlowerOnTheFreeSide)
 
 TEST_F(PlanPast, passesTheGoalsBeyondWithinTheirTolerance)
 {
+  goal_s_ = 1.0;
   const Pose2 other{3.0, 0.0, 0.0};
   const auto free = past(2.4, other, 1.0);
   ASSERT_TRUE(free);

@@ -96,6 +96,63 @@ TEST(RaceLine, passesTheGoalWithItsHeadingOnAWideRoad)
   }
 }
 
+RaceLineOptions racingWith(const std::vector<Pose2> & goals_beyond)
+{
+  RaceLineOptions options = kRacing;
+  options.goals_beyond = goals_beyond;
+  return options;
+}
+
+TEST(RaceLine, passesTheGoalsBeyondAsNear)
+{
+  const Costmap costmap = makeCostmap(drawRoom(16.0, 8.0));
+  const Pose2 beyond{8.0, 4.6, 0.7};
+  const Plan race = planOn(costmap, {1.0, 4.0, 0.0}, {4.0, 4.0, 0.0}, racingWith({beyond}));
+  ASSERT_TRUE(race.found());
+  const Pose2 there = race.path[nearestTo(race.path, beyond)].pose;
+  EXPECT_LT(distance(there, beyond), 0.32);
+  EXPECT_LT(std::abs(there.yaw - beyond.yaw), 0.5);
+}
+
+// A lane that comes back: its goals are beside this one.
+TEST(RaceLine, keepsToTheOrderOfTheGoalsBeyond)
+{
+  const Costmap costmap = makeCostmap(drawRoom(16.0, 4.0));
+  const Pose2 far{14.9, 2.0, 0.0};
+  const Plan race = planOn(costmap, {1.0, 2.0, 0.0}, {4.0, 2.0, 0.0}, racingWith({far, {8.0, 2.8, M_PI}}));
+  ASSERT_TRUE(race.found());
+  for (const PathPoint & point : race.path) {
+    EXPECT_NEAR(point.pose.y, 2.0, 0.05) << point.s;
+  }
+}
+
+// Who plans anew at each goal must not turn away from the line on which it came.
+TEST(RaceLine, goesOnAsThePlanBeforeWhichKnewTheSameGoals)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  const Path before = planOn(costmap, onOval(3.0), onOval(7.0), racingWith({onOval(11.0), onOval(15.0)})).path;
+  const PathPoint & here = before[firstBeyond(before, 3.0)];
+  const Plan now = planOn(costmap, here.pose, onOval(11.0), racingWith({onOval(15.0)}), here.curvature);
+  ASSERT_TRUE(now.found());
+  for (const PathPoint & point : now.path) {
+    if (point.s < 5.0) {
+      const PathPoint & then = before[nearestTo(before, point.pose)];
+      EXPECT_LT(distance(point.pose, then.pose), 0.1) << point.s;
+      EXPECT_NEAR(point.curvature, then.curvature, 0.15) << point.s;
+    }
+  }
+}
+
+TEST(RaceLine, isNotSpoiltByAGoalBeyondThatItCannotPass)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  const Pose2 across = compose(onOval(16.0), {0.0, 0.0, 1.5});
+  const Path free = planOn(costmap, onOval(2.0), onOval(12.0), kRacing).path;
+  const Path held = planOn(costmap, onOval(2.0), onOval(12.0), racingWith({across})).path;
+  ASSERT_FALSE(held.empty());
+  EXPECT_LT(bendingOf(held), 1.05 * bendingOf(free));
+}
+
 TEST(RaceLine, startsWithTheCurvatureOfTheWheels)
 {
   const Costmap costmap = makeCostmap(drawOval());

@@ -27,8 +27,12 @@ PlanRequest PlanRequests::from(const CarState & car, double time_needed) const
   if (races(car, time_needed)) {
     const SpeedLimits & limits = follower_.options().limits;
     request.race_line = RaceLineOptions{
-      kGatePart * tolerance().distance, kGateYawPart * tolerance().yaw, follower_.options().slip_gradient,
-      limits.max_lateral_acceleration, limits.max_vel_x};
+      kGatePart * tolerance().distance,
+      kGateYawPart * tolerance().yaw,
+      follower_.options().slip_gradient,
+      limits.max_lateral_acceleration,
+      limits.max_vel_x,
+      goals_.next()};
   }
   if (options_.race_line || time_needed > 0.0) {
     request.lead = follower_.lead(car, leadTime(time_needed));

@@ -114,7 +114,7 @@ bool Way::passOthers(const Scene & scene)
     return false;
   }
   auto past = planPast(
-    {scene.costmap, options_.planner, follower_.options().limits, plan_, request, goals_.next(), scene.others,
+    {scene.costmap, options_.planner, follower_.options().limits, plan_, request, scene.others,
      follower_.placeOf(scene.car), scene.car});
   if (past) {
     take(std::move(past->plan), scene.costmap, past->caution);

@@ -99,9 +99,8 @@ Plan GlobalPlanner::planWithClearance(
   if (request.race_line && isForward(plan.path)) {
     plan.path.front().curvature = request.start_curvature;
     plan.path = raceLine(
-      plan.path, costmap, options_.min_obstacle_dist,
-      {request.goal, request.race_line->gate_tolerance, request.race_line->gate_yaw_tolerance},
-      1.0 / options_.min_turning_radius, *request.race_line);
+      plan.path, costmap, options_.min_obstacle_dist, request.goal, 1.0 / options_.min_turning_radius,
+      *request.race_line);
   }
   plan.goal_s = placeOnPath(plan.path, request.goal, goal_s);
   prepend(request.lead, plan);

@@ -24,11 +24,12 @@ struct Plan
 /// How a line uses the width of the road.
 struct RaceLineOptions
 {
-  double gate_tolerance{0.3};        ///< m, how far beside the goal the line may pass
-  double gate_yaw_tolerance{0.4};    ///< rad, by which its heading there may differ
-  double slip_gradient{0.0};         ///< rad per m/s^2, by which the car's nose points into a bend
-  double lateral_acceleration{0.0};  ///< m/s^2, at which bends are driven
-  double max_speed{0.0};             ///< m/s
+  double gate_tolerance{0.3};         ///< m, how far beside a goal the line may pass
+  double gate_yaw_tolerance{0.4};     ///< rad, by which its heading there may differ
+  double slip_gradient{0.0};          ///< rad per m/s^2, by which the car's nose points into a bend
+  double lateral_acceleration{0.0};   ///< m/s^2, at which bends are driven
+  double max_speed{0.0};              ///< m/s
+  std::vector<Pose2> goals_beyond{};  ///< that follow the goal, in their order
 };
 
 struct PlanRequest

@@ -15,6 +15,7 @@ namespace
 constexpr int kRounds = 4;
 constexpr int kRepairs = 6;
 constexpr double kRepairWay = 0.4;         // m
+constexpr double kRepairPart = 0.7;        // of the room, left by a repair
 constexpr double kSteeringLength = 1.0;    // m, over which a change of curvature counts like curvature itself
 constexpr double kLeastPull = 1e-4;        // towards the reference, so that the problem has one solution
 constexpr double kLeastRoom = 1e-5;        // m, around a point that has none: the solver needs an inside
@@ -29,12 +30,6 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 Vec2 normalAt(const Path & line, std::size_t i)
 {
   return {-std::sin(line[i].pose.yaw), std::cos(line[i].pose.yaw)};
-}
-
-bool keepsHeading(const Path & line, const Gate & gate)
-{
-  const double off = normalizeAngle(line[nearestTo(line, gate.pose)].pose.yaw - gate.pose.yaw);
-  return std::abs(off) <= gate.yaw_tolerance;
 }
 
 Eigen::SparseMatrix<double> build(Eigen::Index rows, Eigen::Index columns, const Triplets & triplets)
@@ -82,6 +77,13 @@ Eigen::SparseMatrix<double> firstDifferences(Eigen::Index count)
   return build(count - 1, count, triplets);
 }
 
+// What a line passes near to.
+struct Gate
+{
+  Pose2 pose;
+  bool by_heading{false};  // held in its heading as well: from when a line has missed it
+};
+
 class RaceLine
 {
 public:
@@ -98,29 +100,27 @@ public:
     fixStart();
   }
 
-  void hold(const Gate & gate) { holdPoint(nearestTo(line_, gate.pose), gate.pose.position(), gate.tolerance); }
-
-  // Beside a piece of the gate's tangent, as long as its ends let the heading differ by the tolerance.
-  void holdHeading(const Gate & gate)
+  // Keeps to the gates in their order, as far as the line leads by them: those of a later part of the road may be beside
+  // this one. Says how many these are, at least the first.
+  std::size_t hold(std::vector<Gate> & gates)
   {
-    const double reach = gate.tolerance / std::tan(gate.yaw_tolerance);
-    const double gate_s = line_[nearestTo(line_, gate.pose)].s;
-    for (std::size_t i = 0; i < line_.size(); ++i) {
-      const double along = line_[i].s - gate_s;
-      if (std::abs(along) <= reach) {
-        holdPoint(i, advance(gate.pose, along, 0.0).position(), gate.tolerance);
+    std::size_t before = 0;
+    for (std::size_t k = 0; k < gates.size(); ++k) {
+      Gate & gate = gates[k];
+      const std::size_t i = nearestTo(line_, gate.pose);
+      const bool led_by = i > before && i + 1 < line_.size() && std::abs(leftOf(i, gate.pose.position())) <= kLeadsBy;
+      if (k > 0 && !led_by) {
+        return k;
       }
-    }
-  }
-
-  void holdBeyond(const Gate & gate)
-  {
-    for (const Pose2 & pose : gate.beyond) {
-      const std::size_t i = nearestTo(line_, pose);
-      if (i + 1 < line_.size() && std::abs(leftOf(i, pose.position())) <= kLeadsBy) {
-        holdPoint(i, pose.position(), gate.tolerance);
+      holdPoint(i, gate.pose.position());
+      const double turned = std::abs(normalizeAngle(line_[i].pose.yaw - gate.pose.yaw));
+      gate.by_heading = gate.by_heading || turned > options_.gate_yaw_tolerance;
+      if (gate.by_heading) {
+        holdHeading(i, gate.pose);
       }
+      before = i;
     }
+    return gates.size();
   }
 
   bool narrow(const Narrowing & narrowing)
@@ -130,7 +130,7 @@ public:
     return way_left;
   }
 
-  // The line given, when none better keeps the rules.
+  // Empty when no line that was found keeps the rules.
   Path optimal()
   {
     for (int repair = 0; repair < kRepairs; ++repair) {
@@ -139,7 +139,7 @@ public:
         return path;
       }
     }
-    return line_;
+    return {};
   }
 
 private:
@@ -149,12 +149,24 @@ private:
     return dot(place - line_[i].pose.position(), normalAt(line_, i));
   }
 
-  void holdPoint(std::size_t i, const Vec2 & place, double tolerance)
+  // Beside a piece of the gate's tangent, as long as its ends let the heading differ by the tolerance.
+  void holdHeading(std::size_t nearest, const Pose2 & gate)
+  {
+    const double reach = options_.gate_tolerance / std::tan(options_.gate_yaw_tolerance);
+    for (std::size_t i = 0; i < line_.size(); ++i) {
+      const double along = line_[i].s - line_[nearest].s;
+      if (std::abs(along) <= reach) {
+        holdPoint(i, advance(gate, along, 0.0).position());
+      }
+    }
+  }
+
+  void holdPoint(std::size_t i, const Vec2 & place)
   {
     const double middle = leftOf(i, place);
     Interval & room = corridor_[i];
-    room.low = std::clamp(middle - tolerance, room.low, room.high);
-    room.high = std::clamp(middle + tolerance, room.low, room.high);
+    room.low = std::clamp(middle - options_.gate_tolerance, room.low, room.high);
+    room.high = std::clamp(middle + options_.gate_tolerance, room.low, room.high);
   }
 
   void fixStart()
@@ -240,8 +252,10 @@ private:
   {
     for (std::size_t i = kFixedPoints; i < line_.size(); ++i) {
       if (std::abs(line_[i].s - s) < kRepairWay) {
-        corridor_[i].low *= corridor_[i].low < 0.0 ? 0.7 : 1.0;
-        corridor_[i].high *= corridor_[i].high > 0.0 ? 0.7 : 1.0;
+        Interval & room = corridor_[i];
+        const double nearest = std::clamp(0.0, room.low, room.high);
+        room.low = nearest + kRepairPart * (room.low - nearest);
+        room.high = nearest + kRepairPart * (room.high - nearest);
       }
     }
   }
@@ -250,29 +264,37 @@ private:
   const Costmap & costmap_;
   double clearance_;  // m
   double greatest_curvature_;
-  RaceLineOptions options_;
+  const RaceLineOptions & options_;
   std::vector<Interval> corridor_;
 };
 }  // namespace
 
 Path raceLine(
-  const Path & path, const Costmap & costmap, double clearance, const Gate & gate, double greatest_curvature,
+  const Path & path, const Costmap & costmap, double clearance, const Pose2 & goal, double greatest_curvature,
   const RaceLineOptions & options, const Narrowing & narrowing)
 {
   Path line = path;
-  bool free_heading = true;
-  for (int round = 0; round < kRounds && line.size() >= kShortestLine; ++round) {
+  std::vector<Gate> gates{{goal}};
+  for (const Pose2 & pose : options.goals_beyond) {
+    gates.push_back({pose});
+  }
+  int round = 0;
+  while (round < kRounds && line.size() >= kShortestLine) {
     RaceLine problem(line, costmap, clearance, greatest_curvature, options);
-    problem.hold(gate);
-    free_heading = free_heading && keepsHeading(line, gate);
-    if (!free_heading) {
-      problem.holdHeading(gate);
-    }
-    problem.holdBeyond(gate);
+    const std::size_t held = problem.hold(gates);
     if (narrowing && !problem.narrow(narrowing)) {
       return {};
     }
-    line = resampled(problem.optimal());
+    const Path better = problem.optimal();
+    if (!better.empty()) {
+      line = resampled(better);
+      ++round;
+    } else if (held > 1) {
+      // A line that is still rough may not lead to the last gate as it should, and all would be given up for that.
+      gates.resize(held - 1);
+    } else {
+      return line;
+    }
   }
   return line;
 }

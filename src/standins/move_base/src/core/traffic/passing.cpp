@@ -76,10 +76,11 @@ public:
     if (rest.size() < 2 || !isForward(rest)) {
       return {};
     }
+    RaceLineOptions options = *wanted.race_line;
+    options.gate_tolerance = manner_.gate;
     return raceLine(
-      rest, request_.costmap, request_.planner.min_obstacle_dist,
-      {wanted.goal, manner_.gate, wanted.race_line->gate_yaw_tolerance, request_.next},
-      1.0 / request_.planner.min_turning_radius, *wanted.race_line,
+      rest, request_.costmap, request_.planner.min_obstacle_dist, wanted.goal,
+      1.0 / request_.planner.min_turning_radius, options,
       [this](const Path & line, std::vector<Interval> & corridor) { return narrow(line, corridor); });
   }
 

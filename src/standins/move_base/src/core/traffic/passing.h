@@ -16,9 +16,8 @@ struct PassingRequest
   const Costmap & costmap;
   const PlannerOptions & planner;
   const SpeedLimits & limits;
-  const Plan & plan;                ///< that the car is driving
-  const PlanRequest & request;      ///< for its goal, with the race line's options and a lead on the plan's path
-  const std::vector<Pose2> & next;  ///< goals beyond it
+  const Plan & plan;            ///< that the car is driving
+  const PlanRequest & request;  ///< for its goal, with the race line's options and a lead on the plan's path
   const std::vector<Forecast> & others;
   double s;  ///< m, the car's place on the plan's path
   const CarState & car;

@@ -310,3 +310,9 @@ def test_everything_public_has_a_docstring():
         name for name, thing in vars(f1tenth_sim2d).items() if not name.startswith("_") and not thing.__doc__
     ]
     assert undocumented == []
+
+
+@pytest.mark.parametrize("limit", [-1.0, float("nan")])
+def test_clearance_refuses_a_limit_that_is_none(simulation, limit):
+    with pytest.raises(f1tenth_sim2d.Error, match=r"robot1: limit \(m\) of the clearance is .*, allowed is 0 or more"):
+        simulation.clearance(0, limit=limit)

@@ -6,6 +6,7 @@ from xml.etree import ElementTree
 
 import f1tenth_sim2d
 from f1tenth_sim2d.environments.data import data_path
+from f1tenth_sim2d.environments.settings import require_number
 from f1tenth_sim2d.environments.xacro_file import expanded
 
 
@@ -19,8 +20,7 @@ class Lidar:
 
     def __post_init__(self):
         """Raise ValueError for numbers that make no lidar."""
-        if not 2 <= self.beams <= 100_000:
-            raise ValueError(f"beams: found {self.beams}, allowed are 2 to 100000")
+        require_number("beams", self.beams, 2, 100_000, int)
         if not 0.0 < self.field_of_view <= 6.2832:
             raise ValueError(
                 f"field_of_view: found {self.field_of_view}, allowed is more than 0 to 6.2832 rad"

@@ -238,6 +238,10 @@ def test_master_ends_with_a_killed_user(serving):
             "--scheduler here: must be an address, as in tcp://host:8786",
         ),
         (["report", "--against", "{folder}/none"], "--against {folder}/none: no such folder"),
+        (
+            ["race", "circuit1", "--save", "{folder}/none/race.yaml"],
+            "{folder}/none/race.yaml: cannot be written: No such file or directory",
+        ),
     ],
 )
 def test_option_that_cannot_be_used_is_named(capsys, tmp_path, arguments, answer):

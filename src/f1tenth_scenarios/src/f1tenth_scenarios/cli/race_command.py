@@ -6,7 +6,7 @@ from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.cli.exit_codes import PASSED
 from f1tenth_scenarios.cli.options import planner_of, results_of
 from f1tenth_scenarios.cli.run_command import run_plan, with_report
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.errors import ScenarioError, writing
 from f1tenth_scenarios.plan.race import Race, plan_race, race_text
 from f1tenth_scenarios.scenario.driver import Driver
 
@@ -19,7 +19,7 @@ def race(options) -> int:
     wanted = Race(options.place, options.laps, planners, options.timeout)
     plan = plan_race(wanted, results_of(options) / wanted.name, options.set)
     if options.save:
-        with replacing(options.save) as temporary:
+        with writing(options.save), replacing(options.save) as temporary:
             temporary.write_text(race_text(wanted), encoding="utf-8")
         return PASSED
     plan = dataclasses.replace(plan, keep_bag=options.bag, watched=options.attach)

@@ -238,6 +238,10 @@ def test_master_ends_with_a_killed_user(serving):
             "--scheduler here: must be an address, as in tcp://host:8786",
         ),
         (["report", "--against", "{folder}/none"], "--against {folder}/none: no such folder"),
+        (["run", "circuit1", "--arg", "speed:=1"], "--arg is for a --planner"),
+        (["race", "circuit1", "--arg", "speed:=1"], "--arg is for a --planner"),
+        (["run", "circuit1", "--interface", "f1tenth"], "--interface is for a --planner"),
+        (["race", "circuit1", "--interface", "f1tenth"], "--interface is for a --planner"),
         (
             ["race", "circuit1", "--save", "{folder}/none/race.yaml"],
             "{folder}/none/race.yaml: cannot be written: No such file or directory",

@@ -46,6 +46,13 @@ def test_check_of_a_good_file(capsys):
     assert capsys.readouterr().out == "circuit1: ok\n"
 
 
+def test_a_file_may_end_with_yml(capsys, tmp_path):
+    file = tmp_path / "sample.yml"
+    file.write_text(SCENARIO_TEXT, encoding="utf-8")
+    assert cli.main(["check", str(file)]) == 0
+    assert capsys.readouterr().out == "sample: ok\n"
+
+
 def test_check_answers_every_bad_file(capsys, tmp_path):
     colour, world = tmp_path / "colour.yaml", tmp_path / "world.yaml"
     colour.write_text(SCENARIO_TEXT + "colour: red\n", encoding="utf-8")

@@ -69,9 +69,10 @@ def test_drive_without_an_end_is_given_up(tmp_path):
     assert (load_map(tmp_path / "part.yaml").pixels == 254).any()
 
 
-def test_file_that_is_no_map_is_refused_in_one_line(tmp_path, capsys):
+@pytest.mark.parametrize("text", ["image: [", "<sdf/>"])
+def test_file_that_is_no_map_is_refused_in_one_line(tmp_path, capsys, text):
     path = tmp_path / "a.yaml"
-    path.write_text("image: [")
+    path.write_text(text)
     world = str(PACKAGE / "worlds" / "circuit1.world")
     assert main([str(path), world]) == 2
     error = capsys.readouterr().err

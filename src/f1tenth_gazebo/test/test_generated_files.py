@@ -90,3 +90,9 @@ def test_a_world_that_is_not_closed_is_named():
 def test_a_height_above_everything_is_refused():
     with pytest.raises(CircuitError, match="circuit1.world: nothing is solid at this height"):
         world_grid(circuits.PACKAGE / "worlds/circuit1.world", height=2.6)
+
+
+def test_folder_that_is_not_there_is_named(tmp_path, capsys):
+    world = tmp_path / "none" / "w.world"
+    assert make_world([str(circuits.PACKAGE / "circuits/circuit1.yaml"), "-o", str(world)]) == 1
+    assert capsys.readouterr().err == f"{world}: cannot be written: No such file or directory\n"

@@ -158,6 +158,8 @@ def test_simulator_reads_world_and_map_alike(seed, tmp_path):
     ("given", "message"),
     [
         ({"length": 20.0}, "length: found 20.0, allowed: 30 to 400"),
+        ({"length": math.nan}, "length: found nan, allowed: 30 to 400"),
+        ({"length": 0.0}, "length: found 0.0, allowed: 30 to 400"),
         ({"width": 0.5}, "width: found 0.5, allowed: 1.2 to 4"),
         ({"width": (2.0, 1.5)}, "width: found 2:1.5, allowed: a width, or the least and the greatest"),
         ({"radius": 0.5}, "radius: found 0.5, allowed: 0.815 to 5"),
@@ -198,6 +200,12 @@ class TestCommand:
         assert main(["--seed", "5", "--length", "5"]) == 1
         assert capsys.readouterr().err == "make_road: length: found 5.0, allowed: 30 to 400\n"
         assert list(tmp_path.iterdir()) == []
+
+    @pytest.mark.parametrize("width", ["a:b", "1:2:3", ":", ""])
+    def test_width_that_is_none_is_answered_with_its_form(self, width, capsys):
+        with pytest.raises(SystemExit):
+            main(["--seed", "5", "--width", width])
+        assert f"argument --width: found {width!r}, allowed: M or LOW:HIGH\n" in capsys.readouterr().err
 
     def test_folder_that_is_not_there_is_named(self, tmp_path, capsys):
         assert main(["--seed", "8", "-o", str(tmp_path / "none" / "road")]) == 1

@@ -92,7 +92,7 @@ function changeOf(now, before, digits, unit, better) {
 
 function commitName(result) {
   const commit = result.versions?.commit;
-  return commit ? commit.slice(0, 8) + (commit.endsWith("-dirty") ? "*" : "") : "unknown commit";
+  return commit ? commit.slice(0, 8) + (commit.endsWith("-dirty") ? "*" : "") : "unknown";
 }
 
 function lapsCard(result) {

@@ -46,6 +46,13 @@ def test_check_of_a_good_file(capsys):
     assert capsys.readouterr().out == "circuit1: ok\n"
 
 
+def test_a_file_may_end_with_yml(capsys, tmp_path):
+    file = tmp_path / "sample.yml"
+    file.write_text(SCENARIO_TEXT, encoding="utf-8")
+    assert cli.main(["check", str(file)]) == 0
+    assert capsys.readouterr().out == "sample: ok\n"
+
+
 def test_check_answers_every_bad_file(capsys, tmp_path):
     colour, world = tmp_path / "colour.yaml", tmp_path / "world.yaml"
     colour.write_text(SCENARIO_TEXT + "colour: red\n", encoding="utf-8")
@@ -238,6 +245,14 @@ def test_master_ends_with_a_killed_user(serving):
             "--scheduler here: must be an address, as in tcp://host:8786",
         ),
         (["report", "--against", "{folder}/none"], "--against {folder}/none: no such folder"),
+        (["run", "circuit1", "--arg", "speed:=1"], "--arg is for a --planner"),
+        (["race", "circuit1", "--arg", "speed:=1"], "--arg is for a --planner"),
+        (["run", "circuit1", "--interface", "f1tenth"], "--interface is for a --planner"),
+        (["race", "circuit1", "--interface", "f1tenth"], "--interface is for a --planner"),
+        (
+            ["race", "circuit1", "--save", "{folder}/none/race.yaml"],
+            "{folder}/none/race.yaml: cannot be written: No such file or directory",
+        ),
     ],
 )
 def test_option_that_cannot_be_used_is_named(capsys, tmp_path, arguments, answer):

@@ -92,6 +92,12 @@ def test_junit_has_a_case_for_each_scenario(results, tmp_path, capsys):
     assert [case.get("name") for case in suite if case.find("failure") is not None] == ["two"]
 
 
+def test_a_junit_file_that_cannot_be_written_is_bad_input(results, tmp_path, capsys):
+    base, file = results("base", one={}), tmp_path / "none" / "compare.xml"
+    assert cli.main(["compare", base, base, "--junit", str(file)]) == 2
+    assert capsys.readouterr().err == f"scenario: {file}: cannot be written: No such file or directory\n"
+
+
 @pytest.mark.parametrize(
     ("options", "answer"),
     [

@@ -56,6 +56,13 @@ def test_spread_says_why_runs_were_not_in_lockstep():
     assert lines.count(("note", "run in real time, as …")) == 1
 
 
+def test_spread_of_no_runs_blames_nobody():
+    assert dict(spread([])) == {
+        "runs": "0", "verdicts": "none", "passed": "0 of 0", "trajectories": "none", "lap time": "none",
+        "minimum clearance": "none",
+    }  # fmt: skip
+
+
 def test_spread_of_runs_without_laps():
     result = {"verdict": "error", "passed": False, "trajectory_hash": None}
     lines = dict(spread([{**result, "times": {"lap_time": None}, "minimum_clearance": None}]))

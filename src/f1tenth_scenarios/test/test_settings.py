@@ -50,7 +50,7 @@ def test_goals_and_line_are_those_of_the_world(tmp_path):
 @pytest.mark.parametrize(
     ("text", "problem"),
     [
-        ("cars.robot3.mu=1", "cars.robot3.mu=1: robot3 holds no keys"),
+        ("cars.robot3.mu=1", "cars.robot3.mu=1: there is no robot3, there are: robot1$"),
         ("cars.mu=1", "cars.mu=1: must name one of cars, as in cars.robot1"),
         ("seed", "'seed' must be KEY=VALUE, as in mu=0.3"),
         ("seed=x", "seed=x:1: seed must be a whole number, found 'x'"),

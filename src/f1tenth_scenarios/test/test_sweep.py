@@ -4,12 +4,14 @@ import csv
 import json
 import math
 import shutil
+import signal
 import subprocess
 import time
 
 import pytest
 from f1tenth_scenarios.batch import cluster
 from f1tenth_scenarios.batch import sweep as sweep_module
+from f1tenth_scenarios.batch.jobs import Outcome
 from f1tenth_scenarios.batch.sweep import sweep
 from f1tenth_scenarios.batch.sweep_picture import make_figure, mean_interval, wilson_interval
 from f1tenth_scenarios.batch.table_file import write_table
@@ -86,6 +88,16 @@ def test_run_without_result_is_named(program, tmp_path, capsys):
     assert not swept(tmp_path, "seed=12:14")
     assert [row["seed"] for row in table(tmp_path)] == ["12", "14"]
     assert "seed=13/circuit1: exit code 1, no result: bad luck" in capsys.readouterr().err
+
+
+def test_runs_that_were_told_to_stop_are_no_problems(tmp_path, monkeypatch, capsys):
+    def interrupted(jobs, stop, finished, _at_once):
+        stop.signal = signal.SIGINT
+        finished(Outcome(jobs[0], 130, "not written:  replay.json.gz", None))
+
+    monkeypatch.setattr(sweep_module, "run_jobs", interrupted)
+    assert not swept(tmp_path, "seed=1:2")
+    assert capsys.readouterr() == ("", "")
 
 
 @pytest.fixture

@@ -102,7 +102,10 @@ def _write_middle(path, start, output):
 def _run(action):
     try:
         action()
-    except (FileError, OSError) as error:
+    except FileError as error:
         print(error, file=sys.stderr)
+        return 1
+    except OSError as error:
+        print(f"{error.filename}: cannot be written: {error.strerror}", file=sys.stderr)
         return 1
     return 0

@@ -2,6 +2,7 @@
 
 import contextlib
 from collections.abc import Iterator
+from pathlib import Path
 
 
 class ScenarioError(Exception):
@@ -23,3 +24,12 @@ def as_scenario_error(*kinds: type[Exception]) -> Iterator[None]:
         yield
     except kinds as error:
         raise ScenarioError(str(error)) from error
+
+
+@contextlib.contextmanager
+def writing(path: Path) -> Iterator[None]:
+    """Raise that a file cannot be written, which the user has named, as a ScenarioError."""
+    try:
+        yield
+    except OSError as error:
+        raise ScenarioError(f"{path}: cannot be written: {error.strerror}") from error

@@ -73,7 +73,7 @@ def scenario_file(name: str) -> Path:
     Raises:
         ScenarioError: there is none (the message names those that exist), or it cannot name a results folder.
     """
-    if not name.endswith(".yaml"):
+    if not name.endswith((".yaml", ".yml")):
         return _scenario(name)
     path = Path(name).resolve()
     # Its stem becomes the name of a folder, and that of '...yaml' would be the folder above.

@@ -105,7 +105,8 @@ public:
   const std::vector<Contact> & contacts(CarId car) const;
   void clearContacts(CarId car);
 
-  /// Least distance from the car's outline to anything it could touch, m; 0 in contact; at most limit.
+  /// Least distance from the car's outline to anything it could touch, m; 0 in contact; at most limit, which may be
+  /// infinite. Throws Error if limit is negative or not a number.
   double clearance(CarId car, double limit) const;
 
   /// The world: static models where they are, movable ones where they started. Valid until a model comes or goes, or a static

@@ -3,6 +3,7 @@
 #include "f1tenth_sim2d/simulation.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
+#include "python/shown.h"
 
 namespace f1tenth_sim2d
 {
@@ -20,6 +21,7 @@ auto through(Member Owner::*member, double Member::*part)
 void bindCarState(py::module_ & module)
 {
   py::class_<CarState>(module, "CarState", "True state of a car: that of base_footprint, below the rear axle.")
+    .def("__repr__", &shown)
     .def_property_readonly("x", through(&CarState::pose, &Pose2::x), "In the world, m.")
     .def_property_readonly("y", through(&CarState::pose, &Pose2::y), "In the world, m.")
     .def_property_readonly("yaw", through(&CarState::pose, &Pose2::yaw), "In the world, rad.")
@@ -38,6 +40,7 @@ void bindCarState(py::module_ & module)
 void bindReadings(py::module_ & module)
 {
   py::class_<WheelOdometry>(module, "WheelOdometry", "Dead reckoning from noisy speed and steering.")
+    .def("__repr__", &shown)
     .def_property_readonly("x", through(&WheelOdometry::pose, &Pose2::x), "m.")
     .def_property_readonly("y", through(&WheelOdometry::pose, &Pose2::y), "m.")
     .def_property_readonly("yaw", through(&WheelOdometry::pose, &Pose2::yaw), "rad.")
@@ -45,6 +48,7 @@ void bindReadings(py::module_ & module)
     .def_readonly("yaw_rate", &WheelOdometry::yaw_rate, "rad/s.");
 
   py::class_<ImuSample>(module, "ImuSample", "A reading of the IMU.")
+    .def("__repr__", &shown)
     .def_readonly("yaw", &ImuSample::yaw, "rad.")
     .def_readonly("yaw_rate", &ImuSample::yaw_rate, "rad/s.")
     .def_property_readonly("a_x", through(&ImuSample::acceleration, &Vec2::x), "Along the car, m/s^2.")
@@ -54,6 +58,7 @@ void bindReadings(py::module_ & module)
 void bindContact(py::module_ & module)
 {
   py::class_<Contact>(module, "Contact", "A touch of a car's collision element with another body.")
+    .def("__repr__", &shown)
     .def_readonly("own_collision", &Contact::own_collision, "Scoped name.")
     .def_readonly("other_collision", &Contact::other_collision, "Scoped name.")
     .def_readonly("other_model", &Contact::other_model, "Name of the model or car.")

@@ -91,7 +91,15 @@ void bindReadings(Class & type)
     .def("clear_contacts", inTurn<S>(&S::clearContacts), py::arg("car"))
     .def(
       "clearance", inTurn<S>(&S::clearance), py::arg("car"), py::arg("limit") = 5.0,
-      "Least distance from the car's outline to anything it could touch, m; 0 in contact, at most `limit`.")
+      R"(Least distance from the car's outline to anything it could touch, m; 0 in contact.
+
+Args:
+    car: its id.
+    limit: m, the most that is returned; the less, the faster.
+
+Raises:
+    Error: limit is negative or not a number; it may be infinite.
+)")
     .def(
       "scan", inTurn<S>(&S::scan), py::arg("car"), py::arg("lidar") = 0, py::arg("out") = py::none(),
       py::arg("exact") = false,

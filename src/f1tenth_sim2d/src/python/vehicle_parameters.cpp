@@ -1,7 +1,11 @@
+#include <pybind11/stl/filesystem.h>
+
+#include <filesystem>
 #include <string>
 
 #include "loaders/car/vehicle_keys.h"
 #include "python/bindings.h"
+#include "python/shown.h"
 
 namespace f1tenth_sim2d
 {
@@ -11,7 +15,7 @@ void bindVehicleParameters(py::module_ & module)
 {
   py::class_<TireParameters> tire(
     module, "TireParameters", "Coefficients of Pacejka's magic formula, as CommonRoad names them.");
-  tire.def(py::init<>());
+  tire.def(py::init<>()).def("__repr__", &shown);
   for (const auto & key : vehicle_keys::kTire) {
     tire.def_readwrite(key.name, key.member, key.what);
   }
@@ -20,8 +24,9 @@ void bindVehicleParameters(py::module_ & module)
   py::class_<P> vehicle(
     module, "VehicleParameters", "Numbers of a car's dynamics, actuation and wheel odometry. SI units.");
   vehicle.def(py::init<>(), "The F1/10 car of f1tenth_gym.")
+    .def("__repr__", &shown)
     .def_static(
-      "load", &loadVehicleParameters, py::arg("path"),
+      "load", [](const std::filesystem::path & path) { return loadVehicleParameters(path.string()); }, py::arg("path"),
       R"(Read a car's YAML file; a key that is not there keeps its default.
 
 Raises:

@@ -1,6 +1,8 @@
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <cmath>
+#include <filesystem>
 #include <optional>
 
 #include "f1tenth_sim2d/loaders.h"
@@ -43,9 +45,9 @@ py::tuple sectionOfModel(const ModelDescription & model, double z)
   return toTuple(sectionAt(model.solids, model.pose, z));
 }
 
-PythonWorld load(const std::string & path, const std::optional<std::vector<std::string>> & model_path)
+PythonWorld load(const std::filesystem::path & path, const std::optional<std::vector<std::string>> & model_path)
 {
-  return PythonWorld(loadWorld(path, model_path ? SearchPath{*model_path, {}} : searchPathFromEnvironment()));
+  return PythonWorld(loadWorld(path.string(), model_path ? SearchPath{*model_path, {}} : searchPathFromEnvironment()));
 }
 /// Reads a member of the description.
 template <typename Member>

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
+#include "f1tenth_sim2d/errors.h"
 #include "sample_world.h"
 
 namespace f1tenth_sim2d::test
@@ -101,6 +103,16 @@ TEST(Clearance, IsTheExactLeastDistance)
   simulation.addCar(car("robot2"), {}, {0.0, -0.75, 0.0});
   EXPECT_NEAR(simulation.clearance(kRobot1, 5.0), 0.5, 1e-5);
   EXPECT_NEAR(simulation.clearance(kRobot2, 5.0), 0.5, 1e-5);
+}
+
+TEST(Clearance, RefusesALimitThatIsNone)
+{
+  Simulation simulation(world({wallAcross(2.0)}));
+  simulation.addCar(car("robot1"), {}, {});
+  for (const double limit : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(simulation.clearance(kRobot1, limit), Error) << limit;
+  }
+  EXPECT_NEAR(simulation.clearance(kRobot1, std::numeric_limits<double>::infinity()), 1.6, 1e-5);
 }
 
 TEST(Clearance, LooksAtMovableModelsAndRoundOnes)

@@ -28,6 +28,11 @@ import f1tenth_sim2d
         ({"observation": ["scan", "scan"]}, "allowed is each part once"),
         ({"actions": "torque"}, "actions: found 'torque', allowed are speed, acceleration"),
         ({"start": "pit"}, "start: found 'pit', allowed are grid, random"),
+        ({"place": 3}, "place: found '3', allowed are circuit1"),
+        ({"flatten": "no"}, "flatten: found 'no', allowed are True, False"),
+        ({"speeds": 5.0}, r"speeds: found 5.0, allowed is \(least, greatest\), from -100.0"),
+        ({"reward": 3}, "reward: found 3, allowed is a function of a car's results"),
+        ({"record": 3}, "record: found 3, allowed is the path of a folder"),
         ({"beams": 1}, "beams: found 1, allowed is a whole number from 2 to 100000"),
         ({"beams": 2.5}, "beams: found 2.5, allowed is a whole number from 2 to 100000"),
         ({"field_of_view": 7.0}, "field_of_view: found 7.0, allowed is a number from 1e-06 to 6.2832"),
@@ -37,6 +42,11 @@ import f1tenth_sim2d
         ({"laps": 0}, "laps: found 0, allowed is a whole number from 1 to 1000000"),
         ({"vehicle": {"wings": 2.0}}, "vehicle: unknown key 'wings', allowed are C_Sf, C_Sr, I_y_w, I_z"),
         ({"vehicle": {"mu": (1.0, 0.5)}}, r"vehicle\['mu'\]: found \(1.0, 0.5\), allowed is a number or"),
+        ({"vehicle": "car.yaml"}, "vehicle: found 'car.yaml', allowed are keys with numbers or"),
+        ({"vehicle": {"model": 1}}, r"vehicle\['model'\]: found 1, allowed is a name"),
+        ({"vehicle": {"model": "bicycle"}}, "vehicle: model is 'bicycle', allowed are single_track, "),
+        ({"vehicle": {"m": -1.0}}, r"vehicle: robot1: mass \(kg\) is -1, allowed is"),
+        ({"vehicle": {"mu": (-1.0, 1.0)}}, "vehicle: robot1: mu is -1, allowed is 0 to"),
         ({"lidar_noise": -0.1}, "lidar_noise: found -0.1, allowed is a number from 0.0 or"),
         ({"render_mode": "ascii"}, "render_mode: found 'ascii', allowed are None, rgb_array, human"),
     ],
@@ -107,6 +117,8 @@ def test_actions(make):
         ({"place": 1}, "options: unknown key 'place', allowed are poses, noise_seed"),
         ({"poses": [[0.0, 0.0]]}, r"options\['poses'\]: .* allowed are finite numbers of shape \(1, 3\)"),
         ({"poses": "here"}, r"options\['poses'\]: .* allowed are numbers of shape \(1, 3\)"),
+        ({"noise_seed": -1}, r"options\['noise_seed'\]: found -1, allowed is a whole number from 0 to"),
+        ({"noise_seed": "x"}, r"options\['noise_seed'\]: found 'x', allowed is a whole number"),
         ({"poses": [[0.0, 1.0, 0.0]]}, r"start: robot1: the start pose \(0, 1, 0\)"),
     ],
 )
@@ -119,9 +131,9 @@ def test_a_bad_reset_leaves_the_episode(make, options, message):
     assert environment.step(straight_on())[4]["time"] == 0.05
 
 
-def test_parameters_that_make_no_car_are_named(make):
-    with pytest.raises(ValueError, match=r"start: robot1: mass \(kg\) is -1, allowed is"):
-        make(vehicle={"m": -1.0}).reset()
+def test_numbers_may_be_those_of_numpy(make):
+    environment = make(cars=np.int64(2), max_time=np.float32(5.0), flatten=np.bool_(True))
+    assert environment.reset(seed=1)[0].shape[0] == 2
 
 
 def test_a_closed_environment_is_refused(make):

@@ -37,7 +37,7 @@ def test_vehicle_parameters_have_defaults_and_can_be_changed():
 def test_vehicle_parameters_are_read_from_a_file(tmp_path):
     path = tmp_path / "car.yaml"
     path.write_text("m: 4.5\n")
-    assert f1tenth_sim2d.VehicleParameters.load(str(path)).m == 4.5
+    assert f1tenth_sim2d.VehicleParameters.load(path).m == 4.5
     path.write_text("weight: 4.5\n")
     with pytest.raises(
         f1tenth_sim2d.LoadError, match=f"^{path}:1: unknown key 'weight', allowed are model, tire, m, l_f"

@@ -34,6 +34,24 @@ def test_car_drives_as_commanded(simulation):
     np.testing.assert_allclose(simulation.poses(), [[state.x, state.y, state.yaw]])
 
 
+def test_what_it_returns_says_what_it_holds(simulation):
+    drive(simulation, seconds=0.5)
+    state, odometry, imu = simulation.state(0), simulation.wheel_odometry(0), simulation.imu(0)
+    assert repr(state).startswith(f"CarState(x={state.x!r}, y={state.y!r}, yaw={state.yaw!r}, v_x=")
+    assert repr(odometry).endswith(f", speed={odometry.speed!r}, yaw_rate={odometry.yaw_rate!r})")
+    assert (
+        repr(imu)
+        == f"ImuSample(yaw={imu.yaw!r}, yaw_rate={imu.yaw_rate!r}, a_x={imu.a_x!r}, a_y={imu.a_y!r})"
+    )
+    assert "mu=0.7, " in repr(with_friction(0.7))
+
+
+def with_friction(mu):
+    parameters = f1tenth_sim2d.VehicleParameters()
+    parameters.mu = mu
+    return parameters
+
+
 def test_twist_steers_as_cmd_vel_does(simulation):
     for _ in range(20):
         simulation.command_twist(0, linear_x=1.0, angular_z=0.5)
@@ -310,3 +328,9 @@ def test_everything_public_has_a_docstring():
         name for name, thing in vars(f1tenth_sim2d).items() if not name.startswith("_") and not thing.__doc__
     ]
     assert undocumented == []
+
+
+@pytest.mark.parametrize("limit", [-1.0, float("nan")])
+def test_clearance_refuses_a_limit_that_is_none(simulation, limit):
+    with pytest.raises(f1tenth_sim2d.Error, match=r"robot1: limit \(m\) of the clearance is"):
+        simulation.clearance(0, limit=limit)

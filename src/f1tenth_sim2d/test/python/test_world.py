@@ -1,3 +1,5 @@
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -82,3 +84,7 @@ def test_model_path_defaults_to_the_environment(tmp_path, monkeypatch):
     )
     monkeypatch.setenv("GAZEBO_MODEL_PATH", str(tmp_path))
     assert len(f1tenth_sim2d.load_world(str(world)).models) == 1
+
+
+def test_a_path_may_be_one_of_pathlib(world_file):
+    assert f1tenth_sim2d.load_world(Path(world_file)).file == world_file

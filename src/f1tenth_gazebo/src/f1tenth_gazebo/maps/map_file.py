@@ -47,6 +47,8 @@ def load_map(path):
     """
     try:
         description = yaml.safe_load(path.read_text(encoding="utf-8"))
+        if not isinstance(description, dict):
+            raise ValueError("it has no keys")
         with Image.open(path.parent / description["image"]) as image:
             pixels = np.asarray(image.convert("L"))[::-1]
         x, y, resolution = map(float, (*description["origin"][:2], description["resolution"]))

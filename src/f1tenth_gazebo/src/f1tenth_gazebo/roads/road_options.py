@@ -48,10 +48,8 @@ class RoadOptions:
 
     def __post_init__(self):
         """Raise RoadError for what no road can be like."""
-        for name, (low, high) in LIMITS.items():
-            for value in np.atleast_1d(getattr(self, name)):
-                if not (isinstance(value, (int, float, np.number)) and low <= value <= high):
-                    raise RoadError(f"{name}: found {value}, allowed: {low:g} to {high:g}")
+        for name in LIMITS:
+            _require_within_limits(name, getattr(self, name))
         self._check_together()
 
     def _check_together(self):
@@ -94,6 +92,8 @@ def drawn_options(rng, **given):
     unknown = sorted(given.keys() - {field.name for field in fields(RoadOptions)})
     if unknown:
         raise RoadError(f"{unknown[0]}: no such option, allowed: {', '.join(LIMITS)}")
+    for name, value in given.items():
+        _require_within_limits(name, value)
     share = rng.uniform(size=13)
     length = given.get("length") or _between(*LIMITS["length"], share[0], logarithmic=True)
     width = given.get("width") or _drawn_width(length, share[1:3])
@@ -112,6 +112,13 @@ def drawn_options(rng, **given):
         islands=0 if width[1] < MIN_WIDTH + 4 * ISLAND_RADII[0] else int(share[12] * (1.5 + length / 100.0)),
     )
     return replace(options, **{k: v for k, v in given.items() if k not in ("length", "width")})
+
+
+def _require_within_limits(name, values):
+    low, high = LIMITS[name]
+    for value in np.atleast_1d(values):
+        if not (isinstance(value, (int, float, np.number)) and low <= value <= high):
+            raise RoadError(f"{name}: found {value}, allowed: {low:g} to {high:g}")
 
 
 def describe(options):

@@ -65,7 +65,8 @@ def _parser():
 
 
 def _width(text):
-    widths = tuple(float(part) for part in text.split(":"))
-    if len(widths) > 2:
-        raise argparse.ArgumentTypeError(f"found {text!r}, allowed: M or LOW:HIGH")
-    return widths
+    try:
+        least, greatest = map(float, text.split(":") if ":" in text else (text, text))
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"found {text!r}, allowed: M or LOW:HIGH") from None
+    return least, greatest

@@ -57,7 +57,7 @@ def spread(results: Sequence[dict[str, Any]]) -> list[tuple[str, str]]:
     clearances = [each["minimum_clearance"] for each in results if each["minimum_clearance"] is not None]
     return [
         ("runs", str(len(results))),
-        ("verdicts", ", ".join(f"{count} {verdict}" for verdict, count in verdicts.most_common())),
+        ("verdicts", ", ".join(f"{count} {verdict}" for verdict, count in verdicts.most_common()) or "none"),
         ("passed", f"{sum(result['passed'] for result in results)} of {len(results)}"),
         ("trajectories", _trajectories(results)),
         *[("note", note) for note in dict.fromkeys(result.get("note") for result in results) if note],
@@ -68,6 +68,8 @@ def spread(results: Sequence[dict[str, Any]]) -> list[tuple[str, str]]:
 
 def _trajectories(results):
     hashes = len({result["trajectory_hash"] for result in results})
+    if not results:
+        return "none"
     if hashes == 1:
         return "all the same, bit for bit"
     why = _WHY if _in_lockstep(results) else ""

@@ -149,7 +149,8 @@ def sweep(
         check_table_file(output)
     swept = Sweep(name, variations, results)
     swept.run(stop, at_once, scheduler)
-    for problem in swept.problems:
+    # Runs that were told to stop have no result, and nothing is wrong with that.
+    for problem in [] if stop.signal else swept.problems:
         print(f"scenario: {problem}", file=sys.stderr)
     if swept.results:
         _write(swept, results / "sweep" / Path(swept.jobs[0].scenario).stem, output)

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Optional
 
 from f1tenth_scenarios.cli.exit_codes import NOT_PASSED, PASSED
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.errors import ScenarioError, writing
 from f1tenth_scenarios.results.comparison import Comparison, Tolerance, compare_folders, table
 from f1tenth_scenarios.results.junit import write_junit
 
@@ -44,4 +44,5 @@ def _write_junit(path: Path, comparisons: list[Comparison]) -> None:
         case = ElementTree.SubElement(suite, "testcase", classname=_SUITE, name=each.name)
         if each.problems:
             ElementTree.SubElement(case, "failure", message="; ".join(each.problems))
-    write_junit(path, suite)
+    with writing(path):
+        write_junit(path, suite)

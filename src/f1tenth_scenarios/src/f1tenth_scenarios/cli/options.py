@@ -12,6 +12,16 @@ def results_of(options) -> Path:
     return (options.results or places.results_root()).resolve()
 
 
+def check_planner_options(options) -> None:
+    """Refuse options of a planner where none is named: they would change nothing.
+
+    Raises:
+        ScenarioError: --arg or --interface without --planner.
+    """
+    if not options.planner and (options.arg or options.interface != Interface.NATIVE.value):
+        raise ScenarioError(f"{'--arg' if options.arg else '--interface'} is for a --planner")
+
+
 def planner_of(name: str, options) -> Driver:
     """A planner as an option names it: one of ours, or a launch file.
 

@@ -4,9 +4,9 @@ import dataclasses
 
 from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.cli.exit_codes import PASSED
-from f1tenth_scenarios.cli.options import planner_of, results_of
+from f1tenth_scenarios.cli.options import check_planner_options, planner_of, results_of
 from f1tenth_scenarios.cli.run_command import run_plan, with_report
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.errors import ScenarioError, writing
 from f1tenth_scenarios.plan.race import Race, plan_race, race_text
 from f1tenth_scenarios.scenario.driver import Driver
 
@@ -15,11 +15,12 @@ def race(options) -> int:
     """Run and judge a race that is in no scenario file."""
     if options.laps < 1:
         raise ScenarioError(f"--laps is {options.laps}, must be at least 1")
+    check_planner_options(options)
     planners = [planner_of(name, options) for name in options.planner] or [Driver.short_forms()["race"]]
     wanted = Race(options.place, options.laps, planners, options.timeout)
     plan = plan_race(wanted, results_of(options) / wanted.name, options.set)
     if options.save:
-        with replacing(options.save) as temporary:
+        with writing(options.save), replacing(options.save) as temporary:
             temporary.write_text(race_text(wanted), encoding="utf-8")
         return PASSED
     plan = dataclasses.replace(plan, keep_bag=options.bag, watched=options.attach)

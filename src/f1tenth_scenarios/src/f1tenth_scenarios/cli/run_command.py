@@ -8,7 +8,7 @@ from pathlib import Path
 from f1tenth_scenarios import places
 from f1tenth_scenarios.batch.jobs import Job, Outcome, run_jobs
 from f1tenth_scenarios.cli.exit_codes import NOT_PASSED, PASSED, exit_code
-from f1tenth_scenarios.cli.options import planner_of, results_of
+from f1tenth_scenarios.cli.options import check_planner_options, planner_of, results_of
 from f1tenth_scenarios.cli.show_commands import report
 from f1tenth_scenarios.errors import NotApplicableError, ScenarioError
 from f1tenth_scenarios.launch.private_master import private_master
@@ -64,8 +64,7 @@ def _check(options) -> None:
         raise ScenarioError(f"--jobs is {options.jobs}, must be at least 1")
     if options.all == bool(options.names):
         raise ScenarioError("run needs either names of scenarios or --all")
-    if options.arg and not options.planner:
-        raise ScenarioError("--arg is for a --planner")
+    check_planner_options(options)
 
 
 def _repeat(options, settings: Sequence[str]) -> int:

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Optional
 
 from f1tenth_scenarios.atomic import replacing
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.errors import writing
 from f1tenth_scenarios.report.content import RunContent, read_results
 from f1tenth_scenarios.report.packing import pack_json
 
@@ -50,18 +50,15 @@ def write_report(
     runs = list(read_results(results, output.parent, against))
     head, tail = _template(runs, assets or _own_assets()).split("<!-- DATA -->")
     worlds = {run.world: name for name, run in ((f"world-{_world_id(run)}", run) for run in runs)}
-    try:
-        with replacing(output) as temporary, open(temporary, "w", encoding="utf-8") as stream:
-            stream.write(head)
-            for world, name in worlds.items():
-                stream.write(_data(name, world))
-            for index, run in enumerate(runs):
-                stream.write(_data(f"replay-{index}", run.replay))
-                if run.previous:
-                    stream.write(_data(f"previous-{index}", run.previous))
-            stream.write(tail)
-    except OSError as error:
-        raise ScenarioError(f"{output}: cannot be written: {error.strerror}") from error
+    with writing(output), replacing(output) as temporary, open(temporary, "w", encoding="utf-8") as stream:
+        stream.write(head)
+        for world, name in worlds.items():
+            stream.write(_data(name, world))
+        for index, run in enumerate(runs):
+            stream.write(_data(f"replay-{index}", run.replay))
+            if run.previous:
+                stream.write(_data(f"previous-{index}", run.previous))
+        stream.write(tail)
     return [problem for run in runs for problem in run.summary["problems"]]
 
 

@@ -174,6 +174,9 @@ def _descend(node, path, setting):
         if found is None and isinstance(node, yaml.MappingNode):
             found = yaml.MappingNode("tag:yaml.org,2002:map", [], node.start_mark, node.end_mark)
             node.value.append((_name_node(name, node), found))
+        if found is None:
+            names = ", ".join(filter(None, map(_name_of, node.value)))
+            raise ScenarioError(f"{setting}: there is no {name}, there are: {names}")
         if not isinstance(found, (yaml.MappingNode, yaml.SequenceNode)):
             raise ScenarioError(f"{setting}: {name} holds no keys")
         node = found
@@ -186,8 +189,12 @@ def _entry(node: yaml.Node, name: str) -> Optional[yaml.Node]:
     """What a mapping holds under a name, or the mapping of that name in a list."""
     if isinstance(node, yaml.MappingNode):
         return next((value for key, value in node.value if key.value == name), None)
-    named = (each for each in node.value if isinstance(each, yaml.MappingNode))
-    return next((each for each in named if getattr(_entry(each, "name"), "value", None) == name), None)
+    return next((each for each in node.value if _name_of(each) == name), None)
+
+
+def _name_of(node: yaml.Node) -> Optional[str]:
+    """What a mapping in a list calls itself."""
+    return getattr(_entry(node, "name"), "value", None) if isinstance(node, yaml.MappingNode) else None
 
 
 def _put(node: yaml.MappingNode, name: str, value: yaml.Node) -> None:

@@ -176,6 +176,7 @@ void Simulation::clearContacts(CarId car)
 
 double Simulation::clearance(CarId car, double limit) const
 {
+  validateClearanceLimit(limit, impl_->car(car).description.name);
   const CarRegistry & registry = impl_->registry;
   return f1tenth_sim2d::clearance(placedCars(registry.cars()), registry.indexOf(car), *impl_->collisions, limit);
 }

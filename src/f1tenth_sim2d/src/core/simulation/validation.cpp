@@ -196,6 +196,11 @@ void validate(const RayFan & fan, const std::string & car)
   require(fan.range_max >= 0.0, car, "largest range (m) of the rays", fan.range_max, "0 or more");
 }
 
+void validateClearanceLimit(double limit, const std::string & car)
+{
+  require(limit >= 0.0, car, "limit (m) of the clearance", limit, "0 or more");
+}
+
 void validateTwist(const Vec2 & linear, double angular_z, const std::string & car)
 {
   requireWithin(linear.x, kSpeedMax, car, "commanded speed (m/s)");

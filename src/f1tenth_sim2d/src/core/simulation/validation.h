@@ -19,6 +19,9 @@ void validate(const ModelDescription & model, const std::string & where);
 void validate(const ModelState & state, const std::string & what);
 /// @param car  name of the car
 void validate(const RayFan & fan, const std::string & car);
+/// @param limit  m, of a clearance that is asked for
+/// @param car    name of the car
+void validateClearanceLimit(double limit, const std::string & car);
 /// @param car  name of the car
 void validate(const DriveCommand & command, const std::string & car);
 void validateTwist(const Vec2 & linear, double angular_z, const std::string & car);

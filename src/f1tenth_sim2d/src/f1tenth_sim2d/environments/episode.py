@@ -3,6 +3,7 @@
 import numpy as np
 
 import f1tenth_sim2d
+from f1tenth_sim2d.environments.settings import require_number
 
 OPTIONS = ("poses", "noise_seed")
 """Of reset."""
@@ -93,6 +94,8 @@ def _checked(options, cars):
             raise ValueError(f"options: unknown key {key!r}, allowed are {', '.join(OPTIONS)}")
     if "poses" in options:
         options["poses"] = _checked_poses(options["poses"], cars)
+    if options.get("noise_seed") is not None:
+        require_number("options['noise_seed']", options["noise_seed"], 0, 2**63 - 1, int)
     return options
 
 

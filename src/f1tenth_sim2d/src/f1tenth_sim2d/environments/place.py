@@ -2,6 +2,7 @@
 
 import functools
 from dataclasses import dataclass
+from os import PathLike
 from pathlib import Path
 from typing import Any
 
@@ -53,7 +54,7 @@ def find_place(place):
         ValueError: no such place.
         f1tenth_sim2d.LoadError: a file that cannot be used.
     """
-    path = Path(place)
+    path = Path(place if isinstance(place, (str, PathLike)) else "")
     if str(place) in circuits():
         path = data_path(f"f1tenth_gazebo/worlds/{place}.world")
     elif path.suffix.lower() not in {".world", ".yaml"} or not path.is_file():

@@ -1,6 +1,7 @@
 """Who records episodes: f1tenth_scenarios, which builds on this package and is looked for by name."""
 
 import importlib
+from os import PathLike
 
 RECORDER = "f1tenth_scenarios.report.episodes"
 
@@ -9,11 +10,14 @@ def recorder_into(folder, stage):
     """The Recorder of a stage's episodes into a folder; None if there is no folder.
 
     Raises:
-        ValueError: f1tenth_scenarios, which has the report, cannot be imported; the folder has episodes.
+        ValueError: no path; f1tenth_scenarios, which has the report, cannot be imported; the folder has
+            episodes.
         OSError: the folder cannot be made.
     """
     if folder is None:
         return None
+    if not isinstance(folder, (str, PathLike)):
+        raise ValueError(f"record: found {folder!r}, allowed is the path of a folder")
     try:
         module = importlib.import_module(RECORDER)
     except ImportError as error:

@@ -64,6 +64,8 @@ class Settings:
     def __post_init__(self):
         """Raise ValueError for what is not allowed."""
         require_number("cars", self.cars, 1, 64, int)
+        for name in ("flatten", "normalized", "contact_ends"):
+            _require_one_of(name, getattr(self, name), (True, False))
         if isinstance(self.observation, str) or not self.observation:
             raise ValueError(f"observation: found {self.observation!r}, allowed is a list of names of parts")
         if len(set(self.observation)) != len(self.observation):
@@ -80,8 +82,14 @@ class Settings:
         if self.laps is not None:
             require_number("laps", self.laps, 1, 10**6, int)
         if self.speeds is not None:
-            _require_range("speeds", self.speeds, -100.0)
+            _require_pair("speeds", self.speeds, -100.0)
         _require_range("lidar_noise", self.lidar_noise, 0.0)
+        if self.reward is not None and not callable(self.reward):
+            raise ValueError(f"reward: found {self.reward!r}, allowed is a function of a car's results")
+        if not isinstance(self.vehicle, Mapping):
+            raise ValueError(
+                f"vehicle: found {self.vehicle!r}, allowed are keys with numbers or (least, greatest)"
+            )
         for name, value in self.vehicle.items():
             self._require_vehicle(name, value)
 
@@ -89,6 +97,8 @@ class Settings:
     def _require_vehicle(name, value):
         default = getattr(VehicleParameters(), name, None)
         if isinstance(default, str):
+            if not isinstance(value, str):
+                raise ValueError(f"vehicle[{name!r}]: found {value!r}, allowed is a name")
             return
         if not isinstance(default, float) or name == "wheelbase":
             raise ValueError(f"vehicle: unknown key {name!r}, allowed are {', '.join(vehicle_keys())}")
@@ -117,14 +127,23 @@ def require_number(name, value, least, greatest, kind: type = Real):
 
 def _require_one_of(name, value, allowed):
     if value not in allowed:
-        raise ValueError(f"{name}: found {value!r}, allowed are {', '.join(allowed)}")
+        raise ValueError(f"{name}: found {value!r}, allowed are {', '.join(map(str, allowed))}")
+
+
+def _require_pair(name, value, least):
+    if not _is_pair(value, least):
+        raise ValueError(f"{name}: found {value!r}, allowed is (least, greatest), from {least}")
 
 
 def _require_range(name, value, least=-math.inf):
-    numbers = value if isinstance(value, (tuple, list)) else (value, value)
-    valid = len(numbers) == 2 and all(
-        isinstance(each, Real) and not isinstance(each, bool) and math.isfinite(each) for each in numbers
-    )
-    if not valid or not least <= numbers[0] <= numbers[1]:
+    if not _is_pair(value if isinstance(value, (tuple, list)) else (value, value), least):
         above = "" if least == -math.inf else f" from {least}"
         raise ValueError(f"{name}: found {value!r}, allowed is a number{above} or (least, greatest)")
+
+
+def _is_pair(value, least):
+    """Whether it is (least, greatest), of finite numbers."""
+    if not isinstance(value, (tuple, list)) or len(value) != 2:
+        return False
+    numbers = all(isinstance(each, Real) and not isinstance(each, bool) for each in value)
+    return numbers and all(map(math.isfinite, value)) and least <= value[0] <= value[1]

@@ -40,6 +40,7 @@ class Stage:
         lidar = Lidar(self.settings.beams, self.settings.field_of_view, self.settings.range_max)
         self.cars = load_cars(self.settings.cars, lidar)
         self._parameters = self.cars[0].parameters
+        self._require_vehicle()
         self._environments = self._build(count, threads)
         self.results = self._environments.results
         # The same memory as plain numbers: fields of a structured array are slow to come by.
@@ -59,6 +60,17 @@ class Stage:
                 f"{needs[0]}: {self.place.name} has no course, allowed are circuits, "
                 "and worlds and maps with X_centerline.csv beside them"
             )
+
+    def _require_vehicle(self):
+        """Refuse numbers of which an episode would draw a car that cannot be."""
+        for end in (0, 1):
+            parameters = copy.copy(self._parameters)
+            try:
+                for name in self.settings.vehicle:
+                    setattr(parameters, name, self._drawn(name)[end])
+                f1tenth_sim2d.Simulation(f1tenth_sim2d.empty_world()).add_car(self.cars[0], parameters)
+            except f1tenth_sim2d.Error as error:
+                raise ValueError(f"vehicle: {error}") from error
 
     def _build(self, count, threads):
         try:

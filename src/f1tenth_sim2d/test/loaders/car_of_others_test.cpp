@@ -208,7 +208,7 @@ TEST_F(CarOfOthers, DrivesByThePluginsOfGazeboRos)
     withPlugin("libgazebo_ros_diff_drive.so", "<odometryFrame>robot1/odom</odometryFrame><updateRate>30</updateRate>"));
   EXPECT_EQ(diff.drive->kind, Kind::kDifferential);
   EXPECT_EQ(diff.drive->command_topic, "cmd_vel");
-  EXPECT_EQ(diff.drive->odometry_frame, "odom");
+  EXPECT_EQ(diff.drive->odometry_frame, "robot1/odom");
   EXPECT_EQ(diff.drive->base_frame, "base_footprint");
   EXPECT_EQ(diff.drive->odometry_rate_hz, 30.0);
   EXPECT_EQ(

@@ -171,11 +171,10 @@ TEST(LoadCarWarnings, NamePluginsWithoutLibrary)
     "test.urdf:250: robot[small_car]/gazebo[11]/plugin[mine]: has no attribute 'filename' and is left out"));
 }
 
-TEST(LoadCar, FrameIdsHaveNoPrefix)
+TEST(LoadCar, FrameIdsHaveNoSlashInFront)
 {
-  EXPECT_EQ(load(smallCarWith("<frameName>laser", "<frameName>robot1/laser")).lidars[0].frame, "laser");
+  EXPECT_EQ(load(smallCarWith("<frameName>laser", "<frameName>robot1/laser")).lidars[0].frame, "robot1/laser");
   EXPECT_EQ(load(smallCarWith("<frameName>laser", "<frameName>/laser")).lidars[0].frame, "laser");
-  EXPECT_EQ(load(smallCarWith("<frameName>laser", "<frameName>/robot1/laser")).lidars[0].frame, "laser");
 }
 
 TEST(LoadCar, BaseFootprintNeedNotBeTheRoot)

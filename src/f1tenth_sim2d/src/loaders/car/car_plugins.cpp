@@ -18,7 +18,7 @@ void readPoseSensor(const Element & plugin, CarContext & context)
   sensor.name = plugin.name();
   sensor.topic = context.topic(plugin, plugin.requiredText("topicName"));
   sensor.frame = frameId(plugin, plugin.textOf("frameName", sensor.frame));
-  sensor.link = context.frame(plugin, plugin.requiredText("bodyName"));
+  sensor.link = frameId(plugin, plugin.requiredText("bodyName"));
   const auto link = context.model.link_poses.find(sensor.link);
   if (link == context.model.link_poses.end()) {
     plugin.fail("<bodyName> is '" + sensor.link + "', which is no link of the car");

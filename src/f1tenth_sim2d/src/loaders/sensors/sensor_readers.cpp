@@ -24,9 +24,9 @@ double imuNoise(const Element & imu, const char * quantity, const char * axis, c
 }
 
 /// The frame that an IMU plugin names, or else the link that carries it.
-std::string imuFrame(const Element & plugin, const CarContext & context)
+std::string imuFrame(const Element & plugin)
 {
-  return context.frame(plugin, plugin.requiredText(plugin.child("frameName") ? "frameName" : "bodyName"));
+  return frameId(plugin, plugin.requiredText(plugin.child("frameName") ? "frameName" : "bodyName"));
 }
 
 void setImu(ImuDescription imu, const Element & element, CarContext & context)
@@ -46,7 +46,7 @@ void readLidar(const SensorElement & element, CarContext & context)
   LidarDescription lidar;
   lidar.name = sensor.name();
   lidar.topic = context.topic(element.plugin, element.plugin.requiredText("topicName"));
-  lidar.frame = context.frame(element.plugin, element.plugin.requiredText("frameName"));
+  lidar.frame = frameId(element.plugin, element.plugin.requiredText("frameName"));
   lidar.pose = element.pose;
   lidar.rate_hz = sensor.positive("update_rate");
   lidar.beam_count = scan.count;
@@ -64,7 +64,7 @@ void readBumper(const SensorElement & element, CarContext & context)
   BumperDescription bumper;
   bumper.name = element.sensor.name();
   bumper.topic = context.topic(element.plugin, element.plugin.requiredText("bumperTopicName"));
-  bumper.frame = context.frame(element.plugin, element.plugin.requiredText("frameName"));
+  bumper.frame = frameId(element.plugin, element.plugin.requiredText("frameName"));
   bumper.rate_hz = element.sensor.notNegative("update_rate", 0.0);
   bumper.collision_names = collisionsOfContactSensor(element.sensor, context.car.solids);
   context.car.bumpers.push_back(std::move(bumper));
@@ -77,7 +77,7 @@ void readImu(const SensorElement & element, CarContext & context)
   ImuDescription imu;
   imu.name = element.sensor.name();
   imu.topic = context.topic(plugin, plugin.requiredText("topicName"));
-  imu.frame = imuFrame(plugin, context);
+  imu.frame = imuFrame(plugin);
   imu.rate_hz = plugin.child("updateRateHZ") ? plugin.positive("updateRateHZ") : element.sensor.positive("update_rate");
   const double of_plugin = plugin.notNegative("gaussianNoise", 0.0);
   imu.yaw_rate_noise_stddev = std::hypot(of_plugin, imuNoise(noise, "angular_velocity", "z", "rate"));
@@ -90,7 +90,7 @@ void readImuPlugin(const Element & plugin, CarContext & context)
   ImuDescription imu;
   imu.name = plugin.name();
   imu.topic = context.topic(plugin, plugin.requiredText("topicName"));
-  imu.frame = imuFrame(plugin, context);
+  imu.frame = imuFrame(plugin);
   imu.rate_hz = plugin.positive("updateRate");
   imu.yaw_rate_noise_stddev = plugin.notNegative("gaussianNoise", 0.0);
   imu.acceleration_noise_stddev = imu.yaw_rate_noise_stddev;

@@ -245,6 +245,21 @@ TEST_F(CarOfOthers, HasTheLimitsAndTheNamespaceOfAnAckermannDrive)
   EXPECT_EQ(drive.speed_max, 4.0);
 }
 
+TEST_F(CarOfOthers, TakesTheTagsOfRos1OfAnAckermannDrive)
+{
+  const DriveDescription drive =
+    *load(withPlugin(
+            "libgazebo_ros_ackermann_drive.so",
+            "<odometryFrame>robot1/odom</odometryFrame><robotBaseFrame>chassis</robotBaseFrame>"
+            "<updateRate>50</updateRate><publishTf>false</publishTf>"))
+       .drive;
+  EXPECT_EQ(drive.kind, DriveDescription::Kind::kAckermann);
+  EXPECT_EQ(drive.odometry_frame, "robot1/odom");
+  EXPECT_EQ(drive.base_frame, "chassis");
+  EXPECT_EQ(drive.odometry_rate_hz, 50.0);
+  EXPECT_FALSE(drive.publishes_transform);
+}
+
 TEST_F(CarOfOthers, WithoutWheelsKeepsItsOwnFrameAndTheDynamicsOfTheF1TenthCar)
 {
   const CarDescription car = load(

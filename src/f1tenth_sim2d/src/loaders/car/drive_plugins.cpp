@@ -72,7 +72,10 @@ void readDrive(Kind kind, const Element & plugin, CarContext & context)
     context.warnings.add("is a second plugin that drives the car and left out", plugin.fileLine());
     return;
   }
-  const Tags & tags = tagsOf(kind);
+  const bool has_older_tags =
+    kind == Kind::kAckermann && (plugin.child("odometryFrame") || plugin.child("robotBaseFrame") ||
+                                 plugin.child("updateRate") || plugin.child("publishTf"));
+  const Tags & tags = tagsOf(has_older_tags ? Kind::kDifferential : kind);
   DriveDescription drive;
   drive.kind = kind;
   drive.command_topic = context.topic(plugin, resolved(plugin, plugin.textOf(tags.command_topic, "cmd_vel")));

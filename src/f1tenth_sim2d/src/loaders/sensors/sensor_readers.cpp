@@ -29,6 +29,17 @@ std::string imuFrame(const Element & plugin)
   return frameId(plugin, plugin.requiredText(plugin.child("frameName") ? "frameName" : "bodyName"));
 }
 
+/// Noise of one axis, from a tag with one number for all of them or with three.
+double axisNoise(const Element & plugin, const char * tag, int axis)
+{
+  const std::string text = plugin.child(tag).text();
+  const double noise = text.find_first_of(" \t\n") == std::string::npos
+                         ? plugin.number(tag, 0.0)
+                         : plugin.vector(tag, Eigen::Vector3d::Zero())[axis];
+  plugin.requireNotNegative("<" + std::string(tag) + ">", noise);
+  return noise;
+}
+
 void setImu(ImuDescription imu, const Element & element, CarContext & context)
 {
   if (context.car.imu) {
@@ -94,6 +105,18 @@ void readImuPlugin(const Element & plugin, CarContext & context)
   imu.rate_hz = plugin.positive("updateRate");
   imu.yaw_rate_noise_stddev = plugin.notNegative("gaussianNoise", 0.0);
   imu.acceleration_noise_stddev = imu.yaw_rate_noise_stddev;
+  setImu(std::move(imu), plugin, context);
+}
+
+void readHectorImuPlugin(const Element & plugin, CarContext & context)
+{
+  ImuDescription imu;
+  imu.name = plugin.name();
+  imu.topic = context.topic(plugin, plugin.textOf("topicName", imu.topic));
+  imu.frame = frameId(plugin, plugin.textOf("frameId", plugin.requiredText("bodyName")));
+  imu.rate_hz = plugin.positive("updateRate");
+  imu.yaw_rate_noise_stddev = axisNoise(plugin, "rateGaussianNoise", 2);
+  imu.acceleration_noise_stddev = axisNoise(plugin, "accelGaussianNoise", 0);
   setImu(std::move(imu), plugin, context);
 }
 }  // namespace f1tenth_sim2d

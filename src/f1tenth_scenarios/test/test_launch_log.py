@@ -1,5 +1,6 @@
 """Reading off roslaunch's output which node ended, and who is to blame."""
 
+import pytest
 from f1tenth_scenarios.record.observations import RaceState, RaceUpdate
 from f1tenth_scenarios.run.diagnosis.culprit import Signs, failure_of
 from f1tenth_scenarios.run.diagnosis.launch_log import LaunchLog, NodeEnd
@@ -41,14 +42,14 @@ def signs(ends=(), lost=(), exit_code=None, simulator=None):
 
 def test_killed_node_is_seen(tmp_path):
     (end,) = ends_of(tmp_path, DIED)
-    assert end == NodeEnd("robot1/move_base", -9, f"{tmp_path}/robot1-move_base-5*.log")
+    assert end == NodeEnd("robot1/move_base", -9, f"{tmp_path}/robot1-move_base-5*.log", package="x")
     assert end.describe() == "was killed by signal 9"
 
 
 def test_end_of_a_required_node_is_seen(tmp_path):
     (end,) = ends_of(tmp_path, REQUIRED)
-    assert end == NodeEnd("sim2d", 3, f"{tmp_path}/sim2d-2*.log")
-    assert end.describe() == "ended with exit code 3"
+    assert end == NodeEnd("sim2d", 3, f"{tmp_path}/sim2d-2*.log", package="x", is_required=True)
+    assert end.describe() == 'ended with exit code 3, and is required="true" in its launch file'
 
 
 def test_end_of_a_node_that_roslaunch_has_not_seen_running_is_seen(tmp_path):
@@ -61,6 +62,34 @@ def test_clean_ends_are_seen(tmp_path):
         ("race_starter", 0),
         ("sim2d", 0),
     ]
+
+
+def test_clean_end_of_a_required_node_says_why_it_ends_the_run(tmp_path):
+    (end,) = ends_of(tmp_path, REQUIRED_FINISHED)
+    assert end.describe() == 'ended with exit code 0, and is required="true" in its launch file'
+
+
+def test_package_that_is_not_there_is_named(tmp_path):
+    refused = "\033[31mERROR: cannot launch node of type [{0}/{0}_node]: {0}\nROS path [0]=/x\033[0m\n"
+    (end,) = ends_of(tmp_path, refused.format("ekf"))
+    assert (end.node, end.describe()) == ("ekf/ekf_node", "cannot be started: there is no package ekf")
+    assert not end.is_for_people
+    (end,) = ends_of(tmp_path, refused.format("joy"))
+    assert end.is_for_people
+
+
+@pytest.mark.parametrize(
+    ("command", "is_for_people"),
+    [
+        ("/usr/lib/rviz/rviz -d a.rviz", True),
+        ("/opt/ros/noetic/lib/rqt_reconfigure/rqt_reconfigure", True),
+        ("/ws/src/rviz/scripts/planner.py", False),
+        ("bash -c 'sleep 1; /usr/lib/rviz/rviz'", False),
+    ],
+)
+def test_who_only_shows_something_is_told_by_its_package(tmp_path, command, is_for_people):
+    (end,) = ends_of(tmp_path, f"[robot1/view-7] process has died [pid 47, exit code -6, cmd {command}].\n")
+    assert (end.node, end.exit_code, end.is_for_people) == ("robot1/view", -6, is_for_people)
 
 
 def test_words_of_nodes_are_no_ends(tmp_path):

@@ -25,7 +25,17 @@ def test_driver_that_is_connected_is_told_nothing():
     "kind", [STAMPED, TWIST, "ackermann_msgs/AckermannDrive", "geometry_msgs/TwistStamped"]
 )
 def test_commands_that_nobody_hears_are_named(kind):
-    assert why([("/nav", kind)]) == [f"publishes {kind} on /nav, which nobody hears", TAKES]
+    assert why([("/nav", kind)])[:2] == [f"publishes {kind} on /nav, which nobody hears", TAKES]
+
+
+def test_topics_that_mean_one_of_the_car_are_told_how_to_get_there():
+    (*_, hint) = why([("/cmd_vel", TWIST), ("/nav", STAMPED)], heard=["/scan", "/car/odom", "/key"])
+    assert hint == (
+        'in front of its nodes in the launch file, <remap from="/cmd_vel" to="cmd_vel"/><remap from="/nav"'
+        ' to="drive"/><remap from="/car/odom" to="odom"/><remap from="/scan" to="scan"/> leads to the car\'s'
+        " topics"
+    )
+    assert why([("/nav", "ackermann_msgs/AckermannDrive")])[-1] == TAKES
 
 
 def test_commands_that_a_node_passes_on_and_what_are_no_commands_are_not():

@@ -10,6 +10,7 @@ from patience import PATIENCE
 from f1tenth_scenarios import places
 
 LAUNCH = places.package_path(places.PACKAGE) / "test" / "planners" / "misbehaving.launch"
+IN_COMPANY = LAUNCH.with_name("in_company.launch")
 SIMULATED = 25.0  # s, after which it is said at the latest
 
 
@@ -17,7 +18,7 @@ SIMULATED = 25.0  # s, after which it is said at the latest
 def judged(tmp_path):
     """Lets a planner go wrong; returns what its result.json says, and what was printed."""
 
-    def run(*options):
+    def run(*options, planner=LAUNCH):
         command = [
             sys.executable,
             "-m",
@@ -25,7 +26,7 @@ def judged(tmp_path):
             "race",
             "circuit1",
             "--planner",
-            str(LAUNCH),
+            str(planner),
             *options,
         ]
         done = subprocess.run(
@@ -85,6 +86,28 @@ def test_planner_that_cannot_be_started_is_named(judged, executable, culprit, wo
     result, said = judged("--arg", f"type:={executable}")
     assert (result["verdict"], result["culprit"]["culprit"]) == ("error", culprit)
     assert words in said
+
+
+def test_node_with_which_everything_ends_is_named(judged):
+    result, _ = judged("--arg", "how:=ends_at_once", "--arg", "required:=true")
+    assert (result["verdict"], result["culprit"]["culprit"]) == ("error", "robot1/planner")
+    assert result["reason"].endswith('ended with exit code 0, and is required="true" in its launch file')
+
+
+def test_simulator_in_the_launch_file_of_a_planner_is_refused(judged):
+    other = ("--arg", "package:=gazebo_ros", "--arg", "type:=gzserver")
+    result, _ = judged(*other, planner=IN_COMPANY)
+    assert (result["verdict"], result["culprit"]["culprit"]) == ("error", "robot1/other")
+    assert "the run has a simulator, a map and a car of its own" in result["reason"]
+
+
+def test_what_only_shows_something_may_be_missing_and_that_is_said(judged):
+    options = ("--arg", "package:=rqt_nothing", "--arg", "type:=view", "--set", "limits.timeout=1")
+    result, _ = judged(*options, planner=IN_COMPANY)
+    assert result["verdict"] == "timeout"
+    assert result["note"] == (
+        "without what is for people only: rqt_nothing/view cannot be started: there is no package rqt_nothing"
+    )
 
 
 def test_planner_that_goes_by_the_wall_clock_is_run_in_real_time_and_that_is_said(judged):

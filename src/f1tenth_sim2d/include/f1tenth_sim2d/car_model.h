@@ -15,7 +15,7 @@
 /// A car as the robot description gives it.
 ///
 /// Poses are in the frame of the car: on the ground below the middle of the rear axle, x forwards, z upwards.
-/// Frame ids of the car have no prefix here. Topics without slash in front belong into the namespace of the car; a
+/// Frame ids of the car are those of its description. Topics without slash in front belong into the namespace of the car; a
 /// <robotNamespace> of the description has become part of the topic ("/racecar/scan").
 namespace f1tenth_sim2d
 {

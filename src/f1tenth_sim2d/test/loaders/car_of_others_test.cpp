@@ -208,7 +208,7 @@ TEST_F(CarOfOthers, DrivesByThePluginsOfGazeboRos)
     withPlugin("libgazebo_ros_diff_drive.so", "<odometryFrame>robot1/odom</odometryFrame><updateRate>30</updateRate>"));
   EXPECT_EQ(diff.drive->kind, Kind::kDifferential);
   EXPECT_EQ(diff.drive->command_topic, "cmd_vel");
-  EXPECT_EQ(diff.drive->odometry_frame, "odom");
+  EXPECT_EQ(diff.drive->odometry_frame, "robot1/odom");
   EXPECT_EQ(diff.drive->base_frame, "base_footprint");
   EXPECT_EQ(diff.drive->odometry_rate_hz, 30.0);
   EXPECT_EQ(
@@ -243,6 +243,21 @@ TEST_F(CarOfOthers, HasTheLimitsAndTheNamespaceOfAnAckermannDrive)
   EXPECT_EQ(drive.odometry_topic, "/odometry");
   EXPECT_EQ(drive.steering_max, 0.3);
   EXPECT_EQ(drive.speed_max, 4.0);
+}
+
+TEST_F(CarOfOthers, TakesTheTagsOfRos1OfAnAckermannDrive)
+{
+  const DriveDescription drive =
+    *load(withPlugin(
+            "libgazebo_ros_ackermann_drive.so",
+            "<odometryFrame>robot1/odom</odometryFrame><robotBaseFrame>chassis</robotBaseFrame>"
+            "<updateRate>50</updateRate><publishTf>false</publishTf>"))
+       .drive;
+  EXPECT_EQ(drive.kind, DriveDescription::Kind::kAckermann);
+  EXPECT_EQ(drive.odometry_frame, "robot1/odom");
+  EXPECT_EQ(drive.base_frame, "chassis");
+  EXPECT_EQ(drive.odometry_rate_hz, 50.0);
+  EXPECT_FALSE(drive.publishes_transform);
 }
 
 TEST_F(CarOfOthers, WithoutWheelsKeepsItsOwnFrameAndTheDynamicsOfTheF1TenthCar)

@@ -112,24 +112,52 @@ TEST(LoadCar, ReadsTheImu)
   EXPECT_EQ(car.imu->acceleration_noise_stddev, 0.05);
 }
 
+std::string withImuPlugin(const std::string & plugin)
+{
+  std::string xml = smallCarWith("</robot>", plugin + "</robot>");
+  const std::size_t sensor = xml.find("<gazebo reference=\"imu\">");
+  return xml.erase(sensor, xml.find("</gazebo>", sensor) + std::string("</gazebo>").size() - sensor);
+}
+
 TEST(LoadCar, TakesAnImuPluginOfTheModel)
 {
   const std::string plugin =
     "<gazebo><plugin name='old_imu' filename='libgazebo_ros_imu.so'><topicName>imu/data</topicName>"
     "<bodyName>imu</bodyName><updateRate>50</updateRate><gaussianNoise>0.01</gaussianNoise></plugin></gazebo>";
-  std::string xml = smallCarWith("</robot>", plugin + "</robot>");
-  const CarDescription with_two = load(xml);
+  const CarDescription with_two = load(smallCarWith("</robot>", plugin + "</robot>"));
   EXPECT_TRUE(hasLine(
     with_two.warnings, "test.urdf:250: robot[small_car]/gazebo[11]/plugin[old_imu]: is a second IMU and left out"));
-  const std::size_t sensor = xml.find("<gazebo reference=\"imu\">");
-  xml.erase(sensor, xml.find("</gazebo>", sensor) + std::string("</gazebo>").size() - sensor);
-  const CarDescription car = load(xml);
+  const CarDescription car = load(withImuPlugin(plugin));
   ASSERT_TRUE(car.imu.has_value());
   EXPECT_EQ(car.imu->topic, "imu/data");
   EXPECT_EQ(car.imu->frame, "imu");
   EXPECT_EQ(car.imu->rate_hz, 50.0);
   EXPECT_EQ(car.imu->yaw_rate_noise_stddev, 0.01);
   EXPECT_TRUE(car.plugins.size() == 1);
+}
+
+TEST(LoadCar, TakesAnImuPluginOfHector)
+{
+  const auto imuWith = [](const std::string & tags) {
+    return load(withImuPlugin(
+                  "<gazebo><plugin name='hector' filename='libhector_gazebo_ros_imu.so'><updateRate>50.0</updateRate>"
+                  "<bodyName>imu</bodyName>" +
+                  tags + "</plugin></gazebo>"))
+      .imu.value();
+  };
+  const ImuDescription plain = imuWith("");
+  EXPECT_EQ(plain.topic, "imu");
+  EXPECT_EQ(plain.frame, "imu");
+  EXPECT_EQ(plain.rate_hz, 50.0);
+  EXPECT_EQ(plain.yaw_rate_noise_stddev, 0.0);
+  const ImuDescription noisy = imuWith(
+    "<topicName>imu/data</topicName><frameId>base_link</frameId><accelGaussianNoise>0.35 0.4 0.3</accelGaussianNoise>"
+    "<rateGaussianNoise>0.005</rateGaussianNoise>");
+  EXPECT_EQ(noisy.topic, "imu/data");
+  EXPECT_EQ(noisy.frame, "base_link");
+  EXPECT_EQ(noisy.yaw_rate_noise_stddev, 0.005);
+  EXPECT_EQ(noisy.acceleration_noise_stddev, 0.35);
+  EXPECT_THROW(imuWith("<rateGaussianNoise>-1 -1 -1</rateGaussianNoise>"), LoadError);
 }
 
 TEST(LoadCar, TellsJointsApartByAxisAndPlace)
@@ -171,11 +199,10 @@ TEST(LoadCarWarnings, NamePluginsWithoutLibrary)
     "test.urdf:250: robot[small_car]/gazebo[11]/plugin[mine]: has no attribute 'filename' and is left out"));
 }
 
-TEST(LoadCar, FrameIdsHaveNoPrefix)
+TEST(LoadCar, FrameIdsHaveNoSlashInFront)
 {
-  EXPECT_EQ(load(smallCarWith("<frameName>laser", "<frameName>robot1/laser")).lidars[0].frame, "laser");
+  EXPECT_EQ(load(smallCarWith("<frameName>laser", "<frameName>robot1/laser")).lidars[0].frame, "robot1/laser");
   EXPECT_EQ(load(smallCarWith("<frameName>laser", "<frameName>/laser")).lidars[0].frame, "laser");
-  EXPECT_EQ(load(smallCarWith("<frameName>laser", "<frameName>/robot1/laser")).lidars[0].frame, "laser");
 }
 
 TEST(LoadCar, BaseFootprintNeedNotBeTheRoot)

@@ -57,6 +57,14 @@ TEST_F(Uris, OfModelsAreFoundInTheModelsFolderOfAPackage)
   EXPECT_EQ(find("model://chair"), "src/places/models/chair");
 }
 
+TEST(SearchedFolders, NameWhatThereIs)
+{
+  const auto searched = [](const SearchPath & path) { return UriLookup(path, "").searchedFolders(); };
+  EXPECT_EQ(searched({{"/models"}, {}}), "/models");
+  EXPECT_EQ(searched({{"/models"}, {"/src"}}), "/models, and the ROS packages below /src");
+  EXPECT_EQ(searched({{}, {"/src", "/share"}}), "the ROS packages below /src, /share");
+}
+
 TEST_F(Uris, NamePackages)
 {
   EXPECT_EQ(find("package://car_description/meshes/body.stl"), "src/group/car_description/meshes/body.stl");

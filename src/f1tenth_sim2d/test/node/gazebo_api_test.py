@@ -18,6 +18,7 @@ from gazebo_msgs.srv import (
     SpawnModel,
 )
 from geometry_msgs.msg import Point, Pose, Quaternion, Twist, Vector3
+from nav_msgs.msg import Odometry
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import LaserScan
 from sim2d_process import LONG, Collector, Driver, Sim2d, Stepper, car_description
@@ -29,6 +30,7 @@ BOX = """<robot name="box"><link name="box">
 <inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
 <collision><geometry><box size="0.4 0.4 0.4"/></geometry></collision></link></robot>"""
 FIRST = {"robot1": {"x": 0.0}}
+SENSED = {"scan": LaserScan, "odom": Odometry}
 
 
 def pose(x, y, yaw=0.0, z=0.0):
@@ -94,6 +96,30 @@ class GazeboApiTest(unittest.TestCase):
         assert self.names() == ["walls", "crate", "red", "blue"]
         assert scans.wait_for(lambda seen: seen["/red/scan"] and seen["/blue/scan"])
         assert math.isclose(self.state("blue").pose.position.y, -1.0, abs_tol=1e-9)
+
+    def test_frames_that_a_description_names_with_the_car_stay_apart(self):
+        drive = (
+            "<gazebo><plugin name='drive' filename='libgazebo_ros_diff_drive.so'>"
+            "<commandTopic>cmd_vel</commandTopic><odometryTopic>odom</odometryTopic>"
+            "<odometryFrame>{0}/odom</odometryFrame><robotBaseFrame>{0}/base_footprint</robotBaseFrame>"
+            "</plugin></gazebo>"
+        )
+        topics = {f"{name}__{topic}": kind for name in ("red", "blue") for topic, kind in SENSED.items()}
+        seen = self.collect(**topics)
+        self.start(cars={})
+        rospy.set_param("/blue/tf_prefix", "blue")
+        self.addCleanup(rospy.delete_param, "/blue/tf_prefix")
+        for name, y in (("red", 1.0), ("blue", -1.0)):
+            xml = car_description(drive.format(name)).replace("<frameName>laser", f"<frameName>{name}/laser")
+            assert self.spawn(name, xml, 1.0, y, robot_namespace=f"/{name}").success
+        assert seen.wait_for(
+            lambda messages: all(messages[f"/{name}/{topic}"] for name in ("red", "blue") for topic in SENSED)
+        )
+        for name in ("red", "blue"):
+            assert seen.messages[f"/{name}/scan"][0].header.frame_id == f"{name}/laser"
+            odometry = seen.messages[f"/{name}/odom"][0]
+            frames = (odometry.header.frame_id, odometry.child_frame_id)
+            assert frames == (f"{name}/odom", f"{name}/base_footprint")
 
     def test_car_that_is_deleted_publishes_nothing_more(self):
         rospy.set_param("/robot2/robot_description", car_description())

@@ -3,11 +3,13 @@
 
 import math
 import os
+import pathlib
 import subprocess
 import threading
 import unittest
 
 import pytest
+import rospkg
 import rospy
 import rostest
 from geometry_msgs.msg import PoseArray, PoseWithCovarianceStamped
@@ -15,6 +17,7 @@ from nav_msgs.msg import OccupancyGrid
 from nav_msgs.srv import GetMap, GetMapResponse, SetMap, SetMapRequest
 from played_car import PERIOD, START, drive, mounting, room, scan, stamp_of, transform
 from played_simulator import PATIENCE, Simulator
+from roslaunch.config import load_config_default
 from std_srvs.srv import Empty
 
 PERIODS = 60
@@ -209,6 +212,16 @@ class AmclTest(unittest.TestCase):
             node.communicate()
             rospy.delete_param(f"/tolerant/amcl/{name}")
             assert said
+
+    def test_9_examples_are_those_of_the_original(self):
+        examples = pathlib.Path(rospkg.RosPack().get_path("amcl"), "examples")
+        for model in ("diff", "omni"):
+            config = load_config_default(
+                [(str(examples / f"amcl_{model}.launch"), [])], port=None, verbose=False
+            )
+            (node,) = config.nodes
+            assert (node.package, node.type) == ("amcl", "amcl")
+            assert config.params["/amcl/odom_model_type"].value == model
 
     @staticmethod
     def complaint(name, value):

@@ -223,11 +223,10 @@ class ControllersTest(unittest.TestCase):
 
         diagnostics.wait_for(is_counted)
 
-    def end_with(self, manager, namespace, *options, end_at="Started controllers"):
-        """Start a spawner at this manager, end it when it says this, and return all that it has said."""
-        self.addCleanup(manager.close)
+    def spawner_says(self, namespace, *arguments, end_at):
+        """Start a spawner, end it when it says this, and return its exit code and all that it has said."""
         spawner = subprocess.Popen(
-            [command_path("spawner"), "wheel", *options],
+            [command_path("spawner"), *arguments],
             env={**os.environ, "ROS_NAMESPACE": namespace, "PYTHONUNBUFFERED": "1"},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
@@ -238,8 +237,27 @@ class ControllersTest(unittest.TestCase):
             said.append(line)
             if end_at in line:
                 spawner.send_signal(signal.SIGINT)
-        assert spawner.wait(LONG) == 0
-        return "".join(said)
+        return spawner.wait(LONG), "".join(said)
+
+    def end_with(self, manager, namespace, *options, end_at="Started controllers"):
+        """Start a spawner at this manager, end it when it says this, and return all that it has said."""
+        self.addCleanup(manager.close)
+        code, said = self.spawner_says(namespace, "wheel", *options, end_at=end_at)
+        assert code == 0
+        return said
+
+    def test_spawner_names_only_what_it_has_started(self):
+        code, said = self.spawner_says("racecar", "unknown_type", "rear_left", end_at="Started controllers")
+        assert code == 2
+        assert "Failed to load unknown_type" in said
+        assert "Started controllers: rear_left\n" in said
+
+    def test_spawner_in_another_namespace_names_the_managers_that_there_are(self):
+        code, said = self.spawner_says("car", "rear_left", "--timeout", "0.5", end_at="No controller manager")
+        assert code == 1
+        assert "Waiting for /car/controller_manager" in said
+        assert "No controller manager /car/controller_manager within 0.5 s; " in said
+        assert "there are: /racecar/controller_manager" in said
 
     def test_controllers_of_a_manager_that_is_ending_are_not_left_behind(self):
         assert "left behind" not in self.end_with(EndingManager("ending", 0.3), "ending")

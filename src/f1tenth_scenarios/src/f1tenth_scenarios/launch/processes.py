@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import re
 import select
 import signal
 import subprocess
@@ -15,11 +16,22 @@ import psutil
 
 # Every process of a tree inherits this variable: one that left its parent or its group is found as well.
 _MARK = "F1TENTH_SCENARIO_TREE"
+_INTERPRETER = re.compile(r"(^|/)python[0-9.]*$")
 
 
 def process_start() -> float:
     """When this process was started, as time.monotonic() counts (s)."""
     return time.monotonic() - (time.time() - psutil.Process().create_time())
+
+
+def program_of(pid: int) -> str:
+    """What a process runs, PACKAGE/TYPE of a node; empty if it is not there, or is still roslaunch's."""
+    try:
+        words = psutil.Process(pid).cmdline()
+    except psutil.Error:
+        return ""
+    program = next((word for word in words if not _INTERPRETER.search(word)), "")
+    return "" if program.endswith("/roslaunch") else "/".join(Path(program).parts[-2:])
 
 
 class ProcessTree:

@@ -117,6 +117,7 @@ def _drive(plan, tree, watch, stop, progress) -> tuple[Result, Preparation, Opti
         tree.interrupt(supervisor.pid("sim2d"), _grace(stop))
         seen = _observations(plan, supervisor, watch, failure)
         done = _judge(plan, seen, watch.estimates(), supervisor.pace.factor)
+        done = dataclasses.replace(done, note="; ".join(filter(None, (done.note, supervisor.note()))))
         if not stop.signal:
             preparation.begin()
     return done, preparation, supervisor.pid(RECORDER)

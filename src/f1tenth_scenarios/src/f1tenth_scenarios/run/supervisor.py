@@ -57,6 +57,11 @@ class Supervisor:
         """A node's process; nothing before it was started."""
         return self._launch_log.pids.get(node)
 
+    def note(self) -> str:
+        """What of the driver the run has done without, in words; empty if nothing."""
+        missing = self._breakdown.missing_views()
+        return f"without what is for people only: {'; '.join(missing)}" if missing else ""
+
     def wait(self) -> Optional[Failure]:
         """Return when the run is decided; with a failure if the set-up broke."""
         while True:

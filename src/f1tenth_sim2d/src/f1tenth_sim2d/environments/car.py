@@ -6,7 +6,6 @@ from xml.etree import ElementTree
 
 import f1tenth_sim2d
 from f1tenth_sim2d.environments.data import data_path
-from f1tenth_sim2d.environments.settings import require_number
 from f1tenth_sim2d.environments.xacro_file import expanded
 
 

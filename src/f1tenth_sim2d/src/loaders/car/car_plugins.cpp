@@ -18,7 +18,7 @@ void readPoseSensor(const Element & plugin, CarContext & context)
   sensor.name = plugin.name();
   sensor.topic = context.topic(plugin, plugin.requiredText("topicName"));
   sensor.frame = frameId(plugin, plugin.textOf("frameName", sensor.frame));
-  sensor.link = context.frame(plugin, plugin.requiredText("bodyName"));
+  sensor.link = frameId(plugin, plugin.requiredText("bodyName"));
   const auto link = context.model.link_poses.find(sensor.link);
   if (link == context.model.link_poses.end()) {
     plugin.fail("<bodyName> is '" + sensor.link + "', which is no link of the car");
@@ -55,6 +55,7 @@ std::map<std::string, Read> builtIn(const std::vector<MechanismJoint> & mechanis
     {"libgazebo_ros_joint_state_publisher.so",
      [&](const Element & plugin) { readJointStatePublisher(plugin, mechanism, context); }},
     {"libgazebo_ros_imu.so", [&](const Element & plugin) { readImuPlugin(plugin, context); }},
+    {"libhector_gazebo_ros_imu.so", [&](const Element & plugin) { readHectorImuPlugin(plugin, context); }},
     {"libgazebo_ros_p3d.so", [&](const Element & plugin) { readPoseSensor(plugin, context); }},
     {"libgazebo_ros_control.so", [&](const Element & plugin) { readRosControl(plugin, context); }},
     {"libgazebo_ros_ackermann_drive.so", drive(Kind::kAckermann)},

@@ -72,13 +72,16 @@ void readDrive(Kind kind, const Element & plugin, CarContext & context)
     context.warnings.add("is a second plugin that drives the car and left out", plugin.fileLine());
     return;
   }
-  const Tags & tags = tagsOf(kind);
+  const bool has_older_tags =
+    kind == Kind::kAckermann && (plugin.child("odometryFrame") || plugin.child("robotBaseFrame") ||
+                                 plugin.child("updateRate") || plugin.child("publishTf"));
+  const Tags & tags = tagsOf(has_older_tags ? Kind::kDifferential : kind);
   DriveDescription drive;
   drive.kind = kind;
   drive.command_topic = context.topic(plugin, resolved(plugin, plugin.textOf(tags.command_topic, "cmd_vel")));
   drive.odometry_topic = context.topic(plugin, resolved(plugin, plugin.textOf(tags.odometry_topic, "odom")));
-  drive.odometry_frame = context.frame(plugin, plugin.textOf(tags.odometry_frame, "odom"));
-  drive.base_frame = context.frame(plugin, plugin.textOf(tags.base_frame, "base_footprint"));
+  drive.odometry_frame = frameId(plugin, plugin.textOf(tags.odometry_frame, "odom"));
+  drive.base_frame = frameId(plugin, plugin.textOf(tags.base_frame, "base_footprint"));
   drive.odometry_rate_hz = plugin.notNegative(tags.rate, tags.default_rate_hz);
   drive.publishes_odometry = flag(plugin, tags.odometry);
   drive.publishes_transform = flag(plugin, tags.transform);

@@ -91,7 +91,7 @@ std::string UriLookup::searchedFolders() const
   }
   std::string text = boost::algorithm::join(folders_, ", ");
   if (!package_folders_.empty()) {
-    text += (text.empty() ? "" : ", ") + std::string("and the ROS packages below ") +
+    text += (text.empty() ? "" : ", and ") + std::string("the ROS packages below ") +
             boost::algorithm::join(package_folders_, ", ");
   }
   return text;

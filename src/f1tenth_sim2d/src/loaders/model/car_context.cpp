@@ -33,13 +33,6 @@ std::string frameId(const Element & place, const std::string & given)
   return frame;
 }
 
-std::string CarContext::frame(const Element & plugin, const std::string & given) const
-{
-  const std::string frame = frameId(plugin, given);
-  const std::string prefix = car.name + "/";
-  return frame.size() > prefix.size() && frame.rfind(prefix, 0) == 0 ? frame.substr(prefix.size()) : frame;
-}
-
 std::string CarContext::rosNamespace(const Element & plugin) const
 {
   const std::string given = plugin.child("robotNamespace").text();

@@ -18,9 +18,6 @@ struct CarContext
 
   Pose3 inCar(const Pose3 & in_model) const { return car_in_model.inverse() * in_model; }
 
-  /// A frame id of the car: without its name in front, before which the node puts the prefix.
-  std::string frame(const Element & plugin, const std::string & given) const;
-
   /// What <robotNamespace> of a plugin means: "/other", "/", or nothing if it is the car's own.
   std::string rosNamespace(const Element & plugin) const;
 

@@ -24,9 +24,20 @@ double imuNoise(const Element & imu, const char * quantity, const char * axis, c
 }
 
 /// The frame that an IMU plugin names, or else the link that carries it.
-std::string imuFrame(const Element & plugin, const CarContext & context)
+std::string imuFrame(const Element & plugin)
 {
-  return context.frame(plugin, plugin.requiredText(plugin.child("frameName") ? "frameName" : "bodyName"));
+  return frameId(plugin, plugin.requiredText(plugin.child("frameName") ? "frameName" : "bodyName"));
+}
+
+/// Noise of one axis, from a tag with one number for all of them or with three.
+double axisNoise(const Element & plugin, const char * tag, int axis)
+{
+  const std::string text = plugin.child(tag).text();
+  const double noise = text.find_first_of(" \t\n") == std::string::npos
+                         ? plugin.number(tag, 0.0)
+                         : plugin.vector(tag, Eigen::Vector3d::Zero())[axis];
+  plugin.requireNotNegative("<" + std::string(tag) + ">", noise);
+  return noise;
 }
 
 void setImu(ImuDescription imu, const Element & element, CarContext & context)
@@ -46,7 +57,7 @@ void readLidar(const SensorElement & element, CarContext & context)
   LidarDescription lidar;
   lidar.name = sensor.name();
   lidar.topic = context.topic(element.plugin, element.plugin.requiredText("topicName"));
-  lidar.frame = context.frame(element.plugin, element.plugin.requiredText("frameName"));
+  lidar.frame = frameId(element.plugin, element.plugin.requiredText("frameName"));
   lidar.pose = element.pose;
   lidar.rate_hz = sensor.positive("update_rate");
   lidar.beam_count = scan.count;
@@ -64,7 +75,7 @@ void readBumper(const SensorElement & element, CarContext & context)
   BumperDescription bumper;
   bumper.name = element.sensor.name();
   bumper.topic = context.topic(element.plugin, element.plugin.requiredText("bumperTopicName"));
-  bumper.frame = context.frame(element.plugin, element.plugin.requiredText("frameName"));
+  bumper.frame = frameId(element.plugin, element.plugin.requiredText("frameName"));
   bumper.rate_hz = element.sensor.notNegative("update_rate", 0.0);
   bumper.collision_names = collisionsOfContactSensor(element.sensor, context.car.solids);
   context.car.bumpers.push_back(std::move(bumper));
@@ -77,7 +88,7 @@ void readImu(const SensorElement & element, CarContext & context)
   ImuDescription imu;
   imu.name = element.sensor.name();
   imu.topic = context.topic(plugin, plugin.requiredText("topicName"));
-  imu.frame = imuFrame(plugin, context);
+  imu.frame = imuFrame(plugin);
   imu.rate_hz = plugin.child("updateRateHZ") ? plugin.positive("updateRateHZ") : element.sensor.positive("update_rate");
   const double of_plugin = plugin.notNegative("gaussianNoise", 0.0);
   imu.yaw_rate_noise_stddev = std::hypot(of_plugin, imuNoise(noise, "angular_velocity", "z", "rate"));
@@ -90,10 +101,22 @@ void readImuPlugin(const Element & plugin, CarContext & context)
   ImuDescription imu;
   imu.name = plugin.name();
   imu.topic = context.topic(plugin, plugin.requiredText("topicName"));
-  imu.frame = imuFrame(plugin, context);
+  imu.frame = imuFrame(plugin);
   imu.rate_hz = plugin.positive("updateRate");
   imu.yaw_rate_noise_stddev = plugin.notNegative("gaussianNoise", 0.0);
   imu.acceleration_noise_stddev = imu.yaw_rate_noise_stddev;
+  setImu(std::move(imu), plugin, context);
+}
+
+void readHectorImuPlugin(const Element & plugin, CarContext & context)
+{
+  ImuDescription imu;
+  imu.name = plugin.name();
+  imu.topic = context.topic(plugin, plugin.textOf("topicName", imu.topic));
+  imu.frame = frameId(plugin, plugin.textOf("frameId", plugin.requiredText("bodyName")));
+  imu.rate_hz = plugin.positive("updateRate");
+  imu.yaw_rate_noise_stddev = axisNoise(plugin, "rateGaussianNoise", 2);
+  imu.acceleration_noise_stddev = axisNoise(plugin, "accelGaussianNoise", 0);
   setImu(std::move(imu), plugin, context);
 }
 }  // namespace f1tenth_sim2d

@@ -21,4 +21,8 @@ void readImu(const SensorElement & element, CarContext & context);
 /// Takes a libgazebo_ros_imu.so of the model as the car's IMU.
 /// @throws LoadError
 void readImuPlugin(const Element & plugin, CarContext & context);
+
+/// The same of a libhector_gazebo_ros_imu.so.
+/// @throws LoadError
+void readHectorImuPlugin(const Element & plugin, CarContext & context);
 }  // namespace f1tenth_sim2d

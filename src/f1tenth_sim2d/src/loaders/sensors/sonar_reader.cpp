@@ -36,7 +36,7 @@ void readSonar(const SensorElement & element, CarContext & context)
   auto sonar = std::make_shared<SonarDescription>();
   sonar->name = element.sensor.name();
   sonar->topic = context.topic(plugin, plugin.requiredText("topicName"));
-  sonar->frame = context.frame(plugin, plugin.requiredText("frameName"));
+  sonar->frame = frameId(plugin, plugin.requiredText("frameName"));
   sonar->rate_hz = publishingRate(element);
   sonar->rays = {{place.x(), place.y(), element.pose.yaw()}, place.z(), directions(scan), scan.range_max};
   sonar->range_min = scan.range_min;

@@ -25,6 +25,15 @@ void setPlanarVariances(boost::array<double, 36> & covariance, double x, double 
   covariance[14] = covariance[21] = covariance[28] = kExact;
   covariance[35] = yaw;
 }
+
+/// The link that a frame id means: one of that name, or with the car's name in front of it. The end if there is none.
+auto linkOf(const CarDescription & car, const std::string & frame)
+{
+  const auto found = car.link_poses.find(frame);
+  const std::string name = car.name + "/";
+  return found == car.link_poses.end() && frame.rfind(name, 0) == 0 ? car.link_poses.find(frame.substr(name.size()))
+                                                                    : found;
+}
 }  // namespace
 
 ScanOutput::ScanOutput(const CarHandle & car, std::size_t lidar)
@@ -58,7 +67,7 @@ OdometryPlace odometryPlace(const CarDescription & car, const VehicleParameters 
     place.base_frame = car.drive->base_frame;
     place.has_topic = car.drive->publishes_odometry;
     place.has_transform = car.drive->publishes_transform;
-    if (const auto found = car.link_poses.find(place.base_frame); found != car.link_poses.end()) {
+    if (const auto found = linkOf(car, place.base_frame); found != car.link_poses.end()) {
       place.base_pose = found->second;
     }
   }
@@ -68,8 +77,8 @@ OdometryPlace odometryPlace(const CarDescription & car, const VehicleParameters 
 OdometryOutput::OdometryOutput(CarHandle car, const OdometryPlace & place)
 : MessageOutput(car.advertise<nav_msgs::Odometry>(place.topic), place.rate_hz), car_(std::move(car)), place_(place)
 {
-  message_.header.frame_id = car_.frame_prefix + place_.frame;
-  message_.child_frame_id = car_.frame_prefix + place_.base_frame;
+  message_.header.frame_id = car_.frame(place_.frame);
+  message_.child_frame_id = car_.frame(place_.base_frame);
 }
 
 void OdometryOutput::fill(nav_msgs::Odometry & message, SimTime now)
@@ -95,8 +104,8 @@ OdometryTransformOutput::OdometryTransformOutput(
   CarHandle car, const OdometryPlace & place, TransformSender & transforms)
 : car_(std::move(car)), place_(place), transforms_(transforms)
 {
-  message_.header.frame_id = car_.frame_prefix + place_.frame;
-  message_.child_frame_id = car_.frame_prefix + place_.base_frame;
+  message_.header.frame_id = car_.frame(place_.frame);
+  message_.child_frame_id = car_.frame(place_.base_frame);
 }
 
 void OdometryTransformOutput::update(SimTime now, bool /*anyway*/)
@@ -120,7 +129,7 @@ void OdometryTransformOutput::repeat()
 PoseOutput::PoseOutput(const CarHandle & car, const PoseSensorDescription & sensor) : SensorOutput(car, sensor)
 {
   message_.header.frame_id = sensor_.frame;
-  message_.child_frame_id = car_.frame_prefix + sensor_.link;
+  message_.child_frame_id = car_.frame(sensor_.link);
   setPlanarVariances(message_.pose.covariance, kExact, kExact, kExact);
   const double variance = square(sensor_.noise_stddev) + kExact;
   setPlanarVariances(message_.twist.covariance, variance, variance, variance);

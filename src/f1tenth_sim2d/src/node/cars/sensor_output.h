@@ -17,6 +17,11 @@ struct CarHandle
   std::string frame_prefix;
 
   const CarDescription & description() const { return simulation.car(id); }
+  /// A frame id of the description with the car's prefix, which a description for several cars may name itself.
+  std::string frame(const std::string & given) const
+  {
+    return given.rfind(frame_prefix, 0) == 0 ? given : frame_prefix + given;
+  }
   template <class Message>
   TopicPublisher<Message> advertise(const std::string & topic) const
   {
@@ -32,7 +37,7 @@ protected:
   SensorOutput(CarHandle car, const Description & sensor)
   : MessageOutput<Message>(car.advertise<Message>(sensor.topic), sensor.rate_hz), car_(std::move(car)), sensor_(sensor)
   {
-    this->message_.header.frame_id = car_.frame_prefix + sensor_.frame;
+    this->message_.header.frame_id = car_.frame(sensor_.frame);
   }
 
   /// Puts what is measured now into the message, which has its stamp and frame already.

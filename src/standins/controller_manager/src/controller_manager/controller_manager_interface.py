@@ -1,5 +1,6 @@
 """The services of a controller manager as functions that print what became of it and return success."""
 
+import rosgraph
 import rospy
 from controller_manager_msgs.srv import (
     ListControllers,
@@ -18,6 +19,18 @@ def use_namespace(namespace):
     """Talk to the controller manager of another namespace from now on."""
     global _manager
     _manager = f"{namespace.rstrip('/')}/controller_manager"
+
+
+def manager_name():
+    """Full name of the controller manager."""
+    return rospy.resolve_name(_manager)
+
+
+def managers():
+    """Return the full names of all controller managers that there are."""
+    services = rosgraph.Master(rospy.get_name()).getSystemState()[2]
+    mark = "/controller_manager/load_controller"
+    return sorted(name.rpartition("/")[0] for name, _ in services if name.endswith(mark))
 
 
 def service_name(service):

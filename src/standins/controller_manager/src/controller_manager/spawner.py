@@ -111,12 +111,19 @@ def wait_for_go(topic):
 
 def run(options, ending):
     """Load and start controllers, and wait for the end; return the exit code."""
+    if not all(map(_is_there, SERVICES)):
+        rospy.loginfo("Waiting for %s", manager.manager_name())
     try:
         wait_for_manager(options.timeout)
     except rospy.ROSException:
         if ending.has_begun:
             raise
-        rospy.logerr("No controller manager within %s s. Its name is controller_manager/...", options.timeout)
+        rospy.logerr(
+            "No controller manager %s within %g s; there are: %s",
+            manager.manager_name(),
+            options.timeout,
+            ", ".join(manager.managers()) or "none",
+        )
         return EXIT_NO_MANAGER
     loaded = []
     rospy.on_shutdown(lambda: take_away(loaded, options.shutdown_timeout))
@@ -125,10 +132,11 @@ def run(options, ending):
         return 0
     if options.wait_for:
         wait_for_go(options.wait_for)
-    if not options.stopped and not manager.switch_controllers(loaded, []):
-        rospy.logerr("Failed to start controllers: %s", ", ".join(options.controllers))
-        return EXIT_NOT_LOADED
-    rospy.loginfo("Started controllers: %s", ", ".join(options.controllers))
+    if loaded and not options.stopped:
+        if not manager.switch_controllers(loaded, []):
+            rospy.logerr("Failed to start controllers: %s", ", ".join(loaded))
+            return EXIT_NOT_LOADED
+        rospy.loginfo("Started controllers: %s", ", ".join(loaded))
     rospy.spin()
     return 0 if len(loaded) == len(options.controllers) else EXIT_NOT_LOADED
 

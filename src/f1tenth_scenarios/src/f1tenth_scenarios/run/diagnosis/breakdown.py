@@ -7,7 +7,7 @@ from typing import Optional
 from f1tenth_scenarios.drivers.deputy import EXIT_MISFIT
 from f1tenth_scenarios.errors import MisfitError
 from f1tenth_scenarios.launch.private_master import master_process
-from f1tenth_scenarios.launch.processes import ProcessTree
+from f1tenth_scenarios.launch.processes import ProcessTree, program_of
 from f1tenth_scenarios.launch.system_limits import hindered
 from f1tenth_scenarios.plan.participants import DEPUTY, driver_nodes_among, named_nodes
 from f1tenth_scenarios.plan.plan import Plan
@@ -24,6 +24,13 @@ _LAST_WORDS = 0.5
 _LAST_OUTPUT = 0.1
 
 
+_GAZEBO = ("gazebo_ros/", "f1tenth_sim2d/sim2d")
+_SECOND_SIMULATOR = (
+    "is {}: the run has a simulator, a map and a car of its own; leave Gazebo and what is spawned in it out"
+    " of the planner's launch file"
+)
+
+
 class Breakdown:
     """Looks at the processes of a run."""
 
@@ -32,11 +39,16 @@ class Breakdown:
         self._tree = tree
         self._log = log
         self._seen_at: Optional[float] = None
+        self._known: set[int] = set()  # processes that are no simulators
 
     @property
     def is_seen(self) -> bool:
         """Whether something has broken, though its last words may not be there yet."""
         return self._seen_at is not None
+
+    def missing_views(self) -> list[str]:
+        """What was to show something or to be steered by hand, and is not there: node and why."""
+        return [f"{end.node} {end.describe()}" for end in self._log.ends if end.is_for_people]
 
     def failure(self, updates: Sequence[RaceUpdate], done: set[str], standing: float) -> Optional[Failure]:
         """Who broke the set-up, as soon as its last words can be there.
@@ -50,6 +62,9 @@ class Breakdown:
             MisfitError: a car's driver does not fit lockstep.
         """
         self._look_for_misfit()
+        if second := self._second_simulator():
+            self._seen_at = time.monotonic()
+            return second
         ends = [end for end in self._log.ends if self._is_fatal(end, done)]
         lost = [each for each in updates if each.state in (RaceState.LOST, RaceState.STOPPED)]
         exit_code = self._tree.exit_code()
@@ -69,6 +84,16 @@ class Breakdown:
     def _hindered(self) -> Optional[tuple[str, str]]:
         return hindered({**self._log.pids, **master_process()})
 
+    def _second_simulator(self) -> Optional[Failure]:
+        """A simulator that a planner's launch file brings along, or what spawns a car in one."""
+        for node, pid in self._log.pids.items():
+            program = "" if pid in self._known else program_of(pid)
+            if node != "sim2d" and program.startswith(_GAZEBO):
+                return Failure(node, _SECOND_SIMULATOR.format(program), str(self._plan.launch_log))
+            if program:
+                self._known.add(pid)
+        return None
+
     def _look_for_misfit(self) -> None:
         for car in self._plan.cars:
             deputy = f"{car}/{DEPUTY}"
@@ -78,8 +103,12 @@ class Breakdown:
                 raise MisfitError(f"the driver of {car} does not fit lockstep: {why}")
 
     def _is_fatal(self, end: NodeEnd, done: set[str]) -> bool:
+        if end.is_required:
+            return True
         # Without a bag, the replay has no plans; the verdict stands.
-        return end.node != RECORDER and (end.exit_code != 0 or self._must_live(end.node, done))
+        if end.node == RECORDER or end.is_for_people:
+            return False
+        return end.exit_code != 0 or self._must_live(end.node, done)
 
     def _must_live(self, node: str, done: set[str]) -> bool:
         """Whether a node may not even end in order: the simulator, and a driver's named nodes or its last."""

@@ -10,6 +10,7 @@ from f1tenth_scenarios.scenario.driver import Interface
 
 _DRIVE, _TWIST = "ackermann_msgs/AckermannDriveStamped", "geometry_msgs/Twist"
 _COMMANDS = {"drive": _DRIVE, "cmd_vel": _TWIST}  # that a car takes, and their types
+_SENSED = ("scan", "odom", "imu")  # that a car publishes under names that planners use
 _LIKE_COMMANDS = (_DRIVE, _TWIST, "ackermann_msgs/AckermannDrive", "geometry_msgs/TwistStamped")
 _EVERYBODYS = (
     "/tf",
@@ -61,9 +62,21 @@ def why_mute(
         found.append(f"hears {_listed(silent)}, which nobody publishes")
     if wrong:
         found.append(f"the car takes {_listed([f'{kind} on {topic}' for topic, kind in own.items()], 'or')}")
-    if interface is Interface.NATIVE and F1TENTH_OWN.keys() & {*silent, *(topic for topic, _ in astray)}:
+    remaps = _remaps(astray, silent)
+    if interface is Interface.NATIVE and remaps and F1TENTH_OWN.keys() >= remaps.keys():
         found.append("see --interface f1tenth")
+    elif remaps:
+        lines = "".join(f'<remap from="{topic}" to="{name}"/>' for topic, name in remaps.items())
+        found.append(f"in front of its nodes in the launch file, {lines} leads to the car's topics")
     return found
+
+
+def _remaps(astray: Sequence[tuple[str, str]], silent: Sequence[str]) -> dict[str, str]:
+    """What of the car is meant, by its type or its name, by topics that lead nowhere."""
+    commands = {kind: name for name, kind in _COMMANDS.items()}
+    meant = {topic: commands[kind] for topic, kind in astray if kind in commands}
+    named = {topic: topic.rpartition("/")[2] for topic in silent}
+    return meant | {topic: name for topic, name in named.items() if name in _SENSED}
 
 
 def shared_topic(graph: RosGraph, cars: Sequence[str]) -> Optional[tuple[str, str]]:

@@ -17,8 +17,8 @@ _NARROW, _WIDE = 1.6, 2.4  # m
 _TEXT = f"""\
 One lap from the standing start on roads of `rosrun f1tenth_gazebo make_road --seed N`, with default settings
 and perfect odometry, with both vehicle models: `single_track`, whose tyres' forces grow with slip, and
-`single_track_drift`, whose tyres slide. Their kinds: short (up to {_SHORT:g} m), middle (up to {_LONG:g} m) and
-long; narrow (up to {_NARROW:g} m at the narrowest place), middle (up to {_WIDE:g} m) and wide.
+`single_track_drift`, whose tyres slide. Their kinds: short (up to {_SHORT:g} m), middle (up to {_LONG:g} m)
+and long; narrow (up to {_NARROW:g} m at the narrowest place), middle (up to {_WIDE:g} m) and wide.
 
 Wanted: every lap is driven, and nothing is touched."""
 

@@ -134,7 +134,7 @@ def test_node_that_ignores_the_signal_is_made_to_end(launch, tmp_path):
     ("node", "culprit", "reason"),
     [
         ('pkg="sample" type="none"', "sample/none", "Cannot locate node of type [none] in package [sample]"),
-        ('pkg="nobody" type="none"', "nobody/none", "nobody"),
+        ('pkg="nobody" type="none"', "nobody/none", "there is no package nobody"),
     ],
 )
 def test_node_that_cannot_be_started_is_named(launch, node, culprit, reason):

@@ -55,6 +55,16 @@ def test_reversing_is_an_option(costmap):
     assert not forwards.path.reverse.any()
 
 
+def test_a_race_line_passes_the_goals_beyond():
+    costmap = core.Costmap(room(16.0, 8.0), 0.05)
+    beyond = [8.0, 4.6, 0.7]
+    line = core.RaceLineOptions(goals_beyond=[beyond])
+    assert line.goals_beyond.tolist() == [beyond]
+    ends = [1.0, 4.0, 0.0], [4.0, 4.0, 0.0]
+    plan = core.GlobalPlanner().plan(costmap, *ends, extension_length=6.0, race_line=line)
+    assert np.hypot(*(plan.path.points[:, :2] - beyond[:2]).T).min() < 0.32
+
+
 def test_why_there_is_no_plan_is_said(costmap):
     plan = core.GlobalPlanner().plan(costmap, [1.0, 1.0, 0.0], [0.1, 0.1, 0.0])
     assert not plan.found

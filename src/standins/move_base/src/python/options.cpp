@@ -1,5 +1,6 @@
 #include "options.h"
 
+#include "arrays.h"
 #include "control/path_follower.h"
 #include "path/global_planner.h"
 
@@ -52,7 +53,11 @@ void bindPlannerOptions(py::module_ & module)
     .def_readwrite("gate_yaw_tolerance", &RaceLineOptions::gate_yaw_tolerance, "rad")
     .def_readwrite("slip_gradient", &RaceLineOptions::slip_gradient, "rad per m/s^2")
     .def_readwrite("lateral_acceleration", &RaceLineOptions::lateral_acceleration, "m/s^2")
-    .def_readwrite("max_speed", &RaceLineOptions::max_speed, "m/s");
+    .def_readwrite("max_speed", &RaceLineOptions::max_speed, "m/s")
+    .def_property(
+      "goals_beyond", [](const RaceLineOptions & options) { return fromPoses(options.goals_beyond); },
+      [](RaceLineOptions & options, const Doubles & poses) { options.goals_beyond = toPoses(poses, "goals_beyond"); },
+      "(N, 3) x, y, yaw of the goals that follow, in their order");
 }
 
 void bindFollowerOptions(py::module_ & module)

@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Optional
 
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.errors import ScenarioError, writing
 
 
 def made_folder(folder: Path) -> Path:
@@ -47,7 +47,5 @@ def write_text(path: Path, text: str) -> None:
     Raises:
         ScenarioError: it cannot be written.
     """
-    try:
+    with writing(path):
         path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise ScenarioError(f"{path}: cannot be written: {error.strerror}") from error

@@ -1,5 +1,23 @@
 #include "python/bindings.h"
 
+namespace f1tenth_sim2d
+{
+namespace py = pybind11;
+
+py::str shown(const py::object & object)
+{
+  const py::object type = py::type::of(object);
+  const auto property = py::module_::import("builtins").attr("property");
+  py::list properties;
+  for (const auto & entry : py::dict(type.attr("__dict__"))) {
+    if (py::isinstance(entry.second, property)) {
+      properties.append(py::str("{}={!r}").format(entry.first, object.attr(entry.first)));
+    }
+  }
+  return py::str("{}({})").format(type.attr("__name__"), py::str(", ").attr("join")(properties));
+}
+}  // namespace f1tenth_sim2d
+
 PYBIND11_MODULE(_f1tenth_sim2d, module)
 {
   module.doc() = "A fast and deterministic 2.5-D simulator of F1/10 cars. SI units; x forward, y left, yaw in rad.";

@@ -3,7 +3,6 @@
 #include "f1tenth_sim2d/simulation.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
-#include "python/shown.h"
 
 namespace f1tenth_sim2d
 {

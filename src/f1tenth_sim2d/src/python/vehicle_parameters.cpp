@@ -5,7 +5,6 @@
 
 #include "loaders/car/vehicle_keys.h"
 #include "python/bindings.h"
-#include "python/shown.h"
 
 namespace f1tenth_sim2d
 {

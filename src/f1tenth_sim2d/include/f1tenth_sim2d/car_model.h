@@ -19,13 +19,13 @@
 /// <robotNamespace> of the description has become part of the topic ("/racecar/scan").
 namespace f1tenth_sim2d
 {
-/// A planar lidar. Beam i points at angle_min + i * (angle_max - angle_min) / (beam_count - 1).
+/// A planar lidar. Beam i points at angle_min + i * (angle_max - angle_min) / (beam_count - 1) about its own z axis.
 struct LidarDescription
 {
   std::string name;
   std::string topic{"scan"};
   std::string frame{"laser"};
-  Pose3 pose;  ///< must be level
+  Pose3 pose;  ///< must be level; may be upside down
   double rate_hz{40.0};
   int beam_count{1081};
   double angle_min{0.0};     ///< rad

@@ -49,6 +49,22 @@ TEST(LidarScan, BeamsRunFromTheLeastToTheLargestAngleBothIncluded)
   EXPECT_FLOAT_EQ(ranges[2], 3.0F);
 }
 
+TEST(LidarScan, UpsideDownItsBeamsRunClockwise)
+{
+  Simulation simulation(world({room(3.0)}));
+  CarDescription description = car("robot1");
+  description.lidars[0].pose = Pose3(0, 0, 0.11, M_PI, 0, 0.5);
+  description.lidars[0].beam_count = 3;
+  description.lidars[0].angle_min = 0.5 - M_PI / 2;
+  description.lidars[0].angle_max = 0.5;
+  simulation.addCar(description, {}, {0.5, 0, 0});
+  float ranges[3];
+  simulation.exactScan(kRobot1, 0, ranges);
+  EXPECT_FLOAT_EQ(ranges[0], 3.0F);
+  EXPECT_FLOAT_EQ(ranges[1], 2.5F / std::cos(static_cast<float>(M_PI) / 4));
+  EXPECT_FLOAT_EQ(ranges[2], 2.5F);
+}
+
 TEST(LidarScan, LooksUnderATableAndOverABox)
 {
   ModelDescription table = staticModel("table", box("table::top::c", 1, 1, 0.04, 2, 0, 0.72));

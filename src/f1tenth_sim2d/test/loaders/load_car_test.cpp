@@ -160,6 +160,18 @@ TEST(LoadCar, TakesAnImuPluginOfHector)
   EXPECT_THROW(imuWith("<rateGaussianNoise>-1 -1 -1</rateGaussianNoise>"), LoadError);
 }
 
+TEST(LoadCar, TakesOutOfALidarWhatRoundingHasTiltedIt)
+{
+  const auto mounted = [](const std::string & rpy) {
+    const std::string place = "<origin xyz=\"0.27 0 0.11\"";
+    return load(smallCarWith(place + "/>", place + " rpy=\"" + rpy + "\"/>")).lidars.at(0).pose;
+  };
+  EXPECT_NEAR(mounted("3.14 0 0.5").up().z(), -1.0, 1e-12);
+  EXPECT_NEAR(mounted("3.14 0 0.5").yaw(), 0.5, 1e-5);
+  EXPECT_NEAR(mounted("0 0.001 0.5").up().z(), 1.0, 1e-12);
+  EXPECT_NEAR(mounted("0 0.001 0.5").yaw(), 0.5, 1e-5);
+}
+
 TEST(LoadCar, TellsJointsApartByAxisAndPlace)
 {
   using Role = JointDescription::Role;

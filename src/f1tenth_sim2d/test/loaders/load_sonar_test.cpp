@@ -82,6 +82,13 @@ TEST(LoadSonar, MayHaveOneRayAndBeInfrared)
   EXPECT_TRUE(onlySonar(carWithSonar("<fov>", "<radiation>infrared</radiation><fov>")).is_infrared);
 }
 
+TEST(LoadSonar, MayBeUpsideDown)
+{
+  const SonarDescription turned = onlySonar(carWithSonar("rpy=\"0 0 ", "rpy=\"3.14 0 "));
+  EXPECT_DOUBLE_EQ(turned.rays.directions[0], 0.2);
+  EXPECT_DOUBLE_EQ(turned.rays.directions[2], -0.2);
+}
+
 TEST(LoadSonar, MeasuresAtTheLowerOfBothRates)
 {
   EXPECT_EQ(onlySonar(carWithSonar("<updateRate>20</updateRate>", "")).rate_hz, 40.0);
@@ -96,7 +103,7 @@ TEST(LoadSonar, MistakesAreNamed)
     {"<samples>3<", "<samples>0<", ": has 0 <samples>, allowed are 1 to 100000"},
     {"<min_angle>-0.2<", "<min_angle>0.3<", ": <min_angle> has to be less than <max_angle>, both within two turns"},
     {"<max>4.0<", "<max>0.01<", ": <range> has a <min> that is not less than its <max>"},
-    {"rpy=\"0 0 ", "rpy=\"0 0.1 ", ": is tilted; a sonar has to be level, with its z axis upwards"},
+    {"rpy=\"0 0 ", "rpy=\"0 0.1 ", ": is tilted; a sonar has to be level, upright or upside down"},
     {"<update_rate>40<", "<update_rate>-1<", ": <update_rate> is -1, allowed are finite numbers from 0"},
     {"<updateRate>20<", "<updateRate>-1<", "/plugin[p]: <updateRate> is -1, allowed are finite numbers from 0"},
     {"<gaussianNoise>0.01<", "<gaussianNoise>-1<",

@@ -1,16 +1,32 @@
 #include "core/lidar/lidar_sensor.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "core/lidar/beam_kernels.h"
 #include "core/math/noise.h"
 #include "core/math/planar_pose.h"
 
 namespace f1tenth_sim2d
 {
+namespace
+{
+/// A lidar that is upright, and has the beams of this one in the opposite order.
+LidarDescription turnedOver(LidarDescription lidar)
+{
+  std::swap(lidar.angle_min, lidar.angle_max);
+  lidar.angle_min = -lidar.angle_min;
+  lidar.angle_max = -lidar.angle_max;
+  return lidar;
+}
+}  // namespace
+
 LidarSensor::LidarSensor(const LidarDescription & description, const LidarScene & scene)
 : description_(description),
+  is_upside_down_(description.pose.up().z() < 0.0),
   mount_(planar(description.pose)),
   scene_(&scene),
-  spaces_(&scene.world().spacesFor(description))
+  spaces_(&scene.world().spacesFor(is_upside_down_ ? turnedOver(description) : description))
 {
 }
 
@@ -28,5 +44,8 @@ void LidarSensor::scan(
   reportRanges(
     space->raster.inverseRanges(), space->normal.data(), space->normal.size(), mean, stddev,
     {description_.range_min, description_.range_max}, ranges);
+  if (is_upside_down_) {
+    std::reverse(ranges, ranges + description_.beam_count);
+  }
 }
 }  // namespace f1tenth_sim2d

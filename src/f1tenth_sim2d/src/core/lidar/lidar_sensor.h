@@ -25,6 +25,7 @@ public:
 
 private:
   LidarDescription description_;
+  bool is_upside_down_;
   Pose2 mount_;
   const LidarScene * scene_;
   ScanSpaces * spaces_;

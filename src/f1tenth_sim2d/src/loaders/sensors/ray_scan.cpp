@@ -7,17 +7,22 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-/// rad; more than angles rounded to three digits, less than anyone tilts a sensor on purpose.
-constexpr double kLevelTolerance = 1e-3;
+/// rad; more than angles rounded to three digits (3.14 for pi), less than anyone tilts a sensor on purpose.
+constexpr double kLevelTolerance = 2e-3;
+constexpr double kTilt = 1e-9;          // rad, what is worth being taken out
 constexpr double kAngleMax = 12.56637;  // rad, two turns: rays beyond one look where others look
 constexpr int kCountMax = 100'000;
 
-void requireLevel(const SensorElement & element, const RayScanOwner & owner)
+/// The pose of a sensor, without what rounding has tilted it.
+Pose3 levelPose(const SensorElement & element, const RayScanOwner & owner)
 {
-  const Eigen::Vector3d up = element.pose.up();
-  if (up.z() < 0.0 || std::hypot(up.x(), up.y()) > kLevelTolerance) {
-    element.sensor.fail(std::string("is tilted; ") + owner.what + " has to be level, with its z axis upwards");
+  const Pose3 & pose = element.pose;
+  const Eigen::Vector3d up = pose.up();
+  const double tilt = std::hypot(up.x(), up.y());
+  if (tilt > kLevelTolerance) {
+    element.sensor.fail(std::string("is tilted; ") + owner.what + " has to be level, upright or upside down");
   }
+  return tilt > kTilt ? Pose3(pose.position, Pose3::rotationOf(up.z() < 0.0 ? M_PI : 0.0, 0.0, pose.yaw())) : pose;
 }
 
 /// Rays of a scan line; those between the samples count.
@@ -48,7 +53,6 @@ void requireSound(const RayScan & scan, const Element & sensor)
 
 RayScan readRayScan(const SensorElement & element, const RayScanOwner & owner, WarningCollector & warnings)
 {
-  requireLevel(element, owner);
   const Element & sensor = element.sensor;
   const Element ray = sensor.child("lidar") ? sensor.child("lidar") : sensor.child("ray");
   const Element horizontal = ray.child("scan").child("horizontal");
@@ -57,6 +61,7 @@ RayScan readRayScan(const SensorElement & element, const RayScanOwner & owner, W
   }
   RayScan scan;
   scan.ray = ray;
+  scan.pose = levelPose(element, owner);
   scan.count = rayCount(sensor, horizontal, owner);
   scan.angle_min = horizontal.number("min_angle", 0.0);
   scan.angle_max = horizontal.number("max_angle", 0.0);

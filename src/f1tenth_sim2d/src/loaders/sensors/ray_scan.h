@@ -8,6 +8,7 @@ namespace f1tenth_sim2d
 struct RayScan
 {
   Element ray;  ///< the <ray> or <lidar>
+  Pose3 pose;   ///< of the sensor in the frame of the car; upside down its angles count clockwise
   int count{0};
   double angle_min{0.0};  ///< rad, of the first ray
   double angle_max{0.0};  ///< rad, of the last one

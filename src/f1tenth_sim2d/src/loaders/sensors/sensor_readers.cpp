@@ -58,7 +58,7 @@ void readLidar(const SensorElement & element, CarContext & context)
   lidar.name = sensor.name();
   lidar.topic = context.topic(element.plugin, element.plugin.requiredText("topicName"));
   lidar.frame = frameId(element.plugin, element.plugin.requiredText("frameName"));
-  lidar.pose = element.pose;
+  lidar.pose = scan.pose;
   lidar.rate_hz = sensor.positive("update_rate");
   lidar.beam_count = scan.count;
   lidar.angle_min = scan.angle_min;

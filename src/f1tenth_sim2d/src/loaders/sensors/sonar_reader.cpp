@@ -17,12 +17,13 @@ double publishingRate(const SensorElement & element)
   return of_plugin > 0.0 && of_sensor > 0.0 ? std::min(of_plugin, of_sensor) : std::max(of_plugin, of_sensor);
 }
 
-/// rad, from the axis of the sonar.
+/// rad, from the axis of the sonar, positive to the left.
 std::vector<double> directions(const RayScan & scan)
 {
-  std::vector<double> angles{scan.angle_min};
+  const double sense = scan.pose.up().z() < 0.0 ? -1.0 : 1.0;
+  std::vector<double> angles{sense * scan.angle_min};
   for (int i = 1; i < scan.count; ++i) {
-    angles.push_back(scan.angle_min + i * (scan.angle_max - scan.angle_min) / (scan.count - 1));
+    angles.push_back(sense * (scan.angle_min + i * (scan.angle_max - scan.angle_min) / (scan.count - 1)));
   }
   return angles;
 }
@@ -32,13 +33,13 @@ void readSonar(const SensorElement & element, CarContext & context)
 {
   const Element & plugin = element.plugin;
   const RayScan scan = readRayScan(element, {"a sonar", 1}, context.warnings);
-  const auto & place = element.pose.position;
+  const auto & place = scan.pose.position;
   auto sonar = std::make_shared<SonarDescription>();
   sonar->name = element.sensor.name();
   sonar->topic = context.topic(plugin, plugin.requiredText("topicName"));
   sonar->frame = frameId(plugin, plugin.requiredText("frameName"));
   sonar->rate_hz = publishingRate(element);
-  sonar->rays = {{place.x(), place.y(), element.pose.yaw()}, place.z(), directions(scan), scan.range_max};
+  sonar->rays = {{place.x(), place.y(), scan.pose.yaw()}, place.z(), directions(scan), scan.range_max};
   sonar->range_min = scan.range_min;
   sonar->noise_stddev = plugin.notNegative("gaussianNoise", 0.0);
   sonar->field_of_view = plugin.notNegative("fov", sonar->field_of_view);

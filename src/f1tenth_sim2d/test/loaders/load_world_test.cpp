@@ -173,6 +173,23 @@ TEST(LoadWorld, ScalesModelsAsTheStateSays)
   EXPECT_EQ(std::get<Sphere>(shape_of("<sphere><radius>1</radius></sphere>")).radius, 4.0);
 }
 
+TEST(LoadWorld, ScalesMeshesAsTheStateSays)
+{
+  const TempFolder folder;
+  folder.write("slope.obj", "v 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n");
+  const std::string mesh = "<mesh><uri>slope.obj</uri><scale>2 2 2</scale></mesh>";
+  const std::string path = folder.write(
+    "test.world", world(
+                    model("m", "", mesh) + model("n", "", mesh) +
+                    "<state world_name='test'><model name='m'><scale>0.5 4 3</scale></model></state>"));
+  const WorldDescription description = loadWorld(path);
+  const auto vertex = [&description](std::size_t index) {
+    return std::get<Mesh>(description.models.at(index).solids.at(0).shape).surface->vertices.at(2);
+  };
+  EXPECT_EQ(vertex(0), Eigen::Vector3d(0, 8, 6));
+  EXPECT_EQ(vertex(1), Eigen::Vector3d(0, 2, 2));
+}
+
 TEST(LoadWorld, PutsLinksAndNestedModelsWhereTheStateSays)
 {
   const WorldDescription description = loadText(
@@ -307,8 +324,9 @@ TEST(LoadWorldWarnings, AScaleThatAShapeCannotHave)
     model("m", "", "<capsule><radius>1</radius><length>1</length></capsule>") +
     "<state world_name='test'><model name='m'>\n<scale>2 2 2</scale></model></state>");
   const std::string warning =
-    ":5: world[test]/state/model[m]/scale: <scale> of a <state> is applied to boxes, cylinders and spheres only, as in "
-    "Gazebo";
+    ":5: world[test]/state/model[m]/scale: <scale> of a <state> is applied to boxes, cylinders, spheres and meshes "
+    "only, "
+    "as in Gazebo";
   EXPECT_EQ(description.warnings, std::vector<std::string>{description.file + warning});
 }
 

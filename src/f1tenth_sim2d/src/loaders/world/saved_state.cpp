@@ -1,6 +1,8 @@
 #include "loaders/world/saved_state.h"
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 #include "loaders/model/read_pose.h"
 
@@ -22,6 +24,15 @@ Vector3d readScale(const Element & saved)
   return scale;
 }
 
+Mesh scaled(const Mesh & mesh, const Vector3d & scale)
+{
+  auto surface = std::make_shared<TriangleMesh>(*mesh.surface);
+  for (Vector3d & vertex : surface->vertices) {
+    vertex = vertex.cwiseProduct(scale);
+  }
+  return {std::move(surface)};
+}
+
 /// As Gazebo scales shapes, which keep their poses in the link; false if it cannot scale this one.
 bool scaleShape(const Vector3d & scale, Shape & shape)
 {
@@ -32,6 +43,8 @@ bool scaleShape(const Vector3d & scale, Shape & shape)
     cylinder->length *= scale.z();
   } else if (auto * const sphere = std::get_if<Sphere>(&shape)) {
     sphere->radius *= scale.maxCoeff();
+  } else if (auto * const mesh = std::get_if<Mesh>(&shape)) {
+    *mesh = scaled(*mesh, scale);
   } else {
     return false;
   }
@@ -45,7 +58,7 @@ void scaleLinks(const Element & saved, Model & model, WarningCollector & warning
     for (Solid & solid : link.solids) {
       if (scale != Vector3d::Ones() && !scaleShape(scale, solid.shape)) {
         warnings.add(
-          "<scale> of a <state> is applied to boxes, cylinders and spheres only, as in Gazebo",
+          "<scale> of a <state> is applied to boxes, cylinders, spheres and meshes only, as in Gazebo",
           saved.child("scale").fileLine());
       }
     }

@@ -120,6 +120,10 @@ def test_actions(make):
         ({"noise_seed": -1}, r"options\['noise_seed'\]: found -1, allowed is a whole number from 0 to"),
         ({"noise_seed": "x"}, r"options\['noise_seed'\]: found 'x', allowed is a whole number"),
         ({"poses": [[0.0, 1.0, 0.0]]}, r"start: robot1: the start pose \(0, 1, 0\)"),
+        (
+            {"poses": [[0.0, 2.0, 0.0]]},
+            r"options\['poses'\]\[0\]: found \(0, 2\), 2.00 m to the left of the course",
+        ),
     ],
 )
 def test_a_bad_reset_leaves_the_episode(make, options, message):

@@ -11,6 +11,7 @@ _ROW = 1.2  # m, from one row of the grid to the next
 _ABREAST = 0.35  # m, from the line to either side, if there are several cars
 _TRIES = 100  # at random starts that are free
 _HEADING = 0.2  # rad, at most, from the course at random starts
+_HALF_CAR = 0.15  # m: what is as far beyond the width of the road is behind its wall
 
 
 def begin_episode(environments, index, stage, rng, options):
@@ -25,9 +26,10 @@ def begin_episode(environments, index, stage, rng, options):
             rad; "noise_seed": int}.
 
     Raises:
-        ValueError: unknown options, or a start that is not free. The environment is then as before.
+        ValueError: unknown options, or a start that is not free or off the road. The environment is then as
+            before.
     """
-    options = _checked(options, stage.settings.cars)
+    options = _checked(options, stage)
     seed = options.get("noise_seed")
     drawn = int(rng.integers(2**63))
     parameters = [stage.draw_parameters(rng) for _ in range(stage.settings.cars)]
@@ -87,13 +89,15 @@ def _random(stage, rng):
     return poses
 
 
-def _checked(options, cars):
+def _checked(options, stage):
     options = dict(options or {})
     for key in options:
         if key not in OPTIONS:
             raise ValueError(f"options: unknown key {key!r}, allowed are {', '.join(OPTIONS)}")
     if "poses" in options:
-        options["poses"] = _checked_poses(options["poses"], cars)
+        options["poses"] = _checked_poses(options["poses"], stage.settings.cars)
+        if stage.place.course is not None:
+            _require_road(options["poses"], stage.place)
     if options.get("noise_seed") is not None:
         require_number("options['noise_seed']", options["noise_seed"], 0, 2**63 - 1, int)
     return options
@@ -109,3 +113,15 @@ def _checked_poses(given, cars):
             f"options['poses']: found {given!r}, allowed are finite numbers of shape ({cars}, 3)"
         )
     return poses
+
+
+def _require_road(poses, place):
+    for index, (x, y, _) in enumerate(poses):
+        distance, offset, _ = place.course.locate(x, y)
+        side = "left" if offset > 0.0 else "right"
+        width = place.width_to_the(side, distance)
+        if abs(offset) > width + _HALF_CAR:
+            raise ValueError(
+                f"options['poses'][{index}]: found ({x:g}, {y:g}), {abs(offset):.2f} m to the {side} of the "
+                f"course; allowed is up to {width:.2f} m, where the road ends"
+            )

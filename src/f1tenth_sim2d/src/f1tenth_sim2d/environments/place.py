@@ -26,7 +26,14 @@ class Place:
 
     def half_width(self, distance):
         """The lesser of the road's two half widths so far along the course, m."""
-        return float(np.interp(distance, self._along, self._half_widths, period=self.course.length))
+        return self._at(distance, self._half_widths)
+
+    def width_to_the(self, side, distance):
+        """Width of the road to the "right" or to the "left" of the course so far along it, m."""
+        return self._at(distance, self.centreline[:, 2 if side == "right" else 3])
+
+    def _at(self, distance, widths):
+        return float(np.interp(distance, self._along, widths, period=self.course.length))
 
     @functools.cached_property
     def _along(self):

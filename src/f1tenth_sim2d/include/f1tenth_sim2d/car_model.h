@@ -92,7 +92,11 @@ struct JointDescription
     kWheelRearLeft,
     kWheelRearRight,
     kSteeringLeft,
-    kSteeringRight
+    kSteeringRight,
+    // In the middle of the car: of a car with one wheel there, or of a model of the car in the car, for its controller.
+    kWheelFrontMiddle,
+    kWheelRearMiddle,
+    kSteeringMiddle
   } role;
   double direction{1.0};  ///< +1: grows when the wheel rolls forwards or steers to the left; -1: falls
   double lower{-std::numeric_limits<double>::infinity()};        ///< rad
@@ -101,7 +105,10 @@ struct JointDescription
   double effort_max{std::numeric_limits<double>::infinity()};    ///< N m
 
   /// Whether it is a steering joint.
-  bool steers() const { return role == Role::kSteeringLeft || role == Role::kSteeringRight; }
+  bool steers() const
+  {
+    return role == Role::kSteeringLeft || role == Role::kSteeringRight || role == Role::kSteeringMiddle;
+  }
 };
 
 /// A plugin that drives the car by geometry_msgs/Twist and publishes its odometry.

@@ -81,6 +81,36 @@ TEST_F(CarOfOthers, HasAMechanismWithDirectionsAndLimits)
   EXPECT_NEAR(car.track_width, 0.2, 1e-9);
 }
 
+TEST_F(CarOfOthers, KeepsJointsInTheMiddleBesideThoseOfItsWheels)
+{
+  using Role = JointDescription::Role;
+  const std::string inertial =
+    R"(<inertial><mass value="1e-3"/><inertia ixx="1e-6" iyy="1e-6" izz="1e-6" ixy="0" ixz="0" iyz="0"/></inertial>)";
+  std::string model_of_the_car = R"(
+    <joint name="front_steer_joint" type="revolute">
+      <parent link="chassis"/><child link="front_steer"/><origin xyz="0.16 0 0"/><axis xyz="0 0 1"/>
+      <limit lower="-0.5" upper="0.5" effort="10" velocity="5"/>
+    </joint>
+    <joint name="front_wheel_joint" type="continuous">
+      <parent link="front_steer"/><child link="front_wheel"/><axis xyz="0 1 0"/>
+    </joint>
+    <joint name="rear_wheel_joint" type="continuous">
+      <parent link="chassis"/><child link="rear_wheel"/><origin xyz="-0.17 0 0"/><axis xyz="0 1 0"/>
+    </joint>)";
+  for (const char * const link : {"front_steer", "front_wheel", "rear_wheel"}) {
+    model_of_the_car += "<link name='" + std::string(link) + "'>" + inertial + "</link>";
+  }
+  const CarDescription car = load(changed("</robot>", model_of_the_car + "</robot>"));
+  ASSERT_EQ(car.mechanism.size(), 9u);
+  EXPECT_EQ(car.mechanism[6].role, Role::kWheelFrontMiddle);
+  EXPECT_EQ(car.mechanism[7].role, Role::kWheelRearMiddle);
+  EXPECT_EQ(car.mechanism[8].role, Role::kSteeringMiddle);
+  EXPECT_TRUE(car.mechanism[8].steers());
+  EXPECT_EQ(car.mechanism[8].name, "front_steer_joint");
+  EXPECT_NEAR(car.track_width, 0.2, 1e-9);
+  EXPECT_NEAR(car.parameters.wheelbase(), 0.33, 1e-9);
+}
+
 TEST_F(CarOfOthers, HasTheDynamicsOfItsDescription)
 {
   const VehicleParameters p = load(racecar()).parameters;

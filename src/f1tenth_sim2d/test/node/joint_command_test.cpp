@@ -1,4 +1,4 @@
-#include "node/cars/joint_command.h"
+#include "node/cars/controllers/joint_command.h"
 
 #include <gtest/gtest.h>
 
@@ -54,6 +54,12 @@ TEST(JointCommand, SteeringIsTheInverseOfAckermannsGeometry)
         std::vector<JointCommand>{{Kind::kPosition, right, -angles.right}}}) {
     EXPECT_NEAR(driveCommand(commands, smallCar(), vehicle, 0.0).steering_angle, 0.3, 1e-12);
   }
+}
+
+TEST(JointCommand, AJointInTheMiddleSteersByItsOwnAngle)
+{
+  const auto middle = jointOf(Role::kSteeringMiddle, -1.0);
+  EXPECT_DOUBLE_EQ(driveCommand({{Kind::kPosition, middle, -0.3}}, smallCar(), {}, 0.0).steering_angle, 0.3);
 }
 
 TEST(JointCommand, TorquesAccelerateTheMass)

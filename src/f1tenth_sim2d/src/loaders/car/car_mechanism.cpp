@@ -92,16 +92,24 @@ double middleOf(const std::vector<MechanismJoint> & joints)
   return (rear + front) / 2.0;
 }
 
+bool isInTheMiddle(const MechanismJoint & joint)
+{
+  return std::abs(joint.place.y()) < kPlaceTolerance;
+}
+
+/// @param middle  x where the car changes from rear to front
 Role roleOf(const MechanismJoint & joint, double middle)
 {
-  const bool left = joint.place.y() > 0.0;
+  const auto of = [&joint](Role left, Role right, Role in_the_middle) {
+    return isInTheMiddle(joint) ? in_the_middle : joint.place.y() > 0.0 ? left : right;
+  };
   if (joint.steers()) {
-    return left ? Role::kSteeringLeft : Role::kSteeringRight;
+    return of(Role::kSteeringLeft, Role::kSteeringRight, Role::kSteeringMiddle);
   }
   if (joint.place.x() > middle) {
-    return left ? Role::kWheelFrontLeft : Role::kWheelFrontRight;
+    return of(Role::kWheelFrontLeft, Role::kWheelFrontRight, Role::kWheelFrontMiddle);
   }
-  return left ? Role::kWheelRearLeft : Role::kWheelRearRight;
+  return of(Role::kWheelRearLeft, Role::kWheelRearRight, Role::kWheelRearMiddle);
 }
 
 /// Half the height of a mesh in the frame of the car.
@@ -147,7 +155,7 @@ void measureWheel(MechanismJoint & wheel, const CarDescription & car)
 
 bool isRear(Role role)
 {
-  return role == Role::kWheelRearLeft || role == Role::kWheelRearRight;
+  return role == Role::kWheelRearLeft || role == Role::kWheelRearRight || role == Role::kWheelRearMiddle;
 }
 }  // namespace
 
@@ -224,7 +232,7 @@ void readMechanism(const std::vector<MechanismJoint> & mechanism, CarDescription
     if (!joint.steers()) {
       car.wheel_radius = joint.radius;
     }
-    if (joint.steers() || !measured_at_steering) {
+    if (!isInTheMiddle(joint) && (joint.steers() || !measured_at_steering)) {
       (joint.place.y() > 0.0 ? left : right) = joint.place.y();
       measured_at_steering = measured_at_steering || joint.steers();
     }

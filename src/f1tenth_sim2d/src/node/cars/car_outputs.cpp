@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "f1tenth_sim2d/ackermann.h"
+#include "node/cars/joint_state.h"
 #include "node/messages/conversions.h"
 
 namespace f1tenth_sim2d
@@ -182,20 +182,11 @@ JointStatesOutput::JointStatesOutput(
 
 void JointStatesOutput::fill(sensor_msgs::JointState & message, SimTime now)
 {
-  const CarState & state = car_.simulation.state(car_.id);
-  const SteeringAngles steering = ackermannSteering(
-    state.steering_angle, car_.simulation.parameters(car_.id).wheelbase(), car_.description().track_width);
   message.header.stamp = toRosTime(now);
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    const JointDescription & joint = joints_[i];
-    if (joint.steers()) {
-      const bool is_left = joint.role == JointDescription::Role::kSteeringLeft;
-      message.position[i] = joint.direction * (is_left ? steering.left : steering.right);
-    } else {
-      const auto wheel = static_cast<std::size_t>(joint.role);
-      message.position[i] = joint.direction * state.wheel_angles[wheel];
-      message.velocity[i] = joint.direction * state.wheel_speeds[wheel];
-    }
+    const JointState state = jointState(joints_[i], car_.simulation, car_.id);
+    message.position[i] = state.position;
+    message.velocity[i] = state.velocity;
   }
 }
 

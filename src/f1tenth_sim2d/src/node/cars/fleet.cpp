@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "node/cars/controllers/ros_control.h"
 #include "node/cars/plugin_output.h"
-#include "node/cars/ros_control.h"
 #include "node/cars/sensor_outputs.h"
 
 namespace f1tenth_sim2d
@@ -66,7 +66,7 @@ OutputList Fleet::makeOutputs(Car & car) const
   if (description.ros_control) {
     CarHandle control = handle;
     control.node = ros::NodeHandle(handle.node, description.ros_control->ros_namespace);
-    outputs.push_back(std::make_unique<RosControl>(control, car.commands, around_.simulates_pid));
+    outputs.push_back(std::make_unique<RosControl>(control, around_.transforms, car.commands, around_.simulates_pid));
   }
   addPlugins(handle, outputs);
   return outputs;

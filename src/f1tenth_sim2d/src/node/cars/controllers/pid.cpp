@@ -1,4 +1,4 @@
-#include "node/cars/pid.h"
+#include "node/cars/controllers/pid.h"
 
 #include <algorithm>
 

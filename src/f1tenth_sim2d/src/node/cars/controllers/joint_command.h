@@ -21,8 +21,8 @@ struct JointCommand
 };
 
 /// What a driver of the car would ask for to move these joints so. Wheels roll at the mean of what is asked of them;
-/// torques accelerate the car's mass. Steering joints are the two front wheels of Ackermann's geometry, of which the
-/// single-track angle is the mean. What nothing is asked of, is 0.
+/// torques accelerate the car's mass. Steering joints are the two front wheels of Ackermann's geometry, or the
+/// single-track one between them; the car steers by the mean of their single-track angles. What nothing is asked of, is 0.
 /// @param speed  of the car now, m/s
 DriveCommand driveCommand(
   const std::vector<JointCommand> & commands, const CarDescription & car, const VehicleParameters & vehicle,

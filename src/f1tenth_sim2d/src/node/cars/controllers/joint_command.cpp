@@ -1,4 +1,4 @@
-#include "node/cars/joint_command.h"
+#include "node/cars/controllers/joint_command.h"
 
 #include <cmath>
 #include <sstream>
@@ -28,12 +28,19 @@ private:
   int count_{0};
 };
 
-/// Angle of the single-track front wheel from that of a real one.
-double singleTrackAngle(double angle, bool left, double wheelbase, double track_width)
+/// Angle of the single-track front wheel from that of a steering joint.
+double singleTrackAngle(double angle, JointDescription::Role role, double wheelbase, double track_width)
 {
   const double slope = std::tan(angle);
   const double offset = slope * track_width / (2.0 * wheelbase);
-  return std::atan2(slope, left ? 1.0 + offset : 1.0 - offset);
+  switch (role) {
+    case JointDescription::Role::kSteeringLeft:
+      return std::atan2(slope, 1.0 + offset);
+    case JointDescription::Role::kSteeringRight:
+      return std::atan2(slope, 1.0 - offset);
+    default:
+      return angle;
+  }
 }
 
 double limitOf(const JointCommand & command, double wheel_radius)
@@ -66,8 +73,7 @@ DriveCommand driveCommand(
       force += value / car.wheel_radius;
       is_pushed = true;
     } else {
-      const bool left = command.joint.role == JointDescription::Role::kSteeringLeft;
-      steering.add(singleTrackAngle(value, left, vehicle.wheelbase(), car.track_width));
+      steering.add(singleTrackAngle(value, command.joint.role, vehicle.wheelbase(), car.track_width));
     }
   }
   // The car accelerates by speed_gain times what is missing to the speed that is asked for.

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <controller_manager_msgs/HardwareInterfaceResources.h>
+
+#include <vector>
+
+#include "f1tenth_sim2d/sim_time.h"
+#include "node/cars/controllers/joint_command.h"
+
+namespace f1tenth_sim2d
+{
+/// A controller of ros_control, as its manager sees it.
+class Controller
+{
+public:
+  using Claims = std::vector<controller_manager_msgs::HardwareInterfaceResources>;
+
+  virtual ~Controller() = default;
+  /// Joints that nobody else may move while it runs, by hardware interface.
+  virtual Claims claims() const = 0;
+  /// From now on it runs; what came before is forgotten.
+  virtual void start(SimTime now) = 0;
+  /// To be called at each control period while it runs.
+  /// @param dt  s since the call before; 0 if time was set back
+  /// @return what it asks of its joints; valid until the next call
+  virtual std::vector<JointCommand> update(SimTime now, double dt) = 0;
+};
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "node/cars/controllers/controller.h"
+#include "node/cars/controllers/controller_setup.h"
+
+namespace f1tenth_sim2d
+{
+/// Names of the types of controllers that there are.
+std::vector<std::string> controllerTypes();
+
+/// A controller of the setup's type.
+/// @throws Error for an unknown type, and std::runtime_error for parameters that make no sense: each names the controller
+std::unique_ptr<Controller> makeController(const ControllerSetup & setup);
+}  // namespace f1tenth_sim2d

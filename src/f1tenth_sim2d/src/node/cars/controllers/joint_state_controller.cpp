@@ -1,0 +1,39 @@
+#include "node/cars/controllers/joint_state_controller.h"
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+double publishRate(const ControllerSetup & setup)
+{
+  double rate_hz = 50.0;
+  setup.parameters().read("publish_rate", rate_hz, workspace_support::positive());
+  return rate_hz;
+}
+}  // namespace
+
+JointStateController::JointStateController(const ControllerSetup & setup)
+: output_(setup.car, "joint_states", publishRate(setup), setup.car.description().mechanism)
+{
+}
+
+Controller::Claims JointStateController::claims() const
+{
+  Claims claims(1);
+  claims.front().hardware_interface = "hardware_interface::JointStateInterface";
+  return claims;
+}
+
+void JointStateController::start(SimTime now)
+{
+  schedule_ = {};
+  schedule_.add(
+    periodOf(output_.rate()), [this](SimTime at) { output_.update(at, false); }, now);
+}
+
+std::vector<JointCommand> JointStateController::update(SimTime now, double /*dt*/)
+{
+  schedule_.run(now);
+  return {};
+}
+}  // namespace f1tenth_sim2d

@@ -1,0 +1,28 @@
+#include "node/cars/controllers/steering_odometry.h"
+
+#include <cmath>
+
+namespace f1tenth_sim2d
+{
+void SteeringOdometry::advance(double ahead, double turn, double dt)
+{
+  const double course = pose_.yaw + 0.5 * turn;
+  pose_.x += ahead * std::cos(course);
+  pose_.y += ahead * std::sin(course);
+  pose_.yaw += turn;
+  rates_.push_back({ahead / dt, turn / dt});
+  if (rates_.size() > window_) {
+    rates_.pop_front();
+  }
+}
+
+SteeringOdometry::Rate SteeringOdometry::mean() const
+{
+  Rate mean;
+  for (const Rate & rate : rates_) {
+    mean.ahead += rate.ahead / static_cast<double>(rates_.size());
+    mean.turn += rate.turn / static_cast<double>(rates_.size());
+  }
+  return mean;
+}
+}  // namespace f1tenth_sim2d

@@ -30,9 +30,7 @@ void setPlanarVariances(boost::array<double, 36> & covariance, double x, double 
 auto linkOf(const CarDescription & car, const std::string & frame)
 {
   const auto found = car.link_poses.find(frame);
-  const std::string name = car.name + "/";
-  return found == car.link_poses.end() && frame.rfind(name, 0) == 0 ? car.link_poses.find(frame.substr(name.size()))
-                                                                    : found;
+  return found == car.link_poses.end() ? car.link_poses.find(withoutPrefix(frame, car.name + "/")) : found;
 }
 }  // namespace
 

@@ -7,6 +7,11 @@
 
 namespace f1tenth_sim2d
 {
+inline std::string withoutPrefix(const std::string & name, const std::string & prefix)
+{
+  return name.rfind(prefix, 0) == 0 ? name.substr(prefix.size()) : name;
+}
+
 /// A car, where it publishes, and the prefix of its frames.
 struct CarHandle
 {
@@ -18,10 +23,7 @@ struct CarHandle
 
   const CarDescription & description() const { return simulation.car(id); }
   /// A frame id of the description with the car's prefix, which a description for several cars may name itself.
-  std::string frame(const std::string & given) const
-  {
-    return given.rfind(frame_prefix, 0) == 0 ? given : frame_prefix + given;
-  }
+  std::string frame(const std::string & given) const { return frame_prefix + withoutPrefix(given, frame_prefix); }
   template <class Message>
   TopicPublisher<Message> advertise(const std::string & topic) const
   {

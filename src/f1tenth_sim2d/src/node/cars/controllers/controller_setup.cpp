@@ -3,7 +3,6 @@
 #include <ros/console.h>
 #include <boost/algorithm/string/join.hpp>
 
-#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -39,23 +38,31 @@ const JointDescription & jointOf(const CarDescription & car, const std::string &
     "controller " + controller + ": no joint " + name + " that moves; there are " +
     boost::algorithm::join(names, ", "));
 }
+
+/// Those at a place below the parameters of the controller, or else those of gazebo_ros_control.
+std::optional<PidGains> gainsOf(const ControllerSetup & setup, const std::string & place, const std::string & joint)
+{
+  const auto own = gainsAt({setup.node(), place});
+  return own ? own : gainsAt({setup.car.node, "gazebo_ros_control/pid_gains/" + joint});
+}
+
+void requireKind(const ControllerSetup & setup, const JointDescription & joint, JointCommand::Kind kind)
+{
+  if (joint.steers() != (kind == JointCommand::Kind::kPosition)) {
+    throw Error(
+      "controller " + setup.name + ": " + setup.type + " cannot move " + joint.name + ", which is a " +
+      (joint.steers() ? "steering joint: these take positions" : "wheel: these take velocities or efforts"));
+  }
+}
 }  // namespace
 
 ControlledJoint ControllerSetup::joint(
   const std::string & joint, JointCommand::Kind kind, const std::string & gains) const
 {
-  const CarDescription & description = car.description();
-  ControlledJoint controlled(jointOf(description, joint, name), kind, description.wheel_radius);
-  if (controlled.description().steers() != (kind == JointCommand::Kind::kPosition)) {
-    throw Error(
-      "controller " + name + ": " + type + " cannot move " + joint + ", which is a " +
-      (controlled.description().steers() ? "steering joint: these take positions"
-                                         : "wheel: these take velocities or efforts"));
-  }
-  auto found = gainsAt({node(), gains});
-  if (!found) {
-    found = gainsAt({car.node, "gazebo_ros_control/pid_gains/" + joint});
-  }
+  const JointDescription & description = jointOf(car.description(), joint, name);
+  requireKind(*this, description, kind);
+  ControlledJoint controlled(description, kind, car.description().wheel_radius);
+  const auto found = gainsOf(*this, gains, joint);
   if (found && simulates_pid && kind == JointCommand::Kind::kVelocity) {
     controlled.simulate(*found);
   } else if (found) {

@@ -11,13 +11,13 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-constexpr std::uint32_t kCommandQueueSize = 10;
+constexpr std::uint32_t kJointQueueSize = 10;
 
 template <class Message>
 ros::Subscriber subscribe(ros::NodeHandle node, const std::function<void(const Message &)> & take)
 {
   return node.subscribe<Message>(
-    "command", kCommandQueueSize, [take](const typename Message::ConstPtr & message) { take(*message); },
+    "command", kJointQueueSize, [take](const typename Message::ConstPtr & message) { take(*message); },
     ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
 }
 

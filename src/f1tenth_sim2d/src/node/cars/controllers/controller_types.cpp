@@ -48,6 +48,7 @@ const std::vector<Type> & types()
 std::vector<std::string> controllerTypes()
 {
   std::vector<std::string> names;
+  names.reserve(types().size());
   for (const Type & type : types()) {
     names.push_back(type.name);
   }

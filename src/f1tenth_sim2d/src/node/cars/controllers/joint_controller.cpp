@@ -89,6 +89,7 @@ void JointController::start(SimTime /*now*/)
 std::vector<JointCommand> JointController::update(SimTime /*now*/, double dt)
 {
   std::vector<JointCommand> commands;
+  commands.reserve(joints_.size());
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const JointState state = jointState(joints_[i].description(), car_.simulation, car_.id);
     commands.push_back(joints_[i].command(values_[i], state.velocity, dt));

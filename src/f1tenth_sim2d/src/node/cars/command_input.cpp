@@ -38,6 +38,14 @@ CommandInput::CommandInput(Simulation & simulation, CarId car, ros::NodeHandle n
     hints);
 }
 
+void CommandInput::noteAccepted()
+{
+  if (accepted_at_ != simulation_.time()) {
+    accepted_at_ = simulation_.time();
+    ++accepted_;
+  }
+}
+
 void CommandInput::onTwist(const geometry_msgs::Twist & message)
 {
   const std::optional<DriveDescription> & drive = simulation_.car(car_).drive;

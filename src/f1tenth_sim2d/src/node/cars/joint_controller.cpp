@@ -57,6 +57,7 @@ void JointController::take(double value)
   const std::string objection = objectionTo({type_.kind, joint_, value}, wheel_radius_);
   if (objection.empty()) {
     value_ = value;
+    listener_.accepted();
   } else {
     listener_.refused(objection);
   }

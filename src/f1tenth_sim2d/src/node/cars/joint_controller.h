@@ -31,6 +31,7 @@ public:
   struct Listener
   {
     std::function<void()> heard;                           ///< for each command
+    std::function<void()> accepted;                        ///< for one that is taken
     std::function<void(const std::string & why)> refused;  ///< for one that makes no sense; it is not taken
   };
 

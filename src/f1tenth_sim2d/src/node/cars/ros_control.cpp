@@ -273,7 +273,8 @@ RosControl::Controller RosControl::makeJointController(const std::string & name,
 {
   Controller controller{type.name, "initialized", nullptr, nullptr};
   const JointController::Listener listener{
-    [this] { commands_.noteAnswer(); }, [this](const std::string & why) { commands_.refuse(why); }};
+    [this] { commands_.noteAnswer(); }, [this] { commands_.noteAccepted(); },
+    [this](const std::string & why) { commands_.refuse(why); }};
   controller.joint =
     std::make_unique<JointController>(type, joint(name), car_.description().wheel_radius, car_.node, name, listener);
   useGains(name, *controller.joint);

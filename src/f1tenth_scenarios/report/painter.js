@@ -1,11 +1,6 @@
 // Draws the parts of a run into a context that measures in metres, y upwards; widths are given in pixels.
 
-// The F1/10 car, seen from base_footprint, m.
-const CAR = { rear: -0.1186, front: 0.4615, width: 0.31, wheelbase: 0.33, track: 0.2, wheel: 0.1, tyre: 0.05 };
-const CAR_SHAPE = {
-  outlines: [{ x: [CAR.rear, CAR.front, CAR.front, CAR.rear], y: [-1, -1, 1, 1].map((side) => (side * CAR.width) / 2) }],
-  circles: [],
-};
+const WHEEL = { diameter: 0.1, width: 0.05 }; // m
 const SPEED_COLOURS = ["#4f6bed", "#7a5be0", "#a94fc6", "#d2489b", "#ec5a6d", "#f57c42", "#f5a524"];
 
 class Painter {
@@ -103,14 +98,14 @@ class Painter {
     context.fill();
   }
 
-  car(state, colour, alpha = 1) {
+  car(state, body, colour, alpha = 1) {
     const { context } = this;
     this.inFrame(state, () => {
       context.globalAlpha = alpha;
-      for (const [x, turn] of [[0, 0], [CAR.wheelbase, state.steering]]) {
-        for (const side of [-1, 1]) this.wheel(x, (side * (CAR.track + 0.04)) / 2, turn);
+      for (const [x, turn] of [[0, 0], [body.wheelbase, state.steering]]) {
+        for (const side of [-1, 1]) this.wheel(x, (side * (body.track + 0.04)) / 2, turn);
       }
-      this.body(colour);
+      this.body(body, colour);
       context.globalAlpha = 1;
     });
   }
@@ -118,22 +113,21 @@ class Painter {
   wheel(x, y, turn) {
     this.inFrame({ x, y, yaw: turn }, () => {
       this.context.fillStyle = this.colours.text;
-      this.context.fillRect(-CAR.wheel / 2, -CAR.tyre / 2, CAR.wheel, CAR.tyre);
+      this.context.fillRect(-WHEEL.diameter / 2, -WHEEL.width / 2, WHEEL.diameter, WHEEL.width);
     });
   }
 
-  body(colour) {
+  body({ rear, front, right, left, wheelbase }, colour) {
     const { context } = this;
-    const { width } = CAR;
     context.beginPath();
-    context.roundRect(CAR.rear, -width / 2, CAR.front - CAR.rear, width, [0.04, 0.09, 0.09, 0.04]);
+    context.roundRect(rear, right, front - rear, left - right, [0.04, 0.09, 0.09, 0.04]);
     context.fillStyle = colour;
     context.strokeStyle = this.colours.surface;
     this.width(1.5);
     context.fill();
     context.stroke();
     context.beginPath();
-    context.roundRect(0.12, -width / 2 + 0.04, 0.13, width - 0.08, 0.03);
+    context.roundRect(0.36 * wheelbase, right + 0.04, 0.4 * wheelbase, left - right - 0.08, 0.03);
     context.fillStyle = this.colours.surface;
     context.globalAlpha *= 0.75;
     context.fill();

@@ -1,5 +1,7 @@
 // A run's data as the views need it. The columns' names are those of replay_columns.py.
 
+// The F1/10 car: its ends seen from base_footprint, wheelbase and track, m.
+const F1TENTH = [-0.1186, 0.4615, -0.155, 0.155, 0.33, 0.2];
 const QUANTITIES = ["x", "y", "yaw", "speed", "clearance", "steering", "gap"];
 
 class Run {
@@ -67,7 +69,7 @@ class Run {
   // What the lidar of a car meets at a time.
   obstacles(own, time) {
     const models = this.models.filter((model) => this.modelPose(model, time)).map((model) => obstaclesOf(model.shape, this.modelPose(model, time)));
-    const others = this.cars.filter((car) => car !== own).map((car) => obstaclesOf(CAR_SHAPE, car.at(time)));
+    const others = this.cars.filter((car) => car !== own).map((car) => obstaclesOf(car.shape, car.at(time)));
     const all = [this.still, ...models, ...others];
     return { segments: all.flatMap(({ segments }) => segments), circles: all.flatMap(({ circles }) => circles) };
   }
@@ -88,6 +90,13 @@ class CarTrack {
       this[quantity] = columns.get(`cars/${name}/${quantity}`) ?? new Float64Array();
     }
     this.end = this.time.length ? this.time[this.time.length - 1] : 0;
+    const [rear, front, right, left, wheelbase, track] = columns.get(`bodies/${name}`) ?? F1TENTH;
+    this.body = { rear, front, right, left, wheelbase, track };
+  }
+
+  get shape() {
+    const { rear, front, right, left } = this.body;
+    return { outlines: [{ x: [rear, front, front, rear], y: [right, right, left, left] }], circles: [] };
   }
 
   // The state at a time (s), between two periods by proportion.

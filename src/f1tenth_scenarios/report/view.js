@@ -112,7 +112,7 @@ class View {
       painter.strokeLine(car, this.colours.cars[index % 4], 3.5, indexAfter(car.time, time - TRAIL), last);
     });
     run.cars.forEach((car, index) => {
-      painter.car(this.states[index], this.colours.cars[index % 4]);
+      painter.car(this.states[index], car.body, this.colours.cars[index % 4]);
       if (run.cars.length > 1) this.drawName(painter, car, index);
     });
   }
@@ -134,11 +134,12 @@ class View {
   }
 
   drawGhosts(painter) {
+    const bodies = new Map(this.run.cars.map(({ name, body }) => [name, body]));
     for (const car of this.ghost.cars) {
       painter.context.setLineDash([4 / painter.scale, 4 / painter.scale]);
       painter.strokeLine(car, this.colours.ghost, 1.5);
       painter.context.setLineDash([]);
-      painter.car(car.at(this.time), this.colours.ghost, 0.7);
+      painter.car(car.at(this.time), bodies.get(car.name) ?? car.body, this.colours.ghost, 0.7);
     }
   }
 

@@ -69,6 +69,14 @@ def test_who_subscribes_without_a_link_is_missing(graph):
     assert missing() == {(CLOCK, CALLER, "/robot1/planner")}
 
 
+def test_commands_are_what_the_driver_tells_the_simulator(graph):
+    graph("/robot1/planner", publishes=["/robot1/drive", "/robot1/path"], subscribes=[CLOCK])
+    graph("/robot2/planner", publishes=["/robot2/drive"])
+    graph("/truck/servos", publishes=["/truck/steering/command"], subscribes=[CLOCK, "/robot1/path"])
+    graph("/sim2d", subscribes=["/robot1/drive", "/robot2/drive", "/truck/steering/command"])
+    assert Connections(CALLER, CLOCK).commands("/sim2d") == {"/robot1/drive", "/truck/steering/command"}
+
+
 def test_commands_have_to_reach_the_simulator(graph):
     graph(CALLER, [outgoing(CLOCK, "/robot1/planner")], publishes=[CLOCK])
     graph(

@@ -2,7 +2,7 @@
 
 import pytest
 from f1tenth_scenarios.plan.participants import driver_nodes_among
-from f1tenth_scenarios.run.diagnosis.loose_ends import driver_nodes, shared_topic, why_mute
+from f1tenth_scenarios.run.diagnosis.loose_ends import CarTopics, driver_nodes, shared_topic, why_mute
 from f1tenth_scenarios.run.ros_graph import RosGraph
 from f1tenth_scenarios.scenario.driver import Interface
 
@@ -10,11 +10,11 @@ STAMPED, TWIST = "ackermann_msgs/AckermannDriveStamped", "geometry_msgs/Twist"
 TAKES = f"the car takes {STAMPED} on /robot1/drive or {TWIST} on /robot1/cmd_vel"
 
 
-def why(published=(), heard=(), offered=(), read=(), interface=Interface.NATIVE):
+def why(published=(), heard=(), offered=(), read=(), interface=Interface.NATIVE, **more):
     """What is said of robot1/planner, which publishes and hears topics; others offer and read some."""
     subscribers = {topic: ["robot1/planner"] for topic in heard} | {topic: ["sim2d"] for topic in read}
     publishers = {topic: ["sim2d"] for topic in offered} | {"/gazebo/model_states": ["sim2d"]}
-    return why_mute(RosGraph(publishers, subscribers), "robot1", published, interface)
+    return why_mute(RosGraph(publishers, subscribers), "robot1", published, interface, **more)
 
 
 def test_driver_that_is_connected_is_told_nothing():
@@ -36,6 +36,21 @@ def test_topics_that_mean_one_of_the_car_are_told_how_to_get_there():
         " topics"
     )
     assert why([("/nav", "ackermann_msgs/AckermannDrive")])[-1] == TAKES
+
+
+def test_topics_of_a_car_of_one_s_own_are_named():
+    topics = CarTopics({"drive": STAMPED, "/truck/cmd_vel": TWIST}, {"scan": "/front_laser/scan"})
+    assert why([("/cmd_vel", TWIST)], heard=["/scan"], topics=topics)[2:] == [
+        f"the car takes {STAMPED} on /robot1/drive or {TWIST} on /truck/cmd_vel",
+        'in front of its nodes in the launch file, <remap from="/cmd_vel" to="/truck/cmd_vel"/>'
+        '<remap from="/scan" to="/front_laser/scan"/> leads to the car\'s topics',
+    ]
+
+
+def test_car_that_only_controllers_drive_is_told_of():
+    assert why(topics=CarTopics({}, {})) == [
+        "the car is driven by controllers, which the planner's launch file is to load and to feed"
+    ]
 
 
 def test_commands_that_a_node_passes_on_and_what_are_no_commands_are_not():

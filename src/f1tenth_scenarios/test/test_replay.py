@@ -118,6 +118,8 @@ def test_each_lidar_is_where_its_car_carries_it(world):
     assert {car: round(x, 9) for car, (_, _, x, _, _, _) in lidars.items()} == {
         "robot1": 0.3, "robot2": 0.3, "robot3": 0.1,
     }  # fmt: skip
+    assert scene.bodies["robot3"] == pytest.approx((-0.1186, 0.4615, -0.155, 0.155, 0.3302, 0.2), abs=1e-4)
+    assert "robot4" not in scene.bodies
     first, last, _, y, yaw, reach = lidars["robot1"]
     assert (last, reach) == pytest.approx((math.radians(135.0), 10.0), abs=0.01)
     assert (first, y, yaw) == pytest.approx((-last, 0.0, 0.0))

@@ -200,6 +200,18 @@ def test_lidar_meets_walls_models_and_cars(window, report):
     assert hits[2] == [pytest.approx(0.0, abs=1e-9), pytest.approx(1.0), True]
 
 
+SIZES = """
+const truck = new Map([["bodies/truck", [-0.13, 0.57, -0.18, 0.18, 0.42, 0.26]]]);
+return ["truck", "robot1"].map((name) => new CarTrack(name, truck).shape.outlines[0].x.slice(0, 2));
+"""
+
+
+def test_car_is_as_large_as_its_description_says_else_as_the_f1tenth_car(window, report):
+    open_run(window, report, "one_lap")
+    code = (places.package_path(places.PACKAGE) / "report" / "run.js").read_text(encoding="utf-8")
+    assert window.execute_script(f"{code}{SIZES}") == [[-0.13, 0.57], [-0.1186, 0.4615]]
+
+
 def test_race_of_two_shows_the_gap(window, report):
     open_run(window, report, "zwei")
     press(window, Keys.END)

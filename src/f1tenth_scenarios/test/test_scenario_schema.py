@@ -12,9 +12,8 @@ TOP_KEYS = (
     " time_to_start, lockstep, real_time_factor, localization, boxes, criteria, faults"
 )
 CAR_KEYS = (
-    "name, start, ahead, driver, goals, laps, line, speed_max, acceleration_max, commands, mu,"
-    " actuation_latency, model,"
-    " dropped_beams, input_faults"
+    "name, start, ahead, driver, goals, laps, line, speed_max, acceleration_max, description,"
+    " description_arguments, commands, mu, actuation_latency, model, dropped_beams, input_faults"
 )
 
 

@@ -104,8 +104,8 @@ def course_file(name: str, beside: Path) -> Path:
     return _find("circuits", name, beside)
 
 
-def launch_file(name: str, beside: Path) -> Path:
-    """A launch file: package://PACKAGE/PATH, or a path that counts from the folder `beside`.
+def file_at(name: str, beside: Path) -> Path:
+    """A file: package://PACKAGE/PATH, or a path that counts from the folder `beside`.
 
     Raises:
         ScenarioError: there is no such package or file.

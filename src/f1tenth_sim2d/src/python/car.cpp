@@ -1,6 +1,12 @@
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <string>
+
 #include "f1tenth_sim2d/loaders.h"
+#include "f1tenth_sim2d/section.h"
 #include "python/bindings.h"
 
 namespace f1tenth_sim2d
@@ -38,6 +44,38 @@ void bindSensors(py::module_ & module)
     .def_readonly("rate_hz", &BumperDescription::rate_hz)
     .def_readonly("collision_names", &BumperDescription::collision_names, "Scoped names of what it watches.");
 }
+
+/// Rear, front, right and left end of all that a car can touch something with.
+py::tuple extentOf(const CarDescription & car)
+{
+  constexpr double kAnyHeight = 1e6;  // m
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Vec2 least{kInfinity, kInfinity};
+  Vec2 greatest{-kInfinity, -kInfinity};
+  const auto add = [&](const Vec2 & point, double radius) {
+    least = {std::min(least.x, point.x - radius), std::min(least.y, point.y - radius)};
+    greatest = {std::max(greatest.x, point.x + radius), std::max(greatest.y, point.y + radius)};
+  };
+  for (const Solid & solid : car.solids) {
+    const Section shadow = footprintBetween(solid, solid.pose, -kAnyHeight, kAnyHeight);
+    for (const Outline & outline : shadow.outlines) {
+      std::for_each(outline.begin(), outline.end(), [&](const Vec2 & corner) { add(corner, 0.0); });
+    }
+    for (const Circle & circle : shadow.circles) {
+      add(circle.centre, circle.radius);
+    }
+  }
+  return py::make_tuple(least.x, greatest.x, least.y, greatest.y);
+}
+
+/// Nothing for a car that only controllers of ros_control drive.
+std::optional<std::string> twistTopicOf(const CarDescription & car)
+{
+  if (car.drive) {
+    return car.drive->command_topic;
+  }
+  return car.ros_control ? std::nullopt : std::make_optional<std::string>("cmd_vel");
+}
 }  // namespace
 
 void bindCar(py::module_ & module)
@@ -53,6 +91,14 @@ void bindCar(py::module_ & module)
       "Names of the joints whose state is published.")
     .def_readonly("wheel_radius", &CarDescription::wheel_radius, "m.")
     .def_readonly("track_width", &CarDescription::track_width, "Between the steering joints, m.")
+    .def_property_readonly(
+      "extent", &extentOf, "(rear, front, right, left) ends of its collisions in base_footprint, m.")
+    .def_property_readonly(
+      "twist_topic", &twistTopicOf, "Where it takes geometry_msgs/Twist; None: controllers of ros_control drive it.")
+    .def_property_readonly(
+      "takes_steering_angle",
+      [](const CarDescription & car) { return car.drive && car.drive->kind == DriveDescription::Kind::kAckermann; },
+      "Whether angular.z of a Twist is the angle of its wheels, not a yaw rate.")
     .def_readonly("base_frame", &CarDescription::base_frame, "The link that stands for the car.")
     .def_readonly("parameters", &CarDescription::parameters, "Dynamics as the description gives them.")
     .def_property_readonly(

@@ -207,6 +207,17 @@ class LockstepTest(unittest.TestCase):
         assert sim2d.stop() == 0, sim2d.stderr
         assert sim2d.stderr.count("too early or late") == 1
 
+    def test_driver_answers_a_lidar_that_scans_more_seldom_than_once_a_period(self):
+        driver = Driver(40)
+        self.addCleanup(driver.close)
+        clock = Collector(clock=Clock)
+        self.addCleanup(clock.close)
+        sim2d = self.start(participants=["robot1"], control_period=0.01)
+        assert clock.wait_for(
+            lambda seen: any(message.clock.to_nsec() == SECOND for message in seen["/clock"])
+        )
+        assert sim2d.stop() == 0, sim2d.stderr
+
     def test_participant_that_never_comes_ends_the_start(self):
         sim2d = self.start(participants=["robot1/move_base", "robot1/race_mgr"], lockstep_startup_timeout=0.5)
         assert sim2d.wait() == 3

@@ -38,8 +38,13 @@ def world(world_file):
 
 
 @pytest.fixture
-def car():
-    return f1tenth_sim2d.load_car(CAR.read_text(), "robot1", str(CAR))
+def car_text():
+    return CAR.read_text()
+
+
+@pytest.fixture
+def car(car_text):
+    return f1tenth_sim2d.load_car(car_text, "robot1", str(CAR))
 
 
 @pytest.fixture

@@ -21,6 +21,25 @@ def test_car_has_the_sensors_of_its_description(car):
     assert car.track_width == pytest.approx(0.2)
 
 
+def test_car_ends_where_its_bumpers_do(car):
+    assert car.extent == pytest.approx((-0.12, 0.44, -0.16, 0.16))
+
+
+CONTROL = '<gazebo><plugin name="c" filename="libgazebo_ros_control.so"/></gazebo>'
+ACKERMANN = """<gazebo><plugin name="a" filename="libgazebo_ros_ackermann_drive.so">
+<commandTopic>/cmd</commandTopic><updateRate>50</updateRate></plugin></gazebo>"""
+
+
+@pytest.mark.parametrize(
+    ("plugin", "topic", "is_angle"),
+    [("", "cmd_vel", False), (CONTROL, None, False), (ACKERMANN, "/cmd", True)],
+)
+def test_car_says_how_it_is_driven(car_text, plugin, topic, is_angle):
+    text = car_text.replace("</robot>", f"{plugin}</robot>")
+    made = f1tenth_sim2d.load_car(text, "robot1", "a test")
+    assert (made.twist_topic, made.takes_steering_angle) == (topic, is_angle)
+
+
 def test_text_that_is_no_robot_is_a_load_error_with_its_source():
     with pytest.raises(f1tenth_sim2d.LoadError, match="^my text: car: is no robot description"):
         f1tenth_sim2d.load_car("<car/>", "robot1", "my text")

@@ -326,6 +326,21 @@ class ControllersTest(unittest.TestCase):
 
         diagnostics.wait_for(is_counted)
 
+    def test_what_several_joints_are_told_at_a_time_counts_once(self):
+        def accepted(message):
+            status = {status.name: status for status in message.status}["sim2d: commands of racecar"]
+            return int({entry.key: entry.value for entry in status.values}["accepted"])
+
+        diagnostics = self.watch("/diagnostics", DiagnosticArray)
+        names = ("rear_left", "rear_right")
+        self.start("spawner", *names)
+        self.wait_until(dict.fromkeys(names, "running"))
+        before = accepted(diagnostics.wait_for())
+        for publisher in [self.command(name) for name in names]:
+            publisher.publish(1.0)
+        after = accepted(diagnostics.wait_for(lambda message: accepted(message) > before))
+        assert after - before <= len(names)
+
     def spawner_says(self, namespace, *arguments, end_at):
         """Start a spawner, end it when it says this, and return its exit code and all that it has said."""
         spawner = subprocess.Popen(

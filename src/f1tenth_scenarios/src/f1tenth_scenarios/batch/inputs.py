@@ -25,7 +25,10 @@ def hash_software() -> str:
 def hash_inputs(plan: Plan, software: str) -> str:
     """Hash of the software and of everything that a scenario names, its settings included."""
     files = sorted({*_paths(plan), *_images(plan)})
-    return hashlib.sha256("\n".join([software, *plan.settings, _hash_files(files)]).encode()).hexdigest()
+    # What a xacro file includes is in the text that it expands to.
+    texts = [car.description.text for car in plan.cars.values() if car.description]
+    known = [software, *plan.settings, _hash_files(files), *texts]
+    return hashlib.sha256("\n".join(known).encode()).hexdigest()
 
 
 def _workspace_folders() -> list[str]:

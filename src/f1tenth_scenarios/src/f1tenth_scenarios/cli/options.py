@@ -31,10 +31,16 @@ def planner_of(name: str, options) -> Driver:
     arguments = dict(_argument(text) for text in options.arg)
     interface = Interface(options.interface)
     ours = Driver.short_forms().get(name)
-    launch = ours.launch if ours else name
-    if not launch.startswith("package://"):
-        launch = str(places.launch_file(launch, Path.cwd()))
-    return Driver(launch, interface, arguments)
+    return Driver(ours.launch if ours else file_option(name), interface, arguments)
+
+
+def file_option(name: str) -> str:
+    """A file as an option names it, as a scenario file anywhere would name it.
+
+    Raises:
+        ScenarioError: there is no such file.
+    """
+    return name if name.startswith("package://") else str(places.file_at(name, Path.cwd()))
 
 
 def _argument(text: str) -> tuple[str, str]:

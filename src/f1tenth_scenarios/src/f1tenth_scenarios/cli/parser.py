@@ -87,6 +87,9 @@ def _add_race(commands: _Subparsers) -> None:
         help=f"{_PLANNER}; twice: a race of two; default: race",
     )
     command.add_argument(
+        "--description", metavar="FILE", help="URDF or xacro file of the cars; default: the F1/10 car"
+    )
+    command.add_argument(
         "--timeout", type=float, metavar="S", help="simulated time; default: by the length of the road"
     )
     command.add_argument(

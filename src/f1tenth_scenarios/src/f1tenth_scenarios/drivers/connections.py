@@ -35,6 +35,15 @@ class Connections:
         publishers, subscribers, _ = self._master.getSystemState()
         return publishers, subscribers
 
+    def commands(self, simulator: str) -> set[str]:
+        """The topics on which the driver speaks to the simulator, a node's full name."""
+        publishers, subscribers = self.registered()
+        by_topic = dict(subscribers)
+        driver = set(by_topic.get(self._clock, ()))
+        return {
+            topic for topic, names in publishers if driver & {*names} and simulator in by_topic.get(topic, ())
+        }
+
     def missing(self) -> set[Connection]:
         """Those that should be there by what the master says, and are not."""
         wanted = set(self._wanted())

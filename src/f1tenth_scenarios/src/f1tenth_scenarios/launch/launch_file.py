@@ -9,6 +9,7 @@ from typing import Any
 from f1tenth_scenarios import places
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan.handover import (
+    car_topics,
     driver_arguments,
     driver_topics,
     input_topics,
@@ -40,6 +41,7 @@ F1TENTH_OWN = {
     "/odom": "perfect_odom",
     "/ego_racecar/odom": "perfect_odom",
 }
+_TWIST = "cmd_vel"  # where the F1/10 car takes geometry_msgs/Twist
 _PATIENCE = 0.8  # of limits.answer: a deputy must say what it found before it is given up itself
 _F1TENTH_OPPONENT = {"/opp_scan": "scan", "/opp_drive": "drive", "/opp_racecar/odom": "perfect_odom"}
 
@@ -58,7 +60,9 @@ def write_launch_file(plan: Plan) -> None:
     if plan.scenario.boxes:
         write_world(plan.place.world, plan.scenario, plan.run_world)
     for car in plan.scenario.cars:
-        if vehicle := _vehicle(car):
+        if description := plan.cars[car.name].description:
+            plan.description_file(car.name).write_text(description.text, encoding="utf-8")
+        if vehicle := _vehicle(plan, car):
             plan.vehicle_file(car.name).write_text(vehicle, encoding="utf-8")
         goals_file = plan.goals_file(car.name)
         if goals_file and not plan.cars[car.name].goals_file:
@@ -70,7 +74,7 @@ def write_launch_file(plan: Plan) -> None:
         _add_driver(launch, plan, car)
         if has_deputy(plan, car.name):
             _include(launch, _own("deputy.launch"), _deputy_arguments(plan, car))
-    arguments = recorder_arguments(plan.bag_file, list(plan.cars))
+    arguments = recorder_arguments(plan.bag_file, list(plan.cars), _topics_of_descriptions(plan))
     ElementTree.SubElement(launch, "node", pkg="rosbag", type="record", name=RECORDER, args=arguments)
     ElementTree.indent(launch)
     ElementTree.ElementTree(launch).write(plan.launch_file, encoding="utf-8")
@@ -103,7 +107,9 @@ def _car_arguments(plan: Plan, car: Car) -> dict[str, Any]:
         "yaw": start.yaw,
         "lockstep": plan.scenario.lockstep,
         "planner": driver_participants(plan, car.name)[0],
-        "vehicle": plan.vehicle_file(car.name) if _vehicle(car) else "",
+        "description": plan.description_file(car.name) if plan.cars[car.name].description else "",
+        "vehicle": plan.vehicle_file(car.name) if _vehicle(plan, car) else "",
+        "scan_topic": car_topics(plan, car)[Input.SCAN],
         "dropped_beams": car.dropped_beams,
         "input_faults": json.dumps(_faults(car)),
         "odometry": odometry(plan),
@@ -123,11 +129,16 @@ def _deputy_arguments(plan: Plan, car: Car) -> dict[str, Any]:
     }
 
 
-def _vehicle(car: Car) -> str:
+def _vehicle(plan: Plan, car: Car) -> str:
     """What the scenario changes of the car's parameters, as their YAML file; empty if nothing."""
     model = None if car.model is None else car.model.value
-    changes = {"mu": car.mu, "actuation_latency": car.actuation_latency, "model": model}
-    return "".join(f"{name}: {value}\n" for name, value in changes.items() if value is not None)
+    named: dict[str, Any] = {"mu": car.mu, "actuation_latency": car.actuation_latency, "model": model}
+    changes = {name: value for name, value in named.items() if value is not None}
+    description = plan.cars[car.name].description
+    if changes and description:
+        # What such a file does not say is the F1/10 car's, whatever the description says.
+        changes = description.dynamics | changes
+    return "".join(f"{name}: {value}\n" for name, value in changes.items())
 
 
 def _driver_mark(plan: Plan, car: Car) -> tuple[str, str]:
@@ -160,20 +171,42 @@ def _remappings(plan: Plan, car: Car) -> dict[str, str]:
     """The names of topics that are others for the driver of a car."""
     own = f"/{car.name}"
     usual, actual = usual_topics(plan), driver_topics(plan, car)
+    known = usual if car.driver.is_ours else car_topics(plan, car)
     taken = plan.cars[car.name].driver.arguments
     found = {
-        _absolute(own, usual[each]): _absolute(own, actual[each])
+        _absolute(own, known[each]): _absolute(own, actual[each])
         for each in Input
-        if usual[each] != actual[each] and f"{each.value}_topic" not in taken
+        if known[each] != actual[each] and f"{each.value}_topic" not in taken
     }
+    description = plan.cars[car.name].description
+    twist = description and description.twist
+    if car.driver.is_ours and twist and twist != _TWIST:
+        found[f"{own}/{_TWIST}"] = _absolute(own, twist)
     if car.driver.interface is Interface.F1TENTH:
-        theirs = {old: f"{own}/{new}" for old, new in F1TENTH_OWN.items()}
-        found |= {old: found.get(new, new) for old, new in theirs.items()}
-        opponent = opponent_of(plan, car)
-        found |= {old: f"/{opponent}/{new}" for old, new in _F1TENTH_OPPONENT.items() if opponent}
+        found |= _by_name(own, F1TENTH_OWN, usual, actual)
+        if opponent := opponent_of(plan, car):
+            theirs = car_topics(plan, opponent)
+            found |= _by_name(f"/{opponent.name}", _F1TENTH_OPPONENT, usual, theirs)
     if has_deputy(plan, car.name):
         found["/clock"] = f"{own}/{DEPUTY}/clock"
     return found
+
+
+def _by_name(
+    namespace: str, names: Mapping[str, str], usual: Mapping[Input, str], actual: Mapping[Input, str]
+) -> dict[str, str]:
+    """Names of others for what a car has in its namespace, with the topics on which that is."""
+    topics = {usual[each]: actual[each] for each in Input}
+    return {old: _absolute(namespace, topics.get(new, new)) for old, new in names.items()}
+
+
+def _topics_of_descriptions(plan: Plan) -> list[str]:
+    """Those of cars that have a description of their own, besides the usual ones."""
+    descriptions = {name: car.description for name, car in plan.cars.items() if car.description}
+    own = {name: (each.scan, each.twist) for name, each in descriptions.items()}
+    found = {_absolute(f"/{name}", topic) for name, topics in own.items() for topic in topics if topic}
+    usual = {f"/{name}/{topic}" for name in own for topic in ("scan", _TWIST)}
+    return sorted(found - usual)
 
 
 def _absolute(namespace: str, topic: str) -> str:

@@ -6,6 +6,7 @@ from typing import Optional
 
 from f1tenth_scenarios import places
 from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.plan.car_description import CarDescription, read_description
 from f1tenth_scenarios.plan.driver_file import DriverFile
 from f1tenth_scenarios.plan.task import Task
 from f1tenth_scenarios.road.course import Course, read_course
@@ -26,6 +27,7 @@ class CarPlan:
     goals: tuple[Pose, ...]  # of one lap
     line: Optional[Path]  # that it may follow
     task: Task
+    description: Optional[CarDescription] = None  # nothing for the F1/10 car
 
 
 @dataclasses.dataclass(frozen=True)
@@ -52,6 +54,7 @@ def plan_car(car: Car, driver: DriverFile, around: Surroundings) -> CarPlan:
         goals=goals,
         line=_line(car, driver, around),
         task=_task(car, driver, goals, around),
+        description=read_description(car, around.beside),
     )
 
 

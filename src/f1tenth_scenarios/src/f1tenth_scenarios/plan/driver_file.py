@@ -54,7 +54,7 @@ def find_driver(car: Car, beside: Path) -> DriverFile:
     Raises:
         ScenarioError: there is no such file, or it does not take what it is given.
     """
-    file = read_driver_file(places.launch_file(car.driver.launch, beside))
+    file = read_driver_file(places.file_at(car.driver.launch, beside))
     known = ", ".join(sorted(file.arguments)) or "none"
     for name in car.driver.arguments:
         if name not in file.arguments:

@@ -4,6 +4,7 @@ import json
 from typing import Any, Optional
 
 from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.plan.car_description import CarDescription
 from f1tenth_scenarios.plan.participants import DEPUTY, has_deputy
 from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.scenario.car import Car, Input
@@ -22,6 +23,7 @@ _LACKS = {
 
 def offered_arguments(plan: Plan, car: Car) -> dict[str, Any]:
     """Names and values, without those that the scenario has no value for; see docs/extending.md."""
+    opponent = opponent_of(plan, car)
     offered = {
         "car_name": car.name,
         "goals_file": plan.goals_file(car.name),
@@ -41,7 +43,8 @@ def offered_arguments(plan: Plan, car: Car) -> dict[str, Any]:
         "odometry": odometry(plan),
         "localization": plan.scenario.localization.value,
         "seed": plan.scenario.seed,
-        "opponent": opponent_of(plan, car),
+        "opponent": opponent and opponent.name,
+        **_described(plan.cars[car.name].description),
         **{f"{each.value}_topic": topic for each, topic in driver_topics(plan, car).items()},
     }
     return {name: value for name, value in offered.items() if value is not None}
@@ -63,20 +66,40 @@ def driver_arguments(plan: Plan, car: Car) -> dict[str, Any]:
     return told
 
 
+def _described(description: Optional[CarDescription]) -> dict[str, Any]:
+    """What a driver may want to know of a car that is not the F1/10 car."""
+    if description is None:
+        return {}
+    return {
+        "wheelbase": description.wheelbase,
+        "steering_max": description.dynamics["steering_max"],
+        "footprint": json.dumps(description.footprint),
+        "cmd_vel_steers": description.takes_steering_angle,
+        "odom_period": description.odometry_period,
+    }
+
+
 def odometry(plan: Plan) -> str:
     """By whose word the cars know how they move: `perfect` or `wheel`."""
     return "wheel" if plan.scenario.localization is Localization.AMCL else "perfect"
 
 
 def usual_topics(plan: Plan) -> dict[Input, str]:
-    """Where drivers find their inputs, in the namespace of their car."""
+    """Where drivers of the F1/10 car find their inputs, in the namespace of their car."""
     odometry_topic = "odom" if odometry(plan) == "wheel" else "perfect_odom"
     return {Input.SCAN: "scan", Input.ODOM: odometry_topic, Input.TF: "/tf"}
 
 
+def car_topics(plan: Plan, car: Car) -> dict[Input, str]:
+    """The same of one car, which may have a description of its own."""
+    description = plan.cars[car.name].description
+    scan = description and description.scan
+    return usual_topics(plan) | ({Input.SCAN: scan} if scan else {})
+
+
 def input_topics(plan: Plan, car: Car) -> dict[Input, str]:
-    """The same for one car, whose inputs may fail at times."""
-    topics = usual_topics(plan) | ({Input.SCAN: "scan_dropped"} if car.dropped_beams else {})
+    """The same where inputs may fail at times."""
+    topics = car_topics(plan, car) | ({Input.SCAN: "scan_dropped"} if car.dropped_beams else {})
     return {each: f"{each.value}_faulty" if car.faults_of(each) else topic for each, topic in topics.items()}
 
 
@@ -85,9 +108,9 @@ def driver_topics(plan: Plan, car: Car) -> dict[Input, str]:
     return input_topics(plan, car) | ({Input.SCAN: f"{DEPUTY}/scan"} if has_deputy(plan, car.name) else {})
 
 
-def opponent_of(plan: Plan, car: Car) -> Optional[str]:
+def opponent_of(plan: Plan, car: Car) -> Optional[Car]:
     """The first other car; nothing for one that is alone."""
-    return next((each.name for each in plan.scenario.cars if each is not car), None)
+    return next((each for each in plan.scenario.cars if each is not car), None)
 
 
 def _commands(car: Car) -> str:

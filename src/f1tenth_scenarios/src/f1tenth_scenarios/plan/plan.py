@@ -53,8 +53,12 @@ class Plan:
         """Whether somebody waits for a start signal."""
         return any(car.driver.needs_countdown for car in self.cars.values())
 
+    def description_file(self, car: str) -> Path:
+        """The URDF of a car that has a description of its own."""
+        return self.log_folder / f"{car}.urdf"
+
     def vehicle_file(self, car: str) -> Path:
-        """Parameters of a car that differs from the F1/10 car."""
+        """Parameters of a car that differ from those of its description."""
         return self.log_folder / f"{car}.yaml"
 
     @property

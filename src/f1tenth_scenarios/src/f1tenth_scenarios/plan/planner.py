@@ -38,7 +38,7 @@ def with_planner(scenario: Scenario, node: yaml.Node, beside: Path) -> Scenario:
         ScenarioError: there is no such driver.
     """
     planner = read(Driver, node, PLANNER)
-    file = read_driver_file(places.launch_file(planner.launch, beside))
+    file = read_driver_file(places.file_at(planner.launch, beside))
     _require_sense(scenario, file)
     cars = (
         _replaced(scenario, car, planner, file) if car.driver.name == _OURS else car for car in scenario.cars

@@ -7,6 +7,7 @@ from typing import Optional
 
 from f1tenth_scenarios import places
 from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.plan.car_description import check_car, check_topics
 from f1tenth_scenarios.plan.car_plan import Surroundings, plan_car
 from f1tenth_scenarios.plan.driver_file import find_driver
 from f1tenth_scenarios.plan.handover import driver_arguments
@@ -80,6 +81,9 @@ def _check(plan: Plan) -> None:
     scenario = plan.scenario
     for car in scenario.cars:
         driver_arguments(plan, car)
+        if description := plan.cars[car.name].description:
+            check_car(car, description, scenario.localization)
+    check_topics({name: car.description for name, car in plan.cars.items() if car.description})
     if scenario.localization is Localization.AMCL and plan.place.map is None:
         raise ScenarioError(
             f"'localization: amcl' needs a map, and {plan.place.world} has none beside it or in ../maps"

@@ -34,6 +34,7 @@ class Race:
     laps: int
     planners: Sequence[Driver]
     timeout: Optional[float] = None  # s, simulated
+    description: Optional[str] = None  # of the cars: path or package://PACKAGE/PATH; default: the F1/10 car
 
     @property
     def name(self) -> str:
@@ -93,6 +94,7 @@ def _car(race: Race, place: Place, number: int, driver: Driver) -> dict[str, Any
         "start": {"x": x, "y": y, "yaw": start.yaw},
         "driver": driver.name if driver in Driver.short_forms().values() else driver.as_dict(),
         "laps": race.laps,
+        **({"description": race.description} if race.description else {}),
     }
 
 

@@ -44,9 +44,9 @@ _PLAN_PERIOD, _MODEL_PERIOD = 0.2, 0.1  # s, between two messages that the repla
 _PLAN_POINTS = 100  # of a plan, about
 
 
-def recorder_arguments(bag: Path, cars: Sequence[str]) -> str:
-    """The command line of rosbag's `record`, as a launch file has it."""
-    topics = [*_SHARED_TOPICS, *(f"/{car}/{topic}" for car in cars for topic in _CAR_TOPICS)]
+def recorder_arguments(bag: Path, cars: Sequence[str], more: Sequence[str] = ()) -> str:
+    """The command line of rosbag's `record`, as a launch file has it; `more`: topics besides."""
+    topics = [*_SHARED_TOPICS, *(f"/{car}/{topic}" for car in cars for topic in _CAR_TOPICS), *more]
     return shlex.join(["--quiet", "--lz4", "--buffsize=0", "-O", str(bag), *topics])
 
 

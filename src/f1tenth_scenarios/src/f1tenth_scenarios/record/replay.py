@@ -20,6 +20,8 @@ Point = tuple[float, float]  # m
 Planar = tuple[float, float, float]  # m, m, rad
 # Angles of the first and the last beam (rad), place in base_footprint (m, m, rad), range (m).
 Lidar = tuple[float, float, float, float, float, float]
+# Rear, front, right and left end in base_footprint, wheelbase, track; all m.
+Body = tuple[float, float, float, float, float, float]
 
 T = TypeVar("T", bound="Timed")
 
@@ -65,6 +67,7 @@ class Replay:
     goals: Mapping[str, Sequence[Planar]] = dataclasses.field(default_factory=dict)  # by car, of one lap
     road: Sequence[Point] = ()  # its middle, closed, in driving order
     lidars: Mapping[str, Lidar] = dataclasses.field(default_factory=dict)  # by car
+    bodies: Mapping[str, Body] = dataclasses.field(default_factory=dict)  # by car
     global_plans: Mapping[str, Paths] = dataclasses.field(default_factory=dict)  # by car
     local_plans: Mapping[str, Paths] = dataclasses.field(default_factory=dict)  # by car
     models: Mapping[str, Poses] = dataclasses.field(default_factory=dict)  # by name
@@ -85,6 +88,7 @@ class Replay:
             goals={car: [(pose.x, pose.y, pose.yaw) for pose in poses] for car, poses in goals.items()},
             road=road,
             lidars=self.lidars,
+            bodies=self.bodies,
             models={
                 name: dataclasses.replace(said.models.get(name, model), shape=model.shape)
                 for name, model in self.models.items()
@@ -132,6 +136,7 @@ def _from_dict(content: Mapping[str, Any]) -> Replay:
         goals=content["goals"],
         road=content["road"],
         lidars=content["lidars"],
+        bodies=content.get("bodies", {}),  # without: those of the F1/10 car
         global_plans=_each(Paths, content["global_plans"]),
         local_plans=_each(Paths, content["local_plans"]),
         models={

@@ -1,13 +1,14 @@
-"""The scene of a run: what stands in its world, cut at the height of the cars' lidars, and the lidars."""
+"""The scene of a run: what stands in its world, cut at the height of the cars' lidars, and the cars."""
 
 import contextlib
 import math
 import os
 from collections.abc import Iterator, Mapping
 from pathlib import Path
+from typing import Optional
 
 import f1tenth_sim2d
-from f1tenth_scenarios.record.replay import Lidar, Planar, Poses, Replay, Shape
+from f1tenth_scenarios.record.replay import Body, Lidar, Planar, Poses, Replay, Shape
 
 _CUT_HEIGHT = 0.12  # m above the ground, where no lidar says otherwise
 
@@ -19,31 +20,41 @@ def load_scene(world: Path, descriptions: Mapping[str, str]) -> Replay:
         The scene; an empty one if the world cannot be read, as the simulator has said already.
     """
     # Reading a description takes long, and cars of a race have the same one.
-    read = {text: _lidar(text) for text in set(descriptions.values())}
-    lidars = {car: lidar for car, text in descriptions.items() if (lidar := read[text])}
+    read = {text: _read(text) for text in set(descriptions.values())}
+    cars = {name: car for name, text in descriptions.items() if (car := read[text])}
     try:
         with _model_path():
-            return scene_of(f1tenth_sim2d.load_world(str(world)), lidars)
+            return scene_of(f1tenth_sim2d.load_world(str(world)), cars)
     except f1tenth_sim2d.Error:
         return Replay()
 
 
-def scene_of(world: f1tenth_sim2d.World, lidars: Mapping[str, f1tenth_sim2d.Lidar]) -> Replay:
-    """The scene of a world that is loaded, and of the lidars of the cars by name."""
+def scene_of(world: f1tenth_sim2d.World, cars: Mapping[str, f1tenth_sim2d.Car]) -> Replay:
+    """The scene of a world and of cars, by name, that are loaded."""
+    lidars = {name: lidar for name, car in cars.items() if (lidar := lidar_of(car))}
     height = next((lidar.pose[2] for lidar in lidars.values()), _CUT_HEIGHT)
     return Replay(
         walls=_shape(*world.section(height)),
         models={model.name: _model(model, height) for model in world.models if not model.is_static},
-        lidars={car: _described(lidar) for car, lidar in lidars.items()},
+        lidars={name: _described(lidar) for name, lidar in lidars.items()},
+        bodies={name: _body(car) for name, car in cars.items()},
     )
 
 
-def _lidar(description):
+def lidar_of(car: f1tenth_sim2d.Car) -> Optional[f1tenth_sim2d.Lidar]:
+    """The one that drivers drive by: that on `scan`, else the first; nothing if the car has none."""
+    return next((lidar for lidar in car.lidars if lidar.topic == "scan"), next(iter(car.lidars), None))
+
+
+def _read(description):
     try:
-        lidars = f1tenth_sim2d.load_car(description, "car", "robot_description").lidars
+        return f1tenth_sim2d.load_car(description, "car", "robot_description")
     except f1tenth_sim2d.Error:
         return None
-    return next((lidar for lidar in lidars if lidar.topic == "scan"), None)
+
+
+def _body(car) -> Body:
+    return (*car.extent, car.parameters.wheelbase, car.track_width)
 
 
 def _described(lidar) -> Lidar:

@@ -85,7 +85,7 @@ class Recorder:
 
     def _replay(self):
         place = self._stage.place
-        scene = scene_of(place.world, {car.name: car.lidars[0] for car in self._stage.cars})
+        scene = scene_of(place.world, {car.name: car for car in self._stage.cars})
         road = () if place.centreline is None else place.centreline[:, :2].tolist()
         return dataclasses.replace(scene, road=road)
 

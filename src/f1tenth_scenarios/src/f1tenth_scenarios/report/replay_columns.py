@@ -24,6 +24,8 @@ def pack_run(record: Record, replay: Replay) -> str:
         _add_poses(packer, f"goals/{car}", goals)
     for car, lidar in replay.lidars.items():
         packer.add(f"lidars/{car}", lidar, 1e-6)
+    for car, body in replay.bodies.items():
+        packer.add(f"bodies/{car}", body, _FINE)
     for kind, plans in (("global", replay.global_plans), ("local", replay.local_plans)):
         for car, paths in plans.items():
             _add_plans(packer, f"plans/{kind}/{car}", paths, _PLAN_POINTS[kind])

@@ -17,7 +17,7 @@ from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_scenarios.record.replay import Poses
 from f1tenth_scenarios.run.diagnosis.command_watch import CommandCount, CommandWatch, Problem
 from f1tenth_scenarios.run.diagnosis.culprit import failure_of_driver
-from f1tenth_scenarios.run.diagnosis.loose_ends import driver_nodes, shared_topic, why_mute
+from f1tenth_scenarios.run.diagnosis.loose_ends import driver_nodes, shared_topic, topics_of, why_mute
 from f1tenth_scenarios.run.events.director import Director
 from f1tenth_scenarios.run.ros_graph import publications_of, read_graph
 
@@ -91,11 +91,13 @@ class RosWatch:
 
     def _failure_of_driver(self, problem: Problem) -> Failure:
         graph = read_graph()
+        description = self._plan.cars[problem.car].description
         nodes = driver_nodes(graph, problem.car)
         reasons = [problem.text]
         if problem.is_mute:
             interfaces = {car.name: car.driver.interface for car in self._plan.scenario.cars}
-            reasons += why_mute(graph, problem.car, publications_of(nodes), interfaces[problem.car])
+            publications, topics = publications_of(nodes), topics_of(description)
+            reasons += why_mute(graph, problem.car, publications, interfaces[problem.car], topics)
         failure = failure_of_driver(self._plan, problem.car, nodes, "; ".join(reasons))
         return dataclasses.replace(failure, stamp=problem.stamp)
 

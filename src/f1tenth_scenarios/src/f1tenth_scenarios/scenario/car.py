@@ -131,6 +131,12 @@ class Car:
         at_most=20,
         default=None,
     )
+    description: Optional[str] = key(
+        "Robot description of a car of your own, with the tags of Gazebo: the path of a URDF or xacro file"
+        " relative to the scenario file, or package://PACKAGE/PATH; default: the F1/10 car.",
+        default=None,
+    )
+    description_arguments: dict[str, str] = key("Values for arguments of its xacro file.", default={})
     commands: tuple[Command, ...] = key("What the driver `commands` does, in order of time.", default=())
     mu: Optional[float] = key(
         "Friction of the car's tyres on the ground; default: the car's.", above=0, at_most=3, default=None
@@ -160,6 +166,8 @@ class Car:
             return "name", f"is '{self.name}', must be none of {', '.join(_NAMES_OF_THE_SIMULATOR)}"
         if self.start and self.ahead is not None:
             return "ahead", "is given beside 'start'; the car can be put in one place only"
+        if self.description_arguments and not self.description:
+            return "description_arguments", "is given without 'description'"
         times = [command.at for command in self.commands]
         if times != sorted(set(times)):
             return "commands", "must be in order of time ('at'), each time once"

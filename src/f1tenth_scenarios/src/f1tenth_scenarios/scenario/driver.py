@@ -47,6 +47,11 @@ class Driver:
         return entries | ({"arguments": dict(self.arguments)} if self.arguments else {})
 
     @property
+    def is_ours(self) -> bool:
+        """Whether it is one that we bring: it knows the topics of the F1/10 car, whatever it drives."""
+        return self.launch.startswith(_OWN)
+
+    @property
     def name(self) -> str:
         """The short form, else the launch file."""
         names = (name for name, driver in self.short_forms().items() if driver.launch == self.launch)

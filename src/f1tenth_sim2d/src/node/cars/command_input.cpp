@@ -38,6 +38,17 @@ CommandInput::CommandInput(Simulation & simulation, CarId car, ros::NodeHandle n
     hints);
 }
 
+void CommandInput::noteTold(const std::string & objection)
+{
+  if (!objection.empty()) {
+    refuse(objection);
+  } else if (accepted_at_ != simulation_.time()) {
+    accepted_at_ = simulation_.time();
+    ++accepted_;
+  }
+  on_command_({});
+}
+
 void CommandInput::onTwist(const geometry_msgs::Twist & message)
 {
   const std::optional<DriveDescription> & drive = simulation_.car(car_).drive;

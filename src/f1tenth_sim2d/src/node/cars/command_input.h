@@ -5,6 +5,7 @@
 #include <ros/node_handle.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "f1tenth_sim2d/simulation.h"
@@ -23,13 +24,12 @@ public:
   /// @param on_command  called for every message, also for a refused one: the driver has answered
   CommandInput(Simulation & simulation, CarId car, ros::NodeHandle node, Answered on_command);
 
-  /// What controllers within the node want; neither counted nor an answer.
+  /// What controllers within the node want, step by step; neither counted nor an answer.
   /// @throws Error for a value that makes no sense
   void apply(const DriveCommand & command) { simulation_.command(car_, command); }
-  /// The driver has said something to a controller.
-  void noteAnswer() { on_command_({}); }
-  /// Counts and reports a command that was refused before it came here.
-  void refuse(const std::string & why);
+  /// The driver has told a controller something, which took it if there is no objection. What it tells several joints at
+  /// a time counts once.
+  void noteTold(const std::string & objection);
 
   std::size_t accepted() const { return accepted_; }
   std::size_t refused() const { return refused_; }
@@ -40,11 +40,13 @@ private:
   void onTwist(const geometry_msgs::Twist & message);
   void onDrive(const ackermann_msgs::AckermannDriveStamped & message);
   void take(const ros::Time & stamp, const std::function<void()> & command);
+  void refuse(const std::string & why);
 
   Simulation & simulation_;
   const CarId car_;
   const Answered on_command_;
   std::size_t accepted_{0};
+  std::optional<SimTime> accepted_at_;  ///< by controllers
   std::size_t refused_{0};
   std::string last_refusal_;
   ros::Subscriber twist_subscriber_;

@@ -47,6 +47,8 @@ public:
   /// What is to be called with its stamp, 0 if it has none, whenever the driver of this car has sent a command. Nobody waits
   /// for it if it is not among the participants.
   std::function<void(const ros::Time &)> driverOf(const std::string & car);
+  /// The driver of this car has nothing to answer in the period.
+  void excuse(const std::string & car);
   bool hasAnswered(const std::string & participant) const;
   /// Blocks until everybody has answered and everything sent before has been handled, or interrupted() is true.
   /// @throws ParticipantSilent

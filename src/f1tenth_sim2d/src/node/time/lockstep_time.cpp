@@ -30,11 +30,28 @@ void LockstepTime::advance()
     return;
   }
   const SimTime end = world_.periodEnd();
+  const SimTime begin = world_.time();
+  const bool is_first = world_.periods() == 0;
   barrier_.open(end, world_.periods() + 1);
   subscribers_ = outbox_.subscriberCount();
   world_.advanceTo(end);
+  if (is_first) {
+    // Who needs a sensor answers nothing before it has come, and time would not go on until it does.
+    world_.measureSlowly();
+  }
+  excuseFrom(begin);
   publishClock();
   barrier_.wait({[&] { return stopRequested() || restarted(); }, [this] { repeatPeriod(); }});
+}
+
+// A lidar may scan more seldom than once a period.
+void LockstepTime::excuseFrom(SimTime begin)
+{
+  for (const CarId car : simulation_.cars()) {
+    if (!world_.isToAnswer(car, begin)) {
+      barrier_.excuse(simulation_.car(car).name);
+    }
+  }
 }
 
 // Last: whoever has seen the period's time finds everything of the period in its inbox.

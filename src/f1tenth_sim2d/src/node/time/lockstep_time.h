@@ -24,6 +24,7 @@ public:
   void advance() override;
 
 private:
+  void excuseFrom(SimTime begin);
   void publishClock();
   void repeatPeriod();
 

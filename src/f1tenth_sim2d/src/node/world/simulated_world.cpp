@@ -13,21 +13,33 @@ SimulatedWorld::SimulatedWorld(
   schedule_.add(period_ns_, [this](SimTime) { log_.endPeriod(); });
 }
 
-Schedule::Id SimulatedWorld::schedule(Output & output)
+Schedule::Id SimulatedWorld::schedule(Output & output, std::optional<CarId> car)
 {
   const SimTime first_period_end = std::llround(period_ns_);
   const double period_ns =
     output.rate() > 0.0 ? periodOf(output.rate()) : static_cast<double>(simulation_.stepLength());
   // In lockstep the first period is repeated for those who come late.
+  if (car && output.isAnswered()) {
+    answered_at_[*car] = time();
+  }
   return schedule_.add(
-    period_ns, [&output, first_period_end](SimTime now) { output.update(now, now <= first_period_end); }, time());
+    period_ns, [this, &output, car, first_period_end](SimTime now) { update(output, car, now <= first_period_end); },
+    time());
+}
+
+void SimulatedWorld::update(Output & output, std::optional<CarId> car, bool anyway)
+{
+  output.update(time(), anyway);
+  if (car && output.isAnswered()) {
+    answered_at_[*car] = time();
+  }
 }
 
 SimulatedWorld::OutputsId SimulatedWorld::add(const OutputList & outputs, std::optional<CarId> car)
 {
   Running & running = running_.emplace(next_id_, Running{outputs, car, {}}).first->second;
   for (const auto & output : outputs) {
-    running.tasks.push_back(schedule(*output));
+    running.tasks.push_back(schedule(*output, car));
   }
   return next_id_++;
 }
@@ -76,6 +88,23 @@ void SimulatedWorld::distributeContacts()
   }
 }
 
+void SimulatedWorld::measureSlowly()
+{
+  for (const auto & [id, running] : running_) {
+    for (const auto & output : running.outputs) {
+      if (running.car && output->rate() > 0.0 && periodOf(output->rate()) > period_ns_) {
+        update(*output, running.car, true);
+      }
+    }
+  }
+}
+
+bool SimulatedWorld::isToAnswer(CarId car, SimTime since) const
+{
+  const auto found = answered_at_.find(car);
+  return found == answered_at_.end() || found->second > since;
+}
+
 void SimulatedWorld::repeatForDriver(CarId car)
 {
   for (const auto & [id, running] : running_) {
@@ -106,6 +135,9 @@ void SimulatedWorld::restart()
   simulation_.reset();
   schedule_.restart();
   log_.restart();
+  for (auto & [car, time] : answered_at_) {
+    time = 0;
+  }
   forgetContacts();
 }
 

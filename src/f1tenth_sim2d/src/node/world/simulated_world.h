@@ -39,6 +39,10 @@ public:
 
   /// Steps, and runs everything that falls due on the way.
   void advanceTo(SimTime end);
+  /// Lets what a car measures more seldom than once a period measure now.
+  void measureSlowly();
+  /// Whether the driver of a car has had something to answer since a time; also that of one without any such thing.
+  bool isToAnswer(CarId car, SimTime since) const;
   /// Publishes the last messages again: what the driver of one car answers, or everything else.
   void repeatForDriver(CarId car);
   void repeatOthers();
@@ -56,9 +60,10 @@ private:
     std::vector<Schedule::Id> tasks;
   };
 
+  void update(Output & output, std::optional<CarId> car, bool anyway);
   void distributeContacts();
   void forgetContacts();
-  Schedule::Id schedule(Output & output);
+  Schedule::Id schedule(Output & output, std::optional<CarId> car);
 
   Simulation & simulation_;
   TransformBatch & transforms_;
@@ -66,6 +71,7 @@ private:
   Schedule schedule_;
   TrajectoryLog log_;
   std::map<OutputsId, Running> running_;
+  std::map<CarId, SimTime> answered_at_;  // of the last output that the driver of a car answers
   OutputsId next_id_{0};
 };
 }  // namespace f1tenth_sim2d

@@ -1,16 +1,27 @@
 """What the ROS graph shows of drivers that cannot work: topics that lead nowhere, or to another car."""
 
+import dataclasses
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Optional
 
 from f1tenth_scenarios.launch.launch_file import F1TENTH_OWN
+from f1tenth_scenarios.plan.car_description import CarDescription
 from f1tenth_scenarios.plan.participants import driver_nodes_among
 from f1tenth_scenarios.run.ros_graph import RosGraph
 from f1tenth_scenarios.scenario.driver import Interface
 
 _DRIVE, _TWIST = "ackermann_msgs/AckermannDriveStamped", "geometry_msgs/Twist"
-_COMMANDS = {"drive": _DRIVE, "cmd_vel": _TWIST}  # that a car takes, and their types
-_SENSED = ("scan", "odom", "imu")  # that a car publishes under names that planners use
+
+
+@dataclasses.dataclass(frozen=True)
+class CarTopics:
+    """What a car takes and publishes; names without a slash in front are in its namespace."""
+
+    commands: Mapping[str, str]  # and their types; none for one that only controllers drive
+    sensed: Mapping[str, str]  # by the names that planners use
+
+
+_F1TENTH = CarTopics({"drive": _DRIVE, "cmd_vel": _TWIST}, {name: name for name in ("scan", "odom", "imu")})
 _LIKE_COMMANDS = (_DRIVE, _TWIST, "ackermann_msgs/AckermannDrive", "geometry_msgs/TwistStamped")
 _EVERYBODYS = (
     "/tf",
@@ -25,14 +36,26 @@ _EVERYBODYS = (
 _RVIZ_S = ("initialpose", "move_base_simple/goal", "clicked_point")  # that nobody sends here is no fault
 
 
+def topics_of(description: Optional[CarDescription]) -> CarTopics:
+    """Those of a car with a description of its own, or of the F1/10 car."""
+    if description is None:
+        return _F1TENTH
+    commands = {"drive": _DRIVE, description.twist: _TWIST} if description.twist else {}
+    return CarTopics(commands, {"scan": description.scan} if description.scan else {})
+
+
 def driver_nodes(graph: RosGraph, car: str) -> list[str]:
     """The nodes of a car's driver, those that send commands first."""
-    first = [node for name in _COMMANDS for node in graph.publishers.get(f"/{car}/{name}", ())]
+    first = [node for name in _F1TENTH.commands for node in graph.publishers.get(f"/{car}/{name}", ())]
     return driver_nodes_among(car, dict.fromkeys([*first, *graph.nodes]))
 
 
 def why_mute(
-    graph: RosGraph, car: str, publications: Iterable[tuple[str, str]], interface: Interface
+    graph: RosGraph,
+    car: str,
+    publications: Iterable[tuple[str, str]],
+    interface: Interface,
+    topics: CarTopics = _F1TENTH,
 ) -> list[str]:
     """Why no command of a driver may have arrived, in words.
 
@@ -41,8 +64,9 @@ def why_mute(
         car: whose driver it is
         publications: the topics that its nodes publish, and their types
         interface: of the driver
+        topics: of the car
     """
-    own = {f"/{car}/{name}": kind for name, kind in _COMMANDS.items()}
+    own = {name if name[0] == "/" else f"/{car}/{name}": kind for name, kind in topics.commands.items()}
     published = sorted(set(publications))
     wrong = [f"publishes {kind} on {topic}" for topic, kind in published if own.get(topic, kind) != kind]
     astray = [
@@ -60,9 +84,13 @@ def why_mute(
     found = list(wrong)
     if silent:
         found.append(f"hears {_listed(silent)}, which nobody publishes")
-    if wrong:
+    if wrong and own:
         found.append(f"the car takes {_listed([f'{kind} on {topic}' for topic, kind in own.items()], 'or')}")
-    remaps = _remaps(astray, silent)
+    if not own:
+        found.append(
+            "the car is driven by controllers, which the planner's launch file is to load and to feed"
+        )
+    remaps = _remaps(astray, silent, topics)
     if interface is Interface.NATIVE and remaps and F1TENTH_OWN.keys() >= remaps.keys():
         found.append("see --interface f1tenth")
     elif remaps:
@@ -71,12 +99,12 @@ def why_mute(
     return found
 
 
-def _remaps(astray: Sequence[tuple[str, str]], silent: Sequence[str]) -> dict[str, str]:
+def _remaps(astray: Sequence[tuple[str, str]], silent: Sequence[str], topics: CarTopics) -> dict[str, str]:
     """What of the car is meant, by its type or its name, by topics that lead nowhere."""
-    commands = {kind: name for name, kind in _COMMANDS.items()}
+    commands = {kind: name for name, kind in topics.commands.items()}
     meant = {topic: commands[kind] for topic, kind in astray if kind in commands}
     named = {topic: topic.rpartition("/")[2] for topic in silent}
-    return meant | {topic: name for topic, name in named.items() if name in _SENSED}
+    return meant | {topic: topics.sensed[name] for topic, name in named.items() if name in topics.sensed}
 
 
 def shared_topic(graph: RosGraph, cars: Sequence[str]) -> Optional[tuple[str, str]]:

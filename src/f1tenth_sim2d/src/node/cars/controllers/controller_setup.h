@@ -17,7 +17,7 @@ struct ControllerSetup
   std::string type;
   const CarHandle & car;  ///< its node in the namespace of the controller manager
   TransformSender & transforms;
-  CommandInput & commands;  ///< counts what is refused, and is told of each command
+  CommandInput & commands;  ///< is told of each command
   bool simulates_pid;       ///< whether wheels obey their pid gains, or else follow as fast as the car can
 
   ros::NodeHandle node() const { return {car.node, name}; }

@@ -102,10 +102,8 @@ void JointController::take(const std::vector<double> & values)
   const std::string objection = objectionTo(values);
   if (objection.empty()) {
     values_ = values;
-  } else {
-    commands_.refuse(objection);
   }
-  commands_.noteAnswer();
+  commands_.noteTold(objection);
 }
 
 std::string JointController::objectionTo(const std::vector<double> & values) const

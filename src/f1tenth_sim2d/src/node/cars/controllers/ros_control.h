@@ -21,7 +21,7 @@ class RosControl : public Output
 {
 public:
   /// @param car       its node in the namespace of the controller manager
-  /// @param commands  of the car; takes what the controllers want, and counts what was refused
+  /// @param commands  of the car; takes what the controllers want, and is told of what they are told
   /// @param simulates_pid  whether wheels obey the pid gains of their controllers, or else follow as fast as the car can
   RosControl(CarHandle car, TransformSender & transforms, CommandInput & commands, bool simulates_pid);
 

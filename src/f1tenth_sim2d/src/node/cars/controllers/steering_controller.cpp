@@ -88,10 +88,8 @@ void SteeringController::take(const Command & command)
   if (objection.empty()) {
     command_ = command;
     command_time_ = car_.simulation.time();
-  } else {
-    commands_.refuse(objection);
   }
-  commands_.noteAnswer();
+  commands_.noteTold(objection);
 }
 
 void SteeringController::measure(double dt)

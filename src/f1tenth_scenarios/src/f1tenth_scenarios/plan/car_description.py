@@ -41,9 +41,7 @@ class CarDescription:
     scan_rate: float  # Hz
     twist: Optional[str]  # where it takes geometry_msgs/Twist; nothing if controllers of ros_control drive it
     takes_steering_angle: bool  # whether angular.z of that is the angle of its wheels, rad, not a yaw rate
-    odometry_period: Optional[
-        float
-    ]  # of its true pose on `perfect_odom`, s; nothing if it does not publish that
+    odometry_period: Optional[float]  # s, of its true pose on `perfect_odom`; nothing if it has no such topic
     base_frame: str  # without prefix
     extent: tuple[float, float, float, float]  # its rear, front, right and left end in base_footprint, m
     dynamics: dict[str, float]  # keys of a car's YAML file, SI units

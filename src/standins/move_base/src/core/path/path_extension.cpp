@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <set>
+#include <tuple>
 
 namespace move_base
 {
@@ -10,8 +13,10 @@ namespace
 {
 constexpr double kExtensionArcLength = 0.3;
 constexpr std::array<double, 5> kExtensionSteering{0.0, -0.3, 0.3, -1.0, 1.0};  // parts of the greatest curvature
-// Ways kept after each arc; more of them only differ by less than the car's width.
-constexpr std::size_t kBeamWidth = 60;
+constexpr std::size_t kBeamWidth = 100;                                         // ways kept after each arc
+// Of ways that end so near to each other the cheapest is kept: else all that are kept may lead into the same dead end.
+constexpr double kCell = 0.3;         // m
+constexpr double kCellHeading = 0.3;  // rad
 
 struct Way
 {
@@ -19,6 +24,27 @@ struct Way
   double cost;
   std::vector<Arc> arcs;
 };
+
+using Cell = std::tuple<long, long, long>;
+
+Cell cellOf(const Pose2 & pose)
+{
+  return {std::lround(pose.x / kCell), std::lround(pose.y / kCell), std::lround(pose.yaw / kCellHeading)};
+}
+
+// The cheapest ways first, one from each cell.
+std::vector<Way> best(std::vector<Way> ways)
+{
+  std::stable_sort(ways.begin(), ways.end(), [](const Way & a, const Way & b) { return a.cost < b.cost; });
+  std::vector<Way> kept;
+  std::set<Cell> taken;
+  for (Way & way : ways) {
+    if (kept.size() < kBeamWidth && taken.insert(cellOf(way.end)).second) {
+      kept.push_back(std::move(way));
+    }
+  }
+  return kept;
+}
 
 std::vector<Way> grow(
   const std::vector<Way> & ways, const Costmap & costmap, const ClearanceRule & rule, const PlannerOptions & options)
@@ -35,9 +61,7 @@ std::vector<Way> grow(
       }
     }
   }
-  std::stable_sort(grown.begin(), grown.end(), [](const Way & a, const Way & b) { return a.cost < b.cost; });
-  grown.resize(std::min(grown.size(), kBeamWidth));
-  return grown;
+  return best(std::move(grown));
 }
 }  // namespace
 

@@ -109,11 +109,7 @@ OdometryTransformOutput::OdometryTransformOutput(
 void OdometryTransformOutput::update(SimTime now, bool /*anyway*/)
 {
   message_.header.stamp = toRosTime(now);
-  const geometry_msgs::Pose pose = toPose(onGround(car_.simulation.wheelOdometry(car_.id).pose) * place_.base_pose);
-  message_.transform.translation.x = pose.position.x;
-  message_.transform.translation.y = pose.position.y;
-  message_.transform.translation.z = pose.position.z;
-  message_.transform.rotation = pose.orientation;
+  message_.transform = toTransform(onGround(car_.simulation.wheelOdometry(car_.id).pose) * place_.base_pose);
   transforms_.send(message_);
 }
 

@@ -46,6 +46,17 @@ geometry_msgs::Pose toPose(const Pose3 & pose)
   return message;
 }
 
+geometry_msgs::Transform toTransform(const Pose3 & pose)
+{
+  const geometry_msgs::Pose placed = toPose(pose);
+  geometry_msgs::Transform message;
+  message.translation.x = placed.position.x;
+  message.translation.y = placed.position.y;
+  message.translation.z = placed.position.z;
+  message.rotation = placed.orientation;
+  return message;
+}
+
 Pose3 onGround(const Pose2 & pose)
 {
   return {pose.x, pose.y, 0.0, 0.0, 0.0, pose.yaw};

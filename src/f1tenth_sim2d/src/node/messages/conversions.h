@@ -2,6 +2,7 @@
 
 #include <gazebo_msgs/ContactState.h>
 #include <geometry_msgs/Pose.h>
+#include <geometry_msgs/Transform.h>
 #include <geometry_msgs/Twist.h>
 
 #include "f1tenth_sim2d/geometry.h"
@@ -13,6 +14,7 @@ namespace f1tenth_sim2d
 {
 geometry_msgs::Quaternion toQuaternion(double yaw);
 geometry_msgs::Pose toPose(const Pose3 & pose);
+geometry_msgs::Transform toTransform(const Pose3 & pose);
 /// A pose in the plane as one in space.
 Pose3 onGround(const Pose2 & pose);
 /// @param velocity  m/s, in the frame of the twist

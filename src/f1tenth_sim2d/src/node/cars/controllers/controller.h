@@ -2,6 +2,7 @@
 
 #include <controller_manager_msgs/HardwareInterfaceResources.h>
 
+#include <string>
 #include <vector>
 
 #include "f1tenth_sim2d/sim_time.h"
@@ -13,7 +14,8 @@ namespace f1tenth_sim2d
 class Controller
 {
 public:
-  using Claims = std::vector<controller_manager_msgs::HardwareInterfaceResources>;
+  using Claim = controller_manager_msgs::HardwareInterfaceResources;
+  using Claims = std::vector<Claim>;
 
   virtual ~Controller() = default;
   /// Joints that nobody else may move while it runs, by hardware interface.
@@ -24,5 +26,14 @@ public:
   /// @param dt  s since the call before; 0 if time was set back
   /// @return what it asks of its joints; valid until the next call
   virtual std::vector<JointCommand> update(SimTime now, double dt) = 0;
+
+protected:
+  static Claim claimOf(const std::string & interface, const std::vector<std::string> & joints)
+  {
+    Claim claim;
+    claim.hardware_interface = interface;
+    claim.resources = joints;
+    return claim;
+  }
 };
 }  // namespace f1tenth_sim2d

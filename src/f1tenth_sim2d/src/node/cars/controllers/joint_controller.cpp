@@ -70,12 +70,12 @@ JointController::JointController(const JointControllerType & type, const Control
 
 Controller::Claims JointController::claims() const
 {
-  Claims claims(1);
-  claims.front().hardware_interface = type_.interface;
+  std::vector<std::string> names;
+  names.reserve(joints_.size());
   for (const ControlledJoint & joint : joints_) {
-    claims.front().resources.push_back(joint.description().name);
+    names.push_back(joint.description().name);
   }
-  return claims;
+  return {claimOf(type_.interface, names)};
 }
 
 void JointController::start(SimTime /*now*/)

@@ -19,9 +19,7 @@ JointStateController::JointStateController(const ControllerSetup & setup)
 
 Controller::Claims JointStateController::claims() const
 {
-  Claims claims(1);
-  claims.front().hardware_interface = "hardware_interface::JointStateInterface";
-  return claims;
+  return {claimOf("hardware_interface::JointStateInterface", {})};
 }
 
 void JointStateController::start(SimTime now)

@@ -7,17 +7,6 @@
 
 namespace f1tenth_sim2d
 {
-namespace
-{
-Controller::Claims::value_type claimOf(const ControlledJoint & joint, const std::string & interface)
-{
-  Controller::Claims::value_type claim;
-  claim.hardware_interface = interface;
-  claim.resources.push_back(joint.description().name);
-  return claim;
-}
-}  // namespace
-
 SteeringController::SteeringController(const ControllerSetup & setup)
 : p_(readSteeringParameters(setup)),
   car_(setup.car),
@@ -43,8 +32,8 @@ SteeringController::SteeringController(const ControllerSetup & setup)
 Controller::Claims SteeringController::claims() const
 {
   return {
-    claimOf(wheel_, "hardware_interface::VelocityJointInterface"),
-    claimOf(steering_, "hardware_interface::PositionJointInterface")};
+    claimOf("hardware_interface::VelocityJointInterface", {wheel_.description().name}),
+    claimOf("hardware_interface::PositionJointInterface", {steering_.description().name})};
 }
 
 void SteeringController::start(SimTime now)
@@ -114,9 +103,7 @@ void SteeringController::publish(SimTime now)
   message_.twist.twist = toTwist({odometry_.speed(), 0.0}, odometry_.yawRate());
   publisher_.publish(message_);
   if (p_.enable_odom_tf) {
-    transform_.transform.translation.x = odometry_.pose().x;
-    transform_.transform.translation.y = odometry_.pose().y;
-    transform_.transform.rotation = message_.pose.pose.orientation;
+    transform_.transform = toTransform(onGround(odometry_.pose()));
     transforms_.send(transform_);
   }
 }

@@ -9,6 +9,7 @@ from typing import Any
 from f1tenth_scenarios import places
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan.handover import (
+    absolute,
     car_topics,
     driver_arguments,
     driver_topics,
@@ -174,14 +175,14 @@ def _remappings(plan: Plan, car: Car) -> dict[str, str]:
     known = usual if car.driver.is_ours else car_topics(plan, car)
     taken = plan.cars[car.name].driver.arguments
     found = {
-        _absolute(own, known[each]): _absolute(own, actual[each])
+        absolute(own, known[each]): absolute(own, actual[each])
         for each in Input
         if known[each] != actual[each] and f"{each.value}_topic" not in taken
     }
     description = plan.cars[car.name].description
     twist = description and description.twist
     if car.driver.is_ours and twist and twist != _TWIST:
-        found[f"{own}/{_TWIST}"] = _absolute(own, twist)
+        found[f"{own}/{_TWIST}"] = absolute(own, twist)
     if car.driver.interface is Interface.F1TENTH:
         found |= _by_name(own, F1TENTH_OWN, usual, actual)
         if opponent := opponent_of(plan, car):
@@ -197,20 +198,16 @@ def _by_name(
 ) -> dict[str, str]:
     """Names of others for what a car has in its namespace, with the topics on which that is."""
     topics = {usual[each]: actual[each] for each in Input}
-    return {old: _absolute(namespace, topics.get(new, new)) for old, new in names.items()}
+    return {old: absolute(namespace, topics.get(new, new)) for old, new in names.items()}
 
 
 def _topics_of_descriptions(plan: Plan) -> list[str]:
     """Those of cars that have a description of their own, besides the usual ones."""
     descriptions = {name: car.description for name, car in plan.cars.items() if car.description}
     own = {name: (each.scan, each.twist) for name, each in descriptions.items()}
-    found = {_absolute(f"/{name}", topic) for name, topics in own.items() for topic in topics if topic}
+    found = {absolute(f"/{name}", topic) for name, topics in own.items() for topic in topics if topic}
     usual = {f"/{name}/{topic}" for name in own for topic in ("scan", _TWIST)}
     return sorted(found - usual)
-
-
-def _absolute(namespace: str, topic: str) -> str:
-    return topic if topic.startswith("/") else f"{namespace}/{topic}"
 
 
 def _include(parent: ElementTree.Element, file: str, arguments: Mapping[str, Any]) -> None:

@@ -108,6 +108,11 @@ def driver_topics(plan: Plan, car: Car) -> dict[Input, str]:
     return input_topics(plan, car) | ({Input.SCAN: f"{DEPUTY}/scan"} if has_deputy(plan, car.name) else {})
 
 
+def absolute(namespace: str, topic: str) -> str:
+    """The full name of a topic that may be in a namespace."""
+    return topic if topic.startswith("/") else f"{namespace}/{topic}"
+
+
 def opponent_of(plan: Plan, car: Car) -> Optional[Car]:
     """The first other car; nothing for one that is alone."""
     return next((each for each in plan.scenario.cars if each is not car), None)

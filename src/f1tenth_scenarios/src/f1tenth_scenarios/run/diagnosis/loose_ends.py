@@ -6,6 +6,7 @@ from typing import Optional
 
 from f1tenth_scenarios.launch.launch_file import F1TENTH_OWN
 from f1tenth_scenarios.plan.car_description import CarDescription
+from f1tenth_scenarios.plan.handover import absolute
 from f1tenth_scenarios.plan.participants import driver_nodes_among
 from f1tenth_scenarios.run.ros_graph import RosGraph
 from f1tenth_scenarios.scenario.driver import Interface
@@ -66,7 +67,7 @@ def why_mute(
         interface: of the driver
         topics: of the car
     """
-    own = {name if name[0] == "/" else f"/{car}/{name}": kind for name, kind in topics.commands.items()}
+    own = {absolute(f"/{car}", name): kind for name, kind in topics.commands.items()}
     published = sorted(set(publications))
     wrong = [f"publishes {kind} on {topic}" for topic, kind in published if own.get(topic, kind) != kind]
     astray = [

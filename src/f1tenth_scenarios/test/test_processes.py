@@ -102,11 +102,16 @@ def test_stopped_processes_end_in_order(tmp_path):
         "try:\n    (path / 'ready').touch(); time.sleep(600)\n"
         "except KeyboardInterrupt:\n    (path / 'ended').touch()"
     )
-    passes_on = "import signal\nsignal.signal(signal.SIGINT, lambda *_: child.send_signal(signal.SIGINT))\n"
-    program = passes_on + starts_child(tmp_path, ends_in_order, own_session=True) + "sys.exit(child.wait())"
-    tree = start(tmp_path, program)
+    passes_on = (
+        "import pathlib, signal\n"
+        "signal.signal(signal.SIGINT, lambda *_: child.send_signal(signal.SIGINT))\n"
+        f"(pathlib.Path({str(tmp_path)!r}) / 'passes_on').touch()\n"
+        "sys.exit(child.wait())"
+    )
+    tree = start(tmp_path, starts_child(tmp_path, ends_in_order, own_session=True) + passes_on)
     child = psutil.Process(pid_of_child(tmp_path))
     wait_for((tmp_path / "ready").exists)
+    wait_for((tmp_path / "passes_on").exists)
     child.suspend()
     child.parent().suspend()
     tree.stop(PATIENCE)

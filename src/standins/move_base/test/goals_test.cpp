@@ -73,6 +73,19 @@ TEST(Goals, giveWayToTheSideOnTheRoad)
   }
 }
 
+TEST(Navigator, isAtALoneGoalOnlyWhereItStands)
+{
+  const Pose2 goal{6.0, 2.0, 0.0};
+  for (const double off : {0.19, 0.21}) {
+    Navigator navigator(racingNavigator());
+    Costmap costmap = makeCostmap(drawRoom(12.0, 4.0));
+    navigator.setGoal(goal, 0.0);
+    EXPECT_FALSE(navigator.cycle({0.05, {{goal.x - 0.1, goal.y, 0.0}, 0.4}, true}, costmap).outcome);
+    const auto outcome = navigator.cycle({0.1, {{goal.x + off, goal.y, 0.0}, 0.0}, true}, costmap).outcome;
+    EXPECT_EQ(outcome.has_value(), off < 0.2) << "the way there does not count";
+  }
+}
+
 TEST(Navigator, passesGoalsThatAnotherOneFollowsWithoutStopping)
 {
   Journey journey(passingNavigator(), makeCostmap(drawOval()), onOval(0.0));

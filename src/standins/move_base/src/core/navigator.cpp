@@ -227,10 +227,9 @@ void Navigator::control(const CycleInput & input, Costmap & costmap, CycleOutput
 
 bool Navigator::finishIfReached(const CycleInput & input, CycleOutput & output)
 {
-  const Pose2 & before = previous_pose_.value_or(input.car.pose);
-  if (
-    !cameNear(before, input.car.pose, goals_.front(), requests_.tolerance()) ||
-    !(requests_.passes() || input.car.stands())) {
+  const Pose2 & here = input.car.pose;
+  const Pose2 & since = requests_.passes() ? previous_pose_.value_or(here) : here;
+  if (!cameNear(since, here, goals_.front(), requests_.tolerance()) || !(requests_.passes() || input.car.stands())) {
     return false;
   }
   output.outcome = Outcome{true, "Goal reached."};

@@ -168,6 +168,49 @@ TEST(PathFollower, brakesWithWhatTheTyresHaveLeftInABend)
   EXPECT_LT(brakingInBend(0.4), 0.6 * 3.0 * lead);
 }
 
+// The speed commanded in a bend to a car that is so far outside of its path, m, less that of the step before, m/s.
+double changeOutsideOfBend(double outside)
+{
+  const Costmap costmap = makeCostmap(drawRoom(16.0, 16.0));
+  PathFollower follower(racingFollower());
+  follower.setPath(samplePath({6.0, 4.0, 0.0}, {{14.0, 0.3}}, 0.1), costmap);
+  KinematicCar car({6.0, 4.0, 0.0});
+  while (follower.placeOf(car.state()) < 6.0) {
+    car.drive(follower.step(car.state(), costmap, kStepTime).command, kStepTime);
+  }
+  CarState beside = car.state();
+  beside.pose.x += outside * std::sin(beside.pose.yaw);
+  beside.pose.y -= outside * std::cos(beside.pose.yaw);
+  const double before = follower.lastCommand().speed;
+  return follower.step(beside, costmap, kStepTime).command.speed - before;
+}
+
+TEST(PathFollower, slowsDownToComeBackToABendThatItHasLeft)
+{
+  EXPECT_NEAR(changeOutsideOfBend(0.0), 0.0, 0.01);
+  EXPECT_GT(changeOutsideOfBend(-0.3), -0.01) << "inside, where it may steer less";
+  EXPECT_LT(changeOutsideOfBend(0.3), -0.03);
+}
+
+// By how much a car is told to become faster in a step, m/s, on a way so bent, 1/m, at 2.8 m/s.
+double speedingUp(double curvature)
+{
+  const Costmap costmap = makeCostmap(drawRoom(16.0, 16.0));
+  PathFollower follower(racingFollower());
+  const Path path = samplePath({3.0, 4.0, 0.0}, {{10.0, curvature}}, 0.1);
+  follower.setPath(path, costmap);
+  const CarState car{path[20].pose, 2.8};
+  const double before = follower.step(car, costmap, kStepTime).command.speed;
+  return follower.step(car, costmap, kStepTime).command.speed - before;
+}
+
+TEST(PathFollower, speedsUpWithWhatTheTyresHaveLeftInABend)
+{
+  EXPECT_NEAR(speedingUp(0.0), 3.0 * kStepTime, 1e-9);
+  EXPECT_GT(speedingUp(0.3), 0.3 * 3.0 * kStepTime);
+  EXPECT_LT(speedingUp(0.3), 0.8 * 3.0 * kStepTime);
+}
+
 TEST(PathFollower, asksLessOfTyresThatHoldLess)
 {
   const Costmap costmap = makeCostmap(drawOval());

@@ -13,7 +13,6 @@ constexpr double kEndReached = 0.03;      // m
 constexpr double kPredictionStep = 0.05;  // s
 constexpr double kPredictionTime = 0.8;   // s beyond the time needed for braking
 constexpr double kBrakingReserve = 1.5;   // of the deceleration of the speed profile, to come down to a slower profile
-constexpr double kLateralReserve = 1.05;  // of the lateral acceleration, to drive errors out
 constexpr double kSlipStep = 0.03;        // part by which the slip must change to be taken into account
 constexpr double kUsualSlip = 1.15;       // times what it is told to be, up to which the grip is that of a dry road
 constexpr double kSlipPower = 1.5;        // of the slip beyond: on average it is measured before it is all there
@@ -22,7 +21,7 @@ constexpr double kSpinning = 0.85;        // of what spinning wheels pass on, th
 constexpr double kUnfelt = 0.6;           // of the lateral acceleration, until a bend has shown how the tyres slip
 constexpr double kStopMargin = 0.05;      // m, left before an obstacle
 constexpr double kBends = 0.5;            // of the lateral acceleration, from which braking is limited for it
-constexpr double kLeastLeft = 0.35;       // of the deceleration, however hard the car corners
+constexpr double kLeastLeft = 0.35;       // of the acceleration, however hard the car corners
 // A Twist without speed says nothing of the wheels: they would straighten while the car still rolls, m/s.
 constexpr double kCreep = 1e-3;
 // The speed commanded and the speed measured may differ by this much before the slew starts from the measured one, m/s.
@@ -193,7 +192,9 @@ FollowStep PathFollower::step(
   const bool stop = brake || result.lost || result.position.remaining <= kEndReached;
   const SpeedBehind behind = speedBehindOthers(car, costmap, others);
   const double utmost = std::min(stoppable, behind.utmost);
-  const double speed = stop ? 0.0 : std::min({wantedSpeed(predicted, car.speed), utmost, behind.wanted});
+  const double bend = steer(predicted, curvatureAhead(predicted, car.speed), std::abs(car.speed));
+  const double speed =
+    stop ? 0.0 : std::min({wantedSpeed(predicted, car.speed), speedFor(bend), utmost, behind.wanted});
   const double left = brake ? leftInBend(car.speed) : 1.0;
   const double slow = slewed(result.position.reverse ? -speed : speed, car.speed, left, period);
   const double gentle = gentlest(car.speed);
@@ -201,7 +202,7 @@ FollowStep PathFollower::step(
   if (!car.stands() && std::abs(result.command.speed) < kCreep) {
     result.command.speed = std::copysign(kCreep, car.speed);
   }
-  last_bend_ = steer(predicted, curvatureAhead(predicted, car.speed), std::abs(car.speed));
+  last_bend_ = drivable(bend, std::abs(car.speed));
   result.command.curvature = withUndersteer(last_bend_, car.speed, accelerationTo(result.command.speed, car.speed));
   last_ = result.command;
   return result;
@@ -212,13 +213,29 @@ double PathFollower::maxCurvature() const
   return std::tan(options_.max_steering_angle) / options_.limits.wheelbase;
 }
 
+// Of a curvature, 1/m, what wheels and tyres allow.
+double PathFollower::drivable(double curvature, double speed) const
+{
+  const double limit =
+    std::min(maxCurvature(), options_.limits.max_lateral_acceleration / std::max(speed * speed, 1e-6));
+  return std::clamp(curvature, -limit, limit);
+}
+
+// At which the tyres hold the car on a curvature: one that has left its path in a bend comes back only if it slows down.
+double PathFollower::speedFor(double curvature) const
+{
+  const double bend = std::clamp(std::abs(curvature), 1e-6, maxCurvature());
+  return std::max(std::sqrt(options_.limits.max_lateral_acceleration / bend), options_.limits.min_vel_x);
+}
+
 double PathFollower::slipOn(double curvature, double speed) const
 {
   const double limit = options_.limits.max_lateral_acceleration;
   return options_.slip_gradient * std::clamp(speed * speed * curvature, -limit, limit);
 }
 
-// Of its deceleration, what the tyres have left that hold a car in a bend: with more than that its tail comes round.
+// Of its acceleration, what the tyres have left that hold a car in a bend: braking with more than that, its tail comes
+// round, and speeding up with more, its front axle loses the load that it steers with.
 double PathFollower::leftInBend(double speed) const
 {
   return std::max(options_.limits.leftInBend(speed, last_bend_), kLeastLeft);
@@ -290,11 +307,8 @@ double PathFollower::steer(const PathPosition & position, double ahead, double s
   const double way = position.reverse ? -1.0 : 1.0;
   const double stretch = std::max(0.2, 1.0 - way * position.curvature * position.lateral);
   const double astray = position.heading_error - slipOn(position.curvature, speed);
-  const double curvature =
-    ahead * std::cos(astray) / stretch - way * (position.lateral / (reach * reach) + 2.0 * std::sin(astray) / reach);
-  const double lateral = kLateralReserve * options_.limits.max_lateral_acceleration;
-  const double limit = std::min(maxCurvature(), lateral / std::max(speed * speed, 1e-6));
-  return std::clamp(curvature, -limit, limit);
+  return ahead * std::cos(astray) / stretch -
+         way * (position.lateral / (reach * reach) + 2.0 * std::sin(astray) / reach);
 }
 
 // Of the path where the car will be when its yaw has followed the wheels.
@@ -348,7 +362,7 @@ double PathFollower::distanceToObstacle(
     const double slower = pace - options_.limits.deceleration(pace) * kPredictionStep;
     pace = std::max({std::min(pace, profileAt(position.s, position.index)), slower, options_.limits.min_vel_x});
     const double distance = std::min(pace * kPredictionStep, position.remaining);
-    const double bend = steer(position, position.curvature, pace);
+    const double bend = drivable(steer(position, position.curvature, pace), pace);
     const double slip = slipOn(position.curvature, pace);
     pose = advance({pose.x, pose.y, pose.yaw - slip}, position.reverse ? -distance : distance, bend);
     pose.yaw += slip;
@@ -390,7 +404,7 @@ double PathFollower::slewed(double wanted, double speed, double left, double per
   const bool slower = std::abs(wanted) < std::abs(from) || wanted * from < 0.0;
   const double braking =
     std::min(options_.limits.dec_lim_x, kBrakingReserve * left * options_.limits.deceleration(from));
-  const double step = (slower ? braking : options_.limits.acc_lim_x) * period;
+  const double step = (slower ? braking : leftInBend(speed) * options_.limits.acc_lim_x) * period;
   return from + std::clamp(wanted - from, -step, step);
 }
 }  // namespace move_base

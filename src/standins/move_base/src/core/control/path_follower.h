@@ -123,6 +123,8 @@ private:
 
   void noteSent(double period);
   double maxCurvature() const;
+  double drivable(double curvature, double speed) const;
+  double speedFor(double curvature) const;
   double slipOn(double curvature, double speed) const;
   double leftInBend(double speed) const;
   double gentlest(double speed) const;

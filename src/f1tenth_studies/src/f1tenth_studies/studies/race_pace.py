@@ -12,8 +12,8 @@ from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Run, Study
 
 GREATEST_RATIO = 1.35
 LEAST_CLEARANCE = 0.05  # m
-# The planner's max_vel_x: what the lidar sees counts from 8 m on, and with acc_lim_x a car stops within that.
-SIGHT_SPEED = 10.0  # m/s
+# The planner's max_vel_x: what the lidar sees counts from 10 m on, and with acc_lim_x a car stops within that.
+SIGHT_SPEED = 11.4  # m/s
 
 
 _TEXT = f"""\
@@ -26,7 +26,7 @@ vehicle models drive: `single_track`, whose tyres' forces grow with slip, and `s
 tyres slide.
 
 In sight is the optimum of a car that drives at most {SIGHT_SPEED:g} m/s, as the planner does (`max_vel_x`):
-from that it stops within the 8 m in which obstacles of the lidar count.
+from that it stops within the 10 m in which obstacles of the lidar count.
 
 Wanted: every flying lap within {GREATEST_RATIO} times the optimum, no contact, at least
 {LEAST_CLEARANCE:g} m of clearance."""

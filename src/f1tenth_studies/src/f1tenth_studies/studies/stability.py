@@ -27,7 +27,7 @@ _STILL = 0.05  # rad/s, below which a yaw rate has no sign
 
 _TEXT = f"""\
 A lap from the standing start on {", ".join(_PLACES[:-1])} and the track {_PLACES[-1]}, with default settings
-and perfect odometry, at most at 5 and at 10 m/s, with both vehicle models: with the friction of the usual
+and perfect odometry, at most at 5 and at 11.4 m/s, with both vehicle models: with the friction of the usual
 floor and less (mu), and with cars that follow a command sooner or later (actuation_latency, s; 0.02 is
 usual). The planner is told neither.
 
@@ -117,7 +117,7 @@ STUDY = Study(
         "model": "single_track,single_track_drift",
         "mu": "0.5,0.75,1.05",
         "actuation_latency": "0,0.1",
-        "speed_max": "5,10",
+        "speed_max": "5,11.4",
     },
     rows=("model", "mu", "actuation_latency"),
     columns=(

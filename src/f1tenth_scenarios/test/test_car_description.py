@@ -90,6 +90,18 @@ def test_another_driver_of_ours_gets_the_topics_of_the_car(planned):
     assert names["pure_pursuit"]["/robot1/scan"] == "/beams"
 
 
+def test_our_planner_gets_the_odometry_of_the_wheels(planned):
+    parameters, names = loaded(planned("", settings=["localization=amcl"]))
+    assert names["move_base"]["odom"] == "/truck/odom"
+    assert names["amcl"]["scan"] == "/front_laser/scan"
+
+
+def test_faults_concern_the_odometry_that_the_car_has(planned):
+    _, names = loaded(planned(f"{FOREIGN}    input_faults: [{{inputs: [odom], at: 1, until: 2}}]\n"))
+    assert names["faulty_inputs"]["odom"] == "/truck/odom"
+    assert names["planner"]["/truck/odom"] == "/robot1/odom_faulty"
+
+
 def test_planner_of_the_car_gets_its_scans_by_the_deputy(planned):
     _, names = loaded(planned(FOREIGN))
     assert names["deputy"]["scan"] == "/front_laser/scan"
@@ -146,9 +158,11 @@ TWICE = FOREIGN + "  - name: robot2\n    description: truck.xacro\n" + FOREIGN
             "robot1: 'dropped_beams' needs a lidar of 40 Hz, and {folder}/truck.xacro has none",
         ),
         (
-            f"{FOREIGN}    input_faults: [{{inputs: [odom], at: 1, until: 2}}]\n",
+            f"{FOREIGN}    description_arguments: {{driven_by: controllers}}\n"
+            "    input_faults: [{inputs: [odom], at: 1, until: 2}]\n",
             "truck.xacro",
-            "robot1: 'input_faults' needs libf1tenth_perfect_odometry.so, and {folder}/truck.xacro has none",
+            "robot1: 'input_faults' needs libf1tenth_perfect_odometry.so or odometry of its wheels with the"
+            " transform from 'odom', and {folder}/truck.xacro has none",
         ),
         (
             TWICE,

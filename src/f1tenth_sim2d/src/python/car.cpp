@@ -76,6 +76,16 @@ std::optional<std::string> twistTopicOf(const CarDescription & car)
   }
   return car.ros_control ? std::nullopt : std::make_optional<std::string>("cmd_vel");
 }
+
+/// Nothing for a car that does not say both how its wheels have turned and which transform comes of it.
+std::optional<std::string> odometryTopicOf(const CarDescription & car)
+{
+  if (!car.drive) {
+    return car.ros_control ? std::nullopt : std::make_optional<std::string>("odom");
+  }
+  const bool is_whole = car.drive->publishes_odometry && car.drive->publishes_transform;
+  return is_whole && car.drive->odometry_frame == "odom" ? std::make_optional(car.drive->odometry_topic) : std::nullopt;
+}
 }  // namespace
 
 void bindCar(py::module_ & module)
@@ -95,6 +105,9 @@ void bindCar(py::module_ & module)
       "extent", &extentOf, "(rear, front, right, left) ends of its collisions in base_footprint, m.")
     .def_property_readonly(
       "twist_topic", &twistTopicOf, "Where it takes geometry_msgs/Twist; None: controllers of ros_control drive it.")
+    .def_property_readonly(
+      "odometry_topic", &odometryTopicOf,
+      "Where it publishes the odometry of its wheels, if with the transform from 'odom'; None: nowhere.")
     .def_property_readonly(
       "takes_steering_angle",
       [](const CarDescription & car) { return car.drive && car.drive->kind == DriveDescription::Kind::kAckermann; },

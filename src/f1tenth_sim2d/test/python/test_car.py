@@ -30,14 +30,32 @@ ACKERMANN = """<gazebo><plugin name="a" filename="libgazebo_ros_ackermann_drive.
 <commandTopic>/cmd</commandTopic><updateRate>50</updateRate></plugin></gazebo>"""
 
 
+def with_plugin(car_text, plugin):
+    return f1tenth_sim2d.load_car(car_text.replace("</robot>", f"{plugin}</robot>"), "robot1", "a test")
+
+
 @pytest.mark.parametrize(
     ("plugin", "topic", "is_angle"),
     [("", "cmd_vel", False), (CONTROL, None, False), (ACKERMANN, "/cmd", True)],
 )
 def test_car_says_how_it_is_driven(car_text, plugin, topic, is_angle):
-    text = car_text.replace("</robot>", f"{plugin}</robot>")
-    made = f1tenth_sim2d.load_car(text, "robot1", "a test")
+    made = with_plugin(car_text, plugin)
     assert (made.twist_topic, made.takes_steering_angle) == (topic, is_angle)
+
+
+@pytest.mark.parametrize(
+    ("plugin", "topic"),
+    [
+        ("", "odom"),
+        (CONTROL, None),
+        (ACKERMANN, "odom"),
+        (ACKERMANN.replace("<update", "<odometryTopic>/wheels</odometryTopic><update"), "/wheels"),
+        (ACKERMANN.replace("<update", "<publishTf>false</publishTf><update"), None),
+        (ACKERMANN.replace("<update", "<odometryFrame>start</odometryFrame><update"), None),
+    ],
+)
+def test_car_says_where_its_odometry_is(car_text, plugin, topic):
+    assert with_plugin(car_text, plugin).odometry_topic == topic
 
 
 def test_text_that_is_no_robot_is_a_load_error_with_its_source():

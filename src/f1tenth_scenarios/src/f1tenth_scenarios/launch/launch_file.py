@@ -100,7 +100,7 @@ def _shared_arguments(plan: Plan) -> dict[str, Any]:
 
 
 def _car_arguments(plan: Plan, car: Car) -> dict[str, Any]:
-    start = plan.cars[car.name].start
+    start, topics = plan.cars[car.name].start, car_topics(plan, car)
     return {
         "car_name": car.name,
         "x": start.x,
@@ -110,7 +110,8 @@ def _car_arguments(plan: Plan, car: Car) -> dict[str, Any]:
         "planner": driver_participants(plan, car.name)[0],
         "description": plan.description_file(car.name) if plan.cars[car.name].description else "",
         "vehicle": plan.vehicle_file(car.name) if _vehicle(plan, car) else "",
-        "scan_topic": car_topics(plan, car)[Input.SCAN],
+        "scan_topic": topics[Input.SCAN],
+        "odom_topic": topics[Input.ODOM],
         "dropped_beams": car.dropped_beams,
         "input_faults": json.dumps(_faults(car)),
         "odometry": odometry(plan),

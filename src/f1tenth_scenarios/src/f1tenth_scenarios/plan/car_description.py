@@ -28,6 +28,7 @@ _DYNAMICS = (
 )
 
 _ODOMETRY, _TRUTH = "libf1tenth_perfect_odometry.so", "perfect_odom"  # the plugin, and its topic
+_WHEELS = "odometry of its wheels with the transform from 'odom'"
 _BASE = "base_footprint"
 
 
@@ -41,6 +42,7 @@ class CarDescription:
     scan_rate: float  # Hz
     twist: Optional[str]  # where it takes geometry_msgs/Twist; nothing if controllers of ros_control drive it
     takes_steering_angle: bool  # whether angular.z of that is the angle of its wheels, rad, not a yaw rate
+    odometry: Optional[str]  # topic of what its wheels tell, if with the transform from `odom`
     odometry_period: Optional[float]  # s, of its true pose on `perfect_odom`; nothing if it has no such topic
     base_frame: str  # without prefix
     extent: tuple[float, float, float, float]  # its rear, front, right and left end in base_footprint, m
@@ -93,6 +95,7 @@ def _read(file: Path, arguments: Sequence[str], name: str) -> CarDescription:
         scan_rate=lidar.rate_hz if lidar else 0.0,
         twist=described.twist_topic,
         takes_steering_angle=described.takes_steering_angle,
+        odometry=described.odometry_topic,
         odometry_period=_odometry_period(file, text),
         base_frame=described.base_frame,
         extent=described.extent,
@@ -130,16 +133,19 @@ def check_car(car: Car, description: CarDescription, localization: Localization)
         ScenarioError: it lacks something.
     """
     driver = f"the driver '{car.driver.name}'"
+    finds_itself = localization is Localization.AMCL
     drives_by_pose = car.driver.name in ("race", "pursuit")
-    knows_truth = car.driver.name == "pursuit" or localization is Localization.STATIC
+    knows_truth = car.driver.name == "pursuit" or not finds_itself
+    has_odometry = description.odometry or (description.odometry_period and not finds_itself)
     needs = [
         (driver, "a lidar", car.driver.is_ours and not description.scan),
         (driver, "a car that takes geometry_msgs/Twist", car.driver.is_ours and not description.twist),
         (driver, _ODOMETRY, drives_by_pose and knows_truth and not description.odometry_period),
+        (driver, _WHEELS, car.driver.name == "race" and finds_itself and not description.odometry),
         (driver, "a link base_footprint", car.driver.name == "race" and description.base_frame != _BASE),
         ("'dropped_beams'", "a lidar of 40 Hz", car.dropped_beams > 0 and description.scan_rate < 40.0),
         ("'input_faults'", "a lidar", bool(car.faults_of(Input.SCAN)) and not description.scan),
-        ("'input_faults'", _ODOMETRY, bool(car.faults_of(Input.ODOM)) and not description.odometry_period),
+        ("'input_faults'", f"{_ODOMETRY} or {_WHEELS}", bool(car.faults_of(Input.ODOM)) and not has_odometry),
     ]
     for who, what, is_lacking in needs:
         if is_lacking:

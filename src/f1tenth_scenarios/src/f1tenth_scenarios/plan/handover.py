@@ -93,8 +93,11 @@ def usual_topics(plan: Plan) -> dict[Input, str]:
 def car_topics(plan: Plan, car: Car) -> dict[Input, str]:
     """The same of one car, which may have a description of its own."""
     description = plan.cars[car.name].description
-    scan = description and description.scan
-    return usual_topics(plan) | ({Input.SCAN: scan} if scan else {})
+    if description is None:
+        return usual_topics(plan)
+    knows_truth = odometry(plan) == "perfect" and description.odometry_period
+    own = {Input.SCAN: description.scan, Input.ODOM: None if knows_truth else description.odometry}
+    return usual_topics(plan) | {each: topic for each, topic in own.items() if topic}
 
 
 def input_topics(plan: Plan, car: Car) -> dict[Input, str]:

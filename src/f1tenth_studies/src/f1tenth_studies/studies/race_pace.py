@@ -12,7 +12,7 @@ from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Run, Study
 
 GREATEST_RATIO = 1.35
 LEAST_CLEARANCE = 0.05  # m
-# The planner's max_vel_x: what the lidar sees counts from 10 m on, and with acc_lim_x a car stops within that.
+# The planner's max_vel_x: what the lidar sees counts from 10 m on; with acc_lim_x a car stops within that.
 SIGHT_SPEED = 11.4  # m/s
 
 

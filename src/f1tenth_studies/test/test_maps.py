@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -32,6 +33,7 @@ def mapped(place, seed, check=GOOD):
 def _leave_a_file(drive):
     if drive.place == "nowhere":
         raise ScenarioError(str(drive.world))
+    time.sleep(0.5)  # as a drive does, it takes longer than hearing of the one before
     drive.world.touch()
 
 

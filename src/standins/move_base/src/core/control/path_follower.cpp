@@ -195,8 +195,7 @@ FollowStep PathFollower::step(
   const double bend = steer(predicted, curvatureAhead(predicted, car.speed), std::abs(car.speed));
   const double speed =
     stop ? 0.0 : std::min({wantedSpeed(predicted, car.speed), speedFor(bend), utmost, behind.wanted});
-  const double left = brake ? leftInBend(car.speed) : 1.0;
-  const double slow = slewed(result.position.reverse ? -speed : speed, car.speed, left, period);
+  const double slow = slewed(result.position.reverse ? -speed : speed, car.speed, brake, period);
   const double gentle = gentlest(car.speed);
   result.command.speed = std::clamp(slow, -std::max(stoppable, gentle), std::max(utmost, gentle));
   if (!car.stands() && std::abs(result.command.speed) < kCreep) {
@@ -224,8 +223,8 @@ double PathFollower::drivable(double curvature, double speed) const
 // At which the tyres hold the car on a curvature: one that has left its path in a bend comes back only if it slows down.
 double PathFollower::speedFor(double curvature) const
 {
-  const double bend = std::clamp(std::abs(curvature), 1e-6, maxCurvature());
-  return std::max(std::sqrt(options_.limits.max_lateral_acceleration / bend), options_.limits.min_vel_x);
+  const double bend = std::min(std::abs(curvature), maxCurvature());
+  return std::max(options_.limits.speedInBend(bend), options_.limits.min_vel_x);
 }
 
 double PathFollower::slipOn(double curvature, double speed) const
@@ -396,15 +395,16 @@ void PathFollower::changeDirectionWhenStanding(const CarState & car)
   }
 }
 
-double PathFollower::slewed(double wanted, double speed, double left, double period) const
+double PathFollower::slewed(double wanted, double speed, bool brake, double period) const
 {
+  const double left = leftInBend(speed);
   const double greatest = std::max(options_.limits.acc_lim_x, options_.limits.dec_lim_x);
   const double slack = std::max(kSpeedSlack, kSlackPart * lags_.speed * greatest);
   const double from = std::clamp(last_.speed, speed - slack, speed + slack);
   const bool slower = std::abs(wanted) < std::abs(from) || wanted * from < 0.0;
   const double braking =
-    std::min(options_.limits.dec_lim_x, kBrakingReserve * left * options_.limits.deceleration(from));
-  const double step = (slower ? braking : leftInBend(speed) * options_.limits.acc_lim_x) * period;
+    std::min(options_.limits.dec_lim_x, kBrakingReserve * (brake ? left : 1.0) * options_.limits.deceleration(from));
+  const double step = (slower ? braking : left * options_.limits.acc_lim_x) * period;
   return from + std::clamp(wanted - from, -step, step);
 }
 }  // namespace move_base

@@ -141,7 +141,7 @@ private:
     const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const;
   bool pathBlocked(const PathPosition & position, double speed, const Costmap & costmap) const;
   void changeDirectionWhenStanding(const CarState & car);
-  double slewed(double wanted, double speed, double left, double period) const;
+  double slewed(double wanted, double speed, bool brake, double period) const;
 
   FollowerOptions given_;
   FollowerOptions options_;  // as the car is found to be

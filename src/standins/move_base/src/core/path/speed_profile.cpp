@@ -19,7 +19,7 @@ double speedForCurvature(const PathPoint & point, const SpeedLimits & limits)
   if (bend == 0.0) {
     return cruise;
   }
-  return std::min({cruise, std::sqrt(limits.max_lateral_acceleration / bend), limits.max_vel_theta / bend});
+  return std::min({cruise, limits.speedInBend(bend), limits.max_vel_theta / bend});
 }
 
 double speedForSteering(const Path & path, const PathStretch & stretch, std::size_t i, const SpeedLimits & limits)
@@ -82,6 +82,11 @@ double SpeedLimits::brakingDistance(double speed) const
 {
   const double full = std::min(std::abs(speed), braking_power / dec_lim_x);
   return (std::pow(std::abs(speed), 3) - std::pow(full, 3)) / (3.0 * braking_power) + full * full / (2.0 * dec_lim_x);
+}
+
+double SpeedLimits::speedInBend(double curvature) const
+{
+  return curvature == 0.0 ? HUGE_VAL : std::sqrt(max_lateral_acceleration / std::abs(curvature));
 }
 
 double SpeedLimits::leftInBend(double speed, double curvature) const

@@ -30,6 +30,8 @@ struct SpeedLimits
   double deceleration(double speed) const;
   /// Until it stands, from a speed, m.
   double brakingDistance(double speed) const;
+  /// At which the tyres hold the car in a bend, 1/m, m/s; infinite for none.
+  double speedInBend(double curvature) const;
   /// Part of an acceleration along the path that is left while the car drives a bend, 1/m: the friction ellipse.
   double leftInBend(double speed, double curvature) const;
   /// From which it can stop within a distance, m/s.

@@ -48,6 +48,11 @@ class CarDescription:
     extent: tuple[float, float, float, float]  # its rear, front, right and left end in base_footprint, m
     dynamics: dict[str, float]  # keys of a car's YAML file, SI units
 
+    def odometry_topic(self, localization: Localization) -> Optional[str]:
+        """Where it is told how the car moves: truly, unless it is to find itself, else by its wheels."""
+        knows_truth = self.odometry_period and localization is Localization.STATIC
+        return _TRUTH if knows_truth else self.odometry
+
     @property
     def wheelbase(self) -> float:
         """In m."""
@@ -136,7 +141,7 @@ def check_car(car: Car, description: CarDescription, localization: Localization)
     finds_itself = localization is Localization.AMCL
     drives_by_pose = car.driver.name in ("race", "pursuit")
     knows_truth = car.driver.name == "pursuit" or not finds_itself
-    has_odometry = description.odometry or (description.odometry_period and not finds_itself)
+    has_odometry = description.odometry_topic(localization) is not None
     needs = [
         (driver, "a lidar", car.driver.is_ours and not description.scan),
         (driver, "a car that takes geometry_msgs/Twist", car.driver.is_ours and not description.twist),

@@ -95,8 +95,8 @@ def car_topics(plan: Plan, car: Car) -> dict[Input, str]:
     description = plan.cars[car.name].description
     if description is None:
         return usual_topics(plan)
-    knows_truth = odometry(plan) == "perfect" and description.odometry_period
-    own = {Input.SCAN: description.scan, Input.ODOM: None if knows_truth else description.odometry}
+    odometry_topic = description.odometry_topic(plan.scenario.localization)
+    own = {Input.SCAN: description.scan, Input.ODOM: odometry_topic}
     return usual_topics(plan) | {each: topic for each, topic in own.items() if topic}
 
 

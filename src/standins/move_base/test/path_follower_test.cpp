@@ -231,6 +231,19 @@ TEST(PathFollower, asksLessOfTyresThatHoldLess)
   EXPECT_EQ(part({1.0, 1.0, true}), std::pair(1.0, 1.0));
 }
 
+TEST(PathFollower, steersAsFarAsItsPathBendsBeforeTheTyresAreFelt)
+{
+  const Costmap costmap = makeCostmap(drawRoom(16.0, 16.0));
+  const Path path = samplePath({3.0, 4.0, 0.0}, {{10.0, 0.15}}, 0.1);
+  PathFollower follower(racingFollower());
+  follower.setPath(path, costmap);
+  follower.setTyres({1.0, 1.0, false}, costmap);
+  const double lateral = 0.15 * 4.0 * 4.0;
+  ASSERT_GT(lateral, follower.options().limits.max_lateral_acceleration)
+    << "a car that is too fast for what is planned";
+  EXPECT_GE(follower.step({path[20].pose, 4.0}, costmap, kStepTime).command.curvature, 0.15);
+}
+
 TEST(PathFollower, brakesAlongThePathWhenTold)
 {
   const Costmap costmap = makeCostmap(drawOval());

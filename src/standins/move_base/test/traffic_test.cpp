@@ -232,6 +232,9 @@ TEST(PathFollower, neverTouchesACarAheadOfIt)
     }
     EXPECT_NEAR(car.state().speed, speed, 0.3);
     EXPECT_LT(other.x - car.state().pose.x, 3.0) << speed;
+    const double left =
+      other.x - car.state().pose.x - carAt(other, speed).outline.half_length - costmap.footprint().front();
+    EXPECT_GT(left, 0.7) << "from where it can swing out past it";
   }
 }
 

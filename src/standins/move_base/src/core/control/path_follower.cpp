@@ -18,10 +18,10 @@ constexpr double kUsualSlip = 1.15;       // times what it is told to be, up to 
 constexpr double kSlipPower = 1.5;        // of the slip beyond: on average it is measured before it is all there
 constexpr double kUsualTraction = 0.9;    // of the acceleration told, from which the grip is that of a dry road
 constexpr double kSpinning = 0.85;        // of what spinning wheels pass on, that they do while they steer as well
-constexpr double kUnfelt = 0.6;           // of the lateral acceleration, until a bend has shown how the tyres slip
-constexpr double kStopMargin = 0.05;      // m, left before an obstacle
-constexpr double kBends = 0.5;            // of the lateral acceleration, from which braking is limited for it
-constexpr double kLeastLeft = 0.35;       // of the acceleration, however hard the car corners
+constexpr double kUnfelt = 0.6;       // of the lateral acceleration planned, until a bend has shown how the tyres slip
+constexpr double kStopMargin = 0.05;  // m, left before an obstacle
+constexpr double kBends = 0.5;        // of the lateral acceleration, from which braking is limited for it
+constexpr double kLeastLeft = 0.35;   // of the acceleration, however hard the car corners
 // A Twist without speed says nothing of the wheels: they would straighten while the car still rolls, m/s.
 constexpr double kCreep = 1e-3;
 // The speed commanded and the speed measured may differ by this much before the slew starts from the measured one, m/s.
@@ -56,7 +56,10 @@ void FollowerOptions::validate() const
 }
 
 PathFollower::PathFollower(const FollowerOptions & options)
-: given_(options), options_(options), lags_{options.latency, kSpeedLag + options.latency}
+: given_(options),
+  options_(options),
+  lags_{options.latency, kSpeedLag + options.latency},
+  grip_to_side_(options.limits.max_lateral_acceleration)
 {
   options_.validate();
 }
@@ -82,11 +85,12 @@ void PathFollower::setTyres(const Tyres & tyres, const Costmap & costmap)
   options_.yaw_lag = given_.yaw_lag * tyres.slip;
   const double passed_on = tyres.traction < kUsualTraction ? kSpinning * tyres.traction : 1.0;
   const double grip = std::min(passed_on, std::pow(kUsualSlip / tyres.slip, kSlipPower));
-  const double to_side = tyres.felt ? grip : std::min(grip, kUnfelt);
   options_.limits.acc_lim_x = given_.limits.acc_lim_x * grip;
   options_.limits.dec_lim_x = given_.limits.dec_lim_x * grip;
   options_.limits.braking_power = given_.limits.braking_power * grip;
-  options_.limits.max_lateral_acceleration = given_.limits.max_lateral_acceleration * to_side;
+  grip_to_side_ = given_.limits.max_lateral_acceleration * grip;
+  options_.limits.max_lateral_acceleration =
+    tyres.felt ? grip_to_side_ : std::min(grip_to_side_, kUnfelt * given_.limits.max_lateral_acceleration);
   speeds_ = speedProfile(path_, costmap, options_.limits, caution_);
 }
 
@@ -215,8 +219,7 @@ double PathFollower::maxCurvature() const
 // Of a curvature, 1/m, what wheels and tyres allow.
 double PathFollower::drivable(double curvature, double speed) const
 {
-  const double limit =
-    std::min(maxCurvature(), options_.limits.max_lateral_acceleration / std::max(speed * speed, 1e-6));
+  const double limit = std::min(maxCurvature(), grip_to_side_ / std::max(speed * speed, 1e-6));
   return std::clamp(curvature, -limit, limit);
 }
 
@@ -227,10 +230,15 @@ double PathFollower::speedFor(double curvature) const
   return std::max(options_.limits.speedInBend(bend), options_.limits.min_vel_x);
 }
 
+// m/s^2, that the tyres can bring about.
+double PathFollower::lateralOn(double curvature, double speed) const
+{
+  return std::clamp(speed * speed * curvature, -grip_to_side_, grip_to_side_);
+}
+
 double PathFollower::slipOn(double curvature, double speed) const
 {
-  const double limit = options_.limits.max_lateral_acceleration;
-  return options_.slip_gradient * std::clamp(speed * speed * curvature, -limit, limit);
+  return options_.slip_gradient * lateralOn(curvature, speed);
 }
 
 // Of its acceleration, what the tyres have left that hold a car in a bend: braking with more than that, its tail comes
@@ -257,8 +265,7 @@ double PathFollower::accelerationTo(double command, double speed) const
 // An axle's slip grows with its lateral force over its load.
 double PathFollower::withUndersteer(double curvature, double speed, double acceleration) const
 {
-  const double limit = options_.limits.max_lateral_acceleration;
-  const double lateral = std::clamp(speed * speed * curvature, -limit, limit);
+  const double lateral = lateralOn(curvature, speed);
   const double shift = options_.load_transfer * acceleration;
   const double front = (options_.slip_gradient + options_.understeer_gradient) / (1.0 - shift);
   const double rear = options_.slip_gradient / (1.0 + shift);

@@ -125,6 +125,7 @@ private:
   double maxCurvature() const;
   double drivable(double curvature, double speed) const;
   double speedFor(double curvature) const;
+  double lateralOn(double curvature, double speed) const;
   double slipOn(double curvature, double speed) const;
   double leftInBend(double speed) const;
   double gentlest(double speed) const;
@@ -147,6 +148,7 @@ private:
   FollowerOptions options_;  // as the car is found to be
   Lags lags_;
   Tyres tyres_;
+  double grip_to_side_;  // m/s^2: more than is planned with until the tyres have been felt
   Path path_;
   Caution caution_;
   std::vector<double> speeds_;

@@ -70,3 +70,11 @@ def test_far_side_of_a_wall_of_pixels_does_not_count():
     pixels[x > count * step] = 205
     result = check_map(Grid(pixels, 0.0, 0.0), [outline], [])
     assert result.walls_near_cells > 0.97
+
+
+def test_gap_between_the_walls_of_two_roads_does_not_count():
+    walls = [rectangle(-0.15, 0.0, -0.05, 5.0), rectangle(0.05, 0.0, 0.15, 5.0)]
+    x = np.abs((np.arange(80) + 0.5) * 0.05 - 2.0)
+    row = np.select([x > 0.2, x > 0.15], [254, 0], 205).astype(np.uint8)
+    result = check_map(Grid(np.tile(row, (100, 1)), -2.0, 0.0), walls, [])
+    assert result.walls_near_cells > 0.97

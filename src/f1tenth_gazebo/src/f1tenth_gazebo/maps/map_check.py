@@ -10,7 +10,9 @@ from f1tenth_gazebo.sampling import along, around
 NEAR = 0.10
 """m"""
 _BEFORE = (0.1, 0.2, 0.3)
-"""A true wall counts if the map is free so far before it, m: nobody can map what no car can see."""
+"""A true wall counts if the map is free so far before it, m, with no other wall between: nobody can map what no car sees."""
+_TOUCHING = 0.01
+"""m"""
 
 
 @dataclass(frozen=True)
@@ -40,10 +42,12 @@ def check_map(grid, outlines, circles):
     cells = _centres(grid)
     sides = [*map(along, outlines), *(around(*circle) for circle in circles)]
     walls, normals = (np.concatenate(each) for each in zip(*sides))
+    tree = cKDTree(walls)
     seen = np.zeros(len(walls), bool)
     for away in _BEFORE:
-        seen |= _is_free(walls + away * normals, grid)
-    to_wall = cKDTree(walls).query(cells)[0]
+        to_nearest = tree.query(walls + away / 2 * normals)[0]
+        seen |= (to_nearest > away / 2 - _TOUCHING) & _is_free(walls + away * normals, grid)
+    to_wall = tree.query(cells)[0]
     to_cell = cKDTree(cells).query(walls[seen])[0]
     return MapCheck(float((to_wall <= NEAR).mean()), float((to_cell <= NEAR).mean()), float(to_wall.max()))
 

@@ -3,10 +3,7 @@
 import dataclasses
 import math
 
-import yaml
-from f1tenth_scenarios.errors import ScenarioError
-
-from f1tenth_scenarios import places
+from f1tenth_studies.parameters import read_parameters
 
 GRAVITY = 9.81  # m/s^2, with which the tyre parameters were identified
 CAR_WIDTH = 0.31  # m, of f1tenth_description
@@ -41,17 +38,7 @@ def read_limits(clearance: float = CLEARANCE) -> Limits:
     Raises:
         ScenarioError: the file is not there or lacks a value.
     """
-    path = places.package_path("f1tenth_sim2d") / "config" / "f1tenth.yaml"
-    try:
-        values = yaml.safe_load(path.read_text(encoding="utf-8"))
-        return _limits(values, clearance)
-    except OSError as error:
-        raise ScenarioError(f"{path}: cannot be read: {error.strerror}") from error
-    except KeyError as error:
-        raise ScenarioError(f"{path}: {error.args[0]} is missing") from error
-
-
-def _limits(values: dict, clearance: float) -> Limits:
+    values = read_parameters("f1tenth_sim2d", "f1tenth.yaml")
     wheelbase = values["l_f"] + values["l_r"]
     return Limits(
         friction=values["mu"],

@@ -8,12 +8,13 @@ from f1tenth_studies.made_places import data_folder
 from f1tenth_studies.optimum.car_limits import read_limits
 from f1tenth_studies.optimum.fastest_lap import FastestLap, compute_fastest_lap, time_along
 from f1tenth_studies.optimum.track import circuits, load_track
+from f1tenth_studies.parameters import read_planner_limits
 from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Run, Study
 
 GREATEST_RATIO = 1.35
 LEAST_CLEARANCE = 0.05  # m
-# The planner's max_vel_x: what the lidar sees counts from 10 m on; with acc_lim_x a car stops within that.
-SIGHT_SPEED = 11.4  # m/s
+# What the lidar sees counts from 10 m on; with acc_lim_x a car stops within that.
+SIGHT_SPEED = read_planner_limits()["max_vel_x"]  # m/s
 
 
 _TEXT = f"""\

@@ -11,11 +11,13 @@ from scipy.spatial import cKDTree
 
 from f1tenth_studies.made_places import track_map
 from f1tenth_studies.optimum.track import load_track
+from f1tenth_studies.parameters import read_planner_limits
 from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Run, Study, failed_places
 
-# What f1tenth_navigation tells the planner, m/s^2.
-LATERAL_LIMIT = 7.5  # max_lateral_acceleration
-LONGITUDINAL_LIMIT = 7.0  # acc_lim_x
+_LIMITS = read_planner_limits()
+LATERAL_LIMIT = _LIMITS["max_lateral_acceleration"]  # m/s^2
+LONGITUDINAL_LIMIT = _LIMITS["acc_lim_x"]  # m/s^2
+GREATEST_SPEED = _LIMITS["max_vel_x"]  # m/s
 EXCESS = 1.1  # times either, at most
 MOST_CHANGES = 1.0  # of the yaw rate's sign, 1/s
 _PLACES = ("circuit1", "circuit4", "Oschersleben")  # the last one is a track
@@ -27,9 +29,9 @@ _STILL = 0.05  # rad/s, below which a yaw rate has no sign
 
 _TEXT = f"""\
 A lap from the standing start on {", ".join(_PLACES[:-1])} and the track {_PLACES[-1]}, with default settings
-and perfect odometry, at most at 5 and at 11.4 m/s, with both vehicle models: with the friction of the usual
-floor and less (mu), and with cars that follow a command sooner or later (actuation_latency, s; 0.02 is
-usual). The planner is told neither.
+and perfect odometry, at most at 5 and at {GREATEST_SPEED:g} m/s, with both vehicle models: with the friction of
+the usual floor and less (mu), and with cars that follow a command sooner or later (actuation_latency, s;
+0.02 is usual). The planner is told neither.
 
 Accelerations (m/s^2) are those of base_footprint, the greatest in any period of 25 ms. Changes are those of
 the sign of the yaw rate where the road is straight, per second; rates below {_STILL:g} rad/s have none.
@@ -117,7 +119,7 @@ STUDY = Study(
         "model": "single_track,single_track_drift",
         "mu": "0.5,0.75,1.05",
         "actuation_latency": "0,0.1",
-        "speed_max": "5,11.4",
+        "speed_max": f"5,{GREATEST_SPEED:g}",
     },
     rows=("model", "mu", "actuation_latency"),
     columns=(

@@ -8,6 +8,7 @@
 #include "kinematic_car.h"
 #include "navigator.h"
 #include "rooms.h"
+#include "traffic/keeping_behind.h"
 
 namespace move_base
 {

@@ -26,12 +26,14 @@ constexpr double kLeastLeft = 0.35;   // of the acceleration, however hard the c
 constexpr double kCreep = 1e-3;
 // The speed commanded and the speed measured may differ by this much before the slew starts from the measured one, m/s.
 constexpr double kSpeedSlack = 0.5;
-constexpr double kSlackPart = 1.3;       // of what the speed lags behind when the car speeds up as it may
-constexpr double kTrafficTime = 2.5;     // s, for which others ahead count
-constexpr double kTrafficMargin = 0.03;  // m, beside them
-constexpr double kOthersBraking = 6.0;   // m/s^2, with which others may brake
+constexpr double kSlackPart = 1.3;  // of what the speed lags behind when the car speeds up as it may
 // Beyond this angle between car and path, steering back does not work, rad.
 constexpr double kMaxHeadingError = 1.2;
+
+bool drivesForwards(const PathPosition & here, const CarState & car)
+{
+  return !here.reverse && car.speed >= 0.0;
+}
 }  // namespace
 
 void FollowerOptions::validate() const
@@ -129,51 +131,13 @@ bool PathFollower::canDriveOn(const CarState & car) const
 
 bool PathFollower::hindered(const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const
 {
-  const std::vector<Touch> all = touches(car, costmap, others);
-  return std::any_of(all.begin(), all.end(), [](const Touch & touch) { return !touch.behind; });
-}
-
-// Whom the car would touch on its path.
-std::vector<Touch> PathFollower::touches(
-  const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const
-{
   const PathPosition here = tracker_.locate(path_, car.pose);
-  if (others.empty() || here.reverse || car.speed < 0.0) {
-    return {};
-  }
-  const std::vector<Moment> drive =
-    driveAlong(path_, speeds_, {here.s, here.lateral, car.speed}, options_.limits, kTrafficTime);
-  std::vector<Touch> all;
-  for (const Forecast & other : others) {
-    if (const auto touch = firstTouch(drive, costmap.footprint(), other, kTrafficMargin)) {
-      all.push_back(*touch);
-    }
-  }
-  return all;
+  return drivesForwards(here, car) && isHindered(wayFrom(here, car, costmap), others);
 }
 
-// As fast as those ahead on the path allow, and slow enough to stop behind them if they brake.
-SpeedBehind PathFollower::speedBehindOthers(
-  const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const
+OwnWay PathFollower::wayFrom(const PathPosition & here, const CarState & car, const Costmap & costmap) const
 {
-  std::vector<Forecast> braking;
-  braking.reserve(others.size());
-  for (const Forecast & other : others) {
-    braking.push_back(other.braking(kOthersBraking));
-  }
-  SpeedBehind least;
-  const auto keepBehind = [&](const std::vector<Touch> & all, bool wanted) {
-    for (const Touch & touch : all) {
-      if (touch.ahead) {
-        const SpeedBehind behind = speedBehind(touch, car.speed, options_.limits.deceleration(car.speed));
-        least.utmost = std::min(least.utmost, behind.utmost);
-        least.wanted = std::min(least.wanted, wanted ? behind.wanted : HUGE_VAL);
-      }
-    }
-  };
-  keepBehind(touches(car, costmap, others), true);
-  keepBehind(touches(car, costmap, braking), false);
-  return least;
+  return {path_, speeds_, options_.limits, costmap.footprint(), {here.s, here.lateral, car.speed}};
 }
 
 FollowStep PathFollower::step(
@@ -194,7 +158,9 @@ FollowStep PathFollower::step(
   result.blocked = result.stuck || pathBlocked(result.position, car.speed, costmap);
 
   const bool stop = brake || result.lost || result.position.remaining <= kEndReached;
-  const SpeedBehind behind = speedBehindOthers(car, costmap, others);
+  const SpeedBehind behind = drivesForwards(result.position, car)
+                               ? speedBehindOthers(wayFrom(result.position, car, costmap), others)
+                               : SpeedBehind{};
   const double utmost = std::min(stoppable, behind.utmost);
   const double bend = steer(predicted, curvatureAhead(predicted, car.speed), std::abs(car.speed));
   const double speed =

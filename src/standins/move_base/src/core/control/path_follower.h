@@ -9,7 +9,7 @@
 #include "path/path_tracker.h"
 #include "path/speed_profile.h"
 #include "traffic/forecast.h"
-#include "traffic/traffic.h"
+#include "traffic/keeping_behind.h"
 
 namespace move_base
 {
@@ -137,9 +137,7 @@ private:
   double profileAt(double s, std::size_t from) const;
   double wantedSpeed(const PathPosition & position, double speed) const;
   double distanceToObstacle(const CarState & car, const Costmap & costmap, std::vector<Pose2> & prediction) const;
-  std::vector<Touch> touches(const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const;
-  SpeedBehind speedBehindOthers(
-    const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const;
+  OwnWay wayFrom(const PathPosition & here, const CarState & car, const Costmap & costmap) const;
   bool pathBlocked(const PathPosition & position, double speed, const Costmap & costmap) const;
   void changeDirectionWhenStanding(const CarState & car);
   double slewed(double wanted, double speed, bool brake, double period) const;

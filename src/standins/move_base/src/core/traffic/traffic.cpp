@@ -10,12 +10,7 @@ namespace
 constexpr double kDriveStep = 0.05;    // s
 constexpr double kResponse = 0.1;      // s, until the speed begins to change
 constexpr double kOffsetLength = 0.8;  // m, over which a car comes back to its path
-constexpr double kClosingLag = 0.15;   // s, that a car's speed and what is known of the other's lag behind
-constexpr double kStandoff = 0.8;      // m, kept behind another: who is to swing out past it at a standstill needs 0.7
-constexpr double kTimeGap = 0.25;      // s, the same for its speed
 constexpr double kFastToPass = 1.1;    // m/s, of who strays
-constexpr double kFallBehind = 1.0;    // m/s slower than the other, when it is too near already
-constexpr double kApproachRate = 2.5;  // 1/s, of the last metre to it
 
 PathPoint pointAt(const Path & path, std::size_t index, double s)
 {
@@ -108,18 +103,5 @@ std::optional<Touch> firstTouch(
     }
   }
   return std::nullopt;
-}
-
-SpeedBehind speedBehind(const Touch & touch, double speed, double deceleration)
-{
-  const double closing = std::max(0.0, speed - touch.speed);
-  const double gap = touch.way - touch.speed * touch.time - closing * kClosingLag;
-  const auto braking = [&](double way) {
-    return std::sqrt(touch.speed * touch.speed + 2.0 * deceleration * std::max(0.0, way));
-  };
-  const double spare = gap - kStandoff - kTimeGap * touch.speed;
-  return {
-    std::max(0.0, std::min(braking(spare), touch.speed + kApproachRate * spare)),
-    gap > 0.0 ? braking(gap) : std::max(0.0, touch.speed - kFallBehind)};
 }
 }  // namespace move_base

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -63,15 +62,4 @@ struct Touch
 /// The first time at which the car comes nearer to the other than margin, m, and nearer than it is now.
 std::optional<Touch> firstTouch(
   const std::vector<Moment> & drive, const Footprint & footprint, const Forecast & other, double margin);
-
-/// How fast a car may be behind another, m/s.
-struct SpeedBehind
-{
-  double wanted{HUGE_VAL};  ///< so that it comes up to the other and goes on behind it
-  double utmost{HUGE_VAL};  ///< so that it can just brake in time
-};
-
-/// @param speed         m/s, of the car now
-/// @param deceleration  m/s^2, with which it brakes
-SpeedBehind speedBehind(const Touch & touch, double speed, double deceleration);
 }  // namespace move_base

@@ -77,7 +77,7 @@ TEST(Inflation, takesObstaclesInLater)
   }
   EXPECT_EQ(shown.cells, inflated(cells, geometry, costmap.inflation()));
   EXPECT_NE(shown.cells, before);
-  costmap.forgetBeyond({}, -1.0);
+  costmap.forgetAll();
   EXPECT_TRUE(costmap.liveCells().empty());
 }
 

@@ -55,7 +55,7 @@ void bindCostmap(py::module_ & module)
       py::arg("range_max"), py::arg("time") = 0.0,
       "Takes a scan into the map: sensor (3,) pose, ranges (n,) m, angles rad, time s: what moves is told by it.")
     .def(
-      "forget", [](Costmap & costmap) { costmap.forgetBeyond({}, -1.0); }, "Forgets what the lidar saw.");
+      "forget", [](Costmap & costmap) { costmap.forgetAll(); }, "Forgets what the lidar saw.");
 }
 
 void bindPaths(py::module_ & module)

@@ -266,7 +266,7 @@ void PathFollower::noteSent(double period)
     held -= sent_.front().duration;
     sent_.pop_front();
   }
-  if (held > lags_.latency) {
+  if (!sent_.empty() && held > lags_.latency) {
     sent_.front().duration -= held - lags_.latency;
   }
 }

@@ -80,7 +80,7 @@ public:
 
   const FollowerOptions & options() const { return options_; }
 
-  /// Starts on a path, which must have at least two points.
+  /// Starts on a path, which must have at least one point.
   void setPath(const Path & path, const Costmap & costmap, const Caution & caution = {});
   bool hasPath() const { return !path_.empty(); }
   const Path & path() const { return path_; }

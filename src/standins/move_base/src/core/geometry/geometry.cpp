@@ -19,6 +19,16 @@ Pose2 advance(const Pose2 & pose, double length, double curvature)
   return compose(pose, {std::sin(turn) / curvature, (1.0 - std::cos(turn)) / curvature, turn});
 }
 
+Vec2 leftNormal(const Pose2 & pose)
+{
+  return {-std::sin(pose.yaw), std::cos(pose.yaw)};
+}
+
+Pose2 between(const Pose2 & a, const Pose2 & b, double part)
+{
+  return {a.x + part * (b.x - a.x), a.y + part * (b.y - a.y), a.yaw + part * normalizeAngle(b.yaw - a.yaw)};
+}
+
 double nearestPart(const Vec2 & a, const Vec2 & b, const Vec2 & point)
 {
   const Vec2 along = b - a;

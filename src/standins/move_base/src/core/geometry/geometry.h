@@ -19,6 +19,13 @@ struct Interval
 /// @param curvature  1/m, of the wheels' setting: positive is steering to the left
 Pose2 advance(const Pose2 & pose, double length, double curvature);
 
+/// The direction to the left of a pose.
+Vec2 leftNormal(const Pose2 & pose);
+
+/// Between two poses.
+/// @param part  0: at a, 1: at b
+Pose2 between(const Pose2 & a, const Pose2 & b, double part);
+
 /// Part of the straight way from a to b, within [0, 1], at which it is nearest to a point; 0 where a is b.
 double nearestPart(const Vec2 & a, const Vec2 & b, const Vec2 & point);
 }  // namespace move_base

@@ -43,6 +43,8 @@ public:
   const std::vector<MovingObstacle> & moving() const { return tracker_.moving(); }
   /// Forgets what the lidar saw farther than radius from centre, m.
   void forgetBeyond(const Vec2 & centre, double radius);
+  /// Forgets everything that the lidar saw.
+  void forgetAll() { forgetBeyond({}, -1.0); }
 
   /// Distance from a point to the nearest obstacle that stands, m; not above 0 inside of one and outside of the map.
   double obstacleDistance(const Vec2 & point) const { return distanceIn(distances_, point); }

@@ -14,7 +14,7 @@ constexpr double kRadiusPart = 0.7;
 
 double roomTo(double side, const PathPoint & point, double slip, const Costmap & costmap, double clearance)
 {
-  const Vec2 left{-std::sin(point.pose.yaw), std::cos(point.pose.yaw)};
+  const Vec2 left = leftNormal(point.pose);
   const bool inside = side * point.curvature > 0.0;
   const double widest = inside ? std::min(kWidest, kRadiusPart / std::abs(point.curvature)) : kWidest;
   const double required = std::min(clearance, clearanceWithSlip(costmap, point.pose, slip));

@@ -33,7 +33,7 @@ Obstruction obstructionOf(const Costmap & costmap, const PlanRequest & request, 
     return {"The car touches something where it stands.", false};
   }
   Costmap map = costmap;
-  map.forgetBeyond({}, -1.0);
+  map.forgetAll();
   if (status == SearchStatus::kGoalBlocked) {
     return atGoal(map, request.goal);
   }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 #include <tuple>
+#include <utility>
 
 namespace move_base
 {
@@ -18,27 +19,27 @@ constexpr std::size_t kBeamWidth = 100;                                         
 constexpr double kCell = 0.3;         // m
 constexpr double kCellHeading = 0.3;  // rad
 
-struct Way
+struct Candidate
 {
   Pose2 end;
   double cost;
   std::vector<Arc> arcs;
 };
 
-using Cell = std::tuple<long, long, long>;
+using EndCell = std::tuple<long, long, long>;
 
-Cell cellOf(const Pose2 & pose)
+EndCell cellOf(const Pose2 & pose)
 {
   return {std::lround(pose.x / kCell), std::lround(pose.y / kCell), std::lround(pose.yaw / kCellHeading)};
 }
 
 // The cheapest ways first, one from each cell.
-std::vector<Way> best(std::vector<Way> ways)
+std::vector<Candidate> best(std::vector<Candidate> ways)
 {
-  std::stable_sort(ways.begin(), ways.end(), [](const Way & a, const Way & b) { return a.cost < b.cost; });
-  std::vector<Way> kept;
-  std::set<Cell> taken;
-  for (Way & way : ways) {
+  std::stable_sort(ways.begin(), ways.end(), [](const Candidate & a, const Candidate & b) { return a.cost < b.cost; });
+  std::vector<Candidate> kept;
+  std::set<EndCell> taken;
+  for (Candidate & way : ways) {
     if (kept.size() < kBeamWidth && taken.insert(cellOf(way.end)).second) {
       kept.push_back(std::move(way));
     }
@@ -46,11 +47,12 @@ std::vector<Way> best(std::vector<Way> ways)
   return kept;
 }
 
-std::vector<Way> grow(
-  const std::vector<Way> & ways, const Costmap & costmap, const ClearanceRule & rule, const PlannerOptions & options)
+std::vector<Candidate> grow(
+  const std::vector<Candidate> & ways, const Costmap & costmap, const ClearanceRule & rule,
+  const PlannerOptions & options)
 {
-  std::vector<Way> grown;
-  for (const Way & way : ways) {
+  std::vector<Candidate> grown;
+  for (const Candidate & way : ways) {
     for (const double steering : kExtensionSteering) {
       const Arc arc{kExtensionArcLength, steering / options.min_turning_radius};
       const double price = priceOf(costmap, rule, way.end, arc);
@@ -69,13 +71,13 @@ std::vector<Arc> extensionFrom(
   const Pose2 & pose, const Costmap & costmap, const ClearanceRule & rule, const PlannerOptions & options,
   double wanted_length)
 {
-  std::vector<Way> ways{{pose, 0.0, {}}};
+  std::vector<Candidate> ways{{pose, 0.0, {}}};
   for (double driven = 0.0; driven < wanted_length; driven += kExtensionArcLength) {
-    const std::vector<Way> grown = grow(ways, costmap, rule, options);
+    std::vector<Candidate> grown = grow(ways, costmap, rule, options);
     if (grown.empty()) {
       break;
     }
-    ways = grown;
+    ways = std::move(grown);
   }
   return ways.front().arcs;
 }

@@ -20,11 +20,10 @@ PathPosition positionOn(
   position.s = a.s + part * (b.s - a.s);
   position.remaining = path[stretch.end - 1].s - position.s;
   position.curvature = a.curvature + part * (b.curvature - a.curvature);
-  const double yaw = a.pose.yaw + part * normalizeAngle(b.pose.yaw - a.pose.yaw);
-  position.heading_error = normalizeAngle(pose.yaw - yaw);
-  const Vec2 nearest = a.pose.position() + part * (b.pose.position() - a.pose.position());
-  const Vec2 heading{std::cos(yaw), std::sin(yaw)};
-  const double left = cross(heading, pose.position() - nearest);
+  const Pose2 nearest = between(a.pose, b.pose, part);
+  position.heading_error = normalizeAngle(pose.yaw - nearest.yaw);
+  const Vec2 heading{std::cos(nearest.yaw), std::sin(nearest.yaw)};
+  const double left = cross(heading, pose.position() - nearest.position());
   position.lateral = a.reverse ? -left : left;
   return position;
 }

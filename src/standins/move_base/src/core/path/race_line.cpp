@@ -19,18 +19,12 @@ constexpr double kRepairPart = 0.7;        // of the room, left by a repair
 constexpr double kSteeringLength = 1.0;    // m, over which a change of curvature counts like curvature itself
 constexpr double kLeastPull = 1e-4;        // towards the reference, so that the problem has one solution
 constexpr double kLeastRoom = 1e-5;        // m, around a point that has none: the solver needs an inside
-constexpr int kFixedPoints = 3;            // position, heading, curvature
 constexpr std::size_t kShortestLine = 12;  // points
 constexpr double kBendTolerance = 1.02;    // part of the greatest curvature
 constexpr double kLeadsBy = 1.0;           // m, to the side, within which a line leads by a pose
 constexpr double kClearanceSlack = 0.01;   // m, by which interpolated distances of a place differ
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
-
-Vec2 normalAt(const Path & line, std::size_t i)
-{
-  return {-std::sin(line[i].pose.yaw), std::cos(line[i].pose.yaw)};
-}
 
 Eigen::SparseMatrix<double> build(Eigen::Index rows, Eigen::Index columns, const Triplets & triplets)
 {
@@ -54,13 +48,13 @@ LinearCurvature curvatureOf(const Path & line)
   result.bend.resize(count - 2);
   Triplets slope;
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-    const Vec2 normal = normalAt(line, i);
+    const Vec2 normal = leftNormal(line[i].pose);
     const auto row = static_cast<int>(i) - 1;
     result.bend[row] = 0.0;
     for (const std::size_t j : {i - 1, i, i + 1}) {
       const double weight = (j == i ? -2.0 : 1.0) / (step * step);
       result.bend[row] += weight * dot(normal, line[j].pose.position() - line[i].pose.position());
-      slope.emplace_back(row, static_cast<int>(j), weight * dot(normal, normalAt(line, j)));
+      slope.emplace_back(row, static_cast<int>(j), weight * dot(normal, leftNormal(line[j].pose)));
     }
   }
   result.slope = build(count - 2, count, slope);
@@ -146,7 +140,7 @@ private:
   // How far a place is to the left of the line, m.
   double leftOf(std::size_t i, const Vec2 & place) const
   {
-    return dot(place - line_[i].pose.position(), normalAt(line_, i));
+    return dot(place - line_[i].pose.position(), leftNormal(line_[i].pose));
   }
 
   // Beside a piece of the gate's tangent, as long as its ends let the heading differ by the tolerance.
@@ -221,7 +215,7 @@ private:
   {
     std::vector<Vec2> points;
     for (std::size_t i = 0; i < line_.size(); ++i) {
-      points.push_back(line_[i].pose.position() + shifts[static_cast<Eigen::Index>(i)] * normalAt(line_, i));
+      points.push_back(line_[i].pose.position() + shifts[static_cast<Eigen::Index>(i)] * leftNormal(line_[i].pose));
     }
     return pathThrough(points, line_.front());
   }

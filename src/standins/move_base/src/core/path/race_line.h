@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -8,6 +9,9 @@
 
 namespace move_base
 {
+/// Points at the start of a line that stay: they hold position, heading and curvature.
+inline constexpr std::size_t kFixedPoints = 3;
+
 /// Takes room away from the corridor around a line. @return whether there is a way left
 using Narrowing = std::function<bool(const Path & line, std::vector<Interval> & corridor)>;
 

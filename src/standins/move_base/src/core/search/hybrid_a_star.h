@@ -33,7 +33,7 @@ enum class SearchStatus
   kBudgetSpent,  ///< max_expansions
 };
 
-/// "the goal is in an obstacle" and the like.
+/// For example "the car would touch an obstacle at the goal".
 const char * describe(SearchStatus status);
 
 struct SearchResult

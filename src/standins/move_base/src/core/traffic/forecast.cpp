@@ -107,9 +107,7 @@ Box Forecast::at(double time) const
   const Box & b = outlines_[std::min(before + 1, outlines_.size() - 1)];
   const double part = index - static_cast<double>(before);
   Box result = a;
-  result.middle.x += part * (b.middle.x - a.middle.x);
-  result.middle.y += part * (b.middle.y - a.middle.y);
-  result.middle.yaw += part * normalizeAngle(b.middle.yaw - a.middle.yaw);
+  result.middle = between(a.middle, b.middle, part);
   const double doubt = is_anywhere_ ? 1.0 : std::min(1.0, time / kTrust);
   result.middle = compose(result.middle, {0.0, 0.5 * doubt * (unrest_.low + unrest_.high), 0.0});
   result.half_width += 0.5 * doubt * (unrest_.high - unrest_.low);

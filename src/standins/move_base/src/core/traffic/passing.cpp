@@ -14,7 +14,6 @@ constexpr double kBeside = 0.15;         // m, wanted between the cars
 constexpr double kBesideAtLeast = 0.08;  // m, in the end
 constexpr double kApart = 0.1;           // m, before and behind the other within which the car stays beside it
 constexpr double kApartTime = 0.06;      // s, the same for each m/s of the car
-constexpr std::size_t kUnmoved = 3;      // at the start of the line, that cannot move
 
 constexpr double kSwerve = 1.0;       // 1/m, of the way to the side at the start of the line
 constexpr double kSwervePart = 0.8;   // of the lateral acceleration, that this may take
@@ -96,7 +95,7 @@ private:
       const std::size_t last = k + 1 < drive.size() ? drive[k + 1].index : drive[k].index;
       for (const Forecast & other : request_.others) {
         const Box outline = other.at(until_start_ + drive[k].time);
-        for (std::size_t i = std::max(kUnmoved, drive[k].index); i <= last; ++i) {
+        for (std::size_t i = std::max(kFixedPoints, drive[k].index); i <= last; ++i) {
           const Extent extent = extentOf(outline, line[i].pose);
           if (reach_.high >= extent.along.low && reach_.low <= extent.along.high) {
             way_left = keepBeside(extent.beside, line, i, corridor[i]) && way_left;
@@ -113,7 +112,7 @@ private:
     const double half = request_.costmap.footprint().halfWidth();
     const double run = line[i].s - line.front().s;
     const Vec2 straight_on = advance(line.front().pose, run, line.front().curvature).position();
-    const Vec2 left{-std::sin(line[i].pose.yaw), std::cos(line[i].pose.yaw)};
+    const Vec2 left = leftNormal(line[i].pose);
     const double middle = dot(straight_on - line[i].pose.position(), left);
     const double reach = 0.5 * swerve_ * run * run;
     if (side_ == Side::kLeft) {

@@ -12,16 +12,11 @@ constexpr double kResponse = 0.1;      // s, until the speed begins to change
 constexpr double kOffsetLength = 0.8;  // m, over which a car comes back to its path
 constexpr double kFastToPass = 1.1;    // m/s, of who strays
 
-PathPoint pointAt(const Path & path, std::size_t index, double s)
+Pose2 poseAt(const Path & path, std::size_t index, double s)
 {
   const PathPoint & a = path[index];
   const PathPoint & b = path[std::min(index + 1, path.size() - 1)];
-  const double part = b.s > a.s ? std::clamp((s - a.s) / (b.s - a.s), 0.0, 1.0) : 0.0;
-  PathPoint point = a;
-  point.pose.x += part * (b.pose.x - a.pose.x);
-  point.pose.y += part * (b.pose.y - a.pose.y);
-  point.pose.yaw += part * normalizeAngle(b.pose.yaw - a.pose.yaw);
-  return point;
+  return between(a.pose, b.pose, b.s > a.s ? std::clamp((s - a.s) / (b.s - a.s), 0.0, 1.0) : 0.0);
 }
 }  // namespace
 
@@ -69,7 +64,7 @@ std::vector<Moment> driveAlong(
       ++index;
     }
     const double offset = departure.lateral * std::exp(-(s - departure.s) / kOffsetLength);
-    Pose2 pose = pointAt(path, index, s).pose;
+    Pose2 pose = poseAt(path, index, s);
     pose.x -= offset * std::sin(pose.yaw);
     pose.y += offset * std::cos(pose.yaw);
     drive.push_back({time, s, index, pose});

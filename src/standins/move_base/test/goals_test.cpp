@@ -52,6 +52,8 @@ TEST(Goals, knowTheWayToTheLastOneUnlessTheyGoRound)
   EXPECT_EQ(goals.wayToLast(), 7.0);
   goals.setNext({{3.0, 0.0, 0.0}, {0.0, 0.0, 0.0}});
   EXPECT_EQ(goals.wayToLast(), HUGE_VAL);
+  goals.move({0.0, 0.3, 0.0});
+  EXPECT_EQ(goals.wayToLast(), HUGE_VAL) << "also when the goal has given way";
 }
 
 TEST(Goals, giveWayToTheSideOnTheRoad)
@@ -195,6 +197,8 @@ TEST_P(NavigatorAtSpeed, passesAGoalThatGetsANextOneOnTheWay)
   journey.navigator.setNextGoals({{58.0, 2.0, 0.0}});
   ASSERT_TRUE(journey.untilOutcome().succeeded);
   EXPECT_GT(journey.car.state().speed, 0.8 * speed);
+  EXPECT_FALSE(journey.navigator.active());
+  EXPECT_TRUE(journey.navigator.drives()) << "until the next goal comes, or it stands";
 }
 
 INSTANTIATE_TEST_SUITE_P(

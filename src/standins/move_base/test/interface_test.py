@@ -144,6 +144,7 @@ class InterfaceTest(HallCase):
             "max_vel_x": ("fast", 'parameter /wrong/max_vel_x: found "fast", must be a finite number'),
             "controller_frequency": (0.0, "controller_frequency: found 0, must be a number > 0"),
             "footprint": ([[0.0]], "must be a list of points, [[x, y], ...]"),
+            "sensor_timeout": (-1.0, "sensor_timeout: found -1, must be a number > 0"),
             "lockstep": (3, "must be true or false"),
             "max_planning_retries": (0.5, "must be a whole number"),
             "base_local_planner": (1, "must be a text"),

@@ -57,6 +57,40 @@ TEST(Navigator, tellsACarThatIsStoppedSoAgainAndAgain)
   }
 }
 
+TEST(Navigator, tellsAStoppedCarSoAlsoWhenTimeJumpsBack)
+{
+  Journey journey(racingNavigator(), makeCostmap(drawOval()), onOval(0.0));
+  journey.navigator.setGoal(onOval(20.0), journey.time);
+  for (int i = 0; i < 40; ++i) {
+    journey.cycle();
+  }
+  journey.navigator.cancel();
+  journey.cycle();
+  journey.time = 1.0;
+  const auto command = journey.cycle().command;
+  ASSERT_TRUE(command);
+  EXPECT_EQ(command->speed, 0.0);
+}
+
+TEST(Navigator, hasPatienceWhenWhatFollowsTheGoalChanges)
+{
+  NavigatorOptions options = racingNavigator();
+  options.free_goal_vel = true;
+  Journey journey(options, makeCostmap(drawRoom(60.0, 3.0)), {1.0, 1.5, 0.0});
+  const Pose2 goal{50.0, 1.5, 0.0};
+  journey.navigator.setGoal(goal, journey.time);
+  for (const double end = journey.time + 3.0 * options.planner_patience; journey.time < end;) {
+    journey.cycle();
+  }
+  const Pose2 eye{goal.x - 3.0, goal.y, 0.0};
+  journey.costmap().observe(scanFrom(eye, [](double angle) { return std::abs(angle) < 0.3 ? 3.0 : 20.0; }));
+  journey.navigator.setNextGoals({{58.0, 1.5, 0.0}});
+  for (const double end = journey.time + 0.8 * options.planner_patience; journey.time < end;) {
+    journey.cycle();
+  }
+  EXPECT_TRUE(journey.recoveries.empty());
+}
+
 // Which of what the car knows of itself is as it was when the sensors fell silent.
 struct Silence
 {
@@ -230,6 +264,22 @@ TEST(Navigator, abortsWhenTheCarDoesNotGetAnywhere)
   journey.navigator.setGoal(onOval(6.0), journey.time);
   EXPECT_EQ(journey.untilOutcome().text, "Robot is oscillating. Even after executing recovery behaviors.");
   EXPECT_EQ(journey.recoveries, kAllRecoveries);
+}
+
+TEST(Navigator, doesNotTakeTheTimeWithoutSensorsForGettingNowhere)
+{
+  NavigatorOptions options = racingNavigator();
+  options.oscillation_timeout = 2.0;
+  Journey journey(options, makeCostmap(drawOval()), onOval(0.0));
+  journey.navigator.setGoal(onOval(20.0), journey.time);
+  for (const int cycles : {40, 100}) {
+    for (int i = 0; i < cycles; ++i) {
+      journey.cycle();
+    }
+    journey.sensors_current = !journey.sensors_current;
+  }
+  EXPECT_TRUE(journey.untilOutcome().succeeded);
+  EXPECT_TRUE(journey.recoveries.empty());
 }
 
 TEST(Navigator, brakesInTheBendWhileSensorsAreStaleAndGoesOnAfterwards)

@@ -244,6 +244,19 @@ TEST(PathFollower, steersAsFarAsItsPathBendsBeforeTheTyresAreFelt)
   EXPECT_GE(follower.step({path[20].pose, 4.0}, costmap, kStepTime).command.curvature, 0.15);
 }
 
+TEST(PathFollower, mayLearnThatTheCarAnswersAtOnce)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  for (double latency = 0.0001; latency < 0.025; latency += 0.0001) {
+    PathFollower follower(racingFollower());
+    follower.setPath(ovalLap(), costmap);
+    for (const double known : {latency, latency, 0.0, 0.0}) {
+      follower.setLags({known, PathFollower::kSpeedLag});
+      EXPECT_TRUE(std::isfinite(follower.step({onOval(0.0), 1.0}, costmap, kStepTime).command.speed));
+    }
+  }
+}
+
 TEST(PathFollower, brakesAlongThePathWhenTold)
 {
   const Costmap costmap = makeCostmap(drawOval());

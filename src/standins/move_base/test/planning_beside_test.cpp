@@ -78,6 +78,22 @@ protected:
   Journey journey_;
 };
 
+TEST_F(PlanningBeside, aGoalWhereTheCarStandsWithoutAPathIsReachedAndItStays)
+{
+  NavigatorOptions options = racingNavigator();
+  options.free_goal_vel = true;
+  Journey journey(options, makeCostmap(drawOval()), onOval(0.0), slow_.worker());
+  journey.cycle();
+  journey.navigator.setGoal(onOval(0.1), journey.time, {onOval(6.0)});
+  EXPECT_TRUE(journey.cycle().outcome.value_or(Outcome{}).succeeded);
+  EXPECT_FALSE(journey.navigator.drives());
+  for (int i = 0; i < 10; ++i) {
+    const auto command = journey.cycle().command;
+    ASSERT_TRUE(command) << i;
+    EXPECT_EQ(command->speed, 0.0);
+  }
+}
+
 TEST_F(PlanningBeside, aCarThatStandsWaitsForItsPlan)
 {
   journey_.navigator.setGoal(onOval(20.0), journey_.time);

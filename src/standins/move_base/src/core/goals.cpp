@@ -34,13 +34,13 @@ void Goals::moveAside(const Costmap & costmap, double clearance)
 
 void Goals::set(const Pose2 & goal, std::vector<Pose2> next)
 {
-  goal_ = goal;
+  goal_ = given_ = goal;
   next_ = std::move(next);
 }
 
 double Goals::wayToLast() const
 {
-  if (anyNext() && distance(next_.back(), *goal_) == 0.0) {
+  if (anyNext() && distance(next_.back(), given_) == 0.0) {
     return HUGE_VAL;
   }
   double way = 0.0;

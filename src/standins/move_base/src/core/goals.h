@@ -44,6 +44,7 @@ public:
 
 private:
   std::optional<Pose2> goal_;
+  Pose2 given_;  // where it was before it was moved
   std::vector<Pose2> next_;
 };
 }  // namespace move_base

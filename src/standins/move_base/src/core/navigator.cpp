@@ -47,9 +47,11 @@ void Navigator::setNextGoals(std::vector<Pose2> next)
     return;
   }
   planning_.drop();
-  if (state_ != State::kBackingUp) {
-    state_ = State::kPlanning;
-    planning_.askFrom(previous_time_.value_or(0.0));
+  const double now = previous_time_.value_or(0.0);
+  if (state_ == State::kControlling) {
+    planAgain(now);
+  } else if (state_ == State::kPlanning) {
+    planning_.askFrom(now);
   }
 }
 
@@ -72,7 +74,7 @@ CycleOutput Navigator::cycle(const CycleInput & input, Costmap & costmap)
 {
   if (previous_time_ && input.time < *previous_time_) {
     car_watch_.clear();
-    stop_until_ = 0.0;
+    stop_until_ = *previous_time_ < stop_until_ ? input.time + kStopTime : 0.0;
   }
   CycleInput now = input;
   const double seen = input.time - input.age;
@@ -95,7 +97,7 @@ CycleOutput Navigator::cycle(const CycleInput & input, Costmap & costmap)
 void Navigator::drive(const CycleInput & input, Costmap & costmap, CycleOutput & output)
 {
   if (!input.sensors_current) {
-    if (goals_.any() || coast_until_) {
+    if (drives()) {
       driveBlind(input, costmap, output);
     }
   } else if (goals_.any()) {
@@ -115,6 +117,7 @@ void Navigator::driveBlind(const CycleInput & input, const Costmap & costmap, Cy
     output.command = DriveCommand{};
     planning_.drop();
     planning_.startAgain(input.time);
+    recovery_.countFrom(input.time);
     last_valid_control_ = input.time;
     state_ = state_ == State::kControlling ? State::kPlanning : state_;
   } else {
@@ -233,7 +236,7 @@ bool Navigator::finishIfReached(const CycleInput & input, CycleOutput & output)
     return false;
   }
   output.outcome = Outcome{true, "Goal reached."};
-  if (requests_.passes()) {
+  if (requests_.passes() && follower_.hasPath()) {
     coast_until_ = input.time + options_.coast_time;
   } else {
     output.command = DriveCommand{};

@@ -61,6 +61,8 @@ public:
   /// Drops the goal and stops the car.
   void cancel();
   bool active() const { return goals_.any(); }
+  /// Also while the car comes to a stand behind a goal, or after one that was given up.
+  bool drives() const { return goals_.any() || coast_until_; }
 
   /// One control cycle, to be called with rising time. May change the costmap's live layer (recovery).
   CycleOutput cycle(const CycleInput & input, Costmap & costmap);

@@ -60,6 +60,7 @@ bool Way::leadsPastOthers(const Scene & scene) const
 bool Way::goOver(PlanAnswer answer, const Scene & scene)
 {
   const PathFollower before = follower_;
+  const Pose2 goal = goals_.front();
   Plan old = plan_;
   const bool raced = races_;
   const bool was_changed = changed_;
@@ -67,6 +68,7 @@ bool Way::goOver(PlanAnswer answer, const Scene & scene)
   if (passOthers(scene) && !follower_.hindered(scene.car, scene.costmap, scene.others)) {
     return true;
   }
+  goals_.move(goal);
   plan_ = std::move(old);
   races_ = raced;
   changed_ = was_changed;

@@ -57,7 +57,7 @@ void readFrames(ParameterReader & reader, MoveBaseParameters & parameters)
   reader.read("global_costmap/global_frame", parameters.global_frame);
   reader.read("local_costmap/global_frame", parameters.local_frame);
   reader.read(ofCostmap("global_costmap", "robot_base_frame"), parameters.base_frame);
-  reader.read(ofCostmap("global_costmap", "transform_tolerance"), parameters.transform_tolerance);
+  reader.read(ofCostmap("global_costmap", "transform_tolerance"), parameters.transform_tolerance, atLeast(0.0));
 }
 
 // The first lidar among the observation sources of the original's obstacle layer.
@@ -84,9 +84,9 @@ void readShown(ParameterReader & reader, MoveBaseParameters & parameters)
   reader.read("local_costmap/publish_frequency", parameters.local_publish_frequency);
   reader.read("global_costmap/always_send_full_costmap", parameters.global_always_whole);
   reader.read("local_costmap/always_send_full_costmap", parameters.local_always_whole);
-  reader.read("local_costmap/width", parameters.local_width);
-  reader.read("local_costmap/height", parameters.local_height);
-  reader.read("local_costmap/resolution", parameters.local_resolution);
+  reader.read("local_costmap/width", parameters.local_width, positive());
+  reader.read("local_costmap/height", parameters.local_height, positive());
+  reader.read("local_costmap/resolution", parameters.local_resolution, positive());
 }
 }  // namespace
 
@@ -110,8 +110,8 @@ void readCostmaps(ParameterReader & reader, MoveBaseParameters & parameters)
   reader.read(global.ofInflation("cost_scaling_factor"), costmap.cost_scaling_factor);
   const Footprint footprint(parameters.footprint, parameters.footprint_padding);
   parameters.local_inflation = {costmap.inflation_radius, costmap.cost_scaling_factor, footprint.inscribedRadius()};
-  reader.read(local.ofInflation("inflation_radius"), parameters.local_inflation.radius);
-  reader.read(local.ofInflation("cost_scaling_factor"), parameters.local_inflation.cost_scaling_factor);
+  reader.read(local.ofInflation("inflation_radius"), parameters.local_inflation.radius, atLeast(0.0));
+  reader.read(local.ofInflation("cost_scaling_factor"), parameters.local_inflation.cost_scaling_factor, atLeast(0.0));
   reader.read("clearance_weight", costmap.clearance_weight);
   reader.read(local.ofObstacle("obstacle_range"), costmap.live.obstacle_range);
   reader.read(local.ofObstacle("raytrace_range"), costmap.live.raytrace_range);

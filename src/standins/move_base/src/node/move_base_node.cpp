@@ -83,6 +83,9 @@ void MoveBaseNode::cycle(const ros::Time & now)
 {
   watchClock(now);
   if (!ready()) {
+    if (server_is_up_) {
+      updateGoal(now);
+    }
     diagnostics_.tell(DiagnosticStatus::WARN, "Waiting for " + missing(), now);
     return;
   }
@@ -90,7 +93,7 @@ void MoveBaseNode::cycle(const ros::Time & now)
   if (!due(now)) {
     return;
   }
-  if (navigator_.active() || !parameters_.shutdown_costmaps) {
+  if (navigator_.drives() || !parameters_.shutdown_costmaps) {
     perception_.updateCostmap();
   }
   updateGoal(now);
@@ -110,10 +113,13 @@ bool MoveBaseNode::due(const ros::Time & now)
 {
   // Half a millisecond early counts: a stamp is not a multiple of the period to the last bit.
   const ros::Duration tolerance(0.0005);
-  if (last_cycle_ && now - *last_cycle_ + tolerance < ros::Duration(parameters_.controller_period)) {
+  const ros::Duration period(parameters_.controller_period);
+  if (last_cycle_ && now - *last_cycle_ + tolerance < period) {
     return false;
   }
-  last_cycle_ = now;
+  // One that comes a little late does not make those after it late as well.
+  const bool late = !last_cycle_ || now - *last_cycle_ >= period + period;
+  last_cycle_ = late ? now : *last_cycle_ + period;
   return true;
 }
 
@@ -125,8 +131,10 @@ void MoveBaseNode::watchClock(const ros::Time & now)
     last_cycle_.reset();
     if (server_.isActive()) {
       abort("Aborting on goal because time jumped back");
+    } else if (navigator_.drives()) {
+      navigator_.cancel();
+      publishZero();
     }
-    navigator_.cancel();
   }
   now_ = now;
 }

@@ -29,7 +29,7 @@ public:
 
   /// Handles everything that has arrived, and what follows from it.
   void handleCallbacks();
-  /// Whether everything needed for driving has been there.
+  /// Whether everything needed for driving is there.
   bool ready() const { return perception_.ready(); }
   std::string missing() const { return perception_.missing(); }
   /// Acts, if a control cycle is due at now.

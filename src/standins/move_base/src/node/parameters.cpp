@@ -16,7 +16,7 @@ std::optional<RecoveryBehavior> recoveryOf(ParameterReader & reader, const Plugi
   const std::string kind = plugin.type.substr(plugin.type.rfind('/') + 1);
   if (kind == "ClearCostmapRecovery") {
     double distance = 3.0;
-    reader.read(plugin.name + "/reset_distance", distance);
+    reader.read(plugin.name + "/reset_distance", distance, atLeast(0.0));
     return RecoveryBehavior{plugin.name, RecoveryBehavior::Kind::kForget, distance};
   }
   if (kind == "RotateRecovery") {
@@ -32,7 +32,7 @@ void readRecovery(ParameterReader & reader, NavigatorOptions & navigator)
   bool may_move = true;
   double conservative_distance = 3.0;
   reader.read("clearing_rotation_allowed", may_move);
-  reader.read("conservative_reset_dist", conservative_distance);
+  reader.read("conservative_reset_dist", conservative_distance, atLeast(0.0));
   navigator.recoveries = defaultRecoveries(conservative_distance, may_move);
 
   bool backs_up = false;
@@ -63,7 +63,7 @@ void readMoveBase(ParameterReader & reader, MoveBaseParameters & parameters)
   } else {
     parameters.controller_period = 0.0;
   }
-  reader.read("sensor_timeout", parameters.sensor_timeout);
+  reader.read("sensor_timeout", parameters.sensor_timeout, positive());
   reader.read("shutdown_costmaps", parameters.shutdown_costmaps);
 
   NavigatorOptions & navigator = parameters.navigator;

@@ -103,6 +103,9 @@ void Perception::startAgain()
   odometry_.reset();
   scan_.reset();
   waiting_.clear();
+  if (costmap_) {
+    costmap_->forgetAll();
+  }
 }
 
 Pose2 Perception::poseIn(const std::string & target, const std::string & frame, const ros::Time & stamp) const

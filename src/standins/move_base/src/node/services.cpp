@@ -26,9 +26,9 @@ Services::Services(
 
 bool Services::makePlan(nav_msgs::GetPlan::Request & request, nav_msgs::GetPlan::Response & response)
 {
-  if (navigator_.active() || !perception_.ready()) {
+  if (navigator_.drives() || !perception_.ready()) {
     ROS_ERROR(
-      "make_plan: %s", navigator_.active() ? "must not be called while a goal is pursued"
+      "make_plan: %s", navigator_.drives() ? "must not be called while the car drives"
                                            : ("still waits for " + perception_.missing()).c_str());
     return false;
   }
@@ -59,7 +59,7 @@ std::vector<Pose2> Services::planFor(const nav_msgs::GetPlan::Request & request)
 bool Services::clearCostmaps(std_srvs::Empty::Request &, std_srvs::Empty::Response &)
 {
   if (perception_.ready()) {
-    perception_.costmap().forgetBeyond({}, -1.0);
+    perception_.costmap().forgetAll();
   }
   return true;
 }

@@ -61,6 +61,8 @@ public:
   void startAgain(double time);
   /// Where the car is. Recovery has helped when it gets farther than recovery itself has moved it: then it begins anew.
   void note(const Pose2 & car, double time);
+  /// Nothing before this time, s, counts as getting nowhere: the car was not able to drive.
+  void countFrom(double time) { since_ = time; }
   /// Whether it has got nowhere for long.
   bool oscillates(double time) const { return timeout_ > 0.0 && time > since_ + timeout_; }
 

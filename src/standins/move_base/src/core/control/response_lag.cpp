@@ -7,12 +7,12 @@ namespace move_base
 {
 namespace
 {
-constexpr double kDelayStep = 0.025;     // s, between the delays that are compared
-constexpr double kGreatest = 0.35;       // s
+constexpr double kDelayStep = 0.025;  // s, between the delays that are compared
+constexpr std::size_t kDelays = 15;
+constexpr double kGreatest = kDelayStep * static_cast<double>(kDelays - 1);
 constexpr double kChangeTime = 0.25;     // s, within which a command must change
 constexpr double kLagForgetting = 0.01;  // per measurement
 constexpr double kExpectation = 0.1;     // of the least change squared, error taken for a delay one step off
-constexpr std::size_t kDelays = static_cast<std::size_t>(kGreatest / kDelayStep) + 1;
 }  // namespace
 
 ResponseLag::ResponseLag(double least_change)

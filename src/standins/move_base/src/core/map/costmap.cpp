@@ -209,7 +209,7 @@ bool Costmap::isFarAround(const Vec2 & middle, double margin) const
   // Distances from the map's obstacles differ by at most the distance between two places; those read here are
   // interpolated, and there are none beside the map.
   const double reach = footprint_.around().radius + margin;
-  const double room = reach + free_clearance_ + 2.0 * kInterpolationError * geometry_.resolution;
+  const double room = reach + std::max(free_clearance_, 0.0) + 2.0 * kInterpolationError * geometry_.resolution;
   if (!(wallDistance(middle) >= room)) {
     return false;
   }

@@ -26,6 +26,10 @@ std::vector<Pose2> squareAround(const Pose2 & goal, double step, int ring)
   }
   return places;
 }
+double extent(const GridGeometry & geometry)
+{
+  return geometry.resolution * std::max(geometry.width, geometry.height);
+}
 }  // namespace
 
 Plan planNear(const PlannerOptions & options, const Costmap & costmap, const PlanRequest & request, double tolerance)
@@ -35,8 +39,10 @@ Plan planNear(const PlannerOptions & options, const Costmap & costmap, const Pla
   if (tolerance > 0.0) {
     step = std::min(step, tolerance);
   }
+  // Beside the map there is no plan.
+  const double farthest = std::min(tolerance * (1.0 + 1e-9), extent(costmap.geometry()));
   int expansions = plan.expansions;
-  for (int ring = 1; ring * step <= tolerance * (1.0 + 1e-9); ++ring) {
+  for (int ring = 1; ring * step <= farthest; ++ring) {
     for (const Pose2 & goal : squareAround(request.goal, step, ring)) {
       if (plan.found() || expansions >= options.max_expansions) {
         return plan;

@@ -29,8 +29,8 @@ _STILL = 0.05  # rad/s, below which a yaw rate has no sign
 
 _TEXT = f"""\
 A lap from the standing start on {", ".join(_PLACES[:-1])} and the track {_PLACES[-1]}, with default settings
-and perfect odometry, at most at 5 and at {GREATEST_SPEED:g} m/s, with both vehicle models: with the friction of
-the usual floor and less (mu), and with cars that follow a command sooner or later (actuation_latency, s;
+and perfect odometry, at most at 5 and at {GREATEST_SPEED:g} m/s, with both vehicle models: with the friction
+of the usual floor and less (mu), and with cars that follow a command sooner or later (actuation_latency, s;
 0.02 is usual). The planner is told neither.
 
 Accelerations (m/s^2) are those of base_footprint, the greatest in any period of 25 ms. Changes are those of

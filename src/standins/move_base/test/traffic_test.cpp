@@ -187,6 +187,15 @@ TEST(FirstTouch, whoTouchesTheCarBesideItsRearAxleIsNotBehind)
   EXPECT_FALSE(beside->behind);
 }
 
+TEST(FirstTouch, whoIsAheadNowMayBeFallenBackBehind)
+{
+  // The car has nearly passed it when they come together.
+  const auto passed = touchWith({10.665, 4.75, -0.25}, 1.4);
+  ASSERT_TRUE(passed);
+  EXPECT_TRUE(passed->ahead);
+  EXPECT_LT(speedBehind(*passed, 2.0, 5.0).wanted, 1.5);
+}
+
 TEST(FirstTouch, whoIsBesideIsAheadIfItsMiddleIs)
 {
   // Of two cars of the same length, that come together from the side at the same speed.

@@ -18,6 +18,11 @@ Pose2 poseAt(const Path & path, std::size_t index, double s)
   const PathPoint & b = path[std::min(index + 1, path.size() - 1)];
   return between(a.pose, b.pose, b.s > a.s ? std::clamp((s - a.s) / (b.s - a.s), 0.0, 1.0) : 0.0);
 }
+// m, of the middle of another, as seen from a car.
+double placeAlong(const Pose2 & car, const Box & outline)
+{
+  return transform(inverse(car), outline.middle.position()).x;
+}
 }  // namespace
 
 Extent extentOf(const Box & outline, const Pose2 & from)
@@ -90,11 +95,12 @@ std::optional<Touch> firstTouch(
       allowed = std::min(margin, away - kNoise);
     } else if (away < allowed) {
       const double along = std::cos(normalizeAngle(outline.middle.yaw - moment.pose.yaw));
-      const Vec2 place = transform(inverse(moment.pose), outline.middle.position());
+      const double place = placeAlong(moment.pose, outline);
+      const double middle = 0.5 * (footprint.rear() + footprint.front());
+      const bool ahead = place > middle || placeAlong(drive.front().pose, other.at(0.0)) > middle;
       return Touch{
         moment.time, moment.s - drive.front().s + other.wayToStand(moment.time),
-        std::max(0.0, other.lastSpeed() * along), place.x > 0.5 * (footprint.rear() + footprint.front()),
-        place.x + outline.half_length < footprint.rear()};
+        std::max(0.0, other.lastSpeed() * along), ahead, place + outline.half_length < footprint.rear()};
     }
   }
   return std::nullopt;

@@ -52,10 +52,10 @@ std::vector<Forecast> forecasts(const Costmap & costmap, double now, const Pose2
 /// When a car would touch another.
 struct Touch
 {
-  double time{0.0};    ///< s from now
-  double way{0.0};     ///< m driven until then
-  double speed{0.0};   ///< m/s, of the other along the way
-  bool ahead{false};   ///< whether its middle is beyond that of the car then
+  double time{0.0};   ///< s from now
+  double way{0.0};    ///< m driven until then
+  double speed{0.0};  ///< m/s, of the other along the way
+  bool ahead{false};  ///< whether its middle is beyond that of the car then, or is now: the car may fall back behind it
   bool behind{false};  ///< whether it does not even reach beyond the rear end: it drives into the car
 };
 

@@ -190,7 +190,7 @@ TEST(FirstTouch, whoTouchesTheCarBesideItsRearAxleIsNotBehind)
 TEST(FirstTouch, whoIsAheadNowMayBeFallenBackBehind)
 {
   // The car has nearly passed it when they come together.
-  const auto passed = touchWith({10.665, 4.75, -0.25}, 1.4);
+  const auto passed = touchWith({10.88, 4.66, -0.25}, 1.0);
   ASSERT_TRUE(passed);
   EXPECT_TRUE(passed->ahead);
   EXPECT_LT(speedBehind(*passed, 2.0, 5.0).wanted, 1.5);

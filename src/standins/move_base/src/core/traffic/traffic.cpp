@@ -18,10 +18,10 @@ Pose2 poseAt(const Path & path, std::size_t index, double s)
   const PathPoint & b = path[std::min(index + 1, path.size() - 1)];
   return between(a.pose, b.pose, b.s > a.s ? std::clamp((s - a.s) / (b.s - a.s), 0.0, 1.0) : 0.0);
 }
-// m, of the middle of another, as seen from a car.
-double placeAlong(const Pose2 & car, const Box & outline)
+// Whether all of another is ahead of a car.
+bool isAhead(const Box & other, const Pose2 & car, const Footprint & footprint)
 {
-  return transform(inverse(car), outline.middle.position()).x;
+  return extentOf(other, car).along.low >= footprint.front();
 }
 }  // namespace
 
@@ -43,8 +43,8 @@ bool isBeside(const Box & other, const Pose2 & car, const Footprint & footprint)
 
 Forecast seenFrom(const Pose2 & car, const Footprint & footprint, const Forecast & other)
 {
-  const bool is_ahead = extentOf(other.at(0.0), car).along.low >= footprint.front();
-  return is_ahead && other.strays() && other.speed() > kFastToPass ? other.anywhere() : other;
+  return isAhead(other.at(0.0), car, footprint) && other.strays() && other.speed() > kFastToPass ? other.anywhere()
+                                                                                                 : other;
 }
 
 std::vector<Forecast> forecasts(const Costmap & costmap, double now, const Pose2 & car)
@@ -95,9 +95,9 @@ std::optional<Touch> firstTouch(
       allowed = std::min(margin, away - kNoise);
     } else if (away < allowed) {
       const double along = std::cos(normalizeAngle(outline.middle.yaw - moment.pose.yaw));
-      const double place = placeAlong(moment.pose, outline);
-      const double middle = 0.5 * (footprint.rear() + footprint.front());
-      const bool ahead = place > middle || placeAlong(drive.front().pose, other.at(0.0)) > middle;
+      const double place = transform(inverse(moment.pose), outline.middle.position()).x;
+      const bool ahead =
+        place > 0.5 * (footprint.rear() + footprint.front()) || isAhead(other.at(0.0), drive.front().pose, footprint);
       return Touch{
         moment.time, moment.s - drive.front().s + other.wayToStand(moment.time),
         std::max(0.0, other.lastSpeed() * along), ahead, place + outline.half_length < footprint.rear()};

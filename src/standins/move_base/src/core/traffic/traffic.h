@@ -55,7 +55,7 @@ struct Touch
   double time{0.0};   ///< s from now
   double way{0.0};    ///< m driven until then
   double speed{0.0};  ///< m/s, of the other along the way
-  bool ahead{false};  ///< whether its middle is beyond that of the car then, or is now: the car may fall back behind it
+  bool ahead{false};  ///< whether its middle is beyond that of the car then, or all of it is now: the car may fall back
   bool behind{false};  ///< whether it does not even reach beyond the rear end: it drives into the car
 };
 

@@ -84,6 +84,14 @@ def test_a_run_during_which_something_changed_is_repeated(program, tmp_path, mon
     assert len(program.runs()) == 2
 
 
+def test_a_changed_run_is_not_taken_for_that_of_the_software_before(program, tmp_path, monkeypatch):
+    builds = iter(["one", "one", "two", "three"])
+    monkeypatch.setattr(sweep_module, "hash_software", lambda: next(builds, "one"))
+    for _ in range(3):  # by one, by two that becomes three, by one again
+        swept(tmp_path, "seed=1")
+    assert len(program.runs()) == 3
+
+
 def test_run_without_result_is_named(program, tmp_path, capsys):
     assert not swept(tmp_path, "seed=12:14")
     assert [row["seed"] for row in table(tmp_path)] == ["12", "14"]

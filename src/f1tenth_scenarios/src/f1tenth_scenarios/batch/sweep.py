@@ -11,7 +11,7 @@ from f1tenth_scenarios.batch.cluster import run_on_cluster
 from f1tenth_scenarios.batch.inputs import hash_inputs, hash_software
 from f1tenth_scenarios.batch.jobs import Job, Outcome, read_result, run_jobs
 from f1tenth_scenarios.batch.table_file import check_table_file, write_table
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.errors import ScenarioError, writing
 from f1tenth_scenarios.plan.planning import make_plan
 from f1tenth_scenarios.results.console import CountLine
 from f1tenth_scenarios.scenario.settings import Setting, folder_name, parse_variation
@@ -68,6 +68,10 @@ class Sweep:
         self.results = {job: old for job in self.jobs if (old := self._old_result(job))}
         self.reused = list(self.results)
         left = [job for job in self.jobs if job not in self.results]
+        # What is said of an earlier result must not hold for the one that takes its place.
+        for file in (job.folder / _INPUTS_FILE for job in left):
+            with writing(file):
+                file.unlink(missing_ok=True)
         bar = CountLine(f"{Path(self.jobs[0].scenario).stem} swept", len(left))
 
         def finished(outcome: Outcome) -> None:

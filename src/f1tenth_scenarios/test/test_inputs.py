@@ -92,5 +92,18 @@ def test_a_renamed_file_changes_the_hash(workspace):
 def test_the_workspaces_are_those_that_are_sourced():
     folders = inputs._workspace_folders()
     assert str(places.package_path("f1tenth_scenarios")) in folders
-    assert not [each for each in folders if each.startswith(("/opt/", "/usr/"))]
+    assert not [each for each in folders if each.startswith(("/opt/ros/", "/usr/share/", "/usr/lib/"))]
     assert any(each.endswith("/lib") for each in folders)
+
+
+def test_a_workspace_may_be_anywhere_but_among_the_packages_of_the_system(monkeypatch):
+    system, own = ["/opt/ros/noetic", "/usr"], ["/opt/ws/devel", "/usr/src/ws/devel", "/usr/local"]
+    monkeypatch.setenv("CMAKE_PREFIX_PATH", ":".join([*system, *own]))
+    folders = inputs._workspace_folders()
+    assert folders[-3:] == [f"{each}/lib" for each in own]
+    assert not {f"{each}/lib" for each in system} & {*folders}
+
+
+def test_libraries_of_the_system_are_not_hashed_where_nothing_is_sourced(monkeypatch):
+    monkeypatch.delenv("CMAKE_PREFIX_PATH", raising=False)
+    assert "/lib" not in inputs._workspace_folders()

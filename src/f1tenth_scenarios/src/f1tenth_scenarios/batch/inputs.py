@@ -12,7 +12,8 @@ import yaml
 from f1tenth_scenarios import places
 from f1tenth_scenarios.plan.plan import Plan
 
-_INSTALLED = ("/opt/", "/usr/")  # what the system's packages bring
+# Where the system's packages put theirs; elsewhere below /opt and /usr a workspace may be.
+_INSTALLED = ("/opt/ros", "/usr/share", "/usr/lib")
 _IRRELEVANT_FOLDERS = ("__pycache__", "test", "docs")
 _IRRELEVANT_SUFFIXES = (".md", ".rst", ".pyc")
 
@@ -34,8 +35,13 @@ def hash_inputs(plan: Plan, software: str) -> str:
 def _workspace_folders() -> list[str]:
     known = places.packages()
     sources = sorted(known.get_path(name) for name in known.list())
-    built = [f"{prefix}/lib" for prefix in os.environ.get("CMAKE_PREFIX_PATH", "").split(":")]
-    return [each for each in [*sources, *built] if not each.startswith(_INSTALLED)]
+    prefixes = filter(None, os.environ.get("CMAKE_PREFIX_PATH", "").split(":"))
+    built = [f"{prefix}/lib" for prefix in prefixes]
+    return [each for each in [*sources, *built] if not _is_installed(Path(each))]
+
+
+def _is_installed(folder: Path) -> bool:
+    return any(folder.is_relative_to(each) for each in _INSTALLED)
 
 
 def _files(folder: str) -> Iterator[Path]:

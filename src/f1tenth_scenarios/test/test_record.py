@@ -51,14 +51,23 @@ def test_header_alone_is_empty(tmp_path):
         ("a,b\n1,2\n", f"FILE:1: not a record of the simulator: the columns must be {','.join(COLUMNS)}"),
         (HEADER + "1,2\n", "FILE:2: 2 values, must be 13"),
         (HEADER + ROW.replace("0.5", "near"), "FILE: could not convert string to float: 'near'"),
+        (
+            HEADER + ROW + ROW.replace("0.5", "nan"),
+            "FILE: clearance of robot1 at 0.025 is nan, must be finite",
+        ),
+        (HEADER + ROW.replace("0.025", "inf"), "FILE: time of robot1 at inf is inf, must be finite"),
+        (
+            HEADER + ROW.replace("abc", "\xe4"),
+            "FILE: not a record of the simulator: 'utf-8' codec can't decode byte",
+        ),
     ],
 )
 def test_what_is_no_record_is_refused(tmp_path, text, answer):
     path = tmp_path / "record.csv"
-    path.write_text(text, encoding="utf-8")
+    path.write_text(text, encoding="latin-1")
     with pytest.raises(ScenarioError) as caught:
         read_record(path)
-    assert str(caught.value).replace(str(path), "FILE") == answer
+    assert str(caught.value).replace(str(path), "FILE").startswith(answer)
 
 
 def test_empty_file_is_an_empty_record(tmp_path):

@@ -59,6 +59,10 @@ def test_missing_file_is_an_empty_replay(tmp_path):
     [
         (b"nonsense", "not a replay: "),
         (gzip.compress(b"nonsense"), "not a replay: "),
+        (gzip.compress(b"nonsense")[:10] + b"\xff" * 20, "not a replay: Error -3 while decompressing data"),
+        (gzip.compress(b'{"format": NaN}'), "not a replay: NaN is not finite"),
+        (gzip.compress(b'{"format": 2}'), "not a replay: it has no 'walls'"),
+        (gzip.compress(b'{"format": 2, "walls": []}'), "not a replay: "),
         (gzip.compress(b"[]"), "not a replay of format 2; run the scenario again"),
         (
             gzip.compress(json.dumps({"format": 0}).encode()),

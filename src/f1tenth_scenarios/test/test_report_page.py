@@ -97,6 +97,18 @@ def test_anything_else_that_is_broken_is_left_out_and_named(results, tmp_path, n
     assert (two["verdict"], two["problems"]) == ("collision", [problem])
 
 
+def test_record_with_a_value_that_is_not_finite_is_left_out_and_named(results, capsys):
+    record = results / "two" / "trajectory.csv"
+    header, first, *others = record.read_text(encoding="utf-8").splitlines(keepends=True)
+    columns = first.split(",")
+    columns[2] = "nan"
+    record.write_text(header + ",".join(columns) + "".join(others), encoding="utf-8")
+    assert cli.main(["report", "--results", str(results)]) == 1
+    assert f"scenario: {record}: x of robot1 at 0.025" in capsys.readouterr().err
+    one, two = overview(results / "report.html")
+    assert (one["problems"], two["verdict"], two["thumbnail"]) == ([], "collision", [])
+
+
 def test_files_of_a_run_are_linked_from_where_the_report_is(results, tmp_path):
     (results / "one" / "log").mkdir()
     (results / "one" / "run.bag").touch()

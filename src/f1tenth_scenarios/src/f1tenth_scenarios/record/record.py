@@ -136,6 +136,8 @@ def read_record(path: Path) -> Record:
         return Record({})
     except OSError as error:
         raise ScenarioError(f"{path}: cannot be read: {error.strerror}") from error
+    except UnicodeDecodeError as error:
+        raise ScenarioError(f"{path}: not a record of the simulator: {error}") from error
     complete = text[: text.rfind("\n") + 1].splitlines()
     if not complete:
         return Record({})
@@ -161,4 +163,13 @@ def _build(path, rows):
 def _track(car, rows):
     columns = dict(zip(COLUMNS, zip(*rows)))
     numbers = {name: np.array(columns[name], dtype=float) for name in _NUMBERS}
+    for name, values in numbers.items():
+        _require_finite(f"{name} of {car}", values, columns["time"])
     return CarTrack(car=car, contacts=columns["contacts"], hash=columns["hash"], rows=tuple(rows), **numbers)
+
+
+def _require_finite(name, values, times):
+    finite = np.isfinite(values)
+    if not finite.all():
+        first = int(np.argmin(finite))
+        raise ValueError(f"{name} at {times[first]} is {values[first]}, must be finite")

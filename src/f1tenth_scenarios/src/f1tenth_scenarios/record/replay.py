@@ -3,6 +3,7 @@
 import dataclasses
 import gzip
 import json
+import zlib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -120,14 +121,24 @@ def read_replay(path: Path) -> Replay:
         ScenarioError: the file is broken, or of another version.
     """
     try:
-        content = json.loads(gzip.decompress(path.read_bytes()))
+        content = json.loads(gzip.decompress(path.read_bytes()), parse_constant=_refuse)
     except FileNotFoundError:
         return Replay()
-    except (OSError, EOFError, ValueError) as error:
+    except (OSError, EOFError, ValueError, zlib.error) as error:
         raise ScenarioError(f"{path}: not a replay: {error}") from error
     if not isinstance(content, dict) or content.get("format") != _FORMAT:
         raise ScenarioError(f"{path}: not a replay of format {_FORMAT}; run the scenario again")
-    return _from_dict(content)
+    try:
+        return _from_dict(content)
+    except KeyError as error:
+        raise ScenarioError(f"{path}: not a replay: it has no {error}") from error
+    except (AttributeError, TypeError) as error:
+        raise ScenarioError(f"{path}: not a replay: {error}") from error
+
+
+def _refuse(constant: str):
+    # A planner may have published it, but nothing can be drawn there.
+    raise ValueError(f"{constant} is not finite")
 
 
 def _from_dict(content: Mapping[str, Any]) -> Replay:

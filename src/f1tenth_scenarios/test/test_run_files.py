@@ -158,6 +158,17 @@ def test_a_log_folder_that_cannot_be_written_is_said(tmp_path, monkeypatch):
         run.execute()
 
 
+def test_a_master_that_is_gone_costs_the_replay_and_nothing_else(tmp_path, monkeypatch):
+    def fail():
+        raise ConnectionRefusedError(errno.ECONNREFUSED, "Connection refused")
+
+    run = succeeding(tmp_path)
+    monkeypatch.setattr(run.watch, "descriptions", fail)
+    result = run.execute()
+    assert result.passed
+    assert result.not_written == ("replay.json.gz: Connection refused",)
+
+
 def test_bag_of_a_run_that_passed_is_kept_if_wanted(tmp_path):
     for keep in (False, True):
         run = succeeding(tmp_path)

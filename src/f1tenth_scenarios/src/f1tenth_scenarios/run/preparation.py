@@ -16,7 +16,10 @@ class Preparation:
     """Goes on beside a run as soon as the simulation has begun, when nobody waits for it."""
 
     def __init__(self, world: Path, descriptions: Callable[[], Mapping[str, str]]):
-        """`world` is simulated, `descriptions` gives the robot_description of each car once it runs."""
+        """`world` is simulated, `descriptions` gives the robot_description of each car once it runs.
+
+        The latter is called in a thread: a master that does not answer must not cost the verdict.
+        """
         self._world = world
         self._descriptions = descriptions
         self._pool = ThreadPoolExecutor(1, "preparation")
@@ -38,7 +41,7 @@ class Preparation:
             return
         self._begun = True
         self._picture = self._pool.submit(importlib.import_module, "f1tenth_scenarios.results.picture")
-        self._scene = self._pool.submit(_load_scene, self._world, self._descriptions())
+        self._scene = self._pool.submit(_load_scene, self._world, self._descriptions)
         self._pool.shutdown(wait=False)
 
     def picture(self):
@@ -53,4 +56,4 @@ class Preparation:
 def _load_scene(world, descriptions):
     from f1tenth_scenarios.record.scene import load_scene
 
-    return load_scene(world, descriptions)
+    return load_scene(world, descriptions())

@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 
+import psutil
 import pytest
 import rosgraph
 from f1tenth_scenarios.errors import ScenarioError
@@ -282,6 +283,19 @@ def test_master_of_a_run_does_not_hear_ctrl_c():
     with private_master():
         os.kill(master_process()["master"], signal.SIGINT)
         assert rosgraph.Master("/test").getPid()
+
+
+def test_child_that_has_ended_does_not_hide_the_master(monkeypatch):
+    class Ended:
+        pid = 1
+
+        def cmdline(self):
+            raise psutil.ZombieProcess(self.pid)
+
+    with private_master():
+        children = psutil.Process().children()
+        monkeypatch.setattr(psutil.Process, "children", lambda _: [Ended(), *children])
+        assert master_process() == {"master": children[0].pid}
 
 
 def test_who_is_told_to_stop_waits_for_nothing_that_still_goes_on():

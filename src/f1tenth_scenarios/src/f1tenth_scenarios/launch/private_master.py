@@ -51,8 +51,9 @@ def private_master() -> Iterator[str]:
 def master_process() -> dict[str, int]:
     """The id of the master that this process has started, by the name `master`; empty if it has not."""
     for each in psutil.Process().children():
-        if __name__ in each.cmdline():
-            return {"master": each.pid}
+        with contextlib.suppress(psutil.Error):  # one that has just ended
+            if __name__ in each.cmdline():
+                return {"master": each.pid}
     return {}
 
 

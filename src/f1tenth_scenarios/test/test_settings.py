@@ -1,6 +1,7 @@
 """Values that are set from outside of the file, and what many of them mean."""
 
 import itertools
+import re
 
 import pytest
 from f1tenth_scenarios.errors import ScenarioError
@@ -58,11 +59,38 @@ def test_goals_and_line_are_those_of_the_world(tmp_path):
         ("colour=red", "colour=red:1: unknown key 'colour'"),
         ("seed.x=1", "seed.x=1: seed holds no keys"),
         ("seed=[1", "seed=.1: not YAML: "),
+        ("mu= ", "mu= : must hold a value, found nothing$"),
+        ("mu=#1", "mu=#1: must hold a value, found nothing$"),
+        (
+            "boxes=[{name: a, x: 1, y: b}]",
+            r"^boxes=\[.*b}\]:1: boxes\[0\].y must be a number \(m\), found 'b'",
+        ),
     ],
 )
 def test_bad_setting_is_answered(file, text, problem):
     with pytest.raises(ScenarioError, match=problem):
         make_plan(file, settings=[text])
+
+
+@pytest.mark.parametrize(
+    ("cars", "setting", "problem"),
+    [
+        (
+            "[robot1]",
+            "mu=0.3",
+            r"FILE:3: cars\[0\] must be a mapping with the keys name, start, .*, found 'robot1'",
+        ),
+        ("[robot1]", "cars.robot1.mu=0.3", "cars.robot1.mu=0.3: there is no robot1, there are: none"),
+        ("[{name: [a]}]", "cars.robot1.mu=0.3", "cars.robot1.mu=0.3: there is no robot1, there are: none"),
+    ],
+)
+def test_setting_for_cars_that_are_none_is_answered(tmp_path, cars, setting, problem):
+    path = tmp_path / "sample.yaml"
+    cars_text = SCENARIO_TEXT[SCENARIO_TEXT.index("cars:") : SCENARIO_TEXT.index("limits:")]
+    path.write_text(SCENARIO_TEXT.replace(cars_text, f"cars: {cars}\n"), encoding="utf-8")
+    with pytest.raises(ScenarioError) as caught:
+        make_plan(str(path), settings=[setting])
+    assert re.match(problem, str(caught.value).replace(str(path), "FILE"))
 
 
 @pytest.mark.parametrize(

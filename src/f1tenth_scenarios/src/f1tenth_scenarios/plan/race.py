@@ -19,6 +19,7 @@ from f1tenth_scenarios.road.place import Place, find_place
 from f1tenth_scenarios.scenario.driver import Driver
 from f1tenth_scenarios.scenario.scenario import Scenario
 from f1tenth_scenarios.scenario.settings import apply_settings, parse_setting
+from f1tenth_scenarios.scenario.yaml_text import compose_text
 
 _SLOWEST = 1.0  # m/s on average, before the time is over
 _STARTING = 30.0  # s, on top of that
@@ -54,8 +55,7 @@ def plan_race(race: Race, folder: Path, settings: Sequence[str] = ()) -> Plan:
     Raises:
         ScenarioError: something that is named is not there, or the place has no road.
     """
-    root = yaml.compose(race_text(race), Loader=yaml.SafeLoader)
-    root.start_mark.name = "race"
+    root = compose_text(race_text(race), "race")
     apply_settings(root, [parse_setting(text) for text in settings])
     plan = plan_scenario(Path.cwd() / f"{race.name}.yaml", read(Scenario, root), folder)
     return dataclasses.replace(plan, settings=tuple(settings))

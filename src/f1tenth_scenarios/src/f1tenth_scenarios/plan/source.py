@@ -11,6 +11,7 @@ from f1tenth_gazebo.yaml_files.yaml_source import compose
 from f1tenth_scenarios.errors import as_scenario_error
 from f1tenth_scenarios.road.course import read_course
 from f1tenth_scenarios.scenario.scenario import Scenario
+from f1tenth_scenarios.scenario.yaml_text import compose_text
 
 _SLOWEST = 0.5  # m/s on average, before the time is over
 _STARTING = 30.0  # s, on top of that
@@ -44,6 +45,4 @@ def _scenario_of(circuit: Path) -> yaml.MappingNode:
         "expected": "success",
         "seed": _SEED,
     }
-    root = yaml.compose(yaml.safe_dump(description, sort_keys=False), Loader=yaml.SafeLoader)
-    root.start_mark.name = str(circuit)
-    return root
+    return compose_text(yaml.safe_dump(description, sort_keys=False), str(circuit))

@@ -15,6 +15,7 @@ from f1tenth_gazebo.yaml_files.schema import keys
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.scenario.car import Car
 from f1tenth_scenarios.scenario.scenario import Scenario
+from f1tenth_scenarios.scenario.yaml_text import compose_text
 
 _MOST_VALUES = 100_000
 
@@ -155,17 +156,14 @@ def compose_value(setting: Setting) -> yaml.Node:
     Raises:
         ScenarioError: it is none.
     """
-    try:
-        node = yaml.compose(setting.value, Loader=yaml.SafeLoader)
-    except yaml.YAMLError as error:
-        raise ScenarioError(f"{setting}: not YAML: {' '.join(str(error).split())}") from error
-    node.start_mark.name = str(setting)
-    return node
+    return compose_text(setting.value, str(setting))
 
 
-def _cars(root: yaml.MappingNode) -> list[yaml.Node]:
+def _cars(root: yaml.MappingNode) -> list[yaml.MappingNode]:
+    """Those that are mappings: who reads the file says what is wrong with others."""
     cars = next((value for key, value in root.value if key.value == "cars"), None)
-    return cars.value if isinstance(cars, yaml.SequenceNode) else []
+    entries = cars.value if isinstance(cars, yaml.SequenceNode) else []
+    return [each for each in entries if isinstance(each, yaml.MappingNode)]
 
 
 def _descend(node, path, setting):
@@ -175,7 +173,7 @@ def _descend(node, path, setting):
             found = yaml.MappingNode("tag:yaml.org,2002:map", [], node.start_mark, node.end_mark)
             node.value.append((_name_node(name, node), found))
         if found is None:
-            names = ", ".join(filter(None, map(_name_of, node.value)))
+            names = ", ".join(filter(None, map(_name_of, node.value))) or "none"
             raise ScenarioError(f"{setting}: there is no {name}, there are: {names}")
         if not isinstance(found, (yaml.MappingNode, yaml.SequenceNode)):
             raise ScenarioError(f"{setting}: {name} holds no keys")
@@ -194,7 +192,8 @@ def _entry(node: yaml.Node, name: str) -> Optional[yaml.Node]:
 
 def _name_of(node: yaml.Node) -> Optional[str]:
     """What a mapping in a list calls itself."""
-    return getattr(_entry(node, "name"), "value", None) if isinstance(node, yaml.MappingNode) else None
+    name = _entry(node, "name") if isinstance(node, yaml.MappingNode) else None
+    return name.value if isinstance(name, yaml.ScalarNode) else None
 
 
 def _put(node: yaml.MappingNode, name: str, value: yaml.Node) -> None:

@@ -73,7 +73,9 @@ def race_text(race: Race) -> str:
 def _describe(race: Race) -> dict[str, Any]:
     place = find_place(places.world_file(race.place, Path.cwd()))
     laps = "A lap" if race.laps == 1 else f"{race.laps} laps"
-    timeout = race.timeout or _STARTING + race.laps * _length(place) / _SLOWEST
+    timeout = race.timeout
+    if timeout is None:
+        timeout = _STARTING + race.laps * _length(place) / _SLOWEST
     names = " against ".join(Path(driver.name).name for driver in race.planners)
     return {
         "description": f"{laps} of {place.world.stem}, driven by {names}.",

@@ -183,6 +183,7 @@ def test_table_may_be_written_as_csv_elsewhere(program, tmp_path):
     [
         ("table.xlsx", "a table's name must end with .csv or .parquet"),
         ("nowhere/table.csv", "there is no folder "),
+        ("/proc/table.csv", "cannot be written: "),
         ("table.parquet", "Parquet needs the Python package fastparquet (make setup installs it)"),
     ],
 )
@@ -194,6 +195,23 @@ def test_table_that_cannot_be_written_is_answered_before_anything_runs(
     assert cli.main([*arguments, "--output", str(tmp_path / name)]) == 2
     assert f"{tmp_path / name}: {answer}" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
+
+
+def test_results_folder_that_cannot_be_written_is_answered_before_anything_runs(program, tmp_path, capsys):
+    (tmp_path / "file").touch()
+    folder = tmp_path / "file" / "results"
+    assert cli.main(["sweep", "circuit1", "--vary", "seed=1:2", "--results", str(folder)]) == 2
+    answer = f"scenario: {folder}/sweep/circuit1: cannot be written: Not a directory\n"
+    assert capsys.readouterr().err == answer
+    assert program.runs() == []
+
+
+@pytest.mark.parametrize("name", ["sweep.csv", "sweep.png"])
+def test_file_that_cannot_be_written_is_named(program, tmp_path, capsys, name):
+    file = tmp_path / "sweep" / "circuit1" / name
+    file.mkdir(parents=True)
+    assert cli.main(["sweep", "circuit1", "--vary", "seed=1", "--results", str(tmp_path)]) == 2
+    assert capsys.readouterr().err == f"scenario: {file}: cannot be written: Is a directory\n"
 
 
 def test_bad_value_is_answered_before_anything_runs(tmp_path, capsys):

@@ -63,7 +63,7 @@ class Sweep:
             scheduler: address of a Dask scheduler to use instead
 
         Raises:
-            ScenarioError: the scheduler cannot be reached.
+            ScenarioError: the scheduler cannot be reached, or an earlier result cannot be replaced.
         """
         self.results = {job: old for job in self.jobs if (old := self._old_result(job))}
         self.reused = list(self.results)
@@ -147,17 +147,21 @@ def sweep(
         Whether every run left a result.
 
     Raises:
-        ScenarioError: bad input; nothing has been run then.
+        ScenarioError: bad input; nothing has been run then. Or the table or the picture cannot be written.
     """
     if output:
         check_table_file(output)
     swept = Sweep(name, variations, results)
+    folder = results / "sweep" / Path(swept.jobs[0].scenario).stem
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+    check_table_file(folder / _TABLE_FILE)
     swept.run(stop, at_once, scheduler)
     # Runs that were told to stop have no result, and nothing is wrong with that.
     for problem in [] if stop.signal else swept.problems:
         print(f"scenario: {problem}", file=sys.stderr)
     if swept.results:
-        _write(swept, results / "sweep" / Path(swept.jobs[0].scenario).stem, output)
+        _write(swept, folder, output)
     return len(swept.results) == len(swept.jobs)
 
 
@@ -168,14 +172,17 @@ def _write(swept: Sweep, folder: Path, output: Optional[Path]) -> None:
     rows = list(swept.rows())
     tables = [folder / _TABLE_FILE, *([output] if output else [])]
     for table in tables:
-        write_table(table, rows)
-    write_picture(folder / _PICTURE_FILE, folder.name, rows, swept.keys)
+        with writing(table):
+            write_table(table, rows)
+    picture = folder / _PICTURE_FILE
+    with writing(picture):
+        write_picture(picture, folder.name, rows, swept.keys)
     facts = [
         ("scenario", folder.name),
         ("passed", f"{sum(row['passed'] for row in rows)} of {len(rows)}"),
         ("reused", f"{len(swept.reused)} of {len(rows)}, of the same inputs"),
         *(("table", table) for table in tables),
-        ("picture", folder / _PICTURE_FILE),
+        ("picture", picture),
     ]
     for key, value in facts:
         print(f"{key + ':':19}{value}")

@@ -2,12 +2,13 @@
 
 import csv
 import importlib.util
+import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from f1tenth_scenarios.atomic import replacing
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.errors import ScenarioError, writing
 
 CSV, PARQUET = ".csv", ".parquet"
 _ENGINE = "fastparquet"
@@ -17,7 +18,7 @@ def check_table_file(path: Path) -> None:
     """Find out whether a table could be written there, before anything runs.
 
     Raises:
-        ScenarioError: another ending, no such folder, or what writes Parquet is missing.
+        ScenarioError: another ending, no such folder or none to write to, or what writes Parquet is missing.
     """
     if path.suffix not in (CSV, PARQUET):
         raise ScenarioError(f"{path}: a table's name must end with {CSV} or {PARQUET}")
@@ -25,6 +26,8 @@ def check_table_file(path: Path) -> None:
         raise ScenarioError(f"{path}: there is no folder {path.parent}")
     if path.suffix == PARQUET and importlib.util.find_spec(_ENGINE) is None:
         raise ScenarioError(f"{path}: Parquet needs the Python package {_ENGINE} (make setup installs it)")
+    with writing(path), tempfile.TemporaryFile(dir=path.parent):
+        pass
 
 
 def write_table(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:

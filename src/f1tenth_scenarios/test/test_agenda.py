@@ -1,7 +1,7 @@
 """What is to happen when, and when a period may go on."""
 
 import pytest
-from f1tenth_scenarios.plan.participants import participants
+from f1tenth_scenarios.plan.participants import has_deputy, participants
 from f1tenth_scenarios.run.events.agenda import Agenda, PeriodGate
 from f1tenth_scenarios.scenario.car import STANDING, Command, command_at
 from f1tenth_scenarios.scenario.scenario import Fault, Localization
@@ -75,10 +75,13 @@ def test_driver_that_answers_scans_takes_part_as_its_car(tmp_path):
     assert participants(sample_plan(tmp_path, scenario(), launch="commands.launch")) == ["robot1"]
 
 
-def test_deputy_takes_part_for_a_driver_that_says_nothing(tmp_path):
+@pytest.mark.parametrize("named", ["", '<arg name="participants" value=""/>'])
+def test_deputy_takes_part_for_a_driver_that_names_nobody(tmp_path, named):
     launch = tmp_path / "my.launch"
-    launch.write_text("<launch/>", encoding="utf-8")
-    assert participants(sample_plan(tmp_path, scenario(), launch=launch)) == ["robot1/deputy"]
+    launch.write_text(f"<launch>{named}</launch>", encoding="utf-8")
+    plan = sample_plan(tmp_path, scenario(), launch=launch)
+    assert participants(plan) == ["robot1/deputy"]
+    assert has_deputy(plan, "robot1")
 
 
 def test_faults_make_the_runner_a_participant(tmp_path):

@@ -38,7 +38,7 @@ class DriverFile:
         return self.needs_countdown or _START in self.arguments
 
     def participants_of(self, car: str) -> Optional[list[str]]:
-        """Names of docs/lockstep.md, for a car of this name; nothing when the file does not say."""
+        """Names of docs/lockstep.md, for a car of this name; nothing when the file names none."""
         if self.participants is None:
             return None
         return re.sub(r"\$\(arg car_name\)", car, self.participants).split()
@@ -83,5 +83,5 @@ def read_driver_file(path: Path) -> DriverFile:
         path,
         frozenset(open_ones),
         frozenset(name for name, attributes in open_ones.items() if "default" not in attributes),
-        declared.get(_PARTICIPANTS, {}).get("value"),
+        declared.get(_PARTICIPANTS, {}).get("value", "").strip() or None,
     )

@@ -2,6 +2,7 @@
 
 import dataclasses
 from pathlib import Path
+from typing import Optional
 
 import yaml
 from f1tenth_gazebo.errors import FileError
@@ -10,6 +11,7 @@ from f1tenth_gazebo.yaml_files.schema import read
 from f1tenth_scenarios import places
 from f1tenth_scenarios.errors import NotApplicableError, as_scenario_error
 from f1tenth_scenarios.plan.driver_file import DriverFile, read_driver_file
+from f1tenth_scenarios.road.place import find_place
 from f1tenth_scenarios.scenario.car import Car
 from f1tenth_scenarios.scenario.driver import Driver
 from f1tenth_scenarios.scenario.scenario import Scenario, Verdict
@@ -40,8 +42,10 @@ def with_planner(scenario: Scenario, node: yaml.Node, beside: Path) -> Scenario:
     planner = read(Driver, node, PLANNER)
     file = read_driver_file(places.file_at(planner.launch, beside))
     _require_sense(scenario, file)
+    circuit = _circuit(scenario, beside)
     cars = (
-        _replaced(scenario, car, planner, file) if car.driver.name == _OURS else car for car in scenario.cars
+        _replaced(scenario, car, planner, file, circuit) if car.driver.name == _OURS else car
+        for car in scenario.cars
     )
     return dataclasses.replace(scenario, cars=tuple(cars))
 
@@ -61,8 +65,14 @@ def _require_sense(scenario: Scenario, file: DriverFile) -> None:
         raise NotApplicableError("it is about the countdown, and the planner has no argument 'time_to_start'")
 
 
-def _replaced(scenario: Scenario, car: Car, planner: Driver, file: DriverFile) -> Car:
-    goals = car.goals or (None if car.laps else scenario.world)
+def _circuit(scenario: Scenario, beside: Path) -> Optional[str]:
+    """The circuit that the world is, by whose name its goals are found; other places have none."""
+    place = find_place(places.world_file(scenario.world, beside))
+    return place.world.stem if place.is_circuit else None
+
+
+def _replaced(scenario: Scenario, car: Car, planner: Driver, file: DriverFile, circuit: Optional[str]) -> Car:
+    goals = car.goals or (None if car.laps else circuit)
     replaced = dataclasses.replace(
         car,
         driver=planner,
@@ -70,9 +80,9 @@ def _replaced(scenario: Scenario, car: Car, planner: Driver, file: DriverFile) -
         speed_max=car.speed_max if "speed_max" in file.arguments else None,
         acceleration_max=car.acceleration_max if "acceleration_max" in file.arguments else None,
     )
-    if goals is None or "goals_file" in file.arguments:
+    if goals and "goals_file" in file.arguments:
         return replaced
-    if goals != scenario.world:
+    if goals not in (None, circuit, scenario.world):
         raise NotApplicableError("it is about goals, and the planner has no argument 'goals_file'")
-    # Who knows no goals is judged by the laps that they stand for.
+    # Who is given no goals is judged by the laps that they stand for.
     return dataclasses.replace(replaced, goals=None, laps=car.laps or scenario.laps)

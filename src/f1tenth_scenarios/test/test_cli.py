@@ -250,6 +250,8 @@ def test_master_ends_with_a_killed_user(serving):
         (["race", "circuit1", "--arg", "speed:=1"], "--arg is for a --planner"),
         (["run", "circuit1", "--interface", "f1tenth"], "--interface is for a --planner"),
         (["race", "circuit1", "--interface", "f1tenth"], "--interface is for a --planner"),
+        (["run", "circuit1", "--repeat", "2", "--bag"], "--bag is not for --repeat"),
+        (["run", "circuit1", "--repeat", "2", "--report"], "--report is not for --repeat"),
         (["race", "circuit1", "--timeout", "0"], "race:12: limits.timeout is 0, must be above 0 s"),
         (
             ["race", "circuit1", "--save", "{folder}/none/race.yaml"],

@@ -70,6 +70,9 @@ def _check(options) -> None:
 def _repeat(options, settings: Sequence[str]) -> int:
     if options.repeat < 2 or len(options.names) != 1:
         raise ScenarioError("--repeat is for one scenario, and at least 2 times")
+    for option in ("bag", "report"):
+        if getattr(options, option):
+            raise ScenarioError(f"--{option} is not for --repeat")
     from f1tenth_scenarios.batch.repeat import repeat
 
     with StopRequest().listening() as stop:

@@ -252,6 +252,14 @@ def test_master_ends_with_a_killed_user(serving):
         (["race", "circuit1", "--interface", "f1tenth"], "--interface is for a --planner"),
         (["run", "circuit1", "--repeat", "2", "--bag"], "--bag is not for --repeat"),
         (["run", "circuit1", "--repeat", "2", "--report"], "--report is not for --repeat"),
+        (
+            ["run", "circuit1", "circuit2", "circuit1"],
+            "'circuit1' and 'circuit1' would both be written to {folder}/circuit1",
+        ),
+        (
+            ["run", "{folder}/a/own.yaml", "{folder}/b/own.yml"],
+            "'{folder}/a/own.yaml' and '{folder}/b/own.yml' would both be written to {folder}/own",
+        ),
         (["race", "circuit1", "--timeout", "0"], "race:12: limits.timeout is 0, must be above 0 s"),
         (
             ["race", "circuit1", "--save", "{folder}/none/race.yaml"],

@@ -82,6 +82,7 @@ def _repeat(options, settings: Sequence[str]) -> int:
 
 def _run_each(names: Sequence[str], settings: Sequence[str], options) -> int:
     """A process for each, because a process can be a ROS node only once."""
+    _check_folders(names, results_of(options))
     left_out = _not_applicable(names, settings)
     files = [places.scenario_file(name) for name in names if name not in left_out]
     extra = ("--bag",) if options.bag else ()
@@ -103,6 +104,16 @@ def _run_each(names: Sequence[str], settings: Sequence[str], options) -> int:
     if not stop.signal:
         _sum_up(outcomes, left_out, passed, len(jobs))
     return exit_code(passed == len(jobs), stop)
+
+
+def _check_folders(names: Sequence[str], results: Path) -> None:
+    """Refuse scenarios that would overwrite each other's results."""
+    known: dict[Path, str] = {}
+    for name in names:
+        folder = results / places.scenario_file(name).stem
+        if folder in known:
+            raise ScenarioError(f"'{known[folder]}' and '{name}' would both be written to {folder}")
+        known[folder] = name
 
 
 def _not_applicable(names: Sequence[str], settings: Sequence[str]) -> dict[str, str]:

@@ -14,6 +14,7 @@ _TIME, _LENGTH, _PLAN, _ANGLE, _SPEED, _FINE = 0.001, 0.01, 0.02, 0.005, 0.02, 0
 _STEP, _GHOST_STEP = 0.05, 0.1  # s, between two places of a car, of this run and of the one before
 _PLAN_STEP = 0.2  # s, between two plans
 _PLAN_POINTS = {"global": 20, "local": 8}  # of a plan, at most
+_THUMBNAIL_POINTS = 50  # of a car's path, at most
 
 
 def pack_run(record: Record, replay: Replay) -> str:
@@ -50,13 +51,13 @@ def pack_tracks(record: Record) -> str:
     return packer.pack()
 
 
-def thumbnail(record: Record, points: int = 50) -> list[list[list[float]]]:
+def thumbnail(record: Record) -> list[list[list[float]]]:
     """The paths of the cars, thinned, for a drawing as large as a thumb."""
-    return [_thinned(track, points) for track in record.tracks.values()]
+    return [_thinned(track) for track in record.tracks.values()]
 
 
-def _thinned(track: CarTrack, points: int) -> list[list[float]]:
-    chosen = np.unique(np.linspace(0, len(track.time) - 1, points).astype(int))
+def _thinned(track: CarTrack) -> list[list[float]]:
+    chosen = np.unique(np.linspace(0, len(track.time) - 1, _THUMBNAIL_POINTS).astype(int))
     return np.round(np.column_stack([track.x, track.y])[chosen], 1).tolist()
 
 

@@ -9,13 +9,14 @@ import psutil
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.run.ros_graph import ask
 
+_PATIENCE = 2.0  # wall s
 
-def kill_node(name: str, timeout: float = 2.0) -> None:
+
+def kill_node(name: str) -> None:
     """End a node of this machine with SIGKILL and return when it is gone.
 
     Args:
         name: without the leading slash, as in `robot1/move_base`
-        timeout: wall seconds
 
     Raises:
         ScenarioError: there is no such node, or it does not go.
@@ -25,10 +26,10 @@ def kill_node(name: str, timeout: float = 2.0) -> None:
         os.kill(pid, signal.SIGKILL)
     except OSError as error:
         raise ScenarioError(f"cannot kill {name}: {error.strerror}") from error
-    deadline = time.monotonic() + timeout
+    deadline = time.monotonic() + _PATIENCE
     while _runs(pid):
         if time.monotonic() > deadline:
-            raise ScenarioError(f"cannot kill {name}: it is still there after {timeout:g} s")
+            raise ScenarioError(f"cannot kill {name}: it is still there after {_PATIENCE:g} s")
         time.sleep(0.002)
 
 

@@ -1,5 +1,6 @@
 """Studies: their scenarios, what they measure and judge, and the command; runs are made up."""
 
+import dataclasses
 import importlib
 import json
 import math
@@ -190,6 +191,14 @@ def test_safety_wants_a_standstill_while_inputs_fail(tmp_path, monkeypatch, spee
     assert safety.STUDY.problem(run(tmp_path, contacts=[{}])) == "1 contacts, must be none"
 
 
+def test_safety_shows_no_speed_of_a_car_whose_run_ends_before_the_fault(tmp_path, monkeypatch):
+    track = dataclasses.replace(on_ring(0.0, 0.01, 4), time=0.5 * np.arange(4))
+    monkeypatch.setattr(Run, "record", Record({"robot1": track}))
+    values = {"cars.robot1.input_faults": "scan", "cars.robot1.speed_max": "8"}
+    one = run(tmp_path, values, verdict="collision", reason="hit a wall")
+    assert table(safety.STUDY, [one]).splitlines()[-1] == "| scan | 8 | nan | inf | 0.120 | 0 |"
+
+
 def test_safety_lets_each_input_and_each_pair_fail():
     variation, speeds = (parse_variation(f"{key}={values}") for key, values in safety.STUDY.vary.items())
     assert len(variation) == 12
@@ -246,6 +255,17 @@ def test_a_run_that_is_not_good_enough_is_named(program, tmp_path, capsys):
     program(verdict="aborted", reason="gave up")
     assert study_one_run(tmp_path) == cli.NOT_GOOD
     assert "study localization: circuit1, 4: gave up\n" in capsys.readouterr().err
+
+
+def test_a_run_that_broke_down_is_named_and_in_no_table(program, tmp_path, capsys):
+    program(verdict="error", reason="sim2d: died")
+    file = tmp_path / "table.md"
+    file.write_text("the last one that could be made", encoding="utf-8")
+    arguments = ["passing", "--vary", "world=circuit1", "--vary", "cars.robot2.speed_max=1"]
+    arguments += ["--results", str(tmp_path / "r"), "--table", str(file)]
+    assert cli.study_main(arguments) == cli.NOT_GOOD
+    assert capsys.readouterr() == ("", "study passing: circuit1, 1: sim2d: died\n")
+    assert file.read_text(encoding="utf-8") == "the last one that could be made"
 
 
 def test_a_bad_value_is_bad_input(tmp_path, capsys):

@@ -84,8 +84,9 @@ def _study(options) -> int:
     if stop.signal:
         return 128 + stop.signal
     runs = _runs(sweep, study)
-    if runs:
-        text = document(study, runs, _command(options))
+    whole = [run for run in runs if not run.broke_down]
+    if whole:
+        text = document(study, whole, _command(options))
         print(text)
         if options.table:
             write_text(options.table, text + remarks(text_of(options.table)))

@@ -40,6 +40,11 @@ class Run:
         found = {each["name"]: each["actual"] for each in self.result["criteria"]}[criterion]
         return float("inf") if found is None else found
 
+    @property
+    def broke_down(self) -> bool:
+        """Whether something other than a car ended it: maybe before the record of any car began."""
+        return self.result["verdict"] == "error"
+
     @functools.cached_property
     def record(self) -> Record:
         """What the cars did."""

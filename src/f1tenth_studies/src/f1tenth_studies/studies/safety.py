@@ -35,9 +35,10 @@ def _values() -> str:
 
 
 def speed_at_begin(run: Run) -> float:
-    """How fast the car was when the fault began, m/s."""
+    """How fast the car was when the fault began, m/s; nan if the run ended before."""
     track = run.record.tracks["robot1"]
-    return float(track.speed[np.searchsorted(track.time, BEGIN)])
+    speeds = track.speed[track.time >= BEGIN]
+    return float(speeds[0]) if len(speeds) else float("nan")
 
 
 def stop_after(run: Run) -> float:

@@ -274,6 +274,35 @@ def test_a_bad_value_is_bad_input(tmp_path, capsys):
     assert "study: laps=0:1: laps is 0, must be at least 1\n" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(
+    ("arguments", "problem"),
+    [
+        (["passing", "--jobs", "0"], "--jobs is 0, must be at least 1"),
+        (["passing", "--jobs", "-1"], "--jobs is -1, must be at least 1"),
+        (
+            ["passing", "--vary", "seed=1:3"],
+            "--vary seed=1:3: is not varied by this study, allowed: world, cars.robot2.speed_max",
+        ),
+        (
+            ["encounters", "--vary", "world=circuit1"],
+            "--vary world=circuit1: is not varied by this study, allowed: encounter",
+        ),
+        (
+            ["localization", "--vary", "seed=1", "--vary", "seed=2"],
+            "--vary seed=2: is varied more than once",
+        ),
+        (["tracks", "--vary", "track"], "'track' must be KEY=VALUE, as in mu=0.3"),
+    ],
+)
+def test_an_option_that_cannot_be_followed_is_refused_before_anything_runs(
+    program, tmp_path, capsys, arguments, problem
+):
+    program()
+    assert cli.study_main([*arguments, "--results", str(tmp_path / "r")]) == cli.BAD_INPUT
+    assert capsys.readouterr().err == f"study: {problem}\n"
+    assert not (tmp_path / "r").exists()
+
+
 def test_a_table_that_cannot_be_written_is_bad_input(program, tmp_path, capsys):
     program()
     assert study_one_run(tmp_path, "--table", "/nowhere/t.md") == cli.BAD_INPUT

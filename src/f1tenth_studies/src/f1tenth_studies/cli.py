@@ -19,6 +19,7 @@ from f1tenth_studies.files import expect_folder_of, text_of, write_text
 from f1tenth_studies.optimum.car_limits import CLEARANCE, read_limits
 from f1tenth_studies.optimum.fastest_lap import FastestLap, compute_fastest_lap, write_raceline
 from f1tenth_studies.optimum.track import circuits, load_track
+from f1tenth_studies.options import expect_at_least
 from f1tenth_studies.study import Run, Study, place_of
 from f1tenth_studies.table import document, remarks
 
@@ -72,11 +73,11 @@ def _guarded(program: str, action: Callable, options) -> int:
 
 def _study(options) -> int:
     expect_folder_of(options.table, "--table")
+    expect_at_least(1, options.jobs, "--jobs")
     study = importlib.import_module(f"{PACKAGE}.studies.{options.name}").STUDY
-    own = dict(text.partition("=")[::2] for text in options.vary)
     scenario = places.package_path(PACKAGE) / "scenarios" / f"{study.scenario}.yaml"
     results = (options.results or places.results_root()).resolve()
-    vary = study.make({**study.vary, **own}, results / "places" / options.name)
+    vary = study.make(study.varied(options.vary), results / "places" / options.name)
     variations = [f"{key}={values}" for key, values in vary.items()]
     sweep = Sweep(str(scenario), variations, results, options.set)
     with StopRequest().listening() as stop:

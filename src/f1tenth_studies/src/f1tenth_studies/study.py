@@ -6,8 +6,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Callable, Optional
 
+from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.record.files import TRAJECTORY_FILE
 from f1tenth_scenarios.record.record import Record, read_record
+from f1tenth_scenarios.scenario.settings import parse_setting
 
 from f1tenth_studies.files import made_folder
 
@@ -82,6 +84,22 @@ class Study:
     places: Optional[tuple[str, Callable[[str, Path], Iterable[Path | str]]]] = None
     # What rows may be named by, too, from the values of a run.
     labels: Callable[[Mapping[str, str]], Mapping[str, str]] = lambda values: {}
+
+    def varied(self, given: Iterable[str]) -> dict[str, str]:
+        """What to vary: KEY=VALUES that are given, in the place of the study's own.
+
+        Raises:
+            ScenarioError: one is not of this form, or of a key that rows and columns do not know of.
+        """
+        own: dict[str, str] = {}
+        for setting in map(parse_setting, given):
+            if setting.key not in self.vary:
+                allowed = ", ".join(self.vary)
+                raise ScenarioError(f"--vary {setting}: is not varied by this study, allowed: {allowed}")
+            if setting.key in own:
+                raise ScenarioError(f"--vary {setting}: is varied more than once")
+            own[setting.key] = setting.value
+        return {**self.vary, **own}
 
     def make(self, vary: Mapping[str, str], folder: Path) -> Mapping[str, str]:
         """Write the places that the runs need to a folder.

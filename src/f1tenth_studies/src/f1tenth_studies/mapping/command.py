@@ -18,6 +18,7 @@ from f1tenth_studies.files import expect_folder_of, made_folder, text_of, write_
 from f1tenth_studies.mapping.document import document
 from f1tenth_studies.mapping.drive import Drive, Mapped, map_drive
 from f1tenth_studies.mapping.places import circuit_drives, road_drives, track_drives
+from f1tenth_studies.options import expect_at_least
 from f1tenth_studies.table import made_by, remarks
 
 GOOD, NOT_GOOD, BAD_INPUT = 0, 1, 2  # exit codes
@@ -52,8 +53,7 @@ def _end(number: int, _) -> None:
 
 
 def _run(options: argparse.Namespace, arguments: Sequence[str]) -> int:
-    if options.jobs is not None and options.jobs < 1:
-        raise ScenarioError(f"--jobs is {options.jobs}, must be at least 1")
+    expect_at_least(1, options.jobs, "--jobs")
     expect_folder_of(options.table, "--table")
     mapped = _mapped(_drives(options), options.jobs or len(os.sched_getaffinity(0)))
     text = document(mapped, made_by(shlex.join(["rosrun", "f1tenth_studies", "maps", *arguments])))

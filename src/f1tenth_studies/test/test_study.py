@@ -291,6 +291,11 @@ def test_a_bad_value_is_bad_input(tmp_path, capsys):
             ["localization", "--vary", "seed=1", "--vary", "seed=2"],
             "--vary seed=2: is varied more than once",
         ),
+        (["tracks", "--set", "laps=1"], "--set laps=1: is what this study varies, by track, laps, model"),
+        (
+            ["tracks", "--set", "world=circuit1"],
+            "--set world=circuit1: is what this study varies, by track, laps, model",
+        ),
         (["tracks", "--vary", "track"], "'track' must be KEY=VALUE, as in mu=0.3"),
     ],
 )

@@ -75,6 +75,7 @@ def _study(options) -> int:
     expect_folder_of(options.table, "--table")
     expect_at_least(1, options.jobs, "--jobs")
     study = importlib.import_module(f"{PACKAGE}.studies.{options.name}").STUDY
+    study.expect_others(options.set)
     scenario = places.package_path(PACKAGE) / "scenarios" / f"{study.scenario}.yaml"
     results = (options.results or places.results_root()).resolve()
     vary = study.make(study.varied(options.vary), results / "places" / options.name)

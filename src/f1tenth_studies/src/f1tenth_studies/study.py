@@ -101,6 +101,17 @@ class Study:
             own[setting.key] = setting.value
         return {**self.vary, **own}
 
+    def expect_others(self, settings: Iterable[str]) -> None:
+        """Tell a KEY=VALUE that would be overwritten in every run.
+
+        Raises:
+            ScenarioError: there is one, or one is not of this form.
+        """
+        keys = {*self.vary, *(["world"] if self.places else [])}
+        for setting in map(parse_setting, settings):
+            if setting.key in keys:
+                raise ScenarioError(f"--set {setting}: is what this study varies, by {', '.join(self.vary)}")
+
     def make(self, vary: Mapping[str, str], folder: Path) -> Mapping[str, str]:
         """Write the places that the runs need to a folder.
 

@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -142,4 +143,17 @@ def test_a_missing_centreline_is_one_line_and_bad_input(capsys):
 
 def test_a_race_line_that_cannot_be_written_is_an_error():
     with pytest.raises(ScenarioError, match="/nowhere/x.csv: cannot be written: No such file"):
-        write_raceline("/nowhere/x.csv", compute_fastest_lap(ring(), LIMITS), LIMITS)
+        write_raceline(Path("/nowhere/x.csv"), compute_fastest_lap(ring(), LIMITS), LIMITS)
+
+
+def test_a_race_line_stays_when_the_new_one_cannot_be_written(tmp_path, monkeypatch):
+    def full(stream, *_, **__):
+        raise OSError(28, "No space left on device")
+
+    file = tmp_path / "x_raceline.csv"
+    file.write_text("an older one", encoding="utf-8")
+    lap = compute_fastest_lap(ring(), LIMITS)
+    monkeypatch.setattr(np, "savetxt", full)
+    with pytest.raises(ScenarioError, match="x_raceline.csv: cannot be written: No space left"):
+        write_raceline(file, lap, LIMITS)
+    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {"x_raceline.csv": "an older one"}

@@ -3,6 +3,7 @@
 from pathlib import Path
 from typing import Optional
 
+from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.errors import ScenarioError, writing
 
 
@@ -42,10 +43,10 @@ def text_of(path: Path) -> str:
 
 
 def write_text(path: Path, text: str) -> None:
-    """Write a file.
+    """Write a file, whole or not at all.
 
     Raises:
         ScenarioError: it cannot be written.
     """
-    with writing(path):
-        path.write_text(text, encoding="utf-8")
+    with writing(path), replacing(path) as temporary:
+        temporary.write_text(text, encoding="utf-8")

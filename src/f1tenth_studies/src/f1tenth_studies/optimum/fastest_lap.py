@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import trajectory_planning_helpers as tph
+from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.errors import ScenarioError, writing
 
 from f1tenth_studies.optimum.car_limits import GRAVITY, Limits
@@ -125,6 +126,6 @@ def _speed(curvature, steps, limits):
 def write_raceline(path: Path, lap: FastestLap, limits: Limits) -> None:
     """Write `X_raceline.csv` as the F1TENTH community reads it."""
     columns = [getattr(lap, name) for name in ("s", "x", "y", "yaw", "curvature", "speed", "acceleration")]
-    with writing(path), open(path, "w", encoding="utf-8") as stream:
+    with writing(path), replacing(path) as temporary, open(temporary, "w", encoding="utf-8") as stream:
         stream.write(_RACELINE_HEADER.format(time=lap.lap_time, limits=limits.describe()))
         np.savetxt(stream, np.column_stack(columns), fmt="%.7f", delimiter=";")

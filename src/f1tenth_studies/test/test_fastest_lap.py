@@ -141,6 +141,12 @@ def test_a_missing_centreline_is_one_line_and_bad_input(capsys):
     assert error == "race_reference: no such file: /nowhere/x_centerline.csv\n"
 
 
+def test_a_missing_folder_for_race_lines_is_told_before_anything_is_computed(capsys, monkeypatch):
+    monkeypatch.setattr(cli, "compute_fastest_lap", lambda *_: pytest.fail("was computed"))
+    assert cli.reference_main(["circuit1", "-o", "/nowhere"]) == cli.BAD_INPUT
+    assert capsys.readouterr().err == "race_reference: -o /nowhere: there is no such folder\n"
+
+
 def test_a_race_line_that_cannot_be_written_is_an_error():
     with pytest.raises(ScenarioError, match="/nowhere/x.csv: cannot be written: No such file"):
         write_raceline(Path("/nowhere/x.csv"), compute_fastest_lap(ring(), LIMITS), LIMITS)

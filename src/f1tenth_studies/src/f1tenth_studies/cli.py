@@ -15,7 +15,7 @@ from f1tenth_scenarios.stop_request import StopRequest
 
 from f1tenth_scenarios import places
 from f1tenth_studies import studies
-from f1tenth_studies.files import expect_folder_of, text_of, write_text
+from f1tenth_studies.files import expect_folder, expect_folder_of, text_of, write_text
 from f1tenth_studies.optimum.car_limits import CLEARANCE, read_limits
 from f1tenth_studies.optimum.fastest_lap import FastestLap, compute_fastest_lap, write_raceline
 from f1tenth_studies.optimum.track import circuits, load_track
@@ -123,6 +123,7 @@ def _command(options) -> str:
 
 def _references(options) -> int:
     expect_folder_of(options.laps, "--laps")
+    expect_folder(options.output, "-o")
     limits = read_limits(options.clearance)
     laps = {}
     for name in options.names:

@@ -20,8 +20,18 @@ def made_folder(folder: Path) -> Path:
     return folder
 
 
+def expect_folder(folder: Optional[Path], option: str) -> None:
+    """Tell a wrong folder before the work whose outcome is to be written there, not after it.
+
+    Raises:
+        ScenarioError: the folder that an option names is not there.
+    """
+    if folder and not folder.is_dir():
+        raise ScenarioError(f"{option} {folder}: there is no such folder")
+
+
 def expect_folder_of(path: Optional[Path], option: str) -> None:
-    """Tell a wrong path before the work whose outcome is to be written there, not after it.
+    """The same of a file that is to be written.
 
     Raises:
         ScenarioError: the folder of the path that an option names is not there.

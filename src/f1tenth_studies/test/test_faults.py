@@ -1,10 +1,12 @@
 """What is seen of the end of a command that was broken, and the table of it; commands are made up."""
 
 import os
+import signal
 import subprocess
 import sys
 
 import pytest
+from f1tenth_studies.faults import command
 from f1tenth_studies.faults.catalogue import clock_of_its_own, faults
 from f1tenth_studies.faults.command import BAD_INPUT, main
 from f1tenth_studies.faults.interrupts import Interrupts
@@ -130,6 +132,79 @@ def test_every_node_is_killed_and_stopped():
         "robot1/move_base stopped",
     ]
     assert len(set(names)) == len(names)
+
+
+@pytest.fixture
+def broken(tmp_path, monkeypatch):
+    """In the place of runs: what is broken, as it is named; `files` is the folder of all their files."""
+    names = []
+    files = tmp_path / "files"
+    files.mkdir()
+
+    def break_one(fault, moment, folder):
+        names.append(fault.name)
+        return ending()
+
+    monkeypatch.setattr(command.tempfile, "tempdir", str(files))
+    monkeypatch.setattr(command, "node_names", lambda folder: ["sim2d", "robot1/move_base"])
+    monkeypatch.setattr(command, "_break", break_one)
+    monkeypatch.setattr(
+        command, "interrupt", lambda name, *_: names.append(name) or Interrupts(name, [ending(0)])
+    )
+    return names
+
+
+@pytest.mark.parametrize(
+    ("options", "chosen"),
+    [
+        (["--only", "move_base"], ["robot1/move_base killed", "robot1/move_base stopped"]),
+        (["--only", "scenario r", "--moments", "2"], ["scenario run", "scenario race", "scenario report"]),
+    ],
+)
+def test_faults_and_commands_are_chosen_by_their_names(broken, tmp_path, options, chosen):
+    assert main(options) == command.GOOD
+    assert broken == chosen
+    assert list((tmp_path / "files").iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ["--only", "move_bse"],
+        ["--only", "scenario run"],
+        ["--only", "scenario run", "--moments", "2", "--random", "5"],
+    ],
+)
+def test_a_choice_of_nothing_is_answered_with_what_there_is(broken, tmp_path, capsys, options):
+    table = tmp_path / "faults.md"
+    table.write_text("an older one", encoding="utf-8")
+    assert main([*options, "--table", str(table)]) == BAD_INPUT
+    error = capsys.readouterr().err
+    assert error.startswith(
+        f"faults: --only '{options[1]}': no fault has that in its name, there are: sim2d killed, "
+    )
+    assert error.endswith(
+        "a subscriber that stops reading; --moments takes the commands:"
+        " scenario run, scenario race, scenario sweep, scenario report\n"
+    )
+    assert broken == []
+    assert table.read_text(encoding="utf-8") == "an older one"
+    assert list((tmp_path / "files").iterdir()) == []
+
+
+@pytest.mark.parametrize("option", ["--random", "--moments"])
+def test_a_negative_number_is_refused(broken, capsys, option):
+    assert main([option, "-1"]) == BAD_INPUT
+    assert capsys.readouterr().err == f"faults: {option} is -1, must be at least 0\n"
+
+
+def test_nothing_is_left_when_it_is_interrupted(broken, tmp_path, monkeypatch):
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(command, "_break", interrupted)
+    assert main([]) == 128 + signal.SIGINT
+    assert list((tmp_path / "files").iterdir()) == []
 
 
 def test_a_table_that_cannot_be_written_is_told_before_anything_is_broken(capsys):

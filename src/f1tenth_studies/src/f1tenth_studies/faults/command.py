@@ -20,6 +20,7 @@ from f1tenth_studies.faults.interrupts import COMMANDS, interrupt
 from f1tenth_studies.faults.table import document, problem
 from f1tenth_studies.faults.victim import Ending
 from f1tenth_studies.files import expect_folder_of, write_text
+from f1tenth_studies.options import expect_at_least
 
 GOOD, NOT_GOOD, BAD_INPUT = 0, 1, 2  # exit codes
 _PATIENCE = 90.0  # wall s, for a run to end by itself after something broke
@@ -47,10 +48,17 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
 
 def _run(options) -> int:
     expect_folder_of(options.table, "--table")
+    expect_at_least(0, options.random, "--random")
+    expect_at_least(0, options.moments, "--moments")
     folder = Path(tempfile.mkdtemp(prefix="faults."))
-    endings = list(_endings(options, folder))
-    names = [each for each in COMMANDS if options.moments and options.only in each]
-    interrupts = [interrupt(name, options.moments, folder / name, options.seed) for name in names]
+    try:
+        chosen, names = _chosen(options, node_names(_made(folder / "whole")))
+        endings = list(_endings(options, chosen, folder))
+        interrupts = [interrupt(name, options.moments, folder / name, options.seed) for name in names]
+    except (KeyboardInterrupt, ScenarioError):
+        # Nobody is told of the folder.
+        shutil.rmtree(folder)
+        raise
     text = document(endings, interrupts, " ".join(["rosrun f1tenth_studies faults", *sys.argv[1:]]))
     print(text)
     if options.table:
@@ -70,14 +78,30 @@ def _say(problems: Sequence[str], folder: Path) -> int:
     return GOOD
 
 
-def _endings(options, folder: Path) -> Iterator[tuple[str, Ending]]:
-    known = [each for each in faults(node_names(_made(folder / "whole"))) if options.only in each.name]
-    for number, fault in enumerate(known):
+def _chosen(options, nodes: Sequence[str]) -> tuple[list[Fault], list[str]]:
+    """The faults to cause and the commands to interrupt.
+
+    Raises:
+        ScenarioError: there are none, or no faults to choose random ones from.
+    """
+    known = faults(nodes)
+    chosen = [each for each in known if options.only in each.name]
+    commands = [each for each in COMMANDS if options.moments and options.only in each]
+    if not chosen and (options.random or not commands):
+        raise ScenarioError(
+            f"--only '{options.only}': no fault has that in its name, there are:"
+            f" {', '.join(each.name for each in known)}; --moments takes the commands: {', '.join(COMMANDS)}"
+        )
+    return chosen, commands
+
+
+def _endings(options, chosen: Sequence[Fault], folder: Path) -> Iterator[tuple[str, Ending]]:
+    for number, fault in enumerate(chosen):
         yield fault.name, _break(fault, DRIVEN, _made(folder / f"{number:02}"))
     generator = random.Random(options.seed)
     with _busy_cores() if options.random else contextlib.nullcontext():
         for number in range(options.random):
-            fault, moment = generator.choice(known), generator.uniform(*_MOMENTS)
+            fault, moment = generator.choice(chosen), generator.uniform(*_MOMENTS)
             name = f"{fault.name}, at {moment:.1f} s, busy cores"
             yield name, _break(fault, moment, _made(folder / f"random{number:02}"))
 

@@ -15,6 +15,7 @@ from f1tenth_scenarios.stop_request import StopRequest
 
 from f1tenth_scenarios import places
 from f1tenth_studies import studies
+from f1tenth_studies.exit_codes import BAD_INPUT, GOOD, NOT_GOOD
 from f1tenth_studies.files import expect_folder, expect_folder_of, text_of, write_text
 from f1tenth_studies.optimum.car_limits import CLEARANCE, read_limits
 from f1tenth_studies.optimum.fastest_lap import FastestLap, compute_fastest_lap, write_raceline
@@ -25,7 +26,6 @@ from f1tenth_studies.table import document, remarks
 
 PACKAGE = "f1tenth_studies"
 STUDIES = sorted(each.name for each in pkgutil.iter_modules(studies.__path__))
-GOOD, NOT_GOOD, BAD_INPUT = 0, 1, 2  # exit codes
 
 
 def study_main(arguments: Optional[Sequence[str]] = None) -> int:

@@ -15,6 +15,7 @@ from typing import Optional
 
 from f1tenth_scenarios.errors import ScenarioError
 
+from f1tenth_studies.exit_codes import BAD_INPUT, GOOD, NOT_GOOD
 from f1tenth_studies.faults.catalogue import DRIVEN, Fault, faults, node_names
 from f1tenth_studies.faults.interrupts import COMMANDS, interrupt
 from f1tenth_studies.faults.table import document, problem
@@ -22,7 +23,6 @@ from f1tenth_studies.faults.victim import Ending
 from f1tenth_studies.files import expect_folder_of, write_text
 from f1tenth_studies.options import expect_at_least
 
-GOOD, NOT_GOOD, BAD_INPUT = 0, 1, 2  # exit codes
 _PATIENCE = 90.0  # wall s, for a run to end by itself after something broke
 _MOMENTS = (0.2, 8.0)  # s simulated, between which a random fault happens
 

@@ -14,6 +14,7 @@ from typing import Optional
 from f1tenth_scenarios.errors import ScenarioError
 
 from f1tenth_scenarios import places
+from f1tenth_studies.exit_codes import BAD_INPUT, GOOD, NOT_GOOD
 from f1tenth_studies.files import expect_folder_of, made_folder, text_of, write_text
 from f1tenth_studies.mapping.document import document
 from f1tenth_studies.mapping.drive import Drive, Mapped, map_drive
@@ -21,7 +22,6 @@ from f1tenth_studies.mapping.places import circuit_drives, road_drives, track_dr
 from f1tenth_studies.options import expect_at_least
 from f1tenth_studies.table import made_by, remarks
 
-GOOD, NOT_GOOD, BAD_INPUT = 0, 1, 2  # exit codes
 _ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 

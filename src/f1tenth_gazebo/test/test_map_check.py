@@ -1,10 +1,15 @@
 """The comparison of a map with its world must see what is wrong with a map."""
 
+import re
+
 import numpy as np
 import pytest
+from circuits import PACKAGE
+from f1tenth_gazebo.errors import MapError
 from f1tenth_gazebo.maps.map_check import check_map
 from f1tenth_gazebo.maps.map_file import Grid, load_map, save_map
-from f1tenth_gazebo.maps.occupancy import OCCUPIED, occupancy_grid
+from f1tenth_gazebo.maps.map_tool import main
+from f1tenth_gazebo.maps.occupancy import FREE, OCCUPIED, occupancy_grid
 
 
 def rectangle(x_low, y_low, x_high, y_high):
@@ -49,6 +54,28 @@ def test_missing_wall_fails(room):
     left = np.arange(room.pixels.shape[1]) * 0.05 + room.x < -2.9
     room.pixels[:, left] = np.where(room.pixels[:, left] == OCCUPIED, 254, room.pixels[:, left])
     assert check(room).walls_near_cells < 0.9
+
+
+@pytest.mark.parametrize(
+    ("pixel", "world", "problem"),
+    [
+        (FREE, ROOM, "the map has no wall cell (black), must have some"),
+        (OCCUPIED, ROOM, "no wall of the world has a free cell (white) of the map before it, some must"),
+        (OCCUPIED, [], "the world has nothing at the height of the lidar, must have walls there"),
+    ],
+)
+def test_what_has_nothing_to_compare_is_refused(room, pixel, world, problem):
+    room.pixels[:] = pixel
+    with pytest.raises(MapError, match=f"^{re.escape(problem)}$"):
+        check_map(room, world, [])
+
+
+def test_command_names_the_map_and_the_world_that_cannot_be_compared(room, tmp_path, capsys):
+    room.pixels[:] = FREE
+    save_map(room, tmp_path / "blank")
+    path, world = str(tmp_path / "blank.yaml"), str(PACKAGE / "worlds" / "circuit1.world")
+    assert main([path, world]) == 2
+    assert capsys.readouterr().err == f"{path}, {world}: the map has no wall cell (black), must have some\n"
 
 
 def test_saved_map_reads_back(room, tmp_path):

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from f1tenth_gazebo.errors import MapError
 from f1tenth_gazebo.maps.map_check import MapCheck
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_studies.mapping import command
@@ -69,6 +70,17 @@ def test_a_drive_without_a_lap_is_a_bad_map(monkeypatch):
     result = map_drive(next(circuit_drives("0")))
     assert not result.passed
     assert result.problem.startswith("no lap is complete after 3 s")
+
+
+@needs_mapper
+def test_a_map_with_nothing_to_compare_names_its_drive(monkeypatch):
+    def refuse(*_):
+        raise MapError("the map has no wall cell")
+
+    monkeypatch.setattr("f1tenth_studies.mapping.drive.check_map", refuse)
+    monkeypatch.setattr("f1tenth_studies.mapping.drive._TIME_LIMIT", 3.0)
+    with pytest.raises(ScenarioError, match="^circuit1, seed 0: the map has no wall cell$"):
+        map_drive(next(circuit_drives("0")))
 
 
 @needs_mapper

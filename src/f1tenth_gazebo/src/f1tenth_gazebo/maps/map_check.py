@@ -5,12 +5,14 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
+from f1tenth_gazebo.errors import MapError
 from f1tenth_gazebo.sampling import along, around
 
 NEAR = 0.10
 """m"""
 _BEFORE = (0.1, 0.2, 0.3)
-"""A true wall counts if the map is free so far before it, m, with no other wall between: nobody can map what no car sees."""
+"""m; a true wall counts if the map is free so far before it, with no other wall between: what no car sees,
+nobody can map."""
 _TOUCHING = 0.01
 """m"""
 
@@ -38,9 +40,13 @@ def check_map(grid, outlines, circles):
     Args:
         grid: the map.
         outlines, circles: from World.section at the height of the lidar.
+
+    Raises:
+        MapError: there is nothing to compare; names neither the map nor the world.
     """
-    cells = _centres(grid)
+    cells = _some(_centres(grid), "the map has no wall cell (black), must have some")
     sides = [*map(along, outlines), *(around(*circle) for circle in circles)]
+    _some(sides, "the world has nothing at the height of the lidar, must have walls there")
     walls, normals = (np.concatenate(each) for each in zip(*sides))
     tree = cKDTree(walls)
     seen = np.zeros(len(walls), bool)
@@ -48,8 +54,18 @@ def check_map(grid, outlines, circles):
         to_nearest = tree.query(walls + away / 2 * normals)[0]
         seen |= (to_nearest > away / 2 - _TOUCHING) & _is_free(walls + away * normals, grid)
     to_wall = tree.query(cells)[0]
-    to_cell = cKDTree(cells).query(walls[seen])[0]
+    in_sight = _some(
+        walls[seen], "no wall of the world has a free cell (white) of the map before it, some must"
+    )
+    to_cell = cKDTree(cells).query(in_sight)[0]
     return MapCheck(float((to_wall <= NEAR).mean()), float((to_cell <= NEAR).mean()), float(to_wall.max()))
+
+
+def _some(values, problem):
+    """The values, unless there are none."""
+    if not len(values):
+        raise MapError(problem)
+    return values
 
 
 def _is_free(points, grid):

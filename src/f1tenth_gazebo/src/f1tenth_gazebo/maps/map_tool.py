@@ -20,8 +20,7 @@ def main(arguments=None):
     parser.add_argument("world", help="world file")
     options = parser.parse_args(arguments)
     try:
-        section = f1tenth_sim2d.load_world(options.world).section(LIDAR_HEIGHT)
-        result = check_map(load_map(Path(options.map)), *section)
+        result = _compared(options.map, options.world)
     except (f1tenth_sim2d.Error, MapError) as error:
         print(error, file=sys.stderr)
         return 2
@@ -31,3 +30,12 @@ def main(arguments=None):
         f"worst cell: {result.worst_cell:.2f} m: {'passed' if result.passed else 'failed, 97 % is the limit'}"
     )
     return 0 if result.passed else 1
+
+
+def _compared(map_file, world):
+    section = f1tenth_sim2d.load_world(world).section(LIDAR_HEIGHT)
+    grid = load_map(Path(map_file))
+    try:
+        return check_map(grid, *section)
+    except MapError as error:
+        raise MapError(f"{map_file}, {world}: {error}") from error

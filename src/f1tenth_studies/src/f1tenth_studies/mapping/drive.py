@@ -11,6 +11,7 @@ import numpy as np
 import yaml
 from f1tenth_gazebo.driving.gap_follower import GapFollower, GapFollowerOptions
 from f1tenth_gazebo.driving.lap_watch import LapError, LapWatch
+from f1tenth_gazebo.errors import MapError
 from f1tenth_gazebo.maps.map_check import MapCheck, check_map
 from f1tenth_gazebo.maps.occupancy import grid_of
 from f1tenth_gazebo.maps.world_grid import LIDAR_HEIGHT
@@ -78,7 +79,7 @@ def map_drive(drive: Drive) -> Mapped:
     mapper = _mapper()
     try:
         return _map_drive(drive, mapper.GridSlam(_options(mapper)))
-    except (f1tenth_sim2d.Error, mapper.Error, OSError) as error:
+    except (f1tenth_sim2d.Error, mapper.Error, MapError, OSError) as error:
         raise ScenarioError(f"{drive.place}, seed {drive.seed}: {error}") from error
 
 

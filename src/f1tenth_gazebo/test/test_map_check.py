@@ -86,6 +86,26 @@ def test_saved_map_reads_back(room, tmp_path):
     assert (found.x, found.y) == pytest.approx((room.x, room.y))
 
 
+@pytest.mark.parametrize(
+    ("resolution", "origin", "problem"),
+    [
+        ("0", "[0, 0, 0]", "resolution is 0, must be above 0 and finite"),
+        ("-0.05", "[0, 0, 0]", "resolution is -0.05, must be above 0 and finite"),
+        (".nan", "[0, 0, 0]", "resolution is nan, must be above 0 and finite"),
+        (".inf", "[0, 0, 0]", "resolution is inf, must be above 0 and finite"),
+        ("0.05", "[.nan, 2, 0]", "origin is (nan, 2), must be finite"),
+        ("0.05", "[1, -.inf, 0]", "origin is (1, -inf), must be finite"),
+    ],
+)
+def test_number_that_no_map_can_have_is_refused(room, tmp_path, resolution, origin, problem):
+    save_map(room, tmp_path / "a")
+    path = tmp_path / "a.yaml"
+    path.write_text(f"image: a.pgm\nresolution: {resolution}\norigin: {origin}\n", encoding="utf-8")
+    with pytest.raises(MapError) as refused:
+        load_map(path)
+    assert str(refused.value) == f"{path}: not a map in map_server's format: {problem}"
+
+
 def test_far_side_of_a_wall_of_pixels_does_not_count():
     step, count = 0.09, 60
     corners = np.repeat(np.arange(count + 1), 2) * step

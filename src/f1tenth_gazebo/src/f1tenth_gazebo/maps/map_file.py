@@ -1,5 +1,6 @@
 """A map as map_saver writes it: NAME.pgm and NAME.yaml."""
 
+import math
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -51,7 +52,7 @@ def load_map(path):
             raise ValueError("it has no keys")
         with Image.open(path.parent / description["image"]) as image:
             pixels = np.asarray(image.convert("L"))[::-1]
-        x, y, resolution = map(float, (*description["origin"][:2], description["resolution"]))
+        x, y, resolution = _placement(description)
         pixels = 255 - pixels if description.get("negate") else pixels
         grid = Grid(pixels, x, y, resolution, float(description.get("free_thresh", Grid.free_thresh)))
         yaw = sum(map(float, description["origin"][2:3]))
@@ -60,6 +61,16 @@ def load_map(path):
     if yaw:
         raise MapError(f"{path}: its origin is turned by {yaw:g} rad, must not be turned")
     return grid
+
+
+def _placement(description):
+    """Where the lower left corner is, x and y (m), and the resolution (m per cell)."""
+    x, y, resolution = map(float, (*description["origin"][:2], description["resolution"]))
+    if not 0.0 < resolution < math.inf:
+        raise ValueError(f"resolution is {resolution:g}, must be above 0 and finite")
+    if not (math.isfinite(x) and math.isfinite(y)):
+        raise ValueError(f"origin is ({x:g}, {y:g}), must be finite")
+    return x, y, resolution
 
 
 def _problem(path, error):

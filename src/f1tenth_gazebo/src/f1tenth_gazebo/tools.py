@@ -12,6 +12,7 @@ from f1tenth_gazebo.goals.goals_file import goals_text, lap_goals
 from f1tenth_gazebo.maps.map_file import load_map, save_map
 from f1tenth_gazebo.maps.road_middle import middle_of_road
 from f1tenth_gazebo.maps.world_grid import LIDAR_HEIGHT, world_grid
+from f1tenth_gazebo.outputs import named_path
 from f1tenth_gazebo.whole_files import write_all
 from f1tenth_gazebo.worlds.world_file import world_text
 
@@ -23,10 +24,15 @@ def make_world(arguments=None):
     )
     parser.add_argument("circuit", help="YAML file of the circuit")
     parser.add_argument(
-        "-o", dest="output", required=True, metavar="NAME.world", help="writes it and NAME_centerline.csv"
+        "-o",
+        dest="output",
+        type=named_path,
+        required=True,
+        metavar="NAME.world",
+        help="writes it and NAME_centerline.csv",
     )
     options = parser.parse_args(arguments)
-    return _run(lambda: _write_world(load_circuit(options.circuit), Path(options.output)))
+    return _run(lambda: _write_world(load_circuit(options.circuit), options.output))
 
 
 def make_goals(arguments=None):
@@ -35,10 +41,12 @@ def make_goals(arguments=None):
         prog="make_goals", description="Write the goals for one lap of a circuit."
     )
     parser.add_argument("circuit", help="YAML file of the circuit")
-    parser.add_argument("-o", dest="output", required=True, metavar="FILE", help="goals file to write")
+    parser.add_argument(
+        "-o", dest="output", type=named_path, required=True, metavar="FILE", help="goals file to write"
+    )
     options = parser.parse_args(arguments)
     return _run(
-        lambda: write_all({Path(options.output): circuit_goals_text(load_circuit(options.circuit)).encode()})
+        lambda: write_all({options.output: circuit_goals_text(load_circuit(options.circuit)).encode()})
     )
 
 
@@ -49,7 +57,12 @@ def make_map(arguments=None):
     )
     parser.add_argument("world", help="world file")
     parser.add_argument(
-        "-o", dest="output", required=True, metavar="NAME", help="writes NAME.pgm and NAME.yaml"
+        "-o",
+        dest="output",
+        type=named_path,
+        required=True,
+        metavar="NAME",
+        help="writes NAME.pgm and NAME.yaml",
     )
     parser.add_argument(
         "--height", type=float, default=LIDAR_HEIGHT, help="of the section, m (default %(default)s)"
@@ -74,7 +87,11 @@ def make_centerline(arguments=None):
         help="where it begins and which way it goes in the map frame, m and rad (default: 0 0 0)",
     )
     parser.add_argument(
-        "-o", dest="output", metavar="FILE", help="default: NAME_centerline.csv beside the map"
+        "-o",
+        dest="output",
+        type=named_path,
+        metavar="FILE",
+        help="default: NAME_centerline.csv beside the map",
     )
     options = parser.parse_args(arguments)
     return _run(lambda: _write_middle(Path(options.map), options.start, options.output))
@@ -96,7 +113,7 @@ def _write_middle(path, start, output):
         rows = middle_of_road(grid, start)
     except MapError as error:
         raise MapError(f"{path}: {error}") from error
-    write_all({Path(output or centreline_beside(path)): table_text(rows).encode()})
+    write_all({output or centreline_beside(path): table_text(rows).encode()})
 
 
 def _run(action):

@@ -3,6 +3,7 @@
 import argparse
 import sys
 
+from f1tenth_gazebo.outputs import named_path
 from f1tenth_gazebo.roads.road import make_road
 from f1tenth_gazebo.roads.road_files import write_road
 from f1tenth_gazebo.roads.road_options import LIMITS, RoadError
@@ -58,6 +59,7 @@ def _parser():
     parser.add_argument(
         "-o",
         dest="output",
+        type=named_path,
         metavar="NAME",
         help="writes NAME.pgm, NAME.yaml, NAME_centerline.csv, NAME.world; default: road_SEED",
     )

@@ -4,6 +4,7 @@ import os
 import signal
 import sys
 import threading
+from pathlib import Path
 
 import numpy as np
 import rospy
@@ -16,6 +17,7 @@ from f1tenth_gazebo.driving.lap_inputs import LapInputs
 from f1tenth_gazebo.driving.lap_watch import LapError, LapWatch
 from f1tenth_gazebo.maps.map_file import save_map
 from f1tenth_gazebo.maps.occupancy import grid_of
+from f1tenth_gazebo.outputs import has_name
 
 STANDS = 0.1
 """Slower than this the car stands, m/s."""
@@ -121,17 +123,26 @@ def drive(driver, keeper, stem):
     return 1
 
 
+def _map_stem():
+    stem = str(rospy.get_param("~map_file", ""))
+    if not has_name(Path(stem)):
+        name = rospy.resolve_name("~map_file")
+        raise ValueError(f"{name}: found '{stem}', must be a path without extension that ends with a name")
+    return stem
+
+
 def main():
     """Wire the driver; return the exit code."""
     rospy.init_node("drive_lap")
     names = ("speed", "max_lateral_acceleration")
     given = {name: rospy.get_param(f"~{name}") for name in names if rospy.has_param(f"~{name}")}
     try:
+        stem = _map_stem()
         driver = LapDriver(GapFollowerOptions(**given), float(rospy.get_param("~time_limit", 1200.0)))
     except (TypeError, ValueError) as error:
         print(f"drive_lap: {error}", file=sys.stderr)
         return 2
-    code = drive(driver, MapKeeper(), rospy.get_param("~map_file"))
+    code = drive(driver, MapKeeper(), stem)
     if code == 0 and not rospy.is_shutdown() and rospy.get_param("~ends_launch", False):
         # As Ctrl-C does. roslaunch takes the end of a required node for an accident, and says so in red.
         os.kill(os.getppid(), signal.SIGINT)

@@ -48,7 +48,8 @@ class GapFollower:
     BEAMS = 270
     """About as many beams are looked at: one per degree finds whatever stands on a road."""
     HALF_WIDTH = 0.14
-    """Of the car, m."""
+    """Of what stops the car when it is before the bumper, m: less than half of the car, which is 0.31 m wide,
+    as the drives were tuned with it."""
     DECISIVENESS = 12
     """How much better ways count more than worse ones in the mean of the steering angles."""
 

@@ -42,14 +42,23 @@ TEST(Navigator, reachesAGoalAndStandsThere)
   EXPECT_FALSE(journey.cycle().command) << "somebody else may drive it";
 }
 
+// A car on the oval whose goal is cancelled after 2 s.
+class CancelledJourney : public Journey
+{
+public:
+  CancelledJourney() : Journey(racingNavigator(), makeCostmap(drawOval()), onOval(0.0))
+  {
+    navigator.setGoal(onOval(20.0), time);
+    for (int i = 0; i < 40; ++i) {
+      cycle();
+    }
+    navigator.cancel();
+  }
+};
+
 TEST(Navigator, tellsACarThatIsStoppedSoAgainAndAgain)
 {
-  Journey journey(racingNavigator(), makeCostmap(drawOval()), onOval(0.0));
-  journey.navigator.setGoal(onOval(20.0), journey.time);
-  for (int i = 0; i < 40; ++i) {
-    journey.cycle();
-  }
-  journey.navigator.cancel();
+  CancelledJourney journey;
   for (int i = 0; i < 15; ++i) {
     const auto command = journey.cycle().command;
     ASSERT_TRUE(command) << i;
@@ -59,12 +68,7 @@ TEST(Navigator, tellsACarThatIsStoppedSoAgainAndAgain)
 
 TEST(Navigator, tellsAStoppedCarSoAlsoWhenTimeJumpsBack)
 {
-  Journey journey(racingNavigator(), makeCostmap(drawOval()), onOval(0.0));
-  journey.navigator.setGoal(onOval(20.0), journey.time);
-  for (int i = 0; i < 40; ++i) {
-    journey.cycle();
-  }
-  journey.navigator.cancel();
+  CancelledJourney journey;
   journey.cycle();
   journey.time = 1.0;
   const auto command = journey.cycle().command;

@@ -18,6 +18,7 @@ Pose2 poseAt(const Path & path, std::size_t index, double s)
   const PathPoint & b = path[std::min(index + 1, path.size() - 1)];
   return between(a.pose, b.pose, b.s > a.s ? std::clamp((s - a.s) / (b.s - a.s), 0.0, 1.0) : 0.0);
 }
+
 // Whether all of another is ahead of a car.
 bool isAhead(const Box & other, const Pose2 & car, const Footprint & footprint)
 {
@@ -43,8 +44,8 @@ bool isBeside(const Box & other, const Pose2 & car, const Footprint & footprint)
 
 Forecast seenFrom(const Pose2 & car, const Footprint & footprint, const Forecast & other)
 {
-  return isAhead(other.at(0.0), car, footprint) && other.strays() && other.speed() > kFastToPass ? other.anywhere()
-                                                                                                 : other;
+  const bool is_unsure = isAhead(other.at(0.0), car, footprint) && other.strays() && other.speed() > kFastToPass;
+  return is_unsure ? other.anywhere() : other;
 }
 
 std::vector<Forecast> forecasts(const Costmap & costmap, double now, const Pose2 & car)

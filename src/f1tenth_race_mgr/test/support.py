@@ -30,6 +30,7 @@ class Node:
     """A program of ours in the namespace /robot1."""
 
     def __init__(self, script):
+        self._script = script
         self._process = subprocess.Popen(
             [sys.executable, "-X", "faulthandler", script, "__ns:=/robot1"], stderr=subprocess.PIPE, text=True
         )
@@ -37,13 +38,13 @@ class Node:
     def __enter__(self):
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, _kind, error, _traceback):
+        if isinstance(error, AssertionError) and self.is_alive():
+            # What is printed here is lost with rostest's log; the text of the failure is not.
+            raise AssertionError(f"{error}\n{self._script}:\n{self._where_it_hangs()}") from error
         self.kill()
         self._process.wait()
-        if not self._process.stderr.closed:  # as finish() leaves it
-            # Whoever looks for the cause of a failure gets it from pytest.
-            print(self._process.stderr.read(), end="")
-            self._process.stderr.close()
+        self._process.stderr.close()
 
     def kill(self):
         self._process.kill()

@@ -2,6 +2,7 @@
 """The node race_mgr, seen from outside."""
 
 import sys
+from contextlib import ExitStack
 
 import pytest
 import rospy
@@ -38,19 +39,16 @@ def planner():
 @pytest.fixture
 def start(tmp_path):
     """Return a function that starts the node on goals, with parameters."""
-    nodes = []
+    with ExitStack() as nodes:
 
-    def start_node(goals, **parameters):
-        path = tmp_path / "goals.txt"
-        path.write_text(goals)
-        given = {"use_absolute_fpath": True, "fpath": str(path), "wait_for_start": False}
-        rospy.set_param(NODE, {**given, **parameters})
-        nodes.append(Node(RACE_MGR))
-        return nodes[-1]
+        def start_node(goals, **parameters):
+            path = tmp_path / "goals.txt"
+            path.write_text(goals)
+            given = {"use_absolute_fpath": True, "fpath": str(path), "wait_for_start": False}
+            rospy.set_param(NODE, {**given, **parameters})
+            return nodes.enter_context(Node(RACE_MGR))
 
-    yield start_node
-    for node in nodes:
-        node.__exit__()
+        yield start_node
     rospy.delete_param(NODE)
 
 

@@ -42,9 +42,18 @@ class Node:
         if isinstance(error, AssertionError) and self.is_alive():
             # What is printed here is lost with rostest's log; the text of the failure is not.
             raise AssertionError(f"{error}\n{self._script}:\n{self._where_it_hangs()}") from error
-        self.kill()
-        self._process.wait()
+        self._end()
         self._process.stderr.close()
+
+    def _end(self):
+        # Not killed: the master would still know it, tell its port to shut down when the next of its name
+        # comes, and whoever had got that port by then would.
+        self.interrupt()
+        try:
+            self._process.wait(LIMIT)
+        except subprocess.TimeoutExpired:
+            self.kill()
+            raise
 
     def kill(self):
         self._process.kill()

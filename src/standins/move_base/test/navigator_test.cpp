@@ -308,6 +308,24 @@ TEST(Navigator, comesToAStandInTheBendBeforeItRecovers)
   EXPECT_GT(journey.clearance, 0.45);
 }
 
+TEST(Navigator, brakesNoHarderThanItMayBeforeItRecovers)
+{
+  NavigatorOptions options = racingNavigator();
+  options.oscillation_timeout = 1.5;
+  options.oscillation_distance = 1000.0;
+  Journey journey(options, makeCostmap(drawOval()), onOval(0.0));
+  journey.navigator.setGoal(onOval(18.0), journey.time);
+  double fastest = 0.0;
+  while (journey.recoveries.empty()) {
+    const double before = journey.command.speed;
+    journey.cycle();
+    fastest = std::max(fastest, before);
+    ASSERT_LE(before - journey.command.speed, (options.follower.limits.dec_lim_x + 0.1) * kCycle);
+  }
+  EXPECT_GT(fastest, 2.0);
+  EXPECT_LT(journey.car.state().speed, 0.1);
+}
+
 TEST(Navigator, drivesTheSameWayEveryTime)
 {
   std::vector<Pose2> ends;

@@ -180,7 +180,7 @@ void Navigator::planFailed(
   planning_.failed(obstruction.reason);
   if (obstruction.lasting) {
     giveUp("Failed to find a valid plan. " + obstruction.reason, input, costmap, output);
-  } else if (planning_.isSpent(input.time)) {
+  } else if (planning_.isSpent(input.time) && input.car.stands()) {
     recover(Trigger::kPlanning, input, costmap, output);
   } else {
     hold(input, costmap, output);
@@ -207,7 +207,7 @@ void Navigator::control(const CycleInput & input, Costmap & costmap, CycleOutput
   const std::vector<Forecast> others = forecasts(costmap, input.time, input.car.pose);
   const Scene scene{input.time, input.car, costmap, others};
   way_.passOthers(scene);
-  const FollowStep step = follow(scene, false, output);
+  const FollowStep step = follow(scene, whyRecover(input.time).has_value(), output);
   if (finishIfReached(input, output)) {
     return;
   }
@@ -217,15 +217,26 @@ void Navigator::control(const CycleInput & input, Costmap & costmap, CycleOutput
   if (!step.lost && !step.stuck) {
     last_valid_control_ = input.time;
   }
-  if (recovery_.oscillates(input.time)) {
-    recover(Trigger::kOscillation, input, costmap, output);
-  } else if (input.time > last_valid_control_ + options_.controller_patience) {
-    recover(Trigger::kControlling, input, costmap, output);
+  if (const std::optional<Trigger> trigger = whyRecover(input.time)) {
+    if (input.car.stands()) {
+      recover(*trigger, input, costmap, output);
+    }
   } else if (
     planning_.isDue(input.time) ||
     (planning_.mayAsk(input.time) && way_.isOver(step, input.car, planning_.timeNeeded()))) {
     planAgain(input.time);
   }
+}
+
+std::optional<Trigger> Navigator::whyRecover(double time) const
+{
+  if (recovery_.oscillates(time)) {
+    return Trigger::kOscillation;
+  }
+  if (time > last_valid_control_ + options_.controller_patience) {
+    return Trigger::kControlling;
+  }
+  return std::nullopt;
 }
 
 bool Navigator::finishIfReached(const CycleInput & input, CycleOutput & output)
@@ -272,10 +283,6 @@ void Navigator::hold(const CycleInput & input, const Costmap & costmap, CycleOut
 
 void Navigator::recover(Trigger trigger, const CycleInput & input, Costmap & costmap, CycleOutput & output)
 {
-  if (!input.car.stands()) {
-    hold(input, costmap, output);
-    return;
-  }
   output.command = DriveCommand{};
   stop();
   if (!options_.recovery_behavior_enabled || recovery_.isSpent()) {

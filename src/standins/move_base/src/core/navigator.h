@@ -94,6 +94,7 @@ private:
   FollowStep follow(const Scene & scene, bool brake, CycleOutput & output);
   void coast(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
   void hold(const CycleInput & input, const Costmap & costmap, CycleOutput & output);
+  std::optional<Trigger> whyRecover(double time) const;
   bool finishIfReached(const CycleInput & input, CycleOutput & output);
   void recover(Trigger trigger, const CycleInput & input, Costmap & costmap, CycleOutput & output);
   void driveBack(const CycleInput & input, const Costmap & costmap, CycleOutput & output);

@@ -98,6 +98,19 @@ def test_run_without_result_is_named(program, tmp_path, capsys):
     assert "seed=13/circuit1: exit code 1, no result: bad luck" in capsys.readouterr().err
 
 
+def test_run_whose_inputs_cannot_be_noted_is_named_and_counts(program, tmp_path, monkeypatch, capsys):
+    run_jobs = sweep_module.run_jobs
+
+    def spoilt(jobs, *others):
+        (jobs[0].folder / "inputs.sha256").mkdir(parents=True)
+        run_jobs(jobs, *others)
+
+    monkeypatch.setattr(sweep_module, "run_jobs", spoilt)
+    assert swept(tmp_path, "seed=1:2")
+    assert [row["seed"] for row in table(tmp_path)] == ["1", "2"]
+    assert "seed=1/circuit1/inputs.sha256: cannot be written: Is a directory" in capsys.readouterr().err
+
+
 def test_runs_that_were_told_to_stop_are_no_problems(tmp_path, monkeypatch, capsys):
     def interrupted(jobs, stop, finished, _at_once):
         stop.signal = signal.SIGINT

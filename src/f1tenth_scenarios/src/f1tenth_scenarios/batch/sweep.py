@@ -124,8 +124,14 @@ class Sweep:
             return
         self.results[job] = outcome.result
         # Of a run during which something was changed nobody knows what it depends on.
-        if hash_software() == self._software:
-            (job.folder / _INPUTS_FILE).write_text(self._inputs[job], encoding="utf-8")
+        if hash_software() != self._software:
+            return
+        file = job.folder / _INPUTS_FILE
+        try:
+            with writing(file):
+                file.write_text(self._inputs[job], encoding="utf-8")
+        except ScenarioError as error:
+            self.problems.append(str(error))
 
 
 def sweep(

@@ -9,15 +9,28 @@ namespace sim2d_lockstep
 DoneLedger::DoneLedger(const std::vector<std::string> & names)
 {
   for (const auto & name : names) {
-    done_.emplace_back(name, std::nullopt);
+    entries_.push_back({name, {}, {}});
   }
+}
+
+// Who acts more seldom than once a period answers each repetition of the first one in the same way; an answer to a run that
+// is over comes once.
+bool DoneLedger::believes(const Entry & entry, const ros::Time & stamp) const
+{
+  return entry.is_heard || stamp <= start_ || stamp >= kLeft || stamp == entry.doubtful;
 }
 
 void DoneLedger::note(const std::string & name, const ros::Time & stamp)
 {
-  for (auto & [known, done] : done_) {
-    if (known == name) {
-      done = stamp;
+  for (auto & entry : entries_) {
+    if (entry.name != name) {
+      continue;
+    }
+    if (believes(entry, stamp)) {
+      entry.done = stamp;
+      entry.is_heard = entry.is_heard || stamp >= start_;
+    } else {
+      entry.doubtful = stamp;
     }
   }
 }
@@ -25,15 +38,15 @@ void DoneLedger::note(const std::string & name, const ros::Time & stamp)
 bool DoneLedger::allDone(const ros::Time & stamp) const
 {
   return std::all_of(
-    done_.begin(), done_.end(), [&](const auto & entry) { return entry.second && *entry.second >= stamp; });
+    entries_.begin(), entries_.end(), [&](const Entry & entry) { return entry.done && *entry.done >= stamp; });
 }
 
 std::vector<std::string> DoneLedger::missing(const ros::Time & stamp) const
 {
   std::vector<std::string> names;
-  for (const auto & [name, done] : done_) {
-    if (!done || *done < stamp) {
-      names.push_back(name);
+  for (const auto & entry : entries_) {
+    if (!entry.done || *entry.done < stamp) {
+      names.push_back(entry.name);
     }
   }
   return names;
@@ -41,10 +54,13 @@ std::vector<std::string> DoneLedger::missing(const ros::Time & stamp) const
 
 void DoneLedger::startAgain(const ros::Time & stamp)
 {
-  for (auto & [name, done] : done_) {
-    if (done && *done > stamp && *done < kLeft) {
-      done.reset();
+  start_ = stamp;
+  for (auto & entry : entries_) {
+    if (entry.done && *entry.done > stamp && *entry.done < kLeft) {
+      entry.done.reset();
     }
+    entry.is_heard = entry.done && *entry.done >= stamp;
+    entry.doubtful.reset();
   }
 }
 }  // namespace sim2d_lockstep

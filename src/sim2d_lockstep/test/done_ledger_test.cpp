@@ -56,6 +56,47 @@ TEST(DoneLedger, StartAgainForgetsTheOldRunOnly)
   EXPECT_TRUE(ledger.allDone(ros::Time(1.0)));
 }
 
+TEST(DoneLedger, AnswerToTheOldRunThatComesLateDoesNotCount)
+{
+  DoneLedger ledger({"a"});
+  ledger.startAgain(ros::Time(1.0));
+  ledger.note("a", ros::Time(7.0));
+  EXPECT_FALSE(ledger.allDone(ros::Time(1.0)));
+  ledger.note("a", ros::Time(1.0));
+  EXPECT_TRUE(ledger.allDone(ros::Time(1.0)));
+  EXPECT_FALSE(ledger.allDone(ros::Time(2.0)));
+}
+
+TEST(DoneLedger, WhoActsMoreSeldomSaysSoTwiceInTheFirstPeriod)
+{
+  DoneLedger ledger({"a"});
+  ledger.startAgain(ros::Time(1.0));
+  ledger.note("a", ros::Time(7.0));
+  ledger.note("a", ros::Time(4.0));
+  EXPECT_FALSE(ledger.allDone(ros::Time(1.0)));
+  ledger.note("a", ros::Time(4.0));
+  EXPECT_TRUE(ledger.allDone(ros::Time(4.0)));
+  ledger.note("a", ros::Time(9.0));
+  EXPECT_TRUE(ledger.allDone(ros::Time(9.0)));
+}
+
+TEST(DoneLedger, WhoHasAnsweredTheFirstPeriodBeforeItWasNoticedIsBelievedAtOnce)
+{
+  DoneLedger ledger({"a"});
+  ledger.note("a", ros::Time(1.0));
+  ledger.startAgain(ros::Time(1.0));
+  ledger.note("a", ros::Time(4.0));
+  EXPECT_TRUE(ledger.allDone(ros::Time(4.0)));
+}
+
+TEST(DoneLedger, FarewellCountsInTheFirstPeriodAtOnce)
+{
+  DoneLedger ledger({"a"});
+  ledger.startAgain(ros::Time(1.0));
+  ledger.note("a", kLeft);
+  EXPECT_TRUE(ledger.allDone(ros::Time(1e9)));
+}
+
 int main(int argc, char ** argv)
 {
   testing::InitGoogleTest(&argc, argv);

@@ -208,6 +208,21 @@ TEST_F(ParticipantTest, ClockThatJumpsBackStartsANewRun)
   EXPECT_EQ(participant.waitForPeriod(kLong), kFirst);
 }
 
+TEST_F(ParticipantTest, AnswerToTheOldRunDoesNotCountInTheNewOne)
+{
+  Participant participant("b", {"a"});
+  publishClock(kThird);
+  publishDone("a", kThird);
+  ASSERT_EQ(participant.waitForPeriod(kLong), kThird);
+  participant.done(kThird);
+  publishClock(kFirst);
+  EXPECT_EQ(participant.waitForPeriod(kSoon), std::nullopt);
+  publishDone("a", kSecond);
+  EXPECT_EQ(participant.waitForPeriod(kSoon), std::nullopt) << "that answers the run before";
+  publishDone("a", kFirst);
+  EXPECT_EQ(participant.waitForPeriod(kLong), kFirst);
+}
+
 TEST(Participant, RejectsNamesThatCannotBe)
 {
   const auto message = [](const std::function<void()> & make) -> std::string {

@@ -1,7 +1,7 @@
 #include "parameter_values.h"
 
-#include <algorithm>
 #include <cmath>
+#include <istream>
 #include <limits>
 #include <sstream>
 
@@ -11,18 +11,31 @@ namespace
 {
 using XmlRpc::XmlRpcValue;
 
-std::optional<std::vector<Vec2>> pointsOfText(std::string text)
+/// Whether the next character but blanks is this one, which is then taken.
+bool take(std::istream & stream, char expected)
 {
-  const auto isBracket = [](char c) { return c == '[' || c == ']' || c == ','; };
-  std::replace_if(text.begin(), text.end(), isBracket, ' ');
+  const bool is_next = (stream >> std::ws).peek() == expected;
+  if (is_next) {
+    stream.get();
+  }
+  return is_next;
+}
+
+std::optional<std::vector<Vec2>> pointsOfText(const std::string & text)
+{
   std::istringstream stream(text);
   std::vector<Vec2> points;
-  for (Vec2 point; stream >> point.x >> point.y;) {
-    points.push_back(point);
+  bool is_list = take(stream, '[');
+  while (is_list && take(stream, '[')) {
+    Vec2 & point = points.emplace_back();
+    stream >> point.x;
+    take(stream, ',');
+    stream >> point.y;
+    is_list = take(stream, ']');  // not after what is no number
+    take(stream, ',');
   }
-  stream.clear();
-  std::string rest;
-  return stream >> rest ? std::nullopt : std::optional<std::vector<Vec2>>(points);
+  is_list = is_list && take(stream, ']') && (stream >> std::ws).eof();
+  return is_list ? std::optional(points) : std::nullopt;
 }
 
 std::optional<Vec2> toPoint(XmlRpcValue & value)
@@ -32,7 +45,8 @@ std::optional<Vec2> toPoint(XmlRpcValue & value)
   }
   const auto x = toDouble(value[0]);
   const auto y = toDouble(value[1]);
-  return x && y ? std::optional<Vec2>({*x, *y}) : std::nullopt;
+  const bool is_point = x && y && std::isfinite(*x) && std::isfinite(*y);
+  return is_point ? std::optional<Vec2>({*x, *y}) : std::nullopt;
 }
 }  // namespace
 

@@ -17,7 +17,7 @@ std::optional<double> toDouble(XmlRpc::XmlRpcValue value);
 std::optional<int> toInt(const XmlRpc::XmlRpcValue & value);
 std::optional<bool> toBool(XmlRpc::XmlRpcValue value);
 std::optional<std::string> toText(XmlRpc::XmlRpcValue value);
-/// [[x, y], ...], also as a text.
+/// [[x, y], ...], finite; also as a text.
 std::optional<std::vector<Vec2>> toPoints(XmlRpc::XmlRpcValue value);
 /// [{name: NAME, type: TYPE}, ...], each text not empty; other members are ignored.
 std::optional<std::vector<PluginName>> toPlugins(XmlRpc::XmlRpcValue value);

@@ -116,6 +116,28 @@ TEST(ParameterReader, SaysWhatWasFoundAndWhatIsAllowed)
     "parameter /node/names: found a list, must be a list of points, [[x, y], ...]");
 }
 
+TEST(ParameterReader, PointsAreWholePairsOfFiniteNumbers)
+{
+  XmlRpcValue map;
+  map["half"] = "[[0.1, 0.2], [0.3, 0.4], [0.5]]";
+  map["four"] = "[[1, 2, 3, 4]]";
+  map["flat"] = "1 2 3 4";
+  map["open"] = "[[1, 2], [3, 4]";
+  map["beyond"] = "[[1, 2], [3, 4]] 5";
+  map["nan"] = list({list({0.1, NAN})});
+  map["triple"] = list({list({1, 2, 3})});
+  for (const auto & entry : map) {
+    std::vector<Vec2> points;
+    const std::string said = refusalOf([&] { ParameterReader("/node", map).read(entry.first, points); });
+    EXPECT_NE(said.find("must be a list of points, [[x, y], ...]"), std::string::npos) << said;
+  }
+  map["blanks"] = " [ [1 2.5],[-3,4e-1] ] ";
+  std::vector<Vec2> points;
+  EXPECT_TRUE(ParameterReader("/node", map).read("blanks", points));
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_EQ(points[1].y, 0.4);
+}
+
 TEST(ParameterReader, NumbersObeyTheirRule)
 {
   EXPECT_EQ(

@@ -44,7 +44,7 @@ public:
   bool read(const ParameterNames & names, std::string & value);
   /// Different texts that are not empty.
   bool read(const ParameterNames & names, std::vector<std::string> & value);
-  /// A list of points, [[x, y], ...], also as a text.
+  /// A list of points, [[x, y], ...], finite; also as a text, in which blanks may stand for commas.
   bool read(const ParameterNames & names, std::vector<Vec2> & value);
   /// A list of mappings with the texts name and type.
   bool read(const ParameterNames & names, std::vector<PluginName> & value);

@@ -83,6 +83,18 @@ TEST(Actuation, CarWithoutCommandsBrakesToAnExactStop)
   EXPECT_EQ(simulation.state(kRobot1).pose.x, stopped.x);
 }
 
+TEST(Actuation, TimeoutBeginsWhenACommandTakesEffect)
+{
+  VehicleParameters parameters;
+  parameters.actuation_latency = 0.6;
+  Actuation actuation{parameters};
+  actuation.command({2.0, 0.0}, 0);
+  EXPECT_EQ(actuation.input(0.0, 0.0, 599 * kMillisecond, 0.001).acceleration, 0.0);
+  EXPECT_GT(actuation.input(0.0, 0.0, 600 * kMillisecond, 0.001).acceleration, 0.0);
+  EXPECT_GT(actuation.input(0.0, 0.0, 1100 * kMillisecond, 0.001).acceleration, 0.0);
+  EXPECT_EQ(actuation.input(0.0, 0.0, 1101 * kMillisecond, 0.001).acceleration, 0.0);
+}
+
 TEST(Actuation, TwistTurnsAboutTheRearAxle)
 {
   const double wheelbase = 0.33;

@@ -30,8 +30,8 @@ public:
 
   /// The command in effect; a default one before the first.
   const Command & active() const { return active_.command; }
-  /// Whether the driver has been silent for longer than the car's timeout.
-  bool isOld(SimTime now) const { return now - active_.issued > timeout_; }
+  /// Whether the command has been in effect for longer than the car's timeout.
+  bool isOld(SimTime now) const { return now - active_.issued > latency_ + timeout_; }
 
 private:
   struct Given

@@ -201,6 +201,24 @@ TEST(VehicleModels, OdometryOfACarWhoseWheelsSpinGoesTooFar)
   EXPECT_LT(state.wheel_speeds[0] * 0.05, 6.0) << "the motor holds the wheels at the commanded speed";
 }
 
+TEST(VehicleModels, CarThatIsPlacedAtASpeedFeelsNoJolt)
+{
+  for (const VehicleModel model :
+       {VehicleModel::kSingleTrack, VehicleModel::kKinematic, VehicleModel::kSingleTrackDrift}) {
+    VehicleParameters parameters = withModel(model);
+    parameters.actuation_latency = 0.0;
+    Simulation simulation(world());
+    simulation.addCar(car("robot1"), parameters, {});
+    simulation.placeCar(kRobot1, {}, {5.0, 0.0});
+    EXPECT_NEAR(simulation.state(kRobot1).wheel_speeds[2], 5.0 / 0.05, 1e-9);
+    simulation.command(kRobot1, {5.0, 0.0});
+    simulation.step();
+    EXPECT_LT(std::abs(simulation.imu(kRobot1).acceleration.x), 0.1);
+    simulation.advanceTo(20'000'000);
+    EXPECT_NEAR(simulation.wheelOdometry(kRobot1).pose.x, simulation.state(kRobot1).pose.x, 1e-4);
+  }
+}
+
 TEST(VehicleModels, WheelsThatNoFormulaFitsAreRefused)
 {
   Simulation simulation(world());

@@ -28,10 +28,11 @@ void Car::place(const Pose2 & pose, const Vec2 & velocity, double yaw_rate)
   setBodyVelocity(state_, {velocity.x, velocity.y + yaw_rate * parameters_.l_r});
   predicted_ = state_;
   dynamics_->place(state_);
-  velocity_ = {};
-  rolling_speed_ = 0.0;
+  velocity_ = worldVelocity(state_);
   acceleration_ = {};
-  wheel_speeds_ = {};
+  const WheelMotion wheels = dynamics_->wheels(state_);
+  rolling_speed_ = wheels.rear_speed;
+  wheel_speeds_ = wheels.speeds;
 }
 
 void Car::restart(SimTime now)

@@ -254,4 +254,30 @@ INSTANTIATE_TEST_SUITE_P(
   Places, CarsMeet,
   ::testing::Values(
     Pose2{2, 0, 0}, Pose2{2, 0.1, 1.2}, Pose2{2, -0.15, -0.4}, Pose2{2.2, 0.2, 2.9}, Pose2{2, 0, 1.57}));
+
+TEST(Contacts, ModelsThatFollowOneThatWasTakenOutAreNotTakenForIt)
+{
+  Simulation simulation(world({movableBox("first", 0.2, 1.0, 0.0), movableBox("second", 0.2, 1.0, 5.0)}));
+  simulation.addCar(car("robot1"), {}, {});
+  drive(simulation, kRobot1, {2.0, 0.0}, 0.8);
+  ASSERT_EQ(simulation.contacts(kRobot1).size(), 1u);
+  simulation.removeModel(0);
+  simulation.placeCar(kRobot1, {0.0, 5.0, 0.0});
+  drive(simulation, kRobot1, {2.0, 0.0}, 0.8);
+  ASSERT_EQ(simulation.contacts(kRobot1).size(), 2u);
+  EXPECT_EQ(simulation.contacts(kRobot1)[0].other_model, "first");
+  EXPECT_EQ(simulation.contacts(kRobot1)[1].other_model, "second");
+}
+
+TEST(Contacts, PairThatTouchesAgainHasOneEntryAlsoAfterAModelWasTakenOut)
+{
+  Simulation simulation(world({movableBox("far", 0.2, 1.0, 5.0), movableBox("near", 0.2, 1.0, 0.0)}));
+  simulation.addCar(car("robot1"), {}, {});
+  drive(simulation, kRobot1, {2.0, 0.0}, 0.8);
+  simulation.removeModel(0);
+  simulation.placeCar(kRobot1, {-1.0, 0.0, 0.0});
+  drive(simulation, kRobot1, {2.0, 0.0}, 2.0);
+  ASSERT_EQ(simulation.contacts(kRobot1).size(), 1u);
+  EXPECT_EQ(simulation.contacts(kRobot1)[0].other_model, "near");
+}
 }  // namespace f1tenth_sim2d::test

@@ -1,13 +1,30 @@
 #include "core/contacts/contact_log.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 
 namespace f1tenth_sim2d
 {
+namespace
+{
+constexpr auto kGone = std::numeric_limits<std::uint32_t>::max();  // in place of the index of a model
+}  // namespace
+
 void ContactLog::clear()
 {
   steps_.clear();
   contacts_.clear();
+}
+
+void ContactLog::forgetModel(std::size_t index) noexcept
+{
+  for (StepContact & step : steps_) {
+    if (step.other_owner != Piece::Owner::kModel || step.other_body == kGone || step.other_body < index) {
+      continue;
+    }
+    step.other_body = step.other_body == index ? kGone : step.other_body - 1;
+  }
 }
 
 std::size_t ContactLog::find(const StepContact & step) const

@@ -15,6 +15,8 @@ class ContactLog
 public:
   const std::vector<Contact> & contacts() const { return contacts_; }
   void clear();
+  /// A model has gone from the world, and those after it have moved up. Its contacts stay.
+  void forgetModel(std::size_t index) noexcept;
 
   /// @param describe  fills in the names of a new contact
   /// @param dt        s, of the step in which `step` was recorded

@@ -64,6 +64,9 @@ void Simulation::removeModel(std::size_t index)
   motions.erase(motions.begin() + place);
   impl_->changeWorld(std::move(changed), motions);
   impl_->start_poses.erase(impl_->start_poses.begin() + place);
+  for (const auto & car : impl_->cars()) {
+    car->contacts.forgetModel(index);
+  }
 }
 
 void Simulation::placeModel(std::size_t index, const ModelState & state)

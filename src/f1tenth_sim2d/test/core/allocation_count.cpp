@@ -6,11 +6,13 @@
 namespace
 {
 std::size_t count = 0;
+std::size_t bytes = 0;
 std::size_t failing = 0;
 }  // namespace
 
 void * operator new(std::size_t size)
 {
+  bytes += size;
   void * const memory = ++count == failing ? nullptr : std::malloc(size);
   if (memory != nullptr) {
     return memory;
@@ -32,6 +34,11 @@ namespace f1tenth_sim2d::test
 std::size_t allocationCount()
 {
   return count;
+}
+
+std::size_t allocatedBytes()
+{
+  return bytes;
 }
 
 void failAllocation(std::size_t number)

@@ -33,6 +33,19 @@ TEST(Allocation, CastingRaysAllocatesNothingAfterTheFirstTimeAtAHeight)
   EXPECT_EQ(allocationCount(), before);
 }
 
+TEST(Allocation, LongDiagonalWallsAreKeptInTheCellsThatTheyPassThroughOnly)
+{
+  std::vector<ModelDescription> walls;
+  for (int i = 0; i < 20; ++i) {
+    walls.push_back(staticModel("wall" + std::to_string(i), box("wall::l::c", 1000.0, 0.2, 1.0, 0.0, 0.0, 0.5)));
+    walls.back().pose = Pose3(20.0 * i, 5.0, 0.0, 0.0, 0.0, 0.785);
+  }
+  const std::size_t before = allocatedBytes();
+  Simulation simulation(world(walls));
+  simulation.addCar(car("robot1"), {}, {10.0, 0.0, 0.0});
+  EXPECT_LT(allocatedBytes() - before, 10'000'000u);
+}
+
 TEST(Allocation, SteppingFarFromEverythingAllocatesNothing)
 {
   Simulation simulation(world({room(30.0)}));

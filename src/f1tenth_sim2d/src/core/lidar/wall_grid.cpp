@@ -15,6 +15,7 @@ constexpr double kCellSizeMin = 0.5;   // m
 constexpr double kCellSizeMax = 5.0;   // m
 constexpr double kCellCountMax = 1e6;  // in very large worlds the cells grow instead
 constexpr double kRounding = 1e-9;     // m
+constexpr double kBorder = 1e-6;       // of a cell: nearer than that to its border a wall lies in the next one, too
 constexpr std::uint32_t kBlock = 64;   // items that are looked at together
 constexpr std::uint32_t kFew = 16;     // items, that are drawn sooner than it is found out whether they could show
 
@@ -86,8 +87,8 @@ void WallGrid::layOut()
 
   const std::size_t cell_count = static_cast<std::size_t>(column_count_) * row_count_;
   begin_.assign(cell_count + 1, 0);
-  for (const Bounds & b : bounds) {
-    forEachCell(b.low, b.high, [&](std::size_t cell) { ++begin_[cell + 1]; });
+  for (std::size_t item = 0; item < bounds.size(); ++item) {
+    forEachCell(item, bounds[item], [&](std::size_t cell) { ++begin_[cell + 1]; });
   }
   for (std::size_t cell = 0; cell < cell_count; ++cell) {
     begin_[cell + 1] += begin_[cell];
@@ -95,9 +96,7 @@ void WallGrid::layOut()
   items_.resize(begin_.back());
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
   for (std::size_t item = 0; item < bounds.size(); ++item) {
-    forEachCell(bounds[item].low, bounds[item].high, [&](std::size_t cell) {
-      items_[next[cell]++] = static_cast<std::uint32_t>(item);
-    });
+    forEachCell(item, bounds[item], [&](std::size_t cell) { items_[next[cell]++] = static_cast<std::uint32_t>(item); });
   }
   for (const std::uint32_t item : items_) {
     const Wall wall = item < walls_.size() ? walls_[item] : Wall{};
@@ -138,13 +137,34 @@ WallGrid::CellRange WallGrid::cells(double low, double high, double origin, int 
     static_cast<int>(std::clamp(std::floor((high - origin) / cell_size_), -1.0, last))};
 }
 
-template <typename Visit>
-void WallGrid::forEachCell(const Vec2 & low, const Vec2 & high, Visit visit) const
+// A long diagonal wall passes through few of the cells within its bounds.
+Bounds WallGrid::boundsInRow(const Wall & wall, const Bounds & bounds, int row) const
 {
-  const CellRange column_range = cells(low.x, high.x, origin_.x, column_count_);
-  const CellRange row_range = cells(low.y, high.y, origin_.y, row_count_);
-  for (int row = row_range.first; row <= row_range.last; ++row) {
-    for (int column = column_range.first; column <= column_range.last; ++column) {
+  const double rise = wall.b.y - wall.a.y;
+  if (rise == 0.0) {
+    return bounds;
+  }
+  const double margin = kBorder * cell_size_;
+  const double low = origin_.y + row * cell_size_ - margin;
+  const double high = origin_.y + (row + 1) * cell_size_ + margin;
+  Bounds part;
+  for (const double y : {low, high}) {
+    const double share = std::clamp((y - wall.a.y) / rise, 0.0, 1.0);
+    const double x = wall.a.x + share * (wall.b.x - wall.a.x);
+    part.include({std::max(bounds.low.x, x - margin), low});
+    part.include({std::min(bounds.high.x, x + margin), high});
+  }
+  return part;
+}
+
+template <typename Visit>
+void WallGrid::forEachCell(std::size_t item, const Bounds & bounds, Visit visit) const
+{
+  const CellRange rows = cells(bounds.low.y, bounds.high.y, origin_.y, row_count_);
+  for (int row = rows.first; row <= rows.last; ++row) {
+    const Bounds part = item < walls_.size() ? boundsInRow(walls_[item], bounds, row) : bounds;
+    const CellRange columns = cells(part.low.x, part.high.x, origin_.x, column_count_);
+    for (int column = columns.first; column <= columns.last; ++column) {
       visit(static_cast<std::size_t>(row) * column_count_ + column);
     }
   }

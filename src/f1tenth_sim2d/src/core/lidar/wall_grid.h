@@ -78,8 +78,10 @@ private:
 
   void collect(const Section & walls);
   void layOut();
+  Bounds boundsInRow(const Wall & wall, const Bounds & bounds, int row) const;
+  /// The cells that an item lies in.
   template <typename Visit>
-  void forEachCell(const Vec2 & low, const Vec2 & high, Visit visit) const;
+  void forEachCell(std::size_t item, const Bounds & bounds, Visit visit) const;
   CellRange cells(double low, double high, double origin, int count) const;
   void measureCells(const std::vector<Bounds> & bounds);
   void drawRing(int column, int row, int ring, const Drawing & drawing) const;

@@ -78,8 +78,8 @@ struct ModelDescription
   Pose3 pose;        ///< in the world
   bool is_static{false};
   double mass{0.0};        ///< kg, all links
-  double inertia_zz{0.0};  ///< kg m^2, about the centre of mass
-  Vec2 centre_of_mass;     ///< m, in the frame of the model
+  double inertia_zz{0.0};  ///< kg m^2, about the vertical through the centre of mass
+  Vec2 centre_of_mass;     ///< m, seen from above: from where pose is, along its heading and to the left
   std::vector<Solid> solids;
 };
 

@@ -10,11 +10,7 @@ namespace
 {
 ModelBody bodyOf(const ModelDescription & model)
 {
-  if (model.is_static) {
-    return {};
-  }
-  const auto centre = withoutPlanar(model.pose) * Eigen::Vector3d(model.centre_of_mass.x, model.centre_of_mass.y, 0.0);
-  return {planar(model.pose), {centre.x(), centre.y()}};
+  return model.is_static ? ModelBody{} : ModelBody{planar(model.pose), model.centre_of_mass};
 }
 
 Pose3 solidPose(const ModelDescription & model, const Solid & solid)

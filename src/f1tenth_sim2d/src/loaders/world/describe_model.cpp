@@ -119,10 +119,17 @@ void requireAboveZero(const Element & model, const char * what, double value)
   }
 }
 
-/// What stands still has none.
+/// What is left of a pose without position and heading.
+Pose3 tiltOf(const Pose3 & pose)
+{
+  const Pose3 heading(0.0, 0.0, 0.0, 0.0, 0.0, pose.yaw());
+  return {Eigen::Vector3d::Zero(), heading.rotation.conjugate() * pose.rotation};
+}
+
+/// Of the model as it stands there: one that lies on its side turns about another axis. What stands still has none.
 void describeInertia(const Model & model, ModelDescription & description)
 {
-  const Inertia whole = inertiaOf(model);
+  const Inertia whole = placed(inertiaOf(model), tiltOf(description.pose));
   description.mass = whole.mass;
   description.inertia_zz = whole.moments(2, 2);
   description.centre_of_mass = {whole.centre.x(), whole.centre.y()};

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "loaders/car/vehicle_keys.h"
+#include "f1tenth_sim2d/vehicle_keys.h"
 #include "python/bindings.h"
 
 namespace f1tenth_sim2d

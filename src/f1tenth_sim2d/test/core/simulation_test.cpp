@@ -129,8 +129,8 @@ TEST(Simulation, ParametersThatAreNoCarsAreRefused)
   EXPECT_EQ(errorWith(&P::m, 1e-300), "robot1: mass (kg) is 1e-300, allowed is 1e-06 to 1e+09");
   EXPECT_EQ(errorWith(&P::I_z, 1e-30), "robot1: inertia about z (kg m^2) is 1e-30, allowed is 1e-09 to 1e+12");
   EXPECT_EQ(errorWith(&P::l_f, 1e300), "robot1: wheelbase (m) is 1e+300, allowed is 0.001 to 100");
-  EXPECT_EQ(errorWith(&P::v_min, 1.0), "robot1: v_min (m/s) is 1, allowed is -1e+09 to 0");
-  EXPECT_EQ(errorWith(&P::command_timeout, kNan), "robot1: command_timeout is nan, allowed is 0 to 1e+09");
+  EXPECT_EQ(errorWith(&P::v_min, 1.0), "robot1: v_min is 1, allowed are numbers up to 0");
+  EXPECT_EQ(errorWith(&P::command_timeout, kNan), "robot1: command_timeout is nan, allowed are numbers greater than 0");
   EXPECT_EQ(simulation.cars().size(), 0u);
 }
 

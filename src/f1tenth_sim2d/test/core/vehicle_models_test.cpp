@@ -234,7 +234,7 @@ TEST(VehicleModels, WheelsThatNoFormulaFitsAreRefused)
   };
   EXPECT_EQ(refusal(&VehicleParameters::R_w, 0.0), "robot1: R_w (m) is 0, allowed is 0.001 to 100");
   EXPECT_EQ(refusal(&VehicleParameters::mu, 0.0), "robot1: mu is 0, allowed is 0.001 to 10");
-  EXPECT_EQ(refusal(&VehicleParameters::T_se, 1.5), "robot1: T_se is 1.5, allowed is 0 to 1");
+  EXPECT_EQ(refusal(&VehicleParameters::T_se, 1.5), "robot1: T_se is 1.5, allowed are numbers from 0 to 1");
   EXPECT_EQ(
     refusal(&VehicleParameters::I_y_w, std::numeric_limits<double>::quiet_NaN()),
     "robot1: I_y_w (kg m^2) is nan, allowed is 1e-09 to 1e+12");

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "loaders/car/vehicle_keys.h"
+#include "f1tenth_sim2d/vehicle_keys.h"
 #include "temp_folder.h"
 
 namespace f1tenth_sim2d

@@ -1,11 +1,12 @@
 #include "core/simulation/validation.h"
 
+#include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <sstream>
 #include <utility>
 
 #include "f1tenth_sim2d/errors.h"
+#include "f1tenth_sim2d/vehicle_keys.h"
 
 namespace f1tenth_sim2d
 {
@@ -90,14 +91,31 @@ void validateLidar(const LidarDescription & lidar, const std::string & car)
     lidar.noise_stddev >= 0.0 && std::isfinite(lidar.noise_stddev), where, "noise (m)", lidar.noise_stddev,
     "a finite number, 0 or more");
 }
+
+/// What a YAML file of the car may say, as far as numbers keep their meaning.
+template <typename Parameters>
+void requireInRange(
+  const vehicle_keys::Key<Parameters> & key, const Parameters & parameters, const std::string & where,
+  const std::string & group = "")
+{
+  const double value = parameters.*key.member;
+  const vehicle_keys::Range & range = key.range;
+  const std::string name = group + key.name;
+  if (!range.contains(value)) {
+    std::ostringstream message;
+    message << where << ": " << name << " is " << value << ", allowed are " << range.text;
+    throw Error(message.str());
+  }
+  const double least = std::max(range.least, -kGreatest);
+  requireBetween(value, least, std::min(range.greatest, kGreatest), where, name.c_str());
+}
+
 /// What the formula of the tyres divides by, and what makes their forces resist.
 void validateWheels(const VehicleParameters & p, const std::string & car)
 {
   requireBetween(p.mu, kFrictionMin, kFrictionMax, car, "mu");
   requireBetween(p.R_w, kRadiusMin, kWheelbaseMax, car, "R_w (m)");
   requireBetween(p.I_y_w, kInertiaMin, kInertiaMax, car, "I_y_w (kg m^2)");
-  requireBetween(p.T_sb, 0.0, 1.0, car, "T_sb");
-  requireBetween(p.T_se, 0.0, 1.0, car, "T_se");
   for (const auto & [name, value] : {std::pair("tire p_cx1", p.tire.p_cx1), std::pair("tire p_cy1", p.tire.p_cy1)}) {
     requireBetween(value, kShapeMin, kShapeMax, car, name);
   }
@@ -156,25 +174,17 @@ void validate(const VehicleParameters & p, const std::string & car)
   requireBody(p.m, p.I_z, car);
   requireBetween(p.wheelbase(), kWheelbaseMin, kWheelbaseMax, car, "wheelbase (m)");
   requireWithin(p.l_r, kLengthMax, car, "l_r (m)");
-  requireBetween(p.v_min, -kGreatest, 0.0, car, "v_min (m/s)");
-  const std::initializer_list<std::pair<const char *, double>> not_negative{
-    {"h", p.h},
-    {"mu", p.mu},
-    {"C_Sf", p.C_Sf},
-    {"C_Sr", p.C_Sr},
-    {"steering_max", p.steering_max},
-    {"steering_rate_max", p.steering_rate_max},
-    {"a_max", p.a_max},
-    {"v_switch", p.v_switch},
-    {"v_max", p.v_max},
-    {"actuation_latency", p.actuation_latency},
-    {"speed_gain", p.speed_gain},
-    {"command_timeout", p.command_timeout}};
-  for (const auto & [name, value] : not_negative) {
-    requireBetween(value, 0.0, kGreatest, car, name);
-  }
   if (p.model == VehicleModel::kSingleTrackDrift) {
     validateWheels(p, car);
+  }
+  for (const auto & key : vehicle_keys::kVehicle) {
+    // A car that does not steer may have its centre of mass beyond an axle.
+    if (key.member != &VehicleParameters::l_f && key.member != &VehicleParameters::l_r) {
+      requireInRange(key, p, car);
+    }
+  }
+  for (const auto & key : vehicle_keys::kTire) {
+    requireInRange(key, p.tire, car, "tire ");
   }
 }
 

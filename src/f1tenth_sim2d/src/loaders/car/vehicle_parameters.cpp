@@ -7,7 +7,7 @@
 #include <set>
 
 #include "f1tenth_sim2d/errors.h"
-#include "loaders/car/vehicle_keys.h"
+#include "f1tenth_sim2d/vehicle_keys.h"
 #include "loaders/files/read_file.h"
 
 namespace f1tenth_sim2d

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "f1tenth_navigation_mgr/goals_file.h"
+#include "read_goals.h"
 
 namespace f1tenth_navigation_mgr
 {
@@ -28,6 +28,22 @@ std::vector<std::string> fieldsOf(const std::string & line)
   std::vector<std::string> fields;
   for (std::string field; stream >> field;) fields.push_back(field);
   return fields;
+}
+
+/// In quotes, with what is no printable ASCII as \\xNN: a message is one line of text, whatever a file holds.
+std::string inQuotes(const std::string & text)
+{
+  constexpr const char * kDigits = "0123456789abcdef";
+  std::string shown{'"'};
+  for (const char each : text) {
+    const auto code = static_cast<unsigned char>(each);
+    if (code >= 0x20 && code < 0x7f) {
+      shown += each;
+    } else {
+      shown.append({'\\', 'x', kDigits[code / 16], kDigits[code % 16]});
+    }
+  }
+  return shown + '"';
 }
 
 /// Reads one file line by line; every error names the line that is being read.
@@ -74,7 +90,7 @@ private:
     for (const auto & known : known_frames_) {
       if (frame_id_ == known) return;
     }
-    fail("unknown frame \"" + frame_id_ + "\", expected one of: " + join(known_frames_, ", "));
+    fail("unknown frame " + inQuotes(frame_id_) + ", expected one of: " + join(known_frames_, ", "));
   }
 
   Goal readGoal(const std::vector<std::string> & fields) const
@@ -112,7 +128,7 @@ private:
     double value{0.0};
     const auto [stop, error] = std::from_chars(begin, end, value);
     if (error == std::errc::result_out_of_range && stop == end) fail(name + " is out of range: " + field);
-    if (error != std::errc{} || stop != end) fail(name + " is not a number: \"" + field + "\"");
+    if (error != std::errc{} || stop != end) fail(name + " is not a number: " + inQuotes(field));
     if (!std::isfinite(value)) fail(name + " is not finite: " + field);
     return value;
   }
@@ -136,11 +152,16 @@ private:
 };
 }  // namespace
 
+Goals readGoals(std::istream & text, const std::string & name, const std::vector<std::string> & known_frames)
+{
+  return Reader{name, known_frames}.read(text);
+}
+
 Goals LoadGoalsFile(const std::string & path, const std::vector<std::string> & known_frames)
 {
   errno = 0;
   std::ifstream file{path};
   if (!file) throw GoalsFileError{path + ": cannot be read: " + std::strerror(errno)};
-  return Reader{path, known_frames}.read(file);
+  return readGoals(file, path, known_frames);
 }
 }  // namespace f1tenth_navigation_mgr

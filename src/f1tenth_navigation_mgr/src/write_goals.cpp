@@ -6,8 +6,9 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
+#include <sstream>
 
-#include "f1tenth_navigation_mgr/goals_file.h"
+#include "read_goals.h"
 
 namespace f1tenth_navigation_mgr
 {
@@ -58,17 +59,38 @@ void expectOneFrame(const std::string & path, const Goals & goals)
       path + ": a goals file has one frame, found \"" + goals.front().frame_id + "\" and \"" + goal.frame_id + "\""};
   }
 }
+
+/// Numbers and frames that no goals file can hold are told as they are when it is read.
+std::string textOf(const std::string & path, const Goals & goals)
+{
+  std::stringstream text;
+  text << "frame_id: " << goals.front().frame_id << '\n';
+  for (const auto & goal : goals) writeGoal(text, goal);
+  const std::string written{text.str()};
+  readGoals(text, path, {goals.front().frame_id});
+  return written;
+}
+
+/// The file that a link leads to: the link stays one.
+std::filesystem::path fileBehind(const std::string & path)
+{
+  std::error_code ignored;
+  const auto file = std::filesystem::canonical(path, ignored);
+  return file.empty() ? std::filesystem::path{path} : file;
+}
 }  // namespace
 
 void SaveGoalsFile(const std::string & path, const Goals & goals)
 {
   expectOneFrame(path, goals);
-  const std::string temporary{path + ".tmp"};
+  const std::string text{textOf(path, goals)};
+  const auto file = fileBehind(path);
+  if (std::filesystem::is_other(file)) throw GoalsFileError{path + ": cannot be written: not a regular file"};
+  const std::string temporary{file.string() + ".tmp"};
   errno = 0;
-  std::ofstream file{temporary, std::ios::trunc};
-  file << "frame_id: " << goals.front().frame_id << '\n';
-  for (const auto & goal : goals) writeGoal(file, goal);
-  file.close();
-  if (!file || std::rename(temporary.c_str(), path.c_str()) != 0) failWriting(path, temporary);
+  std::ofstream stream{temporary, std::ios::trunc};
+  stream << text;
+  stream.close();
+  if (!stream || std::rename(temporary.c_str(), file.c_str()) != 0) failWriting(path, temporary);
 }
 }  // namespace f1tenth_navigation_mgr

@@ -132,6 +132,13 @@ TEST_F(GoalsFile, RefusesWhatIsNotANumber)
   EXPECT_EQ(errorOf("1 +-2 3"), "goals.txt:1: y is not a number: \"+-2\"");
 }
 
+TEST_F(GoalsFile, ShowsWhatIsNoTextByItsBytes)
+{
+  EXPECT_EQ(errorOf("\xe4 2 3"), "goals.txt:1: x is not a number: \"\\xe4\"");
+  EXPECT_EQ(errorOf(std::string("1 2 0\0x", 7)), "goals.txt:1: yaw is not a number: \"0\\x00x\"");
+  EXPECT_EQ(errorOf("frame_id: \xc3\xa4\n1 2 3"), "goals.txt:1: unknown frame \"\\xc3\\xa4\", expected one of: map");
+}
+
 TEST_F(GoalsFile, RefusesNotFiniteNumbers)
 {
   EXPECT_EQ(errorOf("nan 2 3"), "goals.txt:1: x is not finite: nan");
@@ -226,6 +233,32 @@ TEST_F(GoalsFile, SaysThatTheDiskIsFull)
     saveErrorOf(path("goals.txt"), {PlanarGoal(1, 2, 3)}),
     path("goals.txt") + ": cannot be written: No space left on device");
   EXPECT_FALSE(fs::exists(path("goals.txt")));
+}
+
+TEST_F(GoalsFile, RefusesToSaveWhatItCouldNotRead)
+{
+  const auto file = path("goals.txt");
+  EXPECT_EQ(saveErrorOf(file, {PlanarGoal(1, NAN, 3)}), file + ":2: y is not finite: nan");
+  EXPECT_EQ(
+    saveErrorOf(file, {Goal{"map", 1, 2, 0, 0, 0, 0, 2}}),
+    file + ":2: qx qy qz qw is not a unit quaternion: its length is 2, expected 1 within 0.01");
+  EXPECT_EQ(saveErrorOf(file, {PlanarGoal(1, 2, 3, "a#b")}), file + ":1: unknown frame \"a\", expected one of: a#b");
+  EXPECT_FALSE(fs::exists(file));
+}
+
+TEST_F(GoalsFile, SavesWhereALinkLeads)
+{
+  SaveGoalsFile(path("there.txt"), {PlanarGoal(1, 2, 3)});
+  fs::create_symlink("there.txt", path("link.txt"));
+  SaveGoalsFile(path("link.txt"), {PlanarGoal(4, 5, 6)});
+  EXPECT_TRUE(fs::is_symlink(path("link.txt")));
+  EXPECT_EQ(LoadGoalsFile(path("there.txt")).front().x, 4.0);
+}
+
+TEST_F(GoalsFile, TakesTheFileOfNothingElse)
+{
+  EXPECT_EQ(saveErrorOf("/dev/null", {PlanarGoal(1, 2, 3)}), "/dev/null: cannot be written: not a regular file");
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
 TEST_F(GoalsFile, RefusesToSaveNothing)

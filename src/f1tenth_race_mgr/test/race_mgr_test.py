@@ -185,6 +185,15 @@ def test_reads_the_block_beside_the_node(start):
     assert "/robot1/f1tenth_race_mgr/looop_mode: unknown;" in errors
 
 
+def test_parameters_that_are_no_map_are_refused():
+    rospy.set_param(NODE, 5)
+    with Node(RACE_MGR) as node:
+        code, errors = node.finish()
+    rospy.delete_param(NODE)
+    assert code == 2
+    assert f"parameter {NODE}: found 5, must be a map" in errors
+
+
 if __name__ == "__main__":
     rospy.init_node("race_mgr_test")
     junit = [a.replace("--gtest_output=xml:", "--junitxml=") for a in sys.argv if "_output=xml:" in a]

@@ -17,6 +17,7 @@ from workspace_support.nodes import synchronous_publisher
 from f1tenth_race_mgr.msg import RaceStatus
 
 LIMIT = 120.0  # wall s, against hangs
+PATIENCE = 10.0  # wall s, for a node to end by itself
 REPEAT_PERIOD = 0.1  # wall s
 FAR_FUTURE = 2147483647 * 1_000_000_000  # ns
 QUIET = 0.5  # wall s in which something must not happen
@@ -46,14 +47,14 @@ class Node:
         self._process.stderr.close()
 
     def _end(self):
-        # Not killed: the master would still know it, tell its port to shut down when the next of its name
-        # comes, and whoever had got that port by then would.
+        # Killed only if it must be: the master goes on knowing whom it was not told of, tells their port to
+        # shut down when the next of their name comes, and whoever has got that port by then does.
         self.interrupt()
         try:
-            self._process.wait(LIMIT)
-        except subprocess.TimeoutExpired:
+            self._process.wait(PATIENCE)
+        except subprocess.TimeoutExpired:  # rospy may miss a signal that comes while it starts
             self.kill()
-            raise
+            self._process.wait()
 
     def kill(self):
         self._process.kill()

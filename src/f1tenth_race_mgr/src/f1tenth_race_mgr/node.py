@@ -27,8 +27,8 @@ class BadInputError(Exception):
 
 def read_parameters():
     """Return the Parameters: private ones first, then the block below the node's name, then beside it."""
-    private = dict(rospy.get_param("~", {}))
-    below = private.pop(BLOCK, {})
+    private = rospy.get_param("~", {})
+    below = private.pop(BLOCK, {}) if isinstance(private, dict) else {}
     node, beside = rospy.get_name(), rospy.resolve_name(BLOCK)
     sources = [(node, private), (f"{node}/{BLOCK}", below)]
     # A node that is itself called f1tenth_race_mgr has its own parameters there.

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The node race_starter, seen from outside."""
 
+import contextlib
 import signal
 import subprocess
 import sys
@@ -14,6 +15,7 @@ from std_msgs.msg import Header, Int32
 from workspace_support.nodes import synchronous_publisher
 
 SCRIPT = rospkg.RosPack().get_path("f1tenth_race_starter") + "/scripts/race_starter"
+PATIENCE = 10.0  # wall s, for a node to end by itself
 LIMIT = 120.0  # wall s, against hangs
 QUIET = 0.5  # wall s in which something must not happen
 FAR_FUTURE = 2147483647  # s
@@ -64,6 +66,10 @@ def start():
 
     yield start_node
     for process in processes:
+        # Killed only if it must be: the master would still know it, and tell whoever gets its port next to shut down.
+        process.terminate()
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(PATIENCE)
         process.kill()
         process.communicate()
     rospy.delete_param("/race_starter")

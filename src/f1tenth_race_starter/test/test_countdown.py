@@ -46,6 +46,14 @@ def test_begins_anew_when_the_clock_goes_back():
     assert countdown.update(2 * SECOND) == [1]
 
 
+def test_begins_anew_also_from_behind_its_start():
+    countdown = Countdown(5)
+    countdown.update(SECOND)
+    countdown.update(4 * SECOND)
+    assert countdown.update(2 * SECOND) == [5]
+    assert countdown.update(3 * SECOND) == [4]
+
+
 def test_says_nothing_after_the_start():
     countdown = Countdown(0)
     countdown.update(10 * SECOND)

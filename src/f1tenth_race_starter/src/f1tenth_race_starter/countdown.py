@@ -13,6 +13,7 @@ class Countdown:
         """Start at seconds (s, a whole number >= 0)."""
         self._seconds = seconds
         self._start = None
+        self._last = 0
         self._announced = 0
 
     @property
@@ -28,8 +29,9 @@ class Countdown:
         """
         if now <= 0 or self.finished:
             return []
-        if self._start is None or now < self._start:
+        if self._start is None or now < self._last:
             self._start, self._announced = now, 0
+        self._last = now
         due_count = min((now - self._start) // SECOND, self._seconds) + 1
         due = [self._seconds - i for i in range(self._announced, due_count)]
         self._announced = max(self._announced, due_count)

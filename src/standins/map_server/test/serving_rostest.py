@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """The node map_server, asked as a user would ask it."""
 
+import subprocess
 import sys
 import unittest
+from pathlib import Path
 
 import rospy
 import rostest
@@ -10,6 +12,7 @@ from nav_msgs.msg import MapMetaData, OccupancyGrid
 from nav_msgs.srv import GetMap, LoadMap, LoadMapResponse
 
 DATA = "package://map_server/test/data"
+HERE = Path(__file__).resolve().parent
 SMALL = [-1, 0, 0, 100]
 INVERTED = [100, 100, 100, 0]
 
@@ -68,6 +71,13 @@ class MapServerTest(unittest.TestCase):
 
     def test_change_to_a_wrong_image_keeps_the_map(self):
         self.assert_change_fails(f"{DATA}/broken_image.yaml", LoadMapResponse.RESULT_INVALID_MAP_DATA)
+
+    def test_frame_that_is_no_name_is_refused(self):
+        command = [sys.executable, HERE.parent / "scripts" / "map_server", HERE / "data" / "small.yaml", "_frame_id:=7"]
+        answer = subprocess.run(command, stderr=subprocess.PIPE, text=True, check=False)
+        assert answer.returncode == 255
+        assert "/frame_id: found 7, allowed is the name of a frame\n" in answer.stderr
+        assert answer.stderr.count("\n") == 1
 
 
 if __name__ == "__main__":

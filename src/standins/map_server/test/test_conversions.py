@@ -1,4 +1,5 @@
 import math
+import re
 
 import numpy as np
 import pytest
@@ -41,10 +42,11 @@ def test_message_with_too_few_cells_is_refused():
         from_occupancy_grid(message)
 
 
-def test_message_without_a_resolution_is_refused():
+@pytest.mark.parametrize("resolution", [0.0, 1e-7, 1e39])
+def test_message_whose_resolution_no_file_holds_is_refused(resolution):
     _, message = a_message()
-    message.info.resolution = 0.0
-    with pytest.raises(MapSaveError, match="not usable: resolution 0.0"):
+    message.info.resolution = resolution
+    with pytest.raises(MapSaveError, match=re.escape(f"not usable: resolution {resolution}")):
         from_occupancy_grid(message)
 
 

@@ -72,7 +72,7 @@ def test_missing_key_is_named(tmp_path, key):
     )
 
 
-METRES = "a positive number of metres"
+METRES = "a number of metres from 1e-06 to 1e+06"
 FRACTION = "a number from 0 to 1"
 POSE = "three numbers: x, y, yaw"
 MODES = "trinary or scale or raw"
@@ -85,6 +85,8 @@ MODES = "trinary or scale or raw"
         ("image", "[a]", "['a']", "a file name"),
         ("resolution", "0", "'0'", METRES),
         ("resolution", "-0.05", "'-0.05'", METRES),
+        ("resolution", "1e-7", "'1e-7'", METRES),
+        ("resolution", "1e39", "'1e39'", METRES),
         ("resolution", ".nan", "'.nan'", METRES),
         ("resolution", ".inf", "'.inf'", METRES),
         ("resolution", "fine", "'fine'", METRES),

@@ -1,3 +1,4 @@
+import re
 from pathlib import Path
 
 import pytest
@@ -25,6 +26,11 @@ def test_other_urls_are_refused(url):
     with pytest.raises(MapNotFoundError) as raised:
         path_of(url)
     assert str(raised.value) == f"{url}: allowed are a path, file:///PATH and package://PACKAGE/PATH"
+
+
+def test_what_is_no_url_is_refused():
+    with pytest.raises(MapNotFoundError, match=re.escape("http://[x: not a URL: Invalid IPv6 URL")):
+        path_of("http://[x")
 
 
 def test_unknown_package_is_named():

@@ -7,7 +7,7 @@ import numpy as np
 from nav_msgs.msg import OccupancyGrid
 
 from map_server.errors import MapSaveError
-from map_server.grid_map import GridMap
+from map_server.grid_map import LEAST_RESOLUTION, MOST_RESOLUTION, GridMap
 
 
 def to_occupancy_grid(grid, frame_id, stamp):
@@ -36,7 +36,7 @@ def from_occupancy_grid(message):
         )
     position = info.origin.position
     origin = (position.x, position.y, _yaw(info.origin.orientation))
-    if not all(math.isfinite(value) for value in origin) or not 0 < info.resolution < math.inf:
+    if not (all(map(math.isfinite, origin)) and LEAST_RESOLUTION <= info.resolution <= MOST_RESOLUTION):
         raise MapSaveError(f"the map message is not usable: resolution {info.resolution}, origin {origin}")
     cells = np.array(message.data, dtype=np.int8).reshape(info.height, info.width)
     return GridMap(cells=cells, resolution=info.resolution, origin=origin)

@@ -4,6 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+# m, of an edge: what the six decimals of a file and the float32 of a message hold.
+LEAST_RESOLUTION, MOST_RESOLUTION = 1e-6, 1e6
+
 
 @dataclass(frozen=True)
 class GridMap:

@@ -83,6 +83,14 @@ def _metadata(arguments):
     return metadata_from(values, "arguments")
 
 
+def _frame_id():
+    frame_id = rospy.get_param("~frame_id", "map")
+    if not (isinstance(frame_id, str) and frame_id):
+        place = rospy.resolve_name("~frame_id")
+        raise MapError(f"parameter {place}: found {frame_id!r}, allowed is the name of a frame")
+    return frame_id
+
+
 def main(argv=None):
     """Run the node; return its exit code."""
     arguments = rospy.myargv(argv or sys.argv)[1:]
@@ -92,7 +100,7 @@ def main(argv=None):
     rospy.init_node("map_server", anonymous=True)
     try:
         # The services live as long as this reference.
-        node = MapServerNode(_metadata(arguments), rospy.get_param("~frame_id", "map"))  # noqa: F841
+        node = MapServerNode(_metadata(arguments), _frame_id())  # noqa: F841
     except MapError as error:
         rospy.logfatal("%s", error)
         return EXIT_FAILURE

@@ -7,6 +7,7 @@ from pathlib import Path
 import yaml
 
 from map_server.errors import MapMetadataError, MapNotFoundError
+from map_server.grid_map import LEAST_RESOLUTION, MOST_RESOLUTION
 
 MODES = ("trinary", "scale", "raw")
 REQUIRED_KEYS = ("image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh")
@@ -48,7 +49,7 @@ def metadata_from(values, source):
     check = _Checker(values, source)
     metadata = MapMetadata(
         image=Path(source).parent / check.text("image"),
-        resolution=check.positive("resolution"),
+        resolution=check.resolution(),
         origin=check.pose("origin"),
         negate=check.flag("negate"),
         occupied_thresh=check.fraction("occupied_thresh"),
@@ -117,10 +118,10 @@ class _Checker:
             self._fail(key, "a file name")
         return value
 
-    def positive(self, key):
-        value = self._number(self._values[key])
-        if not (0.0 < value < math.inf):
-            self._fail(key, "a positive number of metres")
+    def resolution(self):
+        value = self._number(self._values["resolution"])
+        if not LEAST_RESOLUTION <= value <= MOST_RESOLUTION:
+            self._fail("resolution", f"a number of metres from {LEAST_RESOLUTION:g} to {MOST_RESOLUTION:g}")
         return value
 
     def fraction(self, key):

@@ -13,7 +13,10 @@ def path_of(url):
 
     Raises MapNotFoundError.
     """
-    parts = urlsplit(url)
+    try:
+        parts = urlsplit(url)
+    except ValueError as error:
+        raise MapNotFoundError(f"{url}: not a URL: {error}") from error
     if not parts.scheme:
         return Path(url)
     if parts.scheme == "file" and not parts.netloc:

@@ -14,6 +14,8 @@ namespace
 namespace py = pybind11;
 
 constexpr double kLongestPeriod = 10.0;  // s
+// Steps between two looks for a signal: some 10 ms for a car alone. Each look waits for other threads of Python.
+constexpr SimTime kStepsAtOnce = 10'000;
 
 /// Indices that users give are answered with IndexError.
 void requireIndex(const char * what, std::size_t index, std::size_t count)
@@ -21,6 +23,16 @@ void requireIndex(const char * what, std::size_t index, std::size_t count)
   if (index >= count) {
     const std::string allowed = count == 0 ? "there is none" : "allowed are 0 to " + std::to_string(count - 1);
     throw py::index_error(std::string(what) + " is " + std::to_string(index) + ", " + allowed);
+  }
+}
+
+/// Lets Python act on signals that have come, for whoever has released the GIL.
+/// @throws py::error_already_set if that raises, as Ctrl-C does
+void checkSignals()
+{
+  const py::gil_scoped_acquire acquire;
+  if (PyErr_CheckSignals() != 0) {
+    throw py::error_already_set();
   }
 }
 
@@ -102,9 +114,14 @@ void PythonSimulation::advanceTo(double end)
     throw py::value_error("the time to advance to is not finite or beyond 1e9 s");
   }
   const SimTime last = fromSeconds(end);
+  SimTime look = Simulation::time() + kStepsAtOnce * stepLength();
   while (Simulation::time() < last) {
-    Simulation::advanceTo(std::min(last, periodEnd()));
+    Simulation::advanceTo(std::min({last, periodEnd(), look}));
     hashPeriod();
+    if (Simulation::time() >= look) {
+      checkSignals();
+      look += kStepsAtOnce * stepLength();
+    }
   }
 }
 

@@ -29,6 +29,7 @@ public:
 
   double time() const { return toSeconds(Simulation::time()); }
   void step();
+  /// The caller has released the GIL. @throws pybind11::error_already_set if a signal came that raises
   void advanceTo(double end);
   void reset();
   std::string trajectoryHash() const { return hash_.hexDigest(); }

@@ -19,8 +19,8 @@ void bindTime(Class & type)
   type.def_property_readonly("time", inTurn<S>(&S::time), "Simulated time since the start, s.")
     .def("step", inTurn<S>(&S::step), "Advance by one physics step.", ReleaseGil())
     .def(
-      "advance_to", inTurn<S>(&S::advanceTo), py::arg("time"), "Step until the simulated time is at least `time`, s.",
-      ReleaseGil())
+      "advance_to", inTurn<S>(&S::advanceTo), py::arg("time"),
+      "Step until the simulated time is at least `time`, s. Ctrl-C ends it earlier.", ReleaseGil())
     .def("reset", inTurn<S>(&S::reset), "Back to time 0, with all cars at their start and the same seed.")
     .def(
       "trajectory_hash", inTurn<S>(&S::trajectoryHash),

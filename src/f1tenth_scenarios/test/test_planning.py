@@ -130,6 +130,49 @@ def test_arguments_of_the_scenario_count_more(planned, launch):
     assert driver_arguments(plan, car) == {"laps": "7", "speed": "4.0"}
 
 
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ("lines/c.csv", "{folder}/lines/c.csv"),
+        ("{folder}/lines/c.csv", "{folder}/lines/c.csv"),
+        ("package://f1tenth_gazebo/goals/circuit1.txt", "{gazebo}/goals/circuit1.txt"),
+        ("lines/none.csv", "lines/none.csv"),
+        ("lines", "lines"),
+        ("", ""),
+        ("x" * 300, "x" * 300),
+    ],
+)
+def test_argument_that_names_a_file_is_told_as_its_path(planned, launch, tmp_path, given, told):
+    folders = {"folder": tmp_path, "gazebo": places.package_path("f1tenth_gazebo")}
+    (tmp_path / "lines").mkdir()
+    (tmp_path / "lines" / "c.csv").touch()
+    launch('<arg name="waypoints"/>')
+    argument = f'"{given.format(**folders)}"'
+    plan = planned(f"    driver: {{launch: my.launch, arguments: {{waypoints: {argument}}}}}\n    laps: 2\n")
+    (car,) = plan.scenario.cars
+    assert driver_arguments(plan, car) == {"waypoints": told.format(**folders)}
+
+
+@pytest.mark.parametrize(
+    ("given", "problem"),
+    [
+        (
+            "$(find my_stack)/c.csv",
+            "'$(find my_stack)/c.csv': roslaunch would put something else in the place of '$(';"
+            " use package://PACKAGE/PATH for a file of a package",
+        ),
+        ("package://f1tenth_gazebo/none.csv", "no such file: {gazebo}/none.csv"),
+        ("package://nobody/c.csv", "package nobody not found"),
+    ],
+)
+def test_argument_that_cannot_be_told_is_answered(planned, launch, tmp_path, given, problem):
+    launch('<arg name="waypoints"/>')
+    with pytest.raises(ScenarioError) as caught:
+        planned(f"    driver: {{launch: my.launch, arguments: {{waypoints: {given}}}}}\n    laps: 2\n")
+    problem = problem.format(gazebo=places.package_path("f1tenth_gazebo"))
+    assert str(caught.value).startswith(f"{tmp_path}/sample.yaml: robot1: argument 'waypoints': {problem}")
+
+
 def test_without_a_countdown_no_start_is_too_early(planned):
     commands = "    driver: commands\n    commands: [{at: 0, speed: 1}]\n    laps: 1\n"
     assert not planned(commands).tasks["robot1"].obeys_start

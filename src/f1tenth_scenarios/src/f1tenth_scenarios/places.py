@@ -116,6 +116,20 @@ def file_at(name: str, beside: Path) -> Path:
     return _existing((beside / name).resolve())
 
 
+def file_or_text(text: str, beside: Path) -> str:
+    """The path of the file that a text names as `file_at` takes it; the text if there is no such file.
+
+    Raises:
+        ScenarioError: it begins with package://, and there is no such package or file.
+    """
+    if text.startswith(_PACKAGE_URI):
+        return str(file_at(text, beside))
+    with contextlib.suppress(OSError, ValueError):  # too long for a name, or with characters that none has
+        if (beside / text).is_file():
+            return str((beside / text).resolve())
+    return text
+
+
 def map_file(world: Path) -> Optional[Path]:
     """The map (YAML) of a world; nothing when it has none."""
     if world.suffix == ".yaml":

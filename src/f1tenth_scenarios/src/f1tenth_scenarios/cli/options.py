@@ -47,4 +47,5 @@ def _argument(text: str) -> tuple[str, str]:
     name, assigns, value = text.partition(":=")
     if not (name and assigns):
         raise ScenarioError(f"--arg {text}: must be NAME:=VALUE, as in speed:=4.0")
-    return name, value
+    # What a scenario file anywhere would name.
+    return name, value if value.startswith("package://") else places.file_or_text(value, Path.cwd())

@@ -3,6 +3,7 @@
 import json
 from typing import Any, Optional
 
+from f1tenth_scenarios import places
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan.car_description import CarDescription
 from f1tenth_scenarios.plan.participants import DEPUTY, has_deputy
@@ -54,16 +55,38 @@ def driver_arguments(plan: Plan, car: Car) -> dict[str, Any]:
     """What the car's driver is told.
 
     Raises:
-        ScenarioError: it needs something that the scenario does not give it.
+        ScenarioError: it needs something that the scenario does not give it, or what it gives cannot be told.
     """
     file = plan.cars[car.name].driver
     offered = offered_arguments(plan, car).items()
-    told = {name: value for name, value in offered if name in file.arguments} | car.driver.arguments
+    told = {name: value for name, value in offered if name in file.arguments} | given_arguments(plan, car)
     for name in sorted(file.required):
         if name not in told:
             what = _LACKS.get(name, f"a value for its argument '{name}'")
             raise ScenarioError(f"{car.name}: the driver '{car.driver.name}' needs {what}")
     return told
+
+
+def given_arguments(plan: Plan, car: Car) -> dict[str, str]:
+    """What the scenario itself gives the driver, with the paths of the files that it names.
+
+    Raises:
+        ScenarioError: a file of a package is not there, or roslaunch would make something else of a text.
+    """
+    return {name: _told(plan, car, name, text) for name, text in car.driver.arguments.items()}
+
+
+def _told(plan: Plan, car: Car, name: str, text: str) -> str:
+    place = f"{car.name}: argument '{name}'"
+    if "$(" in text:
+        raise ScenarioError(
+            f"{place}: '{text}': roslaunch would put something else in the place of '$(';"
+            " use package://PACKAGE/PATH for a file of a package"
+        )
+    try:
+        return places.file_or_text(text, plan.file.parent)
+    except ScenarioError as error:
+        raise ScenarioError(f"{place}: {error}") from error
 
 
 def _described(description: Optional[CarDescription]) -> dict[str, Any]:

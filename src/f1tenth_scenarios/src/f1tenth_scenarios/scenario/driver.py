@@ -29,7 +29,11 @@ class Driver:
         " f1tenth_gym_ros (`/scan`, `/drive`, `/odom`, `/ego_racecar/odom`, `/opp_scan`, …).",
         default=Interface.NATIVE,
     )
-    arguments: dict[str, str] = key("Values for arguments of the launch file.", default={})
+    arguments: dict[str, str] = key(
+        "Values for arguments of the launch file. One that names a file that is there, relative to the"
+        " scenario file or as package://PACKAGE/PATH, is given as its path.",
+        default={},
+    )
 
     @classmethod
     def short_forms(cls) -> dict[str, "Driver"]:

@@ -51,6 +51,39 @@ def test_a_file_that_the_scenario_names_changes_the_hash(scenario, name, end):
     assert hashed(scenario) != before
 
 
+@pytest.mark.parametrize("name", ["mine/my.launch", "mine/line.csv", "mine/planner.py"])
+def test_what_a_planner_of_no_package_reads_changes_the_hash(scenario, name):
+    (scenario / "mine").mkdir()
+    launch = scenario / "mine" / "my.launch"
+    launch.write_text('<launch><arg name="waypoints"/></launch>', encoding="utf-8")
+    (scenario / "mine" / "planner.py").touch()
+    shutil.copy(scenario / "line.csv", scenario / "mine")
+    file = scenario / "own.yaml"
+    driver = "{launch: mine/my.launch, arguments: {waypoints: mine/line.csv}}"
+    text = file.read_text(encoding="utf-8").replace("pursuit, line: ./line.csv", driver)
+    file.write_text(text, encoding="utf-8")
+    before = hashed(scenario)
+    (scenario / "results").mkdir()
+    (scenario / "results" / "of_a_run.csv").touch()
+    assert hashed(scenario) == before
+    with open(scenario / name, "a", encoding="utf-8") as stream:
+        stream.write("\n")
+    assert hashed(scenario) != before
+
+
+def test_file_that_a_planner_is_told_of_by_its_path_changes_the_hash(scenario, tmp_path_factory):
+    file = tmp_path_factory.mktemp("elsewhere") / "line.csv"
+    file.touch()
+    launch = scenario / "my.launch"
+    launch.write_text('<launch><arg name="waypoints"/></launch>', encoding="utf-8")
+    driver = f"{{launch: my.launch, arguments: {{waypoints: {file}}}}}"
+    text = (scenario / "own.yaml").read_text(encoding="utf-8")
+    (scenario / "own.yaml").write_text(text.replace("pursuit, line: ./line.csv", driver), encoding="utf-8")
+    before = hashed(scenario)
+    file.write_text("0,0\n", encoding="utf-8")
+    assert hashed(scenario) != before
+
+
 def test_settings_and_software_change_the_hash(scenario):
     found = {hashed(scenario), hashed(scenario, "seed=2"), hashed(scenario, "seed=2", "laps=2")}
     assert len(found | {hashed(scenario, software="t")}) == 4

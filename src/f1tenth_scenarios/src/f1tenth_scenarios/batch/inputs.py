@@ -10,6 +10,7 @@ from pathlib import Path
 import yaml
 
 from f1tenth_scenarios import places
+from f1tenth_scenarios.plan.handover import given_arguments
 from f1tenth_scenarios.plan.plan import Plan
 
 # Where the system's packages put theirs; elsewhere below /opt and /usr a workspace may be.
@@ -25,7 +26,7 @@ def hash_software() -> str:
 
 def hash_inputs(plan: Plan, software: str) -> str:
     """Hash of the software and of everything that a scenario names, its settings included."""
-    files = sorted({*_paths(plan), *_images(plan)})
+    files = sorted({*_paths(plan), *_images(plan), *_driver_files(plan)})
     # What a xacro file includes is in the text that it expands to.
     texts = [car.description.text for car in plan.cars.values() if car.description]
     known = [software, *plan.settings, _hash_files(files), *texts]
@@ -69,10 +70,20 @@ def _images(plan: Plan) -> list[Path]:
     return []
 
 
+def _driver_files(plan: Plan) -> Iterator[Path]:
+    """Files that drivers are told of, and those beside their launch files, which may be in no package."""
+    for car in plan.scenario.cars:
+        yield from (Path(text) for text in given_arguments(plan, car).values() if text.startswith("/"))
+        # Not what is in folders below it: results may be there.
+        beside = plan.cars[car.name].driver.path.parent.iterdir()
+        yield from (file for file in beside if not file.name.endswith(_IRRELEVANT_SUFFIXES))
+
+
 def _hash_files(files: Iterable[Path]) -> str:
     found = hashlib.sha256()
     for file in files:
-        if file.is_file():
-            found.update(f"{file}\n{file.stat().st_size}\n".encode())
-            found.update(file.read_bytes())
+        with contextlib.suppress(OSError):  # what we cannot read is not read by a run either
+            if file.is_file():
+                content = file.read_bytes()
+                found.update(f"{file}\n{len(content)}\n".encode() + content)
     return found.hexdigest()

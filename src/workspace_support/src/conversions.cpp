@@ -20,6 +20,11 @@ geometry_msgs::Quaternion toQuaternion(double yaw)
 }
 }  // namespace
 
+std::string withoutSlash(const std::string & frame)
+{
+  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+}
+
 std_msgs::Header headerOf(const std::string & frame, const ros::Time & stamp)
 {
   std_msgs::Header header;

@@ -6,6 +6,8 @@ namespace workspace_support
 {
 namespace
 {
+constexpr double kLongest = 1e9;  // s; ROS counts them in 32 bits
+
 std::string shown(double number)
 {
   std::ostringstream text;
@@ -22,5 +24,17 @@ NumberRule positive()
 NumberRule atLeast(double least, const std::string & meaning)
 {
   return {[least](double value) { return value >= least; }, " >= " + shown(least) + meaning};
+}
+
+NumberRule within(double least, double most)
+{
+  return {
+    [least, most](double value) { return value >= least && value <= most; },
+    " >= " + shown(least) + " and <= " + shown(most)};
+}
+
+NumberRule duration()
+{
+  return within(0.0, kLongest);
 }
 }  // namespace workspace_support

@@ -46,6 +46,13 @@ TEST(Geometry, AComposedPoseIsTurnedAndMoved)
   expectNear(compose({1.0, 2.0, 0.5 * M_PI}, {1.0, 0.0, 0.75 * M_PI}), {1.0, 3.0, -0.75 * M_PI});
 }
 
+TEST(Conversions, FramesLoseTheSlashOfTf1)
+{
+  EXPECT_EQ(withoutSlash("/robot1/odom"), "robot1/odom");
+  EXPECT_EQ(withoutSlash("odom"), "odom");
+  EXPECT_EQ(withoutSlash(""), "");
+}
+
 TEST(Conversions, PosesAndTransformsComeBackAsTheyWere)
 {
   const Pose2 pose{3.0, -2.0, -2.5};

@@ -146,6 +146,10 @@ TEST(ParameterReader, NumbersObeyTheirRule)
   EXPECT_EQ(refusal("speed", 0.0, positive()), "not refused");
   EXPECT_EQ(positive().range, " > 0");
   EXPECT_FALSE(positive().allows(0.0));
+  EXPECT_EQ(within(0.0, 8.0).range, " >= 0 and <= 8");
+  EXPECT_TRUE(within(0.0, 8.0).allows(8.0));
+  EXPECT_FALSE(within(0.0, 8.0).allows(8.1));
+  EXPECT_FALSE(duration().allows(1e10));
 }
 
 TEST(ParameterReader, NamesAreDifferentTexts)

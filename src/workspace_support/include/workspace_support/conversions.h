@@ -18,6 +18,8 @@
 /// Between messages and plain types. Quaternions count as rotations about z, of a lidar that may hang upside down.
 namespace workspace_support
 {
+/// A name of a frame as tf2 knows it: those of tf1 may begin with a slash.
+std::string withoutSlash(const std::string & frame);
 std_msgs::Header headerOf(const std::string & frame, const ros::Time & stamp);
 /// The x axis of the pose, seen from above.
 Pose2 fromPose(const geometry_msgs::Pose & pose);

@@ -15,4 +15,7 @@ struct NumberRule
 NumberRule positive();
 /// @param meaning  of the least value, as error messages say it: " (0: never)"
 NumberRule atLeast(double least, const std::string & meaning = "");
+NumberRule within(double least, double most);
+/// Of what is added to stamps, s: such a sum is still a time.
+NumberRule duration();
 }  // namespace workspace_support

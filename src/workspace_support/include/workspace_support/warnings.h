@@ -1,0 +1,40 @@
+#pragma once
+
+#include <ros/time.h>
+
+#include <optional>
+#include <string>
+
+/// Warnings in wall time: simulated time may stand, and near its 0 ROS_WARN_THROTTLE is silent.
+namespace workspace_support
+{
+/// "A scan at 1.050 s is left out: REASON"
+std::string scanIsLeftOut(const ros::Time & stamp, const std::string & reason);
+
+/// A warning at most every 5 s.
+class RareWarning
+{
+public:
+  /// @return whether it was said
+  bool say(const std::string & text, const ros::WallTime & now = ros::WallTime::now());
+
+private:
+  std::optional<ros::WallTime> last_;
+};
+
+/// Says what a node lacks if it has waited for it for 5 s, and every 5 s from then on.
+class WaitWarning
+{
+public:
+  /// To be called again and again.
+  /// @param missing  "scans on /scan"; empty: nothing
+  /// @return whether it was said
+  bool waitFor(const std::string & missing, const ros::WallTime & now = ros::WallTime::now());
+  /// Begins to wait anew, as something has come.
+  void reset() { missing_.clear(); }
+
+private:
+  std::string missing_;
+  ros::WallTime since_;  // when the wait began, or was spoken of
+};
+}  // namespace workspace_support

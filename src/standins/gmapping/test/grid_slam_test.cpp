@@ -1,6 +1,10 @@
 #include "gmapping/grid_slam.h"
 
 #include <gtest/gtest.h>
+#include <workspace_support/errors.h>
+
+#include <limits>
+#include <string>
 
 #include "rooms.h"
 
@@ -38,6 +42,16 @@ Pose2 driveWithDrift(GridSlam & slam)
 std::int8_t cellAt(const OccupancyGrid & map, double x, double y)
 {
   return map.cells.at(map.geometry.index(map.geometry.cellAt({x, y})));
+}
+
+std::string complaint(GridSlam & slam, const Scan & scan, const Pose2 & odometry)
+{
+  try {
+    slam.process(scan, odometry, 0.0);
+  } catch (const Error & error) {
+    return error.what();
+  }
+  return "";
 }
 
 TEST(GridSlam, FirstScanIsPutWhereOdometrySays)
@@ -112,6 +126,31 @@ TEST(GridSlam, MapHasAtLeastTheExtentAskedForAndGrows)
   wide->process(scanInRoom({}), {}, 0.0);
   EXPECT_NEAR(wide->map().geometry.origin.x, -40.0, 0.026);
   EXPECT_EQ(cellAt(wide->map(), 5.02, 0.01), 100);
+}
+
+TEST(GridSlam, ScanThatDoesNotSayWhereItsBeamsAreIsRefused)
+{
+  const auto slam = GridSlam::make(smallMap());
+  Scan scan = scanInRoom({});
+  scan.range_max = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(complaint(*slam, scan, {}), "range_max: found inf, must be a finite number above 0");
+  scan = scanInRoom({});
+  scan.angle_increment = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(complaint(*slam, scan, {}), "angle_increment: found nan, must be a finite number other than 0");
+  EXPECT_TRUE(slam->process(scanInRoom({}), {}, 0.0));
+}
+
+TEST(GridSlam, ScanThatTheMapCannotGrowForIsRefusedAndThoseAfterItAreNot)
+{
+  const auto slam = GridSlam::make(smallMap());
+  Scan far = scanInRoom({});
+  far.range_max = 1e6;
+  EXPECT_EQ(complaint(*slam, far, {}), "map: found 2e+06 m x 2e+06 m of cells of 0.02 m, must be at most 4e+08 cells");
+  EXPECT_TRUE(slam->process(scanInRoom({}), {}, 0.0));
+  EXPECT_NE(complaint(*slam, scanInRoom({}), {1e6, 1e6, 0.0}), "");
+  EXPECT_TRUE(slam->process(scanInRoom({0.3, 0.0, 0.0}), {0.3, 0.0, 0.0}, 0.2));
+  EXPECT_NEAR(slam->pose().x, 0.3, 0.05);
+  EXPECT_LT(slam->map().geometry.width, 1000);
 }
 
 TEST(GridSlam, ScanThatMatchesBadlyLeavesThePoseToOdometry)

@@ -126,5 +126,5 @@ def distance_from(box, x, y):
 def test_option_out_of_range_is_named():
     options = gmapping_core.SlamOptions()
     options.delta = -1.0
-    with pytest.raises(gmapping_core.Error, match="delta: found -1, must be a number above 0"):
+    with pytest.raises(gmapping_core.Error, match="delta: found -1, must be at least 0.001"):
         gmapping_core.GridSlam(options)

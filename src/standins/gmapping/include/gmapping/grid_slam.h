@@ -23,6 +23,8 @@ public:
   /// @param odometry  pose of the lidar when it took the scan, as odometry knows it
   /// @param time      s, of the scan
   /// @return whether the scan counted
+  /// @throws Error for a scan that does not say where its beams are, or for which the map would become too large; those
+  /// after it are taken all the same
   virtual bool process(const Scan & scan, const Pose2 & odometry, double time) = 0;
 
   /// Pose of the lidar in the map as of the last scan that counted. Jumps when a loop is closed.
@@ -30,6 +32,7 @@ public:
   /// Poses of the lidar at all scans that counted, as they are believed to be now.
   virtual const std::vector<Pose2> & path() const = 0;
   /// Takes longer after a loop was closed: then the map is made anew from all scans.
+  /// @throws Error for a map that is too large
   virtual OccupancyGrid map() = 0;
 };
 }  // namespace gmapping

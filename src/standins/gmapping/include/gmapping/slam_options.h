@@ -4,6 +4,9 @@
 
 namespace gmapping
 {
+/// Of a map: what is larger does not fit into memory.
+constexpr double kMostCells = 4e8;
+
 /// How odometry errs: standard deviations that grow with the way driven. As errors of slip add up, the mapper takes them
 /// for larger: 2 to 40 times for matching, 4 times in the pose graph.
 struct MotionNoise
@@ -38,7 +41,7 @@ struct SlamOptions
   double ymin{-100.0};               ///< m
   double xmax{100.0};                ///< m
   double ymax{100.0};                ///< m
-  double delta{0.05};                ///< m, size of a cell
+  double delta{0.05};                ///< m, size of a cell; at least 0.001
   double occ_thresh{0.25};           ///< share of beams that end in a cell above which it is occupied
 
   /// @throws OptionError that names the parameter

@@ -1,8 +1,11 @@
 #include "cell_map.h"
 
+#include <workspace_support/errors.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
 
 namespace gmapping
 {
@@ -23,6 +26,15 @@ int cellsBetween(double low, double high, double resolution)
 {
   return static_cast<int>(std::lround((high - low) / resolution));
 }
+void expectRoom(double width, double height, double resolution)
+{
+  if (!(width / resolution * (height / resolution) <= kMostCells)) {
+    std::ostringstream message;
+    message << "map: found " << width << " m x " << height << " m of cells of " << resolution << " m, must be at most "
+            << kMostCells << " cells";
+    throw Error(message.str());
+  }
+}
 }  // namespace
 
 CellMap::CellMap(double resolution)
@@ -34,6 +46,9 @@ void CellMap::grow(const Vec2 & centre, double reach)
 {
   // A cell of margin, as a beam may end on the border.
   const double needed = reach + resolution_;
+  expectRoom(
+    std::max(cells_.getXMax(), centre.x + needed) - std::min(cells_.getXMin(), centre.x - needed),
+    std::max(cells_.getYMax(), centre.y + needed) - std::min(cells_.getYMin(), centre.y - needed), resolution_);
   cells_.resize(centre.x - needed, centre.x + needed, centre.y - needed, centre.y + needed, MapCell{}, kMargin);
 }
 
@@ -83,6 +98,7 @@ OccupancyGrid CellMap::grid(const SlamOptions & options) const
   grid.geometry.origin.y = cells_.getYMin() - below * resolution_;
   grid.geometry.width = left + columns + right;
   grid.geometry.height = below + rows + above;
+  expectRoom(grid.geometry.width * resolution_, grid.geometry.height * resolution_, resolution_);
   grid.cells.assign(static_cast<std::size_t>(grid.geometry.width) * grid.geometry.height, -1);
   for (int y = 0; y < rows; ++y) {
     const MapCell * row = cells_.cellByIndex(0, y);

@@ -49,12 +49,14 @@ public:
   }
 
   /// Makes room for everything within reach (m) of a place.
+  /// @throws Error for more than kMostCells; the map stays as it was
   void grow(const Vec2 & centre, double reach);
   /// Counts a beam. Both ends have to be on the map.
   /// @param is_hit  whether the beam ended at something
   void addBeam(const Vec2 & from, const Vec2 & to, bool is_hit);
 
   /// @param options  extent and threshold; the grid is larger if the map is
+  /// @throws Error for more than kMostCells
   OccupancyGrid grid(const SlamOptions & options) const;
 
 private:

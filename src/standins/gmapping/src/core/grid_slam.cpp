@@ -1,5 +1,7 @@
 #include "gmapping/grid_slam.h"
 
+#include <workspace_support/scan_checks.h>
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <optional>
@@ -55,6 +57,7 @@ public:
 
   bool process(const Scan & scan, const Pose2 & odometry, double time) override
   {
+    requireUsable(scan);
     if (!odometry_) {
       start(scan, odometry, time);
       return true;
@@ -85,8 +88,8 @@ public:
       mapped_.clear();
     }
     for (std::size_t i = mapped_.size(); i < way_.size(); ++i) {
+      registerBeams(map_, way_[i].beams, graph_.poses()[i], max_urange_);
       mapped_.push_back(graph_.poses()[i]);
-      registerBeams(map_, way_[i].beams, mapped_.back(), max_urange_);
     }
     return map_.grid(options_);
   }
@@ -94,12 +97,13 @@ public:
 private:
   void start(const Scan & scan, const Pose2 & odometry, double time)
   {
-    odometry_ = odometry;
-    last_time_ = time;
     max_range_ = options_.max_range.value_or(scan.range_max - kShortOfMaxRange);
     max_urange_ = options_.max_urange.value_or(max_range_);
-    add({odometry, hitBeams(scan, max_range_), 0.0}, odometry);
-    tracker_.start(way_.back().beams, odometry, max_urange_);
+    std::vector<Beam> beams = hitBeams(scan, max_range_);
+    tracker_.start(beams, odometry, max_urange_);  // throws, or the scan counts
+    add({odometry, std::move(beams), 0.0}, odometry);
+    odometry_ = odometry;
+    last_time_ = time;
   }
 
   void drive(const Pose2 & odometry)

@@ -56,8 +56,8 @@ void ScanTracker::look(const std::vector<Beam> & beams)
   if (fits) {
     information_ = matched.information - expected.information;
   }
-  map_.add(beams, pose_, max_urange_);
   motion_ = {};
   progress_ = {};
+  map_.add(beams, pose_, max_urange_);
 }
 }  // namespace gmapping

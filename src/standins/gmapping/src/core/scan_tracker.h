@@ -26,6 +26,7 @@ public:
   /// Whether the lidar has moved far enough for another look.
   bool isDue() const;
   /// Lays a scan onto the map, and adds it to the map.
+  /// @throws Error for a map that is too large; the lidar is followed all the same
   void look(const std::vector<Beam> & beams);
 
   /// At the last look.

@@ -2,6 +2,7 @@
 
 #include <workspace_support/option_checks.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -37,9 +38,15 @@ void validateMotion(const MotionNoise & noise)
 
 void validateExtent(const SlamOptions & options)
 {
-  requirePositive("delta", options.delta);
+  // A new map, which has a side of 20 m, has kMostCells with it.
+  requireOption(std::isfinite(options.delta) && options.delta >= 0.001, "delta", options.delta, "at least 0.001");
   requireAbove("xmax", options.xmax, "xmin", options.xmin);
   requireAbove("ymax", options.ymax, "ymin", options.ymin);
+  const double columns = std::max(1.0, (options.xmax - options.xmin) / options.delta);
+  const double rows = std::max(1.0, (options.ymax - options.ymin) / options.delta);
+  std::ostringstream allowed;
+  allowed << "at most " << kMostCells << " cells";
+  requireOption(columns * rows <= kMostCells, "xmin, xmax, ymin, ymax, delta", columns * rows, allowed.str());
 }
 }  // namespace
 

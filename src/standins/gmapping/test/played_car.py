@@ -26,7 +26,7 @@ def transform(parent, child, x, yaw, stamp):
 def scan(x, stamp):
     """What the lidar sees from (x, 0) in a room from (-3.02, -2.52) to (5.02, 2.52), m."""
     message = LaserScan()
-    message.header.frame_id = "laser"
+    message.header.frame_id = "/laser"  # as drivers from the time of tf1 write it
     message.header.stamp = stamp
     message.angle_min = -math.pi + 1e-4  # No beam is parallel to a wall.
     message.angle_max = math.pi + 1e-4

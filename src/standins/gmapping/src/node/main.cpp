@@ -20,6 +20,7 @@ void handle(gmapping::SlamNode & slam, LidarInputs & inputs, const ros::Time & n
     slam.forgetInputs();
   }
   slam.handleScans();
+  slam.sayWhatIsMissing();
 }
 
 void spin(gmapping::SlamNode & slam, LidarInputs & inputs, ros::CallbackQueue & queue, double period)
@@ -35,6 +36,7 @@ void spin(gmapping::SlamNode & slam, LidarInputs & inputs, ros::CallbackQueue & 
   while (ros::ok()) {
     queue.callAvailable(kPatience);
     handle(slam, inputs, ros::Time::now());
+    slam.leaveOutTheOldest();
   }
   spinner.stop();
 }

@@ -1,5 +1,6 @@
 #include "parameters.h"
 
+#include <workspace_support/conversions.h>
 #include <workspace_support/parameter_reader.h>
 
 #include "gmapping/geometry.h"
@@ -8,6 +9,27 @@ namespace gmapping
 {
 namespace
 {
+void readFrames(ParameterReader & reader, NodeParameters & parameters)
+{
+  const auto read = [&reader](const std::string & name, std::string & frame) {
+    reader.read(name, frame);
+    frame = withoutSlash(frame);
+  };
+  read("base_frame", parameters.base_frame);
+  read("map_frame", parameters.map_frame);
+  read("odom_frame", parameters.odom_frame);
+}
+
+void readNode(ParameterReader & reader, NodeParameters & parameters)
+{
+  reader.read("throttle_scans", parameters.throttle_scans, atLeast(1));
+  reader.read("map_update_interval", parameters.map_update_interval, duration());
+  reader.read("transform_publish_period", parameters.transform_publish_period, duration());
+  parameters.tf_delay = parameters.transform_publish_period;
+  reader.read("tf_delay", parameters.tf_delay, duration());
+  reader.read("lockstep", parameters.lockstep);
+}
+
 void readFilter(ParameterReader & reader, SlamOptions & slam)
 {
   reader.read("srr", slam.motion.srr);
@@ -48,15 +70,8 @@ NodeParameters readParameters(const ros::NodeHandle & node)
 {
   ParameterReader reader(node);
   NodeParameters parameters;
-  reader.read("base_frame", parameters.base_frame);
-  reader.read("map_frame", parameters.map_frame);
-  reader.read("odom_frame", parameters.odom_frame);
-  reader.read("throttle_scans", parameters.throttle_scans, atLeast(1));
-  reader.read("map_update_interval", parameters.map_update_interval);
-  reader.read("transform_publish_period", parameters.transform_publish_period);
-  parameters.tf_delay = parameters.transform_publish_period;
-  reader.read("tf_delay", parameters.tf_delay);
-  reader.read("lockstep", parameters.lockstep);
+  readFrames(reader, parameters);
+  readNode(reader, parameters);
   readFilter(reader, parameters.slam);
   readMatcher(reader, parameters.slam.matcher);
   readMap(reader, parameters.slam);

@@ -5,6 +5,7 @@
 #include <workspace_support/errors.h>
 
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <map>
 #include <string>
@@ -66,18 +67,24 @@ void take(const tf2_msgs::TFMessage & message, bool is_static, gmapping::SlamNod
   }
 }
 
-// @return the time of the last scan
-ros::Time replay(const Options & options, gmapping::SlamNode & slam)
+struct Scans
+{
+  int count{0};
+  ros::Time last;
+};
+
+Scans play(const Options & options, gmapping::SlamNode & slam)
 {
   rosbag::Bag bag(options.bag_filename, rosbag::bagmode::Read);
   rosbag::View view(bag, rosbag::TopicQuery({options.scan_topic, "/tf", "/tf_static"}));
-  ros::Time last;
+  Scans scans;
   for (const rosbag::MessageInstance & instance : view) {
     if (!ros::ok()) {
       break;
     }
     if (const auto scan = instance.instantiate<sensor_msgs::LaserScan>()) {
-      last = scan->header.stamp;
+      ++scans.count;
+      scans.last = scan->header.stamp;
       slam.add(scan);
     } else if (const auto transforms = instance.instantiate<tf2_msgs::TFMessage>()) {
       take(*transforms, instance.getTopic() == "/tf_static", slam);
@@ -85,10 +92,28 @@ ros::Time replay(const Options & options, gmapping::SlamNode & slam)
     slam.handleScans();
     slam.broadcast(instance.getTime());
   }
-  if (last.isZero()) {
+  slam.giveUpWaiting();
+  return scans;
+}
+
+// @return the time of the last scan
+ros::Time replay(const Options & options, gmapping::SlamNode & slam)
+{
+  Scans scans;
+  try {
+    scans = play(options, slam);
+  } catch (const std::exception & error) {  // a damaged bag can be anything
+    throw gmapping::Error(options.bag_filename + ": " + error.what());
+  }
+  if (scans.count == 0) {
     throw gmapping::Error(options.bag_filename + ": there is no scan on " + options.scan_topic);
   }
-  return last;
+  if (!slam.hasTaken()) {
+    throw gmapping::Error(
+      options.bag_filename + ": none of " + std::to_string(scans.count) + " scans on " + options.scan_topic +
+      " is of use: " + slam.lastReason());
+  }
+  return scans.last;
 }
 
 int run(const Options & options)
@@ -112,9 +137,7 @@ int main(int argc, char ** argv)
     const Options options = readOptions(argc, argv);
     const ros::NodeHandle node;  // Keeps ROS up.
     return run(options);
-  } catch (const gmapping::Error & error) {
-    std::cerr << "slam_gmapping_replay: " << error.what() << std::endl;
-  } catch (const rosbag::BagException & error) {
+  } catch (const std::exception & error) {
     std::cerr << "slam_gmapping_replay: " << error.what() << std::endl;
   }
   return 1;

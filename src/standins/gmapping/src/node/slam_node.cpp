@@ -1,15 +1,21 @@
 #include "slam_node.h"
 
-#include <geometry_msgs/TransformStamped.h>
 #include <ros/console.h>
 #include <std_msgs/Float64.h>
 #include <workspace_support/conversions.h>
+#include <workspace_support/errors.h>
 #include <workspace_support/lidar_inputs.h>
 
 #include <utility>
 
 namespace gmapping
 {
+namespace
+{
+// Scans: transforms that are older than 10 s are not kept either.
+constexpr std::size_t kLongestQueue = 1000;
+}  // namespace
+
 SlamNode::SlamNode(const NodeParameters & parameters, ros::CallbackQueue & queue)
 : parameters_(parameters), slam_(GridSlam::make(parameters.slam))
 {
@@ -22,6 +28,7 @@ SlamNode::SlamNode(const NodeParameters & parameters, ros::CallbackQueue & queue
 
 void SlamNode::add(const sensor_msgs::LaserScan::ConstPtr & scan)
 {
+  hears_scans_ = true;
   if (scans_to_skip_ == 0) {
     waiting_.push_back(scan);
     scans_to_skip_ = parameters_.throttle_scans;
@@ -33,30 +40,71 @@ void SlamNode::handleScans()
 {
   while (!waiting_.empty()) {
     const auto scan = waiting_.front();
-    const auto odometry = lookUp(transforms_, parameters_.odom_frame, scan->header.frame_id, scan->header.stamp);
+    const auto odometry = odometryAt(scan->header.stamp, *scan);
     if (odometry) {
       handle(*scan, fromTransform(odometry->transform));
     } else if (isHopeless(*scan)) {
-      ROS_WARN_THROTTLE(
-        5.0, "A scan at %.3f s is left out: there is no transform from %s to %s for it", scan->header.stamp.toSec(),
-        parameters_.odom_frame.c_str(), scan->header.frame_id.c_str());
+      leaveOut(*scan, "there is no " + linkOf(*scan) + " for it");
     } else {
       return;
     }
     waiting_.pop_front();
+    wait_warning_.reset();
+  }
+}
+
+std::optional<geometry_msgs::TransformStamped> SlamNode::odometryAt(
+  const ros::Time & stamp, const sensor_msgs::LaserScan & scan) const
+{
+  return lookUp(transforms_, parameters_.odom_frame, withoutSlash(scan.header.frame_id), stamp);
+}
+
+std::string SlamNode::linkOf(const sensor_msgs::LaserScan & scan) const
+{
+  return "transform from " + parameters_.odom_frame + " to " + withoutSlash(scan.header.frame_id);
+}
+
+void SlamNode::leaveOut(const sensor_msgs::LaserScan & scan, const std::string & reason)
+{
+  last_reason_ = reason;
+  left_out_warning_.say(scanIsLeftOut(scan.header.stamp, reason));
+}
+
+void SlamNode::sayWhatIsMissing()
+{
+  if (!hears_scans_) {
+    wait_warning_.waitFor("scans on " + ros::names::resolve("scan"));
+  } else {
+    wait_warning_.waitFor(waiting_.empty() ? "" : "a " + linkOf(*waiting_.front()) + ", the frame of the scans");
+  }
+}
+
+void SlamNode::leaveOutTheOldest()
+{
+  for (; waiting_.size() > kLongestQueue; waiting_.pop_front()) {
+    leaveOut(*waiting_.front(), "too many wait for their transform");
+  }
+}
+
+void SlamNode::giveUpWaiting()
+{
+  if (!waiting_.empty()) {
+    last_reason_ = "there is no " + linkOf(*waiting_.front());
+    ROS_WARN("The last scans are left out, %zu: %s for them", waiting_.size(), last_reason_.c_str());
+    waiting_.clear();
   }
 }
 
 // Whether the transforms have gone past the scan already.
 bool SlamNode::isHopeless(const sensor_msgs::LaserScan & scan) const
 {
-  const auto latest = lookUp(transforms_, parameters_.odom_frame, scan.header.frame_id, ros::Time(0));
+  const auto latest = odometryAt(ros::Time(0), scan);
   return latest && latest->header.stamp > scan.header.stamp;
 }
 
 void SlamNode::handle(const sensor_msgs::LaserScan & scan, const Pose2 & odometry)
 {
-  if (!slam_->process(fromLaserScan(scan, upsideDown(scan.header.frame_id)), odometry, scan.header.stamp.toSec())) {
+  if (!process(scan, odometry)) {
     return;
   }
   {
@@ -68,11 +116,24 @@ void SlamNode::handle(const sensor_msgs::LaserScan & scan, const Pose2 & odometr
   }
 }
 
-bool SlamNode::upsideDown(const std::string & frame) const
+bool SlamNode::process(const sensor_msgs::LaserScan & scan, const Pose2 & odometry)
+{
+  try {
+    const bool upside_down = isUpsideDown(withoutSlash(scan.header.frame_id));
+    const bool counts = slam_->process(fromLaserScan(scan, upside_down), odometry, scan.header.stamp.toSec());
+    has_taken_ = true;
+    return counts;
+  } catch (const Error & error) {
+    leaveOut(scan, error.what());
+    return false;
+  }
+}
+
+bool SlamNode::isUpsideDown(const std::string & frame) const
 {
   // Seen from the car: odometry says the same, but would have to be level.
   const auto lidar = lookUp(transforms_, parameters_.base_frame, frame, ros::Time(0));
-  return lidar && isUpsideDown(lidar->transform);
+  return lidar && workspace_support::isUpsideDown(lidar->transform);
 }
 
 void SlamNode::broadcast(const ros::Time & now)

@@ -88,14 +88,31 @@ TEST(ToGridMap, HasFreeOccupiedAndUnknownCells)
   EXPECT_NEAR(map->getCell(50, 50), 0.5, 0.01);
 }
 
-TEST(ToGridMap, MapWithoutCellsIsRefused)
+std::string refusal(const OccupancyGrid & grid)
 {
   try {
-    toGridMap(OccupancyGrid{{3, 2, 0.05, {}}, {0}}, LaserOptions{});
-    FAIL();
+    toGridMap(grid, LaserOptions{});
   } catch (const Error & error) {
-    EXPECT_STREQ(error.what(), "the map has 3 x 2 cells of 0.050000 m and data for 1");
+    return error.what();
   }
+  return "";
+}
+
+TEST(ToGridMap, MapWithoutCellsIsRefused)
+{
+  EXPECT_EQ(refusal({{3, 2, 0.05, {}}, {0}}), "the map has 3 x 2 cells of 0.050000 m and data for 1");
+}
+
+TEST(ToGridMap, MapWhoseGeometryMakesNoSenseIsRefused)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::string resolution = "resolution of the map: found ";
+  EXPECT_EQ(refusal({{1, 1, 1e-5, {}}, {0}}), resolution + "1e-05, must be a finite number of at least 0.001");
+  EXPECT_EQ(refusal({{1, 1, nan, {}}, {0}}), resolution + "nan, must be a finite number of at least 0.001");
+  EXPECT_EQ(refusal({{1, 1, 0.001F, {}}, {0}}), "");
+  EXPECT_EQ(refusal({{1, 1, 0.05, {nan, 0.0, 0.0}}, {0}}), "x of the map's origin: found nan, must be a finite number");
+  EXPECT_EQ(
+    refusal({{1, 1, 0.05, {0.0, 0.0, nan}}, {0}}), "yaw of the map's origin: found nan, must be a finite number");
 }
 
 TEST(RandomScope, GivesTheProcessItsOwnGeneratorBack)

@@ -1,21 +1,14 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <vector>
 
+#include "amcl/estimate.h"
 #include "amcl/geometry.h"
 #include "amcl/localizer_options.h"
 
 namespace amcl
 {
-/// A pose in the map frame and how sure it is: variances of x (m^2), y (m^2) and yaw (rad^2), row by row.
-struct Estimate
-{
-  Pose2 pose;
-  std::array<double, 9> covariance{};
-};
-
 /// What became of a scan.
 enum class Outcome
 {
@@ -30,12 +23,13 @@ enum class Outcome
 class Localizer
 {
 public:
-  /// @throws Error for a map without cells
+  /// @param start  valid
+  /// @throws Error for a map without cells, or whose geometry makes no sense
   static std::unique_ptr<Localizer> make(
     const OccupancyGrid & map, const LocalizerOptions & options, const Estimate & start);
   virtual ~Localizer() = default;
 
-  /// Believes from now on what somebody else says. The next scan counts.
+  /// Believes from now on what somebody else says, which is valid. The next scan counts.
   virtual void setPose(const Estimate & estimate) = 0;
   /// Forgets where the car is: it may be anywhere that is free on the map. The next scan counts.
   /// @throws Error if nothing is free there
@@ -46,6 +40,8 @@ public:
   /// Takes a scan in.
   /// @param lidar     pose of the lidar on the car
   /// @param odometry  pose of the car when the scan was taken, as odometry knows it
+  /// @throws Error for a scan that does not say where its beams are, or is more than 1000 km from the last; it changes
+  /// nothing
   virtual Outcome process(const Scan & scan, const Pose2 & lidar, const Pose2 & odometry) = 0;
 
   /// Mean and covariance of the particles that stand together and weigh most, as of the last scan that counted.

@@ -1,6 +1,6 @@
 #include "engine_types.h"
 
-#include <workspace_support/errors.h>
+#include <workspace_support/option_checks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +17,8 @@ using mrpt::obs::CObservation2DRangeScan;
 constexpr float kFree = 0.99F;
 constexpr float kOccupied = 0.01F;
 constexpr float kUnknown = 0.5F;
+// With finer cells a map is a mistake, and what is kept of the surroundings of each cell does not fit into memory.
+constexpr double kLeastResolution = 0.001;  // m
 /// Without any chance of ending anywhere, a single beam would rule out every particle.
 constexpr double kLeastRandom = 1e-9;
 
@@ -29,13 +31,21 @@ void expectCells(const OccupancyGrid & grid)
 {
   const std::size_t count =
     static_cast<std::size_t>(std::max(grid.geometry.width, 0)) * std::max(grid.geometry.height, 0);
-  if (
-    count == 0 || grid.cells.size() != count ||
-    !(std::isfinite(grid.geometry.resolution) && grid.geometry.resolution > 0.0)) {
+  if (count == 0 || grid.cells.size() != count) {
     throw Error(
       "the map has " + std::to_string(grid.geometry.width) + " x " + std::to_string(grid.geometry.height) +
       " cells of " + std::to_string(grid.geometry.resolution) + " m and data for " + std::to_string(grid.cells.size()));
   }
+}
+
+void expectGeometry(const GridGeometry & geometry)
+{
+  // A message has it as a float.
+  const bool is_coarse = std::isfinite(geometry.resolution) && geometry.resolution > kLeastResolution - 1e-9;
+  requireOption(is_coarse, "resolution of the map", geometry.resolution, "a finite number of at least 0.001");
+  requireOption(std::isfinite(geometry.origin.x), "x of the map's origin", geometry.origin.x, "a finite number");
+  requireOption(std::isfinite(geometry.origin.y), "y of the map's origin", geometry.origin.y, "a finite number");
+  requireOption(std::isfinite(geometry.origin.yaw), "yaw of the map's origin", geometry.origin.yaw, "a finite number");
 }
 
 void setLikelihood(COccupancyGridMap2D & map, const LaserOptions & options)
@@ -71,6 +81,7 @@ bool isValid(const Scan & scan, const LaserOptions & options, double range)
 COccupancyGridMap2D::Ptr toGridMap(const OccupancyGrid & grid, const LaserOptions & options)
 {
   expectCells(grid);
+  expectGeometry(grid.geometry);
   const auto map = COccupancyGridMap2D::Create();
   const auto resolution = static_cast<float>(grid.geometry.resolution);
   // One more row and column, as MRPT's likelihood fields take the last ones for outside of the map.

@@ -7,6 +7,7 @@
 #include <mrpt/poses/CPosePDFGaussian.h>
 #include <mrpt/slam/CMonteCarloLocalization2D.h>
 #include <workspace_support/errors.h>
+#include <workspace_support/scan_checks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +32,9 @@ constexpr double kFound = 0.3;  // m, standard deviation of particles that stand
 constexpr std::size_t kPlacesAbout = 20000;  // that are looked at if it is known roughly where it is
 constexpr double kPlaceError = 0.05;         // m, standard deviation of particles about a place where the car was found
 constexpr double kHeadingError = 0.01;       // rad
+constexpr double kFarthest = 1e6;            // m between two scans: more is a mistake, and overflows in MRPT
+// MRPT throws for a motion that is less certain than this, a leap of a few metres, unless it is said to come of a scan.
+constexpr double kMostUncertain = 500.0;  // m^4 rad^2, determinant of the covariance; 1000 is MRPT's
 // So that no covariance is singular.
 constexpr double kLeastVariance = 1e-8;  // m^2 and rad^2
 
@@ -53,6 +57,9 @@ mrpt::obs::CActionCollection toAction(const Pose2 & motion, const OdometryOption
   const mrpt::poses::CPose2D mean(toTPose2D(motion));
   movement.rawOdometryIncrementReading = mean;
   movement.poseChange = mrpt::poses::CPosePDFGaussian::Create(mean, mrpt::math::CMatrixDouble33(covariance));
+  if (covariance.determinant() > kMostUncertain) {
+    movement.estimationMethod = mrpt::obs::CActionRobotMovement2D::emScan2DMatching;
+  }
   mrpt::obs::CActionCollection action;
   action.insert(movement);
   return action;
@@ -107,7 +114,9 @@ public:
 
   Outcome process(const Scan & scan, const Pose2 & lidar, const Pose2 & odometry) override
   {
+    requireUsable(scan);
     Pose2 motion = odometry_ ? compose(inverse(*odometry_), odometry) : Pose2{};
+    requireOption(norm(motion.position()) <= kFarthest, "way of odometry", norm(motion.position()), "at most 1e+06");
     if (!due_ && !farEnough(motion)) {
       return Outcome::kIgnored;
     }

@@ -18,6 +18,7 @@ from nav_msgs.srv import GetMap, GetMapResponse, SetMap, SetMapRequest
 from played_car import PERIOD, START, drive, mounting, room, scan, stamp_of, transform
 from played_simulator import PATIENCE, Simulator
 from roslaunch.config import load_config_default
+from sensor_msgs.msg import LaserScan
 from std_srvs.srv import Empty
 
 PERIODS = 60
@@ -49,6 +50,9 @@ class Kept:
         with self._arrived:
             assert self._arrived.wait_for(lambda: self.of(stamp), PATIENCE)
             return self.of(stamp)[0]
+
+    def last(self):
+        return self._messages[-1]
 
     def of(self, stamp):
         return [message for message in self._messages if message.header.stamp == stamp]
@@ -87,20 +91,24 @@ class AmclTest(unittest.TestCase):
             type(self).period += 1
             yield stamp_of(self.period - 1)
 
-    def stand(self, x):
+    def stand(self, x, odometry=1.1 * (PERIODS - 1) * PERIOD, **fields):
         """Another period with a scan from (x, 0), while odometry stands still. Returns its stamp."""
         stamp = stamp_of(self.period)
-        odometry = transform("odom", "base_footprint", 1.1 * (PERIODS - 1) * PERIOD, stamp)
-        self.simulator.run([(stamp, [("/tf", odometry), ("/scan", scan(x, stamp))])])
+        message = scan(x, stamp)
+        for name, value in fields.items():
+            setattr(message, name, value)
+        moved = transform("odom", "base_footprint", odometry, stamp)
+        self.simulator.run([(stamp, [("/tf", moved), ("/scan", message)])])
         type(self).period += 1
         return stamp
 
-    def tell(self, x, frame="map"):
+    def tell(self, x, frame="map", correlation=0.0):
         message = PoseWithCovarianceStamped()
         message.header.frame_id = frame
         message.pose.pose.position.x = x
         message.pose.pose.orientation.w = 1.0
         message.pose.covariance[0] = message.pose.covariance[7] = message.pose.covariance[35] = 0.01
+        message.pose.covariance[1] = message.pose.covariance[6] = correlation
         self.pose_publisher.publish(message)
 
     def test_1_pose_is_latched_and_right(self):
@@ -136,6 +144,21 @@ class AmclTest(unittest.TestCase):
         assert 0.0 < saved < PERIODS * PERIOD
         assert rospy.get_param("/amcl/initial_cov_aa") > 0.0
 
+    def test_5_a_belief_that_there_cannot_be_is_ignored(self):
+        before = (PERIODS - 1) * PERIOD
+        self.tell(-1.0, correlation=1.0)
+        self.tell(math.nan)
+        self.call("request_nomotion_update", Empty)
+        pose = self.poses.wait_for(self.stand(before))
+        assert pose.pose.pose.position.x == pytest.approx(before, abs=0.05)
+
+    def test_5_a_scan_that_makes_no_sense_is_left_out(self):
+        before = (PERIODS - 1) * PERIOD
+        self.call("request_nomotion_update", Empty)
+        left_out = self.stand(before, angle_increment=math.nan)
+        assert self.poses.wait_for(self.stand(before))
+        assert not self.poses.of(left_out)
+
     def test_5_initial_pose_moves_the_estimate_unless_its_frame_is_wrong(self):
         before = (PERIODS - 1) * PERIOD
         self.tell(-1.0, frame="odom")
@@ -163,11 +186,27 @@ class AmclTest(unittest.TestCase):
         pose = self.poses.wait_for(self.stand(-0.9))
         assert pose.pose.pose.position.x == pytest.approx(9.1, abs=0.05)
 
-    def test_8_a_map_without_cells_is_refused_and_the_old_one_kept(self):
-        assert not self.call("set_map", SetMap, OccupancyGrid(), PoseWithCovarianceStamped()).success
+    def test_8_a_map_that_makes_no_sense_is_refused_and_the_old_one_kept(self):
+        nowhere = room()
+        nowhere.info.origin.position.x = math.nan
+        uncertain = PoseWithCovarianceStamped()
+        uncertain.pose.covariance[0] = -1.0
+        for grid, start in [
+            (OccupancyGrid(), PoseWithCovarianceStamped()),
+            (nowhere, PoseWithCovarianceStamped()),
+            (room(), uncertain),
+        ]:
+            assert not self.call("set_map", SetMap, grid, start).success
         self.call("request_nomotion_update", Empty)
         pose = self.poses.wait_for(self.stand(-0.9))
         assert pose.pose.pose.position.x == pytest.approx(9.1, abs=0.05)
+
+    def test_8_odometry_that_leaps_off_the_earth_is_left_out(self):
+        self.stand(-0.9, odometry=1e300)
+        told = self.poses.last().pose.pose.position.x
+        assert math.isfinite(told)
+        names = ["pose_x", "pose_y", "pose_a", "cov_xx", "cov_yy", "cov_aa"]
+        assert all(math.isfinite(rospy.get_param(f"/amcl/initial_{name}")) for name in names)
 
     def test_9_wrong_parameters_are_answered_in_one_line(self):
         for name, value, answer in [
@@ -177,7 +216,8 @@ class AmclTest(unittest.TestCase):
             ("update_min_d", math.nan, "found nan, must be a number >= 0"),
             ("update_min_a", -0.1, "found -0.1, must be a number >= 0"),
             ("kld_err", 0.0, "found 0, must be a number > 0"),
-            ("kld_z", math.inf, "found inf, must be a finite number"),
+            ("kld_z", 10.0, "found 10, must be a number >= 0 and <= 8"),
+            ("kld_z", -50.0, "found -50, must be a number >= 0 and <= 8"),
             ("resample_interval", 0, "found 0, must be a whole number >= 1"),
             ("odom_alpha3", -1.0, "found -1, must be a number >= 0"),
             ("laser_max_beams", 1, "found 1, must be a whole number >= 2"),
@@ -186,7 +226,7 @@ class AmclTest(unittest.TestCase):
             ("laser_max_range", math.nan, "found nan, must be a finite number"),
             ("initial_pose_x", math.inf, "found inf, must be a finite number"),
             ("initial_cov_aa", -1.0, "found -1, must be a number >= 0"),
-            ("transform_tolerance", -0.1, "found -0.1, must be a number >= 0"),
+            ("transform_tolerance", 1e10, "found 10000000000, must be a number >= 0 and <= 1e+09"),
         ]:
             assert self.complaint(name, value).startswith(f"amcl: parameter /wrong/amcl/{name}: {answer}")
         answer = 'amcl: parameter /wrong/amcl/max_particles: found "many", must be a whole number'
@@ -198,20 +238,34 @@ class AmclTest(unittest.TestCase):
             ("min_particles", 6000, "max_particles is set to min_particles, which is 6000"),
         ]:
             rospy.set_param(f"/tolerant/amcl/{name}", value)
-            node = subprocess.Popen(
-                ["rosrun", "amcl", "amcl", "__ns:=tolerant", "static_map:=/static_map"],
-                stderr=subprocess.PIPE,
-                text=True,
-            )
-            stop = threading.Timer(PATIENCE, node.kill)
-            stop.start()
-            said = next((line for line in node.stderr if words in line), None)
-            stop.cancel()
-            assert node.poll() is None
-            node.kill()
-            node.communicate()
+            self.expect_words(words, "__ns:=tolerant", "static_map:=/static_map")
             rospy.delete_param(f"/tolerant/amcl/{name}")
-            assert said
+
+    def test_9_node_says_what_it_waits_for(self):
+        self.expect_words("an answer from the service /lonely/static_map", "__ns:=lonely")
+        self.expect_words("scans on /lonely/scan", "__ns:=lonely", "static_map:=/static_map")
+        message = scan(0.0, rospy.Time(1))
+        message.header.frame_id = "lidar"
+        publisher = rospy.Publisher("/lonely/scan", LaserScan, queue_size=1, latch=True)
+        publisher.publish(message)
+        words = "a transform from base_link to lidar, the frame of the scans"
+        self.expect_words(words, "__ns:=lonely", "static_map:=/static_map")
+        rospy.set_param("/lonely/amcl/use_map_topic", True)
+        self.expect_words("a map on /lonely/map", "__ns:=lonely")
+        rospy.delete_param("/lonely/amcl/use_map_topic")
+
+    @staticmethod
+    def expect_words(words, *arguments):
+        """Run a node until it has said them."""
+        node = subprocess.Popen(["rosrun", "amcl", "amcl", *arguments], stderr=subprocess.PIPE, text=True)
+        stop = threading.Timer(PATIENCE, node.kill)
+        stop.start()
+        said = any(words in line for line in node.stderr)
+        stop.cancel()
+        assert node.poll() is None
+        node.kill()
+        node.communicate()
+        assert said, words
 
     def test_9_examples_are_those_of_the_original(self):
         examples = pathlib.Path(rospkg.RosPack().get_path("amcl"), "examples")

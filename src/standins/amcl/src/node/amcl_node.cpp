@@ -6,8 +6,6 @@
 #include <workspace_support/errors.h>
 #include <workspace_support/lidar_inputs.h>
 
-#include <cmath>
-
 #include "conversions.h"
 
 namespace amcl
@@ -15,11 +13,6 @@ namespace amcl
 namespace
 {
 constexpr std::size_t kLongestQueue = 100;  // scans, as the original's
-
-bool isFinite(const Pose2 & pose)
-{
-  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.yaw);
-}
 }  // namespace
 
 AmclNode::AmclNode(const NodeParameters & parameters, ros::CallbackQueue & queue)
@@ -65,15 +58,23 @@ bool AmclNode::build(const nav_msgs::OccupancyGrid & map, const Estimate & start
 void AmclNode::setPose(const geometry_msgs::PoseWithCovarianceStamped & message)
 {
   const std::string frame = withoutSlash(message.header.frame_id);
-  Estimate estimate = fromPoseWithCovariance(message.pose);
-  if ((!frame.empty() && frame != parameters_.global_frame_id) || !isFinite(estimate.pose)) {
+  if (!frame.empty() && frame != parameters_.global_frame_id) {
     ROS_WARN(
-      "An initial pose in frame \"%s\" is ignored: it must be finite and in global_frame_id \"%s\"", frame.c_str(),
+      "An initial pose is ignored: frame_id: found \"%s\", must be global_frame_id, \"%s\"", frame.c_str(),
       parameters_.global_frame_id.c_str());
     return;
   }
+  try {
+    move(fromPoseWithCovariance(message.pose), message.header.stamp);
+  } catch (const Error & error) {
+    ROS_WARN("An initial pose is ignored: %s", error.what());
+  }
+}
+
+void AmclNode::move(Estimate estimate, const ros::Time & stamp)
+{
   // The car has moved on since it was there.
-  const auto then = odometryAt(message.header.stamp);
+  const auto then = odometryAt(stamp);
   const auto now = odometryAt(ros::Time(0));
   if (then && now) {
     const Pose2 motion = compose(inverse(fromTransform(then->transform)), fromTransform(now->transform));
@@ -88,6 +89,7 @@ void AmclNode::setPose(const geometry_msgs::PoseWithCovarianceStamped & message)
 
 void AmclNode::add(const sensor_msgs::LaserScan::ConstPtr & scan)
 {
+  hears_scans_ = true;
   if (waiting_.size() == kLongestQueue) {
     waiting_.pop_front();
   }
@@ -104,15 +106,40 @@ void AmclNode::handleScans()
     if (odometry && lidar) {
       handle(*scan, fromTransform(odometry->transform), lidar->transform);
     } else if (lidar && isHopeless(*scan)) {
-      ROS_WARN_THROTTLE(
-        5.0, "A scan at %.3f s is left out: there is no transform from %s to %s for it", scan->header.stamp.toSec(),
-        parameters_.odom_frame_id.c_str(), scan->header.frame_id.c_str());
+      leaveOut(*scan, "there is no " + linkOf(*scan) + " for it");
     } else {
       break;
     }
     waiting_.pop_front();
+    wait_warning_.reset();
   }
   announceStart();
+  wait_warning_.waitFor(missing());
+}
+
+std::string AmclNode::missing() const
+{
+  if (!localizer_) {
+    return "a map" + (parameters_.use_map_topic ? " on " + ros::names::resolve("map") : "");
+  }
+  if (!hears_scans_) {
+    return "scans on " + ros::names::resolve("scan");
+  }
+  return waiting_.empty() ? "" : "a " + linkOf(*waiting_.front());
+}
+
+std::string AmclNode::linkOf(const sensor_msgs::LaserScan & scan) const
+{
+  const std::string & base = parameters_.base_frame_id;
+  const std::string lidar = withoutSlash(scan.header.frame_id);
+  const bool knows_lidar = lookUp(transforms_, base, lidar, ros::Time(0)).has_value();
+  return knows_lidar ? "transform from " + parameters_.odom_frame_id + " to " + base
+                     : "transform from " + base + " to " + lidar + ", the frame of the scans";
+}
+
+void AmclNode::leaveOut(const sensor_msgs::LaserScan & scan, const std::string & reason)
+{
+  left_out_warning_.say(scanIsLeftOut(scan.header.stamp, reason));
 }
 
 bool AmclNode::isHopeless(const sensor_msgs::LaserScan & scan) const
@@ -129,14 +156,24 @@ std::optional<geometry_msgs::TransformStamped> AmclNode::odometryAt(const ros::T
 void AmclNode::handle(
   const sensor_msgs::LaserScan & scan, const Pose2 & odometry, const geometry_msgs::Transform & lidar)
 {
-  const ros::Time & stamp = scan.header.stamp;
-  const Outcome outcome = localizer_->process(fromLaserScan(scan, isUpsideDown(lidar)), fromTransform(lidar), odometry);
+  try {
+    const Scan seen = fromLaserScan(scan, isUpsideDown(lidar));
+    tell(localizer_->process(seen, fromTransform(lidar), odometry), odometry, scan.header.stamp);
+  } catch (const Error & error) {
+    leaveOut(scan, error.what());
+  }
+}
+
+void AmclNode::tell(Outcome outcome, const Pose2 & odometry, const ros::Time & stamp)
+{
   if (outcome != Outcome::kIgnored) {
     publishParticles(stamp);
   }
   if (outcome == Outcome::kResampled || (outcome == Outcome::kUpdated && must_publish_)) {
+    const Estimate estimate = localizer_->estimate();
+    estimate.validate();  // odometry may have been anything
     must_publish_ = false;
-    estimate_ = localizer_->estimate();
+    estimate_ = estimate;
     map_to_odom_ = compose(estimate_.pose, inverse(odometry));
     publishEstimate(stamp);
     savePose(stamp);
@@ -211,7 +248,12 @@ void AmclNode::forgetInputs()
 
 bool AmclNode::onSetMap(nav_msgs::SetMap::Request & request, nav_msgs::SetMap::Response & response)
 {
-  response.success = build(request.map, fromPoseWithCovariance(request.initial_pose.pose));
+  response.success = false;
+  try {
+    response.success = build(request.map, fromPoseWithCovariance(request.initial_pose.pose));
+  } catch (const Error & error) {
+    ROS_WARN("A map and an initial pose are ignored: %s", error.what());
+  }
   return true;
 }
 

@@ -10,10 +10,12 @@
 #include <sensor_msgs/LaserScan.h>
 #include <std_srvs/Empty.h>
 #include <tf2/buffer_core.h>
+#include <workspace_support/warnings.h>
 
 #include <deque>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "amcl/localizer.h"
@@ -37,7 +39,8 @@ public:
   void setPose(const geometry_msgs::PoseWithCovarianceStamped & message);
   void add(const sensor_msgs::LaserScan::ConstPtr & scan);
   /// Handles the scans whose transforms are there. Until the first one has told where the car is, the initial pose
-  /// counts, so that the transform from the map is there from the start.
+  /// counts, so that the transform from the map is there from the start. A warning if there have been no map, no scans or
+  /// no transform for them for 5 s of wall time.
   void handleScans();
   /// Forgets what was received before time jumped back; the map and the particles stay.
   void forgetInputs();
@@ -49,11 +52,19 @@ private:
 
   /// @return whether the map is good; if not, the last one stays
   bool build(const nav_msgs::OccupancyGrid & map, const Estimate & start);
+  /// @param estimate  where the car was at stamp
+  void move(Estimate estimate, const ros::Time & stamp);
+  /// Nothing, if nothing is.
+  std::string missing() const;
+  /// Which transform a scan lacks.
+  std::string linkOf(const sensor_msgs::LaserScan & scan) const;
+  void leaveOut(const sensor_msgs::LaserScan & scan, const std::string & reason);
   /// Of the car; time 0: the latest.
   std::optional<geometry_msgs::TransformStamped> odometryAt(const ros::Time & stamp) const;
   /// Of a scan without odometry: whether there is later odometry, so that none for it will come.
   bool isHopeless(const sensor_msgs::LaserScan & scan) const;
   void handle(const sensor_msgs::LaserScan & scan, const Pose2 & odometry, const geometry_msgs::Transform & lidar);
+  void tell(Outcome outcome, const Pose2 & odometry, const ros::Time & stamp);
   void publishEstimate(const ros::Time & stamp);
   void publishParticles(const ros::Time & stamp);
   void broadcast(const std::vector<ros::Time> & stamps);
@@ -67,6 +78,9 @@ private:
   std::optional<Pose2> map_to_odom_;
   bool must_publish_{true};  // the next estimate, even if the particles are not drawn anew
   std::deque<sensor_msgs::LaserScan::ConstPtr> waiting_;
+  bool hears_scans_{false};
+  RareWarning left_out_warning_;
+  WaitWarning wait_warning_;
   std::optional<ros::Time> last_saved_;
   ros::NodeHandle private_node_;
   ros::Publisher transform_publisher_;

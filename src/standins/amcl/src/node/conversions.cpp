@@ -10,19 +10,17 @@ namespace
 constexpr int kPlane[] = {0, 1, 5};
 }  // namespace
 
-std::string withoutSlash(const std::string & frame)
-{
-  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
-}
-
 Estimate fromPoseWithCovariance(const geometry_msgs::PoseWithCovariance & pose)
 {
   Estimate estimate;
   estimate.pose = fromPose(pose.pose);
   for (int i = 0; i < 9; ++i) {
-    const double value = pose.covariance[6 * kPlane[i / 3] + kPlane[i % 3]];
+    const int row = kPlane[i / 3];
+    const int column = kPlane[i % 3];
+    const double value = 0.5 * (pose.covariance[6 * row + column] + pose.covariance[6 * column + row]);
     estimate.covariance[i] = std::isfinite(value) ? value : 0.0;
   }
+  estimate.validate();
   return estimate;
 }
 

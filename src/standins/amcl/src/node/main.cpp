@@ -2,6 +2,7 @@
 #include <sim2d_lockstep/participant.h>
 #include <workspace_support/errors.h>
 #include <workspace_support/lidar_inputs.h>
+#include <workspace_support/warnings.h>
 
 #include <iostream>
 #include <vector>
@@ -52,8 +53,9 @@ private:
 void requestMap(amcl::AmclNode & amcl)
 {
   nav_msgs::GetMap map;
+  workspace_support::WaitWarning warning;
   while (ros::ok() && !ros::service::call("static_map", map)) {
-    ROS_WARN_THROTTLE(5.0, "There is no answer from the service %s yet", ros::names::resolve("static_map").c_str());
+    warning.waitFor("an answer from the service " + ros::names::resolve("static_map"));
     kMapRetry.sleep();
   }
   if (ros::ok()) {

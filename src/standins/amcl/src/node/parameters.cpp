@@ -1,12 +1,11 @@
 #include "parameters.h"
 
 #include <ros/console.h>
+#include <workspace_support/conversions.h>
 #include <workspace_support/errors.h>
 #include <workspace_support/parameter_reader.h>
 
 #include <cmath>
-
-#include "conversions.h"
 
 namespace amcl
 {
@@ -32,7 +31,7 @@ void readNode(ParameterReader & reader, NodeParameters & parameters)
   reader.read("use_map_topic", parameters.use_map_topic);
   reader.read("first_map_only", parameters.first_map_only);
   reader.read("tf_broadcast", parameters.tf_broadcast);
-  reader.read("transform_tolerance", parameters.transform_tolerance, atLeast(0.0));
+  reader.read("transform_tolerance", parameters.transform_tolerance, duration());
   reader.read("save_pose_rate", parameters.save_pose_rate);
   reader.read("lockstep", parameters.lockstep);
 }
@@ -103,7 +102,7 @@ void readFilter(ParameterReader & reader, LocalizerOptions & localizer)
     localizer.max_particles = localizer.min_particles;
   }
   reader.read("kld_err", localizer.kld_err, positive());
-  reader.read("kld_z", localizer.kld_z);
+  reader.read("kld_z", localizer.kld_z, within(0.0, 8.0));
   reader.read("update_min_d", localizer.update_min_d, atLeast(0.0));
   reader.read("update_min_a", localizer.update_min_a, atLeast(0.0));
   reader.read("resample_interval", localizer.resample_interval, atLeast(1));

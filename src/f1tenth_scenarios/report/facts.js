@@ -90,9 +90,11 @@ function changeOf(now, before, digits, unit, better) {
   return element(`span.change${kind}`, {}, (difference > 0 ? "+" : "") + formatNumber(difference, digits, unit));
 }
 
-function commitName(result) {
-  const commit = result.versions?.commit;
-  return commit ? commit.slice(0, 8) + (commit.endsWith("-dirty") ? "*" : "") : "unknown";
+// The commit of the workspace, and those of drivers that are from other repositories.
+function commitName({ versions }) {
+  const commits = [versions?.commit, ...Object.values(versions?.driver_commits ?? {})].filter(Boolean);
+  const short = commits.map((commit) => commit.slice(0, 8) + (commit.endsWith("-dirty") ? "*" : ""));
+  return [...new Set(short)].join(" + ") || "unknown";
 }
 
 function lapsCard(result) {

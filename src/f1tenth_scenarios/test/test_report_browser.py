@@ -23,7 +23,10 @@ def report(tmp_path_factory):
     folder = tmp_path_factory.mktemp("report")
     write_run(folder / "results" / "one_lap", result("one_lap"), speed=SPEED)
     write_run(folder / "results" / "two", result("two", passed=False), speed=SPEED)
-    write_run(folder / "results" / "two" / "previous", result("two", commit="old"), speed=1.0)
+    before = result(
+        "two", commit="old", versions={"commit": "old", "driver_commits": {"robot1": "mine-dirty"}}
+    )
+    write_run(folder / "results" / "two" / "previous", before, speed=1.0)
     write_race(folder / "results" / "zwei", result("zwei"))
     (folder / "results" / "one_lap" / "log").mkdir()
     write_report(folder / "results", folder / "report.html")
@@ -166,6 +169,11 @@ def test_scrubbing_moves_the_car_and_the_charts(window, report):
     before = find(window, ".chart:last-child .value").text
     press(window, Keys.HOME)
     assert find(window, ".chart:last-child .value").text != before
+
+
+def test_runs_that_are_compared_are_named_by_the_commits_of_workspace_and_driver(window, report):
+    open_run(window, report, "two")
+    assert "old + mine-dir* 01234567" in " ".join(find(window, "body").text.split())
 
 
 def test_pixels_change_when_the_car_moves(window, report):

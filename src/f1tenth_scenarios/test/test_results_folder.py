@@ -5,15 +5,18 @@ import json
 import pytest
 from f1tenth_scenarios.results.results_folder import claimed
 
+COMMITS = {"commit": "a", "driver_commits": {}}
 
-def run(folder, commit, seed):
-    with claimed(folder, folder / "log", commit) as claim:
+
+def run(folder, commit, seed, driver="a"):
+    commits = {"commit": commit, "driver_commits": {"robot1": driver}}
+    with claimed(folder, folder / "log", commits) as claim:
         assert list((folder / "log").iterdir()) == []
         (folder / "log" / "seed").write_text(str(seed), encoding="utf-8")
         place = claim.place_of_results()
         assert place == folder
         assert not (folder / "result.json").exists()
-        content = {"seed": seed, "versions": {"commit": commit}}
+        content = {"seed": seed, "versions": {**commits, "python": "3"}}
         (place / "result.json").write_text(json.dumps(content), encoding="utf-8")
         (place / "trajectory.csv").write_text(str(seed), encoding="utf-8")
 
@@ -51,6 +54,20 @@ def test_results_of_unknown_changes_are_kept(tmp_path, commit):
     assert seed_of(tmp_path / "previous") == 1
 
 
+@pytest.mark.parametrize("driver", ["b", "a-dirty", None])
+def test_results_of_another_commit_of_a_driver_are_kept(tmp_path, driver):
+    run(tmp_path, "a", 1, driver)
+    run(tmp_path, "a", 2, "a")
+    assert seed_of(tmp_path / "previous") == 1
+
+
+def test_results_that_name_no_commits_of_drivers_are_kept(tmp_path):
+    run(tmp_path, "a", 1)
+    (tmp_path / "result.json").write_text('{"seed": 1, "versions": {"commit": "a"}}', encoding="utf-8")
+    run(tmp_path, "a", 2)
+    assert seed_of(tmp_path / "previous") == 1
+
+
 def test_result_that_cannot_be_read_is_kept_too(tmp_path):
     (tmp_path / "result.json").write_text("nonsense", encoding="utf-8")
     run(tmp_path, "a", 1)
@@ -66,7 +83,7 @@ def test_only_one_run_before_is_kept(tmp_path):
 
 
 def interrupt(folder, seed):
-    with claimed(folder, folder / "log", "a") as claim:
+    with claimed(folder, folder / "log", COMMITS) as claim:
         (folder / "log" / "seed").write_text(str(seed), encoding="utf-8")
         place = claim.place_of_interrupted()
         (place / "result.json").write_text(json.dumps({"seed": seed}), encoding="utf-8")
@@ -86,7 +103,7 @@ def test_interrupted_first_run_leaves_nothing_else(tmp_path):
 
 
 def break_off(folder, seed):
-    with claimed(folder, folder / "log", "a"):
+    with claimed(folder, folder / "log", COMMITS):
         (folder / "log" / "seed").write_text(str(seed), encoding="utf-8")
         raise RuntimeError
 

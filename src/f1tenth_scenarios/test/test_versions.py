@@ -9,10 +9,14 @@ from f1tenth_scenarios import versions
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    monkeypatch.setattr("f1tenth_scenarios.places.package_path", lambda _: tmp_path)
-    versions.commit.cache_clear()
-    yield tmp_path
-    versions.commit.cache_clear()
+    (tmp_path / "ours").mkdir()
+    monkeypatch.setattr("f1tenth_scenarios.places.package_path", lambda _: tmp_path / "ours")
+    monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(tmp_path.parent))
+    return tmp_path / "ours"
+
+
+def commit():
+    return versions.commits({})["commit"]
 
 
 def git(folder, *arguments):
@@ -31,21 +35,29 @@ def make_commit(folder):
 
 def test_commit_is_that_of_the_workspace(folder):
     made = make_commit(folder)
-    assert versions.commit() == made
+    assert commit() == made
 
 
 def test_changes_since_the_commit_are_told(folder):
     made = make_commit(folder)
     (folder / "a").write_text("b", encoding="utf-8")
-    assert versions.commit() == f"{made}-dirty"
+    assert commit() == f"{made}-dirty"
 
 
-def test_outside_of_git_there_is_no_commit(folder, monkeypatch):
-    monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(folder.parent))
-    assert versions.commit() is None
+def test_outside_of_git_there_is_no_commit(folder):
+    assert commit() is None
 
 
 def test_without_git_there_is_no_commit(folder, monkeypatch):
     make_commit(folder)
     monkeypatch.setenv("PATH", str(folder))
-    assert versions.commit() is None
+    assert commit() is None
+
+
+def test_commits_of_drivers_are_those_of_their_folders(folder):
+    mine = folder.parent / "mine"
+    (mine / "launch").mkdir(parents=True)
+    made = make_commit(mine)
+    drivers = {"robot1": mine / "launch", "robot2": folder}
+    assert versions.commits(drivers) == {"commit": None, "driver_commits": {"robot1": made, "robot2": None}}
+    assert versions.collect(drivers)["driver_commits"]["robot1"] == made

@@ -3,7 +3,9 @@
 import functools
 import platform
 import subprocess
-from typing import Optional
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Optional
 
 import rospkg
 
@@ -19,17 +21,26 @@ _PACKAGES = (
 )
 
 
-def collect() -> dict[str, Optional[str]]:
-    """The commit of the workspace (nothing outside of git) and the versions of the packages."""
-    versions = {"commit": commit(), "python": platform.python_version()}
-    versions.update((package, _package_version(package)) for package in _PACKAGES)
-    return versions
+def collect(drivers: Mapping[str, Path]) -> dict[str, Any]:
+    """The commits, and the versions of the packages; `drivers` as of `commits`."""
+    packages = {package: _package_version(package) for package in _PACKAGES}
+    return {**commits(drivers), "python": platform.python_version(), **packages}
 
 
-@functools.lru_cache
-def commit() -> Optional[str]:
-    """The commit of the workspace, with `-dirty` if it was changed since; nothing outside of git."""
-    folder = places.package_path(places.PACKAGE)
+def commits(drivers: Mapping[str, Path]) -> dict[str, Any]:
+    """The commit of the workspace, and per car that of its driver.
+
+    Each with `-dirty` if the working copy was changed since; nothing outside of git.
+
+    Args:
+        drivers: per car, the folder of the driver's launch file
+    """
+    own = _commit(places.package_path(places.PACKAGE))
+    return {"commit": own, "driver_commits": {car: _commit(folder) for car, folder in drivers.items()}}
+
+
+@functools.lru_cache  # of when it was asked first: the beginning of the run
+def _commit(folder: Path) -> Optional[str]:
     command = ["git", "-C", str(folder), "describe", "--always", "--dirty", "--abbrev=12"]
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=10)

@@ -38,6 +38,11 @@ class Plan:
         """Per car that has goals, those of one lap."""
         return {name: car.goals for name, car in self.cars.items() if car.goals}
 
+    @property
+    def driver_folders(self) -> dict[str, Path]:
+        """Per car, where the launch file of its driver is."""
+        return {name: car.driver.path.parent for name, car in self.cars.items()}
+
     def goals_file(self, car: str) -> Optional[Path]:
         """Where the goals of a car stand; goals that are in no file are written into the log folder."""
         planned = self.cars[car]

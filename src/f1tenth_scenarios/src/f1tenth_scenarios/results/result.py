@@ -59,9 +59,7 @@ class Result:
         return min((time for times in self.measured.lap_times.values() for time in times), default=None)
 
 
-def as_dict(
-    result: Result, versions: Mapping[str, Optional[str]], settings: Sequence[str] = ()
-) -> dict[str, Any]:
+def as_dict(result: Result, versions: Mapping[str, Any], settings: Sequence[str] = ()) -> dict[str, Any]:
     """The content of result.json."""
     decision, record = result.judgement.decision, result.judgement.record
     laps = {car.name: result.lap_times(car.name) for car in result.scenario.cars}

@@ -3,9 +3,9 @@
 import contextlib
 import fcntl
 import shutil
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Optional
+from typing import Any
 
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.record.files import (
@@ -25,11 +25,16 @@ _FILES = (RESULT_FILE, JUNIT_FILE, TRAJECTORY_FILE, PICTURE_FILE, REPLAY_FILE, B
 
 
 @contextlib.contextmanager
-def claimed(folder: Path, log_folder: Path, commit: Optional[str]) -> Iterator["ResultsFolder"]:
+def claimed(folder: Path, log_folder: Path, commits: Mapping[str, Any]) -> Iterator["ResultsFolder"]:
     """Keep other runs out while the block runs; log_folder is there and empty.
 
     If the block does not ask for the place of results that are to stay, everything is as it was before, and
     what was written to log_folder is in the folder `interrupted`.
+
+    Args:
+        folder: for the results
+        log_folder: for what processes write
+        commits: of the run, as `versions.commits` gives them
 
     Raises:
         ScenarioError: the folder cannot be used, or another run is using it.
@@ -39,7 +44,7 @@ def claimed(folder: Path, log_folder: Path, commit: Optional[str]) -> Iterator["
             folder.mkdir(parents=True, exist_ok=True)
             lock = stack.enter_context(open(folder / ".lock", "w", encoding="utf-8"))
             _lock(folder, lock)
-            claim = stack.enter_context(contextlib.closing(ResultsFolder(folder, log_folder, commit)))
+            claim = stack.enter_context(contextlib.closing(ResultsFolder(folder, log_folder, commits)))
         except OSError as error:
             raise ScenarioError(f"{folder}: cannot write results: {error.strerror}") from error
         yield claim
@@ -48,8 +53,8 @@ def claimed(folder: Path, log_folder: Path, commit: Optional[str]) -> Iterator["
 class ResultsFolder:
     """A results folder in which a run is going on."""
 
-    def __init__(self, folder: Path, log_folder: Path, commit: Optional[str]):
-        self._folder, self._log, self._commit = folder, log_folder, commit
+    def __init__(self, folder: Path, log_folder: Path, commits: Mapping[str, Any]):
+        self._folder, self._log, self._commits = folder, log_folder, commits
         self._earlier_log = folder / _EARLIER_LOG
         self._is_over = False
         if self._earlier_log.exists():  # of a run that was killed
@@ -62,12 +67,12 @@ class ResultsFolder:
         """Where the results of a run that came to its end are to be written.
 
         Earlier results are gone then, or in the folder `previous` if they are of another commit than ours (or
-        of a working copy with changes, which may be any).
+        of a working copy with changes, which may be any), be it of the workspace or of a driver.
         """
         self._is_over = True
         shutil.rmtree(self._earlier_log, ignore_errors=True)
         result = self._folder / RESULT_FILE
-        if result.exists() and _is_other(_commit_of(result), self._commit):
+        if result.exists() and _is_other(_commits_of(result), self._commits):
             _move(self._folder, _emptied(self._folder / PREVIOUS_FOLDER))
         for name in _FILES:
             (self._folder / name).unlink(missing_ok=True)
@@ -112,11 +117,13 @@ def _move(source: Path, target: Path) -> None:
             (source / name).rename(target / name)
 
 
-def _is_other(one: Optional[str], other: Optional[str]) -> bool:
-    return one is None or one != other or one.endswith("-dirty")
+def _is_other(one: Mapping[str, Any], other: Mapping[str, Any]) -> bool:
+    known = [one["commit"], *one["driver_commits"].values()] if one == other else [None]
+    return any(each is None or each.endswith("-dirty") for each in known)
 
 
-def _commit_of(path: Path) -> Optional[str]:
+def _commits_of(path: Path) -> dict[str, Any]:
     with contextlib.suppress(KeyError, TypeError):
-        return read_json(path)["versions"]["commit"]
-    return None
+        versions = read_json(path)["versions"]
+        return {key: versions[key] for key in ("commit", "driver_commits")}
+    return {}

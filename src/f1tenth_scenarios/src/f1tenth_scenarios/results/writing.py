@@ -22,7 +22,8 @@ def write_verdict(plan: Plan, result: Result) -> None:
     try:
         write_junit(result.folder / JUNIT_FILE, junit_of(result, summary(result, plan)))
         # Last, because who sees a result.json may rely on it.
-        write_json(result.folder / RESULT_FILE, as_dict(result, versions.collect(), plan.settings))
+        found = versions.collect(plan.driver_folders)
+        write_json(result.folder / RESULT_FILE, as_dict(result, found, plan.settings))
     except OSError as error:
         decision = result.judgement.decision
         raise ScenarioError(

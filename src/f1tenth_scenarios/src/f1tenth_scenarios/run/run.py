@@ -66,7 +66,7 @@ def execute(
         ScenarioError: the results folder cannot be used, or another run is using it.
     """
     started = time.monotonic() if started is None else started
-    with claimed(plan.folder, plan.log_folder, versions.commit()) as claim:
+    with claimed(plan.folder, plan.log_folder, versions.commits(plan.driver_folders)) as claim:
         _prepare(plan)
         watch = make_watch()
         with _started(plan, command, environment, stop) as tree:

@@ -232,10 +232,15 @@ def test_a_car_can_be_put_ahead_on_a_road_only(planned, tmp_path):
     (tmp_path / "empty.world").write_text("<sdf version='1.6'><world name='w'/></sdf>", encoding="utf-8")
     car = "    driver: commands\n    commands: [{at: 0, speed: 1}]\n    ahead: 1.0\n"
     lacks = "'ahead' of a car needs a road: .*empty.world is no circuit, and there is no empty_centerline.csv"
-    with pytest.raises(ScenarioError, match=f"{lacks} beside it$"):
+    tools = f"make_map {tmp_path}/empty.world -o {tmp_path}/empty` and `rosrun f1tenth_gazebo make_centerline"
+    with pytest.raises(
+        ScenarioError, match=f"{lacks} beside it; make it with `rosrun f1tenth_gazebo {tools} "
+    ):
         planned(car, world="empty.world")
     (tmp_path / "empty.yaml").touch()
-    with pytest.raises(ScenarioError, match=f"{lacks} beside it; `rosrun f1tenth_gazebo make_centerline "):
+    with pytest.raises(
+        ScenarioError, match=f"{lacks} beside it; make it with `rosrun f1tenth_gazebo make_centerline "
+    ):
         planned(car, world="empty.world")
 
 

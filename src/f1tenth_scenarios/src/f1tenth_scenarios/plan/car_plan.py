@@ -91,10 +91,7 @@ def _start_line(around: Surroundings) -> StartLine:
         return around.scenario.start_line
     course = _course(around)
     if course is None:
-        raise ScenarioError(
-            f"'laps' of a car needs a 'start_line' or a 'course': {around.place.world} is no circuit and has"
-            " no centreline beside it"
-        )
+        raise ScenarioError(f"'laps' of a car needs a 'start_line' or a 'course': {around.place.no_road}")
     return line_across(course, around.place.start())
 
 

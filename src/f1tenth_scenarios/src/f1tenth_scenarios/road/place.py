@@ -48,12 +48,13 @@ class Place:
 
     @property
     def no_road(self) -> str:
-        """What is missing of a place without a road, and how it is made if there is a map."""
+        """What is missing of a place without a road, and how it is made."""
         wanted = _path_beside(self.world, _CENTERLINE)
-        remedy = (
-            f"; `rosrun f1tenth_gazebo make_centerline {self.map} -o {wanted}` writes it" if self.map else ""
-        )
-        return f"{self.world} is no circuit, and there is no {wanted.name} beside it{remedy}"
+        stem = self.world.with_suffix("")
+        makes_map = [] if self.map else [f"make_map {self.world} -o {stem}"]
+        tools = [*makes_map, f"make_centerline {self.map or f'{stem}.yaml'} -o {wanted}"]
+        remedy = " and ".join(f"`rosrun f1tenth_gazebo {tool}`" for tool in tools)
+        return f"{self.world} is no circuit, and there is no {wanted.name} beside it; make it with {remedy}"
 
     def ahead_of_start(self, way: float) -> Pose:
         """Some way (m) along the middle of the road from there.

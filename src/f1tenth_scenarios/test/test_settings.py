@@ -34,6 +34,32 @@ def test_key_of_a_car_counts_for_all_cars():
     assert [car.mu for car in plan.scenario.cars] == [0.5, 0.5]
 
 
+TWO_CARS = "  - {name: robot1, driver: DRIVER, laps: 1}\n  - {name: robot2, driver: pursuit, laps: 1}\n"
+
+
+@pytest.fixture
+def race_of_two(tmp_path):
+    """A scenario of a planner with an argument against one of ours."""
+    launch = '<launch><arg name="lookahead" default="1"/></launch>'
+    (tmp_path / "my.launch").write_text(launch, encoding="utf-8")
+    path = tmp_path / "sample.yaml"
+    cars = TWO_CARS.replace("DRIVER", "{launch: my.launch}")
+    path.write_text(SCENARIO_TEXT.replace("  - name: robot1\n    goals: circuit1\n", cars), encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize("key", ["driver.arguments.lookahead", "cars.robot1.driver.arguments.lookahead"])
+def test_argument_counts_for_all_cars_with_a_launch_file(race_of_two, key):
+    plan = make_plan(str(race_of_two), settings=[f"{key}=1.5"])
+    assert [car.driver.arguments for car in plan.scenario.cars] == [{"lookahead": "1.5"}, {}]
+
+
+def test_argument_where_no_car_has_a_launch_file_is_answered(file):
+    where = "is for cars whose driver is a mapping, as in {launch: my.launch}; there is none"
+    with pytest.raises(ScenarioError, match=f"^driver.arguments.speed=1: {where}$"):
+        make_plan(file, settings=["driver.arguments.speed=1"])
+
+
 def test_value_of_one_car_is_replaced():
     plan = make_plan("head_to_head", settings=["cars.robot2.mu=0.5"])
     assert [car.mu for car in plan.scenario.cars] == [None, 0.5]
@@ -56,7 +82,11 @@ def test_goals_and_line_are_those_of_the_world(tmp_path):
         ("seed", "'seed' must be KEY=VALUE, as in mu=0.3"),
         ("seed=x", "seed=x:1: seed must be a whole number, found 'x'"),
         ("mu=9", r"mu=9:1: cars\[0\].mu is 9, must be above 0 and at most 3"),
-        ("colour=red", "colour=red:1: unknown key 'colour'"),
+        (
+            "colour=red",
+            "^colour=red: unknown key 'colour'; allowed: the keys that `scenario keys` lists,"
+            " and driver.arguments.NAME for an argument of a planner$",
+        ),
         ("seed.x=1", "seed.x=1: seed holds no keys"),
         ("seed=[1", "seed=.1: not YAML: "),
         ("mu= ", "mu= : must hold a value, found nothing$"),

@@ -13,7 +13,7 @@ from f1tenth_scenarios.cli.sweep_command import sweep
 from f1tenth_scenarios.record.files import REPORT_FILE
 from f1tenth_scenarios.scenario.driver import Interface
 
-_SET = "replace a value of the file, as in mu=0.3 or limits.timeout=20"
+_SET = "replace a value of the file, as in mu=0.3, limits.timeout=20 or driver.arguments.speed=4"
 _VARY = "FIRST:LAST (whole numbers), FIRST:LAST:COUNT or A,B,C; several keys: every combination"
 _TABLE = "one more table of the runs: FILE.parquet keeps types, FILE.csv is text"
 _AGAINST = "results to compare with; default: those of the commit before, which each run keeps"

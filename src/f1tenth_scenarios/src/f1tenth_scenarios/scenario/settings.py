@@ -25,7 +25,8 @@ class Setting:
     """A key and its value as YAML text.
 
     The key is one of the scenario (`seed`), one inside a mapping (`limits.timeout`), one of the entry with a
-    name (`cars.robot2.speed_max`), or one of a car (`mu`), which then counts for all cars.
+    name (`cars.robot2.speed_max`), or one of a car (`mu`, `driver.arguments.speed`), which then counts for
+    all cars; inside `driver` for those whose driver is a mapping.
     """
 
     key: str
@@ -55,12 +56,9 @@ def apply_settings(root: yaml.MappingNode, settings: Sequence[Setting]) -> None:
     """
     for setting in settings:
         value = compose_value(setting)
-        if setting.key in keys(Car) and setting.key not in keys(Scenario):
-            for car in _cars(root):
-                _put(car, setting.key, value)
-        else:
-            *path, last = setting.key.split(".")
-            _put(_descend(root, path, setting), last, value)
+        *path, last = setting.key.split(".")
+        for node in _bearers(root, setting):
+            _put(_descend(node, path, setting), last, value)
 
 
 def unit_of(key: str) -> str:
@@ -157,6 +155,27 @@ def compose_value(setting: Setting) -> yaml.Node:
         ScenarioError: it is none.
     """
     return compose_text(setting.value, str(setting))
+
+
+def _bearers(root: yaml.MappingNode, setting: Setting) -> list[yaml.MappingNode]:
+    """The scenario, or all cars that have such a key."""
+    first, *others = setting.key.split(".")
+    if first in keys(Scenario):
+        return [root]
+    if first not in keys(Car):
+        allowed = (
+            "the keys that `scenario keys` lists, and driver.arguments.NAME for an argument of a planner"
+        )
+        raise ScenarioError(f"{setting}: unknown key '{first}'; allowed: {allowed}")
+    cars = _cars(root)
+    if first != "driver" or not others:
+        return cars
+    # A driver that is a word, or ours because none is named, has no keys of its own.
+    able = [car for car in cars if isinstance(_entry(car, first), yaml.MappingNode)]
+    if not able:
+        where = "cars whose driver is a mapping, as in {launch: my.launch}"
+        raise ScenarioError(f"{setting}: is for {where}; there is none")
+    return able
 
 
 def _cars(root: yaml.MappingNode) -> list[yaml.MappingNode]:

@@ -124,10 +124,34 @@ def file_or_text(text: str, beside: Path) -> str:
     """
     if text.startswith(_PACKAGE_URI):
         return str(file_at(text, beside))
-    with contextlib.suppress(OSError, ValueError):  # too long for a name, or with characters that none has
-        if (beside / text).is_file():
-            return str((beside / text).resolve())
-    return text
+    return str((beside / text).resolve()) if _is_file(beside / text) else text
+
+
+def portable(text: str, beside: Path) -> str:
+    """The file that a path names as a scenario file on any machine would: in a package, else from `beside`.
+
+    A text that is no absolute path of a file stays as it is.
+    """
+    if not (text.startswith("/") and _is_file(Path(text))):
+        return text
+    return _package_uri(Path(text)) or relative(Path(text), beside)
+
+
+def relative(file: Path, beside: Path) -> str:
+    """A file as it is named from a folder."""
+    return os.path.relpath(file, beside.resolve())
+
+
+def _package_uri(file: Path) -> Optional[str]:
+    folder = next((each for each in file.parents if (each / "package.xml").is_file()), None)
+    if folder is None:
+        return None
+    with contextlib.suppress(rospkg.ResourceNotFound, rospkg.InvalidManifest, OSError):
+        name, path = rospkg.get_package_name(str(folder)), file.relative_to(folder)
+        # A package of this name may be another copy of it.
+        if (Path(packages().get_path(name)) / path).samefile(file):
+            return f"{_PACKAGE_URI}{name}/{path}"
+    return None
 
 
 def map_file(world: Path) -> Optional[Path]:
@@ -155,8 +179,13 @@ def workspace_root() -> Path:
     return Path.cwd()
 
 
+def is_path(name: str) -> bool:
+    """Whether a place, a course or goals are named by a path."""
+    return "/" in name or Path(name).suffix in _PATH_SUFFIXES
+
+
 def _find(kind: str, name: str, beside: Path) -> Path:
-    if "/" in name or Path(name).suffix in _PATH_SUFFIXES:
+    if is_path(name):
         return _existing((beside / name).resolve())
     return _named(kind, name)
 
@@ -186,6 +215,12 @@ def _exported(kind: str) -> list[Path]:
         with contextlib.suppress(rospkg.InvalidManifest):
             found += packages().get_manifest(package).get_export(PACKAGE, kind)
     return [Path(each) for each in found]
+
+
+def _is_file(path: Path) -> bool:
+    with contextlib.suppress(OSError, ValueError):  # too long for a name, or with characters that none has
+        return path.is_file()
+    return False
 
 
 def _existing(path: Path) -> Path:

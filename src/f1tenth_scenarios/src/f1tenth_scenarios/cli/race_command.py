@@ -22,7 +22,7 @@ def race(options) -> int:
     plan = plan_race(wanted, results_of(options) / wanted.name, options.set)
     if options.save:
         with writing(options.save), replacing(options.save) as temporary:
-            temporary.write_text(race_text(wanted), encoding="utf-8")
+            temporary.write_text(race_text(wanted, options.save.parent), encoding="utf-8")
         return PASSED
     plan = dataclasses.replace(plan, keep_bag=options.bag, watched=options.attach)
     return with_report(run_plan(plan), options)

@@ -61,13 +61,35 @@ def plan_race(race: Race, folder: Path, settings: Sequence[str] = ()) -> Plan:
     return dataclasses.replace(plan, settings=tuple(settings))
 
 
-def race_text(race: Race) -> str:
+def race_text(race: Race, beside: Optional[Path] = None) -> str:
     """The race as a scenario file would have it.
+
+    Args:
+        race: what is raced
+        beside: folder of the file, if there is to be one: files are named so that it can be moved with them
 
     Raises:
         ScenarioError: as plan_race.
     """
-    return yaml.safe_dump(_describe(race), sort_keys=False, width=110)
+    scenario = _describe(race)
+    if beside:
+        scenario = _portable(scenario, beside)
+    return yaml.safe_dump(scenario, sort_keys=False, width=110)
+
+
+def _portable(scenario: dict[str, Any], beside: Path) -> dict[str, Any]:
+    world = scenario["world"]
+    # The one file that is not named by a package.
+    named = places.relative(Path(world), beside) if places.is_path(world) else world
+    return _with_portable_paths(scenario, beside) | {"world": named}
+
+
+def _with_portable_paths(value: Any, beside: Path) -> Any:
+    if isinstance(value, dict):
+        return {key: _with_portable_paths(each, beside) for key, each in value.items()}
+    if isinstance(value, list):
+        return [_with_portable_paths(each, beside) for each in value]
+    return places.portable(value, beside) if isinstance(value, str) else value
 
 
 def _describe(race: Race) -> dict[str, Any]:
@@ -75,11 +97,11 @@ def _describe(race: Race) -> dict[str, Any]:
     laps = "A lap" if race.laps == 1 else f"{race.laps} laps"
     timeout = race.timeout
     if timeout is None:
-        timeout = _STARTING + race.laps * _length(place) / _SLOWEST
+        timeout = math.ceil(10 * (_STARTING + race.laps * _length(place) / _SLOWEST)) / 10
     names = " against ".join(Path(driver.name).name for driver in race.planners)
     return {
         "description": f"{laps} of {place.world.stem}, driven by {names}.",
-        "world": race.place if place.is_circuit else str(place.world),
+        "world": str(place.world) if places.is_path(race.place) else race.place,
         "cars": [_car(race, place, number, driver) for number, driver in enumerate(race.planners)],
         "limits": {"timeout": timeout, "wall": 300.0 + 2 * timeout},
         "expected": "success",

@@ -1,0 +1,68 @@
+"""A race that is in no scenario file: its planners, its results folder, the file of --save."""
+
+import shutil
+
+import pytest
+import yaml
+from f1tenth_scenarios.plan.planning import make_plan
+
+from f1tenth_scenarios import cli, places
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """The working directory: a planner with an argument, one without, and a file to name."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "with.launch").write_text('<launch><arg name="line" default=""/></launch>', encoding="utf-8")
+    (tmp_path / "without.launch").write_text("<launch/>", encoding="utf-8")
+    (tmp_path / "c.csv").touch()
+    return tmp_path
+
+
+def saved(folder, *arguments, name="race.yaml"):
+    """What `race --save` writes."""
+    assert cli.main(["race", *arguments, "--save", str(folder / name)]) == 0
+    return yaml.safe_load((folder / name).read_text(encoding="utf-8"))
+
+
+def drivers(scenario):
+    return [car["driver"] for car in scenario["cars"]]
+
+
+class TestSave:
+    def test_names_what_is_in_a_package_by_that(self, folder):
+        file = places.package_path("f1tenth_scenarios") / "launch" / "drivers" / "pure_pursuit.launch"
+        (driver,) = drivers(saved(folder, "circuit1", "--planner", str(file), "--arg", "speed_max:=2"))
+        assert driver["launch"] == "package://f1tenth_scenarios/launch/drivers/pure_pursuit.launch"
+
+    def test_names_what_is_in_none_from_where_the_file_is(self, folder):
+        (folder / "scenarios").mkdir()
+        name = "scenarios/race.yaml"
+        options = ["--planner", "with.launch", "--arg", "line:=c.csv"]
+        (driver,) = drivers(saved(folder, "circuit1", *options, name=name))
+        assert (driver["launch"], driver["arguments"]) == ("../with.launch", {"line": "../c.csv"})
+        plan = make_plan(str(folder / name))
+        assert plan.cars["robot1"].driver.path == folder / "with.launch"
+
+    def test_names_a_world_that_was_given_by_its_name_by_that(self, folder):
+        assert saved(folder, "circuit1")["world"] == "circuit1"
+        path = places.world_file("circuit1", folder)
+        (folder / "circuit1").symlink_to(path.parent)
+        by_path = saved(folder, "circuit1/circuit1.world")
+        assert by_path["world"].endswith("worlds/circuit1.world")
+        assert make_plan(str(folder / "race.yaml")).place.world == path
+
+    def test_names_the_world_from_where_the_file_is(self, folder):
+        (folder / "maps").mkdir()
+        original = places.map_file(places.world_file("circuit1", folder))
+        shutil.copy(original, folder / "maps" / "lab.yaml")
+        shutil.copy(original.with_suffix(".pgm"), folder / "maps")
+        line = "0,0,1,1\n1,0,1,1\n0,1,1,1\n"
+        (folder / "maps" / "lab_centerline.csv").write_text(line, encoding="utf-8")
+        scenario = saved(folder, "maps/lab.yaml", "--planner", "without.launch")
+        assert scenario["world"] == "maps/lab.yaml"
+        assert make_plan(str(folder / "race.yaml")).place.world == folder / "maps" / "lab.yaml"
+
+    def test_rounds_times_up(self, folder):
+        limits = saved(folder, "circuit1", "--laps", "2")["limits"]
+        assert f"{limits}" == "{'timeout': 94.2, 'wall': 488.4}"

@@ -81,8 +81,17 @@ def call(namespace, service, kind, *arguments):
     return rospy.ServiceProxy(name, kind)(*arguments)
 
 
+def delete(options):
+    """Delete the model, without waiting: the simulator may have ended first."""
+    name = f"{options.gazebo_namespace}/delete_model"
+    try:
+        rospy.ServiceProxy(name, DeleteModel)(options.model)
+    except rospy.ServiceException as error:
+        rospy.logwarn("model %s was not deleted: %s", options.model, error)
+
+
 def spawn(options, description):
-    """Ask the simulator; return whether it worked."""
+    """Ask the simulator, bind the model to this node if wanted; return whether it worked."""
     answer = call(
         options.gazebo_namespace,
         f"spawn_{options.kind}_model",
@@ -93,6 +102,8 @@ def spawn(options, description):
         initial_pose(options),
         options.reference_frame,
     )
+    if answer.success and options.bond:
+        rospy.on_shutdown(lambda: delete(options))
     (rospy.loginfo if answer.success else rospy.logerr)("%s", answer.status_message)
     return answer.success
 
@@ -115,9 +126,6 @@ def main():
         if options.unpause:
             call(options.gazebo_namespace, "unpause_physics", Empty)
         if options.bond:
-            rospy.on_shutdown(
-                lambda: call(options.gazebo_namespace, "delete_model", DeleteModel, options.model)
-            )
             rospy.spin()
     except UsageError as error:
         print(f"spawn_model: {error}", file=sys.stderr)

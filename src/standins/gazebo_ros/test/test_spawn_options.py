@@ -24,7 +24,7 @@ def test_all_options_of_the_original():
     options = parse(
         ["-sdf", "-file", "/m.sdf", "-model", "m", "-x", "1", "-y", "-2.5", "-z", "0.1", "-R", "0", "-P", "0"]
         + ["-Y", "1.5", "-robot_namespace", "/r", "-reference_frame", "base", "-unpause", "-wait", "other"]
-        + ["-J", "hinge", "0.5", "-b", "__name:=spawn"],
+        + ["-J", "hinge", "0.5", "-b", "-package_to_model", "__name:=spawn"],
         "/",
     )
     assert (options.kind, options.file) == ("sdf", "/m.sdf")

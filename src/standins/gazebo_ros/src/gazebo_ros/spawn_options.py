@@ -46,6 +46,9 @@ def _parser(namespace):
     parser.add_argument(
         "-J", dest="joints", nargs=2, action="append", default=[], metavar=("JOINT", "POSITION")
     )
+    parser.add_argument(
+        "-package_to_model", action="store_true", help="accepted; package:// is found as model:// is"
+    )
     parser.add_argument("-wait", metavar="MODEL", help="wait for this model first")
     parser.add_argument("-unpause", action="store_true", help="set the simulator going afterwards")
     parser.add_argument(

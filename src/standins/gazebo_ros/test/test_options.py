@@ -28,7 +28,11 @@ def test_options_without_effect_are_named():
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--seed", "x"], "--seed: found 'x', expected a whole number >= 0"),
+        (["--seed", "x"], "--seed: found 'x', expected a whole number from 0 to 2147483647"),
+        (
+            ["--seed", "2147483648"],
+            "--seed: found '2147483648', expected a whole number from 0 to 2147483647",
+        ),
         (["--no-such"], "unrecognized arguments: --no-such"),
         (["a.world", "b.world"], "unrecognized arguments: b.world"),
     ],

@@ -6,6 +6,7 @@ import os
 from .errors import UsageError
 
 EMPTY_WORLD = "worlds/empty.world"
+GREATEST_SEED = 2**31 - 1  # of a whole number on the parameter server
 
 
 class _Parser(argparse.ArgumentParser):
@@ -13,9 +14,9 @@ class _Parser(argparse.ArgumentParser):
         raise UsageError(message)
 
 
-def _natural(text):
-    if not text.isdigit():
-        raise UsageError(f"--seed: found {text!r}, expected a whole number >= 0")
+def _seed(text):
+    if not text.isdecimal() or int(text) > GREATEST_SEED:
+        raise UsageError(f"--seed: found {text!r}, expected a whole number from 0 to {GREATEST_SEED}")
     return int(text)
 
 
@@ -34,7 +35,7 @@ def parse(arguments):
     parser.add_argument("-u", "--pause", action="store_true")
     parser.add_argument("-e", "--physics", default="ode")
     parser.add_argument("-o", "--profile")
-    parser.add_argument("--seed", type=_natural)
+    parser.add_argument("--seed", type=_seed)
     parser.add_argument("--verbose", action="store_true")
     with_value = ("iters", "record_path", "record_encoding", "record_period", "record_filter", "play")
     without_effect = [

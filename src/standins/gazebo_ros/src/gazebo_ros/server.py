@@ -37,18 +37,37 @@ def executable():
     raise UsageError("no executable sim2d of f1tenth_sim2d below CMAKE_PREFIX_PATH: build the workspace")
 
 
-def set_parameters(tree, options):
-    """Say what the command line says; other parameters of the tree are the user's."""
+def set_parameters(name, options):
+    """Say what the command line says; other parameters of the tree are the user's.
+
+    Args:
+        name: of the node.
+        options: of server_options.parse.
+    """
+    tree = f"{name}/sim2d"
     share = rospkg.RosPack().get_path("gazebo_ros")
     folders = server_options.resource_folders(os.environ, share)
     world = server_options.find_world(options.world, folders)
-    rospy.set_param(f"{tree}/world", world)
     factor = real_time_factor(world, options.profile)
-    if factor is not None:
-        rospy.set_param(f"{tree}/real_time_factor", factor)
+    _set_or_forget(name, {"real_time_factor": factor, "seed": options.seed})
+    rospy.set_param(f"{tree}/world", world)
     rospy.set_param(f"{tree}/paused", options.pause)
-    if options.seed is not None:
-        rospy.set_param(f"{tree}/seed", options.seed)
+
+
+def _set_or_forget(name, values):
+    """Set parameters of the tree; those that are None are deleted if a gzserver before this one has set them.
+
+    What was set is noted beside the tree, so that the user's own parameters stay.
+    """
+    for key, value in values.items():
+        parameter, note = f"{name}/sim2d/{key}", f"{name}/gzserver/{key}"
+        if value is not None:
+            rospy.set_param(parameter, value)
+            rospy.set_param(note, value)
+        elif rospy.has_param(note):
+            if rospy.get_param(parameter, None) == rospy.get_param(note):
+                rospy.delete_param(parameter)
+            rospy.delete_param(note)
 
 
 def main(debugger=()):
@@ -60,14 +79,13 @@ def main(debugger=()):
     try:
         options, left_out = server_options.parse(sys.argv[1:])
         name = node_name(sys.argv)
-        tree = f"{name}/sim2d"
-        set_parameters(tree, options)
+        set_parameters(name, options)
         if left_out:
             print(f"gzserver: without effect here: {', '.join(left_out)}", file=sys.stderr)
         remappings = [each for each in sys.argv[1:] if ":=" in each]
         if not any(each.startswith("__name:=") for each in remappings):
             remappings.append(f"__name:={DEFAULT_NAME}")
-        command = [*debugger, executable(), tree, *remappings]
+        command = [*debugger, executable(), f"{name}/sim2d", *remappings]
         os.execvp(command[0], command)
     except UsageError as error:
         print(f"gzserver: {error}", file=sys.stderr)

@@ -29,6 +29,20 @@ def drivers(scenario):
     return [car["driver"] for car in scenario["cars"]]
 
 
+class TestArguments:
+    def test_are_given_to_the_planners_that_have_them(self, folder):
+        planners = ["--planner", "with.launch", "--planner", "without.launch", "--planner", "gap_follower"]
+        found = drivers(saved(folder, "circuit1", *planners, "--arg", "line:=1"))
+        assert [each.get("arguments") for each in found[:2]] == [{"line": "1"}, None]
+        assert found[2] == "gap_follower"
+
+    def test_that_no_planner_has_are_answered(self, folder, capsys):
+        planners = ["--planner", "with.launch", "--planner", "without.launch"]
+        assert cli.main(["race", "circuit1", *planners, "--arg", "speed:=1"]) == 2
+        wanted = f"scenario: robot1: {folder}/with.launch has no argument 'speed'; it has: line\n"
+        assert capsys.readouterr().err == wanted
+
+
 class TestSave:
     def test_names_what_is_in_a_package_by_that(self, folder):
         file = places.package_path("f1tenth_scenarios") / "launch" / "drivers" / "pure_pursuit.launch"

@@ -1,9 +1,12 @@
 """What several subcommands make of their options."""
 
+import dataclasses
+from collections.abc import Sequence
 from pathlib import Path
 
 from f1tenth_scenarios import places
 from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.plan.driver_file import read_driver_file
 from f1tenth_scenarios.scenario.driver import Driver, Interface
 
 
@@ -32,6 +35,22 @@ def planner_of(name: str, options) -> Driver:
     interface = Interface(options.interface)
     ours = Driver.short_forms().get(name)
     return Driver(ours.launch if ours else file_option(name), interface, arguments)
+
+
+def planners_of(names: Sequence[str], options) -> list[Driver]:
+    """The planners of a race; each gets those of --arg that it has. What none has is left to be refused.
+
+    Raises:
+        ScenarioError: as planner_of.
+    """
+    planners = [planner_of(name, options) for name in names]
+    known = [read_driver_file(places.file_at(each.launch, Path.cwd())).arguments for each in planners]
+    given = {name for each in planners for name in each.arguments}
+    nowhere = given.difference(*known)
+    return [
+        dataclasses.replace(each, arguments={k: v for k, v in each.arguments.items() if k in own | nowhere})
+        for each, own in zip(planners, known)
+    ]
 
 
 def file_option(name: str) -> str:

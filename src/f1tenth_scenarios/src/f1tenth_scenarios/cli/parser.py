@@ -115,7 +115,7 @@ def _add_planner(command: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NAME:=VALUE",
-        help="argument of the planner's launch file",
+        help="argument of the planner's launch file; in a race, of each that has it",
     )
 
 

@@ -4,7 +4,7 @@ import dataclasses
 
 from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.cli.exit_codes import PASSED
-from f1tenth_scenarios.cli.options import check_planner_options, file_option, planner_of, results_of
+from f1tenth_scenarios.cli.options import check_planner_options, file_option, planners_of, results_of
 from f1tenth_scenarios.cli.run_command import run_plan, with_report
 from f1tenth_scenarios.errors import ScenarioError, writing
 from f1tenth_scenarios.plan.race import Race, plan_race, race_text
@@ -16,7 +16,7 @@ def race(options) -> int:
     if options.laps < 1:
         raise ScenarioError(f"--laps is {options.laps}, must be at least 1")
     check_planner_options(options)
-    planners = [planner_of(name, options) for name in options.planner] or [Driver.short_forms()["race"]]
+    planners = planners_of(options.planner, options) or [Driver.short_forms()["race"]]
     description = options.description and file_option(options.description)
     wanted = Race(options.place, options.laps, planners, options.timeout, description)
     plan = plan_race(wanted, results_of(options) / wanted.name, options.set)

@@ -8,16 +8,10 @@ import subprocess
 import threading
 import unittest
 
-import rospkg
 import rospy
 import rostest
-from controller_manager_msgs.srv import (
-    ListControllers,
-    ListControllerTypes,
-    LoadController,
-    SwitchController,
-    UnloadController,
-)
+from commands import LONG, command_path, run_until
+from controller_manager_msgs.srv import ListControllers, ListControllerTypes, SwitchController
 from diagnostic_msgs.msg import DiagnosticArray
 from gazebo_msgs.srv import GetModelState
 from geometry_msgs.msg import Twist
@@ -28,16 +22,7 @@ from std_msgs.msg import Float64, Float64MultiArray
 from std_srvs.srv import Empty
 from tf2_msgs.msg import TFMessage
 
-LONG = 60.0  # wall s: only a hang takes that long
 MANAGER = "/racecar/controller_manager/"
-
-
-def command_path(name):
-    paths = [
-        os.path.join(p, "lib", "controller_manager", name) for p in os.environ["CMAKE_PREFIX_PATH"].split(":")
-    ]
-    paths.append(os.path.join(rospkg.RosPack().get_path("controller_manager"), "scripts", name))
-    return next(path for path in paths if os.access(path, os.X_OK))
 
 
 class Watch:
@@ -63,38 +48,6 @@ class Watch:
 
     def close(self):
         self._subscriber.unregister()
-
-
-class EndingManager:
-    """A controller manager of a namespace that fails to stop controllers, as one does that is ending.
-
-    Args:
-        time_left: wall s until its services are gone; None: they stay.
-
-    """
-
-    def __init__(self, namespace, time_left):
-        self._time_left = time_left
-        answers = {
-            "load_controller": (LoadController, lambda request: True),
-            "switch_controller": (SwitchController, self._switch),
-            "unload_controller": (UnloadController, lambda request: True),
-        }
-        self._services = [
-            rospy.Service(f"/{namespace}/controller_manager/{name}", kind, answer)
-            for name, (kind, answer) in answers.items()
-        ]
-
-    def _switch(self, request):
-        if request.start_controllers:
-            return True
-        if self._time_left is not None:
-            threading.Timer(self._time_left, self.close).start()
-        raise rospy.ServiceException("not any more")
-
-    def close(self):
-        for service in self._services:
-            service.shutdown()
 
 
 class ControllersTest(unittest.TestCase):
@@ -341,51 +294,22 @@ class ControllersTest(unittest.TestCase):
         after = accepted(diagnostics.wait_for(lambda message: accepted(message) > before))
         assert after - before <= len(names)
 
-    def spawner_says(self, namespace, *arguments, end_at):
-        """Start a spawner, end it when it says this, and return its exit code and all that it has said."""
-        spawner = subprocess.Popen(
-            [command_path("spawner"), *arguments],
-            env={**os.environ, "ROS_NAMESPACE": namespace, "PYTHONUNBUFFERED": "1"},
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-        )
-        said = []
-        for line in spawner.stdout:
-            said.append(line)
-            if end_at in line:
-                spawner.send_signal(signal.SIGINT)
-        return spawner.wait(LONG), "".join(said)
-
-    def end_with(self, manager, namespace, *options, end_at="Started controllers"):
-        """Start a spawner at this manager, end it when it says this, and return all that it has said."""
-        self.addCleanup(manager.close)
-        code, said = self.spawner_says(namespace, "wheel", *options, end_at=end_at)
-        assert code == 0
-        return said
-
     def test_spawner_names_only_what_it_has_started(self):
-        code, said = self.spawner_says("racecar", "unknown_type", "rear_left", end_at="Started controllers")
+        code, said = run_until(
+            "Started controllers", "spawner", "unknown_type", "rear_left", namespace="racecar"
+        )
         assert code == 2
         assert "Failed to load unknown_type" in said
         assert "Started controllers: rear_left\n" in said
 
     def test_spawner_in_another_namespace_names_the_managers_that_there_are(self):
-        code, said = self.spawner_says("car", "rear_left", "--timeout", "0.5", end_at="No controller manager")
+        code, said = run_until(
+            "No controller manager", "spawner", "rear_left", "--timeout", "0.5", namespace="car"
+        )
         assert code == 1
         assert "Waiting for /car/controller_manager" in said
         assert "No controller manager /car/controller_manager within 0.5 s; " in said
         assert "there are: /racecar/controller_manager" in said
-
-    def test_controllers_of_a_manager_that_is_ending_are_not_left_behind(self):
-        assert "left behind" not in self.end_with(EndingManager("ending", 0.3), "ending")
-
-    def test_controllers_of_a_manager_that_fails_and_stays_are_left_behind(self):
-        assert "Controllers were left behind" in self.end_with(EndingManager("staying", None), "staying")
-
-    def test_spawner_that_waits_for_a_go_ends_without_a_word(self):
-        said = self.end_with(EndingManager("waiting", None), "waiting", "--wait-for", "go", end_at="Loading")
-        assert "Traceback" not in said
 
     def test_a_controller_claims_each_joint_at_its_interface(self):
         assert self.manager("load", "steering")[0] == 0

@@ -86,17 +86,27 @@ def unload_controller(name):
     return _say(ok, f"Unloaded '{name}' successfully", f"Error when unloading '{name}'")
 
 
-def switch_controllers(start, stop):
-    """Start and stop controllers at the same time, all or none; return whether it worked."""
-    strict = SwitchControllerRequest.STRICT
-    return call("switch_controller", SwitchController, list(start), list(stop), strict, False, 0.0).ok
+def switch_controllers(start, stop, timeout=None):
+    """Start and stop controllers at the same time, all or none; return whether it worked.
+
+    Raises:
+        as call.
+    """
+    request = (list(start), list(stop), SwitchControllerRequest.STRICT, False, 0.0)
+    return call("switch_controller", SwitchController, *request, timeout=timeout).ok
 
 
-def start_controllers(names):
-    """Start loaded controllers."""
+def start_controllers(names, timeout=None):
+    """Start loaded controllers.
+
+    Raises:
+        as call.
+    """
     shown = ", ".join(names)
     return _say(
-        switch_controllers(names, []), f"Started {shown} successfully", f"Error when starting {shown}"
+        switch_controllers(names, [], timeout),
+        f"Started {shown} successfully",
+        f"Error when starting {shown}",
     )
 
 

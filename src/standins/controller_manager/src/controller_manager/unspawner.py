@@ -5,6 +5,18 @@ import rospy
 from . import controller_manager_interface as manager
 from .command_line import unspawner_parser
 
+RESTART_TIMEOUT = 1.0  # wall s for the controller manager at the end: it may be gone
+
+
+def start_again(controllers):
+    """Start the controllers that were stopped, if there were any."""
+    if not controllers:
+        return
+    try:
+        manager.start_controllers(controllers, RESTART_TIMEOUT)
+    except (rospy.ROSException, rospy.ServiceException) as error:
+        rospy.logwarn("Controllers were not started again: %s", error)
+
 
 def main():
     """Run; return the exit code."""
@@ -14,7 +26,7 @@ def main():
     rospy.init_node("unspawner", anonymous=True)
     # Before they are stopped: a signal may come as soon as they are.
     stopped = list(options.controllers)
-    rospy.on_shutdown(lambda: stopped and manager.start_controllers(stopped))
+    rospy.on_shutdown(lambda: start_again(stopped))
     if not manager.stop_controllers(options.controllers):
         stopped.clear()
         return 1

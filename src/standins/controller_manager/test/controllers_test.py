@@ -264,7 +264,15 @@ class ControllersTest(unittest.TestCase):
         assert self.manager("start", "rear_left")[0] == 0
         assert self.manager("start", "rear_left_motor")[0] == 1
         switch = rospy.ServiceProxy(MANAGER + "switch_controller", SwitchController)
+        best_effort = 1
+        assert not switch(["rear_left_motor"], [], best_effort, False, 0.0).ok
+        assert switch(["no_such", "rear_left"], ["rear_left_motor"], best_effort, False, 0.0).ok
+        assert self.controllers() == {"rear_left": "running", "rear_left_motor": "initialized"}
         assert switch(["rear_left_motor"], ["rear_left"], 2, False, 0.0).ok
+        assert switch([], ["rear_left_motor"], 2, False, 0.0).ok
+        assert not switch(["rear_left", "rear_left_motor"], [], best_effort, False, 0.0).ok
+        assert self.controllers() == {"rear_left": "stopped", "rear_left_motor": "stopped"}
+        assert switch(["rear_left_motor", "rear_left_motor"], [], 2, False, 0.0).ok
         assert self.controllers() == {"rear_left": "stopped", "rear_left_motor": "running"}
 
     def test_absurd_commands_are_refused_and_counted(self):

@@ -166,6 +166,8 @@ void RosControl::switchOver(const controller_manager_msgs::SwitchController::Req
   if (request.strictness == controller_manager_msgs::SwitchController::Request::STRICT) {
     checkSwitch(request.start_controllers, request.stop_controllers);
   }
+  // As in ros_control, whatever the strictness.
+  checkJoints(request.start_controllers, request.stop_controllers);
   for (const auto & name : request.stop_controllers) {
     if (const auto found = controllers_.find(name); found != controllers_.end() && found->second.runs()) {
       found->second.state = "stopped";
@@ -186,13 +188,6 @@ void RosControl::checkSwitch(const Names & start, const Names & stop) const
       throw Error("controller " + name + ": cannot be stopped, it does not run");
     }
   }
-  std::set<std::string> claimed;
-  for (const auto & [name, loaded] : controllers_) {
-    if (loaded.runs() && !isAmong(stop, name)) {
-      const Names joints = jointsOf(*loaded.controller);
-      claimed.insert(joints.begin(), joints.end());
-    }
-  }
   for (const auto & name : start) {
     const auto found = controllers_.find(name);
     if (found == controllers_.end()) {
@@ -200,6 +195,23 @@ void RosControl::checkSwitch(const Names & start, const Names & stop) const
     }
     if (found->second.runs() && !isAmong(stop, name)) {
       throw Error("controller " + name + ": cannot be started, it runs already");
+    }
+  }
+}
+
+void RosControl::checkJoints(const Names & start, const Names & stop) const
+{
+  std::set<std::string> claimed;
+  for (const auto & [name, loaded] : controllers_) {
+    if (loaded.runs() && !isAmong(stop, name)) {
+      const Names joints = jointsOf(*loaded.controller);
+      claimed.insert(joints.begin(), joints.end());
+    }
+  }
+  for (const auto & name : std::set<std::string>(start.begin(), start.end())) {
+    const auto found = controllers_.find(name);
+    if (found == controllers_.end() || (found->second.runs() && !isAmong(stop, name))) {
+      continue;  // not started, or counted above
     }
     for (const std::string & joint : jointsOf(*found->second.controller)) {
       if (!claimed.insert(joint).second) {

@@ -47,7 +47,10 @@ private:
   void reload(bool force);
 
   void start(Loaded & loaded);
+  /// That all are loaded, and run or not as they should.
   void checkSwitch(const Names & start, const Names & stop) const;
+  /// That no joint would have two controllers.
+  void checkJoints(const Names & start, const Names & stop) const;
   std::vector<JointCommand> wanted(SimTime now, double dt);
 
   CarHandle car_;

@@ -5,6 +5,7 @@ import shutil
 import pytest
 import yaml
 from f1tenth_scenarios.plan.planning import make_plan
+from f1tenth_scenarios.plan.race import Race
 
 from f1tenth_scenarios import cli, places
 
@@ -41,6 +42,18 @@ class TestArguments:
         assert cli.main(["race", "circuit1", *planners, "--arg", "speed:=1"]) == 2
         wanted = f"scenario: robot1: {folder}/with.launch has no argument 'speed'; it has: line\n"
         assert capsys.readouterr().err == wanted
+
+
+class TestName:
+    def test_is_that_of_the_place_unless_it_is_given(self):
+        assert Race("circuit1", 1, []).name == "race_circuit1"
+        assert Race("circuit1", 1, [], called="mine_2.0").name == "mine_2.0"
+
+    @pytest.mark.parametrize("name", ["", "../mine", ".mine", "a b"])
+    def test_that_is_no_name_of_a_folder_is_refused(self, folder, capsys, name):
+        assert cli.main(["race", "circuit1", "--name", name]) == 2
+        wanted = "must begin with a letter or a digit and have only those and '_', '-' and '.'"
+        assert capsys.readouterr().err == f"scenario: --name {name}: {wanted}\n"
 
 
 class TestSave:

@@ -98,8 +98,9 @@ def _add_race(commands: _Subparsers) -> None:
     command.add_argument(
         "--attach", action="store_true", help="use the ROS master that runs, so that one can look on"
     )
+    command.add_argument("--name", metavar="NAME", help="of the results folder; default: race_PLACE")
     _add_planner(command)
-    _add_run_options(command, "write to FOLDER/race_PLACE")
+    _add_run_options(command, "write to FOLDER/NAME")
 
 
 def _add_planner(command: argparse.ArgumentParser) -> None:

@@ -1,6 +1,8 @@
 """scenario race."""
 
 import dataclasses
+import re
+from typing import Optional
 
 from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.cli.exit_codes import PASSED
@@ -15,10 +17,11 @@ def race(options) -> int:
     """Run and judge a race that is in no scenario file."""
     if options.laps < 1:
         raise ScenarioError(f"--laps is {options.laps}, must be at least 1")
+    _check_name(options.name)
     check_planner_options(options)
     planners = planners_of(options.planner, options) or [Driver.short_forms()["race"]]
     description = options.description and file_option(options.description)
-    wanted = Race(options.place, options.laps, planners, options.timeout, description)
+    wanted = Race(options.place, options.laps, planners, options.timeout, description, options.name)
     plan = plan_race(wanted, results_of(options) / wanted.name, options.set)
     if options.save:
         with writing(options.save), replacing(options.save) as temporary:
@@ -26,3 +29,9 @@ def race(options) -> int:
         return PASSED
     plan = dataclasses.replace(plan, keep_bag=options.bag, watched=options.attach)
     return with_report(run_plan(plan), options)
+
+
+def _check_name(name: Optional[str]) -> None:
+    if name is not None and not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_.-]*", name):
+        rule = "must begin with a letter or a digit and have only those and '_', '-' and '.'"
+        raise ScenarioError(f"--name {name}: {rule}")

@@ -36,11 +36,12 @@ class Race:
     planners: Sequence[Driver]
     timeout: Optional[float] = None  # s, simulated
     description: Optional[str] = None  # of the cars: path or package://PACKAGE/PATH; default: the F1/10 car
+    called: Optional[str] = None  # default: after the place
 
     @property
     def name(self) -> str:
         """Names the results."""
-        return f"race_{places.world_file(self.place, Path.cwd()).stem.removesuffix('_map')}"
+        return self.called or f"race_{places.world_file(self.place, Path.cwd()).stem.removesuffix('_map')}"
 
 
 @as_scenario_error(FileError)

@@ -1,88 +1,31 @@
 #!/usr/bin/env python3
-"""The services of gazebo_ros: cars and models come, go and are put elsewhere while the simulator runs."""
+"""The services of gazebo_ros: cars and models come and go while the simulator runs."""
 
 import math
-import unittest
 
 import rospy
 import rostest
-from gazebo_msgs.msg import ModelState
+from gazebo_api_case import BOX, FIRST, GazeboApiCase, pose
 from gazebo_msgs.srv import (
     DeleteModel,
     GetModelProperties,
-    GetModelState,
     GetPhysicsProperties,
     GetWorldProperties,
-    SetModelState,
     SetPhysicsProperties,
     SpawnModel,
 )
-from geometry_msgs.msg import Point, Pose, Quaternion, Twist, Vector3
+from geometry_msgs.msg import Point, Pose, Quaternion, Vector3
 from nav_msgs.msg import Odometry
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import LaserScan
-from sim2d_process import LONG, Collector, Driver, Sim2d, Stepper, car_description
+from sim2d_process import Driver, car_description
 from std_srvs.srv import Empty
 
-PERIOD = 25_000_000
 SECOND = 1_000_000_000
-BOX = """<robot name="box"><link name="box">
-<inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>
-<collision><geometry><box size="0.4 0.4 0.4"/></geometry></collision></link></robot>"""
-FIRST = {"robot1": {"x": 0.0}}
 SENSED = {"scan": LaserScan, "odom": Odometry}
 
 
-def pose(x, y, yaw=0.0, z=0.0):
-    return Pose(Point(x, y, z), Quaternion(0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2)))
-
-
-class GazeboApiTest(unittest.TestCase):
-    def start(self, **parameters):
-        sim2d = Sim2d(car_description(), **parameters)
-        self.addCleanup(sim2d.kill)
-        rospy.wait_for_service("/gazebo/set_physics_properties", LONG)
-        return sim2d
-
-    def start_lockstep(self, cars, participants=("test",)):
-        self.stepper = Stepper()
-        self.addCleanup(self.stepper.close)
-        sim2d = self.start(lockstep=True, participants=list(participants), cars=cars)
-        self.stepper.advance_to(PERIOD)
-        return sim2d
-
-    def collect(self, **topics):
-        collector = Collector(**topics)
-        self.addCleanup(collector.close)
-        return collector
-
-    def call(self, name, kind, *arguments, **fields):
-        rospy.wait_for_service("/gazebo/" + name, LONG)
-        return rospy.ServiceProxy("/gazebo/" + name, kind)(*arguments, **fields)
-
-    def spawn(self, name, xml, x, y, **fields):
-        return self.call(
-            "spawn_urdf_model",
-            SpawnModel,
-            model_name=name,
-            model_xml=xml,
-            initial_pose=pose(x, y, z=0.2),
-            **fields,
-        )
-
-    def state(self, name, reference=""):
-        return self.call("get_model_state", GetModelState, name, reference)
-
-    def put(self, **fields):
-        return self.call("set_model_state", SetModelState, ModelState(**fields))
-
-    def names(self):
-        return self.call("get_world_properties", GetWorldProperties).model_names
-
-    def run_periods(self, count):
-        """Let so many more periods pass, without a driver."""
-        self.stepper.advance_to(count * PERIOD)
-
+class GazeboApiTest(GazeboApiCase):
     def test_simulator_starts_without_cars_and_gets_two(self):
         scans = self.collect(red__scan=LaserScan, blue__scan=LaserScan)
         self.start(cars={})
@@ -245,23 +188,6 @@ class GazeboApiTest(unittest.TestCase):
         assert self.call("delete_model", DeleteModel, "good").success
         self.run_periods(8)
         assert self.names() == ["walls", "crate"]
-
-    def test_state_is_set_in_the_frame_of_a_reference(self):
-        self.start_lockstep({"robot1": {"x": 1.0, "yaw": math.pi / 2}})
-        twist = Twist(linear=Vector3(1.0, 0.0, 0.0), angular=Vector3(0.0, 0.0, 0.5))
-        assert self.put(
-            model_name="crate", pose=pose(1.0, 0.0), twist=twist, reference_frame="robot1"
-        ).success
-        crate = self.state("crate")
-        assert math.isclose(crate.pose.position.x, 1.0, abs_tol=1e-5)
-        assert math.isclose(crate.pose.position.y, 1.0, abs_tol=1e-5)
-        assert math.isclose(crate.twist.linear.y, 1.0, abs_tol=1e-5)
-        assert math.isclose(crate.twist.angular.z, 0.5, abs_tol=1e-5)
-        assert self.put(model_name="robot1", pose=pose(-1.0, -0.5, 0.3), twist=twist).success
-        car = self.state("robot1")
-        assert math.isclose(car.pose.position.x, -1.0, abs_tol=1e-9)
-        assert math.isclose(car.twist.linear.x, 1.0, abs_tol=1e-9)
-        assert math.isclose(car.twist.angular.z, 0.5, abs_tol=1e-9)
 
     def test_reset_after_cars_have_come_and_gone_is_as_from_fresh(self):
         rospy.set_param("/robot2/robot_description", car_description())

@@ -1,0 +1,33 @@
+#!/usr/bin/env python3
+"""The services of gazebo_ros that say and set where cars and models are and how they move."""
+
+import math
+
+import rospy
+import rostest
+from gazebo_api_case import GazeboApiCase, pose
+from geometry_msgs.msg import Twist, Vector3
+
+
+class GazeboStatesTest(GazeboApiCase):
+    def test_state_is_set_in_the_frame_of_a_reference(self):
+        self.start_lockstep({"robot1": {"x": 1.0, "yaw": math.pi / 2}})
+        twist = Twist(linear=Vector3(1.0, 0.0, 0.0), angular=Vector3(0.0, 0.0, 0.5))
+        assert self.put(
+            model_name="crate", pose=pose(1.0, 0.0), twist=twist, reference_frame="robot1"
+        ).success
+        crate = self.state("crate")
+        assert math.isclose(crate.pose.position.x, 1.0, abs_tol=1e-5)
+        assert math.isclose(crate.pose.position.y, 1.0, abs_tol=1e-5)
+        assert math.isclose(crate.twist.linear.y, 1.0, abs_tol=1e-5)
+        assert math.isclose(crate.twist.angular.z, 0.5, abs_tol=1e-5)
+        assert self.put(model_name="robot1", pose=pose(-1.0, -0.5, 0.3), twist=twist).success
+        car = self.state("robot1")
+        assert math.isclose(car.pose.position.x, -1.0, abs_tol=1e-9)
+        assert math.isclose(car.twist.linear.x, 1.0, abs_tol=1e-9)
+        assert math.isclose(car.twist.angular.z, 0.5, abs_tol=1e-9)
+
+
+if __name__ == "__main__":
+    rospy.init_node("gazebo_states_test")
+    rostest.rosrun("f1tenth_sim2d", "sim2d_gazebo_states", GazeboStatesTest)

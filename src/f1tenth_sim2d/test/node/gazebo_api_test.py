@@ -156,6 +156,18 @@ class GazeboApiTest(GazeboApiCase):
         assert "has no <link> of its own" in answer.status_message
         assert self.names() == ["walls", "crate", "robot1"]
 
+    def test_model_of_which_a_nested_one_cannot_be_leaves_nothing_behind(self):
+        self.start_lockstep(FIRST)
+        link = "<link name='l'><inertial><mass>1</mass></inertial></link>"
+        xml = f"<sdf version='1.7'><model name='m'>{link}<model name='n'>{link}</model></model></sdf>"
+        assert self.spawn("p::n", BOX, 2.0, 1.0).success
+        answer = self.spawn("p", xml, 1.0, 1.0)
+        assert (answer.success, answer.status_message) == (
+            False,
+            "SpawnModel: Failure - p::n: there is already a model of this name",
+        )
+        assert self.names() == ["walls", "crate", "p::n", "robot1"]
+
     def test_description_without_a_name_gets_the_one_asked_for(self):
         self.start_lockstep(FIRST)
         nameless = car_description().replace('<robot name="car">', '<robot name="">')

@@ -82,6 +82,22 @@ void spawnCar(const SpawnRequest & request, const std::string & source, Fleet & 
   addNear(parameters, description, carPose(description, request.pose), fleet);
 }
 
+/// All or nothing: a model and those nested in it that are bodies of their own.
+void addModels(const std::vector<ModelDescription> & models, Simulation & simulation)
+{
+  const std::size_t before = simulation.models().size();
+  try {
+    for (const auto & model : models) {
+      simulation.addModel(model);
+    }
+  } catch (...) {
+    while (simulation.models().size() > before) {
+      simulation.removeModel(simulation.models().size() - 1);
+    }
+    throw;
+  }
+}
+
 void spawnModel(const SpawnRequest & request, const std::string & source, Simulation & simulation)
 {
   const LoadedModel loaded = loadModel(request.xml, request.name, request.pose, source, searchPathFromEnvironment());
@@ -92,9 +108,7 @@ void spawnModel(const SpawnRequest & request, const std::string & source, Simula
       "nested ones are joined by a <joint>, are static or only one");
   }
   warnOnce(source, loaded.warnings);
-  for (const auto & model : loaded.models) {
-    simulation.addModel(model);
-  }
+  addModels(loaded.models, simulation);
 }
 }  // namespace
 

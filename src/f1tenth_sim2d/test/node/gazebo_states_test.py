@@ -6,6 +6,7 @@ import math
 import rospy
 import rostest
 from gazebo_api_case import GazeboApiCase, pose
+from gazebo_msgs.srv import GetLinkState
 from geometry_msgs.msg import Twist, Vector3
 
 
@@ -26,6 +27,24 @@ class GazeboStatesTest(GazeboApiCase):
         assert math.isclose(car.pose.position.x, -1.0, abs_tol=1e-9)
         assert math.isclose(car.twist.linear.x, 1.0, abs_tol=1e-9)
         assert math.isclose(car.twist.angular.z, 0.5, abs_tol=1e-9)
+
+    def test_twist_is_relative_to_the_motion_of_the_reference(self):
+        self.start_lockstep({"robot1": {"x": 1.0, "yaw": math.pi / 2}})
+        car = Twist(linear=Vector3(1.0, 0.0, 0.0), angular=Vector3(0.0, 0.0, 0.5))
+        crate = Twist(linear=Vector3(0.0, 3.0, 0.0), angular=Vector3(0.0, 0.0, 0.2))
+        assert self.put(model_name="robot1", pose=pose(1.0, 0.0, math.pi / 2), twist=car).success
+        assert self.put(model_name="crate", pose=pose(-1.0, 0.0), twist=crate).success
+
+        def assert_twist(seen, x, y, turn):
+            assert math.isclose(seen.linear.x, x, abs_tol=1e-5)
+            assert math.isclose(seen.linear.y, y, abs_tol=1e-5)
+            assert math.isclose(seen.angular.z, turn, abs_tol=1e-5)
+
+        assert_twist(self.state("robot1").twist, 1.0, 0.0, 0.5)
+        assert_twist(self.state("robot1", "robot1").twist, 0.0, 0.0, 0.0)
+        assert_twist(self.state("crate", "robot1").twist, 3.0, 1.0, -0.3)
+        link = self.call("get_link_state", GetLinkState, "robot1::base_footprint", "crate").link_state
+        assert_twist(link.twist, 1.0, -3.0, 0.3)
 
 
 if __name__ == "__main__":

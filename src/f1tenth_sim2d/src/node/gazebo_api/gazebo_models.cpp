@@ -43,11 +43,12 @@ Entity reference(const Simulation & simulation, const std::string & name, const 
   throw Error(missing);
 }
 
-/// As in Gazebo, the twist is turned into the reference frame, not made relative to its motion.
+/// As in Gazebo, the velocity of the reference's origin is taken off, not that of the point of its frame where the other is.
 Entity seenFrom(const Entity & reference, Entity entity)
 {
   entity.pose = reference.pose.inverse() * entity.pose;
-  entity.velocity = rotated(entity.velocity, -reference.pose.yaw());
+  entity.velocity = rotated(entity.velocity - reference.velocity, -reference.pose.yaw());
+  entity.yaw_rate -= reference.yaw_rate;
   return entity;
 }
 

@@ -9,6 +9,9 @@ from gazebo_api_case import GazeboApiCase, pose
 from gazebo_msgs.srv import GetLinkState
 from geometry_msgs.msg import Twist, Vector3
 
+SDF = "<sdf version='1.7'><model name='m'>{}</model></sdf>".format
+LINK = "<link name='l'><inertial><mass>1</mass></inertial></link>"
+
 
 class GazeboStatesTest(GazeboApiCase):
     def test_state_is_set_in_the_frame_of_a_reference(self):
@@ -45,6 +48,18 @@ class GazeboStatesTest(GazeboApiCase):
         assert_twist(self.state("crate", "robot1").twist, 3.0, 1.0, -0.3)
         link = self.call("get_link_state", GetLinkState, "robot1::base_footprint", "crate").link_state
         assert_twist(link.twist, 1.0, -3.0, 0.3)
+
+    def test_models_that_are_nested_in_one_are_put_along_with_it(self):
+        self.start_lockstep({})
+        brick = f"<model name='n'><pose>1 0 0 0 0 0</pose>{LINK}</model>"
+        static = "<static>true</static>"
+        for name, y, xml in (("q", 1.0, SDF(LINK + brick)), ("s", -1.0, SDF(static + LINK + brick))):
+            assert self.spawn(name, xml, -3.0, y).success
+            assert self.put(model_name=name, pose=pose(-1.0, y, math.pi / 2)).success
+            nested = self.state(f"{name}::n", name).pose
+            assert math.isclose(nested.position.x, 1.0, abs_tol=1e-5)
+            assert math.isclose(nested.position.y, 0.0, abs_tol=1e-5)
+            assert math.isclose(nested.orientation.z, 0.0, abs_tol=1e-5)
 
 
 if __name__ == "__main__":

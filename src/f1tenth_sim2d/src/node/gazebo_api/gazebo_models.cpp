@@ -52,13 +52,32 @@ Entity seenFrom(const Entity & reference, Entity entity)
   return entity;
 }
 
-/// A model and those nested in it that are bodies of their own.
+/// Whether a model is a body of its own that is nested in the one of this name.
+bool isNestedIn(const std::string & name, const ModelDescription & model)
+{
+  return model.name.rfind(name + "::", 0) == 0;
+}
+
 void removeWithNested(Simulation & simulation, const std::string & name)
 {
   for (std::size_t i = simulation.models().size(); i-- > 0;) {
-    const std::string & each = simulation.models()[i].name;
-    if (each == name || each.rfind(name + "::", 0) == 0) {
+    const ModelDescription & model = simulation.models()[i];
+    if (model.name == name || isNestedIn(name, model)) {
       simulation.removeModel(i);
+    }
+  }
+}
+
+/// As in Gazebo, what is nested in the model goes along, but keeps its velocity.
+void placeWithNested(Simulation & simulation, const Entity & entity, const ModelState & state)
+{
+  const Pose2 before = simulation.modelState(entity.model).pose;
+  simulation.placeModel(entity.model, state);
+  for (std::size_t i = 0; i < simulation.models().size(); ++i) {
+    if (isNestedIn(entity.name, simulation.models()[i])) {
+      ModelState nested = simulation.modelState(i);
+      nested.pose = chain(state.pose, workspace_support::compose(workspace_support::inverse(before), nested.pose));
+      simulation.placeModel(i, nested);
     }
   }
 }
@@ -151,7 +170,7 @@ void GazeboModels::put(const gazebo_msgs::ModelState & wanted)
   const Vec2 velocity = rotated({wanted.twist.linear.x, wanted.twist.linear.y}, from.pose.yaw());
   const double yaw_rate = wanted.twist.angular.z;
   if (entity.kind == Entity::Kind::kModel) {
-    simulation_.placeModel(entity.model, {planar(pose), velocity, yaw_rate});
+    placeWithNested(simulation_, entity, {planar(pose), velocity, yaw_rate});
     return;
   }
   const Pose2 place = carPose(simulation_.car(entity.car), pose);

@@ -5,7 +5,7 @@ import math
 
 import rospy
 import rostest
-from gazebo_api_case import GazeboApiCase, pose
+from gazebo_api_case import FIRST, GazeboApiCase, pose
 from gazebo_msgs.srv import GetLinkState
 from geometry_msgs.msg import Twist, Vector3
 
@@ -48,6 +48,12 @@ class GazeboStatesTest(GazeboApiCase):
         assert_twist(self.state("crate", "robot1").twist, 3.0, 1.0, -0.3)
         link = self.call("get_link_state", GetLinkState, "robot1::base_footprint", "crate").link_state
         assert_twist(link.twist, 1.0, -3.0, 0.3)
+
+    def test_header_of_a_state_names_the_reference_and_counts_the_requests(self):
+        self.start_lockstep(FIRST)
+        headers = [self.state(name, frame).header for name, frame in (("robot1", ""), ("robot1", "crate"))]
+        assert [(header.seq, header.frame_id) for header in headers] == [(1, ""), (2, "crate")]
+        assert self.state("crate").header.seq == 1
 
     def test_models_that_are_nested_in_one_are_put_along_with_it(self):
         self.start_lockstep({})

@@ -147,12 +147,13 @@ void GazeboModels::getState(
   const gazebo_msgs::GetModelState::Request & request, gazebo_msgs::GetModelState::Response & response)
 {
   const Entity entity = model(request.model_name);
+  response.header.seq = ++state_requests_[request.model_name];
+  response.header.stamp = toRosTime(simulation_.time());
+  response.header.frame_id = request.relative_entity_name;
   const Entity from = reference(
     simulation_, request.relative_entity_name,
     "reference relative_entity_name not found, did you forget to scope the body by model name?");
   const Entity seen = seenFrom(from, entity);
-  response.header.stamp = toRosTime(simulation_.time());
-  response.header.frame_id = request.relative_entity_name.empty() ? "world" : request.relative_entity_name;
   response.pose = toPose(seen.pose);
   response.twist = twistOf(seen);
 }

@@ -8,6 +8,8 @@
 #include <gazebo_msgs/SpawnModel.h>
 #include <ros/node_handle.h>
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,7 @@ private:
 
   Simulation & simulation_;
   Fleet & fleet_;
+  std::map<std::string, std::uint32_t> state_requests_;  ///< get_model_state so far, by model
   std::vector<ros::ServiceServer> servers_;
   ros::Subscriber state_subscriber_;
 };

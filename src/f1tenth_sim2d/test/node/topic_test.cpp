@@ -66,6 +66,17 @@ TEST_F(TopicTest, SubscriberInTheSameProcessHearsEveryMessageOfABatch)
   EXPECT_EQ(heard_, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
   EXPECT_EQ(stamps_, (std::vector<std::uint32_t>{100, 101, 102, 103, 104, 105, 106, 107, 108, 109}));
 }
+
+TEST_F(TopicTest, CountsOfATopicAddUpAndStayWhenItHasNoPublisherAnyMore)
+{
+  publishBatch(0);
+  static_cast<Advertiser &>(outbox_).advertise<sensor_msgs::Imu>(node_, "imu").publish({});
+  publisher_ = {};
+  static_cast<Advertiser &>(outbox_).advertise<sensor_msgs::Imu>(node_, "other");
+  EXPECT_TRUE(outbox_.topics().empty());
+  EXPECT_EQ(outbox_.counts().at("/imu")->published, kBatch + 1);
+  EXPECT_EQ(outbox_.counts().at("/other")->published, 0u);
+}
 }  // namespace f1tenth_sim2d::test
 
 int main(int argc, char ** argv)

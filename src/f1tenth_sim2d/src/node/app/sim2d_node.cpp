@@ -163,8 +163,8 @@ RunResult Sim2dNode::result() const
   result.periods = world_.periods();
   result.trajectory_hash = world_.hash();
   result.seed = parameters_.simulation.seed;
-  for (const auto & topic : outbox_.topics()) {
-    result.published[topic->name()] = topic->published();
+  for (const auto & [topic, counts] : outbox_.counts()) {
+    result.published[topic] = counts->published;
   }
   result.lost = flow_.lostMessages();
   return result;

@@ -97,8 +97,8 @@ void FlowControl::noteLosses()
 std::uint64_t FlowControl::lostMessages() const
 {
   std::uint64_t lost = 0;
-  for (const auto & topic : outbox_.topics()) {
-    lost += topic->lost();
+  for (const auto & [topic, counts] : outbox_.counts()) {
+    lost += counts->lost;
   }
   return lost;
 }

@@ -8,7 +8,11 @@ std::shared_ptr<MessageSink> Outbox::add(const ros::AdvertiseOptions & options)
 {
   const auto isGone = [](const std::weak_ptr<Topic> & topic) { return topic.expired(); };
   topics_.erase(std::remove_if(topics_.begin(), topics_.end(), isGone), topics_.end());
-  auto topic = std::make_shared<Topic>(node_, options);
+  auto & counts = counts_[options.topic];
+  if (!counts) {
+    counts = std::make_shared<TopicCounts>();
+  }
+  auto topic = std::make_shared<Topic>(node_, options, counts);
   topics_.push_back(topic);
   return topic;
 }

@@ -2,7 +2,9 @@
 
 #include <ros/node_handle.h>
 
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "node/transport/topic.h"
@@ -21,6 +23,8 @@ public:
   bool isLagging(std::size_t limit) const;
   /// Those that still have a publisher.
   std::vector<std::shared_ptr<Topic>> topics() const;
+  /// What was published and lost, by topic; also of those that have no publisher any more.
+  const std::map<std::string, std::shared_ptr<TopicCounts>> & counts() const { return counts_; }
   /// Subscribers of all topics together.
   std::size_t subscriberCount() const;
 
@@ -30,5 +34,6 @@ protected:
 private:
   const ros::NodeHandle node_;
   std::vector<std::weak_ptr<Topic>> topics_;
+  std::map<std::string, std::shared_ptr<TopicCounts>> counts_;
 };
 }  // namespace f1tenth_sim2d

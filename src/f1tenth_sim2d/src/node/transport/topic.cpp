@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/join.hpp>
+#include <utility>
 
 namespace f1tenth_sim2d
 {
-Topic::Topic(ros::NodeHandle node, ros::AdvertiseOptions options) : name_(options.topic)
+Topic::Topic(ros::NodeHandle node, ros::AdvertiseOptions options, std::shared_ptr<TopicCounts> counts)
+: name_(options.topic), counts_(std::move(counts))
 {
   options.queue_size = kQueueSize;
   options.connect_cb = [this](const ros::SingleSubscriberPublisher & link) {
@@ -23,12 +25,12 @@ Topic::Topic(ros::NodeHandle node, ros::AdvertiseOptions options) : name_(option
 
 void Topic::publish(const ros::SerializedMessage & message)
 {
-  ++published_;
+  ++counts_->published;
   if (!hasSubscribers()) {
     return;
   }
   forgetWritten();
-  lost_ += in_flight_.size() > kQueueSize ? 1 : 0;
+  counts_->lost += in_flight_.size() > kQueueSize ? 1 : 0;
   // Serialised already, so that roscpp shares its buffer with us; Publisher::publish() would do it once more.
   ros::SerializedMessage sent;
   ros::TopicManager::instance()->publish(

@@ -4,6 +4,7 @@
 #include <ros/single_subscriber_publisher.h>
 
 #include <cstdint>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -12,6 +13,13 @@
 
 namespace f1tenth_sim2d
 {
+/// Messages of a topic, whoever publishes on it.
+struct TopicCounts
+{
+  std::uint64_t published{0};
+  std::uint64_t lost{0};  ///< that some subscriber has lost because it lagged behind
+};
+
 /// One topic over roscpp. The buffers that roscpp still holds tell how far subscribers lag behind: each holds on to what
 /// has not been written to its socket yet.
 class Topic : public MessageSink
@@ -20,8 +28,9 @@ public:
   /// Messages that roscpp keeps for a subscriber; beyond, that subscriber loses the oldest.
   static constexpr std::uint32_t kQueueSize = 256;
 
-  /// @param node  whose callback queue tells of subscribers that come and go
-  Topic(ros::NodeHandle node, ros::AdvertiseOptions options);
+  /// @param node    whose callback queue tells of subscribers that come and go
+  /// @param counts  to which it adds; several outputs may share a topic
+  Topic(ros::NodeHandle node, ros::AdvertiseOptions options, std::shared_ptr<TopicCounts> counts);
 
   const std::string & name() const { return name_; }
   bool hasSubscribers() const override { return publisher_.getNumSubscribers() > 0; }
@@ -34,10 +43,8 @@ public:
   /// Names of those who lag behind; roscpp tells how many these are, not which: "one of /a, /b" if not all do.
   std::string thoseBehind() const;
   std::size_t subscriberCount() const { return publisher_.getNumSubscribers(); }
-  /// Messages so far.
-  std::uint64_t published() const { return published_; }
   /// Messages that some subscriber has lost because it lagged behind.
-  std::uint64_t lost() const { return lost_; }
+  std::uint64_t lost() const { return counts_->lost; }
 
 private:
   using Buffer = boost::shared_array<std::uint8_t>;
@@ -51,7 +58,6 @@ private:
   ros::Publisher publisher_;
   std::vector<Buffer> in_flight_;  // oldest first
   long given_up_{0};               // how many subscribers are not waited for
-  std::uint64_t published_{0};
-  std::uint64_t lost_{0};
+  const std::shared_ptr<TopicCounts> counts_;
 };
 }  // namespace f1tenth_sim2d

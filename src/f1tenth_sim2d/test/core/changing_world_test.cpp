@@ -238,6 +238,21 @@ TEST(ChangingWorld, RefusesWhatMakesNoSense)
     "robot1: velocity in x (m/s) is nan, allowed is -1000 to 1000");
 }
 
+TEST(ChangingWorld, RefusesNamesThatARecordCannotHold)
+{
+  Simulation simulation(world());
+  EXPECT_EQ(
+    errorOf([&] { simulation.addCar(car("a,b"), {}, {}); }),
+    "car: found the name 'a,b', allowed is one without , ; \" and control characters");
+  EXPECT_EQ(
+    errorOf([&] { simulation.addModel(movableBox("a\nb", 0.2, 0.0, 0.0)); }),
+    "test.world: model: found the name 'a?b', allowed is one without , ; \" and control characters");
+  for (const std::string name : {"a;b", "a\"b", "a\rb"}) {
+    EXPECT_NE(errorOf([&] { Simulation refused(world({movableBox(name, 0.2, 0.0, 0.0)})); }), "") << name;
+  }
+  EXPECT_EQ(errorOf([&] { simulation.addModel(movableBox("m::box 1.2-x/y'z", 0.2, 0.0, 0.0)); }), "");
+}
+
 TEST(ChangingWorld, RefusesAbsurdMotionsOfModels)
 {
   Simulation simulation(world({movableBox("crate", 0.4, 0.0, 0.0)}));

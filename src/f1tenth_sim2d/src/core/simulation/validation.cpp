@@ -1,6 +1,7 @@
 #include "core/simulation/validation.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -64,6 +65,17 @@ void requireBetween(double value, double least, double greatest, const std::stri
 void requireWithin(double value, double limit, const std::string & where, const char * what)
 {
   requireBetween(value, -limit, limit, where, what);
+}
+
+/// Names stand in records, which are CSV files with lists of names in a column.
+void requireName(std::string name, const std::string & where)
+{
+  const auto isControl = [](unsigned char c) { return std::iscntrl(c) != 0; };
+  const bool has_control = std::any_of(name.begin(), name.end(), isControl);
+  if (has_control || name.find_first_of(",;\"") != std::string::npos) {
+    std::replace_if(name.begin(), name.end(), isControl, '?');
+    throw Error(where + ": found the name '" + name + "', allowed is one without , ; \" and control characters");
+  }
 }
 
 void requireBody(double mass, double inertia, const std::string & where)
@@ -136,6 +148,7 @@ void validate(const WorldDescription & world)
 
 void validate(const ModelDescription & model, const std::string & where)
 {
+  requireName(model.name, where + ": model");
   if (!model.is_static) {
     requireBody(model.mass, model.inertia_zz, where + ": model " + model.name);
   }
@@ -160,6 +173,7 @@ const SimulationOptions & validated(const SimulationOptions & options)
 
 void validate(const CarDescription & car, const Pose2 & start)
 {
+  requireName(car.name, "car");
   requireWithin(start.x, kLengthMax, car.name, "x (m) of the pose");
   requireWithin(start.y, kLengthMax, car.name, "y (m) of the pose");
   requireFinite(start.yaw, car.name, "yaw (rad) of the pose");

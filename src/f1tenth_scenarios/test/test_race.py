@@ -56,6 +56,30 @@ class TestName:
         assert capsys.readouterr().err == f"scenario: --name {name}: {wanted}\n"
 
 
+class TestRepeat:
+    def test_runs_it_again_and_again(self, folder, program, capsys):
+        options = ["--repeat", "2", "--set", "seed=3", "--results", "r"]
+        assert cli.main(["race", "circuit1", "--planner", "with.launch", *options]) == 0
+        assert program.runs() == ["001", "002"]
+        assert (folder / "r" / "repeat" / "race_circuit1" / "002" / "race_circuit1" / "result.json").exists()
+        assert "trajectories:      all the same, bit for bit" in capsys.readouterr().out
+        plan = make_plan(str(folder / "r" / "repeat" / "race_circuit1.yaml"))
+        assert plan.cars["robot1"].driver.path == folder / "with.launch"
+
+    @pytest.mark.parametrize(
+        ("options", "answer"),
+        [
+            (["--repeat", "1"], "--repeat is for one scenario, and at least 2 times"),
+            (["--repeat", "2", "--bag"], "--bag is not for --repeat"),
+            (["--repeat", "2", "--attach"], "--attach is not for --repeat"),
+            (["--repeat", "2", "--save", "a.yaml"], "--save is not for --repeat"),
+        ],
+    )
+    def test_with_options_that_change_nothing_is_refused(self, folder, capsys, options, answer):
+        assert cli.main(["race", "circuit1", *options]) == 2
+        assert capsys.readouterr().err == f"scenario: {answer}\n"
+
+
 class TestSave:
     def test_names_what_is_in_a_package_by_that(self, folder):
         file = places.package_path("f1tenth_scenarios") / "launch" / "drivers" / "pure_pursuit.launch"

@@ -13,7 +13,7 @@ from f1tenth_scenarios.cli.sweep_command import sweep
 from f1tenth_scenarios.record.files import REPORT_FILE
 from f1tenth_scenarios.scenario.driver import Interface
 
-_SET = "replace a value of the file, as in mu=0.3, limits.timeout=20 or driver.arguments.speed=4"
+_SET = "replace a value of the file, as in seed=2, mu=0.3, limits.timeout=20 or driver.arguments.speed=4"
 _VARY = "FIRST:LAST (whole numbers), FIRST:LAST:COUNT or A,B,C; several keys: every combination"
 _TABLE = "one more table of the runs: FILE.parquet keeps types, FILE.csv is text"
 _AGAINST = "results to compare with; default: those of the commit before, which each run keeps"
@@ -66,9 +66,7 @@ def _add_run(commands: _Subparsers) -> None:
     command.add_argument("names", nargs="*", metavar="NAME", help="scenario or file")
     command.add_argument("--all", action="store_true", help="run all scenarios")
     command.add_argument("--jobs", type=int, default=1, metavar="N", help="run N at a time; default: 1")
-    command.add_argument(
-        "--repeat", type=int, metavar="N", help="run N times and say how much the results differ"
-    )
+    _add_repeat(command)
     command.add_argument("--planner", metavar="LAUNCH", help=f"drive with it instead of ours: {_PLANNER}")
     _add_planner(command)
     _add_run_options(command, "write to FOLDER/NAME")
@@ -98,9 +96,16 @@ def _add_race(commands: _Subparsers) -> None:
     command.add_argument(
         "--attach", action="store_true", help="use the ROS master that runs, so that one can look on"
     )
+    _add_repeat(command)
     command.add_argument("--name", metavar="NAME", help="of the results folder; default: race_PLACE")
     _add_planner(command)
     _add_run_options(command, "write to FOLDER/NAME")
+
+
+def _add_repeat(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--repeat", type=int, metavar="N", help="run N times and say how much the results differ"
+    )
 
 
 def _add_planner(command: argparse.ArgumentParser) -> None:

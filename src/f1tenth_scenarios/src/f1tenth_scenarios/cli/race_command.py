@@ -2,12 +2,13 @@
 
 import dataclasses
 import re
+from pathlib import Path
 from typing import Optional
 
 from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.cli.exit_codes import PASSED
 from f1tenth_scenarios.cli.options import check_planner_options, file_option, planners_of, results_of
-from f1tenth_scenarios.cli.run_command import run_plan, with_report
+from f1tenth_scenarios.cli.run_command import check_repeat, run_plan, run_repeatedly, with_report
 from f1tenth_scenarios.errors import ScenarioError, writing
 from f1tenth_scenarios.plan.race import Race, plan_race, race_text
 from f1tenth_scenarios.scenario.driver import Driver
@@ -23,12 +24,27 @@ def race(options) -> int:
     description = options.description and file_option(options.description)
     wanted = Race(options.place, options.laps, planners, options.timeout, description, options.name)
     plan = plan_race(wanted, results_of(options) / wanted.name, options.set)
+    if options.repeat is not None:
+        return _repeat(wanted, options)
     if options.save:
-        with writing(options.save), replacing(options.save) as temporary:
-            temporary.write_text(race_text(wanted, options.save.parent), encoding="utf-8")
+        _save(wanted, options.save)
         return PASSED
     plan = dataclasses.replace(plan, keep_bag=options.bag, watched=options.attach)
     return with_report(run_plan(plan), options)
+
+
+def _repeat(wanted: Race, options) -> int:
+    check_repeat(options)
+    file = results_of(options) / "repeat" / f"{wanted.name}.yaml"
+    with writing(file):
+        file.parent.mkdir(parents=True, exist_ok=True)
+    _save(wanted, file)
+    return run_repeatedly(str(file), options, options.set)
+
+
+def _save(wanted: Race, file: Path) -> None:
+    with writing(file), replacing(file) as temporary:
+        temporary.write_text(race_text(wanted, file.parent), encoding="utf-8")
 
 
 def _check_name(name: Optional[str]) -> None:

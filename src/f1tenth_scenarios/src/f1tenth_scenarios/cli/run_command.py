@@ -19,6 +19,8 @@ from f1tenth_scenarios.plan.planning import make_plan
 from f1tenth_scenarios.results.console import CountLine, ProgressLine, cost_of_all, summary
 from f1tenth_scenarios.stop_request import StopRequest
 
+_REPEAT = "--repeat is for one scenario, and at least 2 times"
+
 
 def run(options) -> int:
     """Run scenarios."""
@@ -27,7 +29,9 @@ def run(options) -> int:
     if options.planner:
         settings.append(planner_setting(planner_of(options.planner, options)))
     if options.repeat is not None:
-        return _repeat(options, settings)
+        if len(options.names) != 1:
+            raise ScenarioError(_REPEAT)
+        return run_repeatedly(options.names[0], options, settings, options.jobs)
     names = places.scenario_names() if options.all else options.names
     if len(names) == 1:
         folder = results_of(options) / places.scenario_file(names[0]).stem
@@ -59,25 +63,35 @@ def with_report(code: int, options) -> int:
     return code
 
 
+def run_repeatedly(name: str, options, settings: Sequence[str], at_once: int = 1) -> int:
+    """Run one scenario --repeat times and print how much the results differ; returns the exit code."""
+    from f1tenth_scenarios.batch.repeat import repeat
+
+    check_repeat(options)
+    with StopRequest().listening() as stop:
+        steady = repeat(name, options.repeat, results_of(options), settings, stop, at_once)
+    return exit_code(steady, stop)
+
+
+def check_repeat(options) -> None:
+    """Refuse a --repeat of too few times, or with options that would change nothing.
+
+    Raises:
+        ScenarioError: the option that is wrong.
+    """
+    if options.repeat < 2:
+        raise ScenarioError(_REPEAT)
+    for option in ("bag", "report", "attach", "save"):
+        if getattr(options, option, None):
+            raise ScenarioError(f"--{option} is not for --repeat")
+
+
 def _check(options) -> None:
     if options.jobs < 1:
         raise ScenarioError(f"--jobs is {options.jobs}, must be at least 1")
     if options.all == bool(options.names):
         raise ScenarioError("run needs either names of scenarios or --all")
     check_planner_options(options)
-
-
-def _repeat(options, settings: Sequence[str]) -> int:
-    if options.repeat < 2 or len(options.names) != 1:
-        raise ScenarioError("--repeat is for one scenario, and at least 2 times")
-    for option in ("bag", "report"):
-        if getattr(options, option):
-            raise ScenarioError(f"--{option} is not for --repeat")
-    from f1tenth_scenarios.batch.repeat import repeat
-
-    with StopRequest().listening() as stop:
-        steady = repeat(options.names[0], options.repeat, results_of(options), settings, stop, options.jobs)
-    return exit_code(steady, stop)
 
 
 def _run_each(names: Sequence[str], settings: Sequence[str], options) -> int:

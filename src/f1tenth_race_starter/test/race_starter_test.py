@@ -66,7 +66,8 @@ def start():
 
     yield start_node
     for process in processes:
-        # Killed only if it must be: the master would still know it, and tell whoever gets its port next to shut down.
+        # Killed only if it must be: the master would still know it, and tell its port to shut down when the
+        # next one comes, whoever has got that port by then.
         process.terminate()
         with contextlib.suppress(subprocess.TimeoutExpired):
             process.wait(PATIENCE)

@@ -73,7 +73,8 @@ class MapServerTest(unittest.TestCase):
         self.assert_change_fails(f"{DATA}/broken_image.yaml", LoadMapResponse.RESULT_INVALID_MAP_DATA)
 
     def test_frame_that_is_no_name_is_refused(self):
-        command = [sys.executable, HERE.parent / "scripts" / "map_server", HERE / "data" / "small.yaml", "_frame_id:=7"]
+        program = HERE.parent / "scripts" / "map_server"
+        command = [sys.executable, program, HERE / "data" / "small.yaml", "_frame_id:=7"]
         answer = subprocess.run(command, stderr=subprocess.PIPE, text=True, check=False)
         assert answer.returncode == 255
         assert "/frame_id: found 7, allowed is the name of a frame\n" in answer.stderr

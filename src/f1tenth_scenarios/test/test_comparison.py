@@ -101,8 +101,8 @@ def test_a_junit_file_that_cannot_be_written_is_bad_input(results, tmp_path, cap
 @pytest.mark.parametrize(
     ("options", "answer"),
     [
-        (("--lap-time", "fast"), "--lap-time fast: must be a number, as in +2%"),
-        (("--clearance", "+1"), "--clearance +1: must be a number, as in -0.02"),
+        (("--lap-time", "2"), "--lap-time 2: must be +N%, as in +2%"),
+        (("--clearance", "+1"), "--clearance +1: must be -M, as in -0.02"),
     ],
 )
 def test_tolerance_that_is_none_is_answered(results, capsys, options, answer):

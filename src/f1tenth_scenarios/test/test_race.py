@@ -30,6 +30,14 @@ def drivers(scenario):
     return [car["driver"] for car in scenario["cars"]]
 
 
+@pytest.mark.parametrize("command", ["race", "run"])
+def test_planner_that_is_not_there_is_answered_with_what_is_allowed(folder, capsys, command):
+    assert cli.main([command, "circuit1", "--planner", "nonsense"]) == 2
+    allowed = "a launch file, package://PACKAGE/PATH, or one of ours: race, pursuit, gap_follower"
+    wanted = f"scenario: --planner nonsense: no such file: {folder}/nonsense; allowed: {allowed}\n"
+    assert capsys.readouterr().err == wanted
+
+
 class TestArguments:
     def test_are_given_to_the_planners_that_have_them(self, folder):
         planners = ["--planner", "with.launch", "--planner", "without.launch", "--planner", "gap_follower"]

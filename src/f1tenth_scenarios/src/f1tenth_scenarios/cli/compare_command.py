@@ -16,8 +16,8 @@ _SUITE = "scenario compare"
 def compare(options) -> int:
     """Compare results with those of another commit."""
     tolerance = Tolerance(
-        _number("--lap-time", options.lap_time, r"\+?(\d+(?:\.\d+)?) ?%", "+2%", 0.01),
-        _number("--clearance", options.clearance, r"-?(\d+(?:\.\d+)?)", "-0.02", 1.0),
+        _number("--lap-time", options.lap_time, r"\+?(\d+(?:\.\d+)?) ?%", "+N%, as in +2%", 0.01),
+        _number("--clearance", options.clearance, r"-?(\d+(?:\.\d+)?)", "-M, as in -0.02", 1.0),
     )
     found = compare_folders(options.base, options.head, tolerance)
     worse = [each for each in found if each.problems]
@@ -28,12 +28,12 @@ def compare(options) -> int:
     return NOT_PASSED if worse else PASSED
 
 
-def _number(option: str, text: Optional[str], pattern: str, example: str, unit: float) -> Optional[float]:
+def _number(option: str, text: Optional[str], pattern: str, rule: str, unit: float) -> Optional[float]:
     if text is None:
         return None
     match = re.fullmatch(pattern, text)
     if not match:
-        raise ScenarioError(f"{option} {text}: must be a number, as in {example}")
+        raise ScenarioError(f"{option} {text}: must be {rule}")
     return float(match[1]) * unit
 
 

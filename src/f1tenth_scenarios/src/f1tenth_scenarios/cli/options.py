@@ -9,6 +9,8 @@ from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan.driver_file import read_driver_file
 from f1tenth_scenarios.scenario.driver import Driver, Interface
 
+OUR_PLANNERS = "race, pursuit, gap_follower"  # that need nothing but a road
+
 
 def results_of(options) -> Path:
     """The folder of all results."""
@@ -34,7 +36,11 @@ def planner_of(name: str, options) -> Driver:
     arguments = dict(_argument(text) for text in options.arg)
     interface = Interface(options.interface)
     ours = Driver.short_forms().get(name)
-    return Driver(ours.launch if ours else file_option(name), interface, arguments)
+    try:
+        return Driver(ours.launch if ours else file_option(name), interface, arguments)
+    except ScenarioError as error:
+        allowed = f"a launch file, package://PACKAGE/PATH, or one of ours: {OUR_PLANNERS}"
+        raise ScenarioError(f"--planner {name}: {error}; allowed: {allowed}") from error
 
 
 def planners_of(names: Sequence[str], options) -> list[Driver]:

@@ -6,6 +6,7 @@ from typing import Callable, TypeAlias
 
 from f1tenth_scenarios import places
 from f1tenth_scenarios.cli.compare_command import compare
+from f1tenth_scenarios.cli.options import OUR_PLANNERS
 from f1tenth_scenarios.cli.race_command import race
 from f1tenth_scenarios.cli.run_command import run
 from f1tenth_scenarios.cli.show_commands import check, report, show_keys, show_list
@@ -19,7 +20,7 @@ _TABLE = "one more table of the runs: FILE.parquet keeps types, FILE.csv is text
 _AGAINST = "results to compare with; default: those of the commit before, which each run keeps"
 _PATH = "look for scenarios, worlds, goals and circuits in FOLDER's folders of these names, too"
 _PLACE = "name of a circuit or world, or the path of a .world file or of the YAML file of a map"
-_PLANNER = "launch file of a planner, or one of ours (race, pursuit, gap_follower)"
+_PLANNER = f"launch file of a planner, or one of ours ({OUR_PLANNERS})"
 
 _Subparsers: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
 

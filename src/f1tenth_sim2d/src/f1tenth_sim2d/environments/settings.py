@@ -12,6 +12,7 @@ from f1tenth_sim2d import VehicleParameters
 Range = Union[float, tuple[float, float]]
 """A number, or (least, greatest) of one that is drawn anew for each episode."""
 
+SPEED_LIMIT = 100.0  # m/s, of commands; a simulation refuses more
 _STARTS = ("grid", "random")
 _ACTIONS = ("speed", "acceleration")
 
@@ -72,7 +73,7 @@ class Settings:
             raise ValueError(f"observation: found {list(self.observation)}, allowed is each part once")
         _require_one_of("actions", self.actions, _ACTIONS)
         _require_one_of("start", self.start, _STARTS)
-        require_number("physics_step", self.physics_step, 1e-5, 0.1)
+        require_number("physics_step", self.physics_step, 1e-5, 0.02)
         require_number("period", self.period, self.physics_step, 10.0)
         require_number("beams", self.beams, 2, 100_000, int)
         require_number("field_of_view", self.field_of_view, 1e-6, 6.2832)
@@ -82,7 +83,7 @@ class Settings:
         if self.laps is not None:
             require_number("laps", self.laps, 1, 10**6, int)
         if self.speeds is not None:
-            _require_pair("speeds", self.speeds, -100.0)
+            _require_pair("speeds", self.speeds, -SPEED_LIMIT, SPEED_LIMIT)
         _require_range("lidar_noise", self.lidar_noise, 0.0)
         if self.reward is not None and not callable(self.reward):
             raise ValueError(f"reward: found {self.reward!r}, allowed is a function of a car's results")
@@ -130,9 +131,9 @@ def _require_one_of(name, value, allowed):
         raise ValueError(f"{name}: found {value!r}, allowed are {', '.join(map(str, allowed))}")
 
 
-def _require_pair(name, value, least):
-    if not _is_pair(value, least):
-        raise ValueError(f"{name}: found {value!r}, allowed is (least, greatest), from {least}")
+def _require_pair(name, value, least, greatest):
+    if not _is_pair(value, least) or value[1] > greatest:
+        raise ValueError(f"{name}: found {value!r}, allowed is (least, greatest), from {least} to {greatest}")
 
 
 def _require_range(name, value, least=-math.inf):

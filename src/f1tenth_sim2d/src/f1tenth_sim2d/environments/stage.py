@@ -11,7 +11,7 @@ import f1tenth_sim2d
 from f1tenth_sim2d.environments.car import Lidar, load_cars
 from f1tenth_sim2d.environments.episode import begin_episode, draw
 from f1tenth_sim2d.environments.place import find_place
-from f1tenth_sim2d.environments.settings import Settings
+from f1tenth_sim2d.environments.settings import SPEED_LIMIT, Settings
 
 
 class Stage:
@@ -41,6 +41,7 @@ class Stage:
         self.cars = load_cars(self.settings.cars, lidar)
         self._parameters = self.cars[0].parameters
         self._require_vehicle()
+        self._require_speeds()
         self._environments = self._build(count, threads)
         self.results = self._environments.results
         # The same memory as plain numbers: fields of a structured array are slow to come by.
@@ -71,6 +72,20 @@ class Stage:
                 f1tenth_sim2d.Simulation(f1tenth_sim2d.empty_world()).add_car(self.cars[0], parameters)
             except f1tenth_sim2d.Error as error:
                 raise ValueError(f"vehicle: {error}") from error
+
+    def _require_speeds(self):
+        """Refuse numbers with which an action would ask for a speed that a simulation refuses."""
+        lead, what = 0.0, ""
+        if self.settings.actions == "acceleration":
+            lead, what = self._drawn("a_max")[1] / self._drawn("speed_gain")[0], " + a_max / speed_gain"
+        elif self.settings.speeds is not None:
+            return
+        for name, fastest in (("v_max", self._drawn("v_max")[1]), ("-v_min", -self._drawn("v_min")[0])):
+            if fastest + lead > SPEED_LIMIT:
+                raise ValueError(
+                    f"vehicle: an action can ask for {fastest + lead:g} m/s ({name}{what}), "
+                    f"allowed is up to {SPEED_LIMIT:g} m/s"
+                )
 
     def _build(self, count, threads):
         try:

@@ -88,9 +88,9 @@ void Environment::step(const Action * actions, const std::uint8_t * driven)
   for (const CarId id : ids_) {
     simulation_->clearContacts(id);
   }
-  ++steps_;
-  const SimTime end = fromSeconds(static_cast<double>(steps_) * options_.period);
   command(actions, driven);
+  ++steps_;  // not before: a step that is refused does not count
+  const SimTime end = fromSeconds(static_cast<double>(steps_) * options_.period);
   while (options_.rates && simulation_->time() + simulation_->stepLength() < end) {
     simulation_->step();
     command(actions, driven);

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 from conftest import straight_on
 from f1tenth_sim2d.environments import ENVIRONMENT
+from f1tenth_sim2d.environments.car import Lidar, load_cars
 
 import f1tenth_sim2d
 
@@ -124,6 +125,17 @@ def test_actions(make):
     with pytest.raises(ValueError, match="action: found a number that is not finite"):
         environment.step(np.array([np.nan, 0.0]))
     assert environment.step(straight_on())[4]["time"] == 0.025
+
+
+def test_a_step_that_is_refused_does_not_count():
+    world = f1tenth_sim2d.empty_world()
+    environments = f1tenth_sim2d.Environments(world, load_cars(1, Lidar(2, 1.0, 10.0)), None, ["pose"])
+    environments.reset(0, 0, [f1tenth_sim2d.VehicleParameters()], np.zeros((1, 4)), [0.0])
+    driven = np.ones((1, 1), dtype=bool)
+    with pytest.raises(f1tenth_sim2d.Error, match="commanded speed"):
+        environments.step(np.array([[[0.0, 200.0]]]), driven)
+    environments.step(np.zeros((1, 1, 2)), driven)
+    assert environments.times.tolist() == [0.025]
 
 
 @pytest.mark.parametrize(

@@ -71,6 +71,16 @@ def test_some_can_be_reset_alone():
     assert not np.array_equal(observation["pose"][mask], moved["pose"][mask])
 
 
+def test_each_needs_a_first_reset():
+    environments = make_vec(observation=("pose",))
+    mask = np.array([True, False, True, False])
+    environments.reset(seed=1, options={"reset_mask": mask})
+    with pytest.raises(ValueError, match="^step before the first reset of environments 1, 3, which is not"):
+        environments.step(actions()[0])
+    environments.reset(seed=1, options={"reset_mask": ~mask})
+    assert (environments.step(actions()[0])[4]["time"] == 0.025).all()
+
+
 @pytest.mark.parametrize(
     ("settings", "message"),
     [

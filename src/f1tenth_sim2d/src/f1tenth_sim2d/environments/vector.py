@@ -51,7 +51,7 @@ class F1TenthVectorEnv(VectorEnv):
         self.action_space = batch_space(self.single_action_space, num_envs)
         self._rngs = [seeding.np_random()[0] for _ in range(num_envs)]
         self._ended = np.zeros(num_envs, dtype=bool)
-        self._begun = False
+        self._begun = np.zeros(num_envs, dtype=bool)
 
     def reset(self, *, seed=None, options=None):
         """Begin an episode of all, or of those that options["reset_mask"] names.
@@ -72,19 +72,20 @@ class F1TenthVectorEnv(VectorEnv):
                 self._rngs[i], _ = seeding.np_random(each)
         for i in np.flatnonzero(mask):
             self._stage.begin(int(i), self._rngs[i], options)
-            self._ended[i] = False
-        self._begun = True
+            self._ended[i], self._begun[i] = False, True
         return self._observation(), self._info(self._stage.rewards())
 
     def step(self, actions):
         """Drive all for one period, but begin an episode of those that ended in the step before.
 
         Raises:
-            ValueError: actions of another shape or not finite, no reset before, or a closed environment.
+            ValueError: actions of another shape or not finite, an environment without a reset before, or a
+                closed one.
         """
         self._require_open()
-        if not self._begun:
-            raise ValueError("step before the first reset, which is not allowed")
+        if not self._begun.all():
+            waiting = ", ".join(map(str, np.flatnonzero(~self._begun)))
+            raise ValueError(f"step before the first reset of environments {waiting}, which is not allowed")
         actions = np.asarray(actions, dtype=np.float64)
         if actions.shape != self.action_space.shape:
             raise ValueError(f"actions: found shape {actions.shape}, allowed is {self.action_space.shape}")

@@ -164,23 +164,3 @@ def test_a_picture_shows_the_car(make):
     assert first.dtype == np.uint8
     assert first.shape[2] == 3
     assert (first != second).any()
-
-
-def test_a_map_of_the_community_is_a_place(make, tmp_path):
-    from PIL import Image
-
-    pixels = np.full((100, 100), 255, dtype=np.uint8)
-    pixels[[0, -1]] = pixels[:, [0, -1]] = 0
-    Image.fromarray(pixels).save(tmp_path / "Square_map.png")
-    (tmp_path / "Square_map.yaml").write_text(
-        "image: Square_map.png\nresolution: 0.1\norigin: [0.0, 0.0, 0.0]\nnegate: 0\n"
-        "occupied_thresh: 0.65\nfree_thresh: 0.196\n"
-    )
-    corners = [(2, 2), (8, 2), (8, 8), (2, 8)]
-    (tmp_path / "Square_centerline.csv").write_text(
-        "# x_m, y_m, w_tr_right_m, w_tr_left_m\n" + "".join(f"{x}, {y}, 1.0, 1.0\n" for x, y in corners)
-    )
-    environment = make(place=tmp_path / "Square_map.yaml", observation=("course", "pose"))
-    observation, _ = environment.reset(seed=1)
-    assert observation["pose"][:2] == pytest.approx([2.0, 2.0])
-    assert environment.observation_space["course"].high[0] == 24.0

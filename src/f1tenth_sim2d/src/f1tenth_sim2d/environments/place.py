@@ -1,6 +1,7 @@
 """Places to drive in: circuits, worlds and maps."""
 
 import functools
+import re
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -10,6 +11,8 @@ import numpy as np
 
 import f1tenth_sim2d
 from f1tenth_sim2d.environments.data import data_path
+
+_IMAGE = re.compile(r"""^image\s*:\s*(["']?)(?P<name>.*?)\1\s*(#.*)?$""", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -69,13 +72,29 @@ def find_place(place):
             f"place: found {str(place)!r}, allowed are {', '.join(circuits())}, "
             "and paths of .world files and of maps' .yaml files"
         )
-    return _load(path.resolve(), path.stat().st_mtime_ns)
+    path = path.resolve()
+    return _load(path, tuple(map(_stamp, (path, _image(path), _table(path)))))
+
+
+def _stamp(path):
+    return path.stat().st_mtime_ns if path.is_file() else None
+
+
+def _table(path):
+    """Path of the centreline, whether it is there or not."""
+    return path.with_name(path.stem.removesuffix("_map") + "_centerline.csv")
+
+
+def _image(path):
+    """Path of a map's image, or that of the world itself."""
+    found = _IMAGE.search(path.read_text(errors="replace")) if path.suffix.lower() == ".yaml" else None
+    return path if found is None else path.parent / found["name"]
 
 
 @functools.lru_cache(maxsize=8)
 def _load(path, _changed):
     world = f1tenth_sim2d.load_world(str(path), [str(data_path("f1tenth_gazebo/models"))])
-    table = path.with_name(path.stem.removesuffix("_map") + "_centerline.csv")
+    table = _table(path)
     if not table.is_file():
         return Place(path.stem, world, None, None)
     centreline = _read_centreline(table)

@@ -2,6 +2,7 @@
 
 import enum
 import warnings
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -56,6 +57,15 @@ def make(environment="f110_gym:f110-v0", **settings):
     return F110Env(**settings)
 
 
+@dataclass(frozen=True)
+class _Loaded:
+    """What an episode is driven with."""
+
+    stage: Stage
+    view: View
+    rear: float  # m, from the rear axle to the centre of mass
+
+
 class F110Env:
     """Cars on a map, with the names and the four-value step of f1tenth_gym.
 
@@ -106,7 +116,8 @@ class F110Env:
         self.map_name, self._map_ext = str(map), map_ext
         self.num_agents, self.timestep = num_agents, timestep
         self.seed, self.ego_idx = seed, ego_idx
-        self._load(_place(map, map_ext), dict(params or {}))
+        self._now = self._next = self._load(_place(map, map_ext), dict(params or {}))
+        self._starts = None
 
     def reset(self, poses):
         """Put the cars somewhere and let a timestep go by.
@@ -123,10 +134,13 @@ class F110Env:
         poses = np.array(poses, dtype=float)
         if poses.shape != (self.num_agents, 3):
             raise ValueError(f"poses: found shape {poses.shape}, allowed is {(self.num_agents, 3)}")
-        behind = self._rear * np.column_stack([np.cos(poses[:, 2]), np.sin(poses[:, 2])])
+        behind = self._next.rear * np.column_stack([np.cos(poses[:, 2]), np.sin(poses[:, 2])])
         starts = np.column_stack([poses[:, :2] - behind, poses[:, 2]])
         options = {"poses": starts, "noise_seed": self.seed}
-        self._stage.begin(0, np.random.default_rng(self.seed), options)
+        self._next.stage.begin(0, np.random.default_rng(self.seed), options)
+        if self._next is not self._now:
+            self._now.view.close()
+            self._now = self._next
         self._starts, self.current_time = poses, 0.0
         self._near = np.ones(self.num_agents, dtype=bool)
         self._toggles = np.zeros(self.num_agents)
@@ -151,7 +165,7 @@ class F110Env:
         action = np.asarray(action, dtype=float)
         if action.shape != (self.num_agents, 2):
             raise ValueError(f"action: found shape {action.shape}, allowed is {(self.num_agents, 2)}")
-        self._stage.step(action[None], np.ones((1, self.num_agents), dtype=bool))
+        self._now.stage.step(action[None], np.ones((1, self.num_agents), dtype=bool))
         self.current_time += self.timestep
         observation = self._observation()
         self._count_laps(observation["poses_x"], observation["poses_y"])
@@ -161,20 +175,20 @@ class F110Env:
         return observation, self.timestep, done, {"checkpoint_done": finished}
 
     def update_map(self, map_path, map_ext):
-        """Take another map, given the path of its .yaml file; reset comes next."""
+        """Take another map from the next reset on, given the path of its .yaml file."""
         name = str(map_path).removesuffix(".yaml")
-        self._load(_place(name, map_ext), self.params)
+        self._next = self._load(_place(name, map_ext), self.params)
         self.map_name, self._map_ext = name, map_ext
 
     def update_params(self, params, index=-1):
-        """Take other numbers for all cars; reset comes next.
+        """Take other numbers for all cars from the next reset on.
 
         Raises:
             ValueError: as for params, or an index, because the cars are alike.
         """
         if index != -1:
             raise ValueError(f"index: found {index}, allowed is -1: all cars are alike")
-        self._load(_place(self.map_name, self._map_ext), dict(params))
+        self._next = self._load(_place(self.map_name, self._map_ext), dict(params))
 
     def add_render_callback(self, callback_func):
         """Warn that nothing comes of it: callbacks draw with f1tenth_gym's own renderer."""
@@ -190,11 +204,11 @@ class F110Env:
         """
         if mode not in ("human", "human_fast"):
             raise ValueError(f"mode: found {mode!r}, allowed are human, human_fast")
-        self._view.show(self._stage.results[0])
+        self._now.view.show(self._now.stage.results[0])
 
     def close(self):
         """Close the window."""
-        self._view.close()
+        self._now.view.close()
 
     def _load(self, place, params):
         stage = Stage(
@@ -208,21 +222,20 @@ class F110Env:
                 **_LIDAR,
             }
         )
-        self._stage, self._view, self.params = stage, View("human", stage.place), params
-        self._rear = params.get("lr", VehicleParameters().l_r)
-        self._starts = None
+        self.params = params
+        return _Loaded(stage, View("human", stage.place), params.get("lr", VehicleParameters().l_r))
 
     def _observation(self):
-        cars = self._stage.results[0]
-        scans = self._stage.observation(0)["scan"].astype(float)
+        cars = self._now.stage.results[0]
+        scans = self._now.stage.observation(0)["scan"].astype(float)
         return {
             "ego_idx": self.ego_idx,
             "scans": list(scans),
-            "poses_x": list(cars["x"] + self._rear * np.cos(cars["yaw"])),
-            "poses_y": list(cars["y"] + self._rear * np.sin(cars["yaw"])),
+            "poses_x": list(cars["x"] + self._now.rear * np.cos(cars["yaw"])),
+            "poses_y": list(cars["y"] + self._now.rear * np.sin(cars["yaw"])),
             "poses_theta": list(cars["yaw"] % (2 * np.pi)),
             "linear_vels_x": list(cars["v_x"]),
-            "linear_vels_y": list(cars["v_y"] + self._rear * cars["yaw_rate"]),
+            "linear_vels_y": list(cars["v_y"] + self._now.rear * cars["yaw_rate"]),
             "ang_vels_z": list(cars["yaw_rate"]),
             "collisions": cars["contact"].copy(),
         }

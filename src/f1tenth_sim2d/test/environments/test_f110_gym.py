@@ -87,8 +87,8 @@ def test_params_are_theirs():
     observation, *_ = drive(environment, 0.0, 9.0, 100)
     assert observation["linear_vels_x"][0] == pytest.approx(2.0, abs=0.01)
     environment.update_params({"a_max": 1.0})
-    with pytest.raises(ValueError, match="step before the first reset"):
-        drive(environment, 0.0, 9.0, 1)
+    observation, *_ = drive(environment, 0.0, 9.0, 1)
+    assert observation["linear_vels_x"][0] == pytest.approx(2.0, abs=0.01)
     environment.reset(START)
     observation, *_ = drive(environment, 0.0, 9.0, 100)
     assert observation["linear_vels_x"][0] == pytest.approx(1.0, abs=0.03)
@@ -98,6 +98,7 @@ def test_another_map_can_be_taken():
     environment = F110Env(map="circuit3", num_agents=1)
     before = environment.reset(START)[0]["scans"][0]
     environment.update_map("circuit1", ".png")
+    assert np.allclose(drive(environment, 0.0, 0.0, 1)[0]["scans"][0], before, atol=0.1)
     assert not np.array_equal(environment.reset(START)[0]["scans"][0], before)
 
 
@@ -147,6 +148,7 @@ def test_a_map_without_its_image_is_refused(tmp_path):
         (lambda env: env.step(np.zeros(2)), r"action: found shape \(2,\), allowed is \(1, 2\)"),
         (lambda env: env.step([[np.nan, 0.0]]), "action: found a number that is not finite"),
         (lambda env: env.update_params({}, index=0), "index: found 0, allowed is -1"),
+        (lambda env: env.update_params({"mu": -1.0}), "vehicle: robot1: mu is -1, allowed"),
     ],
 )
 def test_calls_that_cannot_be_change_nothing(call, message):
@@ -167,4 +169,4 @@ def test_it_starts_where_the_centre_of_mass_is_put():
     observation, *_ = environment.reset(np.array([[0.3, 0.1, 0.5]]))
     assert observation["poses_x"] == pytest.approx([0.3])
     assert observation["poses_y"] == pytest.approx([0.1])
-    assert isinstance(environment._stage.place.world, f1tenth_sim2d.World)
+    assert isinstance(environment._now.stage.place.world, f1tenth_sim2d.World)

@@ -14,7 +14,7 @@ using Tags = std::vector<std::pair<std::string, std::string>>;
 OdometryParameters parse(const Tags & tags)
 {
   const f1tenth_sim2d::PluginElement element{"perfect_odometry", "lib.so", "robot1: plugin[perfect_odometry]", tags};
-  return parseOdometryParameters(element, {"base_footprint", "base_link", "laser"}, 1000.0);
+  return parseOdometryParameters(element, {"base_footprint", "base_link", "laser"}, "base_footprint", 1000.0);
 }
 
 std::string errorOf(const Tags & tags)
@@ -96,10 +96,10 @@ TEST(OdometryParameters, RefusesUnknownBaseFrameAndListsTheLinks)
 TEST(OdometryParameters, RefusesBaseFrameThatHasAParent)
 {
   EXPECT_EQ(
-    errorOf({{"robotBaseFrame", "laser"}}),
-    kPlace +
-      "<robotBaseFrame>: found \"laser\", expected base_footprint: every other link gets its transform from the robot "
-      "description");
+    errorOf({{"robotBaseFrame", "laser"}}), kPlace +
+                                              "<robotBaseFrame>: found \"laser\", expected base_footprint, the link "
+                                              "that stands for the car: every other one gets "
+                                              "its transform from the robot description");
 }
 
 TEST(OdometryParameters, RefusesFlagsNamesAndLevels)

@@ -79,6 +79,43 @@ class PerfectOdometryTest(unittest.TestCase):
             ("robot1/odom", "robot1/base_footprint")
         }
 
+    def test_pose_and_twist_are_those_of_a_base_footprint_before_the_rear_axle(self):
+        ahead = 0.1651
+        joint = '<parent link="base_footprint"/><child link="rear_axle"/><origin xyz="-0.1651 0 0.02"/>'
+        description = car_description(perfect_odometry()).replace('"base_footprint"', '"rear_axle"')
+        base = f'<link name="base_footprint"/><joint name="base_joint" type="fixed">{joint}</joint></robot>'
+        self.start(
+            description.replace("</robot>", base),
+            participants=("robot1", "test"),
+            cars={"robot1": {"x": -1.0, "y": -0.5, "yaw": 0.3}},
+        )
+        assert self.collector.wait_for(lambda seen: seen[TOPIC] and seen["/tf"])
+        driver = Driver("robot1", self.stepper)
+        self.addCleanup(driver.close)
+        driver.drive_to(SECOND, linear_x=1.0, angular_z=0.6)
+        assert self.collector.wait_for(lambda seen: seen[TOPIC][-1].header.stamp.to_nsec() == SECOND)
+        self.sim2d.stop()
+        record = self.sim2d.record()[-1]
+        row = {key: float(record[key]) for key in ("x", "y", "yaw", "v_y", "yaw_rate")}
+        message = self.collector.messages[TOPIC][-1]
+        position, twist = message.pose.pose.position, message.twist.twist
+        assert abs(row["yaw_rate"]) > 0.1
+        assert abs(position.x - row["x"] - ahead * math.cos(row["yaw"])) < 1e-9
+        assert abs(position.y - row["y"] - ahead * math.sin(row["yaw"])) < 1e-9
+        assert abs(position.z + 0.02) < 1e-9
+        assert abs(twist.linear.y - row["v_y"] - ahead * row["yaw_rate"]) < 1e-9
+        transform = self.collector.messages["/tf"][-1].transforms[0]
+        assert transform.child_frame_id == "robot1/base_footprint"
+        assert transform.transform.translation.z == position.z
+
+    def test_link_that_stands_for_the_car_need_not_be_a_base_footprint(self):
+        description = car_description(perfect_odometry(robotBaseFrame="base_link"))
+        self.start(description.replace('"base_footprint"', '"base_link"'))
+        self.run_until(SECOND // 5)
+        assert self.collector.messages[TOPIC][-1].child_frame_id == "robot1/base_link"
+        transforms = [transform for m in self.collector.messages["/tf"] for transform in m.transforms]
+        assert {t.child_frame_id for t in transforms} == {"robot1/base_link"}
+
     def test_tags_change_topic_rate_and_frame(self):
         self.start(
             car_description(perfect_odometry(odometryTopic="truth", updateRate="50", odometryFrame="origin"))

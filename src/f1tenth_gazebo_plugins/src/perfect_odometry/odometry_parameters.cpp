@@ -66,13 +66,15 @@ struct Tag
     return text;
   }
 
-  void requireRoot(const std::vector<std::string> & links) const
+  void requireBase(const std::vector<std::string> & links, const std::string & base_frame) const
   {
     if (std::find(links.begin(), links.end(), text) == links.end()) {
       refuse("a link of the robot description: " + boost::algorithm::join(links, ", "));
     }
-    if (text != kRootLink) {
-      refuse(std::string(kRootLink) + ": every other link gets its transform from the robot description");
+    if (text != base_frame) {
+      refuse(
+        base_frame +
+        ", the link that stands for the car: every other one gets its transform from the robot description");
     }
   }
 
@@ -107,7 +109,8 @@ const std::function<void(const Tag &)> & readerOf(const Readers & readers, const
 }  // namespace
 
 OdometryParameters parseOdometryParameters(
-  const f1tenth_sim2d::PluginElement & element, const std::vector<std::string> & links, double max_rate_hz)
+  const f1tenth_sim2d::PluginElement & element, const std::vector<std::string> & links, const std::string & base_frame,
+  double max_rate_hz)
 {
   OdometryParameters parameters;
   const Readers readers{
@@ -115,7 +118,7 @@ OdometryParameters parseOdometryParameters(
     {"updateRate", [&](const Tag & tag) { parameters.update_rate_hz = tag.rate(max_rate_hz); }},
     {"odometryTopic", [&](const Tag & tag) { parameters.topic = tag.word(); }},
     {"odometryFrame", [&](const Tag & tag) { parameters.odometry_frame = tag.word(); }},
-    {"robotBaseFrame", [&](const Tag & tag) { tag.requireRoot(links); }},
+    {"robotBaseFrame", [&](const Tag & tag) { tag.requireBase(links, base_frame); }},
     {"rosDebugLevel", [&](const Tag & tag) { parameters.log_level = tag.logLevel(); }},
   };
   std::set<std::string> seen;

@@ -10,9 +10,6 @@
 
 namespace f1tenth_gazebo_plugins
 {
-/// The link whose pose the simulator keeps: the only robotBaseFrame there can be.
-inline constexpr const char * kRootLink = "base_footprint";
-
 /// The tags of the plugin's element.
 struct OdometryParameters
 {
@@ -23,9 +20,11 @@ struct OdometryParameters
   std::optional<ros::console::levels::Level> log_level;  ///< none: leaves the logger as it is
 };
 
-/// @param links         of the robot description, the first of them its root: only the root has a free pose
-/// @param max_rate_hz   of the physics steps
+/// @param links        of the robot description
+/// @param base_frame   the link that stands for the car: the only robotBaseFrame there can be
+/// @param max_rate_hz  of the physics steps
 /// @throws f1tenth_sim2d::Error naming the element's place, the tag, what was found and what is allowed
 OdometryParameters parseOdometryParameters(
-  const f1tenth_sim2d::PluginElement & element, const std::vector<std::string> & links, double max_rate_hz);
+  const f1tenth_sim2d::PluginElement & element, const std::vector<std::string> & links, const std::string & base_frame,
+  double max_rate_hz);
 }  // namespace f1tenth_gazebo_plugins

@@ -16,20 +16,50 @@ void setLogLevel(ros::console::levels::Level level)
     ros::console::notifyLoggerLevelsChanged();
   }
 }
+
+geometry_msgs::Pose toMessage(const f1tenth_sim2d::Pose3 & pose)
+{
+  geometry_msgs::Pose message;
+  message.position.x = pose.position.x();
+  message.position.y = pose.position.y();
+  message.position.z = pose.position.z();
+  message.orientation.x = pose.rotation.x();
+  message.orientation.y = pose.rotation.y();
+  message.orientation.z = pose.rotation.z();
+  message.orientation.w = pose.rotation.w();
+  return message;
+}
+
+/// Where a link of a car is in the world.
+/// @param link  its pose in the frame of the car
+geometry_msgs::Pose placed(const f1tenth_sim2d::Pose2 & car, const f1tenth_sim2d::Pose3 & link)
+{
+  const geometry_msgs::Quaternion turned = workspace_support::toPose(car).orientation;
+  return toMessage(f1tenth_sim2d::Pose3({car.x, car.y, 0.0}, {turned.w, turned.x, turned.y, turned.z}) * link);
+}
+
+/// The velocity of a link of a car, m/s along its own axes, as far as they are level.
+f1tenth_sim2d::Vec2 velocityOf(const f1tenth_sim2d::CarState & car, const f1tenth_sim2d::Pose3 & link)
+{
+  const f1tenth_sim2d::Vec2 velocity{
+    car.velocity.x - car.yaw_rate * link.position.y(), car.velocity.y + car.yaw_rate * link.position.x()};
+  return workspace_support::transform({0.0, 0.0, -link.yaw()}, velocity);
+}
 }  // namespace
 
 void PerfectOdometry::load(
   const f1tenth_sim2d::PluginElement & element, const f1tenth_sim2d::CarPluginContext & context)
 {
   const auto & simulation = context.simulation;
-  parameters_ = parseOdometryParameters(
-    element, simulation.car(context.car).links, 1e9 / static_cast<double>(simulation.stepLength()));
+  const f1tenth_sim2d::CarDescription & car = simulation.car(context.car);
+  parameters_ =
+    parseOdometryParameters(element, car.links, car.base_frame, 1e9 / static_cast<double>(simulation.stepLength()));
   context_.emplace(context);
   if (parameters_.log_level) {
     setLogLevel(*parameters_.log_level);
   }
   odometry_.header.frame_id = context.frame_prefix + parameters_.odometry_frame;
-  odometry_.child_frame_id = context.frame_prefix + kRootLink;
+  odometry_.child_frame_id = context.frame_prefix + car.base_frame;
   transform_.header.frame_id = odometry_.header.frame_id;
   transform_.child_frame_id = odometry_.child_frame_id;
   publisher_ = context.advertiser.advertise<nav_msgs::Odometry>(context.node, parameters_.topic);
@@ -40,29 +70,38 @@ void PerfectOdometry::load(
 void PerfectOdometry::update(const ros::Time & stamp)
 {
   const bool subscribed = publisher_.hasSubscribers();
-  const auto & state = context_->simulation.state(context_->car);
+  const bool transforms = context_->owns_odometry_transform && (parameters_.always_on || subscribed);
+  if (subscribed || transforms) {
+    measure(stamp);
+  }
   if (subscribed) {
-    publishOdometry(stamp, state);
+    publisher_.publish(odometry_);
   }
-  if (context_->owns_odometry_transform && (parameters_.always_on || subscribed)) {
-    publishTransform(stamp, state);
+  if (transforms) {
+    publishTransform();
   }
 }
 
-void PerfectOdometry::publishOdometry(const ros::Time & stamp, const f1tenth_sim2d::CarState & state)
+void PerfectOdometry::measure(const ros::Time & stamp)
 {
+  const f1tenth_sim2d::CarState state = context_->simulation.state(context_->car);
+  const f1tenth_sim2d::Pose3 & base = context_->simulation.car(context_->car).base_frame_pose;
+  const f1tenth_sim2d::Vec2 velocity = velocityOf(state, base);
   odometry_.header.stamp = stamp;
-  odometry_.pose.pose = workspace_support::toPose(state.pose);
-  odometry_.twist.twist.linear.x = state.velocity.x;
-  odometry_.twist.twist.linear.y = state.velocity.y;
+  odometry_.pose.pose = placed(state.pose, base);
+  odometry_.twist.twist.linear.x = velocity.x;
+  odometry_.twist.twist.linear.y = velocity.y;
   odometry_.twist.twist.angular.z = state.yaw_rate;
-  publisher_.publish(odometry_);
 }
 
-void PerfectOdometry::publishTransform(const ros::Time & stamp, const f1tenth_sim2d::CarState & state)
+void PerfectOdometry::publishTransform()
 {
-  transform_.header.stamp = stamp;
-  transform_.transform = workspace_support::toTransform(state.pose);
+  const geometry_msgs::Pose & pose = odometry_.pose.pose;
+  transform_.header.stamp = odometry_.header.stamp;
+  transform_.transform.translation.x = pose.position.x;
+  transform_.transform.translation.y = pose.position.y;
+  transform_.transform.translation.z = pose.position.z;
+  transform_.transform.rotation = pose.orientation;
   context_->transforms.send(transform_);
 }
 }  // namespace f1tenth_gazebo_plugins

@@ -10,7 +10,7 @@
 namespace f1tenth_gazebo_plugins
 {
 /// Publishes a car's exact pose and twist: nav_msgs/Odometry with the pose in odometryFrame, which is the world, and
-/// the twist in robotBaseFrame; and, if it owns it, the transform between the two.
+/// the twist in robotBaseFrame, the link that stands for the car; and, if it owns it, the transform between the two.
 class PerfectOdometry : public f1tenth_sim2d::CarPlugin
 {
 public:
@@ -19,8 +19,8 @@ public:
   void update(const ros::Time & stamp) override;
 
 private:
-  void publishOdometry(const ros::Time & stamp, const f1tenth_sim2d::CarState & state);
-  void publishTransform(const ros::Time & stamp, const f1tenth_sim2d::CarState & state);
+  void measure(const ros::Time & stamp);
+  void publishTransform();
 
   OdometryParameters parameters_;
   std::optional<f1tenth_sim2d::CarPluginContext> context_;

@@ -6,7 +6,8 @@
 
 namespace f1tenth_sim2d
 {
-/// True state of a car. Pose and velocity are those of base_footprint (below the middle of the rear axle).
+/// True state of a car. Pose and velocity are those of its own frame, on the ground below the middle of the rear axle. Where
+/// base_footprint is in that frame, which need not be there, CarDescription::base_frame_pose says.
 struct CarState
 {
   Pose2 pose;                            ///< in the world

@@ -51,6 +51,7 @@ struct ImuDescription
   std::string name;
   std::string topic{"imu"};
   std::string frame{"imu"};
+  Pose3 pose;  ///< its axes are those of what it measures
   double rate_hz{100.0};
   double yaw_rate_noise_stddev{0.0};      ///< rad/s
   double acceleration_noise_stddev{0.0};  ///< m/s^2

@@ -13,6 +13,7 @@ struct WheelOdometry
   double lateral_speed{0.0};  ///< m/s, to the left; of a planar drive only
 };
 
+/// Without the turn of the sensor on the car, which ImuDescription::pose tells.
 struct ImuSample
 {
   double yaw{0.0};       ///< rad

@@ -45,7 +45,7 @@ def expected_stamps(first, rate):
 
 
 class OutputsTest(unittest.TestCase):
-    def start(self, odometry="perfect", participants=("test",), **topics):
+    def start(self, odometry="perfect", participants=("test",), description=None, **topics):
         """Hold the simulation in its first period until every subscriber is served."""
         self.stepper = Stepper()
         self.addCleanup(self.stepper.close)
@@ -54,7 +54,10 @@ class OutputsTest(unittest.TestCase):
         self.driver = Driver("robot1", self.stepper)
         self.addCleanup(self.driver.close)
         self.sim2d = Sim2d(
-            car_description(SONAR), lockstep=True, participants=list(participants), odometry=odometry
+            description or car_description(SONAR),
+            lockstep=True,
+            participants=list(participants),
+            odometry=odometry,
         )
         self.addCleanup(self.sim2d.kill)
         self.collector.wait_until_connected()
@@ -133,6 +136,20 @@ class OutputsTest(unittest.TestCase):
         assert imu.header.frame_id == "robot1/imu"
         assert math.isclose(imu.linear_acceleration.z, 9.8)
         assert imu.angular_velocity.z > 0.1
+
+    def test_imu_measures_along_its_own_axes(self):
+        turned = '<child link="imu"/><origin rpy="0 0 1.5707963267948966"/>'
+        self.start(
+            participants=("robot1", "test"),
+            description=car_description(SONAR).replace('<child link="imu"/>', turned),
+        )
+        self.driver.drive_to(SECOND // 4, linear_x=4.0)
+        self.wait_for_all_until(SECOND // 4)
+        imu = self.messages("imu")[-1]
+        assert abs(2.0 * math.atan2(imu.orientation.z, imu.orientation.w) - math.pi / 2) < 0.05
+        assert imu.linear_acceleration.y < -5.0
+        assert abs(imu.linear_acceleration.x) < 1.0
+        assert math.isclose(imu.linear_acceleration.z, 9.8)
 
     def test_wheel_odometry_owns_the_transform_only_if_told(self):
         for odometry, expected in (("wheel", {("robot1/odom", "robot1/base_footprint")}), ("perfect", set())):

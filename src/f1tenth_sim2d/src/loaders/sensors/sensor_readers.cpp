@@ -29,6 +29,13 @@ std::string imuFrame(const Element & plugin)
   return frameId(plugin, plugin.requiredText(plugin.child("frameName") ? "frameName" : "bodyName"));
 }
 
+/// Where the link is that carries the IMU of a plugin, in the frame of the car.
+Pose3 imuPose(const Element & plugin, const ImuDescription & imu, const CarContext & context)
+{
+  const auto link = context.car.link_poses.find(frameId(plugin, plugin.textOf("bodyName", imu.frame)));
+  return link == context.car.link_poses.end() ? Pose3() : link->second;
+}
+
 /// Noise of one axis, from a tag with one number for all of them or with three.
 double axisNoise(const Element & plugin, const char * tag, int axis)
 {
@@ -89,6 +96,7 @@ void readImu(const SensorElement & element, CarContext & context)
   imu.name = element.sensor.name();
   imu.topic = context.topic(plugin, plugin.requiredText("topicName"));
   imu.frame = imuFrame(plugin);
+  imu.pose = element.pose;
   imu.rate_hz = plugin.child("updateRateHZ") ? plugin.positive("updateRateHZ") : element.sensor.positive("update_rate");
   const double of_plugin = plugin.notNegative("gaussianNoise", 0.0);
   imu.yaw_rate_noise_stddev = std::hypot(of_plugin, imuNoise(noise, "angular_velocity", "z", "rate"));
@@ -102,6 +110,7 @@ void readImuPlugin(const Element & plugin, CarContext & context)
   imu.name = plugin.name();
   imu.topic = context.topic(plugin, plugin.requiredText("topicName"));
   imu.frame = imuFrame(plugin);
+  imu.pose = imuPose(plugin, imu, context);
   imu.rate_hz = plugin.positive("updateRate");
   imu.yaw_rate_noise_stddev = plugin.notNegative("gaussianNoise", 0.0);
   imu.acceleration_noise_stddev = imu.yaw_rate_noise_stddev;
@@ -114,6 +123,7 @@ void readHectorImuPlugin(const Element & plugin, CarContext & context)
   imu.name = plugin.name();
   imu.topic = context.topic(plugin, plugin.textOf("topicName", imu.topic));
   imu.frame = frameId(plugin, plugin.textOf("frameId", plugin.requiredText("bodyName")));
+  imu.pose = imuPose(plugin, imu, context);
   imu.rate_hz = plugin.positive("updateRate");
   imu.yaw_rate_noise_stddev = axisNoise(plugin, "rateGaussianNoise", 2);
   imu.acceleration_noise_stddev = axisNoise(plugin, "accelGaussianNoise", 0);

@@ -1,5 +1,6 @@
 #include "node/cars/car_outputs.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "node/cars/joint_state.h"
@@ -24,6 +25,23 @@ void setPlanarVariances(boost::array<double, 36> & covariance, double x, double 
   covariance[7] = y;
   covariance[14] = covariance[21] = covariance[28] = kExact;
   covariance[35] = yaw;
+}
+
+/// Sets the variances along the axes of the car of a quantity that a sensor measures along its own.
+void setVariances(boost::array<double, 9> & covariance, const Eigen::Vector3d & variances, const Pose3 & sensor)
+{
+  const Eigen::Matrix3d to_sensor = sensor.rotation.conjugate().toRotationMatrix();
+  const Eigen::Matrix3d turned = to_sensor * variances.asDiagonal() * to_sensor.transpose();
+  std::copy_n(turned.data(), covariance.size(), covariance.begin());
+}
+
+geometry_msgs::Vector3 toVector3(const Eigen::Vector3d & vector)
+{
+  geometry_msgs::Vector3 message;
+  message.x = vector.x();
+  message.y = vector.y();
+  message.z = vector.z();
+  return message;
 }
 
 /// The link that a frame id means: one of that name, or with the car's name in front of it. The end if there is none.
@@ -147,18 +165,21 @@ ImuOutput::ImuOutput(const CarHandle & car) : SensorOutput(car, *car.description
 {
   const double acceleration_variance = square(sensor_.acceleration_noise_stddev);
   message_.orientation_covariance = {kExact, 0, 0, 0, kExact, 0, 0, 0, kExact};
-  message_.angular_velocity_covariance = {kExact, 0, 0, 0, kExact, 0, 0, 0, square(sensor_.yaw_rate_noise_stddev)};
-  message_.linear_acceleration_covariance = {acceleration_variance, 0, 0, 0, acceleration_variance, 0, 0, 0, kExact};
-  message_.linear_acceleration.z = car_.simulation.world().gravity;
+  const double rate_variance = square(sensor_.yaw_rate_noise_stddev);
+  setVariances(message_.angular_velocity_covariance, {kExact, kExact, rate_variance}, sensor_.pose);
+  setVariances(
+    message_.linear_acceleration_covariance, {acceleration_variance, acceleration_variance, kExact}, sensor_.pose);
 }
 
 void ImuOutput::sample(sensor_msgs::Imu & message)
 {
   const ImuSample sample = car_.simulation.imu(car_.id);
-  message.orientation = toQuaternion(sample.yaw);
-  message.angular_velocity.z = sample.yaw_rate;
-  message.linear_acceleration.x = sample.acceleration.x;
-  message.linear_acceleration.y = sample.acceleration.y;
+  const Pose3::Rotation to_sensor = sensor_.pose.rotation.conjugate();
+  const Vec2 & pushed = sample.acceleration;
+  message.orientation = toPose(onGround({0.0, 0.0, sample.yaw}) * sensor_.pose).orientation;
+  message.angular_velocity = toVector3(to_sensor * Eigen::Vector3d(0.0, 0.0, sample.yaw_rate));
+  message.linear_acceleration =
+    toVector3(to_sensor * Eigen::Vector3d(pushed.x, pushed.y, car_.simulation.world().gravity));
 }
 
 JointStatesOutput::JointStatesOutput(

@@ -45,8 +45,7 @@ TEST(ParameterRanges, AreThoseOfTheYamlFiles)
     refusalWith(&P::odometry_steering_offset, 2.0),
     "robot1: odometry_steering_offset is 2, allowed are numbers from -1.5 to 1.5 rad");
   EXPECT_EQ(
-    refusalWith(&P::steering_max, 2.0),
-    "robot1: steering_max is 2, allowed are numbers greater than 0, up to 1.5 rad");
+    refusalWith(&P::steering_max, 2.0), "robot1: steering_max is 2, allowed are numbers greater than 0, up to 1.5 rad");
   EXPECT_EQ(
     refusalWith(&P::actuation_latency, 1.5), "robot1: actuation_latency is 1.5, allowed are numbers from 0 to 1 s");
   EXPECT_EQ(refusalWith(&P::speed_gain, 1e300), "robot1: speed_gain is 1e+300, allowed is 0 to 1e+09");

@@ -4,6 +4,7 @@ import enum
 import warnings
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -117,7 +118,7 @@ class F110Env:
         self.num_agents, self.timestep = num_agents, timestep
         self.seed, self.ego_idx = seed, ego_idx
         self._now = self._next = self._load(_place(map, map_ext), dict(params or {}))
-        self._starts = None
+        self._starts: Any = None
 
     def reset(self, poses):
         """Put the cars somewhere and let a timestep go by.

@@ -1,6 +1,8 @@
 """What the three commands understand."""
 
 import argparse
+from collections.abc import Sequence
+from typing import Callable
 
 import rospy
 
@@ -45,7 +47,7 @@ def _each(action, names):
     return all([action(name) for name in names])  # noqa: C419
 
 
-COMMANDS = {
+COMMANDS: dict[str, Callable[[Sequence[str]], bool]] = {
     "list": lambda names: manager.list_controllers(),
     "list-types": lambda names: manager.list_controller_types(),
     "reload-libraries": lambda names: manager.reload_libraries(),

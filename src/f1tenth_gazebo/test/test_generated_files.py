@@ -23,6 +23,14 @@ class TestShippedFiles:
             shipped = circuits.PACKAGE / f"worlds/{name}{suffix}"
             assert (tmp_path / f"w{suffix}").read_text() == shipped.read_text()
 
+    def test_centreline_is_the_circuit_s_with_a_point_at_least_every_0_3_m(self, name):
+        x, y, right, left = np.loadtxt(circuits.PACKAGE / f"worlds/{name}_centerline.csv", delimiter=",").T
+        steps = np.hypot(np.diff(x, append=x[0]), np.diff(y, append=y[0]))
+        assert steps.min() > 0.0
+        assert steps.max() <= 0.3001
+        assert steps.sum() == pytest.approx(circuits.lap(name).length, abs=0.01)
+        assert (right == left).all()
+
     def test_goals_are_made_from_the_circuit(self, name, tmp_path):
         assert make_goals([str(circuits.PACKAGE / f"circuits/{name}.yaml"), "-o", str(tmp_path / "g")]) == 0
         assert (tmp_path / "g").read_text() == (circuits.PACKAGE / f"goals/{name}.txt").read_text()

@@ -212,6 +212,13 @@ def test_pursuit_follows_the_middle_of_a_circuit(planned):
     assert planned("    driver: pursuit\n    laps: 1\n").cars["robot1"].line.name == "circuit1.yaml"
 
 
+def test_planner_of_others_is_told_the_middle_of_a_circuit_as_a_table(planned, launch):
+    plan = planned(launch('<arg name="line"/><arg name="road"/>'))
+    (car,) = plan.scenario.cars
+    middle = places.package_path("f1tenth_gazebo") / "worlds" / "circuit1_centerline.csv"
+    assert driver_arguments(plan, car) == {"line": middle, "road": middle}
+
+
 def test_laps_need_a_line(planned, tmp_path):
     (tmp_path / "empty.world").write_text("<sdf version='1.6'><world name='w'/></sdf>", encoding="utf-8")
     with pytest.raises(ScenarioError, match="'laps' of a car needs a 'start_line' or a 'course'"):

@@ -104,7 +104,7 @@ def _course(around: Surroundings) -> Optional[Course]:
 def _line(car: Car, driver: DriverFile, around: Surroundings) -> Optional[Path]:
     if "line" not in driver.arguments:
         return None
-    path = places.course_file(car.line, around.beside) if car.line else around.place.line
+    path = places.course_file(car.line, around.beside) if car.line else around.place.line_for(car.driver)
     if path is not None:
         read_raceline(path)
     return path

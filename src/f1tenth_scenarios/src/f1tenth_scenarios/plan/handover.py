@@ -31,7 +31,7 @@ def offered_arguments(plan: Plan, car: Car) -> dict[str, Any]:
         # One more than are counted: who is to stop at the last goal would not cross the line behind it.
         "laps": car.laps + 1 if car.laps else plan.scenario.laps,
         "line": plan.cars[car.name].line,
-        "road": plan.place.road,
+        "road": plan.place.road_for(car.driver),
         "map_file": plan.place.map,
         "speed_max": car.speed_max,
         "acceleration_max": car.acceleration_max,

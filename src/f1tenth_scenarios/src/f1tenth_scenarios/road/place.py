@@ -9,6 +9,7 @@ from f1tenth_scenarios import places
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.road.course import Course, read_course
 from f1tenth_scenarios.scenario.car import Pose
+from f1tenth_scenarios.scenario.driver import Driver
 from f1tenth_scenarios.scenario.scenario import StartLine
 
 _MAP_ENDING, _CENTERLINE = "_map", "_centerline.csv"
@@ -29,10 +30,13 @@ class Place:
         """Whether the road is that of a circuit: its start line is at the origin (docs/contracts.md)."""
         return self.road is not None and self.road.suffix == ".yaml"
 
-    @property
-    def line(self) -> Optional[Path]:
+    def road_for(self, driver: Driver) -> Optional[Path]:
+        """The middle of the road as a driver reads it: those of others know no circuits' YAML files."""
+        return self.road if driver.is_ours else _beside(self.world, _CENTERLINE) or self.road
+
+    def line_for(self, driver: Driver) -> Optional[Path]:
         """What is best driven along: the raceline, else the middle of the road."""
-        return self.raceline or self.road
+        return self.raceline or self.road_for(driver)
 
     def start(self) -> Pose:
         """Where a car starts: on a track at the first point of its centreline, headed for the second.

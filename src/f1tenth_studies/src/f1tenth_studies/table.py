@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from f1tenth_scenarios.versions import commit
+from f1tenth_scenarios.versions import commits
 
 from f1tenth_studies.study import Run, Study
 
@@ -26,7 +26,8 @@ def document(study: Study, runs: Sequence[Run], command: str) -> str:
 def made_by(command: str, remark: str = "") -> str:
     """When and where a document was made, and by what; a remark is about where."""
     where = f"{machine()}{remark}"
-    return f"Made on {datetime.date.today()} at commit {commit()} on {where} by\n\n    {command}\n"
+    commit = commits({})["commit"]
+    return f"Made on {datetime.date.today()} at commit {commit} on {where} by\n\n    {command}\n"
 
 
 def table(study: Study, runs: Sequence[Run]) -> str:

@@ -66,6 +66,13 @@ const std::vector<BadWorld> kBadWorlds{
    "test.world: world[w]/model[m]: this name is taken; names are unique among the elements of one parent"},
   {"LinkNameTwice", oneWorld("<model name='m'><link name='l'/><link name='l'/></model>"),
    "test.world: world[w]/model[m]/link[l]: this name is taken; names are unique among the elements of one parent"},
+  {"CollisionNameTwice",
+   oneWorld(
+     "<model name='m'><link name='l'><collision name='c'><geometry><sphere><radius>1</radius></sphere></geometry>"
+     "</collision><collision name='c'><geometry><sphere><radius>1</radius></sphere></geometry></collision></link>"
+     "</model>"),
+   "test.world: world[w]/model[m]/link[l]/collision[c]: this name is taken; names are unique among the elements of one "
+   "parent"},
   {"UnknownUri", oneWorld("<include><uri>model://nowhere</uri></include>"),
    "test.world: world[w]/include[0]/uri: Unable to find uri[model://nowhere]; searched: /no/models, ."},
   {"Population", oneWorld("<population name='p'><model name='m'><link name='l'/></model></population>"),

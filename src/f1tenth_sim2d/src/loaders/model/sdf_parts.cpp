@@ -95,12 +95,23 @@ void warnOfGhost(const Element & contact, WarningCollector & warnings)
 }
 }  // namespace
 
+std::string newName(const Element & element, std::set<std::string> & names)
+{
+  const std::string name = element.requiredAttribute("name");
+  if (!names.insert(name).second) {
+    element.fail("this name is taken; names are unique among the elements of one parent");
+  }
+  return name;
+}
+
 void readLink(LinkPart & link, const FrameScope & frames, MeshLibrary & meshes, WarningCollector & warnings)
 {
   warnOfChildren(link.element, warnings);
   link.pose = frames.poseOf(link.name, link.element);
   link.inertia = placed(readInertia(link.element, warnings), link.pose);
+  std::set<std::string> names;
   for (const Element & collision : link.element.children("collision")) {
+    newName(collision, names);
     link.solids.push_back(readCollision(collision, link, frames, meshes, warnings));
   }
   for (const Element & sensor : link.element.children("sensor")) {

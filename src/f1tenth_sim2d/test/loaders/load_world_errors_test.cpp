@@ -234,6 +234,16 @@ TEST_F(LoadWorldErrorsOfIncludes, ModelThatIncludesItselfOverAnother)
     "thing/model.sdf: model[m]/include[0]");
 }
 
+TEST_F(LoadWorldErrorsOfIncludes, DocumentThatIsNoSdf)
+{
+  folder.write("thing/model.config", kConfig);
+  folder.write("thing/model.sdf", "<html version='1.5'/>");
+  EXPECT_EQ(
+    load(),
+    "thing/model.sdf: html: is no model, allowed are <robot> (URDF) and <sdf>; included by test.world: "
+    "world[w]/include[0]");
+}
+
 TEST_F(LoadWorldErrorsOfIncludes, MissingModelFile)
 {
   folder.write("thing/model.config", kConfig);

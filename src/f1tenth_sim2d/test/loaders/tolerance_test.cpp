@@ -113,6 +113,18 @@ TEST_F(Tolerance, TakesFrictionBelowZeroAsEndless)
              "is taken as endless, as Gazebo does"});
 }
 
+TEST_F(Tolerance, WarnsOfIncludesWithoutModel)
+{
+  folder.write("models/sun/model.config", "<model><sdf version='1.6'>model.sdf</sdf></model>");
+  folder.write("models/sun/model.sdf", "<sdf version='1.6'><light name='sun' type='directional'/></sdf>");
+  EXPECT_EQ(warningsOf(load("<include><uri>model://sun</uri></include>")), Warnings{});
+  addModel("place", "<world name='w'/>");
+  addModel("nothing", "");
+  EXPECT_EQ(
+    warningsOf(load("<include><uri>model://place</uri></include>\n<include><uri>model://nothing</uri></include>")),
+    Warnings{"x.world:1: world[w]/include[0] and 1 more: the file that it includes holds no <model>: left out"});
+}
+
 TEST_F(Tolerance, TakesAJointCalledWorld)
 {
   const WorldDescription world = load(

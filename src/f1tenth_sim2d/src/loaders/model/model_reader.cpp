@@ -20,14 +20,30 @@ void checkReserved(const Element & element, WarningCollector & warnings)
     warnings.add("the name 'world' is reserved for the world itself", element.fileLine());
   }
 }
+
+/// @param what  the document should be
+void requireModelDocument(const Element & root, const std::string & what)
+{
+  if (!root.is("robot") && !root.is("sdf")) {
+    root.fail("is no " + what + ", allowed are <robot> (URDF) and <sdf>");
+  }
+}
+
+/// A world is lit by lights that it includes; nobody misses them here.
+void warnOfNoModel(const Element & root, const Element & include, WarningCollector & warnings)
+{
+  const std::vector<Element> children = root.children();
+  const auto is_light = [](const Element & child) { return child.is("light"); };
+  if (children.empty() || !std::all_of(children.begin(), children.end(), is_light)) {
+    warnings.add("the file that it includes holds no <model>: left out", include.fileLine());
+  }
+}
 }  // namespace
 
 Model ModelReader::readText(const std::string & xml, const std::string & source, const std::string & what)
 {
   const Element root = documents_.readText(xml, source);
-  if (!root.is("robot") && !root.is("sdf")) {
-    root.fail("is no " + what + ", allowed are <robot> (URDF) and <sdf>");
-  }
+  requireModelDocument(root, what);
   std::optional<Model> model = readDocument(root);
   if (!model) {
     throw LoadError(source, "", "holds no <model>");
@@ -109,10 +125,13 @@ std::optional<Model> ModelReader::readNested(const Element & element)
 std::optional<Model> ModelReader::readInclude(const Element & include)
 {
   const std::string file = includedFile(include);
+  const Element root = documents_.readFile(file, include);
+  requireModelDocument(root, "model");
   open_files_.push_back(file);
-  std::optional<Model> model = readDocument(documents_.readFile(file, include));
+  std::optional<Model> model = readDocument(root);
   open_files_.pop_back();
   if (!model) {
+    warnOfNoModel(root, include, warnings_);
     return std::nullopt;
   }
   model->name = include.textOf("name", model->name);

@@ -36,7 +36,8 @@ public:
   /// @throws LoadError
   std::optional<Model> readDocument(const Element & root);
 
-  /// A <model>, or the model of an <include>; none for any other element, and for documents that hold none (a light).
+  /// A <model>, or the model of an <include>; none for any other element, and for documents that hold none, with a
+  /// warning unless they hold lights.
   /// Its own pose is not resolved: see nestFrames().
   std::optional<Model> readNested(const Element & element);
 

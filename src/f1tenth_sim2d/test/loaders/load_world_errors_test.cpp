@@ -234,6 +234,18 @@ TEST_F(LoadWorldErrorsOfIncludes, ModelThatIncludesItselfOverAnother)
     "thing/model.sdf: model[m]/include[0]");
 }
 
+TEST_F(LoadWorldErrorsOfIncludes, ModelThatIncludesItselfByAnotherSpelling)
+{
+  folder.write("thing/model.config", kConfig);
+  folder.write(
+    "thing/model.sdf",
+    "<sdf version='1.6'><model name='m'><include><uri>../thing/model.sdf</uri></include></model></sdf>");
+  EXPECT_EQ(
+    load(),
+    "thing/model.sdf: model[m]/include[0]: includes thing/../thing/model.sdf, which includes it: that never ends; "
+    "included by test.world: world[w]/include[0]");
+}
+
 TEST_F(LoadWorldErrorsOfIncludes, DocumentThatIsNoSdf)
 {
   folder.write("thing/model.config", kConfig);

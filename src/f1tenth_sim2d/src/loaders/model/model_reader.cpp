@@ -1,6 +1,7 @@
 #include "loaders/model/model_reader.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include "f1tenth_sim2d/errors.h"
@@ -27,6 +28,14 @@ void requireModelDocument(const Element & root, const std::string & what)
   if (!root.is("robot") && !root.is("sdf")) {
     root.fail("is no " + what + ", allowed are <robot> (URDF) and <sdf>");
   }
+}
+
+/// One file may be called by many paths.
+std::string canonical(const std::string & file)
+{
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::weakly_canonical(file, error);
+  return error ? file : path.string();
 }
 
 /// A world is lit by lights that it includes; nobody misses them here.
@@ -127,7 +136,7 @@ std::optional<Model> ModelReader::readInclude(const Element & include)
   const std::string file = includedFile(include);
   const Element root = documents_.readFile(file, include);
   requireModelDocument(root, "model");
-  open_files_.push_back(file);
+  open_files_.push_back(canonical(file));
   std::optional<Model> model = readDocument(root);
   open_files_.pop_back();
   if (!model) {
@@ -150,7 +159,7 @@ std::optional<Model> ModelReader::readInclude(const Element & include)
 std::string ModelReader::includedFile(const Element & include) const
 {
   const std::string file = modelFile(include, uris_);
-  if (std::find(open_files_.begin(), open_files_.end(), file) != open_files_.end()) {
+  if (std::find(open_files_.begin(), open_files_.end(), canonical(file)) != open_files_.end()) {
     include.fail("includes " + file + ", which includes it: that never ends");
   }
   return file;

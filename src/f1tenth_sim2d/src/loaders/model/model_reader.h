@@ -51,6 +51,6 @@ private:
   WarningCollector & warnings_;
   XmlDocuments documents_;
   MeshLibrary meshes_;
-  std::vector<std::string> open_files_;  ///< included by each other
+  std::vector<std::string> open_files_;  ///< included by each other; canonical paths
 };
 }  // namespace f1tenth_sim2d

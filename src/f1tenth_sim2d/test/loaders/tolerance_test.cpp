@@ -1,6 +1,9 @@
 // What Gazebo takes from files that others made, although it is not as it should be.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <csignal>
+
 #include "f1tenth_sim2d/loaders.h"
 #include "f1tenth_sim2d/section.h"
 #include "loaders/shapes/child_process.h"
@@ -123,6 +126,20 @@ TEST_F(Tolerance, WarnsOfIncludesWithoutModel)
   EXPECT_EQ(
     warningsOf(load("<include><uri>model://place</uri></include>\n<include><uri>model://nothing</uri></include>")),
     Warnings{"x.world:1: world[w]/include[0] and 1 more: the file that it includes holds no <model>: left out"});
+}
+
+TEST_F(Tolerance, TakesEveryWordForDegrees)
+{
+  for (const std::string word : {"true", "1", "True"}) {
+    const WorldDescription world = load(
+      "<model name='m'><pose degrees='" + word + "'>0 0 0 0 0 90</pose><link name='l'>" + kBoxXml + "</link></model>");
+    EXPECT_NEAR(world.models.at(0).pose.yaw(), M_PI / 2, 1e-12) << word;
+  }
+  for (const std::string word : {"degrees='false'", "degrees='0'", "rotation_format='euler_rpy'"}) {
+    const WorldDescription world =
+      load("<model name='m'><pose " + word + ">0 0 0 0 0 0.5</pose><link name='l'>" + kBoxXml + "</link></model>");
+    EXPECT_NEAR(world.models.at(0).pose.yaw(), 0.5, 1e-12) << word;
+  }
 }
 
 TEST_F(Tolerance, TakesAJointCalledWorld)

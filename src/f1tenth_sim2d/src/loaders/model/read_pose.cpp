@@ -14,9 +14,18 @@ constexpr int kOfUrdf = 107;
 /// From this version on a frame is named by `relative_to`, before it by `frame`.
 constexpr int kWithRelativeTo = 107;
 
+bool isQuaternion(const Element & element)
+{
+  const std::string format = element.attribute("rotation_format");
+  if (!format.empty() && format != "euler_rpy" && format != "quat_xyzw") {
+    element.fail("attribute 'rotation_format' is '" + format + "', allowed are euler_rpy and quat_xyzw");
+  }
+  return format == "quat_xyzw";
+}
+
 Pose3 poseOf(const Element & element, const std::vector<double> & n)
 {
-  const bool is_quaternion = element.attribute("rotation_format") == "quat_xyzw";
+  const bool is_quaternion = isQuaternion(element);
   if (n.size() != (is_quaternion ? 7 : 6)) {
     element.fail(
       "is '" + element.text() + "', allowed are " +
@@ -29,7 +38,7 @@ Pose3 poseOf(const Element & element, const std::vector<double> & n)
     const Pose3::Rotation given(n[6], n[3], n[4], n[5]);
     return {{n[0], n[1], n[2]}, given.norm() > 0.0 ? given.normalized() : Pose3::Rotation::Identity()};
   }
-  const double unit = element.attribute("degrees") == "true" ? M_PI / 180.0 : 1.0;
+  const double unit = element.flagAttribute("degrees", false) ? M_PI / 180.0 : 1.0;
   return {n[0], n[1], n[2], n[3] * unit, n[4] * unit, n[5] * unit};
 }
 }  // namespace

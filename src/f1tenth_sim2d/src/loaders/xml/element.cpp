@@ -195,13 +195,23 @@ double Element::length(const std::string & tag) const
 
 bool Element::flag(const char * tag, bool fallback) const
 {
-  const std::string text = boost::algorithm::to_lower_copy(child(tag).text());
+  return toFlag("<" + std::string(tag) + ">", child(tag).text(), fallback);
+}
+
+bool Element::flagAttribute(const char * attribute, bool fallback) const
+{
+  return toFlag("attribute '" + std::string(attribute) + "'", this->attribute(attribute), fallback);
+}
+
+bool Element::toFlag(const std::string & what, const std::string & given, bool fallback) const
+{
+  const std::string text = boost::algorithm::to_lower_copy(given);
   if (text.empty()) {
     return fallback;
   }
   const bool is_true = text == "true" || text == "1";
   if (!is_true && text != "false" && text != "0") {
-    fail("<" + std::string(tag) + "> is '" + text + "', allowed are true, false, 1 and 0");
+    fail(what + " is '" + text + "', allowed are true, false, 1 and 0");
   }
   return is_true;
 }

@@ -59,6 +59,7 @@ public:
 
   /// The same of attributes, and of texts that are said to be those of something.
   double numberAttribute(const char * attribute, std::optional<double> fallback = std::nullopt) const;
+  bool flagAttribute(const char * attribute, bool fallback) const;
   double toNumber(const std::string & what, const std::string & text) const;
   Eigen::Vector3d toVector(const std::string & what, const std::string & text) const;
 
@@ -68,6 +69,7 @@ public:
   void requireNear(const Eigen::Vector3d & place) const;  ///< no coordinate is farther than 100 km from the origin
 
 private:
+  bool toFlag(const std::string & what, const std::string & text, bool fallback) const;
   Element descend(const std::string & path) const;
 
   const tinyxml2::XMLElement * node_{nullptr};

@@ -155,7 +155,10 @@ const std::vector<BadWorld> kBadWorlds{
    "from 0"},
   {"BounceNan", surface("<bounce><restitution_coefficient>nan</restitution_coefficient></bounce>"),
    "test.world: world[w]/model[m]/link[l]/collision[c]/surface/bounce: <restitution_coefficient> is nan, allowed are "
-   "finite numbers from 0"},
+   "numbers from 0 to 1"},
+  {"BounceOfMoreThanItHit", surface("<bounce><restitution_coefficient>5</restitution_coefficient></bounce>"),
+   "test.world: world[w]/model[m]/link[l]/collision[c]/surface/bounce: <restitution_coefficient> is 5, allowed are "
+   "numbers from 0 to 1"},
   {"GravityUpwards", oneWorld("<gravity>0 0 9.8</gravity>"),
    "test.world: world[w]: z of <gravity> is 9.8, allowed is at most 0: it points downwards"},
   {"ScaleOfAStateIsZero",

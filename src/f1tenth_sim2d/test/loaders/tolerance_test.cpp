@@ -116,6 +116,18 @@ TEST_F(Tolerance, TakesFrictionBelowZeroAsEndless)
              "is taken as endless, as Gazebo does"});
 }
 
+TEST_F(Tolerance, TakesFrictionBeyondTheEndlessAsEndless)
+{
+  const WorldDescription world = load(
+    "<model name='m'><link name='l'><collision name='c'><geometry><sphere><radius>1</radius></sphere></geometry>"
+    "<surface><friction><ode><mu>1e300</mu></ode></friction></surface></collision></link></model>");
+  EXPECT_EQ(world.models.at(0).solids.at(0).mu, 1e6);
+  EXPECT_EQ(
+    warningsOf(world),
+    Warnings{"x.world:1: world[w]/model[m]/link[l]/collision[c]/surface/friction/ode: friction beyond 1e6 is taken as "
+             "1e6: nothing slips with less, either"});
+}
+
 TEST_F(Tolerance, WarnsOfIncludesWithoutModel)
 {
   folder.write("models/sun/model.config", "<model><sdf version='1.6'>model.sdf</sdf></model>");

@@ -1,7 +1,9 @@
 #include "loaders/model/sdf_parts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
 
 #include "loaders/model/known_tags.h"
 #include "loaders/model/read_pose.h"
@@ -49,6 +51,17 @@ Solid readCollision(
   collision.requireNear(solid.pose.position);
   readSurface(collision.child("surface"), solid, warnings);
   return solid;
+}
+
+double restitutionOf(const Element & bounce, double fallback)
+{
+  const double share = bounce.number("restitution_coefficient", fallback);
+  if (!(share >= 0.0 && share <= 1.0)) {
+    std::ostringstream reason;
+    reason << "<restitution_coefficient> is " << share << ", allowed are numbers from 0 to 1";
+    bounce.fail(reason.str());
+  }
+  return share;
 }
 
 double limitOf(double value)
@@ -137,7 +150,7 @@ void readSurface(const Element & surface, Solid & solid, WarningCollector & warn
     solid.mu = frictionOf(friction, friction.number("mu", solid.mu), warnings);
   }
   if (const Element bounce = surface.child("bounce")) {
-    solid.restitution = bounce.notNegative("restitution_coefficient", solid.restitution);
+    solid.restitution = restitutionOf(bounce, solid.restitution);
   }
 }
 
@@ -150,7 +163,10 @@ double frictionOf(const Element & element, double mu, WarningCollector & warning
     warnings.add("friction of less than 0 is taken as endless, as Gazebo does", element.fileLine());
     return kEndlessFriction;
   }
-  return mu;
+  if (mu > kEndlessFriction) {
+    warnings.add("friction beyond 1e6 is taken as 1e6: nothing slips with less, either", element.fileLine());
+  }
+  return std::min(mu, kEndlessFriction);
 }
 
 void warnOfInertia(const Element & place, const Inertia & inertia, WarningCollector & warnings)

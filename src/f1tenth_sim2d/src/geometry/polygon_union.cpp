@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <polyclipping/clipper.hpp>
+#include <sstream>
 
+#include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/section.h"
 #include "geometry/planar.h"
 
@@ -18,10 +20,24 @@ constexpr double kUnitsPerMetre = 1e7;
 /// Corners nearer than this to the line through their neighbours are dropped, m.
 constexpr double kCleaningDistance = 2e-5;
 
+/// m; whole numbers that stand for more are beyond what Clipper takes.
+constexpr double kFarthest = 1e11;
+
+void requireWithinReach(const Vec2 & corner)
+{
+  if (!(std::max(std::abs(corner.x), std::abs(corner.y)) <= kFarthest)) {
+    std::ostringstream reason;
+    reason << "a corner of an area is at (" << corner.x << ", " << corner.y << ") m, allowed is at most " << kFarthest
+           << " m from the origin";
+    throw Error(reason.str());
+  }
+}
+
 clip::Path toPath(const Outline & outline)
 {
   clip::Path path;
   for (const Vec2 & corner : outline) {
+    requireWithinReach(corner);
     path.emplace_back(std::llround(corner.x * kUnitsPerMetre), std::llround(corner.y * kUnitsPerMetre));
   }
   return path;

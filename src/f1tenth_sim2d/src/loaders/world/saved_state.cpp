@@ -24,27 +24,38 @@ Vector3d readScale(const Element & saved)
   return scale;
 }
 
-Mesh scaled(const Mesh & mesh, const Vector3d & scale)
+Mesh scaled(const Element & saved, const Mesh & mesh, const Vector3d & scale)
 {
   auto surface = std::make_shared<TriangleMesh>(*mesh.surface);
   for (Vector3d & vertex : surface->vertices) {
     vertex = vertex.cwiseProduct(scale);
+    saved.child("scale").requireNear(vertex);
   }
   return {std::move(surface)};
 }
 
+void requireLengths(const Element & saved, const Vector3d & lengths)
+{
+  for (const double length : lengths) {
+    saved.child("scale").requireLength("a length that it makes", length);
+  }
+}
+
 /// As Gazebo scales shapes, which keep their poses in the link; false if it cannot scale this one.
-bool scaleShape(const Vector3d & scale, Shape & shape)
+bool scaleShape(const Element & saved, const Vector3d & scale, Shape & shape)
 {
   if (auto * const box = std::get_if<Box>(&shape)) {
     box->size = box->size.cwiseProduct(scale);
+    requireLengths(saved, box->size);
   } else if (auto * const cylinder = std::get_if<Cylinder>(&shape)) {
     cylinder->radius *= std::max(scale.x(), scale.y());
     cylinder->length *= scale.z();
+    requireLengths(saved, {cylinder->radius, cylinder->length, cylinder->length});
   } else if (auto * const sphere = std::get_if<Sphere>(&shape)) {
     sphere->radius *= scale.maxCoeff();
+    requireLengths(saved, Vector3d::Constant(sphere->radius));
   } else if (auto * const mesh = std::get_if<Mesh>(&shape)) {
-    *mesh = scaled(*mesh, scale);
+    *mesh = scaled(saved, *mesh, scale);
   } else {
     return false;
   }
@@ -56,7 +67,7 @@ void scaleLinks(const Element & saved, Model & model, WarningCollector & warning
   const Vector3d scale = readScale(saved);
   for (LinkPart & link : model.links) {
     for (Solid & solid : link.solids) {
-      if (scale != Vector3d::Ones() && !scaleShape(scale, solid.shape)) {
+      if (scale != Vector3d::Ones() && !scaleShape(saved, scale, solid.shape)) {
         warnings.add(
           "<scale> of a <state> is applied to boxes, cylinders, spheres and meshes only, as in Gazebo",
           saved.child("scale").fileLine());
@@ -70,8 +81,9 @@ bool isSame(const Pose3 & a, const Pose3 & b)
   return (a.position - b.position).norm() < kRounding && a.rotation.angularDistance(b.rotation) < kRounding;
 }
 
-void moveLink(const Pose3 & pose, LinkPart & link)
+void moveLink(const Element & saved, const Pose3 & pose, LinkPart & link)
 {
+  saved.requireNear(pose.position);
   if (isSame(pose, link.pose)) {
     return;
   }
@@ -80,6 +92,7 @@ void moveLink(const Pose3 & pose, LinkPart & link)
   link.inertia = placed(link.inertia, change);
   for (Solid & solid : link.solids) {
     solid.pose = change * solid.pose;
+    saved.requireNear(solid.pose.position);
   }
 }
 
@@ -114,7 +127,7 @@ void restore(const Element & saved, Pose3 & pose, Model & model, WarningCollecto
   scaleLinks(saved, model, warnings);
   for (const Element & link : saved.children("link")) {
     if (LinkPart * const part = partOf(model.links, link)) {
-      moveLink(pose.inverse() * readPose(link, "").pose, *part);
+      moveLink(link, pose.inverse() * readPose(link, "").pose, *part);
     }
   }
   for (const Element & nested : saved.children("model")) {

@@ -35,8 +35,9 @@ Section staticSectionAt(const WorldDescription & world, double z);
 /// Convex pieces; outlines that are not convex come decomposed.
 Section footprintBetween(const Solid & solid, const Pose3 & pose, double z_min, double z_max);
 
-/// What outlines enclose, extruded along z. An outline within another one is a hole in it, one within a hole matter again.
-/// Corners on the line through their neighbours are dropped.
+/// What an odd number of outlines enclose, extruded along z: an outline within another one is a hole in it, one within a
+/// hole matter again. Corners on the line through their neighbours are dropped; those of outlines that meet are rounded to
+/// 0.1 micrometres.
 Polyline extrude(const std::vector<Outline> & outlines, double height);
 
 /// Splits a simple outline into convex polygons (their union is the outline).

@@ -16,6 +16,30 @@ bool isHole(const Outline & outline, const std::vector<Outline> & all)
   return around % 2 == 1;
 }
 
+bool anyMeet(const std::vector<Outline> & outlines)
+{
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    for (std::size_t j = i + 1; j < outlines.size(); ++j) {
+      if (edgesMeet(outlines[i], outlines[j])) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Outlines that do not meet, those of holes turned clockwise.
+std::vector<Outline> withHoles(const std::vector<Outline> & outlines)
+{
+  std::vector<Outline> turned = outlines;
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    if (isHole(outlines[i], outlines)) {
+      std::reverse(turned[i].begin(), turned[i].end());
+    }
+  }
+  return turned;
+}
+
 std::vector<ConvexPolygon> piecesOf(const std::vector<Outline> & outlines)
 {
   if (outlines.size() == 1) {
@@ -35,12 +59,7 @@ Polyline extrude(const std::vector<Outline> & outlines, double height)
       around.push_back(std::move(corners));
     }
   }
-  Polyline polyline{around, {}, height};
-  for (std::size_t i = 0; i < around.size(); ++i) {
-    if (isHole(around[i], around)) {
-      std::reverse(polyline.outlines[i].begin(), polyline.outlines[i].end());
-    }
-  }
+  Polyline polyline{anyMeet(around) ? coveredOddly(around) : withHoles(around), {}, height};
   polyline.pieces = piecesOf(polyline.outlines);
   return polyline;
 }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <boost/geometry/algorithms/convex_hull.hpp>
+#include <boost/geometry/algorithms/intersects.hpp>
 #include <boost/geometry/algorithms/is_valid.hpp>
 #include <boost/geometry/algorithms/within.hpp>
+#include <boost/geometry/geometries/linestring.hpp>
 #include <boost/geometry/geometries/register/multi_point.hpp>
 #include <boost/geometry/geometries/register/point.hpp>
 #include <boost/geometry/geometries/ring.hpp>
@@ -19,6 +21,8 @@ namespace
 {
 /// Counter-clockwise, without its closing corner.
 using Ring = boost::geometry::model::ring<Vec2, false, false>;
+
+using Line = boost::geometry::model::linestring<Vec2>;
 
 /// Whether b adds nothing to the line from a to c: on it, a spike, or a copy of a neighbour.
 bool isRedundant(const Vec2 & a, const Vec2 & b, const Vec2 & c)
@@ -69,6 +73,16 @@ bool isSimple(const Outline & outline)
 {
   const Outline corners = withoutRedundantCorners(outline);
   return !corners.empty() && boost::geometry::is_valid(Ring(corners.begin(), corners.end()));
+}
+
+bool edgesMeet(const Outline & a, const Outline & b)
+{
+  const auto edges = [](const Outline & outline) {
+    Line line(outline.begin(), outline.end());
+    line.push_back(outline.front());
+    return line;
+  };
+  return boost::geometry::intersects(edges(a), edges(b));
 }
 
 bool contains(const Outline & outline, const Vec2 & point)

@@ -23,6 +23,9 @@ Outline withoutRedundantCorners(Outline outline);
 /// Whether an outline encloses an area and does not cross or touch itself.
 bool isSimple(const Outline & outline);
 
+/// Whether the edges of two outlines cross or touch.
+bool edgesMeet(const Outline & a, const Outline & b);
+
 /// Whether a point is within an outline, not on it.
 bool contains(const Outline & outline, const Vec2 & point);
 

@@ -85,16 +85,21 @@ clip::Paths uniteHalves(const clip::Path * first, const clip::Path * last)
   return unite(both, clip::pftPositive);
 }
 
+std::vector<Outline> toOutlines(const clip::Paths & paths)
+{
+  std::vector<Outline> outlines;
+  for (const clip::Path & path : paths) {
+    outlines.push_back(toOutline(path));
+  }
+  return outlines;
+}
+
 /// Two areas, none of whose own outlines cross, as one.
 std::vector<Outline> joined(const std::vector<Outline> & area, clip::Paths other)
 {
   const clip::Paths paths = toPaths(area);
   other.insert(other.end(), paths.begin(), paths.end());
-  std::vector<Outline> outlines;
-  for (const clip::Path & path : unite(other, clip::pftNonZero)) {
-    outlines.push_back(toOutline(path));
-  }
-  return outlines;
+  return toOutlines(unite(other, clip::pftNonZero));
 }
 
 bool covers(const clip::Paths & paths, const Vec2 & point)
@@ -237,5 +242,10 @@ std::vector<ConvexPolygon> PolygonUnion::convexPieces() const
     }
   }
   return pieces;
+}
+
+std::vector<Outline> coveredOddly(const std::vector<Outline> & outlines)
+{
+  return toOutlines(unite(toPaths(outlines), clip::pftEvenOdd));
 }
 }  // namespace f1tenth_sim2d

@@ -27,4 +27,7 @@ public:
 private:
   std::vector<Outline> outlines_;  ///< of the area so far: no two cross, holes are clockwise
 };
+
+/// What an odd number of outlines enclose, as outlines that do not cross; holes are clockwise.
+std::vector<Outline> coveredOddly(const std::vector<Outline> & outlines);
 }  // namespace f1tenth_sim2d

@@ -66,7 +66,11 @@ Polyline readPolylines(const Element & geometry)
   for (const Element & polyline : geometry.children("polyline")) {
     outlines.push_back(readOutline(polyline));
   }
-  return extrude(outlines, geometry.child("polyline").length("height"));
+  Polyline solid = extrude(outlines, geometry.child("polyline").length("height"));
+  if (solid.outlines.empty()) {
+    geometry.fail("has <polyline>s that leave nothing: what an even number of them enclose is empty");
+  }
+  return solid;
 }
 
 Mesh readMesh(const Element & mesh, MeshLibrary & meshes)

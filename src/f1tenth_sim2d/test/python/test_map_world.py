@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from conftest import CAR
 from PIL import Image
 from shapely.geometry import Polygon, box
 from shapely.ops import unary_union
@@ -61,6 +62,17 @@ def cells(occupied, resolution=0.5, x=-1.0, y=2.0):
 
 def test_occupied_cells_are_walls_along_the_edges_of_the_pixels(write):
     assert area(write()).symmetric_difference(cells(ROOM == 0)).area == pytest.approx(0.0, abs=1e-12)
+
+
+def test_the_finest_pixels_are_walls_that_a_car_touches(write):
+    yaml = YAML.replace("0.5", "0.001").replace("-1.0, 2.0", "0.5, 0.0")
+    path = write(yaml, np.zeros((1, 1), np.uint8))
+    assert area(path).area == pytest.approx(1e-6, rel=1e-6)
+    simulation = f1tenth_sim2d.Simulation(f1tenth_sim2d.load_world(path))
+    car = f1tenth_sim2d.load_car(CAR.read_text(), "robot1", "car.urdf")
+    with pytest.raises(f1tenth_sim2d.Error, match="it overlaps model map::walls$"):
+        simulation.add_car(car, x=0.3)
+    simulation.add_car(car)
 
 
 def test_walls_reach_above_every_lidar_and_end(write):
@@ -162,12 +174,36 @@ def error(path):
     ("old", "new", "message"),
     [
         ("resolution: 0.5\n", "", "room_map.yaml: resolution: is missing"),
-        ("0.5", "0", "room_map.yaml:2: resolution: found '0', allowed is a positive number of metres"),
-        ("0.5", ".nan", "room_map.yaml:2: resolution: found '.nan', allowed is a positive number of metres"),
+        *(
+            ("0.5", found, f"room_map.yaml:2: resolution: found '{found}', allowed is 0.001 to 100000 m")
+            for found in ("0", ".nan", "0.0009", "1e-300", "1.1e5")
+        ),
+        *(
+            (
+                "[-1.0, 2.0, 0.0]",
+                found,
+                "room_map.yaml:3: origin: found a list of 3, allowed is three numbers: "
+                "x and y (m, up to 100000), yaw (rad)",
+            )
+            for found in ("[1e10, 0, 0]", "[0, -1e300, 0]", "[0, 0, .inf]")
+        ),
+        (
+            "0.5",
+            "3e4",
+            "room_map.yaml:2: resolution: 4 by 3 pixels of 30000 m do not all lie within 100000 m "
+            "of the world's origin",
+        ),
+        (
+            "-1.0",
+            "99999",
+            "room_map.yaml:2: resolution: 4 by 3 pixels of 0.5 m do not all lie within 100000 m "
+            "of the world's origin",
+        ),
         (
             "[-1.0, 2.0, 0.0]",
             "[-1.0, 2.0]",
-            "room_map.yaml:3: origin: found a list of 2, allowed is three numbers: x (m), y (m), yaw (rad)",
+            "room_map.yaml:3: origin: found a list of 2, allowed is three numbers: "
+            "x and y (m, up to 100000), yaw (rad)",
         ),
         ("negate: 0", "negate: 2", "room_map.yaml:4: negate: found '2', allowed is 0 or 1"),
         ("0.65", "65", "room_map.yaml:5: occupied_thresh: found '65', allowed is a number from 0 to 1"),

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
 #include "f1tenth_sim2d/errors.h"
 #include "loaders/files/read_file.h"
@@ -16,6 +17,9 @@ namespace
 {
 constexpr std::array<const char *, 6> kRequiredKeys{"image",  "resolution",      "origin",
                                                     "negate", "occupied_thresh", "free_thresh"};
+
+constexpr double kFinest = 1e-3;   // m; contacts take no notice of what is much smaller
+constexpr double kFarthest = 1e5;  // m, from the origin of the world, as of what SDF describes
 
 /// Reads the keys of one file.
 class MapKeys
@@ -42,10 +46,12 @@ public:
     return node.Scalar();
   }
 
-  double number(const char * key, double above, double most, const char * allowed) const
+  int line(const char * key) const { return root_[key].Mark().line + 1; }
+
+  double number(const char * key, double least, double most, const char * allowed) const
   {
     const double value = decoded(root_[key]);
-    if (!(value > above && value <= most && std::isfinite(value))) {
+    if (!(value >= least && value <= most)) {
       fail(key, root_[key], allowed);
     }
     return value;
@@ -72,8 +78,8 @@ public:
     for (std::size_t i = 0; node.IsSequence() && node.size() >= 3 && i < 3; ++i) {
       values[i] = decoded(node[i]);
     }
-    if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); })) {
-      fail(key, node, "three numbers: x (m), y (m), yaw (rad)");
+    if (!(std::abs(values[0]) <= kFarthest && std::abs(values[1]) <= kFarthest && std::isfinite(values[2]))) {
+      fail(key, node, "three numbers: x and y (m, up to 100000), yaw (rad)");
     }
     return {values[0], values[1], values[2]};
   }
@@ -147,18 +153,29 @@ private:
 
 MapMetadata readMapMetadata(const std::string & path)
 {
-  constexpr double kBelowZero = -1e-300;
   const MapKeys keys(path);
   MapMetadata metadata;
   metadata.image = (std::filesystem::path(path).parent_path() / keys.text("image")).string();
-  metadata.resolution = keys.number("resolution", 0.0, 1e6, "a positive number of metres");
+  metadata.resolution = keys.number("resolution", kFinest, kFarthest, "0.001 to 100000 m");
+  metadata.resolution_line = keys.line("resolution");
   metadata.origin = keys.pose("origin");
   metadata.negate = keys.flag("negate");
-  metadata.occupied_thresh = keys.number("occupied_thresh", kBelowZero, 1.0, "a number from 0 to 1");
-  const double free_thresh = keys.number("free_thresh", kBelowZero, 1.0, "a number from 0 to 1");
+  metadata.occupied_thresh = keys.number("occupied_thresh", 0.0, 1.0, "a number from 0 to 1");
+  const double free_thresh = keys.number("free_thresh", 0.0, 1.0, "a number from 0 to 1");
   metadata.mode = keys.mode();
   keys.requireOrder(free_thresh, metadata.occupied_thresh, metadata.mode != MapMetadata::Mode::kScale);
   metadata.warnings = keys.warnings();
   return metadata;
+}
+
+void requireNear(const MapMetadata & metadata, std::size_t width, std::size_t height, const std::string & path)
+{
+  const double size = std::hypot(width, height) * metadata.resolution;
+  if (std::max(std::abs(metadata.origin.x), std::abs(metadata.origin.y)) + size > kFarthest) {
+    std::ostringstream reason;
+    reason << width << " by " << height << " pixels of " << metadata.resolution << " m do not all lie within "
+           << kFarthest << " m of the world's origin";
+    throw LoadError(path + ":" + std::to_string(metadata.resolution_line), "resolution", reason.str());
+  }
 }
 }  // namespace f1tenth_sim2d

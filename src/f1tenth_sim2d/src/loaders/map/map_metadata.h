@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct MapMetadata
 
   std::string image;       ///< path
   double resolution{0.0};  ///< m, edge length of a cell
+  int resolution_line{0};  ///< where the file says it
   Pose2 origin;            ///< of the lower left corner of the image
   bool negate{false};
   double occupied_thresh{0.65};
@@ -28,4 +30,8 @@ struct MapMetadata
 
 /// @throws LoadError naming file, line and key
 MapMetadata readMapMetadata(const std::string & path);
+
+/// @param width, height  of the image, pixels
+/// @throws LoadError unless all of a map is within 100 km of the world's origin
+void requireNear(const MapMetadata & metadata, std::size_t width, std::size_t height, const std::string & path);
 }  // namespace f1tenth_sim2d

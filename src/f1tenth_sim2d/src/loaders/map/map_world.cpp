@@ -49,7 +49,9 @@ bool isMapFile(const std::string & path)
 WorldDescription loadMapWorld(const std::string & path)
 {
   const MapMetadata metadata = readMapMetadata(path);
-  const CellGrid grid = cellsOf(readMapImage(metadata.image), metadata);
+  const MapImage image = readMapImage(metadata.image);
+  requireNear(metadata, image.width, image.height, path);
+  const CellGrid grid = cellsOf(image, metadata);
   WorldDescription world;
   world.file = path;
   world.name = std::filesystem::path(path).stem().string();

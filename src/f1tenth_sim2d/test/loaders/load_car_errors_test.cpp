@@ -119,10 +119,12 @@ std::vector<BadCar> badCars()
      kLidar + "/ray/noise: <stddev> is -1, allowed are finite numbers from 0"},
     {"UnknownCollision", smallCarWith("<collision>bumper_left_collision", "<collision>nothing"),
      "test.urdf: robot[small_car]/gazebo[bumper_left]/sensor[bumper_left]: there is no <collision> 'nothing'; the car "
-     "has base_footprint_fixed_joint_lump__base_link_collision, "
-     "base_footprint_fixed_joint_lump__bumper_left_collision_1, "
-     "base_footprint_fixed_joint_lump__bumper_right_collision_2, bumper_front_collision, bumper_rear_collision, "
-     "front_left_wheel_collision, front_right_wheel_collision, rear_left_wheel_collision, rear_right_wheel_collision"},
+     "has base_footprint::base_footprint_fixed_joint_lump__base_link_collision, "
+     "base_footprint::base_footprint_fixed_joint_lump__bumper_left_collision_1, "
+     "base_footprint::base_footprint_fixed_joint_lump__bumper_right_collision_2, bumper_front::bumper_front_collision, "
+     "bumper_rear::bumper_rear_collision, front_left_wheel::front_left_wheel_collision, "
+     "front_right_wheel::front_right_wheel_collision, rear_left_wheel::rear_left_wheel_collision, "
+     "rear_right_wheel::rear_right_wheel_collision"},
     {"ContactWithoutCollision", smallCarWith("<contact><collision>bumper_left_collision</collision></contact>", ""),
      "test.urdf: robot[small_car]/gazebo[bumper_left]/sensor[bumper_left]: has no <contact> with a <collision>"},
     {"SensorNameTwice", smallCarWith("<sensor name=\"imu\"", "<sensor name=\"bumper_front\""),

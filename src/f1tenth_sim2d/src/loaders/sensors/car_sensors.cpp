@@ -53,7 +53,7 @@ std::string whyLeftOut(const std::string & type)
                                      : "is no type of sensor of SDF and left out";
 }
 
-void readSensor(const SensorPart & sensor, CarContext & context)
+void readSensor(const SensorPart & sensor, const std::string & link, CarContext & context)
 {
   const std::string type = sensor.element.attribute("type");
   std::string publishers;
@@ -62,7 +62,7 @@ void readSensor(const SensorPart & sensor, CarContext & context)
       continue;
     }
     if (const Element plugin = findPlugin(sensor.element, kind.libraries)) {
-      kind.read({sensor.element, plugin, context.inCar(sensor.pose)}, context);
+      kind.read({sensor.element, plugin, context.inCar(sensor.pose), link}, context);
       return;
     }
     for (const std::string & library : kind.libraries) {
@@ -83,7 +83,7 @@ void readSensors(CarContext & context)
       if (!names.insert(sensor.element.name()).second) {
         sensor.element.fail("this name is taken; names are unique among the sensors of a car");
       }
-      readSensor(sensor, context);
+      readSensor(sensor, link.name, context);
     }
   }
 }

@@ -1,15 +1,33 @@
 #include "loaders/sensors/contact_sensor.h"
 
 #include <algorithm>
+#include <set>
 
 namespace f1tenth_sim2d
 {
 namespace
 {
-std::string lastPart(const std::string & scoped_name)
+const std::string kSeparator = "::";
+
+/// A name and what stands in front of it: the model, if it is named, and the link.
+struct ScopedName
 {
-  const std::size_t separator = scoped_name.rfind("::");
-  return separator == std::string::npos ? scoped_name : scoped_name.substr(separator + 2);
+  std::string scope;
+  std::string name;
+};
+
+ScopedName splitName(const std::string & text)
+{
+  const std::size_t separator = text.rfind(kSeparator);
+  return separator == std::string::npos
+           ? ScopedName{"", text}
+           : ScopedName{text.substr(0, separator), text.substr(separator + kSeparator.size())};
+}
+
+/// The link that a solid of the car belongs to.
+std::string linkOf(const Solid & solid, const CarContext & context)
+{
+  return splitName(solid.name).scope.substr(context.car.name.size() + kSeparator.size());
 }
 
 /// Undoes Gazebo's renaming: "base_fixed_joint_lump__bumper_collision_1" -> "bumper_collision", with the
@@ -27,24 +45,74 @@ std::vector<std::string> namesBeforeJoining(const std::string & name)
   return numbered ? std::vector<std::string>{rest.substr(0, number), rest} : std::vector<std::string>{rest};
 }
 
-bool isMeant(const std::string & wanted, const Solid & solid)
+bool isCalled(const Solid & solid, const std::string & wanted)
 {
-  const std::string name = lastPart(solid.name);
+  const std::string name = splitName(solid.name).name;
   const std::vector<std::string> before = namesBeforeJoining(name);
-  return name == lastPart(wanted) || std::find(before.begin(), before.end(), lastPart(wanted)) != before.end();
+  return name == wanted || std::find(before.begin(), before.end(), wanted) != before.end();
 }
 
-std::string listed(const std::vector<Solid> & solids)
+/// The link that a scope means; it may begin with the car's name, or with the one that its description has.
+std::string linkOfScope(const std::string & scope, const CarContext & context)
 {
-  std::string names;
-  for (const Solid & solid : solids) {
-    names += (names.empty() ? "" : ", ") + lastPart(solid.name);
+  for (const std::string & model : {context.car.name, context.model.name}) {
+    if (scope.rfind(model + kSeparator, 0) == 0) {
+      return scope.substr(model.size() + kSeparator.size());
+    }
+  }
+  return scope;
+}
+
+/// Whether a fixed joint has made a link part of another one.
+bool isJoined(const std::string & link, const CarContext & context)
+{
+  const auto & links = context.model.links;
+  return context.model.link_poses.count(link) > 0 &&
+         std::none_of(links.begin(), links.end(), [&link](const LinkPart & each) { return each.name == link; });
+}
+
+/// "a, b and c"
+std::string listed(const std::vector<std::string> & names, const std::string & before_last)
+{
+  std::string list;
+  for (const std::string & name : names) {
+    list += (list.empty() ? "" : &name == &names.back() ? before_last : ", ") + name;
+  }
+  return list;
+}
+
+/// What a name means, by link; of several in one link the first counts.
+std::vector<const Solid *> meant(const std::string & wanted, const std::string & own_link, const CarContext & context)
+{
+  const auto [scope, name] = splitName(wanted);
+  const std::string named_link = linkOfScope(scope, context);
+  const bool anywhere = scope.empty() || isJoined(named_link, context);
+  std::vector<const Solid *> found;
+  std::set<std::string> links;
+  for (const Solid & solid : context.car.solids) {
+    const std::string link = linkOf(solid, context);
+    if (isCalled(solid, name) && (anywhere || link == named_link) && links.insert(link).second) {
+      if (anywhere && link == own_link) {
+        return {&solid};
+      }
+      found.push_back(&solid);
+    }
+  }
+  return found;
+}
+
+std::vector<std::string> namesWithLink(const std::vector<const Solid *> & solids, const CarContext & context)
+{
+  std::vector<std::string> names;
+  for (const Solid * const solid : solids) {
+    names.push_back(linkOf(*solid, context) + kSeparator + splitName(solid->name).name);
   }
   return names;
 }
 }  // namespace
 
-std::vector<std::string> collisionsOfContactSensor(const Element & sensor, const std::vector<Solid> & solids)
+std::vector<std::string> collisionsOfContactSensor(
+  const Element & sensor, const std::string & link, const CarContext & context)
 {
   const std::vector<Element> collisions = sensor.child("contact").children("collision");
   if (collisions.empty()) {
@@ -53,12 +121,19 @@ std::vector<std::string> collisionsOfContactSensor(const Element & sensor, const
   std::vector<std::string> names;
   for (const Element & collision : collisions) {
     const std::string wanted = collision.text();
-    const auto solid =
-      std::find_if(solids.begin(), solids.end(), [&wanted](const Solid & each) { return isMeant(wanted, each); });
-    if (solid == solids.end()) {
-      sensor.fail("there is no <collision> '" + wanted + "'; the car has " + listed(solids));
+    const std::vector<const Solid *> solids = meant(wanted, link, context);
+    if (solids.empty()) {
+      std::vector<const Solid *> all;
+      for (const Solid & solid : context.car.solids) {
+        all.push_back(&solid);
+      }
+      sensor.fail("there is no <collision> '" + wanted + "'; the car has " + listed(namesWithLink(all, context), ", "));
     }
-    names.push_back(solid->name);
+    if (solids.size() > 1) {
+      sensor.fail(
+        "<collision> '" + wanted + "' is in " + listed(namesWithLink(solids, context), " and ") + "; write which");
+    }
+    names.push_back(solids.front()->name);
   }
   return names;
 }

@@ -84,7 +84,7 @@ void readBumper(const SensorElement & element, CarContext & context)
   bumper.topic = context.topic(element.plugin, element.plugin.requiredText("bumperTopicName"));
   bumper.frame = frameId(element.plugin, element.plugin.requiredText("frameName"));
   bumper.rate_hz = element.sensor.notNegative("update_rate", 0.0);
-  bumper.collision_names = collisionsOfContactSensor(element.sensor, context.car.solids);
+  bumper.collision_names = collisionsOfContactSensor(element.sensor, element.link, context);
   context.car.bumpers.push_back(std::move(bumper));
 }
 

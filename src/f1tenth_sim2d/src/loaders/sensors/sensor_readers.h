@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "loaders/model/car_context.h"
 
 namespace f1tenth_sim2d
@@ -9,7 +11,8 @@ struct SensorElement
 {
   Element sensor;
   Element plugin;
-  Pose3 pose;  ///< in the frame of the car
+  Pose3 pose;        ///< in the frame of the car
+  std::string link;  ///< on which it is
 };
 
 /// Each adds one sensor to the car.

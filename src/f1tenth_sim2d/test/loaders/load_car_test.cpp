@@ -73,6 +73,14 @@ TEST(LoadCar, ReadsTheLidar)
   EXPECT_EQ(lidar.noise_stddev, 0.01);
 }
 
+TEST(LoadCar, TakesALidarWithoutNoiseAsOneWithoutBias)
+{
+  const CarDescription car =
+    loadCar(smallCarWith("<type>gaussian</type><mean>0.001", "<type>none</type><mean>0.5"), "robot1", "car.urdf");
+  EXPECT_EQ(car.lidars.at(0).noise_mean, 0.0);
+  EXPECT_EQ(car.lidars.at(0).noise_stddev, 0.0);
+}
+
 TEST(LoadCar, TakesEveryKindOfLidar)
 {
   const std::pair<std::string, std::string> kinds[] = {

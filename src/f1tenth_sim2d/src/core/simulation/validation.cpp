@@ -102,6 +102,7 @@ void validateLidar(const LidarDescription & lidar, const std::string & car)
   require(
     lidar.noise_stddev >= 0.0 && std::isfinite(lidar.noise_stddev), where, "noise (m)", lidar.noise_stddev,
     "a finite number, 0 or more");
+  requireWithin(lidar.noise_mean, lidar.range_max, where, "bias (m)");
 }
 
 /// What a YAML file of the car may say, as far as numbers keep their meaning.

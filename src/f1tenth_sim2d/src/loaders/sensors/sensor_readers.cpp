@@ -1,6 +1,7 @@
 #include "loaders/sensors/sensor_readers.h"
 
 #include <cmath>
+#include <sstream>
 
 #include "loaders/sensors/contact_sensor.h"
 #include "loaders/sensors/ray_scan.h"
@@ -9,11 +10,28 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-/// Standard deviation of a <noise>; it says its type as an attribute or as an element.
+/// Whether there is noise; a <noise> says its type as an attribute or as an element.
+bool isNoisy(const Element & noise)
+{
+  return noise && noise.attribute("type") != "none" && noise.child("type").text() != "none";
+}
+
 double stddevOf(const Element & noise)
 {
-  const bool is_none = noise.attribute("type") == "none" || noise.child("type").text() == "none";
-  return noise && !is_none ? noise.notNegative("stddev", 0.0) : 0.0;
+  return isNoisy(noise) ? noise.notNegative("stddev", 0.0) : 0.0;
+}
+
+/// What a lidar measures too much, m.
+double biasOf(const RayScan & scan, const Element & sensor)
+{
+  const double bias = isNoisy(scan.ray.child("noise")) ? scan.ray.number("noise/mean", 0.0) : 0.0;
+  if (!(std::abs(bias) <= scan.range_max)) {
+    std::ostringstream reason;
+    reason << "<noise/mean> is " << bias << ", allowed are numbers from " << -scan.range_max << " to " << scan.range_max
+           << ", the greatest range (m)";
+    sensor.fail(reason.str());
+  }
+  return bias;
 }
 
 /// Noise of one quantity of an IMU; up to SDF 1.5 all axes had the same.
@@ -72,7 +90,7 @@ void readLidar(const SensorElement & element, CarContext & context)
   lidar.angle_max = scan.angle_max;
   lidar.range_min = scan.range_min;
   lidar.range_max = scan.range_max;
-  lidar.noise_mean = scan.ray.number("noise/mean", 0.0);
+  lidar.noise_mean = biasOf(scan, sensor);
   lidar.noise_stddev = stddevOf(scan.ray.child("noise"));
   context.car.lidars.push_back(std::move(lidar));
 }

@@ -27,6 +27,13 @@ def box(name="box", x=0.0, y=0.0):
     return model
 
 
+@pytest.mark.parametrize("yaw", [math.nan, math.inf])
+def test_a_model_without_a_direction_is_refused(yaw):
+    message = r"^box.urdf: robot\[box\]: has a rotation that is not finite$"
+    with pytest.raises(f1tenth_sim2d.LoadError, match=message):
+        f1tenth_sim2d.load_model(BOX, "box", "box.urdf", yaw=yaw)
+
+
 def test_parameters_are_those_of_the_description(world, car_text):
     heavy = named(car_text.replace('mass value="3.0"', 'mass value="30.0"'), "heavy")
     simulation = f1tenth_sim2d.Simulation(world)

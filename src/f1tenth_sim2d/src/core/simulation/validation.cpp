@@ -150,8 +150,13 @@ void validate(const WorldDescription & world)
 void validate(const ModelDescription & model, const std::string & where)
 {
   requireName(model.name, where + ": model");
+  const std::string name = where + ": model " + model.name;
+  requireWithin(model.pose.position.x(), kLengthMax, name, "x (m)");
+  requireWithin(model.pose.position.y(), kLengthMax, name, "y (m)");
+  requireWithin(model.pose.position.z(), kLengthMax, name, "z (m)");
+  requireFinite(model.pose.rotation.norm(), name, "rotation");
   if (!model.is_static) {
-    requireBody(model.mass, model.inertia_zz, where + ": model " + model.name);
+    requireBody(model.mass, model.inertia_zz, name);
   }
 }
 

@@ -146,6 +146,9 @@ void append(
 {
   const Model model = withTiedModels(given);
   model.element.requireNear(pose.position);
+  if (!pose.rotation.coeffs().allFinite()) {
+    model.element.fail("has a rotation that is not finite");
+  }
   warnOfSensorsAndPlugins(model, warnings);
   warnOfPlanes(model, pose, warnings);
   ModelDescription description;

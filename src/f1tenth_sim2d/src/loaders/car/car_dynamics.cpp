@@ -114,11 +114,28 @@ std::optional<double> leastLimit(const std::vector<MechanismJoint> & mechanism, 
   return std::isfinite(least) ? std::optional<double>(least) : std::nullopt;
 }
 
+/// How far a joint turns to either side; one that does not reach both counts as if it turned as far to the other.
+double steeringLimit(const MechanismJoint & joint)
+{
+  const double both = std::min(-joint.description.lower, joint.description.upper);
+  return both > 0.0 ? both : std::max(std::abs(joint.description.lower), std::abs(joint.description.upper));
+}
+
+void warnOfOneSide(const std::vector<MechanismJoint> & mechanism, CarContext & context)
+{
+  for (const MechanismJoint & joint : mechanism) {
+    if (joint.steers() && (joint.description.lower >= 0.0 || joint.description.upper <= 0.0)) {
+      context.warnings.add(
+        "steering joint '" + joint.description.name +
+          "' turns to one side only: taken as one that turns as far to the other",
+        context.model.element.fileLine());
+    }
+  }
+}
+
 void readLimits(const std::vector<MechanismJoint> & mechanism, VehicleParameters & parameters)
 {
-  const auto angle = leastLimit(mechanism, true, [](const MechanismJoint & joint) {
-    return std::min(-joint.description.lower, joint.description.upper);
-  });
+  const auto angle = leastLimit(mechanism, true, steeringLimit);
   const auto rate =
     leastLimit(mechanism, true, [](const MechanismJoint & joint) { return joint.description.velocity_max; });
   const auto speed = leastLimit(
@@ -147,6 +164,7 @@ void readDynamics(const std::vector<MechanismJoint> & mechanism, CarContext & co
 {
   readMass(mechanism, context);
   readFriction(mechanism, context);
+  warnOfOneSide(mechanism, context);
   readLimits(mechanism, context.car.parameters);
   readAcceleration(mechanism, context.car.parameters);
 }

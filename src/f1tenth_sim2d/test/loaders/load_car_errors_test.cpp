@@ -146,6 +146,30 @@ std::vector<BadCar> badCars()
   };
 }
 
+/// A car with a drive plugin and its tags.
+std::string driven(const std::string & tags)
+{
+  return smallCarWith(
+    "</robot>",
+    "<gazebo><plugin name='d' filename='libgazebo_ros_ackermann_drive.so'>" + tags + "</plugin></gazebo></robot>");
+}
+
+std::vector<BadCar> carsWithBadTopics()
+{
+  const std::string drive = "test.urdf: robot[small_car]/gazebo[11]/plugin[d]";
+  const std::string allowed =
+    "' is no topic; allowed are names with a / in front or between them, neither doubled nor at the end";
+  return {
+    {"RemappedToNothing", driven("<ros><remapping>cmd_vel:=</remapping></ros>"),
+     drive + "/ros/remapping: is 'cmd_vel:=', allowed is FROM:=TO"},
+    {"TopicOfTheCarsNamespace", driven("<commandTopic>/robot1/</commandTopic>"), drive + ": '/robot1/" + allowed},
+    {"TopicOfASlash", driven("<commandTopic>/</commandTopic>"), drive + ": '/" + allowed},
+    {"TopicWithADoubledSlash", driven("<odometryTopic>a//odom</odometryTopic>"), drive + ": 'a//odom" + allowed},
+    {"NamespaceWithADoubledSlash", driven("<ros><namespace>/a//</namespace></ros>"),
+     drive + ": '/a//cmd_vel" + allowed},
+  };
+}
+
 class LoadCarErrors : public testing::TestWithParam<BadCar>
 {
 };
@@ -158,5 +182,9 @@ TEST_P(LoadCarErrors, NameSourcePlaceAndReason)
 INSTANTIATE_TEST_SUITE_P(
   BadCars, LoadCarErrors, testing::ValuesIn(badCars()),
   [](const testing::TestParamInfo<BadCar> & bad) { return bad.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+  BadTopics, LoadCarErrors, testing::ValuesIn(carsWithBadTopics()),
+  [](const testing::TestParamInfo<BadCar> & bad) { return bad.param.name; });
+
 }  // namespace
 }  // namespace f1tenth_sim2d

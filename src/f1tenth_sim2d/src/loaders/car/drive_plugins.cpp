@@ -48,6 +48,9 @@ std::string remapped(const Element & plugin, const std::string & topic)
   for (const Element & remapping : plugin.child("ros").children("remapping")) {
     const std::string rule = remapping.text();
     if (rule.rfind(topic + ":=", 0) == 0) {
+      if (rule.size() == topic.size() + 2) {
+        remapping.fail("is '" + rule + "', allowed is FROM:=TO");
+      }
       return rule.substr(topic.size() + 2);
     }
   }

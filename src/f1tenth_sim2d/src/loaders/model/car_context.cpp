@@ -24,6 +24,19 @@ void requireRosName(const Element & place, const std::string & what, const std::
   }
 }
 
+namespace
+{
+void requireTopic(const Element & place, const std::string & name)
+{
+  requireRosName(place, "topic", name);
+  if (name.empty() || name.back() == '/' || name.find("//") != std::string::npos) {
+    place.fail(
+      "'" + name +
+      "' is no topic; allowed are names with a / in front or between them, neither doubled nor at the end");
+  }
+}
+}  // namespace
+
 std::string frameId(const Element & place, const std::string & given)
 {
   const std::string frame = given.substr(!given.empty() && given.front() == '/' ? 1 : 0);
@@ -43,7 +56,7 @@ std::string CarContext::rosNamespace(const Element & plugin) const
 
 std::string CarContext::topic(const Element & plugin, const std::string & given) const
 {
-  requireRosName(plugin, "topic", given);
+  requireTopic(plugin, given);
   const std::string own = car.ros_namespace.empty() ? "/" : "/" + car.ros_namespace + "/";
   if (given.front() == '/') {
     return given.rfind(own, 0) == 0 ? given.substr(own.size()) : given;

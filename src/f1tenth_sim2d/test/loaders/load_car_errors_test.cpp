@@ -170,6 +170,24 @@ std::vector<BadCar> carsWithBadTopics()
   };
 }
 
+std::vector<BadCar> carsWithBadPoseSensors()
+{
+  const auto car = [](const std::string & tags) {
+    return smallCarWith(
+      "</robot>",
+      "<gazebo><plugin name='p' filename='libgazebo_ros_p3d.so'><topicName>t</topicName><bodyName>imu</bodyName>" +
+        tags + "</plugin></gazebo></robot>");
+  };
+  const std::string plugin = "test.urdf: robot[small_car]/gazebo[11]/plugin[p]";
+  const std::string far = plugin + "/xyzOffset: is not within 100000 m of the origin";
+  return {
+    {"OffsetThatIsNoNumber", car("<xyzOffset>nan 0 0</xyzOffset>"), far},
+    {"OffsetOutOfThisWorld", car("<xyzOffset>0 0 1e300</xyzOffset>"), far},
+    {"OffsetOfAnEndlessTurn", car("<rpyOffset>0 inf 0</rpyOffset>"),
+     plugin + "/rpyOffset: is '0 inf 0', allowed are finite numbers"},
+  };
+}
+
 class LoadCarErrors : public testing::TestWithParam<BadCar>
 {
 };
@@ -186,5 +204,8 @@ INSTANTIATE_TEST_SUITE_P(
   BadTopics, LoadCarErrors, testing::ValuesIn(carsWithBadTopics()),
   [](const testing::TestParamInfo<BadCar> & bad) { return bad.param.name; });
 
+INSTANTIATE_TEST_SUITE_P(
+  BadPoseSensors, LoadCarErrors, testing::ValuesIn(carsWithBadPoseSensors()),
+  [](const testing::TestParamInfo<BadCar> & bad) { return bad.param.name; });
 }  // namespace
 }  // namespace f1tenth_sim2d

@@ -12,6 +12,17 @@ namespace f1tenth_sim2d
 {
 namespace
 {
+void requireOffset(const PoseSensorDescription & sensor, const Element & plugin)
+{
+  if (const Element offset = plugin.child("xyzOffset")) {
+    offset.requireNear(sensor.xyz_offset);
+  }
+  if (!sensor.rpy_offset.allFinite()) {
+    const Element offset = plugin.child("rpyOffset");
+    offset.fail("is '" + offset.text() + "', allowed are finite numbers");
+  }
+}
+
 void readPoseSensor(const Element & plugin, CarContext & context)
 {
   PoseSensorDescription sensor;
@@ -28,6 +39,7 @@ void readPoseSensor(const Element & plugin, CarContext & context)
   sensor.rpy_offset = plugin.vector("rpyOffset", sensor.rpy_offset);
   sensor.rate_hz = plugin.notNegative("updateRate", 0.0);
   sensor.noise_stddev = plugin.notNegative("gaussianNoise", 0.0);
+  requireOffset(sensor, plugin);
   context.car.pose_sensors.push_back(std::move(sensor));
 }
 

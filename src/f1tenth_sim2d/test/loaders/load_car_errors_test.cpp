@@ -97,6 +97,14 @@ std::vector<BadCar> badCars()
     {"EmptyFrameName", smallCarWith("<frameName>laser</frameName>", "<frameName> </frameName>"),
      kLidar + "/plugin[lidar_plugin]: <frameName> is empty"},
     {"NoRate", smallCarWith("<update_rate>40</update_rate>", ""), kLidar + ": has no <update_rate>"},
+    {"RateOfNoClock", smallCarWith("<update_rate>40</update_rate>", "<update_rate>1e300</update_rate>"),
+     kLidar + ": <update_rate> is 1e+300, allowed is at most 1e+06 Hz"},
+    {"RateOfNoBumper", smallCarWith("<update_rate>50</update_rate>", "<update_rate>1e7</update_rate>"),
+     "test.urdf: robot[small_car]/gazebo[bumper_front]/sensor[bumper_front]: <update_rate> is 1e+07, allowed is at "
+     "most 1e+06 Hz"},
+    {"RateBelowZero", smallCarWith("<update_rate>50</update_rate>", "<update_rate>-1</update_rate>"),
+     "test.urdf: robot[small_car]/gazebo[bumper_front]/sensor[bumper_front]: <update_rate> is -1, allowed are finite "
+     "numbers from 0"},
     {"ZeroRate", smallCarWith("<update_rate>40</update_rate>", "<update_rate>0</update_rate>"),
      kLidar + ": <update_rate> is 0, allowed are finite numbers greater than 0"},
     {"OneBeam", smallCarWith("<samples>1081</samples>", "<samples>1</samples>"),

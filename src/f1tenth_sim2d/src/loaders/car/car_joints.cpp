@@ -49,7 +49,7 @@ void addJoint(
 void readJointStatePublisher(
   const Element & publisher, const std::vector<MechanismJoint> & mechanism, CarContext & context)
 {
-  context.car.joint_state_rate_hz = publisher.positive("updateRate");
+  context.car.joint_state_rate_hz = publisher.rate("updateRate");
   context.car.joint_state_topic = context.topic(publisher, "joint_states");
   for (const std::string & name : namesIn(publisher.requiredText("jointName"))) {
     addJoint(name, mechanism, publisher, context);

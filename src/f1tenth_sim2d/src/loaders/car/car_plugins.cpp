@@ -37,7 +37,7 @@ void readPoseSensor(const Element & plugin, CarContext & context)
   sensor.pose = context.inCar(link->second);
   sensor.xyz_offset = plugin.vector("xyzOffset", sensor.xyz_offset);
   sensor.rpy_offset = plugin.vector("rpyOffset", sensor.rpy_offset);
-  sensor.rate_hz = plugin.notNegative("updateRate", 0.0);
+  sensor.rate_hz = plugin.rateOrZero("updateRate", 0.0);
   sensor.noise_stddev = plugin.notNegative("gaussianNoise", 0.0);
   requireOffset(sensor, plugin);
   context.car.pose_sensors.push_back(std::move(sensor));

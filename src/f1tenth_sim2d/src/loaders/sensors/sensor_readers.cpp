@@ -84,7 +84,7 @@ void readLidar(const SensorElement & element, CarContext & context)
   lidar.topic = context.topic(element.plugin, element.plugin.requiredText("topicName"));
   lidar.frame = frameId(element.plugin, element.plugin.requiredText("frameName"));
   lidar.pose = scan.pose;
-  lidar.rate_hz = sensor.positive("update_rate");
+  lidar.rate_hz = sensor.rate("update_rate");
   lidar.beam_count = scan.count;
   lidar.angle_min = scan.angle_min;
   lidar.angle_max = scan.angle_max;
@@ -101,7 +101,7 @@ void readBumper(const SensorElement & element, CarContext & context)
   bumper.name = element.sensor.name();
   bumper.topic = context.topic(element.plugin, element.plugin.requiredText("bumperTopicName"));
   bumper.frame = frameId(element.plugin, element.plugin.requiredText("frameName"));
-  bumper.rate_hz = element.sensor.notNegative("update_rate", 0.0);
+  bumper.rate_hz = element.sensor.rateOrZero("update_rate", 0.0);
   bumper.collision_names = collisionsOfContactSensor(element.sensor, element.link, context);
   context.car.bumpers.push_back(std::move(bumper));
 }
@@ -115,7 +115,7 @@ void readImu(const SensorElement & element, CarContext & context)
   imu.topic = context.topic(plugin, plugin.requiredText("topicName"));
   imu.frame = imuFrame(plugin);
   imu.pose = element.pose;
-  imu.rate_hz = plugin.child("updateRateHZ") ? plugin.positive("updateRateHZ") : element.sensor.positive("update_rate");
+  imu.rate_hz = plugin.child("updateRateHZ") ? plugin.rate("updateRateHZ") : element.sensor.rate("update_rate");
   const double of_plugin = plugin.notNegative("gaussianNoise", 0.0);
   imu.yaw_rate_noise_stddev = std::hypot(of_plugin, imuNoise(noise, "angular_velocity", "z", "rate"));
   imu.acceleration_noise_stddev = std::hypot(of_plugin, imuNoise(noise, "linear_acceleration", "x", "accel"));
@@ -129,7 +129,7 @@ void readImuPlugin(const Element & plugin, CarContext & context)
   imu.topic = context.topic(plugin, plugin.requiredText("topicName"));
   imu.frame = imuFrame(plugin);
   imu.pose = imuPose(plugin, imu, context);
-  imu.rate_hz = plugin.positive("updateRate");
+  imu.rate_hz = plugin.rate("updateRate");
   imu.yaw_rate_noise_stddev = plugin.notNegative("gaussianNoise", 0.0);
   imu.acceleration_noise_stddev = imu.yaw_rate_noise_stddev;
   setImu(std::move(imu), plugin, context);
@@ -142,7 +142,7 @@ void readHectorImuPlugin(const Element & plugin, CarContext & context)
   imu.topic = context.topic(plugin, plugin.textOf("topicName", imu.topic));
   imu.frame = frameId(plugin, plugin.textOf("frameId", plugin.requiredText("bodyName")));
   imu.pose = imuPose(plugin, imu, context);
-  imu.rate_hz = plugin.positive("updateRate");
+  imu.rate_hz = plugin.rate("updateRate");
   imu.yaw_rate_noise_stddev = axisNoise(plugin, "rateGaussianNoise", 2);
   imu.acceleration_noise_stddev = axisNoise(plugin, "accelGaussianNoise", 0);
   setImu(std::move(imu), plugin, context);

@@ -12,8 +12,8 @@ namespace
 /// Hz: of sensor and plugin the lower rate, if both are given.
 double publishingRate(const SensorElement & element)
 {
-  const double of_plugin = element.plugin.notNegative("updateRate", 0.0);
-  const double of_sensor = element.sensor.notNegative("update_rate", 0.0);
+  const double of_plugin = element.plugin.rateOrZero("updateRate", 0.0);
+  const double of_sensor = element.sensor.rateOrZero("update_rate", 0.0);
   return of_plugin > 0.0 && of_sensor > 0.0 ? std::min(of_plugin, of_sensor) : std::max(of_plugin, of_sensor);
 }
 

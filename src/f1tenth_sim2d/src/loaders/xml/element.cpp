@@ -16,6 +16,7 @@ namespace
 using tinyxml2::XMLElement;
 
 constexpr double kFarthest = 1e5;  // m
+constexpr double kFastest = 1e6;   // Hz: no step is as short as a period of it
 
 std::string toText(double value)
 {
@@ -183,6 +184,21 @@ double Element::notNegative(const std::string & tag, double fallback) const
 {
   const double value = number(tag, fallback);
   requireNotNegative("<" + tag + ">", value);
+  return value;
+}
+
+double Element::rate(const std::string & tag) const
+{
+  requirePositive("<" + tag + ">", number(tag));
+  return rateOrZero(tag, 0.0);
+}
+
+double Element::rateOrZero(const std::string & tag, double fallback) const
+{
+  const double value = notNegative(tag, fallback);
+  if (value > kFastest) {
+    fail("<" + tag + "> is " + toText(value) + ", allowed is at most " + toText(kFastest) + " Hz");
+  }
   return value;
 }
 

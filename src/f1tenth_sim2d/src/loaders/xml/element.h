@@ -53,6 +53,8 @@ public:
   double number(const std::string & tag, std::optional<double> fallback = std::nullopt) const;
   double positive(const std::string & tag) const;                      ///< finite
   double notNegative(const std::string & tag, double fallback) const;  ///< finite
+  double rate(const std::string & tag) const;                          ///< Hz, positive and at most 1e6
+  double rateOrZero(const std::string & tag, double fallback) const;   ///< the same; 0 is allowed, too
   double length(const std::string & tag) const;  ///< m, positive and at most 100 km: beyond it numbers lose precision
   bool flag(const char * tag, bool fallback) const;
   Eigen::Vector3d vector(const char * tag, const Eigen::Vector3d & fallback) const;

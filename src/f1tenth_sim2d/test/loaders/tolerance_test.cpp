@@ -259,5 +259,20 @@ TEST(ResultOfChild, IsAnErrorWhateverItsWorkBreaks)
   EXPECT_EQ(errorOfChild([]() -> std::string { std::abort(); }), "crashes what reads it (Aborted)");
   EXPECT_EQ(errorOfChild([]() -> std::string { std::_Exit(0); }), "cannot be read");
 }
+
+std::string errorOfChildThatGets(int signal)
+{
+  return errorOfChild([signal]() -> std::string {
+    std::raise(signal);
+    return "";
+  });
+}
+
+TEST(ResultOfChild, SaysWhatItsWorkTookTooMuchOf)
+{
+  EXPECT_EQ(errorOfChildThatGets(SIGXCPU), "takes longer than 60 s of the processor's time to read");
+  EXPECT_EQ(errorOfChildThatGets(SIGALRM), "takes longer than 600 s to read");
+  EXPECT_EQ(errorOfChildThatGets(SIGKILL), "what reads it is killed, as when memory runs out");
+}
 }  // namespace
 }  // namespace f1tenth_sim2d

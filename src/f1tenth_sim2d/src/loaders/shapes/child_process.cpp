@@ -9,7 +9,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <set>
 
 #include "f1tenth_sim2d/errors.h"
 
@@ -49,21 +48,22 @@ std::string readAll(int from)
   return bytes;
 }
 
-void limit(decltype(RLIMIT_CORE) what, rlim_t most)
+/// @param hard  what the kernel enforces with SIGKILL, where `soft` is a signal that tells its cause
+void limit(decltype(RLIMIT_CORE) what, rlim_t soft, rlim_t hard)
 {
-  const rlimit limits{most, most};
+  const rlimit limits{soft, hard};
   ::setrlimit(what, &limits);
 }
 
 [[noreturn]] void runAsChild(const std::function<std::string()> & work, int answer)
 {
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_CPU, kCpuSecondsMax);
+  limit(RLIMIT_CORE, 0, 0);
+  limit(RLIMIT_CPU, kCpuSecondsMax, kCpuSecondsMax + 1);
   if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0) {
     ::dup2(nowhere, STDOUT_FILENO);
     ::dup2(nowhere, STDERR_FILENO);
   }
-  for (const int ends_us : {SIGABRT, SIGALRM, SIGSEGV, SIGINT, SIGTERM}) {
+  for (const int ends_us : {SIGABRT, SIGALRM, SIGSEGV, SIGINT, SIGTERM, SIGXCPU}) {
     std::signal(ends_us, SIG_DFL);
   }
   ::alarm(kWallSecondsMax);
@@ -81,6 +81,21 @@ int waitFor(pid_t child)
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   return status;
+}
+
+/// Why the child has not answered.
+std::string reasonOf(int signal)
+{
+  switch (signal) {
+    case SIGXCPU:
+      return "takes longer than " + std::to_string(kCpuSecondsMax) + " s of the processor's time to read";
+    case SIGALRM:
+      return "takes longer than " + std::to_string(kWallSecondsMax) + " s to read";
+    case SIGKILL:
+      return "what reads it is killed, as when memory runs out";
+    default:
+      return "crashes what reads it (" + std::string(::strsignal(signal)) + ")";
+  }
 }
 }  // namespace
 
@@ -102,11 +117,7 @@ std::string resultOfChild(const std::function<std::string()> & work)
   }
   const int status = waitFor(child);
   if (WIFSIGNALED(status)) {
-    const std::set<int> of_time{SIGALRM, SIGKILL, SIGXCPU};
-    throw Error(
-      of_time.count(WTERMSIG(status)) > 0
-        ? "takes longer than " + std::to_string(kCpuSecondsMax) + " s to read"
-        : "crashes what reads it (" + std::string(::strsignal(WTERMSIG(status))) + ")");
+    throw Error(reasonOf(WTERMSIG(status)));
   }
   if (answer.empty() || answer.front() != kDone) {
     throw Error(answer.empty() ? "cannot be read" : answer.substr(1));

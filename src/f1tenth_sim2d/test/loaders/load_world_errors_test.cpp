@@ -147,6 +147,10 @@ const std::vector<BadWorld> kBadWorlds{
              "</polyline>"),
    kGeometry + "/polyline: is not an outline: allowed are at least three points whose edges enclose an area and do "
                "not cross"},
+  {"PolylinesThatLeaveNothing",
+   collision("<polyline><point>0 0</point><point>2 0</point><point>0 2</point><height>1</height></polyline>"
+             "<polyline><point>0 0</point><point>2 0</point><point>0 2</point><height>1</height></polyline>"),
+   kGeometry + ": has <polyline>s that leave nothing: what an even number of them enclose is empty"},
   {"PolylineNotFinite",
    collision("<polyline><point>0 0</point><point>nan 2</point><point>2 0</point><height>1</height></polyline>"),
    kGeometry + "/polyline: is not within 100000 m of the origin"},

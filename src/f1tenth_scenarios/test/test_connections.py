@@ -74,7 +74,8 @@ def test_commands_are_what_the_driver_tells_the_simulator(graph):
     graph("/robot2/planner", publishes=["/robot2/drive"])
     graph("/truck/servos", publishes=["/truck/steering/command"], subscribes=[CLOCK, "/robot1/path"])
     graph("/sim2d", subscribes=["/robot1/drive", "/robot2/drive", "/truck/steering/command"])
-    assert Connections(CALLER, CLOCK).commands("/sim2d") == {"/robot1/drive", "/truck/steering/command"}
+    one = Connections(CALLER, CLOCK)
+    assert one.commands(one.registered(), "/sim2d") == {"/robot1/drive", "/truck/steering/command"}
 
 
 def test_commands_have_to_reach_the_simulator(graph):

@@ -192,6 +192,47 @@ def test_driver_that_fits_has_started_up_after_some_periods(driver):
     assert world.done[-2:] == ["scan", 39]
 
 
+def calm_deputy(world):
+    """One whose driver has neither connected nor sent a command for a while, and how long it sleeps."""
+    slept = []
+    one = Deputy(world, MARK, PATIENCE, sleep=slept.append)
+    one.act(0)  # in which the connections are new
+    for period in range(deputy._CALM_PERIODS):
+        one.act(period)
+    slept.clear()
+    return one, slept
+
+
+def is_watched(slept):
+    """Whether a driver was looked at for a whole pace."""
+    return deputy._PACE in slept
+
+
+def test_who_does_nothing_for_long_is_looked_at_less_closely(driver, monkeypatch):
+    monkeypatch.setattr(deputy, "_PACE", 60.0)
+    driver()
+    one, slept = calm_deputy(FakeWorld(before=0))
+    one.act("now")
+    assert not is_watched(slept)
+    assert max(slept) == pytest.approx(deputy._PACE, abs=10.0)  # time goes on no faster than in reality
+
+
+@pytest.mark.parametrize("what", ["connection", "command"])
+def test_who_does_something_late_is_looked_at_closely_again(driver, monkeypatch, what):
+    monkeypatch.setattr(deputy, "_PACE", 60.0)
+    driver()
+    world = FakeWorld(before=0)
+    one, slept = calm_deputy(world)
+    if what == "connection":
+        world.states = ["another"]
+    else:
+        world._before = 1
+    one.act("now")
+    slept.clear()
+    one.act("later")
+    assert is_watched(slept)
+
+
 def test_who_sends_commands_while_time_stands_still_does_not_fit(driver):
     driver()
     one = Deputy(FakeWorld(before=0, after=1), MARK, PATIENCE)

@@ -35,9 +35,9 @@ class Connections:
         publishers, subscribers, _ = self._master.getSystemState()
         return publishers, subscribers
 
-    def commands(self, simulator: str) -> set[str]:
-        """The topics on which the driver speaks to the simulator, a node's full name."""
-        publishers, subscribers = self.registered()
+    def commands(self, registered: tuple[list, list], simulator: str) -> set[str]:
+        """The topics on which the driver speaks to the simulator, a node's full name; see registered()."""
+        publishers, subscribers = registered
         by_topic = dict(subscribers)
         driver = set(by_topic.get(self._clock, ()))
         return {

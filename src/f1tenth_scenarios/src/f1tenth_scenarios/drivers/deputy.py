@@ -25,6 +25,7 @@ _CONNECTING = 0.3  # wall s without a change at the master, after which nobody i
 _UNCONNECTED = 4.0  # wall s, after which a connection is given up: its ends differ in type, or one is gone
 _LOADING = 4.0  # wall s without rest, after which who listens gets its scan: who spins may wait for it
 _SPINNING = 1.0  # wall s without rest after a command, when it has had those: it spins
+_CALM_PERIODS = 40  # without a command or a new connection, after which it is looked at less closely
 _STEADY_PERIODS = 20  # with commands and without a new connection, after which it has started up
 _LATE_COMMANDS = 3  # in these periods, sent by somebody at rest: more are no accident
 
@@ -150,10 +151,14 @@ class Deputy:
 
     def _let_connect(self, start: "_Start") -> None:
         """Keep the time from overtaking somebody who is about to connect, or waits by the wall clock."""
-        self._watch(_PACE)
-        self._settle()
+        if start.is_calm:
+            # Who polls is known by now.
+            self._sleep(max(0.0, _PACE - (self._clock() - self._began)))
+        else:
+            self._watch(_PACE)
+            self._settle()
         while (connections := self._world.connections()) != start.connections and not self._world.is_over():
-            start.connections, start.steady_periods = connections, 0
+            start.note_connections(connections)
             self._await_connections(start)
             self._sleep(_CONNECTING)
             self._settle()
@@ -178,10 +183,15 @@ class _Start:
     def __init__(self):
         self.connections: object = None
         self.unconnected: set = set()  # connections that do not come about
-        self.steady_periods = 0  # with commands, and without a new connection
+        self._steady_periods = 0  # with commands, and without a new connection
+        self._calm_periods = 0  # without a command, and without a new connection
         self._commands = 0
         self._sending_since: Optional[float] = None  # s in the current period, without rest
         self._late = 0
+
+    def note_connections(self, connections: object) -> None:
+        """There are others than before."""
+        self.connections, self._steady_periods, self._calm_periods = connections, 0, 0
 
     def check_restless(self, commands: int, waited: float) -> None:
         """The driver has had its time to load, and is not at rest.
@@ -203,10 +213,16 @@ class _Start:
         self._late += later - at_rest
         if self._late >= _LATE_COMMANDS:
             raise MisfitError("it sends commands by the wall clock, while simulated time stands still")
+        self._calm_periods = 0 if later > self._commands else self._calm_periods + 1
         self._commands, self._sending_since = later, None
-        self.steady_periods += bool(later)
+        self._steady_periods += bool(later)
+
+    @property
+    def is_calm(self) -> bool:
+        """Whether nothing has come of the driver for a while."""
+        return self._calm_periods >= _CALM_PERIODS
 
     @property
     def is_over(self) -> bool:
         """Whether the driver has sent commands for a while."""
-        return self.steady_periods >= _STEADY_PERIODS
+        return self._steady_periods >= _STEADY_PERIODS

@@ -32,8 +32,8 @@ def test_topics_that_mean_one_of_the_car_are_told_how_to_get_there():
     (*_, hint) = why([("/cmd_vel", TWIST), ("/nav", STAMPED)], heard=["/scan", "/car/odom", "/key"])
     assert hint == (
         'in front of its nodes in the launch file, <remap from="/cmd_vel" to="cmd_vel"/><remap from="/nav"'
-        ' to="drive"/><remap from="/car/odom" to="odom"/><remap from="/scan" to="scan"/> leads to the car\'s'
-        " topics"
+        ' to="drive"/><remap from="/car/odom" to="perfect_odom"/><remap from="/scan" to="scan"/> leads to the'
+        " car's topics (odom drifts, perfect_odom is exact)"
     )
     assert why([("/nav", "ackermann_msgs/AckermannDrive")])[-1] == TAKES
 
@@ -73,6 +73,12 @@ def test_inputs_that_a_person_gives_in_rviz_are_not_missed():
 
 def test_inputs_that_nobody_publishes_are_named():
     assert why(heard=["/joy", "/key"]) == ["hears /joy and /key, which nobody publishes"]
+
+
+def test_who_hears_transforms_is_told_of_their_frames():
+    assert why(heard=["/tf", "/tf_static"], offered=["/tf"]) == [
+        "frames of the car in /tf begin with robot1/"
+    ]
 
 
 @pytest.mark.parametrize(("interface", "is_told"), [(Interface.NATIVE, True), (Interface.F1TENTH, False)])

@@ -22,7 +22,9 @@ class CarTopics:
     sensed: Mapping[str, str]  # by the names that planners use
 
 
-_F1TENTH = CarTopics({"drive": _DRIVE, "cmd_vel": _TWIST}, {name: name for name in ("scan", "odom", "imu")})
+# Planners take their odometry for a pose in the map, as that of f1tenth_simulator is and that of wheels is not.
+_EXACT = "perfect_odom"
+_F1TENTH = CarTopics({"drive": _DRIVE, "cmd_vel": _TWIST}, {"scan": "scan", "odom": _EXACT, "imu": "imu"})
 _LIKE_COMMANDS = (_DRIVE, _TWIST, "ackermann_msgs/AckermannDrive", "geometry_msgs/TwistStamped")
 _EVERYBODYS = (
     "/tf",
@@ -91,13 +93,20 @@ def why_mute(
         found.append(
             "the car is driven by controllers, which the planner's launch file is to load and to feed"
         )
-    remaps = _remaps(astray, silent, topics)
+    if nodes & set(graph.subscribers.get("/tf", ())):
+        found.append(f"frames of the car in /tf begin with {car}/")
+    return found + _ways_out(_remaps(astray, silent, topics), interface)
+
+
+def _ways_out(remaps: Mapping[str, str], interface: Interface) -> list[str]:
+    """How topics that lead nowhere get to those of the car."""
     if interface is Interface.NATIVE and remaps and F1TENTH_OWN.keys() >= remaps.keys():
-        found.append("see --interface f1tenth")
-    elif remaps:
-        lines = "".join(f'<remap from="{topic}" to="{name}"/>' for topic, name in remaps.items())
-        found.append(f"in front of its nodes in the launch file, {lines} leads to the car's topics")
-    return found
+        return ["see --interface f1tenth"]
+    if not remaps:
+        return []
+    lines = "".join(f'<remap from="{topic}" to="{name}"/>' for topic, name in remaps.items())
+    why = f" (odom drifts, {_EXACT} is exact)" if _EXACT in remaps.values() else ""
+    return [f"in front of its nodes in the launch file, {lines} leads to the car's topics{why}"]
 
 
 def _remaps(astray: Sequence[tuple[str, str]], silent: Sequence[str], topics: CarTopics) -> dict[str, str]:

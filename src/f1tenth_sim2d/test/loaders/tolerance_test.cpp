@@ -116,6 +116,30 @@ TEST_F(Tolerance, TakesFrictionBelowZeroAsEndless)
              "is taken as endless, as Gazebo does"});
 }
 
+TEST_F(Tolerance, TakesABounceOfMoreThanItHitAsAWholeOne)
+{
+  const WorldDescription world = load(
+    "<model name='m'><link name='l'><collision name='c'><geometry><sphere><radius>1</radius></sphere></geometry>"
+    "<surface><bounce><restitution_coefficient>5</restitution_coefficient></bounce></surface></collision></link>"
+    "</model>");
+  EXPECT_EQ(world.models.at(0).solids.at(0).restitution, 1.0);
+  EXPECT_EQ(
+    warningsOf(world),
+    Warnings{"x.world:1: world[w]/model[m]/link[l]/collision[c]/surface/bounce: restitution_coefficient beyond 1 is "
+             "taken as 1: no bounce gives more than it takes"});
+}
+
+TEST_F(Tolerance, TakesTwoCollisionsOfOneName)
+{
+  const std::string ball = "<collision name='c'><geometry><sphere><radius>1</radius></sphere></geometry></collision>";
+  const WorldDescription world = load("<model name='m'><link name='l'>" + ball + ball + "</link></model>");
+  EXPECT_EQ(world.models.at(0).solids.size(), 2u);
+  EXPECT_EQ(
+    warningsOf(world),
+    Warnings{"x.world:1: world[w]/model[m]/link[l]/collision[c]: this name is taken by another collision of the link: "
+             "contacts of both have it"});
+}
+
 TEST_F(Tolerance, TakesFrictionBeyondTheEndlessAsEndless)
 {
   const WorldDescription world = load(

@@ -15,6 +15,18 @@ namespace f1tenth_sim2d
 {
 namespace
 {
+const char * const kTaken = "this name is taken; names are unique among the elements of one parent";
+
+/// A name that no element of the same tag has.
+std::string newName(const Element & element, std::set<std::string> & names)
+{
+  const std::string name = element.requiredAttribute("name");
+  if (!names.insert(name).second) {
+    element.fail(kTaken);
+  }
+  return name;
+}
+
 void checkReserved(const Element & element, WarningCollector & warnings)
 {
   if (element.name() == "world") {

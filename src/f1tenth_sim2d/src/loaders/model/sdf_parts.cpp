@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <sstream>
+#include <set>
+#include <string>
 
 #include "loaders/model/known_tags.h"
 #include "loaders/model/read_pose.h"
@@ -53,15 +54,14 @@ Solid readCollision(
   return solid;
 }
 
-double restitutionOf(const Element & bounce, double fallback)
+double restitutionOf(const Element & bounce, double fallback, WarningCollector & warnings)
 {
-  const double share = bounce.number("restitution_coefficient", fallback);
-  if (!(share >= 0.0 && share <= 1.0)) {
-    std::ostringstream reason;
-    reason << "<restitution_coefficient> is " << share << ", allowed are numbers from 0 to 1";
-    bounce.fail(reason.str());
+  const double share = bounce.notNegative("restitution_coefficient", fallback);
+  if (share > 1.0) {
+    warnings.add(
+      "restitution_coefficient beyond 1 is taken as 1: no bounce gives more than it takes", bounce.fileLine());
   }
-  return share;
+  return std::min(share, 1.0);
 }
 
 double limitOf(double value)
@@ -106,16 +106,14 @@ void warnOfGhost(const Element & contact, WarningCollector & warnings)
     warnings.add("<collide_bitmask> of 0 is left out: what a lidar sees is solid", contact.fileLine());
   }
 }
-}  // namespace
-
-std::string newName(const Element & element, std::set<std::string> & names)
+// Gazebo takes them.
+void warnOfTakenName(const Element & collision, std::set<std::string> & names, WarningCollector & warnings)
 {
-  const std::string name = element.requiredAttribute("name");
-  if (!names.insert(name).second) {
-    element.fail("this name is taken; names are unique among the elements of one parent");
+  if (!names.insert(collision.requiredAttribute("name")).second) {
+    warnings.add("this name is taken by another collision of the link: contacts of both have it", collision.fileLine());
   }
-  return name;
 }
+}  // namespace
 
 void readLink(LinkPart & link, const FrameScope & frames, MeshLibrary & meshes, WarningCollector & warnings)
 {
@@ -124,7 +122,7 @@ void readLink(LinkPart & link, const FrameScope & frames, MeshLibrary & meshes, 
   link.inertia = placed(readInertia(link.element, warnings), link.pose);
   std::set<std::string> names;
   for (const Element & collision : link.element.children("collision")) {
-    newName(collision, names);
+    warnOfTakenName(collision, names, warnings);
     link.solids.push_back(readCollision(collision, link, frames, meshes, warnings));
   }
   for (const Element & sensor : link.element.children("sensor")) {
@@ -150,7 +148,7 @@ void readSurface(const Element & surface, Solid & solid, WarningCollector & warn
     solid.mu = frictionOf(friction, friction.number("mu", solid.mu), warnings);
   }
   if (const Element bounce = surface.child("bounce")) {
-    solid.restitution = restitutionOf(bounce, solid.restitution);
+    solid.restitution = restitutionOf(bounce, solid.restitution, warnings);
   }
 }
 

@@ -1,19 +1,11 @@
 #pragma once
 
-#include <set>
-#include <string>
-
 #include "loaders/model/model.h"
 #include "loaders/shapes/mesh_library.h"
 #include "loaders/xml/warning_collector.h"
 
 namespace f1tenth_sim2d
 {
-/// A name that no element of the same tag has.
-/// @param names  of those before it
-/// @throws LoadError
-std::string newName(const Element & element, std::set<std::string> & names);
-
 /// Fills in a link of an SDF model, whose element and name are known.
 /// @param frames  of the model, all of them
 /// @throws LoadError

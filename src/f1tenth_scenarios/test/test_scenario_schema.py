@@ -179,6 +179,11 @@ ANSWERS = {
         "    driver: commands\n    commands: [{at: 1, speed: 21}]",
         "FILE:6: cars[0].commands[0].speed is 21, must be at least -5 m/s and at most 20 m/s",
     ),
+    "time that waits for nobody": (
+        "seed: 1",
+        "seed: 1\nlockstep: false\nreal_time_factor: 0",
+        "FILE:11: real_time_factor is 0, must be above 0",
+    ),
     "no culprit": (
         "expected: success",
         "expected: error",

@@ -132,7 +132,9 @@ class Scenario:
     time_to_start: int = key("Countdown before the start.", unit="s", at_least=0, default=2)
     lockstep: bool = key("Whether the simulator waits for every participant in every period.", default=True)
     real_time_factor: float = key(
-        "Simulated seconds per wall second without lockstep; 0: as fast as it goes.", at_least=0, default=1.0
+        "Simulated seconds per wall second without lockstep: time does not wait until drivers have connected.",
+        above=0,
+        default=1.0,
     )
     localization: Localization = key(
         "From what the cars know where they are. `static`: perfect odometry; `amcl`: wheel odometry, and amcl"

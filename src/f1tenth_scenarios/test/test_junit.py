@@ -45,6 +45,8 @@ def test_failed_criterion_fails_its_case_and_says_all(tmp_path):
     assert failure.get("message").startswith(text)
     assert text in failure.text
     assert "trajectory.png" in failure.text
+    text = "goals_in_order: 2 goals, limit 3 goals: not all goals passed by robot1"
+    assert suite[1].find("failure").text == text  # all is said once
 
 
 def test_what_is_not_judged_is_skipped(tmp_path):

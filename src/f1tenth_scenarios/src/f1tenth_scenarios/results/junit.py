@@ -10,11 +10,13 @@ from f1tenth_scenarios.results.result import Result
 
 
 def junit_of(result: Result, summary: str) -> ElementTree.Element:
-    """A test suite of a run, with a test case for each criterion; `summary` stands below what has failed."""
+    """A test suite of a run, with a test case for each criterion; `summary` stands below the first that has failed."""
     suite = ElementTree.Element("testsuite", name=f"{PACKAGE}.{result.name}")
     for criterion in result.criteria:
         case = _case(suite, result.name, criterion.name)
         _add_outcome(case, criterion, summary)
+        if criterion.status is Status.FAILED:
+            summary = ""  # once is enough
     # The run takes its time as a whole.
     suite[0].set("time", f"{result.wall_time or 0.0:.3f}")
     return _counted(suite)
@@ -45,7 +47,7 @@ def _add_outcome(case: ElementTree.Element, criterion: Criterion, summary: str) 
         ElementTree.SubElement(case, "skipped", message=_printable(criterion.reason))
     if criterion.status is Status.FAILED:
         said = f"{criterion.name}: {criterion.comparison}: {criterion.reason}"
-        _add_text(case, "failure", said, f"{said}\n{summary}")
+        _add_text(case, "failure", said, f"{said}\n{summary}".rstrip())
 
 
 def _add_text(case: ElementTree.Element, tag: str, message: str, text: str = "") -> None:

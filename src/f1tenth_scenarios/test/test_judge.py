@@ -4,11 +4,12 @@ import dataclasses
 
 import pytest
 from f1tenth_scenarios.judge.judge import is_decided, judge
+from f1tenth_scenarios.plan.task import Task
 from f1tenth_scenarios.record.record import Record
 from f1tenth_scenarios.scenario.car import Car, Command, Pose
 from f1tenth_scenarios.scenario.criteria import Criteria
 from f1tenth_scenarios.scenario.driver import Driver
-from f1tenth_scenarios.scenario.scenario import Verdict
+from f1tenth_scenarios.scenario.scenario import StartLine, Verdict
 from scenario_samples import (
     GOALS,
     TASKS,
@@ -81,8 +82,26 @@ def test_planner_that_gives_up_is_aborted(tmp_path):
 def test_finish_after_the_timeout_is_a_timeout(tmp_path):
     judgement = judge(scenario(timeout=2.0), TASKS, seen(record(tmp_path, rows(4.0)), finished(3.0)))
     assert judgement.decision.verdict is Verdict.TIMEOUT
-    assert judgement.decision.reason == "not finished after 2 s of simulated time"
+    assert judgement.decision.reason == (
+        "not finished after 2 s of simulated time; robot1 drove 2.0 m, 2 of 3 goals"
+    )
     assert judgement.record.end == 2.0
+
+
+def test_timeout_says_how_far_each_car_got_that_has_something_to_do(tmp_path):
+    cars = record(tmp_path, rows(4.0), rows(4.0, car="robot2", speed=0.5), rows(4.0, car="robot3"))
+    line = StartLine(x=1.0)
+    laps = {car: Task(laps=2, line=line) for car in ("robot1", "robot2", "robot4")} | {"robot3": Task()}
+    reason = judge(scenario(timeout=1.5), laps, seen(cars)).decision.reason
+    assert reason.endswith("time; robot1 drove 1.5 m, 0 of 2 laps; robot2 drove 0.7 m, 0 of 2 laps")
+
+
+def test_timeout_says_how_many_laps_were_driven(tmp_path):
+    around = [(1.5, 0.0), (0.0, 6.0), (0.0, 0.0), (1.5, 0.0)]  # the line is crossed in the last step only
+    table = [[*row[:2], *place, *row[4:]] for row, place in zip(rows(0.1), around)]
+    task = {"robot1": Task(laps=2, line=StartLine(x=1.0))}
+    reason = judge(scenario(timeout=0.1), task, seen(record(tmp_path, table))).decision.reason
+    assert reason.endswith(" m, 1 of 2 laps")
 
 
 def test_finish_at_the_timeout_is_a_success(tmp_path):

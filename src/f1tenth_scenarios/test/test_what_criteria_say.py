@@ -305,6 +305,15 @@ def test_every_criterion_stands_in_a_shipped_scenario():
     assert {*asked, "culprit", "reason"} <= used
 
 
-@pytest.mark.parametrize(("unit", "text"), [("m", "0.5 m, limit 0.4 m"), ("", "0.5, limit 0.4")])
-def test_comparison(unit, text):
-    assert Criterion("a", PASSED, 0.5, 0.4, unit, "").comparison == text
+@pytest.mark.parametrize(
+    ("actual", "limit", "unit", "text"),
+    [
+        (0.5, 0.4, "m", "0.5 m, limit 0.4 m"),
+        (0.5, 0.4, "", "0.5, limit 0.4"),
+        (62.097934574, 62.09793457417457, "s", "62.0979 s, limit 62.0979 s"),
+        (None, 20.0, "s", "none, limit 20 s"),
+        ("error", "success", "", "error, limit success"),
+    ],
+)
+def test_comparison(actual, limit, unit, text):
+    assert Criterion("a", PASSED, actual, limit, unit, "").comparison == text

@@ -43,8 +43,13 @@ class Criterion:
     @property
     def comparison(self) -> str:
         """What was measured and what is asked for, in words."""
-        actual, limit = (f"{value} {self.unit}".rstrip() for value in (self.actual, self.limit))
-        return f"{actual}, limit {limit}"
+        return f"{self._words(self.actual)}, limit {self._words(self.limit)}"
+
+    def _words(self, value: Any) -> str:
+        if value is None:
+            return "none"
+        number = f"{value:g}" if isinstance(value, float) else str(value)
+        return f"{number} {self.unit}".rstrip()
 
 
 def status_of(met: bool) -> Status:

@@ -11,7 +11,7 @@ from typing import Optional
 from f1tenth_scenarios.judge.contacts import find_contacts
 from f1tenth_scenarios.judge.false_start import find_false_start, moves_of
 from f1tenth_scenarios.judge.goal_passes import GoalPasses, find_passes
-from f1tenth_scenarios.judge.progress import finish_of
+from f1tenth_scenarios.judge.progress import finish_of, how_far
 from f1tenth_scenarios.plan.task import Task
 from f1tenth_scenarios.record.observations import Failure, Observations, RaceState, RaceUpdate
 from f1tenth_scenarios.record.record import STAMP_EPSILON, Contact, Record
@@ -90,7 +90,7 @@ def _shown(scenario: Scenario, tasks: Tasks, seen: Observations) -> Iterator[Dec
     yield from _collisions(scenario, seen)
     yield from _false_starts(scenario, tasks, seen)
     yield from _tasks_done(tasks, seen.updates, _finishes(scenario, tasks, seen.record))
-    yield from _timeouts(scenario, seen)
+    yield from _timeouts(scenario, tasks, seen)
 
 
 def _is_sound(decision: Decision, seen: Observations) -> bool:
@@ -163,10 +163,14 @@ def _what_was_done(tasks) -> str:
     return "every car passed every goal in order" if several else "every goal was passed in order"
 
 
-def _timeouts(scenario, seen):
+def _timeouts(scenario, tasks, seen):
     end, timeout = seen.record.end, scenario.limits.timeout
     if end is not None and end + STAMP_EPSILON >= timeout:
-        yield Decision(timeout, Verdict.TIMEOUT, f"not finished after {timeout:g} s of simulated time")
+        tracks = seen.record.until(timeout).tracks
+        racing = {car: task for car, task in tasks.items() if car in tracks and not task.is_empty}
+        got = [how_far(tracks[car], task, scenario.criteria) for car, task in racing.items()]
+        reason = "; ".join([f"not finished after {timeout:g} s of simulated time", *got])
+        yield Decision(timeout, Verdict.TIMEOUT, reason)
 
 
 def _breakdowns(seen):

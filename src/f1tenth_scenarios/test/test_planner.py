@@ -6,8 +6,10 @@ import pytest
 from f1tenth_scenarios.errors import NotApplicableError, ScenarioError
 from f1tenth_scenarios.plan.planner import planner_setting
 from f1tenth_scenarios.plan.planning import make_plan
+from f1tenth_scenarios.results.console import summary
 from f1tenth_scenarios.scenario.driver import Driver, Interface
-from scenario_samples import SCENARIO_TEXT
+from fake_run import FakeRun
+from scenario_samples import SCENARIO_TEXT, finished, racing
 
 from f1tenth_scenarios import places
 
@@ -71,6 +73,16 @@ def test_who_drives_where_there_are_no_goals_is_judged_by_laps(planned, tmp_path
 
 def sample_without_goals(world):
     return SCENARIO_TEXT.replace("    goals: circuit1\n", "").replace("world: circuit1", f"world: {world}")
+
+
+def test_summary_lists_what_a_planner_gets_in_the_place_of_its_own_defaults(planned, tmp_path):
+    result = FakeRun(tmp_path).records(4.0).hears(racing(), finished(3.0)).execute()
+    declared = ("seed", "line", "map_file", "speed")
+    plan = planned("circuit1", *declared, given={"map_file": "mine.yaml"})
+    line = "arguments:         of robot1 by the scenario: line=circuit1_centerline.csv, seed=1\n"
+    assert line in summary(result, plan)
+    assert "arguments" not in summary(result, planned("circuit1", "speed"))
+    assert "arguments" not in summary(result, make_plan("circuit1"))  # ours know what they get
 
 
 def test_settings_of_our_planner_are_not_for_others(planned):

@@ -5,10 +5,12 @@ import sys
 import textwrap
 import time
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Optional, TextIO
 
 from f1tenth_scenarios.judge.criterion import Status
 from f1tenth_scenarios.judge.driving_criteria import least_clearance
+from f1tenth_scenarios.plan.handover import offered_arguments
 from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.record.files import PICTURE_FILE, RESULT_FILE
 from f1tenth_scenarios.record.pace import Pace
@@ -85,6 +87,7 @@ def summary(result: Result, plan: Plan) -> str:
         ("passed", "yes" if result.passed else "no"),
         ("reason", result.reason),
         *([("note", result.note)] if result.note else []),
+        *_arguments(plan),
         ("lap time", _unit(result.best_lap_time, "s", 3)),
         *_reference(result, plan),
         *_all_laps(result, plan),
@@ -107,6 +110,17 @@ def cost_of_all(costs: Mapping[str, float]) -> str:
         f"cost besides simulating: median {statistics.median(costs.values()):.1f} s,"
         f" at most {costs[dearest]:.1f} s ({dearest})"
     )
+
+
+def _arguments(plan):
+    """What planners of others get in the place of their own defaults, which may not mean the same."""
+    for car in plan.scenario.cars:
+        file = plan.cars[car.name].driver
+        own = file.arguments - file.required - car.driver.arguments.keys()
+        told = {name: value for name, value in offered_arguments(plan, car).items() if name in own}
+        if told and not car.driver.is_ours:
+            texts = (f"{name}={value.name if isinstance(value, Path) else value}" for name, value in sorted(told.items()))
+            yield "arguments", f"of {car.name} by the scenario: {', '.join(texts)}"
 
 
 def _reference(result, plan):

@@ -2,7 +2,7 @@
 
 import pytest
 from f1tenth_scenarios.record.observations import RaceState, RaceUpdate
-from f1tenth_scenarios.run.diagnosis.culprit import Signs, failure_of
+from f1tenth_scenarios.run.diagnosis.culprit import Signs, failure_of, failure_of_driver
 from f1tenth_scenarios.run.diagnosis.launch_log import LaunchLog, NodeEnd
 from scenario_samples import sample_plan, scenario
 
@@ -157,3 +157,48 @@ def test_last_words_without_an_own_log_come_from_the_common_one(tmp_path):
     )
     failure = failure_of(made, signs([NodeEnd("robot1/move_base", 1)]))
     assert failure.log_lines == ("[WARN] [1] [/robot1/move_base]: b",)
+
+
+TRACEBACK = """\
+Traceback (most recent call last):
+  File "/ws/gap.py", line 3, in answer
+    ranges[9]
+IndexError: no 9
+"""
+
+
+def test_exception_that_nobody_caught_is_in_the_reason(tmp_path):
+    made = plan(tmp_path)
+    died = DIED.replace("robot1/move_base", "robot1/gap").replace("-9", "1")
+    made.launch_log.write_text(TRACEBACK + died, encoding="utf-8")
+    (end,) = ends_of(tmp_path, TRACEBACK, died)
+    failure = failure_of(made, signs([end]))
+    assert failure.reason == "ended with exit code 1; it raised IndexError: no 9"
+    assert failure.log_lines == tuple(TRACEBACK.splitlines())
+
+
+def test_exception_in_a_callback_is_in_the_reason_of_who_fell_silent(tmp_path):
+    made = plan(tmp_path)
+    (made.log_folder / "latest").mkdir()
+    said = "[rosout][ERROR] 1: bad callback\n" + TRACEBACK
+    (made.log_folder / "latest" / "robot1-gap-5.log").write_text(said, encoding="utf-8")
+    failure = failure_of_driver(made, "robot1", ["robot1/gap"], "has sent no command")
+    assert failure.reason == "has sent no command; it raised IndexError: no 9"
+
+
+def move_base_with_log(made, text, exit_code):
+    (made.log_folder / "robot1-move_base-5.log").write_text(text, encoding="utf-8")
+    return NodeEnd("robot1/move_base", exit_code, f"{made.log_folder}/robot1-move_base-5*.log")
+
+
+def test_who_was_killed_raised_nothing(tmp_path):
+    made = plan(tmp_path)
+    end = move_base_with_log(made, TRACEBACK, -9)
+    assert failure_of(made, signs([end])).reason == "was killed by signal 9"
+
+
+def test_who_only_chattered_is_quoted_with_nothing(tmp_path):
+    made = plan(tmp_path)
+    made.launch_log.write_text("of others\n", encoding="utf-8")
+    end = move_base_with_log(made, "[rospy.init][INFO] 1: ready\n", 0)
+    assert failure_of(made, signs([end])).log_lines == ()

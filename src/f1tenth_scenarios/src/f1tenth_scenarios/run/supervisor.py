@@ -12,8 +12,8 @@ from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_scenarios.record.pace import Pace
 from f1tenth_scenarios.record.record import STAMP_EPSILON, read_record
 from f1tenth_scenarios.run.diagnosis.breakdown import Breakdown
-from f1tenth_scenarios.run.diagnosis.culprit import LINE_COUNT
 from f1tenth_scenarios.run.diagnosis.launch_log import LaunchLog
+from f1tenth_scenarios.run.diagnosis.quotation import LINE_COUNT
 from f1tenth_scenarios.run.file_tail import RecordTail, last_lines
 from f1tenth_scenarios.stop_request import StopRequest
 

@@ -11,13 +11,17 @@ from f1tenth_scenarios.plan.participants import DEPUTY, driver_nodes_among
 from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_scenarios.run.diagnosis.launch_log import NodeEnd
+from f1tenth_scenarios.run.diagnosis.quotation import (
+    LINE_COUNT,
+    TRACEBACK,
+    exception_in,
+    last_traceback,
+    quoted,
+)
 from f1tenth_scenarios.run.file_tail import last_lines
 
-LINE_COUNT = 10  # of what a culprit said last
 _RESTLESS = "has not come to rest within {:g} s of wall time (limits.answer)"
-_TRACEBACK = "Traceback (most recent call last)"
-_ERROR_WORDS = ("[ERROR]", "[FATAL]", _TRACEBACK)
-_ERROR_LINES = 40  # at most, of one error
+_ERROR_WORDS = ("[ERROR]", "[FATAL]", TRACEBACK)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -82,8 +86,10 @@ def _lost_failure(plan, update):
 def _node_failure(plan, end, reason):
     for file, lines in _last_words(plan, end):
         if lines:
-            return Failure(end.node, reason, str(file), tuple(lines[-LINE_COUNT:]))
-    return Failure(end.node, reason, str(plan.launch_log))
+            raised = exception_in(lines) if end.exit_code >= 0 else ""
+            why = f"{reason}; it raised {raised}" if raised else reason
+            return Failure(end.node, why, str(file), tuple(quoted(lines)))
+    return Failure(end.node, reason, str(plan.launch_log), tuple(last_lines(plan.launch_log, LINE_COUNT)))
 
 
 def _last_words(plan: Plan, end: NodeEnd) -> Iterator[tuple[Path, list[str]]]:
@@ -98,27 +104,19 @@ def _last_words(plan: Plan, end: NodeEnd) -> Iterator[tuple[Path, list[str]]]:
     yield plan.launch_log, [line for line in output if f"[/{end.node}]" in line or f"[{end.node}]" in line]
     if own_log:
         yield own_log, own
-    yield plan.launch_log, output
 
 
 def _last_traceback(output: list[str], node: str) -> list[str]:
     """The last one before roslaunch noticed the end of a node: what nobody catches goes to its stderr."""
     died = re.compile(rf"\[{re.escape(node)}-\d+\] process has died")
     until = next((number for number, line in enumerate(output) if died.search(line)), 0)
-    begins = [number for number, line in enumerate(output[:until]) if line.startswith(_TRACEBACK)]
-    if not begins:
-        return []
-    block = output[begins[-1] : until]
-    length = next(
-        (number for number, line in enumerate(block[1:], 1) if not line.startswith(" ")), len(block)
-    )
-    return block[: length + 1]
+    return last_traceback(output[:until])
 
 
 def _from_last_error(lines: list[str]) -> list[str]:
     """The last error and what follows it: the traceback of a callback, for example."""
     begins = [number for number, line in enumerate(lines) if _tells_of_error(line)]
-    return lines[begins[-1] : begins[-1] + _ERROR_LINES] if begins else []
+    return lines[begins[-1] :] if begins else []
 
 
 def _tells_of_error(line: str) -> bool:

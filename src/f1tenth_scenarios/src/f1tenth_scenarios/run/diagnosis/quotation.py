@@ -1,0 +1,59 @@
+"""What of a node's output tells why it failed."""
+
+import re
+import textwrap
+from collections.abc import Iterator, Sequence
+
+LINE_COUNT = 10  # at most, of what is quoted
+TRACEBACK = "Traceback (most recent call last)"
+_FRAME = '  File "'
+_NOT_ITS_OWN = re.compile(r'  File "([^"]*/lib/python3[.\d]*/|<frozen )')  # installed packages, and Python's
+_CHATTER = re.compile(r"\[(rospy\.[\w.]+|xmlrpc)\]\[INFO\] ")  # of rospy about itself
+_WIDTH = 200  # characters, of an exception
+
+
+def quoted(lines: Sequence[str]) -> list[str]:
+    """The last of some lines that tell something, but the last traceback and what follows it if there is one.
+
+    Of a traceback that is the last frame of the node's own code, and the exception.
+    """
+    telling = [line for line in lines if not _CHATTER.match(line)]
+    begin, end = _place_of_last_traceback(telling)
+    told = [*_shortened(telling[begin:end]), *telling[end:]][:LINE_COUNT]
+    room = LINE_COUNT - len(told)
+    return [*telling[max(0, begin - room) : begin], *told]
+
+
+def last_traceback(lines: Sequence[str]) -> Sequence[str]:
+    """The last one in some lines, with the exception."""
+    begin, end = _place_of_last_traceback(lines)
+    return lines[begin:end]
+
+
+def exception_in(lines: Sequence[str]) -> str:
+    """What the last traceback in some lines ends with; empty if there is none."""
+    traceback = last_traceback(lines)
+    is_whole = len(traceback) > 1 and not traceback[-1].startswith(" ")
+    return textwrap.shorten(traceback[-1], _WIDTH) if is_whole else ""
+
+
+def _place_of_last_traceback(lines: Sequence[str]) -> tuple[int, int]:
+    """From where to where it is, with the exception; an empty place at the end if there is none."""
+    begins = [number for number, line in enumerate(lines) if line.startswith(TRACEBACK)]
+    if not begins:
+        return len(lines), len(lines)
+    after = range(begins[-1] + 1, len(lines))
+    end = next((number + 1 for number in after if not lines[number].startswith(" ")), len(lines))
+    return begins[-1], end
+
+
+def _shortened(traceback: Sequence[str]) -> list[str]:
+    frames = list(_frames(traceback))
+    own = [frame for frame in frames if not _NOT_ITS_OWN.match(frame[0])] or frames
+    return [*traceback[:1], *own[-1], *traceback[-1:]] if own else list(traceback)
+
+
+def _frames(traceback: Sequence[str]) -> Iterator[Sequence[str]]:
+    begins = [number for number, line in enumerate(traceback) if line.startswith(_FRAME)]
+    for begin, end in zip(begins, [*begins[1:], len(traceback) - 1]):
+        yield traceback[begin:end]

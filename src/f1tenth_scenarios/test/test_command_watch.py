@@ -26,14 +26,14 @@ def test_driver_that_never_speaks_is_silent():
 
 def test_driver_that_falls_silent_is_noticed():
     assert problems((3.0, 120, 0), (12.0, 120, 0)) == []
-    text = "has sent no command for 10 s of simulated time (limits.silence)"
+    text = "has sent no command for 10 s of simulated time (limits.silence), none since 3 s"
     assert problems((3.0, 120, 0), (13.0, 120, 0)) == [("robot1", text, 13.0, False)]
 
 
 def test_nonsense_is_noticed_when_it_goes_on():
     assert problems((1.0, 10, 30), (2.0, 50, 30)) == []
     assert problems((1.0, 0, 30), (2.0, 0, 70)) == [
-        ("robot1", "sends only commands that the simulator refuses: speed is nan", 2.0, False)
+        ("robot1", "sends only commands that the simulator refuses (at 2 s): speed is nan", 2.0, False)
     ]
 
 
@@ -44,7 +44,7 @@ def test_flood_is_noticed(count, found):
 
 def test_first_problem_is_the_one_that_is_told():
     ((_, text, stamp, _),) = problems((1.0, 5000, 0), (20.0, 5000, 0))
-    assert (text, stamp) == ("sends 5000 commands per second of simulated time, may be 400", 1.0)
+    assert (text, stamp) == ("sends 5000 commands per second of simulated time (at 1 s), may be 400", 1.0)
 
 
 def test_who_is_done_or_not_watched_may_be_silent():

@@ -60,11 +60,13 @@ class CommandWatch:
 
     def _problem(self, count: CommandCount, rate: float) -> str:
         if rate > _MOST_PER_SECOND:
-            return f"sends {rate:.0f} commands per second of simulated time, may be {_MOST_PER_SECOND:.0f}"
+            often = f"{rate:.0f} commands per second of simulated time (at {count.stamp:g} s)"
+            return f"sends {often}, may be {_MOST_PER_SECOND:.0f}"
         if self._nonsense[count.car] >= _NONSENSE_SAMPLES:
-            return f"sends only commands that the simulator refuses: {count.refusal}"
-        quiet = count.stamp - self._heard[count.car]
-        if quiet >= self._silence:
-            never = "no command at all" if not self._heard[count.car] else "no command"
-            return f"has sent {never} for {quiet:g} s of simulated time (limits.silence)"
-        return ""
+            return f"sends only commands that the simulator refuses (at {count.stamp:g} s): {count.refusal}"
+        last = self._heard[count.car]
+        quiet = count.stamp - last
+        if quiet < self._silence:
+            return ""
+        never, since = (" at all", "") if not last else ("", f", none since {last:g} s")
+        return f"has sent no command{never} for {quiet:g} s of simulated time (limits.silence){since}"

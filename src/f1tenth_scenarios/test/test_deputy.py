@@ -244,14 +244,14 @@ def test_who_sends_commands_while_time_stands_still_does_not_fit(driver):
 
 def test_who_never_rests_does_not_fit_once_it_sends_commands(driver, hurried):
     driver(BUSY)
-    with pytest.raises(MisfitError, match="its threads do not come to rest within 0.2 s"):
+    with pytest.raises(MisfitError, match="but its threads do not come to rest within 0.2 s; sleep with"):
         Deputy(FakeWorld(), MARK, PATIENCE).act("now")
 
 
 def test_who_never_rests_gets_a_scan_but_no_time(driver, hurried):
     driver(BUSY)
     world = FakeWorld(before=0)
-    with pytest.raises(MisfitError, match="its threads do not come to rest within 1 s"):
+    with pytest.raises(MisfitError, match="do not come to rest within 1 s; sleep with rospy.Rate in its "):
         Deputy(world, MARK, PATIENCE).act("now")
     assert world.done == ["scan"]
 

@@ -28,6 +28,7 @@ _SPINNING = 1.0  # wall s without rest after a command, when it has had those: i
 _CALM_PERIODS = 40  # without a command or a new connection, after which it is looked at less closely
 _STEADY_PERIODS = 20  # with commands and without a new connection, after which it has started up
 _LATE_COMMANDS = 3  # in these periods, sent by somebody at rest: more are no accident
+_RESTLESS = "its threads do not come to rest within {:g} s; sleep with rospy.Rate in its loop"
 
 
 class Deputy:
@@ -109,7 +110,7 @@ class Deputy:
             if self._start and waited > _LOADING:
                 self._start.check_restless(self._world.commands(), waited)
                 if waited > self._patience:
-                    raise MisfitError(f"its threads do not come to rest within {self._patience:g} s")
+                    raise MisfitError(_RESTLESS.format(self._patience))
                 if may_spin and has_listened:
                     self._is_restless = True
                     return
@@ -206,7 +207,7 @@ class _Start:
         if commands > self._commands and self._sending_since is None:
             self._sending_since = waited
         if self._sending_since is not None and waited - self._sending_since > _SPINNING:
-            raise MisfitError(f"it sends commands, but its threads do not come to rest within {_LOADING:g} s")
+            raise MisfitError(f"it sends commands, but {_RESTLESS.format(_LOADING)}")
 
     def note(self, at_rest: int, later: int) -> None:
         """How many commands there were when the driver came to rest in a period, and some time later."""

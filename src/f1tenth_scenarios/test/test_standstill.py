@@ -46,7 +46,7 @@ def test_who_is_stopped_is_no_culprit_of_what_died(tmp_path):
 
 def test_who_is_stopped_does_not_matter_while_time_goes_on(tmp_path):
     run = run_of(tmp_path).records(1.0).starts_node("map_server", stopped=True).records(10.5)
-    assert reason_of(run) == "not finished after 10 s of simulated time"
+    assert reason_of(run) == "not finished after 10 s of simulated time; robot1 drove 10.0 m, 3 of 3 goals"
 
 
 def test_a_process_without_free_descriptors_is_the_culprit(tmp_path):

@@ -74,14 +74,14 @@ class F110Env:
     has driven two laps: it has left the start line and come back to it twice.
 
     Attributes:
-        map_name, num_agents, timestep, ego_idx, seed, params: as given.
+        map_name, num_agents, timestep, ego_idx, seed, params: as given; map_name without .yaml.
         current_time: s.
         lap_times, lap_counts: arrays of shape (num_agents,).
     """
 
     def __init__(
         self,
-        map,
+        map=None,
         map_ext=".png",
         num_agents=2,
         timestep=0.01,
@@ -94,7 +94,7 @@ class F110Env:
         """Load the map.
 
         Args:
-            map: path of a map's .yaml file, without .yaml, or the name of a circuit.
+            map: path of a map's .yaml file, with or without .yaml, or the name of a circuit.
             map_ext: of the map's image.
             num_agents: number of cars.
             timestep: s, of an action.
@@ -114,10 +114,12 @@ class F110Env:
         require_number("timestep", timestep, 0.001, 1.0)
         require_number("seed", seed, 0, 2**63 - 1, int)
         require_number("ego_idx", ego_idx, 0, num_agents - 1, int)
-        self.map_name, self._map_ext = str(map), map_ext
+        if map is None:
+            raise ValueError(f"map: missing; f1tenth_gym's default 'vegas' is not here, {_allowed_maps()}")
+        self.map_name, self._map_ext = str(map).removesuffix(".yaml"), map_ext
         self.num_agents, self.timestep = num_agents, timestep
         self.seed, self.ego_idx = seed, ego_idx
-        self._now = self._next = self._load(_place(map, map_ext), dict(params or {}))
+        self._now = self._next = self._load(_place(self.map_name, map_ext), dict(params or {}))
         self._starts: Any = None
 
     def reset(self, poses):
@@ -258,15 +260,16 @@ def _place(map, map_ext):
     if str(map) in circuits():
         return map
     if not Path(f"{map}.yaml").is_file():
-        raise ValueError(
-            f"map: found {str(map)!r}, allowed are {', '.join(circuits())}, "
-            "and paths of maps' .yaml files without .yaml"
-        )
+        raise ValueError(f"map: found {str(map)!r}, {_allowed_maps()}")
     if not Path(f"{map}{map_ext}").is_file():
         raise ValueError(
             f"map_ext: found {map_ext!r}, allowed is the extension of an image beside {map}.yaml"
         )
     return f"{map}.yaml"
+
+
+def _allowed_maps():
+    return f"allowed are {', '.join(circuits())}, and paths of maps' .yaml files"
 
 
 def _vehicle(params):

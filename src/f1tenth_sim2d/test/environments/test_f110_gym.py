@@ -117,6 +117,7 @@ def test_it_is_shown_in_a_window_without_their_callbacks():
     ("settings", "message"),
     [
         ({"map": "vegas"}, "map: found 'vegas', allowed are circuit1, .*, and paths of maps"),
+        ({"map": None}, "map: missing; f1tenth_gym's default 'vegas' is not here, allowed are circuit1, .*"),
         ({"num_agents": 0}, "num_agents: found 0, allowed is a whole number from 1 to 64"),
         ({"timestep": 0.0}, "timestep: found 0.0, allowed is a number from 0.001 to 1.0"),
         ({"ego_idx": 2}, "ego_idx: found 2, allowed is a whole number from 0 to 1"),
@@ -130,6 +131,19 @@ def test_it_is_shown_in_a_window_without_their_callbacks():
 def test_what_cannot_be_is_refused(settings, message):
     with pytest.raises(ValueError, match=message):
         F110Env(**{"map": "circuit1", **settings})
+
+
+def test_a_map_may_be_named_with_its_extension():
+    track = DATA / "tracks" / "Spielberg"
+    if not track.is_dir():
+        pytest.skip(f"no {track}; F1TENTH_DATA says where the data are")
+    environment = make(map=str(track / "Spielberg_map.yaml"), num_agents=1)
+    assert environment.map_name == str(track / "Spielberg_map")
+
+
+def test_make_without_a_map_names_it():
+    with pytest.raises(ValueError, match="map: missing"):
+        make("f110_gym:f110-v0")
 
 
 def test_a_map_without_its_image_is_refused(tmp_path):

@@ -22,7 +22,7 @@ class CarTopics:
     sensed: Mapping[str, str]  # by the names that planners use
 
 
-# Planners take their odometry for a pose in the map, as that of f1tenth_simulator is and that of wheels is not.
+# Planners take their odometry for a pose in the map: in f1tenth_simulator it is one, that of wheels is not.
 _EXACT = "perfect_odom"
 _F1TENTH = CarTopics({"drive": _DRIVE, "cmd_vel": _TWIST}, {"scan": "scan", "odom": _EXACT, "imu": "imu"})
 _LIKE_COMMANDS = (_DRIVE, _TWIST, "ackermann_msgs/AckermannDrive", "geometry_msgs/TwistStamped")

@@ -126,10 +126,10 @@ void step(PythonEnvironments & environments, const Doubles & actions, const Flag
 }
 
 /// Memory of the environments as an array that keeps them alive.
-template <typename Number>
-py::array view(const py::object & self, std::vector<Number> & numbers, const std::vector<std::size_t> & shape)
+py::array view(
+  const py::object & self, const py::dtype & type, const void * numbers, const std::vector<std::size_t> & shape)
 {
-  return py::array_t<Number>(shape, numbers.data(), self);
+  return {type, shape, numbers, self};
 }
 
 void bindArrays(py::class_<PythonEnvironments> & type)
@@ -139,14 +139,15 @@ void bindArrays(py::class_<PythonEnvironments> & type)
       "observations",
       [](const py::object & self) {
         auto & all = self.cast<PythonEnvironments &>();
-        return view(self, all.observations(), {all.count(), all.cars(), all.observation().size()});
+        return view(
+          self, py::dtype::of<float>(), all.observations().data(), {all.count(), all.cars(), all.observation().size()});
       },
       "What the cars observe: float32 array of shape (count, cars, size), a view.")
     .def_property_readonly(
       "results",
       [](const py::object & self) {
         auto & all = self.cast<PythonEnvironments &>();
-        return view(self, all.results(), {all.count(), all.cars()});
+        return view(self, py::dtype::of<CarResult>(), all.results().data(), {all.count(), all.cars()});
       },
       R"(What has become of the cars: structured array of shape (count, cars), a view. Fields, float64: x, y, yaw, v_x, v_y,
 yaw_rate, steering_angle, as CarState; course_distance, course_offset, course_heading, as Course.locate; progress in the
@@ -156,7 +157,7 @@ start; contact, 1 if the car touched something in the last step.)")
       "times",
       [](const py::object & self) {
         auto & all = self.cast<PythonEnvironments &>();
-        return view(self, all.times(), {all.count()});
+        return view(self, py::dtype::of<double>(), all.times().data(), {all.count()});
       },
       "Simulated time of each environment, s: float64 array of shape (count,), a view.")
     .def_property_readonly(

@@ -38,8 +38,22 @@ void LockstepBarrier::open(SimTime end, std::int64_t number)
 {
   stamp_ = toRosTime(end);
   number_ = number;
-  first_ = started_ ? first_ : stamp_;
   late_.clear();
+  if (!started_) {
+    first_ = stamp_;
+    ledger_.startAgain(first_);
+  }
+}
+
+bool LockstepBarrier::welcome(const std::string & car)
+{
+  const auto & names = options_.participants;
+  if (std::find(names.begin(), names.end(), car) != names.end()) {
+    started_ = false;
+    first_ = stamp_;
+    ledger_.note(car, ros::Time());
+  }
+  return !started_;
 }
 
 std::function<void(const ros::Time &)> LockstepBarrier::driverOf(const std::string & car)
@@ -88,39 +102,41 @@ void LockstepBarrier::excuse(const std::string & car)
 
 void LockstepBarrier::wait(const Hooks & hooks)
 {
-  const double timeout = started_ ? options_.timeout_sec : options_.startup_timeout_sec;
-  waitForAnswers(hooks, ros::WallTime::now() + ros::WallDuration(timeout));
+  const bool is_repeated = waitForAnswers(hooks);
   if (hooks.interrupted()) {
     return;
   }
-  if (!started_ && repeats_ > 0) {
+  started_ = true;
+  if (is_repeated) {
     settle();
   }
-  started_ = true;
   drain_.drain();
   queue_.callAvailable();
 }
 
-void LockstepBarrier::waitForAnswers(const Hooks & hooks, const ros::WallTime & deadline)
+bool LockstepBarrier::waitForAnswers(const Hooks & hooks)
 {
-  const ros::WallTime start = ros::WallTime::now();
-  const ros::WallTime end_of_patience = start + ros::WallDuration(kStrayPatience * options_.timeout_sec);
+  bool is_repeated = false;
+  ros::WallTime start = ros::WallTime::now();
   ros::WallTime next_repeat = start + kRepeatInterval;
   while (!ledger_.allDone(stamp_) && !hooks.interrupted()) {
     queue_.callAvailable(kRepeatInterval);
+    hooks.look();
     const ros::WallTime now = ros::WallTime::now();
-    if (now > end_of_patience) {
+    start = hooks.paused() ? now : start;
+    if (now - start > ros::WallDuration(kStrayPatience * options_.timeout_sec)) {
       takeSurplus();
     }
-    if (now > deadline && !ledger_.allDone(stamp_)) {
+    if (now - start > ros::WallDuration(timeoutSec()) && !ledger_.allDone(stamp_)) {
       fail();
     }
     if (!started_ && now >= next_repeat) {
       hooks.repeat();
-      ++repeats_;
+      is_repeated = true;
       next_repeat = now + kRepeatInterval;
     }
   }
+  return is_repeated;
 }
 
 // A driver that was slow to start answers each repetition, and a late answer must not count for the second period.
@@ -137,7 +153,6 @@ void LockstepBarrier::restart()
   ledger_.startAgain(ros::Time());
   surplus_.clear();
   started_ = false;
-  repeats_ = 0;
 }
 
 void LockstepBarrier::fail() const
@@ -146,7 +161,7 @@ void LockstepBarrier::fail() const
   char text[128];
   std::snprintf(
     text, sizeof text, " not answered period %lld (%.3f s of simulated time) within %g s",
-    static_cast<long long>(number_), stamp_.toSec(), started_ ? options_.timeout_sec : options_.startup_timeout_sec);
+    static_cast<long long>(number_), stamp_.toSec(), timeoutSec());
   const bool one = missing.size() == 1;
   throw ParticipantSilent(
     missing.front(), std::string("lockstep: ") + (one ? "participant " : "participants ") +

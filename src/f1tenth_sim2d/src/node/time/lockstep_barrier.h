@@ -36,7 +36,9 @@ public:
   struct Hooks
   {
     std::function<bool()> interrupted;  ///< true: stop waiting
-    std::function<void()> repeat;       ///< publishes the first period again
+    std::function<bool()> paused;       ///< true: the time does not count
+    std::function<void()> look;         ///< called whenever something may have changed
+    std::function<void()> repeat;       ///< publishes the period again, as long as it is a first one
   };
 
   /// @param queue  served while waiting; node delivers into it, and so must the command inputs
@@ -47,6 +49,10 @@ public:
   /// What is to be called with its stamp, 0 if it has none, whenever the driver of this car has sent a command. Nobody waits
   /// for it if it is not among the participants.
   std::function<void(const ros::Time &)> driverOf(const std::string & car);
+  /// A car has come. If its driver is to answer, the period is one as the first is: it is repeated until the driver, who
+  /// has to connect, has answered it.
+  /// @return whether it is such a period, whoever is waited for
+  bool welcome(const std::string & car);
   /// The driver of this car has nothing to answer in the period.
   void excuse(const std::string & car);
   bool hasAnswered(const std::string & participant) const;
@@ -57,10 +63,12 @@ public:
   void restart();
 
 private:
-  void waitForAnswers(const Hooks & hooks, const ros::WallTime & deadline);
+  /// @return whether the period was published again
+  bool waitForAnswers(const Hooks & hooks);
   void noteCommand(const std::string & car, const ros::Time & stamp);
   void takeSurplus();
   void settle();
+  double timeoutSec() const { return started_ ? options_.timeout_sec : options_.startup_timeout_sec; }
   [[noreturn]] void fail() const;
 
   const LockstepOptions options_;
@@ -70,10 +78,9 @@ private:
   ros::Subscriber subscriber_;
   std::map<std::string, int> surplus_;  // commands without a stamp by car, beyond the one in each period
   std::set<std::string> late_;          // cars with a command in this period that answers the first
-  ros::Time first_;                     // end of the first period
+  ros::Time first_;                     // end of the first period, or of the last one that was repeated as it is
   ros::Time stamp_;
   std::int64_t number_{0};
-  bool started_{false};
-  int repeats_{0};
+  bool started_{false};  // no: the period is repeated
 };
 }  // namespace f1tenth_sim2d

@@ -1,5 +1,7 @@
 #include "node/time/lockstep_time.h"
 
+#include <algorithm>
+
 #include "node/messages/output.h"
 #include "node/time/stop_signal.h"
 
@@ -31,25 +33,52 @@ void LockstepTime::advance()
   }
   const SimTime end = world_.periodEnd();
   const SimTime begin = world_.time();
-  const bool is_first = world_.periods() == 0;
+  if (world_.periods() == 0) {
+    for (auto & [name, car] : cars_) {
+      car.reset();
+    }
+  }
   barrier_.open(end, world_.periods() + 1);
   subscribers_ = outbox_.subscriberCount();
   world_.advanceTo(end);
-  if (is_first) {
-    // Who needs a sensor answers nothing before it has come, and time would not go on until it does.
-    world_.measureSlowly();
-  }
-  excuseFrom(begin);
+  lookAtCars(begin);
   publishClock();
-  barrier_.wait({[&] { return stopRequested() || restarted(); }, [this] { repeatPeriod(); }});
+  const auto look = [&] {
+    if (!restarted()) {
+      lookAtCars(begin);
+    }
+  };
+  barrier_.wait(
+    {[&] { return stopRequested() || restarted(); }, [this] { return control_.paused; }, look,
+     [this] { repeatPeriod(); }});
 }
 
-// A lidar may scan more seldom than once a period.
-void LockstepTime::excuseFrom(SimTime begin)
+void LockstepTime::lookAtCars(SimTime begin)
 {
-  for (const CarId car : simulation_.cars()) {
+  const auto present = simulation_.cars();
+  for (const CarId car : present) {
+    const std::string & name = simulation_.car(car).name;
+    greet(name, car);
+    // A lidar may scan more seldom than once a period.
     if (!world_.isToAnswer(car, begin)) {
-      barrier_.excuse(simulation_.car(car).name);
+      barrier_.excuse(name);
+    }
+  }
+  for (const auto & [name, car] : cars_) {
+    if (!car || std::find(present.begin(), present.end(), *car) == present.end()) {
+      barrier_.excuse(name);
+    }
+  }
+}
+
+// Who needs a sensor of a car answers nothing before it has come, and time would not go on until it does.
+void LockstepTime::greet(const std::string & name, CarId car)
+{
+  std::optional<CarId> & known = cars_[name];
+  if (known != car) {
+    known = car;
+    if (barrier_.welcome(name)) {
+      world_.measureFirst(car);
     }
   }
 }

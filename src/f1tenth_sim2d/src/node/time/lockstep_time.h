@@ -4,6 +4,10 @@
 #include <rosgraph_msgs/Clock.h>
 #include <sim2d_lockstep/participant.h>
 
+#include <map>
+#include <optional>
+#include <string>
+
 #include "f1tenth_sim2d/publishing.h"
 #include "node/time/lockstep_barrier.h"
 #include "node/time/time_keeper.h"
@@ -24,7 +28,8 @@ public:
   void advance() override;
 
 private:
-  void excuseFrom(SimTime begin);
+  void lookAtCars(SimTime begin);
+  void greet(const std::string & name, CarId car);
   void publishClock();
   void repeatPeriod();
 
@@ -37,6 +42,7 @@ private:
   const TopicPublisher<rosgraph_msgs::Clock> & clock_;
   LockstepBarrier & barrier_;
   sim2d_lockstep::InboxDrain drain_;
-  std::size_t subscribers_{0};  // that have had the first period
+  std::map<std::string, std::optional<CarId>> cars_;  // each that was ever there; none in this run: not set
+  std::size_t subscribers_{0};                        // that have had the first period
 };
 }  // namespace f1tenth_sim2d

@@ -37,7 +37,7 @@ void SimulatedWorld::update(Output & output, std::optional<CarId> car, bool anyw
 
 SimulatedWorld::OutputsId SimulatedWorld::add(const OutputList & outputs, std::optional<CarId> car)
 {
-  Running & running = running_.emplace(next_id_, Running{outputs, car, {}}).first->second;
+  Running & running = running_.emplace(next_id_, Running{outputs, car, time(), {}}).first->second;
   for (const auto & output : outputs) {
     running.tasks.push_back(schedule(*output, car));
   }
@@ -88,12 +88,16 @@ void SimulatedWorld::distributeContacts()
   }
 }
 
-void SimulatedWorld::measureSlowly()
+void SimulatedWorld::measureFirst(CarId car)
 {
   for (const auto & [id, running] : running_) {
+    if (running.car != car) {
+      continue;
+    }
+    const auto age_ns = static_cast<double>(time() - running.since);
     for (const auto & output : running.outputs) {
-      if (running.car && output->rate() > 0.0 && periodOf(output->rate()) > period_ns_) {
-        update(*output, running.car, true);
+      if (output->rate() > 0.0 && periodOf(output->rate()) > age_ns) {
+        update(*output, car, true);
       }
     }
   }
@@ -137,6 +141,9 @@ void SimulatedWorld::restart()
   log_.restart();
   for (auto & [car, time] : answered_at_) {
     time = 0;
+  }
+  for (auto & [id, running] : running_) {
+    running.since = 0;
   }
   forgetContacts();
 }

@@ -39,8 +39,8 @@ public:
 
   /// Steps, and runs everything that falls due on the way.
   void advanceTo(SimTime end);
-  /// Lets what a car measures more seldom than once a period measure now.
-  void measureSlowly();
+  /// Lets what a car has not measured since it came measure now.
+  void measureFirst(CarId car);
   /// Whether the driver of a car has had something to answer since a time; also that of one without any such thing.
   bool isToAnswer(CarId car, SimTime since) const;
   /// Publishes the last messages again: what the driver of one car answers, or everything else.
@@ -57,6 +57,7 @@ private:
   {
     const OutputList & outputs;
     std::optional<CarId> car;
+    SimTime since;  ///< when they were added
     std::vector<Schedule::Id> tasks;
   };
 

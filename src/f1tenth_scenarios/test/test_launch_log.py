@@ -177,6 +177,17 @@ def test_exception_that_nobody_caught_is_in_the_reason(tmp_path):
     assert failure.log_lines == tuple(TRACEBACK.splitlines())
 
 
+def test_what_others_say_amid_a_traceback_is_no_part_of_it(tmp_path):
+    made = plan(tmp_path)
+    died = DIED.replace("robot1/move_base", "robot1/gap").replace("-9", "1")
+    others = "[INFO] [1.0] [/map_server]: Read a map\nprocess[record-9]: started with pid [4]\n"
+    amid = TRACEBACK.replace("IndexError", f"{others}IndexError")
+    made.launch_log.write_text(amid + died, encoding="utf-8")
+    failure = failure_of(made, signs([*ends_of(tmp_path, amid, died)]))
+    assert failure.reason == "ended with exit code 1; it raised IndexError: no 9"
+    assert failure.log_lines == tuple(TRACEBACK.splitlines())
+
+
 def test_exception_in_a_callback_is_in_the_reason_of_who_fell_silent(tmp_path):
     made = plan(tmp_path)
     (made.log_folder / "latest").mkdir()

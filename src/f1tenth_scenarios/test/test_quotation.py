@@ -51,6 +51,6 @@ def test_traceback_whose_end_is_missing_is_quoted():
 
 def test_exception_is_what_the_last_traceback_ends_with():
     assert exception_in([HEAD, *OWN, "KeyError: 3", HEAD, *OWN, EXCEPTION, "after"]) == EXCEPTION
-    for lines in (["no traceback"], [HEAD], [HEAD, *OWN], []):
+    for lines in (["no traceback"], [HEAD], [HEAD, *OWN], [HEAD, *OWN, "[INFO] of others"], []):
         assert exception_in(lines) == ""
     assert len(exception_in([HEAD, *OWN, "ValueError: " + "very " * 100])) <= 200

@@ -23,6 +23,9 @@ from f1tenth_scenarios.run.file_tail import last_lines
 _RESTLESS = "has not come to rest within {:g} s of wall time (limits.answer)"
 _ERROR_WORDS = ("[ERROR]", "[FATAL]", TRACEBACK)
 
+# Of any node and of roslaunch, which may come between the lines of a traceback.
+_SAID_TO_ALL = re.compile(r"\[(DEBUG|INFO|WARN|ERROR|FATAL)\] |process\[")
+
 
 @dataclasses.dataclass(frozen=True)
 class Signs:
@@ -110,7 +113,7 @@ def _last_traceback(output: list[str], node: str) -> list[str]:
     """The last one before roslaunch noticed the end of a node: what nobody catches goes to its stderr."""
     died = re.compile(rf"\[{re.escape(node)}-\d+\] process has died")
     until = next((number for number, line in enumerate(output) if died.search(line)), 0)
-    return last_traceback(output[:until])
+    return last_traceback([line for line in output[:until] if not _SAID_TO_ALL.match(line)])
 
 
 def _from_last_error(lines: list[str]) -> list[str]:

@@ -9,6 +9,7 @@ TRACEBACK = "Traceback (most recent call last)"
 _FRAME = '  File "'
 _NOT_ITS_OWN = re.compile(r'  File "([^"]*/lib/python3[.\d]*/|<frozen )')  # installed packages, and Python's
 _CHATTER = re.compile(r"\[(rospy\.[\w.]+|xmlrpc)\]\[INFO\] ")  # of rospy about itself
+_EXCEPTION = re.compile(r"[A-Za-z_][\w.]*(: |:?$)")
 _WIDTH = 200  # characters, of an exception
 
 
@@ -24,16 +25,16 @@ def quoted(lines: Sequence[str]) -> list[str]:
     return [*telling[max(0, begin - room) : begin], *told]
 
 
-def last_traceback(lines: Sequence[str]) -> Sequence[str]:
+def last_traceback(lines: Sequence[str]) -> list[str]:
     """The last one in some lines, with the exception."""
     begin, end = _place_of_last_traceback(lines)
-    return lines[begin:end]
+    return list(lines[begin:end])
 
 
 def exception_in(lines: Sequence[str]) -> str:
     """What the last traceback in some lines ends with; empty if there is none."""
     traceback = last_traceback(lines)
-    is_whole = len(traceback) > 1 and not traceback[-1].startswith(" ")
+    is_whole = traceback and _EXCEPTION.match(traceback[-1])
     return textwrap.shorten(traceback[-1], _WIDTH) if is_whole else ""
 
 

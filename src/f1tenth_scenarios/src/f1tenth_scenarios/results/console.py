@@ -119,7 +119,10 @@ def _arguments(plan):
         own = file.arguments - file.required - car.driver.arguments.keys()
         told = {name: value for name, value in offered_arguments(plan, car).items() if name in own}
         if told and not car.driver.is_ours:
-            texts = (f"{name}={value.name if isinstance(value, Path) else value}" for name, value in sorted(told.items()))
+            texts = (
+                f"{name}={value.name if isinstance(value, Path) else value}"
+                for name, value in sorted(told.items())
+            )
             yield "arguments", f"of {car.name} by the scenario: {', '.join(texts)}"
 
 

@@ -132,7 +132,7 @@ class Scenario:
     time_to_start: int = key("Countdown before the start.", unit="s", at_least=0, default=2)
     lockstep: bool = key("Whether the simulator waits for every participant in every period.", default=True)
     real_time_factor: float = key(
-        "Simulated seconds per wall second without lockstep: time does not wait until drivers have connected.",
+        "Simulated seconds per wall second without lockstep, where time waits for no driver to connect.",
         above=0,
         default=1.0,
     )

@@ -59,6 +59,21 @@ TEST(Schedule, RateThatCannotBeKeptRunsOnceForAllThatHasPassed)
   EXPECT_EQ(schedule.nextDue(), 11);
 }
 
+TEST(Schedule, AnyRateIsAnswered)
+{
+  constexpr SimTime kHour = 3600 * 1000000000LL;
+  Schedule schedule;
+  std::vector<double> runs;
+  for (const double rate_hz : {1e-12, 1e15, 1e300}) {
+    schedule.add(
+      periodOf(rate_hz), [&runs, rate_hz](SimTime) { runs.push_back(rate_hz); }, kHour);
+  }
+  EXPECT_EQ(schedule.nextDue(), kHour + 1);
+  schedule.run(2 * kHour);
+  EXPECT_EQ(runs, (std::vector<double>{1e15, 1e300}));
+  EXPECT_EQ(schedule.nextDue(), 2 * kHour + 1);
+}
+
 TEST(Schedule, RestartGoesBackToTheBeginning)
 {
   Schedule schedule;

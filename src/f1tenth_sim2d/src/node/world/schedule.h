@@ -36,6 +36,7 @@ private:
     Task task;
     std::int64_t count;  ///< of the time that comes next
     SimTime due() const;
+    void passOver(SimTime now);
   };
   std::vector<Entry> entries_;
   Id next_id_{0};

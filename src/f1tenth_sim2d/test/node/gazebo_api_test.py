@@ -254,10 +254,12 @@ class GazeboApiTest(GazeboApiCase):
         assert answer.status_message == (
             "SetPhysicsProperties: gravity is (0, 0, -1.6), this simulator keeps (0, 0, -9.8)"
         )
-        answer = self.set_physics(physics, max_update_rate=-1.0)
-        assert answer.status_message == (
-            "SetPhysicsProperties: max_update_rate is -1, allowed is 0 (as fast as it goes) or more"
-        )
+        for rate in ("-1", "1e-09"):
+            answer = self.set_physics(physics, max_update_rate=float(rate))
+            assert (answer.success, answer.status_message) == (
+                False,
+                f"SetPhysicsProperties: max_update_rate is {rate}, allowed is 0 (as fast as it goes) or at least 0.001",
+            )
 
     def set_physics(self, physics, **changes):
         fields = {"time_step": physics.time_step, "max_update_rate": 1000.0, "gravity": physics.gravity}

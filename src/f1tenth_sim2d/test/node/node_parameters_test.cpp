@@ -172,24 +172,41 @@ TEST(NodeParameters, RefusesWrongNumbers)
 {
   EXPECT_EQ(
     errorFor("real_time_factor", -1.0),
-    "parameter /sim2d/real_time_factor: found -1, must be a number >= 0 (0: as fast as it goes)");
+    "parameter /sim2d/real_time_factor: found -1, must be a number that is 0 (as fast as it goes) or >= 1e-06");
   EXPECT_EQ(
     errorFor("real_time_factor", "fast"),
-    "parameter /sim2d/real_time_factor: found \"fast\", must be a number >= 0 (0: as fast as it goes)");
-  EXPECT_EQ(errorFor("lockstep_timeout", 0), "parameter /sim2d/lockstep_timeout: found 0, must be a number > 0");
+    "parameter /sim2d/real_time_factor: found \"fast\", must be a number that is 0 (as fast as it goes) or >= 1e-06");
+  EXPECT_EQ(
+    errorFor("lockstep_timeout", 0), "parameter /sim2d/lockstep_timeout: found 0, must be a number > 0 and <= 1e+09");
   EXPECT_EQ(
     errorFor("lockstep_startup_timeout", -2),
-    "parameter /sim2d/lockstep_startup_timeout: found -2, must be a number > 0");
+    "parameter /sim2d/lockstep_startup_timeout: found -2, must be a number > 0 and <= 1e+09");
   EXPECT_EQ(errorFor("physics_step", 0.0), "parameter /sim2d/physics_step: found 0, must be a number > 0");
-  EXPECT_EQ(errorFor("clock_rate", true), "parameter /sim2d/clock_rate: found true, must be a number > 0");
+  EXPECT_EQ(
+    errorFor("clock_rate", true), "parameter /sim2d/clock_rate: found true, must be a number >= 0.001 and <= 1e+06");
   EXPECT_EQ(
     errorFor("control_period", 0.0255),
-    "parameter /sim2d/control_period: found 0.0255, must be a number of seconds that is a multiple of physics_step");
+    "parameter /sim2d/control_period: found 0.0255, must be a number of seconds that is a multiple of physics_step and "
+    "<= 1000");
   EXPECT_EQ(errorFor("seed", -3), "parameter /sim2d/seed: found -3, must be a whole number >= 0");
   EXPECT_EQ(errorFor("seed", 1.5), "parameter /sim2d/seed: found 1.5, must be a whole number >= 0");
   EXPECT_EQ(
     errorOf([](XmlRpcValue & value) { value["cars"]["robot1"]["x"] = std::numeric_limits<double>::quiet_NaN(); }),
     "parameter /sim2d/cars/robot1/x: found nan, must be a finite number");
+}
+
+TEST(NodeParameters, RefusesNumbersThatTimesCannotHold)
+{
+  const auto refuses = [](const std::string & key, double value) {
+    return errorFor(key, value).rfind("parameter /sim2d/" + key + ": found ", 0) == 0;
+  };
+  EXPECT_TRUE(refuses("real_time_factor", 1e-13));
+  EXPECT_TRUE(refuses("lockstep_timeout", 1e12));
+  EXPECT_TRUE(refuses("lockstep_startup_timeout", 1e12));
+  EXPECT_TRUE(refuses("silent_subscriber_timeout", 1e12));
+  EXPECT_TRUE(refuses("clock_rate", 1e-12));
+  EXPECT_TRUE(refuses("clock_rate", 1e15));
+  EXPECT_TRUE(refuses("control_period", 1e12));
 }
 
 TEST(NodeParameters, RefusesWrongTypes)

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "node/gazebo_api/gazebo_entities.h"
+#include "node/parameters/limits.h"
 
 namespace f1tenth_sim2d
 {
@@ -27,8 +28,9 @@ std::string objection(const gazebo_msgs::SetPhysicsProperties::Request & request
     differs(request.gravity.x, 0.0) || differs(request.gravity.y, 0.0) || differs(request.gravity.z, -gravity)) {
     text << "gravity is (" << request.gravity.x << ", " << request.gravity.y << ", " << request.gravity.z
          << "), this simulator keeps (0, 0, " << -gravity << ")";
-  } else if (!std::isfinite(request.max_update_rate) || request.max_update_rate < 0.0) {
-    text << "max_update_rate is " << request.max_update_rate << ", allowed is 0 (as fast as it goes) or more";
+  } else if (!std::isfinite(request.max_update_rate) || !realTimeFactor().allows(request.max_update_rate * time_step)) {
+    text << "max_update_rate is " << request.max_update_rate << ", allowed is 0 (as fast as it goes) or at least "
+         << kLeastRealTimeFactor / time_step;
   }
   return text.str();
 }

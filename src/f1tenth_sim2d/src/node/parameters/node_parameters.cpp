@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "node/messages/conversions.h"
+#include "node/parameters/limits.h"
 
 namespace f1tenth_sim2d
 {
@@ -71,7 +72,7 @@ void readCars(ParameterReader reader, std::vector<CarParameters> & cars)
 
 void readTime(ParameterReader & reader, NodeParameters & parameters)
 {
-  reader.read("real_time_factor", parameters.real_time_factor, atLeast(0.0, " (0: as fast as it goes)"));
+  reader.read("real_time_factor", parameters.real_time_factor, realTimeFactor());
   bool lockstep = false;
   reader.read("lockstep", lockstep);
   if (lockstep) {
@@ -80,11 +81,11 @@ void readTime(ParameterReader & reader, NodeParameters & parameters)
     parameters.time_mode = parameters.real_time_factor > 0.0 ? TimeMode::kPaced : TimeMode::kFree;
   }
   reader.read("participants", parameters.lockstep.participants);
-  reader.read("lockstep_timeout", parameters.lockstep.timeout_sec, positive());
-  reader.read("lockstep_startup_timeout", parameters.lockstep.startup_timeout_sec, positive());
+  reader.read("lockstep_timeout", parameters.lockstep.timeout_sec, patience());
+  reader.read("lockstep_startup_timeout", parameters.lockstep.startup_timeout_sec, patience());
   reader.read("paused", parameters.paused);
-  reader.read("clock_rate", parameters.clock_rate_hz, positive());
-  reader.read("silent_subscriber_timeout", parameters.silent_subscriber_timeout_sec, positive());
+  reader.read("clock_rate", parameters.clock_rate_hz, frequency());
+  reader.read("silent_subscriber_timeout", parameters.silent_subscriber_timeout_sec, patience());
 }
 
 void readSteps(ParameterReader & reader, NodeParameters & parameters)
@@ -93,10 +94,12 @@ void readSteps(ParameterReader & reader, NodeParameters & parameters)
   const double physics_step = parameters.simulation.physics_step;
   const auto isMultiple = [&](double period) {
     const double steps = period / physics_step;
-    return period > 0.0 && std::round(steps) >= 1.0 && std::abs(steps - std::round(steps)) < 1e-6;
+    return period > 0.0 && period <= kLongestPeriod && std::round(steps) >= 1.0 &&
+           std::abs(steps - std::round(steps)) < 1e-6;
   };
   reader.read(
-    "control_period", parameters.control_period_sec, {isMultiple, " of seconds that is a multiple of physics_step"});
+    "control_period", parameters.control_period_sec,
+    {isMultiple, " of seconds that is a multiple of physics_step and <= 1000"});
 }
 }  // namespace
 

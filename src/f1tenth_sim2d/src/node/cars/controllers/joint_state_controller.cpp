@@ -1,5 +1,7 @@
 #include "node/cars/controllers/joint_state_controller.h"
 
+#include "node/parameters/limits.h"
+
 namespace f1tenth_sim2d
 {
 namespace
@@ -7,7 +9,7 @@ namespace
 double publishRate(const ControllerSetup & setup)
 {
   double rate_hz = 50.0;
-  setup.parameters().read("publish_rate", rate_hz, workspace_support::positive());
+  setup.parameters().read("publish_rate", rate_hz, frequency());
   return rate_hz;
 }
 }  // namespace

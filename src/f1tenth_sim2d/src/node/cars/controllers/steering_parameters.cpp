@@ -3,6 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "node/parameters/limits.h"
+
 namespace f1tenth_sim2d
 {
 namespace
@@ -71,7 +73,7 @@ SteeringParameters readSteeringParameters(const ControllerSetup & setup)
   reader.read("cmd_vel_timeout", p.cmd_vel_timeout, atLeast(0.0));
   p.linear = readLimits(reader, "linear/x");
   p.angular = readLimits(reader, "angular/z");
-  reader.read("publish_rate", p.publish_rate, positive());
+  reader.read("publish_rate", p.publish_rate, frequency());
   reader.read("odom_frame_id", p.odom_frame_id);
   reader.read("base_frame_id", p.base_frame_id);
   reader.read("enable_odom_tf", p.enable_odom_tf);

@@ -41,6 +41,7 @@ class FakeWorld:
         self.looks = [set()]  # at the connections that are missing; the last one stays
         self.states = ["steady"]  # of the connections, as long; the last one stays
         self.listens = listens
+        self.is_up = True
         self._count, self._before, self._after = 0, before, after
         self._asked = 0
 
@@ -57,6 +58,9 @@ class FakeWorld:
         self._asked += 1
         self._count += self._before if self._asked % 2 else self._after
         return self._count
+
+    def has_node(self):
+        return self.is_up
 
     def has_listener(self):
         return self.listens
@@ -215,6 +219,16 @@ def test_who_does_nothing_for_long_is_looked_at_less_closely(driver, monkeypatch
     one.act("now")
     assert not is_watched(slept)
     assert max(slept) == pytest.approx(deputy._PACE, abs=10.0)  # time goes on no faster than in reality
+
+
+def test_who_has_not_come_up_is_looked_at_closely(driver, monkeypatch):
+    monkeypatch.setattr(deputy, "_PACE", 60.0)
+    driver()
+    world = FakeWorld(before=0)
+    world.is_up = False
+    one, slept = calm_deputy(world)
+    one.act("now")
+    assert is_watched(slept)
 
 
 @pytest.mark.parametrize("what", ["connection", "command"])

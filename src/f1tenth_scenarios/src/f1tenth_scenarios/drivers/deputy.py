@@ -152,8 +152,8 @@ class Deputy:
 
     def _let_connect(self, start: "_Start") -> None:
         """Keep the time from overtaking somebody who is about to connect, or waits by the wall clock."""
-        if start.is_calm:
-            # Who polls is known by now.
+        if start.is_calm and self._world.has_node():
+            # Who polls is known by now; before a node has come up, somebody still loads.
             self._sleep(max(0.0, _PACE - (self._clock() - self._began)))
         else:
             self._watch(_PACE)

@@ -37,19 +37,34 @@ const char * modeOf(const TimeControl & control)
   }
   return control.real_time_factor > 0.0 ? "paced" : "free";
 }
+
+/// Whether wall time and simulated time cannot be compared.
+bool isDisturbed(const TimeControl & before, const TimeControl & after)
+{
+  return before.pauses != after.pauses || before.restarts != after.restarts ||
+         before.real_time_factor != after.real_time_factor;
+}
 }  // namespace
 
 DiagnosticsOutput::DiagnosticsOutput(
   TopicPublisher<DiagnosticArray> publisher, const TimeControl & control,
   std::function<std::vector<Fleet::Driver>()> drivers, FlowControl & flow)
-: MessageOutput(std::move(publisher), kRate), control_(control), drivers_(std::move(drivers)), flow_(flow)
+: MessageOutput(std::move(publisher), kRate),
+  control_(control),
+  drivers_(std::move(drivers)),
+  flow_(flow),
+  seen_(control)
 {
 }
 
 void DiagnosticsOutput::update(SimTime now, bool anyway)
 {
   const ros::WallTime wall = ros::WallTime::now();
-  factor_ = static_cast<double>(now - last_time_) * 1e-9 / (wall - last_wall_).toSec();
+  factor_.reset();
+  if (!isDisturbed(seen_, control_)) {
+    factor_ = static_cast<double>(now - last_time_) * 1e-9 / (wall - last_wall_).toSec();
+  }
+  seen_ = control_;
   last_time_ = now;
   last_wall_ = wall;
   MessageOutput::update(now, anyway);
@@ -71,14 +86,20 @@ DiagnosticStatus DiagnosticsOutput::timeStatus() const
   DiagnosticStatus status;
   status.name = "sim2d: time";
   status.hardware_id = "sim2d";
-  status.values = {value("mode", modeOf(control_)), value("real_time_factor", shown(factor_))};
-  status.message = "real-time factor " + shown(factor_);
-  if (control_.real_time_factor > 0.0) {
-    status.values.push_back(value("wanted_real_time_factor", shown(control_.real_time_factor)));
-    if (factor_ < kFastEnough * control_.real_time_factor) {
-      status.level = DiagnosticStatus::WARN;
-      status.message += ", cannot keep up with " + shown(control_.real_time_factor);
-    }
+  status.values = {value("mode", modeOf(control_))};
+  const double wanted = control_.real_time_factor;
+  if (wanted > 0.0) {
+    status.values.push_back(value("wanted_real_time_factor", shown(wanted)));
+  }
+  if (!factor_) {
+    status.message = "no real-time factor: time was paused, restarted or told another pace";
+    return status;
+  }
+  status.values.push_back(value("real_time_factor", shown(*factor_)));
+  status.message = "real-time factor " + shown(*factor_);
+  if (wanted > 0.0 && *factor_ < kFastEnough * wanted) {
+    status.level = DiagnosticStatus::WARN;
+    status.message += ", cannot keep up with " + shown(wanted);
   }
   return status;
 }

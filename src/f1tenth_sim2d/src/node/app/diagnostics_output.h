@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,8 @@ private:
   const TimeControl & control_;
   const std::function<std::vector<Fleet::Driver>()> drivers_;
   FlowControl & flow_;
-  double factor_{0.0};
+  TimeControl seen_;              // when it was updated last
+  std::optional<double> factor_;  // none if time was disturbed since then
   SimTime last_time_{0};
   ros::WallTime last_wall_{ros::WallTime::now()};
 };

@@ -40,7 +40,10 @@ GazeboWorld::GazeboWorld(ros::NodeHandle & node, const Simulation & simulation, 
 : simulation_(simulation), control_(control), actions_(std::move(actions))
 {
   serveEmpty(node, "pause_physics", [this] { control_.paused = true; });
-  serveEmpty(node, "unpause_physics", [this] { control_.paused = false; });
+  serveEmpty(node, "unpause_physics", [this] {
+    control_.pauses += control_.paused ? 1 : 0;
+    control_.paused = false;
+  });
   serveEmpty(node, "reset_simulation", actions_.restart);
   serveEmpty(node, "reset_world", actions_.reset_poses);
   servers_.push_back(node.advertiseService("/gazebo/get_world_properties", &GazeboWorld::getWorld, this));

@@ -23,5 +23,6 @@ struct TimeControl
   bool is_lockstep{false};
   double real_time_factor{1.0};  ///< 0: as fast as it goes, and in lockstep
   int restarts{0};               ///< how often simulated time has gone back to 0
+  int pauses{0};                 ///< how often it has gone on after a pause
 };
 }  // namespace f1tenth_sim2d

@@ -68,6 +68,28 @@ class ControlTest(unittest.TestCase):
         assert status.level == 1
         assert status.message.endswith("cannot keep up with 1000000.000")
 
+    def test_second_with_a_pause_or_a_restart_tells_nothing_of_the_pace(self):
+        collector = self.collect(diagnostics=DiagnosticArray)
+
+        def seconds(seen):
+            return [message.header.stamp.secs for message in seen["/diagnostics"]]
+
+        self.start(real_time_factor=10.0)
+        assert collector.wait_for(lambda seen: 2 in seconds(seen))
+        service("reset_simulation", Empty)()
+        assert collector.wait_for(lambda seen: seconds(seen).count(1) == 2)
+        service("pause_physics", Empty)()
+        paused_in = math.ceil(service("get_model_state", GetModelState)("robot1", "").header.stamp.to_sec())
+        rospy.rostime.wallsleep(0.5)
+        service("unpause_physics", Empty)()
+        assert collector.wait_for(lambda seen: seconds(seen)[-1] > paused_in)
+        times = [message.status[0] for message in collector.messages["/diagnostics"]]
+        restarted = seconds(collector.messages).index(1, 1)
+        for disturbed in (times[restarted], times[restarted + paused_in - 1]):
+            assert disturbed.level == 0
+            assert disturbed.message == "no real-time factor: time was paused, restarted or told another pace"
+        assert times[restarted + paused_in].message.startswith("real-time factor ")
+
     def test_pause_stops_the_clock_and_unpause_starts_it(self):
         collector = self.collect(clock=Clock)
         self.start(real_time_factor=1.0)
@@ -181,6 +203,15 @@ class ControlTest(unittest.TestCase):
         assert (result["reason"], result["error"], result["seed"]) == ("requested", "", 5)
         assert result["sim_time"] >= 1.0
         assert f"trajectory hash {result['trajectory_hash']}" in sim2d.stdout
+
+
+    def test_interrupt_ends_with_the_period_under_way(self):
+        collector = self.collect(clock=Clock)
+        sim2d = self.start(real_time_factor=0.1, control_period=0.5)
+        self.wait_for_clock(collector, lambda now: now > 10 * PERIOD)
+        assert sim2d.stop() == 0, sim2d.stderr
+        result = sim2d.result()
+        assert result["sim_time"] == result["periods"] * 0.5 == float(sim2d.record()[-1]["time"])
 
 
 if __name__ == "__main__":

@@ -26,6 +26,15 @@ ros::NodeHandle nodeWithQueue(const std::string & name_space, ros::CallbackQueue
   return node;
 }
 
+TimeControl controlOf(const NodeParameters & parameters)
+{
+  TimeControl control;
+  control.paused = parameters.paused;
+  control.is_lockstep = parameters.time_mode == TimeMode::kLockstep;
+  control.real_time_factor = parameters.time_mode == TimeMode::kPaced ? parameters.real_time_factor : 0.0;
+  return control;
+}
+
 /// Without cars; says once what of the world cannot be represented.
 Simulation simulationOf(const NodeParameters & parameters)
 {
@@ -48,6 +57,7 @@ Sim2dNode::Sim2dNode(const NodeParameters & parameters)
   simulation_(simulationOf(parameters)),
   plugins_(pluginFoldersFromEnvironment()),
   world_(simulation_, transforms_, parameters.control_period_sec, parameters.record_file),
+  control_(controlOf(parameters)),
   clock_(outbox_.advertise<rosgraph_msgs::Clock>(node_, "/clock")),
   barrier_(makeBarrier()),
   fleet_(surroundings()),
@@ -56,7 +66,7 @@ Sim2dNode::Sim2dNode(const NodeParameters & parameters)
 {
   addCars(parameters_.cars, simulation_.world().start, fleet_);
   global_outputs_.emplace(world_, globalOutputs());
-  addTime();
+  addClock();
   if (parameters_.cars.empty()) {
     ROS_INFO(
       "No car yet: the parameter cars is empty (rosparam drops an empty map: cars: {robot1: {x: 0.0}}). Cars may be "
@@ -101,11 +111,8 @@ OutputList Sim2dNode::globalOutputs()
   return outputs;
 }
 
-void Sim2dNode::addTime()
+void Sim2dNode::addClock()
 {
-  control_.paused = parameters_.paused;
-  control_.is_lockstep = parameters_.time_mode == TimeMode::kLockstep;
-  control_.real_time_factor = parameters_.time_mode == TimeMode::kPaced ? parameters_.real_time_factor : 0.0;
   if (!control_.is_lockstep) {
     world_.schedule().add(periodOf(parameters_.clock_rate_hz), [this](SimTime now) { clock_.publish(toClock(now)); });
   }
@@ -150,6 +157,7 @@ void Sim2dNode::run()
     }
     seen = control_;
   }
+  world_.finishPeriod();
   // First of all: on a busy machine whoever asked for the end may lose patience while ROS shuts down.
   world_.flushRecord();
   flow_.drain();

@@ -42,7 +42,7 @@ private:
   std::unique_ptr<LockstepBarrier> makeBarrier();
   Fleet::Surroundings surroundings();
   OutputList globalOutputs();
-  void addTime();
+  void addClock();
   std::unique_ptr<TimeKeeper> makeTimeKeeper();
   void restart();
 

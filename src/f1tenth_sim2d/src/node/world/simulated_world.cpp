@@ -15,7 +15,7 @@ SimulatedWorld::SimulatedWorld(
 
 Schedule::Id SimulatedWorld::schedule(Output & output, std::optional<CarId> car)
 {
-  const SimTime first_period_end = std::llround(period_ns_);
+  const SimTime first_period_end = endOf(1);
   const double period_ns =
     output.rate() > 0.0 ? periodOf(output.rate()) : static_cast<double>(simulation_.stepLength());
   // In lockstep the first period is repeated for those who come late.
@@ -53,9 +53,21 @@ void SimulatedWorld::remove(OutputsId id)
   running_.erase(found);
 }
 
+SimTime SimulatedWorld::endOf(std::int64_t period) const
+{
+  return std::llround(static_cast<double>(period) * period_ns_);
+}
+
 SimTime SimulatedWorld::periodEnd() const
 {
-  return std::llround(static_cast<double>(log_.periods() + 1) * period_ns_);
+  return endOf(log_.periods() + 1);
+}
+
+void SimulatedWorld::finishPeriod()
+{
+  if (time() > endOf(log_.periods())) {
+    advanceTo(periodEnd());
+  }
 }
 
 void SimulatedWorld::advanceTo(SimTime end)

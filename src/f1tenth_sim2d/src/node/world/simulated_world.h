@@ -39,6 +39,8 @@ public:
 
   /// Steps, and runs everything that falls due on the way.
   void advanceTo(SimTime end);
+  /// To the end of the control period under way, unless one has just ended.
+  void finishPeriod();
   /// Lets what a car has not measured since it came measure now.
   void measureFirst(CarId car);
   /// Whether the driver of a car has had something to answer since a time; also that of one without any such thing.
@@ -61,6 +63,7 @@ private:
     std::vector<Schedule::Id> tasks;
   };
 
+  SimTime endOf(std::int64_t period) const;
   void update(Output & output, std::optional<CarId> car, bool anyway);
   void distributeContacts();
   void forgetContacts();

@@ -37,7 +37,8 @@ class BadInputTest(unittest.TestCase):
     def test_parameter_of_wrong_type(self):
         error = self.refused(real_time_factor="fast")
         assert error == (
-            'parameter /sim2d/real_time_factor: found "fast", must be a number that is 0 (as fast as it goes) or >= 1e-06'
+            'parameter /sim2d/real_time_factor: found "fast", '
+            "must be a number that is 0 (as fast as it goes) or >= 1e-06"
         )
 
     def test_unknown_parameter(self):

@@ -204,7 +204,6 @@ class ControlTest(unittest.TestCase):
         assert result["sim_time"] >= 1.0
         assert f"trajectory hash {result['trajectory_hash']}" in sim2d.stdout
 
-
     def test_interrupt_ends_with_the_period_under_way(self):
         collector = self.collect(clock=Clock)
         sim2d = self.start(real_time_factor=0.1, control_period=0.5)

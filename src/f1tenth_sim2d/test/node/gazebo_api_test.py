@@ -258,7 +258,8 @@ class GazeboApiTest(GazeboApiCase):
             answer = self.set_physics(physics, max_update_rate=float(rate))
             assert (answer.success, answer.status_message) == (
                 False,
-                f"SetPhysicsProperties: max_update_rate is {rate}, allowed is 0 (as fast as it goes) or at least 0.001",
+                f"SetPhysicsProperties: max_update_rate is {rate}, "
+                "allowed is 0 (as fast as it goes) or at least 0.001",
             )
 
     def set_physics(self, physics, **changes):

@@ -115,7 +115,7 @@ class RoundTripTest(unittest.TestCase):
     def test_server_of_an_image_without_a_sensible_resolution_exits_with_255(self):
         result = run("map_server", self.folder / "map.png", "fine")
         assert result.returncode == 255
-        assert "resolution: found 'fine', allowed is a positive number of metres" in result.stderr
+        assert "resolution: found 'fine', allowed is a number of metres from 1e-06 to 1e+06" in result.stderr
 
 
 if __name__ == "__main__":

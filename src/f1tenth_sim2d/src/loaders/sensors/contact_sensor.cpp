@@ -7,7 +7,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-const std::string kSeparator = "::";
+const std::string kScopeSeparator = "::";
 
 /// A name and what stands in front of it: the model, if it is named, and the link.
 struct ScopedName
@@ -18,16 +18,16 @@ struct ScopedName
 
 ScopedName splitName(const std::string & text)
 {
-  const std::size_t separator = text.rfind(kSeparator);
+  const std::size_t separator = text.rfind(kScopeSeparator);
   return separator == std::string::npos
            ? ScopedName{"", text}
-           : ScopedName{text.substr(0, separator), text.substr(separator + kSeparator.size())};
+           : ScopedName{text.substr(0, separator), text.substr(separator + kScopeSeparator.size())};
 }
 
 /// The link that a solid of the car belongs to.
 std::string linkOf(const Solid & solid, const CarContext & context)
 {
-  return splitName(solid.name).scope.substr(context.car.name.size() + kSeparator.size());
+  return splitName(solid.name).scope.substr(context.car.name.size() + kScopeSeparator.size());
 }
 
 /// Undoes Gazebo's renaming: "base_fixed_joint_lump__bumper_collision_1" -> "bumper_collision", with the
@@ -56,8 +56,8 @@ bool isCalled(const Solid & solid, const std::string & wanted)
 std::string linkOfScope(const std::string & scope, const CarContext & context)
 {
   for (const std::string & model : {context.car.name, context.model.name}) {
-    if (scope.rfind(model + kSeparator, 0) == 0) {
-      return scope.substr(model.size() + kSeparator.size());
+    if (scope.rfind(model + kScopeSeparator, 0) == 0) {
+      return scope.substr(model.size() + kScopeSeparator.size());
     }
   }
   return scope;
@@ -105,7 +105,7 @@ std::vector<std::string> namesWithLink(const std::vector<const Solid *> & solids
 {
   std::vector<std::string> names;
   for (const Solid * const solid : solids) {
-    names.push_back(linkOf(*solid, context) + kSeparator + splitName(solid->name).name);
+    names.push_back(linkOf(*solid, context) + kScopeSeparator + splitName(solid->name).name);
   }
   return names;
 }

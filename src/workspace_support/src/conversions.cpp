@@ -54,10 +54,16 @@ Pose2 fromTransform(const geometry_msgs::Transform & transform)
 
 geometry_msgs::Transform toTransform(const Pose2 & pose)
 {
+  return toTransform(toPose(pose));
+}
+
+geometry_msgs::Transform toTransform(const geometry_msgs::Pose & pose)
+{
   geometry_msgs::Transform transform;
-  transform.translation.x = pose.x;
-  transform.translation.y = pose.y;
-  transform.rotation = toQuaternion(pose.yaw);
+  transform.translation.x = pose.position.x;
+  transform.translation.y = pose.position.y;
+  transform.translation.z = pose.position.z;
+  transform.rotation = pose.orientation;
   return transform;
 }
 

@@ -17,33 +17,21 @@ void setLogLevel(ros::console::levels::Level level)
   }
 }
 
-geometry_msgs::Pose toMessage(const f1tenth_sim2d::Pose3 & pose)
-{
-  geometry_msgs::Pose message;
-  message.position.x = pose.position.x();
-  message.position.y = pose.position.y();
-  message.position.z = pose.position.z();
-  message.orientation.x = pose.rotation.x();
-  message.orientation.y = pose.rotation.y();
-  message.orientation.z = pose.rotation.z();
-  message.orientation.w = pose.rotation.w();
-  return message;
-}
-
 /// Where a link of a car is in the world.
 /// @param link  its pose in the frame of the car
 geometry_msgs::Pose placed(const f1tenth_sim2d::Pose2 & car, const f1tenth_sim2d::Pose3 & link)
 {
   const geometry_msgs::Quaternion turned = workspace_support::toPose(car).orientation;
-  return toMessage(f1tenth_sim2d::Pose3({car.x, car.y, 0.0}, {turned.w, turned.x, turned.y, turned.z}) * link);
+  const f1tenth_sim2d::Pose3 pose =
+    f1tenth_sim2d::Pose3({car.x, car.y, 0.0}, {turned.w, turned.x, turned.y, turned.z}) * link;
+  return workspace_support::toPose(pose.position, pose.rotation);
 }
 
 /// The velocity of a link of a car, m/s along its own axes, as far as they are level.
 f1tenth_sim2d::Vec2 velocityOf(const f1tenth_sim2d::CarState & car, const f1tenth_sim2d::Pose3 & link)
 {
-  const f1tenth_sim2d::Vec2 velocity{
-    car.velocity.x - car.yaw_rate * link.position.y(), car.velocity.y + car.yaw_rate * link.position.x()};
-  return workspace_support::transform({0.0, 0.0, -link.yaw()}, velocity);
+  const f1tenth_sim2d::Vec2 arm{link.position.x(), link.position.y()};
+  return workspace_support::transform({0.0, 0.0, -link.yaw()}, velocityAt(car.velocity, car.yaw_rate, arm));
 }
 }  // namespace
 
@@ -96,12 +84,8 @@ void PerfectOdometry::measure(const ros::Time & stamp)
 
 void PerfectOdometry::publishTransform()
 {
-  const geometry_msgs::Pose & pose = odometry_.pose.pose;
   transform_.header.stamp = odometry_.header.stamp;
-  transform_.transform.translation.x = pose.position.x;
-  transform_.transform.translation.y = pose.position.y;
-  transform_.transform.translation.z = pose.position.z;
-  transform_.transform.rotation = pose.orientation;
+  transform_.transform = workspace_support::toTransform(odometry_.pose.pose);
   context_->transforms.send(transform_);
 }
 }  // namespace f1tenth_gazebo_plugins

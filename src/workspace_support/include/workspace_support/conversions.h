@@ -24,8 +24,23 @@ std_msgs::Header headerOf(const std::string & frame, const ros::Time & stamp);
 /// The x axis of the pose, seen from above.
 Pose2 fromPose(const geometry_msgs::Pose & pose);
 geometry_msgs::Pose toPose(const Pose2 & pose);
+/// @param position, rotation  in space: a vector and a unit quaternion of Eigen
+template <typename Position, typename Rotation>
+geometry_msgs::Pose toPose(const Position & position, const Rotation & rotation)
+{
+  geometry_msgs::Pose message;
+  message.position.x = position.x();
+  message.position.y = position.y();
+  message.position.z = position.z();
+  message.orientation.x = rotation.x();
+  message.orientation.y = rotation.y();
+  message.orientation.z = rotation.z();
+  message.orientation.w = rotation.w();
+  return message;
+}
 Pose2 fromTransform(const geometry_msgs::Transform & transform);
 geometry_msgs::Transform toTransform(const Pose2 & pose);
+geometry_msgs::Transform toTransform(const geometry_msgs::Pose & pose);
 /// Pose of a frame in another one; time 0: the latest. Nothing if it is not known.
 std::optional<geometry_msgs::TransformStamped> lookUp(
   const tf2::BufferCore & transforms, const std::string & target, const std::string & frame, const ros::Time & stamp);

@@ -70,6 +70,13 @@ inline Vec2 transform(const Pose2 & pose, const Vec2 & point)
 }
 
 /// A pose given in the frame of pose, in the frame in which pose is given.
+/// The velocity of a point of a body that moves and turns.
+/// @param velocity  m/s, of the point of the body from which arm, m, leads to the other one, in the same frame
+inline Vec2 velocityAt(const Vec2 & velocity, double yaw_rate, const Vec2 & arm)
+{
+  return {velocity.x - yaw_rate * arm.y, velocity.y + yaw_rate * arm.x};
+}
+
 inline Pose2 compose(const Pose2 & pose, const Pose2 & relative)
 {
   const Vec2 position = transform(pose, relative.position());

@@ -103,9 +103,8 @@ void OdometryOutput::fill(nav_msgs::Odometry & message, SimTime now)
   const VehicleParameters & parameters = car_.simulation.parameters(car_.id);
   message.header.stamp = toRosTime(now);
   message.pose.pose = toPose(onGround(odometry.pose) * place_.base_pose);
-  const Vec2 velocity{
-    odometry.speed - odometry.yaw_rate * place_.base_pose.position.y(),
-    odometry.lateral_speed + odometry.yaw_rate * place_.base_pose.position.x()};
+  const Vec2 arm{place_.base_pose.position.x(), place_.base_pose.position.y()};
+  const Vec2 velocity = velocityAt(Vec2{odometry.speed, odometry.lateral_speed}, odometry.yaw_rate, arm);
   message.twist.twist = toTwist(rotated(velocity, -place_.base_pose.yaw()), odometry.yaw_rate);
   // yaw_rate = speed * tan(steering) / wheelbase, to first order in the steering angle's noise
   const double turn = odometry.yaw_rate * parameters.wheelbase();
@@ -157,8 +156,7 @@ void PoseOutput::sample(nav_msgs::Odometry & message)
   const Eigen::Vector3d & rpy = sensor_.rpy_offset;
   const Pose3::Rotation turned = Pose3::rotationOf(rpy.x(), rpy.y(), rpy.z());
   message.pose.pose = toPose(Pose3(pose.position + sensor_.xyz_offset, turned * pose.rotation));
-  message.twist.twist =
-    toTwist({velocity.x - state.yaw_rate * arm.y(), velocity.y + state.yaw_rate * arm.x()}, state.yaw_rate);
+  message.twist.twist = toTwist(velocityAt(velocity, state.yaw_rate, {arm.x(), arm.y()}), state.yaw_rate);
 }
 
 ImuOutput::ImuOutput(const CarHandle & car) : SensorOutput(car, *car.description().imu)

@@ -12,19 +12,14 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-Vec2 velocityAt(const Pose3 & place, const Pose2 & origin, const Vec2 & velocity, double yaw_rate)
-{
-  return {
-    velocity.x - yaw_rate * (place.position.y() - origin.y), velocity.y + yaw_rate * (place.position.x() - origin.x)};
-}
-
 /// Something that is fixed to a car, at a pose in the car's frame.
 Entity onCar(const Simulation & simulation, CarId car, Entity::Kind kind, const std::string & name, const Pose3 & mount)
 {
   const CarState & state = simulation.state(car);
   const Pose3 pose = onGround(state.pose) * mount;
   const Vec2 velocity = rotated(state.velocity, state.pose.yaw);
-  return {kind, 0, car, name, pose, velocityAt(pose, state.pose, velocity, state.yaw_rate), state.yaw_rate};
+  const Vec2 arm{pose.position.x() - state.pose.x, pose.position.y() - state.pose.y};
+  return {kind, 0, car, name, pose, velocityAt(velocity, state.yaw_rate, arm), state.yaw_rate};
 }
 
 std::vector<Entity> models(const Simulation & simulation)

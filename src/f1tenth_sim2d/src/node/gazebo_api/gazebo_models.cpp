@@ -176,7 +176,7 @@ void GazeboModels::put(const gazebo_msgs::ModelState & wanted)
   }
   const Pose2 place = carPose(simulation_.car(entity.car), pose);
   const Vec2 arm{place.x - pose.position.x(), place.y - pose.position.y()};
-  const Vec2 own{velocity.x - yaw_rate * arm.y, velocity.y + yaw_rate * arm.x};
+  const Vec2 own = velocityAt(velocity, yaw_rate, arm);
   simulation_.placeCar(entity.car, place, rotated(own, -place.yaw), yaw_rate);
 }
 

@@ -1,5 +1,7 @@
 #include "node/messages/conversions.h"
 
+#include <workspace_support/conversions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -35,26 +37,12 @@ geometry_msgs::Quaternion toQuaternion(double yaw)
 
 geometry_msgs::Pose toPose(const Pose3 & pose)
 {
-  geometry_msgs::Pose message;
-  message.position.x = pose.position.x();
-  message.position.y = pose.position.y();
-  message.position.z = pose.position.z();
-  message.orientation.x = pose.rotation.x();
-  message.orientation.y = pose.rotation.y();
-  message.orientation.z = pose.rotation.z();
-  message.orientation.w = pose.rotation.w();
-  return message;
+  return workspace_support::toPose(pose.position, pose.rotation);
 }
 
 geometry_msgs::Transform toTransform(const Pose3 & pose)
 {
-  const geometry_msgs::Pose placed = toPose(pose);
-  geometry_msgs::Transform message;
-  message.translation.x = placed.position.x;
-  message.translation.y = placed.position.y;
-  message.translation.z = placed.position.z;
-  message.rotation = placed.orientation;
-  return message;
+  return workspace_support::toTransform(toPose(pose));
 }
 
 Pose3 onGround(const Pose2 & pose)

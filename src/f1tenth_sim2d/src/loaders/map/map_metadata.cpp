@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "f1tenth_sim2d/errors.h"
+#include "loaders/files/farthest.h"
 #include "loaders/files/read_file.h"
 
 namespace f1tenth_sim2d
@@ -18,8 +19,7 @@ namespace
 constexpr std::array<const char *, 6> kRequiredKeys{"image",  "resolution",      "origin",
                                                     "negate", "occupied_thresh", "free_thresh"};
 
-constexpr double kFinest = 1e-3;       // m; contacts take no notice of what is much smaller
-constexpr double kFarthestWall = 1e5;  // m, from the origin of the world, as of what SDF describes
+constexpr double kFinest = 1e-3;  // m; contacts take no notice of what is much smaller
 
 /// Reads the keys of one file.
 class MapKeys
@@ -78,7 +78,7 @@ public:
     for (std::size_t i = 0; node.IsSequence() && node.size() >= 3 && i < 3; ++i) {
       values[i] = decoded(node[i]);
     }
-    if (!(std::abs(values[0]) <= kFarthestWall && std::abs(values[1]) <= kFarthestWall && std::isfinite(values[2]))) {
+    if (!(std::abs(values[0]) <= kFarthest && std::abs(values[1]) <= kFarthest && std::isfinite(values[2]))) {
       fail(key, node, "three numbers: x and y (m, up to 100000), yaw (rad)");
     }
     return {values[0], values[1], values[2]};
@@ -156,7 +156,7 @@ MapMetadata readMapMetadata(const std::string & path)
   const MapKeys keys(path);
   MapMetadata metadata;
   metadata.image = (std::filesystem::path(path).parent_path() / keys.text("image")).string();
-  metadata.resolution = keys.number("resolution", kFinest, kFarthestWall, "0.001 to 100000 m");
+  metadata.resolution = keys.number("resolution", kFinest, kFarthest, "0.001 to 100000 m");
   metadata.resolution_line = keys.line("resolution");
   metadata.origin = keys.pose("origin");
   metadata.negate = keys.flag("negate");
@@ -171,10 +171,10 @@ MapMetadata readMapMetadata(const std::string & path)
 void requireNear(const MapMetadata & metadata, std::size_t width, std::size_t height, const std::string & path)
 {
   const double size = std::hypot(width, height) * metadata.resolution;
-  if (std::max(std::abs(metadata.origin.x), std::abs(metadata.origin.y)) + size > kFarthestWall) {
+  if (std::max(std::abs(metadata.origin.x), std::abs(metadata.origin.y)) + size > kFarthest) {
     std::ostringstream reason;
     reason << width << " by " << height << " pixels of " << metadata.resolution << " m do not all lie within "
-           << kFarthestWall << " m of the world's origin";
+           << kFarthest << " m of the world's origin";
     throw LoadError(path + ":" + std::to_string(metadata.resolution_line), "resolution", reason.str());
   }
 }

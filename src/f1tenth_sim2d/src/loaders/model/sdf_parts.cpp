@@ -106,6 +106,7 @@ void warnOfGhost(const Element & contact, WarningCollector & warnings)
     warnings.add("<collide_bitmask> of 0 is left out: what a lidar sees is solid", contact.fileLine());
   }
 }
+
 // Gazebo takes them.
 void warnOfTakenName(const Element & collision, std::set<std::string> & names, WarningCollector & warnings)
 {

@@ -16,6 +16,7 @@
 #include <set>
 
 #include "f1tenth_sim2d/errors.h"
+#include "loaders/files/farthest.h"
 #include "loaders/shapes/child_process.h"
 
 namespace f1tenth_sim2d
@@ -23,9 +24,6 @@ namespace f1tenth_sim2d
 namespace
 {
 using Eigen::Vector3d;
-
-/// m; farther out nothing is meant, and numbers would lose the precision that sections need.
-constexpr double kFarthestVertex = 1e5;
 
 /// What Assimp calls a file that it reads from memory, without the format.
 const std::string kNameOfMemory = "$$$___magic___$$$.";
@@ -84,7 +82,7 @@ private:
   /// Corners are told apart by place only: neighbours of unlike normals or colours meet in one vertex.
   std::uint32_t indexOf(const Vector3d & vertex)
   {
-    if (!vertex.allFinite() || vertex.cwiseAbs().maxCoeff() > kFarthestVertex) {
+    if (!vertex.allFinite() || vertex.cwiseAbs().maxCoeff() > kFarthest) {
       throw Error("has a vertex that is not finite or farther than 100 km from its origin");
     }
     const auto next = static_cast<std::uint32_t>(surface_.vertices.size());

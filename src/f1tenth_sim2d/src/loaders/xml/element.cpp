@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "f1tenth_sim2d/errors.h"
+#include "loaders/files/farthest.h"
 #include "loaders/xml/xml_document.h"
 #include "loaders/xml/xml_text.h"
 
@@ -15,8 +16,7 @@ namespace
 {
 using tinyxml2::XMLElement;
 
-constexpr double kFarthest = 1e5;  // m
-constexpr double kFastest = 1e6;   // Hz: no step is as short as a period of it
+constexpr double kFastest = 1e6;  // Hz: no step is as short as a period of it
 
 std::string toText(double value)
 {

@@ -31,6 +31,7 @@ def run(options) -> int:
     if options.repeat is not None:
         if len(options.names) != 1:
             raise ScenarioError(_REPEAT)
+        check_repeat(options)
         return run_repeatedly(options.names[0], options, settings, options.jobs)
     names = places.scenario_names() if options.all else options.names
     if len(names) == 1:
@@ -64,10 +65,13 @@ def with_report(code: int, options) -> int:
 
 
 def run_repeatedly(name: str, options, settings: Sequence[str], at_once: int = 1) -> int:
-    """Run one scenario --repeat times and print how much the results differ; returns the exit code."""
+    """Run one scenario --repeat times, which has been checked, and print how much the results differ.
+
+    Returns:
+        The exit code.
+    """
     from f1tenth_scenarios.batch.repeat import repeat
 
-    check_repeat(options)
     with StopRequest().listening() as stop:
         steady = repeat(name, options.repeat, results_of(options), settings, stop, at_once)
     return exit_code(steady, stop)

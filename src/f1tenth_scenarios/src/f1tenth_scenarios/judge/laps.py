@@ -6,11 +6,10 @@ from typing import Optional
 from f1tenth_scenarios.judge.false_start import moves_of, race_start
 from f1tenth_scenarios.judge.goal_passes import GoalPasses
 from f1tenth_scenarios.judge.judge import Judgement
-from f1tenth_scenarios.judge.start_line import LapCounter
+from f1tenth_scenarios.judge.start_line import times_of_laps
 from f1tenth_scenarios.plan.task import Task
 from f1tenth_scenarios.record.observations import RaceUpdate
-from f1tenth_scenarios.record.record import CarTrack
-from f1tenth_scenarios.scenario.scenario import Scenario, StartLine
+from f1tenth_scenarios.scenario.scenario import Scenario
 
 
 def start_of_race(
@@ -43,17 +42,10 @@ def lap_times(
         start = moves.get(car, 0.0) if signal is None or (task.laps and not task.obeys_start) else signal
         if line:
             track = judgement.record.tracks.get(car)
-            found[car] = _by_line(line, track, start) if track else []
+            found[car] = times_of_laps(line, track, start) if track else []
         else:
             found[car] = _by_goals(scenario.laps, car, judgement.passes, known, start)
     return found
-
-
-def _by_line(line: StartLine, track: CarTrack, start: float) -> list[float]:
-    counter = LapCounter(line, start)
-    for time, x, y in zip(track.time, track.x, track.y):
-        counter.update(float(time), float(x), float(y))
-    return counter.lap_times
 
 
 def _by_goals(

@@ -5,7 +5,7 @@ from typing import Optional
 import numpy as np
 
 from f1tenth_scenarios.judge.goal_passes import find_passes
-from f1tenth_scenarios.judge.start_line import LapCounter
+from f1tenth_scenarios.judge.start_line import LapCounter, times_of_laps
 from f1tenth_scenarios.plan.task import Task
 from f1tenth_scenarios.record.record import CarTrack
 from f1tenth_scenarios.scenario.criteria import Criteria
@@ -47,10 +47,7 @@ def how_far(track: CarTrack, task: Task, criteria: Criteria) -> str:
     """How far a car has driven and got with its task where its track ends, in words."""
     way = float(np.hypot(np.diff(track.x), np.diff(track.y)).sum())
     if task.line:
-        counter = LapCounter(task.line, 0.0)
-        for row in zip(track.time.tolist(), track.x.tolist(), track.y.tolist()):
-            counter.update(*row)
-        done = f"{len(counter.lap_times)} of {task.laps} laps"
+        done = f"{len(times_of_laps(task.line, track, 0.0))} of {task.laps} laps"
     else:
         passed = find_passes(track, task.goals, criteria.goal_tolerance, criteria.goal_yaw_tolerance)
         done = f"{len(passed.times)} of {passed.wanted} goals"

@@ -3,6 +3,7 @@
 import math
 from typing import Optional
 
+from f1tenth_scenarios.record.record import CarTrack
 from f1tenth_scenarios.scenario.scenario import StartLine
 
 
@@ -50,3 +51,11 @@ class LapCounter:
         if abs(before_across + part * (across - before_across)) > self._line.width / 2:
             return None
         return before_time + part * (time - before_time)
+
+
+def times_of_laps(line: StartLine, track: CarTrack, start: float) -> list[float]:
+    """How long the laps of a track took, s; `start` as of LapCounter."""
+    counter = LapCounter(line, start)
+    for row in zip(track.time.tolist(), track.x.tolist(), track.y.tolist()):
+        counter.update(*row)
+    return counter.lap_times

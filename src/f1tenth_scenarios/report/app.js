@@ -22,7 +22,7 @@ class Report {
 
   // Decoded when they are needed first.
   columns(name) {
-    if (!this.decoded.has(name)) this.decoded.set(name, decodeColumns(embedded(name)));
+    if (!this.decoded.has(name)) this.decoded.set(name, unpack(embedded(name)).then(decodeColumns));
     return this.decoded.get(name);
   }
 }
@@ -32,7 +32,7 @@ function embedded(name) {
 }
 
 async function start() {
-  const report = new Report(await decodeJson(embedded("overview")));
+  const report = new Report(await unpack(embedded("overview")));
   const main = document.getElementById("page");
   let page = null;
   const show = () => {

@@ -5,61 +5,18 @@ const F1TENTH = [-0.1186, 0.4615, -0.155, 0.155, 0.33, 0.2];
 const QUANTITIES = ["x", "y", "yaw", "speed", "clearance", "steering", "gap"];
 
 class Run {
-  constructor(columns, world = new Map()) {
-    this.columns = new Map([...columns, ...world]);
-    this.cars = this.names("cars").map((name) => new CarTrack(name, columns));
+  // `world` is that of the walls; who is only compared with another run needs none.
+  constructor({ cars, goals, lidars, bodies, global_plans: globalPlans, local_plans: localPlans, models }, world) {
+    this.cars = Object.entries(cars).map(([name, columns]) => new CarTrack(name, columns, bodies[name]));
     this.end = Math.max(0, ...this.cars.map((car) => car.end));
-    this.walls = this.shape("walls");
-    this.models = this.names("models").map((name) => this.model(name));
-    this.goals = this.names("goals").map((car) => ({ car, poses: this.poses(`goals/${car}`) }));
-    this.lidars = this.cars.filter(({ name }) => columns.has(`lidars/${name}`)).map((car) => new Lidar(car, columns.get(`lidars/${car.name}`)));
-    this.still = obstaclesOf(this.walls);
-    this.globalPlans = this.plans("global");
-    this.localPlans = this.plans("local");
-  }
-
-  // The distinct second parts of names: "cars/robot1/x" -> "robot1".
-  names(group) {
-    const found = [...this.columns.keys()].filter((key) => key.startsWith(`${group}/`));
-    const inner = found.map((key) => key.slice(group.length + 1, key.indexOf("/", group.length + 1)));
-    return group === "walls" ? [] : [...new Set(inner)];
-  }
-
-  column(name) {
-    return this.columns.get(name) ?? new Float64Array();
-  }
-
-  poses(name) {
-    const [x, y, yaw] = ["x", "y", "yaw"].map((quantity) => this.column(`${name}/${quantity}`));
-    return Array.from(x, (value, index) => ({ x: value, y: y[index], yaw: yaw[index] }));
-  }
-
-  lines(name) {
-    const [x, y] = [this.column(`${name}/x`), this.column(`${name}/y`)];
-    let start = 0;
-    return Array.from(this.column(`${name}/length`), (length) => {
-      const line = { x: x.subarray(start, start + length), y: y.subarray(start, start + length) };
-      start += length;
-      return line;
-    });
-  }
-
-  shape(name) {
-    const flat = this.column(`${name}/circles`);
-    const circles = [];
-    for (let index = 0; index + 2 < flat.length; index += 3) {
-      circles.push({ x: flat[index], y: flat[index + 1], radius: flat[index + 2] });
+    this.goals = goals.map(rowsOf);
+    this.lidars = this.cars.filter(({ name }) => lidars[name]).map((car) => new Lidar(car, lidars[car.name]));
+    this.models = models.map(({ time, poses, shape }) => ({ time, poses: rowsOf(poses), shape: shapeOf(shape) }));
+    Object.assign(this, { globalPlans, localPlans });
+    if (world) {
+      this.walls = shapeOf(world.walls);
+      this.still = obstaclesOf(this.walls);
     }
-    return { outlines: this.lines(`${name}/outlines`), circles };
-  }
-
-  model(name) {
-    return {
-      name,
-      time: this.column(`models/${name}/time`),
-      poses: this.poses(`models/${name}`),
-      shape: this.shape(`models/${name}`),
-    };
   }
 
   modelPose(model, time) {
@@ -73,24 +30,13 @@ class Run {
     const all = [this.still, ...models, ...others];
     return { segments: all.flatMap(({ segments }) => segments), circles: all.flatMap(({ circles }) => circles) };
   }
-
-  plans(kind) {
-    return this.names(`plans/${kind}`).map((car) => ({
-      car,
-      time: this.column(`plans/${kind}/${car}/time`),
-      lines: this.lines(`plans/${kind}/${car}`),
-    }));
-  }
 }
 
 class CarTrack {
-  constructor(name, columns) {
+  constructor(name, columns, [rear, front, right, left, wheelbase, track] = F1TENTH) {
     this.name = name;
-    for (const quantity of ["time", ...QUANTITIES]) {
-      this[quantity] = columns.get(`cars/${name}/${quantity}`) ?? new Float64Array();
-    }
+    for (const quantity of ["time", ...QUANTITIES]) this[quantity] = columns[quantity] ?? new Float64Array();
     this.end = this.time.length ? this.time[this.time.length - 1] : 0;
-    const [rear, front, right, left, wheelbase, track] = columns.get(`bodies/${name}`) ?? F1TENTH;
     this.body = { rear, front, right, left, wheelbase, track };
   }
 
@@ -112,6 +58,16 @@ class CarTrack {
     }
     return state;
   }
+}
+
+// A table's columns of equal length as one object per row.
+function rowsOf(table) {
+  const names = Object.keys(table);
+  return Array.from(table[names[0]], (_, index) => Object.fromEntries(names.map((name) => [name, table[name][index]])));
+}
+
+function shapeOf({ outlines, circles }) {
+  return { outlines, circles: rowsOf(circles) };
 }
 
 // How many of the ascending times are not after a time.

@@ -88,7 +88,7 @@ class View {
 
   drawMarks(painter) {
     const drawn = new Set();
-    for (const { poses } of this.run.goals) {
+    for (const poses of this.run.goals) {
       poses.forEach(({ x, y }, index) => {
         const place = `${x} ${y}`;
         if (!drawn.has(place)) painter.marker(x, y, 8.5, this.colours.goal, String(index + 1));

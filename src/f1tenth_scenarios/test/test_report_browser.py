@@ -209,8 +209,8 @@ def test_lidar_meets_walls_models_and_cars(window, report):
 
 
 SIZES = """
-const truck = new Map([["bodies/truck", [-0.13, 0.57, -0.18, 0.18, 0.42, 0.26]]]);
-return ["truck", "robot1"].map((name) => new CarTrack(name, truck).shape.outlines[0].x.slice(0, 2));
+const truck = [-0.13, 0.57, -0.18, 0.18, 0.42, 0.26];
+return [truck, undefined].map((body) => new CarTrack("robot1", {}, body).shape.outlines[0].x.slice(0, 2));
 """
 
 

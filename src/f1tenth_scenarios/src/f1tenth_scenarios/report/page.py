@@ -8,7 +8,7 @@ from typing import Optional
 from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.errors import writing
 from f1tenth_scenarios.report.content import RunContent, read_results
-from f1tenth_scenarios.report.packing import pack_json
+from f1tenth_scenarios.report.packing import pack
 
 # In this order, because each uses what stands before it.
 _SCRIPTS = (
@@ -81,7 +81,7 @@ def _template(runs: list[RunContent], assets: Path) -> str:
     }
     parts = {
         "<!-- STYLE -->": f"<style>\n{_read(assets / 'report.css')}</style>",
-        "<!-- OVERVIEW -->": _data("overview", pack_json(overview)),
+        "<!-- OVERVIEW -->": _data("overview", pack(overview)),
         "<!-- SCRIPTS -->": _scripts(assets),
     }
     text = _read(assets / "report.html")

@@ -1,6 +1,7 @@
 """A run as columns, in m, rad, s and m/s. Their names are the contract with `run.js`."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -8,47 +9,29 @@ from numpy.typing import ArrayLike
 from f1tenth_scenarios.record.record import CarTrack, Record
 from f1tenth_scenarios.record.replay import Paths, Replay, Shape
 from f1tenth_scenarios.report.gaps import gaps_to_leader
-from f1tenth_scenarios.report.packing import Packer
+from f1tenth_scenarios.report.packing import column, pack
 
 _TIME, _LENGTH, _PLAN, _ANGLE, _SPEED, _FINE = 0.001, 0.01, 0.02, 0.005, 0.02, 0.001  # quanta
 _STEP, _GHOST_STEP = 0.05, 0.1  # s, between two places of a car, of this run and of the one before
 _PLAN_STEP = 0.2  # s, between two plans
-_PLAN_POINTS = {"global": 20, "local": 8}  # of a plan, at most
+_GLOBAL_POINTS, _LOCAL_POINTS = 20, 8  # of a plan, at most
 _THUMBNAIL_POINTS = 50  # of a car's path, at most
+_POSE = ("x", "y", "yaw")
 
 
 def pack_run(record: Record, replay: Replay) -> str:
     """Everything that a replay draws, but the walls."""
-    packer = Packer()
-    _add_tracks(packer, record, _STEP, gaps_to_leader(record, replay.road))
-    for car, goals in replay.goals.items():
-        _add_poses(packer, f"goals/{car}", goals)
-    for car, lidar in replay.lidars.items():
-        packer.add(f"lidars/{car}", lidar, 1e-6)
-    for car, body in replay.bodies.items():
-        packer.add(f"bodies/{car}", body, _FINE)
-    for kind, plans in (("global", replay.global_plans), ("local", replay.local_plans)):
-        for car, paths in plans.items():
-            _add_plans(packer, f"plans/{kind}/{car}", paths, _PLAN_POINTS[kind])
-    for name, poses in replay.models.items():
-        packer.add(f"models/{name}/time", poses.stamps, _TIME)
-        _add_poses(packer, f"models/{name}", poses.values)
-        _add_shape(packer, f"models/{name}", poses.shape)
-    return packer.pack()
+    return pack(_run(record, replay, _STEP))
 
 
 def pack_world(replay: Replay) -> str:
     """What runs in the same world share: the walls."""
-    packer = Packer()
-    _add_shape(packer, "walls", replay.walls)
-    return packer.pack()
+    return pack({"walls": _shape(replay.walls)})
 
 
 def pack_tracks(record: Record) -> str:
     """Only what the cars did: enough for the other run of a comparison."""
-    packer = Packer()
-    _add_tracks(packer, record, _GHOST_STEP, {})
-    return packer.pack()
+    return pack(_run(record, Replay(), _GHOST_STEP))
 
 
 def thumbnail(record: Record) -> list[list[list[float]]]:
@@ -57,22 +40,42 @@ def thumbnail(record: Record) -> list[list[list[float]]]:
 
 
 def _thinned(track: CarTrack) -> list[list[float]]:
-    chosen = np.unique(np.linspace(0, len(track.time) - 1, _THUMBNAIL_POINTS).astype(int))
-    return np.round(np.column_stack([track.x, track.y])[chosen], 1).tolist()
+    points = np.column_stack([track.x, track.y])
+    return np.round(points[_spread(len(points), _THUMBNAIL_POINTS)], 1).tolist()
 
 
-def _add_tracks(packer, record: Record, step: float, gaps: Mapping[str, np.ndarray]) -> None:
-    for car, track in record.tracks.items():
-        kept = _every(track.time, step)
-        packer.add(f"cars/{car}/time", track.time[kept], _TIME)
-        packer.add(f"cars/{car}/x", track.x[kept], _LENGTH, order=2)
-        packer.add(f"cars/{car}/y", track.y[kept], _LENGTH, order=2)
-        packer.add(f"cars/{car}/yaw", np.unwrap(track.yaw)[kept], _ANGLE)
-        packer.add(f"cars/{car}/speed", track.v_x[kept], _SPEED)
-        packer.add(f"cars/{car}/clearance", _least(track.clearance, kept), _LENGTH)
-        packer.add(f"cars/{car}/steering", track.steering_angle[kept], _ANGLE)
-        if car in gaps:
-            packer.add(f"cars/{car}/gap", gaps[car][kept], 0.05)
+def _run(record: Record, replay: Replay, step: float) -> dict[str, Any]:
+    gaps = gaps_to_leader(record, replay.road)
+    return {
+        "cars": {car: _track(track, step, gaps.get(car)) for car, track in record.tracks.items()},
+        "goals": [_table(goals, _POSE, _FINE) for goals in replay.goals.values()],
+        "lidars": {car: column(lidar, 1e-6) for car, lidar in replay.lidars.items()},
+        "bodies": {car: column(body, _FINE) for car, body in replay.bodies.items()},
+        "global_plans": [_plans(paths, _GLOBAL_POINTS) for paths in replay.global_plans.values()],
+        "local_plans": [_plans(paths, _LOCAL_POINTS) for paths in replay.local_plans.values()],
+        "models": [
+            {
+                "time": column(poses.stamps, _TIME),
+                "poses": _table(poses.values, _POSE, _FINE),
+                "shape": _shape(poses.shape),
+            }
+            for poses in replay.models.values()
+        ],
+    }
+
+
+def _track(track: CarTrack, step: float, gaps: Optional[np.ndarray]) -> dict[str, list[float]]:
+    kept = _every(track.time, step)
+    columns = {
+        "time": column(track.time[kept], _TIME),
+        "x": column(track.x[kept], _LENGTH),
+        "y": column(track.y[kept], _LENGTH),
+        "yaw": column(np.unwrap(track.yaw)[kept], _ANGLE),
+        "speed": column(track.v_x[kept], _SPEED),
+        "clearance": column(_least(track.clearance, kept), _LENGTH),
+        "steering": column(track.steering_angle[kept], _ANGLE),
+    }
+    return columns if gaps is None else {**columns, "gap": column(gaps[kept], 0.05)}
 
 
 def _every(stamps: ArrayLike, step: float) -> np.ndarray:
@@ -84,36 +87,34 @@ def _every(stamps: ArrayLike, step: float) -> np.ndarray:
     return np.unique(np.append(first, len(times) - 1))
 
 
+def _spread(count: int, most: int) -> np.ndarray:
+    """Which of so many points are kept: the first, the last and some evenly in between."""
+    return np.unique(np.linspace(0, max(count - 1, 0), most).astype(int))[:count]
+
+
 def _least(values: np.ndarray, kept: np.ndarray) -> np.ndarray:
     """The least of the values since the one kept before, so that none is lost."""
     starts = np.append([0], kept[:-1] + 1)
     return np.array([values[start : end + 1].min() for start, end in zip(starts, kept)])
 
 
-def _add_poses(packer, name: str, poses: Sequence) -> None:
-    table = np.array(poses, dtype=float).reshape(-1, 3)
-    for column, quantity in enumerate(("x", "y", "yaw")):
-        packer.add(f"{name}/{quantity}", table[:, column], _FINE)
-
-
-def _add_plans(packer, name: str, paths: Paths, points: int) -> None:
+def _plans(paths: Paths, points: int) -> dict[str, Any]:
     kept = _every(paths.stamps, _PLAN_STEP)
-    packer.add(f"{name}/time", np.asarray(paths.stamps)[kept], _TIME)
-    _add_lines(packer, name, [_few(paths.values[index], points) for index in kept], _PLAN, order=2)
+    lines = [np.array(paths.values[index])[_spread(len(paths.values[index]), points)] for index in kept]
+    return {"time": column(np.asarray(paths.stamps)[kept], _TIME), "lines": _lines(lines, _PLAN)}
 
 
-def _few(line: Sequence, most: int) -> Sequence:
-    chosen = np.unique(np.linspace(0, len(line) - 1, most).astype(int)) if len(line) else []
-    return [line[index] for index in chosen]
+def _shape(shape: Shape) -> dict[str, Any]:
+    return {
+        "outlines": _lines(shape.outlines, _FINE),
+        "circles": _table(shape.circles, ("x", "y", "radius"), _FINE),
+    }
 
 
-def _add_shape(packer, name: str, shape: Shape) -> None:
-    _add_lines(packer, f"{name}/outlines", shape.outlines, _FINE, order=1)
-    packer.add(f"{name}/circles", np.array(shape.circles, dtype=float), _FINE, 3)
+def _lines(lines: Sequence[ArrayLike], quantum: float) -> list[dict[str, list[float]]]:
+    return [_table(line, ("x", "y"), quantum) for line in lines]
 
 
-def _add_lines(packer, name: str, lines: Sequence, quantum: float, order: int) -> None:
-    table = np.array([point for line in lines for point in line], dtype=float).reshape(-1, 2)
-    packer.add(f"{name}/length", [len(line) for line in lines], 1)
-    packer.add(f"{name}/x", table[:, 0], quantum, order=order)
-    packer.add(f"{name}/y", table[:, 1], quantum, order=order)
+def _table(rows: ArrayLike, names: Sequence[str], quantum: float) -> dict[str, list[float]]:
+    values = np.array(rows, dtype=float).reshape(-1, len(names))
+    return {name: column(values[:, index], quantum) for index, name in enumerate(names)}

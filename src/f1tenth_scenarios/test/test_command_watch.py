@@ -6,9 +6,9 @@ from f1tenth_scenarios.run.diagnosis.command_watch import CommandCount, CommandW
 NAN = "speed is nan"
 
 
-def problems(*counts, cars=("robot1",), done=()):
+def problems(*counts, cars=("robot1",), done=(), load=0.0):
     """Of counts (stamp, accepted, refused) of robot1, with a silence of 10 s."""
-    watch = CommandWatch(cars, 10.0)
+    watch = CommandWatch(cars, 10.0, load)
     for stamp, accepted, refused in counts:
         watch.take(CommandCount(stamp, "robot1", accepted, refused, NAN if refused else ""))
     return [(each.car, each.text, each.stamp, each.is_mute) for each in watch.problems(set(done))]
@@ -22,6 +22,15 @@ def test_driver_that_never_speaks_is_silent():
     text = "has sent no command at all for 10 s of simulated time (limits.silence)"
     assert problems((9.0, 0, 0)) == []
     assert problems((9.0, 0, 0), (10.0, 0, 0)) == [("robot1", text, 10.0, True)]
+
+
+def test_driver_may_load_before_it_speaks():
+    text = "has sent no command at all for 30 s of simulated time (limits.load)"
+    assert problems((29.0, 0, 0), load=30.0) == []
+    assert problems((30.0, 0, 0), load=30.0) == [("robot1", text, 30.0, True)]
+    assert problems((30.0, 0, 0), load=5.0)[0][1].endswith("(limits.silence)")
+    text = "has sent no command for 10 s of simulated time (limits.silence), none since 25 s"
+    assert problems((25.0, 5, 0), (35.0, 5, 0), load=30.0) == [("robot1", text, 35.0, False)]
 
 
 def test_driver_that_falls_silent_is_noticed():

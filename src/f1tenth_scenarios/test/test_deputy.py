@@ -11,9 +11,9 @@ import time
 import pytest
 from f1tenth_scenarios.drivers import deputy
 from f1tenth_scenarios.drivers.deputy import Deputy
-from f1tenth_scenarios.errors import MisfitError
+from f1tenth_scenarios.errors import MisfitError, RestlessError
 
-PATIENCE = 1.0  # s
+PATIENCE = 1.0  # s, for both
 MARK = "F1TENTH_TEST_DRIVER=robot1 of a test"
 IDLE = "print('ready', flush=True); import time; time.sleep(600)"
 LOADING = """
@@ -28,6 +28,12 @@ import subprocess, sys
 print('ready', flush=True)
 sys.stdin.readline()
 subprocess.run([sys.executable, '-c', 'while True: pass'])
+"""
+TURNING_BUSY = """
+import sys
+print('ready', flush=True)
+sys.stdin.readline()
+while True: pass
 """
 BUSY = "print('ready', flush=True)\nwhile True: pass"
 
@@ -113,7 +119,7 @@ def hurried(monkeypatch):
 def test_scan_comes_before_the_time(driver):
     driver()
     world = FakeWorld()
-    Deputy(world, MARK, PATIENCE).act("now")
+    Deputy(world, MARK, PATIENCE, PATIENCE).act("now")
     assert world.done == ["scan", "now"]
 
 
@@ -124,7 +130,7 @@ def test_nothing_comes_before_all_have_loaded_and_connected(driver, hurried):
     one_is_missing = {("topic", "publisher", "subscriber")}
     world.looks = [one_is_missing, one_is_missing, set()]
     began = time.monotonic()
-    Deputy(world, MARK, 30.0).begin()
+    Deputy(world, MARK, PATIENCE, 30.0).begin()
     assert time.monotonic() - began > deputy._LOADING
     assert (world.done, world.states, world.looks) == ([], ["two"], [set()])
 
@@ -135,7 +141,7 @@ def test_who_listens_late_is_not_taken_to_spin(driver, hurried):
     world.states = ["none", "one"]
     listens_late = threading.Timer(0.35, setattr, (world, "listens", True))
     listens_late.start()
-    Deputy(world, MARK, 30.0).begin()
+    Deputy(world, MARK, PATIENCE, 30.0).begin()
     listens_late.join()
     assert world.states == ["one"]  # it has been waited for
 
@@ -145,7 +151,7 @@ def test_connection_that_never_comes_about_is_waited_for_once(driver, monkeypatc
     driver()
     world = FakeWorld()
     world.looks = [{("topic", "publisher", "subscriber")}]
-    one = Deputy(world, MARK, 30.0)
+    one = Deputy(world, MARK, PATIENCE, 30.0)
     one.begin()
     world.states = ["other"]
     began = time.monotonic()
@@ -158,7 +164,7 @@ def test_who_waits_for_the_master_is_not_at_rest(driver, hurried):
     world = FakeWorld(before=0)
     world.helper = driver(LOADING).pid
     began = time.monotonic()
-    Deputy(world, MARK, 30.0).begin()
+    Deputy(world, MARK, PATIENCE, 30.0).begin()
     assert time.monotonic() - began > deputy._LOADING
 
 
@@ -166,7 +172,7 @@ def test_who_waits_for_a_process_just_started_is_not_at_rest(driver, hurried, mo
     monkeypatch.setattr(deputy, "_SEARCH_INTERVAL", 1e6)
     process = driver(STARTING)
     world = FakeWorld(before=0, listens=False)
-    one = Deputy(world, MARK, PATIENCE)
+    one = Deputy(world, MARK, PATIENCE, PATIENCE)
     one.begin()
     process.stdin.write("start\n")
     process.stdin.flush()
@@ -178,7 +184,7 @@ def test_who_waits_for_a_process_just_started_is_not_at_rest(driver, hurried, mo
 def test_who_spins_is_not_given_more_time_for_it_twice(driver, hurried):
     driver(BUSY)
     world = FakeWorld(before=0)
-    one = Deputy(world, MARK, PATIENCE)
+    one = Deputy(world, MARK, PATIENCE, PATIENCE)
     began = time.monotonic()
     one.begin()
     with pytest.raises(MisfitError):
@@ -190,7 +196,7 @@ def test_who_spins_is_not_given_more_time_for_it_twice(driver, hurried):
 def test_driver_that_fits_has_started_up_after_some_periods(driver):
     driver()
     world = FakeWorld()
-    one = Deputy(world, MARK, PATIENCE)
+    one = Deputy(world, MARK, PATIENCE, PATIENCE)
     for period in range(40):
         one.act(period)
     assert world.done[-2:] == ["scan", 39]
@@ -199,7 +205,7 @@ def test_driver_that_fits_has_started_up_after_some_periods(driver):
 def calm_deputy(world):
     """One whose driver has neither connected nor sent a command for a while, and how long it sleeps."""
     slept = []
-    one = Deputy(world, MARK, PATIENCE, sleep=slept.append)
+    one = Deputy(world, MARK, PATIENCE, PATIENCE, sleep=slept.append)
     one.act(0)  # in which the connections are new
     for period in range(deputy._CALM_PERIODS):
         one.act(period)
@@ -249,7 +255,7 @@ def test_who_does_something_late_is_looked_at_closely_again(driver, monkeypatch,
 
 def test_who_sends_commands_while_time_stands_still_does_not_fit(driver):
     driver()
-    one = Deputy(FakeWorld(before=0, after=1), MARK, PATIENCE)
+    one = Deputy(FakeWorld(before=0, after=1), MARK, PATIENCE, PATIENCE)
     one.act(0)
     one.act(1)
     with pytest.raises(MisfitError, match="by the wall clock, while simulated time stands still"):
@@ -259,14 +265,14 @@ def test_who_sends_commands_while_time_stands_still_does_not_fit(driver):
 def test_who_never_rests_does_not_fit_once_it_sends_commands(driver, hurried):
     driver(BUSY)
     with pytest.raises(MisfitError, match="but its threads do not come to rest within 0.2 s; sleep with"):
-        Deputy(FakeWorld(), MARK, PATIENCE).act("now")
+        Deputy(FakeWorld(), MARK, PATIENCE, PATIENCE).act("now")
 
 
 def test_who_never_rests_gets_a_scan_but_no_time(driver, hurried):
     driver(BUSY)
     world = FakeWorld(before=0)
     with pytest.raises(MisfitError, match="do not come to rest within 1 s; sleep with rospy.Rate in its "):
-        Deputy(world, MARK, PATIENCE).act("now")
+        Deputy(world, MARK, PATIENCE, PATIENCE).act("now")
     assert world.done == ["scan"]
 
 
@@ -274,7 +280,7 @@ def test_no_scan_is_lost_on_who_has_not_subscribed_yet(driver, hurried):
     driver(BUSY)
     world = FakeWorld(before=0, listens=False)
     with pytest.raises(MisfitError):
-        Deputy(world, MARK, PATIENCE).act("now")
+        Deputy(world, MARK, PATIENCE, PATIENCE).act("now")
     assert world.done == []
 
 
@@ -282,7 +288,7 @@ def test_time_waits_for_who_loads_long(driver, hurried):
     driver(LOADING)
     world = FakeWorld(before=0, listens=False)
     began = time.monotonic()
-    Deputy(world, MARK, 30.0).act("now")
+    Deputy(world, MARK, PATIENCE, 30.0).act("now")
     assert world.done == ["scan", "now"]
     assert time.monotonic() - began > deputy._LOADING
 
@@ -290,14 +296,26 @@ def test_time_waits_for_who_loads_long(driver, hurried):
 def test_who_has_loaded_long_may_answer_just_before_it_rests(driver, hurried, monkeypatch):
     monkeypatch.setattr(deputy, "_SPINNING", 5.0)
     driver(LOADING)
-    Deputy(FakeWorld(), MARK, 30.0).act("now")
+    Deputy(FakeWorld(), MARK, PATIENCE, 30.0).act("now")
+
+
+def test_who_drives_and_then_never_rests_is_given_up(driver):
+    process = driver(TURNING_BUSY)
+    one = Deputy(FakeWorld(), MARK, PATIENCE, 30.0)
+    for period in range(40):
+        one.act(period)
+    process.stdin.write("start\n")
+    process.stdin.flush()
+    time.sleep(0.1)
+    with pytest.raises(RestlessError, match="the driver has not come to rest within 1 s"):
+        one.act("later")
 
 
 def test_time_stands_still_once_when_a_process_has_ended(driver):
     slept = []
     driver()
     victim = driver()
-    one = Deputy(FakeWorld(), MARK, PATIENCE, sleep=slept.append)
+    one = Deputy(FakeWorld(), MARK, PATIENCE, PATIENCE, sleep=slept.append)
     one.act(0)
     victim.kill()
     victim.wait()

@@ -123,6 +123,12 @@ def test_planner_that_goes_by_the_wall_clock_is_run_in_real_time_and_that_is_sai
     assert f"note:              {note}, while simulated time stands still\n" in said
 
 
+def test_planner_that_computes_for_long_before_its_first_command_is_waited_for(judged):
+    limits = ("--set", "limits.answer=3", "--set", "limits.silence=1", "--set", "limits.timeout=2")
+    result, _ = judged("--arg", "how:=compiles_in_callback", *limits)
+    assert (result["verdict"], result["lockstep"], result["note"]) == ("timeout", True, "")
+
+
 def test_drivers_of_two_cars_that_hear_each_other_are_no_verdict_on_either(judged):
     result, _ = judged("--arg", "how:=hears_everybody", "--planner", str(LAUNCH))
     assert result["reason"] == (

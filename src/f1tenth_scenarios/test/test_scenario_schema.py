@@ -84,7 +84,7 @@ ANSWERS = {
     "missing key inside": (
         "timeout: 10.0",
         "wall: 10.0",
-        "FILE:7: missing key 'timeout' in limits; allowed: timeout, answer, silence, wall",
+        "FILE:7: missing key 'timeout' in limits; allowed: timeout, answer, load, silence, wall",
     ),
     "twice": ("seed: 1", "seed: 1\nseed: 2", "FILE:10: key 'seed' is given twice, first in line 9"),
     "no number": ("10.0", "soon", "FILE:7: limits.timeout must be a number (s), found 'soon'"),
@@ -111,7 +111,7 @@ ANSWERS = {
     "no mapping": (
         "limits:\n  timeout: 10.0",
         "limits: 10",
-        "FILE:6: limits must be a mapping with the keys timeout, answer, silence, wall, found '10'",
+        "FILE:6: limits must be a mapping with the keys timeout, answer, load, silence, wall, found '10'",
     ),
     "no list": (
         "cars:\n  - name: robot1\n    goals: circuit1",

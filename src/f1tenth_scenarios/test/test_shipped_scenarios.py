@@ -65,8 +65,10 @@ def test_launch_file_hands_the_scenario_to_the_simulator(plan):
     assert parameters["/sim2d/world"] == str(plan.run_world)
     assert parameters["/sim2d/participants"] == participants(plan)
     assert parameters["/sim2d/lockstep"] is plan.scenario.lockstep
-    assert parameters["/sim2d/lockstep_timeout"] == plan.scenario.limits.answer
-    assert parameters["/sim2d/lockstep_startup_timeout"] == 60.0 + plan.scenario.limits.answer
+    limits = plan.scenario.limits
+    timeout = limits.answer + (limits.load if "/robot1/deputy/loading" in parameters else 0.0)
+    assert parameters["/sim2d/lockstep_timeout"] == timeout
+    assert parameters["/sim2d/lockstep_startup_timeout"] == 60.0 + timeout
     assert parameters["/sim2d/seed"] == plan.scenario.seed
     assert parameters["/sim2d/record"] == str(plan.record_file)
     assert parameters["/sim2d/result_file"] == str(plan.simulator_result_file)

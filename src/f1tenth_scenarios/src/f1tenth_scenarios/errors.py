@@ -17,6 +17,10 @@ class MisfitError(Exception):
     """A car's driver turned out not to fit lockstep; the message says which and why."""
 
 
+class RestlessError(Exception):
+    """A driver that has started up does not come to rest any more."""
+
+
 @contextlib.contextmanager
 def as_scenario_error(*kinds: type[Exception]) -> Iterator[None]:
     """Raise what another package says of a user's mistake as a ScenarioError."""

@@ -70,6 +70,21 @@ def hangs_in_callback(publisher):
     rospy.spin()
 
 
+def compiles_in_callback(publisher):
+    """As numba does: only the first scan takes long."""
+    compiled = []
+
+    def answer(_scan):
+        end = time.process_time() + 6.0
+        while not compiled and time.process_time() < end:
+            pass
+        compiled.append(True)
+        publisher.publish(command(0.5))
+
+    rospy.Subscriber("scan", LaserScan, answer, queue_size=1)
+    rospy.spin()
+
+
 def sends_elsewhere(publisher):
     publisher.unregister()
     elsewhere = rospy.Publisher("/nav", AckermannDriveStamped, queue_size=1)

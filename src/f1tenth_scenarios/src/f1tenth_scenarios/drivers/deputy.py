@@ -12,13 +12,14 @@ import time
 from typing import Any, Callable, Optional
 
 from f1tenth_scenarios.drivers.rest import Rest, has_ended, marked_processes
-from f1tenth_scenarios.errors import MisfitError
+from f1tenth_scenarios.errors import MisfitError, RestlessError
 
 _LOOK_INTERVAL = 2e-4  # wall s, between two looks at the threads
 _CONNECTION_INTERVAL = 0.01  # wall s, between two looks at its connections
 _SEARCH_INTERVAL = 0.25  # wall s, between two searches for processes
 _NOTICING = 0.5  # wall s, for which time stands still when a process has ended, so that the runner notices it
-EXIT_MISFIT = 4  # exit code of a deputy whose driver does not fit
+# Exit codes of a deputy whose driver does not fit, or does not come to rest any more.
+EXIT_MISFIT, EXIT_RESTLESS = 4, 5
 # While the driver starts up:
 _PACE = 0.025  # wall s per period at least: who waits by the wall clock is not overtaken
 _CONNECTING = 0.3  # wall s without a change at the master, after which nobody is about to connect
@@ -39,6 +40,7 @@ class Deputy:
         world: Any,
         mark: str,
         patience: float,
+        loading: float,
         clock: Callable[[], float] = time.monotonic,
         sleep: Callable[[float], None] = time.sleep,
     ):
@@ -47,12 +49,14 @@ class Deputy:
         Args:
             world: what it sees and does in ROS, the RosWorld of the script `deputy`.
             mark: NAME=VALUE in the environment of the driver's processes.
-            patience: within which the driver must come to rest in a period while it starts up; wall s.
+            patience: within which the driver must come to rest in a period; wall s.
+            loading: the same while it starts up.
             clock, sleep: wall time, s.
         """
         self._world = world
         self._mark = mark
         self._patience = patience
+        self._loading = loading
         self._clock = clock
         self._sleep = sleep
         self._began = clock()  # the current period, or the one since which there was no rest
@@ -81,6 +85,7 @@ class Deputy:
 
         Raises:
             MisfitError: while it starts up, the driver does not come to rest, or not go by simulated time.
+            RestlessError: later, it does not come to rest.
         """
         if not self._is_restless:
             self._began = self._clock()
@@ -107,10 +112,12 @@ class Deputy:
         while not self._is_at_rest() and not self._world.is_over():
             waited = self._clock() - self._began
             has_listened = self._start is not None and self._has_listened()
+            if not self._start and waited > self._patience:
+                raise RestlessError(f"the driver has not come to rest within {self._patience:g} s")
             if self._start and waited > _LOADING:
                 self._start.check_restless(self._world.commands(), waited)
-                if waited > self._patience:
-                    raise MisfitError(_RESTLESS.format(self._patience))
+                if waited > self._loading:
+                    raise MisfitError(_RESTLESS.format(self._loading))
                 if may_spin and has_listened:
                     self._is_restless = True
                     return

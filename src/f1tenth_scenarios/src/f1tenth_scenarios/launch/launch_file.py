@@ -43,7 +43,6 @@ F1TENTH_OWN = {
     "/ego_racecar/odom": "perfect_odom",
 }
 _TWIST = "cmd_vel"  # where the F1/10 car takes geometry_msgs/Twist
-_PATIENCE = 0.8  # of limits.answer: a deputy must say what it found before it is given up itself
 _F1TENTH_OPPONENT = {"/opp_scan": "scan", "/opp_drive": "drive", "/opp_racecar/odom": "perfect_odom"}
 
 
@@ -88,7 +87,7 @@ def _shared_arguments(plan: Plan) -> dict[str, Any]:
         "map_file": plan.place.map or "",
         "lockstep": scenario.lockstep,
         "participants": f"[{', '.join(participants(plan))}]",
-        "lockstep_timeout": scenario.limits.answer,
+        "lockstep_timeout": _lockstep_timeout(plan),
         "real_time_factor": scenario.real_time_factor,
         "seed": scenario.seed,
         "record": plan.record_file,
@@ -97,6 +96,12 @@ def _shared_arguments(plan: Plan) -> dict[str, Any]:
         "race": plan.has_countdown,
         "time_to_start": scenario.time_to_start,
     }
+
+
+def _lockstep_timeout(plan: Plan) -> float:
+    """Longer than a deputy's patience, as it must say what it found before it is given up itself."""
+    limits = plan.scenario.limits
+    return limits.answer + (limits.load if any(has_deputy(plan, car) for car in plan.cars) else 0.0)
 
 
 def _car_arguments(plan: Plan, car: Car) -> dict[str, Any]:
@@ -125,7 +130,8 @@ def _deputy_arguments(plan: Plan, car: Car) -> dict[str, Any]:
     return {
         "car_name": car.name,
         "driver_mark": "=".join(_driver_mark(plan, car)),
-        "driver_patience": _PATIENCE * plan.scenario.limits.answer,
+        "driver_patience": plan.scenario.limits.answer,
+        "driver_loading": plan.scenario.limits.load,
         "scan_topic": input_topics(plan, car)[Input.SCAN],
         "localization": plan.scenario.localization.value,
     }

@@ -49,6 +49,12 @@ def _steady_cars(plan: Plan) -> list[str]:
     ]
 
 
+def _time_to_load(plan: Plan) -> float:
+    """Simulated time (s) for which a driver may load: none in lockstep, where time waits for it."""
+    scenario = plan.scenario
+    return 0.0 if scenario.lockstep else scenario.limits.load * scenario.real_time_factor
+
+
 class RosWatch:
     """Listens to race_status and collision, and breaks what is to be broken. Needs a running rospy node."""
 
@@ -57,7 +63,7 @@ class RosWatch:
         self._cars = list(plan.cars)
         self._updates: queue.SimpleQueue = queue.SimpleQueue()
         self._counts: queue.SimpleQueue = queue.SimpleQueue()
-        self._commands = CommandWatch(_steady_cars(plan), plan.scenario.limits.silence)
+        self._commands = CommandWatch(_steady_cars(plan), plan.scenario.limits.silence, _time_to_load(plan))
         self._subscribers = [self._subscribe(car) for car in self._cars]
         self._collided: set[str] = set()
         self._subscribers += [self._subscribe_collision(car) for car in self._cars]

@@ -72,6 +72,13 @@ class Limits:
         above=0,
         default=20.0,
     )
+    load: float = key(
+        "Wall time for which a driver may compute in a control period while it starts up, as numba and torch do;"
+        " without lockstep, for which it may send no command at first.",
+        unit="s",
+        above=0,
+        default=100.0,
+    )
     silence: float = key(
         "Simulated time for which a driver may send no command at all; `race` may stand as long as it likes.",
         unit="s",

@@ -31,9 +31,10 @@ class Problem(NamedTuple):
 class CommandWatch:
     """Follows the counts of some cars, each with a steady rate."""
 
-    def __init__(self, cars: Iterable[str], silence: float):
-        """`silence`: simulated time (s) without any command that a driver may let pass."""
+    def __init__(self, cars: Iterable[str], silence: float, load: float = 0.0):
+        """Simulated times (s) without any command that a driver may let pass; `load`: if more, at first."""
         self._silence = silence
+        self._load = load
         self._last: dict[str, Optional[CommandCount]] = dict.fromkeys(cars)
         self._heard: dict[str, float] = dict.fromkeys(self._last, 0.0)
         self._nonsense: dict[str, int] = dict.fromkeys(self._last, 0)
@@ -66,7 +67,9 @@ class CommandWatch:
             return f"sends only commands that the simulator refuses (at {count.stamp:g} s): {count.refusal}"
         last = self._heard[count.car]
         quiet = count.stamp - last
-        if quiet < self._silence:
+        loads = not last and self._load > self._silence
+        if quiet < (self._load if loads else self._silence):
             return ""
         never, since = (" at all", "") if not last else ("", f", none since {last:g} s")
-        return f"has sent no command{never} for {quiet:g} s of simulated time (limits.silence){since}"
+        limit = "load" if loads else "silence"
+        return f"has sent no command{never} for {quiet:g} s of simulated time (limits.{limit}){since}"

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Optional
 
+from f1tenth_scenarios.drivers.deputy import EXIT_RESTLESS
 from f1tenth_scenarios.plan.participants import DEPUTY, driver_nodes_among
 from f1tenth_scenarios.plan.plan import Plan
 from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
@@ -43,11 +44,11 @@ def failure_of(plan: Plan, signs: Signs) -> Failure:
     """Name who cannot go on, else whom the simulator waited for, else the simulator, else who ended first."""
     participant, error = signs.simulator.get("participant"), signs.simulator.get("error")
     by_name = {end.node: end for end in reversed(signs.ends)}
-    dead = participant in by_name or (signs.ends and not participant)
+    restless = next((car for car in plan.cars if _gave_its_driver_up(by_name.get(f"{car}/{DEPUTY}"))), None)
+    dead = not restless and (participant in by_name or (signs.ends and not participant))
     if signs.hindered and not dead:
         return _node_failure(plan, NodeEnd(signs.hindered[0], 0), signs.hindered[1])
-    restless = next((car for car in plan.cars if participant == f"{car}/{DEPUTY}"), None)
-    if restless and participant not in by_name:
+    if restless:
         nodes = driver_nodes_among(restless, signs.started)
         return failure_of_driver(plan, restless, nodes, _RESTLESS.format(plan.scenario.limits.answer))
     if participant in by_name:
@@ -64,6 +65,10 @@ def failure_of(plan: Plan, signs: Signs) -> Failure:
     why = "" if signs.started else _why_nothing_starts(said)
     reason = f"ended with exit code {signs.exit_code}{why}"
     return Failure("roslaunch", reason, str(plan.launch_log), tuple(said[-LINE_COUNT:]))
+
+
+def _gave_its_driver_up(deputy: Optional[NodeEnd]) -> bool:
+    return deputy is not None and deputy.exit_code == EXIT_RESTLESS
 
 
 def failure_of_driver(plan: Plan, car: str, nodes: Sequence[str], reason: str) -> Failure:

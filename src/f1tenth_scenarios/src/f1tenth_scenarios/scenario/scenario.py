@@ -73,8 +73,8 @@ class Limits:
         default=20.0,
     )
     load: float = key(
-        "Wall time for which a driver may compute in a control period while it starts up, as numba and torch do;"
-        " without lockstep, for which it may send no command at first.",
+        "Wall time for which a driver may compute in a control period while it starts up, as numba and torch"
+        " do; without lockstep, for which it may send no command at first.",
         unit="s",
         above=0,
         default=100.0,

@@ -135,7 +135,7 @@ PACKAGE = Path(__file__).parents[1]
 
 
 def test_road_of_a_circuit_begins_at_its_start_line():
-    road = road_ahead(PACKAGE / "worlds" / "circuit1.world", PACKAGE / "circuits")
+    road = road_ahead(PACKAGE / "worlds" / "circuit1.world")
     assert (road[0].x, road[0].y, road[0].yaw) == (0.0, 0.0, 0.0)
     assert len(road) > 8
     assert max(pose.y for pose in road) == pytest.approx(5.0, abs=0.1)
@@ -148,14 +148,14 @@ def test_road_of_a_track_follows_its_centreline(tmp_path, name):
     np.savetxt(
         tmp_path / "ring_centerline.csv", rows, delimiter=",", header="x_m, y_m, w_tr_right_m, w_tr_left_m"
     )
-    road = road_ahead(tmp_path / name, PACKAGE / "circuits")
+    road = road_ahead(tmp_path / name)
     assert (road[0].x, road[0].y) == pytest.approx((5.0, 0.0))
     assert road[0].yaw == pytest.approx(math.pi / 2.0, abs=0.05)
     assert len(road) == 11
 
 
 def test_world_of_unknown_road_has_a_start_only(tmp_path):
-    road = road_ahead(tmp_path / "circuit1.world", PACKAGE / "circuits")
+    road = road_ahead(tmp_path / "circuit1.world")
     assert [(pose.x, pose.y, pose.yaw) for pose in road] == [(0.0, 0.0, 0.0)]
     markers = road_markers(road).markers
     assert [marker.text for marker in markers if marker.ns == "start"] == ["start"]

@@ -13,7 +13,6 @@ from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import OccupancyGrid
 from visualization_msgs.msg import MarkerArray
 
-from f1tenth_gazebo.errors import FileError
 from f1tenth_gazebo.goals.clicked_goals import ClickedGoals
 from f1tenth_gazebo.goals.road_ahead import road_ahead
 from f1tenth_gazebo.worlds.find_world import WorldError, find_world
@@ -115,7 +114,7 @@ def main():
     try:
         road = _find_road(rospy.get_param("~world", "circuit1"), rospy.get_param("~folder", "."))
         goals = load_goals_file(path) if os.path.exists(path) else []
-    except (WorldError, FileError, GoalsFileError, OSError, ValueError) as error:
+    except (WorldError, GoalsFileError, OSError, ValueError) as error:
         return _bad_input(error)
     GoalCollector(path, goals, road)
     rospy.spin()
@@ -124,7 +123,7 @@ def main():
 
 def _find_road(world, folder):
     package = Path(rospkg.RosPack().get_path("f1tenth_gazebo"))
-    return road_ahead(find_world(world, package / "worlds", folder), package / "circuits")
+    return road_ahead(find_world(world, package / "worlds", folder))
 
 
 def _bad_input(problem):

@@ -65,7 +65,7 @@ def test_the_laps_that_races_are_compared_with_are_those_of_today():
 
 def test_lap_times_are_written(tmp_path):
     file = tmp_path / "laps.yaml"
-    assert cli.reference_main(["circuit1", "--laps", str(file)]) == cli.GOOD
+    assert cli.reference_main(["circuit1", "--laps", str(file)]) == cli.PASSED
     assert yaml.safe_load(file.read_text(encoding="utf-8")) == {"circuit1": pytest.approx(4.497, abs=0.01)}
 
 
@@ -112,7 +112,7 @@ def test_an_unknown_circuit_is_answered_with_those_there_are():
 def test_a_centreline_is_read_and_its_race_line_written(tmp_path):
     path = tmp_path / "ring_centerline.csv"
     np.savetxt(path, ring(), delimiter=",", header="x_m, y_m, w_tr_right_m, w_tr_left_m")
-    assert cli.reference_main([str(path), "-o", str(tmp_path)]) == cli.GOOD
+    assert cli.reference_main([str(path), "-o", str(tmp_path)]) == cli.PASSED
     written = np.loadtxt(tmp_path / "ring_raceline.csv", delimiter=";")
     assert written.shape[1] == 7
     assert np.hypot(written[:, 1], written[:, 2]) == pytest.approx(4.705, abs=0.05)

@@ -162,7 +162,7 @@ def broken(tmp_path, monkeypatch):
     ],
 )
 def test_faults_and_commands_are_chosen_by_their_names(broken, tmp_path, options, chosen):
-    assert main(options) == command.GOOD
+    assert main(options) == command.PASSED
     assert broken == chosen
     assert list((tmp_path / "files").iterdir()) == []
 

@@ -24,10 +24,10 @@ from f1tenth_scenarios import places
 SCRIPT = Path(__file__).resolve().parents[1] / "scripts" / "maps"
 needs_mapper = pytest.mark.skipif(not find_spec("gmapping_core"), reason="gmapping is the original here")
 DATA = Path(os.environ.get("F1TENTH_DATA", places.workspace_root().parent / "shared" / "data"))
-GOOD, DOUBLED = MapCheck(1.0, 0.99, 0.1), MapCheck(0.99, 0.96, 0.4)
+PASSED, DOUBLED = MapCheck(1.0, 0.99, 0.1), MapCheck(0.99, 0.96, 0.4)
 
 
-def mapped(place, seed, check=GOOD):
+def mapped(place, seed, check=PASSED):
     return Mapped(Drive(place, Path(place), place, seed), 101.3, check, np.array([0.03, 0.04]))
 
 
@@ -47,7 +47,7 @@ def drives(monkeypatch):
     """In the place of drives: those that end well, all but seed 13."""
 
     def made_up(drives, jobs):
-        return [mapped(each.place, each.seed, DOUBLED if each.seed == 13 else GOOD) for each in drives]
+        return [mapped(each.place, each.seed, DOUBLED if each.seed == 13 else PASSED) for each in drives]
 
     monkeypatch.setattr(command, "_mapped", made_up)
 
@@ -135,7 +135,7 @@ def test_the_command_writes_the_table_and_keeps_what_is_below(tmp_path, drives, 
     table = tmp_path / "maps.md"
     table.write_text("an earlier one\n| a |\n\nA remark.\n")
     arguments = ["--circuits", "0", "--tracks", "", "--roads", "", "--results", str(tmp_path)]
-    assert command.main([*arguments, "--table", str(table)]) == command.GOOD
+    assert command.main([*arguments, "--table", str(table)]) == command.PASSED
     text = table.read_text()
     assert "rosrun f1tenth_studies maps --circuits 0 --tracks '' --roads ''" in text
     assert "| circuit1 |" in text
@@ -146,7 +146,7 @@ def test_the_command_writes_the_table_and_keeps_what_is_below(tmp_path, drives, 
 
 def test_a_bad_map_is_an_exit_code(tmp_path, drives):
     arguments = ["--circuits", "13", "--tracks", "", "--roads", "", "--results", str(tmp_path)]
-    assert command.main(arguments) == command.NOT_GOOD
+    assert command.main(arguments) == command.NOT_PASSED
 
 
 @pytest.mark.parametrize(

@@ -215,7 +215,7 @@ def test_a_study_is_swept_written_and_judged(program, tmp_path, capsys):
     file = tmp_path / "table.md"
     arguments = ["localization", "--vary", "world=circuit1,circuit2", "--vary", "seed=12:13"]
     arguments += ["--set", "laps=2", "--results", str(tmp_path / "r"), "--table", str(file), "--jobs", "1"]
-    assert cli.study_main(arguments) == cli.NOT_GOOD
+    assert cli.study_main(arguments) == cli.NOT_PASSED
     text, (out, err) = file.read_text(encoding="utf-8"), capsys.readouterr()
     assert text == out[:-1]
     assert text.startswith("# Localization\n")
@@ -253,7 +253,7 @@ def test_a_table_that_cannot_be_read_is_bad_input(program, tmp_path, capsys):
 
 def test_a_run_that_is_not_good_enough_is_named(program, tmp_path, capsys):
     program(verdict="aborted", reason="gave up")
-    assert study_one_run(tmp_path) == cli.NOT_GOOD
+    assert study_one_run(tmp_path) == cli.NOT_PASSED
     assert "study localization: circuit1, 4: gave up\n" in capsys.readouterr().err
 
 
@@ -263,7 +263,7 @@ def test_a_run_that_broke_down_is_named_and_in_no_table(program, tmp_path, capsy
     file.write_text("the last one that could be made", encoding="utf-8")
     arguments = ["passing", "--vary", "world=circuit1", "--vary", "cars.robot2.speed_max=1"]
     arguments += ["--results", str(tmp_path / "r"), "--table", str(file)]
-    assert cli.study_main(arguments) == cli.NOT_GOOD
+    assert cli.study_main(arguments) == cli.NOT_PASSED
     assert capsys.readouterr() == ("", "study passing: circuit1, 1: sim2d: died\n")
     assert file.read_text(encoding="utf-8") == "the last one that could be made"
 

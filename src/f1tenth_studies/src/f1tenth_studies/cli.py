@@ -9,20 +9,20 @@ from pathlib import Path
 from typing import Callable, Optional
 
 from f1tenth_scenarios.batch.sweep import Sweep
+from f1tenth_scenarios.cli.exit_codes import BAD_INPUT, NOT_PASSED, PASSED
+from f1tenth_scenarios.cli.options import expect_at_least
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.results.reference_laps import reference_laps_text
 from f1tenth_scenarios.stop_request import StopRequest
 
 from f1tenth_scenarios import places
 from f1tenth_studies import studies
-from f1tenth_studies.exit_codes import BAD_INPUT, GOOD, NOT_GOOD
-from f1tenth_studies.files import expect_folder, expect_folder_of, text_of, write_text
+from f1tenth_studies.files import expect_folder, expect_folder_of, write_text
 from f1tenth_studies.optimum.car_limits import CLEARANCE, read_limits
 from f1tenth_studies.optimum.fastest_lap import FastestLap, compute_fastest_lap, write_raceline
 from f1tenth_studies.optimum.track import circuits, load_track
-from f1tenth_studies.options import expect_at_least
 from f1tenth_studies.study import Run, Study, place_of
-from f1tenth_studies.table import document, remarks
+from f1tenth_studies.table import document, publish
 
 PACKAGE = "f1tenth_studies"
 STUDIES = sorted(each.name for each in pkgutil.iter_modules(studies.__path__))
@@ -88,10 +88,7 @@ def _study(options) -> int:
     runs = _runs(sweep, study)
     whole = [run for run in runs if not run.broke_down]
     if whole:
-        text = document(study, whole, _command(options))
-        print(text)
-        if options.table:
-            write_text(options.table, text + remarks(text_of(options.table)))
+        publish(document(study, whole, _command(options)), options.table)
     return _say(options.name, study, runs, sweep)
 
 
@@ -108,7 +105,7 @@ def _say(name: str, study: Study, runs: Sequence[Run], sweep: Sweep) -> int:
     bad = [f"{_name(run, sweep.keys)}: {problem}" for run in runs if (problem := study.problem(run))]
     for text in [*sweep.problems, *bad]:
         print(f"study {name}: {text}", file=sys.stderr)
-    return NOT_GOOD if bad or sweep.problems else GOOD
+    return NOT_PASSED if bad or sweep.problems else PASSED
 
 
 def _name(run: Run, keys: Sequence[str]) -> str:
@@ -135,7 +132,7 @@ def _references(options) -> int:
             write_raceline(options.output / f"{stem}_raceline.csv", lap, limits)
     if options.laps:
         write_text(options.laps, reference_laps_text(laps))
-    return GOOD
+    return PASSED
 
 
 def _describe(name: str, lap: FastestLap) -> str:

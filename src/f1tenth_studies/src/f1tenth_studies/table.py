@@ -5,10 +5,11 @@ import os
 import platform
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, Optional
 
 from f1tenth_scenarios.versions import commits
 
+from f1tenth_studies.files import text_of, write_text
 from f1tenth_studies.study import Run, Study
 
 
@@ -40,6 +41,17 @@ def table(study: Study, runs: Sequence[Run]) -> str:
     for values, group in groups.items():
         lines.append([*values, *(_text(each.value(group), each.digits) for each in study.columns)])
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
+
+
+def publish(text: str, path: Optional[Path]) -> None:
+    """Print a document, and write it to a file; what stands below the table there stays.
+
+    Raises:
+        ScenarioError: the file cannot be read or written.
+    """
+    print(text)
+    if path:
+        write_text(path, text + remarks(text_of(path)))
 
 
 def remarks(text: str) -> str:

@@ -3,6 +3,7 @@
 import dataclasses
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Optional
 
 from f1tenth_scenarios import places
 from f1tenth_scenarios.errors import ScenarioError
@@ -15,6 +16,16 @@ OUR_PLANNERS = "race, pursuit, gap_follower"  # that need nothing but a road
 def results_of(options) -> Path:
     """The folder of all results."""
     return (options.results or places.results_root()).resolve()
+
+
+def expect_at_least(least: int, number: Optional[int], option: str) -> None:
+    """Tell a number that makes no sense before the work.
+
+    Raises:
+        ScenarioError: the number that an option was given is less.
+    """
+    if number is not None and number < least:
+        raise ScenarioError(f"{option} is {number}, must be at least {least}")
 
 
 def check_planner_options(options) -> None:

@@ -7,7 +7,13 @@ from typing import Optional
 
 from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.cli.exit_codes import PASSED
-from f1tenth_scenarios.cli.options import check_planner_options, file_option, planners_of, results_of
+from f1tenth_scenarios.cli.options import (
+    check_planner_options,
+    expect_at_least,
+    file_option,
+    planners_of,
+    results_of,
+)
 from f1tenth_scenarios.cli.run_command import check_repeat, run_plan, run_repeatedly, with_report
 from f1tenth_scenarios.errors import ScenarioError, writing
 from f1tenth_scenarios.plan.race import Race, plan_race, race_text
@@ -16,8 +22,7 @@ from f1tenth_scenarios.scenario.driver import Driver
 
 def race(options) -> int:
     """Run and judge a race that is in no scenario file."""
-    if options.laps < 1:
-        raise ScenarioError(f"--laps is {options.laps}, must be at least 1")
+    expect_at_least(1, options.laps, "--laps")
     _check_name(options.name)
     check_planner_options(options)
     planners = planners_of(options.planner, options) or [Driver.short_forms()["race"]]

@@ -8,7 +8,7 @@ from pathlib import Path
 from f1tenth_scenarios import places
 from f1tenth_scenarios.batch.jobs import Job, Outcome, run_jobs
 from f1tenth_scenarios.cli.exit_codes import NOT_PASSED, PASSED, exit_code
-from f1tenth_scenarios.cli.options import check_planner_options, planner_of, results_of
+from f1tenth_scenarios.cli.options import check_planner_options, expect_at_least, planner_of, results_of
 from f1tenth_scenarios.cli.show_commands import report
 from f1tenth_scenarios.errors import NotApplicableError, ScenarioError
 from f1tenth_scenarios.launch.private_master import private_master
@@ -91,8 +91,7 @@ def check_repeat(options) -> None:
 
 
 def _check(options) -> None:
-    if options.jobs < 1:
-        raise ScenarioError(f"--jobs is {options.jobs}, must be at least 1")
+    expect_at_least(1, options.jobs, "--jobs")
     if options.all == bool(options.names):
         raise ScenarioError("run needs either names of scenarios or --all")
     check_planner_options(options)

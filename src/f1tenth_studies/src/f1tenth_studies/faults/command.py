@@ -13,15 +13,15 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Optional
 
+from f1tenth_scenarios.cli.exit_codes import BAD_INPUT, NOT_PASSED, PASSED
+from f1tenth_scenarios.cli.options import expect_at_least
 from f1tenth_scenarios.errors import ScenarioError
 
-from f1tenth_studies.exit_codes import BAD_INPUT, GOOD, NOT_GOOD
 from f1tenth_studies.faults.catalogue import DRIVEN, Fault, faults, node_names
 from f1tenth_studies.faults.interrupts import COMMANDS, interrupt
 from f1tenth_studies.faults.table import document, problem
 from f1tenth_studies.faults.victim import Ending
 from f1tenth_studies.files import expect_folder_of, write_text
-from f1tenth_studies.options import expect_at_least
 
 _PATIENCE = 90.0  # wall s, for a run to end by itself after something broke
 _MOMENTS = (0.2, 8.0)  # s simulated, between which a random fault happens
@@ -73,9 +73,9 @@ def _say(problems: Sequence[str], folder: Path) -> int:
         print(f"faults: {each}", file=sys.stderr)
     if problems:
         print(f"faults: what was broken is in {folder}", file=sys.stderr)
-        return NOT_GOOD
+        return NOT_PASSED
     shutil.rmtree(folder)
-    return GOOD
+    return PASSED
 
 
 def _chosen(options, nodes: Sequence[str]) -> tuple[list[Fault], list[str]]:

@@ -11,16 +11,16 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Optional
 
+from f1tenth_scenarios.cli.exit_codes import BAD_INPUT, NOT_PASSED, PASSED
+from f1tenth_scenarios.cli.options import expect_at_least
 from f1tenth_scenarios.errors import ScenarioError
 
 from f1tenth_scenarios import places
-from f1tenth_studies.exit_codes import BAD_INPUT, GOOD, NOT_GOOD
-from f1tenth_studies.files import expect_folder_of, made_folder, text_of, write_text
+from f1tenth_studies.files import expect_folder_of, made_folder
 from f1tenth_studies.mapping.document import document
 from f1tenth_studies.mapping.drive import Drive, Mapped, map_drive
 from f1tenth_studies.mapping.places import circuit_drives, road_drives, track_drives
-from f1tenth_studies.options import expect_at_least
-from f1tenth_studies.table import made_by, remarks
+from f1tenth_studies.table import made_by, publish
 
 _ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
@@ -56,11 +56,9 @@ def _run(options: argparse.Namespace, arguments: Sequence[str]) -> int:
     expect_at_least(1, options.jobs, "--jobs")
     expect_folder_of(options.table, "--table")
     mapped = _mapped(_drives(options), options.jobs or len(os.sched_getaffinity(0)))
-    text = document(mapped, made_by(shlex.join(["rosrun", "f1tenth_studies", "maps", *arguments])))
-    print(text)
-    if options.table:
-        write_text(options.table, text + remarks(text_of(options.table)))
-    return GOOD if all(each.passed for each in mapped) else NOT_GOOD
+    made = made_by(shlex.join(["rosrun", "f1tenth_studies", "maps", *arguments]))
+    publish(document(mapped, made), options.table)
+    return PASSED if all(each.passed for each in mapped) else NOT_PASSED
 
 
 def _drives(options: argparse.Namespace) -> list[Drive]:

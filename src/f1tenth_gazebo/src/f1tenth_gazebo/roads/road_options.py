@@ -1,7 +1,7 @@
 """What a random road shall be like."""
 
 import math
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import asdict, dataclass, field, fields, replace
 
 import numpy as np
 
@@ -21,30 +21,28 @@ class RoadError(Exception):
     """A road that cannot be made; one line: which option, what was found, what is allowed."""
 
 
+def _option(least, greatest, what):
+    return field(metadata={"limits": (least, greatest), "help": what})
+
+
 @dataclass(frozen=True)
 class RoadOptions:
-    """Everything about a road but its seed. Lengths are in m."""
+    """Everything about a road but its seed, each with its limits. Lengths are in m."""
 
-    length: float
-    """Of the centreline, 30 to 400."""
-    width: tuple
-    """(least, greatest) width between the walls, 1.2 to 4; between places of both it changes evenly."""
-    radius: float
-    """Least radius of the centreline, MIN_RADIUS to 5."""
-    straight: float
-    """Length of the longest straight, 3 to 80, at most a third of the length."""
-    hairpins: int
-    """Turns by half a circle, the way back beside the way there, 0 to 8."""
-    chicanes: int
-    """Straights that step aside and back, 0 to 8."""
-    cell: float
-    """Edge of a cell of the map, 0.03 to 0.1."""
-    raggedness: float
-    """How far walls stand back from the road at random, 0 to 0.15; 0: smooth ones."""
-    gaps: int
-    """Holes in the walls through which a lidar sees, each narrower than the car, 0 to 40."""
-    islands: int
-    """Round obstacles on the road; beside each there is a way as wide as MIN_WIDTH, 0 to 10."""
+    length: float = _option(30.0, 400.0, "of one lap, m")
+    # (least, greatest): between places of both it changes evenly.
+    width: tuple = _option(
+        MIN_WIDTH, 4.0, "between the walls, m; LOW:HIGH for a road that is not everywhere as wide"
+    )
+    radius: float = _option(math.floor(1000.0 * MIN_RADIUS) / 1000.0, 5.0, "least one of the way around, m")
+    straight: float = _option(3.0, 80.0, "length of the longest straight, m, at most a third of the length")
+    hairpins: int = _option(0, 8, "half circles with the way back beside the way there")
+    chicanes: int = _option(0, 8, "steps aside and back")
+    cell: float = _option(0.03, 0.1, "edge of a cell of the map, m")
+    raggedness: float = _option(0.0, 0.15, "how far the walls stand back from the road at random, m")
+    gaps: int = _option(0, 40, "holes in the walls, narrower than the car")
+    # Beside each there is a way as wide as MIN_WIDTH.
+    islands: int = _option(0, 10, "round obstacles on the road")
 
     def __post_init__(self):
         """Raise RoadError for what no road can be like."""
@@ -68,18 +66,7 @@ class RoadOptions:
             )
 
 
-LIMITS = {
-    "length": (30.0, 400.0),
-    "width": (MIN_WIDTH, 4.0),
-    "radius": (math.floor(1000.0 * MIN_RADIUS) / 1000.0, 5.0),
-    "straight": (3.0, 80.0),
-    "hairpins": (0, 8),
-    "chicanes": (0, 8),
-    "cell": (0.03, 0.1),
-    "raggedness": (0.0, 0.15),
-    "gaps": (0, 40),
-    "islands": (0, 10),
-}
+LIMITS = {each.name: each.metadata["limits"] for each in fields(RoadOptions)}
 """Least and greatest value of each option."""
 
 
@@ -89,7 +76,7 @@ def drawn_options(rng, **given):
     Raises:
         RoadError: for a name that is no option, or a value that is not allowed.
     """
-    unknown = sorted(given.keys() - {field.name for field in fields(RoadOptions)})
+    unknown = sorted(given.keys() - LIMITS.keys())
     if unknown:
         raise RoadError(f"{unknown[0]}: no such option, allowed: {', '.join(LIMITS)}")
     for name, value in given.items():

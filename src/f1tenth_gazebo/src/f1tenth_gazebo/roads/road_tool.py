@@ -1,25 +1,13 @@
 """The command line of make_road."""
 
 import argparse
+import dataclasses
 import sys
 
 from f1tenth_gazebo.outputs import named_path
 from f1tenth_gazebo.roads.road import make_road
 from f1tenth_gazebo.roads.road_files import write_road
-from f1tenth_gazebo.roads.road_options import LIMITS, RoadError
-
-_HELP = {
-    "length": "of one lap, m",
-    "width": "between the walls, m; LOW:HIGH for a road that is not everywhere as wide",
-    "radius": "least one of the way around, m",
-    "straight": "length of the longest straight, m, at most a third of the length",
-    "hairpins": "half circles with the way back beside the way there",
-    "chicanes": "steps aside and back",
-    "cell": "edge of a cell of the map, m",
-    "raggedness": "how far the walls stand back from the road at random, m",
-    "gaps": "holes in the walls, narrower than the car",
-    "islands": "round obstacles on the road",
-}
+from f1tenth_gazebo.roads.road_options import RoadError, RoadOptions
 
 
 def main(arguments=None):
@@ -53,9 +41,12 @@ def _parser():
         "draws what is not given.",
     )
     parser.add_argument("--seed", type=int, required=True, help="0 or above; the same one, the same road")
-    for name, (low, high) in LIMITS.items():
-        kind = int if isinstance(low, int) else _width if name == "width" else float
-        parser.add_argument(f"--{name}", type=kind, help=f"{_HELP[name]} ({low:g} to {high:g})")
+    for option in dataclasses.fields(RoadOptions):
+        low, high = option.metadata["limits"]
+        kind = _width if option.name == "width" else type(low)
+        parser.add_argument(
+            f"--{option.name}", type=kind, help=f"{option.metadata['help']} ({low:g} to {high:g})"
+        )
     parser.add_argument(
         "-o",
         dest="output",

@@ -16,34 +16,21 @@ from f1tenth_gazebo.outputs import named_path
 from f1tenth_gazebo.whole_files import write_all
 from f1tenth_gazebo.worlds.world_file import world_text
 
+_CIRCUIT = ("circuit", "YAML file of the circuit")
+
 
 def make_world(arguments=None):
     """Write the world of a circuit and its centreline; return the exit code."""
-    parser = argparse.ArgumentParser(
-        prog="make_world", description="Write the Gazebo world of a circuit and its centreline."
-    )
-    parser.add_argument("circuit", help="YAML file of the circuit")
-    parser.add_argument(
-        "-o",
-        dest="output",
-        type=named_path,
-        required=True,
-        metavar="NAME.world",
-        help="writes it and NAME_centerline.csv",
-    )
+    what = "Write the Gazebo world of a circuit and its centreline."
+    parser = _parser("make_world", what, _CIRCUIT, "NAME.world", "writes it and NAME_centerline.csv")
     options = parser.parse_args(arguments)
     return _run(lambda: _write_world(load_circuit(options.circuit), options.output))
 
 
 def make_goals(arguments=None):
     """Write the goals for one lap of a circuit; return the exit code."""
-    parser = argparse.ArgumentParser(
-        prog="make_goals", description="Write the goals for one lap of a circuit."
-    )
-    parser.add_argument("circuit", help="YAML file of the circuit")
-    parser.add_argument(
-        "-o", dest="output", type=named_path, required=True, metavar="FILE", help="goals file to write"
-    )
+    what = "Write the goals for one lap of a circuit."
+    parser = _parser("make_goals", what, _CIRCUIT, "FILE", "goals file to write")
     options = parser.parse_args(arguments)
     return _run(
         lambda: write_all({options.output: circuit_goals_text(load_circuit(options.circuit)).encode()})
@@ -52,18 +39,8 @@ def make_goals(arguments=None):
 
 def make_map(arguments=None):
     """Write the map of a world; return the exit code."""
-    parser = argparse.ArgumentParser(
-        prog="make_map", description="Write the map of a world as map_saver does."
-    )
-    parser.add_argument("world", help="world file")
-    parser.add_argument(
-        "-o",
-        dest="output",
-        type=named_path,
-        required=True,
-        metavar="NAME",
-        help="writes NAME.pgm and NAME.yaml",
-    )
+    what = "Write the map of a world as map_saver does."
+    parser = _parser("make_map", what, ("world", "world file"), "NAME", "writes NAME.pgm and NAME.yaml")
     parser.add_argument(
         "--height", type=float, default=LIDAR_HEIGHT, help="of the section, m (default %(default)s)"
     )
@@ -73,11 +50,9 @@ def make_map(arguments=None):
 
 def make_centerline(arguments=None):
     """Write the middle of the road that a map shows; return the exit code."""
-    parser = argparse.ArgumentParser(
-        prog="make_centerline",
-        description="Write the middle of the closed road that a map shows, and how wide it is.",
-    )
-    parser.add_argument("map", help="YAML file of the map")
+    what = "Write the middle of the closed road that a map shows, and how wide it is."
+    source, default = ("map", "YAML file of the map"), "default: NAME_centerline.csv beside the map"
+    parser = _parser("make_centerline", what, source, "FILE", default, required=False)
     parser.add_argument(
         "--start",
         type=float,
@@ -86,15 +61,18 @@ def make_centerline(arguments=None):
         metavar=("X", "Y", "YAW"),
         help="where it begins and which way it goes in the map frame, m and rad (default: 0 0 0)",
     )
-    parser.add_argument(
-        "-o",
-        dest="output",
-        type=named_path,
-        metavar="FILE",
-        help="default: NAME_centerline.csv beside the map",
-    )
     options = parser.parse_args(arguments)
     return _run(lambda: _write_middle(Path(options.map), options.start, options.output))
+
+
+def _parser(name, what, source, output, output_help, required=True):
+    """The parser of a command that makes files of one; `source`: what that is called, and what it is."""
+    parser = argparse.ArgumentParser(prog=name, description=what)
+    parser.add_argument(source[0], help=source[1])
+    parser.add_argument(
+        "-o", dest="output", type=named_path, required=required, metavar=output, help=output_help
+    )
+    return parser
 
 
 def circuit_goals_text(circuit):

@@ -73,6 +73,15 @@ def test_a_drive_without_a_lap_is_a_bad_map(monkeypatch):
 
 
 @needs_mapper
+@pytest.mark.skipif(not DATA.is_dir(), reason=f"no {DATA}")
+def test_a_drive_may_begin_in_any_direction(tmp_path, monkeypatch):
+    monkeypatch.setenv("F1TENTH_DATA", str(DATA))
+    monkeypatch.setattr("f1tenth_studies.mapping.drive._TIME_LIMIT", 3.0)
+    drive = next(each for each in track_drives("0", tmp_path) if each.place == "Spa")
+    assert map_drive(drive).error < 0.05
+
+
+@needs_mapper
 def test_a_map_with_nothing_to_compare_names_its_drive(monkeypatch):
     def refuse(*_):
         raise MapError("the map has no wall cell")

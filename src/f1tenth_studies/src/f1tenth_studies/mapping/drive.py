@@ -65,7 +65,7 @@ class Mapped:
 @dataclasses.dataclass(frozen=True)
 class _Sample:
     scan: np.ndarray  # (beams,), m
-    odometry: Pose  # of the rear axle, from the start on
+    odometry: Pose  # of the rear axle, which begins at the true pose
     truth: Pose
     time: float  # s
 
@@ -104,7 +104,7 @@ def _map_drive(drive: Drive, slam: Any) -> Mapped:
     start = _start(drive.centreline)
     try:
         for sample in _samples(f1tenth_sim2d.Simulation(world, _STEP, drive.seed), car, start, watch):
-            odometry = _composed(_composed(start, sample.odometry), mount)
+            odometry = _composed(sample.odometry, mount)
             if slam.process(sample.scan, *geometry, odometry, sample.time):
                 truth.append(_composed(sample.truth, mount))
     except LapError as error:

@@ -27,9 +27,8 @@ sys.exit(code)
 def meet(monkeypatch, folder, needed, codes, at_once, stop=None, shown=False):
     folder.mkdir()
     monkeypatch.setattr(jobs, "PROGRAM", (sys.executable, "-c", MEETING, str(folder), str(needed)))
-    found = []
     wanted = [Job("/x/a.yaml", (f"seed={code}",), str(folder / "r")) for code in codes]
-    run_jobs(wanted, stop or StopRequest(), found.append, at_once, shown)
+    found = run_jobs(wanted, stop or StopRequest(), at_once, shown)
     return sorted((each.exit_code, each.output) for each in found)
 
 

@@ -103,7 +103,7 @@ def test_run_whose_inputs_cannot_be_noted_is_named_and_counts(program, tmp_path,
 
     def spoilt(jobs, *others):
         (jobs[0].folder / "inputs.sha256").mkdir(parents=True)
-        run_jobs(jobs, *others)
+        return run_jobs(jobs, *others)
 
     monkeypatch.setattr(sweep_module, "run_jobs", spoilt)
     assert swept(tmp_path, "seed=1:2")
@@ -112,9 +112,9 @@ def test_run_whose_inputs_cannot_be_noted_is_named_and_counts(program, tmp_path,
 
 
 def test_runs_that_were_told_to_stop_are_no_problems(tmp_path, monkeypatch, capsys):
-    def interrupted(jobs, stop, finished, _at_once):
+    def interrupted(jobs, stop, _at_once):
         stop.signal = signal.SIGINT
-        finished(Outcome(jobs[0], 130, "not written:  replay.json.gz", None))
+        yield Outcome(jobs[0], 130, "not written:  replay.json.gz", None)
 
     monkeypatch.setattr(sweep_module, "run_jobs", interrupted)
     assert not swept(tmp_path, "seed=1:2")

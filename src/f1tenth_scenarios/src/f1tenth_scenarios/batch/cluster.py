@@ -3,7 +3,6 @@
 import contextlib
 import time
 from collections.abc import Iterator, Sequence
-from typing import Callable
 
 from f1tenth_scenarios.batch.jobs import Job, Outcome, run_job
 from f1tenth_scenarios.errors import ScenarioError
@@ -13,15 +12,12 @@ _CONNECT_TIMEOUT = 10.0  # wall s
 _LOOK_INTERVAL = 0.2  # wall s
 
 
-def run_on_cluster(
-    jobs: Sequence[Job], stop: StopRequest, finished: Callable[[Outcome], None], scheduler: str
-) -> None:
-    """Run jobs on a cluster; what a worker that dies was running is run again.
+def run_on_cluster(jobs: Sequence[Job], stop: StopRequest, scheduler: str) -> Iterator[Outcome]:
+    """Run jobs on a cluster and give their outcomes; what a worker that dies was running is run again.
 
     Args:
         jobs: what to run; workspace and results folder are at the same place on all machines
         stop: once it has a signal, what has not begun is left out
-        finished: is called for each that ended
         scheduler: address, as in tcp://host:8786
 
     Raises:
@@ -31,7 +27,7 @@ def run_on_cluster(
         waiting = {client.submit(run_job, job, pure=False): job for job in jobs}
         while waiting and not stop.signal:
             for future in [each for each in waiting if each.done()]:
-                finished(_outcome(future, waiting.pop(future)))
+                yield _outcome(future, waiting.pop(future))
             time.sleep(_LOOK_INTERVAL)
         client.cancel(list(waiting))
 

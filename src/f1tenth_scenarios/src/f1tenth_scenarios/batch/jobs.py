@@ -5,9 +5,9 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Any, Callable, Optional
+from typing import Any, Optional
 
 from f1tenth_scenarios.record.files import RESULT_FILE, read_json
 from f1tenth_scenarios.stop_request import StopRequest
@@ -59,18 +59,13 @@ class Outcome:
 
 
 def run_jobs(
-    jobs: Sequence[Job],
-    stop: StopRequest,
-    finished: Callable[[Outcome], None],
-    at_once: int = 1,
-    shown: bool = False,
-) -> None:
-    """Run jobs.
+    jobs: Sequence[Job], stop: StopRequest, at_once: int = 1, shown: bool = False
+) -> Iterator[Outcome]:
+    """Run jobs; gives their outcomes in the order of their ends.
 
     Args:
         jobs: what to run
         stop: once it has a signal, those that run are sent it and no more are started
-        finished: is called for each that ended, in the order of their ends
         at_once: how many run at the same time
         shown: whether they write where this process does, instead of into their outcome
     """
@@ -86,15 +81,14 @@ def run_jobs(
                 each.process.send_signal(stop.signal)
         for each in [each for each in running if each.process.poll() is not None]:
             running.remove(each)
-            finished(each.outcome())
+            yield each.outcome()
         time.sleep(_LOOK_INTERVAL)
 
 
 def run_job(job: Job) -> Outcome:
     """Run one job to its end."""
-    outcomes: list[Outcome] = []
-    run_jobs([job], StopRequest(), outcomes.append)
-    return outcomes[0]
+    (outcome,) = run_jobs([job], StopRequest())
+    return outcome
 
 
 def read_result(folder: Path) -> Optional[dict[str, Any]]:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from f1tenth_scenarios.batch.jobs import Job, Outcome, run_jobs
+from f1tenth_scenarios.batch.jobs import Job, run_jobs
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan.planning import make_plan
 from f1tenth_scenarios.results.console import CountLine
@@ -34,14 +34,12 @@ def repeat(
     found: list[dict[str, Any]] = []
     problems: list[str] = []
 
-    def finished(outcome: Outcome) -> None:
+    for outcome in run_jobs(jobs, stop, at_once):
         if outcome.result is None:
             problems.append(outcome.problem)
         else:
             found.append(outcome.result)
         bar.update(outcome.exit_code == 0)
-
-    run_jobs(jobs, stop, finished, at_once)
     bar.clear()
     if problems and not stop.signal:
         raise ScenarioError("\n".join(problems))

@@ -73,15 +73,13 @@ class Sweep:
             with writing(file):
                 file.unlink(missing_ok=True)
         bar = CountLine(f"{Path(self.jobs[0].scenario).stem} swept", len(left))
-
-        def finished(outcome: Outcome) -> None:
+        if scheduler and left:
+            outcomes = run_on_cluster(left, stop, scheduler)
+        else:
+            outcomes = run_jobs(left, stop, at_once or os.cpu_count() or 1)
+        for outcome in outcomes:
             self._take(outcome)
             bar.update(outcome.exit_code == 0)
-
-        if scheduler and left:
-            run_on_cluster(left, stop, finished, scheduler)
-        else:
-            run_jobs(left, stop, finished, at_once or os.cpu_count() or 1)
         bar.clear()
 
     def rows(self) -> Iterator[dict[str, Any]]:

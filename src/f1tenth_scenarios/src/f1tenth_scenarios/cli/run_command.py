@@ -106,16 +106,13 @@ def _run_each(names: Sequence[str], settings: Sequence[str], options) -> int:
     jobs = [Job(str(file), tuple(settings), str(results_of(options)), extra) for file in files]
     outcomes: list[Outcome] = []
     bar = CountLine("scenarios", len(jobs))
-
-    def finished(outcome: Outcome) -> None:
-        outcomes.append(outcome)
-        bar.clear()
-        print(outcome.output, end="", flush=True)
-        if options.jobs > 1:
-            bar.update(outcome.exit_code == PASSED)
-
     with StopRequest().listening() as stop:
-        run_jobs(jobs, stop, finished, options.jobs, shown=options.jobs == 1)
+        for outcome in run_jobs(jobs, stop, options.jobs, shown=options.jobs == 1):
+            outcomes.append(outcome)
+            bar.clear()
+            print(outcome.output, end="", flush=True)
+            if options.jobs > 1:
+                bar.update(outcome.exit_code == PASSED)
     bar.clear()
     passed = sum(each.exit_code == PASSED for each in outcomes)
     if not stop.signal:

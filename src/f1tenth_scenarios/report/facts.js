@@ -31,8 +31,8 @@ function section(title, ...content) {
 
 function table(columns, rows) {
   const head = element("tr", {}, ...columns.map((name) => element("th", { scope: "col" }, name)));
-  const body = rows.map(({ cells, kind = "" }) =>
-    element(kind ? `tr.${kind}` : "tr", {}, ...cells.map((cell, index) =>
+  const body = rows.map(({ cells, kind = "", click }) =>
+    element(kind ? `tr.${kind}` : "tr", { click }, ...cells.map((cell, index) =>
       element("td", { "data-label": columns[index] }, cell))));
   return element("table", {}, element("thead", {}, head), element("tbody", {}, ...body));
 }

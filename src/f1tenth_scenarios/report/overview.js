@@ -43,14 +43,13 @@ class Overview {
 
   table() {
     const columns = ["", "scenario", "verdict", "lap time", "clearance", "real time", "change"];
-    this.rows = this.report.runs.map((run) => ({ run, row: this.row(run, columns) }));
-    const head = element("tr", {}, ...columns.map((name) => element("th", { scope: "col" }, name)));
+    const shown = table(columns, this.report.runs.map((run) => this.row(run)));
+    this.rows = this.report.runs.map((run, index) => ({ run, row: shown.tBodies[0].rows[index] }));
     this.none = element("p.note", { hidden: true }, "No run matches.");
-    return element("section.card.runs", {},
-      element("table", {}, element("thead", {}, head), element("tbody", {}, ...this.rows.map(({ row }) => row))), this.none);
+    return element("section.card.runs", {}, shown, this.none);
   }
 
-  row(run, columns) {
+  row(run) {
     const href = `#${encodeURIComponent(run.scenario)}`;
     const cells = [
       thumbnail(run),
@@ -61,8 +60,7 @@ class Overview {
       run.real_time_factor ? `${formatNumber(run.real_time_factor, 1)}×` : NOTHING,
       this.change(run),
     ];
-    return element("tr", { click: () => { location.hash = href; } },
-      ...cells.map((cell, index) => element("td", { "data-label": columns[index] }, cell)));
+    return { cells, click: () => { location.hash = href; } };
   }
 
   change(run) {

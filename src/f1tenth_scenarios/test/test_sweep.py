@@ -1,5 +1,6 @@
 """Many variations: swept, resumed, counted, summed up; with a program in the place of real runs."""
 
+import argparse
 import csv
 import json
 import math
@@ -12,18 +13,21 @@ import pytest
 from f1tenth_scenarios.batch import cluster
 from f1tenth_scenarios.batch import sweep as sweep_module
 from f1tenth_scenarios.batch.jobs import Outcome
-from f1tenth_scenarios.batch.sweep import sweep
 from f1tenth_scenarios.batch.sweep_picture import make_figure, mean_interval, wilson_interval
 from f1tenth_scenarios.batch.table_file import write_table
+from f1tenth_scenarios.cli.exit_codes import PASSED
+from f1tenth_scenarios.cli.sweep_command import sweep
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.stop_request import StopRequest
 from scenario_samples import SCENARIO_TEXT
 
 from f1tenth_scenarios import cli, places
 
 
-def swept(results, *variations, **options):
-    return sweep("circuit1", variations, results, StopRequest(), **options)
+def swept(results, *variations, name="circuit1", workers=None, scheduler=None, output=None):
+    options = argparse.Namespace(
+        name=name, vary=variations, results=results, workers=workers, scheduler=scheduler, output=output
+    )
+    return sweep(options) == PASSED
 
 
 def table(results):
@@ -44,7 +48,7 @@ def test_sweep_writes_table_and_picture(program, tmp_path, capsys):
 
 def test_sweep_gives_the_same_four_at_a_time(program, tmp_path):
     for at_once in (1, 4):
-        assert swept(tmp_path / str(at_once), "mu=0.5:1.0:3", "seed=1:2", at_once=at_once)
+        assert swept(tmp_path / str(at_once), "mu=0.5:1.0:3", "seed=1:2", workers=at_once)
     assert table(tmp_path / "1") == table(tmp_path / "4")
 
 
@@ -70,7 +74,7 @@ def test_sweep_repeats_what_was_run_with_another_scenario(program, tmp_path):
     file = tmp_path / "own.yaml"
     file.write_text(SCENARIO_TEXT, encoding="utf-8")
     for _ in range(2):
-        assert sweep(str(file), ["seed=1:2"], tmp_path, StopRequest())
+        assert swept(tmp_path, "seed=1:2", name=str(file))
         file.write_text(file.read_text(encoding="utf-8").replace("seed: 1", "seed: 1\nlaps: 2"))
     assert len(program.runs()) == 4
 

@@ -2,7 +2,6 @@
 
 import itertools
 import os
-import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, Optional
@@ -10,14 +9,12 @@ from typing import Any, Optional
 from f1tenth_scenarios.batch.cluster import run_on_cluster
 from f1tenth_scenarios.batch.inputs import hash_inputs, hash_software
 from f1tenth_scenarios.batch.jobs import Job, Outcome, read_result, run_jobs
-from f1tenth_scenarios.batch.table_file import check_table_file, write_table
 from f1tenth_scenarios.errors import ScenarioError, writing
 from f1tenth_scenarios.plan.planning import make_plan
 from f1tenth_scenarios.results.console import CountLine
 from f1tenth_scenarios.scenario.settings import Setting, folder_name, parse_variation
 from f1tenth_scenarios.stop_request import StopRequest
 
-_TABLE_FILE, _PICTURE_FILE = "sweep.csv", "sweep.png"
 _INPUTS_FILE = "inputs.sha256"  # beside a result: what it depends on
 
 
@@ -130,63 +127,3 @@ class Sweep:
                 file.write_text(self._inputs[job], encoding="utf-8")
         except ScenarioError as error:
             self.problems.append(str(error))
-
-
-def sweep(
-    name: str,
-    variations: Sequence[str],
-    results: Path,
-    stop: StopRequest,
-    at_once: Optional[int] = None,
-    scheduler: Optional[str] = None,
-    output: Optional[Path] = None,
-) -> bool:
-    """Run a sweep; write a table and a picture, and print where they are.
-
-    Args:
-        name, variations, results, stop, at_once, scheduler: as of Sweep
-        output: one more table, CSV or Parquet
-
-    Returns:
-        Whether every run left a result.
-
-    Raises:
-        ScenarioError: bad input; nothing has been run then. Or the table or the picture cannot be written.
-    """
-    if output:
-        check_table_file(output)
-    swept = Sweep(name, variations, results)
-    folder = results / "sweep" / Path(swept.jobs[0].scenario).stem
-    with writing(folder):
-        folder.mkdir(parents=True, exist_ok=True)
-    check_table_file(folder / _TABLE_FILE)
-    swept.run(stop, at_once, scheduler)
-    # Runs that were told to stop have no result, and nothing is wrong with that.
-    for problem in [] if stop.signal else swept.problems:
-        print(f"scenario: {problem}", file=sys.stderr)
-    if swept.results:
-        _write(swept, folder, output)
-    return len(swept.results) == len(swept.jobs)
-
-
-def _write(swept: Sweep, folder: Path, output: Optional[Path]) -> None:
-    # Imported late: matplotlib takes longer than everything else that the command does.
-    from f1tenth_scenarios.batch.sweep_picture import write_picture
-
-    rows = list(swept.rows())
-    tables = [folder / _TABLE_FILE, *([output] if output else [])]
-    for table in tables:
-        with writing(table):
-            write_table(table, rows)
-    picture = folder / _PICTURE_FILE
-    with writing(picture):
-        write_picture(picture, folder.name, rows, swept.keys)
-    facts = [
-        ("scenario", folder.name),
-        ("passed", f"{sum(row['passed'] for row in rows)} of {len(rows)}"),
-        ("reused", f"{len(swept.reused)} of {len(rows)}, of the same inputs"),
-        *(("table", table) for table in tables),
-        ("picture", picture),
-    ]
-    for key, value in facts:
-        print(f"{key + ':':19}{value}")

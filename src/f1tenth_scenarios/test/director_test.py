@@ -13,7 +13,8 @@ import rostest
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.record.observations import RaceState, RaceUpdate
 from f1tenth_scenarios.run.events.director import Director
-from f1tenth_scenarios.run.events.ros_node_kill import kill_node, node_pid
+from f1tenth_scenarios.run.events.ros_node_kill import kill_node
+from f1tenth_scenarios.run.ros_graph import ask
 from f1tenth_scenarios.run.ros_watch import RosWatch
 from f1tenth_scenarios.scenario.scenario import Box, Fault, Push, Verdict
 from gazebo_msgs.srv import GetModelState, GetModelStateResponse, SetModelState, SetModelStateResponse
@@ -152,7 +153,7 @@ class DirectorTest(unittest.TestCase):
 
     def _victim_lives(self):
         try:
-            return node_pid(VICTIM) > 0
+            return ask(VICTIM, "getPid") > 0
         except ScenarioError:
             return False
 

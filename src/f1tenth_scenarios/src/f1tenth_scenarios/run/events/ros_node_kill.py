@@ -21,7 +21,7 @@ def kill_node(name: str) -> None:
     Raises:
         ScenarioError: there is no such node, or it does not go.
     """
-    pid = node_pid(name)
+    pid = ask(name, "getPid")
     try:
         os.kill(pid, signal.SIGKILL)
     except OSError as error:
@@ -31,15 +31,6 @@ def kill_node(name: str) -> None:
         if time.monotonic() > deadline:
             raise ScenarioError(f"cannot kill {name}: it is still there after {_PATIENCE:g} s")
         time.sleep(0.002)
-
-
-def node_pid(name: str) -> int:
-    """The process id of a node, by its own word.
-
-    Raises:
-        ScenarioError: there is no such node, or it does not answer.
-    """
-    return ask(name, "getPid")
 
 
 def _runs(pid: int) -> bool:

@@ -88,19 +88,14 @@ def write_place(stem: Path, map_file: Path, course: Course, line: Optional[np.nd
     return path
 
 
-def both_directions(name: str, map_file: Path, centreline: Path, folder: Path) -> list[Path]:
-    """The places to drive a road along its centreline and against it."""
-    course = read_course(centreline)
+def track_worlds(name: str, folder: Path) -> list[Path]:
+    """One of others' tracks as two places, there and back; see `write_place`."""
+    map_file = track_map(name)
+    course = read_course(map_file.with_name(f"{name}_centerline.csv"))
     return [
         write_place(folder / name, map_file, course),
         write_place(folder / f"{name}_reverse", map_file, backwards(course)),
     ]
-
-
-def track_worlds(name: str, folder: Path) -> list[Path]:
-    """One of others' tracks as two places, there and back; see `write_place`."""
-    map_file = track_map(name)
-    return both_directions(name, map_file, map_file.with_name(f"{name}_centerline.csv"), folder)
 
 
 def road_world(seed: int, folder: Path) -> Path:

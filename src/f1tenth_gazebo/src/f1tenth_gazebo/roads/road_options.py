@@ -66,7 +66,7 @@ class RoadOptions:
             )
 
 
-LIMITS = {each.name: each.metadata["limits"] for each in fields(RoadOptions)}
+LIMITS: dict[str, tuple[float, float]] = {each.name: each.metadata["limits"] for each in fields(RoadOptions)}
 """Least and greatest value of each option."""
 
 

@@ -7,13 +7,13 @@ quantum, lies beside the straight on from the two before it. Deflate likes such 
 import base64
 import json
 import zlib
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 
-def column(values: Sequence[float], quantum: float) -> list[float]:
+def column(values: ArrayLike, quantum: float) -> list[float]:
     """A column for `pack`.
 
     Args:

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "f1tenth_sim2d/pose3.h"
+#include "f1tenth_sim2d/geometry.h"
 #include "f1tenth_sim2d/vehicle_parameters.h"
 #include "f1tenth_sim2d/world_model.h"
 

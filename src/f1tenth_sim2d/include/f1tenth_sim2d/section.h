@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "f1tenth_sim2d/geometry.h"
-#include "f1tenth_sim2d/pose3.h"
 #include "f1tenth_sim2d/world_model.h"
 
 namespace f1tenth_sim2d

@@ -5,23 +5,31 @@
 #include <string>
 #include <vector>
 
-#include "f1tenth_sim2d/car_id.h"
 #include "f1tenth_sim2d/car_model.h"
-#include "f1tenth_sim2d/car_state.h"
-#include "f1tenth_sim2d/commands.h"
-#include "f1tenth_sim2d/contact.h"
-#include "f1tenth_sim2d/geometry.h"
-#include "f1tenth_sim2d/model_state.h"
-#include "f1tenth_sim2d/prepared_world.h"
-#include "f1tenth_sim2d/ray_fan.h"
-#include "f1tenth_sim2d/sensor_samples.h"
-#include "f1tenth_sim2d/sim_time.h"
+#include "f1tenth_sim2d/simulation_types.h"
 #include "f1tenth_sim2d/vehicle_parameters.h"
 #include "f1tenth_sim2d/world_model.h"
 
 /// The simulator's core: no ROS, no wall clock, no global state, no unseeded randomness.
 namespace f1tenth_sim2d
 {
+class WorldGeometry;
+
+/// A world that is ready to be simulated: its solids cut into the pieces that cars touch and the walls that lidars see.
+/// No simulation changes it, so that any number of them, on any threads, can share one. A copy is the same world.
+class PreparedWorld
+{
+public:
+  /// @throws Error for what a simulation cannot be built from
+  explicit PreparedWorld(WorldDescription world);
+
+  const WorldDescription & description() const;
+
+private:
+  friend class Simulation;
+  std::shared_ptr<const WorldGeometry> geometry_;
+};
+
 struct SimulationOptions
 {
   double physics_step{0.001};  ///< s

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "f1tenth_sim2d/car_model.h"
-#include "f1tenth_sim2d/ray_fan.h"
+#include "f1tenth_sim2d/simulation_types.h"
 
 namespace f1tenth_sim2d
 {

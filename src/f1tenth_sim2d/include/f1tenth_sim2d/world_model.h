@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "f1tenth_sim2d/geometry.h"
-#include "f1tenth_sim2d/pose3.h"
 
 /// What the loaders produce and the simulation consumes: plain data, no SDF, no Box2D, no ROS.
 namespace f1tenth_sim2d

@@ -10,7 +10,6 @@
 #include "core/simulation/trajectory_log.h"
 #include "environment/observation.h"
 #include "environment/pedals.h"
-#include "f1tenth_sim2d/prepared_world.h"
 #include "f1tenth_sim2d/simulation.h"
 
 namespace f1tenth_sim2d

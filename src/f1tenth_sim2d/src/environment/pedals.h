@@ -1,7 +1,6 @@
 #pragma once
 
-#include "f1tenth_sim2d/car_state.h"
-#include "f1tenth_sim2d/commands.h"
+#include "f1tenth_sim2d/simulation_types.h"
 #include "f1tenth_sim2d/vehicle_parameters.h"
 
 namespace f1tenth_sim2d

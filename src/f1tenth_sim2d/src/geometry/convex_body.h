@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "f1tenth_sim2d/geometry.h"
-#include "f1tenth_sim2d/pose3.h"
 
 namespace f1tenth_sim2d
 {

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "f1tenth_sim2d/car_id.h"
+#include "f1tenth_sim2d/simulation_types.h"
 
 namespace pybind11::detail
 {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "f1tenth_sim2d/prepared_world.h"
+#include "f1tenth_sim2d/simulation.h"
 #include "f1tenth_sim2d/world_model.h"
 
 namespace f1tenth_sim2d

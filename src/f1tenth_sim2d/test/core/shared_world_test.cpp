@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "f1tenth_sim2d/errors.h"
-#include "f1tenth_sim2d/prepared_world.h"
+#include "f1tenth_sim2d/simulation.h"
 #include "f1tenth_sim2d/trajectory_hash.h"
 #include "sample_world.h"
 

@@ -2,7 +2,7 @@
 
 #include "core/car/delayed_command.h"
 #include "core/models/steered_model.h"
-#include "f1tenth_sim2d/commands.h"
+#include "f1tenth_sim2d/simulation_types.h"
 
 namespace f1tenth_sim2d
 {

@@ -8,8 +8,7 @@
 #include "core/car/wheel_odometry.h"
 #include "core/math/planar_motion.h"
 #include "f1tenth_sim2d/car_model.h"
-#include "f1tenth_sim2d/car_state.h"
-#include "f1tenth_sim2d/commands.h"
+#include "f1tenth_sim2d/simulation_types.h"
 #include "f1tenth_sim2d/vehicle_parameters.h"
 
 namespace f1tenth_sim2d

@@ -2,7 +2,7 @@
 
 #include <deque>
 
-#include "f1tenth_sim2d/sim_time.h"
+#include "f1tenth_sim2d/simulation_types.h"
 #include "f1tenth_sim2d/vehicle_parameters.h"
 
 namespace f1tenth_sim2d

@@ -5,8 +5,7 @@
 
 #include "core/models/body_state.h"
 #include "f1tenth_sim2d/car_model.h"
-#include "f1tenth_sim2d/commands.h"
-#include "f1tenth_sim2d/sim_time.h"
+#include "f1tenth_sim2d/simulation_types.h"
 #include "f1tenth_sim2d/vehicle_parameters.h"
 
 namespace f1tenth_sim2d

@@ -4,8 +4,7 @@
 
 #include "core/models/body_state.h"
 #include "f1tenth_sim2d/geometry.h"
-#include "f1tenth_sim2d/sensor_samples.h"
-#include "f1tenth_sim2d/sim_time.h"
+#include "f1tenth_sim2d/simulation_types.h"
 #include "f1tenth_sim2d/vehicle_parameters.h"
 
 namespace f1tenth_sim2d

@@ -10,7 +10,7 @@
 #include "core/contacts/step_contact.h"
 #include "core/contacts/world_pieces.h"
 #include "core/math/planar_motion.h"
-#include "f1tenth_sim2d/car_id.h"
+#include "f1tenth_sim2d/simulation_types.h"
 
 namespace f1tenth_sim2d
 {

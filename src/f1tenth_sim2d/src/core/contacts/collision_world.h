@@ -10,7 +10,7 @@
 #include "core/contacts/piece_set.h"
 #include "core/contacts/world_pieces.h"
 #include "f1tenth_sim2d/geometry.h"
-#include "f1tenth_sim2d/model_state.h"
+#include "f1tenth_sim2d/simulation_types.h"
 #include "f1tenth_sim2d/world_model.h"
 
 namespace f1tenth_sim2d

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/contacts/step_contact.h"
-#include "f1tenth_sim2d/contact.h"
+#include "f1tenth_sim2d/simulation_types.h"
 
 namespace f1tenth_sim2d
 {

@@ -6,8 +6,8 @@
 
 #include "core/lidar/scan_space.h"
 #include "core/lidar/wall_grid.h"
-#include "f1tenth_sim2d/car_id.h"
 #include "f1tenth_sim2d/section.h"
+#include "f1tenth_sim2d/simulation_types.h"
 #include "f1tenth_sim2d/world_model.h"
 
 namespace f1tenth_sim2d

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/simulation/registered_car.h"
-#include "f1tenth_sim2d/car_id.h"
+#include "f1tenth_sim2d/simulation_types.h"
 
 namespace f1tenth_sim2d
 {

@@ -9,8 +9,8 @@
 #include "core/contacts/clearance.h"
 #include "core/contacts/contact_log.h"
 #include "core/lidar/lidar_sensor.h"
-#include "f1tenth_sim2d/car_id.h"
 #include "f1tenth_sim2d/car_model.h"
+#include "f1tenth_sim2d/simulation_types.h"
 
 namespace f1tenth_sim2d
 {

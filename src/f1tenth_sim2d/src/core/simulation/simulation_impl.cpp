@@ -7,7 +7,6 @@
 #include "core/simulation/encounters.h"
 #include "core/simulation/validation.h"
 #include "f1tenth_sim2d/errors.h"
-#include "f1tenth_sim2d/occupied_place.h"
 
 namespace f1tenth_sim2d
 {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "f1tenth_sim2d/car_model.h"
-#include "f1tenth_sim2d/ray_fan.h"
 #include "f1tenth_sim2d/simulation.h"
 #include "f1tenth_sim2d/world_model.h"
 

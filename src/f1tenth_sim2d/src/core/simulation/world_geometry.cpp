@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/simulation/validation.h"
-#include "f1tenth_sim2d/prepared_world.h"
+#include "f1tenth_sim2d/simulation.h"
 
 namespace f1tenth_sim2d
 {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "f1tenth_sim2d/pose3.h"
+#include "f1tenth_sim2d/geometry.h"
 #include "loaders/xml/element.h"
 
 namespace f1tenth_sim2d

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "f1tenth_sim2d/pose3.h"
+#include "f1tenth_sim2d/geometry.h"
 
 namespace f1tenth_sim2d
 {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "f1tenth_sim2d/pose3.h"
+#include "f1tenth_sim2d/geometry.h"
 #include "loaders/model/inertia.h"
 #include "loaders/xml/element.h"
 

@@ -11,7 +11,6 @@
 
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
-#include "f1tenth_sim2d/occupied_place.h"
 #include "node/gazebo_api/gazebo_entities.h"
 #include "node/world/warnings.h"
 

@@ -6,7 +6,6 @@
 #include <geometry_msgs/Twist.h>
 
 #include "f1tenth_sim2d/geometry.h"
-#include "f1tenth_sim2d/pose3.h"
 #include "f1tenth_sim2d/simulation.h"
 
 /// Between the core's types and messages.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "f1tenth_sim2d/sim_time.h"
+#include "f1tenth_sim2d/simulation_types.h"
 #include "node/cars/controllers/joint_command.h"
 
 namespace f1tenth_sim2d

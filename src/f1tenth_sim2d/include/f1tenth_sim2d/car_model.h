@@ -3,12 +3,12 @@
 #include <array>
 #include <limits>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "f1tenth_sim2d/geometry.h"
+#include "f1tenth_sim2d/simulation_types.h"
 #include "f1tenth_sim2d/vehicle_parameters.h"
 #include "f1tenth_sim2d/world_model.h"
 
@@ -57,15 +57,18 @@ struct ImuDescription
   double acceleration_noise_stddev{0.0};  ///< m/s^2
 };
 
-/// What a sensor of any further kind has; its own header derives from it (sonar.h).
-struct SensorDescription
+/// A sonar: how far away the nearest thing is that one of its rays meets. libgazebo_ros_range.so.
+struct SonarDescription
 {
-  virtual ~SensorDescription() = default;
-
   std::string name;
   std::string topic;
   std::string frame;
-  double rate_hz{0.0};  ///< 0: at every physics step
+  RayFan rays;                 ///< from where it is; range_max is that of the sonar
+  double rate_hz{0.0};         ///< 0: at every physics step
+  double range_min{0.0};       ///< m
+  double noise_stddev{0.0};    ///< m
+  double field_of_view{0.05};  ///< rad, as it is published; the rays say what is seen
+  bool is_infrared{false};
 };
 
 /// The true pose of a link as nav_msgs/Odometry: libgazebo_ros_p3d.so.
@@ -160,7 +163,7 @@ struct CarDescription
   std::vector<BumperDescription> bumpers;
   std::optional<ImuDescription> imu;
   std::vector<PoseSensorDescription> pose_sensors;
-  std::vector<std::shared_ptr<const SensorDescription>> sensors;  ///< of further kinds
+  std::vector<SonarDescription> sonars;
   std::optional<DriveDescription> drive;
   std::optional<RosControlDescription> ros_control;
 

@@ -6,7 +6,6 @@
 
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
-#include "f1tenth_sim2d/sonar.h"
 #include "small_car.h"
 
 // Sensors with libgazebo_ros_range.so.
@@ -39,8 +38,8 @@ CarDescription loadSonarCar(const std::string & xml)
 SonarDescription onlySonar(const std::string & xml)
 {
   const CarDescription car = loadSonarCar(xml);
-  EXPECT_EQ(car.sensors.size(), 1u);
-  return dynamic_cast<const SonarDescription &>(*car.sensors.at(0));
+  EXPECT_EQ(car.sonars.size(), 1u);
+  return car.sonars.at(0);
 }
 
 std::string errorOfSonar(const std::string & xml)

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "loaders/sensors/sensor_readers.h"
-#include "loaders/sensors/sonar_reader.h"
 
 namespace f1tenth_sim2d
 {

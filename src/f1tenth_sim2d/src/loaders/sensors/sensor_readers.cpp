@@ -1,5 +1,6 @@
 #include "loaders/sensors/sensor_readers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -73,6 +74,24 @@ void setImu(ImuDescription imu, const Element & element, CarContext & context)
   }
   context.car.imu = std::move(imu);
 }
+/// Hz: of sensor and plugin the lower rate, if both are given.
+double publishingRate(const SensorElement & element)
+{
+  const double of_plugin = element.plugin.rateOrZero("updateRate", 0.0);
+  const double of_sensor = element.sensor.rateOrZero("update_rate", 0.0);
+  return of_plugin > 0.0 && of_sensor > 0.0 ? std::min(of_plugin, of_sensor) : std::max(of_plugin, of_sensor);
+}
+
+/// rad, from the axis of the sonar, positive to the left.
+std::vector<double> directions(const RayScan & scan)
+{
+  const double sense = scan.pose.up().z() < 0.0 ? -1.0 : 1.0;
+  std::vector<double> angles{sense * scan.angle_min};
+  for (int i = 1; i < scan.count; ++i) {
+    angles.push_back(sense * (scan.angle_min + i * (scan.angle_max - scan.angle_min) / (scan.count - 1)));
+  }
+  return angles;
+}
 }  // namespace
 
 void readLidar(const SensorElement & element, CarContext & context)
@@ -93,6 +112,24 @@ void readLidar(const SensorElement & element, CarContext & context)
   lidar.noise_mean = biasOf(scan, sensor);
   lidar.noise_stddev = stddevOf(scan.ray.child("noise"));
   context.car.lidars.push_back(std::move(lidar));
+}
+
+void readSonar(const SensorElement & element, CarContext & context)
+{
+  const Element & plugin = element.plugin;
+  const RayScan scan = readRayScan(element, {"a sonar", 1}, context.warnings);
+  const auto & place = scan.pose.position;
+  SonarDescription sonar;
+  sonar.name = element.sensor.name();
+  sonar.topic = context.topic(plugin, plugin.requiredText("topicName"));
+  sonar.frame = frameId(plugin, plugin.requiredText("frameName"));
+  sonar.rate_hz = publishingRate(element);
+  sonar.rays = {{place.x(), place.y(), scan.pose.yaw()}, place.z(), directions(scan), scan.range_max};
+  sonar.range_min = scan.range_min;
+  sonar.noise_stddev = plugin.notNegative("gaussianNoise", 0.0);
+  sonar.field_of_view = plugin.notNegative("fov", sonar.field_of_view);
+  sonar.is_infrared = plugin.textOf("radiation", "ultrasound") != "ultrasound";
+  context.car.sonars.push_back(std::move(sonar));
 }
 
 void readBumper(const SensorElement & element, CarContext & context)

@@ -18,6 +18,7 @@ struct SensorElement
 /// Each adds one sensor to the car.
 /// @throws LoadError
 void readLidar(const SensorElement & element, CarContext & context);
+void readSonar(const SensorElement & element, CarContext & context);
 void readBumper(const SensorElement & element, CarContext & context);
 void readImu(const SensorElement & element, CarContext & context);
 

@@ -5,6 +5,7 @@
 #include <sensor_msgs/Imu.h>
 #include <sensor_msgs/JointState.h>
 #include <sensor_msgs/LaserScan.h>
+#include <sensor_msgs/Range.h>
 
 #include <map>
 #include <set>
@@ -27,6 +28,18 @@ private:
   void sample(sensor_msgs::LaserScan & message) override;
 
   const std::size_t lidar_;
+};
+
+/// A sonar, as libgazebo_ros_range.so publishes it: max_range if it sees nothing.
+class SonarOutput : public SensorOutput<SonarDescription, sensor_msgs::Range>
+{
+public:
+  SonarOutput(const CarHandle & car, const SonarDescription & sonar);
+
+private:
+  void sample(sensor_msgs::Range & message) override;
+
+  std::vector<double> ranges_;
 };
 
 /// How wheel odometry is published: as a drive plugin of the description says, or on `odom`.

@@ -4,7 +4,6 @@
 
 #include "node/cars/controllers/ros_control.h"
 #include "node/cars/plugin_output.h"
-#include "node/cars/sensor_outputs.h"
 
 namespace f1tenth_sim2d
 {
@@ -52,8 +51,8 @@ OutputList Fleet::makeOutputs(Car & car) const
   for (const BumperDescription & bumper : description.bumpers) {
     outputs.push_back(std::make_unique<BumperOutput>(handle, bumper));
   }
-  for (auto & output : sensorOutputs(handle)) {
-    outputs.push_back(std::move(output));
+  for (const SonarDescription & sonar : description.sonars) {
+    outputs.push_back(std::make_unique<SonarOutput>(handle, sonar));
   }
   addOdometry(handle, outputs);
   if (description.imu) {

@@ -24,7 +24,7 @@ FlowControl::FlowControl(Outbox & outbox, ros::CallbackQueue & queue, double sil
 
 void FlowControl::waitForSubscribers(const std::function<bool()> & interrupted)
 {
-  if (!outbox_.isLagging(kWaitAbove)) {
+  if (outbox_.lagging(kWaitAbove).empty()) {
     return;
   }
   if (waits_) {
@@ -59,7 +59,7 @@ void FlowControl::waitUntilBelow(std::size_t limit, const std::function<bool()> 
 void FlowControl::drain()
 {
   const ros::WallTime deadline = ros::WallTime::now() + kFarewell;
-  while (outbox_.isLagging(0) && ros::WallTime::now() < deadline) {
+  while (!outbox_.lagging(0).empty() && ros::WallTime::now() < deadline) {
     kLook.sleep();
   }
 }

@@ -44,12 +44,4 @@ std::vector<std::shared_ptr<Topic>> Outbox::lagging(std::size_t limit) const
   result.erase(std::remove_if(result.begin(), result.end(), keepsUp), result.end());
   return result;
 }
-
-bool Outbox::isLagging(std::size_t limit) const
-{
-  return std::any_of(topics_.begin(), topics_.end(), [&](const auto & each) {
-    const auto topic = each.lock();
-    return topic && topic->inFlight() > limit;
-  });
-}
 }  // namespace f1tenth_sim2d

@@ -1,12 +1,12 @@
 #include "node/app/sim2d_node.h"
 
 #include <ros/console.h>
+#include <ros/param.h>
 
 #include <utility>
 
 #include "f1tenth_sim2d/loaders.h"
 #include "node/app/diagnostics_output.h"
-#include "node/cars/start_cars.h"
 #include "node/gazebo_api/gazebo_states.h"
 #include "node/time/continuous_time.h"
 #include "node/time/lockstep_time.h"
@@ -45,6 +45,29 @@ Simulation simulationOf(const NodeParameters & parameters)
   }
   warnOnce(world.file, warnings);
   return Simulation(world, parameters.simulation);
+}
+
+CarDescription describe(const CarParameters & car)
+{
+  const std::string parameter = "/" + car.name + "/robot_description";
+  std::string xml;
+  if (!ros::param::get(parameter, xml)) {
+    throw Error("parameter " + parameter + ": not set, expected the URDF or SDF text of the car");
+  }
+  return loadCar(xml, car.name, parameter, searchPathFromEnvironment());
+}
+
+/// Puts the cars of the parameters into the fleet: reads their descriptions (/NAME/robot_description) and vehicle files.
+/// @param start  where the world says that cars without a pose of their own start
+void addCars(const std::vector<CarParameters> & cars, const Pose2 & start, Fleet & fleet)
+{
+  for (const auto & car : cars) {
+    const CarDescription description = describe(car);
+    warnOnce(description.source, description.warnings);
+    const VehicleParameters vehicle =
+      car.vehicle_file.empty() ? description.parameters : loadVehicleParameters(car.vehicle_file);
+    fleet.add(car, description, vehicle, startPose(car, start));
+  }
 }
 }  // namespace
 

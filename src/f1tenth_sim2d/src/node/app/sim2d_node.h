@@ -19,7 +19,6 @@
 #include "node/time/time_keeper.h"
 #include "node/transport/flow_control.h"
 #include "node/transport/outbox.h"
-#include "node/world/running_outputs.h"
 #include "node/world/simulated_world.h"
 
 namespace f1tenth_sim2d

@@ -11,12 +11,33 @@
 #include "node/cars/car_outputs.h"
 #include "node/cars/command_input.h"
 #include "node/cars/plugin_host.h"
-#include "node/cars/simulated_car.h"
 #include "node/parameters/node_parameters.h"
-#include "node/world/running_outputs.h"
+#include "node/world/simulated_world.h"
 
 namespace f1tenth_sim2d
 {
+/// A car that is in the simulation as long as this exists.
+class SimulatedCar
+{
+public:
+  /// @throws Error as Simulation::addCar
+  SimulatedCar(
+    Simulation & simulation, const CarDescription & description, const VehicleParameters & parameters,
+    const Pose2 & pose)
+  : simulation_(simulation), id_(simulation.addCar(description, parameters, pose))
+  {
+  }
+  ~SimulatedCar() { simulation_.removeCar(id_); }
+  SimulatedCar(const SimulatedCar &) = delete;
+  SimulatedCar & operator=(const SimulatedCar &) = delete;
+
+  CarId id() const { return id_; }
+
+private:
+  Simulation & simulation_;
+  const CarId id_;
+};
+
 /// What the node keeps for each car of the simulation: what it publishes, its plugins and its driver.
 class Fleet
 {

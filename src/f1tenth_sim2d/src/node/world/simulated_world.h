@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/simulation/trajectory_log.h"
@@ -77,5 +78,24 @@ private:
   std::map<OutputsId, Running> running_;
   std::map<CarId, SimTime> answered_at_;  // of the last output that the driver of a car answers
   OutputsId next_id_{0};
+};
+
+/// Outputs that the world runs as long as this exists.
+class RunningOutputs
+{
+public:
+  /// @param car  whose they are: they are told of its contacts
+  RunningOutputs(SimulatedWorld & world, OutputList outputs, std::optional<CarId> car = std::nullopt)
+  : world_(world), outputs_(std::move(outputs)), id_(world_.add(outputs_, car))
+  {
+  }
+  ~RunningOutputs() { world_.remove(id_); }
+  RunningOutputs(const RunningOutputs &) = delete;
+  RunningOutputs & operator=(const RunningOutputs &) = delete;
+
+private:
+  SimulatedWorld & world_;
+  const OutputList outputs_;
+  const SimulatedWorld::OutputsId id_;
 };
 }  // namespace f1tenth_sim2d

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "node/cars/command_input.h"
-#include "node/cars/controllers/controlled_joint.h"
+#include "node/cars/controllers/joint_command.h"
 #include "node/cars/sensor_output.h"
 
 namespace f1tenth_sim2d

@@ -19,28 +19,33 @@ struct Type
   std::function<std::unique_ptr<Controller>(const ControllerSetup &)> make;
 };
 
-template <class Kind>
-Type plainType(const std::string & name)
+template <class Made, class... Arguments>
+Type type(const std::string & name, const Arguments &... arguments)
 {
-  return {name, [](const ControllerSetup & setup) { return std::make_unique<Kind>(setup); }};
-}
-
-std::vector<Type> makeTypes()
-{
-  std::vector<Type> types{
-    plainType<JointStateController>("joint_state_controller/JointStateController"),
-    plainType<SteeringController>("ackermann_steering_controller/AckermannSteeringController"),
-    plainType<SteeringController>("steer_drive_controller/SteerDriveController")};
-  for (const JointControllerType & type : jointControllerTypes()) {
-    types.push_back(
-      {type.name, [&type](const ControllerSetup & setup) { return std::make_unique<JointController>(type, setup); }});
-  }
-  return types;
+  return {name, [=](const ControllerSetup & setup) { return std::make_unique<Made>(setup, arguments...); }};
 }
 
 const std::vector<Type> & types()
 {
-  static const std::vector<Type> types = makeTypes();
+  using Kind = JointCommand::Kind;
+  static const std::string velocity = "hardware_interface::VelocityJointInterface";
+  static const std::string position = "hardware_interface::PositionJointInterface";
+  static const std::string effort = "hardware_interface::EffortJointInterface";
+  static const std::vector<Type> types{
+    type<JointStateController>("joint_state_controller/JointStateController"),
+    type<SteeringController>("ackermann_steering_controller/AckermannSteeringController"),
+    type<SteeringController>("steer_drive_controller/SteerDriveController"),
+    type<JointController>("velocity_controllers/JointVelocityController", velocity, Kind::kVelocity, false),
+    type<JointController>("velocity_controllers/JointPositionController", velocity, Kind::kPosition, false),
+    type<JointController>("velocity_controllers/JointGroupVelocityController", velocity, Kind::kVelocity, true),
+    type<JointController>("position_controllers/JointPositionController", position, Kind::kPosition, false),
+    type<JointController>("position_controllers/JointGroupPositionController", position, Kind::kPosition, true),
+    type<JointController>("effort_controllers/JointEffortController", effort, Kind::kEffort, false),
+    type<JointController>("effort_controllers/JointVelocityController", effort, Kind::kVelocity, false),
+    type<JointController>("effort_controllers/JointPositionController", effort, Kind::kPosition, false),
+    type<JointController>("effort_controllers/JointGroupEffortController", effort, Kind::kEffort, true),
+    type<JointController>("effort_controllers/JointGroupPositionController", effort, Kind::kPosition, true),
+  };
   return types;
 }
 }  // namespace
@@ -48,7 +53,6 @@ const std::vector<Type> & types()
 std::vector<std::string> controllerTypes()
 {
   std::vector<std::string> names;
-  names.reserve(types().size());
   for (const Type & type : types()) {
     names.push_back(type.name);
   }

@@ -21,11 +21,11 @@ ros::Subscriber subscribe(ros::NodeHandle node, const std::function<void(const M
     ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
 }
 
-std::vector<std::string> jointNames(const JointControllerType & type, const ControllerSetup & setup)
+std::vector<std::string> jointNames(const ControllerSetup & setup, bool is_group)
 {
   workspace_support::ParameterReader parameters = setup.parameters();
   std::vector<std::string> names(1);
-  if (!type.is_group) {
+  if (!is_group) {
     parameters.readRequired("joint", names.front());
   } else if (!parameters.read("joints", names) || names.empty()) {
     parameters.fail("joints", "a list of names");
@@ -34,36 +34,16 @@ std::vector<std::string> jointNames(const JointControllerType & type, const Cont
 }
 }  // namespace
 
-const std::vector<JointControllerType> & jointControllerTypes()
+JointController::JointController(
+  const ControllerSetup & setup, const std::string & interface, JointCommand::Kind kind, bool is_group)
+: interface_(interface), car_(setup.car), commands_(setup.commands)
 {
-  using Kind = JointCommand::Kind;
-  const std::string velocity = "hardware_interface::VelocityJointInterface";
-  const std::string position = "hardware_interface::PositionJointInterface";
-  const std::string effort = "hardware_interface::EffortJointInterface";
-  static const std::vector<JointControllerType> types{
-    {"velocity_controllers/JointVelocityController", velocity, Kind::kVelocity, false},
-    {"velocity_controllers/JointPositionController", velocity, Kind::kPosition, false},
-    {"velocity_controllers/JointGroupVelocityController", velocity, Kind::kVelocity, true},
-    {"position_controllers/JointPositionController", position, Kind::kPosition, false},
-    {"position_controllers/JointGroupPositionController", position, Kind::kPosition, true},
-    {"effort_controllers/JointEffortController", effort, Kind::kEffort, false},
-    {"effort_controllers/JointVelocityController", effort, Kind::kVelocity, false},
-    {"effort_controllers/JointPositionController", effort, Kind::kPosition, false},
-    {"effort_controllers/JointGroupEffortController", effort, Kind::kEffort, true},
-    {"effort_controllers/JointGroupPositionController", effort, Kind::kPosition, true},
-  };
-  return types;
-}
-
-JointController::JointController(const JointControllerType & type, const ControllerSetup & setup)
-: type_(type), car_(setup.car), commands_(setup.commands)
-{
-  for (const std::string & name : jointNames(type, setup)) {
-    joints_.push_back(setup.joint(name, type.kind, type.is_group ? name + "/pid" : "pid"));
+  for (const std::string & name : jointNames(setup, is_group)) {
+    joints_.push_back(setup.joint(name, kind, is_group ? name + "/pid" : "pid"));
   }
   values_.resize(joints_.size());
   subscriber_ =
-    type.is_group
+    is_group
       ? subscribe<std_msgs::Float64MultiArray>(setup.node(), [this](const auto & message) { take(message.data); })
       : subscribe<std_msgs::Float64>(setup.node(), [this](const auto & message) { take({message.data}); });
 }
@@ -75,7 +55,7 @@ Controller::Claims JointController::claims() const
   for (const ControlledJoint & joint : joints_) {
     names.push_back(joint.description().name);
   }
-  return {claimOf(type_.interface, names)};
+  return {claimOf(interface_, names)};
 }
 
 void JointController::start(SimTime /*now*/)

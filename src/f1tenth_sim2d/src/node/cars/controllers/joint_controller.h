@@ -10,24 +10,14 @@
 
 namespace f1tenth_sim2d
 {
-/// What a type of joint controller does to which joints.
-struct JointControllerType
-{
-  std::string name;       ///< "velocity_controllers/JointVelocityController"
-  std::string interface;  ///< "hardware_interface::VelocityJointInterface"
-  JointCommand::Kind kind;
-  bool is_group;  ///< several joints and a std_msgs/Float64MultiArray, or else one and a std_msgs/Float64
-};
-
-/// The types that there are.
-const std::vector<JointControllerType> & jointControllerTypes();
-
 /// A controller of one or several joints, with its topic `NAME/command`. A new one starts from standstill: 0.
 class JointController : public Controller
 {
 public:
+  /// @param interface  "hardware_interface::VelocityJointInterface"
+  /// @param is_group   several joints and a std_msgs/Float64MultiArray, or else one and a std_msgs/Float64
   /// @throws Error for joints that this type cannot move
-  JointController(const JointControllerType & type, const ControllerSetup & setup);
+  JointController(const ControllerSetup & setup, const std::string & interface, JointCommand::Kind kind, bool is_group);
 
   Claims claims() const override;
   void start(SimTime now) override;
@@ -37,7 +27,7 @@ private:
   void take(const std::vector<double> & values);
   std::string objectionTo(const std::vector<double> & values) const;
 
-  const JointControllerType & type_;
+  const std::string interface_;
   const CarHandle car_;
   CommandInput & commands_;
   std::vector<ControlledJoint> joints_;

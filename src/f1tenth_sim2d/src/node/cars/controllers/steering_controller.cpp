@@ -54,21 +54,21 @@ std::vector<JointCommand> SteeringController::update(SimTime now, double dt)
   }
   schedule_.run(now);
   const bool is_old = toSeconds(now - command_time_) > p_.cmd_vel_timeout;
-  const Command next = allowed(is_old ? Command{} : command_, dt);
+  const DriveCommand next = allowed(is_old ? DriveCommand{} : command_, dt);
   before_ = last_;
   last_ = next;
   const double rolling = jointState(wheel_.description(), car_.simulation, car_.id).velocity;
   return {wheel_.command(next.speed / p_.wheel_radius, rolling, dt), steering_.command(next.steering_angle, 0.0, dt)};
 }
 
-SteeringController::Command SteeringController::allowed(const Command & wanted, double dt)
+DriveCommand SteeringController::allowed(const DriveCommand & wanted, double dt)
 {
   return {
     limited(wanted.speed, last_.speed, before_.speed, dt, p_.linear),
     limited(wanted.steering_angle, last_.steering_angle, before_.steering_angle, dt, p_.angular)};
 }
 
-void SteeringController::take(const Command & command)
+void SteeringController::take(const DriveCommand & command)
 {
   std::string objection = wheel_.objectionTo(command.speed / p_.wheel_radius);
   if (objection.empty()) {

@@ -29,14 +29,9 @@ public:
   std::vector<JointCommand> update(SimTime now, double dt) override;
 
 private:
-  struct Command
-  {
-    double speed{0.0};           ///< m/s
-    double steering_angle{0.0};  ///< rad
-  };
-  void take(const Command & command);
+  void take(const DriveCommand & command);
   void measure(double dt);
-  Command allowed(const Command & wanted, double dt);
+  DriveCommand allowed(const DriveCommand & wanted, double dt);
   void publish(SimTime now);
 
   const SteeringParameters p_;
@@ -45,10 +40,10 @@ private:
   CommandInput & commands_;
   ControlledJoint wheel_;
   ControlledJoint steering_;
-  Command command_;
+  DriveCommand command_;
   SimTime command_time_{0};
-  Command last_;                // allowed
-  Command before_;              // the one before
+  DriveCommand last_;           // allowed
+  DriveCommand before_;         // the one before
   double wheel_position_{0.0};  // rad
   SteeringOdometry odometry_;
   Schedule schedule_;

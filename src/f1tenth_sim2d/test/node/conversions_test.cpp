@@ -6,13 +6,6 @@
 
 using namespace f1tenth_sim2d;
 
-TEST(Conversions, YawBecomesAUnitQuaternionAboutZ)
-{
-  const auto quaternion = toQuaternion(M_PI / 3.0);
-  EXPECT_DOUBLE_EQ(quaternion.z, 0.5);
-  EXPECT_DOUBLE_EQ(quaternion.w, std::sqrt(0.75));
-}
-
 TEST(Conversions, TwistToAnAckermannDriveHoldsASteeringAngle)
 {
   DriveDescription drive;

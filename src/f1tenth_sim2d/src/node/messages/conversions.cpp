@@ -25,15 +25,13 @@ geometry_msgs::Wrench toWrench(const Vec2 & force, double torque, double share)
   message.torque.z = torque * share;
   return message;
 }
-}  // namespace
 
-geometry_msgs::Quaternion toQuaternion(double yaw)
+/// What is not finite stays so, and is refused.
+double bounded(double value, double most)
 {
-  geometry_msgs::Quaternion message;
-  message.z = std::sin(yaw / 2.0);
-  message.w = std::cos(yaw / 2.0);
-  return message;
+  return std::isfinite(value) ? std::clamp(value, -most, most) : value;
 }
+}  // namespace
 
 geometry_msgs::Pose toPose(const Pose3 & pose)
 {
@@ -57,15 +55,6 @@ geometry_msgs::Twist toTwist(const Vec2 & velocity, double yaw_rate)
   message.angular.z = yaw_rate;
   return message;
 }
-
-namespace
-{
-/// What is not finite stays so, and is refused.
-double bounded(double value, double most)
-{
-  return std::isfinite(value) ? std::clamp(value, -most, most) : value;
-}
-}  // namespace
 
 DriveCommand toDriveCommand(const geometry_msgs::Twist & twist, const DriveDescription & drive)
 {

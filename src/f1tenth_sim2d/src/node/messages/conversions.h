@@ -11,7 +11,6 @@
 /// Between the core's types and messages.
 namespace f1tenth_sim2d
 {
-geometry_msgs::Quaternion toQuaternion(double yaw);
 geometry_msgs::Pose toPose(const Pose3 & pose);
 geometry_msgs::Transform toTransform(const Pose3 & pose);
 /// A pose in the plane as one in space.

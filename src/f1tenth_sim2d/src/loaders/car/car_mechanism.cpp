@@ -83,13 +83,11 @@ void dropWhatDoesNotSteer(const Model & model, std::vector<MechanismJoint> & joi
 /// Where x changes from rear to front.
 double middleOf(const std::vector<MechanismJoint> & joints)
 {
-  double rear = std::numeric_limits<double>::infinity();
-  double front = -rear;
+  Eigen::AlignedBox3d box;
   for (const MechanismJoint & joint : joints) {
-    rear = std::min(rear, joint.place.x());
-    front = std::max(front, joint.place.x());
+    box.extend(joint.place);
   }
-  return (rear + front) / 2.0;
+  return box.center().x();
 }
 
 bool isInTheMiddle(const MechanismJoint & joint)
@@ -115,14 +113,11 @@ Role roleOf(const MechanismJoint & joint, double middle)
 /// Half the height of a mesh in the frame of the car.
 double halfHeight(const TriangleMesh & mesh, const Pose3 & pose)
 {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
+  Eigen::AlignedBox3d box;
   for (const Vector3d & vertex : mesh.vertices) {
-    const double z = (pose * vertex).z();
-    low = std::min(low, z);
-    high = std::max(high, z);
+    box.extend(pose * vertex);
   }
-  return (high - low) / 2.0;
+  return box.sizes().z() / 2.0;
 }
 
 double radiusOf(const Solid & solid)

@@ -109,15 +109,12 @@ private:
 
 void moveMiddleToOrigin(TriangleMesh & mesh)
 {
-  Vector3d low = mesh.vertices.front();
-  Vector3d high = low;
+  Eigen::AlignedBox3d box;
   for (const Vector3d & vertex : mesh.vertices) {
-    low = low.cwiseMin(vertex);
-    high = high.cwiseMax(vertex);
+    box.extend(vertex);
   }
-  const Vector3d middle = (low + high) / 2.0;
   for (Vector3d & vertex : mesh.vertices) {
-    vertex -= middle;
+    vertex -= box.center();
   }
 }
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "loaders/files/path_list.h"
+#include "loaders/files/read_file.h"
 
 namespace f1tenth_sim2d
 {
@@ -16,12 +17,6 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr int kDepthMax = 12;  // a ring of symbolic links ends here
-
-bool isFile(const fs::path & path)
-{
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
-}
 
 std::vector<fs::path> foldersIn(const fs::path & folder)
 {

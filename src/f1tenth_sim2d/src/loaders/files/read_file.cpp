@@ -9,6 +9,12 @@
 
 namespace f1tenth_sim2d
 {
+bool isFile(const std::string & path)
+{
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored);
+}
+
 std::string readFile(const std::string & path)
 {
   std::error_code ignored;

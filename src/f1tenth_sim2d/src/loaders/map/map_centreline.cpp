@@ -1,5 +1,6 @@
 #include "loaders/map/map_centreline.h"
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -16,9 +17,8 @@ namespace
 std::filesystem::path centrelineOf(const std::filesystem::path & map)
 {
   const std::string stem = map.stem().string();
-  const std::string ending = "_map";
-  const bool has_ending = stem.size() > ending.size() && stem.rfind(ending) == stem.size() - ending.size();
-  return map.parent_path() / ((has_ending ? stem.substr(0, stem.size() - ending.size()) : stem) + "_centerline.csv");
+  const std::string track = boost::algorithm::ends_with(stem, "_map") ? stem.substr(0, stem.size() - 4) : stem;
+  return map.parent_path() / (track + "_centerline.csv");
 }
 
 std::optional<Vec2> readPoint(const std::string & line)

@@ -1,12 +1,13 @@
 #include "loaders/model/model_reader.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/trim.hpp>
 #include <filesystem>
 #include <set>
 
 #include "f1tenth_sim2d/errors.h"
+#include "loaders/files/read_file.h"
 #include "loaders/model/known_tags.h"
-#include "loaders/model/model_file.h"
 #include "loaders/model/read_pose.h"
 #include "loaders/model/sdf_parts.h"
 #include "loaders/model/urdf_model.h"
@@ -15,6 +16,8 @@ namespace f1tenth_sim2d
 {
 namespace
 {
+namespace fs = std::filesystem;
+
 const char * const kTaken = "this name is taken; names are unique among the elements of one parent";
 
 /// A name that no element of the same tag has.
@@ -42,11 +45,59 @@ void requireModelDocument(const Element & root, const std::string & what)
   }
 }
 
+/// Name of the file that a model.config says; of several versions the newest that can be read here.
+std::string newestFile(const fs::path & config)
+{
+  tinyxml2::XMLDocument document;
+  document.LoadFile(config.c_str());
+  const tinyxml2::XMLElement * const model = document.FirstChildElement("model");
+  std::string newest;
+  int best = -1;
+  for (auto sdf = model ? model->FirstChildElement("sdf") : nullptr; sdf; sdf = sdf->NextSiblingElement("sdf")) {
+    const char * const text = sdf->Attribute("version");
+    const int version = text ? versionIn(text) : 0;
+    if (sdf->GetText() && version > best && version <= kNewestSdfVersion) {
+      best = version;
+      newest = boost::algorithm::trim_copy(std::string(sdf->GetText()));
+    }
+  }
+  return newest;
+}
+
+/// The file that an <include> means: that of its <uri>, or, if it is a folder, the newest in it that its model.config
+/// names and that can be read here.
+/// @throws LoadError
+std::string modelFile(const Element & include, const UriLookup & uris)
+{
+  include.requiredText("uri");
+  const Element uri = include.child("uri");
+  const std::string found = uris.findFrom(include.document().folder, uri.text());
+  if (found.empty()) {
+    uri.fail("Unable to find uri[" + uri.text() + "]; searched: " + uris.searchedFolders());
+  }
+  if (isFile(found)) {
+    return found;
+  }
+  const fs::path config = fs::path(found) / "model.config";
+  const fs::path older_config = fs::path(found) / "manifest.xml";
+  if (!isFile(config) && !isFile(older_config)) {
+    uri.fail("uri[" + uri.text() + "] is the folder " + found + ", which holds no model.config");
+  }
+  const std::string name = newestFile(isFile(config) ? config : older_config);
+  const fs::path file = fs::path(found) / name;
+  if (name.empty() || !isFile(file)) {
+    uri.fail(
+      "uri[" + uri.text() +
+      "]: " + (name.empty() ? config.string() + " names no <sdf> file" : file.string() + " is not there"));
+  }
+  return file.string();
+}
+
 /// One file may be called by many paths.
 std::string canonical(const std::string & file)
 {
   std::error_code error;
-  const std::filesystem::path path = std::filesystem::weakly_canonical(file, error);
+  const fs::path path = fs::weakly_canonical(file, error);
   return error ? file : path.string();
 }
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "f1tenth_sim2d/errors.h"
+#include "loaders/files/read_file.h"
 #include "loaders/xml/xml_document.h"
 
 namespace f1tenth_sim2d
@@ -59,11 +60,10 @@ Mesh MeshLibrary::read(const Element & element, const std::string & uri, const M
 std::string MeshLibrary::find(const Element & element, const std::string & uri) const
 {
   const std::string path = uris_.findFrom(element.document().folder, uri);
-  std::error_code ignored;
   if (path.empty()) {
     element.fail("<uri> is " + uri + ", which is not found; searched: " + uris_.searchedFolders());
   }
-  if (!fs::is_regular_file(path, ignored)) {
+  if (!isFile(path)) {
     element.fail("<uri> is " + uri + ", but " + path + " is not a file");
   }
   return path;

@@ -91,14 +91,13 @@ void PythonSimulation::placeCar(CarId car, double x, double y, double yaw, doubl
 
 SimTime PythonSimulation::periodEnd() const
 {
-  return fromSeconds(static_cast<double>(periods_ + 1) * control_period_);
+  return fromSeconds(static_cast<double>(log_.periods() + 1) * control_period_);
 }
 
 void PythonSimulation::hashPeriod()
 {
   if (Simulation::time() >= periodEnd()) {
-    hash_.add(*this);
-    ++periods_;
+    log_.endPeriod();
   }
 }
 
@@ -128,8 +127,7 @@ void PythonSimulation::advanceTo(double end)
 void PythonSimulation::reset()
 {
   Simulation::reset();
-  hash_.reset();
-  periods_ = 0;
+  log_.restart();
 }
 
 py::array_t<double> PythonSimulation::poses() const

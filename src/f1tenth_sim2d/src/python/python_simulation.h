@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/simulation/trajectory_log.h"
 #include "f1tenth_sim2d/simulation.h"
-#include "f1tenth_sim2d/trajectory_hash.h"
 #include "python/python_world.h"
 
 namespace f1tenth_sim2d
@@ -32,7 +32,7 @@ public:
   /// The caller has released the GIL. @throws pybind11::error_already_set if a signal came that raises
   void advanceTo(double end);
   void reset();
-  std::string trajectoryHash() const { return hash_.hexDigest(); }
+  std::string trajectoryHash() const { return log_.hash(); }
 
   void command(CarId car, double speed, double steering_angle) { Simulation::command(car, {speed, steering_angle}); }
 
@@ -56,8 +56,7 @@ private:
   void scanInto(float * ranges, CarId car, std::size_t lidar, bool exact) const;
 
   double control_period_;  ///< s
-  std::int64_t periods_{0};
-  TrajectoryHash hash_;
+  TrajectoryLog log_{*this, ""};
   std::atomic_flag taken_ = ATOMIC_FLAG_INIT;
 };
 }  // namespace f1tenth_sim2d

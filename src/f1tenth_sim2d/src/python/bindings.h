@@ -24,7 +24,6 @@ auto ofEach(std::vector<Item> Owner::*items, std::string Item::*text)
 /// "TYPE(NAME=VALUE, ...)" of the properties of a bound object, in the order in which they are bound: its __repr__.
 pybind11::str shown(const pybind11::object & object);
 
-void bindErrors(pybind11::module_ & module);
 void bindVehicleParameters(pybind11::module_ & module);
 void bindWorld(pybind11::module_ & module);
 void bindCar(pybind11::module_ & module);

@@ -1,8 +1,20 @@
+#include "f1tenth_sim2d/errors.h"
 #include "python/bindings.h"
 
 namespace f1tenth_sim2d
 {
 namespace py = pybind11;
+
+namespace
+{
+void bindErrors(py::module_ & module)
+{
+  auto error = py::register_exception<Error>(module, "Error");
+  error.doc() = "Base of everything this module raises for a user's mistake.";
+  auto load_error = py::register_exception<LoadError>(module, "LoadError", error.ptr());
+  load_error.doc() = "A world, robot description or parameter file that cannot be used; names file, place and reason.";
+}
+}  // namespace
 
 py::str shown(const py::object & object)
 {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/contacts/contact_log.h"
 #include "core/contacts/piece.h"
 #include "core/contacts/piece_set.h"
-#include "core/contacts/step_contact.h"
 #include "core/contacts/world_pieces.h"
 #include "core/math/planar_motion.h"
 #include "f1tenth_sim2d/simulation_types.h"

@@ -24,6 +24,16 @@ void addFixture(b2Body & body, const Piece & piece)
   definition.userData.pointer = reinterpret_cast<std::uintptr_t>(&piece);
   body.CreateFixture(&definition);
 }
+
+/// A body about its centre of mass that can move; kg, kg m^2.
+b2Body * createBody(b2World & world, b2BodyDef definition, double mass, double inertia)
+{
+  definition.type = b2_dynamicBody;
+  b2Body * body = world.CreateBody(&definition);
+  const b2MassData data{static_cast<float>(mass), b2Vec2_zero, toBoxSquared(inertia)};
+  body->SetMassData(&data);
+  return body;
+}
 }  // namespace
 
 bool CollisionWorld::PieceFilter::ShouldCollide(b2Fixture * a, b2Fixture * b)
@@ -61,17 +71,10 @@ void CollisionWorld::addBodies()
 b2Body * CollisionWorld::addMovable(const ModelDescription & model, const ModelBody & start)
 {
   b2BodyDef definition;
-  definition.type = b2_dynamicBody;
   definition.position = toBox(Transform2(start.frame).apply(start.centre_of_mass));
   definition.angle = static_cast<float>(start.frame.yaw);
   definition.awake = false;
-  b2Body * body = world_.CreateBody(&definition);
-  b2MassData mass;
-  mass.mass = static_cast<float>(model.mass);
-  mass.center = b2Vec2_zero;
-  mass.I = toBoxSquared(model.inertia_zz);
-  body->SetMassData(&mass);
-  return body;
+  return createBody(world_, definition, model.mass, model.inertia_zz);
 }
 
 std::vector<Piece> CollisionWorld::wholePieces(std::size_t model) const
@@ -122,19 +125,13 @@ void CollisionWorld::add(CarBody & car) noexcept
     }
   }
   b2BodyDef definition;
-  definition.type = b2_dynamicBody;
   definition.allowSleep = false;
   definition.enabled = false;
   definition.userData.pointer = reinterpret_cast<std::uintptr_t>(&car);
-  b2Body * body = world_.CreateBody(&definition);
+  b2Body * body = createBody(world_, definition, car.mass, car.inertia);
   for (const Piece & piece : car.pieces) {
     addFixture(*body, piece);
   }
-  b2MassData mass;
-  mass.mass = static_cast<float>(car.mass);
-  mass.center = b2Vec2_zero;
-  mass.I = toBoxSquared(car.inertia);
-  body->SetMassData(&mass);
   car.participant.body = body;
   car.participant.surroundings.reset();
   car.contacts.clear();

@@ -1,13 +1,36 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
-#include "core/contacts/step_contact.h"
+#include "core/contacts/piece.h"
 #include "f1tenth_sim2d/simulation_types.h"
 
 namespace f1tenth_sim2d
 {
+/// What touches one solid of a car in one physics step.
+struct StepContact
+{
+  std::uint32_t own_solid;
+  Piece::Owner other_owner;
+  std::uint32_t other_body;
+  std::uint32_t other_solid;
+  std::vector<Vec2> positions;  ///< m, world
+  std::vector<Vec2> normals;    ///< from the other body towards the car
+  std::vector<double> depths;   ///< m
+  Vec2 impulse;                 ///< N s, on the car
+  double angular_impulse{0.0};  ///< N m s, about the car's centre of mass
+  double speed{0.0};            ///< m/s, greatest of the touching points against each other, before the impact
+  int substep{0};               ///< of the positions, normals and depths: the last one in which the pair touched
+
+  bool isOfSamePair(const StepContact & other) const
+  {
+    return own_solid == other.own_solid && other_owner == other.other_owner && other_body == other.other_body &&
+           other_solid == other.other_solid;
+  }
+};
+
 /// The contacts of one car since they were last cleared, one entry a pair of collision elements: the physics step in
 /// which the pair pushed hardest, so that a bump shorter than a control period shows with its full force.
 class ContactLog

@@ -3,8 +3,8 @@
 #include <box2d/box2d.h>
 
 #include "core/contacts/car_body.h"
+#include "core/contacts/contact_log.h"
 #include "core/contacts/piece.h"
-#include "core/contacts/step_contact.h"
 
 namespace f1tenth_sim2d
 {

@@ -79,11 +79,10 @@ std::string modelFile(const Element & include, const UriLookup & uris)
     return found;
   }
   const fs::path config = fs::path(found) / "model.config";
-  const fs::path older_config = fs::path(found) / "manifest.xml";
-  if (!isFile(config) && !isFile(older_config)) {
+  if (!isFile(config)) {
     uri.fail("uri[" + uri.text() + "] is the folder " + found + ", which holds no model.config");
   }
-  const std::string name = newestFile(isFile(config) ? config : older_config);
+  const std::string name = newestFile(config);
   const fs::path file = fs::path(found) / name;
   if (name.empty() || !isFile(file)) {
     uri.fail(

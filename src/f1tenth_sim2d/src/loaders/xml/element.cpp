@@ -173,13 +173,6 @@ double Element::number(const std::string & tag, std::optional<double> fallback) 
   return child ? toNumber("<" + tag + ">", child.text()) : *fallback;
 }
 
-double Element::positive(const std::string & tag) const
-{
-  const double value = number(tag);
-  requirePositive("<" + tag + ">", value);
-  return value;
-}
-
 double Element::notNegative(const std::string & tag, double fallback) const
 {
   const double value = number(tag, fallback);

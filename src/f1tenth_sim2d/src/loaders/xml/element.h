@@ -51,7 +51,6 @@ public:
 
   /// Numbers of children; a path of tags ("range/min") follows children of children. Without a fallback the child is required.
   double number(const std::string & tag, std::optional<double> fallback = std::nullopt) const;
-  double positive(const std::string & tag) const;                      ///< finite
   double notNegative(const std::string & tag, double fallback) const;  ///< finite
   double rate(const std::string & tag) const;                          ///< Hz, positive and at most 1e6
   double rateOrZero(const std::string & tag, double fallback) const;   ///< the same; 0 is allowed, too

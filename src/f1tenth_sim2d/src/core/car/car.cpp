@@ -3,10 +3,39 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/car/steered_drive.h"
+#include "core/car/twist_drive.h"
 #include "core/math/planar_pose.h"
+#include "core/models/kinematic.h"
+#include "core/models/single_track.h"
+#include "core/models/single_track_drift.h"
 
 namespace f1tenth_sim2d
 {
+namespace
+{
+std::unique_ptr<SteeredModel> makeModel(const VehicleParameters & parameters)
+{
+  switch (parameters.model) {
+    case VehicleModel::kKinematic:
+      return std::make_unique<Kinematic>(parameters);
+    case VehicleModel::kSingleTrackDrift:
+      return std::make_unique<SingleTrackDrift>(parameters);
+    default:
+      return std::make_unique<SingleTrack>(parameters);
+  }
+}
+
+/// The dynamics that a car's description and the `model` of its parameters ask for.
+std::unique_ptr<VehicleDynamics> makeVehicleDynamics(const CarDescription & car, const VehicleParameters & parameters)
+{
+  if (TwistDrive::drives(car)) {
+    return std::make_unique<TwistDrive>(car, parameters);
+  }
+  return std::make_unique<SteeredDrive>(car, parameters, makeModel(parameters));
+}
+}  // namespace
+
 Car::Car(
   const CarDescription & description, const VehicleParameters & parameters, const Pose2 & start, std::uint64_t seed,
   std::uint32_t noise_stream)
@@ -40,7 +69,7 @@ void Car::restart(SimTime now)
   place(start_);
   wheel_angles_ = {};
   dynamics_->restart();
-  odometry_.restart(start_, 0.0, now);
+  odometry_.restart(start_, now);
 }
 
 void Car::predict(SimTime now, double dt)

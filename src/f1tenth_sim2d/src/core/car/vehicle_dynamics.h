@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 
 #include "core/models/body_state.h"
 #include "f1tenth_sim2d/car_model.h"
@@ -40,7 +39,4 @@ public:
   virtual bool steers() const = 0;
   virtual WheelMotion wheels(const BodyState & state) const = 0;
 };
-
-/// The dynamics that a car's description and the `model` of its parameters ask for.
-std::unique_ptr<VehicleDynamics> makeVehicleDynamics(const CarDescription & car, const VehicleParameters & parameters);
 }  // namespace f1tenth_sim2d

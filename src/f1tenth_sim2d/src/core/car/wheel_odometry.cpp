@@ -13,11 +13,11 @@ WheelOdometryIntegrator::WheelOdometryIntegrator(
 {
 }
 
-void WheelOdometryIntegrator::restart(const Pose2 & pose, double steering_angle, SimTime now)
+void WheelOdometryIntegrator::restart(const Pose2 & pose, SimTime now)
 {
   current_ = {};
   current_.pose = pose;
-  last_steering_angle_ = steering_angle;
+  last_steering_angle_ = 0.0;
   beginSample(static_cast<std::int64_t>(std::floor(toSeconds(now) * parameters_.odometry_rate_hz)) + 1);
 }
 

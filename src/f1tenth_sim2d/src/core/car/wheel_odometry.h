@@ -23,7 +23,7 @@ public:
     std::uint32_t noise_stream);
 
   /// @param now  the first sample falls on the first multiple of the sampling period after it
-  void restart(const Pose2 & pose, double steering_angle, SimTime now);
+  void restart(const Pose2 & pose, SimTime now);
 
   /// Tells what happened in a step of dt seconds that ends at now.
   /// @param state     at its end

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/gravity.h"
 #include "core/math/trigonometry.h"
 
 namespace f1tenth_sim2d

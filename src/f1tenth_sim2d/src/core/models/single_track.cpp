@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/gravity.h"
 #include "core/math/trigonometry.h"
-#include "core/models/short_steps.h"
 
 namespace f1tenth_sim2d
 {

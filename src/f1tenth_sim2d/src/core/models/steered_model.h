@@ -1,11 +1,16 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/models/body_state.h"
 
 namespace f1tenth_sim2d
 {
+/// m/s^2, in the tyre loads of the vehicle models, whatever the world says: their coefficients were identified with it.
+constexpr double kGravity = 9.81;
+
 /// What the actuators do, constant over a step and within the car's limits.
 struct SteeredInput
 {
@@ -36,4 +41,16 @@ public:
   /// Speeds of wheels that may slip along their track; none for a model whose wheels roll.
   virtual std::optional<AxleSpeeds> axleSpeeds() const { return std::nullopt; }
 };
+
+/// Calls advance(step) for equal parts of a step of dt seconds that are no longer than 1 ms: the stiffest case of the
+/// single-track model (v = 0.1 m/s) is stable up to 2.5 ms.
+template <typename Advance>
+void inShortSteps(double dt, Advance advance)
+{
+  constexpr double kLongest = 0.001;  // s
+  const int count = std::max(1, static_cast<int>(std::ceil(dt / kLongest - 1e-9)));
+  for (int i = 0; i < count; ++i) {
+    advance(dt / count);
+  }
+}
 }  // namespace f1tenth_sim2d

@@ -9,7 +9,6 @@
 
 #include "core/simulation/trajectory_log.h"
 #include "environment/observation.h"
-#include "environment/pedals.h"
 #include "f1tenth_sim2d/simulation.h"
 
 namespace f1tenth_sim2d
@@ -36,6 +35,24 @@ struct CarStart
 
 /// Steering angle, rad, and speed, m/s; or steering rate, rad/s, and acceleration, m/s^2.
 using Action = std::array<double, 2>;
+
+/// Turns rates that a driver asks for into the targets that a car follows.
+class Pedals
+{
+public:
+  Pedals(const VehicleParameters & parameters, double speed);
+
+  /// The command of the next physics step.
+  /// @param steering_rate  rad/s
+  /// @param acceleration   m/s^2
+  /// @param dt             s
+  DriveCommand press(const CarState & state, double steering_rate, double acceleration, double dt);
+
+private:
+  VehicleParameters parameters_;
+  double speed_;                ///< m/s, that the driver has asked for so far
+  double steering_angle_{0.0};  ///< rad, likewise
+};
 
 /// One simulation that is driven by actions, period by period, and answers with observations.
 class Environment

@@ -1,5 +1,3 @@
-#include "geometry/ellipsoid_section.h"
-
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>

@@ -14,6 +14,8 @@ Section cut(const Cylinder & cylinder, const Pose3 & pose, double z);
 Section shadow(const Cylinder & cylinder, const Pose3 & pose, double z_min, double z_max);
 Section cut(const Capsule & capsule, const Pose3 & pose, double z);
 Section shadow(const Capsule & capsule, const Pose3 & pose, double z_min, double z_max);
+Section cut(const Ellipsoid & ellipsoid, const Pose3 & pose, double z);
+Section shadow(const Ellipsoid & ellipsoid, const Pose3 & pose, double z_min, double z_max);
 
 /// Steps of an arc, rad, of a curve with this greatest radius, m, so that no chord is off by more than the tolerance.
 int curveSteps(double arc, double greatest_radius);

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "geometry/convex_body.h"
-#include "geometry/ellipsoid_section.h"
 #include "geometry/heights.h"
 #include "geometry/mesh_section.h"
 #include "geometry/planar.h"

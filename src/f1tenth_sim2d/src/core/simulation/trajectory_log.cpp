@@ -15,15 +15,6 @@ namespace
 constexpr double kClearanceLimit = 5.0;  // m
 constexpr SimTime kSecond = 1000000000;  // ns
 
-std::string numbers(const CarState & state, double clearance)
-{
-  char text[256];
-  std::snprintf(
-    text, sizeof text, "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g", state.pose.x, state.pose.y, state.pose.yaw,
-    state.velocity.x, state.velocity.y, state.yaw_rate, state.steering_angle, clearance);
-  return text;
-}
-
 std::string seconds(SimTime time)
 {
   char text[32];
@@ -76,6 +67,7 @@ void TrajectoryLog::beginRecord()
   // First what is still in memory of a run before, or it would be written into the new record.
   record_.close();
   record_.open(record_file_, std::ios::trunc);
+  record_.precision(17);
   requireGood();
   record_ << "time,car,x,y,yaw,v_x,v_y,yaw_rate,steering_angle,clearance,contacts,contact_speed,hash\n";
 }
@@ -87,19 +79,18 @@ void TrajectoryLog::writeRecord()
   }
   const std::string hash = hash_.hexDigest();
   for (const CarId car : simulation_.cars()) {
-    const auto touch = touches_.find(car);
-    record_ << seconds(simulation_.time()) << ',' << simulation_.car(car).name << ','
-            << numbers(simulation_.state(car), simulation_.clearance(car, kClearanceLimit)) << ','
-            << columnsOf(touch != touches_.end() ? touch->second : Touch{}) << ',' << hash << '\n';
+    const CarState state = simulation_.state(car);
+    const auto found = touches_.find(car);
+    const Touch touch = found != touches_.end() ? found->second : Touch{};
+    record_ << seconds(simulation_.time()) << ',' << simulation_.car(car).name;
+    for (const double number :
+         {state.pose.x, state.pose.y, state.pose.yaw, state.velocity.x, state.velocity.y, state.yaw_rate,
+          state.steering_angle, simulation_.clearance(car, kClearanceLimit)}) {
+      record_ << ',' << number;
+    }
+    record_ << ',' << boost::algorithm::join(touch.models, ";") << ',' << touch.speed << ',' << hash << '\n';
   }
   requireGood();
-}
-
-std::string TrajectoryLog::columnsOf(const Touch & touch)
-{
-  char speed[32];
-  std::snprintf(speed, sizeof speed, "%.17g", touch.speed);
-  return boost::algorithm::join(touch.models, ";") + ',' + speed;
 }
 
 void TrajectoryLog::requireGood() const

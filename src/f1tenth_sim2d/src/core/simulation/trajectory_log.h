@@ -41,7 +41,6 @@ private:
 
   void beginRecord();
   void writeRecord();
-  static std::string columnsOf(const Touch & touch);
   void requireGood() const;
 
   const Simulation & simulation_;

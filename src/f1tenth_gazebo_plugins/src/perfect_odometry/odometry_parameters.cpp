@@ -51,9 +51,8 @@ struct Tag
     if (
       !(stream >> value) || !(stream >> std::ws).eof() || !std::isfinite(value) || value <= 0.0 ||
       value > max_rate_hz * (1.0 + 1e-9)) {
-      std::ostringstream limit;
-      limit << max_rate_hz;
-      refuse("a number of Hz > 0 and at most " + limit.str() + ", the rate of the physics steps");
+      refuse(
+        "a number of Hz > 0 and at most " + f1tenth_sim2d::toText(max_rate_hz) + ", the rate of the physics steps");
     }
     return value;
   }

@@ -1,10 +1,19 @@
 #pragma once
 
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 namespace f1tenth_sim2d
 {
+/// A number as messages show it, with six digits.
+inline std::string toText(double number)
+{
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
 /// Base of everything this package throws for a user's mistake. Mistakes of our own are asserted.
 class Error : public std::runtime_error
 {

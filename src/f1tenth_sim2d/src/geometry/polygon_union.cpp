@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <polyclipping/clipper.hpp>
-#include <sstream>
 
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/section.h"
@@ -26,10 +25,9 @@ constexpr double kFarthest = 1e11;
 void requireWithinReach(const Vec2 & corner)
 {
   if (!(std::max(std::abs(corner.x), std::abs(corner.y)) <= kFarthest)) {
-    std::ostringstream reason;
-    reason << "a corner of an area is at (" << corner.x << ", " << corner.y << ") m, allowed is at most " << kFarthest
-           << " m from the origin";
-    throw Error(reason.str());
+    throw Error(
+      "a corner of an area is at (" + toText(corner.x) + ", " + toText(corner.y) + ") m, allowed is at most " +
+      toText(kFarthest) + " m from the origin");
   }
 }
 

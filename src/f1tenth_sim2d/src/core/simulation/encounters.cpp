@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "f1tenth_sim2d/errors.h"
 
@@ -24,10 +23,9 @@ double checkedTravel(const RegisteredCar & car, double dt)
 {
   const double travel = predictedTravel(car);
   if (!(travel <= kTravelMax)) {
-    std::ostringstream message;
-    message << car.description.name << ": would go " << travel << " m in a step of " << dt
-            << " s: no car has parameters like its own";
-    throw Error(message.str());
+    throw Error(
+      car.description.name + ": would go " + toText(travel) + " m in a step of " + toText(dt) +
+      " s: no car has parameters like its own");
   }
   return travel;
 }

@@ -1,12 +1,11 @@
 #include "f1tenth_sim2d/simulation.h"
 
-#include <sstream>
-
 #include "core/contacts/clearance.h"
 #include "core/math/planar_pose.h"
 #include "core/simulation/encounters.h"
 #include "core/simulation/simulation_impl.h"
 #include "core/simulation/validation.h"
+#include "f1tenth_sim2d/errors.h"
 
 namespace f1tenth_sim2d
 {
@@ -14,9 +13,7 @@ namespace
 {
 std::string text(const Pose2 & pose)
 {
-  std::ostringstream stream;
-  stream << "(" << pose.x << ", " << pose.y << ", " << pose.yaw << ")";
-  return stream.str();
+  return "(" + toText(pose.x) + ", " + toText(pose.y) + ", " + toText(pose.yaw) + ")";
 }
 }  // namespace
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 #include "f1tenth_sim2d/errors.h"
@@ -38,12 +37,16 @@ constexpr double kShapeMin = 0.1;  // beyond these the magic formula is no tyre
 constexpr double kShapeMax = 2.5;
 constexpr double kStiffnessMax = 1e4;
 
+[[noreturn]] void refuse(
+  const std::string & where, const std::string & what, double found, const std::string & is_allowed)
+{
+  throw Error(where + ": " + what + " is " + toText(found) + ", allowed " + is_allowed);
+}
+
 void require(bool condition, const std::string & where, const char * what, double found, const char * allowed)
 {
   if (!condition) {
-    std::ostringstream message;
-    message << where << ": " << what << " is " << found << ", allowed is " << allowed;
-    throw Error(message.str());
+    refuse(where, what, found, std::string("is ") + allowed);
   }
 }
 
@@ -56,9 +59,7 @@ void requireFinite(double value, const std::string & where, const char * what)
 void requireBetween(double value, double least, double greatest, const std::string & where, const char * what)
 {
   if (!(value >= least && value <= greatest)) {
-    std::ostringstream message;
-    message << where << ": " << what << " is " << value << ", allowed is " << least << " to " << greatest;
-    throw Error(message.str());
+    refuse(where, what, value, "is " + toText(least) + " to " + toText(greatest));
   }
 }
 
@@ -115,9 +116,7 @@ void requireInRange(
   const vehicle_keys::Range & range = key.range;
   const std::string name = group + key.name;
   if (!range.contains(value)) {
-    std::ostringstream message;
-    message << where << ": " << name << " is " << value << ", allowed are " << range.text;
-    throw Error(message.str());
+    refuse(where, name, value, std::string("are ") + range.text);
   }
   const double least = std::max(range.least, -kGreatest);
   requireBetween(value, least, std::min(range.greatest, kGreatest), where, name.c_str());

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <sstream>
 
 #include "f1tenth_sim2d/errors.h"
 #include "loaders/files/farthest.h"
@@ -172,10 +171,10 @@ void requireNear(const MapMetadata & metadata, std::size_t width, std::size_t he
 {
   const double size = std::hypot(width, height) * metadata.resolution;
   if (std::max(std::abs(metadata.origin.x), std::abs(metadata.origin.y)) + size > kFarthest) {
-    std::ostringstream reason;
-    reason << width << " by " << height << " pixels of " << metadata.resolution << " m do not all lie within "
-           << kFarthest << " m of the world's origin";
-    throw LoadError(path + ":" + std::to_string(metadata.resolution_line), "resolution", reason.str());
+    throw LoadError(
+      path + ":" + std::to_string(metadata.resolution_line), "resolution",
+      std::to_string(width) + " by " + std::to_string(height) + " pixels of " + toText(metadata.resolution) +
+        " m do not all lie within " + toText(kFarthest) + " m of the world's origin");
   }
 }
 }  // namespace f1tenth_sim2d

@@ -1,7 +1,8 @@
 #include "loaders/sensors/ray_scan.h"
 
 #include <cmath>
-#include <sstream>
+
+#include "f1tenth_sim2d/errors.h"
 
 namespace f1tenth_sim2d
 {
@@ -30,9 +31,9 @@ int rayCount(const Element & sensor, const Element & horizontal, const RayScanOw
 {
   const double count = horizontal.number("samples", 640.0) * horizontal.number("resolution", 1.0);
   if (!(count >= owner.count_min && count <= kCountMax)) {
-    std::ostringstream message;
-    message << "has " << count << " <samples>, allowed are " << owner.count_min << " to " << kCountMax;
-    sensor.fail(message.str());
+    sensor.fail(
+      "has " + toText(count) + " <samples>, allowed are " + std::to_string(owner.count_min) + " to " +
+      std::to_string(kCountMax));
   }
   return static_cast<int>(std::lround(count));
 }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
+#include "f1tenth_sim2d/errors.h"
 #include "loaders/sensors/contact_sensor.h"
 #include "loaders/sensors/ray_scan.h"
 
@@ -27,10 +27,9 @@ double biasOf(const RayScan & scan, const Element & sensor)
 {
   const double bias = isNoisy(scan.ray.child("noise")) ? scan.ray.number("noise/mean", 0.0) : 0.0;
   if (!(std::abs(bias) <= scan.range_max)) {
-    std::ostringstream reason;
-    reason << "<noise/mean> is " << bias << ", allowed are numbers from " << -scan.range_max << " to " << scan.range_max
-           << ", the greatest range (m)";
-    sensor.fail(reason.str());
+    sensor.fail(
+      "<noise/mean> is " + toText(bias) + ", allowed are numbers from " + toText(-scan.range_max) + " to " +
+      toText(scan.range_max) + ", the greatest range (m)");
   }
   return bias;
 }

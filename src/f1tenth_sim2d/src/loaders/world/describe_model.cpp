@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <sstream>
+
+#include "f1tenth_sim2d/errors.h"
 
 namespace f1tenth_sim2d
 {
@@ -112,10 +113,9 @@ std::vector<Solid> solidsOf(const Model & model, const std::string & scope)
 void requireAboveZero(const Element & model, const char * what, double value)
 {
   if (!std::isfinite(value) || value <= 0.0) {
-    std::ostringstream reason;
-    reason << "can be pushed, but has " << what << " of " << value << "; allowed are finite numbers greater than 0, or "
-           << "<static>true</static>";
-    model.fail(reason.str());
+    model.fail(
+      std::string("can be pushed, but has ") + what + " of " + toText(value) +
+      "; allowed are finite numbers greater than 0, or <static>true</static>");
   }
 }
 

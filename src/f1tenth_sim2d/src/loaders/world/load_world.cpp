@@ -1,7 +1,6 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <sstream>
 
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
@@ -49,9 +48,7 @@ double readGravity(const Element & world)
     world.fail("<gravity> is not finite");
   }
   if (gravity.z() > 0.0) {
-    std::ostringstream reason;
-    reason << "z of <gravity> is " << gravity.z() << ", allowed is at most 0: it points downwards";
-    world.fail(reason.str());
+    world.fail("z of <gravity> is " + toText(gravity.z()) + ", allowed is at most 0: it points downwards");
   }
   return -gravity.z();
 }

@@ -18,13 +18,6 @@ using tinyxml2::XMLElement;
 
 constexpr double kFastest = 1e6;  // Hz: no step is as short as a period of it
 
-std::string toText(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 const char * nameOf(const XMLElement & node)
 {
   const bool is_extension = node.Name() == std::string("gazebo");

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "core/math/planar_pose.h"
 #include "f1tenth_sim2d/errors.h"
@@ -82,10 +81,9 @@ Pose3 fromPose(const geometry_msgs::Pose & pose)
 {
   const Pose3::Rotation given(pose.orientation.w, pose.orientation.x, pose.orientation.y, pose.orientation.z);
   if (!std::isfinite(given.norm())) {
-    std::ostringstream message;
-    message << "the orientation (x y z w) is " << given.x() << " " << given.y() << " " << given.z() << " " << given.w()
-            << ", allowed are finite numbers";
-    throw Error(message.str());
+    throw Error(
+      "the orientation (x y z w) is " + toText(given.x()) + " " + toText(given.y()) + " " + toText(given.z()) + " " +
+      toText(given.w()) + ", allowed are finite numbers");
   }
   // As in gazebo_ros: a quaternion that was not set means no rotation.
   const Pose3::Rotation rotation = given.norm() > 0.0 ? given.normalized() : Pose3::Rotation::Identity();

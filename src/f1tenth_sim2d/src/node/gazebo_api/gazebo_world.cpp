@@ -1,9 +1,9 @@
 #include "node/gazebo_api/gazebo_world.h"
 
 #include <cmath>
-#include <sstream>
 #include <utility>
 
+#include "f1tenth_sim2d/errors.h"
 #include "node/gazebo_api/gazebo_entities.h"
 #include "node/parameters/limits.h"
 
@@ -21,18 +21,19 @@ bool differs(double a, double b)
 /// What of the request cannot be; empty if nothing.
 std::string objection(const gazebo_msgs::SetPhysicsProperties::Request & request, double time_step, double gravity)
 {
-  std::ostringstream text;
+  const geometry_msgs::Vector3 & g = request.gravity;
   if (differs(request.time_step, time_step)) {
-    text << "time_step is " << request.time_step << ", this simulator keeps " << time_step;
-  } else if (
-    differs(request.gravity.x, 0.0) || differs(request.gravity.y, 0.0) || differs(request.gravity.z, -gravity)) {
-    text << "gravity is (" << request.gravity.x << ", " << request.gravity.y << ", " << request.gravity.z
-         << "), this simulator keeps (0, 0, " << -gravity << ")";
-  } else if (!std::isfinite(request.max_update_rate) || !realTimeFactor().allows(request.max_update_rate * time_step)) {
-    text << "max_update_rate is " << request.max_update_rate << ", allowed is 0 (as fast as it goes) or at least "
-         << kLeastRealTimeFactor / time_step;
+    return "time_step is " + toText(request.time_step) + ", this simulator keeps " + toText(time_step);
   }
-  return text.str();
+  if (differs(g.x, 0.0) || differs(g.y, 0.0) || differs(g.z, -gravity)) {
+    return "gravity is (" + toText(g.x) + ", " + toText(g.y) + ", " + toText(g.z) + "), this simulator keeps (0, 0, " +
+           toText(-gravity) + ")";
+  }
+  if (!std::isfinite(request.max_update_rate) || !realTimeFactor().allows(request.max_update_rate * time_step)) {
+    return "max_update_rate is " + toText(request.max_update_rate) +
+           ", allowed is 0 (as fast as it goes) or at least " + toText(kLeastRealTimeFactor / time_step);
+  }
+  return "";
 }
 }  // namespace
 

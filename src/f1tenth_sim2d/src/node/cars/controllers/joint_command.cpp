@@ -1,7 +1,8 @@
 #include "node/cars/controllers/joint_command.h"
 
 #include <cmath>
-#include <sstream>
+
+#include "f1tenth_sim2d/errors.h"
 
 namespace f1tenth_sim2d
 {
@@ -87,9 +88,8 @@ std::string objectionTo(const JointCommand & command, double wheel_radius)
   if (std::abs(command.value) <= limit) {
     return "";
   }
-  std::ostringstream text;
-  text << command.joint.name << ": commanded " << command.value << ", allowed is " << -limit << " to " << limit;
-  return text.str();
+  return command.joint.name + ": commanded " + toText(command.value) + ", allowed is " + toText(-limit) + " to " +
+         toText(limit);
 }
 
 void ControlledJoint::restart()

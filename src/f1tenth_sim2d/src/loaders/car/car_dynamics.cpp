@@ -1,4 +1,4 @@
-#include "loaders/car/car_dynamics.h"
+#include "loaders/car/car_readers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,9 @@
-#include "loaders/car/car_plugins.h"
+#include "loaders/car/car_readers.h"
 
 #include <algorithm>
 #include <functional>
 #include <map>
 
-#include "loaders/car/drive_plugins.h"
 #include "loaders/sensors/sensor_readers.h"
 #include "loaders/xml/xml_text.h"
 

@@ -1,4 +1,4 @@
-#include "loaders/car/drive_plugins.h"
+#include "loaders/car/car_readers.h"
 
 #include <map>
 

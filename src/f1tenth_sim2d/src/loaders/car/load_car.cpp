@@ -1,11 +1,10 @@
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
-#include "loaders/car/car_dynamics.h"
 #include "loaders/car/car_mechanism.h"
-#include "loaders/car/car_plugins.h"
+#include "loaders/car/car_readers.h"
 #include "loaders/model/car_context.h"
 #include "loaders/model/model_reader.h"
-#include "loaders/sensors/car_sensors.h"
+#include "loaders/sensors/sensor_readers.h"
 
 namespace f1tenth_sim2d
 {

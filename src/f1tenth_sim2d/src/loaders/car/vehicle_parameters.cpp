@@ -8,7 +8,7 @@
 
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/vehicle_keys.h"
-#include "loaders/files/read_file.h"
+#include "loaders/files/files.h"
 
 namespace f1tenth_sim2d
 {

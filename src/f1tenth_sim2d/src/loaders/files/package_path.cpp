@@ -7,8 +7,7 @@
 #include <boost/algorithm/string/trim.hpp>
 #include <filesystem>
 
-#include "loaders/files/path_list.h"
-#include "loaders/files/read_file.h"
+#include "loaders/files/files.h"
 
 namespace f1tenth_sim2d
 {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "f1tenth_sim2d/errors.h"
-#include "loaders/files/read_file.h"
+#include "loaders/files/files.h"
 
 namespace f1tenth_sim2d
 {

@@ -9,7 +9,7 @@
 
 #include "f1tenth_sim2d/errors.h"
 #include "loaders/files/farthest.h"
-#include "loaders/files/read_file.h"
+#include "loaders/files/files.h"
 
 namespace f1tenth_sim2d
 {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "f1tenth_sim2d/errors.h"
-#include "loaders/files/read_file.h"
+#include "loaders/files/files.h"
 #include "loaders/model/known_tags.h"
 #include "loaders/model/read_pose.h"
 #include "loaders/model/sdf_parts.h"

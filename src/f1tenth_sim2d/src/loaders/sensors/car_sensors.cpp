@@ -1,9 +1,7 @@
-#include "loaders/sensors/car_sensors.h"
+#include "loaders/sensors/sensor_readers.h"
 
 #include <algorithm>
 #include <set>
-
-#include "loaders/sensors/sensor_readers.h"
 
 namespace f1tenth_sim2d
 {

@@ -1,4 +1,4 @@
-#include "loaders/sensors/contact_sensor.h"
+#include "loaders/sensors/sensor_readers.h"
 
 #include <algorithm>
 #include <set>

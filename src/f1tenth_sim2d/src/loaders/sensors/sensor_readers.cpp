@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "f1tenth_sim2d/errors.h"
-#include "loaders/sensors/contact_sensor.h"
 #include "loaders/sensors/ray_scan.h"
 
 namespace f1tenth_sim2d

@@ -1,11 +1,16 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "loaders/model/car_context.h"
 
 namespace f1tenth_sim2d
 {
+/// Fills in the car's sensors from those of its links. Needs the car's solids.
+/// @throws LoadError
+void readSensors(CarContext & context);
+
 /// A sensor, the plugin that publishes it, and where it is.
 struct SensorElement
 {
@@ -21,6 +26,14 @@ void readLidar(const SensorElement & element, CarContext & context);
 void readSonar(const SensorElement & element, CarContext & context);
 void readBumper(const SensorElement & element, CarContext & context);
 void readImu(const SensorElement & element, CarContext & context);
+
+/// Scoped names of the solids that a contact sensor watches: of each name a collision of the sensor's own link, or else
+/// the only one of another link; of one with a scope ("LINK::COLLISION") that of the link. A collision may be named as
+/// in the URDF, although joining links that are fixed to each other has renamed it.
+/// @param link  on which the sensor is
+/// @throws LoadError for a name that no solid has, or solids of several other links
+std::vector<std::string> collisionsOfContactSensor(
+  const Element & sensor, const std::string & link, const CarContext & context);
 
 /// Takes a libgazebo_ros_imu.so of the model as the car's IMU.
 /// @throws LoadError

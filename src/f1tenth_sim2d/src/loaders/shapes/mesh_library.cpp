@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "f1tenth_sim2d/errors.h"
-#include "loaders/files/read_file.h"
+#include "loaders/files/files.h"
 #include "loaders/xml/xml_document.h"
 
 namespace f1tenth_sim2d

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "f1tenth_sim2d/errors.h"
-#include "loaders/files/read_file.h"
+#include "loaders/files/files.h"
 #include "loaders/xml/xml_text.h"
 
 namespace f1tenth_sim2d

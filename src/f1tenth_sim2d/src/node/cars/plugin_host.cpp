@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "f1tenth_sim2d/errors.h"
-#include "loaders/files/path_list.h"
+#include "loaders/files/files.h"
 
 namespace f1tenth_sim2d
 {

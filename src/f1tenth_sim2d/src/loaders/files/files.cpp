@@ -1,11 +1,14 @@
-#include "loaders/files/read_file.h"
+#include "loaders/files/files.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <ios>
 #include <iterator>
+#include <sstream>
 
 #include "f1tenth_sim2d/errors.h"
+#include "f1tenth_sim2d/loaders.h"
 
 namespace f1tenth_sim2d
 {
@@ -31,5 +34,28 @@ std::string readFile(const std::string & path)
   } catch (const std::ios_base::failure &) {  // of the device; an iterator does not leave it to the stream
   }
   throw LoadError(path, "", "no such file, or it cannot be read");
+}
+
+std::vector<std::string> splitPathList(const std::string & text)
+{
+  std::istringstream stream(text);
+  std::vector<std::string> parts;
+  for (std::string part; std::getline(stream, part, ':');) {
+    if (!part.empty()) {
+      parts.push_back(part);
+    }
+  }
+  return parts;
+}
+
+std::vector<std::string> pathListFromEnvironment(const char * variable)
+{
+  const char * const value = std::getenv(variable);
+  return splitPathList(value ? value : "");
+}
+
+SearchPath searchPathFromEnvironment()
+{
+  return {pathListFromEnvironment("GAZEBO_MODEL_PATH"), pathListFromEnvironment("ROS_PACKAGE_PATH")};
 }
 }  // namespace f1tenth_sim2d

@@ -71,7 +71,7 @@ TEST(NodeParameters, DefaultsAreThoseOfTheDocumentation)
 {
   const auto parameters = parseNodeParameters("/sim2d", minimal());
   EXPECT_EQ(parameters.world_file, "circuit1.world");
-  EXPECT_EQ(parameters.time_mode, TimeMode::kPaced);
+  EXPECT_FALSE(parameters.is_lockstep);
   EXPECT_EQ(parameters.real_time_factor, 1.0);
   EXPECT_TRUE(parameters.lockstep.participants.empty());
   EXPECT_EQ(parameters.lockstep.timeout_sec, 5.0);
@@ -89,13 +89,13 @@ TEST(NodeParameters, DefaultsAreThoseOfTheDocumentation)
   EXPECT_EQ(parameters.cars[0].frame_prefix, "robot1/");
 }
 
-TEST(NodeParameters, FactorZeroIsFreeAndLockstepComesFirst)
+TEST(NodeParameters, FactorMayBeZeroAlsoInLockstep)
 {
   XmlRpcValue value = minimal();
   value["real_time_factor"] = 0;
-  EXPECT_EQ(parseNodeParameters("/sim2d", value).time_mode, TimeMode::kFree);
+  EXPECT_EQ(parseNodeParameters("/sim2d", value).real_time_factor, 0.0);
   value["lockstep"] = true;
-  EXPECT_EQ(parseNodeParameters("/sim2d", value).time_mode, TimeMode::kLockstep);
+  EXPECT_TRUE(parseNodeParameters("/sim2d", value).is_lockstep);
 }
 
 TEST(NodeParameters, ReadsEverythingThatIsThere)

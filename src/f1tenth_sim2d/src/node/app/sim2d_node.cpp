@@ -30,8 +30,8 @@ TimeControl controlOf(const NodeParameters & parameters)
 {
   TimeControl control;
   control.paused = parameters.paused;
-  control.is_lockstep = parameters.time_mode == TimeMode::kLockstep;
-  control.real_time_factor = parameters.time_mode == TimeMode::kPaced ? parameters.real_time_factor : 0.0;
+  control.is_lockstep = parameters.is_lockstep;
+  control.real_time_factor = parameters.is_lockstep ? 0.0 : parameters.real_time_factor;
   return control;
 }
 
@@ -99,10 +99,7 @@ Sim2dNode::Sim2dNode(const NodeParameters & parameters)
 
 std::unique_ptr<LockstepBarrier> Sim2dNode::makeBarrier()
 {
-  if (parameters_.time_mode != TimeMode::kLockstep) {
-    return nullptr;
-  }
-  return std::make_unique<LockstepBarrier>(node_, queue_, parameters_.lockstep);
+  return parameters_.is_lockstep ? std::make_unique<LockstepBarrier>(node_, queue_, parameters_.lockstep) : nullptr;
 }
 
 Fleet::Surroundings Sim2dNode::surroundings()

@@ -73,13 +73,7 @@ void readCars(ParameterReader reader, std::vector<CarParameters> & cars)
 void readTime(ParameterReader & reader, NodeParameters & parameters)
 {
   reader.read("real_time_factor", parameters.real_time_factor, realTimeFactor());
-  bool lockstep = false;
-  reader.read("lockstep", lockstep);
-  if (lockstep) {
-    parameters.time_mode = TimeMode::kLockstep;
-  } else {
-    parameters.time_mode = parameters.real_time_factor > 0.0 ? TimeMode::kPaced : TimeMode::kFree;
-  }
+  reader.read("lockstep", parameters.is_lockstep);
   reader.read("participants", parameters.lockstep.participants);
   reader.read("lockstep_timeout", parameters.lockstep.timeout_sec, patience());
   reader.read("lockstep_startup_timeout", parameters.lockstep.startup_timeout_sec, patience());
@@ -127,7 +121,7 @@ NodeParameters parseNodeParameters(const std::string & name, const XmlRpc::XmlRp
     "odometry", parameters.odometry, {{"perfect", OdometryOwner::kPerfect}, {"wheel", OdometryOwner::kWheel}});
   reader.read("simulate_pid", parameters.simulate_pid);
   reader.read("record", parameters.record_file);
-  reader.read("result_file", parameters.result_file);
+  reader.ignore({"result_file"});  // parseResultFile() has read it
   reader.refuseUnused();
   return parameters;
 }

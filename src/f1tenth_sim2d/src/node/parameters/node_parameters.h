@@ -12,14 +12,6 @@
 
 namespace f1tenth_sim2d
 {
-/// How simulated time advances.
-enum class TimeMode
-{
-  kPaced,     ///< real_time_factor times as fast as the wall clock
-  kFree,      ///< as fast as it goes
-  kLockstep,  ///< one control period, then wait for all participants
-};
-
 /// Who publishes odom -> base_footprint.
 enum class OdometryOwner
 {
@@ -52,8 +44,8 @@ struct NodeParameters
 {
   std::string world_file;
   std::vector<CarParameters> cars;
-  TimeMode time_mode{TimeMode::kPaced};
-  double real_time_factor{1.0};  ///< of paced time
+  bool is_lockstep{false};       ///< one control period, then wait for all participants
+  double real_time_factor{1.0};  ///< simulated seconds per wall second; 0, and in lockstep: as fast as it goes
   LockstepOptions lockstep;
   double control_period_sec{0.025};
   SimulationOptions simulation;
@@ -63,7 +55,6 @@ struct NodeParameters
   OdometryOwner odometry{OdometryOwner::kPerfect};
   bool simulate_pid{false};  ///< whether wheels obey the pid gains of their controllers
   std::string record_file;   ///< empty: none
-  std::string result_file;   ///< empty: none
 };
 
 /// @param name  of the node, "/sim2d"

@@ -3,7 +3,6 @@
 #include <workspace_support/option_checks.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "geometry/distance_transform.h"
@@ -204,10 +203,11 @@ double Costmap::clearance(const Pose2 & base) const
   return least;
 }
 
-bool Costmap::isFarAround(const Vec2 & middle, double margin) const
+bool Costmap::isFarFromAll(const Pose2 & base, double margin) const
 {
   // Distances from the map's obstacles differ by at most the distance between two places; those read here are
   // interpolated, and there are none beside the map.
+  const Vec2 middle = transform(base, footprint_.around().centre);
   const double reach = footprint_.around().radius + margin;
   const double room = reach + std::max(free_clearance_, 0.0) + 2.0 * kInterpolationError * geometry_.resolution;
   if (!(wallDistance(middle) >= room)) {
@@ -215,49 +215,24 @@ bool Costmap::isFarAround(const Vec2 & middle, double margin) const
   }
   const bool live = middle.x + reach > live_low_.x && middle.x - reach < live_high_.x &&
                     middle.y + reach > live_low_.y && middle.y - reach < live_high_.y;
-  return !live && isInside(middle, margin);
+  return !live && isInside(middle, reach + geometry_.resolution);
 }
 
-// Whether the map reaches around the car by the margin and what interpolation needs.
-bool Costmap::isInside(const Vec2 & middle, double margin) const
+// Whether the map reaches so far around a place, m.
+bool Costmap::isInside(const Vec2 & middle, double room) const
 {
   const Vec2 from_corner = middle - geometry_.origin.position();
-  const double room = footprint_.around().radius + margin + geometry_.resolution;
   return from_corner.x > room && from_corner.x < geometry_.width * geometry_.resolution - room &&
          from_corner.y > room && from_corner.y < geometry_.height * geometry_.resolution - room;
 }
 
 Vec2 Costmap::proximityGradient(const Pose2 & base) const
 {
-  constexpr double kRounding = 1e-4;  // m, of the distances, which are floats
   const double h = half_cell_;
-  const Vec2 ahead{std::cos(base.yaw), std::sin(base.yaw)};
-  const auto placed = [&](const Vec2 & at, double x, double y) {
-    return Vec2{x + ahead.x * at.x - ahead.y * at.y, y + ahead.y * at.x + ahead.x * at.y};
-  };
-  const Vec2 middle = placed(footprint_.around().centre, base.x, base.y);
-  if (isFarAround(middle, h)) {
+  if (isFarFromAll(base, h)) {
     return {};
   }
-  const auto clearanceOf = [&](const Disc & disc, double x, double y) {
-    return obstacleDistance(placed(disc.centre, x, y)) - disc.radius;
-  };
-  std::array<double, Footprint::kDiscs> here;
-  std::transform(footprint_.discs().begin(), footprint_.discs().end(), here.begin(), [&](const Disc & disc) {
-    return clearanceOf(disc, base.x, base.y);
-  });
-  // No clearance changes by more than h on the way: of the discs only those count that can be the nearest there.
-  const double least = *std::min_element(here.begin(), here.end());
-  const double most = isInside(middle, h) ? std::min(least + h, free_clearance_) + h + kRounding : HUGE_VAL;
-  const auto cost = [&](double x, double y) {
-    double nearest = HUGE_VAL;
-    for (std::size_t i = 0; i < here.size(); ++i) {
-      if (here[i] <= most) {
-        nearest = std::min(nearest, clearanceOf(footprint_.discs()[i], x, y));
-      }
-    }
-    return proximityCost(nearest);
-  };
+  const auto cost = [&](double x, double y) { return proximityCost(clearance({x, y, base.yaw})); };
   return {
     (cost(base.x + h, base.y) - cost(base.x - h, base.y)) / (2.0 * h),
     (cost(base.x, base.y + h) - cost(base.x, base.y - h)) / (2.0 * h)};

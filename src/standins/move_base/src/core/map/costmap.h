@@ -61,10 +61,7 @@ public:
 
   /// Whether the car here and up to margin beside it is surely so far from every obstacle that none adds to what driving
   /// costs, and margin farther than that. Takes one look at the map instead of one for each disc; false says nothing.
-  bool isFarFromAll(const Pose2 & base, double margin) const
-  {
-    return isFarAround(transform(base, footprint_.around().centre), margin);
-  }
+  bool isFarFromAll(const Pose2 & base, double margin) const;
 
   /// What a metre costs beyond its length when the obstacle next to the car's axis is at this clearance, m.
   double proximityCost(double clearance) const
@@ -107,8 +104,7 @@ private:
     return (1.0 - fy) * ((1.0 - fx) * low[0] + fx * low[1]) + fy * ((1.0 - fx) * high[0] + fx * high[1]) - half_cell_;
   }
 
-  bool isFarAround(const Vec2 & middle, double margin) const;
-  bool isInside(const Vec2 & middle, double margin) const;
+  bool isInside(const Vec2 & middle, double room) const;
   void makeStamp();
   void rebuild();
   void stamp(const Cell & cell);

@@ -48,7 +48,7 @@ public:
     query_(query),
     rule_(rule),
     cost_to_go_(cost_to_go),
-    nodes_(costmap.geometry())
+    nodes_(costmap.geometry().origin)
   {
   }
 

@@ -8,28 +8,16 @@ namespace
 constexpr double kPositionBin = 0.12;
 constexpr int kHeadingBins = 72;
 constexpr int kNone = -1;
-
-GridGeometry binsOver(const GridGeometry & area)
-{
-  GridGeometry bins = area;
-  bins.resolution = kPositionBin;
-  bins.width = static_cast<int>(area.width * area.resolution / kPositionBin) + 1;
-  bins.height = static_cast<int>(area.height * area.resolution / kPositionBin) + 1;
-  return bins;
-}
 }  // namespace
 
-SearchNodes::SearchNodes(const GridGeometry & area) : bins_(binsOver(area)), blocks_(bins_.size(), kNone) {}
+SearchNodes::SearchNodes(const Pose2 & corner) : grid_{0, 0, kPositionBin, corner} {}
 
 int & SearchNodes::binOf(const Pose2 & pose)
 {
-  int & block = blocks_[bins_.index(bins_.cellAt(pose.position()))];
-  if (block == kNone) {
-    block = static_cast<int>(headings_.size());
-    headings_.resize(headings_.size() + kHeadingBins, kNone);
-  }
+  const Cell cell = grid_.cellAt(pose.position());
   const double turn = normalizeAngle(pose.yaw) / (2.0 * M_PI) + 0.5;
-  const int heading = static_cast<int>(std::lround(turn * kHeadingBins)) % kHeadingBins;
-  return headings_[static_cast<std::size_t>(block) + static_cast<std::size_t>(heading)];
+  const long heading = std::lround(turn * kHeadingBins) % kHeadingBins;
+  const auto part = [](long value, unsigned shift) { return static_cast<std::uint64_t>(value) << shift; };
+  return bins_.try_emplace(part(cell.y, 40) | part(cell.x, 8) | part(heading, 0), kNone).first->second;
 }
 }  // namespace move_base

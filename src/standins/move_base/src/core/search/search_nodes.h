@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 #include "geometry/geometry.h"
@@ -22,11 +24,10 @@ struct SearchNode
 class SearchNodes
 {
 public:
-  /// @param area  the grid in which positions lie
-  explicit SearchNodes(const GridGeometry & area);
+  /// @param corner  the lower left one of the area in which positions lie
+  explicit SearchNodes(const Pose2 & corner);
 
   /// Index of the node of the pose's bin, or -1; the reference may be set to a new one.
-  /// The pose must lie inside of the area.
   int & binOf(const Pose2 & pose);
 
   int add(const SearchNode & node)
@@ -38,9 +39,8 @@ public:
   const SearchNode & operator[](int index) const { return nodes_[static_cast<std::size_t>(index)]; }
 
 private:
-  GridGeometry bins_;
-  std::vector<int> blocks_;  // of each position bin: its block of heading bins, or -1 as long as none is needed
-  std::vector<int> headings_;
+  GridGeometry grid_;
+  std::unordered_map<std::uint64_t, int> bins_;
   std::vector<SearchNode> nodes_;
 };
 }  // namespace move_base

@@ -1,5 +1,6 @@
 #include "search/curves.h"
 
+#include <ompl/base/ScopedState.h>
 #include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/base/spaces/ReedsSheppStateSpace.h>
 
@@ -14,11 +15,12 @@ namespace ob = ompl::base;
 // Dubins words are written with three letters, Reeds-Shepp words with up to five; a length below this is an empty letter.
 constexpr double kEmptyArc = 1e-6;
 
-void assign(ob::State * state, const Pose2 & pose)
+ob::ScopedState<ob::SE2StateSpace> stateIn(const ob::StateSpacePtr & space, const Pose2 & pose)
 {
-  auto * se2 = state->as<ob::SE2StateSpace::StateType>();
-  se2->setXY(pose.x, pose.y);
-  se2->setYaw(pose.yaw);
+  ob::ScopedState<ob::SE2StateSpace> state(space);
+  state->setXY(pose.x, pose.y);
+  state->setYaw(pose.yaw);
+  return state;
 }
 
 template <class Word, class Letter>
@@ -35,50 +37,30 @@ std::vector<Arc> arcsOf(const Word & word, Letter left, Letter right, double rad
 }
 }  // namespace
 
-struct ShortestCurves::Spaces
-{
-  explicit Spaces(double radius)
-  : dubins(radius), reeds_shepp(radius), from(dubins.allocState()), to(dubins.allocState())
-  {
-  }
-  ~Spaces()
-  {
-    dubins.freeState(from);
-    dubins.freeState(to);
-  }
-  Spaces(const Spaces &) = delete;
-  Spaces & operator=(const Spaces &) = delete;
-
-  ob::DubinsStateSpace dubins;
-  ob::ReedsSheppStateSpace reeds_shepp;
-  ob::State * from;
-  ob::State * to;
-};
-
 ShortestCurves::ShortestCurves(double minimum_radius, bool allow_reversing)
-: radius_(minimum_radius), allow_reversing_(allow_reversing), spaces_(std::make_unique<Spaces>(minimum_radius))
+: radius_(minimum_radius),
+  allow_reversing_(allow_reversing),
+  dubins_(std::make_shared<ob::DubinsStateSpace>(minimum_radius)),
+  reeds_shepp_(std::make_shared<ob::ReedsSheppStateSpace>(minimum_radius))
 {
 }
 
-ShortestCurves::~ShortestCurves() = default;
-
 double ShortestCurves::length(const Pose2 & from, const Pose2 & to) const
 {
-  assign(spaces_->from, from);
-  assign(spaces_->to, to);
-  return radius_ * (allow_reversing_ ? spaces_->reeds_shepp.reedsShepp(spaces_->from, spaces_->to).length()
-                                     : spaces_->dubins.dubins(spaces_->from, spaces_->to).length());
+  const auto start = stateIn(dubins_, from);
+  const auto end = stateIn(dubins_, to);
+  return allow_reversing_ ? reeds_shepp_->distance(start.get(), end.get()) : dubins_->distance(start.get(), end.get());
 }
 
 std::vector<Arc> ShortestCurves::arcs(const Pose2 & from, const Pose2 & to) const
 {
-  assign(spaces_->from, from);
-  assign(spaces_->to, to);
+  const auto start = stateIn(dubins_, from);
+  const auto end = stateIn(dubins_, to);
   if (allow_reversing_) {
-    const auto word = spaces_->reeds_shepp.reedsShepp(spaces_->from, spaces_->to);
+    const auto word = reeds_shepp_->reedsShepp(start.get(), end.get());
     return arcsOf(word, ob::ReedsSheppStateSpace::RS_LEFT, ob::ReedsSheppStateSpace::RS_RIGHT, radius_);
   }
-  const auto word = spaces_->dubins.dubins(spaces_->from, spaces_->to);
+  const auto word = dubins_->dubins(start.get(), end.get());
   return arcsOf(word, ob::DubinsStateSpace::DUBINS_LEFT, ob::DubinsStateSpace::DUBINS_RIGHT, radius_);
 }
 }  // namespace move_base

@@ -5,6 +5,12 @@
 
 #include "geometry/geometry.h"
 
+namespace ompl::base
+{
+class DubinsStateSpace;
+class ReedsSheppStateSpace;
+}  // namespace ompl::base
+
 namespace move_base
 {
 /// An arc of constant curvature.
@@ -20,7 +26,6 @@ class ShortestCurves
 public:
   /// @param minimum_radius  m
   ShortestCurves(double minimum_radius, bool allow_reversing);
-  ~ShortestCurves();
 
   /// Length of the shortest curve, m.
   double length(const Pose2 & from, const Pose2 & to) const;
@@ -28,10 +33,9 @@ public:
   std::vector<Arc> arcs(const Pose2 & from, const Pose2 & to) const;
 
 private:
-  struct Spaces;
-
   double radius_;
   bool allow_reversing_;
-  std::unique_ptr<Spaces> spaces_;  // OMPL's headers are large
+  std::shared_ptr<ompl::base::DubinsStateSpace> dubins_;
+  std::shared_ptr<ompl::base::ReedsSheppStateSpace> reeds_shepp_;
 };
 }  // namespace move_base

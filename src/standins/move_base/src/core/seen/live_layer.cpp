@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace move_base
 {
@@ -24,8 +25,7 @@ void LiveLayerOptions::validate() const
 LiveLayer::LiveLayer(const GridGeometry & geometry, const LiveLayerOptions & options)
 : geometry_(geometry),
   options_(options),
-  wall_tolerance_(std::max(options.wall_tolerance, kLeastTolerance * geometry.resolution)),
-  marked_(geometry.size(), 0)
+  wall_tolerance_(std::max(options.wall_tolerance, kLeastTolerance * geometry.resolution))
 {
 }
 
@@ -34,7 +34,7 @@ bool LiveLayer::observe(const LaserScan & scan, const std::vector<Vec2> & hits)
   const bool cleared = clear(scan);
   const std::size_t before = cells_.size();
   for (const Vec2 & hit : hits) {
-    mark(geometry_.index(geometry_.cellAt(hit)));
+    cells_.insert(geometry_.index(geometry_.cellAt(hit)));
   }
   return cleared || cells_.size() != before;
 }
@@ -71,7 +71,7 @@ bool LiveLayer::remember(const StoppedObstacle & obstacle)
   for (Cell cell{0, low.y}; cell.y <= high.y; ++cell.y) {
     for (cell.x = low.x; cell.x <= high.x; ++cell.x) {
       if (geometry_.contains(cell) && outline.distanceTo(geometry_.centre(cell)) <= 0.0) {
-        mark(geometry_.index(cell));
+        cells_.insert(geometry_.index(cell));
       }
     }
   }
@@ -118,14 +118,6 @@ std::vector<Vec2> LiveLayer::hits(const LaserScan & scan, const std::vector<floa
   return hits;
 }
 
-void LiveLayer::mark(std::size_t index)
-{
-  if (marked_[index] == 0) {
-    marked_[index] = 1;
-    cells_.push_back(index);
-  }
-}
-
 template <class Predicate>
 void LiveLayer::forgetStoppedIf(Predicate predicate)
 {
@@ -137,15 +129,10 @@ void LiveLayer::forgetStoppedIf(Predicate predicate)
 template <class Predicate>
 bool LiveLayer::forgetIf(Predicate predicate)
 {
-  const auto forgotten = std::remove_if(cells_.begin(), cells_.end(), [&](std::size_t index) {
-    const bool forget = predicate(geometry_.centre(geometry_.cell(index)));
-    if (forget) {
-      marked_[index] = 0;
-    }
-    return forget;
-  });
-  const bool changed = forgotten != cells_.end();
-  cells_.erase(forgotten, cells_.end());
-  return changed;
+  const std::size_t before = cells_.size();
+  for (auto cell = cells_.begin(); cell != cells_.end();) {
+    cell = predicate(geometry_.centre(geometry_.cell(*cell))) ? cells_.erase(cell) : std::next(cell);
+  }
+  return cells_.size() != before;
 }
 }  // namespace move_base

@@ -2,7 +2,8 @@
 
 #include <workspace_support/scan.h>
 
-#include <cstdint>
+#include <cstddef>
+#include <set>
 #include <vector>
 
 #include "car/box.h"
@@ -52,12 +53,11 @@ public:
   /// Forgets the cells whose middle is in an outline. @return whether any cell changed
   bool forgetIn(const Box & outline);
 
-  const std::vector<std::size_t> & cells() const { return cells_; }
+  const std::set<std::size_t> & cells() const { return cells_; }
 
 private:
   bool clear(const LaserScan & scan);
   bool isStopped(const Vec2 & point) const;
-  void mark(std::size_t index);
   template <class Predicate>
   void forgetStoppedIf(Predicate predicate);
   bool seesThrough(const LaserScan & scan, const Vec2 & point) const;
@@ -67,8 +67,7 @@ private:
   GridGeometry geometry_;
   LiveLayerOptions options_;
   double wall_tolerance_;  // m
-  std::vector<std::uint8_t> marked_;
-  std::vector<std::size_t> cells_;
+  std::set<std::size_t> cells_;
   std::vector<StoppedObstacle> stopped_;
 };
 }  // namespace move_base

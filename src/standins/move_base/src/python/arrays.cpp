@@ -2,6 +2,7 @@
 
 #include <workspace_support/errors.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace move_base
@@ -44,13 +45,12 @@ std::vector<Pose2> toPoses(const Doubles & array, const std::string & name)
 
 py::array_t<double> fromPoses(const std::vector<Pose2> & poses)
 {
-  py::array_t<double> array({static_cast<py::ssize_t>(poses.size()), py::ssize_t{3}});
-  auto values = array.mutable_unchecked<2>();
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const auto row = static_cast<py::ssize_t>(i);
-    values(row, 0) = poses[i].x;
-    values(row, 1) = poses[i].y;
-    values(row, 2) = poses[i].yaw;
+  py::array_t<double> array({poses.size(), std::size_t{3}});
+  double * value = array.mutable_data();
+  for (const Pose2 & pose : poses) {
+    for (const double number : {pose.x, pose.y, pose.yaw}) {
+      *value++ = number;
+    }
   }
   return array;
 }
@@ -82,15 +82,12 @@ Path toPath(const Doubles & points, const py::array_t<bool> & reverse)
 
 py::array_t<double> pointsOf(const Path & path)
 {
-  py::array_t<double> array({static_cast<py::ssize_t>(path.size()), py::ssize_t{5}});
-  auto values = array.mutable_unchecked<2>();
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const auto row = static_cast<py::ssize_t>(i);
-    values(row, 0) = path[i].pose.x;
-    values(row, 1) = path[i].pose.y;
-    values(row, 2) = path[i].pose.yaw;
-    values(row, 3) = path[i].curvature;
-    values(row, 4) = path[i].s;
+  py::array_t<double> array({path.size(), std::size_t{5}});
+  double * value = array.mutable_data();
+  for (const PathPoint & point : path) {
+    for (const double number : {point.pose.x, point.pose.y, point.pose.yaw, point.curvature, point.s}) {
+      *value++ = number;
+    }
   }
   return array;
 }
@@ -98,9 +95,7 @@ py::array_t<double> pointsOf(const Path & path)
 py::array_t<bool> reverseOf(const Path & path)
 {
   py::array_t<bool> array(static_cast<py::ssize_t>(path.size()));
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    array.mutable_at(static_cast<py::ssize_t>(i)) = path[i].reverse;
-  }
+  std::transform(path.begin(), path.end(), array.mutable_data(), [](const PathPoint & point) { return point.reverse; });
   return array;
 }
 }  // namespace move_base

@@ -39,14 +39,6 @@ LaserScan fromLaserScan(const sensor_msgs::LaserScan & message, const Pose2 & se
   return {workspace_support::fromLaserScan(message, false), sensor, message.header.stamp.toSec()};
 }
 
-geometry_msgs::Twist toTwist(double speed, double turn)
-{
-  geometry_msgs::Twist twist;
-  twist.linear.x = speed;
-  twist.angular.z = turn;
-  return twist;
-}
-
 nav_msgs::Path toPath(const std::vector<Pose2> & poses, const std_msgs::Header & header)
 {
   nav_msgs::Path path;

@@ -4,7 +4,6 @@
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/TransformStamped.h>
-#include <geometry_msgs/Twist.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Path.h>
 #include <sensor_msgs/LaserScan.h>
@@ -30,8 +29,6 @@ OccupancyGrid fromUnturnedGrid(const nav_msgs::OccupancyGrid & message);
 /// @param sensor  in the map, when the scan was taken
 LaserScan fromLaserScan(const sensor_msgs::LaserScan & message, const Pose2 & sensor);
 
-/// @param turn  rad/s of the car; or rad of the wheels, as the original with cmd_angle_instead_rotvel
-geometry_msgs::Twist toTwist(double speed, double turn);
 nav_msgs::Path toPath(const std::vector<Pose2> & poses, const std_msgs::Header & header);
 std::vector<Pose2> posesOf(const Path & path);
 

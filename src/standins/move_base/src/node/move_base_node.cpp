@@ -1,5 +1,6 @@
 #include "move_base_node.h"
 
+#include <geometry_msgs/Twist.h>
 #include <move_base_msgs/MoveBaseActionGoal.h>
 #include <move_base_msgs/RecoveryStatus.h>
 #include <ros/console.h>
@@ -236,8 +237,10 @@ void MoveBaseNode::publish(const CycleOutput & output, const CycleInput & input,
 {
   if (const auto & command = output.command) {
     const double angle = command->steeringAngle(parameters_.navigator.follower.limits.wheelbase);
-    velocity_publisher_.publish(
-      toTwist(command->speed, parameters_.cmd_angle_instead_rotvel ? angle : command->yawRate()));
+    geometry_msgs::Twist twist;
+    twist.linear.x = command->speed;
+    twist.angular.z = parameters_.cmd_angle_instead_rotvel ? angle : command->yawRate();
+    velocity_publisher_.publish(twist);
   }
   if (output.new_plan) {
     displays_.showGlobalPlan(navigator_.plan().path, now);
@@ -293,5 +296,4 @@ void MoveBaseNode::relayGoal(const geometry_msgs::PoseStamped::ConstPtr & target
   action_goal.goal.target_pose = *target;
   action_goal_publisher_.publish(action_goal);
 }
-
 }  // namespace move_base

@@ -1,15 +1,46 @@
 #include "displays.h"
 
+#include <algorithm>
+#include <set>
+
 #include "conversions.h"
 
 namespace move_base
 {
+namespace
+{
+// Names that are remapped to one topic count once.
+std::vector<ros::Publisher> advertisePlans(ros::NodeHandle & node, const std::vector<std::string> & topics)
+{
+  std::vector<ros::Publisher> publishers;
+  std::set<std::string> resolved;
+  for (const std::string & topic : topics) {
+    if (resolved.insert(node.resolveName(topic)).second) {
+      publishers.push_back(node.advertise<nav_msgs::Path>(topic, 1));
+    }
+  }
+  return publishers;
+}
+
+bool areWanted(const std::vector<ros::Publisher> & publishers)
+{
+  return std::any_of(publishers.begin(), publishers.end(), [](auto & each) { return each.getNumSubscribers() > 0; });
+}
+
+void publishPlan(const std::vector<ros::Publisher> & publishers, const nav_msgs::Path & plan)
+{
+  for (const ros::Publisher & publisher : publishers) {
+    publisher.publish(plan);
+  }
+}
+}  // namespace
+
 Displays::Displays(ros::NodeHandle private_node, const MoveBaseParameters & parameters, const Perception & perception)
 : parameters_(parameters),
   perception_(perception),
-  global_plan_(
-    private_node, {"global_plan", parameters.global_planner + "/plan", parameters.local_planner + "/global_plan"}),
-  local_plan_(private_node, {"local_plan", parameters.local_planner + "/local_plan"}),
+  global_plan_(advertisePlans(
+    private_node, {"global_plan", parameters.global_planner + "/plan", parameters.local_planner + "/global_plan"})),
+  local_plan_(advertisePlans(private_node, {"local_plan", parameters.local_planner + "/local_plan"})),
   global_costmap_(private_node, "global_costmap", parameters.global_publish_frequency, parameters.global_always_whole),
   local_costmap_(private_node, "local_costmap", parameters.local_publish_frequency, parameters.local_always_whole),
   global_footprint_{
@@ -26,12 +57,12 @@ Displays::Displays(ros::NodeHandle private_node, const MoveBaseParameters & para
 
 void Displays::showGlobalPlan(const Path & path, const ros::Time & stamp)
 {
-  global_plan_.publish(toPath(posesOf(path), headerOf(parameters_.global_frame, stamp)));
+  publishPlan(global_plan_, toPath(posesOf(path), headerOf(parameters_.global_frame, stamp)));
 }
 
 void Displays::showLocalPlan(const std::vector<Pose2> & prediction, const ros::Time & stamp)
 {
-  if (prediction.empty() || !local_plan_.wanted()) {
+  if (prediction.empty() || !areWanted(local_plan_)) {
     return;
   }
   if (const auto map = mapInLocalFrame()) {
@@ -40,7 +71,7 @@ void Displays::showLocalPlan(const std::vector<Pose2> & prediction, const ros::T
     for (const Pose2 & pose : prediction) {
       poses.push_back(compose(*map, pose));
     }
-    local_plan_.publish(toPath(poses, headerOf(parameters_.local_frame, stamp)));
+    publishPlan(local_plan_, toPath(poses, headerOf(parameters_.local_frame, stamp)));
   }
 }
 

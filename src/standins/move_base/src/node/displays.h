@@ -10,7 +10,6 @@
 #include "parameters.h"
 #include "path/path.h"
 #include "perception.h"
-#include "plan_publisher.h"
 #include "seen/rolling_layer.h"
 #include "throttled.h"
 
@@ -36,8 +35,8 @@ private:
 
   const MoveBaseParameters & parameters_;
   const Perception & perception_;
-  PlanPublisher global_plan_;
-  PlanPublisher local_plan_;
+  std::vector<ros::Publisher> global_plan_;  // the originals' planners have names of their own
+  std::vector<ros::Publisher> local_plan_;
   CostmapPublisher global_costmap_;
   CostmapPublisher local_costmap_;
   Throttled global_footprint_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "conversions.h"
 
@@ -83,18 +84,16 @@ void Perception::updateCostmap()
   if (!costmap_) {
     return;
   }
-  for (std::size_t i = 0; i < waiting_.size();) {
-    const sensor_msgs::LaserScan & scan = *waiting_[i];
-    if (const auto sensor = lookUp(buffer_, parameters_.global_frame, scan.header.frame_id, scan.header.stamp)) {
-      costmap_->observe(fromLaserScan(scan, fromTransform(sensor->transform)));
-      scan_ = waiting_[i];
-      // Of those before it the transform will not come any more.
-      waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
-      i = 0;
-    } else {
-      ++i;
+  auto rest = waiting_.begin();  // of those before one with a transform, none will come any more
+  for (auto scan = waiting_.begin(); scan != waiting_.end(); ++scan) {
+    const std_msgs::Header & header = (*scan)->header;
+    if (const auto sensor = lookUp(buffer_, parameters_.global_frame, header.frame_id, header.stamp)) {
+      costmap_->observe(fromLaserScan(**scan, fromTransform(sensor->transform)));
+      scan_ = *scan;
+      rest = std::next(scan);
     }
   }
+  waiting_.erase(waiting_.begin(), rest);
 }
 
 void Perception::startAgain()

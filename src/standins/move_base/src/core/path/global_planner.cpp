@@ -14,12 +14,6 @@ namespace
 constexpr double kSpacing = 0.1;          // m, between points of a path
 constexpr double kLeastClearance = 0.02;  // m
 constexpr double kFirstPart = 0.4;        // of max_expansions, for the search with the clearance wanted
-
-const PlannerOptions & validated(const PlannerOptions & options)
-{
-  options.validate();
-  return options;
-}
 }  // namespace
 
 double placeOnPath(const Path & path, const Pose2 & goal, double near_s)
@@ -55,8 +49,9 @@ void prepend(const Path & lead, Plan & plan)
 }
 
 GlobalPlanner::GlobalPlanner(const PlannerOptions & options)
-: options_(validated(options)), curves_(options.min_turning_radius, options.allow_reversing)
+: options_(options), curves_(options.min_turning_radius, options.allow_reversing)
 {
+  options_.validate();
 }
 
 Plan GlobalPlanner::plan(const Costmap & costmap, const PlanRequest & request) const

@@ -13,6 +13,7 @@ namespace amcl
 namespace
 {
 constexpr std::size_t kLongestQueue = 100;  // scans, as the original's
+const ros::TransportHints kNoDelay = ros::TransportHints().tcpNoDelay();
 }  // namespace
 
 AmclNode::AmclNode(const NodeParameters & parameters, ros::CallbackQueue & queue)
@@ -27,6 +28,10 @@ AmclNode::AmclNode(const NodeParameters & parameters, ros::CallbackQueue & queue
     node.advertiseService("global_localization", &AmclNode::onGlobalLocalization, this),
     node.advertiseService("request_nomotion_update", &AmclNode::onUpdateWithoutMotion, this),
     node.advertiseService("set_map", &AmclNode::onSetMap, this)};
+  pose_subscriber_ = node.subscribe("initialpose", 2, &AmclNode::setPose, this, kNoDelay);
+  if (parameters.use_map_topic) {
+    map_subscriber_ = node.subscribe("map", 1, &AmclNode::setMap, this, kNoDelay);
+  }
 }
 
 void AmclNode::setMap(const nav_msgs::OccupancyGrid & map)

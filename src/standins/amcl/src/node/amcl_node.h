@@ -27,7 +27,7 @@ namespace amcl
 class AmclNode
 {
 public:
-  /// @param queue  of the services
+  /// @param queue  of the services, initial poses and, with use_map_topic, maps
   AmclNode(const NodeParameters & parameters, ros::CallbackQueue & queue);
 
   /// To be filled by whoever receives transforms.
@@ -36,7 +36,6 @@ public:
   bool ready() const { return map_to_odom_.has_value(); }
 
   void setMap(const nav_msgs::OccupancyGrid & map);
-  void setPose(const geometry_msgs::PoseWithCovarianceStamped & message);
   void add(const sensor_msgs::LaserScan::ConstPtr & scan);
   /// Handles the scans whose transforms are there. Until the first one has told where the car is, the initial pose
   /// counts, so that the transform from the map is there from the start. A warning if there have been no map, no scans or
@@ -46,6 +45,7 @@ public:
   void forgetInputs();
 
 private:
+  void setPose(const geometry_msgs::PoseWithCovarianceStamped & message);
   bool onSetMap(nav_msgs::SetMap::Request & request, nav_msgs::SetMap::Response & response);
   bool onGlobalLocalization(std_srvs::Empty::Request & request, std_srvs::Empty::Response & response);
   bool onUpdateWithoutMotion(std_srvs::Empty::Request & request, std_srvs::Empty::Response & response);
@@ -87,5 +87,7 @@ private:
   ros::Publisher pose_publisher_;
   ros::Publisher particle_publisher_;
   std::vector<ros::ServiceServer> services_;
+  ros::Subscriber pose_subscriber_;
+  ros::Subscriber map_subscriber_;
 };
 }  // namespace amcl

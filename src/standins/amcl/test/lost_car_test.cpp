@@ -43,7 +43,7 @@ TEST(LostCar, IsFoundWhereItCanBeOnlyAtOnePlace)
   ASSERT_FALSE(places.empty());
   EXPECT_NEAR(places.front().pose.x, 2.03, 0.05);
   EXPECT_NEAR(places.front().pose.y, 1.52, 0.05);
-  EXPECT_NEAR(places.front().pose.phi, 0.7, 0.02);
+  EXPECT_NEAR(places.front().pose.yaw, 0.7, 0.02);
   EXPECT_TRUE(car.isOver());
 }
 
@@ -95,7 +95,7 @@ TEST(LostCar, IsNotLookedForAnyLongerWhereNothingTellsPlacesApart)
 TEST(LostCar, IsLookedForOnceIfItIsKnownAboutWhere)
 {
   const auto map = toGridMap(emptyRoom(), LaserOptions{});
-  LostCar car(*map, std::vector<mrpt::math::TPose2D>{{2.1, 1.4, 0.65}, {4.0, 2.0, 0.0}});
+  LostCar car(*map, std::vector<Pose2>{{2.1, 1.4, 0.65}, {4.0, 2.0, 0.0}});
   const auto places = lookFrom(car, emptyRoom(), {2.03, 1.52, 0.7});
   ASSERT_FALSE(places.empty());
   EXPECT_NEAR(places.front().pose.x, 2.03, 0.05);

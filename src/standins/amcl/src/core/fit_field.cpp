@@ -70,10 +70,10 @@ int FitField::valueAt(double x, double y) const
   return is_inside ? values_[static_cast<std::size_t>(row) * columns_ + column] : 0;
 }
 
-double FitField::fit(const Points & points, const mrpt::math::TPose2D & pose, double least) const
+double FitField::fit(const Points & points, const Pose2 & pose, double least) const
 {
-  const double c = std::cos(pose.phi);
-  const double s = std::sin(pose.phi);
+  const double c = std::cos(pose.yaw);
+  const double s = std::sin(pose.yaw);
   const double full = kFull * static_cast<double>(points.size());
   double allowed = (1.0 - least) * full;  // to miss
   for (const auto & point : points) {

@@ -1,15 +1,15 @@
 #pragma once
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
-#include <mrpt/math/TPoint2D.h>
-#include <mrpt/math/TPose2D.h>
 
 #include <cstdint>
 #include <vector>
 
+#include "amcl/geometry.h"
+
 namespace amcl
 {
-using Points = std::vector<mrpt::math::TPoint2D>;  // m
+using Points = std::vector<Vec2>;
 
 /// For each cell of a map how well a beam fits that ends there: 1 at a wall, less about it.
 class FitField
@@ -20,7 +20,7 @@ public:
   FitField(const mrpt::maps::COccupancyGridMap2D & map, double slack, double deviation);
 
   /// Mean over the points, which are in the frame of the pose; 0 as soon as it is certain to be less than that.
-  double fit(const Points & points, const mrpt::math::TPose2D & pose, double least = 0.0) const;
+  double fit(const Points & points, const Pose2 & pose, double least = 0.0) const;
 
 private:
   void addWall(int column, int row);

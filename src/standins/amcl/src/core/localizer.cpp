@@ -174,15 +174,14 @@ private:
       return false;
     }
     is_searching_ = true;
-    std::vector<mrpt::math::TPose2D> poses;
+    std::vector<Pose2> poses;
     double share = 0.0;
     for (const Place & place : places) {
       share += place.fit;
       while (poses.size() + 0.5 < share * options_.max_particles) {
-        poses.emplace_back(
-          place.pose.x + random_.drawGaussian1D(0.0, kPlaceError),
-          place.pose.y + random_.drawGaussian1D(0.0, kPlaceError),
-          place.pose.phi + random_.drawGaussian1D(0.0, kHeadingError));
+        const double yaw = place.pose.yaw + random_.drawGaussian1D(0.0, kHeadingError);
+        const double y = place.pose.y + random_.drawGaussian1D(0.0, kPlaceError);
+        poses.push_back({place.pose.x + random_.drawGaussian1D(0.0, kPlaceError), y, yaw});
       }
     }
     set(poses);
@@ -193,37 +192,37 @@ private:
     return true;
   }
 
-  static std::vector<mrpt::math::TPose2D> drawOf(const mrpt::poses::CPosePDFGaussian & belief, std::size_t count)
+  static std::vector<Pose2> drawOf(const mrpt::poses::CPosePDFGaussian & belief, std::size_t count)
   {
     std::vector<mrpt::math::CVectorDouble> samples;
     belief.drawManySamples(count, samples);
-    std::vector<mrpt::math::TPose2D> poses;
+    std::vector<Pose2> poses;
     poses.reserve(count);
     for (const auto & sample : samples) {
-      poses.emplace_back(sample[0], sample[1], sample[2]);
+      poses.push_back({sample[0], sample[1], sample[2]});
     }
     return poses;
   }
 
-  std::vector<mrpt::math::TPose2D> drawOn(const Points & road, std::size_t count)
+  std::vector<Pose2> drawOn(const Points & road, std::size_t count)
   {
     const double half = 0.5 * map_->getResolution();
-    std::vector<mrpt::math::TPose2D> poses;
+    std::vector<Pose2> poses;
     poses.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
       const auto & cell = road[std::min<std::size_t>(random_.drawUniform(0.0, 1.0) * road.size(), road.size() - 1)];
-      poses.emplace_back(
-        cell.x + random_.drawUniform(-half, half), cell.y + random_.drawUniform(-half, half),
-        random_.drawUniform(-M_PI, M_PI));
+      const double yaw = random_.drawUniform(-M_PI, M_PI);
+      const double y = cell.y + random_.drawUniform(-half, half);
+      poses.push_back({cell.x + random_.drawUniform(-half, half), y, yaw});
     }
     return poses;
   }
 
-  void set(const std::vector<mrpt::math::TPose2D> & poses)
+  void set(const std::vector<Pose2> & poses)
   {
     particles_.m_particles.clear();
-    for (const auto & pose : poses) {
-      particles_.m_particles.emplace_back(pose, 0.0);
+    for (const Pose2 & pose : poses) {
+      particles_.m_particles.emplace_back(toTPose2D(pose), 0.0);
     }
   }
 

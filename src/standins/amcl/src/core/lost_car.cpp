@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "engine_types.h"
-
 namespace amcl
 {
 namespace
@@ -35,11 +33,11 @@ void weigh(std::vector<Place> & places)
 
 bool areOne(const std::vector<Place> & places)
 {
-  const mrpt::math::TPose2D & best = places.front().pose;
+  const Pose2 & best = places.front().pose;
   double sum = 0.0;
   for (const Place & place : places) {
-    const bool is_near = std::hypot(place.pose.x - best.x, place.pose.y - best.y) < kOnePlace &&
-                         std::abs(normalizeAngle(place.pose.phi - best.phi)) < kOneHeading;
+    const bool is_near =
+      distance(place.pose, best) < kOnePlace && std::abs(normalizeAngle(place.pose.yaw - best.yaw)) < kOneHeading;
     sum += is_near ? place.fit : 0.0;
   }
   return sum > kCertain;
@@ -48,7 +46,7 @@ bool areOne(const std::vector<Place> & places)
 
 LostCar::LostCar(const mrpt::maps::COccupancyGridMap2D & map, Points road) : search_(map), road_(std::move(road)) {}
 
-LostCar::LostCar(const mrpt::maps::COccupancyGridMap2D & map, std::vector<mrpt::math::TPose2D> poses)
+LostCar::LostCar(const mrpt::maps::COccupancyGridMap2D & map, std::vector<Pose2> poses)
 : search_(map), poses_(std::move(poses))
 {
 }
@@ -60,8 +58,8 @@ bool LostCar::isDue(const Pose2 & odometry) const
 
 void LostCar::drive(const Pose2 & motion)
 {
-  for (mrpt::math::TPose2D & pose : poses_) {
-    pose = toTPose2D(compose(fromTPose2D(pose), motion));
+  for (Pose2 & pose : poses_) {
+    pose = compose(pose, motion);
   }
 }
 

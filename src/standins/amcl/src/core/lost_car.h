@@ -16,7 +16,7 @@ public:
   /// It may be anywhere on a road.
   LostCar(const mrpt::maps::COccupancyGridMap2D & map, Points road);
   /// It is at one of these poses, or near one.
-  LostCar(const mrpt::maps::COccupancyGridMap2D & map, std::vector<mrpt::math::TPose2D> poses);
+  LostCar(const mrpt::maps::COccupancyGridMap2D & map, std::vector<Pose2> poses);
 
   /// Takes a scan in.
   /// @param odometry  pose of the car, as odometry knows it
@@ -31,7 +31,7 @@ private:
 
   PlaceSearch search_;
   Points road_;
-  std::vector<mrpt::math::TPose2D> poses_;  // at the last look
+  std::vector<Pose2> poses_;  // at the last look
   Sight sight_;
   std::optional<Pose2> last_;  // odometry at the last look
   int looks_{0};

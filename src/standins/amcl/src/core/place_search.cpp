@@ -48,7 +48,7 @@ void keepPeaks(std::vector<Place> & places, std::size_t count)
   for (const Place & place : places) {
     const std::array bin{
       std::lround(place.pose.x / kApart), std::lround(place.pose.y / kApart),
-      std::lround(normalizeAngle(place.pose.phi) / kTurnApart)};
+      std::lround(normalizeAngle(place.pose.yaw) / kTurnApart)};
     if (peaks.size() < count && taken.insert(bin).second) {
       peaks.push_back(place);
     }
@@ -77,8 +77,7 @@ void climb(const FitField & field, const Points & seen, Place & place)
       const int steps_x = i % 3 - 1;
       const int steps_y = i / 3 % 3 - 1;
       const int turns = i / 9 - 1;
-      const mrpt::math::TPose2D next(
-        place.pose.x + steps_x * step, place.pose.y + steps_y * step, place.pose.phi + turns * turn);
+      const Pose2 next{place.pose.x + steps_x * step, place.pose.y + steps_y * step, place.pose.yaw + turns * turn};
       const double fit = field.fit(seen, next, best.fit);
       best = fit > best.fit ? Place{next, fit} : best;
     }
@@ -112,7 +111,7 @@ std::vector<Place> PlaceSearch::everywhere(const Points & road, const Points & s
       continue;
     }
     for (int i = 0; i < kHeadings; ++i) {
-      const mrpt::math::TPose2D pose(cell.x, cell.y, 2.0 * M_PI * i / kHeadings - M_PI);
+      const Pose2 pose{cell.x, cell.y, 2.0 * M_PI * i / kHeadings - M_PI};
       if (const double fit = coarse_.fit(few, pose, least); fit > least) {
         places.push_back({pose, fit});
       }
@@ -125,7 +124,7 @@ std::vector<Place> PlaceSearch::everywhere(const Points & road, const Points & s
   return settle(std::move(places), seen);
 }
 
-std::vector<Place> PlaceSearch::about(const std::vector<mrpt::math::TPose2D> & poses, const Points & seen) const
+std::vector<Place> PlaceSearch::about(const std::vector<Pose2> & poses, const Points & seen) const
 {
   std::vector<Place> places;
   places.reserve(poses.size());

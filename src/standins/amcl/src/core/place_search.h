@@ -10,7 +10,7 @@ namespace amcl
 /// Where the car may be.
 struct Place
 {
-  mrpt::math::TPose2D pose;
+  Pose2 pose;
   double fit{0.0};  ///< of what was seen: 0 to 1
 };
 
@@ -25,7 +25,7 @@ public:
   /// @return      where they fit best; best first; none if they fit nowhere
   std::vector<Place> everywhere(const Points & road, const Points & seen) const;
   /// Looks about these places only.
-  std::vector<Place> about(const std::vector<mrpt::math::TPose2D> & poses, const Points & seen) const;
+  std::vector<Place> about(const std::vector<Pose2> & poses, const Points & seen) const;
 
 private:
   std::vector<Place> settle(std::vector<Place> places, const Points & seen) const;

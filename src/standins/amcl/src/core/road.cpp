@@ -57,16 +57,16 @@ Cells allFree(const COccupancyGridMap2D & map)
 }
 }  // namespace
 
-std::vector<mrpt::math::TPoint2D> roadAbout(const COccupancyGridMap2D & map, const Pose2 & place)
+Points roadAbout(const COccupancyGridMap2D & map, const Pose2 & place)
 {
   Cells cells = reachable(map, map.x2idx(place.x), map.y2idx(place.y));
   if (cells.empty()) {
     cells = allFree(map);
   }
-  std::vector<mrpt::math::TPoint2D> road;
+  Points road;
   road.reserve(cells.size());
   for (const auto & [x, y] : cells) {
-    road.emplace_back(map.idx2x(x), map.idx2y(y));
+    road.push_back({map.idx2x(x), map.idx2y(y)});
   }
   return road;
 }

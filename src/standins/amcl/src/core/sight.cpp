@@ -19,7 +19,7 @@ Points endsOf(const mrpt::obs::CObservation2DRangeScan & scan)
     if (scan.getScanRangeValidity(i)) {
       const double angle = lidar.phi() + step * (i - 0.5 * (scan.getScanSize() - 1.0));
       const double range = scan.getScanRange(i);
-      ends.emplace_back(lidar.x() + range * std::cos(angle), lidar.y() + range * std::sin(angle));
+      ends.push_back({lidar.x() + range * std::cos(angle), lidar.y() + range * std::sin(angle)});
     }
   }
   return ends;
@@ -42,9 +42,8 @@ Points Sight::points() const
   Points points = last_.ends;
   for (const View & view : views_) {
     const Pose2 from = compose(inverse(last_.odometry), view.odometry);
-    for (const auto & end : view.ends) {
-      const Pose2 point = compose(from, {end.x, end.y, 0.0});
-      points.emplace_back(point.x, point.y);
+    for (const Vec2 & end : view.ends) {
+      points.push_back(transform(from, end));
     }
   }
   return points;

@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 from f1tenth_scenarios.record.files import REPLAY_FILE
-from f1tenth_scenarios.record.replay import Paths, Poses, Replay, Shape, write_replay
+from f1tenth_scenarios.record.replay import Poses, Replay, Shape, Timed, write_replay
 from scenario_samples import PERIOD, write_record
 
 SQUARE = [(-0.2, -0.2), (0.2, -0.2), (0.2, 0.2), (-0.2, 0.2)]
@@ -30,8 +30,8 @@ def replay(end):
         goals={"robot1": [(0.0, RADIUS, math.pi), (-RADIUS, 0.0, -math.pi / 2)]},
         road=[(RADIUS * math.cos(turn / 9), RADIUS * math.sin(turn / 9)) for turn in range(56)],
         lidars={"robot1": (-2.35, 2.35, 0.27, 0.0, 0.0, 10.0)},
-        global_plans={"robot1": Paths([0.0], [line])},
-        local_plans={"robot1": Paths([0.0, 1.0], [line[:10], line[5:20]])},
+        global_plans={"robot1": Timed([0.0], [line])},
+        local_plans={"robot1": Timed([0.0, 1.0], [line[:10], line[5:20]])},
         models={"box": Poses([0.0, 1.0], [(2.0, 2.0, 0.0), (2.1, 2.0, 0.1)], Shape([SQUARE]))},
     )
 
@@ -132,5 +132,5 @@ def write_long_run(folder, content, seed, end=120.0):
         for turn, swerve in zip(turns, swerves)
     ]
     stamps = [(index + 1) * PERIOD for index in range(count)]
-    write_replay(folder / REPLAY_FILE, Replay(local_plans={"robot1": Paths(stamps, plans)}))
+    write_replay(folder / REPLAY_FILE, Replay(local_plans={"robot1": Timed(stamps, plans)}))
     return folder

@@ -8,7 +8,7 @@ from typing import Any
 
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.record.record import STAMP_EPSILON
-from f1tenth_scenarios.record.replay import Paths, Planar, Point, Poses, Replay
+from f1tenth_scenarios.record.replay import Planar, Point, Poses, Replay, Timed
 
 RECORDER = "scenario_recorder"  # the node that writes it
 
@@ -70,7 +70,7 @@ def read_bag(bag: Path, cars: Sequence[str]) -> Replay:
         raise ScenarioError(f"{bag}: cannot be read: {error}") from error
 
 
-def _plans(bag, cars: Sequence[str], kind: str) -> dict[str, Paths]:
+def _plans(bag, cars: Sequence[str], kind: str) -> dict[str, Timed]:
     from nav_msgs.msg import Path as PathMessage
 
     plans = {}
@@ -78,7 +78,7 @@ def _plans(bag, cars: Sequence[str], kind: str) -> dict[str, Paths]:
         messages = [each for _, each in _due(bag, f"/{car}/move_base/{kind}", PathMessage, _PLAN_PERIOD)]
         if messages:
             stamps = [round(each.header.stamp.to_sec(), 9) for each in messages]
-            plans[car] = Paths(stamps, [_points(each) for each in messages])
+            plans[car] = Timed(stamps, [_points(each) for each in messages])
     return plans
 
 

@@ -49,11 +49,6 @@ class Timed:
 
 
 @dataclasses.dataclass(frozen=True)
-class Paths(Timed):
-    """Plans of a car: lists of points in the map frame, m."""
-
-
-@dataclasses.dataclass(frozen=True)
 class Poses(Timed):
     """Where a movable model was, with its shape in its own frame."""
 
@@ -69,8 +64,9 @@ class Replay:
     road: Sequence[Point] = ()  # its middle, closed, in driving order
     lidars: Mapping[str, Lidar] = dataclasses.field(default_factory=dict)  # by car
     bodies: Mapping[str, Body] = dataclasses.field(default_factory=dict)  # by car
-    global_plans: Mapping[str, Paths] = dataclasses.field(default_factory=dict)  # by car
-    local_plans: Mapping[str, Paths] = dataclasses.field(default_factory=dict)  # by car
+    # By car, plans: lists of points in the map frame, m.
+    global_plans: Mapping[str, Timed] = dataclasses.field(default_factory=dict)
+    local_plans: Mapping[str, Timed] = dataclasses.field(default_factory=dict)
     models: Mapping[str, Poses] = dataclasses.field(default_factory=dict)  # by name
 
     def with_run(
@@ -148,8 +144,8 @@ def _from_dict(content: Mapping[str, Any]) -> Replay:
         road=content["road"],
         lidars=content["lidars"],
         bodies=content.get("bodies", {}),  # without: those of the F1/10 car
-        global_plans=_each(Paths, content["global_plans"]),
-        local_plans=_each(Paths, content["local_plans"]),
+        global_plans=_timed(content["global_plans"]),
+        local_plans=_timed(content["local_plans"]),
         models={
             name: Poses(**{**each, "shape": Shape(**each["shape"])})
             for name, each in content["models"].items()
@@ -157,5 +153,5 @@ def _from_dict(content: Mapping[str, Any]) -> Replay:
     )
 
 
-def _each(kind, content):
-    return {name: kind(**each) for name, each in content.items()}
+def _timed(content):
+    return {name: Timed(**each) for name, each in content.items()}

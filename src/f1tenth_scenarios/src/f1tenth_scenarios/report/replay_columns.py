@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from f1tenth_scenarios.record.record import CarTrack, Record
-from f1tenth_scenarios.record.replay import Paths, Replay, Shape
+from f1tenth_scenarios.record.replay import Replay, Shape, Timed
 from f1tenth_scenarios.report.gaps import gaps_to_leader
 from f1tenth_scenarios.report.packing import column, pack
 
@@ -98,7 +98,7 @@ def _least(values: np.ndarray, kept: np.ndarray) -> np.ndarray:
     return np.array([values[start : end + 1].min() for start, end in zip(starts, kept)])
 
 
-def _plans(paths: Paths, points: int) -> dict[str, Any]:
+def _plans(paths: Timed, points: int) -> dict[str, Any]:
     kept = _every(paths.stamps, _PLAN_STEP)
     lines = [np.array(paths.values[index])[_spread(len(paths.values[index]), points)] for index in kept]
     return {"time": column(np.asarray(paths.stamps)[kept], _TIME), "lines": _lines(lines, _PLAN)}

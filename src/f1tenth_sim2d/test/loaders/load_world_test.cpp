@@ -210,6 +210,15 @@ TEST(LoadWorld, ReadsGravity)
   EXPECT_NEAR(loadText("<gravity>0 0 -1.62</gravity>").gravity, 1.62, 1e-12);
 }
 
+TEST(LoadWorld, ReadsModelsWithTheOlderNameOfTheirDescription)
+{
+  const TempFolder folder;
+  folder.write("block/manifest.xml", "<model><name>block</name><sdf version='1.6'>model.sdf</sdf></model>");
+  folder.write("block/model.sdf", "<sdf version='1.6'><model name='old'><link name='link'/></model></sdf>");
+  const std::string file = folder.write("test.world", world("<include><uri>model://block</uri></include>"));
+  EXPECT_EQ(loadWorld(file).models.at(0).name, "old");
+}
+
 TEST(LoadWorld, FindsModelsOnTheModelPathFirstThenBesideTheWorld)
 {
   const TempFolder folder;

@@ -78,7 +78,9 @@ std::string modelFile(const Element & include, const UriLookup & uris)
   if (isFile(found)) {
     return found;
   }
-  const fs::path config = fs::path(found) / "model.config";
+  // The older name is deprecated, but read by Gazebo.
+  const fs::path usual = fs::path(found) / "model.config";
+  const fs::path config = isFile(usual) ? usual : fs::path(found) / "manifest.xml";
   if (!isFile(config)) {
     uri.fail("uri[" + uri.text() + "] is the folder " + found + ", which holds no model.config");
   }

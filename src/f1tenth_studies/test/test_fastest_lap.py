@@ -11,8 +11,9 @@ from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.results.reference_laps import reference_laps_file
 from f1tenth_studies.optimum.car_limits import GRAVITY, Limits, read_limits
 from f1tenth_studies.optimum.fastest_lap import compute_fastest_lap, time_along, write_raceline
-from f1tenth_studies.optimum.track import SPACING, circuits, load_track
+from f1tenth_studies.optimum.track import SPACING, load_track
 
+from f1tenth_scenarios import places
 from f1tenth_studies import cli
 
 LIMITS = Limits(
@@ -56,7 +57,7 @@ def test_the_same_line_takes_longer_at_a_lower_speed():
 
 def test_the_laps_that_races_are_compared_with_are_those_of_today():
     shipped = yaml.safe_load(reference_laps_file().read_text(encoding="utf-8"))
-    assert list(shipped) == circuits()
+    assert list(shipped) == places.circuits()
     # The others take a minute.
     for name in ("circuit1", "circuit_detailed"):
         lap = compute_fastest_lap(load_track(name), read_limits()).lap_time

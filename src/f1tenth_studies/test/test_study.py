@@ -9,10 +9,10 @@ import types
 import numpy as np
 import pytest
 from f1tenth_scenarios.batch import jobs
+from f1tenth_scenarios.places import circuits
 from f1tenth_scenarios.plan.planning import make_plan
 from f1tenth_scenarios.record.record import CarTrack, Record
 from f1tenth_scenarios.scenario.settings import parse_variation
-from f1tenth_studies.optimum.track import circuits
 from f1tenth_studies.studies import localization, passing, race_pace, safety, stability
 from f1tenth_studies.study import Run
 from f1tenth_studies.table import table

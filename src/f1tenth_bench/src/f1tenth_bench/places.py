@@ -8,11 +8,6 @@ from f1tenth_scenarios.places import GAZEBO_PACKAGE, package_path
 from f1tenth_bench.benchmark import NotAvailable
 
 
-def circuits():
-    """Names of the circuits that the workspace ships."""
-    return sorted(path.stem for path in (package_path(GAZEBO_PACKAGE) / "circuits").glob("*.yaml"))
-
-
 def circuit_file(name):
     """Path of the world of a circuit that the workspace ships."""
     return package_path(GAZEBO_PACKAGE) / "worlds" / f"{name}.world"

@@ -154,6 +154,11 @@ def _package_uri(file: Path) -> Optional[str]:
     return None
 
 
+def circuits() -> list[str]:
+    """Names of the circuits of f1tenth_gazebo."""
+    return sorted(path.stem for path in (package_path(GAZEBO_PACKAGE) / "circuits").glob("*.yaml"))
+
+
 def map_file(world: Path) -> Optional[Path]:
     """The map (YAML) of a world; nothing when it has none."""
     if world.suffix == ".yaml":

@@ -20,7 +20,7 @@ from f1tenth_studies import studies
 from f1tenth_studies.files import expect_folder, expect_folder_of, write_text
 from f1tenth_studies.optimum.car_limits import CLEARANCE, read_limits
 from f1tenth_studies.optimum.fastest_lap import FastestLap, compute_fastest_lap, write_raceline
-from f1tenth_studies.optimum.track import circuits, load_track
+from f1tenth_studies.optimum.track import load_track
 from f1tenth_studies.study import Run, Study, place_of
 from f1tenth_studies.table import document, publish
 
@@ -52,7 +52,7 @@ def reference_main(arguments: Optional[Sequence[str]] = None) -> int:
         prog="race_reference", description="Computes the fastest lap of circuits for the simulator's car."
     )
     parser.add_argument(
-        "names", nargs="*", default=circuits(), metavar="NAME", help="circuit, or X_centerline.csv"
+        "names", nargs="*", default=places.circuits(), metavar="NAME", help="circuit, or X_centerline.csv"
     )
     parser.add_argument(
         "--clearance", type=float, default=CLEARANCE, metavar="M", help="beside the car (%(default)s)"

@@ -6,12 +6,11 @@ from pathlib import Path
 from f1tenth_scenarios import places
 from f1tenth_studies.made_places import road_world, seeds, track_names, track_worlds
 from f1tenth_studies.mapping.drive import Drive
-from f1tenth_studies.optimum.track import circuits
 
 
 def circuit_drives(values: str) -> Iterator[Drive]:
     """Of each circuit, with seeds as `scenario sweep --vary` reads them."""
-    for name in circuits():
+    for name in places.circuits():
         world = places.world_file(name, Path())
         for seed in _seeds("circuits", values):
             yield Drive(name, world, name, seed)

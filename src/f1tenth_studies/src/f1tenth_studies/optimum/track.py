@@ -17,12 +17,6 @@ _SMOOTHING = 0.35  # m, standard deviation
 _MAP, _CENTRELINE = "_map.yaml", "_centerline.csv"
 
 
-def circuits() -> list[str]:
-    """The circuits of f1tenth_gazebo."""
-    folder = places.package_path(places.GAZEBO_PACKAGE) / "circuits"
-    return sorted(path.stem for path in folder.glob("*.yaml"))
-
-
 def load_track(name: str) -> np.ndarray:
     """Read a track.
 

@@ -10,7 +10,7 @@ from f1tenth_scenarios.road.course import Course
 
 from f1tenth_scenarios import places
 from f1tenth_studies.made_places import seeds, track_map, track_names, write_place
-from f1tenth_studies.optimum.track import circuits, load_track
+from f1tenth_studies.optimum.track import load_track
 from f1tenth_studies.study import Column, Run, Study, place_of
 
 LEAST_CLEARANCE = 0.08  # m
@@ -54,7 +54,7 @@ def make_encounter(seed: int) -> Encounter:
         ScenarioError: it is on a track, and there are none.
     """
     generator = random.Random(seed)
-    names = circuits() if seed % 2 else track_names()
+    names = places.circuits() if seed % 2 else track_names()
     return Encounter(
         place=generator.choice(names),
         begin=generator.random(),
@@ -98,7 +98,7 @@ def _write(seed: int, encounter: Encounter, folder: Path) -> Path:
 
 def _road_of(place: str) -> tuple[str, Path]:
     """What load_track reads of a circuit or track, and its map."""
-    if place in circuits():
+    if place in places.circuits():
         return place, places.package_path(places.GAZEBO_PACKAGE) / "maps" / f"{place}.yaml"
     return str(track_map(place)), track_map(place)
 

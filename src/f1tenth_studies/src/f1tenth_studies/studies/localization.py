@@ -2,7 +2,8 @@
 
 import math
 
-from f1tenth_studies.optimum.track import circuits
+from f1tenth_scenarios.places import circuits
+
 from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Study, slowest
 
 _TEXT = """\

@@ -1,11 +1,12 @@
 """Laps past a slower car."""
 
 import numpy as np
+from f1tenth_scenarios.places import circuits
 from f1tenth_scenarios.record.record import CarTrack
 from f1tenth_scenarios.report.gaps import way_along
 from f1tenth_scenarios.road.course import Course
 
-from f1tenth_studies.optimum.track import circuits, load_track
+from f1tenth_studies.optimum.track import load_track
 from f1tenth_studies.study import CONTACTS, Column, Run, Study, slowest
 
 # A car that drives no faster than this is clearly slower, and must be passed; m/s.

@@ -4,10 +4,12 @@ import dataclasses
 import functools
 from pathlib import Path
 
+from f1tenth_scenarios.places import circuits
+
 from f1tenth_studies.made_places import data_folder
 from f1tenth_studies.optimum.car_limits import read_limits
 from f1tenth_studies.optimum.fastest_lap import FastestLap, compute_fastest_lap, time_along
-from f1tenth_studies.optimum.track import circuits, load_track
+from f1tenth_studies.optimum.track import load_track
 from f1tenth_studies.parameters import read_planner_limits
 from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Run, Study
 

@@ -111,19 +111,16 @@ def main():
     path = rospy.get_param("~goals_file", "")
     if not path:
         return _bad_input("~goals_file: found nothing, must be the path of a file")
+    worlds = Path(rospkg.RosPack().get_path("f1tenth_gazebo")) / "worlds"
+    world, folder = rospy.get_param("~world", "circuit1"), rospy.get_param("~folder", ".")
     try:
-        road = _find_road(rospy.get_param("~world", "circuit1"), rospy.get_param("~folder", "."))
+        road = road_ahead(find_world(world, worlds, folder))
         goals = load_goals_file(path) if os.path.exists(path) else []
     except (WorldError, GoalsFileError, OSError, ValueError) as error:
         return _bad_input(error)
     GoalCollector(path, goals, road)
     rospy.spin()
     return 0
-
-
-def _find_road(world, folder):
-    package = Path(rospkg.RosPack().get_path("f1tenth_gazebo"))
-    return road_ahead(find_world(world, package / "worlds", folder))
 
 
 def _bad_input(problem):

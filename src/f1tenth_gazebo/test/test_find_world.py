@@ -1,5 +1,6 @@
 """A world must be found by name or path, or be refused with the names there are."""
 
+import itertools
 import re
 
 import pytest
@@ -7,7 +8,8 @@ from f1tenth_gazebo.worlds.find_world import WorldError, find_world, main
 
 
 @pytest.fixture
-def worlds(tmp_path):
+def worlds(tmp_path, monkeypatch):
+    monkeypatch.setenv("GAZEBO_MODEL_PATH", "")
     folder = tmp_path / "package" / "worlds"
     folder.mkdir(parents=True)
     for name in ("b", "a"):
@@ -74,6 +76,24 @@ def test_checked_world_finds_the_models_of_the_package(worlds, capsys):
     (model / "model.sdf").write_text(f"<sdf version='1.6'>{link}</sdf>")
     include = "<include><uri>model://cone</uri></include>"
     (worlds / "a.world").write_text(f"<sdf version='1.6'><world name='w'>{include}</world></sdf>")
+    assert main(worlds.parent, ["--check", "a"]) == 0, capsys.readouterr().err
+
+
+def test_checked_world_finds_meshes_of_other_packages(worlds, tmp_path, monkeypatch, capsys):
+    package = tmp_path / "own"
+    package.mkdir()
+    (package / "package.xml").write_text("<package format='2'><name>own</name></package>")
+    corners = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"]
+    faces = [
+        f"facet normal 0 0 1 outer loop vertex {' vertex '.join(face)} endloop endfacet"
+        for face in itertools.combinations(corners, 3)
+    ]
+    (package / "wall.stl").write_text("\n".join(["solid wall", *faces, "endsolid wall"]))
+    geometry = "<geometry><mesh><uri>package://own/wall.stl</uri></mesh></geometry>"
+    link = f"<link name='link'><collision name='collision'>{geometry}</collision></link>"
+    model = f"<model name='wall'><static>1</static>{link}</model>"
+    (worlds / "a.world").write_text(f"<sdf version='1.6'><world name='w'>{model}</world></sdf>")
+    monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path))
     assert main(worlds.parent, ["--check", "a"]) == 0, capsys.readouterr().err
 
 

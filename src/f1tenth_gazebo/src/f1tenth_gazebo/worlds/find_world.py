@@ -31,13 +31,13 @@ def find_world(name, worlds_folder, current_folder):
     return path.absolute()
 
 
-def check_world(path, model_folders):
+def check_world(path):
     """Raise WorldError unless the simulator can read the world."""
     # Imported here, as nobody needs the simulator where Gazebo takes its place.
     import f1tenth_sim2d
 
     try:
-        f1tenth_sim2d.load_world(str(path), model_path=[str(folder) for folder in model_folders])
+        f1tenth_sim2d.load_world(str(path))
     except f1tenth_sim2d.LoadError as error:
         raise WorldError(f"world_file_name: {error}") from error
 
@@ -56,14 +56,12 @@ def main(package_folder, arguments=None):
     try:
         path = find_world(options.world, Path(package_folder) / "worlds", Path.cwd())
         if options.check:
-            models = [Path(package_folder) / "models", *_folders(os.environ.get("GAZEBO_MODEL_PATH", ""))]
-            check_world(path, models)
+            # As simulator.launch does for the simulator.
+            others = os.environ.get("GAZEBO_MODEL_PATH", "")
+            os.environ["GAZEBO_MODEL_PATH"] = f"{package_folder}/models:{others}"
+            check_world(path)
     except WorldError as error:
         print(error, file=sys.stderr)
         return 1
     print(path, end="")
     return 0
-
-
-def _folders(path_list):
-    return [folder for folder in path_list.split(os.pathsep) if folder]

@@ -62,7 +62,7 @@ PYBIND11_MODULE(gmapping_core, module)
 {
   using namespace gmapping;
   module.doc() = "The mapper of slam_gmapping without ROS. Lengths in m, angles in rad, times in s.";
-  py::register_exception<Error>(module, "Error", PyExc_ValueError);
+  py::register_local_exception<Error>(module, "Error", PyExc_ValueError);
   py::class_<MotionNoise>(module, "MotionNoise", "How odometry errs.")
     .def(py::init<>())
     .def_readwrite("srr", &MotionNoise::srr, "m per m")

@@ -143,8 +143,8 @@ void bindFollower(py::module_ & module)
 PYBIND11_MODULE(move_base_core, module)
 {
   module.doc() = "The planner and controller of the stand-in move_base. Lengths in m, angles in rad, times in s.";
-  const auto & error = py::register_exception<Error>(module, "Error", PyExc_ValueError);
-  py::register_exception<OptionError>(module, "OptionError", error);
+  const auto & error = py::register_local_exception<Error>(module, "Error", PyExc_ValueError);
+  py::register_local_exception<OptionError>(module, "OptionError", error);
   bindOptions(module);
   bindCostmap(module);
   bindPaths(module);

@@ -69,7 +69,6 @@ inline Vec2 transform(const Pose2 & pose, const Vec2 & point)
   return {pose.x + c * point.x - s * point.y, pose.y + s * point.x + c * point.y};
 }
 
-/// A pose given in the frame of pose, in the frame in which pose is given.
 /// The velocity of a point of a body that moves and turns.
 /// @param velocity  m/s, of the point of the body from which arm, m, leads to the other one, in the same frame
 inline Vec2 velocityAt(const Vec2 & velocity, double yaw_rate, const Vec2 & arm)
@@ -77,6 +76,7 @@ inline Vec2 velocityAt(const Vec2 & velocity, double yaw_rate, const Vec2 & arm)
   return {velocity.x - yaw_rate * arm.y, velocity.y + yaw_rate * arm.x};
 }
 
+/// A pose given in the frame of pose, in the frame in which pose is given.
 inline Pose2 compose(const Pose2 & pose, const Pose2 & relative)
 {
   const Vec2 position = transform(pose, relative.position());

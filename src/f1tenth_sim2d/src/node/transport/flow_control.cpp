@@ -13,8 +13,9 @@ namespace
 constexpr std::size_t kWaitAbove = 64;
 constexpr std::size_t kGoOnBelow = 16;
 const ros::WallDuration kLook{100e-6};
-const ros::WallDuration kPatience{1.0};  // after which it is said who is waited for
-const ros::WallDuration kFarewell{2.0};  // at most, at the end
+const ros::WallDuration kPatience{1.0};   // after which it is said who is waited for
+const ros::WallDuration kReminder{10.0};  // after which it is said again
+const ros::WallDuration kFarewell{2.0};   // at most, at the end
 }  // namespace
 
 FlowControl::FlowControl(Outbox & outbox, ros::CallbackQueue & queue, double silent_subscriber_sec)
@@ -77,9 +78,14 @@ void FlowControl::giveUp(Topic & topic)
 void FlowControl::note(const Topic & topic)
 {
   const std::string names = topic.thoseBehind();
-  ROS_WARN_THROTTLE(
-    10.0, "%s does not keep up with %s%s", names.c_str(), topic.name().c_str(),
-    waits_ ? ": the simulation waits for it" : " and loses messages");
+  const ros::WallTime now = ros::WallTime::now();
+  ros::WallTime & said = said_[topic.name()];
+  if (now - said > kReminder) {
+    ROS_WARN(
+      "%s does not keep up with %s%s", names.c_str(), topic.name().c_str(),
+      waits_ ? ": the simulation waits for it" : " and loses messages");
+    said = now;
+  }
   slow_.insert(names + " (" + topic.name() + ")");
 }
 

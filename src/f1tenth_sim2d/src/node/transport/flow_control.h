@@ -55,6 +55,7 @@ private:
   bool waits_{true};
   std::map<std::string, Progress> progress_;     // by topic, while it lags behind
   std::map<std::string, std::uint64_t> losses_;  // by topic, as far as they have been noted
+  std::map<std::string, ros::WallTime> said_;    // by topic, when a reader that does not keep up was last named
   std::set<std::string> slow_;
   double waited_sec_{0.0};
 };

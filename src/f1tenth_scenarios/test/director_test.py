@@ -22,6 +22,7 @@ from geometry_msgs.msg import Pose, PoseWithCovarianceStamped
 from rosgraph_msgs.msg import Clock
 from scenario_samples import sample_plan, scenario
 from std_msgs.msg import Bool, Header
+from workspace_support.nodes import synchronous_publisher
 
 from f1tenth_race_mgr.msg import RaceStatus
 
@@ -46,6 +47,8 @@ class DirectorTest(unittest.TestCase):
         for director in self._directors:
             director.close()
         self._listener.unregister()
+        # The next test would take a connection that is just closing for that of its own director.
+        self._wait_for(lambda: not self._clock.get_num_connections() and not self._done.get_num_connections())
 
     def test_every_period_is_answered_until_the_last_fault(self):
         self._direct(plan([Fault("robot1/nobody", 1.0)]))
@@ -124,7 +127,7 @@ class DirectorTest(unittest.TestCase):
 
     def test_estimates_are_heard_to_the_last(self):
         watch = RosWatch(plan())
-        publisher = rospy.Publisher("/robot1/amcl_pose", PoseWithCovarianceStamped, queue_size=10)
+        publisher = synchronous_publisher("/robot1/amcl_pose", PoseWithCovarianceStamped)
         self._wait_for(lambda: publisher.get_num_connections() > 0)
         for index in range(3):
             message = PoseWithCovarianceStamped()

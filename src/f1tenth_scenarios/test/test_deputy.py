@@ -27,12 +27,13 @@ STARTING = """
 import subprocess, sys
 print('ready', flush=True)
 sys.stdin.readline()
-subprocess.run([sys.executable, '-c', 'while True: pass'])
+subprocess.run([sys.executable, '-c', 'print("busy", flush=True)\\nwhile True: pass'])
 """
 TURNING_BUSY = """
 import sys
 print('ready', flush=True)
 sys.stdin.readline()
+print('busy', flush=True)
 while True: pass
 """
 BUSY = "print('ready', flush=True)\nwhile True: pass"
@@ -109,6 +110,13 @@ def driver(monkeypatch):
         process.communicate()
 
 
+def make_busy(process):
+    """Let a driver that waits for a line go on; returns when it, or what it has started, spins."""
+    process.stdin.write("start\n")
+    process.stdin.flush()
+    assert process.stdout.readline() == "busy\n"
+
+
 @pytest.fixture
 def hurried(monkeypatch):
     """The deputy gives a driver less time to load."""
@@ -174,9 +182,7 @@ def test_who_waits_for_a_process_just_started_is_not_at_rest(driver, hurried, mo
     world = FakeWorld(before=0, listens=False)
     one = Deputy(world, MARK, PATIENCE, PATIENCE)
     one.begin()
-    process.stdin.write("start\n")
-    process.stdin.flush()
-    time.sleep(0.1)
+    make_busy(process)
     with pytest.raises(MisfitError, match="do not come to rest"):
         one.act(0)
 
@@ -304,9 +310,7 @@ def test_who_drives_and_then_never_rests_is_given_up(driver):
     one = Deputy(FakeWorld(), MARK, PATIENCE, 30.0)
     for period in range(40):
         one.act(period)
-    process.stdin.write("start\n")
-    process.stdin.flush()
-    time.sleep(0.1)
+    make_busy(process)
     with pytest.raises(RestlessError, match="the driver has not come to rest within 1 s"):
         one.act("later")
 

@@ -39,9 +39,13 @@ std::size_t Outbox::subscriberCount() const
 
 std::vector<std::shared_ptr<Topic>> Outbox::lagging(std::size_t limit) const
 {
-  auto result = topics();
-  const auto keepsUp = [&](const auto & topic) { return topic->inFlight() <= limit; };
-  result.erase(std::remove_if(result.begin(), result.end(), keepsUp), result.end());
+  // Asked in every period: as long as all keep up, nothing is allocated.
+  std::vector<std::shared_ptr<Topic>> result;
+  for (const auto & each : topics_) {
+    if (auto topic = each.lock(); topic && topic->inFlight() > limit) {
+      result.push_back(std::move(topic));
+    }
+  }
   return result;
 }
 }  // namespace f1tenth_sim2d

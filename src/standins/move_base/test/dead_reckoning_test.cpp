@@ -8,7 +8,7 @@ namespace move_base
 {
 namespace
 {
-const CarState kDriving{{1.0, 2.0, 0.5}, 3.0};
+const CarState kDriving{{1.0, 2.0, 0.5}, 3.0, 0.2};
 
 TEST(DeadReckoning, leavesACarThatIsSeenNowWhereItIs)
 {
@@ -18,6 +18,7 @@ TEST(DeadReckoning, leavesACarThatIsSeenNowWhereItIs)
   EXPECT_EQ(state.pose.x, 1.0);
   EXPECT_EQ(state.pose.yaw, 0.5);
   EXPECT_EQ(state.speed, 3.0);
+  EXPECT_EQ(state.yaw_rate, 0.2);
 }
 
 TEST(DeadReckoning, drivesTheArcOfTheCommandInForce)

@@ -143,8 +143,9 @@ TEST(PathFollower, keepsItsWheelsTurnedUntilItStandsBeforeAnObstacle)
   EXPECT_EQ(follower.step(car.state(), costmap, kStepTime).command.speed, 0.0);
 }
 
-// How much slower than it drives a car is told to be that meets an obstacle, m/s, after 3 m of a way so bent, 1/m.
-double brakingInBend(double curvature)
+// How much slower than it drives a car is told to be that meets an obstacle, m/s, after 3 m of a way so bent, 1/m, while
+// it turns so fast, rad/s.
+double brakingInBend(double curvature, double yaw_rate = 0.0)
 {
   Costmap costmap = makeCostmap(drawRoom(16.0, 16.0));
   PathFollower follower(racingFollower());
@@ -157,7 +158,8 @@ double brakingInBend(double curvature)
   const Pose2 seen_from = car.state().pose;
   costmap.observe(scanFrom(
     seen_from, [&](double angle) { return std::abs(normalizeAngle(angle - seen_from.yaw)) < 0.8 ? 0.6 : 20.0; }));
-  return car.state().speed - follower.step(car.state(), costmap, kStepTime).command.speed;
+  const CarState turning{seen_from, car.state().speed, yaw_rate};
+  return turning.speed - follower.step(turning, costmap, kStepTime).command.speed;
 }
 
 TEST(PathFollower, brakesWithWhatTheTyresHaveLeftInABend)
@@ -166,6 +168,16 @@ TEST(PathFollower, brakesWithWhatTheTyresHaveLeftInABend)
   EXPECT_GT(brakingInBend(0.0), 2.0) << "as hard as it can";
   EXPECT_GT(brakingInBend(0.4), 0.2 * 3.0 * lead);
   EXPECT_LT(brakingInBend(0.4), 0.6 * 3.0 * lead);
+}
+
+TEST(PathFollower, isInABendForAsLongAsItTurns)
+{
+  const double lead = racingFollower().latency + PathFollower::kSpeedLag;
+  for (const double yaw_rate : {0.6, -0.6}) {
+    EXPECT_GT(brakingInBend(0.0, yaw_rate), 0.4 * 3.0 * lead);
+    EXPECT_LT(brakingInBend(0.0, yaw_rate), 0.9 * 3.0 * lead);
+  }
+  EXPECT_GT(brakingInBend(0.0, 0.1), 2.0) << "as hard as it can";
 }
 
 // The speed commanded in a bend to a car that is so far outside of its path, m, less that of the step before, m/s.

@@ -57,6 +57,7 @@ CycleInput Perception::input(const ros::Time & now) const
   }
   if (odometry_) {
     input.car.speed = odometry_->twist.twist.linear.x;
+    input.car.yaw_rate = odometry_->twist.twist.angular.z;
     input.speed_age = std::max(0.0, (now - odometry_->header.stamp).toSec());
   }
   return input;

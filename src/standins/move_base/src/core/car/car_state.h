@@ -12,7 +12,8 @@ inline constexpr double kStandingSpeed = 0.05;  // m/s, below it a car stands
 struct CarState
 {
   Pose2 pose;
-  double speed{0.0};  ///< m/s, negative backwards
+  double speed{0.0};     ///< m/s, negative backwards
+  double yaw_rate{0.0};  ///< rad/s
 
   bool stands() const { return std::abs(speed) < kStandingSpeed; }
 };

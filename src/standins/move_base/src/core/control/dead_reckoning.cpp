@@ -35,7 +35,7 @@ void DeadReckoning::note(double time, const DriveCommand & command)
 
 CarState DeadReckoning::predict(const CarState & car, double seen, double measured, double time) const
 {
-  CarState state{car.pose, drivenOn(car, measured, seen).speed};
+  CarState state{car.pose, drivenOn(car, measured, seen).speed, car.yaw_rate};
   state = drivenOn(state, seen, time);
   if (measured > seen) {
     state.speed = drivenOn(car, measured, time).speed;

@@ -20,7 +20,7 @@ constexpr double kUsualTraction = 0.9;    // of the acceleration told, from whic
 constexpr double kSpinning = 0.85;        // of what spinning wheels pass on, that they do while they steer as well
 constexpr double kUnfelt = 0.6;       // of the lateral acceleration planned, until a bend has shown how the tyres slip
 constexpr double kStopMargin = 0.05;  // m, left before an obstacle
-constexpr double kBends = 0.5;        // of the lateral acceleration, from which braking is limited for it
+constexpr double kBends = 0.25;       // of the lateral acceleration, from which braking is limited for it
 constexpr double kLeastLeft = 0.35;   // of the acceleration, however hard the car corners
 // A Twist without speed says nothing of the wheels: they would straighten while the car still rolls, m/s.
 constexpr double kCreep = 1e-3;
@@ -166,7 +166,7 @@ FollowStep PathFollower::step(
   const double speed =
     stop ? 0.0 : std::min({wantedSpeed(predicted, car.speed), speedFor(bend), utmost, behind.wanted});
   const double slow = slewed(result.position.reverse ? -speed : speed, car.speed, brake, period);
-  const double gentle = gentlest(car.speed);
+  const double gentle = gentlest(car);
   result.command.speed = std::clamp(slow, -std::max(stoppable, gentle), std::max(utmost, gentle));
   if (!car.stands() && std::abs(result.command.speed) < kCreep) {
     result.command.speed = std::copysign(kCreep, car.speed);
@@ -209,16 +209,22 @@ double PathFollower::slipOn(double curvature, double speed) const
 
 // Of its acceleration, what the tyres have left that hold a car in a bend: braking with more than that, its tail comes
 // round, and speeding up with more, its front axle loses the load that it steers with.
-double PathFollower::leftInBend(double speed) const
+double PathFollower::leftInBend(double speed, double bend) const
 {
-  return std::max(options_.limits.leftInBend(speed, last_bend_), kLeastLeft);
+  return std::max(options_.limits.leftInBend(speed, bend), kLeastLeft);
 }
 
-// Not slower than this, whatever a car in a bend brakes for: who spins does not stop sooner.
-double PathFollower::gentlest(double speed) const
+// Not slower than this, whatever a car in a bend brakes for: who spins does not stop sooner. It is in a bend for as long
+// as it turns, whatever its wheels are told.
+double PathFollower::gentlest(const CarState & car) const
 {
-  const bool bends = std::abs(speed * speed * last_bend_) > kBends * options_.limits.max_lateral_acceleration;
-  return bends ? std::abs(speed) - leftInBend(speed) * options_.limits.dec_lim_x * lags_.speed : 0.0;
+  const double speed = std::abs(car.speed);
+  const double turns = std::abs(car.yaw_rate) / std::max(speed, kStandingSpeed);
+  const double bend = std::max(std::abs(last_bend_), turns);
+  if (speed * speed * bend <= kBends * options_.limits.max_lateral_acceleration) {
+    return 0.0;
+  }
+  return speed - leftInBend(speed, bend) * options_.limits.deceleration(speed) * lags_.speed;
 }
 
 // By how much the car speeds up, its speed lagging behind the command.
@@ -370,7 +376,7 @@ void PathFollower::changeDirectionWhenStanding(const CarState & car)
 
 double PathFollower::slewed(double wanted, double speed, bool brake, double period) const
 {
-  const double left = leftInBend(speed);
+  const double left = leftInBend(speed, last_bend_);
   const double greatest = std::max(options_.limits.acc_lim_x, options_.limits.dec_lim_x);
   const double slack = std::max(kSpeedSlack, kSlackPart * lags_.speed * greatest);
   const double from = std::clamp(last_.speed, speed - slack, speed + slack);

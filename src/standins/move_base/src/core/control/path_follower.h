@@ -127,8 +127,8 @@ private:
   double speedFor(double curvature) const;
   double lateralOn(double curvature, double speed) const;
   double slipOn(double curvature, double speed) const;
-  double leftInBend(double speed) const;
-  double gentlest(double speed) const;
+  double leftInBend(double speed, double bend) const;
+  double gentlest(const CarState & car) const;
   double accelerationTo(double command, double speed) const;
   double withUndersteer(double curvature, double speed, double acceleration) const;
   double curvatureAhead(const PathPosition & position, double speed) const;

@@ -80,6 +80,7 @@ class FakeRobot:
         self.wheels_grip = True
         self.delay = 0  # periods by which sensors and tf are late
         self.transforms_delay = 0  # the same of tf alone, on top
+        self.told_yaw_rate = 0.0  # rad/s, what its odometry says
         self.faults = {}  # "scan", "odom" or "tf" to "stopped", "frozen" or "future"
         self._held = {}  # what was published last of each without a fault
         self._sent = collections.deque(maxlen=100)  # per period: transforms, odometry, scan
@@ -124,6 +125,7 @@ class FakeRobot:
             self.wheels_grip = True
             self.delay = 0
             self.transforms_delay = 0
+            self.told_yaw_rate = 0.0
             self.faults = {}
             self._sent.clear()
             self.touched = False
@@ -244,6 +246,7 @@ class FakeRobot:
         odometry.header.frame_id = "odom"
         odometry.child_frame_id = "base_footprint"
         odometry.twist.twist.linear.x = self.speed
+        odometry.twist.twist.angular.z = self.told_yaw_rate
         return odometry
 
     def _laser_scan(self):

@@ -179,6 +179,30 @@ class MoveBaseTest(HallCase):
         self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
         assert not self.robot.touched
 
+    def hardest_braking(self, yaw_rate):
+        """Before a wall that suddenly is there: by how much the command falls at most in a cycle, m/s."""
+        self.robot.real_room = self.room
+        self.robot.put(5.0, 5.0)
+        self.robot.told_yaw_rate = yaw_rate
+        self.send(pose_at(8.0, 5.0))
+        self.wait_until(lambda: self.robot.speed > 1.2)
+        room = copy.deepcopy(self.room)
+        x = self.robot.pose[0] + 0.7
+        room.add_wall(x, 4.0, x + 0.2, 6.0)
+        self.robot.real_room = room
+        since = self.robot.now
+        self.wait_until(lambda: self.robot.now > since + 0.15)
+        self.client.cancel_goal()
+        self.result()
+        speeds = [command.linear.x for time, command in self.robot.commands if -0.1 < time - since < 0.15]
+        return max(before - after for before, after in itertools.pairwise(speeds))
+
+    def test_a_car_that_turns_by_its_odometry_brakes_with_what_its_tyres_have_left(self):
+        straight = self.hardest_braking(0.0)
+        for yaw_rate in (3.0, -3.0):
+            turning = self.hardest_braking(yaw_rate)
+            assert turning < 0.5 * straight, f"{turning} of {straight} m/s"
+
     def test_what_the_map_does_not_know_is_driven_around(self):
         room = copy.deepcopy(self.room)
         room.add_wall(5.8, 3.3, 6.2, 4.5)

@@ -94,7 +94,7 @@ TEST(CarWatch, takesTheLatencyFromTheYawOnceTheCarHasTurned)
 {
   const Lags straight = lagsOf(0.25, 0.1, 2.5);
   EXPECT_NEAR(straight.speed, 0.25, 0.005);
-  EXPECT_NEAR(straight.latency, 0.25 - PathFollower::kSpeedLag, 0.005) << "as late as the speed, for all it knows";
+  EXPECT_NEAR(straight.latency, 0.25 - Handling::kSpeedLag, 0.005) << "as late as the speed, for all it knows";
   const Lags turned = lagsOf(0.25, 0.1, 6.0);
   EXPECT_NEAR(turned.speed, 0.25, 0.005);
   EXPECT_NEAR(turned.latency, 0.13, 0.015) << "tyres that slide pass on a speed later";

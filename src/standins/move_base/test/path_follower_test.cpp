@@ -164,7 +164,7 @@ double brakingInBend(double curvature, double yaw_rate = 0.0)
 
 TEST(PathFollower, brakesWithWhatTheTyresHaveLeftInABend)
 {
-  const double lead = racingFollower().latency + PathFollower::kSpeedLag;
+  const double lead = racingFollower().latency + Handling::kSpeedLag;
   EXPECT_GT(brakingInBend(0.0), 2.0) << "as hard as it can";
   EXPECT_GT(brakingInBend(0.4), 0.2 * 3.0 * lead);
   EXPECT_LT(brakingInBend(0.4), 0.6 * 3.0 * lead);
@@ -172,7 +172,7 @@ TEST(PathFollower, brakesWithWhatTheTyresHaveLeftInABend)
 
 TEST(PathFollower, isInABendForAsLongAsItTurns)
 {
-  const double lead = racingFollower().latency + PathFollower::kSpeedLag;
+  const double lead = racingFollower().latency + Handling::kSpeedLag;
   for (const double yaw_rate : {0.6, -0.6}) {
     EXPECT_GT(brakingInBend(0.0, yaw_rate), 0.4 * 3.0 * lead);
     EXPECT_LT(brakingInBend(0.0, yaw_rate), 0.9 * 3.0 * lead);
@@ -263,7 +263,7 @@ TEST(PathFollower, mayLearnThatTheCarAnswersAtOnce)
     PathFollower follower(racingFollower());
     follower.setPath(ovalLap(), costmap);
     for (const double known : {latency, latency, 0.0, 0.0}) {
-      follower.setLags({known, PathFollower::kSpeedLag});
+      follower.setLags({known, Handling::kSpeedLag});
       EXPECT_TRUE(std::isfinite(follower.step({onOval(0.0), 1.0}, costmap, kStepTime).command.speed));
     }
   }

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "control/path_follower.h"
+#include "control/handling.h"
 #include "map/costmap.h"
 
 /// Between messages and the core's types. Quaternions count as rotations about z.

@@ -75,7 +75,7 @@ Lags CarWatch::lags() const
   const auto plausible = [&](double latency) {
     return std::clamp(latency, told_latency_, told_latency_ + kMostLatency);
   };
-  constexpr double kSpeedLag = PathFollower::kSpeedLag;
+  constexpr double kSpeedLag = Handling::kSpeedLag;
   const double of_speed = plausible(speed_lag_.lag(kSpeedLag + told_latency_) - kSpeedLag);
   const double of_yaw = plausible(yaw_lag_.lag(of_speed - kYawDoubt) + kYawDoubt);
   return {std::min(of_yaw, of_speed), kSpeedLag + of_speed};

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "control/dead_reckoning.h"
-#include "control/path_follower.h"
+#include "control/handling.h"
 #include "control/response_lag.h"
 #include "control/slip_watch.h"
 #include "control/traction_watch.h"

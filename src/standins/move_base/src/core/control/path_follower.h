@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cmath>
 #include <deque>
 #include <vector>
 
 #include "car/car_state.h"
+#include "control/handling.h"
 #include "map/costmap.h"
 #include "path/path_tracker.h"
 #include "path/speed_profile.h"
@@ -13,50 +13,6 @@
 
 namespace move_base
 {
-struct FollowerOptions
-{
-  SpeedLimits limits;
-  double max_steering_angle{0.4189};  ///< rad
-  double latency{0.05};               ///< s, from measuring a pose to the wheels acting on the command
-  double tracking_distance{0.45};     ///< m, in which an error of the path is driven out when standing
-  double tracking_time{0.12};         ///< s, added to it per m/s
-  double slip_gradient{0.0};          ///< rad per m/s^2 of lateral acceleration, that the rear axle drifts outwards
-  double understeer_gradient{0.0};    ///< rad per m/s^2, that the wheels must be turned further than on rails
-  double load_transfer{0.0};          ///< per m/s^2, part of its load that the rear axle gains and the front one loses
-  double yaw_lag{0.0};                ///< s per m/s, by which the yaw follows the wheels
-  double stop_clearance{0.0};         ///< m, with less on its predicted way the car stops before
-  double replan_distance{2.5};        ///< m beyond the braking distance, an obstacle on the path there is reported
-  double max_path_deviation{0.5};     ///< m, farther from its path the car has lost it
-
-  /// @throws OptionError
-  void validate() const;
-};
-
-/// How late a car does what it is told.
-struct Lags
-{
-  double latency{0.0};  ///< s, from measuring a pose to the wheels acting on the command
-  double speed{0.0};    ///< s, that its speed lags behind its command
-};
-
-/// What is known of a car's tyres beside what the options say.
-struct Tyres
-{
-  double slip{1.0};      ///< times what the options say
-  double traction{1.0};  ///< share of the acceleration told that comes of it, where the car falls behind its command
-  bool felt{true};       ///< whether a bend has shown how far they slip
-};
-
-struct DriveCommand
-{
-  double speed{0.0};      ///< m/s, negative backwards
-  double curvature{0.0};  ///< 1/m, positive is steering to the left
-
-  double yawRate() const { return speed * curvature; }
-  /// rad, of the wheels; straight for a car that stops. @param wheelbase  m
-  double steeringAngle(double wheelbase) const { return speed == 0.0 ? 0.0 : std::atan(wheelbase * curvature); }
-};
-
 /// What one step of following gives.
 struct FollowStep
 {
@@ -73,12 +29,10 @@ struct FollowStep
 class PathFollower
 {
 public:
-  static constexpr double kSpeedLag = 0.055;  ///< s, that a car's speed lags behind its command besides the latency
-
   /// @throws OptionError
   explicit PathFollower(const FollowerOptions & options);
 
-  const FollowerOptions & options() const { return options_; }
+  const FollowerOptions & options() const { return handling_.options(); }
 
   /// Starts on a path, which must have at least one point.
   void setPath(const Path & path, const Costmap & costmap, const Caution & caution = {});
@@ -86,8 +40,8 @@ public:
   const Path & path() const { return path_; }
   void clear();
   /// Those of the options until they are set.
-  void setLags(const Lags & lags) { lags_ = lags; }
-  const Lags & lags() const { return lags_; }
+  void setLags(const Lags & lags) { handling_.setLags(lags); }
+  const Lags & lags() const { return handling_.lags(); }
   /// Where the tyres clearly slip more than the options say, or pass on but a share of the acceleration told, they have less
   /// grip, and the car is asked for less; to the side also until a bend has shown it. The speeds along the path follow.
   void setTyres(const Tyres & tyres, const Costmap & costmap);
@@ -122,15 +76,6 @@ private:
   };
 
   void noteSent(double period);
-  double maxCurvature() const;
-  double drivable(double curvature, double speed) const;
-  double speedFor(double curvature) const;
-  double lateralOn(double curvature, double speed) const;
-  double slipOn(double curvature, double speed) const;
-  double leftInBend(double speed, double bend) const;
-  double gentlest(const CarState & car) const;
-  double accelerationTo(double command, double speed) const;
-  double withUndersteer(double curvature, double speed, double acceleration) const;
   double curvatureAhead(const PathPosition & position, double speed) const;
   Pose2 afterLatency(const CarState & car) const;
   double steer(const PathPosition & position, double ahead, double speed) const;
@@ -142,11 +87,7 @@ private:
   void changeDirectionWhenStanding(const CarState & car);
   double slewed(double wanted, double speed, bool brake, double period) const;
 
-  FollowerOptions given_;
-  FollowerOptions options_;  // as the car is found to be
-  Lags lags_;
-  Tyres tyres_;
-  double grip_to_side_;  // m/s^2: more than is planned with until the tyres have been felt
+  Handling handling_;
   Path path_;
   Caution caution_;
   std::vector<double> speeds_;

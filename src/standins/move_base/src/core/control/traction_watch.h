@@ -2,7 +2,7 @@
 
 #include <deque>
 
-#include "control/path_follower.h"
+#include "control/handling.h"
 
 namespace move_base
 {

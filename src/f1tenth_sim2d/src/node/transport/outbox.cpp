@@ -17,15 +17,22 @@ std::shared_ptr<MessageSink> Outbox::add(const ros::AdvertiseOptions & options)
   return topic;
 }
 
-std::vector<std::shared_ptr<Topic>> Outbox::topics() const
+// Asked in every period: as long as none is wanted, nothing is allocated.
+template <typename Wanted>
+std::vector<std::shared_ptr<Topic>> Outbox::those(Wanted wanted) const
 {
   std::vector<std::shared_ptr<Topic>> result;
   for (const auto & each : topics_) {
-    if (auto topic = each.lock()) {
+    if (auto topic = each.lock(); topic && wanted(*topic)) {
       result.push_back(std::move(topic));
     }
   }
   return result;
+}
+
+std::vector<std::shared_ptr<Topic>> Outbox::topics() const
+{
+  return those([](Topic &) { return true; });
 }
 
 std::size_t Outbox::subscriberCount() const
@@ -39,13 +46,6 @@ std::size_t Outbox::subscriberCount() const
 
 std::vector<std::shared_ptr<Topic>> Outbox::lagging(std::size_t limit) const
 {
-  // Asked in every period: as long as all keep up, nothing is allocated.
-  std::vector<std::shared_ptr<Topic>> result;
-  for (const auto & each : topics_) {
-    if (auto topic = each.lock(); topic && topic->inFlight() > limit) {
-      result.push_back(std::move(topic));
-    }
-  }
-  return result;
+  return those([limit](Topic & topic) { return topic.inFlight() > limit; });
 }
 }  // namespace f1tenth_sim2d

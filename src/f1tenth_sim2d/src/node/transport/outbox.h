@@ -31,6 +31,9 @@ protected:
   std::shared_ptr<MessageSink> add(const ros::AdvertiseOptions & options) override;
 
 private:
+  template <typename Wanted>
+  std::vector<std::shared_ptr<Topic>> those(Wanted wanted) const;
+
   const ros::NodeHandle node_;
   std::vector<std::weak_ptr<Topic>> topics_;
   std::map<std::string, std::shared_ptr<TopicCounts>> counts_;

@@ -42,8 +42,7 @@ public:
   /// Those of the options until they are set.
   void setLags(const Lags & lags) { handling_.setLags(lags); }
   const Lags & lags() const { return handling_.lags(); }
-  /// Where the tyres clearly slip more than the options say, or pass on but a share of the acceleration told, they have less
-  /// grip, and the car is asked for less; to the side also until a bend has shown it. The speeds along the path follow.
+  /// As Handling::setTyres; the speeds along the path follow.
   void setTyres(const Tyres & tyres, const Costmap & costmap);
   const DriveCommand & lastCommand() const { return last_; }
   /// 1/m, of the car's way, that the last command is to bring about.

@@ -174,7 +174,8 @@ def test_wrong_input_is_one_line_and_code_2(start, goals, parameters, message):
     code, errors = start(goals, **parameters).finish()
     assert code == 2
     assert message in errors
-    assert errors.count("\n") == 1
+    # rospy itself may warn of those who were just connecting to a node that ends at once.
+    assert len([line for line in errors.splitlines() if "[WARN]" not in line]) == 1, errors
 
 
 def test_reads_the_block_beside_the_node(start):

@@ -123,7 +123,8 @@ def test_a_wrong_parameter_is_one_line_and_code_2(start, value):
     node = start(time_to_start=value)
     _, errors = node.communicate(timeout=LIMIT)
     assert node.returncode == 2
-    assert errors.count("\n") == 1
+    # rospy itself may warn of those who were just connecting to a node that ends at once.
+    assert len([line for line in errors.splitlines() if "[WARN]" not in line]) == 1, errors
     allowed = "a whole number from 0 to 2147483647"
     assert f"/race_starter/time_to_start: found {value!r}, must be {allowed}" in errors
 

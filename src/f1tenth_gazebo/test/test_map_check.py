@@ -6,10 +6,14 @@ import numpy as np
 import pytest
 from circuits import PACKAGE
 from f1tenth_gazebo.errors import MapError
+from f1tenth_gazebo.maps.map_alignment import aligned
 from f1tenth_gazebo.maps.map_check import check_map
 from f1tenth_gazebo.maps.map_file import Grid, load_map, save_map
 from f1tenth_gazebo.maps.map_tool import main
 from f1tenth_gazebo.maps.occupancy import FREE, OCCUPIED, occupancy_grid
+from f1tenth_gazebo.maps.world_grid import LIDAR_HEIGHT
+
+import f1tenth_sim2d
 
 
 def rectangle(x_low, y_low, x_high, y_high):
@@ -40,6 +44,34 @@ def test_true_map_passes(room):
 
 def test_moved_map_fails(room):
     assert not check(room, dx=0.2).passed
+
+
+def test_map_that_is_turned_and_moved_has_the_shape_of_its_world(room):
+    c, s = np.cos(0.06), np.sin(0.06)
+    turned = [outline @ np.array([[c, s], [-s, c]]) + (0.15, -0.1) for outline in ROOM]
+    circles = [(c - s + 0.15, s + c - 0.1, 0.1)]
+    assert not check_map(room, turned, circles).passed
+    found = aligned(room, turned, circles)
+    assert (found.x, found.y, found.turn) == pytest.approx((0.15, -0.1, 0.06), abs=0.003)
+    assert check_map(room, *found.section_on_map(turned, circles)).passed
+
+
+def test_map_of_another_shape_is_not_mended_by_laying_it_on(room):
+    wider = [outline * (1.1, 1.0) for outline in ROOM]
+    assert not check_map(room, *aligned(room, wider, []).section_on_map(wider, [])).passed
+
+
+def test_command_lays_a_map_onto_its_world_when_told(tmp_path, capsys):
+    world = str(PACKAGE / "worlds" / "circuit1.world")
+    grid = occupancy_grid(*f1tenth_sim2d.load_world(world).section(LIDAR_HEIGHT))
+    save_map(Grid(grid.pixels, grid.x + 0.12, grid.y, grid.resolution), tmp_path / "moved")
+    path = str(tmp_path / "moved.yaml")
+    assert main([path, world]) == 1
+    capsys.readouterr()
+    assert main(["--align", path, world]) == 0
+    laid, compared = capsys.readouterr().out.splitlines()
+    assert re.fullmatch(r"laid onto the world by -?0\.\d\d mrad and 0\.1[12]\d m", laid)
+    assert compared.endswith("passed")
 
 
 def test_doubled_wall_fails(room):

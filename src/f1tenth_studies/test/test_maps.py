@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from f1tenth_gazebo.errors import MapError
+from f1tenth_gazebo.maps.map_alignment import Alignment
 from f1tenth_gazebo.maps.map_check import MapCheck
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.places import circuits
@@ -25,10 +26,12 @@ SCRIPT = Path(__file__).resolve().parents[1] / "scripts" / "maps"
 needs_mapper = pytest.mark.skipif(not find_spec("gmapping_core"), reason="gmapping is the original here")
 DATA = Path(os.environ.get("F1TENTH_DATA", places.workspace_root().parent / "shared" / "data"))
 PASSED, DOUBLED = MapCheck(1.0, 0.99, 0.1), MapCheck(0.99, 0.96, 0.4)
+TURNED = Alignment(0.0, 0.0, -0.0013)
 
 
-def mapped(place, seed, check=PASSED):
-    return Mapped(Drive(place, Path(place), place, seed), 101.3, check, np.array([0.03, 0.04]))
+def mapped(place, seed, check=PASSED, shape=PASSED):
+    drive = Drive(place, Path(place), place, seed)
+    return Mapped(drive, 101.3, check, TURNED, shape, np.array([0.03, 0.04]))
 
 
 def _leave_a_file(drive):
@@ -61,7 +64,9 @@ def test_a_lap_of_a_circuit_makes_a_good_map_the_same_every_time():
     assert first.lap == pytest.approx(30.4, abs=0.5)
     assert first.error < 0.03
     assert np.array_equal(first.errors, second.errors)
-    assert first.check == second.check
+    assert (first.check, first.shape) == (second.check, second.shape)
+    assert abs(first.lies.turn) < 0.002
+    assert first.has_shape
 
 
 @needs_mapper
@@ -134,10 +139,11 @@ def test_a_seed_must_be_a_number(tmp_path):
 
 
 def test_the_document_has_the_worst_of_each_place():
-    text = document([mapped("circuit1", 0), mapped("circuit1", 1, DOUBLED), mapped("Spa", 0)], "Made by me\n")
-    assert "2 of 3 drives are good enough." in text
-    assert "| circuit1 | 101 | 2 | 1 | 99.0 | 96.0 | 0.035 | 1 |" in text
-    assert "| Spa | 101 | 1 | 1 | 100.0 | 99.0 | 0.035 | none |" in text
+    drives = [mapped("circuit1", 0), mapped("circuit1", 1, DOUBLED), mapped("Spa", 0, DOUBLED, DOUBLED)]
+    text = document(drives, "Made by me\n")
+    assert "1 of 3 drives are good enough, 2 in their shape." in text
+    assert "| circuit1 | 101 | 2 | 1 | 99.0 | 96.0 | 0.035 | 1 | 1.3 | 2 | 100.0 | 99.0 |" in text
+    assert "| Spa | 101 | 1 | 0 | 99.0 | 96.0 | 0.035 | 0 | 1.3 | 0 | 99.0 | 96.0 |" in text
 
 
 def test_the_command_writes_the_table_and_keeps_what_is_below(tmp_path, drives, capsys):

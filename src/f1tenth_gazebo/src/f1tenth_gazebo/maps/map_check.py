@@ -44,21 +44,50 @@ def check_map(grid, outlines, circles):
     Raises:
         MapError: there is nothing to compare; names neither the map nor the world.
     """
-    cells = _some(_centres(grid), "the map has no wall cell (black), must have some")
+    cells = wall_cells(grid)
+    walls, normals = true_walls(outlines, circles)
+    in_sight = walls[are_in_sight(walls, normals, grid)]
+    to_wall = cKDTree(walls).query(cells)[0]
+    to_cell = cKDTree(cells).query(in_sight)[0]
+    return MapCheck(float((to_wall <= NEAR).mean()), float((to_cell <= NEAR).mean()), float(to_wall.max()))
+
+
+def wall_cells(grid):
+    """The middles of the wall cells of a map, (n, 2) in m.
+
+    Raises:
+        MapError: there are none.
+    """
+    rows, columns = np.nonzero(grid.pixels == 0)
+    _some(rows, "the map has no wall cell (black), must have some")
+    return np.column_stack([columns + 0.5, rows + 0.5]) * grid.resolution + (grid.x, grid.y)
+
+
+def true_walls(outlines, circles):
+    """Points on the walls of a section of a world, (n, 2) in m, and the directions away from them, (n, 2).
+
+    Raises:
+        MapError: there are none.
+    """
     sides = [*map(along, outlines), *(around(*circle) for circle in circles)]
     _some(sides, "the world has nothing at the height of the lidar, must have walls there")
     walls, normals = (np.concatenate(each) for each in zip(*sides))
+    return walls, normals
+
+
+def are_in_sight(walls, normals, grid):
+    """Whether the road of a map lies before each of the true_walls, with no other wall between, (n,).
+
+    Raises:
+        MapError: it lies before none.
+    """
     tree = cKDTree(walls)
     seen = np.zeros(len(walls), bool)
     for away in _BEFORE:
         to_nearest = tree.query(walls + away / 2 * normals)[0]
         seen |= (to_nearest > away / 2 - _TOUCHING) & _is_free(walls + away * normals, grid)
-    to_wall = tree.query(cells)[0]
-    in_sight = _some(
-        walls[seen], "no wall of the world has a free cell (white) of the map before it, some must"
-    )
-    to_cell = cKDTree(cells).query(in_sight)[0]
-    return MapCheck(float((to_wall <= NEAR).mean()), float((to_cell <= NEAR).mean()), float(to_wall.max()))
+    _some(walls[seen], "no wall of the world has a free cell (white) of the map before it, some must")
+    return seen
 
 
 def _some(values, problem):
@@ -73,9 +102,3 @@ def _is_free(points, grid):
     pixels = grid.pixels
     inside = (columns >= 0) & (rows >= 0) & (columns < pixels.shape[1]) & (rows < pixels.shape[0])
     return inside & (pixels[np.where(inside, rows, 0), np.where(inside, columns, 0)] == 254)
-
-
-def _centres(grid):
-    """Of the wall cells, m."""
-    rows, columns = np.nonzero(grid.pixels == 0)
-    return np.column_stack([columns + 0.5, rows + 0.5]) * grid.resolution + (grid.x, grid.y)

@@ -1,11 +1,13 @@
 """The command line of check_map."""
 
 import argparse
+import math
 import sys
 from pathlib import Path
 
 import f1tenth_sim2d
 from f1tenth_gazebo.errors import MapError
+from f1tenth_gazebo.maps.map_alignment import Alignment, aligned
 from f1tenth_gazebo.maps.map_check import check_map
 from f1tenth_gazebo.maps.map_file import load_map
 from f1tenth_gazebo.maps.world_grid import LIDAR_HEIGHT
@@ -18,12 +20,20 @@ def main(arguments=None):
     )
     parser.add_argument("map", help="YAML file of the map")
     parser.add_argument("world", help="world file")
+    parser.add_argument(
+        "--align",
+        action="store_true",
+        help="lay the map onto the world first, by a turn and a shift: its shape alone is judged",
+    )
     options = parser.parse_args(arguments)
     try:
-        result = _compared(options.map, options.world)
+        lies, result = _compared(options.map, options.world, options.align)
     except (f1tenth_sim2d.Error, MapError) as error:
         print(error, file=sys.stderr)
         return 2
+    if options.align:
+        shift = math.hypot(lies.x, lies.y)
+        print(f"laid onto the world by {1000.0 * lies.turn:.2f} mrad and {shift:.3f} m")
     print(
         f"wall cells within 0.10 m of a true wall: {100.0 * result.cells_near_walls:.1f} %, "
         f"true walls within 0.10 m of a wall cell: {100.0 * result.walls_near_cells:.1f} %, "
@@ -32,10 +42,12 @@ def main(arguments=None):
     return 0 if result.passed else 1
 
 
-def _compared(map_file, world):
+def _compared(map_file, world, align):
+    """How the map lies in the world, and how far they agree."""
     section = f1tenth_sim2d.load_world(world).section(LIDAR_HEIGHT)
     grid = load_map(Path(map_file))
     try:
-        return check_map(grid, *section)
+        lies = aligned(grid, *section) if align else Alignment()
+        return lies, check_map(grid, *lies.section_on_map(*section))
     except MapError as error:
         raise MapError(f"{map_file}, {world}: {error}") from error

@@ -12,6 +12,7 @@ import yaml
 from f1tenth_gazebo.driving.gap_follower import GapFollower, GapFollowerOptions
 from f1tenth_gazebo.driving.lap_watch import LapError, LapWatch
 from f1tenth_gazebo.errors import MapError
+from f1tenth_gazebo.maps.map_alignment import Alignment, aligned
 from f1tenth_gazebo.maps.map_check import MapCheck, check_map
 from f1tenth_gazebo.maps.occupancy import grid_of
 from f1tenth_gazebo.maps.world_grid import LIDAR_HEIGHT
@@ -48,6 +49,8 @@ class Mapped:
     drive: Drive
     lap: float  # m; infinite if none is complete
     check: MapCheck
+    lies: Alignment  # that lays the map onto the truth
+    shape: MapCheck  # with the map so laid on
     errors: np.ndarray  # (n,), distances of the mapper's poses from the true ones at its scans, m
     problem: str = ""  # why there was no lap
 
@@ -60,6 +63,11 @@ class Mapped:
     def passed(self) -> bool:
         """Whether the lap is complete and the map good enough."""
         return self.check.passed and not self.problem
+
+    @property
+    def has_shape(self) -> bool:
+        """Whether it would be, were it not for how the whole map is turned and shifted."""
+        return self.shape.passed and not self.problem
 
 
 @dataclasses.dataclass(frozen=True)
@@ -110,7 +118,7 @@ def _map_drive(drive: Drive, slam: Any) -> Mapped:
     except LapError as error:
         problem = str(error)
     errors = np.hypot(*(slam.path - np.array(truth))[:, :2].T)
-    return Mapped(drive, watch.lap or math.inf, _check(slam, world), errors, problem)
+    return Mapped(drive, watch.lap or math.inf, *_checks(slam, world), errors, problem)
 
 
 def _samples(simulation: Any, car: Any, start: Pose, watch: LapWatch) -> Iterator[_Sample]:
@@ -181,7 +189,10 @@ def _options(mapper: Any) -> Any:
     return options
 
 
-def _check(slam: Any, world: Any) -> MapCheck:
+def _checks(slam: Any, world: Any) -> tuple[MapCheck, Alignment, MapCheck]:
+    """Of the map as it is, and laid onto the world."""
     cells, resolution, corner = slam.map()
     grid = grid_of(cells == 100, cells == 0, corner, resolution)
-    return check_map(grid, *world.section(LIDAR_HEIGHT))
+    section = world.section(LIDAR_HEIGHT)
+    lies = aligned(grid, *section)
+    return check_map(grid, *section), lies, check_map(grid, *lies.section_on_map(*section))

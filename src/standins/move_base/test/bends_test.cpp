@@ -71,27 +71,6 @@ double changeOutsideOfBend(double outside)
   return follower.step(beside, costmap, kStepTime).command.speed - before;
 }
 
-// By how much a car becomes slower in a step, m/s, whose way so far bent so, 1/m, and now bends much more.
-double slowingInBend(double curvature)
-{
-  const Costmap costmap = makeCostmap(drawRoom(16.0, 16.0));
-  PathFollower follower(racingFollower());
-  const Path path = samplePath({4.0, 4.0, 0.0}, {{12.0, curvature}}, 0.1);
-  follower.setPath(path, costmap);
-  const CarState car{path[20].pose, 2.8};
-  follower.step(car, costmap, kStepTime);
-  const double before = follower.step(car, costmap, kStepTime).command.speed;
-  follower.setPath(samplePath(car.pose, {{0.1, curvature}, {2.0, 1.0}}, 0.1), costmap);
-  return before - follower.step(car, costmap, kStepTime).command.speed;
-}
-
-TEST(PathFollower, slowsDownForItsPathWithWhatTheTyresHaveLeftInABend)
-{
-  EXPECT_NEAR(slowingInBend(0.0), 3.0 * kStepTime, 1e-9);
-  EXPECT_GT(slowingInBend(0.4), 0.3 * 3.0 * kStepTime);
-  EXPECT_LT(slowingInBend(0.4), 0.9 * 3.0 * kStepTime);
-}
-
 TEST(PathFollower, slowsDownToComeBackToABendThatItHasLeft)
 {
   EXPECT_NEAR(changeOutsideOfBend(0.0), 0.0, 0.01);

@@ -112,7 +112,7 @@ FollowStep PathFollower::step(
   const double bend = steer(predicted, curvatureAhead(predicted, car.speed), std::abs(car.speed));
   const double speed =
     stop ? 0.0 : std::min({wantedSpeed(predicted, car.speed), handling_.speedFor(bend), utmost, behind.wanted});
-  const double slow = slewed(result.position.reverse ? -speed : speed, car.speed, period);
+  const double slow = slewed(result.position.reverse ? -speed : speed, car.speed, brake, period);
   const double gentle = handling_.gentlest(car, last_bend_);
   result.command.speed = std::clamp(slow, -std::max(stoppable, gentle), std::max(utmost, gentle));
   if (!car.stands() && std::abs(result.command.speed) < kCreep) {
@@ -252,7 +252,7 @@ void PathFollower::changeDirectionWhenStanding(const CarState & car)
   }
 }
 
-double PathFollower::slewed(double wanted, double speed, double period) const
+double PathFollower::slewed(double wanted, double speed, bool brake, double period) const
 {
   const double left = handling_.leftInBend(speed, last_bend_);
   const double greatest = std::max(options().limits.acc_lim_x, options().limits.dec_lim_x);
@@ -260,7 +260,7 @@ double PathFollower::slewed(double wanted, double speed, double period) const
   const double from = std::clamp(last_.speed, speed - slack, speed + slack);
   const bool slower = std::abs(wanted) < std::abs(from) || wanted * from < 0.0;
   const double braking =
-    std::min(options().limits.dec_lim_x, kBrakingReserve * left * options().limits.deceleration(from));
+    std::min(options().limits.dec_lim_x, kBrakingReserve * (brake ? left : 1.0) * options().limits.deceleration(from));
   const double step = (slower ? braking : left * options().limits.acc_lim_x) * period;
   return from + std::clamp(wanted - from, -step, step);
 }

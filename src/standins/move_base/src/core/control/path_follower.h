@@ -84,7 +84,7 @@ private:
   OwnWay wayFrom(const PathPosition & here, const CarState & car, const Costmap & costmap) const;
   bool pathBlocked(const PathPosition & position, double speed, const Costmap & costmap) const;
   void changeDirectionWhenStanding(const CarState & car);
-  double slewed(double wanted, double speed, double period) const;
+  double slewed(double wanted, double speed, bool brake, double period) const;
 
   Handling handling_;
   Path path_;

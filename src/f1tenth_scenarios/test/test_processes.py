@@ -182,15 +182,17 @@ def test_other_trees_are_left_alone(tmp_path):
 
 
 def test_child_ends_when_its_parent_is_killed(tmp_path):
-    # Not Python: while its interpreter starts up, a SIGINT can get lost.
+    # Not Python: while its interpreter starts up, a SIGINT can get lost. And setpriv hears of no end before it
+    # has asked to be told, which it has when the program is what it was told to start.
     program = (
         "import pathlib, sys, time\n"
         "from f1tenth_scenarios.launch.processes import ProcessTree\n"
         f"path = pathlib.Path({str(tmp_path)!r})\n"
         "tree = ProcessTree(['sleep', '600'], path / 'log', {})\n"
         "import psutil\n"
-        "pid = psutil.Process().children()[0].pid\n"
-        "(path / 'new').write_text(str(pid)); (path / 'new').rename(path / 'pid'); time.sleep(600)\n"
+        "child = psutil.Process().children()[0]\n"
+        "while child.name() != 'sleep': time.sleep(0.01)\n"
+        "(path / 'new').write_text(str(child.pid)); (path / 'new').rename(path / 'pid'); time.sleep(600)\n"
     )
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
     with subprocess.Popen([sys.executable, "-c", program], env=environment) as parent:

@@ -182,8 +182,8 @@ def test_other_trees_are_left_alone(tmp_path):
 
 
 def test_child_ends_when_its_parent_is_killed(tmp_path):
-    # Not Python: while its interpreter starts up, a SIGINT can get lost. And setpriv hears of no end before it
-    # has asked to be told, which it has when the program is what it was told to start.
+    # Not Python: while its interpreter starts up, a SIGINT can get lost. And setpriv hears of no end
+    # before it has asked to be told, which it has when the program is what it was told to start.
     program = (
         "import pathlib, sys, time\n"
         "from f1tenth_scenarios.launch.processes import ProcessTree\n"

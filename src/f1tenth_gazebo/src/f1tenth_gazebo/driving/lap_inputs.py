@@ -8,6 +8,8 @@ from geometry_msgs.msg import Quaternion, Transform
 from nav_msgs.msg import Odometry
 from tf2_msgs.msg import TFMessage
 
+from f1tenth_gazebo.poses import composed
+
 PATIENCE = 5.0
 """Wall time in which a message of a scan's time must have come, s."""
 ODOMETRY_PERIOD = 0.0199
@@ -62,7 +64,7 @@ class LapInputs:
         if odometry is None:
             return None
         transform = self._correction(odometry.header.frame_id, stamp)
-        return _compose(transform, odometry.pose.pose), odometry.twist.twist.linear.x
+        return _in_map(transform, odometry.pose.pose), odometry.twist.twist.linear.x
 
     def _correction(self, frame, stamp):
         corrections = self._corrections.get(frame)
@@ -82,9 +84,8 @@ def _yaw(rotation):
     return 2.0 * math.atan2(rotation.z, rotation.w)
 
 
-def _compose(transform, pose):
-    yaw = _yaw(transform.rotation)
-    c, s = math.cos(yaw), math.sin(yaw)
-    x, y = pose.position.x, pose.position.y
-    moved = transform.translation
-    return moved.x + c * x - s * y, moved.y + s * x + c * y, yaw + _yaw(pose.orientation)
+def _in_map(transform, pose):
+    moved, position = transform.translation, pose.position
+    return composed(
+        (moved.x, moved.y, _yaw(transform.rotation)), (position.x, position.y, _yaw(pose.orientation))
+    )

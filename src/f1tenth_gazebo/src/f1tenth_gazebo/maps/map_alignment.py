@@ -12,6 +12,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from f1tenth_gazebo.maps.map_check import are_in_sight, true_walls, wall_cells
+from f1tenth_gazebo.poses import composed
 
 _REACH = 0.5
 """m, to the wall that a cell may belong to."""
@@ -44,8 +45,7 @@ class Alignment:
 
     def after(self, x, y, turn):
         """The map is moved like this first."""
-        c, s = math.cos(self.turn), math.sin(self.turn)
-        return Alignment(self.x + c * x - s * y, self.y + s * x + c * y, self.turn + turn)
+        return Alignment(*composed((self.x, self.y, self.turn), (x, y, turn)))
 
 
 def aligned(grid, outlines, circles):
@@ -60,7 +60,7 @@ def aligned(grid, outlines, circles):
         walls, normals = true_walls(*found.section_on_map(outlines, circles))
         # The back of a wall may be nearer to its cells, and looks the other way.
         seen = are_in_sight(walls, normals, grid)
-        step = _step_towards(walls[seen], normals[seen], cells)
+        step = _step_towards(walls.data[seen], normals[seen], cells)
         found = found.after(*step)
         if np.abs(step).max() < _SETTLED:
             break

@@ -46,8 +46,8 @@ def check_map(grid, outlines, circles):
     """
     cells = wall_cells(grid)
     walls, normals = true_walls(outlines, circles)
-    in_sight = walls[are_in_sight(walls, normals, grid)]
-    to_wall = cKDTree(walls).query(cells)[0]
+    in_sight = walls.data[are_in_sight(walls, normals, grid)]
+    to_wall = walls.query(cells)[0]
     to_cell = cKDTree(cells).query(in_sight)[0]
     return MapCheck(float((to_wall <= NEAR).mean()), float((to_cell <= NEAR).mean()), float(to_wall.max()))
 
@@ -59,20 +59,20 @@ def wall_cells(grid):
         MapError: there are none.
     """
     rows, columns = np.nonzero(grid.pixels == 0)
-    _some(rows, "the map has no wall cell (black), must have some")
+    _expect_some(rows, "the map has no wall cell (black), must have some")
     return np.column_stack([columns + 0.5, rows + 0.5]) * grid.resolution + (grid.x, grid.y)
 
 
 def true_walls(outlines, circles):
-    """Points on the walls of a section of a world, (n, 2) in m, and the directions away from them, (n, 2).
+    """A tree of points on the walls of a section of a world, (n, 2) in m, and the directions away, (n, 2).
 
     Raises:
         MapError: there are none.
     """
     sides = [*map(along, outlines), *(around(*circle) for circle in circles)]
-    _some(sides, "the world has nothing at the height of the lidar, must have walls there")
+    _expect_some(sides, "the world has nothing at the height of the lidar, must have walls there")
     walls, normals = (np.concatenate(each) for each in zip(*sides))
-    return walls, normals
+    return cKDTree(walls), normals
 
 
 def are_in_sight(walls, normals, grid):
@@ -81,20 +81,19 @@ def are_in_sight(walls, normals, grid):
     Raises:
         MapError: it lies before none.
     """
-    tree = cKDTree(walls)
-    seen = np.zeros(len(walls), bool)
+    seen = np.zeros(walls.n, bool)
     for away in _BEFORE:
-        to_nearest = tree.query(walls + away / 2 * normals)[0]
-        seen |= (to_nearest > away / 2 - _TOUCHING) & _is_free(walls + away * normals, grid)
-    _some(walls[seen], "no wall of the world has a free cell (white) of the map before it, some must")
+        to_nearest = walls.query(walls.data + away / 2 * normals)[0]
+        seen |= (to_nearest > away / 2 - _TOUCHING) & _is_free(walls.data + away * normals, grid)
+    _expect_some(
+        walls.data[seen], "no wall of the world has a free cell (white) of the map before it, some must"
+    )
     return seen
 
 
-def _some(values, problem):
-    """The values, unless there are none."""
+def _expect_some(values, problem):
     if not len(values):
         raise MapError(problem)
-    return values
 
 
 def _is_free(points, grid):

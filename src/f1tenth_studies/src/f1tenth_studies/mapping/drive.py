@@ -16,6 +16,7 @@ from f1tenth_gazebo.maps.map_alignment import Alignment, aligned
 from f1tenth_gazebo.maps.map_check import MapCheck, check_map
 from f1tenth_gazebo.maps.occupancy import grid_of
 from f1tenth_gazebo.maps.world_grid import LIDAR_HEIGHT
+from f1tenth_gazebo.poses import Pose, composed
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_sim2d.environments.xacro_file import expanded
 
@@ -28,8 +29,6 @@ _ODOMETRY_MS = 20  # between two messages of the wheels' odometry
 _TIME_LIMIT = 1200.0  # s simulated, as in create_map.launch
 _PARAMETERS = "config/slam_gmapping.yaml"
 _OF_THE_NODE = "map_update_interval"
-
-Pose = tuple[float, float, float]  # x, y (m), yaw (rad)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -112,9 +111,9 @@ def _map_drive(drive: Drive, slam: Any) -> Mapped:
     start = _start(drive.centreline)
     try:
         for sample in _samples(f1tenth_sim2d.Simulation(world, _STEP, drive.seed), car, start, watch):
-            odometry = _composed(sample.odometry, mount)
+            odometry = composed(sample.odometry, mount)
             if slam.process(sample.scan, *geometry, odometry, sample.time):
-                truth.append(_composed(sample.truth, mount))
+                truth.append(composed(sample.truth, mount))
     except LapError as error:
         problem = str(error)
     errors = np.hypot(*(slam.path - np.array(truth))[:, :2].T)
@@ -159,15 +158,6 @@ def _carried(odometry: Any, age: float) -> Pose:
         odometry.x + way * math.cos(direction),
         odometry.y + way * math.sin(direction),
         odometry.yaw + turn,
-    )
-
-
-def _composed(pose: Pose, inner: Pose) -> Pose:
-    c, s = math.cos(pose[2]), math.sin(pose[2])
-    return (
-        pose[0] + c * inner[0] - s * inner[1],
-        pose[1] + s * inner[0] + c * inner[1],
-        pose[2] + inner[2],
     )
 
 

@@ -1,0 +1,16 @@
+"""Poses in the plane."""
+
+import math
+
+Pose = tuple[float, float, float]
+"""x, y (m), yaw (rad)"""
+
+
+def composed(outer: Pose, inner: Pose) -> Pose:
+    """Return a pose that is given in the frame of another one in the frame of that."""
+    c, s = math.cos(outer[2]), math.sin(outer[2])
+    return (
+        outer[0] + c * inner[0] - s * inner[1],
+        outer[1] + s * inner[0] + c * inner[1],
+        outer[2] + inner[2],
+    )

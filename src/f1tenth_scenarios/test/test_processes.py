@@ -190,12 +190,12 @@ def test_child_ends_when_its_parent_is_killed(tmp_path):
         f"path = pathlib.Path({str(tmp_path)!r})\n"
         "tree = ProcessTree(['sleep', '600'], path / 'log', {})\n"
         "import psutil\n"
-        "child = psutil.Process().children()[0]\n"
-        "while child.name() != 'sleep': time.sleep(0.01)\n"
-        "(path / 'new').write_text(str(child.pid)); (path / 'new').rename(path / 'pid'); time.sleep(600)\n"
+        "pid = psutil.Process().children()[0].pid\n"
+        "(path / 'new').write_text(str(pid)); (path / 'new').rename(path / 'pid'); time.sleep(600)\n"
     )
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
     with subprocess.Popen([sys.executable, "-c", program], env=environment) as parent:
         pid = pid_of_child(tmp_path)
+        wait_for(lambda: psutil.Process(pid).name() == "sleep")
         parent.kill()
     wait_for(lambda: is_gone(pid))

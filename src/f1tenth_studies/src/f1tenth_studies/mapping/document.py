@@ -17,8 +17,18 @@ which it is turned there is 0.1 m a hundred metres away. So the same is told of 
 by a turn and a shift of the whole (`check_map --align`): its shape.
 """
 _HEADS = (
-    *("place", "lap (m)", "drives", "good", "cells (%)", "walls (%)", "error (m)", "seeds that failed"),
-    *("turn (mrad)", "good in shape", "cells in shape (%)", "walls in shape (%)"),
+    "place",
+    "lap (m)",
+    "drives",
+    "good",
+    "cells (%)",
+    "walls (%)",
+    "error (m)",
+    "seeds that failed",
+    "turn (mrad)",
+    "good in shape",
+    "cells in shape (%)",
+    "walls in shape (%)",
 )
 
 

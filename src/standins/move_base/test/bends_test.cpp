@@ -97,6 +97,44 @@ TEST(PathFollower, speedsUpWithWhatTheTyresHaveLeftInABend)
   EXPECT_LT(speedingUp(0.3), 0.8 * 3.0 * kStepTime);
 }
 
+FollowerOptions slidingFollower()
+{
+  FollowerOptions options = racingFollower();
+  options.slip_gradient = 0.0178;
+  options.understeer_gradient = 0.0028;
+  options.load_transfer = 0.0457;
+  options.limits.max_lateral_acceleration = 7.5;
+  return options;
+}
+
+TEST(Handling, countersTheUndersteerOfTheBendThatTheTyresBear)
+{
+  const Handling handling(slidingFollower());
+  const double wheelbase = slidingFollower().limits.wheelbase;
+  EXPECT_NEAR(handling.withUndersteer(0.06, 0.0, 10.0, 8.0), 0.06, 1e-9) << "none yet";
+  const double steady = std::atan(0.06 * wheelbase) + 0.0028 * 6.0;
+  EXPECT_NEAR(handling.withUndersteer(0.06, 0.06, 10.0, 10.0), std::tan(steady) / wheelbase, 1e-9);
+  EXPECT_LT(handling.withUndersteer(0.06, 0.06, 10.0, 9.0), 0.05) << "braking unloads the rear axle";
+  EXPECT_LT(handling.withUndersteer(0.0, 0.06, 10.0, 9.0), 0.0) << "to come out of a bend";
+}
+
+TEST(PathFollower, turnsItsWheelsForABendAheadWhileItBrakes)
+{
+  FollowerOptions options = slidingFollower();
+  options.yaw_lag = 0.05;
+  const Costmap costmap = makeCostmap(drawRoom(16.0, 16.0));
+  const Path path = samplePath({2.0, 4.0, 0.0}, {{3.0, 0.0}, {8.0, 0.25}}, 0.1);
+  const auto commanded = [&](bool brake) {
+    PathFollower follower(options);
+    follower.setPath(path, costmap);
+    const CarState before{path[26].pose, 4.0};
+    follower.step(before, costmap, kStepTime);
+    return follower.step(before, costmap, kStepTime, brake).command.curvature;
+  };
+  EXPECT_GT(commanded(false), 0.2);
+  EXPECT_NEAR(commanded(true), commanded(false), 1e-9);
+}
+
 TEST(PathFollower, asksLessOfTyresThatHoldLess)
 {
   const Costmap costmap = makeCostmap(drawOval());

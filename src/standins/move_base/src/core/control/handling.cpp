@@ -122,9 +122,9 @@ double Handling::accelerationTo(double commanded, double speed) const
 }
 
 // An axle's slip grows with its lateral force over its load.
-double Handling::withUndersteer(double curvature, double speed, double commanded) const
+double Handling::withUndersteer(double curvature, double borne, double speed, double commanded) const
 {
-  const double lateral = lateralOn(curvature, speed);
+  const double lateral = lateralOn(borne, speed);
   const double shift = options_.load_transfer * accelerationTo(commanded, speed);
   const double front = (options_.slip_gradient + options_.understeer_gradient) / (1.0 - shift);
   const double rear = options_.slip_gradient / (1.0 + shift);

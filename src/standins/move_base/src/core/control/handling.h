@@ -84,8 +84,13 @@ public:
   /// in a bend for as long as it turns, whatever its wheels are told.
   /// @param bend  1/m, of its way, that it was told last
   double gentlest(const CarState & car, double bend) const;
-  /// 1/m, to command for a way so bent, while a car is told to change its speed.
-  double withUndersteer(double curvature, double speed, double commanded) const;
+  /// 1/m, to command for a way so bent, while a car is told to change its speed. Understeer is that of the bend which the
+  /// tyres bear: a car that brakes oversteers, and at its critical speed that of a bend still to come would take all of
+  /// the wheels' angle away before there is any force. The yaw follows the wheels alike at all loads then: a single track,
+  /// L r / v = delta - (front - rear) a_y - L (front + rear) dr/dt, slips of the axles in rad per m/s^2.
+  /// @param curvature  1/m, of the way
+  /// @param borne  1/m, of the way where the command takes effect
+  double withUndersteer(double curvature, double borne, double speed, double commanded) const;
 
 private:
   double maxCurvature() const;

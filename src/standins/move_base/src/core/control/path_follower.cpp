@@ -119,7 +119,7 @@ FollowStep PathFollower::step(
     result.command.speed = std::copysign(kCreep, car.speed);
   }
   last_bend_ = handling_.drivable(bend, std::abs(car.speed));
-  result.command.curvature = handling_.withUndersteer(last_bend_, car.speed, result.command.speed);
+  result.command.curvature = handling_.withUndersteer(last_bend_, predicted.curvature, car.speed, result.command.speed);
   last_ = result.command;
   return result;
 }

@@ -380,10 +380,10 @@ def test_stability_says_what_is_not_good_enough(tmp_path, monkeypatch, yaw_rate,
     assert stability.STUDY.problem(found) == problem
 
 
-def test_stability_is_that_of_two_circuits_and_a_track(tmp_path, monkeypatch):
+def test_stability_is_that_of_two_circuits_and_two_tracks(tmp_path, monkeypatch):
     (tmp_path / "tracks").mkdir()
     monkeypatch.setenv("F1TENTH_DATA", str(tmp_path))
-    track = tmp_path / "tracks" / "Oschersleben" / "Oschersleben_map.yaml"
+    tracks = [f"{tmp_path}/tracks/{name}/{name}_map.yaml" for name in ("Oschersleben", "Spa")]
     study = stability.STUDY
-    assert study.make(study.vary, tmp_path)["world"] == f"circuit1,circuit4,{track}"
+    assert study.make(study.vary, tmp_path)["world"] == ",".join(["circuit1", "circuit4", *tracks])
     assert study.make({**study.vary, "world": "circuit3"}, tmp_path)["world"] == "circuit3"

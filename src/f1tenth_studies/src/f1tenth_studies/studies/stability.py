@@ -20,7 +20,8 @@ LONGITUDINAL_LIMIT = _LIMITS["acc_lim_x"]  # m/s^2
 GREATEST_SPEED = _LIMITS["max_vel_x"]  # m/s
 EXCESS = 1.1  # times either, at most
 MOST_CHANGES = 1.0  # of the yaw rate's sign, 1/s
-_PLACES = ("circuit1", "circuit4", "Oschersleben")  # the last one is a track
+_CIRCUITS = ("circuit1", "circuit4")
+_TRACKS = ("Oschersleben", "Spa")
 _CHORD = 1.0  # m, to either side, over which the road's curvature is measured
 _MARGIN = 2.0  # m, before and behind it in which a straight is straight, too
 _STRAIGHT = 0.05  # 1/m
@@ -28,10 +29,10 @@ _STILL = 0.05  # rad/s, below which a yaw rate has no sign
 
 
 _TEXT = f"""\
-A lap from the standing start on {", ".join(_PLACES[:-1])} and the track {_PLACES[-1]}, with default settings
-and perfect odometry, at most at 5 and at {GREATEST_SPEED:g} m/s, with both vehicle models: with the friction
-of the usual floor and less (mu), and with cars that follow a command sooner or later (actuation_latency, s;
-0.02 is usual). The planner is told neither.
+A lap from the standing start on {", ".join(_CIRCUITS)} and the tracks {" and ".join(_TRACKS)}, with default
+settings and perfect odometry, at most at 5 and at {GREATEST_SPEED:g} m/s, with both vehicle models: with the
+friction of the usual floor and less (mu), and with cars that follow a command sooner or later
+(actuation_latency, s; 0.02 is usual). The planner is told neither.
 
 Accelerations (m/s^2) are those of base_footprint, the greatest in any period of 25 ms. Changes are those of
 the sign of the yaw rate where the road is straight, per second; rates below {_STILL:g} rad/s have none.
@@ -106,8 +107,8 @@ def _defect(run: Run) -> str:
 
 
 def _worlds(values: str, _: Path) -> list[str]:
-    """The circuits and the track, unless worlds are given."""
-    return [values] if values else [*_PLACES[:-1], str(track_map(_PLACES[-1]))]
+    """The circuits and the tracks, unless worlds are given."""
+    return [values] if values else [*_CIRCUITS, *(str(track_map(track)) for track in _TRACKS)]
 
 
 STUDY = Study(

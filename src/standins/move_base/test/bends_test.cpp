@@ -135,6 +135,23 @@ TEST(PathFollower, turnsItsWheelsForABendAheadWhileItBrakes)
   EXPECT_NEAR(commanded(true), commanded(false), 1e-9);
 }
 
+// Wheels need a quarter of a second from lock to lock: a car that turns them at the kink leaves this path by 0.16 m.
+TEST(PathFollower, turnsItsWheelsInTimeForAKink)
+{
+  const Costmap costmap = makeCostmap(drawRoom(16.0, 16.0));
+  PathFollower follower(racingFollower());
+  const Path path = samplePath({3.0, 4.0, 0.0}, {{2.0, 0.0}, {0.6, 1.25}, {0.6, -1.25}, {4.0, 0.0}}, 0.1);
+  follower.setPath(path, costmap);
+  KinematicCar car(path.front().pose);
+  double most = 0.0;
+  while (follower.placeOf(car.state()) < 5.0) {
+    const FollowStep step = follower.step(car.state(), costmap, kStepTime);
+    most = std::max(most, std::abs(step.position.lateral));
+    car.drive(step.command, kStepTime);
+  }
+  EXPECT_LT(most, 0.05);
+}
+
 TEST(PathFollower, asksLessOfTyresThatHoldLess)
 {
   const Costmap costmap = makeCostmap(drawOval());

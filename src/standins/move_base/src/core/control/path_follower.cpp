@@ -16,7 +16,8 @@ constexpr double kStopMargin = 0.05;      // m, left before an obstacle
 constexpr double kCreep = 1e-3;
 // The speed commanded and the speed measured may differ by this much before the slew starts from the measured one, m/s.
 constexpr double kSpeedSlack = 0.5;
-constexpr double kSlackPart = 1.3;  // of what the speed lags behind when the car speeds up as it may
+constexpr double kSlackPart = 1.3;    // of what the speed lags behind when the car speeds up as it may
+constexpr double kLongestLead = 2.0;  // m, of the steering
 // Beyond this angle between car and path, steering back does not work, rad.
 constexpr double kMaxHeadingError = 1.2;
 
@@ -167,15 +168,23 @@ double PathFollower::steer(const PathPosition & position, double ahead, double s
          way * (position.lateral / (reach * reach) + 2.0 * std::sin(astray) / reach);
 }
 
-// Of the path where the car will be when its yaw has followed the wheels.
+// Of the path where the car will be when its yaw has followed the wheels. Before a kink they begin to turn so early that
+// half of the turn is done there.
 double PathFollower::curvatureAhead(const PathPosition & position, double speed) const
 {
-  const double until = position.s + options().yaw_lag * speed * speed;
-  std::size_t i = position.index;
-  while (i + 1 < path_.size() && path_[i + 1].s < until && path_[i + 1].reverse == position.reverse) {
-    ++i;
+  const SpeedLimits & limits = options().limits;
+  const auto wheels = [&limits](double curvature) { return std::atan(limits.wheelbase * curvature); };
+  std::size_t ahead = position.index;
+  for (std::size_t i = ahead + 1; i < path_.size() && path_[i].reverse == position.reverse; ++i) {
+    const double away = path_[i].s - position.s;
+    const double turn = std::abs(wheels(path_[i].curvature) - wheels(position.curvature));
+    if (away < options().yaw_lag * speed * speed + 0.5 * std::abs(speed) * turn / limits.max_steering_rate) {
+      ahead = i;
+    } else if (away > kLongestLead) {
+      break;
+    }
   }
-  return path_[i].curvature;
+  return path_[ahead].curvature;
 }
 
 double PathFollower::profileAt(double s, std::size_t from) const

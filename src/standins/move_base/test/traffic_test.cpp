@@ -130,17 +130,16 @@ TEST(PathFollower, keepsBehindWhoWeaves)
   EXPECT_TRUE(isBeside(forecast.at(0.0), beside, footprint));
 }
 
-// Who weaves at 1.4 m/s is passed only where there is room beside all that it sweeps; who is slow, beside where it is.
-TEST(Forecast, whoWeavesSlowlyIsPassedBeforeItComesOver)
+TEST(Forecast, whoWeavesIsPassedOnlyBesideAllThatItSweeps)
 {
   const Costmap costmap = makeCostmap(drawOval());
   MovingObstacle other = carWithTrail([](double time) { return 0.3 * std::sin(M_PI * time); });
-  for (const double speed : {0.9, 1.4}) {
+  for (const double speed : {0.6, 1.4}) {
     other.speed = speed;
     const Forecast forecast(other, costmap, 2.0);
     const Forecast ahead = seenFrom(onOval(3.5), costmap.footprint(), forecast);
-    EXPECT_EQ(ahead.isAnywhere(), speed > 1.0);
-    EXPECT_EQ(ahead.at(0.0).half_width > forecast.at(0.0).half_width + 0.3, speed > 1.0);
+    EXPECT_TRUE(ahead.isAnywhere());
+    EXPECT_GT(ahead.at(0.0).half_width, forecast.at(0.0).half_width + 0.3);
   }
 }
 

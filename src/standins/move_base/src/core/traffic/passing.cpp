@@ -11,7 +11,6 @@ namespace move_base
 namespace
 {
 constexpr double kBeside = 0.15;         // m, wanted between the cars
-constexpr double kBesideStray = 0.22;    // m, the same for who strays: it also turns, and is wider then
 constexpr double kBesideAtLeast = 0.08;  // m, in the end
 constexpr double kApart = 0.1;           // m, before and behind the other within which the car stays beside it
 constexpr double kApartTime = 0.06;      // s, the same for each m/s of the car
@@ -99,8 +98,7 @@ private:
         for (std::size_t i = std::max(kFixedPoints, drive[k].index); i <= last; ++i) {
           const Extent extent = extentOf(outline, line[i].pose);
           if (reach_.high >= extent.along.low && reach_.low <= extent.along.high) {
-            const double wanted = other.strays() ? kBesideStray : kBeside;
-            way_left = keepBeside(extent.beside, wanted, line, i, corridor[i]) && way_left;
+            way_left = keepBeside(extent.beside, line, i, corridor[i]) && way_left;
           }
         }
       }
@@ -109,7 +107,7 @@ private:
   }
 
   // As far beside the other as wanted, or as there is room; at the start as far as the car gets.
-  bool keepBeside(const Interval & other, double wanted, const Path & line, std::size_t i, Interval & room) const
+  bool keepBeside(const Interval & other, const Path & line, std::size_t i, Interval & room) const
   {
     const double half = request_.costmap.footprint().halfWidth();
     const double run = line[i].s - line.front().s;
@@ -119,11 +117,11 @@ private:
     const double reach = 0.5 * swerve_ * run * run;
     if (side_ == Side::kLeft) {
       const bool fits = other.high + half + kBesideAtLeast <= room.high;
-      room.low = std::clamp(std::min(other.high + half + wanted, middle + reach), room.low, room.high);
+      room.low = std::clamp(std::min(other.high + half + kBeside, middle + reach), room.low, room.high);
       return fits;
     }
     const bool fits = other.low - half - kBesideAtLeast >= room.low;
-    room.high = std::clamp(std::max(other.low - half - wanted, middle - reach), room.low, room.high);
+    room.high = std::clamp(std::max(other.low - half - kBeside, middle - reach), room.low, room.high);
     return fits;
   }
 

@@ -10,7 +10,6 @@ namespace
 constexpr double kDriveStep = 0.05;    // s
 constexpr double kResponse = 0.1;      // s, until the speed begins to change
 constexpr double kOffsetLength = 0.8;  // m, over which a car comes back to its path
-constexpr double kFastToPass = 1.1;    // m/s, of who strays
 
 Pose2 poseAt(const Path & path, std::size_t index, double s)
 {
@@ -44,7 +43,7 @@ bool isBeside(const Box & other, const Pose2 & car, const Footprint & footprint)
 
 Forecast seenFrom(const Pose2 & car, const Footprint & footprint, const Forecast & other)
 {
-  const bool is_unsure = isAhead(other.at(0.0), car, footprint) && other.strays() && other.speed() > kFastToPass;
+  const bool is_unsure = isAhead(other.at(0.0), car, footprint) && other.strays();
   return is_unsure ? other.anywhere() : other;
 }
 

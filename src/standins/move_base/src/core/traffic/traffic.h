@@ -42,8 +42,7 @@ Extent extentOf(const Box & outline, const Pose2 & from);
 /// Whether a car reaches beyond the rear of another already, and not yet beyond its front.
 bool isBeside(const Box & other, const Pose2 & car, const Footprint & footprint);
 
-/// What a car may rely on of another: who strays, and is so fast that passing it takes long, may be anywhere until the
-/// car is beside it.
+/// What a car may rely on of another: who strays may be anywhere until the car is beside it.
 Forecast seenFrom(const Pose2 & car, const Footprint & footprint, const Forecast & other);
 
 /// Of everything that moves on the costmap, as seen from a car.

@@ -10,7 +10,8 @@ from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan.driver_file import read_driver_file
 from f1tenth_scenarios.scenario.driver import Driver, Interface
 
-OUR_PLANNERS = "race, pursuit, gap_follower"  # that need nothing but a road
+# What drives by given commands needs more than a road.
+OUR_PLANNERS = ", ".join(name for name in Driver.short_forms() if name != "commands")
 
 
 def results_of(options) -> Path:

@@ -71,8 +71,12 @@ def running(display, goals_file):
 
 
 def starts(process, display, picture, wanted):
-    """Whether rviz shows a colour before it dies."""
-    wait_until(lambda: process.poll() is not None or sees(display, picture, wanted), "the colour is there")
+    """Whether rviz shows a colour and takes the keyboard before it dies."""
+
+    def is_there():
+        return sees(display, picture, wanted) and display.takes_keyboard("RViz")
+
+    wait_until(lambda: process.poll() is not None or is_there(), "rviz is there, and the colour")
     return process.poll() is None
 
 
@@ -82,7 +86,6 @@ def launched(goals_file, picture, wanted):
     for _ in range(ATTEMPTS):
         with contextlib.closing(screen.Screen()) as display, running(display, goals_file) as process:
             if starts(process, display, picture, wanted):
-                display.focus("RViz")
                 yield display
                 return
     pytest.fail(f"rviz died {ATTEMPTS} times while it started")

@@ -41,19 +41,21 @@ class Screen:
         return result.stdout
 
     def focus(self, title):
-        """Wait for a window and give it the keyboard: there is no window manager to do so."""
+        """Wait for a window and give it the keyboard."""
         deadline = time.monotonic() + 120
-        while True:
-            # When a window goes that it looks at, as a splash screen does, xdotool fails or waits for ever.
-            try:
-                windows = self.run("xdotool", "search", "--onlyvisible", "--name", title, timeout=10).split()
-                self.run("xdotool", "windowfocus", "--sync", windows[-1], timeout=10)
-            except (subprocess.CalledProcessError, subprocess.TimeoutExpired):
-                if time.monotonic() > deadline:
-                    raise
-                time.sleep(0.2)
-            else:
-                return
+        while not self.takes_keyboard(title):
+            assert time.monotonic() < deadline, f"no window {title} takes the keyboard"
+            time.sleep(0.2)
+
+    def takes_keyboard(self, title):
+        """Give a window the keyboard, for there is no window manager to do so; return whether it is there."""
+        # When a window goes that it looks at, as a splash screen does, xdotool fails or waits for ever.
+        try:
+            windows = self.run("xdotool", "search", "--onlyvisible", "--name", title, timeout=10).split()
+            self.run("xdotool", "windowfocus", "--sync", windows[-1], timeout=10)
+        except (subprocess.CalledProcessError, subprocess.TimeoutExpired):
+            return False
+        return True
 
     def press_key(self, key):
         self.run("xdotool", "key", key)

@@ -3,7 +3,6 @@
 import os
 import shutil
 import subprocess
-import time
 
 PROGRAMS = ("Xvfb", "xdotool", "import", "rviz")
 
@@ -39,13 +38,6 @@ class Screen:
             command, env=environment, check=True, capture_output=True, text=True, timeout=timeout
         )
         return result.stdout
-
-    def focus(self, title):
-        """Wait for a window and give it the keyboard."""
-        deadline = time.monotonic() + 120
-        while not self.takes_keyboard(title):
-            assert time.monotonic() < deadline, f"no window {title} takes the keyboard"
-            time.sleep(0.2)
 
     def takes_keyboard(self, title):
         """Give a window the keyboard, for there is no window manager to do so; return whether it is there."""

@@ -82,7 +82,7 @@ class User:
 
     def wait_for_rviz(self):
         self.odometry.get()
-        self.screen.focus("RViz")
+        wait_until(lambda: self.screen.takes_keyboard("RViz"), "rviz takes the keyboard")
         wait_until(lambda: self.rviz_subscriptions() >= TOPICS, "rviz listens to everything")
         wait_until(lambda: self.sees("map", "car model", "scan"), "map, car and scan are in the picture")
 

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <set>
 #include <string>
@@ -19,7 +18,7 @@ namespace
 std::vector<VehicleModel> everyModel()
 {
   std::vector<VehicleModel> models;
-  for (std::size_t i = 0; i < std::size(kVehicleModelNames); ++i) {
+  for (std::size_t i = 0; i < kVehicleModelNames.size(); ++i) {
     models.push_back(static_cast<VehicleModel>(i));
   }
   return models;

@@ -101,7 +101,7 @@ FollowerOptions slidingFollower()
 {
   FollowerOptions options = racingFollower();
   options.slip_gradient = 0.0178;
-  options.understeer_gradient = 0.0028;
+  options.limits.understeer_gradient = 0.0028;
   options.load_transfer = 0.0457;
   options.limits.max_lateral_acceleration = 7.5;
   return options;

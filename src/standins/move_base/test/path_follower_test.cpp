@@ -181,9 +181,6 @@ TEST(PathFollower, neverSteersBeyondTheCarsLimit)
 TEST(FollowerOptions, areChecked)
 {
   FollowerOptions options;
-  options.max_steering_angle = 2.0;
-  EXPECT_THROWS_MESSAGE(options.validate(), OptionError, "max_steering_angle: found 2, must be above 0 and below pi/2");
-  options = {};
   options.latency = -0.1;
   EXPECT_THROWS_MESSAGE(options.validate(), OptionError, "latency: found -0.1, must be a number of at least 0");
 }

@@ -56,6 +56,22 @@ TEST(SpeedProfile, keepsTheLateralAccelerationInBends)
   EXPECT_NEAR(speeds.front(), std::sqrt(3.0 / 0.5), 1e-9);
 }
 
+TEST(SpeedProfile, leavesTheWheelsTheAngleThatUndersteerTakes)
+{
+  SpeedLimits limits = racingLimits();
+  limits.max_lateral_acceleration = 7.5;
+  limits.understeer_gradient = 0.0028;
+  const auto lateral = [&](double curvature) {
+    const Path path = samplePath({20.0, 4.0, 0.0}, {{2.0, curvature}}, 0.1);
+    return std::pow(speedProfile(path, hall(), limits).front(), 2) * std::abs(curvature);
+  };
+  EXPECT_NEAR(lateral(1.0), 7.5, 1e-9) << "the tyres decide";
+  EXPECT_NEAR(lateral(-1.2), (0.4189 - 0.025 - std::atan(0.3302 * 1.2)) / 0.0028, 1e-6) << "the wheels decide";
+  EXPECT_NEAR(lateral(1.34), 0.2 * 7.5, 1e-9) << "nothing is left";
+  limits.understeer_gradient = 0.0;
+  EXPECT_NEAR(lateral(1.34), 7.5, 1e-9);
+}
+
 TEST(SpeedProfile, keepsTheYawRateInBends)
 {
   SpeedLimits limits = racingLimits();
@@ -106,6 +122,9 @@ TEST(SpeedLimits, areChecked)
   limits = {};
   limits.min_vel_x = 1.0;
   EXPECT_THROWS_MESSAGE(limits.validate(), OptionError, "min_vel_x: found 1, must be above 0 and at most max_vel_x");
+  limits = {};
+  limits.max_steering_angle = 2.0;
+  EXPECT_THROWS_MESSAGE(limits.validate(), OptionError, "max_steering_angle: found 2, must be above 0 and below pi/2");
   limits = {};
   limits.full_speed_clearance = 0.01;
   EXPECT_THROWS_MESSAGE(

@@ -26,7 +26,7 @@ FollowerOptions shippedFollower(double speed)
   options.limits.full_speed_clearance = 0.1;
   options.limits.slowest_clearance = 0.0;
   options.slip_gradient = 0.0178;
-  options.understeer_gradient = 0.0028;
+  options.limits.understeer_gradient = 0.0028;
   options.load_transfer = 0.0457;
   options.yaw_lag = 0.02;
   options.tracking_time = 0.25;

@@ -63,7 +63,7 @@ void readFollower(ParameterReader & reader, const std::string & name, FollowerOp
   reader.read(ofPlanner(name, "tracking_distance"), follower.tracking_distance);
   reader.read(ofPlanner(name, "tracking_time"), follower.tracking_time);
   reader.read(ofPlanner(name, "slip_gradient"), follower.slip_gradient);
-  reader.read(ofPlanner(name, "understeer_gradient"), follower.understeer_gradient);
+  reader.read(ofPlanner(name, "understeer_gradient"), follower.limits.understeer_gradient);
   reader.read(ofPlanner(name, "load_transfer"), follower.load_transfer);
   reader.read(ofPlanner(name, "yaw_lag"), follower.yaw_lag);
   reader.read(ofPlanner(name, "stop_clearance"), follower.stop_clearance);
@@ -108,10 +108,10 @@ void readLocalPlanner(ParameterReader & reader, MoveBaseParameters & parameters)
   readSpeedLimits(reader, name, follower.limits);
   readFollower(reader, name, follower);
   reader.read(ofPlanner(name, "min_turning_radius"), navigator.planner.min_turning_radius);
-  if (!reader.read(ofPlanner(name, "max_steering_angle"), follower.max_steering_angle)) {
+  if (!reader.read(ofPlanner(name, "max_steering_angle"), follower.limits.max_steering_angle)) {
     // The original knows the radius alone.
     const double needed = std::atan(follower.limits.wheelbase / navigator.planner.min_turning_radius);
-    follower.max_steering_angle = std::max(follower.max_steering_angle, needed);
+    follower.limits.max_steering_angle = std::max(follower.limits.max_steering_angle, needed);
   }
   reader.read(ofPlanner(name, "min_obstacle_dist"), navigator.planner.min_obstacle_dist);
   readGoals(reader, name, navigator);

@@ -21,14 +21,10 @@ constexpr double kLeastLeft = 0.35;  // of the acceleration, however hard the ca
 void FollowerOptions::validate() const
 {
   limits.validate();
-  requireOption(
-    max_steering_angle > 0.0 && max_steering_angle < 0.5 * M_PI, "max_steering_angle", max_steering_angle,
-    "above 0 and below pi/2");
   requireNotNegative("latency", latency);
   requirePositive("tracking_distance", tracking_distance);
   requireNotNegative("tracking_time", tracking_time);
   requireNotNegative("slip_gradient", slip_gradient);
-  requireNotNegative("understeer_gradient", understeer_gradient);
   const double utmost = 1.0 / std::max(limits.acc_lim_x, limits.dec_lim_x);
   requireOption(
     load_transfer >= 0.0 && load_transfer < utmost, "load_transfer", load_transfer,
@@ -57,7 +53,7 @@ bool Handling::setTyres(const Tyres & tyres)
   }
   tyres_ = tyres;
   options_.slip_gradient = given_.slip_gradient * tyres.slip;
-  options_.understeer_gradient = given_.understeer_gradient * tyres.slip;
+  options_.limits.understeer_gradient = given_.limits.understeer_gradient * tyres.slip;
   options_.yaw_lag = given_.yaw_lag * tyres.slip;
   const double passed_on = tyres.traction < kUsualTraction ? kSpinning * tyres.traction : 1.0;
   const double grip = std::min(passed_on, std::pow(kUsualSlip / tyres.slip, kSlipPower));
@@ -72,7 +68,7 @@ bool Handling::setTyres(const Tyres & tyres)
 
 double Handling::maxCurvature() const
 {
-  return std::tan(options_.max_steering_angle) / options_.limits.wheelbase;
+  return std::tan(options_.limits.max_steering_angle) / options_.limits.wheelbase;
 }
 
 double Handling::drivable(double curvature, double speed) const
@@ -126,10 +122,11 @@ double Handling::withUndersteer(double curvature, double borne, double speed, do
 {
   const double lateral = lateralOn(borne, speed);
   const double shift = options_.load_transfer * accelerationTo(commanded, speed);
-  const double front = (options_.slip_gradient + options_.understeer_gradient) / (1.0 - shift);
+  const double front = (options_.slip_gradient + options_.limits.understeer_gradient) / (1.0 - shift);
   const double rear = options_.slip_gradient / (1.0 + shift);
   const double wheelbase = options_.limits.wheelbase;
   const double angle = std::atan(wheelbase * curvature) + (front - rear) * lateral;
-  return std::tan(std::clamp(angle, -options_.max_steering_angle, options_.max_steering_angle)) / wheelbase;
+  return std::tan(std::clamp(angle, -options_.limits.max_steering_angle, options_.limits.max_steering_angle)) /
+         wheelbase;
 }
 }  // namespace move_base

@@ -10,17 +10,15 @@ namespace move_base
 struct FollowerOptions
 {
   SpeedLimits limits;
-  double max_steering_angle{0.4189};  ///< rad
-  double latency{0.05};               ///< s, from measuring a pose to the wheels acting on the command
-  double tracking_distance{0.45};     ///< m, in which an error of the path is driven out when standing
-  double tracking_time{0.12};         ///< s, added to it per m/s
-  double slip_gradient{0.0};          ///< rad per m/s^2 of lateral acceleration, that the rear axle drifts outwards
-  double understeer_gradient{0.0};    ///< rad per m/s^2, that the wheels must be turned further than on rails
-  double load_transfer{0.0};          ///< per m/s^2, part of its load that the rear axle gains and the front one loses
-  double yaw_lag{0.0};                ///< s per m/s, by which the yaw follows the wheels
-  double stop_clearance{0.0};         ///< m, with less on its predicted way the car stops before
-  double replan_distance{2.5};        ///< m beyond the braking distance, an obstacle on the path there is reported
-  double max_path_deviation{0.5};     ///< m, farther from its path the car has lost it
+  double latency{0.05};            ///< s, from measuring a pose to the wheels acting on the command
+  double tracking_distance{0.45};  ///< m, in which an error of the path is driven out when standing
+  double tracking_time{0.12};      ///< s, added to it per m/s
+  double slip_gradient{0.0};       ///< rad per m/s^2 of lateral acceleration, that the rear axle drifts outwards
+  double load_transfer{0.0};       ///< per m/s^2, part of its load that the rear axle gains and the front one loses
+  double yaw_lag{0.0};             ///< s per m/s, by which the yaw follows the wheels
+  double stop_clearance{0.0};      ///< m, with less on its predicted way the car stops before
+  double replan_distance{2.5};     ///< m beyond the braking distance, an obstacle on the path there is reported
+  double max_path_deviation{0.5};  ///< m, farther from its path the car has lost it
 
   /// @throws OptionError
   void validate() const;

@@ -11,6 +11,19 @@ namespace
 {
 // Steering is taken over this many points to either side: a change within less is the path's discretisation.
 constexpr std::size_t kSteeringReach = 2;
+constexpr double kSteeringReserve = 0.025;  // rad, of the wheels, to steer back with
+constexpr double kLeastLateral = 0.2;       // of the lateral acceleration, where the wheels have no angle left
+
+// Where a bend leaves the wheels too little angle for the understeer of all the lateral acceleration.
+double speedForUndersteer(double curvature, const SpeedLimits & limits)
+{
+  const double left = limits.max_steering_angle - kSteeringReserve - std::atan(limits.wheelbase * curvature);
+  const double most = limits.max_lateral_acceleration;
+  if (limits.understeer_gradient == 0.0 || left >= limits.understeer_gradient * most) {
+    return HUGE_VAL;
+  }
+  return std::sqrt(std::max(left / limits.understeer_gradient, kLeastLateral * most) / curvature);
+}
 
 double speedForCurvature(const PathPoint & point, const SpeedLimits & limits)
 {
@@ -19,7 +32,7 @@ double speedForCurvature(const PathPoint & point, const SpeedLimits & limits)
   if (bend == 0.0) {
     return cruise;
   }
-  return std::min({cruise, limits.speedInBend(bend), limits.max_vel_theta / bend});
+  return std::min({cruise, limits.speedInBend(bend), speedForUndersteer(bend, limits), limits.max_vel_theta / bend});
 }
 
 double speedForSteering(const Path & path, const PathStretch & stretch, std::size_t i, const SpeedLimits & limits)
@@ -64,7 +77,11 @@ void SpeedLimits::validate() const
   requirePositive("dec_lim_x", dec_lim_x);
   requireOption(braking_power > 0.0, "braking_power", braking_power, "above 0");
   requirePositive("max_lateral_acceleration", max_lateral_acceleration);
+  requireOption(
+    max_steering_angle > 0.0 && max_steering_angle < 0.5 * M_PI, "max_steering_angle", max_steering_angle,
+    "above 0 and below pi/2");
   requirePositive("max_steering_rate", max_steering_rate);
+  requireNotNegative("understeer_gradient", understeer_gradient);
   requirePositive("wheelbase", wheelbase);
   requireNotNegative("slowest_clearance", slowest_clearance);
   requireOption(

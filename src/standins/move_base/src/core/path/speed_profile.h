@@ -17,7 +17,9 @@ struct SpeedLimits
   double dec_lim_x{0.5};                 ///< m/s^2, slowing down
   double braking_power{1000.0};          ///< m^2/s^3, speed times deceleration: braked harder, the tail comes round
   double max_lateral_acceleration{3.0};  ///< m/s^2
+  double max_steering_angle{0.4189};     ///< rad
   double max_steering_rate{2.5};         ///< rad/s
+  double understeer_gradient{0.0};       ///< rad per m/s^2, that the wheels must be turned further than on rails
   double wheelbase{0.3302};              ///< m
   double full_speed_clearance{0.35};     ///< m, with less beside the car it drives slower in proportion
   double slowest_clearance{0.05};        ///< m, with less it drives at the least speed

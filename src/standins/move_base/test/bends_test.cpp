@@ -172,6 +172,24 @@ TEST(PathFollower, asksLessOfTyresThatHoldLess)
   EXPECT_EQ(part({1.0, 1.0, true}), std::pair(1.0, 1.0));
 }
 
+TEST(PathFollower, drivesBendsWithAReserveWhenItAnswersLate)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  PathFollower follower(racingFollower());
+  follower.setPath(samplePath({2.0, 2.0, 0.0}, {{6.0, 0.0}}, 0.1), costmap);
+  const double told = racingFollower().limits.max_lateral_acceleration;
+  const auto part = [&](double late, const Tyres & tyres) {
+    follower.setLags({racingFollower().latency + late, Handling::kSpeedLag});
+    follower.setTyres(tyres, costmap);
+    return follower.options().limits.max_lateral_acceleration / told;
+  };
+  EXPECT_NEAR(part(0.07, {}), 1.0, 1e-9) << "as tyres that slide seem to";
+  EXPECT_NEAR(part(0.13, {}), 0.9, 1e-9);
+  EXPECT_NEAR(part(0.13, {2.0, 1.0, true}), 0.9 * std::pow(1.15 / 2.0, 1.5), 1e-9);
+  EXPECT_NEAR(part(0.13, {1.0, 1.0, false}), 0.6, 1e-9) << "less than that, until a bend has shown the tyres";
+  EXPECT_NEAR(part(0.0, {}), 1.0, 1e-9);
+}
+
 TEST(PathFollower, steersAsFarAsItsPathBendsBeforeTheTyresAreFelt)
 {
   const Costmap costmap = makeCostmap(drawRoom(16.0, 16.0));

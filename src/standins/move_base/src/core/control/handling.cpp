@@ -13,9 +13,12 @@ constexpr double kUsualSlip = 1.15;     // times what it is told to be, up to wh
 constexpr double kSlipPower = 1.5;      // of the slip beyond: on average it is measured before it is all there
 constexpr double kUsualTraction = 0.9;  // of the acceleration told, from which the grip is that of a dry road
 constexpr double kSpinning = 0.85;      // of what spinning wheels pass on, that they do while they steer as well
-constexpr double kUnfelt = 0.6;      // of the lateral acceleration planned, until a bend has shown how the tyres slip
-constexpr double kBends = 0.25;      // of the lateral acceleration, from which braking is limited for it
-constexpr double kLeastLeft = 0.35;  // of the acceleration, however hard the car corners
+constexpr double kUnfelt = 0.6;        // of the lateral acceleration planned, until a bend has shown how the tyres slip
+constexpr double kUsualDelay = 0.08;   // s of latency beyond what it is told to be, that ask for no reserve
+constexpr double kLateReserve = 2.0;   // 1/s, part of the lateral acceleration for each second of latency beyond
+constexpr double kReserveStep = 0.01;  // by which that must change to be taken into account
+constexpr double kBends = 0.25;        // of the lateral acceleration, from which braking is limited for it
+constexpr double kLeastLeft = 0.35;    // of the acceleration, however hard the car corners
 }  // namespace
 
 void FollowerOptions::validate() const
@@ -44,14 +47,23 @@ Handling::Handling(const FollowerOptions & options)
   options_.validate();
 }
 
+// What is put right late has become more by then.
+double Handling::reserveForLatency() const
+{
+  return kLateReserve * std::max(0.0, lags_.latency - given_.latency - kUsualDelay);
+}
+
 bool Handling::setTyres(const Tyres & tyres)
 {
+  const double reserve = reserveForLatency();
   const bool same_slip = std::abs(tyres.slip - tyres_.slip) < kSlipStep * tyres_.slip;
   const bool same_traction = std::abs(tyres.traction - tyres_.traction) < kSlipStep * tyres_.traction;
-  if (same_slip && same_traction && tyres.felt == tyres_.felt) {
+  const bool same_reserve = std::abs(reserve - reserve_) < kReserveStep;
+  if (same_slip && same_traction && same_reserve && tyres.felt == tyres_.felt) {
     return false;
   }
   tyres_ = tyres;
+  reserve_ = reserve;
   options_.slip_gradient = given_.slip_gradient * tyres.slip;
   options_.limits.understeer_gradient = given_.limits.understeer_gradient * tyres.slip;
   options_.yaw_lag = given_.yaw_lag * tyres.slip;
@@ -61,8 +73,8 @@ bool Handling::setTyres(const Tyres & tyres)
   options_.limits.dec_lim_x = given_.limits.dec_lim_x * grip;
   options_.limits.braking_power = given_.limits.braking_power * grip;
   grip_to_side_ = given_.limits.max_lateral_acceleration * grip;
-  options_.limits.max_lateral_acceleration =
-    tyres.felt ? grip_to_side_ : std::min(grip_to_side_, kUnfelt * given_.limits.max_lateral_acceleration);
+  const double felt = tyres.felt ? 1.0 - reserve : std::min(1.0 - reserve, kUnfelt / grip);
+  options_.limits.max_lateral_acceleration = felt * grip_to_side_;
   return true;
 }
 

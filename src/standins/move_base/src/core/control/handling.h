@@ -92,6 +92,7 @@ public:
 
 private:
   double maxCurvature() const;
+  double reserveForLatency() const;
   double lateralOn(double curvature, double speed) const;
   double accelerationTo(double commanded, double speed) const;
 
@@ -99,6 +100,7 @@ private:
   FollowerOptions options_;  // as the car is found to be
   Lags lags_;
   Tyres tyres_;
+  double reserve_{0.0};  // part of the lateral acceleration
   double grip_to_side_;  // m/s^2: more than is planned with until the tyres have been felt
 };
 }  // namespace move_base

@@ -73,8 +73,9 @@ bool Handling::setTyres(const Tyres & tyres)
   options_.limits.dec_lim_x = given_.limits.dec_lim_x * grip;
   options_.limits.braking_power = given_.limits.braking_power * grip;
   grip_to_side_ = given_.limits.max_lateral_acceleration * grip;
-  const double felt = tyres.felt ? 1.0 - reserve : std::min(1.0 - reserve, kUnfelt / grip);
-  options_.limits.max_lateral_acceleration = felt * grip_to_side_;
+  const double most = (1.0 - reserve) * grip_to_side_;
+  options_.limits.max_lateral_acceleration =
+    tyres.felt ? most : std::min(most, kUnfelt * given_.limits.max_lateral_acceleration);
   return true;
 }
 
@@ -137,8 +138,8 @@ double Handling::withUndersteer(double curvature, double borne, double speed, do
   const double front = (options_.slip_gradient + options_.limits.understeer_gradient) / (1.0 - shift);
   const double rear = options_.slip_gradient / (1.0 + shift);
   const double wheelbase = options_.limits.wheelbase;
+  const double farthest = options_.limits.max_steering_angle;
   const double angle = std::atan(wheelbase * curvature) + (front - rear) * lateral;
-  return std::tan(std::clamp(angle, -options_.limits.max_steering_angle, options_.limits.max_steering_angle)) /
-         wheelbase;
+  return std::tan(std::clamp(angle, -farthest, farthest)) / wheelbase;
 }
 }  // namespace move_base

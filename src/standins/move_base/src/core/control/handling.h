@@ -64,7 +64,8 @@ public:
   void setLags(const Lags & lags) { lags_ = lags; }
   const Lags & lags() const { return lags_; }
   /// Where the tyres clearly slip more than the options say, or pass on but a share of the acceleration told, they have less
-  /// grip, and the car is asked for less; to the side also until a bend has shown it.
+  /// grip, and the car is asked for less; to the side also until a bend has shown it, and where it answers late by the lags
+  /// set before.
   /// @return whether that changes anything
   bool setTyres(const Tyres & tyres);
 

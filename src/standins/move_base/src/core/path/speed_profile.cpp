@@ -14,15 +14,15 @@ constexpr std::size_t kSteeringReach = 2;
 constexpr double kSteeringReserve = 0.025;  // rad, of the wheels, to steer back with
 constexpr double kLeastLateral = 0.2;       // of the lateral acceleration, where the wheels have no angle left
 
-// Where a bend leaves the wheels too little angle for the understeer of all the lateral acceleration.
-double speedForUndersteer(double curvature, const SpeedLimits & limits)
+// At which the tyres hold the car in a bend, and the bend leaves the wheels the angle that understeer takes.
+double speedForBend(double curvature, const SpeedLimits & limits)
 {
+  if (limits.understeer_gradient == 0.0) {
+    return limits.speedInBend(curvature);
+  }
   const double left = limits.max_steering_angle - kSteeringReserve - std::atan(limits.wheelbase * curvature);
   const double most = limits.max_lateral_acceleration;
-  if (limits.understeer_gradient == 0.0 || left >= limits.understeer_gradient * most) {
-    return HUGE_VAL;
-  }
-  return std::sqrt(std::max(left / limits.understeer_gradient, kLeastLateral * most) / curvature);
+  return std::sqrt(std::clamp(left / limits.understeer_gradient, kLeastLateral * most, most) / curvature);
 }
 
 double speedForCurvature(const PathPoint & point, const SpeedLimits & limits)
@@ -32,7 +32,7 @@ double speedForCurvature(const PathPoint & point, const SpeedLimits & limits)
   if (bend == 0.0) {
     return cruise;
   }
-  return std::min({cruise, limits.speedInBend(bend), speedForUndersteer(bend, limits), limits.max_vel_theta / bend});
+  return std::min({cruise, speedForBend(bend, limits), limits.max_vel_theta / bend});
 }
 
 double speedForSteering(const Path & path, const PathStretch & stretch, std::size_t i, const SpeedLimits & limits)

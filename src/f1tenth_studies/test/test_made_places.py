@@ -80,6 +80,13 @@ def test_a_road_of_no_seed_is_bad_input(tmp_path, seed, capsys):
     assert f"study: road={seed}: must be a seed, a whole number" in capsys.readouterr().err
 
 
+def test_a_folder_whose_path_divides_values_is_refused(tmp_path, capsys):
+    results = tmp_path / "seeds_1,2"
+    assert cli.study_main(["roads", "--vary", "road=1", "--results", str(results)]) == cli.BAD_INPUT
+    assert f"study: --results: {results}/places/roads is among values, must be" in capsys.readouterr().err
+    assert not results.exists()
+
+
 def test_a_folder_for_places_that_cannot_be_made_is_bad_input(tmp_path, capsys):
     (tmp_path / "places").write_text("")
     assert cli.study_main(["roads", "--vary", "road=1", "--results", str(tmp_path)]) == cli.BAD_INPUT

@@ -116,9 +116,14 @@ class Study:
         """Write the places that the runs need to a folder.
 
         Returns what to vary: `vary` with worlds in the place of the places' key.
+
+        Raises:
+            ScenarioError: values could not be told apart, as the folder's path has what divides them.
         """
         if not self.places:
             return vary
+        if {",", ":"} & set(str(folder)):
+            raise ScenarioError(f"--results: {folder} is among values, must be without ',' and ':'")
         key, worlds = self.places
         made = {**vary, "world": ",".join(map(str, worlds(vary[key], made_folder(folder))))}
         if key != "world":

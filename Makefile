@@ -86,8 +86,9 @@ build: installed $(CONFIGURED) ## build the workspace
 # Without a planner, ours drives from goal to goal.
 RACE = $(if $(PLANNER),race "$(CIRCUIT)" --planner "$(PLANNER)" --laps $(LAPS) $(addprefix --interface ,$(INTERFACE)),run "$(CIRCUIT)")
 
+# A planner of somebody else may lie in an overlay that has been sourced: --extend leaves it there.
 race: build ## one headless race, judged: make race CIRCUIT=circuit3 PLANNER=my.launch
-	@$(IN_WORKSPACE) exec rosrun f1tenth_scenarios scenario $(RACE) --report
+	@source "$(DEVEL_DIR)/setup.bash" $(if $(PLANNER),--extend) && exec rosrun f1tenth_scenarios scenario $(RACE) --report
 
 report: build ## one HTML file of all results: results/report.html
 	@$(IN_WORKSPACE) exec rosrun f1tenth_scenarios scenario report

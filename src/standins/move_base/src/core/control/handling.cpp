@@ -53,8 +53,9 @@ double Handling::reserveForLatency() const
   return kLateReserve * std::max(0.0, lags_.latency - given_.latency - kUsualDelay);
 }
 
-bool Handling::setTyres(const Tyres & tyres)
+bool Handling::set(const Lags & lags, const Tyres & tyres)
 {
+  lags_ = lags;
   const double reserve = reserveForLatency();
   const bool same_slip = std::abs(tyres.slip - tyres_.slip) < kSlipStep * tyres_.slip;
   const bool same_traction = std::abs(tyres.traction - tyres_.traction) < kSlipStep * tyres_.traction;

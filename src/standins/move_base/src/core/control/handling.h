@@ -60,14 +60,12 @@ public:
 
   /// Those given, with what the tyres allow.
   const FollowerOptions & options() const { return options_; }
-  /// Those of the options until they are set.
-  void setLags(const Lags & lags) { lags_ = lags; }
+  /// Those of the options until others are set.
   const Lags & lags() const { return lags_; }
   /// Where the tyres clearly slip more than the options say, or pass on but a share of the acceleration told, they have less
-  /// grip, and the car is asked for less; to the side also until a bend has shown it, and where it answers late by the lags
-  /// set before.
-  /// @return whether that changes anything
-  bool setTyres(const Tyres & tyres);
+  /// grip, and the car is asked for less; to the side also until a bend has shown it, and where it answers late.
+  /// @return whether that changes the options
+  bool set(const Lags & lags, const Tyres & tyres);
 
   /// Of a curvature, 1/m, what wheels and tyres allow.
   double drivable(double curvature, double speed) const;

@@ -37,9 +37,9 @@ void PathFollower::setPath(const Path & path, const Costmap & costmap, const Cau
   tracker_ = PathTracker(path_);
 }
 
-void PathFollower::setTyres(const Tyres & tyres, const Costmap & costmap)
+void PathFollower::setHandling(const Lags & lags, const Tyres & tyres, const Costmap & costmap)
 {
-  if (handling_.setTyres(tyres)) {
+  if (handling_.set(lags, tyres)) {
     speeds_ = speedProfile(path_, costmap, options().limits, caution_);
   }
 }

@@ -236,7 +236,8 @@ void MoveBaseNode::diagnose(const CycleOutput & output, const ros::Time & now)
 void MoveBaseNode::publish(const CycleOutput & output, const CycleInput & input, const ros::Time & now)
 {
   if (const auto & command = output.command) {
-    const double angle = command->steeringAngle(parameters_.navigator.follower.limits.wheelbase);
+    const SpeedLimits & limits = parameters_.navigator.follower.limits;
+    const double angle = command->speed == 0.0 ? 0.0 : limits.wheelAngle(command->curvature);
     geometry_msgs::Twist twist;
     twist.linear.x = command->speed;
     twist.angular.z = parameters_.cmd_angle_instead_rotvel ? angle : command->yawRate();

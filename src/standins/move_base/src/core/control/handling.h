@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "car/car_state.h"
 #include "path/speed_profile.h"
 
@@ -45,8 +43,6 @@ struct DriveCommand
   double curvature{0.0};  ///< 1/m, positive is steering to the left
 
   double yawRate() const { return speed * curvature; }
-  /// rad, of the wheels; straight for a car that stops. @param wheelbase  m
-  double steeringAngle(double wheelbase) const { return speed == 0.0 ? 0.0 : std::atan(wheelbase * curvature); }
 };
 
 /// How the car answers, and what may be asked of it with the tyres that it is found to have.
@@ -90,7 +86,6 @@ public:
   double withUndersteer(double curvature, double borne, double speed, double commanded) const;
 
 private:
-  double maxCurvature() const;
   double reserveForLatency() const;
   double lateralOn(double curvature, double speed) const;
   double accelerationTo(double commanded, double speed) const;

@@ -173,12 +173,11 @@ double PathFollower::steer(const PathPosition & position, double ahead, double s
 double PathFollower::curvatureAhead(const PathPosition & position, double speed) const
 {
   const SpeedLimits & limits = options().limits;
-  const auto wheels = [&limits](double curvature) { return std::atan(limits.wheelbase * curvature); };
-  const double here = wheels(position.curvature);
+  const double here = limits.wheelAngle(position.curvature);
   std::size_t ahead = position.index;
   for (std::size_t i = ahead + 1; i < path_.size() && path_[i].reverse == position.reverse; ++i) {
     const double away = path_[i].s - position.s;
-    const double turn = std::abs(wheels(path_[i].curvature) - here);
+    const double turn = std::abs(limits.wheelAngle(path_[i].curvature) - here);
     if (away < options().yaw_lag * speed * speed + 0.5 * std::abs(speed) * turn / limits.max_steering_rate) {
       ahead = i;
     } else if (away > kLongestLead) {

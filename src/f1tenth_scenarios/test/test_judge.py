@@ -34,7 +34,7 @@ def test_all_goals_in_order_is_success(tmp_path):
     judgement = judge(scenario(), TASKS, seen(record(tmp_path, rows(4.0)), racing(), finished(3.0)))
     assert judgement.decision.verdict is Verdict.SUCCESS
     assert judgement.decision.stamp == 3.0
-    assert judgement.passes["robot1"].times == (0.5, 1.5, 2.5)
+    assert judgement.passes["robot1"].times == [0.5, 1.5, 2.5]
 
 
 def test_everything_after_the_end_is_cut(tmp_path):
@@ -52,7 +52,7 @@ def test_goal_may_be_reached_between_two_periods(tmp_path):
     run = seen(record(tmp_path, rows(4.0)), racing(), finished(2.49))
     judgement = judge(scenario(), TASKS, run)
     assert judgement.decision.verdict is Verdict.SUCCESS
-    assert judgement.passes["robot1"].times == (0.5, 1.5, 2.5)
+    assert judgement.passes["robot1"].times == [0.5, 1.5, 2.5]
     assert judgement.record.end == 2.475
 
 

@@ -14,6 +14,7 @@ from f1tenth_scenarios.judge.judge import Decision, Judgement
 from f1tenth_scenarios.record.observations import Failure
 from f1tenth_scenarios.record.record import COLUMNS, Record
 from f1tenth_scenarios.record.replay import Poses
+from f1tenth_scenarios.scenario.car import Pose
 from f1tenth_scenarios.scenario.criteria import Criteria
 from f1tenth_scenarios.scenario.scenario import Verdict
 from scenario_samples import record, rows, scenario
@@ -223,26 +224,32 @@ def test_culprit(failure, said):
     assert found == Criterion("culprit", *said)
 
 
+def passes(times, wanted):
+    found = GoalPasses([Pose(0.0, 0.0)] * wanted, 0.5, 0.5)
+    found.times = times
+    return found
+
+
 @pytest.mark.parametrize(
     ("expected", "passes", "said"),
     [
         (
             Verdict.SUCCESS,
             {
-                "robot1": GoalPasses((1.0, 2.0), 2),
-                "robot2": GoalPasses((1.0,), 2),
-                "robot3": GoalPasses((), 1),
+                "robot1": passes([1.0, 2.0], 2),
+                "robot2": passes([1.0], 2),
+                "robot3": passes([], 1),
             },
             (FAILED, 3, 5, "goals", "not all goals passed by robot2, robot3"),
         ),
         (
             Verdict.SUCCESS,
-            {"robot1": GoalPasses((1.0,), 1)},
+            {"robot1": passes([1.0], 1)},
             (PASSED, 1, 1, "goals", "all goals passed"),
         ),
         (
             Verdict.TIMEOUT,
-            {"robot1": GoalPasses((), 1)},
+            {"robot1": passes([], 1)},
             (NOT_JUDGED, 0, 1, "goals", "not all goals passed by robot1"),
         ),
         (Verdict.SUCCESS, {}, (NOT_JUDGED, 0, 0, "goals", "no goals to be passed")),

@@ -1,19 +1,12 @@
 #include "workspace_support/number_rule.h"
 
-#include <sstream>
+#include "workspace_support/errors.h"
 
 namespace workspace_support
 {
 namespace
 {
 constexpr double kLongest = 1e9;  // s; ROS counts them in 32 bits
-
-std::string shown(double number)
-{
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
 }  // namespace
 
 NumberRule positive()
@@ -23,14 +16,14 @@ NumberRule positive()
 
 NumberRule atLeast(double least, const std::string & meaning)
 {
-  return {[least](double value) { return value >= least; }, " >= " + shown(least) + meaning};
+  return {[least](double value) { return value >= least; }, " >= " + toText(least) + meaning};
 }
 
 NumberRule within(double least, double most)
 {
   return {
     [least, most](double value) { return value >= least && value <= most; },
-    " >= " + shown(least) + " and <= " + shown(most)};
+    " >= " + toText(least) + " and <= " + toText(most)};
 }
 
 NumberRule duration()

@@ -69,7 +69,7 @@ bool ParameterReader::read(const ParameterNames & names, bool & value)
 
 bool ParameterReader::read(const ParameterNames & names, std::string & value)
 {
-  return readAs(names, "a text", value, toText);
+  return readAs(names, "a text", value, toString);
 }
 
 bool ParameterReader::read(const ParameterNames & names, std::vector<Vec2> & value)
@@ -103,7 +103,7 @@ bool ParameterReader::read(const ParameterNames & names, std::vector<std::string
   }
   std::vector<std::string> result;
   for (int i = 0; i < found->second.size(); ++i) {
-    const auto name = toText(found->second[i]);
+    const auto name = toString(found->second[i]);
     const std::string place = fullName(found->first) + "[" + std::to_string(i) + "]: found " + shown(found->second[i]);
     if (!name || name->empty()) {
       throw OptionError("parameter " + place + ", must be a name");

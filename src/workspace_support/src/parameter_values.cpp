@@ -71,14 +71,14 @@ std::optional<bool> toBool(XmlRpcValue value)
   return value.getType() == XmlRpcValue::TypeBoolean ? std::optional<bool>(bool(value)) : std::nullopt;
 }
 
-std::optional<std::string> toText(XmlRpcValue value)
+std::optional<std::string> toString(XmlRpcValue value)
 {
   return value.getType() == XmlRpcValue::TypeString ? std::optional<std::string>(std::string(value)) : std::nullopt;
 }
 
 std::optional<std::vector<Vec2>> toPoints(XmlRpcValue value)
 {
-  if (const auto text = toText(value)) {
+  if (const auto text = toString(value)) {
     return pointsOfText(*text);
   }
   if (value.getType() != XmlRpcValue::TypeArray) {
@@ -106,8 +106,8 @@ std::optional<std::vector<PluginName>> toPlugins(XmlRpcValue value)
     if (each.getType() != XmlRpcValue::TypeStruct || !each.hasMember("name") || !each.hasMember("type")) {
       return std::nullopt;
     }
-    const auto name = toText(each["name"]);
-    const auto type = toText(each["type"]);
+    const auto name = toString(each["name"]);
+    const auto type = toString(each["type"]);
     if (!name || !type || name->empty() || type->empty()) {
       return std::nullopt;
     }

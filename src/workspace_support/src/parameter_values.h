@@ -16,7 +16,7 @@ std::optional<double> toDouble(XmlRpc::XmlRpcValue value);
 /// Also a number with a point, if it is whole.
 std::optional<int> toInt(const XmlRpc::XmlRpcValue & value);
 std::optional<bool> toBool(XmlRpc::XmlRpcValue value);
-std::optional<std::string> toText(XmlRpc::XmlRpcValue value);
+std::optional<std::string> toString(XmlRpc::XmlRpcValue value);
 /// [[x, y], ...], finite; also as a text.
 std::optional<std::vector<Vec2>> toPoints(XmlRpc::XmlRpcValue value);
 /// [{name: NAME, type: TYPE}, ...], each text not empty; other members are ignored.

@@ -28,14 +28,7 @@ def parse_arguments(benchmarks):
 
 
 def result_of(benchmark, before):
-    """Measure it, if this machine can.
-
-    Args:
-        before: Calibration done just before.
-
-    Returns:
-        (Result, Calibration): what came of it; the calibration just after.
-    """
+    """Measure it, if this machine can; return (Result, Calibration just after), given that just before."""
     try:
         measured = benchmark.measure()
     except (NotAvailable, ScenarioError) as missing:

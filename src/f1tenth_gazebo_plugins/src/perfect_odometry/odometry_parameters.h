@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "f1tenth_sim2d/world_model.h"
+#include "f1tenth_sim2d/car_model.h"
 
 namespace f1tenth_gazebo_plugins
 {

@@ -20,13 +20,7 @@ class Parameters:
 
 
 def goals_path(parameters, find_package):
-    """Return the path of the goals file.
-
-    Args:
-        parameters: the Parameters.
-        find_package: maps the name of a package to its folder.
-
-    """
+    """Return the path of the goals file; `find_package` maps the name of a package to its folder."""
     if parameters.use_absolute_fpath:
         return parameters.fpath
     return os.path.join(find_package(parameters.package_name), parameters.fpath.lstrip("/"))

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "f1tenth_sim2d/geometry.h"
@@ -145,6 +146,16 @@ struct RosControlDescription
   double control_period_sec{0.0};  ///< 0: the physics step
 };
 
+/// A <plugin> element: its tags as they stand, so that a plugin reads its own parameters.
+struct PluginElement
+{
+  std::string name;
+  std::string filename;  ///< as written, "libf1tenth_perfect_odometry.so"
+  std::string place;     ///< element path, for error messages
+  std::vector<std::pair<std::string, std::string>>
+    parameters;  ///< tag and text, in order; nested ones as "outer/inner"
+};
+
 struct CarDescription
 {
   std::string name;                         ///< "robot1"
@@ -176,5 +187,14 @@ struct CarDescription
   VehicleParameters parameters;        ///< dynamics as the description gives them; what it lacks is the F1/10 car's
   std::vector<PluginElement> plugins;  ///< not built in: to be looked up as shared libraries
   std::vector<std::string> warnings;
+
+  /// Where the car takes geometry_msgs/Twist; none for one that only controllers of ros_control drive.
+  std::optional<std::string> twistTopic() const
+  {
+    if (drive) {
+      return drive->command_topic;
+    }
+    return ros_control ? std::nullopt : std::make_optional<std::string>("cmd_vel");
+  }
 };
 }  // namespace f1tenth_sim2d

@@ -1,25 +1,13 @@
 #pragma once
 
-#include <sstream>
-#include <stdexcept>
+#include <workspace_support/errors.h>
+
 #include <string>
 
 namespace f1tenth_sim2d
 {
-/// A number as messages show it, with six digits.
-inline std::string toText(double number)
-{
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
-
-/// Base of everything this package throws for a user's mistake. Mistakes of our own are asserted.
-class Error : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
+using workspace_support::Error;
+using workspace_support::toText;
 
 /// A world, robot description or parameter file that cannot be used.
 class LoadError : public Error

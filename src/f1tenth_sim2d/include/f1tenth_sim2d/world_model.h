@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -82,15 +81,6 @@ struct ModelDescription
   std::vector<Solid> solids;
 };
 
-/// A <plugin> element: its tags as they stand, so that a plugin reads its own parameters.
-struct PluginElement
-{
-  std::string name;
-  std::string filename;                                         ///< as written, "libf1tenth_perfect_odometry.so"
-  std::string place;                                            ///< element path, for error messages
-  std::vector<std::pair<std::string, std::string>> parameters;  ///< tag and text, in order
-};
-
 struct WorldDescription
 {
   std::string file;  ///< where it came from
@@ -98,7 +88,6 @@ struct WorldDescription
   double gravity{9.8};  ///< m/s^2, downwards
   Pose2 start;          ///< where a car starts unless told otherwise; that of a race track is on its centreline
   std::vector<ModelDescription> models;
-  std::vector<PluginElement> plugins;
   std::vector<std::string> warnings;  ///< what cannot be represented: one entry a kind, with its element path
 };
 }  // namespace f1tenth_sim2d

@@ -40,12 +40,6 @@ public:
     shape_ = axes * axes.transpose();
   }
 
-  Heights heights() const
-  {
-    const double half = std::sqrt(shape_(2, 2));
-    return {centre_.z() - half, centre_.z() + half};
-  }
-
   Ellipse outline() const { return {centre_.head<2>(), shape_.topLeftCorner<2, 2>()}; }
 
   Ellipse cutAt(double z) const
@@ -92,7 +86,7 @@ Section cut(const Ellipsoid & ellipsoid, const Pose3 & pose, double z)
 {
   const PlacedEllipsoid placed(ellipsoid, pose);
   const Ellipse ellipse = placed.cutAt(z);
-  if (!placed.heights().contain(z) || ellipse.shape.trace() < kTolerance * kTolerance) {
+  if (!heightsOf(ellipsoid, pose).contain(z) || ellipse.shape.trace() < kTolerance * kTolerance) {
     return {};
   }
   return ellipse.isCircle() ? ellipse.asCircle()
@@ -101,10 +95,10 @@ Section cut(const Ellipsoid & ellipsoid, const Pose3 & pose, double z)
 
 Section shadow(const Ellipsoid & ellipsoid, const Pose3 & pose, double z_min, double z_max)
 {
-  const PlacedEllipsoid placed(ellipsoid, pose);
-  if (!placed.heights().overlap(z_min, z_max)) {
+  if (!heightsOf(ellipsoid, pose).overlap(z_min, z_max)) {
     return {};
   }
+  const PlacedEllipsoid placed(ellipsoid, pose);
   const Ellipse outline = placed.outline();
   if (placed.isUpright() && outline.isCircle()) {
     return placed.cutAt(std::clamp(pose.position.z(), z_min, z_max)).asCircle();

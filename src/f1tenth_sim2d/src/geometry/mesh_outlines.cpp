@@ -16,9 +16,9 @@ using Eigen::Vector3d;
 /// Whether the way from a over b to c is straight on, or b is one of the two. A spike, where it turns back, is not.
 bool isStraight(const Vec2 & a, const Vec2 & b, const Vec2 & c)
 {
-  const double first = std::hypot(b.x - a.x, b.y - a.y);
-  const double second = std::hypot(c.x - b.x, c.y - b.y);
-  const double onwards = (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y);
+  const double first = distance(a, b);
+  const double second = distance(b, c);
+  const double onwards = dot(b - a, c - b);
   return first <= kTolerance || second <= kTolerance ||
          (onwards > 0.0 && std::abs(turn(a, b, c)) <= kTolerance * (first + second));
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "geometry/heights.h"
 #include "geometry/mesh_outlines.h"
@@ -102,7 +101,7 @@ struct Projection
     }
     ConvexPolygon area = convexHull(points);
     const auto line = extremes(points);
-    const double length = std::hypot(line[1].x - line[0].x, line[1].y - line[0].y);
+    const double length = distance(line[0], line[1]);
     if (length > kTolerance && signedArea(area) < kUprightWidth * length) {
       lines.push_back(line);
     }

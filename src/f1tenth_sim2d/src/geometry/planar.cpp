@@ -27,15 +27,14 @@ using Line = boost::geometry::model::linestring<Vec2>;
 /// Whether b adds nothing to the line from a to c: on it, a spike, or a copy of a neighbour.
 bool isRedundant(const Vec2 & a, const Vec2 & b, const Vec2 & c)
 {
-  const double longest_side =
-    std::max({std::hypot(b.x - a.x, b.y - a.y), std::hypot(c.x - b.x, c.y - b.y), std::hypot(c.x - a.x, c.y - a.y)});
+  const double longest_side = std::max({distance(a, b), distance(b, c), distance(a, c)});
   return std::abs(turn(a, b, c)) <= kTolerance * longest_side;
 }
 }  // namespace
 
 double turn(const Vec2 & a, const Vec2 & b, const Vec2 & c)
 {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  return cross(b - a, c - a);
 }
 
 double signedArea(const Outline & outline)

@@ -214,17 +214,11 @@ void PolygonUnion::addUncovered(const std::vector<std::array<Vec2, 2>> & segment
   const clip::Paths covered = toPaths(outlines_);
   std::vector<Outline> strips;
   for (const auto & [a, b] : segments) {
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    const double length = distance(a, b);
     const Vec2 side{-(b.y - a.y) / length * width / 2.0, (b.x - a.x) / length * width / 2.0};
-    const Vec2 middle{(a.x + b.x) / 2.0, (a.y + b.y) / 2.0};
-    if (
-      !covers(covered, {middle.x + side.x, middle.y + side.y}) &&
-      !covers(covered, {middle.x - side.x, middle.y - side.y})) {
-      strips.push_back(
-        {{a.x - side.x, a.y - side.y},
-         {b.x - side.x, b.y - side.y},
-         {b.x + side.x, b.y + side.y},
-         {a.x + side.x, a.y + side.y}});
+    const Vec2 middle = 0.5 * (a + b);
+    if (!covers(covered, middle + side) && !covers(covered, middle - side)) {
+      strips.push_back({a - side, b - side, b + side, a + side});
     }
   }
   add(strips);

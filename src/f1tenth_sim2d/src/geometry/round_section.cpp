@@ -35,15 +35,6 @@ public:
 
   bool upright() const { return sine_ < kUprightSine; }
 
-  Heights heights() const
-  {
-    if (radius_ <= kTolerance) {
-      return {centre_.z(), centre_.z()};
-    }
-    const double half_height = half_length_ * cosine_ + radius_ * sine_;
-    return {centre_.z() - half_height, centre_.z() + half_height};
-  }
-
   void appendCut(double z, std::vector<Vec2> & points) const
   {
     const double h = z - centre_.z();
@@ -189,20 +180,19 @@ Section cut(const Sphere & sphere, const Pose3 & pose, double z)
 
 Section shadow(const Sphere & sphere, const Pose3 & pose, double z_min, double z_max)
 {
-  const double centre = pose.position.z();
-  const Heights heights{centre - sphere.radius, centre + sphere.radius};
-  if (!heights.overlap(z_min, z_max)) {
+  if (!heightsOf(sphere, pose).overlap(z_min, z_max)) {
     return {};
   }
+  const double centre = pose.position.z();
   return ofCircle(pose.position, radiusAt(sphere, std::clamp(centre, z_min, z_max) - centre));
 }
 
 Section cut(const Cylinder & cylinder, const Pose3 & pose, double z)
 {
-  const LeaningCylinder leaning(cylinder, pose);
-  if (!leaning.heights().contain(z)) {
+  if (cylinder.radius <= kTolerance || !heightsOf(cylinder, pose).contain(z)) {
     return {};
   }
+  const LeaningCylinder leaning(cylinder, pose);
   if (leaning.upright()) {
     return ofCircle(pose.position, cylinder.radius);
   }
@@ -213,17 +203,18 @@ Section cut(const Cylinder & cylinder, const Pose3 & pose, double z)
 
 Section shadow(const Cylinder & cylinder, const Pose3 & pose, double z_min, double z_max)
 {
-  const LeaningCylinder leaning(cylinder, pose);
-  if (!leaning.heights().overlap(z_min, z_max)) {
+  const Heights heights = heightsOf(cylinder, pose);
+  if (cylinder.radius <= kTolerance || !heights.overlap(z_min, z_max)) {
     return {};
   }
+  const LeaningCylinder leaning(cylinder, pose);
   if (leaning.upright()) {
     return ofCircle(pose.position, cylinder.radius);
   }
   std::vector<Vec2> points;
   leaning.appendCapsBetween(z_min, z_max, points);
   for (const double z : {z_min, z_max}) {
-    if (leaning.heights().contain(z)) {
+    if (heights.contain(z)) {
       leaning.appendCut(z, points);
     }
   }

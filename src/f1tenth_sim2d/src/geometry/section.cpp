@@ -31,9 +31,9 @@ std::vector<Outline> moved(std::vector<Outline> polygons, const Pose3 & pose)
   return polygons;
 }
 
-Heights heightsOf(const Polyline & walls, const Pose3 & pose)
+Heights uprightHeights(const Polyline & polyline, const Pose3 & pose)
 {
-  return {pose.position.z(), pose.position.z() + walls.height};
+  return {pose.position.z(), pose.position.z() + polyline.height};
 }
 
 ConvexBody body(const Box & box, const Pose3 & pose)
@@ -75,7 +75,7 @@ struct CutAt
   Section operator()(const Polyline & polyline) const
   {
     if (isUpright(pose)) {  // in one piece: a cut has no seams where the solid has none
-      return heightsOf(polyline, pose).contain(z) ? Section{moved(polyline.outlines, pose), {}} : Section{};
+      return uprightHeights(polyline, pose).contain(z) ? Section{moved(polyline.outlines, pose), {}} : Section{};
     }
     return ofPieces(polyline, pose, [this](const ConvexBody & piece) { return cut(piece, z); });
   }
@@ -97,7 +97,8 @@ struct ShadowBetween
   Section operator()(const Polyline & polyline) const
   {
     if (isUpright(pose)) {
-      return heightsOf(polyline, pose).overlap(z_min, z_max) ? Section{moved(polyline.pieces, pose), {}} : Section{};
+      return uprightHeights(polyline, pose).overlap(z_min, z_max) ? Section{moved(polyline.pieces, pose), {}}
+                                                                  : Section{};
     }
     return ofPieces(polyline, pose, [this](const ConvexBody & piece) { return shadow(piece, z_min, z_max); });
   }

@@ -68,15 +68,6 @@ py::tuple extentOf(const CarDescription & car)
   return py::make_tuple(least.x, greatest.x, least.y, greatest.y);
 }
 
-/// Nothing for a car that only controllers of ros_control drive.
-std::optional<std::string> twistTopicOf(const CarDescription & car)
-{
-  if (car.drive) {
-    return car.drive->command_topic;
-  }
-  return car.ros_control ? std::nullopt : std::make_optional<std::string>("cmd_vel");
-}
-
 /// Nothing for a car that does not say both how its wheels have turned and which transform comes of it.
 std::optional<std::string> odometryTopicOf(const CarDescription & car)
 {
@@ -104,7 +95,8 @@ void bindCar(py::module_ & module)
     .def_property_readonly(
       "extent", &extentOf, "(rear, front, right, left) ends of its collisions in base_footprint, m.")
     .def_property_readonly(
-      "twist_topic", &twistTopicOf, "Where it takes geometry_msgs/Twist; None: controllers of ros_control drive it.")
+      "twist_topic", &CarDescription::twistTopic,
+      "Where it takes geometry_msgs/Twist; None: controllers of ros_control drive it.")
     .def_property_readonly(
       "odometry_topic", &odometryTopicOf,
       "Where it publishes the odometry of its wheels, if with the transform from 'odom'; None: nowhere.")

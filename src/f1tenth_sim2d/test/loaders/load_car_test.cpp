@@ -210,6 +210,15 @@ TEST(LoadCar, KeepsPluginsThatAreNotBuiltInWithTheirTags)
   EXPECT_EQ(car.plugins[0].parameters, parameters);
 }
 
+TEST(LoadCar, KeepsNestedTagsOfPluginsByTheirPaths)
+{
+  const CarDescription car = load(smallCarWith(
+    "</robot>", "<gazebo><plugin name='p' filename='libp.so'><a>1</a><b><c>two</c></b></plugin></gazebo></robot>"));
+  ASSERT_EQ(car.plugins.size(), 2u);
+  const std::vector<std::pair<std::string, std::string>> parameters{{"a", "1"}, {"b", ""}, {"b/c", "two"}};
+  EXPECT_EQ(car.plugins[1].parameters, parameters);
+}
+
 TEST(LoadCarWarnings, NamePluginsWithoutLibrary)
 {
   const CarDescription car = load(smallCarWith("</robot>", "<gazebo><plugin name='mine'/></gazebo></robot>"));

@@ -248,18 +248,6 @@ TEST(LoadWorld, FindsModelsOnTheModelPathFirstThenBesideTheWorld)
   EXPECT_EQ(size_of(loadWorld(file).models.at(0)), 2.0);
 }
 
-TEST(LoadWorld, KeepsPluginsWithTheirTags)
-{
-  const WorldDescription description =
-    loadText("<plugin name='p' filename='libp.so'><a>1</a><b><c>two</c></b></plugin>");
-  ASSERT_EQ(description.plugins.size(), 1u);
-  EXPECT_EQ(description.plugins[0].name, "p");
-  EXPECT_EQ(description.plugins[0].filename, "libp.so");
-  EXPECT_EQ(description.plugins[0].place, "world[test]/plugin[p]");
-  const std::vector<std::pair<std::string, std::string>> parameters{{"a", "1"}, {"b", ""}, {"b/c", "two"}};
-  EXPECT_EQ(description.plugins[0].parameters, parameters);
-}
-
 TEST(LoadWorldWarnings, AreOneAKindWithTheFirstPlaceAndACount)
 {
   const WorldDescription description = loadText(

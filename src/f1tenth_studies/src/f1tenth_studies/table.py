@@ -14,13 +14,7 @@ from f1tenth_studies.study import Run, Study
 
 
 def document(study: Study, runs: Sequence[Run], command: str) -> str:
-    """The whole document.
-
-    Args:
-        study: what was run
-        runs: in the order of their values
-        command: what has made it
-    """
+    """The whole document, of runs in the order of their values and made by a command."""
     return f"# {study.title}\n\n{study.text.strip()}\n\n{made_by(command)}\n{table(study, runs)}"
 
 

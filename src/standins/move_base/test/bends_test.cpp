@@ -159,7 +159,7 @@ TEST(PathFollower, asksLessOfTyresThatHoldLess)
   follower.setPath(samplePath({2.0, 2.0, 0.0}, {{6.0, 0.0}}, 0.1), costmap);
   const SpeedLimits told = follower.options().limits;
   const auto part = [&](const Tyres & tyres) {
-    follower.setTyres(tyres, costmap);
+    follower.setHandling(follower.lags(), tyres, costmap);
     const SpeedLimits & limits = follower.options().limits;
     return std::pair(
       limits.acc_lim_x / told.acc_lim_x, limits.max_lateral_acceleration / told.max_lateral_acceleration);
@@ -179,8 +179,7 @@ TEST(PathFollower, drivesBendsWithAReserveWhenItAnswersLate)
   follower.setPath(samplePath({2.0, 2.0, 0.0}, {{6.0, 0.0}}, 0.1), costmap);
   const double told = racingFollower().limits.max_lateral_acceleration;
   const auto part = [&](double late, const Tyres & tyres) {
-    follower.setLags({racingFollower().latency + late, Handling::kSpeedLag});
-    follower.setTyres(tyres, costmap);
+    follower.setHandling({racingFollower().latency + late, Handling::kSpeedLag}, tyres, costmap);
     return follower.options().limits.max_lateral_acceleration / told;
   };
   EXPECT_NEAR(part(0.07, {}), 1.0, 1e-9) << "as tyres that slide seem to";
@@ -196,7 +195,7 @@ TEST(PathFollower, steersAsFarAsItsPathBendsBeforeTheTyresAreFelt)
   const Path path = samplePath({3.0, 4.0, 0.0}, {{10.0, 0.15}}, 0.1);
   PathFollower follower(racingFollower());
   follower.setPath(path, costmap);
-  follower.setTyres({1.0, 1.0, false}, costmap);
+  follower.setHandling(follower.lags(), {1.0, 1.0, false}, costmap);
   const double lateral = 0.15 * 4.0 * 4.0;
   ASSERT_GT(lateral, follower.options().limits.max_lateral_acceleration)
     << "a car that is too fast for what is planned";

@@ -140,7 +140,7 @@ TEST(PathFollower, mayLearnThatTheCarAnswersAtOnce)
     PathFollower follower(racingFollower());
     follower.setPath(ovalLap(), costmap);
     for (const double known : {latency, latency, 0.0, 0.0}) {
-      follower.setLags({known, Handling::kSpeedLag});
+      follower.setHandling({known, Handling::kSpeedLag}, {}, costmap);
       EXPECT_TRUE(std::isfinite(follower.step({onOval(0.0), 1.0}, costmap, kStepTime).command.speed));
     }
   }

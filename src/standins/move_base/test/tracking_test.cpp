@@ -57,8 +57,8 @@ protected:
     const Costmap costmap = makeCostmap(drawRoom(100.0, 40.0));
     PathFollower follower(shippedFollower(GetParam().speed));
     const Lags told = follower.lags();
-    follower.setLags({told.latency + GetParam().latency, told.speed + GetParam().latency});
-    follower.setTyres({slip()}, costmap);
+    const double late = GetParam().latency;
+    follower.setHandling({told.latency + late, told.speed + late}, {slip()}, costmap);
     follower.setPath(path, costmap);
     SlidingCar car(start, GetParam().speed, GetParam().friction, GetParam().latency);
     for (double t = 0.0; t < duration; t += kControlStep) {

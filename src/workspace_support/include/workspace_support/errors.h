@@ -1,9 +1,19 @@
 #pragma once
 
+#include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace workspace_support
 {
+/// A number as messages show it, with six digits.
+inline std::string toText(double number)
+{
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
 /// Base of everything that simulator and stand-ins throw for a user's mistake. Mistakes of our own are asserted.
 class Error : public std::runtime_error
 {

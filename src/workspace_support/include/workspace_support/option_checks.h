@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <sstream>
 #include <string>
 
 #include "workspace_support/errors.h"
@@ -12,9 +11,7 @@ namespace workspace_support
 inline void requireOption(bool holds, const std::string & name, double found, const std::string & allowed)
 {
   if (!holds) {
-    std::ostringstream message;
-    message << name << ": found " << found << ", must be " << allowed;
-    throw OptionError(message.str());
+    throw OptionError(name + ": found " + toText(found) + ", must be " + allowed);
   }
 }
 

@@ -1,8 +1,9 @@
 """cars, cars_touching: what one more car costs."""
 
-import f1tenth_sim2d
+import functools
+
 from f1tenth_bench.benchmark import Measured, benchmark
-from f1tenth_bench.simulator.cars import f1tenth_car
+from f1tenth_bench.simulator.cars import simulation_of
 from f1tenth_bench.simulator.core_speed import measure_laps
 from f1tenth_bench.simulator.generated_worlds import ring_pose, ring_track
 from f1tenth_bench.simulator.spielberg import places_on_spielberg, spread_on_spielberg
@@ -23,7 +24,8 @@ def cars():
 @benchmark("cars_touching", "x alone", at_most=1.7, is_ratio=True)
 def cars_touching():
     """Cost of 16 cars over that of each alone, on a ring where they crowd and touch each other."""
-    return _over_alone(_ring, [ring_pose(i, MOST) for i in range(MOST)], may_touch=True)
+    ring = functools.partial(simulation_of, ring_track())
+    return _over_alone(ring, [ring_pose(i, MOST) for i in range(MOST)], may_touch=True)
 
 
 def _over_alone(simulation_at, places, may_touch=False):
@@ -37,10 +39,3 @@ def _over_alone(simulation_at, places, may_touch=False):
     alone = [cost([place]) for place in places]
     ratios = {count: cost(places[:: MOST // count]) / sum(alone[:: MOST // count]) for count in COUNTS}
     return Measured(ratios[MOST], {"by_count": ratios}, max(problems, key=len))
-
-
-def _ring(places):
-    simulation = f1tenth_sim2d.Simulation(ring_track(), seed=1)
-    for i, place in enumerate(places, 1):
-        simulation.add_car(f1tenth_car(name=f"robot{i}"), None, *place)
-    return simulation

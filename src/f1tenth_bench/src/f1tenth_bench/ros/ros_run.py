@@ -3,12 +3,10 @@
 import contextlib
 import json
 import os
-import resource
 import signal
 import subprocess
 import tempfile
 import time
-from dataclasses import dataclass
 from pathlib import Path
 
 import psutil
@@ -22,15 +20,6 @@ CALLER = "/f1tenth_bench"
 LONG = 60.0  # wall s: only a hang takes that long
 CIRCLING = "command_timeout: 1.0e+6\n"
 """Vehicle file of a car that goes on with its last command."""
-
-
-@dataclass(frozen=True)
-class Ended:
-    """A process that has ended by itself."""
-
-    output: str
-    cpu: float
-    """Processor time of all its threads, s."""
 
 
 class RosRun:
@@ -111,12 +100,9 @@ class RosRun:
 
 
 def end(process):
-    """Ask a process to end; return what it printed and what it cost."""
+    """Ask a process to end; return what it printed."""
     process.send_signal(signal.SIGINT)
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    output, _ = process.communicate(timeout=LONG)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return Ended(output, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+    return process.communicate(timeout=LONG)[0]
 
 
 def resident_megabytes(process):

@@ -15,7 +15,7 @@ def measure_node(world, wall_seconds, lidar=F1TENTH, centre=(0.0, 0.0), **parame
     """Let one car circle to the left, 0.75 m about a point, before a C++ subscriber of all its topics.
 
     Returns:
-        dict: Simulated and wall seconds, processor time, messages published and received, problem.
+        dict: Simulated and wall seconds, processor time, memory, messages published and received, problem.
     """
     with RosRun() as run:
         sim2d = run.start_sim2d(world, lidar, (centre[0], centre[1] - RADIUS, 0.0), paused=True, **parameters)
@@ -26,29 +26,28 @@ def measure_node(world, wall_seconds, lidar=F1TENTH, centre=(0.0, 0.0), **parame
         time.sleep(wall_seconds)
         cpu = processor_seconds(sim2d) - cpu
         resident = resident_megabytes(sim2d)
-        heard = end(listener)
+        heard = json.loads(end(listener))
         end(sim2d)
         result = run.result()
-    received = json.loads(heard.output)["received"]
+    received = heard["received"]
     published = {topic: count for topic, count in result["published"].items() if topic in received}
     return {
         "simulated_seconds": result["sim_time"],
-        "wall_seconds": json.loads(heard.output)["wall_seconds"],
+        "wall_seconds": heard["wall_seconds"],
         "cpu_seconds_per_wall_second": cpu / wall_seconds,
-        "listener_cpu_seconds": heard.cpu,
         "resident_mb": resident,
         "messages": sum(published.values()),
         "received_percent": 100.0 * sum(received.values()) / sum(published.values()),
-        "problem": problem(published, received),
+        "problem": _problem(published, received),
     }
 
 
-def problem(published, received):
+def _problem(published, received):
     """Say which messages were not received; "" if all were."""
     missing = [
-        f"{published[topic] - received.get(topic, 0)} of {topic}"
-        for topic in sorted(published)
-        if published[topic] != received.get(topic, 0)
+        f"{count - received[topic]} of {topic}"
+        for topic, count in sorted(published.items())
+        if count != received[topic]
     ]
     return f"not received: {', '.join(missing)}" if missing else ""
 

@@ -36,6 +36,14 @@ def f1tenth_car(lidar=F1TENTH, name="robot1"):
     return f1tenth_sim2d.load_car(description(lidar), name, str(urdf_file()))
 
 
+def simulation_of(world, places, lidar=F1TENTH):
+    """Return a Simulation of a car, with this lidar, at each of these poses (x, y, yaw), m and rad."""
+    simulation = f1tenth_sim2d.Simulation(world, seed=1)
+    for i, place in enumerate(places, 1):
+        simulation.add_car(f1tenth_car(lidar, f"robot{i}"), None, *place)
+    return simulation
+
+
 def bare_lidar(lidar):
     """Return a car that is only a lidar, 0.16 m above the ground, so that it fits anywhere."""
     return f1tenth_sim2d.load_car(with_lidar(BARE_LIDAR, lidar), "lidar", "bare lidar")

@@ -1,7 +1,5 @@
 """Speed of the core through the Python module, one thread."""
 
-import numpy as np
-
 from f1tenth_bench.benchmark import Measured
 from f1tenth_bench.simulator.laps import PERIOD, record, replay
 from f1tenth_bench.timing import least_cost
@@ -21,7 +19,6 @@ def measure_laps(simulation, seconds, period=PERIOD, may_touch=False):
         "simulated_seconds": seconds,
         "real_time_factor": seconds / spent.cpu,
         "wall_real_time_factor": seconds / spent.wall,
-        "distance_of_car_0": _distance(laps.poses[:, 0]),
         "trajectory_hash": laps.trajectory_hash,
     }
     problem = "the laps were not the same again" if not same else "a car hit something" if touched else ""
@@ -38,8 +35,3 @@ def steps_per_second(simulation, seconds, period):
     """Steps of `period` seconds with a scan of each car per second of processor time."""
     spent, details, problem = measure_laps(simulation, seconds, period)
     return Measured(seconds / period / spent.cpu, details, problem)
-
-
-def _distance(poses):
-    steps = poses[1:, :2] - poses[:-1, :2]
-    return float(np.hypot(steps[:, 0], steps[:, 1]).sum())

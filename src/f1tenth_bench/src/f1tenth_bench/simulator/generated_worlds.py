@@ -10,18 +10,19 @@ WALL_THICKNESS = 0.15  # m
 WALL_HEIGHT = 2.5  # m
 RING_RADIUS = 6.0  # m, of the centre line
 RING_HALF_WIDTH = 1.0  # m
+BOXES_A_RING = 50
 ROOM_SIZE = 5.0  # m, inside
 BOXES_A_SIDE = 6
 SEGMENTS_A_ROOM = 4 * (4 * BOXES_A_SIDE + 1)
 
 
-def ring_track(boxes_a_side=50):
+def ring_track():
     """Return a round track between two rings of wall boxes, its centre in (0, RING_RADIUS)."""
     boxes = []
     for radius in (RING_RADIUS - RING_HALF_WIDTH, RING_RADIUS + RING_HALF_WIDTH):
-        length = 2.0 * radius * math.tan(math.pi / boxes_a_side) + WALL_THICKNESS
-        for i in range(boxes_a_side):
-            angle = 2.0 * math.pi * i / boxes_a_side
+        length = 2.0 * radius * math.tan(math.pi / BOXES_A_RING) + WALL_THICKNESS
+        for i in range(BOXES_A_RING):
+            angle = 2.0 * math.pi * i / BOXES_A_RING
             x, y = radius * math.cos(angle), RING_RADIUS + radius * math.sin(angle)
             boxes.append((x, y, angle + 0.5 * math.pi, length, WALL_THICKNESS))
     return _world(boxes)

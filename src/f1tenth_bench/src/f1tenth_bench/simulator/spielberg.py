@@ -5,7 +5,7 @@ import math
 
 import f1tenth_sim2d
 from f1tenth_bench.places import data_file
-from f1tenth_bench.simulator.cars import SPIELBERG, f1tenth_car
+from f1tenth_bench.simulator.cars import SPIELBERG, simulation_of
 from f1tenth_bench.simulator.laps import PERIOD, record
 
 DISTANCE = 1.2
@@ -17,7 +17,8 @@ def spielberg(car_count):
     world = _world()
     x, y, yaw = world.start
     behind = [i * DISTANCE for i in range(car_count)]
-    return _simulation(world, [(x - m * math.cos(yaw), y - m * math.sin(yaw), yaw) for m in behind])
+    places = [(x - m * math.cos(yaw), y - m * math.sin(yaw), yaw) for m in behind]
+    return simulation_of(world, places, SPIELBERG)
 
 
 def places_on_spielberg(count, seconds):
@@ -28,16 +29,9 @@ def places_on_spielberg(count, seconds):
 
 def spread_on_spielberg(places):
     """Return a Simulation of a car at each of these poses."""
-    return _simulation(_world(), places)
+    return simulation_of(_world(), places, SPIELBERG)
 
 
 @functools.lru_cache(maxsize=1)
 def _world():
     return f1tenth_sim2d.load_world(str(data_file("tracks/Spielberg/Spielberg_map.yaml")))
-
-
-def _simulation(world, places):
-    simulation = f1tenth_sim2d.Simulation(world, seed=1)
-    for i, place in enumerate(places, 1):
-        simulation.add_car(f1tenth_car(SPIELBERG, f"robot{i}"), None, *place)
-    return simulation

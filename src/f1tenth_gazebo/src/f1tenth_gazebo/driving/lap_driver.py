@@ -12,6 +12,7 @@ from ackermann_msgs.msg import AckermannDriveStamped
 from nav_msgs.msg import OccupancyGrid
 from sensor_msgs.msg import LaserScan
 
+from f1tenth_gazebo.driving.drive_message import drive_message
 from f1tenth_gazebo.driving.gap_follower import GapFollower, GapFollowerOptions
 from f1tenth_gazebo.driving.lap_inputs import LapInputs
 from f1tenth_gazebo.driving.lap_watch import LapError, LapWatch
@@ -49,11 +50,7 @@ class LapDriver:
             self.released.wait()
             return
         speed, steering = (0.0, 0.0) if self.watch.is_over or self.problem else self._command(scan)
-        message = AckermannDriveStamped()
-        message.header.stamp = scan.header.stamp
-        message.drive.speed = speed
-        message.drive.steering_angle = steering
-        self._publisher.publish(message)
+        self._publisher.publish(drive_message(scan.header.stamp, speed, steering))
 
     def _command(self, scan):
         if self._follower is None:

@@ -30,11 +30,7 @@ class LapWatch:
     """A lap is complete when the car comes past its start again, in the same direction."""
 
     def __init__(self, time_limit):
-        """The first pose is the start.
-
-        Args:
-            time_limit: from there to the end, s.
-        """
+        """The first pose is the start; the time limit is from there to the end, s."""
         self._time_limit = time_limit
         self._start: tuple = ()
         self._last: tuple = ()

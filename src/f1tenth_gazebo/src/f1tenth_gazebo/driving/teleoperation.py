@@ -12,6 +12,8 @@ import rospy
 from ackermann_msgs.msg import AckermannDriveStamped
 from sensor_msgs.msg import Joy, LaserScan
 
+from f1tenth_gazebo.driving.drive_message import drive_message
+
 HELP = "Arrow keys: up and down change the speed, left and right steer; space stops, q ends."
 SPEED_STEP, SPEED_MAX = 0.25, 3.0  # m/s
 STEERING_STEP, STEERING_MAX = 0.05, 0.4  # rad
@@ -84,10 +86,7 @@ class Teleoperation:
         rospy.Subscriber("joy", Joy, lambda message: self.command.push(message.axes))
 
     def _on_scan(self, scan):
-        message = AckermannDriveStamped()
-        message.header.stamp = scan.header.stamp
-        message.drive.speed = self.command.speed
-        message.drive.steering_angle = self.command.steering
+        message = drive_message(scan.header.stamp, self.command.speed, self.command.steering)
         self._publisher.publish(message)
 
     def read_keys(self, terminal):

@@ -27,13 +27,7 @@ class GoalCollector:
     """Takes clicks, shows the goals and writes the file anew: it is complete at any time."""
 
     def __init__(self, path, goals, road):
-        """Subscribe and advertise.
-
-        Args:
-            path: of the goals file
-            goals: those that it has
-            road: poses along the road, the start first
-        """
+        """Subscribe and advertise; the file has these goals already, and the road begins at the start."""
         self._path = path
         self._clicked = ClickedGoals(goals)
         self._lock = threading.Lock()

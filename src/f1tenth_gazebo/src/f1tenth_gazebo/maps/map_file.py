@@ -80,26 +80,21 @@ def _problem(path, error):
     return f"{path}: not a map in map_server's format: {text}"
 
 
-def pgm_bytes(grid):
-    """The image, top row first."""
+def map_files(grid, stem):
+    """What STEM.pgm and STEM.yaml are to hold, by path; STEM is a path without extension."""
     rows, columns = grid.pixels.shape
     header = f"P5\n# CREATOR: make_map {grid.resolution:.3f} m/pix\n{columns} {rows}\n255\n"
-    return header.encode() + grid.pixels[::-1].tobytes()
-
-
-def yaml_text(grid, image):
-    """What map_server needs to know of the image."""
-    return _YAML.format(image=image, resolution=grid.resolution, x=grid.x, y=grid.y)
+    text = _YAML.format(image=f"{stem.name}.pgm", resolution=grid.resolution, x=grid.x, y=grid.y)
+    return {
+        stem.with_name(f"{stem.name}.pgm"): header.encode() + grid.pixels[::-1].tobytes(),
+        stem.with_name(f"{stem.name}.yaml"): text.encode(),
+    }
 
 
 def save_map(grid, stem):
-    """Write STEM.pgm and STEM.yaml, both or none; STEM is a path without extension.
+    """Write STEM.pgm and STEM.yaml, both or none.
 
     Raises:
         OSError: if a file cannot be written.
     """
-    stem = Path(stem)
-    image = stem.with_name(f"{stem.name}.pgm")
-    write_all(
-        {image: pgm_bytes(grid), stem.with_name(f"{stem.name}.yaml"): yaml_text(grid, image.name).encode()}
-    )
+    write_all(map_files(grid, Path(stem)))

@@ -17,19 +17,18 @@ OCCUPIED, UNKNOWN, FREE = 0, 205, 254
 """Pixel values, as map_saver writes them."""
 
 
-def occupancy_grid(outlines, circles, start=(0.0, 0.0)):
-    """Map what is solid (any cell it reaches into), and as free what can be reached from the start.
+def occupancy_grid(outlines, circles):
+    """Map what is solid (any cell it reaches into), and as free what can be reached from the origin.
 
     Args:
         outlines: polygons as arrays of (x, y) in m.
         circles: (x, y, radius) in m.
-        start: (x, y) in m, a place on the road.
 
     Raises:
-        CircuitError: if nothing is solid, the start is inside of something solid or the road is not closed.
+        CircuitError: if nothing is solid, the origin is inside of something solid or the road is not closed.
     """
     occupied, low = occupied_cells(outlines, circles, RESOLUTION)
-    return grid_of(occupied, _reachable(occupied, low, start), low, RESOLUTION)
+    return grid_of(occupied, _reachable(occupied, low), low, RESOLUTION)
 
 
 def occupied_cells(outlines, circles, resolution):
@@ -99,12 +98,12 @@ def _in_circle(centre, radius, x, y):
     return (x - centre[0]) ** 2 + (y - centre[1]) ** 2 < radius**2
 
 
-def _reachable(occupied, low, start):
-    column, row = (math.floor((start[i] - low[i]) / RESOLUTION) for i in (0, 1))
+def _reachable(occupied, low):
+    column, row = (math.floor(-at / RESOLUTION) for at in low)
     if not (0 <= row < occupied.shape[0] and 0 <= column < occupied.shape[1]) or occupied[row, column]:
-        raise CircuitError(f"the start ({start[0]}, {start[1]}) is not on free ground")
+        raise CircuitError("the start (0.0, 0.0) is not on free ground")
     labels, _ = ndimage.label(~occupied)
     reachable = labels == labels[row, column]
     if reachable[[0, -1], :].any() or reachable[:, [0, -1]].any():
-        raise CircuitError(f"the walls around the start ({start[0]}, {start[1]}) have a gap")
+        raise CircuitError("the walls around the start (0.0, 0.0) have a gap")
     return reachable

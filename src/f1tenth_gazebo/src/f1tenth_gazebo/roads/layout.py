@@ -85,8 +85,7 @@ def _has_room(outline, least_radius, apart):
 
 
 def _overlaps(outline, apart):
-    line = rounded(outline, COARSE)
-    return meets_itself(line, np.full(len(line.points), apart))
+    return meets_itself(rounded(outline, COARSE), apart)
 
 
 def _from_longest_straight(outline):

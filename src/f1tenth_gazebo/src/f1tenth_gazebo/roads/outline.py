@@ -122,17 +122,10 @@ def _piece(start, heading, turn, length, step):
     )
 
 
-def meets_itself(line, widths):
-    """Whether the line comes nearer to itself than a road of these widths (m, for each sample) allows.
-
-    Widths are those between the middles of two roads side by side, walls included.
-    """
-    pairs = cKDTree(line.points).query_pairs(float(np.max(widths)), output_type="ndarray")
-    if len(pairs) == 0:
-        return False
-    a, b = pairs.T
-    apart = np.hypot(*(line.points[a] - line.points[b]).T)
+def meets_itself(line, apart):
+    """Whether the line comes nearer to itself than two roads side by side are apart, walls included, m."""
+    a, b = cKDTree(line.points).query_pairs(apart, output_type="ndarray").T
+    near = np.hypot(*(line.points[a] - line.points[b]).T) < 0.99 * apart
     between = np.abs(line.distances[a] - line.distances[b])
     between = np.minimum(between, line.length - between)
-    needed = 0.5 * (widths[a] + widths[b])
-    return bool(np.any((apart < 0.99 * needed) & (between > _RATIO * needed)))
+    return bool(np.any(near & (between > _RATIO * apart)))

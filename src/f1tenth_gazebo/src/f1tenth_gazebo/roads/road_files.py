@@ -6,7 +6,7 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from f1tenth_gazebo.circuits.centreline_file import table_text
-from f1tenth_gazebo.maps.map_file import pgm_bytes, yaml_text
+from f1tenth_gazebo.maps.map_file import map_files
 from f1tenth_gazebo.maps.occupancy import grid_of, occupied_cells
 from f1tenth_gazebo.roads.road_walls import MATERIAL
 from f1tenth_gazebo.whole_files import write_all
@@ -26,10 +26,8 @@ def write_road(road, stem):
         OSError: if a file cannot be written.
     """
     stem = Path(stem)
-    grid = road_grid(road)
     content = {
-        stem.with_name(f"{stem.name}.pgm"): pgm_bytes(grid),
-        stem.with_name(f"{stem.name}.yaml"): yaml_text(grid, f"{stem.name}.pgm").encode(),
+        **map_files(road_grid(road), stem),
         stem.with_name(f"{stem.name}_centerline.csv"): centreline_text(road).encode(),
         stem.with_name(f"{stem.name}.world"): road_world_text(
             stem.name, road.walls, road.islands, MATERIAL

@@ -9,23 +9,13 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
+from scipy.stats import binomtest
 
 from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.scenario.settings import unit_of
 
 _MOST_TICKS = 8
 _Z = 1.959964  # of the normal distribution, for 95 %
-
-
-def wilson_interval(successes: int, count: int) -> tuple[float, float]:
-    """95 % confidence interval of a rate.
-
-    E. B. Wilson, Probable Inference, the Law of Succession, and Statistical Inference, JASA 22 (1927).
-    """
-    rate, z2 = successes / count, _Z * _Z
-    middle = (rate + z2 / (2 * count)) / (1 + z2 / count)
-    reach = _Z / (1 + z2 / count) * math.sqrt(rate * (1 - rate) / count + z2 / (4 * count * count))
-    return max(0.0, middle - reach), min(1.0, middle + reach)
 
 
 def mean_interval(values: Sequence[float]) -> tuple[float, float, float]:
@@ -83,7 +73,7 @@ def _draw_rates(axes, groups):
     places, _ = _places(groups)
     for name, rows in groups.items():
         passed = sum(row["passed"] for row in rows)
-        low, high = wilson_interval(passed, len(rows))
+        low, high = binomtest(passed, len(rows)).proportion_ci(method="wilson")
         axes.plot([places[name]] * 2, [low, high], color="#9db2f5", linewidth=5, solid_capstyle="round")
         axes.plot(places[name], passed / len(rows), "o", color="#2f5bea")
     axes.set_ylim(-0.04, 1.04)

@@ -3,8 +3,6 @@
 What is asked for follows from the expected verdict: a scenario that expects a collision fails without one.
 """
 
-from typing import Callable
-
 from f1tenth_scenarios.judge import driving_criteria, run_criteria, verdict_criteria
 from f1tenth_scenarios.judge.criterion import Criterion, Measured
 from f1tenth_scenarios.judge.judge import Judgement
@@ -30,21 +28,9 @@ _WITH_LIMIT = (
 )
 
 
-def evaluate(
-    scenario: Scenario,
-    judgement: Judgement,
-    measured: Measured = Measured(),  # noqa: B008 (frozen)
-) -> list[Criterion]:
+def evaluate(scenario: Scenario, judgement: Judgement, measured: Measured) -> list[Criterion]:
     """All criteria of a scenario, the verdict first."""
-    return [criterion(scenario, judgement, measured) for criterion in _criteria(scenario)]
-
-
-def names(scenario: Scenario) -> list[str]:
-    """The names of a scenario's criteria, known before it runs."""
-    return [criterion.__name__ for criterion in _criteria(scenario)]
-
-
-def _criteria(scenario: Scenario) -> list[Callable[[Scenario, Judgement, Measured], Criterion]]:
     given = [each for each in _IF_GIVEN if getattr(scenario, each.__name__) is not None]
     limited = [each for each in _WITH_LIMIT if getattr(scenario.criteria, each.__name__) is not None]
-    return [_ALWAYS[0], *given, *_ALWAYS[1:], *limited]
+    criteria = [_ALWAYS[0], *given, *_ALWAYS[1:], *limited]
+    return [criterion(scenario, judgement, measured) for criterion in criteria]

@@ -29,7 +29,7 @@ def moves_of(record: Record) -> FirstMoves:
     """The first moves in a record."""
     moves = FirstMoves()
     for track in record.tracks.values():
-        for stamp, x, y in zip(track.time.tolist(), track.x.tolist(), track.y.tolist()):
+        for stamp, x, y, _ in track.places():
             moves.take(stamp, track.car, x, y)
             if track.car in moves.stamps:
                 break

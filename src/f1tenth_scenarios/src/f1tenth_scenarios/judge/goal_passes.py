@@ -1,6 +1,5 @@
 """Whether and when a car passed its goals, from where it was."""
 
-import dataclasses
 from collections.abc import Sequence
 from typing import Optional
 
@@ -10,34 +9,39 @@ from f1tenth_scenarios.record.record import CarTrack
 from f1tenth_scenarios.scenario.car import Pose
 
 
-@dataclasses.dataclass(frozen=True)
 class GoalPasses:
-    """How far a car got through its goals in order."""
+    """How far a car has got through its goals in order.
 
-    times: tuple[float, ...]  # s, of the goals passed
-    wanted: int
-    nearest: Optional[float] = None  # m, to the first goal that was not passed, after the one before it
+    A goal is passed in the first period, not before the pass of the one before it, in which the car is within
+    the tolerances (m, rad).
+    """
+
+    def __init__(self, goals: Sequence[Pose], tolerance: float, yaw_tolerance: float):
+        self._goals, self._tolerance, self._yaw_tolerance = goals, tolerance, yaw_tolerance
+        self.wanted = len(goals)
+        self.times: list[float] = []  # s, of the goals passed
+        self.nearest: Optional[float] = None  # m, to the next goal, since the pass before
 
     @property
     def complete(self) -> bool:
         """Whether every goal was passed in order."""
         return len(self.times) == self.wanted
 
+    def update(self, time: float, x: float, y: float, yaw: float) -> None:
+        """Take the place of the car in a period (s, m, rad); in order of time."""
+        for goal in self._goals[len(self.times) :]:
+            distance = float(np.hypot(x - goal.x, y - goal.y))
+            turn = abs((yaw - goal.yaw + np.pi) % (2 * np.pi) - np.pi)
+            if not (distance <= self._tolerance and turn <= self._yaw_tolerance):
+                self.nearest = distance if self.nearest is None else min(self.nearest, distance)
+                return
+            self.times.append(time)
+            self.nearest = None
+
 
 def find_passes(track: CarTrack, goals: Sequence[Pose], tolerance: float, yaw_tolerance: float) -> GoalPasses:
-    """Go through the goals in order.
-
-    A goal is passed in the first period, not before the pass of the one before it, in which the car is within
-    the tolerances (m, rad).
-    """
-    times: list[float] = []
-    first = 0
-    for goal in goals:
-        distance = np.hypot(track.x[first:] - goal.x, track.y[first:] - goal.y)
-        turn = np.abs((track.yaw[first:] - goal.yaw + np.pi) % (2 * np.pi) - np.pi)
-        hits = np.flatnonzero((distance <= tolerance) & (turn <= yaw_tolerance))
-        if not len(hits):
-            return GoalPasses(tuple(times), len(goals), float(distance.min()) if len(distance) else None)
-        first += int(hits[0])
-        times.append(float(track.time[first]))
-    return GoalPasses(tuple(times), len(goals))
+    """How far a car has got where its track ends."""
+    passes = GoalPasses(goals, tolerance, yaw_tolerance)
+    for place in track.places():
+        passes.update(*place)
+    return passes

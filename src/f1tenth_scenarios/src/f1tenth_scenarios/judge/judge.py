@@ -49,13 +49,7 @@ _RANK = (Verdict.COLLISION, Verdict.ABORTED, Verdict.SUCCESS, Verdict.TIMEOUT, V
 
 
 def judge(scenario: Scenario, tasks: Tasks, seen: Observations) -> Judgement:
-    """Judge a run.
-
-    Args:
-        scenario: how the run was to be
-        tasks: per car, what it had to do
-        seen: what was observed
-    """
+    """Judge a run; `tasks` by car."""
     endings = list(_endings(scenario, tasks, seen)) or [_undecided(seen)]
     decision = min(endings, key=lambda ending: (ending.stamp, _RANK.index(ending.verdict)))
     record = seen.record.until(decision.stamp)
@@ -71,10 +65,7 @@ def judge(scenario: Scenario, tasks: Tasks, seen: Observations) -> Judgement:
 def is_decided(tasks: Tasks, updates: Sequence[RaceUpdate], finishes: Mapping[str, Optional[float]]) -> bool:
     """Whether it is over: every task done, or a car gave up.
 
-    Args:
-        tasks: per car, what it has to do
-        updates: what the cars say of themselves
-        finishes: when the record shows a car's task to be done (s), so far
+    `finishes`: when the record shows the task of a car to be done (s), so far.
     """
     return any(True for _ in (*_tasks_done(tasks, updates, finishes), *_races_aborted(updates)))
 
@@ -201,9 +192,9 @@ def _end(record: Record) -> float:
 
 def _passes(scenario, record, car, poses):
     criteria = scenario.criteria
-    if car not in record.tracks:
-        return GoalPasses((), len(poses))
-    return find_passes(record.tracks[car], poses, criteria.goal_tolerance, criteria.goal_yaw_tolerance)
+    limits = criteria.goal_tolerance, criteria.goal_yaw_tolerance
+    track = record.tracks.get(car)
+    return find_passes(track, poses, *limits) if track else GoalPasses(poses, *limits)
 
 
 def _verify_success(decision: Decision, record: Record, passes: Mapping[str, GoalPasses]) -> Decision:

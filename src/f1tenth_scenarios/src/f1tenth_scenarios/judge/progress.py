@@ -4,7 +4,7 @@ from typing import Optional
 
 import numpy as np
 
-from f1tenth_scenarios.judge.goal_passes import find_passes
+from f1tenth_scenarios.judge.goal_passes import GoalPasses, find_passes
 from f1tenth_scenarios.judge.start_line import LapCounter, times_of_laps
 from f1tenth_scenarios.plan.task import Task
 from f1tenth_scenarios.record.record import CarTrack
@@ -12,13 +12,12 @@ from f1tenth_scenarios.scenario.criteria import Criteria
 
 
 class TaskProgress:
-    """Follows one car; the same rules as `find_passes` and `LapCounter`."""
+    """Follows one car."""
 
     def __init__(self, task: Task, criteria: Criteria):
-        self._goals = list(task.goals)
-        self._laps = task.laps
-        self._counter = LapCounter(task.line, 0.0) if task.line else None
-        self._criteria = criteria
+        self._task = task
+        self._laps = LapCounter(task.line, 0.0) if task.line else None
+        self._goals = GoalPasses(task.goals, criteria.goal_tolerance, criteria.goal_yaw_tolerance)
         self.finish: Optional[float] = None  # s, of the period in which the task was done
 
     def take(self, time: float, x: float, y: float, yaw: float) -> None:
@@ -27,20 +26,11 @@ class TaskProgress:
             self.finish = time
 
     def _is_done_at(self, time, x, y, yaw) -> bool:
-        if self._counter:
-            self._counter.update(time, x, y)
-            return len(self._counter.lap_times) >= self._laps
-        had_goals = bool(self._goals)
-        while self._goals and self._is_passed(self._goals[0], x, y, yaw):
-            self._goals.pop(0)
-        return had_goals and not self._goals
-
-    def _is_passed(self, goal, x, y, yaw) -> bool:
-        turn = abs((yaw - goal.yaw + np.pi) % (2 * np.pi) - np.pi)
-        return (
-            bool(np.hypot(x - goal.x, y - goal.y) <= self._criteria.goal_tolerance)
-            and turn <= self._criteria.goal_yaw_tolerance
-        )
+        if self._laps:
+            self._laps.update(time, x, y)
+            return len(self._laps.lap_times) >= self._task.laps
+        self._goals.update(time, x, y, yaw)
+        return bool(self._task.goals) and self._goals.complete
 
 
 def how_far(track: CarTrack, task: Task, criteria: Criteria) -> str:
@@ -57,6 +47,6 @@ def how_far(track: CarTrack, task: Task, criteria: Criteria) -> str:
 def finish_of(track: CarTrack, task: Task, criteria: Criteria) -> Optional[float]:
     """When the record shows that the task was done, s; nothing if it does not."""
     progress = TaskProgress(task, criteria)
-    for row in zip(track.time.tolist(), track.x.tolist(), track.y.tolist(), track.yaw.tolist()):
-        progress.take(*row)
+    for place in track.places():
+        progress.take(*place)
     return progress.finish

@@ -56,6 +56,6 @@ class LapCounter:
 def times_of_laps(line: StartLine, track: CarTrack, start: float) -> list[float]:
     """How long the laps of a track took, s; `start` as of LapCounter."""
     counter = LapCounter(line, start)
-    for row in zip(track.time.tolist(), track.x.tolist(), track.y.tolist()):
-        counter.update(*row)
+    for time, x, y, _ in track.places():
+        counter.update(time, x, y)
     return counter.lap_times

@@ -63,7 +63,7 @@ class ProcessTree:
             pid: of the process; none: the child
             patience: wall seconds from the first SIGINT
         """
-        _wait_for_ends([pid or self._child.pid], self._interrupt() + patience)
+        wait_for_ends([pid or self._child.pid], self._interrupt() + patience)
 
     def stop(self, grace: float, last_grace: float = 1.0) -> None:
         """End the child and all descendants; returns when none is left.
@@ -73,10 +73,10 @@ class ProcessTree:
             last_grace: wall seconds after SIGTERM, before SIGKILL
         """
         deadline = self._interrupt() + grace
-        _wait_for_ends(self._ending, deadline)
-        _wait_for_ends(self._send(signal.SIGTERM), time.monotonic() + last_grace)
+        wait_for_ends(self._ending, deadline)
+        wait_for_ends(self._send(signal.SIGTERM), time.monotonic() + last_grace)
         while killed := self._send(signal.SIGKILL):
-            _wait_for_ends(killed, time.monotonic() + last_grace)
+            wait_for_ends(killed, time.monotonic() + last_grace)
         self._child.wait()
 
     def _interrupt(self) -> float:
@@ -99,13 +99,19 @@ class ProcessTree:
 
     def _members(self) -> list[psutil.Process]:
         self._child.poll()  # collects the exit code, so that the child is no zombie
-        return [each for each in psutil.process_iter() if self._is_member(each)]
+        return processes_with(_MARK, self._mark)
 
-    def _is_member(self, process: psutil.Process) -> bool:
-        try:
-            return process.status() != psutil.STATUS_ZOMBIE and process.environ().get(_MARK) == self._mark
-        except psutil.Error:
-            return False
+
+def processes_with(name: str, value: str) -> list[psutil.Process]:
+    """All that run with such a variable in their environment, which processes inherit."""
+    return [each for each in psutil.process_iter() if _has(each, name, value)]
+
+
+def _has(process: psutil.Process, name: str, value: str) -> bool:
+    try:
+        return process.status() != psutil.STATUS_ZOMBIE and process.environ().get(name) == value
+    except psutil.Error:
+        return False
 
 
 def _signal(processes: Sequence[psutil.Process], number: int) -> None:
@@ -114,8 +120,8 @@ def _signal(processes: Sequence[psutil.Process], number: int) -> None:
             each.send_signal(number)
 
 
-def _wait_for_ends(pids: Sequence[int], deadline: float) -> None:
-    """Return when all processes have ended, or at a time, as time.monotonic() counts."""
+def wait_for_ends(pids: Sequence[int], deadline: float) -> bool:
+    """Wait until all processes have ended, or for a time, as time.monotonic() counts; whether they have."""
     with contextlib.ExitStack() as stack:
         running = select.poll()
         left = 0
@@ -129,3 +135,4 @@ def _wait_for_ends(pids: Sequence[int], deadline: float) -> None:
             for descriptor, _ in running.poll(patience * 1000.0):
                 running.unregister(descriptor)
                 left -= 1
+    return not left

@@ -66,11 +66,7 @@ class CarDescription:
 
 
 def read_description(car: Car, beside: Path) -> Optional[CarDescription]:
-    """Expand and read the description of a car; nothing for one that has none of its own.
-
-    Args:
-        car: with its description
-        beside: folder from which paths count
+    """Expand and read the description of a car, its path from `beside`; nothing for one without its own.
 
     Raises:
         ScenarioError: there is no such file, or it describes no car; with the file and the place in it.
@@ -159,9 +155,6 @@ def check_car(car: Car, description: CarDescription, localization: Localization)
 
 def check_topics(descriptions: Mapping[str, CarDescription]) -> None:
     """Whether each car has topics of its own.
-
-    Args:
-        descriptions: by car
 
     Raises:
         ScenarioError: two cars share one.

@@ -45,11 +45,7 @@ class DriverFile:
 
 
 def find_driver(car: Car, beside: Path) -> DriverFile:
-    """Find the driver of a car and check what the scenario gives it.
-
-    Args:
-        car: with its driver
-        beside: folder from which paths count
+    """Find the driver of a car, its path from `beside`, and check what the scenario gives it.
 
     Raises:
         ScenarioError: there is no such file, or it does not take what it is given.

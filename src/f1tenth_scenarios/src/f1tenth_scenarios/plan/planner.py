@@ -30,10 +30,7 @@ def planner_setting(planner: Driver) -> str:
 def with_planner(scenario: Scenario, node: yaml.Node, beside: Path) -> Scenario:
     """The scenario with another planner in all cars that are driven by ours.
 
-    Args:
-        scenario: as it is written
-        node: what the planner is: a driver, as in a scenario file
-        beside: folder from which the path of its launch file counts
+    `node` says what it is, as a scenario file says of a driver; its path counts from `beside`.
 
     Raises:
         NotApplicableError: the scenario says nothing about a planner that is not ours.

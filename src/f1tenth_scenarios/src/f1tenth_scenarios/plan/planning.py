@@ -19,7 +19,8 @@ from f1tenth_scenarios.plan.source import read_scenario
 from f1tenth_scenarios.road.course import read_course
 from f1tenth_scenarios.road.place import find_place
 from f1tenth_scenarios.scenario.scenario import Localization, Scenario, Verdict
-from f1tenth_scenarios.scenario.settings import apply_settings, compose_value, parse_setting
+from f1tenth_scenarios.scenario.settings import apply_settings, parse_setting
+from f1tenth_scenarios.scenario.yaml_text import compose_text
 
 
 def in_real_time(plan: Plan, why: str) -> Plan:
@@ -46,7 +47,7 @@ def make_plan(name: str, folder: Optional[Path] = None, settings: Sequence[str] 
     scenario = read_scenario(file, lambda root: apply_settings(root, own))
     try:
         for planner in (each for each in parsed if each.key == PLANNER):
-            scenario = with_planner(scenario, compose_value(planner), file.parent)
+            scenario = with_planner(scenario, compose_text(planner.value, str(planner)), file.parent)
         plan = plan_scenario(file, scenario, folder or places.results_root() / file.stem)
         return dataclasses.replace(plan, settings=tuple(settings))
     except ScenarioError as error:
@@ -56,10 +57,7 @@ def make_plan(name: str, folder: Optional[Path] = None, settings: Sequence[str] 
 def plan_scenario(file: Path, scenario: Scenario, folder: Path) -> Plan:
     """Find and read everything that a scenario names.
 
-    Args:
-        file: that the scenario is from; names the run, and paths count from its folder
-        scenario: what it says
-        folder: for the results
+    `file`, which it is from, names the run, and paths count from its folder; results go to `folder`.
 
     Raises:
         ScenarioError: what is wrong.

@@ -46,12 +46,7 @@ class Race:
 
 @as_scenario_error(FileError)
 def plan_race(race: Race, folder: Path, settings: Sequence[str] = ()) -> Plan:
-    """Make a run of a race.
-
-    Args:
-        race: what is raced
-        folder: for the results
-        settings: KEY=VALUE, as for a scenario
+    """Make a run of a race, with its results in `folder`; settings are KEY=VALUE, as for a scenario.
 
     Raises:
         ScenarioError: something that is named is not there, or the place has no road.
@@ -65,9 +60,7 @@ def plan_race(race: Race, folder: Path, settings: Sequence[str] = ()) -> Plan:
 def race_text(race: Race, beside: Optional[Path] = None) -> str:
     """The race as a scenario file would have it.
 
-    Args:
-        race: what is raced
-        beside: folder of the file, if there is to be one: files are named so that it can be moved with them
+    If there is to be one in the folder `beside`, files are named so that it can be moved with them.
 
     Raises:
         ScenarioError: as plan_race.

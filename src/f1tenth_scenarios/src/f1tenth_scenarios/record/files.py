@@ -7,6 +7,7 @@ from typing import Any
 RESULT_FILE, JUNIT_FILE = "result.json", "junit.xml"
 TRAJECTORY_FILE, PICTURE_FILE = "trajectory.csv", "trajectory.png"
 REPLAY_FILE, BAG_FILE = "replay.json.gz", "run.bag"
+RUN_FILES = (RESULT_FILE, JUNIT_FILE, TRAJECTORY_FILE, PICTURE_FILE, REPLAY_FILE, BAG_FILE)
 PREVIOUS_FOLDER = "previous"
 REPORT_FILE = "report.html"
 

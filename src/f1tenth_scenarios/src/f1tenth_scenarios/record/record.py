@@ -2,6 +2,7 @@
 
 import csv
 import dataclasses
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Optional
 
@@ -67,6 +68,10 @@ class CarTrack:
         return CarTrack(
             self.car, *(getattr(self, field.name)[:count] for field in dataclasses.fields(self)[1:])
         )
+
+    def places(self) -> Iterator[tuple[float, float, float, float]]:
+        """Stamp (s), x, y (m) and yaw (rad) of each period."""
+        return zip(self.time.tolist(), self.x.tolist(), self.y.tolist(), self.yaw.tolist())
 
     @property
     def speed(self) -> np.ndarray:

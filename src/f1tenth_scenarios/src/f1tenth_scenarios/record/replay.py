@@ -72,13 +72,7 @@ class Replay:
     def with_run(
         self, goals: Mapping[str, Sequence["Pose"]], said: "Replay", road: Sequence[Point] = ()
     ) -> "Replay":
-        """This scene with a run in it.
-
-        Args:
-            goals: by car, of one lap
-            said: plans, and where models were
-            road: its middle, closed, in driving order
-        """
+        """This scene with a run in it; `said` has plans, and where models were."""
         return dataclasses.replace(
             said,
             walls=self.walls,

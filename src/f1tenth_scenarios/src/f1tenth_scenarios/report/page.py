@@ -38,7 +38,7 @@ def write_report(
     Args:
         results: folder with a folder a scenario
         output: the HTML file
-        against: another results folder to compare with; default: the run before, which each folder keeps
+        against: as of read_results
         assets: folder of the style and the scripts; default: that of the package, which ROS finds
 
     Returns:

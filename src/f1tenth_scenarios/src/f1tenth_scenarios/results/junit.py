@@ -10,12 +10,7 @@ from f1tenth_scenarios.results.result import Result
 
 
 def junit_of(result: Result, summary: str) -> ElementTree.Element:
-    """A test suite of a run, with a test case for each criterion.
-
-    Args:
-        result: of the run
-        summary: stands below the first criterion that has failed
-    """
+    """A test suite of a run, a test case for each criterion; the summary is below the first that failed."""
     suite = ElementTree.Element("testsuite", name=f"{PACKAGE}.{result.name}")
     for criterion in result.criteria:
         case = _case(suite, result.name, criterion.name)

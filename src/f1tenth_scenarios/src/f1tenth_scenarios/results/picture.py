@@ -36,13 +36,7 @@ def write_picture(
 ) -> None:
     """Draw a run into a PNG file, which replaces the old one when it is complete.
 
-    Args:
-        path: of the file
-        title: above the picture
-        lines: below the title
-        record: what the cars did
-        goals: per car
-        track_map: drawn beneath, if there is one
+    The lines stand below the title; the map, if there is one, is beneath.
     """
     figure = make_figure(title, lines, record, goals, track_map)
     with replacing(path) as temporary:

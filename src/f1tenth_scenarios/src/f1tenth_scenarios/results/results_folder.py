@@ -8,20 +8,10 @@ from pathlib import Path
 from typing import Any
 
 from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.record.files import (
-    BAG_FILE,
-    JUNIT_FILE,
-    PICTURE_FILE,
-    PREVIOUS_FOLDER,
-    REPLAY_FILE,
-    RESULT_FILE,
-    TRAJECTORY_FILE,
-    read_json,
-)
+from f1tenth_scenarios.record.files import PREVIOUS_FOLDER, RESULT_FILE, RUN_FILES, read_json
 
 INTERRUPTED_FOLDER = "interrupted"
 _EARLIER_LOG = ".earlier_log"
-_FILES = (RESULT_FILE, JUNIT_FILE, TRAJECTORY_FILE, PICTURE_FILE, REPLAY_FILE, BAG_FILE)
 
 
 @contextlib.contextmanager
@@ -74,7 +64,7 @@ class ResultsFolder:
         result = self._folder / RESULT_FILE
         if result.exists() and _is_other(_commits_of(result), self._commits):
             _move(self._folder, _emptied(self._folder / PREVIOUS_FOLDER))
-        for name in _FILES:
+        for name in RUN_FILES:
             (self._folder / name).unlink(missing_ok=True)
         return self._folder
 
@@ -112,7 +102,7 @@ def _emptied(folder: Path) -> Path:
 
 
 def _move(source: Path, target: Path) -> None:
-    for name in _FILES:
+    for name in RUN_FILES:
         with contextlib.suppress(FileNotFoundError):
             (source / name).rename(target / name)
 

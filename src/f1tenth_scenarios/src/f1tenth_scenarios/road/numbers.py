@@ -11,12 +11,7 @@ _WORDS = {4: "four", 7: "seven"}
 
 
 def read_numbers(path: Path, separator: str, columns: str) -> np.ndarray:
-    """Read a table of shape (points, columns).
-
-    Args:
-        path: of the file
-        separator: between the numbers of a row
-        columns: names of all columns, with the separator between them
+    """Read a table of shape (points, columns); `columns` are their names, with the separator between them.
 
     Raises:
         ScenarioError: with the file, the line and what is wrong there.

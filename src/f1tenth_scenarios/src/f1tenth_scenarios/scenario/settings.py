@@ -55,7 +55,7 @@ def apply_settings(root: yaml.MappingNode, settings: Sequence[Setting]) -> None:
         ScenarioError: there is no such key, or the value is not YAML.
     """
     for setting in settings:
-        value = compose_value(setting)
+        value = compose_text(setting.value, str(setting))
         *path, last = setting.key.split(".")
         for node in _bearers(root, setting):
             _put(_descend(node, path, setting), last, value)
@@ -146,15 +146,6 @@ def _check_count(text: str, count: int) -> None:
 def folder_name(settings: Sequence[Setting]) -> str:
     """A folder's name for a combination."""
     return ",".join(re.sub(r"[^A-Za-z0-9_.=+-]", "_", str(each)) for each in settings)
-
-
-def compose_value(setting: Setting) -> yaml.Node:
-    """The value as YAML.
-
-    Raises:
-        ScenarioError: it is none.
-    """
-    return compose_text(setting.value, str(setting))
 
 
 def _bearers(root: yaml.MappingNode, setting: Setting) -> list[yaml.MappingNode]:

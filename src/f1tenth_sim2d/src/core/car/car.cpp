@@ -96,8 +96,7 @@ void Car::apply(const ContactEffect & effect)
   predicted_.y = state_.y + effect.displacement.y;
   predicted_.psi = state_.psi + effect.displacement.yaw;
   predicted_.psi_dot += effect.yaw_rate_change;
-  const Vec2 after{before.x + effect.velocity_change.x, before.y + effect.velocity_change.y};
-  setBodyVelocity(predicted_, Transform2({0.0, 0.0, predicted_.psi}).rotateBack(after));
+  setBodyVelocity(predicted_, Transform2({0.0, 0.0, predicted_.psi}).rotateBack(before + effect.velocity_change));
 }
 
 void Car::commit(SimTime now, double dt)

@@ -12,15 +12,15 @@ CarBody::CarBody(
 : mass(body_mass), inertia(body_inertia)
 {
   for (std::uint32_t i = 0; i < solids.size(); ++i) {
-    const VerticalSpan span = verticalSpan(solids[i], solids[i].pose);
-    if (span.bottom > span.top) {
+    const Heights span = heightsOf(solids[i].shape, solids[i].pose);
+    if (span.isEmpty()) {
       continue;
     }
     const PieceSet & layer = world.layerFor(span);
     if (std::find(layers.begin(), layers.end(), &layer) == layers.end()) {
       layers.push_back(&layer);
     }
-    const Section footprint = footprintBetween(solids[i], solids[i].pose, span.bottom, span.top);
+    const Section footprint = footprintBetween(solids[i], solids[i].pose, span.lowest, span.highest);
     const Piece properties{{}, {}, Piece::Owner::kCar, static_cast<std::uint32_t>(id), i, span, layer.layer()};
     appendPieces(pieces, footprint, {centre_of_mass, 0.0}, solids[i], properties);
   }

@@ -17,7 +17,7 @@ constexpr double kFloatRounding = 1e-3;  // m, more than distances in single pre
 
 b2Transform transformOf(const Pose2 & pose)
 {
-  return {toBox(Vec2{pose.x, pose.y}), b2Rot(static_cast<float>(pose.yaw))};
+  return {toBox(pose.position()), b2Rot(static_cast<float>(pose.yaw))};
 }
 
 double distance(const Piece & a, const b2Transform & at_a, const Piece & b, const b2Transform & at_b)
@@ -95,7 +95,7 @@ void forEachCarPair(const std::vector<PlacedCar> & cars, std::size_t own, const 
 {
   const OwnPieces pieces(cars[own], limit);
   for (std::size_t i = 0; i < cars.size(); ++i) {
-    const double centres = length({cars[i].pose.x - cars[own].pose.x, cars[i].pose.y - cars[own].pose.y});
+    const double centres = length(cars[i].pose.position() - cars[own].pose.position());
     if (i == own || centres - radius(cars[i]) - radius(cars[own]) > limit + kFloatRounding) {
       continue;
     }
@@ -112,7 +112,7 @@ void forEachModelPair(
 {
   const OwnPieces pieces(own, limit);
   world.forEachModelPieceNear(
-    own.body, {own.pose.x, own.pose.y}, reach,
+    own.body, own.pose.position(), reach,
     [&](const Piece & other, const b2Transform & at_other) { pieces.visitPairs(other, at_other, visit); });
 }
 }  // namespace

@@ -143,7 +143,7 @@ void CollisionWorld::place(CarBody & car, const PlanarMotion & motion)
   b2Body * body = car.participant.body;
   is_pristine_ = false;
   car.placed = motion;
-  body->SetTransform(toBox(Vec2{motion.pose.x, motion.pose.y}), static_cast<float>(motion.pose.yaw));
+  body->SetTransform(toBox(motion.pose.position()), static_cast<float>(motion.pose.yaw));
   if (!body->IsEnabled()) {
     body->SetEnabled(true);
   }
@@ -221,14 +221,14 @@ ContactEffect CollisionWorld::effect(const CarBody & car)
 {
   const b2Body & body = *car.participant.body;
   const PlanarMotion & placed = car.placed;
-  const Vec2 start = fromBox(toBox(Vec2{placed.pose.x, placed.pose.y}));
+  const Vec2 start = fromBox(toBox(placed.pose.position()));
   const Vec2 velocity = fromBox(toBox(placed.velocity));
   const Vec2 end = fromBox(body.GetPosition());
   const Vec2 end_velocity = fromBox(body.GetLinearVelocity());
   ContactEffect effect;
   effect.displacement = {
     end.x - start.x, end.y - start.y, static_cast<double>(body.GetAngle()) - static_cast<float>(placed.pose.yaw)};
-  effect.velocity_change = {end_velocity.x - velocity.x, end_velocity.y - velocity.y};
+  effect.velocity_change = end_velocity - velocity;
   effect.yaw_rate_change = static_cast<double>(body.GetAngularVelocity()) - static_cast<float>(placed.yaw_rate);
   return effect;
 }
@@ -273,23 +273,20 @@ ModelState CollisionWorld::modelState(std::size_t model) const
   ModelState state{modelPose(model), {}, 0.0};
   const b2Body & body = *model_bodies_[model];
   if (!description_.models[model].is_static) {
-    const Vec2 centre = fromBox(body.GetLinearVelocity());
-    const Vec2 position = fromBox(body.GetPosition());
+    const Vec2 from_centre = state.pose.position() - fromBox(body.GetPosition());
     state.yaw_rate = body.GetAngularVelocity();
-    state.velocity = {
-      centre.x - state.yaw_rate * (state.pose.y - position.y), centre.y + state.yaw_rate * (state.pose.x - position.x)};
+    state.velocity = velocityAt(fromBox(body.GetLinearVelocity()), state.yaw_rate, from_centre);
   }
   return state;
 }
 
 void CollisionWorld::placeModel(std::size_t model, const ModelState & state)
 {
-  const Vec2 & centre = pieces_.bodies()[model].centre_of_mass;
-  const Vec2 arm = Transform2(state.pose).rotate(centre);
-  const Vec2 velocity{state.velocity.x - state.yaw_rate * arm.y, state.velocity.y + state.yaw_rate * arm.x};
+  const Vec2 arm = Transform2(state.pose).rotate(pieces_.bodies()[model].centre_of_mass);
+  const Vec2 velocity = velocityAt(state.velocity, state.yaw_rate, arm);
   setMotion(
-    model, {toBox(Vec2{state.pose.x + arm.x, state.pose.y + arm.y}), static_cast<float>(state.pose.yaw),
-            toBox(velocity), static_cast<float>(state.yaw_rate), true, true});
+    model, {toBox(state.pose.position() + arm), static_cast<float>(state.pose.yaw), toBox(velocity),
+            static_cast<float>(state.yaw_rate), true, true});
 }
 
 std::vector<ModelMotion> CollisionWorld::motions() const

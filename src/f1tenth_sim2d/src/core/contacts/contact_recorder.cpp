@@ -101,8 +101,8 @@ void ContactRecorder::recordImpulse(const View & view, b2Contact & contact, cons
       view.sign * (impulse.normalImpulses[i] * manifold.normal + impulse.tangentImpulses[i] * tangent);
     const Vec2 lever = fromBox(manifold.points[i] - centre);
     const Vec2 share = fromBox(push);
-    kept.impulse = {kept.impulse.x + share.x, kept.impulse.y + share.y};
-    kept.angular_impulse += lever.x * share.y - lever.y * share.x;
+    kept.impulse = kept.impulse + share;
+    kept.angular_impulse += cross(lever, share);
   }
 }
 }  // namespace f1tenth_sim2d

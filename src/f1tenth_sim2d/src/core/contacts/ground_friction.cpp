@@ -14,7 +14,7 @@ namespace
 double footFriction(const std::vector<Piece> & pieces)
 {
   const auto lowest = std::min_element(
-    pieces.begin(), pieces.end(), [](const Piece & a, const Piece & b) { return a.span.bottom < b.span.bottom; });
+    pieces.begin(), pieces.end(), [](const Piece & a, const Piece & b) { return a.span.lowest < b.span.lowest; });
   return lowest != pieces.end() ? lowest->friction : 1.0;
 }
 }  // namespace

@@ -10,18 +10,19 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-constexpr double kLeastEdge = 1e-5;  // m
-constexpr double kLeastArea = 1e-8;  // m^2
+constexpr double kLeastEdge = 1e-5;      // m
+constexpr double kLeastArea = 1e-8;      // m^2
+constexpr double kLeastOverlap = 0.001;  // m
 
 ConvexPolygon withoutShortEdges(const ConvexPolygon & polygon)
 {
   ConvexPolygon kept;
   for (const Vec2 & p : polygon) {
-    if (kept.empty() || std::hypot(p.x - kept.back().x, p.y - kept.back().y) > kLeastEdge) {
+    if (kept.empty() || distance(kept.back(), p) > kLeastEdge) {
       kept.push_back(p);
     }
   }
-  while (kept.size() > 1 && std::hypot(kept[0].x - kept.back().x, kept[0].y - kept.back().y) <= kLeastEdge) {
+  while (kept.size() > 1 && distance(kept.back(), kept[0]) <= kLeastEdge) {
     kept.pop_back();
   }
   return kept;
@@ -31,7 +32,7 @@ Vec2 middle(const ConvexPolygon & polygon)
 {
   Vec2 sum;
   for (const Vec2 & p : polygon) {
-    sum = {sum.x + p.x, sum.y + p.y};
+    sum = sum + p;
   }
   const auto count = static_cast<double>(polygon.size());
   return {sum.x / count, sum.y / count};
@@ -43,13 +44,12 @@ b2PolygonShape polygonShape(const ConvexPolygon & polygon, const Vec2 & origin)
   b2PolygonShape shape;
   shape.m_radius = 0.0F;
   shape.m_count = static_cast<int32>(polygon.size());
-  const Vec2 centre = middle(polygon);
-  shape.m_centroid = toBox(Vec2{centre.x - origin.x, centre.y - origin.y});
+  shape.m_centroid = toBox(middle(polygon) - origin);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec2 & a = polygon[i];
     const Vec2 & b = polygon[(i + 1) % polygon.size()];
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
-    shape.m_vertices[i] = toBox(Vec2{a.x - origin.x, a.y - origin.y});
+    const double length = distance(a, b);
+    shape.m_vertices[i] = toBox(a - origin);
     shape.m_normals[i] = {static_cast<float>((b.y - a.y) / length), static_cast<float>((a.x - b.x) / length)};
   }
   return shape;
@@ -80,7 +80,7 @@ std::vector<PieceShape> pieceShapes(const Section & footprint, const Vec2 & orig
   }
   for (const Circle & circle : footprint.circles) {
     b2CircleShape shape;
-    shape.m_p = toBox(Vec2{circle.centre.x - origin.x, circle.centre.y - origin.y});
+    shape.m_p = toBox(circle.centre - origin);
     shape.m_radius = toBox(circle.radius);
     shapes.emplace_back(shape);
   }
@@ -105,6 +105,11 @@ PieceBounds boundsOf(const b2CircleShape & circle)
 const b2Shape & Piece::boxShape() const
 {
   return std::visit([](const auto & concrete) -> const b2Shape & { return concrete; }, shape);
+}
+
+bool overlap(const Heights & a, const Heights & b)
+{
+  return std::min(a.highest, b.highest) - std::max(a.lowest, b.lowest) > kLeastOverlap;
 }
 
 bool canTouch(const Piece & a, const Piece & b)

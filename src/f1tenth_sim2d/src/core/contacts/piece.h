@@ -6,9 +6,9 @@
 #include <variant>
 #include <vector>
 
-#include "core/contacts/vertical_span.h"
 #include "f1tenth_sim2d/section.h"
 #include "f1tenth_sim2d/world_model.h"
+#include "geometry/heights.h"
 
 /// Convex pieces of the shadows that solids cast on the ground: what touches what.
 namespace f1tenth_sim2d
@@ -45,13 +45,16 @@ struct Piece
   Owner owner;
   std::uint32_t body;   ///< index of the model, or id of the car
   std::uint32_t solid;  ///< index within its owner
-  VerticalSpan span;    ///< m, of the whole solid
+  Heights span;         ///< m, of the whole solid
   Layer layer{Layer::kWholeSolid};
   float friction{1.0F};
   float restitution{0.0F};
 
   const b2Shape & boxShape() const;
 };
+
+/// Whether bodies of these spans can touch. Less than a millimetre in common does not count: wheels stand on floors.
+bool overlap(const Heights & a, const Heights & b);
 
 /// Whether two pieces of different bodies touch where their shadows do.
 bool canTouch(const Piece & a, const Piece & b);

@@ -1,5 +1,6 @@
 #include "core/contacts/world_pieces.h"
 
+#include <cmath>
 #include <optional>
 
 #include "core/math/planar_pose.h"
@@ -8,6 +9,8 @@ namespace f1tenth_sim2d
 {
 namespace
 {
+constexpr double kUprightTolerance = 1e-9;
+
 ModelBody bodyOf(const ModelDescription & model)
 {
   return model.is_static ? ModelBody{} : ModelBody{planar(model.pose), model.centre_of_mass};
@@ -18,6 +21,15 @@ Pose3 solidPose(const ModelDescription & model, const Solid & solid)
   return (model.is_static ? model.pose : withoutPlanar(model.pose)) * solid.pose;
 }
 
+/// Whether the solid looks the same from above whatever part of its height is taken.
+bool isUprightPrism(const Solid & solid, const Pose3 & pose)
+{
+  const Eigen::Vector3d up = pose.climb();
+  const bool is_prism = std::holds_alternative<Box>(solid.shape) || std::holds_alternative<Cylinder>(solid.shape) ||
+                        std::holds_alternative<Polyline>(solid.shape);
+  return is_prism && std::hypot(up.x(), up.y()) < kUprightTolerance;
+}
+
 template <typename Visit>
 void forEachSolid(const WorldDescription & world, Visit visit)
 {
@@ -25,8 +37,8 @@ void forEachSolid(const WorldDescription & world, Visit visit)
     const ModelDescription & model = world.models[m];
     for (std::uint32_t s = 0; s < model.solids.size(); ++s) {
       const Pose3 pose = solidPose(model, model.solids[s]);
-      const VerticalSpan span = verticalSpan(model.solids[s], pose);
-      if (span.bottom <= span.top) {
+      const Heights span = heightsOf(model.solids[s].shape, pose);
+      if (!span.isEmpty()) {
         visit(model.solids[s], pose, Piece{{}, {}, Piece::Owner::kModel, m, s, span});
       }
     }
@@ -67,16 +79,16 @@ std::unique_ptr<const PieceSet> WorldPieces::cutWhole() const
 {
   const auto cut = [](const Solid & solid, const Pose3 & pose, Piece & properties) -> std::optional<Section> {
     properties.layer = isUprightPrism(solid, pose) ? Layer::kWholeSolid : Layer::kModelsOnly;
-    return footprintBetween(solid, pose, properties.span.bottom, properties.span.top);
+    return footprintBetween(solid, pose, properties.span.lowest, properties.span.highest);
   };
   return cutPieces(world_, bodies_, Layer::kWholeSolid, cut);
 }
 
-const PieceSet & WorldPieces::layerFor(const VerticalSpan & span) const
+const PieceSet & WorldPieces::layerFor(const Heights & span) const
 {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const SpanLayer & layer : layers_) {
-    if (layer.span.bottom == span.bottom && layer.span.top == span.top) {
+    if (layer.span.lowest == span.lowest && layer.span.highest == span.highest) {
       return *layer.pieces;
     }
   }
@@ -86,7 +98,7 @@ const PieceSet & WorldPieces::layerFor(const VerticalSpan & span) const
       return std::nullopt;
     }
     properties.layer = number;
-    return footprintBetween(solid, pose, span.bottom, span.top);
+    return footprintBetween(solid, pose, span.lowest, span.highest);
   };
   layers_.push_back({span, cutPieces(world_, bodies_, number, cut)});
   return *layers_.back().pieces;

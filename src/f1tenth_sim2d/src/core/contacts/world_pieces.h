@@ -27,7 +27,7 @@ public:
   /// Of whole solids: what upright ones are in every layer, and what models touch of each other.
   const PieceSet & whole() const { return *whole_; }
   /// The layer of car solids of this span; the world is cut for it at the first time.
-  const PieceSet & layerFor(const VerticalSpan & span) const;
+  const PieceSet & layerFor(const Heights & span) const;
   const std::vector<ModelBody> & bodies() const { return bodies_; }
 
 private:
@@ -35,7 +35,7 @@ private:
 
   struct SpanLayer
   {
-    VerticalSpan span;
+    Heights span;
     std::unique_ptr<const PieceSet> pieces;
   };
 

@@ -1,7 +1,6 @@
 #include "core/lidar/lidar_scene.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/math/planar_pose.h"
 
@@ -14,11 +13,11 @@ double boundingRadius(const Section & section)
   double radius = 0.0;
   for (const Outline & outline : section.outlines) {
     for (const Vec2 & p : outline) {
-      radius = std::max(radius, std::hypot(p.x, p.y));
+      radius = std::max(radius, norm(p));
     }
   }
   for (const Circle & circle : section.circles) {
-    radius = std::max(radius, std::hypot(circle.centre.x, circle.centre.y) + circle.radius);
+    radius = std::max(radius, norm(circle.centre) + circle.radius);
   }
   return radius;
 }

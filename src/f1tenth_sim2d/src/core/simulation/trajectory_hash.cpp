@@ -3,6 +3,8 @@
 #include <openssl/evp.h>
 
 #include <array>
+#include <boost/algorithm/hex.hpp>
+#include <iterator>
 #include <stdexcept>
 
 namespace f1tenth_sim2d
@@ -49,10 +51,7 @@ std::string TrajectoryHash::hexDigest() const
   unsigned int size = 0;
   check(EVP_DigestFinal_ex(copy.get(), digest.data(), &size));
   std::string text;
-  for (unsigned int i = 0; i < size; ++i) {
-    text += "0123456789abcdef"[digest[i] >> 4];
-    text += "0123456789abcdef"[digest[i] & 15];
-  }
+  boost::algorithm::hex_lower(digest.begin(), digest.begin() + size, std::back_inserter(text));
   return text;
 }
 }  // namespace f1tenth_sim2d

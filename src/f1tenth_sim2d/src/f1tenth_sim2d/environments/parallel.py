@@ -25,17 +25,7 @@ class F1TenthParallelEnv(ShownEnv, ParallelEnv):
     }
 
     def __init__(self, render_mode=None, record=None, **settings):
-        """Load the place; f1tenth_sim2d.environments.settings.Settings says what there is to choose.
-
-        Args:
-            render_mode: None, rgb_array or human.
-            record: folder for all episodes, and, when the environment is closed, for the report of them.
-            settings: Settings; unless told, there are two cars.
-
-        Raises:
-            ValueError: settings that are not allowed.
-            f1tenth_sim2d.LoadError: a place that cannot be used.
-        """
+        """Load the place; arguments and errors as of F1TenthEnv, but with two cars unless told."""
         super().__init__(render_mode, record, {"cars": 2, **settings})
         self.possible_agents = [f"car_{i}" for i in range(self._stage.settings.cars)]
         self.agents: list = []

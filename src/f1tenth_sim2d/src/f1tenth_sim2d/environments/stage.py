@@ -28,12 +28,7 @@ class Stage:
     """
 
     def __init__(self, settings: dict, count: int = 1, threads: int = 1):
-        """Load the place and build as many environments.
-
-        Raises:
-            ValueError: settings that are not allowed.
-            f1tenth_sim2d.LoadError: a place that cannot be used.
-        """
+        """Load the place and build as many environments; raises what F1TenthEnv does."""
         self.settings = _settings(settings)
         self.place = find_place(self.settings.place)
         self._require_course()

@@ -24,17 +24,13 @@ class F1TenthVectorEnv(VectorEnv):
     metadata = {"render_modes": [], "autoreset_mode": AutoresetMode.NEXT_STEP}
 
     def __init__(self, num_envs=1, threads=None, render_mode=None, **settings):
-        """Load the place; f1tenth_sim2d.environments.settings.Settings says what there is to choose.
+        """Load the place; settings and errors are those of F1TenthEnv.
 
         Args:
             num_envs: how many environments.
             threads: that step them; default: one per processor that is to be had.
             render_mode: None; these environments cannot be seen.
             settings: Settings.
-
-        Raises:
-            ValueError: settings that are not allowed.
-            f1tenth_sim2d.LoadError: a place that cannot be used.
         """
         threads = len(os.sched_getaffinity(0)) if threads is None else threads
         for name, value in (("num_envs", num_envs), ("threads", threads)):

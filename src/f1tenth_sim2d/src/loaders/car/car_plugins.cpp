@@ -102,6 +102,21 @@ void readRosControl(const Element & plugin, CarContext & context)
   context.car.ros_control = std::move(control);
 }
 
+void appendParameters(const Element & parent, const std::string & scope, PluginElement & plugin)
+{
+  for (const Element & child : parent.children()) {
+    plugin.parameters.emplace_back(scope + child.tag(), child.text());
+    appendParameters(child, scope + child.tag() + "/", plugin);
+  }
+}
+
+/// One that is not built in.
+void keepPlugin(const Element & plugin, CarDescription & car)
+{
+  car.plugins.push_back({plugin.name(), plugin.attribute("filename"), plugin.path(), {}});
+  appendParameters(plugin, "", car.plugins.back());
+}
+
 using Read = std::function<void(const Element &)>;
 
 std::map<std::string, Read> builtIn(const std::vector<MechanismJoint> & mechanism, CarContext & context)
@@ -153,7 +168,7 @@ void readPlugins(const std::vector<MechanismJoint> & mechanism, CarContext & con
     } else if (libraryName(plugin).empty()) {
       context.warnings.add("has no attribute 'filename' and is left out", plugin.fileLine());
     } else {
-      context.car.plugins.push_back(pluginElement(plugin));
+      keepPlugin(plugin, context.car);
     }
   }
   warnOfTransmissions(context);

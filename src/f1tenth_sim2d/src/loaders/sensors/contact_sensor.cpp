@@ -1,12 +1,15 @@
 #include "loaders/sensors/sensor_readers.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <set>
 
 namespace f1tenth_sim2d
 {
 namespace
 {
+using boost::algorithm::join;
+
 const std::string kScopeSeparator = "::";
 
 /// A name and what stands in front of it: the model, if it is named, and the link.
@@ -71,16 +74,6 @@ bool isJoined(const std::string & link, const CarContext & context)
          std::none_of(links.begin(), links.end(), [&link](const LinkPart & each) { return each.name == link; });
 }
 
-/// "a, b and c"
-std::string listed(const std::vector<std::string> & names, const std::string & before_last)
-{
-  std::string list;
-  for (const std::string & name : names) {
-    list += (list.empty() ? "" : &name == &names.back() ? before_last : ", ") + name;
-  }
-  return list;
-}
-
 /// What a name means, by link; of several in one link the first counts.
 std::vector<const Solid *> meant(const std::string & wanted, const std::string & own_link, const CarContext & context)
 {
@@ -127,11 +120,11 @@ std::vector<std::string> collisionsOfContactSensor(
       for (const Solid & solid : context.car.solids) {
         all.push_back(&solid);
       }
-      sensor.fail("there is no <collision> '" + wanted + "'; the car has " + listed(namesWithLink(all, context), ", "));
+      sensor.fail("there is no <collision> '" + wanted + "'; the car has " + join(namesWithLink(all, context), ", "));
     }
     if (solids.size() > 1) {
       sensor.fail(
-        "<collision> '" + wanted + "' is in " + listed(namesWithLink(solids, context), " and ") + "; write which");
+        "<collision> '" + wanted + "' is in " + join(namesWithLink(solids, context), " and ") + "; write which");
     }
     names.push_back(solids.front()->name);
   }

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <filesystem>
 #include <map>
 
@@ -53,17 +52,6 @@ double readGravity(const Element & world)
   return -gravity.z();
 }
 
-void readChildren(const Element & world, WorldDescription & description, WarningCollector & warnings)
-{
-  warnOfChildren(world, warnings);
-  if (const Element population = world.child("population")) {
-    population.fail("is not supported; write its models one by one");
-  }
-  for (const Element & plugin : world.children("plugin")) {
-    description.plugins.push_back(pluginElement(plugin));
-  }
-}
-
 void readModels(const Element & world, ModelReader & reader, WorldDescription & description)
 {
   FrameScope frames;
@@ -99,7 +87,10 @@ WorldDescription loadSdfWorld(const std::string & path, const SearchPath & searc
   description.file = path;
   description.name = world.name();
   description.gravity = readGravity(world);
-  readChildren(world, description, warnings);
+  warnOfChildren(world, warnings);
+  if (const Element population = world.child("population")) {
+    population.fail("is not supported; write its models one by one");
+  }
   readModels(world, reader, description);
   description.warnings = warnings.messages();
   return description;

@@ -38,14 +38,6 @@ std::string pathPart(const XMLElement & node)
   const bool is_counted = index > 0 || node.NextSiblingElement(node.Name()) || node.Name() == std::string("include");
   return node.Name() + (is_counted ? "[" + std::to_string(index) + "]" : "");
 }
-
-void appendParameters(const Element & parent, const std::string & scope, PluginElement & plugin)
-{
-  for (const Element & child : parent.children()) {
-    plugin.parameters.emplace_back(scope + child.tag(), child.text());
-    appendParameters(child, scope + child.tag() + "/", plugin);
-  }
-}
 }  // namespace
 
 std::string Element::attribute(const char * attribute) const
@@ -267,12 +259,5 @@ void Element::requireNear(const Eigen::Vector3d & place) const
   if (!place.allFinite() || place.cwiseAbs().maxCoeff() > kFarthest) {
     fail("is not within " + toText(kFarthest) + " m of the origin");
   }
-}
-
-PluginElement pluginElement(const Element & plugin)
-{
-  PluginElement element{plugin.name(), plugin.attribute("filename"), plugin.path(), {}};
-  appendParameters(plugin, "", element);
-  return element;
 }
 }  // namespace f1tenth_sim2d

@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "f1tenth_sim2d/world_model.h"
-
 namespace f1tenth_sim2d
 {
 struct XmlDocument;
@@ -76,7 +74,4 @@ private:
   const tinyxml2::XMLElement * node_{nullptr};
   const XmlDocument * document_{nullptr};
 };
-
-/// A <plugin> with its tags, nested ones as "outer/inner".
-PluginElement pluginElement(const Element & plugin);
 }  // namespace f1tenth_sim2d

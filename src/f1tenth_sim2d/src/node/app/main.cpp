@@ -4,7 +4,6 @@
 #include <ros/node_handle.h>
 #include <ros/param.h>
 #include <ros/this_node.h>
-#include <workspace_support/errors.h>
 
 #include <cstdio>
 #include <optional>
@@ -96,8 +95,6 @@ private:
     } catch (const ParticipantSilent & error) {
       result_.participant = error.participant();
       return failed(error, "participant_silent", kParticipantSilent);
-    } catch (const workspace_support::OptionError & error) {
-      return failed(error, "bad_input", kBadInput);
     } catch (const Error & error) {
       return failed(error, "bad_input", kBadInput);
     } catch (const std::exception & error) {

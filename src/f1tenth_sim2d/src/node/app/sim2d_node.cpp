@@ -39,11 +39,7 @@ TimeControl controlOf(const NodeParameters & parameters)
 Simulation simulationOf(const NodeParameters & parameters)
 {
   const WorldDescription world = loadWorld(parameters.world_file, searchPathFromEnvironment());
-  std::vector<std::string> warnings = world.warnings;
-  for (const auto & plugin : world.plugins) {
-    warnings.push_back(plugin.place + ": plugin " + plugin.filename + " of the world");
-  }
-  warnOnce(world.file, warnings);
+  warnOnce(world.file, world.warnings);
   return Simulation(world, parameters.simulation);
 }
 

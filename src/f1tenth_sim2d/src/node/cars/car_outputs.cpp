@@ -132,9 +132,8 @@ void OdometryOutput::fill(nav_msgs::Odometry & message, SimTime now)
     square(slope * parameters.odometry_steering_noise_stddev));
 }
 
-OdometryTransformOutput::OdometryTransformOutput(
-  CarHandle car, const OdometryPlace & place, TransformSender & transforms)
-: car_(std::move(car)), place_(place), transforms_(transforms)
+OdometryTransformOutput::OdometryTransformOutput(CarHandle car, const OdometryPlace & place)
+: car_(std::move(car)), place_(place)
 {
   message_.header.frame_id = car_.frame(place_.frame);
   message_.child_frame_id = car_.frame(place_.base_frame);
@@ -144,13 +143,13 @@ void OdometryTransformOutput::update(SimTime now, bool /*anyway*/)
 {
   message_.header.stamp = toRosTime(now);
   message_.transform = toTransform(onGround(car_.simulation.wheelOdometry(car_.id).pose) * place_.base_pose);
-  transforms_.send(message_);
+  car_.transforms.send(message_);
 }
 
 void OdometryTransformOutput::repeat()
 {
   if (!message_.header.stamp.isZero()) {
-    transforms_.send(message_);
+    car_.transforms.send(message_);
   }
 }
 

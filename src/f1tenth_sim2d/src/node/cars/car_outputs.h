@@ -72,7 +72,7 @@ private:
 class OdometryTransformOutput : public Output
 {
 public:
-  OdometryTransformOutput(CarHandle car, const OdometryPlace & place, TransformSender & transforms);
+  OdometryTransformOutput(CarHandle car, const OdometryPlace & place);
   double rate() const override { return place_.rate_hz; }
   void update(SimTime now, bool anyway) override;
   void repeat() override;
@@ -80,7 +80,6 @@ public:
 private:
   const CarHandle car_;
   const OdometryPlace place_;
-  TransformSender & transforms_;
   geometry_msgs::TransformStamped message_;
 };
 

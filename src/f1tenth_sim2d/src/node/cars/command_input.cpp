@@ -14,24 +14,19 @@ namespace
 {
 // Commands are handled between steps; more than one between two steps is rare, and the last one counts.
 constexpr std::uint32_t kCommandQueueSize = 100;
-
-std::string topicOf(const CarDescription & car)
-{
-  return car.drive ? car.drive->command_topic : "cmd_vel";
-}
 }  // namespace
 
 CommandInput::CommandInput(Simulation & simulation, CarId car, ros::NodeHandle node, Answered on_command)
 : simulation_(simulation), car_(car), on_command_(std::move(on_command))
 {
-  const CarDescription & description = simulation.car(car);
-  if (description.ros_control && !description.drive) {
+  const std::optional<std::string> twist_topic = simulation.car(car).twistTopic();
+  if (!twist_topic) {
     return;  // its controllers drive it
   }
   const auto hints = ros::TransportHints().tcpNoDelay();
   twist_subscriber_ = node.subscribe<geometry_msgs::Twist>(
-    topicOf(description), kCommandQueueSize,
-    [this](const geometry_msgs::Twist::ConstPtr & message) { onTwist(*message); }, ros::VoidConstPtr(), hints);
+    *twist_topic, kCommandQueueSize, [this](const geometry_msgs::Twist::ConstPtr & message) { onTwist(*message); },
+    ros::VoidConstPtr(), hints);
   drive_subscriber_ = node.subscribe<ackermann_msgs::AckermannDriveStamped>(
     "drive", kCommandQueueSize,
     [this](const ackermann_msgs::AckermannDriveStamped::ConstPtr & message) { onDrive(*message); }, ros::VoidConstPtr(),

@@ -64,6 +64,7 @@ CarHandle Fleet::handleOf(const Car & car) const
     around_.simulation,
     car.simulated.id(),
     around_.advertiser,
+    around_.transforms,
     {around_.node, car.parameters.ros_namespace},
     car.parameters.frame_prefix};
 }
@@ -93,7 +94,7 @@ OutputList Fleet::makeOutputs(Car & car) const
   if (description.ros_control) {
     CarHandle control = handle;
     control.node = ros::NodeHandle(handle.node, description.ros_control->ros_namespace);
-    outputs.push_back(std::make_unique<RosControl>(control, around_.transforms, car.commands, around_.simulates_pid));
+    outputs.push_back(std::make_unique<RosControl>(control, car.commands, around_.simulates_pid));
   }
   addPlugins(handle, outputs);
   return outputs;
@@ -108,7 +109,7 @@ void Fleet::addOdometry(const CarHandle & car, OutputList & outputs) const
   // A drive plugin owns the transform of a car that has no other odometry.
   const bool owns_transform = around_.odometry == OdometryOwner::kWheel || car.description().drive;
   if (place.has_transform && owns_transform) {
-    outputs.push_back(std::make_unique<OdometryTransformOutput>(car, place, around_.transforms));
+    outputs.push_back(std::make_unique<OdometryTransformOutput>(car, place));
   }
   for (const auto & sensor : car.description().pose_sensors) {
     outputs.push_back(std::make_unique<PoseOutput>(car, sensor));
@@ -118,11 +119,11 @@ void Fleet::addOdometry(const CarHandle & car, OutputList & outputs) const
 void Fleet::addPlugins(const CarHandle & car, OutputList & outputs) const
 {
   const CarPluginContext context{
-    around_.simulation,
+    car.simulation,
     car.id,
     car.node,
-    around_.advertiser,
-    around_.transforms,
+    car.advertiser,
+    car.transforms,
     car.frame_prefix,
     around_.odometry == OdometryOwner::kPerfect};
   for (const auto & element : car.description().plugins) {

@@ -12,12 +12,13 @@ inline std::string withoutPrefix(const std::string & name, const std::string & p
   return name.rfind(prefix, 0) == 0 ? name.substr(prefix.size()) : name;
 }
 
-/// A car, where it publishes, and the prefix of its frames.
+/// A car, how and where it publishes, and the prefix of its frames.
 struct CarHandle
 {
   const Simulation & simulation;
   CarId id;
   Advertiser & advertiser;
+  TransformSender & transforms;
   ros::NodeHandle node;  ///< in the car's namespace
   std::string frame_prefix;
 

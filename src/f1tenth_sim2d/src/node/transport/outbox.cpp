@@ -30,15 +30,10 @@ std::vector<std::shared_ptr<Topic>> Outbox::those(Wanted wanted) const
   return result;
 }
 
-std::vector<std::shared_ptr<Topic>> Outbox::topics() const
-{
-  return those([](Topic &) { return true; });
-}
-
 std::size_t Outbox::subscriberCount() const
 {
   std::size_t count = 0;
-  for (const auto & topic : topics()) {
+  for (const auto & topic : those([](Topic &) { return true; })) {
     count += topic->subscriberCount();
   }
   return count;

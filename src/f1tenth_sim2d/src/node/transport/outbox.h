@@ -20,8 +20,6 @@ public:
 
   /// The topics of which more than `limit` messages wait for a subscriber.
   std::vector<std::shared_ptr<Topic>> lagging(std::size_t limit) const;
-  /// Those that still have a publisher.
-  std::vector<std::shared_ptr<Topic>> topics() const;
   /// What was published and lost, by topic; also of those that have no publisher any more.
   const std::map<std::string, std::shared_ptr<TopicCounts>> & counts() const { return counts_; }
   /// Subscribers of all topics together.

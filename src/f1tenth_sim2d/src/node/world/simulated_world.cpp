@@ -6,6 +6,16 @@
 
 namespace f1tenth_sim2d
 {
+template <typename Visit>
+void SimulatedWorld::forEachOutput(Visit visit)
+{
+  for (const auto & [id, running] : running_) {
+    for (const auto & output : running.outputs) {
+      visit(running, *output);
+    }
+  }
+}
+
 SimulatedWorld::SimulatedWorld(
   Simulation & simulation, TransformBatch & transforms, double control_period_sec, const std::string & record_file)
 : simulation_(simulation), transforms_(transforms), period_ns_(control_period_sec * 1e9), log_(simulation, record_file)
@@ -88,13 +98,11 @@ void SimulatedWorld::distributeContacts()
       log_.note(car, contact);
     }
   }
-  for (const auto & [id, running] : running_) {
+  forEachOutput([this](const Running & running, Output & output) {
     if (running.car) {
-      for (const auto & output : running.outputs) {
-        output->note(simulation_.contacts(*running.car));
-      }
+      output.note(simulation_.contacts(*running.car));
     }
-  }
+  });
   for (const CarId car : simulation_.cars()) {
     simulation_.clearContacts(car);
   }
@@ -102,17 +110,12 @@ void SimulatedWorld::distributeContacts()
 
 void SimulatedWorld::measureFirst(CarId car)
 {
-  for (const auto & [id, running] : running_) {
-    if (running.car != car) {
-      continue;
-    }
+  forEachOutput([&](const Running & running, Output & output) {
     const auto age_ns = static_cast<double>(time() - running.since);
-    for (const auto & output : running.outputs) {
-      if (output->rate() > 0.0 && periodOf(output->rate()) > age_ns) {
-        update(*output, car, true);
-      }
+    if (running.car == car && output.rate() > 0.0 && periodOf(output.rate()) > age_ns) {
+      update(output, car, true);
     }
-  }
+  });
 }
 
 bool SimulatedWorld::isToAnswer(CarId car, SimTime since) const
@@ -123,26 +126,20 @@ bool SimulatedWorld::isToAnswer(CarId car, SimTime since) const
 
 void SimulatedWorld::repeatForDriver(CarId car)
 {
-  for (const auto & [id, running] : running_) {
-    if (running.car == car) {
-      for (const auto & output : running.outputs) {
-        if (output->isAnswered()) {
-          output->repeat();
-        }
-      }
+  forEachOutput([car](const Running & running, Output & output) {
+    if (running.car == car && output.isAnswered()) {
+      output.repeat();
     }
-  }
+  });
 }
 
 void SimulatedWorld::repeatOthers()
 {
-  for (const auto & [id, running] : running_) {
-    for (const auto & output : running.outputs) {
-      if (!output->isAnswered()) {
-        output->repeat();
-      }
+  forEachOutput([](const Running &, Output & output) {
+    if (!output.isAnswered()) {
+      output.repeat();
     }
-  }
+  });
   transforms_.publish();
 }
 
@@ -168,10 +165,6 @@ void SimulatedWorld::resetPoses()
 
 void SimulatedWorld::forgetContacts()
 {
-  for (const auto & [id, running] : running_) {
-    for (const auto & output : running.outputs) {
-      output->restart();
-    }
-  }
+  forEachOutput([](const Running &, Output & output) { output.restart(); });
 }
 }  // namespace f1tenth_sim2d

@@ -64,6 +64,8 @@ private:
     std::vector<Schedule::Id> tasks;
   };
 
+  template <typename Visit>
+  void forEachOutput(Visit visit);
   SimTime endOf(std::int64_t period) const;
   void update(Output & output, std::optional<CarId> car, bool anyway);
   void distributeContacts();

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, Optional
 
 import psutil
+from f1tenth_scenarios.launch.processes import processes_with
 
 MOST_SECONDS = 5.0  # wall, from the verdict, or being told to stop, until nothing runs any more
 RUNNER = "runner"  # what the command itself is called
@@ -36,14 +37,7 @@ class Victim:
     """A command with its results in a folder, that can be broken."""
 
     def __init__(self, command: Sequence[str], results: Path, said: Path, **popen: Any):
-        """Start it.
-
-        Args:
-            command: with its arguments
-            results: folder of its results
-            said: file for what it says on the terminal
-            popen: further arguments of subprocess.Popen
-        """
+        """Start it; what it says on the terminal goes to the file `said`."""
         self.results = self.written = results  # found afterwards; written to
         self.beside: list[subprocess.Popen] = []  # what was started to disturb it, and ends with it
         self._mark = uuid.uuid4().hex
@@ -82,7 +76,7 @@ class Victim:
 
     def members(self) -> list[psutil.Process]:
         """All processes of it that run."""
-        return [each for each in psutil.process_iter() if self._is_member(each)]
+        return processes_with(_MARK, self._mark)
 
     def node(self, name: str) -> Optional[psutil.Process]:
         """The process of a node, as in `robot1/move_base`; nothing if it does not run."""
@@ -147,10 +141,3 @@ class Victim:
                     each.kill()
             psutil.wait_procs(left, timeout=_LOOK_INTERVAL)
         self.process.wait()
-
-    def _is_member(self, process: psutil.Process) -> bool:
-        try:
-            alive = process.status() != psutil.STATUS_ZOMBIE
-            return alive and process.environ().get(_MARK) == self._mark
-        except psutil.Error:
-            return False

@@ -33,12 +33,7 @@ _HEADS = (
 
 
 def document(mapped: Sequence[Mapped], made: str) -> str:
-    """The whole document.
-
-    Args:
-        mapped: at least one
-        made: how and where the table was made
-    """
+    """The whole document; `made`: how and where."""
     rows = [list(_HEADS), ["---"] * len(_HEADS)]
     for place in dict.fromkeys(each.drive.place for each in mapped):
         rows.append(_row(place, [each for each in mapped if each.drive.place == place]))

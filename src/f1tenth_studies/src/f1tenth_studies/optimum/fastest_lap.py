@@ -39,10 +39,7 @@ class FastestLap:
 
 
 def compute_fastest_lap(track: np.ndarray, limits: Limits) -> FastestLap:
-    """The minimum-curvature lap.
-
-    Args:
-        track: as of load_track
+    """The minimum-curvature lap on a track of load_track.
 
     Raises:
         ScenarioError: the road is too narrow for the car and its clearance.

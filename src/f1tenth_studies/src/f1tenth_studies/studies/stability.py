@@ -48,12 +48,7 @@ def greatest(acceleration, run: Run) -> float:
 
 
 def changes_of_sign(track: CarTrack, road: np.ndarray) -> float:
-    """How often the yaw rate changes its sign where the road is straight, 1/s.
-
-    Args:
-        track: what the car did
-        road: (n, 4), as load_track gives it
-    """
+    """How often the yaw rate changes its sign where the road, as of load_track, is straight, 1/s."""
     _, nearest = cKDTree(road[:, :2]).query(np.column_stack([track.x, track.y]))
     on_straight = _straight(road)[nearest]
     time = float(np.diff(track.time)[on_straight[1:]].sum())

@@ -1,6 +1,5 @@
 #include "lost_car.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -51,27 +50,19 @@ LostCar::LostCar(const mrpt::maps::COccupancyGridMap2D & map, std::vector<Pose2>
 {
 }
 
-bool LostCar::isDue(const Pose2 & odometry) const
-{
-  return !last_ || distance(odometry, *last_) >= kLookInterval;
-}
-
-void LostCar::drive(const Pose2 & motion)
-{
-  for (Pose2 & pose : poses_) {
-    pose = compose(pose, motion);
-  }
-}
-
 std::vector<Place> LostCar::look(const mrpt::obs::CObservation2DRangeScan & scan, const Pose2 & odometry)
 {
   sight_.add(scan, odometry);
-  const Points seen = isDue(odometry) ? sight_.points() : Points{};
+  const bool is_due = !last_ || distance(odometry, *last_) >= kLookInterval;
+  const Points seen = is_due ? sight_.points() : Points{};
   if (seen.empty()) {
     return {};
   }
   if (last_) {
-    drive(compose(inverse(*last_), odometry));
+    const Pose2 motion = compose(inverse(*last_), odometry);
+    for (Pose2 & pose : poses_) {
+      pose = compose(pose, motion);
+    }
   }
   last_ = odometry;
   ++looks_;

@@ -26,9 +26,6 @@ public:
   bool isOver() const { return is_over_; }
 
 private:
-  bool isDue(const Pose2 & odometry) const;
-  void drive(const Pose2 & motion);
-
   PlaceSearch search_;
   Points road_;
   std::vector<Pose2> poses_;  // at the last look

@@ -154,5 +154,4 @@ std::vector<Place> PlaceSearch::settle(std::vector<Place> places, const Points &
   keepPeaks(places, kBetter);
   return places;
 }
-
 }  // namespace amcl

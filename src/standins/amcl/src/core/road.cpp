@@ -13,16 +13,11 @@ constexpr float kLeastFreedom = 0.7F;  // probability of a cell to be free in wh
 
 bool isFree(const COccupancyGridMap2D & map, int x, int y)
 {
-  const bool is_inside =
-    x >= 0 && y >= 0 && x < static_cast<int>(map.getSizeX()) && y < static_cast<int>(map.getSizeY());
-  return is_inside && map.getCell(x, y) > kLeastFreedom;
+  return map.getCell(x, y) > kLeastFreedom;  // not so outside of the map
 }
 
 Cells reachable(const COccupancyGridMap2D & map, int x, int y)
 {
-  if (!isFree(map, x, y)) {
-    return {};
-  }
   std::vector<bool> seen(static_cast<std::size_t>(map.getSizeX()) * map.getSizeY());
   Cells cells;
   const auto visit = [&](int column, int row) {

@@ -50,14 +50,9 @@ def call(service, kind, *arguments, timeout=None):
     return rospy.ServiceProxy(name, kind)(*arguments)
 
 
-def controllers():
-    """Return the ControllerState of every loaded controller."""
-    return call("list_controllers", ListControllers).controller
-
-
 def list_controllers():
-    """Print them."""
-    states = controllers()
+    """Print what is loaded."""
+    states = call("list_controllers", ListControllers).controller
     if not states:
         print("No controllers are loaded in mechanism control")
     for state in states:

@@ -6,8 +6,6 @@
 #include <workspace_support/errors.h>
 #include <workspace_support/lidar_inputs.h>
 
-#include <utility>
-
 namespace gmapping
 {
 namespace

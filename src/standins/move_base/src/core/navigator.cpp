@@ -80,8 +80,7 @@ CycleOutput Navigator::cycle(const CycleInput & input, Costmap & costmap)
   const double seen = input.time - input.age;
   const double measured = input.sensors_current ? seen : input.time - input.speed_age;
   now.car = car_watch_.note({input.car, seen, measured}, input.time);
-  follower_.setLags(car_watch_.lags());
-  follower_.setTyres(car_watch_.tyres(), costmap);
+  follower_.setHandling(car_watch_.lags(), car_watch_.tyres(), costmap);
   CycleOutput output;
   drive(now, costmap, output);
   output.new_plan = way_.takeChange();

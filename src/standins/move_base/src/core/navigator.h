@@ -9,7 +9,6 @@
 #include "control/recovery.h"
 #include "goals.h"
 #include "navigator_options.h"
-#include "path/plan_near.h"
 #include "planning.h"
 #include "way.h"
 
@@ -69,12 +68,6 @@ public:
 
   /// The latest plan, empty before the first.
   const Plan & plan() const { return way_.plan(); }
-  /// A plan for somebody else; changes nothing here.
-  /// @param tolerance  m along each axis, within which another goal will do where there is none to this one
-  Plan makePlan(const Costmap & costmap, const Pose2 & start, const Pose2 & goal, double tolerance) const
-  {
-    return planNear(options_.planner, costmap, {start, goal}, tolerance);
-  }
 
 private:
   enum class State

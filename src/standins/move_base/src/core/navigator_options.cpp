@@ -15,9 +15,6 @@ void NavigatorOptions::validate() const
   requireOption(max_planning_retries >= -1, "max_planning_retries", max_planning_retries, "at least -1");
   requireNotNegative("oscillation_timeout", oscillation_timeout);
   requireNotNegative("oscillation_distance", oscillation_distance);
-  for (const RecoveryBehavior & behavior : recoveries) {
-    requireNotNegative(behavior.name + "/reset_distance", behavior.distance);
-  }
   requirePositive("xy_goal_tolerance", goal_tolerance.distance);
   requirePositive("yaw_goal_tolerance", goal_tolerance.yaw);
   requirePositive("via_xy_tolerance", via_tolerance.distance);

@@ -9,7 +9,6 @@
 #include <sensor_msgs/LaserScan.h>
 #include <workspace_support/conversions.h>
 
-#include <string>
 #include <vector>
 
 #include "control/handling.h"

@@ -1,5 +1,6 @@
 #include "costmap_publisher.h"
 
+#include <geometry_msgs/PolygonStamped.h>
 #include <map_msgs/OccupancyGridUpdate.h>
 
 #include <algorithm>
@@ -54,7 +55,8 @@ CostmapPublisher::CostmapPublisher(
       costmap + "/costmap", 1, [this](const ros::SingleSubscriberPublisher &) { newcomer_ = true; }),
     frequency,
     {}},
-  updates_(node.advertise<map_msgs::OccupancyGridUpdate>(costmap + "/costmap_updates", 1))
+  updates_(node.advertise<map_msgs::OccupancyGridUpdate>(costmap + "/costmap_updates", 1)),
+  footprint_{node.advertise<geometry_msgs::PolygonStamped>(costmap + "/footprint", 1), frequency, {}}
 {
 }
 

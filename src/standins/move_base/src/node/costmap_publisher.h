@@ -10,12 +10,13 @@
 namespace move_base
 {
 /// A costmap that is shown as the original shows it: whole on COSTMAP/costmap for a new subscriber and whenever it lies elsewhere
-/// or has another size, else the rectangle in which it has changed on COSTMAP/costmap_updates.
+/// or has another size, else the rectangle in which it has changed on COSTMAP/costmap_updates; and the car's outline on
+/// COSTMAP/footprint.
 class CostmapPublisher
 {
 public:
   /// @param costmap       namespace of the topics
-  /// @param frequency     Hz; 0: only for new subscribers
+  /// @param frequency     Hz; 0: the costmap only for new subscribers, the outline never
   /// @param always_whole  even if only a part has changed
   /// Subscribers are noticed on the queue of node. Keeps its place in memory.
   CostmapPublisher(ros::NodeHandle & node, const std::string & costmap, double frequency, bool always_whole);
@@ -25,6 +26,7 @@ public:
   bool wanted() const { return whole_.publisher.getNumSubscribers() > 0; }
   bool due(const ros::Time & stamp) { return whole_.due(stamp) || (newcomer_ && wanted()); }
   void publish(nav_msgs::OccupancyGrid costs);
+  Throttled & footprint() { return footprint_; }
 
 private:
   bool always_whole_;
@@ -32,5 +34,6 @@ private:
   nav_msgs::OccupancyGrid shown_;  // what subscribers have
   Throttled whole_;
   ros::Publisher updates_;
+  Throttled footprint_;
 };
 }  // namespace move_base

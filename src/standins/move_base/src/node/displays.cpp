@@ -43,14 +43,6 @@ Displays::Displays(ros::NodeHandle private_node, const MoveBaseParameters & para
   local_plan_(advertisePlans(private_node, {"local_plan", parameters.local_planner + "/local_plan"})),
   global_costmap_(private_node, "global_costmap", parameters.global_publish_frequency, parameters.global_always_whole),
   local_costmap_(private_node, "local_costmap", parameters.local_publish_frequency, parameters.local_always_whole),
-  global_footprint_{
-    private_node.advertise<geometry_msgs::PolygonStamped>("global_costmap/footprint", 1),
-    parameters.global_publish_frequency,
-    {}},
-  local_footprint_{
-    private_node.advertise<geometry_msgs::PolygonStamped>("local_costmap/footprint", 1),
-    parameters.local_publish_frequency,
-    {}},
   surroundings_(parameters.local_width, parameters.local_height, parameters.local_resolution, parameters.costmap.live)
 {
 }
@@ -87,13 +79,12 @@ void Displays::showSurroundings(const Pose2 & car, const ros::Time & stamp)
     showLocalCostmap(stamp);
   }
   const std::vector<Vec2> & corners = perception_.costmap().footprint().corners();
-  if (global_footprint_.due(stamp)) {
-    global_footprint_.publisher.publish(toPolygon(corners, car, headerOf(parameters_.global_frame, stamp)));
+  if (Throttled & footprint = global_costmap_.footprint(); footprint.due(stamp)) {
+    footprint.publisher.publish(toPolygon(corners, car, headerOf(parameters_.global_frame, stamp)));
   }
-  if (local_footprint_.due(stamp)) {
+  if (Throttled & footprint = local_costmap_.footprint(); footprint.due(stamp)) {
     if (const auto map = mapInLocalFrame()) {
-      local_footprint_.publisher.publish(
-        toPolygon(corners, compose(*map, car), headerOf(parameters_.local_frame, stamp)));
+      footprint.publisher.publish(toPolygon(corners, compose(*map, car), headerOf(parameters_.local_frame, stamp)));
     }
   }
 }

@@ -11,7 +11,6 @@
 #include "path/path.h"
 #include "perception.h"
 #include "seen/rolling_layer.h"
-#include "throttled.h"
 
 namespace move_base
 {
@@ -39,8 +38,6 @@ private:
   std::vector<ros::Publisher> local_plan_;
   CostmapPublisher global_costmap_;
   CostmapPublisher local_costmap_;
-  Throttled global_footprint_;
-  Throttled local_footprint_;
   std::vector<std::int8_t> map_costs_;
   unsigned map_number_{0};  // of the map in map_costs_
   RollingLayer surroundings_;

@@ -4,6 +4,8 @@
 #include <move_base_msgs/MoveBaseActionGoal.h>
 #include <move_base_msgs/RecoveryStatus.h>
 #include <ros/console.h>
+#include <ros/this_node.h>
+#include <workspace_support/lidar_inputs.h>
 
 #include <algorithm>
 #include <future>
@@ -17,12 +19,6 @@ namespace
 {
 using diagnostic_msgs::DiagnosticStatus;
 
-ros::NodeHandle onQueue(const std::string & name, ros::CallbackQueue & queue)
-{
-  ros::NodeHandle node(name);
-  node.setCallbackQueue(&queue);
-  return node;
-}
 template <class Message>
 ros::Subscriber subscribePromptly(ros::NodeHandle & node, const std::string & topic)
 {
@@ -50,8 +46,8 @@ bool startsWith(const nav_msgs::Path & goals, const geometry_msgs::PoseStamped &
 MoveBaseNode::MoveBaseNode(const MoveBaseParameters & parameters, ros::CallbackQueue & queue)
 : parameters_(parameters),
   queue_(queue),
-  node_(onQueue("", queue)),
-  private_node_(onQueue("~", queue)),
+  node_(servedBy(queue)),
+  private_node_(node_, ros::this_node::getName()),
   perception_(node_, parameters_),
   navigator_(parameters_.navigator, parameters_.lockstep ? PlanWorker() : PlanWorker(runBeside)),
   displays_(private_node_, parameters_, perception_),
@@ -236,7 +232,8 @@ void MoveBaseNode::diagnose(const CycleOutput & output, const ros::Time & now)
 void MoveBaseNode::publish(const CycleOutput & output, const CycleInput & input, const ros::Time & now)
 {
   if (const auto & command = output.command) {
-    const double angle = command->steeringAngle(parameters_.navigator.follower.limits.wheelbase);
+    const SpeedLimits & limits = parameters_.navigator.follower.limits;
+    const double angle = command->speed == 0.0 ? 0.0 : limits.wheelAngle(command->curvature);
     geometry_msgs::Twist twist;
     twist.linear.x = command->speed;
     twist.angular.z = parameters_.cmd_angle_instead_rotvel ? angle : command->yawRate();

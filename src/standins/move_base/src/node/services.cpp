@@ -3,6 +3,7 @@
 #include <ros/console.h>
 
 #include "conversions.h"
+#include "path/plan_near.h"
 
 namespace move_base
 {
@@ -47,7 +48,7 @@ std::vector<Pose2> Services::planFor(const nav_msgs::GetPlan::Request & request)
   const Pose2 start =
     from_car ? perception_.poseIn(parameters_.global_frame, parameters_.base_frame) : perception_.inMap(request.start);
   const Pose2 goal = perception_.inMap(request.goal);
-  const Plan plan = navigator_.makePlan(perception_.costmap(), start, goal, request.tolerance);
+  const Plan plan = planNear(parameters_.navigator.planner, perception_.costmap(), {start, goal}, request.tolerance);
   std::vector<Pose2> poses = posesOf(plan.path);
   // As the original does: who drives along the plan may get there after all.
   if (plan.found() && distance(plan.path.back().pose, goal) > kElsewhere) {

@@ -53,10 +53,8 @@ class Breakdown:
     def failure(self, updates: Sequence[RaceUpdate], done: set[str], standing: float) -> Optional[Failure]:
         """Who broke the set-up, as soon as its last words can be there.
 
-        Args:
-            updates: what the cars said of themselves
-            done: the cars that have finished, whose drivers may end
-            standing: for how long simulated time has not gone on, wall s
+        `done`: the cars that have finished, whose drivers may end; `standing`: for how long simulated time
+        has not gone on, wall s.
 
         Raises:
             MisfitError: a car's driver does not fit lockstep.

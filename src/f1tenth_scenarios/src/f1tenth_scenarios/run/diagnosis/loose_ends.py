@@ -60,14 +60,9 @@ def why_mute(
     interface: Interface,
     topics: CarTopics = _F1TENTH,
 ) -> list[str]:
-    """Why no command of a driver may have arrived, in words.
+    """Why no command of a car's driver may have arrived, in words.
 
-    Args:
-        graph: all topics
-        car: whose driver it is
-        publications: the topics that its nodes publish, and their types
-        interface: of the driver
-        topics: of the car
+    `publications`: the topics that its nodes publish, and their types.
     """
     own = {absolute(f"/{car}", name): kind for name, kind in topics.commands.items()}
     published = sorted(set(publications))

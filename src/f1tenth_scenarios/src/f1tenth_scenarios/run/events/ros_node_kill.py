@@ -4,9 +4,8 @@ import os
 import signal
 import time
 
-import psutil
-
 from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.launch.processes import wait_for_ends
 from f1tenth_scenarios.run.ros_graph import ask
 
 _PATIENCE = 2.0  # wall s
@@ -26,15 +25,5 @@ def kill_node(name: str) -> None:
         os.kill(pid, signal.SIGKILL)
     except OSError as error:
         raise ScenarioError(f"cannot kill {name}: {error.strerror}") from error
-    deadline = time.monotonic() + _PATIENCE
-    while _runs(pid):
-        if time.monotonic() > deadline:
-            raise ScenarioError(f"cannot kill {name}: it is still there after {_PATIENCE:g} s")
-        time.sleep(0.002)
-
-
-def _runs(pid: int) -> bool:
-    try:
-        return psutil.Process(pid).status() != psutil.STATUS_ZOMBIE
-    except psutil.NoSuchProcess:
-        return False
+    if not wait_for_ends([pid], time.monotonic() + _PATIENCE):
+        raise ScenarioError(f"cannot kill {name}: it is still there after {_PATIENCE:g} s")

@@ -15,8 +15,7 @@ struct ControllerSetup
 {
   std::string name;
   std::string type;
-  const CarHandle & car;  ///< its node in the namespace of the controller manager
-  TransformSender & transforms;
+  const CarHandle & car;    ///< its node in the namespace of the controller manager
   CommandInput & commands;  ///< is told of each command
   bool simulates_pid;       ///< whether wheels obey their pid gains, or else follow as fast as the car can
 

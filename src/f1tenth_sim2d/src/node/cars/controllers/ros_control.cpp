@@ -68,9 +68,8 @@ void listTypes(controller_manager_msgs::ListControllerTypes::Response & response
 }
 }  // namespace
 
-RosControl::RosControl(CarHandle car, TransformSender & transforms, CommandInput & commands, bool simulates_pid)
+RosControl::RosControl(CarHandle car, CommandInput & commands, bool simulates_pid)
 : car_(std::move(car)),
-  transforms_(transforms),
   commands_(commands),
   simulates_pid_(simulates_pid),
   rate_hz_(1.0 / std::max(kLeastPeriod, car_.description().ros_control->control_period_sec))
@@ -136,7 +135,7 @@ void RosControl::load(const std::string & name)
   if (controllers_.count(name) > 0) {
     throw Error("controller " + name + ": is loaded already");
   }
-  ControllerSetup setup{name, "", car_, transforms_, commands_, simulates_pid_};
+  ControllerSetup setup{name, "", car_, commands_, simulates_pid_};
   setup.parameters().readRequired("type", setup.type);
   controllers_.emplace(name, Loaded{setup.type, makeController(setup)});
 }

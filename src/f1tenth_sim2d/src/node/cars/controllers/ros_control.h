@@ -23,7 +23,7 @@ public:
   /// @param car       its node in the namespace of the controller manager
   /// @param commands  of the car; takes what the controllers want, and is told of what they are told
   /// @param simulates_pid  whether wheels obey the pid gains of their controllers, or else follow as fast as the car can
-  RosControl(CarHandle car, TransformSender & transforms, CommandInput & commands, bool simulates_pid);
+  RosControl(CarHandle car, CommandInput & commands, bool simulates_pid);
 
   double rate() const override { return rate_hz_; }
   void update(SimTime now, bool anyway) override;
@@ -54,7 +54,6 @@ private:
   std::vector<JointCommand> wanted(SimTime now, double dt);
 
   CarHandle car_;
-  TransformSender & transforms_;
   CommandInput & commands_;
   const bool simulates_pid_;
   const double rate_hz_;

@@ -10,7 +10,6 @@ namespace f1tenth_sim2d
 SteeringController::SteeringController(const ControllerSetup & setup)
 : p_(readSteeringParameters(setup)),
   car_(setup.car),
-  transforms_(setup.transforms),
   commands_(setup.commands),
   wheel_(setup.joint(p_.rear_wheel, JointCommand::Kind::kVelocity, p_.rear_wheel + "/pid")),
   steering_(setup.joint(p_.front_steer, JointCommand::Kind::kPosition, p_.front_steer + "/pid")),
@@ -104,7 +103,7 @@ void SteeringController::publish(SimTime now)
   publisher_.publish(message_);
   if (p_.enable_odom_tf) {
     transform_.transform = toTransform(onGround(odometry_.pose()));
-    transforms_.send(transform_);
+    car_.transforms.send(transform_);
   }
 }
 }  // namespace f1tenth_sim2d

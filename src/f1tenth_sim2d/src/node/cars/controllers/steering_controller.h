@@ -36,7 +36,6 @@ private:
 
   const SteeringParameters p_;
   const CarHandle car_;
-  TransformSender & transforms_;
   CommandInput & commands_;
   ControlledJoint wheel_;
   ControlledJoint steering_;

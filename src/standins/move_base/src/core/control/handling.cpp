@@ -53,8 +53,9 @@ double Handling::reserveForLatency() const
   return kLateReserve * std::max(0.0, lags_.latency - given_.latency - kUsualDelay);
 }
 
-bool Handling::setTyres(const Tyres & tyres)
+bool Handling::set(const Lags & lags, const Tyres & tyres)
 {
+  lags_ = lags;
   const double reserve = reserveForLatency();
   const bool same_slip = std::abs(tyres.slip - tyres_.slip) < kSlipStep * tyres_.slip;
   const bool same_traction = std::abs(tyres.traction - tyres_.traction) < kSlipStep * tyres_.traction;
@@ -79,20 +80,15 @@ bool Handling::setTyres(const Tyres & tyres)
   return true;
 }
 
-double Handling::maxCurvature() const
-{
-  return std::tan(options_.limits.max_steering_angle) / options_.limits.wheelbase;
-}
-
 double Handling::drivable(double curvature, double speed) const
 {
-  const double limit = std::min(maxCurvature(), grip_to_side_ / std::max(speed * speed, 1e-6));
+  const double limit = std::min(options_.limits.maxCurvature(), grip_to_side_ / std::max(speed * speed, 1e-6));
   return std::clamp(curvature, -limit, limit);
 }
 
 double Handling::speedFor(double curvature) const
 {
-  const double bend = std::min(std::abs(curvature), maxCurvature());
+  const double bend = std::min(std::abs(curvature), options_.limits.maxCurvature());
   return std::max(options_.limits.speedInBend(bend), options_.limits.min_vel_x);
 }
 
@@ -137,9 +133,8 @@ double Handling::withUndersteer(double curvature, double borne, double speed, do
   const double shift = options_.load_transfer * accelerationTo(commanded, speed);
   const double front = (options_.slip_gradient + options_.limits.understeer_gradient) / (1.0 - shift);
   const double rear = options_.slip_gradient / (1.0 + shift);
-  const double wheelbase = options_.limits.wheelbase;
   const double farthest = options_.limits.max_steering_angle;
-  const double angle = std::atan(wheelbase * curvature) + (front - rear) * lateral;
-  return std::tan(std::clamp(angle, -farthest, farthest)) / wheelbase;
+  const double angle = options_.limits.wheelAngle(curvature) + (front - rear) * lateral;
+  return std::tan(std::clamp(angle, -farthest, farthest)) / options_.limits.wheelbase;
 }
 }  // namespace move_base

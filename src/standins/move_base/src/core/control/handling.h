@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "car/car_state.h"
 #include "path/speed_profile.h"
 
@@ -45,8 +43,6 @@ struct DriveCommand
   double curvature{0.0};  ///< 1/m, positive is steering to the left
 
   double yawRate() const { return speed * curvature; }
-  /// rad, of the wheels; straight for a car that stops. @param wheelbase  m
-  double steeringAngle(double wheelbase) const { return speed == 0.0 ? 0.0 : std::atan(wheelbase * curvature); }
 };
 
 /// How the car answers, and what may be asked of it with the tyres that it is found to have.
@@ -60,14 +56,12 @@ public:
 
   /// Those given, with what the tyres allow.
   const FollowerOptions & options() const { return options_; }
-  /// Those of the options until they are set.
-  void setLags(const Lags & lags) { lags_ = lags; }
+  /// Those of the options until others are set.
   const Lags & lags() const { return lags_; }
   /// Where the tyres clearly slip more than the options say, or pass on but a share of the acceleration told, they have less
-  /// grip, and the car is asked for less; to the side also until a bend has shown it, and where it answers late by the lags
-  /// set before.
-  /// @return whether that changes anything
-  bool setTyres(const Tyres & tyres);
+  /// grip, and the car is asked for less; to the side also until a bend has shown it, and where it answers late.
+  /// @return whether that changes the options
+  bool set(const Lags & lags, const Tyres & tyres);
 
   /// Of a curvature, 1/m, what wheels and tyres allow.
   double drivable(double curvature, double speed) const;
@@ -92,7 +86,6 @@ public:
   double withUndersteer(double curvature, double borne, double speed, double commanded) const;
 
 private:
-  double maxCurvature() const;
   double reserveForLatency() const;
   double lateralOn(double curvature, double speed) const;
   double accelerationTo(double commanded, double speed) const;

@@ -37,9 +37,9 @@ void PathFollower::setPath(const Path & path, const Costmap & costmap, const Cau
   tracker_ = PathTracker(path_);
 }
 
-void PathFollower::setTyres(const Tyres & tyres, const Costmap & costmap)
+void PathFollower::setHandling(const Lags & lags, const Tyres & tyres, const Costmap & costmap)
 {
-  if (handling_.setTyres(tyres)) {
+  if (handling_.set(lags, tyres)) {
     speeds_ = speedProfile(path_, costmap, options().limits, caution_);
   }
 }
@@ -173,12 +173,11 @@ double PathFollower::steer(const PathPosition & position, double ahead, double s
 double PathFollower::curvatureAhead(const PathPosition & position, double speed) const
 {
   const SpeedLimits & limits = options().limits;
-  const auto wheels = [&limits](double curvature) { return std::atan(limits.wheelbase * curvature); };
-  const double here = wheels(position.curvature);
+  const double here = limits.wheelAngle(position.curvature);
   std::size_t ahead = position.index;
   for (std::size_t i = ahead + 1; i < path_.size() && path_[i].reverse == position.reverse; ++i) {
     const double away = path_[i].s - position.s;
-    const double turn = std::abs(wheels(path_[i].curvature) - here);
+    const double turn = std::abs(limits.wheelAngle(path_[i].curvature) - here);
     if (away < options().yaw_lag * speed * speed + 0.5 * std::abs(speed) * turn / limits.max_steering_rate) {
       ahead = i;
     } else if (away > kLongestLead) {

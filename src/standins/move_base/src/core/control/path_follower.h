@@ -39,11 +39,9 @@ public:
   bool hasPath() const { return !path_.empty(); }
   const Path & path() const { return path_; }
   void clear();
-  /// Those of the options until they are set.
-  void setLags(const Lags & lags) { handling_.setLags(lags); }
   const Lags & lags() const { return handling_.lags(); }
-  /// As Handling::setTyres; the speeds along the path follow.
-  void setTyres(const Tyres & tyres, const Costmap & costmap);
+  /// As Handling::set; the speeds along the path follow.
+  void setHandling(const Lags & lags, const Tyres & tyres, const Costmap & costmap);
   const DriveCommand & lastCommand() const { return last_; }
   /// 1/m, of the car's way, that the last command is to bring about.
   double lastBend() const { return last_bend_; }

@@ -20,7 +20,7 @@ void SlipWatch::note(double time, const Pose2 & pose)
 {
   if (!places_.empty() && time <= places_.back().time) {
     if (time < places_.back().time) {
-      clear();
+      places_.clear();
     }
     return;
   }

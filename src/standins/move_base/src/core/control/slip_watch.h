@@ -15,7 +15,6 @@ public:
 
   /// @param pose  of the rear axle at that time, s
   void note(double time, const Pose2 & pose);
-  void clear() { places_.clear(); }
 
   /// Whether what has been measured in bends counts far more than what was expected.
   bool hasFelt() const { return squared_acceleration_ > kFelt * kExpectation; }

@@ -5,7 +5,6 @@
 #include "path/path_extension.h"
 #include "path/path_smoother.h"
 #include "path/race_line.h"
-#include "search/arc_price.h"
 
 namespace move_base
 {
@@ -74,16 +73,15 @@ Plan GlobalPlanner::plan(const Costmap & costmap, const PlanRequest & request) c
 Plan GlobalPlanner::planWithClearance(
   const Costmap & costmap, const PlanRequest & request, double clearance, int max_expansions) const
 {
-  const SearchQuery query{request.start, request.goal,   request.start_curvature,
-                          clearance,     max_expansions, request.dropped.get()};
-  SearchResult result = searchHybridAStar(costmap, options_, curves_, query);
+  const SearchQuery query{request.start, request.goal, request.start_curvature, max_expansions, request.dropped.get()};
+  const ClearanceRule rule(costmap, request.start, request.goal, clearance);
+  SearchResult result = searchHybridAStar(costmap, options_, curves_, query, rule);
   Plan plan;
   plan.status = result.status;
   plan.expansions = result.expansions;
   if (!plan.found()) {
     return plan;
   }
-  const ClearanceRule rule(costmap, request.start, request.goal, clearance);
   const double goal_s = length(result.arcs);
   if (result.arcs.empty() || result.arcs.back().length > 0.0) {
     const std::vector<Arc> beyond = extensionFrom(request.goal, costmap, rule, options_, request.extension_length);

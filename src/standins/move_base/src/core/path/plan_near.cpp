@@ -26,21 +26,18 @@ std::vector<Pose2> squareAround(const Pose2 & goal, double step, int ring)
   }
   return places;
 }
-double extent(const GridGeometry & geometry)
-{
-  return geometry.resolution * std::max(geometry.width, geometry.height);
-}
 }  // namespace
 
 Plan planNear(const PlannerOptions & options, const Costmap & costmap, const PlanRequest & request, double tolerance)
 {
   Plan plan = GlobalPlanner(options).plan(costmap, request);
-  double step = kTryStep * costmap.geometry().resolution;
+  const GridGeometry & map = costmap.geometry();
+  double step = kTryStep * map.resolution;
   if (tolerance > 0.0) {
     step = std::min(step, tolerance);
   }
-  // Beside the map there is no plan.
-  const double farthest = std::min(tolerance * (1.0 + 1e-9), extent(costmap.geometry()));
+  const double across = map.resolution * std::max(map.width, map.height);
+  const double farthest = std::min(tolerance * (1.0 + 1e-9), across);  // beside the map there is no plan
   int expansions = plan.expansions;
   for (int ring = 1; ring * step <= farthest; ++ring) {
     for (const Pose2 & goal : squareAround(request.goal, step, ring)) {

@@ -20,7 +20,7 @@ double speedForBend(double curvature, const SpeedLimits & limits)
   if (limits.understeer_gradient == 0.0) {
     return limits.speedInBend(curvature);
   }
-  const double left = limits.max_steering_angle - kSteeringReserve - std::atan(limits.wheelbase * curvature);
+  const double left = limits.max_steering_angle - kSteeringReserve - limits.wheelAngle(curvature);
   const double most = limits.max_lateral_acceleration;
   return std::sqrt(std::clamp(left / limits.understeer_gradient, kLeastLateral * most, most) / curvature);
 }
@@ -39,8 +39,7 @@ double speedForSteering(const Path & path, const PathStretch & stretch, std::siz
 {
   const PathPoint & before = path[std::max(stretch.begin + kSteeringReach, i) - kSteeringReach];
   const PathPoint & after = path[std::min(stretch.end - 1, i + kSteeringReach)];
-  const double turn =
-    std::abs(std::atan(limits.wheelbase * after.curvature) - std::atan(limits.wheelbase * before.curvature));
+  const double turn = std::abs(limits.wheelAngle(after.curvature) - limits.wheelAngle(before.curvature));
   return turn > 0.0 ? limits.max_steering_rate * (after.s - before.s) / turn : HUGE_VAL;
 }
 

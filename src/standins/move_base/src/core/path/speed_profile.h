@@ -32,6 +32,10 @@ struct SpeedLimits
   double deceleration(double speed) const;
   /// Until it stands, from a speed, m.
   double brakingDistance(double speed) const;
+  /// rad, of the wheels on a curvature, 1/m.
+  double wheelAngle(double curvature) const { return std::atan(wheelbase * curvature); }
+  /// 1/m, with the wheels turned as far as they go.
+  double maxCurvature() const { return std::tan(max_steering_angle) / wheelbase; }
   /// At which the tyres hold the car in a bend, 1/m, m/s; infinite for none.
   double speedInBend(double curvature) const;
   /// Part of an acceleration along the path that is left while the car drives a bend, 1/m: the friction ellipse.

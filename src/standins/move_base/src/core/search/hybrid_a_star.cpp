@@ -265,9 +265,9 @@ const char * describe(SearchStatus status)
 }
 
 SearchResult searchHybridAStar(
-  const Costmap & costmap, const PlannerOptions & options, const ShortestCurves & curves, const SearchQuery & query)
+  const Costmap & costmap, const PlannerOptions & options, const ShortestCurves & curves, const SearchQuery & query,
+  const ClearanceRule & rule)
 {
-  const ClearanceRule rule(costmap, query.start, query.goal, query.clearance);
   if (rule.startClearance() < 0.0) {
     return {SearchStatus::kStartBlocked, {}, 0};
   }

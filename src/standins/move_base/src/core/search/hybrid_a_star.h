@@ -1,10 +1,10 @@
 #pragma once
 
 #include <atomic>
-#include <memory>
 #include <vector>
 
 #include "map/costmap.h"
+#include "search/arc_price.h"
 #include "search/curves.h"
 
 namespace move_base
@@ -50,7 +50,6 @@ struct SearchQuery
   Pose2 start;
   Pose2 goal;
   double start_curvature{0.0};                 ///< 1/m, how the wheels are set at the start
-  double clearance{0.0};                       ///< m, that the plan keeps, where start and goal have it themselves
   int max_expansions{150000};                  ///< then the search is given up
   const std::atomic<bool> * dropped{nullptr};  ///< when it becomes true, the search is given up as well
 };
@@ -58,6 +57,8 @@ struct SearchQuery
 /// Finds drivable ways with hybrid A* (Dolgov et al. 2008): arcs over a grid of positions and headings, led by CostToGo,
 /// and closed by Dubins or Reeds-Shepp curves that compete with the rest of the search at their cost.
 /// The same query on the same costmap gives the same result, bit for bit.
+/// @param rule  of the query's start and goal
 SearchResult searchHybridAStar(
-  const Costmap & costmap, const PlannerOptions & options, const ShortestCurves & curves, const SearchQuery & query);
+  const Costmap & costmap, const PlannerOptions & options, const ShortestCurves & curves, const SearchQuery & query,
+  const ClearanceRule & rule);
 }  // namespace move_base

@@ -1,7 +1,5 @@
 #include "seen/rolling_layer.h"
 
-#include <workspace_support/option_checks.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,9 +9,8 @@ namespace
 {
 constexpr std::int8_t kOccupied = 100;
 
-int cellsIn(const char * name, double length, double resolution)
+int cellsIn(double length, double resolution)
 {
-  requirePositive(name, length);
   return std::max(1, static_cast<int>(length / resolution + 1e-6));
 }
 }  // namespace
@@ -21,10 +18,9 @@ int cellsIn(const char * name, double length, double resolution)
 RollingLayer::RollingLayer(double width, double height, double resolution, const LiveLayerOptions & options)
 : options_(options)
 {
-  requirePositive("local_costmap/resolution", resolution);
   geometry_.resolution = resolution;
-  geometry_.width = cellsIn("local_costmap/width", width, resolution);
-  geometry_.height = cellsIn("local_costmap/height", height, resolution);
+  geometry_.width = cellsIn(width, resolution);
+  geometry_.height = cellsIn(height, resolution);
   cells_.assign(geometry_.size(), 0);
 }
 

@@ -13,8 +13,8 @@ namespace move_base
 class RollingLayer
 {
 public:
-  /// @param width, height  m
-  /// @param resolution     m, of a cell
+  /// @param width, height  m, above 0
+  /// @param resolution     m, of a cell, above 0
   RollingLayer(double width, double height, double resolution, const LiveLayerOptions & options);
 
   /// Puts the car into the middle, to the cell. What leaves the window is forgotten.

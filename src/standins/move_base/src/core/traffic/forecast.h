@@ -20,7 +20,6 @@ public:
 
   /// The same, if it may at any time be as far to either side as it has strayed to one.
   Forecast anywhere() const;
-  bool isAnywhere() const { return is_anywhere_; }
 
   /// Whether it strays so far from where it was to be expected that nobody can tell on which side it will be.
   bool strays() const;

@@ -83,6 +83,10 @@ def test_scenario_is_a_rostest_as_well(repository):
 
 def test_make_race_finds_the_planner_in_the_overlay_that_is_sourced(repository):
     out = (repository / "workspace" / "devel").resolve().parent
-    make = f'make -C "{places.workspace_root()}" -o build race OUT="{out}" PLANNER="$PWD/launch/planner.launch"'
-    said = execute(repository, f"source overlay/devel/setup.bash && {make}", F1TENTH_RESULTS="raced")
+    race = f'race OUT="{out}" PLANNER="$PWD/launch/planner.launch"'
+    said = execute(
+        repository,
+        f'source overlay/devel/setup.bash && make -C "{places.workspace_root()}" -o build {race}',
+        F1TENTH_RESULTS=str(repository / "raced"),
+    )
     assert "reason:            every lap was driven" in said

@@ -152,6 +152,24 @@ TEST(PathFollower, turnsItsWheelsInTimeForAKink)
   EXPECT_LT(most, 0.05);
 }
 
+// Backwards with one lock and forwards with the other: who starts before the wheels are there is 0.05 m beside its path.
+TEST(PathFollower, turnsItsWheelsBeforeItStarts)
+{
+  FollowerOptions options = racingFollower();
+  options.limits.acc_lim_x = 7.0;
+  const Costmap costmap = makeCostmap(drawRoom(16.0, 16.0));
+  PathFollower follower(options);
+  follower.setPath(samplePath({8.0, 8.0, 0.0}, {{-0.6, -1.25}, {3.0, 1.25}}, 0.1), costmap);
+  KinematicCar car({8.0, 8.0, 0.0});
+  double most = 0.0;
+  while (follower.placeOf(car.state()) < 2.0) {
+    const FollowStep step = follower.step(car.state(), costmap, kStepTime);
+    most = std::max(most, std::abs(step.position.lateral));
+    car.drive(step.command, kStepTime);
+  }
+  EXPECT_LT(most, 0.025);
+}
+
 TEST(PathFollower, asksLessOfTyresThatHoldLess)
 {
   const Costmap costmap = makeCostmap(drawOval());

@@ -14,6 +14,7 @@ constexpr double kBrakingReserve = 1.5;   // of the deceleration of the speed pr
 constexpr double kStopMargin = 0.05;      // m, left before an obstacle
 // A Twist without speed says nothing of the wheels: they would straighten while the car still rolls, m/s.
 constexpr double kCreep = 1e-3;
+constexpr double kUnturned = 0.1;  // rad, that the wheels still have to turn: a car that started would leave its path
 // The speed commanded and the speed measured may differ by this much before the slew starts from the measured one, m/s.
 constexpr double kSpeedSlack = 0.5;
 constexpr double kSlackPart = 1.3;    // of what the speed lags behind when the car speeds up as it may
@@ -121,6 +122,10 @@ FollowStep PathFollower::step(
   }
   last_bend_ = handling_.drivable(bend, std::abs(car.speed));
   result.command.curvature = handling_.withUndersteer(last_bend_, predicted.curvature, car.speed, result.command.speed);
+  const double unturned = std::abs(options().limits.wheelAngle(result.command.curvature) - wheels_);
+  if (car.stands() && unturned > kUnturned) {
+    result.command.speed = std::clamp(result.command.speed, -kCreep, kCreep);
+  }
   last_ = result.command;
   return result;
 }
@@ -142,6 +147,9 @@ Pose2 PathFollower::afterLatency(const CarState & car) const
 
 void PathFollower::noteSent(double period)
 {
+  const double told = last_.speed == 0.0 ? 0.0 : options().limits.wheelAngle(last_.curvature);
+  const double farthest = options().limits.max_steering_rate * period;
+  wheels_ += std::clamp(told - wheels_, -farthest, farthest);
   sent_.push_back({period, last_bend_});
   double held = 0.0;
   for (const Sent & sent : sent_) {

@@ -92,5 +92,6 @@ private:
   DriveCommand last_;
   std::deque<Sent> sent_;
   double last_bend_{0.0};  // 1/m, wanted of the car's way by the last step
+  double wheels_{0.0};     // rad, that the commands have turned the wheels to
 };
 }  // namespace move_base

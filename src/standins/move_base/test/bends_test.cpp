@@ -135,21 +135,27 @@ TEST(PathFollower, turnsItsWheelsForABendAheadWhileItBrakes)
   EXPECT_NEAR(commanded(true), commanded(false), 1e-9);
 }
 
+// How far beside its path a car comes, m, before it has driven so much of it, m.
+double farthestBeside(const FollowerOptions & options, const Path & path, double until)
+{
+  const Costmap costmap = makeCostmap(drawRoom(16.0, 16.0));
+  PathFollower follower(options);
+  follower.setPath(path, costmap);
+  KinematicCar car(path.front().pose);
+  double farthest = 0.0;
+  while (follower.placeOf(car.state()) < until) {
+    const FollowStep step = follower.step(car.state(), costmap, kStepTime);
+    farthest = std::max(farthest, std::abs(step.position.lateral));
+    car.drive(step.command, kStepTime);
+  }
+  return farthest;
+}
+
 // Wheels need a quarter of a second from lock to lock: a car that turns them at the kink leaves this path by 0.16 m.
 TEST(PathFollower, turnsItsWheelsInTimeForAKink)
 {
-  const Costmap costmap = makeCostmap(drawRoom(16.0, 16.0));
-  PathFollower follower(racingFollower());
   const Path path = samplePath({3.0, 4.0, 0.0}, {{2.0, 0.0}, {0.6, 1.25}, {0.6, -1.25}, {4.0, 0.0}}, 0.1);
-  follower.setPath(path, costmap);
-  KinematicCar car(path.front().pose);
-  double most = 0.0;
-  while (follower.placeOf(car.state()) < 5.0) {
-    const FollowStep step = follower.step(car.state(), costmap, kStepTime);
-    most = std::max(most, std::abs(step.position.lateral));
-    car.drive(step.command, kStepTime);
-  }
-  EXPECT_LT(most, 0.05);
+  EXPECT_LT(farthestBeside(racingFollower(), path, 5.0), 0.05);
 }
 
 // Backwards with one lock and forwards with the other: who starts before the wheels are there is 0.05 m beside its path.
@@ -157,17 +163,8 @@ TEST(PathFollower, turnsItsWheelsBeforeItStarts)
 {
   FollowerOptions options = racingFollower();
   options.limits.acc_lim_x = 7.0;
-  const Costmap costmap = makeCostmap(drawRoom(16.0, 16.0));
-  PathFollower follower(options);
-  follower.setPath(samplePath({8.0, 8.0, 0.0}, {{-0.6, -1.25}, {3.0, 1.25}}, 0.1), costmap);
-  KinematicCar car({8.0, 8.0, 0.0});
-  double most = 0.0;
-  while (follower.placeOf(car.state()) < 2.0) {
-    const FollowStep step = follower.step(car.state(), costmap, kStepTime);
-    most = std::max(most, std::abs(step.position.lateral));
-    car.drive(step.command, kStepTime);
-  }
-  EXPECT_LT(most, 0.025);
+  const Path path = samplePath({8.0, 8.0, 0.0}, {{-0.6, -1.25}, {3.0, 1.25}}, 0.1);
+  EXPECT_LT(farthestBeside(options, path, 2.0), 0.025);
 }
 
 TEST(PathFollower, asksLessOfTyresThatHoldLess)

@@ -27,21 +27,22 @@ void ContactLog::forgetModel(std::size_t index) noexcept
   }
 }
 
-void ContactLog::add(const StepContact & step, const Contact & contact)
+std::size_t ContactLog::find(const StepContact & step) const
 {
   const auto found =
     std::find_if(steps_.begin(), steps_.end(), [&](const StepContact & kept) { return kept.isOfSamePair(step); });
-  if (found == steps_.end()) {
-    steps_.push_back(step);
-    contacts_.push_back(contact);
-    return;
-  }
-  Contact & kept = contacts_[found - steps_.begin()];
-  const double speed = std::max(kept.speed, contact.speed);
-  if (dot(step.impulse, step.impulse) > dot(found->impulse, found->impulse)) {
-    *found = step;
-    kept = contact;
-  }
-  kept.speed = speed;
+  return found - steps_.begin();
+}
+
+void ContactLog::keep(std::size_t place, const StepContact & step, double dt)
+{
+  steps_.resize(contacts_.size());
+  steps_[place] = step;
+  Contact & contact = contacts_[place];
+  contact.positions = step.positions;
+  contact.normals = step.normals;
+  contact.depths = step.depths;
+  contact.force = {step.impulse.x / dt, step.impulse.y / dt};
+  contact.torque = step.angular_impulse / dt;
 }
 }  // namespace f1tenth_sim2d

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -40,10 +41,30 @@ public:
   /// A model has gone from the world, and those after it have moved up. Its contacts stay.
   void forgetModel(std::size_t index) noexcept;
 
-  /// @param contact  what is told of the step
-  void add(const StepContact & step, const Contact & contact);
+  /// @param describe  fills in the names of a new contact
+  /// @param dt        s, of the step in which `step` was recorded
+  template <typename Describe>
+  void add(const StepContact & step, double dt, Describe describe)
+  {
+    const std::size_t place = find(step);
+    if (place == contacts_.size()) {
+      contacts_.emplace_back();
+      describe(step, contacts_.back());
+    }
+    contacts_[place].speed = std::max(contacts_[place].speed, step.speed);
+    if (place == steps_.size() || strength(step) > strength(steps_[place])) {
+      keep(place, step, dt);
+    }
+  }
 
 private:
+  static double strength(const StepContact & step)
+  {
+    return step.impulse.x * step.impulse.x + step.impulse.y * step.impulse.y;
+  }
+  std::size_t find(const StepContact & step) const;
+  void keep(std::size_t place, const StepContact & step, double dt);
+
   std::vector<StepContact> steps_;  ///< parallel to contacts_
   std::vector<Contact> contacts_;
 };

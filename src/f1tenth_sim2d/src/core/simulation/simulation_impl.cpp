@@ -164,28 +164,21 @@ const LidarScene & Simulation::Impl::sceneAt(
 void Simulation::Impl::logContacts()
 {
   for (const auto & car : cars()) {
-    for (const StepContact & step : car->body->contacts) {
-      car->contacts.add(step, described(*car, step));
+    for (const StepContact & contact : car->body->contacts) {
+      car->contacts.add(contact, dt, [&](const StepContact & step, Contact & report) { describe(*car, step, report); });
     }
   }
 }
 
-Contact Simulation::Impl::described(const RegisteredCar & own, const StepContact & step) const
+void Simulation::Impl::describe(const RegisteredCar & own, const StepContact & step, Contact & contact) const
 {
   const bool is_car = step.other_owner == Piece::Owner::kCar;
   const CarDescription * other_car = is_car ? &car(CarId{step.other_body}).description : nullptr;
   const ModelDescription * model = is_car ? nullptr : &world().models[step.other_body];
   const std::vector<Solid> & solids = is_car ? other_car->solids : model->solids;
-  return {
-    own.description.solids[step.own_solid].name,
-    solids[step.other_solid].name,
-    is_car ? other_car->name : model->name,
-    step.positions,
-    step.normals,
-    step.depths,
-    {step.impulse.x / dt, step.impulse.y / dt},
-    step.angular_impulse / dt,
-    step.speed};
+  contact.own_collision = own.description.solids[step.own_solid].name;
+  contact.other_collision = solids[step.other_solid].name;
+  contact.other_model = is_car ? other_car->name : model->name;
 }
 
 Pose2 Simulation::Impl::ofModel(std::size_t model) const

@@ -55,6 +55,6 @@ struct Simulation::Impl : MovingPoses
 private:
   Lidars makeLidars(const RegisteredCar & car, const WorldGeometry & world, Scenes & among) const;
   std::string nameOf(const Piece & piece) const;
-  Contact described(const RegisteredCar & car, const StepContact & step) const;
+  void describe(const RegisteredCar & car, const StepContact & step, Contact & contact) const;
 };
 }  // namespace f1tenth_sim2d

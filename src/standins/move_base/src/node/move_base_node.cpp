@@ -232,8 +232,7 @@ void MoveBaseNode::diagnose(const CycleOutput & output, const ros::Time & now)
 void MoveBaseNode::publish(const CycleOutput & output, const CycleInput & input, const ros::Time & now)
 {
   if (const auto & command = output.command) {
-    const SpeedLimits & limits = parameters_.navigator.follower.limits;
-    const double angle = command->speed == 0.0 ? 0.0 : limits.wheelAngle(command->curvature);
+    const double angle = command->steeringAngle(parameters_.navigator.follower.limits);
     geometry_msgs::Twist twist;
     twist.linear.x = command->speed;
     twist.angular.z = parameters_.cmd_angle_instead_rotvel ? angle : command->yawRate();

@@ -43,6 +43,8 @@ struct DriveCommand
   double curvature{0.0};  ///< 1/m, positive is steering to the left
 
   double yawRate() const { return speed * curvature; }
+  /// rad, of the wheels; straight for a car that stops.
+  double steeringAngle(const SpeedLimits & limits) const { return speed == 0.0 ? 0.0 : limits.wheelAngle(curvature); }
 };
 
 /// How the car answers, and what may be asked of it with the tyres that it is found to have.

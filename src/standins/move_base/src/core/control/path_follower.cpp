@@ -147,9 +147,8 @@ Pose2 PathFollower::afterLatency(const CarState & car) const
 
 void PathFollower::noteSent(double period)
 {
-  const double told = last_.speed == 0.0 ? 0.0 : options().limits.wheelAngle(last_.curvature);
   const double farthest = options().limits.max_steering_rate * period;
-  wheels_ += std::clamp(told - wheels_, -farthest, farthest);
+  wheels_ += std::clamp(last_.steeringAngle(options().limits) - wheels_, -farthest, farthest);
   sent_.push_back({period, last_bend_});
   double held = 0.0;
   for (const Sent & sent : sent_) {

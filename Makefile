@@ -42,7 +42,7 @@ UNITY ?= $(if $(wildcard $(BUILD_DIR)/CMakeCache.txt),,$(FRESH_UNITY))
 # What tools/setup is told: --yes lets it use sudo without asking.
 SETUP ?=
 
-IN_WORKSPACE = source "$(DEVEL_DIR)/setup.bash" &&
+IN_WORKSPACE = source "$(DEVEL_DIR)/setup.bash" $(EXTEND) &&
 CPP_FILES = $(shell git ls-files '*.cpp' '*.h')
 PYTHON_FILES = $(shell git ls-files '*.py'; git grep -lI '^\#!/usr/bin/\(env python3\|python3\)' -- ':!*.py')
 
@@ -87,8 +87,9 @@ build: installed $(CONFIGURED) ## build the workspace
 RACE = $(if $(PLANNER),race "$(CIRCUIT)" --planner "$(PLANNER)" --laps $(LAPS) $(addprefix --interface ,$(INTERFACE)),run "$(CIRCUIT)")
 
 # A planner of somebody else may lie in an overlay that has been sourced: --extend leaves it there.
+race: EXTEND = $(if $(PLANNER),--extend)
 race: build ## one headless race, judged: make race CIRCUIT=circuit3 PLANNER=my.launch
-	@source "$(DEVEL_DIR)/setup.bash" $(if $(PLANNER),--extend) && exec rosrun f1tenth_scenarios scenario $(RACE) --report
+	@$(IN_WORKSPACE) exec rosrun f1tenth_scenarios scenario $(RACE) --report
 
 report: build ## one HTML file of all results: results/report.html
 	@$(IN_WORKSPACE) exec rosrun f1tenth_scenarios scenario report

@@ -29,7 +29,8 @@ class GoalPasses:
 
     def update(self, time: float, x: float, y: float, yaw: float) -> None:
         """Take the place of the car in a period (s, m, rad); in order of time."""
-        for goal in self._goals[len(self.times) :]:
+        while not self.complete:
+            goal = self._goals[len(self.times)]
             distance = float(np.hypot(x - goal.x, y - goal.y))
             turn = abs((yaw - goal.yaw + np.pi) % (2 * np.pi) - np.pi)
             if not (distance <= self._tolerance and turn <= self._yaw_tolerance):

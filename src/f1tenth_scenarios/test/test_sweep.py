@@ -292,3 +292,10 @@ def test_many_whole_values_have_whole_ticks():
 def test_intervals_are_those_of_the_books():
     assert mean_interval([1.0, 2.0, 3.0]) == pytest.approx((2.0, 0.8684, 3.1316), abs=1e-4)
     assert mean_interval([2.0]) == (2.0, 2.0, 2.0)
+
+
+@pytest.mark.parametrize(("passed", "interval"), [(10, (0.7225, 1.0)), (5, (0.2366, 0.7634))])
+def test_interval_of_a_rate_is_that_of_the_books(passed, interval):
+    rows = [{**row, "passed": i < passed} for i, row in enumerate(rows_of("mu", ["1"] * 10))]
+    above, _ = make_figure("t", rows, ["mu"]).axes
+    assert tuple(above.lines[0].get_ydata()) == pytest.approx(interval, abs=1e-4)

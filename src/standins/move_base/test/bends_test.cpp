@@ -158,6 +158,52 @@ TEST(PathFollower, turnsItsWheelsInTimeForAKink)
   EXPECT_LT(farthestBeside(racingFollower(), path, 5.0), 0.05);
 }
 
+FollowerOptions brakingHard()
+{
+  FollowerOptions options = racingFollower();
+  options.limits.acc_lim_x = 7.0;
+  options.limits.dec_lim_x = 7.0;
+  options.limits.max_lateral_acceleration = 1.5;
+  return options;
+}
+
+Path leadingIntoAKink()
+{
+  return samplePath({3.0, 8.0, 0.0}, {{3.0, 0.2}, {0.6, -1.25}, {3.0, 0.0}}, 0.1);
+}
+
+TEST(PathFollower, turnsItsWheelsInTimeForAKinkThatItBrakesFor)
+{
+  EXPECT_LT(farthestBeside(brakingHard(), leadingIntoAKink(), 5.0), 0.025);
+}
+
+TEST(PathFollower, turnsItsWheelsForAKinkAsLateAsTheSpeedThereAllows)
+{
+  const Costmap costmap = makeCostmap(drawRoom(16.0, 16.0));
+  const Path path = leadingIntoAKink();
+  PathFollower follower(brakingHard());
+  follower.setPath(path, costmap);
+  EXPECT_GT(follower.step({path[28].pose, 2.5}, costmap, kStepTime).command.curvature, 0.0) << "it still brakes";
+  EXPECT_LT(follower.step({path[30].pose, 1.1}, costmap, kStepTime).command.curvature, -1.0);
+}
+
+TEST(PathFollower, keepsItsWheelsTurnedOnceItHasBegunForAKink)
+{
+  const Costmap costmap = makeCostmap(drawRoom(16.0, 16.0));
+  const Path path = leadingIntoAKink();
+  PathFollower follower(brakingHard());
+  follower.setPath(path, costmap);
+  KinematicCar car(path.front().pose);
+  bool turned = false;
+  while (follower.placeOf(car.state()) < 3.3) {
+    const DriveCommand command = follower.step(car.state(), costmap, kStepTime).command;
+    turned = turned || command.curvature < -0.9;
+    EXPECT_TRUE(!turned || command.curvature < -0.8) << command.curvature;
+    car.drive(command, kStepTime);
+  }
+  EXPECT_TRUE(turned);
+}
+
 // Backwards with one lock and forwards with the other: who starts before the wheels are there is 0.05 m beside its path.
 TEST(PathFollower, turnsItsWheelsBeforeItStarts)
 {

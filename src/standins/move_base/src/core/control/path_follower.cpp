@@ -175,23 +175,28 @@ double PathFollower::steer(const PathPosition & position, double ahead, double s
          way * (position.lateral / (reach * reach) + 2.0 * std::sin(astray) / reach);
 }
 
-// Of the path where the car will be when its yaw has followed the wheels. Before a kink they begin to turn so early that
-// half of the turn is done there.
+// Of the path where the car will be when its yaw has followed the wheels, at the speeds at which it will drive there.
+// Before a kink they begin to turn so early that half of the turn is done there.
 double PathFollower::curvatureAhead(const PathPosition & position, double speed) const
 {
   const SpeedLimits & limits = options().limits;
-  const double here = limits.wheelAngle(position.curvature);
-  std::size_t ahead = position.index;
-  for (std::size_t i = ahead + 1; i < path_.size() && path_[i].reverse == position.reverse; ++i) {
-    const double away = path_[i].s - position.s;
+  const double here = limits.wheelAngle(path_[position.index].curvature);
+  double ahead = position.curvature;
+  double time = 0.0;
+  double before = position.s;
+  for (std::size_t i = position.index + 1; i < path_.size() && path_[i].reverse == position.reverse; ++i) {
+    const double most = std::sqrt(speed * speed + 2.0 * limits.acc_lim_x * (path_[i].s - position.s));
+    const double then = std::max(std::min(most, speeds_[i]), kCreep);
+    time += (path_[i].s - before) / then;
+    before = path_[i].s;
     const double turn = std::abs(limits.wheelAngle(path_[i].curvature) - here);
-    if (away < options().yaw_lag * speed * speed + 0.5 * std::abs(speed) * turn / limits.max_steering_rate) {
-      ahead = i;
-    } else if (away > kLongestLead) {
+    if (time < options().yaw_lag * then + 0.5 * turn / limits.max_steering_rate) {
+      ahead = path_[i].curvature;
+    } else if (before > position.s + kLongestLead) {
       break;
     }
   }
-  return path_[ahead].curvature;
+  return ahead;
 }
 
 double PathFollower::profileAt(double s, std::size_t from) const

@@ -12,6 +12,7 @@ namespace
 {
 using testing::drawRoom;
 using testing::makeCostmap;
+using testing::scanFrom;
 
 SpeedLimits racingLimits()
 {
@@ -54,6 +55,38 @@ TEST(SpeedProfile, keepsTheLateralAccelerationInBends)
   const Path path = samplePath({20.0, 1.0, 0.0}, {{3.0, 0.5}}, 0.1);
   const std::vector<double> speeds = speedProfile(path, hall(), racingLimits());
   EXPECT_NEAR(speeds.front(), std::sqrt(3.0 / 0.5), 1e-9);
+}
+
+TEST(SpeedProfile, drivesBendsMoreSlowlyNearToWhatTheMapDoesNotKnow)
+{
+  Costmap costmap = hall();
+  const Vec2 seen{26.0, 6.0};
+  costmap.observe(scanFrom({23.0, 6.0, 0.0}, [](double angle) { return std::abs(angle) < 0.1 ? 3.0 : 20.0; }));
+  const Path path = samplePath({20.0, 1.0, 0.0}, {{9.0, 0.2}}, 0.1);
+  SpeedLimits limits = racingLimits();
+  limits.max_lateral_acceleration = 1.0;
+  const std::vector<double> speeds = speedProfile(path, costmap, limits);
+  const std::size_t nearest = nearestTo(path, {seen.x, seen.y, 0.0});
+  ASSERT_GT(distance(path.front().pose.position(), seen), 2.6);
+  EXPECT_NEAR(speeds.front(), std::sqrt(1.0 / 0.2), 1e-9) << "far from it";
+  EXPECT_NEAR(speeds[nearest], std::sqrt(0.7 / 0.2), 1e-9);
+}
+
+TEST(SpeedProfile, squeezesPastWhatTheMapDoesNotKnowMoreSlowlyThanPastAWall)
+{
+  SpeedLimits limits = racingLimits();
+  limits.full_speed_clearance = 0.1;
+  const Path path = samplePath({20.0, 5.0, 0.0}, {{10.0, 0.0}}, 0.1);
+  const auto slowest = [&](const Costmap & costmap) {
+    const std::vector<double> speeds = speedProfile(path, costmap, limits);
+    return *std::min_element(speeds.begin() + 30, speeds.begin() + 60);
+  };
+  Costmap costmap = hall();
+  EXPECT_DOUBLE_EQ(slowest(costmap), 4.0);
+  costmap.observe(scanFrom({22.0, 5.5, 0.0}, [](double angle) { return std::abs(angle) < 0.03 ? 3.0 : 20.0; }));
+  const double clearance = costmap.clearance({25.0, 5.0, 0.0});
+  ASSERT_GT(clearance, 0.2);
+  EXPECT_LT(slowest(costmap), 3.0);
 }
 
 TEST(SpeedProfile, leavesTheWheelsTheAngleThatUndersteerTakes)

@@ -112,6 +112,13 @@ double Costmap::roomAlong(const Pose2 & from, double curvature) const
   return room;
 }
 
+bool Costmap::seesUnknown(const Vec2 & point, double reach) const
+{
+  return std::any_of(stamped_.begin(), stamped_.end(), [&](const Cell & cell) {
+    return distance(geometry_.centre(cell), point) < reach;
+  });
+}
+
 // A car stands along its road, which is where there is room to both ends of it; where no way is much freer than the
 // others, it is as wide as a car, whatever the side.
 Box Costmap::alongRoad(const Box & outline) const

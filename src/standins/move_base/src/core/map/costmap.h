@@ -53,6 +53,9 @@ public:
   /// The least of those, m, on the next 1.2 m of an arc, 1/m.
   double roomAlong(const Pose2 & from, double curvature) const;
 
+  /// Whether the lidar has seen something beside the map that near to a point, m.
+  bool seesUnknown(const Vec2 & point, double reach) const;
+
   /// Whether the map knows nothing of a cell.
   bool isUnknown(std::size_t index) const { return unknown_[index] != 0; }
 

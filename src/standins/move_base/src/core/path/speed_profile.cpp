@@ -13,6 +13,10 @@ namespace
 constexpr std::size_t kSteeringReach = 2;
 constexpr double kSteeringReserve = 0.025;  // rad, of the wheels, to steer back with
 constexpr double kLeastLateral = 0.2;       // of the lateral acceleration, where the wheels have no angle left
+// Beside what the map does not know.
+constexpr double kUnknownReach = 2.5;               // m
+constexpr double kUnknownLateralPart = 0.7;         // of the lateral acceleration
+constexpr double kUnknownFullSpeedClearance = 0.5;  // m
 
 // At which the tyres hold the car in a bend, and the bend leaves the wheels the angle that understeer takes.
 double speedForBend(double curvature, const SpeedLimits & limits)
@@ -64,6 +68,15 @@ void limitByAcceleration(const Path & path, const PathStretch & stretch, const S
     const double acceleration = limits.acc_lim_x * limits.leftInBend(speeds[i], path[i].curvature);
     speeds[i + 1] = std::min(speeds[i + 1], std::sqrt(speeds[i] * speeds[i] + 2.0 * acceleration * step));
   }
+}
+
+// Beside what the map does not know errors cost most.
+SpeedLimits besideUnknown(const SpeedLimits & limits)
+{
+  SpeedLimits careful = limits;
+  careful.max_lateral_acceleration *= kUnknownLateralPart;
+  careful.full_speed_clearance = std::max(limits.full_speed_clearance, kUnknownFullSpeedClearance);
+  return careful;
 }
 }  // namespace
 
@@ -124,12 +137,14 @@ std::vector<double> speedProfile(
 {
   SpeedLimits limits = given;
   limits.max_lateral_acceleration *= caution.lateral_part;
+  const SpeedLimits careful = besideUnknown(given);
   std::vector<double> speeds(path.size());
   for (const PathStretch & stretch : stretches(path)) {
     for (std::size_t i = stretch.begin; i < stretch.end; ++i) {
+      const SpeedLimits & here = costmap.seesUnknown(path[i].pose.position(), kUnknownReach) ? careful : limits;
       speeds[i] = std::min(
-        {speedForCurvature(path[i], limits), speedForSteering(path, stretch, i, limits),
-         speedForClearance(path[i].pose, costmap, limits), path[i].s < caution.until ? caution.pace : HUGE_VAL});
+        {speedForCurvature(path[i], here), speedForSteering(path, stretch, i, here),
+         speedForClearance(path[i].pose, costmap, here), path[i].s < caution.until ? caution.pace : HUGE_VAL});
     }
     limitByAcceleration(path, stretch, limits, speeds.data());
   }

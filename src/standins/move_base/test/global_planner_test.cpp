@@ -196,6 +196,48 @@ TEST(GlobalPlanner, endsAtTheGoalWhereTheRoadEnds)
   EXPECT_LT(length(plan.path), 5.0);
 }
 
+// Something stands on the road so near behind the goal that a car at the goal gets past it no more.
+Costmap closeBehindTheGoal(double width, double low, double high)
+{
+  return makeCostmap(drawMap(14.0, width, [=](const Vec2 & p) {
+    const bool obstacle = inRectangle(p, {5.6, low}, {6.2, high});
+    return !inRectangle(p, {0.1, 0.1}, {13.9, width - 0.1}) || obstacle;
+  }));
+}
+
+PlanRequest racingPast(const Pose2 & goal, const std::vector<Pose2> & next)
+{
+  PlanRequest request{{1.0, goal.y, 0.0}, goal, 0.0, 8.0};
+  RaceLineOptions gate;
+  gate.gate_tolerance = 0.5;
+  gate.gate_yaw_tolerance = 0.6;
+  gate.lateral_acceleration = 5.0;
+  gate.max_speed = 4.0;
+  gate.goals_beyond = next;
+  request.race_line = gate;
+  return request;
+}
+
+TEST(GlobalPlanner, passesAGoalOnTheWayToTheNextOneWhereItCannotRollOn)
+{
+  const Costmap costmap = closeBehindTheGoal(2.0, 0.85, 1.15);
+  const Pose2 goal{4.9, 1.0, 0.0};
+  EXPECT_LT(length(planOn(costmap, forwardOnly(), racingPast(goal, {})).path), 5.0);
+  const Plan plan = planOn(costmap, forwardOnly(), racingPast(goal, {{9.0, 1.0, 0.0}}));
+  expectDrivable(plan, costmap, forwardOnly());
+  EXPECT_GT(length(plan.path), 8.0);
+  EXPECT_LE(distance(plan.path[nearestTo(plan.path, goal)].pose, goal), 0.51);
+}
+
+TEST(GlobalPlanner, goesOnWithLessClearanceWhereThatLeadsFarther)
+{
+  const Costmap costmap = closeBehindTheGoal(2.6, 0.6, 2.5);
+  const Pose2 goal{4.0, 1.1, 0.0};
+  const Plan plan = planOn(costmap, forwardOnly(), racingPast(goal, {{9.0, 1.3, 0.0}}));
+  expectDrivable(plan, costmap, forwardOnly());
+  EXPECT_GT(length(plan.path), 8.0);
+}
+
 TEST(GlobalPlanner, givesTheSamePlanAgain)
 {
   const Costmap costmap = makeCostmap(drawOval());

@@ -1,6 +1,8 @@
 #include "path/global_planner.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "path/path_extension.h"
 #include "path/path_smoother.h"
@@ -12,7 +14,20 @@ namespace
 {
 constexpr double kSpacing = 0.1;          // m, between points of a path
 constexpr double kLeastClearance = 0.02;  // m
+constexpr double kNarrower = 0.04;        // m, by which less clearance is tried
 constexpr double kFirstPart = 0.4;        // of max_expansions, for the search with the clearance wanted
+constexpr double kShortPart = 0.05;       // the same for one with less clearance, or to the goal beyond
+constexpr double kClearlyFarther = 1.0;   // m, that a plan with less clearance must lead
+
+std::vector<double> clearancesFrom(double wanted)
+{
+  std::vector<double> clearances;
+  for (double clearance = wanted; clearance > kLeastClearance + 0.5 * kNarrower; clearance -= kNarrower) {
+    clearances.push_back(clearance);
+  }
+  clearances.push_back(kLeastClearance);
+  return clearances;
+}
 }  // namespace
 
 double placeOnPath(const Path & path, const Pose2 & goal, double near_s)
@@ -48,55 +63,118 @@ void prepend(const Path & lead, Plan & plan)
 }
 
 GlobalPlanner::GlobalPlanner(const PlannerOptions & options)
-: options_(options), curves_(options.min_turning_radius, options.allow_reversing)
+: options_(options),
+  curves_(options.min_turning_radius, options.allow_reversing),
+  clearances_(clearancesFrom(options.min_obstacle_dist))
 {
   options_.validate();
 }
 
 Plan GlobalPlanner::plan(const Costmap & costmap, const PlanRequest & request) const
 {
-  if (options_.min_obstacle_dist <= kLeastClearance) {
-    return planWithClearance(costmap, request, kLeastClearance, options_.max_expansions);
+  Plan best;
+  int spent = 0;
+  // Narrow gaps make a search long or fail: something must be left for the last one.
+  double part = kFirstPart;
+  for (const double clearance : clearances_) {
+    const bool last = clearance == clearances_.back();
+    Attempt attempt = planWithClearance(
+      costmap, request, clearance, last ? std::max(1, options_.max_expansions - spent) : expansions(part));
+    part = kShortPart;
+    spent += attempt.plan.expansions;
+    const bool narrow = attempt.isNarrow();
+    if (!best.found() || length(attempt.plan.path) > length(best.path) + kClearlyFarther) {
+      best = std::move(attempt.plan);
+    }
+    if (!narrow) {
+      break;
+    }
   }
-  // Narrow gaps make the first search long or fail: something must be left for the second one.
-  const int first_budget = std::max(1, static_cast<int>(kFirstPart * options_.max_expansions));
-  const Plan wanted = planWithClearance(costmap, request, options_.min_obstacle_dist, first_budget);
-  if (wanted.status != SearchStatus::kUnreachable && wanted.status != SearchStatus::kBudgetSpent) {
-    return wanted;
-  }
-  const int left = std::max(1, options_.max_expansions - wanted.expansions);
-  Plan narrow = planWithClearance(costmap, request, kLeastClearance, left);
-  narrow.expansions += wanted.expansions;
-  return narrow;
+  best.expansions = spent;
+  return best;
 }
 
-Plan GlobalPlanner::planWithClearance(
+int GlobalPlanner::expansions(double part) const
+{
+  return std::max(1, static_cast<int>(part * options_.max_expansions));
+}
+
+bool GlobalPlanner::Attempt::isNarrow() const
+{
+  return plan.found() ? !leads_on
+                      : plan.status == SearchStatus::kUnreachable || plan.status == SearchStatus::kBudgetSpent;
+}
+
+void GlobalPlanner::rollOn(const Costmap & costmap, double wanted_length, Way & way) const
+{
+  const double missing = wanted_length - length(way.arcs);
+  const std::vector<Arc> beyond = extensionFrom(way.end, costmap, way.rule, options_, missing);
+  way.arcs.insert(way.arcs.end(), beyond.begin(), beyond.end());
+}
+
+// What lies beyond a goal may be in the way of a car that passes it exactly.
+std::optional<GlobalPlanner::Way> GlobalPlanner::wayToNext(
+  const Costmap & costmap, const PlanRequest & request, double clearance) const
+{
+  const RaceLineOptions & gate = *request.race_line;
+  const Pose2 & next = gate.goals_beyond.front();
+  const SearchQuery query{request.start, next, request.start_curvature, expansions(kShortPart), request.dropped.get()};
+  const ClearanceRule rule(costmap, request.start, next, clearance);
+  const SearchResult result = searchHybridAStar(costmap, options_, curves_, query, rule);
+  if (result.status != SearchStatus::kFound) {
+    return std::nullopt;
+  }
+  const Path path = samplePath(request.start, result.arcs, kSpacing);
+  const PathPoint & passed = path[nearestTo(path, request.goal)];
+  const bool passes = distance(passed.pose, request.goal) <= gate.gate_tolerance &&
+                      std::abs(normalizeAngle(passed.pose.yaw - request.goal.yaw)) <= gate.gate_yaw_tolerance;
+  if (!passes || !isForward(path)) {
+    return std::nullopt;
+  }
+  return Way{result.arcs, rule, next, passed.s};
+}
+
+// @return whether it is as long as wanted, or leads to the next goal
+bool GlobalPlanner::goBeyond(const Costmap & costmap, const PlanRequest & request, double clearance, Way & way) const
+{
+  const double wanted = way.goal_s + request.extension_length;
+  rollOn(costmap, wanted, way);
+  if (length(way.arcs) >= wanted || !request.race_line || request.race_line->goals_beyond.empty()) {
+    return true;
+  }
+  const std::optional<Way> onward = wayToNext(costmap, request, clearance);
+  if (onward && length(onward->arcs) > length(way.arcs)) {
+    way = *onward;
+    rollOn(costmap, wanted, way);
+  }
+  return onward.has_value();
+}
+
+GlobalPlanner::Attempt GlobalPlanner::planWithClearance(
   const Costmap & costmap, const PlanRequest & request, double clearance, int max_expansions) const
 {
   const SearchQuery query{request.start, request.goal, request.start_curvature, max_expansions, request.dropped.get()};
   const ClearanceRule rule(costmap, request.start, request.goal, clearance);
-  SearchResult result = searchHybridAStar(costmap, options_, curves_, query, rule);
+  const SearchResult result = searchHybridAStar(costmap, options_, curves_, query, rule);
   Plan plan;
   plan.status = result.status;
   plan.expansions = result.expansions;
   if (!plan.found()) {
-    return plan;
+    return {std::move(plan), false};
   }
-  const double goal_s = length(result.arcs);
-  if (result.arcs.empty() || result.arcs.back().length > 0.0) {
-    const std::vector<Arc> beyond = extensionFrom(request.goal, costmap, rule, options_, request.extension_length);
-    result.arcs.insert(result.arcs.end(), beyond.begin(), beyond.end());
-  }
-  const Path path = samplePath(request.start, result.arcs, kSpacing);
-  plan.path = smoothPath(path, costmap, rule, 1.0 / options_.min_turning_radius, goal_s);
+  Way way{result.arcs, rule, request.goal, length(result.arcs)};
+  const bool forwards = result.arcs.empty() || result.arcs.back().length > 0.0;
+  const bool leads_on = !forwards || goBeyond(costmap, request, clearance, way);
+  const Path path = samplePath(request.start, way.arcs, kSpacing);
+  plan.path = smoothPath(path, costmap, way.rule, 1.0 / options_.min_turning_radius, way.goal_s);
   if (request.race_line && isForward(plan.path)) {
     plan.path.front().curvature = request.start_curvature;
     plan.path = raceLine(
       plan.path, costmap, options_.min_obstacle_dist, request.goal, 1.0 / options_.min_turning_radius,
       *request.race_line);
   }
-  plan.goal_s = placeOnPath(plan.path, request.goal, goal_s);
+  plan.goal_s = placeOnPath(plan.path, request.goal, way.goal_s);
   prepend(request.lead, plan);
-  return plan;
+  return {std::move(plan), leads_on};
 }
 }  // namespace move_base

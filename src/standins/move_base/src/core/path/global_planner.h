@@ -58,14 +58,35 @@ public:
   /// @throws OptionError
   explicit GlobalPlanner(const PlannerOptions & options);
 
-  /// Tries with the clearance of the options, then with as little as the map is exact.
+  /// Tries with the clearance of the options, then with less and in the end as little as the map is exact, where that
+  /// leads farther. Where the car cannot roll on from the goal, it is passed on the way to the one beyond it.
   Plan plan(const Costmap & costmap, const PlanRequest & request) const;
 
 private:
-  Plan planWithClearance(
+  struct Way
+  {
+    std::vector<Arc> arcs;
+    ClearanceRule rule;  // that it keeps
+    Pose2 end;
+    double goal_s;  // m along it
+  };
+  struct Attempt
+  {
+    bool isNarrow() const;
+
+    Plan plan;
+    bool leads_on;  // beyond the goal
+  };
+
+  int expansions(double part) const;
+  void rollOn(const Costmap & costmap, double wanted_length, Way & way) const;
+  std::optional<Way> wayToNext(const Costmap & costmap, const PlanRequest & request, double clearance) const;
+  bool goBeyond(const Costmap & costmap, const PlanRequest & request, double clearance, Way & way) const;
+  Attempt planWithClearance(
     const Costmap & costmap, const PlanRequest & request, double clearance, int max_expansions) const;
 
   PlannerOptions options_;
   ShortestCurves curves_;
+  std::vector<double> clearances_;  // m, one after the other
 };
 }  // namespace move_base

@@ -185,8 +185,7 @@ double PathFollower::curvatureAhead(const PathPosition & position, double speed)
   double time = 0.0;
   double before = position.s;
   for (std::size_t i = position.index + 1; i < path_.size() && path_[i].reverse == position.reverse; ++i) {
-    const double most = std::sqrt(speed * speed + 2.0 * limits.acc_lim_x * (path_[i].s - position.s));
-    const double then = std::max(std::min(most, speeds_[i]), kCreep);
+    const double then = std::max(std::min(std::abs(speed), speeds_[i]), kCreep);
     time += (path_[i].s - before) / then;
     before = path_[i].s;
     const double turn = std::abs(limits.wheelAngle(path_[i].curvature) - here);

@@ -114,9 +114,9 @@ double Costmap::roomAlong(const Pose2 & from, double curvature) const
 
 bool Costmap::seesUnknown(const Vec2 & point, double reach) const
 {
-  return std::any_of(stamped_.begin(), stamped_.end(), [&](const Cell & cell) {
-    return distance(geometry_.centre(cell), point) < reach;
-  });
+  return isNearLive(point, reach) && std::any_of(stamped_.begin(), stamped_.end(), [&](const Cell & cell) {
+           return distance(geometry_.centre(cell), point) < reach;
+         });
 }
 
 // A car stands along its road, which is where there is room to both ends of it; where no way is much freer than the
@@ -220,9 +220,14 @@ bool Costmap::isFarFromAll(const Pose2 & base, double margin) const
   if (!(wallDistance(middle) >= room)) {
     return false;
   }
-  const bool live = middle.x + reach > live_low_.x && middle.x - reach < live_high_.x &&
-                    middle.y + reach > live_low_.y && middle.y - reach < live_high_.y;
-  return !live && isInside(middle, reach + geometry_.resolution);
+  return !isNearLive(middle, reach) && isInside(middle, reach + geometry_.resolution);
+}
+
+// Whether a square around a place, m to each side, reaches into the rectangle around all that is stamped.
+bool Costmap::isNearLive(const Vec2 & middle, double reach) const
+{
+  return middle.x + reach > live_low_.x && middle.x - reach < live_high_.x && middle.y + reach > live_low_.y &&
+         middle.y - reach < live_high_.y;
 }
 
 // Whether the map reaches so far around a place, m.

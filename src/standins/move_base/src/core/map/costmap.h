@@ -108,6 +108,7 @@ private:
   }
 
   bool isInside(const Vec2 & middle, double room) const;
+  bool isNearLive(const Vec2 & middle, double reach) const;
   void makeStamp();
   void rebuild();
   void stamp(const Cell & cell);

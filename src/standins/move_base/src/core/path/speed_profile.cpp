@@ -71,11 +71,11 @@ void limitByAcceleration(const Path & path, const PathStretch & stretch, const S
 }
 
 // Beside what the map does not know errors cost most.
-SpeedLimits besideUnknown(const SpeedLimits & limits)
+SpeedLimits besideUnknown(const SpeedLimits & given, const Caution & caution)
 {
-  SpeedLimits careful = limits;
-  careful.max_lateral_acceleration *= kUnknownLateralPart;
-  careful.full_speed_clearance = std::max(limits.full_speed_clearance, kUnknownFullSpeedClearance);
+  SpeedLimits careful = given;
+  careful.max_lateral_acceleration *= std::min(caution.lateral_part, kUnknownLateralPart);
+  careful.full_speed_clearance = std::max(given.full_speed_clearance, kUnknownFullSpeedClearance);
   return careful;
 }
 }  // namespace
@@ -137,7 +137,7 @@ std::vector<double> speedProfile(
 {
   SpeedLimits limits = given;
   limits.max_lateral_acceleration *= caution.lateral_part;
-  const SpeedLimits careful = besideUnknown(given);
+  const SpeedLimits careful = besideUnknown(given, caution);
   std::vector<double> speeds(path.size());
   for (const PathStretch & stretch : stretches(path)) {
     for (std::size_t i = stretch.begin; i < stretch.end; ++i) {

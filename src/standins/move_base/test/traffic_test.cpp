@@ -130,6 +130,23 @@ TEST(PathFollower, keepsBehindWhoWeaves)
   EXPECT_TRUE(isBeside(forecast.at(0.0), beside, footprint));
 }
 
+// What forecasts are wrong by is left beside another: 0.05 m is too near to pass it, 0.08 m is what ways past keep.
+TEST(PathFollower, isHinderedByWhoItWouldPassTooNear)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  const Forecast slow(carAt(onOval(5.0), 0.5), costmap, 0.0);
+  const double touching = slow.at(0.0).half_width + costmap.footprint().halfWidth();
+  const auto hindered = [&](double apart) {
+    const Pose2 start = onOval(3.5);
+    const CarState car{{start.x, start.y + touching + apart, start.yaw}, 2.0};
+    PathFollower follower(FollowerOptions{});
+    follower.setPath(samplePath(car.pose, {{3.0, 0.0}}, 0.1), costmap);
+    return follower.hindered(car, costmap, {slow});
+  };
+  EXPECT_TRUE(hindered(0.05));
+  EXPECT_FALSE(hindered(0.08));
+}
+
 TEST(Forecast, whoWeavesIsPassedOnlyBesideAllThatItSweeps)
 {
   const Costmap costmap = makeCostmap(drawOval());

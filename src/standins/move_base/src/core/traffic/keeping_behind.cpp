@@ -7,7 +7,7 @@ namespace move_base
 namespace
 {
 constexpr double kTrafficTime = 2.5;     // s, for which others ahead count
-constexpr double kTrafficMargin = 0.03;  // m, beside them
+constexpr double kTrafficMargin = 0.06;  // m, beside them: what forecasts are wrong by
 constexpr double kOthersBraking = 6.0;   // m/s^2, with which others may brake
 constexpr double kClosingLag = 0.15;     // s, that a car's speed and what is known of the other's lag behind
 constexpr double kStandoff = 0.8;      // m, kept behind another: who is to swing out past it at a standstill needs 0.7

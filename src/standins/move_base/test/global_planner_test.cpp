@@ -188,6 +188,31 @@ TEST(GlobalPlanner, goesOnBeyondTheGoalWhenAsked)
   EXPECT_GE(length(plan.path), 8.8);
 }
 
+TEST(GlobalPlanner, goesOnAsItIsLed)
+{
+  const Costmap costmap = makeCostmap(drawOval());
+  for (const double aside : {-0.2, -0.1, 0.0, 0.1, 0.2}) {
+    for (const double way : {2.0, 2.5, 3.0, 3.5, 4.0}) {
+      PlanRequest request{onOval(9.0), onOval(10.0 + way)};
+      const double bend = 1.0 / (3.0 - aside);
+      const Pose2 begin = compose(onOval(9.0), {0.0, aside, 0.0});
+      for (double s = 0.0; s < 1.05; s += 0.1) {
+        request.lead.push_back({advance(begin, s, bend), bend, false, s});
+      }
+      request.start = request.lead.back().pose;
+      request.start_curvature = bend;
+      const Plan plan = planOn(costmap, forwardOnly(), request);
+      ASSERT_TRUE(plan.found());
+      const auto turn = [&](std::size_t i) {
+        return normalizeAngle(plan.path[i + 1].pose.yaw - plan.path[i].pose.yaw);
+      };
+      for (std::size_t i = request.lead.size() - 2; i <= request.lead.size(); ++i) {
+        EXPECT_NEAR(turn(i), 0.5 * (turn(i - 1) + turn(i + 1)), 0.015) << aside << ", " << way << ", " << i;
+      }
+    }
+  }
+}
+
 TEST(GlobalPlanner, endsAtTheGoalWhereTheRoadEnds)
 {
   const Costmap costmap = makeCostmap(drawRoom(6.0, 1.4));

@@ -28,6 +28,14 @@ std::vector<double> clearancesFrom(double wanted)
   clearances.push_back(kLeastClearance);
   return clearances;
 }
+
+// The search may begin with full lock, and the band keeps the first piece as it is. Race lines begin as led anyway.
+void beginAsLed(Path & path, const PlanRequest & request)
+{
+  if (!request.lead.empty() && !request.race_line && path.size() > 2 && !path[1].reverse) {
+    path[1].pose = advance(request.start, path[1].s, request.start_curvature);
+  }
+}
 }  // namespace
 
 double placeOnPath(const Path & path, const Pose2 & goal, double near_s)
@@ -165,7 +173,8 @@ GlobalPlanner::Attempt GlobalPlanner::planWithClearance(
   Way way{result.arcs, rule, request.goal, length(result.arcs)};
   const bool forwards = result.arcs.empty() || result.arcs.back().length > 0.0;
   const bool leads_on = !forwards || goBeyond(costmap, request, clearance, way);
-  const Path path = samplePath(request.start, way.arcs, kSpacing);
+  Path path = samplePath(request.start, way.arcs, kSpacing);
+  beginAsLed(path, request);
   plan.path = smoothPath(path, costmap, way.rule, 1.0 / options_.min_turning_radius, way.goal_s);
   if (request.race_line && isForward(plan.path)) {
     plan.path.front().curvature = request.start_curvature;

@@ -64,7 +64,10 @@ def track(tmp_path):
         ("    driver: {launch: none.launch}\n", "no such file: {folder}/none.launch"),
         ("    driver: {launch: package://nobody/x.launch}\n", "package nobody not found"),
         ("    driver: {launch: package://f1tenth_scenarios/x.launch}\n", "no such file: "),
-        ("    driver: pursuit\n", "'expected: success' needs a car with 'goals' or 'laps'"),
+        (
+            "    driver: pursuit\n",
+            "'expected: success' needs a car with 'goals' or 'laps'; 'laps' outside of 'cars' repeats goals",
+        ),
     ],
 )
 def test_what_does_not_fit_together_is_answered(planned, tmp_path, car, problem):

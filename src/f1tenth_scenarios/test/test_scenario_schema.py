@@ -81,6 +81,11 @@ ANSWERS = {
         f"FILE:6: unknown key 'colour' in cars[0]; allowed: {CAR_KEYS}",
     ),
     "missing key": ("seed: 1\n", "", f"FILE:1: missing key 'seed'; allowed: {TOP_KEYS}"),
+    "missing keys": (
+        "expected: success\nseed: 1\n",
+        "",
+        f"FILE:1: missing keys 'expected', 'seed'; allowed: {TOP_KEYS}",
+    ),
     "missing key inside": (
         "timeout: 10.0",
         "wall: 10.0",

@@ -118,9 +118,12 @@ def _read_entries(schema, node, path):
 
 
 def _require_all(schema, node, path, values):
-    for field in dataclasses.fields(schema):
-        if is_required(field) and field.name not in values:
-            raise error(node, f"missing key '{field.name}'{_inside(path)}; allowed: {_allowed(schema)}")
+    required = [field.name for field in dataclasses.fields(schema) if is_required(field)]
+    missing = [f"'{name}'" for name in required if name not in values]
+    if missing:
+        several = "s" if len(missing) > 1 else ""
+        names = ", ".join(missing)
+        raise error(node, f"missing key{several} {names}{_inside(path)}; allowed: {_allowed(schema)}")
 
 
 def _check_problem(result, node, nodes, path):

@@ -87,4 +87,6 @@ def _check(plan: Plan) -> None:
             f"'localization: amcl' needs a map, and {plan.place.world} has none beside it or in ../maps"
         )
     if scenario.expected is Verdict.SUCCESS and all(task.is_empty for task in plan.tasks.values()):
-        raise ScenarioError("'expected: success' needs a car with 'goals' or 'laps'")
+        raise ScenarioError(
+            "'expected: success' needs a car with 'goals' or 'laps'; 'laps' outside of 'cars' repeats goals"
+        )

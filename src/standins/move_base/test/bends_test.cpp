@@ -244,8 +244,8 @@ TEST(PathFollower, drivesBendsWithAReserveWhenItAnswersLate)
     return follower.options().limits.max_lateral_acceleration / told;
   };
   EXPECT_NEAR(part(0.07, {}), 1.0, 1e-9) << "as tyres that slide seem to";
-  EXPECT_NEAR(part(0.13, {}), 0.85, 1e-9);
-  EXPECT_NEAR(part(0.13, {2.0, 1.0, true}), 0.85 * std::pow(1.15 / 2.0, 1.5), 1e-9);
+  EXPECT_NEAR(part(0.13, {}), 0.8, 1e-9);
+  EXPECT_NEAR(part(0.13, {2.0, 1.0, true}), 0.8 * std::pow(1.15 / 2.0, 1.5), 1e-9);
   EXPECT_NEAR(part(0.13, {1.0, 1.0, false}), 0.6, 1e-9) << "less than that, until a bend has shown the tyres";
   EXPECT_NEAR(part(0.0, {}), 1.0, 1e-9);
 }

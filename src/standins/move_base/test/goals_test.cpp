@@ -64,7 +64,7 @@ TEST(Goals, giveWayToTheSideOnTheRoad)
     costmap.observe(scanFrom({2.0, middle, 0.0}, [](double angle) { return std::abs(angle) < 0.05 ? 3.0 : 9.5; }));
     Goals goals;
     goals.set({4.8, middle, 0.0}, {{8.0, middle, 0.0}});
-    goals.moveAside(costmap, 0.1);
+    EXPECT_EQ(goals.moveAside(costmap, 0.1), width > 1.0);
     const double aside = std::abs(goals.front().y - middle);
     if (width > 1.0) {
       EXPECT_GE(costmap.clearance(goals.front()), 0.1);
@@ -99,6 +99,22 @@ TEST(Navigator, passesGoalsThatAnotherOneFollowsWithoutStopping)
   }
   EXPECT_GT(slowest, 1.9);
   EXPECT_GT(journey.clearance, 0.4);
+}
+
+// What plans are content with where there is no more.
+TEST(Navigator, movesAGoalAsideAlsoWhereThereIsLittleRoom)
+{
+  Journey journey(passingNavigator(), makeCostmap(drawRoom(14.0, 1.4)), {2.0, 0.7, 0.0});
+  const auto onTheGoal = [](double angle) { return std::abs(angle) < 0.05 ? 3.0 : 9.5; };
+  journey.costmap().observe(scanFrom(journey.car.state().pose, onTheGoal));
+  const Pose2 goal{4.8, 0.7, 0.0};
+  Goals goals;
+  goals.set(goal, {});
+  ASSERT_FALSE(goals.moveAside(journey.costmap(), passingNavigator().planner.min_obstacle_dist));
+  journey.navigator.setGoal(goal, journey.time, {{10.0, 0.7, 0.0}});
+  ASSERT_TRUE(journey.untilOutcome().succeeded);
+  EXPECT_TRUE(journey.recoveries.empty()) << "nothing has to be forgotten for it";
+  EXPECT_GT(journey.clearance, 0.02);
 }
 
 TEST(Navigator, stopsAtEachGoalWhenTheirSpeedIsNotFree)

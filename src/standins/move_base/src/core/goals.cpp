@@ -12,7 +12,7 @@ bool cameNear(const Pose2 & from, const Pose2 & to, const Pose2 & goal, const Go
          std::abs(normalizeAngle(to.yaw - goal.yaw)) <= tolerance.yaw;
 }
 
-void Goals::moveAside(const Costmap & costmap, double clearance)
+bool Goals::moveAside(const Costmap & costmap, double clearance)
 {
   constexpr double kStep = 0.05;     // m
   constexpr double kFarthest = 1.0;  // m
@@ -30,6 +30,7 @@ void Goals::moveAside(const Costmap & costmap, double clearance)
       }
     }
   }
+  return nearest < kFarthest;
 }
 
 void Goals::set(const Pose2 & goal, std::vector<Pose2> next)

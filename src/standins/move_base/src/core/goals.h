@@ -33,7 +33,8 @@ public:
   /// Puts the goal elsewhere; what follows stays.
   void move(const Pose2 & goal) { goal_ = goal; }
   /// Moves the goal to its left or right, not far, to where a car has the clearance, m; if there is no such place it stays.
-  void moveAside(const Costmap & costmap, double clearance);
+  /// @return whether it has been moved
+  bool moveAside(const Costmap & costmap, double clearance);
 
   void setNext(std::vector<Pose2> next) { next_ = std::move(next); }
   /// Whether another one follows: then the goal may be passed without a stop.

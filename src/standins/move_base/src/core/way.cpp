@@ -1,5 +1,6 @@
 #include "way.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "traffic/passing.h"
@@ -31,7 +32,8 @@ Way::Renewal Way::renew(PlanAnswer answer, const Scene & scene)
 void Way::makeRoom(SearchStatus status, const Costmap & costmap)
 {
   if (status == SearchStatus::kGoalBlocked && requests_.passes()) {
-    goals_.moveAside(costmap, options_.planner.min_obstacle_dist);
+    const std::vector<double> clearances = clearancesFrom(options_.planner.min_obstacle_dist);
+    std::any_of(clearances.begin(), clearances.end(), [&](double each) { return goals_.moveAside(costmap, each); });
   }
 }
 

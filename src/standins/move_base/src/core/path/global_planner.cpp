@@ -19,6 +19,15 @@ constexpr double kFirstPart = 0.4;        // of max_expansions, for the search w
 constexpr double kShortPart = 0.05;       // the same for one with less clearance, or to the goal beyond
 constexpr double kClearlyFarther = 1.0;   // m, that a plan with less clearance must lead
 
+// The search may begin with full lock, and the band keeps the first piece as it is. Race lines begin as led anyway.
+void beginAsLed(Path & path, const PlanRequest & request)
+{
+  if (!request.lead.empty() && !request.race_line && path.size() > 2 && !path[1].reverse) {
+    path[1].pose = advance(request.start, path[1].s, request.start_curvature);
+  }
+}
+}  // namespace
+
 std::vector<double> clearancesFrom(double wanted)
 {
   std::vector<double> clearances;
@@ -28,15 +37,6 @@ std::vector<double> clearancesFrom(double wanted)
   clearances.push_back(kLeastClearance);
   return clearances;
 }
-
-// The search may begin with full lock, and the band keeps the first piece as it is. Race lines begin as led anyway.
-void beginAsLed(Path & path, const PlanRequest & request)
-{
-  if (!request.lead.empty() && !request.race_line && path.size() > 2 && !path[1].reverse) {
-    path[1].pose = advance(request.start, path[1].s, request.start_curvature);
-  }
-}
-}  // namespace
 
 double placeOnPath(const Path & path, const Pose2 & goal, double near_s)
 {

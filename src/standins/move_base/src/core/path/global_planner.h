@@ -45,6 +45,9 @@ struct PlanRequest
   std::shared_ptr<const std::atomic<bool>> dropped{};
 };
 
+/// What is tried one after the other, m: the clearance wanted, less, and in the end as little as the map is exact.
+std::vector<double> clearancesFrom(double wanted);
+
 /// How far along the path the goal is, m: at its nearest point, among those near to near_s.
 double placeOnPath(const Path & path, const Pose2 & goal, double near_s);
 

@@ -1,6 +1,5 @@
 #include "way.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "traffic/passing.h"
@@ -32,8 +31,11 @@ Way::Renewal Way::renew(PlanAnswer answer, const Scene & scene)
 void Way::makeRoom(SearchStatus status, const Costmap & costmap)
 {
   if (status == SearchStatus::kGoalBlocked && requests_.passes()) {
-    const std::vector<double> clearances = clearancesFrom(options_.planner.min_obstacle_dist);
-    std::any_of(clearances.begin(), clearances.end(), [&](double each) { return goals_.moveAside(costmap, each); });
+    for (const double clearance : clearancesFrom(options_.planner.min_obstacle_dist)) {
+      if (goals_.moveAside(costmap, clearance)) {
+        break;
+      }
+    }
   }
 }
 

@@ -66,9 +66,9 @@ def test_command_lays_a_map_onto_its_world_when_told(tmp_path, capsys):
     grid = occupancy_grid(*f1tenth_sim2d.load_world(world).section(LIDAR_HEIGHT))
     save_map(Grid(grid.pixels, grid.x + 0.12, grid.y, grid.resolution), tmp_path / "moved")
     path = str(tmp_path / "moved.yaml")
-    assert main([path, world]) == 1
+    assert main(PACKAGE, [path, world]) == 1
     capsys.readouterr()
-    assert main(["--align", path, world]) == 0
+    assert main(PACKAGE, ["--align", path, "circuit1"]) == 0
     laid, compared = capsys.readouterr().out.splitlines()
     assert re.fullmatch(r"laid onto the world by -?0\.\d\d mrad and 0\.1[12]\d m", laid)
     assert compared.endswith("passed")
@@ -106,8 +106,14 @@ def test_command_names_the_map_and_the_world_that_cannot_be_compared(room, tmp_p
     room.pixels[:] = FREE
     save_map(room, tmp_path / "blank")
     path, world = str(tmp_path / "blank.yaml"), str(PACKAGE / "worlds" / "circuit1.world")
-    assert main([path, world]) == 2
+    assert main(PACKAGE, [path, world]) == 2
     assert capsys.readouterr().err == f"{path}, {world}: the map has no wall cell (black), must have some\n"
+
+
+def test_command_answers_a_wrong_name_with_the_known_ones(room, tmp_path, capsys):
+    save_map(room, tmp_path / "a")
+    assert main(PACKAGE, [str(tmp_path / "a.yaml"), "circuit9"]) == 2
+    assert capsys.readouterr().err.startswith("there is no world named 'circuit9'; known names: circuit1, ")
 
 
 def test_saved_map_reads_back(room, tmp_path):

@@ -11,15 +11,21 @@ from f1tenth_gazebo.maps.map_alignment import Alignment, aligned
 from f1tenth_gazebo.maps.map_check import check_map
 from f1tenth_gazebo.maps.map_file import load_map
 from f1tenth_gazebo.maps.world_grid import LIDAR_HEIGHT
+from f1tenth_gazebo.worlds.find_world import WorldError, find_world
 
 
-def main(arguments=None):
-    """Compare maps with their worlds; return the exit code: 1 if one fails, 2 for bad input."""
+def main(package_folder, arguments=None):
+    """Compare a map with its world; return the exit code: 1 if it fails, 2 for bad input.
+
+    Args:
+        package_folder: where worlds/ lies.
+        arguments: those of the command line; default: of this process.
+    """
     parser = argparse.ArgumentParser(
         prog="check_map", description="Compare a map that a car has made with its world."
     )
     parser.add_argument("map", help="YAML file of the map")
-    parser.add_argument("world", help="world file")
+    parser.add_argument("world", metavar="NAME|PATH", help="of the world, as world_file_name of launch files")
     parser.add_argument(
         "--align",
         action="store_true",
@@ -27,8 +33,9 @@ def main(arguments=None):
     )
     options = parser.parse_args(arguments)
     try:
-        lies, result = _compared(options.map, options.world, options.align)
-    except (f1tenth_sim2d.Error, MapError) as error:
+        world = find_world(options.world, Path(package_folder) / "worlds", Path.cwd())
+        lies, result = _compared(options.map, world, options.align)
+    except (f1tenth_sim2d.Error, MapError, WorldError) as error:
         print(error, file=sys.stderr)
         return 2
     if options.align:
@@ -44,7 +51,7 @@ def main(arguments=None):
 
 def _compared(map_file, world, align):
     """How the map lies in the world, and how far they agree."""
-    section = f1tenth_sim2d.load_world(world).section(LIDAR_HEIGHT)
+    section = f1tenth_sim2d.load_world(str(world)).section(LIDAR_HEIGHT)
     grid = load_map(Path(map_file))
     try:
         lies = aligned(grid, *section) if align else Alignment()

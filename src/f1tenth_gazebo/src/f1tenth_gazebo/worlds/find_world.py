@@ -1,7 +1,6 @@
 """Finds the world file that a launch argument means."""
 
 import argparse
-import os
 import sys
 from pathlib import Path
 
@@ -27,7 +26,7 @@ def find_world(name, worlds_folder, current_folder):
     if not path.is_file():
         known = ", ".join(sorted(world.stem for world in Path(worlds_folder).glob("*.world")))
         wanted = f"there is no world file {path}" if is_path else f"there is no world named '{name}'"
-        raise WorldError(f"world_file_name: {wanted}; known names: {known}; a path works, too")
+        raise WorldError(f"{wanted}; known names: {known}; a path works, too")
     return path.absolute()
 
 
@@ -39,14 +38,14 @@ def check_world(path):
     try:
         f1tenth_sim2d.load_world(str(path))
     except f1tenth_sim2d.LoadError as error:
-        raise WorldError(f"world_file_name: {error}") from error
+        raise WorldError(str(error)) from error
 
 
 def main(package_folder, arguments=None):
     """Print the path of the world that is asked for; return the exit code.
 
     Args:
-        package_folder: where worlds/ and models/ lie.
+        package_folder: where worlds/ lies.
         arguments: those of the command line; default: of this process.
     """
     parser = argparse.ArgumentParser(prog="find_world", description="Print the path of a world.")
@@ -56,12 +55,9 @@ def main(package_folder, arguments=None):
     try:
         path = find_world(options.world, Path(package_folder) / "worlds", Path.cwd())
         if options.check:
-            # As simulator.launch does for the simulator.
-            others = os.environ.get("GAZEBO_MODEL_PATH", "")
-            os.environ["GAZEBO_MODEL_PATH"] = f"{package_folder}/models:{others}"
             check_world(path)
     except WorldError as error:
-        print(error, file=sys.stderr)
+        print(f"world_file_name: {error}", file=sys.stderr)
         return 1
     print(path, end="")
     return 0

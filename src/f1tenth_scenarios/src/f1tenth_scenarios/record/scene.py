@@ -1,9 +1,7 @@
 """The scene of a run: what stands in its world, cut at the height of the cars' lidars, and the cars."""
 
-import contextlib
 import math
-import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Optional
 
@@ -23,8 +21,7 @@ def load_scene(world: Path, descriptions: Mapping[str, str]) -> Replay:
     read = {text: _read(text) for text in set(descriptions.values())}
     cars = {name: car for name, text in descriptions.items() if (car := read[text])}
     try:
-        with _model_path():
-            return scene_of(f1tenth_sim2d.load_world(str(world)), cars)
+        return scene_of(f1tenth_sim2d.load_world(str(world)), cars)
     except f1tenth_sim2d.Error:
         return Replay()
 
@@ -85,18 +82,3 @@ def _in_frame(shape: Shape, frame: Planar) -> Shape:
         [[seen(x, y) for x, y in outline] for outline in shape.outlines],
         [(*seen(x, y), radius) for x, y, radius in shape.circles],
     )
-
-
-@contextlib.contextmanager
-def _model_path() -> Iterator[None]:
-    """Let models of the workspace be found, as simulator.launch does for the simulator."""
-    # Only here, because it needs ROS.
-    from f1tenth_scenarios import places
-
-    before = os.environ.get("GAZEBO_MODEL_PATH", "")
-    own = places.package_path(places.GAZEBO_PACKAGE) / "models"
-    os.environ["GAZEBO_MODEL_PATH"] = f"{own}:{before}"
-    try:
-        yield
-    finally:
-        os.environ["GAZEBO_MODEL_PATH"] = before

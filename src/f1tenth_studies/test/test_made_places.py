@@ -129,6 +129,16 @@ def test_encounters_begin_where_their_seed_says(data, tmp_path):
     assert starts[0] != starts[1]
 
 
+def test_the_other_drives_slowly_where_it_would_cut_into_furniture():
+    speeds = {}
+    for seed in range(1, 200, 2):
+        encounter = encounters.make_encounter(seed)
+        speeds.setdefault(encounter.place == "circuit_detailed", []).append(encounter.speed)
+    assert 1.0 < max(speeds[True]) <= 1.5
+    assert 3.5 < max(speeds[False]) <= 4.0
+    assert min(speeds[True] + speeds[False]) >= 0.5
+
+
 def test_encounters_on_tracks_that_are_not_there_are_bad_input(tmp_path, monkeypatch, capsys):
     monkeypatch.setenv("F1TENTH_DATA", str(tmp_path))
     arguments = ["encounters", "--vary", "encounter=2", "--results", str(tmp_path)]

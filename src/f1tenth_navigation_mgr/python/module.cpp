@@ -127,7 +127,7 @@ void bindNavigationMgr(py::module_ & module)
     .def_property_readonly("goals_left", &NavigationMgr::GoalsLeft, "Goals not reached yet, with the one in flight.")
     .def_property_readonly(
       "queue", &NavigationMgr::Queue, "The Goals not reached yet, with the one in flight, in order.")
-    .def_property_readonly("results", &NavigationMgr::Results, "A list of GoalResult, one a goal that is over.")
+    .def_property_readonly("results", &NavigationMgr::Results, "A list of GoalResult, one per goal that is over.")
     .def_property_readonly("action_name", &NavigationMgr::ActionName, "'/robot1/move_base'")
     .def("on_goal_reached", &NavigationMgr::OnGoalReached, py::arg("callback"), "callback(GoalResult), inside spin().")
     .def("on_goal_failed", &NavigationMgr::OnGoalFailed, py::arg("callback"), "callback(GoalResult), inside spin().");

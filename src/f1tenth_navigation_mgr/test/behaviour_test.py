@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What NavigationMgr does, seen from outside; one test for the C++ class and for the Python one.
 
-The parameter ~driver says which program to run: both print one line an event.
+The parameter ~driver says which program to run: both print one line per event.
 """
 
 import os

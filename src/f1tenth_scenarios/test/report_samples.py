@@ -13,7 +13,7 @@ RADIUS = 3.0  # m, of the circle that the cars drive
 
 
 def circling(end, car="robot1", speed=1.5):
-    """A car on a circle around the origin, one row a period up to `end` (s)."""
+    """A car on a circle around the origin, one row per period up to `end` (s)."""
     for index in range(1, round(end / PERIOD) + 1):
         time = index * PERIOD
         turn = speed * time / RADIUS

@@ -78,7 +78,7 @@ def with_clearance(limit, **others):
 
 
 def rows(end, car="robot1", speed=1.0, contacts=None, clearance=0.5, y=0.0, contact_speed=None):
-    """A car on the x axis, one row a period up to `end` (s); contacts: {stamp: names}, with its speed."""
+    """A car on the x axis, one row per period up to `end` (s); contacts: {stamp: names}, with its speed."""
     contacts = contacts or {}
     for index in range(1, round(end / PERIOD) + 1):
         time = index * PERIOD

@@ -102,13 +102,13 @@ SAYINGS = [
         run_criteria.real_time_factor,
         10.0,
         {"real_time_factor": 10.0},
-        (PASSED, 10.0, 10.0, "", "10.0 simulated seconds a second"),
+        (PASSED, 10.0, 10.0, "", "10.0 simulated seconds per second"),
     ),
     (
         run_criteria.real_time_factor,
         10.0,
         {"real_time_factor": 9.5},
-        (FAILED, 9.5, 10.0, "", "9.5 simulated seconds a second"),
+        (FAILED, 9.5, 10.0, "", "9.5 simulated seconds per second"),
     ),
     (run_criteria.real_time_factor, 10.0, {}, (FAILED, None, 10.0, "", "too short to measure")),
 ]

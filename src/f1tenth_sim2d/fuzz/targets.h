@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-/// What a fuzzer feeds with bytes, one function a loader. Each returns if the input was loaded, or refused with an Error;
+/// What a fuzzer feeds with bytes, one function per loader. Each returns if the input was loaded, or refused with an Error;
 /// everything else is a finding. Inputs that are files are written into a folder of this process first.
 namespace f1tenth_sim2d::fuzz
 {

@@ -45,7 +45,7 @@ public:
     const auto on_connect = [this](const ros::SingleSubscriberPublisher & link) { noteListener(link, true); };
     const auto on_disconnect = [this](const ros::SingleSubscriberPublisher & link) { noteListener(link, false); };
     done_publisher_ = node_.advertise<std_msgs::Header>("/sim2d/done", 100, on_connect, on_disconnect, {}, true);
-    // Unlimited, as a lost done would never come again; lockstep itself bounds them to a few a period.
+    // Unlimited, as a lost done would never come again; lockstep itself bounds them to a few per period.
     done_subscriber_ = node_.subscribe("/sim2d/done", 0, &Impl::onDone, this, hints);
     clock_subscriber_ = node_.subscribe("/clock", 0, &Impl::onClock, this, hints);
   }

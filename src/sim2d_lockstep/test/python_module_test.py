@@ -18,7 +18,7 @@ LONG = 10.0
 
 
 class Simulator:
-    """One /clock a period, then the answers."""
+    """One /clock per period, then the answers."""
 
     def __init__(self):
         self._clock = rospy.Publisher("/clock", Clock, queue_size=10)

@@ -6,7 +6,7 @@
 #include "f1tenth_navigation_mgr/errors.h"
 #include "f1tenth_navigation_mgr/goal.h"
 
-/// The goals file: text; `#` starts a comment; an optional first line `frame_id: map`; then one goal a line, either
+/// The goals file: text; `#` starts a comment; an optional first line `frame_id: map`; then one goal per line, either
 /// `x y yaw` or `x y z qx qy qz qw` (m, rad).
 namespace f1tenth_navigation_mgr
 {

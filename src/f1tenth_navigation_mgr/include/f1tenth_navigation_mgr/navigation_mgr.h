@@ -98,7 +98,7 @@ public:
   std::size_t GoalsLeft() const { return queue_.size(); }
   Goals Queue() const { return {queue_.begin(), queue_.end()}; }
 
-  /// One entry a goal that is over, in order.
+  /// One entry per goal that is over, in order.
   const std::vector<GoalResult> & Results() const { return results_; }
 
   /// Called inside Spin(). What they throw comes out of Spin(), which has then done its work.

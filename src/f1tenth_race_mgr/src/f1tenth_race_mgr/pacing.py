@@ -31,7 +31,7 @@ class ClockPacing:
 
 
 class LockstepPacing:
-    """One step a period, as a participant that acts after the car's move_base and the race starter."""
+    """One step per period, as a participant that acts after the car's move_base and the race starter."""
 
     def __init__(self, navigation, start_signal, stop_requests):
         from sim2d_lockstep import Participant

@@ -12,7 +12,7 @@ namespace f1tenth_sim2d
 /// Where model://, file:// and package:// URIs are looked up, in order.
 struct SearchPath
 {
-  std::vector<std::string> model_folders;    ///< each holds models, one folder a model
+  std::vector<std::string> model_folders;    ///< each holds models, one folder per model
   std::vector<std::string> package_folders;  ///< ROS packages are looked for in these and all folders below them
 };
 

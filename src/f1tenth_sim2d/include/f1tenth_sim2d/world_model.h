@@ -88,6 +88,6 @@ struct WorldDescription
   double gravity{9.8};  ///< m/s^2, downwards
   Pose2 start;          ///< where a car starts unless told otherwise; that of a race track is on its centreline
   std::vector<ModelDescription> models;
-  std::vector<std::string> warnings;  ///< what cannot be represented: one entry a kind, with its element path
+  std::vector<std::string> warnings;  ///< what cannot be represented: one entry per kind, with its element path
 };
 }  // namespace f1tenth_sim2d

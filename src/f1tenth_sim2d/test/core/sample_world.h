@@ -44,7 +44,7 @@ inline ModelDescription wallAcross(double x)
   return staticModel("walls", box("walls::Wall_0::Wall_0_Collision", 0.15, 80, 2.5, x + 0.075, 0, 1.25));
 }
 
-/// A square room of inner half width `half`, as the Building Editor writes it: one model, one link a wall.
+/// A square room of inner half width `half`, as the Building Editor writes it: one model, one link per wall.
 inline ModelDescription room(double half)
 {
   ModelDescription model = staticModel("walls", box("walls::Wall_0::c", 0.15, 2 * half, 2.5, half + 0.075, 0, 1.25));

@@ -48,7 +48,7 @@ Estimate around(const Pose2 & pose, double deviation, double yaw_deviation)
   return {pose, {variance, 0.0, 0.0, 0.0, variance, 0.0, 0.0, 0.0, yaw_deviation * yaw_deviation}};
 }
 
-// A way through the map; odometry starts at its own origin and turns away by 2 degrees a metre.
+// A way through the map; odometry starts at its own origin and turns away by 2 degrees per metre.
 class Drive
 {
 public:

@@ -22,7 +22,7 @@ SlamOptions smallMap()
   return options;
 }
 
-// Drives 2 m along the room while odometry turns away, 3 degrees a metre. Returns where the last scan that counted was.
+// Drives 2 m along the room while odometry turns away, 3 degrees per metre. Returns where the last scan that counted was.
 Pose2 driveWithDrift(GridSlam & slam)
 {
   Pose2 truth;

@@ -5,7 +5,7 @@
 
 #include "map/costmap.h"
 
-/// Maps for tests, 0.05 m a cell, the lower left corner at the origin.
+/// Maps for tests, 0.05 m per cell, the lower left corner at the origin.
 namespace move_base::testing
 {
 constexpr double kResolution = 0.05;
@@ -79,7 +79,7 @@ inline Costmap makeCostmap(const OccupancyGrid & map, CostmapOptions options = {
   return Costmap(map, options, Footprint(defaultFootprint()));
 }
 
-/// What a lidar at sensor sees: a beam a degree all around, of ranges that range(angle in the map) gives.
+/// What a lidar at sensor sees: a beam per degree all around, of ranges that range(angle in the map) gives.
 inline LaserScan scanFrom(const Pose2 & sensor, const std::function<double(double)> & range)
 {
   LaserScan scan;

@@ -20,7 +20,7 @@ class Laps:
     period: float
     """s, from one command to the next."""
     commands: list
-    """A list a period: (speed, steering angle) of each car, m/s and rad."""
+    """A list per period: (speed, steering angle) of each car, m/s and rad."""
     poses: np.ndarray
     """Shape (periods, cars, 3): x, y, yaw at the end of each period, m and rad."""
     trajectory_hash: str

@@ -31,7 +31,7 @@ def check_table_file(path: Path) -> None:
 
 
 def write_table(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:
-    """Write a row a run. Parquet keeps types: varied values that are numbers become numbers."""
+    """Write a row per run. Parquet keeps types: varied values that are numbers become numbers."""
     with replacing(path) as temporary:
         if path.suffix == PARQUET:
             _write_parquet(temporary, rows)

@@ -137,7 +137,7 @@ def _add_sweep(commands: _Subparsers) -> None:
     command = _command(commands, "sweep", sweep, "run many variations of a scenario in parallel")
     command.add_argument("name", metavar="NAME", help="scenario or file")
     command.add_argument("--vary", action="append", required=True, metavar="KEY=VALUES", help=_VARY)
-    command.add_argument("--workers", type=int, metavar="N", help="local processes; default: one a core")
+    command.add_argument("--workers", type=int, metavar="N", help="local processes; default: one per core")
     command.add_argument("--scheduler", metavar="URI", help="use this Dask cluster, as in tcp://host:8786")
     command.add_argument("--output", type=Path, metavar="FILE", help=_TABLE)
     _add_results(command, "write to FOLDER/sweep/NAME")

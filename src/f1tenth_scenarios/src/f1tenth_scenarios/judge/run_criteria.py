@@ -24,7 +24,7 @@ def localization_yaw_error(scenario: Scenario, judgement: Judgement, measured: M
 def real_time_factor(scenario: Scenario, _judgement: Judgement, measured: Measured) -> Criterion:
     """Whether the run was as fast as asked for."""
     actual, limit = measured.real_time_factor, scenario.criteria.real_time_factor
-    text = "too short to measure" if actual is None else f"{actual:.1f} simulated seconds a second"
+    text = "too short to measure" if actual is None else f"{actual:.1f} simulated seconds per second"
     met = actual is not None and limit is not None and actual >= limit
     return Criterion("real_time_factor", status_of(met), actual, limit, "", text)
 

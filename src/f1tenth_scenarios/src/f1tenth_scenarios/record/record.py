@@ -45,7 +45,7 @@ class Contact:
 
 @dataclasses.dataclass(frozen=True)
 class CarTrack:
-    """What the record says of one car, one row a control period, as arrays of equal length."""
+    """What the record says of one car, one row per control period, as arrays of equal length."""
 
     car: str
     time: np.ndarray  # s

@@ -47,7 +47,7 @@ def read_results(folder: Path, beside: Path, against: Optional[Path] = None) -> 
     """All runs of a results folder, in the order of their names; what cannot be read is among their problems.
 
     Args:
-        folder: with a folder a scenario
+        folder: with a folder per scenario
         beside: folder from which links count
         against: another results folder to compare with; default: the run before, which each folder keeps
 

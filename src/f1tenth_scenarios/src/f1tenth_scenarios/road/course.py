@@ -15,7 +15,7 @@ from f1tenth_scenarios.road.numbers import read_numbers
 
 @dataclasses.dataclass(frozen=True)
 class Course:
-    """Arrays of shape (n,), one value a vertex; the last vertex is joined to the first."""
+    """Arrays of shape (n,), one value per vertex; the last vertex is joined to the first."""
 
     x: np.ndarray  # m
     y: np.ndarray  # m

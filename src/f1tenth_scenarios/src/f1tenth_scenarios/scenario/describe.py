@@ -10,7 +10,7 @@ _WORDS = {bool: "true, false", int: "whole number", float: "number", str: "text"
 
 
 def describe_keys(schema: type) -> str:
-    """One row a key: name, type and allowed values, unit, default, meaning."""
+    """One row per key: name, type and allowed values, unit, default, meaning."""
     rows = ["| key | value | unit | default | meaning |", "| --- | --- | --- | --- | --- |"]
     return "\n".join([*rows, *_rows(schema, "")])
 

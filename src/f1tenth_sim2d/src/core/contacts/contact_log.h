@@ -31,7 +31,7 @@ struct StepContact
   }
 };
 
-/// The contacts of one car since they were last cleared, one entry a pair of collision elements: the physics step in
+/// The contacts of one car since they were last cleared, one entry per pair of collision elements: the physics step in
 /// which the pair pushed hardest, so that a bump shorter than a control period shows with its full force.
 class ContactLog
 {

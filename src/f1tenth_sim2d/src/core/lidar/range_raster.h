@@ -14,7 +14,7 @@ namespace f1tenth_sim2d
 /// One scan in the making: a depth buffer over the beams of a lidar, into which walls are drawn one after the other.
 ///
 /// It holds inverse ranges, because along a straight wall the inverse range is linear in the direction of the beam:
-/// two multiplications, an addition and a maximum a beam, and no division. Exact up to rounding: a wall covers
+/// two multiplications, an addition and a maximum per beam, and no division. Exact up to rounding: a wall covers
 /// exactly the beams between the directions of its ends. The order of drawing changes nothing. Walls wait until there are
 /// enough of them for a vector unit, or somebody looks. Allocates nothing after construction.
 class RangeRaster

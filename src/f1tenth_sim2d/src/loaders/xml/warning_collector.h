@@ -5,7 +5,7 @@
 
 namespace f1tenth_sim2d
 {
-/// Gathers what is left out: one warning a kind, with the first place and how many more there are.
+/// Gathers what is left out: one warning per kind, with the first place and how many more there are.
 class WarningCollector
 {
 public:

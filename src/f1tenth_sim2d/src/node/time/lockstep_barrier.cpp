@@ -27,7 +27,7 @@ ParticipantSilent::ParticipantSilent(std::string participant, const std::string 
 LockstepBarrier::LockstepBarrier(ros::NodeHandle & node, ros::CallbackQueue & queue, LockstepOptions options)
 : options_(std::move(options)), queue_(queue), ledger_(options_.participants)
 {
-  // Unlimited: a lost answer would never come again, and nobody sends more than a few a period.
+  // Unlimited: a lost answer would never come again, and nobody sends more than a few per period.
   subscriber_ = node.subscribe<std_msgs::Header>(
     "/sim2d/done", 0,
     [this](const std_msgs::Header::ConstPtr & message) { ledger_.note(message->frame_id, message->stamp); },

@@ -18,7 +18,7 @@ from f1tenth_studies.optimum.track import resampled
 _LINE_SPACING = 0.05  # m, between points of the race line
 _ROUNDS = 5  # each takes the line before as its reference, because curvature is linearised around that
 _FRICTION_ELLIPSE = 2.0  # exponent of calc_vel_profile: (ax / ax_max)^2 + (ay / ay_max)^2 <= 1
-_RACELINE_HEADER = """# {time:.3f} s a lap
+_RACELINE_HEADER = """# {time:.3f} s per lap
 # {limits}
 # s_m; x_m; y_m; psi_rad; kappa_radpm; vx_mps; ax_mps2
 """

@@ -69,6 +69,21 @@ def test_two_cars_share_one_scale(tmp_path):
     draw(tmp_path / "picture.png", run, goals={**GOALS, "robot2": (Pose(3.0, 1.0),)})
 
 
+def numbers_drawn(goals):
+    (axes, *_) = make_figure("sample", ("success",), Record({}), {"robot1": goals}, None).axes
+    return [int(text.get_text()) for text in axes.texts if text.get_text().isdigit()]
+
+
+def test_goals_far_from_each_other_all_have_their_numbers():
+    assert numbers_drawn([Pose(5.0 * i, 0.0) for i in range(6)]) == [1, 2, 3, 4, 5, 6]
+    assert numbers_drawn([Pose(2.0, 1.0)]) == [1]
+
+
+def test_of_goals_close_together_every_fifth_or_tenth_has_its_number():
+    assert numbers_drawn([Pose(4.0 * i, 0.0) for i in range(26)]) == [5, 10, 15, 20, 25]
+    assert numbers_drawn([Pose(1.0 * i, 0.0) for i in range(101)]) == list(range(10, 101, 10))
+
+
 def test_the_name_of_a_car_lies_neither_on_a_path_nor_on_a_goal():
     start, straight = np.zeros(2), np.column_stack([np.linspace(-5.0, 5.0, 200), np.zeros(200)])
     goal = np.array([[0.0, 0.9]])

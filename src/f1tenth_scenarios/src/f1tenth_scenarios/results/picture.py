@@ -24,6 +24,9 @@ _LEGEND_HEIGHT = 20  # points
 _NAME_DISTANCE = 0.045  # from where a car starts, of the longer side of what is drawn
 _CONTACT_COLOUR = "#d62728"
 _GOAL_COLOUR = "#1f3b57"
+_GOAL_SIZE = 13.0  # points, with a number in it
+_SMALL_GOAL_SIZE = 4.0  # points
+_NUMBERED = (1, 5, 10, 50, 100)  # every how many-th goal may have its number
 
 
 def write_picture(
@@ -52,7 +55,7 @@ def make_figure(title, lines, record, goals, track_map) -> Figure:
     axes = figure.add_subplot()
     _draw_map(axes, track_map)
     _draw_paths(figure, axes, tracks)
-    _draw_goals(axes, goals)
+    _draw_goals(axes, goals, 72.0 * _LONG_SIDE / max(box[1] - box[0], box[3] - box[2]))
     _draw_contacts(axes, tracks)
     _name_cars(axes, tracks, goals, box)
     _finish(figure, axes, box, title, lines)
@@ -161,34 +164,50 @@ def _path_lines(track: CarTrack, scale) -> LineCollection:
     return lines
 
 
-def _draw_goals(axes, goals):
+def _draw_goals(axes, goals, points_per_metre):
     drawn = set()
     for poses in goals.values():
+        step = numbering_step(poses, points_per_metre)
         for number, goal in enumerate(poses, start=1):
             if (goal.x, goal.y) in drawn:
                 continue
+            is_numbered = number % step == 0
             axes.plot(
                 goal.x,
                 goal.y,
                 "o",
-                markersize=13,
+                markersize=_GOAL_SIZE if is_numbered else _SMALL_GOAL_SIZE,
                 color=_GOAL_COLOUR,
                 markeredgecolor="white",
                 alpha=0.85,
                 zorder=4,
                 label=None if drawn else "goals",
             )
-            axes.annotate(
-                str(number),
-                (goal.x, goal.y),
-                color="white",
-                fontsize=7.5,
-                fontweight="bold",
-                ha="center",
-                va="center_baseline",
-                zorder=5,
-            )
+            if is_numbered:
+                _write_number(axes, number, goal)
             drawn.add((goal.x, goal.y))
+
+
+def numbering_step(goals: Sequence[Pose], points_per_metre: float) -> int:
+    """Every how many-th goal can have its number so that the path between them stays in sight."""
+    if len(goals) < 2:
+        return 1
+    places = np.array([(goal.x, goal.y) for goal in goals])
+    gap = float(np.median(np.hypot(*np.diff(places, axis=0).T))) * points_per_metre
+    return next((step for step in _NUMBERED if step * gap >= 3.0 * _GOAL_SIZE), _NUMBERED[-1])
+
+
+def _write_number(axes, number: int, goal: Pose) -> None:
+    axes.annotate(
+        str(number),
+        (goal.x, goal.y),
+        color="white",
+        fontsize=7.5,
+        fontweight="bold",
+        ha="center",
+        va="center_baseline",
+        zorder=5,
+    )
 
 
 def _draw_contacts(axes, tracks):

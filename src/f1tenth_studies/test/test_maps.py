@@ -15,10 +15,11 @@ from f1tenth_gazebo.maps.map_alignment import Alignment
 from f1tenth_gazebo.maps.map_check import MapCheck
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.places import circuits
+from f1tenth_studies.drives.drive import Drive
+from f1tenth_studies.drives.places import circuit_drives, road_drives, track_drives
 from f1tenth_studies.mapping import command
 from f1tenth_studies.mapping.document import document
-from f1tenth_studies.mapping.drive import Drive, Mapped, map_drive
-from f1tenth_studies.mapping.places import circuit_drives, road_drives, track_drives
+from f1tenth_studies.mapping.drive import Mapped, map_drive
 
 from f1tenth_scenarios import places
 

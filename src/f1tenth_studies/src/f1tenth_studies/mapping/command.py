@@ -1,11 +1,8 @@
 """The command `maps`."""
 
 import argparse
-import concurrent.futures
-import multiprocessing
 import os
 import shlex
-import signal
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -16,13 +13,13 @@ from f1tenth_scenarios.cli.options import expect_at_least
 from f1tenth_scenarios.errors import ScenarioError
 
 from f1tenth_scenarios import places
+from f1tenth_studies.drives.drive import Drive
+from f1tenth_studies.drives.places import circuit_drives, road_drives, track_drives
+from f1tenth_studies.drives.pool import end_by_signals, outcomes
 from f1tenth_studies.files import expect_folder_of, made_folder
 from f1tenth_studies.mapping.document import document
-from f1tenth_studies.mapping.drive import Drive, Mapped, map_drive
-from f1tenth_studies.mapping.places import circuit_drives, road_drives, track_drives
+from f1tenth_studies.mapping.drive import Mapped, map_drive
 from f1tenth_studies.table import made_by, publish
-
-_ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
@@ -39,17 +36,12 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser.add_argument("--results", type=Path, metavar="FOLDER", help="default: results of the workspace")
     parser.add_argument("--jobs", type=int, metavar="N", help="drives at a time; default: one per core")
     options = parser.parse_args(arguments)
-    for each in _ENDINGS:
-        signal.signal(each, _end)
+    end_by_signals()
     try:
         return _run(options, sys.argv[1:] if arguments is None else arguments)
     except ScenarioError as error:
         print(f"maps: {error}", file=sys.stderr)
         return BAD_INPUT
-
-
-def _end(number: int, _) -> None:
-    raise SystemExit(128 + number)
 
 
 def _run(options: argparse.Namespace, arguments: Sequence[str]) -> int:
@@ -75,26 +67,7 @@ def _drives(options: argparse.Namespace) -> list[Drive]:
 
 def _mapped(drives: Sequence[Drive], jobs: int) -> list[Mapped]:
     """What came of each drive, in their order."""
-    # Not spawned: they would find the modules of the source tree, which lack what was compiled.
-    context = multiprocessing.get_context("fork")
-    pool = concurrent.futures.ProcessPoolExecutor(jobs, context, _let_the_first_end_this)
-    try:
-        return [_said(each.result()) for each in [pool.submit(map_drive, drive) for drive in drives]]
-    except concurrent.futures.BrokenExecutor as error:
-        raise ScenarioError("the process of a drive was killed; is there enough memory?") from error
-    except SystemExit:
-        for child in multiprocessing.active_children():
-            child.terminate()
-        raise
-    finally:
-        pool.shutdown(cancel_futures=True)
-
-
-def _let_the_first_end_this() -> None:
-    for each in _ENDINGS:
-        signal.signal(each, signal.SIG_DFL)
-    # Ctrl-C reaches all processes of a terminal.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    return [_said(each) for each in outcomes(map_drive, drives, jobs)]
 
 
 def _said(mapped: Mapped) -> Mapped:

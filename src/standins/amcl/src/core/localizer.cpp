@@ -9,6 +9,7 @@
 #include <workspace_support/errors.h>
 #include <workspace_support/scan_checks.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -1,11 +1,11 @@
-"""Where maps are made: circuits, others' tracks in both directions, random roads."""
+"""Where is driven: circuits, others' tracks in both directions, random roads."""
 
 from collections.abc import Iterator
 from pathlib import Path
 
 from f1tenth_scenarios import places
+from f1tenth_studies.drives.drive import Drive
 from f1tenth_studies.made_places import road_world, seeds, track_names, track_worlds
-from f1tenth_studies.mapping.drive import Drive
 
 
 def circuit_drives(values: str) -> Iterator[Drive]:

@@ -1,0 +1,1 @@
+"""Cars that do not know where they are, and how soon amcl finds them."""

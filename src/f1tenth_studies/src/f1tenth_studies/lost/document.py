@@ -1,0 +1,59 @@
+"""The document of being lost."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from f1tenth_studies.lost.trial import AFTERWARDS, ALIGNED, NEAR, Found, Told, rms
+
+_TITLE = "Being lost"
+_TEXT = f"""\
+Drives of the driver of `create_map.launch` at 1.5 m/s, begun anywhere on a road, with the localizer of amcl
+(`amcl_core`), its parameters in `f1tenth_navigation/config/amcl.yaml` and the noisy odometry of the wheels,
+without ROS. amcl is told where the car is; or a place beside that, in any direction, with as large a
+deviation, and the car drives towards a bend; or nothing (the service `global_localization`). The car is found
+once amcl is right to {NEAR:g} m and {ALIGNED:g} rad from then on, {AFTERWARDS:g} s beyond the limit included.
+Since then, the distance from the true pose (error) and the deviation that amcl reports, both in the plane and
+RMS over the drives of a row.
+
+Wanted: found within the limit; told the truth, always right, with a deviation of at least half of the error.
+"""
+_HEADS = (
+    "place",
+    "told",
+    "drives",
+    "limit (s)",
+    "found",
+    "slowest of them (s)",
+    "seeds that failed",
+    "error (m)",
+    "deviation (m)",
+)
+
+
+def document(found: Sequence[Found], made: str) -> str:
+    """The whole document; `made`: how and where."""
+    rows = [list(_HEADS), ["---"] * len(_HEADS)]
+    for told in Told:
+        of_kind = [each for each in found if each.trial.told is told]
+        for place in dict.fromkeys(each.trial.drive.place for each in of_kind):
+            rows.append(_row(place, told, [each for each in of_kind if each.trial.drive.place == place]))
+    table = "".join(f"| {' | '.join(row)} |\n" for row in rows)
+    said = f"In {sum(each.passed for each in found)} of {len(found)} drives the car was found in time."
+    return f"# {_TITLE}\n\n{_TEXT}\n{made}\n{said}\n\n{table}"
+
+
+def _row(place: str, told: Told, found: Sequence[Found]) -> list[str]:
+    passed = [each for each in found if each.passed]
+    return [
+        place,
+        told.words,
+        str(len(found)),
+        f"{found[0].trial.limit:g}",
+        str(len(passed)),
+        f"{max((each.after for each in passed), default=math.inf):.2f}",
+        ", ".join(str(each.trial.drive.seed) for each in found if not each.passed) or "none",
+        f"{rms(np.concatenate([each.errors for each in found])):.3f}",
+        f"{rms(np.concatenate([each.deviations for each in found])):.3f}",
+    ]

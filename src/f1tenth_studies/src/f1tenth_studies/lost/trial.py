@@ -1,0 +1,197 @@
+"""One trial: a car that drives, and amcl that is told something of where it is."""
+
+import dataclasses
+import enum
+import math
+import random
+from collections.abc import Iterator
+from itertools import takewhile
+from typing import Any
+
+import numpy as np
+import yaml
+from f1tenth_gazebo.errors import MapError
+from f1tenth_gazebo.maps.map_file import Grid, load_map
+from f1tenth_gazebo.poses import Pose
+from f1tenth_scenarios.errors import ScenarioError
+
+import f1tenth_sim2d
+from f1tenth_scenarios import places
+from f1tenth_studies.drives.drive import Drive, Journey, Sample
+from f1tenth_studies.optimum.track import load_track
+
+NEAR, ALIGNED = 0.3, 0.15
+"""m and rad; a car that is believed to be no farther off is found."""
+AFTERWARDS = 5.0
+"""s, for which it must stay found."""
+_BEND, _BEND_WITHIN = 0.5, 6.0  # rad, m
+_OCCUPIED = 0.65  # how dark a pixel of a wall is at least: 0 is white, 1 black
+
+
+class Told(enum.Enum):
+    """What amcl is told at the start: how far that is off (m, rad), and how sure it is said to be."""
+
+    TRUTH = "the truth", 0.0, 0.0
+    NEAR = "0.5 m and 20 deg beside it", 0.5, math.radians(20.0)
+    FAR = "2 m and 30 deg beside it", 2.0, math.radians(30.0)
+    NOTHING = "nothing", math.inf, math.inf
+
+    def __init__(self, words: str, distance: float, turn: float):
+        self.words, self.distance, self.turn = words, distance, turn
+
+    @property
+    def is_wrong(self) -> bool:
+        """Whether it is somewhere, but not where the car is."""
+        return 0.0 < self.distance < math.inf
+
+
+@dataclasses.dataclass(frozen=True)
+class Trial:
+    """A drive, what amcl is told before it, and how soon it has to know better."""
+
+    drive: Drive
+    told: Told
+    limit: float  # s; when told the truth, of the whole drive
+
+
+@dataclasses.dataclass(frozen=True)
+class Found:
+    """What came of a trial."""
+
+    trial: Trial
+    after: float  # s, from when on the car was where it was believed to be; infinite: not at the end
+    errors: np.ndarray  # (n,), m, at the scans since
+    deviations: np.ndarray  # (n,), m, as amcl reports them
+
+    @property
+    def passed(self) -> bool:
+        """Whether the car was found in time; told the truth, whether amcl always knew, and how well."""
+        if self.trial.told is Told.TRUTH:
+            return self.after == 0.0 and rms(self.deviations) >= rms(self.errors) / 2
+        return self.after <= self.trial.limit
+
+
+def rms(values: np.ndarray) -> float:
+    """Of values of shape (n,); infinite without any."""
+    return math.sqrt(float((values**2).mean())) if len(values) else math.inf
+
+
+def make_trial(drive: Drive, told: Told, limit: float) -> Trial:
+    """The trial of a drive that begins anywhere on its road; before a bend if amcl is told something wrong.
+
+    Raises:
+        ScenarioError: the centreline cannot be read.
+    """
+    generator = random.Random(f"{drive.place} {told.name} {drive.seed}")
+    begins = _before_bends(load_track(drive.centreline)[:, :2]) if told.is_wrong else ()
+    begin = generator.choice(begins) if len(begins) else generator.random()
+    return Trial(dataclasses.replace(drive, begin=float(begin)), told, limit)
+
+
+def find(trial: Trial) -> Found:
+    """Drive, and tell how soon amcl knew where the car was.
+
+    Raises:
+        ScenarioError: a file is wrong, or amcl is the original.
+    """
+    amcl = _localizer_module()
+    try:
+        return _find(trial, amcl)
+    except (f1tenth_sim2d.Error, amcl.Error, MapError, OSError) as error:
+        raise ScenarioError(f"{trial.drive.place}, seed {trial.drive.seed}: {error}") from error
+
+
+def _find(trial: Trial, amcl: Any) -> Found:
+    journey = Journey(trial.drive)
+    localizer = _localizer(amcl, trial)
+    end = trial.limit + (0.0 if trial.told is Told.TRUTH else AFTERWARDS)
+    times, errors, deviations = [], [], []
+    found = 0
+    for sample in _until(end, journey):
+        localizer.process(sample.ranges, *journey.geometry, journey.mount, sample.odometry)
+        error, turn = _difference(localizer.pose, sample.truth)
+        times.append(sample.time)
+        errors.append(error)
+        deviations.append(math.sqrt(localizer.covariance.trace() - localizer.covariance[2, 2]))
+        if error > NEAR or turn > ALIGNED:
+            found = len(times)
+    after = times[found] if found < len(times) else math.inf
+    return Found(trial, after, np.array(errors[found:]), np.array(deviations[found:]))
+
+
+def _until(end: float, journey: Journey) -> Iterator[Sample]:
+    return takewhile(lambda sample: sample.time <= end, journey.samples())
+
+
+def _localizer(amcl: Any, trial: Trial) -> Any:
+    drive, told = trial.drive, trial.told
+    grid = load_map(places.map_file(drive.world))
+    options, sure = _options(amcl, drive.seed)
+    believed, deviations = drive.start, sure
+    if told.is_wrong:
+        believed = _beside(drive.start, told, random.Random(drive.seed))
+        deviations = told.distance, told.distance, told.turn
+    corner = grid.x, grid.y
+    localizer = amcl.Localizer(_cells(grid), grid.resolution, corner, options, believed, deviations)
+    if told is Told.NOTHING:
+        localizer.spread_out()
+    return localizer
+
+
+def _localizer_module() -> Any:
+    """The module of amcl, which only the workspace's stand-in has."""
+    try:
+        import amcl_core
+    except ImportError as error:
+        raise ScenarioError("amcl is the original here, which has no Python module to look with") from error
+    return amcl_core
+
+
+def _options(amcl: Any, seed: int) -> tuple[Any, Pose]:
+    """Those of `f1tenth_navigation/config/amcl.yaml`, and its deviations of x, y (m) and yaw (rad)."""
+    path = places.package_path("f1tenth_navigation") / "config" / "amcl.yaml"
+    given = yaml.safe_load(path.read_text(encoding="utf-8"))
+    deviations = tuple(math.sqrt(given.pop(f"initial_cov_{axis}")) for axis in ("xx", "yy", "aa"))
+    del given["save_pose_rate"]  # of the node
+    options = amcl.LocalizerOptions()
+    options.seed = seed
+    models = {"odom": amcl.OdometryModel, "laser": amcl.LaserModel}
+    parts = {"odom": options.odometry, "laser": options.laser}
+    for parameter, value in given.items():
+        part, _, rest = parameter.partition("_")
+        owner = parts.get(part, options)
+        name = (rest if part in parts else parameter).removesuffix("_type")
+        if not hasattr(owner, name):
+            raise ScenarioError(f"{path}: {parameter}: amcl's Python module does not know it")
+        setattr(owner, name, models[part].__members__[value] if name == "model" else value)
+    return options, deviations
+
+
+def _cells(grid: Grid) -> np.ndarray:
+    """Of a nav_msgs/OccupancyGrid, as map_server makes them of pixels."""
+    dark = (255.0 - grid.pixels) / 255.0
+    return np.select([dark > _OCCUPIED, dark < grid.free_thresh], [100, 0], -1).astype(np.int8)
+
+
+def _beside(pose: Pose, told: Told, generator: random.Random) -> Pose:
+    direction = generator.uniform(-math.pi, math.pi)
+    return (
+        pose[0] + told.distance * math.cos(direction),
+        pose[1] + told.distance * math.sin(direction),
+        pose[2] + generator.choice((-1.0, 1.0)) * told.turn,
+    )
+
+
+def _difference(one: Pose, other: Pose) -> tuple[float, float]:
+    """Distance (m) and turn (rad) between two poses."""
+    turn = math.remainder(one[2] - other[2], math.tau)
+    return math.hypot(one[0] - other[0], one[1] - other[1]), abs(turn)
+
+
+def _before_bends(track: np.ndarray) -> np.ndarray:
+    """At which parts of a closed line, (n, 2) in m, a bend begins within the next metres."""
+    steps = np.roll(track, -1, axis=0) - track
+    ahead = max(1, round(_BEND_WITHIN / float(np.hypot(*steps.T).mean())))
+    heading = np.arctan2(steps[:, 1], steps[:, 0])
+    turns = np.abs(np.remainder(np.roll(heading, -ahead) - heading + math.pi, math.tau) - math.pi)
+    return np.flatnonzero(turns >= _BEND) / len(track)

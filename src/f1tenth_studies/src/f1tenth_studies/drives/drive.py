@@ -37,7 +37,7 @@ class Drive:
             ScenarioError: the centreline cannot be read.
         """
         track = load_track(self.centreline)[:, :2]
-        (x, y), (ahead_x, ahead_y) = np.roll(track, -int(self.begin * len(track)), axis=0)[:2]
+        (x, y), (ahead_x, ahead_y) = np.roll(track, -round(self.begin * len(track)), axis=0)[:2]
         return float(x), float(y), math.atan2(ahead_y - y, ahead_x - x)
 
 

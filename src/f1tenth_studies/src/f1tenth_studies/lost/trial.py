@@ -9,15 +9,13 @@ from itertools import takewhile
 from typing import Any
 
 import numpy as np
-import yaml
 from f1tenth_gazebo.errors import MapError
-from f1tenth_gazebo.maps.map_file import Grid, load_map
 from f1tenth_gazebo.poses import Pose
 from f1tenth_scenarios.errors import ScenarioError
 
 import f1tenth_sim2d
-from f1tenth_scenarios import places
 from f1tenth_studies.drives.drive import Drive, Journey, Sample
+from f1tenth_studies.lost.localizer import localizer_module, make_localizer
 from f1tenth_studies.optimum.track import load_track
 
 NEAR, ALIGNED = 0.3, 0.15
@@ -25,7 +23,6 @@ NEAR, ALIGNED = 0.3, 0.15
 AFTERWARDS = 5.0
 """s, for which it must stay found."""
 _BEND, _BEND_WITHIN = 0.5, 6.0  # rad, m
-_OCCUPIED = 0.65  # how dark a pixel of a wall is at least: 0 is white, 1 black
 
 
 class Told(enum.Enum):
@@ -94,7 +91,7 @@ def find(trial: Trial) -> Found:
     Raises:
         ScenarioError: a file is wrong, or amcl is the original.
     """
-    amcl = _localizer_module()
+    amcl = localizer_module()
     try:
         return _find(trial, amcl)
     except (f1tenth_sim2d.Error, amcl.Error, MapError, OSError) as error:
@@ -125,52 +122,14 @@ def _until(end: float, journey: Journey) -> Iterator[Sample]:
 
 def _localizer(amcl: Any, trial: Trial) -> Any:
     drive, told = trial.drive, trial.told
-    grid = load_map(places.map_file(drive.world))
-    options, sure = _options(amcl, drive.seed)
-    believed, deviations = drive.start, sure
+    believed, deviations = drive.start, None
     if told.is_wrong:
         believed = _beside(drive.start, told, random.Random(drive.seed))
         deviations = told.distance, told.distance, told.turn
-    corner = grid.x, grid.y
-    localizer = amcl.Localizer(_cells(grid), grid.resolution, corner, options, believed, deviations)
+    localizer = make_localizer(amcl, drive, believed, deviations)
     if told is Told.NOTHING:
         localizer.spread_out()
     return localizer
-
-
-def _localizer_module() -> Any:
-    """The module of amcl, which only the workspace's stand-in has."""
-    try:
-        import amcl_core
-    except ImportError as error:
-        raise ScenarioError("amcl is the original here, which has no Python module to look with") from error
-    return amcl_core
-
-
-def _options(amcl: Any, seed: int) -> tuple[Any, Pose]:
-    """Those of `f1tenth_navigation/config/amcl.yaml`, and its deviations of x, y (m) and yaw (rad)."""
-    path = places.package_path("f1tenth_navigation") / "config" / "amcl.yaml"
-    given = yaml.safe_load(path.read_text(encoding="utf-8"))
-    deviations = tuple(math.sqrt(given.pop(f"initial_cov_{axis}")) for axis in ("xx", "yy", "aa"))
-    del given["save_pose_rate"]  # of the node
-    options = amcl.LocalizerOptions()
-    options.seed = seed
-    models = {"odom": amcl.OdometryModel, "laser": amcl.LaserModel}
-    parts = {"odom": options.odometry, "laser": options.laser}
-    for parameter, value in given.items():
-        part, _, rest = parameter.partition("_")
-        owner = parts.get(part, options)
-        name = (rest if part in parts else parameter).removesuffix("_type")
-        if not hasattr(owner, name):
-            raise ScenarioError(f"{path}: {parameter}: amcl's Python module does not know it")
-        setattr(owner, name, models[part].__members__[value] if name == "model" else value)
-    return options, deviations
-
-
-def _cells(grid: Grid) -> np.ndarray:
-    """Of a nav_msgs/OccupancyGrid, as map_server makes them of pixels."""
-    dark = (255.0 - grid.pixels) / 255.0
-    return np.select([dark > _OCCUPIED, dark < grid.free_thresh], [100, 0], -1).astype(np.int8)
 
 
 def _beside(pose: Pose, told: Told, generator: random.Random) -> Pose:

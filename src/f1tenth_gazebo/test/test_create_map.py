@@ -45,7 +45,7 @@ def test_map_agrees_with_its_world(name, tmp_path, capsys):
         output = process.communicate(timeout=600)[0]
     # roslaunch says in red that a required node has died.
     assert "REQUIRED" not in output, output
-    code = main([f"{stem}.yaml", str(PACKAGE / "worlds" / f"{name}.world")])
+    code = main(PACKAGE, [f"{stem}.yaml", name])
     assert code == 0, capsys.readouterr().out
 
 
@@ -74,7 +74,7 @@ def test_file_that_is_no_map_is_refused_in_one_line(tmp_path, capsys, text):
     path = tmp_path / "a.yaml"
     path.write_text(text)
     world = str(PACKAGE / "worlds" / "circuit1.world")
-    assert main([str(path), world]) == 2
+    assert main(PACKAGE, [str(path), world]) == 2
     error = capsys.readouterr().err
     assert error.startswith(f"{path}: not a map in map_server's format: ")
     assert error.count("\n") == 1
@@ -83,8 +83,8 @@ def test_file_that_is_no_map_is_refused_in_one_line(tmp_path, capsys, text):
 def test_missing_file_is_named(tmp_path, capsys):
     path, image = tmp_path / "a.yaml", tmp_path / "a.pgm"
     command = [str(path), str(PACKAGE / "worlds" / "circuit1.world")]
-    assert main(command) == 2
+    assert main(PACKAGE, command) == 2
     assert capsys.readouterr().err == f"{path}: cannot be read: No such file or directory\n"
     path.write_text(f"image: {image.name}\nresolution: 0.05\norigin: [0.0, 0.0, 0.0]\n")
-    assert main(command) == 2
+    assert main(PACKAGE, command) == 2
     assert capsys.readouterr().err == f"{image}: cannot be read: No such file or directory\n"

@@ -3,7 +3,7 @@
 #include "core/lidar/beam_kernels.h"
 #include "core/math/noise.h"
 
-// Built once for each vector unit, with a namespace and a name of its own.
+// Built once for each vector unit, with a namespace of its own.
 namespace f1tenth_sim2d
 {
 namespace
@@ -84,7 +84,7 @@ void addBeams(Results & results)
 }  // namespace
 }  // namespace f1tenth_sim2d
 
-void F1TENTH_PATH_NAME(double * results)
+void runPath(double * results)
 {
   f1tenth_sim2d::Results list(results);
   f1tenth_sim2d::addWalls(list);

@@ -5,6 +5,4 @@
 /// The loops of beam_kernels.h and noise.h on fixed inputs, compiled for one vector unit each; see CMakeLists.txt.
 constexpr std::size_t kPathResults = 8192;
 
-void runPathOfSse2(double * results);
-void runPathOfAvx2(double * results);
-void runPathOfAvx512(double * results);
+extern "C" void runPath(double * results);

@@ -1,3 +1,4 @@
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,10 +10,15 @@
 
 namespace
 {
-std::vector<double> resultsOf(void (*run)(double *))
+std::vector<double> resultsOf(const char * library)
 {
   std::vector<double> results(kPathResults, 0.0);
-  run(results.data());
+  void * const opened = dlopen(library, RTLD_NOW | RTLD_LOCAL);
+  void * const run = opened ? dlsym(opened, "runPath") : nullptr;
+  EXPECT_NE(run, nullptr) << dlerror();
+  if (run) {
+    reinterpret_cast<decltype(&runPath)>(run)(results.data());
+  }
   return results;
 }
 
@@ -32,7 +38,7 @@ void expectSameBits(const std::vector<double> & a, const std::vector<double> & b
 
 TEST(VectorPaths, ThereIsSomethingToCompare)
 {
-  const std::vector<double> results = resultsOf(runPathOfSse2);
+  const std::vector<double> results = resultsOf(F1TENTH_PATH_SSE2);
   EXPECT_GT(std::count_if(results.begin(), results.end(), [](double value) { return value != 0.0; }), 4000);
 }
 
@@ -41,7 +47,7 @@ TEST(VectorPaths, Avx2GivesTheBitsOfSse2)
   if (__builtin_cpu_supports("avx2") == 0 || __builtin_cpu_supports("fma") == 0) {
     GTEST_SKIP() << "this processor has no AVX2 and FMA";
   }
-  expectSameBits(resultsOf(runPathOfAvx2), resultsOf(runPathOfSse2));
+  expectSameBits(resultsOf(F1TENTH_PATH_AVX2), resultsOf(F1TENTH_PATH_SSE2));
 }
 
 TEST(VectorPaths, Avx512GivesTheBitsOfSse2)
@@ -49,6 +55,6 @@ TEST(VectorPaths, Avx512GivesTheBitsOfSse2)
   if (__builtin_cpu_supports("avx512vl") == 0 || __builtin_cpu_supports("avx512dq") == 0) {
     GTEST_SKIP() << "this processor has no AVX-512";
   }
-  expectSameBits(resultsOf(runPathOfAvx512), resultsOf(runPathOfSse2));
+  expectSameBits(resultsOf(F1TENTH_PATH_AVX512), resultsOf(F1TENTH_PATH_SSE2));
 }
 }  // namespace

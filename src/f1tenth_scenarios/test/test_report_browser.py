@@ -252,6 +252,16 @@ def test_contact_leads_to_its_moment(window, report):
     assert time(window) == 0.0
 
 
+def test_a_reason_of_long_names_stays_in_its_card(window, tmp_path):
+    content = result("long")
+    content["criteria"][0]["reason"] = f"{'planner_package/' * 4}follow_the_gap: cannot be started"
+    write_run(tmp_path / "results" / "long", content)
+    write_report(tmp_path / "results", tmp_path / "report.html")
+    open_run(window, (tmp_path / "report.html").as_uri(), "long")
+    page, view = window.execute_script("return [document.body.scrollWidth, document.body.clientWidth]")
+    assert page <= view
+
+
 def test_phone_shows_every_column_without_scrolling_sideways(report, window):
     with chromium(390, 844, phone=True) as phone:
         for page in ("", "#two"):

@@ -129,10 +129,11 @@ def test_encounters_begin_where_their_seed_says(data, tmp_path):
     assert starts[0] != starts[1]
 
 
-def test_the_other_drives_slowly_where_it_would_cut_into_furniture():
+def test_among_furniture_laps_begin_at_the_start_line_and_the_other_drives_slowly():
     speeds = {}
     for seed in range(1, 200, 2):
         encounter = encounters.make_encounter(seed)
+        assert (encounter.begin == 0.0) == (encounter.place == "circuit_detailed")
         speeds.setdefault(encounter.place == "circuit_detailed", []).append(encounter.speed)
     assert 1.0 < max(speeds[True]) <= 1.5
     assert 3.5 < max(speeds[False]) <= 4.0

@@ -18,7 +18,7 @@ _KEY = "encounter"
 _ROWS = ("seed", "place", "manner", "speed (m/s)")  # as they stand in the name of a place
 _MANNERS = ("middle", "side", "weaves", "brakes", "stands")
 _SLOW, _FAST = 0.5, 4.0  # m/s
-# One that drives faster there cuts a corner into the furniture by itself.
+# One that drives faster there cuts a corner into the furniture by itself; and goals of laps begun elsewhere are in it.
 _FURNISHED, _FAST_THERE = "circuit_detailed", 1.5  # m/s
 _WEAVE, _WEAVE_RATE = 0.3, 0.5  # m, Hz
 _MOST_ASIDE = 0.6  # m
@@ -31,9 +31,9 @@ _TEXT = f"""\
 A lap, begun anywhere on a circuit or a track, with another car {_AHEAD:g} m ahead at the start, that drives
 at {_SLOW:g} to {_FAST:g} m/s along a line of its own and takes no notice: it keeps to the `middle` of the
 road or to one `side`, `weaves` ({_WEAVE:g} m, {_WEAVE_RATE:g} Hz), drives and then `brakes` for good, or
-`stands` from the start. On {_FURNISHED} it drives at {_FAST_THERE:g} m/s at the most, as a faster one
-touches the furniture by itself. The planner has perfect odometry, and knows from its lidar alone where the
-other is and how fast.
+`stands` from the start. On {_FURNISHED} laps begin at the start line, as goals of others are in the
+furniture, and the other drives at {_FAST_THERE:g} m/s at the most, as a faster one touches that by itself. The
+planner has perfect odometry, and knows from its lidar alone where the other is and how fast.
 
 Wanted: nothing is touched, and a clearance of at least {LEAST_CLEARANCE:g} m."""
 
@@ -60,7 +60,7 @@ def make_encounter(seed: int) -> Encounter:
     place = generator.choice(places.circuits() if seed % 2 else track_names())
     return Encounter(
         place=place,
-        begin=generator.random(),
+        begin=generator.random() * (place != _FURNISHED),
         manner=generator.choice(_MANNERS),
         speed=generator.uniform(_SLOW, _FAST_THERE if place == _FURNISHED else _FAST),
         aside=generator.choice((-1.0, 1.0)) * generator.uniform(0.2, _MOST_ASIDE),

@@ -133,8 +133,7 @@ def test_among_furniture_neither_goals_nor_the_other_touch_it():
     made = [encounters.make_encounter(seed) for seed in range(1, 200, 2)]
     among = [each for each in made if each.place == "circuit_detailed"]
     assert {each.begin for each in among} == {0.0}
-    assert {each.manner for each in among} == {"middle", "brakes", "stands"}
-    assert max(each.speed for each in among) == 1.5
+    assert {each.manner for each in among} == {"stands"}
     others = [each for each in made if each.place != "circuit_detailed"]
     assert min(each.begin for each in others) > 0.0
     assert {each.manner for each in others} == {"middle", "side", "weaves", "brakes", "stands"}

@@ -18,7 +18,7 @@ _KEY = "encounter"
 _ROWS = ("seed", "place", "manner", "speed (m/s)")  # as they stand in the name of a place
 _MANNERS = ("middle", "side", "weaves", "brakes", "stands")
 _SLOW, _FAST = 0.5, 4.0  # m/s
-_FURNISHED, _FAST_THERE = "circuit_detailed", 1.5  # m/s
+_FURNISHED = "circuit_detailed"
 _WEAVE, _WEAVE_RATE = 0.3, 0.5  # m, Hz
 _MOST_ASIDE = 0.6  # m
 _BRAKES_AFTER = (10.0, 30.0)  # m
@@ -30,9 +30,9 @@ _TEXT = f"""\
 A lap, begun anywhere on a circuit or a track, with another car {_AHEAD:g} m ahead at the start, that drives
 at {_SLOW:g} to {_FAST:g} m/s along a line of its own and takes no notice: it keeps to the `middle` of the
 road or to one `side`, `weaves` ({_WEAVE:g} m, {_WEAVE_RATE:g} Hz), drives and then `brakes` for good, or
-`stands` from the start. On {_FURNISHED} it is always in the middle and at {_FAST_THERE:g} m/s at the most, and
-laps begin at the start line: elsewhere goals, or the other, would touch the furniture. The planner has
-perfect odometry, and knows from its lidar alone where the other is and how fast.
+`stands` from the start. On {_FURNISHED} it always stands, and laps begin at the start line: goals
+elsewhere, and who drives along the line there, touch the furniture. The planner has perfect odometry, and
+knows from its lidar alone where the other is and how fast.
 
 Wanted: nothing is touched, and a clearance of at least {LEAST_CLEARANCE:g} m."""
 
@@ -65,12 +65,7 @@ def make_encounter(seed: int) -> Encounter:
         aside=generator.choice((-1.0, 1.0)) * generator.uniform(0.2, _MOST_ASIDE),
         brakes_after=generator.uniform(*_BRAKES_AFTER),
     )
-    return _among_furniture(encounter) if place == _FURNISHED else encounter
-
-
-def _among_furniture(encounter: Encounter) -> Encounter:
-    manner = "middle" if encounter.manner in ("side", "weaves") else encounter.manner
-    return dataclasses.replace(encounter, begin=0.0, manner=manner, speed=min(encounter.speed, _FAST_THERE))
+    return dataclasses.replace(encounter, begin=0.0, manner="stands") if place == _FURNISHED else encounter
 
 
 def line_of(encounter: Encounter, course: Course) -> np.ndarray:

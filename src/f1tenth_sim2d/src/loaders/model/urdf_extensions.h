@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "f1tenth_sim2d/world_model.h"
 #include "loaders/model/urdf_tree.h"
 #include "loaders/xml/warning_collector.h"
 

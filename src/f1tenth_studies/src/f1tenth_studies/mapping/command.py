@@ -5,7 +5,6 @@ import os
 import shlex
 import sys
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Optional
 
 from f1tenth_scenarios.cli.exit_codes import BAD_INPUT, NOT_PASSED, PASSED
@@ -14,6 +13,7 @@ from f1tenth_scenarios.errors import ScenarioError
 
 from f1tenth_scenarios import places
 from f1tenth_studies.drives.drive import Drive
+from f1tenth_studies.drives.options import add_options
 from f1tenth_studies.drives.places import circuit_drives, road_drives, track_drives
 from f1tenth_studies.drives.pool import end_by_signals, outcomes
 from f1tenth_studies.files import expect_folder_of, made_folder
@@ -25,16 +25,8 @@ from f1tenth_studies.table import made_by, publish
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     """Run the command; returns the exit code: 1 when a map was not good enough."""
     parser = argparse.ArgumentParser(prog="maps", description="Drives around, and judges the maps of it.")
-    parser.add_argument("--circuits", default="0:5", metavar="SEEDS", help="of each circuit (%(default)s)")
-    parser.add_argument(
-        "--tracks", default="0:1", metavar="SEEDS", help="of each track, in both directions (%(default)s)"
-    )
+    add_options(parser, circuits="0:5")
     parser.add_argument("--roads", default="0:19", metavar="SEEDS", help="of make_road (%(default)s)")
-    parser.add_argument(
-        "--table", type=Path, metavar="FILE", help="write the table there, too; what is below it stays"
-    )
-    parser.add_argument("--results", type=Path, metavar="FOLDER", help="default: results of the workspace")
-    parser.add_argument("--jobs", type=int, metavar="N", help="drives at a time; default: one per core")
     options = parser.parse_args(arguments)
     end_by_signals()
     try:

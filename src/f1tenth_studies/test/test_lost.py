@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from f1tenth_scenarios.cli.exit_codes import BAD_INPUT, NOT_PASSED, PASSED
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_studies.drives.drive import Drive
 from f1tenth_studies.drives.places import circuit_drives
@@ -111,7 +112,7 @@ def test_the_document_has_a_row_per_place_and_what_amcl_was_told():
     assert text.index("the truth | 1") < text.index("nothing | 2")
 
 
-@pytest.mark.parametrize(("after", "code"), [(3.0, command.PASSED), (math.inf, command.NOT_PASSED)])
+@pytest.mark.parametrize(("after", "code"), [(3.0, PASSED), (math.inf, NOT_PASSED)])
 def test_the_command_writes_the_table_and_says_what_came_of_it(tmp_path, monkeypatch, capsys, after, code):
     monkeypatch.setattr(
         command,
@@ -139,5 +140,5 @@ def test_the_command_writes_the_table_and_says_what_came_of_it(tmp_path, monkeyp
     ],
 )
 def test_the_command_says_what_is_wrong(tmp_path, capsys, arguments, message):
-    assert command.main([*arguments, "--results", str(tmp_path)]) == command.BAD_INPUT
+    assert command.main([*arguments, "--results", str(tmp_path)]) == BAD_INPUT
     assert f"lost: {message}" in capsys.readouterr().err

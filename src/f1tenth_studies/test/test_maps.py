@@ -13,6 +13,7 @@ import pytest
 from f1tenth_gazebo.errors import MapError
 from f1tenth_gazebo.maps.map_alignment import Alignment
 from f1tenth_gazebo.maps.map_check import MapCheck
+from f1tenth_scenarios.cli.exit_codes import BAD_INPUT, NOT_PASSED, PASSED
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.places import circuits
 from f1tenth_studies.drives.drive import Drive
@@ -26,11 +27,11 @@ from f1tenth_scenarios import places
 SCRIPT = Path(__file__).resolve().parents[1] / "scripts" / "maps"
 needs_mapper = pytest.mark.skipif(not find_spec("gmapping_core"), reason="gmapping is the original here")
 DATA = Path(os.environ.get("F1TENTH_DATA", places.workspace_root().parent / "shared" / "data"))
-PASSED, DOUBLED = MapCheck(1.0, 0.99, 0.1), MapCheck(0.99, 0.96, 0.4)
+CLEAR, DOUBLED = MapCheck(1.0, 0.99, 0.1), MapCheck(0.99, 0.96, 0.4)
 TURNED = Alignment(0.0, 0.0, -0.0013)
 
 
-def mapped(place, seed, check=PASSED, shape=PASSED):
+def mapped(place, seed, check=CLEAR, shape=CLEAR):
     drive = Drive(place, Path(place), place, seed)
     return Mapped(drive, 101.3, check, TURNED, shape, np.array([0.03, 0.04]))
 
@@ -51,7 +52,7 @@ def drives(monkeypatch):
     """In the place of drives: those that end well, all but seed 13."""
 
     def made_up(drives, jobs):
-        return [mapped(each.place, each.seed, DOUBLED if each.seed == 13 else PASSED) for each in drives]
+        return [mapped(each.place, each.seed, DOUBLED if each.seed == 13 else CLEAR) for each in drives]
 
     monkeypatch.setattr(command, "_mapped", made_up)
 
@@ -151,7 +152,7 @@ def test_the_command_writes_the_table_and_keeps_what_is_below(tmp_path, drives, 
     table = tmp_path / "maps.md"
     table.write_text("an earlier one\n| a |\n\nA remark.\n")
     arguments = ["--circuits", "0", "--tracks", "", "--roads", "", "--results", str(tmp_path)]
-    assert command.main([*arguments, "--table", str(table)]) == command.PASSED
+    assert command.main([*arguments, "--table", str(table)]) == PASSED
     text = table.read_text()
     assert "rosrun f1tenth_studies maps --circuits 0 --tracks '' --roads ''" in text
     assert "| circuit1 |" in text
@@ -162,7 +163,7 @@ def test_the_command_writes_the_table_and_keeps_what_is_below(tmp_path, drives, 
 
 def test_a_bad_map_is_an_exit_code(tmp_path, drives):
     arguments = ["--circuits", "13", "--tracks", "", "--roads", "", "--results", str(tmp_path)]
-    assert command.main(arguments) == command.NOT_PASSED
+    assert command.main(arguments) == NOT_PASSED
 
 
 @pytest.mark.parametrize(
@@ -175,14 +176,14 @@ def test_a_bad_map_is_an_exit_code(tmp_path, drives):
     ],
 )
 def test_the_command_says_what_is_wrong(tmp_path, capsys, arguments, message):
-    assert command.main([*arguments, "--results", str(tmp_path)]) == command.BAD_INPUT
+    assert command.main([*arguments, "--results", str(tmp_path)]) == BAD_INPUT
     assert f"maps: {message}" in capsys.readouterr().err
 
 
 def test_a_drive_whose_process_is_killed_is_one_line(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(command, "map_drive", _killed)
     arguments = ["--circuits", "0", "--tracks", "", "--roads", "", "--results", str(tmp_path)]
-    assert command.main(arguments) == command.BAD_INPUT
+    assert command.main(arguments) == BAD_INPUT
     assert capsys.readouterr().err.startswith("maps: the process of a drive was killed")
 
 
@@ -205,6 +206,6 @@ def test_a_wrong_file_is_one_line_and_no_further_drive_is_begun(tmp_path, capsys
     monkeypatch.setattr(command, "map_drive", _leave_a_file)
     monkeypatch.setattr(command, "circuit_drives", lambda values: [lost, *later])
     arguments = ["--tracks", "", "--roads", "", "--results", str(tmp_path), "--jobs", "1"]
-    assert command.main(arguments) == command.BAD_INPUT
+    assert command.main(arguments) == BAD_INPUT
     assert "nowhere.world" in capsys.readouterr().err
     assert not (tmp_path / "8").exists()

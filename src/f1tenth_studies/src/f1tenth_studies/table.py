@@ -3,7 +3,7 @@
 import datetime
 import os
 import platform
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any, Optional
 
@@ -34,6 +34,11 @@ def table(study: Study, runs: Sequence[Run]) -> str:
     lines = [heads, ["---"] * len(heads)]
     for values, group in groups.items():
         lines.append([*values, *(_text(each.value(group), each.digits) for each in study.columns)])
+    return lines_of_table(lines)
+
+
+def lines_of_table(lines: Iterable[Sequence[str]]) -> str:
+    """A table in Markdown: its heads, the line below them, and its rows."""
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 

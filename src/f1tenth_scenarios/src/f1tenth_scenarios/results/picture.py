@@ -55,7 +55,7 @@ def make_figure(title, lines, record, goals, track_map) -> Figure:
     axes = figure.add_subplot()
     _draw_map(axes, track_map)
     _draw_paths(figure, axes, tracks)
-    _draw_goals(axes, goals, 72.0 * _LONG_SIDE / max(box[1] - box[0], box[3] - box[2]))
+    _draw_goals(axes, goals, 72.0 * _inches_per_metre(box))
     _draw_contacts(axes, tracks)
     _name_cars(axes, tracks, goals, box)
     _finish(figure, axes, box, title, lines)
@@ -85,8 +85,12 @@ def _wall_extremes(track_map):
 
 def _figure_size(box):
     width, height = box[1] - box[0], box[3] - box[2]
-    scale = _LONG_SIDE / max(width, height)
+    scale = _inches_per_metre(box)
     return max(width * scale, 6.0) + 1.4, max(height * scale, 3.5) + 0.9
+
+
+def _inches_per_metre(box):
+    return _LONG_SIDE / max(box[1] - box[0], box[3] - box[2])
 
 
 def _draw_map(axes, track_map):

@@ -5,7 +5,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from f1tenth_studies.lost.trial import AFTERWARDS, ALIGNED, NEAR, Found, Told, rms
+from f1tenth_studies.drives.rms import rms
+from f1tenth_studies.lost.trial import AFTERWARDS, ALIGNED, NEAR, Found, Told
+from f1tenth_studies.table import lines_of_table
 
 _TITLE = "Being lost"
 _TEXT = f"""\
@@ -39,9 +41,8 @@ def document(found: Sequence[Found], made: str) -> str:
         of_kind = [each for each in found if each.trial.told is told]
         for place in dict.fromkeys(each.trial.drive.place for each in of_kind):
             rows.append(_row(place, told, [each for each in of_kind if each.trial.drive.place == place]))
-    table = "".join(f"| {' | '.join(row)} |\n" for row in rows)
     said = f"In {sum(each.passed for each in found)} of {len(found)} drives the car was found in time."
-    return f"# {_TITLE}\n\n{_TEXT}\n{made}\n{said}\n\n{table}"
+    return f"# {_TITLE}\n\n{_TEXT}\n{made}\n{said}\n\n{lines_of_table(rows)}"
 
 
 def _row(place: str, told: Told, found: Sequence[Found]) -> list[str]:

@@ -15,6 +15,7 @@ from f1tenth_scenarios.errors import ScenarioError
 
 import f1tenth_sim2d
 from f1tenth_studies.drives.drive import Drive, Journey, Sample
+from f1tenth_studies.drives.rms import rms
 from f1tenth_studies.lost.localizer import localizer_module, make_localizer
 from f1tenth_studies.optimum.track import load_track
 
@@ -68,11 +69,6 @@ class Found:
         return self.after <= self.trial.limit
 
 
-def rms(values: np.ndarray) -> float:
-    """Of values of shape (n,); infinite without any."""
-    return math.sqrt(float((values**2).mean())) if len(values) else math.inf
-
-
 def make_trial(drive: Drive, told: Told, limit: float) -> Trial:
     """The trial of a drive that begins anywhere on its road; before a bend if amcl is told something wrong.
 
@@ -106,10 +102,11 @@ def _find(trial: Trial, amcl: Any) -> Found:
     found = 0
     for sample in _until(end, journey):
         localizer.process(sample.ranges, *journey.geometry, journey.mount, sample.odometry)
-        error, turn = _difference(localizer.pose, sample.truth)
+        pose, covariance = localizer.estimate()
+        error, turn = _difference(pose, sample.truth)
         times.append(sample.time)
         errors.append(error)
-        deviations.append(math.sqrt(localizer.covariance.trace() - localizer.covariance[2, 2]))
+        deviations.append(math.sqrt(covariance[0, 0] + covariance[1, 1]))
         if error > NEAR or turn > ALIGNED:
             found = len(times)
     after = times[found] if found < len(times) else math.inf
@@ -124,7 +121,7 @@ def _localizer(amcl: Any, trial: Trial) -> Any:
     drive, told = trial.drive, trial.told
     believed, deviations = drive.start, None
     if told.is_wrong:
-        believed = _beside(drive.start, told, random.Random(drive.seed))
+        believed = _beside(believed, told, random.Random(drive.seed))
         deviations = told.distance, told.distance, told.turn
     localizer = make_localizer(amcl, drive, believed, deviations)
     if told is Told.NOTHING:

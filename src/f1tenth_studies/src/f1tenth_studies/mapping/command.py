@@ -1,52 +1,30 @@
 """The command `maps`."""
 
 import argparse
-import os
-import shlex
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Optional
 
-from f1tenth_scenarios.cli.exit_codes import BAD_INPUT, NOT_PASSED, PASSED
-from f1tenth_scenarios.cli.options import expect_at_least
 from f1tenth_scenarios.errors import ScenarioError
 
-from f1tenth_scenarios import places
+from f1tenth_studies.drives.command import run_command
 from f1tenth_studies.drives.drive import Drive
-from f1tenth_studies.drives.options import add_options
 from f1tenth_studies.drives.places import circuit_drives, road_drives, track_drives
-from f1tenth_studies.drives.pool import end_by_signals, outcomes
-from f1tenth_studies.files import expect_folder_of, made_folder
+from f1tenth_studies.drives.pool import outcomes
 from f1tenth_studies.mapping.document import document
 from f1tenth_studies.mapping.drive import Mapped, map_drive
-from f1tenth_studies.table import made_by, publish
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     """Run the command; returns the exit code: 1 when a map was not good enough."""
     parser = argparse.ArgumentParser(prog="maps", description="Drives around, and judges the maps of it.")
-    add_options(parser, circuits="0:5")
+    parser.add_argument("--circuits", default="0:5", metavar="SEEDS", help="of each circuit (%(default)s)")
     parser.add_argument("--roads", default="0:19", metavar="SEEDS", help="of make_road (%(default)s)")
-    options = parser.parse_args(arguments)
-    end_by_signals()
-    try:
-        return _run(options, sys.argv[1:] if arguments is None else arguments)
-    except ScenarioError as error:
-        print(f"maps: {error}", file=sys.stderr)
-        return BAD_INPUT
+    return run_command(parser, _maps, document, arguments)
 
 
-def _run(options: argparse.Namespace, arguments: Sequence[str]) -> int:
-    expect_at_least(1, options.jobs, "--jobs")
-    expect_folder_of(options.table, "--table")
-    mapped = _mapped(_drives(options), options.jobs or len(os.sched_getaffinity(0)))
-    made = made_by(shlex.join(["rosrun", "f1tenth_studies", "maps", *arguments]))
-    publish(document(mapped, made), options.table)
-    return PASSED if all(each.passed for each in mapped) else NOT_PASSED
-
-
-def _drives(options: argparse.Namespace) -> list[Drive]:
-    folder = made_folder((options.results or places.results_root()).resolve() / "places" / "maps")
+def _maps(options: argparse.Namespace, folder: Path) -> list[Mapped]:
     drives = [
         *circuit_drives(options.circuits),
         *track_drives(options.tracks, folder),
@@ -54,7 +32,7 @@ def _drives(options: argparse.Namespace) -> list[Drive]:
     ]
     if not drives:
         raise ScenarioError("no seeds given: nothing to drive")
-    return drives
+    return _mapped(drives, options.jobs)
 
 
 def _mapped(drives: Sequence[Drive], jobs: int) -> list[Mapped]:

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from f1tenth_studies.mapping.drive import Mapped
+from f1tenth_studies.table import lines_of_table
 
 _TITLE = "Maps"
 _TEXT = """\
@@ -37,10 +38,9 @@ def document(mapped: Sequence[Mapped], made: str) -> str:
     rows = [list(_HEADS), ["---"] * len(_HEADS)]
     for place in dict.fromkeys(each.drive.place for each in mapped):
         rows.append(_row(place, [each for each in mapped if each.drive.place == place]))
-    table = "".join(f"| {' | '.join(row)} |\n" for row in rows)
     good, shapes = sum(each.passed for each in mapped), sum(each.has_shape for each in mapped)
     said = f"{good} of {len(mapped)} drives are good enough, {shapes} in their shape."
-    return f"# {_TITLE}\n\n{_TEXT}\n{made}\n{said}\n\n{table}"
+    return f"# {_TITLE}\n\n{_TEXT}\n{made}\n{said}\n\n{lines_of_table(rows)}"
 
 
 def _row(place: str, mapped: Sequence[Mapped]) -> list[str]:

@@ -19,6 +19,7 @@ from f1tenth_scenarios.errors import ScenarioError
 import f1tenth_sim2d
 from f1tenth_scenarios import places
 from f1tenth_studies.drives.drive import Drive, Journey
+from f1tenth_studies.drives.rms import rms
 
 _TIME_LIMIT = 1200.0  # s simulated, as in create_map.launch
 _PARAMETERS = "config/slam_gmapping.yaml"
@@ -40,7 +41,7 @@ class Mapped:
     @property
     def error(self) -> float:
         """Of the poses, RMS, m."""
-        return math.sqrt(float((self.errors**2).mean()))
+        return rms(self.errors)
 
     @property
     def passed(self) -> bool:

@@ -57,18 +57,12 @@ bool process(
   return localizer.process(scan, toPose(lidar), toPose(odometry)) != Outcome::kIgnored;
 }
 
-Triple pose(const Localizer & localizer)
-{
-  const Pose2 pose = localizer.estimate().pose;
-  return {pose.x, pose.y, pose.yaw};
-}
-
-py::array_t<double> covariance(const Localizer & localizer)
+py::tuple estimate(const Localizer & localizer)
 {
   const Estimate estimate = localizer.estimate();
-  py::array_t<double> values({py::ssize_t{3}, py::ssize_t{3}});
-  std::copy(estimate.covariance.begin(), estimate.covariance.end(), values.mutable_data());
-  return values;
+  py::array_t<double> covariance({py::ssize_t{3}, py::ssize_t{3}});
+  std::copy(estimate.covariance.begin(), estimate.covariance.end(), covariance.mutable_data());
+  return py::make_tuple(Triple{estimate.pose.x, estimate.pose.y, estimate.pose.yaw}, covariance);
 }
 }  // namespace
 }  // namespace amcl
@@ -131,6 +125,9 @@ PYBIND11_MODULE(amcl_core, module)
       py::arg("range_max"), py::arg("lidar"), py::arg("odometry"),
       "Takes a scan in: ranges of shape (n,), m; lidar is (x, y, yaw) of the lidar on the car, odometry of the car. "
       "Returns whether it counted.")
-    .def_property_readonly("pose", &pose, "(x, y, yaw) of the car on the map as of the last scan that counted.")
-    .def_property_readonly("covariance", &covariance, "Of the pose, float64 of shape (3, 3): m^2, m rad, rad^2.");
+    .def(
+      "estimate", &estimate,
+      "As of the last scan that counted: (x, y, yaw) of the car on the map, and its covariance, float64 of shape (3, "
+      "3) in "
+      "m^2, m rad and rad^2.");
 }

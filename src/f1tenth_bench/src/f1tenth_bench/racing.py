@@ -2,8 +2,8 @@
 
 import numpy as np
 import yaml
+from f1tenth_gazebo.maps.map_file import load_map
 from f1tenth_scenarios.places import GAZEBO_PACKAGE, package_path
-from PIL import Image
 
 from f1tenth_bench.benchmark import NotAvailable
 from f1tenth_bench.places import data_file
@@ -28,15 +28,12 @@ def planner_module():
 def load_costmap(path):
     """A map in map_server's format as the planner sees it."""
     core = planner_module()
-    description = yaml.safe_load(path.read_text())
-    pixels = np.asarray(Image.open(path.parent / description["image"]).convert("L"), float)
-    cells = np.where((255 - pixels) / 255 > description["occupied_thresh"], 100, 0).astype(np.int8)
+    grid = load_map(path)
     inflation = _parameters("costmap_common.yaml")
     options = core.CostmapOptions(
         inflation_radius=inflation["inflation_radius"], cost_scaling_factor=inflation["cost_scaling_factor"]
     )
-    x, y = description["origin"][:2]
-    return core.Costmap(np.ascontiguousarray(cells[::-1]), description["resolution"], (x, y), options)
+    return core.Costmap(grid.cells, grid.resolution, (grid.x, grid.y), options)
 
 
 def race_options():

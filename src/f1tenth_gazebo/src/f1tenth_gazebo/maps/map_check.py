@@ -58,7 +58,7 @@ def wall_cells(grid):
     Raises:
         MapError: there are none.
     """
-    rows, columns = np.nonzero(grid.pixels == 0)
+    rows, columns = np.nonzero(grid.cells == 100)
     _expect_some(rows, "the map has no wall cell (black), must have some")
     return np.column_stack([columns + 0.5, rows + 0.5]) * grid.resolution + (grid.x, grid.y)
 
@@ -98,6 +98,6 @@ def _expect_some(values, problem):
 
 def _is_free(points, grid):
     columns, rows = np.floor((points - (grid.x, grid.y)) / grid.resolution).astype(int).T
-    pixels = grid.pixels
-    inside = (columns >= 0) & (rows >= 0) & (columns < pixels.shape[1]) & (rows < pixels.shape[0])
-    return inside & (pixels[np.where(inside, rows, 0), np.where(inside, columns, 0)] == 254)
+    cells = grid.cells
+    inside = (columns >= 0) & (rows >= 0) & (columns < cells.shape[1]) & (rows < cells.shape[0])
+    return inside & (cells[np.where(inside, rows, 0), np.where(inside, columns, 0)] == 0)

@@ -32,12 +32,19 @@ class Grid:
     y: float  # m
     resolution: float = RESOLUTION  # m
     free_thresh: float = 0.196  # how dark a free pixel is at most: 0 is white, 1 black
+    occupied_thresh: float = 0.65  # and one of a wall at least
 
     @property
     def extent(self):
         """What it covers, m: left, right, bottom, top."""
         height, width = (size * self.resolution for size in self.pixels.shape)
         return self.x, self.x + width, self.y, self.y + height
+
+    @property
+    def cells(self):
+        """Of a nav_msgs/OccupancyGrid, int8, as map_server makes them of pixels (mode trinary)."""
+        dark = (255.0 - self.pixels) / 255.0
+        return np.select([dark > self.occupied_thresh, dark < self.free_thresh], [100, 0], -1).astype(np.int8)
 
 
 def load_map(path):
@@ -54,7 +61,10 @@ def load_map(path):
             pixels = np.asarray(image.convert("L"))[::-1]
         x, y, resolution = _placement(description)
         pixels = 255 - pixels if description.get("negate") else pixels
-        grid = Grid(pixels, x, y, resolution, float(description.get("free_thresh", Grid.free_thresh)))
+        thresholds = (
+            float(description.get(key, getattr(Grid, key))) for key in ("free_thresh", "occupied_thresh")
+        )
+        grid = Grid(pixels, x, y, resolution, *thresholds)
         yaw = sum(map(float, description["origin"][2:3]))
     except (OSError, ValueError, KeyError, TypeError, yaml.YAMLError) as error:
         raise MapError(_problem(path, error)) from error

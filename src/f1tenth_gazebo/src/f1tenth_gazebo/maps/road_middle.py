@@ -1,13 +1,13 @@
 """The middle of the road that a map shows."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 from contourpy import contour_generator
 from scipy import ndimage
 
 from f1tenth_gazebo.errors import MapError
-from f1tenth_gazebo.maps.map_file import Grid
 
 _LEAST_INSIDE = 0.2
 """m^2, that a road goes around; what is smaller lies on it"""
@@ -36,7 +36,7 @@ def middle_of_road(grid, start=(0.0, 0.0, 0.0)):
     if not np.all(np.isfinite(start)):
         raise MapError(f"the start is ({', '.join(map(str, start))}), must be finite numbers")
     cell = grid.resolution
-    grid = Grid(np.pad(grid.pixels, 1), grid.x - cell, grid.y - cell, cell, grid.free_thresh)
+    grid = replace(grid, pixels=np.pad(grid.pixels, 1), x=grid.x - cell, y=grid.y - cell)
     inside, outside, others = _sides(grid, start)
     away = [ndimage.distance_transform_edt(~each) * cell for each in (inside, outside)]
     middle = _smooth(max(contour_generator(z=away[1] - away[0]).lines(0.0), key=len) * cell)
@@ -54,7 +54,7 @@ def middle_of_road(grid, start=(0.0, 0.0, 0.0)):
 
 def _sides(grid, start):
     """What the road goes around, what is around it, and what else is large and stands on it."""
-    free = (255.0 - grid.pixels) / 255.0 < grid.free_thresh
+    free = grid.cells == 0
     parts, _ = ndimage.label(free)
     column, row = (math.floor((at - low) / grid.resolution) for at, low in zip(start, (grid.x, grid.y)))
     rows, columns = free.shape

@@ -3,16 +3,13 @@
 import math
 from typing import Any, Optional
 
-import numpy as np
 import yaml
-from f1tenth_gazebo.maps.map_file import Grid, load_map
+from f1tenth_gazebo.maps.map_file import load_map
 from f1tenth_gazebo.poses import Pose
 from f1tenth_scenarios.errors import ScenarioError
 
 from f1tenth_scenarios import places
 from f1tenth_studies.drives.drive import Drive
-
-_OCCUPIED = 0.65  # how dark a pixel of a wall is at least: 0 is white, 1 black
 
 
 def localizer_module() -> Any:
@@ -44,7 +41,7 @@ def make_localizer(amcl: Any, drive: Drive, believed: Pose, deviations: Optional
     grid = load_map(places.map_file(drive.world))
     options, sure = _options(amcl, drive.seed)
     corner = grid.x, grid.y
-    return amcl.Localizer(_cells(grid), grid.resolution, corner, options, believed, deviations or sure)
+    return amcl.Localizer(grid.cells, grid.resolution, corner, options, believed, deviations or sure)
 
 
 def _options(amcl: Any, seed: int) -> tuple[Any, Pose]:
@@ -65,9 +62,3 @@ def _options(amcl: Any, seed: int) -> tuple[Any, Pose]:
             raise ScenarioError(f"{path}: {parameter}: amcl's Python module does not know it")
         setattr(owner, name, models[part].__members__[value] if name == "model" else value)
     return options, (x, y, yaw)
-
-
-def _cells(grid: Grid) -> np.ndarray:
-    """Of a nav_msgs/OccupancyGrid, as map_server makes them of pixels."""
-    dark = (255.0 - grid.pixels) / 255.0
-    return np.select([dark > _OCCUPIED, dark < grid.free_thresh], [100, 0], -1).astype(np.int8)

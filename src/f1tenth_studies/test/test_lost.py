@@ -23,9 +23,9 @@ needs_localizer = pytest.mark.skipif(not find_spec("amcl_core"), reason="amcl is
 DRIVE = Drive("circuit3", Path("circuit3.world"), "circuit3", 4)
 
 
-def found(place, seed, told=Told.NOTHING, after=3.0, error=0.02, deviation=0.03):
+def found(place, seed, told=Told.NOTHING, after=3.0, error=0.02, deviation=0.03, alike=False):
     trial = Trial(Drive(place, Path(place), place, seed), told, 10.0)
-    return Found(trial, after, np.full(4, error), np.full(4, deviation))
+    return Found(trial, after, np.full(4, error), np.full(4, deviation), alike)
 
 
 def drive_on(place):
@@ -57,7 +57,19 @@ def test_a_car_on_another_road_than_that_of_the_map_is_not_found(monkeypatch):
     monkeypatch.setattr("f1tenth_scenarios.places.map_file", lambda world: other)
     result = find(trial)
     assert result.after == math.inf
+    assert not result.alike
     assert not result.passed
+
+
+@needs_localizer
+def test_where_the_walls_look_the_same_turned_around_nothing_tells_where_the_car_is():
+    trials = (
+        make_trial(dataclasses.replace(drive_on("circuit1"), seed=seed), Told.NOTHING, 3.0)
+        for seed in range(4)
+    )
+    late = [each for each in map(find, trials) if not each.in_time]
+    assert late
+    assert all(each.alike and each.passed for each in late)
 
 
 def test_told_the_truth_amcl_may_not_be_surer_than_it_is_right():
@@ -105,11 +117,14 @@ def test_a_parameter_that_the_module_does_not_know_is_named(tmp_path, monkeypatc
 
 def test_the_document_has_a_row_per_place_and_what_amcl_was_told():
     late = found("circuit1", 1, after=math.inf)
-    text = document([found("circuit1", 0), late, found("circuit1", 0, Told.TRUTH, 0.0)], "Made by me\n")
-    assert "In 2 of 3 drives the car was found in time." in text
-    assert "| circuit1 | the truth | 1 | 10 | 1 | 0.00 | none | 0.020 | 0.030 |" in text
-    assert "| circuit1 | nothing | 2 | 10 | 1 | 3.00 | 1 | 0.020 | 0.030 |" in text
-    assert text.index("the truth | 1") < text.index("nothing | 2")
+    untold = found("circuit1", 2, after=math.inf, alike=True)
+    text = document(
+        [found("circuit1", 0), late, untold, found("circuit1", 0, Told.TRUTH, 0.0)], "Made by me\n"
+    )
+    assert "In 2 of 4 drives the car was found in time; in 1 nothing told where." in text
+    assert "| circuit1 | the truth | 1 | 10 | 1 | 0 | 0.00 | none | 0.020 | 0.030 |" in text
+    assert "| circuit1 | nothing | 3 | 10 | 1 | 1 | 3.00 | 1 | 0.020 | 0.030 |" in text
+    assert text.index("the truth | 1") < text.index("nothing | 3")
 
 
 @pytest.mark.parametrize(("after", "code"), [(3.0, PASSED), (math.inf, NOT_PASSED)])

@@ -70,6 +70,14 @@ class Journey:
         self.geometry = (lidar.angle_min, _increment(lidar), lidar.range_min, lidar.range_max)
         """Of a scan: first angle and step (rad), least and greatest range (m)."""
 
+    def points(self, ranges: np.ndarray) -> np.ndarray:
+        """Where beams ended, (n, 2), m, in the frame of the car; without those that met nothing."""
+        first, step, least, greatest = self.geometry
+        x, y, yaw = self.mount
+        beams = np.flatnonzero((least < ranges) & (ranges < greatest))
+        angles, ranges = yaw + first + step * beams, ranges[beams]
+        return np.column_stack([x + ranges * np.cos(angles), y + ranges * np.sin(angles)])
+
     def samples(self) -> Iterator[Sample]:
         """Of each scan."""
         simulation = f1tenth_sim2d.Simulation(self.world, _STEP, self._drive.seed)

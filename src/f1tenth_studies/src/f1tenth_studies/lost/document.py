@@ -19,7 +19,12 @@ once amcl is right to {NEAR:g} m and {ALIGNED:g} rad from then on, {AFTERWARDS:g
 Since then, the distance from the true pose (error) and the deviation that amcl reports, both in the plane and
 RMS over the drives of a row.
 
-Wanted: found within the limit; told the truth, always right, with a deviation of at least half of the error.
+A drive that ended too late is looked at once more: where amcl last believed the car wrongly, was all that was
+seen until the limit, all along the way, as near to walls of the map as at the true places, to half a cell
+(RMS of each view)? Then nothing could tell where the car was.
+
+Wanted: found within the limit, where it can be told; told the truth, always right, with a deviation of at
+least half of the error.
 """
 _HEADS = (
     "place",
@@ -27,6 +32,7 @@ _HEADS = (
     "drives",
     "limit (s)",
     "found",
+    "could not be told",
     "slowest of them (s)",
     "seeds that failed",
     "error (m)",
@@ -41,19 +47,22 @@ def document(found: Sequence[Found], made: str) -> str:
         of_kind = [each for each in found if each.trial.told is told]
         for place in dict.fromkeys(each.trial.drive.place for each in of_kind):
             rows.append(_row(place, told, [each for each in of_kind if each.trial.drive.place == place]))
-    said = f"In {sum(each.passed for each in found)} of {len(found)} drives the car was found in time."
+    in_time = sum(each.in_time for each in found)
+    untold = sum(each.passed for each in found) - in_time
+    said = f"In {in_time} of {len(found)} drives the car was found in time; in {untold} nothing told where."
     return f"# {_TITLE}\n\n{_TEXT}\n{made}\n{said}\n\n{lines_of_table(rows)}"
 
 
 def _row(place: str, told: Told, found: Sequence[Found]) -> list[str]:
-    passed = [each for each in found if each.passed]
+    in_time = [each for each in found if each.in_time]
     return [
         place,
         told.words,
         str(len(found)),
         f"{found[0].trial.limit:g}",
-        str(len(passed)),
-        f"{max((each.after for each in passed), default=math.inf):.2f}",
+        str(len(in_time)),
+        str(sum(each.passed for each in found) - len(in_time)),
+        f"{max((each.after for each in in_time), default=math.inf):.2f}",
         ", ".join(str(each.trial.drive.seed) for each in found if not each.passed) or "none",
         f"{rms(np.concatenate([each.errors for each in found])):.3f}",
         f"{rms(np.concatenate([each.deviations for each in found])):.3f}",

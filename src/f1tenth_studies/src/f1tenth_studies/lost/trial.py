@@ -4,18 +4,21 @@ import dataclasses
 import enum
 import math
 import random
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import takewhile
 from typing import Any
 
 import numpy as np
 from f1tenth_gazebo.errors import MapError
+from f1tenth_gazebo.maps.map_file import load_map
 from f1tenth_gazebo.poses import Pose
 from f1tenth_scenarios.errors import ScenarioError
 
 import f1tenth_sim2d
+from f1tenth_scenarios import places
 from f1tenth_studies.drives.drive import Drive, Journey, Sample
 from f1tenth_studies.drives.rms import rms
+from f1tenth_studies.lost.alike import View, is_alike
 from f1tenth_studies.lost.localizer import localizer_module, make_localizer
 from f1tenth_studies.optimum.track import load_track
 
@@ -23,6 +26,7 @@ NEAR, ALIGNED = 0.3, 0.15
 """m and rad; a car that is believed to be no farther off is found."""
 AFTERWARDS = 5.0
 """s, for which it must stay found."""
+_SCANS_PER_VIEW = 20
 _BEND, _BEND_WITHIN = 0.5, 6.0  # rad, m
 
 
@@ -60,13 +64,21 @@ class Found:
     after: float  # s, from when on the car was where it was believed to be; infinite: not at the end
     errors: np.ndarray  # (n,), m, at the scans since
     deviations: np.ndarray  # (n,), m, as amcl reports them
+    alike: bool = (
+        False  # whether, until the limit, the walls looked the same where amcl last believed it wrongly
+    )
 
     @property
-    def passed(self) -> bool:
+    def in_time(self) -> bool:
         """Whether the car was found in time; told the truth, whether amcl always knew, and how well."""
         if self.trial.told is Told.TRUTH:
             return self.after == 0.0 and rms(self.deviations) >= rms(self.errors) / 2
         return self.after <= self.trial.limit
+
+    @property
+    def passed(self) -> bool:
+        """Whether it was found in time, or nothing told where it was."""
+        return self.in_time or self.alike
 
 
 def make_trial(drive: Drive, told: Told, limit: float) -> Trial:
@@ -98,19 +110,25 @@ def _find(trial: Trial, amcl: Any) -> Found:
     journey = Journey(trial.drive)
     localizer = _localizer(amcl, trial)
     end = trial.limit + (0.0 if trial.told is Told.TRUTH else AFTERWARDS)
-    times, errors, deviations = [], [], []
-    found = 0
+    beliefs, views = [], []
     for sample in _until(end, journey):
         localizer.process(sample.ranges, *journey.geometry, journey.mount, sample.odometry)
         pose, covariance = localizer.estimate()
-        error, turn = _difference(pose, sample.truth)
-        times.append(sample.time)
-        errors.append(error)
-        deviations.append(math.sqrt(covariance[0, 0] + covariance[1, 1]))
-        if error > NEAR or turn > ALIGNED:
-            found = len(times)
-    after = times[found] if found < len(times) else math.inf
-    return Found(trial, after, np.array(errors[found:]), np.array(deviations[found:]))
+        if len(beliefs) % _SCANS_PER_VIEW == 0 and sample.time <= trial.limit:
+            views.append(View(journey.points(sample.ranges), sample.truth))
+        beliefs.append(_Belief(sample, pose, math.sqrt(covariance[0, 0] + covariance[1, 1])))
+    since = max((i + 1 for i, belief in enumerate(beliefs) if belief.is_wrong), default=0)
+    after = beliefs[since].sample.time if since < len(beliefs) else math.inf
+    errors = np.array([belief.difference[0] for belief in beliefs[since:]])
+    deviations = np.array([belief.deviation for belief in beliefs[since:]])
+    alike = after > trial.limit and _is_alike(trial, views, beliefs[:since])
+    return Found(trial, after, errors, deviations, alike)
+
+
+def _is_alike(trial: Trial, views: Sequence[View], beliefs: Sequence["_Belief"]) -> bool:
+    wrong = [belief for belief in beliefs if belief.is_wrong]
+    last = next((belief for belief in reversed(wrong) if belief.sample.time <= trial.limit), wrong[-1])
+    return is_alike(load_map(places.map_file(trial.drive.world)), views, last.sample.truth, last.pose)
 
 
 def _until(end: float, journey: Journey) -> Iterator[Sample]:
@@ -138,10 +156,25 @@ def _beside(pose: Pose, told: Told, generator: random.Random) -> Pose:
     )
 
 
-def _difference(one: Pose, other: Pose) -> tuple[float, float]:
-    """Distance (m) and turn (rad) between two poses."""
-    turn = math.remainder(one[2] - other[2], math.tau)
-    return math.hypot(one[0] - other[0], one[1] - other[1]), abs(turn)
+@dataclasses.dataclass(frozen=True)
+class _Belief:
+    """Where amcl believes the car to be."""
+
+    sample: Sample
+    pose: Pose
+    deviation: float  # m
+
+    @property
+    def difference(self) -> tuple[float, float]:
+        """From the truth: distance (m) and turn (rad)."""
+        truth = self.sample.truth
+        turn = math.remainder(self.pose[2] - truth[2], math.tau)
+        return math.hypot(self.pose[0] - truth[0], self.pose[1] - truth[1]), abs(turn)
+
+    @property
+    def is_wrong(self) -> bool:
+        distance, turn = self.difference
+        return distance > NEAR or turn > ALIGNED
 
 
 def _before_bends(track: np.ndarray) -> np.ndarray:

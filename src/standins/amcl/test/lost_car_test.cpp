@@ -36,6 +36,15 @@ LostCar lostIn(const OccupancyGrid & grid)
   return {*map, roadAbout(*map, {1.0, 1.0, 0.0})};
 }
 
+double shareAbout(const std::vector<Place> & places, const Pose2 & pose)
+{
+  double share = 0.0;
+  for (const Place & place : places) {
+    share += distance(place.pose, pose) < 1.0 && std::abs(place.pose.yaw - pose.yaw) < 0.1 ? place.fit : 0.0;
+  }
+  return share;
+}
+
 TEST(LostCar, IsFoundWhereItCanBeOnlyAtOnePlace)
 {
   LostCar car = lostIn(room({}));
@@ -44,6 +53,16 @@ TEST(LostCar, IsFoundWhereItCanBeOnlyAtOnePlace)
   EXPECT_NEAR(places.front().pose.x, 2.03, 0.05);
   EXPECT_NEAR(places.front().pose.y, 1.52, 0.05);
   EXPECT_NEAR(places.front().pose.yaw, 0.7, 0.02);
+  EXPECT_GT(shareAbout(places, {2.03, 1.52, 0.7}), 0.99);
+}
+
+TEST(LostCar, IsLookedForUntilThereHasBeenOnePlaceForSomeMetres)
+{
+  LostCar car = lostIn(room({}));
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_FALSE(car.isOver()) << i;
+    lookFrom(car, room({}), {1.5 + 1.1 * i, 1.5, 0.0});
+  }
   EXPECT_TRUE(car.isOver());
 }
 
@@ -92,7 +111,7 @@ TEST(LostCar, IsNotLookedForAnyLongerWhereNothingTellsPlacesApart)
   EXPECT_TRUE(car.isOver());
 }
 
-TEST(LostCar, IsLookedForOnceIfItIsKnownAboutWhere)
+TEST(LostCar, IsLookedForAboutThereIfItIsKnownAboutWhere)
 {
   const auto map = toGridMap(emptyRoom(), LaserOptions{});
   LostCar car(*map, std::vector<Pose2>{{2.1, 1.4, 0.65}, {4.0, 2.0, 0.0}});
@@ -100,7 +119,33 @@ TEST(LostCar, IsLookedForOnceIfItIsKnownAboutWhere)
   ASSERT_FALSE(places.empty());
   EXPECT_NEAR(places.front().pose.x, 2.03, 0.05);
   EXPECT_NEAR(places.front().pose.y, 1.52, 0.05);
-  EXPECT_TRUE(car.isOver());
+  EXPECT_GT(shareAbout(places, {2.03, 1.52, 0.7}), 0.99);
+}
+
+// A road of 40 m by 2 m with a pillar at its beginning.
+OccupancyGrid longRoad()
+{
+  OccupancyGrid grid{{800, 40, 0.05, {0.0, 0.0, 0.0}}, std::vector<std::int8_t>(800 * 40, 0)};
+  for (int i = 0; i < 800 * 40; ++i) {
+    const int x = i % 800;
+    const int y = i / 800;
+    const bool wall = x == 0 || x == 799 || y == 0 || y == 39;
+    const bool pillar = x >= 100 && x < 110 && y >= 25 && y < 30;
+    grid.cells[i] = wall || pillar ? 100 : 0;
+  }
+  return grid;
+}
+
+TEST(LostCar, RemembersOnAStraightWhatItHasSeenBefore)
+{
+  const OccupancyGrid grid = longRoad();
+  LostCar car = lostIn(grid);
+  for (double x = 2.0; x < 22.0; x += 1.1) {
+    const auto places = lookFrom(car, grid, {x, 0.8, 0.0});
+    EXPECT_GT(shareAbout(places, {x, 0.8, 0.0}), 0.9) << x;
+  }
+  LostCar other = lostIn(grid);
+  EXPECT_LT(shareAbout(lookFrom(other, grid, {19.0, 0.8, 0.0}), {19.0, 0.8, 0.0}), 0.5);
 }
 
 TEST(LostCar, SeesNothingWithoutAnEcho)

@@ -2,86 +2,148 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace amcl
 {
 namespace
 {
-constexpr float kWall = 0.3F;           // probability to be free of cells that are walls
-constexpr float kFreeNeighbour = 0.7F;  // and of those that are not
-constexpr double kReach = 2.5;          // standard deviations
-constexpr int kFull = 255;              // stands for 1
+constexpr float kWall = 0.3F;    // probability to be free of cells that are walls at most,
+constexpr float kFree = 0.7F;    // and of free ones at least
+constexpr double kStep = 0.004;  // m, of distances
+constexpr int kFar = 127;        // steps; what is farther away counts as this
+constexpr int kFull = 255;       // stands for a fit of 1
 
-/// Whether it is a wall beside what is free: no beam ends farther inside.
-bool isSurface(const mrpt::maps::COccupancyGridMap2D & map, int column, int row)
-{
-  if (map.getCell(column, row) >= kWall) {
-    return false;
-  }
-  for (int i = 0; i < 9; ++i) {
-    if (map.getCell(column + i % 3 - 1, row + i / 3 - 1) > kFreeNeighbour) {  // not so outside of the map
-      return true;
-    }
-  }
-  return false;
-}
 }  // namespace
 
-FitField::FitField(const mrpt::maps::COccupancyGridMap2D & map, double slack, double deviation)
+/// What walls are made of on a map.
+class Walls
+{
+public:
+  explicit Walls(const mrpt::maps::COccupancyGridMap2D & map) : map_(map) {}
+
+  bool isSolid(int column, int row) const
+  {
+    // What is not known may be a wall's inside, but beside what is free it is where a map is not sharp.
+    const auto is_free = [this](int x, int y) { return map_.getCell(x, y) > kFree; };
+    return isWall(column, row) || !anyAbout(column, row, is_free);
+  }
+
+  bool isBorder(int column, int row) const
+  {
+    if (isWall(column, row)) {
+      return anyAbout(column, row, [this](int x, int y) { return !isSolid(x, y); });
+    }
+    return anyAbout(column, row, [this](int x, int y) { return isWall(x, y); }) && !isSolid(column, row);
+  }
+
+private:
+  bool isWall(int column, int row) const { return map_.getCell(column, row) < kWall; }
+
+  template <typename Predicate>
+  static bool anyAbout(int column, int row, Predicate predicate)
+  {
+    for (int i = 0; i < 9; ++i) {
+      if (predicate(column + i % 3 - 1, row + i / 3 - 1)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const mrpt::maps::COccupancyGridMap2D & map_;
+};
+
+Fit::Fit(double slack, double deviation)
+{
+  for (int i = 0; i < kFar; ++i) {
+    const double away = std::max(0.0, i * kStep - slack) / deviation;
+    values_[i] = static_cast<std::uint8_t>(std::lround(kFull * std::exp(-0.5 * away * away)));
+  }
+  values_[kFar] = 0;
+}
+
+FitField::FitField(const mrpt::maps::COccupancyGridMap2D & map)
 : columns_(static_cast<int>(map.getSizeX())),
   rows_(static_cast<int>(map.getSizeY())),
-  reach_(static_cast<int>(std::ceil((slack + kReach * deviation) / map.getResolution()))),
   cells_per_metre_(1.0 / map.getResolution()),
-  values_(static_cast<std::size_t>(columns_) * rows_, 0)
+  distances_(static_cast<std::size_t>(columns_) * rows_, kFar)
 {
-  for (int y = -reach_; y <= reach_; ++y) {
-    for (int x = -reach_; x <= reach_; ++x) {
-      const double away = std::max(0.0, std::hypot(x, y) / cells_per_metre_ - slack) / deviation;
-      kernel_.push_back(static_cast<std::uint8_t>(std::lround(kFull * std::exp(-0.5 * away * away))));
-    }
-  }
+  const Walls walls(map);
   for (int row = 0; row < rows_; ++row) {
     for (int column = 0; column < columns_; ++column) {
-      if (isSurface(map, column, row)) {
-        addWall(column, row);
+      if (walls.isBorder(column, row)) {
+        tellFrom(walls, column, row);
       }
     }
   }
 }
 
-void FitField::addWall(int column, int row)
+/// Tells the cells on the other side of a border how far they are from it: half a cell less than from the cell beside it.
+void FitField::tellFrom(const Walls & walls, int column, int row)
 {
-  const int left = std::max(0, column - reach_);
-  const int right = std::min(columns_ - 1, column + reach_);
-  for (int y = std::max(0, row - reach_); y <= std::min(rows_ - 1, row + reach_); ++y) {
-    const std::uint8_t * kernel = &kernel_[static_cast<std::size_t>(y - row + reach_) * (2 * reach_ + 1)];
-    std::uint8_t * values = &values_[static_cast<std::size_t>(y) * columns_];
-    for (int x = left; x <= right; ++x) {
-      values[x] = std::max(values[x], kernel[x - column + reach_]);
+  const bool is_solid = walls.isSolid(column, row);
+  const int reach = static_cast<int>(std::ceil(kFar * kStep * cells_per_metre_));
+  for (int y = std::max(0, row - reach); y <= std::min(rows_ - 1, row + reach); ++y) {
+    for (int x = std::max(0, column - reach); x <= std::min(columns_ - 1, column + reach); ++x) {
+      const double cells = std::hypot(x - column, y - row) - 0.5;
+      const long away = std::lround(cells / (cells_per_metre_ * kStep));
+      if (away < std::abs(at(x, y)) && walls.isSolid(x, y) != is_solid) {
+        at(x, y) = static_cast<std::int8_t>(is_solid ? away : -away);
+      }
     }
   }
 }
 
-int FitField::valueAt(double x, double y) const
+int FitField::distanceAt(double x, double y) const
 {
-  const int column = static_cast<int>(std::floor(x * cells_per_metre_));
-  const int row = static_cast<int>(std::floor(y * cells_per_metre_));
-  const bool is_inside = column >= 0 && row >= 0 && column < columns_ && row < rows_;
-  return is_inside ? values_[static_cast<std::size_t>(row) * columns_ + column] : 0;
+  const double u = x * cells_per_metre_;
+  const double v = y * cells_per_metre_;
+  if (!(u >= 0.0 && v >= 0.0 && u < columns_ && v < rows_)) {
+    return kFar;
+  }
+  return std::abs(at(static_cast<int>(u), static_cast<int>(v)));
 }
 
-double FitField::fit(const Points & points, const Pose2 & pose, double least) const
+int FitField::distanceBetween(double x, double y) const
+{
+  const double u = x * cells_per_metre_ - 0.5;
+  const double v = y * cells_per_metre_ - 0.5;
+  if (!(u >= 0.0 && v >= 0.0 && u < columns_ - 1 && v < rows_ - 1)) {
+    return kFar;
+  }
+  const int column = static_cast<int>(u);
+  const int row = static_cast<int>(v);
+  const double right = u - column;
+  const double below = (1.0 - right) * at(column, row) + right * at(column + 1, row);
+  const double above = (1.0 - right) * at(column, row + 1) + right * at(column + 1, row + 1);
+  const double up = v - row;
+  return static_cast<int>(std::abs((1.0 - up) * below + up * above) + 0.5);  // quicker than lround
+}
+
+template <typename Distance>
+double FitField::mean(const Fit & fit, const Points & points, const Pose2 & pose, double least, Distance distance) const
 {
   const double c = std::cos(pose.yaw);
   const double s = std::sin(pose.yaw);
   const double full = kFull * static_cast<double>(points.size());
   double allowed = (1.0 - least) * full;  // to miss
   for (const auto & point : points) {
-    allowed -= kFull - valueAt(pose.x + c * point.x - s * point.y, pose.y + s * point.x + c * point.y);
+    allowed -= kFull - fit.at(distance(pose.x + c * point.x - s * point.y, pose.y + s * point.x + c * point.y));
     if (allowed < 0.0) {
       return 0.0;
     }
   }
   return least + allowed / full;
+}
+
+double FitField::rough(const Fit & fit, const Points & points, const Pose2 & pose, double least) const
+{
+  return mean(fit, points, pose, least, [this](double x, double y) { return distanceAt(x, y); });
+}
+
+double FitField::close(const Fit & fit, const Points & points, const Pose2 & pose, double least) const
+{
+  return mean(fit, points, pose, least, [this](double x, double y) { return distanceBetween(x, y); });
 }
 }  // namespace amcl

@@ -2,6 +2,7 @@
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -11,26 +12,47 @@ namespace amcl
 {
 using Points = std::vector<Vec2>;
 
-/// For each cell of a map how well a beam fits that ends there: 1 at a wall, less about it.
-class FitField
+/// How well a beam fits that ends so far from a wall.
+class Fit
 {
 public:
   /// @param slack      m from a wall that count as nothing
   /// @param deviation  m, standard deviation of what is beyond them
-  FitField(const mrpt::maps::COccupancyGridMap2D & map, double slack, double deviation);
+  Fit(double slack, double deviation);
 
-  /// Mean over the points, which are in the frame of the pose; 0 as soon as it is certain to be less than that.
-  double fit(const Points & points, const Pose2 & pose, double least = 0.0) const;
+  /// @param distance  in the steps of a FitField, not negative
+  int at(int distance) const { return values_[distance]; }
 
 private:
-  void addWall(int column, int row);
-  int valueAt(double x, double y) const;
+  std::array<std::uint8_t, 128> values_;
+};
+
+class Walls;
+
+/// How far it is on a map to where walls begin.
+class FitField
+{
+public:
+  explicit FitField(const mrpt::maps::COccupancyGridMap2D & map);
+
+  /// Mean fit of the ends of beams, which are in the frame of the pose: 0 to 1; 0 as soon as it is certain to be less than
+  /// the least. Distances are those of the cells.
+  double rough(const Fit & fit, const Points & points, const Pose2 & pose, double least = 0.0) const;
+  /// The same with distances between the cells.
+  double close(const Fit & fit, const Points & points, const Pose2 & pose, double least = 0.0) const;
+
+private:
+  std::int8_t & at(int column, int row) { return distances_[static_cast<std::size_t>(row) * columns_ + column]; }
+  int at(int column, int row) const { return distances_[static_cast<std::size_t>(row) * columns_ + column]; }
+  void tellFrom(const Walls & walls, int column, int row);
+  int distanceAt(double x, double y) const;
+  int distanceBetween(double x, double y) const;
+  template <typename Distance>
+  double mean(const Fit & fit, const Points & points, const Pose2 & pose, double least, Distance distance) const;
 
   int columns_;
   int rows_;
-  int reach_;  // cells
   double cells_per_metre_;
-  std::vector<std::uint8_t> kernel_;
-  std::vector<std::uint8_t> values_;
+  std::vector<std::int8_t> distances_;  // below 0 inside of walls
 };
 }  // namespace amcl

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "amcl/geometry.h"
@@ -26,12 +25,21 @@ public:
   bool isOver() const { return is_over_; }
 
 private:
+  struct Look
+  {
+    Pose2 odometry;
+    Points seen;  // in the frame of the car
+  };
+
+  std::vector<Place> find() const;
+  void remember(std::vector<Place> & places) const;
+
   PlaceSearch search_;
   Points road_;
-  std::vector<Pose2> poses_;  // at the last look
+  std::vector<Pose2> poses_;  // where the car may have been at the last look
   Sight sight_;
-  std::optional<Pose2> last_;  // odometry at the last look
-  int looks_{0};
+  std::vector<Look> looks_;  // all of them
+  std::size_t certain_{0};   // looks one after the other that found one place
   bool is_over_{false};
 };
 }  // namespace amcl

@@ -28,10 +28,12 @@ constexpr std::size_t kFinalists = 40;  // with all points: the better of two th
 // Of places nearer to each other than about this only the best one counts.
 constexpr double kApart = 0.3;       // m
 constexpr double kTurnApart = 0.15;  // rad
-// The search for the best place about one halves its steps so many times.
+// The search for the best place about one begins with such steps, ...
+constexpr Steps kSteps{0.1, 0.026, 100};
+// ... and where odometry tells where the car was some metres before, with these: on a straight there is always a better
+// place a little farther on.
+constexpr Steps kFewSteps{0.05, 0.013, 4};
 constexpr int kHalvings = 4;
-constexpr double kFirstStep = 0.1;    // m
-constexpr double kFirstTurn = 0.026;  // rad
 
 void keepBest(std::vector<Place> & places, std::size_t count)
 {
@@ -39,7 +41,17 @@ void keepBest(std::vector<Place> & places, std::size_t count)
   places.resize(std::min(places.size(), count));
 }
 
-/// The best ones that are not beside a better one.
+Points someOf(const Points & points, std::size_t count)
+{
+  Points some;
+  some.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    some.push_back(points[i * points.size() / count]);
+  }
+  return some;
+}
+}  // namespace
+
 void keepPeaks(std::vector<Place> & places, std::size_t count)
 {
   keepBest(places, places.size());
@@ -56,47 +68,12 @@ void keepPeaks(std::vector<Place> & places, std::size_t count)
   places = std::move(peaks);
 }
 
-Points someOf(const Points & points, std::size_t count)
-{
-  Points some;
-  some.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    some.push_back(points[i * points.size() / count]);
-  }
-  return some;
-}
-/// Moves a place to the nearest one about which none is better.
-void climb(const FitField & field, const Points & seen, Place & place)
-{
-  place.fit = field.fit(seen, place.pose);
-  double step = kFirstStep;
-  double turn = kFirstTurn;
-  for (int halvings = 0; halvings < kHalvings;) {
-    Place best = place;
-    for (int i = 0; i < 27; ++i) {
-      const int steps_x = i % 3 - 1;
-      const int steps_y = i / 3 % 3 - 1;
-      const int turns = i / 9 - 1;
-      const Pose2 next{place.pose.x + steps_x * step, place.pose.y + steps_y * step, place.pose.yaw + turns * turn};
-      const double fit = field.fit(seen, next, best.fit);
-      best = fit > best.fit ? Place{next, fit} : best;
-    }
-    if (best.fit > place.fit) {
-      place = best;
-    } else {
-      ++halvings;
-      step /= 2.0;
-      turn /= 2.0;
-    }
-  }
-}
-}  // namespace
-
 PlaceSearch::PlaceSearch(const mrpt::maps::COccupancyGridMap2D & map)
 : cell_(map.getResolution()),
-  coarse_(map, kSlack, kDeviation),
-  middle_(map, 0.0, 2.0 * kDeviation),
-  fine_(map, 0.0, kDeviation)
+  field_(map),
+  coarse_(kSlack, kDeviation),
+  middle_(0.0, 2.0 * kDeviation),
+  fine_(0.0, kDeviation)
 {
 }
 
@@ -112,7 +89,7 @@ std::vector<Place> PlaceSearch::everywhere(const Points & road, const Points & s
     }
     for (int i = 0; i < kHeadings; ++i) {
       const Pose2 pose{cell.x, cell.y, 2.0 * M_PI * i / kHeadings - M_PI};
-      if (const double fit = coarse_.fit(few, pose, least); fit > least) {
+      if (const double fit = field_.rough(coarse_, few, pose, least); fit > least) {
         places.push_back({pose, fit});
       }
     }
@@ -134,22 +111,55 @@ std::vector<Place> PlaceSearch::about(const std::vector<Pose2> & poses, const Po
   return settle(std::move(places), seen);
 }
 
+Place PlaceSearch::near(const Pose2 & pose, const Points & seen) const
+{
+  Place place{pose, 0.0};
+  climb(someOf(seen, kPoints), place, kFewSteps);
+  place.fit = field_.close(fine_, someOf(seen, kManyPoints), place.pose);
+  return place;
+}
+
+/// Moves a place to the nearest one about which none is better.
+void PlaceSearch::climb(const Points & seen, Place & place, Steps steps) const
+{
+  place.fit = field_.close(fine_, seen, place.pose);
+  auto [step, turn, rounds] = steps;
+  for (int halvings = 0; halvings < kHalvings && rounds > 0; --rounds) {
+    Place best = place;
+    for (int i = 0; i < 27; ++i) {
+      const int steps_x = i % 3 - 1;
+      const int steps_y = i / 3 % 3 - 1;
+      const int turns = i / 9 - 1;
+      const Pose2 next{place.pose.x + steps_x * step, place.pose.y + steps_y * step, place.pose.yaw + turns * turn};
+      const double fit = field_.close(fine_, seen, next, best.fit);
+      best = fit > best.fit ? Place{next, fit} : best;
+    }
+    if (best.fit > place.fit) {
+      place = best;
+    } else {
+      ++halvings;
+      step /= 2.0;
+      turn /= 2.0;
+    }
+  }
+}
+
 std::vector<Place> PlaceSearch::settle(std::vector<Place> places, const Points & seen) const
 {
   keepBest(places, kGood);
   const Points some = someOf(seen, kPoints);
   for (Place & place : places) {
-    place.fit = middle_.fit(some, place.pose);
+    place.fit = field_.rough(middle_, some, place.pose);
   }
   keepPeaks(places, kBetter);
   const Points many = someOf(seen, kManyPoints);
   for (Place & place : places) {
-    climb(fine_, some, place);
-    place.fit = fine_.fit(many, place.pose);
+    climb(some, place, kSteps);
+    place.fit = field_.close(fine_, many, place.pose);
   }
   keepPeaks(places, kBetter);
   std::for_each(places.begin(), places.begin() + std::min(places.size(), kFinalists), [&](Place & place) {
-    climb(fine_, many, place);
+    climb(many, place, kSteps);
   });
   keepPeaks(places, kBetter);
   return places;

@@ -8,11 +8,11 @@ namespace amcl
 {
 namespace
 {
-constexpr float kWall = 0.3F;    // probability to be free of cells that are walls at most,
-constexpr float kFree = 0.7F;    // and of free ones at least
-constexpr double kStep = 0.004;  // m, of distances
-constexpr int kFar = 127;        // steps; what is farther away counts as this
-constexpr int kFull = 255;       // stands for a fit of 1
+constexpr float kWall = 0.3F;            // probability to be free of cells that are walls at most,
+constexpr float kFreeLeast = 0.7F;       // and of free ones at least
+constexpr double kDistanceStep = 0.004;  // m, of distances
+constexpr int kFar = 127;                // steps; what is farther away counts as this
+constexpr int kFull = 255;               // stands for a fit of 1
 
 }  // namespace
 
@@ -25,7 +25,7 @@ public:
   bool isSolid(int column, int row) const
   {
     // What is not known may be a wall's inside, but beside what is free it is where a map is not sharp.
-    const auto is_free = [this](int x, int y) { return map_.getCell(x, y) > kFree; };
+    const auto is_free = [this](int x, int y) { return map_.getCell(x, y) > kFreeLeast; };
     return isWall(column, row) || !anyAbout(column, row, is_free);
   }
 
@@ -57,7 +57,7 @@ private:
 Fit::Fit(double slack, double deviation)
 {
   for (int i = 0; i < kFar; ++i) {
-    const double away = std::max(0.0, i * kStep - slack) / deviation;
+    const double away = std::max(0.0, i * kDistanceStep - slack) / deviation;
     values_[i] = static_cast<std::uint8_t>(std::lround(kFull * std::exp(-0.5 * away * away)));
   }
   values_[kFar] = 0;
@@ -83,11 +83,11 @@ FitField::FitField(const mrpt::maps::COccupancyGridMap2D & map)
 void FitField::tellFrom(const Walls & walls, int column, int row)
 {
   const bool is_solid = walls.isSolid(column, row);
-  const int reach = static_cast<int>(std::ceil(kFar * kStep * cells_per_metre_));
+  const int reach = static_cast<int>(std::ceil(kFar * kDistanceStep * cells_per_metre_));
   for (int y = std::max(0, row - reach); y <= std::min(rows_ - 1, row + reach); ++y) {
     for (int x = std::max(0, column - reach); x <= std::min(columns_ - 1, column + reach); ++x) {
       const double cells = std::hypot(x - column, y - row) - 0.5;
-      const long away = std::lround(cells / (cells_per_metre_ * kStep));
+      const long away = std::lround(cells / (cells_per_metre_ * kDistanceStep));
       if (away < std::abs(at(x, y)) && walls.isSolid(x, y) != is_solid) {
         at(x, y) = static_cast<std::int8_t>(is_solid ? away : -away);
       }

@@ -122,23 +122,9 @@ TEST(LostCar, IsLookedForAboutThereIfItIsKnownAboutWhere)
   EXPECT_GT(shareAbout(places, {2.03, 1.52, 0.7}), 0.99);
 }
 
-// A road of 40 m by 2 m with a pillar at its beginning.
-OccupancyGrid longRoad()
-{
-  OccupancyGrid grid{{800, 40, 0.05, {0.0, 0.0, 0.0}}, std::vector<std::int8_t>(800 * 40, 0)};
-  for (int i = 0; i < 800 * 40; ++i) {
-    const int x = i % 800;
-    const int y = i / 800;
-    const bool wall = x == 0 || x == 799 || y == 0 || y == 39;
-    const bool pillar = x >= 100 && x < 110 && y >= 25 && y < 30;
-    grid.cells[i] = wall || pillar ? 100 : 0;
-  }
-  return grid;
-}
-
 TEST(LostCar, RemembersOnAStraightWhatItHasSeenBefore)
 {
-  const OccupancyGrid grid = longRoad();
+  const OccupancyGrid grid = room(800, 40, {100, 110, 25, 30}, {});  // 40 m by 2 m, with the pillar at its beginning
   LostCar car = lostIn(grid);
   for (double x = 2.0; x < 22.0; x += 1.1) {
     const auto places = lookFrom(car, grid, {x, 0.8, 0.0});

@@ -9,18 +9,33 @@
 
 namespace amcl
 {
-/// A room of 8 m by 5 m with walls of one cell, and a pillar that makes it unlike itself turned around.
-inline OccupancyGrid room(const Pose2 & origin = {-3.0, -2.5, 0.0})
+/// From cells on, up to other ones, without these.
+struct Pillar
 {
-  OccupancyGrid grid{{160, 100, 0.05, origin}, std::vector<std::int8_t>(160 * 100, 0)};
-  for (int i = 0; i < 160 * 100; ++i) {
-    const int x = i % 160;
-    const int y = i / 160;
-    const bool wall = x == 0 || x == 159 || y == 0 || y == 99;
-    const bool pillar = x >= 120 && x < 130 && y >= 60 && y < 80;
-    grid.cells[i] = wall || pillar ? 100 : 0;
+  int left;
+  int right;
+  int bottom;
+  int top;
+};
+
+/// A room with walls of one cell and a pillar; cells of 0.05 m.
+inline OccupancyGrid room(int width, int height, const Pillar & pillar, const Pose2 & origin)
+{
+  OccupancyGrid grid{{width, height, 0.05, origin}, {}};
+  for (int i = 0; i < width * height; ++i) {
+    const int x = i % width;
+    const int y = i / width;
+    const bool wall = x == 0 || x == width - 1 || y == 0 || y == height - 1;
+    const bool is_pillar = x >= pillar.left && x < pillar.right && y >= pillar.bottom && y < pillar.top;
+    grid.cells.push_back(wall || is_pillar ? 100 : 0);
   }
   return grid;
+}
+
+/// One of 8 m by 5 m with a pillar that makes it unlike itself turned around.
+inline OccupancyGrid room(const Pose2 & origin = {-3.0, -2.5, 0.0})
+{
+  return room(160, 100, {120, 130, 60, 80}, origin);
 }
 
 /// A map of this workspace, from its PGM file: 0.05 m per cell.

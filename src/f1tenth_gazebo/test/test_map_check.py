@@ -1,6 +1,7 @@
 """The comparison of a map with its world must see what is wrong with a map."""
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -34,7 +35,7 @@ def room():
 
 
 def check(grid, dx=0.0, circles=((1.0, 1.0, 0.1),)):
-    return check_map(Grid(grid.pixels, grid.x + dx, grid.y), ROOM, list(circles))
+    return check_map(replace(grid, x=grid.x + dx), ROOM, list(circles))
 
 
 def test_true_map_passes(room):
@@ -165,6 +166,17 @@ def test_a_map_of_another_program_is_judged_by_its_thresholds(room):
     pixels = np.select([room.pixels == 0, room.pixels == 254], [60, 255], 128).astype(np.uint8)
     other = Grid(pixels, room.x, room.y, occupied_thresh=0.6, free_thresh=0.3)
     assert check_map(other, ROOM, []) == check_map(room, ROOM, [])
+
+
+def test_coarse_maps_may_err_by_their_cells(room):
+    """Of 0.2 m, occupied where any of the 16 small ones is."""
+    rows, columns = (size // 4 * 4 for size in room.pixels.shape)
+    blocks = room.pixels[:rows, :columns].reshape(rows // 4, 4, columns // 4, 4)
+    coarse = Grid(blocks.min(axis=(1, 3)), room.x, room.y, resolution=0.2)
+    result = check(coarse)
+    assert result.near == pytest.approx(0.25)
+    assert result.passed
+    assert result.worst_cell > 0.1
 
 
 def test_far_side_of_a_wall_of_pixels_does_not_count():

@@ -8,8 +8,8 @@ from scipy.spatial import cKDTree
 from f1tenth_gazebo.errors import MapError
 from f1tenth_gazebo.sampling import along, around
 
-NEAR = 0.10
-"""m"""
+_NEAR = 0.05
+"""m, and a cell of the map: so far may a wall cell be from a wall"""
 _BEFORE = (0.1, 0.2, 0.3)
 """m; a true wall counts if the map is free so far before it, with no other wall between: what no car sees,
 nobody can map."""
@@ -22,11 +22,13 @@ class MapCheck:
     """How far a map and its world agree."""
 
     cells_near_walls: float
-    """Share of the wall cells within NEAR of a true wall."""
+    """Share of the wall cells that are near to a true wall."""
     walls_near_cells: float
-    """Share of the true walls that were in sight within NEAR of a wall cell."""
+    """Share of the true walls that were in sight and near to a wall cell."""
     worst_cell: float
     """Distance of the wall cell that is farthest from a true wall, m."""
+    near: float = 0.10
+    """What counts as near, m: a cell of the map and 0.05 m."""
 
     @property
     def passed(self):
@@ -49,7 +51,9 @@ def check_map(grid, outlines, circles):
     in_sight = walls.data[are_in_sight(walls, normals, grid)]
     to_wall = walls.query(cells)[0]
     to_cell = cKDTree(cells).query(in_sight)[0]
-    return MapCheck(float((to_wall <= NEAR).mean()), float((to_cell <= NEAR).mean()), float(to_wall.max()))
+    near = grid.resolution + _NEAR
+    shares = (float((away <= near).mean()) for away in (to_wall, to_cell))
+    return MapCheck(*shares, float(to_wall.max()), near)
 
 
 def wall_cells(grid):

@@ -42,8 +42,8 @@ def main(package_folder, arguments=None):
         shift = math.hypot(lies.x, lies.y)
         print(f"laid onto the world by {1000.0 * lies.turn:.2f} mrad and {shift:.3f} m")
     print(
-        f"wall cells within 0.10 m of a true wall: {100.0 * result.cells_near_walls:.1f} %, "
-        f"true walls within 0.10 m of a wall cell: {100.0 * result.walls_near_cells:.1f} %, "
+        f"wall cells within {result.near:.2f} m of a true wall: {100.0 * result.cells_near_walls:.1f} %, "
+        f"true walls within {result.near:.2f} m of a wall cell: {100.0 * result.walls_near_cells:.1f} %, "
         f"worst cell: {result.worst_cell:.2f} m: {'passed' if result.passed else 'failed, 97 % is the limit'}"
     )
     return 0 if result.passed else 1

@@ -1,4 +1,4 @@
-#!/ usr / bin / env python3
+#!/usr/bin/env python3
 """The node's interface, in lockstep, and what it says to wrong parameters."""
 
 import math
@@ -130,11 +130,10 @@ class AmclTest(unittest.TestCase):
     def test_3_transform_is_there_from_the_start_post_dated_and_corrects_odometry(self):
         first, *others = self.transforms
         assert first.header.stamp.to_sec() <= START + 0.1 + 1e-6
-        assert
-{t.child_frame_id for t in self.transforms} == {"odom"}
+        assert {t.child_frame_id for t in self.transforms} == {"odom"}
         last = latest("amcl_pose", PoseWithCovarianceStamped)
         odometry = 1.1 * (last.header.stamp.to_sec() - START)
-#But for the estimate's yaw, which is not quite 0.
+        # But for the estimate's yaw, which is not quite 0.
         assert others[-1].transform.translation.x == pytest.approx(
             last.pose.pose.position.x - odometry, abs=1e-4
         )

@@ -56,18 +56,18 @@ def test_a_car_that_may_be_anywhere_is_not_said_to_be_somewhere():
 
 def test_names_are_those_of_the_parameters():
     assert set(amcl_core.OdometryModel.__members__) == {"diff", "omni", "diff-corrected", "omni-corrected"}
-    assert set(amcl_core.LaserModel.__members__) ==
-{
-  "beam", "likelihood_field", "likelihood_field_prob"
-}
+    assert set(amcl_core.LaserModel.__members__) == {"beam", "likelihood_field", "likelihood_field_prob"}
 
-@pytest.mark
-  .parametrize(
+
+@pytest.mark.parametrize(
     ("arguments", "message"),
     [
-      ({"cells" : np.zeros(4, np.int8)}, "cells: found 1 dimensions, must be 2"),
-      ({"cells" : np.zeros((0, 0), np.int8)}, "map"),
-      ({"start" : (math.nan, 0.0, 0.0)}, "nan"),
-      ({"deviations" : (math.inf, 0.0, 0.0)}, "covariance"),
-    ], ) def test_what_makes_no_sense_is_refused(arguments, message)
-: with pytest.raises(amcl_core.Error, match = message) : localizer(**arguments)
+        ({"cells": np.zeros(4, np.int8)}, "cells: found 1 dimensions, must be 2"),
+        ({"cells": np.zeros((0, 0), np.int8)}, "map"),
+        ({"start": (math.nan, 0.0, 0.0)}, "nan"),
+        ({"deviations": (math.inf, 0.0, 0.0)}, "covariance"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(arguments, message):
+    with pytest.raises(amcl_core.Error, match=message):
+        localizer(**arguments)

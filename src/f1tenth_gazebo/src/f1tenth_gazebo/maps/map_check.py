@@ -52,8 +52,9 @@ def check_map(grid, outlines, circles):
     to_wall = walls.query(cells)[0]
     to_cell = cKDTree(cells).query(in_sight)[0]
     near = grid.resolution + _NEAR
-    shares = (float((away <= near).mean()) for away in (to_wall, to_cell))
-    return MapCheck(*shares, float(to_wall.max()), near)
+    return MapCheck(
+        float((to_wall <= near).mean()), float((to_cell <= near).mean()), float(to_wall.max()), near
+    )
 
 
 def wall_cells(grid):

@@ -27,7 +27,7 @@ from f1tenth_scenarios import places
 SCRIPT = Path(__file__).resolve().parents[1] / "scripts" / "maps"
 needs_mapper = pytest.mark.skipif(not find_spec("gmapping_core"), reason="gmapping is the original here")
 DATA = Path(os.environ.get("F1TENTH_DATA", places.workspace_root().parent / "shared" / "data"))
-CLEAR, DOUBLED = MapCheck(1.0, 0.99, 0.1), MapCheck(0.99, 0.96, 0.4)
+CLEAR, DOUBLED = MapCheck(1.0, 0.99, 0.1, 0.1), MapCheck(0.99, 0.96, 0.4, 0.1)
 TURNED = Alignment(0.0, 0.0, -0.0013)
 
 

@@ -27,7 +27,7 @@ class MapCheck:
     """Share of the true walls that were in sight and near to a wall cell."""
     worst_cell: float
     """Distance of the wall cell that is farthest from a true wall, m."""
-    near: float = 0.10
+    near: float
     """What counts as near, m: a cell of the map and 0.05 m."""
 
     @property

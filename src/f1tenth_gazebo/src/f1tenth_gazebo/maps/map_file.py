@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -40,7 +41,7 @@ class Grid:
         height, width = (size * self.resolution for size in self.pixels.shape)
         return self.x, self.x + width, self.y, self.y + height
 
-    @property
+    @cached_property
     def cells(self):
         """Of a nav_msgs/OccupancyGrid, int8, as map_server makes them of pixels (mode trinary)."""
         dark = (255.0 - self.pixels) / 255.0

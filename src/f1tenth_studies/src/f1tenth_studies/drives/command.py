@@ -47,6 +47,8 @@ def run_command(
         options.jobs = options.jobs or len(os.sched_getaffinity(0))
         results = (options.results or places.results_root()).resolve()
         driven = drives(options, made_folder(results / "places" / parser.prog))
+        if not driven:
+            raise ScenarioError("no seeds given: nothing to drive")
         given = sys.argv[1:] if arguments is None else arguments
         made = made_by(shlex.join(["rosrun", "f1tenth_studies", parser.prog, *given]))
         publish(document(driven, made), options.table)

@@ -6,8 +6,6 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Optional
 
-from f1tenth_scenarios.errors import ScenarioError
-
 from f1tenth_studies.drives.command import run_command
 from f1tenth_studies.drives.places import circuit_drives, track_drives
 from f1tenth_studies.drives.pool import outcomes
@@ -27,8 +25,6 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
 
 def _found(options: argparse.Namespace, folder: Path) -> list[Found]:
     trials = list(_trials(options, folder))
-    if not trials:
-        raise ScenarioError("no seeds given: nothing to drive")
     return [_said(each) for each in outcomes(find, trials, options.jobs)]
 
 

@@ -6,8 +6,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Optional
 
-from f1tenth_scenarios.errors import ScenarioError
-
 from f1tenth_studies.drives.command import run_command
 from f1tenth_studies.drives.drive import Drive
 from f1tenth_studies.drives.places import circuit_drives, road_drives, track_drives
@@ -30,8 +28,6 @@ def _maps(options: argparse.Namespace, folder: Path) -> list[Mapped]:
         *track_drives(options.tracks, folder),
         *road_drives(options.roads, folder),
     ]
-    if not drives:
-        raise ScenarioError("no seeds given: nothing to drive")
     return _mapped(drives, options.jobs)
 
 

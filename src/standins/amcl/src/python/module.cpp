@@ -127,7 +127,6 @@ PYBIND11_MODULE(amcl_core, module)
       "Returns whether it counted.")
     .def(
       "estimate", &estimate,
-      "As of the last scan that counted: (x, y, yaw) of the car on the map, and its covariance, float64 of shape (3, "
-      "3) in "
-      "m^2, m rad and rad^2.");
+      "As of the last scan that counted: (x, y, yaw) of the car on the map, and its covariance, float64 of shape "
+      "(3, 3) in m^2, m rad and rad^2.");
 }

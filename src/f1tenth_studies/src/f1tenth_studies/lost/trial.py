@@ -64,9 +64,7 @@ class Found:
     after: float  # s, from when on the car was where it was believed to be; infinite: not at the end
     errors: np.ndarray  # (n,), m, at the scans since
     deviations: np.ndarray  # (n,), m, as amcl reports them
-    alike: bool = (
-        False  # whether, until the limit, the walls looked the same where amcl last believed it wrongly
-    )
+    alike: bool = False  # whether, until the limit, walls looked the same where it was last believed wrongly
 
     @property
     def in_time(self) -> bool:
@@ -116,9 +114,10 @@ def _find(trial: Trial, amcl: Any) -> Found:
         pose, covariance = localizer.estimate()
         if len(beliefs) % _SCANS_PER_VIEW == 0 and sample.time <= trial.limit:
             views.append(View(journey.points(sample.ranges), sample.truth))
-        beliefs.append(_Belief(sample, pose, math.sqrt(covariance[0, 0] + covariance[1, 1])))
+        deviation = math.sqrt(covariance[0, 0] + covariance[1, 1])
+        beliefs.append(_Belief(sample.time, sample.truth, pose, deviation))
     since = max((i + 1 for i, belief in enumerate(beliefs) if belief.is_wrong), default=0)
-    after = beliefs[since].sample.time if since < len(beliefs) else math.inf
+    after = beliefs[since].time if since < len(beliefs) else math.inf
     errors = np.array([belief.difference[0] for belief in beliefs[since:]])
     deviations = np.array([belief.deviation for belief in beliefs[since:]])
     alike = after > trial.limit and _is_alike(trial, views, beliefs[:since])
@@ -127,8 +126,8 @@ def _find(trial: Trial, amcl: Any) -> Found:
 
 def _is_alike(trial: Trial, views: Sequence[View], beliefs: Sequence["_Belief"]) -> bool:
     wrong = [belief for belief in beliefs if belief.is_wrong]
-    last = next((belief for belief in reversed(wrong) if belief.sample.time <= trial.limit), wrong[-1])
-    return is_alike(load_map(places.map_file(trial.drive.world)), views, last.sample.truth, last.pose)
+    last = next((belief for belief in reversed(wrong) if belief.time <= trial.limit), wrong[-1])
+    return is_alike(load_map(places.map_file(trial.drive.world)), views, last.truth, last.pose)
 
 
 def _until(end: float, journey: Journey) -> Iterator[Sample]:
@@ -160,16 +159,16 @@ def _beside(pose: Pose, told: Told, generator: random.Random) -> Pose:
 class _Belief:
     """Where amcl believes the car to be."""
 
-    sample: Sample
+    time: float  # s
+    truth: Pose
     pose: Pose
     deviation: float  # m
 
     @property
     def difference(self) -> tuple[float, float]:
         """From the truth: distance (m) and turn (rad)."""
-        truth = self.sample.truth
-        turn = math.remainder(self.pose[2] - truth[2], math.tau)
-        return math.hypot(self.pose[0] - truth[0], self.pose[1] - truth[1]), abs(turn)
+        turn = math.remainder(self.pose[2] - self.truth[2], math.tau)
+        return math.hypot(self.pose[0] - self.truth[0], self.pose[1] - self.truth[1]), abs(turn)
 
     @property
     def is_wrong(self) -> bool:

@@ -35,6 +35,7 @@ def test_race_of_two_is_judged_and_ends(race):
     assert "verdict:           success (expected success)" in said
     assert result["verdict"] == "success"
     assert [len(car["lap_times"]) for car in result["cars"].values()] == [1, 1]
+    assert "REQUIRED process" not in said
 
 
 def test_who_looks_on_sees_the_wheels(race, tmp_path):

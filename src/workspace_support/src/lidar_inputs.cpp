@@ -1,11 +1,14 @@
 #include "workspace_support/lidar_inputs.h"
 
+#include <cstdint>
+
 namespace workspace_support
 {
 namespace
 {
 const ros::TransportHints kNoDelay = ros::TransportHints().tcpNoDelay();
 const ros::WallDuration kSettling{0.1};
+constexpr std::uint32_t kNoLimit = 0;  // of messages that wait
 }  // namespace
 
 ros::NodeHandle servedBy(ros::CallbackQueue & queue)
@@ -15,11 +18,26 @@ ros::NodeHandle servedBy(ros::CallbackQueue & queue)
   return node;
 }
 
+// Without a limit: what is waiting in lockstep must not be lost, and a node that was busy for a while must know all
+// transforms of that while (a tf2_ros::TransformListener keeps 100): between others they are a straight line.
 LidarInputs::LidarInputs(ros::CallbackQueue & queue, tf2::BufferCore & transforms, const OnScan & on_scan)
-: node_(servedBy(queue)), on_scan_(on_scan), listener_(transforms, node_, false, kNoDelay)
+: node_(servedBy(queue)),
+  transforms_(transforms),
+  on_scan_(on_scan),
+  moving_transforms_(subscribeToTransforms("/tf", false)),
+  static_transforms_(subscribeToTransforms("/tf_static", true)),
+  scans_(node_.subscribe("scan", kNoLimit, &LidarInputs::hear, this, kNoDelay))
 {
-  // Without a limit: what is waiting in lockstep must not be lost, and scans are left out only for want of time.
-  subscriber_ = node_.subscribe("scan", 0, &LidarInputs::hear, this, kNoDelay);
+}
+
+ros::Subscriber LidarInputs::subscribeToTransforms(const std::string & topic, bool are_static)
+{
+  const boost::function<void(const tf2_msgs::TFMessage &)> hear = [this, are_static](const auto & message) {
+    for (const auto & transform : message.transforms) {
+      transforms_.setTransform(transform, "/tf", are_static);
+    }
+  };
+  return node_.subscribe<tf2_msgs::TFMessage>(topic, kNoLimit, hear, ros::VoidConstPtr(), kNoDelay);
 }
 
 void LidarInputs::hear(const sensor_msgs::LaserScan::ConstPtr & scan) const
@@ -31,7 +49,7 @@ void LidarInputs::hear(const sensor_msgs::LaserScan::ConstPtr & scan) const
 
 bool LidarInputs::areConnected()
 {
-  if (subscriber_.getNumPublishers() == 0) {
+  if (scans_.getNumPublishers() == 0) {
     connected_since_.reset();
   } else if (!connected_since_) {
     connected_since_ = ros::WallTime::now();

@@ -25,7 +25,7 @@ TEST(NodeParameters, AreNamedInFull)
     reader.read("frame", value);
     FAIL() << "not refused";
   } catch (const OptionError & error) {
-    EXPECT_STREQ(error.what(), "parameter /node_parameters_test/frame: found \"odom\", must be a finite number");
+    EXPECT_STREQ(error.what(), "parameter /node_test/frame: found \"odom\", must be a finite number");
   }
 }
 
@@ -40,7 +40,7 @@ TEST(NodeParameters, OfANamespaceWithoutAnyAreNone)
 int main(int argc, char ** argv)
 {
   testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "node_parameters_test");
+  ros::init(argc, argv, "node_test");
   const ros::NodeHandle node;
   return RUN_ALL_TESTS();
 }

@@ -3,10 +3,12 @@
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <sensor_msgs/LaserScan.h>
-#include <tf2_ros/transform_listener.h>
+#include <tf2/buffer_core.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <functional>
 #include <optional>
+#include <string>
 
 namespace workspace_support
 {
@@ -32,11 +34,14 @@ public:
 
 private:
   void hear(const sensor_msgs::LaserScan::ConstPtr & scan) const;
+  ros::Subscriber subscribeToTransforms(const std::string & topic, bool are_static);
 
   ros::NodeHandle node_;
+  tf2::BufferCore & transforms_;
   OnScan on_scan_;
-  tf2_ros::TransformListener listener_;
-  ros::Subscriber subscriber_;
+  ros::Subscriber moving_transforms_;
+  ros::Subscriber static_transforms_;
+  ros::Subscriber scans_;
   ros::Time start_;
   std::optional<ros::WallTime> connected_since_;
   std::optional<ros::Time> now_;

@@ -2,6 +2,7 @@
 
 #include <geometry_msgs/PoseArray.h>
 #include <ros/console.h>
+#include <ros/names.h>
 #include <tf2_msgs/TFMessage.h>
 #include <workspace_support/errors.h>
 #include <workspace_support/lidar_inputs.h>

@@ -10,12 +10,13 @@ namespace gmapping
 {
 namespace
 {
-// Scans: transforms that are older than 10 s are not kept either.
-constexpr std::size_t kLongestQueue = 1000;
+// What waits while the mapper is busy: closing a loop takes seconds on a long road, and more if time runs faster.
+const ros::Duration kMemory{60.0};           // of transforms
+constexpr std::size_t kLongestQueue = 2400;  // scans, a minute of them at 40 Hz
 }  // namespace
 
 SlamNode::SlamNode(const NodeParameters & parameters, ros::CallbackQueue & queue)
-: parameters_(parameters), slam_(GridSlam::make(parameters.slam))
+: parameters_(parameters), slam_(GridSlam::make(parameters.slam)), transforms_(kMemory)
 {
   ros::NodeHandle node = servedBy(queue);
   map_publisher_ = node.advertise<nav_msgs::OccupancyGrid>("map", 1, true);

@@ -10,6 +10,7 @@ import numpy as np
 import rospy
 from ackermann_msgs.msg import AckermannDriveStamped
 from nav_msgs.msg import OccupancyGrid
+from nav_msgs.srv import GetMap
 from sensor_msgs.msg import LaserScan
 
 from f1tenth_gazebo.driving.drive_message import drive_message
@@ -81,11 +82,24 @@ class MapKeeper:
     def __init__(self):
         """Subscribe."""
         self._message = None
+        self._map = None
         rospy.Subscriber("/map", rospy.AnyMsg, self._keep, tcp_nodelay=True)
 
     def _keep(self, message):
         # As bytes: most of them are never looked at.
         self._message = message
+
+    def wait_for_mapper(self):
+        """Wait until the mapper has taken in all scans so far; without lockstep it may be seconds behind.
+
+        Of two calls it answers the second one after the scans that came before the first.
+        """
+        ask = rospy.ServiceProxy("/dynamic_map", GetMap)
+        try:
+            ask()
+            self._map = ask().map
+        except rospy.ServiceException:
+            rospy.logwarn("The mapper does not tell when it is done: its last map on /map counts")
 
     def save(self, stem):
         """Write STEM.pgm and STEM.yaml; return whether there was a map.
@@ -95,7 +109,7 @@ class MapKeeper:
         """
         if self._message is None:
             return False
-        grid = OccupancyGrid().deserialize(self._message._buff)
+        grid = self._map or OccupancyGrid().deserialize(self._message._buff)
         cells = np.array(grid.data, dtype=np.int8).reshape(grid.info.height, grid.info.width)
         corner = grid.info.origin.position
         save_map(grid_of(cells == 100, cells == 0, (corner.x, corner.y), grid.info.resolution), stem)
@@ -107,6 +121,9 @@ def drive(driver, keeper, stem):
     while not driver.finished.wait(0.1) and not rospy.is_shutdown():
         pass
     way = f"{driver.watch.way:.1f} m"
+    # In lockstep it has, and stands still until the map is saved.
+    if driver.finished.is_set() and not rospy.get_param("~lockstep", False):
+        keeper.wait_for_mapper()
     try:
         what = f"{stem}.pgm and {stem}.yaml" if keeper.save(stem) else "nothing, as there is no map yet"
     except OSError as error:

@@ -28,9 +28,11 @@ class CollisionDetection:
         self._lock = threading.Lock()
         self._next_diagnosis = 0
         self._last_heard = -QUIET
+        self._is_over = False
         self._collision = rospy.Publisher("collision", Bool, queue_size=100, latch=True)
         self._collisions = rospy.Publisher("collisions", UInt32, queue_size=100, latch=True)
         self._diagnostics = rospy.Publisher("/diagnostics", DiagnosticArray, queue_size=10)
+        rospy.on_shutdown(self._end)
         self._subscribers = [self._subscribe(topic) for topic in parameters.topics]
 
     def _subscribe(self, topic):
@@ -38,9 +40,16 @@ class CollisionDetection:
             topic, ContactsState, self._on_contacts, callback_args=topic, tcp_nodelay=True
         )
 
+    def _end(self):
+        # rospy calls this before it closes topics, on which a callback that still runs could not publish.
+        with self._lock:
+            self._is_over = True
+
     def _on_contacts(self, message, topic):
         contacts = [(state.collision1_name, state.collision2_name) for state in message.states]
         with self._lock:
+            if self._is_over:
+                return
             self._last_heard = time.monotonic()
             self._publish(self._monitor.hear(topic, message.header.stamp.to_nsec(), contacts))
 
@@ -49,12 +58,15 @@ class CollisionDetection:
         pause = threading.Event()
         while not rospy.is_shutdown():
             now = rospy.get_rostime().to_nsec()
-            if now > 0:
-                with self._lock:
-                    if time.monotonic() - self._last_heard >= QUIET:
-                        self._publish(self._monitor.tick(now))
-                    self._diagnose(now)
+            with self._lock:
+                if now > 0 and not self._is_over:
+                    self._look(now)
             pause.wait(CLOCK_CHECK)
+
+    def _look(self, now):
+        if time.monotonic() - self._last_heard >= QUIET:
+            self._publish(self._monitor.tick(now))
+        self._diagnose(now)
 
     def _publish(self, report):
         if report.collision is not None:

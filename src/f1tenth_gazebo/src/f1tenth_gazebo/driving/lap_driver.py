@@ -25,14 +25,17 @@ STANDS = 0.1
 """Slower than this the car stands, m/s."""
 SCANS_STANDING = 40
 """Until the drive is finished: the mapper's last map has arrived by then."""
+_ALL_THAT_WAIT = 2**22
+"""Bytes: of what it reads at once rospy keeps the newest, and it must have read all for that."""
 
 
 class LapDriver:
     """Answers each scan with one command; after a lap and some more it stops and is finished."""
 
-    def __init__(self, options, time_limit):
+    def __init__(self, options, time_limit, in_lockstep):
         """Subscribe and advertise."""
         self._options = options
+        self.in_lockstep = in_lockstep
         self._follower = None
         self._inputs = LapInputs()
         self._standing = 0
@@ -42,13 +45,17 @@ class LapDriver:
         self.finished = threading.Event()
         self.released = threading.Event()
         self._publisher = rospy.Publisher("drive", AckermannDriveStamped, queue_size=1, tcp_nodelay=True)
-        rospy.Subscriber("scan", LaserScan, self._on_scan, tcp_nodelay=True)
+        # The newest scan only: where a machine is too busy for all, commands would get older and older.
+        rospy.Subscriber(
+            "scan", LaserScan, self._on_scan, queue_size=1, buff_size=_ALL_THAT_WAIT, tcp_nodelay=True
+        )
 
     def _on_scan(self, scan):
-        if self._is_over(scan.header.stamp):
-            # In lockstep nothing goes on until the map is saved, so that it is the same map every time.
+        if self.finished.is_set() or self._is_over(scan.header.stamp):
             self.finished.set()
-            self.released.wait()
+            if self.in_lockstep:
+                # Nothing goes on until the map is saved, so that it is the same map every time.
+                self.released.wait()
             return
         speed, steering = (0.0, 0.0) if self.watch.is_over or self.problem else self._command(scan)
         self._publisher.publish(drive_message(scan.header.stamp, speed, steering))
@@ -121,8 +128,8 @@ def drive(driver, keeper, stem):
     while not driver.finished.wait(0.1) and not rospy.is_shutdown():
         pass
     way = f"{driver.watch.way:.1f} m"
-    # In lockstep it has, and stands still until the map is saved.
-    if driver.finished.is_set() and not rospy.get_param("~lockstep", False):
+    # In lockstep it keeps step, and stands still until the map is saved.
+    if driver.finished.is_set() and not driver.in_lockstep:
         keeper.wait_for_mapper()
     try:
         what = f"{stem}.pgm and {stem}.yaml" if keeper.save(stem) else "nothing, as there is no map yet"
@@ -152,7 +159,8 @@ def main():
     given = {name: rospy.get_param(f"~{name}") for name in names if rospy.has_param(f"~{name}")}
     try:
         stem = _map_stem()
-        driver = LapDriver(GapFollowerOptions(**given), float(rospy.get_param("~time_limit", 1200.0)))
+        options, time_limit = GapFollowerOptions(**given), float(rospy.get_param("~time_limit", 1200.0))
+        driver = LapDriver(options, time_limit, bool(rospy.get_param("~lockstep", False)))
     except (TypeError, ValueError) as error:
         print(f"drive_lap: {error}", file=sys.stderr)
         return 2

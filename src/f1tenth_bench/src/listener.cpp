@@ -1,6 +1,6 @@
 // Subscribes to everything that the simulator publishes about one car, and counts. When it is connected, it lets the car
-// circle, sets the paused simulator going and prints "going". When asked to end (SIGINT), it pauses the simulator, waits
-// until nothing comes any more and prints {"wall_seconds": s, "received": {"topic": messages, ...}}.
+// circle, sets the paused simulator going and prints "going". When asked to end (SIGINT), it pauses the simulator, prints
+// "paused", waits until the simulator has ended and prints {"wall_seconds": s, "received": {"topic": messages, ...}}.
 //   listener NAMESPACE
 #include <gazebo_msgs/ContactsState.h>
 #include <geometry_msgs/Twist.h>
@@ -14,6 +14,7 @@
 #include <std_srvs/Empty.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
@@ -53,37 +54,22 @@ public:
     command_.publish(circle);
     call("/gazebo/unpause_physics");
     start_ = ros::WallTime::now();
-    std::printf("going\n");
-    std::fflush(stdout);
+    say("going");
   }
 
   void stop()
   {
     call("/gazebo/pause_physics");
     wall_sec_ = (ros::WallTime::now() - start_).toSec();
+    say("paused");
   }
 
   bool isConnected() const
   {
-    if (command_.getNumSubscribers() == 0) {
-      return false;
-    }
-    for (const auto & subscriber : subscribers_) {
-      if (subscriber.getNumPublishers() == 0) {
-        return false;
-      }
-    }
-    return true;
+    return command_.getNumSubscribers() > 0 && std::all_of(subscribers_.begin(), subscribers_.end(), &isHeard);
   }
 
-  std::uint64_t total() const
-  {
-    std::uint64_t sum = 0;
-    for (const auto & [topic, count] : counts_) {
-      sum += count;
-    }
-    return sum;
-  }
+  bool isDeserted() const { return std::none_of(subscribers_.begin(), subscribers_.end(), &isHeard); }
 
   void print() const
   {
@@ -97,6 +83,14 @@ public:
   }
 
 private:
+  static bool isHeard(const ros::Subscriber & subscriber) { return subscriber.getNumPublishers() > 0; }
+
+  static void say(const char * what)
+  {
+    std::printf("%s\n", what);
+    std::fflush(stdout);
+  }
+
   static void call(const char * service)
   {
     std_srvs::Empty nothing;
@@ -129,18 +123,6 @@ void spinUntil(const Listener & listener, bool (*done)(const Listener &))
   }
 }
 
-void receiveTheRest(const Listener & listener)
-{
-  const ros::WallDuration kQuiet{0.5};
-  std::uint64_t before = listener.total();
-  for (ros::WallTime since = ros::WallTime::now(); ros::WallTime::now() - since < kQuiet;) {
-    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
-    if (listener.total() != before) {
-      before = listener.total();
-      since = ros::WallTime::now();
-    }
-  }
-}
 }  // namespace
 
 int main(int argc, char ** argv)
@@ -152,6 +134,7 @@ int main(int argc, char ** argv)
   listener.go();
   spinUntil(listener, [](const Listener &) { return end_requested != 0; });
   listener.stop();
-  receiveTheRest(listener);
+  // At its end the simulator finishes its period.
+  spinUntil(listener, [](const Listener & each) { return each.isDeserted(); });
   listener.print();
 }

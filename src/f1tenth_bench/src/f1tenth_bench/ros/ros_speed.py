@@ -1,11 +1,12 @@
 """Speed of the node with a C++ node that listens to everything."""
 
 import json
+import signal
 import time
 
 from f1tenth_bench.benchmark import Measured
 from f1tenth_bench.places import executable
-from f1tenth_bench.ros.ros_run import RosRun, end, processor_seconds, resident_megabytes
+from f1tenth_bench.ros.ros_run import LONG, RosRun, end, processor_seconds, resident_megabytes
 from f1tenth_bench.simulator.cars import F1TENTH
 
 RADIUS = 0.75  # m, of the circle that listener drives
@@ -26,8 +27,10 @@ def measure_node(world, wall_seconds, lidar=F1TENTH, centre=(0.0, 0.0), **parame
         time.sleep(wall_seconds)
         cpu = processor_seconds(sim2d) - cpu
         resident = resident_megabytes(sim2d)
-        heard = json.loads(end(listener))
+        listener.send_signal(signal.SIGINT)
+        listener.stdout.readline()  # it says when it has paused the simulator
         end(sim2d)
+        heard = json.loads(listener.communicate(timeout=LONG)[0])
         result = run.result()
     received = heard["received"]
     published = {topic: count for topic, count in result["published"].items() if topic in received}

@@ -1,7 +1,5 @@
 """The node drive_lap: takes the car around once, then saves the map."""
 
-import os
-import signal
 import sys
 import threading
 from pathlib import Path
@@ -17,6 +15,7 @@ from f1tenth_gazebo.driving.drive_message import drive_message
 from f1tenth_gazebo.driving.gap_follower import GapFollower, GapFollowerOptions
 from f1tenth_gazebo.driving.lap_inputs import LapInputs
 from f1tenth_gazebo.driving.lap_watch import LapError, LapWatch
+from f1tenth_gazebo.launches import end_launch
 from f1tenth_gazebo.maps.map_file import save_map
 from f1tenth_gazebo.maps.occupancy import grid_of
 from f1tenth_gazebo.outputs import has_name
@@ -24,7 +23,7 @@ from f1tenth_gazebo.outputs import has_name
 STANDS = 0.1
 """Slower than this the car stands, m/s."""
 SCANS_STANDING = 40
-"""Until the drive is finished: the mapper's last map has arrived by then."""
+"""Until the drive is finished: in lockstep the mapper's last map has arrived by then."""
 _ALL_THAT_WAIT = 2**22
 """Bytes: of what it reads at once rospy keeps the newest, and it must have read all for that."""
 
@@ -166,8 +165,7 @@ def main():
         return 2
     code = drive(driver, MapKeeper(), stem)
     if code == 0 and not rospy.is_shutdown() and rospy.get_param("~ends_launch", False):
-        # As Ctrl-C does. roslaunch takes the end of a required node for an accident, and says so in red.
-        os.kill(os.getppid(), signal.SIGINT)
+        end_launch()
         rospy.spin()
     driver.released.set()
     return code

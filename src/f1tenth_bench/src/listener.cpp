@@ -122,7 +122,6 @@ void spinUntil(const Listener & listener, bool (*done)(const Listener &))
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
   }
 }
-
 }  // namespace
 
 int main(int argc, char ** argv)

@@ -1,13 +1,23 @@
-// A fixed piece of arithmetic and of memory work, which tells how fast this machine is just now. Uses nothing of the
-// workspace, so that no change of the workspace changes it. Prints {"arithmetic_s": s, "memory_s": s}: processor time,
-// each the least of several runs.
+// A fixed piece of arithmetic, of memory work and of sending messages, which tells how fast this machine is just now. Uses
+// nothing of the workspace, so that no change of the workspace changes it. Prints {"arithmetic_s": s, "memory_s": s,
+// "messages_s": s}: processor time, each the least of several runs.
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sched.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <limits>
 #include <numeric>
+#include <thread>
 #include <vector>
 
 namespace
@@ -70,6 +80,94 @@ private:
   std::vector<double> target_;
 };
 
+/// The result of a system call, if it has succeeded.
+int succeeded(int result, const char * what)
+{
+  if (result < 0) {
+    std::perror(what);
+    std::exit(1);
+  }
+  return result;
+}
+
+/// Messages of the size of an odometry through TCP, to another thread and back: what nodes that talk to each other ask of
+/// the kernel. Both share a processor, so that each message costs a switch from one to the other, and always the same: on
+/// two, it depends on whether the other one sleeps.
+class MessageWork
+{
+public:
+  MessageWork()
+  {
+    const int listener = succeeded(socket(AF_INET, SOCK_STREAM, 0), "socket");
+    sockaddr_in address = {};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    auto * const any = reinterpret_cast<sockaddr *>(&address);
+    succeeded(bind(listener, any, size), "bind");
+    succeeded(listen(listener, 1), "listen");
+    succeeded(getsockname(listener, any, &size), "getsockname");
+    answerer_ = succeeded(socket(AF_INET, SOCK_STREAM, 0), "socket");
+    succeeded(connect(answerer_, any, size), "connect");
+    asker_ = succeeded(accept(listener, nullptr, nullptr), "accept");
+    const int at_once = 1;
+    succeeded(setsockopt(asker_, IPPROTO_TCP, TCP_NODELAY, &at_once, sizeof at_once), "setsockopt");
+    close(listener);
+  }
+
+  MessageWork(const MessageWork &) = delete;
+  MessageWork & operator=(const MessageWork &) = delete;
+
+  ~MessageWork()
+  {
+    close(asker_);
+    close(answerer_);
+  }
+
+  void run() const
+  {
+    cpu_set_t one = {};
+    CPU_SET(succeeded(sched_getcpu(), "sched_getcpu"), &one);
+    cpu_set_t all = {};
+    succeeded(sched_getaffinity(0, sizeof all, &all), "sched_getaffinity");
+    succeeded(sched_setaffinity(0, sizeof one, &one), "sched_setaffinity");
+    std::thread answering([this] {
+      for (int i = 0; i < kRoundTrips; ++i) {
+        receive(answerer_);
+        send(answerer_);
+      }
+    });
+    for (int i = 0; i < kRoundTrips; ++i) {
+      send(asker_);
+      receive(asker_);
+    }
+    answering.join();
+    succeeded(sched_setaffinity(0, sizeof all, &all), "sched_setaffinity");
+  }
+
+private:
+  using Message = std::array<char, 720>;
+
+  static constexpr int kRoundTrips = 2000;
+
+  static void send(int socket)
+  {
+    const Message message = {};
+    succeeded(static_cast<int>(write(socket, message.data(), message.size())), "write");
+  }
+
+  static void receive(int socket)
+  {
+    pollfd arrival = {socket, POLLIN, 0};
+    succeeded(poll(&arrival, 1, -1), "poll");
+    Message message = {};
+    succeeded(static_cast<int>(recv(socket, message.data(), message.size(), MSG_WAITALL)), "recv");
+  }
+
+  int answerer_ = -1;
+  int asker_ = -1;
+};
+
 /// Of processor time, s.
 template <typename Work>
 double leastCost(Work work)
@@ -89,6 +187,9 @@ int main()
   MemoryWork memory;
   const double arithmetic_s = leastCost(calculate);
   const double memory_s = leastCost([&memory] { memory.run(); });
-  std::printf("{\"arithmetic_s\": %.6f, \"memory_s\": %.6f}\n", arithmetic_s, memory_s);
+  const MessageWork messages;
+  const double messages_s = leastCost([&messages] { messages.run(); });
+  std::printf(
+    "{\"arithmetic_s\": %.6f, \"memory_s\": %.6f, \"messages_s\": %.6f}\n", arithmetic_s, memory_s, messages_s);
   return 0;
 }

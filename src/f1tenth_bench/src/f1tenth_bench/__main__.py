@@ -36,7 +36,7 @@ def result_of(benchmark, before):
     if not isinstance(measured, Measured):
         raise TypeError(f"{benchmark.key}: its function returned {measured!r}, not a Measured")
     after = calibrate()
-    return report.Result(benchmark, measured, before.at_best(after).slowness), after
+    return report.Result(benchmark, measured, before.at_best(after).slowness(benchmark.of_messages)), after
 
 
 def main():

@@ -32,6 +32,8 @@ class Benchmark:
     at_most: Optional[float] = None
     is_ratio: bool = False
     """Of two things measured on the same machine, whose speed then does not count."""
+    of_messages: bool = False
+    """Most of what it measures is the kernel's work for messages between processes."""
 
     @property
     def reference_limit(self):
@@ -54,7 +56,7 @@ registered = {}
 """By key, every Benchmark of the modules imported so far; `keys.all_benchmarks` imports them all."""
 
 
-def benchmark(key, unit, at_least=None, at_most=None, is_ratio=False):
+def benchmark(key, unit, at_least=None, at_most=None, is_ratio=False, of_messages=False):
     """Make a benchmark of the function below: one that takes nothing and returns a Measured.
 
     Args:
@@ -62,6 +64,7 @@ def benchmark(key, unit, at_least=None, at_most=None, is_ratio=False):
         unit: of the value.
         at_least, at_most: its limit on the reference machine (calibration.py); one of the two.
         is_ratio: of two measurements of the same machine, whose speed does not count.
+        of_messages: it stands and falls with messages between processes (Calibration.slowness).
     """
     if (at_least is None) == (at_most is None):
         raise ValueError(f"{key}: a benchmark has either at_least or at_most")
@@ -69,7 +72,7 @@ def benchmark(key, unit, at_least=None, at_most=None, is_ratio=False):
     def add(measure):
         if key in registered:
             raise ValueError(f"{key}: there are two benchmarks of this name")
-        registered[key] = Benchmark(key, unit, measure, at_least, at_most, is_ratio)
+        registered[key] = Benchmark(key, unit, measure, at_least, at_most, is_ratio, of_messages)
         return measure
 
     return add

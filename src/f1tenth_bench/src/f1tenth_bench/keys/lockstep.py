@@ -9,13 +9,13 @@ from f1tenth_bench.ros.ros_run import RosRun, end
 SECONDS = 10.0  # wall
 
 
-@benchmark("lockstep_rtf_cpp", "sim s / s", at_least=60)
+@benchmark("lockstep_rtf_cpp", "sim s / s", at_least=60, of_messages=True)
 def lockstep_rtf_cpp():
     """The driver is examples/gap_follower_node.cpp; wall time on circuit1."""
     return _real_time_factor("gap_follower")
 
 
-@benchmark("lockstep_rtf_py", "sim s / s", at_least=20)
+@benchmark("lockstep_rtf_py", "sim s / s", at_least=20, of_messages=True)
 def lockstep_rtf_py():
     """The driver is examples/gap_follower.py; wall time on circuit1."""
     return _real_time_factor("gap_follower.py")

@@ -53,14 +53,26 @@ function(workspace_python_module name)
   install(TARGETS ${name} LIBRARY DESTINATION ${folder} COMPONENT python)
 endfunction()
 
-# Run pytest over PATHS... as one test target with a JUnit file; a second one of a package needs a NAME:
-#   workspace_add_pytest(test/test_a.py test/test_b.py)
-#   workspace_add_pytest(NAME more test/more/test_a.py)
+# Run pytest over the files that PATTERNS match, as one test target with a JUnit file; a second one of a package needs a NAME:
+#   workspace_add_pytest()                                 all of test/ and its folders
+#   workspace_add_pytest(EXCLUDE /slow/)                   all but those whose path matches
+#   workspace_add_pytest(NAME slow test/slow/test_*.py)
 function(workspace_add_pytest)
-  cmake_parse_arguments(pytest "" "NAME" "" ${ARGN})
+  cmake_parse_arguments(pytest "" "NAME;EXCLUDE" "" ${ARGN})
+  set(patterns ${pytest_UNPARSED_ARGUMENTS})
+  if(NOT patterns)
+    set(patterns test/test_*.py test/*/test_*.py)
+  endif()
+  file(GLOB files CONFIGURE_DEPENDS ${patterns})
+  if(pytest_EXCLUDE)
+    list(FILTER files EXCLUDE REGEX "${pytest_EXCLUDE}")
+  endif()
+  if(NOT files)
+    message(FATAL_ERROR "${PROJECT_NAME}: no file of tests matches ${patterns}")
+  endif()
   set(paths)
-  foreach(path IN LISTS pytest_UNPARSED_ARGUMENTS)
-    list(APPEND paths "'${CMAKE_CURRENT_SOURCE_DIR}/${path}'") # a shell reads them, and a path may have blanks
+  foreach(file IN LISTS files)
+    list(APPEND paths "'${file}'") # a shell reads them, and a path may have blanks
   endforeach()
   string(REPLACE ";" " " path_arguments "${paths}")
   set(name ${PROJECT_NAME})

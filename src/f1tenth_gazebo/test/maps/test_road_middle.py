@@ -1,0 +1,136 @@
+"""The middle of a road is found on a map of it."""
+
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+import shipped
+from f1tenth_gazebo.errors import MapError
+from f1tenth_gazebo.maps.map_file import Grid, load_map, save_map
+from f1tenth_gazebo.maps.road_middle import middle_of_road
+from f1tenth_gazebo.tools import make_centerline
+from scipy.spatial import cKDTree
+
+TRACKS = Path(os.environ.get("F1TENTH_DATA", shipped.PACKAGE.parents[2] / "shared" / "data")) / "tracks"
+FREE, WALL = 254, 0
+
+
+def ring(islands=()):
+    """A road between squares of 8 and 4 m about (3, 0): on its lower side it is 2 m wide along y = -3."""
+    pixels = np.zeros((200, 200), np.uint8)
+    pixels[20:180, 20:180] = FREE
+    pixels[60:140, 60:140] = WALL
+    for rows, columns in islands:
+        pixels[rows, columns] = WALL
+    return Grid(pixels, -2.0, -5.0)
+
+
+def dense(points):
+    """The closed line as many points."""
+    steps = np.linspace(0.0, 1.0, 20, endpoint=False)[:, np.newaxis, np.newaxis]
+    return (points + (np.roll(points, -1, axis=0) - points) * steps).reshape(-1, 2)
+
+
+def apart(points, line):
+    """How far points are from a closed line, m."""
+    return cKDTree(dense(line)).query(points)[0]
+
+
+@pytest.mark.parametrize(("yaw", "turn"), [(0.0, 1.0), (3.1, -1.0)])
+def test_line_goes_the_way_of_the_start_with_the_road_to_both_sides(yaw, turn):
+    rows = middle_of_road(ring(), (3.0, -3.0, yaw))
+    assert rows[0] == pytest.approx([3.0, -3.0, 1.0, 1.0], abs=0.06)
+    heading = rows[1, :2] - rows[0, :2]
+    assert heading[0] * turn > 0.0
+    assert abs(heading[1]) < 0.02
+    x, y = rows.T[:2]
+    assert np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) * turn > 0.0
+
+
+def test_width_is_that_to_the_nearer_side():
+    for row in middle_of_road(ring(), (3.0, -3.0, 0.0)):
+        away = np.abs(row[:2] - (3.0, 0.0))
+        nearer = min(4.0 - max(away), np.hypot(*np.maximum(away - 2.0, 0.0)))
+        assert row[2] == row[3]
+        assert row[2] == pytest.approx(nearer, abs=0.06)
+    narrow = middle_of_road(ring([(slice(20, 40), slice(60, 140))]), (3.0, -2.5, 0.0))
+    assert narrow[0, 2:] == pytest.approx([0.5, 0.5], abs=0.06)
+
+
+def test_islands_are_taken_for_road():
+    rows = middle_of_road(ring([(slice(155, 160), slice(100, 105))]), (3.0, -3.0, 0.0))
+    assert apart(rows[:, :2], middle_of_road(ring(), (3.0, -3.0, 0.0))[:, :2]).max() < 0.01
+
+
+# Furniture stands beside the road of the detailed one.
+@pytest.mark.parametrize("name", sorted({*shipped.NAMES} - {"circuit_detailed"}))
+def test_middle_of_a_circuit_is_its_centreline(name):
+    rows = middle_of_road(load_map(shipped.PACKAGE / "maps" / f"{name}.yaml"))
+    lap = shipped.lap(name)
+    line = np.array([lap.pose(way)[:2] for way in np.arange(0.0, lap.length, 0.1)])
+    assert apart(rows[:, :2], line).max() < 0.08
+    assert apart(line, rows[:, :2]).max() < 0.08
+
+
+@pytest.mark.parametrize("name", ["Austin", "Catalunya", "Oschersleben", "Spa", "Spielberg"])
+def test_middle_of_a_track_is_the_line_that_came_with_it(name):
+    if not TRACKS.is_dir():
+        pytest.skip(f"no {TRACKS}; F1TENTH_DATA names its folder")
+    given = np.genfromtxt(TRACKS / name / f"{name}_centerline.csv", delimiter=",")[:, :2]
+    start = (*given[0], np.arctan2(*(given[1] - given[0])[::-1]))
+    rows = middle_of_road(load_map(TRACKS / name / f"{name}_map.yaml"), start)
+    assert apart(rows[:, :2], given).mean() < 0.015
+    assert apart(given, rows[:, :2]).max() < 0.25  # in hairpins theirs is not in the middle
+    assert (rows[3, :2] - rows[0, :2]) @ (given[1] - given[0]) > 0.0
+
+
+@pytest.mark.parametrize(
+    ("grid", "start", "problem"),
+    [
+        (ring(), (3.0, 0.0, 0.0), r"at the start \(3, 0\) the map shows no road, must be free"),
+        (ring(), (30.0, 0.0, 0.0), r"at the start \(30, 0\) the map shows no road, must be free"),
+        (ring(), (np.nan, 0.0, 0.0), r"the start is \(nan, 0.0, 0.0\), must be finite numbers"),
+        (
+            ring([(slice(22, 58), slice(90, 110))]),
+            (-0.5, 0.0, 0.0),
+            r"something stands in the middle of the road at \(\S+, \S+\); it may go around one thing only",
+        ),
+        (
+            Grid(np.pad(np.full((50, 50), FREE, np.uint8), 5), -1.0, -1.0),
+            (0.0, 0.0, 0.0),
+            "the road at the start goes around nothing, must lead back to the start",
+        ),
+    ],
+)
+def test_map_without_a_road_is_refused(grid, start, problem):
+    with pytest.raises(MapError, match=f"^{problem}$"):
+        middle_of_road(grid, start)
+
+
+def test_command_writes_the_line_beside_the_map_and_names_a_map_without_a_road(tmp_path, capsys):
+    save_map(ring(), tmp_path / "lab_map")
+    lab = str(tmp_path / "lab_map.yaml")
+    assert make_centerline([lab, "--start", "3", "0", "0"]) == 1
+    assert capsys.readouterr().err == f"{lab}: at the start (3, 0) the map shows no road, must be free\n"
+    assert make_centerline([lab, "--start", "3", "-3", "0"]) == 0
+    lines = (tmp_path / "lab_centerline.csv").read_text(encoding="utf-8").splitlines()
+    assert lines[0] == "# x_m, y_m, w_tr_right_m, w_tr_left_m"
+    assert len(lines) == pytest.approx(24.0 / 0.3, abs=4)
+
+
+def test_command_names_a_map_that_is_not_there(tmp_path, capsys):
+    assert make_centerline([str(tmp_path / "none.yaml")]) == 1
+    assert capsys.readouterr().err == f"{tmp_path / 'none.yaml'}: cannot be read: No such file or directory\n"
+
+
+def test_map_says_what_is_free_and_must_not_be_turned(tmp_path):
+    save_map(ring(), tmp_path / "lab")
+    path = tmp_path / "lab.yaml"
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text.replace("free_thresh: 0.196", "free_thresh: 0.001"), encoding="utf-8")
+    with pytest.raises(MapError, match="the map shows no road"):
+        middle_of_road(load_map(path), (3.0, -3.0, 0.0))
+    path.write_text(text.replace("0.000000]", "0.5]"), encoding="utf-8")
+    with pytest.raises(MapError, match=f"^{path}: its origin is turned by 0.5 rad, must not be turned$"):
+        load_map(path)

@@ -274,6 +274,36 @@ def test_who_never_rests_does_not_fit_once_it_sends_commands(driver, hurried):
         Deputy(FakeWorld(), MARK, PATIENCE, PATIENCE).act("now")
 
 
+class UnheardWorld(FakeWorld):
+    """Nobody hears the driver's commands before its connections have been asked for."""
+
+    def connections(self):
+        self.is_heard = True
+        return super().connections()
+
+    def commands(self):
+        return super().commands() if hasattr(self, "is_heard") else 0
+
+
+def test_who_never_rests_and_sends_before_its_first_period_does_not_fit(driver, hurried):
+    driver(BUSY)
+    began = time.monotonic()
+    with pytest.raises(
+        MisfitError, match="it sends commands, but its threads do not come to rest within 0.2 s"
+    ):
+        Deputy(UnheardWorld(listens=False), MARK, PATIENCE, 30.0).begin()
+    assert time.monotonic() - began < 10.0
+
+
+def test_who_sends_one_command_and_then_loads_is_waited_for(driver, hurried):
+    driver(LOADING)
+    world = UnheardWorld(before=0, listens=False)
+    world._count = 1
+    began = time.monotonic()
+    Deputy(world, MARK, PATIENCE, 30.0).begin()
+    assert time.monotonic() - began > deputy._LOADING + deputy._SPINNING
+
+
 def test_who_never_rests_gets_a_scan_but_no_time(driver, hurried):
     driver(BUSY)
     world = FakeWorld(before=0)

@@ -28,7 +28,7 @@ _LOADING = 4.0  # wall s without rest, after which who listens gets its scan: wh
 _SPINNING = 1.0  # wall s without rest after a command, when it has had those: it spins
 _CALM_PERIODS = 40  # without a command or a new connection, after which it is looked at less closely
 _STEADY_PERIODS = 20  # with commands and without a new connection, after which it has started up
-_LATE_COMMANDS = 3  # in these periods, sent by somebody at rest: more are no accident
+_LATE_COMMANDS = 3  # sent by somebody at rest, or without rest before the first period: more are no accident
 _RESTLESS = "its threads do not come to rest within {:g} s; sleep with rospy.Rate in its loop"
 
 
@@ -68,6 +68,7 @@ class Deputy:
         self._pids: set[int] = set()
         self._ended: set[int] = set()  # those of them that are gone, and not held for yet
         self._searched: Optional[float] = None
+        self._asked: Optional[float] = None  # s, who sends commands, before the first period
         self._start: Optional[_Start] = _Start()
 
     def begin(self) -> None:
@@ -115,6 +116,7 @@ class Deputy:
             if not self._start and waited > self._patience:
                 raise RestlessError(f"the driver has not come to rest within {self._patience:g} s")
             if self._start and waited > _LOADING:
+                self._hear_commands(self._start)
                 self._start.check_restless(self._world.commands(), waited)
                 if waited > self._loading:
                     raise MisfitError(_RESTLESS.format(self._loading))
@@ -123,6 +125,13 @@ class Deputy:
                     return
             self._sleep(_LOOK_INTERVAL)
         self._listening_since = None
+
+    def _hear_commands(self, start: "_Start") -> None:
+        """Ask who sends commands, as nobody has yet of a driver that was never at rest."""
+        now = self._clock()
+        if start.connections is None and (self._asked is None or now - self._asked > _SEARCH_INTERVAL):
+            self._asked = now
+            self._world.connections()
 
     def _has_listened(self) -> bool:
         """Whether a driver without rest has listened for scans for as long as it may take to load."""
@@ -195,6 +204,7 @@ class _Start:
         self._calm_periods = 0  # without a command, and without a new connection
         self._commands = 0
         self._sending_since: Optional[float] = None  # s in the current period, without rest
+        self._sent = 0  # commands until then
         self._late = 0
 
     def note_connections(self, connections: object) -> None:
@@ -212,8 +222,10 @@ class _Start:
             MisfitError: it does not rest though it sends commands.
         """
         if commands > self._commands and self._sending_since is None:
-            self._sending_since = waited
-        if self._sending_since is not None and waited - self._sending_since > _SPINNING:
+            self._sending_since, self._sent = waited, commands
+        # Before it was given anything, a command may come of somebody who loads on.
+        goes_on = self.connections is not None or commands - self._sent >= _LATE_COMMANDS
+        if self._sending_since is not None and waited - self._sending_since > _SPINNING and goes_on:
             raise MisfitError(f"it sends commands, but {_RESTLESS.format(_LOADING)}")
 
     def note(self, at_rest: int, later: int) -> None:

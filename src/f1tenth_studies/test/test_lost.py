@@ -121,7 +121,7 @@ def test_the_document_has_a_row_per_place_and_what_amcl_was_told():
     text = document(
         [found("circuit1", 0), late, untold, found("circuit1", 0, Told.TRUTH, 0.0)], "Made by me\n"
     )
-    assert "In 2 of 4 drives the car was found in time; in 1 nothing told where." in text
+    assert "In 2 of 4 drives the car was found in time; in 1 that was impossible." in text
     assert "| circuit1 | the truth | 1 | 10 | 1 | 0 | 0.00 | none | 0.020 | 0.030 |" in text
     assert "| circuit1 | nothing | 3 | 10 | 1 | 1 | 3.00 | 1 | 0.020 | 0.030 |" in text
     assert text.index("the truth | 1") < text.index("nothing | 3")

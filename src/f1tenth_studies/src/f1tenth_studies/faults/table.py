@@ -12,12 +12,12 @@ from f1tenth_studies.table import made_by
 _HEAD = """\
 # Faults
 
-What a run of `circuit1` (two laps, in lockstep) makes of whatever breaks after 3 s of simulated time.
+How a run of `circuit1` (two laps, in lockstep) ends when something breaks after 3 s of simulated time.
 {made}
-`limits.answer` is 5 s here and `limits.wall` 60 s: a node that is stopped is noticed after the first, a clock
-that is stopped after the second. Wanted: the right verdict and culprit, a JUnit file, and at most {most:g} s
-from the verdict until nothing of the run is left. A run that cannot begin, as there is too little memory or
-nowhere to write results and JUnit file, says so in a line and ends with exit code 2.
+`limits.answer` is 5 s here and `limits.wall` 60 s: a stopped node is noticed after the former, a stopped
+clock after the latter. Wanted: the right verdict and culprit, a JUnit file, and at most {most:g} s
+from the verdict until nothing of the run is left. A run that cannot begin, because there is too little memory
+or nowhere to write results and JUnit file, says so in one line and ends with exit code 2.
 
 | fault | verdict | culprit | exit code | verdict after (s) | all gone after (s) | JUnit |
 | --- | --- | --- | --- | --- | --- | --- |
@@ -26,7 +26,7 @@ _FOLDER = r"/\S+: "  # where this run had its results
 _INTERRUPTS = """
 ## SIGINT
 
-At random moments of a command; wanted: exit code 130, no traceback, nothing of it left after {most:g} s.
+Sent at random moments of a command; wanted: exit code 130, no traceback, no process left after {most:g} s.
 
 | command | moments | all gone after at most (s) | problems |
 | --- | --- | --- | --- |

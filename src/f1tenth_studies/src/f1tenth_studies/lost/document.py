@@ -11,20 +11,20 @@ from f1tenth_studies.table import lines_of_table
 
 _TITLE = "Being lost"
 _TEXT = f"""\
-Drives of the driver of `create_map.launch` at 1.5 m/s, begun anywhere on a road, with the localizer of amcl
+Drives by the driver of `create_map.launch` at 1.5 m/s, begun anywhere on a road, with the localizer of amcl
 (`amcl_core`), its parameters in `f1tenth_navigation/config/amcl.yaml` and the noisy odometry of the wheels,
-without ROS. amcl is told where the car is; or a place beside that, in any direction, with as large a
-deviation, and the car drives towards a bend; or nothing (the service `global_localization`). The car is found
-once amcl is right to {NEAR:g} m and {ALIGNED:g} rad from then on, {AFTERWARDS:g} s beyond the limit included.
-Since then, the distance from the true pose (error) and the deviation that amcl reports, both in the plane and
-RMS over the drives of a row.
+without ROS. amcl is told where the car is; or a place off by so much, in any direction, with as large a
+standard deviation, and the car drives towards a bend; or nothing (the service `global_localization`). The car
+counts as found once amcl is right to {NEAR:g} m and {ALIGNED:g} rad and stays so until {AFTERWARDS:g} s after
+the limit. From then on, the table has the distance from the true pose (error) and the standard deviation that
+amcl reports (deviation), both in the plane and RMS over the drives of a row.
 
-A drive that ended too late is looked at once more: where amcl last believed the car wrongly, was all that was
-seen until the limit, all along the way, as near to walls of the map as at the true places, to half a cell
-(RMS of each view)? Then nothing could tell where the car was.
+A drive in which the car was not found in time is checked again: from the last wrong place where amcl
+believed the car to be, does everything that was seen along the way, until the limit, lie as near to walls of
+the map as from the true place, to half a cell (RMS of each view)? Then nothing could tell where the car was.
 
-Wanted: found within the limit, where it can be told; told the truth, always right, with a deviation of at
-least half of the error.
+Wanted: found within the limit, where that is possible; told the truth, always right, with a deviation of at
+least half the error.
 """
 _HEADS = (
     "place",
@@ -49,7 +49,7 @@ def document(found: Sequence[Found], made: str) -> str:
             rows.append(_row(place, told, [each for each in of_kind if each.trial.drive.place == place]))
     in_time = sum(each.in_time for each in found)
     untold = sum(each.passed for each in found) - in_time
-    said = f"In {in_time} of {len(found)} drives the car was found in time; in {untold} nothing told where."
+    said = f"In {in_time} of {len(found)} drives the car was found in time; in {untold} that was impossible."
     return f"# {_TITLE}\n\n{_TEXT}\n{made}\n{said}\n\n{lines_of_table(rows)}"
 
 

@@ -7,15 +7,15 @@ from f1tenth_studies.table import lines_of_table
 
 _TITLE = "Maps"
 _TEXT = """\
-Drives of the driver of `create_map.launch`, a lap and until 8 m behind the next bend (told by the true
+Drives by the driver of `create_map.launch`, one lap and on until 8 m beyond the next bend (by the true
 poses), mapped by `gmapping_core` with the parameters of `f1tenth_gazebo/config/slam_gmapping.yaml`, without
 ROS, and compared with the world as by `check_map`: share of the wall cells within 0.10 m of a true wall
-(cells), and of the true walls within 0.10 m of a wall cell (walls). Of the poses at the scans that count,
-the distance from the true ones, RMS over a drive (error). Of several drives, the worst.
+(cells), and of the true walls within 0.10 m of a wall cell (walls). The distance between the estimated
+and the true poses at the scans that count, RMS over a drive (error). Of several drives, the worst.
 
-Wanted: 97 % both ways, on every drive. A map begins at the car's first pose, and a thousandth of a radian by
-which it is turned there is 0.1 m a hundred metres away. So the same is told of the map laid onto the world
-by a turn and a shift of the whole (`check_map --align`): its shape.
+Wanted: 97 % both ways, on every drive. A map begins at the car's first pose, and a rotation of the map by a
+thousandth of a radian there is 0.1 m a hundred metres away. So the same figures are given for the map aligned
+with the world by a rotation and a shift of the whole (`check_map --align`): its shape.
 """
 _HEADS = (
     "place",

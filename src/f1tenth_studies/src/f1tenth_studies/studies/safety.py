@@ -13,15 +13,15 @@ _FAULTS, _SPEED = "cars.robot1.input_faults", "cars.robot1.speed_max"
 
 
 _TEXT = f"""\
-What the planner drives by is missing, or comes {DELAY:g} s late, from {BEGIN:g} to {END:g} s of simulated
-time: the lidar (scan), the odometry (odom), the transforms (tf), alone and in pairs. The car is on the first
-straight of circuit5 then, at the speed that it may drive (m/s), and is to finish its lap afterwards. Each run
+An input of the planner is missing, or comes {DELAY:g} s late, from {BEGIN:g} to {END:g} s of simulated time:
+the lidar (scan), the odometry (odom), the transforms (tf), alone and in pairs. The car is then on the first
+straight of circuit5, at the greatest speed allowed (m/s), and is to finish its lap afterwards. Each run
 is in lockstep, and so repeatable.
 
-Without a map the action is not up, and no goal is accepted (`interface.test` of move_base); stamps that stand
-still or lie in the future are cases of its `move_base.test`, at 1.5 m/s.
+Without a map the action server is not up, and no goal is accepted (`interface.test` of move_base); stamps
+that stand still or lie in the future are cases of its `move_base.test`, at 1.5 m/s.
 
-Wanted: a standstill while they are missing, the lap finished, no contact."""
+Wanted: a standstill while inputs fail, the lap finished, no contact."""
 
 
 def _values() -> str:

@@ -13,8 +13,8 @@ _TITLE = "Being lost"
 _TEXT = f"""\
 Drives by the driver of `create_map.launch` at 1.5 m/s, begun anywhere on a road, with the localizer of amcl
 (`amcl_core`), its parameters in `f1tenth_navigation/config/amcl.yaml` and the noisy odometry of the wheels,
-without ROS. amcl is told where the car is; or a place off by so much, in any direction, with as large a
-standard deviation, and the car drives towards a bend; or nothing (the service `global_localization`). The car
+without ROS. amcl is told where the car is; or a pose that is off in any direction, with as large a standard
+deviation, and the car drives towards a bend; or nothing (the service `global_localization`). The car
 counts as found once amcl is right to {NEAR:g} m and {ALIGNED:g} rad and stays so until {AFTERWARDS:g} s after
 the limit. From then on, the table has the distance from the true pose (error) and the standard deviation that
 amcl reports (deviation), both in the plane and RMS over the drives of a row.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
 #include "small_car.h"
 

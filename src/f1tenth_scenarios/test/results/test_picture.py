@@ -106,6 +106,11 @@ def test_text_that_is_no_mathematics_is_drawn_as_it_is(tmp_path):
     draw(tmp_path / "picture.png", record(tmp_path, rows(1.0)), title="$\\nothing$")
 
 
+@pytest.mark.filterwarnings("error")
+def test_words_that_the_font_has_not_are_drawn_without_a_warning(tmp_path):
+    draw(tmp_path / "picture.png", record(tmp_path, rows(1.0)), title="ValueError: \u6a21\u578b")
+
+
 def test_picture_that_cannot_be_drawn_leaves_the_old_one(tmp_path):
     path = tmp_path / "picture.png"
     path.write_bytes(b"old")

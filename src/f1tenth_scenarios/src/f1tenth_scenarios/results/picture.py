@@ -1,6 +1,7 @@
 """The picture of a run: path over the map, coloured by speed, with start, goals and contacts."""
 
 import textwrap
+import warnings
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Optional
@@ -42,7 +43,9 @@ def write_picture(
     The lines stand below the title; the map, if there is one, is beneath.
     """
     figure = make_figure(title, lines, record, goals, track_map)
-    with replacing(path) as temporary:
+    with replacing(path) as temporary, warnings.catch_warnings():
+        # What is quoted of a node may be in any script, of which the font has not every character.
+        warnings.filterwarnings("ignore", "Glyph .* missing")
         figure.savefig(temporary, dpi=_DOTS_PER_INCH, bbox_inches="tight", pad_inches=0.2)
 
 

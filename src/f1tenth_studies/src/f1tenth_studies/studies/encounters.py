@@ -27,12 +27,12 @@ _AHEAD = 6.0  # m, where it stands at the start, between two goals: `ahead` of r
 
 
 _TEXT = f"""\
-A lap, begun anywhere on a circuit or a track, with another car {_AHEAD:g} m ahead at the start, that drives
-at {_SLOW:g} to {_FAST:g} m/s along a line of its own and takes no notice: it keeps to the `middle` of the
+A lap that begins anywhere on a circuit or a track. Another car, {_AHEAD:g} m ahead at the start, drives at
+{_SLOW:g} to {_FAST:g} m/s along its own line and ignores the planner's car: it keeps to the `middle` of the
 road or to one `side`, `weaves` ({_WEAVE:g} m, {_WEAVE_RATE:g} Hz), drives and then `brakes` for good, or
 `stands` from the start. On {_FURNISHED} it always stands, and laps begin at the start line: goals
-elsewhere, and who drives along the line there, touch the furniture. The planner has perfect odometry, and
-knows from its lidar alone where the other is and how fast.
+elsewhere, and cars that follow the line there, touch the furniture. The planner has perfect odometry, and
+knows from its lidar alone where the other car is and how fast it drives.
 
 Wanted: nothing is touched, and a clearance of at least {LEAST_CLEARANCE:g} m."""
 

@@ -9,9 +9,9 @@ from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Study, slowest
 _TEXT = """\
 Laps with the noisy odometry of the wheels, corrected by amcl on the map (`localization:=amcl`), from the
 standing start. The planner drives as in docs/race_pace.md, at race pace, but knows from amcl alone where it
-is. A car that corners hard slides, and its wheels do not notice: within 0.1 s they may be wrong by 0.1 m
-across the way and by 0.2 rad. Errors are those of `amcl_pose` against the true pose, RMS over a run; of the
-runs, each with a seed of its own, the worst counts.
+is. A car that corners hard slides, which wheel odometry does not measure: within 0.1 s it may be wrong by
+0.1 m to the side and by 0.2 rad. Errors are those of `amcl_pose` against the true pose, RMS over a run; of
+the runs, each with its own seed, the worst counts.
 
 Wanted: every goal passed without contact, at most 0.1 m and 3 degrees."""
 

@@ -15,9 +15,10 @@ _OTHERS_SPEED = "cars.robot2.speed_max"
 
 
 _TEXT = f"""\
-Laps at race pace on a road on which another car keeps to the middle at a speed of its own (m/s) and takes no
-notice. The planner has perfect odometry, and knows from its lidar alone where the other is and how fast. The
-other stands 2.5 m ahead of it at the start; a fast car meets it again in each lap.
+Laps at race pace on a road on which another car keeps to the middle at its own speed (speed_max, m/s) and
+ignores the planner's car. The planner has perfect odometry, and knows from its lidar alone where the other
+car is and how fast it drives. The other car stands 2.5 m ahead at the start; a fast car meets it again in
+each lap.
 
 Wanted: no contact, and a car of up to {CLEARLY_SLOWER:g} m/s is passed."""
 

@@ -23,13 +23,13 @@ _TEXT = f"""\
 Flying laps of the planner compared with the theoretical optimum: the line of least curvature and the fastest
 speed along it, by trajectory-planning-helpers, under the limits of the simulator's car:
 {read_limits().describe()}.
-The optimum knows the whole road, turns the wheels in no time and passes no goals. The planner gets one
-goal after the other with perfect odometry and has to pass each within the tolerance of the scenarios. Both
-vehicle models drive: `single_track`, whose tyres' forces grow with slip, and `single_track_drift`, whose
+The optimum knows the whole road, turns the wheels instantly and has no goals to pass. The planner gets one
+goal after the other, has perfect odometry, and has to pass each goal within the tolerance of the scenarios.
+Both vehicle models drive: `single_track`, whose tyres' forces grow with slip, and `single_track_drift`, whose
 tyres slide.
 
-In sight is the optimum of a car that drives at most {SIGHT_SPEED:g} m/s, as the planner does (`max_vel_x`):
-from that it stops within the 10 m in which obstacles of the lidar count.
+"In sight" is the optimum of a car that drives at most {SIGHT_SPEED:g} m/s, as the planner
+does (`max_vel_x`): from that speed it stops within the 10 m in which obstacles seen by the lidar count.
 
 Wanted: every flying lap within {GREATEST_RATIO} times the optimum, no contact, at least
 {LEAST_CLEARANCE:g} m of clearance."""

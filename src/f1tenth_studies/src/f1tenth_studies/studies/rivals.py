@@ -7,8 +7,8 @@ _KEY = "track"
 
 
 _TEXT = """\
-Five laps of tracks of the F1TENTH community by two cars of ours that start together, one 1.5 m behind the
-other, with perfect odometry. Each knows from its lidar alone where the other is.
+Five laps of tracks of the F1TENTH community by two cars with our planner that start together, one 1.5 m
+behind the other, with perfect odometry. Each knows from its lidar alone where the other is.
 
 Wanted: both drive their laps, and nothing is touched."""
 

@@ -31,11 +31,11 @@ _STILL = 0.05  # rad/s, below which a yaw rate has no sign
 _TEXT = f"""\
 A lap from the standing start on {", ".join(_CIRCUITS)} and the tracks {" and ".join(_TRACKS)}, with default
 settings and perfect odometry, at most at 5 and at {GREATEST_SPEED:g} m/s, with both vehicle models: with the
-friction of the usual floor and less (mu), and with cars that follow a command sooner or later
+usual friction of the floor and less (mu), and with shorter and longer delays of the actuators
 (actuation_latency, s; 0.02 is usual). The planner is told neither.
 
-Accelerations (m/s^2) are those of base_footprint, the greatest in any period of 25 ms. Changes are those of
-the sign of the yaw rate where the road is straight, per second; rates below {_STILL:g} rad/s have none.
+Accelerations (m/s^2) are those of base_footprint, the greatest in any period of 25 ms. Changes are sign
+changes of the yaw rate where the road is straight, per second; rates below {_STILL:g} rad/s do not count.
 
 Wanted: no contact; to the side at most {EXCESS:g} times `max_lateral_acceleration` ({LATERAL_LIMIT:g}) and
 along the car {EXCESS:g} times `acc_lim_x` ({LONGITUDINAL_LIMIT:g}); less than {MOST_CHANGES:g} change per

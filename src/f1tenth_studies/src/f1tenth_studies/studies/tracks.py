@@ -9,9 +9,9 @@ _KEY, _MODEL = "track", "model"
 
 
 _TEXT = """\
-Three laps from the standing start on tracks of the F1TENTH community (1:10) that the planner was not made on,
-with default settings and perfect odometry, in both directions (`_reverse`), with both vehicle models:
-`single_track`, whose tyres' forces grow with slip, and `single_track_drift`, whose tyres slide.
+Three laps from the standing start on tracks of the F1TENTH community (1:10) that were not used to develop the
+planner, with default settings and perfect odometry, in both directions (`_reverse`), with both vehicle
+models: `single_track`, whose tyres' forces grow with slip, and `single_track_drift`, whose tyres slide.
 
 Wanted: every lap is driven, and nothing is touched."""
 

@@ -63,7 +63,7 @@ def reference_main(arguments: Optional[Sequence[str]] = None) -> int:
 
 
 def _guarded(program: str, action: Callable, options) -> int:
-    """Run an action; a mistake of the user is one line. Returns the exit code."""
+    """Run an action; report a user's mistake in one line. Returns the exit code."""
     try:
         return action(options)
     except ScenarioError as error:

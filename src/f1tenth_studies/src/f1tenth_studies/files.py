@@ -1,4 +1,4 @@
-"""Files and folders that commands read and write: what goes wrong with them is one line."""
+"""Files and folders that commands read and write: an error with them is one line."""
 
 from pathlib import Path
 from typing import Optional
@@ -8,7 +8,7 @@ from f1tenth_scenarios.errors import ScenarioError, writing
 
 
 def made_folder(folder: Path) -> Path:
-    """The folder, which is there afterwards.
+    """The folder, made if it is not there yet.
 
     Raises:
         ScenarioError: it cannot be made.
@@ -21,7 +21,7 @@ def made_folder(folder: Path) -> Path:
 
 
 def expect_folder(folder: Optional[Path], option: str) -> None:
-    """Tell a wrong folder before the work whose outcome is to be written there, not after it.
+    """Refuse a wrong folder before the work whose outcome is to be written there, not after it.
 
     Raises:
         ScenarioError: the folder that an option names is not there.
@@ -31,7 +31,7 @@ def expect_folder(folder: Optional[Path], option: str) -> None:
 
 
 def expect_folder_of(path: Optional[Path], option: str) -> None:
-    """The same of a file that is to be written.
+    """The same for a file that is to be written.
 
     Raises:
         ScenarioError: the folder of the path that an option names is not there.

@@ -31,7 +31,7 @@ def track_names() -> list[str]:
 
 
 def track_map(name: str) -> Path:
-    """The map of one of them."""
+    """The map of one of others' tracks."""
     return data_folder() / name / f"{name}_map.yaml"
 
 
@@ -39,7 +39,7 @@ def seeds(key: str, values: str) -> list[int]:
     """The seeds that a key is varied by.
 
     Raises:
-        ScenarioError: one is no whole number.
+        ScenarioError: one is not a whole number.
     """
     found = []
     for setting in parse_variation(f"{key}={values}"):
@@ -57,10 +57,10 @@ def backwards(course: Course) -> Course:
 
 
 def write_place(stem: Path, map_file: Path, course: Course, line: Optional[np.ndarray] = None) -> Path:
-    """Make a place of a map that is there: STEM_map.yaml with another centreline beside it.
+    """Make a place from an existing map: STEM_map.yaml with another centreline beside it.
 
     Args:
-        stem: of the files, in a folder that is there
+        stem: of the files, in an existing folder
         map_file: of the road
         course: its centreline
         line: (n, 3), for drivers that follow one: x, y (m), speed (m/s)

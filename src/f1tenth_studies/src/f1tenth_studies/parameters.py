@@ -1,4 +1,4 @@
-"""Parameter files of the workspace: of the simulator's car, and what the planner is told."""
+"""Parameter files of the workspace: of the simulator's car, and of the planner."""
 
 from pathlib import Path
 
@@ -9,7 +9,7 @@ from f1tenth_scenarios import places
 
 
 class Parameters(dict):
-    """Values of a file; one that it lacks is a ScenarioError."""
+    """Values of a file; a missing one raises a ScenarioError."""
 
     def __init__(self, path: Path, values: dict):
         super().__init__(values)
@@ -33,5 +33,5 @@ def read_parameters(package: str, name: str) -> Parameters:
 
 
 def read_planner_limits() -> Parameters:
-    """What f1tenth_navigation tells the planner of how the car may be driven."""
+    """The limits that f1tenth_navigation gives the planner for driving the car."""
     return read_parameters("f1tenth_navigation", "teb_local_planner.yaml")

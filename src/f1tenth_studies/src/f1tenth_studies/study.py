@@ -1,4 +1,4 @@
-"""What a study is: a scenario, swept, and a table of what came of it."""
+"""What a study is: a scenario that is swept, and a table of the outcomes."""
 
 import dataclasses
 import functools
@@ -78,15 +78,15 @@ class Study:
     vary: Mapping[str, str]  # values by key, as `scenario sweep --vary` reads them
     rows: tuple[str, ...]  # the varied keys that make a row; runs that differ in others share one
     columns: tuple[Column, ...]
-    # Why a run without a failure is not good enough either; empty when it is.
+    # Why a run that did not fail is still not good enough; empty when it is.
     defect: Callable[[Run], str] = lambda run: ""
-    # The varied key that stands for places, and what makes worlds of its values, in a folder.
+    # The varied key that stands for places, and a function that writes worlds for its values to a folder.
     places: Optional[tuple[str, Callable[[str, Path], Iterable[Path | str]]]] = None
-    # What rows may be named by, too, from the values of a run.
+    # Further names for rows, from the values of a run.
     labels: Callable[[Mapping[str, str]], Mapping[str, str]] = lambda values: {}
 
     def varied(self, given: Iterable[str]) -> dict[str, str]:
-        """What to vary: KEY=VALUES that are given, in the place of the study's own.
+        """What to vary: the given KEY=VALUES, which replace the study's own.
 
         Raises:
             ScenarioError: one is not of this form, or of a key that rows and columns do not know of.
@@ -102,7 +102,7 @@ class Study:
         return {**self.vary, **own}
 
     def expect_others(self, settings: Iterable[str]) -> None:
-        """Tell a KEY=VALUE that would be overwritten in every run.
+        """Refuse a KEY=VALUE that would be overwritten in every run.
 
         Raises:
             ScenarioError: there is one, or one is not of this form.
@@ -115,10 +115,10 @@ class Study:
     def make(self, vary: Mapping[str, str], folder: Path) -> Mapping[str, str]:
         """Write the places that the runs need to a folder.
 
-        Returns what to vary: `vary` with worlds in the place of the places' key.
+        Returns what to vary: `vary` with worlds in place of the places' key.
 
         Raises:
-            ScenarioError: values could not be told apart, as the folder's path has what divides them.
+            ScenarioError: values could not be told apart, as the folder's path has what separates them.
         """
         if not self.places:
             return vary
@@ -131,7 +131,7 @@ class Study:
         return made
 
     def about(self, values: Mapping[str, str]) -> Mapping[str, str]:
-        """What rows may be named by: values of a run, and its place, also as the key that stands for it."""
+        """Names for rows: the values of a run, and its place, also under the key that stands for it."""
         place = place_of(values)
         key = self.places[0] if self.places else "place"
         return {"place": place, key: place, **values, **self.labels(values)}
@@ -152,7 +152,7 @@ def place_of(values: Mapping[str, str]) -> str:
 
 
 def failed_places(runs: Sequence[Run]) -> str:
-    """Names of those that failed."""
+    """Names of the places that failed."""
     return ", ".join(place_of(run.values) for run in runs if run.failure())
 
 

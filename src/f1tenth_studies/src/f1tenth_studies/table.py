@@ -43,7 +43,7 @@ def lines_of_table(lines: Iterable[Sequence[str]]) -> str:
 
 
 def publish(text: str, path: Optional[Path]) -> None:
-    """Print a document, and write it to a file; what stands below the table there stays.
+    """Print a document, and write it to a file; what follows the table there stays.
 
     Raises:
         ScenarioError: the file cannot be read or written.
@@ -54,7 +54,7 @@ def publish(text: str, path: Optional[Path]) -> None:
 
 
 def remarks(text: str) -> str:
-    """What stands below the table of a document: words of people about it."""
+    """What follows the table of a document: remarks that people have written."""
     before, last, after = text.rpartition("|\n")
     return after if before and last else ""
 

@@ -1,1 +1,1 @@
-"""Drives of the driver of `create_map.launch`, without ROS: what the lidar and the wheels tell on the way."""
+"""Drives by the driver of `create_map.launch`, without ROS: what lidar and wheels measure on the way."""

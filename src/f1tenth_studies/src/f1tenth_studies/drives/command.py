@@ -18,7 +18,7 @@ from f1tenth_studies.files import expect_folder_of, made_folder
 from f1tenth_studies.table import made_by, publish
 
 Drives = Callable[[argparse.Namespace, Path], Sequence[Any]]
-"""Drives as the options say, with a folder for places that are made; returns what came of each (`passed`)."""
+"""Drives as the options say, with a folder for places that are made; returns the outcomes (`passed`)."""
 
 
 def run_command(
@@ -27,16 +27,16 @@ def run_command(
     document: Callable[[Sequence[Any], str], str],
     arguments: Optional[Sequence[str]],
 ) -> int:
-    """Read what a command is told, drive, and publish the document.
+    """Read a command's arguments, drive, and publish the document.
 
     Args:
         parser: with the command's name and its own options
-        drives: see there
-        document: of what came of the drives, and how and where it was made
+        drives: as of Drives
+        document: makes the text from the outcomes, and from how and where they were made
         arguments: those of the command line; default: of this process
 
     Returns:
-        The exit code: NOT_PASSED when something that came of a drive was not good enough.
+        The exit code: NOT_PASSED when an outcome was not good enough.
     """
     _add_options(parser)
     options = parser.parse_args(arguments)

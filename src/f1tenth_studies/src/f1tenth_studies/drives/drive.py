@@ -52,7 +52,7 @@ class Sample:
 
 
 class Journey:
-    """A drive as it goes on, without end: the car of the workspace on its way."""
+    """A drive without an end: the car of the workspace on its way."""
 
     def __init__(self, drive: Drive):
         """Load the world and the car.
@@ -79,7 +79,7 @@ class Journey:
         return np.column_stack([x + ranges * np.cos(angles), y + ranges * np.sin(angles)])
 
     def samples(self) -> Iterator[Sample]:
-        """Of each scan."""
+        """One sample per scan."""
         simulation = f1tenth_sim2d.Simulation(self.world, _STEP, self._drive.seed)
         identifier = simulation.add_car(self._car, None, *self._drive.start)
         lidar = self._car.lidars[0]
@@ -100,7 +100,7 @@ def _increment(lidar: Any) -> float:
 
 
 def _carried(odometry: Any, age: float) -> Pose:
-    """Odometry, carried on from when it was measured, some time (s) ago: tf interpolates."""
+    """Odometry, extrapolated from when it was measured, some time (s) ago: tf interpolates."""
     way, turn = odometry.speed * age, odometry.yaw_rate * age
     direction = odometry.yaw + turn / 2
     return (

@@ -1,4 +1,4 @@
-"""Where is driven: circuits, others' tracks in both directions, random roads."""
+"""Where drives take place: circuits, others' tracks in both directions, random roads."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -9,7 +9,7 @@ from f1tenth_studies.made_places import road_world, seeds, track_names, track_wo
 
 
 def circuit_drives(values: str) -> Iterator[Drive]:
-    """Of each circuit, with seeds as `scenario sweep --vary` reads them."""
+    """Drives on each circuit, with seeds as `scenario sweep --vary` reads them."""
     for name in places.circuits():
         world = places.world_file(name, Path())
         for seed in _seeds("circuits", values):
@@ -17,7 +17,7 @@ def circuit_drives(values: str) -> Iterator[Drive]:
 
 
 def track_drives(values: str, folder: Path) -> Iterator[Drive]:
-    """Of the tracks in $F1TENTH_DATA, there and back; files are written to a folder."""
+    """Drives on the tracks in $F1TENTH_DATA, in both directions; files are written to a folder."""
     for name in track_names() if values else ():
         for world in track_worlds(name, folder):
             for seed in _seeds("tracks", values):
@@ -25,7 +25,7 @@ def track_drives(values: str, folder: Path) -> Iterator[Drive]:
 
 
 def road_drives(values: str, folder: Path) -> Iterator[Drive]:
-    """Of the roads of `make_road`, a drive each, with the seed of its road; files are written to a folder."""
+    """A drive on each road of `make_road`, with the seed of the road; files are written to a folder."""
     for seed in _seeds("roads", values):
         world = road_world(seed, folder)
         yield Drive(f"road {seed}", world, str(world.with_name(f"{world.stem}_centerline.csv")), seed)

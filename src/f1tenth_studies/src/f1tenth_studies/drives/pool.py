@@ -18,7 +18,7 @@ def end_by_signals() -> None:
 
 
 def outcomes(function: Callable[[Any], Any], drives: Sequence[Any], jobs: int) -> Iterator[Any]:
-    """What came of each drive, in their order.
+    """The outcome of each drive, in their order.
 
     Raises:
         ScenarioError: what a drive raises, or its process was killed; no further drive is begun.

@@ -1,1 +1,1 @@
-"""What breaks in a run, and what the run makes of it: the command `faults`."""
+"""What breaks in a run, and how the run reacts: the command `faults`."""

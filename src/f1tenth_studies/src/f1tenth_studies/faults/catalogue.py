@@ -24,7 +24,7 @@ _LITTLE_MEMORY = 300 << 20  # bytes of address space
 _DESCRIPTORS = 64
 _PAUSE = 10.0  # wall s, as by Ctrl-Z
 _SET_BACK = "set_back"  # file that sets the clock back
-# What stands before a command: a small or read-only disk in the place of the results, kept afterwards.
+# Prefixes of a command: a small or read-only disk in place of the results, which are kept afterwards.
 _SMALL_DISK = 'mount -t tmpfs -o size=300k tmpfs "$1" && "${@:3}"; code=$?; cp -r "$1/." "$2"; exit $code'
 _READ_ONLY_DISK = 'mount --bind "$1" "$1" && mount -o remount,ro,bind "$1" && exec "${@:3}"'
 
@@ -35,7 +35,7 @@ class Fault:
 
     name: str
     start: Callable[[Path], Victim]  # in a folder
-    inject: Callable[[Victim, float], Any] = lambda victim, moment: None  # when it has driven so long, s
+    inject: Callable[[Victim, float], Any] = lambda victim, moment: None  # when it has driven that long, s
 
 
 def node_names(folder: Path) -> list[str]:
@@ -68,7 +68,7 @@ def _start(folder: Path, before: Sequence[str] = (), settings: Sequence[str] = (
 
 
 def _start_long(folder: Path) -> Victim:
-    """A run that goes on until the command that is to break it has started."""
+    """A run that lasts until the command that is to break it has started."""
     return _start(folder, settings=["--set", "laps=20"])
 
 
@@ -105,7 +105,7 @@ def _on_disk(script: str) -> Callable[[Path], Victim]:
 
 
 def clock_of_its_own(file: Path) -> dict[str, str]:
-    """Variables with which the system time of a program alone is an hour back once a file is there."""
+    """Variables that set back the system time of one program by an hour, once a file is there."""
     return {"LD_PRELOAD": "libf1tenth_set_back.so", "F1TENTH_SET_BACK": str(file)}
 
 

@@ -56,7 +56,7 @@ def _run(options) -> int:
         endings = list(_endings(options, chosen, folder))
         interrupts = [interrupt(name, options.moments, folder / name, options.seed) for name in names]
     except (KeyboardInterrupt, ScenarioError):
-        # Nobody is told of the folder.
+        # Nobody will learn of the folder.
         shutil.rmtree(folder)
         raise
     text = document(endings, interrupts, " ".join(["rosrun f1tenth_studies faults", *sys.argv[1:]]))

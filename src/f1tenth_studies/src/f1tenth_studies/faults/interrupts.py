@@ -24,19 +24,19 @@ _BEFORE = {"scenario report": ("run", "circuit1")}  # what makes the results tha
 
 @dataclasses.dataclass(frozen=True)
 class Interrupts:
-    """What came of many of them."""
+    """The outcomes of many interrupts."""
 
     command: str
     endings: Sequence[Ending]
 
     @property
     def slowest(self) -> float:
-        """The longest time until nothing of it ran, wall s."""
+        """The longest time until none of its processes ran, wall s."""
         return max(each.seconds for each in self.endings)
 
     @property
     def problems(self) -> list[str]:
-        """What should not be: another exit code, a traceback, something that runs on."""
+        """What is wrong: another exit code, a traceback, a process that keeps running."""
         found = []
         for each in self.endings:
             if each.exit_code not in (0, 128 + signal.SIGINT, -signal.SIGINT):
@@ -49,7 +49,7 @@ class Interrupts:
 
 
 def interrupt(name: str, count: int, folder: Path, seed: int = 1) -> Interrupts:
-    """Interrupt a command at so many random moments of its life."""
+    """Interrupt a command at `count` random moments of its life."""
     command = (*SCENARIO, *COMMANDS[name])
     before = folder / "before" / "results"
     before.mkdir(parents=True)
@@ -67,7 +67,7 @@ def interrupt(name: str, count: int, folder: Path, seed: int = 1) -> Interrupts:
 
 
 def _run(command: Sequence[str], results: Path, seconds: float) -> tuple[Ending, float]:
-    """Let it run for some time (wall s), then interrupt it; also gives how long it ran."""
+    """Run it for some time (wall s), then interrupt it; also returns how long it ran."""
     begun = time.monotonic()
     with Victim([*command, "--results", str(results)], results, results.parent / "said") as victim:
         victim.wait_for(lambda: False, seconds)

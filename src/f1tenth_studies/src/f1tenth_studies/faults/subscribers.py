@@ -1,4 +1,4 @@
-"""Subscribers by the hundred, that read what they get or do not; a program of its own.
+"""Hundreds of subscribers that read what they get, or never do; a separate program.
 
 They speak TCPROS themselves, because a node has only one connection per topic.
 """

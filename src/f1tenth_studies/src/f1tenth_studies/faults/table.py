@@ -52,7 +52,7 @@ def _row(name: str, ending: Ending) -> str:
 
 
 def _said(ending: Ending) -> str:
-    """What stands in the place of a verdict that could not be written."""
+    """What is shown in place of a verdict that could not be written."""
     lines = [line for line in ending.said.splitlines() if line.startswith("scenario: ")]
     return f"none: {re.sub(_FOLDER, '', lines[-1].removeprefix('scenario: '))}" if lines else "none"
 
@@ -63,7 +63,7 @@ def _interrupt_row(each: Interrupts) -> str:
 
 
 def problem(ending: Ending) -> Optional[str]:
-    """What is wrong with an ending, whatever the fault was; nothing if nothing is."""
+    """What is wrong with an ending, whatever the fault was; None if nothing is."""
     if ending.exit_code is None:
         return "had to be killed"
     if ending.seconds_after > MOST_SECONDS:

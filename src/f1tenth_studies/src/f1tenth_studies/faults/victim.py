@@ -1,4 +1,4 @@
-"""A command that is started to be broken, and everything that it has started."""
+"""A command that is started in order to break it, and everything that it has started."""
 
 import contextlib
 import dataclasses
@@ -14,7 +14,7 @@ from typing import Any, Optional
 import psutil
 from f1tenth_scenarios.launch.processes import processes_with
 
-MOST_SECONDS = 5.0  # wall, from the verdict, or being told to stop, until nothing runs any more
+MOST_SECONDS = 5.0  # wall, from the verdict or a request to stop, until nothing runs any more
 RUNNER = "runner"  # what the command itself is called
 _MARK = "F1TENTH_FAULT"  # every descendant inherits it
 _LOOK_INTERVAL = 0.02  # wall s
@@ -23,10 +23,10 @@ _KILL_PATIENCE = 10.0  # wall s, until what is killed is gone
 
 @dataclasses.dataclass(frozen=True)
 class Ending:
-    """What was seen of the end."""
+    """How a command ended."""
 
     exit_code: Optional[int]  # nothing if it had to be killed
-    seconds: float  # wall, from the fault until nothing of it ran
+    seconds: float  # wall, from the fault until none of its processes ran
     seconds_after: float  # the same from when the verdict was written; from the fault without one
     result: Optional[dict[str, Any]]  # its result.json
     has_junit: bool
@@ -37,7 +37,7 @@ class Victim:
     """A command with its results in a folder, that can be broken."""
 
     def __init__(self, command: Sequence[str], results: Path, said: Path, **popen: Any):
-        """Start it; what it says on the terminal goes to the file `said`."""
+        """Start it; its terminal output goes to the file `said`."""
         self.results = self.written = results  # found afterwards; written to
         self.beside: list[subprocess.Popen] = []  # what was started to disturb it, and ends with it
         self._mark = uuid.uuid4().hex
@@ -67,7 +67,7 @@ class Victim:
         return found
 
     def has_driven(self, seconds: float) -> bool:
-        """Whether the record of a run has come so far, s simulated."""
+        """Whether the record of a run has got that far, s simulated."""
         for record in self.results.glob("*/log/record.csv"):
             lines = record.read_text(encoding="utf-8").splitlines()
             if len(lines) > 2 and float(lines[-2].partition(",")[0]) >= seconds:
@@ -75,7 +75,7 @@ class Victim:
         return False
 
     def members(self) -> list[psutil.Process]:
-        """All processes of it that run."""
+        """All of its processes that run."""
         return processes_with(_MARK, self._mark)
 
     def node(self, name: str) -> Optional[psutil.Process]:
@@ -99,7 +99,7 @@ class Victim:
         return RUNNER if process.pid == self.process.pid else ""
 
     def end(self, patience: float) -> Ending:
-        """Wait until nothing of it runs; what still does after some time (wall s) is killed."""
+        """Wait until none of its processes runs; those left after `patience` (wall s) are killed."""
         begun, judged = time.monotonic(), None
         while self.members() and time.monotonic() - begun < patience:
             if judged is None and self._has_verdict():
@@ -117,7 +117,7 @@ class Victim:
         return Ending(code, ended - begun, after, result, any(self.results.rglob("junit.xml")), said)
 
     def _has_verdict(self) -> bool:
-        """Whether it has written one, as it sees its files: it may have a disk of its own."""
+        """Whether it has written one, as it sees its files: it may have its own disk."""
         seen = Path(f"/proc/{self.process.pid}/root{self.written}")
         with contextlib.suppress(OSError):
             return any(seen.glob("*/result.json")) or any(seen.glob("*/interrupted/result.json"))
@@ -133,7 +133,7 @@ class Victim:
         for other in self.beside:
             other.kill()
             other.wait()
-        # A signal takes its time to arrive, and what starts meanwhile has not got it.
+        # A signal takes time to arrive, and a process that starts meanwhile has not got it.
         deadline = time.monotonic() + _KILL_PATIENCE
         while (left := self.members()) and time.monotonic() < deadline:
             for each in left:

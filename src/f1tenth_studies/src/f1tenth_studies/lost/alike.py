@@ -1,4 +1,4 @@
-"""Whether a car may as well have been elsewhere, for all that it has seen."""
+"""Whether what a car has seen would fit another place as well."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -23,15 +23,15 @@ class View:
 
 
 def is_alike(grid: Grid, views: Sequence[View], here: Pose, there: Pose) -> bool:
-    """Whether all that was seen lies on the walls of a map, and does as well if the whole way lay elsewhere.
+    """Whether all that was seen lies on the walls of a map, and would as well if the whole way lay elsewhere.
 
-    A map is right to half a cell: each view may be by so much farther from the walls (RMS).
+    A map is right to half a cell: each view may be that much farther from the walls (RMS).
 
     Args:
         grid: the map
         views: on the way, at their true places
         here: a place on the way
-        there: where this would be, to about half a metre; the best place about it counts
+        there: where this would be, to about half a metre; the best place around it counts
     """
     away = _distances(grid)
     points = [_at(view.place, view.points) for view in views]

@@ -30,7 +30,7 @@ def make_localizer(amcl: Any, drive: Drive, believed: Pose, deviations: Optional
 
     Args:
         amcl: the module
-        drive: on whose map it looks
+        drive: the one whose map is used
         believed: where the car is said to be
         deviations: how sure that is, of x, y (m) and yaw (rad); default: as the parameters say
 
@@ -45,11 +45,11 @@ def make_localizer(amcl: Any, drive: Drive, believed: Pose, deviations: Optional
 
 
 def _options(amcl: Any, seed: int) -> tuple[Any, Pose]:
-    """Those of `f1tenth_navigation/config/amcl.yaml`, and its deviations of x, y (m) and yaw (rad)."""
+    """The options in `f1tenth_navigation/config/amcl.yaml`, and its deviations of x, y (m) and yaw (rad)."""
     path = places.package_path("f1tenth_navigation") / "config" / "amcl.yaml"
     given = yaml.safe_load(path.read_text(encoding="utf-8"))
     x, y, yaw = (math.sqrt(given.pop(f"initial_cov_{axis}")) for axis in ("xx", "yy", "aa"))
-    del given["save_pose_rate"]  # of the node
+    del given["save_pose_rate"]  # a parameter of the node
     options = amcl.LocalizerOptions()
     options.seed = seed
     models = {"odom": amcl.OdometryModel, "laser": amcl.LaserModel}

@@ -1,4 +1,4 @@
-"""One trial: a car that drives, and amcl that is told something of where it is."""
+"""One trial: a car drives, and amcl is told something about where it is."""
 
 import dataclasses
 import enum
@@ -31,7 +31,7 @@ _BEND, _BEND_WITHIN = 0.5, 6.0  # rad, m
 
 
 class Told(enum.Enum):
-    """What amcl is told at the start: how far that is off (m, rad), and how sure it is said to be."""
+    """What amcl is told at the start: how far off that is (m, rad), and how certain it is said to be."""
 
     TRUTH = "the truth", 0.0, 0.0
     NEAR = "0.5 m and 20 deg beside it", 0.5, math.radians(20.0)
@@ -43,7 +43,7 @@ class Told(enum.Enum):
 
     @property
     def is_wrong(self) -> bool:
-        """Whether it is somewhere, but not where the car is."""
+        """Whether it is a place, but not where the car is."""
         return 0.0 < self.distance < math.inf
 
 
@@ -58,24 +58,24 @@ class Trial:
 
 @dataclasses.dataclass(frozen=True)
 class Found:
-    """What came of a trial."""
+    """The outcome of a trial."""
 
     trial: Trial
-    after: float  # s, from when on the car was where it was believed to be; infinite: not at the end
+    after: float  # s, since when the car was where it was believed to be; infinite: not at the end
     errors: np.ndarray  # (n,), m, at the scans since
     deviations: np.ndarray  # (n,), m, as amcl reports them
     alike: bool = False  # whether, until the limit, walls looked the same where it was last believed wrongly
 
     @property
     def in_time(self) -> bool:
-        """Whether the car was found in time; told the truth, whether amcl always knew, and how well."""
+        """Whether the car was found in time; if told the truth, whether amcl always knew, and how well."""
         if self.trial.told is Told.TRUTH:
             return self.after == 0.0 and rms(self.deviations) >= rms(self.errors) / 2
         return self.after <= self.trial.limit
 
     @property
     def passed(self) -> bool:
-        """Whether it was found in time, or nothing told where it was."""
+        """Whether it was found in time, or nothing could tell where it was."""
         return self.in_time or self.alike
 
 

@@ -1,1 +1,1 @@
-"""Drives of the driver of `create_map.launch`, and how good the maps of them are."""
+"""Drives by the driver of `create_map.launch`, and how good their maps are."""

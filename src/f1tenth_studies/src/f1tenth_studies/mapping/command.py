@@ -32,7 +32,7 @@ def _maps(options: argparse.Namespace, folder: Path) -> list[Mapped]:
 
 
 def _mapped(drives: Sequence[Drive], jobs: int) -> list[Mapped]:
-    """What came of each drive, in their order."""
+    """The outcome of each drive, in their order."""
     return [_said(each) for each in outcomes(map_drive, drives, jobs)]
 
 

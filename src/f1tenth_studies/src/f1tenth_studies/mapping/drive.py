@@ -28,7 +28,7 @@ _OF_THE_NODE = "map_update_interval"
 
 @dataclasses.dataclass(frozen=True)
 class Mapped:
-    """What came of it."""
+    """The outcome of a drive."""
 
     drive: Drive
     lap: float  # m; infinite if none is complete
@@ -50,7 +50,7 @@ class Mapped:
 
     @property
     def has_shape(self) -> bool:
-        """Whether it would be, were it not for how the whole map is turned and shifted."""
+        """Whether it would pass if the whole map were not turned and shifted."""
         return self.shape.passed and not self.problem
 
 
@@ -95,7 +95,7 @@ def _map_drive(drive: Drive, slam: Any) -> Mapped:
 
 
 def _options(mapper: Any) -> Any:
-    """Those of `create_map.launch`."""
+    """The options in `create_map.launch`."""
     path = places.package_path(places.GAZEBO_PACKAGE) / _PARAMETERS
     options = mapper.SlamOptions()
     for parameter, value in yaml.safe_load(path.read_text(encoding="utf-8")).items():
@@ -109,7 +109,7 @@ def _options(mapper: Any) -> Any:
 
 
 def _checks(slam: Any, world: Any) -> tuple[MapCheck, Alignment, MapCheck]:
-    """Of the map as it is, and laid onto the world."""
+    """Check of the map as it is, its alignment with the world, and check of the map so aligned."""
     cells, resolution, corner = slam.map()
     grid = grid_of(cells == 100, cells == 0, corner, resolution)
     section = world.section(LIDAR_HEIGHT)

@@ -10,7 +10,7 @@ from scipy.ndimage import gaussian_filter1d
 from f1tenth_scenarios import places
 
 SPACING = 0.25  # m, between points of a track
-# Of a long road they lie farther apart: the time for its race line grows with the cube of their number.
+# On a long road they are farther apart: the time for its race line grows with the cube of their number.
 _MOST_POINTS = 800
 # The bends of a circuit's centreline are polygons, whose kinks would count as curvature.
 _SMOOTHING = 0.35  # m, standard deviation
@@ -50,7 +50,7 @@ def resampled(rows: np.ndarray) -> np.ndarray:
 
 
 def _rounded(rows: np.ndarray) -> np.ndarray:
-    """The same track, straight between its points but rounded at them, with points as far apart."""
+    """The same track, straight between its points but rounded at them; points spaced as by load_track."""
     closed, at, distances = _places(rows)
     line = np.column_stack(_between(closed, at, distances, (0, 1)))
     line = gaussian_filter1d(line, _SMOOTHING / distances[1], axis=0, mode="wrap")

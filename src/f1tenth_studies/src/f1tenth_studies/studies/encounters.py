@@ -15,7 +15,7 @@ from f1tenth_studies.study import Column, Run, Study, place_of
 
 LEAST_CLEARANCE = 0.08  # m
 _KEY = "encounter"
-_ROWS = ("seed", "place", "manner", "speed (m/s)")  # as they stand in the name of a place
+_ROWS = ("seed", "place", "manner", "speed (m/s)")  # in their order in the name of a place
 _MANNERS = ("middle", "side", "weaves", "brakes", "stands")
 _SLOW, _FAST = 0.5, 4.0  # m/s
 _FURNISHED = "circuit_detailed"
@@ -69,7 +69,7 @@ def make_encounter(seed: int) -> Encounter:
 
 
 def line_of(encounter: Encounter, course: Course) -> np.ndarray:
-    """Where the other drives, from the begin of the road on: x, y (m), speed (m/s), shape (n, 3)."""
+    """Where the other drives, from the beginning of the road on: x, y (m), speed (m/s), shape (n, 3)."""
     x, y = course.x, course.y
     step_x, step_y = np.gradient(x), np.gradient(y)
     lengths = np.hypot(step_x, step_y)

@@ -34,7 +34,7 @@ def count_passes(track: np.ndarray, behind: CarTrack, ahead: CarTrack) -> int:
     lead = own - other
     # The course may be described in the other direction.
     lead *= 1.0 if own[-1] >= own[0] else -1.0
-    # At the start the one ahead may be on either side of where the course begins.
+    # At the start the car ahead may be on either side of where the course begins.
     lead -= total * np.ceil(lead[0] / total)
     return int(np.floor(lead.max() / total)) + 1
 

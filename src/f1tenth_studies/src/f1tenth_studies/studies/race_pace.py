@@ -15,7 +15,7 @@ from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Run, Study
 
 GREATEST_RATIO = 1.35
 LEAST_CLEARANCE = 0.05  # m
-# What the lidar sees counts from 10 m on; with acc_lim_x a car stops within that.
+# What the lidar sees counts within 10 m; with acc_lim_x a car stops within that.
 SIGHT_SPEED = read_planner_limits()["max_vel_x"]  # m/s
 
 

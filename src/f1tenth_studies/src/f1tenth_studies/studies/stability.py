@@ -1,4 +1,4 @@
-"""Whether the car does what its planner is told, with slow actuators and on slippery floors."""
+"""Whether the car keeps to its planner's limits, with slow actuators and on slippery floors."""
 
 import functools
 from collections.abc import Callable
@@ -18,12 +18,12 @@ _LIMITS = read_planner_limits()
 LATERAL_LIMIT = _LIMITS["max_lateral_acceleration"]  # m/s^2
 LONGITUDINAL_LIMIT = _LIMITS["acc_lim_x"]  # m/s^2
 GREATEST_SPEED = _LIMITS["max_vel_x"]  # m/s
-EXCESS = 1.1  # times either, at most
+EXCESS = 1.1  # times either limit, at most
 MOST_CHANGES = 1.0  # of the yaw rate's sign, 1/s
 _CIRCUITS = ("circuit1", "circuit4")
 _TRACKS = ("Oschersleben", "Spa")
 _CHORD = 1.0  # m, to either side, over which the road's curvature is measured
-_MARGIN = 2.0  # m, before and behind it in which a straight is straight, too
+_MARGIN = 2.0  # m, before and behind a point of a straight, within which the road is straight, too
 _STRAIGHT = 0.05  # 1/m
 _STILL = 0.05  # rad/s, below which a yaw rate has no sign
 
@@ -52,7 +52,7 @@ def changes_of_sign(track: CarTrack, road: np.ndarray) -> float:
     _, nearest = cKDTree(road[:, :2]).query(np.column_stack([track.x, track.y]))
     on_straight = _straight(road)[nearest]
     time = float(np.diff(track.time)[on_straight[1:]].sum())
-    # A straight's first sign is none that has changed.
+    # The first sign on a straight does not count as a change.
     stretches = np.split(np.arange(len(on_straight)), np.flatnonzero(np.diff(on_straight)) + 1)
     changes = sum(_changes(track.yaw_rate[each]) for each in stretches if on_straight[each[0]])
     return changes / time if time > 0.0 else 0.0
@@ -64,7 +64,7 @@ def _changes(rates: np.ndarray) -> int:
 
 
 def _straight(road: np.ndarray) -> np.ndarray:
-    """Which points of a road lie in a straight."""
+    """Which points of a road lie on a straight."""
     spacing = float(np.median(np.hypot(*np.diff(road[:, :2], axis=0).T)))
     chord, margin = (max(1, round(length / spacing)) for length in (_CHORD, _MARGIN))
     ahead = np.roll(road[:, :2], -chord, axis=0) - road[:, :2]

@@ -91,14 +91,14 @@ class RaceMgr:
             self._navigation.spin()
 
     def _stay(self):
-        # A latched status is gone with its node.
+        # A latched status disappears with its node.
         while not (self._parameters.exit_when_done or self._stop_requests.node):
             time.sleep(POLL_PERIOD)
 
 
 def main():
     """Run the node; return its exit code."""
-    # Signals are handled here: rospy would close the topics before the last status is out.
+    # Signals are handled here: rospy would close the topics before the last status is sent.
     rospy.init_node("race_mgr", disable_signals=True)
     try:
         return RaceMgr(read_parameters(), StopRequests()).run()

@@ -11,7 +11,7 @@ TIMEOUT = 0.1  # wall s, how long a stop request may wait
 
 
 class ClockPacing:
-    """Steps all the time."""
+    """Steps continuously."""
 
     def __init__(self, navigation, _start_signal, _stop_requests):
         self._planner_watch = PlannerWatch(navigation)
@@ -24,10 +24,10 @@ class ClockPacing:
         return rospy.get_rostime()
 
     def done(self, now):
-        """Nobody waits for it."""
+        """Do nothing: nobody waits for this node."""
 
     def leave(self):
-        """Nobody waits for it."""
+        """Do nothing: nobody waits for this node."""
 
 
 class LockstepPacing:

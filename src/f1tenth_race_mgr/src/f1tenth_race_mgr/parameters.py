@@ -1,4 +1,4 @@
-"""What the node can be told."""
+"""The parameters of the node."""
 
 import os
 from dataclasses import dataclass

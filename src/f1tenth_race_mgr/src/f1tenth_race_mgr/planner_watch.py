@@ -1,4 +1,4 @@
-"""Nobody should have to guess why the car stands."""
+"""Warns while there is no planner: nobody should have to guess why the car stands still."""
 
 import time
 

@@ -18,7 +18,7 @@ class StatusPublisher:
     """The latched topic race_status."""
 
     def __init__(self):
-        # So that the last status is out before the node ends. A few messages per lap fill no buffer
+        # So that the last status is sent before the node ends. A few messages per lap fill no buffer
         # (a full one would block publish()).
         self._publisher = synchronous_publisher("race_status", RaceStatus, latch=True)
 

@@ -8,7 +8,7 @@ from f1tenth_race_mgr.state import State
 
 @dataclass(frozen=True)
 class Status:
-    """How the race stands."""
+    """The status of the race."""
 
     state: State
     goals_reached: int
@@ -17,7 +17,7 @@ class Status:
 
     @property
     def laps(self):
-        """Times that every goal of the file has been reached."""
+        """How many times every goal of the file has been reached."""
         return self.goals_reached // self.goals_total
 
 
@@ -40,7 +40,7 @@ class Race:
 
     @property
     def status(self):
-        """How the race stands."""
+        """The status of the race."""
         return self._status
 
     @property

@@ -1,4 +1,4 @@
-"""How a race can stand."""
+"""The states of a race."""
 
 from enum import IntEnum
 

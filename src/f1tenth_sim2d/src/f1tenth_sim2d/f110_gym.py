@@ -41,14 +41,14 @@ _HALF_LINE = 2.0  # m, from where a car started
 
 
 class Integrator(enum.Enum):
-    """Theirs. It makes no difference here: physics has steps of 1 ms of its own."""
+    """That of f1tenth_gym. It makes no difference here: physics has its own steps of 1 ms."""
 
     RK4 = 1
     Euler = 2
 
 
 def make(environment="f110_gym:f110-v0", **settings):
-    """Return an F110Env, in the place of gym.make.
+    """Return an F110Env, in place of gym.make.
 
     Raises:
         ValueError: as F110Env, and for another environment.
@@ -95,10 +95,10 @@ class F110Env:
 
         Args:
             map: path of a map's .yaml file, with or without .yaml, or the name of a circuit.
-            map_ext: of the map's image.
+            map_ext: extension of the map's image file.
             num_agents: number of cars.
             timestep: s, of an action.
-            params: numbers of the cars by their names, those that differ from the car's.
+            params: parameters of the cars by name, those that differ from the workspace's car.
             seed: of the lidars' noise.
             ego_idx: index of the ego car.
             integrator: makes no difference.
@@ -123,7 +123,7 @@ class F110Env:
         self._starts: Any = None
 
     def reset(self, poses):
-        """Put the cars somewhere and let a timestep go by.
+        """Put the cars somewhere and simulate a timestep.
 
         Args:
             poses: array of shape (num_agents, 3): x, y, theta, m and rad.
@@ -161,7 +161,7 @@ class F110Env:
             which cars have finished}.
 
         Raises:
-            ValueError: another shape, what is not finite, or no reset before.
+            ValueError: another shape, a value that is not finite, or no reset before.
         """
         if self._starts is None:
             raise ValueError("step before the first reset, which is not allowed")
@@ -178,13 +178,13 @@ class F110Env:
         return observation, self.timestep, done, {"checkpoint_done": finished}
 
     def update_map(self, map_path, map_ext):
-        """Take another map from the next reset on, given the path of its .yaml file."""
+        """Use another map from the next reset on, given the path of its .yaml file."""
         name = str(map_path).removesuffix(".yaml")
         self._next = self._load(_place(name, map_ext), self.params)
         self.map_name, self._map_ext = name, map_ext
 
     def update_params(self, params, index=-1):
-        """Take other numbers for all cars from the next reset on.
+        """Use other parameters for all cars from the next reset on.
 
         Raises:
             ValueError: as for params, or an index, because the cars are alike.
@@ -194,7 +194,7 @@ class F110Env:
         self._next = self._load(_place(self.map_name, self._map_ext), dict(params))
 
     def add_render_callback(self, callback_func):
-        """Warn that nothing comes of it: callbacks draw with f1tenth_gym's own renderer."""
+        """Warn that it has no effect: callbacks draw with f1tenth_gym's own renderer."""
         warnings.warn(
             "add_render_callback: the callback is not called, pyglet is not used here", stacklevel=2
         )
@@ -273,7 +273,7 @@ def _allowed_maps():
 
 
 def _vehicle(params):
-    """Numbers of VehicleParameters by our names."""
+    """Values of VehicleParameters by our names."""
     for key, value in params.items():
         if key in _SHAPE:
             _require_equal(key, value, _SHAPE[key], "the shape is that of the car's description")

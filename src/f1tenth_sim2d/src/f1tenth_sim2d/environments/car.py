@@ -11,7 +11,7 @@ from f1tenth_sim2d.environments.xacro_file import expanded
 
 @dataclass(frozen=True)
 class Lidar:
-    """A planar lidar that looks ahead, to both sides alike."""
+    """A planar lidar that faces ahead and sees equally far to both sides."""
 
     beams: int
     field_of_view: float  # rad
@@ -25,7 +25,7 @@ def load_cars(count, lidar):
 
 
 def with_lidar(text, lidar):
-    """Return a robot description whose lidars are others."""
+    """Return a robot description with its lidars replaced."""
     robot = ElementTree.fromstring(text)
     values = {
         "samples": lidar.beams,

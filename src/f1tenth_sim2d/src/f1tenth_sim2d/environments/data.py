@@ -1,4 +1,4 @@
-"""Where the circuits and the car's description lie."""
+"""Where the circuits and the car's description are."""
 
 from pathlib import Path
 
@@ -14,7 +14,7 @@ def data_path(relative):
         relative: path that begins with the name of the package.
 
     Raises:
-        FileNotFoundError: it is in none of the places where it may lie.
+        FileNotFoundError: it is in none of the possible places.
     """
     for root in _ROOTS:
         if (root / relative).exists():

@@ -1,4 +1,4 @@
-"""How an episode begins: where the cars start, and what is drawn anew for it."""
+"""How an episode begins: where the cars start, and what is drawn at random for it."""
 
 import numpy as np
 
@@ -9,9 +9,9 @@ OPTIONS = ("poses", "noise_seed")
 """Of reset."""
 _ROW = 1.2  # m, from one row of the grid to the next
 _ABREAST = 0.35  # m, from the line to either side, if there are several cars
-_TRIES = 100  # at random starts that are free
+_TRIES = 100  # to find a random start that is free
 _HEADING = 0.2  # rad, at most, from the course at random starts
-_HALF_CAR = 0.15  # m: what is as far beyond the width of the road is behind its wall
+_HALF_CAR = 0.15  # m: a point that far beyond the width of the road is behind its wall
 
 
 def begin_episode(environments, index, stage, rng, options):
@@ -77,7 +77,7 @@ def _grid(stage):
 
 
 def _random(stage, rng):
-    """Far from each other, so that there is room however many they are."""
+    """Far from each other, so that there is room however many cars there are."""
     course, cars = stage.place.course, stage.settings.cars
     first = rng.uniform(0.0, course.length)
     poses = []

@@ -44,7 +44,7 @@ class F1TenthParallelEnv(ShownEnv, ParallelEnv):
     def reset(self, seed=None, options=None):
         """Begin an episode; seed and options as of F1TenthEnv.reset.
 
-        Of unknown options there is only a warning, because PettingZoo's own test gives one.
+        Unknown options only cause a warning, because PettingZoo's own test gives one.
 
         Raises:
             ValueError: wrong options, a start that is not free, or a closed environment.
@@ -60,8 +60,8 @@ class F1TenthParallelEnv(ShownEnv, ParallelEnv):
         """Drive for one period; actions are those of the cars in `agents`.
 
         Raises:
-            ValueError: a car without action or an action without car, a wrong shape, what is not finite, or a
-                closed environment; nothing has moved then.
+            ValueError: a car without action or an action without car, a wrong shape, a value that is not
+                finite, or a closed environment; nothing has moved then.
         """
         self._require_open()
         if set(actions) != set(self.agents):

@@ -106,7 +106,7 @@ class View:
         """Draw nothing yet.
 
         Raises:
-            ValueError: another render_mode than None and those of MODES.
+            ValueError: a render_mode other than None and those of MODES.
         """
         if mode not in (None, *self.MODES):
             raise ValueError(f"render_mode: found {mode!r}, allowed are None, {', '.join(self.MODES)}")

@@ -28,11 +28,11 @@ class Place:
     """array of shape (n, 4): x, y, width to the right and to the left, m; or None"""
 
     def half_width(self, distance):
-        """The lesser of the road's two half widths so far along the course, m."""
+        """The lesser of the road's two half widths at a distance (m) along the course, m."""
         return self._at(distance, self._half_widths)
 
     def width_to_the(self, side, distance):
-        """Width of the road to the "right" or to the "left" of the course so far along it, m."""
+        """Width of the road to the "right" or to the "left" of the course at a distance (m) along it, m."""
         return self._at(distance, self.centreline[:, 2 if side == "right" else 3])
 
     def _at(self, distance, widths):

@@ -1,4 +1,4 @@
-"""Who records episodes: f1tenth_scenarios, which builds on this package and is looked for by name."""
+"""What records episodes: f1tenth_scenarios, which builds on this package and is imported by name."""
 
 import importlib
 from os import PathLike
@@ -10,7 +10,7 @@ def recorder_into(folder, stage):
     """The Recorder of a stage's episodes into a folder; None if there is no folder.
 
     Raises:
-        ValueError: no path; f1tenth_scenarios, which has the report, cannot be imported; the folder has
+        ValueError: not a path; f1tenth_scenarios, which has the report, cannot be imported; the folder has
             episodes.
         OSError: the folder cannot be made.
     """

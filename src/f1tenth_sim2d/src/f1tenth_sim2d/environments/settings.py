@@ -1,4 +1,4 @@
-"""What an environment can be told."""
+"""The settings of an environment."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -119,7 +119,7 @@ def vehicle_keys():
 
 
 def require_number(name, value, least, greatest, kind: type = Real):
-    """Raise ValueError for what is no number of the kind from least to greatest."""
+    """Raise ValueError unless the value is a number of the kind, from least to greatest."""
     is_kind = isinstance(value, Integral if kind is int else kind) and not isinstance(value, bool)
     if not is_kind or not least <= value <= greatest:
         what = "a whole number" if kind is int else "a number"

@@ -21,7 +21,7 @@ class ShownEnv:
         return self._view.render(self._stage.results[0])
 
     def close(self):
-        """Give up everything; closing twice is allowed."""
+        """Release everything; closing twice is allowed."""
         self._view.close()
         if self._recorder and not self._closed:
             self._recorder.close()

@@ -43,7 +43,7 @@ class F1TenthEnv(ShownEnv, gymnasium.Env):
         """Begin an episode.
 
         Args:
-            seed: of all that is drawn from now on.
+            seed: of all random draws from now on.
             options: both optional: {"poses": array of shape (cars, 3), x, y, yaw, where the cars start;
                 "noise_seed": of the sensors}.
 

@@ -15,20 +15,20 @@ from f1tenth_sim2d.environments.settings import SPEED_LIMIT, Settings
 
 
 class Stage:
-    """Simulations as the settings want them.
+    """Simulations as the settings define them.
 
     Attributes:
         settings: Settings.
         place: Place.
         cars: descriptions of the cars of an environment, list of f1tenth_sim2d.Car.
-        results: view of what has become of the cars, structured array of shape (count, cars); see
+        results: view of the results of the cars, structured array of shape (count, cars); see
             Environments.results.
         times: view of the simulated times, s, float64 array of shape (count,).
         car_space, action_space: of one car.
     """
 
     def __init__(self, settings: dict, count: int = 1, threads: int = 1):
-        """Load the place and build as many environments; raises what F1TenthEnv does."""
+        """Load the place and build `count` environments; raises what F1TenthEnv raises."""
         self.settings = _settings(settings)
         self.place = find_place(self.settings.place)
         self._require_course()
@@ -39,7 +39,7 @@ class Stage:
         self._require_speeds()
         self._environments = self._build(count, threads)
         self.results = self._environments.results
-        # The same memory as plain numbers: fields of a structured array are slow to come by.
+        # The same memory as plain numbers: fields of a structured array are slow to access.
         self._names = self.results.dtype.names
         self._numbers = self.results.view(np.float64).reshape(*self.results.shape, -1)
         self.times = self._environments.times
@@ -58,7 +58,7 @@ class Stage:
             )
 
     def _require_vehicle(self):
-        """Refuse numbers of which an episode would draw a car that cannot be."""
+        """Refuse parameters from which an episode could draw an impossible car."""
         for end in (0, 1):
             parameters = copy.copy(self._parameters)
             try:
@@ -69,7 +69,7 @@ class Stage:
                 raise ValueError(f"vehicle: {error}") from error
 
     def _require_speeds(self):
-        """Refuse numbers with which an action would ask for a speed that a simulation refuses."""
+        """Refuse parameters with which an action could ask for a speed that a simulation refuses."""
         lead, what = 0.0, ""
         if self.settings.actions == "acceleration":
             lead, what = self._drawn("a_max")[1] / self._drawn("speed_gain")[0], " + a_max / speed_gain"
@@ -121,8 +121,8 @@ class Stage:
         """Drive for one period.
 
         Args:
-            actions: of shape (count, cars, 2), as the action space says; what is beyond its limits is
-                clipped.
+            actions: of shape (count, cars, 2), as the action space says; values beyond its limits
+                are clipped.
             driven: bool array of shape (count, cars), see Environments.step.
 
         Raises:
@@ -181,7 +181,7 @@ class Stage:
         return done
 
     def out_of_time(self):
-        """Which environments have come to the end of their time: bool array of shape (count,)."""
+        """Which environments have reached the end of their time: bool array of shape (count,)."""
         return self.times >= self.settings.max_time - self.settings.period / 2
 
     def _parts(self):
@@ -207,7 +207,7 @@ class Stage:
         return np.array([-steering, slowest]), np.array([steering, fastest])
 
     def _drawn(self, name):
-        """The least and the greatest that a number of the cars can be."""
+        """The least and the greatest value that a parameter of the cars can have."""
         value = self.settings.vehicle.get(name, getattr(self._parameters, name))
         return value if isinstance(value, (tuple, list)) else (value, value)
 

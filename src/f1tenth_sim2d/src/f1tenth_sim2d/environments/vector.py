@@ -14,7 +14,7 @@ from f1tenth_sim2d.environments.stage import Stage, repeated
 class F1TenthVectorEnv(VectorEnv):
     """Environments that share one world and are stepped by several threads.
 
-    Environment i, reset with seed s, does what a single one does that was reset with seed s + i, bit for bit,
+    Environment i, reset with seed s, does what a single one reset with seed s + i does, bit for bit,
     however many there are. One that has ended begins anew in the step after (AutoresetMode.NEXT_STEP).
 
     The info has the results of the cars by their names (arrays of shape (num_envs, cars), see
@@ -28,7 +28,7 @@ class F1TenthVectorEnv(VectorEnv):
 
         Args:
             num_envs: how many environments.
-            threads: that step them; default: one per processor that is to be had.
+            threads: that step them; default: one per available processor.
             render_mode: None; these environments cannot be seen.
             settings: Settings.
         """
@@ -53,7 +53,7 @@ class F1TenthVectorEnv(VectorEnv):
         """Begin an episode of all, or of those that options["reset_mask"] names.
 
         Args:
-            seed: int, the first one's, or a list of one per environment (None: its draws go on).
+            seed: int, the first one's, or a list of one per environment (None: its random draws continue).
             options: as of F1TenthEnv.reset; "reset_mask" is a bool array of shape (num_envs,).
 
         Raises:
@@ -97,7 +97,7 @@ class F1TenthVectorEnv(VectorEnv):
         return self._observation(), all_rewards[:, 0].copy(), finished, late, self._info(all_rewards)
 
     def close_extras(self, **_):
-        """Give up everything."""
+        """Release everything."""
         del self._stage
 
     def _observation(self):

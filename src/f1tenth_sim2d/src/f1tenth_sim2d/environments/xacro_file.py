@@ -4,7 +4,7 @@ from xml.dom import minidom
 
 
 def expanded(path) -> str:
-    """Return the XML that a file becomes when its macros are expanded."""
+    """Return the XML of a file with its macros expanded."""
     import xacro
 
     _write_attributes_unless_told()

@@ -10,4 +10,4 @@ class CircuitError(FileError):
 
 
 class MapError(FileError):
-    """A file is no map; the text is one line that names it."""
+    """A file is not a map; the text is one line that names it."""

@@ -5,7 +5,7 @@ import signal
 
 
 def end_launch() -> None:
-    """Interrupt it, as Ctrl-C does: the end of a required node it takes for an accident, and says so in red.
+    """Interrupt it, as Ctrl-C does: it takes the end of a required node for an accident, and says so in red.
 
     It ends this process as well, but not before this returns.
     """

@@ -1,11 +1,11 @@
-"""What commands are told to write."""
+"""Names of the files that commands are told to write."""
 
 import argparse
 from pathlib import Path
 
 
 def has_name(path):
-    """Whether files can be called after it, unlike after `.` and `..`."""
+    """Whether files can be named after it, unlike `.` and `..`."""
     return path.name not in ("", "..")
 
 

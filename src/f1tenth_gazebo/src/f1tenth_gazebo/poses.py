@@ -7,7 +7,7 @@ Pose = tuple[float, float, float]
 
 
 def composed(outer: Pose, inner: Pose) -> Pose:
-    """Return a pose that is given in the frame of another one in the frame of that."""
+    """Return the pose `inner`, given in the frame of `outer`, in the frame in which `outer` is given."""
     c, s = math.cos(outer[2]), math.sin(outer[2])
     return (
         outer[0] + c * inner[0] - s * inner[1],

@@ -7,7 +7,7 @@ _STEP = 0.02
 
 
 def along(outline):
-    """Samples along a closed outline that has its solid on the left, and the directions away from that."""
+    """Samples along a closed outline that has its solid on the left, and the directions away from it."""
     samples, normals = [], []
     for a, b in zip(outline, np.roll(outline, -1, axis=0)):
         length = np.linalg.norm(b - a)

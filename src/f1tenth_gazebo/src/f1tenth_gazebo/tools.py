@@ -66,7 +66,7 @@ def make_centerline(arguments=None):
 
 
 def _parser(name, what, source, output, output_help, required=True):
-    """The parser of a command that makes files of one; `source`: what that is called, and what it is."""
+    """The parser of a command that makes files from one; `source`: what that is called, and what it is."""
     parser = argparse.ArgumentParser(prog=name, description=what)
     parser.add_argument(source[0], help=source[1])
     parser.add_argument(

@@ -6,7 +6,7 @@ import math
 from f1tenth_gazebo.circuits.circuit import Pose
 
 MIN_STRAIGHT = 0.8
-"""What is shorter between two bends is no straight, m."""
+"""The least length of a straight between two bends, m."""
 
 
 class Lap:

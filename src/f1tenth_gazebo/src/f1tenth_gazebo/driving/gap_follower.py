@@ -1,4 +1,4 @@
-"""A driver that knows no map: of the arcs it could drive, it takes those with the longest way ahead.
+"""A driver without a map: of the arcs it could drive, it takes those with the longest way ahead.
 
 Not the gap follower of f1tenth_sim2d/examples: this one must get round every circuit untouched, and so
 simulates 41 arcs. That one steers into the widest gap, as most do, at a quarter of the cost,
@@ -20,7 +20,7 @@ class GapFollowerOptions:
     max_lateral_acceleration: float = 0.6
     """In bends, m/s^2."""
     stopping_acceleration: float = 2.0
-    """Never faster than what this stops within the way ahead, m/s^2."""
+    """Braking that must be able to stop the car within the way ahead, m/s^2."""
     max_steering_angle: float = 0.4
     """rad, to either side."""
     wheelbase: float = 0.33
@@ -46,12 +46,12 @@ class GapFollower:
 
     ARCS = 41
     BEAMS = 270
-    """About as many beams are looked at: one per degree finds whatever stands on a road."""
+    """About that many beams are looked at: one per degree finds whatever stands on a road."""
     HALF_WIDTH = 0.14
-    """Of what stops the car when it is before the bumper, m: less than half of the car, which is 0.31 m wide,
-    as the drives were tuned with it."""
+    """Half width of the zone before the bumper in which something stops the car, m: less than half of the
+    car's 0.31 m, because the drives were tuned with it."""
     DECISIVENESS = 12
-    """How much better ways count more than worse ones in the mean of the steering angles."""
+    """How much more better ways count than worse ones in the mean of the steering angles."""
 
     def __init__(self, angle_min, angle_increment, beam_count, options=None):
         """Take the geometry of the scans: rad, 0 is ahead, left is positive."""

@@ -21,11 +21,11 @@ from f1tenth_gazebo.maps.occupancy import grid_of
 from f1tenth_gazebo.outputs import has_name
 
 STANDS = 0.1
-"""Slower than this the car stands, m/s."""
+"""Below this speed the car counts as standing, m/s."""
 SCANS_STANDING = 40
 """Until the drive is finished: in lockstep the mapper's last map has arrived by then."""
 _ALL_THAT_WAIT = 2**22
-"""Bytes: of what it reads at once rospy keeps the newest, and it must have read all for that."""
+"""Bytes: rospy keeps the newest of the messages that it reads at once, so it must read all at once."""
 
 
 class LapDriver:
@@ -53,7 +53,7 @@ class LapDriver:
         if self.finished.is_set() or self._is_over(scan.header.stamp):
             self.finished.set()
             if self.in_lockstep:
-                # Nothing goes on until the map is saved, so that it is the same map every time.
+                # Time stands still until the map is saved, so that it is the same map every time.
                 self.released.wait()
             return
         speed, steering = (0.0, 0.0) if self.watch.is_over or self.problem else self._command(scan)
@@ -83,7 +83,7 @@ class LapDriver:
 
 
 class MapKeeper:
-    """Keeps the last map: when a launch is interrupted, its mapper ends as soon as everybody else."""
+    """Keeps the last map: when a launch is interrupted, its mapper ends as soon as all other nodes."""
 
     def __init__(self):
         """Subscribe."""
@@ -98,7 +98,7 @@ class MapKeeper:
     def wait_for_mapper(self):
         """Wait until the mapper has taken in all scans so far; without lockstep it may be seconds behind.
 
-        Of two calls it answers the second one after the scans that came before the first.
+        It answers the second of two calls after the scans that came before the first.
         """
         ask = rospy.ServiceProxy("/dynamic_map", GetMap)
         try:
@@ -127,7 +127,7 @@ def drive(driver, keeper, stem):
     while not driver.finished.wait(0.1) and not rospy.is_shutdown():
         pass
     way = f"{driver.watch.way:.1f} m"
-    # In lockstep it keeps step, and stands still until the map is saved.
+    # In lockstep the mapper keeps up, and stands still until the map is saved.
     if driver.finished.is_set() and not driver.in_lockstep:
         keeper.wait_for_mapper()
     try:

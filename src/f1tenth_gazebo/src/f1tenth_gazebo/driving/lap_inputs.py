@@ -19,7 +19,7 @@ MAP_DELAY = 0.1
 
 
 class Stamped:
-    """Which message belongs to a stamp must not depend on when it arrives."""
+    """Messages by their stamps: which one belongs to a stamp must not depend on when it arrives."""
 
     def __init__(self):
         """Start without any message."""

@@ -7,7 +7,7 @@ REACH = 3.0
 MAX_TURN = 1.0
 """Difference from the direction at the start in which the line is crossed, rad."""
 LEAST_WAY = 12.0
-"""No lap is shorter, m."""
+"""The least length of a lap, m."""
 OVERLAP = 10.0
 """Way beyond the start, m: what has been seen twice closes the map."""
 BEND = 0.5
@@ -17,7 +17,7 @@ BEHIND_BEND = 8.0
 MOST_OVERLAP = 100.0
 """Way beyond the start without a bend, m."""
 PATIENCE = 30.0
-"""Time in which a car that gets on drives `STEP`, s."""
+"""Time in which a car that makes progress drives `STEP`, s."""
 STEP = 0.5
 """m"""
 
@@ -51,7 +51,7 @@ class LapWatch:
         """Take the next pose in the map: s, m and rad.
 
         Raises:
-            LapError: if the car stands still, or the time limit is over.
+            LapError: if the car stands still, or the time limit is exceeded.
         """
         if not self._start:
             self._start = (time, x, y, yaw)

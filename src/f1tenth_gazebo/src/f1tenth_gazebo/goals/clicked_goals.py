@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 REACH = 0.3
-"""How near a goal a click is on that goal, m."""
+"""Within what distance of a goal a click counts as on it, m."""
 CLEARANCE = 0.2
 """How much room a goal needs, m: a bit more than half the width of the car."""
 _OCCUPIED = 50  # of a cell, from 0 to 100
@@ -18,7 +18,7 @@ class ClickedGoals:
         self._grid: Any = None
 
     def take(self, pose):
-        """A click; returns whether a goal was added, or else taken away."""
+        """Take a click; returns whether a goal was added; if not, one was removed."""
         for place, known in enumerate(self.poses):
             if math.dist((pose.x, pose.y), (known.x, known.y)) < REACH:
                 del self.poses[place]
@@ -27,7 +27,7 @@ class ClickedGoals:
         return True
 
     def take_map(self, grid):
-        """A nav_msgs/OccupancyGrid that the goals are to lie on."""
+        """Take the nav_msgs/OccupancyGrid that the goals are to lie on."""
         self._grid = grid
 
     def problems(self):
@@ -48,7 +48,7 @@ class ClickedGoals:
         return "where the map is unknown" if cells[0] < 0 else ""
 
     def _cell(self, x, y):
-        """What the map says of a place; nothing outside of it. Maps are not turned."""
+        """The map's value at a place; None outside of the map. Maps are not rotated."""
         info = self._grid.info
         column = math.floor((x - info.origin.position.x) / info.resolution)
         row = math.floor((y - info.origin.position.y) / info.resolution)

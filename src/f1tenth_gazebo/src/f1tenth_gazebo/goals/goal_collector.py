@@ -56,7 +56,7 @@ class GoalCollector:
         try:
             if goals:
                 save_goals_file(self._path, goals)
-            else:  # An empty file is none.
+            else:  # An empty file is not a goals file.
                 Path(self._path).unlink(missing_ok=True)
         except (GoalsFileError, OSError) as error:
             rospy.logerr("%s", error)

@@ -3,7 +3,7 @@
 from f1tenth_gazebo.circuits.lap import Lap
 
 SPACING = 6.5
-"""Distance from one goal to the next that is aimed at, m."""
+"""Desired distance from one goal to the next, m."""
 MAX_SHIFT = 0.6
 """How far a goal may be moved along the lap to lie on a straight, m."""
 PAST_START = 1.0

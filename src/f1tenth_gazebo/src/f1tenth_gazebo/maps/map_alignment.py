@@ -1,8 +1,8 @@
-"""Lays a world onto a map of it, as one lays a trajectory onto the truth to judge its shape alone.
+"""Aligns a world with a map of it, as trajectories are aligned with the truth to judge their shape alone.
 
 The frame of a map begins where its first pose believes itself to be: a turn of the whole map about it says
-nothing of the map's shape. Benchmarks of SLAM lay poses onto the truth for that: Sturm et al., A Benchmark
-for the Evaluation of RGB-D SLAM Systems, IROS 2012, section IV.B.
+nothing about the map's shape. Benchmarks of SLAM align poses with the truth for that: Sturm et al., A
+Benchmark for the Evaluation of RGB-D SLAM Systems, IROS 2012, section IV.B.
 """
 
 import math
@@ -44,12 +44,12 @@ class Alignment:
         return (points - (self.x, self.y)) @ np.array([[c, -s], [s, c]])
 
     def after(self, x, y, turn):
-        """The map is moved like this first."""
+        """The alignment of a map that is moved like this first."""
         return Alignment(*composed((self.x, self.y, self.turn), (x, y, turn)))
 
 
 def aligned(grid, outlines, circles):
-    """Return the Alignment that lays the wall cells onto the walls, by the squares of their distances.
+    """Return the Alignment that fits the wall cells to the walls, by the squares of their distances.
 
     Begins where the map says that it is (iterated closest points, along the normals of the walls), for maps
     that lie within a quarter of a metre of the truth. Arguments and errors as of check_map.
@@ -58,7 +58,7 @@ def aligned(grid, outlines, circles):
     found = Alignment()
     for _ in range(_ROUNDS):
         walls, normals = true_walls(*found.section_on_map(outlines, circles))
-        # The back of a wall may be nearer to its cells, and looks the other way.
+        # The back of a wall may be nearer to its cells, and faces the other way.
         seen = are_in_sight(walls, normals, grid)
         step = _step_towards(walls.data[seen], normals[seen], cells)
         found = found.after(*step)

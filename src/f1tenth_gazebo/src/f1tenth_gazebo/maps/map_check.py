@@ -9,9 +9,9 @@ from f1tenth_gazebo.errors import MapError
 from f1tenth_gazebo.sampling import along, around
 
 _NEAR = 0.05
-"""m, and a cell of the map: so far may a wall cell be from a wall"""
+"""m, plus a cell of the map: how far a wall cell may be from a wall"""
 _BEFORE = (0.1, 0.2, 0.3)
-"""m; a true wall counts if the map is free so far before it, with no other wall between: what no car sees,
+"""m; a true wall counts if the map is free this far before it, with no other wall between: what no car sees,
 nobody can map."""
 _TOUCHING = 0.01
 """m"""

@@ -33,7 +33,7 @@ class Grid:
     y: float  # m
     resolution: float = RESOLUTION  # m
     free_thresh: float = 0.196  # how dark a free pixel is at most: 0 is white, 1 black
-    occupied_thresh: float = 0.65  # and one of a wall at least
+    occupied_thresh: float = 0.65  # and how dark one of a wall is at least
 
     @property
     def extent(self):
@@ -43,7 +43,7 @@ class Grid:
 
     @cached_property
     def cells(self):
-        """Of a nav_msgs/OccupancyGrid, int8, as map_server makes them of pixels (mode trinary)."""
+        """Those of a nav_msgs/OccupancyGrid, int8, as map_server makes them from pixels (mode trinary)."""
         dark = (255.0 - self.pixels) / 255.0
         return np.select([dark > self.occupied_thresh, dark < self.free_thresh], [100, 0], -1).astype(np.int8)
 

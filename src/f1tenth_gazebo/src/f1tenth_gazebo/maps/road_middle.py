@@ -10,13 +10,13 @@ from scipy import ndimage
 from f1tenth_gazebo.errors import MapError
 
 _LEAST_INSIDE = 0.2
-"""m^2, that a road goes around; what is smaller lies on it"""
+"""m^2, the least that a road goes around; anything smaller lies on it"""
 _STEP = 0.1
 """m, between the points that are smoothed"""
 _SMOOTH = 0.3
 """m, standard deviation: a contour follows the cells"""
 _KEPT = 3
-"""Every which of them is kept."""
+"""Every n-th of them is kept."""
 
 
 def middle_of_road(grid, start=(0.0, 0.0, 0.0)):
@@ -80,7 +80,7 @@ def _smooth(points):
 
 
 def _from_start(rows, start):
-    """The same line from the start on, the way that it faces."""
+    """The same line from the start on, in the direction that it faces."""
     rows = np.roll(rows, -np.argmin(np.hypot(*(rows[:, :2] - start[:2]).T)), axis=0)
     heading = rows[1, :2] - rows[-1, :2]
     is_against = heading @ (math.cos(start[2]), math.sin(start[2])) < 0.0

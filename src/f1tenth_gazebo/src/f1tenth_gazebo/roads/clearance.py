@@ -9,7 +9,7 @@ from f1tenth_gazebo.sampling import along
 def clearance(points, walls, islands):
     """Distance from each point to the nearest of the walls and islands, m.
 
-    Up to half a step between samples too much.
+    Too large by up to half a step between samples.
 
     Args:
         points: shape (n, 2), m.

@@ -1,4 +1,4 @@
-"""What makes a road of a polygon: hairpins, chicanes, straights, the wanted length."""
+"""What turns a polygon into a road: hairpins, chicanes, straights, the wanted length."""
 
 import math
 
@@ -10,7 +10,7 @@ _CHICANE_TURN = (math.radians(25.0), math.radians(50.0))
 
 
 def add_hairpin(rng, outline, gap, least_radius, reach):
-    """With a finger on one edge: out, half a circle, back beside the way out.
+    """The outline with a finger on one edge: out, half a circle, back beside the way out.
 
     Args:
         gap: (least, greatest) distance between the ways out and back, m.
@@ -30,7 +30,7 @@ def add_hairpin(rng, outline, gap, least_radius, reach):
 
 
 def add_chicane(rng, outline, least_radius, width):
-    """With a step aside and back on one edge."""
+    """The outline with a step aside and back on one edge."""
     offset = rng.uniform(0.6, 1.2) * max(width, 3.0 * least_radius)
     turn = rng.uniform(*_CHICANE_TURN)
     step, pause = offset / math.tan(turn), rng.uniform(1.0, 1.6) * 2.0 * least_radius * math.tan(turn / 2)
@@ -75,7 +75,7 @@ def pull_to_length(rng, outline, length, straight):
 
 
 def _pulled_towards(outline, edge, most, length):
-    """Pulled by at most that many m, and no longer than length."""
+    """The outline, pulled by at most `most` m, and no longer than `length`."""
     if _pulled(outline, edge, most).length() <= length:
         return _pulled(outline, edge, most)
     amount = brentq(lambda amount: _pulled(outline, edge, amount).length() - length, 0.0, most, xtol=1e-9)

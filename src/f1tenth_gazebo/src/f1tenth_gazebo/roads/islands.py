@@ -9,9 +9,9 @@ from f1tenth_gazebo.roads.road_options import ISLAND_RADII, MIN_WIDTH
 _STRAIGHT = 4.0
 """Around an island the road bends with at least this radius, m."""
 _REACH = 4.0
-"""Before an island the line begins to turn aside, behind it it has come back, m."""
+"""How far before an island the line begins to turn aside, and how far behind it is back, m."""
 _START = 6.0
-"""No island lies nearer to the start, m."""
+"""The least distance of an island from the start, m."""
 _TRIES = 60
 
 
@@ -29,7 +29,7 @@ def place_islands(rng, line, widths, options):
             break
         i = int(rng.integers(len(line.points)))
         radius = rng.uniform(*ISLAND_RADII)
-        # On either side of it, the passage on the other side.
+        # The island is on either side, the passage on the other.
         side, room = rng.choice([-1.0, 1.0]), widths[i] - MIN_WIDTH - 2.0 * radius
         if room < 0.0 or not _is_free(line, i, taken):
             continue

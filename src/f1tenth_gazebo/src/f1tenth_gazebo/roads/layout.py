@@ -10,13 +10,13 @@ from f1tenth_gazebo.roads.winding import winding_polygon
 from f1tenth_gazebo.worlds.walls import THICKNESS
 
 COARSE, FINE = 0.4, 0.1
-"""Steps along the centreline, m: for a first look, and of what is kept."""
+"""Steps along the centreline, m: for a first look, and in the result."""
 GREATEST_RADIUS = 6.0
 """Of the bends, m."""
 _TRIES = 20
-"""For each part of a road, before all of it is drawn anew."""
+"""Attempts at each part of a road, before all of it is drawn anew."""
 _WIDTH_CHANGE = 12.0
-"""About every so many m the road has another width."""
+"""Distance, about, at which the width of the road changes, m."""
 
 
 def draw_centreline(rng, options):

@@ -42,7 +42,7 @@ class Outline:
         return np.remainder(headings - np.roll(headings, 1) + np.pi, 2.0 * np.pi) - np.pi
 
     def greatest_radii(self):
-        """With which half of the edges beside each corner goes into its bend, m."""
+        """The radii with which each bend takes half of the shorter edge at its corner, m."""
         lengths = self.lengths()
         room = 0.5 * np.minimum(lengths, np.roll(lengths, 1))
         return room / np.maximum(np.tan(0.5 * np.abs(self.turns())), 1e-9)

@@ -16,7 +16,7 @@ _ATTEMPTS = 200
 _EASING = 40
 """Attempts after which nothing is left of the features that a seed has drawn."""
 TOLERANCE = 0.03
-"""Of radii and widths, m: the line is a polygon, and walls are straight pieces."""
+"""Tolerance of radii and widths, m: the line is a polygon, and walls are straight pieces."""
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from f1tenth_gazebo.whole_files import write_all
 from f1tenth_gazebo.worlds.world_file import road_world_text
 
 _CENTRELINE_STEP = 3
-"""Every which sample of the line stands in the file."""
+"""The file has every n-th sample of the line."""
 
 
 def write_road(road, stem):

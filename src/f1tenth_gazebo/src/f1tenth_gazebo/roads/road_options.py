@@ -1,4 +1,4 @@
-"""What a random road shall be like."""
+"""What a random road is to be like."""
 
 import math
 from dataclasses import asdict, dataclass, field, fields, replace
@@ -12,7 +12,7 @@ CAR_WIDTH = 0.31
 MIN_RADIUS = 1.1 * CAR_RADIUS
 """Least radius that a road may have, m."""
 MIN_WIDTH = 1.2
-"""No road, and no passage beside an island, is narrower, m."""
+"""The least width of a road, and of a passage beside an island, m."""
 ISLAND_RADII = (0.1, 0.3)
 """m"""
 
@@ -45,7 +45,7 @@ class RoadOptions:
     islands: int = _option(0, 10, "round obstacles on the road")
 
     def __post_init__(self):
-        """Raise RoadError for what no road can be like."""
+        """Raise RoadError for values that no road can have."""
         for name in LIMITS:
             _require_within_limits(name, getattr(self, name))
         self._check_together()
@@ -71,10 +71,10 @@ LIMITS: dict[str, tuple[float, float]] = {each.name: each.metadata["limits"] for
 
 
 def drawn_options(rng, **given):
-    """Options at random, but those that are given. What a seed draws for the others does not depend on them.
+    """Random options, except those given. What a seed draws for the others does not depend on the given ones.
 
     Raises:
-        RoadError: for a name that is no option, or a value that is not allowed.
+        RoadError: for a name that is not an option, or a value that is not allowed.
     """
     unknown = sorted(given.keys() - LIMITS.keys())
     if unknown:

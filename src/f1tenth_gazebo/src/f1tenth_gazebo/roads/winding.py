@@ -5,7 +5,7 @@ from scipy.spatial import Voronoi
 from shapely.geometry import Polygon
 
 _DISORDER = 0.35
-"""How far the middles of the cells may lie beside a regular grid, in its spacings."""
+"""How far the middles of the cells may be off a regular grid, in its spacings."""
 _SHORT = 0.4
 """Edges shorter than this many spacings become a corner."""
 
@@ -40,7 +40,7 @@ def _cells(rng, spacing, count):
 
 
 def _grow(rng, shape, left):
-    """Add a cell that touches the shape along one line, so that no hole comes into being; or None."""
+    """Add a cell that touches the shape along one line, so that no hole arises; or None."""
     for i in rng.permutation(len(left)):
         shared = shape.intersection(left[i])
         if shared.length < 1e-6:

@@ -10,7 +10,7 @@ from f1tenth_gazebo.worlds.walls import HEIGHT
 _MARGIN = 0.2
 """Least length of wall beside an opening, m."""
 _OVERLAP = 0.001
-"""Of the blocks below and above an opening with those beside it, m: rounding shall leave no slit."""
+"""Overlap of the blocks below and above an opening with those beside it, m: rounding must leave no slit."""
 
 
 @dataclass(frozen=True)

@@ -98,7 +98,7 @@ def world_text(circuit):
 
 
 def road_world_text(name, walls, cylinders, material):
-    """The world file of walls and of cylinders (x, y, radius in m) as high as they."""
+    """The world file of walls and of cylinders (x, y, radius in m) as high as the walls."""
     links = wall_links(walls, {})
     for i, (x, y, radius) in enumerate(cylinders):
         shape = _CYLINDER.format(radius=_number(radius), length=HEIGHT)

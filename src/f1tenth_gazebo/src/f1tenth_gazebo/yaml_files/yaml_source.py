@@ -17,7 +17,7 @@ def compose(path: Path) -> yaml.MappingNode:
     """Read a file whose top level is a mapping.
 
     Raises:
-        FileError: the file cannot be read, is not YAML, or holds something else than a mapping.
+        FileError: the file cannot be read, is not YAML, or holds something other than a mapping.
     """
     try:
         with open(path, encoding="utf-8") as stream:
@@ -51,7 +51,7 @@ def items(node: yaml.MappingNode) -> Iterator[tuple[str, yaml.Node, yaml.Node]]:
 
 
 def scalar(node: yaml.Node):
-    """The Python value of a node; nothing for a list, a mapping and a tag that is not YAML's own."""
+    """The Python value of a node; None for a list, a mapping and a tag that is not YAML's own."""
     if not isinstance(node, yaml.ScalarNode):
         return None
     try:

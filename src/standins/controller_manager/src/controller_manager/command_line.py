@@ -12,7 +12,7 @@ DEFAULT_TIMEOUT = 30.0  # wall s
 
 
 def spawner_parser():
-    """Of `spawner`."""
+    """The parser of `spawner`."""
     parser = argparse.ArgumentParser(
         prog="spawner", description="Load and start controllers; stop them at the end."
     )
@@ -33,7 +33,7 @@ def spawner_parser():
 
 
 def unspawner_parser():
-    """Of `unspawner`."""
+    """The parser of `unspawner`."""
     parser = argparse.ArgumentParser(
         prog="unspawner", description="Stop controllers; start them again at the end."
     )
@@ -62,7 +62,7 @@ WITHOUT_NAMES = ("list", "list-types", "reload-libraries")
 
 
 def manager_parser():
-    """Of `controller_manager`."""
+    """The parser of `controller_manager`."""
     parser = argparse.ArgumentParser(prog="controller_manager")
     parser.add_argument("command", choices=COMMANDS)
     parser.add_argument("controllers", nargs="*", metavar="CONTROLLER")

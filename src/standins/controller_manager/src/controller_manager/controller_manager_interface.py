@@ -1,4 +1,4 @@
-"""The services of a controller manager as functions that print what became of it and return success."""
+"""The services of a controller manager as functions that print the outcome and return success."""
 
 import rosgraph
 import rospy
@@ -34,7 +34,7 @@ def managers():
 
 
 def service_name(service):
-    """Of a service of the controller manager."""
+    """Full name of a service of the controller manager."""
     return f"{_manager}/{service}"
 
 
@@ -42,7 +42,7 @@ def call(service, kind, *arguments, timeout=None):
     """Call a service of the controller manager of this namespace.
 
     Raises:
-        rospy.ROSException: it has not come within the timeout, wall s.
+        rospy.ROSException: it did not appear within the timeout, wall s.
         rospy.ServiceException: it failed.
     """
     name = service_name(service)

@@ -25,16 +25,16 @@ def wait_for_manager(timeout):
         timeout: wall s for each of its services; None: for ever.
 
     Raises:
-        rospy.ROSException: it has not come.
+        rospy.ROSException: it did not appear.
     """
     for service in SERVICES:
         rospy.wait_for_service(manager.service_name(service), timeout)
 
 
 class Ending:
-    """Shuts ROS down on SIGINT and SIGTERM: beside the main thread, and not while that loads a controller.
+    """Shuts ROS down on SIGINT and SIGTERM: in another thread, not while the main one loads a controller.
 
-    rospy would do it in the signal's handler, and hang where the main thread is logging: both ask the master.
+    rospy would do it in the signal's handler, and hang if the main thread is logging: both ask the master.
 
     Args:
         patience: wall s for the controller that is being loaded.
@@ -71,7 +71,7 @@ def load(controllers, loaded, ending):
 def take_away(loaded, timeout):
     """Stop and unload what was loaded, if the controller manager answers within timeout, wall s.
 
-    One that has ended has taken its controllers along; one that is ending has as long once more to be gone.
+    A manager that has ended has taken them along; one that is ending has as long once more to be gone.
     """
     if not loaded or not all(map(_is_there, SERVICES)):
         return

@@ -9,7 +9,7 @@ STEP = 0.001  # s
 
 
 def real_time_factor(world_file, profile=None):
-    """Return simulated seconds per wall second, 0 for as fast as it goes, None if the world does not say.
+    """Return simulated seconds per wall second, 0 for as fast as possible, None if the world does not say.
 
     The simulator keeps its own step: what counts is how much simulated time the world's steps make.
 
@@ -18,7 +18,7 @@ def real_time_factor(world_file, profile=None):
         profile: name of a <physics> element; else the one that is marked as default counts, else the first.
 
     Raises:
-        UsageError: there is no such profile, or a number in it is none.
+        UsageError: there is no such profile, or a number in it is not one.
     """
     try:
         world = ElementTree.parse(world_file).getroot().find("world")

@@ -38,7 +38,7 @@ def executable():
 
 
 def set_parameters(name, options):
-    """Say what the command line says; other parameters of the tree are the user's.
+    """Set what the command line gives; other parameters of the tree are the user's.
 
     Args:
         name: of the node.

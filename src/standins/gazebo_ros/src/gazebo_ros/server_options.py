@@ -21,7 +21,7 @@ def _seed(text):
 
 
 def parse(arguments):
-    """Read the arguments without the name of the program, remappings left aside.
+    """Read the arguments without the name of the program; remappings are ignored.
 
     Returns:
         (options, left_out): world as written, pause, profile (name of the world's <physics> that counts) and
@@ -56,7 +56,7 @@ def find_world(name, folders):
     """Return the path of a world.
 
     Args:
-        name: a path, absolute or from here, or one below a folder.
+        name: a path, absolute or from the working directory, or one below a folder.
         folders: looked through in order.
 
     Raises:

@@ -58,7 +58,7 @@ def _parser(namespace):
 
 
 def parse(arguments, namespace):
-    """Read the arguments without the name of the program, remappings left aside.
+    """Read the arguments without the name of the program; remappings are ignored.
 
     Args:
         namespace: of this node, the default of the robot's.

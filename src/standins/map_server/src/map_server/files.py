@@ -1,4 +1,4 @@
-"""Writes files so that nobody ever finds half of one."""
+"""Writes files so that nobody ever finds a partial one."""
 
 import contextlib
 import os

@@ -49,7 +49,7 @@ class MapServerNode:
             rospy.logwarn("Keys without meaning in a map file: %s", ", ".join(metadata.unknown_keys))
         grid = load_map(metadata)
         rospy.loginfo("Read a map of %d x %d cells of %.3f m", grid.width, grid.height, grid.resolution)
-        # Not waiting for a valid clock: a simulated clock may start only when everybody has the map.
+        # Not waiting for a valid clock: a simulated clock may start only when all nodes have the map.
         return to_occupancy_grid(grid, self._frame_id, rospy.Time.now())
 
     def _publish(self):

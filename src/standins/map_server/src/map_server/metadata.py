@@ -1,4 +1,4 @@
-"""The YAML file of a map: read, checked, never half believed."""
+"""The YAML file of a map: read and checked, accepted whole or not at all."""
 
 import math
 from dataclasses import dataclass
@@ -62,7 +62,7 @@ def metadata_from(values, source):
 
 
 def _document(path):
-    """Read as yaml-cpp, behind the original, does: the first document, of two equal keys the first one.
+    """Read as the original's yaml-cpp does: the first document, and the first of two equal keys.
 
     Values are text, as 010 is ten in a map file and eight in YAML 1.1. Only libyaml takes tabs after a colon.
     """
@@ -80,7 +80,7 @@ def _document(path):
 
 
 def _text_of(node):
-    """The text of a scalar, or of the scalars in a list; None for whatever else."""
+    """The text of a scalar, or of the scalars in a list; None for anything else."""
     if isinstance(node, yaml.SequenceNode):
         return [item.value if isinstance(item, yaml.ScalarNode) else None for item in node.value]
     return node.value if isinstance(node, yaml.ScalarNode) else None

@@ -1,4 +1,4 @@
-"""From how dark a pixel is to what a cell of the grid says, and back."""
+"""From the darkness of a pixel to the value of a cell of the grid, and back."""
 
 import numpy as np
 
@@ -35,7 +35,7 @@ def _scaled(occupancy, metadata):
 
 
 def pixels_from_cells(cells, occupied_at_least, free_at_most):
-    """Return the uint8 pixels that say free, occupied or unknown; same shape as the int8 cells."""
+    """Return the uint8 pixels that mean free, occupied or unknown; same shape as the int8 cells."""
     pixels = np.full(cells.shape, PIXEL_UNKNOWN, dtype=np.uint8)
     pixels[(cells >= 0) & (cells <= free_at_most)] = PIXEL_FREE
     pixels[cells >= occupied_at_least] = PIXEL_OCCUPIED

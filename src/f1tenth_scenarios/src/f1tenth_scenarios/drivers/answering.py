@@ -1,4 +1,4 @@
-"""Answering each scan by the odometry that belongs to it, though the two come over different connections."""
+"""Answering each scan with the odometry of its time, though the two come over different connections."""
 
 import threading
 from typing import Any, Callable, Optional
@@ -7,7 +7,7 @@ from f1tenth_scenarios.record.record import STAMP_EPSILON
 
 
 class Answering:
-    """Calls back once a scan, as soon as the newest odometry up to its stamp is there; from any thread."""
+    """Calls back once per scan, as soon as the newest odometry up to its stamp is there; from any thread."""
 
     def __init__(self, answer: Callable[[float, Any], None], odometry_period: float):
         """`answer` gets the scan's stamp (s) and the odometry; `odometry_period` in s."""

@@ -1,4 +1,4 @@
-"""Who is connected with the driver's nodes, by the word of the master and of those who publish."""
+"""What is connected with the driver's nodes, according to the master and to the publishers."""
 
 import xmlrpc.client
 from collections.abc import Iterator
@@ -17,7 +17,7 @@ Connection = tuple[str, str, str]  # topic, publisher, subscriber
 
 
 class Connections:
-    """Those of the nodes that subscribe to a topic of their own: the driver's clock."""
+    """Those of the driver's nodes, which are known by the topic that only they subscribe to: their clock."""
 
     def __init__(self, caller: str, clock: str):
         """`caller`: full name of the node that asks, whose links count, too; `clock`: that of the topic."""
@@ -45,7 +45,7 @@ class Connections:
         }
 
     def missing(self) -> set[Connection]:
-        """Those that should be there by what the master says, and are not."""
+        """Those that should be there according to the master, and are not."""
         wanted = set(self._wanted())
         there = {
             (topic, publisher, subscriber)

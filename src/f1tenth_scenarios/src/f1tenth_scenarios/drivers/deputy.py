@@ -21,14 +21,14 @@ _NOTICING = 0.5  # wall s, for which time stands still when a process has ended,
 # Exit codes of a deputy whose driver does not fit, or does not come to rest any more.
 EXIT_MISFIT, EXIT_RESTLESS = 4, 5
 # While the driver starts up:
-_PACE = 0.025  # wall s per period at least: who waits by the wall clock is not overtaken
-_CONNECTING = 0.3  # wall s without a change at the master, after which nobody is about to connect
+_PACE = 0.025  # wall s per period at least: nodes that wait by the wall clock are not overtaken
+_CONNECTING = 0.3  # wall s without a change at the master, after which no node is about to connect
 _UNCONNECTED = 4.0  # wall s, after which a connection is given up: its ends differ in type, or one is gone
-_LOADING = 4.0  # wall s without rest, after which who listens gets its scan: who spins may wait for it
-_SPINNING = 1.0  # wall s without rest after a command, when it has had those: it spins
+_LOADING = 4.0  # wall s without rest, after which a listener gets its scan: one that spins may wait for it
+_SPINNING = 1.0  # wall s without rest after a command, once it has had _LOADING: it spins
 _CALM_PERIODS = 40  # without a command or a new connection, after which it is looked at less closely
 _STEADY_PERIODS = 20  # with commands and without a new connection, after which it has started up
-_LATE_COMMANDS = 3  # sent by somebody at rest, or without rest before the first period: more are no accident
+_LATE_COMMANDS = 3  # sent by a driver at rest, or without rest before the first period: more are no accident
 _RESTLESS = "its threads do not come to rest within {:g} s; sleep with rospy.Rate in its loop"
 
 
@@ -49,7 +49,7 @@ class Deputy:
         Args:
             world: what it sees and does in ROS, the RosWorld of the script `deputy`.
             mark: NAME=VALUE in the environment of the driver's processes.
-            patience: within which the driver must come to rest in a period; wall s.
+            patience: time within which the driver must come to rest in a period; wall s.
             loading: the same while it starts up.
             clock, sleep: wall time, s.
         """
@@ -68,7 +68,7 @@ class Deputy:
         self._pids: set[int] = set()
         self._ended: set[int] = set()  # those of them that are gone, and not held for yet
         self._searched: Optional[float] = None
-        self._asked: Optional[float] = None  # s, who sends commands, before the first period
+        self._asked: Optional[float] = None  # s, of asking who sends commands, before the first period
         self._start: Optional[_Start] = _Start()
 
     def begin(self) -> None:
@@ -85,7 +85,7 @@ class Deputy:
         """Let the driver handle a period; returns when it has.
 
         Raises:
-            MisfitError: while it starts up, the driver does not come to rest, or not go by simulated time.
+            MisfitError: while it starts up, the driver does not come to rest, or ignores simulated time.
             RestlessError: later, it does not come to rest.
         """
         if not self._is_restless:
@@ -127,7 +127,7 @@ class Deputy:
         self._listening_since = None
 
     def _hear_commands(self, start: "_Start") -> None:
-        """Ask who sends commands, as nobody has yet of a driver that was never at rest."""
+        """Ask who sends commands: of a driver that was never at rest, nobody has asked that yet."""
         now = self._clock()
         if start.connections is None and (self._asked is None or now - self._asked > _SEARCH_INTERVAL):
             self._asked = now
@@ -147,8 +147,8 @@ class Deputy:
             self._search()
         if self._start is None:
             return self._rest.is_reached([*self._pids, self._own])
-        # Before the first process has been started there is nobody who could be at rest; and who waits for a
-        # process that it has just started is not.
+        # Before the first process has been started, nothing could be at rest; and a process that waits for
+        # one that it has just started is not.
         everybody = [*self._pids, self._own, *self._helpers]
         return bool(self._pids) and self._rest.is_reached(everybody) and not self._search()
 
@@ -167,9 +167,9 @@ class Deputy:
             self._start = None
 
     def _let_connect(self, start: "_Start") -> None:
-        """Keep the time from overtaking somebody who is about to connect, or waits by the wall clock."""
+        """Keep the time from overtaking a node that is about to connect, or waits by the wall clock."""
         if start.is_calm and self._world.has_node():
-            # Who polls is known by now; before a node has come up, somebody still loads.
+            # Which threads poll is known by now; before a node has come up, something is still loading.
             self._sleep(max(0.0, _PACE - (self._clock() - self._began)))
         else:
             self._watch(_PACE)
@@ -181,7 +181,7 @@ class Deputy:
             self._settle()
 
     def _watch(self, duration: float) -> None:
-        """Learn who polls, from what happens while nothing does."""
+        """Learn which threads poll, from what they do while nothing happens."""
         before, began = self._rest.counts(self._pids), self._clock()
         self._sleep(duration)
         self._rest.learn(before, self._rest.counts(self._pids), self._clock() - began)
@@ -199,7 +199,7 @@ class _Start:
 
     def __init__(self):
         self.connections: object = None
-        self.unconnected: set = set()  # connections that do not come about
+        self.unconnected: set = set()  # connections that are never established
         self._steady_periods = 0  # with commands, and without a new connection
         self._calm_periods = 0  # without a command, and without a new connection
         self._commands = 0
@@ -223,7 +223,7 @@ class _Start:
         """
         if commands > self._commands and self._sending_since is None:
             self._sending_since, self._sent = waited, commands
-        # Before it was given anything, a command may come of somebody who loads on.
+        # Before it was given anything, a command may come from a node that is still loading.
         goes_on = self.connections is not None or commands - self._sent >= _LATE_COMMANDS
         if self._sending_since is not None and waited - self._sending_since > _SPINNING and goes_on:
             raise MisfitError(f"it sends commands, but {_RESTLESS.format(_LOADING)}")
@@ -239,7 +239,7 @@ class _Start:
 
     @property
     def is_calm(self) -> bool:
-        """Whether nothing has come of the driver for a while."""
+        """Whether nothing has come from the driver for a while."""
         return self._calm_periods >= _CALM_PERIODS
 
     @property

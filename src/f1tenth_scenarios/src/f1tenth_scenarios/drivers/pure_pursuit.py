@@ -24,7 +24,7 @@ class PursuitOptions:
     lookahead_time: float = 0.35  # s, adds this times the speed
     reaction_time: float = 0.2  # s, bends do not make the lookahead shorter than this times the speed
     lateral_acceleration: float = 4.0  # m/s^2, slower in bends than this allows
-    braking: float = 4.0  # m/s^2, that it is slow in time with
+    braking: float = 4.0  # m/s^2, with which it slows down in time
     wheelbase: float = 0.33  # m
     steering_max: float = 0.4189  # rad
 
@@ -54,11 +54,11 @@ class PurePursuit:
         return min(options.speed_max, float(self._speed[nearest]), allowed), max(-limit, min(limit, steering))
 
     def _reach(self, nearest: int, distance: float, speed: float) -> float:
-        """How far ahead on the line it is aimed at, m."""
+        """How far ahead on the line the car aims, m."""
         options = self._options
         usual = options.lookahead_min + options.lookahead_time * speed
         in_bends = max(float(self._longest[nearest]), options.lookahead_min, options.reaction_time * speed)
-        # Who is beside the line comes back at a small angle, so as not to overshoot.
+        # A car beside the line comes back at a small angle, so as not to overshoot.
         return max(min(usual, in_bends), 3 * distance)
 
 
@@ -95,7 +95,7 @@ def _longest_chords(curvature: np.ndarray, room: float) -> np.ndarray:
 
 
 def _slow_in_time(speed: np.ndarray, braking: float) -> np.ndarray:
-    """Speeds (m/s) at equal steps of a closed line that braking (m/s^2) can keep to."""
+    """Speeds (m/s) at equal steps of a closed line that can be kept with that braking (m/s^2)."""
     found = speed**2
     gain = 2 * braking * _SPACING
     for _ in range(2):  # the second time around, the beginning is known

@@ -1,7 +1,7 @@
 """Whether processes are at rest: what they were given is handled, and every thread waits for something new.
 
-By what the kernel says of their threads (man 5 proc). A thread that is woken counts as running from that
-moment on, so work that goes from hand to hand is never overlooked.
+Judged by what the kernel says of their threads (man 5 proc). A thread that is woken counts as running from
+that moment on, so work that one thread hands to another is never overlooked.
 """
 
 import dataclasses
@@ -17,10 +17,10 @@ Switches = dict[Thread, bytes]  # how often each thread has been switched to: di
 
 _ASLEEP = b"SIZX"  # waiting, idle, or ended
 _MOMENT = 0.015  # s; a sleep that has lasted longer is a long one
-_LONGEST_POLL = 0.003  # s, between two looks of who polls
+_LONGEST_POLL = 0.003  # s, between two looks of a thread that polls
 _FEWEST_POLLS = 8
 _NAP = b"nanosleep"  # part of what the kernel calls a sleep for some time
-_NO_WAIT = (b"0", b"")  # of who is not switched off yet, or may not be seen
+_NO_WAIT = (b"0", b"")  # of a thread that is not switched off yet, or may not be inspected
 _LONG_ENOUGH = 0.5  # s, to fall asleep
 _SEARCH_LIMIT = 1 << 16  # bytes of an environment that are looked through
 
@@ -32,7 +32,7 @@ def marked_processes(mark: str) -> set[int]:
 
 
 def has_ended(pid: int) -> bool:
-    """Whether a process is gone, or waits to be noticed by who started it."""
+    """Whether a process is gone, or waits to be noticed by its parent."""
     return _state_of(f"/proc/{pid}") in (b"", b"Z", b"X")
 
 
@@ -41,22 +41,22 @@ class Rest:
 
     Some threads wake by themselves to see whether something is new, and sleep on: ros::Rate and ros::Timer do
     so every millisecond while time is simulated. And rospy sleeps for a moment between two subscribers of
-    the same message. So who has just begun a sleep of its own choice, or is known to poll, has to come round
-    once while nobody else does anything; who sleeps for longer than such a moment is at rest.
+    the same message. So a thread that has just begun a sleep of its own choice, or is known to poll, has to
+    come round once while no other does anything; one that sleeps for longer than such a moment is at rest.
     """
 
     def __init__(self, ignored_thread: Optional[int] = None, clock: Callable[[], float] = time.monotonic):
-        """`ignored_thread`: id of one that is not looked at, as that of who asks; `clock`: wall time, s."""
+        """`ignored_thread`: id of one that is not looked at, such as the caller's; `clock`: wall time, s."""
         self._ignored = ignored_thread
         self._clock = clock
         self._tells_waits = _tells_waits()
-        self._awake: Optional[Thread] = None  # who was found running last: it is asked first
+        self._awake: Optional[Thread] = None  # the one that was found running last: it is looked at first
         self._asleep: Optional[_Asleep] = None  # when all were, first
         self._naps: dict[Thread, _Nap] = {}
         self._pollers: set[Thread] = set()
 
     def renew(self) -> None:
-        """Something new was given to the processes: what was seen of them before counts no more."""
+        """Something new was given to the processes: what was seen of them before no longer counts."""
         self._asleep = None
 
     def is_reached(self, pids: Iterable[int]) -> bool:
@@ -72,8 +72,8 @@ class Rest:
             self._asleep = _Asleep(self._clock(), found, set(filter(self._may_wake, found)))
         if not self._has_come_round(self._asleep, found):
             return False
-        # Those that have not been switched to between two looks have slept all the time between them; but who
-        # is only about to sleep may still think better of it.
+        # Those that have not been switched to between two looks have slept all the time between them; but one
+        # that is only about to sleep may still decide otherwise.
         return found == self._look(pids) and None not in map(self._wait_of, found)
 
     def counts(self, pids: Iterable[int]) -> Switches:
@@ -81,7 +81,7 @@ class Rest:
         return {each: self._state(*each)[1] for each in self._threads_of(pids)}
 
     def learn(self, before: Switches, after: Switches, elapsed: float) -> None:
-        """Note who polls, from how often each was switched to while nothing new was given for so long, s."""
+        """Note which threads poll, by how often each was switched to in `elapsed` s with nothing new."""
         least = max(_FEWEST_POLLS, elapsed / _LONGEST_POLL)
         for thread, count in after.items():
             if thread in before and int(count or 0) - int(before[thread] or 0) >= least:
@@ -102,7 +102,7 @@ class Rest:
         return ((pid, thread) for pid in pids for thread in _threads(pid) if thread != self._ignored)
 
     def _note_naps(self, found: Switches) -> bool:
-        """Note who has chosen to sleep since the last time; not if one of them is only about to sleep."""
+        """Note which have chosen to sleep since the last time; False if one of them is only about to."""
         for thread, switches in found.items():
             known = self._naps.get(thread)
             if known is None or known.switches != switches:
@@ -123,13 +123,13 @@ class Rest:
         return all(found[thread] != asleep.switches[thread] for thread in asleep.may_wake)
 
     def _wait_of(self, thread: Thread) -> Optional[bytes]:
-        """In what a thread sleeps, as far as the kernel tells; nothing if it is only about to."""
+        """Where in the kernel a thread sleeps, as far as it tells; None if the thread is only about to."""
         wait = _wait_of(*thread)
         return None if self._tells_waits and wait in _NO_WAIT else wait
 
     @staticmethod
     def _state(pid: int, thread: int) -> tuple[bool, bytes]:
-        """Whether a thread runs or wants to, and how often it was switched to; who is gone is asleep."""
+        """Whether a thread runs or wants to, and how often it was switched to; one that is gone is asleep."""
         folder = f"/proc/{pid}/task/{thread}"
         switches = _read(f"{folder}/schedstat").split()
         state = _state_of(folder)
@@ -145,7 +145,7 @@ class _Asleep:
     may_wake: set[Thread]
 
     def is_same(self, found: Switches) -> bool:
-        """Whether nobody has been awake since, but those who wake by themselves."""
+        """Whether no thread has been awake since, except those that wake by themselves."""
         return found.keys() == self.switches.keys() and all(
             found[thread] == self.switches[thread] for thread in found.keys() - self.may_wake
         )
@@ -165,7 +165,7 @@ def _wait_of(pid: int, thread: int) -> bytes:
 
 
 def _tells_waits() -> bool:
-    """Whether the kernel tells of the threads of this user in what they sleep."""
+    """Whether the kernel tells where the threads of this user sleep."""
     done = threading.Event()
     sleeper = threading.Thread(target=done.wait, daemon=True)
     sleeper.start()
@@ -200,7 +200,7 @@ def _environment(pid: int) -> list[bytes]:
 
 
 def _read(path: str, limit: int = 4096) -> bytes:
-    """Nothing of what is gone or belongs to somebody else."""
+    """The content of a file; empty if it is gone or belongs to somebody else."""
     try:
         descriptor = os.open(path, os.O_RDONLY)
     except OSError:

@@ -47,12 +47,12 @@ def is_standin(package: str) -> bool:
 @functools.lru_cache(maxsize=1)
 def packages() -> rospkg.RosPack:
     """What is known of the installed packages."""
-    # It walks through all of ROS_PACKAGE_PATH when it is asked first.
+    # It walks through all of ROS_PACKAGE_PATH on the first call.
     return rospkg.RosPack()
 
 
 def add_search_path(folder: Path) -> None:
-    """Look for scenarios, worlds, goals and circuits in the folders of this name below a folder, too.
+    """Also look for scenarios, worlds, goals and circuits in the folders of these names below a folder.
 
     It holds for this process and for those that it starts.
     """
@@ -90,22 +90,22 @@ def _scenario(name: str) -> Path:
 
 
 def world_file(name: str, beside: Path) -> Path:
-    """The file of a world, or a map that is used as one; a path counts from the folder `beside`."""
+    """The file of a world, or a map that is used as one; a path is relative to the folder `beside`."""
     return _find("worlds", name, beside)
 
 
 def goals_file(name: str, beside: Path) -> Path:
-    """A goals file; a path counts from the folder `beside`."""
+    """A goals file; a path is relative to the folder `beside`."""
     return _find("goals", name, beside)
 
 
 def course_file(name: str, beside: Path) -> Path:
-    """A circuit's YAML file, or a centreline (CSV); a path counts from the folder `beside`."""
+    """A circuit's YAML file, or a centreline (CSV); a path is relative to the folder `beside`."""
     return _find("circuits", name, beside)
 
 
 def file_at(name: str, beside: Path) -> Path:
-    """A file: package://PACKAGE/PATH, or a path that counts from the folder `beside`.
+    """A file: package://PACKAGE/PATH, or a path relative to the folder `beside`.
 
     Raises:
         ScenarioError: there is no such package or file.
@@ -130,7 +130,7 @@ def file_or_text(text: str, beside: Path) -> str:
 def portable(text: str, beside: Path) -> str:
     """The file that a path names as a scenario file on any machine would: in a package, else from `beside`.
 
-    A text that is no absolute path of a file stays as it is.
+    A text that is not the absolute path of a file stays as it is.
     """
     if not (text.startswith("/") and _is_file(Path(text))):
         return text

@@ -39,7 +39,7 @@ def commits(drivers: Mapping[str, Path]) -> dict[str, Any]:
     return {"commit": own, "driver_commits": {car: _commit(folder) for car, folder in drivers.items()}}
 
 
-@functools.lru_cache  # of when it was asked first: the beginning of the run
+@functools.lru_cache  # as of the first call: the beginning of the run
 def _commit(folder: Path) -> Optional[str]:
     command = ["git", "-C", str(folder), "describe", "--always", "--dirty", "--abbrev=12"]
     try:

@@ -49,7 +49,7 @@ class CarDescription:
     dynamics: dict[str, float]  # keys of a car's YAML file, SI units
 
     def odometry_topic(self, localization: Localization) -> Optional[str]:
-        """Where it is told how the car moves: truly, unless it is to find itself, else by its wheels."""
+        """The topic that tells how the car moves: truly, or by its wheels if it is to localize itself."""
         knows_truth = self.odometry_period and localization is Localization.STATIC
         return _TRUTH if knows_truth else self.odometry
 
@@ -66,7 +66,7 @@ class CarDescription:
 
 
 def read_description(car: Car, beside: Path) -> Optional[CarDescription]:
-    """Expand and read the description of a car, its path from `beside`; nothing for one without its own.
+    """Expand and read the description of a car, its path from `beside`; None for a car without its own.
 
     Raises:
         ScenarioError: there is no such file, or it describes no car; with the file and the place in it.
@@ -79,7 +79,7 @@ def read_description(car: Car, beside: Path) -> Optional[CarDescription]:
 
 
 def _read(file: Path, arguments: Sequence[str], name: str) -> CarDescription:
-    # Only here, because most scenarios need neither, and importing takes time.
+    # Imported late, because most scenarios need neither, and importing takes time.
     import f1tenth_sim2d
     from f1tenth_scenarios.record.scene import lidar_of
 
@@ -128,7 +128,7 @@ def _expanded(file: Path, arguments: Sequence[str]) -> str:
 def check_car(car: Car, description: CarDescription, localization: Localization) -> None:
     """Whether a car of this description can do what the scenario says.
 
-    What a driver needs is known of ours only.
+    What a driver needs is known only of ours.
 
     Raises:
         ScenarioError: it lacks something.

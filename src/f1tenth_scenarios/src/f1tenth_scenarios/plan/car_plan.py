@@ -36,7 +36,7 @@ class Surroundings:
 
     scenario: Scenario
     place: Place
-    beside: Path  # folder from which paths count
+    beside: Path  # folder that paths are relative to
     has_countdown: bool  # whether somebody waits for a start signal
 
 

@@ -10,11 +10,11 @@ from f1tenth_scenarios import places
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.scenario.car import Car
 
-# Its value, separated by blanks, names those who take part in lockstep; a deputy does so for all others.
+# Its value, separated by blanks, names nodes that take part in lockstep; for others a deputy does so.
 _PARTICIPANTS = "participants"
-# Who has this argument waits for the 0 on /time_to_start; who has the other one is told when that is.
+# A driver with this argument waits for the 0 on /time_to_start; with the other it is told when that is.
 _COUNTDOWN, _START = "time_to_start", "start_at"
-# Keys of a car that only its driver can make something of.
+# Keys of a car that only its driver can use.
 _DRIVER_KEYS = ("line", "speed_max", "acceleration_max", "commands")
 
 
@@ -38,7 +38,7 @@ class DriverFile:
         return self.needs_countdown or _START in self.arguments
 
     def participants_of(self, car: str) -> Optional[list[str]]:
-        """Names of docs/lockstep.md, for a car of this name; nothing when the file names none."""
+        """Names as in docs/lockstep.md, for a car of this name; None when the file names none."""
         if self.participants is None:
             return None
         return re.sub(r"\$\(arg car_name\)", car, self.participants).split()

@@ -13,7 +13,7 @@ from f1tenth_scenarios.scenario.scenario import Localization
 
 # s, after which the start signal is surely given: the countdown begins with the first period, not at 0.
 _START_MARGIN = 0.1
-# What a scenario lacks that has no value for an argument.
+# What a scenario lacks if it has no value for an argument.
 _LACKS = {
     "goals_file": "the key 'goals'",
     "line": "the key 'line'",
@@ -28,7 +28,7 @@ def offered_arguments(plan: Plan, car: Car) -> dict[str, Any]:
     offered = {
         "car_name": car.name,
         "goals_file": plan.goals_file(car.name),
-        # One more than are counted: who is to stop at the last goal would not cross the line behind it.
+        # One more than are counted: a car that stops at the last goal would not cross the line behind it.
         "laps": car.laps + 1 if car.laps else plan.scenario.laps,
         "line": plan.cars[car.name].line,
         "road": plan.place.road_for(car.driver),
@@ -103,7 +103,7 @@ def _described(description: Optional[CarDescription]) -> dict[str, Any]:
 
 
 def odometry(plan: Plan) -> str:
-    """By whose word the cars know how they move: `perfect` or `wheel`."""
+    """Which odometry the cars have: `perfect` or `wheel`."""
     return "wheel" if plan.scenario.localization is Localization.AMCL else "perfect"
 
 
@@ -114,7 +114,7 @@ def usual_topics(plan: Plan) -> dict[Input, str]:
 
 
 def car_topics(plan: Plan, car: Car) -> dict[Input, str]:
-    """The same of one car, which may have a description of its own."""
+    """The same for one car, which may have a description of its own."""
     description = plan.cars[car.name].description
     if description is None:
         return usual_topics(plan)
@@ -130,7 +130,7 @@ def input_topics(plan: Plan, car: Car) -> dict[Input, str]:
 
 
 def driver_topics(plan: Plan, car: Car) -> dict[Input, str]:
-    """The same as the car's driver finds them: a deputy passes its scans on."""
+    """The same as the car's driver finds them: a deputy passes on its scans."""
     return input_topics(plan, car) | ({Input.SCAN: f"{DEPUTY}/scan"} if has_deputy(plan, car.name) else {})
 
 

@@ -25,7 +25,7 @@ _SECOND_NODE = re.compile(r"_lockstep_\d+$")
 
 
 def participants(plan: Plan) -> list[str]:
-    """The names of docs/lockstep.md that take part in a run; none without lockstep."""
+    """The participants of a run, named as in docs/lockstep.md; none without lockstep."""
     scenario = plan.scenario
     if not scenario.lockstep:
         return []
@@ -39,18 +39,18 @@ def participants(plan: Plan) -> list[str]:
 
 
 def originals_among(names: Iterable[str]) -> list[str]:
-    """The packages of those who should take part, but are the originals of our stand-ins and cannot."""
+    """The packages of nodes that should take part, but are the originals of our stand-ins and cannot."""
     packages = sorted({name.rpartition("/")[2] for name in names} & {*_STANDINS})
     return [each for each in packages if not places.is_standin(each)]
 
 
 def has_deputy(plan: Plan, car: str) -> bool:
-    """Whether somebody takes part for the car's driver, which knows nothing of lockstep."""
+    """Whether a deputy takes part for the car's driver, which knows nothing of lockstep."""
     return plan.scenario.lockstep and plan.cars[car].driver.participants is None
 
 
 def driver_participants(plan: Plan, car: str) -> list[str]:
-    """Who answers for the car's driver."""
+    """The participants that answer for the car's driver."""
     return plan.cars[car].driver.participants_of(car) or [f"{car}/{DEPUTY}"]
 
 

@@ -25,8 +25,8 @@ class Plan:
     course: Optional[Course] = None
     settings: tuple[str, ...] = ()  # KEY=VALUE, set from outside of the file
     keep_bag: bool = False  # also if the run passes
-    watched: bool = False  # it uses the ROS master that runs, where somebody looks on
-    note: str = ""  # why the run is another one than the scenario asks for
+    watched: bool = False  # it uses the running ROS master, so that somebody can watch
+    note: str = ""  # why the run differs from what the scenario asks for
 
     @property
     def tasks(self) -> dict[str, Task]:
@@ -44,7 +44,7 @@ class Plan:
         return {name: car.driver.path.parent for name, car in self.cars.items()}
 
     def goals_file(self, car: str) -> Optional[Path]:
-        """Where the goals of a car stand; goals that are in no file are written into the log folder."""
+        """Where the goals of a car are; goals that are in no file are written into the log folder."""
         planned = self.cars[car]
         return planned.goals_file or (self.log_folder / f"{car}_goals.txt" if planned.goals else None)
 
@@ -78,7 +78,7 @@ class Plan:
 
     @property
     def bag_file(self) -> Path:
-        """What was said on topics."""
+        """What was published on topics."""
         return self.log_folder / "run.bag"
 
     @property

@@ -1,4 +1,4 @@
-"""Another planner in the place of ours, in any scenario in which that makes sense."""
+"""Another planner in place of ours, in any scenario in which that makes sense."""
 
 import dataclasses
 from pathlib import Path
@@ -30,7 +30,7 @@ def planner_setting(planner: Driver) -> str:
 def with_planner(scenario: Scenario, node: yaml.Node, beside: Path) -> Scenario:
     """The scenario with another planner in all cars that are driven by ours.
 
-    `node` says what it is, as a scenario file says of a driver; its path counts from `beside`.
+    `node` describes it, as a scenario file describes a driver; its path is relative to `beside`.
 
     Raises:
         NotApplicableError: the scenario says nothing about a planner that is not ours.
@@ -81,5 +81,5 @@ def _replaced(scenario: Scenario, car: Car, planner: Driver, file: DriverFile, c
         return replaced
     if goals not in (None, circuit, scenario.world):
         raise NotApplicableError("it is about goals, and the planner has no argument 'goals_file'")
-    # Who is given no goals is judged by the laps that they stand for.
+    # A car that is given no goals is judged by the laps that they stand for.
     return dataclasses.replace(replaced, goals=None, laps=car.laps or scenario.laps)

@@ -24,7 +24,7 @@ from f1tenth_scenarios.scenario.yaml_text import compose_text
 
 
 def in_real_time(plan: Plan, why: str) -> Plan:
-    """The same run without lockstep, because somebody does not fit it."""
+    """The same run without lockstep, because a driver does not fit it."""
     scenario = dataclasses.replace(plan.scenario, lockstep=False, real_time_factor=1.0)
     return dataclasses.replace(plan, scenario=scenario, note=f"run in real time, as {why}")
 
@@ -57,7 +57,7 @@ def make_plan(name: str, folder: Optional[Path] = None, settings: Sequence[str] 
 def plan_scenario(file: Path, scenario: Scenario, folder: Path) -> Plan:
     """Find and read everything that a scenario names.
 
-    `file`, which it is from, names the run, and paths count from its folder; results go to `folder`.
+    `file`, where it is from, names the run, and paths are relative to its folder; results go to `folder`.
 
     Raises:
         ScenarioError: what is wrong.

@@ -31,7 +31,7 @@ _SEED = 1
 class Race:
     """What is raced."""
 
-    place: str  # a name, or a path that counts from the working directory
+    place: str  # a name, or a path relative to the working directory
     laps: int
     planners: Sequence[Driver]
     timeout: Optional[float] = None  # s, simulated
@@ -60,7 +60,7 @@ def plan_race(race: Race, folder: Path, settings: Sequence[str] = ()) -> Plan:
 def race_text(race: Race, beside: Optional[Path] = None) -> str:
     """The race as a scenario file would have it.
 
-    If there is to be one in the folder `beside`, files are named so that it can be moved with them.
+    If that file is to be in the folder `beside`, files are named so that it can be moved with them.
 
     Raises:
         ScenarioError: as plan_race.

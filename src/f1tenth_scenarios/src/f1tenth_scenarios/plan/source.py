@@ -22,13 +22,13 @@ _SEED = 1
 def read_scenario(path: Path, change: Callable[[yaml.MappingNode], None] = lambda root: None) -> Scenario:
     """Read and validate a scenario file, or the file of a circuit, which stands for a lap of it.
 
-    `change` may alter what the file says before.
+    `change` may alter the file's content before that.
 
     Raises:
         ScenarioError: with the place and what is allowed there.
     """
     root = compose(path)
-    # What every circuit has and no scenario.
+    # Every circuit has this key, and no scenario.
     if any(key.value == "corners" for key, _ in root.value):
         root = _scenario_of(path)
     change(root)

@@ -1,1 +1,1 @@
-"""What is driven on: the place, its road, lines and goals along it."""
+"""Where cars drive: the place, its road, lines and goals along it."""

@@ -52,7 +52,7 @@ class Course:
         return float(self._between(self.right, part)[index]), float(self._between(self.left, part)[index])
 
     def ahead_of(self, x: float, y: float, yaw: float, way: float) -> tuple[float, float, float]:
-        """The pose (m, rad) some way (m) along the centreline from where a pose lies, and headed as that."""
+        """The pose (m, rad) a distance `way` (m) along the centreline from a pose, in its direction."""
         part, off_x, off_y = self._nearest(x, y)
         index = int(np.argmin(np.hypot(off_x, off_y)))
         ahead_x, ahead_y = self._ahead()
@@ -68,7 +68,7 @@ class Course:
         return np.concatenate([[0.0], np.cumsum(np.hypot(*self._ahead()))])
 
     def poses_at(self, places: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Poses (m, rad) on the centreline, so far (m) along it; headed as the piece that leads there."""
+        """Poses (m, rad) on the centreline at distances (m) along it; headed as the piece leading there."""
         x, y, along = np.append(self.x, self.x[0]), np.append(self.y, self.y[0]), self.along()
         pieces = np.clip(np.searchsorted(along, places) - 1, 0, len(along) - 2)
         headings = np.arctan2(np.diff(y), np.diff(x))[pieces]

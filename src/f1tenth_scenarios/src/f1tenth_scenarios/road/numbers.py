@@ -1,4 +1,4 @@
-"""Tables of numbers, as the F1TENTH community keeps its lines: a row a point, `#` before what is a remark."""
+"""Tables of numbers, as the F1TENTH community keeps its lines: one row per point, `#` before a remark."""
 
 from pathlib import Path
 

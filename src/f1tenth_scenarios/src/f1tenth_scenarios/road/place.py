@@ -31,7 +31,7 @@ class Place:
         return self.road is not None and self.road.suffix == ".yaml"
 
     def road_for(self, driver: Driver) -> Optional[Path]:
-        """The middle of the road as a driver reads it: those of others know no circuits' YAML files."""
+        """The middle of the road as a driver reads it: others' drivers do not know circuits' YAML files."""
         return self.road if driver.is_ours else _beside(self.world, _CENTERLINE) or self.road
 
     def line_for(self, driver: Driver) -> Optional[Path]:
@@ -61,7 +61,7 @@ class Place:
         return f"{self.world} is no circuit, and there is no {wanted.name} beside it; make it with {remedy}"
 
     def ahead_of_start(self, way: float) -> Pose:
-        """Some way (m) along the middle of the road from there.
+        """A pose some distance (m) along the middle of the road from there.
 
         Raises:
             ScenarioError: the centreline cannot be read, or there is none.
@@ -96,7 +96,7 @@ def _circuit(world: Path) -> Optional[Path]:
         circuit = places.course_file(world.stem, world.parent)
     except ScenarioError:
         return None
-    # A world of somebody else's may have the name of a circuit.
+    # Somebody else's world may have the name of a circuit.
     return circuit if circuit.parent.parent == world.parent.parent else None
 
 

@@ -11,7 +11,7 @@ from f1tenth_scenarios.road.numbers import read_numbers
 
 RACELINE = "_raceline.csv"  # ending of a file's name
 COLUMNS = "s_m; x_m; y_m; psi_rad; kappa_radpm; vx_mps; ax_mps2"
-# m: half the car, and what walls in a map and drivers differ from their lines.
+# m: half the car, and how far walls in a map and drivers are off their lines.
 _MARGIN = 0.6
 
 
@@ -22,7 +22,7 @@ class Raceline:
     x: np.ndarray  # m
     y: np.ndarray  # m
     speed: np.ndarray  # m/s; infinite where the line does not say
-    room: float = 0.05  # m, by which one may leave it: a raceline goes close to walls
+    room: float = 0.05  # m, by which a car may leave it: a raceline goes close to walls
 
 
 def kept_inside(line: Raceline, course: Course) -> Raceline:

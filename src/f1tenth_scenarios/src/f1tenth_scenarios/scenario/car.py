@@ -52,7 +52,7 @@ def command_at(commands: Sequence[Command], now: float) -> Command:
 
 
 class Input(enum.Enum):
-    """What a planner drives by."""
+    """An input of planners."""
 
     SCAN = "scan"
     ODOM = "odom"

@@ -46,7 +46,7 @@ class Driver:
         }
 
     def as_dict(self) -> dict[str, Any]:
-        """As it stands in a scenario file."""
+        """As it is written in a scenario file."""
         entries = {"launch": self.launch, "interface": self.interface.value}
         return entries | ({"arguments": dict(self.arguments)} if self.arguments else {})
 

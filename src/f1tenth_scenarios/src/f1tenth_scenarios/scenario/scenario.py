@@ -23,7 +23,7 @@ class Verdict(enum.Enum):
 
 
 class Localization(enum.Enum):
-    """From what the cars know where they are."""
+    """How the cars know where they are."""
 
     STATIC = "static"
     AMCL = "amcl"

@@ -40,7 +40,7 @@ def parse_setting(text: str) -> Setting:
     """Read KEY=VALUE.
 
     Raises:
-        ScenarioError: it is none.
+        ScenarioError: it is not of this form.
     """
     key, equals, value = text.partition("=")
     if not (key and equals and value):
@@ -67,7 +67,7 @@ def unit_of(key: str) -> str:
     schema = Scenario if path[0] in keys(Scenario) else Car
     unit = ""
     for name in path:
-        # What is no key is the name of an entry.
+        # A part that is not a key is the name of an entry.
         if dataclasses.is_dataclass(schema) and name in keys(schema):
             unit, schema = keys(schema)[name].unit, _inner(typing.get_type_hints(schema)[name])
     return unit
@@ -80,7 +80,7 @@ def _inner(hint: Any) -> Any:
 
 
 def parse_variation(text: str) -> list[Setting]:
-    """Read what a key is to be: `seed=1:50` (whole numbers), `mu=0.3:1.0:8` (so many, evenly), `world=a,b`.
+    """Read the values of a key: `seed=1:50` (whole numbers), `mu=0.3:1.0:8` (so many, evenly), `world=a,b`.
 
     Values may be YAML in brackets, `boxes=[],[{name: box, x: 3, y: 0}]`.
 
@@ -170,7 +170,7 @@ def _bearers(root: yaml.MappingNode, setting: Setting) -> list[yaml.MappingNode]
 
 
 def _cars(root: yaml.MappingNode) -> list[yaml.MappingNode]:
-    """Those that are mappings: who reads the file says what is wrong with others."""
+    """Those that are mappings: what is wrong with others is reported when the file is read."""
     cars = next((value for key, value in root.value if key.value == "cars"), None)
     entries = cars.value if isinstance(cars, yaml.SequenceNode) else []
     return [each for each in entries if isinstance(each, yaml.MappingNode)]

@@ -8,7 +8,7 @@ from f1tenth_scenarios.errors import ScenarioError
 
 
 class _NamedText(io.StringIO):
-    """A text that YAML takes for a file: all nodes bear its name, as an error that names its place wants."""
+    """A text that YAML takes for a file: all nodes have its name, so that an error can name its place."""
 
     def __init__(self, text: str, name: str):
         super().__init__(text)

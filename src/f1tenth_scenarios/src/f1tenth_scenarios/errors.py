@@ -10,7 +10,7 @@ class ScenarioError(Exception):
 
 
 class NotApplicableError(ScenarioError):
-    """A scenario says nothing about the planner that it is to be run with; the message says why."""
+    """A scenario does not apply to the planner that it is to be run with; the message says why."""
 
 
 class MisfitError(Exception):
@@ -23,7 +23,7 @@ class RestlessError(Exception):
 
 @contextlib.contextmanager
 def as_scenario_error(*kinds: type[Exception]) -> Iterator[None]:
-    """Raise what another package says of a user's mistake as a ScenarioError."""
+    """Raise another package's error about a user's mistake as a ScenarioError."""
     try:
         yield
     except kinds as error:
@@ -32,7 +32,7 @@ def as_scenario_error(*kinds: type[Exception]) -> Iterator[None]:
 
 @contextlib.contextmanager
 def writing(path: Path) -> Iterator[None]:
-    """Raise that a file cannot be written, which the user has named, as a ScenarioError."""
+    """Raise a ScenarioError if a file that the user has named cannot be written."""
     try:
         yield
     except OSError as error:

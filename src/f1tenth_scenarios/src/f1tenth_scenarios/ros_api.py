@@ -8,7 +8,7 @@ from typing import Any
 def ros_api(uri: str, patience: float) -> Any:
     """The interface of a node or of the master (http://wiki.ros.org/ROS/Slave_API, Master_API).
 
-    Its methods raise TimeoutError after `patience` (wall s): who is asked may be stopped.
+    Its methods raise TimeoutError after `patience` (wall s): the one that is asked may be stopped.
     """
     return xmlrpc.client.ServerProxy(uri, transport=_Impatient(patience))
 

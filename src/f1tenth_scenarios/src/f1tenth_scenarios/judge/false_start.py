@@ -47,7 +47,7 @@ def find_false_start(
 ) -> Optional[tuple[float, str]]:
     """The first false start of a car that is to wait for the start, s, and in words; nothing without one.
 
-    Before the countdown can be over it is one whatever is heard of the start.
+    Before the countdown can be over, a move is one, whatever is heard of the start.
     """
     early = [(stamp, car) for car, stamp in moves.stamps.items() if car in tasks and tasks[car].obeys_start]
     if not early:

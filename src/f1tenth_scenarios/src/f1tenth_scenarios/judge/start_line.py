@@ -10,8 +10,8 @@ from f1tenth_scenarios.scenario.scenario import StartLine
 class LapCounter:
     """Follows one car. A lap ends when the line is crossed in its direction, and the next one begins.
 
-    Who goes back over the line has to cross it once more before the next crossing counts. A car that starts
-    behind the line does not end a lap by crossing it first.
+    A car that goes back over the line has to cross it once more before the next crossing counts. A car that
+    starts behind the line does not end a lap by crossing it first.
     """
 
     def __init__(self, line: StartLine, start: float):

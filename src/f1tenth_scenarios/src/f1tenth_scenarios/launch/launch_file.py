@@ -176,7 +176,7 @@ def _add_driver(launch: ElementTree.Element, plan: Plan, car: Car) -> None:
 
 
 def _remappings(plan: Plan, car: Car) -> dict[str, str]:
-    """The names of topics that are others for the driver of a car."""
+    """The topics that have other names for the driver of a car."""
     own = f"/{car.name}"
     usual, actual = usual_topics(plan), driver_topics(plan, car)
     known = usual if car.driver.is_ours else car_topics(plan, car)
@@ -203,13 +203,13 @@ def _remappings(plan: Plan, car: Car) -> dict[str, str]:
 def _by_name(
     namespace: str, names: Mapping[str, str], usual: Mapping[Input, str], actual: Mapping[Input, str]
 ) -> dict[str, str]:
-    """Names of others for what a car has in its namespace, with the topics on which that is."""
+    """Others' names for topics in a car's namespace, with the topics that take their place."""
     topics = {usual[each]: actual[each] for each in Input}
     return {old: absolute(namespace, topics.get(new, new)) for old, new in names.items()}
 
 
 def _topics_of_descriptions(plan: Plan) -> list[str]:
-    """Those of cars that have a description of their own, besides the usual ones."""
+    """Those of cars with their own descriptions, besides the usual ones."""
     descriptions = {name: car.description for name, car in plan.cars.items() if car.description}
     own = {name: (each.scan, each.twist) for name, each in descriptions.items()}
     found = {absolute(f"/{name}", topic) for name, topics in own.items() for topic in topics if topic}

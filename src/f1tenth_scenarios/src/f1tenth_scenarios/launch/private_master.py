@@ -1,4 +1,4 @@
-"""A ROS master of our own on a free port: python3 -m f1tenth_scenarios.launch.private_master."""
+"""Our own ROS master on a free port: python3 -m f1tenth_scenarios.launch.private_master."""
 
 import contextlib
 import logging
@@ -28,7 +28,7 @@ def private_master() -> Iterator[str]:
     os.environ.pop("ROS_IP", None)
     os.environ["ROS_HOSTNAME"] = "localhost"
     command = [sys.executable, "-m", "f1tenth_scenarios.launch.private_master"]
-    # In a session of its own, and deaf until it has one: of Ctrl-C this process makes what it should be.
+    # In its own session, and deaf to signals until it has one: this process handles Ctrl-C.
     unblocked = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         master = subprocess.Popen(

@@ -50,7 +50,7 @@ class ProcessTree:
                 env={**os.environ, **environment, _MARK: self._mark},
                 start_new_session=True,
             )
-        self._ending = [self._child.pid]  # who is told to end
+        self._ending = [self._child.pid]  # the processes that are told to end
 
     def exit_code(self) -> Optional[int]:
         """The child's exit code; nothing while it runs."""
@@ -80,10 +80,10 @@ class ProcessTree:
         self._child.wait()
 
     def _interrupt(self) -> float:
-        """Tell the child to end, and those that it can tell no more; once. Returns when that was."""
+        """Tell the child to end, and those that it can no longer tell; only once. Returns when that was."""
         if self._interrupted_at is None:
             self._interrupted_at = time.monotonic()
-            # Who is stopped could not end, and nobody could end without the master.
+            # A stopped process could not end, and none could end without the master.
             _signal([*self._members(), *psutil.Process().children()], signal.SIGCONT)
             if self._child.poll() is None:
                 os.killpg(self._child.pid, signal.SIGINT)
@@ -103,7 +103,7 @@ class ProcessTree:
 
 
 def processes_with(name: str, value: str) -> list[psutil.Process]:
-    """All that run with such a variable in their environment, which processes inherit."""
+    """All that run with this variable in their environment, which processes inherit."""
     return [each for each in psutil.process_iter() if _has(each, name, value)]
 
 

@@ -1,4 +1,4 @@
-"""What the operating system keeps a run from."""
+"""Limits of the operating system that hinder a run."""
 
 import resource
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""What the results need and takes long to get ready, though it does not depend on how a run ends."""
+"""What the results need and what takes long to prepare, but does not depend on how a run ends."""
 
 import importlib
 from collections.abc import Mapping
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class Preparation:
-    """Goes on beside a run as soon as the simulation has begun, when nobody waits for it."""
+    """Works beside a run as soon as the simulation has begun, when nobody waits for it."""
 
     def __init__(self, world: Path, descriptions: Callable[[], Mapping[str, str]]):
         """`world` is simulated, `descriptions` gives the robot_description of each car once it runs.
@@ -26,7 +26,7 @@ class Preparation:
         self._begun = False
 
     def beside(self, progress: Progress) -> Progress:
-        """The same, and it is noticed when the simulation has begun."""
+        """The same callback, which also notices when the simulation has begun."""
 
         def report(simulated, wall):
             if simulated is not None:
@@ -36,7 +36,7 @@ class Preparation:
         return report
 
     def begin(self) -> None:
-        """At the latest now."""
+        """Begin, at the latest now."""
         if self._begun:
             return
         self._begun = True

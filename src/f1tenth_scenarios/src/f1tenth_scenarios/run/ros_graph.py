@@ -26,7 +26,7 @@ class RosGraph:
     servers: Topics = dataclasses.field(default_factory=dict)  # by service
 
     def speaks(self, node: str) -> bool:
-        """Whether a node publishes anything: who does not, a recorder or rviz, passes nothing on."""
+        """Whether a node publishes anything: one that does not, a recorder or rviz, passes nothing on."""
         return any(node in nodes for topic, nodes in self.publishers.items() if topic != "/rosout")
 
     @property
@@ -46,7 +46,7 @@ def read_graph(patience: float = 1.0) -> RosGraph:
 
 
 def publications_of(nodes: Iterable[str]) -> Iterator[tuple[str, str]]:
-    """The topics that some nodes publish, and their types, by their own word: the master knows one each."""
+    """The topics that some nodes publish, and their types, as they say: the master knows one type each."""
     for node in nodes:
         try:
             yield from ((topic, kind) for topic, kind in ask(node, "getPublications", patience=1.0))

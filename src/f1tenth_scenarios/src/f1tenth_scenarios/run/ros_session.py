@@ -23,7 +23,7 @@ _CONSOLE_FORMAT = "[${severity}] [${time}] [${node}]: ${message}"
 def run_with_ros(plan: Plan, stop: StopRequest, progress: Progress = lambda simulated, wall: None) -> Result:
     """Run a scenario on the master that ROS_MASTER_URI names; once per process, from the main thread.
 
-    If somebody's driver does not fit lockstep, the run begins anew without it, and the result says so.
+    If a driver does not fit lockstep, the run begins anew without lockstep, and the result says so.
 
     Raises:
         ScenarioError: the results folder cannot be used.

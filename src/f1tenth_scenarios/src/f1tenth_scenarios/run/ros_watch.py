@@ -27,7 +27,7 @@ _COMMANDS_OF, _REFUSED = "sim2d: commands of ", "refused: "  # in the simulator'
 
 
 def to_update(car: str, message: RaceStatus) -> RaceUpdate:
-    """A message of a car's race_mgr in our own words."""
+    """A message of a car's race_mgr as a RaceUpdate."""
     return RaceUpdate(
         car, message.header.stamp.to_sec(), RaceState(message.state), message.goals_reached, message.text
     )
@@ -108,14 +108,14 @@ class RosWatch:
         return dataclasses.replace(failure, stamp=problem.stamp)
 
     def mixed_up(self) -> Optional[Failure]:
-        """Whether a car's driver hears that of another: then nothing that has happened counts."""
+        """Whether a car's driver hears another car's driver: then nothing that has happened counts."""
         found = shared_topic(read_graph(), self._cars) if len(self._cars) > 1 else None
         return found and Failure(*found, str(self._plan.launch_log), stamp=0.0)
 
     def estimates(self) -> dict[str, Poses]:
         """Where localization took the cars to be.
 
-        That is all that was said, if the localizations end within some time.
+        They are complete if the localizations end within some time.
         """
         deadline = time.monotonic() + _PATIENCE
         while any(each.get_num_connections() for each in self._localizations) and time.monotonic() < deadline:

@@ -71,7 +71,7 @@ def execute(
         watch = make_watch()
         with _started(plan, command, environment, stop) as tree:
             done, preparation, recorder = _drive(plan, tree, watch, stop, progress)
-            # A run that was told to stop is none that another could be compared with.
+            # No run can be compared with one that was told to stop.
             folder = claim.place_of_interrupted() if stop.signal else claim.place_of_results()
             done = dataclasses.replace(done, folder=folder, wall_time=time.monotonic() - started)
             # First, because whatever else cannot be written must not cost the verdict.
@@ -81,7 +81,7 @@ def execute(
             problems += write_rest(folder, _worth_a_wait(_files_of_bag(plan, done, preparation), stop))
         plan.bag_file.unlink(missing_ok=True)
         done = dataclasses.replace(done, wall_time=time.monotonic() - started, not_written=problems)
-        with contextlib.suppress(ScenarioError):  # what it said before was complete but for the time
+        with contextlib.suppress(ScenarioError):  # what it wrote before was complete except for the time
             write_verdict(plan, done)
     return done
 
@@ -150,7 +150,7 @@ def _judge(plan, seen, estimates, real_time_factor) -> Result:
 
 
 def _files_of_record(plan: Plan, done: Result, preparation: Preparation) -> Files:
-    """What is made of the record alone."""
+    """What is made from the record alone."""
     record = done.judgement.record
     lines = (f"{done.judgement.decision.verdict.value}: {done.reason}", _facts(done))
 
@@ -179,7 +179,7 @@ def _files_of_bag(plan: Plan, done: Result, preparation: Preparation) -> Files:
 
 
 def _worth_a_wait(files: Files, stop: StopRequest) -> Files:
-    """Files of which none takes long if somebody waits for the end."""
+    """The files, without those that take long if somebody waits for the end."""
     slow = (PICTURE_FILE, REPLAY_FILE) if stop.signal else ()
     return {name: _leave_out if name in slow else write for name, write in files.items()}
 

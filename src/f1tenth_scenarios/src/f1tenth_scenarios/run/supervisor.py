@@ -58,7 +58,7 @@ class Supervisor:
         return self._launch_log.pids.get(node)
 
     def note(self) -> str:
-        """What of the driver the run has done without, in words; empty if nothing."""
+        """Which nodes of the driver the run has done without, in words; empty if none."""
         missing = self._breakdown.missing_views()
         return f"without what is for people only: {'; '.join(missing)}" if missing else ""
 
@@ -123,7 +123,7 @@ class Supervisor:
         return shown or time.monotonic() - self._race_over_at > _RECORD_LAG
 
     def _is_alarm_over(self) -> bool:
-        """Whether a collision was reported that the record has had its time to show, and does not."""
+        """Whether a collision was reported that the record has had time to show, but does not."""
         if self._record.touches:
             return False
         if self._watch.collided() and self._alarm_at is None:

@@ -39,7 +39,7 @@ class Breakdown:
         self._tree = tree
         self._log = log
         self._seen_at: Optional[float] = None
-        self._known: set[int] = set()  # processes that are no simulators
+        self._known: set[int] = set()  # processes that are not simulators
 
     @property
     def is_seen(self) -> bool:
@@ -47,7 +47,7 @@ class Breakdown:
         return self._seen_at is not None
 
     def missing_views(self) -> list[str]:
-        """What was to show something or to be steered by hand, and is not there: node and why."""
+        """Nodes that were to show something or to be steered by hand and are not there, and why."""
         return [f"{end.node} {end.describe()}" for end in self._log.ends if end.is_for_people]
 
     def failure(self, updates: Sequence[RaceUpdate], done: set[str], standing: float) -> Optional[Failure]:

@@ -1,4 +1,4 @@
-"""Noticing a driver whose commands are none: silence, nonsense, or a flood, by the simulator's counts."""
+"""Noticing a driver without proper commands: silence, nonsense, or a flood, by the simulator's counts."""
 
 import dataclasses
 from collections.abc import Iterable
@@ -41,7 +41,7 @@ class CommandWatch:
         self._problems: dict[str, Problem] = {}
 
     def take(self, count: CommandCount) -> None:
-        """Take the next count of a car; of others none is kept."""
+        """Take the next count of a car; those of other cars are ignored."""
         if count.car not in self._last:
             return
         before = self._last[count.car] or CommandCount(0.0, count.car, 0, 0)

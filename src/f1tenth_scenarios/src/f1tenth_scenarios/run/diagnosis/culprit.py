@@ -41,7 +41,7 @@ class Signs:
 
 
 def failure_of(plan: Plan, signs: Signs) -> Failure:
-    """Name who cannot go on, else whom the simulator waited for, else the simulator, else who ended first."""
+    """Name what is stuck, else what the simulator waited for, else the simulator, else what ended first."""
     participant, error = signs.simulator.get("participant"), signs.simulator.get("error")
     by_name = {end.node: end for end in reversed(signs.ends)}
     restless = next((car for car in plan.cars if _gave_its_driver_up(by_name.get(f"{car}/{DEPUTY}"))), None)

@@ -36,7 +36,7 @@ _EVERYBODYS = (
     "/map",
     "/map_metadata",
 )
-_RVIZ_S = ("initialpose", "move_base_simple/goal", "clicked_point")  # that nobody sends here is no fault
+_RVIZ_S = ("initialpose", "move_base_simple/goal", "clicked_point")  # no fault that nobody sends these
 
 
 def topics_of(description: Optional[CarDescription]) -> CarTopics:
@@ -105,7 +105,7 @@ def _ways_out(remaps: Mapping[str, str], interface: Interface) -> list[str]:
 
 
 def _remaps(astray: Sequence[tuple[str, str]], silent: Sequence[str], topics: CarTopics) -> dict[str, str]:
-    """What of the car is meant, by its type or its name, by topics that lead nowhere."""
+    """Which topics of the car are meant, by type or name, by topics that lead nowhere."""
     commands = {kind: name for name, kind in topics.commands.items()}
     meant = {topic: commands[kind] for topic, kind in astray if kind in commands}
     named = {topic: topic.rpartition("/")[2] for topic in silent}

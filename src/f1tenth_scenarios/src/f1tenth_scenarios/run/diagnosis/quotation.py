@@ -1,4 +1,4 @@
-"""What of a node's output tells why it failed."""
+"""The part of a node's output that tells why it failed."""
 
 import re
 import textwrap
@@ -14,9 +14,9 @@ _WIDTH = 200  # characters, of an exception
 
 
 def quoted(lines: Sequence[str]) -> list[str]:
-    """The last of some lines that tell something, but the last traceback and what follows it if there is one.
+    """The last lines that tell something; the last traceback and what follows it, if there is one.
 
-    Of a traceback that is the last frame of the node's own code, and the exception.
+    Of a traceback, only the last frame of the node's own code and the exception are quoted.
     """
     telling = [line for line in lines if not _CHATTER.match(line)]
     begin, end = _place_of_last_traceback(telling)

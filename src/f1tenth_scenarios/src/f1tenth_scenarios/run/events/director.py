@@ -1,4 +1,4 @@
-"""Breaks and pushes what the scenario wants broken or pushed, at the simulated time at which it wants it."""
+"""Breaks and pushes what the scenario wants broken or pushed, at the simulated times that it gives."""
 
 import queue
 import threading

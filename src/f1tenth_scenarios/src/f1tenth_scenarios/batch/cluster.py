@@ -13,7 +13,7 @@ _LOOK_INTERVAL = 0.2  # wall s
 
 
 def run_on_cluster(jobs: Sequence[Job], stop: StopRequest, scheduler: str) -> Iterator[Outcome]:
-    """Run jobs on a cluster and give their outcomes; what a worker that dies was running is run again.
+    """Run jobs on a cluster and yield their outcomes; a job of a worker that dies is run again.
 
     Args:
         jobs: what to run; workspace and results folder are at the same place on all machines
@@ -40,7 +40,7 @@ def _outcome(future, job: Job) -> Outcome:
 @contextlib.contextmanager
 def _connected(scheduler: str) -> Iterator:
     if "://" not in scheduler:
-        # Dask would look for a host of that name, and not end in order when there is none.
+        # Dask would look for a host of that name, and not end cleanly when there is none.
         raise ScenarioError(f"--scheduler {scheduler}: must be an address, as in tcp://host:8786")
     # Imported late: it takes longer than everything else that the command does.
     from distributed import Client

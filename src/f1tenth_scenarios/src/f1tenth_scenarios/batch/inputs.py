@@ -62,7 +62,7 @@ def _paths(value) -> list[Path]:
 
 
 def _images(plan: Plan) -> list[Path]:
-    """What the map is drawn in; nothing if it cannot be read, as the run will say."""
+    """The image files of the map; none if it cannot be read, which the run will report."""
     if plan.place.map is None:
         return []
     with contextlib.suppress(OSError, ValueError, KeyError, TypeError, yaml.YAMLError):

@@ -61,7 +61,7 @@ class Outcome:
 def run_jobs(
     jobs: Sequence[Job], stop: StopRequest, at_once: int = 1, shown: bool = False
 ) -> Iterator[Outcome]:
-    """Run jobs; gives their outcomes in the order of their ends.
+    """Run jobs; yields their outcomes in the order in which they end.
 
     Args:
         jobs: what to run

@@ -52,7 +52,7 @@ class Sweep:
         return list(self._inputs)
 
     def run(self, stop: StopRequest, at_once: Optional[int] = None, scheduler: Optional[str] = None) -> None:
-        """Run all jobs but those that have a result of the same inputs.
+        """Run all jobs except those that have a result of the same inputs.
 
         Args:
             stop: tells it to end
@@ -65,7 +65,7 @@ class Sweep:
         self.results = {job: old for job in self.jobs if (old := self._old_result(job))}
         self.reused = list(self.results)
         left = [job for job in self.jobs if job not in self.results]
-        # What is said of an earlier result must not hold for the one that takes its place.
+        # What is noted of an earlier result must not hold for the one that takes its place.
         for file in (job.folder / _INPUTS_FILE for job in left):
             with writing(file):
                 file.unlink(missing_ok=True)
@@ -80,7 +80,7 @@ class Sweep:
         bar.clear()
 
     def rows(self) -> Iterator[dict[str, Any]]:
-        """What a table says of each run that has a result."""
+        """A row of the table for each run that has a result."""
         for job in self.jobs:
             if job in self.results:
                 result = self.results[job]
@@ -118,7 +118,7 @@ class Sweep:
             self.problems.append(outcome.problem)
             return
         self.results[job] = outcome.result
-        # Of a run during which something was changed nobody knows what it depends on.
+        # If something was changed during a run, nobody knows what it depends on.
         if hash_software() != self._software:
             return
         file = job.folder / _INPUTS_FILE

@@ -1,4 +1,4 @@
-"""The table of a sweep as a file: CSV or Apache Parquet, as its name ends."""
+"""The table of a sweep as a file: CSV or Apache Parquet, by the ending of its name."""
 
 import csv
 import importlib.util
@@ -18,7 +18,7 @@ def check_table_file(path: Path) -> None:
     """Find out whether a table could be written there, before anything runs.
 
     Raises:
-        ScenarioError: another ending, no such folder or none to write to, or what writes Parquet is missing.
+        ScenarioError: another ending, no such folder or a read-only one, or what writes Parquet is missing.
     """
     if path.suffix not in (CSV, PARQUET):
         raise ScenarioError(f"{path}: a table's name must end with {CSV} or {PARQUET}")
@@ -47,7 +47,7 @@ def _write_csv(path, rows):
 
 
 def _write_parquet(path, rows):
-    # Imported late: only who asks for Parquet needs it.
+    # Imported late: only needed for Parquet.
     import pandas
 
     columns = {name: _typed([row[name] for row in rows]) for name in rows[0]}

@@ -10,7 +10,7 @@ from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan.driver_file import read_driver_file
 from f1tenth_scenarios.scenario.driver import Driver, Interface
 
-# What drives by given commands needs more than a road.
+# Drivers that follow given commands need more than a road.
 OUR_PLANNERS = ", ".join(name for name in Driver.short_forms() if name != "commands")
 
 
@@ -20,7 +20,7 @@ def results_of(options) -> Path:
 
 
 def expect_at_least(least: int, number: Optional[int], option: str) -> None:
-    """Tell a number that makes no sense before the work.
+    """Refuse a number that makes no sense before the work begins.
 
     Raises:
         ScenarioError: the number that an option was given is less.
@@ -43,7 +43,7 @@ def planner_of(name: str, options) -> Driver:
     """A planner as an option names it: one of ours, or a launch file.
 
     Raises:
-        ScenarioError: there is no such file, or --arg is none.
+        ScenarioError: there is no such file, or --arg is not of its form.
     """
     arguments = dict(_argument(text) for text in options.arg)
     interface = Interface(options.interface)
@@ -56,7 +56,7 @@ def planner_of(name: str, options) -> Driver:
 
 
 def planners_of(names: Sequence[str], options) -> list[Driver]:
-    """The planners of a race; each gets those of --arg that it has. What none has is left to be refused.
+    """The planners of a race; each gets the --arg that it knows. One that none knows is left to be refused.
 
     Raises:
         ScenarioError: as planner_of.

@@ -44,7 +44,7 @@ def run(options) -> int:
 
 
 def run_plan(plan: Plan) -> int:
-    """Run one scenario and print what came of it; returns the exit code."""
+    """Run one scenario and print the outcome; returns the exit code."""
     from f1tenth_scenarios.run.ros_session import run_with_ros
 
     require_memory()
@@ -65,7 +65,7 @@ def with_report(code: int, options) -> int:
 
 
 def run_repeatedly(name: str, options, settings: Sequence[str], at_once: int = 1) -> int:
-    """Run one scenario --repeat times, which has been checked, and print how much the results differ.
+    """Run one scenario, which has been checked, --repeat times, and print how much the results differ.
 
     Returns:
         The exit code.

@@ -1,4 +1,4 @@
-"""The bag of a run: what was said on its topics, written by rosbag while it goes on."""
+"""The bag of a run: what was published on its topics, written by rosbag during the run."""
 
 import math
 import shlex
@@ -13,7 +13,7 @@ from f1tenth_scenarios.record.replay import Planar, Point, Poses, Replay, Timed
 RECORDER = "scenario_recorder"  # the node that writes it
 
 _SHARED_TOPICS = ("/clock", "/tf", "/tf_static", "/map", "/time_to_start", "/gazebo/model_states")
-# Of a car; what rviz shows of it, and what its planner hears and says. Costmaps would be most of the bag.
+# Of a car; what rviz shows, and what its planner hears and publishes. Costmaps would be most of the bag.
 _CAR_TOPICS = (
     "scan",
     "odom",

@@ -1,4 +1,4 @@
-"""What is seen of a run while it goes on."""
+"""What is seen of a run while it is in progress."""
 
 import dataclasses
 from typing import Optional
@@ -37,6 +37,6 @@ class Observations:
     record: Record
     updates: tuple[RaceUpdate, ...] = ()
     failure: Optional[Failure] = None
-    collided: frozenset[str] = frozenset()  # cars of which the topic `collision` said so
+    collided: frozenset[str] = frozenset()  # cars whose topic `collision` said so
     # s, of the last look before something broke: what the record shows later proves nothing.
     sound_until: Optional[float] = None

@@ -1,4 +1,4 @@
-"""How fast simulated time goes by."""
+"""How fast simulated time passes."""
 
 from typing import Optional
 
@@ -18,7 +18,7 @@ class Pace:
         self._last = (simulated, wall)
 
     def standing(self, wall: float) -> float:
-        """For how long (wall s) simulated time has not gone on, at a wall time (s)."""
+        """For how long (wall s) simulated time has stood still, at a wall time (s)."""
         return wall - (self._last[1] if self._last else 0.0)
 
     @property

@@ -60,7 +60,7 @@ class CarTrack:
     contacts: tuple[str, ...]  # names joined by ";", empty without contact
     contact_speed: np.ndarray  # m/s, see Contact
     hash: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]  # as they stand in the file
+    rows: tuple[tuple[str, ...], ...]  # as they are in the file
 
     def until(self, stamp: float) -> "CarTrack":
         """The periods up to and including a stamp (s)."""

@@ -12,7 +12,7 @@ from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.record.record import STAMP_EPSILON
 
-if TYPE_CHECKING:  # scenarios need ROS, who records without it has none
+if TYPE_CHECKING:  # the scenarios' code needs ROS, which may be missing where episodes are recorded
     from f1tenth_scenarios.scenario.car import Pose
 
 _FORMAT = 2

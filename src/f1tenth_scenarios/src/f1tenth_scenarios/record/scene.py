@@ -15,7 +15,7 @@ def load_scene(world: Path, descriptions: Mapping[str, str]) -> Replay:
     """Read a world, and the cars' robot_descriptions by name.
 
     Returns:
-        The scene; an empty one if the world cannot be read, as the simulator has said already.
+        The scene; an empty one if the world cannot be read, which the simulator has reported already.
     """
     # Reading a description takes long, and cars of a race have the same one.
     read = {text: _read(text) for text in set(descriptions.values())}
@@ -27,7 +27,7 @@ def load_scene(world: Path, descriptions: Mapping[str, str]) -> Replay:
 
 
 def scene_of(world: f1tenth_sim2d.World, cars: Mapping[str, f1tenth_sim2d.Car]) -> Replay:
-    """The scene of a world and of cars, by name, that are loaded."""
+    """The scene of a loaded world and of loaded cars, by name."""
     lidars = {name: lidar for name, car in cars.items() if (lidar := lidar_of(car))}
     height = next((lidar.pose[2] for lidar in lidars.values()), _CUT_HEIGHT)
     return Replay(
@@ -39,7 +39,7 @@ def scene_of(world: f1tenth_sim2d.World, cars: Mapping[str, f1tenth_sim2d.Car]) 
 
 
 def lidar_of(car: f1tenth_sim2d.Car) -> Optional[f1tenth_sim2d.Lidar]:
-    """The one that drivers drive by: that on `scan`, else the first; nothing if the car has none."""
+    """The one that drivers use: that on `scan`, else the first; nothing if the car has none."""
     return next((lidar for lidar in car.lidars if lidar.topic == "scan"), next(iter(car.lidars), None))
 
 

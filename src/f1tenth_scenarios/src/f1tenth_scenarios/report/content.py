@@ -1,4 +1,4 @@
-"""What the report says: read from a results folder."""
+"""What the report shows: read from a results folder."""
 
 import dataclasses
 import json
@@ -34,7 +34,7 @@ _LINKS = {
 
 @dataclasses.dataclass(frozen=True)
 class RunContent:
-    """One row of the table and what opens behind it."""
+    """One row of the table and what opens from it."""
 
     # result.json, `thumbnail`, `links`, `problems` and `previous` (the other run's result.json or nothing)
     summary: dict[str, Any]
@@ -44,11 +44,11 @@ class RunContent:
 
 
 def read_results(folder: Path, beside: Path, against: Optional[Path] = None) -> Iterator[RunContent]:
-    """All runs of a results folder, in the order of their names; what cannot be read is among their problems.
+    """All runs of a results folder, in the order of their names; what cannot be read is among the problems.
 
     Args:
         folder: with a folder per scenario
-        beside: folder from which links count
+        beside: folder that links are relative to
         against: another results folder to compare with; default: the run before, which each folder keeps
 
     Raises:
@@ -75,7 +75,7 @@ class _Reader:
         replay = self._try(read_replay, self._folder / REPLAY_FILE) or Replay()
         other = self._previous
         compared = self._try(_read_result, other) if (other / RESULT_FILE).is_file() else None
-        # One that drove the same, bit for bit, could not be seen beside it.
+        # A run that drove the same, bit for bit, could not be seen beside it.
         differs = compared and compared.get("trajectory_hash") != result.get("trajectory_hash")
         before = self._try(read_record, other / TRAJECTORY_FILE) if differs else None
         summary = {

@@ -25,7 +25,7 @@ class Recorder:
         """Make the folder.
 
         Raises:
-            ValueError: there are episodes in it.
+            ValueError: there are already episodes in it.
             OSError: it cannot be made.
         """
         self._folder, self._stage = Path(folder), stage
@@ -35,7 +35,7 @@ class Recorder:
         self._count, self._begun = 0, False
 
     def begin(self) -> None:
-        """Begin to record an episode; one that goes on is given up."""
+        """Begin to record an episode; one in progress is given up."""
         self.end("aborted", "given up")
         self._count += 1
         self._run.mkdir()
@@ -60,7 +60,7 @@ class Recorder:
             self.end("collision", f"{self._stage.cars[0].name} touched something")
 
     def end(self, verdict: str, reason: str) -> None:
-        """Write down the episode that goes on, if there is one."""
+        """Write down the episode in progress, if there is one."""
         if not self._begun:
             return
         self._begun = False

@@ -13,7 +13,7 @@ _SPACING = 0.2  # m, between the places on the road that are told apart
 def gaps_to_leader(record: Record, road: Sequence) -> dict[str, np.ndarray]:
     """How far each car is behind the one that has come farthest, m, in its own periods; 0 for that one.
 
-    `road`: points (m) of its closed middle, in driving order. Nothing comes of one car, or of no road.
+    `road`: points (m) of its closed middle, in driving order. Empty for a single car, or without a road.
     """
     tracks = [track for track in record.tracks.values() if len(track.time)]
     if len(tracks) < 2 or not len(road):
@@ -27,7 +27,7 @@ def gaps_to_leader(record: Record, road: Sequence) -> dict[str, np.ndarray]:
 
 
 def way_along(track: CarTrack, road: ArrayLike) -> np.ndarray:
-    """Way along a road, m, that goes on from lap to lap; it begins at most half a lap away from 0.
+    """Distance along a road, m, that adds up from lap to lap; it begins at most half a lap away from 0.
 
     `road` as of gaps_to_leader.
     """

@@ -1,7 +1,7 @@
 """Numbers as text that a browser decodes fast: JSON, deflated, in base64; `decode.js` is the other end.
 
 A column is a list of its quantum and of differences of differences: how far each value, as a multiple of the
-quantum, lies beside the straight on from the two before it. Deflate likes such small whole numbers.
+quantum, is from the linear extrapolation of the two before it. Deflate likes such small whole numbers.
 """
 
 import base64
@@ -18,7 +18,7 @@ def column(values: ArrayLike, quantum: float) -> list[float]:
 
     Args:
         values: finite numbers
-        quantum: to a multiple of which they are rounded
+        quantum: they are rounded to multiples of it
     """
     whole = np.rint(np.asarray(values, dtype=float) / quantum).astype(np.int64)
     return [quantum, *np.diff(whole, n=2, prepend=[0, 0]).tolist()]

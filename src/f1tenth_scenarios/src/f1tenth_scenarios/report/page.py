@@ -10,7 +10,7 @@ from f1tenth_scenarios.errors import writing
 from f1tenth_scenarios.report.content import RunContent, read_results
 from f1tenth_scenarios.report.packing import pack
 
-# In this order, because each uses what stands before it.
+# In this order, because each uses those before it.
 _SCRIPTS = (
     "format.js",
     "elements.js",
@@ -36,13 +36,13 @@ def write_report(
     """Write the report of a results folder, which replaces the old one when it is complete.
 
     Args:
-        results: folder with a folder a scenario
+        results: folder with one folder per scenario
         output: the HTML file
         against: as of read_results
         assets: folder of the style and the scripts; default: that of the package, which ROS finds
 
     Returns:
-        What was found broken, a line each; the report shows it as well.
+        What was found broken, one line each; the report shows it as well.
 
     Raises:
         ScenarioError: there is no run, or the report cannot be written.
@@ -63,12 +63,12 @@ def write_report(
 
 
 def _world_id(run: RunContent) -> str:
-    """Names the walls of a run; those that are equal are kept once."""
+    """Names the walls of a run; equal ones are kept only once."""
     return hashlib.sha256(run.world.encode()).hexdigest()[:12]
 
 
 def _own_assets() -> Path:
-    # Only here, because it needs ROS.
+    # Imported late, because it needs ROS.
     from f1tenth_scenarios import places
 
     return places.package_path(places.PACKAGE) / "report"

@@ -20,7 +20,7 @@ _POSE = ("x", "y", "yaw")
 
 
 def pack_run(record: Record, replay: Replay) -> str:
-    """Everything that a replay draws, but the walls."""
+    """Everything that a replay draws, except the walls."""
     return pack(_run(record, replay, _STEP))
 
 
@@ -35,7 +35,7 @@ def pack_tracks(record: Record) -> str:
 
 
 def thumbnail(record: Record) -> list[list[list[float]]]:
-    """The paths of the cars, thinned, for a drawing as large as a thumb."""
+    """The paths of the cars, thinned, for a small drawing."""
     return [_thinned(track) for track in record.tracks.values()]
 
 
@@ -88,7 +88,7 @@ def _every(stamps: ArrayLike, step: float) -> np.ndarray:
 
 
 def _spread(count: int, most: int) -> np.ndarray:
-    """Which of so many points are kept: the first, the last and some evenly in between."""
+    """Which of `count` points are kept: the first, the last and some evenly in between."""
     return np.unique(np.linspace(0, max(count - 1, 0), most).astype(int))[:count]
 
 

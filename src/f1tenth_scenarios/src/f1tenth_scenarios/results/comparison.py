@@ -14,7 +14,7 @@ _PASSED, _FAILED = "passed", "failed"
 
 @dataclasses.dataclass(frozen=True)
 class Tolerance:
-    """How much worse a figure may become; nothing: it is not compared."""
+    """How much worse a figure may become; None: it is not compared."""
 
     lap_time: Optional[float] = None  # part of the base's best lap
     clearance: Optional[float] = None  # m
@@ -73,7 +73,7 @@ def table(comparisons: Sequence[Comparison]) -> str:
 
 def _problems(before, after, tolerance):
     if before is None:
-        return  # new; whether it passes is its own run's business
+        return  # new; whether it passes is judged in its own run
     if after is None:
         yield "was not run"
         return

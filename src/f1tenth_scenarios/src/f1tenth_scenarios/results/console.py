@@ -1,4 +1,4 @@
-"""What a person or a script reads of a run."""
+"""What a person or a script reads about a run."""
 
 import statistics
 import sys
@@ -113,7 +113,7 @@ def cost_of_all(costs: Mapping[str, float]) -> str:
 
 
 def _arguments(plan):
-    """What planners of others get in the place of their own defaults, which may not mean the same."""
+    """What others' planners get in place of their own defaults, which may not mean the same."""
     for car in plan.scenario.cars:
         file = plan.cars[car.name].driver
         own = file.arguments - file.required - car.driver.arguments.keys()

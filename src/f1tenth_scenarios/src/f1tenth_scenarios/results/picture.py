@@ -27,7 +27,7 @@ _CONTACT_COLOUR = "#d62728"
 _GOAL_COLOUR = "#1f3b57"
 _GOAL_SIZE = 13.0  # points, with a number in it
 _SMALL_GOAL_SIZE = 4.0  # points
-_NUMBERED = (1, 5, 10, 50, 100)  # every how many-th goal may have its number
+_NUMBERED = (1, 5, 10, 50, 100)  # n, if every n-th goal has its number
 
 
 def write_picture(
@@ -40,7 +40,7 @@ def write_picture(
 ) -> None:
     """Draw a run into a PNG file, which replaces the old one when it is complete.
 
-    The lines stand below the title; the map, if there is one, is beneath.
+    The lines are below the title; the map, if there is one, is beneath the run.
     """
     figure = make_figure(title, lines, record, goals, track_map)
     with replacing(path) as temporary, warnings.catch_warnings():
@@ -196,7 +196,7 @@ def _draw_goals(axes, goals, points_per_metre):
 
 
 def numbering_step(goals: Sequence[Pose], points_per_metre: float) -> int:
-    """Every how many-th goal can have its number so that the path between them stays in sight."""
+    """The n with which every n-th goal can have its number and the path between them stays visible."""
     if len(goals) < 2:
         return 1
     places = np.array([(goal.x, goal.y) for goal in goals])

@@ -28,7 +28,7 @@ class Result:
     folder: Path = Path()  # of the results
     wall_time: Optional[float] = None  # s, of everything, from the start of the command
     not_written: tuple[str, ...] = ()  # files of the results, each with the reason
-    note: str = ""  # why the run was another one than the scenario asks for
+    note: str = ""  # why the run differed from what the scenario asks for
 
     @property
     def cost(self) -> Optional[float]:
@@ -101,7 +101,7 @@ def as_dict(result: Result, versions: Mapping[str, Any], settings: Sequence[str]
 
 
 def _culprit(result: Result) -> Optional[dict[str, Any]]:
-    """Who broke the set-up; the log counts from the folder of the results."""
+    """Who broke the set-up; the log's path is relative to the folder of the results."""
     failure = result.judgement.failure
     if failure is None:
         return None

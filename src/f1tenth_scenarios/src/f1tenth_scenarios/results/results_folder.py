@@ -18,7 +18,7 @@ _EARLIER_LOG = ".earlier_log"
 def claimed(folder: Path, log_folder: Path, commits: Mapping[str, Any]) -> Iterator["ResultsFolder"]:
     """Keep other runs out while the block runs; log_folder is there and empty.
 
-    If the block does not ask for the place of results that are to stay, everything is as it was before, and
+    If the block does not ask for the place of the final results, everything is as it was before, and
     what was written to log_folder is in the folder `interrupted`.
 
     Args:
@@ -41,7 +41,7 @@ def claimed(folder: Path, log_folder: Path, commits: Mapping[str, Any]) -> Itera
 
 
 class ResultsFolder:
-    """A results folder in which a run is going on."""
+    """A results folder in which a run is in progress."""
 
     def __init__(self, folder: Path, log_folder: Path, commits: Mapping[str, Any]):
         self._folder, self._log, self._commits = folder, log_folder, commits
@@ -57,7 +57,7 @@ class ResultsFolder:
         """Where the results of a run that came to its end are to be written.
 
         Earlier results are gone then, or in the folder `previous` if they are of another commit than ours (or
-        of a working copy with changes, which may be any), be it of the workspace or of a driver.
+        of a working copy with changes, which may be anything), be it of the workspace or of a driver.
         """
         self._is_over = True
         shutil.rmtree(self._earlier_log, ignore_errors=True)

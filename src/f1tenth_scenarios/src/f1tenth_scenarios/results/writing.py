@@ -21,7 +21,7 @@ def write_verdict(plan: Plan, result: Result) -> None:
     """
     try:
         write_junit(result.folder / JUNIT_FILE, junit_of(result, summary(result, plan)))
-        # Last, because who sees a result.json may rely on it.
+        # Last, because a reader that sees a result.json may rely on it.
         found = versions.collect(plan.driver_folders)
         write_json(result.folder / RESULT_FILE, as_dict(result, found, plan.settings))
     except OSError as error:

@@ -26,7 +26,7 @@ from f1tenth_scenarios.road.goals import goals_text
 from f1tenth_scenarios.scenario.car import Car, Input
 from f1tenth_scenarios.scenario.driver import Interface
 
-# What takes time and helps nobody here is left out; timeouts in wall s, for each node.
+# What takes time and is of no use here is left out; timeouts in wall s, for each node.
 _OPTIONS = (
     "--skip-log-check",
     "--no-summary",

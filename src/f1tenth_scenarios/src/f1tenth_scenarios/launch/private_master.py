@@ -76,7 +76,7 @@ def _serve() -> None:
     master.start()
     print(master.uri, flush=True)
     sys.stdin.read()
-    # Its threads would go on for as long as a node that has ended is called.
+    # Its threads would keep running for as long as they call a node that has ended.
     os._exit(0)
 
 

@@ -38,7 +38,7 @@ def offered_arguments(plan: Plan, car: Car) -> dict[str, Any]:
         "commands": _commands(car) if car.commands else None,
         "time_to_start": plan.scenario.time_to_start,
         "start_at": plan.scenario.time_to_start + _START_MARGIN if plan.has_countdown else 0.0,
-        # Where time does not wait, nobody knows beforehand when the countdown begins.
+        # Where time does not wait, it is not known beforehand when the countdown begins.
         "await_start": plan.has_countdown and not plan.scenario.lockstep,
         "lockstep": plan.scenario.lockstep,
         "odometry": odometry(plan),

@@ -1,1 +1,1 @@
-"""What is known of a run while it goes on and afterwards: the record, the replay."""
+"""What is known of a run while it lasts and afterwards: the record, the replay."""

@@ -194,7 +194,7 @@ def _road(plan: Plan) -> list[tuple[float, float]]:
 
 
 def _track_map(plan: Plan) -> Optional[Grid]:
-    """Nothing if it cannot be read, as map_server has said already."""
+    """None if it cannot be read, which map_server has reported already."""
     try:
         return load_map(plan.place.map) if plan.place.map else None
     except MapError:

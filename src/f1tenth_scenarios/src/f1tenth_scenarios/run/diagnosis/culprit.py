@@ -72,7 +72,7 @@ def _gave_its_driver_up(deputy: Optional[NodeEnd]) -> bool:
 
 
 def failure_of_driver(plan: Plan, car: str, nodes: Sequence[str], reason: str) -> Failure:
-    """A car's driver is of no use: its node that told of an error, else the first, else its launch file."""
+    """A car's driver is of no use: its node that reported an error, else the first, else its launch file."""
     ends = [NodeEnd(node, 0) for node in nodes]
     if not ends:
         return _node_failure(plan, NodeEnd(f"{car} ({plan.cars[car].driver.path})", 0), reason)
@@ -115,7 +115,7 @@ def _last_words(plan: Plan, end: NodeEnd) -> Iterator[tuple[Path, list[str]]]:
 
 
 def _last_traceback(output: list[str], node: str) -> list[str]:
-    """The last one before roslaunch noticed the end of a node: what nobody catches goes to its stderr."""
+    """The last one before roslaunch noticed the end of a node: an uncaught exception goes to its stderr."""
     died = re.compile(rf"\[{re.escape(node)}-\d+\] process has died")
     until = next((number for number, line in enumerate(output) if died.search(line)), 0)
     return last_traceback([line for line in output[:until] if not _SAID_TO_ALL.match(line)])

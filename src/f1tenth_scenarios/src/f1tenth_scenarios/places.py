@@ -17,7 +17,7 @@ GAZEBO_PACKAGE = "f1tenth_gazebo"
 _SEARCH_PATH = "F1TENTH_SCENARIO_PATH"  # environment variable, folders as in PATH
 _PACKAGE_URI = "package://"
 _SUFFIXES = {"scenarios": ".yaml", "worlds": ".world", "goals": ".txt", "circuits": ".yaml"}
-_SCENARIOS = ("scenarios", "circuits")  # in whose files scenarios are; in a scenario's own it is another one
+_SCENARIOS = ("scenarios", "circuits")  # a circuit's file is a scenario, too: a race of one lap on it
 _WORDS = {"scenarios": "scenario", "worlds": "world", "goals": "goals file", "circuits": "circuit"}
 _PATH_SUFFIXES = (".yaml", ".world", ".txt", ".csv")  # of what is a path even without a slash
 

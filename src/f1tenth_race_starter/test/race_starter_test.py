@@ -2,6 +2,7 @@
 """The node race_starter, seen from outside."""
 
 import contextlib
+import os
 import signal
 import subprocess
 import sys
@@ -116,6 +117,26 @@ def test_ends_when_told_to_while_the_clock_stands(start, seconds, clock, number)
     assert seconds.wait_for([2])
     node.send_signal(number)
     assert node.wait(LIMIT) == 1
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_ends_when_told_to_while_it_waits_for_a_master(number):
+    # Port 1: nobody listens there.
+    environment = {**os.environ, "ROS_MASTER_URI": "http://localhost:1"}
+    pipe = subprocess.PIPE
+    node = subprocess.Popen([sys.executable, SCRIPT], env=environment, stdout=pipe, stderr=pipe, text=True)
+    assert "master may not be running" in node.stdout.readline()
+    node.send_signal(number)
+    _, errors = node.communicate(timeout=LIMIT)
+    assert node.returncode == {signal.SIGINT: 1, signal.SIGTERM: -signal.SIGTERM}[number]
+    assert "Traceback" not in errors
+
+
+def test_a_parameter_that_ros_cannot_carry_is_one_line_and_code_2():
+    command = [sys.executable, SCRIPT, "_time_to_start:=99999999999"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=LIMIT)
+    message = "race_starter: a parameter on the command line is too large for ROS\n"
+    assert (done.returncode, done.stderr) == (2, message)
 
 
 @pytest.mark.parametrize("value", [-1, 1.5, "soon"])

@@ -1,6 +1,7 @@
 """The node race_starter: announces what the Countdown says is due."""
 
 import signal
+import sys
 import time
 from dataclasses import dataclass
 
@@ -93,8 +94,16 @@ def _note_stop_signals():
 
 def main():
     """Run the node; return its exit code."""
+    try:
+        # It waits for a master: until there is one, a signal ends the process as usual.
+        rospy.init_node("race_starter", disable_signals=True)
+    except KeyboardInterrupt:
+        rospy.signal_shutdown("interrupted")
+        return EXIT_STOPPED
+    except OverflowError:
+        print("race_starter: a parameter on the command line is too large for ROS", file=sys.stderr)
+        return EXIT_BAD_INPUT
     stop_requests = _note_stop_signals()
-    rospy.init_node("race_starter", disable_signals=True)
     try:
         parameters = parse_parameters(Parameters, (rospy.get_name(), rospy.get_param("~", {})))
     except ParameterError as error:

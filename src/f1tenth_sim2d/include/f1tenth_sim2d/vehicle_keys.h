@@ -65,7 +65,7 @@ inline constexpr std::array kVehicle{
   Key<P>{"actuation_latency", &P::actuation_latency, kLatency, "From command to actuator, s."},
   Key<P>{"speed_gain", &P::speed_gain, kPositive, "Acceleration asked for per speed error, 1/s."},
   Key<P>{"command_timeout", &P::command_timeout, kPositive, "Simulated time without a command before braking, s."},
-  Key<P>{"R_w", &P::R_w, kPositive, "Radius of the wheels, m; this and what follows is the drift model's."},
+  Key<P>{"R_w", &P::R_w, kPositive, "Radius of the wheels, m; this and the next three are the drift model's."},
   Key<P>{"I_y_w", &P::I_y_w, kPositive, "Inertia of the wheels of an axle about that axle, kg m^2."},
   Key<P>{"T_sb", &P::T_sb, kShare, "Share of the front axle in braking."},
   Key<P>{"T_se", &P::T_se, kShare, "Share of the front axle in driving."},

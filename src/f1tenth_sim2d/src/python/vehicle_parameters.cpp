@@ -34,7 +34,7 @@ Raises:
     .def_property(
       "model", [](const P & p) { return kVehicleModelNames[static_cast<std::size_t>(p.model)]; },
       [](P & p, const std::string & name) { p.model = vehicleModel(name); },
-      "How the car moves: single_track, kinematic or single_track_drift.")
+      "How the car moves: the name of a vehicle model.")
     .def_readwrite("tire", &P::tire, "TireParameters.")
     .def_property_readonly("wheelbase", &P::wheelbase, "l_f + l_r, m.")
     .def("__copy__", [](const P & p) { return P(p); });

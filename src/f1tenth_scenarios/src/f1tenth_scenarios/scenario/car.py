@@ -149,9 +149,7 @@ class Car:
         default=None,
     )
     model: Optional[VehicleModel] = key(
-        "How the car moves: `kinematic`; `single_track`, tyres without a limit; `single_track_drift`,"
-        " tyres that slide; default: the car's.",
-        default=None,
+        "How the car moves, by the name of a vehicle model; default: the car's.", default=None
     )
     dropped_beams: float = key(
         "Probability of each beam of the planner's lidar to be lost.", at_least=0, at_most=1, default=0.0

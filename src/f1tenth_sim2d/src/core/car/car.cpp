@@ -9,6 +9,7 @@
 #include "core/models/kinematic.h"
 #include "core/models/single_track.h"
 #include "core/models/single_track_drift.h"
+#include "f1tenth_sim2d/errors.h"
 
 namespace f1tenth_sim2d
 {
@@ -21,9 +22,10 @@ std::unique_ptr<SteeredModel> makeModel(const VehicleParameters & parameters)
       return std::make_unique<Kinematic>(parameters);
     case VehicleModel::kSingleTrackDrift:
       return std::make_unique<SingleTrackDrift>(parameters);
-    default:
+    case VehicleModel::kSingleTrack:
       return std::make_unique<SingleTrack>(parameters);
   }
+  throw Error("a car has no model");
 }
 
 /// The dynamics that a car's description and the `model` of its parameters ask for.

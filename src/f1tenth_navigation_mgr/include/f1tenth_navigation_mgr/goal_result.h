@@ -15,15 +15,15 @@ enum class GoalOutcome
   kAborted,    ///< the planner gave up
   kRejected,   ///< the planner did not take the goal
   kPreempted,  ///< cancelled, by us or by another client's goal
-  kLost,       ///< the planner died, forgot the goal, fell silent or never took notice of it
+  kLost,       ///< the planner died, forgot the goal, fell silent or never acknowledged it
 };
 
 struct GoalResult
 {
   Goal goal;
   GoalOutcome outcome{GoalOutcome::kLost};
-  std::string text;  ///< the planner's words; for kLost: what was missed
+  std::string text;  ///< the planner's message; for kLost: what was missing
   ros::Time sent;    ///< ROS time
-  ros::Time ended;   ///< ROS time at which this side learned of it
+  ros::Time ended;   ///< ROS time at which the client learned of it
 };
 }  // namespace f1tenth_navigation_mgr

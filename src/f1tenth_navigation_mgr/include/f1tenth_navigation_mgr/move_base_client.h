@@ -22,7 +22,7 @@ namespace f1tenth_navigation_mgr
 class MoveBaseClient
 {
 public:
-  /// @param ns  namespace of the action `move_base`, resolved as any ROS name
+  /// @param ns  namespace of the action `move_base`, resolved like any ROS name
   MoveBaseClient(const std::string & ns, const Timeouts & timeouts);
 
   /// Handles the messages that have arrived; waits for the first one up to max_wait (wall time).
@@ -38,14 +38,14 @@ public:
   /// @pre connected, no goal in flight
   void Send(const Goal & goal, const Goals & next, const ros::Time & now);
 
-  /// Says on `move_base/goals_ahead` which goals will follow the one in flight, so that the server need not stop at it;
-  /// servers that do not listen to it are none the wiser.
+  /// Announces on `move_base/goals_ahead` which goals will follow the one in flight, so that the server need not stop
+  /// at it; servers that do not listen to it are not affected.
   void Announce(const Goals & next);
 
-  /// How the goal in flight ended, once; sends the goal or the cancel again where the server took no notice.
+  /// How the goal in flight ended, reported once; resends a goal or cancel that the server has not acknowledged.
   std::optional<GoalResult> Check(const ros::Time & now);
 
-  /// Asks the server to give up the goal in flight, as soon as it has taken it; Check() tells when that is done.
+  /// Asks the server to give up the goal in flight, once the server has accepted it; Check() tells when that is done.
   void Cancel(const ros::Time & now);
 
   bool HasGoal() const { return flight_.has_value(); }
@@ -53,7 +53,7 @@ public:
   /// "/robot1/move_base"
   std::string ActionName() const { return nh_.resolveName("move_base"); }
 
-  /// What the frame `odom` of this car is called: its namespace and "odom", "robot1/odom".
+  /// Name of the car's frame `odom`: its namespace and "odom", "robot1/odom".
   std::string OdomFrame() const;
 
 private:
@@ -73,7 +73,7 @@ private:
     ros::Time sent;
     Moment asked;  ///< when the goal, or else its cancellation, was sent first
     ros::WallTime last_attempt;
-    std::optional<ros::WallTime> over_since;  ///< when the status said that the goal is over
+    std::optional<ros::WallTime> over_since;  ///< when the status first said that the goal is over
     bool cancelled{false};
   };
 
@@ -95,9 +95,9 @@ private:
   ros::NodeHandle nh_;
   ros::CallbackQueue queue_;
   ros::Publisher goals_ahead_;
-  std::unique_ptr<Client> client_;  ///< null until there is a clock: its constructor blocks without
-  ros::WallTime connected_;         ///< when the topics were asked for and offered
-  double patience_;                 ///< wall s from then until they are anew
+  std::unique_ptr<Client> client_;  ///< null until there is a clock: its constructor blocks without one
+  ros::WallTime connected_;         ///< when the topics were subscribed and advertised
+  double patience_;                 ///< wall s from then until that is done again
   std::vector<ros::Subscriber> listeners_;
   Moment last_status_;
   std::optional<ros::WallTime> gone_since_;

@@ -43,12 +43,12 @@ class NavigationMgr
 public:
   using ResultCallback = std::function<void(const GoalResult &)>;
 
-  /// @param robot  the car's namespace, resolved as any ROS name: the action is `<robot>/move_base`; empty: the
-  ///               namespace of the node. ros::init() comes before.
+  /// @param robot  the car's namespace, resolved like any ROS name: the action is `<robot>/move_base`; empty: the
+  ///               namespace of the node. Call ros::init() first.
   explicit NavigationMgr(const std::string & robot, const Timeouts & timeouts = {});
 
-  /// Appends the goals of a file to the queue. Frames known: `map` and the car's `odom`.
-  /// @throws GoalsFileError; the queue is then as it was
+  /// Appends the goals of a file to the queue. Known frames: `map` and the car's `odom`.
+  /// @throws GoalsFileError; the queue is then unchanged
   void LoadGoals(const std::string & path);
   void AddGoal(const Goal & goal);
 
@@ -64,19 +64,19 @@ public:
   /// Waits up to 10 ms of wall time for a message, so that a bare loop around it does not burn a processor.
   SpinResult Spin();
 
-  /// The same without waiting, at the ROS time that the caller has: for lockstep, where the period's stamp counts.
+  /// The same without waiting, at a ROS time given by the caller: for lockstep, where the period's stamp counts.
   SpinResult Spin(const ros::Time & now);
 
-  /// The parts of a Spin(), by the names of the thesis, to write another one with.
+  /// The parts of Spin(), named as in the thesis, to write another one from.
   bool HasActiveGoal() const { return client_.HasGoal(); }
   std::size_t SizeGoalsQueue() const { return queue_.size(); }
   /// @throws Error when the queue is empty
   const Goal & FrontGoalsQueue() const;
-  /// Takes a goal that is over from the queue, as Spin() does; waits up to 10 ms of wall time for a message.
+  /// Removes a goal that is over from the queue, as Spin() does; waits up to 10 ms of wall time for a message.
   /// @return kNotConnected, kDriving, kReached or kFailed; kIdle when there is no active goal
   SpinResult CheckGoalState();
-  /// Sends a goal, which becomes the front of the queue unless it is that already.
-  /// @return kSent, or kNotConnected: then nothing has changed
+  /// Sends a goal, which becomes the front of the queue unless it already is.
+  /// @return kSent, or kNotConnected, and then nothing has changed
   /// @throws Error when another goal is active
   SpinResult SendGoal(const Goal & goal);
 
@@ -85,23 +85,23 @@ public:
   bool WaitForServer(ros::WallDuration timeout);
 
   /// Whether a goal is in flight and its server has been gone for longer than Timeouts::disconnect: the next Spin()
-  /// reports it as lost. For those who spin only when the clock moves; may have stopped with the server.
+  /// reports it as lost. For callers that spin only when the clock moves, which may have stopped with the server.
   bool IsServerGone();
 
-  /// Asks for the end of the goal in flight; a later Spin() reports it, as kPreempted unless it was over before.
+  /// Asks the server to cancel the goal in flight; a later Spin() reports it, as kPreempted unless it was over before.
   void Cancel();
 
-  /// Where it goes now.
+  /// The goal that the car is driving to, if any.
   std::optional<Goal> GoalInFlight() const;
 
-  /// Not reached yet, the one in flight included.
+  /// Goals not reached yet, including the one in flight.
   std::size_t GoalsLeft() const { return queue_.size(); }
   Goals Queue() const { return {queue_.begin(), queue_.end()}; }
 
   /// One entry per goal that is over, in order.
   const std::vector<GoalResult> & Results() const { return results_; }
 
-  /// Called inside Spin(). What they throw comes out of Spin(), which has then done its work.
+  /// Called inside Spin(). What they throw leaves Spin(), which has then done its work.
   void OnGoalReached(ResultCallback callback) { on_reached_ = std::move(callback); }
   void OnGoalFailed(ResultCallback callback) { on_failed_ = std::move(callback); }
 
@@ -119,7 +119,7 @@ private:
   SpinResult Finish(const GoalResult & result);
 
   MoveBaseClient client_;
-  std::deque<Goal> queue_;  ///< its front is the goal in flight when there is one
+  std::deque<Goal> queue_;  ///< its front is the goal in flight if there is one
   std::vector<GoalResult> results_;
   ResultCallback on_reached_;
   ResultCallback on_failed_;

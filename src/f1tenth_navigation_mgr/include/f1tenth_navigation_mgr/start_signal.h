@@ -11,14 +11,14 @@
 namespace f1tenth_navigation_mgr
 {
 /// Reads the countdown to the start of the race: std_msgs/Int32, latched, whole seconds left; 0 is the start.
-/// roscpp with a callback queue of its own, served by SecondsLeft(): in lockstep a participant's drain has by then put
-/// everything there that the period sees. Not thread-safe.
+/// Subscribes on a callback queue of its own, served by SecondsLeft(): in lockstep a participant's drain has by then
+/// put everything into it that belongs to the period. Not thread-safe.
 class StartSignal
 {
 public:
   explicit StartSignal(const std::string & topic = "/time_to_start");
 
-  /// s, as last announced; nothing before the first announcement. Does not block.
+  /// s, as last announced; empty before the first announcement. Does not block.
   std::optional<std::int32_t> SecondsLeft();
 
   /// Whether the race is on; it stays on.

@@ -16,12 +16,12 @@ namespace sim2d_lockstep
 /// Stamp of a participant that has left for good.
 inline const ros::Time kLeft{2147483647, 0};
 
-/// Lets roscpp's poll thread go round twice, so that what lay in this process's sockets is in its callback queues and
+/// Lets roscpp's poll thread go round twice, so that what was in this process's sockets is in its callback queues and
 /// what it had published is in the sockets. roscpp promises neither: the poll thread reads and writes its sockets in
 /// no particular order, whatever the order of sending or publishing.
 ///  - Before acting on a message: whatever was sent before it, over any connection, has arrived.
 ///  - Before publishing a message that announces others (/clock, done): the others are on their way before it.
-/// A message larger than the sockets' buffers (some MB) may take longer; such messages do not belong into a period.
+/// A message larger than the sockets' buffers (some MB) may take longer; such messages do not belong in a period.
 class InboxDrain
 {
 public:
@@ -43,14 +43,14 @@ private:
 /// A node that is named in the simulator's `participants`.
 /// Listens to /clock and /sim2d/done on a callback queue of its own that is served inside waitForPeriod(), so it needs
 /// no spinner and does not touch the node's own queues. Use an object from one thread at a time.
-/// Subscribe what must be there in a period with ros::TransportHints().tcpNoDelay(), or the kernel may hold it back.
+/// Subscribe to what must arrive within a period with ros::TransportHints().tcpNoDelay(), or the kernel may delay it.
 class Participant
 {
 public:
   /// @param name   as in `participants`: the node's name without the leading slash ("robot1/move_base")
   /// @param after  participants that act before this one in every period; their messages of a period have arrived
   ///               when this one acts on it. Empty: acts as soon as the period's /clock is there.
-  /// @throws std::invalid_argument for an empty name, one with a leading slash, or one that is after itself
+  /// @throws std::invalid_argument for an empty name, one with a leading slash, or one that would act after itself
   explicit Participant(std::string name, const std::vector<std::string> & after = {});
   ~Participant();
   Participant(const Participant &) = delete;
@@ -65,19 +65,20 @@ public:
   std::optional<ros::Time> waitForPeriod(ros::WallDuration timeout);
 
   /// Publishes on /sim2d/done that this node has acted up to stamp, after everything it has published before.
-  /// Say the first one only when the node is ready to act (map there, servers connected): the simulator waits.
-  /// @param until  of a node that acts more seldom than every period: nobody waits for it, and waitForPeriod() returns
-  ///               nothing, before the first period that ends then or later; ros::Time(), the default: acts in the next one
+  /// Send the first one only when the node is ready to act (map received, servers connected): the simulator waits.
+  /// @param until  for a node that acts less often than every period: until the first period that ends then or later,
+  ///               nobody waits for it and waitForPeriod() returns no period; ros::Time(), the default: acts in the
+  ///               next one
   void done(const ros::Time & stamp, const ros::Time & until = {});
 
-  /// Acts in every period and says that it is done, until ROS shuts down or the participant has left.
-  /// @param act  of a period's stamp; returns whether the node was ready to, otherwise is called again for the same period; may
-  ///             call leave()
+  /// Acts in every period and calls done(), until ROS shuts down or the participant has left.
+  /// @param act  called with a period's stamp; returns whether the node was ready to act, otherwise is called again
+  ///             for the same period; may call leave()
   void actInPeriods(const std::function<bool(const ros::Time &)> & act);
 
-  /// Leaves for good: the simulator and all that come after this participant never wait for it again. Blocks until the
-  /// simulator has gone on without it, at most 1 s of wall time: a process that ends earlier may take its last words
-  /// along. waitForPeriod() returns nothing from then on.
+  /// Leaves for good: the simulator and all that act after this participant never wait for it again. Blocks until the
+  /// simulator has gone on without it, at most 1 s of wall time: if the process ends earlier, its last message may be
+  /// lost. waitForPeriod() returns nothing from then on.
   void leave();
 
 private:

@@ -15,10 +15,10 @@
 #include "workspace_support/planar.h"
 #include "workspace_support/scan.h"
 
-/// Between messages and plain types. Quaternions count as rotations about z, of a lidar that may hang upside down.
+/// Between messages and plain types. Quaternions count as rotations about z; a lidar may hang upside down.
 namespace workspace_support
 {
-/// A name of a frame as tf2 knows it: those of tf1 may begin with a slash.
+/// A frame name as tf2 knows it: names of tf1 may begin with a slash.
 std::string withoutSlash(const std::string & frame);
 std_msgs::Header headerOf(const std::string & frame, const ros::Time & stamp);
 /// The x axis of the pose, seen from above.
@@ -46,7 +46,7 @@ std::optional<geometry_msgs::TransformStamped> lookUp(
   const tf2::BufferCore & transforms, const std::string & target, const std::string & frame, const ros::Time & stamp);
 /// Whether the z axis of the transform points down.
 bool isUpsideDown(const geometry_msgs::Transform & transform);
-/// The map with its origin as it stands: x, y and yaw.
+/// The map with its origin as given: x, y and yaw.
 OccupancyGrid fromOccupancyGrid(const nav_msgs::OccupancyGrid & message);
 nav_msgs::OccupancyGrid toOccupancyGrid(const OccupancyGrid & grid, const std_msgs::Header & header);
 /// @param upside_down  whether the lidar is: its angles then count clockwise

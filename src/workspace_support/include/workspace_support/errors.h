@@ -14,7 +14,7 @@ inline std::string toText(double number)
   return text.str();
 }
 
-/// Base of everything that simulator and stand-ins throw for a user's mistake. Mistakes of our own are asserted.
+/// Base of everything that simulator and stand-ins throw for a user's mistake. Our own mistakes are asserted.
 class Error : public std::runtime_error
 {
 public:

@@ -35,21 +35,21 @@ struct GridGeometry
     const auto columns = static_cast<std::size_t>(width);
     return {static_cast<int>(index % columns), static_cast<int>(index / columns)};
   }
-  /// The cell in which a point lies, which may be outside of the grid. For a grid that is not turned.
+  /// The cell in which a point lies, which may be outside of the grid. For a grid that is not rotated.
   Cell cellAt(const Vec2 & point) const
   {
     return {
       static_cast<int>(std::floor((point.x - origin.x) / resolution)),
       static_cast<int>(std::floor((point.y - origin.y) / resolution))};
   }
-  /// For a grid that is not turned.
+  /// For a grid that is not rotated.
   Vec2 centre(const Cell & cell) const
   {
     return {origin.x + (cell.x + 0.5) * resolution, origin.y + (cell.y + 0.5) * resolution};
   }
 };
 
-/// A map as nav_msgs/OccupancyGrid has it: 0 free, 100 occupied, values between them in percent, -1 unknown; row by row
+/// A map as in nav_msgs/OccupancyGrid: 0 free, 100 occupied, values between them in percent, -1 unknown; row by row
 /// from the origin.
 struct OccupancyGrid
 {

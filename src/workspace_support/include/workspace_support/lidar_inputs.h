@@ -12,10 +12,10 @@
 
 namespace workspace_support
 {
-/// Serves what is subscribed, or offered, by a handle on this queue.
+/// A handle whose subscriptions and services are served by this queue.
 ros::NodeHandle servedBy(ros::CallbackQueue & queue);
 
-/// What a node on a lidar hears, on one queue: scans, transforms, and what else is subscribed to by servedBy(queue).
+/// Inputs of a lidar node, on one queue: scans, transforms, and what else is subscribed to by servedBy(queue).
 class LidarInputs
 {
 public:
@@ -24,12 +24,12 @@ public:
   /// @param transforms  is filled with /tf and /tf_static
   LidarInputs(ros::CallbackQueue & queue, tf2::BufferCore & transforms, const OnScan & on_scan);
 
-  /// Leaves out scans up to then. Of the period in which nodes connect, one may get the scan and another not.
+  /// Ignores scans up to then. In the period in which nodes connect, one may get the scan and another not.
   void startAfter(const ros::Time & stamp) { start_ = stamp; }
   /// Whether scans have been connected for long enough to get the next one: roscpp does not tell when the other end
   /// knows of a connection.
   bool areConnected();
-  /// Whether time, ROS time, has jumped back since the call before.
+  /// Whether ROS time has jumped back since the previous call.
   bool jumpsBackTo(const ros::Time & now);
 
 private:

@@ -16,6 +16,6 @@ NumberRule positive();
 /// @param meaning  of the least value, as error messages say it: " (0: never)"
 NumberRule atLeast(double least, const std::string & meaning = "");
 NumberRule within(double least, double most);
-/// Of what is added to stamps, s: such a sum is still a time.
+/// For what is added to stamps, s: the sum must still be a valid time.
 NumberRule duration();
 }  // namespace workspace_support

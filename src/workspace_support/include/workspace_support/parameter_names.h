@@ -7,7 +7,7 @@
 
 namespace workspace_support
 {
-/// What one parameter may be called; of those that are set the first counts. A name may be a path into nested maps,
+/// Names that one parameter may have; the first that is set counts. A name may be a path into nested maps,
 /// "global_costmap/footprint".
 struct ParameterNames
 {

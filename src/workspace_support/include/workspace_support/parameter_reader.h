@@ -23,7 +23,7 @@ struct PluginName
   std::string type;  ///< "package/Class" or "package::Class"
 };
 
-/// Reads a map of parameters once, and notes which were asked for, to tell which have no use.
+/// Reads a map of parameters once, and notes which were asked for, to tell which are unused.
 ///
 /// Each read() sets the value if there is such a parameter, else leaves it, and returns whether there is one. Whatever
 /// cannot be used is an OptionError: "parameter FULL NAME: found X, must be Y".
@@ -42,14 +42,14 @@ public:
   bool read(const ParameterNames & names, int & value, const NumberRule & rule = {});
   bool read(const ParameterNames & names, bool & value);
   bool read(const ParameterNames & names, std::string & value);
-  /// Different texts that are not empty.
+  /// Distinct texts that are not empty.
   bool read(const ParameterNames & names, std::vector<std::string> & value);
   /// A list of points, [[x, y], ...], finite; also as a text, in which blanks may stand for commas.
   bool read(const ParameterNames & names, std::vector<Vec2> & value);
   /// A list of mappings with the texts name and type.
   bool read(const ParameterNames & names, std::vector<PluginName> & value);
   bool read(const ParameterNames & names, std::optional<double> & value, const NumberRule & rule = {});
-  /// One of some words, each with what it stands for.
+  /// One of several words, each with its value.
   template <class Value>
   bool readChoice(
     const ParameterNames & names, Value & value, const std::vector<std::pair<std::string, Value>> & choices);
@@ -58,7 +58,7 @@ public:
 
   /// A map below this one, to be read and checked by itself; empty if it is not there.
   ParameterReader below(const std::string & name);
-  /// Keys of this map, in the order of the alphabet.
+  /// Keys of this map, in alphabetical order.
   std::vector<std::string> keys() const;
   std::string fullName(const std::string & name) const { return name_ + "/" + name; }
 
@@ -67,14 +67,14 @@ public:
   /// @param allowed  "a text"
   [[noreturn]] void fail(const std::string & name, const std::string & allowed) const;
 
-  /// Counts parameters as asked for that are there for somebody else.
+  /// Counts parameters that are meant for others as asked for.
   void ignore(const std::vector<std::string> & names);
   /// Parameters that nobody has asked for, without the name of this map.
   std::vector<std::string> unused() const;
-  /// Refuses the first of these, and says which are known in its place.
+  /// Throws for the first of these, and names those that are known beside it.
   void refuseUnused() const;
-  /// Says these in one warning, if there are any.
-  /// @param important  beginnings of names that are a warning each, "TebLocalPlannerROS/"
+  /// Names these in one warning, if there are any.
+  /// @param important  prefixes of names that get a warning each, "TebLocalPlannerROS/"
   void warnOfUnused(const std::vector<std::string> & important = {}) const;
 
 private:

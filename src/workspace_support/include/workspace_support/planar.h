@@ -55,7 +55,7 @@ inline double distance(const Pose2 & a, const Pose2 & b)
   return distance(a.position(), b.position());
 }
 
-/// The same angle in [-pi, pi].
+/// The equivalent angle in [-pi, pi].
 inline double normalizeAngle(double angle)
 {
   return std::remainder(angle, 2.0 * M_PI);

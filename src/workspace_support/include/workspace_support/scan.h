@@ -11,6 +11,6 @@ struct Scan
   double angle_increment{0.0};  ///< rad, from one beam to the next; negative for a lidar that hangs upside down
   double range_min{0.0};        ///< m
   double range_max{0.0};        ///< m
-  std::vector<float> ranges;    ///< m; what is not finite, or nearer than range_min, was not hit
+  std::vector<float> ranges;    ///< m; values that are not finite, or below range_min, are no hits
 };
 }  // namespace workspace_support

@@ -7,7 +7,7 @@
 
 namespace workspace_support
 {
-/// Whether it says where its beams are. Ranges may be anything: one that makes no sense is a beam without an echo.
+/// Checks that a scan defines where its beams are. Ranges may be anything: an invalid one is a beam without an echo.
 /// @throws Error that names the field: "range_max: found inf, must be a finite number above 0"
 inline void requireUsable(const Scan & scan)
 {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-/// Warnings in wall time: simulated time may stand, and near its 0 ROS_WARN_THROTTLE is silent.
+/// Warnings in wall time: simulated time may stand still, and near time 0 ROS_WARN_THROTTLE is silent.
 namespace workspace_support
 {
 /// "A scan at 1.050 s is left out: REASON"
@@ -15,26 +15,26 @@ std::string scanIsLeftOut(const ros::Time & stamp, const std::string & reason);
 class RareWarning
 {
 public:
-  /// @return whether it was said
+  /// @return whether the warning was given
   bool say(const std::string & text, const ros::WallTime & now = ros::WallTime::now());
 
 private:
   std::optional<ros::WallTime> last_;
 };
 
-/// Says what a node lacks if it has waited for it for 5 s, and every 5 s from then on.
+/// Warns of what a node lacks once it has waited for it for 5 s, and every 5 s from then on.
 class WaitWarning
 {
 public:
-  /// To be called again and again.
+  /// To be called repeatedly.
   /// @param missing  "scans on /scan"; empty: nothing
-  /// @return whether it was said
+  /// @return whether the warning was given
   bool waitFor(const std::string & missing, const ros::WallTime & now = ros::WallTime::now());
-  /// Begins to wait anew, as something has come.
+  /// Starts waiting anew, as something has arrived.
   void reset() { missing_.clear(); }
 
 private:
   std::string missing_;
-  ros::WallTime since_;  // when the wait began, or was spoken of
+  ros::WallTime since_;  // when the wait began, or was last warned of
 };
 }  // namespace workspace_support

@@ -13,11 +13,11 @@
 #include "f1tenth_sim2d/vehicle_parameters.h"
 #include "f1tenth_sim2d/world_model.h"
 
-/// A car as the robot description gives it.
+/// A car as its robot description defines it.
 ///
 /// Poses are in the frame of the car: on the ground below the middle of the rear axle, x forwards, z upwards.
-/// Frame ids of the car are those of its description. Topics without slash in front belong into the namespace of the car; a
-/// <robotNamespace> of the description has become part of the topic ("/racecar/scan").
+/// Frame ids of the car are those of its description. Topics without a leading slash are in the namespace of the car; a
+/// <robotNamespace> of the description is already part of the topic ("/racecar/scan").
 namespace f1tenth_sim2d
 {
 /// A planar lidar. Beam i points at angle_min + i * (angle_max - angle_min) / (beam_count - 1) about its own z axis.
@@ -52,23 +52,23 @@ struct ImuDescription
   std::string name;
   std::string topic{"imu"};
   std::string frame{"imu"};
-  Pose3 pose;  ///< its axes are those of what it measures
+  Pose3 pose;  ///< its axes are those of the measurements
   double rate_hz{100.0};
   double yaw_rate_noise_stddev{0.0};      ///< rad/s
   double acceleration_noise_stddev{0.0};  ///< m/s^2
 };
 
-/// A sonar: how far away the nearest thing is that one of its rays meets. libgazebo_ros_range.so.
+/// A sonar: the distance to the nearest thing that one of its rays hits. libgazebo_ros_range.so.
 struct SonarDescription
 {
   std::string name;
   std::string topic;
   std::string frame;
-  RayFan rays;                 ///< from where it is; range_max is that of the sonar
+  RayFan rays;                 ///< from the sonar's position; range_max is the sonar's
   double rate_hz{0.0};         ///< 0: at every physics step
   double range_min{0.0};       ///< m
   double noise_stddev{0.0};    ///< m
-  double field_of_view{0.05};  ///< rad, as it is published; the rays say what is seen
+  double field_of_view{0.05};  ///< rad, as published; what is seen depends on the rays alone
   bool is_infrared{false};
 };
 
@@ -77,7 +77,7 @@ struct PoseSensorDescription
 {
   std::string name;
   std::string topic;
-  std::string frame{"world"};                           ///< header.frame_id; the world's, so without prefix
+  std::string frame{"world"};                           ///< header.frame_id; a frame of the world, so without prefix
   std::string link;                                     ///< child_frame_id
   Pose3 pose;                                           ///< of the link
   Eigen::Vector3d xyz_offset{Eigen::Vector3d::Zero()};  ///< m, added to the position in the world
@@ -86,7 +86,7 @@ struct PoseSensorDescription
   double noise_stddev{0.0};                             ///< m/s and rad/s, of the twist
 };
 
-/// A wheel or a steering joint. Wheels turn, steering joints follow Ackermann's geometry.
+/// A wheel or a steering joint. Wheels turn, steering joints follow Ackermann geometry.
 struct JointDescription
 {
   std::string name;
@@ -98,12 +98,12 @@ struct JointDescription
     kWheelRearRight,
     kSteeringLeft,
     kSteeringRight,
-    // In the middle of the car: of a car with one wheel there, or of a model of the car in the car, for its controller.
+    // In the middle of the car: the only wheel there, or part of a single-track model in the car, for its controller.
     kWheelFrontMiddle,
     kWheelRearMiddle,
     kSteeringMiddle
   } role;
-  double direction{1.0};  ///< +1: grows when the wheel rolls forwards or steers to the left; -1: falls
+  double direction{1.0};  ///< +1: the angle grows when the wheel rolls forwards or steers to the left; -1: falls
   double lower{-std::numeric_limits<double>::infinity()};        ///< rad
   double upper{std::numeric_limits<double>::infinity()};         ///< rad
   double velocity_max{std::numeric_limits<double>::infinity()};  ///< rad/s
@@ -134,19 +134,19 @@ struct DriveDescription
   bool publishes_odometry{true};
   bool publishes_transform{true};
   double acceleration_max{
-    std::numeric_limits<double>::infinity()};  ///< m/s^2, of the wheels; besides that of the car's parameters
-  double steering_max{0.6};                    ///< rad, of an Ackermann drive; besides that of the car's parameters
-  double speed_max{20.0};                      ///< m/s, likewise
+    std::numeric_limits<double>::infinity()};  ///< m/s^2, of the wheels; besides the limit of the car's parameters
+  double steering_max{0.6};  ///< rad, of an Ackermann drive; besides the limit of the car's parameters
+  double speed_max{20.0};    ///< m/s, likewise
 };
 
 /// libgazebo_ros_control.so: the controllers of a controller_manager move wheels and steering joints.
 struct RosControlDescription
 {
-  std::string ros_namespace;  ///< as topics: without slash in front it belongs into the car's; empty: the car's itself
+  std::string ros_namespace;       ///< like topics: without a leading slash it is in the car's; empty: the car's itself
   double control_period_sec{0.0};  ///< 0: the physics step
 };
 
-/// A <plugin> element: its tags as they stand, so that a plugin reads its own parameters.
+/// A <plugin> element: its tags as written, so that a plugin reads its own parameters.
 struct PluginElement
 {
   std::string name;
@@ -159,16 +159,16 @@ struct PluginElement
 struct CarDescription
 {
   std::string name;                         ///< "robot1"
-  std::string ros_namespace;                ///< its own, without slashes around it; usually its name; empty: the root
+  std::string ros_namespace;                ///< its own, without slash at either end; usually its name; empty: the root
   std::string source;                       ///< where the description came from, for error messages
   std::vector<Solid> solids;                ///< bumpers among them
   std::vector<std::string> links;           ///< all links of the robot description
   std::map<std::string, Pose3> link_poses;  ///< of all links, joints at zero
 
-  /// The link that stands for the car: base_footprint, or else base_link, or else the root. Child of odom in tf.
+  /// The link that represents the car: base_footprint, or else base_link, or else the root. Child of odom in tf.
   std::string base_frame{"base_footprint"};
   Pose3 base_frame_pose;
-  Pose3 model_pose;  ///< of the model's own frame, the one that Gazebo's spawn and model states mean
+  Pose3 model_pose;  ///< of the model's own frame, which Gazebo's spawn services and model states refer to
 
   std::vector<LidarDescription> lidars;
   std::vector<BumperDescription> bumpers;
@@ -179,16 +179,16 @@ struct CarDescription
   std::optional<RosControlDescription> ros_control;
 
   std::vector<JointDescription> mechanism;  ///< all wheels and steering joints
-  std::vector<JointDescription> joints;     ///< those of them that joint_states carries
+  std::vector<JointDescription> joints;     ///< the ones that joint_states carries
   std::string joint_state_topic{"joint_states"};
   double joint_state_rate_hz{50.0};
   double wheel_radius{0.05};           ///< m
   double track_width{0.2};             ///< m, between the steering joints
-  VehicleParameters parameters;        ///< dynamics as the description gives them; what it lacks is the F1/10 car's
+  VehicleParameters parameters;        ///< dynamics from the description; what it lacks is the F1/10 car's
   std::vector<PluginElement> plugins;  ///< not built in: to be looked up as shared libraries
   std::vector<std::string> warnings;
 
-  /// Where the car takes geometry_msgs/Twist; none for one that only controllers of ros_control drive.
+  /// The topic on which the car takes geometry_msgs/Twist; none for a car driven by controllers of ros_control only.
   std::optional<std::string> twistTopic() const
   {
     if (drive) {

@@ -17,12 +17,12 @@ using ConvexPolygon = std::vector<Vec2>;
 /// A closed outline of any shape, counter-clockwise around solid matter, without its closing corner; m.
 using Outline = std::vector<Vec2>;
 
-/// Where a frame is in another one: position, m, and rotation, a unit quaternion.
+/// Pose of a frame in another one: position, m, and rotation, a unit quaternion.
 ///
 /// Turning about z alone leaves heights exact, and the identity leaves everything exact.
 struct Pose3
 {
-  /// Not aligned: what includes this header may be compiled for another vector unit than the simulator.
+  /// Not aligned: code that includes this header may be compiled for another vector unit than the simulator.
   using Rotation = Eigen::Quaternion<double, Eigen::DontAlign>;
 
   Eigen::Vector3d position{Eigen::Vector3d::Zero()};
@@ -62,7 +62,7 @@ struct Pose3
 
   /// The z axis of this frame in the other one.
   Eigen::Vector3d up() const { return rotation * Eigen::Vector3d::UnitZ(); }
-  /// The other frame's z axis in this one: its components say how far each axis climbs.
+  /// The other frame's z axis in this one: its components tell how far each axis climbs.
   Eigen::Vector3d climb() const { return rotation.conjugate() * Eigen::Vector3d::UnitZ(); }
 
   Pose3 inverse() const { return {rotation.conjugate() * -position, rotation.conjugate()}; }
@@ -74,7 +74,7 @@ inline Eigen::Vector3d operator*(const Pose3 & a, const Eigen::Vector3d & point)
   return a.position + a.rotation * point;
 }
 
-/// A frame b given in a, in the frame in which a is given.
+/// A pose b given in a, in the frame in which a is given.
 inline Pose3 operator*(const Pose3 & a, const Pose3 & b)
 {
   return {a * b.position, a.rotation * b.rotation};

@@ -20,9 +20,9 @@ struct SearchPath
 SearchPath searchPathFromEnvironment();
 
 /// Reads a world: an SDF file, or an occupancy-grid map (.yaml) in map_server's format.
-/// URIs of an SDF file resolve over the model folders, then beside the file, then in packages. The occupied cells of a map are
-/// walls, exactly along the edges of the pixels; the start is on the centreline if X_centerline.csv lies beside
-/// X_map.yaml.
+/// URIs in an SDF file are looked up in the model folders, then beside the file, then in packages. The occupied cells
+/// of a map are walls, exactly along the edges of the pixels; the start is on the centreline if X_centerline.csv lies
+/// beside X_map.yaml.
 /// @throws LoadError for a missing or malformed file and for what would make the simulation wrong
 WorldDescription loadWorld(const std::string & path, const SearchPath & search_path = {});
 
@@ -40,8 +40,8 @@ struct LoadedModel
 /// @throws LoadError for text that is not XML
 bool describesCar(const std::string & xml, const std::string & source);
 
-/// Reads a URDF or SDF model that is no car from a string.
-/// @param name  that it gets in the world
+/// Reads a URDF or SDF model that is not a car from a string.
+/// @param name  of the model in the world
 /// @param pose  of its frame in the world
 /// @throws LoadError
 LoadedModel loadModel(
@@ -51,7 +51,7 @@ LoadedModel loadModel(
 /// Reads a URDF (with <gazebo> tags) or SDF model from a string.
 /// @param name           the car's name
 /// @param source         what error messages call the text
-/// @param ros_namespace  of the car, without slashes around it; unless told, its name
+/// @param ros_namespace  of the car, without leading or trailing slash; by default its name
 /// @throws LoadError
 CarDescription loadCar(
   const std::string & xml, const std::string & name, const std::string & source, const SearchPath & search_path = {},

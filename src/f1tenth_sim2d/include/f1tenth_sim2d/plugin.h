@@ -17,7 +17,7 @@ struct CarPluginContext
   const Simulation & simulation;
   CarId car;                ///< valid as long as the plugin lives
   ros::NodeHandle node;     ///< in the car's namespace
-  Advertiser & advertiser;  ///< what it makes waits for slow subscribers; a ros::Publisher of your own does not
+  Advertiser & advertiser;  ///< its topics wait for slow subscribers; a ros::Publisher of your own does not
   TransformSender & transforms;
   std::string frame_prefix;      ///< put before every frame id, "robot1/" or ""
   bool owns_odometry_transform;  ///< whether perfect odometry publishes odom -> base_footprint
@@ -33,7 +33,7 @@ public:
   /// @throws Error for a wrong parameter, naming element.place, the tag, what was found and what is allowed
   virtual void load(const PluginElement & element, const CarPluginContext & context) = 0;
 
-  /// Rate at which update() is wanted, Hz of simulated time.
+  /// Rate at which update() is to be called, Hz of simulated time.
   virtual double updateRate() const = 0;
 
   /// Called at each multiple of 1 / updateRate() of simulated time, after the physics step that ends there.

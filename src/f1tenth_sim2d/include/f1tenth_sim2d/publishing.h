@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-/// How the simulator and its plugins publish. Other than with a bare ros::Publisher the simulator knows what has not
+/// How the simulator and its plugins publish. Unlike with a bare ros::Publisher, the simulator knows what has not
 /// been sent yet, so that it can wait: nothing is lost at high speed.
 namespace f1tenth_sim2d
 {

@@ -53,16 +53,16 @@ public:
   /// @throws Error if the name is taken or the place is not free (the message names what is in the way)
   CarId addCar(const CarDescription & car, const VehicleParameters & parameters, const Pose2 & pose);
 
-  /// Takes a car out. The others keep their noise; a car that comes later gets the noise of the one that left.
+  /// Removes a car. The others keep their noise; a car that is added later gets the noise of the removed one.
   void removeCar(CarId car);
 
-  /// Puts a car somewhere else, as a hand would. Its commands stay in force; wheel odometry does not notice.
+  /// Puts a car somewhere else, as if by hand. Its commands stay in force; wheel odometry does not notice.
   /// @param velocity  m/s, in the frame of the car, of base_footprint
   /// @param yaw_rate  rad/s
   /// @throws Error if a number is not finite or the place is not free; the car then stays where it is
   void placeCar(CarId car, const Pose2 & pose, const Vec2 & velocity = {}, double yaw_rate = 0.0);
 
-  /// The cars that are there, in the order in which they came. Any other id is answered with std::out_of_range.
+  /// The cars that are there, in the order in which they were added. Any other id causes std::out_of_range.
   const std::vector<CarId> & cars() const;
   const CarDescription & car(CarId car) const;
   const VehicleParameters & parameters(CarId car) const;
@@ -71,20 +71,20 @@ public:
   SimTime stepLength() const;  ///< ns
 
   /// Advances by one physics step.
-  /// @throws Error if a car runs away: the numbers of its parameters do not make a car
+  /// @throws Error if a car's motion diverges: its parameters do not describe a possible car
   void step();
   /// Steps until time() >= end.
   void advanceTo(SimTime end);
-  /// Back to time 0, the state after construction and all addCar calls, with the same seed: as from fresh.
+  /// Back to time 0, the state after construction and all addCar calls, with the same seed: as if built anew.
   void reset();
   /// The same for cars and models only: time goes on.
   void resetPoses();
 
   /// Takes effect after the car's actuation latency; clamped to the car's limits.
-  /// @throws Error for a value that is not finite or absurd (beyond 100 m/s or a full turn); it is then not taken
+  /// @throws Error for a value that is not finite or absurd (beyond 100 m/s or a full turn); it is then ignored
   void command(CarId car, const DriveCommand & command);
-  /// A Twist as in cmd_vel: the steering angle follows from v and omega over the wheelbase. A car with a differential,
-  /// skid-steer or planar drive takes it as it is; linear_y, m/s to the left, is for the last one only.
+  /// A Twist as in cmd_vel: the steering angle follows from v, omega and the wheelbase. A car with a differential,
+  /// skid-steer or planar drive takes it as it is; linear_y, m/s to the left, is for planar drives only.
   /// @throws Error likewise, also beyond 1000 rad/s
   void commandTwist(CarId car, double linear_x, double angular_z, double linear_y = 0.0);
 
@@ -99,14 +99,14 @@ public:
   /// The same without noise.
   void exactScan(CarId car, std::size_t lidar, float * ranges) const;
 
-  /// What rays from a car meet now: for each the range, m, +inf where nothing is within range_max. Exact; a car does not see
-  /// itself. Writes as many numbers as the fan has directions. Allocates nothing, but that the first call at a height works out
-  /// what is to be seen there.
+  /// The range at which each ray from a car hits something now, m, +inf where nothing is within range_max. Exact; a car
+  /// does not see itself. Writes as many numbers as the fan has directions. Allocates nothing, except that the first
+  /// call at a height works out what can be seen there.
   /// @throws Error for a number that is not finite, or a range_max that is not 0 or more; it may be infinite
   void castRays(CarId car, const RayFan & fan, double * ranges) const;
 
-  /// Sample `index` of the standard normal noise of a sensor of a car now: a function of seed, car, name of the sensor, time
-  /// and index only.
+  /// Sample `index` of the standard normal noise of a sensor of a car now: a function of seed, car, name of the sensor,
+  /// time and index only.
   double noise(CarId car, const std::string & sensor, std::uint64_t index) const;
 
   /// Contacts of the car in the physics steps since the last call to clearContacts, ground excluded.
@@ -117,10 +117,10 @@ public:
   /// infinite. Throws Error if limit is negative or not a number.
   double clearance(CarId car, double limit) const;
 
-  /// The world: static models where they are, movable ones where they started. Valid until a model comes or goes, or a static
-  /// one is moved or comes back.
+  /// The world: static models where they are, movable ones where they started. Valid until a
+  /// model is added or removed, or a static one is moved or put back.
   const WorldDescription & world() const;
-  /// Models of the world, in the order in which they came.
+  /// Models of the world, in the order in which they were added.
   const std::vector<ModelDescription> & models() const;
   ModelState modelState(std::size_t index) const;
   /// @throws Error for an unknown name
@@ -132,10 +132,10 @@ public:
   /// Puts one more model into the world; reset() brings it back to this pose. Costs as much as loading the world.
   /// @throws Error if the name is taken, or for a movable model without mass
   void addModel(const ModelDescription & model);
-  /// Takes a model out; those after it move up.
+  /// Removes a model; those after it move up.
   void removeModel(std::size_t index);
-  /// Puts a model somewhere else; its height and tilt stay. A static one has no velocity, and moving it costs as much as
-  /// loading the world. reset() brings both back.
+  /// Puts a model somewhere else; its height and tilt stay. A static one has no velocity, and moving it costs as much
+  /// as loading the world. reset() brings both back.
   /// @throws Error if a number is not finite
   void placeModel(std::size_t index, const ModelState & state);
 

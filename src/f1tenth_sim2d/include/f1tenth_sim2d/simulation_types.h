@@ -8,7 +8,7 @@
 
 #include "f1tenth_sim2d/geometry.h"
 
-/// What a Simulation is told, and what it tells.
+/// Inputs and outputs of a Simulation.
 namespace f1tenth_sim2d
 {
 /// Simulated time, ns since the start.
@@ -25,8 +25,8 @@ inline double toSeconds(SimTime time)
   return static_cast<double>(time) / kNanosecondsPerSecond;
 }
 
-/// A car of one Simulation, from addCar() to removeCar(). Cars are numbered from 0 in the order in which they come; the
-/// number of a car that has left is never given to another one.
+/// A car of one Simulation, from addCar() to removeCar(). Cars are numbered from 0 in the order in which they are
+/// added; the number of a removed car is never reused.
 enum class CarId : std::uint32_t
 {
 };
@@ -44,8 +44,8 @@ struct TwistCommand
   double yaw_rate{0.0};  ///< rad/s
 };
 
-/// True state of a car. Pose and velocity are those of its own frame, on the ground below the middle of the rear axle. Where
-/// base_footprint is in that frame, which need not be there, CarDescription::base_frame_pose says.
+/// True state of a car. Pose and velocity are those of its own frame, on the ground below the middle of the rear axle.
+/// base_footprint need not be there: CarDescription::base_frame_pose is its pose in that frame.
 struct CarState
 {
   Pose2 pose;                            ///< in the world
@@ -57,7 +57,7 @@ struct CarState
   std::array<double, 4> wheel_speeds{};  ///< rad/s, same order
 };
 
-/// A model of the world as it stands or moves now; pose and velocity are those of the model's frame, in the world.
+/// Where a model of the world is and how it moves; pose and velocity are those of the model's frame, in the world.
 struct ModelState
 {
   Pose2 pose;
@@ -74,7 +74,7 @@ struct WheelOdometry
   double lateral_speed{0.0};  ///< m/s, to the left; of a planar drive only
 };
 
-/// Without the turn of the sensor on the car, which ImuDescription::pose tells.
+/// In the frame of the car, without the rotation of the sensor on it, which is in ImuDescription::pose.
 struct ImuSample
 {
   double yaw{0.0};       ///< rad
@@ -93,7 +93,7 @@ struct Contact
   std::vector<double> depths;   ///< m
   Vec2 force;                   ///< N, world, on the car, mean over the time step
   double torque{0.0};           ///< N m, about the car's centre of mass
-  /// m/s, of the touching points against each other before the impact, whichever of the two moved: the greatest.
+  /// m/s, greatest relative speed of the touching points before the impact, whichever of the two bodies moved.
   double speed{0.0};
 };
 

@@ -6,7 +6,7 @@
 
 #include "f1tenth_sim2d/vehicle_parameters.h"
 
-/// The parameters that are numbers, for readers and bindings.
+/// The numeric parameters, for readers and bindings.
 namespace f1tenth_sim2d::vehicle_keys
 {
 /// Which numbers are allowed.

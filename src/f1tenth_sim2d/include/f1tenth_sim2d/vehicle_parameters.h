@@ -15,9 +15,9 @@ enum class VehicleModel
 /// Their names, in the order of the enum.
 constexpr std::array<const char *, 3> kVehicleModelNames{"single_track", "kinematic", "single_track_drift"};
 
-/// Coefficients of Pacejka's magic formula as CommonRoad has it, "Vehicle Models", table 7, but for r_hx1, r_by3 and r_vy1,
-/// which make a tyre one-sided: those of the left and of the right wheels cancel. Those of camber have no place here, because
-/// there is none. Forces are positive to the left, where the slip angle grows, so that p_ky1 is negative.
+/// Coefficients of Pacejka's magic formula as in CommonRoad, "Vehicle Models", table 7, except r_hx1, r_by3 and r_vy1,
+/// which make a tyre one-sided: those of the left and the right wheels cancel. There are none of camber, which is not
+/// modelled. Forces are positive to the left, where the slip angle grows, so p_ky1 is negative.
 struct TireParameters
 {
   double p_cx1{1.6411};       ///< shape, along the wheel
@@ -47,7 +47,7 @@ struct TireParameters
   double r_vy6{-10.704};      ///< its stiffness
 };
 
-/// All numbers of a car's dynamics, actuation and wheel odometry: one YAML file a car.
+/// All numbers of a car's dynamics, actuation and wheel odometry: one YAML file per car.
 /// Symbols as in CommonRoad's vehicle models; defaults are the F1/10 car of f1tenth_gym.
 struct VehicleParameters
 {

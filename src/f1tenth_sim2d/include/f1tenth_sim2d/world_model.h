@@ -46,13 +46,13 @@ struct Polyline
 struct Plane
 {
 };
-/// A surface: triangles that share the corners they have in common, counter-clockwise seen from outside.
+/// A surface: triangles with shared vertices, counter-clockwise seen from outside.
 struct TriangleMesh
 {
   std::vector<Eigen::Vector3d> vertices;  ///< m
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
-/// The surface of a mesh file. What it closes in is solid; where it is open it is a thin sheet.
+/// The surface of a mesh file. What it encloses is solid; where it is open it is a thin sheet.
 struct Mesh
 {
   std::shared_ptr<const TriangleMesh> surface;  ///< shared by all solids of one file and scale
@@ -77,7 +77,7 @@ struct ModelDescription
   bool is_static{false};
   double mass{0.0};        ///< kg, all links
   double inertia_zz{0.0};  ///< kg m^2, about the vertical through the centre of mass
-  Vec2 centre_of_mass;     ///< m, seen from above: from where pose is, along its heading and to the left
+  Vec2 centre_of_mass;     ///< m, seen from above: relative to pose, along its heading and to the left
   std::vector<Solid> solids;
 };
 

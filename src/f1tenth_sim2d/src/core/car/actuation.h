@@ -6,8 +6,8 @@
 
 namespace f1tenth_sim2d
 {
-/// A Twist as a drive command: the steering angle under which a car of this wheelbase turns with angular_z at
-/// linear_x. A car cannot turn on the spot: at linear_x = 0 the wheels go to the side of angular_z.
+/// A Twist as a drive command: the steering angle with which a car of this wheelbase turns with angular_z at
+/// linear_x. A car cannot turn on the spot: at linear_x = 0 the wheels turn to the side of angular_z.
 DriveCommand commandFromTwist(double linear_x, double angular_z, double wheelbase);
 
 /// Acceleration that the motor can give at speed v, m/s and m/s^2; the limits of CommonRoad's models.

@@ -36,13 +36,13 @@ public:
   void command(const DriveCommand & command, SimTime now) { dynamics_->command(command, now); }
   void command(const TwistCommand & command, SimTime now) { dynamics_->command(command, now); }
 
-  /// Works out where the car goes in a step of dt seconds that starts at now, contacts left aside.
+  /// Works out where the car goes in a step of dt seconds that starts at now, without contacts.
   void predict(SimTime now, double dt);
-  /// The farthest that a point of the car within outer_radius (m) of its centre of mass goes in the predicted step, m.
+  /// The farthest that a point of the car within outer_radius (m) of its centre of mass moves in the predicted step, m.
   double predictedTravel(double outer_radius) const;
   /// Where the car is, with the velocity that it has at the end of the predicted step.
   PlanarMotion predictedMotion() const;
-  /// Puts what contacts made of it in place of the predicted motion.
+  /// Replaces the predicted motion by what contacts made of it.
   void apply(const ContactEffect & effect);
   /// Makes the prediction true, at time now.
   void commit(SimTime now, double dt);

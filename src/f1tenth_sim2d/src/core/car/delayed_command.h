@@ -19,7 +19,7 @@ public:
 
   void give(const Command & command, SimTime now) { pending_.push_back({now, command}); }
 
-  /// Lets take effect what is due at now.
+  /// Puts commands into effect that are due at now.
   void takeEffect(SimTime now)
   {
     while (!pending_.empty() && pending_.front().issued + latency_ <= now) {

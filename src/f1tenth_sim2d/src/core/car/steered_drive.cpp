@@ -44,7 +44,7 @@ void SteeredDrive::advance(BodyState & state, SimTime now, double dt)
   model_->advance(state, actuation_.input(speed, state.delta, now, dt), dt);
 }
 
-// Wheels that slip do so alike on both sides, on top of what the turning of the car makes of them.
+// Wheels slip equally on both sides, in addition to the differences in speed that come from turning.
 WheelMotion SteeredDrive::wheels(const BodyState & state) const
 {
   const double speed = bodyVelocity(state).x;

@@ -5,19 +5,19 @@
 
 namespace f1tenth_sim2d
 {
-/// The twist that a car of this wheelbase has at a speed and under a steering angle.
+/// The twist of a car of this wheelbase at a speed and a steering angle.
 TwistCommand twistFromCommand(const DriveCommand & command, double wheelbase);
 
-/// The drives of gazebo_ros that set velocities: differential, skid-steer and planar. The car takes the velocity that it is
-/// asked for, as fast as its acceleration allows, and turns about the point that its wheels turn it about; only a
-/// planar one goes sideways. The steering angle stays zero.
+/// The drives of gazebo_ros that set velocities: differential, skid-steer and planar. The car takes the velocity that
+/// it is asked for, as fast as its acceleration allows, and turns about the point given by its wheels; only a planar
+/// one moves sideways. The steering angle stays zero.
 class TwistDrive : public VehicleDynamics
 {
 public:
   /// Whether a car has such a drive, and no steering joints: a car that has these is driven by them.
   static bool drives(const CarDescription & car);
 
-  /// @param car  that has one
+  /// @param car  that has such a drive
   TwistDrive(const CarDescription & car, const VehicleParameters & parameters);
 
   void restart() override;
@@ -36,7 +36,7 @@ private:
   double track_width_;   ///< m
   double wheel_radius_;  ///< m
   bool goes_sideways_;
-  double centre_ahead_;              ///< m, how far the centre of mass is ahead of the point it turns about
+  double centre_ahead_;              ///< m, how far the centre of mass is ahead of the point that the car turns about
   double acceleration_max_;          ///< m/s^2
   double angular_acceleration_max_;  ///< rad/s^2
   DelayedCommand<TwistCommand> commands_;

@@ -11,7 +11,7 @@ namespace f1tenth_sim2d
 {
 struct WheelMotion
 {
-  double rear_speed{0.0};          ///< m/s, mean of the circumferences of the rear wheels
+  double rear_speed{0.0};          ///< m/s, mean circumferential speed of the rear wheels
   std::array<double, 4> speeds{};  ///< rad/s: front left, front right, rear left, rear right
 };
 
@@ -26,16 +26,16 @@ public:
   /// The car was put somewhere; commands stay in force.
   virtual void place(const BodyState & /*state*/) {}
 
-  /// Commands of the driver at now, within the limits of validation.h; they take effect after the car's latency. Either kind
-  /// serves every car: one that steers takes a twist as the steering angle that it means, the others a steering angle as
-  /// the twist that it means.
+  /// Commands of the driver at now, within the limits of validation.h; they take effect after the car's latency. Either
+  /// kind serves every car: one that steers converts a twist to a steering angle, the others convert a steering angle
+  /// to a twist.
   virtual void command(const DriveCommand & command, SimTime now) = 0;
   virtual void command(const TwistCommand & command, SimTime now) = 0;
 
   /// Advances state by a step of dt seconds that starts at now.
   virtual void advance(BodyState & state, SimTime now, double dt) = 0;
 
-  /// Whether the car turns by steering, so that its wheel odometry goes by the steering angle and not by two wheels.
+  /// Whether the car steers, so that its wheel odometry uses the steering angle and not the difference of two wheels.
   virtual bool steers() const = 0;
   virtual WheelMotion wheels(const BodyState & state) const = 0;
 };

@@ -81,7 +81,7 @@ void WheelOdometryIntegrator::sampleFree()
   current_.yaw_rate = (right - left) / track_width_;
 }
 
-/// Goes on from the last sample at the speeds that were measured.
+/// Integrates from the last sample with the measured speeds.
 void WheelOdometryIntegrator::integrate()
 {
   const double turn = current_.yaw_rate * elapsed_;

@@ -10,8 +10,8 @@
 namespace f1tenth_sim2d
 {
 /// Dead reckoning as a car does it: distance from the wheels, curvature from the steering angle, both with noise and
-/// systematic errors; a car that is driven by velocities has its curvature from the difference of its wheels. Sampled at a
-/// fixed rate whether anybody reads it or not.
+/// systematic errors; a car that is driven by velocities takes its curvature from the difference of its wheels. Sampled
+/// at a fixed rate whether anybody reads it or not.
 class WheelOdometryIntegrator
 {
 public:
@@ -25,7 +25,7 @@ public:
   /// @param now  the first sample falls on the first multiple of the sampling period after it
   void restart(const Pose2 & pose, SimTime now);
 
-  /// Tells what happened in a step of dt seconds that ends at now.
+  /// Notes what happened in a step of dt seconds that ends at now.
   /// @param state     at its end
   /// @param distance  m, that the wheels of the rear axle rolled
   /// @param turn      rad, of the car

@@ -19,10 +19,10 @@ struct Participant
 {
   b2Body * body{nullptr};
   double outer_radius{0.0};            ///< m
-  std::optional<b2AABB> surroundings;  ///< whose static pieces Box2D has
+  std::optional<b2AABB> surroundings;  ///< in which Box2D has the static pieces
 };
 
-/// A car as a rigid body, and what the CollisionWorld that it is in keeps of it.
+/// A car as a rigid body, and what its CollisionWorld keeps about it.
 struct CarBody
 {
   /// @param centre_of_mass  m, in front of base_footprint
@@ -33,12 +33,12 @@ struct CarBody
     const WorldPieces & world);
 
   std::vector<Piece> pieces;             ///< about the centre of mass
-  std::vector<const PieceSet *> layers;  ///< of the world, that these pieces are in
+  std::vector<const PieceSet *> layers;  ///< of the world, to which these pieces belong
   double mass;                           ///< kg
   double inertia;                        ///< kg m^2
 
   Participant participant;
-  PlanarMotion placed;                ///< in the step in which it took part last
+  PlanarMotion placed;                ///< in the last step in which it took part
   std::vector<StepContact> contacts;  ///< of the last step
 };
 }  // namespace f1tenth_sim2d

@@ -13,7 +13,7 @@ namespace f1tenth_sim2d
 namespace
 {
 constexpr double kFirstReach = 0.25;     // m
-constexpr double kFloatRounding = 1e-3;  // m, more than distances in single precision are off
+constexpr double kFloatRounding = 1e-3;  // m, more than the error of distances in single precision
 
 b2Transform transformOf(const Pose2 & pose)
 {
@@ -67,7 +67,7 @@ double gap(const PieceBounds & circle, const b2Transform & at, const Piece & oth
 class OwnPieces
 {
 public:
-  /// @param limit  m, beyond which distances need not be visited; read anew before each pair
+  /// @param limit  m, beyond which distances need not be visited; reread before each pair
   OwnPieces(const PlacedCar & own, const double & limit)
   : pieces_(own.body.pieces), at_(transformOf(own.pose)), limit_(limit)
   {

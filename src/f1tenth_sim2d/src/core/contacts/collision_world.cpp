@@ -14,7 +14,7 @@ namespace
 constexpr int kVelocityIterations = 8;
 constexpr int kPositionIterations = 3;
 constexpr double kSubstepTravel = 0.005;  // m, so that even thin bodies cannot be passed through
-constexpr double kStruckTravel = 0.5;     // m, that something which is struck goes in the same step, at most
+constexpr double kStruckTravel = 0.5;     // m, the farthest that something struck moves in the same step
 constexpr double kSurroundings = 0.5;     // m, beyond what is needed now
 
 void addFixture(b2Body & body, const Piece & piece)
@@ -182,7 +182,7 @@ void CollisionWorld::surroundParticipants(double travel)
       surround(car->participant, travel);
     }
   }
-  // Also those that sleep: they may be struck in this very step.
+  // Including those asleep: they may be struck in this very step.
   for (Movable & movable : movables_) {
     surround(movable.participant, travel);
   }
@@ -216,7 +216,7 @@ b2AABB CollisionWorld::squareAround(const b2Vec2 & centre, double half_width)
   return {centre - half, centre + half};
 }
 
-// Relative to where Box2D started, in its own precision: a car that rests is not moved by rounding.
+// Relative to where Box2D started, in its own precision: a car at rest is not moved by rounding.
 ContactEffect CollisionWorld::effect(const CarBody & car)
 {
   const b2Body & body = *car.participant.body;

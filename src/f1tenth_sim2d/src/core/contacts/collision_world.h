@@ -15,7 +15,7 @@
 
 namespace f1tenth_sim2d
 {
-/// How a movable model lies and moves, as Box2D has it; static ones have none.
+/// Pose and velocity of a movable model in Box2D; static ones have none.
 struct ModelMotion
 {
   b2Vec2 centre{0.0F, 0.0F};
@@ -27,8 +27,8 @@ struct ModelMotion
 };
 
 /// The world as rigid bodies in the plane. Cars take part only while they are near something they could touch: the
-/// vehicle model moves them, and Box2D adds what contacts change. Box2D knows only those static pieces that
-/// something has been near, so that a world of many walls is soon made anew.
+/// vehicle model moves them, and Box2D adds what contacts change. Box2D knows only the static pieces that
+/// something has been near, so that a world of many walls is quickly rebuilt.
 class CollisionWorld
 {
 public:
@@ -38,7 +38,7 @@ public:
   /// Makes room for a car, so that adding it cannot fail.
   void prepareFor(const CarBody & car);
   /// Adds a car that takes no part yet.
-  /// @param car  that room was made for; stays where it is as long as this lives
+  /// @param car  for which room was made; stays at its address as long as this lives
   void add(CarBody & car) noexcept;
 
   /// Lets a car take part in the next step, from this pose and with this velocity.
@@ -47,29 +47,29 @@ public:
   static void remove(CarBody & car);
 
   /// Advances by dt seconds; the cars then know their contacts.
-  /// @param travel  m, the farthest that anything which takes part goes
+  /// @param travel  m, the farthest that anything taking part moves
   void step(double dt, double travel);
   /// Effect of the last step on a car that took part in it.
   static ContactEffect effect(const CarBody & car);
 
-  /// Whether nothing has ever taken part in a step or been put somewhere: it is as on its first day.
+  /// Whether nothing has ever taken part in a step or been put somewhere: it is as built.
   bool isPristine() const { return is_pristine_; }
   /// Whether any movable model moves.
   bool isAwake() const { return is_awake_; }
-  /// The farthest that a point of a movable model goes within dt seconds, m.
+  /// The farthest that a point of a movable model moves within dt seconds, m.
   double movableTravel(double dt) const;
   /// Pose of a model in the world.
   Pose2 modelPose(std::size_t model) const;
   ModelState modelState(std::size_t model) const;
   /// Puts a movable model somewhere, moving.
   void placeModel(std::size_t model, const ModelState & state);
-  /// Of all models, to be given to another world of the same models.
+  /// Motions of all models, to be given to another world of the same models.
   std::vector<ModelMotion> motions() const;
   /// @param motions  by model; missing ones are left as they are
   void setMotions(const std::vector<ModelMotion> & motions);
 
-  /// Calls visit(piece, transform of its body) for the pieces of models that a car could touch, if its centre of mass were at a
-  /// point, and that may be within `reach` metres of it.
+  /// Calls visit(piece, transform of its body) for the pieces of models that a car could touch, if its centre of mass
+  /// were at a point, and that may be within `reach` metres of it.
   template <typename Visit>
   void forEachModelPieceNear(const CarBody & car, const Vec2 & point, double reach, Visit visit) const
   {
@@ -91,7 +91,7 @@ private:
   {
     const PieceSet * pieces;
     std::vector<bool> has_fixed;
-    bool in_use;  ///< by a car that is there, or by all
+    bool in_use;  ///< by a car that is there, or by every car
   };
 
   static b2AABB squareAround(const b2Vec2 & centre, double half_width);

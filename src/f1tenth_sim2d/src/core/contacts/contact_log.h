@@ -21,7 +21,7 @@ struct StepContact
   std::vector<double> depths;   ///< m
   Vec2 impulse;                 ///< N s, on the car
   double angular_impulse{0.0};  ///< N m s, about the car's centre of mass
-  double speed{0.0};            ///< m/s, greatest of the touching points against each other, before the impact
+  double speed{0.0};            ///< m/s, greatest relative speed of the touching points, before the impact
   int substep{0};               ///< of the positions, normals and depths: the last one in which the pair touched
 
   bool isOfSamePair(const StepContact & other) const
@@ -38,7 +38,7 @@ class ContactLog
 public:
   const std::vector<Contact> & contacts() const { return contacts_; }
   void clear();
-  /// A model has gone from the world, and those after it have moved up. Its contacts stay.
+  /// A model was removed from the world, and those after it have moved up. Its contacts stay.
   void forgetModel(std::size_t index) noexcept;
 
   /// @param describe  fills in the names of a new contact

@@ -14,7 +14,7 @@ CarBody & carOf(b2Fixture & fixture)
   return *reinterpret_cast<CarBody *>(fixture.GetBody()->GetUserData().pointer);
 }
 
-/// m/s, of two bodies against each other at a point, as they move now: contacts are not solved yet.
+/// m/s, relative speed of two bodies at a point, as they move now: contacts are not solved yet.
 double speedBetween(const b2Fixture & one, const b2Fixture & other, const b2Vec2 & point)
 {
   const b2Vec2 difference =
@@ -37,7 +37,7 @@ void ContactRecorder::forEachCar(b2Contact & contact, Record record)
   }
 }
 
-// The coefficients of two surfaces are combined as Gazebo does it with ODE: by the smaller one.
+// The coefficients of two surfaces are combined as in Gazebo with ODE: the smaller one counts.
 void ContactRecorder::BeginContact(b2Contact * contact)
 {
   const Piece & a = pieceOf(*contact->GetFixtureA());

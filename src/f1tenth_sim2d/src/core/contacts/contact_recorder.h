@@ -37,7 +37,7 @@ private:
   int substep_{0};
 };
 
-/// The piece that a fixture was made of.
+/// The piece that a fixture was made from.
 inline const Piece & pieceOf(const b2Fixture & fixture)
 {
   return *reinterpret_cast<const Piece *>(const_cast<b2Fixture &>(fixture).GetUserData().pointer);

@@ -13,8 +13,8 @@ namespace f1tenth_sim2d
 double groundFriction(const WorldDescription & world);
 
 /// Lets a movable body rub on the ground, and puts it to sleep.
-/// It is a joint, so that Box2D solves friction with the ground together with the contacts: what is pushed less than
-/// friction holds stays where it is.
+/// It is a joint, so that Box2D solves friction with the ground together with the contacts: what is pushed with less
+/// than friction holds stays where it is.
 /// @param pieces  of the body
 /// @param ground  friction coefficient of the ground
 /// @param weight  N

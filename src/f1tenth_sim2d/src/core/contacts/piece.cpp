@@ -38,7 +38,7 @@ Vec2 middle(const ConvexPolygon & polygon)
   return {sum.x / count, sum.y / count};
 }
 
-// b2PolygonShape::Set() would move corners together, and replaces what it does not like by a box of one unit.
+// b2PolygonShape::Set() would merge corners, and replaces what it rejects by a box of one unit.
 b2PolygonShape polygonShape(const ConvexPolygon & polygon, const Vec2 & origin)
 {
   b2PolygonShape shape;

@@ -17,8 +17,8 @@ using PieceShape = std::variant<b2PolygonShape, b2CircleShape>;
 
 /// Which part of a solid's height a piece is the shadow of.
 ///
-/// What a car touches of a sphere or of a tilted box depends on the vertical span of the car's own solid. Equal spans
-/// of car solids form a layer, and such solids of the world have pieces of their own in every layer.
+/// What a car touches of a sphere or of a tilted box depends on the vertical span of the car's own solid. Car
+/// solids of equal span form a layer, and such solids of the world have pieces of their own in every layer.
 enum class Layer : int
 {
   kModelsOnly = -2,  ///< all of a solid that has pieces in the layers: touches other models, but no car
@@ -53,7 +53,7 @@ struct Piece
   const b2Shape & boxShape() const;
 };
 
-/// Whether bodies of these spans can touch. Less than a millimetre in common does not count: wheels stand on floors.
+/// Whether bodies of these spans can touch. An overlap below a millimetre does not count: wheels stand on floors.
 bool overlap(const Heights & a, const Heights & b);
 
 /// Whether two pieces of different bodies touch where their shadows do.

@@ -11,8 +11,8 @@
 
 namespace f1tenth_sim2d
 {
-/// The pieces that the models of a world have in one layer. Never changes, and does not depend on what has happened in the world:
-/// pieces come in the order in which they were given, whoever asked before.
+/// The pieces that the models of a world have in one layer. Never changes, and does not depend on what has happened in
+/// the world: pieces come in the order in which they were given, whoever asked before.
 class PieceSet
 {
 public:
@@ -26,7 +26,7 @@ public:
 
   Layer layer() const { return layer_; }
   const std::vector<Piece> & movable() const { return movable_; }
-  /// First and end of the pieces of a movable model.
+  /// Begin and end of the pieces of a movable model.
   Range ofMovable(std::size_t model) const;
   std::size_t fixedCount() const { return fixed_.size(); }
 

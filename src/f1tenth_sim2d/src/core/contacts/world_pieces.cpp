@@ -45,7 +45,7 @@ void forEachSolid(const WorldDescription & world, Visit visit)
   }
 }
 
-/// The pieces of the solids that cut(solid, pose, properties) gives a footprint of.
+/// The pieces of the solids for which cut(solid, pose, properties) gives a footprint.
 template <typename Cut>
 std::unique_ptr<const PieceSet> cutPieces(
   const WorldDescription & world, const std::vector<ModelBody> & bodies, Layer layer, Cut cut)

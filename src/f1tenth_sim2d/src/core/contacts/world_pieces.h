@@ -24,9 +24,9 @@ public:
   /// @param world  outlives this
   explicit WorldPieces(const WorldDescription & world);
 
-  /// Of whole solids: what upright ones are in every layer, and what models touch of each other.
+  /// Pieces of whole solids: for upright ones those of every layer, and for contacts between models.
   const PieceSet & whole() const { return *whole_; }
-  /// The layer of car solids of this span; the world is cut for it at the first time.
+  /// The layer of car solids of this span; the world is cut for it at the first call.
   const PieceSet & layerFor(const Heights & span) const;
   const std::vector<ModelBody> & bodies() const { return bodies_; }
 
@@ -42,7 +42,7 @@ private:
   const WorldDescription & world_;
   const std::vector<ModelBody> bodies_;
   const std::unique_ptr<const PieceSet> whole_;
-  mutable std::mutex mutex_;  ///< of what follows
+  mutable std::mutex mutex_;  ///< guards what follows
   mutable std::vector<SpanLayer> layers_;
 };
 }  // namespace f1tenth_sim2d

@@ -22,6 +22,6 @@ Vec2 bodyVelocity(const BodyState & state);
 Vec2 worldVelocity(const BodyState & state);
 /// Sets v and beta from the velocity of the centre of mass in the frame of the car, m/s.
 void setBodyVelocity(BodyState & state, const Vec2 & velocity);
-/// Turns and moves on for dt seconds by the trapezoidal rule, with the velocities of before and those that are set now.
+/// Advances heading and position by dt seconds by the trapezoidal rule, with the velocities before and those set now.
 void moveOn(BodyState & state, const BodyState & before, double dt);
 }  // namespace f1tenth_sim2d

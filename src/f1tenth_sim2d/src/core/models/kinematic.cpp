@@ -6,7 +6,7 @@ namespace f1tenth_sim2d
 {
 Kinematic::Kinematic(const VehicleParameters & p) : wheelbase_(p.wheelbase()), rear_share_(p.l_r / p.wheelbase()) {}
 
-// Of a velocity that contacts left the part along the track stays.
+// Of the velocity after contacts, the part along the track is kept.
 void Kinematic::advance(BodyState & state, const SteeredInput & input, double dt)
 {
   const BodyState before = state;

@@ -9,10 +9,10 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-constexpr double kRest = 1e-9;            // m/s and rad/s, at which a car stands
-constexpr double kSlidingSpeedMin = 0.2;  // m/s, where CommonRoad's model has gone half over to the kinematic one
-/// How much of a rate of decay (its product with the step) ROS2 takes implicitly: without overshoot where it is stiff, and
-/// close to the exponential where it is not.
+constexpr double kRest = 1e-9;            // m/s and rad/s, below which a car stands
+constexpr double kSlidingSpeedMin = 0.2;  // m/s, where CommonRoad's model is halfway over to the kinematic one
+/// How much of a rate of decay (its product with the step) the method ROS2 takes implicitly: without overshoot where it
+/// is stiff, and close to the exponential where it is not.
 double implicitShare(double decay)
 {
   constexpr double kGamma = 1.7071067811865475;  // 1 + sqrt(1/2)
@@ -52,7 +52,7 @@ void SingleTrackDrift::restart(const BodyState & state)
   roll(state);
 }
 
-/// The wheels turn as fast as they go.
+/// Lets the wheels roll without slip.
 void SingleTrackDrift::roll(const BodyState & state)
 {
   const Vec2 velocity = bodyVelocity(state);
@@ -84,9 +84,9 @@ void SingleTrackDrift::advance(BodyState & state, const SteeredInput & input, do
   });
 }
 
-// ROS2 of J. G. Verwer et al. (A second-order Rosenbrock method applied to photochemical dispersion problems, 1999): of second
-// order whatever matrix it is given, and stable for the stiff part that the matrix holds, which here are tyres at low
-// speed. The position follows by the trapezoidal rule.
+// The method ROS2 of J. G. Verwer et al. (A second-order Rosenbrock method applied to photochemical dispersion
+// problems, 1999): of second order whatever matrix it is given, and stable for the stiff part that the matrix holds,
+// which here are tyres at low speed. The position follows by the trapezoidal rule.
 void SingleTrackDrift::advanceSliding(BodyState & state, const SteeredInput & input, double dt)
 {
   const BodyState before = state;
@@ -173,7 +173,7 @@ SingleTrackDrift::Damping SingleTrackDrift::damping(const Footing & footing, dou
   return {wheel(footing.front), wheel(footing.rear), implicitShare(aside) * aside, implicitShare(turning) * turning};
 }
 
-// What the tyres push more when the wheels turn faster also moves the car, or momentum would come from nowhere.
+// The extra push of the tyres when the wheels turn faster also moves the car, or momentum would come from nowhere.
 SingleTrackDrift::Motion SingleTrackDrift::damped(
   const Motion & slope, const Damping & damping, const SineCosine & steering) const
 {

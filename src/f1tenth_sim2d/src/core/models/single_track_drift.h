@@ -73,7 +73,7 @@ private:
   double I_y_w_;
   double brake_split_;   ///< share of the front axle
   double engine_split_;  ///< share of the front axle
-  double grip_;          ///< m/s^2, that motor and brakes can give at most
+  double grip_;          ///< m/s^2, the most that motor and brakes can give
   Tyre tyre_;
   RollingWithGrip low_speed_;
   double omega_f_{0.0};  ///< rad/s, of the front wheels

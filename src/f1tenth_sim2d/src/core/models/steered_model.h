@@ -8,7 +8,7 @@
 
 namespace f1tenth_sim2d
 {
-/// m/s^2, in the tyre loads of the vehicle models, whatever the world says: their coefficients were identified with it.
+/// m/s^2, in the tyre loads of the models, whatever the world's gravity: their coefficients were identified with it.
 constexpr double kGravity = 9.81;
 
 /// What the actuators do, constant over a step and within the car's limits.
@@ -18,7 +18,7 @@ struct SteeredInput
   double acceleration{0.0};   ///< m/s^2, that motor and brakes are asked for
 };
 
-/// How fast the circumferences of the wheels of a single track turn, m/s.
+/// Circumferential speeds of the wheels of a single track, m/s.
 struct AxleSpeeds
 {
   double front{0.0};
@@ -32,7 +32,7 @@ class SteeredModel
 public:
   virtual ~SteeredModel() = default;
 
-  /// The car was put somewhere: what the model keeps of its own follows from the state from now on.
+  /// The car was put somewhere: the model's own state is set from this one.
   virtual void restart(const BodyState & /*state*/) {}
 
   /// Advances state by dt, s.

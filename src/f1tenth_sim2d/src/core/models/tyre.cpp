@@ -69,7 +69,7 @@ TyreForces Tyre::forces(double slip, double angle, double load) const
   return forces;
 }
 
-// The vertical shift stands within the sine, as in CommonRoad's code.
+// The vertical shift is within the sine, as in CommonRoad's code.
 TyreForce Tyre::alongPure(double slip, double load) const
 {
   const double stiffness = tire_.p_kx1 / (tire_.p_cx1 * friction_along_);

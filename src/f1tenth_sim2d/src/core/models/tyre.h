@@ -18,9 +18,9 @@ struct TyreForces
   TyreForce aside;  ///< to the left
 };
 
-/// Pacejka's magic formula for combined slip, as CommonRoad's vehicle models have it (M. Althoff, G. Wuersching: "CommonRoad:
-/// Vehicle Models", 2020, section "Tire Model"): no camber, no turn slip, all scaling factors 1 but that of friction, which is
-/// mu / p_dy1 in both directions.
+/// Pacejka's magic formula for combined slip, as in CommonRoad's vehicle models (M. Althoff, G. Wuersching:
+/// "CommonRoad: Vehicle Models", 2020, section "Tire Model"): no camber, no turn slip, all scaling factors 1 except
+/// that of friction, which is mu / p_dy1 in both directions.
 class Tyre
 {
 public:

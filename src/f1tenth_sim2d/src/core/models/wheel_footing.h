@@ -12,7 +12,7 @@ namespace f1tenth_sim2d
 /// How the wheels of an axle meet the ground, and what it does to them.
 struct WheelFooting
 {
-  static constexpr double kSlipSpeedMin = 0.1;  ///< m/s, least speed that slip is measured by, as in CommonRoad
+  static constexpr double kSlipSpeedMin = 0.1;  ///< m/s, least speed that slip is relative to, as in CommonRoad
 
   double along;  ///< m/s, of the axle, where the wheels point
   double aside;  ///< m/s, to their left

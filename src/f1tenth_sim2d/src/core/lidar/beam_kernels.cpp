@@ -29,7 +29,7 @@ inline double positivePart(double value)
   return 0.5 * (value + std::abs(value));
 }
 
-/// The whole number at or above one that is not negative.
+/// The least integer at or above a number that is not negative.
 inline double roundedUp(double value)
 {
   const double whole = static_cast<int>(value);
@@ -87,7 +87,7 @@ void projectWalls(const BeamView & view, WallBatch & batch, std::size_t count)
     const double beam_a = batch.beam_a[i];
     const double beam_b = batch.beam_b[i];
     const double end = beam_a + kCornerTolerance;
-    // Products of 0 and 1, which the compiler vectorizes as it does not "and".
+    // Products of 0 and 1, which the compiler vectorizes, unlike "and".
     const double is_within_turn = isTrue(beam_a >= beam_b) * isTrue(end < v.beams_per_turn) *
                                   isTrue(beam_b + v.beams_per_turn > v.last_beam + kCornerTolerance) *
                                   isTrue(beam_a - beam_b <= kWidthMax * v.beams_per_turn);
@@ -111,7 +111,7 @@ void drawWall(
 F1TENTH_VECTORIZED
 bool anyBelow(const double * values, std::size_t count, double threshold)
 {
-  constexpr std::size_t kBlock = 32;  // between looks whether that is enough
+  constexpr std::size_t kBlock = 32;  // between checks whether that is enough
   std::size_t i = 0;
   for (; i + kBlock <= count; i += kBlock) {
     std::int64_t below = 0;
@@ -128,7 +128,7 @@ bool anyBelow(const double * values, std::size_t count, double threshold)
 F1TENTH_VECTORIZED
 double leastOf(const double * values, std::size_t count)
 {
-  // The compiler would not do a minimum of many in another order; said with its vectors it does.
+  // The compiler would not reorder a minimum of many values, but vectorizes it when written with its vector types.
   constexpr std::size_t kLanes = 8;
   using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -38,13 +38,14 @@ struct WallBatch
   Values b_x;
   Values b_y;
   Values cross;  ///< m^2, a x (b - a)
-  // What projectWalls() makes of them.
+  // Computed from them by projectWalls().
   Values beam_a;  ///< direction of a in beams, within [0, beams_per_turn), to within kRoughAngleError
   Values beam_b;
   Values along_cosine;  ///< 1/m: the inverse range is along_cosine cos + along_sine sin
   Values along_sine;
-  // Of a wall that is plain (1, else 0): the beams that it covers, none if first > last. A wall is not if one of its ends is so
-  // close to a beam that its rough direction leaves open on which side, or if it leaves the field of view and comes back.
+  // Of a plain wall (is_plain 1, else 0): the beams that it covers, none if first > last. A wall is not plain if one of
+  // its ends is so close to a beam that its rough direction does not tell on which side, or if it leaves the field of
+  // view and comes back.
   Values first;
   Values last;
   Values is_plain;
@@ -59,8 +60,8 @@ struct WallEnds
   const double * b_y;
 };
 
-/// For each wall a x (b - a), m^2, with its ends relative to a point: negative if the wall turns its right side to the point
-/// and its line passes within the range, m; else 0.
+/// For each wall a x (b - a), m^2, with its ends relative to a point: negative if the wall turns its right side to the
+/// point and its line passes within the range, m; else 0.
 void crossOfFacing(const Vec2 & point, double range, const WallEnds & walls, std::size_t count, double * cross_or_zero);
 
 void projectWalls(const BeamView & view, WallBatch & batch, std::size_t count);
@@ -73,7 +74,7 @@ void drawWall(
 /// Whether any value is below a threshold.
 bool anyBelow(const double * values, std::size_t count, double threshold);
 
-/// The least of values, or +inf of none.
+/// The least of values, +inf if there are none.
 double leastOf(const double * values, std::size_t count);
 
 /// What a lidar reports beyond its limits, REP-117: -inf below range_min, +inf above range_max; m.

@@ -36,7 +36,7 @@ private:
   double radius_;  ///< m
 };
 
-/// What of a world is seen at one height, worked out once, for any number of simulations on any threads.
+/// What is seen of a world at one height, worked out once, for any number of simulations on any threads.
 class WorldSection
 {
 public:
@@ -58,7 +58,7 @@ private:
   double height_;  ///< m
   WallGrid walls_;
   std::vector<Movable> movables_;
-  mutable std::mutex mutex_;  ///< of what follows
+  mutable std::mutex mutex_;  ///< guards what follows
   mutable std::deque<ScanSpaces> spaces_;
 };
 

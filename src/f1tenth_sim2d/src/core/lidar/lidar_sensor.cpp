@@ -11,7 +11,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-/// A lidar that is upright, and has the beams of this one in the opposite order.
+/// An upright lidar with the beams of this one in the opposite order.
 LidarDescription turnedOver(LidarDescription lidar)
 {
   std::swap(lidar.angle_min, lidar.angle_max);

@@ -45,8 +45,8 @@ void RangeRaster::begin(const Pose2 & sensor, double range_max)
   least_ = 0.0;
 }
 
-// Whether visit(first, last) is true for beams within [begin, begin + width]; asked more than once if the interval leaves
-// the field of view on one side and comes back on the other.
+// Whether visit(first, last) is true for beams within [begin, begin + width]; asked more than once if the interval
+// leaves the field of view on one side and comes back on the other.
 template <typename Visit>
 bool RangeRaster::anyInterval(double begin, double width, Visit visit) const
 {
@@ -92,7 +92,7 @@ const double * RangeRaster::inverseRanges()
   return inverse_ranges_.data();
 }
 
-// What matters is only between which beams a point lies: rough directions will do unless they are next to a beam.
+// All that matters is between which beams a point lies: rough directions will do unless they are next to a beam.
 void RangeRaster::drawExactly(std::size_t wall)
 {
   const Vec2 a = view_.sensor.rotateBack({batch_.a_x[wall], batch_.a_y[wall]});

@@ -15,8 +15,8 @@ namespace f1tenth_sim2d
 ///
 /// It holds inverse ranges, because along a straight wall the inverse range is linear in the direction of the beam:
 /// two multiplications, an addition and a maximum per beam, and no division. Exact up to rounding: a wall covers
-/// exactly the beams between the directions of its ends. The order of drawing changes nothing. Walls wait until there are
-/// enough of them for a vector unit, or somebody looks. Allocates nothing after construction.
+/// exactly the beams between the directions of its ends. The order of drawing changes nothing. Walls wait until there
+/// are enough of them for a vector unit, or the result is read. Allocates nothing after construction.
 class RangeRaster
 {
 public:
@@ -38,7 +38,7 @@ public:
     }
   }
   /// The same for a wall that is known to be seen.
-  /// @param cross  as crossOfFacing() has it
+  /// @param cross  from crossOfFacing()
   void addFacing(const Vec2 & a, const Vec2 & b, double cross)
   {
     const Transform2 & sensor = view_.sensor;
@@ -80,8 +80,8 @@ private:
   std::vector<double> sine_;
   std::vector<double> inverse_ranges_;
   double range_squared_{0.0};  ///< m^2
-  std::size_t farthest_{0};  ///< a beam that saw nothing nearer than any other when sight() last looked at all of them
-  double least_{0.0};        ///< 1/m, its inverse range then
+  std::size_t farthest_{0};    ///< a beam that saw at least as far as any other when sight() last checked all of them
+  double least_{0.0};          ///< 1/m, its inverse range then
   WallBatch batch_{};
   std::size_t waiting_{0};  ///< walls of the batch that are not drawn yet
 };

@@ -11,7 +11,7 @@
 
 namespace f1tenth_sim2d
 {
-/// What a scan is made in. Large, and without a meaning between two scans.
+/// Working memory of a scan. Large, and meaningless between two scans.
 struct ScanSpace
 {
   /// @param items  of the walls, as WallGrid counts them
@@ -44,7 +44,7 @@ public:
   };
   using Loan = std::unique_ptr<ScanSpace, GiveBack>;
 
-  /// Allocates nothing, unless all that there are are lent.
+  /// Allocates nothing, unless all existing ones are lent.
   Loan borrow();
 
 private:
@@ -52,7 +52,7 @@ private:
 
   const LidarDescription lidar_;
   const std::size_t items_;
-  std::mutex mutex_;  ///< of what follows
+  std::mutex mutex_;  ///< guards what follows
   std::vector<std::unique_ptr<ScanSpace>> spaces_;
   std::vector<ScanSpace *> free_;
 };

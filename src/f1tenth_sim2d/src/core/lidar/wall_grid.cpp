@@ -8,16 +8,16 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-// A cell is worth a look if it holds some 20 walls; but one that is very large hides nothing, and many small ones take long
-// to look through.
+// A cell is worth checking if it holds some 20 walls; but one that is very large hides nothing, and many small ones
+// take long to check.
 constexpr double kItemsPerCell = 20.0;
 constexpr double kCellSizeMin = 0.5;   // m
 constexpr double kCellSizeMax = 5.0;   // m
 constexpr double kCellCountMax = 1e6;  // in very large worlds the cells grow instead
 constexpr double kRounding = 1e-9;     // m
-constexpr double kBorder = 1e-6;       // of a cell: nearer than that to its border a wall lies in the next one, too
-constexpr std::uint32_t kBlock = 64;   // items that are looked at together
-constexpr std::uint32_t kFew = 16;     // items, that are drawn sooner than it is found out whether they could show
+constexpr double kBorder = 1e-6;       // of a cell: a wall nearer than that to its border lies in the next one, too
+constexpr std::uint32_t kBlock = 64;   // items that are checked together
+constexpr std::uint32_t kFew = 16;     // items: drawing so few is faster than finding out whether they show
 
 template <typename Wall>
 Bounds boundsOf(const Wall & wall)

@@ -23,7 +23,7 @@ struct Bounds
   }
 };
 
-/// Which items of a WallGrid one lidar has drawn already: an item that reaches over several cells is drawn once a scan.
+/// Which items of a WallGrid one lidar has drawn: an item that reaches over several cells is drawn once per scan.
 class DrawnItems
 {
 public:
@@ -40,7 +40,7 @@ public:
   }
 
 private:
-  std::vector<std::uint16_t> scan_;  ///< in which each item was drawn last
+  std::vector<std::uint16_t> scan_;  ///< in which each item was last drawn
   std::uint16_t current_{0};
 };
 

@@ -51,7 +51,7 @@ inline Pose2 planar(const Pose3 & pose)
   return {pose.position.x(), pose.position.y(), pose.yaw()};
 }
 
-/// A pose relative to its own shadow on the ground: what stays of it when position and heading are taken out.
+/// A pose relative to its own shadow on the ground: what remains of it without position and heading.
 inline Pose3 withoutPlanar(const Pose3 & pose)
 {
   const Pose2 p = planar(pose);

@@ -4,10 +4,10 @@
 
 #include "core/math/rough_angle.h"
 
-/// Sine, cosine and arc tangent of our own. Those of the C library differ in the last bit from one version to the next and
-/// between processors with and without fused multiply-add; these consist of additions, multiplications and divisions, whose
-/// results IEEE 754 fixes, so that a trajectory is the same everywhere. They are also several times as fast, because
-/// they can be inlined.
+/// Our own sine, cosine and arc tangent. Those of the C library differ in the last bit from one version to the next and
+/// between processors with and without fused multiply-add; these consist of additions, multiplications and divisions,
+/// whose results IEEE 754 fixes, so that a trajectory is the same everywhere. They are also several times as fast,
+/// because they can be inlined.
 namespace f1tenth_sim2d
 {
 struct SineCosine

@@ -9,7 +9,7 @@
 
 namespace f1tenth_sim2d
 {
-/// Owns the cars of a simulation, in the order in which they came.
+/// Owns the cars of a simulation, in the order in which they were added.
 class CarRegistry
 {
 public:
@@ -26,7 +26,7 @@ public:
 
   /// Makes room for one more car, so that adding it cannot fail.
   void reserve();
-  /// Takes a car in that was made with nextId().
+  /// Adds a car that was made with nextId().
   void add(std::unique_ptr<RegisteredCar> car) noexcept;
   void remove(CarId id);
 

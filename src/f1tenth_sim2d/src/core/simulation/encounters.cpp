@@ -9,10 +9,10 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-constexpr double kNear = 0.02;       // m, from where on a car takes part
+constexpr double kNear = 0.02;       // m, nearer than this a car takes part
 constexpr double kLookAhead = 1.0;   // m, farther away need not be told apart
-constexpr int kStepsNear = 10;       // after which a near car looks again
-constexpr double kTravelMax = 10.0;  // m in a step, beyond which numbers have run away
+constexpr int kStepsNear = 10;       // after which a near car checks again
+constexpr double kTravelMax = 10.0;  // m in a step; more means that the motion diverges
 
 double predictedTravel(const RegisteredCar & car)
 {
@@ -46,7 +46,7 @@ void look(const Cars & cars, const CollisionWorld & world, std::size_t own, doub
   }
 }
 
-// Returns the farthest that anything which takes part goes in this step.
+// Returns the farthest that anything taking part moves in this step.
 double lookAround(const Cars & cars, const CollisionWorld & world, double dt)
 {
   const double movable_travel = world.movableTravel(dt);

@@ -6,8 +6,8 @@
 /// Which cars are near anything that they could touch: only those take part in the rigid-body world.
 ///
 /// Each car keeps a distance that it may go before it has to look again: what was free around it when it last looked,
-/// less what it and everything else that moves may have gone since. Far from everything a step costs one subtraction per
-/// car.
+/// less what it and everything else that moves may have travelled since. Far from everything a step costs one
+/// subtraction per car.
 namespace f1tenth_sim2d
 {
 /// All cars look again before the next step: something was put somewhere.

@@ -17,7 +17,7 @@ namespace f1tenth_sim2d
 /// How far a car may go before it has to look again whether it could touch something.
 struct Surroundings
 {
-  double free{0.0};   ///< m, that nothing can have come nearer than
+  double free{0.0};   ///< m, within which there can be nothing
   int steps_left{0};  ///< for which the car counts as near without looking
   bool is_near{false};
 };

@@ -134,7 +134,7 @@ void Simulation::resetPoses()
     car->car.restart(impl_->time);
     car->contacts.clear();
   }
-  // The same calls in the same order as from fresh, so that Box2D's inner order is the same, too.
+  // The same calls in the same order as when built anew, so that Box2D's internal order is the same, too.
   if (impl_->collisions->isPristine()) {
     forgetSurroundings(impl_->cars());
   } else {
@@ -188,7 +188,7 @@ void Simulation::appendStateBytes(std::vector<std::uint8_t> & bytes) const
   for (const auto & car : impl_->registry.cars()) {
     const BodyState & s = car->car.dynamicState();
     const double values[]{s.x, s.y, s.delta, s.v, s.psi, s.psi_dot, s.beta};
-    // In the order of bytes of the machine, which is a little-endian one.
+    // In the byte order of the machine, which is little-endian.
     const auto * const first = reinterpret_cast<const std::uint8_t *>(values);
     bytes.insert(bytes.end(), first, first + sizeof(values));
   }

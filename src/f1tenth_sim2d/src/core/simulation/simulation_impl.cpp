@@ -12,7 +12,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-/// "walls::Wall_3" of "walls::Wall_3::Wall_3_Collision": what a person knows the solid by.
+/// "walls::Wall_3" of "walls::Wall_3::Wall_3_Collision": the name by which a person knows the solid.
 std::string withoutCollision(const std::string & scoped_name)
 {
   const std::size_t end = scoped_name.rfind("::");
@@ -42,7 +42,7 @@ void Simulation::Impl::letIn(std::unique_ptr<RegisteredCar> car)
     scene.reserveCar();
     sections.push_back(scene.sectionOf(car->description.solids));
   }
-  // Nothing fails from here on, so that a car is there wholly or not at all.
+  // Nothing fails from here on, so that a car is added completely or not at all.
   collisions->add(*car->body);
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     scenes[i].addCar(car->id, std::move(sections[i]));

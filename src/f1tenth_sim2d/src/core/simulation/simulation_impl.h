@@ -49,7 +49,7 @@ struct Simulation::Impl : MovingPoses
   bool static_models_moved{false};
   std::unique_ptr<CollisionWorld> collisions;
   CarRegistry registry;
-  mutable std::mutex scenes_mutex;  ///< of const functions that add one
+  mutable std::mutex scenes_mutex;  ///< for const functions that add one
   mutable Scenes scenes;
 
 private:

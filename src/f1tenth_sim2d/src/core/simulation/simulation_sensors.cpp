@@ -11,7 +11,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-constexpr double kFarthest = 1e6;  // m; no world is that large, and an endless ray would not know when to end
+constexpr double kFarthest = 1e6;  // m; no world is that large, and an infinite ray would never end
 }  // namespace
 
 WheelOdometry Simulation::wheelOdometry(CarId car) const

@@ -42,7 +42,7 @@ void TrajectoryHash::add(const Simulation & simulation)
   check(EVP_DigestUpdate(context_.get(), bytes_.data(), bytes_.size()));
 }
 
-// Finishing ends a digest, so a copy is finished.
+// Finalizing ends a digest, so a copy is finalized.
 std::string TrajectoryHash::hexDigest() const
 {
   const std::unique_ptr<Context, Free> copy(EVP_MD_CTX_new());

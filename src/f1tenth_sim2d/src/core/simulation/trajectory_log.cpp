@@ -64,7 +64,7 @@ void TrajectoryLog::beginRecord()
   if (record_file_.empty()) {
     return;
   }
-  // First what is still in memory of a run before, or it would be written into the new record.
+  // First writes what is still in memory of the previous run, or it would end up in the new record.
   record_.close();
   record_.open(record_file_, std::ios::trunc);
   record_.precision(17);

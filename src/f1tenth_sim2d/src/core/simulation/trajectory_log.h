@@ -11,16 +11,16 @@
 
 namespace f1tenth_sim2d
 {
-/// What is kept of a run, control period by control period: the hash, and the record if there is one. That is a CSV file with
-/// one row per car and period, with all digits of every number. Columns: docs/contracts.md.
+/// What is kept of a run, control period by control period: the hash, and the record if there is one. That is a CSV
+/// file with one row per car and period, with all digits of every number. Columns: docs/contracts.md.
 class TrajectoryLog
 {
 public:
   /// @param record_file  empty: none
-  /// @throws Error if it cannot be written, as all that writes does
+  /// @throws Error if it cannot be written, as do all functions that write
   TrajectoryLog(const Simulation & simulation, const std::string & record_file);
 
-  /// Every contact, once, in the period in which it was.
+  /// To be called for every contact, once, in the period in which it happens.
   void note(CarId car, const Contact & contact);
   void endPeriod();
   /// Begins the record anew, too.

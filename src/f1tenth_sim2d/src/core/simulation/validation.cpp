@@ -15,12 +15,12 @@ namespace
 constexpr double kStepMin = 1e-5;         // s
 constexpr double kStepMax = 0.02;         // s
 constexpr double kLevelTolerance = 1e-6;  // rad
-// What a driver may ask for: far beyond any car of this size, but not a number that has lost its meaning.
+// What a driver may ask for: far beyond any car of this size, but still a meaningful number.
 constexpr double kSpeedMax = 100.0;           // m/s
 constexpr double kSteeringMax = 6.2832;       // rad
 constexpr double kYawRateMax = 1000.0;        // rad/s
 constexpr double kBeamAngleMax = 4.0 * M_PI;  // rad: beams beyond a full turn look where others look
-// Of bodies: Box2D reckons in single precision, in which less is nothing and more is infinite.
+// Of bodies: Box2D computes in single precision, in which less becomes 0 and more becomes infinite.
 constexpr double kMassMin = 1e-6;          // kg
 constexpr double kMassMax = 1e9;           // kg
 constexpr double kInertiaMin = 1e-9;       // kg m^2
@@ -33,7 +33,7 @@ constexpr double kGreatest = 1e9;          // of what has no bound of its own
 constexpr double kRadiusMin = 1e-3;        // m
 constexpr double kFrictionMin = 1e-3;
 constexpr double kFrictionMax = 10.0;
-constexpr double kShapeMin = 0.1;  // beyond these the magic formula is no tyre
+constexpr double kShapeMin = 0.1;  // beyond these the magic formula does not describe a tyre
 constexpr double kShapeMax = 2.5;
 constexpr double kStiffnessMax = 1e4;
 
@@ -68,7 +68,7 @@ void requireWithin(double value, double limit, const std::string & where, const 
   requireBetween(value, -limit, limit, where, what);
 }
 
-/// Names stand in records, which are CSV files with lists of names in a column.
+/// Names appear in records, which are CSV files with lists of names in a column.
 void requireName(std::string name, const std::string & where)
 {
   const auto isControl = [](unsigned char c) { return std::iscntrl(c) != 0; };
@@ -106,7 +106,7 @@ void validateLidar(const LidarDescription & lidar, const std::string & car)
   requireWithin(lidar.noise_mean, lidar.range_max, where, "bias (m)");
 }
 
-/// What a YAML file of the car may say, as far as numbers keep their meaning.
+/// Checks what a YAML file of the car may set, with bounds within which numbers keep their meaning.
 template <typename Parameters>
 void requireInRange(
   const vehicle_keys::Key<Parameters> & key, const Parameters & parameters, const std::string & where,

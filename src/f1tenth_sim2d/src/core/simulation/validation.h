@@ -12,7 +12,7 @@ const SimulationOptions & validated(const SimulationOptions & options);
 void validate(const CarDescription & car, const Pose2 & start);
 /// @param car  name of the car
 void validate(const VehicleParameters & parameters, const std::string & car);
-/// @param where  said before the model's name
+/// @param where  text in front of the model's name
 void validate(const ModelDescription & model, const std::string & where);
 /// @param what  the model or car that is to be put there
 void validate(const ModelState & state, const std::string & what);

@@ -9,7 +9,7 @@
 
 namespace f1tenth_sim2d
 {
-/// What is worked out of a world once, for any number of simulations on any threads.
+/// What is computed from a world once, for any number of simulations on any threads.
 class WorldGeometry
 {
 public:
@@ -19,13 +19,13 @@ public:
 
   const WorldDescription & world() const { return world_; }
   const WorldPieces & pieces() const { return pieces_; }
-  /// What is seen at a height, m; cut at the first time.
+  /// What is seen at a height, m; cut at the first call.
   const WorldSection & sectionAt(double height) const;
 
 private:
   const WorldDescription world_;
   const WorldPieces pieces_;
-  mutable std::mutex mutex_;  ///< of what follows
+  mutable std::mutex mutex_;  ///< guards what follows
   mutable std::deque<WorldSection> sections_;
 };
 }  // namespace f1tenth_sim2d

@@ -58,7 +58,7 @@ private:
            });
   }
 
-  /// Of a simple outline some corner is always an ear; where rounding hides it, the flattest corner does least harm.
+  /// A simple outline always has an ear; where rounding hides it, the flattest corner does least harm.
   std::size_t nextEar() const
   {
     std::size_t flattest = 0;

@@ -52,7 +52,7 @@ public:
       left * (shape_.topLeftCorner<2, 2>() - shape_(2, 2) * lean * lean.transpose())};
   }
 
-  /// Whether all its cuts are about the same middle.
+  /// Whether all its cuts have the same centre.
   bool isUpright() const { return shape_.topRightCorner<2, 1>().norm() < kTolerance * shape_(2, 2); }
 
   /// Height of the point of the surface that is farthest along u, which reaches as far as 1.

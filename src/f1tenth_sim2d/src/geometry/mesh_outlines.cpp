@@ -73,11 +73,11 @@ private:
   struct Line
   {
     Ends ends;
-    int forwards{0};  ///< triangles that have solid matter to the left from first to second end, less the others
+    int forwards{0};  ///< triangles that have solid matter to the left from first to second end, minus the others
     bool used{false};
   };
 
-  /// A corner exactly in the plane counts as below it: so no line is of a corner only, and none is missed.
+  /// A corner exactly in the plane counts as below it: so no line consists of a corner only, and none is missed.
   bool isAbove(std::uint32_t vertex) const { return vertices_[vertex].z() > z_ + kTolerance; }
 
   void cutTriangle(const std::array<std::uint32_t, 3> & triangle)
@@ -119,13 +119,13 @@ private:
     line.forwards += from == ends.first ? 1 : -1;
   }
 
-  /// How many triangles more have solid matter to the left of a line that is left from this end.
+  /// How many more triangles have solid matter to the left than to the right of a line that is followed from this end.
   static int forwardsFrom(std::size_t point, const Line & line)
   {
     return point == line.ends.first ? line.forwards : -line.forwards;
   }
 
-  /// Of the lines still to be followed the one that has solid matter most clearly to its left; null if there is none.
+  /// The line still to be followed that has solid matter most clearly to its left; null if there is none.
   Line * nextFrom(std::size_t point) const
   {
     Line * best = nullptr;
@@ -162,7 +162,7 @@ private:
     }
   }
 
-  /// @param forwards  how many triangles more say that solid matter is to the left; if there is no majority, as where
+  /// @param forwards  how many more triangles say that solid matter is to the left; if there is no majority, as where
   ///                  every triangle is there twice for its two sides, the outline encloses solid matter
   static void appendClosed(Outline outline, int forwards, MeshOutlines & outlines)
   {

@@ -28,7 +28,7 @@ std::vector<Vector3d> placed(const TriangleMesh & mesh, const Pose3 & pose)
   return vertices;
 }
 
-/// There and back: corners, and all of them but the ends once more.
+/// There and back: all corners, and all but the ends once more.
 Outline doubled(Outline line)
 {
   const std::size_t n = line.size();
@@ -38,8 +38,8 @@ Outline doubled(Outline line)
   return line;
 }
 
-/// Whether a clockwise outline is that of a hollow, with matter around it. Else the triangles of a surface are clockwise
-/// seen from outside, whether it is a room or turned inside out by mistake.
+/// Whether a clockwise outline is that of a hollow, with matter around it. Else the triangles of a surface are
+/// clockwise seen from outside, whether it is a room or turned inside out by mistake.
 bool isWithinMatter(const Outline & hollow, const std::vector<Outline> & outlines)
 {
   int layers = 0;

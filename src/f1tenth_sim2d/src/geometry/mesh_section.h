@@ -4,9 +4,9 @@
 
 namespace f1tenth_sim2d
 {
-/// Cut of a surface at height z, m. What it closes in has a counter-clockwise outline, hollows in it a clockwise one;
-/// a surface that ends there, a sheet, is an outline that goes there and back, and so is a closed one that has its outside
-/// within, as a room has: it is seen from both sides.
+/// Cut of a surface at height z, m. What it encloses has a counter-clockwise outline, hollows in it a clockwise one; an
+/// open surface, a sheet, is an outline that goes there and back, and so is a closed one whose outside is within, like
+/// a room: it is seen from both sides.
 /// A surface owns its lowest height, but not its highest one.
 Section cut(const TriangleMesh & mesh, const Pose3 & pose, double z);
 

@@ -19,7 +19,7 @@ constexpr double kUnitsPerMetre = 1e7;
 /// Corners nearer than this to the line through their neighbours are dropped, m.
 constexpr double kCleaningDistance = 2e-5;
 
-/// m; whole numbers that stand for more are beyond what Clipper takes.
+/// m; the integers for larger values are out of Clipper's range.
 constexpr double kFarthest = 1e11;
 
 void requireWithinReach(const Vec2 & corner)
@@ -150,7 +150,7 @@ clip::PolyTree partWithin(const clip::Paths & paths, const clip::Path & rectangl
   return part;
 }
 
-/// Holes that are not are closed: nothing lies between their sides along which they could be cut.
+/// Holes that are not wide are closed: nothing lies between their sides along which they could be cut.
 bool isWide(const Bounds & hole)
 {
   return static_cast<double>(std::max(hole.width(), hole.depth())) > kCleaningDistance * kUnitsPerMetre;

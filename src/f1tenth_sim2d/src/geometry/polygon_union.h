@@ -7,12 +7,12 @@
 
 namespace f1tenth_sim2d
 {
-/// An area that grows by outlines, with holes where they leave some. Corners are kept to 0.1 micrometres.
+/// An area that grows by outlines, with holes where they leave any. Corners are kept to 0.1 micrometres.
 /// All throw Error for a corner farther than 1e11 m from the origin.
 class PolygonUnion
 {
 public:
-  /// Adds what the outlines together close in: clockwise ones take away from counter-clockwise ones.
+  /// Adds what the outlines together enclose: clockwise ones take away from counter-clockwise ones.
   void add(const std::vector<Outline> & outlines);
 
   /// Adds areas whose outlines are counter-clockwise, many of them in little time if neighbours follow one another.

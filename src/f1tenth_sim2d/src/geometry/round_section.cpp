@@ -40,7 +40,7 @@ public:
     const double h = z - centre_.z();
     const double u_min = (-half_length_ - h * cosine_) / sine_;
     const double u_max = (half_length_ - h * cosine_) / sine_;
-    // Distance from the axis at right angles to v; it varies along u unless the cylinder lies.
+    // Distance from the axis at right angles to v; it varies along u unless the cylinder lies flat.
     const double w_min = std::max(u_min * cosine_ - h * sine_, -radius_);
     const double w_max = std::min(u_max * cosine_ - h * sine_, radius_);
     if (w_min > w_max) {
@@ -133,7 +133,7 @@ void appendPoints(const Circle & circle, std::vector<Vec2> & points)
   }
 }
 
-/// The convex whole of parts that together are convex; circles about the same middle stay a circle.
+/// The union of parts that together are convex; circles with the same centre stay a circle.
 Section joined(const std::vector<Section> & parts, const Vector3d & middle)
 {
   std::vector<Vec2> points;

@@ -19,7 +19,7 @@ bool isUpright(const Pose3 & pose)
   return up.z() > 0.0 && std::hypot(up.x(), up.y()) < kTolerance;
 }
 
-/// Polygons of a frame that stands upright, in the world.
+/// Polygons of an upright frame, in the world.
 std::vector<Outline> moved(std::vector<Outline> polygons, const Pose3 & pose)
 {
   for (Outline & polygon : polygons) {

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr double kGravity = 9.81;      // m/s^2, of the tyre model
-constexpr double kFrictionMax = 2.0;   // beyond it there is no tyre, and the model of one means nothing
+constexpr double kFrictionMax = 2.0;   // no tyre has more, and the tyre model means nothing beyond it
 constexpr double kSteeringMax = 1.5;   // rad, what loadVehicleParameters() allows
 constexpr double kBackwardsMax = 5.0;  // m/s, the F1/10 car's
 
@@ -29,7 +29,7 @@ std::optional<double> wheelbaseOf(const std::vector<MechanismJoint> & mechanism)
   return front;
 }
 
-/// Where the centre of mass is on a car without an axle in front matters to a drive that does not steer.
+/// On a car without a front axle, the place of the centre of mass still matters to a drive that does not steer.
 void placeOnOneAxle(double centre_of_mass, CarContext & context)
 {
   if (context.car.drive && context.car.drive->kind != DriveDescription::Kind::kAckermann) {
@@ -101,7 +101,7 @@ void readFriction(const std::vector<MechanismJoint> & mechanism, CarContext & co
   context.car.parameters.mu = std::min(least, kFrictionMax);
 }
 
-/// The least limit of all joints that have one, as value() gives it.
+/// The least limit, value(joint), of all joints that have one.
 template <typename Value>
 std::optional<double> leastLimit(const std::vector<MechanismJoint> & mechanism, bool of_steering, Value value)
 {
@@ -146,7 +146,7 @@ void readLimits(const std::vector<MechanismJoint> & mechanism, VehicleParameters
   parameters.v_min = -std::min(parameters.v_max, kBackwardsMax);
 }
 
-/// What the efforts of the wheels give together, at most what the F1/10 car has and what its tyres would hold.
+/// The acceleration from the efforts of all wheels, at most that of the F1/10 car and what its tyres can hold.
 void readAcceleration(const std::vector<MechanismJoint> & mechanism, VehicleParameters & parameters)
 {
   double force = 0.0;

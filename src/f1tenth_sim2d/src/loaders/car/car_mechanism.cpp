@@ -179,7 +179,7 @@ void warnOfOtherJoints(const std::vector<MechanismJoint> & mechanism, CarContext
 {
   for (const JointPart & joint : context.model.joints) {
     const auto is_meant = [&joint](const MechanismJoint & each) { return each.description.name == joint.name; };
-    // Limits that are equal are how some descriptions fix a joint.
+    // Some descriptions fix a joint by equal limits.
     const bool moves = joint.type != "fixed" && joint.lower != joint.upper;
     if (moves && std::none_of(mechanism.begin(), mechanism.end(), is_meant)) {
       context.warnings.add(leftOut(joint.name), joint.element.fileLine());

@@ -21,18 +21,18 @@ struct MechanismJoint
 };
 
 /// Finds the car's wheels and steering joints. Wheels turn about the y axis; steering joints turn about the z axis and
-/// carry a wheel; where they sit says front, rear, left and right. Needs the car's solids.
+/// carry a wheel; their position tells front, rear, left and right. Needs the car's solids.
 /// @throws LoadError for an axis that cannot be resolved
 std::vector<MechanismJoint> findMechanism(const CarContext & context);
 
 /// Warns of joints that could move, but are none of these.
 void warnOfOtherJoints(const std::vector<MechanismJoint> & mechanism, CarContext & context);
 
-/// What warnings say of such a joint.
+/// The text of a warning about such a joint.
 std::string leftOut(const std::string & joint);
 
 /// Where the car's frame belongs, seen from where it is: on the ground below the middle of the rear axle. A frame that
-/// is there to within a millimetre, and a car without wheels, stay.
+/// is there to within a millimetre stays, as does that of a car without wheels.
 Pose3 properFrame(const std::vector<MechanismJoint> & mechanism);
 
 /// Fills in the car's mechanism, wheel radius and track width: of joints at the same corner the lowest counts.

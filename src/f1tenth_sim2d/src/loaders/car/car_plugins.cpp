@@ -110,7 +110,7 @@ void appendParameters(const Element & parent, const std::string & scope, PluginE
   }
 }
 
-/// One that is not built in.
+/// Keeps a plugin that is not built in.
 void keepPlugin(const Element & plugin, CarDescription & car)
 {
   car.plugins.push_back({plugin.name(), plugin.attribute("filename"), plugin.path(), {}});

@@ -8,7 +8,7 @@ namespace
 {
 using Kind = DriveDescription::Kind;
 
-/// What a kind of plugin calls its parameters, and the rate that it takes if none is given.
+/// Names of the parameters of a kind of plugin, and its default rate.
 struct Tags
 {
   const char * command_topic;

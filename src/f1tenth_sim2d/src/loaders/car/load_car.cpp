@@ -35,7 +35,7 @@ void readCarSolids(CarContext & context)
   }
 }
 
-/// Moves the car's frame to below the middle of the rear axle, and what has been read so far with it.
+/// Moves the car's frame to below the middle of the rear axle, and with it what has been read so far.
 void placeFrame(CarContext & context)
 {
   const Pose3 offset = properFrame(findMechanism(context));

@@ -19,7 +19,7 @@ namespace
   throw LoadError(path + ":" + std::to_string(mark.line + 1), "", reason);
 }
 
-/// A name, or what stands in the place of one.
+/// A name, or what is there instead of one.
 std::string nameIn(const YAML::Node & node)
 {
   return node.IsScalar() ? "'" + node.Scalar() + "'" : "that is no word";
@@ -48,7 +48,7 @@ VehicleModel readModel(const std::string & path, const YAML::Node & node)
   }
 }
 
-/// Reads lines 'key: number' into parameters, and those of other keys by readOther(name, node) unless that is false.
+/// Reads lines 'key: number' into parameters, and other keys by readOther(name, node), which is false for unknown ones.
 /// @param others  the other keys, for the message
 template <typename Parameters, std::size_t count, typename ReadOther>
 void readMap(

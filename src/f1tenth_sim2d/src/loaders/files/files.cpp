@@ -31,7 +31,7 @@ std::string readFile(const std::string & path)
     if (file) {
       return bytes;
     }
-  } catch (const std::ios_base::failure &) {  // of the device; an iterator does not leave it to the stream
+  } catch (const std::ios_base::failure &) {  // of the device; iterators bypass the stream, which would catch it
   }
   throw LoadError(path, "", "no such file, or it cannot be read");
 }

@@ -5,7 +5,7 @@
 
 namespace f1tenth_sim2d
 {
-/// Whether a path names a file that is there, and may be looked at.
+/// Whether a path names an existing file that may be accessed.
 bool isFile(const std::string & path);
 
 /// The bytes of a file.

@@ -15,7 +15,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr int kDepthMax = 12;  // a ring of symbolic links ends here
+constexpr int kDepthMax = 12;  // a loop of symbolic links ends here
 
 std::vector<fs::path> foldersIn(const fs::path & folder)
 {

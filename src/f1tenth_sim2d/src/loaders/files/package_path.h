@@ -7,9 +7,9 @@
 namespace f1tenth_sim2d
 {
 /// The ROS packages below some folders, found as rospack finds them: a folder with a package.xml is a package and is
-/// not searched further, the first of two with the same name counts, CATKIN_IGNORE and hidden folders are passed over.
+/// not searched further, the first of two with the same name counts, CATKIN_IGNORE and hidden folders are skipped.
 ///
-/// Not librospack: it brings the Python interpreter along and writes a cache into the home folder.
+/// Not librospack: it pulls in the Python interpreter and writes a cache into the home folder.
 class PackagePath
 {
 public:

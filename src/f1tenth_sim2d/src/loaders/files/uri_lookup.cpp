@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 bool canBeFound(const fs::path & path)
 {
-  std::error_code ignored;  // a folder that may not be read has nothing for us
+  std::error_code ignored;  // a folder that may not be read counts as empty
   return fs::exists(path, ignored);
 }
 
@@ -45,7 +45,7 @@ std::string UriLookup::find(const std::string & uri) const
   const std::string scheme = scheme_end == std::string::npos ? "" : uri.substr(0, scheme_end);
   const bool is_of_folders = scheme == "model" || scheme == "package";
   const std::size_t start = scheme.empty() ? 0 : scheme_end + 3;
-  // model:///NAME has a slash too many, and is written all the same.
+  // model:///NAME has one slash too many, but is in use.
   const fs::path path = uri.substr(is_of_folders ? std::min(uri.find_first_not_of('/', start), uri.size()) : start);
   if (path.is_absolute()) {
     return canBeFound(path) ? path.string() : "";

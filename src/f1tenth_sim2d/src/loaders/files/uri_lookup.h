@@ -8,21 +8,21 @@
 
 namespace f1tenth_sim2d
 {
-/// Finds what model://, file:// and package:// URIs mean. ROS packages are looked for only if nothing else helps.
+/// Finds what model://, file:// and package:// URIs mean. ROS packages are searched only if nothing else helps.
 class UriLookup
 {
 public:
-  /// @param world_file  its folder, the folder `models` in it and the one beside it are looked through after the model
+  /// @param world_file  its folder, the folder `models` in it and the one beside it are searched after the model
   ///                    folders; empty: there is none
   UriLookup(const SearchPath & search_path, const std::string & world_file);
 
   /// Path of the file or folder; empty if there is none.
   std::string find(const std::string & uri) const;
 
-  /// The same for a URI that stands in a file of a folder: a path without scheme means a file beside it, if there is one.
+  /// The same for a URI in a file in that folder: a path without scheme means a file beside it, if there is one.
   std::string findFrom(const std::string & folder, const std::string & uri) const;
 
-  /// The folders that are looked through, for error messages.
+  /// The folders that are searched, for error messages.
   std::string searchedFolders() const;
 
 private:

@@ -7,7 +7,7 @@
 
 namespace f1tenth_sim2d
 {
-/// The pixels of a map, eight bits a channel, top row first.
+/// The pixels of a map, eight bits per channel, top row first.
 struct MapImage
 {
   std::size_t width{0};

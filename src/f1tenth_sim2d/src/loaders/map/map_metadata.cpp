@@ -18,7 +18,7 @@ namespace
 constexpr std::array<const char *, 6> kRequiredKeys{"image",  "resolution",      "origin",
                                                     "negate", "occupied_thresh", "free_thresh"};
 
-constexpr double kFinest = 1e-3;  // m; contacts take no notice of what is much smaller
+constexpr double kFinest = 1e-3;  // m; contacts ignore what is much smaller
 
 /// Reads the keys of one file.
 class MapKeys
@@ -73,7 +73,7 @@ public:
   {
     const YAML::Node node = root_[key];
     std::array<double, 3> values{NAN, NAN, NAN};
-    // map_server leaves aside what comes after.
+    // map_server ignores what comes after.
     for (std::size_t i = 0; node.IsSequence() && node.size() >= 3 && i < 3; ++i) {
       values[i] = decoded(node[i]);
     }
@@ -83,7 +83,7 @@ public:
     return {values[0], values[1], values[2]};
   }
 
-  /// As map_server: free pixels are lighter than occupied ones.
+  /// As in map_server: free pixels are lighter than occupied ones.
   void requireOrder(double free_thresh, double occupied_thresh, bool may_be_equal) const
   {
     if (!(free_thresh < occupied_thresh || (may_be_equal && free_thresh == occupied_thresh))) {

@@ -20,7 +20,7 @@ struct MapMetadata
 
   std::string image;       ///< path
   double resolution{0.0};  ///< m, edge length of a cell
-  int resolution_line{0};  ///< where the file says it
+  int resolution_line{0};  ///< line of the file where it is given
   Pose2 origin;            ///< of the lower left corner of the image
   bool negate{false};
   double occupied_thresh{0.65};

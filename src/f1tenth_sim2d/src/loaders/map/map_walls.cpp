@@ -30,7 +30,7 @@ Cells occupiedCells(const CellGrid & grid)
   return cells;
 }
 
-/// With matter to the left, as Boost has it.
+/// With matter to the left, as in Boost.
 template <typename Corners>
 Outline outlineOf(const Corners & corners, double resolution)
 {

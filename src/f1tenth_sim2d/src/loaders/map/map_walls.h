@@ -17,7 +17,7 @@ struct CellGrid
   bool at(std::size_t column, std::size_t row) const { return occupied[row * columns + column] != 0; }
 };
 
-/// The occupied cells as walls, the lower left corner of the grid in the origin.
+/// The occupied cells as walls, the lower left corner of the grid at the origin.
 /// @param resolution  m, edge length of a cell
 Polyline wallsOf(const CellGrid & grid, double resolution, double height);
 }  // namespace f1tenth_sim2d

@@ -19,7 +19,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-constexpr double kWallHeight = 2.5;  // m, above every lidar of a car; a map does not say
+constexpr double kWallHeight = 2.5;  // m, above every lidar of a car; a map does not give it
 
 /// map_server's rule: darker than the threshold is occupied, all else is not.
 bool isOccupied(double brightness, const MapMetadata & metadata)
@@ -33,7 +33,7 @@ bool isOccupied(double brightness, const MapMetadata & metadata)
 
 CellGrid cellsOf(const MapImage & image, const MapMetadata & metadata)
 {
-  // As map_server has always done it: in trinary mode alpha counts like a colour.
+  // As map_server has always done: in trinary mode alpha counts like a colour.
   const bool with_alpha = metadata.mode == MapMetadata::Mode::kTrinary;
   CellGrid grid{image.width, image.height, {}};
   grid.occupied.reserve(image.width * image.height);

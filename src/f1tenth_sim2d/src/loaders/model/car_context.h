@@ -21,16 +21,16 @@ struct CarContext
   /// What <robotNamespace> of a plugin means: "/other", "/", or nothing if it is the car's own.
   std::string rosNamespace(const Element & plugin) const;
 
-  /// A topic of a plugin, its <robotNamespace> put before it unless that is the car's own.
-  /// @throws LoadError for what roscpp does not take as a name
+  /// A topic of a plugin, with its <robotNamespace> in front unless that is the car's own.
+  /// @throws LoadError for what roscpp does not accept as a name
   std::string topic(const Element & plugin, const std::string & given) const;
 };
 
-/// A frame id without slash in front.
-/// @throws LoadError for one that is no frame id
+/// A frame id without leading slash.
+/// @throws LoadError for an invalid one
 std::string frameId(const Element & place, const std::string & given);
 
-/// @throws LoadError unless roscpp takes a name: letters, digits, _ and /, beginning with a letter or /
+/// @throws LoadError unless roscpp accepts the name: letters, digits, _ and /, beginning with a letter or /
 void requireRosName(const Element & place, const std::string & what, const std::string & name);
 
 /// Name of a shared library without folder: Gazebo accepts both.

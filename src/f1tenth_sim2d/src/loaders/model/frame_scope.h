@@ -10,7 +10,7 @@
 
 namespace f1tenth_sim2d
 {
-/// A pose as SDF gives it.
+/// A pose as given in SDF.
 struct GivenPose
 {
   Pose3 pose;
@@ -18,7 +18,7 @@ struct GivenPose
   Element place{};
 };
 
-/// What has a place in one model, or in the world: links, joints, nested models and frames, all by their names.
+/// Everything with a pose in one model, or in the world: links, joints, nested models and frames, all by their names.
 class FrameScope
 {
 public:
@@ -29,7 +29,7 @@ public:
 
   /// In the frame of this model or world.
   /// @param asked_by  the element that names it
-  /// @throws LoadError for a name that is not here, and for frames that are given in each other
+  /// @throws LoadError for an unknown name, and for frames that are given in each other
   Pose3 poseOf(const std::string & name, const Element & asked_by) const;
 
   /// A given pose in the frame of this model or world.

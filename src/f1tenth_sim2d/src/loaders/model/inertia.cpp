@@ -6,7 +6,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-/// What a point mass has about a point that is away from it.
+/// Moments of inertia of a point mass about a point that is away from it.
 Eigen::Matrix3d momentsOfPoint(double mass, const Eigen::Vector3d & away)
 {
   return mass * (away.squaredNorm() * Eigen::Matrix3d::Identity() - away * away.transpose());

@@ -7,7 +7,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-/// What SDF knows as children, with the reason why one is left out; null for those that are read or change nothing here.
+/// The children that SDF knows, with the reason why one is left out; null for those read or without effect here.
 const std::map<std::string, std::map<std::string, const char *>> kChildren{
   {"world",
    {{"actor", "it has no collision"},

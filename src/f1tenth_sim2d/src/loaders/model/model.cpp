@@ -7,7 +7,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-/// The parts of a nested model in the frame of the one around it.
+/// Moves the parts of a nested model into the frame of the one around it.
 void move(Model & model, const Pose3 & pose)
 {
   for (LinkPart & link : model.links) {

@@ -11,7 +11,7 @@
 #include "loaders/model/inertia.h"
 #include "loaders/xml/element.h"
 
-/// What the description of a model says, whether SDF or URDF: its parts, with all poses in the frame of the model.
+/// What the description of a model contains, whether SDF or URDF: its parts, with all poses in the frame of the model.
 namespace f1tenth_sim2d
 {
 struct SensorPart

@@ -45,7 +45,7 @@ void requireModelDocument(const Element & root, const std::string & what)
   }
 }
 
-/// Name of the file that a model.config says; of several versions the newest that can be read here.
+/// Name of the file that a model.config gives; of several versions the newest that can be read here.
 std::string newestFile(const fs::path & config)
 {
   tinyxml2::XMLDocument document;
@@ -64,8 +64,8 @@ std::string newestFile(const fs::path & config)
   return newest;
 }
 
-/// The file that an <include> means: that of its <uri>, or, if it is a folder, the newest in it that its model.config
-/// names and that can be read here.
+/// The file that an <include> refers to: that of its <uri>, or, if it is a folder, the newest in it that its
+/// model.config names and that can be read here.
 /// @throws LoadError
 std::string modelFile(const Element & include, const UriLookup & uris)
 {
@@ -94,7 +94,7 @@ std::string modelFile(const Element & include, const UriLookup & uris)
   return file.string();
 }
 
-/// One file may be called by many paths.
+/// One file may have many paths.
 std::string canonical(const std::string & file)
 {
   std::error_code error;
@@ -102,7 +102,7 @@ std::string canonical(const std::string & file)
   return error ? file : path.string();
 }
 
-/// A world is lit by lights that it includes; nobody misses them here.
+/// Worlds include lights, which are not needed here: no warning for these.
 void warnOfNoModel(const Element & root, const Element & include, WarningCollector & warnings)
 {
   const std::vector<Element> children = root.children();

@@ -12,10 +12,10 @@ constexpr int kNewestSdfVersion = 109;
 /// "1.6" is 106; 0 for what is no version.
 int versionIn(const std::string & text);
 
-/// Version of the SDF document that an element stands in. That of SDF in a URDF is 1.7.
+/// Version of the SDF document that contains an element. That of SDF in a URDF is 1.7.
 int sdfVersion(const Element & element);
 
-/// @throws LoadError unless the root element says a version from 1.3 to 1.9
+/// @throws LoadError unless the root element has a version from 1.3 to 1.9
 void requireSdfVersion(const Element & root, WarningCollector & warnings);
 
 /// The <pose> of an element.

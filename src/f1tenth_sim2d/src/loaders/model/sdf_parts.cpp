@@ -96,7 +96,7 @@ void readAxis(const Element & axis, const FrameScope & frames, JointPart & joint
   joint.velocity = positiveLimitOf(axis.number("limit/velocity", -1.0));
 }
 
-/// Of something that Gazebo lets everything pass through.
+/// Warns of something that Gazebo lets everything pass through.
 void warnOfGhost(const Element & contact, WarningCollector & warnings)
 {
   if (contact.flag("collide_without_contact", false)) {
@@ -107,7 +107,7 @@ void warnOfGhost(const Element & contact, WarningCollector & warnings)
   }
 }
 
-// Gazebo takes them.
+// Gazebo accepts them.
 void warnOfTakenName(const Element & collision, std::set<std::string> & names, WarningCollector & warnings)
 {
   if (!names.insert(collision.requiredAttribute("name")).second) {

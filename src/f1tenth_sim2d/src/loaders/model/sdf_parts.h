@@ -17,9 +17,9 @@ void readJoint(JointPart & joint, const FrameScope & frames);
 /// Friction and bounce of a <surface>.
 void readSurface(const Element & surface, Solid & solid, WarningCollector & warnings);
 
-/// A coefficient of friction; less than 0 means endless, as in Gazebo.
+/// A coefficient of friction; less than 0 means infinite, as in Gazebo.
 double frictionOf(const Element & element, double mu, WarningCollector & warnings);
 
-/// Warns of an inertia that no body has. Only mass and yaw inertia of what moves matter, and those are checked there.
+/// Warns of an inertia that no body has. Only mass and yaw inertia of what moves matter, and those are checked apart.
 void warnOfInertia(const Element & place, const Inertia & inertia, WarningCollector & warnings);
 }  // namespace f1tenth_sim2d

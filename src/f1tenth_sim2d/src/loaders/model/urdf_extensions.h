@@ -11,7 +11,7 @@
 namespace f1tenth_sim2d
 {
 /// The <gazebo> tags of a URDF, each where Gazebo puts it: those of links that are joined with others go to the link
-/// that these become part of, after its own.
+/// that they become part of, after its own.
 class UrdfExtensions
 {
 public:

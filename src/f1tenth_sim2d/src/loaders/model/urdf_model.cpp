@@ -14,7 +14,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-constexpr double kLeastMass = 1e-6;  // kg; Gazebo takes less for nothing
+constexpr double kLeastMass = 1e-6;  // kg; Gazebo treats less as none
 
 /// What <gazebo reference="LINK"> may hold besides sensors; all of it is read elsewhere or changes nothing here.
 const std::set<std::string> kOfLinks{
@@ -89,7 +89,7 @@ private:
     }
   }
 
-  /// @param is_elsewhere  what the link has is part of one that stays
+  /// @param is_elsewhere  whether the contents of the link are part of one that stays
   void leaveOut(const UrdfLink & link, const UrdfLink & without_mass, bool is_elsewhere)
   {
     if (!is_elsewhere && link.element.child("collision")) {
@@ -210,7 +210,7 @@ private:
   void readModelExtensions()
   {
     for (const Element & extension : extensions_.ofModel()) {
-      // As in Gazebo, each such tag says it anew.
+      // As in Gazebo, each such tag replaces the one before.
       model_.is_static = extension.child("static").value() == "true" || extension.child("static").value() == "1";
       for (const Element & child : extension.children()) {
         if (child.is("plugin")) {

@@ -8,13 +8,13 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-/// rad; more than angles rounded to three digits (3.14 for pi), less than anyone tilts a sensor on purpose.
+/// rad; more than the error of rounding to three digits (3.14 for pi), less than anyone tilts a sensor on purpose.
 constexpr double kLevelTolerance = 2e-3;
-constexpr double kTilt = 1e-9;          // rad, what is worth being taken out
+constexpr double kTilt = 1e-9;          // rad, from which on it is worth removing
 constexpr double kAngleMax = 12.56637;  // rad, two turns: rays beyond one look where others look
 constexpr int kCountMax = 100'000;
 
-/// The pose of a sensor, without what rounding has tilted it.
+/// The pose of a sensor, without the tilt due to rounding.
 Pose3 levelPose(const SensorElement & element, const RayScanOwner & owner)
 {
   const Pose3 & pose = element.pose;
@@ -26,7 +26,7 @@ Pose3 levelPose(const SensorElement & element, const RayScanOwner & owner)
   return tilt > kTilt ? Pose3(pose.position, Pose3::rotationOf(up.z() < 0.0 ? M_PI : 0.0, 0.0, pose.yaw())) : pose;
 }
 
-/// Rays of a scan line; those between the samples count.
+/// Rays of a scan line, including those between the samples.
 int rayCount(const Element & sensor, const Element & horizontal, const RayScanOwner & owner)
 {
   const double count = horizontal.number("samples", 640.0) * horizontal.number("resolution", 1.0);

@@ -16,7 +16,7 @@ struct RayScan
   double range_max{0.0};  ///< m
 };
 
-/// What reads it, for messages ("a lidar"), and how many rays it needs at least.
+/// The sensor that it belongs to, for messages ("a lidar"), and how many rays it needs at least.
 struct RayScanOwner
 {
   const char * what;

@@ -10,7 +10,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-/// Whether there is noise; a <noise> says its type as an attribute or as an element.
+/// Whether there is noise; a <noise> has its type as an attribute or as an element.
 bool isNoisy(const Element & noise)
 {
   return noise && noise.attribute("type") != "none" && noise.child("type").text() != "none";
@@ -21,7 +21,7 @@ double stddevOf(const Element & noise)
   return isNoisy(noise) ? noise.notNegative("stddev", 0.0) : 0.0;
 }
 
-/// What a lidar measures too much, m.
+/// Bias of a lidar, m.
 double biasOf(const RayScan & scan, const Element & sensor)
 {
   const double bias = isNoisy(scan.ray.child("noise")) ? scan.ray.number("noise/mean", 0.0) : 0.0;
@@ -46,7 +46,7 @@ std::string imuFrame(const Element & plugin)
   return frameId(plugin, plugin.requiredText(plugin.child("frameName") ? "frameName" : "bodyName"));
 }
 
-/// Where the link is that carries the IMU of a plugin, in the frame of the car.
+/// Pose of the link that carries the IMU of a plugin, in the frame of the car.
 Pose3 imuPose(const Element & plugin, const ImuDescription & imu, const CarContext & context)
 {
   const auto link = context.car.link_poses.find(frameId(plugin, plugin.textOf("bodyName", imu.frame)));
@@ -72,7 +72,7 @@ void setImu(ImuDescription imu, const Element & element, CarContext & context)
   }
   context.car.imu = std::move(imu);
 }
-/// Hz: of sensor and plugin the lower rate, if both are given.
+/// Hz: the lower rate of sensor and plugin, if both are given.
 double publishingRate(const SensorElement & element)
 {
   const double of_plugin = element.plugin.rateOrZero("updateRate", 0.0);

@@ -27,9 +27,9 @@ void readSonar(const SensorElement & element, CarContext & context);
 void readBumper(const SensorElement & element, CarContext & context);
 void readImu(const SensorElement & element, CarContext & context);
 
-/// Scoped names of the solids that a contact sensor watches: of each name a collision of the sensor's own link, or else
-/// the only one of another link; of one with a scope ("LINK::COLLISION") that of the link. A collision may be named as
-/// in the URDF, although joining links that are fixed to each other has renamed it.
+/// Scoped names of the solids that a contact sensor watches: for each name a collision of the sensor's own link, or
+/// else the only one of another link; for a name with a scope ("LINK::COLLISION") that of the link. A collision may be
+/// named as in the URDF, although joining links that are fixed to each other has renamed it.
 /// @param link  on which the sensor is
 /// @throws LoadError for a name that no solid has, or solids of several other links
 std::vector<std::string> collisionsOfContactSensor(
@@ -39,7 +39,7 @@ std::vector<std::string> collisionsOfContactSensor(
 /// @throws LoadError
 void readImuPlugin(const Element & plugin, CarContext & context);
 
-/// The same of a libhector_gazebo_ros_imu.so.
+/// The same for a libhector_gazebo_ros_imu.so.
 /// @throws LoadError
 void readHectorImuPlugin(const Element & plugin, CarContext & context);
 }  // namespace f1tenth_sim2d

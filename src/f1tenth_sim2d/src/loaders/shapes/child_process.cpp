@@ -17,7 +17,7 @@ namespace f1tenth_sim2d
 namespace
 {
 constexpr rlim_t kCpuSecondsMax = 60;
-// A child of a process with threads may find a lock taken for ever; on the wall's clock it ends all the same.
+// A child of a process with threads may find a lock held for ever; a limit of wall time ends it all the same.
 constexpr unsigned kWallSecondsMax = 600;
 // What the child sends is one of these, then the result or the message.
 constexpr char kDone = 'd';

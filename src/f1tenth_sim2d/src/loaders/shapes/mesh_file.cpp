@@ -79,7 +79,7 @@ private:
     }
   }
 
-  /// Corners are told apart by place only: neighbours of unlike normals or colours meet in one vertex.
+  /// Corners are told apart by position only: neighbours with different normals or colours share a vertex.
   std::uint32_t indexOf(const Vector3d & vertex)
   {
     if (!vertex.allFinite() || vertex.cwiseAbs().maxCoeff() > kFarthest) {
@@ -134,7 +134,7 @@ std::string bytesOf(const std::string & path)
   if (!file || bytes.empty()) {
     throw Error(file ? "cannot be read: the file is empty" : "cannot be read: it cannot be opened");
   }
-  // Where the FBX exporter has no picture it writes a URI without a path, at which Assimp aborts. Pictures are not read.
+  // Without a texture, the FBX exporter writes a URI without a path, on which Assimp aborts. Textures are not read.
   boost::algorithm::replace_all(bytes, ">file://<", ">nothing<");
   return bytes;
 }

@@ -7,7 +7,7 @@
 
 namespace f1tenth_sim2d
 {
-/// What of a mesh file is wanted, as <mesh> of SDF says it.
+/// Which part of a mesh file is wanted, as in SDF's <mesh>.
 struct MeshSelection
 {
   std::string submesh;  ///< name of a node or geometry; empty: everything
@@ -15,7 +15,7 @@ struct MeshSelection
   Eigen::Vector3d scale{1, 1, 1};
 };
 
-/// A mesh file as Gazebo takes it: DAE in its <unit>, its <up_axis> passed over; STL and OBJ in metres.
+/// A mesh file as Gazebo reads it: DAE in its <unit>, its <up_axis> ignored; STL and OBJ in metres.
 /// @throws Error saying what is wrong with the file, or which submeshes there are
 std::shared_ptr<const TriangleMesh> readMeshFile(const std::string & path, const MeshSelection & selection);
 }  // namespace f1tenth_sim2d

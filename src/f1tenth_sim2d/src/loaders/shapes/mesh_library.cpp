@@ -30,7 +30,7 @@ std::string keyOf(const std::string & path, const MeshSelection & selection)
   return key.str();
 }
 
-/// <up_axis> of a DAE file; empty if it says nothing.
+/// <up_axis> of a DAE file; empty if it has none.
 std::string upAxisOf(const std::string & path)
 {
   tinyxml2::XMLDocument document;

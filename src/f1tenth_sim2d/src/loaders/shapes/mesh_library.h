@@ -19,7 +19,7 @@ public:
   MeshLibrary(const UriLookup & uris, WarningCollector & warnings) : uris_(uris), warnings_(warnings) {}
 
   /// @param element  a <mesh>, which messages name
-  /// @param uri      of its file; one without scheme is first looked up beside the file that the element stands in
+  /// @param uri      of its file; one without scheme is first looked up beside the file that the element is in
   /// @throws LoadError
   Mesh read(const Element & element, const std::string & uri, const MeshSelection & selection);
 

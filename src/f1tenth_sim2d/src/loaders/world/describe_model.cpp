@@ -10,7 +10,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-/// Of a plane that counts as level the least z of its normal: within a tenth of a degree.
+/// Least z of the normal of a plane that counts as level: within a tenth of a degree.
 constexpr double kLevel = 1.0 - 1.5e-6;
 
 bool holdsToTheWorld(const JointPart & joint)
@@ -18,7 +18,7 @@ bool holdsToTheWorld(const JointPart & joint)
   return joint.type == "fixed" && (joint.parent == "world" || joint.child == "world");
 }
 
-/// Whether a model does not move, or consists of nested ones alone that do not.
+/// Whether a model does not move, or consists only of nested ones that do not.
 bool isStatic(const Model & model)
 {
   const bool only_nested = model.links.empty() && !model.models.empty();
@@ -52,7 +52,7 @@ Model withTiedModels(Model model)
   return model;
 }
 
-/// Whether a model is made of nested ones alone that do not move apart: a single one, or none that moves at all.
+/// Whether a model consists only of nested ones that cannot move apart: a single one, or none that moves at all.
 bool isOneBody(const Model & model)
 {
   if (!model.links.empty() || model.models.empty()) {
@@ -126,7 +126,7 @@ Pose3 tiltOf(const Pose3 & pose)
   return {Eigen::Vector3d::Zero(), heading.rotation.conjugate() * pose.rotation};
 }
 
-/// Of the model as it stands there: one that lies on its side turns about another axis. What stands still has none.
+/// Inertia of the model as placed: one that lies on its side turns about another axis. A static one has none.
 void describeInertia(const Model & model, ModelDescription & description)
 {
   const Inertia whole = placed(inertiaOf(model), tiltOf(description.pose));

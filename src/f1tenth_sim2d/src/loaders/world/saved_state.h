@@ -8,7 +8,7 @@
 
 namespace f1tenth_sim2d
 {
-/// What a world that Gazebo saved says of its models as they were then: a <model> of its <state> by the model's name.
+/// The saved states of the models in a world that Gazebo saved: a <model> of its <state> by the model's name.
 std::map<std::string, Element> savedModels(const Element & world, WarningCollector & warnings);
 
 /// Puts a model, its links and those nested in it where Gazebo saved them, and in the size that they had.

@@ -16,7 +16,7 @@ namespace
 {
 using tinyxml2::XMLElement;
 
-constexpr double kFastest = 1e6;  // Hz: no step is as short as a period of it
+constexpr double kFastest = 1e6;  // Hz: no physics step is as short as its period
 
 const char * nameOf(const XMLElement & node)
 {

@@ -12,7 +12,7 @@ namespace f1tenth_sim2d
 struct XmlDocument;
 
 /// An element of an XML document, or none. Reading a child that is not there gives none, so that paths can be followed
-/// without asking at each step. What is wrong is said with the place.
+/// without checking at each step. Errors name the place.
 class Element
 {
 public:
@@ -25,9 +25,9 @@ public:
   bool is(const char * tag) const { return node_ && node_->Name() == std::string(tag); }
 
   bool has(const char * attribute) const { return node_ && node_->Attribute(attribute); }
-  std::string attribute(const char * attribute) const;  ///< without blanks around it; empty if there is none
+  std::string attribute(const char * attribute) const;  ///< without surrounding blanks; empty if there is none
   std::string name() const { return attribute("name"); }
-  std::string text() const;   ///< without blanks around it
+  std::string text() const;   ///< without surrounding blanks
   std::string value() const;  ///< the attribute `value` or else the text, as tags of a URDF are written
 
   Element child(const char * tag) const;
@@ -43,11 +43,11 @@ public:
   [[noreturn]] void fail(const std::string & reason) const;
 
   /// Texts of children.
-  std::string textOf(const char * tag, const std::string & fallback) const;  ///< the fallback, too, if it is empty
+  std::string textOf(const char * tag, const std::string & fallback) const;  ///< the fallback also if it is empty
   std::string requiredText(const char * tag) const;
   std::string requiredAttribute(const char * attribute) const;
 
-  /// Numbers of children; a path of tags ("range/min") follows children of children. Without a fallback the child is required.
+  /// Numbers of children; a path of tags ("range/min") follows children of children. Required without a fallback.
   double number(const std::string & tag, std::optional<double> fallback = std::nullopt) const;
   double notNegative(const std::string & tag, double fallback) const;  ///< finite
   double rate(const std::string & tag) const;                          ///< Hz, positive and at most 1e6
@@ -56,7 +56,7 @@ public:
   bool flag(const char * tag, bool fallback) const;
   Eigen::Vector3d vector(const char * tag, const Eigen::Vector3d & fallback) const;
 
-  /// The same of attributes, and of texts that are said to be those of something.
+  /// The same for attributes, and for texts, which messages call `what`.
   double numberAttribute(const char * attribute, std::optional<double> fallback = std::nullopt) const;
   bool flagAttribute(const char * attribute, bool fallback) const;
   double toNumber(const std::string & what, const std::string & text) const;

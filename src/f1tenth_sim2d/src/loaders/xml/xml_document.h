@@ -17,7 +17,7 @@ struct XmlDocument
   tinyxml2::XMLDocument text;
   std::string file;         ///< what messages call it
   std::string folder;       ///< of the file, for paths beside it; empty for a text
-  std::string included_by;  ///< "FILE: ELEMENT PATH" of the <include>; empty: nobody
+  std::string included_by;  ///< "FILE: ELEMENT PATH" of the <include>; empty: not included
 };
 
 /// The documents of one world or robot description. Elements point into them.

@@ -8,7 +8,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-/// Copies an XML text and puts right what stands between "<" and ">".
+/// Copies an XML text and repairs what is between "<" and ">".
 class XmlRepair
 {
 public:

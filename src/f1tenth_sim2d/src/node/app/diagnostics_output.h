@@ -15,12 +15,12 @@
 
 namespace f1tenth_sim2d
 {
-/// `/diagnostics`, once per simulated second: how fast time really goes, who does not keep up with it, and
+/// `/diagnostics`, once per simulated second: how fast time really goes, which subscribers do not keep up, and
 /// what drivers sent that was refused.
 class DiagnosticsOutput : public MessageOutput<diagnostic_msgs::DiagnosticArray>
 {
 public:
-  /// @param control  how time is asked to go
+  /// @param control  how time is to go
   DiagnosticsOutput(
     TopicPublisher<diagnostic_msgs::DiagnosticArray> publisher, const TimeControl & control,
     std::function<std::vector<Fleet::Driver>()> drivers, FlowControl & flow);
@@ -35,7 +35,7 @@ private:
   const TimeControl & control_;
   const std::function<std::vector<Fleet::Driver>()> drivers_;
   FlowControl & flow_;
-  TimeControl seen_;              // when it was updated last
+  TimeControl seen_;              // when last updated
   std::optional<double> factor_;  // none if time was disturbed since then
   SimTime last_time_{0};
   ros::WallTime last_wall_{ros::WallTime::now()};

@@ -22,12 +22,12 @@ namespace
 enum ExitCode
 {
   kEndedByRequest = 0,
-  kInternalError = 1,  // a mistake of our own
+  kInternalError = 1,  // our own mistake
   kBadInput = 2,
   kParticipantSilent = 3,
 };
 
-// roscpp would wait for one in silence.
+// roscpp would silently wait for one.
 void requireMaster()
 {
   if (!ros::master::check()) {
@@ -42,8 +42,8 @@ XmlRpc::XmlRpcValue readParameters(const std::string & name)
   return parameters;
 }
 
-/// The whole life of the node after ros::init: reads its parameters, runs, writes the result file. Whatever goes wrong is
-/// one line on stderr.
+/// The whole life of the node after ros::init: reads its parameters, runs, writes the result file. Whatever goes wrong
+/// is one line on stderr.
 class Run
 {
 public:
@@ -121,7 +121,7 @@ private:
 // sim2d [PARAMETERS]: the name of the parameter tree to read; by default that of the node.
 int main(int argc, char ** argv)
 {
-  // The simulator tells its own ROS time what it is, at every step; it must not listen to the /clock that it publishes.
+  // The simulator sets its own ROS time at every step; it must not listen to the /clock that it publishes.
   std::string no_sim_time = "/use_sim_time:=/sim2d/follows_clock";
   std::vector<char *> arguments(argv, argv + argc);
   arguments.push_back(no_sim_time.data());

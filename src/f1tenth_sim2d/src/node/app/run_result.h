@@ -21,7 +21,7 @@ struct RunResult
   std::uint64_t lost{0};                           ///< messages that subscribers lost because they lagged behind
 };
 
-/// Writes JSON to a temporary file beside it, then renames it, so that nobody ever reads half a result.
+/// Writes JSON to a temporary file beside the file, then renames it, so that nobody ever reads half a result.
 /// @throws Error if the file cannot be written
 void writeResult(const std::string & file, const RunResult & result);
 }  // namespace f1tenth_sim2d

@@ -35,7 +35,7 @@ TimeControl controlOf(const NodeParameters & parameters)
   return control;
 }
 
-/// Without cars; says once what of the world cannot be represented.
+/// Without cars; warns once of what cannot be represented of the world.
 Simulation simulationOf(const NodeParameters & parameters)
 {
   const WorldDescription world = loadWorld(parameters.world_file, searchPathFromEnvironment());
@@ -53,7 +53,8 @@ CarDescription describe(const CarParameters & car)
   return loadCar(xml, car.name, parameter, searchPathFromEnvironment());
 }
 
-/// Puts the cars of the parameters into the fleet: reads their descriptions (/NAME/robot_description) and vehicle files.
+/// Puts the cars of the parameters into the fleet; reads their descriptions (/NAME/robot_description) and vehicle
+/// files.
 /// @param start  where the world says that cars without a pose of their own start
 void addCars(const std::vector<CarParameters> & cars, const Pose2 & start, Fleet & fleet)
 {

@@ -31,7 +31,7 @@ public:
   /// @throws Error for what cannot be used
   explicit Sim2dNode(const NodeParameters & parameters);
 
-  /// Until somebody asks for the end.
+  /// Runs until somebody asks for the end.
   /// @throws ParticipantSilent
   void run();
   /// What has happened so far, without a reason for the end.
@@ -45,7 +45,7 @@ private:
   std::unique_ptr<TimeKeeper> makeTimeKeeper();
   void restart();
 
-  // Each refers only to those before it, and so ends before them.
+  // Each refers only to those before it, and so is destroyed before them.
   const NodeParameters parameters_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;

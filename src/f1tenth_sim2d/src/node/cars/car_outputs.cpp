@@ -162,7 +162,7 @@ PoseOutput::PoseOutput(const CarHandle & car, const PoseSensorDescription & sens
   setPlanarVariances(message_.twist.covariance, variance, variance, variance);
 }
 
-// As the original: the twist is that of the link, in the frame of the world.
+// As in the original: the twist is that of the link, in the frame of the world.
 void PoseOutput::sample(nav_msgs::Odometry & message)
 {
   const CarState & state = car_.simulation.state(car_.id);

@@ -121,7 +121,7 @@ class BumperOutput : public SensorOutput<BumperDescription, gazebo_msgs::Contact
 public:
   BumperOutput(const CarHandle & car, const BumperDescription & bumper);
 
-  /// Those of other collisions are ignored.
+  /// Contacts of other collisions are ignored.
   void note(const std::vector<Contact> & contacts) override;
   void restart() override { touches_.clear(); }
 

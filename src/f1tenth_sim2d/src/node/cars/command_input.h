@@ -12,8 +12,8 @@
 
 namespace f1tenth_sim2d
 {
-/// The driver's side of a car: the topics `cmd_vel` and `drive`, unless controllers drive it. A command that is not finite, or absurd, is refused and
-/// counted; it never reaches the physics.
+/// The driver's side of a car: the topics `cmd_vel` and `drive`, unless controllers drive it. A command that is not
+/// finite, or absurd, is refused and counted; it never reaches the physics.
 class CommandInput
 {
 public:
@@ -24,11 +24,11 @@ public:
   /// @param on_command  called for every message, also for a refused one: the driver has answered
   CommandInput(Simulation & simulation, CarId car, ros::NodeHandle node, Answered on_command);
 
-  /// What controllers within the node want, step by step; neither counted nor an answer.
+  /// The command of controllers within the node, step by step; neither counted nor an answer.
   /// @throws Error for a value that makes no sense
   void apply(const DriveCommand & command) { simulation_.command(car_, command); }
-  /// The driver has told a controller something, which took it if there is no objection. What it tells several joints at
-  /// a time counts once.
+  /// The driver has sent a command to a controller, which accepted it if there is no objection. Commands to several
+  /// joints at the same time count once.
   void noteTold(const std::string & objection);
 
   std::size_t accepted() const { return accepted_; }

@@ -74,7 +74,7 @@ public:
   std::vector<Driver> drivers() const;
 
 private:
-  /// Its members undo what they did when it ends, also half-made: the last one first.
+  /// Its members undo what they did when it is destroyed, even half-built: the last one first.
   struct Car
   {
     Car(

@@ -21,7 +21,7 @@ double steeringAngle(Role role, const Simulation & simulation, CarId car)
   return role == Role::kSteeringLeft ? steering.left : steering.right;
 }
 
-/// Of a value of the four wheels; what a wheel in the middle has is the mean of those beside it.
+/// A wheel's value among those of the four wheels; for a wheel in the middle the mean of those beside it.
 double ofWheel(Role role, const std::array<double, 4> & wheels)
 {
   switch (role) {

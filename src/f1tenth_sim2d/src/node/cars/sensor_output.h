@@ -23,7 +23,7 @@ struct CarHandle
   std::string frame_prefix;
 
   const CarDescription & description() const { return simulation.car(id); }
-  /// A frame id of the description with the car's prefix, which a description for several cars may name itself.
+  /// A frame id of the description with the car's prefix, which a description for several cars may already contain.
   std::string frame(const std::string & given) const { return frame_prefix + withoutPrefix(given, frame_prefix); }
   template <class Message>
   TopicPublisher<Message> advertise(const std::string & topic) const

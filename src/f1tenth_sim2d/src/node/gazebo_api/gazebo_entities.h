@@ -30,7 +30,7 @@ struct Entity
 
 /// Models in the order in which they came, then cars.
 std::vector<Entity> entities(const Simulation & simulation);
-/// Links of all cars, joints at zero. Links of models are not known any more.
+/// Links of all cars, joints at zero. Links of models are no longer known.
 std::vector<Entity> links(const Simulation & simulation);
 /// A model, car or link.
 std::optional<Entity> find(const Simulation & simulation, const std::string & name);

@@ -11,7 +11,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-/// A service that says `done` if the answer could be given, else what it has thrown.
+/// A service that answers `done` if it worked, else the text of the exception.
 template <class Request, class Response>
 boost::function<bool(Request &, Response &)> answering(
   GazeboModels & models, void (GazeboModels::*answer)(const Request &, Response &), const std::string & title,
@@ -22,7 +22,7 @@ boost::function<bool(Request &, Response &)> answering(
       (models.*answer)(request, response);
       response.success = true;
       response.status_message = title + done;
-    } catch (const std::exception & error) {  // ROS has exceptions of its own, for names that it does not take
+    } catch (const std::exception & error) {  // ROS has exceptions of its own, for names that it does not accept
       response.success = false;
       response.status_message = title + error.what();
     }
@@ -43,7 +43,7 @@ Entity reference(const Simulation & simulation, const std::string & name, const 
   throw Error(missing);
 }
 
-/// As in Gazebo, the velocity of the reference's origin is taken off, not that of the point of its frame where the other is.
+/// As in Gazebo, the velocity of the reference's origin is subtracted, not that of its frame where the other is.
 Entity seenFrom(const Entity & reference, Entity entity)
 {
   entity.pose = reference.pose.inverse() * entity.pose;

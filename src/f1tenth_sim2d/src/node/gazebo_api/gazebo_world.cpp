@@ -18,7 +18,7 @@ bool differs(double a, double b)
   return !(std::abs(a - b) <= kTolerance * (1.0 + std::abs(b)));
 }
 
-/// What of the request cannot be; empty if nothing.
+/// What of the request cannot be done; empty if nothing.
 std::string objection(const gazebo_msgs::SetPhysicsProperties::Request & request, double time_step, double gravity)
 {
   const geometry_msgs::Vector3 & g = request.gravity;

@@ -22,7 +22,7 @@ public:
   /// What a service asks of the node.
   struct Actions
   {
-    std::function<void()> restart;      ///< back to time 0, as from fresh
+    std::function<void()> restart;      ///< back to time 0, as if built anew
     std::function<void()> reset_poses;  ///< cars and models back to where they started
   };
 

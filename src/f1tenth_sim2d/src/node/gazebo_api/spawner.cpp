@@ -37,7 +37,7 @@ std::vector<Pose2> placesAround(const Pose2 & pose, double limit)
   return places;
 }
 
-// As the plugins of gazebo_ros do: a tf_prefix in the car's namespace, or above it, stands before its frames.
+// As in the plugins of gazebo_ros: a tf_prefix in the car's namespace, or above it, is put before its frames.
 std::string framePrefix(const std::string & ros_namespace)
 {
   std::string key;

@@ -26,7 +26,7 @@ geometry_msgs::Wrench toWrench(const Vec2 & force, double torque, double share)
   return message;
 }
 
-/// What is not finite stays so, and is refused.
+/// A value that is not finite stays so, and is refused later.
 double bounded(double value, double most)
 {
   return std::isfinite(value) ? std::clamp(value, -most, most) : value;

@@ -22,7 +22,7 @@ DriveCommand toDriveCommand(const geometry_msgs::Twist & twist, const DriveDescr
 /// The force is spread evenly over the contact points.
 gazebo_msgs::ContactState toContactState(const Contact & contact);
 
-/// A vector given in a frame turned by yaw, in the frame that it is turned against.
+/// A vector given in a frame turned by yaw, in the frame relative to which it is turned.
 inline Vec2 rotated(const Vec2 & vector, double yaw)
 {
   return transform({0.0, 0.0, yaw}, vector);

@@ -25,7 +25,7 @@ public:
   virtual void repeat() = 0;
   /// Whether it is what a driver answers in lockstep.
   virtual bool isAnswered() const { return false; }
-  /// Contacts of the car whose output it is, since the call before.
+  /// Contacts of the car whose output it is, since the previous call.
   virtual void note(const std::vector<Contact> & /*contacts*/) {}
   /// Cars have been put somewhere else: what was noted before is forgotten.
   virtual void restart() {}

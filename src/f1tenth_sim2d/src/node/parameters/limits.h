@@ -2,13 +2,13 @@
 
 #include <workspace_support/number_rule.h>
 
-/// What may be asked for, so that no time is longer than ROS, which counts seconds in 32 bits, can say.
+/// What may be asked for, so that no time is longer than ROS, which counts seconds in 32 bits, can represent.
 namespace f1tenth_sim2d
 {
 constexpr double kLeastRealTimeFactor = 1e-6;  ///< simulated seconds per wall second; 0 means something else
 constexpr double kLongestPeriod = 1e3;         ///< s
 
-/// Hz, of what comes again and again. No physics step is as short as a period of the greatest.
+/// Hz, of what recurs. No physics step is as short as a period of the greatest.
 inline workspace_support::NumberRule frequency()
 {
   return workspace_support::within(1.0 / kLongestPeriod, 1e6);

@@ -23,8 +23,8 @@ struct CarParameters
 {
   std::string name;
   std::string ros_namespace;      ///< "/robot1"; "/" for none
-  std::optional<Pose2> pose;      ///< start; unless told: that of the world
-  bool relative_to_start{false};  ///< pose is one in the frame of the world's start, not of the world
+  std::optional<Pose2> pose;      ///< start; by default that of the world
+  bool relative_to_start{false};  ///< pose is in the frame of the world's start, not of the world
   std::string vehicle_file;       ///< empty: the dynamics that the description gives
   std::string frame_prefix;       ///< "robot1/" or ""
 };
@@ -45,7 +45,7 @@ struct NodeParameters
   std::string world_file;
   std::vector<CarParameters> cars;
   bool is_lockstep{false};       ///< one control period, then wait for all participants
-  double real_time_factor{1.0};  ///< simulated seconds per wall second; 0, and in lockstep: as fast as it goes
+  double real_time_factor{1.0};  ///< simulated seconds per wall second; 0, and in lockstep: as fast as possible
   LockstepOptions lockstep;
   double control_period_sec{0.025};
   SimulationOptions simulation;

@@ -9,7 +9,7 @@
 
 namespace f1tenth_sim2d
 {
-/// As fast as it goes.
+/// As fast as possible.
 class FreeTime : public TimeKeeper
 {
 public:

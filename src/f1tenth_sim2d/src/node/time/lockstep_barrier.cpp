@@ -72,8 +72,9 @@ void LockstepBarrier::noteCommand(const std::string & car, const ros::Time & sta
   ledger_.note(car, stamp_);
 }
 
-// Without a stamp such an answer may have passed for that to the next scan; a driver that was then a scan behind, and keeps
-// only the newest, has left one out that nobody will answer. And one whose stamps lag behind its scans is not late at all.
+// Without a stamp, such an answer may have been taken for that to the next scan; a driver that was then a scan behind,
+// and keeps only the newest, has skipped one that nobody will answer. A driver whose stamps lag behind its scans is not
+// late at all.
 void LockstepBarrier::takeSurplus()
 {
   for (const std::string & name : ledger_.missing(stamp_)) {

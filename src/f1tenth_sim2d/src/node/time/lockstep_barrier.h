@@ -44,13 +44,13 @@ public:
   /// @param queue  served while waiting; node delivers into it, and so must the command inputs
   LockstepBarrier(ros::NodeHandle & node, ros::CallbackQueue & queue, LockstepOptions options);
 
-  /// Answers count for the period that ends at `end`, the `number`-th, from now on. To be called before it is published.
+  /// Answers now count for the period that ends at `end`, the `number`-th. To be called before it is published.
   void open(SimTime end, std::int64_t number);
-  /// What is to be called with its stamp, 0 if it has none, whenever the driver of this car has sent a command. Nobody waits
-  /// for it if it is not among the participants.
+  /// What is to be called with its stamp, 0 if it has none, whenever the driver of this car has sent a command. Nobody
+  /// waits for it if it is not among the participants.
   std::function<void(const ros::Time &)> driverOf(const std::string & car);
-  /// A car has come. If its driver is to answer, the period is one as the first is: it is repeated until the driver, who
-  /// has to connect, has answered it.
+  /// A car was added. If its driver is to answer, the period is one like the first: it is repeated until the driver,
+  /// which has to connect, has answered it.
   /// @return whether it is such a period, whoever is waited for
   bool welcome(const std::string & car);
   /// The driver of this car has nothing to answer in the period.
@@ -78,9 +78,9 @@ private:
   ros::Subscriber subscriber_;
   std::map<std::string, int> surplus_;  // commands without a stamp by car, beyond the one in each period
   std::set<std::string> late_;          // cars with a command in this period that answers the first
-  ros::Time first_;                     // end of the first period, or of the last one that was repeated as it is
+  ros::Time first_;                     // end of the first period, or of the last one that was repeated like it
   ros::Time stamp_;
   std::int64_t number_{0};
-  bool started_{false};  // no: the period is repeated
+  bool started_{false};  // false: the period is repeated
 };
 }  // namespace f1tenth_sim2d

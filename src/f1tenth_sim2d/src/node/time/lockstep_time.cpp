@@ -59,7 +59,7 @@ void LockstepTime::lookAtCars(SimTime begin)
   for (const CarId car : present) {
     const std::string & name = simulation_.car(car).name;
     greet(name, car);
-    // A lidar may scan more seldom than once a period.
+    // A lidar may scan less often than once per period.
     if (!world_.isToAnswer(car, begin)) {
       barrier_.excuse(name);
     }
@@ -71,7 +71,7 @@ void LockstepTime::lookAtCars(SimTime begin)
   }
 }
 
-// Who needs a sensor of a car answers nothing before it has come, and time would not go on until it does.
+// A participant that needs a sensor of a car does not answer before it has data, and time would not go on until then.
 void LockstepTime::greet(const std::string & name, CarId car)
 {
   std::optional<CarId> & known = cars_[name];
@@ -83,7 +83,7 @@ void LockstepTime::greet(const std::string & name, CarId car)
   }
 }
 
-// Last: whoever has seen the period's time finds everything of the period in its inbox.
+// Published last: whoever has seen the period's time finds everything of the period in its inbox.
 void LockstepTime::publishClock()
 {
   drain_.drain();
@@ -91,7 +91,7 @@ void LockstepTime::publishClock()
 }
 
 // A driver that has answered would answer a second scan with a second command, so it gets none. The others' messages
-// go out again only when somebody new is there: tf complains about a stamp that it knows.
+// go out again only when somebody new is there: tf complains about a repeated stamp.
 void LockstepTime::repeatPeriod()
 {
   for (const CarId car : simulation_.cars()) {

@@ -42,7 +42,7 @@ private:
   const TopicPublisher<rosgraph_msgs::Clock> & clock_;
   LockstepBarrier & barrier_;
   sim2d_lockstep::InboxDrain drain_;
-  std::map<std::string, std::optional<CarId>> cars_;  // each that was ever there; none in this run: not set
-  std::size_t subscribers_{0};                        // that have had the first period
+  std::map<std::string, std::optional<CarId>> cars_;  // each that was ever there; not set: none in this run
+  std::size_t subscribers_{0};                        // that have received the first period
 };
 }  // namespace f1tenth_sim2d

@@ -21,7 +21,7 @@ struct TimeControl
 {
   bool paused{false};
   bool is_lockstep{false};
-  double real_time_factor{1.0};  ///< 0: as fast as it goes, and in lockstep
+  double real_time_factor{1.0};  ///< 0, and in lockstep: as fast as possible
   int restarts{0};               ///< how often simulated time has gone back to 0
   int pauses{0};                 ///< how often it has gone on after a pause
 };

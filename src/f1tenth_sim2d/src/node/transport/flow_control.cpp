@@ -13,8 +13,8 @@ namespace
 constexpr std::size_t kWaitAbove = 64;
 constexpr std::size_t kGoOnBelow = 16;
 const ros::WallDuration kLook{100e-6};
-const ros::WallDuration kPatience{1.0};   // after which it is said who is waited for
-const ros::WallDuration kReminder{10.0};  // after which it is said again
+const ros::WallDuration kPatience{1.0};   // after which a warning names who is waited for
+const ros::WallDuration kReminder{10.0};  // after which it is repeated
 const ros::WallDuration kFarewell{2.0};   // at most, at the end
 }  // namespace
 

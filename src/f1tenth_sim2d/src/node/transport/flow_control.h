@@ -13,7 +13,7 @@
 namespace f1tenth_sim2d
 {
 /// Keeps the simulation from running away from its subscribers. It waits while somebody has too much left to read, and
-/// says who it is. A subscriber that reads nothing at all for long is named and no longer waited for until it has caught
+/// names it. A subscriber that reads nothing at all for long is named and no longer waited for until it has caught
 /// up, so that nobody can hang a run.
 class FlowControl
 {
@@ -32,9 +32,10 @@ public:
 
   /// Wall s spent waiting so far.
   double waitedSec() const { return waited_sec_; }
-  /// Names of those that were waited for, given up or lost messages, each with its topic, since the call before.
+  /// Names of those that were waited for, given up or lost messages, each with its topic, since the previous call.
   std::set<std::string> takeSlowSubscribers();
-  /// Messages that were lost so far because a subscriber lagged behind; if the simulation waits, only by those given up.
+  /// Messages that were lost so far because a subscriber lagged behind; if the simulation waits, only by those
+  /// given up.
   std::uint64_t lostMessages() const;
 
 private:

@@ -20,8 +20,8 @@ struct TopicCounts
   std::uint64_t lost{0};  ///< that some subscriber has lost because it lagged behind
 };
 
-/// One topic over roscpp. The buffers that roscpp still holds tell how far subscribers lag behind: each holds on to what
-/// has not been written to its socket yet.
+/// One topic over roscpp. The buffers that roscpp still holds tell how far subscribers lag behind: each holds on to
+/// what has not been written to its socket yet.
 class Topic : public MessageSink
 {
 public:
@@ -36,7 +36,7 @@ public:
   bool hasSubscribers() const override { return publisher_.getNumSubscribers() > 0; }
   void publish(const ros::SerializedMessage & message) override;
 
-  /// Messages that somebody who is waited for has not been sent yet.
+  /// Messages not yet sent to somebody who is waited for.
   std::size_t inFlight();
   /// From now on inFlight() is about the others only, until those who lag behind now have caught up or gone.
   void giveUpThoseBehind();
@@ -50,7 +50,7 @@ private:
   using Buffer = boost::shared_array<std::uint8_t>;
 
   void forgetWritten();
-  /// Subscribers that have not been sent a message; all of the newer ones are still to be sent to them, too.
+  /// Number of subscribers to which a message has not been sent yet; the newer ones have not either.
   static long holders(const Buffer & buffer) { return buffer.use_count() - 1; }
 
   const std::string name_;

@@ -14,7 +14,7 @@
 
 namespace f1tenth_sim2d
 {
-/// The simulation with all that happens along with it at fixed simulated times.
+/// The simulation with everything that happens in it at fixed simulated times.
 class SimulatedWorld
 {
 public:
@@ -42,14 +42,14 @@ public:
   void advanceTo(SimTime end);
   /// To the end of the control period under way, unless one has just ended.
   void finishPeriod();
-  /// Lets what a car has not measured since it came measure now.
+  /// Runs the outputs of a car now that have not run since it was added.
   void measureFirst(CarId car);
-  /// Whether the driver of a car has had something to answer since a time; also that of one without any such thing.
+  /// Whether the driver of a car has had something to answer since a time; also true if it never has.
   bool isToAnswer(CarId car, SimTime since) const;
   /// Publishes the last messages again: what the driver of one car answers, or everything else.
   void repeatForDriver(CarId car);
   void repeatOthers();
-  /// Back to time 0, as from fresh.
+  /// Back to time 0, as if built anew.
   void restart();
   /// Cars and models back to where they started; time goes on.
   void resetPoses();

@@ -5,6 +5,6 @@
 
 namespace f1tenth_sim2d
 {
-/// Says in one warning what of a source cannot be represented, if anything.
+/// Names in one warning what cannot be represented of a source, if anything.
 void warnOnce(const std::string & source, const std::vector<std::string> & warnings);
 }  // namespace f1tenth_sim2d

@@ -20,7 +20,7 @@ public:
   virtual ~Controller() = default;
   /// Joints that nobody else may move while it runs, by hardware interface.
   virtual Claims claims() const = 0;
-  /// From now on it runs; what came before is forgotten.
+  /// It runs from now on; what came before is forgotten.
   virtual void start(SimTime now) = 0;
   /// To be called at each control period while it runs.
   /// @param dt  s since the call before; 0 if time was set back

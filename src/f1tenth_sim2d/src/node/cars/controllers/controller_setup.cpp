@@ -39,7 +39,7 @@ const JointDescription & jointOf(const CarDescription & car, const std::string &
     boost::algorithm::join(names, ", "));
 }
 
-/// Those at a place below the parameters of the controller, or else those of gazebo_ros_control.
+/// The gains at a place below the parameters of the controller, or else those of gazebo_ros_control.
 std::optional<PidGains> gainsOf(const ControllerSetup & setup, const std::string & place, const std::string & joint)
 {
   const auto own = gainsAt({setup.node(), place});

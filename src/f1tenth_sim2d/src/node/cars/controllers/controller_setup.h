@@ -23,9 +23,9 @@ struct ControllerSetup
   workspace_support::ParameterReader parameters() const { return workspace_support::ParameterReader(node()); }
 
   /// A joint of the car in the hands of this controller.
-  /// @param gains  where its pid gains stand below the parameters of the controller; if they do not, those of
-  ///               gazebo_ros_control count. Gains that are not simulated are a warning
-  /// @throws Error for one that the car does not have, or that cannot be moved so
+  /// @param gains  where its pid gains are below the parameters of the controller; if there are none, those of
+  ///               gazebo_ros_control count. Gains that are not simulated cause a warning
+  /// @throws Error for one that the car does not have, or that cannot be moved in this way
   ControlledJoint joint(const std::string & joint, JointCommand::Kind kind, const std::string & gains) const;
 };
 }  // namespace f1tenth_sim2d

@@ -9,10 +9,10 @@
 
 namespace f1tenth_sim2d
 {
-/// Names of the types of controllers that there are.
+/// Names of all types of controllers.
 std::vector<std::string> controllerTypes();
 
 /// A controller of the setup's type.
-/// @throws Error for an unknown type, and std::runtime_error for parameters that make no sense: each names the controller
+/// @throws Error for an unknown type, std::runtime_error for parameters that make no sense: each names the controller
 std::unique_ptr<Controller> makeController(const ControllerSetup & setup);
 }  // namespace f1tenth_sim2d

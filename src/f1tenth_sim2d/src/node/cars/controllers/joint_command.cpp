@@ -8,7 +8,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-// As for commands of whole cars: far beyond any car of this size, but not a number that has lost its meaning.
+// As for commands of whole cars: far beyond any car of this size, but still a meaningful number.
 constexpr double kSpeedMax = 100.0;    // m/s, of a wheel's tread
 constexpr double kEffortMax = 1000.0;  // N m
 constexpr double kAngleMax = 6.2832;   // rad
@@ -77,7 +77,7 @@ DriveCommand driveCommand(
       steering.add(singleTrackAngle(value, command.joint.role, vehicle.wheelbase(), car.track_width));
     }
   }
-  // The car accelerates by speed_gain times what is missing to the speed that is asked for.
+  // The car accelerates by speed_gain times the difference to the speed that is asked for.
   const double pushed_speed = is_pushed ? speed + force / vehicle.m / vehicle.speed_gain : 0.0;
   return {wheel_speed.isEmpty() ? pushed_speed : wheel_speed.value(), steering.value()};
 }

@@ -22,9 +22,10 @@ struct JointCommand
   double value;  ///< positive in the direction of the joint's axis
 };
 
-/// What a driver of the car would ask for to move these joints so. Wheels roll at the mean of what is asked of them;
-/// torques accelerate the car's mass. Steering joints are the two front wheels of Ackermann's geometry, or the
-/// single-track one between them; the car steers by the mean of their single-track angles. What nothing is asked of, is 0.
+/// The command by which a driver of the car would move these joints in this way. Wheels roll at the mean of what is
+/// asked of them; torques accelerate the car's mass. Steering joints are the two front wheels of Ackermann's geometry,
+/// or the single-track one between them; the car steers by the mean of their single-track angles. What is not asked
+/// for is 0.
 /// @param speed  of the car now, m/s
 DriveCommand driveCommand(
   const std::vector<JointCommand> & commands, const CarDescription & car, const VehicleParameters & vehicle,
@@ -33,8 +34,8 @@ DriveCommand driveCommand(
 /// Why a value makes no sense for a joint; empty if it does.
 std::string objectionTo(const JointCommand & command, double wheel_radius);
 
-/// A joint in the hands of a controller. What is asked of it is a position (rad), a velocity (rad/s) or an effort (N m),
-/// positive in the direction of its axis.
+/// A joint in the hands of a controller. What is asked of it is a position (rad), a velocity (rad/s) or an effort (N
+/// m), positive in the direction of its axis.
 class ControlledJoint
 {
 public:
@@ -53,7 +54,7 @@ public:
   std::string objectionTo(double value) const;
   /// @param speed  of the joint now, rad/s
   /// @param dt     s since the call before
-  /// @return valid as long as this
+  /// @return valid as long as this object
   JointCommand command(double value, double speed, double dt);
 
 private:

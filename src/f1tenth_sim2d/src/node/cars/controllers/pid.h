@@ -17,7 +17,7 @@ class Pid
 public:
   explicit Pid(const PidGains & gains) : gains_(gains) {}
 
-  /// @param error  wanted less measured, rad/s
+  /// @param error  wanted minus measured, rad/s
   /// @param dt     since the call before, s; > 0
   /// @param limit  greatest effort of the joint, N m
   /// @return effort, N m

@@ -24,7 +24,7 @@ bool isAmong(const std::vector<std::string> & names, const std::string & name)
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Those that it moves.
+/// The joints that it moves.
 std::vector<std::string> jointsOf(const Controller & controller)
 {
   std::vector<std::string> joints;
@@ -46,7 +46,7 @@ ros::ServiceServer serve(ros::NodeHandle & car, const std::string & name, const 
   return car.advertiseService("controller_manager/" + name, callback);
 }
 
-/// The same of a service whose only answer is whether it worked; says why not.
+/// The same for a service whose only answer is whether it worked; logs why not.
 template <class Service, class Action>
 ros::ServiceServer serveAttempt(ros::NodeHandle & car, const std::string & name, const Action & action)
 {

@@ -15,14 +15,14 @@
 
 namespace f1tenth_sim2d
 {
-/// What libgazebo_ros_control.so is in Gazebo: a controller manager with its services, and controllers for the wheels and
-/// steering joints of a car. While a controller of joints runs, the car does what it says.
+/// What libgazebo_ros_control.so is in Gazebo: a controller manager with its services, and controllers for the wheels
+/// and steering joints of a car. While a controller of joints runs, the car does what it says.
 class RosControl : public Output
 {
 public:
   /// @param car       its node in the namespace of the controller manager
-  /// @param commands  of the car; takes what the controllers want, and is told of what they are told
-  /// @param simulates_pid  whether wheels obey the pid gains of their controllers, or else follow as fast as the car can
+  /// @param commands  of the car; takes what the controllers want, and is told of the commands to them
+  /// @param simulates_pid  whether wheels obey their controllers' pid gains, or else follow as fast as the car can
   RosControl(CarHandle car, CommandInput & commands, bool simulates_pid);
 
   double rate() const override { return rate_hz_; }
@@ -47,9 +47,9 @@ private:
   void reload(bool force);
 
   void start(Loaded & loaded);
-  /// That all are loaded, and run or not as they should.
+  /// Checks that all are loaded, and running or stopped as they should be.
   void checkSwitch(const Names & start, const Names & stop) const;
-  /// That no joint would have two controllers.
+  /// Checks that no joint would have two controllers.
   void checkJoints(const Names & start, const Names & stop) const;
   std::vector<JointCommand> wanted(SimTime now, double dt);
 

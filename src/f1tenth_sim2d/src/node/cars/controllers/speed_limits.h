@@ -17,7 +17,7 @@ struct SpeedLimits
   std::optional<Range> jerk;          ///< m/s^3 or rad/s^3
 };
 
-/// What of a command is allowed.
+/// The part of a command that is allowed.
 /// @param last    what was allowed dt seconds before
 /// @param before  what was allowed dt seconds before that
 double limited(double wanted, double last, double before, double dt, const SpeedLimits & limits);

@@ -86,7 +86,7 @@ void SteeringController::measure(double dt)
   const double rolled = (position - wheel_position_) * p_.wheel_radius * p_.wheel_radius_multiplier;
   wheel_position_ = position;
   if (p_.open_loop) {
-    // As the original, which takes the angle for a yaw rate here.
+    // As in the original, which takes the angle for a yaw rate here.
     odometry_.advance(last_.speed * dt, last_.steering_angle * dt, dt);
     return;
   }

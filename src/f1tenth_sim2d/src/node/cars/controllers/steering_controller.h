@@ -15,13 +15,13 @@
 
 namespace f1tenth_sim2d
 {
-/// The AckermannSteeringController of ros_controllers: `NAME/cmd_vel` moves one rear wheel and one steering joint, `NAME/odom`
-/// and a transform tell where the car went since the controller was started. As there, `angular.z` of a command is the
-/// steering angle (rad), not a yaw rate.
+/// The AckermannSteeringController of ros_controllers: `NAME/cmd_vel` moves one rear wheel and one steering joint,
+/// `NAME/odom` and a transform tell where the car went since the controller was started. As there, `angular.z` of a
+/// command is the steering angle (rad), not a yaw rate.
 class SteeringController : public Controller
 {
 public:
-  /// @throws Error for joints that cannot be moved so, and std::runtime_error for parameters that make no sense
+  /// @throws Error for joints that cannot be moved like this, std::runtime_error for parameters that make no sense
   explicit SteeringController(const ControllerSetup & setup);
 
   Claims claims() const override;

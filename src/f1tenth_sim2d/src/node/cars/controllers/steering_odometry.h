@@ -11,10 +11,10 @@ namespace f1tenth_sim2d
 class SteeringOdometry
 {
 public:
-  /// @param window  number of steps that speeds are the means of
+  /// @param window  number of steps over which speeds are averaged
   explicit SteeringOdometry(std::size_t window) : window_(window) {}
 
-  /// Goes on by a step of dt seconds, > 0.
+  /// Advances by a step of dt seconds, > 0.
   /// @param ahead  m, along the course
   /// @param turn   rad
   void advance(double ahead, double turn, double dt);

@@ -81,7 +81,7 @@ SteeringParameters readSteeringParameters(const ControllerSetup & setup)
   reader.read("velocity_rolling_window_size", p.velocity_rolling_window_size, atLeast(1.0));
   p.pose_covariance = readCovariance(setup.node(), reader, "pose_covariance_diagonal");
   p.twist_covariance = readCovariance(setup.node(), reader, "twist_covariance_diagonal");
-  // What else the original knows changes nothing here.
+  // The original's other parameters change nothing here.
   reader.ignore({"type", "allow_multiple_cmd_vel_publishers"});
   reader.warnOfUnused();
   return p;

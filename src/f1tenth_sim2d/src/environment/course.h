@@ -25,13 +25,13 @@ public:
 
   double length() const { return distances_.back(); }  ///< m
 
-  /// The pose that is so far along the course, m, and so much to its left, m, headed along it.
+  /// The pose at a distance along the course, m, and an offset to its left, m, headed along it.
   Pose2 pose(double distance, double offset) const;
 
   /// Seen from the nearest point of the whole course.
   CoursePosition locate(const Pose2 & pose) const;
-  /// Seen from the nearest point within `reach` of a distance along the course (m), so that nobody jumps to another part of
-  /// the road that comes close.
+  /// Seen from the nearest point within `reach` of a distance along the course (m), so that no car jumps to another
+  /// part of the road that comes close.
   CoursePosition locate(const Pose2 & pose, double near, double reach) const;
 
 private:

@@ -41,7 +41,7 @@ DriveCommand Pedals::press(const CarState & state, double steering_rate, double 
   steering_angle_ = std::clamp(steering_angle_ + rate * dt, -limit, limit);
 
   const double a = std::clamp(acceleration, -parameters_.a_max, parameters_.a_max);
-  // A car that cannot follow, in front of a wall or above v_switch, must not run up speed that it would then catch up with.
+  // The target must not run ahead of a car that cannot follow, at a wall or above v_switch: it would catch up later.
   const double lag = parameters_.a_max * (parameters_.actuation_latency + 1.0 / parameters_.speed_gain);
   speed_ = std::clamp(speed_ + a * dt, state.velocity.x - lag, state.velocity.x + lag);
   speed_ = std::clamp(speed_, parameters_.v_min, parameters_.v_max);
@@ -73,7 +73,7 @@ void Environment::reset(std::uint64_t seed, const std::vector<CarStart> & starts
       setPosition(results.back(), options_.course->locate(start.pose));
     }
   }
-  // Nothing fails from here on, so that an episode begins wholly or not at all.
+  // Nothing fails from here on, so that an episode begins completely or not at all.
   log_.reset();
   simulation_.swap(simulation);
   ids_.swap(ids);

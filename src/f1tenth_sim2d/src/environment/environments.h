@@ -10,8 +10,8 @@
 
 namespace f1tenth_sim2d
 {
-/// Environments of one world, which they share, stepped together by several threads. Each is as if it were alone: how many
-/// threads or neighbours there are changes no bit.
+/// Environments of one world, which they share, stepped together by several threads. Each behaves as if it were alone:
+/// the number of threads or neighbours changes no bit.
 class Environments
 {
 public:
@@ -30,7 +30,7 @@ public:
   /// Writes what the cars of one environment do. @throws Error as Environment::record
   void record(std::size_t index, const std::string & file) { environments_.at(index).record(file); }
 
-  /// Drives all by one period, but those of which no car is driven.
+  /// Drives all by one period, except those of which no car is driven.
   /// @param actions  of all cars of all environments
   /// @param driven   likewise; see Environment::step
   void step(const Action * actions, const std::uint8_t * driven);

@@ -13,7 +13,7 @@ namespace f1tenth_sim2d
 /// What a driver may be told of the car and what is around it.
 enum class ObservationPart
 {
-  kScan,  ///< ranges of the first lidar, m; what is nearer than its least range is 0, what is farther than its greatest that
+  kScan,      ///< ranges of the first lidar, m; 0 below its least range, its greatest range beyond that
   kPose,      ///< x, y, m, and yaw, rad, in the world
   kVelocity,  ///< along the car and to its left, m/s, and yaw rate, rad/s
   kSteering,  ///< angle, rad
@@ -26,7 +26,7 @@ enum class ObservationPart
 /// The part of a name. @throws Error that lists the names
 ObservationPart observationPart(const std::string & name);
 
-/// What has become of a car.
+/// The state of a car after a step.
 struct CarResult
 {
   double x{0.0};               ///< m, base_footprint in the world

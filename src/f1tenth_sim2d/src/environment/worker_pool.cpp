@@ -7,10 +7,10 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-/// Steps follow each other closely, and to wake a thread costs up to 0.1 ms where processors are virtual.
+/// Steps follow each other closely, and waking a thread costs up to 0.1 ms on virtual processors.
 constexpr std::chrono::microseconds kAwake{200};
 
-/// Waits awake for a condition, but not for long.
+/// Busy-waits for a condition, but not for long.
 template <typename Condition>
 void watch(const Condition & condition)
 {

@@ -15,14 +15,14 @@ namespace f1tenth_sim2d
 class WorkerPool
 {
 public:
-  /// @param threads  in all; the one that calls run is one of them
+  /// @param threads  in total, including the one that calls run
   explicit WorkerPool(std::size_t threads);
   WorkerPool(const WorkerPool &) = delete;
   WorkerPool & operator=(const WorkerPool &) = delete;
   ~WorkerPool();
 
   /// Calls task(0) … task(count - 1), in any order, and waits for all of them.
-  /// @throws what a task has thrown, of the one with the least number
+  /// @throws what a task has thrown: of several, the one with the least number
   void run(std::size_t count, const std::function<void(std::size_t)> & task);
 
 private:
@@ -30,7 +30,7 @@ private:
   void takeTasks();
   void keep(std::size_t index, std::exception_ptr failure);
 
-  std::mutex mutex_;  ///< of whatever is written here, but next_
+  std::mutex mutex_;  ///< guards whatever is written here, except next_
   std::condition_variable begins_;
   std::condition_variable ends_;
   const std::function<void(std::size_t)> * task_{nullptr};

@@ -8,7 +8,7 @@
 /// The parts of the Python module f1tenth_sim2d.
 namespace f1tenth_sim2d
 {
-/// Reads a text of each item that a list has.
+/// Reads a text from each item of a list.
 template <typename Owner, typename Item>
 auto ofEach(std::vector<Item> Owner::*items, std::string Item::*text)
 {

@@ -68,7 +68,7 @@ py::tuple extentOf(const CarDescription & car)
   return py::make_tuple(least.x, greatest.x, least.y, greatest.y);
 }
 
-/// Nothing for a car that does not say both how its wheels have turned and which transform comes of it.
+/// Nothing for a car that does not publish both its wheel odometry and the transform from it.
 std::optional<std::string> odometryTopicOf(const CarDescription & car)
 {
   if (!car.drive) {

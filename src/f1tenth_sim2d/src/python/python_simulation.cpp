@@ -14,10 +14,10 @@ namespace
 namespace py = pybind11;
 
 constexpr double kLongestPeriod = 10.0;  // s
-// Steps between two looks for a signal: some 10 ms for a car alone. Each look waits for other threads of Python.
+// Steps between two checks for a signal: some 10 ms for a car alone. Each check waits for other threads of Python.
 constexpr SimTime kStepsAtOnce = 10'000;
 
-/// Indices that users give are answered with IndexError.
+/// A wrong index of a user raises IndexError.
 void requireIndex(const char * what, std::size_t index, std::size_t count)
 {
   if (index >= count) {
@@ -26,7 +26,7 @@ void requireIndex(const char * what, std::size_t index, std::size_t count)
   }
 }
 
-/// Lets Python act on signals that have come, for whoever has released the GIL.
+/// Lets Python handle pending signals, for a caller that has released the GIL.
 /// @throws py::error_already_set if that raises, as Ctrl-C does
 void checkSignals()
 {

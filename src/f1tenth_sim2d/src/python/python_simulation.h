@@ -29,7 +29,7 @@ public:
 
   double time() const { return toSeconds(Simulation::time()); }
   void step();
-  /// The caller has released the GIL. @throws pybind11::error_already_set if a signal came that raises
+  /// The caller has released the GIL. @throws pybind11::error_already_set if a signal arrived that raises
   void advanceTo(double end);
   void reset();
   std::string trajectoryHash() const { return log_.hash(); }

@@ -8,7 +8,7 @@
 
 namespace f1tenth_sim2d
 {
-/// A world as Python has it: prepared when the first simulation is built from it, and shared by all.
+/// A world as Python sees it: prepared when the first simulation is built from it, and shared by all.
 class PythonWorld
 {
 public:

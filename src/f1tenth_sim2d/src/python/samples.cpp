@@ -10,7 +10,7 @@ namespace
 {
 namespace py = pybind11;
 
-/// Reads a part of a member.
+/// Reads part of a member.
 template <typename Owner, typename Member>
 auto through(Member Owner::*member, double Member::*part)
 {

@@ -8,7 +8,7 @@
 
 namespace pybind11::detail
 {
-/// Python has a CarId as an int.
+/// In Python a CarId is an int.
 template <>
 struct type_caster<f1tenth_sim2d::CarId>
 {

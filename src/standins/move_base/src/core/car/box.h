@@ -12,14 +12,14 @@ struct Box
   double half_length{0.0};  ///< m
   double half_width{0.0};   ///< m
 
-  /// From a point, m; not above 0 inside.
+  /// Distance from a point, m; 0 or less inside.
   double distanceTo(const Vec2 & point) const;
 };
 
 /// The same with every side moved outwards by margin, m.
 Box grown(const Box & box, double margin);
 
-/// Least distance from the outline of a car at base to the box, m, to the safe side by what the discs stick out;
+/// Least distance from the outline of a car at base to the box, m, underestimated by what the discs stick out;
 /// negative on contact.
 double clearance(const Box & box, const Footprint & footprint, const Pose2 & base);
 }  // namespace move_base

@@ -30,7 +30,7 @@ public:
   double inscribedRadius() const { return inscribed_radius_; }
   /// Half of the width, m.
   double halfWidth() const { return half_width_; }
-  /// Where the outline ends along the car's axis, m before the base frame; the rear end is behind it.
+  /// Where the outline ends along the car's axis, m ahead of the base frame; the rear end is behind it.
   double rear() const { return rear_; }
   double front() const { return front_; }
   /// A disc around all the others.
@@ -48,6 +48,6 @@ private:
   Disc around_;
 };
 
-/// 0.58 m x 0.31 m, the rear axle 0.125 m before the rear end.
+/// 0.58 m x 0.31 m, the rear axle 0.125 m ahead of the rear end.
 std::vector<Vec2> defaultFootprint();
 }  // namespace move_base

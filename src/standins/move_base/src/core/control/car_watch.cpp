@@ -7,14 +7,14 @@ namespace move_base
 {
 namespace
 {
-constexpr double kMostLatency = 0.15;          // s, beyond what it is told to be
-constexpr double kYawDoubt = 0.03;             // s, by which the yaw may seem to answer too soon
-constexpr double kLeastSlip = 0.2;             // times what it is told to be
+constexpr double kMostLatency = 0.15;          // s, beyond that of the options
+constexpr double kYawDoubt = 0.03;             // s, by which the yaw may seem to respond too early
+constexpr double kLeastSlip = 0.2;             // times that of the options
 constexpr double kMostSlip = 4.0;              // the same
-constexpr double kLeastSpeedChange = 0.3;      // m/s, in a command, that tells how late the speed follows
+constexpr double kLeastSpeedChange = 0.3;      // m/s, in a command, that shows how late the speed follows
 constexpr double kLeastCurvatureChange = 0.1;  // 1/m, the same of the yaw
-constexpr double kLeastTurnSpeed = 1.5;        // m/s, from which its yaw tells something
-constexpr double kLongestTurn = 0.1;           // s, between poses that tell a curvature
+constexpr double kLeastTurnSpeed = 1.5;        // m/s, from which its yaw is informative
+constexpr double kLongestTurn = 0.1;           // s, between poses that give a curvature
 constexpr double kMostCurvature = 2.0;         // 1/m, beyond it the pose has jumped
 }  // namespace
 
@@ -69,7 +69,7 @@ void CarWatch::noteCommand(double time, const DriveCommand & command, double ben
   traction_watch_.noteCommand(command);
 }
 
-// Commands reach motor and steering on the same way, but tyres that slide pass on a speed later than a turn.
+// Commands reach motor and steering the same way, but tyres that slide pass on a speed later than a turn.
 Lags CarWatch::lags() const
 {
   const auto plausible = [&](double latency) {

@@ -18,23 +18,23 @@ struct Sighting
   double measured{0.0};  ///< s, when it had its speed
 };
 
-/// Where a car is now, and how it answers to what it is told.
+/// Where a car is now, and how it responds to its commands.
 class CarWatch
 {
 public:
-  /// @param told  how it is said to answer
+  /// @param told  how it is said to respond
   explicit CarWatch(const FollowerOptions & told);
 
   /// @param now  s, not before the commands already noted
   /// @return the car's motion now
   CarState note(const Sighting & sighting, double now);
-  /// What the car is told, time in s.
-  /// @param bend  1/m, of its way, that is to come of it
+  /// Notes a command to the car, time in s.
+  /// @param bend  1/m, the curvature of its path that is to result
   void noteCommand(double time, const DriveCommand & command, double bend);
   /// To be called when time jumps back.
   void clear();
 
-  /// How late it does what it is told.
+  /// How late it responds to commands.
   Lags lags() const;
   /// What its tyres have shown.
   Tyres tyres() const;

@@ -7,7 +7,7 @@ namespace move_base
 {
 namespace
 {
-constexpr double kMemory = 3.0;          // s; a car that has not been seen for longer stands
+constexpr double kMemory = 3.0;          // s; a car that has not been seen for longer counts as standing
 constexpr double kReckoningStep = 0.02;  // s
 constexpr double kSpeedLag = 0.1;        // s, time constant of a car's speed
 

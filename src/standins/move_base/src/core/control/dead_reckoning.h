@@ -6,11 +6,11 @@
 
 namespace move_base
 {
-/// Where the car is by the commands that it has been given since it was last seen.
+/// Where the car is according to the commands that it has been given since it was last seen.
 class DeadReckoning
 {
 public:
-  /// Notes what the car was told, time in s, not before the commands already noted.
+  /// Notes a command to the car, time in s, not before the commands already noted.
   void note(double time, const DriveCommand & command);
   void clear() { commands_.clear(); }
 

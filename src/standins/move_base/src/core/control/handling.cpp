@@ -8,14 +8,14 @@ namespace move_base
 {
 namespace
 {
-constexpr double kSlipStep = 0.03;      // part by which the slip must change to be taken into account
-constexpr double kUsualSlip = 1.15;     // times what it is told to be, up to which the grip is that of a dry road
-constexpr double kSlipPower = 1.5;      // of the slip beyond: on average it is measured before it is all there
-constexpr double kUsualTraction = 0.9;  // of the acceleration told, from which the grip is that of a dry road
-constexpr double kSpinning = 0.85;      // of what spinning wheels pass on, that they do while they steer as well
+constexpr double kSlipStep = 0.03;      // share by which the slip must change to be taken into account
+constexpr double kUsualSlip = 1.15;     // times that of the options, up to which the grip is that of a dry road
+constexpr double kSlipPower = 1.5;      // of the slip beyond: on average it is measured before it has built up
+constexpr double kUsualTraction = 0.9;  // of the commanded acceleration, from which the grip is that of a dry road
+constexpr double kSpinning = 0.85;      // of what spinning wheels pass on, while they steer as well
 constexpr double kUnfelt = 0.6;        // of the lateral acceleration planned, until a bend has shown how the tyres slip
-constexpr double kUsualDelay = 0.08;   // s of latency beyond what it is told to be, that ask for no reserve
-constexpr double kLateReserve = 4.0;   // 1/s, part of the lateral acceleration for each second of latency beyond
+constexpr double kUsualDelay = 0.08;   // s of latency beyond that of the options, that need no reserve
+constexpr double kLateReserve = 4.0;   // 1/s, share of the lateral acceleration for each second of latency beyond
 constexpr double kReserveStep = 0.01;  // by which that must change to be taken into account
 constexpr double kBends = 0.25;        // of the lateral acceleration, from which braking is limited for it
 constexpr double kLeastLeft = 0.35;    // of the acceleration, however hard the car corners
@@ -47,7 +47,7 @@ Handling::Handling(const FollowerOptions & options)
   options_.validate();
 }
 
-// What is put right late has become more by then.
+// An error that is corrected late has grown by then.
 double Handling::reserveForLatency() const
 {
   return kLateReserve * std::max(0.0, lags_.latency - given_.latency - kUsualDelay);
@@ -92,7 +92,7 @@ double Handling::speedFor(double curvature) const
   return std::max(options_.limits.speedInBend(bend), options_.limits.min_vel_x);
 }
 
-// m/s^2, that the tyres can bring about.
+// m/s^2, that the tyres can provide.
 double Handling::lateralOn(double curvature, double speed) const
 {
   return std::clamp(speed * speed * curvature, -grip_to_side_, grip_to_side_);

@@ -9,31 +9,31 @@ struct FollowerOptions
 {
   SpeedLimits limits;
   double latency{0.05};            ///< s, from measuring a pose to the wheels acting on the command
-  double tracking_distance{0.45};  ///< m, in which an error of the path is driven out when standing
+  double tracking_distance{0.45};  ///< m, in which a path error is steered out from a standstill
   double tracking_time{0.12};      ///< s, added to it per m/s
-  double slip_gradient{0.0};       ///< rad per m/s^2 of lateral acceleration, that the rear axle drifts outwards
-  double load_transfer{0.0};       ///< per m/s^2, part of its load that the rear axle gains and the front one loses
+  double slip_gradient{0.0};       ///< rad per m/s^2 of lateral acceleration, by which the rear axle drifts outwards
+  double load_transfer{0.0};       ///< per m/s^2, share of its load that the rear axle gains and the front one loses
   double yaw_lag{0.0};             ///< s per m/s, by which the yaw follows the wheels
-  double stop_clearance{0.0};      ///< m, with less on its predicted way the car stops before
-  double replan_distance{2.5};     ///< m beyond the braking distance, an obstacle on the path there is reported
-  double max_path_deviation{0.5};  ///< m, farther from its path the car has lost it
+  double stop_clearance{0.0};      ///< m, the car stops before it has less on its predicted way
+  double replan_distance{2.5};     ///< m beyond the braking distance, up to which an obstacle on the path is reported
+  double max_path_deviation{0.5};  ///< m, a car farther from its path has lost it
 
   /// @throws OptionError
   void validate() const;
 };
 
-/// How late a car does what it is told.
+/// How late a car responds to commands.
 struct Lags
 {
   double latency{0.0};  ///< s, from measuring a pose to the wheels acting on the command
-  double speed{0.0};    ///< s, that its speed lags behind its command
+  double speed{0.0};    ///< s, by which its speed lags behind its command
 };
 
-/// What is known of a car's tyres beside what the options say.
+/// What is known of a car's tyres beyond what the options say.
 struct Tyres
 {
   double slip{1.0};      ///< times what the options say
-  double traction{1.0};  ///< share of the acceleration told that comes of it, where the car falls behind its command
+  double traction{1.0};  ///< share of the commanded acceleration that is reached, where the car falls behind
   bool felt{true};       ///< whether a bend has shown how far they slip
 };
 
@@ -47,42 +47,43 @@ struct DriveCommand
   double steeringAngle(const SpeedLimits & limits) const { return speed == 0.0 ? 0.0 : limits.wheelAngle(curvature); }
 };
 
-/// How the car answers, and what may be asked of it with the tyres that it is found to have.
+/// How the car responds, and what may be asked of it with the tyres that it is found to have.
 class Handling
 {
 public:
-  static constexpr double kSpeedLag = 0.055;  ///< s, that a car's speed lags behind its command besides the latency
+  static constexpr double kSpeedLag = 0.055;  ///< s, by which a car's speed lags its command, besides the latency
 
   /// @throws OptionError
   explicit Handling(const FollowerOptions & options);
 
-  /// Those given, with what the tyres allow.
+  /// The options given, with what the tyres allow.
   const FollowerOptions & options() const { return options_; }
-  /// Those of the options until others are set.
+  /// From the options and kSpeedLag until others are set.
   const Lags & lags() const { return lags_; }
-  /// Where the tyres clearly slip more than the options say, or pass on but a share of the acceleration told, they have less
-  /// grip, and the car is asked for less; to the side also until a bend has shown it, and where it answers late.
+  /// Where the tyres clearly slip more than the options say, or pass on only a share of the commanded acceleration,
+  /// they have less grip, and less is asked of the car; to the side also until a bend has shown the grip, and where the
+  /// car responds late.
   /// @return whether that changes the options
   bool set(const Lags & lags, const Tyres & tyres);
 
-  /// Of a curvature, 1/m, what wheels and tyres allow.
+  /// The part of a curvature, 1/m, that wheels and tyres allow.
   double drivable(double curvature, double speed) const;
-  /// m/s, at which the tyres hold the car on a curvature, 1/m: one that has left its path in a bend comes back only if it
-  /// slows down.
+  /// m/s, at which the tyres hold the car on a curvature, 1/m: one that has left its path in a bend comes back only if
+  /// it slows down.
   double speedFor(double curvature) const;
-  /// rad, that the rear axle drifts outwards.
+  /// rad, by which the rear axle drifts outwards.
   double slipOn(double curvature, double speed) const;
-  /// Part of an acceleration that the tyres have left that hold a car in a bend, 1/m: braking with more than that, its tail
-  /// comes round, and speeding up with more, its front axle loses the load that it steers with.
+  /// Share of an acceleration that is left to tyres that hold a car in a bend, 1/m: if it brakes harder, its tail comes
+  /// round, and if it speeds up harder, its front axle loses the load that it steers with.
   double leftInBend(double speed, double bend) const;
-  /// m/s, that a car is not told to be slower than, whatever it brakes for in a bend: who spins does not stop sooner. It is
-  /// in a bend for as long as it turns, whatever its wheels are told.
-  /// @param bend  1/m, of its way, that it was told last
+  /// m/s, the least speed that is commanded in a bend, whatever the car brakes for: a car that spins does not stop
+  /// sooner. It is in a bend for as long as it turns, whatever the command to its wheels.
+  /// @param bend  1/m, of its way, as commanded last
   double gentlest(const CarState & car, double bend) const;
-  /// 1/m, to command for a way so bent, while a car is told to change its speed. Understeer is that of the bend which the
-  /// tyres bear: a car that brakes oversteers, and at its critical speed that of a bend still to come would take all of
-  /// the wheels' angle away before there is any force. The yaw follows the wheels alike at all loads then: a single track,
-  /// L r / v = delta - (front - rear) a_y - L (front + rear) dr/dt, slips of the axles in rad per m/s^2.
+  /// 1/m, to command for a way of this curvature while a car is to change its speed. Understeer is that of the bend
+  /// which the tyres bear: a car that brakes oversteers, and at its critical speed that of a bend still to come would
+  /// take all of the wheels' angle away before there is any force. The yaw then follows the wheels alike at all loads:
+  /// a single track, L r / v = delta - (front - rear) a_y - L (front + rear) dr/dt, axle slips in rad per m/s^2.
   /// @param curvature  1/m, of the way
   /// @param borne  1/m, of the way where the command takes effect
   double withUndersteer(double curvature, double borne, double speed, double commanded) const;

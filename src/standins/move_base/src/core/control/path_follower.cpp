@@ -12,12 +12,12 @@ constexpr double kPredictionStep = 0.05;  // s
 constexpr double kPredictionTime = 0.8;   // s beyond the time needed for braking
 constexpr double kBrakingReserve = 1.5;   // of the deceleration of the speed profile, to come down to a slower profile
 constexpr double kStopMargin = 0.05;      // m, left before an obstacle
-// A Twist without speed says nothing of the wheels: they would straighten while the car still rolls, m/s.
+// A Twist without speed does not set the wheels: they would straighten while the car still rolls, m/s.
 constexpr double kCreep = 1e-3;
-constexpr double kUnturned = 0.1;  // rad, that the wheels still have to turn: a car that started would leave its path
+constexpr double kUnturned = 0.1;  // rad, still to be turned by the wheels: a car that set off would leave its path
 // The speed commanded and the speed measured may differ by this much before the slew starts from the measured one, m/s.
 constexpr double kSpeedSlack = 0.5;
-constexpr double kSlackPart = 1.3;    // of what the speed lags behind when the car speeds up as it may
+constexpr double kSlackPart = 1.3;    // of what the speed lags behind when the car speeds up as hard as it may
 constexpr double kLongestLead = 2.0;  // m, of the steering
 // Beyond this angle between car and path, steering back does not work, rad.
 constexpr double kMaxHeadingError = 1.2;
@@ -57,7 +57,7 @@ Path PathFollower::lead(const CarState & car, double time) const
 {
   constexpr double kMaxOffset = 0.3;       // m
   constexpr double kMaxHeading = 0.5;      // rad
-  constexpr double kLeastLeadSpeed = 0.2;  // m/s: also who creeps behind another looks for a way past it
+  constexpr double kLeastLeadSpeed = 0.2;  // m/s: a car that creeps behind another looks for a way past it, too
   if (path_.empty() || car.speed < kLeastLeadSpeed) {
     return {};
   }
@@ -130,7 +130,7 @@ FollowStep PathFollower::step(
   return result;
 }
 
-// What has been commanded within the latency is still to come.
+// What has been commanded within the latency has yet to take effect.
 Pose2 PathFollower::afterLatency(const CarState & car) const
 {
   const double slip = handling_.slipOn(last_bend_, car.speed);
@@ -176,7 +176,7 @@ double PathFollower::steer(const PathPosition & position, double ahead, double s
 }
 
 // Of the path where the car will be when its yaw has followed the wheels, at the speeds at which it will drive there.
-// Before a kink they begin to turn so early that half of the turn is done there.
+// Before a kink the wheels begin to turn so early that half of the turn is done there.
 double PathFollower::curvatureAhead(const PathPosition & position, double speed) const
 {
   const SpeedLimits & limits = options().limits;
@@ -220,7 +220,7 @@ double PathFollower::wantedSpeed(const PathPosition & position, double speed) co
   return std::max(std::min(here, soon), options().limits.min_vel_x);
 }
 
-// Drives on in thought, as the next steps would: the way until the car would touch something, m.
+// Simulates driving on, as the next steps would: the way until the car would touch something, m.
 double PathFollower::distanceToObstacle(
   const CarState & car, const Costmap & costmap, std::vector<Pose2> & prediction) const
 {
@@ -243,7 +243,7 @@ double PathFollower::distanceToObstacle(
     pose = advance({pose.x, pose.y, pose.yaw - slip}, position.reverse ? -distance : distance, bend);
     pose.yaw += slip;
     prediction.push_back(pose);
-    // A car that stands closer to something already may drive away from it.
+    // A car that already stands closer to something may drive away from it.
     if (costmap.clearance(pose) < std::min(options().stop_clearance, here - 0.01)) {
       return driven;
     }

@@ -13,7 +13,7 @@
 
 namespace move_base
 {
-/// What one step of following gives.
+/// The result of one step of following.
 struct FollowStep
 {
   DriveCommand command;
@@ -43,7 +43,7 @@ public:
   /// As Handling::set; the speeds along the path follow.
   void setHandling(const Lags & lags, const Tyres & tyres, const Costmap & costmap);
   const DriveCommand & lastCommand() const { return last_; }
-  /// 1/m, of the car's way, that the last command is to bring about.
+  /// 1/m, the curvature of the car's way that the last command aims at.
   double lastBend() const { return last_bend_; }
 
   /// The path from behind the car to where it will be after the time, s; empty when the car is not on it.
@@ -52,15 +52,15 @@ public:
   /// The car's place on the path, m along it.
   double placeOf(const CarState & car) const { return tracker_.locate(path_, car.pose).s; }
 
-  /// Whether the path goes on for longer than the car needs to stand.
+  /// Whether the path goes on for longer than the car needs to stop.
   bool canDriveOn(const CarState & car) const;
 
-  /// Whether somebody is going to be in the way.
+  /// Whether another car is going to be in the way.
   bool hindered(const CarState & car, const Costmap & costmap, const std::vector<Forecast> & others) const;
 
   /// @param period  s since the last step
-  /// @param brake   whether to come to a stand along the path as soon as possible
-  /// @param others  who drives about, behind whom it stays
+  /// @param brake   whether to stop along the path as soon as possible
+  /// @param others  that drive about, behind which it stays
   FollowStep step(
     const CarState & car, const Costmap & costmap, double period, bool brake = false,
     const std::vector<Forecast> & others = {});
@@ -69,7 +69,7 @@ private:
   struct Sent
   {
     double duration;  // s
-    double bend;      // 1/m, wanted of the car's way
+    double bend;      // 1/m, wanted for the car's way
   };
 
   void noteSent(double period);
@@ -91,7 +91,7 @@ private:
   PathTracker tracker_;
   DriveCommand last_;
   std::deque<Sent> sent_;
-  double last_bend_{0.0};  // 1/m, wanted of the car's way by the last step
-  double wheels_{0.0};     // rad, that the commands have turned the wheels to
+  double last_bend_{0.0};  // 1/m, wanted for the car's way by the last step
+  double wheels_{0.0};     // rad, to which the commands have turned the wheels
 };
 }  // namespace move_base

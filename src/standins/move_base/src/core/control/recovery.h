@@ -50,7 +50,7 @@ class Recovery
 {
 public:
   /// @param timeout  s without getting anywhere; 0: any time
-  /// @param way      m, that is somewhere
+  /// @param way      m, that count as getting somewhere
   /// @param speed    m/s, of backing up
   Recovery(std::vector<RecoveryBehavior> behaviors, double timeout, double way, double speed)
   : behaviors_(std::move(behaviors)), timeout_(timeout), way_(way), speed_(speed)
@@ -71,7 +71,7 @@ public:
   RecoveryNotice begin(const Pose2 & car, double time, Costmap & costmap);
   /// Whether backing up goes on.
   bool backsUp() const { return backing_since_.has_value(); }
-  /// Straight back until far enough, blocked, or too long under way: then it stands.
+  /// Straight back until far enough, blocked, or too long under way: then it stops.
   DriveCommand backUp(const Pose2 & car, double time, const Costmap & costmap);
 
 private:

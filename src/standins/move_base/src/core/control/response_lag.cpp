@@ -43,7 +43,7 @@ void ResponseLag::noteAnswer(double time, double value)
   expectation_ -= kLagForgetting * expectation_;
 }
 
-// The place of the parabola's bottom through the least error and those beside it.
+// The place of the minimum of the parabola through the least error and those beside it.
 double ResponseLag::lag(double expected) const
 {
   std::vector<double> errors;

@@ -5,15 +5,15 @@
 
 namespace move_base
 {
-/// How long a car takes to do what it is told, in speed or steering, measured whenever that changes: of some delays the
-/// one at which the commands were most like what came of them.
+/// How long a car takes to follow its commands, in speed or steering, measured whenever they change: of several delays
+/// the one at which the commands best match the response.
 class ResponseLag
 {
 public:
-  /// @param least_change  by which a command must change to tell something
+  /// @param least_change  by which a command must change to be informative
   explicit ResponseLag(double least_change);
 
-  /// @param value  told to the car at that time, s
+  /// @param value  commanded to the car at that time, s
   void noteCommand(double time, double value);
   /// @param value  of the car at that time, s
   void noteAnswer(double time, double value);

@@ -7,7 +7,7 @@ namespace move_base
 namespace
 {
 constexpr double kWindow = 0.1;             // s, over which a car's course is measured
-constexpr double kLongest = 0.3;            // s, over which it is not any more
+constexpr double kLongest = 0.3;            // s, over which it no longer is
 constexpr double kLeastSpeed = 1.5;         // m/s
 constexpr double kLeastAcceleration = 1.0;  // m/s^2
 constexpr double kMostAcceleration = 20.0;  // m/s^2, beyond it the pose has jumped

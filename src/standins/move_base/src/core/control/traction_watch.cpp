@@ -13,7 +13,7 @@ constexpr double kFastest = 4.0;         // m/s; faster, the motor's power may b
 constexpr double kCornering = 1.0;       // m/s^2, to the side; more takes grip away
 constexpr double kAnswer = 0.5;          // s, until every car follows
 constexpr double kTractionWindow = 0.2;  // s, over which its acceleration is measured
-constexpr double kLeast = 0.25;          // of what it is told
+constexpr double kLeast = 0.25;          // of the commanded acceleration
 }  // namespace
 
 void TractionWatch::noteSpeed(double time, double speed)

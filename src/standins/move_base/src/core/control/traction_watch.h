@@ -6,8 +6,8 @@
 
 namespace move_base
 {
-/// How much of the acceleration that a car is told it reaches when its speed keeps falling behind: on a slippery floor
-/// the wheels spin at the first start, long before a bend would show how little they hold.
+/// How much of the commanded acceleration a car reaches when its speed keeps falling behind: on a slippery floor the
+/// wheels spin at the first start, long before a bend would show how little grip they have.
 class TractionWatch
 {
 public:
@@ -18,7 +18,7 @@ public:
   /// @param speed  m/s, of the car at that time, s
   void noteSpeed(double time, double speed);
 
-  /// Of what it is told, at most 1; 1 until there is something to measure.
+  /// Of the commanded acceleration, at most 1; 1 until there is something to measure.
   double share() const { return share_; }
 
 private:

@@ -26,6 +26,6 @@ Vec2 leftNormal(const Pose2 & pose);
 /// @param part  0: at a, 1: at b
 Pose2 between(const Pose2 & a, const Pose2 & b, double part);
 
-/// Part of the straight way from a to b, within [0, 1], at which it is nearest to a point; 0 where a is b.
+/// Fraction of the straight line from a to b, within [0, 1], at which it is nearest to a point; 0 where a is b.
 double nearestPart(const Vec2 & a, const Vec2 & b, const Vec2 & point);
 }  // namespace move_base

@@ -11,9 +11,9 @@ namespace move_base
 {
 namespace
 {
-// Of a place between the middles of four cells, the weighted mean of their distances from it, in cells, is at most this.
+// Between the centres of four cells, the weighted mean of their distances from the place, in cells, is at most this.
 constexpr double kInterpolationError = 0.7072;
-constexpr double kMovingMargin = 0.15;  // m around what moves, of which the lidar has seen parts as standing
+constexpr double kMovingMargin = 0.15;  // m around what moves, parts of which the lidar has seen as standing
 
 const GridGeometry & checked(const OccupancyGrid & map)
 {
@@ -89,7 +89,7 @@ void Costmap::observe(const LaserScan & scan)
   }
   for (StoppedObstacle obstacle : tracker_.stopped()) {
     obstacle.outline = obstacle.headed ? obstacle.outline : alongRoad(obstacle.outline);
-    // Nearer to a wall there is no room for a car: it is a part of the wall.
+    // Nearer to a wall there is no room for a car: it is part of the wall.
     const bool fits = wallDistance(obstacle.outline.middle.position()) > footprint_.halfWidth();
     changed = (fits && live_.remember(obstacle)) || changed;
   }

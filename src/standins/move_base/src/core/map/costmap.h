@@ -16,7 +16,7 @@ namespace move_base
 struct CostmapOptions
 {
   bool allow_unknown{false};         ///< whether unknown cells of the map may be driven on
-  int lethal_cost_threshold{100};    ///< from this occupancy on a cell of the map is an obstacle
+  int lethal_cost_threshold{100};    ///< a cell of the map with at least this occupancy is an obstacle
   double inflation_radius{0.55};     ///< m, obstacles farther away from the car's axis cost nothing
   double cost_scaling_factor{10.0};  ///< 1/m, how fast the cost falls with distance
   double clearance_weight{4.0};      ///< cost of a metre driven with a side touching, in metres of free road
@@ -37,33 +37,34 @@ public:
   const CostmapOptions & options() const { return options_; }
   const Footprint & footprint() const { return footprint_; }
 
-  /// Takes a scan into the live layer, but for what moves.
+  /// Takes a scan into the live layer, except what moves.
   void observe(const LaserScan & scan);
-  /// What moves on the map; it is in no distance here.
+  /// What moves on the map; it does not count in the distances here.
   const std::vector<MovingObstacle> & moving() const { return tracker_.moving(); }
   /// Forgets what the lidar saw farther than radius from centre, m.
   void forgetBeyond(const Vec2 & centre, double radius);
   /// Forgets everything that the lidar saw.
   void forgetAll() { forgetBeyond({}, -1.0); }
 
-  /// Distance from a point to the nearest obstacle that stands, m; not above 0 inside of one and outside of the map.
+  /// Distance from a point to the nearest standing obstacle, m; 0 or less inside of one and outside of the map.
   double obstacleDistance(const Vec2 & point) const { return distanceIn(distances_, point); }
   /// The same to the nearest obstacle of the map.
   double wallDistance(const Vec2 & point) const { return distanceIn(map_distances_, point); }
-  /// The least of those, m, on the next 1.2 m of an arc, 1/m.
+  /// The least of those distances, m, on the next 1.2 m of an arc, 1/m.
   double roomAlong(const Pose2 & from, double curvature) const;
 
-  /// Whether the lidar has seen something beside the map that near to a point, m.
+  /// Whether the lidar has seen something that is not on the map within reach of a point, m.
   bool seesUnknown(const Vec2 & point, double reach) const;
 
   /// Whether the map knows nothing of a cell.
   bool isUnknown(std::size_t index) const { return unknown_[index] != 0; }
 
-  /// Least distance from the car's outline to an obstacle, m, to the safe side by what the discs stick out; negative on contact.
+  /// Least distance from the car's outline to an obstacle, m, less what the discs stick out; negative on contact.
   double clearance(const Pose2 & base) const;
 
-  /// Whether the car here and up to margin beside it is surely so far from every obstacle that none adds to what driving
-  /// costs, and margin farther than that. Takes one look at the map instead of one for each disc; false says nothing.
+  /// Whether the car here and up to margin beside it is surely so far from every obstacle that none adds to what
+  /// driving costs, and margin farther than that. One look-up in the map instead of one for each disc; false tells
+  /// nothing.
   bool isFarFromAll(const Pose2 & base, double margin) const;
 
   /// What a metre costs beyond its length when the obstacle next to the car's axis is at this clearance, m.
@@ -80,9 +81,9 @@ public:
 
   /// The cells of the map as messages show them: 100 obstacle, 0 free, -1 unknown.
   std::vector<std::int8_t> mapCells() const;
-  /// Where the lidar has seen obstacles beside the map.
+  /// Where the lidar has seen obstacles that are not on the map.
   const std::vector<Cell> & liveCells() const { return stamped_; }
-  /// What the costs that are shown follow from.
+  /// Parameters of the costs that are shown.
   Inflation inflation() const
   {
     return {options_.inflation_radius, options_.cost_scaling_factor, footprint_.inscribedRadius()};
@@ -112,7 +113,7 @@ private:
   void makeStamp();
   void rebuild();
   void stamp(const Cell & cell);
-  /// Calls visit(index of the first cell in the map, the same in the stamp, how many) for each row of a stamp at a cell.
+  /// Calls visit(index of the first cell in the map, the same in the stamp, number) for each row of a stamp at a cell.
   template <class Visit>
   void forStampRows(const Cell & cell, const Visit & visit) const;
 

@@ -11,7 +11,7 @@ using Array = Eigen::ArrayXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
 constexpr int kMostSteps = 60;
-constexpr double kCentring = 0.15;      // part of the complementarity aimed at by a step
+constexpr double kCentring = 0.15;      // share of the complementarity that a step aims at
 constexpr double kBoundaryPart = 0.99;  // of the way to the nearest bound
 constexpr double kPrecision = 1e-8;     // of slope and complementarity, in parts of the greatest slope in the middle
 

@@ -7,7 +7,7 @@
 
 namespace move_base
 {
-/// Least clearance of a car whose nose points off its motion by slip, rad, or does not: it takes a while to come, m.
+/// Least clearance, m, of a car whose nose points off its motion by slip, rad, or does not yet: slip builds up slowly.
 double clearanceWithSlip(const Costmap & costmap, const Pose2 & pose, double slip);
 
 /// How far the car may be moved to either side of each point of the path, m, positive to the left of the car, so that

@@ -17,7 +17,7 @@ constexpr double kLeastClearance = 0.02;  // m
 constexpr double kNarrower = 0.04;        // m, by which less clearance is tried
 constexpr double kFirstPart = 0.4;        // of max_expansions, for the search with the clearance wanted
 constexpr double kShortPart = 0.05;       // the same for one with less clearance, or to the goal beyond
-constexpr double kClearlyFarther = 1.0;   // m, that a plan with less clearance must lead
+constexpr double kClearlyFarther = 1.0;   // m, by which a plan with less clearance must lead farther
 
 // The search may begin with full lock, and the band keeps the first piece as it is. Race lines begin as led anyway.
 void beginAsLed(Path & path, const PlanRequest & request)

@@ -45,7 +45,7 @@ struct PlanRequest
   std::shared_ptr<const std::atomic<bool>> dropped{};
 };
 
-/// What is tried one after the other, m: the clearance wanted, less, and in the end as little as the map is exact.
+/// What is tried one after the other, m: the clearance wanted, less, and in the end as little as the map's precision.
 std::vector<double> clearancesFrom(double wanted);
 
 /// How far along the path the goal is, m: at its nearest point, among those near to near_s.
@@ -61,8 +61,8 @@ public:
   /// @throws OptionError
   explicit GlobalPlanner(const PlannerOptions & options);
 
-  /// Tries with the clearance of the options, then with less and in the end as little as the map is exact, where that
-  /// leads farther. Where the car cannot roll on from the goal, it is passed on the way to the one beyond it.
+  /// Tries with the clearance of the options, then with less and in the end as little as the map's precision, where
+  /// that leads farther. Where the car cannot roll on from the goal, the goal is passed on the way to the next.
   Plan plan(const Costmap & costmap, const PlanRequest & request) const;
 
 private:

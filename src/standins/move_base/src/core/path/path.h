@@ -42,7 +42,7 @@ double length(const std::vector<Arc> & arcs);
 /// @param path  of at least one point
 std::size_t nearestTo(const Path & path, const Pose2 & pose);
 
-/// The first of its points, from one on, that is at a place or beyond it; the last one if none is.
+/// The first of its points, starting at an index, that is at a place or beyond it; the last one if none is.
 /// @param path  of at least one point
 /// @param s     m along it
 std::size_t firstBeyond(const Path & path, double s, std::size_t from = 0);

@@ -15,7 +15,7 @@ namespace
 constexpr double kExtensionArcLength = 0.3;
 constexpr std::array<double, 5> kExtensionSteering{0.0, -0.3, 0.3, -1.0, 1.0};  // parts of the greatest curvature
 constexpr std::size_t kBeamWidth = 100;                                         // ways kept after each arc
-// Of ways that end so near to each other the cheapest is kept: else all that are kept may lead into the same dead end.
+// Of ways that end this near to each other only the cheapest is kept: else all may lead into the same dead end.
 constexpr double kCell = 0.3;         // m
 constexpr double kCellHeading = 0.3;  // rad
 

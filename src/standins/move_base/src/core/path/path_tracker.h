@@ -4,19 +4,19 @@
 
 namespace move_base
 {
-/// Where a car is beside its path.
+/// Where a car is relative to its path.
 struct PathPosition
 {
   double s{0.0};              ///< m along the path, at the nearest point
   double remaining{0.0};      ///< m to the end of the stretch of one driving direction
   double lateral{0.0};        ///< m, positive when the car is to the left of the motion along the path
-  double heading_error{0.0};  ///< rad, car's heading less the path's
+  double heading_error{0.0};  ///< rad, car's heading minus the path's
   double curvature{0.0};      ///< 1/m, wheels' setting at the nearest point
   bool reverse{false};
   std::size_t index{0};  ///< of the point before the nearest one
 };
 
-/// Finds a car's place on its path, moving on only, so that a path that crosses itself is driven in order.
+/// Finds a car's place on its path, moving only forwards, so that a path that crosses itself is driven in order.
 class PathTracker
 {
 public:

@@ -40,12 +40,12 @@ public:
   /// To be called when idle.
   /// @param time  s
   void begin(const Costmap & costmap, const PlanRequest & request, double time);
-  /// What has come of it, once.
+  /// The result, once.
   /// @param time  s
   std::optional<PlanAnswer> answer(double time);
   /// The plan is not wanted any more.
   void drop();
-  /// How long a plan may take that is made beside the car, s, by how long the last one took; 0 for one that is made at once.
+  /// How long a plan by a worker may take, s, judging by the last one; 0 for plans that are made at once.
   double timeNeeded() const { return isBeside() ? time_needed_ : 0.0; }
 
 private:

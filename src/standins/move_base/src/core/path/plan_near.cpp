@@ -37,7 +37,7 @@ Plan planNear(const PlannerOptions & options, const Costmap & costmap, const Pla
     step = std::min(step, tolerance);
   }
   const double across = map.resolution * std::max(map.width, map.height);
-  const double farthest = std::min(tolerance * (1.0 + 1e-9), across);  // beside the map there is no plan
+  const double farthest = std::min(tolerance * (1.0 + 1e-9), across);  // off the map there is no plan
   int expansions = plan.expansions;
   for (int ring = 1; ring * step <= farthest; ++ring) {
     for (const Pose2 & goal : squareAround(request.goal, step, ring)) {

@@ -4,8 +4,8 @@
 
 namespace move_base
 {
-/// A plan to a goal, or, where there is none, to the first place around it that one leads to, as move_base's make_plan looks for
-/// it: square by square, three cells apart, as far as the tolerance. All tries together have max_expansions.
+/// A plan to a goal, or, where there is none, to the first place around it that one leads to, as move_base's make_plan
+/// searches: square by square, three cells apart, as far as the tolerance. All tries together have max_expansions.
 /// @param tolerance  m along each axis
 /// @throws OptionError
 Plan planNear(const PlannerOptions & options, const Costmap & costmap, const PlanRequest & request, double tolerance);

@@ -21,7 +21,7 @@ constexpr double kLeastPull = 1e-4;        // towards the reference, so that the
 constexpr double kLeastRoom = 1e-5;        // m, around a point that has none: the solver needs an inside
 constexpr std::size_t kShortestLine = 12;  // points
 constexpr double kBendTolerance = 1.02;    // part of the greatest curvature
-constexpr double kLeadsBy = 1.0;           // m, to the side, within which a line leads by a pose
+constexpr double kLeadsBy = 1.0;           // m, to the side, within which a line passes a pose
 constexpr double kClearanceSlack = 0.01;   // m, by which interpolated distances of a place differ
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
@@ -94,8 +94,8 @@ public:
     fixStart();
   }
 
-  // Keeps to the gates in their order, as far as the line leads by them: those of a later part of the road may be beside
-  // this one. Says how many these are, at least the first.
+  // Keeps to the gates in their order, as far as the line passes them: those of a later part of the road may be beside
+  // this one. Returns how many these are, at least the first.
   std::size_t hold(std::vector<Gate> & gates)
   {
     std::size_t before = 0;

@@ -17,9 +17,9 @@ using Narrowing = std::function<bool(const Path & line, std::vector<Interval> & 
 
 /// The line of least curvature in the free corridor around a path that is driven forwards (Heilmeier et al. 2020): it
 /// uses the width of the road so that bends become wide. Pose and curvature at the start stay, the end is free.
-/// The result keeps the clearance, m, and the greatest curvature, 1/m, wherever the given path does, and comes no nearer
-/// to obstacles elsewhere; it passes the goal as the options say if the path does, and those beyond it where it leads by
-/// them and such a line was found. Without a way through the narrowed corridor it is empty.
+/// The result keeps the clearance, m, and the greatest curvature, 1/m, wherever the given path does, and comes no
+/// nearer to obstacles elsewhere; it passes the goal as the options say if the path does, and those beyond it where it
+/// comes by them and such a line was found. Without a way through the narrowed corridor it is empty.
 Path raceLine(
   const Path & path, const Costmap & costmap, double clearance, const Pose2 & goal, double greatest_curvature,
   const RaceLineOptions & options, const Narrowing & narrowing = {});

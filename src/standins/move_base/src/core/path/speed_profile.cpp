@@ -13,12 +13,12 @@ namespace
 constexpr std::size_t kSteeringReach = 2;
 constexpr double kSteeringReserve = 0.025;  // rad, of the wheels, to steer back with
 constexpr double kLeastLateral = 0.2;       // of the lateral acceleration, where the wheels have no angle left
-// Beside what the map does not know.
+// Near what is not on the map.
 constexpr double kUnknownReach = 2.5;               // m
 constexpr double kUnknownLateralPart = 0.7;         // of the lateral acceleration
 constexpr double kUnknownFullSpeedClearance = 0.5;  // m
 
-// At which the tyres hold the car in a bend, and the bend leaves the wheels the angle that understeer takes.
+// The speed at which the tyres hold the car in a bend, and the bend leaves the wheels the angle that understeer takes.
 double speedForBend(double curvature, const SpeedLimits & limits)
 {
   if (limits.understeer_gradient == 0.0) {
@@ -70,7 +70,7 @@ void limitByAcceleration(const Path & path, const PathStretch & stretch, const S
   }
 }
 
-// Beside what the map does not know errors cost most.
+// Near what is not on the map, errors cost most.
 SpeedLimits besideUnknown(const SpeedLimits & given, const Caution & caution)
 {
   SpeedLimits careful = given;

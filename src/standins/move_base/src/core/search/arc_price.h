@@ -14,7 +14,7 @@ public:
   double startClearance() const { return start_clearance_; }
   double goalClearance() const { return goal_clearance_; }
   double at(const Vec2 & point) const;
-  /// m, nowhere is it more.
+  /// m, it is nowhere more.
   double most() const { return wanted_; }
 
 private:

@@ -10,8 +10,8 @@
 
 namespace move_base
 {
-/// Free room around a point that is led to a goal, m. It may pass where the car does not fit: less than half of the car's
-/// width keeps the lead optimistic.
+/// Free room around a point that is led to a goal, m. It may pass where the car does not fit: less than half of the
+/// car's width keeps the lead optimistic.
 constexpr double kPointClearance = 0.1;
 
 /// What it costs a point to move to the goal: Dijkstra from the goal over a coarse grid, as far as it is asked for.
@@ -19,10 +19,10 @@ constexpr double kPointClearance = 0.1;
 class CostToGo
 {
 public:
-  /// @param gate  where no way leads through, besides
+  /// @param gate  closed in addition to the obstacles
   CostToGo(const Costmap & costmap, const Vec2 & goal, const std::optional<Box> & gate = {});
 
-  /// Cost in metres of free road; infinite where the goal cannot be reached from. Continues the search if need be.
+  /// Cost in metres of free road; infinite where the goal cannot be reached. Continues the search if need be.
   double at(const Vec2 & point);
 
 private:

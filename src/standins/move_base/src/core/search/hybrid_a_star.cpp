@@ -18,7 +18,7 @@ namespace
 {
 constexpr double kArcLength = 0.3;
 constexpr std::array<double, 7> kSteering{-1.0, -0.5, -0.2, 0.0, 0.2, 0.5, 1.0};  // parts of the greatest curvature
-// Within these many least radii of the goal, the length of the shortest curve tells more than the way of a point does.
+// Within this many least radii of the goal, the length of the shortest curve tells more than the way of a point does.
 constexpr double kCurveRadii = 5.0;
 // Distance from the goal beyond which no curves are tried, m.
 constexpr double kCurveRange = 6.0;

@@ -29,13 +29,13 @@ struct LiveLayerOptions
   void validate() const;
 };
 
-/// Cells in which the lidar has seen what the map doesn't know, until it sees through them.
+/// Cells in which the lidar has seen what is not on the map, until it sees through them.
 class LiveLayer
 {
 public:
   LiveLayer(const GridGeometry & geometry, const LiveLayerOptions & options);
 
-  /// What the beams of the scan hit beside the map, in their order.
+  /// What the beams of the scan hit that is not on the map, in their order.
   /// @param map_distances  distance of each cell to the map's nearest obstacle, m
   std::vector<Vec2> hits(const LaserScan & scan, const std::vector<float> & map_distances) const;
 

@@ -9,11 +9,11 @@ namespace move_base
 {
 namespace
 {
-constexpr double kGap = 0.25;             // m, between hits of the same obstacle at most
-constexpr std::size_t kFewestHits = 2;    // of an obstacle
-constexpr double kLargest = 1.5;          // m; what is larger is no car
-constexpr double kSameObstacle = 0.5;     // m, from where it was expected
-constexpr double kSightMemory = 0.25;     // s, over which a velocity is taken, and for which the unseen counts
+constexpr double kGap = 0.25;           // m, between hits of the same obstacle at most
+constexpr std::size_t kFewestHits = 2;  // of an obstacle
+constexpr double kLargest = 1.5;        // m; what is larger is no car
+constexpr double kSameObstacle = 0.5;   // m, from where it was expected
+constexpr double kSightMemory = 0.25;   // s, over which a velocity is taken, and for which what is out of sight counts
 constexpr double kShortestSight = 0.095;  // s, of a velocity
 constexpr double kTrailMemory = 2.0;      // s
 constexpr double kTrailStep = 0.1;        // s
@@ -36,7 +36,7 @@ double slower(double a, double b)
   return std::abs(a) < std::abs(b) ? a : b;
 }
 
-// Makes an interval at least so long, away from where it is looked at.
+// Makes an interval at least so long, away from where it is seen from.
 Interval completed(const Interval & seen, double least, double viewer)
 {
   const double missing = std::max(0.0, least - (seen.high - seen.low));

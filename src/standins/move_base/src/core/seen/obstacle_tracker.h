@@ -41,14 +41,14 @@ class ObstacleTracker
 public:
   /// @param time    s; when it is not later than the last one, everything known before is forgotten
   /// @param sensor  where the lidar is, m
-  /// @param hits    what it hit beside the map, in the order of its beams, m
+  /// @param hits    what it hit that is not on the map, in the order of its beams, m
   void observe(double time, const Vec2 & sensor, const std::vector<Vec2> & hits);
 
-  /// What moves, and was seen a moment ago at the longest.
+  /// What moves, and was seen at most a moment ago.
   const std::vector<MovingObstacle> & moving() const { return moving_; }
-  /// What drove about or may be a car, stands now, and was seen a moment ago at the longest.
+  /// What drove about or may be a car, stands now, and was seen at most a moment ago.
   const std::vector<StoppedObstacle> & stopped() const { return stopped_; }
-  /// Where something was seen for too short a time to tell whether it stands, and is not seen any more.
+  /// Where something was seen for too short a time to tell whether it stands, and is no longer seen.
   const std::vector<Box> & glimpses() const { return glimpses_; }
 
 private:
@@ -75,7 +75,7 @@ private:
     /// The upright rectangle around all that was seen of it in a moment.
     Box extent() const;
     bool moves() const { return last_moved_ && lastSeen() <= *last_moved_ + kStandsAfter; }
-    /// Some way, when it last moved.
+    /// Whether it drove some way when it last moved.
     bool hasDriven() const;
     /// Whether it has never moved and is no larger than the lidar of a low car.
     bool mayBeTop() const;
@@ -109,6 +109,6 @@ private:
   std::vector<Box> glimpses_;
   double last_time_{0.0};
   std::optional<Vec2> begin_;  // m, where the lidar was at first
-  bool has_driven_{false};     // Before, others may be waiting for the same start.
+  bool has_driven_{false};     // before, others may be waiting for the same start
 };
 }  // namespace move_base

@@ -9,7 +9,7 @@
 namespace move_base
 {
 /// What the lidar sees around the car, and nothing else: a window of fixed size that moves along with it, in a frame of
-/// its own. Nothing decides on it; it is shown as the local costmap.
+/// its own. No decision depends on it; it is shown as the local costmap.
 class RollingLayer
 {
 public:
@@ -17,9 +17,9 @@ public:
   /// @param resolution     m, of a cell, above 0
   RollingLayer(double width, double height, double resolution, const LiveLayerOptions & options);
 
-  /// Puts the car into the middle, to the cell. What leaves the window is forgotten.
+  /// Puts the car into the middle, to within a cell. What leaves the window is forgotten.
   void moveTo(const Vec2 & car);
-  /// Clears what the beams pass through and marks what they hit; what is farther away than the ranges of the options, neither.
+  /// Clears what the beams pass through and marks what they hit; neither beyond the ranges of the options.
   /// @param scan  its sensor in the frame of the window
   void observe(const LaserScan & scan);
 

@@ -32,7 +32,7 @@ public:
 
   /// Puts the goal elsewhere; what follows stays.
   void move(const Pose2 & goal) { goal_ = goal; }
-  /// Moves the goal to its left or right, not far, to where a car has the clearance, m; if there is no such place it stays.
+  /// Moves the goal a little to its left or right, to where a car has the clearance, m; without such a place it stays.
   /// @return whether it has been moved
   bool moveAside(const Costmap & costmap, double clearance);
 
@@ -40,7 +40,7 @@ public:
   /// Whether another one follows: then the goal may be passed without a stop.
   bool anyNext() const { return !next_.empty(); }
   const std::vector<Pose2> & next() const { return next_; }
-  /// Way that there is at least from the goal to the last one, m; HUGE_VAL when they lead back to the goal, and so on.
+  /// Least way from the goal to the last one, m; HUGE_VAL when they lead back to the goal, again and again.
   double wayToLast() const;
 
 private:

@@ -8,8 +8,8 @@ namespace move_base
 {
 namespace
 {
-constexpr double kStopTime = 1.0;       // s, for which a car that has been stopped is told so
-constexpr double kLongestPeriod = 0.2;  // s, taken for a step after a pause
+constexpr double kStopTime = 1.0;       // s, for which a car that has been stopped is commanded to stop
+constexpr double kLongestPeriod = 0.2;  // s, assumed for a step after a pause
 }  // namespace
 
 Navigator::Navigator(const NavigatorOptions & options, PlanWorker worker)
@@ -186,7 +186,7 @@ void Navigator::planFailed(
   }
 }
 
-// A car that drives comes to a stand along the path that it has.
+// A car that drives comes to a stop along the path that it has.
 void Navigator::giveUp(
   const std::string & text, const CycleInput & input, const Costmap & costmap, CycleOutput & output)
 {
@@ -273,7 +273,7 @@ FollowStep Navigator::follow(const Scene & scene, bool brake, CycleOutput & outp
   return step;
 }
 
-// Without a plan for the new goal the car comes to a stand along the old one, not wherever its wheels point.
+// Without a plan for the new goal the car comes to a stop along the old one, not wherever its wheels point.
 void Navigator::hold(const CycleInput & input, const Costmap & costmap, CycleOutput & output)
 {
   output.command =

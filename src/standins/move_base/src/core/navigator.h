@@ -20,7 +20,7 @@ struct Outcome
   std::string text;
 };
 
-/// What a control cycle is decided on.
+/// What a control cycle decides on.
 struct CycleInput
 {
   double time{0.0};  ///< s
@@ -52,15 +52,15 @@ public:
   Navigator & operator=(const Navigator &) = delete;
 
   /// Heads for a goal in the map, in place of any other.
-  /// @param next  goals that follow it, as far as they are known; the last is the goal itself when they go round.
-  ///              Without any the car comes to a stand at the goal.
+  /// @param next  goals that follow it, as far as they are known; the last is the goal itself when they form a loop.
+  ///              Without any the car comes to a stop at the goal.
   void setGoal(const Pose2 & goal, double time, std::vector<Pose2> next = {});
-  /// Says anew what follows the goal.
+  /// Replaces the goals that follow the goal.
   void setNextGoals(std::vector<Pose2> next);
   /// Drops the goal and stops the car.
   void cancel();
   bool active() const { return goals_.any(); }
-  /// Also while the car comes to a stand behind a goal, or after one that was given up.
+  /// Also while the car comes to a stop behind a goal, or after one that was given up.
   bool drives() const { return goals_.any() || coast_until_; }
 
   /// One control cycle, to be called with rising time. May change the costmap's live layer (recovery).

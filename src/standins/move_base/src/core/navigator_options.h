@@ -19,11 +19,11 @@ struct NavigatorOptions
   double oscillation_distance{0.5};  ///< m
   bool recovery_behavior_enabled{true};
   std::vector<RecoveryBehavior> recoveries{defaultRecoveries(3.0, true)};
-  GoalTolerance goal_tolerance;            ///< within which the car stands in the end
+  GoalTolerance goal_tolerance;            ///< within which the car comes to a stop
   bool free_goal_vel{false};               ///< whether a goal that another one follows is passed at speed
   GoalTolerance via_tolerance{0.45, 0.6};  ///< within which such a goal is passed
   bool race_line{false};                   ///< whether plans through such goals, or far from one, use the road's width
-  double coast_time{0.5};                  ///< s, that the car drives on behind such a goal before it brakes
+  double coast_time{0.5};                  ///< s, for which the car drives on behind such a goal before it brakes
   PlannerOptions planner;
   FollowerOptions follower;
 

@@ -10,11 +10,11 @@ namespace
 constexpr double kGatePart = 0.6;         // of the goal tolerance, within which plans pass goals
 constexpr double kGateYawPart = 0.65;     // the same for the heading, which slip changes as well
 constexpr double kLeadTime = 0.1;         // s beyond the latency, for which a new plan keeps to the old one
-constexpr double kApproachLength = 3.0;   // m, on top of the way of braking, that are planned to the goal itself
+constexpr double kApproachLength = 3.0;   // m, on top of the braking distance, that are planned to the goal itself
 constexpr double kApproachMargin = 1.0;   // m
 constexpr double kTooFast = 0.2;          // m/s, by which a car may be faster than a new plan allows
 constexpr double kFarTooFast = 1.5;       // m/s, the same for a plan that is not to end at a standstill
-constexpr double kExtensionMargin = 1.0;  // m, of a plan beyond the goal, on top of the way of braking
+constexpr double kExtensionMargin = 1.0;  // m, of a plan beyond the goal, on top of the braking distance
 }  // namespace
 
 PlanRequest PlanRequests::from(const CarState & car, double time_needed) const
@@ -74,7 +74,7 @@ bool PlanRequests::isFar(double way, double speed, double time_needed) const
   return way >= approachLength(speed, time_needed);
 }
 
-// A race line does not end as a goal says: the last way is planned to the goal itself.
+// A race line does not end at the goal's pose: the last stretch is planned to the goal itself.
 bool PlanRequests::races(const CarState & car, double time_needed) const
 {
   const bool far = distance(car.pose, goals_.front()) > approachLength(car.speed, time_needed) + kApproachMargin;

@@ -25,8 +25,8 @@ public:
   PlanRequest from(const CarState & car, double time_needed) const;
   /// How long the car may drive on along the path that it has until the plan is there, s.
   double leadTime(double time_needed) const;
-  /// Whether a car can go over to a plan. One that is too fast for it, would have to turn round, or has left the way on
-  /// which the plan begins, brakes along the old one first.
+  /// Whether a car can switch to a plan. A car that is too fast for it, would have to turn round, or has left the way
+  /// on which the plan begins, brakes along the old one first.
   bool canDrive(const Plan & plan, const CarState & car, const Costmap & costmap) const;
   /// Whether a car that is still so far from its goal, m along the way, may drive a race line.
   bool isFar(double way, double speed, double time_needed) const;

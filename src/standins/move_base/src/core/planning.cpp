@@ -5,7 +5,7 @@ namespace move_base
 namespace
 {
 constexpr double kRetryInterval = 0.5;     // s between plans for the same goal: the world changes no faster
-constexpr double kNotTakenInterval = 0.1;  // s, the same when one was there that the car could not go over to
+constexpr double kNotTakenInterval = 0.1;  // s, the same when there was one that the car could not switch to
 }  // namespace
 
 void Planning::startAgain(double time)

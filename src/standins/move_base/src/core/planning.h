@@ -24,15 +24,15 @@ public:
   /// What is being planned is not wanted any more.
   void drop() { job_.drop(); }
 
-  /// What has come of a plan; one is asked for when it is time to.
+  /// The result of planning; a plan is asked for when it is time to.
   std::optional<PlanAnswer> answer(const CarState & car, double time, const Costmap & costmap);
-  /// Whether the plan that is being made leaves the car's way as it is so far: the car may drive on, then it brakes along it.
+  /// Whether the plan that is being made keeps the car's way until then: so long the car may drive on, later it brakes.
   bool leavesWayAt(double time) const { return time < drive_on_until_; }
 
   /// Notes that there is a plan that the car can drive.
   /// @param taken  whether it does; if not, another is asked for soon
   void succeeded(double time, bool taken);
-  /// Notes that there is one that the car cannot go over to yet: another is asked for soon.
+  /// Notes that there is one that the car cannot switch to yet: another is asked for soon.
   void refused(double time);
   /// Notes why there is none.
   void failed(const std::string & because);

@@ -60,7 +60,7 @@ bool Way::leadsPastOthers(const Scene & scene) const
          !follower_.hindered(scene.car, scene.costmap, scene.others);
 }
 
-// Starts on the plan if nobody is in the way there, or on a way past them that leads into it.
+// Starts on the plan if no other car is in the way there, or on a way past them that leads into it.
 bool Way::goOver(PlanAnswer answer, const Scene & scene)
 {
   const PathFollower before = follower_;
@@ -90,7 +90,7 @@ void Way::keep(const Scene & scene)
   }
 }
 
-// What is only to be passed is passed wherever the way past others leads beside it.
+// A goal that is only to be passed is passed wherever the way past others leads beside it.
 bool Way::moveGoalHere()
 {
   constexpr double kAlong = 0.2;  // m

@@ -9,7 +9,7 @@
 
 namespace move_base
 {
-/// Where a car is in a moment, and who else drives about.
+/// Where a car is at a moment, and what else drives about.
 struct Scene
 {
   double time;  ///< s
@@ -18,7 +18,7 @@ struct Scene
   const std::vector<Forecast> & others;
 };
 
-/// What a car drives along: a plan for its goal, or a way past others that goes over into it.
+/// What a car drives along: a plan for its goal, or a way past others that leads into it.
 class Way
 {
 public:
@@ -29,23 +29,23 @@ public:
   }
 
   const Plan & plan() const { return plan_; }
-  /// Whether it has become another one since this was asked last.
+  /// Whether it has been replaced since the last call.
   bool takeChange() { return std::exchange(changed_, false); }
 
   enum class Renewal
   {
-    kRefused,  ///< the car cannot go over to the plan
+    kRefused,  ///< the car cannot switch to the plan
     kKept,     ///< others would be in the way on it, but are not on what the car drives along
     kStarted
   };
-  /// Goes over to a plan, or to a way past others on it. Plans know nothing of others that drive about: a way past them
-  /// is left for no other on which they are in the way.
+  /// Switches to a plan, or to a way past others on it. Plans know nothing of others that drive about: a way past them
+  /// is not left for one on which they are in the way.
   Renewal renew(PlanAnswer answer, const Scene & scene);
   /// Moves a goal that is only passed to the side when something stands on it.
   /// @param status  of the plan to it
   void makeRoom(SearchStatus status, const Costmap & costmap);
   /// Looks for a way past others, if they are in the way.
-  /// @return whether nobody is in the way any more
+  /// @return whether nobody is in the way any longer
   bool passOthers(const Scene & scene);
 
   /// Whether the car needs another one, after a step along this one.

@@ -22,7 +22,7 @@ geometry_msgs::PoseStamped toPoseStamped(const Pose2 & pose, const std_msgs::Hea
 /// Whether it is a rotation about z alone, as a goal must have.
 bool isPlanar(const geometry_msgs::Quaternion & rotation);
 
-/// @throws Error for a map that is turned
+/// @throws Error for a map that is rotated
 OccupancyGrid fromUnturnedGrid(const nav_msgs::OccupancyGrid & message);
 
 /// @param sensor  in the map, when the scan was taken

@@ -12,7 +12,7 @@ namespace move_base
 class Diagnostics
 {
 public:
-  /// @param base_frame  of the car, for who wants to show it there
+  /// @param base_frame  of the car, for tools that show it there
   Diagnostics(ros::NodeHandle node, const std::string & base_frame);
 
   /// Publishes what is new at once, and the rest once a second.

@@ -101,7 +101,7 @@ void Displays::showGlobalCostmap(const ros::Time & stamp)
   global_costmap_.publish(toOccupancyGrid(costs, headerOf(parameters_.global_frame, stamp)));
 }
 
-// Every scan counts: what one sees the next ones may not.
+// Every scan counts: what one sees, the next may not.
 void Displays::watchSurroundings()
 {
   const sensor_msgs::LaserScan::ConstPtr & scan = perception_.latestScan();
@@ -114,7 +114,7 @@ void Displays::watchSurroundings()
     surroundings_.observe(
       fromLaserScan(*scan, perception_.poseIn(parameters_.local_frame, scan->header.frame_id, scan->header.stamp)));
   } catch (const tf2::TransformException &) {
-    // The next one may be placed.
+    // The next scan may have its transforms.
   }
 }
 

@@ -14,7 +14,7 @@
 
 namespace move_base
 {
-/// Publishes what a person wants to see: plans, costmaps, footprint. Nothing decides on it.
+/// Publishes what a person wants to see: plans, costmaps, footprint. No decision depends on it.
 class Displays
 {
 public:

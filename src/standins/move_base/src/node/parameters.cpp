@@ -92,7 +92,7 @@ MoveBaseParameters readParameters(const ros::NodeHandle & node)
   std::vector<std::string> of_original;
   reader.read("for_the_original", of_original);
   reader.ignore(of_original);
-  // What the original's planners drive by is said one by one.
+  // Parameters of the original's planners are warned of one by one.
   reader.warnOfUnused({parameters.global_planner + "/", parameters.local_planner + "/"});
   return parameters;
 }

@@ -9,7 +9,7 @@
 
 namespace move_base
 {
-/// Everything that the node is told at its start. Names and defaults are in the README.
+/// The parameters that the node reads at its start. Names and defaults are in the README.
 struct MoveBaseParameters
 {
   std::string global_frame{"map"};
@@ -23,7 +23,7 @@ struct MoveBaseParameters
   double transform_tolerance{0.3};                    ///< s, a pose of the car older than this is stale
   double sensor_timeout{0.5};                         ///< s, a scan or odometry older than this is stale
   double controller_period{0.05};                     ///< s; 0: every period of the lockstep
-  bool cmd_angle_instead_rotvel{false};               ///< whether commands say the angle of the wheels
+  bool cmd_angle_instead_rotvel{false};               ///< whether commands contain the angle of the wheels
   bool shutdown_costmaps{false};                      ///< whether scans are ignored without a goal
   bool lockstep{false};
   std::string lockstep_after;            ///< participant that acts before this one; empty: none

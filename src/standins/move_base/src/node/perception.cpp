@@ -140,7 +140,7 @@ void Perception::onMap(const nav_msgs::OccupancyGrid::ConstPtr & map)
 void Perception::onScan(const sensor_msgs::LaserScan::ConstPtr & scan)
 {
   waiting_.push_back(scan);
-  // Odometry comes as often as scans or nearly so: what waits for longer will never be placed.
+  // Odometry comes as often as scans or nearly so: what waits for longer will never get its transform.
   if (waiting_.size() > kMostWaiting) {
     waiting_.pop_front();
   }

@@ -24,7 +24,7 @@ class Perception
 public:
   Perception(ros::NodeHandle node, const MoveBaseParameters & parameters);
 
-  /// Whether map, odometry and scan have been there once, and the car's pose in the last seconds.
+  /// Whether map, odometry and scan have been received once, and the car's pose in the last seconds.
   bool ready() const;
   /// What is missing until ready, for a person to read.
   std::string missing() const;

@@ -109,7 +109,7 @@ void readLocalPlanner(ParameterReader & reader, MoveBaseParameters & parameters)
   readFollower(reader, name, follower);
   reader.read(ofPlanner(name, "min_turning_radius"), navigator.planner.min_turning_radius);
   if (!reader.read(ofPlanner(name, "max_steering_angle"), follower.limits.max_steering_angle)) {
-    // The original knows the radius alone.
+    // The original has the radius only.
     const double needed = std::atan(follower.limits.wheelbase / navigator.planner.min_turning_radius);
     follower.limits.max_steering_angle = std::max(follower.limits.max_steering_angle, needed);
   }

@@ -50,7 +50,7 @@ std::vector<Pose2> Services::planFor(const nav_msgs::GetPlan::Request & request)
   const Pose2 goal = perception_.inMap(request.goal);
   const Plan plan = planNear(parameters_.navigator.planner, perception_.costmap(), {start, goal}, request.tolerance);
   std::vector<Pose2> poses = posesOf(plan.path);
-  // As the original does: who drives along the plan may get there after all.
+  // As in the original: whoever drives along the plan may get there after all.
   if (plan.found() && distance(plan.path.back().pose, goal) > kElsewhere) {
     poses.push_back(goal);
   }

@@ -11,7 +11,7 @@ namespace
 constexpr double kForecastStep = 0.1;    // s
 constexpr double kWallTolerance = 0.05;  // m, by which it may come nearer to a wall
 constexpr double kStrays = 0.3;          // m, of unrest
-constexpr double kTrust = 1.05;          // s, that forecasts from the past are compared with what came
+constexpr double kTrust = 1.05;          // s, over which forecasts from the past are compared with what happened
 // 1/m, from the straight line to what a car can steer.
 constexpr std::array<double, 15> kCurvatures{0.0,   0.1, -0.1, 0.2, -0.2, 0.3,  -0.3, 0.45,
                                              -0.45, 0.6, -0.6, 0.9, -0.9, 1.25, -1.25};
@@ -34,7 +34,7 @@ double curvatureOfRoad(const Pose2 & from, double wanted, const Costmap & costma
   return best;
 }
 
-// How far beside what would have been forecast it has been since, m; how fast it was does not matter.
+// How far beside the forecast of then it has been since, m; how fast it was does not matter.
 Interval unrestOf(const MovingObstacle & obstacle, const Costmap & costmap)
 {
   Interval unrest{0.0, 0.0};
@@ -96,7 +96,7 @@ double Forecast::wayToStand(double time) const
   return deceleration_ > 0.0 ? 0.5 * speed * speed / deceleration_ : 0.0;
 }
 
-// Who brakes is later where it would have been.
+// An obstacle that brakes gets to each place later.
 Box Forecast::at(double time) const
 {
   const bool brakes = deceleration_ > 0.0 && speed_ > 0.0;

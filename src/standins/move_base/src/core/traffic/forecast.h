@@ -21,17 +21,17 @@ public:
   /// The same, if it may at any time be as far to either side as it has strayed to one.
   Forecast anywhere() const;
 
-  /// Whether it strays so far from where it was to be expected that nobody can tell on which side it will be.
+  /// Whether it strays so far from where it was expected that nobody can tell on which side it will be.
   bool strays() const;
 
   /// m/s, now
   double speed() const { return speed_; }
   /// m/s, in the end
   double lastSpeed() const { return deceleration_ > 0.0 ? 0.0 : speed_; }
-  /// How far it still drives after some time, s, until it stands, m; 0 for who does not brake.
+  /// How far it still drives after some time, s, until it stands, m; 0 if it does not brake.
   double wayToStand(double time) const;
-  /// Its outline after some time, s; the last one known, when that is too long. It widens with time as far as the same
-  /// forecasts would have been wrong where it has been: who weaves is wherever it weaves to.
+  /// Its outline after some time, s; the last one known, when that is too long. It widens with time by as much as the
+  /// same forecasts would have been wrong in the past: a car that weaves may be wherever it weaves to.
   Box at(double time) const;
 
 private:

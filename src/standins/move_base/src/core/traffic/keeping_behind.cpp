@@ -9,13 +9,13 @@ namespace
 constexpr double kTrafficTime = 2.5;     // s, for which others ahead count
 constexpr double kTrafficMargin = 0.06;  // m, beside them: what forecasts are wrong by
 constexpr double kOthersBraking = 6.0;   // m/s^2, with which others may brake
-constexpr double kClosingLag = 0.15;     // s, that a car's speed and what is known of the other's lag behind
-constexpr double kStandoff = 0.8;      // m, kept behind another: who is to swing out past it at a standstill needs 0.7
-constexpr double kTimeGap = 0.25;      // s, the same for its speed
-constexpr double kFallBehind = 1.0;    // m/s slower than the other, when it is too near already
-constexpr double kApproachRate = 2.5;  // 1/s, of the last metre to it
+constexpr double kClosingLag = 0.15;     // s, by which a car's speed and what is known of the other's lag behind
+constexpr double kStandoff = 0.8;        // m, kept behind another: to swing out past it from a standstill takes 0.7
+constexpr double kTimeGap = 0.25;        // s, the same for its speed
+constexpr double kFallBehind = 1.0;      // m/s slower than the other, when it is too near already
+constexpr double kApproachRate = 2.5;    // 1/s, of the last metre to it
 
-// Whom the car would touch on its way.
+// The others that the car would touch on its way.
 std::vector<Touch> touches(const OwnWay & way, const std::vector<Forecast> & others)
 {
   if (others.empty()) {
@@ -41,7 +41,7 @@ std::vector<Forecast> allBraking(const std::vector<Forecast> & others)
   return braking;
 }
 
-// The least that those ahead leave.
+// The lowest speeds that those ahead allow.
 SpeedBehind leastBehind(const OwnWay & way, const std::vector<Forecast> & others)
 {
   const double speed = way.departure.speed;

@@ -17,7 +17,7 @@ struct OwnWay
   Departure departure;
 };
 
-/// Whether somebody is going to be in the way, other than by driving into the car from behind.
+/// Whether another is going to be in the way, other than by driving into the car from behind.
 bool isHindered(const OwnWay & way, const std::vector<Forecast> & others);
 
 /// How fast a car may be behind another, m/s.

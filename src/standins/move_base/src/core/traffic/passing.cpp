@@ -12,10 +12,10 @@ namespace
 {
 constexpr double kBeside = 0.15;         // m, wanted between the cars
 constexpr double kBesideAtLeast = 0.08;  // m, in the end
-constexpr double kApart = 0.1;           // m, before and behind the other within which the car stays beside it
+constexpr double kApart = 0.1;           // m, ahead of and behind the other within which the car stays beside it
 constexpr double kApartTime = 0.06;      // s, the same for each m/s of the car
 
-constexpr double kSwerve = 1.0;       // 1/m, of the way to the side at the start of the line
+constexpr double kSwerve = 1.0;       // 1/m, curvature of the way to the side at the start of the line
 constexpr double kSwervePart = 0.8;   // of the lateral acceleration, that this may take
 constexpr double kFallBack = 1.0;     // m/s, slower than the others to get behind them
 constexpr double kLateralPart = 0.7;  // of the lateral acceleration: beside others errors cost most

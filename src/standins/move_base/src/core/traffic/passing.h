@@ -10,7 +10,7 @@
 
 namespace move_base
 {
-/// What a way past others is looked for with.
+/// Inputs of the search for a way past others.
 struct PassingRequest
 {
   const Costmap & costmap;
@@ -32,7 +32,7 @@ struct PassingPlan
 
 /// The same plan with its line moved to one side of others, wherever the car is going to be beside them: the timing
 /// follows from the speed profile of the line, and the line from the timing, in turns. Past them, where there is room
-/// beside them all the time; or else out to their side, at their pace. Who is beside them already falls back, or goes on,
-/// if need be with the goal farther to the side than wanted. Nothing if none of this goes.
+/// beside them all the time; or else out to their side, at their pace. A car that is already beside them falls back, or
+/// goes on, if need be with the goal farther to the side than wanted. Nothing if none of this works.
 std::optional<PassingPlan> planPast(const PassingRequest & request);
 }  // namespace move_base

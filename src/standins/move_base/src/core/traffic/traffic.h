@@ -22,7 +22,7 @@ struct Moment
 struct Departure
 {
   double s{0.0};        ///< m along the path
-  double lateral{0.0};  ///< m, beside it to the left; is driven out
+  double lateral{0.0};  ///< m, beside it to the left; is steered out
   double speed{0.0};    ///< m/s
 };
 
@@ -39,13 +39,13 @@ struct Extent
 };
 Extent extentOf(const Box & outline, const Pose2 & from);
 
-/// Whether a car reaches beyond the rear of another already, and not yet beyond its front.
+/// Whether a car already reaches beyond the rear of another, and not yet beyond its front.
 bool isBeside(const Box & other, const Pose2 & car, const Footprint & footprint);
 
-/// What a car may rely on of another: who strays may be anywhere until the car is beside it.
+/// What a car may rely on of another: one that strays may be anywhere until the car is beside it.
 Forecast seenFrom(const Pose2 & car, const Footprint & footprint, const Forecast & other);
 
-/// Of everything that moves on the costmap, as seen from a car.
+/// Forecasts of everything that moves on the costmap, as seen from a car.
 std::vector<Forecast> forecasts(const Costmap & costmap, double now, const Pose2 & car);
 
 /// When a car would touch another.

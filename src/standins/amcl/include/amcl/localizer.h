@@ -13,8 +13,8 @@ namespace amcl
 enum class Outcome
 {
   kIgnored,    ///< the car has hardly moved since the last one that counted
-  kUpdated,    ///< the particles were moved and weighed
-  kResampled,  ///< besides, they were drawn anew
+  kUpdated,    ///< the particles were moved and weighted
+  kResampled,  ///< they were resampled, too
 };
 
 /// Finds out where a car is on a map, from scans and odometry: Monte-Carlo localization of MRPT with as many particles
@@ -29,7 +29,7 @@ public:
     const OccupancyGrid & map, const LocalizerOptions & options, const Estimate & start);
   virtual ~Localizer() = default;
 
-  /// Believes from now on what somebody else says, which is valid. The next scan counts.
+  /// Replaces what it believes by an estimate from outside, which is valid. The next scan counts.
   virtual void setPose(const Estimate & estimate) = 0;
   /// Forgets where the car is: it may be anywhere that is free on the map. The next scan counts.
   /// @throws Error if nothing is free there
@@ -37,14 +37,14 @@ public:
   /// Makes the next scan count even if the car stands.
   virtual void updateNext() = 0;
 
-  /// Takes a scan in.
+  /// Processes a scan.
   /// @param lidar     pose of the lidar on the car
-  /// @param odometry  pose of the car when the scan was taken, as odometry knows it
+  /// @param odometry  pose of the car when the scan was taken, according to odometry
   /// @throws Error for a scan that does not say where its beams are, or is more than 1000 km from the last; it changes
   /// nothing
   virtual Outcome process(const Scan & scan, const Pose2 & lidar, const Pose2 & odometry) = 0;
 
-  /// Mean and covariance of the particles that stand together and weigh most, as of the last scan that counted.
+  /// Mean and covariance of the heaviest group of particles, as of the last scan that counted.
   virtual Estimate estimate() const = 0;
   /// All particles, in the map frame.
   virtual std::vector<Pose2> particles() const = 0;

@@ -5,8 +5,8 @@
 
 namespace amcl
 {
-/// How odometry errs. The corrected models take the terms for variances, the other two for standard deviations, which
-/// is what the original has always done.
+/// How odometry errs. The corrected models take the terms as variances, the other two as standard deviations, as
+/// the original has always done.
 enum class OdometryModel
 {
   kDiff,
@@ -18,7 +18,7 @@ enum class OdometryModel
 /// How a scan is compared with the map.
 enum class LaserModel
 {
-  kBeam,                 ///< ranges against those that the map would give
+  kBeam,                 ///< ranges compared with those that the map would give
   kLikelihoodField,      ///< distance of the beams' ends from the nearest wall, averaged over the beams
   kLikelihoodFieldProb,  ///< the same, multiplied: as if the beams were independent of each other
 };
@@ -37,7 +37,7 @@ struct OdometryOptions
 struct LaserOptions
 {
   LaserModel model{LaserModel::kLikelihoodField};
-  int max_beams{30};                ///< that are looked at, spread over the scan
+  int max_beams{30};                ///< that are used, spread over the scan
   double min_range{-1.0};           ///< m, nearer beams do not count; negative: the lidar's
   double max_range{-1.0};           ///< m, farther beams do not count; negative: the lidar's
   double z_hit{0.95};               ///< weight of beams that end at a wall of the map
@@ -57,7 +57,7 @@ struct LocalizerOptions
   double kld_z{0.99};               ///< quantile of the normal distribution with which that error is kept
   double update_min_d{0.2};         ///< m between scans that count
   double update_min_a{M_PI / 6.0};  ///< rad between scans that count
-  int resample_interval{2};         ///< scans that count until the particles are drawn anew
+  int resample_interval{2};         ///< scans that count until the particles are resampled
   std::uint32_t seed{0};            ///< of the particles
 };
 }  // namespace amcl

@@ -17,6 +17,6 @@ struct WeightedPose
   double weight{0.0};
 };
 
-/// Mean and covariance of the heaviest group of particles; groups are parted by empty cells. Needs a particle.
+/// Mean and covariance of the heaviest group of particles; groups are separated by empty cells. Needs a particle.
 Estimate heaviestCluster(const std::vector<WeightedPose> & particles);
 }  // namespace amcl

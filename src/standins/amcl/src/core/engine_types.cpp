@@ -17,7 +17,7 @@ using mrpt::obs::CObservation2DRangeScan;
 constexpr float kFree = 0.99F;
 constexpr float kOccupied = 0.01F;
 constexpr float kUnknown = 0.5F;
-// With finer cells a map is a mistake, and what is kept of the surroundings of each cell does not fit into memory.
+// A map with finer cells is a mistake, and what is kept of the surroundings of each cell does not fit into memory.
 constexpr double kLeastResolution = 0.001;  // m
 /// Without any chance of ending anywhere, a single beam would rule out every particle.
 constexpr double kLeastRandom = 1e-9;
@@ -40,7 +40,7 @@ void expectCells(const OccupancyGrid & grid)
 
 void expectGeometry(const GridGeometry & geometry)
 {
-  // A message has it as a float.
+  // In a message it is a float.
   const bool is_coarse = std::isfinite(geometry.resolution) && geometry.resolution > kLeastResolution - 1e-9;
   requireOption(is_coarse, "resolution of the map", geometry.resolution, "a finite number of at least 0.001");
   requireOption(std::isfinite(geometry.origin.x), "x of the map's origin", geometry.origin.x, "a finite number");
@@ -65,7 +65,7 @@ void setLikelihood(COccupancyGridMap2D & map, const LaserOptions & options)
 
 std::size_t strideOf(const Scan & scan, int max_beams)
 {
-  // Rounded up, so that there are not more.
+  // Rounded up, so that there are no more than that.
   const std::size_t gaps = static_cast<std::size_t>(max_beams) - 1;
   return std::max<std::size_t>(1, (scan.ranges.size() - 1 + gaps - 1) / gaps);
 }
@@ -74,7 +74,7 @@ bool isValid(const Scan & scan, const LaserOptions & options, double range)
 {
   const double nearest = options.min_range < 0.0 ? scan.range_min : options.min_range;
   const double farthest = options.max_range < 0.0 ? scan.range_max : std::min(scan.range_max, options.max_range);
-  return range >= nearest && range < farthest;  // false for what is not a number
+  return range >= nearest && range < farthest;  // false for NaN
 }
 }  // namespace
 
@@ -84,7 +84,7 @@ COccupancyGridMap2D::Ptr toGridMap(const OccupancyGrid & grid, const LaserOption
   expectGeometry(grid.geometry);
   const auto map = COccupancyGridMap2D::Create();
   const auto resolution = static_cast<float>(grid.geometry.resolution);
-  // One more row and column, as MRPT's likelihood fields take the last ones for outside of the map.
+  // One more row and column, as MRPT's likelihood fields take the last ones for the outside of the map.
   map->setSize(
     0.0F, static_cast<float>(grid.geometry.width + 1) * resolution, 0.0F,
     static_cast<float>(grid.geometry.height + 1) * resolution, resolution);

@@ -28,7 +28,7 @@ inline Pose2 fromTPose2D(const mrpt::math::TPose2D & pose)
 /// @throws Error for a map without cells
 mrpt::maps::COccupancyGridMap2D::Ptr toGridMap(const OccupancyGrid & grid, const LaserOptions & options);
 
-/// The beams that are looked at: at most max_beams, evenly spread, those without an echo or out of range being invalid.
+/// The beams that are used: at most max_beams, evenly spread, those without an echo or out of range being invalid.
 /// Nothing for a scan of fewer than two beams.
 /// @param lidar  pose of the lidar on the car
 mrpt::obs::CObservation2DRangeScan::Ptr toObservation(

@@ -9,7 +9,7 @@ namespace amcl
 {
 namespace
 {
-// Less than what Localizer adds, so that it draws from one that is positive.
+// Less than what Localizer adds, so that it draws from a positive covariance.
 constexpr double kRounding = 1e-9;
 }  // namespace
 

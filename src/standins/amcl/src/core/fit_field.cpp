@@ -8,7 +8,7 @@ namespace amcl
 {
 namespace
 {
-constexpr float kWall = 0.3F;            // probability to be free of cells that are walls at most,
+constexpr float kWall = 0.3F;            // probability of being free: of cells that are walls at most,
 constexpr float kFreeLeast = 0.7F;       // and of free ones at least
 constexpr double kDistanceStep = 0.004;  // m, of distances
 constexpr int kFar = 127;                // steps; what is farther away counts as this
@@ -24,7 +24,7 @@ public:
 
   bool isSolid(int column, int row) const
   {
-    // What is not known may be a wall's inside, but beside what is free it is where a map is not sharp.
+    // Unknown cells may be the inside of a wall, but beside free ones they are where a map is not sharp.
     const auto is_free = [this](int x, int y) { return map_.getCell(x, y) > kFreeLeast; };
     return isWall(column, row) || !anyAbout(column, row, is_free);
   }
@@ -79,7 +79,7 @@ FitField::FitField(const mrpt::maps::COccupancyGridMap2D & map)
   }
 }
 
-/// Tells the cells on the other side of a border how far they are from it: half a cell less than from the cell beside it.
+/// Tells the cells beyond a border how far they are from it: half a cell less than from the cell on this side.
 void FitField::tellFrom(const Walls & walls, int column, int row)
 {
   const bool is_solid = walls.isSolid(column, row);
@@ -118,7 +118,7 @@ int FitField::distanceBetween(double x, double y) const
   const double below = (1.0 - right) * at(column, row) + right * at(column + 1, row);
   const double above = (1.0 - right) * at(column, row + 1) + right * at(column + 1, row + 1);
   const double up = v - row;
-  return static_cast<int>(std::abs((1.0 - up) * below + up * above) + 0.5);  // quicker than lround
+  return static_cast<int>(std::abs((1.0 - up) * below + up * above) + 0.5);  // faster than lround
 }
 
 template <typename Distance>

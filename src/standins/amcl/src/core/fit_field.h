@@ -12,12 +12,12 @@ namespace amcl
 {
 using Points = std::vector<Vec2>;
 
-/// How well a beam fits that ends so far from a wall.
+/// How well a beam fits that ends at some distance from a wall.
 class Fit
 {
 public:
-  /// @param slack      m from a wall that count as nothing
-  /// @param deviation  m, standard deviation of what is beyond them
+  /// @param slack      m from a wall that count as no distance
+  /// @param deviation  m, standard deviation of the distance beyond that
   Fit(double slack, double deviation);
 
   /// @param distance  in the steps of a FitField, not negative
@@ -29,16 +29,16 @@ private:
 
 class Walls;
 
-/// How far it is on a map to where walls begin.
+/// Distances on a map to where walls begin.
 class FitField
 {
 public:
   explicit FitField(const mrpt::maps::COccupancyGridMap2D & map);
 
-  /// Mean fit of the ends of beams, which are in the frame of the pose: 0 to 1; 0 as soon as it is certain to be less than
-  /// the least. Distances are those of the cells.
+  /// Mean fit of the ends of beams, which are in the frame of the pose: 0 to 1; 0 as soon as it is certain to be less
+  /// than the least. Distances are those of the cells.
   double rough(const Fit & fit, const Points & points, const Pose2 & pose, double least = 0.0) const;
-  /// The same with distances between the cells.
+  /// The same with distances interpolated between the cells.
   double close(const Fit & fit, const Points & points, const Pose2 & pose, double least = 0.0) const;
 
 private:

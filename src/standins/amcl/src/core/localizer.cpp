@@ -24,17 +24,17 @@ namespace amcl
 {
 namespace
 {
-// The original sums up cubes of the beams' likelihoods; close to that is the cube of their mean.
+// The original sums up cubes of the beams' likelihoods; the cube of their mean is close to that.
 constexpr double kAveragePower = 3.0;
-// Of a car that is lost beams count as if so many of them were independent of each other. If all were, one scan would leave
-// nothing but the place that fits best, which is often a wrong one.
+// For a car that is lost, beams count as if this many of them were independent of each other. If all were, one scan
+// would leave nothing but the place that fits best, which is often a wrong one.
 constexpr double kIndependentBeams = 5.4;
-constexpr double kFound = 0.3;  // m, standard deviation of particles that stand together; a wider start is being lost
-constexpr std::size_t kPlacesAbout = 20000;  // that are looked at if it is known roughly where it is
+constexpr double kFound = 0.3;  // m, standard deviation of converged particles; a car with a wider start is lost
+constexpr std::size_t kPlacesAbout = 20000;  // that are checked if it is known roughly where the car is
 constexpr double kPlaceError = 0.05;         // m, standard deviation of particles about a place where the car was found
 constexpr double kHeadingError = 0.01;       // rad
 constexpr double kFarthest = 1e6;            // m between two scans: more is a mistake, and overflows in MRPT
-// MRPT throws for a motion that is less certain than this, a leap of a few metres, unless it is said to come of a scan.
+// MRPT throws for a motion less certain than this, a leap of a few metres, unless it is declared to come from a scan.
 constexpr double kMostUncertain = 500.0;  // m^4 rad^2, determinant of the covariance; 1000 is MRPT's
 // So that no covariance is singular.
 constexpr double kLeastVariance = 1e-8;  // m^2 and rad^2
@@ -76,7 +76,7 @@ public:
     particles_.options.KLD_params = kldOptions(options);
     filter_.m_options.PF_algorithm = mrpt::bayes::CParticleFilter::pfStandardProposal;
     filter_.m_options.resamplingMethod = mrpt::bayes::CParticleFilter::prMultinomial;
-    filter_.m_options.BETA = 0.0;  // Drawn anew together with the motion, or not at all.
+    filter_.m_options.BETA = 0.0;  // Resampled together with the motion, or not at all.
     const bool averages = options.laser.model == LaserModel::kLikelihoodField;
     power_ = averages ? kAveragePower : 1.0;
     search_power_ = averages ? power_ : std::min(1.0, kIndependentBeams / options.laser.max_beams);
@@ -130,7 +130,7 @@ public:
     if (lost_ && look(*observation, odometry)) {
       motion = {};
     }
-    // Over this range random beams are spread. MRPT remembers likelihoods: only the first scan has a say.
+    // Random beams are spread over this range. MRPT remembers likelihoods: only the first scan has a say.
     map_->likelihoodOptions.LF_maxRange = *(max_range_ = max_range_.value_or(observation->maxRange));
     return update(motion, observation);
   }
@@ -143,11 +143,11 @@ public:
       weighted.push_back({toMap(particle.d), std::exp(particle.log_w)});
     }
     Estimate estimate = heaviestCluster(weighted);
-    // The particles cannot know that the map is right to half a cell only.
+    // The particles cannot know that the map is only right to half a cell.
     const double map_variance = std::pow(0.5 * map_->getResolution(), 2);
     estimate.covariance[0] += map_variance;
     estimate.covariance[4] += map_variance;
-    if (lost_) {  // It may as well be at another place than where most particles are.
+    if (lost_) {  // It may just as well be somewhere else than most particles.
       const double variance = 0.5 * (spread_(0, 0) + spread_(1, 1));
       estimate.covariance[0] += variance;
       estimate.covariance[4] += variance;
@@ -227,7 +227,7 @@ private:
     }
   }
 
-  // Until the particles stand together.
+  // Until the particles have converged.
   bool isSearching()
   {
     if (is_searching_) {
@@ -255,7 +255,7 @@ private:
   Outcome update(const Pose2 & motion, const mrpt::obs::CObservation2DRangeScan::Ptr & observation)
   {
     const RandomScope scope(random_);
-    // MRPT draws particles anew by their weights from before while it moves them. The first ones are good as they are.
+    // MRPT resamples particles by their previous weights while it moves them. The first ones are good as they are.
     filter_.m_options.powFactor = isSearching() ? search_power_ : power_;
     const bool resamples = updates_ > 0 && updates_ % options_.resample_interval == 0;
     ++updates_;

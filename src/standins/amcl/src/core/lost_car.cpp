@@ -10,8 +10,8 @@ namespace
 {
 constexpr double kLookInterval = 1.0;  // m between looks
 constexpr std::size_t kMostLooks = 40;
-constexpr std::size_t kLooksApart = 4;  // of which two have seen other parts of the way
-// A place is e times less likely if its fit is by so much worse: fits err by 0.01.
+constexpr std::size_t kLooksApart = 4;  // this many looks apart, two have seen different parts of the way
+// A place is e times less likely if its fit is worse by this much: fits err by 0.01.
 constexpr double kFitScale = 0.005;
 constexpr double kFarWorse = 10.0 * kFitScale;  // whatever was seen before
 constexpr std::size_t kKept = 300;
@@ -20,7 +20,7 @@ constexpr double kOnePlace = 1.0;    // m
 constexpr double kOneHeading = 0.5;  // rad
 constexpr double kCertain = 0.99;    // share of what is likely
 
-/// Shares in the place of fits.
+/// Replaces fits by shares.
 void weigh(std::vector<Place> & places)
 {
   const double best = places.front().fit;
@@ -98,7 +98,7 @@ std::vector<Place> LostCar::find() const
   return places;
 }
 
-/// Adds how well what was seen earlier fits, if the car came from where odometry says, or from next to there. Best first.
+/// Adds how well what was seen earlier fits, if the car came from where odometry says, or next to it. Best first.
 void LostCar::remember(std::vector<Place> & places) const
 {
   for (Place & place : places) {

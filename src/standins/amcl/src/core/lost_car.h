@@ -17,8 +17,8 @@ public:
   /// It is at one of these poses, or near one.
   LostCar(const mrpt::maps::COccupancyGridMap2D & map, std::vector<Pose2> poses);
 
-  /// Takes a scan in.
-  /// @param odometry  pose of the car, as odometry knows it
+  /// Processes a scan.
+  /// @param odometry  pose of the car according to odometry
   /// @return          places of the car, each with its share of what is likely; empty if this was not worth a look
   std::vector<Place> look(const mrpt::obs::CObservation2DRangeScan & scan, const Pose2 & odometry);
   /// Whether it need not be looked for any longer.
@@ -39,7 +39,7 @@ private:
   std::vector<Pose2> poses_;  // where the car may have been at the last look
   Sight sight_;
   std::vector<Look> looks_;  // all of them
-  std::size_t certain_{0};   // looks one after the other that found one place
+  std::size_t certain_{0};   // looks in a row that found one place
   bool is_over_{false};
 };
 }  // namespace amcl

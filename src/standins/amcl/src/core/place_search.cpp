@@ -11,8 +11,8 @@ namespace amcl
 {
 namespace
 {
-// Places that are looked at first are this far from each other. Walls count as hit then if they are as near as a car
-// between two of them sees them.
+// Places that are checked first are this far from each other. Walls then count as hit if they are as near as a car
+// between two such places sees them.
 constexpr double kStep = 0.2;  // m
 constexpr int kHeadings = 120;
 constexpr double kSlack = 0.15;     // m
@@ -21,14 +21,14 @@ constexpr double kLeastFit = 0.7;
 constexpr std::size_t kFewPoints = 40;
 constexpr std::size_t kPoints = 100;
 constexpr std::size_t kManyPoints = 300;
-// Of the places so many are looked at more closely.
+// This many of the places are checked more closely.
 constexpr std::size_t kGood = 20000;
 constexpr std::size_t kBetter = 300;
 constexpr std::size_t kFinalists = 40;  // with all points: the better of two that are alike must not win by chance
 // Of places nearer to each other than about this only the best one counts.
 constexpr double kApart = 0.3;       // m
 constexpr double kTurnApart = 0.15;  // rad
-// The search for the best place about one begins with such steps, ...
+// The search for the best place about one begins with these steps, ...
 constexpr Steps kSteps{0.1, 0.026, 100};
 // ... and where odometry tells where the car was some metres before, with these: on a straight there is always a better
 // place a little farther on.

@@ -14,7 +14,7 @@ struct Place
   double fit{0.0};  ///< of what was seen: 0 to 1
 };
 
-/// In which a place is moved to a better one.
+/// Steps in which a place is moved to a better one.
 struct Steps
 {
   double length;  ///< m, of the first one

@@ -9,11 +9,11 @@ namespace
 using mrpt::maps::COccupancyGridMap2D;
 using Cells = std::vector<std::pair<int, int>>;
 
-constexpr float kLeastFreedom = 0.7F;  // probability of a cell to be free in which a car may be
+constexpr float kLeastFreedom = 0.7F;  // probability of being free of a cell in which a car may be
 
 bool isFree(const COccupancyGridMap2D & map, int x, int y)
 {
-  return map.getCell(x, y) > kLeastFreedom;  // not so outside of the map
+  return map.getCell(x, y) > kLeastFreedom;  // false outside of the map
 }
 
 Cells reachable(const COccupancyGridMap2D & map, int x, int y)

@@ -7,7 +7,7 @@ namespace amcl
 namespace
 {
 constexpr double kViewInterval = 0.5;  // m between scans that are kept
-// m; odometry bends what was seen on a longer way.
+// m; over a longer way odometry distorts what was seen.
 constexpr double kLength = 4.0;
 
 Points endsOf(const mrpt::obs::CObservation2DRangeScan & scan)

@@ -13,7 +13,7 @@ namespace amcl
 class Sight
 {
 public:
-  /// @param odometry  pose of the car, as odometry knows it
+  /// @param odometry  pose of the car according to odometry
   void add(const mrpt::obs::CObservation2DRangeScan & scan, const Pose2 & odometry);
   /// Where beams have ended, in the frame of the car at the last scan.
   Points points() const;

@@ -23,7 +23,7 @@
 
 namespace amcl
 {
-/// The ROS side of Localizer: scans wait for their transform, what comes of them is published. Use from one thread.
+/// The ROS side of Localizer: scans wait for their transform, the results are published. Use from one thread.
 class AmclNode
 {
 public:
@@ -38,8 +38,8 @@ public:
   void setMap(const nav_msgs::OccupancyGrid & map);
   void add(const sensor_msgs::LaserScan::ConstPtr & scan);
   /// Handles the scans whose transforms are there. Until the first one has told where the car is, the initial pose
-  /// counts, so that the transform from the map is there from the start. A warning if there have been no map, no scans or
-  /// no transform for them for 5 s of wall time.
+  /// counts, so that the transform from the map is there from the start. A warning if there have been no map, no scans
+  /// or no transform for them for 5 s of wall time.
   void handleScans();
   /// Forgets what was received before time jumped back; the map and the particles stay.
   void forgetInputs();
@@ -54,7 +54,7 @@ private:
   bool build(const nav_msgs::OccupancyGrid & map, const Estimate & start);
   /// @param estimate  where the car was at stamp
   void move(Estimate estimate, const ros::Time & stamp);
-  /// Nothing, if nothing is.
+  /// Empty if nothing is.
   std::string missing() const;
   /// Which transform a scan lacks.
   std::string linkOf(const sensor_msgs::LaserScan & scan) const;
@@ -76,7 +76,7 @@ private:
   std::unique_ptr<Localizer> localizer_;
   Estimate estimate_;
   std::optional<Pose2> map_to_odom_;
-  bool must_publish_{true};  // the next estimate, even if the particles are not drawn anew
+  bool must_publish_{true};  // the next estimate, even if the particles are not resampled
   std::deque<sensor_msgs::LaserScan::ConstPtr> waiting_;
   bool hears_scans_{false};
   RareWarning left_out_warning_;

@@ -36,7 +36,7 @@ void readNode(ParameterReader & reader, NodeParameters & parameters)
   reader.read("lockstep", parameters.lockstep);
 }
 
-/// What is not a number is left out with a warning, as by the original.
+/// What is not a number is left out with a warning, as in the original.
 Estimate readStart(const ros::NodeHandle & node, ParameterReader & reader)
 {
   const auto read = [&](const std::string & name, double & value, const NumberRule & rule = {}) {

@@ -8,7 +8,7 @@
 
 namespace amcl
 {
-/// Everything that the node is told at its start. Names and defaults are in the README.
+/// The parameters that the node reads at its start. Names and defaults are in the README.
 struct NodeParameters
 {
   std::string base_frame_id{"base_link"};
@@ -18,13 +18,13 @@ struct NodeParameters
   bool first_map_only{false};
   bool tf_broadcast{true};
   double transform_tolerance{0.1};  ///< s, how far into the future the transform is stamped
-  double save_pose_rate{0.5};       ///< Hz; not above 0: never
+  double save_pose_rate{0.5};       ///< Hz; 0 or less: never
   bool lockstep{false};
   Estimate start;
   LocalizerOptions localizer;
 };
 
-/// Says once which parameters this stand-in has no use for.
+/// Warns once of parameters that this stand-in has no use for.
 /// @throws OptionError for a parameter of a wrong type or out of range
 NodeParameters readParameters(const ros::NodeHandle & node);
 }  // namespace amcl

@@ -8,9 +8,9 @@
 
 namespace gmapping
 {
-/// Builds a map from scans and odometry: every 0.1 m a scan is matched to a map of the way just behind, and where the lidar
-/// comes past a place again, what it sees is matched to what it saw there before. The poses of the scans that count are
-/// then moved to where all that agrees best (a pose graph). The same inputs give the same map.
+/// Builds a map from scans and odometry: every 0.1 m a scan is matched to a map of the way just behind, and where the
+/// lidar passes a place again, what it sees is matched to what it saw there before. The poses of the scans that count
+/// are then moved to where all that agrees best (a pose graph). The same inputs give the same map.
 class GridSlam
 {
 public:
@@ -18,9 +18,9 @@ public:
   static std::unique_ptr<GridSlam> make(const SlamOptions & options);
   virtual ~GridSlam() = default;
 
-  /// Takes a scan in. The first one is put into the map where odometry says; of those after it counts whatever lies
-  /// far enough from the last that counted. Those between help to follow the lidar: all have to be given.
-  /// @param odometry  pose of the lidar when it took the scan, as odometry knows it
+  /// Processes a scan. The first one is put into the map where odometry says; those after it count if they are far
+  /// enough from the last that counted. Those between help to follow the lidar: all have to be given.
+  /// @param odometry  pose of the lidar when it took the scan, according to odometry
   /// @param time      s, of the scan
   /// @return whether the scan counted
   /// @throws Error for a scan that does not say where its beams are, or for which the map would become too large; those

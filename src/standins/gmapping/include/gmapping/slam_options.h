@@ -4,11 +4,11 @@
 
 namespace gmapping
 {
-/// Of a map: what is larger does not fit into memory.
+/// Of a map: a larger one does not fit into memory.
 constexpr double kMostCells = 4e8;
 
-/// How odometry errs: standard deviations that grow with the way driven. As errors of slip add up, the mapper takes them
-/// for larger: 2 to 40 times for matching, 4 times in the pose graph.
+/// How odometry errs: standard deviations that grow with the way driven. As errors of slip add up, the mapper assumes
+/// larger ones: 2 to 40 times for matching, 4 times in the pose graph.
 struct MotionNoise
 {
   double srr{0.1};  ///< m per m: of translation, by translation; along the way, and less across it
@@ -17,7 +17,7 @@ struct MotionNoise
   double stt{0.2};  ///< rad per rad: of rotation, by rotation
 };
 
-/// How a scan is laid onto a map.
+/// How a scan is matched to a map.
 struct MatcherOptions
 {
   double sigma{0.05};         ///< m, standard deviation of a beam's end across a wall, for the search

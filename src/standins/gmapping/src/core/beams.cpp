@@ -11,7 +11,7 @@ std::vector<Beam> hitBeams(const Scan & scan, double max_range)
   beams.reserve(scan.ranges.size());
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const double range = scan.ranges[i];
-    if (range >= scan.range_min && range < max_range) {  // false for what is not a number
+    if (range >= scan.range_min && range < max_range) {  // false for NaN
       const double angle = scan.angle_min + static_cast<double>(i) * scan.angle_increment;
       beams.push_back({static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), scan.ranges[i]});
     }

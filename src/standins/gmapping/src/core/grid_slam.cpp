@@ -25,13 +25,13 @@ constexpr double kShortOfMaxRange = 0.01;  // m
 constexpr double kLeastError = 0.001;      // m
 constexpr double kLeastTurnError = 3e-4;   // rad
 constexpr double kTurnErrorRate = 1.5e-3;  // rad per rad
-// Wheels slip alike for a while, which adds up faster than errors that do not know of each other: standard deviations
-// of odometry in the graph for one that it is said to have.
+// Wheels slip alike for a while, which adds up faster than independent errors: standard deviations of odometry in the
+// graph for one of the options.
 constexpr double kSlip = 4.0;
 // Of a loop, as an earlier map is not exact either.
 constexpr double kLoopError = 0.01;       // m
 constexpr double kLoopTurnError = 0.002;  // rad
-// A map made anew takes a while: not for less than this.
+// Rebuilding the map takes a while: not for less than this.
 constexpr double kMoved = 0.01;  // m
 
 Eigen::Matrix3d turn(double yaw)
@@ -39,7 +39,7 @@ Eigen::Matrix3d turn(double yaw)
   return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
-/// The same, seen in the frame of a pose, and never surer than these standard deviations (m, rad).
+/// The same, seen in the frame of a pose, and never more certain than these standard deviations (m, rad).
 Eigen::Matrix3d seenFrom(const Pose2 & pose, const Eigen::Matrix3d & information, double error, double turn_error)
 {
   const Eigen::Matrix3d turned = turn(-pose.yaw) * information * turn(pose.yaw);
@@ -146,7 +146,7 @@ private:
     if (auto loop = loops_.find(way_, graph_.poses())) {
       loop->information = seenFrom({}, loop->information, kLoopError, kLoopTurnError);
       if (loop->is_firm) {
-        // What a straight told before may lie beside: how far along it the car was is known only now.
+        // What a straight told before may be off: how far along it the car was is known only now.
         graph_.keepFirm();
       }
       graph_.connect(*loop);

@@ -17,7 +17,7 @@ void LocalMap::add(const std::vector<Beam> & beams, const Pose2 & pose, double m
   if (++scans_ >= kScans) {
     older_ = std::exchange(newer_, CellMap(kMatchingCell));
     scans_ = 0;
-    // Nothing to match to would be there at the next switch but one, if it did not begin with something.
+    // It has to begin with something, or there might be nothing to match to at the next switch but one.
     registerBeams(newer_, beams, pose, max_urange);
   }
 }

@@ -21,11 +21,11 @@ constexpr double kLeastDrift = 0.05;      // m
 constexpr double kDriftRate = 0.003;      // m per m
 constexpr double kLeastTurnDrift = 0.01;  // rad
 constexpr double kTurnDriftRate = 2e-4;   // rad per m
-constexpr double kGate = 2.5;             // standard deviations that are looked at
+constexpr double kGate = 2.5;             // standard deviations that are searched
 // m of way before and behind the earlier stop that show what was there. With less before it, points behind the start
 // of the map find nothing and pull the last stop ahead.
 constexpr double kAround = 8.0;
-constexpr double kBehind = 6.0;            // m of way before the last stop that are laid onto it
+constexpr double kBehind = 6.0;            // m of way before the last stop that are matched to it
 constexpr std::size_t kPoints = 500;       // of them, about, for the search
 constexpr std::size_t kMorePoints = 3000;  // for matching: a single scan fits a straight road of pixels at many places
 constexpr double kLeastKnown = 0.6;        // share of the points that the earlier map knows anything about
@@ -45,8 +45,8 @@ void addEnds(const Stop & stop, const Pose2 & pose, std::size_t every, std::vect
   }
 }
 
-/// Ends of beams of the last stops, as many as are asked for, about, in the frame of the last one: held together by their
-/// local poses.
+/// Ends of beams of the last stops, about as many as are asked for, in the frame of the last one: held together by
+/// their local poses.
 std::vector<Vec2> recentPoints(const Way & way, std::size_t count)
 {
   const Stop & last = way.back();
@@ -88,7 +88,7 @@ std::vector<Vec2> wallsAbout(const Way & way, std::size_t earlier)
   return walls;
 }
 
-/// Beams leave cells between them out.
+/// Beams skip cells between them.
 bool isKnown(const CellMap & map, const Cell & place)
 {
   for (int dx = -kBetweenBeams; dx <= kBetweenBeams; ++dx) {

@@ -13,7 +13,7 @@ namespace gmapping
 /// A scan that counted.
 struct Stop
 {
-  Pose2 local;              ///< of the lidar, as ScanTracker says: smooth, but it drifts
+  Pose2 local;              ///< of the lidar, from ScanTracker: smooth, but it drifts
   std::vector<Beam> beams;  ///< what was hit
   double distance{0.0};     ///< driven until here, m
 };
@@ -27,8 +27,8 @@ class LoopFinder
 public:
   explicit LoopFinder(const MatcherOptions & options) : matcher_(options) {}
 
-  /// What the last few metres have shown, laid onto what was seen at the last stop before; nothing if the lidar was not
-  /// there before, if that was looked for a moment ago, or if the two do not agree.
+  /// What the last few metres have shown, matched to what was seen at the last stop before; nothing if the lidar was
+  /// not there before, if that was looked for a moment ago, or if the two do not agree.
   /// @param poses  of the stops, as they are believed to be now
   std::optional<PoseEdge> find(const Way & way, const std::vector<Pose2> & poses);
 

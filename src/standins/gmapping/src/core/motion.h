@@ -15,7 +15,7 @@ struct Progress
   void add(const Pose2 & motion);
 };
 
-/// Where the lidar is after it has moved by what odometry says.
+/// Where the lidar is after it has moved as odometry says.
 /// @param motion    in the frame of the lidar before it
 /// @param progress  way and turn of the motion, which may be longer than from its start to its end
 PoseBelief expectedPose(const Pose2 & pose, const Pose2 & motion, const Progress & progress, const MotionNoise & noise);

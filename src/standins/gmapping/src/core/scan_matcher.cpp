@@ -10,14 +10,14 @@ namespace gmapping
 {
 namespace
 {
-// Share of beams that end in a cell above which it may be part of a wall; less than for a published cell, as what has
-// been grazed often still is a wall. With 0.1 the cells on the near side of a wall are missing, and it seems to lie
+// Share of beams that end in a cell above which it may be part of a wall; less than for a published cell, as a cell
+// that is often grazed is still a wall. With 0.1 the cells on the near side of a wall are missing, and it seems to lie
 // farther away.
 constexpr double kWallShare = 0.05;
 // A cell that was hit often is well known, but the neighbours count, too.
 constexpr std::uint32_t kMostHits = 50;
 // Of the pixels of a wall far ahead only the tips are seen at first, so that it seems to lie nearer than it does from
-// near: what few beams have found counts less, by half with this many around an end.
+// close by: what few beams have found counts less, by half with this many around an end.
 constexpr double kFewHits = 25.0;
 // Far beams may be off by more than sigma at first: the search begins with wider tolerance.
 constexpr double kFirstSigmas[] = {2.0, 1.0};

@@ -18,11 +18,11 @@ struct PoseBelief
   Eigen::Matrix3d information{Eigen::Matrix3d::Zero()};
 };
 
-/// Of the maps that scans are laid onto, m, whatever the cells of the published map are: with cells of 5 cm the heading
-/// drifts twice as fast.
+/// Of the maps that scans are matched to, m, whatever the cells of the published map are: with cells of 5 cm the
+/// heading drifts twice as fast.
 constexpr double kMatchingCell = 0.02;
 
-/// Lays scans onto a map: where beams end near a straight wall, they pull the scan onto it, the more the
+/// Matches scans to a map: where beams end near a straight wall, they pull the scan onto it, the more the
 /// better the wall is known.
 class ScanMatcher
 {

@@ -7,8 +7,8 @@ namespace
 constexpr double kEveryWay = 0.1;    // m between looks
 constexpr double kEveryTurn = 0.06;  // rad
 // Wheels slip alike from look to look, and the map of the looks would follow them. What odometry says of a turn hardly
-// counts beside the walls; its way is still needed, as the steps of pixels make ways too long.
-constexpr double kSlipAlong = 2.0;  // standard deviations for one of odometry's
+// counts compared with the walls; its way is still needed, as the steps of pixels make ways too long.
+constexpr double kSlipAlong = 2.0;  // times the standard deviation of odometry
 constexpr double kSlipAside = 10.0;
 constexpr double kSlipTurning = 40.0;
 

@@ -12,7 +12,7 @@
 
 namespace gmapping
 {
-/// Follows the lidar by laying its scans onto a map of the way just behind, one every 0.1 m: many looks make up for
+/// Follows the lidar by matching its scans to a map of the way just behind, one every 0.1 m: many looks make up for
 /// the noise of each. Its poses are smooth, but they drift.
 class ScanTracker
 {
@@ -25,7 +25,7 @@ public:
   void drive(const Pose2 & motion);
   /// Whether the lidar has moved far enough for another look.
   bool isDue() const;
-  /// Lays a scan onto the map, and adds it to the map.
+  /// Matches a scan to the map, and adds it to the map.
   /// @throws Error for a map that is too large; the lidar is followed all the same
   void look(const std::vector<Beam> & beams);
 

@@ -38,7 +38,7 @@ void validateMotion(const MotionNoise & noise)
 
 void validateExtent(const SlamOptions & options)
 {
-  // A new map, which has a side of 20 m, has kMostCells with it.
+  // With it, a new map, which has a side of 20 m, has kMostCells.
   requireOption(std::isfinite(options.delta) && options.delta >= 0.001, "delta", options.delta, "at least 0.001");
   requireAbove("xmax", options.xmax, "xmin", options.xmin);
   requireAbove("ymax", options.ymax, "ymin", options.ymin);

@@ -11,8 +11,8 @@ constexpr double kFine = 0.1;  // m per cell
 constexpr int kFinePerCoarse = 5;
 constexpr double kCoarse = kFinePerCoarse * kFine;  // m per cell
 constexpr double kTurn = 0.015;                     // rad: 15 cm at 10 m
-// What a place as far from the middle as the window reaches counts less, so that a straight wall is not moved along
-// itself for nothing.
+// How much less a place at the edge of the window counts than one in the middle, so that a straight wall is not moved
+// along itself for nothing.
 constexpr double kDistrust = 0.6;
 
 std::vector<Vec2> turnedBy(const std::vector<Vec2> & points, double yaw)

@@ -8,7 +8,7 @@
 
 namespace gmapping
 {
-/// Everything that the node is told at its start. Names and defaults are in the README.
+/// The parameters that the node reads at its start. Names and defaults are in the README.
 struct NodeParameters
 {
   std::string base_frame{"base_link"};

@@ -23,7 +23,7 @@ struct Options
   std::string on_done;
 };
 
-// The same map comes of every seed, but what is none is a mistake.
+// Every seed gives the same map, but an invalid one is a mistake.
 void checkSeed(const std::string & text)
 {
   const bool digits = !text.empty() && text.size() < 10 && text.find_first_not_of("0123456789") == std::string::npos;

@@ -94,7 +94,7 @@ void SlamNode::giveUpWaiting()
   }
 }
 
-// Whether the transforms have gone past the scan already.
+// Whether the transforms are already past the scan.
 bool SlamNode::isHopeless(const sensor_msgs::LaserScan & scan) const
 {
   const auto latest = odometryAt(ros::Time(0), scan);

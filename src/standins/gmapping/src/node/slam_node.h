@@ -21,7 +21,7 @@
 
 namespace gmapping
 {
-/// The ROS side of GridSlam: scans wait for their transform, what comes of them is published.
+/// The ROS side of GridSlam: scans wait for their transform, the results are published.
 /// Use from one thread; broadcast() may be called from another one.
 class SlamNode
 {
@@ -38,10 +38,10 @@ public:
   }
   /// Takes every throttle_scans-th scan.
   void add(const sensor_msgs::LaserScan::ConstPtr & scan);
-  /// Handles the scans whose transforms are there. Leaves out, with a warning, those that can get none any more, and
+  /// Handles the scans whose transforms are there. Leaves out, with a warning, those that can no longer get one, and
   /// those that make no sense.
   void handleScans();
-  /// A warning if there have been no scans, or no transform for them, for 5 s of wall time.
+  /// Warns if there have been no scans, or no transform for them, for 5 s of wall time.
   void sayWhatIsMissing();
   /// Keeps 1000 scans that wait: for a node that may run for ever.
   void leaveOutTheOldest();
@@ -49,11 +49,11 @@ public:
   void giveUpWaiting();
   /// Whether a scan has been handled, and not left out.
   bool hasTaken() const { return has_taken_; }
-  /// Why the last scan that was left out was.
+  /// Why the last scan that was left out was left out.
   const std::string & lastReason() const { return last_reason_; }
   /// Publishes map -> odom, if that is due at now. @param now  ROS time
   void broadcast(const ros::Time & now);
-  /// Publishes the map as it is now, whenever the last one was.
+  /// Publishes the map as it is now, no matter when the last one was.
   void publishMap(const ros::Time & stamp);
   /// Forgets what was received before time jumped back; the map stays.
   void forgetInputs();

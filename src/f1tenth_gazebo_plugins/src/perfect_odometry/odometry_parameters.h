@@ -21,7 +21,7 @@ struct OdometryParameters
 };
 
 /// @param links        of the robot description
-/// @param base_frame   the link that stands for the car: the only robotBaseFrame there can be
+/// @param base_frame   the link that represents the car: the only robotBaseFrame that is allowed
 /// @param max_rate_hz  of the physics steps
 /// @throws f1tenth_sim2d::Error naming the element's place, the tag, what was found and what is allowed
 OdometryParameters parseOdometryParameters(

@@ -10,7 +10,7 @@
 namespace f1tenth_gazebo_plugins
 {
 /// Publishes a car's exact pose and twist: nav_msgs/Odometry with the pose in odometryFrame, which is the world, and
-/// the twist in robotBaseFrame, the link that stands for the car; and, if it owns it, the transform between the two.
+/// the twist in robotBaseFrame, the link that represents the car; and, if it owns it, the transform between the two.
 class PerfectOdometry : public f1tenth_sim2d::CarPlugin
 {
 public:

@@ -7,7 +7,7 @@
 
 namespace f1tenth_scenarios
 {
-/// What befalls the messages that arrive in [at, until) of simulated time (s).
+/// What happens to the messages that arrive in [at, until) of simulated time (s).
 struct InputFault
 {
   double at;
@@ -52,7 +52,7 @@ private:
     double due;  // s
     Message message;
   };
-  static constexpr double kTolerance = 1e-6;  // s; far below a period, far above what sums of decimals are off
+  static constexpr double kTolerance = 1e-6;  // s; far below a period, far above rounding errors of sums
 
   const InputFault * faultAt(double now) const
   {

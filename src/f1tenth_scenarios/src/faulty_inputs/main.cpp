@@ -44,7 +44,7 @@ std::map<std::string, std::vector<InputFault>> readFaults()
 {
   XmlRpcValue list;
   ros::param::get("~faults", list);
-  // Texts and maps have a size, too.
+  // Because texts and maps have a size, too.
   if (list.getType() != XmlRpcValue::TypeArray) {
     throw XmlRpcException("faults");
   }

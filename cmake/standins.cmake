@@ -2,8 +2,9 @@
 # hides it from catkin and from rospack alike. Also runs as a script, for `catkin build`:
 #   cmake -P cmake/standins.cmake
 
-# All packages outside of own_source_dir, each as "NAME FOLDER": as rospack finds them, so that what is left out of the build is
-# what roslaunch will find elsewhere. It looks in all folders of the ROS package path and of the prefixes, however deep.
+# All packages outside of own_source_dir, each as "NAME FOLDER": as rospack finds them, so that what is left out of the
+# build is what roslaunch will find elsewhere. It looks in all folders of the ROS package path and of the prefixes,
+# however deep.
 function(find_packages own_source_dir result)
   string(REPLACE ":" ";" roots "$ENV{ROS_PACKAGE_PATH}")
   string(REPLACE ":" ";" prefixes "$ENV{CMAKE_PREFIX_PATH}")
@@ -32,8 +33,8 @@ function(find_packages own_source_dir result)
   set(${result} "${packages}" PARENT_SCOPE)
 endfunction()
 
-# The folder of a package of this name among packages, unless it is a stand-in itself, as in an install space of this workspace
-# or in another checkout.
+# The folder of a package of this name among packages, unless it is a stand-in itself, as in an install space of this
+# workspace or in another checkout.
 function(find_original name packages own_source_dir result)
   set(${result} FALSE PARENT_SCOPE)
   foreach(package IN LISTS packages)

@@ -4,7 +4,8 @@
 # -ffp-contract=off: a fused multiply-add rounds once where two operations round twice, and whether
 # the compiler fuses depends on the target; without it the same source gives the same bits everywhere.
 # WORKSPACE_UNITY: eight files per translation unit. The headers of ROS and of the libraries cost more than our own
-# lines, so a fresh build takes a third of the processor time, and one changed line still recompiles a thousand lines, not five thousand.
+# lines, so a fresh build takes a third of the processor time, and one changed line still recompiles a thousand lines,
+# not five thousand.
 function(workspace_target target)
   target_compile_features(${target} PUBLIC cxx_std_17)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
@@ -12,7 +13,7 @@ function(workspace_target target)
   list(LENGTH sources source_count)
   if(WORKSPACE_UNITY AND source_count GREATER 1)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
-    # The compiler takes the files of one unit for headers, where an anonymous namespace would be a mistake.
+    # The compiler treats the files of one unit as headers, where an anonymous namespace would be a mistake.
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endif()
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off)
@@ -31,17 +32,17 @@ function(_workspace_sanitize target)
     set(sanitizers -fsanitize=thread)
   endif()
   target_compile_options(${target} PRIVATE ${sanitizers} -fno-omit-frame-pointer -O1 -g1
-    -Wno-error) # the code that is put in sets off warnings of its own
+    -Wno-error) # the code that is inserted causes warnings of its own
   target_link_options(${target} PRIVATE ${sanitizers})
 endfunction()
 
-# A pybind11 module of this package, importable as NAME from the devel and the install space; with PACKAGE as PACKAGE._NAME,
-# part of a Python package:
+# A pybind11 module of this package, importable as NAME from the devel and the install space; with PACKAGE as
+# PACKAGE._NAME, part of a Python package:
 #   workspace_python_module(NAME [PACKAGE package] source.cpp ...)
 # Needs find_package(pybind11) after set(PYBIND11_FINDPYTHON OFF) and the package's own library linked to it.
 function(workspace_python_module name)
   cmake_parse_arguments(module "" "PACKAGE" "" ${ARGN})
-  # The extras are optimizing at link time, which finds nothing in a single unit and warns that it is slow.
+  # The extras are link-time optimization, which gains nothing in a single unit and warns that it is slow.
   pybind11_add_module(${name} MODULE NO_EXTRAS ${module_UNPARSED_ARGUMENTS})
   workspace_target(${name})
   set(folder ${CATKIN_GLOBAL_PYTHON_DESTINATION})
@@ -53,7 +54,8 @@ function(workspace_python_module name)
   install(TARGETS ${name} LIBRARY DESTINATION ${folder} COMPONENT python)
 endfunction()
 
-# Run pytest over the files that PATTERNS match, as one test target with a JUnit file; a second one of a package needs a NAME:
+# Run pytest over the files matching PATTERNS, as one test target with a JUnit file; a second one in a package needs a
+# NAME:
 #   workspace_add_pytest()                                 all of test/ and its folders
 #   workspace_add_pytest(EXCLUDE /slow/)                   all but those whose path matches
 #   workspace_add_pytest(NAME slow test/slow/test_*.py)
@@ -72,7 +74,7 @@ function(workspace_add_pytest)
   endif()
   set(paths)
   foreach(file IN LISTS files)
-    list(APPEND paths "'${file}'") # a shell reads them, and a path may have blanks
+    list(APPEND paths "'${file}'") # a shell reads them, and a path may contain blanks
   endforeach()
   string(REPLACE ";" " " path_arguments "${paths}")
   set(name ${PROJECT_NAME})

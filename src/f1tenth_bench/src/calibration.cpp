@@ -1,6 +1,6 @@
-// A fixed piece of arithmetic, of memory work and of sending messages, which tells how fast this machine is just now. Uses
-// nothing of the workspace, so that no change of the workspace changes it. Prints {"arithmetic_s": s, "memory_s": s,
-// "messages_s": s}: processor time, each the least of several runs.
+// A fixed amount of arithmetic, of memory work and of sending messages, which tells how fast this machine is just now.
+// Uses nothing of the workspace, so that no change of the workspace changes it. Prints {"arithmetic_s": s,
+// "memory_s": s, "messages_s": s}: processor time, each the least of several runs.
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
@@ -24,7 +24,7 @@ namespace
 {
 constexpr int kRuns = 5;
 
-/// Keeps the compiler from leaving out the work behind a value.
+/// Keeps the compiler from optimizing away the work behind a value.
 volatile double kept = 0.0;
 
 /// A chain of divisions and roots, in which every step waits for the one before, and a loop over floats in the first
@@ -45,9 +45,9 @@ void calculate()
   kept = x + std::accumulate(lanes.begin(), lanes.end(), 0.0F);
 }
 
-/// A walk through 256 KiB in an order that no prefetcher foresees, and copies of 256 KiB: what a simulation touches all
-/// the time. More would ask how much of a shared cache the machine's other guests leave, which differs threefold from one
-/// minute to the next and is not what the measured programs wait for.
+/// A walk through 256 KiB in an order that no prefetcher predicts, and copies of 256 KiB: what a simulation touches all
+/// the time. More would ask how much of a shared cache the machine's other guests leave, which differs threefold from
+/// one minute to the next and is not what the measured programs wait for.
 class MemoryWork
 {
 public:
@@ -90,9 +90,9 @@ int succeeded(int result, const char * what)
   return result;
 }
 
-/// Messages of the size of an odometry through TCP, to another thread and back: what nodes that talk to each other ask of
-/// the kernel. Both share a processor, so that each message costs a switch from one to the other, and always the same: on
-/// two, it depends on whether the other one sleeps.
+/// Messages of the size of an odometry through TCP, to another thread and back: what nodes that talk to each other ask
+/// of the kernel. Both share a processor, so that each message costs a switch from one to the other, and always the
+/// same: on two, it depends on whether the other one sleeps.
 class MessageWork
 {
 public:

@@ -1,6 +1,7 @@
-// Subscribes to everything that the simulator publishes about one car, and counts. When it is connected, it lets the car
-// circle, sets the paused simulator going and prints "going". When asked to end (SIGINT), it pauses the simulator, prints
-// "paused", waits until the simulator has ended and prints {"wall_seconds": s, "received": {"topic": messages, ...}}.
+// Subscribes to everything that the simulator publishes about one car, and counts. When it is connected, it lets the
+// car circle, sets the paused simulator going and prints "going". When asked to end (SIGINT), it pauses the simulator,
+// prints "paused", waits until the simulator has ended and prints {"wall_seconds": s, "received": {"topic": messages,
+// ...}}.
 //   listener NAMESPACE
 #include <gazebo_msgs/ContactsState.h>
 #include <geometry_msgs/Twist.h>
@@ -45,7 +46,7 @@ public:
     }
   }
 
-  /// Makes the car circle, sets the paused simulator going and says so.
+  /// Makes the car circle, sets the paused simulator going and prints so.
   void go()
   {
     geometry_msgs::Twist circle;

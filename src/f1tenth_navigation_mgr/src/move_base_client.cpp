@@ -47,7 +47,7 @@ void MoveBaseClient::Listen(const std::string & topic, const std::function<void(
 
 void MoveBaseClient::Connect()
 {
-  // Whatever there is goes first: a topic that this process has already is not asked for or announced anew.
+  // Existing topics go first: a topic that this process already has is not subscribed or advertised anew.
   client_.reset();
   listeners_.clear();
   goals_ahead_ = {};
@@ -57,7 +57,7 @@ void MoveBaseClient::Connect()
     last_status_ = {ros::WallTime::now(), ros::Time::now()};
   });
   Listen<move_base_msgs::MoveBaseActionResult>("result", [] {});
-  // Before the client, so that the server knows this topic when it is told the first goal.
+  // Before the client, so that the server knows this topic when it gets the first goal.
   goals_ahead_ = nh_.advertise<nav_msgs::Path>("move_base/goals_ahead", 1, true);
   client_ = std::make_unique<Client>(nh_, "move_base", &queue_);
   connected_ = ros::WallTime::now();
@@ -79,10 +79,10 @@ void MoveBaseClient::WatchConnection()
     return;
   }
   if (!gone_since_) gone_since_ = now;
-  // Two that start at the same moment may miss each other for ever: rospy can take the master's answer to a
-  // subscription, which is older, for newer than the master's update, and roscpp asks a publisher once only.
+  // Two nodes that start at the same moment may miss each other for ever: rospy can take the master's answer to a
+  // subscription, which is older, for newer than the master's update, and roscpp asks a publisher only once.
   if (!flight_ && (now - connected_).toSec() > patience_) {
-    // Growing, so that a machine on which connecting takes as long gets there, too.
+    // Growing, so that a machine on which connecting takes longer gets there, too.
     patience_ = std::min(2.0 * patience_, kMostPatience * timeouts_.reconnect);
     Connect();
   }

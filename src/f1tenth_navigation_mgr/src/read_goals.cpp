@@ -30,7 +30,7 @@ std::vector<std::string> fieldsOf(const std::string & line)
   return fields;
 }
 
-/// In quotes, with what is no printable ASCII as \xNN: a message is one line of text, whatever a file holds.
+/// In quotes, with anything but printable ASCII as \xNN: a message is one line of text, whatever a file holds.
 std::string inQuotes(const std::string & text)
 {
   constexpr const char * kDigits = "0123456789abcdef";

@@ -102,7 +102,7 @@ GoalResult MoveBaseClient::EndAsServerSays(const ros::Time & now)
 
 GoalResult MoveBaseClient::EndAsLost(const std::string & what, double seconds, const ros::Time & now)
 {
-  // Should the server come back to life, then not to drive on towards a goal that nobody watches.
+  // Should the server come back to life, it must not drive on towards a goal that nobody watches.
   flight_->handle.cancel();
   return End(GoalOutcome::kLost, lossText(ActionName(), what, seconds), now);
 }

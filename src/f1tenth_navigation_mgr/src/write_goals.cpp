@@ -34,7 +34,7 @@ void writeLine(std::ostream & text, std::initializer_list<double> numbers)
 
 void writeGoal(std::ostream & text, const Goal & goal)
 {
-  // The short form only where nothing is lost by it.
+  // The short form only if it loses nothing.
   if (PlanarGoal(goal.x, goal.y, goal.Yaw(), goal.frame_id) == goal) {
     writeLine(text, {goal.x, goal.y, goal.Yaw()});
   } else {
@@ -60,7 +60,7 @@ void expectOneFrame(const std::string & path, const Goals & goals)
   }
 }
 
-/// Numbers and frames that no goals file can hold are told as they are when it is read.
+/// Numbers and frames that no goals file can hold are reported as when a file is read.
 std::string textOf(const std::string & path, const Goals & goals)
 {
   std::stringstream text;

@@ -13,8 +13,8 @@ DoneLedger::DoneLedger(const std::vector<std::string> & names)
   }
 }
 
-// Who acts more seldom than once a period answers each repetition of the first one in the same way; an answer to a run that
-// is over comes once.
+// A participant that acts less often than once per period answers each repetition of the first one in the same way; an
+// answer to a run that is over comes once.
 bool DoneLedger::believes(const Entry & entry, const ros::Time & stamp) const
 {
   return entry.is_heard || stamp <= start_ || stamp >= kLeft || stamp == entry.doubtful;

@@ -97,8 +97,8 @@ private:
     return not_before_ > *answered_ ? not_before_ - tick : *answered_;
   }
 
-  // A subscriber that the master tells of a publisher's end closes the connection with what it has not read yet. The
-  // simulator has read the farewell when it publishes a period after one that nobody has answered for this participant.
+  // A subscriber that the master tells of a publisher's end closes the connection and loses what it has not read yet.
+  // The simulator has read the farewell when it publishes a period after one that nobody answered for this participant.
   void waitForPeriodsWithout(int count)
   {
     const ros::WallTime deadline = ros::WallTime::now() + kFarewell;
@@ -107,7 +107,7 @@ private:
     }
   }
 
-  // One that was killed is a publisher of /clock as long as the master says so, but listens no more.
+  // A killed simulator counts as a publisher of /clock as long as the master says so, but no longer listens.
   bool simulatorEnded() const { return period_ && (clock_subscriber_.getNumPublishers() == 0 || !simulator_listens_); }
 
   void noteListener(const ros::SingleSubscriberPublisher & link, bool listens)

@@ -19,7 +19,7 @@ ros::NodeHandle servedBy(ros::CallbackQueue & queue)
 }
 
 // Without a limit: what is waiting in lockstep must not be lost, and a node that was busy for a while must know all
-// transforms of that while (a tf2_ros::TransformListener keeps 100): between others they are a straight line.
+// transforms of that time (a tf2_ros::TransformListener keeps 100): missing ones are interpolated in a straight line.
 LidarInputs::LidarInputs(ros::CallbackQueue & queue, tf2::BufferCore & transforms, const OnScan & on_scan)
 : node_(servedBy(queue)),
   transforms_(transforms),

@@ -31,7 +31,7 @@ std::optional<std::vector<Vec2>> pointsOfText(const std::string & text)
     stream >> point.x;
     take(stream, ',');
     stream >> point.y;
-    is_list = take(stream, ']');  // not after what is no number
+    is_list = take(stream, ']');  // not after something that is not a number
     take(stream, ',');
   }
   is_list = is_list && take(stream, ']') && (stream >> std::ws).eof();

@@ -22,6 +22,6 @@ std::optional<std::vector<Vec2>> toPoints(XmlRpc::XmlRpcValue value);
 /// [{name: NAME, type: TYPE}, ...], each text not empty; other members are ignored.
 std::optional<std::vector<PluginName>> toPlugins(XmlRpc::XmlRpcValue value);
 
-/// As error messages show a value.
+/// A value as error messages show it.
 std::string shown(XmlRpc::XmlRpcValue value);
 }  // namespace workspace_support

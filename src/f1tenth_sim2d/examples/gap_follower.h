@@ -79,7 +79,7 @@ private:
       0.0);
   }
 
-  /// Of the gap with the greatest sum of ranges; 0 if there is none.
+  /// Direction of the gap with the greatest sum of ranges; 0 if there is none.
   double angleOfBestGap(const Scan & scan) const
   {
     double best = 0.0;

@@ -12,7 +12,7 @@ namespace
 {
 using Eigen::Vector3d;
 
-/// Of the axis: a cylinder that leans less is upright, its sides off by less than a micrometre per metre of height.
+/// A cylinder whose axis leans less is upright, its sides off by less than a micrometre per metre of height.
 constexpr double kUprightSine = 1e-6;
 constexpr double kGrid = 1e-12;  // m
 

@@ -55,7 +55,7 @@ time_t time(time_t * now) noexcept
   return exact.tv_sec;
 }
 
-// The system knows nothing of it, so deadlines are told to it in its own time.
+// The system knows nothing of the shift, so it gets deadlines in its own time.
 int pthread_cond_timedwait(pthread_cond_t * condition, pthread_mutex_t * mutex, const timespec * deadline)
 {
   static auto * const wait = original(&pthread_cond_timedwait, "pthread_cond_timedwait");

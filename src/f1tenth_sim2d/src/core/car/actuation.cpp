@@ -9,7 +9,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-// m/s; below it a car that is told to stop stands. Proportional control alone would creep for ever.
+// m/s; below it a car that is commanded to stop stands still. Proportional control alone would creep for ever.
 constexpr double kStandstill = 0.005;
 }  // namespace
 

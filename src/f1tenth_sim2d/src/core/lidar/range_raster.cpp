@@ -10,7 +10,7 @@ namespace f1tenth_sim2d
 namespace
 {
 constexpr int kFewBeams = 6;  // not worth a call
-// Of a bound, so that rounding never hides anything.
+// Tolerance of a bound, so that rounding never hides anything.
 constexpr double kSlack = 1e-6;
 
 double beamsPerRadian(const LidarDescription & lidar)

@@ -68,7 +68,7 @@ struct Model
 /// @throws LoadError if its name is taken, or for a placement frame that is not there
 void nestFrames(const Model & nested, FrameScope & frames);
 
-/// Of all links of a model, without those of nested ones, in the frame of the model.
+/// Inertia of all links of a model, without those of nested ones, in the frame of the model.
 Inertia inertiaOf(const Model & model);
 
 /// The model without nested ones: their parts are its own, called "inner::name".

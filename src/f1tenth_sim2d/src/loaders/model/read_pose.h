@@ -9,7 +9,7 @@ namespace f1tenth_sim2d
 {
 constexpr int kNewestSdfVersion = 109;
 
-/// "1.6" is 106; 0 for what is no version.
+/// "1.6" is 106; 0 for anything but a version.
 int versionIn(const std::string & text);
 
 /// Version of the SDF document that contains an element. That of SDF in a URDF is 1.7.

@@ -17,10 +17,10 @@ class UrdfExtensions
 public:
   UrdfExtensions(const Element & robot, const UrdfTree & tree, WarningCollector & warnings);
 
-  /// Without reference: of the model.
+  /// Extensions without reference: of the model.
   const std::vector<Element> & ofModel() const { return of_model_; }
 
-  /// Of a link that stays, and of those that become part of it.
+  /// Extensions of a link that stays, and of those that become part of it.
   std::vector<Element> ofLink(const UrdfLink & link) const;
 
   /// Friction and bounce that the extensions of a link give one of its collision elements.

@@ -44,7 +44,7 @@ geometry_msgs::Vector3 toVector3(const Eigen::Vector3d & vector)
   return message;
 }
 
-/// The link that a frame id means: one of that name, or with the car's name in front of it. The end if there is none.
+/// The link that a frame id means, which may have the car's name in front of it. end() if there is none.
 auto linkOf(const CarDescription & car, const std::string & frame)
 {
   const auto found = car.link_poses.find(frame);

@@ -4,7 +4,7 @@
 
 namespace f1tenth_sim2d
 {
-/// Of a wheel or a steering joint, positive in the direction of its axis.
+/// State of a wheel or a steering joint, positive in the direction of its axis.
 struct JointState
 {
   double position{0.0};  ///< rad

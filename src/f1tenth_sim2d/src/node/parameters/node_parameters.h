@@ -39,7 +39,7 @@ struct LockstepOptions
   double startup_timeout_sec{60.0};       ///< wall time, until everybody has answered once
 };
 
-/// Everything the node is told, read once.
+/// All parameters of the node, read once.
 struct NodeParameters
 {
   std::string world_file;

@@ -20,7 +20,7 @@ public:
 
   /// The topics of which more than `limit` messages wait for a subscriber.
   std::vector<std::shared_ptr<Topic>> lagging(std::size_t limit) const;
-  /// What was published and lost, by topic; also of those that have no publisher any more.
+  /// What was published and lost, by topic; also of topics that no longer have a publisher.
   const std::map<std::string, std::shared_ptr<TopicCounts>> & counts() const { return counts_; }
   /// Subscribers of all topics together.
   std::size_t subscriberCount() const;

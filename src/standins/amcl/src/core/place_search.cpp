@@ -93,7 +93,7 @@ std::vector<Place> PlaceSearch::everywhere(const Points & road, const Points & s
         places.push_back({pose, fit});
       }
     }
-    if (places.size() > 2 * kGood) {  // what does not get among the best ones any more is soon given up
+    if (places.size() > 2 * kGood) {  // what is no longer among the best is given up early
       keepBest(places, kGood);
       least = places.back().fit;
     }

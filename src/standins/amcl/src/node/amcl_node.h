@@ -59,9 +59,9 @@ private:
   /// Which transform a scan lacks.
   std::string linkOf(const sensor_msgs::LaserScan & scan) const;
   void leaveOut(const sensor_msgs::LaserScan & scan, const std::string & reason);
-  /// Of the car; time 0: the latest.
+  /// Transform of the car; time 0: the latest.
   std::optional<geometry_msgs::TransformStamped> odometryAt(const ros::Time & stamp) const;
-  /// Of a scan without odometry: whether there is later odometry, so that none for it will come.
+  /// Whether there is later odometry than a scan that has none, so that none will come for it.
   bool isHopeless(const sensor_msgs::LaserScan & scan) const;
   void handle(const sensor_msgs::LaserScan & scan, const Pose2 & odometry, const geometry_msgs::Transform & lidar);
   void tell(Outcome outcome, const Pose2 & odometry, const ros::Time & stamp);

@@ -11,7 +11,7 @@ namespace amcl
 {
 namespace
 {
-// Of the original where they are not zero: (0.5 m)^2, (0.5 m)^2, (pi/12)^2.
+// Those of the original that are not zero: (0.5 m)^2, (0.5 m)^2, (pi/12)^2.
 constexpr double kStartVariance = 0.5 * 0.5;                         // m^2
 constexpr double kStartYawVariance = (M_PI / 12.0) * (M_PI / 12.0);  // rad^2
 

@@ -31,7 +31,7 @@ public:
   virtual Pose2 pose() const = 0;
   /// Poses of the lidar at all scans that counted, as they are believed to be now.
   virtual const std::vector<Pose2> & path() const = 0;
-  /// Takes longer after a loop was closed: then the map is made anew from all scans.
+  /// Takes longer after a loop was closed: then the map is rebuilt from all scans.
   /// @throws Error for a map that is too large
   virtual OccupancyGrid map() = 0;
 };

@@ -19,7 +19,7 @@ namespace gmapping
 {
 namespace
 {
-// A reading of exactly the greatest range is none.
+// A reading of exactly the greatest range is not a hit.
 constexpr double kShortOfMaxRange = 0.01;  // m
 // Walls and beams are not as exact as thousands of beams together claim: standard deviations from one stop to the next.
 constexpr double kLeastError = 0.001;      // m
@@ -28,7 +28,7 @@ constexpr double kTurnErrorRate = 1.5e-3;  // rad per rad
 // Wheels slip alike for a while, which adds up faster than independent errors: standard deviations of odometry in the
 // graph for one of the options.
 constexpr double kSlip = 4.0;
-// Of a loop, as an earlier map is not exact either.
+// Errors of a loop, as an earlier map is not exact either.
 constexpr double kLoopError = 0.01;       // m
 constexpr double kLoopTurnError = 0.002;  // rad
 // Rebuilding the map takes a while: not for less than this.

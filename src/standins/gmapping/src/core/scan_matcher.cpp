@@ -16,7 +16,7 @@ namespace
 constexpr double kWallShare = 0.05;
 // A cell that was hit often is well known, but the neighbours count, too.
 constexpr std::uint32_t kMostHits = 50;
-// Of the pixels of a wall far ahead only the tips are seen at first, so that it seems to lie nearer than it does from
+// Only the tips of the pixels of a wall far ahead are seen at first, so that it seems to lie nearer than it does from
 // close by: what few beams have found counts less, by half with this many around an end.
 constexpr double kFewHits = 25.0;
 // Far beams may be off by more than sigma at first: the search begins with wider tolerance.

@@ -18,8 +18,8 @@ struct PoseBelief
   Eigen::Matrix3d information{Eigen::Matrix3d::Zero()};
 };
 
-/// Of the maps that scans are matched to, m, whatever the cells of the published map are: with cells of 5 cm the
-/// heading drifts twice as fast.
+/// Cell size of the maps that scans are matched to, m, whatever the cells of the published map are: with cells of 5 cm
+/// the heading drifts twice as fast.
 constexpr double kMatchingCell = 0.02;
 
 /// Matches scans to a map: where beams end near a straight wall, they pull the scan onto it, the more the
@@ -49,7 +49,7 @@ private:
     const CellMap & map, const std::vector<Vec2> & ends, const PoseBelief & expected, const Pose2 & pose,
     double sigma) const;
   std::optional<Wall> wallNear(const CellMap & map, const Vec2 & place) const;
-  /// Of the cells of walls about a cell: means of their hits, seen from a place (m).
+  /// Means of the hits of wall cells about a cell, seen from a place (m).
   Moments wallAround(const CellMap & map, const Cell & centre, const Vec2 & place) const;
   template <class Visit>
   void forEachWallCell(const CellMap & map, const Cell & centre, Visit visit) const;

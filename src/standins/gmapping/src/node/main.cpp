@@ -25,7 +25,7 @@ void handle(gmapping::SlamNode & slam, LidarInputs & inputs, const ros::Time & n
 
 void spin(gmapping::SlamNode & slam, LidarInputs & inputs, ros::CallbackQueue & queue, double period)
 {
-  // On a thread of its own: taking a scan in may last longer than the period.
+  // On a thread of its own: processing a scan may take longer than the period.
   ros::CallbackQueue timer_queue;
   ros::NodeHandle timer_node;
   timer_node.setCallbackQueue(&timer_queue);

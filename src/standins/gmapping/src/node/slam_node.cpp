@@ -163,7 +163,7 @@ void SlamNode::publishMap(const ros::Time & stamp)
   map_publisher_.publish(map_);
   metadata_publisher_.publish(map_.info);
   std_msgs::Float64 entropy;
-  // Of the weights of all hypotheses: there is only one.
+  // Entropy of the weights of all hypotheses: there is only one.
   entropy.data = 0.0;
   entropy_publisher_.publish(entropy);
 }

@@ -59,7 +59,7 @@ public:
   void forgetInputs();
 
 private:
-  /// Of the lidar; time 0: the latest.
+  /// Transform of the lidar; time 0: the latest.
   std::optional<geometry_msgs::TransformStamped> odometryAt(
     const ros::Time & stamp, const sensor_msgs::LaserScan & scan) const;
   std::string linkOf(const sensor_msgs::LaserScan & scan) const;

@@ -21,7 +21,7 @@ public:
   /// Asks at once the next time, and is patient again.
   /// @param time  s
   void startAgain(double time);
-  /// What is being planned is not wanted any more.
+  /// What is being planned is no longer wanted.
   void drop() { job_.drop(); }
 
   /// The result of planning; a plan is asked for when it is time to.

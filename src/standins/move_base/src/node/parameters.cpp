@@ -10,7 +10,7 @@ namespace move_base
 {
 namespace
 {
-// A behaviour of a list as the original reads it; nothing for one that there is none of here.
+// A behaviour of a list as the original reads it; nothing for one that does not exist here.
 std::optional<RecoveryBehavior> recoveryOf(ParameterReader & reader, const PluginName & plugin)
 {
   const std::string kind = plugin.type.substr(plugin.type.rfind('/') + 1);

@@ -85,7 +85,7 @@ void Perception::updateCostmap()
   if (!costmap_) {
     return;
   }
-  auto rest = waiting_.begin();  // of those before one with a transform, none will come any more
+  auto rest = waiting_.begin();  // scans before one with a transform will no longer get theirs
   for (auto scan = waiting_.begin(); scan != waiting_.end(); ++scan) {
     const std_msgs::Header & header = (*scan)->header;
     if (const auto sensor = lookUp(buffer_, parameters_.global_frame, header.frame_id, header.stamp)) {

@@ -39,7 +39,7 @@ SpeedLimits readLimits(ParameterReader & reader, const std::string & axis)
     readRange(reader, axis, "velocity"), readRange(reader, axis, "acceleration"), readRange(reader, axis, "jerk")};
 }
 
-/// Of the diagonal: six variances.
+/// Reads the diagonal: six variances.
 SteeringParameters::Covariance readCovariance(
   const ros::NodeHandle & node, ParameterReader & reader, const std::string & name)
 {

@@ -26,7 +26,7 @@ public:
   const std::vector<Vec2> & corners() const { return corners_; }
   static constexpr std::size_t kDiscs = 7;
   const std::array<Disc, kDiscs> & discs() const { return discs_; }
-  /// From the base frame to the nearest edge, m.
+  /// Distance from the base frame to the nearest edge, m.
   double inscribedRadius() const { return inscribed_radius_; }
   /// Half of the width, m.
   double halfWidth() const { return half_width_; }

@@ -175,7 +175,7 @@ double PathFollower::steer(const PathPosition & position, double ahead, double s
          way * (position.lateral / (reach * reach) + 2.0 * std::sin(astray) / reach);
 }
 
-// Of the path where the car will be when its yaw has followed the wheels, at the speeds at which it will drive there.
+// Curvature of the path where the car will be when its yaw has followed the wheels, at the speeds that it will drive.
 // Before a kink the wheels begin to turn so early that half of the turn is done there.
 double PathFollower::curvatureAhead(const PathPosition & position, double speed) const
 {

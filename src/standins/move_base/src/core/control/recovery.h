@@ -59,7 +59,7 @@ public:
 
   /// For a new goal.
   void startAgain(double time);
-  /// Where the car is. Recovery has helped when it gets farther than recovery itself has moved it: then it begins anew.
+  /// Where the car is. Recovery has helped when it gets farther than recovery itself has moved it: then it starts over.
   void note(const Pose2 & car, double time);
   /// Nothing before this time, s, counts as getting nowhere: the car was not able to drive.
   void countFrom(double time) { since_ = time; }

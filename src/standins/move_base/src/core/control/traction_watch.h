@@ -18,7 +18,7 @@ public:
   /// @param speed  m/s, of the car at that time, s
   void noteSpeed(double time, double speed);
 
-  /// Of the commanded acceleration, at most 1; 1 until there is something to measure.
+  /// Share of the commanded acceleration, at most 1; 1 until there is something to measure.
   double share() const { return share_; }
 
 private:

@@ -41,7 +41,7 @@ struct PlanRequest
   /// For a goal that is passed at speed: make the bends wide instead of keeping to the middle.
   std::optional<RaceLineOptions> race_line{};
   Path lead{};  ///< what leads to the start and is to stay as it is
-  /// Set by another thread when the plan is not wanted any more: the search is given up.
+  /// Set by another thread when the plan is no longer wanted: the search is given up.
   std::shared_ptr<const std::atomic<bool>> dropped{};
 };
 

@@ -35,7 +35,7 @@ public:
 
   /// Whether a worker makes the plans.
   bool isBeside() const { return static_cast<bool>(worker_); }
-  /// Whether nothing is going on, not even a plan that nobody wants any more.
+  /// Whether nothing is in progress, not even a plan that is no longer wanted.
   bool isIdle();
   /// To be called when idle.
   /// @param time  s
@@ -43,7 +43,7 @@ public:
   /// The result, once.
   /// @param time  s
   std::optional<PlanAnswer> answer(double time);
-  /// The plan is not wanted any more.
+  /// The plan is no longer wanted.
   void drop();
   /// How long a plan by a worker may take, s, judging by the last one; 0 for plans that are made at once.
   double timeNeeded() const { return isBeside() ? time_needed_ : 0.0; }

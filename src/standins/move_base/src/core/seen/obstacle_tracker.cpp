@@ -20,7 +20,7 @@ constexpr double kTrailStep = 0.1;        // s
 constexpr double kLeastWay = 0.5;         // m, of what has driven about, before it stopped: less is an error
 constexpr double kStartsMoving = 0.4;     // m/s
 constexpr double kStopsMoving = 0.2;      // m/s
-// Of a car, of which the lidar sees one or two sides only, or what sticks out on top of it.
+// Dimensions of a car, of which the lidar sees only one or two sides, or what sticks out on top.
 constexpr double kLeastLength = 0.58;  // m
 constexpr double kLeastWidth = 0.31;   // m
 constexpr double kLargestTop = 0.2;    // m, of what may be the lidar of a low car

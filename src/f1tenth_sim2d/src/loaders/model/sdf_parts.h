@@ -20,6 +20,6 @@ void readSurface(const Element & surface, Solid & solid, WarningCollector & warn
 /// A coefficient of friction; less than 0 means infinite, as in Gazebo.
 double frictionOf(const Element & element, double mu, WarningCollector & warnings);
 
-/// Warns of an inertia that no body has. Only mass and yaw inertia of what moves matter, and those are checked apart.
+/// Warns of an inertia that no body has. Only mass and yaw inertia of what moves matter; they are checked later.
 void warnOfInertia(const Element & place, const Inertia & inertia, WarningCollector & warnings);
 }  // namespace f1tenth_sim2d

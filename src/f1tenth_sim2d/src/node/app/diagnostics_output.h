@@ -20,7 +20,7 @@ namespace f1tenth_sim2d
 class DiagnosticsOutput : public MessageOutput<diagnostic_msgs::DiagnosticArray>
 {
 public:
-  /// @param control  how time is to go
+  /// @param control  the requested flow of time
   DiagnosticsOutput(
     TopicPublisher<diagnostic_msgs::DiagnosticArray> publisher, const TimeControl & control,
     std::function<std::vector<Fleet::Driver>()> drivers, FlowControl & flow);

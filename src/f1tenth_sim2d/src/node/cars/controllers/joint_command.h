@@ -34,8 +34,8 @@ DriveCommand driveCommand(
 /// Why a value makes no sense for a joint; empty if it does.
 std::string objectionTo(const JointCommand & command, double wheel_radius);
 
-/// A joint in the hands of a controller. What is asked of it is a position (rad), a velocity (rad/s) or an effort (N
-/// m), positive in the direction of its axis.
+/// A joint in the hands of a controller. It is asked for a position (rad), a velocity (rad/s) or an effort (N m),
+/// positive in the direction of its axis.
 class ControlledJoint
 {
 public:

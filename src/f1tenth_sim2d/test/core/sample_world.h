@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "f1tenth_sim2d/simulation.h"
@@ -10,6 +11,9 @@ namespace f1tenth_sim2d::test
 /// The first two cars that are added to a simulation.
 constexpr CarId kRobot1{0};
 constexpr CarId kRobot2{1};
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 inline Solid box(const std::string & name, double length, double width, double height, double x, double y, double z)
 {

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "f1tenth_sim2d/section.h"
@@ -9,8 +8,6 @@
 
 namespace f1tenth_sim2d::test
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// Range along a ray to a wall that is seen from its right side.
 double castAtSegment(const Vec2 & from, double angle, const Vec2 & a, const Vec2 & b)
 {

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 #include <vector>
 
@@ -13,8 +12,6 @@ namespace f1tenth_sim2d::test
 {
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 ModelDescription pillar(const std::string & name, bool is_static, double radius, double x, double y)
 {
   ModelDescription model = movableBox(name, 2.0 * radius, x, y);

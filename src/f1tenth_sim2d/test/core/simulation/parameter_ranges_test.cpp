@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <string>
 
 #include "f1tenth_sim2d/errors.h"
@@ -11,8 +10,6 @@ namespace f1tenth_sim2d::test
 {
 namespace
 {
-constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
-
 std::string refusalOf(const VehicleParameters & parameters)
 {
   Simulation simulation(world());

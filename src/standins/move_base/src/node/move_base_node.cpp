@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <future>
 #include <iterator>
+#include <memory>
 
 #include "conversions.h"
 
@@ -18,6 +19,9 @@ namespace move_base
 namespace
 {
 using diagnostic_msgs::DiagnosticStatus;
+
+/// s, for which a server stays after time has jumped back, so that its clients hear the end of their goal.
+constexpr double kLastWords = 0.2;
 
 template <class Message>
 ros::Subscriber subscribePromptly(ros::NodeHandle & node, const std::string & topic)
@@ -61,7 +65,7 @@ MoveBaseNode::MoveBaseNode(const MoveBaseParameters & parameters, ros::CallbackQ
   // the connections of the first one, which is this.
   prompt_goals_(subscribePromptly<move_base_msgs::MoveBaseActionGoal>(node_, "move_base/goal")),
   prompt_cancels_(subscribePromptly<actionlib_msgs::GoalID>(node_, "move_base/cancel")),
-  server_(node_, "move_base", false)
+  server_(std::make_unique<Server>(node_, "move_base", false))
 {
   simple_goal_subscriber_ = node_.subscribe("move_base_simple/goal", 1, &MoveBaseNode::relayGoal, this);
   goals_ahead_subscriber_ =
@@ -79,6 +83,7 @@ void MoveBaseNode::handleCallbacks()
 void MoveBaseNode::cycle(const ros::Time & now)
 {
   watchClock(now);
+  renewServer(now);
   if (!ready()) {
     if (server_is_up_) {
       updateGoal(now);
@@ -102,7 +107,7 @@ void MoveBaseNode::startServer()
 {
   if (!server_is_up_) {
     server_is_up_ = true;
-    server_.start();
+    server_->start();
   }
 }
 
@@ -126,7 +131,8 @@ void MoveBaseNode::watchClock(const ros::Time & now)
     ROS_WARN("Time jumped back: everything measured before is forgotten");
     perception_.startAgain();
     last_cycle_.reset();
-    if (server_.isActive()) {
+    renewal_ = now + ros::Duration(kLastWords);
+    if (server_->isActive()) {
       abort("Aborting on goal because time jumped back");
     } else if (navigator_.drives()) {
       navigator_.cancel();
@@ -136,13 +142,28 @@ void MoveBaseNode::watchClock(const ros::Time & now)
   now_ = now;
 }
 
+// actionlib refuses what is older than its last goal: after a jump back, no goal would be taken for as long as time ran
+// before.
+void MoveBaseNode::renewServer(const ros::Time & now)
+{
+  if (!renewal_ || now < *renewal_ || server_->isActive() || server_->isNewGoalAvailable()) {
+    return;
+  }
+  renewal_.reset();
+  server_.reset();
+  server_ = std::make_unique<Server>(node_, "move_base", false);
+  if (server_is_up_) {
+    server_->start();
+  }
+}
+
 void MoveBaseNode::updateGoal(const ros::Time & now)
 {
-  const auto goal = server_.isNewGoalAvailable() ? server_.acceptNewGoal() : nullptr;
-  if ((goal || server_.isActive()) && server_.isPreemptRequested()) {
+  const auto goal = server_->isNewGoalAvailable() ? server_->acceptNewGoal() : nullptr;
+  if ((goal || server_->isActive()) && server_->isPreemptRequested()) {
     navigator_.cancel();
     publishZero();
-    server_.setPreempted();
+    server_->setPreempted();
   } else if (goal) {
     accept(goal->target_pose, now);
   }
@@ -199,7 +220,7 @@ void MoveBaseNode::abort(const std::string & text)
   failure_ = text;
   navigator_.cancel();
   publishZero();
-  server_.setAborted(move_base_msgs::MoveBaseResult(), text);
+  server_->setAborted(move_base_msgs::MoveBaseResult(), text);
 }
 
 void MoveBaseNode::drive(const ros::Time & now)
@@ -248,10 +269,10 @@ void MoveBaseNode::publish(const CycleOutput & output, const CycleInput & input,
 void MoveBaseNode::report(const CycleOutput & output, const CycleInput & input, const ros::Time & now)
 {
   const auto pose = toPoseStamped(input.car.pose, headerOf(parameters_.global_frame, now));
-  if (server_.isActive()) {
+  if (server_->isActive()) {
     move_base_msgs::MoveBaseFeedback feedback;
     feedback.base_position = pose;
-    server_.publishFeedback(feedback);
+    server_->publishFeedback(feedback);
   }
   if (!output.trouble.empty()) {
     ROS_WARN_THROTTLE(1.0, "%s", output.trouble.c_str());
@@ -272,11 +293,11 @@ void MoveBaseNode::report(const CycleOutput & output, const CycleInput & input, 
 void MoveBaseNode::finish(const Outcome & outcome)
 {
   if (outcome.succeeded) {
-    server_.setSucceeded(move_base_msgs::MoveBaseResult(), outcome.text);
+    server_->setSucceeded(move_base_msgs::MoveBaseResult(), outcome.text);
   } else {
     ROS_ERROR("%s", outcome.text.c_str());
     failure_ = outcome.text;
-    server_.setAborted(move_base_msgs::MoveBaseResult(), outcome.text);
+    server_->setAborted(move_base_msgs::MoveBaseResult(), outcome.text);
   }
 }
 

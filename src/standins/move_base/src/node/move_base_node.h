@@ -7,6 +7,7 @@
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -41,6 +42,7 @@ private:
   void startServer();
   bool due(const ros::Time & now);
   void watchClock(const ros::Time & now);
+  void renewServer(const ros::Time & now);
   void updateGoal(const ros::Time & now);
   void accept(const geometry_msgs::PoseStamped & target, const ros::Time & now);
   void onGoalsAhead(const nav_msgs::Path::ConstPtr & goals);
@@ -72,8 +74,9 @@ private:
   ros::Subscriber goals_ahead_subscriber_;
   ros::Subscriber prompt_goals_;
   ros::Subscriber prompt_cancels_;
-  Server server_;
+  std::unique_ptr<Server> server_;
   bool server_is_up_{false};
+  std::optional<ros::Time> renewal_;      // when another server takes its place
   std::string failure_;                   // of the last goal
   geometry_msgs::PoseStamped target_;     // as it was sent
   nav_msgs::Path::ConstPtr goals_ahead_;  // the latest

@@ -2,6 +2,7 @@
 """The node without lockstep: it keeps to its rate while time runs, and passes goals at speed."""
 
 import sys
+import time
 import unittest
 
 import actionlib
@@ -66,6 +67,17 @@ class ContinuousTimeTest(unittest.TestCase):
         assert self.robot.pose == pytest.approx((11.0, 1.5, 0.0), abs=0.2)
         assert not self.robot.touched
 
+    def test_goals_are_taken_again_after_time_has_jumped_back(self):
+        self.reach(goal_at(4.0, 1.5))
+        self.client.send_goal(goal_at(15.0, 1.5))
+        time.sleep(1.0)  # rospy.sleep does not like what follows
+        self.robot.restart_clock()
+        assert self.client.wait_for_result(PATIENCE)
+        assert self.client.get_goal_status_text() == "Aborting on goal because time jumped back"
+        time.sleep(1.0)
+        self.robot.put(1.0, 1.5)
+        self.reach(goal_at(4.0, 1.5))
+
     def test_a_costmap_that_is_never_published_is_sent_to_a_new_subscriber(self):
         assert rospy.wait_for_message("move_base/global_costmap/costmap", OccupancyGrid, WALL_PATIENCE).data
 
@@ -76,7 +88,7 @@ class ContinuousTimeTest(unittest.TestCase):
         rospy.sleep(4.0)
         subscriber.unregister()
         self.client.cancel_goal()
-        driving = [time for time, _ in self.robot.commands]
+        driving = [stamp for stamp, _ in self.robot.commands]
         assert len(driving) / (driving[-1] - driving[0]) == pytest.approx(20.0, abs=4.0)
         assert len(status) / 4.0 == pytest.approx(5.0, abs=1.5)
 

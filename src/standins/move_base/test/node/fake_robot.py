@@ -133,6 +133,12 @@ class FakeRobot:
             self._track.clear()
             self._command = Twist()
 
+    def restart_clock(self):
+        """Let simulated time begin again, as Gazebo's reset_simulation does."""
+        with self._period:
+            self._time = rospy.Time(0)
+            self._sent.clear()
+
     def speed_nearest_to(self, x, y):
         """With which it passed a place, m/s."""
         return min(self._track, key=lambda at: math.hypot(at[0] - x, at[1] - y))[2]

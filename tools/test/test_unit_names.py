@@ -51,12 +51,12 @@ constexpr double kShared = 1.0;
 
 
 @pytest.mark.parametrize("package", sorted({path.parent for path in (ROOT / "src").rglob("package.xml")}))
-def test_units_of_a_library_share_no_name(package):
+def test_units_of_a_library_or_a_test_share_no_name(package):
     where = defaultdict(lambda: defaultdict(set))
     for path in tracked_files(package):
         parts = path.relative_to(package).parts
-        if path.suffix == ".cpp" and parts[0] == "src":
+        if path.suffix == ".cpp" and parts[0] in ("src", "test"):
             for name in names_of_its_own(path.read_text(encoding="utf-8")):
-                where[parts[1]][name].add("/".join(parts))
+                where[parts[:2]][name].add("/".join(parts))
     every = [(name, sorted(files)) for names in where.values() for name, files in names.items()]
     assert [(name, files) for name, files in every if len(files) > 1] == []

@@ -46,6 +46,9 @@ std::string inQuotes(const std::string & text)
   return shown + '"';
 }
 
+/// What editors on Windows write before UTF-8.
+constexpr char kByteOrderMark[] = "\xEF\xBB\xBF";
+
 /// Reads one file line by line; every error names the line that is being read.
 class Reader
 {
@@ -58,7 +61,7 @@ public:
   Goals read(std::istream & text)
   {
     for (std::string line; std::getline(text, line);) {
-      ++line_;
+      if (++line_ == 1 && line.rfind(kByteOrderMark, 0) == 0) line.erase(0, std::strlen(kByteOrderMark));
       const auto fields = fieldsOf(line);
       if (!fields.empty()) readLine(fields);
     }

@@ -96,6 +96,15 @@ TEST_F(GoalsFile, SkipsCommentsBlankLinesAndCarriageReturns)
   EXPECT_EQ(goals[1].x, 7.0);
 }
 
+TEST_F(GoalsFile, SkipsAByteOrderMark)
+{
+  EXPECT_EQ(
+    read("\xEF\xBB\xBF"
+         "frame_id: map\n1 2 0\n")
+      .size(),
+    1U);
+}
+
 TEST_F(GoalsFile, KeepsTheOrderOfTheFile)
 {
   const auto goals = read("3 0 0\n1 0 0\n2 0 0\n");

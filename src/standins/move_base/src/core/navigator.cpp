@@ -9,6 +9,7 @@ namespace move_base
 namespace
 {
 constexpr double kStopTime = 1.0;       // s, for which a car that has been stopped is commanded to stop
+constexpr double kStartTime = 1.0;      // s, within which a car moves that is told to
 constexpr double kLongestPeriod = 0.2;  // s, assumed for a step after a pause
 }  // namespace
 
@@ -213,7 +214,12 @@ void Navigator::control(const CycleInput & input, Costmap & costmap, CycleOutput
   if (step.stuck) {
     output.trouble = "Something stands in the car's way.";
   }
-  if (!step.lost && !step.stuck) {
+  // Something that the lidar does not see may hold it.
+  const bool is_held = input.car.stands() && step.command.speed != 0.0;
+  if (is_held && input.time > last_valid_control_ + kStartTime) {
+    output.trouble = "The car does not move though it is told to.";
+  }
+  if (!step.lost && !step.stuck && !is_held) {
     last_valid_control_ = input.time;
   }
   if (const std::optional<Trigger> trigger = whyRecover(input.time)) {

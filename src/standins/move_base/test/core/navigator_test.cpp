@@ -209,6 +209,29 @@ TEST(Navigator, abortsWithoutControlWhereTheFollowerSeesNoWay)
   EXPECT_EQ(journey.recoveries, kAllRecoveries);
 }
 
+TEST(Navigator, abortsWithoutControlOfACarThatDoesNotMove)
+{
+  Journey journey(racingNavigator(), makeCostmap(drawOval()), onOval(0.0));
+  journey.wheels_grip = false;
+  journey.navigator.setGoal(onOval(6.0), journey.time);
+  EXPECT_EQ(
+    journey.untilOutcome(30.0).text, "Failed to find a valid control. Even after executing recovery behaviors.");
+  EXPECT_EQ(journey.recoveries, kAllRecoveries);
+}
+
+TEST(Navigator, saysThatTheCarDoesNotMoveThoughItIsToldTo)
+{
+  Journey journey(racingNavigator(), makeCostmap(drawOval()), onOval(0.0));
+  journey.wheels_grip = false;
+  journey.navigator.setGoal(onOval(6.0), journey.time);
+  const double end = journey.time + 1.5;
+  std::string trouble;
+  while (journey.time < end) {
+    trouble = journey.cycle().trouble;
+  }
+  EXPECT_EQ(trouble, "The car does not move though it is told to.");
+}
+
 TEST(Navigator, abortsWhenTheCarDoesNotGetAnywhere)
 {
   NavigatorOptions options = racingNavigator();

@@ -1,4 +1,4 @@
-#include "../src/faulty_inputs/faulty_line.h"
+#include "../../src/faulty_inputs/faulty_line.h"
 
 #include <gtest/gtest.h>
 

@@ -124,7 +124,8 @@ def test_ends_when_told_to_while_it_waits_for_a_master(number):
     # Port 1: nobody listens there.
     environment = {**os.environ, "ROS_MASTER_URI": "http://localhost:1"}
     pipe = subprocess.PIPE
-    node = subprocess.Popen([sys.executable, SCRIPT], env=environment, stdout=pipe, stderr=pipe, text=True)
+    command = [sys.executable, "-u", SCRIPT]  # what rospy prints comes at once
+    node = subprocess.Popen(command, env=environment, stdout=pipe, stderr=pipe, text=True)
     assert "master may not be running" in node.stdout.readline()
     node.send_signal(number)
     _, errors = node.communicate(timeout=LIMIT)

@@ -214,8 +214,8 @@ void Navigator::control(const CycleInput & input, Costmap & costmap, CycleOutput
   if (step.stuck) {
     output.trouble = "Something stands in the car's way.";
   }
-  // Something that the lidar does not see may hold it.
-  const bool is_held = input.car.stands() && step.command.speed != 0.0;
+  // Something that the lidar does not see may hold it; where oscillation is watched for, that finds it.
+  const bool is_held = options_.oscillation_timeout == 0.0 && input.car.stands() && step.command.speed != 0.0;
   if (is_held && input.time > last_valid_control_ + kStartTime) {
     output.trouble = "The car does not move though it is told to.";
   }

@@ -5,7 +5,9 @@ import sys
 
 import rospkg
 
-sys.path.insert(0, str(pathlib.Path(rospkg.RosPack().get_path("f1tenth_sim2d")) / "test" / "node" / "process"))
+sys.path.insert(
+    0, str(pathlib.Path(rospkg.RosPack().get_path("f1tenth_sim2d")) / "test" / "node" / "process")
+)
 
 from sim2d_process import Collector, Driver, Sim2d, Stepper, car_description  # noqa: E402
 

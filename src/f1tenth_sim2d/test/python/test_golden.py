@@ -85,6 +85,10 @@ def test_ten_runs_on_a_busy_machine_are_the_golden_one():
     assert runs() == {GOLDEN["circuit1"]}
 
 
+def test_every_circuit_has_a_golden_trajectory():
+    assert sorted(GOLDEN) == sorted(path.stem for path in WORLDS.glob("circuit*.world"))
+
+
 def test_trajectory_does_not_depend_on_the_c_library_s_choice_of_functions():
     """Without AVX2 and FMA the C library takes other sines and arc tangents."""
     text = f"import sys; sys.path.insert(0, {str(Path(__file__).parent)!r}); import test_golden as t; "

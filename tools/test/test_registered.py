@@ -6,7 +6,6 @@ from pathlib import PurePosixPath
 import pytest
 from package_edges import packages, tracked_files
 
-_PYTEST = r"(?<!function\()workspace_add_pytest\("
 _DEFAULTS = ("test/test_*.py", "test/*/test_*.py")
 
 
@@ -28,7 +27,7 @@ def is_run(path, listings):
         if folder not in path.parents:
             continue
         patterns = re.findall(r"[\w./*-]*\*[\w./*-]*", text)
-        if re.search(rf"{_PYTEST}(\)|EXCLUDE)", text):
+        if re.search(r"workspace_add_pytest\((\)|EXCLUDE)", text):
             patterns += _DEFAULTS
         relative = path.relative_to(folder)
         if re.search(rf"\b{path.stem}\b", text) or any(fits(relative, pattern) for pattern in patterns):

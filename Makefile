@@ -2,7 +2,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-COMMANDS := help setup installed configure build race report test sanitize tsan coverage mutants coremutants lint tidy format bench fuzz wheel clean
+COMMANDS := help setup installed configure build race report test sanitize tsan coverage lint tidy format bench fuzz wheel clean
 .PHONY: $(COMMANDS)
 
 ifneq ($(words $(CURDIR)),1)
@@ -109,12 +109,6 @@ tsan: setup ## the simulator's node and Python module under ThreadSanitizer
 
 coverage: setup ## which lines the tests run: results/coverage/
 	@tools/coverage $(BUILD_DIR)/coverage
-
-mutants: build ## wrong changes to the Python parts that tests must notice: make mutants OF=race_mgr
-	@$(IN_WORKSPACE) exec tools/mutants $(BUILD_DIR) $(OF) $(addprefix --table ,$(TABLE))
-
-coremutants: setup ## the same of the C++ parts: make coremutants OF="core lockstep"
-	@exec tools/core_mutants $(BUILD_DIR) $(OF) $(addprefix --table ,$(TABLE))
 
 lint: setup ## check format, style and types of all files
 	@pre-commit run --all-files --show-diff-on-failure

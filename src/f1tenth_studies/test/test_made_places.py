@@ -93,11 +93,11 @@ def test_a_folder_for_places_that_cannot_be_made_is_bad_input(tmp_path, capsys):
     assert f"study: {tmp_path}/places/roads: cannot be made: " in capsys.readouterr().err
 
 
-def test_five_roads_never_seen_are_driven(tmp_path, capsys):
-    arguments = ["roads", "--vary", "road=3,11,18,24,20031", "--results", str(tmp_path)]
+def test_roads_never_seen_are_driven(tmp_path, capsys):
+    arguments = ["roads", "--vary", "road=3,11", "--results", str(tmp_path)]
     assert cli.study_main(arguments) == cli.PASSED
     rows = [line.split(" | ") for line in capsys.readouterr().out.splitlines() if line.startswith("| ")][2:]
-    assert sum(int(row[3]) for row in rows) == 10
+    assert sum(int(row[3]) for row in rows) == 4
     assert {row[8].strip(" |") for row in rows} == {"0"}
 
 
@@ -149,10 +149,10 @@ def test_encounters_on_tracks_that_are_not_there_are_bad_input(tmp_path, monkeyp
 
 def test_others_are_met_without_a_touch(tmp_path, monkeypatch, capsys):
     monkeypatch.delenv("F1TENTH_DATA", raising=False)
-    arguments = ["encounters", "--vary", "encounter=1,3", "--results", str(tmp_path)]
+    arguments = ["encounters", "--vary", "encounter=1", "--results", str(tmp_path)]
     assert cli.study_main(arguments) == cli.PASSED
     rows = [line.split(" | ") for line in capsys.readouterr().out.splitlines() if line.startswith("| ")][2:]
-    assert [(row[4], row[7].strip(" |")) for row in rows] == [("success", "0")] * 2
+    assert [(row[4], row[7].strip(" |")) for row in rows] == [("success", "0")]
 
 
 def test_an_encounter_of_no_seed_is_bad_input(data, tmp_path, capsys):

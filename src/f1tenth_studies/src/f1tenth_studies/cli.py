@@ -22,7 +22,7 @@ from f1tenth_studies.optimum.car_limits import CLEARANCE, read_limits
 from f1tenth_studies.optimum.fastest_lap import FastestLap, compute_fastest_lap, write_raceline
 from f1tenth_studies.optimum.track import load_track
 from f1tenth_studies.study import Run, Study, place_of
-from f1tenth_studies.table import document, publish
+from f1tenth_studies.table import document
 
 PACKAGE = "f1tenth_studies"
 STUDIES = sorted(each.name for each in pkgutil.iter_modules(studies.__path__))
@@ -38,9 +38,7 @@ def study_main(arguments: Optional[Sequence[str]] = None) -> int:
     parser.add_argument(
         "--set", action="append", default=[], metavar="KEY=VALUE", help="the same in all runs"
     )
-    parser.add_argument(
-        "--table", type=Path, metavar="FILE", help="write the table there, too; what is below it stays"
-    )
+    parser.add_argument("--table", type=Path, metavar="FILE", help="write the table there, too")
     parser.add_argument("--results", type=Path, metavar="FOLDER", help="default: results of the workspace")
     parser.add_argument("--jobs", type=int, metavar="N", help="runs at a time; default: one per core")
     return _guarded(parser.prog, _study, parser.parse_args(arguments))
@@ -88,7 +86,7 @@ def _study(options) -> int:
     runs = _runs(sweep, study)
     whole = [run for run in runs if not run.broke_down]
     if whole:
-        publish(document(study, whole, _command(options)), options.table)
+        _publish(document(study, whole, _command(options)), options.table)
     return _say(options.name, study, runs, sweep)
 
 
@@ -99,6 +97,12 @@ def _runs(sweep: Sweep, study: Study) -> list[Run]:
             values = dict(each.split("=", 1) for each in job.settings)
             found.append(Run(study.about(values), sweep.results[job], job.folder))
     return found
+
+
+def _publish(text: str, path: Optional[Path]) -> None:
+    print(text)
+    if path:
+        write_text(path, text)
 
 
 def _say(name: str, study: Study, runs: Sequence[Run], sweep: Sweep) -> int:

@@ -40,18 +40,6 @@ def expect_folder_of(path: Optional[Path], option: str) -> None:
         raise ScenarioError(f"{option} {path}: there is no such folder")
 
 
-def text_of(path: Path) -> str:
-    """What is in a file; empty if it is not there.
-
-    Raises:
-        ScenarioError: it cannot be read.
-    """
-    try:
-        return path.read_text(encoding="utf-8") if path.is_file() else ""
-    except (OSError, UnicodeDecodeError) as error:
-        raise ScenarioError(f"{path}: cannot be read: {error}") from error
-
-
 def write_text(path: Path, text: str) -> None:
     """Write a file, whole or not at all.
 

@@ -3,13 +3,12 @@
 import datetime
 import os
 import platform
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, Optional
+from typing import Any
 
 from f1tenth_scenarios.versions import commits
 
-from f1tenth_studies.files import text_of, write_text
 from f1tenth_studies.study import Run, Study
 
 
@@ -18,11 +17,10 @@ def document(study: Study, runs: Sequence[Run], command: str) -> str:
     return f"# {study.title}\n\n{study.text.strip()}\n\n{made_by(command)}\n{table(study, runs)}"
 
 
-def made_by(command: str, remark: str = "") -> str:
-    """When and where a document was made, and by what; a remark is about where."""
-    where = f"{machine()}{remark}"
+def made_by(command: str) -> str:
+    """When and where a document was made, and by what."""
     commit = commits({})["commit"]
-    return f"Made on {datetime.date.today()} at commit {commit} on {where} by\n\n    {command}\n"
+    return f"Made on {datetime.date.today()} at commit {commit} on {machine()} by\n\n    {command}\n"
 
 
 def table(study: Study, runs: Sequence[Run]) -> str:
@@ -34,29 +32,7 @@ def table(study: Study, runs: Sequence[Run]) -> str:
     lines = [heads, ["---"] * len(heads)]
     for values, group in groups.items():
         lines.append([*values, *(_text(each.value(group), each.digits) for each in study.columns)])
-    return lines_of_table(lines)
-
-
-def lines_of_table(lines: Iterable[Sequence[str]]) -> str:
-    """A table in Markdown: its heads, the line below them, and its rows."""
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
-
-
-def publish(text: str, path: Optional[Path]) -> None:
-    """Print a document, and write it to a file; what follows the table there stays.
-
-    Raises:
-        ScenarioError: the file cannot be read or written.
-    """
-    print(text)
-    if path:
-        write_text(path, text + remarks(text_of(path)))
-
-
-def remarks(text: str) -> str:
-    """What follows the table of a document: remarks that people have written."""
-    before, last, after = text.rpartition("|\n")
-    return after if before and last else ""
 
 
 def machine() -> str:

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 #include <workspace_support/errors.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "rooms.h"
 
@@ -37,6 +40,39 @@ Pose2 driveWithDrift(GridSlam & slam)
     }
   }
   return counted;
+}
+
+// Where the scans that counted were, and where odometry said so.
+struct Driven
+{
+  std::vector<Pose2> truth;
+  std::vector<Pose2> odometry;
+};
+
+// Three laps of a circle in the room while odometry turns away.
+Driven driveInACircle(GridSlam & slam)
+{
+  Driven counted;
+  Pose2 truth{1.0, -1.5, 0.0};
+  Pose2 odometry = truth;
+  for (int i = 0; i < 140; ++i) {
+    if (slam.process(scanInRoom(truth, 361), odometry, 0.025 * i)) {
+      counted.truth.push_back(truth);
+      counted.odometry.push_back(odometry);
+    }
+    truth = compose(truth, {0.2, 0.0, 0.2 / 1.5});
+    odometry = compose(odometry, {0.2, 0.0, 0.2 / 1.5 + 0.0004});
+  }
+  return counted;
+}
+
+double greatestError(const std::vector<Pose2> & path, const std::vector<Pose2> & truth)
+{
+  double greatest = 0.0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    greatest = std::max(greatest, std::hypot(path[i].x - truth[i].x, path[i].y - truth[i].y));
+  }
+  return greatest;
 }
 
 std::int8_t cellAt(const OccupancyGrid & map, double x, double y)
@@ -162,6 +198,18 @@ TEST(GridSlam, ScanThatMatchesBadlyLeavesThePoseToOdometry)
   slam->process(scanInRoom({0.3, 0.1, 0.0}), {0.3, 0.0, 0.0}, 0.1);
   EXPECT_DOUBLE_EQ(slam->pose().x, 0.3);
   EXPECT_DOUBLE_EQ(slam->pose().y, 0.0);
+}
+
+TEST(GridSlam, ClosedLoopTakesTheDriftOfOdometryBackFromAllPoses)
+{
+  SlamOptions options = smallMap();
+  options.matcher.minimum_score = 1e6;  // only odometry and loops count
+  const auto slam = GridSlam::make(options);
+  const Driven driven = driveInACircle(*slam);
+  EXPECT_GT(greatestError(driven.odometry, driven.truth), 0.08);
+  ASSERT_EQ(slam->path().size(), driven.truth.size());
+  EXPECT_LT(greatestError(slam->path(), driven.truth), 0.05);
+  EXPECT_EQ(cellAt(slam->map(), 5.02, 0.01), 100);
 }
 }  // namespace
 }  // namespace gmapping

@@ -1,1 +1,0 @@
-"""Drives by the driver of `create_map.launch`, without ROS: what lidar and wheels measure on the way."""

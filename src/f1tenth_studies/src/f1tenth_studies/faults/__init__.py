@@ -1,1 +1,0 @@
-"""What breaks in a run, and how the run reacts: the command `faults`."""

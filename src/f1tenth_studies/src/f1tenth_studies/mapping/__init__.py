@@ -1,1 +1,0 @@
-"""Drives by the driver of `create_map.launch`, and how good their maps are."""

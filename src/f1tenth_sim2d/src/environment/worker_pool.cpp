@@ -1,105 +1,62 @@
 #include "environment/worker_pool.h"
 
-#include <chrono>
-#include <utility>
+#include <atomic>
+#include <exception>
+#include <memory>
+#include <thread>
+#include <vector>
 
 namespace f1tenth_sim2d
 {
 namespace
 {
-/// Steps follow each other closely, and waking a thread costs up to 0.1 ms on virtual processors.
-constexpr std::chrono::microseconds kAwake{200};
-
-/// Busy-waits for a condition, but not for long.
-template <typename Condition>
-void watch(const Condition & condition)
+/// One call of run. A worker that comes late finds no task left; the round is gone when the last one has looked.
+class Round
 {
-  const auto end = std::chrono::steady_clock::now() + kAwake;
-  while (!condition() && std::chrono::steady_clock::now() < end) {
-    std::this_thread::yield();  // To others that have work.
-  }
-}
-}  // namespace
-
-WorkerPool::WorkerPool(std::size_t threads)
-{
-  for (std::size_t i = 1; i < threads; ++i) {
-    workers_.emplace_back([this] { work(); });
-  }
-}
-
-WorkerPool::~WorkerPool()
-{
+public:
+  Round(std::size_t count, const std::function<void(std::size_t)> & task) : task_(task), left_(count), failures_(count)
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    stop_ = true;
   }
-  begins_.notify_all();
-  for (std::thread & worker : workers_) {
-    worker.join();
+
+  void takeTasks()
+  {
+    for (std::size_t index = next_++; index < failures_.size(); index = next_++) {
+      try {
+        task_(index);
+      } catch (...) {
+        failures_[index] = std::current_exception();
+      }
+      --left_;
+    }
   }
-}
+
+  void finish() const
+  {
+    while (left_ > 0) {
+      std::this_thread::yield();  // To others that have work: at most one task each.
+    }
+    for (const std::exception_ptr & failure : failures_) {
+      if (failure) {
+        std::rethrow_exception(failure);
+      }
+    }
+  }
+
+private:
+  const std::function<void(std::size_t)> & task_;
+  std::atomic<std::size_t> next_{0};
+  std::atomic<std::size_t> left_;
+  std::vector<std::exception_ptr> failures_;
+};
+}  // namespace
 
 void WorkerPool::run(std::size_t count, const std::function<void(std::size_t)> & task)
 {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    task_ = &task;
-    count_ = count;
-    next_ = 0;
-    failure_ = nullptr;
-    busy_ = workers_.size();
-    ++round_;
+  const auto round = std::make_shared<Round>(count, task);
+  for (int worker = 0; worker < pool_.NumThreads(); ++worker) {
+    pool_.Schedule([round] { round->takeTasks(); });
   }
-  begins_.notify_all();
-  takeTasks();
-  const auto is_over = [this] { return busy_ == 0; };
-  watch(is_over);
-  std::unique_lock<std::mutex> lock(mutex_);
-  ends_.wait(lock, is_over);
-  if (failure_) {
-    std::rethrow_exception(std::exchange(failure_, nullptr));
-  }
-}
-
-void WorkerPool::work()
-{
-  std::size_t done = 0;
-  const auto has_work = [&] { return stop_ || round_ != done; };
-  while (true) {
-    watch(has_work);
-    std::unique_lock<std::mutex> lock(mutex_);
-    begins_.wait(lock, has_work);
-    if (stop_) {
-      return;
-    }
-    done = round_;
-    lock.unlock();
-    takeTasks();
-    lock.lock();
-    if (--busy_ == 0) {
-      ends_.notify_one();
-    }
-  }
-}
-
-void WorkerPool::takeTasks()
-{
-  for (std::size_t index = next_++; index < count_; index = next_++) {
-    try {
-      (*task_)(index);
-    } catch (...) {
-      keep(index, std::current_exception());
-    }
-  }
-}
-
-void WorkerPool::keep(std::size_t index, std::exception_ptr failure)
-{
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!failure_ || index < failed_) {
-    failed_ = index;
-    failure_ = std::move(failure);
-  }
+  round->takeTasks();
+  round->finish();
 }
 }  // namespace f1tenth_sim2d

@@ -57,26 +57,24 @@ ConvexBody prism(const ConvexPolygon & base, double z_min, double z_max, const P
   return body;
 }
 
-ConvexPolygon cut(const ConvexBody & body, double z)
+std::vector<Vec2> cutPoints(const ConvexBody & body, double z)
 {
-  if (!heightsOf(body).contain(z)) {
-    return {};
-  }
   std::vector<Vec2> points;
-  appendCornersBetween(body, z - kTolerance, z + kTolerance, points);
-  appendCrossings(body, z, points);
-  return convexHull(points);
+  if (heightsOf(body).contain(z)) {
+    appendCornersBetween(body, z - kTolerance, z + kTolerance, points);
+    appendCrossings(body, z, points);
+  }
+  return points;
 }
 
-ConvexPolygon shadow(const ConvexBody & body, double z_min, double z_max)
+std::vector<Vec2> shadowPoints(const ConvexBody & body, double z_min, double z_max)
 {
-  if (!heightsOf(body).overlap(z_min, z_max)) {
-    return {};
-  }
   std::vector<Vec2> points;
-  appendCornersBetween(body, z_min, z_max, points);
-  appendCrossings(body, z_min, points);
-  appendCrossings(body, z_max, points);
-  return convexHull(points);
+  if (heightsOf(body).overlap(z_min, z_max)) {
+    appendCornersBetween(body, z_min, z_max, points);
+    appendCrossings(body, z_min, points);
+    appendCrossings(body, z_max, points);
+  }
+  return points;
 }
 }  // namespace f1tenth_sim2d

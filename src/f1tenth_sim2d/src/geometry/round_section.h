@@ -3,7 +3,7 @@
 #include "f1tenth_sim2d/section.h"
 
 /// Sections and footprints of solids with round sides. Curves that are not circles become polygons whose corners
-/// lie on the curve and whose edges are within kCurveTolerance of it.
+/// lie on the curve and whose edges are within kCurveTolerance of it; a cylinder that leans, a prism over such a polygon.
 namespace f1tenth_sim2d
 {
 constexpr double kCurveTolerance = 5e-5;  ///< m

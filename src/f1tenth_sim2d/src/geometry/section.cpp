@@ -44,13 +44,13 @@ ConvexBody body(const Box & box, const Pose3 & pose)
   return prism({{-x, -y}, {x, -y}, {x, y}, {-x, y}}, -z, z, pose);
 }
 
-/// Applies cut or shadow to each convex piece of an extruded area.
-template <typename Operation>
-Section ofPieces(const Polyline & polyline, const Pose3 & pose, Operation operation)
+/// @param points  cutPoints or shadowPoints of a convex piece of the extruded area
+template <typename Points>
+Section ofPieces(const Polyline & polyline, const Pose3 & pose, Points points)
 {
   Section section;
   for (const ConvexPolygon & base : polyline.pieces) {
-    if (ConvexPolygon piece = operation(prism(base, 0.0, polyline.height, pose)); !piece.empty()) {
+    if (ConvexPolygon piece = convexHull(points(prism(base, 0.0, polyline.height, pose))); !piece.empty()) {
       section.outlines.push_back(std::move(piece));
     }
   }
@@ -67,7 +67,7 @@ struct CutAt
   const Pose3 & pose;
   double z;
 
-  Section operator()(const Box & box) const { return ofPolygon(cut(body(box, pose), z)); }
+  Section operator()(const Box & box) const { return ofPolygon(convexHull(cutPoints(body(box, pose), z))); }
   Section operator()(const Cylinder & cylinder) const { return cut(cylinder, pose, z); }
   Section operator()(const Sphere & sphere) const { return cut(sphere, pose, z); }
   Section operator()(const Capsule & capsule) const { return cut(capsule, pose, z); }
@@ -77,7 +77,7 @@ struct CutAt
     if (isUpright(pose)) {  // in one piece: a cut has no seams where the solid has none
       return uprightHeights(polyline, pose).contain(z) ? Section{moved(polyline.outlines, pose), {}} : Section{};
     }
-    return ofPieces(polyline, pose, [this](const ConvexBody & piece) { return cut(piece, z); });
+    return ofPieces(polyline, pose, [this](const ConvexBody & piece) { return cutPoints(piece, z); });
   }
   Section operator()(const Plane &) const { return {}; }
   Section operator()(const Mesh & mesh) const { return cut(*mesh.surface, pose, z); }
@@ -89,7 +89,10 @@ struct ShadowBetween
   double z_min;
   double z_max;
 
-  Section operator()(const Box & box) const { return ofPolygon(shadow(body(box, pose), z_min, z_max)); }
+  Section operator()(const Box & box) const
+  {
+    return ofPolygon(convexHull(shadowPoints(body(box, pose), z_min, z_max)));
+  }
   Section operator()(const Cylinder & cylinder) const { return shadow(cylinder, pose, z_min, z_max); }
   Section operator()(const Sphere & sphere) const { return shadow(sphere, pose, z_min, z_max); }
   Section operator()(const Capsule & capsule) const { return shadow(capsule, pose, z_min, z_max); }
@@ -100,7 +103,7 @@ struct ShadowBetween
       return uprightHeights(polyline, pose).overlap(z_min, z_max) ? Section{moved(polyline.pieces, pose), {}}
                                                                   : Section{};
     }
-    return ofPieces(polyline, pose, [this](const ConvexBody & piece) { return shadow(piece, z_min, z_max); });
+    return ofPieces(polyline, pose, [this](const ConvexBody & piece) { return shadowPoints(piece, z_min, z_max); });
   }
   Section operator()(const Plane &) const { return {}; }
   Section operator()(const Mesh & mesh) const { return shadow(*mesh.surface, pose, z_min, z_max); }

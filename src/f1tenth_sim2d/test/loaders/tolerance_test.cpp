@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <csignal>
 
 #include "f1tenth_sim2d/loaders.h"
 #include "f1tenth_sim2d/section.h"
@@ -262,41 +261,35 @@ TEST_F(Tolerance, ReadsMeshesWithPicturesThatHaveNoPath)
   EXPECT_EQ(std::get<Mesh>(world.models.at(0).solids.at(0).shape).surface->triangles.size(), 4u);
 }
 
-std::string errorOfChild(const std::function<std::string()> & work)
+std::string errorOfShell(const std::string & script)
 {
   try {
-    return resultOfChild(work);
+    return outputOf({"/bin/sh", "-c", script});
   } catch (const Error & error) {
     return error.what();
   }
 }
 
-TEST(ResultOfChild, IsWhatItsWorkReturns)
+TEST(OutputOf, IsWhatTheProgramWritesToItsDescriptor)
 {
-  const std::string large(1000000, 'x');
-  EXPECT_EQ(resultOfChild([&large] { return large; }), large);
+  EXPECT_EQ(outputOf({"/bin/sh", "-c", "echo chatter; echo noise >&2; printf x >&3"}), "x");
+  EXPECT_EQ(outputOf({"/bin/sh", "-c", "head -c 1000000 /dev/zero >&3"}).size(), 1000000u);
 }
 
-TEST(ResultOfChild, IsAnErrorWhateverItsWorkBreaks)
+TEST(OutputOf, IsAnErrorHoweverTheProgramFails)
 {
-  EXPECT_EQ(errorOfChild([]() -> std::string { throw Error("no such thing"); }), "no such thing");
-  EXPECT_EQ(errorOfChild([]() -> std::string { std::abort(); }), "crashes what reads it (Aborted)");
-  EXPECT_EQ(errorOfChild([]() -> std::string { std::_Exit(0); }), "cannot be read");
-}
-
-std::string errorOfChildThatGets(int signal)
-{
-  return errorOfChild([signal]() -> std::string {
-    std::raise(signal);
-    return "";
-  });
-}
-
-TEST(ResultOfChild, SaysWhatItsWorkTookTooMuchOf)
-{
-  EXPECT_EQ(errorOfChildThatGets(SIGXCPU), "takes longer than 60 s of the processor's time to read");
-  EXPECT_EQ(errorOfChildThatGets(SIGALRM), "takes longer than 600 s to read");
-  EXPECT_EQ(errorOfChildThatGets(SIGKILL), "what reads it is killed, as when memory runs out");
+  EXPECT_EQ(errorOfShell("printf 'no such thing' >&3; exit 1"), "no such thing");
+  EXPECT_EQ(errorOfShell("exit 1"), "cannot be read");
+  EXPECT_EQ(errorOfShell("kill -ABRT $$"), "crashes what reads it (Aborted)");
+  EXPECT_EQ(errorOfShell("kill -XCPU $$"), "takes longer than 60 s of the processor's time to read");
+  EXPECT_EQ(errorOfShell("kill -ALRM $$"), "takes longer than 600 s to read");
+  EXPECT_EQ(errorOfShell("kill -KILL $$"), "what reads it is killed, as when memory runs out");
+  try {
+    outputOf({"/nowhere/reader"});
+    FAIL() << "nothing thrown";
+  } catch (const Error & error) {
+    EXPECT_STREQ(error.what(), "cannot be read: /nowhere/reader cannot be started: No such file or directory");
+  }
 }
 }  // namespace
 }  // namespace f1tenth_sim2d

@@ -1,7 +1,7 @@
 #include "loaders/shapes/child_process.h"
 
 #include <fcntl.h>
-#include <sys/resource.h>
+#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <utility>
 
 #include "f1tenth_sim2d/errors.h"
 
@@ -16,23 +17,75 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-constexpr rlim_t kCpuSecondsMax = 60;
-// A child of a process with threads may find a lock held for ever; a limit of wall time ends it all the same.
-constexpr unsigned kWallSecondsMax = 600;
-// What the child sends is one of these, then the result or the message.
-constexpr char kDone = 'd';
-constexpr char kThrown = 't';
-
-void writeAll(int to, const std::string & bytes)
+[[noreturn]] void failToStart(const std::string & program, int error)
 {
-  for (std::size_t sent = 0; sent < bytes.size();) {
-    const ssize_t count = ::write(to, bytes.data() + sent, bytes.size() - sent);
-    if (count < 0 && errno != EINTR) {
-      return;
-    }
-    sent += count > 0 ? static_cast<std::size_t>(count) : 0;
-  }
+  throw Error("cannot be read: " + program + " cannot be started: " + std::strerror(error));
 }
+
+/// What a program starts with: signals as by default, output to a pipe, nothing else.
+class Start
+{
+public:
+  explicit Start(int output)
+  {
+    posix_spawn_file_actions_init(&files_);
+    posix_spawn_file_actions_adddup2(&files_, output, kOutputDescriptor);
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+      posix_spawn_file_actions_addopen(&files_, descriptor, "/dev/null", O_RDWR, 0);
+    }
+    posix_spawn_file_actions_addclosefrom_np(&files_, kOutputDescriptor + 1);
+    posix_spawnattr_init(&attributes_);
+    sigset_t signals;
+    sigemptyset(&signals);
+    posix_spawnattr_setsigmask(&attributes_, &signals);
+    sigfillset(&signals);
+    posix_spawnattr_setsigdefault(&attributes_, &signals);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  }
+  Start(const Start &) = delete;
+  Start & operator=(const Start &) = delete;
+  ~Start()
+  {
+    posix_spawn_file_actions_destroy(&files_);
+    posix_spawnattr_destroy(&attributes_);
+  }
+
+  pid_t run(const std::vector<std::string> & command) const
+  {
+    std::vector<char *> arguments;
+    for (const std::string & argument : command) {
+      arguments.push_back(const_cast<char *>(argument.c_str()));
+    }
+    arguments.push_back(nullptr);
+    pid_t child = 0;
+    if (const int error = posix_spawn(&child, arguments[0], &files_, &attributes_, arguments.data(), environ)) {
+      failToStart(command[0], error);
+    }
+    return child;
+  }
+
+private:
+  posix_spawn_file_actions_t files_{};
+  posix_spawnattr_t attributes_{};
+};
+
+/// A pipe whose ends close by themselves, and before that by hand.
+struct Pipe
+{
+  std::array<int, 2> ends{-1, -1};
+
+  ~Pipe()
+  {
+    close(0);
+    close(1);
+  }
+  void close(std::size_t end)
+  {
+    if (ends.at(end) >= 0) {
+      ::close(std::exchange(ends.at(end), -1));
+    }
+  }
+};
 
 std::string readAll(int from)
 {
@@ -46,33 +99,6 @@ std::string readAll(int from)
     bytes.append(part.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
   }
   return bytes;
-}
-
-/// @param hard  what the kernel enforces with SIGKILL, where `soft` is a signal that tells its cause
-void limit(decltype(RLIMIT_CORE) what, rlim_t soft, rlim_t hard)
-{
-  const rlimit limits{soft, hard};
-  ::setrlimit(what, &limits);
-}
-
-[[noreturn]] void runAsChild(const std::function<std::string()> & work, int answer)
-{
-  limit(RLIMIT_CORE, 0, 0);
-  limit(RLIMIT_CPU, kCpuSecondsMax, kCpuSecondsMax + 1);
-  if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0) {
-    ::dup2(nowhere, STDOUT_FILENO);
-    ::dup2(nowhere, STDERR_FILENO);
-  }
-  for (const int ends_us : {SIGABRT, SIGALRM, SIGSEGV, SIGINT, SIGTERM, SIGXCPU}) {
-    std::signal(ends_us, SIG_DFL);
-  }
-  ::alarm(kWallSecondsMax);
-  try {
-    writeAll(answer, kDone + work());
-  } catch (const std::exception & error) {
-    writeAll(answer, kThrown + std::string(error.what()));
-  }
-  ::_exit(0);
 }
 
 int waitFor(pid_t child)
@@ -99,29 +125,22 @@ std::string reasonOf(int signal)
 }
 }  // namespace
 
-std::string resultOfChild(const std::function<std::string()> & work)
+std::string outputOf(const std::vector<std::string> & command)
 {
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-    throw Error("cannot be read: " + std::string(std::strerror(errno)));
+  Pipe pipe;
+  if (::pipe2(pipe.ends.data(), O_CLOEXEC) != 0) {
+    failToStart(command.at(0), errno);
   }
-  const pid_t child = ::fork();
-  if (child == 0) {
-    runAsChild(work, ends[1]);
-  }
-  ::close(ends[1]);
-  const std::string answer = child > 0 ? readAll(ends[0]) : "";
-  ::close(ends[0]);
-  if (child < 0) {
-    throw Error("cannot be read: no process can be started");
-  }
+  const pid_t child = Start(pipe.ends[1]).run(command);
+  pipe.close(1);
+  std::string output = readAll(pipe.ends[0]);
   const int status = waitFor(child);
   if (WIFSIGNALED(status)) {
     throw Error(reasonOf(WTERMSIG(status)));
   }
-  if (answer.empty() || answer.front() != kDone) {
-    throw Error(answer.empty() ? "cannot be read" : answer.substr(1));
+  if (WEXITSTATUS(status) != 0) {
+    throw Error(output.empty() ? "cannot be read" : output);
   }
-  return answer.substr(1);
+  return output;
 }
 }  // namespace f1tenth_sim2d

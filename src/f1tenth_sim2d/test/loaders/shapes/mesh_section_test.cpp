@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <random>
 #include <sstream>
 
@@ -197,6 +199,15 @@ TEST_F(MeshSection, OfAnStlIsInMetres)
   const Solid peak{"m::l::c", Mesh{readMeshFile(folder.write("peak.stl", stl), {})}, Pose3(), 1.0, 0.0};
   EXPECT_NEAR(areaAt(peak, 0.5), 0.125, 1e-9);
   EXPECT_NEAR(shadowArea(peak, 0.5, 2.0), 0.125, 1e-5);
+}
+
+TEST_F(MeshSection, OfAFileThatHasChangedIsTheNewOne)
+{
+  EXPECT_NEAR(areaAt(solid(kBlock), 0.2), 2.0, 1e-9);
+  const std::string path = folder.write("mesh.obj", objBox("block", {0, 0, 0}, {1, 1, 0.5}));
+  std::filesystem::last_write_time(path, std::filesystem::last_write_time(path) + std::chrono::seconds(1));
+  EXPECT_NEAR(
+    areaOf(sectionAt({"", Mesh{readMeshFile(path, {})}, Pose3(), 1.0, 0.0}, Pose3(), 0.2).outlines), 1.0, 1e-9);
 }
 
 std::string meshErrorOf(const std::string & path, const MeshSelection & selection = {})

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace f1tenth_sim2d
+{
+/// One geometry of a mesh file where one of its nodes puts it, seen from outside counter-clockwise.
+struct MeshPart
+{
+  std::vector<std::string> names;             ///< of the geometry and of all nodes around it
+  std::vector<std::array<float, 3>> corners;  ///< m
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// What is of use in a mesh file, in its order.
+struct MeshParts
+{
+  std::vector<std::string> names;  ///< of all nodes and geometries, also of those without triangles
+  std::vector<MeshPart> parts;
+};
+
+/// As bytes, for another process on this machine.
+std::string packed(const MeshParts & mesh);
+MeshParts unpacked(const std::string & bytes);
+}  // namespace f1tenth_sim2d

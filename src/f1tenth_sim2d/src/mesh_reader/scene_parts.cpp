@@ -1,0 +1,95 @@
+#include "mesh_reader/scene_parts.h"
+
+#include <assimp/config.h>
+#include <assimp/mesh.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <assimp/Importer.hpp>
+#include <boost/algorithm/string/replace.hpp>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace f1tenth_sim2d
+{
+namespace
+{
+/// What Assimp calls a file that it reads from memory, without the format.
+const std::string kNameOfMemory = "$$$___magic___$$$.";
+
+/// The geometries of a scene, put where its nodes put them.
+class PartCollector
+{
+public:
+  explicit PartCollector(const aiScene & scene) : scene_(scene) { addNode(*scene.mRootNode, aiMatrix4x4(), {}); }
+
+  MeshParts mesh;
+
+private:
+  void addNode(const aiNode & node, const aiMatrix4x4 & parent, std::vector<std::string> around)
+  {
+    const aiMatrix4x4 transform = parent * node.mTransformation;
+    around.emplace_back(node.mName.C_Str());
+    mesh.names.push_back(around.back());
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+      addPart(*scene_.mMeshes[node.mMeshes[i]], transform, around);
+    }
+    for (unsigned i = 0; i < node.mNumChildren; ++i) {
+      addNode(*node.mChildren[i], transform, around);
+    }
+  }
+
+  void addPart(const aiMesh & geometry, const aiMatrix4x4 & transform, std::vector<std::string> names)
+  {
+    names.emplace_back(geometry.mName.C_Str());
+    mesh.names.push_back(names.back());
+    MeshPart & part = mesh.parts.emplace_back();
+    part.names = std::move(names);
+    for (unsigned i = 0; i < geometry.mNumVertices; ++i) {
+      const aiVector3D corner = transform * geometry.mVertices[i];
+      part.corners.push_back({corner.x, corner.y, corner.z});
+    }
+    const bool is_mirrored = transform.Determinant() < 0.0F;
+    for (unsigned i = 0; i < geometry.mNumFaces; ++i) {
+      const aiFace & face = geometry.mFaces[i];
+      if (face.mNumIndices == 3) {
+        part.triangles.push_back(
+          {face.mIndices[0], face.mIndices[is_mirrored ? 2 : 1], face.mIndices[is_mirrored ? 1 : 2]});
+      }
+    }
+  }
+
+  const aiScene & scene_;
+};
+
+std::string bytesOf(const std::string & path)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file || bytes.empty()) {
+    throw std::runtime_error(file ? "cannot be read: the file is empty" : "cannot be read: it cannot be opened");
+  }
+  // Without a texture, the FBX exporter writes a URI without a path, on which Assimp aborts. Textures are not read.
+  boost::algorithm::replace_all(bytes, ">file://<", ">nothing<");
+  return bytes;
+}
+}  // namespace
+
+MeshParts readParts(const std::string & path)
+{
+  Assimp::Importer importer;
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
+  const std::string bytes = bytesOf(path);
+  const std::string format = path.substr(path.find_last_of('.') + 1);
+  const aiScene * const scene = importer.ReadFileFromMemory(
+    bytes.data(), bytes.size(), aiProcess_Triangulate | aiProcess_SortByPType, format.c_str());
+  if (!scene || !scene->mRootNode) {
+    std::string reason = importer.GetErrorString();
+    boost::algorithm::replace_all(reason, kNameOfMemory + format, "the file");
+    throw std::runtime_error("cannot be read: " + reason);
+  }
+  return PartCollector(*scene).mesh;
+}
+}  // namespace f1tenth_sim2d

@@ -1,5 +1,7 @@
 import math
 import os
+import struct
+import zlib
 from pathlib import Path
 
 import numpy as np
@@ -100,9 +102,18 @@ def test_every_kind_of_png_reads_the_same(write, mode):
     assert area(path).symmetric_difference(cells(occupied)).area == pytest.approx(0.0, abs=1e-12)
 
 
+@pytest.mark.parametrize("kind", ["png", "bmp", "gif", "jpg", "ppm", "tif"])
+def test_every_kind_of_image_reads_the_same(write, kind):
+    pixels = np.full((24, 32), 254, np.uint8)
+    pixels[:8, :16] = 0  # blocks, which JPG keeps
+    path = write(pixels=pixels, name=f"room.{kind}", mode="RGB")
+    assert area(path).symmetric_difference(cells(pixels == 0)).area == pytest.approx(0.0, abs=1e-12)
+
+
 def test_alpha_counts_like_a_colour_in_trinary_mode(write):
     yaml = YAML.replace("0.65", "0.8")
     assert area(write(yaml, mode="RGBA")).area == 0.0, "(0 + 0 + 0 + 255) / 4 is bright enough"
+    assert area(write(yaml, name="room.tif")).area == 0.0, "map_server's library gives every TIFF an alpha"
 
 
 def pgm(kind, white, values):
@@ -112,7 +123,9 @@ def pgm(kind, white, values):
     return head + values.astype(">u2" if white > 255 else np.uint8).tobytes()
 
 
-@pytest.mark.parametrize(("kind", "white"), [("P5", 255), ("P2", 255), ("P5", 65535), ("P2", 15)])
+@pytest.mark.parametrize(
+    ("kind", "white"), [("P5", 255), ("P2", 255), ("P5", 65535), ("P2", 15), ("P5", 100)]
+)
 def test_every_kind_of_pgm_reads_the_same(write, tmp_path, kind, white):
     path = write(name="room.pgm")
     (tmp_path / "room.pgm").write_bytes(pgm(kind, white, ROOM.astype(int) * white // 255))
@@ -162,6 +175,10 @@ def test_start_is_on_the_centreline(write, tmp_path):
         "# x_m, y_m, w_tr_right_m, w_tr_left_m\n1.5, 2.5, 1, 1\n1.5, 3.5, 1, 1\n"
     )
     assert f1tenth_sim2d.load_world(path).start == pytest.approx((1.5, 2.5, math.pi / 2))
+
+
+NO_IMAGE = "is no image that is known here, allowed are PNG, PGM, PPM, PBM, BMP, JPG, TIFF and GIF"
+BROKEN = "image: is broken or ends too early"
 
 
 def error(path):
@@ -230,7 +247,7 @@ def error(path):
         (
             "room.png",
             "room_map.yaml",
-            "room_map.yaml: is no image that is known here, allowed are PNG and PGM",
+            f"room_map.yaml: {NO_IMAGE}",
         ),
         ("image: ", "image: [", "room_map.yaml:2: not YAML: end of sequence flow not found"),
     ],
@@ -262,15 +279,17 @@ def test_suffix_may_be_in_capitals(write, tmp_path):
 @pytest.mark.parametrize(
     ("image", "message"),
     [
-        (b"P5\n3 3\n255\n12345678", "PGM image: ends too early"),
-        (b"P2\n3 x\n255\n", "PGM image: the height is not a number"),
-        (b"P2\n3 1\n255\n1 2 256", "PGM image: a pixel is above 255"),
-        (b"P5\n3 3\n0\n", "PGM image: the greatest value is 0, allowed are 1 to 65535"),
-        (b"P5\n0 3\n255\n", "has 0 x 3 pixels, allowed are 1 to 100000000"),
+        (b"P5\n3 3\n255\n12345678", f"PNM {BROKEN}"),
+        (b"P2\n3 x\n255\n1 2 3", f"PNM {BROKEN}"),
+        (b"P5\n3 3\n0\n123456789", "PNM image: its greatest value is '0', allowed are 1 to 255, and 65535"),
+        (
+            b"P5\n3 3\n1000\n1234567",
+            "PNM image: its greatest value is '1000', allowed are 1 to 255, and 65535",
+        ),
         (b"P5\n99999 99999\n255\n", "has 99999 x 99999 pixels, allowed are 1 to 100000000"),
-        (b"\x89PNG\r\n\x1a\n", "PNG image: ends too early"),
-        (b"\x89PNG nothing of the kind", "PNG image: PNG file corrupted by ASCII conversion"),
-        (b"GIF89a", "is no image that is known here, allowed are PNG and PGM"),
+        (b"\x89PNG\r\n\x1a\nnothing of the kind", f"PNG {BROKEN}"),
+        (b"GIF89a and what follows", f"GIF {BROKEN}"),
+        (b"GIF89a", NO_IMAGE),
     ],
 )
 def test_broken_images_are_named(write, tmp_path, image, message):
@@ -279,15 +298,31 @@ def test_broken_images_are_named(write, tmp_path, image, message):
     assert error(path) == f"room.png: {message}"
 
 
-@pytest.mark.parametrize("keep", [40, 60, -20, -5])
-def test_png_that_was_cut_off_is_an_error(write, tmp_path, keep):
-    path = write(pixels=np.random.default_rng(0).integers(0, 255, (50, 50), np.uint8))
-    image = tmp_path / "room.png"
-    image.write_bytes(image.read_bytes()[:keep])
-    if keep == -5:
-        f1tenth_sim2d.load_world(path)
-    else:
-        assert error(path) == "room.png: PNG image: ends too early"
+@pytest.mark.parametrize("kind", ["png", "bmp", "gif", "pgm", "tif"])
+def test_image_that_was_cut_off_is_an_error(write, tmp_path, kind):
+    path = write(pixels=np.random.default_rng(0).integers(0, 255, (50, 50), np.uint8), name=f"room.{kind}")
+    image = tmp_path / f"room.{kind}"
+    image.write_bytes(image.read_bytes()[:-40])
+    name = {"tif": "TIFF", "pgm": "PNM"}.get(kind, kind.upper())
+    assert error(path) == f"room.{kind}: {name} {BROKEN}"
+
+
+def test_image_of_a_few_bytes_that_claims_too_many_pixels_is_refused_unread(write, tmp_path):
+    header = struct.pack(">IIBBBBB", 15000, 12000, 8, 0, 0, 0, 0)
+    chunks = [(b"IHDR", header), (b"IDAT", zlib.compress(b"")), (b"IEND", b"")]
+    data = [
+        struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+        for kind, body in chunks
+    ]
+    path = write()
+    (tmp_path / "room.png").write_bytes(b"\x89PNG\r\n\x1a\n" + b"".join(data))
+    assert error(path) == "room.png: has 15000 x 12000 pixels, allowed are 1 to 100000000"
+
+
+def test_grey_that_is_made_transparent_is_refused(write, tmp_path):
+    path = write()
+    Image.fromarray(ROOM).save(tmp_path / "room.png", transparency=205)
+    assert error(path) == "room.png: PNG image: one of its greys is transparent, allowed is an alpha channel"
 
 
 @pytest.mark.parametrize(

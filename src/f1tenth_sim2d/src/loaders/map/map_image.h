@@ -7,26 +7,20 @@
 
 namespace f1tenth_sim2d
 {
-/// The pixels of a map, eight bits per channel, top row first.
+/// How bright the pixels of a map are, top row first.
 struct MapImage
 {
   std::size_t width{0};
   std::size_t height{0};
-  std::size_t channels{1};  ///< 1 grey, 3 RGB, 4 RGBA
-  std::vector<std::uint8_t> samples;
+  std::vector<std::uint16_t> sums;  ///< over the channels of a pixel, 0 to 255 each
+  double channels{1.0};
 
-  /// Mean of all channels but alpha, and of alpha too if asked for: 0 to 255.
-  double brightness(std::size_t pixel, bool with_alpha) const;
+  /// Mean of the channels: 0 to 255.
+  double brightness(std::size_t pixel) const { return sums[pixel] / channels; }
 };
 
-/// Reads a PNG or PGM file, whatever its name ends with.
+/// Reads a PNG, PGM, PPM, PBM, BMP, JPG, TIFF or GIF file, whatever its name ends with.
+/// @param alpha_counts  whether alpha counts like a colour; like map_server's library, TIFF always has it
 /// @throws LoadError
-MapImage readMapImage(const std::string & path);
-
-/// @throws LoadError for an image without pixels or with more than a map can have
-void requireMapSize(const std::string & path, std::size_t width, std::size_t height);
-
-/// @param bytes  the whole file, for both
-MapImage readPng(const std::string & path, const std::string & bytes);
-MapImage readPgm(const std::string & path, const std::string & bytes);
+MapImage readMapImage(const std::string & path, bool alpha_counts);
 }  // namespace f1tenth_sim2d

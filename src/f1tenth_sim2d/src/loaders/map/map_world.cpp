@@ -33,14 +33,11 @@ bool isOccupied(double brightness, const MapMetadata & metadata)
 
 CellGrid cellsOf(const MapImage & image, const MapMetadata & metadata)
 {
-  // As map_server has always done: in trinary mode alpha counts like a colour.
-  const bool with_alpha = metadata.mode == MapMetadata::Mode::kTrinary;
   CellGrid grid{image.width, image.height, {}};
   grid.occupied.reserve(image.width * image.height);
   for (std::size_t row = image.height; row-- > 0;) {
     for (std::size_t column = 0; column < image.width; ++column) {
-      const double brightness = image.brightness(row * image.width + column, with_alpha);
-      grid.occupied.push_back(isOccupied(brightness, metadata) ? 1 : 0);
+      grid.occupied.push_back(isOccupied(image.brightness(row * image.width + column), metadata) ? 1 : 0);
     }
   }
   return grid;
@@ -108,7 +105,8 @@ bool isMapFile(const std::string & path)
 WorldDescription loadMapWorld(const std::string & path)
 {
   const MapMetadata metadata = readMapMetadata(path);
-  const MapImage image = readMapImage(metadata.image);
+  // As map_server has always done: in trinary mode alpha counts like a colour.
+  const MapImage image = readMapImage(metadata.image, metadata.mode == MapMetadata::Mode::kTrinary);
   requireNear(metadata, image.width, image.height, path);
   const CellGrid grid = cellsOf(image, metadata);
   WorldDescription world;

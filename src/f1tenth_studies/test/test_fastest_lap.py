@@ -91,6 +91,12 @@ def test_a_road_too_narrow_is_refused():
         compute_fastest_lap(ring(half_width=0.18), LIMITS)
 
 
+def test_without_the_package_that_computes_it_the_fastest_lap_names_it(monkeypatch, capsys):
+    monkeypatch.setattr("f1tenth_studies.optimum.fastest_lap.tph", None)
+    assert cli.reference_main(["circuit1"]) == cli.BAD_INPUT
+    assert "needs the Python package trajectory-planning-helpers (make setup" in capsys.readouterr().err
+
+
 def test_the_limits_are_those_of_the_simulators_car():
     limits = read_limits(clearance=0.2)
     assert limits.friction == pytest.approx(1.0489)

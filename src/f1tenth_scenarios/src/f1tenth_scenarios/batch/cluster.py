@@ -42,9 +42,13 @@ def _connected(scheduler: str) -> Iterator:
     if "://" not in scheduler:
         # Dask would look for a host of that name, and not end cleanly when there is none.
         raise ScenarioError(f"--scheduler {scheduler}: must be an address, as in tcp://host:8786")
-    # Imported late: it takes longer than everything else that the command does.
-    from distributed import Client
-
+    # Imported late: it takes longer than everything else that the command does, and races go without it.
+    try:
+        from distributed import Client
+    except ImportError as error:
+        raise ScenarioError(
+            "--scheduler needs the Python package distributed (make setup installs it)"
+        ) from error
     try:
         client = Client(scheduler, set_as_default=False, timeout=_CONNECT_TIMEOUT)
     except (OSError, ValueError) as error:

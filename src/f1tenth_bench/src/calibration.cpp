@@ -1,6 +1,6 @@
 // A fixed amount of arithmetic, of memory work and of sending messages, which tells how fast this machine is just now.
-// Uses nothing of the workspace, so that no change of the workspace changes it. Prints {"arithmetic_s": s,
-// "memory_s": s, "messages_s": s}: processor time, each the least of several runs.
+// Uses nothing of the workspace, so that no change of the workspace changes it.
+#include <benchmark/benchmark.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
@@ -14,19 +14,12 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
-#include <limits>
 #include <numeric>
 #include <thread>
 #include <vector>
 
 namespace
 {
-constexpr int kRuns = 5;
-
-/// Keeps the compiler from optimizing away the work behind a value.
-volatile double kept = 0.0;
-
 /// A chain of divisions and roots, in which every step waits for the one before, and a loop over floats in the first
 /// level cache, which may use a vector unit: the two kinds of arithmetic in a simulator.
 void calculate()
@@ -42,7 +35,7 @@ void calculate()
       lane = 0.75F * lane + 3.0F / (1.0F + lane * lane);
     }
   }
-  kept = x + std::accumulate(lanes.begin(), lanes.end(), 0.0F);
+  benchmark::DoNotOptimize(x + std::accumulate(lanes.begin(), lanes.end(), 0.0F));
 }
 
 /// A walk through 256 KiB in an order that no prefetcher predicts, and copies of 256 KiB: what a simulation touches all
@@ -69,7 +62,7 @@ public:
       std::copy(source_.begin(), source_.end(), target_.begin());
       std::copy(target_.begin(), target_.end(), source_.begin());
     }
-    kept = cell + source_[cell];
+    benchmark::DoNotOptimize(cell + source_[cell]);
   }
 
 private:
@@ -168,28 +161,30 @@ private:
   int asker_ = -1;
 };
 
-/// Of processor time, s.
-template <typename Work>
-double leastCost(Work work)
+void arithmetic(benchmark::State & state)
 {
-  double least = std::numeric_limits<double>::infinity();
-  for (int run = 0; run < kRuns; ++run) {
-    const std::clock_t start = std::clock();
-    work();
-    least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  for ([[maybe_unused]] const auto each : state) {
+    calculate();
   }
-  return least;
 }
+
+template <typename Work>
+void runs(benchmark::State & state)
+{
+  static Work work;  // warm in all repetitions but the first
+  for ([[maybe_unused]] const auto each : state) {
+    work.run();
+  }
+}
+
+void severalTimes(benchmark::internal::Benchmark * benchmark)
+{
+  benchmark->Iterations(1)->Repetitions(5)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
+}
+
+BENCHMARK(arithmetic)->Apply(severalTimes);
+BENCHMARK(runs<MemoryWork>)->Name("memory")->Apply(severalTimes);
+BENCHMARK(runs<MessageWork>)->Name("messages")->Apply(severalTimes);
 }  // namespace
 
-int main()
-{
-  MemoryWork memory;
-  const double arithmetic_s = leastCost(calculate);
-  const double memory_s = leastCost([&memory] { memory.run(); });
-  const MessageWork messages;
-  const double messages_s = leastCost([&messages] { messages.run(); });
-  std::printf(
-    "{\"arithmetic_s\": %.6f, \"memory_s\": %.6f, \"messages_s\": %.6f}\n", arithmetic_s, memory_s, messages_s);
-  return 0;
-}
+BENCHMARK_MAIN();

@@ -9,6 +9,7 @@ import threading
 import unittest
 
 import pytest
+import roslib.packages
 import rospkg
 import rospy
 import rostest
@@ -209,63 +210,76 @@ class AmclTest(unittest.TestCase):
         assert all(math.isfinite(rospy.get_param(f"/amcl/initial_{name}")) for name in names)
 
     def test_9_wrong_parameters_are_answered_in_one_line(self):
-        for name, value, answer in [
+        wrong = [
             ("laser_model_type", "sonar", 'found "sonar", must be one of beam, likelihood_field, '),
             ("odom_model_type", "car", 'found "car", must be one of diff, omni, diff-corrected, '),
             ("min_particles", -5, "found -5, must be a whole number >= 1"),
+            ("max_particles", "many", 'found "many", must be a whole number'),
             ("update_min_d", math.nan, "found nan, must be a number >= 0"),
-            ("update_min_a", -0.1, "found -0.1, must be a number >= 0"),
             ("kld_err", 0.0, "found 0, must be a number > 0"),
             ("kld_z", 10.0, "found 10, must be a number >= 0 and <= 8"),
-            ("kld_z", -50.0, "found -50, must be a number >= 0 and <= 8"),
-            ("resample_interval", 0, "found 0, must be a whole number >= 1"),
-            ("odom_alpha3", -1.0, "found -1, must be a number >= 0"),
             ("laser_max_beams", 1, "found 1, must be a whole number >= 2"),
-            ("laser_z_rand", -0.1, "found -0.1, must be a number >= 0"),
-            ("laser_sigma_hit", math.nan, "found nan, must be a number > 0"),
             ("laser_max_range", math.nan, "found nan, must be a finite number"),
-            ("initial_pose_x", math.inf, "found inf, must be a finite number"),
-            ("initial_cov_aa", -1.0, "found -1, must be a number >= 0"),
             ("transform_tolerance", 1e10, "found 10000000000, must be a number >= 0 and <= 1e+09"),
-        ]:
-            assert self.complaint(name, value).startswith(f"amcl: parameter /wrong/amcl/{name}: {answer}")
-        answer = 'amcl: parameter /wrong/amcl/max_particles: found "many", must be a whole number'
-        assert self.complaint("max_particles", "many") == answer
+        ]
+        nodes = [self.node_with(name, value, f"wrong{i}") for i, (name, value, _) in enumerate(wrong)]
+        for i, ((name, _, answer), node) in enumerate(zip(wrong, nodes)):
+            said = node.communicate(timeout=PATIENCE)[1]
+            assert node.returncode == 1, said
+            (line,) = [line for line in said.splitlines() if line.startswith("amcl: ")]
+            assert line.startswith(f"amcl: parameter /wrong{i}/amcl/{name}: {answer}")
 
     def test_9_what_the_original_goes_on_with_is_a_warning(self):
-        for name, value, words in [
-            ("initial_cov_xx", math.nan, "found nan, must be a number >= 0; 0.25 is used"),
-            ("min_particles", 6000, "max_particles is set to min_particles, which is 6000"),
-        ]:
-            rospy.set_param(f"/tolerant/amcl/{name}", value)
-            self.expect_words(words, "__ns:=tolerant", "static_map:=/static_map")
-            rospy.delete_param(f"/tolerant/amcl/{name}")
+        self.expect_words(
+            (
+                self.node_with("initial_cov_xx", math.nan, "tolerant1", "static_map:=/static_map"),
+                "found nan, must be a number >= 0; 0.25 is used",
+            ),
+            (
+                self.node_with("min_particles", 6000, "tolerant2", "static_map:=/static_map"),
+                "max_particles is set to min_particles, which is 6000",
+            ),
+        )
 
     def test_9_node_says_what_it_waits_for(self):
-        self.expect_words("an answer from the service /lonely/static_map", "__ns:=lonely")
-        self.expect_words("scans on /lonely/scan", "__ns:=lonely", "static_map:=/static_map")
         message = scan(0.0, rospy.Time(1))
         message.header.frame_id = "lidar"
-        publisher = rospy.Publisher("/lonely/scan", LaserScan, queue_size=1, latch=True)
+        publisher = rospy.Publisher("/lonely3/scan", LaserScan, queue_size=1, latch=True)
         publisher.publish(message)
-        words = "a transform from base_link to lidar, the frame of the scans"
-        self.expect_words(words, "__ns:=lonely", "static_map:=/static_map")
-        rospy.set_param("/lonely/amcl/use_map_topic", True)
-        self.expect_words("a map on /lonely/map", "__ns:=lonely")
-        rospy.delete_param("/lonely/amcl/use_map_topic")
+        self.expect_words(
+            (self.node("lonely1"), "an answer from the service /lonely1/static_map"),
+            (self.node("lonely2", "static_map:=/static_map"), "scans on /lonely2/scan"),
+            (
+                self.node("lonely3", "static_map:=/static_map"),
+                "a transform from base_link to lidar, the frame of the scans",
+            ),
+            (self.node_with("use_map_topic", True, "lonely4"), "a map on /lonely4/map"),
+        )
+
+    def node_with(self, name, value, namespace, *arguments):
+        """Start a node with a parameter in a namespace of its own."""
+        rospy.set_param(f"/{namespace}/amcl/{name}", value)
+        return self.node(namespace, *arguments)
+
+    def node(self, namespace, *arguments):
+        (program,) = roslib.packages.find_node("amcl", "amcl")
+        environment = {**os.environ, "ROS_NAMESPACE": namespace}
+        node = subprocess.Popen([program, *arguments], env=environment, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(node.kill)
+        return node
 
     @staticmethod
-    def expect_words(words, *arguments):
-        """Run a node until it has said them."""
-        node = subprocess.Popen(["rosrun", "amcl", "amcl", *arguments], stderr=subprocess.PIPE, text=True)
-        stop = threading.Timer(PATIENCE, node.kill)
-        stop.start()
-        said = any(words in line for line in node.stderr)
-        stop.cancel()
-        assert node.poll() is None
-        node.kill()
-        node.communicate()
-        assert said, words
+    def expect_words(*expected):
+        """Let nodes run side by side until each has said its words."""
+        for node, words in expected:
+            stop = threading.Timer(PATIENCE, node.kill)
+            stop.start()
+            said = any(words in line for line in node.stderr)
+            stop.cancel()
+            assert said, words
+            assert node.poll() is None
+            node.kill()
+            node.communicate()
 
     def test_9_examples_are_those_of_the_original(self):
         examples = pathlib.Path(rospkg.RosPack().get_path("amcl"), "examples")
@@ -276,24 +290,6 @@ class AmclTest(unittest.TestCase):
             (node,) = config.nodes
             assert (node.package, node.type) == ("amcl", "amcl")
             assert config.params["/amcl/odom_model_type"].value == model
-
-    @staticmethod
-    def complaint(name, value):
-        """What a node with a wrong parameter says before it ends."""
-        rospy.set_param(f"/wrong/amcl/{name}", value)
-        environment = {**os.environ, "ROS_NAMESPACE": "wrong"}
-        result = subprocess.run(
-            ["rosrun", "amcl", "amcl"],
-            env=environment,
-            capture_output=True,
-            text=True,
-            timeout=PATIENCE,
-            check=False,
-        )
-        rospy.delete_param(f"/wrong/amcl/{name}")
-        assert result.returncode == 1, result.stderr
-        (line,) = [line for line in result.stderr.splitlines() if line.startswith("amcl: ")]
-        return line
 
 
 if __name__ == "__main__":

@@ -16,12 +16,13 @@ from map_files import random_cells, write_map
 from map_server.conversions import to_occupancy_grid
 from map_server.grid_map import GridMap
 from nav_msgs.msg import OccupancyGrid
+from roslib.packages import find_node
 
 TIMEOUT = 20  # s of wall time, for a process that ought to end at once
 
 
 def command(executable, *arguments):
-    return ["rosrun", "map_server", executable, *map(str, arguments)]
+    return [find_node("map_server", executable)[0], *map(str, arguments)]
 
 
 def run(executable, *arguments, cwd=None):

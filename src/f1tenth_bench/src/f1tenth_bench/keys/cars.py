@@ -34,7 +34,7 @@ def _over_alone(simulation_at, places, may_touch=False):
     def cost(places):
         spent, _, problem = measure_laps(simulation_at(places), SECONDS, may_touch=may_touch)
         problems.append(problem)
-        return spent.cpu
+        return spent
 
     alone = [cost([place]) for place in places]
     ratios = {count: cost(places[:: MOST // count]) / sum(alone[:: MOST // count]) for count in COUNTS}

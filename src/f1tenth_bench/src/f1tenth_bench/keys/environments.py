@@ -1,13 +1,14 @@
 """env_step_us, env_reset_ms, env_vector, env_steps: the environments to learn in."""
 
 import os
+import timeit
 
 import numpy as np
 from f1tenth_sim2d.environments import ENVIRONMENT, register
 
 from f1tenth_bench.benchmark import Measured, NotAvailable, benchmark
 from f1tenth_bench.places import data_file
-from f1tenth_bench.timing import cost, least_cost
+from f1tenth_bench.timing import processor_seconds
 
 STEPS = 300
 REPEATS = 9
@@ -57,8 +58,8 @@ def env_vector():
         raise NotAvailable(f"{THREADS} threads need as many processors")
     drives = {threads: _vector_drive(threads) for threads in (1, THREADS)}
     # In turns, so that what else the machine does falls on both.
-    turns = [{threads: cost(drive).wall for threads, drive in drives.items()} for _ in range(REPEATS)]
-    spent = {threads: min(turn[threads] for turn in turns) for threads in drives}
+    turns = [[timeit.timeit(drive, number=1) for drive in drives.values()] for _ in range(REPEATS)]
+    spent = dict(zip(drives, map(min, zip(*turns))))
     steps = {str(threads): ENVIRONMENTS * VECTOR_STEPS / seconds for threads, seconds in spent.items()}
     return Measured(spent[1] / spent[THREADS], {"steps_per_second": steps})
 
@@ -75,7 +76,7 @@ def _each_us(work, count=STEPS):
         for _ in range(count):
             work()
 
-    return least_cost(all_of_them, REPEATS).cpu / count * 1e6
+    return processor_seconds(all_of_them, REPEATS) / count * 1e6
 
 
 def _vector_drive(threads):
@@ -116,4 +117,4 @@ def _rate(beams, cars):
         for _ in range(100):
             environment.step(action)
 
-    return 100 / least_cost(drive, 5).cpu
+    return 100 / processor_seconds(drive, 5)

@@ -8,7 +8,7 @@ from f1tenth_scenarios.places import circuits
 
 from f1tenth_bench.benchmark import Measured, NotAvailable, benchmark
 from f1tenth_bench.racing import TRACKS, half_laps, planner_module, race_options
-from f1tenth_bench.timing import cost
+from f1tenth_bench.timing import processor_seconds
 
 PERIOD = 0.025  # s
 BEAMS = 1081
@@ -48,7 +48,7 @@ def control_cycle_ms():
         follower.step(pose, speed, costmap, PERIOD)
 
     costs = [
-        cost(lambda pose=pose, speed=speed: cycle(pose, speed)).cpu * 1e3
+        processor_seconds(lambda pose=pose, speed=speed: cycle(pose, speed)) * 1e3
         for pose, speed in zip(plan.path.points[:, :3], speeds)
     ]
     return Measured(statistics.median(costs), {"worst": max(costs), "cycles": len(costs)})
@@ -77,5 +77,5 @@ def _plan_times():
 def _plan_time(costmap, start, goal):
     plans = []
     planner = planner_module().GlobalPlanner()
-    taken = cost(lambda: plans.append(planner.plan(costmap, start, goal))).cpu
+    taken = processor_seconds(lambda: plans.append(planner.plan(costmap, start, goal)))
     return taken * 1e3 if plans[0].found else float("inf")

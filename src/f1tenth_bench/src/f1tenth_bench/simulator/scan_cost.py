@@ -4,7 +4,7 @@ import numpy as np
 
 import f1tenth_sim2d
 from f1tenth_bench.simulator.cars import bare_lidar
-from f1tenth_bench.timing import least_cost
+from f1tenth_bench.timing import processor_seconds
 
 REPEATS = 5
 
@@ -35,5 +35,5 @@ class Scanner:
             for row in rows:
                 self.scan(row)
 
-        placing, both = least_cost(place_all, REPEATS), least_cost(scan_all, REPEATS)
-        return (both.cpu - placing.cpu) / len(rows) * 1e6
+        placing = processor_seconds(place_all, REPEATS)
+        return (processor_seconds(scan_all, REPEATS) - placing) / len(rows) * 1e6

@@ -2,7 +2,6 @@
 
 import dataclasses
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,7 +9,7 @@ import yaml
 from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.results.reference_laps import reference_laps_file
 from f1tenth_studies.optimum.car_limits import GRAVITY, Limits, read_limits
-from f1tenth_studies.optimum.fastest_lap import compute_fastest_lap, time_along, write_raceline
+from f1tenth_studies.optimum.fastest_lap import compute_fastest_lap, time_along
 from f1tenth_studies.optimum.track import SPACING, load_track
 
 from f1tenth_scenarios import places
@@ -64,12 +63,6 @@ def test_the_laps_that_races_are_compared_with_are_those_of_today():
         assert lap == pytest.approx(shipped[name], abs=0.01)
 
 
-def test_lap_times_are_written(tmp_path):
-    file = tmp_path / "laps.yaml"
-    assert cli.reference_main(["circuit1", "--laps", str(file)]) == cli.PASSED
-    assert yaml.safe_load(file.read_text(encoding="utf-8")) == {"circuit1": pytest.approx(4.497, abs=0.01)}
-
-
 def test_points_of_a_long_track_lie_farther_apart(tmp_path):
     np.savetxt(tmp_path / "ring_centerline.csv", ring(radius=64.0), delimiter=", ")
     line = load_track(f"{tmp_path}/ring_centerline.csv")[:, :2]
@@ -97,13 +90,6 @@ def test_without_the_package_that_computes_it_the_fastest_lap_names_it(monkeypat
     assert "needs the Python package trajectory-planning-helpers (make setup" in capsys.readouterr().err
 
 
-def test_the_limits_are_those_of_the_simulators_car():
-    limits = read_limits(clearance=0.2)
-    assert limits.friction == pytest.approx(1.0489)
-    assert limits.max_curvature == pytest.approx(math.tan(0.4189) / 0.3302)
-    assert limits.clearance == 0.2
-
-
 def test_a_circuit_is_sampled_evenly_with_its_width():
     track = load_track("circuit1")
     steps = np.hypot(*np.diff(track[:, :2], axis=0, append=track[:1, :2]).T)
@@ -127,21 +113,6 @@ def test_a_centreline_is_read_and_its_race_line_written(tmp_path):
     assert lines[2] == "# s_m; x_m; y_m; psi_rad; kappa_radpm; vx_mps; ax_mps2"
 
 
-@pytest.mark.parametrize(
-    ("content", "message"),
-    [
-        ("1,2,3\n4,5,6\n", ":1: '1,2,3' must be four numbers: x_m, y_m, w_tr_right_m, w_tr_left_m"),
-        ("", "0 points, must be at least 3"),
-        ("1,2,3,x\n", ":1: could not convert string to float: 'x'"),
-    ],
-)
-def test_a_wrong_centreline_is_refused(tmp_path, content, message):
-    path = tmp_path / "wrong_centerline.csv"
-    path.write_text(content)
-    with pytest.raises(ScenarioError, match=message):
-        load_track(str(path))
-
-
 def test_a_missing_centreline_is_one_line_and_bad_input(capsys):
     assert cli.reference_main(["/nowhere/x_centerline.csv"]) == cli.BAD_INPUT
     error = capsys.readouterr().err
@@ -152,21 +123,3 @@ def test_a_missing_folder_for_race_lines_is_told_before_anything_is_computed(cap
     monkeypatch.setattr(cli, "compute_fastest_lap", lambda *_: pytest.fail("was computed"))
     assert cli.reference_main(["circuit1", "-o", "/nowhere"]) == cli.BAD_INPUT
     assert capsys.readouterr().err == "race_reference: -o /nowhere: there is no such folder\n"
-
-
-def test_a_race_line_that_cannot_be_written_is_an_error():
-    with pytest.raises(ScenarioError, match="/nowhere/x.csv: cannot be written: No such file"):
-        write_raceline(Path("/nowhere/x.csv"), compute_fastest_lap(ring(), LIMITS), LIMITS)
-
-
-def test_a_race_line_stays_when_the_new_one_cannot_be_written(tmp_path, monkeypatch):
-    def full(stream, *_, **__):
-        raise OSError(28, "No space left on device")
-
-    file = tmp_path / "x_raceline.csv"
-    file.write_text("an older one", encoding="utf-8")
-    lap = compute_fastest_lap(ring(), LIMITS)
-    monkeypatch.setattr(np, "savetxt", full)
-    with pytest.raises(ScenarioError, match="x_raceline.csv: cannot be written: No space left"):
-        write_raceline(file, lap, LIMITS)
-    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {"x_raceline.csv": "an older one"}

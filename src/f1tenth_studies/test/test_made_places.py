@@ -4,7 +4,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.plan.planning import make_plan
 from f1tenth_scenarios.road.course import Course, read_course
 from f1tenth_studies.studies import encounters, tracks
@@ -68,12 +67,6 @@ def test_a_line_for_others_is_written_beside_the_place(data, tmp_path):
     assert make_plan(str(SCENARIO), settings=[f"world={world}"]).cars
 
 
-def test_a_place_that_cannot_be_written_is_an_error(data):
-    course = read_course(data / "Square_centerline.csv")
-    with pytest.raises(ScenarioError, match="/nowhere/x_map.yaml: No such file"):
-        made_places.write_place(Path("/nowhere/x"), data / "Square_map.yaml", course)
-
-
 @pytest.mark.parametrize("seed", ["x", "1.5"])
 def test_a_road_of_no_seed_is_bad_input(tmp_path, seed, capsys):
     assert cli.study_main(["roads", "--vary", f"road={seed}", "--results", str(tmp_path)]) == cli.BAD_INPUT
@@ -87,17 +80,12 @@ def test_a_folder_whose_path_divides_values_is_refused(tmp_path, capsys):
     assert not results.exists()
 
 
-def test_a_folder_for_places_that_cannot_be_made_is_bad_input(tmp_path, capsys):
-    (tmp_path / "places").write_text("")
-    assert cli.study_main(["roads", "--vary", "road=1", "--results", str(tmp_path)]) == cli.BAD_INPUT
-    assert f"study: {tmp_path}/places/roads: cannot be made: " in capsys.readouterr().err
-
-
-def test_roads_never_seen_are_driven(tmp_path, capsys):
-    arguments = ["roads", "--vary", "road=3,11", "--results", str(tmp_path)]
+def test_a_road_never_seen_is_driven(tmp_path, capsys):
+    arguments = ["roads", "--vary", "road=3", "--vary", "model=single_track_drift"]
+    arguments += ["--results", str(tmp_path)]
     assert cli.study_main(arguments) == cli.PASSED
     rows = [line.split(" | ") for line in capsys.readouterr().out.splitlines() if line.startswith("| ")][2:]
-    assert sum(int(row[3]) for row in rows) == 4
+    assert sum(int(row[3]) for row in rows) == 1
     assert {row[8].strip(" |") for row in rows} == {"0"}
 
 
@@ -140,22 +128,9 @@ def test_among_furniture_neither_goals_nor_the_other_touch_it():
     assert max(each.speed for each in others) > 3.5
 
 
-def test_encounters_on_tracks_that_are_not_there_are_bad_input(tmp_path, monkeypatch, capsys):
-    monkeypatch.setenv("F1TENTH_DATA", str(tmp_path))
-    arguments = ["encounters", "--vary", "encounter=2", "--results", str(tmp_path)]
-    assert cli.study_main(arguments) == cli.BAD_INPUT
-    assert f"study: {tmp_path}/tracks: not found; F1TENTH_DATA must name" in capsys.readouterr().err
-
-
 def test_others_are_met_without_a_touch(tmp_path, monkeypatch, capsys):
     monkeypatch.delenv("F1TENTH_DATA", raising=False)
     arguments = ["encounters", "--vary", "encounter=1", "--results", str(tmp_path)]
     assert cli.study_main(arguments) == cli.PASSED
     rows = [line.split(" | ") for line in capsys.readouterr().out.splitlines() if line.startswith("| ")][2:]
     assert [(row[4], row[7].strip(" |")) for row in rows] == [("success", "0")]
-
-
-def test_an_encounter_of_no_seed_is_bad_input(data, tmp_path, capsys):
-    arguments = ["encounters", "--vary", "encounter=x", "--results", str(tmp_path)]
-    assert cli.study_main(arguments) == cli.BAD_INPUT
-    assert "study: encounter=x: must be a seed, a whole number" in capsys.readouterr().err

@@ -29,7 +29,7 @@ LIDAR = f"""<sdf version="1.7"><model name="lidar"><link name="base_footprint">
   <topicName>scan</topicName><frameName>laser</frameName>
 </plugin></sensor></link></model></sdf>"""
 PLACES = 12
-EVERY = 7  # beams
+EVERY = 29  # beams
 LARGEST_ERROR = 0.001  # m
 ROOM = 0.05  # m, from a place to the next wall
 

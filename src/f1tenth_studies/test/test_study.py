@@ -48,7 +48,6 @@ def program(tmp_path, monkeypatch):
     (tmp_path / "program.py").write_text(PROGRAM, encoding="utf-8")
     monkeypatch.setattr(jobs, "PROGRAM", ("/usr/bin/python3", str(tmp_path / "program.py")))
     monkeypatch.setattr(race_pace, "_optimum", lambda world: 4.497)
-    monkeypatch.setattr(race_pace, "_optimum_in_sight", lambda world: 4.6)
     return lambda **changes: (tmp_path / "result.json").write_text(json.dumps({**RESULT, **changes}))
 
 
@@ -83,10 +82,9 @@ def test_race_pace_says_what_is_not_good_enough(tmp_path, monkeypatch, change, p
 
 def test_race_pace_counts_laps_but_the_standing_one(tmp_path, monkeypatch):
     monkeypatch.setattr(race_pace, "_optimum", lambda world: 5.0)
-    monkeypatch.setattr(race_pace, "_optimum_in_sight", lambda world: 5.125)
     values = {"world": "circuit1", "place": "circuit1", "model": "single_track"}
     assert table(race_pace.STUDY, [run(tmp_path, values)]).splitlines()[-1] == (
-        "| circuit1 | single_track | 5.000 | 5.125 | 2 | 5.000 | 5.500 | 1.10 | 0.120 | 0 |"
+        "| circuit1 | single_track | 5.000 | 2 | 5.000 | 5.500 | 1.10 | 0.120 | 0 |"
     )
     none = run(tmp_path, values, cars={"robot1": {"lap_times": []}})
     assert "| 0 | inf | inf | inf |" in table(race_pace.STUDY, [none])
@@ -158,7 +156,7 @@ def test_a_study_is_swept_written_and_judged(program, tmp_path, capsys):
     assert text == out[:-1]
     assert text.startswith("# Race pace\n")
     assert "    rosrun f1tenth_studies study race_pace --vary world=circuit1 --set laps=2 --table" in text
-    assert text.splitlines()[-1].startswith("| circuit1 | single_track | 4.497 | 4.600 | 2 |")
+    assert text.splitlines()[-1].startswith("| circuit1 | single_track | 4.497 | 2 |")
     assert err.count("exit code 1, no result: bad luck") == 1
 
 

@@ -5,7 +5,7 @@ import math
 
 from f1tenth_gazebo.roads.road_options import CAR_WIDTH
 
-from f1tenth_studies.parameters import read_parameters
+import f1tenth_sim2d
 
 GRAVITY = 9.81  # m/s^2, with which the tyre parameters were identified
 CLEARANCE = 0.05  # m beside the car, the least that a race lap may leave
@@ -34,19 +34,14 @@ class Limits:
 
 
 def read_limits(clearance: float = CLEARANCE) -> Limits:
-    """The limits of the simulator's car, from its parameter file.
-
-    Raises:
-        ScenarioError: the file is not there or lacks a value.
-    """
-    values = read_parameters("f1tenth_sim2d", "f1tenth.yaml")
-    wheelbase = values["l_f"] + values["l_r"]
+    """The limits of the simulator's car."""
+    car = f1tenth_sim2d.VehicleParameters()
     return Limits(
-        friction=values["mu"],
-        max_acceleration=values["a_max"],
-        switch_speed=values["v_switch"],
-        max_speed=values["v_max"],
-        max_curvature=math.tan(values["steering_max"]) / wheelbase,
-        mass=values["m"],
+        friction=car.mu,
+        max_acceleration=car.a_max,
+        switch_speed=car.v_switch,
+        max_speed=car.v_max,
+        max_curvature=math.tan(car.steering_max) / (car.l_f + car.l_r),
+        mass=car.m,
         clearance=clearance,
     )

@@ -66,12 +66,6 @@ def compute_fastest_lap(track: np.ndarray, limits: Limits) -> FastestLap:
     return FastestLap(s, x, y, yaw + np.pi / 2, curvature, speed, acceleration, lap_time)
 
 
-def time_along(lap: FastestLap, limits: Limits) -> float:
-    """The least time (s) for the line of a lap, under other limits than the lap's own."""
-    closing = np.hypot(lap.x[0] - lap.x[-1], lap.y[0] - lap.y[-1])
-    return _driven(lap.curvature, np.append(np.diff(lap.s), closing), limits)[2]
-
-
 def _driven(curvature, steps, limits):
     """Speed, acceleration, and time of a lap."""
     speed = _speed(curvature, steps, limits)

@@ -1,6 +1,5 @@
 """Flying laps compared with the theoretical optimum."""
 
-import dataclasses
 import functools
 from pathlib import Path
 
@@ -8,15 +7,12 @@ from f1tenth_scenarios.places import circuits
 
 from f1tenth_studies.made_places import data_folder
 from f1tenth_studies.optimum.car_limits import read_limits
-from f1tenth_studies.optimum.fastest_lap import FastestLap, compute_fastest_lap, time_along
+from f1tenth_studies.optimum.fastest_lap import compute_fastest_lap
 from f1tenth_studies.optimum.track import load_track
-from f1tenth_studies.parameters import read_planner_limits
 from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Run, Study
 
 GREATEST_RATIO = 1.35
 LEAST_CLEARANCE = 0.05  # m
-# What the lidar sees counts within 10 m; with acc_lim_x a car stops within that.
-SIGHT_SPEED = read_planner_limits()["max_vel_x"]  # m/s
 
 
 _TEXT = f"""\
@@ -28,9 +24,6 @@ goal after the other, has perfect odometry, and has to pass each goal within the
 Both vehicle models drive: `single_track`, whose tyres' forces grow with slip, and `single_track_drift`, whose
 tyres slide.
 
-"In sight" is the optimum of a car that drives at most {SIGHT_SPEED:g} m/s, as the planner
-does (`max_vel_x`): from that speed it stops within the 10 m in which obstacles seen by the lidar count.
-
 Wanted: every flying lap within {GREATEST_RATIO} times the optimum, no contact, at least
 {LEAST_CLEARANCE:g} m of clearance."""
 
@@ -41,17 +34,8 @@ def _flying(runs) -> list[float]:
 
 
 @functools.cache
-def _fastest_lap(world: str) -> FastestLap:
-    return compute_fastest_lap(load_track(world), read_limits())
-
-
 def _optimum(world: str) -> float:
-    return _fastest_lap(world).lap_time
-
-
-@functools.cache
-def _optimum_in_sight(world: str) -> float:
-    return time_along(_fastest_lap(world), dataclasses.replace(read_limits(), max_speed=SIGHT_SPEED))
+    return compute_fastest_lap(load_track(world), read_limits()).lap_time
 
 
 def _ratio(runs) -> float:
@@ -83,7 +67,6 @@ STUDY = Study(
     rows=("place", "model"),
     columns=(
         Column("optimum (s)", lambda runs: _optimum(runs[0].values["world"])),
-        Column("in sight (s)", lambda runs: _optimum_in_sight(runs[0].values["world"])),
         Column("flying laps", lambda runs: len(_flying(runs))),
         Column("best (s)", lambda runs: min(_flying(runs), default=float("inf"))),
         Column("slowest (s)", lambda runs: max(_flying(runs), default=float("inf"))),

@@ -7,6 +7,7 @@
 #include <random>
 #include <sstream>
 
+#include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/section.h"
 #include "loaders/shapes/mesh_file.h"
 #include "mesh_files.h"
@@ -201,13 +202,18 @@ TEST_F(MeshSection, OfAnStlIsInMetres)
   EXPECT_NEAR(shadowArea(peak, 0.5, 2.0), 0.125, 1e-5);
 }
 
-TEST_F(MeshSection, OfAFileThatHasChangedIsTheNewOne)
+TEST_F(MeshSection, OfAnotherPartOfAFileDoesNotReadItAgainUnlessItHasChanged)
 {
-  EXPECT_NEAR(areaAt(solid(kBlock), 0.2), 2.0, 1e-9);
-  const std::string path = folder.write("mesh.obj", objBox("block", {0, 0, 0}, {1, 1, 0.5}));
-  std::filesystem::last_write_time(path, std::filesystem::last_write_time(path) + std::chrono::seconds(1));
-  EXPECT_NEAR(
-    areaOf(sectionAt({"", Mesh{readMeshFile(path, {})}, Pose3(), 1.0, 0.0}, Pose3(), 0.2).outlines), 1.0, 1e-9);
+  const std::string path = folder.write("mesh.obj", kBlock + objBox("post", {5, 5, 0}, {5.2, 5.2, 2}, 9));
+  const auto written = std::filesystem::last_write_time(path);
+  EXPECT_EQ(readMeshFile(path, {})->triangles.size(), 24u);
+  folder.write("mesh.obj", "nothing that could be read");
+  std::filesystem::last_write_time(path, written);
+  MeshSelection post;
+  post.submesh = "post";
+  EXPECT_EQ(readMeshFile(path, post)->triangles.size(), 12u);
+  std::filesystem::last_write_time(path, written + std::chrono::seconds(1));
+  EXPECT_THROW(readMeshFile(path, post), Error);
 }
 
 std::string meshErrorOf(const std::string & path, const MeshSelection & selection = {})

@@ -20,7 +20,7 @@ from shapely.ops import unary_union
 import f1tenth_sim2d
 
 CAR_WIDTH = 0.31
-SEEDS = range(200)
+SEEDS = range(50)
 
 
 @cache
@@ -84,9 +84,9 @@ def test_seeds_make_all_kinds_of_roads():
     assert max(o.straight for o in options) > 60.0
     assert min(road(seed).least_radius() for seed in SEEDS) < 1.15 * MIN_RADIUS
     for name in ("hairpins", "chicanes", "gaps", "islands", "raggedness"):
-        assert sum(getattr(o, name) > 0 for o in options) > 20, name
+        assert sum(getattr(o, name) > 0 for o in options) > len(SEEDS) / 10, name
     turns = [LinearRing(road(seed).line.points).is_ccw for seed in SEEDS]
-    assert 60 < sum(turns) < 140
+    assert 0.3 < sum(turns) / len(SEEDS) < 0.7
 
 
 def test_same_seed_makes_the_same_road(tmp_path):
@@ -178,7 +178,8 @@ def test_options_that_no_road_can_have_are_refused(given, message):
     assert str(error.value).startswith(message)
 
 
-def test_road_that_has_no_room_for_what_is_wanted_is_refused():
+def test_road_that_has_no_room_for_what_is_wanted_is_refused(monkeypatch):
+    monkeypatch.setattr("f1tenth_gazebo.roads.road._ATTEMPTS", 10)
     with pytest.raises(RoadError, match="^seed 0: found no road with length 30, .*hairpins 8"):
         make_road(0, length=30.0, width=2.0, hairpins=8)
 

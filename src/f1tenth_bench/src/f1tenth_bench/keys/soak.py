@@ -2,6 +2,7 @@
 
 import csv
 import math
+import signal
 import time
 
 from f1tenth_bench.benchmark import Measured, benchmark
@@ -30,7 +31,8 @@ def soak_growth():
         before = resident_megabytes(sim2d)
         _wait_until(record, SECONDS)
         after = resident_megabytes(sim2d)
-        end(listener)
+        listener.send_signal(signal.SIGINT)
+        listener.stdout.readline()  # it says when it has paused the simulator, and ends after it
         end(sim2d)
         rows = list(csv.DictReader(record.open()))
     growth = 100.0 * (after / before - 1.0)

@@ -3,7 +3,8 @@
 #include "f1tenth_sim2d/section.h"
 
 /// Sections and footprints of solids with round sides. Curves that are not circles become polygons whose corners
-/// lie on the curve and whose edges are within kCurveTolerance of it; a cylinder that leans, a prism over such a polygon.
+/// lie on the curve and whose edges are within kCurveTolerance of it; a cylinder that leans, a prism over such a polygon:
+/// its sections lie within kCurveTolerance of its surface, and end as much below the top of one that lies.
 namespace f1tenth_sim2d
 {
 constexpr double kCurveTolerance = 5e-5;  ///< m

@@ -4,8 +4,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <exception>
-#include <fstream>
 #include <string>
 
 #include "loaders/shapes/child_process.h"
@@ -19,6 +19,13 @@ void limit(decltype(RLIMIT_CORE) what, rlim_t soft, rlim_t hard)
   const rlimit limits{soft, hard};
   ::setrlimit(what, &limits);
 }
+
+bool isWritten(const std::string & bytes)
+{
+  std::FILE * const output = ::fdopen(f1tenth_sim2d::kOutputDescriptor, "wb");
+  return output != nullptr && std::fwrite(bytes.data(), 1, bytes.size(), output) == bytes.size() &&
+         std::fflush(output) == 0;
+}
 }  // namespace
 
 int main(int, char ** arguments)
@@ -27,12 +34,10 @@ int main(int, char ** arguments)
   limit(RLIMIT_CORE, 0, 0);
   limit(RLIMIT_CPU, kCpuSecondsMax, kCpuSecondsMax + 1);
   ::alarm(kWallSecondsMax);
-  std::ofstream output("/dev/fd/" + std::to_string(kOutputDescriptor), std::ios::binary);
   try {
-    output << packed(readParts(arguments[1]));
-    return 0;
+    return isWritten(packed(readParts(arguments[1]))) ? 0 : 1;
   } catch (const std::exception & error) {
-    output << error.what();
+    isWritten(error.what());
     return 1;
   }
 }

@@ -5,6 +5,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <fstream>
@@ -53,6 +54,10 @@ private:
     const bool is_mirrored = transform.Determinant() < 0.0F;
     for (unsigned i = 0; i < geometry.mNumFaces; ++i) {
       const aiFace & face = geometry.mFaces[i];
+      unsigned * const end = face.mIndices + face.mNumIndices;
+      if (std::any_of(face.mIndices, end, [&](unsigned index) { return index >= geometry.mNumVertices; })) {
+        throw std::runtime_error("cannot be read: a triangle names a vertex that is not there");
+      }
       if (face.mNumIndices == 3) {
         part.triangles.push_back(
           {face.mIndices[0], face.mIndices[is_mirrored ? 2 : 1], face.mIndices[is_mirrored ? 1 : 2]});

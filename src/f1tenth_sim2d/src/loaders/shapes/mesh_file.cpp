@@ -43,7 +43,7 @@ private:
       index.push_back(indexOf(Vector3d(x, y, z).cwiseProduct(scale_)));
     }
     for (const auto & [a, b, c] : part.triangles) {
-      addTriangle(index.at(a), index.at(b), index.at(c));
+      addTriangle(index[a], index[b], index[c]);
     }
   }
 

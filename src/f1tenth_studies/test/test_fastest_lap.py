@@ -113,4 +113,4 @@ def test_a_missing_centreline_is_one_line_and_bad_input(capsys):
 def test_a_missing_folder_for_race_lines_is_told_before_anything_is_computed(capsys, monkeypatch):
     monkeypatch.setattr(cli, "compute_fastest_lap", lambda *_: pytest.fail("was computed"))
     assert cli.reference_main(["circuit1", "-o", "/nowhere"]) == cli.BAD_INPUT
-    assert capsys.readouterr().err == "race_reference: -o /nowhere: there is no such folder\n"
+    assert capsys.readouterr().err == "race_reference: -o /nowhere/*: there is no such folder\n"

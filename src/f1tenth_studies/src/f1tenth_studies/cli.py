@@ -8,16 +8,16 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Callable, Optional
 
+from f1tenth_scenarios.atomic import replacing
 from f1tenth_scenarios.batch.sweep import Sweep
 from f1tenth_scenarios.cli.exit_codes import BAD_INPUT, NOT_PASSED, PASSED
 from f1tenth_scenarios.cli.options import expect_at_least
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.errors import ScenarioError, writing
 from f1tenth_scenarios.results.reference_laps import reference_laps_text
 from f1tenth_scenarios.stop_request import StopRequest
 
 from f1tenth_scenarios import places
 from f1tenth_studies import studies
-from f1tenth_studies.files import expect_folder, expect_folder_of, write_text
 from f1tenth_studies.optimum.car_limits import CLEARANCE, read_limits
 from f1tenth_studies.optimum.fastest_lap import FastestLap, compute_fastest_lap, write_raceline
 from f1tenth_studies.optimum.track import load_track
@@ -70,7 +70,7 @@ def _guarded(program: str, action: Callable, options) -> int:
 
 
 def _study(options) -> int:
-    expect_folder_of(options.table, "--table")
+    _expect_folder_of("--table", options.table)
     expect_at_least(1, options.jobs, "--jobs")
     study = importlib.import_module(f"{PACKAGE}.studies.{options.name}").STUDY
     study.expect_others(options.set)
@@ -102,7 +102,18 @@ def _runs(sweep: Sweep, study: Study) -> list[Run]:
 def _publish(text: str, path: Optional[Path]) -> None:
     print(text)
     if path:
-        write_text(path, text)
+        _write(path, text)
+
+
+def _write(path: Path, text: str) -> None:
+    with writing(path), replacing(path) as temporary:
+        temporary.write_text(text, encoding="utf-8")
+
+
+def _expect_folder_of(option: str, path: Optional[Path]) -> None:
+    """Refuse a file in a folder that is not there before the work, not after it."""
+    if path and not path.resolve().parent.is_dir():
+        raise ScenarioError(f"{option} {path}: there is no such folder")
 
 
 def _say(name: str, study: Study, runs: Sequence[Run], sweep: Sweep) -> int:
@@ -123,8 +134,8 @@ def _command(options) -> str:
 
 
 def _references(options) -> int:
-    expect_folder_of(options.laps, "--laps")
-    expect_folder(options.output, "-o")
+    _expect_folder_of("--laps", options.laps)
+    _expect_folder_of("-o", options.output and options.output / "*")
     limits = read_limits(options.clearance)
     laps = {}
     for name in options.names:
@@ -135,7 +146,7 @@ def _references(options) -> int:
             stem = Path(name).stem.removesuffix("_centerline")
             write_raceline(options.output / f"{stem}_raceline.csv", lap, limits)
     if options.laps:
-        write_text(options.laps, reference_laps_text(laps))
+        _write(options.laps, reference_laps_text(laps))
     return PASSED
 
 

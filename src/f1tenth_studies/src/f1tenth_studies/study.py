@@ -6,12 +6,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Callable, Optional
 
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_scenarios.errors import ScenarioError, writing
 from f1tenth_scenarios.record.files import TRAJECTORY_FILE
 from f1tenth_scenarios.record.record import Record, read_record
 from f1tenth_scenarios.scenario.settings import parse_setting
-
-from f1tenth_studies.files import made_folder
 
 
 @dataclasses.dataclass(frozen=True)
@@ -125,7 +123,9 @@ class Study:
         if {",", ":"} & set(str(folder)):
             raise ScenarioError(f"--results: {folder} is among values, must be without ',' and ':'")
         key, worlds = self.places
-        made = {**vary, "world": ",".join(map(str, worlds(vary[key], made_folder(folder))))}
+        with writing(folder):
+            folder.mkdir(parents=True, exist_ok=True)
+        made = {**vary, "world": ",".join(map(str, worlds(vary[key], folder)))}
         if key != "world":
             del made[key]
         return made

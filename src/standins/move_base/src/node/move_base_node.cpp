@@ -20,9 +20,6 @@ namespace
 {
 using diagnostic_msgs::DiagnosticStatus;
 
-/// s, for which a server stays after time has jumped back, so that its clients hear the end of their goal.
-constexpr double kLastWords = 0.2;
-
 template <class Message>
 ros::Subscriber subscribePromptly(ros::NodeHandle & node, const std::string & topic)
 {
@@ -83,7 +80,7 @@ void MoveBaseNode::handleCallbacks()
 void MoveBaseNode::cycle(const ros::Time & now)
 {
   watchClock(now);
-  renewServer(now);
+  renewServer();
   if (!ready()) {
     if (server_is_up_) {
       updateGoal(now);
@@ -108,6 +105,10 @@ void MoveBaseNode::startServer()
   if (!server_is_up_) {
     server_is_up_ = true;
     server_->start();
+    held_topics_ = {
+      node_.advertise<move_base_msgs::MoveBaseActionResult>("move_base/result", 1),
+      node_.advertise<move_base_msgs::MoveBaseActionFeedback>("move_base/feedback", 1),
+      node_.advertise<actionlib_msgs::GoalStatusArray>("move_base/status", 1)};
   }
 }
 
@@ -131,7 +132,7 @@ void MoveBaseNode::watchClock(const ros::Time & now)
     ROS_WARN("Time jumped back: everything measured before is forgotten");
     perception_.startAgain();
     last_cycle_.reset();
-    renewal_ = now + ros::Duration(kLastWords);
+    time_jumped_back_ = true;
     if (server_->isActive()) {
       abort("Aborting on goal because time jumped back");
     } else if (navigator_.drives()) {
@@ -143,13 +144,13 @@ void MoveBaseNode::watchClock(const ros::Time & now)
 }
 
 // actionlib refuses what is older than its last goal: after a jump back, no goal would be taken for as long as time ran
-// before.
-void MoveBaseNode::renewServer(const ros::Time & now)
+// before. Another server knows of no goal.
+void MoveBaseNode::renewServer()
 {
-  if (!renewal_ || now < *renewal_ || server_->isActive() || server_->isNewGoalAvailable()) {
+  if (!time_jumped_back_ || server_->isActive() || server_->isNewGoalAvailable()) {
     return;
   }
-  renewal_.reset();
+  time_jumped_back_ = false;
   server_.reset();
   server_ = std::make_unique<Server>(node_, "move_base", false);
   if (server_is_up_) {

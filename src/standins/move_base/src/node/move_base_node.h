@@ -42,7 +42,7 @@ private:
   void startServer();
   bool due(const ros::Time & now);
   void watchClock(const ros::Time & now);
-  void renewServer(const ros::Time & now);
+  void renewServer();
   void updateGoal(const ros::Time & now);
   void accept(const geometry_msgs::PoseStamped & target, const ros::Time & now);
   void onGoalsAhead(const nav_msgs::Path::ConstPtr & goals);
@@ -76,7 +76,10 @@ private:
   ros::Subscriber prompt_cancels_;
   std::unique_ptr<Server> server_;
   bool server_is_up_{false};
-  std::optional<ros::Time> renewal_;      // when another server takes its place
+  bool time_jumped_back_{false};  // since there is this server
+  // Those of the server. Held here, they keep their connections when another server takes its place; a client would need
+  // seconds to connect again, and what is sent meanwhile would be lost.
+  std::vector<ros::Publisher> held_topics_;
   std::string failure_;                   // of the last goal
   geometry_msgs::PoseStamped target_;     // as it was sent
   nav_msgs::Path::ConstPtr goals_ahead_;  // the latest

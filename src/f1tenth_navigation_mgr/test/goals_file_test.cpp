@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -35,6 +38,27 @@ std::string saveErrorOf(const std::string & path, const Goals & goals)
   }
   return "no error";
 }
+
+/// As long as it lives, this process can write nothing into files, as if the disk were full.
+class NoFileMayGrow
+{
+public:
+  NoFileMayGrow()
+  {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit none{0, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &none);
+  }
+  ~NoFileMayGrow()
+  {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+private:
+  rlimit before_{};
+  void (*handler_)(int){std::signal(SIGXFSZ, SIG_IGN)};
+};
 
 /// A folder that is gone after the test.
 class GoalsFile : public ::testing::Test
@@ -235,13 +259,16 @@ TEST_F(GoalsFile, KeepsTheOldFileWhenTheNewOneCannotTakeItsPlace)
   EXPECT_FALSE(fs::exists(path("goals.txt.tmp")));
 }
 
-TEST_F(GoalsFile, SaysThatTheDiskIsFull)
+TEST_F(GoalsFile, KeepsTheOldFileWhenTheNewOneCannotBeWrittenWhole)
 {
-  fs::create_symlink("/dev/full", path("goals.txt.tmp"));
-  EXPECT_EQ(
-    saveErrorOf(path("goals.txt"), {PlanarGoal(1, 2, 3)}),
-    path("goals.txt") + ": cannot be written: No space left on device");
-  EXPECT_FALSE(fs::exists(path("goals.txt")));
+  SaveGoalsFile(path("goals.txt"), {PlanarGoal(1, 2, 3)});
+  {
+    const NoFileMayGrow limit;
+    EXPECT_EQ(
+      saveErrorOf(path("goals.txt"), {PlanarGoal(4, 5, 6)}), path("goals.txt") + ": cannot be written: File too large");
+  }
+  EXPECT_EQ(LoadGoalsFile(path("goals.txt")), Goals{PlanarGoal(1, 2, 3)});
+  EXPECT_FALSE(fs::exists(path("goals.txt.tmp")));
 }
 
 TEST_F(GoalsFile, RefusesToSaveWhatItCouldNotRead)
@@ -264,10 +291,11 @@ TEST_F(GoalsFile, SavesWhereALinkLeads)
   EXPECT_EQ(LoadGoalsFile(path("there.txt")).front().x, 4.0);
 }
 
-TEST_F(GoalsFile, TakesTheFileOfNothingElse)
+TEST_F(GoalsFile, RefusesToSaveIntoWhatIsNoFile)
 {
-  EXPECT_EQ(saveErrorOf("/dev/null", {PlanarGoal(1, 2, 3)}), "/dev/null: cannot be written: not a regular file");
-  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+  EXPECT_EQ(saveErrorOf(path("pipe"), {PlanarGoal(1, 2, 3)}), path("pipe") + ": cannot be written: not a regular file");
+  EXPECT_TRUE(fs::is_fifo(path("pipe")));
 }
 
 TEST_F(GoalsFile, RefusesToSaveNothing)

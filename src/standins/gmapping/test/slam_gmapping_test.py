@@ -124,9 +124,11 @@ class SlamGmappingTest(unittest.TestCase):
             assert words in lines[0]
 
     def test_file_that_is_no_bag_is_refused(self):
-        result = replay("/dev/null")
+        empty = Path(self.folder.name) / "empty.bag"
+        empty.touch()
+        result = replay(empty)
         assert result.returncode == 1
-        assert "slam_gmapping_replay: /dev/null: " in result.stderr
+        assert f"slam_gmapping_replay: {empty}: " in result.stderr
 
     def test_damaged_bag_is_refused(self):
         damaged = Path(self.folder.name) / "damaged.bag"

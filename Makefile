@@ -3,7 +3,7 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 COMMANDS := help setup installed configure build race report test sanitize tsan coverage lint tidy format bench fuzz wheel clean
-.PHONY: $(COMMANDS)
+.PHONY: $(COMMANDS) known-circuit
 
 ifneq ($(words $(CURDIR)),1)
 # roslaunch and rostest split paths at blanks: work through a link whose path has none.
@@ -88,8 +88,13 @@ RACE = $(if $(PLANNER),race "$(CIRCUIT)" --planner "$(PLANNER)" --laps $(LAPS) $
 
 # A planner of somebody else may lie in an overlay that has been sourced: --extend leaves it there.
 race: EXTEND = $(if $(PLANNER),--extend)
-race: build ## one headless race, judged: make race CIRCUIT=circuit3 PLANNER=my.launch
+race: known-circuit build ## one headless race, judged: make race CIRCUIT=circuit3 PLANNER=my.launch
 	@$(IN_WORKSPACE) exec rosrun f1tenth_scenarios scenario $(RACE) --report
+
+# Refused before minutes of building. An overlay may bring circuits of its own, which only the command that races can find.
+known-circuit:
+	@[ -n "$(wildcard $(CIRCUIT) src/f1tenth_*/*/$(CIRCUIT).*)$(F1TENTH_SCENARIO_PATH)$(ROS_PACKAGE_PATH)" ] || \
+	  { echo "CIRCUIT=$(CIRCUIT): no such file, and no such circuit; there are: $(CIRCUITS)" >&2; exit 1; }
 
 report: build ## one HTML file of all results: results/report.html
 	@$(IN_WORKSPACE) exec rosrun f1tenth_scenarios scenario report

@@ -47,6 +47,7 @@ void TrajectoryLog::endPeriod()
 
 void TrajectoryLog::restart()
 {
+  keepRecord();
   hash_.reset();
   periods_ = 0;
   touches_.clear();
@@ -64,12 +65,26 @@ void TrajectoryLog::beginRecord()
   if (record_file_.empty()) {
     return;
   }
-  // First writes what is still in memory of the previous run, or it would end up in the new record.
-  record_.close();
   record_.open(record_file_, std::ios::trunc);
   record_.precision(17);
   requireGood();
   record_ << "time,car,x,y,yaw,v_x,v_y,yaw_rate,steering_angle,clearance,contacts,contact_speed,hash\n";
+}
+
+void TrajectoryLog::keepRecord()
+{
+  if (record_file_.empty()) {
+    return;
+  }
+  if (!touches_.empty()) {
+    writeRecord();
+  }
+  record_.close();
+  requireGood();
+  const std::string kept = record_file_ + ".before_reset_" + std::to_string(++restarts_);
+  if (std::rename(record_file_.c_str(), kept.c_str()) != 0) {
+    throw Error("record: cannot write " + kept + ": " + std::strerror(errno));
+  }
 }
 
 void TrajectoryLog::writeRecord()

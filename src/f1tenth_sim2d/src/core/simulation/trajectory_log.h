@@ -23,7 +23,7 @@ public:
   /// To be called for every contact, once, in the period in which it happens.
   void note(CarId car, const Contact & contact);
   void endPeriod();
-  /// Begins the record anew, too.
+  /// Begins anew. The record so far, with what was touched since its last period, is kept as FILE.before_reset_1, _2, ...
   void restart();
   /// Leaves nothing of the record in memory.
   void flush();
@@ -40,6 +40,7 @@ private:
   };
 
   void beginRecord();
+  void keepRecord();
   void writeRecord();
   void requireGood() const;
 
@@ -49,5 +50,6 @@ private:
   TrajectoryHash hash_;
   std::map<CarId, Touch> touches_;  ///< of cars that touched anything
   std::int64_t periods_{0};
+  int restarts_{0};
 };
 }  // namespace f1tenth_sim2d

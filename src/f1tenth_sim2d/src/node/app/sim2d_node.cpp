@@ -77,12 +77,14 @@ Sim2dNode::Sim2dNode(const NodeParameters & parameters)
   simulation_(simulationOf(parameters)),
   plugins_(pluginFoldersFromEnvironment()),
   world_(simulation_, transforms_, parameters.control_period_sec, parameters.record_file),
+  interventions_(parameters.interventions_file),
   control_(controlOf(parameters)),
   clock_(outbox_.advertise<rosgraph_msgs::Clock>(node_, "/clock")),
   barrier_(makeBarrier()),
   fleet_(surroundings()),
-  models_(node_, simulation_, fleet_),
-  world_services_(node_, simulation_, control_, {[this] { restart(); }, [this] { world_.resetPoses(); }})
+  models_(node_, simulation_, fleet_, interventions_),
+  world_services_(
+    node_, simulation_, control_, {[this] { restart(); }, [this] { world_.resetPoses(); }}, interventions_)
 {
   addCars(parameters_.cars, simulation_.world().start, fleet_);
   global_outputs_.emplace(world_, globalOutputs());

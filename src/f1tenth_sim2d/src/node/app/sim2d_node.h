@@ -19,6 +19,7 @@
 #include "node/time/time_keeper.h"
 #include "node/transport/flow_control.h"
 #include "node/transport/outbox.h"
+#include "node/world/intervention_log.h"
 #include "node/world/simulated_world.h"
 
 namespace f1tenth_sim2d
@@ -55,6 +56,7 @@ private:
   Simulation simulation_;
   PluginHost plugins_;
   SimulatedWorld world_;
+  InterventionLog interventions_;
   TimeControl control_;
   TopicPublisher<rosgraph_msgs::Clock> clock_;
   std::unique_ptr<LockstepBarrier> barrier_;  // in lockstep only

@@ -12,14 +12,17 @@ namespace f1tenth_sim2d
 namespace
 {
 /// A service that answers `done` if it worked, else the text of the exception.
-template <class Request, class Response>
-boost::function<bool(Request &, Response &)> answering(
+/// @param worked  told of every request that did
+template <class Request, class Response, class Worked>
+boost::function<bool(ros::ServiceEvent<Request, Response> &)> answering(
   GazeboModels & models, void (GazeboModels::*answer)(const Request &, Response &), const std::string & title,
-  const std::string & done)
+  const std::string & done, const Worked & worked)
 {
-  return [=, &models](Request & request, Response & response) {
+  return [=, &models](ros::ServiceEvent<Request, Response> & event) {
+    Response & response = event.getResponse();
     try {
-      (models.*answer)(request, response);
+      (models.*answer)(event.getRequest(), response);
+      worked(event.getRequest(), event.getCallerName());
       response.success = true;
       response.status_message = title + done;
     } catch (const std::exception & error) {  // ROS has exceptions of its own, for names that it does not accept
@@ -28,6 +31,17 @@ boost::function<bool(Request &, Response &)> answering(
     }
     return true;
   };
+}
+
+const std::string & modelOf(const gazebo_msgs::SetModelState::Request & request)
+{
+  return request.model_state.model_name;
+}
+
+template <class Request>
+const std::string & modelOf(const Request & request)
+{
+  return request.model_name;
 }
 
 /// What a name stands for, the world itself too.
@@ -83,27 +97,38 @@ void placeWithNested(Simulation & simulation, const Entity & entity, const Model
 }
 }  // namespace
 
-GazeboModels::GazeboModels(ros::NodeHandle & node, Simulation & simulation, Fleet & fleet)
-: simulation_(simulation), fleet_(fleet)
+GazeboModels::GazeboModels(
+  ros::NodeHandle & node, Simulation & simulation, Fleet & fleet, InterventionLog & interventions)
+: simulation_(simulation), fleet_(fleet), interventions_(interventions)
 {
   const auto serve = [&](const std::string & name, const std::string & title, const std::string & done, auto answer) {
-    servers_.push_back(node.advertiseService("/gazebo/" + name, answering(*this, answer, title + ": ", done)));
+    const auto ignore = [](const auto & /*request*/, const std::string & /*caller*/) {};
+    servers_.push_back(node.advertiseService("/gazebo/" + name, answering(*this, answer, title + ": ", done, ignore)));
   };
-  serve("spawn_urdf_model", "SpawnModel", "Successfully spawned entity", &GazeboModels::spawn);
-  serve("spawn_sdf_model", "SpawnModel", "Successfully spawned entity", &GazeboModels::spawn);
-  serve("delete_model", "DeleteModel", "successfully deleted model", &GazeboModels::remove);
+  const auto change = [&](const std::string & name, const std::string & title, const std::string & done, auto answer) {
+    const auto note = [this, name](const auto & request, const std::string & caller) {
+      interventions_.add(simulation_.time(), {name, caller, modelOf(request)});
+    };
+    servers_.push_back(node.advertiseService("/gazebo/" + name, answering(*this, answer, title + ": ", done, note)));
+  };
+  change("spawn_urdf_model", "SpawnModel", "Successfully spawned entity", &GazeboModels::spawn);
+  change("spawn_sdf_model", "SpawnModel", "Successfully spawned entity", &GazeboModels::spawn);
+  change("delete_model", "DeleteModel", "successfully deleted model", &GazeboModels::remove);
   serve("get_model_state", "GetModelState", "got properties", &GazeboModels::getState);
-  serve("set_model_state", "SetModelState", "set model state done", &GazeboModels::setState);
+  change("set_model_state", "SetModelState", "set model state done", &GazeboModels::setState);
   serve("get_link_state", "GetLinkState", "got state", &GazeboModels::getLinkState);
   serve("get_model_properties", "GetModelProperties", "got properties", &GazeboModels::getProperties);
-  state_subscriber_ = node.subscribe<gazebo_msgs::ModelState>(
-    "/gazebo/set_model_state", 10, [this](const gazebo_msgs::ModelState::ConstPtr & message) {
-      try {
-        put(*message);
-      } catch (const Error & error) {
-        ROS_WARN("SetModelState: %s", error.what());
-      }
-    });
+  using StateEvent = ros::MessageEvent<const gazebo_msgs::ModelState>;
+  const boost::function<void(const StateEvent &)> take = [this](const StateEvent & event) {
+    const gazebo_msgs::ModelState & wanted = *event.getConstMessage();
+    try {
+      put(wanted);
+      interventions_.add(simulation_.time(), {"set_model_state", event.getPublisherName(), wanted.model_name});
+    } catch (const Error & error) {
+      ROS_WARN("SetModelState: %s", error.what());
+    }
+  };
+  state_subscriber_ = node.subscribe<const StateEvent &>("/gazebo/set_model_state", 10, take);
 }
 
 /// A model or a car.

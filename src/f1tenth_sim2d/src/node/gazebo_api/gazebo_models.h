@@ -15,6 +15,7 @@
 
 #include "node/cars/fleet.h"
 #include "node/gazebo_api/gazebo_entities.h"
+#include "node/world/intervention_log.h"
 
 namespace f1tenth_sim2d
 {
@@ -22,8 +23,9 @@ namespace f1tenth_sim2d
 class GazeboModels
 {
 public:
-  /// @param node  its callback queue must be served by the simulation's thread
-  GazeboModels(ros::NodeHandle & node, Simulation & simulation, Fleet & fleet);
+  /// @param node           its callback queue must be served by the simulation's thread
+  /// @param interventions  told of everything that changes the world
+  GazeboModels(ros::NodeHandle & node, Simulation & simulation, Fleet & fleet, InterventionLog & interventions);
 
 private:
   void spawn(const gazebo_msgs::SpawnModel::Request & request, gazebo_msgs::SpawnModel::Response & response);
@@ -38,6 +40,7 @@ private:
 
   Simulation & simulation_;
   Fleet & fleet_;
+  InterventionLog & interventions_;
   std::map<std::string, std::uint32_t> state_requests_;  ///< get_model_state so far, by model
   std::vector<ros::ServiceServer> servers_;
   ros::Subscriber state_subscriber_;

@@ -37,8 +37,10 @@ std::string objection(const gazebo_msgs::SetPhysicsProperties::Request & request
 }
 }  // namespace
 
-GazeboWorld::GazeboWorld(ros::NodeHandle & node, const Simulation & simulation, TimeControl & control, Actions actions)
-: simulation_(simulation), control_(control), actions_(std::move(actions))
+GazeboWorld::GazeboWorld(
+  ros::NodeHandle & node, const Simulation & simulation, TimeControl & control, Actions actions,
+  InterventionLog & interventions)
+: simulation_(simulation), control_(control), actions_(std::move(actions)), interventions_(interventions)
 {
   serveEmpty(node, "pause_physics", [this] { control_.paused = true; });
   serveEmpty(node, "unpause_physics", [this] {
@@ -54,9 +56,9 @@ GazeboWorld::GazeboWorld(ros::NodeHandle & node, const Simulation & simulation, 
 
 void GazeboWorld::serveEmpty(ros::NodeHandle & node, const std::string & name, const std::function<void()> & action)
 {
-  using Empty = std_srvs::Empty;
-  const boost::function<bool(Empty::Request &, Empty::Response &)> callback = [action](
-                                                                                Empty::Request &, Empty::Response &) {
+  using Event = ros::ServiceEvent<std_srvs::Empty::Request, std_srvs::Empty::Response>;
+  const boost::function<bool(Event &)> callback = [this, name, action](Event & event) {
+    interventions_.add(simulation_.time(), {name, event.getCallerName(), ""});
     action();
     return true;
   };
@@ -86,8 +88,10 @@ bool GazeboWorld::getPhysics(GetPhysics::Request & /*request*/, GetPhysics::Resp
   return true;
 }
 
-bool GazeboWorld::setPhysics(SetPhysics::Request & request, SetPhysics::Response & response)
+bool GazeboWorld::setPhysics(ros::ServiceEvent<SetPhysics::Request, SetPhysics::Response> & event)
 {
+  const SetPhysics::Request & request = event.getRequest();
+  SetPhysics::Response & response = event.getResponse();
   std::string problem = objection(request, timeStepSec(), simulation_.world().gravity);
   if (problem.empty() && control_.is_lockstep && differs(request.max_update_rate, 0.0)) {
     problem = "max_update_rate must stay 0 in lockstep";
@@ -95,6 +99,7 @@ bool GazeboWorld::setPhysics(SetPhysics::Request & request, SetPhysics::Response
   response.success = problem.empty();
   response.status_message = problem.empty() ? "physics engine updated" : "SetPhysicsProperties: " + problem;
   if (response.success && !control_.is_lockstep) {
+    interventions_.add(simulation_.time(), {"set_physics_properties", event.getCallerName(), ""});
     control_.real_time_factor = request.max_update_rate * timeStepSec();
   }
   return true;

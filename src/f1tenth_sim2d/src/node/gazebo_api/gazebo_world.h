@@ -12,6 +12,7 @@
 
 #include "f1tenth_sim2d/simulation.h"
 #include "node/time/time_keeper.h"
+#include "node/world/intervention_log.h"
 
 namespace f1tenth_sim2d
 {
@@ -26,8 +27,11 @@ public:
     std::function<void()> reset_poses;  ///< cars and models back to where they started
   };
 
-  /// @param node  its callback queue must be served by the simulation's thread
-  GazeboWorld(ros::NodeHandle & node, const Simulation & simulation, TimeControl & control, Actions actions);
+  /// @param node           its callback queue must be served by the simulation's thread
+  /// @param interventions  told of everything that changes the world or its time
+  GazeboWorld(
+    ros::NodeHandle & node, const Simulation & simulation, TimeControl & control, Actions actions,
+    InterventionLog & interventions);
 
 private:
   using GetPhysics = gazebo_msgs::GetPhysicsProperties;
@@ -35,13 +39,14 @@ private:
   using GetWorld = gazebo_msgs::GetWorldProperties;
   bool getWorld(GetWorld::Request & request, GetWorld::Response & response);
   bool getPhysics(GetPhysics::Request & request, GetPhysics::Response & response);
-  bool setPhysics(SetPhysics::Request & request, SetPhysics::Response & response);
+  bool setPhysics(ros::ServiceEvent<SetPhysics::Request, SetPhysics::Response> & event);
   void serveEmpty(ros::NodeHandle & node, const std::string & name, const std::function<void()> & action);
   double timeStepSec() const { return static_cast<double>(simulation_.stepLength()) * 1e-9; }
 
   const Simulation & simulation_;
   TimeControl & control_;
   const Actions actions_;
+  InterventionLog & interventions_;
   std::vector<ros::ServiceServer> servers_;
 };
 }  // namespace f1tenth_sim2d

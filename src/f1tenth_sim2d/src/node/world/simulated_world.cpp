@@ -145,9 +145,9 @@ void SimulatedWorld::repeatOthers()
 
 void SimulatedWorld::restart()
 {
+  log_.restart();
   simulation_.reset();
   schedule_.restart();
-  log_.restart();
   for (auto & [car, time] : answered_at_) {
     time = 0;
   }

@@ -44,11 +44,13 @@ class Sim2d:
         self._folder = tempfile.TemporaryDirectory(prefix="sim2d_test_")
         self.result_file = pathlib.Path(self._folder.name, "result.json")
         self.record_file = pathlib.Path(self._folder.name, "record.csv")
+        self.interventions_file = pathlib.Path(self._folder.name, "interventions.jsonl")
         defaults = {
             "world": WORLD,
             "cars": {"robot1": {"x": 0.0}},
             "result_file": str(self.result_file),
             "record": str(self.record_file),
+            "interventions": str(self.interventions_file),
         }
         rospy.set_param("/sim2d", {**defaults, **parameters})
         if description is not None:

@@ -23,7 +23,7 @@ SUCCEED, ABORT, REJECT, DROP, DELAY, DIE, LOSE_RESULT, HANG, FORGET, IGNORE, DRI
 TELL, TELL_NEXT, TELL_LAST = range(12, 15)
 
 STATUS_PERIOD = 0.05  # s
-DELAY_TIME = 2.0  # s
+DELAY_TIME = 1.5  # s, more than a client waits before it sends a goal again that was not taken
 ACCEPT_TIME = 0.5  # s, less than a client waits before it sends the goal again
 ABORT_TEXT = "Failed to find a valid plan. Even after executing recovery behaviors."
 

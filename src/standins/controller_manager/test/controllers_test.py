@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """The commands of this package with the controllers of the simulator."""
 
+import contextlib
+import io
 import math
 import os
 import signal
@@ -11,6 +13,8 @@ import unittest
 import rospy
 import rostest
 from commands import LONG, command_path, run_until
+from controller_manager import controller_manager_interface
+from controller_manager.command_line import COMMANDS
 from controller_manager_msgs.srv import ListControllers, ListControllerTypes, SwitchController
 from diagnostic_msgs.msg import DiagnosticArray
 from gazebo_msgs.srv import GetModelState
@@ -52,6 +56,7 @@ class Watch:
 
 class ControllersTest(unittest.TestCase):
     def setUp(self):
+        controller_manager_interface.use_namespace("/racecar")
         rospy.wait_for_service(MANAGER + "switch_controller", LONG)
         self.processes = []
         self.addCleanup(self.end_all)
@@ -73,16 +78,11 @@ class ControllersTest(unittest.TestCase):
         self.processes.append(subprocess.Popen([command_path(name), *arguments], env=environment))
         return self.processes[-1]
 
-    def manager(self, *arguments):
-        """Run the command controller_manager; return its exit code and output."""
-        done = subprocess.run(
-            [command_path("controller_manager"), *arguments],
-            env={**os.environ, "ROS_NAMESPACE": "racecar"},
-            capture_output=True,
-            text=True,
-            timeout=LONG,
-        )
-        return done.returncode, done.stdout.strip()
+    def manager(self, command, *names):
+        """Do what the command controller_manager does; return its exit code and output."""
+        with contextlib.redirect_stdout(io.StringIO()) as output:
+            done = COMMANDS[command](names)
+        return (0 if done else 1), output.getvalue().strip()
 
     def controllers(self):
         answer = rospy.ServiceProxy(MANAGER + "list_controllers", ListControllers)()
@@ -209,8 +209,7 @@ class ControllersTest(unittest.TestCase):
         assert len(set(times)) == len(times)
 
     def test_torque_accelerates_the_car(self):
-        self.start("spawner", "states", "rear_left_motor")
-        self.wait_until(dict.fromkeys(("states", "rear_left_motor"), "running"))
+        assert self.manager("spawn", "states", "rear_left_motor")[0] == 0
         joints = self.watch("/racecar/joint_states", JointState)
         self.command("rear_left_motor").publish(0.5)
         joints.wait_for(lambda message: min(message.velocity) >= 0.0 and max(message.velocity) > 10.0)
@@ -219,17 +218,18 @@ class ControllersTest(unittest.TestCase):
         self.start("spawner", "--stopped", "rear_left")
         self.wait_until({"rear_left": "initialized"})
         assert self.manager("start", "rear_left") == (0, "Started rear_left successfully")
-        assert self.manager("list") == (
-            0,
-            "'rear_left' - 'velocity_controllers/JointVelocityController' ( running )",
+        environment = {**os.environ, "ROS_NAMESPACE": "racecar"}
+        listing = subprocess.run(
+            [command_path("controller_manager"), "list"], env=environment, capture_output=True, text=True
         )
+        assert listing.returncode == 0
+        assert listing.stdout == "'rear_left' - 'velocity_controllers/JointVelocityController' ( running )\n"
         assert self.manager("unload", "rear_left") == (1, "Error when unloading 'rear_left'")
         assert self.manager("stop", "rear_left")[0] == 0
         assert self.controllers() == {"rear_left": "stopped"}
 
     def test_unspawner_stops_and_starts_again(self):
-        self.start("spawner", "rear_left")
-        self.wait_until({"rear_left": "running"})
+        assert self.manager("spawn", "rear_left")[0] == 0
         unspawner = self.start("unspawner", "--namespace", "/racecar", "rear_left", namespace="/")
         self.wait_until({"rear_left": "stopped"})
         self.end(unspawner)
@@ -277,8 +277,7 @@ class ControllersTest(unittest.TestCase):
 
     def test_absurd_commands_are_refused_and_counted(self):
         diagnostics = self.watch("/diagnostics", DiagnosticArray)
-        self.start("spawner", "rear_left")
-        self.wait_until({"rear_left": "running"})
+        assert self.manager("spawn", "rear_left")[0] == 0
         self.command("rear_left").publish(math.nan)
 
         def is_counted(message):
@@ -294,8 +293,7 @@ class ControllersTest(unittest.TestCase):
 
         diagnostics = self.watch("/diagnostics", DiagnosticArray)
         names = ("rear_left", "rear_right")
-        self.start("spawner", *names)
-        self.wait_until(dict.fromkeys(names, "running"))
+        assert self.manager("spawn", *names)[0] == 0
         before = accepted(diagnostics.wait_for())
         for publisher in [self.command(name) for name in names]:
             publisher.publish(1.0)

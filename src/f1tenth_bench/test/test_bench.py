@@ -5,7 +5,7 @@ import pytest
 from f1tenth_bench.__main__ import parse_arguments, result_of
 from f1tenth_bench.benchmark import Benchmark, Measured, NotAvailable
 from f1tenth_bench.keys import all_benchmarks
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_judge.errors import ScenarioError
 
 from f1tenth_bench import benchmark, report
 

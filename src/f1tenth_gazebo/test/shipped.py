@@ -3,9 +3,9 @@
 from functools import cache
 from pathlib import Path
 
-from f1tenth_gazebo.circuits.centreline import centreline
-from f1tenth_gazebo.circuits.circuit_file import load_circuit
-from f1tenth_gazebo.circuits.lap import Lap
+from f1tenth_judge.places.centreline import centreline
+from f1tenth_judge.places.circuit_file import load_circuit
+from f1tenth_judge.places.lap import Lap
 from shapely.geometry import Point, Polygon
 from shapely.ops import unary_union
 

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 import shipped
 import yaml
-from f1tenth_gazebo.errors import CircuitError
 from f1tenth_gazebo.maps.occupancy import FREE, OCCUPIED
 from f1tenth_gazebo.maps.world_grid import world_grid
 from f1tenth_gazebo.tools import make_goals, make_map, make_world
+from f1tenth_judge.errors import CircuitError
 from PIL import Image
 from shapely.geometry import Point
 

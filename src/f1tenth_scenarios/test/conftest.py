@@ -1,3 +1,7 @@
-"""Fixtures of several tests."""
+"""Fixtures of several tests, which also use the judge's samples."""
 
-from fake_scenario import program  # noqa: F401
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "f1tenth_judge" / "test"))
+from fake_scenario import program  # noqa: E402, F401

@@ -5,8 +5,8 @@ import sys
 from pathlib import Path
 
 import rosbag
+from f1tenth_judge.stop_request import StopRequest
 from f1tenth_scenarios.run.run import execute
-from f1tenth_scenarios.stop_request import StopRequest
 from scenario_samples import finished, racing, reached, rows, sample_plan, scenario, write_record
 
 SHUTDOWN = "import signal, sys; signal.signal(signal.SIGINT, lambda *_: sys.exit(0))\n"

@@ -5,13 +5,13 @@ import math
 import numpy as np
 import pytest
 import yaml
-from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.results.reference_laps import reference_laps_file
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.places import lookup
+from f1tenth_judge.results.reference_laps import reference_laps_file
 from f1tenth_studies.optimum.car_limits import GRAVITY, Limits, read_limits
 from f1tenth_studies.optimum.fastest_lap import compute_fastest_lap
 from f1tenth_studies.optimum.track import SPACING, load_track
 
-from f1tenth_scenarios import places
 from f1tenth_studies import cli
 
 LIMITS = Limits(
@@ -47,7 +47,7 @@ def test_grip_is_shared_between_bends_and_braking():
 
 def test_the_laps_that_races_are_compared_with_are_those_of_today():
     shipped = yaml.safe_load(reference_laps_file().read_text(encoding="utf-8"))
-    assert list(shipped) == places.circuits()
+    assert list(shipped) == lookup.circuits()
     # The others take a minute.
     for name in ("circuit1", "circuit_detailed"):
         lap = compute_fastest_lap(load_track(name), read_limits()).lap_time

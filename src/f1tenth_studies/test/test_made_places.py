@@ -4,15 +4,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from f1tenth_scenarios.plan.planning import make_plan
-from f1tenth_scenarios.road.course import Course, read_course
+from f1tenth_judge.places import lookup
+from f1tenth_judge.places.course import Course, read_course
+from f1tenth_judge.plan.planning import make_plan
 from f1tenth_studies.studies import encounters, tracks
 from PIL import Image
 
-from f1tenth_scenarios import places
 from f1tenth_studies import cli, made_places
 
-SCENARIO = places.package_path(cli.PACKAGE) / "scenarios" / "unseen_road.yaml"
+SCENARIO = lookup.package_path(cli.PACKAGE) / "scenarios" / "unseen_road.yaml"
 SQUARE = np.array([(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)])
 
 
@@ -107,7 +107,7 @@ def test_encounters_begin_where_their_seed_says(data, tmp_path):
     vary = encounters.STUDY.make({"encounter": "0,2"}, tmp_path)
     worlds = vary["world"].split(",")
     assert [encounters.STUDY.about({"world": world})["place"] for world in worlds] == ["Square", "Square"]
-    scenario = places.package_path(cli.PACKAGE) / "scenarios" / "encounters.yaml"
+    scenario = lookup.package_path(cli.PACKAGE) / "scenarios" / "encounters.yaml"
     for world in worlds:
         cars = make_plan(str(scenario), settings=[f"world={world}"]).cars
         start, other = cars["robot1"].start, cars["robot2"].start

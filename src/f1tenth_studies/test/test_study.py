@@ -6,16 +6,16 @@ import math
 
 import numpy as np
 import pytest
+from f1tenth_judge.places import lookup
+from f1tenth_judge.places.lookup import circuits
+from f1tenth_judge.plan.planning import make_plan
+from f1tenth_judge.record.record import CarTrack, Record
+from f1tenth_judge.scenario.settings import parse_variation
 from f1tenth_scenarios.batch import jobs
-from f1tenth_scenarios.places import circuits
-from f1tenth_scenarios.plan.planning import make_plan
-from f1tenth_scenarios.record.record import CarTrack, Record
-from f1tenth_scenarios.scenario.settings import parse_variation
 from f1tenth_studies.studies import race_pace, safety
 from f1tenth_studies.study import Run
 from f1tenth_studies.table import table
 
-from f1tenth_scenarios import places
 from f1tenth_studies import cli
 
 # Leaves the result that is beside it, for every run; those with tyres that slide fail.
@@ -55,7 +55,7 @@ def program(tmp_path, monkeypatch):
 @pytest.mark.parametrize("world", ["circuit1", "circuit5"])
 def test_the_scenario_of_a_study_is_one_on_every_circuit(name, world):
     study = importlib.import_module(f"{cli.PACKAGE}.studies.{name}").STUDY
-    file = places.package_path(cli.PACKAGE) / "scenarios" / f"{study.scenario}.yaml"
+    file = lookup.package_path(cli.PACKAGE) / "scenarios" / f"{study.scenario}.yaml"
     plan = make_plan(str(file), settings=[f"world={world}"])
     assert plan.goals_file("robot1").stem == world
     assert all(car.line.stem == world for car in plan.cars.values() if car.line)
@@ -139,7 +139,7 @@ def test_safety_lets_each_input_and_each_pair_fail():
     variation, speeds = (parse_variation(f"{key}={values}") for key, values in safety.STUDY.vary.items())
     assert len(variation) == 12
     assert len(speeds) == 3
-    file = places.package_path(cli.PACKAGE) / "scenarios" / "safety.yaml"
+    file = lookup.package_path(cli.PACKAGE) / "scenarios" / "safety.yaml"
     faults = [make_plan(str(file), settings=[str(each)]).scenario.cars[0].input_faults for each in variation]
     assert {len(fault.inputs) for (fault,) in faults} == {1, 2}
     assert {fault.delay for (fault,) in faults} == {None, safety.DELAY}

@@ -4,7 +4,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_judge.errors import ScenarioError
 
 from f1tenth_bench import report
 from f1tenth_bench.benchmark import Measured, NotAvailable

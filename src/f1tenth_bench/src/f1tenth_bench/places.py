@@ -3,7 +3,7 @@
 import os
 from pathlib import Path
 
-from f1tenth_scenarios.places import GAZEBO_PACKAGE, package_path
+from f1tenth_judge.places.lookup import GAZEBO_PACKAGE, package_path
 
 from f1tenth_bench.benchmark import NotAvailable
 

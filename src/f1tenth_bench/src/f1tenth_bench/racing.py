@@ -2,8 +2,8 @@
 
 import numpy as np
 import yaml
-from f1tenth_gazebo.maps.map_file import load_map
-from f1tenth_scenarios.places import GAZEBO_PACKAGE, package_path
+from f1tenth_judge.places.lookup import GAZEBO_PACKAGE, package_path
+from f1tenth_judge.places.map_file import load_map
 
 from f1tenth_bench.benchmark import NotAvailable
 from f1tenth_bench.places import data_file
@@ -58,7 +58,7 @@ def race_options():
 def half_laps(name):
     """The map of a circuit or track, and pairs of poses half a lap apart."""
     if name not in TRACKS:
-        from f1tenth_scenarios.road.goals import read_goals
+        from f1tenth_judge.places.goals import read_goals
 
         gazebo = package_path(GAZEBO_PACKAGE)
         poses = np.array([(goal.x, goal.y, goal.yaw) for goal in read_goals(gazebo / f"goals/{name}.txt")])

@@ -4,7 +4,7 @@ import json
 from dataclasses import dataclass
 from typing import Optional
 
-from f1tenth_scenarios.atomic import replacing
+from f1tenth_judge.atomic import replacing
 
 from f1tenth_bench.benchmark import Benchmark, Measured
 

@@ -4,16 +4,17 @@ import argparse
 import sys
 from pathlib import Path
 
-from f1tenth_gazebo.circuits.centreline import centreline
-from f1tenth_gazebo.circuits.centreline_file import centreline_beside, centreline_text, table_text
-from f1tenth_gazebo.circuits.circuit_file import load_circuit
-from f1tenth_gazebo.errors import FileError, MapError
+from f1tenth_judge.errors import FileError, MapError
+from f1tenth_judge.places.centreline import centreline
+from f1tenth_judge.places.centreline_file import centreline_beside, centreline_text, table_text
+from f1tenth_judge.places.circuit_file import load_circuit
+from f1tenth_judge.places.map_file import load_map, save_map
+from f1tenth_judge.whole_files import write_all
+
 from f1tenth_gazebo.goals.goals_file import goals_text, lap_goals
-from f1tenth_gazebo.maps.map_file import load_map, save_map
 from f1tenth_gazebo.maps.road_middle import middle_of_road
 from f1tenth_gazebo.maps.world_grid import LIDAR_HEIGHT, world_grid
 from f1tenth_gazebo.outputs import named_path
-from f1tenth_gazebo.whole_files import write_all
 from f1tenth_gazebo.worlds.world_file import world_text
 
 _CIRCUIT = ("circuit", "YAML file of the circuit")

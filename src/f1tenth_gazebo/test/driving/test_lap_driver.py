@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import pytest
 import rospy
 from f1tenth_gazebo.driving import lap_driver
-from f1tenth_gazebo.maps.map_file import load_map
+from f1tenth_judge.places.map_file import load_map
 from nav_msgs.msg import MapMetaData, OccupancyGrid
 
 

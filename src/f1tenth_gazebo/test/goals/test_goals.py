@@ -4,10 +4,10 @@ import math
 
 import pytest
 import shipped
-from f1tenth_gazebo.circuits.centreline import centreline
-from f1tenth_gazebo.circuits.circuit import Pose
-from f1tenth_gazebo.circuits.lap import Lap
 from f1tenth_gazebo.goals.goals_file import goals_text, lap_goals
+from f1tenth_judge.places.centreline import centreline
+from f1tenth_judge.places.circuit import Pose
+from f1tenth_judge.places.lap import Lap
 from shapely.geometry import Point
 
 CLEARANCE = 0.3

@@ -6,8 +6,8 @@ import signal
 import subprocess
 
 import pytest
-from f1tenth_gazebo.maps.map_file import load_map
 from f1tenth_gazebo.maps.map_tool import main
+from f1tenth_judge.places.map_file import load_map
 from ports import free_port
 from shipped import NAMES, PACKAGE
 

@@ -5,13 +5,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from f1tenth_gazebo.errors import MapError
 from f1tenth_gazebo.maps.map_alignment import aligned
 from f1tenth_gazebo.maps.map_check import check_map
-from f1tenth_gazebo.maps.map_file import Grid, load_map, save_map
 from f1tenth_gazebo.maps.map_tool import main
 from f1tenth_gazebo.maps.occupancy import FREE, OCCUPIED, occupancy_grid
 from f1tenth_gazebo.maps.world_grid import LIDAR_HEIGHT
+from f1tenth_judge.errors import MapError
+from f1tenth_judge.places.map_file import Grid, load_map, save_map
 from shipped import PACKAGE
 
 import f1tenth_sim2d

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from f1tenth_gazebo.errors import CircuitError
-from f1tenth_gazebo.maps.map_file import Grid, save_map
 from f1tenth_gazebo.maps.occupancy import FREE, OCCUPIED, UNKNOWN, occupancy_grid
+from f1tenth_judge.errors import CircuitError
+from f1tenth_judge.places.map_file import Grid, save_map
 
 
 def rectangle(x_low, y_low, x_high, y_high):

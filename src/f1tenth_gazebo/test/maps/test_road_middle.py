@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 import shipped
-from f1tenth_gazebo.errors import MapError
-from f1tenth_gazebo.maps.map_file import Grid, load_map, save_map
 from f1tenth_gazebo.maps.road_middle import middle_of_road
 from f1tenth_gazebo.tools import make_centerline
+from f1tenth_judge.errors import MapError
+from f1tenth_judge.places.map_file import Grid, load_map, save_map
 from scipy.spatial import cKDTree
 
 TRACKS = Path(os.environ.get("F1TENTH_DATA", shipped.PACKAGE.parents[2] / "shared" / "data")) / "tracks"

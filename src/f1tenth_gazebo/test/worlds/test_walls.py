@@ -3,11 +3,11 @@
 import math
 
 import pytest
-from f1tenth_gazebo.circuits.centreline import centreline
-from f1tenth_gazebo.circuits.circuit import Circuit, Corner, Opening, OpeningKind, Point
-from f1tenth_gazebo.errors import CircuitError
 from f1tenth_gazebo.worlds.openings import blocks, place_openings
 from f1tenth_gazebo.worlds.walls import HEIGHT, THICKNESS, Wall, road_walls
+from f1tenth_judge.errors import CircuitError
+from f1tenth_judge.places.centreline import centreline
+from f1tenth_judge.places.circuit import Circuit, Corner, Opening, OpeningKind, Point
 from shapely.geometry import Point as ShapelyPoint
 from shapely.geometry import Polygon
 from shapely.ops import unary_union

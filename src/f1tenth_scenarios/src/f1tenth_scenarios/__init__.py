@@ -1,1 +1,10 @@
-"""Scenarios for the F1/10 car: describe a test case, run it in the simulator, judge it, write its results."""
+"""Scenarios with ROS around the car: launching, watching, drivers that are launch files.
+
+Once it is imported, f1tenth_judge finds packages where ROS does.
+"""
+
+from f1tenth_judge.places.packages import know_packages
+
+from f1tenth_scenarios.ros_packages import RosPackages
+
+know_packages(RosPackages())

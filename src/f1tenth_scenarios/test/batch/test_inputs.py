@@ -3,19 +3,18 @@
 import shutil
 
 import pytest
+from f1tenth_judge.places import lookup
+from f1tenth_judge.plan.planning import make_plan
 from f1tenth_scenarios.batch import inputs
 from f1tenth_scenarios.batch.inputs import hash_inputs, hash_software
-from f1tenth_scenarios.plan.planning import make_plan
-
-from f1tenth_scenarios import places
 
 
 @pytest.fixture
 def scenario(tmp_path):
     """A scenario of which every file lies in a folder of its own; gives the folder."""
-    world = places.world_file("circuit1", tmp_path)
-    map_file = places.map_file(world)
-    for file in (world, map_file, map_file.with_suffix(".pgm"), places.goals_file("circuit1", tmp_path)):
+    world = lookup.world_file("circuit1", tmp_path)
+    map_file = lookup.map_file(world)
+    for file in (world, map_file, map_file.with_suffix(".pgm"), lookup.goals_file("circuit1", tmp_path)):
         shutil.copy(file, tmp_path)
     (tmp_path / "line.csv").write_text("0,0,1,1\n1,0,1,1\n0,1,1,1\n", encoding="utf-8")
     (tmp_path / "own.yaml").write_text(
@@ -124,7 +123,7 @@ def test_a_renamed_file_changes_the_hash(workspace):
 
 def test_the_workspaces_are_those_that_are_sourced():
     folders = inputs._workspace_folders()
-    assert str(places.package_path("f1tenth_scenarios")) in folders
+    assert str(lookup.package_path("f1tenth_scenarios")) in folders
     assert not [each for each in folders if each.startswith(("/opt/ros/", "/usr/share/", "/usr/lib/"))]
     assert any(each.endswith("/lib") for each in folders)
 

@@ -5,9 +5,9 @@ import signal
 import sys
 
 import pytest
+from f1tenth_judge.stop_request import StopRequest
 from f1tenth_scenarios.batch import jobs
 from f1tenth_scenarios.batch.jobs import Job, run_job, run_jobs
-from f1tenth_scenarios.stop_request import StopRequest
 
 from f1tenth_scenarios import cli
 

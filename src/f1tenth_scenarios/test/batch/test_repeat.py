@@ -1,9 +1,9 @@
 """The same run many times."""
 
 import pytest
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.stop_request import StopRequest
 from f1tenth_scenarios.batch.repeat import is_steady, repeat, spread
-from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.stop_request import StopRequest
 
 from f1tenth_scenarios import cli
 

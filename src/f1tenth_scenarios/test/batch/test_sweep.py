@@ -10,6 +10,8 @@ import subprocess
 import time
 
 import pytest
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.places import lookup
 from f1tenth_scenarios.batch import cluster
 from f1tenth_scenarios.batch import sweep as sweep_module
 from f1tenth_scenarios.batch.jobs import Outcome
@@ -17,10 +19,9 @@ from f1tenth_scenarios.batch.sweep_picture import make_figure, mean_interval
 from f1tenth_scenarios.batch.table_file import write_table
 from f1tenth_scenarios.cli.exit_codes import PASSED
 from f1tenth_scenarios.cli.sweep_command import sweep
-from f1tenth_scenarios.errors import ScenarioError
 from scenario_samples import SCENARIO_TEXT
 
-from f1tenth_scenarios import cli, places
+from f1tenth_scenarios import cli
 
 
 def swept(results, *variations, name="circuit1", workers=None, scheduler=None, output=None):
@@ -251,10 +252,10 @@ def test_key_is_varied_once(tmp_path, capsys):
 
 def test_values_that_would_share_a_folder_are_answered(tmp_path, capsys):
     worlds = [tmp_path / "b c.world", tmp_path / "b_c.world"]
-    original = places.world_file("circuit1", tmp_path)
+    original = lookup.world_file("circuit1", tmp_path)
     for world in worlds:
         shutil.copy(original, world)
-        shutil.copy(places.map_file(original), world.with_suffix(".yaml"))
+        shutil.copy(lookup.map_file(original), world.with_suffix(".yaml"))
     vary = "world=" + ",".join(map(str, worlds))
     assert cli.main(["sweep", "pushed_box", "--vary", vary, "--results", str(tmp_path / "r")]) == 2
     assert f"{worlds[0]}' and 'world={worlds[1]}' would both be written to" in capsys.readouterr().err

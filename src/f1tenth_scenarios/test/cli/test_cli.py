@@ -11,17 +11,18 @@ import sys
 import psutil
 import pytest
 import rosgraph
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.places import lookup
+from f1tenth_judge.plan.planning import make_plan
+from f1tenth_judge.results.console import ProgressLine, cost_of_all, summary
+from f1tenth_judge.scenario.describe import describe_keys
+from f1tenth_judge.scenario.scenario import Scenario
 from f1tenth_scenarios.launch.private_master import master_process, private_master
-from f1tenth_scenarios.plan.planning import make_plan
-from f1tenth_scenarios.results.console import ProgressLine, cost_of_all, summary
-from f1tenth_scenarios.scenario.describe import describe_keys
-from f1tenth_scenarios.scenario.scenario import Scenario
 from fake_run import FakeRun
 from patience import PATIENCE, wait_for
 from scenario_samples import SCENARIO_TEXT, died, finished, racing, reached, scenario
 
-from f1tenth_scenarios import cli, places
+from f1tenth_scenarios import cli
 
 
 class Terminal(io.StringIO):
@@ -32,7 +33,7 @@ class Terminal(io.StringIO):
 def test_list_names_every_scenario_with_verdict_and_description(capsys):
     assert cli.main(["list"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert [line.split()[0] for line in lines] == places.scenario_names()
+    assert [line.split()[0] for line in lines] == lookup.scenario_names()
     (line,) = (line for line in lines if line.startswith("into_the_wall"))
     assert re.fullmatch(r"into_the_wall +collision +A car that is driven into a wall .*", line)
 
@@ -105,7 +106,7 @@ def test_results_go_where_the_environment_says(monkeypatch, tmp_path):
     monkeypatch.setenv("F1TENTH_RESULTS", str(tmp_path))
     assert make_plan("circuit1").folder == tmp_path / "circuit1"
     monkeypatch.delenv("F1TENTH_RESULTS")
-    assert make_plan("circuit1").folder == places.workspace_root() / "results" / "circuit1"
+    assert make_plan("circuit1").folder == lookup.workspace_root() / "results" / "circuit1"
 
 
 def test_summary_has_all_that_make_race_prints(tmp_path):
@@ -166,7 +167,7 @@ def test_progress_is_drawn_on_a_terminal():
 
 def test_progress_shows_the_real_time_factor_since_the_first_period(monkeypatch):
     terminal = Terminal()
-    monkeypatch.setattr("f1tenth_scenarios.results.console._REDRAW_INTERVAL", 0.0)
+    monkeypatch.setattr("f1tenth_judge.results.console._REDRAW_INTERVAL", 0.0)
     line = ProgressLine("sample", terminal)
     line.update(1.0, 5.0)
     line.update(21.0, 6.0)

@@ -9,9 +9,9 @@ import threading
 import time
 
 import pytest
+from f1tenth_judge.errors import MisfitError, RestlessError
 from f1tenth_scenarios.drivers import deputy
 from f1tenth_scenarios.drivers.deputy import Deputy
-from f1tenth_scenarios.errors import MisfitError, RestlessError
 
 PATIENCE = 1.0  # s, for both
 MARK = "F1TENTH_TEST_DRIVER=robot1 of a test"

@@ -4,13 +4,12 @@ import math
 
 import numpy as np
 import pytest
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.places import lookup
+from f1tenth_judge.places.raceline import Raceline, read_raceline
 from f1tenth_scenarios.drivers.answering import Answering
 from f1tenth_scenarios.drivers.beam_dropper import drop_beams
 from f1tenth_scenarios.drivers.pure_pursuit import PurePursuit, PursuitOptions
-from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.road.raceline import Raceline, read_raceline
-
-from f1tenth_scenarios import places
 
 RADIUS = 5.0  # m
 HEADER = "# a\n# b\n# s_m; x_m; y_m; psi_rad; kappa_radpm; vx_mps; ax_mps2\n"
@@ -70,7 +69,7 @@ def test_raceline_of_the_community_is_read(tmp_path):
 
 
 def test_middle_of_a_circuit_is_a_line():
-    line = read_raceline(places.course_file("circuit1", places.package_path(places.PACKAGE)))
+    line = read_raceline(lookup.course_file("circuit1", lookup.package_path(lookup.PACKAGE)))
     assert np.isinf(line.speed).all()
 
 

@@ -2,16 +2,16 @@
 
 import pytest
 import roslaunch.config
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.places import lookup
+from f1tenth_judge.plan.planning import make_plan
 from f1tenth_scenarios.batch.inputs import hash_inputs
-from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.launch.launch_file import write_launch_file
-from f1tenth_scenarios.plan.planning import make_plan
 from scenario_samples import SCENARIO_TEXT
 
 import f1tenth_sim2d
-from f1tenth_scenarios import places
 
-TRUCK = places.package_path(places.PACKAGE) / "test" / "workspace_of_others" / "urdf" / "truck.urdf.xacro"
+TRUCK = lookup.package_path(lookup.PACKAGE) / "test" / "workspace_of_others" / "urdf" / "truck.urdf.xacro"
 OURS = "    description_arguments: {perfect_odometry: true}\n"
 PLANNER = '<launch><node pkg="others_truck" type="planner.py" name="planner"/></launch>'
 BROKEN = '<robot name="a" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="${foo}"/></robot>'

@@ -3,15 +3,14 @@
 import shutil
 
 import pytest
-from f1tenth_scenarios.errors import NotApplicableError, ScenarioError
-from f1tenth_scenarios.plan.planner import planner_setting
-from f1tenth_scenarios.plan.planning import make_plan
-from f1tenth_scenarios.results.console import summary
-from f1tenth_scenarios.scenario.driver import Driver, Interface
+from f1tenth_judge.errors import NotApplicableError, ScenarioError
+from f1tenth_judge.places import lookup
+from f1tenth_judge.plan.planner import planner_setting
+from f1tenth_judge.plan.planning import make_plan
+from f1tenth_judge.results.console import summary
+from f1tenth_judge.scenario.driver import Driver, Interface
 from fake_run import FakeRun
 from scenario_samples import SCENARIO_TEXT, finished, racing
-
-from f1tenth_scenarios import places
 
 
 @pytest.fixture
@@ -53,7 +52,7 @@ def test_who_takes_goals_is_judged_by_them(planned):
 
 def test_goals_of_a_circuit_are_found_where_its_world_is_named_by_a_path(planned, tmp_path):
     file = tmp_path / "own.yaml"
-    world = places.world_file("circuit1", tmp_path)
+    world = lookup.world_file("circuit1", tmp_path)
     file.write_text(sample_without_goals(world), encoding="utf-8")
     assert len(planned(str(file), "goals_file").tasks["robot1"].goals) == 5
     assert planned(str(file)).tasks["robot1"].laps == 1
@@ -62,7 +61,7 @@ def test_goals_of_a_circuit_are_found_where_its_world_is_named_by_a_path(planned
 @pytest.mark.parametrize("arguments", [(), ("goals_file",)])
 def test_who_drives_where_there_are_no_goals_is_judged_by_laps(planned, tmp_path, arguments):
     file, track = tmp_path / "own.yaml", tmp_path / "track_map.yaml"
-    original = places.map_file(places.world_file("circuit1", tmp_path))
+    original = lookup.map_file(lookup.world_file("circuit1", tmp_path))
     shutil.copy(original, track)
     shutil.copy(original.with_suffix(".pgm"), tmp_path)
     (tmp_path / "track_centerline.csv").write_text("0,0,1,1\n1,0,1,1\n0,1,1,1\n", encoding="utf-8")

@@ -4,10 +4,11 @@ import shutil
 
 import pytest
 import yaml
-from f1tenth_scenarios.plan.planning import make_plan
-from f1tenth_scenarios.plan.race import Race
+from f1tenth_judge.places import lookup
+from f1tenth_judge.plan.planning import make_plan
+from f1tenth_judge.plan.race import Race
 
-from f1tenth_scenarios import cli, places
+from f1tenth_scenarios import cli
 
 
 @pytest.fixture
@@ -90,7 +91,7 @@ class TestRepeat:
 
 class TestSave:
     def test_names_what_is_in_a_package_by_that(self, folder):
-        file = places.package_path("f1tenth_scenarios") / "launch" / "drivers" / "pure_pursuit.launch"
+        file = lookup.package_path("f1tenth_scenarios") / "launch" / "drivers" / "pure_pursuit.launch"
         (driver,) = drivers(saved(folder, "circuit1", "--planner", str(file), "--arg", "speed_max:=2"))
         assert driver["launch"] == "package://f1tenth_scenarios/launch/drivers/pure_pursuit.launch"
 
@@ -105,7 +106,7 @@ class TestSave:
 
     def test_names_a_world_that_was_given_by_its_name_by_that(self, folder):
         assert saved(folder, "circuit1")["world"] == "circuit1"
-        path = places.world_file("circuit1", folder)
+        path = lookup.world_file("circuit1", folder)
         (folder / "circuit1").symlink_to(path.parent)
         by_path = saved(folder, "circuit1/circuit1.world")
         assert by_path["world"].endswith("worlds/circuit1.world")
@@ -113,7 +114,7 @@ class TestSave:
 
     def test_names_the_world_from_where_the_file_is(self, folder):
         (folder / "maps").mkdir()
-        original = places.map_file(places.world_file("circuit1", folder))
+        original = lookup.map_file(lookup.world_file("circuit1", folder))
         shutil.copy(original, folder / "maps" / "lab.yaml")
         shutil.copy(original.with_suffix(".pgm"), folder / "maps")
         line = "0,0,1,1\n1,0,1,1\n0,1,1,1\n"

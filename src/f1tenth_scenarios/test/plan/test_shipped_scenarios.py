@@ -5,15 +5,14 @@ from pathlib import Path
 import pytest
 import roslaunch.config
 import rospkg
+from f1tenth_judge.places import lookup
+from f1tenth_judge.plan.participants import participants
+from f1tenth_judge.plan.planning import make_plan
+from f1tenth_judge.scenario.scenario import Localization
 from f1tenth_scenarios.launch.launch_file import launch_command, write_launch_file
-from f1tenth_scenarios.plan.participants import participants
-from f1tenth_scenarios.plan.planning import make_plan
-from f1tenth_scenarios.scenario.scenario import Localization
 from roslib.packages import find_resource
 
-from f1tenth_scenarios import places
-
-NAMES = places.scenario_names()
+NAMES = lookup.scenario_names()
 NODES = {
     "race": ("move_base", "race_mgr"),
     "pursuit": ("pure_pursuit",),
@@ -34,7 +33,7 @@ def load(plan):
 
 
 def test_there_is_one_for_each_circuit():
-    files = (places.package_path(places.GAZEBO_PACKAGE) / "circuits").glob("*.yaml")
+    files = (lookup.package_path(lookup.GAZEBO_PACKAGE) / "circuits").glob("*.yaml")
     circuits = {file.stem for file in files}
     assert circuits
     assert circuits <= set(NAMES)
@@ -42,8 +41,8 @@ def test_there_is_one_for_each_circuit():
 
 @pytest.mark.parametrize("name", NAMES)
 def test_each_has_its_rostest_file(name):
-    (file,) = find_resource(places.PACKAGE, f"{name}.test")
-    assert rospkg.get_package_name(file) == places.PACKAGE
+    (file,) = find_resource(lookup.PACKAGE, f"{name}.test")
+    assert rospkg.get_package_name(file) == lookup.PACKAGE
     assert f'args="{name}"' in Path(file).read_text(encoding="utf-8")
 
 

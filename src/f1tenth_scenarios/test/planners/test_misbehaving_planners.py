@@ -5,11 +5,10 @@ import subprocess
 import sys
 
 import pytest
+from f1tenth_judge.places import lookup
 from patience import PATIENCE
 
-from f1tenth_scenarios import places
-
-LAUNCH = places.package_path(places.PACKAGE) / "test" / "planners" / "nodes" / "misbehaving.launch"
+LAUNCH = lookup.package_path(lookup.PACKAGE) / "test" / "planners" / "nodes" / "misbehaving.launch"
 IN_COMPANY = LAUNCH.with_name("in_company.launch")
 SIMULATED = 25.0  # s, after which it is said at the latest
 

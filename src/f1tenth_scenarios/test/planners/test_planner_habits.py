@@ -13,14 +13,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 import yaml
-from f1tenth_scenarios.road.course import read_course
-from f1tenth_scenarios.road.goals import goals_along, goals_text
+from f1tenth_judge.places import lookup
+from f1tenth_judge.places.course import read_course
+from f1tenth_judge.places.goals import goals_along, goals_text
 from patience import PATIENCE
 
-from f1tenth_scenarios import places
-
-PLANNERS = places.package_path(places.PACKAGE) / "test" / "planners" / "nodes"
-TRACKS = Path(os.environ.get("F1TENTH_DATA", places.workspace_root().parent / "shared" / "data")) / "tracks"
+PLANNERS = lookup.package_path(lookup.PACKAGE) / "test" / "planners" / "nodes"
+TRACKS = Path(os.environ.get("F1TENTH_DATA", lookup.workspace_root().parent / "shared" / "data")) / "tracks"
 GOALS = 10  # on a track: 4 m from one to the next
 DRIVERS = {
     "follow_the_gap": {"interface": "f1tenth"},
@@ -74,7 +73,7 @@ def verdict(file, folder, expected="success"):
 
 @pytest.mark.parametrize("name", DRIVERS)
 def test_it_drives_a_lap_of_circuit3(tmp_path, name):
-    driver = planner(name, read_course(places.course_file("circuit3", tmp_path)), tmp_path)
+    driver = planner(name, read_course(lookup.course_file("circuit3", tmp_path)), tmp_path)
     result = verdict(scenario(tmp_path, "circuit3", {"driver": driver, "laps": 1}), tmp_path)
     assert len(result["cars"]["robot1"]["lap_times"]) == 1
 

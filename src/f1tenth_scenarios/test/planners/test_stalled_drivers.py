@@ -11,12 +11,11 @@ import time
 import psutil
 import pytest
 import yaml
+from f1tenth_judge.places import lookup
 from f1tenth_scenarios.drivers.rest import marked_processes
 from patience import PATIENCE
 
-from f1tenth_scenarios import places
-
-PLANNER = places.package_path(places.PACKAGE) / "test" / "planners" / "nodes" / "counting.launch"
+PLANNER = lookup.package_path(lookup.PACKAGE) / "test" / "planners" / "nodes" / "counting.launch"
 SCENARIO = {
     "description": "A planner that knows nothing of lockstep behind one that answers each scan.",
     "world": "circuit5",

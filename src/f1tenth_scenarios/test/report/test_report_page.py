@@ -7,7 +7,7 @@ import urllib.parse
 import zlib
 
 import pytest
-from f1tenth_scenarios.report.page import write_report
+from f1tenth_judge.report.page import write_report
 from report_samples import result, write_long_run, write_run
 
 from f1tenth_scenarios import cli

@@ -5,8 +5,8 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import pytest
-from f1tenth_scenarios.results.junit import junit_of_error, write_junit
-from f1tenth_scenarios.scenario.scenario import Verdict
+from f1tenth_judge.results.junit import junit_of_error, write_junit
+from f1tenth_judge.scenario.scenario import Verdict
 from fake_run import FakeRun
 from scenario_samples import aborted, finished, racing, scenario, with_clearance
 

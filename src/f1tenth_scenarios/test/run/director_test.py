@@ -10,13 +10,13 @@ from pathlib import Path
 import pytest
 import rospy
 import rostest
-from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.record.observations import RaceState, RaceUpdate
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.record.observations import RaceState, RaceUpdate
+from f1tenth_judge.scenario.scenario import Box, Fault, Push, Verdict
 from f1tenth_scenarios.run.events.director import Director
 from f1tenth_scenarios.run.events.ros_node_kill import kill_node
 from f1tenth_scenarios.run.ros_graph import ask
 from f1tenth_scenarios.run.ros_watch import RosWatch
-from f1tenth_scenarios.scenario.scenario import Box, Fault, Push, Verdict
 from gazebo_msgs.srv import GetModelState, GetModelStateResponse, SetModelState, SetModelStateResponse
 from geometry_msgs.msg import Pose, PoseWithCovarianceStamped
 from rosgraph_msgs.msg import Clock
@@ -25,7 +25,7 @@ from workspace_support.nodes import synchronous_publisher
 
 from f1tenth_race_mgr.msg import RaceStatus
 
-sys.path.insert(0, str(Path(__file__).parents[1]))
+sys.path.insert(0, str(Path(__file__).parents[3] / "f1tenth_judge" / "test"))
 
 from scenario_samples import sample_plan, scenario  # noqa: E402
 

@@ -1,10 +1,10 @@
 """What is to happen when, and when a period may go on."""
 
 import pytest
-from f1tenth_scenarios.plan.participants import has_deputy, participants
+from f1tenth_judge.plan.participants import has_deputy, participants
+from f1tenth_judge.scenario.car import STANDING, Command, command_at
+from f1tenth_judge.scenario.scenario import Fault, Localization
 from f1tenth_scenarios.run.events.agenda import Agenda, PeriodGate
-from f1tenth_scenarios.scenario.car import STANDING, Command, command_at
-from f1tenth_scenarios.scenario.scenario import Fault, Localization
 from scenario_samples import sample_plan, scenario
 
 

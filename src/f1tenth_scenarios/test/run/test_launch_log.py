@@ -1,7 +1,7 @@
 """Reading off roslaunch's output which node ended, and who is to blame."""
 
 import pytest
-from f1tenth_scenarios.record.observations import RaceState, RaceUpdate
+from f1tenth_judge.record.observations import RaceState, RaceUpdate
 from f1tenth_scenarios.run.diagnosis.culprit import Signs, failure_of, failure_of_driver
 from f1tenth_scenarios.run.diagnosis.launch_log import LaunchLog, NodeEnd
 from scenario_samples import sample_plan, scenario

@@ -1,10 +1,10 @@
 """A driver that cannot work is told so by the topics that lead nowhere, or to another car's driver."""
 
 import pytest
-from f1tenth_scenarios.plan.participants import driver_nodes_among
+from f1tenth_judge.plan.participants import driver_nodes_among
+from f1tenth_judge.scenario.driver import Interface
 from f1tenth_scenarios.run.diagnosis.loose_ends import CarTopics, driver_nodes, shared_topic, why_mute
 from f1tenth_scenarios.run.ros_graph import RosGraph
-from f1tenth_scenarios.scenario.driver import Interface
 
 STAMPED, TWIST = "ackermann_msgs/AckermannDriveStamped", "geometry_msgs/Twist"
 TAKES = f"the car takes {STAMPED} on /robot1/drive or {TWIST} on /robot1/cmd_vel"

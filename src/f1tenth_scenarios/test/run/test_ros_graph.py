@@ -4,7 +4,7 @@ import socket
 import time
 
 import pytest
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_judge.errors import ScenarioError
 from f1tenth_scenarios.run.ros_graph import RosGraph, ask, publications_of, read_graph
 
 

@@ -4,7 +4,7 @@ import signal
 import time
 
 import pytest
-from f1tenth_scenarios.scenario.scenario import Limits, Verdict
+from f1tenth_judge.scenario.scenario import Limits, Verdict
 from fake_run import FakeRun, result_of, succeeding
 from scenario_samples import aborted, died, finished, racing, reached, scenario
 

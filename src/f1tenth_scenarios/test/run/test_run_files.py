@@ -8,10 +8,10 @@ import signal
 
 import psutil
 import pytest
-from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.record.record import COLUMNS
-from f1tenth_scenarios.record.replay import read_replay
-from f1tenth_scenarios.results.console import summary
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.record.record import COLUMNS
+from f1tenth_judge.record.replay import read_replay
+from f1tenth_judge.results.console import summary
 from fake_run import FakeRun, result_of, succeeding
 from PIL import Image
 from scenario_samples import aborted, finished, racing
@@ -112,9 +112,9 @@ def test_results_survive_a_later_run_that_breaks(tmp_path):
 @pytest.mark.parametrize(
     ("writer", "file"),
     [
-        ("results.picture.write_picture", "trajectory.png"),
-        ("run.run.write_replay", "replay.json.gz"),
-        ("run.run.write_trajectory", "trajectory.csv"),
+        ("f1tenth_judge.results.picture.write_picture", "trajectory.png"),
+        ("f1tenth_scenarios.run.run.write_replay", "replay.json.gz"),
+        ("f1tenth_scenarios.run.run.write_trajectory", "trajectory.csv"),
     ],
 )
 def test_a_file_that_cannot_be_written_does_not_cost_the_verdict(
@@ -124,7 +124,7 @@ def test_a_file_that_cannot_be_written_does_not_cost_the_verdict(
         raise error
 
     run = succeeding(tmp_path)
-    monkeypatch.setattr(f"f1tenth_scenarios.{writer}", fail)
+    monkeypatch.setattr(writer, fail)
     result = run.execute()
     assert result.not_written == (f"{file}: {reason}",)
     assert f"not written:       {file}: {reason}" in summary(result, run.plan).splitlines()
@@ -138,7 +138,7 @@ def test_a_verdict_that_cannot_be_written_is_said(tmp_path, monkeypatch):
     def fail(*_):
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr("f1tenth_scenarios.results.writing.write_json", fail)
+    monkeypatch.setattr("f1tenth_judge.results.writing.write_json", fail)
     run = succeeding(tmp_path)
     with pytest.raises(ScenarioError) as caught:
         run.execute()

@@ -3,9 +3,9 @@
 import dataclasses
 
 import pytest
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.scenario.scenario import Limits
 from f1tenth_scenarios.launch.system_limits import require_memory
-from f1tenth_scenarios.scenario.scenario import Limits
 from fake_run import FakeRun
 from patience import PATIENCE
 from scenario_samples import scenario

@@ -6,13 +6,12 @@ import subprocess
 import sys
 
 import pytest
-from f1tenth_scenarios.record.files import REPLAY_FILE
-from f1tenth_scenarios.record.replay import read_replay
+from f1tenth_judge.places import lookup
+from f1tenth_judge.record.files import REPLAY_FILE
+from f1tenth_judge.record.replay import read_replay
 from patience import PATIENCE
 
-from f1tenth_scenarios import places
-
-WORKSPACE = places.package_path(places.PACKAGE) / "test" / "workspace_of_others"
+WORKSPACE = lookup.package_path(lookup.PACKAGE) / "test" / "workspace_of_others"
 
 
 @pytest.fixture

@@ -7,16 +7,15 @@ import sys
 import gymnasium
 import numpy as np
 import pytest
-from f1tenth_scenarios.record.record import read_record
+from f1tenth_judge.places import lookup
+from f1tenth_judge.record.record import read_record
 from f1tenth_sim2d.environments import ENVIRONMENT, register
 from patience import PATIENCE
-
-from f1tenth_scenarios import places
 
 register()
 onnxruntime = pytest.importorskip("onnxruntime", reason="no onnxruntime, which runs the policy")
 
-EXAMPLES = places.package_path("f1tenth_sim2d") / "examples"
+EXAMPLES = lookup.package_path("f1tenth_sim2d") / "examples"
 SEED = 1  # of a race
 
 

@@ -8,11 +8,10 @@ import xml.etree.ElementTree as ElementTree
 
 import pytest
 import yaml
+from f1tenth_judge.places import lookup
 from patience import PATIENCE
 
-from f1tenth_scenarios import places
-
-TEMPLATE = places.workspace_root() / "templates" / "planner_package"
+TEMPLATE = lookup.workspace_root() / "templates" / "planner_package"
 SCENARIOS = ("my_lap", "my_race")
 IMAGE_ONLY = "apt-get "  # steps that are for a machine which has nothing yet
 NOTHING_YET = "no results of the main branch yet"
@@ -86,7 +85,7 @@ def test_make_race_finds_the_planner_in_the_overlay_that_is_sourced(repository):
     race = f'race OUT="{out}" PLANNER="$PWD/launch/planner.launch"'
     said = execute(
         repository,
-        f'source overlay/devel/setup.bash && make -C "{places.workspace_root()}" -o build {race}',
+        f'source overlay/devel/setup.bash && make -C "{lookup.workspace_root()}" -o build {race}',
         F1TENTH_RESULTS=str(repository / "raced"),
     )
     assert "reason:            every lap was driven" in said

@@ -8,15 +8,15 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Callable, Optional
 
-from f1tenth_scenarios.atomic import replacing
+from f1tenth_judge.atomic import replacing
+from f1tenth_judge.errors import ScenarioError, writing
+from f1tenth_judge.places import lookup
+from f1tenth_judge.results.reference_laps import reference_laps_text
+from f1tenth_judge.stop_request import StopRequest
 from f1tenth_scenarios.batch.sweep import Sweep
 from f1tenth_scenarios.cli.exit_codes import BAD_INPUT, NOT_PASSED, PASSED
 from f1tenth_scenarios.cli.options import expect_at_least
-from f1tenth_scenarios.errors import ScenarioError, writing
-from f1tenth_scenarios.results.reference_laps import reference_laps_text
-from f1tenth_scenarios.stop_request import StopRequest
 
-from f1tenth_scenarios import places
 from f1tenth_studies import studies
 from f1tenth_studies.optimum.car_limits import CLEARANCE, read_limits
 from f1tenth_studies.optimum.fastest_lap import FastestLap, compute_fastest_lap, write_raceline
@@ -50,7 +50,7 @@ def reference_main(arguments: Optional[Sequence[str]] = None) -> int:
         prog="race_reference", description="Computes the fastest lap of circuits for the simulator's car."
     )
     parser.add_argument(
-        "names", nargs="*", default=places.circuits(), metavar="NAME", help="circuit, or X_centerline.csv"
+        "names", nargs="*", default=lookup.circuits(), metavar="NAME", help="circuit, or X_centerline.csv"
     )
     parser.add_argument(
         "--clearance", type=float, default=CLEARANCE, metavar="M", help="beside the car (%(default)s)"
@@ -74,8 +74,8 @@ def _study(options) -> int:
     expect_at_least(1, options.jobs, "--jobs")
     study = importlib.import_module(f"{PACKAGE}.studies.{options.name}").STUDY
     study.expect_others(options.set)
-    scenario = places.package_path(PACKAGE) / "scenarios" / f"{study.scenario}.yaml"
-    results = (options.results or places.results_root()).resolve()
+    scenario = lookup.package_path(PACKAGE) / "scenarios" / f"{study.scenario}.yaml"
+    results = (options.results or lookup.results_root()).resolve()
     vary = study.make(study.varied(options.vary), results / "places" / options.name)
     variations = [f"{key}={values}" for key, values in vary.items()]
     sweep = Sweep(str(scenario), variations, results, options.set)

@@ -7,10 +7,10 @@ from typing import Optional
 import numpy as np
 import yaml
 from f1tenth_gazebo.roads import RoadError, make_road, write_road
-from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.road.course import Course, read_course
-from f1tenth_scenarios.road.raceline import COLUMNS, RACELINE
-from f1tenth_scenarios.scenario.settings import parse_variation
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.places.course import Course, read_course
+from f1tenth_judge.places.raceline import COLUMNS, RACELINE
+from f1tenth_judge.scenario.settings import parse_variation
 
 
 def data_folder() -> Path:

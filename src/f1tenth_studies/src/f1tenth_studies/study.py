@@ -6,10 +6,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Callable, Optional
 
-from f1tenth_scenarios.errors import ScenarioError, writing
-from f1tenth_scenarios.record.files import TRAJECTORY_FILE
-from f1tenth_scenarios.record.record import Record, read_record
-from f1tenth_scenarios.scenario.settings import parse_setting
+from f1tenth_judge.errors import ScenarioError, writing
+from f1tenth_judge.record.files import TRAJECTORY_FILE
+from f1tenth_judge.record.record import Record, read_record
+from f1tenth_judge.scenario.settings import parse_setting
 
 
 @dataclasses.dataclass(frozen=True)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from f1tenth_scenarios.versions import commits
+from f1tenth_judge.results.versions import commits
 
 from f1tenth_studies.study import Run, Study
 

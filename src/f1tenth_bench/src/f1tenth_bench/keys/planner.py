@@ -4,7 +4,7 @@ import functools
 import statistics
 
 import numpy as np
-from f1tenth_scenarios.places import circuits
+from f1tenth_judge.places.lookup import circuits
 
 from f1tenth_bench.benchmark import Measured, NotAvailable, benchmark
 from f1tenth_bench.racing import TRACKS, half_laps, planner_module, race_options

@@ -1,6 +1,6 @@
 """Cars for the benchmarks."""
 
-from f1tenth_scenarios.places import package_path
+from f1tenth_judge.places.lookup import package_path
 from f1tenth_sim2d.environments.car import Lidar, with_lidar
 from f1tenth_sim2d.environments.xacro_file import expanded
 

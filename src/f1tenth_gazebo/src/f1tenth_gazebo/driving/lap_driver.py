@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import rospy
 from ackermann_msgs.msg import AckermannDriveStamped
+from f1tenth_judge.places.map_file import save_map
 from nav_msgs.msg import OccupancyGrid
 from nav_msgs.srv import GetMap
 from sensor_msgs.msg import LaserScan
@@ -16,7 +17,6 @@ from f1tenth_gazebo.driving.gap_follower import GapFollower, GapFollowerOptions
 from f1tenth_gazebo.driving.lap_inputs import LapInputs
 from f1tenth_gazebo.driving.lap_watch import LapError, LapWatch
 from f1tenth_gazebo.launches import end_launch
-from f1tenth_gazebo.maps.map_file import save_map
 from f1tenth_gazebo.maps.occupancy import grid_of
 from f1tenth_gazebo.outputs import has_name
 

@@ -1,6 +1,6 @@
 """Goals for one lap: poses on the centreline, in driving order."""
 
-from f1tenth_gazebo.circuits.lap import Lap
+from f1tenth_judge.places.lap import Lap
 
 SPACING = 6.5
 """Desired distance from one goal to the next, m."""

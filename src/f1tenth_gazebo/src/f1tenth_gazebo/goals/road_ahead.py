@@ -3,9 +3,8 @@
 import math
 
 import numpy as np
-
-from f1tenth_gazebo.circuits.centreline_file import centreline_beside
-from f1tenth_gazebo.circuits.circuit import Pose
+from f1tenth_judge.places.centreline_file import centreline_beside
+from f1tenth_judge.places.circuit import Pose
 
 _SPACING = 3.0  # m, between the places at which the direction is shown
 

@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
+from f1tenth_judge.errors import MapError
 from scipy.spatial import cKDTree
 
-from f1tenth_gazebo.errors import MapError
 from f1tenth_gazebo.sampling import along, around
 
 _NEAR = 0.05

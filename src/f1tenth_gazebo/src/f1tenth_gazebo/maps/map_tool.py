@@ -5,11 +5,12 @@ import math
 import sys
 from pathlib import Path
 
+from f1tenth_judge.errors import MapError
+from f1tenth_judge.places.map_file import load_map
+
 import f1tenth_sim2d
-from f1tenth_gazebo.errors import MapError
 from f1tenth_gazebo.maps.map_alignment import Alignment, aligned
 from f1tenth_gazebo.maps.map_check import check_map
-from f1tenth_gazebo.maps.map_file import load_map
 from f1tenth_gazebo.maps.world_grid import LIDAR_HEIGHT
 from f1tenth_gazebo.worlds.find_world import WorldError, find_world
 

@@ -4,10 +4,9 @@ import math
 from functools import partial
 
 import numpy as np
+from f1tenth_judge.errors import CircuitError
+from f1tenth_judge.places.map_file import RESOLUTION, Grid
 from scipy import ndimage
-
-from f1tenth_gazebo.errors import CircuitError
-from f1tenth_gazebo.maps.map_file import RESOLUTION, Grid
 
 MARGIN = 0.5
 """Width of the unknown border around everything solid, m."""

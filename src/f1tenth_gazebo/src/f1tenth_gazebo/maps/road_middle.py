@@ -5,9 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 from contourpy import contour_generator
+from f1tenth_judge.errors import MapError
 from scipy import ndimage
-
-from f1tenth_gazebo.errors import MapError
 
 _LEAST_INSIDE = 0.2
 """m^2, the least that a road goes around; anything smaller lies on it"""

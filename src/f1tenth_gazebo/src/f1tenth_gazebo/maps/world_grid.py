@@ -1,7 +1,8 @@
 """The map of a world."""
 
+from f1tenth_judge.errors import CircuitError
+
 import f1tenth_sim2d
-from f1tenth_gazebo.errors import CircuitError
 from f1tenth_gazebo.maps.occupancy import occupancy_grid
 
 LIDAR_HEIGHT = 0.16

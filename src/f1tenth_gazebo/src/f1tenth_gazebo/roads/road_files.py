@@ -3,13 +3,13 @@
 from pathlib import Path
 
 import numpy as np
+from f1tenth_judge.places.centreline_file import table_text
+from f1tenth_judge.places.map_file import map_files
+from f1tenth_judge.whole_files import write_all
 from PIL import Image, ImageDraw
 
-from f1tenth_gazebo.circuits.centreline_file import table_text
-from f1tenth_gazebo.maps.map_file import map_files
 from f1tenth_gazebo.maps.occupancy import grid_of, occupied_cells
 from f1tenth_gazebo.roads.road_walls import MATERIAL
-from f1tenth_gazebo.whole_files import write_all
 from f1tenth_gazebo.worlds.world_file import road_world_text
 
 _CENTRELINE_STEP = 3

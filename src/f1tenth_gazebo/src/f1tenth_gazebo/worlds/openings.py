@@ -3,8 +3,9 @@
 import math
 from dataclasses import dataclass
 
-from f1tenth_gazebo.circuits.circuit import OPENING_HEIGHTS
-from f1tenth_gazebo.errors import CircuitError
+from f1tenth_judge.errors import CircuitError
+from f1tenth_judge.places.circuit import OPENING_HEIGHTS
+
 from f1tenth_gazebo.worlds.walls import HEIGHT
 
 _MARGIN = 0.2

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from f1tenth_gazebo.errors import CircuitError
+from f1tenth_judge.errors import CircuitError
 
 THICKNESS = 0.15
 """m"""

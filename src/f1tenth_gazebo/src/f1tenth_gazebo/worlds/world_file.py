@@ -1,6 +1,7 @@
 """A circuit as an SDF world, written as Gazebo writes it."""
 
-from f1tenth_gazebo.circuits.centreline import centreline
+from f1tenth_judge.places.centreline import centreline
+
 from f1tenth_gazebo.worlds.openings import blocks, place_openings
 from f1tenth_gazebo.worlds.walls import HEIGHT, THICKNESS, road_walls, wall_chain
 

@@ -4,9 +4,10 @@ import contextlib
 import time
 from collections.abc import Iterator, Sequence
 
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.stop_request import StopRequest
+
 from f1tenth_scenarios.batch.jobs import Job, Outcome, run_job
-from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.stop_request import StopRequest
 
 _CONNECT_TIMEOUT = 10.0  # wall s
 _LOOK_INTERVAL = 0.2  # wall s

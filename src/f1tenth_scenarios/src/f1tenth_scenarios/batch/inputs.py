@@ -8,10 +8,9 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import yaml
-
-from f1tenth_scenarios import places
-from f1tenth_scenarios.plan.handover import given_arguments
-from f1tenth_scenarios.plan.plan import Plan
+from f1tenth_judge.places.packages import package_names, package_path
+from f1tenth_judge.plan.handover import given_arguments
+from f1tenth_judge.plan.plan import Plan
 
 # Where the system's packages put theirs; elsewhere below /opt and /usr a workspace may be.
 _INSTALLED = ("/opt/ros", "/usr/share", "/usr/lib")
@@ -34,8 +33,7 @@ def hash_inputs(plan: Plan, software: str) -> str:
 
 
 def _workspace_folders() -> list[str]:
-    known = places.packages()
-    sources = sorted(known.get_path(name) for name in known.list())
+    sources = sorted(str(package_path(name)) for name in package_names())
     prefixes = filter(None, os.environ.get("CMAKE_PREFIX_PATH", "").split(":"))
     built = [f"{prefix}/lib" for prefix in prefixes]
     return [each for each in [*sources, *built] if not _is_installed(Path(each))]

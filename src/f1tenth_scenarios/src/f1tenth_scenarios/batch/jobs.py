@@ -9,8 +9,8 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, Optional
 
-from f1tenth_scenarios.record.files import RESULT_FILE, read_json
-from f1tenth_scenarios.stop_request import StopRequest
+from f1tenth_judge.record.files import RESULT_FILE, read_json
+from f1tenth_judge.stop_request import StopRequest
 
 PROGRAM = (sys.executable, "-m", "f1tenth_scenarios")
 # If this process dies, a run is told to end, and ends everything that it has started.

@@ -5,11 +5,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.plan.planning import make_plan
+from f1tenth_judge.results.console import CountLine
+from f1tenth_judge.stop_request import StopRequest
+
 from f1tenth_scenarios.batch.jobs import Job, run_jobs
-from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.plan.planning import make_plan
-from f1tenth_scenarios.results.console import CountLine
-from f1tenth_scenarios.stop_request import StopRequest
 
 _WHY = ": does the planner ask the wall clock, or draw random numbers without a seed?"
 

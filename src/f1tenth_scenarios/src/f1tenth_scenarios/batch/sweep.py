@@ -6,14 +6,15 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, Optional
 
+from f1tenth_judge.errors import ScenarioError, writing
+from f1tenth_judge.plan.planning import make_plan
+from f1tenth_judge.results.console import CountLine
+from f1tenth_judge.scenario.settings import Setting, folder_name, parse_variation
+from f1tenth_judge.stop_request import StopRequest
+
 from f1tenth_scenarios.batch.cluster import run_on_cluster
 from f1tenth_scenarios.batch.inputs import hash_inputs, hash_software
 from f1tenth_scenarios.batch.jobs import Job, Outcome, read_result, run_jobs
-from f1tenth_scenarios.errors import ScenarioError, writing
-from f1tenth_scenarios.plan.planning import make_plan
-from f1tenth_scenarios.results.console import CountLine
-from f1tenth_scenarios.scenario.settings import Setting, folder_name, parse_variation
-from f1tenth_scenarios.stop_request import StopRequest
 
 _INPUTS_FILE = "inputs.sha256"  # beside a result: what it depends on
 

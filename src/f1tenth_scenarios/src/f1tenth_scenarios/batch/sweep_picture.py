@@ -6,13 +6,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from f1tenth_judge.atomic import replacing
+from f1tenth_judge.scenario.settings import unit_of
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from scipy.stats import binomtest
-
-from f1tenth_scenarios.atomic import replacing
-from f1tenth_scenarios.scenario.settings import unit_of
 
 _MOST_TICKS = 8
 _Z = 1.959964  # of the normal distribution, for 95 %

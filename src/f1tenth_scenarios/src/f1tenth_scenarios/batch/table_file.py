@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from f1tenth_scenarios.atomic import replacing
-from f1tenth_scenarios.errors import ScenarioError, writing
+from f1tenth_judge.atomic import replacing
+from f1tenth_judge.errors import ScenarioError, writing
 
 CSV, PARQUET = ".csv", ".parquet"
 _ENGINE = "fastparquet"

@@ -6,9 +6,10 @@ import sys
 from collections.abc import Sequence
 from typing import Optional
 
+from f1tenth_judge.errors import ScenarioError
+
 from f1tenth_scenarios.cli.exit_codes import BAD_INPUT
 from f1tenth_scenarios.cli.parser import make_parser
-from f1tenth_scenarios.errors import ScenarioError
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:

@@ -5,10 +5,11 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 from typing import Optional
 
+from f1tenth_judge.errors import ScenarioError, writing
+from f1tenth_judge.results.comparison import Comparison, Tolerance, compare_folders, table
+from f1tenth_judge.results.junit import write_junit
+
 from f1tenth_scenarios.cli.exit_codes import NOT_PASSED, PASSED
-from f1tenth_scenarios.errors import ScenarioError, writing
-from f1tenth_scenarios.results.comparison import Comparison, Tolerance, compare_folders, table
-from f1tenth_scenarios.results.junit import write_junit
 
 _SUITE = "scenario compare"
 

@@ -4,7 +4,7 @@ import os
 import sys
 from typing import NoReturn
 
-from f1tenth_scenarios.stop_request import StopRequest
+from f1tenth_judge.stop_request import StopRequest
 
 PASSED, NOT_PASSED, BAD_INPUT = 0, 1, 2
 _SIGNALLED = 128  # plus the number of the signal

@@ -5,10 +5,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Optional
 
-from f1tenth_scenarios import places
-from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.plan.driver_file import read_driver_file
-from f1tenth_scenarios.scenario.driver import Driver, Interface
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.places import lookup
+from f1tenth_judge.plan.driver_file import read_driver_file
+from f1tenth_judge.scenario.driver import Driver, Interface
 
 # Drivers that follow given commands need more than a road.
 OUR_PLANNERS = ", ".join(name for name in Driver.short_forms() if name != "commands")
@@ -16,7 +16,7 @@ OUR_PLANNERS = ", ".join(name for name in Driver.short_forms() if name != "comma
 
 def results_of(options) -> Path:
     """The folder of all results."""
-    return (options.results or places.results_root()).resolve()
+    return (options.results or lookup.results_root()).resolve()
 
 
 def expect_at_least(least: int, number: Optional[int], option: str) -> None:
@@ -62,7 +62,7 @@ def planners_of(names: Sequence[str], options) -> list[Driver]:
         ScenarioError: as planner_of.
     """
     planners = [planner_of(name, options) for name in names]
-    known = [read_driver_file(places.file_at(each.launch, Path.cwd())).arguments for each in planners]
+    known = [read_driver_file(lookup.file_at(each.launch, Path.cwd())).arguments for each in planners]
     given = {name for each in planners for name in each.arguments}
     nowhere = given.difference(*known)
     return [
@@ -77,7 +77,7 @@ def file_option(name: str) -> str:
     Raises:
         ScenarioError: there is no such file.
     """
-    return name if name.startswith("package://") else str(places.file_at(name, Path.cwd()))
+    return name if name.startswith("package://") else str(lookup.file_at(name, Path.cwd()))
 
 
 def _argument(text: str) -> tuple[str, str]:
@@ -85,4 +85,4 @@ def _argument(text: str) -> tuple[str, str]:
     if not (name and assigns):
         raise ScenarioError(f"--arg {text}: must be NAME:=VALUE, as in speed:=4.0")
     # What a scenario file anywhere would name.
-    return name, value if value.startswith("package://") else places.file_or_text(value, Path.cwd())
+    return name, value if value.startswith("package://") else lookup.file_or_text(value, Path.cwd())

@@ -4,15 +4,16 @@ import argparse
 from pathlib import Path
 from typing import Callable, TypeAlias
 
-from f1tenth_scenarios import places
+from f1tenth_judge.places import lookup
+from f1tenth_judge.record.files import REPORT_FILE
+from f1tenth_judge.scenario.driver import Interface
+
 from f1tenth_scenarios.cli.compare_command import compare
 from f1tenth_scenarios.cli.options import OUR_PLANNERS
 from f1tenth_scenarios.cli.race_command import race
 from f1tenth_scenarios.cli.run_command import run
 from f1tenth_scenarios.cli.show_commands import check, report, show_keys, show_list
 from f1tenth_scenarios.cli.sweep_command import sweep
-from f1tenth_scenarios.record.files import REPORT_FILE
-from f1tenth_scenarios.scenario.driver import Interface
 
 _SET = "replace a value of the file, as in seed=2, mu=0.3, limits.timeout=20 or driver.arguments.speed=4"
 _VARY = "FIRST:LAST (whole numbers), FIRST:LAST:COUNT or A,B,C; several keys: every combination"
@@ -45,7 +46,7 @@ def _search_path(folder: str) -> None:
     """Adds the folder at once, as commands look names up there; nothing is kept in the options."""
     if not Path(folder).is_dir():
         raise argparse.ArgumentTypeError(f"{folder}: no such folder")
-    places.add_search_path(Path(folder))
+    lookup.add_search_path(Path(folder))
 
 
 def _command(commands: _Subparsers, name: str, action: Callable, text: str) -> argparse.ArgumentParser:

@@ -5,7 +5,11 @@ import re
 from pathlib import Path
 from typing import Optional
 
-from f1tenth_scenarios.atomic import replacing
+from f1tenth_judge.atomic import replacing
+from f1tenth_judge.errors import ScenarioError, writing
+from f1tenth_judge.plan.race import Race, plan_race, race_text
+from f1tenth_judge.scenario.driver import Driver
+
 from f1tenth_scenarios.cli.exit_codes import PASSED
 from f1tenth_scenarios.cli.options import (
     check_planner_options,
@@ -15,9 +19,6 @@ from f1tenth_scenarios.cli.options import (
     results_of,
 )
 from f1tenth_scenarios.cli.run_command import check_repeat, run_plan, run_repeatedly, with_report
-from f1tenth_scenarios.errors import ScenarioError, writing
-from f1tenth_scenarios.plan.race import Race, plan_race, race_text
-from f1tenth_scenarios.scenario.driver import Driver
 
 
 def race(options) -> int:

@@ -5,19 +5,20 @@ import dataclasses
 from collections.abc import Sequence
 from pathlib import Path
 
-from f1tenth_scenarios import places
+from f1tenth_judge.errors import NotApplicableError, ScenarioError
+from f1tenth_judge.places import lookup
+from f1tenth_judge.plan.plan import Plan
+from f1tenth_judge.plan.planner import planner_setting
+from f1tenth_judge.plan.planning import make_plan
+from f1tenth_judge.results.console import CountLine, ProgressLine, cost_of_all, summary
+from f1tenth_judge.stop_request import StopRequest
+
 from f1tenth_scenarios.batch.jobs import Job, Outcome, run_jobs
 from f1tenth_scenarios.cli.exit_codes import NOT_PASSED, PASSED, exit_code
 from f1tenth_scenarios.cli.options import check_planner_options, expect_at_least, planner_of, results_of
 from f1tenth_scenarios.cli.show_commands import report
-from f1tenth_scenarios.errors import NotApplicableError, ScenarioError
 from f1tenth_scenarios.launch.private_master import private_master
 from f1tenth_scenarios.launch.system_limits import require_memory
-from f1tenth_scenarios.plan.plan import Plan
-from f1tenth_scenarios.plan.planner import planner_setting
-from f1tenth_scenarios.plan.planning import make_plan
-from f1tenth_scenarios.results.console import CountLine, ProgressLine, cost_of_all, summary
-from f1tenth_scenarios.stop_request import StopRequest
 
 _REPEAT = "--repeat is for one scenario, and at least 2 times"
 
@@ -33,9 +34,9 @@ def run(options) -> int:
             raise ScenarioError(_REPEAT)
         check_repeat(options)
         return run_repeatedly(options.names[0], options, settings, options.jobs)
-    names = places.scenario_names() if options.all else options.names
+    names = lookup.scenario_names() if options.all else options.names
     if len(names) == 1:
-        folder = results_of(options) / places.scenario_file(names[0]).stem
+        folder = results_of(options) / lookup.scenario_file(names[0]).stem
         plan = make_plan(names[0], folder, settings)
         code = run_plan(dataclasses.replace(plan, keep_bag=options.bag))
     else:
@@ -101,7 +102,7 @@ def _run_each(names: Sequence[str], settings: Sequence[str], options) -> int:
     """A process for each, because a process can be a ROS node only once."""
     _check_folders(names, results_of(options))
     left_out = _not_applicable(names, settings)
-    files = [places.scenario_file(name) for name in names if name not in left_out]
+    files = [lookup.scenario_file(name) for name in names if name not in left_out]
     extra = ("--bag",) if options.bag else ()
     jobs = [Job(str(file), tuple(settings), str(results_of(options)), extra) for file in files]
     outcomes: list[Outcome] = []
@@ -124,7 +125,7 @@ def _check_folders(names: Sequence[str], results: Path) -> None:
     """Refuse scenarios that would overwrite each other's results."""
     known: dict[Path, str] = {}
     for name in names:
-        folder = results / places.scenario_file(name).stem
+        folder = results / lookup.scenario_file(name).stem
         if folder in known:
             raise ScenarioError(f"'{known[folder]}' and '{name}' would both be written to {folder}")
         known[folder] = name

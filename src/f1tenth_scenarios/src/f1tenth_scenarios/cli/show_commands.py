@@ -2,21 +2,22 @@
 
 import sys
 
-from f1tenth_scenarios import places
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.places import lookup
+from f1tenth_judge.plan.planning import make_plan
+from f1tenth_judge.plan.source import read_scenario
+from f1tenth_judge.record.files import REPORT_FILE
+from f1tenth_judge.scenario.describe import describe_keys
+from f1tenth_judge.scenario.scenario import Scenario
+
 from f1tenth_scenarios.cli.exit_codes import BAD_INPUT, NOT_PASSED, PASSED
 from f1tenth_scenarios.cli.options import results_of
-from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.plan.planning import make_plan
-from f1tenth_scenarios.plan.source import read_scenario
-from f1tenth_scenarios.record.files import REPORT_FILE
-from f1tenth_scenarios.scenario.describe import describe_keys
-from f1tenth_scenarios.scenario.scenario import Scenario
 
 
 def show_list(_options) -> int:
     """Print the scenarios and what each of them tests."""
-    for name in places.scenario_names():
-        scenario = read_scenario(places.scenario_file(name))
+    for name in lookup.scenario_names():
+        scenario = read_scenario(lookup.scenario_file(name))
         print(f"{name:24}{scenario.expected.value:11}{scenario.description}")
     return PASSED
 
@@ -30,7 +31,7 @@ def show_keys(_options) -> int:
 def check(options) -> int:
     """Validate scenarios without running them."""
     failed = 0
-    for name in options.names or places.scenario_names():
+    for name in options.names or lookup.scenario_names():
         try:
             print(f"{make_plan(name).name}: ok")
         except ScenarioError as error:
@@ -42,7 +43,7 @@ def check(options) -> int:
 def report(options) -> int:
     """Write one HTML file with all runs."""
     # Imported late: what takes long to import, for the command that needs it.
-    from f1tenth_scenarios.report.page import write_report
+    from f1tenth_judge.report.page import write_report
 
     results = results_of(options)
     output = (getattr(options, "output", None) or results / REPORT_FILE).resolve()

@@ -3,11 +3,12 @@
 import sys
 from pathlib import Path
 
+from f1tenth_judge.errors import writing
+from f1tenth_judge.stop_request import StopRequest
+
 from f1tenth_scenarios.batch.table_file import check_table_file, write_table
 from f1tenth_scenarios.cli.exit_codes import exit_code
 from f1tenth_scenarios.cli.options import expect_at_least, results_of
-from f1tenth_scenarios.errors import writing
-from f1tenth_scenarios.stop_request import StopRequest
 
 _TABLE_FILE, _PICTURE_FILE = "sweep.csv", "sweep.png"
 

@@ -3,7 +3,7 @@
 import threading
 from typing import Any, Callable, Optional
 
-from f1tenth_scenarios.record.record import STAMP_EPSILON
+from f1tenth_judge.record.record import STAMP_EPSILON
 
 
 class Answering:

@@ -11,8 +11,9 @@ import threading
 import time
 from typing import Any, Callable, Optional
 
+from f1tenth_judge.errors import MisfitError, RestlessError
+
 from f1tenth_scenarios.drivers.rest import Rest, has_ended, marked_processes
-from f1tenth_scenarios.errors import MisfitError, RestlessError
 
 _LOOK_INTERVAL = 2e-4  # wall s, between two looks at the threads
 _CONNECTION_INTERVAL = 0.01  # wall s, between two looks at its connections

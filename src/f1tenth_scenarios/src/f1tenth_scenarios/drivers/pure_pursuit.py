@@ -7,8 +7,7 @@ import dataclasses
 import math
 
 import numpy as np
-
-from f1tenth_scenarios.road.raceline import Raceline
+from f1tenth_judge.places.raceline import Raceline
 
 _SPACING = 0.05  # m, between the points that are looked through
 _SMOOTHING = 1.0  # m, over which a line's curvature is averaged

@@ -6,9 +6,10 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from f1tenth_scenarios import places
-from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.plan.handover import (
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.places import lookup
+from f1tenth_judge.places.goals import goals_text
+from f1tenth_judge.plan.handover import (
     absolute,
     car_topics,
     driver_arguments,
@@ -18,13 +19,13 @@ from f1tenth_scenarios.plan.handover import (
     opponent_of,
     usual_topics,
 )
-from f1tenth_scenarios.plan.participants import DEPUTY, driver_participants, has_deputy, participants
-from f1tenth_scenarios.plan.plan import Plan
-from f1tenth_scenarios.plan.scenario_world import write_world
-from f1tenth_scenarios.record.bag import RECORDER, recorder_arguments
-from f1tenth_scenarios.road.goals import goals_text
-from f1tenth_scenarios.scenario.car import Car, Input
-from f1tenth_scenarios.scenario.driver import Interface
+from f1tenth_judge.plan.participants import DEPUTY, driver_participants, has_deputy, participants
+from f1tenth_judge.plan.plan import Plan
+from f1tenth_judge.plan.scenario_world import write_world
+from f1tenth_judge.scenario.car import Car, Input
+from f1tenth_judge.scenario.driver import Interface
+
+from f1tenth_scenarios.launch.bag import RECORDER, recorder_arguments
 
 # What takes time and is of no use here is left out; timeouts in wall s, for each node.
 _OPTIONS = (
@@ -231,4 +232,4 @@ def _check_text(text: str) -> None:
 
 
 def _own(name: str) -> str:
-    return f"$(find {places.PACKAGE})/launch/{name}"
+    return f"$(find {lookup.PACKAGE})/launch/{name}"

@@ -9,8 +9,7 @@ import sys
 from collections.abc import Iterator
 
 import psutil
-
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_judge.errors import ScenarioError
 
 _ENVIRONMENT = ("ROS_HOSTNAME", "ROS_IP", "ROS_MASTER_URI")
 

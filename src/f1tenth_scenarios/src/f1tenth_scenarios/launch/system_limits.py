@@ -5,8 +5,7 @@ from collections.abc import Mapping
 from typing import Optional
 
 import psutil
-
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_judge.errors import ScenarioError
 
 # roscpp refuses connections when fewer are free (XmlRpcServer::FREE_FD_BUFFER), without a word.
 _FREE_DESCRIPTORS = 32

@@ -5,9 +5,9 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Optional
 
-from f1tenth_scenarios.judge.false_start import FirstMoves
-from f1tenth_scenarios.judge.progress import TaskProgress
-from f1tenth_scenarios.record.record import COLUMNS
+from f1tenth_judge.judge.false_start import FirstMoves
+from f1tenth_judge.judge.progress import TaskProgress
+from f1tenth_judge.record.record import COLUMNS
 
 _ESCAPE = re.compile(r"\x1b\[[0-9;]*m|\x1b\]2;[^\x07]*\x07")
 

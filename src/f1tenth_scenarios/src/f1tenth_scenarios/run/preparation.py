@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Callable
 from f1tenth_scenarios.run.supervisor import Progress
 
 if TYPE_CHECKING:
-    from f1tenth_scenarios.record.replay import Replay
+    from f1tenth_judge.record.replay import Replay
 
 
 class Preparation:
@@ -40,7 +40,7 @@ class Preparation:
         if self._begun:
             return
         self._begun = True
-        self._picture = self._pool.submit(importlib.import_module, "f1tenth_scenarios.results.picture")
+        self._picture = self._pool.submit(importlib.import_module, "f1tenth_judge.results.picture")
         self._scene = self._pool.submit(_load_scene, self._world, self._descriptions)
         self._pool.shutdown(wait=False)
 
@@ -54,6 +54,6 @@ class Preparation:
 
 
 def _load_scene(world, descriptions):
-    from f1tenth_scenarios.record.scene import load_scene
+    from f1tenth_judge.record.scene import load_scene
 
     return load_scene(world, descriptions())

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import rosgraph
+from f1tenth_judge.errors import ScenarioError
 
-from f1tenth_scenarios.errors import ScenarioError
 from f1tenth_scenarios.ros_api import ros_api
 
 _CALLER = "/scenario"

@@ -3,15 +3,16 @@
 import logging
 from typing import TYPE_CHECKING
 
-from f1tenth_scenarios.errors import MisfitError
+from f1tenth_judge.errors import MisfitError
+from f1tenth_judge.plan.plan import Plan
+from f1tenth_judge.plan.planning import in_real_time
+from f1tenth_judge.results.result import Result
+from f1tenth_judge.stop_request import StopRequest
+
 from f1tenth_scenarios.launch.launch_file import launch_command
 from f1tenth_scenarios.launch.processes import process_start
-from f1tenth_scenarios.plan.plan import Plan
-from f1tenth_scenarios.plan.planning import in_real_time
-from f1tenth_scenarios.results.result import Result
 from f1tenth_scenarios.run.run import execute
 from f1tenth_scenarios.run.supervisor import Progress
-from f1tenth_scenarios.stop_request import StopRequest
 
 if TYPE_CHECKING:
     from f1tenth_scenarios.run.ros_watch import RosWatch

@@ -7,30 +7,29 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Callable, Optional
 
-from f1tenth_gazebo.errors import MapError
-from f1tenth_gazebo.maps.map_file import Grid, load_map
+from f1tenth_judge.errors import MapError, ScenarioError
+from f1tenth_judge.judge import criteria
+from f1tenth_judge.judge.criterion import Measured
+from f1tenth_judge.judge.driving_criteria import least_clearance
+from f1tenth_judge.judge.judge import judge
+from f1tenth_judge.judge.laps import lap_times, start_of_race
+from f1tenth_judge.places.map_file import Grid, load_map
+from f1tenth_judge.plan.plan import Plan
+from f1tenth_judge.record.files import BAG_FILE, PICTURE_FILE, REPLAY_FILE, TRAJECTORY_FILE
+from f1tenth_judge.record.observations import Failure, Observations
+from f1tenth_judge.record.record import Record, read_record
+from f1tenth_judge.record.replay import Replay, write_replay
+from f1tenth_judge.results import versions
+from f1tenth_judge.results.result import Result, write_trajectory
+from f1tenth_judge.results.results_folder import claimed
+from f1tenth_judge.results.writing import write_rest, write_verdict
+from f1tenth_judge.stop_request import StopRequest
 
-from f1tenth_scenarios import versions
-from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.judge import criteria
-from f1tenth_scenarios.judge.criterion import Measured
-from f1tenth_scenarios.judge.driving_criteria import least_clearance
-from f1tenth_scenarios.judge.judge import judge
-from f1tenth_scenarios.judge.laps import lap_times, start_of_race
+from f1tenth_scenarios.launch.bag import RECORDER, read_bag
 from f1tenth_scenarios.launch.launch_file import write_launch_file
 from f1tenth_scenarios.launch.processes import ProcessTree
-from f1tenth_scenarios.plan.plan import Plan
-from f1tenth_scenarios.record.bag import RECORDER, read_bag
-from f1tenth_scenarios.record.files import BAG_FILE, PICTURE_FILE, REPLAY_FILE, TRAJECTORY_FILE
-from f1tenth_scenarios.record.observations import Failure, Observations
-from f1tenth_scenarios.record.record import Record, read_record
-from f1tenth_scenarios.record.replay import Replay, write_replay
-from f1tenth_scenarios.results.result import Result, write_trajectory
-from f1tenth_scenarios.results.results_folder import claimed
-from f1tenth_scenarios.results.writing import write_rest, write_verdict
 from f1tenth_scenarios.run.preparation import Preparation
 from f1tenth_scenarios.run.supervisor import Progress, Supervisor
-from f1tenth_scenarios.stop_request import StopRequest
 
 if TYPE_CHECKING:  # it needs ROS
     from f1tenth_scenarios.run.ros_watch import RosWatch

@@ -3,19 +3,20 @@
 import time
 from typing import TYPE_CHECKING, Callable, Optional
 
-from f1tenth_scenarios.judge.false_start import find_false_start
-from f1tenth_scenarios.judge.judge import first_collision, is_decided
-from f1tenth_scenarios.judge.progress import TaskProgress
+from f1tenth_judge.judge.false_start import find_false_start
+from f1tenth_judge.judge.judge import first_collision, is_decided
+from f1tenth_judge.judge.progress import TaskProgress
+from f1tenth_judge.plan.plan import Plan
+from f1tenth_judge.record.observations import Failure, RaceState, RaceUpdate
+from f1tenth_judge.record.pace import Pace
+from f1tenth_judge.record.record import STAMP_EPSILON, read_record
+from f1tenth_judge.stop_request import StopRequest
+
 from f1tenth_scenarios.launch.processes import ProcessTree
-from f1tenth_scenarios.plan.plan import Plan
-from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
-from f1tenth_scenarios.record.pace import Pace
-from f1tenth_scenarios.record.record import STAMP_EPSILON, read_record
 from f1tenth_scenarios.run.diagnosis.breakdown import Breakdown
 from f1tenth_scenarios.run.diagnosis.launch_log import LaunchLog
 from f1tenth_scenarios.run.diagnosis.quotation import LINE_COUNT
 from f1tenth_scenarios.run.file_tail import RecordTail, last_lines
-from f1tenth_scenarios.stop_request import StopRequest
 
 if TYPE_CHECKING:  # it needs ROS
     from f1tenth_scenarios.run.ros_watch import RosWatch

@@ -3,11 +3,10 @@
 from pathlib import Path
 
 import numpy as np
-from f1tenth_scenarios.road.course import read_course
+from f1tenth_judge.places import lookup
+from f1tenth_judge.places.course import read_course
 from scipy.interpolate import CubicSpline
 from scipy.ndimage import gaussian_filter1d
-
-from f1tenth_scenarios import places
 
 SPACING = 0.25  # m, between points of a track
 # On a long road they are farther apart: the time for its race line grows with the cube of their number.
@@ -33,7 +32,7 @@ def load_track(name: str) -> np.ndarray:
     """
     if name.endswith(_MAP):
         name = name.removesuffix(_MAP) + _CENTRELINE
-    file = places.course_file(name, Path())
+    file = lookup.course_file(name, Path())
     course = read_course(file)
     rows = np.column_stack([course.x, course.y, course.right, course.left])
     if file.suffix == ".csv":

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
-from f1tenth_scenarios.road.course import Course
+from f1tenth_judge.places import lookup
+from f1tenth_judge.places.course import Course
 
-from f1tenth_scenarios import places
 from f1tenth_studies.made_places import seeds, track_map, track_names, write_place
 from f1tenth_studies.optimum.track import load_track
 from f1tenth_studies.study import Column, Run, Study, place_of
@@ -56,7 +56,7 @@ def make_encounter(seed: int) -> Encounter:
         ScenarioError: it is on a track, and there are none.
     """
     generator = random.Random(seed)
-    place = generator.choice(places.circuits() if seed % 2 else track_names())
+    place = generator.choice(lookup.circuits() if seed % 2 else track_names())
     encounter = Encounter(
         place=place,
         begin=generator.random(),
@@ -101,8 +101,8 @@ def _write(seed: int, encounter: Encounter, folder: Path) -> Path:
 
 def _road_of(place: str) -> tuple[str, Path]:
     """What load_track reads of a circuit or track, and its map."""
-    if place in places.circuits():
-        return place, places.package_path(places.GAZEBO_PACKAGE) / "maps" / f"{place}.yaml"
+    if place in lookup.circuits():
+        return place, lookup.package_path(lookup.GAZEBO_PACKAGE) / "maps" / f"{place}.yaml"
     return str(track_map(place)), track_map(place)
 
 

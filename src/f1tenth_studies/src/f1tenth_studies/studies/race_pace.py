@@ -3,7 +3,7 @@
 import functools
 from pathlib import Path
 
-from f1tenth_scenarios.places import circuits
+from f1tenth_judge.places.lookup import circuits
 
 from f1tenth_studies.made_places import data_folder
 from f1tenth_studies.optimum.car_limits import read_limits

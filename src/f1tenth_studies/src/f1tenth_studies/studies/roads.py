@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
-from f1tenth_scenarios.road.course import read_course
+from f1tenth_judge.places.course import read_course
 
 from f1tenth_studies.made_places import road_world, seeds
 from f1tenth_studies.study import CLEARANCE, CONTACTS, Column, Study, failed_places, slowest

@@ -7,10 +7,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Optional
 
+from f1tenth_judge.plan.participants import DEPUTY, driver_nodes_among
+from f1tenth_judge.plan.plan import Plan
+from f1tenth_judge.record.observations import Failure, RaceState, RaceUpdate
+
 from f1tenth_scenarios.drivers.deputy import EXIT_RESTLESS
-from f1tenth_scenarios.plan.participants import DEPUTY, driver_nodes_among
-from f1tenth_scenarios.plan.plan import Plan
-from f1tenth_scenarios.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_scenarios.run.diagnosis.launch_log import NodeEnd
 from f1tenth_scenarios.run.diagnosis.quotation import (
     LINE_COUNT,

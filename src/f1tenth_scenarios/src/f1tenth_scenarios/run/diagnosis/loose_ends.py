@@ -4,12 +4,13 @@ import dataclasses
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Optional
 
+from f1tenth_judge.plan.car_description import CarDescription
+from f1tenth_judge.plan.handover import absolute
+from f1tenth_judge.plan.participants import driver_nodes_among
+from f1tenth_judge.scenario.driver import Interface
+
 from f1tenth_scenarios.launch.launch_file import F1TENTH_OWN
-from f1tenth_scenarios.plan.car_description import CarDescription
-from f1tenth_scenarios.plan.handover import absolute
-from f1tenth_scenarios.plan.participants import driver_nodes_among
 from f1tenth_scenarios.run.ros_graph import RosGraph
-from f1tenth_scenarios.scenario.driver import Interface
 
 _DRIVE, _TWIST = "ackermann_msgs/AckermannDriveStamped", "geometry_msgs/Twist"
 

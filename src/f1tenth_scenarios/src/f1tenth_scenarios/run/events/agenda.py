@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from typing import Callable
 
-from f1tenth_scenarios.record.record import STAMP_EPSILON
+from f1tenth_judge.record.record import STAMP_EPSILON
 
 Action = Callable[[], None]
 

@@ -5,13 +5,13 @@ import threading
 from typing import Optional
 
 import rospy
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.plan.participants import DIRECTOR, participants
+from f1tenth_judge.plan.plan import Plan
+from f1tenth_judge.record.observations import Failure
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Header
 
-from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.plan.participants import DIRECTOR, participants
-from f1tenth_scenarios.plan.plan import Plan
-from f1tenth_scenarios.record.observations import Failure
 from f1tenth_scenarios.run.events.agenda import Agenda, PeriodGate
 from f1tenth_scenarios.run.events.ros_node_kill import kill_node
 from f1tenth_scenarios.run.events.ros_push import push_model

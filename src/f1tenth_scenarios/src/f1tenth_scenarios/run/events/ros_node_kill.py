@@ -4,7 +4,8 @@ import os
 import signal
 import time
 
-from f1tenth_scenarios.errors import ScenarioError
+from f1tenth_judge.errors import ScenarioError
+
 from f1tenth_scenarios.launch.processes import wait_for_ends
 from f1tenth_scenarios.run.ros_graph import ask
 

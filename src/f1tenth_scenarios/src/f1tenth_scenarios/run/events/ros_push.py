@@ -3,10 +3,9 @@
 import math
 
 import rospy
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.scenario.scenario import Push
 from gazebo_msgs.srv import GetModelState, SetModelState
-
-from f1tenth_scenarios.errors import ScenarioError
-from f1tenth_scenarios.scenario.scenario import Push
 
 _PATIENCE = 5.0  # wall s
 

@@ -1,0 +1,80 @@
+"""What a criterion judges and says: what was measured, what is asked for, and whether that is met."""
+
+import dataclasses
+import enum
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, Optional
+
+from f1tenth_judge.places.course import Course
+from f1tenth_judge.record.replay import Poses
+from f1tenth_judge.scenario.scenario import Scenario, Verdict
+
+
+@dataclasses.dataclass(frozen=True)
+class Measured:
+    """What the record alone does not hold."""
+
+    start: Optional[float] = None  # s, when the race began; nothing without a race
+    lap_times: Mapping[str, Sequence[float]] = dataclasses.field(default_factory=dict)  # s, by car
+    real_time_factor: Optional[float] = None
+    estimates: Mapping[str, Poses] = dataclasses.field(default_factory=dict)  # of the localization, by car
+    course: Optional[Course] = None
+
+
+class Status(enum.Enum):
+    """Whether a criterion is met."""
+
+    PASSED = "passed"
+    FAILED = "failed"
+    NOT_JUDGED = "not judged"
+
+
+@dataclasses.dataclass(frozen=True)
+class Criterion:
+    """One line of a result."""
+
+    name: str
+    status: Status
+    actual: Any
+    limit: Any
+    unit: str
+    reason: str
+
+    @property
+    def comparison(self) -> str:
+        """What was measured and what is asked for, in words."""
+        return f"{self._words(self.actual)}, limit {self._words(self.limit)}"
+
+    def _words(self, value: Any) -> str:
+        if value is None:
+            return "none"
+        number = f"{value:g}" if isinstance(value, float) else str(value)
+        return f"{number} {self.unit}".rstrip()
+
+
+def status_of(met: bool) -> Status:
+    """Passed or failed."""
+    return Status.PASSED if met else Status.FAILED
+
+
+def compared(
+    scenario: Scenario,
+    name: str,
+    is_met: Callable[[Any, Any], bool],
+    worst: Optional[tuple[Any, ...]],
+    unit: str,
+    text: str,
+    missing: str = "nothing was recorded",
+) -> Criterion:
+    """Compare a measure with the limit of its name; not judged where a crash or an error is expected.
+
+    `worst`: the measure, followed by what else `text` names (`{0}` is the measure); None if nothing was
+    measured.
+    `is_met` takes the measure and the limit.
+    """
+    limit, actual = getattr(scenario.criteria, name), worst[0] if worst else None
+    if scenario.expected in (Verdict.COLLISION, Verdict.ERROR):
+        return Criterion(name, Status.NOT_JUDGED, actual, limit, unit, "a failure is expected")
+    if worst is None:
+        return Criterion(name, Status.FAILED, None, limit, unit, missing)
+    return Criterion(name, status_of(is_met(actual, limit)), actual, limit, unit, text.format(*worst))

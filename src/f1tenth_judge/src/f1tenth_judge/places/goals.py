@@ -1,0 +1,86 @@
+"""The goals of a car, as goals files have them."""
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.places.course import Course
+from f1tenth_judge.scenario.car import Pose
+
+_SPACING = 4.0  # m, between goals along a road
+_FRAME = "frame_id:"
+_KNOWN_FRAMES = ("map",)
+_NAMES = {3: ("x", "y", "yaw"), 7: ("x", "y", "z", "qx", "qy", "qz", "qw")}
+_FORMS = " or ".join(f'"{" ".join(names)}"' for names in _NAMES.values())
+_QUATERNION_TOLERANCE = 0.01  # files written with two decimals are off by at most this much
+
+
+def goals_along(course: Course) -> tuple[Pose, ...]:
+    """Goals all around a road, on its middle; the last one where the course begins."""
+    length = course.along()[-1]
+    count = max(round(length / _SPACING), 3)
+    places = np.linspace(0.0, length, count + 1)[1:]
+    return tuple(Pose(*map(float, goal)) for goal in zip(*course.poses_at(places)))
+
+
+def goals_text(goals: Sequence[Pose]) -> str:
+    """Goals as a goals file has them."""
+    return "frame_id: map\n" + "".join(f"{each.x!r} {each.y!r} {each.yaw!r}\n" for each in goals)
+
+
+def read_goals(path: Path) -> list[Pose]:
+    """Read a goals file.
+
+    Raises:
+        ScenarioError: with the file, the line and what is wrong there.
+    """
+    try:
+        lines = path.read_text(encoding="utf-8-sig").splitlines()
+    except (OSError, UnicodeDecodeError) as error:
+        raise ScenarioError(f"{path}: cannot be read: {error}") from error
+    entries = [(f"{path}:{number}", line.split("#")[0].split()) for number, line in enumerate(lines, start=1)]
+    entries = [(place, fields) for place, fields in entries if fields]
+    if entries and entries[0][1][0] == _FRAME:
+        _check_frame(*entries.pop(0))
+    goals = [_goal(place, fields) for place, fields in entries]
+    if not goals:
+        raise ScenarioError(f"{path}: no goals in the file; expected lines of {_FORMS}")
+    return goals
+
+
+def _check_frame(place: str, fields: list[str]) -> None:
+    frame = " ".join(fields[1:])
+    if frame not in _KNOWN_FRAMES:
+        raise ScenarioError(f'{place}: unknown frame "{frame}", expected one of: {", ".join(_KNOWN_FRAMES)}')
+
+
+def _goal(place: str, fields: list[str]) -> Pose:
+    if fields[0] == _FRAME:
+        raise ScenarioError(f"{place}: frame_id must stand before everything else, and once")
+    if len(fields) not in _NAMES:
+        wrong = "too few" if len(fields) < 3 else "too many" if len(fields) > 7 else "wrong count of"
+        raise ScenarioError(f"{place}: {wrong} numbers: {len(fields)}, expected 3 or 7: {_FORMS}")
+    numbers = [_number(place, *each) for each in zip(_NAMES[len(fields)], fields)]
+    if len(numbers) == 3:
+        return Pose(*numbers)
+    x, y, _, qx, qy, qz, qw = numbers
+    length = math.sqrt(qx * qx + qy * qy + qz * qz + qw * qw)
+    if abs(length - 1.0) > _QUATERNION_TOLERANCE:
+        raise ScenarioError(
+            f"{place}: qx qy qz qw is not a unit quaternion: its length is {length:g}, expected 1 within "
+            f"{_QUATERNION_TOLERANCE}"
+        )
+    return Pose(x, y, math.atan2(2 * (qw * qz + qx * qy), 1 - 2 * (qy * qy + qz * qz)))
+
+
+def _number(place: str, name: str, text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError as error:
+        raise ScenarioError(f'{place}: {name} is not a number: "{text}"') from error
+    if not math.isfinite(value):
+        raise ScenarioError(f"{place}: {name} is not finite: {text}")
+    return value

@@ -1,0 +1,111 @@
+"""A map as map_saver writes it: NAME.pgm and NAME.yaml."""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+import yaml
+from PIL import Image
+
+from f1tenth_judge.errors import MapError
+from f1tenth_judge.whole_files import write_all
+
+RESOLUTION = 0.05
+"""m per cell"""
+_YAML = """image: {image}
+resolution: {resolution:.6f}
+origin: [{x:.6f}, {y:.6f}, 0.000000]
+negate: 0
+occupied_thresh: 0.65
+free_thresh: 0.196
+
+"""
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Pixels of a map, row 0 at the bottom, with the pose of its lower left corner."""
+
+    pixels: np.ndarray
+    x: float  # m
+    y: float  # m
+    resolution: float = RESOLUTION  # m
+    free_thresh: float = 0.196  # how dark a free pixel is at most: 0 is white, 1 black
+    occupied_thresh: float = 0.65  # and how dark one of a wall is at least
+
+    @property
+    def extent(self):
+        """What it covers, m: left, right, bottom, top."""
+        height, width = (size * self.resolution for size in self.pixels.shape)
+        return self.x, self.x + width, self.y, self.y + height
+
+    @cached_property
+    def cells(self):
+        """Those of a nav_msgs/OccupancyGrid, int8, as map_server makes them from pixels (mode trinary)."""
+        dark = (255.0 - self.pixels) / 255.0
+        return np.select([dark > self.occupied_thresh, dark < self.free_thresh], [100, 0], -1).astype(np.int8)
+
+
+def load_map(path):
+    """Read a map in map_server's format, dark where something is.
+
+    Raises:
+        MapError: it is not one, or a file of it cannot be read.
+    """
+    try:
+        description = yaml.safe_load(path.read_text(encoding="utf-8"))
+        if not isinstance(description, dict):
+            raise ValueError("it has no keys")
+        with Image.open(path.parent / description["image"]) as image:
+            pixels = np.asarray(image.convert("L"))[::-1]
+        x, y, resolution = _placement(description)
+        pixels = 255 - pixels if description.get("negate") else pixels
+        thresholds = (
+            float(description.get(key, getattr(Grid, key))) for key in ("free_thresh", "occupied_thresh")
+        )
+        grid = Grid(pixels, x, y, resolution, *thresholds)
+        yaw = sum(map(float, description["origin"][2:3]))
+    except (OSError, ValueError, KeyError, TypeError, yaml.YAMLError) as error:
+        raise MapError(_problem(path, error)) from error
+    if yaw:
+        raise MapError(f"{path}: its origin is turned by {yaw:g} rad, must not be turned")
+    return grid
+
+
+def _placement(description):
+    """Where the lower left corner is, x and y (m), and the resolution (m per cell)."""
+    x, y, resolution = map(float, (*description["origin"][:2], description["resolution"]))
+    if not 0.0 < resolution < math.inf:
+        raise ValueError(f"resolution is {resolution:g}, must be above 0 and finite")
+    if not (math.isfinite(x) and math.isfinite(y)):
+        raise ValueError(f"origin is ({x:g}, {y:g}), must be finite")
+    return x, y, resolution
+
+
+def _problem(path, error):
+    if isinstance(error, OSError) and error.strerror:
+        return f"{error.filename or path}: cannot be read: {error.strerror}"
+    text = " ".join(str(error).split())
+    return f"{path}: not a map in map_server's format: {text}"
+
+
+def map_files(grid, stem):
+    """What STEM.pgm and STEM.yaml are to hold, by path; STEM is a path without extension."""
+    rows, columns = grid.pixels.shape
+    header = f"P5\n# CREATOR: make_map {grid.resolution:.3f} m/pix\n{columns} {rows}\n255\n"
+    text = _YAML.format(image=f"{stem.name}.pgm", resolution=grid.resolution, x=grid.x, y=grid.y)
+    return {
+        stem.with_name(f"{stem.name}.pgm"): header.encode() + grid.pixels[::-1].tobytes(),
+        stem.with_name(f"{stem.name}.yaml"): text.encode(),
+    }
+
+
+def save_map(grid, stem):
+    """Write STEM.pgm and STEM.yaml, both or none.
+
+    Raises:
+        OSError: if a file cannot be written.
+    """
+    write_all(map_files(grid, Path(stem)))

@@ -1,0 +1,38 @@
+"""Tables of numbers, as the F1TENTH community keeps its lines: one row per point, `#` before a remark."""
+
+from pathlib import Path
+
+import numpy as np
+
+from f1tenth_judge.errors import ScenarioError
+
+_LEAST_ROWS = 3  # of a closed line
+_WORDS = {4: "four", 7: "seven"}
+
+
+def read_numbers(path: Path, separator: str, columns: str) -> np.ndarray:
+    """Read a table of shape (points, columns); `columns` are their names, with the separator between them.
+
+    Raises:
+        ScenarioError: with the file, the line and what is wrong there.
+    """
+    try:
+        lines = path.read_text(encoding="utf-8").splitlines()
+    except (OSError, UnicodeDecodeError) as error:
+        raise ScenarioError(f"{path}: cannot be read: {error}") from error
+    texts = [(number, line.split("#")[0].strip()) for number, line in enumerate(lines, start=1)]
+    rows = [_row(f"{path}:{number}", text, separator, columns) for number, text in texts if text]
+    if len(rows) < _LEAST_ROWS:
+        raise ScenarioError(f"{path}: {len(rows)} points, must be at least {_LEAST_ROWS}: {columns}")
+    return np.array(rows)
+
+
+def _row(place: str, text: str, separator: str, columns: str) -> list[float]:
+    try:
+        values = [float(each) for each in text.split(separator)]
+    except ValueError as error:
+        raise ScenarioError(f"{place}: {error}") from error
+    count = columns.count(separator) + 1
+    if len(values) != count or not np.isfinite(values).all():
+        raise ScenarioError(f"{place}: '{text}' must be {_WORDS[count]} numbers: {columns}")
+    return values

@@ -1,0 +1,120 @@
+"""A run as columns, in m, rad, s and m/s. Their names are the contract with `run.js`."""
+
+from collections.abc import Sequence
+from typing import Any, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from f1tenth_judge.record.record import CarTrack, Record
+from f1tenth_judge.record.replay import Replay, Shape, Timed
+from f1tenth_judge.report.gaps import gaps_to_leader
+from f1tenth_judge.report.packing import column, pack
+
+_TIME, _LENGTH, _PLAN, _ANGLE, _SPEED, _FINE = 0.001, 0.01, 0.02, 0.005, 0.02, 0.001  # quanta
+_STEP, _GHOST_STEP = 0.05, 0.1  # s, between two places of a car, of this run and of the one before
+_PLAN_STEP = 0.2  # s, between two plans
+_GLOBAL_POINTS, _LOCAL_POINTS = 20, 8  # of a plan, at most
+_THUMBNAIL_POINTS = 50  # of a car's path, at most
+_POSE = ("x", "y", "yaw")
+
+
+def pack_run(record: Record, replay: Replay) -> str:
+    """Everything that a replay draws, except the walls."""
+    return pack(_run(record, replay, _STEP))
+
+
+def pack_world(replay: Replay) -> str:
+    """What runs in the same world share: the walls."""
+    return pack({"walls": _shape(replay.walls)})
+
+
+def pack_tracks(record: Record) -> str:
+    """Only what the cars did: enough for the other run of a comparison."""
+    return pack(_run(record, Replay(), _GHOST_STEP))
+
+
+def thumbnail(record: Record) -> list[list[list[float]]]:
+    """The paths of the cars, thinned, for a small drawing."""
+    return [_thinned(track) for track in record.tracks.values()]
+
+
+def _thinned(track: CarTrack) -> list[list[float]]:
+    points = np.column_stack([track.x, track.y])
+    return np.round(points[_spread(len(points), _THUMBNAIL_POINTS)], 1).tolist()
+
+
+def _run(record: Record, replay: Replay, step: float) -> dict[str, Any]:
+    gaps = gaps_to_leader(record, replay.road)
+    return {
+        "cars": {car: _track(track, step, gaps.get(car)) for car, track in record.tracks.items()},
+        "goals": [_table(goals, _POSE, _FINE) for goals in replay.goals.values()],
+        "lidars": {car: column(lidar, 1e-6) for car, lidar in replay.lidars.items()},
+        "bodies": {car: column(body, _FINE) for car, body in replay.bodies.items()},
+        "global_plans": [_plans(paths, _GLOBAL_POINTS) for paths in replay.global_plans.values()],
+        "local_plans": [_plans(paths, _LOCAL_POINTS) for paths in replay.local_plans.values()],
+        "models": [
+            {
+                "time": column(poses.stamps, _TIME),
+                "poses": _table(poses.values, _POSE, _FINE),
+                "shape": _shape(poses.shape),
+            }
+            for poses in replay.models.values()
+        ],
+    }
+
+
+def _track(track: CarTrack, step: float, gaps: Optional[np.ndarray]) -> dict[str, list[float]]:
+    kept = _every(track.time, step)
+    columns = {
+        "time": column(track.time[kept], _TIME),
+        "x": column(track.x[kept], _LENGTH),
+        "y": column(track.y[kept], _LENGTH),
+        "yaw": column(np.unwrap(track.yaw)[kept], _ANGLE),
+        "speed": column(track.v_x[kept], _SPEED),
+        "clearance": column(_least(track.clearance, kept), _LENGTH),
+        "steering": column(track.steering_angle[kept], _ANGLE),
+    }
+    return columns if gaps is None else {**columns, "gap": column(gaps[kept], 0.05)}
+
+
+def _every(stamps: ArrayLike, step: float) -> np.ndarray:
+    """Which of the stamps (s) are kept: the first, those a step after the one kept before, and the last."""
+    times = np.asarray(stamps, dtype=float)
+    if not len(times):
+        return np.zeros(0, dtype=int)
+    _, first = np.unique(np.floor((times - times[0]) / step + 1e-6), return_index=True)
+    return np.unique(np.append(first, len(times) - 1))
+
+
+def _spread(count: int, most: int) -> np.ndarray:
+    """Which of `count` points are kept: the first, the last and some evenly in between."""
+    return np.unique(np.linspace(0, max(count - 1, 0), most).astype(int))[:count]
+
+
+def _least(values: np.ndarray, kept: np.ndarray) -> np.ndarray:
+    """The least of the values since the one kept before, so that none is lost."""
+    starts = np.append([0], kept[:-1] + 1)
+    return np.array([values[start : end + 1].min() for start, end in zip(starts, kept)])
+
+
+def _plans(paths: Timed, points: int) -> dict[str, Any]:
+    kept = _every(paths.stamps, _PLAN_STEP)
+    lines = [np.array(paths.values[index])[_spread(len(paths.values[index]), points)] for index in kept]
+    return {"time": column(np.asarray(paths.stamps)[kept], _TIME), "lines": _lines(lines, _PLAN)}
+
+
+def _shape(shape: Shape) -> dict[str, Any]:
+    return {
+        "outlines": _lines(shape.outlines, _FINE),
+        "circles": _table(shape.circles, ("x", "y", "radius"), _FINE),
+    }
+
+
+def _lines(lines: Sequence[ArrayLike], quantum: float) -> list[dict[str, list[float]]]:
+    return [_table(line, ("x", "y"), quantum) for line in lines]
+
+
+def _table(rows: ArrayLike, names: Sequence[str], quantum: float) -> dict[str, list[float]]:
+    values = np.array(rows, dtype=float).reshape(-1, len(names))
+    return {name: column(values[:, index], quantum) for index, name in enumerate(names)}

@@ -1,0 +1,33 @@
+"""How long the fastest flying lap of each circuit takes, as `race_reference --laps` has computed it."""
+
+from pathlib import Path
+from typing import Optional
+
+import yaml
+
+from f1tenth_judge.scenario.scenario import Scenario
+
+_HEAD = "# Fastest flying laps (s); made by: rosrun f1tenth_studies race_reference --laps {path}\n"
+
+
+def reference_laps_file() -> Path:
+    """The file with the laps of the circuits of this workspace."""
+    return Path(__file__).with_name("reference_laps.yaml")
+
+
+def reference_lap(scenario: Scenario) -> Optional[float]:
+    """Fastest flying lap of the circuit that a car with its usual tyres races around, s; else nothing."""
+    racers = [
+        car
+        for car in scenario.cars
+        if car.laps or (car.driver.name == "race" and car.goals in (None, scenario.world))
+    ]
+    around = any(car.mu is None for car in racers)
+    laps = yaml.safe_load(reference_laps_file().read_text(encoding="utf-8"))
+    return laps.get(scenario.world) if around else None
+
+
+def reference_laps_text(laps: dict[str, float]) -> str:
+    """What the file says."""
+    lines = [f"{name}: {lap:.3f}\n" for name, lap in laps.items()]
+    return _HEAD.format(path="reference_laps.yaml") + "".join(lines)

@@ -1,0 +1,59 @@
+"""What a scenario file says of its verdict: the schema of `criteria`."""
+
+import dataclasses
+from typing import Optional
+
+from f1tenth_judge.yaml_files.schema import key
+
+
+@dataclasses.dataclass(frozen=True)
+class Criteria:
+    """What a run is measured by besides its verdict."""
+
+    goal_tolerance: float = key(
+        "A goal counts as passed within this distance.", unit="m", above=0, default=0.5
+    )
+    goal_yaw_tolerance: float = key(
+        "A goal counts as passed within this difference of heading.",
+        unit="rad",
+        above=0,
+        at_most=3.1416,
+        default=0.8,
+    )
+    light_touch: float = key(
+        "Contacts slower than this are no collision.", unit="m/s", at_least=0, default=0.0
+    )
+    minimum_clearance: Optional[float] = key(
+        "No car may come closer to anything than this.", unit="m", at_least=0, default=None
+    )
+    lap_time: Optional[float] = key("No lap may take longer.", unit="s", above=0, default=None)
+    lateral_acceleration: Optional[float] = key(
+        "No car may be pushed to the side harder than this.", unit="m/s^2", above=0, default=None
+    )
+    off_course: Optional[float] = key(
+        "No car's base_footprint may leave the road of `course` by more than this.",
+        unit="m",
+        at_least=0,
+        default=None,
+    )
+    standstill: Optional[float] = key(
+        "No car may stand still for longer after the start.", unit="s", at_least=0, default=None
+    )
+    slows_to: Optional[float] = key(
+        "Each car must, once it has been faster, come down to this speed; a car that is to stop.",
+        unit="m/s",
+        above=0,
+        default=None,
+    )
+    localization_error: Optional[float] = key(
+        "Largest distance between `amcl_pose` and the truth (RMS).", unit="m", above=0, default=None
+    )
+    localization_yaw_error: Optional[float] = key(
+        "Largest difference of heading between `amcl_pose` and the truth (RMS).",
+        unit="rad",
+        above=0,
+        default=None,
+    )
+    real_time_factor: Optional[float] = key(
+        "Least simulated seconds per wall second; depends on the machine.", above=0, default=None
+    )

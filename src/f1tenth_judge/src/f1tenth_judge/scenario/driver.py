@@ -1,0 +1,62 @@
+"""Who drives a car: a launch file, and how it is to be started."""
+
+import dataclasses
+import enum
+from typing import Any
+
+from f1tenth_judge.yaml_files.schema import key
+
+_OWN = "package://f1tenth_scenarios/launch/drivers"
+
+
+class Interface(enum.Enum):
+    """Which topics a planner knows."""
+
+    NATIVE = "native"
+    F1TENTH = "f1tenth"
+
+
+@dataclasses.dataclass(frozen=True)
+class Driver:
+    """A driver as a scenario names it."""
+
+    launch: str = key(
+        "Launch file: a path relative to the scenario file, or package://PACKAGE/PATH. It is started in the"
+        " car's namespace."
+    )
+    interface: Interface = key(
+        "`native`: the topics of the car's namespace; `f1tenth`: those of f1tenth_simulator and"
+        " f1tenth_gym_ros (`/scan`, `/drive`, `/odom`, `/ego_racecar/odom`, `/opp_scan`, …).",
+        default=Interface.NATIVE,
+    )
+    arguments: dict[str, str] = key(
+        "Values for arguments of the launch file. One that names a file that is there, relative to the"
+        " scenario file or as package://PACKAGE/PATH, is given as its path.",
+        default={},
+    )
+
+    @classmethod
+    def short_forms(cls) -> dict[str, "Driver"]:
+        """The drivers that we bring, by the names that stand for them."""
+        return {
+            "race": cls(f"{_OWN}/move_base.launch"),
+            "pursuit": cls(f"{_OWN}/pure_pursuit.launch"),
+            "commands": cls(f"{_OWN}/commands.launch"),
+            "gap_follower": cls(f"{_OWN}/gap_follower.launch"),
+        }
+
+    def as_dict(self) -> dict[str, Any]:
+        """As it is written in a scenario file."""
+        entries = {"launch": self.launch, "interface": self.interface.value}
+        return entries | ({"arguments": dict(self.arguments)} if self.arguments else {})
+
+    @property
+    def is_ours(self) -> bool:
+        """Whether it is one that we bring: it knows the topics of the F1/10 car, whatever it drives."""
+        return self.launch.startswith(_OWN)
+
+    @property
+    def name(self) -> str:
+        """The short form, else the launch file."""
+        names = (name for name, driver in self.short_forms().items() if driver.launch == self.launch)
+        return next(names, self.launch)

@@ -1,0 +1,69 @@
+"""YAML text as a tree of nodes that remember their lines, so that an error can name its place."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import yaml
+
+from f1tenth_judge.errors import FileError
+
+
+def error(node: yaml.Node, text: str) -> FileError:
+    """What is wrong at a node: FILE:LINE: text."""
+    return FileError(f"{node.start_mark.name}:{node.start_mark.line + 1}: {text}")
+
+
+def compose(path: Path) -> yaml.MappingNode:
+    """Read a file whose top level is a mapping.
+
+    Raises:
+        FileError: the file cannot be read, is not YAML, or holds something other than a mapping.
+    """
+    try:
+        with open(path, encoding="utf-8") as stream:
+            root = yaml.compose(stream, Loader=yaml.SafeLoader)
+    except OSError as problem:
+        raise FileError(f"{path}: cannot be read: {problem.strerror}") from problem
+    except yaml.MarkedYAMLError as problem:
+        line = problem.problem_mark.line + 1 if problem.problem_mark else 1
+        raise FileError(f"{path}:{line}: not YAML: {problem.problem}") from problem
+    except (yaml.YAMLError, UnicodeDecodeError) as problem:
+        raise FileError(f"{path}: not YAML: {' '.join(str(problem).split())}") from problem
+    if not isinstance(root, yaml.MappingNode):
+        raise FileError(f"{path}:1: must be a mapping of keys to values")
+    return root
+
+
+def items(node: yaml.MappingNode) -> Iterator[tuple[str, yaml.Node, yaml.Node]]:
+    """The entries of a mapping in order: the key's text, the key and the value.
+
+    Raises:
+        FileError: a key is given twice.
+    """
+    seen: dict[str, yaml.Node] = {}
+    for key, value in node.value:
+        name = str(key.value)
+        if name in seen:
+            first = seen[name].start_mark.line + 1
+            raise error(key, f"key '{name}' is given twice, first in line {first}")
+        seen[name] = key
+        yield name, key, value
+
+
+def scalar(node: yaml.Node):
+    """The Python value of a node; None for a list, a mapping and a tag that is not YAML's own."""
+    if not isinstance(node, yaml.ScalarNode):
+        return None
+    try:
+        return yaml.constructor.SafeConstructor().construct_object(node)
+    except (yaml.YAMLError, ValueError):
+        return None
+
+
+def describe(node: yaml.Node) -> str:
+    """What was found, for error messages."""
+    if isinstance(node, yaml.MappingNode):
+        return "a mapping"
+    if isinstance(node, yaml.SequenceNode):
+        return "a list"
+    return f"'{node.value}'" if node.value else "nothing"

@@ -1,0 +1,69 @@
+"""The road, from a circuit and from a centreline of others."""
+
+import numpy as np
+import pytest
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.places import lookup
+from f1tenth_judge.places.course import read_course
+
+SQUARE = "# x_m, y_m, w_tr_right_m, w_tr_left_m\n0, 0, 1, 0.5\n10, 0, 1, 0.5\n10, 10, 1, 0.5\n0, 10, 1, 0.5\n"
+
+
+@pytest.fixture
+def square(tmp_path):
+    path = tmp_path / "square_centerline.csv"
+    path.write_text(SQUARE, encoding="utf-8")
+    return read_course(path)
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "excess"),
+    [(5, 0, 0), (5, -0.9, 0), (5, -1.25, 0.25), (5, 0.4, 0), (5, 0.75, 0.25), (-1.5, 5, 0.5), (5, 5, 4.5)],
+)
+def test_excess_is_measured_from_the_edge_of_the_road(square, x, y, excess):
+    assert square.excess(np.array([x]), np.array([y])) == pytest.approx([excess])
+
+
+@pytest.mark.parametrize(
+    ("pose", "way", "ahead"),
+    [
+        ((1.0, 0.3, 0.1), 4.0, (5.0, 0.0, 0.0)),
+        ((1.0, 0.3, 0.1), 12.0, (10.0, 3.0, np.pi / 2)),
+        ((1.0, 0.3, 3.0), 4.0, (0.0, 3.0, np.pi / 2)),
+        ((0.2, 4.0, -1.5), 44.0, (0.0, 0.0, 0.0)),
+    ],
+)
+def test_what_is_ahead_lies_on_the_centreline_in_the_direction_of_the_pose(square, pose, way, ahead):
+    assert square.ahead_of(*pose, way) == pytest.approx(ahead, abs=1e-9)
+
+
+def test_circuit_of_the_workspace_is_one():
+    course = read_course(lookup.course_file("circuit1", lookup.package_path(lookup.PACKAGE)))
+    assert course.excess(np.array([0.0, 0.0]), np.array([0.0, 5.5])) == pytest.approx([0.0, 0.0], abs=1e-6)
+    assert course.excess(np.array([0.0]), np.array([2.5]))[0] > 1.0
+
+
+@pytest.mark.parametrize(
+    ("text", "problem"),
+    [
+        ("1, 2, 3\n", ":1: '1, 2, 3' must be four numbers: x_m, y_m, w_tr_right_m, w_tr_left_m"),
+        ("# c\n1, 2, 3, x\n", ":2: could not convert string to float: ' x'"),
+        ("1, 2, 3, nan\n", ":1: '1, 2, 3, nan' must be four numbers"),
+        ("1, 2, 3, 4\n", ": 1 points, must be at least 3"),
+    ],
+)
+def test_what_is_no_centreline_is_refused(tmp_path, text, problem):
+    path = tmp_path / "bad.csv"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(ScenarioError) as caught:
+        read_course(path)
+    assert str(caught.value).startswith(f"{path}{problem}")
+
+
+def test_bad_circuit_and_missing_file_are_named(tmp_path):
+    path = tmp_path / "bad.yaml"
+    path.write_text("corners: 1\n", encoding="utf-8")
+    with pytest.raises(ScenarioError, match="bad"):
+        read_course(path)
+    with pytest.raises(ScenarioError, match="cannot be read"):
+        read_course(tmp_path / "none.csv")

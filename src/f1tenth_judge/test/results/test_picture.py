@@ -1,0 +1,120 @@
+"""The picture shows the whole run, with and without a map, and never half a file."""
+
+import numpy as np
+import pytest
+from f1tenth_judge.places.map_file import Grid, load_map
+from f1tenth_judge.record.record import Record
+from f1tenth_judge.results.picture import free_place, make_figure, write_picture
+from f1tenth_judge.scenario.car import Pose
+from PIL import Image
+from scenario_samples import GOALS, record, rows
+
+WHITE, RED = (255, 255, 255), (214, 39, 40)
+
+
+def write_map(folder, negate=0):
+    pixels = np.full((40, 80), 254, dtype=np.uint8)
+    pixels[[0, -1], :] = 0
+    Image.fromarray(255 - pixels if negate else pixels).save(folder / "track.pgm")
+    path = folder / "track.yaml"
+    path.write_text(
+        f"image: track.pgm\nresolution: 0.1\norigin: [-1.0, -2.0, 0.0]\nnegate: {negate}\n"
+        "occupied_thresh: 0.65\nfree_thresh: 0.196\n",
+        encoding="utf-8",
+    )
+    return path
+
+
+def colours(path):
+    with Image.open(path) as picture:
+        return {colour[:3] for _, colour in picture.convert("RGB").getcolors(1 << 24)}
+
+
+def draw(path, run, track_map=None, goals=GOALS, title="sample"):
+    write_picture(
+        path, title, ("success: every goal was passed in order", "lap time 3 s"), run, goals, track_map
+    )
+    return path
+
+
+@pytest.mark.parametrize("negate", [0, 1])
+def test_map_covers_the_rectangle_that_its_description_says(tmp_path, negate):
+    track_map = load_map(write_map(tmp_path, negate))
+    assert track_map.extent == pytest.approx((-1.0, 7.0, -2.0, 2.0))
+    assert (track_map.pixels[0, 0], track_map.pixels[20, 40]) == (0, 254)
+
+
+def test_contact_is_marked(tmp_path):
+    run = record(tmp_path, rows(3.0, contacts={2.0: "Wall_1"}))
+    assert RED in colours(draw(tmp_path / "picture.png", run, load_map(write_map(tmp_path))))
+
+
+def test_run_without_contact_has_no_mark(tmp_path):
+    assert RED not in colours(draw(tmp_path / "picture.png", record(tmp_path, rows(3.0))))
+
+
+@pytest.mark.parametrize("run_length", [0.0, 0.025, 3.0])
+def test_every_length_of_run_can_be_drawn(tmp_path, run_length):
+    with Image.open(draw(tmp_path / "picture.png", record(tmp_path, rows(run_length)))) as picture:
+        assert min(picture.size) > 400
+
+
+def test_nothing_at_all_can_be_drawn(tmp_path):
+    free = Grid(np.full((4, 4), 254, dtype=np.uint8), 0.0, 0.0, resolution=0.25)
+    assert WHITE in colours(draw(tmp_path / "picture.png", Record({}), free, goals={}))
+
+
+def test_two_cars_share_one_scale(tmp_path):
+    run = record(tmp_path, rows(3.0), rows(3.0, car="robot2", y=1.0, speed=2.0))
+    draw(tmp_path / "picture.png", run, goals={**GOALS, "robot2": (Pose(3.0, 1.0),)})
+
+
+def numbers_drawn(goals):
+    (axes, *_) = make_figure("sample", ("success",), Record({}), {"robot1": goals}, None).axes
+    return [int(text.get_text()) for text in axes.texts if text.get_text().isdigit()]
+
+
+def test_goals_far_from_each_other_all_have_their_numbers():
+    assert numbers_drawn([Pose(5.0 * i, 0.0) for i in range(6)]) == [1, 2, 3, 4, 5, 6]
+    assert numbers_drawn([Pose(2.0, 1.0)]) == [1]
+
+
+def test_of_goals_close_together_every_fifth_or_tenth_has_its_number():
+    assert numbers_drawn([Pose(4.0 * i, 0.0) for i in range(26)]) == [5, 10, 15, 20, 25]
+    assert numbers_drawn([Pose(1.0 * i, 0.0) for i in range(101)]) == list(range(10, 101, 10))
+
+
+def test_the_name_of_a_car_lies_neither_on_a_path_nor_on_a_goal():
+    start, straight = np.zeros(2), np.column_stack([np.linspace(-5.0, 5.0, 200), np.zeros(200)])
+    goal = np.array([[0.0, 0.9]])
+    place = free_place(start, 0.9, np.concatenate([straight, goal]))
+    assert np.hypot(*(straight - place).T).min() > 0.7
+    assert place[1] < 0.0
+
+
+def test_no_text_lies_on_another_above_a_narrow_map(tmp_path):
+    narrow = Grid(np.full((200, 20), 254, dtype=np.uint8), -1.0, -10.0, resolution=0.1)
+    figure = make_figure("a_long_name_of_a_scenario", ("success: every goal was passed", "lap time 3 s"),
+                         record(tmp_path, rows(1.0, contacts={0.5: "Wall_1"})), {}, narrow)  # fmt: skip
+    axes = figure.axes[0]
+    texts = [axes.get_legend(), *(each for each in axes.texts if "lap time" in each.get_text())]
+    legend, lines = (each.get_window_extent(figure.canvas.get_renderer()) for each in texts)
+    assert not legend.overlaps(lines)
+
+
+def test_text_that_is_no_mathematics_is_drawn_as_it_is(tmp_path):
+    draw(tmp_path / "picture.png", record(tmp_path, rows(1.0)), title="$\\nothing$")
+
+
+@pytest.mark.filterwarnings("error")
+def test_words_that_the_font_has_not_are_drawn_without_a_warning(tmp_path):
+    draw(tmp_path / "picture.png", record(tmp_path, rows(1.0)), title="ValueError: \u6a21\u578b")
+
+
+def test_picture_that_cannot_be_drawn_leaves_the_old_one(tmp_path):
+    path = tmp_path / "picture.png"
+    path.write_bytes(b"old")
+    with pytest.raises(AttributeError):
+        draw(path, None)
+    assert [each.name for each in tmp_path.iterdir()] == ["picture.png"]
+    assert path.read_bytes() == b"old"

@@ -1,0 +1,82 @@
+"""What a schema reads and refuses, of each type of key."""
+
+import dataclasses
+import enum
+from typing import Optional
+
+import pytest
+from f1tenth_judge.errors import FileError
+from f1tenth_judge.yaml_files import schema
+from f1tenth_judge.yaml_files.schema import key
+from f1tenth_judge.yaml_files.yaml_source import compose
+
+
+class Colour(enum.Enum):
+    RED = "red"
+    DARK_BLUE = "dark blue"
+
+
+@dataclasses.dataclass(frozen=True)
+class Wheel:
+    radius: float = key("How large.", unit="m", above=0)
+
+    @staticmethod
+    def short_forms():
+        return {"small": Wheel(0.05), "large": Wheel(0.1)}
+
+
+@dataclasses.dataclass(frozen=True)
+class Model:
+    open: bool = key("Whether it has no roof.", default=False)
+    mass: Optional[float] = key("How heavy.", unit="kg", at_least=0, default=None)
+    colour: Colour = key("Of the body.", default=Colour.RED)
+    words: dict[str, str] = key("What else is known.", default={})
+    wheel: Wheel = key("All of them.", default=Wheel(0.2))
+    spare: Optional[Wheel] = key("One more.", default=None)
+
+
+def read(folder, text):
+    path = folder / "model.yaml"
+    path.write_text(text, encoding="utf-8")
+    return schema.read(Model, compose(path))
+
+
+def test_what_is_not_given_has_its_default(tmp_path):
+    assert read(tmp_path, "{}") == Model(False, None, Colour.RED, {}, Wheel(0.2), None)
+
+
+@pytest.mark.parametrize(
+    ("text", "model"),
+    [
+        ("open: true", Model(open=True)),
+        ("mass: 3", Model(mass=3.0)),
+        ("colour: dark blue", Model(colour=Colour.DARK_BLUE)),
+        ("words: {maker: us, 1: 2.50}", Model(words={"maker": "us", "1": "2.50"})),
+        ("wheel: small", Model(wheel=Wheel(0.05))),
+        ("wheel: {radius: 0.3}", Model(wheel=Wheel(0.3))),
+        ("spare: large", Model(spare=Wheel(0.1))),
+    ],
+)
+def test_reads(tmp_path, text, model):
+    assert read(tmp_path, text) == model
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("open: 1", "open must be true or false, found '1'"),
+        ("mass: heavy", "mass must be a number (kg), found 'heavy'"),
+        ("mass: -1", "mass is -1, must be at least 0 kg"),
+        ("colour: blue", "colour is 'blue'; allowed: red, dark blue"),
+        ("colour: [red]", "colour is a list; allowed: red, dark blue"),
+        ("words: here", "words must be a mapping of names to values, found 'here'"),
+        ("words: {maker: [us]}", "words.maker must be a single value, found a list"),
+        ("wheel: huge", "wheel must be small, large, or a mapping with the keys radius, found 'huge'"),
+        ("wheel: {radius: 0}", "wheel.radius is 0, must be above 0 m"),
+        ("spare: {}", "missing key 'radius' in spare; allowed: radius"),
+    ],
+)
+def test_refuses_with_file_and_line(tmp_path, text, message):
+    with pytest.raises(FileError) as error:
+        read(tmp_path, text)
+    assert str(error.value) == f"{tmp_path / 'model.yaml'}:1: {message}"

@@ -1,0 +1,46 @@
+"""Files that grow while they are read."""
+
+from f1tenth_judge.record.record import COLUMNS
+from f1tenth_scenarios.run.file_tail import LineTail, RecordTail, last_lines
+from scenario_samples import rows, write_record
+
+HEADER = ",".join(COLUMNS) + "\n"
+ROW = "0.025,robot1,1,0,0,1,0,0,0,0.5,,0,abc\n"
+
+
+def test_tail_follows_a_growing_record(tmp_path):
+    path = tmp_path / "record.csv"
+    tail = RecordTail(path, {})
+    tail.poll()
+    assert (tail.time, tail.touches) == (None, 0)
+    path.write_text(HEADER + ROW + ROW.replace("0.025", "0.050")[:9], encoding="utf-8")
+    tail.poll()
+    assert (tail.time, tail.touches) == (0.025, 0)
+    path.write_text(HEADER + ROW + ROW.replace("0.025", "0.050").replace(",,", ",Wall_1,"), encoding="utf-8")
+    tail.poll()
+    assert (tail.time, tail.touches) == (0.05, 1)
+
+
+def test_tail_agrees_with_the_reader(tmp_path):
+    path = write_record(tmp_path / "record.csv", rows(2.0, contacts={1.0: "Wall_1"}))
+    tail = RecordTail(path, {})
+    tail.poll()
+    assert (tail.time, tail.touches) == (2.0, 1)
+
+
+def test_lines_are_handed_out_once(tmp_path):
+    path = tmp_path / "log"
+    path.write_text("one\ntw", encoding="utf-8")
+    tail = LineTail(path)
+    assert tail.new_lines() == ["one"]
+    with open(path, "a", encoding="utf-8") as stream:
+        stream.write("o\n")
+    assert tail.new_lines() == ["two"]
+    assert tail.new_lines() == []
+
+
+def test_last_lines_leave_out_empty_ones(tmp_path):
+    path = tmp_path / "log"
+    path.write_text("one\n\ntwo  \nthree\n\n", encoding="utf-8")
+    assert last_lines(path, 2) == ["two", "three"]
+    assert last_lines(tmp_path / "none", 2) == []

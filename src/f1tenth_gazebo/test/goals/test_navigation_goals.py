@@ -164,6 +164,18 @@ def test_world_of_unknown_road_has_a_start_only(tmp_path):
     assert [marker.text for marker in markers if marker.ns == "start"] == ["start"]
 
 
+@pytest.fixture(scope="module")
+def master():
+    """The environment of a master's nodes."""
+    port = str(free_port())
+    environment = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{port}"}
+    process = subprocess.Popen(["roscore", "-p", port], env=environment, stdout=subprocess.DEVNULL)
+    wait_until(lambda: rosgraph.is_master_online(environment["ROS_MASTER_URI"]), "a master")
+    yield environment
+    process.send_signal(signal.SIGINT)
+    process.wait()
+
+
 @pytest.mark.parametrize(
     ("parameters", "problem"),
     [
@@ -172,19 +184,11 @@ def test_world_of_unknown_road_has_a_start_only(tmp_path):
         (["_goals_file:=x", "_world:=nowhere"], "there is no world named 'nowhere'"),
     ],
 )
-def test_node_that_cannot_begin_says_why(tmp_path, parameters, problem):
+def test_node_that_cannot_begin_says_why(tmp_path, master, parameters, problem):
     bad = tmp_path / "bad.txt"
     bad.write_text("1 2\n", encoding="utf-8")
-    port = str(free_port())
-    environment = {**os.environ, "ROS_MASTER_URI": f"http://localhost:{port}"}
     command = ["rosrun", "f1tenth_gazebo", "navigation_goals", *(each.format(bad=bad) for each in parameters)]
-    master = subprocess.Popen(["roscore", "-p", port], env=environment, stdout=subprocess.DEVNULL)
-    try:
-        wait_until(lambda: rosgraph.is_master_online(environment["ROS_MASTER_URI"]), "a master")
-        done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=PATIENCE)
-    finally:
-        master.send_signal(signal.SIGINT)
-        master.wait()
+    done = subprocess.run(command, env=master, capture_output=True, text=True, timeout=PATIENCE)
     assert done.returncode == 2
     assert "navigation_goals: " in done.stderr
     assert problem.format(bad=bad) in done.stderr

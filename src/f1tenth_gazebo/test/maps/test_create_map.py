@@ -57,14 +57,6 @@ def test_interrupted_drive_leaves_what_has_been_mapped(tmp_path):
     assert (load_map(tmp_path / "part.yaml").pixels == 254).any()
 
 
-def test_drive_without_an_end_is_given_up(tmp_path):
-    stem = tmp_path / "part"
-    with launched("circuit1", stem, "lockstep:=true", "time_limit:=3.0") as (process, _):
-        output = process.communicate(timeout=120)[0]
-    assert "drive_lap: no lap is complete after 3 s, at (" in output
-    assert (load_map(tmp_path / "part.yaml").pixels == 254).any()
-
-
 @pytest.mark.parametrize("text", ["image: [", "<sdf/>"])
 def test_file_that_is_no_map_is_refused_in_one_line(tmp_path, capsys, text):
     path = tmp_path / "a.yaml"

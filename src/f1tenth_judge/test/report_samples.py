@@ -73,7 +73,7 @@ def result(name, passed=True, commit="0123456789ab", **others):
         "real_time_factor": 12.5,
         "seed": 1,
         "trajectory_hash": f"hash of {commit}",
-        "versions": {"commit": commit},
+        "versions": {"commit": commit, "driver_commits": {"robot1": commit}},
         **others,
     }
 

@@ -171,6 +171,8 @@ def test_scrubbing_moves_the_car_and_the_charts(window, report):
 
 def test_runs_that_are_compared_are_named_by_the_commits_of_workspace_and_driver(window, report):
     open_run(window, report, "two")
+    assert "driver_commits of robot1" in find(window, "body").text
+    assert "[object Object]" not in find(window, "body").text
     assert "old + mine-dir* 01234567" in " ".join(find(window, "body").text.split())
 
 

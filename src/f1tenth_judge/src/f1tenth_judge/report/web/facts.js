@@ -135,7 +135,9 @@ function linksCard({ links }) {
 }
 
 function versionsCard(result) {
-  const rows = [["seed", result.seed], ["trajectory hash", result.trajectory_hash], ...Object.entries(result.versions ?? {})];
+  const versions = Object.entries(result.versions ?? {}).flatMap(([name, value]) =>
+    value instanceof Object ? Object.entries(value).map(([car, each]) => [`${name} of ${car}`, each]) : [[name, value]]);
+  const rows = [["seed", result.seed], ["trajectory hash", result.trajectory_hash], ...versions];
   return section("Made with", table(["", ""], rows.map(([name, value]) => ({
     cells: [name, element("code", {}, formatValue(value))],
   }))));

@@ -66,7 +66,20 @@ def test_nothing_at_all_can_be_drawn(tmp_path):
 
 def test_two_cars_share_one_scale(tmp_path):
     run = record(tmp_path, rows(3.0), rows(3.0, car="robot2", y=1.0, speed=2.0))
-    draw(tmp_path / "picture.png", run, goals={**GOALS, "robot2": (Pose(3.0, 1.0),)})
+    axes, *others = make_figure("sample", ("success",), run, {}, None).axes
+    assert len(others) == 1
+    limits = {(paths.norm.vmin, paths.norm.vmax) for paths in axes.collections if paths.norm.scaled()}
+    assert limits == {(0.0, 2.0)}
+
+
+def test_what_is_a_wall_is_said_by_the_map(tmp_path):
+    pixels = np.array([[0, 100, 200, 250]], dtype=np.uint8)
+    shown = [
+        make_figure("sample", ("success",), Record({}), {}, Grid(pixels, 0.0, 0.0, occupied_thresh=dark))
+        .axes[0].images[0].get_array().tolist()
+        for dark in (0.5, 0.9)
+    ]  # fmt: skip
+    assert shown == [[[0.25, 0.25, 0.93, 1.0]], [[0.25, 0.93, 0.93, 1.0]]]
 
 
 def numbers_drawn(goals):

@@ -9,11 +9,12 @@ import numpy as np
 import yaml
 from PIL import Image
 
+from f1tenth_judge.atomic import write_all
 from f1tenth_judge.errors import MapError
-from f1tenth_judge.whole_files import write_all
 
 RESOLUTION = 0.05
 """m per cell"""
+OCCUPIED, UNKNOWN, FREE = 100, -1, 0  # cells of a nav_msgs/OccupancyGrid
 _YAML = """image: {image}
 resolution: {resolution:.6f}
 origin: [{x:.6f}, {y:.6f}, 0.000000]
@@ -45,7 +46,9 @@ class Grid:
     def cells(self):
         """Those of a nav_msgs/OccupancyGrid, int8, as map_server makes them from pixels (mode trinary)."""
         dark = (255.0 - self.pixels) / 255.0
-        return np.select([dark > self.occupied_thresh, dark < self.free_thresh], [100, 0], -1).astype(np.int8)
+        return np.select(
+            [dark > self.occupied_thresh, dark < self.free_thresh], [OCCUPIED, FREE], UNKNOWN
+        ).astype(np.int8)
 
 
 def load_map(path):

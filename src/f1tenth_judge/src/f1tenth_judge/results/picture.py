@@ -13,7 +13,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
 from f1tenth_judge.atomic import replacing
-from f1tenth_judge.places.map_file import Grid
+from f1tenth_judge.places.map_file import FREE, OCCUPIED, Grid
 from f1tenth_judge.record.record import CarTrack, Record
 from f1tenth_judge.scenario.car import Pose
 
@@ -78,7 +78,7 @@ def _bounding_box(tracks, goals, track_map):
 
 
 def _wall_extremes(track_map):
-    rows, columns = np.nonzero(track_map.pixels < 128)
+    rows, columns = np.nonzero(track_map.cells == OCCUPIED)
     if not len(rows):
         return np.empty(0), np.empty(0)
     x = track_map.x + track_map.resolution * np.array([columns.min(), columns.max() + 1])
@@ -100,7 +100,7 @@ def _draw_map(axes, track_map):
     if track_map is None:
         return
     # Walls dark, free space white, unknown light: a map's own greys are too heavy behind a coloured path.
-    shades = np.select([track_map.pixels < 128, track_map.pixels > 230], [0.25, 1.0], default=0.93)
+    shades = np.select([track_map.cells == OCCUPIED, track_map.cells == FREE], [0.25, 1.0], default=0.93)
     place = {"origin": "lower", "extent": track_map.extent, "zorder": 0}
     axes.imshow(shades, cmap="gray", vmin=0, vmax=1, interpolation="nearest", **place)
 

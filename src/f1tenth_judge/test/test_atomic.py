@@ -4,12 +4,12 @@ import subprocess
 import sys
 
 import pytest
-from f1tenth_judge.whole_files import write_all
+from f1tenth_judge.atomic import write_all
 
 # Its own process: the limit holds for the output of the tests as well.
 WITHOUT_SPACE = """
 import pathlib, resource, sys
-from f1tenth_judge.whole_files import write_all
+from f1tenth_judge.atomic import write_all
 resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))
 try:
     write_all({pathlib.Path(sys.argv[1]): b"new", pathlib.Path(sys.argv[2]): b"x" * 1000})

@@ -4,12 +4,12 @@ import argparse
 import sys
 from pathlib import Path
 
+from f1tenth_judge.atomic import write_all
 from f1tenth_judge.errors import FileError, MapError
 from f1tenth_judge.places.centreline import centreline
 from f1tenth_judge.places.centreline_file import centreline_beside, centreline_text, table_text
 from f1tenth_judge.places.circuit_file import load_circuit
 from f1tenth_judge.places.map_file import load_map, save_map
-from f1tenth_judge.whole_files import write_all
 
 from f1tenth_gazebo.goals.goals_file import goals_text, lap_goals
 from f1tenth_gazebo.maps.road_middle import middle_of_road

@@ -2,16 +2,37 @@
 
 import contextlib
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 
 @contextlib.contextmanager
 def replacing(path: Path) -> Iterator[Path]:
-    """Give a temporary file beside `path`, which replaces it when the block ends without exception."""
+    """Give a temporary file beside `path`, which replaces it when the block ends without exception.
+
+    Raises:
+        OSError: it cannot be written; names `path`.
+    """
     temporary = path.with_name(f".{path.name}.{os.getpid()}{path.suffix}")
     try:
         yield temporary
         os.replace(temporary, path)
+    except OSError as error:
+        # A full disk is an error without a name.
+        if error.filename in (None, str(temporary)):
+            raise OSError(error.errno, error.strerror, str(path)) from error
+        raise
     finally:
-        temporary.unlink(missing_ok=True)
+        with contextlib.suppress(OSError):
+            temporary.unlink(missing_ok=True)
+
+
+def write_all(content: Mapping[Path, bytes]) -> None:
+    """Write files that belong together: all of them, or none.
+
+    Raises:
+        OSError: one cannot be written; names it.
+    """
+    with contextlib.ExitStack() as files:
+        for path, data in content.items():
+            files.enter_context(replacing(path)).write_bytes(data)

@@ -3,9 +3,9 @@
 from pathlib import Path
 
 import numpy as np
+from f1tenth_judge.atomic import write_all
 from f1tenth_judge.places.centreline_file import table_text
 from f1tenth_judge.places.map_file import map_files
-from f1tenth_judge.whole_files import write_all
 from PIL import Image, ImageDraw
 
 from f1tenth_gazebo.maps.occupancy import grid_of, occupied_cells

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Optional
 
 from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.places import lookup
 
 from f1tenth_scenarios.cli.exit_codes import BAD_INPUT
 from f1tenth_scenarios.cli.parser import make_parser
@@ -15,6 +16,8 @@ from f1tenth_scenarios.cli.parser import make_parser
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     """Run the command; returns the exit code."""
     options = make_parser().parse_args(arguments)
+    for folder in filter(None, (options.path, options.search_path)):
+        lookup.add_search_path(folder)
     try:
         return options.action(options)
     except ScenarioError as error:

@@ -4,7 +4,6 @@ import argparse
 from pathlib import Path
 from typing import Callable, TypeAlias
 
-from f1tenth_judge.places import lookup
 from f1tenth_judge.record.files import REPORT_FILE
 from f1tenth_judge.scenario.driver import Interface
 
@@ -31,7 +30,7 @@ def make_parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="scenario", description="Runs and judges scenarios of the F1/10 car."
     )
-    parser.add_argument("--path", type=_search_path, metavar="FOLDER", help=_PATH)
+    parser.add_argument("--path", type=_folder, metavar="FOLDER", help=_PATH)
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
     _add_shows(commands)
     _add_run(commands)
@@ -42,17 +41,17 @@ def make_parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _search_path(folder: str) -> None:
-    """Adds the folder at once, as commands look names up there; nothing is kept in the options."""
-    if not Path(folder).is_dir():
-        raise argparse.ArgumentTypeError(f"{folder}: no such folder")
-    lookup.add_search_path(Path(folder))
+def _folder(text: str) -> Path:
+    if not Path(text).is_dir():
+        raise argparse.ArgumentTypeError(f"{text}: no such folder")
+    return Path(text)
 
 
 def _command(commands: _Subparsers, name: str, action: Callable, text: str) -> argparse.ArgumentParser:
     command = commands.add_parser(name, help=text, description=text)
     command.set_defaults(action=action)
-    command.add_argument("--path", type=_search_path, metavar="FOLDER", help=_PATH)
+    # Of another name, as its default would take the place of what stands before the command.
+    command.add_argument("--path", dest="search_path", type=_folder, metavar="FOLDER", help=_PATH)
     return command
 
 

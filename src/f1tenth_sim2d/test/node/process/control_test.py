@@ -80,7 +80,6 @@ class ControlTest(unittest.TestCase):
         assert collector.wait_for(lambda seen: seconds(seen).count(1) == 2)
         service("pause_physics", Empty)()
         paused_in = math.ceil(service("get_model_state", GetModelState)("robot1", "").header.stamp.to_sec())
-        rospy.rostime.wallsleep(0.5)
         service("unpause_physics", Empty)()
         assert collector.wait_for(lambda seen: seconds(seen)[-1] > paused_in)
         times = [message.status[0] for message in collector.messages["/diagnostics"]]

@@ -12,6 +12,7 @@ import unittest
 import rospy
 import rostest
 from ackermann_msgs.msg import AckermannDriveStamped
+from gazebo_msgs.srv import GetModelState
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import LaserScan
 from sim2d_process import LONG, Collector, Sim2d, Stepper, car_description
@@ -126,19 +127,19 @@ class LockstepTest(unittest.TestCase):
         assert sim2d.result()["periods"] == periods + 1
         return sim2d.result()
 
-    def test_same_seed_gives_the_same_run_twenty_times_half_of_them_on_a_busy_machine(self):
-        idle = self.hashes_of_ten_runs()
+    def test_same_seed_gives_the_same_run_also_on_a_busy_machine(self):
+        idle = self.hashes_of_three_runs()
         loads = [busy_core() for _ in range(os.cpu_count())]
         try:
-            busy = self.hashes_of_ten_runs()
+            busy = self.hashes_of_three_runs()
         finally:
             for load in loads:
                 load.kill()
                 load.wait()
         assert len(idle | busy) == 1
 
-    def hashes_of_ten_runs(self):
-        return {self.drive(100)["trajectory_hash"] for _ in range(10)}
+    def hashes_of_three_runs(self):
+        return {self.drive(100)["trajectory_hash"] for _ in range(3)}
 
     def test_another_seed_gives_another_run(self):
         hashes = {self.drive(40, seed=seed)["trajectory_hash"] for seed in (1, 2)}
@@ -192,7 +193,10 @@ class LockstepTest(unittest.TestCase):
         self.addCleanup(clock.close)
         sim2d = self.start(participants=["robot1"], lockstep_timeout=LONG)
         assert clock.wait_for(lambda seen: any(each.clock.to_nsec() == 2 * PERIOD for each in seen["/clock"]))
-        rospy.rostime.wallsleep(0.5)
+        rospy.wait_for_service("/gazebo/get_model_state", LONG)
+        state = rospy.ServiceProxy("/gazebo/get_model_state", GetModelState)
+        for _ in range(20):
+            assert state("robot1", "").success
         assert max(each.clock.to_nsec() for each in clock.messages["/clock"]) == 2 * PERIOD
         driver.go_on()
         assert driver.answered.wait(LONG)

@@ -10,7 +10,7 @@ import time
 import rospkg
 import rospy
 from move_base_msgs.msg import MoveBaseActionResult
-from rosgraph_msgs.msg import Clock, Log
+from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Header, Int32
 from workspace_support.nodes import synchronous_publisher
 
@@ -107,10 +107,6 @@ class Listener:
 def listen_to_status():
     """Collect (state, goals_reached)."""
     return Listener("/robot1/race_status", RaceStatus, lambda message: (message.state, message.goals_reached))
-
-
-def listen_to_log():
-    return Listener("/rosout", Log, lambda message: (message.name, message.msg))
 
 
 def listen_to_results():

@@ -28,8 +28,9 @@ endif
 export PATH := $(VENV)/bin:/usr/bin:$(PATH)
 
 JOBS ?= $(shell nproc)
-# Every test has its own ROS master, display and folders, so that several can run side by side.
-TEST_JOBS ?= $(JOBS)
+# Every test has its own ROS master, display and folders, so that several can run side by side. Most of them wait for
+# processes that start and for messages: two for each processor keep it busy.
+TEST_JOBS ?= $(shell expr 2 \* $(JOBS))
 CIRCUIT ?= circuit1
 CIRCUITS = $(basename $(notdir $(wildcard src/f1tenth_gazebo/circuits/*.yaml)))
 LAPS ?= 1

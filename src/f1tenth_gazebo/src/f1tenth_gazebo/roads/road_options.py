@@ -7,8 +7,6 @@ import numpy as np
 
 CAR_RADIUS = 0.7415
 """Least turning radius of the F1/10 car, m: 0.3302 m / tan(0.4189 rad)."""
-CAR_WIDTH = 0.31
-"""Of f1tenth_description, m."""
 MIN_RADIUS = 1.1 * CAR_RADIUS
 """Least radius that a road may have, m."""
 MIN_WIDTH = 1.2

@@ -3,11 +3,11 @@
 import math
 
 import numpy as np
+from f1tenth_judge.reference.car_limits import CAR_WIDTH
 from shapely.geometry import MultiPoint, Polygon
 from shapely.geometry.polygon import orient
 from shapely.ops import unary_union
 
-from f1tenth_gazebo.roads.road_options import CAR_WIDTH
 from f1tenth_gazebo.worlds.walls import THICKNESS, Wall, wall_chain
 
 MATERIAL = "Gazebo/Grey"

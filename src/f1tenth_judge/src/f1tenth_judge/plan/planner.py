@@ -21,8 +21,12 @@ _OURS = "race"
 
 def planner_setting(planner: Driver) -> str:
     """The setting KEY=VALUE for a planner."""
-    text = yaml.safe_dump(planner.as_dict(), default_flow_style=True, width=float("inf"))
-    return f"{PLANNER}={text.strip()}"
+    return f"{PLANNER}={driver_text(planner)}"
+
+
+def driver_text(driver: Driver) -> str:
+    """A driver as a scenario file describes it, in one line."""
+    return yaml.safe_dump(driver.as_dict(), default_flow_style=True, width=float("inf")).strip()
 
 
 @as_scenario_error(FileError)

@@ -1,4 +1,4 @@
-"""How long the fastest flying lap of each circuit takes, as `race_reference --laps` has computed it."""
+"""How long the fastest flying lap of each circuit takes, as `scenario reference --laps` has computed it."""
 
 from pathlib import Path
 from typing import Optional
@@ -7,7 +7,7 @@ import yaml
 
 from f1tenth_judge.scenario.scenario import Scenario
 
-_HEAD = "# Fastest flying laps (s); made by: rosrun f1tenth_studies race_reference --laps {path}\n"
+_HEAD = "# Fastest flying laps (s); made by: rosrun f1tenth_scenarios scenario reference --laps FILE\n"
 
 
 def reference_laps_file() -> Path:
@@ -30,4 +30,4 @@ def reference_lap(scenario: Scenario) -> Optional[float]:
 def reference_laps_text(laps: dict[str, float]) -> str:
     """What the file says."""
     lines = [f"{name}: {lap:.3f}\n" for name, lap in laps.items()]
-    return _HEAD.format(path="reference_laps.yaml") + "".join(lines)
+    return _HEAD + "".join(lines)

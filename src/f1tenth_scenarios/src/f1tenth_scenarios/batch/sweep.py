@@ -1,8 +1,8 @@
-"""Many variations of a scenario: `scenario sweep`."""
+"""Many variations of a scenario: `scenario sweep` and `scenario suite`."""
 
 import itertools
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Optional
 
@@ -19,30 +19,55 @@ from f1tenth_scenarios.batch.jobs import Job, Outcome, read_result, run_jobs
 _INPUTS_FILE = "inputs.sha256"  # beside a result: what it depends on
 
 
-class Sweep:
-    """A scenario with every combination of values."""
+Cases = Mapping[str, Sequence[Setting]]  # values by the name of a case, which is also that of its folder
 
-    def __init__(self, name: str, variations: Sequence[str], results: Path, settings: Sequence[str] = ()):
+
+def combinations(variations: Sequence[str]) -> Cases:
+    """Every combination of values; `variations`: KEY=VALUES, as `parse_variation` reads them.
+
+    Raises:
+        ScenarioError: a key is varied twice, or combinations could not be told apart in folders' names.
+    """
+    varied = [parse_variation(text) for text in variations]
+    keys = [values[0].key for values in varied]
+    for key in keys:
+        if keys.count(key) > 1:
+            raise ScenarioError(f"--vary {key}: is varied more than once")
+    found: dict[str, Sequence[Setting]] = {}
+    for each in itertools.product(*varied):
+        other = found.setdefault(folder_name(each), each)
+        # Values that differ only in characters that no folder's name can have would overwrite each other.
+        if other is not each:
+            values = (" ".join(map(str, settings)) for settings in (other, each))
+            raise ScenarioError(
+                "'{}' and '{}' would both be written to {}".format(*values, folder_name(each))
+            )
+    return found
+
+
+class Sweep:
+    """A scenario with several sets of values."""
+
+    def __init__(self, name: str, cases: Cases, folder: Path, settings: Sequence[str] = ()):
         """Check everything; nothing is run yet.
 
         Args:
             name: of the scenario, or its file
-            variations: KEY=VALUES, as `parse_variation` reads them
-            results: folder for all runs
+            cases: what is varied
+            folder: for the folders of the cases
             settings: KEY=VALUE, the same in all runs
 
         Raises:
+            NotApplicableError: the scenario says nothing about a planner that the settings name.
             ScenarioError: bad input.
         """
-        varied = [parse_variation(text) for text in variations]
-        self.keys = [values[0].key for values in varied]
-        for key in self.keys:
-            if self.keys.count(key) > 1:
-                raise ScenarioError(f"--vary {key}: is varied more than once")
+        self.keys = [setting.key for setting in next(iter(cases.values()))]
         self._software = hash_software()
         self._inputs: dict[Job, str] = {}
-        for combination in itertools.product(*varied):
-            self._add(name, combination, results, settings)
+        for case, values in cases.items():
+            texts = (*settings, *map(str, values))
+            plan = make_plan(name, settings=texts)
+            self._inputs[Job(str(plan.file), texts, str(folder / case))] = hash_inputs(plan, self._software)
         self.reused: list[Job] = []
         self.results: dict[Job, dict[str, Any]] = {}
         self.problems: list[str] = []
@@ -82,29 +107,25 @@ class Sweep:
 
     def rows(self) -> Iterator[dict[str, Any]]:
         """A row of the table for each run that has a result."""
+        return (row for _, row in self.rows_of_jobs())
+
+    def rows_of_jobs(self) -> Iterator[tuple[Job, dict[str, Any]]]:
+        """The same with their jobs."""
         for job in self.jobs:
             if job in self.results:
                 result = self.results[job]
-                yield {
-                    **{key: dict(each.split("=", 1) for each in job.settings)[key] for key in self.keys},
-                    "verdict": result["verdict"],
-                    "passed": result["passed"],
-                    "lap_time": result["times"]["lap_time"],
-                    "minimum_clearance": result["minimum_clearance"],
-                    "trajectory_hash": result["trajectory_hash"],
-                    "reason": result["reason"],
-                }
-
-    def _add(self, name, combination: Sequence[Setting], results: Path, settings: Sequence[str]) -> None:
-        texts = (*settings, *map(str, combination))
-        plan = make_plan(name, settings=texts)
-        folder = results / "sweep" / plan.name / folder_name(combination)
-        # Values that differ only in characters that no folder's name can have would overwrite each other.
-        for other in self._inputs:
-            if other.results == str(folder):
-                values = " ".join(other.settings[len(settings) :]), " ".join(map(str, combination))
-                raise ScenarioError(f"'{values[0]}' and '{values[1]}' would both be written to {folder}")
-        self._inputs[Job(str(plan.file), texts, str(folder))] = hash_inputs(plan, self._software)
+                yield (
+                    job,
+                    {
+                        **{key: dict(each.split("=", 1) for each in job.settings)[key] for key in self.keys},
+                        "verdict": result["verdict"],
+                        "passed": result["passed"],
+                        "lap_time": result["times"]["lap_time"],
+                        "minimum_clearance": result["minimum_clearance"],
+                        "trajectory_hash": result["trajectory_hash"],
+                        "reason": result["reason"],
+                    },
+                )
 
     def _old_result(self, job: Job) -> Optional[dict[str, Any]]:
         try:

@@ -10,8 +10,10 @@ from f1tenth_judge.scenario.driver import Interface
 from f1tenth_scenarios.cli.compare_command import compare
 from f1tenth_scenarios.cli.options import OUR_PLANNERS
 from f1tenth_scenarios.cli.race_command import race
+from f1tenth_scenarios.cli.reference_command import reference
 from f1tenth_scenarios.cli.run_command import run
 from f1tenth_scenarios.cli.show_commands import check, report, show_keys, show_list
+from f1tenth_scenarios.cli.suite_command import SUITES, suite
 from f1tenth_scenarios.cli.sweep_command import sweep
 
 _SET = "replace a value of the file, as in seed=2, mu=0.3, limits.timeout=20 or driver.arguments.speed=4"
@@ -36,6 +38,8 @@ def make_parser() -> argparse.ArgumentParser:
     _add_run(commands)
     _add_race(commands)
     _add_sweep(commands)
+    _add_suite(commands)
+    _add_reference(commands)
     _add_compare(commands)
     _add_report(commands)
     return parser
@@ -137,10 +141,37 @@ def _add_sweep(commands: _Subparsers) -> None:
     command = _command(commands, "sweep", sweep, "run many variations of a scenario in parallel")
     command.add_argument("name", metavar="NAME", help="scenario or file")
     command.add_argument("--vary", action="append", required=True, metavar="KEY=VALUES", help=_VARY)
-    command.add_argument("--workers", type=int, metavar="N", help="local processes; default: one per core")
-    command.add_argument("--scheduler", metavar="URI", help="use this Dask cluster, as in tcp://host:8786")
+    _add_workers(command)
     command.add_argument("--output", type=Path, metavar="FILE", help=_TABLE)
     _add_results(command, "write to FOLDER/sweep/NAME")
+
+
+def _add_workers(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--workers", type=int, metavar="N", help="local processes; default: one per core")
+    command.add_argument("--scheduler", metavar="URI", help="use this Dask cluster, as in tcp://host:8786")
+
+
+def _add_suite(commands: _Subparsers) -> None:
+    command = _command(commands, "suite", suite, "run many cases, and say how many a planner passes")
+    command.add_argument("name", nargs="?", choices=SUITES, help="default: list the suites")
+    command.add_argument("--cases", metavar="A,B", help="some of the cases: seeds, as in 0:59, or names")
+    command.add_argument("--planner", metavar="LAUNCH", help=f"drive with it instead of ours: {_PLANNER}")
+    command.add_argument("--opponent", metavar="LAUNCH", help="drives the other car of 'encounters'")
+    _add_planner(command)
+    command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help=_SET)
+    _add_workers(command)
+    _add_results(command, "write to FOLDER/suite/NAME")
+
+
+def _add_reference(commands: _Subparsers) -> None:
+    text = "compute the fastest flying lap that is possible for the simulator's car; minutes for a long road"
+    command = _command(commands, "reference", reference, text)
+    command.add_argument(
+        "names", nargs="*", metavar="NAME", help="circuit, or X_centerline.csv; default: all circuits"
+    )
+    command.add_argument("--clearance", type=float, metavar="M", help="beside the car; default: 0.05")
+    command.add_argument("--output", type=Path, metavar="FOLDER", help="write NAME_raceline.csv there")
+    command.add_argument("--laps", type=Path, metavar="FILE", help="write the lap times there, as YAML")
 
 
 def _add_compare(commands: _Subparsers) -> None:

@@ -1,9 +1,9 @@
 """scenario sweep."""
 
 import sys
-from pathlib import Path
 
 from f1tenth_judge.errors import writing
+from f1tenth_judge.places import lookup
 from f1tenth_judge.stop_request import StopRequest
 
 from f1tenth_scenarios.batch.table_file import check_table_file, write_table
@@ -15,15 +15,15 @@ _TABLE_FILE, _PICTURE_FILE = "sweep.csv", "sweep.png"
 
 def sweep(options) -> int:
     """Run many variations of a scenario; write a table and a picture, and print where they are."""
-    from f1tenth_scenarios.batch.sweep import Sweep
+    from f1tenth_scenarios.batch.sweep import Sweep, combinations
 
     expect_at_least(1, options.workers, "--workers")
     output = options.output.resolve() if options.output else None
     with StopRequest().listening() as stop:
         if output:
             check_table_file(output)
-        swept = Sweep(options.name, options.vary, results_of(options))
-        folder = results_of(options) / "sweep" / Path(swept.jobs[0].scenario).stem
+        folder = results_of(options) / "sweep" / lookup.scenario_file(options.name).stem
+        swept = Sweep(options.name, combinations(options.vary), folder)
         with writing(folder):
             folder.mkdir(parents=True, exist_ok=True)
         check_table_file(folder / _TABLE_FILE)

@@ -2,20 +2,17 @@
 
 import dataclasses
 import random
-from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 from f1tenth_judge.places import lookup
 from f1tenth_judge.places.course import Course
+from f1tenth_judge.reference.track import load_track
+from f1tenth_judge.scenario.settings import Setting
 
-from f1tenth_studies.made_places import seeds, track_map, track_names, write_place
-from f1tenth_studies.optimum.track import load_track
-from f1tenth_studies.study import Column, Run, Study, place_of
+from f1tenth_scenarios.suites.made_places import track_map, track_names, write_place
+from f1tenth_scenarios.suites.suite import Suite, seeds
 
-LEAST_CLEARANCE = 0.08  # m
-_KEY = "encounter"
-_ROWS = ("seed", "place", "manner", "speed (m/s)")  # in their order in the name of a place
 _MANNERS = ("middle", "side", "weaves", "brakes", "stands")
 _SLOW, _FAST = 0.5, 4.0  # m/s
 _FURNISHED = "circuit_detailed"
@@ -24,17 +21,6 @@ _MOST_ASIDE = 0.6  # m
 _BRAKES_AFTER = (10.0, 30.0)  # m
 _BLEND = 3.0  # m, over which the other gets from the middle to its line
 _AHEAD = 6.0  # m, where it stands at the start, between two goals: `ahead` of robot2 in the scenario
-
-
-_TEXT = f"""\
-A lap that begins anywhere on a circuit or a track. Another car, {_AHEAD:g} m ahead at the start, drives at
-{_SLOW:g} to {_FAST:g} m/s along its own line and ignores the planner's car: it keeps to the `middle` of the
-road or to one `side`, `weaves` ({_WEAVE:g} m, {_WEAVE_RATE:g} Hz), drives and then `brakes` for good, or
-`stands` from the start. On {_FURNISHED} it always stands, and laps begin at the start line: goals
-elsewhere, and cars that follow the line there, touch the furniture. The planner has perfect odometry, and
-knows from its lidar alone where the other car is and how fast it drives.
-
-Wanted: nothing is touched, and a clearance of at least {LEAST_CLEARANCE:g} m."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -87,15 +73,20 @@ def _aside(encounter: Encounter, along: np.ndarray) -> np.ndarray:
     return np.full(len(along), encounter.aside if encounter.manner == "side" else 0.0)
 
 
-def _worlds(values: str, folder: Path) -> list[Path]:
-    return [_write(seed, make_encounter(seed), folder) for seed in seeds(_KEY, values)]
+def _cases(chosen: str, folder: Path) -> dict[str, tuple[Setting]]:
+    made = {seed: make_encounter(seed) for seed in seeds(chosen)}
+    return {
+        f"{seed:03}_{each.place}_{each.manner}_{each.speed:.1f}": (
+            Setting("world", str(_write(folder / f"{seed:03}", each))),
+        )
+        for seed, each in made.items()
+    }
 
 
-def _write(seed: int, encounter: Encounter, folder: Path) -> Path:
+def _write(stem: Path, encounter: Encounter) -> Path:
     road, map_file = _road_of(encounter.place)
     track = load_track(road)
     course = Course(*np.roll(track, -int(encounter.begin * len(track)), axis=0).T)
-    stem = folder / f"{seed:03}_{encounter.place}_{encounter.manner}_{encounter.speed:.1f}"
     return write_place(stem, map_file, course, line_of(encounter, course))
 
 
@@ -106,40 +97,10 @@ def _road_of(place: str) -> tuple[str, Path]:
     return str(track_map(place)), track_map(place)
 
 
-def _clearance(run: Run) -> float:
-    return float(run.record.tracks["robot1"].clearance.min())
-
-
-def _contacts(runs) -> int:
-    """Those of the planner's car; the other may touch a wall by itself."""
-    touched = [(each["car"], *each["touched"]) for run in runs for each in run.result["contacts"]]
-    return sum("robot1" in names for names in touched)
-
-
-def _labels(values: Mapping[str, str]) -> dict[str, str]:
-    seed, *place, manner, speed = place_of(values).split("_")
-    return dict(zip(_ROWS, (seed, "_".join(place), manner, speed)))
-
-
-def _defect(run: Run) -> str:
-    if _clearance(run) < LEAST_CLEARANCE:
-        return f"clearance {_clearance(run):.3f} m, must be at least {LEAST_CLEARANCE:g} m"
-    return ""
-
-
-STUDY = Study(
-    title="Meeting others",
-    text=_TEXT,
+SUITE = Suite(
+    text="a lap on which another car keeps to the middle or a side, weaves, brakes or stands; --cases are "
+    "seeds: odd ones are on circuits, even ones on the tracks of $F1TENTH_DATA",
     scenario="encounters",
-    vary={_KEY: "0:59"},
-    rows=_ROWS,
-    columns=(
-        Column("verdict", lambda runs: runs[0].result["verdict"]),
-        Column("finish (s)", lambda runs: float(runs[0].result["times"]["finish"] or "inf")),
-        Column("least clearance (m)", lambda runs: _clearance(runs[0])),
-        Column("contacts", _contacts),
-    ),
-    defect=_defect,
-    places=(_KEY, _worlds),
-    labels=_labels,
+    cases=_cases,
+    chosen="0:59",
 )

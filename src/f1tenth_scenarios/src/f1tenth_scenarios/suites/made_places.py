@@ -1,4 +1,4 @@
-"""Places that a study makes: roads in the other direction, and lines for others to drive along."""
+"""Places that suites make of others' tracks."""
 
 import os
 from pathlib import Path
@@ -6,11 +6,9 @@ from typing import Optional
 
 import numpy as np
 import yaml
-from f1tenth_gazebo.roads import RoadError, make_road, write_road
 from f1tenth_judge.errors import ScenarioError
-from f1tenth_judge.places.course import Course, read_course
+from f1tenth_judge.places.course import Course
 from f1tenth_judge.places.raceline import COLUMNS, RACELINE
-from f1tenth_judge.scenario.settings import parse_variation
 
 
 def data_folder() -> Path:
@@ -33,27 +31,6 @@ def track_names() -> list[str]:
 def track_map(name: str) -> Path:
     """The map of one of others' tracks."""
     return data_folder() / name / f"{name}_map.yaml"
-
-
-def seeds(key: str, values: str) -> list[int]:
-    """The seeds that a key is varied by.
-
-    Raises:
-        ScenarioError: one is not a whole number.
-    """
-    found = []
-    for setting in parse_variation(f"{key}={values}"):
-        try:
-            found.append(int(setting.value))
-        except ValueError as error:
-            raise ScenarioError(f"{setting}: must be a seed, a whole number") from error
-    return found
-
-
-def backwards(course: Course) -> Course:
-    """The same road in the other direction, from the same start."""
-    x, y, right, left = (np.roll(each[::-1], 1) for each in (course.x, course.y, course.right, course.left))
-    return Course(x, y, left, right)
 
 
 def write_place(stem: Path, map_file: Path, course: Course, line: Optional[np.ndarray] = None) -> Path:
@@ -86,26 +63,3 @@ def write_place(stem: Path, map_file: Path, course: Course, line: Optional[np.nd
     except OSError as error:
         raise ScenarioError(f"{error.filename}: {error.strerror}") from error
     return path
-
-
-def track_worlds(name: str, folder: Path) -> list[Path]:
-    """One of others' tracks as two places, there and back; see `write_place`."""
-    map_file = track_map(name)
-    course = read_course(map_file.with_name(f"{name}_centerline.csv"))
-    return [
-        write_place(folder / name, map_file, course),
-        write_place(folder / f"{name}_reverse", map_file, backwards(course)),
-    ]
-
-
-def road_world(seed: int, folder: Path) -> Path:
-    """The world of a random road, written to a folder.
-
-    Raises:
-        ScenarioError: there is no such road, or a file cannot be written.
-    """
-    try:
-        *_, world = write_road(make_road(seed), folder / f"seed_{seed}")
-    except (OSError, RoadError) as error:
-        raise ScenarioError(f"road={seed}: {error}") from error
-    return world

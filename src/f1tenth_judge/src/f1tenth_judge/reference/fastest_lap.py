@@ -8,11 +8,11 @@ import dataclasses
 from pathlib import Path
 
 import numpy as np
+
 from f1tenth_judge.atomic import replacing
 from f1tenth_judge.errors import ScenarioError, writing
-
-from f1tenth_studies.optimum.car_limits import GRAVITY, Limits
-from f1tenth_studies.optimum.track import resampled
+from f1tenth_judge.reference.car_limits import GRAVITY, Limits
+from f1tenth_judge.reference.track import resampled
 
 try:
     import trajectory_planning_helpers as tph

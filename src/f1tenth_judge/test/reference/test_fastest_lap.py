@@ -7,12 +7,10 @@ import pytest
 import yaml
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.places import lookup
+from f1tenth_judge.reference.car_limits import GRAVITY, Limits, read_limits
+from f1tenth_judge.reference.fastest_lap import compute_fastest_lap
+from f1tenth_judge.reference.track import SPACING, load_track
 from f1tenth_judge.results.reference_laps import reference_laps_file
-from f1tenth_studies.optimum.car_limits import GRAVITY, Limits, read_limits
-from f1tenth_studies.optimum.fastest_lap import compute_fastest_lap
-from f1tenth_studies.optimum.track import SPACING, load_track
-
-from f1tenth_studies import cli
 
 LIMITS = Limits(
     friction=1.0, max_acceleration=9.0, switch_speed=7.0, max_speed=20.0, max_curvature=1.3, mass=3.7
@@ -75,10 +73,10 @@ def test_a_road_too_narrow_is_refused():
         compute_fastest_lap(ring(half_width=0.18), LIMITS)
 
 
-def test_without_the_package_that_computes_it_the_fastest_lap_names_it(monkeypatch, capsys):
-    monkeypatch.setattr("f1tenth_studies.optimum.fastest_lap.tph", None)
-    assert cli.reference_main(["circuit1"]) == cli.BAD_INPUT
-    assert "needs the Python package trajectory-planning-helpers (make setup" in capsys.readouterr().err
+def test_without_the_package_that_computes_it_the_fastest_lap_names_it(monkeypatch):
+    monkeypatch.setattr("f1tenth_judge.reference.fastest_lap.tph", None)
+    with pytest.raises(ScenarioError, match="needs the Python package trajectory-planning-helpers"):
+        compute_fastest_lap(ring(), LIMITS)
 
 
 def test_a_circuit_is_sampled_evenly_with_its_width():
@@ -91,26 +89,3 @@ def test_a_circuit_is_sampled_evenly_with_its_width():
 def test_an_unknown_circuit_is_answered_with_those_there_are():
     with pytest.raises(ScenarioError, match="no circuit 'monza'; there are: circuit1, circuit2"):
         load_track("monza")
-
-
-def test_a_centreline_is_read_and_its_race_line_written(tmp_path):
-    path = tmp_path / "ring_centerline.csv"
-    np.savetxt(path, ring(), delimiter=",", header="x_m, y_m, w_tr_right_m, w_tr_left_m")
-    assert cli.reference_main([str(path), "-o", str(tmp_path)]) == cli.PASSED
-    written = np.loadtxt(tmp_path / "ring_raceline.csv", delimiter=";")
-    assert written.shape[1] == 7
-    assert np.hypot(written[:, 1], written[:, 2]) == pytest.approx(4.705, abs=0.05)
-    lines = (tmp_path / "ring_raceline.csv").read_text().splitlines()
-    assert lines[2] == "# s_m; x_m; y_m; psi_rad; kappa_radpm; vx_mps; ax_mps2"
-
-
-def test_a_missing_centreline_is_one_line_and_bad_input(capsys):
-    assert cli.reference_main(["/nowhere/x_centerline.csv"]) == cli.BAD_INPUT
-    error = capsys.readouterr().err
-    assert error == "race_reference: no such file: /nowhere/x_centerline.csv\n"
-
-
-def test_a_missing_folder_for_race_lines_is_told_before_anything_is_computed(capsys, monkeypatch):
-    monkeypatch.setattr(cli, "compute_fastest_lap", lambda *_: pytest.fail("was computed"))
-    assert cli.reference_main(["circuit1", "-o", "/nowhere"]) == cli.BAD_INPUT
-    assert capsys.readouterr().err == "race_reference: -o /nowhere/*: there is no such folder\n"

@@ -3,10 +3,9 @@
 import dataclasses
 import math
 
-from f1tenth_gazebo.roads.road_options import CAR_WIDTH
-
 import f1tenth_sim2d
 
+CAR_WIDTH = 0.31  # m, of f1tenth_description
 GRAVITY = 9.81  # m/s^2, with which the tyre parameters were identified
 CLEARANCE = 0.05  # m beside the car, the least that a race lap may leave
 

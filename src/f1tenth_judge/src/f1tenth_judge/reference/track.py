@@ -3,10 +3,11 @@
 from pathlib import Path
 
 import numpy as np
-from f1tenth_judge.places import lookup
-from f1tenth_judge.places.course import read_course
 from scipy.interpolate import CubicSpline
 from scipy.ndimage import gaussian_filter1d
+
+from f1tenth_judge.places import lookup
+from f1tenth_judge.places.course import read_course
 
 SPACING = 0.25  # m, between points of a track
 # On a long road they are farther apart: the time for its race line grows with the cube of their number.

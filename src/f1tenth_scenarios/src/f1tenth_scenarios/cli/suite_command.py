@@ -1,0 +1,76 @@
+"""scenario suite."""
+
+import importlib
+import sys
+from pathlib import Path
+
+from f1tenth_judge.errors import ScenarioError, writing
+from f1tenth_judge.places import lookup
+from f1tenth_judge.places.packages import package_path
+from f1tenth_judge.plan.planner import driver_text, planner_setting
+from f1tenth_judge.stop_request import StopRequest
+
+from f1tenth_scenarios import suites
+from f1tenth_scenarios.batch.table_file import check_table_file, write_table
+from f1tenth_scenarios.cli.exit_codes import PASSED, exit_code
+from f1tenth_scenarios.cli.options import check_planner_options, expect_at_least, planner_of, results_of
+from f1tenth_scenarios.suites.suite import Suite
+
+_TABLE_FILE, _PLACES = "scorecard.csv", "places"
+SUITES = ("encounters", "pace", "roads", "safety", "tracks")
+
+
+def suite(options) -> int:
+    """Run the cases of a suite, and print how many were passed and which were the worst."""
+    if options.name is None:
+        for name in SUITES:
+            print(f"{name:14}{_load(name).text}")
+        return PASSED
+    check_planner_options(options)
+    expect_at_least(1, options.workers, "--workers")
+    folder = results_of(options) / "suite" / options.name
+    with writing(folder):
+        (folder / _PLACES).mkdir(parents=True, exist_ok=True)
+    check_table_file(folder / _TABLE_FILE)
+    with StopRequest().listening() as stop:
+        sweep = _sweep(options, folder)
+        sweep.run(stop, options.workers, options.scheduler)
+        for problem in [] if stop.signal else sweep.problems:
+            print(f"scenario: {problem}", file=sys.stderr)
+        passed = sum(result["passed"] for result in sweep.results.values())
+        if sweep.results:
+            _write(options.name, sweep, folder, passed)
+    return exit_code(passed == len(sweep.jobs), stop)
+
+
+def _load(name: str) -> Suite:
+    return importlib.import_module(f"{suites.__name__}.{name}").SUITE
+
+
+def _sweep(options, folder: Path):
+    from f1tenth_scenarios.batch.sweep import Sweep
+
+    chosen = _load(options.name)
+    settings = list(options.set)
+    if options.planner:
+        settings.append(planner_setting(planner_of(options.planner, options)))
+    if options.opponent:
+        if chosen.scenario != "encounters":
+            raise ScenarioError("--opponent is for the suite 'encounters'")
+        settings.append(f"cars.robot2.driver={driver_text(planner_of(options.opponent, options))}")
+    scenario = package_path(lookup.PACKAGE) / "suites" / f"{chosen.scenario}.yaml"
+    cases = chosen.cases(options.cases or chosen.chosen, folder / _PLACES)
+    return Sweep(str(scenario), cases, folder, settings)
+
+
+def _write(name: str, sweep, folder: Path, passed: int) -> None:
+    # Imported late: scipy takes longer than everything else that the command does.
+    from f1tenth_scenarios.suites.scorecard import score, scorecard
+
+    rows = [{"case": Path(job.results).name, **row} for job, row in sweep.rows_of_jobs()]
+    table = folder / _TABLE_FILE
+    with writing(table):
+        write_table(table, rows)
+    for key, value in (("suite", name), ("passed", score(passed, len(rows))), ("table", table)):
+        print(f"{key + ':':19}{value}")
+    print(scorecard(rows))

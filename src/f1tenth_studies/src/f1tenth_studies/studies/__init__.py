@@ -1,1 +1,0 @@
-"""The studies: values to sweep, columns, and what is good enough."""

@@ -97,21 +97,6 @@ def test_a_model_comes_is_seen_and_goes(simulation):
         simulation.remove_model("box")
 
 
-def test_a_model_is_placed_with_a_velocity_and_strikes_a_standing_car(simulation):
-    simulation.add_model(box(x=2.0))
-    simulation.place_model("box", 0.9, 0.0, 0.0, v_x=-6.0)
-    simulation.advance_to(0.5)
-    speed = max(contact.speed for contact in simulation.contacts(0))
-    assert 5.0 < speed < 6.0
-
-
-def test_models_of_other_simulations_of_a_world_stay(world, car):
-    first, second = f1tenth_sim2d.Simulation(world), f1tenth_sim2d.Simulation(world)
-    first.remove_model("wall")
-    assert second.model_names() == ["wall", "post", "crate"]
-    assert [model.name for model in world.models] == ["wall", "post", "crate"]
-
-
 def test_scans_of_all_cars_come_in_one_array(world, car_text):
     simulation = f1tenth_sim2d.Simulation(world, seed=3)
     cars = [simulation.add_car(named(car_text, f"robot{i}"), x=-1.5 * i) for i in range(3)]

@@ -1,4 +1,4 @@
-"""Blows between bodies give no energy and keep momentum."""
+"""Blows against a box give no energy and keep momentum."""
 
 import math
 from pathlib import Path
@@ -11,7 +11,6 @@ import f1tenth_sim2d
 STEP = 0.001  # s
 MASS, INERTIA, REAR_AXLE = 3.74, 0.04712, 0.17145  # kg, kg m^2, m
 BOX_MASS, BOX_SIZE, BOX_INERTIA = 1.5, 0.4, 0.04  # kg, m, kg m^2
-LATENCY = 0.02  # s, of actuation
 GRIP = 1.05 * 9.81  # m/s^2, more than tyres or the ground can give
 WORLD = f"""<sdf version='1.6'><world name='w'><model name='box'>
 <pose>2.5 OFFSET 0.2 0 0 0.3</pose><link name='l'>
@@ -38,19 +37,13 @@ def energy(mass, inertia, motion):
     return 0.5 * mass * (motion[0] ** 2 + motion[1] ** 2) + 0.5 * inertia * motion[2] ** 2
 
 
-def drive_until(simulation, speeds, is_near):
-    """Drive until two bodies are about to meet. From there on nobody drives, so that nothing adds energy."""
-    while not is_near():
-        for car, speed in enumerate(speeds):
-            simulation.command(car, speed, 0.0)
-        simulation.step()
-    for car in range(len(speeds)):
-        simulation.command(car, 0.0, 0.0)
-
-
 def strike(simulation, speed):
     """(energy, momentum) of car and box before their first contact, and of each step soon after it."""
-    drive_until(simulation, [speed], lambda: simulation.clearance(0) < 0.03 * speed)
+    while simulation.clearance(0) >= 0.03 * speed:
+        simulation.command(0, speed, 0.0)
+        simulation.step()
+    # From here on nobody drives, so that nothing adds energy.
+    simulation.command(0, 0.0, 0.0)
     motion = car_motion(simulation.state(0))
     before, after = None, []
     pose = np.array(simulation.model_pose("box"))
@@ -84,25 +77,3 @@ def test_blow_against_a_box_gains_no_energy_and_keeps_momentum(tmp_path, car_tex
     assert np.hypot(*(np.array(simulation.model_pose("box"))[:2] - (2.5, offset))) > 0.02, (
         "the box was struck"
     )
-
-
-@pytest.mark.parametrize("aside", [0.0, 0.12])
-def test_head_on_crash_of_two_cars_gains_no_energy(car_text, aside):
-    simulation = f1tenth_sim2d.Simulation(f1tenth_sim2d.empty_world(), STEP)
-    vehicle = f1tenth_sim2d.VehicleParameters()
-    simulation.add_car(f1tenth_sim2d.load_car(car_text, "robot1", "car"), vehicle)
-    simulation.add_car(f1tenth_sim2d.load_car(car_text, "robot2", "car"), vehicle, 4.0, aside, math.pi)
-    drive_until(simulation, [3.0, 3.0], lambda: simulation.clearance(0) < 0.1)
-    # What was commanded before is still on its way for as long as the actuation latency.
-    simulation.advance_to(simulation.time + LATENCY)
-    energies, momenta = [], []
-    for _ in range(300):
-        motions = [car_motion(simulation.state(i)) for i in range(2)]
-        energies.append(sum(energy(MASS, INERTIA, motion) for motion in motions))
-        momenta.append(MASS * (motions[0] + motions[1])[:2])
-        simulation.step()
-    assert simulation.contacts(0)
-    assert simulation.contacts(1)
-    assert max(b - a for a, b in zip(energies, energies[1:])) < 1e-3 * energies[0]
-    assert max(np.hypot(*(b - a)) for a, b in zip(momenta, momenta[1:])) < 2 * MASS * GRIP * STEP + 0.02
-    assert energies[-1] < 0.5 * energies[0]

@@ -1,3 +1,4 @@
+#include <workspace_support/maths/trigonometry.h>
 #include <array>
 #include <boost/algorithm/string/join.hpp>
 #include <cerrno>
@@ -16,6 +17,7 @@ namespace
 // Files written with two decimals are off by at most this much.
 constexpr double kQuaternionTolerance{0.01};
 
+namespace maths = workspace_support::maths;
 using boost::algorithm::join;
 
 constexpr const char * kForms{R"("x y yaw" or "x y z qx qy qz qw")"};
@@ -138,7 +140,7 @@ private:
 
   void checkQuaternion(const std::array<double, 7> & n) const
   {
-    const double length = std::hypot(std::hypot(n[3], n[4]), std::hypot(n[5], n[6]));
+    const double length = maths::hypot(maths::hypot(n[3], n[4]), maths::hypot(n[5], n[6]));
     if (std::abs(length - 1.0) <= kQuaternionTolerance) return;
     std::ostringstream text;
     text << "qx qy qz qw is not a unit quaternion: its length is " << length << ", expected 1 within "

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -70,7 +71,7 @@ private:
   void blankNearest(double angle_increment)
   {
     const auto nearest = std::min_element(view_.begin(), view_.end());
-    const double half_angle = std::atan2(options_.bubble, *nearest);
+    const double half_angle = workspace_support::maths::atan2(options_.bubble, *nearest);
     const auto reach = static_cast<std::ptrdiff_t>(half_angle / angle_increment);
     const auto place = nearest - view_.begin();
     const auto size = static_cast<std::ptrdiff_t>(view_.size());

@@ -1,5 +1,6 @@
 #include "workspace_support/conversions.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <cmath>
 
 namespace workspace_support
@@ -8,14 +9,14 @@ namespace
 {
 double yawOf(const geometry_msgs::Quaternion & q)
 {
-  return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
+  return maths::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
 }
 
 geometry_msgs::Quaternion toQuaternion(double yaw)
 {
   geometry_msgs::Quaternion q;
-  q.z = std::sin(0.5 * yaw);
-  q.w = std::cos(0.5 * yaw);
+  q.z = maths::sin(0.5 * yaw);
+  q.w = maths::cos(0.5 * yaw);
   return q;
 }
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <workspace_support/maths/trigonometry.h>
 #include <workspace_support/planar.h>
 
 #include <Eigen/Geometry>
@@ -8,6 +9,7 @@
 
 namespace f1tenth_sim2d
 {
+namespace maths = workspace_support::maths;
 using workspace_support::Pose2;
 using workspace_support::Vec2;
 
@@ -38,12 +40,12 @@ struct Pose3
 
   static Rotation rotationOf(double roll, double pitch, double yaw)
   {
-    const double cos_roll = std::cos(roll / 2.0);
-    const double sin_roll = std::sin(roll / 2.0);
-    const double cos_pitch = std::cos(pitch / 2.0);
-    const double sin_pitch = std::sin(pitch / 2.0);
-    const double cos_yaw = std::cos(yaw / 2.0);
-    const double sin_yaw = std::sin(yaw / 2.0);
+    const double cos_roll = maths::cos(roll / 2.0);
+    const double sin_roll = maths::sin(roll / 2.0);
+    const double cos_pitch = maths::cos(pitch / 2.0);
+    const double sin_pitch = maths::sin(pitch / 2.0);
+    const double cos_yaw = maths::cos(yaw / 2.0);
+    const double sin_yaw = maths::sin(yaw / 2.0);
     return Rotation(
              cos_roll * cos_pitch * cos_yaw + sin_roll * sin_pitch * sin_yaw,
              sin_roll * cos_pitch * cos_yaw - cos_roll * sin_pitch * sin_yaw,
@@ -56,7 +58,7 @@ struct Pose3
   double yaw() const
   {
     const Rotation & q = rotation;
-    return std::atan2(
+    return maths::atan2(
       2.0 * (q.x() * q.y() + q.w() * q.z()), q.w() * q.w() + q.x() * q.x() - q.y() * q.y() - q.z() * q.z());
   }
 

@@ -1,5 +1,6 @@
 #include "environment/course.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -43,7 +44,7 @@ Pose2 Course::pose(double distance, double offset) const
 {
   const std::size_t segment = segmentAt(distance);
   const Vec2 along = point(segment + 1) - point(segment);
-  const double yaw = std::atan2(along.y, along.x);
+  const double yaw = maths::atan2(along.y, along.x);
   const Vec2 place = workspace_support::transform(
     {point(segment).x, point(segment).y, yaw}, {wrapped(distance) - distances_[segment], offset});
   return {place.x, place.y, yaw};
@@ -80,7 +81,7 @@ CoursePosition Course::nearest(const Pose2 & pose, std::size_t first, std::size_
       best_square = square;
       best.distance = wrapped(distances_[segment] + part * size);
       best.offset = std::copysign(std::sqrt(square), cross(along, there));
-      best.heading = workspace_support::normalizeAngle(pose.yaw - std::atan2(along.y, along.x));
+      best.heading = workspace_support::normalizeAngle(pose.yaw - maths::atan2(along.y, along.x));
     }
   }
   return best;

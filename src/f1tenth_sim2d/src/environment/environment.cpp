@@ -1,5 +1,6 @@
 #include "environment/environment.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 #include <cmath>
 
@@ -159,7 +160,7 @@ void Environment::measure(CarResult & car, const CarState & state) const
     now.distance = car.distance + now.progress;
     now.laps = std::max(0.0, std::floor(now.distance / options_.course->length()));
   } else {
-    now.progress = std::copysign(std::hypot(now.x - car.x, now.y - car.y), now.v_x);
+    now.progress = std::copysign(maths::hypot(now.x - car.x, now.y - car.y), now.v_x);
     now.distance = car.distance + now.progress;
   }
   car = now;

@@ -1,3 +1,4 @@
+#include <workspace_support/maths/trigonometry.h>
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -73,7 +74,7 @@ Section around(const Ellipse & ellipse, Point point)
   std::vector<Vec2> points;
   for (int i = 0; i < steps; ++i) {
     const double angle = 2.0 * M_PI * i / steps;
-    const Vector2d u = lower.transpose().inverse() * Vector2d(std::cos(angle), std::sin(angle));
+    const Vector2d u = lower.transpose().inverse() * Vector2d(maths::cos(angle), maths::sin(angle));
     const Vector2d p = point(u);
     points.push_back({p.x(), p.y()});
   }

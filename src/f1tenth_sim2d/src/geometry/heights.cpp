@@ -1,5 +1,6 @@
 #include "geometry/heights.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <cmath>
 #include <limits>
 
@@ -35,7 +36,7 @@ struct HeightsOf
   Heights operator()(const Cylinder & cylinder) const
   {
     const Vector3d up = pose.climb();
-    return around(pose, std::abs(up.z()) * cylinder.length / 2.0 + std::hypot(up.x(), up.y()) * cylinder.radius);
+    return around(pose, std::abs(up.z()) * cylinder.length / 2.0 + maths::hypot(up.x(), up.y()) * cylinder.radius);
   }
   Heights operator()(const Sphere & sphere) const { return around(pose, sphere.radius); }
   Heights operator()(const Capsule & capsule) const

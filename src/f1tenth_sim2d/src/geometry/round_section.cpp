@@ -1,5 +1,6 @@
 #include "geometry/round_section.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +21,7 @@ constexpr double kGrid = 1e-12;  // m
 bool standsUpright(const Pose3 & pose)
 {
   const Vector3d up = pose.up();
-  return std::hypot(up.x(), up.y()) < kUprightSine;
+  return maths::hypot(up.x(), up.y()) < kUprightSine;
 }
 
 std::vector<Vec2> pointsOn(const Circle & circle)
@@ -30,7 +31,7 @@ std::vector<Vec2> pointsOn(const Circle & circle)
   for (int i = 0; i < steps; ++i) {
     const double angle = 2.0 * M_PI * i / steps;
     points.push_back(
-      {circle.centre.x + circle.radius * std::cos(angle), circle.centre.y + circle.radius * std::sin(angle)});
+      {circle.centre.x + circle.radius * maths::cos(angle), circle.centre.y + circle.radius * maths::sin(angle)});
   }
   return points;
 }
@@ -78,7 +79,7 @@ Section joined(const std::vector<Section> & parts, const Vector3d & middle)
       points.insert(points.end(), around.begin(), around.end());
       radius = std::max(radius, circle.radius);
       only_circles =
-        only_circles && std::hypot(circle.centre.x - middle.x(), circle.centre.y - middle.y()) < kTolerance;
+        only_circles && maths::hypot(circle.centre.x - middle.x(), circle.centre.y - middle.y()) < kTolerance;
     }
     for (const Outline & outline : part.outlines) {
       points.insert(points.end(), outline.begin(), outline.end());
@@ -103,7 +104,7 @@ Section ofParts(const Capsule & capsule, const Pose3 & pose, Operation operation
 
 int curveSteps(double arc, double greatest_radius)
 {
-  const double step = 2.0 * std::acos(std::max(0.0, 1.0 - kCurveTolerance / greatest_radius));
+  const double step = 2.0 * maths::acos(std::max(0.0, 1.0 - kCurveTolerance / greatest_radius));
   return std::max(1, static_cast<int>(std::ceil(arc / step)));
 }
 

@@ -1,5 +1,6 @@
 #include "f1tenth_sim2d/section.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <cmath>
 
 #include "geometry/convex_body.h"
@@ -16,7 +17,7 @@ namespace
 bool isUpright(const Pose3 & pose)
 {
   const Eigen::Vector3d up = pose.up();
-  return up.z() > 0.0 && std::hypot(up.x(), up.y()) < kTolerance;
+  return up.z() > 0.0 && maths::hypot(up.x(), up.y()) < kTolerance;
 }
 
 /// Polygons of an upright frame, in the world.

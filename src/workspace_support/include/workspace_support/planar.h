@@ -1,5 +1,6 @@
 #pragma once
 
+#include <workspace_support/maths/trigonometry.h>
 #include <cmath>
 
 /// Geometry of the plane: m, rad, REP-103 axes.
@@ -44,7 +45,7 @@ inline double cross(const Vec2 & a, const Vec2 & b)
 }
 inline double norm(const Vec2 & a)
 {
-  return std::hypot(a.x, a.y);
+  return maths::hypot(a.x, a.y);
 }
 inline double distance(const Vec2 & a, const Vec2 & b)
 {
@@ -64,8 +65,8 @@ inline double normalizeAngle(double angle)
 /// A point given in the frame of pose, in the frame in which pose is given.
 inline Vec2 transform(const Pose2 & pose, const Vec2 & point)
 {
-  const double c = std::cos(pose.yaw);
-  const double s = std::sin(pose.yaw);
+  const double c = maths::cos(pose.yaw);
+  const double s = maths::sin(pose.yaw);
   return {pose.x + c * point.x - s * point.y, pose.y + s * point.x + c * point.y};
 }
 

@@ -1,16 +1,17 @@
 #include "f1tenth_sim2d/ackermann.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <cmath>
-
-#include "core/math/trigonometry.h"
 
 namespace f1tenth_sim2d
 {
+namespace maths = workspace_support::maths;
+
 namespace
 {
 double tangentOf(double angle)
 {
-  const SineCosine at = sineCosine(angle);
+  const maths::SineCosine at = maths::sineCosine(angle);
   return at.sine / at.cosine;
 }
 
@@ -25,8 +26,8 @@ SteeringAngles ackermannSteering(double steering_angle, double wheelbase, double
 {
   const double tangent = tangentOf(steering_angle);
   return {
-    direction(tangentAt(0.5 * track_width, tangent, wheelbase), 1.0),
-    direction(tangentAt(-0.5 * track_width, tangent, wheelbase), 1.0)};
+    maths::atan2(tangentAt(0.5 * track_width, tangent, wheelbase), 1.0),
+    maths::atan2(tangentAt(-0.5 * track_width, tangent, wheelbase), 1.0)};
 }
 
 std::array<double, 4> wheelSpeeds(

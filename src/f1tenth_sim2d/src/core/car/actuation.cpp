@@ -1,9 +1,8 @@
 #include "core/car/actuation.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 #include <cmath>
-
-#include "core/math/trigonometry.h"
 
 namespace f1tenth_sim2d
 {
@@ -19,7 +18,7 @@ DriveCommand commandFromTwist(double linear_x, double angular_z, double wheelbas
     return {linear_x, 0.0};
   }
   const double ahead = linear_x < 0.0 ? -1.0 : 1.0;
-  return {linear_x, direction(ahead * wheelbase * angular_z, std::abs(linear_x))};
+  return {linear_x, maths::atan2(ahead * wheelbase * angular_z, std::abs(linear_x))};
 }
 
 double limitedAcceleration(double v, double acceleration, const VehicleParameters & p)

@@ -1,5 +1,6 @@
 #include "core/car/car.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 #include <cmath>
 
@@ -119,7 +120,7 @@ void Car::commit(SimTime now, double dt)
 
 Pose2 Car::pose() const
 {
-  const SineCosine at = sineCosine(state_.psi);
+  const maths::SineCosine at = maths::sineCosine(state_.psi);
   return {state_.x - parameters_.l_r * at.cosine, state_.y - parameters_.l_r * at.sine, normalizeAngle(state_.psi)};
 }
 

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "core/math/trigonometry.h"
 #include "f1tenth_sim2d/ackermann.h"
 
 namespace f1tenth_sim2d

@@ -1,5 +1,6 @@
 #include "core/car/twist_drive.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 
 #include "core/math/planar_pose.h"
@@ -29,7 +30,7 @@ TwistCommand twistFromCommand(const DriveCommand & command, double wheelbase)
 {
   // A wheel across the car would roll on the spot.
   constexpr double kSteeringMax = 1.5;  // rad
-  const SineCosine steering = sineCosine(std::clamp(command.steering_angle, -kSteeringMax, kSteeringMax));
+  const maths::SineCosine steering = maths::sineCosine(std::clamp(command.steering_angle, -kSteeringMax, kSteeringMax));
   return {{command.speed, 0.0}, command.speed * steering.sine / steering.cosine / wheelbase};
 }
 

@@ -1,5 +1,6 @@
 #include "core/car/wheel_odometry.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <cmath>
 
 #include "core/math/noise.h"
@@ -65,7 +66,7 @@ void WheelOdometryIntegrator::sampleSteered(double steering_angle)
   const double measured_angle =
     mean_steering_angle + p.odometry_steering_offset + p.odometry_steering_noise_stddev * gaussian(key, 0);
   current_.speed = measuredSpeed(distance_, gaussian(key, 1));
-  const SineCosine steering = sineCosine(measured_angle);
+  const maths::SineCosine steering = maths::sineCosine(measured_angle);
   current_.yaw_rate = current_.speed * steering.sine / steering.cosine / p.wheelbase();
   last_steering_angle_ = steering_angle;
 }
@@ -87,7 +88,7 @@ void WheelOdometryIntegrator::integrate()
   const double turn = current_.yaw_rate * elapsed_;
   const double ahead = current_.speed * elapsed_;
   const double aside = current_.lateral_speed * elapsed_;
-  const SineCosine course = sineCosine(current_.pose.yaw + 0.5 * turn);
+  const maths::SineCosine course = maths::sineCosine(current_.pose.yaw + 0.5 * turn);
   current_.pose.x += ahead * course.cosine - aside * course.sine;
   current_.pose.y += ahead * course.sine + aside * course.cosine;
   current_.pose.yaw = normalizeAngle(current_.pose.yaw + turn);

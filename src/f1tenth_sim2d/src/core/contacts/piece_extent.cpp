@@ -1,5 +1,6 @@
 #include "core/contacts/piece_extent.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 #include <cmath>
 
@@ -33,7 +34,7 @@ struct Moment
 Moment moment(const Vec2 & a, const Vec2 & b, const Vec2 & c)
 {
   const double size = 0.5 * std::abs((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y));
-  const auto distance = [](const Vec2 & p, const Vec2 & q) { return 0.5 * std::hypot(p.x + q.x, p.y + q.y); };
+  const auto distance = [](const Vec2 & p, const Vec2 & q) { return 0.5 * maths::hypot(p.x + q.x, p.y + q.y); };
   return {size, size / 3.0 * (distance(a, b) + distance(b, c) + distance(c, a))};
 }
 

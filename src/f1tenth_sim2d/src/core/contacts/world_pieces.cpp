@@ -1,5 +1,6 @@
 #include "core/contacts/world_pieces.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <cmath>
 #include <optional>
 
@@ -27,7 +28,7 @@ bool isUprightPrism(const Solid & solid, const Pose3 & pose)
   const Eigen::Vector3d up = pose.climb();
   const bool is_prism = std::holds_alternative<Box>(solid.shape) || std::holds_alternative<Cylinder>(solid.shape) ||
                         std::holds_alternative<Polyline>(solid.shape);
-  return is_prism && std::hypot(up.x(), up.y()) < kUprightTolerance;
+  return is_prism && maths::hypot(up.x(), up.y()) < kUprightTolerance;
 }
 
 template <typename Visit>

@@ -1,11 +1,11 @@
 #include "core/lidar/beam_kernels.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
 
-#include "core/math/rough_angle.h"
 #include "core/math/simd.h"
 
 namespace f1tenth_sim2d
@@ -14,7 +14,7 @@ namespace
 {
 inline double roughBeam(const BeamView & view, double y, double x)
 {
-  const double beam = (roughAngle(y, x) - view.angle_min) * view.beams_per_radian;
+  const double beam = (maths::roughAngle(y, x) - view.angle_min) * view.beams_per_radian;
   return beam < 0.0 ? beam + view.beams_per_turn : beam;
 }
 
@@ -41,7 +41,7 @@ inline bool isBetweenBeams(const BeamView & view, double rough_beam)
 {
   // A beam is not negative, and the compiler does not vectorize lround().
   const double to_beam = rough_beam - static_cast<int>(rough_beam + 0.5);  // NOLINT(bugprone-incorrect-roundings)
-  return std::abs(to_beam) > kRoughAngleError * view.beams_per_radian + kCornerTolerance;
+  return std::abs(to_beam) > maths::kRoughAngleError * view.beams_per_radian + kCornerTolerance;
 }
 
 inline float report(double range, const RangeLimits & limits)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <workspace_support/maths/trigonometry.h>
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -1,9 +1,8 @@
 #include "core/lidar/range_raster.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 #include <cmath>
-
-#include "core/math/rough_angle.h"
 
 namespace f1tenth_sim2d
 {
@@ -28,7 +27,7 @@ RangeRaster::RangeRaster(const LidarDescription & lidar) : inverse_ranges_(lidar
   cosine_.reserve(lidar.beam_count);
   sine_.reserve(lidar.beam_count);
   for (int i = 0; i < lidar.beam_count; ++i) {
-    const SineCosine at = sineCosine(view_.angle_min + i / view_.beams_per_radian);
+    const maths::SineCosine at = maths::sineCosine(view_.angle_min + i / view_.beams_per_radian);
     cosine_.push_back(at.cosine);
     sine_.push_back(at.sine);
   }
@@ -97,8 +96,8 @@ void RangeRaster::drawExactly(std::size_t wall)
 {
   const Vec2 a = view_.sensor.rotateBack({batch_.a_x[wall], batch_.a_y[wall]});
   const Vec2 b = view_.sensor.rotateBack({batch_.b_x[wall], batch_.b_y[wall]});
-  const double beam_a = beamOf(direction(a.y, a.x));
-  const double beam_b = beamOf(direction(b.y, b.x));
+  const double beam_a = beamOf(maths::atan2(a.y, a.x));
+  const double beam_b = beamOf(maths::atan2(b.y, b.x));
   const double width = beam_a < beam_b ? beam_a - beam_b + view_.beams_per_turn : beam_a - beam_b;
   if (width > kWidthMax * view_.beams_per_turn) {
     return;
@@ -133,9 +132,9 @@ void RangeRaster::addCircle(const Vec2 & centre_world, double radius)
   if (distance <= radius || distance - radius > view_.range_max) {
     return;
   }
-  const double half_width = std::asin(radius / distance);
+  const double half_width = maths::asin(radius / distance);
   const double radius_squared = radius * radius;
-  const double begin = beamOf(direction(centre.y, centre.x) - half_width);
+  const double begin = beamOf(maths::atan2(centre.y, centre.x) - half_width);
   anyInterval(begin, 2.0 * half_width * view_.beams_per_radian, [&](int first, int last) {
     const double * cosine = cosine_.data();
     const double * sine = sine_.data();
@@ -163,11 +162,11 @@ bool RangeRaster::couldShow(const Vec2 & centre_world, double radius)
     return false;
   }
   // The half width is asin(radius / distance), which is below its own tangent.
-  const double half_width = radius / std::sqrt(tangent_squared) + kRoughAngleError;
+  const double half_width = radius / std::sqrt(tangent_squared) + maths::kRoughAngleError;
   if (half_width >= M_PI) {
     return true;
   }
-  const double begin = beamOf(roughAngle(centre.y, centre.x) - half_width);
+  const double begin = beamOf(maths::roughAngle(centre.y, centre.x) - half_width);
   const double threshold = (1.0 - kSlack) / nearest;
   const double * const inverse = inverseRanges();
   return anyInterval(begin, 2.0 * half_width * view_.beams_per_radian, [&](int first, int last) {

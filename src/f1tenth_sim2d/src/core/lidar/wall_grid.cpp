@@ -1,5 +1,6 @@
 #include "core/lidar/wall_grid.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -124,7 +125,7 @@ void WallGrid::measureCells(const std::vector<Bounds> & bounds)
     }
     const Vec2 low{std::max(all.low.x, x), std::max(all.low.y, y)};
     const Vec2 high{std::min(all.high.x, x + cell_size_), std::min(all.high.y, y + cell_size_)};
-    const double diameter = std::hypot(high.x - low.x, high.y - low.y);
+    const double diameter = maths::hypot(high.x - low.x, high.y - low.y);
     extents_[cell] = {{0.5 * (low.x + high.x), 0.5 * (low.y + high.y)}, 0.5 * diameter + kRounding};
   }
 }

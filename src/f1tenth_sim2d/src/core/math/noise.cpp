@@ -1,5 +1,6 @@
 #include "core/math/noise.h"
 
+#include <workspace_support/maths/exponential.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,13 +9,15 @@
 
 namespace f1tenth_sim2d
 {
+namespace maths = workspace_support::maths;
+
 namespace
 {
 constexpr std::uint64_t kGoldenGamma = 0x9e3779b97f4a7c15ULL;
 
 double density(double x)
 {
-  return std::exp(-0.5 * x * x);
+  return maths::exp(-0.5 * x * x);
 }
 
 /// The ziggurat of Marsaglia and Tsang (2000): equal areas under the half normal density, stacked.
@@ -34,7 +37,7 @@ struct Ziggurat
     edge[0] = kArea / density(kTailStart);
     edge[1] = kTailStart;
     for (int i = 2; i < kLayers; ++i) {
-      edge[i] = std::sqrt(-2.0 * std::log(kArea / edge[i - 1] + density(edge[i - 1])));
+      edge[i] = std::sqrt(-2.0 * maths::log(kArea / edge[i - 1] + density(edge[i - 1])));
     }
     edge[kLayers] = 0.0;
     for (int i = 0; i <= kLayers; ++i) {
@@ -59,9 +62,9 @@ double tail(std::uint64_t bits)
 {
   for (;;) {
     bits = mixBits(bits + kGoldenGamma);
-    const double x = -std::log(openUniform(bits)) / Ziggurat::kTailStart;
+    const double x = -maths::log(openUniform(bits)) / Ziggurat::kTailStart;
     bits = mixBits(bits + kGoldenGamma);
-    const double y = -std::log(openUniform(bits));
+    const double y = -maths::log(openUniform(bits));
     if (2.0 * y > x * x) {
       return Ziggurat::kTailStart + x;
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <workspace_support/maths/random.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -17,13 +19,7 @@ enum class NoiseStream : std::uint64_t
   kNamedSensor
 };
 
-/// 64 well-mixed bits (the finalizer of SplitMix64).
-inline std::uint64_t mixBits(std::uint64_t z)
-{
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-  return z ^ (z >> 31);
-}
+using workspace_support::maths::mixBits;
 
 /// @param sensor   which one of that kind
 /// @param instant  time or number of the sample

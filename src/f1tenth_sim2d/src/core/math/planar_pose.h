@@ -1,8 +1,8 @@
 #pragma once
 
+#include <workspace_support/maths/trigonometry.h>
 #include <cmath>
 
-#include "core/math/trigonometry.h"
 #include "f1tenth_sim2d/geometry.h"
 
 namespace f1tenth_sim2d
@@ -23,7 +23,7 @@ struct Transform2
   double sine{0.0};
 
   Transform2() = default;
-  explicit Transform2(const Pose2 & pose) : Transform2(pose, sineCosine(pose.yaw)) {}
+  explicit Transform2(const Pose2 & pose) : Transform2(pose, maths::sineCosine(pose.yaw)) {}
 
   Vec2 rotate(const Vec2 & v) const { return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y}; }
   Vec2 rotateBack(const Vec2 & v) const { return {cosine * v.x + sine * v.y, cosine * v.y - sine * v.x}; }
@@ -35,7 +35,10 @@ struct Transform2
   Vec2 applyBack(const Vec2 & p) const { return rotateBack({p.x - x, p.y - y}); }
 
 private:
-  Transform2(const Pose2 & pose, const SineCosine & yaw) : x(pose.x), y(pose.y), cosine(yaw.cosine), sine(yaw.sine) {}
+  Transform2(const Pose2 & pose, const maths::SineCosine & yaw)
+  : x(pose.x), y(pose.y), cosine(yaw.cosine), sine(yaw.sine)
+  {
+  }
 };
 
 /// a followed by b, b given in the frame of a; with the same bits on every machine, which std::sin does not promise.

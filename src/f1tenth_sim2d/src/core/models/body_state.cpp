@@ -1,18 +1,20 @@
 #include "core/models/body_state.h"
 
+#include <workspace_support/maths/trigonometry.h>
+
 #include "core/math/planar_pose.h"
 
 namespace f1tenth_sim2d
 {
 Vec2 bodyVelocity(const BodyState & state)
 {
-  const SineCosine at = sineCosine(state.beta);
+  const maths::SineCosine at = maths::sineCosine(state.beta);
   return {state.v * at.cosine, state.v * at.sine};
 }
 
 Vec2 worldVelocity(const BodyState & state)
 {
-  const SineCosine course = sineCosine(state.psi + state.beta);
+  const maths::SineCosine course = maths::sineCosine(state.psi + state.beta);
   return {state.v * course.cosine, state.v * course.sine};
 }
 
@@ -20,7 +22,7 @@ void setBodyVelocity(BodyState & state, const Vec2 & velocity)
 {
   const double sign = velocity.x < 0.0 ? -1.0 : 1.0;
   state.v = sign * length(velocity);
-  state.beta = direction(sign * velocity.y, sign * velocity.x);
+  state.beta = maths::atan2(sign * velocity.y, sign * velocity.x);
 }
 
 void moveOn(BodyState & state, const BodyState & before, double dt)

@@ -1,6 +1,6 @@
 #include "core/models/kinematic.h"
 
-#include "core/math/trigonometry.h"
+#include <workspace_support/maths/trigonometry.h>
 
 namespace f1tenth_sim2d
 {
@@ -11,12 +11,12 @@ void Kinematic::advance(BodyState & state, const SteeredInput & input, double dt
 {
   const BodyState before = state;
   state.delta += input.steering_rate * dt;
-  const SineCosine steering = sineCosine(state.delta);
+  const maths::SineCosine steering = maths::sineCosine(state.delta);
   const double tangent = steering.sine / steering.cosine;
-  const double beta = direction(tangent * rear_share_, 1.0);
-  state.v = state.v * sineCosine(state.beta - beta).cosine + input.acceleration * dt;
+  const double beta = maths::atan2(tangent * rear_share_, 1.0);
+  state.v = state.v * maths::sineCosine(state.beta - beta).cosine + input.acceleration * dt;
   state.beta = beta;
-  state.psi_dot = state.v * sineCosine(beta).cosine * tangent / wheelbase_;
+  state.psi_dot = state.v * maths::sineCosine(beta).cosine * tangent / wheelbase_;
   moveOn(state, before, dt);
 }
 }  // namespace f1tenth_sim2d

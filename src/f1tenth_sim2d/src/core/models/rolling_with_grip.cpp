@@ -1,9 +1,8 @@
 #include "core/models/rolling_with_grip.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 #include <cmath>
-
-#include "core/math/trigonometry.h"
 
 namespace f1tenth_sim2d
 {
@@ -45,11 +44,11 @@ void RollingWithGrip::advance(BodyState & state, const SteeredInput & input, dou
   const double longitudinal_free = velocity.x + (velocity.y * before.psi_dot + input.acceleration) * dt;
 
   state.delta += input.steering_rate * dt;
-  const SineCosine steering = sineCosine(state.delta);
+  const maths::SineCosine steering = maths::sineCosine(state.delta);
   const double tangent = steering.sine / steering.cosine;
-  const double beta = direction(tangent * l_r_ / wheelbase_, 1.0);
-  const SineCosine slip = sineCosine(beta);
-  const double v = state.v * sineCosine(state.beta - beta).cosine + input.acceleration * dt;
+  const double beta = maths::atan2(tangent * l_r_ / wheelbase_, 1.0);
+  const maths::SineCosine slip = maths::sineCosine(beta);
+  const double v = state.v * maths::sineCosine(state.beta - beta).cosine + input.acceleration * dt;
   const double yaw_rate = v * slip.cosine * tangent / wheelbase_;
   const double lateral_change = v * slip.sine - lateral_free;
   const double yaw_rate_change = yaw_rate - before.psi_dot;

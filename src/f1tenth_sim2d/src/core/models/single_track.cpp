@@ -1,9 +1,8 @@
 #include "core/models/single_track.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 #include <cmath>
-
-#include "core/math/trigonometry.h"
 
 namespace f1tenth_sim2d
 {
@@ -102,9 +101,9 @@ void SingleTrack::advanceDynamic(BodyState & state, const SteeredInput & input, 
   const Lateral middle = start + (0.5 * half) * (k2 + k3);
   const Lateral end = start + (dt / 6.0) * (k1 + 2.0 * (k2 + k3) + k4);
 
-  const SineCosine course_start = sineCosine(start.psi + start.beta);
-  const SineCosine course_mid = sineCosine(middle.psi + middle.beta);
-  const SineCosine course_end = sineCosine(end.psi + end.beta);
+  const maths::SineCosine course_start = maths::sineCosine(start.psi + start.beta);
+  const maths::SineCosine course_mid = maths::sineCosine(middle.psi + middle.beta);
+  const maths::SineCosine course_end = maths::sineCosine(end.psi + end.beta);
   const double sixth = dt / 6.0;
   state.x += sixth * (state.v * course_start.cosine + 4.0 * v_mid * course_mid.cosine + v_end * course_end.cosine);
   state.y += sixth * (state.v * course_start.sine + 4.0 * v_mid * course_mid.sine + v_end * course_end.sine);

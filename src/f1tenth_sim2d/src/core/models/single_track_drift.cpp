@@ -1,5 +1,6 @@
 #include "core/models/single_track_drift.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 #include <cmath>
 
@@ -57,7 +58,7 @@ void SingleTrackDrift::roll(const BodyState & state)
 {
   const Vec2 velocity = bodyVelocity(state);
   const Vec2 front{velocity.x, velocity.y + l_f_ * state.psi_dot};
-  omega_f_ = WheelFooting(front, sineCosine(state.delta)).along / R_w_;
+  omega_f_ = WheelFooting(front, maths::sineCosine(state.delta)).along / R_w_;
   omega_r_ = velocity.x / R_w_;
 }
 
@@ -93,13 +94,13 @@ void SingleTrackDrift::advanceSliding(BodyState & state, const SteeredInput & in
   const Vec2 velocity = bodyVelocity(before);
   const Motion start{velocity.x, velocity.y, state.psi_dot, omega_f_, omega_r_};
   const Torques applied = torques(start, input.acceleration);
-  const SineCosine steering = sineCosine(state.delta);
+  const maths::SineCosine steering = maths::sineCosine(state.delta);
   const Footing first = footing(start, steering, input.acceleration);
   const Damping losses = damping(first, dt);
   const Motion k1 = damped(slope(start, first, steering, applied), losses, steering);
 
   state.delta += input.steering_rate * dt;
-  const SineCosine steered = sineCosine(state.delta);
+  const maths::SineCosine steered = maths::sineCosine(state.delta);
   const Motion ahead = braked(start + dt * k1, applied);
   const Footing second = footing(ahead, steered, input.acceleration);
   const Motion k2 = damped(slope(ahead, second, steered, applied) + -2.0 * k1, losses, steering);
@@ -128,11 +129,11 @@ SingleTrackDrift::Torques SingleTrackDrift::torques(const Motion & motion, doubl
 }
 
 SingleTrackDrift::Footing SingleTrackDrift::footing(
-  const Motion & motion, const SineCosine & steering, double acceleration) const
+  const Motion & motion, const maths::SineCosine & steering, double acceleration) const
 {
   Footing footing{
     WheelFooting({motion.v_x, motion.v_y + l_f_ * motion.psi_dot}, steering),
-    WheelFooting({motion.v_x, motion.v_y - l_r_ * motion.psi_dot}, SineCosine{0.0, 1.0})};
+    WheelFooting({motion.v_x, motion.v_y - l_r_ * motion.psi_dot}, maths::SineCosine{0.0, 1.0})};
   const auto push = [&](WheelFooting & wheels, double omega, double load) {
     wheels.forces = tyre_.forces(wheels.slip(R_w_ * omega), wheels.angle(), std::max(load, 0.0));
   };
@@ -142,7 +143,7 @@ SingleTrackDrift::Footing SingleTrackDrift::footing(
 }
 
 SingleTrackDrift::Motion SingleTrackDrift::slope(
-  const Motion & motion, const Footing & footing, const SineCosine & steering, const Torques & torques) const
+  const Motion & motion, const Footing & footing, const maths::SineCosine & steering, const Torques & torques) const
 {
   const double front_along = footing.front.forces.along.value;
   const double front_aside = footing.front.forces.aside.value;
@@ -175,7 +176,7 @@ SingleTrackDrift::Damping SingleTrackDrift::damping(const Footing & footing, dou
 
 // The extra push of the tyres when the wheels turn faster also moves the car, or momentum would come from nowhere.
 SingleTrackDrift::Motion SingleTrackDrift::damped(
-  const Motion & slope, const Damping & damping, const SineCosine & steering) const
+  const Motion & slope, const Damping & damping, const maths::SineCosine & steering) const
 {
   const double spin_f = slope.omega_f / (1.0 + R_w_ * damping.front_wheel / I_y_w_);
   const double spin_r = slope.omega_r / (1.0 + R_w_ * damping.rear_wheel / I_y_w_);

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/math/trigonometry.h"
+#include <workspace_support/maths/trigonometry.h>
+
 #include "core/models/rolling_with_grip.h"
 #include "core/models/steered_model.h"
 #include "core/models/tyre.h"
@@ -57,11 +58,11 @@ private:
   void roll(const BodyState & state);
   static Motion braked(const Motion & motion, const Torques & torques);
   Torques torques(const Motion & motion, double acceleration) const;
-  Footing footing(const Motion & motion, const SineCosine & steering, double acceleration) const;
+  Footing footing(const Motion & motion, const maths::SineCosine & steering, double acceleration) const;
   Motion slope(
-    const Motion & motion, const Footing & footing, const SineCosine & steering, const Torques & torques) const;
+    const Motion & motion, const Footing & footing, const maths::SineCosine & steering, const Torques & torques) const;
   Damping damping(const Footing & footing, double dt) const;
-  Motion damped(const Motion & slope, const Damping & damping, const SineCosine & steering) const;
+  Motion damped(const Motion & slope, const Damping & damping, const maths::SineCosine & steering) const;
 
   double m_;
   double I_z_;

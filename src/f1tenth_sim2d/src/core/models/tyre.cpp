@@ -1,16 +1,17 @@
 #include "core/models/tyre.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <cmath>
-
-#include "core/math/trigonometry.h"
 
 namespace f1tenth_sim2d
 {
+namespace maths = workspace_support::maths;
+
 namespace
 {
 double arcTangent(double x)
 {
-  return direction(x, 1.0);
+  return maths::atan2(x, 1.0);
 }
 
 double cosineOfArcTangent(double x)
@@ -36,7 +37,7 @@ struct MagicFormula
   {
     const double x = stiffness * slip;
     const double argument = bent(x, curvature);
-    const SineCosine form = sineCosine(shape * arcTangent(argument) + shift);
+    const maths::SineCosine form = maths::sineCosine(shape * arcTangent(argument) + shift);
     const double bend = stiffness * (1.0 - curvature * (1.0 - 1.0 / (1.0 + x * x)));
     return {peak * form.sine, peak * form.cosine * shape * bend / (1.0 + argument * argument)};
   }
@@ -50,7 +51,9 @@ TyreForce operator*(double share, const TyreForce & force)
 /// The cosine form, by which one kind of slip weakens the force of the other; 1 where slip is -shift.
 double weakening(double stiffness, double shape, double curvature, double slip, double shift)
 {
-  const auto form = [&](double x) { return sineCosine(shape * arcTangent(bent(stiffness * x, curvature))).cosine; };
+  const auto form = [&](double x) {
+    return maths::sineCosine(shape * arcTangent(bent(stiffness * x, curvature))).cosine;
+  };
   return form(slip + shift) / form(shift);
 }
 }  // namespace
@@ -99,6 +102,6 @@ double Tyre::asideShare(double slip, double angle) const
 double Tyre::asideBySlip(double slip, double angle, double load) const
 {
   const double peak = friction_aside_ * load * tire_.r_vy1 * cosineOfArcTangent(tire_.r_vy4 * angle);
-  return peak * sineCosine(tire_.r_vy5 * arcTangent(-tire_.r_vy6 * slip)).sine;
+  return peak * maths::sineCosine(tire_.r_vy5 * arcTangent(-tire_.r_vy6 * slip)).sine;
 }
 }  // namespace f1tenth_sim2d

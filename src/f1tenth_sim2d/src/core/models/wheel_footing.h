@@ -1,9 +1,9 @@
 #pragma once
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/trigonometry.h"
 #include "core/models/tyre.h"
 #include "f1tenth_sim2d/geometry.h"
 
@@ -20,13 +20,13 @@ struct WheelFooting
 
   /// @param velocity  of the axle, m/s, in the frame of the car
   /// @param steering  of the angle of the wheels
-  WheelFooting(const Vec2 & velocity, const SineCosine & steering)
+  WheelFooting(const Vec2 & velocity, const maths::SineCosine & steering)
   : along(velocity.x * steering.cosine + velocity.y * steering.sine),
     aside(velocity.y * steering.cosine - velocity.x * steering.sine)
   {
   }
 
-  double angle() const { return direction(aside, std::abs(along)); }
+  double angle() const { return maths::atan2(aside, std::abs(along)); }
   double slipSpeed() const { return std::max(std::abs(along), kSlipSpeedMin); }
   /// @param circumference  m/s
   double slip(double circumference) const { return (circumference - along) / slipSpeed(); }

@@ -1,5 +1,6 @@
 #include "core/simulation/validation.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -89,7 +90,7 @@ void validateLidar(const LidarDescription & lidar, const std::string & car)
 {
   const std::string where = car + ": lidar " + lidar.name;
   const Eigen::Vector3d up = lidar.pose.up();
-  const double tilt = std::atan2(std::hypot(up.x(), up.y()), std::abs(up.z()));
+  const double tilt = maths::atan2(maths::hypot(up.x(), up.y()), std::abs(up.z()));
   require(tilt < kLevelTolerance, where, "tilt (rad)", tilt, "0: the scan plane must be level");
   require(lidar.beam_count >= 1, where, "number of beams", lidar.beam_count, "1 or more");
   const double field_of_view = lidar.angle_max - lidar.angle_min;

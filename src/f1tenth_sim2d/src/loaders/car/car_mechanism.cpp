@@ -1,5 +1,6 @@
 #include "loaders/car/car_mechanism.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,7 +19,7 @@ constexpr double kRadiusOfFlatWheel = 0.05;  // m, of a wheel without shape whos
 
 bool isAlong(const Vector3d & axis, const Vector3d & direction)
 {
-  return std::abs(axis.normalized().dot(direction)) > std::cos(kTiltAllowed);
+  return std::abs(axis.normalized().dot(direction)) > maths::cos(kTiltAllowed);
 }
 
 bool turns(const JointPart & joint)

@@ -1,5 +1,6 @@
 #include "loaders/map/map_metadata.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
@@ -169,7 +170,7 @@ MapMetadata readMapMetadata(const std::string & path)
 
 void requireNear(const MapMetadata & metadata, std::size_t width, std::size_t height, const std::string & path)
 {
-  const double size = std::hypot(width, height) * metadata.resolution;
+  const double size = maths::hypot(width, height) * metadata.resolution;
   if (std::max(std::abs(metadata.origin.x), std::abs(metadata.origin.y)) + size > kFarthest) {
     throw LoadError(
       path + ":" + std::to_string(metadata.resolution_line), "resolution",

@@ -1,5 +1,6 @@
 #include "loaders/map/map_world.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
@@ -92,7 +93,7 @@ std::optional<Pose2> startOnCentreline(const std::string & map_path)
   if (points.size() < 2) {
     throw LoadError(path.string(), "", "has " + std::to_string(points.size()) + " points, allowed are 2 or more");
   }
-  return Pose2{points[0].x, points[0].y, std::atan2(points[1].y - points[0].y, points[1].x - points[0].x)};
+  return Pose2{points[0].x, points[0].y, maths::atan2(points[1].y - points[0].y, points[1].x - points[0].x)};
 }
 }  // namespace
 

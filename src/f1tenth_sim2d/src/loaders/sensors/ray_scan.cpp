@@ -1,5 +1,6 @@
 #include "loaders/sensors/ray_scan.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <cmath>
 
 #include "f1tenth_sim2d/errors.h"
@@ -19,7 +20,7 @@ Pose3 levelPose(const SensorElement & element, const RayScanOwner & owner)
 {
   const Pose3 & pose = element.pose;
   const Eigen::Vector3d up = pose.up();
-  const double tilt = std::hypot(up.x(), up.y());
+  const double tilt = maths::hypot(up.x(), up.y());
   if (tilt > kLevelTolerance) {
     element.sensor.fail(std::string("is tilted; ") + owner.what + " has to be level, upright or upside down");
   }

@@ -1,5 +1,6 @@
 #include "loaders/sensors/sensor_readers.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 #include <cmath>
 
@@ -152,8 +153,8 @@ void readImu(const SensorElement & element, CarContext & context)
   imu.pose = element.pose;
   imu.rate_hz = plugin.child("updateRateHZ") ? plugin.rate("updateRateHZ") : element.sensor.rate("update_rate");
   const double of_plugin = plugin.notNegative("gaussianNoise", 0.0);
-  imu.yaw_rate_noise_stddev = std::hypot(of_plugin, imuNoise(noise, "angular_velocity", "z", "rate"));
-  imu.acceleration_noise_stddev = std::hypot(of_plugin, imuNoise(noise, "linear_acceleration", "x", "accel"));
+  imu.yaw_rate_noise_stddev = maths::hypot(of_plugin, imuNoise(noise, "angular_velocity", "z", "rate"));
+  imu.acceleration_noise_stddev = maths::hypot(of_plugin, imuNoise(noise, "linear_acceleration", "x", "accel"));
   setImu(std::move(imu), element.sensor, context);
 }
 

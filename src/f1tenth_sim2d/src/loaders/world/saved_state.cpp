@@ -78,7 +78,8 @@ void scaleLinks(const Element & saved, Model & model, WarningCollector & warning
 
 bool isSame(const Pose3 & a, const Pose3 & b)
 {
-  return (a.position - b.position).norm() < kRounding && a.rotation.angularDistance(b.rotation) < kRounding;
+  const double turn = 2.0 * (a.rotation.conjugate() * b.rotation).vec().norm();  // of a small one, rad
+  return (a.position - b.position).norm() < kRounding && turn < kRounding;
 }
 
 void moveLink(const Element & saved, const Pose3 & pose, LinkPart & link)

@@ -3,6 +3,7 @@
 #include <malloc.h>
 #include <ros/console.h>
 #include <ros/param.h>
+#include <workspace_support/maths/trigonometry.h>
 
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/trim.hpp>
@@ -31,7 +32,7 @@ std::vector<Pose2> placesAround(const Pose2 & pose, double limit)
   for (double radius = kStep; radius <= limit; radius += kStep) {
     for (int i = 0; i < kDirections; ++i) {
       const double angle = pose.yaw + 2.0 * M_PI * i / kDirections;
-      places.push_back({pose.x + radius * std::cos(angle), pose.y + radius * std::sin(angle), pose.yaw});
+      places.push_back({pose.x + radius * maths::cos(angle), pose.y + radius * maths::sin(angle), pose.yaw});
     }
   }
   return places;

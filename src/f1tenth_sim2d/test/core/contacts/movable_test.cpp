@@ -80,7 +80,7 @@ TEST(Movable, CentreOfMassNeedNotBeTheOrigin)
   crate.centre_of_mass = {0.1, -0.05};
   Simulation simulation(world({crate}));
   EXPECT_EQ(simulation.modelPose("crate").x, 1.4);
-  EXPECT_EQ(simulation.modelPose("crate").yaw, 0.5);
+  EXPECT_DOUBLE_EQ(simulation.modelPose("crate").yaw, 0.5);
   simulation.addCar(car("robot1"), {}, {});
   drive(simulation, kRobot1, {2.0, 0.0}, 1.0);
   EXPECT_GT(simulation.modelPose("crate").x, 1.41);

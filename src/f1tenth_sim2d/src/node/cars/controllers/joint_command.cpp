@@ -1,5 +1,6 @@
 #include "node/cars/controllers/joint_command.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <cmath>
 
 #include "f1tenth_sim2d/errors.h"
@@ -32,13 +33,13 @@ private:
 /// Angle of the single-track front wheel from that of a steering joint.
 double singleTrackAngle(double angle, JointDescription::Role role, double wheelbase, double track_width)
 {
-  const double slope = std::tan(angle);
+  const double slope = maths::tan(angle);
   const double offset = slope * track_width / (2.0 * wheelbase);
   switch (role) {
     case JointDescription::Role::kSteeringLeft:
-      return std::atan2(slope, 1.0 + offset);
+      return maths::atan2(slope, 1.0 + offset);
     case JointDescription::Role::kSteeringRight:
-      return std::atan2(slope, 1.0 - offset);
+      return maths::atan2(slope, 1.0 - offset);
     default:
       return angle;
   }

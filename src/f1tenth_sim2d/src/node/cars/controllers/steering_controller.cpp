@@ -1,5 +1,6 @@
 #include "node/cars/controllers/steering_controller.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <cmath>
 
 #include "node/cars/joint_state.h"
@@ -92,7 +93,7 @@ void SteeringController::measure(double dt)
   }
   const double angle = jointState(steering_.description(), car_.simulation, car_.id).position * p_.steer_pos_multiplier;
   const double wheelbase = p_.wheel_separation_h * p_.wheel_separation_h_multiplier;
-  odometry_.advance(rolled, std::tan(angle) * rolled / wheelbase, dt);
+  odometry_.advance(rolled, maths::tan(angle) * rolled / wheelbase, dt);
 }
 
 void SteeringController::publish(SimTime now)

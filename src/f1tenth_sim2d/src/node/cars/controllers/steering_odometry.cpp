@@ -1,5 +1,6 @@
 #include "node/cars/controllers/steering_odometry.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <cmath>
 
 namespace f1tenth_sim2d
@@ -7,8 +8,8 @@ namespace f1tenth_sim2d
 void SteeringOdometry::advance(double ahead, double turn, double dt)
 {
   const double course = pose_.yaw + 0.5 * turn;
-  pose_.x += ahead * std::cos(course);
-  pose_.y += ahead * std::sin(course);
+  pose_.x += ahead * maths::cos(course);
+  pose_.y += ahead * maths::sin(course);
   pose_.yaw += turn;
   rates_.push_back({ahead / dt, turn / dt});
   if (rates_.size() > window_) {

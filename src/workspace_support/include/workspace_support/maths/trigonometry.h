@@ -2,14 +2,36 @@
 
 #include <cmath>
 
-#include "core/math/rough_angle.h"
-
-/// Our own sine, cosine and arc tangent. Those of the C library differ in the last bit from one version to the next and
-/// between processors with and without fused multiply-add; these consist of additions, multiplications and divisions,
-/// whose results IEEE 754 fixes, so that a trajectory is the same everywhere. They are also several times as fast,
-/// because they can be inlined.
-namespace f1tenth_sim2d
+/// Functions whose results are the same on every machine. Those of the C library differ in the last bit from one version
+/// to the next and between processors with and without fused multiply-add; these consist of additions, multiplications,
+/// divisions and square roots, whose results IEEE 754 fixes. (Compile with -ffp-contract=off, as workspace_target does.)
+/// What the C library computes exactly (sqrt, floor, remainder, fmod, ldexp, …) needs no twin here.
+namespace workspace_support::maths
 {
+constexpr double kRoughAngleError = 1e-7;  // rad
+
+/// atan2(y, x) to within kRoughAngleError, without a branch: Abramowitz and Stegun, 4.4.49, error below 2e-8.
+/// Not a number for the origin.
+inline double roughAngle(double y, double x)
+{
+  const double across = std::abs(x);
+  const double up = std::abs(y);
+  const bool is_steep = up > across;
+  const double t = (is_steep ? across : up) / (is_steep ? up : across);
+  const double u = t * t;
+  double series = 0.0028662257;
+  series = series * u - 0.0161657367;
+  series = series * u + 0.0429096138;
+  series = series * u - 0.0752896400;
+  series = series * u + 0.1065626393;
+  series = series * u - 0.1420889944;
+  series = series * u + 0.1999355085;
+  series = series * u - 0.3333314528;
+  const double octant = t * (series * u + 1.0);
+  const double quadrant = is_steep ? 0.5 * M_PI - octant : octant;
+  return std::copysign(x < 0.0 ? M_PI - quadrant : quadrant, y);
+}
+
 struct SineCosine
 {
   double sine;
@@ -59,8 +81,8 @@ inline SineCosine sineCosine(double angle)
   return {(quadrant & 2) != 0 ? -first : first, ((quadrant + 1) & 2) != 0 ? -second : second};
 }
 
-/// atan2(y, x) to within 1e-15 rad, 0 for the origin.
-inline double direction(double y, double x)
+/// Within 1e-15 rad; 0 for the origin; not a number for what is not finite.
+inline double atan2(double y, double x)
 {
   if (x == 0.0 && y == 0.0) {
     return 0.0;
@@ -70,4 +92,37 @@ inline double direction(double y, double x)
   const SineCosine at = sineCosine(rough);
   return rough + (y * at.cosine - x * at.sine) / (x * at.cosine + y * at.sine);
 }
-}  // namespace f1tenth_sim2d
+inline double sin(double angle)
+{
+  return sineCosine(angle).sine;
+}
+inline double cos(double angle)
+{
+  return sineCosine(angle).cosine;
+}
+/// Within 4 ulp.
+inline double tan(double angle)
+{
+  const SineCosine at = sineCosine(angle);
+  return at.sine / at.cosine;
+}
+inline double atan(double slope)
+{
+  return atan2(slope, 1.0);
+}
+/// Not a number outside of [-1, 1].
+inline double asin(double sine)
+{
+  return atan2(sine, std::sqrt((1.0 - sine) * (1.0 + sine)));
+}
+/// Not a number outside of [-1, 1].
+inline double acos(double cosine)
+{
+  return atan2(std::sqrt((1.0 - cosine) * (1.0 + cosine)), cosine);
+}
+/// Within 1.5 ulp; the squares must not overflow.
+inline double hypot(double x, double y)
+{
+  return std::sqrt(x * x + y * y);
+}
+}  // namespace workspace_support::maths

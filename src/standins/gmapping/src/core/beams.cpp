@@ -1,5 +1,6 @@
 #include "beams.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +14,7 @@ std::vector<Beam> hitBeams(const Scan & scan, double max_range)
     const double range = scan.ranges[i];
     if (range >= scan.range_min && range < max_range) {  // false for NaN
       const double angle = scan.angle_min + static_cast<double>(i) * scan.angle_increment;
-      beams.push_back({static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), scan.ranges[i]});
+      beams.push_back({static_cast<float>(maths::cos(angle)), static_cast<float>(maths::sin(angle)), scan.ranges[i]});
     }
   }
   return beams;

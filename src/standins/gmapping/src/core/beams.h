@@ -1,5 +1,6 @@
 #pragma once
 
+#include <workspace_support/maths/trigonometry.h>
 #include <vector>
 
 #include "cell_map.h"
@@ -25,7 +26,7 @@ std::vector<Vec2> endsOf(const std::vector<Beam> & beams);
 class BeamCaster
 {
 public:
-  explicit BeamCaster(const Pose2 & pose) : pose_(pose), cos_(std::cos(pose.yaw)), sin_(std::sin(pose.yaw)) {}
+  explicit BeamCaster(const Pose2 & pose) : pose_(pose), cos_(maths::cos(pose.yaw)), sin_(maths::sin(pose.yaw)) {}
 
   Vec2 direction(const Beam & beam) const
   {

@@ -2,7 +2,6 @@
 
 #include <workspace_support/scan_checks.h>
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <optional>
 #include <utility>
@@ -34,15 +33,10 @@ constexpr double kLoopTurnError = 0.002;  // rad
 // Rebuilding the map takes a while: not for less than this.
 constexpr double kMoved = 0.01;  // m
 
-Eigen::Matrix3d turn(double yaw)
-{
-  return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-}
-
 /// The same, seen in the frame of a pose, and never more certain than these standard deviations (m, rad).
 Eigen::Matrix3d seenFrom(const Pose2 & pose, const Eigen::Matrix3d & information, double error, double turn_error)
 {
-  const Eigen::Matrix3d turned = turn(-pose.yaw) * information * turn(pose.yaw);
+  const Eigen::Matrix3d turned = turnMatrix(-pose.yaw) * information * turnMatrix(pose.yaw);
   const Eigen::Vector3d least(error * error, error * error, turn_error * turn_error);
   return (turned.inverse() + Eigen::Matrix3d(least.asDiagonal())).inverse();
 }

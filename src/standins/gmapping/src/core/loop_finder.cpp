@@ -178,7 +178,8 @@ std::optional<PoseEdge> LoopFinder::match(
   const WallSearch search(walls);
   const SearchWindow window{expected, kGate * doubt.position, kGate * doubt.yaw};
   PoseBelief prior{search.best(points, window)};
-  prior.information.diagonal() << std::pow(doubt.position, -2), std::pow(doubt.position, -2), std::pow(doubt.yaw, -2);
+  const double certainty = 1.0 / (doubt.position * doubt.position);
+  prior.information.diagonal() << certainty, certainty, 1.0 / (doubt.yaw * doubt.yaw);
   const CellMap map = mapAbout(way, earlier);
   const PoseBelief matched = matcher_.match(map, recentPoints(way, kMorePoints), prior);
   const std::vector<Vec2> known = knownPoints(points, matched.mean, map);

@@ -1,5 +1,6 @@
 #include "moments.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <cmath>
 
 namespace gmapping
@@ -33,13 +34,13 @@ std::optional<Vec2> Moments::normal() const
   const double xy = xy_ / weight_ - centre.x * centre.y;
   const double yy = yy_ / weight_ - centre.y * centre.y;
   const double middle = 0.5 * (xx + yy);
-  const double half_range = std::hypot(0.5 * (xx - yy), xy);
+  const double half_range = maths::hypot(0.5 * (xx - yy), xy);
   const double along = middle + half_range;
   const double across = middle - half_range;
   if (along < kLeastVariance || across > kGreatestWidth * along) {
     return std::nullopt;
   }
-  const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
-  return Vec2{-std::sin(angle), std::cos(angle)};
+  const double angle = 0.5 * maths::atan2(2.0 * xy, xx - yy);
+  return Vec2{-maths::sin(angle), maths::cos(angle)};
 }
 }  // namespace gmapping

@@ -1,6 +1,6 @@
 #include "motion.h"
 
-#include <Eigen/Geometry>
+#include <workspace_support/maths/trigonometry.h>
 #include <cmath>
 
 namespace gmapping
@@ -16,7 +16,7 @@ constexpr double kSideways = 0.3;
 
 void Progress::add(const Pose2 & motion)
 {
-  distance += std::hypot(motion.x, motion.y);
+  distance += maths::hypot(motion.x, motion.y);
   turn += std::abs(motion.yaw);
 }
 
@@ -27,8 +27,7 @@ PoseBelief expectedPose(const Pose2 & pose, const Pose2 & motion, const Progress
   const double rotation = kLeastRotation + noise.srt * progress.distance + noise.stt * progress.turn;
   const Eigen::Vector3d deviations(along, aside, rotation);
   // The errors are along and across the way, which bends by half the turn on average.
-  const Eigen::Matrix3d turned =
-    Eigen::AngleAxisd(pose.yaw + 0.5 * motion.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const Eigen::Matrix3d turned = turnMatrix(pose.yaw + 0.5 * motion.yaw);
   return {compose(pose, motion), turned * deviations.cwiseAbs2().cwiseInverse().asDiagonal() * turned.transpose()};
 }
 }  // namespace gmapping

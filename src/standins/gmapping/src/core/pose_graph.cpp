@@ -1,6 +1,8 @@
 #include "pose_graph.h"
 
 #include <ceres/ceres.h>
+#include <workspace_support/maths/exponential.h>
+#include <workspace_support/maths/trigonometry.h>
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -14,6 +16,52 @@ constexpr int kMostIterations = 50;
 // In standard deviations: loops that are off by more count less.
 constexpr double kTolerance = 2.0;
 
+// Ceres differentiates by computing with jets.
+template <int N>
+using Jet = ceres::Jet<double, N>;
+
+double cosineOf(double angle)
+{
+  return maths::cos(angle);
+}
+double sineOf(double angle)
+{
+  return maths::sin(angle);
+}
+double wholeTurnsOf(double angle)
+{
+  return angle - normalizeAngle(angle);
+}
+template <int N>
+Jet<N> cosineOf(const Jet<N> & angle)
+{
+  return {maths::cos(angle.a), -maths::sin(angle.a) * angle.v};
+}
+template <int N>
+Jet<N> sineOf(const Jet<N> & angle)
+{
+  return {maths::sin(angle.a), maths::cos(angle.a) * angle.v};
+}
+template <int N>
+double wholeTurnsOf(const Jet<N> & angle)
+{
+  return wholeTurnsOf(angle.a);
+}
+
+/// Ceres's CauchyLoss, whose logarithm is the C library's.
+class LoopLoss final : public ceres::LossFunction
+{
+public:
+  void Evaluate(double square, double * values) const override
+  {
+    constexpr double kSquare = kTolerance * kTolerance;
+    const double inverse = 1.0 / (1.0 + square / kSquare);
+    values[0] = kSquare * maths::log(1.0 + square / kSquare);
+    values[1] = inverse;
+    values[2] = -inverse * inverse / kSquare;
+  }
+};
+
 /// Difference between where an edge says that a pose is and where it is, in standard deviations.
 class EdgeError
 {
@@ -23,13 +71,13 @@ public:
   template <class T>
   bool operator()(const T * from, const T * to, T * residuals) const
   {
-    const T c = ceres::cos(from[2]);
-    const T s = ceres::sin(from[2]);
+    const T c = cosineOf(from[2]);
+    const T s = sineOf(from[2]);
     const T dx = to[0] - from[0];
     const T dy = to[1] - from[1];
     const T turn = to[2] - from[2] - relative_.yaw;
     Eigen::Matrix<T, 3, 1> difference;
-    difference << c * dx + s * dy - relative_.x, c * dy - s * dx - relative_.y, ceres::atan2(sin(turn), cos(turn));
+    difference << c * dx + s * dy - relative_.x, c * dy - s * dx - relative_.y, turn - T(wholeTurnsOf(turn));
     Eigen::Map<Eigen::Matrix<T, 3, 1>> result(residuals);
     result = root_.cast<T>() * difference;
     return true;
@@ -69,7 +117,7 @@ void PoseGraph::optimize()
   ceres::Problem problem;
   for (const PoseEdge & edge : edges_) {
     auto * cost = new ceres::AutoDiffCostFunction<EdgeError, 3, 3, 3>(new EdgeError(edge));
-    ceres::LossFunction * loss = edge.is_loop ? new ceres::CauchyLoss(kTolerance) : nullptr;
+    ceres::LossFunction * loss = edge.is_loop ? new LoopLoss : nullptr;
     problem.AddResidualBlock(cost, loss, values[edge.from].data(), values[edge.to].data());
   }
   problem.SetParameterBlockConstant(values.front().data());

@@ -1,5 +1,7 @@
 #include "scan_matcher.h"
 
+#include <workspace_support/maths/exponential.h>
+#include <workspace_support/maths/trigonometry.h>
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -25,7 +27,7 @@ constexpr double kSmallStep = 1e-5;  // m and rad
 
 double gaussian(double distance, double sigma)
 {
-  return std::exp(-0.5 * distance * distance / (sigma * sigma));
+  return maths::exp(-0.5 * distance * distance / (sigma * sigma));
 }
 
 double weightOf(const MapCell & cell)
@@ -38,6 +40,14 @@ Eigen::Vector3d difference(const Pose2 & a, const Pose2 & b)
   return {a.x - b.x, a.y - b.y, normalizeAngle(a.yaw - b.yaw)};
 }
 }  // namespace
+
+Eigen::Matrix3d turnMatrix(double yaw)
+{
+  const maths::SineCosine at = maths::sineCosine(yaw);
+  Eigen::Matrix3d turn;
+  turn << at.cosine, -at.sine, 0.0, at.sine, at.cosine, 0.0, 0.0, 0.0, 1.0;
+  return turn;
+}
 
 PoseBelief ScanMatcher::match(const CellMap & map, const std::vector<Vec2> & ends, const PoseBelief & expected) const
 {

@@ -18,6 +18,9 @@ struct PoseBelief
   Eigen::Matrix3d information{Eigen::Matrix3d::Zero()};
 };
 
+/// Turns the first two of three coordinates, as Eigen does, but with the same bits on every processor.
+Eigen::Matrix3d turnMatrix(double yaw);
+
 /// Cell size of the maps that scans are matched to, m, whatever the cells of the published map are: with cells of 5 cm
 /// the heading drifts twice as fast.
 constexpr double kMatchingCell = 0.02;

@@ -1,5 +1,6 @@
 #include "wall_search.h"
 
+#include <workspace_support/maths/trigonometry.h>
 #include <algorithm>
 #include <cmath>
 
@@ -17,8 +18,8 @@ constexpr double kDistrust = 0.6;
 
 std::vector<Vec2> turnedBy(const std::vector<Vec2> & points, double yaw)
 {
-  const double c = std::cos(yaw);
-  const double s = std::sin(yaw);
+  const double c = maths::cos(yaw);
+  const double s = maths::sin(yaw);
   std::vector<Vec2> turned(points.size());
   std::transform(points.begin(), points.end(), turned.begin(), [&](const Vec2 & point) {
     return Vec2{c * point.x - s * point.y, s * point.x + c * point.y};
@@ -72,7 +73,7 @@ double WallSearch::score(const Layer & layer, const std::vector<Vec2> & turned, 
 Pose2 WallSearch::best(const std::vector<Vec2> & points, const SearchWindow & window) const
 {
   const auto worth = [&](const Layer & layer, const std::vector<Vec2> & turned, const Pose2 & pose) {
-    const double away = std::hypot(pose.x - window.middle.x, pose.y - window.middle.y) / window.reach;
+    const double away = maths::hypot(pose.x - window.middle.x, pose.y - window.middle.y) / window.reach;
     return score(layer, turned, {pose.x, pose.y}) - kDistrust * away * away;
   };
   std::vector<Candidate> coarse;

@@ -17,8 +17,7 @@ STAY = "import time\nwhile True: time.sleep(0.05)\n"
 class FakeWatch:
     """Hands out its updates once, as soon as a file is there."""
 
-    def __init__(self, ready: Path, updates=(), failure=None, collided=()):
-        self._collided = collided
+    def __init__(self, ready: Path, updates=(), failure=None):
         self._ready = ready
         self._updates = list(updates)
         self._failure = failure
@@ -29,9 +28,6 @@ class FakeWatch:
             return []
         updates, self._updates = self._updates, []
         return updates
-
-    def collided(self):
-        return frozenset(self._collided) if self._ready.exists() else frozenset()
 
     def failure(self, done):
         return self._failure if self._ready.exists() else None
@@ -78,6 +74,15 @@ class FakeRun:
         self._do(f"import os, subprocess; subprocess.Popen([sys.executable, '-c', {later!r}])\n")
         return self._do("os.kill(os.getpid(), 9)\n")
 
+    def notes_interventions(self, *interventions):
+        text = "".join(json.dumps(each) + "\n" for each in interventions)
+        return self._do(f"open({str(self.plan.interventions_file)!r}, 'a').write({text!r})\n")
+
+    def resets(self):
+        """The simulator begins anew, and keeps its record."""
+        path = str(self.plan.record_file)
+        return self._do(f"import os; os.rename({path!r}, {path!r} + '.before_reset_1')\n")
+
     def starts_node(self, name, program="", stopped=False):
         """A process that goes on until the run is over, unless it is stopped."""
         command = f"['setpriv', '--pdeathsig', 'KILL', sys.executable, '-c', {program + READY + STAY!r}]"
@@ -100,8 +105,8 @@ class FakeRun:
     def prints(self, text):
         return self._do(f"print({text!r}, flush=True)\n")
 
-    def hears(self, *updates, failure=None, collided=()):
-        self.watch = FakeWatch(self.ready, updates, failure, collided)
+    def hears(self, *updates, failure=None):
+        self.watch = FakeWatch(self.ready, updates, failure)
         return self._do(f"open({str(self.ready)!r}, 'w').close()\n")
 
     def ends(self, exit_code):

@@ -10,6 +10,8 @@ from f1tenth_judge.judge.criterion import Measured, Status
 from f1tenth_judge.judge.driving_criteria import lateral, longitudinal
 from f1tenth_judge.judge.judge import judge
 from f1tenth_judge.places.course import Course
+from f1tenth_judge.record.interventions import Intervention
+from f1tenth_judge.record.observations import Observations
 from f1tenth_judge.record.record import Record
 from f1tenth_judge.record.replay import Poses
 from f1tenth_judge.scenario.criteria import Criteria
@@ -36,6 +38,10 @@ def runs(tmp_path):
         Verdict.SUCCESS: seen(record(tmp_path, rows(4.0)), finished(3.0)),
         Verdict.COLLISION: seen(record(tmp_path, rows(4.0, contacts={2.0: "Wall_1"})), finished(3.0)),
         Verdict.TIMEOUT: seen(record(tmp_path, rows(10.0, speed=0.1))),
+        Verdict.DISQUALIFIED: Observations(
+            record(tmp_path, rows(4.0)),
+            interventions=(Intervention(2.0, "set_model_state", "/robot1/planner", "robot1"),),
+        ),
         Verdict.ABORTED: seen(record(tmp_path, rows(4.0)), aborted(2.0)),
         Verdict.ERROR: seen(record(tmp_path, rows(2.0)), failure=died()),
     }

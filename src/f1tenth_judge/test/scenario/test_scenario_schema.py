@@ -9,7 +9,7 @@ from scenario_samples import SCENARIO_TEXT
 
 TOP_KEYS = (
     "description, world, cars, limits, expected, seed, culprit, reason, course, start_line, laps,"
-    " time_to_start, lockstep, real_time_factor, localization, boxes, criteria, faults"
+    " time_to_start, lockstep, real_time_factor, localization, boxes, criteria, faults, interventions"
 )
 CAR_KEYS = (
     "name, start, ahead, driver, goals, laps, line, speed_max, acceleration_max, description,"
@@ -111,7 +111,7 @@ ANSWERS = {
     "verdict": (
         "expected: success",
         "expected: sucess",
-        "FILE:8: expected is 'sucess'; allowed: success, collision, timeout, aborted, error",
+        "FILE:8: expected is 'sucess'; allowed: success, collision, timeout, aborted, disqualified, error",
     ),
     "no mapping": (
         "limits:\n  timeout: 10.0",

@@ -20,7 +20,7 @@ from f1tenth_scenarios.run.ros_watch import RosWatch
 from gazebo_msgs.srv import GetModelState, GetModelStateResponse, SetModelState, SetModelStateResponse
 from geometry_msgs.msg import Pose, PoseWithCovarianceStamped
 from rosgraph_msgs.msg import Clock
-from std_msgs.msg import Bool, Header
+from std_msgs.msg import Header
 from workspace_support.nodes import synchronous_publisher
 
 from f1tenth_race_mgr.msg import RaceStatus
@@ -115,17 +115,6 @@ class DirectorTest(unittest.TestCase):
         assert heard[0] == RaceUpdate("robot1", 2.5, RaceState.RACING, 1, "why")
         assert heard[1].state == RaceState.ABORTED
         assert watch.failure(done=set()) is None
-        watch.close()
-
-    def test_collision_is_heard(self):
-        watch = RosWatch(plan())
-        publisher = rospy.Publisher("/robot1/collision", Bool, queue_size=10)
-        self._wait_for(lambda: publisher.get_num_connections() > 0)
-        publisher.publish(False)
-        publisher.publish(True)
-        publisher.publish(False)
-        self._wait_for(watch.collided)
-        assert watch.collided() == {"robot1"}
         watch.close()
 
     def test_estimates_are_heard_to_the_last(self):

@@ -4,6 +4,7 @@ import signal
 import time
 
 import pytest
+from f1tenth_judge.scenario.criteria import Criteria
 from f1tenth_judge.scenario.scenario import Limits, Verdict
 from fake_run import FakeRun, result_of, succeeding
 from scenario_samples import aborted, died, finished, racing, reached, scenario
@@ -64,17 +65,44 @@ def test_contact_ends_the_run_without_any_topic(tmp_path):
     assert result["trajectory_hash"] == "hash40"
 
 
-def test_collision_that_is_only_reported_is_no_verdict_on_the_planner(tmp_path):
-    result = result_of(FakeRun(tmp_path).records(2.0).hears(collided=["robot1"]))
-    assert result["verdict"] == "error"
+def placed(stamp, caller="/robot1/planner"):
+    return {"time": stamp, "kind": "set_model_state", "caller": caller, "model": "robot1"}
+
+
+def test_driver_that_places_its_car_ends_the_run_and_is_disqualified(tmp_path):
+    result = result_of(FakeRun(tmp_path).records(2.0).notes_interventions(placed(1.5)))
+    assert (result["verdict"], result["passed"], result["times"]["finish"]) == ("disqualified", False, 1.5)
     assert result["reason"] == (
-        "robot1/collision_detection: reports a collision that the record does not show"
+        "robot1 is out: /robot1/planner called set_model_state for robot1 at 1.500 s, which the scenario"
+        " does not allow"
     )
+    assert result["interventions"] == [placed(1.5)]
+
+
+def test_touch_before_a_reset_counts_though_the_record_begins_anew(tmp_path):
+    reset = {"time": 2.0, "kind": "reset_simulation", "caller": "/robot1/planner", "model": ""}
+    run = FakeRun(tmp_path, scenario(criteria=Criteria(light_touch=1.5)))
+    run.records(2.0, contacts={1.0: "Wall_1"}, contact_speed=2.0).resets().notes_interventions(reset)
+    result = result_of(run.records(1.0))
+    assert (result["verdict"], result["times"]["finish"]) == ("collision", 1.0)
+
+
+def test_reset_without_a_touch_disqualifies_by_the_record_before_it(tmp_path):
+    reset = {"time": 2.0, "kind": "reset_simulation", "caller": "/somebody", "model": ""}
+    result = result_of(FakeRun(tmp_path).records(2.0).resets().notes_interventions(reset).records(0.5))
+    assert (result["verdict"], result["times"]["finish"]) == ("disqualified", 2.0)
+    assert result["trajectory_hash"] == "hash80"
+
+
+def test_note_of_an_intervention_that_is_none_is_the_simulators_fault(tmp_path):
+    run = FakeRun(tmp_path).records(2.0).notes_interventions({"time": "soon"}).hears(racing(), finished(1.9))
+    result = result_of(run)
+    assert (result["verdict"], result["culprit"]["culprit"]) == ("error", "sim2d")
 
 
 def test_contact_after_the_finish_is_none(tmp_path):
     run = FakeRun(tmp_path).records(4.0, contacts={3.5: "Wall_1"})
-    assert result_of(run.hears(racing(), finished(3.0), collided=["robot1"]))["verdict"] == "success"
+    assert result_of(run.hears(racing(), finished(3.0)))["verdict"] == "success"
 
 
 def test_timeout_ends_the_run(tmp_path):

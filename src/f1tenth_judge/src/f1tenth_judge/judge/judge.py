@@ -11,8 +11,10 @@ from typing import Optional
 from f1tenth_judge.judge.contacts import find_contacts
 from f1tenth_judge.judge.false_start import find_false_start, moves_of
 from f1tenth_judge.judge.goal_passes import GoalPasses, find_passes
+from f1tenth_judge.judge.interventions import driver_behind, forbidden
 from f1tenth_judge.judge.progress import finish_of, how_far
 from f1tenth_judge.plan.task import Task
+from f1tenth_judge.record.interventions import Intervention
 from f1tenth_judge.record.observations import Failure, Observations, RaceState, RaceUpdate
 from f1tenth_judge.record.record import STAMP_EPSILON, Contact, Record
 from f1tenth_judge.scenario.scenario import Scenario, Verdict
@@ -37,6 +39,7 @@ class Judgement:
     record: Record
     passes: dict[str, GoalPasses]
     failure: Optional[Failure] = None
+    interventions: tuple[Intervention, ...] = ()
 
     @functools.cached_property
     def contacts(self) -> list[Contact]:
@@ -45,7 +48,14 @@ class Judgement:
 
 
 # Of what happens at the same stamp the more serious counts.
-_RANK = (Verdict.COLLISION, Verdict.ABORTED, Verdict.SUCCESS, Verdict.TIMEOUT, Verdict.ERROR)
+_RANK = (
+    Verdict.COLLISION,
+    Verdict.DISQUALIFIED,
+    Verdict.ABORTED,
+    Verdict.SUCCESS,
+    Verdict.TIMEOUT,
+    Verdict.ERROR,
+)
 
 
 def judge(scenario: Scenario, tasks: Tasks, seen: Observations) -> Judgement:
@@ -58,8 +68,9 @@ def judge(scenario: Scenario, tasks: Tasks, seen: Observations) -> Judgement:
     passes = {car: _passes(scenario, driven, car, task.goals) for car, task in tasks.items() if task.goals}
     if decision.verdict is Verdict.SUCCESS:
         decision = _verify_success(decision, seen.record, passes)
-    failure = _failure(seen) if decision.verdict is Verdict.ERROR else None
-    return Judgement(decision, record, passes, failure)
+    failure = seen.failure if decision.verdict is Verdict.ERROR else None
+    interventions = tuple(each for each in seen.interventions if each.stamp <= decision.stamp + STAMP_EPSILON)
+    return Judgement(decision, record, passes, failure, interventions)
 
 
 def is_decided(tasks: Tasks, updates: Sequence[RaceUpdate], finishes: Mapping[str, Optional[float]]) -> bool:
@@ -79,6 +90,7 @@ def _endings(scenario: Scenario, tasks: Tasks, seen: Observations) -> Iterator[D
 def _shown(scenario: Scenario, tasks: Tasks, seen: Observations) -> Iterator[Decision]:
     """How the record lets the run end."""
     yield from _collisions(scenario, seen)
+    yield from _disqualifications(scenario, seen)
     yield from _false_starts(scenario, tasks, seen)
     yield from _tasks_done(tasks, seen.updates, _finishes(scenario, tasks, seen.record))
     yield from _timeouts(scenario, tasks, seen)
@@ -108,6 +120,15 @@ def _collisions(scenario, seen):
         touched = " and ".join(contact.touched)
         reason = f"{contact.car} touched {touched} at {contact.start:.3f} s with {contact.speed:.2f} m/s"
         yield Decision(contact.start, Verdict.COLLISION, reason)
+
+
+def _disqualifications(scenario, seen):
+    for each in forbidden(scenario, seen.interventions):
+        car = driver_behind(scenario, each)
+        who = f"{car} is out: " if car else ""
+        yield Decision(
+            each.stamp, Verdict.DISQUALIFIED, f"{who}{each.describe()}, which the scenario does not allow"
+        )
 
 
 def _false_starts(scenario, tasks, seen):
@@ -165,21 +186,10 @@ def _timeouts(scenario, tasks, seen):
 
 
 def _breakdowns(seen):
-    failure = _failure(seen)
+    failure = seen.failure
     if failure:
         stamp = _end(seen.record) if failure.stamp is None else failure.stamp
         yield Decision(stamp, Verdict.ERROR, f"{failure.culprit}: {failure.reason}")
-
-
-def _failure(seen) -> Optional[Failure]:
-    return seen.failure or _false_alarm(seen)
-
-
-def _false_alarm(seen) -> Optional[Failure]:
-    for car in sorted(seen.collided):
-        if car not in seen.record.tracks or not seen.record.tracks[car].contact_list():
-            return Failure(f"{car}/collision_detection", "reports a collision that the record does not show")
-    return None
 
 
 def _undecided(seen):

@@ -77,6 +77,11 @@ class Plan:
         return self.log_folder / "record.csv"
 
     @property
+    def interventions_file(self) -> Path:
+        """What was done to the running simulation, as the simulator notes it."""
+        return self.log_folder / "interventions.jsonl"
+
+    @property
     def bag_file(self) -> Path:
         """What was published on topics."""
         return self.log_folder / "run.bag"

@@ -4,6 +4,7 @@ import dataclasses
 import enum
 from typing import Optional
 
+from f1tenth_judge.record.interventions import Intervention
 from f1tenth_judge.record.record import Record
 
 
@@ -47,6 +48,6 @@ class Observations:
     record: Record
     updates: tuple[RaceUpdate, ...] = ()
     failure: Optional[Failure] = None
-    collided: frozenset[str] = frozenset()  # cars whose topic `collision` said so
+    interventions: tuple[Intervention, ...] = ()
     # s, of the last look before something broke: what the record shows later proves nothing.
     sound_until: Optional[float] = None

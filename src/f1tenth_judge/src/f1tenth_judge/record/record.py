@@ -129,6 +129,12 @@ class Record:
         return max(last)[1] if last else None
 
 
+def first_record(path: Path) -> Path:
+    """The file of what was recorded until the first reset of the simulation, which keeps that apart."""
+    kept = path.with_name(f"{path.name}.before_reset_1")
+    return kept if kept.exists() else path
+
+
 def read_record(path: Path) -> Record:
     """Read the file that the simulator wrote; a last line that it could not finish is left out.
 

@@ -6,6 +6,7 @@ from typing import Optional
 
 from f1tenth_judge.scenario.car import Car
 from f1tenth_judge.scenario.criteria import Criteria
+from f1tenth_judge.scenario.interventions import Permission
 from f1tenth_judge.yaml_files.schema import Problem, key
 
 _GREATEST_PARAMETER = 2**31 - 1  # whole number that ROS's parameter server holds
@@ -18,6 +19,7 @@ class Verdict(enum.Enum):
     COLLISION = "collision"
     TIMEOUT = "timeout"
     ABORTED = "aborted"
+    DISQUALIFIED = "disqualified"
     ERROR = "error"
 
 
@@ -150,6 +152,11 @@ class Scenario:
     boxes: tuple[Box, ...] = key("What lies about besides the world's own models.", default=())
     criteria: Criteria = key("What the run is measured by besides its verdict.", default=Criteria())
     faults: tuple[Fault, ...] = key("What is broken on purpose.", default=())
+    interventions: tuple[Permission, ...] = key(
+        "What nodes may do to the running simulation by the services of gazebo_ros; anything else ends the"
+        " run with the verdict `disqualified`.",
+        default=(),
+    )
 
     def problem(self) -> Problem:
         """What is wrong between the keys: the key and the text, or nothing."""

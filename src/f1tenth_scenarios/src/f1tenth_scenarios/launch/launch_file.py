@@ -92,6 +92,7 @@ def _shared_arguments(plan: Plan) -> dict[str, Any]:
         "real_time_factor": scenario.real_time_factor,
         "seed": scenario.seed,
         "record": plan.record_file,
+        "interventions": plan.interventions_file,
         "odometry": odometry(plan),
         "result_file": plan.simulator_result_file,
         "race": plan.has_countdown,

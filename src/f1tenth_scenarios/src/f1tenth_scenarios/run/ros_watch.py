@@ -11,7 +11,6 @@ from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_judge.record.replay import Poses
 from geometry_msgs.msg import PoseWithCovarianceStamped
-from std_msgs.msg import Bool
 
 from f1tenth_race_mgr.msg import RaceStatus
 from f1tenth_scenarios.launch.bag import planar
@@ -65,8 +64,6 @@ class RosWatch:
         self._counts: queue.SimpleQueue = queue.SimpleQueue()
         self._commands = CommandWatch(_steady_cars(plan), plan.scenario.limits.silence, _time_to_load(plan))
         self._subscribers = [self._subscribe(car) for car in self._cars]
-        self._collided: set[str] = set()
-        self._subscribers += [self._subscribe_collision(car) for car in self._cars]
         self._subscribers.append(rospy.Subscriber("/diagnostics", DiagnosticArray, self._take_diagnostics))
         self._estimates: queue.SimpleQueue = queue.SimpleQueue()
         self._localizations = [self._subscribe_estimate(car) for car in self._cars]
@@ -76,10 +73,6 @@ class RosWatch:
     def take(self) -> list[RaceUpdate]:
         """The updates since the last call, in the order of their arrival."""
         return [self._updates.get() for _ in range(self._updates.qsize())]
-
-    def collided(self) -> frozenset[str]:
-        """The cars that have reported a collision so far."""
-        return frozenset(self._collided)
 
     def failure(self, done: set[str]) -> Optional[Failure]:
         """What went wrong on this side, if anything did; `done`: the cars that have finished."""
@@ -151,11 +144,6 @@ class RosWatch:
         for status in message.status:
             if status.name.startswith(_COMMANDS_OF):
                 self._counts.put(to_count(message.header.stamp.to_sec(), status))
-
-    def _subscribe_collision(self, car: str) -> rospy.Subscriber:
-        return rospy.Subscriber(
-            f"/{car}/collision", Bool, lambda message: self._collided.add(car) if message.data else None
-        )
 
     def _subscribe_estimate(self, car: str) -> rospy.Subscriber:
         def take(message):

@@ -16,8 +16,9 @@ from f1tenth_judge.judge.laps import lap_times, start_of_race
 from f1tenth_judge.places.map_file import Grid, load_map
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.files import BAG_FILE, PICTURE_FILE, REPLAY_FILE, TRAJECTORY_FILE
+from f1tenth_judge.record.interventions import read_interventions
 from f1tenth_judge.record.observations import Failure, Observations
-from f1tenth_judge.record.record import Record, read_record
+from f1tenth_judge.record.record import Record, first_record, read_record
 from f1tenth_judge.record.replay import Replay, write_replay
 from f1tenth_judge.results import versions
 from f1tenth_judge.results.result import Result, write_trajectory
@@ -123,15 +124,15 @@ def _drive(plan, tree, watch, stop, progress) -> tuple[Result, Preparation, Opti
 
 
 def _observations(plan, supervisor, watch, failure) -> Observations:
-    record, failure = _read_record(plan, failure)
-    return Observations(record, tuple(supervisor.updates), failure, watch.collided(), supervisor.sound_until)
-
-
-def _read_record(plan, failure):
+    record, interventions = Record({}), []
     try:
-        return read_record(plan.record_file), failure
+        record = read_record(first_record(plan.record_file))
+        interventions = read_interventions(plan.interventions_file)
     except ScenarioError as error:
-        return Record({}), failure or Failure("sim2d", str(error))
+        failure = failure or Failure("sim2d", str(error), stamp=0.0)
+    return Observations(
+        record, tuple(supervisor.updates), failure, tuple(interventions), supervisor.sound_until
+    )
 
 
 def _judge(plan, seen, estimates, real_time_factor) -> Result:

@@ -3,10 +3,13 @@
 import time
 from typing import TYPE_CHECKING, Callable, Optional
 
+from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.judge.false_start import find_false_start
+from f1tenth_judge.judge.interventions import forbidden
 from f1tenth_judge.judge.judge import first_collision, is_decided
 from f1tenth_judge.judge.progress import TaskProgress
 from f1tenth_judge.plan.plan import Plan
+from f1tenth_judge.record.interventions import read_interventions
 from f1tenth_judge.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_judge.record.pace import Pace
 from f1tenth_judge.record.record import STAMP_EPSILON, read_record
@@ -16,13 +19,13 @@ from f1tenth_scenarios.launch.processes import ProcessTree
 from f1tenth_scenarios.run.diagnosis.breakdown import Breakdown
 from f1tenth_scenarios.run.diagnosis.launch_log import LaunchLog
 from f1tenth_scenarios.run.diagnosis.quotation import LINE_COUNT
-from f1tenth_scenarios.run.file_tail import RecordTail, last_lines
+from f1tenth_scenarios.run.file_tail import LineTail, RecordTail, last_lines
 
 if TYPE_CHECKING:  # it needs ROS
     from f1tenth_scenarios.run.ros_watch import RosWatch
 
 _POLL_INTERVAL = 0.02  # wall s
-# What was recorded of a collision gets this long (wall s) to arrive.
+# What was recorded before a car said that it is done gets this long (wall s) to arrive.
 _RECORD_LAG = 1.0
 
 Progress = Callable[[Optional[float], float], None]
@@ -44,10 +47,10 @@ class Supervisor:
             car: TaskProgress(task, plan.scenario.criteria) for car, task in plan.tasks.items()
         }
         self._record = RecordTail(plan.record_file, self._progress_of)
+        self._interventions_tail = LineTail(plan.interventions_file)
         self._launch_log = LaunchLog(plan.launch_log)
         self._breakdown = Breakdown(plan, tree, self._launch_log)
         self._touches_judged = 0
-        self._alarm_at: Optional[float] = None
         self._race_over_at: Optional[float] = None
         self._sound_at = 0.0
         self.sound_until: Optional[float] = None  # s, nothing as long as the set-up is whole
@@ -92,7 +95,7 @@ class Supervisor:
         simulated = self._record.time
         return (
             self._collided()
-            or self._is_alarm_over()
+            or self._is_disqualified()
             or self._has_false_start()
             or (simulated is not None and simulated >= self._plan.scenario.limits.timeout)
             or self._is_race_over()
@@ -123,13 +126,15 @@ class Supervisor:
         shown = self._record.time is not None and self._record.time + STAMP_EPSILON >= said
         return shown or time.monotonic() - self._race_over_at > _RECORD_LAG
 
-    def _is_alarm_over(self) -> bool:
-        """Whether a collision was reported that the record has had time to show, but does not."""
-        if self._record.touches:
+    def _is_disqualified(self) -> bool:
+        """Whether somebody changed the world who may not, or what was noted of it cannot be read."""
+        if not self._interventions_tail.new_lines():
             return False
-        if self._watch.collided() and self._alarm_at is None:
-            self._alarm_at = time.monotonic()
-        return self._alarm_at is not None and time.monotonic() - self._alarm_at > _RECORD_LAG
+        try:
+            seen = read_interventions(self._plan.interventions_file)
+        except ScenarioError:
+            return True
+        return any(True for _ in forbidden(self._plan.scenario, seen))
 
     def _poll(self) -> None:
         self.updates += self._watch.take()

@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""Drives straight on, and after a second does something to the world that no driver may."""
+
+import rospy
+from ackermann_msgs.msg import AckermannDriveStamped
+from gazebo_msgs.msg import ModelState
+from gazebo_msgs.srv import (
+    DeleteModel,
+    GetPhysicsProperties,
+    GetWorldProperties,
+    SetModelState,
+    SetPhysicsProperties,
+    SpawnModel,
+)
+from geometry_msgs.msg import Point, Pose, Quaternion
+from sensor_msgs.msg import LaserScan
+from std_srvs.srv import Empty
+
+BOX = (
+    "<robot name='box'><link name='box'><inertial><mass value='1'/>"
+    "<inertia ixx='0.1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial>"
+    "<collision><geometry><box size='0.1 0.1 0.1'/></geometry></collision>"
+    "</link></robot>"
+)
+AHEAD = Pose(Point(1.0, 0.0, 0.0), Quaternion(0.0, 0.0, 0.0, 1.0))
+FAR = Pose(Point(100.0, 100.0, 0.0), Quaternion(0.0, 0.0, 0.0, 1.0))
+
+
+def call(name, kind, *arguments, **fields):
+    return rospy.ServiceProxy(f"/gazebo/{name}", kind)(*arguments, **fields)
+
+
+def place(model, pose):
+    call("set_model_state", SetModelState, ModelState(model_name=model, pose=pose))
+
+
+def world_models():
+    return [name for name in call("get_world_properties", GetWorldProperties).model_names if name != "robot1"]
+
+
+class Cheating:
+    def __init__(self):
+        self.count = 0
+        self.cheat = getattr(self, rospy.get_param("~how"))
+        self.publisher = rospy.Publisher("drive", AckermannDriveStamped, queue_size=1)
+        self.states = rospy.Publisher("/gazebo/set_model_state", ModelState, queue_size=1)
+        rospy.Subscriber("scan", LaserScan, self.on_scan, queue_size=1)
+
+    def on_scan(self, _scan):
+        self.count += 1
+        if self.count == 40:
+            self.cheat()
+        command = AckermannDriveStamped()
+        command.drive.speed = 0.5
+        self.publisher.publish(command)
+
+    def places_itself(self):
+        place("robot1", AHEAD)
+
+    def places_itself_by_the_topic(self):
+        self.states.publish(ModelState(model_name="robot1", pose=AHEAD))
+
+    def moves_the_walls(self):
+        for model in world_models():
+            place(model, FAR)
+
+    def stops_time_meanwhile(self):
+        call("pause_physics", Empty)
+        call("unpause_physics", Empty)
+
+    def resets_the_world(self):
+        call("reset_world", Empty)
+
+    def resets_everything(self):
+        call("reset_simulation", Empty)
+
+    def deletes_its_car(self):
+        call("delete_model", DeleteModel, "robot1")
+
+    def deletes_the_walls(self):
+        for model in world_models():
+            call("delete_model", DeleteModel, model)
+
+    def puts_something_in_the_way(self):
+        call("spawn_urdf_model", SpawnModel, "box", BOX, "", FAR, "")
+
+    def changes_the_pace(self):
+        now = call("get_physics_properties", GetPhysicsProperties)
+        call("set_physics_properties", SetPhysicsProperties, now.time_step, 0.0, now.gravity, now.ode_config)
+
+
+if __name__ == "__main__":
+    rospy.init_node("cheating")
+    Cheating()
+    rospy.spin()

@@ -9,7 +9,7 @@ from f1tenth_judge.judge.criteria import evaluate
 from f1tenth_judge.judge.criterion import Measured, Status
 from f1tenth_judge.judge.driving_criteria import lateral, longitudinal
 from f1tenth_judge.judge.judge import judge
-from f1tenth_judge.places.course import Course
+from f1tenth_judge.judge.road import Excursion
 from f1tenth_judge.record.interventions import Intervention
 from f1tenth_judge.record.observations import Observations
 from f1tenth_judge.record.record import Record
@@ -28,8 +28,7 @@ def names(wanted):
 
 
 def limited(expected=Verdict.SUCCESS, **limits):
-    course = "circuit1" if "off_course" in limits else None
-    return scenario(expected, criteria=Criteria(**limits), course=course)
+    return scenario(expected, criteria=Criteria(**limits))
 
 
 @pytest.fixture
@@ -150,7 +149,6 @@ MEASURES = {
     "minimum_clearance": (0.4, {}, 0.5),
     "lap_time": (12.0, {"lap_times": {"robot1": [10.0, 11.0], "robot2": [9.0]}}, 11.0),
     "lateral_acceleration": (2.5, {}, 2.0),
-    "off_course": (0.6, {"course": Course(*np.array([[0, 9, 9], [0, 0, -9], [1, 1, 1], [0.5] * 3]))}, 0.5),
     "standstill": (2.0, {"start": 0.5}, 0.975),
     "localization_error": (
         0.6,
@@ -177,10 +175,7 @@ def recorded(folder):
 
 def test_every_criterion_with_a_limit_is_among_these():
     limits = {field.name: 1.0 for field in dataclasses.fields(Criteria) if field.default is None}
-    assert names(limited(**limits)) - names(scenario()) == {
-        *MEASURES,
-        *OTHER_MEASURES,
-    }
+    assert names(limited(**limits)) - names(scenario()) == {*MEASURES, *OTHER_MEASURES}
 
 
 @pytest.mark.parametrize("name", MEASURES)
@@ -230,6 +225,16 @@ def test_measure_of_driving_is_not_judged_where_a_crash_is_expected(runs, name):
 def test_measure_is_judged_only_with_a_limit(name):
     assert name not in names(scenario())
     assert name in names(limited(**{name: 1.0}))
+
+
+def test_road_is_judged_wherever_it_is_known(runs):
+    left = {"excursions": [Excursion("robot1", 1.0, 2.0, 0.5, 1.0, 1.0)]}
+    assert "off_road" not in names(scenario())
+    assert results(scenario(), runs[Verdict.SUCCESS], excursions=[])["off_road"].status is Status.PASSED
+    assert results(scenario(), runs[Verdict.SUCCESS], **left)["off_road"].status is Status.FAILED
+    assert results(limited(off_road=0.5), runs[Verdict.SUCCESS], **left)["off_road"].status is Status.PASSED
+    crash = results(scenario(Verdict.COLLISION), runs[Verdict.COLLISION], **left)["off_road"]
+    assert crash.status is Status.NOT_JUDGED
 
 
 def test_accelerations_are_those_of_the_turning_body():

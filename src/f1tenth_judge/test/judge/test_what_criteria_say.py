@@ -3,7 +3,6 @@
 import dataclasses
 import math
 
-import numpy as np
 import pytest
 import yaml
 from f1tenth_judge.judge import driving_criteria as driving
@@ -11,6 +10,7 @@ from f1tenth_judge.judge import run_criteria, verdict_criteria
 from f1tenth_judge.judge.criterion import Criterion, Measured, Status
 from f1tenth_judge.judge.goal_passes import GoalPasses
 from f1tenth_judge.judge.judge import Decision, Judgement
+from f1tenth_judge.judge.road import Excursion
 from f1tenth_judge.places import lookup
 from f1tenth_judge.record.observations import Failure
 from f1tenth_judge.record.record import COLUMNS, Record
@@ -20,6 +20,7 @@ from f1tenth_judge.scenario.criteria import Criteria
 from f1tenth_judge.scenario.scenario import Verdict
 from scenario_samples import record, rows, scenario
 
+LEFT = "beyond the edge of the road, from 1.000 to 1.500 s, at (2.00, 3.25)"
 PASSED, FAILED, NOT_JUDGED = Status.PASSED, Status.FAILED, Status.NOT_JUDGED
 
 
@@ -31,14 +32,8 @@ def judged(folder, *cars):
     return decided(Verdict.SUCCESS, record(folder, *cars).tracks)
 
 
-class Road:
-    """A road whose edge is as far to the left of the x axis as its width."""
-
-    def __init__(self, edge):
-        self._edge = edge
-
-    def excess(self, _x, y):
-        return np.array(y) - self._edge
+def excursion(excess, car="robot1"):
+    return Excursion(car, 1.0, 1.5, excess, 2.0, 3.25)
 
 
 # Criterion, its limit, what is measured besides the record, and what it says of a car that drives with 1 m/s
@@ -62,18 +57,18 @@ SAYINGS = [
     (driving.lateral_acceleration, 2.0, {}, (PASSED, 2.0, 2.0, "m/s^2", "robot1 reached 2.00 m/s^2")),
     (driving.lateral_acceleration, 1.9, {}, (FAILED, 2.0, 1.9, "m/s^2", "robot1 reached 2.00 m/s^2")),
     (
-        driving.off_course,
+        driving.off_road,
         0.5,
-        {"course": Road(0.5)},
-        (PASSED, 0.5, 0.5, "m", "robot1 was up to 0.500 m beyond the edge"),
+        {"excursions": [excursion(0.5), excursion(0.25)]},
+        (PASSED, 0.5, 0.5, "m", f"robot1 was up to 0.500 m {LEFT}"),
     ),
     (
-        driving.off_course,
+        driving.off_road,
         0.2,
-        {"course": Road(0.75)},
-        (FAILED, 0.25, 0.2, "m", "robot1 was up to 0.250 m beyond the edge"),
+        {"excursions": [excursion(0.1), excursion(0.25, "robot2")]},
+        (FAILED, 0.25, 0.2, "m", f"robot2 was up to 0.250 m {LEFT}"),
     ),
-    (driving.off_course, 0.2, {}, (FAILED, None, 0.2, "m", "nothing was recorded")),
+    (driving.off_road, 0.0, {"excursions": []}, (PASSED, 0.0, 0.0, "m", "every car stayed on the road")),
     (driving.standstill, 0.0, {}, (PASSED, 0.0, 0.0, "s", "robot1 stood for 0.000 s")),
     (driving.slows_to, 1.5, {}, (FAILED, None, 1.5, "m/s", "no car was faster")),
     (driving.slows_to, 1.0, {}, (FAILED, None, 1.0, "m/s", "no car was faster")),

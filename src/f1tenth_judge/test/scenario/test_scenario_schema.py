@@ -245,11 +245,6 @@ ANSWERS = {
         "seed: 1\nboxes: [{name: robot1, x: 1, y: 1}]",
         "FILE:10: boxes has a name twice, or that of a car: robot1",
     ),
-    "road without a course": (
-        "seed: 1",
-        "seed: 1\ncriteria: {off_course: 0.1}",
-        "FILE:1: course is missing; the criterion 'off_course' needs it",
-    ),
     "late fault": (
         "seed: 1",
         "seed: 1\nfaults: [{kill: robot1/move_base, at: 11}]",

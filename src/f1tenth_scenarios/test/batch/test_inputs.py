@@ -18,7 +18,7 @@ def scenario(tmp_path):
         shutil.copy(file, tmp_path)
     (tmp_path / "line.csv").write_text("0,0,1,1\n1,0,1,1\n0,1,1,1\n", encoding="utf-8")
     (tmp_path / "own.yaml").write_text(
-        "description: d\nworld: ./circuit1.world\ncourse: ./line.csv\ncriteria: {off_course: 9.0}\n"
+        "description: d\nworld: ./circuit1.world\ncourse: ./line.csv\ncriteria: {off_road: 9.0}\n"
         "cars:\n  - {name: robot1, goals: ./circuit1.txt}\n"
         "  - {name: robot2, driver: pursuit, line: ./line.csv}\n"
         "limits: {timeout: 9.0}\nexpected: success\nseed: 1\n",

@@ -19,7 +19,6 @@ _WITH_LIMIT = (
     driving_criteria.minimum_clearance,
     driving_criteria.lap_time,
     driving_criteria.lateral_acceleration,
-    driving_criteria.off_course,
     driving_criteria.standstill,
     driving_criteria.slows_to,
     run_criteria.localization_error,
@@ -32,5 +31,6 @@ def evaluate(scenario: Scenario, judgement: Judgement, measured: Measured) -> li
     """All criteria of a scenario, the verdict first."""
     given = [each for each in _IF_GIVEN if getattr(scenario, each.__name__) is not None]
     limited = [each for each in _WITH_LIMIT if getattr(scenario.criteria, each.__name__) is not None]
-    criteria = [_ALWAYS[0], *given, *_ALWAYS[1:], *limited]
+    road = [driving_criteria.off_road] if measured.excursions is not None else []
+    criteria = [_ALWAYS[0], *given, *_ALWAYS[1:], *road, *limited]
     return [criterion(scenario, judgement, measured) for criterion in criteria]

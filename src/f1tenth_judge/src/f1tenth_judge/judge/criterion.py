@@ -5,7 +5,7 @@ import enum
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Optional
 
-from f1tenth_judge.places.course import Course
+from f1tenth_judge.judge.road import Excursion
 from f1tenth_judge.record.replay import Poses
 from f1tenth_judge.scenario.scenario import Scenario, Verdict
 
@@ -18,7 +18,7 @@ class Measured:
     lap_times: Mapping[str, Sequence[float]] = dataclasses.field(default_factory=dict)  # s, by car
     real_time_factor: Optional[float] = None
     estimates: Mapping[str, Poses] = dataclasses.field(default_factory=dict)  # of the localization, by car
-    course: Optional[Course] = None
+    excursions: Optional[Sequence[Excursion]] = None  # nothing where no road is known
 
 
 class Status(enum.Enum):

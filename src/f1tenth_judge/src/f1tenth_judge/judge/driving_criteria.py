@@ -52,14 +52,16 @@ def lateral_acceleration(scenario: Scenario, judgement: Judgement, _measured: Me
     return _at_most(scenario, "lateral_acceleration", peaks, "m/s^2", "{1} reached {0:.2f} m/s^2")
 
 
-def off_course(scenario: Scenario, judgement: Judgement, measured: Measured) -> Criterion:
-    """How far base_footprint left the road."""
-    excess = [
-        (float(measured.course.excess(track.x, track.y).max()), track.car)
-        for track in _tracks(judgement)
-        if measured.course
-    ]
-    return _at_most(scenario, "off_course", excess, "m", "{1} was up to {0:.3f} m beyond the edge")
+def off_road(scenario: Scenario, judgement: Judgement, measured: Measured) -> Criterion:
+    """How far base_footprint left the road, and where it was when it did so most."""
+    found = measured.excursions or ()
+    if not found:
+        stayed = [(0.0, track.car) for track in _tracks(judgement)]
+        return _at_most(scenario, "off_road", stayed, "m", "every car stayed on the road")
+    left = [(each.excess, each.car, each.start, each.end, each.x, each.y) for each in found]
+    where = "from {2:.3f} to {3:.3f} s, at ({4:.2f}, {5:.2f})"
+    said = f"{{1}} was up to {{0:.3f}} m beyond the edge of the road, {where}"
+    return _at_most(scenario, "off_road", left, "m", said)
 
 
 def standstill(scenario: Scenario, judgement: Judgement, measured: Measured) -> Criterion:

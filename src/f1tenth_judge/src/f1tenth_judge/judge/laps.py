@@ -42,7 +42,7 @@ def lap_times(
         start = moves.get(car, 0.0) if signal is None or (task.laps and not task.obeys_start) else signal
         if line:
             track = judgement.record.tracks.get(car)
-            found[car] = times_of_laps(line, track, start) if track else []
+            found[car] = times_of_laps(line, track, start, task.gates) if track else []
         else:
             found[car] = _by_goals(scenario.laps, car, judgement.passes, known, start)
     return found

@@ -16,7 +16,7 @@ class TaskProgress:
 
     def __init__(self, task: Task, criteria: Criteria):
         self._task = task
-        self._laps = LapCounter(task.line, 0.0) if task.line else None
+        self._laps = LapCounter(task.line, 0.0, task.gates) if task.line else None
         self._goals = GoalPasses(task.goals, criteria.goal_tolerance, criteria.goal_yaw_tolerance)
         self.finish: Optional[float] = None  # s, of the period in which the task was done
 
@@ -37,7 +37,7 @@ def how_far(track: CarTrack, task: Task, criteria: Criteria) -> str:
     """How far a car has driven and got with its task where its track ends, in words."""
     way = float(np.hypot(np.diff(track.x), np.diff(track.y)).sum())
     if task.line:
-        done = f"{len(times_of_laps(task.line, track, 0.0))} of {task.laps} laps"
+        done = f"{len(times_of_laps(task.line, track, 0.0, task.gates))} of {task.laps} laps"
     else:
         passed = find_passes(track, task.goals, criteria.goal_tolerance, criteria.goal_yaw_tolerance)
         done = f"{len(passed.times)} of {passed.wanted} goals"

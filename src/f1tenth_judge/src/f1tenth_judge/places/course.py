@@ -11,6 +11,8 @@ from f1tenth_judge.places.centreline import centreline
 from f1tenth_judge.places.circuit_file import load_circuit
 from f1tenth_judge.places.numbers import read_numbers
 
+_STEP = 0.01  # m, of a look for the edge of the road
+
 
 @dataclasses.dataclass(frozen=True)
 class Course:
@@ -50,14 +52,35 @@ class Course:
         index = int(np.argmin(np.hypot(off_x, off_y)))
         return float(self._between(self.right, part)[index]), float(self._between(self.left, part)[index])
 
+    def reach(self, x: float, y: float, direction: float, most: float) -> float:
+        """How far the road goes on from a point on it (m) in a direction (rad), m; to a centimetre."""
+        for count in range(round(most / _STEP)):
+            way = (count + 1) * _STEP
+            if self._excess(x + way * math.cos(direction), y + way * math.sin(direction)):
+                return count * _STEP
+        return most
+
+    def direction(self, x: float, y: float, yaw: float) -> float:
+        """The heading (rad) of the road at a point, turned as `yaw` is: in a corner, halfway round it."""
+        half = sum(self.widths(x, y)) / 2
+        ahead_x, ahead_y, _ = self.ahead_of(x, y, yaw, half)
+        back_x, back_y, _ = self.ahead_of(x, y, yaw + math.pi, half)
+        return math.atan2(ahead_y - back_y, ahead_x - back_x)
+
+    def runs_along(self, x: float, y: float, yaw: float) -> bool:
+        """Whether a heading (rad) at a point (m) goes with the centreline and not against it."""
+        _, off_x, off_y = self._nearest(x, y)
+        index = int(np.argmin(np.hypot(off_x, off_y)))
+        ahead_x, ahead_y = self._ahead()
+        return bool(ahead_x[index] * math.cos(yaw) + ahead_y[index] * math.sin(yaw) >= 0.0)
+
     def ahead_of(self, x: float, y: float, yaw: float, way: float) -> tuple[float, float, float]:
         """The pose (m, rad) a distance `way` (m) along the centreline from a pose, in its direction."""
         part, off_x, off_y = self._nearest(x, y)
         index = int(np.argmin(np.hypot(off_x, off_y)))
-        ahead_x, ahead_y = self._ahead()
         along = self.along()
         here = along[index] + part[index] * (along[index + 1] - along[index])
-        is_along = ahead_x[index] * np.cos(yaw) + ahead_y[index] * np.sin(yaw) >= 0.0
+        is_along = self.runs_along(x, y, yaw)
         place = (here + (way if is_along else -way)) % along[-1]
         there_x, there_y, heading = (float(each[0]) for each in self.poses_at(np.array([place])))
         return there_x, there_y, heading if is_along else math.remainder(heading + math.pi, math.tau)

@@ -14,6 +14,9 @@ from f1tenth_judge.scenario.scenario import StartLine
 
 _MAP_ENDING, _CENTERLINE = "_map", "_centerline.csv"
 _ORIGIN = Pose(0.0, 0.0, 0.0)
+# Between the gates of a lap, m; beyond the edge of the road, as centrelines tell their widths roughly, m.
+_GATE_DISTANCE, _GATE_MARGIN = 4.0, 0.5
+_LEAST_GATES = 4
 
 
 @dataclasses.dataclass(frozen=True)
@@ -79,11 +82,31 @@ def find_place(world: Path) -> Place:
 
 
 def line_across(course: Course, start: Pose) -> StartLine:
-    """The start line at a pose: from one edge of the road to the other."""
-    right, left = course.widths(start.x, start.y)
+    """The start line at a pose: from one edge of the road to the other, also in a corner."""
+    yaw = course.direction(start.x, start.y, start.yaw)
+    most = sum(course.widths(start.x, start.y))
+    right, left = (course.reach(start.x, start.y, yaw + side * math.pi / 2, most) for side in (-1, 1))
+    return _line(Pose(start.x, start.y, yaw), right, left)
+
+
+def gates_after(course: Course, line: StartLine) -> tuple[StartLine, ...]:
+    """Lines across the road, in the order in which a lap from the start line leads through them."""
+    count = max(_LEAST_GATES, math.ceil(course.length / _GATE_DISTANCE))
+    ways = (course.length * number / count for number in range(1, count))
+    poses = (Pose(*course.ahead_of(line.x, line.y, line.yaw, way)) for way in ways)
+    return tuple(_line(pose, *(width + _GATE_MARGIN for width in _widths(course, pose))) for pose in poses)
+
+
+def _widths(course: Course, pose: Pose) -> tuple[float, float]:
+    """To the right and to the left of a pose on the centreline, m."""
+    right, left = course.widths(pose.x, pose.y)
+    return (right, left) if course.runs_along(pose.x, pose.y, pose.yaw) else (left, right)
+
+
+def _line(pose: Pose, right: float, left: float) -> StartLine:
     shift = (left - right) / 2
-    x, y = start.x - shift * math.sin(start.yaw), start.y + shift * math.cos(start.yaw)
-    return StartLine(x, y, start.yaw, right + left)
+    x, y = pose.x - shift * math.sin(pose.yaw), pose.y + shift * math.cos(pose.yaw)
+    return StartLine(x, y, pose.yaw, right + left)
 
 
 def _road(world: Path) -> Optional[Path]:

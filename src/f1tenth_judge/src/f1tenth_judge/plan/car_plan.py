@@ -8,7 +8,7 @@ from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.places import lookup
 from f1tenth_judge.places.course import Course, read_course
 from f1tenth_judge.places.goals import goals_along, read_goals
-from f1tenth_judge.places.place import Place, line_across
+from f1tenth_judge.places.place import Place, gates_after, line_across
 from f1tenth_judge.places.raceline import read_raceline
 from f1tenth_judge.plan.car_description import CarDescription, read_description
 from f1tenth_judge.plan.driver_file import DriverFile
@@ -36,6 +36,7 @@ class Surroundings:
 
     scenario: Scenario
     place: Place
+    course: Optional[Course]  # nothing where no road is known
     beside: Path  # folder that paths are relative to
     has_countdown: bool  # whether somebody waits for a start signal
 
@@ -77,10 +78,12 @@ def _goals(car: Car, driver: DriverFile, around: Surroundings) -> tuple[Optional
 
 
 def _task(car: Car, driver: DriverFile, goals: tuple[Pose, ...], around: Surroundings) -> Task:
+    line = _start_line(around) if car.laps else None
     return Task(
         goals=() if car.laps else goals * around.scenario.laps,
         laps=car.laps or 0,
-        line=_start_line(around) if car.laps else None,
+        line=line,
+        gates=gates_after(around.course, line) if around.course and line else (),
         obeys_start=around.has_countdown and driver.obeys_start,
         reports=driver.needs_countdown,
     )
@@ -89,16 +92,9 @@ def _task(car: Car, driver: DriverFile, goals: tuple[Pose, ...], around: Surroun
 def _start_line(around: Surroundings) -> StartLine:
     if around.scenario.start_line:
         return around.scenario.start_line
-    course = _course(around)
-    if course is None:
+    if around.course is None:
         raise ScenarioError(f"'laps' of a car needs a 'start_line' or a 'course': {around.place.no_road}")
-    return line_across(course, around.place.start())
-
-
-def _course(around: Surroundings) -> Optional[Course]:
-    if around.scenario.course:
-        return read_course(lookup.course_file(around.scenario.course, around.beside))
-    return read_course(around.place.road) if around.place.road else None
+    return line_across(around.course, around.place.start())
 
 
 def _line(car: Car, driver: DriverFile, around: Surroundings) -> Optional[Path]:

@@ -7,8 +7,8 @@ from typing import Optional
 
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.places import lookup
-from f1tenth_judge.places.course import read_course
-from f1tenth_judge.places.place import find_place
+from f1tenth_judge.places.course import Course, read_course
+from f1tenth_judge.places.place import Place, find_place
 from f1tenth_judge.plan.car_description import check_car, check_topics
 from f1tenth_judge.plan.car_plan import Surroundings, plan_car
 from f1tenth_judge.plan.driver_file import find_driver
@@ -66,13 +66,18 @@ def plan_scenario(file: Path, scenario: Scenario, folder: Path) -> Plan:
     check_boxes(place.world, scenario)
     drivers = {car.name: find_driver(car, file.parent) for car in scenario.cars}
     has_countdown = any(each.needs_countdown for each in drivers.values())
-    around = Surroundings(scenario, place, file.parent, has_countdown)
+    course = _course(scenario, place, file.parent)
+    around = Surroundings(scenario, place, course, file.parent, has_countdown)
     cars = {car.name: plan_car(car, drivers[car.name], around) for car in scenario.cars}
-    course = read_course(lookup.course_file(scenario.course, file.parent)) if scenario.course else None
     plan = Plan(file.stem, file, scenario, place, cars, folder, course)
     _check(plan)
     originals = " and ".join(originals_among(participants(plan)))
     return in_real_time(plan, f"the original of {originals} knows no lockstep") if originals else plan
+
+
+def _course(scenario: Scenario, place: Place, beside: Path) -> Optional[Course]:
+    path = lookup.course_file(scenario.course, beside) if scenario.course else place.road
+    return read_course(path) if path else None
 
 
 def _check(plan: Plan) -> None:

@@ -14,6 +14,7 @@ class Task:
     goals: tuple[Pose, ...] = ()  # of all laps
     laps: int = 0
     line: Optional[StartLine] = None  # of the laps
+    gates: tuple[StartLine, ...] = ()  # that each lap leads through, in order; none where no road is known
     obeys_start: bool = False  # whether moving before the countdown is over is a false start
     reports: bool = False  # whether its driver says itself when it has reached its goals
 

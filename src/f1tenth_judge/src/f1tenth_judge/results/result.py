@@ -88,6 +88,7 @@ def as_dict(result: Result, versions: Mapping[str, Any], settings: Sequence[str]
             for car, times in laps.items()
         },
         "minimum_clearance": least_clearance(result.judgement),
+        "off_road": [dataclasses.asdict(each) for each in result.measured.excursions or ()],
         "interventions": [each.as_json() for each in result.judgement.interventions],
         "contacts": [dataclasses.asdict(contact) for contact in result.judgement.contacts],
         "real_time_factor": result.measured.real_time_factor,

@@ -30,11 +30,11 @@ class Criteria:
     lateral_acceleration: Optional[float] = key(
         "No car may be pushed to the side harder than this.", unit="m/s^2", above=0, default=None
     )
-    off_course: Optional[float] = key(
-        "No car's base_footprint may leave the road of `course` by more than this.",
+    off_road: float = key(
+        "No car's base_footprint may be farther beyond the edge of the road, where the road is known.",
         unit="m",
         at_least=0,
-        default=None,
+        default=0.1,
     )
     standstill: Optional[float] = key(
         "No car may stand still for longer after the start.", unit="s", at_least=0, default=None

@@ -172,8 +172,6 @@ class Scenario:
             return "culprit", "is missing; an expected error must say whose it is"
         if self.expected is not Verdict.ERROR and self.culprit is not None:
             return "culprit", "is for the expected verdict 'error' only"
-        if self.criteria.off_course is not None and self.course is None:
-            return "course", "is missing; the criterion 'off_course' needs it"
         if any(fault.at > self.limits.timeout for fault in self.faults):
             return "faults", f"has a time after limits.timeout ({self.limits.timeout:g} s)"
         if any(fault.at > self.limits.timeout for car in self.cars for fault in car.input_faults):

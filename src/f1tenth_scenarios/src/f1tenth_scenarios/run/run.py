@@ -13,6 +13,7 @@ from f1tenth_judge.judge.criterion import Measured
 from f1tenth_judge.judge.driving_criteria import least_clearance
 from f1tenth_judge.judge.judge import judge
 from f1tenth_judge.judge.laps import lap_times, start_of_race
+from f1tenth_judge.judge.road import excursions
 from f1tenth_judge.places.map_file import Grid, load_map
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.files import BAG_FILE, PICTURE_FILE, REPLAY_FILE, TRAJECTORY_FILE
@@ -143,7 +144,7 @@ def _judge(plan, seen, estimates, real_time_factor) -> Result:
         lap_times=lap_times(plan.scenario, plan.tasks, judgement, seen.updates),
         real_time_factor=real_time_factor,
         estimates={car: poses.until(deciding) for car, poses in estimates.items()},
-        course=plan.course,
+        excursions=tuple(excursions(plan.course, judgement.record.tracks.values())) if plan.course else None,
     )
     judged = tuple(criteria.evaluate(plan.scenario, judgement, measured))
     return Result(plan.name, plan.scenario, judgement, judged, measured, note=plan.note)

@@ -26,6 +26,7 @@ from f1tenth_judge.scenario.car import Car, Input
 from f1tenth_judge.scenario.driver import Interface
 
 from f1tenth_scenarios.launch.bag import RECORDER, recorder_arguments
+from f1tenth_scenarios.launch.foreign_parameters import check_parameters
 
 # What takes time and is of no use here is left out; timeouts in wall s, for each node.
 _OPTIONS = (
@@ -56,7 +57,7 @@ def write_launch_file(plan: Plan) -> None:
     """Write the launch file that starts everything the scenario describes, and the files it names.
 
     Raises:
-        ScenarioError: roslaunch would take something for what it is not.
+        ScenarioError: roslaunch would take something for what it is not, or a driver sets what is the run's.
     """
     if plan.scenario.boxes:
         write_world(plan.place.world, plan.scenario, plan.run_world)
@@ -70,9 +71,12 @@ def write_launch_file(plan: Plan) -> None:
             goals_file.write_text(goals_text(plan.cars[car.name].goals), encoding="utf-8")
     launch = ElementTree.Element("launch")
     _include(launch, _own("scenario.launch"), _shared_arguments(plan))
+    drivers = {car.name: _driver(plan, car) for car in plan.scenario.cars}
+    check_parameters(plan, drivers)
     for car in plan.scenario.cars:
+        # Before its car: of two values of a parameter, as robot_description, roslaunch takes the later.
+        launch.append(drivers[car.name])
         _include(launch, _own("scenario_car.launch"), _car_arguments(plan, car))
-        _add_driver(launch, plan, car)
         if has_deputy(plan, car.name):
             _include(launch, _own("deputy.launch"), _deputy_arguments(plan, car))
     arguments = recorder_arguments(plan.bag_file, list(plan.cars), _topics_of_descriptions(plan))
@@ -166,15 +170,17 @@ def _faults(car: Car) -> list[dict[str, Any]]:
     ]
 
 
-def _add_driver(launch: ElementTree.Element, plan: Plan, car: Car) -> None:
+def _driver(plan: Plan, car: Car) -> ElementTree.Element:
+    """What starts the driver of a car."""
     file = str(plan.cars[car.name].driver.path)
-    group = ElementTree.SubElement(launch, "group", ns=car.name)
+    group = ElementTree.Element("group", ns=car.name)
     name, value = _driver_mark(plan, car)
     ElementTree.SubElement(group, "env", name=name, value=value)
     for old, new in _remappings(plan, car).items():
         ElementTree.SubElement(group, "remap", {"from": old, "to": new})
     _check_text(file)
     _include(group, file, driver_arguments(plan, car))
+    return group
 
 
 def _remappings(plan: Plan, car: Car) -> dict[str, str]:

@@ -5,9 +5,9 @@ import signal
 
 import psutil
 import pytest
+from f1tenth_judge.run.processes import ProcessTree
 from f1tenth_scenarios.launch.launch_file import launch_command
 from f1tenth_scenarios.launch.private_master import private_master
-from f1tenth_scenarios.launch.processes import ProcessTree
 from f1tenth_scenarios.run.diagnosis.launch_log import LaunchLog
 from patience import PATIENCE, wait_for
 

@@ -11,8 +11,8 @@ import time
 import psutil
 import pytest
 import yaml
+from f1tenth_judge.drivers.rest import marked_processes
 from f1tenth_judge.places import lookup
-from f1tenth_scenarios.drivers.rest import marked_processes
 from patience import PATIENCE
 
 PLANNER = lookup.package_path(lookup.PACKAGE) / "test" / "planners" / "nodes" / "counting.launch"

@@ -1,7 +1,7 @@
 """Files that grow while they are read."""
 
 from f1tenth_judge.record.record import COLUMNS
-from f1tenth_scenarios.run.file_tail import LineTail, RecordTail, last_lines
+from f1tenth_scenarios.run.file_tail import LineTail, RecordTail
 from scenario_samples import rows, write_record
 
 HEADER = ",".join(COLUMNS) + "\n"
@@ -37,10 +37,3 @@ def test_lines_are_handed_out_once(tmp_path):
         stream.write("o\n")
     assert tail.new_lines() == ["two"]
     assert tail.new_lines() == []
-
-
-def test_last_lines_leave_out_empty_ones(tmp_path):
-    path = tmp_path / "log"
-    path.write_text("one\n\ntwo  \nthree\n\n", encoding="utf-8")
-    assert last_lines(path, 2) == ["two", "three"]
-    assert last_lines(tmp_path / "none", 2) == []

@@ -1,6 +1,5 @@
 """Following files that another process is still writing."""
 
-import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Optional
@@ -8,8 +7,7 @@ from typing import Optional
 from f1tenth_judge.judge.false_start import FirstMoves
 from f1tenth_judge.judge.progress import TaskProgress
 from f1tenth_judge.record.record import COLUMNS
-
-_ESCAPE = re.compile(r"\x1b\[[0-9;]*m|\x1b\]2;[^\x07]*\x07")
+from f1tenth_judge.run.log_excerpt import plain
 
 
 class LineTail:
@@ -30,7 +28,7 @@ class LineTail:
             return []
         self._offset += len(data)
         *lines, self._rest = (self._rest + data).split(b"\n")
-        return [_plain(line) for line in lines]
+        return [plain(line) for line in lines]
 
 
 class RecordTail:
@@ -60,17 +58,3 @@ class RecordTail:
         self.moves.take(self.time, car, x, y)
         if car in self._progress:
             self._progress[car].take(self.time, x, y, yaw)
-
-
-def last_lines(path: Path, count: Optional[int] = None) -> list[str]:
-    """The last lines of a file that are not empty, else all; none when it cannot be read."""
-    try:
-        data = path.read_bytes()
-    except OSError:
-        return []
-    return [line for line in map(_plain, data.splitlines()) if line][-(count or 0) :]
-
-
-def _plain(line: bytes) -> str:
-    """The text without colours and other commands to a terminal."""
-    return _ESCAPE.sub("", line.decode("utf-8", errors="replace")).rstrip()

@@ -7,10 +7,10 @@ from f1tenth_judge.errors import MisfitError
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.planning import in_real_time
 from f1tenth_judge.results.result import Result
+from f1tenth_judge.run.processes import process_start
 from f1tenth_judge.stop_request import StopRequest
 
 from f1tenth_scenarios.launch.launch_file import launch_command
-from f1tenth_scenarios.launch.processes import process_start
 from f1tenth_scenarios.run.run import execute
 from f1tenth_scenarios.run.supervisor import Progress
 

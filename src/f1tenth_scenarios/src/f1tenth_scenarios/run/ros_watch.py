@@ -10,11 +10,11 @@ from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_judge.record.replay import Poses
+from f1tenth_judge.run.command_watch import CommandCount, CommandWatch, Problem
 from geometry_msgs.msg import PoseWithCovarianceStamped
 
 from f1tenth_race_mgr.msg import RaceStatus
 from f1tenth_scenarios.launch.bag import planar
-from f1tenth_scenarios.run.diagnosis.command_watch import CommandCount, CommandWatch, Problem
 from f1tenth_scenarios.run.diagnosis.culprit import failure_of_driver
 from f1tenth_scenarios.run.diagnosis.loose_ends import driver_nodes, shared_topic, topics_of, why_mute
 from f1tenth_scenarios.run.events.director import Director

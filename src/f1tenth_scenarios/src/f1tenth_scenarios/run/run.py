@@ -25,11 +25,11 @@ from f1tenth_judge.results import versions
 from f1tenth_judge.results.result import Result, write_trajectory
 from f1tenth_judge.results.results_folder import claimed
 from f1tenth_judge.results.writing import write_rest, write_verdict
+from f1tenth_judge.run.processes import ProcessTree
 from f1tenth_judge.stop_request import StopRequest
 
 from f1tenth_scenarios.launch.bag import RECORDER, read_bag
 from f1tenth_scenarios.launch.launch_file import write_launch_file
-from f1tenth_scenarios.launch.processes import ProcessTree
 from f1tenth_scenarios.run.preparation import Preparation
 from f1tenth_scenarios.run.supervisor import Progress, Supervisor
 

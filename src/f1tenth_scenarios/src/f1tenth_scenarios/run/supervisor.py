@@ -13,13 +13,13 @@ from f1tenth_judge.record.interventions import read_interventions
 from f1tenth_judge.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_judge.record.pace import Pace
 from f1tenth_judge.record.record import STAMP_EPSILON, read_record
+from f1tenth_judge.run.log_excerpt import LINE_COUNT, last_lines
+from f1tenth_judge.run.processes import ProcessTree
 from f1tenth_judge.stop_request import StopRequest
 
-from f1tenth_scenarios.launch.processes import ProcessTree
 from f1tenth_scenarios.run.diagnosis.breakdown import Breakdown
 from f1tenth_scenarios.run.diagnosis.launch_log import LaunchLog
-from f1tenth_scenarios.run.diagnosis.quotation import LINE_COUNT
-from f1tenth_scenarios.run.file_tail import LineTail, RecordTail, last_lines
+from f1tenth_scenarios.run.file_tail import LineTail, RecordTail
 
 if TYPE_CHECKING:  # it needs ROS
     from f1tenth_scenarios.run.ros_watch import RosWatch

@@ -4,20 +4,20 @@ import time
 from collections.abc import Sequence
 from typing import Optional
 
+from f1tenth_judge.drivers.proxy_driver import EXIT_MISFIT
 from f1tenth_judge.errors import MisfitError
 from f1tenth_judge.plan.participants import DEPUTY, driver_nodes_among, named_nodes
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.files import read_json
 from f1tenth_judge.record.observations import Failure, RaceState, RaceUpdate
+from f1tenth_judge.run.log_excerpt import last_lines
+from f1tenth_judge.run.processes import ProcessTree, program_of
 
-from f1tenth_scenarios.drivers.deputy import EXIT_MISFIT
 from f1tenth_scenarios.launch.bag import RECORDER
 from f1tenth_scenarios.launch.private_master import master_process
-from f1tenth_scenarios.launch.processes import ProcessTree, program_of
 from f1tenth_scenarios.launch.system_limits import hindered
 from f1tenth_scenarios.run.diagnosis.culprit import Signs, failure_of
 from f1tenth_scenarios.run.diagnosis.launch_log import LaunchLog, NodeEnd
-from f1tenth_scenarios.run.file_tail import last_lines
 
 # What was said just before a node ended gets this long (wall s) to arrive.
 _LAST_WORDS = 0.5

@@ -7,20 +7,20 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Optional
 
+from f1tenth_judge.drivers.proxy_driver import EXIT_RESTLESS
 from f1tenth_judge.plan.participants import DEPUTY, driver_nodes_among
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.observations import Failure, RaceState, RaceUpdate
-
-from f1tenth_scenarios.drivers.deputy import EXIT_RESTLESS
-from f1tenth_scenarios.run.diagnosis.launch_log import NodeEnd
-from f1tenth_scenarios.run.diagnosis.quotation import (
+from f1tenth_judge.run.log_excerpt import (
     LINE_COUNT,
     TRACEBACK,
     exception_in,
+    last_lines,
     last_traceback,
     quoted,
 )
-from f1tenth_scenarios.run.file_tail import last_lines
+
+from f1tenth_scenarios.run.diagnosis.launch_log import NodeEnd
 
 _RESTLESS = "has not come to rest within {:g} s of wall time (limits.answer)"
 _ERROR_WORDS = ("[ERROR]", "[FATAL]", TRACEBACK)

@@ -5,8 +5,8 @@ import signal
 import time
 
 from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.run.processes import wait_for_ends
 
-from f1tenth_scenarios.launch.processes import wait_for_ends
 from f1tenth_scenarios.run.ros_graph import ask
 
 _PATIENCE = 2.0  # wall s

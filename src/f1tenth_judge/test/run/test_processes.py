@@ -7,7 +7,7 @@ import sys
 
 import psutil
 import pytest
-from f1tenth_scenarios.launch.processes import ProcessTree
+from f1tenth_judge.run.processes import ProcessTree
 from patience import PATIENCE, wait_for
 
 SLEEP = "import time; time.sleep(600)"
@@ -160,7 +160,7 @@ def test_process_that_is_waited_for_may_end_before_the_others(tmp_path):
 def test_start_of_a_process_is_before_all_that_it_does():
     program = (
         "import time; first = time.monotonic()\n"
-        "from f1tenth_scenarios.launch.processes import process_start; print(first - process_start())"
+        "from f1tenth_judge.run.processes import process_start; print(first - process_start())"
     )
     said = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     assert 0.0 <= float(said.stdout) + 0.01 < PATIENCE
@@ -186,7 +186,7 @@ def test_child_ends_when_its_parent_is_killed(tmp_path):
     # before it has asked to be told, which it has when the program is what it was told to start.
     program = (
         "import pathlib, sys, time\n"
-        "from f1tenth_scenarios.launch.processes import ProcessTree\n"
+        "from f1tenth_judge.run.processes import ProcessTree\n"
         f"path = pathlib.Path({str(tmp_path)!r})\n"
         "tree = ProcessTree(['sleep', '600'], path / 'log', {})\n"
         "import psutil\n"

@@ -1,4 +1,4 @@
-"""When the deputy lets a period be over, and whom it finds not to fit lockstep."""
+"""When the proxy driver lets a period be over, and whom it finds not to fit lockstep."""
 
 import contextlib
 import os
@@ -9,9 +9,9 @@ import threading
 import time
 
 import pytest
+from f1tenth_judge.drivers.proxy_driver import ProxyDriver
 from f1tenth_judge.errors import MisfitError, RestlessError
-from f1tenth_scenarios.drivers import deputy
-from f1tenth_scenarios.drivers.deputy import Deputy
+from f1tenth_judge.drivers import proxy_driver
 
 PATIENCE = 1.0  # s, for both
 MARK = "F1TENTH_TEST_DRIVER=robot1 of a test"
@@ -40,7 +40,7 @@ BUSY = "print('ready', flush=True)\nwhile True: pass"
 
 
 class FakeWorld:
-    """Notes what the deputy does; the driver sends commands as its script says: before rest, and after."""
+    """Notes what the proxy driver does; the driver sends commands as its script says: before rest, and after."""
 
     def __init__(self, before=1, after=0, listens=True):
         self.done = []
@@ -84,9 +84,9 @@ class FakeWorld:
 
 @pytest.fixture
 def driver(monkeypatch):
-    """Starts a process that plays the driver; everything in the deputy goes a little faster."""
+    """Starts a process that plays the driver; everything in the proxy driver goes a little faster."""
     for name in ("_PACE", "_CONNECTING", "_CONNECTION_INTERVAL"):
-        monkeypatch.setattr(deputy, name, 0.001)
+        monkeypatch.setattr(proxy_driver, name, 0.001)
     running = []
 
     def start(program=IDLE):
@@ -119,15 +119,15 @@ def make_busy(process):
 
 @pytest.fixture
 def hurried(monkeypatch):
-    """The deputy gives a driver less time to load."""
-    monkeypatch.setattr(deputy, "_LOADING", 0.2)
-    monkeypatch.setattr(deputy, "_SPINNING", 0.1)
+    """The proxy driver gives a driver less time to load."""
+    monkeypatch.setattr(proxy_driver, "_LOADING", 0.2)
+    monkeypatch.setattr(proxy_driver, "_SPINNING", 0.1)
 
 
 def test_scan_comes_before_the_time(driver):
     driver()
     world = FakeWorld()
-    Deputy(world, MARK, PATIENCE, PATIENCE).act("now")
+    ProxyDriver(world, MARK, PATIENCE, PATIENCE).act("now")
     assert world.done == ["scan", "now"]
 
 
@@ -138,8 +138,8 @@ def test_nothing_comes_before_all_have_loaded_and_connected(driver, hurried):
     one_is_missing = {("topic", "publisher", "subscriber")}
     world.looks = [one_is_missing, one_is_missing, set()]
     began = time.monotonic()
-    Deputy(world, MARK, PATIENCE, 30.0).begin()
-    assert time.monotonic() - began > deputy._LOADING
+    ProxyDriver(world, MARK, PATIENCE, 30.0).begin()
+    assert time.monotonic() - began > proxy_driver._LOADING
     assert (world.done, world.states, world.looks) == ([], ["two"], [set()])
 
 
@@ -149,22 +149,22 @@ def test_who_listens_late_is_not_taken_to_spin(driver, hurried):
     world.states = ["none", "one"]
     listens_late = threading.Timer(0.35, setattr, (world, "listens", True))
     listens_late.start()
-    Deputy(world, MARK, PATIENCE, 30.0).begin()
+    ProxyDriver(world, MARK, PATIENCE, 30.0).begin()
     listens_late.join()
     assert world.states == ["one"]  # it has been waited for
 
 
 def test_connection_that_never_comes_about_is_waited_for_once(driver, monkeypatch):
-    monkeypatch.setattr(deputy, "_UNCONNECTED", 0.2)
+    monkeypatch.setattr(proxy_driver, "_UNCONNECTED", 0.2)
     driver()
     world = FakeWorld()
     world.looks = [{("topic", "publisher", "subscriber")}]
-    one = Deputy(world, MARK, PATIENCE, 30.0)
+    one = ProxyDriver(world, MARK, PATIENCE, 30.0)
     one.begin()
     world.states = ["other"]
     began = time.monotonic()
     one.act(0)
-    assert time.monotonic() - began < deputy._UNCONNECTED
+    assert time.monotonic() - began < proxy_driver._UNCONNECTED
 
 
 def test_who_waits_for_the_master_is_not_at_rest(driver, hurried):
@@ -172,15 +172,15 @@ def test_who_waits_for_the_master_is_not_at_rest(driver, hurried):
     world = FakeWorld(before=0)
     world.helper = driver(LOADING).pid
     began = time.monotonic()
-    Deputy(world, MARK, PATIENCE, 30.0).begin()
-    assert time.monotonic() - began > deputy._LOADING
+    ProxyDriver(world, MARK, PATIENCE, 30.0).begin()
+    assert time.monotonic() - began > proxy_driver._LOADING
 
 
 def test_who_waits_for_a_process_just_started_is_not_at_rest(driver, hurried, monkeypatch):
-    monkeypatch.setattr(deputy, "_SEARCH_INTERVAL", 1e6)
+    monkeypatch.setattr(proxy_driver, "_SEARCH_INTERVAL", 1e6)
     process = driver(STARTING)
     world = FakeWorld(before=0, listens=False)
-    one = Deputy(world, MARK, PATIENCE, PATIENCE)
+    one = ProxyDriver(world, MARK, PATIENCE, PATIENCE)
     one.begin()
     make_busy(process)
     with pytest.raises(MisfitError, match="do not come to rest"):
@@ -190,30 +190,30 @@ def test_who_waits_for_a_process_just_started_is_not_at_rest(driver, hurried, mo
 def test_who_spins_is_not_given_more_time_for_it_twice(driver, hurried):
     driver(BUSY)
     world = FakeWorld(before=0)
-    one = Deputy(world, MARK, PATIENCE, PATIENCE)
+    one = ProxyDriver(world, MARK, PATIENCE, PATIENCE)
     began = time.monotonic()
     one.begin()
     with pytest.raises(MisfitError):
         one.act(0)
-    assert time.monotonic() - began < PATIENCE + deputy._LOADING
+    assert time.monotonic() - began < PATIENCE + proxy_driver._LOADING
     assert world.done == ["scan"]
 
 
 def test_driver_that_fits_has_started_up_after_some_periods(driver):
     driver()
     world = FakeWorld()
-    one = Deputy(world, MARK, PATIENCE, PATIENCE)
+    one = ProxyDriver(world, MARK, PATIENCE, PATIENCE)
     for period in range(40):
         one.act(period)
     assert world.done[-2:] == ["scan", 39]
 
 
-def calm_deputy(world):
+def calm_proxy_driver(world):
     """One whose driver has neither connected nor sent a command for a while, and how long it sleeps."""
     slept = []
-    one = Deputy(world, MARK, PATIENCE, PATIENCE, sleep=slept.append)
+    one = ProxyDriver(world, MARK, PATIENCE, PATIENCE, sleep=slept.append)
     one.act(0)  # in which the connections are new
-    for period in range(deputy._CALM_PERIODS):
+    for period in range(proxy_driver._CALM_PERIODS):
         one.act(period)
     slept.clear()
     return one, slept
@@ -221,34 +221,34 @@ def calm_deputy(world):
 
 def is_watched(slept):
     """Whether a driver was looked at for a whole pace."""
-    return deputy._PACE in slept
+    return proxy_driver._PACE in slept
 
 
 def test_who_does_nothing_for_long_is_looked_at_less_closely(driver, monkeypatch):
-    monkeypatch.setattr(deputy, "_PACE", 60.0)
+    monkeypatch.setattr(proxy_driver, "_PACE", 60.0)
     driver()
-    one, slept = calm_deputy(FakeWorld(before=0))
+    one, slept = calm_proxy_driver(FakeWorld(before=0))
     one.act("now")
     assert not is_watched(slept)
-    assert max(slept) == pytest.approx(deputy._PACE, abs=10.0)  # time goes on no faster than in reality
+    assert max(slept) == pytest.approx(proxy_driver._PACE, abs=10.0)  # time goes on no faster than in reality
 
 
 def test_who_has_not_come_up_is_looked_at_closely(driver, monkeypatch):
-    monkeypatch.setattr(deputy, "_PACE", 60.0)
+    monkeypatch.setattr(proxy_driver, "_PACE", 60.0)
     driver()
     world = FakeWorld(before=0)
     world.is_up = False
-    one, slept = calm_deputy(world)
+    one, slept = calm_proxy_driver(world)
     one.act("now")
     assert is_watched(slept)
 
 
 @pytest.mark.parametrize("what", ["connection", "command"])
 def test_who_does_something_late_is_looked_at_closely_again(driver, monkeypatch, what):
-    monkeypatch.setattr(deputy, "_PACE", 60.0)
+    monkeypatch.setattr(proxy_driver, "_PACE", 60.0)
     driver()
     world = FakeWorld(before=0)
-    one, slept = calm_deputy(world)
+    one, slept = calm_proxy_driver(world)
     if what == "connection":
         world.states = ["another"]
     else:
@@ -261,7 +261,7 @@ def test_who_does_something_late_is_looked_at_closely_again(driver, monkeypatch,
 
 def test_who_sends_commands_while_time_stands_still_does_not_fit(driver):
     driver()
-    one = Deputy(FakeWorld(before=0, after=1), MARK, PATIENCE, PATIENCE)
+    one = ProxyDriver(FakeWorld(before=0, after=1), MARK, PATIENCE, PATIENCE)
     one.act(0)
     one.act(1)
     with pytest.raises(MisfitError, match="by the wall clock, while simulated time stands still"):
@@ -270,8 +270,8 @@ def test_who_sends_commands_while_time_stands_still_does_not_fit(driver):
 
 def test_who_never_rests_does_not_fit_once_it_sends_commands(driver, hurried):
     driver(BUSY)
-    with pytest.raises(MisfitError, match="but its threads do not come to rest within 0.2 s; sleep with"):
-        Deputy(FakeWorld(), MARK, PATIENCE, PATIENCE).act("now")
+    with pytest.raises(MisfitError, match="but its threads do not come to rest within 0.2 s; sleep by"):
+        ProxyDriver(FakeWorld(), MARK, PATIENCE, PATIENCE).act("now")
 
 
 class UnheardWorld(FakeWorld):
@@ -291,7 +291,7 @@ def test_who_never_rests_and_sends_before_its_first_period_does_not_fit(driver, 
     with pytest.raises(
         MisfitError, match="it sends commands, but its threads do not come to rest within 0.2 s"
     ):
-        Deputy(UnheardWorld(listens=False), MARK, PATIENCE, 30.0).begin()
+        ProxyDriver(UnheardWorld(listens=False), MARK, PATIENCE, 30.0).begin()
     assert time.monotonic() - began < 10.0
 
 
@@ -300,15 +300,15 @@ def test_who_sends_one_command_and_then_loads_is_waited_for(driver, hurried):
     world = UnheardWorld(before=0, listens=False)
     world._count = 1
     began = time.monotonic()
-    Deputy(world, MARK, PATIENCE, 30.0).begin()
-    assert time.monotonic() - began > deputy._LOADING + deputy._SPINNING
+    ProxyDriver(world, MARK, PATIENCE, 30.0).begin()
+    assert time.monotonic() - began > proxy_driver._LOADING + proxy_driver._SPINNING
 
 
 def test_who_never_rests_gets_a_scan_but_no_time(driver, hurried):
     driver(BUSY)
     world = FakeWorld(before=0)
     with pytest.raises(MisfitError, match="do not come to rest within 1 s; sleep with rospy.Rate in its "):
-        Deputy(world, MARK, PATIENCE, PATIENCE).act("now")
+        ProxyDriver(world, MARK, PATIENCE, PATIENCE).act("now")
     assert world.done == ["scan"]
 
 
@@ -316,7 +316,7 @@ def test_no_scan_is_lost_on_who_has_not_subscribed_yet(driver, hurried):
     driver(BUSY)
     world = FakeWorld(before=0, listens=False)
     with pytest.raises(MisfitError):
-        Deputy(world, MARK, PATIENCE, PATIENCE).act("now")
+        ProxyDriver(world, MARK, PATIENCE, PATIENCE).act("now")
     assert world.done == []
 
 
@@ -324,20 +324,20 @@ def test_time_waits_for_who_loads_long(driver, hurried):
     driver(LOADING)
     world = FakeWorld(before=0, listens=False)
     began = time.monotonic()
-    Deputy(world, MARK, PATIENCE, 30.0).act("now")
+    ProxyDriver(world, MARK, PATIENCE, 30.0).act("now")
     assert world.done == ["scan", "now"]
-    assert time.monotonic() - began > deputy._LOADING
+    assert time.monotonic() - began > proxy_driver._LOADING
 
 
 def test_who_has_loaded_long_may_answer_just_before_it_rests(driver, hurried, monkeypatch):
-    monkeypatch.setattr(deputy, "_SPINNING", 5.0)
+    monkeypatch.setattr(proxy_driver, "_SPINNING", 5.0)
     driver(LOADING)
-    Deputy(FakeWorld(), MARK, PATIENCE, 30.0).act("now")
+    ProxyDriver(FakeWorld(), MARK, PATIENCE, 30.0).act("now")
 
 
 def test_who_drives_and_then_never_rests_is_given_up(driver):
     process = driver(TURNING_BUSY)
-    one = Deputy(FakeWorld(), MARK, PATIENCE, 30.0)
+    one = ProxyDriver(FakeWorld(), MARK, PATIENCE, 30.0)
     for period in range(40):
         one.act(period)
     make_busy(process)
@@ -349,10 +349,10 @@ def test_time_stands_still_once_when_a_process_has_ended(driver):
     slept = []
     driver()
     victim = driver()
-    one = Deputy(FakeWorld(), MARK, PATIENCE, PATIENCE, sleep=slept.append)
+    one = ProxyDriver(FakeWorld(), MARK, PATIENCE, PATIENCE, sleep=slept.append)
     one.act(0)
     victim.kill()
     victim.wait()
     for period in range(1, 4):
         one.act(period)
-    assert slept.count(deputy._NOTICING) == 1
+    assert slept.count(proxy_driver._NOTICING) == 1

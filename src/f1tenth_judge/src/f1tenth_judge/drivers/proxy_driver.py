@@ -1,7 +1,7 @@
 """Takes part in lockstep for a driver whose nodes know nothing of it; docs/lockstep.md has the rules.
 
 A period is over when all that it has brought is handled: when every thread of the driver's processes is at
-rest. The driver gets its scans and its clock from the deputy: the scan when all other messages are handled,
+rest. The driver gets its scans and its clock from the proxy driver: the scan when all other messages are handled,
 the time after the scan. So a planner finds the same messages whenever it acts, though each comes over a
 connection of its own.
 """
@@ -11,15 +11,14 @@ import threading
 import time
 from typing import Any, Callable, Optional
 
+from f1tenth_judge.drivers.rest import Rest, has_ended, marked_processes
 from f1tenth_judge.errors import MisfitError, RestlessError
-
-from f1tenth_scenarios.drivers.rest import Rest, has_ended, marked_processes
 
 _LOOK_INTERVAL = 2e-4  # wall s, between two looks at the threads
 _CONNECTION_INTERVAL = 0.01  # wall s, between two looks at its connections
 _SEARCH_INTERVAL = 0.25  # wall s, between two searches for processes
 _NOTICING = 0.5  # wall s, for which time stands still when a process has ended, so that the runner notices it
-# Exit codes of a deputy whose driver does not fit, or does not come to rest any more.
+# Exit codes of a proxy driver whose driver does not fit, or does not come to rest any more.
 EXIT_MISFIT, EXIT_RESTLESS = 4, 5
 # While the driver starts up:
 _PACE = 0.025  # wall s per period at least: nodes that wait by the wall clock are not overtaken
@@ -30,10 +29,10 @@ _SPINNING = 1.0  # wall s without rest after a command, once it has had _LOADING
 _CALM_PERIODS = 40  # without a command or a new connection, after which it is looked at less closely
 _STEADY_PERIODS = 20  # with commands and without a new connection, after which it has started up
 _LATE_COMMANDS = 3  # sent by a driver at rest, or without rest before the first period: more are no accident
-_RESTLESS = "its threads do not come to rest within {:g} s; sleep with rospy.Rate in its loop"
+_RESTLESS = "its threads do not come to rest within {:g} s; sleep by simulated time in its loop"
 
 
-class Deputy:
+class ProxyDriver:
     """Waits for the driver in each period."""
 
     def __init__(
@@ -48,7 +47,7 @@ class Deputy:
         """What it waits for, and how long.
 
         Args:
-            world: what it sees and does in ROS, the RosWorld of the script `deputy`.
+            world: what it sees and does on the middleware: RosWorld of the script `deputy` in ROS 1.
             mark: NAME=VALUE in the environment of the driver's processes.
             patience: time within which the driver must come to rest in a period; wall s.
             loading: the same while it starts up.

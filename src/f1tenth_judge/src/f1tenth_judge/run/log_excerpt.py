@@ -3,6 +3,8 @@
 import re
 import textwrap
 from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Optional
 
 LINE_COUNT = 10  # at most, of what is quoted
 TRACEBACK = "Traceback (most recent call last)"
@@ -10,7 +12,22 @@ _FRAME = '  File "'
 _NOT_ITS_OWN = re.compile(r'  File "([^"]*/lib/python3[.\d]*/|<frozen )')  # installed packages, and Python's
 _CHATTER = re.compile(r"\[(rospy\.[\w.]+|xmlrpc)\]\[INFO\] ")  # of rospy about itself
 _EXCEPTION = re.compile(r"[A-Za-z_][\w.]*(: |:?$)")
+_ESCAPE = re.compile(r"\x1b\[[0-9;]*m|\x1b\]2;[^\x07]*\x07")
 _WIDTH = 200  # characters, of an exception
+
+
+def plain(line: bytes) -> str:
+    """The text without colours and other commands to a terminal."""
+    return _ESCAPE.sub("", line.decode("utf-8", errors="replace")).rstrip()
+
+
+def last_lines(path: Path, count: Optional[int] = None) -> list[str]:
+    """The last lines of a file that are not empty, else all; none when it cannot be read."""
+    try:
+        data = path.read_bytes()
+    except OSError:
+        return []
+    return [line for line in map(plain, data.splitlines()) if line][-(count or 0) :]
 
 
 def quoted(lines: Sequence[str]) -> list[str]:

@@ -1,7 +1,7 @@
 """A driver whose commands are none is noticed by what the simulator counts."""
 
 import pytest
-from f1tenth_scenarios.run.diagnosis.command_watch import CommandCount, CommandWatch
+from f1tenth_judge.run.command_watch import CommandCount, CommandWatch
 
 NAN = "speed is nan"
 

@@ -1,6 +1,6 @@
 """What is quoted of a node that failed: no chatter, and of a traceback what the planner's author can mend."""
 
-from f1tenth_scenarios.run.diagnosis.quotation import exception_in, quoted
+from f1tenth_judge.run.log_excerpt import exception_in, last_lines, quoted
 
 CHATTER = [
     "[rospy.init][INFO] 2026-01-01 00:00:00,000: registered with master",
@@ -54,3 +54,10 @@ def test_exception_is_what_the_last_traceback_ends_with():
     for lines in (["no traceback"], [HEAD], [HEAD, *OWN], [HEAD, *OWN, "[INFO] of others"], []):
         assert exception_in(lines) == ""
     assert len(exception_in([HEAD, *OWN, "ValueError: " + "very " * 100])) <= 200
+
+
+def test_last_lines_leave_out_empty_ones(tmp_path):
+    path = tmp_path / "log"
+    path.write_text("one\n\ntwo  \nthree\n\n", encoding="utf-8")
+    assert last_lines(path, 2) == ["two", "three"]
+    assert last_lines(tmp_path / "none", 2) == []

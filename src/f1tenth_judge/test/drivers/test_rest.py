@@ -7,7 +7,7 @@ import threading
 import time
 
 import pytest
-from f1tenth_scenarios.drivers.rest import Rest, marked_processes
+from f1tenth_judge.drivers.rest import Rest, marked_processes
 from patience import wait_for
 
 # Answers each line after some work, in another thread than the one that reads it.

@@ -9,9 +9,9 @@ import threading
 import time
 
 import pytest
+from f1tenth_judge.drivers import proxy_driver
 from f1tenth_judge.drivers.proxy_driver import ProxyDriver
 from f1tenth_judge.errors import MisfitError, RestlessError
-from f1tenth_judge.drivers import proxy_driver
 
 PATIENCE = 1.0  # s, for both
 MARK = "F1TENTH_TEST_DRIVER=robot1 of a test"
@@ -40,7 +40,7 @@ BUSY = "print('ready', flush=True)\nwhile True: pass"
 
 
 class FakeWorld:
-    """Notes what the proxy driver does; the driver sends commands as its script says: before rest, and after."""
+    """Notes what the proxy driver does; the driver sends commands as scripted: before rest, and after."""
 
     def __init__(self, before=1, after=0, listens=True):
         self.done = []

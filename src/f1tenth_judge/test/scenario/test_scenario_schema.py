@@ -152,12 +152,23 @@ ANSWERS = {
         "    goals: circuit1",
         "    driver: racer",
         "FILE:5: cars[0].driver must be race, pursuit, commands, gap_follower, or a mapping with the keys"
-        " launch, interface, arguments, found 'racer'",
+        " launch, interface, arguments, ros2, found 'racer'",
     ),
     "driver without a launch file": (
         "    goals: circuit1",
         "    driver: {interface: native}",
-        "FILE:5: missing key 'launch' in cars[0].driver; allowed: launch, interface, arguments",
+        "FILE:5: cars[0].driver.launch is missing, and so is 'ros2'; one of them is needed",
+    ),
+    "driver of two kinds": (
+        "    goals: circuit1",
+        "    driver: {launch: my.launch, ros2: ros2 launch my.launch}",
+        "FILE:5: cars[0].driver.launch is given beside 'ros2'; one of them is needed",
+    ),
+    "interface of a ROS 2 driver": (
+        "    goals: circuit1",
+        "    driver: {ros2: my_planner, interface: f1tenth}",
+        "FILE:5: cars[0].driver.interface is for a launch file; with 'ros2' the topics are those of"
+        " f1tenth_gym_ros",
     ),
     "unknown interface": (
         "    goals: circuit1",

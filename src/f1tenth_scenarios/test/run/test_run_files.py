@@ -113,8 +113,8 @@ def test_results_survive_a_later_run_that_breaks(tmp_path):
     ("writer", "file"),
     [
         ("f1tenth_judge.results.picture.write_picture", "trajectory.png"),
-        ("f1tenth_scenarios.run.run.write_replay", "replay.json.gz"),
-        ("f1tenth_scenarios.run.run.write_trajectory", "trajectory.csv"),
+        ("f1tenth_judge.run.outcome.write_replay", "replay.json.gz"),
+        ("f1tenth_judge.run.outcome.write_trajectory", "trajectory.csv"),
     ],
 )
 def test_a_file_that_cannot_be_written_does_not_cost_the_verdict(

@@ -1,9 +1,9 @@
 """Takes part in lockstep for a driver whose nodes know nothing of it; docs/lockstep.md has the rules.
 
 A period is over when all that it has brought is handled: when every thread of the driver's processes is at
-rest. The driver gets its scans and its clock from the proxy driver: the scan when all other messages are handled,
-the time after the scan. So a planner finds the same messages whenever it acts, though each comes over a
-connection of its own.
+rest. The driver gets its scans and its clock from the proxy driver: the scan when all other messages are
+handled, the time after the scan. So a planner finds the same messages whenever it acts, though each comes
+over a connection of its own.
 """
 
 import os

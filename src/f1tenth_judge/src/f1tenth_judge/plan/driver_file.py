@@ -9,6 +9,7 @@ from typing import Optional
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.places import lookup
 from f1tenth_judge.scenario.car import Car
+from f1tenth_judge.scenario.driver import Driver
 
 # Its value, separated by blanks, names nodes that take part in lockstep; for others a deputy does so.
 _PARTICIPANTS = "participants"
@@ -22,10 +23,15 @@ _DRIVER_KEYS = ("line", "speed_max", "acceleration_max", "commands")
 class DriverFile:
     """What is known of a driver before it is started."""
 
-    path: Path
+    path: Path  # of a launch file; the folder in which a command is started
     arguments: frozenset[str]  # that may be given
     required: frozenset[str]  # that must be given
     participants: Optional[str] = None  # of lockstep, with $(arg car_name) in it
+
+    @property
+    def folder(self) -> Path:
+        """Where the driver is."""
+        return self.path if self.path.is_dir() else self.path.parent
 
     @property
     def needs_countdown(self) -> bool:
@@ -50,15 +56,26 @@ def find_driver(car: Car, beside: Path) -> DriverFile:
     Raises:
         ScenarioError: there is no such file, or it does not take what it is given.
     """
-    file = read_driver_file(lookup.file_at(car.driver.launch, beside))
+    file = driver_file(car.driver, beside)
     known = ", ".join(sorted(file.arguments)) or "none"
     for name in car.driver.arguments:
-        if name not in file.arguments:
+        if car.driver.launch and name not in file.arguments:
             raise ScenarioError(f"{car.name}: {file.path} has no argument '{name}'; it has: {known}")
     for key in _DRIVER_KEYS:
         if getattr(car, key) and key not in file.arguments:
             raise ScenarioError(f"{car.name}: '{key}' is nothing that the driver '{car.driver.name}' takes")
     return file
+
+
+def driver_file(driver: Driver, beside: Path) -> DriverFile:
+    """What is known of a driver, its path from `beside`: nothing of a command.
+
+    Raises:
+        ScenarioError: there is no such launch file.
+    """
+    if driver.ros2:
+        return DriverFile(beside, frozenset(), frozenset())
+    return read_driver_file(lookup.file_at(driver.launch, beside))
 
 
 def read_driver_file(path: Path) -> DriverFile:

@@ -40,8 +40,8 @@ class Plan:
 
     @property
     def driver_folders(self) -> dict[str, Path]:
-        """Per car, where the launch file of its driver is."""
-        return {name: car.driver.path.parent for name, car in self.cars.items()}
+        """Per car, where its driver is."""
+        return {name: car.driver.folder for name, car in self.cars.items()}
 
     def goals_file(self, car: str) -> Optional[Path]:
         """Where the goals of a car are; goals that are in no file are written into the log folder."""
@@ -52,6 +52,11 @@ class Plan:
     def run_world(self) -> Path:
         """The world that is simulated: with the scenario's boxes."""
         return self.log_folder / "boxes.world" if self.scenario.boxes else self.place.world
+
+    @property
+    def needs_ros(self) -> bool:
+        """Whether a driver is a launch file of ROS 1."""
+        return any(car.driver.launch for car in self.scenario.cars)
 
     @property
     def has_countdown(self) -> bool:

@@ -9,7 +9,7 @@ import yaml
 from f1tenth_judge.errors import FileError, NotApplicableError, as_scenario_error
 from f1tenth_judge.places import lookup
 from f1tenth_judge.places.place import find_place
-from f1tenth_judge.plan.driver_file import DriverFile, read_driver_file
+from f1tenth_judge.plan.driver_file import DriverFile, driver_file
 from f1tenth_judge.scenario.car import Car
 from f1tenth_judge.scenario.driver import Driver
 from f1tenth_judge.scenario.scenario import Scenario, Verdict
@@ -40,7 +40,7 @@ def with_planner(scenario: Scenario, node: yaml.Node, beside: Path) -> Scenario:
         ScenarioError: there is no such driver.
     """
     planner = read(Driver, node, PLANNER)
-    file = read_driver_file(lookup.file_at(planner.launch, beside))
+    file = driver_file(planner, beside)
     _require_sense(scenario, file)
     circuit = _circuit(scenario, beside)
     cars = (

@@ -18,6 +18,7 @@ from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.planner import PLANNER, with_planner
 from f1tenth_judge.plan.scenario_world import check_boxes
 from f1tenth_judge.plan.source import read_scenario
+from f1tenth_judge.plan.without_ros import check_without_ros
 from f1tenth_judge.scenario.scenario import Localization, Scenario, Verdict
 from f1tenth_judge.scenario.settings import apply_settings, parse_setting
 from f1tenth_judge.scenario.yaml_text import compose_text
@@ -71,6 +72,8 @@ def plan_scenario(file: Path, scenario: Scenario, folder: Path) -> Plan:
     cars = {car.name: plan_car(car, drivers[car.name], around) for car in scenario.cars}
     plan = Plan(file.stem, file, scenario, place, cars, folder, course)
     _check(plan)
+    if not plan.needs_ros:
+        return plan
     originals = " and ".join(originals_among(participants(plan)))
     return in_real_time(plan, f"the original of {originals} knows no lockstep") if originals else plan
 
@@ -82,6 +85,7 @@ def _course(scenario: Scenario, place: Place, beside: Path) -> Optional[Course]:
 
 def _check(plan: Plan) -> None:
     scenario = plan.scenario
+    check_without_ros(plan)
     for car in scenario.cars:
         driver_arguments(plan, car)
         if description := plan.cars[car.name].description:

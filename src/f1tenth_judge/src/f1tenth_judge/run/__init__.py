@@ -1,1 +1,1 @@
-"""What a run needs that knows no ROS: processes, and what their output and their commands tell."""
+"""A run without ROS: its processes, the simulation, the drivers, and the loop until it is decided."""

@@ -4,7 +4,7 @@ import dataclasses
 import enum
 from typing import Any
 
-from f1tenth_judge.yaml_files.schema import key
+from f1tenth_judge.yaml_files.schema import Problem, key
 
 _OWN = "package://f1tenth_scenarios/launch/drivers"
 
@@ -21,8 +21,9 @@ class Driver:
     """A driver as a scenario names it."""
 
     launch: str = key(
-        "Launch file: a path relative to the scenario file, or package://PACKAGE/PATH. It is started in the"
-        " car's namespace."
+        "Launch file of ROS 1: a path relative to the scenario file, or package://PACKAGE/PATH. It is started"
+        " in the car's namespace. Either this or `ros2` must be given.",
+        default="",
     )
     interface: Interface = key(
         "`native`: the topics of the car's namespace; `f1tenth`: those of f1tenth_simulator and"
@@ -30,10 +31,25 @@ class Driver:
         default=Interface.NATIVE,
     )
     arguments: dict[str, str] = key(
-        "Values for arguments of the launch file. One that names a file that is there, relative to the"
-        " scenario file or as package://PACKAGE/PATH, is given as its path.",
+        "Values for arguments of the launch file, or NAME:=VALUE behind the command of `ros2`. One that names"
+        " a file that is there, relative to the scenario file or as package://PACKAGE/PATH, is given as its"
+        " path.",
         default={},
     )
+    ros2: str = key(
+        "Command that starts a planner of ROS 2, as in `ros2 launch my_package planner.launch.py`. It finds"
+        " the topics of f1tenth_gym_ros.",
+        default="",
+    )
+
+    def problem(self) -> Problem:
+        """What is wrong between the keys: the key and the text, or nothing."""
+        if bool(self.launch) == bool(self.ros2):
+            found = "given beside" if self.ros2 else "missing, and so is"
+            return "launch", f"is {found} 'ros2'; one of them is needed"
+        if self.ros2 and self.interface is not Interface.NATIVE:
+            return "interface", "is for a launch file; with 'ros2' the topics are those of f1tenth_gym_ros"
+        return None
 
     @classmethod
     def short_forms(cls) -> dict[str, "Driver"]:
@@ -47,7 +63,8 @@ class Driver:
 
     def as_dict(self) -> dict[str, Any]:
         """As it is written in a scenario file."""
-        entries = {"launch": self.launch, "interface": self.interface.value}
+        launch = {"launch": self.launch, "interface": self.interface.value}
+        entries = {"ros2": self.ros2} if self.ros2 else launch
         return entries | ({"arguments": dict(self.arguments)} if self.arguments else {})
 
     @property
@@ -57,6 +74,6 @@ class Driver:
 
     @property
     def name(self) -> str:
-        """The short form, else the launch file."""
+        """The short form, else the launch file or the command."""
         names = (name for name, driver in self.short_forms().items() if driver.launch == self.launch)
-        return next(names, self.launch)
+        return self.ros2 or next(names, self.launch)

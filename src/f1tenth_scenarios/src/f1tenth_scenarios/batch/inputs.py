@@ -73,7 +73,7 @@ def _driver_files(plan: Plan) -> Iterator[Path]:
     for car in plan.scenario.cars:
         yield from (Path(text) for text in given_arguments(plan, car).values() if text.startswith("/"))
         # Not what is in folders below it: results may be there.
-        beside = plan.cars[car.name].driver.path.parent.iterdir()
+        beside = plan.cars[car.name].driver.folder.iterdir()
         yield from (file for file in beside if not file.name.endswith(_IRRELEVANT_SUFFIXES))
 
 

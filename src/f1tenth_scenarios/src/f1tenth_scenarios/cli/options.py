@@ -7,7 +7,7 @@ from typing import Optional
 
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.places import lookup
-from f1tenth_judge.plan.driver_file import read_driver_file
+from f1tenth_judge.plan.driver_file import driver_file
 from f1tenth_judge.scenario.driver import Driver, Interface
 
 # Drivers that follow given commands need more than a road.
@@ -35,8 +35,22 @@ def check_planner_options(options) -> None:
     Raises:
         ScenarioError: --arg or --interface without --planner.
     """
-    if not options.planner and (options.arg or options.interface != Interface.NATIVE.value):
+    if not (options.planner or options.ros2) and (options.arg or options.interface != Interface.NATIVE.value):
         raise ScenarioError(f"{'--arg' if options.arg else '--interface'} is for a --planner")
+
+
+def ros2_planners(commands: Sequence[str], options) -> list[Driver]:
+    """The planners of ROS 2 that options name, each with all --arg.
+
+    Raises:
+        ScenarioError: --interface, or an --arg that is not of its form.
+    """
+    if commands and options.interface != Interface.NATIVE.value:
+        raise ScenarioError(
+            "--interface is for a --planner; with --ros2 the topics are those of f1tenth_gym_ros"
+        )
+    arguments = dict(_argument(text) for text in options.arg)
+    return [Driver(ros2=command, arguments=arguments) for command in commands]
 
 
 def planner_of(name: str, options) -> Driver:
@@ -62,7 +76,7 @@ def planners_of(names: Sequence[str], options) -> list[Driver]:
         ScenarioError: as planner_of.
     """
     planners = [planner_of(name, options) for name in names]
-    known = [read_driver_file(lookup.file_at(each.launch, Path.cwd())).arguments for each in planners]
+    known = [driver_file(each, Path.cwd()).arguments for each in planners]
     given = {name for each in planners for name in each.arguments}
     nowhere = given.difference(*known)
     return [

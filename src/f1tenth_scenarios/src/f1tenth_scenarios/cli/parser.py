@@ -21,6 +21,9 @@ _VARY = "FIRST:LAST (whole numbers), FIRST:LAST:COUNT or A,B,C; several keys: ev
 _TABLE = "one more table of the runs: FILE.parquet keeps types, FILE.csv is text"
 _AGAINST = "results to compare with; default: those of the commit before, which each run keeps"
 _PATH = "look for scenarios, worlds, goals and circuits in FOLDER's folders of these names, too"
+_ROS2 = (
+    "command that starts a planner of ROS 2, which finds the topics of f1tenth_gym_ros; no ROS 1 is started"
+)
 _PLACE = "name of a circuit or world, or the path of a .world file or of the YAML file of a map"
 _PLANNER = f"launch file of a planner, or one of ours ({OUR_PLANNERS})"
 
@@ -73,6 +76,7 @@ def _add_run(commands: _Subparsers) -> None:
     command.add_argument("--jobs", type=int, default=1, metavar="N", help="run N at a time; default: 1")
     _add_repeat(command)
     command.add_argument("--planner", metavar="LAUNCH", help=f"drive with it instead of ours: {_PLANNER}")
+    command.add_argument("--ros2", metavar="COMMAND", help=f"drive with it instead of ours: {_ROS2}")
     _add_planner(command)
     _add_run_options(command, "write to FOLDER/NAME")
 
@@ -88,6 +92,9 @@ def _add_race(commands: _Subparsers) -> None:
         default=[],
         metavar="LAUNCH",
         help=f"{_PLANNER}; twice: a race of two; default: race",
+    )
+    command.add_argument(
+        "--ros2", action="append", default=[], metavar="COMMAND", help=f"{_ROS2}; twice: a race of two"
     )
     command.add_argument(
         "--description", metavar="FILE", help="URDF or xacro file of the cars; default: the F1/10 car"

@@ -17,6 +17,7 @@ from f1tenth_scenarios.cli.options import (
     file_option,
     planners_of,
     results_of,
+    ros2_planners,
 )
 from f1tenth_scenarios.cli.run_command import check_repeat, run_plan, run_repeatedly, with_report
 
@@ -26,7 +27,8 @@ def race(options) -> int:
     expect_at_least(1, options.laps, "--laps")
     _check_name(options.name)
     check_planner_options(options)
-    planners = planners_of(options.planner, options) or [Driver.short_forms()["race"]]
+    planners = [*planners_of(options.planner, options), *ros2_planners(options.ros2, options)]
+    planners = planners or [Driver.short_forms()["race"]]
     description = options.description and file_option(options.description)
     wanted = Race(options.place, options.laps, planners, options.timeout, description, options.name)
     plan = plan_race(wanted, results_of(options) / wanted.name, options.set)

@@ -11,11 +11,19 @@ from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.planner import planner_setting
 from f1tenth_judge.plan.planning import make_plan
 from f1tenth_judge.results.console import CountLine, ProgressLine, cost_of_all, summary
+from f1tenth_judge.results.result import Result
+from f1tenth_judge.run.loop import Progress
 from f1tenth_judge.stop_request import StopRequest
 
 from f1tenth_scenarios.batch.jobs import Job, Outcome, run_jobs
 from f1tenth_scenarios.cli.exit_codes import NOT_PASSED, PASSED, exit_code
-from f1tenth_scenarios.cli.options import check_planner_options, expect_at_least, planner_of, results_of
+from f1tenth_scenarios.cli.options import (
+    check_planner_options,
+    expect_at_least,
+    planner_of,
+    results_of,
+    ros2_planners,
+)
 from f1tenth_scenarios.cli.show_commands import report
 from f1tenth_scenarios.launch.private_master import private_master
 from f1tenth_scenarios.launch.system_limits import require_memory
@@ -27,8 +35,12 @@ def run(options) -> int:
     """Run scenarios."""
     _check(options)
     settings = list(options.set)
+    if options.planner and options.ros2:
+        raise ScenarioError("--ros2 is given beside --planner; one planner drives in all scenarios")
     if options.planner:
         settings.append(planner_setting(planner_of(options.planner, options)))
+    if options.ros2:
+        settings.append(planner_setting(ros2_planners([options.ros2], options)[0]))
     if options.repeat is not None:
         if len(options.names) != 1:
             raise ScenarioError(_REPEAT)
@@ -46,16 +58,27 @@ def run(options) -> int:
 
 def run_plan(plan: Plan) -> int:
     """Run one scenario and print the outcome; returns the exit code."""
-    from f1tenth_scenarios.run.ros_session import run_with_ros
-
     require_memory()
     progress = ProgressLine(plan.name)
-    master = contextlib.nullcontext() if plan.watched else private_master()
-    with StopRequest().listening() as stop, master:
-        result = run_with_ros(plan, stop, progress.update)
+    with StopRequest().listening() as stop:
+        result = (_run_with_ros if plan.needs_ros else _run_without_ros)(plan, stop, progress.update)
     progress.clear()
     print(summary(result, plan), flush=True)
     return exit_code(result.passed, stop)
+
+
+def _run_with_ros(plan: Plan, stop: StopRequest, progress: Progress) -> Result:
+    from f1tenth_scenarios.run.ros_session import run_with_ros
+
+    with contextlib.nullcontext() if plan.watched else private_master():
+        return run_with_ros(plan, stop, progress)
+
+
+def _run_without_ros(plan: Plan, stop: StopRequest, progress: Progress) -> Result:
+    from f1tenth_judge.drivers.ros2.driver import ros2_drivers
+    from f1tenth_judge.run.execute import execute
+
+    return execute(plan, ros2_drivers, stop, progress)
 
 
 def with_report(code: int, options) -> int:

@@ -4,27 +4,20 @@ import contextlib
 import dataclasses
 import time
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Callable, Optional
 
-from f1tenth_judge.errors import MapError, ScenarioError
-from f1tenth_judge.judge import criteria
-from f1tenth_judge.judge.criterion import Measured
-from f1tenth_judge.judge.driving_criteria import least_clearance
-from f1tenth_judge.judge.judge import judge
-from f1tenth_judge.judge.laps import lap_times, start_of_race
-from f1tenth_judge.judge.road import excursions
-from f1tenth_judge.places.map_file import Grid, load_map
+from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.plan.plan import Plan
-from f1tenth_judge.record.files import BAG_FILE, PICTURE_FILE, REPLAY_FILE, TRAJECTORY_FILE
+from f1tenth_judge.record.files import BAG_FILE, REPLAY_FILE
 from f1tenth_judge.record.interventions import read_interventions
 from f1tenth_judge.record.observations import Failure, Observations
 from f1tenth_judge.record.record import Record, first_record, read_record
-from f1tenth_judge.record.replay import Replay, write_replay
+from f1tenth_judge.record.replay import Replay
 from f1tenth_judge.results import versions
-from f1tenth_judge.results.result import Result, write_trajectory
+from f1tenth_judge.results.result import Result
 from f1tenth_judge.results.results_folder import claimed
 from f1tenth_judge.results.writing import write_rest, write_verdict
+from f1tenth_judge.run.outcome import Files, files_of_record, judged, worth_a_wait, write_scene
 from f1tenth_judge.run.processes import ProcessTree
 from f1tenth_judge.stop_request import StopRequest
 
@@ -35,8 +28,6 @@ from f1tenth_scenarios.run.supervisor import Progress, Supervisor
 
 if TYPE_CHECKING:  # it needs ROS
     from f1tenth_scenarios.run.ros_watch import RosWatch
-
-Files = Mapping[str, Callable[[Path], None]]  # what writes a file of the results, by its name
 
 # Wall s, for roslaunch to end its nodes; it takes 3.5 s for those that do not listen, which nobody who has
 # pressed Ctrl-C waits for.
@@ -77,9 +68,11 @@ def execute(
             done = dataclasses.replace(done, folder=folder, wall_time=time.monotonic() - started)
             # First, because whatever else cannot be written must not cost the verdict.
             write_verdict(plan, done)
-            problems = write_rest(folder, _worth_a_wait(_files_of_record(plan, done, preparation), stop))
+            problems = write_rest(
+                folder, worth_a_wait(files_of_record(plan, done, preparation.picture), stop)
+            )
             tree.interrupt(recorder, _grace(stop))
-            problems += write_rest(folder, _worth_a_wait(_files_of_bag(plan, done, preparation), stop))
+            problems += write_rest(folder, worth_a_wait(_files_of_bag(plan, done, preparation), stop))
         plan.bag_file.unlink(missing_ok=True)
         done = dataclasses.replace(done, wall_time=time.monotonic() - started, not_written=problems)
         with contextlib.suppress(ScenarioError):  # what it wrote before was complete except for the time
@@ -117,7 +110,7 @@ def _drive(plan, tree, watch, stop, progress) -> tuple[Result, Preparation, Opti
         # The others may take their time to end, the simulator completes its record.
         tree.interrupt(supervisor.pid("sim2d"), _grace(stop))
         seen = _observations(plan, supervisor, watch, failure)
-        done = _judge(plan, seen, watch.estimates(), supervisor.pace.factor)
+        done = judged(plan, seen, supervisor.pace.factor, watch.estimates())
         done = dataclasses.replace(done, note="; ".join(filter(None, (done.note, supervisor.note()))))
         if not stop.signal:
             preparation.begin()
@@ -136,75 +129,17 @@ def _observations(plan, supervisor, watch, failure) -> Observations:
     )
 
 
-def _judge(plan, seen, estimates, real_time_factor) -> Result:
-    judgement = judge(plan.scenario, plan.tasks, seen)
-    deciding = judgement.decision.stamp
-    measured = Measured(
-        start=start_of_race(plan.tasks, judgement, seen.updates),
-        lap_times=lap_times(plan.scenario, plan.tasks, judgement, seen.updates),
-        real_time_factor=real_time_factor,
-        estimates={car: poses.until(deciding) for car, poses in estimates.items()},
-        excursions=tuple(excursions(plan.course, judgement.record.tracks.values())) if plan.course else None,
-    )
-    judged = tuple(criteria.evaluate(plan.scenario, judgement, measured))
-    return Result(plan.name, plan.scenario, judgement, judged, measured, note=plan.note)
-
-
-def _files_of_record(plan: Plan, done: Result, preparation: Preparation) -> Files:
-    """What is made from the record alone."""
-    record = done.judgement.record
-    lines = (f"{done.judgement.decision.verdict.value}: {done.reason}", _facts(done))
-
-    def write_picture(path):
-        write = preparation.picture().write_picture
-        write(path, plan.name, lines, record, plan.goals, _track_map(plan))
-
-    return {TRAJECTORY_FILE: lambda path: write_trajectory(path, record), PICTURE_FILE: write_picture}
-
-
 def _files_of_bag(plan: Plan, done: Result, preparation: Preparation) -> Files:
     """What needs the bag, which is complete when its recorder has ended."""
 
-    def write_scene(path):
+    def write(path):
         said = Replay()
         try:
             said = read_bag(plan.bag_file, [car.name for car in plan.scenario.cars])
         finally:
-            replay = preparation.scene().with_run(plan.goals, said, _road(plan))
-            write_replay(path, replay.until(done.judgement.decision.stamp))
+            write_scene(path, plan, done, preparation.scene(), said)
 
     if done.judgement.record.end is None and not plan.bag_file.exists():
         return {}  # nothing was started that could be recorded
     is_kept = plan.keep_bag or not done.passed
-    return {REPLAY_FILE: write_scene, **({BAG_FILE: plan.bag_file.rename} if is_kept else {})}
-
-
-def _worth_a_wait(files: Files, stop: StopRequest) -> Files:
-    """The files, without those that take long if somebody waits for the end."""
-    slow = (PICTURE_FILE, REPLAY_FILE) if stop.signal else ()
-    return {name: _leave_out if name in slow else write for name, write in files.items()}
-
-
-def _leave_out(_path: Path) -> None:
-    raise ScenarioError("the run was told to stop")
-
-
-def _road(plan: Plan) -> list[tuple[float, float]]:
-    course = plan.course
-    return [] if course is None else [(round(x, 2), round(y, 2)) for x, y in zip(course.x, course.y)]
-
-
-def _track_map(plan: Plan) -> Optional[Grid]:
-    """None if it cannot be read, which map_server has reported already."""
-    try:
-        return load_map(plan.place.map) if plan.place.map else None
-    except MapError:
-        return None
-
-
-def _facts(done: Result) -> str:
-    facts = [
-        ("lap time", done.best_lap_time, "s"),
-        ("minimum clearance", least_clearance(done.judgement), "m"),
-    ]
-    return ", ".join(f"{name} {value:.3f} {unit}" for name, value, unit in facts if value is not None)
+    return {REPLAY_FILE: write, **({BAG_FILE: plan.bag_file.rename} if is_kept else {})}

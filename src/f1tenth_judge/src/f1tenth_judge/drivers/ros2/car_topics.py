@@ -1,0 +1,100 @@
+"""The topics of one car in its planner's domain: what it senses goes out, what it is told comes in."""
+
+from collections.abc import Iterable
+from typing import Any, Optional
+
+from f1tenth_judge.drivers.ros2 import sensed
+from f1tenth_judge.drivers.ros2.connection import Connection
+from f1tenth_judge.drivers.ros2.messages.basic import Clock, Time
+from f1tenth_judge.drivers.ros2.messages.geometry import TFMessage, Twist
+from f1tenth_judge.drivers.ros2.topics import (
+    CLOCK,
+    COMMANDS,
+    EGO,
+    IMU,
+    INITIAL_POSE,
+    MAP,
+    MAP_OFFERS,
+    ODOMETRY,
+    OFFERS,
+    OPPONENT,
+    OPPONENT_ODOMETRY,
+    OPPONENT_OFFERS,
+    REQUESTS,
+    SCAN,
+    TF,
+    TF_STATIC,
+)
+from f1tenth_judge.places.map_file import Grid
+from f1tenth_judge.run.stage import Command, DriveCommand, Stage, TwistCommand
+
+
+class CarTopics:
+    """Publishes for a car, and for what its planner sees of the other one."""
+
+    def __init__(self, connection: Connection, stage: Stage, car: str, grid: Optional[Grid]):
+        """Offer all topics; `grid` is the map, if the place has one."""
+        self._connection = connection
+        self._stage = stage
+        self._car = car
+        self._others = [name for name in stage.cars if name != car]
+        self._held: list[Any] = []
+        self.initial_poses = 0  # that the planner has sent: they move no car
+        offers = OFFERS | (MAP_OFFERS if grid else {}) | (OPPONENT_OFFERS if self._others else {})
+        for topic, (kind, qos) in offers.items():
+            connection.offer(topic, kind, qos)
+        for topic, kind in REQUESTS.items():
+            connection.request(topic, kind)
+        if lidar := stage.lidar(car):
+            connection.publish(TF_STATIC, sensed.lidar_transform(lidar, EGO))
+        if grid:
+            connection.publish(MAP, sensed.map_message(grid))
+
+    def publish_sensed(self) -> None:
+        """Publish what the last period has brought, but for the scan, which is held, and the time."""
+        time, states = self._stage.time, self._stage.states
+        self._publish(ODOMETRY, sensed.odometry_message, states[self._car], time, EGO)
+        transforms = [sensed.pose_transform(states[self._car], time, EGO)]
+        for other in self._others[:1]:  # f1tenth_gym_ros knows two cars
+            self._publish(OPPONENT_ODOMETRY, sensed.odometry_message, states[other], time, OPPONENT)
+            transforms.append(sensed.pose_transform(states[other], time, OPPONENT))
+        self._publish((TF,), TFMessage, transforms)
+        for stamp, sample in self._stage.imu_samples(self._car):
+            self._publish((IMU,), sensed.imu_message, sample, self._stage.gravity, stamp, EGO)
+        if ranges := self._stage.scan(self._car):
+            self._held.append(sensed.scan_message(*ranges, time, EGO))
+
+    def publish_scans(self) -> None:
+        """Publish the scans that are held."""
+        for scan in self._held:
+            self._connection.publish(SCAN, scan)
+        self._held.clear()
+
+    def publish_clock(self, time: float) -> None:
+        """Tell the time (s)."""
+        self._connection.publish(CLOCK, Clock(Time.of(time)))
+
+    def is_scan_heard(self) -> bool:
+        """Whether somebody has subscribed to scans."""
+        return self._connection.hearers(SCAN) > 0
+
+    def take_commands(self) -> list[Command]:
+        """What the planner has sent since, in order."""
+        self.initial_poses += len(self._connection.take(INITIAL_POSE))
+        messages = [each for topic in COMMANDS for each in self._connection.take(topic)]
+        messages.sort(key=lambda each: each.sample_info.source_timestamp)
+        return [_command(each) for each in messages]
+
+    def _publish(self, topics: Iterable[str], make, *arguments) -> None:
+        """Publish a message on the topics that somebody hears; nobody waits for others."""
+        heard = [topic for topic in topics if self._connection.hearers(topic)]
+        if heard:
+            message = make(*arguments)
+            for topic in heard:
+                self._connection.publish(topic, message)
+
+
+def _command(message) -> Command:
+    if isinstance(message, Twist):
+        return TwistCommand(message.linear.x, message.angular.z, message.linear.y)
+    return DriveCommand(message.drive.speed, message.drive.steering_angle)

@@ -1,0 +1,157 @@
+"""A planner that speaks ROS 2, started by a command, as the driver of a car."""
+
+import contextlib
+import shlex
+from collections.abc import Iterator
+from typing import Optional
+
+import f1tenth_sim2d
+from f1tenth_judge.drivers.proxy_driver import ProxyDriver
+from f1tenth_judge.drivers.ros2.car_topics import CarTopics
+from f1tenth_judge.drivers.ros2.connection import Connection
+from f1tenth_judge.drivers.ros2.isolation import child_environment, private_domain
+from f1tenth_judge.drivers.ros2.planner_view import PlannerView
+from f1tenth_judge.drivers.ros2.why_mute import NO_CLOCK, ignores_clock, mismatched, why_mute
+from f1tenth_judge.errors import MisfitError, RestlessError
+from f1tenth_judge.places.map_file import Grid
+from f1tenth_judge.plan.handover import given_arguments
+from f1tenth_judge.plan.plan import Plan
+from f1tenth_judge.record.observations import Failure
+from f1tenth_judge.run.command_watch import CommandCount, CommandWatch
+from f1tenth_judge.run.log_excerpt import exception_in, last_lines, quoted
+from f1tenth_judge.run.outcome import track_map
+from f1tenth_judge.run.processes import ProcessTree
+from f1tenth_judge.run.stage import Stage
+from f1tenth_judge.stop_request import StopRequest
+
+_MARK = "F1TENTH_DRIVER"  # in the environment of the planner's processes
+_RESTLESS = "has not come to rest within {:g} s of wall time (limits.answer)"
+_GRACE = 4.0  # wall s, to end after SIGINT
+_COUNT_INTERVAL = 1.0  # simulated s, between two looks at the commands
+
+
+class Ros2Driver:
+    """Starts a command in a domain of its own, and drives as its nodes say."""
+
+    def __init__(self, plan: Plan, stage: Stage, car: str, grid: Optional[Grid], stop: StopRequest):
+        """Start the planner of a car; its output goes to CAR.log in the plan's log folder.
+
+        CAR.env there tells which variables it was given.
+
+        Raises:
+            ScenarioError: no domain is left.
+        """
+        self._car, self._limits, self._in_lockstep = car, plan.scenario.limits, plan.scenario.lockstep
+        self._log = plan.log_folder / f"{car}.log"
+        self._watch = CommandWatch([car], self._limits.silence, _time_to_load(plan))
+        self._counted = 0.0  # s, when the commands were looked at last
+        self._accepted, self._refused, self._refusal = 0, 0, ""
+        self._restless: Optional[RestlessError] = None
+        with contextlib.ExitStack() as opened:
+            domain = opened.enter_context(private_domain())
+            self._connection = Connection(domain)
+            opened.callback(self._connection.close)
+            self._topics = CarTopics(self._connection, stage, car, grid)
+            self._view = PlannerView(self._connection, self._topics, lambda: self._has_ended(stop))
+            mark = f"{car} of {plan.folder}"
+            variables = {"PYTHONUNBUFFERED": "1", **child_environment(domain), _MARK: mark}
+            environment_file = plan.log_folder / f"{car}.env"
+            environment_file.write_text("".join(f"{name}={value}\n" for name, value in variables.items()))
+            self._tree = ProcessTree(["bash", "-c", _command(plan, car)], self._log, variables)
+            opened.callback(self._tree.stop, _GRACE)
+            self._proxy = ProxyDriver(self._view, f"{_MARK}={mark}", self._limits.answer, self._limits.load)
+            self._opened = opened.pop_all()
+
+    def begin(self) -> None:
+        """Let it load and connect; see Driver."""
+        if self._in_lockstep:
+            with self._named_misfit():
+                self._proxy.begin()
+
+    def act(self, stage: Stage) -> None:
+        """Let it handle a period; see Driver."""
+        self._topics.publish_sensed()
+        if self._in_lockstep:
+            try:
+                with self._named_misfit():
+                    self._proxy.act(stage.time)
+            except RestlessError as error:
+                self._restless = error
+        else:
+            self._view.publish_scans()
+            self._view.publish_clock(stage.time)
+        for command in self._view.new_commands():
+            try:
+                stage.command(self._car, command)
+                self._accepted += 1
+            except f1tenth_sim2d.Error as error:
+                self._refused, self._refusal = self._refused + 1, str(error)
+
+    def failure(self, time: float, is_done: bool) -> Optional[Failure]:
+        """Why it is of no use; see Driver."""
+        if is_done:
+            return None
+        code = self._tree.exit_code()
+        if code is not None:
+            return self._failed(f"ended with exit code {code}", time)
+        if self._restless:
+            return self._failed(_RESTLESS.format(self._limits.answer), time)
+        if time - self._counted >= _COUNT_INTERVAL:
+            self._counted = time
+            self._watch.take(CommandCount(time, self._car, self._accepted, self._refused, self._refusal))
+        for problem in self._watch.problems(set()):
+            reasons = why_mute(self._connection) if problem.is_mute else []
+            return self._failed("; ".join([problem.text, *reasons]), problem.stamp)
+        return None
+
+    def note(self) -> str:
+        """What does not fit, and did not keep it from driving."""
+        found = mismatched(self._connection)
+        found += [NO_CLOCK] if ignores_clock(self._connection) else []
+        if self._topics.initial_poses:
+            found.append("/initialpose moves no car in a judged run")
+        return "; ".join(f"{self._car}: {each}" for each in found)
+
+    def close(self) -> None:
+        """End the planner, and leave its domain."""
+        self._opened.close()
+
+    @contextlib.contextmanager
+    def _named_misfit(self) -> Iterator[None]:
+        try:
+            yield
+        except MisfitError as misfit:
+            why = f"the driver of {self._car} does not fit lockstep: {misfit}"
+            raise MisfitError(why) from misfit
+
+    def _has_ended(self, stop: StopRequest) -> bool:
+        return bool(stop.signal) or self._tree.exit_code() is not None
+
+    def _failed(self, reason: str, time: float) -> Failure:
+        lines = last_lines(self._log)
+        raised = exception_in(lines)
+        why = f"{reason}; it raised {raised}" if raised else reason
+        return Failure(f"{self._car}/planner", why, str(self._log), tuple(quoted(lines)), time)
+
+
+def _time_to_load(plan: Plan) -> float:
+    """Simulated time (s) for which a planner may load: none in lockstep, where time waits for it."""
+    scenario = plan.scenario
+    return 0.0 if scenario.lockstep else scenario.limits.load * scenario.real_time_factor
+
+
+def _command(plan: Plan, name: str) -> str:
+    car = next(each for each in plan.scenario.cars if each.name == name)
+    told = given_arguments(plan, car).items()
+    return " ".join([car.driver.ros2, *(shlex.quote(f"{name}:={value}") for name, value in told)])
+
+
+def ros2_drivers(
+    plan: Plan, stage: Stage, stop: StopRequest, stack: contextlib.ExitStack
+) -> dict[str, Ros2Driver]:
+    """The drivers of a plan whose planners all speak ROS 2; see run.execute.Drivers."""
+    grid = track_map(plan)
+    return {
+        car: stack.enter_context(contextlib.closing(Ros2Driver(plan, stage, car, grid, stop)))
+        for car in stage.cars
+    }

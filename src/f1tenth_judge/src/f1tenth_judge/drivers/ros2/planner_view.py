@@ -1,0 +1,65 @@
+"""A planner as lockstep sees it: what it hears, whether it has come up, how many commands it has sent."""
+
+from collections.abc import Sequence
+from typing import Callable
+
+from f1tenth_judge.drivers.ros2.car_topics import CarTopics
+from f1tenth_judge.drivers.ros2.connection import Connection
+from f1tenth_judge.run.stage import Command
+
+
+class PlannerView:
+    """What the proxy driver sees and does on DDS. All is sent when something that publishes returns."""
+
+    def __init__(self, connection: Connection, topics: CarTopics, is_over: Callable[[], bool]):
+        """`is_over`: whether the run ends."""
+        self._connection = connection
+        self._topics = topics
+        self._commands: list[Command] = []
+        self._count = 0
+        self.is_over = is_over
+
+    def helpers(self) -> Sequence[int]:
+        """Processes besides the planner's that have to be at rest: none."""
+        return ()
+
+    def connections(self) -> object:
+        """Who is connected to what; equal as long as nothing has changed."""
+        ends = (*self._connection.published(), *self._connection.subscribed())
+        return sorted(each.key for each in ends), self._connection.participants()
+
+    def missing(self) -> set:
+        """Connections that should exist by now: none, as the two ends of a topic find each other at once."""
+        return set()
+
+    def commands(self) -> int:
+        """How many commands the planner has sent so far."""
+        self._take()
+        return self._count
+
+    def has_listener(self) -> bool:
+        """Whether the planner has subscribed to scans."""
+        return self._topics.is_scan_heard()
+
+    def has_node(self) -> bool:
+        """Whether a process of the planner has joined the domain."""
+        return self._connection.participants() > 0
+
+    def publish_scans(self) -> None:
+        """Give the planner its scan."""
+        self._topics.publish_scans()
+
+    def publish_clock(self, stamp: float) -> None:
+        """Tell the planner the time (s)."""
+        self._topics.publish_clock(stamp)
+
+    def new_commands(self) -> list[Command]:
+        """The commands since the last call, in order."""
+        self._take()
+        new, self._commands = self._commands, []
+        return new
+
+    def _take(self) -> None:
+        new = self._topics.take_commands()
+        self._commands += new
+        self._count += len(new)

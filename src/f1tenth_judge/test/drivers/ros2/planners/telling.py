@@ -1,0 +1,58 @@
+"""Planners that drive slowly and tell what they hear; the argument names one."""
+
+import sys
+
+from dds_node import LATCHED, Node
+from f1tenth_judge.drivers.ros2.messages.driving import AckermannDrive, AckermannDriveStamped
+from f1tenth_judge.drivers.ros2.messages.geometry import TFMessage
+from f1tenth_judge.drivers.ros2.messages.navigation import OccupancyGrid, Odometry
+from f1tenth_judge.drivers.ros2.messages.sensing import LaserScan
+
+
+def slow_node():
+    node = Node()
+    publish = node.publisher("drive", AckermannDriveStamped)
+    command = AckermannDriveStamped(drive=AckermannDrive(speed=0.5))
+    node.subscribe("scan", LaserScan, lambda scan: publish(command))
+    return node
+
+
+def tells_both():
+    """Per stamp, where its own car is and where the other one is: y, m."""
+    node, own = slow_node(), {}
+
+    def note(odometry):
+        own[odometry.header.stamp.seconds] = odometry.pose.pose.position.y
+
+    def tell(odometry):
+        stamp = odometry.header.stamp.seconds
+        print(stamp, own[stamp], odometry.pose.pose.position.y, flush=True)
+
+    node.subscribe("ego_racecar/odom", Odometry, note)
+    node.subscribe("opp_racecar/odom", Odometry, tell)
+    node.spin()
+
+
+def tells_where_all_is():
+    node, told = slow_node(), set()
+
+    def tell(*words):
+        if words not in told:
+            told.add(words)
+            print(*words, flush=True)
+
+    def tell_frames(message):
+        for each in message.transforms:
+            tell(each.header.frame_id, each.child_frame_id)
+
+    def tell_map(grid):
+        tell("map", grid.info.width, grid.info.height, sum(grid.data))
+
+    node.subscribe("map", OccupancyGrid, tell_map, LATCHED)
+    node.subscribe("tf_static", TFMessage, tell_frames, LATCHED)
+    node.subscribe("tf", TFMessage, tell_frames)
+    node.spin()
+
+
+if __name__ == "__main__":
+    globals()[sys.argv[1]]()

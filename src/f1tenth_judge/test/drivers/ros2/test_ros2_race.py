@@ -1,0 +1,138 @@
+"""Planners on DDS alone, judged as those of ROS 2 are: the same drive every time, or what is wrong."""
+
+import shlex
+import sys
+from pathlib import Path
+
+import psutil
+import pytest
+from f1tenth_judge.drivers.ros2.driver import ros2_drivers
+from f1tenth_judge.places import lookup
+from f1tenth_judge.places.map_file import load_map
+from f1tenth_judge.plan.race import Race, plan_race
+from f1tenth_judge.record.files import read_json
+from f1tenth_judge.run.execute import execute
+from f1tenth_judge.scenario.driver import Driver
+from f1tenth_judge.stop_request import StopRequest
+
+PLANNERS = Path(__file__).parent / "planners"
+
+
+def command(file, how):
+    return shlex.join([sys.executable, str(PLANNERS / f"{file}.py"), how])
+
+
+def environment_of(process):
+    try:
+        return str(process.environ())
+    except psutil.Error:  # it has ended
+        return ""
+
+
+@pytest.fixture
+def race(tmp_path):
+    """Lets planners race on circuit1; returns what result.json says."""
+
+    def run(*commands, settings=()):
+        planners = [Driver(ros2=each) for each in commands]
+        plan = plan_race(Race("circuit1", 1, planners), tmp_path, ["limits.timeout=5", *settings])
+        execute(plan, ros2_drivers, StopRequest())
+        assert not [each for each in psutil.process_iter() if str(tmp_path) in environment_of(each)]
+        return read_json(tmp_path / "result.json")
+
+    return run
+
+
+def test_planner_drives_a_lap(race):
+    result = race(command("gap", "by_subscription"), settings=["limits.timeout=40"])
+    assert (result["verdict"], result["lockstep"]) == ("success", True)
+    assert result["criteria"]
+
+
+def test_same_drive_by_one_node_and_by_three(race):
+    hashes = {
+        race(command("gap", how))["trajectory_hash"]
+        for how in ("by_subscription", "by_subscription", "by_three_nodes")
+    }
+    assert len(hashes) == 1
+
+
+def test_timers_go_by_simulated_time(race, tmp_path):
+    results = [race(command("gap", "by_timer")) for _ in range(2)]
+    assert results[0]["trajectory_hash"] == results[1]["trajectory_hash"]
+    assert results[0]["note"] == ""
+    stamps = [float(line) for line in (tmp_path / "log" / "robot1.log").read_text().splitlines()]
+    assert {round(later - earlier, 9) for earlier, later in zip(stamps, stamps[1:])} == {0.05}
+    assert len(stamps) > 90
+
+
+def test_each_planner_hears_its_own_car_and_sees_the_other(race, tmp_path):
+    result = race(command("telling", "tells_both"), command("telling", "tells_both"))
+    assert set(result["cars"]) == {"robot1", "robot2"}
+    first, second = ((tmp_path / "log" / f"robot{n}.log").read_text().splitlines() for n in (1, 2))
+    assert len(first) > 150
+    assert {line.split()[0]: line.split()[1] for line in first} == {
+        line.split()[0]: line.split()[2] for line in second
+    }
+
+
+WRONG = {
+    "ends_at_once": "ended with exit code 0",
+    "dies_at_once": "ended with exit code 1; it raised ValueError: no model weights in /models",
+    "raises_in_callback": "exit code 1; it raised AttributeError: 'LaserScan' object has no attribute",
+    "is_silent": "has sent no command at all for 2 s of simulated time (limits.silence); no node of it",
+    "says_nan": "that the simulator refuses (at 2 s): robot1: commanded speed (m/s) is nan",
+    "floods": "sends 4000 commands per second of simulated time (at 1 s), may be 400",
+    "hangs_in_callback": "has not come to rest within 2 s of wall time (limits.answer)",
+    "sends_elsewhere": "publishes ackermann_msgs/msg/AckermannDriveStamped on /nav, which nobody hears; the",
+    "sends_twists": "publishes geometry_msgs/msg/Twist on /drive, which is ackermann_msgs/msg/Ackermann",
+    "hears_another_type": "hears sensor_msgs/msg/Imu on /scan, which is sensor_msgs/msg/LaserScan; hears /li",
+    "sends_best_effort": "does not match by its QoS: requested reliable, the planner offers best effort",
+    "hears_latched_scans": "/scan does not match by its QoS: requested transient local, the car offers vol",
+}
+
+
+@pytest.mark.parametrize(("how", "reason"), WRONG.items(), ids=list(WRONG))
+def test_planner_that_goes_wrong_is_named_with_the_reason(race, how, reason):
+    settings = ["limits.silence=2", "limits.answer=2"]
+    result = race(command("misbehaving", how), settings=settings)
+    assert (result["verdict"], result["culprit"]["culprit"]) == ("error", "robot1/planner")
+    assert reason in result["reason"]
+
+
+def test_last_words_are_kept(race):
+    result = race(command("misbehaving", "is_silent"), settings=["limits.silence=1"])
+    assert result["culprit"]["log_lines"] == ["waiting for a joystick"]
+    assert result["culprit"]["log_file"] == "log/robot1.log"
+
+
+def test_planner_that_goes_by_the_wall_clock_is_run_in_real_time_and_that_is_said(race):
+    result = race(command("misbehaving", "goes_by_the_wall_clock"))
+    assert (result["verdict"], result["lockstep"]) == ("timeout", False)
+    assert result["note"].startswith(
+        "run in real time, as the driver of robot1 does not fit lockstep: it sends commands"
+    )
+    assert "hears /clock" in result["note"]
+
+
+def test_planner_does_not_move_the_car_by_hand(race):
+    result = race(command("misbehaving", "puts_itself_elsewhere"), settings=["limits.timeout=2"])
+    assert result["verdict"] == "timeout"
+    assert "robot1: /initialpose moves no car in a judged run" in result["note"]
+
+
+def test_what_does_not_fit_is_noted_though_the_planner_drives(race):
+    result = race(command("misbehaving", "hears_latched_odometry"), settings=["limits.timeout=2"])
+    assert result["verdict"] == "timeout"
+    assert "/odom does not match by its QoS: requested transient local" in result["note"]
+
+
+def test_map_and_transforms_are_there_for_those_who_come_late(race, tmp_path):
+    race(command("telling", "tells_where_all_is"), settings=["limits.timeout=2"])
+    told = (tmp_path / "log" / "robot1.log").read_text().splitlines()
+    grid = load_map(lookup.map_file(lookup.world_file("circuit1", tmp_path)))
+    assert sorted(told) == [
+        "ego_racecar/base_link ego_racecar/laser",
+        f"map {grid.cells.shape[1]} {grid.cells.shape[0]} {int(grid.cells.sum())}",
+        "map ego_racecar/base_link",
+    ]

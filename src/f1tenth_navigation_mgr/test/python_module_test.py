@@ -61,7 +61,7 @@ def test_a_wrong_file_raises_goals_file_error_and_loads_nothing(navigation):
     with tempfile.NamedTemporaryFile("w") as file:
         file.write("1 2 3\n1 2\n")
         file.flush()
-        with pytest.raises(nav.GoalsFileError, match=rf"^{file.name}:2: too few numbers: 2"):
+        with pytest.raises(nav.GoalsFileError, match=rf"^{file.name}:2: "):
             navigation.load_goals(file.name)
     assert navigation.goals_left == 0
     assert issubclass(nav.GoalsFileError, nav.NavigationError)

@@ -6,6 +6,8 @@
 #include <limits>
 #include <map>
 
+#include "loaders/car/wheels.h"
+
 namespace f1tenth_sim2d
 {
 namespace
@@ -13,9 +15,8 @@ namespace
 using Eigen::Vector3d;
 using Role = JointDescription::Role;
 
-constexpr double kTiltAllowed = 0.1;         // rad: camber, caster and toe
-constexpr double kPlaceTolerance = 0.001;    // m
-constexpr double kRadiusOfFlatWheel = 0.05;  // m, of a wheel without shape whose axle lies on the ground
+constexpr double kTiltAllowed = 0.1;       // rad: camber, caster and toe
+constexpr double kPlaceTolerance = 0.001;  // m
 
 bool isAlong(const Vector3d & axis, const Vector3d & direction)
 {
@@ -111,44 +112,6 @@ Role roleOf(const MechanismJoint & joint, double middle)
   return of(Role::kWheelRearLeft, Role::kWheelRearRight, Role::kWheelRearMiddle);
 }
 
-/// Half the height of a mesh in the frame of the car.
-double halfHeight(const TriangleMesh & mesh, const Pose3 & pose)
-{
-  Eigen::AlignedBox3d box;
-  for (const Vector3d & vertex : mesh.vertices) {
-    box.extend(pose * vertex);
-  }
-  return box.sizes().z() / 2.0;
-}
-
-double radiusOf(const Solid & solid)
-{
-  if (const auto * const cylinder = std::get_if<Cylinder>(&solid.shape)) {
-    return cylinder->radius;
-  }
-  if (const auto * const sphere = std::get_if<Sphere>(&solid.shape)) {
-    return sphere->radius;
-  }
-  if (const auto * const mesh = std::get_if<Mesh>(&solid.shape)) {
-    return halfHeight(*mesh->surface, solid.pose);
-  }
-  return 0.0;
-}
-
-/// Radius and friction of a wheel from its first round collision, or else the height of its axle above the ground.
-void measureWheel(MechanismJoint & wheel, const CarDescription & car)
-{
-  const std::string scope = car.name + "::" + wheel.child + "::";
-  for (const Solid & solid : car.solids) {
-    if (solid.name.rfind(scope, 0) == 0 && radiusOf(solid) > 0.0) {
-      wheel.radius = radiusOf(solid);
-      wheel.mu = solid.mu;
-      return;
-    }
-  }
-  wheel.radius = wheel.place.z() > kPlaceTolerance ? wheel.place.z() : kRadiusOfFlatWheel;
-}
-
 bool isRear(Role role)
 {
   return role == Role::kWheelRearLeft || role == Role::kWheelRearRight || role == Role::kWheelRearMiddle;
@@ -158,13 +121,12 @@ bool isRear(Role role)
 std::vector<MechanismJoint> findMechanism(const CarContext & context)
 {
   std::vector<MechanismJoint> joints = turningJoints(context);
+  measureWheels(joints, context.car);
+  dropWhatDoesNotRoll(joints);
   dropWhatDoesNotSteer(context.model, joints);
   const double middle = middleOf(joints);
   for (MechanismJoint & joint : joints) {
     joint.description.role = roleOf(joint, middle);
-    if (!joint.steers()) {
-      measureWheel(joint, context.car);
-    }
   }
   return joints;
 }
@@ -172,8 +134,8 @@ std::vector<MechanismJoint> findMechanism(const CarContext & context)
 std::string leftOut(const std::string & joint)
 {
   return "joint '" + joint +
-         "' is left out: neither a wheel (about the y axis of the car) nor a steering joint (about z, with a wheel on "
-         "it)";
+         "' is left out: neither a wheel (about the y axis of the car, without limits, on the ground) nor a steering "
+         "joint (about z, with a wheel on it)";
 }
 
 void warnOfOtherJoints(const std::vector<MechanismJoint> & mechanism, CarContext & context)

@@ -20,8 +20,9 @@ struct MechanismJoint
   bool steers() const { return description.steers(); }
 };
 
-/// Finds the car's wheels and steering joints. Wheels turn about the y axis; steering joints turn about the z axis and
-/// carry a wheel; their position tells front, rear, left and right. Needs the car's solids.
+/// Finds the car's wheels and steering joints. Wheels turn about the y axis, all the way round, and reach the ground;
+/// steering joints turn about the z axis and carry a wheel; their position tells front, rear, left and right. Needs the
+/// car's solids.
 /// @throws LoadError for an axis that cannot be resolved
 std::vector<MechanismJoint> findMechanism(const CarContext & context);
 

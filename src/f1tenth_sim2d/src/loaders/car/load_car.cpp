@@ -35,6 +35,14 @@ void readCarSolids(CarContext & context)
   }
 }
 
+/// A car that passes through everything would never collide, whatever its planner does.
+void requireBody(const CarContext & context)
+{
+  if (context.car.solids.empty()) {
+    context.model.element.fail("has nothing that could touch anything: no <collision> on a link with mass");
+  }
+}
+
 /// Moves the car's frame to below the middle of the rear axle, and with it what has been read so far.
 void placeFrame(CarContext & context)
 {
@@ -63,6 +71,7 @@ void readParts(CarContext & context)
   readSensors(context);
   readPlugins(mechanism, context);
   readDynamics(mechanism, context);
+  requireBody(context);
 }
 
 Model readRobot(ModelReader & reader, const std::string & xml, const std::string & source)
@@ -90,6 +99,7 @@ CarDescription loadCar(
   car.name = name;
   car.ros_namespace = ros_namespace.value_or(name);
   car.source = source;
+  car.own_pose = ownPose(model);
   car.base_frame = baseFrameOf(model);
   const auto base = model.link_poses.find(car.base_frame);
   CarContext context{model, base == model.link_poses.end() ? Pose3() : base->second, car, warnings};

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -111,6 +112,41 @@ TEST_F(CarOfOthers, KeepsJointsInTheMiddleBesideThoseOfItsWheels)
   EXPECT_NEAR(car.parameters.wheelbase(), 0.33, 1e-9);
 }
 
+/// A joint and a link with a round collision.
+std::string joint(
+  const std::string & name, const std::string & parent, const std::string & place, const std::string & axis,
+  const std::string & limits)
+{
+  const std::string type = limits.empty() ? "continuous" : "revolute";
+  return "<link name='" + name +
+         "'><inertial><mass value='2e-6'/><inertia ixx='1e-9' iyy='1e-9' izz='1e-9' ixy='0' ixz='0' "
+         "iyz='0'/></inertial>"
+         "<collision><geometry><sphere radius='0.01'/></geometry></collision></link><joint name='" +
+         name + "_joint' type='" + type + "'><parent link='" + parent + "'/><child link='" + name + "'/><origin xyz='" +
+         place + "'/><axis xyz='" + axis + "'/><limit effort='1' velocity='1' " + limits + "/></joint>";
+}
+
+TEST_F(CarOfOthers, DrivesAsBeforeWithJointsThatAreNoWheels)
+{
+  const std::string half_a_turn = "lower='-1.5' upper='1.5'";
+  const std::string lever = joint("tilt", "chassis", "0 0 -0.04", "0 1 0", half_a_turn);
+  const std::string drum = joint("tilt", "chassis", "0 0 0.3", "0 1 0", "");
+  const std::string camera =
+    joint("pan", "chassis", "0.1 0 0.1", "0 0 1", half_a_turn) + joint("tilt", "pan", "0 0 0.1", "0 1 0", half_a_turn);
+  const VehicleParameters plain = load(racecar()).parameters;
+  for (const std::string & added : {lever, drum, camera}) {
+    const CarDescription car = load(changed("</robot>", added + "</robot>"));
+    EXPECT_EQ(car.mechanism.size(), 6u);
+    EXPECT_NEAR(car.parameters.v_max, plain.v_max, 1e-6);
+    EXPECT_NEAR(car.parameters.a_max, plain.a_max, 1e-3);
+    EXPECT_NEAR(car.parameters.steering_rate_max, plain.steering_rate_max, 1e-6);
+    EXPECT_NEAR(car.parameters.wheelbase(), plain.wheelbase(), 1e-6);
+    EXPECT_TRUE(std::any_of(car.warnings.begin(), car.warnings.end(), [](const std::string & warning) {
+      return warning.find("joint 'tilt_joint' is left out: neither a wheel") != std::string::npos;
+    }));
+  }
+}
+
 TEST_F(CarOfOthers, HasTheDynamicsOfItsDescription)
 {
   const VehicleParameters p = load(racecar()).parameters;
@@ -191,7 +227,7 @@ TEST_F(CarOfOthers, WarnsOfTransmissionsThatMoveNothingHere)
   EXPECT_EQ(
     mast.warnings.front(),
     "racecar.urdf:133: robot[racecar]/joint[mast_joint] and 1 more: joint 'mast_joint' is left out: neither a wheel "
-    "(about the y axis of the car) nor a steering joint (about z, with a wheel on it)");
+    "(about the y axis of the car, without limits, on the ground) nor a steering joint (about z, with a wheel on it)");
   const CarDescription odd = load(changed("SimpleTransmission", "DifferentialTransmission"));
   EXPECT_EQ(
     odd.warnings.at(1),

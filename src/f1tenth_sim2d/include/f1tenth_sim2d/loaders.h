@@ -12,11 +12,11 @@ namespace f1tenth_sim2d
 /// Where model://, file:// and package:// URIs are looked up, in order.
 struct SearchPath
 {
-  std::vector<std::string> model_folders;    ///< each holds models, one folder per model
+  std::vector<std::string> model_folders;    ///< each holds models, one folder per model, or other files
   std::vector<std::string> package_folders;  ///< ROS packages are looked for in these and all folders below them
 };
 
-/// GAZEBO_MODEL_PATH and ROS_PACKAGE_PATH. The only function of the loaders that reads the environment.
+/// GAZEBO_MODEL_PATH with GAZEBO_RESOURCE_PATH after it, and ROS_PACKAGE_PATH. The only function of the loaders that reads the environment.
 SearchPath searchPathFromEnvironment();
 
 /// Reads a world: an SDF file, or an occupancy-grid map (.yaml) in map_server's format.
@@ -25,6 +25,26 @@ SearchPath searchPathFromEnvironment();
 /// beside X_map.yaml.
 /// @throws LoadError for a missing or malformed file and for what would make the simulation wrong
 WorldDescription loadWorld(const std::string & path, const SearchPath & search_path = {});
+
+/// A point in the middle of a road, and how far the road reaches to either side, m.
+struct CentrelinePoint
+{
+  double x;
+  double y;
+  double width_right;
+  double width_left;
+};
+
+struct Centreline
+{
+  std::vector<CentrelinePoint> points;  ///< no two that follow each other are the same, nor the last and the first
+  bool has_widths{false};               ///< without, widths are 0
+};
+
+/// Reads an X_centerline.csv of f1tenth_racetracks: `x_m, y_m, w_tr_right_m, w_tr_left_m`, or the first two alone. A
+/// point that is there several times counts once.
+/// @throws LoadError naming file and line, also for fewer than two different points
+Centreline readCentreline(const std::string & path);
 
 /// The ground and nothing on it.
 WorldDescription emptyWorld();
@@ -42,7 +62,7 @@ bool describesCar(const std::string & xml, const std::string & source);
 
 /// Reads a URDF or SDF model that is not a car from a string.
 /// @param name  of the model in the world
-/// @param pose  of its frame in the world
+/// @param pose  in the world, to which the pose that the model has in its description is relative
 /// @throws LoadError
 LoadedModel loadModel(
   const std::string & xml, const std::string & name, const Pose3 & pose, const std::string & source,

@@ -56,6 +56,14 @@ auto part(Member WorldDescription::*member)
   return [member](const PythonWorld & world) { return world.description().*member; };
 }
 
+/// An array of two columns for a line without widths, else of four.
+py::array centrelineOf(const std::filesystem::path & path)
+{
+  const Centreline line = readCentreline(path.string());
+  const py::array_t<double> all = toArray(line.points);
+  return line.has_widths ? py::array(all) : py::array(all[py::make_tuple(py::ellipsis(), py::slice(0, 2, 1))]);
+}
+
 std::vector<ModelDescription> loadModels(
   const std::string & xml, const std::string & name, const std::string & source, double x, double y, double z,
   double yaw)
@@ -130,6 +138,20 @@ Raises:
 )",
     py::call_guard<py::gil_scoped_release>());
   module.def(
+    "read_centreline", &centrelineOf, py::arg("path"),
+    R"(Read the centreline of a track, a file X_centerline.csv of f1tenth_racetracks.
+
+A point that is there several times, one after the other or at both ends, counts once.
+
+Returns:
+    float64 array of shape (n, 4): x, y, width of the road to the right and to the left, m; of shape (n, 2) if the
+    file gives no widths. The last point is joined to the first.
+
+Raises:
+    LoadError: no such file, a line that is not of this form, a width that is not above 0, or fewer than two
+        different points.
+)");
+  module.def(
     "load_model", &loadModels, py::arg("xml"), py::arg("name"), py::arg("source"), py::arg("x") = 0.0,
     py::arg("y") = 0.0, py::arg("z") = 0.0, py::arg("yaw") = 0.0,
     R"(Read a URDF or SDF model that is no car, for Simulation.add_model.
@@ -138,7 +160,7 @@ Args:
     xml: the text.
     name: that it gets in the world.
     source: what error messages call the text, for example its path.
-    x, y, z, yaw: pose of its frame in the world, m and rad.
+    x, y, z, yaw: where to put it in the world, m and rad; the pose in its description is relative to this.
 
 Returns:
     List of Model: the model, then those nested in it.

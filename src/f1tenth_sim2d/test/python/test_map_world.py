@@ -168,16 +168,41 @@ def test_car_meets_the_walls_it_sees(write, car):
     assert contacts[0].positions[0][0] == pytest.approx(24.0, abs=0.01)
 
 
-def test_start_is_on_the_centreline(write, tmp_path):
+HEADER, FIRST, SECOND = "# x_m, y_m, w_tr_right_m, w_tr_left_m\n", "1.5, 2.5, 1, 1\n", "1.5, 3.5, 1, 1\n"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        HEADER + FIRST + SECOND,
+        HEADER + FIRST * 3 + SECOND,
+        HEADER + FIRST + SECOND + FIRST,
+        "\ufeff" + HEADER + FIRST + SECOND,
+        "\ufeff" + FIRST + "\n" + SECOND,
+        "1.5,2.5\r\n1.5,3.5\r\n",
+    ],
+)
+def test_start_is_on_the_centreline(write, tmp_path, text):
     path = write()
     assert f1tenth_sim2d.load_world(path).start == (0.0, 0.0, 0.0)
-    (tmp_path / "room_centerline.csv").write_text(
-        "# x_m, y_m, w_tr_right_m, w_tr_left_m\n1.5, 2.5, 1, 1\n1.5, 3.5, 1, 1\n"
-    )
+    (tmp_path / "room_centerline.csv").write_text(text, encoding="utf-8", newline="")
     assert f1tenth_sim2d.load_world(path).start == pytest.approx((1.5, 2.5, math.pi / 2))
 
 
+def test_a_point_of_a_centreline_that_is_repeated_counts_once(tmp_path):
+    path = tmp_path / "room_centerline.csv"
+    path.write_text("0, 0, 1, 2\n0, 0, 1, 2\n3, 0, 1, 2\n3, 4, 1, 2\n0, 0, 1, 2\n")
+    rows = f1tenth_sim2d.read_centreline(path)
+    np.testing.assert_array_equal(rows, [[0, 0, 1, 2], [3, 0, 1, 2], [3, 4, 1, 2]])
+    path.write_text("0, 0\n3, 0\n")
+    np.testing.assert_array_equal(f1tenth_sim2d.read_centreline(path), [[0, 0], [3, 0]])
+
+
 NO_IMAGE = "is no image that is known here, allowed are PNG, PGM, PPM, PBM, BMP, JPG, TIFF and GIF"
+COLUMNS = (
+    "allowed is x_m, y_m, w_tr_right_m, w_tr_left_m (or x_m, y_m alone) in every line, finite, with points "
+    "in numbers, and widths greater than 0"
+)
 BROKEN = "image: is broken or ends too early"
 
 
@@ -328,9 +353,14 @@ def test_grey_that_is_made_transparent_is_refused(write, tmp_path):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("# x_m, y_m\n1.0; 2.0\n", ":2: found '1.0; 2.0', allowed is x (m), y (m), …"),
-        ("1.0, 2.0\n1.0, nan\n", ":2: found '1.0, nan', allowed is x (m), y (m), …"),
-        ("1.0, 2.0\n", ": has 1 points, allowed are 2 or more"),
+        ("# x_m, y_m\n1.0; 2.0\n", f":2: found '1.0; 2.0', {COLUMNS}"),
+        ("0,000; 0,000\n1,000; 0,000\n", f":1: found '0,000; 0,000', {COLUMNS}"),
+        ("1.0, 2.0\n1.0, nan\n", f":2: found '1.0, nan', {COLUMNS}"),
+        ("1.0, 2.0\n1.0, 3.0, 1, 1\n", f":2: found '1.0, 3.0, 1, 1', {COLUMNS}"),
+        ("1.0, 2.0, 1.0\n", f":1: found '1.0, 2.0, 1.0', {COLUMNS}"),
+        ("1.0, 2.0, 1, 0\n", f":1: found '1.0, 2.0, 1, 0', {COLUMNS}"),
+        ("1.0, 2.0, -1, 1\n", f":1: found '1.0, 2.0, -1, 1', {COLUMNS}"),
+        ("1.0, 2.0\n1.0, 2.0\n", ": has 1 different points, allowed are 2 or more"),
     ],
 )
 def test_broken_centreline_is_named(write, tmp_path, text, message):

@@ -13,6 +13,7 @@ import f1tenth_sim2d
 from f1tenth_sim2d.environments.data import data_path
 
 _IMAGE = re.compile(r"""^image\s*:\s*(["']?)(?P<name>.*?)\1\s*(#.*)?$""", re.MULTILINE)
+_COLUMNS = "x_m, y_m, w_tr_right_m, w_tr_left_m"
 
 
 @dataclass(frozen=True)
@@ -105,9 +106,7 @@ def _load(path, _changed):
 
 
 def _read_centreline(path):
-    try:
-        return np.loadtxt(path, delimiter=",", ndmin=2, usecols=(0, 1, 2, 3))
-    except ValueError as error:
-        raise ValueError(
-            f"{path}: {error}; allowed are lines of x_m, y_m, w_tr_right_m, w_tr_left_m"
-        ) from error
+    rows = f1tenth_sim2d.read_centreline(path)
+    if rows.shape[1] < 4:
+        raise ValueError(f"{path}: gives no widths of the road, allowed are lines of {_COLUMNS}")
+    return rows

@@ -5,13 +5,9 @@
 #include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <locale>
 #include <optional>
-#include <sstream>
-#include <vector>
 
-#include "f1tenth_sim2d/errors.h"
+#include "f1tenth_sim2d/loaders.h"
 #include "loaders/map/map_image.h"
 #include "loaders/map/map_metadata.h"
 #include "loaders/map/map_walls.h"
@@ -51,37 +47,8 @@ std::filesystem::path centrelineOf(const std::filesystem::path & map)
   return map.parent_path() / (track + "_centerline.csv");
 }
 
-std::optional<Vec2> readPoint(const std::string & line)
-{
-  std::istringstream stream(line);
-  stream.imbue(std::locale::classic());
-  Vec2 point;
-  char comma = 0;
-  stream >> point.x >> comma >> point.y;
-  const bool complete = static_cast<bool>(stream) && comma == ',' && std::isfinite(point.x) && std::isfinite(point.y);
-  return complete ? std::optional<Vec2>(point) : std::nullopt;
-}
-
-/// The first two points.
-std::vector<Vec2> readPoints(const std::string & path)
-{
-  std::ifstream file(path);
-  std::vector<Vec2> points;
-  std::string line;
-  for (int number = 1; points.size() < 2 && std::getline(file, line); ++number) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos || line.front() == '#') {
-      continue;
-    }
-    const std::optional<Vec2> point = readPoint(line);
-    if (!point) {
-      throw LoadError(path + ":" + std::to_string(number), "", "found '" + line + "', allowed is x (m), y (m), …");
-    }
-    points.push_back(*point);
-  }
-  return points;
-}
-/// The first point of the track's centreline, headed for the second: of X_centerline.csv beside X_map.yaml, in the
-/// format of f1tenth_racetracks (`# x_m, y_m, …`, m). Nothing if there is no such file.
+/// The first point of the track's centreline, X_centerline.csv beside X_map.yaml, headed for the second. Nothing if
+/// there is no such file.
 /// @throws LoadError naming file and line
 std::optional<Pose2> startOnCentreline(const std::string & map_path)
 {
@@ -89,11 +56,10 @@ std::optional<Pose2> startOnCentreline(const std::string & map_path)
   if (!std::filesystem::is_regular_file(path)) {
     return std::nullopt;
   }
-  const std::vector<Vec2> points = readPoints(path.string());
-  if (points.size() < 2) {
-    throw LoadError(path.string(), "", "has " + std::to_string(points.size()) + " points, allowed are 2 or more");
-  }
-  return Pose2{points[0].x, points[0].y, maths::atan2(points[1].y - points[0].y, points[1].x - points[0].x)};
+  const Centreline line = readCentreline(path.string());
+  const CentrelinePoint & first = line.points[0];
+  const CentrelinePoint & second = line.points[1];
+  return Pose2{first.x, first.y, maths::atan2(second.y - first.y, second.x - first.x)};
 }
 }  // namespace
 

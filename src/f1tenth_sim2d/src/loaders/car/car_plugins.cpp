@@ -11,6 +11,8 @@ namespace f1tenth_sim2d
 {
 namespace
 {
+constexpr double kJointStateRate = 100.0;  // Hz, the default of gazebo_ros_joint_state_publisher
+
 void requireOffset(const PoseSensorDescription & sensor, const Element & plugin)
 {
   if (const Element offset = plugin.child("xyzOffset")) {
@@ -36,7 +38,7 @@ void readPoseSensor(const Element & plugin, CarContext & context)
   sensor.pose = context.inCar(link->second);
   sensor.xyz_offset = plugin.vector("xyzOffset", sensor.xyz_offset);
   sensor.rpy_offset = plugin.vector("rpyOffset", sensor.rpy_offset);
-  sensor.rate_hz = plugin.rateOrZero("updateRate", 0.0);
+  sensor.rate_hz = plugin.rate("updateRate", 0.0);
   sensor.noise_stddev = plugin.notNegative("gaussianNoise", 0.0);
   requireOffset(sensor, plugin);
   context.car.pose_sensors.push_back(std::move(sensor));
@@ -83,7 +85,7 @@ void addJoint(
 void readJointStatePublisher(
   const Element & publisher, const std::vector<MechanismJoint> & mechanism, CarContext & context)
 {
-  context.car.joint_state_rate_hz = publisher.rate("updateRate");
+  context.car.joint_state_rate_hz = publisher.rate("updateRate", kJointStateRate);
   context.car.joint_state_topic = context.topic(publisher, "joint_states");
   for (const std::string & name : namesIn(publisher.requiredText("jointName"))) {
     addJoint(name, mechanism, publisher, context);

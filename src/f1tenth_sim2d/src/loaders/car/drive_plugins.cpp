@@ -85,7 +85,7 @@ void readDrive(Kind kind, const Element & plugin, CarContext & context)
   drive.odometry_topic = context.topic(plugin, resolved(plugin, plugin.textOf(tags.odometry_topic, "odom")));
   drive.odometry_frame = frameId(plugin, plugin.textOf(tags.odometry_frame, "odom"));
   drive.base_frame = frameId(plugin, plugin.textOf(tags.base_frame, "base_footprint"));
-  drive.odometry_rate_hz = plugin.rateOrZero(tags.rate, tags.default_rate_hz);
+  drive.odometry_rate_hz = plugin.rate(tags.rate, tags.default_rate_hz);
   drive.publishes_odometry = flag(plugin, tags.odometry);
   drive.publishes_transform = flag(plugin, tags.transform);
   if (const double limit = plugin.notNegative("wheelAcceleration", 0.0); kind == Kind::kDifferential && limit > 0.0) {

@@ -16,25 +16,23 @@ constexpr double kAngleMax = 12.56637;  // rad, two turns: rays beyond one look 
 constexpr int kCountMax = 100'000;
 
 /// The pose of a sensor, without the tilt due to rounding.
-Pose3 levelPose(const SensorElement & element, const RayScanOwner & owner)
+Pose3 levelPose(const SensorElement & element, const char * what)
 {
   const Pose3 & pose = element.pose;
   const Eigen::Vector3d up = pose.up();
   const double tilt = maths::hypot(up.x(), up.y());
   if (tilt > kLevelTolerance) {
-    element.sensor.fail(std::string("is tilted; ") + owner.what + " has to be level, upright or upside down");
+    element.sensor.fail(std::string("is tilted; ") + what + " has to be level, upright or upside down");
   }
   return tilt > kTilt ? Pose3(pose.position, Pose3::rotationOf(up.z() < 0.0 ? M_PI : 0.0, 0.0, pose.yaw())) : pose;
 }
 
 /// Rays of a scan line, including those between the samples.
-int rayCount(const Element & sensor, const Element & horizontal, const RayScanOwner & owner)
+int rayCount(const Element & sensor, const Element & horizontal)
 {
   const double count = horizontal.number("samples", 640.0) * horizontal.number("resolution", 1.0);
-  if (!(count >= owner.count_min && count <= kCountMax)) {
-    sensor.fail(
-      "has " + toText(count) + " <samples>, allowed are " + std::to_string(owner.count_min) + " to " +
-      std::to_string(kCountMax));
+  if (!(count >= 1.0 && count <= kCountMax)) {
+    sensor.fail("has " + toText(count) + " <samples>, allowed are 1 to " + std::to_string(kCountMax));
   }
   return static_cast<int>(std::lround(count));
 }
@@ -53,7 +51,7 @@ void requireSound(const RayScan & scan, const Element & sensor)
 }
 }  // namespace
 
-RayScan readRayScan(const SensorElement & element, const RayScanOwner & owner, WarningCollector & warnings)
+RayScan readRayScan(const SensorElement & element, const char * what, WarningCollector & warnings)
 {
   const Element & sensor = element.sensor;
   const Element ray = sensor.child("lidar") ? sensor.child("lidar") : sensor.child("ray");
@@ -63,15 +61,15 @@ RayScan readRayScan(const SensorElement & element, const RayScanOwner & owner, W
   }
   RayScan scan;
   scan.ray = ray;
-  scan.pose = levelPose(element, owner);
-  scan.count = rayCount(sensor, horizontal, owner);
+  scan.pose = levelPose(element, what);
+  scan.count = rayCount(sensor, horizontal);
   scan.angle_min = horizontal.number("min_angle", 0.0);
   scan.angle_max = horizontal.number("max_angle", 0.0);
   scan.range_min = ray.number("range/min", 0.0);
   scan.range_max = ray.number("range/max", 0.0);
   requireSound(scan, sensor);
   if (ray.child("scan").child("vertical").child("samples") && ray.number("scan/vertical/samples") > 1.0) {
-    warnings.add(std::string("<vertical> is left out: ") + owner.what + " has one level layer", sensor.fileLine());
+    warnings.add(std::string("<vertical> is left out: ") + what + " has one level layer", sensor.fileLine());
   }
   return scan;
 }

@@ -16,13 +16,7 @@ struct RayScan
   double range_max{0.0};  ///< m
 };
 
-/// The sensor that it belongs to, for messages ("a lidar"), and how many rays it needs at least.
-struct RayScanOwner
-{
-  const char * what;
-  int count_min;
-};
-
+/// @param what  the sensor that it belongs to, for messages: "a lidar"
 /// @throws LoadError for a sensor that is tilted, and for numbers that are out of their bounds
-RayScan readRayScan(const SensorElement & element, const RayScanOwner & owner, WarningCollector & warnings);
+RayScan readRayScan(const SensorElement & element, const char * what, WarningCollector & warnings);
 }  // namespace f1tenth_sim2d

@@ -41,6 +41,27 @@ double imuNoise(const Element & imu, const char * quantity, const char * axis, c
   return stddevOf(noise ? noise : imu.child("noise").child(older));
 }
 
+/// What gazebo_ros takes where a plugin does not say it; rarely what was meant, so it is said.
+std::string textOrDefault(const Element & plugin, const char * tag, const char * by_default, CarContext & context)
+{
+  if (!plugin.child(tag)) {
+    context.warnings.add(
+      "has no <" + std::string(tag) + ">: taken as '" + by_default + "', as in gazebo_ros", plugin.fileLine());
+    return by_default;
+  }
+  return plugin.requiredText(tag);
+}
+
+std::string topicOf(const Element & plugin, const char * tag, const char * by_default, CarContext & context)
+{
+  return context.topic(plugin, textOrDefault(plugin, tag, by_default, context));
+}
+
+std::string frameOf(const Element & plugin, CarContext & context)
+{
+  return frameId(plugin, textOrDefault(plugin, "frameName", "world", context));
+}
+
 /// The frame that an IMU plugin names, or else the link that carries it.
 std::string imuFrame(const Element & plugin)
 {
@@ -76,8 +97,8 @@ void setImu(ImuDescription imu, const Element & element, CarContext & context)
 /// Hz: the lower rate of sensor and plugin, if both are given.
 double publishingRate(const SensorElement & element)
 {
-  const double of_plugin = element.plugin.rateOrZero("updateRate", 0.0);
-  const double of_sensor = element.sensor.rateOrZero("update_rate", 0.0);
+  const double of_plugin = element.plugin.rate("updateRate", 0.0);
+  const double of_sensor = element.sensor.rate("update_rate", 0.0);
   return of_plugin > 0.0 && of_sensor > 0.0 ? std::min(of_plugin, of_sensor) : std::max(of_plugin, of_sensor);
 }
 
@@ -96,13 +117,13 @@ std::vector<double> directions(const RayScan & scan)
 void readLidar(const SensorElement & element, CarContext & context)
 {
   const Element & sensor = element.sensor;
-  const RayScan scan = readRayScan(element, {"a lidar", 2}, context.warnings);
+  const RayScan scan = readRayScan(element, "a lidar", context.warnings);
   LidarDescription lidar;
   lidar.name = sensor.name();
-  lidar.topic = context.topic(element.plugin, element.plugin.requiredText("topicName"));
-  lidar.frame = frameId(element.plugin, element.plugin.requiredText("frameName"));
+  lidar.topic = topicOf(element.plugin, "topicName", "/world", context);
+  lidar.frame = frameOf(element.plugin, context);
   lidar.pose = scan.pose;
-  lidar.rate_hz = sensor.rate("update_rate");
+  lidar.rate_hz = sensor.rate("update_rate", 0.0);
   lidar.beam_count = scan.count;
   lidar.angle_min = scan.angle_min;
   lidar.angle_max = scan.angle_max;
@@ -116,12 +137,12 @@ void readLidar(const SensorElement & element, CarContext & context)
 void readSonar(const SensorElement & element, CarContext & context)
 {
   const Element & plugin = element.plugin;
-  const RayScan scan = readRayScan(element, {"a sonar", 1}, context.warnings);
+  const RayScan scan = readRayScan(element, "a sonar", context.warnings);
   const auto & place = scan.pose.position;
   SonarDescription sonar;
   sonar.name = element.sensor.name();
-  sonar.topic = context.topic(plugin, plugin.requiredText("topicName"));
-  sonar.frame = frameId(plugin, plugin.requiredText("frameName"));
+  sonar.topic = topicOf(plugin, "topicName", "/range", context);
+  sonar.frame = frameOf(plugin, context);
   sonar.rate_hz = publishingRate(element);
   sonar.rays = {{place.x(), place.y(), scan.pose.yaw()}, place.z(), directions(scan), scan.range_max};
   sonar.range_min = scan.range_min;
@@ -135,9 +156,9 @@ void readBumper(const SensorElement & element, CarContext & context)
 {
   BumperDescription bumper;
   bumper.name = element.sensor.name();
-  bumper.topic = context.topic(element.plugin, element.plugin.requiredText("bumperTopicName"));
-  bumper.frame = frameId(element.plugin, element.plugin.requiredText("frameName"));
-  bumper.rate_hz = element.sensor.rateOrZero("update_rate", 0.0);
+  bumper.topic = topicOf(element.plugin, "bumperTopicName", "bumper_states", context);
+  bumper.frame = frameOf(element.plugin, context);
+  bumper.rate_hz = element.sensor.rate("update_rate", 0.0);
   bumper.collision_names = collisionsOfContactSensor(element.sensor, element.link, context);
   context.car.bumpers.push_back(std::move(bumper));
 }
@@ -148,10 +169,10 @@ void readImu(const SensorElement & element, CarContext & context)
   const Element noise = element.sensor.child("imu");
   ImuDescription imu;
   imu.name = element.sensor.name();
-  imu.topic = context.topic(plugin, plugin.requiredText("topicName"));
+  imu.topic = topicOf(plugin, "topicName", "imu_data", context);
   imu.frame = imuFrame(plugin);
   imu.pose = element.pose;
-  imu.rate_hz = plugin.child("updateRateHZ") ? plugin.rate("updateRateHZ") : element.sensor.rate("update_rate");
+  imu.rate_hz = plugin.rate("updateRateHZ", element.sensor.rate("update_rate", 0.0));
   const double of_plugin = plugin.notNegative("gaussianNoise", 0.0);
   imu.yaw_rate_noise_stddev = maths::hypot(of_plugin, imuNoise(noise, "angular_velocity", "z", "rate"));
   imu.acceleration_noise_stddev = maths::hypot(of_plugin, imuNoise(noise, "linear_acceleration", "x", "accel"));
@@ -162,10 +183,10 @@ void readImuPlugin(const Element & plugin, CarContext & context)
 {
   ImuDescription imu;
   imu.name = plugin.name();
-  imu.topic = context.topic(plugin, plugin.requiredText("topicName"));
+  imu.topic = topicOf(plugin, "topicName", "/default_imu", context);
   imu.frame = imuFrame(plugin);
   imu.pose = imuPose(plugin, imu, context);
-  imu.rate_hz = plugin.rate("updateRate");
+  imu.rate_hz = plugin.rate("updateRate", 0.0);
   imu.yaw_rate_noise_stddev = plugin.notNegative("gaussianNoise", 0.0);
   imu.acceleration_noise_stddev = imu.yaw_rate_noise_stddev;
   setImu(std::move(imu), plugin, context);
@@ -178,7 +199,7 @@ void readHectorImuPlugin(const Element & plugin, CarContext & context)
   imu.topic = context.topic(plugin, plugin.textOf("topicName", imu.topic));
   imu.frame = frameId(plugin, plugin.textOf("frameId", plugin.requiredText("bodyName")));
   imu.pose = imuPose(plugin, imu, context);
-  imu.rate_hz = plugin.rate("updateRate");
+  imu.rate_hz = plugin.rate("updateRate", 0.0);
   imu.yaw_rate_noise_stddev = axisNoise(plugin, "rateGaussianNoise", 2);
   imu.acceleration_noise_stddev = axisNoise(plugin, "accelGaussianNoise", 0);
   setImu(std::move(imu), plugin, context);

@@ -57,6 +57,15 @@ std::string Element::value() const
   return has("value") ? attribute("value") : text();
 }
 
+std::vector<std::string> Element::attributes() const
+{
+  std::vector<std::string> names;
+  for (auto attribute = node_ ? node_->FirstAttribute() : nullptr; attribute; attribute = attribute->Next()) {
+    names.emplace_back(attribute->Name());
+  }
+  return names;
+}
+
 Element Element::child(const char * tag) const
 {
   const XMLElement * const child = node_ ? node_->FirstChildElement(tag) : nullptr;
@@ -165,13 +174,7 @@ double Element::notNegative(const std::string & tag, double fallback) const
   return value;
 }
 
-double Element::rate(const std::string & tag) const
-{
-  requirePositive("<" + tag + ">", number(tag));
-  return rateOrZero(tag, 0.0);
-}
-
-double Element::rateOrZero(const std::string & tag, double fallback) const
+double Element::rate(const std::string & tag, double fallback) const
 {
   const double value = notNegative(tag, fallback);
   if (value > kFastest) {

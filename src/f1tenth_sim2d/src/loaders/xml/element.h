@@ -24,6 +24,7 @@ public:
   std::string tag() const { return node_ ? node_->Name() : ""; }
   bool is(const char * tag) const { return node_ && node_->Name() == std::string(tag); }
 
+  std::vector<std::string> attributes() const;  ///< their names
   bool has(const char * attribute) const { return node_ && node_->Attribute(attribute); }
   std::string attribute(const char * attribute) const;  ///< without surrounding blanks; empty if there is none
   std::string name() const { return attribute("name"); }
@@ -50,8 +51,7 @@ public:
   /// Numbers of children; a path of tags ("range/min") follows children of children. Required without a fallback.
   double number(const std::string & tag, std::optional<double> fallback = std::nullopt) const;
   double notNegative(const std::string & tag, double fallback) const;  ///< finite
-  double rate(const std::string & tag) const;                          ///< Hz, positive and at most 1e6
-  double rateOrZero(const std::string & tag, double fallback) const;   ///< the same; 0 is allowed, too
+  double rate(const std::string & tag, double fallback) const;         ///< Hz, at most 1e6; 0: at every physics step
   double length(const std::string & tag) const;  ///< m, positive and at most 100 km: beyond it numbers lose precision
   bool flag(const char * tag, bool fallback) const;
   Eigen::Vector3d vector(const char * tag, const Eigen::Vector3d & fallback) const;

@@ -57,8 +57,10 @@ ScanOutput::ScanOutput(const CarHandle & car, std::size_t lidar)
 {
   message_.angle_min = static_cast<float>(sensor_.angle_min);
   message_.angle_max = static_cast<float>(sensor_.angle_max);
-  message_.angle_increment = static_cast<float>((sensor_.angle_max - sensor_.angle_min) / (sensor_.beam_count - 1));
-  message_.scan_time = static_cast<float>(1.0 / sensor_.rate_hz);
+  const int gaps = std::max(1, sensor_.beam_count - 1);
+  message_.angle_increment = static_cast<float>((sensor_.angle_max - sensor_.angle_min) / gaps);
+  message_.scan_time =
+    static_cast<float>(sensor_.rate_hz > 0.0 ? 1.0 / sensor_.rate_hz : toSeconds(car.simulation.stepLength()));
   message_.range_min = static_cast<float>(sensor_.range_min);
   message_.range_max = static_cast<float>(sensor_.range_max);
   message_.ranges.resize(static_cast<std::size_t>(sensor_.beam_count));

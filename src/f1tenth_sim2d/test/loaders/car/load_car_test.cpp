@@ -128,6 +128,9 @@ std::string withImuPlugin(const std::string & plugin)
   return xml.erase(sensor, xml.find("</gazebo>", sensor) + std::string("</gazebo>").size() - sensor);
 }
 
+const char * const kImuPlugin =
+  "<gazebo><plugin name='p' filename='libgazebo_ros_imu.so'><bodyName>imu</bodyName></plugin></gazebo>";
+
 TEST(LoadCar, TakesAnImuPluginOfTheModel)
 {
   const std::string plugin =
@@ -167,6 +170,52 @@ TEST(LoadCar, TakesAnImuPluginOfHector)
   EXPECT_EQ(noisy.yaw_rate_noise_stddev, 0.005);
   EXPECT_EQ(noisy.acceleration_noise_stddev, 0.35);
   EXPECT_THROW(imuWith("<rateGaussianNoise>-1 -1 -1</rateGaussianNoise>"), LoadError);
+}
+
+/// The small car without any line that holds one of the texts.
+std::string smallCarWithout(const std::vector<std::string> & texts)
+{
+  std::istringstream lines(smallCar());
+  std::string kept;
+  for (std::string line; std::getline(lines, line);) {
+    const auto isIn = [&line](const std::string & text) { return line.find(text) != std::string::npos; };
+    kept += std::any_of(texts.begin(), texts.end(), isIn) ? "" : line + "\n";
+  }
+  return kept;
+}
+
+TEST(LoadCar, MeasuresAtEveryStepWithARateOfZeroOrNone)
+{
+  std::string zeros = smallCar();
+  for (const std::string tag : {"<update_rate>", "<updateRate>"}) {
+    for (std::size_t at = zeros.find(tag); at != std::string::npos; at = zeros.find(tag, at + 1)) {
+      zeros.replace(at + tag.size(), zeros.find('<', at + 1) - at - tag.size(), "0");
+    }
+  }
+  for (const std::string & xml : {zeros, smallCarWithout({"<update_rate>"})}) {
+    const CarDescription car = load(xml);
+    EXPECT_EQ(car.lidars.at(0).rate_hz, 0.0);
+    EXPECT_EQ(car.imu->rate_hz, 0.0);
+    EXPECT_EQ(car.bumpers.at(0).rate_hz, 0.0);
+  }
+  EXPECT_EQ(load(zeros).joint_state_rate_hz, 0.0);
+  EXPECT_EQ(load(smallCarWith("<updateRate>50</updateRate>", "")).joint_state_rate_hz, 100.0);
+  EXPECT_EQ(load(withImuPlugin(kImuPlugin)).imu->rate_hz, 0.0);
+}
+
+TEST(LoadCar, TakesTheDefaultsOfGazeboRosForWhatASensorDoesNotSay)
+{
+  const CarDescription car = load(smallCarWithout({"<topicName>", "<frameName>laser", "<frameName>b", "TopicName>"}));
+  EXPECT_EQ(car.lidars.at(0).topic, "/world");
+  EXPECT_EQ(car.lidars.at(0).frame, "world");
+  EXPECT_EQ(car.imu->topic, "imu_data");
+  EXPECT_EQ(car.bumpers.at(0).topic, "bumper_states");
+  EXPECT_EQ(car.bumpers.at(0).frame, "world");
+  EXPECT_TRUE(std::any_of(car.warnings.begin(), car.warnings.end(), [](const std::string & warning) {
+    return warning.find("lidar_plugin]: has no <topicName>: taken as '/world', as in gazebo_ros") != std::string::npos;
+  }));
+  EXPECT_EQ(load(withImuPlugin(kImuPlugin)).imu->topic, "/default_imu");
+  EXPECT_EQ(load(smallCarWith("<samples>1081</samples>", "<samples>1</samples>")).lidars.at(0).beam_count, 1);
 }
 
 TEST(LoadCar, TakesOutOfALidarWhatRoundingHasTiltedIt)
@@ -268,14 +317,37 @@ TEST(LoadCarWarnings, NameWheelsThatTurnAboutAnotherAxisAndWhatSteersThem)
 {
   const std::string front = "joint 'front_left_";
   const std::string end =
-    "_joint' is left out: neither a wheel (about the y axis of the car) nor a steering joint (about z, with a wheel on "
-    "it)";
+    "_joint' is left out: neither a wheel (about the y axis of the car, without limits, on the ground) nor a "
+    "steering joint (about z, with a wheel on it)";
   const CarDescription car = load(smallCarWith("<axis xyz=\"0 1 0\"/>", ""));
   EXPECT_TRUE(hasLine(
     car.warnings, "test.urdf:28: robot[small_car]/joint[front_left_wheel_joint] and 1 more: " + front + "wheel" + end));
   EXPECT_TRUE(hasLine(
     car.warnings,
     "test.urdf:18: robot[small_car]/joint[front_left_steering_joint] and 1 more: " + front + "steering" + end));
+}
+
+TEST(LoadCarWarnings, NameWhatUrdfDoesNotKnow)
+{
+  const std::string box = "<geometry><box size=\"0.02 0.2 0.06\"/></geometry>";
+  const std::tuple<std::string, std::string, std::string> misspelt[]{
+    {"<orgin xyz='5 0 0'/>" + box, "/orgin", "is not an element of URDF and left out"},
+    {"<origin xyz='0 0 0' pry='0 0 1'/>" + box, "/origin", "attribute 'pry' is none of URDF and left out"},
+    {"<geometry><box size='1 1 1'><scale>0.001 0.001 0.001</scale></box></geometry>", "/geometry/box/scale",
+     "is not an element of URDF and left out"},
+    {"<geometry><box size='1 1 1' scales='0.001 0.001 0.001'/></geometry>", "/geometry/box",
+     "attribute 'scales' is none of URDF and left out"}};
+  for (const auto & [inside, place, message] : misspelt) {
+    const CarDescription car = load(smallCarWith(box, inside));
+    EXPECT_NE(car.warnings.at(0).find("/link[bumper_front]/collision" + place + ": " + message), std::string::npos)
+      << car.warnings[0];
+  }
+  EXPECT_EQ(
+    load(
+      smallCarWith(
+        "<link name=\"base_footprint\"/>", "<link name='base_footprint'><visual x='y'><z/></visual><xacro:w/></link>"))
+      .warnings.size(),
+    1u);
 }
 
 TEST(LoadCarWarnings, NameSensorsWithoutRosPlugin)

@@ -108,8 +108,6 @@ TEST(LoadSonar, MistakesAreNamed)
     {"<gaussianNoise>0.01<", "<gaussianNoise>-1<",
      "/plugin[p]: <gaussianNoise> is -1, allowed are finite numbers from 0"},
     {"<fov>0.4<", "<fov>-1<", "/plugin[p]: <fov> is -1, allowed are finite numbers from 0"},
-    {"<topicName>echo</topicName>", "", "/plugin[p]: has no <topicName>"},
-    {"<frameName>sonar</frameName>", "", "/plugin[p]: has no <frameName>"},
   };
   for (const auto & [before, after, message] : mistakes) {
     EXPECT_EQ(errorOfSonar(carWithSonar(before, after)), place + message);

@@ -26,8 +26,8 @@ struct LidarDescription
   std::string name;
   std::string topic{"scan"};
   std::string frame{"laser"};
-  Pose3 pose;  ///< must be level; may be upside down
-  double rate_hz{40.0};
+  Pose3 pose;            ///< must be level; may be upside down
+  double rate_hz{40.0};  ///< 0: at every physics step
   int beam_count{1081};
   double angle_min{0.0};     ///< rad
   double angle_max{0.0};     ///< rad
@@ -43,7 +43,7 @@ struct BumperDescription
   std::string name;
   std::string topic;  ///< "bumper_front"
   std::string frame;
-  double rate_hz{50.0};
+  double rate_hz{50.0};                      ///< 0: at every physics step
   std::vector<std::string> collision_names;  ///< scoped names of Solids of the car
 };
 
@@ -52,8 +52,8 @@ struct ImuDescription
   std::string name;
   std::string topic{"imu"};
   std::string frame{"imu"};
-  Pose3 pose;  ///< its axes are those of the measurements
-  double rate_hz{100.0};
+  Pose3 pose;                             ///< its axes are those of the measurements
+  double rate_hz{100.0};                  ///< 0: at every physics step
   double yaw_rate_noise_stddev{0.0};      ///< rad/s
   double acceleration_noise_stddev{0.0};  ///< m/s^2
 };
@@ -168,7 +168,8 @@ struct CarDescription
   /// The link that represents the car: base_footprint, or else base_link, or else the root. Child of odom in tf.
   std::string base_frame{"base_footprint"};
   Pose3 base_frame_pose;
-  Pose3 model_pose;  ///< of the model's own frame, which Gazebo's spawn services and model states refer to
+  Pose3 model_pose;  ///< of the model's own frame, which Gazebo's model states refer to
+  Pose3 own_pose;    ///< of that frame, as its description gives it, relative to where Gazebo is told to spawn the car
 
   std::vector<LidarDescription> lidars;
   std::vector<BumperDescription> bumpers;
@@ -181,7 +182,7 @@ struct CarDescription
   std::vector<JointDescription> mechanism;  ///< all wheels and steering joints
   std::vector<JointDescription> joints;     ///< the ones that joint_states carries
   std::string joint_state_topic{"joint_states"};
-  double joint_state_rate_hz{50.0};
+  double joint_state_rate_hz{50.0};    ///< 0: at every physics step
   double wheel_radius{0.05};           ///< m
   double track_width{0.2};             ///< m, between the steering joints
   VehicleParameters parameters;        ///< dynamics from the description; what it lacks is the F1/10 car's

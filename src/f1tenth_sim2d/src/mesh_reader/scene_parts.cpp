@@ -12,6 +12,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "mesh_reader/collada.h"
+
 namespace f1tenth_sim2d
 {
 namespace
@@ -79,6 +81,22 @@ std::string bytesOf(const std::string & path)
   boost::algorithm::replace_all(bytes, ">file://<", ">nothing<");
   return bytes;
 }
+
+const aiScene * read(Assimp::Importer & importer, const std::string & bytes, const std::string & format)
+{
+  return importer.ReadFileFromMemory(
+    bytes.data(), bytes.size(), aiProcess_Triangulate | aiProcess_SortByPType, format.c_str());
+}
+
+/// @return null if it cannot be read: the importer says why
+const aiScene * readScene(Assimp::Importer & importer, const std::string & bytes, const std::string & format)
+{
+  if (format != "dae" && format != "DAE") {
+    return read(importer, bytes, format);
+  }
+  const aiScene * const scene = read(importer, tidiedCollada(bytes), format);
+  return scene ? scene : read(importer, geometryOfCollada(bytes), format);
+}
 }  // namespace
 
 MeshParts readParts(const std::string & path)
@@ -86,10 +104,8 @@ MeshParts readParts(const std::string & path)
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
-  const std::string bytes = bytesOf(path);
   const std::string format = path.substr(path.find_last_of('.') + 1);
-  const aiScene * const scene = importer.ReadFileFromMemory(
-    bytes.data(), bytes.size(), aiProcess_Triangulate | aiProcess_SortByPType, format.c_str());
+  const aiScene * const scene = readScene(importer, bytesOf(path), format);
   if (!scene || !scene->mRootNode) {
     std::string reason = importer.GetErrorString();
     boost::algorithm::replace_all(reason, kNameOfMemory + format, "the file");

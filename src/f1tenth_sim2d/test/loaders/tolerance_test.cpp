@@ -249,16 +249,83 @@ TEST_F(Tolerance, ReadsCapsulesAndEllipsoids)
   EXPECT_DOUBLE_EQ(radius_at("<ellipsoid><radii>1 1 0.5</radii></ellipsoid>", 0.3), 0.8);
 }
 
-TEST_F(Tolerance, ReadsMeshesWithPicturesThatHaveNoPath)
+/// A model with a mesh.
+std::string meshModel(const std::string & mesh)
 {
-  std::string dae = daeTetrahedron("<unit meter=\"1\"/><up_axis>Z_UP</up_axis>");
-  const std::string pictures = "<library_images><image id='i'><init_from>file://</init_from></image></library_images>";
-  dae.insert(dae.find("<library_geometries>"), pictures);
-  folder.write("peak.dae", dae);
-  const WorldDescription world = load(
-    "<model name='m'><static>1</static><link name='l'><collision name='c'><geometry><mesh><uri>peak.dae</uri></mesh>"
-    "</geometry></collision></link></model>");
-  EXPECT_EQ(std::get<Mesh>(world.models.at(0).solids.at(0).shape).surface->triangles.size(), 4u);
+  return "<model name='m'><static>1</static><link name='l'><collision name='c'><geometry><mesh>" + mesh +
+         "</mesh></geometry></collision></link></model>";
+}
+
+std::size_t trianglesOf(const WorldDescription & world)
+{
+  return std::get<Mesh>(world.models.at(0).solids.at(0).shape).surface->triangles.size();
+}
+
+TEST_F(Tolerance, ReadsMeshesWhateverIsWrongWithTheirLooks)
+{
+  const std::string dae = daeTetrahedron("<unit meter=\"1\"/><up_axis>Z_UP</up_axis>");
+  const auto color = [](const std::string & numbers) {
+    return "<library_effects><effect id='e'><profile_COMMON><technique sid='c'><lambert><diffuse><color>" + numbers +
+           "</color></diffuse></lambert></technique></profile_COMMON></effect></library_effects>";
+  };
+  const std::pair<std::string, std::string> odd[]{
+    {"<library_geometries>", "<library_images><image id='i'><init_from>file://</init_from></image></library_images>"},
+    {"<library_geometries>", color(" 0.3 0.4 0.5 1")},
+    {"<library_geometries>", color("red")},
+    {"<input semantic=\"POSITION\"", "<!-- no normals -->"},
+    {"<library_geometries>", "<!-- made by hand -->"}};
+  int number = 0;
+  for (const auto & [before, added] : odd) {
+    std::string text = dae;
+    text.insert(text.find(before), added);
+    const std::string file = "peak" + std::to_string(++number) + ".dae";
+    folder.write(file, text);
+    EXPECT_EQ(trianglesOf(load(meshModel("<uri>" + file + "</uri>"))), 4u) << added;
+  }
+}
+
+TEST_F(Tolerance, LeavesOutTrianglesThatReachTooFar)
+{
+  folder.write("far.obj", objBox("block", {0, 0, 0}, {1, 1, 1}) + "v 1e6 0 0\nf 1 2 9\n");
+  const WorldDescription world = load(meshModel("<uri>far.obj</uri>"));
+  EXPECT_EQ(trianglesOf(world), 12u);
+  EXPECT_NE(
+    warningsOf(world).at(0).find("far.obj with a corner that is not finite or farther than 100 km"), std::string::npos);
+}
+
+TEST_F(Tolerance, LeavesOutAMeshWithAScaleOfZero)
+{
+  folder.write("block.obj", objBox("block", {0, 0, 0}, {1, 1, 1}));
+  const WorldDescription world = load(meshModel("<uri>block.obj</uri><scale>1 0 0</scale>"));
+  EXPECT_TRUE(world.models.at(0).solids.empty());
+  EXPECT_EQ(
+    warningsOf(world),
+    Warnings{
+      "x.world:1: world[w]/model[m]/link[l]/collision[c]/geometry/mesh: a mesh with a <scale> of 0 is left out"});
+  const WorldDescription saved = load(
+    meshModel("<uri>block.obj</uri>") + "<state world_name='w'><model name='m'><scale>1 0 1</scale></model></state>");
+  EXPECT_TRUE(saved.models.at(0).solids.empty());
+  EXPECT_EQ(
+    warningsOf(saved), Warnings{"x.world:1: world[w]/state/model[m]: a model with a <scale> of 0 has no collisions"});
+}
+
+TEST_F(Tolerance, GivesAModelWhoseNameIsTakenANumber)
+{
+  addModel("block", "<model name='block'><static>1</static><link name='l'>" + std::string(kBoxXml) + "</link></model>");
+  const std::string include = "<include><uri>model://block</uri><pose>0 0 0 0 0 0</pose></include>";
+  const std::string other = "\n<include><uri>model://block</uri><pose>5 0 0 0 0 0</pose></include>";
+  const WorldDescription world = load(include + other + "<model name='block_1'><link name='l'/></model>");
+  ASSERT_EQ(world.models.size(), 3u);
+  EXPECT_EQ(world.models[0].name, "block");
+  EXPECT_EQ(world.models[1].name, "block_1");
+  EXPECT_EQ(world.models[1].pose.position.x(), 5.0);
+  EXPECT_EQ(world.models[2].name, "block_1_1");
+  EXPECT_EQ(
+    warningsOf(world), (Warnings{
+                         "x.world:2: world[w]/include[1]: the name 'block' is taken: called 'block_1' here",
+                         "x.world:2: world[w]/model[block_1]: the name 'block_1' is taken: called 'block_1_1' here"}));
+  addModel("pair", "<model name='pair'>" + include + other + "</model>");
+  EXPECT_EQ(load("<include><uri>model://pair</uri></include>").models.at(0).solids.size(), 2u);
 }
 
 std::string errorOfShell(const std::string & script)

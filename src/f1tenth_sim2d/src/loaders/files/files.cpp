@@ -56,6 +56,9 @@ std::vector<std::string> pathListFromEnvironment(const char * variable)
 
 SearchPath searchPathFromEnvironment()
 {
-  return {pathListFromEnvironment("GAZEBO_MODEL_PATH"), pathListFromEnvironment("ROS_PACKAGE_PATH")};
+  SearchPath path{pathListFromEnvironment("GAZEBO_MODEL_PATH"), pathListFromEnvironment("ROS_PACKAGE_PATH")};
+  const std::vector<std::string> resources = pathListFromEnvironment("GAZEBO_RESOURCE_PATH");
+  path.model_folders.insert(path.model_folders.end(), resources.begin(), resources.end());
+  return path;
 }
 }  // namespace f1tenth_sim2d

@@ -36,8 +36,9 @@ void appendExported(const tinyxml2::XMLElement & package, const std::string & fo
   const tinyxml2::XMLElement * const exports = package.FirstChildElement("export");
   for (auto tag = exports ? exports->FirstChildElement("gazebo_ros") : nullptr; tag;
        tag = tag->NextSiblingElement("gazebo_ros")) {
-    if (const char * const value = tag->Attribute("gazebo_model_path")) {
-      for (const std::string & path : splitPathList(value)) {
+    for (const char * const attribute : {"gazebo_model_path", "gazebo_media_path"}) {
+      const char * const value = tag->Attribute(attribute);
+      for (const std::string & path : splitPathList(value ? value : "")) {
         found.push_back(boost::algorithm::replace_all_copy(path, "${prefix}", folder));
       }
     }

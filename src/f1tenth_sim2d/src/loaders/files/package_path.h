@@ -18,8 +18,8 @@ public:
   /// Folder of a package; empty if there is none of this name.
   std::string folderOf(const std::string & package) const;
 
-  /// Folders of models that packages name: <export><gazebo_ros gazebo_model_path="${prefix}/models"/></export>, and the
-  /// folder `models` of each package.
+  /// Folders of models and resources that packages name, <export><gazebo_ros gazebo_model_path="${prefix}/models"
+  /// gazebo_media_path="${prefix}"/></export>, and the folder `models` of each package.
   const std::vector<std::string> & modelFolders() const { return model_folders_; }
 
 private:

@@ -87,7 +87,7 @@ std::string UriLookup::findInPackages(const std::string & path) const
 std::string UriLookup::searchedFolders() const
 {
   if (folders_.empty() && package_folders_.empty()) {
-    return "nothing, since GAZEBO_MODEL_PATH and ROS_PACKAGE_PATH are empty";
+    return "nothing, since GAZEBO_MODEL_PATH, GAZEBO_RESOURCE_PATH and ROS_PACKAGE_PATH are empty";
   }
   std::string text = boost::algorithm::join(folders_, ", ");
   if (!package_folders_.empty()) {

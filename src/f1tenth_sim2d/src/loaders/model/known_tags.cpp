@@ -69,6 +69,22 @@ const std::map<std::string, std::map<std::string, const char *>> kChildren{
     {"max_contacts", nullptr},
     {"pose", nullptr},
     {"surface", nullptr}}},
+  {"inertial",
+   {{"auto_inertia_params", nullptr},
+    {"density", nullptr},
+    {"fluid_added_mass", nullptr},
+    {"frame", nullptr},
+    {"inertia", nullptr},
+    {"mass", nullptr},
+    {"pose", nullptr}}},
+  {"box", {{"size", nullptr}}},
+  {"capsule", {{"length", nullptr}, {"radius", nullptr}}},
+  {"cylinder", {{"length", nullptr}, {"radius", nullptr}}},
+  {"ellipsoid", {{"radii", nullptr}}},
+  {"mesh", {{"scale", nullptr}, {"submesh", nullptr}, {"uri", nullptr}}},
+  {"plane", {{"normal", nullptr}, {"size", nullptr}}},
+  {"polyline", {{"height", nullptr}, {"point", nullptr}}},
+  {"sphere", {{"radius", nullptr}}},
 };
 }  // namespace
 

@@ -47,16 +47,33 @@ void append(std::vector<T> & parts, std::vector<T> more)
 {
   parts.insert(parts.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
+
+/// Where the frame of a model itself is, whichever of its frames its pose is that of.
+GivenPose placeOf(const Model & model)
+{
+  GivenPose place = model.given_pose;
+  place.pose = place.pose * model.frames->poseOf(model.placement_frame, model.element).inverse();
+  return place;
+}
 }  // namespace
 
-void nestFrames(const Model & nested, FrameScope & frames)
+void nestFrames(Model & nested, FrameScope & frames, WarningCollector & warnings)
 {
-  GivenPose place = nested.given_pose;
-  place.pose = place.pose * nested.frames->poseOf(nested.placement_frame, nested.element).inverse();
-  if (!frames.add(nested.name, place)) {
-    nested.element.fail("this name is taken; names are unique among the elements of one parent");
+  const GivenPose place = placeOf(nested);
+  const std::string given = nested.name;
+  for (int number = 1; !frames.add(nested.name, place); ++number) {
+    nested.name = given + "_" + std::to_string(number);
+  }
+  if (nested.name != given) {
+    const Element & named_in = nested.include ? nested.include : nested.element;
+    warnings.add("the name '" + given + "' is taken: called '" + nested.name + "' here", named_in.fileLine());
   }
   frames.addNested(nested.name, nested.frames);
+}
+
+Pose3 ownPose(const Model & model)
+{
+  return FrameScope().resolved(placeOf(model));
 }
 
 Inertia inertiaOf(const Model & model)

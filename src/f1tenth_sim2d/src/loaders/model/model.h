@@ -10,6 +10,7 @@
 #include "loaders/model/frame_scope.h"
 #include "loaders/model/inertia.h"
 #include "loaders/xml/element.h"
+#include "loaders/xml/warning_collector.h"
 
 /// What the description of a model contains, whether SDF or URDF: its parts, with all poses in the frame of the model.
 namespace f1tenth_sim2d
@@ -59,14 +60,20 @@ struct Model
   std::string root_link;
   std::map<std::string, Pose3> link_poses;  ///< of the links, and of those that fixed joints have joined with them
 
+  Element include;  ///< that brought it, or none
   GivenPose given_pose;
   std::string placement_frame;  ///< of this model, whose pose is given; empty: the model's own
   std::shared_ptr<FrameScope> frames{std::make_shared<FrameScope>()};
 };
 
-/// Adds a nested model, and what is in it, to the frames of the model or world around it.
-/// @throws LoadError if its name is taken, or for a placement frame that is not there
-void nestFrames(const Model & nested, FrameScope & frames);
+/// Adds a nested model, and what is in it, to the frames of the model or world around it. One whose name is taken gets
+/// a number behind it, with a warning.
+/// @throws LoadError for a placement frame that is not there
+void nestFrames(Model & nested, FrameScope & frames, WarningCollector & warnings);
+
+/// The pose of a model that is the only one in its document, in the frame that it is put into.
+/// @throws LoadError as nestFrames()
+Pose3 ownPose(const Model & model);
 
 /// Inertia of all links of a model, without those of nested ones, in the frame of the model.
 Inertia inertiaOf(const Model & model);

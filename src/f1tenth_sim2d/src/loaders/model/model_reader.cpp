@@ -167,7 +167,7 @@ void ModelReader::readChildren(const Element & element, Model & model)
 {
   for (const Element & child : element.children()) {
     if (std::optional<Model> nested = readNested(child)) {
-      nestFrames(*nested, *model.frames);
+      nestFrames(*nested, *model.frames, warnings_);
       model.models.push_back(std::move(*nested));
     }
   }
@@ -207,6 +207,7 @@ std::optional<Model> ModelReader::readInclude(const Element & include)
     warnOfNoModel(root, include, warnings_);
     return std::nullopt;
   }
+  model->include = include;
   model->name = include.textOf("name", model->name);
   model->is_static = include.flag("static", model->is_static);
   if (include.child("pose")) {

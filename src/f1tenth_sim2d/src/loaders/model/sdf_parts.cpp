@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -32,11 +33,12 @@ Inertia readInertia(const Element & link, WarningCollector & warnings)
   if (!inertial) {
     return about_itself;
   }
+  warnOfChildren(inertial, warnings);
   warnOfInertia(inertial, about_itself, warnings);
   return placed(about_itself, readPose(inertial, "").pose);
 }
 
-Solid readCollision(
+std::optional<Solid> readCollision(
   const Element & collision, const LinkPart & link, const FrameScope & frames, MeshLibrary & meshes,
   WarningCollector & warnings)
 {
@@ -47,7 +49,12 @@ Solid readCollision(
   if (!geometry) {
     collision.fail("has no <geometry>");
   }
-  solid.shape = readShape(geometry, meshes, solid.pose);
+  std::optional<Shape> shape = readShape(geometry, meshes, solid.pose);
+  warnOfChildren(geometry.children().front(), warnings);
+  if (!shape) {
+    return std::nullopt;
+  }
+  solid.shape = *std::move(shape);
   solid.pose = frames.resolved(readPose(collision, link.name)) * solid.pose;
   collision.requireNear(solid.pose.position);
   readSurface(collision.child("surface"), solid, warnings);
@@ -124,7 +131,9 @@ void readLink(LinkPart & link, const FrameScope & frames, MeshLibrary & meshes, 
   std::set<std::string> names;
   for (const Element & collision : link.element.children("collision")) {
     warnOfTakenName(collision, names, warnings);
-    link.solids.push_back(readCollision(collision, link, frames, meshes, warnings));
+    if (std::optional<Solid> solid = readCollision(collision, link, frames, meshes, warnings)) {
+      link.solids.push_back(*std::move(solid));
+    }
   }
   for (const Element & sensor : link.element.children("sensor")) {
     link.sensors.push_back({sensor, frames.resolved(readPose(sensor, link.name))});

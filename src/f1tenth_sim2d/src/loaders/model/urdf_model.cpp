@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "loaders/model/known_urdf.h"
 #include "loaders/model/read_pose.h"
 #include "loaders/model/sdf_parts.h"
 #include "loaders/model/urdf_extensions.h"
@@ -56,6 +57,7 @@ public:
   UrdfModel(const Element & robot, MeshLibrary & meshes, WarningCollector & warnings)
   : meshes_(meshes), warnings_(warnings), tree_(robot), extensions_(robot, tree_, warnings)
   {
+    warnOfUnknownUrdf(robot, warnings);
     model_.element = robot;
     model_.name = robot.name();
     model_.root_link = tree_.root().name;
@@ -125,13 +127,17 @@ private:
   void addSolids(const UrdfLink & link, const UrdfLink & whole, std::vector<Solid> & solids)
   {
     for (const Element & collision : link.element.children("collision")) {
-      Solid solid;
-      solid.name = nameOf(collision, link, whole, solids.size());
       const Element geometry = collision.child("geometry");
       if (!geometry) {
         collision.fail("has no <geometry>");
       }
-      solid.shape = readUrdfShape(geometry, meshes_);
+      std::optional<Shape> shape = readUrdfShape(geometry, meshes_);
+      if (!shape) {
+        continue;
+      }
+      Solid solid;
+      solid.name = nameOf(collision, link, whole, solids.size());
+      solid.shape = *std::move(shape);
       solid.pose = link.pose * readOrigin(collision);
       collision.requireNear(solid.pose.position);
       extensions_.apply(whole, solid, warnings_);

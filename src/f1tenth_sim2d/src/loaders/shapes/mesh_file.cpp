@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -14,6 +15,8 @@ namespace f1tenth_sim2d
 namespace
 {
 using Eigen::Vector3d;
+
+constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
 
 bool hasName(const std::vector<std::string> & names, const std::string & name)
 {
@@ -34,6 +37,7 @@ public:
   }
 
   TriangleMesh surface;
+  std::size_t left_out{0};
 
 private:
   void add(const MeshPart & part)
@@ -51,7 +55,7 @@ private:
   std::uint32_t indexOf(const Vector3d & vertex)
   {
     if (!vertex.allFinite() || vertex.cwiseAbs().maxCoeff() > kFarthest) {
-      throw Error("has a vertex that is not finite or farther than 100 km from its origin");
+      return kNoVertex;
     }
     const auto next = static_cast<std::uint32_t>(surface.vertices.size());
     const auto [known, is_new] = index_of_.try_emplace({vertex.x(), vertex.y(), vertex.z()}, next);
@@ -63,7 +67,9 @@ private:
 
   void addTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c)
   {
-    if (a != b && b != c && c != a) {
+    if (std::max({a, b, c}) == kNoVertex) {
+      ++left_out;
+    } else if (a != b && b != c && c != a) {
       surface.triangles.push_back(scale_.prod() < 0.0 ? std::array{a, c, b} : std::array{a, b, c});
     }
   }
@@ -93,19 +99,20 @@ std::string listed(const std::set<std::string> & names)
 }
 }  // namespace
 
-std::shared_ptr<const TriangleMesh> readMeshFile(const std::string & path, const MeshSelection & selection)
+MeshSurface readMeshFile(const std::string & path, const MeshSelection & selection)
 {
   const std::shared_ptr<const MeshParts> file = partsOfFile(path);
-  const auto mesh = std::make_shared<TriangleMesh>(SurfaceBuilder(*file, selection).surface);
+  SurfaceBuilder builder(*file, selection);
+  const auto mesh = std::make_shared<TriangleMesh>(std::move(builder.surface));
   if (mesh->triangles.empty()) {
     throw Error(
       selection.submesh.empty() || hasName(file->names, selection.submesh)
-        ? "holds no triangles"
+        ? std::string("holds no triangles") + (builder.left_out > 0 ? " within 100 km of its origin" : "")
         : "has no submesh '" + selection.submesh + "', there are: " + listed({file->names.begin(), file->names.end()}));
   }
   if (selection.centred) {
     moveMiddleToOrigin(*mesh);
   }
-  return mesh;
+  return {mesh, builder.left_out};
 }
 }  // namespace f1tenth_sim2d

@@ -44,17 +44,21 @@ std::string upAxisOf(const std::string & path)
 }
 }  // namespace
 
-Mesh MeshLibrary::read(const Element & element, const std::string & uri, const MeshSelection & selection)
+std::optional<Mesh> MeshLibrary::read(const Element & element, const std::string & uri, const MeshSelection & selection)
 {
-  if (!selection.scale.allFinite() || selection.scale.cwiseAbs().minCoeff() <= 0.0) {
-    element.fail("<scale> has to be three finite numbers, none of them 0");
+  if (!selection.scale.allFinite()) {
+    element.fail("<scale> has to be three finite numbers");
+  }
+  if (selection.scale.cwiseAbs().minCoeff() <= 0.0) {
+    warnings_.add("a mesh with a <scale> of 0 is left out", element.fileLine());
+    return std::nullopt;
   }
   const std::string path = find(element, uri);
   std::shared_ptr<const TriangleMesh> & mesh = known_[keyOf(path, selection)];
   if (!mesh) {
     mesh = readNew(element, path, selection);
   }
-  return {mesh};
+  return Mesh{mesh};
 }
 
 std::string MeshLibrary::find(const Element & element, const std::string & uri) const
@@ -80,7 +84,14 @@ std::shared_ptr<const TriangleMesh> MeshLibrary::readNew(
     warnings_.add("the <up_axis> " + axis + " of a mesh file is passed over, as Gazebo does", element.fileLine());
   }
   try {
-    return readMeshFile(path, selection);
+    const MeshSurface surface = readMeshFile(path, selection);
+    if (surface.left_out > 0) {
+      warnings_.add(
+        "triangles of " + path +
+          " with a corner that is not finite or farther than 100 km from its origin are left out",
+        element.fileLine());
+    }
+    return surface.triangles;
   } catch (const Error & error) {
     element.fail(path + " " + error.what());
   }

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "loaders/files/uri_lookup.h"
@@ -20,8 +21,9 @@ public:
 
   /// @param element  a <mesh>, which messages name
   /// @param uri      of its file; one without scheme is first looked up beside the file that the element is in
+  /// @return none, with a warning, if a scale of 0 leaves nothing of it
   /// @throws LoadError
-  Mesh read(const Element & element, const std::string & uri, const MeshSelection & selection);
+  std::optional<Mesh> read(const Element & element, const std::string & uri, const MeshSelection & selection);
 
 private:
   std::string find(const Element & element, const std::string & uri) const;

@@ -73,7 +73,7 @@ Polyline readPolylines(const Element & geometry)
   return solid;
 }
 
-Mesh readMesh(const Element & mesh, MeshLibrary & meshes)
+std::optional<Mesh> readMesh(const Element & mesh, MeshLibrary & meshes)
 {
   MeshSelection selection;
   selection.scale = mesh.vector("scale", Vector3d::Ones());
@@ -84,7 +84,7 @@ Mesh readMesh(const Element & mesh, MeshLibrary & meshes)
   return meshes.read(mesh, mesh.requiredText("uri"), selection);
 }
 
-Mesh readUrdfMesh(const Element & mesh, MeshLibrary & meshes)
+std::optional<Mesh> readUrdfMesh(const Element & mesh, MeshLibrary & meshes)
 {
   MeshSelection selection;
   if (mesh.has("scale")) {
@@ -103,7 +103,7 @@ Element onlyShape(const Element & geometry, const char * allowed)
 }
 }  // namespace
 
-Shape readShape(const Element & geometry, MeshLibrary & meshes, Pose3 & pose)
+std::optional<Shape> readShape(const Element & geometry, MeshLibrary & meshes, Pose3 & pose)
 {
   const Element shape = onlyShape(geometry, kAllowedShapes);
   if (shape.is("box")) {
@@ -135,7 +135,7 @@ Shape readShape(const Element & geometry, MeshLibrary & meshes, Pose3 & pose)
   shape.fail(std::string("is not supported as a collision; allowed are ") + kAllowedShapes);
 }
 
-Shape readUrdfShape(const Element & geometry, MeshLibrary & meshes)
+std::optional<Shape> readUrdfShape(const Element & geometry, MeshLibrary & meshes)
 {
   const Element shape = onlyShape(geometry, kAllowedUrdfShapes);
   if (shape.is("box")) {

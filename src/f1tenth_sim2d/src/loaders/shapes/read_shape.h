@@ -1,18 +1,18 @@
 #pragma once
 
-#include <string>
+#include <optional>
 
 #include "loaders/shapes/mesh_library.h"
 #include "loaders/xml/element.h"
 
 namespace f1tenth_sim2d
 {
-/// Shape of a <geometry> of SDF.
+/// Shape of a <geometry> of SDF; none, with a warning, for one that a scale of 0 leaves nothing of.
 /// @param pose  of the collision; a plane is turned to its normal
 /// @throws LoadError
-Shape readShape(const Element & geometry, MeshLibrary & meshes, Pose3 & pose);
+std::optional<Shape> readShape(const Element & geometry, MeshLibrary & meshes, Pose3 & pose);
 
-/// Shape of a <geometry> of a URDF.
+/// The same of a URDF.
 /// @throws LoadError
-Shape readUrdfShape(const Element & geometry, MeshLibrary & meshes);
+std::optional<Shape> readUrdfShape(const Element & geometry, MeshLibrary & meshes);
 }  // namespace f1tenth_sim2d

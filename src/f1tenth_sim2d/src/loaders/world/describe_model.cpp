@@ -145,10 +145,10 @@ void append(
   std::vector<ModelDescription> & models, WarningCollector & warnings)
 {
   const Model model = withTiedModels(given);
-  model.element.requireNear(pose.position);
   if (!pose.rotation.coeffs().allFinite()) {
     model.element.fail("has a rotation that is not finite");
   }
+  model.element.requireNear(pose.position);
   warnOfSensorsAndPlugins(model, warnings);
   warnOfPlanes(model, pose, warnings);
   ModelDescription description;

@@ -35,7 +35,7 @@ LoadedModel loadModel(
   Model model = reader.readText(xml, source, "model");
   model.name = name;
   LoadedModel loaded;
-  appendModel(model, pose, loaded.models, warnings);
+  appendModel(model, pose * ownPose(model), loaded.models, warnings);
   loaded.warnings = warnings.messages();
   return loaded;
 }

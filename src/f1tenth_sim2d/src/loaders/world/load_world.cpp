@@ -61,7 +61,7 @@ void readModels(const Element & world, ModelReader & reader, WorldDescription & 
   std::vector<Model> models;
   for (const Element & child : world.children()) {
     if (std::optional<Model> model = reader.readNested(child)) {
-      nestFrames(*model, frames);
+      nestFrames(*model, frames, reader.warnings());
       models.push_back(std::move(*model));
     }
   }

@@ -18,8 +18,8 @@ constexpr double kRounding = 1e-3;
 Vector3d readScale(const Element & saved)
 {
   const Vector3d scale = saved.vector("scale", Vector3d::Ones());
-  if (!scale.allFinite() || scale.minCoeff() <= 0.0) {
-    saved.fail("<scale> is '" + saved.child("scale").text() + "', allowed are three finite numbers greater than 0");
+  if (!scale.allFinite() || scale.minCoeff() < 0.0) {
+    saved.fail("<scale> is '" + saved.child("scale").text() + "', allowed are three finite numbers from 0");
   }
   return scale;
 }
@@ -65,6 +65,13 @@ bool scaleShape(const Element & saved, const Vector3d & scale, Shape & shape)
 void scaleLinks(const Element & saved, Model & model, WarningCollector & warnings)
 {
   const Vector3d scale = readScale(saved);
+  if (scale.minCoeff() == 0.0) {
+    warnings.add("a model with a <scale> of 0 has no collisions", saved.fileLine());
+    for (LinkPart & link : model.links) {
+      link.solids.clear();
+    }
+    return;
+  }
   for (LinkPart & link : model.links) {
     for (Solid & solid : link.solids) {
       if (scale != Vector3d::Ones() && !scaleShape(saved, scale, solid.shape)) {

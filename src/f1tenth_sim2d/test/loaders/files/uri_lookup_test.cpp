@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "temp_folder.h"
 
 namespace f1tenth_sim2d
@@ -19,9 +21,11 @@ protected:
     folder.write("src/group/car_description/models/cone/model.config", "");
     folder.write(
       "src/places/package.xml",
-      "<package><name>places</name><export><gazebo_ros gazebo_model_path='${prefix}/database:/nowhere'/></export>"
+      "<package><name>places</name><export><gazebo_ros gazebo_model_path='${prefix}/database:/nowhere' "
+      "gazebo_media_path='${prefix}/media'/></export>"
       "</package>");
     folder.write("src/places/database/shelf/model.config", "");
+    folder.write("src/places/media/meshes/shelf.dae", "");
     folder.write("src/places/models/chair/model.config", "");
     folder.write("models/table/model.config", "");
     folder.write("worlds/room.world", "");
@@ -55,6 +59,18 @@ TEST_F(Uris, OfModelsAreFoundInPackagesThatExportThemToGazebo)
 TEST_F(Uris, OfModelsAreFoundInTheModelsFolderOfAPackage)
 {
   EXPECT_EQ(find("model://chair"), "src/places/models/chair");
+}
+
+TEST_F(Uris, OfFilesAreFoundInResourceFolders)
+{
+  EXPECT_EQ(find("file://meshes/shelf.dae"), "src/places/media/meshes/shelf.dae");
+  ::setenv("GAZEBO_MODEL_PATH", "/models", 1);
+  ::setenv("GAZEBO_RESOURCE_PATH", (folder.path() + "/worlds").c_str(), 1);
+  const SearchPath from_environment = searchPathFromEnvironment();
+  ::unsetenv("GAZEBO_MODEL_PATH");
+  ::unsetenv("GAZEBO_RESOURCE_PATH");
+  EXPECT_EQ(from_environment.model_folders, (std::vector<std::string>{"/models", folder.path() + "/worlds"}));
+  EXPECT_EQ(UriLookup(from_environment, "").find("file://meshes/door.dae"), folder.path() + "/worlds/meshes/door.dae");
 }
 
 TEST(SearchedFolders, NameWhatThereIs)

@@ -62,8 +62,6 @@ const std::vector<BadWorld> kBadWorlds{
    "test.world: holds 2 worlds, allowed is one <world>"},
   {"ModelWithoutName", oneWorld("<model><link name='l'/></model>"),
    "test.world: world[w]/model: has no attribute 'name'"},
-  {"ModelNameTwice", oneWorld("<model name='m'><link name='l'/></model><model name='m'><link name='l'/></model>"),
-   "test.world: world[w]/model[m]: this name is taken; names are unique among the elements of one parent"},
   {"LinkNameTwice", oneWorld("<model name='m'><link name='l'/><link name='l'/></model>"),
    "test.world: world[w]/model[m]/link[l]: this name is taken; names are unique among the elements of one parent"},
   {"UnknownUri", oneWorld("<include><uri>model://nowhere</uri></include>"),
@@ -156,8 +154,8 @@ const std::vector<BadWorld> kBadWorlds{
   {"GravityUpwards", oneWorld("<gravity>0 0 9.8</gravity>"),
    "test.world: world[w]: z of <gravity> is 9.8, allowed is at most 0: it points downwards"},
   {"ScaleOfAStateIsZero",
-   oneWorld("<model name='m'><link name='l'/></model><state><model name='m'><scale>1 0 1</scale></model></state>"),
-   "test.world: world[w]/state/model[m]: <scale> is '1 0 1', allowed are three finite numbers greater than 0"},
+   oneWorld("<model name='m'><link name='l'/></model><state><model name='m'><scale>1 -1 1</scale></model></state>"),
+   "test.world: world[w]/state/model[m]: <scale> is '1 -1 1', allowed are three finite numbers from 0"},
 };
 
 class LoadWorldErrors : public testing::TestWithParam<BadWorld>

@@ -134,10 +134,11 @@ public:
   void addModel(const ModelDescription & model);
   /// Removes a model; those after it move up.
   void removeModel(std::size_t index);
-  /// Puts a model somewhere else; its height and tilt stay. A static one has no velocity, and moving it costs as much
-  /// as loading the world. reset() brings both back.
+  /// Puts a model somewhere else; its tilt stays. A static one has no velocity. Moving a static one, and lifting any,
+  /// costs as much as loading the world. reset() brings it back.
+  /// @param lift  m, by which it is put higher than it is
   /// @throws Error if a number is not finite
-  void placeModel(std::size_t index, const ModelState & state);
+  void placeModel(std::size_t index, const ModelState & state, double lift = 0.0);
 
   /// Little-endian bytes of all car states, for the trajectory hash.
   void appendStateBytes(std::vector<std::uint8_t> & bytes) const;

@@ -129,7 +129,7 @@ void Simulation::reset()
 
 void Simulation::resetPoses()
 {
-  impl_->returnStaticModels();
+  impl_->returnModels();
   for (const auto & car : impl_->cars()) {
     car->car.restart(impl_->time);
     car->contacts.clear();

@@ -106,9 +106,9 @@ void Simulation::Impl::enter(std::unique_ptr<CollisionWorld> entered) noexcept
   forgetSurroundings(cars());
 }
 
-void Simulation::Impl::returnStaticModels()
+void Simulation::Impl::returnModels()
 {
-  if (!static_models_moved) {
+  if (!models_moved) {
     return;
   }
   WorldDescription changed = world();
@@ -116,7 +116,7 @@ void Simulation::Impl::returnStaticModels()
     changed.models[i].pose = start_poses[i];
   }
   changeWorld(std::move(changed), {});
-  static_models_moved = false;
+  models_moved = false;
 }
 
 void Simulation::Impl::refuseOccupiedPlace(

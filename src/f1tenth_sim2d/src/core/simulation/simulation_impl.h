@@ -38,15 +38,15 @@ struct Simulation::Impl : MovingPoses
   /// Without cars, but with room for all of them.
   std::unique_ptr<CollisionWorld> emptyCollisions() const;
   void enter(std::unique_ptr<CollisionWorld> entered) noexcept;
-  void returnStaticModels();
+  void returnModels();
 
   std::shared_ptr<const WorldGeometry> geometry;
   SimulationOptions options;
   SimTime step_length;
   double dt;  ///< s
   SimTime time{0};
-  std::vector<Pose3> start_poses;  ///< of the models; static ones may have been put elsewhere
-  bool static_models_moved{false};
+  std::vector<Pose3> start_poses;  ///< of the models; they may have been put elsewhere
+  bool models_moved{false};
   std::unique_ptr<CollisionWorld> collisions;
   CarRegistry registry;
   mutable std::mutex scenes_mutex;  ///< for const functions that add one

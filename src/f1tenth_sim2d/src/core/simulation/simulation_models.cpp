@@ -69,19 +69,22 @@ void Simulation::removeModel(std::size_t index)
   }
 }
 
-void Simulation::placeModel(std::size_t index, const ModelState & state)
+void Simulation::placeModel(std::size_t index, const ModelState & state, double lift)
 {
-  const ModelDescription & model = world().models.at(index);
-  validate(state, model.name);
-  if (model.is_static) {
+  const bool is_static = world().models.at(index).is_static;
+  validate(state, world().models[index].name);
+  if (is_static || lift != 0.0) {
     WorldDescription changed = world();
-    changed.models[index].pose =
-      Pose3(state.pose.x, state.pose.y, 0.0, 0.0, 0.0, state.pose.yaw) * withoutPlanar(model.pose);
+    ModelDescription & model = changed.models[index];
+    const Pose2 shadow = is_static ? state.pose : planar(model.pose);
+    model.pose = Pose3(shadow.x, shadow.y, lift, 0.0, 0.0, shadow.yaw) * withoutPlanar(model.pose);
+    validate(model, changed.file);
     impl_->changeWorld(std::move(changed), impl_->collisions->motions());
-    impl_->static_models_moved = true;
-    return;
+    impl_->models_moved = true;
   }
-  impl_->collisions->placeModel(index, state);
-  forgetSurroundings(impl_->cars());
+  if (!is_static) {
+    impl_->collisions->placeModel(index, state);
+    forgetSurroundings(impl_->cars());
+  }
 }
 }  // namespace f1tenth_sim2d

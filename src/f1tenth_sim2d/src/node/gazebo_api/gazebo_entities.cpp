@@ -1,6 +1,7 @@
 #include "node/gazebo_api/gazebo_entities.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
 
 #include "core/math/planar_pose.h"
@@ -64,12 +65,18 @@ std::vector<Entity> links(const Simulation & simulation)
 
 std::optional<Entity> find(const Simulation & simulation, const std::string & name)
 {
-  const auto search = [&](const std::vector<Entity> & list) -> std::optional<Entity> {
-    const auto found = std::find_if(list.begin(), list.end(), [&](const Entity & each) { return each.name == name; });
-    return found == list.end() ? std::nullopt : std::make_optional(*found);
+  std::vector<Entity> all = entities(simulation);
+  const std::vector<Entity> more = links(simulation);
+  all.insert(all.end(), more.begin(), more.end());
+  const auto isCalled = [&name](const Entity & entity) { return entity.name == name; };
+  const auto endsWith = [ending = "::" + name](const Entity & entity) {
+    return boost::algorithm::ends_with(entity.name, ending);
   };
-  const auto entity = search(entities(simulation));
-  return entity ? entity : search(links(simulation));
+  auto found = std::find_if(all.begin(), all.end(), isCalled);
+  if (found == all.end() && !name.empty()) {
+    found = std::find_if(all.begin(), all.end(), endsWith);
+  }
+  return found == all.end() ? std::nullopt : std::make_optional(*found);
 }
 
 bool isWorld(const std::string & name)

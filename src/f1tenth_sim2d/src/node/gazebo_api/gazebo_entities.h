@@ -32,7 +32,7 @@ struct Entity
 std::vector<Entity> entities(const Simulation & simulation);
 /// Links of all cars, joints at zero. Links of models are no longer known.
 std::vector<Entity> links(const Simulation & simulation);
-/// A model, car or link.
+/// A model, car or link: by its name, or, as in Gazebo, the first one that has it behind the names of what is around it.
 std::optional<Entity> find(const Simulation & simulation, const std::string & name);
 /// Whether a name stands for the world's frame: "", "world", "map" and the like.
 bool isWorld(const std::string & name);

@@ -4,6 +4,7 @@
 
 #include "core/math/planar_pose.h"
 #include "f1tenth_sim2d/errors.h"
+#include "node/gazebo_api/heights.h"
 #include "node/gazebo_api/spawner.h"
 #include "node/messages/conversions.h"
 
@@ -83,15 +84,15 @@ void removeWithNested(Simulation & simulation, const std::string & name)
 }
 
 /// As in Gazebo, what is nested in the model goes along, but keeps its velocity.
-void placeWithNested(Simulation & simulation, const Entity & entity, const ModelState & state)
+void placeWithNested(Simulation & simulation, const Entity & entity, const ModelState & state, double lift)
 {
   const Pose2 before = simulation.modelState(entity.model).pose;
-  simulation.placeModel(entity.model, state);
+  simulation.placeModel(entity.model, state, lift);
   for (std::size_t i = 0; i < simulation.models().size(); ++i) {
     if (isNestedIn(entity.name, simulation.models()[i])) {
       ModelState nested = simulation.modelState(i);
       nested.pose = chain(state.pose, workspace_support::compose(workspace_support::inverse(before), nested.pose));
-      simulation.placeModel(i, nested);
+      simulation.placeModel(i, nested, lift);
     }
   }
 }
@@ -143,6 +144,9 @@ Entity GazeboModels::model(const std::string & name) const
 
 void GazeboModels::spawn(const gazebo_msgs::SpawnModel::Request & request, gazebo_msgs::SpawnModel::Response &)
 {
+  if (request.model_name.empty()) {
+    throw Error("Failure - model_name is empty, allowed is a name that no model has");
+  }
   if (find(simulation_, request.model_name)) {
     throw Error("Failure - model name " + request.model_name + " already exist.");
   }
@@ -196,9 +200,12 @@ void GazeboModels::put(const gazebo_msgs::ModelState & wanted)
   const Vec2 velocity = rotated({wanted.twist.linear.x, wanted.twist.linear.y}, from.pose.yaw());
   const double yaw_rate = wanted.twist.angular.z;
   if (entity.kind == Entity::Kind::kModel) {
-    placeWithNested(simulation_, entity, {planar(pose), velocity, yaw_rate});
+    warnOfTilt(entity, pose);
+    const double lift = liftOf(simulation_.models()[entity.model], pose.position.z());
+    placeWithNested(simulation_, entity, {planar(pose), velocity, yaw_rate}, lift);
     return;
   }
+  requireAboveGround(entity, pose);
   const Pose2 place = carPose(simulation_.car(entity.car), pose);
   const Vec2 arm{place.x - pose.position.x(), place.y - pose.position.y()};
   const Vec2 own = velocityAt(velocity, yaw_rate, arm);

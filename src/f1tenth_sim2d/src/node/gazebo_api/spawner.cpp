@@ -79,7 +79,7 @@ void spawnCar(const SpawnRequest & request, const std::string & source, Fleet & 
     loadCar(request.xml, request.name, source, searchPathFromEnvironment(), parameters.ros_namespace.substr(1));
   warnOnce(description.source, description.warnings);
   parameters.frame_prefix = framePrefix(parameters.ros_namespace);
-  addNear(parameters, description, carPose(description, request.pose), fleet);
+  addNear(parameters, description, carPose(description, request.pose * description.own_pose), fleet);
 }
 
 /// All or nothing: a model and those nested in it that are bodies of their own.

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 
 from f1tenth_sim2d import VehicleParameters
-from f1tenth_sim2d.environments.picture import View
 from f1tenth_sim2d.environments.place import circuits
 from f1tenth_sim2d.environments.settings import require_number
 from f1tenth_sim2d.environments.stage import Stage
+from f1tenth_sim2d.environments.view import View
 
 _IDS = ("f110_gym:f110-v0", "f110-v0")
 _NUMBERS = {
@@ -207,7 +207,7 @@ class F110Env:
         """
         if mode not in ("human", "human_fast"):
             raise ValueError(f"mode: found {mode!r}, allowed are human, human_fast")
-        self._now.view.show(self._now.stage.results[0])
+        self._now.view.show()
 
     def close(self):
         """Close the window."""
@@ -226,7 +226,7 @@ class F110Env:
             }
         )
         self.params = params
-        return _Loaded(stage, View("human", stage.place), params.get("lr", VehicleParameters().l_r))
+        return _Loaded(stage, View("human", stage), params.get("lr", VehicleParameters().l_r))
 
     def _observation(self):
         cars = self._now.stage.results[0]

@@ -7,8 +7,8 @@ from gymnasium.utils import seeding
 from pettingzoo import ParallelEnv
 
 from f1tenth_sim2d.environments.episode import OPTIONS
-from f1tenth_sim2d.environments.picture import View
 from f1tenth_sim2d.environments.shown import ShownEnv
+from f1tenth_sim2d.environments.view import View
 
 
 class F1TenthParallelEnv(ShownEnv, ParallelEnv):
@@ -70,7 +70,7 @@ class F1TenthParallelEnv(ShownEnv, ParallelEnv):
             return {}, {}, {}, {}, {}
         driven = np.array([[agent in self.agents for agent in self.possible_agents]])
         self._stage.step(self._rows(actions), driven)
-        self._view.show(self._stage.results[0])
+        self._view.show()
         rewards, finished = self._stage.rewards()[0], self._stage.finished()[0]
         late = bool(self._stage.out_of_time()[0])
         answer = (

@@ -1,134 +1,75 @@
 """A place and its cars, seen from above."""
 
-from typing import Optional
-
 import numpy as np
-from PIL import Image, ImageDraw
+from PIL import ImageDraw, ImageFont
 
+from f1tenth_sim2d.environments.ground import Ground
 from f1tenth_sim2d.environments.place import Place
 
-_SIZE = 800
-"""Pixels of the longer side."""
-_MARGIN = 0.5  # m
-_HEIGHT = 0.16  # m, at which the world is cut
+CARS = ((200, 55, 45), (40, 95, 175), (45, 140, 85), (210, 150, 30), (125, 75, 160), (60, 150, 160))
+TRAIL = (236, 168, 160)
 _BODY = np.array([(-0.1, -0.14), (0.43, -0.14), (0.43, 0.14), (-0.1, 0.14)])  # m, of a car
-_PAPER, _WALL, _ROAD = (250, 250, 248), (70, 72, 78), (214, 216, 220)
-_CARS = ((200, 55, 45), (40, 95, 175), (45, 140, 85), (210, 150, 30), (125, 75, 160), (60, 150, 160))
+_NOSE = np.array([(0.2, -0.12), (0.41, 0.0), (0.2, 0.12)])  # m, tells the heading
+_LEAST_LENGTH = 14.0  # pixels, of a car: a smaller one is drawn larger than it is
+_INK, _BACK = (40, 42, 46), (255, 255, 255)
+_TRAIL_STEP = 0.1  # m
+_TRAIL_POINTS = 5000
 
 
 class Picture:
-    """Draws cars into a place."""
+    """Draws cars into a place; what is too large to be seen as a whole is shown around the first car."""
 
     def __init__(self, place: Place):
-        self._outlines, self._circles = place.world.section(_HEIGHT)
-        points = np.concatenate([*self._outlines, self._circles[:, :2], [place.world.start[:2]]])
-        self._low = points.min(axis=0) - _MARGIN
-        extent = points.max(axis=0) + _MARGIN - self._low
-        self._scale = _SIZE / extent.max()
-        self._extent = np.maximum(1, np.ceil(extent * self._scale)).astype(int)
-        self._ground = self._draw_ground(place)
+        self._ground = Ground(place)
+        length = (_BODY[1, 0] - _BODY[0, 0]) * self._ground.scale
+        self._enlarged = max(1.0, _LEAST_LENGTH / length)
+        self._font = ImageFont.load_default()
+        self._trail: list = []
+        self._time = np.inf
 
-    def draw(self, results) -> np.ndarray:
+    @property
+    def size(self):
+        """(width, height), pixels."""
+        return self._ground.view
+
+    def note(self, car, time):
+        """Add to the trail where the first car is; a time that goes back (s) begins a new trail."""
+        if time < self._time:
+            self._trail = []
+        self._time = time
+        here = (float(car["x"]), float(car["y"]))
+        if not self._trail or np.hypot(*np.subtract(here, self._trail[-1])) >= _TRAIL_STEP:
+            self._trail = [*self._trail[-_TRAIL_POINTS:], here]
+
+    def draw(self, results, time) -> np.ndarray:
         """Return the picture, a uint8 array of shape (height, width, 3).
 
         Args:
             results: of the cars, structured array of shape (cars,).
+            time: simulated, s.
         """
-        image = self._ground.copy()
+        left, top = self._ground.corner(results[0]["x"], results[0]["y"])
+        image = self._ground.image.crop((left, top, left + self.size[0], top + self.size[1]))
         draw = ImageDraw.Draw(image)
-        for i, car in enumerate(results):
-            c, s = np.cos(car["yaw"]), np.sin(car["yaw"])
-            corners = _BODY @ np.array([[c, s], [-s, c]]) + (car["x"], car["y"])
-            draw.polygon(self._pixels(corners), fill=_CARS[i % len(_CARS)])
+
+        def pixels(points):
+            return [(x - left, y - top) for x, y in self._ground.pixels(points)]
+
+        if len(self._trail) > 1:
+            draw.line(pixels(np.array(self._trail)), fill=TRAIL, width=2)
+        for i, car in reversed(list(enumerate(results))):
+            draw.polygon(pixels(self._placed(_BODY, car)), fill=CARS[i % len(CARS)])
+            draw.polygon(pixels(self._placed(_NOSE, car)), fill=_BACK)
+        self._write(draw, results[0], time)
         return np.asarray(image)
 
-    def _draw_ground(self, place):
-        image = Image.new("RGB", tuple(self._extent), _PAPER)
-        draw = ImageDraw.Draw(image)
-        if place.centreline is not None:
-            line = self._pixels(np.concatenate([place.centreline[:, :2], place.centreline[:1, :2]]))
-            draw.line(line, fill=_ROAD, width=2)
-        for outline in self._outlines:
-            draw.polygon(self._pixels(outline), fill=_WALL)
-        for x, y, radius in self._circles:
-            draw.ellipse(
-                self._pixels(np.array([(x - radius, y + radius), (x + radius, y - radius)])), fill=_WALL
-            )
-        return image
+    def _placed(self, corners, car):
+        c, s = np.cos(car["yaw"]), np.sin(car["yaw"])
+        return self._enlarged * corners @ np.array([[c, s], [-s, c]]) + (car["x"], car["y"])
 
-    def _pixels(self, points):
-        pixels = (points - self._low) * self._scale
-        pixels[:, 1] = self._extent[1] - pixels[:, 1]
-        return [tuple(point) for point in pixels]
-
-
-class Window(Picture):
-    """Shows the picture in a window."""
-
-    def __init__(self, place: Place):
-        """Open the window.
-
-        Raises:
-            gymnasium.error.DependencyNotInstalled: there is no pygame.
-        """
-        super().__init__(place)
-        try:
-            import pygame
-        except ImportError as error:
-            from gymnasium.error import DependencyNotInstalled
-
-            raise DependencyNotInstalled("render_mode human needs pygame: pip install pygame") from error
-        self._pygame = pygame
-        pygame.display.init()
-        pygame.display.set_caption(place.name)
-        self._screen = pygame.display.set_mode(tuple(int(each) for each in self._extent))
-
-    def draw(self, results):
-        """Show the cars now."""
-        image = super().draw(results)
-        self._screen.blit(self._pygame.surfarray.make_surface(image.swapaxes(0, 1)), (0, 0))
-        self._pygame.event.pump()
-        self._pygame.display.flip()
-        return image
-
-    def close(self):
-        """Close the window."""
-        self._pygame.display.quit()
-
-
-class View:
-    """What an environment shows of itself: nothing, pictures, or a window."""
-
-    MODES = ("rgb_array", "human")
-    FRAMES_PER_SECOND = 40
-
-    def __init__(self, mode: Optional[str], place: Place):
-        """Draw nothing yet.
-
-        Raises:
-            ValueError: a render_mode other than None and those of MODES.
-        """
-        if mode not in (None, *self.MODES):
-            raise ValueError(f"render_mode: found {mode!r}, allowed are None, {', '.join(self.MODES)}")
-        self._mode, self._place = mode, place
-        self._picture: Optional[Picture] = None
-
-    def show(self, results) -> None:
-        """Show the cars now, if there is a window; results as of Picture.draw."""
-        if self._mode == "human":
-            self._draw(results)
-
-    def render(self, results) -> Optional[np.ndarray]:
-        """Return the picture, see Picture.draw; None unless the mode is rgb_array."""
-        return self._draw(results) if self._mode == "rgb_array" else None
-
-    def close(self) -> None:
-        """Close the window, if there is one; closing twice is allowed."""
-        if isinstance(self._picture, Window):
-            self._picture.close()
-        self._picture = None
-
-    def _draw(self, results):
-        if self._picture is None:
-            self._picture = (Window if self._mode == "human" else Picture)(self._place)
-        return self._picture.draw(results)
+    def _write(self, draw, car, time):
+        speed = np.hypot(car["v_x"], car["v_y"])
+        text = f"lap {int(car['laps']) + 1}   {time:.2f} s   {speed:.1f} m/s"
+        box = draw.textbbox((8, 6), text, font=self._font)
+        draw.rectangle((box[0] - 4, box[1] - 3, box[2] + 4, box[3] + 3), fill=_BACK)
+        draw.text((8, 6), text, fill=_INK, font=self._font)

@@ -1,8 +1,8 @@
 """What the environments that can be seen and recorded have in common."""
 
-from f1tenth_sim2d.environments.picture import View
 from f1tenth_sim2d.environments.recording import recorder_into
 from f1tenth_sim2d.environments.stage import Stage
+from f1tenth_sim2d.environments.view import View
 
 
 class ShownEnv:
@@ -11,14 +11,14 @@ class ShownEnv:
     def __init__(self, render_mode, record, settings):
         self.render_mode = render_mode
         self._stage = Stage(settings)
-        self._view = View(render_mode, self._stage.place)
+        self._view = View(render_mode, self._stage)
         self._recorder = recorder_into(record, self._stage)
         self._closed = False
 
     def render(self):
         """Return the picture from above: uint8 array of shape (height, width, 3); None unless rgb_array."""
         self._require_open()
-        return self._view.render(self._stage.results[0])
+        return self._view.render()
 
     def close(self):
         """Release everything; closing twice is allowed."""
@@ -29,7 +29,7 @@ class ShownEnv:
 
     def _begin(self, rng, options):
         self._stage.begin(0, rng, options)
-        self._view.show(self._stage.results[0])
+        self._view.show()
         if self._recorder:
             self._recorder.begin()
 

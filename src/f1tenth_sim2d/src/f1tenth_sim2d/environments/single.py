@@ -3,9 +3,9 @@
 import gymnasium
 import numpy as np
 
-from f1tenth_sim2d.environments.picture import View
 from f1tenth_sim2d.environments.shown import ShownEnv
 from f1tenth_sim2d.environments.stage import repeated
+from f1tenth_sim2d.environments.view import View
 
 
 class F1TenthEnv(ShownEnv, gymnasium.Env):
@@ -69,7 +69,7 @@ class F1TenthEnv(ShownEnv, gymnasium.Env):
         if action.shape != self.action_space.shape:
             raise ValueError(f"action: found shape {action.shape}, allowed is {self.action_space.shape}")
         self._stage.step(action.reshape(1, self._cars, 2), self._driven)
-        self._view.show(self._stage.results[0])
+        self._view.show()
         rewards = self._stage.rewards()[0]
         finished, late = bool(self._stage.finished()[0, 0]), bool(self._stage.out_of_time()[0])
         if self._recorder:

@@ -87,7 +87,7 @@ def _write_world(circuit, path):
 
 
 def _write_middle(path, start, output):
-    grid = load_map(path)
+    grid = load_map(path, may_be_turned=True)
     try:
         rows = middle_of_road(grid, start)
     except MapError as error:

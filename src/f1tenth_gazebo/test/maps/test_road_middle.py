@@ -1,5 +1,6 @@
 """The middle of a road is found on a map of it."""
 
+import dataclasses
 import os
 from pathlib import Path
 
@@ -13,7 +14,7 @@ from f1tenth_judge.places.map_file import Grid, load_map, save_map
 from scipy.spatial import cKDTree
 
 TRACKS = Path(os.environ.get("F1TENTH_DATA", shipped.PACKAGE.parents[2] / "shared" / "data")) / "tracks"
-FREE, WALL = 254, 0
+FREE, UNKNOWN, WALL = 254, 205, 0
 
 
 def ring(islands=()):
@@ -58,9 +59,43 @@ def test_width_is_that_to_the_nearer_side():
     assert narrow[0, 2:] == pytest.approx([0.5, 0.5], abs=0.06)
 
 
-def test_islands_are_taken_for_road():
-    rows = middle_of_road(ring([(slice(155, 160), slice(100, 105))]), (3.0, -3.0, 0.0))
-    assert apart(rows[:, :2], middle_of_road(ring(), (3.0, -3.0, 0.0))[:, :2]).max() < 0.01
+def test_line_leads_around_islands_on_the_wider_side():
+    upper = (slice(165, 170), slice(100, 105))  # x 3 to 3.25, y 3.25 to 3.5: nearer to the outer wall
+    lower = (slice(42, 44), slice(100, 102))  # y -2.9 to -2.8: nearer to the inner wall
+    rows = middle_of_road(ring([upper, lower]), (0.0, 0.0, 1.5))
+    beside = rows[np.abs(rows[:, 0] - 3.1) < 0.4]
+    assert beside[beside[:, 1] > 0, 1] == pytest.approx(2.63, abs=0.2)
+    assert beside[beside[:, 1] < 0, 1] == pytest.approx(-3.45, abs=0.2)
+    islands = np.array([(3.1, 3.4), (3.05, -2.85)])
+    assert cKDTree(dense(rows[:, :2])).query(islands)[0].min() > 0.4
+
+
+def test_walls_may_be_dotted_and_unknown_specks_lie_on_the_road():
+    pixels = ring().pixels.copy()
+    pixels[20:180, 20:180][::, ::] = FREE
+    for low, high in ((20, 180), (60, 140)):
+        for at in (low, high):
+            pixels[at, low:high:4] = pixels[low:high:4, at] = WALL
+    pixels[:19] = pixels[182:] = pixels[:, :19] = pixels[:, 182:] = UNKNOWN
+    dotted = Grid(pixels, -2.0, -5.0)
+    rows = middle_of_road(dotted, (3.0, -3.0, 0.0))
+    assert apart(rows[:, :2], middle_of_road(ring(), (3.0, -3.0, 0.0))[:, :2]).max() < 0.1
+    pixels = pixels.copy()
+    pixels[39:42, 70:130] = pixels[38:42, 80:84] = UNKNOWN
+    specks = middle_of_road(Grid(pixels, -2.0, -5.0), (3.0, -3.0, 0.0))
+    np.testing.assert_array_equal(specks, rows)
+
+
+@pytest.mark.parametrize("yaw", [0.5, 3.14, -1.2])
+def test_a_map_may_be_turned(yaw):
+    c, s = np.cos(yaw), np.sin(yaw)
+    origin, turn = np.array([-2.0, -5.0]), np.array([[c, -s], [s, c]])
+    grid = dataclasses.replace(ring(), yaw=yaw)
+    x, y = turn @ (np.array([3.0, -3.0]) - origin) + origin
+    rows = middle_of_road(grid, (x, y, yaw))
+    straight = middle_of_road(ring(), (3.0, -3.0, 0.0))
+    np.testing.assert_allclose(rows[:, :2], (straight[:, :2] - origin) @ turn.T + origin, atol=1e-6)
+    np.testing.assert_allclose(rows[:, 2:], straight[:, 2:], atol=1e-6)
 
 
 # Furniture stands beside the road of the detailed one.
@@ -94,12 +129,17 @@ def test_middle_of_a_track_is_the_line_that_came_with_it(name):
         (
             ring([(slice(22, 58), slice(90, 110))]),
             (-0.5, 0.0, 0.0),
-            r"something stands in the middle of the road at \(\S+, \S+\); it may go around one thing only",
+            "the road at the start goes around nothing, must lead back to the start for a car",
         ),
         (
             Grid(np.pad(np.full((50, 50), FREE, np.uint8), 5), -1.0, -1.0),
             (0.0, 0.0, 0.0),
-            "the road at the start goes around nothing, must lead back to the start",
+            "the road at the start goes around nothing, must lead back to the start for a car",
+        ),
+        (
+            ring(),
+            (3.0, -2.1, 0.0),
+            r"at the start \(3, -2.1\) the road reaches 0.13 m to a side, must be 0.15 m",
         ),
     ],
 )
@@ -122,6 +162,17 @@ def test_command_writes_the_line_beside_the_map_and_names_a_map_without_a_road(t
 def test_command_names_a_map_that_is_not_there(tmp_path, capsys):
     assert make_centerline([str(tmp_path / "none.yaml")]) == 1
     assert capsys.readouterr().err == f"{tmp_path / 'none.yaml'}: cannot be read: No such file or directory\n"
+
+
+def test_an_image_that_claims_too_many_pixels_is_refused_by_its_name(tmp_path):
+    save_map(ring(), tmp_path / "lab")
+    for size, problem in (
+        ("14000 13000", "has too many pixels"),
+        ("11000 10000", "has 11000 x 10000 pixels"),
+    ):
+        (tmp_path / "lab.pgm").write_text(f"P5 {size} 255\n")
+        with pytest.raises(MapError, match=f"lab.pgm {problem}, allowed are 1 to 100000000$"):
+            load_map(tmp_path / "lab.yaml")
 
 
 def test_map_says_what_is_free_and_must_not_be_turned(tmp_path):

@@ -1,6 +1,8 @@
 """A map as map_saver writes it: NAME.pgm and NAME.yaml."""
 
+import contextlib
 import math
+import warnings
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -15,6 +17,7 @@ from f1tenth_judge.errors import MapError
 RESOLUTION = 0.05
 """m per cell"""
 OCCUPIED, UNKNOWN, FREE = 100, -1, 0  # cells of a nav_msgs/OccupancyGrid
+_PIXELS_MAX = 100_000_000  # as the simulator
 _YAML = """image: {image}
 resolution: {resolution:.6f}
 origin: [{x:.6f}, {y:.6f}, 0.000000]
@@ -35,6 +38,7 @@ class Grid:
     resolution: float = RESOLUTION  # m
     free_thresh: float = 0.196  # how dark a free pixel is at most: 0 is white, 1 black
     occupied_thresh: float = 0.65  # and how dark one of a wall is at least
+    yaw: float = 0.0  # rad, of its rows
 
     @property
     def extent(self):
@@ -51,8 +55,12 @@ class Grid:
         ).astype(np.int8)
 
 
-def load_map(path):
+def load_map(path, may_be_turned=False):
     """Read a map in map_server's format, dark where something is.
+
+    Args:
+        path: of the YAML file.
+        may_be_turned: whether the caller heeds Grid.yaw; otherwise a map that is turned is refused.
 
     Raises:
         MapError: it is not one, or a file of it cannot be read.
@@ -61,20 +69,39 @@ def load_map(path):
         description = yaml.safe_load(path.read_text(encoding="utf-8"))
         if not isinstance(description, dict):
             raise ValueError("it has no keys")
-        with Image.open(path.parent / description["image"]) as image:
-            pixels = np.asarray(image.convert("L"))[::-1]
+        pixels = _pixels(path.parent / description["image"])
         x, y, resolution = _placement(description)
         pixels = 255 - pixels if description.get("negate") else pixels
         thresholds = (
             float(description.get(key, getattr(Grid, key))) for key in ("free_thresh", "occupied_thresh")
         )
-        grid = Grid(pixels, x, y, resolution, *thresholds)
         yaw = sum(map(float, description["origin"][2:3]))
+        grid = Grid(pixels, x, y, resolution, *thresholds, yaw)
     except (OSError, ValueError, KeyError, TypeError, yaml.YAMLError) as error:
         raise MapError(_problem(path, error)) from error
-    if yaw:
+    if yaw and not may_be_turned:
         raise MapError(f"{path}: its origin is turned by {yaw:g} rad, must not be turned")
     return grid
+
+
+@contextlib.contextmanager
+def _without_warning():
+    """Pillow warns of fewer pixels than are too many here."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+        yield
+
+
+def _pixels(path):
+    """Shape (rows, columns), uint8, row 0 at the bottom."""
+    try:
+        with _without_warning(), Image.open(path) as image:
+            width, height = image.size
+            if width * height > _PIXELS_MAX:
+                raise ValueError(f"{path.name} has {width} x {height} pixels, allowed are 1 to {_PIXELS_MAX}")
+            return np.asarray(image.convert("L"))[::-1]
+    except Image.DecompressionBombError as error:
+        raise ValueError(f"{path.name} has too many pixels, allowed are 1 to {_PIXELS_MAX}") from error
 
 
 def _placement(description):

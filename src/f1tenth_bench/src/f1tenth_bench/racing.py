@@ -5,6 +5,7 @@ import yaml
 from f1tenth_judge.places.lookup import GAZEBO_PACKAGE, package_path
 from f1tenth_judge.places.map_file import load_map
 
+import f1tenth_sim2d
 from f1tenth_bench.benchmark import NotAvailable
 from f1tenth_bench.places import data_file
 
@@ -76,6 +77,6 @@ def _parameters(name):
 
 
 def _centreline(path):
-    line = np.loadtxt(path, delimiter=",")[:, :2]
+    line = f1tenth_sim2d.read_centreline(path)[:, :2]
     ahead = np.roll(line, -1, axis=0) - line
     return np.column_stack([line, np.arctan2(ahead[:, 1], ahead[:, 0])])

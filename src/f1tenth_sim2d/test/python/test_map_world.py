@@ -179,7 +179,7 @@ HEADER, FIRST, SECOND = "# x_m, y_m, w_tr_right_m, w_tr_left_m\n", "1.5, 2.5, 1,
         HEADER + FIRST + SECOND + FIRST,
         "\ufeff" + HEADER + FIRST + SECOND,
         "\ufeff" + FIRST + "\n" + SECOND,
-        "1.5,2.5\r\n1.5,3.5\r\n",
+        "1.5,2.5\r\n1.5,3.5  # the second\r\n",
     ],
 )
 def test_start_is_on_the_centreline(write, tmp_path, text):

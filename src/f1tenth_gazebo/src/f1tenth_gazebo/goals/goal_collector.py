@@ -13,6 +13,7 @@ from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import OccupancyGrid
 from visualization_msgs.msg import MarkerArray
 
+import f1tenth_sim2d
 from f1tenth_gazebo.goals.clicked_goals import ClickedGoals
 from f1tenth_gazebo.goals.road_ahead import road_ahead
 from f1tenth_gazebo.worlds.find_world import WorldError, find_world
@@ -110,7 +111,7 @@ def main():
     try:
         road = road_ahead(find_world(world, worlds, folder))
         goals = load_goals_file(path) if os.path.exists(path) else []
-    except (WorldError, GoalsFileError, OSError, ValueError) as error:
+    except (WorldError, GoalsFileError, f1tenth_sim2d.Error, OSError) as error:
         return _bad_input(error)
     GoalCollector(path, goals, road)
     rospy.spin()

@@ -6,6 +6,8 @@ import numpy as np
 from f1tenth_judge.places.centreline_file import centreline_beside
 from f1tenth_judge.places.circuit import Pose
 
+import f1tenth_sim2d
+
 _SPACING = 3.0  # m, between the places at which the direction is shown
 
 
@@ -16,12 +18,12 @@ def road_ahead(world):
         world: path of a .world file or of the .yaml file of a map
 
     Raises:
-        OSError, ValueError: the centreline beside it cannot be read.
+        f1tenth_sim2d.LoadError: the centreline beside it cannot be read.
     """
     table = centreline_beside(world)
     if not table.is_file():
         return [Pose(0.0, 0.0, 0.0)]
-    return _along_points(np.loadtxt(table, delimiter=",", comments="#", ndmin=2)[:, :2])
+    return _along_points(f1tenth_sim2d.read_centreline(table)[:, :2])
 
 
 def _along_points(points):

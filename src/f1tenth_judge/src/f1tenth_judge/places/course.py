@@ -6,10 +6,12 @@ from pathlib import Path
 
 import numpy as np
 
-from f1tenth_judge.errors import FileError, as_scenario_error
+import f1tenth_sim2d
+from f1tenth_judge.errors import FileError, ScenarioError, as_scenario_error
 from f1tenth_judge.places.centreline import centreline
 from f1tenth_judge.places.circuit_file import load_circuit
-from f1tenth_judge.places.numbers import read_numbers
+
+_LEAST_POINTS = 3  # of a closed line
 
 _STEP = 0.01  # m, of a look for the edge of the road
 
@@ -135,4 +137,9 @@ def _from_circuit(path):
 
 
 def _from_table(path):
-    return Course(*read_numbers(path, ",", "x_m, y_m, w_tr_right_m, w_tr_left_m").T)
+    with as_scenario_error(f1tenth_sim2d.Error):
+        rows = f1tenth_sim2d.read_centreline(path)
+    if rows.shape[1] != 4 or len(rows) < _LEAST_POINTS:
+        columns = "x_m, y_m, w_tr_right_m, w_tr_left_m"
+        raise ScenarioError(f"{path}: must be at least {_LEAST_POINTS} different points: {columns}")
+    return Course(*rows.T)

@@ -17,7 +17,7 @@ def read_numbers(path: Path, separator: str, columns: str) -> np.ndarray:
         ScenarioError: with the file, the line and what is wrong there.
     """
     try:
-        lines = path.read_text(encoding="utf-8").splitlines()
+        lines = path.read_text(encoding="utf-8-sig").splitlines()
     except (OSError, UnicodeDecodeError) as error:
         raise ScenarioError(f"{path}: cannot be read: {error}") from error
     texts = [(number, line.split("#")[0].strip()) for number, line in enumerate(lines, start=1)]

@@ -42,4 +42,5 @@ def read_raceline(path: Path) -> Raceline:
         room = float(np.minimum(course.left, course.right).min()) / 3
         return Raceline(course.x, course.y, np.full(len(course.x), math.inf), room)
     table = read_numbers(path, ";", COLUMNS)
+    table = table[np.any(table[:, 1:3] != np.roll(table[:, 1:3], 1, axis=0), axis=1)]
     return Raceline(table[:, 1], table[:, 2], table[:, 5])

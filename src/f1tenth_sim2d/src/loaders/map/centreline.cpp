@@ -65,14 +65,14 @@ Centreline readCentreline(const std::string & path)
   std::istringstream lines(text);
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
-    boost::algorithm::trim(line);
-    if (line.empty() || line.front() == '#') {
+    const std::string text_only = boost::algorithm::trim_copy(line.substr(0, line.find('#')));
+    if (text_only.empty()) {
       continue;
     }
-    const Row row = numbersOf(line);
+    const Row row = numbersOf(text_only);
     columns = columns == 0 ? row.size() : columns;
     if (!isSound(row) || row.size() != columns) {
-      throw LoadError(path + ":" + std::to_string(number), "", "found '" + line + "', " + kAllowed);
+      throw LoadError(path + ":" + std::to_string(number), "", "found '" + text_only + "', " + kAllowed);
     }
     centreline.points.push_back({row[0], row[1], columns > 2 ? row[2] : 0.0, columns > 2 ? row[3] : 0.0});
   }

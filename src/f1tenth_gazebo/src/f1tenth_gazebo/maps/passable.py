@@ -1,5 +1,6 @@
 """Where a map lets a car through."""
 
+from f1tenth_judge.places.map_file import FREE, UNKNOWN
 from scipy import ndimage
 
 HALF_CAR = 0.15
@@ -12,9 +13,9 @@ def is_passable(grid):
     Drawn maps and those of SLAM have specks and slivers of unknown cells on the road: nothing was seen there.
     """
     cells = grid.cells
-    unknown = cells == -1
+    unknown = cells == UNKNOWN
     reach = HALF_CAR / grid.resolution
     wide = ndimage.distance_transform_edt(unknown) > reach
     if not wide.any():
-        return (cells == 0) | unknown
-    return (cells == 0) | (unknown & (ndimage.distance_transform_edt(~wide) > reach))
+        return (cells == FREE) | unknown
+    return (cells == FREE) | (unknown & (ndimage.distance_transform_edt(~wide) > reach))

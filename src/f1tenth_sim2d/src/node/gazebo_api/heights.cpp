@@ -45,7 +45,7 @@ double liftOf(const ModelDescription & model, double z)
 
 void warnOfTilt(const Entity & model, const Pose3 & wanted)
 {
-  if (withoutPlanar(model.pose).rotation.angularDistance(withoutPlanar(wanted).rotation) > kLeastTilt) {
+  if ((withoutPlanar(model.pose).up() - withoutPlanar(wanted).up()).norm() > kLeastTilt) {
     ROS_WARN_ONCE(
       "SetModelState: %s keeps its roll and pitch, others are not simulated (said once)", model.name.c_str());
   }

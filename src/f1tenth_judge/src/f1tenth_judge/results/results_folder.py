@@ -79,7 +79,8 @@ class ResultsFolder:
         interrupted = self._folder / INTERRUPTED_FOLDER
         interrupted.mkdir(exist_ok=True)
         shutil.rmtree(interrupted / self._log.name, ignore_errors=True)
-        self._log.rename(interrupted / self._log.name)
+        with contextlib.suppress(FileNotFoundError):  # somebody removed it
+            self._log.rename(interrupted / self._log.name)
         self._restore_log()
 
     def _restore_log(self) -> None:

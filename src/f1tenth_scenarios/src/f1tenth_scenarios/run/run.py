@@ -119,6 +119,7 @@ def _drive(plan, tree, watch, stop, progress) -> tuple[Result, Preparation, Opti
 
 def _observations(plan, supervisor, watch, failure) -> Observations:
     record, interventions = Record({}), []
+    failure = failure or supervisor.tampering()
     try:
         record = read_record(first_record(plan.record_file))
         interventions = read_interventions(plan.interventions_file)

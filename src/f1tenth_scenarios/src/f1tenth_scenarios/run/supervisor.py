@@ -1,5 +1,6 @@
 """Watching a run until something decides it."""
 
+import dataclasses
 import time
 from typing import TYPE_CHECKING, Callable, Optional
 
@@ -8,6 +9,7 @@ from f1tenth_judge.judge.false_start import find_false_start
 from f1tenth_judge.judge.interventions import forbidden
 from f1tenth_judge.judge.judge import first_collision, is_decided
 from f1tenth_judge.judge.progress import TaskProgress
+from f1tenth_judge.plan.participants import driver_nodes_among
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.interventions import read_interventions
 from f1tenth_judge.record.observations import Failure, RaceState, RaceUpdate
@@ -18,7 +20,9 @@ from f1tenth_judge.run.processes import ProcessTree
 from f1tenth_judge.stop_request import StopRequest
 
 from f1tenth_scenarios.run.diagnosis.breakdown import Breakdown
+from f1tenth_scenarios.run.diagnosis.culprit import failure_of_driver
 from f1tenth_scenarios.run.diagnosis.launch_log import LaunchLog
+from f1tenth_scenarios.run.evidence import Evidence
 from f1tenth_scenarios.run.file_tail import LineTail, RecordTail
 
 if TYPE_CHECKING:  # it needs ROS
@@ -48,6 +52,7 @@ class Supervisor:
         }
         self._record = RecordTail(plan.record_file, self._progress_of)
         self._interventions_tail = LineTail(plan.interventions_file)
+        self._evidence = Evidence(plan.record_file, plan.interventions_file)
         self._launch_log = LaunchLog(plan.launch_log)
         self._breakdown = Breakdown(plan, tree, self._launch_log)
         self._touches_judged = 0
@@ -80,6 +85,18 @@ class Supervisor:
                 return failure
             self._progress(self._record.time, self._elapsed())
             time.sleep(_POLL_INTERVAL)
+
+    def tampering(self, at_end: bool = True) -> Optional[Failure]:
+        """Whether somebody changed what the simulator recorded: then nothing of it can be believed."""
+        problem = self._evidence.problem_at_end() if at_end else self._evidence.problem()
+        if not problem:
+            return None
+        drivers = [car for car in self._plan.cars if driver_nodes_among(car, self._launch_log.pids)]
+        failure = Failure("runner", f"{problem}; no process of the run does that")
+        if len(drivers) == 1:
+            nodes = driver_nodes_among(drivers[0], self._launch_log.pids)
+            failure = failure_of_driver(self._plan, drivers[0], nodes, failure.reason)
+        return dataclasses.replace(failure, stamp=0.0)
 
     def _broken(self) -> Optional[Failure]:
         """Who broke the set-up; from then on nothing is decided by the record, which may go on."""
@@ -150,6 +167,8 @@ class Supervisor:
             return Failure("runner", f"was told to stop by {self._stop.signal.name}")
         if self._elapsed() > self._plan.scenario.limits.wall:
             return self._hang()
+        if tampering := self.tampering(at_end=False):
+            return tampering
         return self._watch.failure(self._done())
 
     def _done(self) -> set[str]:

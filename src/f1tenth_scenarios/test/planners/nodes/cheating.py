@@ -1,6 +1,10 @@
 #!/usr/bin/env python3
-"""Drives straight on, and after a second does something to the world that no driver may."""
+"""Drives straight on, and after some seconds does something to the world that no driver may."""
 
+import os
+import shutil
+
+import rosnode
 import rospy
 from ackermann_msgs.msg import AckermannDriveStamped
 from gazebo_msgs.msg import ModelState
@@ -48,7 +52,7 @@ class Cheating:
 
     def on_scan(self, _scan):
         self.count += 1
-        if self.count == 40:
+        if self.count == 200:  # the record is in the file by then
             self.cheat()
         command = AckermannDriveStamped()
         command.drive.speed = 0.5
@@ -83,6 +87,22 @@ class Cheating:
 
     def puts_something_in_the_way(self):
         call("spawn_urdf_model", SpawnModel, "box", BOX, "", FAR, "")
+
+    def removes_the_logs(self):
+        shutil.rmtree(os.environ["ROS_LOG_DIR"])
+
+    def removes_the_record(self):
+        os.unlink(rospy.get_param("/sim2d/record"))
+
+    def empties_the_record(self):
+        open(rospy.get_param("/sim2d/record"), "w", encoding="utf-8").close()
+
+    def removes_the_note_of_what_it_does(self):
+        os.unlink(rospy.get_param("/sim2d/interventions"))
+        self.places_itself()
+
+    def kills_its_proxy(self):
+        rosnode.kill_nodes(["/robot1/deputy"])
 
     def changes_the_pace(self):
         now = call("get_physics_properties", GetPhysicsProperties)

@@ -110,10 +110,10 @@ class Breakdown:
         return end.exit_code != 0 or self._must_live(end.node, done)
 
     def _must_live(self, node: str, done: set[str]) -> bool:
-        """Whether a node may not even end in order: the simulator, and a driver's named nodes or its last."""
-        if node == "sim2d":
+        """Whether a node may not even end in order: simulator, deputy, a driver's named nodes or its last."""
+        car, _, name = node.partition("/")
+        if node == "sim2d" or (name == DEPUTY and car not in done):
             return True
-        car = node.partition("/")[0]
         if car not in self._plan.cars or car in done or not driver_nodes_among(car, [node]):
             return False
         return node in named_nodes(self._plan, car) or not self._living(car)

@@ -12,6 +12,8 @@ _FIRST, _LAST = 1, 100  # domains whose ports are not those that Linux gives to 
 _PORT_BASE, _PORTS_PER_DOMAIN, _FIRST_UNICAST = 7400, 250, 10  # of the wire protocol (RTPS 9.6.1)
 _MOST_PARTICIPANTS = 60  # of a run: ROS 2 has one per process
 _LOCK = "\0f1tenth_judge/dds/{}"  # abstract: it is gone with the process that holds it
+# Fast DDS announces itself by multicast, which is off: it learns of the judge by the judge's announcements.
+_ANNOUNCED = "<SPDPInterval>100ms</SPDPInterval>"
 _CYCLONE = (
     '<CycloneDDS><Domain Id="any"><General><AllowMulticast>false</AllowMulticast>'
     '<Interfaces><NetworkInterface address="127.0.0.1"/></Interfaces></General>'
@@ -56,7 +58,7 @@ def child_environment(domain: int, own: Mapping[str, str] = os.environ) -> dict[
 
 def domain_configuration() -> str:
     """The same for a participant of this process: Cyclone DDS's configuration."""
-    return _CYCLONE
+    return _CYCLONE.replace("<Peers>", f"{_ANNOUNCED}<Peers>")
 
 
 def _can_bind(lock: socket.socket, address) -> bool:

@@ -28,9 +28,12 @@ class PlannerView:
         ends = (*self._connection.published(), *self._connection.subscribed())
         return sorted(each.key for each in ends), self._connection.participants()
 
-    def missing(self) -> set:
-        """Connections that should exist by now: none, as the two ends of a topic find each other at once."""
-        return set()
+    def missing(self) -> set[str]:
+        """What should have been heard of a planner by now, and was not: its process, then its topics."""
+        if not self._connection.participants():
+            return {"process"}
+        has_ends = self._connection.subscribed() or self._connection.published()
+        return set() if has_ends else {"topics"}
 
     def commands(self) -> int:
         """How many commands the planner has sent so far."""

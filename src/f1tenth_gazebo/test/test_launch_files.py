@@ -205,7 +205,7 @@ def test_amcl_acts_before_the_planner_and_starts_where_the_car_does():
     assert value(config, "/sim2d/participants") == ["robot1/amcl", "robot1/move_base"]
     assert value(config, "/robot1/move_base/lockstep_after") == "robot1/amcl"
     assert value(config, "/robot1/amcl/lockstep") is True
-    assert value(config, "/robot1/move_base/TebLocalPlannerROS/min_obstacle_dist") == 0.15
+    assert value(config, "/robot1/move_base/RacerROS/min_obstacle_dist") == 0.15
     assert [value(config, f"/robot1/amcl/{name}") for name in ("seed", "initial_pose_y")] == [3, 2.0]
 
 

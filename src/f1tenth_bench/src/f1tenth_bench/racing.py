@@ -1,4 +1,4 @@
-"""The planner of the stand-in move_base on circuits and tracks, with the parameters of f1tenth_navigation."""
+"""The planner of f1tenth_racer on circuits and tracks, with the parameters of f1tenth_navigation."""
 
 import numpy as np
 import yaml
@@ -20,10 +20,10 @@ def planner_module():
         NotAvailable: the original move_base is installed, and the stand-in is not built.
     """
     try:
-        import move_base_core
+        import f1tenth_racer_core
     except ImportError as error:
-        raise NotAvailable(f"no stand-in move_base: {error}") from error
-    return move_base_core
+        raise NotAvailable(f"no f1tenth_racer: {error}") from error
+    return f1tenth_racer_core
 
 
 def load_costmap(path):
@@ -40,7 +40,7 @@ def load_costmap(path):
 def race_options():
     """How the car races: the request for a race line, and the options of the follower."""
     core = planner_module()
-    values = _parameters("teb_local_planner.yaml")
+    values = _parameters("racer.yaml")["RacerROS"]
     limits = core.SpeedLimits(
         **{name: values[name] for name in ("max_vel_x", "acc_lim_x", "max_lateral_acceleration")},
         dec_lim_x=values["acc_lim_x"],

@@ -67,7 +67,7 @@ def test_what_a_scenario_changes_is_changed_on_the_car_of_the_description(planne
 
 def test_our_planner_gets_the_size_of_the_car(planned):
     parameters, _ = loaded(planned())
-    planner = "/robot1/move_base/TebLocalPlannerROS"
+    planner = "/robot1/move_base/RacerROS"
     assert parameters[f"{planner}/wheelbase"] == pytest.approx(0.42)
     assert parameters[f"{planner}/min_turning_radius"] == pytest.approx(1.08 * 0.42 / 0.5463, rel=1e-3)
     corners = [[0.57, 0.18], [0.57, -0.18], [-0.13, -0.18], [-0.13, 0.18]]
@@ -80,7 +80,7 @@ def test_our_planner_gets_the_topics_of_the_car(planned):
     parameters, names = loaded(planned("", settings=[arguments]))
     assert names["move_base"]["scan"] == "/beams"
     assert names["move_base"]["/robot1/cmd_vel"] == "/truck/cmd_vel"
-    assert parameters["/robot1/move_base/TebLocalPlannerROS/cmd_angle_instead_rotvel"] is True
+    assert parameters["/robot1/move_base/RacerROS/cmd_angle_instead_rotvel"] is True
 
 
 def test_another_driver_of_ours_gets_the_topics_of_the_car(planned):

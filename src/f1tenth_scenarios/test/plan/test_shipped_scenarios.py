@@ -82,9 +82,9 @@ def test_launch_file_hands_the_scenario_to_the_drivers(plan):
     parameters = {name: each.value for name, each in config.params.items()}
     for car in plan.scenario.cars:
         if car.driver.name == "race" and car.speed_max is not None:
-            assert parameters[f"/{car.name}/move_base/TebLocalPlannerROS/max_vel_x"] == car.speed_max
+            assert parameters[f"/{car.name}/move_base/RacerROS/max_vel_x"] == car.speed_max
         if car.acceleration_max is not None:
-            planner = f"/{car.name}/move_base/TebLocalPlannerROS"
+            planner = f"/{car.name}/move_base/RacerROS"
             assert parameters[f"{planner}/acc_lim_x"] == car.acceleration_max
             assert parameters[f"{planner}/max_lateral_acceleration"] == car.acceleration_max
         if car.driver.name == "pursuit":

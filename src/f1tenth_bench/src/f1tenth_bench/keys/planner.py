@@ -1,4 +1,4 @@
-"""plan_ms, plan_worst_ms, control_cycle_ms: the planner of the stand-in move_base."""
+"""plan_ms, plan_worst_ms, control_cycle_ms: the planner of f1tenth_racer."""
 
 import functools
 import statistics

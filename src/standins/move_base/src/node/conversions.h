@@ -11,8 +11,8 @@
 
 #include <vector>
 
-#include "control/handling.h"
-#include "map/costmap.h"
+#include "move_base/map/costmap.h"
+#include "move_base/path/path.h"
 
 /// Between messages and the core's types. Quaternions count as rotations about z.
 namespace move_base

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "costmap_publisher.h"
-#include "map/inflation.h"
+#include "map/rolling_layer.h"
+#include "move_base/map/inflation.h"
+#include "move_base/path/path.h"
 #include "parameters.h"
-#include "path/path.h"
 #include "perception.h"
-#include "seen/rolling_layer.h"
 
 namespace move_base
 {

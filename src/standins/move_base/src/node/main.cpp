@@ -3,6 +3,7 @@
 #include <workspace_support/errors.h>
 
 #include <iostream>
+#include <utility>
 
 #include "move_base_node.h"
 
@@ -52,11 +53,14 @@ int main(int argc, char ** argv)
   // Lives as long as the node: with the last handle roscpp shuts down, and its console would stay silent after a restart.
   const ros::NodeHandle private_node("~");
   try {
-    const move_base::MoveBaseParameters parameters = move_base::readParameters(private_node);
+    move_base::Planners planners;
+    move_base::MoveBaseSetup setup = move_base::readSetup(private_node, planners);
+    const bool lockstep = setup.parameters.lockstep;
+    const std::string after = setup.parameters.lockstep_after;
     ros::CallbackQueue queue;
-    move_base::MoveBaseNode node(parameters, queue);
-    if (parameters.lockstep) {
-      spinInLockstep(node, parameters.lockstep_after);
+    move_base::MoveBaseNode node(std::move(setup), queue);
+    if (lockstep) {
+      spinInLockstep(node, after);
     } else {
       spin(node, queue);
     }

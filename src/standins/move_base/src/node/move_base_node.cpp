@@ -11,6 +11,7 @@
 #include <future>
 #include <iterator>
 #include <memory>
+#include <utility>
 
 #include "conversions.h"
 
@@ -44,13 +45,15 @@ bool startsWith(const nav_msgs::Path & goals, const geometry_msgs::PoseStamped &
 }
 }  // namespace
 
-MoveBaseNode::MoveBaseNode(const MoveBaseParameters & parameters, ros::CallbackQueue & queue)
-: parameters_(parameters),
+MoveBaseNode::MoveBaseNode(MoveBaseSetup setup, ros::CallbackQueue & queue)
+: parameters_(std::move(setup.parameters)),
   queue_(queue),
   node_(servedBy(queue)),
   private_node_(node_, ros::this_node::getName()),
   perception_(node_, parameters_),
-  navigator_(parameters_.navigator, parameters_.lockstep ? PlanWorker() : PlanWorker(runBeside)),
+  navigator_(
+    parameters_.navigator, std::move(setup.global_planner), std::move(setup.local_planner),
+    parameters_.lockstep ? PlanWorker() : PlanWorker(runBeside)),
   displays_(private_node_, parameters_, perception_),
   services_(private_node_, parameters_, perception_, navigator_),
   diagnostics_(node_, parameters_.base_frame),
@@ -93,7 +96,7 @@ void MoveBaseNode::cycle(const ros::Time & now)
     return;
   }
   if (navigator_.drives() || !parameters_.shutdown_costmaps) {
-    perception_.updateCostmap();
+    perception_.updateCostmap(navigator_);
   }
   updateGoal(now);
   drive(now);
@@ -254,14 +257,14 @@ void MoveBaseNode::diagnose(const CycleOutput & output, const ros::Time & now)
 void MoveBaseNode::publish(const CycleOutput & output, const CycleInput & input, const ros::Time & now)
 {
   if (const auto & command = output.command) {
-    const double angle = command->steeringAngle(parameters_.navigator.follower.limits);
+    const double angle = command->steeringAngle(parameters_.wheelbase);
     geometry_msgs::Twist twist;
     twist.linear.x = command->speed;
     twist.angular.z = parameters_.cmd_angle_instead_rotvel ? angle : command->yawRate();
     velocity_publisher_.publish(twist);
   }
   if (output.new_plan) {
-    displays_.showGlobalPlan(navigator_.plan().path, now);
+    displays_.showGlobalPlan(navigator_.way(), now);
   }
   displays_.showLocalPlan(output.prediction, now);
   displays_.showSurroundings(input.car.pose, now);

@@ -13,7 +13,7 @@
 
 #include "diagnostics.h"
 #include "displays.h"
-#include "navigator.h"
+#include "move_base/control/navigator.h"
 #include "parameters.h"
 #include "perception.h"
 #include "services.h"
@@ -26,7 +26,7 @@ class MoveBaseNode
 {
 public:
   /// @param queue  served by handleCallbacks() only
-  MoveBaseNode(const MoveBaseParameters & parameters, ros::CallbackQueue & queue);
+  MoveBaseNode(MoveBaseSetup setup, ros::CallbackQueue & queue);
 
   /// Handles everything that has arrived, and what follows from it.
   void handleCallbacks();

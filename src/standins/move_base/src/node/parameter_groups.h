@@ -4,10 +4,8 @@
 
 #include "parameters.h"
 
-/// The parts of readParameters(). @throws OptionError for a parameter of a wrong type or out of range
+/// The parts of readSetup(). @throws OptionError for a parameter of a wrong type or out of range
 namespace move_base
 {
 void readCostmaps(ParameterReader & reader, MoveBaseParameters & parameters);
-void readGlobalPlanner(ParameterReader & reader, MoveBaseParameters & parameters);
-void readLocalPlanner(ParameterReader & reader, MoveBaseParameters & parameters);
 }  // namespace move_base

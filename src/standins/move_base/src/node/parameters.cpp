@@ -4,6 +4,7 @@
 #include <workspace_support/errors.h>
 #include <workspace_support/parameter_reader.h>
 
+#include "move_base/planner_parameters.h"
 #include "parameter_groups.h"
 
 namespace move_base
@@ -75,25 +76,52 @@ void readMoveBase(ParameterReader & reader, MoveBaseParameters & parameters)
   reader.read("oscillation_distance", navigator.oscillation_distance);
   readRecovery(reader, navigator);
 }
+// "teb_local_planner/TebLocalPlannerROS" has its parameters in ~TebLocalPlannerROS.
+std::string namespaceOf(const std::string & plugin)
+{
+  return plugin.substr(plugin.rfind('/') + 1);
+}
+
+// Those of the planners' parameters that are the node's business.
+void readPlanners(const PlannerSetup & setup, MoveBaseParameters & parameters)
+{
+  ParameterReader & reader = setup.parameters;
+  parameters.costmap.allow_unknown = true;
+  reader.read(ofPlanner(setup.global_planner, "allow_unknown"), parameters.costmap.allow_unknown);
+  reader.read(ofPlanner(setup.global_planner, "max_expansions"), parameters.max_expansions);
+  reader.read(ofPlanner(setup.local_planner, "max_vel_x_backwards"), parameters.navigator.backing_speed);
+  reader.read(ofPlanner(setup.local_planner, "wheelbase"), parameters.wheelbase);
+  reader.read(ofPlanner(setup.local_planner, "odom_topic"), parameters.odom_topic);
+  reader.read(ofPlanner(setup.local_planner, "cmd_angle_instead_rotvel"), parameters.cmd_angle_instead_rotvel);
+}
 }  // namespace
 
-MoveBaseParameters readParameters(const ros::NodeHandle & node)
+MoveBaseSetup readSetup(const ros::NodeHandle & node, Planners & planners)
 {
   ParameterReader reader(node);
-  MoveBaseParameters parameters;
+  MoveBaseSetup result;
+  MoveBaseParameters & parameters = result.parameters;
   readMoveBase(reader, parameters);
   readCostmaps(reader, parameters);
-  readGlobalPlanner(reader, parameters);
-  readLocalPlanner(reader, parameters);
+  std::string global = "navfn/NavfnROS";
+  std::string local = "base_local_planner/TrajectoryPlannerROS";
+  reader.read("base_global_planner", global);
+  reader.read("base_local_planner", local);
+  parameters.global_planner = namespaceOf(global);
+  parameters.local_planner = namespaceOf(local);
+  const PlannerSetup setup{parameters.global_planner, parameters.local_planner, reader};
+  readPlanners(setup, parameters);
   reader.check([&] {
     parameters.costmap.validate();
     parameters.navigator.validate();
   });
+  result.global_planner = planners.makeGlobal(global, setup);
+  result.local_planner = planners.makeLocal(local, setup);
   std::vector<std::string> of_original;
   reader.read("for_the_original", of_original);
   reader.ignore(of_original);
-  // Parameters of the original's planners are warned of one by one.
+  // Parameters of the planners are warned of one by one.
   reader.warnOfUnused({parameters.global_planner + "/", parameters.local_planner + "/"});
-  return parameters;
+  return result;
 }
 }  // namespace move_base

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "navigator.h"
+#include "move_base/control/navigator.h"
+#include "planners.h"
 
 namespace move_base
 {
@@ -23,7 +24,9 @@ struct MoveBaseParameters
   double transform_tolerance{0.3};                    ///< s, a pose of the car older than this is stale
   double sensor_timeout{0.5};                         ///< s, a scan or odometry older than this is stale
   double controller_period{0.05};                     ///< s; 0: every period of the lockstep
+  double wheelbase{0.3302};                           ///< m
   bool cmd_angle_instead_rotvel{false};               ///< whether commands contain the angle of the wheels
+  int max_expansions{150000};                         ///< of the searches for a plan that make_plan answers with
   bool shutdown_costmaps{false};                      ///< whether scans are ignored without a goal
   bool lockstep{false};
   std::string lockstep_after;            ///< participant that acts before this one; empty: none
@@ -41,7 +44,15 @@ struct MoveBaseParameters
   NavigatorOptions navigator;
 };
 
-/// Warns once of parameters that this stand-in has no use for.
-/// @throws OptionError for a parameter of a wrong type or out of range
-MoveBaseParameters readParameters(const ros::NodeHandle & node);
+/// What the node is made of.
+struct MoveBaseSetup
+{
+  MoveBaseParameters parameters;
+  std::unique_ptr<GlobalPlanner> global_planner;
+  std::unique_ptr<LocalPlanner> local_planner;
+};
+
+/// Warns once of parameters that neither this stand-in nor the planners have a use for.
+/// @throws OptionError for a parameter of a wrong type or out of range, or planners that cannot be loaded
+MoveBaseSetup readSetup(const ros::NodeHandle & node, Planners & planners);
 }  // namespace move_base

@@ -80,7 +80,7 @@ std::string Perception::stale(const ros::Time & now) const
   return "";
 }
 
-void Perception::updateCostmap()
+void Perception::updateCostmap(Navigator & navigator)
 {
   if (!costmap_) {
     return;
@@ -89,7 +89,7 @@ void Perception::updateCostmap()
   for (auto scan = waiting_.begin(); scan != waiting_.end(); ++scan) {
     const std_msgs::Header & header = (*scan)->header;
     if (const auto sensor = lookUp(buffer_, parameters_.global_frame, header.frame_id, header.stamp)) {
-      costmap_->observe(fromLaserScan(**scan, fromTransform(sensor->transform)));
+      navigator.observe(fromLaserScan(**scan, fromTransform(sensor->transform)), *costmap_);
       scan_ = *scan;
       rest = std::next(scan);
     }

@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-#include "navigator.h"
+#include "move_base/control/navigator.h"
 #include "parameters.h"
 
 namespace move_base
@@ -35,7 +35,7 @@ public:
   std::string stale(const ros::Time & now) const;
 
   /// Takes all scans into the costmap whose transforms are known; the others wait.
-  void updateCostmap();
+  void updateCostmap(Navigator & navigator);
   /// Forgets what was measured before time jumped back.
   void startAgain();
 

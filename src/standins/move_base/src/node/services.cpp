@@ -3,7 +3,7 @@
 #include <ros/console.h>
 
 #include "conversions.h"
-#include "path/plan_near.h"
+#include "planning/plan_near.h"
 
 namespace move_base
 {
@@ -48,7 +48,9 @@ std::vector<Pose2> Services::planFor(const nav_msgs::GetPlan::Request & request)
   const Pose2 start =
     from_car ? perception_.poseIn(parameters_.global_frame, parameters_.base_frame) : perception_.inMap(request.start);
   const Pose2 goal = perception_.inMap(request.goal);
-  const Plan plan = planNear(parameters_.navigator.planner, perception_.costmap(), {start, goal}, request.tolerance);
+  PlanRequest wanted{start, goal};
+  wanted.max_expansions = parameters_.max_expansions;
+  const Plan plan = planNear(navigator_.globalPlanner(), perception_.costmap(), wanted, request.tolerance);
   std::vector<Pose2> poses = posesOf(plan.path);
   // As in the original: whoever drives along the plan may get there after all.
   if (plan.found() && distance(plan.path.back().pose, goal) > kElsewhere) {

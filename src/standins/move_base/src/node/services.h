@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "navigator.h"
+#include "move_base/control/navigator.h"
 #include "parameters.h"
 #include "perception.h"
 

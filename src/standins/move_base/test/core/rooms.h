@@ -3,7 +3,7 @@
 #include <functional>
 #include <utility>
 
-#include "map/costmap.h"
+#include "move_base/map/costmap.h"
 
 /// Maps for tests, 0.05 m per cell, the lower left corner at the origin.
 namespace move_base::testing

@@ -80,12 +80,10 @@ class FakeRobot:
         self.wheels_grip = True
         self.delay = 0  # periods by which sensors and tf are late
         self.transforms_delay = 0  # the same of tf alone, on top
-        self.told_yaw_rate = 0.0  # rad/s, what its odometry says
         self.faults = {}  # "scan", "odom" or "tf" to "stopped", "frozen" or "future"
         self._held = {}  # what was published last of each without a fault
         self._sent = collections.deque(maxlen=100)  # per period: transforms, odometry, scan
         self.commands = []  # (time in s, Twist), all so far
-        self._track = []  # x, y (m), speed (m/s) of each period since it was put somewhere
         self.touched = False  # whether the middle of the car was ever in a wall
         self.reads_angles = False  # whether commands say the angle of its wheels
         self._participant = participant
@@ -125,12 +123,10 @@ class FakeRobot:
             self.wheels_grip = True
             self.delay = 0
             self.transforms_delay = 0
-            self.told_yaw_rate = 0.0
             self.faults = {}
             self._sent.clear()
             self.touched = False
             self.commands.clear()
-            self._track.clear()
             self._command = Twist()
 
     def restart_clock(self):
@@ -138,10 +134,6 @@ class FakeRobot:
         with self._period:
             self._time = rospy.Time(0)
             self._sent.clear()
-
-    def speed_nearest_to(self, x, y):
-        """With which it passed a place, m/s."""
-        return min(self._track, key=lambda at: math.hypot(at[0] - x, at[1] - y))[2]
 
     @property
     def now(self):
@@ -188,7 +180,6 @@ class FakeRobot:
         x += self.speed * duration * math.cos(middle)
         y += self.speed * duration * math.sin(middle)
         self.pose = (x, y, yaw + self.speed * curvature * duration)
-        self._track.append((*self.pose[:2], self.speed))
         self.touched = self.touched or self._touches()
 
     def _touches(self):
@@ -252,7 +243,6 @@ class FakeRobot:
         odometry.header.frame_id = "odom"
         odometry.child_frame_id = "base_footprint"
         odometry.twist.twist.linear.x = self.speed
-        odometry.twist.twist.angular.z = self.told_yaw_rate
         return odometry
 
     def _laser_scan(self):

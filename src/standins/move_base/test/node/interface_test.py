@@ -148,6 +148,10 @@ class InterfaceTest(HallCase):
             "lockstep": (3, "must be true or false"),
             "max_planning_retries": (0.5, "must be a whole number"),
             "base_local_planner": (1, "must be a text"),
+            "base_global_planner": (
+                "nobody/Planner",
+                "must be PACKAGE/CLASS of a library libPACKAGE_planners.so",
+            ),
             "max_steering_angle": (0.2, "parameter /wrong/min_turning_radius: found 0.8, must be at least"),
         }
         for name, (value, message) in wrong.items():

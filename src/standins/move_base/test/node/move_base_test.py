@@ -179,30 +179,6 @@ class MoveBaseTest(HallCase):
         self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
         assert not self.robot.touched
 
-    def hardest_braking(self, yaw_rate):
-        """Before a wall that suddenly is there: by how much the command falls at most in a cycle, m/s."""
-        self.robot.real_room = self.room
-        self.robot.put(5.0, 5.0)
-        self.robot.told_yaw_rate = yaw_rate
-        self.send(pose_at(8.0, 5.0))
-        self.wait_until(lambda: self.robot.speed > 1.2)
-        room = copy.deepcopy(self.room)
-        x = self.robot.pose[0] + 0.7
-        room.add_wall(x, 4.0, x + 0.2, 6.0)
-        self.robot.real_room = room
-        since = self.robot.now
-        self.wait_until(lambda: self.robot.now > since + 0.15)
-        self.client.cancel_goal()
-        self.result()
-        speeds = [command.linear.x for time, command in self.robot.commands if -0.1 < time - since < 0.15]
-        return max(before - after for before, after in itertools.pairwise(speeds))
-
-    def test_a_car_that_turns_by_its_odometry_brakes_with_what_its_tyres_have_left(self):
-        straight = self.hardest_braking(0.0)
-        for yaw_rate in (3.0, -3.0):
-            turning = self.hardest_braking(yaw_rate)
-            assert turning < 0.5 * straight, f"{turning} of {straight} m/s"
-
     def test_what_the_map_does_not_know_is_driven_around(self):
         room = copy.deepcopy(self.room)
         room.add_wall(5.8, 3.3, 6.2, 4.5)
@@ -235,28 +211,20 @@ class MoveBaseTest(HallCase):
     def announce(self, *goals):
         self.goals_ahead.publish(Path(poses=list(goals)))
 
-    def test_goals_that_another_one_follows_are_passed_and_the_last_one_ends_at_a_standstill(self):
-        goals = [pose_at(2.0, 4.0, 0.5 * math.pi), pose_at(3.5, 5.0), pose_at(6.0, 4.5)]
+    def test_the_plain_planner_stops_at_goals_that_another_one_follows(self):
+        goals = [pose_at(2.0, 4.0, 0.5 * math.pi), pose_at(3.5, 5.0)]
         for i, goal in enumerate(goals):
             self.announce(*goals[i:])
             self.send(goal)
             self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
-        assert self.robot.speed_nearest_to(2.0, 4.0) > 0.5
-        assert self.robot.speed_nearest_to(3.5, 5.0) > 0.5
-        self.assert_stands_at(6.0, 4.5)
+            assert abs(self.robot.speed) < 0.06
+        self.assert_stands_at(3.5, 5.0)
 
     def test_a_goal_is_not_passed_because_another_one_was_followed(self):
         self.announce(pose_at(5.0, 1.0), pose_at(6.0, 2.0))
         self.send(pose_at(3.0, 1.0))
         self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
         self.assert_stands_at(3.0, 1.0)
-
-    def test_a_goal_may_get_one_that_follows_it_on_the_way(self):
-        goals = [pose_at(7.0, 2.0), pose_at(7.0, 4.5)]
-        self.drive_off(goals[0])
-        self.announce(*goals)
-        self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
-        assert self.robot.speed_nearest_to(7.0, 2.0) > 0.5
 
 
 if __name__ == "__main__":

@@ -1,11 +1,11 @@
-#include "map/costmap.h"
+#include "move_base/map/costmap.h"
 
 #include <workspace_support/option_checks.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/distance_transform.h"
+#include "map/distance_transform.h"
 
 namespace move_base
 {
@@ -13,7 +13,6 @@ namespace
 {
 // Between the centres of four cells, the weighted mean of their distances from the place, in cells, is at most this.
 constexpr double kInterpolationError = 0.7072;
-constexpr double kMovingMargin = 0.15;  // m around what moves, parts of which the lidar has seen as standing
 
 const GridGeometry & checked(const OccupancyGrid & map)
 {
@@ -76,40 +75,11 @@ void Costmap::makeStamp()
   }
 }
 
-void Costmap::observe(const LaserScan & scan)
+void Costmap::observe(const LaserScan & scan, const std::vector<Vec2> & hits)
 {
-  std::vector<Vec2> hits = live_.hits(scan, map_distances_);
-  tracker_.observe(scan.time, scan.sensor.position(), hits);
-  bool changed = false;
-  for (const MovingObstacle & obstacle : tracker_.moving()) {
-    const Box outline = grown(obstacle.outline, kMovingMargin);
-    const auto inside = [&](const Vec2 & hit) { return outline.distanceTo(hit) <= 0.0; };
-    hits.erase(std::remove_if(hits.begin(), hits.end(), inside), hits.end());
-    changed = live_.forgetIn(outline) || changed;
-  }
-  for (StoppedObstacle obstacle : tracker_.stopped()) {
-    obstacle.outline = obstacle.headed ? obstacle.outline : alongRoad(obstacle.outline);
-    // Nearer to a wall there is no room for a car: it is part of the wall.
-    const bool fits = wallDistance(obstacle.outline.middle.position()) > footprint_.halfWidth();
-    changed = (fits && live_.remember(obstacle)) || changed;
-  }
-  for (const Box & glimpse : tracker_.glimpses()) {
-    changed = live_.forgetIn(grown(glimpse, geometry_.resolution)) || changed;
-  }
-  if (live_.observe(scan, hits) || changed) {
+  if (live_.observe(scan, hits) || changed_) {
     rebuild();
   }
-}
-
-double Costmap::roomAlong(const Pose2 & from, double curvature) const
-{
-  constexpr double kReach = 1.2;  // m
-  constexpr double kStep = 0.15;  // m
-  double room = HUGE_VAL;
-  for (double s = kStep; s <= kReach; s += kStep) {
-    room = std::min(room, wallDistance(advance(from, s, curvature).position()));
-  }
-  return room;
 }
 
 bool Costmap::seesUnknown(const Vec2 & point, double reach) const
@@ -117,31 +87,6 @@ bool Costmap::seesUnknown(const Vec2 & point, double reach) const
   return isNearLive(point, reach) && std::any_of(stamped_.begin(), stamped_.end(), [&](const Cell & cell) {
            return distance(geometry_.centre(cell), point) < reach;
          });
-}
-
-// A car stands along its road, which is where there is room to both ends of it; where no way is much freer than the
-// others, it is as wide as a car, whatever the side.
-Box Costmap::alongRoad(const Box & outline) const
-{
-  constexpr int kHeadings = 18;
-  constexpr double kClearlyFreer = 0.15;  // m
-  const double here = wallDistance(outline.middle.position());
-  Box best = outline;
-  double most = -HUGE_VAL;
-  double least = HUGE_VAL;
-  for (int i = 0; i < kHeadings; ++i) {
-    Box turned = outline;
-    turned.middle.yaw = normalizeAngle(i * M_PI / kHeadings);
-    const Pose2 back = compose(turned.middle, {0.0, 0.0, M_PI});
-    const double room = std::min({here, roomAlong(turned.middle, 0.0), roomAlong(back, 0.0)});
-    best = room > most ? turned : best;
-    most = std::max(most, room);
-    least = std::min(least, room);
-  }
-  if (most < least + kClearlyFreer) {
-    best.half_length = best.half_width;
-  }
-  return best;
 }
 
 void Costmap::forgetBeyond(const Vec2 & centre, double radius)
@@ -174,6 +119,7 @@ void Costmap::rebuild()
     });
   }
   stamped_.clear();
+  changed_ = false;
   live_low_ = {HUGE_VAL, HUGE_VAL};
   live_high_ = {-HUGE_VAL, -HUGE_VAL};
   for (const std::size_t index : live_.cells()) {

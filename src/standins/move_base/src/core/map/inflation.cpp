@@ -1,9 +1,9 @@
-#include "map/inflation.h"
+#include "move_base/map/inflation.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/distance_transform.h"
+#include "map/distance_transform.h"
 
 namespace move_base
 {

@@ -1,4 +1,4 @@
-#include "path/path.h"
+#include "move_base/path/path.h"
 
 #include <algorithm>
 

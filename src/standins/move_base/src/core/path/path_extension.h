@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "search/arc_price.h"
-#include "search/hybrid_a_star.h"
+#include "move_base/search/arc_price.h"
+#include "move_base/search/hybrid_a_star.h"
 
 namespace move_base
 {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "path/resample.h"
+#include "move_base/path/resample.h"
 
 namespace move_base
 {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "map/costmap.h"
-#include "path/path.h"
-#include "search/arc_price.h"
+#include "move_base/map/costmap.h"
+#include "move_base/path/path.h"
+#include "move_base/search/arc_price.h"
 
 namespace move_base
 {

@@ -1,4 +1,4 @@
-#include "path/path_tracker.h"
+#include "move_base/path/path_tracker.h"
 
 #include <algorithm>
 

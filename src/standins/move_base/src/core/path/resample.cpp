@@ -1,4 +1,4 @@
-#include "path/resample.h"
+#include "move_base/path/resample.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "search/arc_price.h"
+#include "move_base/search/arc_price.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include <queue>
 #include <vector>
 
-#include "car/box.h"
-#include "map/costmap.h"
+#include "move_base/map/box.h"
+#include "move_base/map/costmap.h"
 
 namespace move_base
 {

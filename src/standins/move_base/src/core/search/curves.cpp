@@ -1,4 +1,4 @@
-#include "search/curves.h"
+#include "move_base/search/curves.h"
 
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/spaces/DubinsStateSpace.h>

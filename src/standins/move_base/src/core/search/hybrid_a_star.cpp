@@ -1,4 +1,4 @@
-#include "search/hybrid_a_star.h"
+#include "move_base/search/hybrid_a_star.h"
 
 #include <workspace_support/option_checks.h>
 
@@ -8,7 +8,7 @@
 #include <optional>
 #include <queue>
 
-#include "search/arc_price.h"
+#include "move_base/search/arc_price.h"
 #include "search/cost_to_go.h"
 #include "search/search_nodes.h"
 

@@ -4,8 +4,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "geometry/geometry.h"
-#include "search/curves.h"
+#include "move_base/map/geometry.h"
+#include "move_base/search/curves.h"
 
 namespace move_base
 {

@@ -1,4 +1,4 @@
-#include "map/costmap.h"
+#include "move_base/map/costmap.h"
 
 #include <gtest/gtest.h>
 #include <workspace_support/errors.h>

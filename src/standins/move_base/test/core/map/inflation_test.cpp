@@ -1,10 +1,10 @@
-#include "map/inflation.h"
+#include "move_base/map/inflation.h"
 
 #include <gtest/gtest.h>
 
-#include "map/costmap.h"
+#include "map/rolling_layer.h"
+#include "move_base/map/costmap.h"
 #include "rooms.h"
-#include "seen/rolling_layer.h"
 
 namespace move_base
 {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "path/path.h"
+#include "move_base/path/path.h"
 #include "rooms.h"
 
 namespace move_base

@@ -1,8 +1,8 @@
-#include "path/path.h"
+#include "move_base/path/path.h"
 
 #include <gtest/gtest.h>
 
-#include "path/path_tracker.h"
+#include "move_base/path/path_tracker.h"
 
 namespace move_base
 {

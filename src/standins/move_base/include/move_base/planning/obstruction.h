@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "move_base/global_planner.h"
+
+namespace move_base
+{
+/// Why a car gets no plan.
+struct Obstruction
+{
+  std::string reason;   ///< a sentence for a person to read
+  bool lasting{false};  ///< whether the map alone is to blame: nothing that the car may see or do changes it
+};
+
+/// @param status  with which planning failed on the costmap
+Obstruction obstructionOf(const Costmap & costmap, const PlanRequest & request, SearchStatus status);
+}  // namespace move_base

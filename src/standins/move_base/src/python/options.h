@@ -1,9 +1,0 @@
-#pragma once
-
-#include <pybind11/pybind11.h>
-
-namespace move_base
-{
-/// The structs of options, with all their fields to be read and set.
-void bindOptions(pybind11::module_ & module);
-}  // namespace move_base

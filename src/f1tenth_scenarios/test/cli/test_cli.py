@@ -251,6 +251,14 @@ def test_master_ends_with_a_killed_user(serving):
         (["race", "circuit1", "--arg", "speed:=1"], "--arg is for a --planner"),
         (["run", "circuit1", "--interface", "f1tenth"], "--interface is for a --planner"),
         (["race", "circuit1", "--interface", "f1tenth"], "--interface is for a --planner"),
+        (
+            ["race", "circuit1", "--ros2", "x", "--interface", "f1tenth"],
+            "--interface is for a --planner; with --ros2 the topics are those of f1tenth_gym_ros",
+        ),
+        (
+            ["run", "circuit1", "--ros2", "x", "--planner", "race"],
+            "--ros2 is given beside --planner; one planner drives in all scenarios",
+        ),
         (["run", "circuit1", "--repeat", "2", "--bag"], "--bag is not for --repeat"),
         (["run", "circuit1", "--repeat", "2", "--report"], "--report is not for --repeat"),
         (

@@ -8,6 +8,7 @@ from typing import Optional
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.places import lookup
 from f1tenth_judge.plan.driver_file import driver_file
+from f1tenth_judge.plan.planner import planner_setting
 from f1tenth_judge.scenario.driver import Driver, Interface
 
 # Drivers that follow given commands need more than a road.
@@ -37,6 +38,20 @@ def check_planner_options(options) -> None:
     """
     if not (options.planner or options.ros2) and (options.arg or options.interface != Interface.NATIVE.value):
         raise ScenarioError(f"{'--arg' if options.arg else '--interface'} is for a --planner")
+
+
+def planner_settings(options) -> list[str]:
+    """The setting for the one planner that options name; empty if they name none.
+
+    Raises:
+        ScenarioError: two are named, or as planner_of.
+    """
+    check_planner_options(options)
+    if options.planner and options.ros2:
+        raise ScenarioError("--ros2 is given beside --planner; one planner drives in all scenarios")
+    if options.ros2:
+        return [planner_setting(planner) for planner in ros2_planners([options.ros2], options)]
+    return [planner_setting(planner_of(options.planner, options))] if options.planner else []
 
 
 def ros2_planners(commands: Sequence[str], options) -> list[Driver]:

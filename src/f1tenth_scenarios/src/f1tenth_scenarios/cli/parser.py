@@ -163,6 +163,7 @@ def _add_suite(commands: _Subparsers) -> None:
     command.add_argument("name", nargs="?", choices=SUITES, help="default: list the suites")
     command.add_argument("--cases", metavar="A,B", help="some of the cases: seeds, as in 0:59, or names")
     command.add_argument("--planner", metavar="LAUNCH", help=f"drive with it instead of ours: {_PLANNER}")
+    command.add_argument("--ros2", metavar="COMMAND", help=f"drive with it instead of ours: {_ROS2}")
     command.add_argument("--opponent", metavar="LAUNCH", help="drives the other car of 'encounters'")
     _add_planner(command)
     command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help=_SET)

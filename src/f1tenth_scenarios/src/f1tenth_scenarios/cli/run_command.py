@@ -4,29 +4,25 @@ import contextlib
 import dataclasses
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from f1tenth_judge.errors import NotApplicableError, ScenarioError
 from f1tenth_judge.places import lookup
 from f1tenth_judge.plan.plan import Plan
-from f1tenth_judge.plan.planner import planner_setting
 from f1tenth_judge.plan.planning import make_plan
 from f1tenth_judge.results.console import CountLine, ProgressLine, cost_of_all, summary
 from f1tenth_judge.results.result import Result
-from f1tenth_judge.run.loop import Progress
 from f1tenth_judge.stop_request import StopRequest
 
 from f1tenth_scenarios.batch.jobs import Job, Outcome, run_jobs
 from f1tenth_scenarios.cli.exit_codes import NOT_PASSED, PASSED, exit_code
-from f1tenth_scenarios.cli.options import (
-    check_planner_options,
-    expect_at_least,
-    planner_of,
-    results_of,
-    ros2_planners,
-)
+from f1tenth_scenarios.cli.options import expect_at_least, planner_settings, results_of
 from f1tenth_scenarios.cli.show_commands import report
 from f1tenth_scenarios.launch.private_master import private_master
 from f1tenth_scenarios.launch.system_limits import require_memory
+
+if TYPE_CHECKING:
+    from f1tenth_judge.run.loop import Progress
 
 _REPEAT = "--repeat is for one scenario, and at least 2 times"
 
@@ -34,13 +30,7 @@ _REPEAT = "--repeat is for one scenario, and at least 2 times"
 def run(options) -> int:
     """Run scenarios."""
     _check(options)
-    settings = list(options.set)
-    if options.planner and options.ros2:
-        raise ScenarioError("--ros2 is given beside --planner; one planner drives in all scenarios")
-    if options.planner:
-        settings.append(planner_setting(planner_of(options.planner, options)))
-    if options.ros2:
-        settings.append(planner_setting(ros2_planners([options.ros2], options)[0]))
+    settings = [*options.set, *planner_settings(options)]
     if options.repeat is not None:
         if len(options.names) != 1:
             raise ScenarioError(_REPEAT)
@@ -67,18 +57,18 @@ def run_plan(plan: Plan) -> int:
     return exit_code(result.passed, stop)
 
 
-def _run_with_ros(plan: Plan, stop: StopRequest, progress: Progress) -> Result:
+def _run_with_ros(plan: Plan, stop: StopRequest, progress: "Progress") -> Result:
     from f1tenth_scenarios.run.ros_session import run_with_ros
 
     with contextlib.nullcontext() if plan.watched else private_master():
         return run_with_ros(plan, stop, progress)
 
 
-def _run_without_ros(plan: Plan, stop: StopRequest, progress: Progress) -> Result:
-    from f1tenth_judge.drivers.ros2.driver import ros2_drivers
+def _run_without_ros(plan: Plan, stop: StopRequest, progress: "Progress") -> Result:
+    from f1tenth_judge.drivers.ros2.starting import drivers_on_dds
     from f1tenth_judge.run.execute import execute
 
-    return execute(plan, ros2_drivers, stop, progress)
+    return execute(plan, drivers_on_dds(), stop, progress)
 
 
 def with_report(code: int, options) -> int:
@@ -118,7 +108,6 @@ def _check(options) -> None:
     expect_at_least(1, options.jobs, "--jobs")
     if options.all == bool(options.names):
         raise ScenarioError("run needs either names of scenarios or --all")
-    check_planner_options(options)
 
 
 def _run_each(names: Sequence[str], settings: Sequence[str], options) -> int:

@@ -7,13 +7,13 @@ from pathlib import Path
 from f1tenth_judge.errors import ScenarioError, writing
 from f1tenth_judge.places import lookup
 from f1tenth_judge.places.packages import package_path
-from f1tenth_judge.plan.planner import driver_text, planner_setting
+from f1tenth_judge.plan.planner import driver_text
 from f1tenth_judge.stop_request import StopRequest
 
 from f1tenth_scenarios import suites
 from f1tenth_scenarios.batch.table_file import check_table_file, write_table
 from f1tenth_scenarios.cli.exit_codes import PASSED, exit_code
-from f1tenth_scenarios.cli.options import check_planner_options, expect_at_least, planner_of, results_of
+from f1tenth_scenarios.cli.options import expect_at_least, planner_of, planner_settings, results_of
 from f1tenth_scenarios.suites.suite import Suite
 
 _TABLE_FILE, _PLACES = "scorecard.csv", "places"
@@ -26,14 +26,14 @@ def suite(options) -> int:
         for name in SUITES:
             print(f"{name:14}{_load(name).text}")
         return PASSED
-    check_planner_options(options)
+    settings = [*options.set, *planner_settings(options)]
     expect_at_least(1, options.workers, "--workers")
     folder = results_of(options) / "suite" / options.name
     with writing(folder):
         (folder / _PLACES).mkdir(parents=True, exist_ok=True)
     check_table_file(folder / _TABLE_FILE)
     with StopRequest().listening() as stop:
-        sweep = _sweep(options, folder)
+        sweep = _sweep(options, settings, folder)
         sweep.run(stop, options.workers, options.scheduler)
         for problem in [] if stop.signal else sweep.problems:
             print(f"scenario: {problem}", file=sys.stderr)
@@ -47,13 +47,10 @@ def _load(name: str) -> Suite:
     return importlib.import_module(f"{suites.__name__}.{name}").SUITE
 
 
-def _sweep(options, folder: Path):
+def _sweep(options, settings: list[str], folder: Path):
     from f1tenth_scenarios.batch.sweep import Sweep
 
     chosen = _load(options.name)
-    settings = list(options.set)
-    if options.planner:
-        settings.append(planner_setting(planner_of(options.planner, options)))
     if options.opponent:
         if chosen.scenario != "encounters":
             raise ScenarioError("--opponent is for the suite 'encounters'")

@@ -4,7 +4,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from f1tenth_judge.drivers.ros2.driver import ros2_drivers
+from f1tenth_judge.drivers.ros2.starting import drivers_on_dds
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.plan.race import Race, plan_race
 from f1tenth_judge.results.console import ProgressLine, summary
@@ -26,7 +26,7 @@ def main() -> int:
         plan = plan_race(race, (options.results / race.name).resolve(), options.set)
         progress = ProgressLine(plan.name)
         with StopRequest().listening() as stop:
-            result = execute(plan, ros2_drivers, stop, progress.update)
+            result = execute(plan, drivers_on_dds(), stop, progress.update)
     except ScenarioError as error:
         print(f"f1tenth_judge: {error}", file=sys.stderr)
         return _BAD_INPUT

@@ -59,10 +59,14 @@ class CarTopics:
             self._publish(OPPONENT_ODOMETRY, sensed.odometry_message, states[other], time, OPPONENT)
             transforms.append(sensed.pose_transform(states[other], time, OPPONENT))
         self._publish((TF,), TFMessage, transforms)
-        for stamp, sample in self._stage.imu_samples(self._car):
-            self._publish((IMU,), sensed.imu_message, sample, self._stage.gravity, stamp, EGO)
+        self._publish_imu()
         if ranges := self._stage.scan(self._car):
             self._held.append(sensed.scan_message(*ranges, time, EGO))
+
+    def _publish_imu(self) -> None:
+        if self._connection.hearers(IMU):
+            for time, sample in self._stage.imu_samples(self._car):
+                self._connection.publish(IMU, sensed.imu_message(sample, self._stage.gravity, time, EGO))
 
     def publish_scans(self) -> None:
         """Publish the scans that are held."""

@@ -192,13 +192,8 @@ TEST(Localizer, NeedsFewerParticlesTheSurerItIs)
 {
   const auto localizer = Localizer::make(room(), smallSteps(), around({-2.0, -0.5, 0.0}, 0.4, 0.2));
   Drive drive(room(), {-2.0, -0.5, 0.0});
-  std::size_t before = localizer->particles().size();
-  EXPECT_EQ(before, 5000U);
-  drive.steps(*localizer, 3);
-  EXPECT_LT(localizer->particles().size(), before);
-  before = localizer->particles().size();
+  EXPECT_EQ(localizer->particles().size(), 5000U);
   drive.steps(*localizer, 20);
-  EXPECT_LE(localizer->particles().size(), before);
   EXPECT_LT(localizer->particles().size(), 1000U);
   EXPECT_GE(localizer->particles().size(), 100U);
 }
@@ -233,11 +228,11 @@ TEST(Localizer, OnlyScansFarEnoughFromTheLastCount)
   Drive drive(room(), {-2.0, -0.5, 0.0});
   EXPECT_EQ(drive.step(*localizer, {}), Outcome::kUpdated);
   EXPECT_EQ(drive.step(*localizer, {0.04, 0.0, 0.0}), Outcome::kIgnored);
-  EXPECT_EQ(drive.step(*localizer, {0.02, 0.0, 0.0}), Outcome::kUpdated);
-  EXPECT_EQ(drive.step(*localizer, {0.0, 0.0, 0.06}), Outcome::kResampled);
+  EXPECT_EQ(drive.step(*localizer, {0.02, 0.0, 0.0}), Outcome::kResampled);
+  EXPECT_EQ(drive.step(*localizer, {0.0, 0.0, 0.06}), Outcome::kUpdated);
   EXPECT_EQ(drive.step(*localizer, {}), Outcome::kIgnored);
   localizer->updateNext();
-  EXPECT_EQ(drive.step(*localizer, {}), Outcome::kUpdated);
+  EXPECT_EQ(drive.step(*localizer, {}), Outcome::kResampled);
 }
 
 TEST(Localizer, BelievesWhatItIsToldLater)
@@ -245,6 +240,20 @@ TEST(Localizer, BelievesWhatItIsToldLater)
   const auto localizer = Localizer::make(room(), smallSteps(), around({-2.0, -0.5, 0.0}, 0.05, 0.05));
   localizer->setPose(around({2.0, 1.0, -1.0}, 0.05, 0.05));
   expectNear(localizer->estimate().pose, {2.0, 1.0, -1.0}, 0.01, 0.01);
+}
+
+TEST(Localizer, LostWherePlacesLookAlikeIsAtNoneForCertain)
+{
+  OccupancyGrid map = room();
+  for (int y = 60; y < 80; ++y) {
+    std::fill_n(map.cells.begin() + y * 160 + 120, 10, 0);  // without its pillar it looks the same turned around
+  }
+  const auto localizer = Localizer::make(map, LocalizerOptions{}, {});
+  localizer->spreadOut();
+  localizer->process(scanOn(map, {-1.0, -1.0, 0.7}), {}, {});
+  const auto covariance = localizer->estimate().covariance;
+  EXPECT_GT(std::sqrt(covariance[0] + covariance[4]), 1.0);
+  EXPECT_GT(std::sqrt(covariance[8]), 1.0);
 }
 
 TEST(Localizer, MapOnWhichNothingIsFreeIsNamed)

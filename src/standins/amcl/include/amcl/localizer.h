@@ -17,9 +17,8 @@ enum class Outcome
   kResampled,  ///< they were resampled, too
 };
 
-/// Finds out where a car is on a map, from scans and odometry: Monte-Carlo localization of MRPT with as many particles
-/// as needed (D. Fox: Adapting the Sample Size in Particle Filters Through KLD-Sampling, International Journal of
-/// Robotics Research 22, 2003). The same inputs and the same seed give the same poses.
+/// Finds out where a car is on a map, from scans and odometry: Monte-Carlo localization with as many particles as needed.
+/// The same inputs and the same seed give the same poses, on every machine.
 class Localizer
 {
 public:
@@ -44,9 +43,10 @@ public:
   /// nothing
   virtual Outcome process(const Scan & scan, const Pose2 & lidar, const Pose2 & odometry) = 0;
 
-  /// Mean and covariance of the heaviest group of particles, as of the last scan that counted.
+  /// Mean of the heaviest group of particles, as of the last scan that counted, and its covariance; that of all particles
+  /// as long as a car that was lost is looked for.
   virtual Estimate estimate() const = 0;
-  /// All particles, in the map frame.
+  /// The particles, in the map frame; a selection of max_particles while a lost car is looked for.
   virtual std::vector<Pose2> particles() const = 0;
 };
 }  // namespace amcl

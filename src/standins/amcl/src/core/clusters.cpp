@@ -1,6 +1,7 @@
 #include "clusters.h"
 
-#include <array>
+#include <workspace_support/maths/trigonometry.h>
+
 #include <cassert>
 #include <cmath>
 #include <map>
@@ -10,24 +11,17 @@ namespace amcl
 {
 namespace
 {
-using Bin = std::array<int, 3>;
-using Members = std::vector<const WeightedPose *>;
+using Members = std::vector<WeightedPose>;
 using Bins = std::map<Bin, Members>;
 
-constexpr int kBinsPerTurn = 36;
-
-Bin binOf(const Pose2 & pose)
-{
-  const int turn = static_cast<int>(std::floor(pose.yaw / kBinAngle));
-  return {
-    static_cast<int>(std::floor(pose.x / kBinSize)), static_cast<int>(std::floor(pose.y / kBinSize)),
-    (turn % kBinsPerTurn + kBinsPerTurn) % kBinsPerTurn};
-}
+constexpr double kBinSize = 0.5;                   // m
+constexpr double kBinAngle = 10.0 * M_PI / 180.0;  // rad
+constexpr long kBinsPerTurn = 36;
 
 void takeNeighbours(Bins & bins, const Bin & centre, std::vector<Bin> & open, Members & members)
 {
   for (int i = 0; i < 27; ++i) {
-    const int turn = (centre[2] + i / 9 - 1 + kBinsPerTurn) % kBinsPerTurn;
+    const long turn = (centre[2] + i / 9 - 1 + kBinsPerTurn) % kBinsPerTurn;
     const auto found = bins.find({centre[0] + i % 3 - 1, centre[1] + i / 3 % 3 - 1, turn});
     if (found != bins.end()) {
       open.push_back(found->first);
@@ -53,8 +47,8 @@ Members takeGroup(Bins & bins)
 double weightOf(const Members & members)
 {
   double weight = 0.0;
-  for (const WeightedPose * member : members) {
-    weight += member->weight;
+  for (const WeightedPose & member : members) {
+    weight += member.weight;
   }
   return weight;
 }
@@ -64,36 +58,52 @@ Pose2 meanOf(const Members & members, double weight)
   Pose2 mean;
   double c = 0.0;
   double s = 0.0;
-  for (const WeightedPose * member : members) {
-    mean.x += member->weight / weight * member->pose.x;
-    mean.y += member->weight / weight * member->pose.y;
-    c += member->weight * std::cos(member->pose.yaw);
-    s += member->weight * std::sin(member->pose.yaw);
+  for (const WeightedPose & member : members) {
+    const maths::SineCosine heading = maths::sineCosine(member.pose.yaw);
+    mean.x += member.weight / weight * member.pose.x;
+    mean.y += member.weight / weight * member.pose.y;
+    c += member.weight * heading.cosine;
+    s += member.weight * heading.sine;
   }
-  mean.yaw = std::atan2(s, c);
+  mean.yaw = maths::atan2(s, c);
   return mean;
 }
 
 std::array<double, 9> covarianceOf(const Members & members, double weight, const Pose2 & mean)
 {
   std::array<double, 9> covariance{};
-  for (const WeightedPose * member : members) {
-    const Pose2 & pose = member->pose;
+  for (const WeightedPose & member : members) {
+    const Pose2 & pose = member.pose;
     const std::array<double, 3> offset{pose.x - mean.x, pose.y - mean.y, normalizeAngle(pose.yaw - mean.yaw)};
     for (int i = 0; i < 9; ++i) {
-      covariance[i] += member->weight / weight * offset[i / 3] * offset[i % 3];
+      covariance[i] += member.weight / weight * offset[i / 3] * offset[i % 3];
     }
   }
   return covariance;
 }
 }  // namespace
 
-Estimate heaviestCluster(const std::vector<WeightedPose> & particles)
+Bin binOf(const Pose2 & pose)
+{
+  const long turn = static_cast<long>(std::floor(pose.yaw / kBinAngle));
+  return {
+    static_cast<long>(std::floor(pose.x / kBinSize)), static_cast<long>(std::floor(pose.y / kBinSize)),
+    (turn % kBinsPerTurn + kBinsPerTurn) % kBinsPerTurn};
+}
+
+Estimate estimateOf(const std::vector<WeightedPose> & particles)
 {
   assert(!particles.empty());
+  const double weight = weightOf(particles);
+  const Pose2 mean = meanOf(particles, weight);
+  return {mean, covarianceOf(particles, weight, mean)};
+}
+
+Estimate heaviestCluster(const std::vector<WeightedPose> & particles)
+{
   Bins bins;
   for (const WeightedPose & particle : particles) {
-    bins[binOf(particle.pose)].push_back(&particle);
+    bins[binOf(particle.pose)].push_back(particle);
   }
   Members heaviest;
   double greatest = -1.0;
@@ -105,7 +115,6 @@ Estimate heaviestCluster(const std::vector<WeightedPose> & particles)
       heaviest = std::move(group);
     }
   }
-  const Pose2 mean = meanOf(heaviest, greatest);
-  return {mean, covarianceOf(heaviest, greatest, mean)};
+  return estimateOf(heaviest);
 }
 }  // namespace amcl

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "amcl/geometry.h"
@@ -7,15 +8,18 @@
 
 namespace amcl
 {
-/// Size of the cells in which particles are counted, as in the original.
-constexpr double kBinSize = 0.5;                   // m
-constexpr double kBinAngle = 10.0 * M_PI / 180.0;  // rad
-
 struct WeightedPose
 {
   Pose2 pose;
   double weight{0.0};
 };
+
+/// A cell of 0.5 m by 0.5 m by 10 degrees, in which particles are counted, as in the original.
+using Bin = std::array<long, 3>;
+Bin binOf(const Pose2 & pose);
+
+/// Mean and covariance of these. Needs one.
+Estimate estimateOf(const std::vector<WeightedPose> & particles);
 
 /// Mean and covariance of the heaviest group of particles; groups are separated by empty cells. Needs a particle.
 Estimate heaviestCluster(const std::vector<WeightedPose> & particles);

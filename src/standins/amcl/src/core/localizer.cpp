@@ -1,114 +1,84 @@
 #include "amcl/localizer.h"
 
-#include <mrpt/bayes/CParticleFilter.h>
-#include <mrpt/obs/CActionCollection.h>
-#include <mrpt/obs/CActionRobotMovement2D.h>
-#include <mrpt/obs/CSensoryFrame.h>
-#include <mrpt/poses/CPosePDFGaussian.h>
-#include <mrpt/slam/CMonteCarloLocalization2D.h>
-#include <workspace_support/errors.h>
+#include <workspace_support/maths/random.h>
+#include <workspace_support/option_checks.h>
 #include <workspace_support/scan_checks.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "clusters.h"
-#include "engine_types.h"
-#include "lost_car.h"
+#include "free_space.h"
+#include "likelihood_field.h"
 #include "motion_model.h"
-#include "road.h"
+#include "particles.h"
 
 namespace amcl
 {
 namespace
 {
-// The original sums up cubes of the beams' likelihoods; the cube of their mean is close to that.
-constexpr double kAveragePower = 3.0;
+constexpr double kFound = 0.3;  // m, standard deviation of converged particles; a car with a wider start is lost
+// Where a lost car may be, to be compared with the first scan: hardly one of the usual number is right to a few degrees.
+constexpr std::size_t kCandidates = 400000;
+// As many are drawn from these at most, and these only when so small a share of them still counts: places that look
+// alike must not die out by chance.
+constexpr int kLostParticles = 40000;
+constexpr double kDepleted = 0.5;
 // For a car that is lost, beams count as if this many of them were independent of each other. If all were, one scan
 // would leave nothing but the place that fits best, which is often a wrong one.
-constexpr double kIndependentBeams = 5.4;
-constexpr double kFound = 0.3;  // m, standard deviation of converged particles; a car with a wider start is lost
-constexpr std::size_t kPlacesAbout = 20000;  // that are checked if it is known roughly where the car is
-constexpr double kPlaceError = 0.05;         // m, standard deviation of particles about a place where the car was found
-constexpr double kHeadingError = 0.01;       // rad
-constexpr double kFarthest = 1e6;            // m between two scans: more is a mistake, and overflows in MRPT
-// MRPT throws for a motion less certain than this, a leap of a few metres, unless it is declared to come from a scan.
-constexpr double kMostUncertain = 500.0;  // m^4 rad^2, determinant of the covariance; 1000 is MRPT's
-// So that no covariance is singular.
-constexpr double kLeastVariance = 1e-8;  // m^2 and rad^2
+constexpr double kIndependentBeams = 20.0;
+// At the first look fewer, as hardly a candidate is exactly right; then the neighbourhood of those drawn is looked at.
+constexpr double kFirstBeams = 2.5;
+constexpr double kAbout = 0.1;       // m
+constexpr double kTurnAbout = 0.05;  // rad
+constexpr double kFarthest = 1e6;    // m between two scans: more is a mistake
 
-mrpt::slam::TKLDParams kldOptions(const LocalizerOptions & options)
+double positionVariance(const Estimate & estimate)
 {
-  mrpt::slam::TKLDParams kld;
-  kld.KLD_binSize_XY = kBinSize;
-  kld.KLD_binSize_PHI = kBinAngle;
-  kld.KLD_epsilon = options.kld_err;
-  kld.KLD_delta = 0.5 * std::erfc(options.kld_z / std::sqrt(2.0));
-  kld.KLD_minSampleSize = static_cast<unsigned>(options.min_particles);
-  kld.KLD_maxSampleSize = static_cast<unsigned>(options.max_particles);
-  return kld;
+  return estimate.covariance[0] + estimate.covariance[4];
 }
 
-mrpt::obs::CActionCollection toAction(const Pose2 & motion, const OdometryOptions & options)
+/// Share of the particles that would be as good if their weights were equal.
+double effectiveShare(const Particles & particles)
 {
-  const Eigen::Matrix3d covariance = motionCovariance(motion, options) + kLeastVariance * Eigen::Matrix3d::Identity();
-  mrpt::obs::CActionRobotMovement2D movement;
-  const mrpt::poses::CPose2D mean(toTPose2D(motion));
-  movement.rawOdometryIncrementReading = mean;
-  movement.poseChange = mrpt::poses::CPosePDFGaussian::Create(mean, mrpt::math::CMatrixDouble33(covariance));
-  if (covariance.determinant() > kMostUncertain) {
-    movement.estimationMethod = mrpt::obs::CActionRobotMovement2D::emScan2DMatching;
+  double squares = 0.0;
+  for (const WeightedPose & particle : particles) {
+    squares += particle.weight * particle.weight;
   }
-  mrpt::obs::CActionCollection action;
-  action.insert(movement);
-  return action;
+  return 1.0 / (squares * static_cast<double>(particles.size()));
+}
+
+LocalizerOptions optionsOfLost(LocalizerOptions options)
+{
+  options.max_particles = std::max(options.max_particles, kLostParticles);
+  options.kld_err = std::min(options.kld_err, LocalizerOptions{}.kld_err);
+  return options;
 }
 
 class ParticleLocalizer final : public Localizer
 {
 public:
   ParticleLocalizer(const OccupancyGrid & map, const LocalizerOptions & options, const Estimate & start)
-  : options_(options), origin_(map.geometry.origin), map_(toGridMap(map, options.laser)), random_(options.seed)
+  : options_(options), map_(map), field_(map, options.laser), random_(options.seed)
   {
-    particles_.options.metricMap = map_;
-    particles_.options.KLD_params = kldOptions(options);
-    filter_.m_options.PF_algorithm = mrpt::bayes::CParticleFilter::pfStandardProposal;
-    filter_.m_options.resamplingMethod = mrpt::bayes::CParticleFilter::prMultinomial;
-    filter_.m_options.BETA = 0.0;  // Resampled together with the motion, or not at all.
-    const bool averages = options.laser.model == LaserModel::kLikelihoodField;
-    power_ = averages ? kAveragePower : 1.0;
-    search_power_ = averages ? power_ : std::min(1.0, kIndependentBeams / options.laser.max_beams);
     setPose(start);
   }
 
   void setPose(const Estimate & estimate) override
   {
-    const RandomScope scope(random_);
-    mrpt::math::CMatrixDouble33 covariance;
-    for (int i = 0; i < 9; ++i) {
-      covariance(i / 3, i % 3) = estimate.covariance[i] + (i % 4 == 0 ? kLeastVariance : 0.0);
-    }
-    mrpt::poses::CPosePDFGaussian belief(mrpt::poses::CPose2D(toTPose2D(estimate.pose)), covariance);
-    belief.changeCoordinatesReference(mrpt::poses::CPose3D(mrpt::poses::CPose2D(toTPose2D(inverse(origin_)))));
-    set(drawOf(belief, static_cast<std::size_t>(options_.max_particles)));
     believed_ = estimate.pose;
-    startAgain();
-    if (covariance(0, 0) + covariance(1, 1) > kFound * kFound) {
-      lost_.emplace(*map_, drawOf(belief, kPlacesAbout));
-    }
+    const bool is_wide = positionVariance(estimate) > kFound * kFound;
+    const auto most = static_cast<std::size_t>(options_.max_particles);
+    startWith(drawAround(estimate, is_wide ? kCandidates : most, random_), is_wide);
   }
 
   void spreadOut() override
   {
-    const auto road = roadAbout(*map_, compose(inverse(origin_), believed_));
-    if (road.empty()) {
+    const std::vector<Cell> cells = freeCellsAbout(map_, believed_.position());
+    if (cells.empty()) {
       throw Error("nothing is free on the map");
     }
-    set(drawOn(road, static_cast<std::size_t>(options_.max_particles)));
-    startAgain();
-    lost_.emplace(*map_, road);
+    startWith(drawOn(cells), true);
   }
 
   void updateNext() override { due_ = true; }
@@ -116,175 +86,129 @@ public:
   Outcome process(const Scan & scan, const Pose2 & lidar, const Pose2 & odometry) override
   {
     requireUsable(scan);
-    Pose2 motion = odometry_ ? compose(inverse(*odometry_), odometry) : Pose2{};
-    requireOption(norm(motion.position()) <= kFarthest, "way of odometry", norm(motion.position()), "at most 1e+06");
-    if (!due_ && !farEnough(motion)) {
+    const Pose2 motion = odometry_ ? compose(inverse(*odometry_), odometry) : Pose2{};
+    const double way = norm(motion.position());
+    requireOption(way <= kFarthest, "way of odometry", way, "at most 1e+06");
+    const bool is_far = way > options_.update_min_d || std::abs(motion.yaw) > options_.update_min_a;
+    if (scan.ranges.size() < 2 || (!due_ && !is_far)) {
       return Outcome::kIgnored;
     }
-    const auto observation = toObservation(scan, lidar, options_.laser);
-    if (!observation) {
-      return Outcome::kIgnored;
+    if (!has_seen_) {
+      field_.setRangeMax(scan.range_max);
+      has_seen_ = true;
     }
     due_ = false;
     odometry_ = odometry;
-    if (lost_ && look(*observation, odometry)) {
-      motion = {};
-    }
-    // Random beams are spread over this range. MRPT remembers likelihoods: only the first scan has a say.
-    map_->likelihoodOptions.LF_maxRange = *(max_range_ = max_range_.value_or(observation->maxRange));
-    return update(motion, observation);
+    return update(motion, usedBeams(scan, lidar, options_.laser));
   }
 
   Estimate estimate() const override
   {
-    std::vector<WeightedPose> weighted;
-    weighted.reserve(particles_.size());
-    for (const auto & particle : particles_.m_particles) {
-      weighted.push_back({toMap(particle.d), std::exp(particle.log_w)});
-    }
-    Estimate estimate = heaviestCluster(weighted);
+    Estimate estimate = estimate_;
     // The particles cannot know that the map is only right to half a cell.
-    const double map_variance = std::pow(0.5 * map_->getResolution(), 2);
-    estimate.covariance[0] += map_variance;
-    estimate.covariance[4] += map_variance;
-    if (lost_) {  // It may just as well be somewhere else than most particles.
-      const double variance = 0.5 * (spread_(0, 0) + spread_(1, 1));
-      estimate.covariance[0] += variance;
-      estimate.covariance[4] += variance;
-      estimate.covariance[8] += spread_(2, 2);
-    }
+    const double half_cell = 0.5 * map_.geometry.resolution;
+    estimate.covariance[0] += half_cell * half_cell;
+    estimate.covariance[4] += half_cell * half_cell;
     return estimate;
   }
 
   std::vector<Pose2> particles() const override
   {
+    const std::size_t count = std::min(particles_.size(), static_cast<std::size_t>(options_.max_particles));
     std::vector<Pose2> poses;
-    poses.reserve(particles_.size());
-    for (const auto & particle : particles_.m_particles) {
-      poses.push_back(toMap(particle.d));
+    poses.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      poses.push_back(particles_[i * particles_.size() / count].pose);
     }
     return poses;
   }
 
 private:
-  // Puts the particles where the car is found. Returns whether it was looked for.
-  bool look(const mrpt::obs::CObservation2DRangeScan & observation, const Pose2 & odometry)
+  void startWith(const std::vector<Pose2> & poses, bool is_lost)
   {
-    const std::vector<Place> places = lost_->look(observation, odometry);
-    if (places.empty()) {
-      return false;
-    }
-    is_searching_ = true;
-    std::vector<Pose2> poses;
-    double share = 0.0;
-    for (const Place & place : places) {
-      share += place.fit;
-      while (poses.size() + 0.5 < share * options_.max_particles) {
-        const double yaw = place.pose.yaw + random_.drawGaussian1D(0.0, kHeadingError);
-        const double y = place.pose.y + random_.drawGaussian1D(0.0, kPlaceError);
-        poses.push_back({place.pose.x + random_.drawGaussian1D(0.0, kPlaceError), y, yaw});
-      }
-    }
-    set(poses);
-    spread_ = std::get<0>(particles_.getCovarianceAndMean());
-    if (lost_->isOver()) {
-      lost_.reset();
-    }
-    return true;
-  }
-
-  static std::vector<Pose2> drawOf(const mrpt::poses::CPosePDFGaussian & belief, std::size_t count)
-  {
-    std::vector<mrpt::math::CVectorDouble> samples;
-    belief.drawManySamples(count, samples);
-    std::vector<Pose2> poses;
-    poses.reserve(count);
-    for (const auto & sample : samples) {
-      poses.push_back({sample[0], sample[1], sample[2]});
-    }
-    return poses;
-  }
-
-  std::vector<Pose2> drawOn(const Points & road, std::size_t count)
-  {
-    const double half = 0.5 * map_->getResolution();
-    std::vector<Pose2> poses;
-    poses.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto & cell = road[std::min<std::size_t>(random_.drawUniform(0.0, 1.0) * road.size(), road.size() - 1)];
-      const double yaw = random_.drawUniform(-M_PI, M_PI);
-      const double y = cell.y + random_.drawUniform(-half, half);
-      poses.push_back({cell.x + random_.drawUniform(-half, half), y, yaw});
-    }
-    return poses;
-  }
-
-  void set(const std::vector<Pose2> & poses)
-  {
-    particles_.m_particles.clear();
-    for (const Pose2 & pose : poses) {
-      particles_.m_particles.emplace_back(toTPose2D(pose), 0.0);
-    }
-  }
-
-  // Until the particles have converged.
-  bool isSearching()
-  {
-    if (is_searching_) {
-      const auto [covariance, mean] = particles_.getCovarianceAndMean();
-      is_searching_ = covariance(0, 0) + covariance(1, 1) > kFound * kFound;
-    }
-    return is_searching_;
-  }
-
-  void startAgain()
-  {
-    lost_.reset();
-    spread_.setZero();
-    is_searching_ = false;
+    particles_ = evenly(poses);
+    is_lost_ = is_lost;
     odometry_.reset();
     due_ = true;
     updates_ = 0;
+    believe();
   }
 
-  bool farEnough(const Pose2 & motion) const
+  std::vector<Pose2> drawOn(const std::vector<Cell> & cells)
   {
-    return std::hypot(motion.x, motion.y) > options_.update_min_d || std::abs(motion.yaw) > options_.update_min_a;
+    const GridGeometry & geometry = map_.geometry;
+    std::vector<Pose2> poses;
+    poses.reserve(kCandidates);
+    for (std::size_t i = 0; i < kCandidates; ++i) {
+      const Cell & cell = cells[static_cast<std::size_t>(random_.uniform() * static_cast<double>(cells.size()))];
+      const double x = (cell.x + random_.uniform()) * geometry.resolution;
+      const double y = (cell.y + random_.uniform()) * geometry.resolution;
+      poses.push_back(compose(geometry.origin, {x, y, random_.uniform(-M_PI, M_PI)}));
+    }
+    return poses;
   }
 
-  Outcome update(const Pose2 & motion, const mrpt::obs::CObservation2DRangeScan::Ptr & observation)
+  Outcome update(const Pose2 & motion, const Beams & seen)
   {
-    const RandomScope scope(random_);
-    // MRPT resamples particles by their previous weights while it moves them. The first ones are good as they are.
-    filter_.m_options.powFactor = isSearching() ? search_power_ : power_;
-    const bool resamples = updates_ > 0 && updates_ % options_.resample_interval == 0;
+    if (is_lost_ && updates_ == 0) {
+      weighBy([&](const Pose2 & pose) { return kFirstBeams * field_.meanLog(seen, pose); });
+      particles_ = resampled(particles_, optionsOfLost(options_), random_);
+      for (WeightedPose & particle : particles_) {
+        particle.pose.x += kAbout * random_.gaussian();
+        particle.pose.y += kAbout * random_.gaussian();
+        particle.pose.yaw = normalizeAngle(particle.pose.yaw + kTurnAbout * random_.gaussian());
+      }
+    }
+    const MotionModel model(motion, options_.odometry);
+    for (WeightedPose & particle : particles_) {
+      particle.pose = model.sample(particle.pose, random_);
+    }
+    weighBy([&](const Pose2 & pose) {
+      return is_lost_ ? kIndependentBeams * field_.meanLog(seen, pose) : field_.logLikelihood(seen, pose);
+    });
     ++updates_;
-    filter_.m_options.adaptiveSampleSize = resamples;
-    const mrpt::obs::CActionCollection action = toAction(motion, options_.odometry);
-    mrpt::obs::CSensoryFrame frame;
-    frame.insert(observation);
-    filter_.executeOn(particles_, &action, &frame);
-    return resamples ? Outcome::kResampled : Outcome::kUpdated;
+    believe();
+    const bool is_due = is_lost_ ? effectiveShare(particles_) < kDepleted : updates_ % options_.resample_interval == 0;
+    if (is_due) {
+      particles_ = resampled(particles_, is_lost_ ? optionsOfLost(options_) : options_, random_);
+    }
+    return is_due ? Outcome::kResampled : Outcome::kUpdated;
   }
 
-  Pose2 toMap(const mrpt::math::TPose2D & pose) const { return compose(origin_, fromTPose2D(pose)); }
+  template <typename LogLikelihood>
+  void weighBy(LogLikelihood log_likelihood)
+  {
+    std::vector<double> logs;
+    logs.reserve(particles_.size());
+    for (const WeightedPose & particle : particles_) {
+      logs.push_back(log_likelihood(particle.pose));
+    }
+    weigh(particles_, logs);
+  }
+
+  /// Until the particles of a lost car have converged, it may just as well be somewhere else than most of them.
+  void believe()
+  {
+    estimate_ = heaviestCluster(particles_);
+    if (is_lost_) {
+      const Estimate all = estimateOf(particles_);
+      is_lost_ = updates_ == 0 || positionVariance(all) > kFound * kFound;
+      estimate_.covariance = all.covariance;
+    }
+  }
 
   LocalizerOptions options_;
-  Pose2 origin_;  // of MRPT's map, whose frame the particles are in
-  mrpt::maps::COccupancyGridMap2D::Ptr map_;
-  mrpt::random::CRandomGenerator random_;
-  mrpt::slam::CMonteCarloLocalization2D particles_;
-  mrpt::bayes::CParticleFilter filter_;
-  std::optional<Pose2> odometry_;   // at the last scan that counted
-  std::optional<float> max_range_;  // m, of the first scan
+  OccupancyGrid map_;
+  LikelihoodField field_;
+  maths::Random random_;
+  Particles particles_;
+  Estimate estimate_;
+  std::optional<Pose2> odometry_;  // at the last scan that counted
+  Pose2 believed_;                 // where the car was last said to be
+  bool has_seen_{false};
   bool due_{true};
+  bool is_lost_{false};
   int updates_{0};
-  Pose2 believed_;  // where the car was last said to be, in the frame of the map
-  std::optional<LostCar> lost_;
-  mrpt::math::CMatrixDouble33 spread_;  // covariance of all places at the last look
-  bool is_searching_{false};
-  double power_{1.0};         // of the likelihood of a scan
-  double search_power_{1.0};  // of a car that is lost
 };
 }  // namespace
 

@@ -1,14 +1,35 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <workspace_support/maths/random.h>
 
 #include "amcl/geometry.h"
 #include "amcl/localizer_options.h"
 
 namespace amcl
 {
-/// How certain a motion measured by odometry is: covariance of x (m), y (m) and yaw (rad) in the frame of the car
-/// before the motion, to first order. Models: S. Thrun, W. Burgard, D. Fox: Probabilistic Robotics, 2005, chapter 5.4,
-/// and the original's for cars that can drive sideways.
-Eigen::Matrix3d motionCovariance(const Pose2 & motion, const OdometryOptions & options);
+/// Where a car may have gone when odometry measured a motion. Models: S. Thrun, W. Burgard, D. Fox: Probabilistic
+/// Robotics, 2005, chapter 5.4, and the original's for cars that can drive sideways.
+class MotionModel
+{
+public:
+  /// @param motion  in the frame of the car before it
+  MotionModel(const Pose2 & motion, const OdometryOptions & options);
+
+  /// A pose after the motion from one before it.
+  Pose2 sample(const Pose2 & pose, maths::Random & random) const;
+
+private:
+  void errLikeDiff(const OdometryOptions & options);
+  void errLikeOmni(const OdometryOptions & options);
+
+  Pose2 motion_;
+  bool is_omni_;
+  double way_;           // m
+  double bearing_{0.0};  // rad, of the way
+  // Standard deviations: of the way (m) and the final heading (rad), and of the bearing (rad) or, for omni, the way
+  // across (m).
+  double way_deviation_{0.0};
+  double heading_deviation_{0.0};
+  double side_deviation_{0.0};
+};
 }  // namespace amcl

@@ -10,6 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from workspace_support import maths
+
 
 @dataclass(frozen=True)
 class GapFollowerOptions:
@@ -58,9 +60,9 @@ class GapFollower:
         self._options = options = options or GapFollowerOptions()
         self._step = max(1, beam_count // self.BEAMS)
         angles = angle_min + angle_increment * np.arange(0, beam_count, self._step)
-        self._directions = np.column_stack([np.cos(angles), np.sin(angles)])
+        self._directions = np.column_stack([maths.cos(angles), maths.sin(angles)])
         self._steering = np.linspace(-options.max_steering_angle, options.max_steering_angle, self.ARCS)
-        self._curvatures = np.tan(self._steering) / options.wheelbase
+        self._curvatures = maths.tan(self._steering) / options.wheelbase
 
     def command(self, ranges):
         """(speed, steering angle) for a scan's ranges.
@@ -73,7 +75,7 @@ class GapFollower:
         """
         points = self._points(np.asarray(ranges))
         ways = self._ways(points)
-        weights = ways.mean(axis=1) ** self.DECISIVENESS
+        weights = maths.pow(ways.mean(axis=1), self.DECISIVENESS)
         if not weights.any() or self._is_before_bumper(points):
             return 0.0, 0.0
         steering = float(np.average(self._steering, weights=weights))
@@ -106,9 +108,9 @@ class GapFollower:
         x, y = points[:, 0], points[:, 1]
         k = self._curvatures[:, np.newaxis]
         # Signed distance from the circle through the origin with curvature k, without dividing by k.
-        square = k * (x**2 + y**2) - 2.0 * y
+        square = k * (x * x + y * y) - 2.0 * y
         aside = square / (1.0 + np.sqrt(1.0 + k * square))
-        angle = np.arctan2(k * x, 1.0 - k * y)
+        angle = maths.atan2(k * x, 1.0 - k * y)
         along = np.where(np.abs(k) < 1e-6, x, angle / np.where(np.abs(k) < 1e-6, 1.0, k))
         return aside, along
 
@@ -119,7 +121,7 @@ class GapFollower:
 
     def _speed(self, steering, way):
         options = self._options
-        curvature = abs(math.tan(steering)) / options.wheelbase
+        curvature = abs(maths.tan(steering)) / options.wheelbase
         bend = math.sqrt(options.max_lateral_acceleration / max(curvature, 1e-6))
         stop = math.sqrt(2.0 * options.stopping_acceleration * max(way, 0.0))
         return min(options.speed, bend, stop)

@@ -1,6 +1,5 @@
 """Where the car is in the map at the time of a scan, the same at every speed of the machine."""
 
-import math
 import threading
 
 import rospy
@@ -9,6 +8,7 @@ from nav_msgs.msg import Odometry
 from tf2_msgs.msg import TFMessage
 
 from f1tenth_gazebo.poses import composed
+from workspace_support import maths
 
 PATIENCE = 5.0
 """Wall time in which a message of a scan's time must have come, s."""
@@ -81,7 +81,7 @@ class LapInputs:
 
 
 def _yaw(rotation):
-    return 2.0 * math.atan2(rotation.z, rotation.w)
+    return 2.0 * maths.atan2(rotation.z, rotation.w)
 
 
 def _in_map(transform, pose):

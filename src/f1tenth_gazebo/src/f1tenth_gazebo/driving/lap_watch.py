@@ -2,6 +2,8 @@
 
 import math
 
+from workspace_support import maths
+
 REACH = 3.0
 """Half the length of the line across the start, m: a map may have drifted until its loop is closed."""
 MAX_TURN = 1.0
@@ -58,7 +60,7 @@ class LapWatch:
             self._progress = (time, 0.0)
         ahead, aside, turn = self._from_start(x, y, yaw)
         before, self._last = self._last or (x, y, ahead), (x, y, ahead)
-        self.way += math.hypot(x - before[0], y - before[1])
+        self.way += maths.hypot(x - before[0], y - before[1])
         crosses = before[2] < 0.0 <= ahead and abs(aside) < REACH and abs(turn) < MAX_TURN
         if self.lap is None and crosses and self.way > LEAST_WAY:
             self.lap = self.way
@@ -84,5 +86,5 @@ class LapWatch:
     def _from_start(self, x, y, yaw):
         _, start_x, start_y, start_yaw = self._start
         dx, dy = x - start_x, y - start_y
-        c, s = math.cos(start_yaw), math.sin(start_yaw)
+        c, s = maths.cos(start_yaw), maths.sin(start_yaw)
         return c * dx + s * dy, c * dy - s * dx, math.remainder(yaw - start_yaw, math.tau)

@@ -17,6 +17,7 @@ _ORIGIN = Pose(0.0, 0.0, 0.0)
 # Between the gates of a lap, m; beyond the edge of the road, as centrelines tell their widths roughly, m.
 _GATE_DISTANCE, _GATE_MARGIN = 4.0, 0.5
 _LEAST_GATES = 4
+_DIGITS = 9
 
 
 @dataclasses.dataclass(frozen=True)
@@ -51,7 +52,7 @@ class Place:
             return _ORIGIN
         course = read_course(self.road)
         heading = math.atan2(course.y[1] - course.y[0], course.x[1] - course.x[0])
-        return Pose(float(course.x[0]), float(course.y[0]), heading)
+        return firm(float(course.x[0]), float(course.y[0]), heading)
 
     @property
     def no_road(self) -> str:
@@ -72,7 +73,12 @@ class Place:
         if self.road is None:
             raise ScenarioError(f"'ahead' of a car needs a road: {self.no_road}")
         start = self.start()
-        return Pose(*read_course(self.road).ahead_of(start.x, start.y, start.yaw, way))
+        return firm(*read_course(self.road).ahead_of(start.x, start.y, start.yaw, way))
+
+
+def firm(x: float, y: float, yaw: float) -> Pose:
+    """A pose (m, rad) without its last bits, in which the C libraries of two processors differ."""
+    return Pose(round(x, _DIGITS), round(y, _DIGITS), round(yaw, _DIGITS))
 
 
 def find_place(world: Path) -> Place:

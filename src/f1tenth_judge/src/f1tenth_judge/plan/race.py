@@ -11,7 +11,7 @@ import yaml
 from f1tenth_judge.errors import FileError, ScenarioError, as_scenario_error
 from f1tenth_judge.places import lookup
 from f1tenth_judge.places.course import read_course
-from f1tenth_judge.places.place import Place, find_place
+from f1tenth_judge.places.place import Place, find_place, firm
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.planning import plan_scenario
 from f1tenth_judge.scenario.driver import Driver
@@ -105,10 +105,11 @@ def _describe(race: Race) -> dict[str, Any]:
 def _car(race: Race, place: Place, number: int, driver: Driver) -> dict[str, Any]:
     start = place.start()
     across = _BESIDE * ((len(race.planners) - 1) / 2 - number)
-    x, y = start.x - across * math.sin(start.yaw), start.y + across * math.cos(start.yaw)
+    yaw = start.yaw
+    beside = firm(start.x - across * math.sin(yaw), start.y + across * math.cos(yaw), yaw)
     return {
         "name": f"robot{number + 1}",
-        "start": {"x": x, "y": y, "yaw": start.yaw},
+        "start": {"x": beside.x, "y": beside.y, "yaw": beside.yaw},
         "driver": driver.name if driver in Driver.short_forms().values() else driver.as_dict(),
         "laps": race.laps,
         **({"description": race.description} if race.description else {}),

@@ -12,6 +12,7 @@ from f1tenth_judge.atomic import replacing
 from f1tenth_judge.judge.criterion import Criterion, Measured, Status
 from f1tenth_judge.judge.driving_criteria import least_clearance
 from f1tenth_judge.judge.judge import Judgement
+from f1tenth_judge.plan.pins import machine
 from f1tenth_judge.record.record import COLUMNS, Record
 from f1tenth_judge.scenario.scenario import Scenario
 
@@ -95,6 +96,7 @@ def as_dict(result: Result, versions: Mapping[str, Any], settings: Sequence[str]
         "seed": result.scenario.seed,
         "settings": list(settings),
         "lockstep": result.scenario.lockstep,
+        "machine": machine(result.scenario),
         "note": result.note,
         "trajectory_hash": record.hash_at_end(),
         "versions": dict(versions),

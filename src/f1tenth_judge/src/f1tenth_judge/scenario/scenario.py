@@ -139,6 +139,10 @@ class Scenario:
     laps: int = key("How often the goals are driven through.", at_least=1, default=1)
     time_to_start: int = key("Countdown before the start.", unit="s", at_least=0, default=2)
     lockstep: bool = key("Whether the simulator waits for every participant in every period.", default=True)
+    pinned: bool = key(
+        "Whether the libraries of every process are kept from choosing code by the processor, in lockstep.",
+        default=True,
+    )
     real_time_factor: float = key(
         "Simulated seconds per wall second without lockstep, where time waits for no driver to connect.",
         above=0,

@@ -15,6 +15,7 @@ from f1tenth_scenarios.cli.run_command import run
 from f1tenth_scenarios.cli.show_commands import check, report, show_keys, show_list
 from f1tenth_scenarios.cli.suite_command import SUITES, suite
 from f1tenth_scenarios.cli.sweep_command import sweep
+from f1tenth_scenarios.cli.verify_command import verify
 
 _SET = "replace a value of the file, as in seed=2, mu=0.3, limits.timeout=20 or driver.arguments.speed=4"
 _VARY = "FIRST:LAST (whole numbers), FIRST:LAST:COUNT or A,B,C; several keys: every combination"
@@ -44,6 +45,7 @@ def make_parser() -> argparse.ArgumentParser:
     _add_suite(commands)
     _add_reference(commands)
     _add_compare(commands)
+    _add_verify(commands)
     _add_report(commands)
     return parser
 
@@ -198,6 +200,16 @@ def _add_compare(commands: _Subparsers) -> None:
     command.add_argument(
         "--junit", type=Path, metavar="FILE", help="write a JUnit file, a test case per scenario"
     )
+
+
+def _add_verify(commands: _Subparsers) -> None:
+    text = "run the scenario of a result again; exit code 0 if its trajectory is the same, bit for bit"
+    command = _command(commands, "verify", verify, text)
+    command.add_argument("result", type=Path, metavar="RESULT", help="a result.json, or its folder")
+    command.add_argument(
+        "--scenario", metavar="FILE", help="its scenario file; default: the scenario of this name"
+    )
+    _add_results(command, "write to FOLDER/verify/NAME")
 
 
 def _add_report(commands: _Subparsers) -> None:

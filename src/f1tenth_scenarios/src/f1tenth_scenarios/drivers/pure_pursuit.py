@@ -9,6 +9,8 @@ import math
 import numpy as np
 from f1tenth_judge.places.raceline import Raceline
 
+from workspace_support import maths
+
 _SPACING = 0.05  # m, between the points that are looked through
 _SMOOTHING = 1.0  # m, over which a line's curvature is averaged
 _AHEAD = 2.0  # m, in which bends shorten the lookahead
@@ -42,12 +44,12 @@ class PurePursuit:
     def command(self, x: float, y: float, yaw: float, speed: float) -> tuple[float, float]:
         """Speed (m/s) and steering angle (rad) at a pose of base_footprint (m, rad) and a speed (m/s)."""
         options = self._options
-        distances = np.hypot(self._x - x, self._y - y)
+        distances = maths.hypot(self._x - x, self._y - y)
         nearest = int(np.argmin(distances))
         reach = self._reach(nearest, float(distances[nearest]), max(speed, 0.0))
         ahead = (nearest + round(reach / _SPACING)) % len(self._x)
         curvature = _curvature_to(self._x[ahead] - x, self._y[ahead] - y, yaw)
-        steering = math.atan(options.wheelbase * curvature)
+        steering = maths.atan(options.wheelbase * curvature)
         allowed = math.sqrt(options.lateral_acceleration / max(abs(curvature), 1e-6))
         limit = options.steering_max
         return min(options.speed_max, float(self._speed[nearest]), allowed), max(-limit, min(limit, steering))
@@ -63,14 +65,14 @@ class PurePursuit:
 
 def _curvature_to(dx: float, dy: float, yaw: float) -> float:
     """Of the circle through the car, along its heading, and a point away from it, 1/m."""
-    left = math.cos(yaw) * dy - math.sin(yaw) * dx
+    left = maths.cos(yaw) * dy - maths.sin(yaw) * dx
     return 2 * left / max(dx * dx + dy * dy, 1e-9)
 
 
 def _resampled(line: Raceline):
     """The closed line at equal steps."""
     x, y, speed = (np.append(values, values[0]) for values in (line.x, line.y, line.speed))
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(x), np.diff(y)))])
+    along = np.concatenate([[0.0], np.cumsum(maths.hypot(np.diff(x), np.diff(y)))])
     # So that the last step, back to the first point, is as long as all others.
     places = np.linspace(0.0, along[-1], max(round(along[-1] / _SPACING), 3), endpoint=False)
     fastest = np.where(np.isfinite(speed), speed, 1e3)
@@ -80,7 +82,7 @@ def _resampled(line: Raceline):
 def _curvature(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """Of a closed line at equal steps, averaged, 1/m."""
     half = round(_SMOOTHING / 2 / _SPACING)
-    ahead = np.arctan2(np.roll(y, -half) - y, np.roll(x, -half) - x)
+    ahead = maths.atan2(np.roll(y, -half) - y, np.roll(x, -half) - x)
     behind = np.roll(ahead, half)
     return ((ahead - behind + np.pi) % (2 * np.pi) - np.pi) / (half * _SPACING)
 
@@ -95,7 +97,7 @@ def _longest_chords(curvature: np.ndarray, room: float) -> np.ndarray:
 
 def _slow_in_time(speed: np.ndarray, braking: float) -> np.ndarray:
     """Speeds (m/s) at equal steps of a closed line that can be kept with that braking (m/s^2)."""
-    found = speed**2
+    found = speed * speed
     gain = 2 * braking * _SPACING
     for _ in range(2):  # the second time around, the beginning is known
         for index in range(len(found) - 1, -1, -1):

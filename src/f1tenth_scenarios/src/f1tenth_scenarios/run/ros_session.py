@@ -1,9 +1,11 @@
 """A run of a scenario with ROS around it."""
 
 import logging
+import os
 from typing import TYPE_CHECKING
 
 from f1tenth_judge.errors import MisfitError
+from f1tenth_judge.plan.pins import variables_of
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.planning import in_real_time
 from f1tenth_judge.results.result import Result
@@ -42,6 +44,7 @@ def _run(plan: Plan, stop: StopRequest, progress: Progress) -> Result:
         "ROS_LOG_DIR": str(plan.log_folder),
         "ROSCONSOLE_FORMAT": _CONSOLE_FORMAT,
         "PYTHONUNBUFFERED": "1",
+        **variables_of(plan.scenario, os.environ),
     }
     command = launch_command(plan.launch_file)
     return execute(plan, command, environment, lambda: _watch(plan), stop, progress, process_start())

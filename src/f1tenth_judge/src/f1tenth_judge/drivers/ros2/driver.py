@@ -1,6 +1,7 @@
 """A planner that speaks ROS 2, started by a command, as the driver of a car."""
 
 import contextlib
+import os
 import shlex
 from collections.abc import Iterator
 from typing import Optional
@@ -15,6 +16,7 @@ from f1tenth_judge.drivers.ros2.why_mute import NO_CLOCK, ignores_clock, mismatc
 from f1tenth_judge.errors import MisfitError, RestlessError
 from f1tenth_judge.places.map_file import Grid
 from f1tenth_judge.plan.handover import given_arguments
+from f1tenth_judge.plan.pins import variables_of
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.observations import Failure
 from f1tenth_judge.run.command_watch import CommandCount, CommandWatch
@@ -57,7 +59,8 @@ class Ros2Driver:
             variables = {"PYTHONUNBUFFERED": "1", **child_environment(domain), _MARK: mark}
             environment_file = plan.log_folder / f"{car}.env"
             environment_file.write_text("".join(f"{name}={value}\n" for name, value in variables.items()))
-            self._tree = ProcessTree(["bash", "-c", _command(plan, car)], self._log, variables)
+            pinned = {**variables_of(plan.scenario, os.environ), **variables}
+            self._tree = ProcessTree(["bash", "-c", _command(plan, car)], self._log, pinned)
             opened.callback(self._tree.stop, _GRACE)
             self._proxy = ProxyDriver(self._view, f"{_MARK}={mark}", self._limits.answer, self._limits.load)
             self._opened = opened.pop_all()

@@ -1,8 +1,11 @@
 #include "environment/worker_pool.h"
 
+#include <unistd.h>
+
 #include <atomic>
 #include <exception>
 #include <memory>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -50,11 +53,33 @@ private:
 };
 }  // namespace
 
+WorkerPool::WorkerPool(std::size_t threads)
+: process_(::getpid()), pool_(std::make_unique<Eigen::ThreadPool>(static_cast<int>(threads) - 1))
+{
+}
+
+WorkerPool::~WorkerPool()
+{
+  if (isForked()) {
+    // Waiting for threads that are not there would never end.
+    static_cast<void>(pool_.release());
+  }
+}
+
+bool WorkerPool::isForked() const
+{
+  return pool_->NumThreads() > 0 && ::getpid() != process_;
+}
+
 void WorkerPool::run(std::size_t count, const std::function<void(std::size_t)> & task)
 {
+  if (isForked()) {
+    throw std::runtime_error(
+      "the environments were made before a fork, which their threads do not survive; make them in the child");
+  }
   const auto round = std::make_shared<Round>(count, task);
-  for (int worker = 0; worker < pool_.NumThreads(); ++worker) {
-    pool_.Schedule([round] { round->takeTasks(); });
+  for (int worker = 0; worker < pool_->NumThreads(); ++worker) {
+    pool_->Schedule([round] { round->takeTasks(); });
   }
   round->takeTasks();
   round->finish();

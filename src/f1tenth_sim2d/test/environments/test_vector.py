@@ -1,5 +1,8 @@
 """The environments that are stepped together are what each would be alone."""
 
+import os
+import signal
+
 import gymnasium
 import numpy as np
 import pytest
@@ -115,3 +118,20 @@ def test_a_closed_one_is_refused():
     environments.close()
     with pytest.raises(ValueError, match="the environment is closed"):
         environments.reset()
+
+
+def test_a_forked_process_is_told_that_it_has_no_threads():
+    environment = make_vec(threads=2)
+    environment.reset(seed=0)
+    environment.step(actions()[0])
+    child = os.fork()
+    if child == 0:
+        signal.alarm(30)  # what hangs is killed
+        try:
+            environment.step(actions()[1])
+        except RuntimeError as error:
+            environment.close()
+            os._exit(0 if "made before a fork" in str(error) else 1)
+        os._exit(2)
+    assert os.waitpid(child, 0)[1] == 0
+    environment.step(actions()[1])

@@ -46,12 +46,14 @@ TEST(OdometryParameters, ReadsEveryTag)
     {{"alwaysOn", " false "},
      {"updateRate", "50.0"},
      {"odometryTopic", "truth"},
+     {"poseTopic", "pose"},
      {"odometryFrame", "world"},
      {"robotBaseFrame", "base_footprint"},
      {"rosDebugLevel", "Debug"}});
   EXPECT_FALSE(parameters.always_on);
   EXPECT_EQ(parameters.update_rate_hz, 50.0);
   EXPECT_EQ(parameters.topic, "truth");
+  EXPECT_EQ(parameters.pose_topic, "pose");
   EXPECT_EQ(parameters.odometry_frame, "world");
   EXPECT_EQ(parameters.log_level, ros::console::levels::Debug);
 }
@@ -66,7 +68,7 @@ TEST(OdometryParameters, RefusesUnknownTag)
   EXPECT_EQ(
     errorOf({{"updaterate", "200"}}), kPlace +
                                         "<updaterate>: unknown; allowed: alwaysOn, updateRate, odometryTopic, "
-                                        "odometryFrame, robotBaseFrame, rosDebugLevel");
+                                        "poseTopic, odometryFrame, robotBaseFrame, rosDebugLevel");
 }
 
 TEST(OdometryParameters, RefusesTagGivenTwice)

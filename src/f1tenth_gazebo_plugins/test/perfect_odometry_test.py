@@ -6,6 +6,7 @@ import unittest
 
 import rospy
 import rostest
+from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Odometry
 from simulator import Collector, Driver, Sim2d, Stepper, car_description, perfect_odometry
 from tf2_msgs.msg import TFMessage
@@ -128,6 +129,18 @@ class PerfectOdometryTest(unittest.TestCase):
         stamps = dict.fromkeys(message.header.stamp.to_nsec() for message in truth.messages["/robot1/truth"])
         assert list(stamps) == [n * SECOND // 50 for n in range(1, 51)]
         assert truth.messages["/robot1/truth"][0].header.frame_id == "robot1/origin"
+
+    def test_pose_alone_is_published_in_the_map_if_it_has_a_topic(self):
+        self.start(car_description(perfect_odometry(poseTopic="gt_pose", updateRate="50")))
+        truth = Collector(robot1__gt_pose=PoseStamped)
+        self.addCleanup(truth.close)
+        assert truth.wait_for(lambda seen: seen["/robot1/gt_pose"])
+        self.run_until(SECOND)
+        assert truth.wait_for(lambda seen: seen["/robot1/gt_pose"][-1].header.stamp.to_nsec() == SECOND)
+        pose = truth.messages["/robot1/gt_pose"][-1]
+        odometry = self.collector.messages[TOPIC][-1]
+        assert pose.header.frame_id == "map"
+        assert (pose.header.stamp, pose.pose) == (odometry.header.stamp, odometry.pose.pose)
 
     def test_simulator_with_the_plugin_ends_in_peace(self):
         self.start(car_description(perfect_odometry()))

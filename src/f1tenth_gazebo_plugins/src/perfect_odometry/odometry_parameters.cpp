@@ -116,6 +116,7 @@ OdometryParameters parseOdometryParameters(
     {"alwaysOn", [&](const Tag & tag) { parameters.always_on = tag.flag(); }},
     {"updateRate", [&](const Tag & tag) { parameters.update_rate_hz = tag.rate(max_rate_hz); }},
     {"odometryTopic", [&](const Tag & tag) { parameters.topic = tag.word(); }},
+    {"poseTopic", [&](const Tag & tag) { parameters.pose_topic = tag.word(); }},
     {"odometryFrame", [&](const Tag & tag) { parameters.odometry_frame = tag.word(); }},
     {"robotBaseFrame", [&](const Tag & tag) { tag.requireBase(links, base_frame); }},
     {"rosDebugLevel", [&](const Tag & tag) { parameters.log_level = tag.logLevel(); }},

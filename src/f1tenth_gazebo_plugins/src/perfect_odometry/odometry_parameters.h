@@ -16,6 +16,7 @@ struct OdometryParameters
   bool always_on{true};          ///< false: publishes, transform included, only while somebody subscribes
   double update_rate_hz{200.0};  ///< of simulated time
   std::string topic{"perfect_odom"};
+  std::string pose_topic;  ///< of the pose alone; empty: none
   std::string odometry_frame{"odom"};
   std::optional<ros::console::levels::Level> log_level;  ///< none: leaves the logger as it is
 };

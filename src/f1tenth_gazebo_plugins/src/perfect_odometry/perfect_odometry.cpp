@@ -51,6 +51,10 @@ void PerfectOdometry::load(
   transform_.header.frame_id = odometry_.header.frame_id;
   transform_.child_frame_id = odometry_.child_frame_id;
   publisher_ = context.advertiser.advertise<nav_msgs::Odometry>(context.node, parameters_.topic);
+  if (!parameters_.pose_topic.empty()) {
+    pose_.header.frame_id = "map";
+    pose_publisher_ = context.advertiser.advertise<geometry_msgs::PoseStamped>(context.node, parameters_.pose_topic);
+  }
   ROS_INFO_NAMED(
     "perfect_odometry", "%s at %g Hz", context.node.resolveName(parameters_.topic).c_str(), parameters_.update_rate_hz);
 }
@@ -58,12 +62,18 @@ void PerfectOdometry::load(
 void PerfectOdometry::update(const ros::Time & stamp)
 {
   const bool subscribed = publisher_.hasSubscribers();
+  const bool poses = pose_publisher_ && pose_publisher_->hasSubscribers();
   const bool transforms = context_->owns_odometry_transform && (parameters_.always_on || subscribed);
-  if (subscribed || transforms) {
+  if (subscribed || poses || transforms) {
     measure(stamp);
   }
   if (subscribed) {
     publisher_.publish(odometry_);
+  }
+  if (poses) {
+    pose_.header.stamp = stamp;
+    pose_.pose = odometry_.pose.pose;
+    pose_publisher_->publish(pose_);
   }
   if (transforms) {
     publishTransform();

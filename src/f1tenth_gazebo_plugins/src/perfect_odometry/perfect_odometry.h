@@ -1,6 +1,7 @@
 #pragma once
 
 #include <f1tenth_sim2d/plugin.h>
+#include <geometry_msgs/PoseStamped.h>
 #include <nav_msgs/Odometry.h>
 
 #include <optional>
@@ -10,7 +11,8 @@
 namespace f1tenth_gazebo_plugins
 {
 /// Publishes a car's exact pose and twist: nav_msgs/Odometry with the pose in odometryFrame, which is the world, and
-/// the twist in robotBaseFrame, the link that represents the car; and, if it owns it, the transform between the two.
+/// the twist in robotBaseFrame, the link that represents the car; and, if it owns it, the transform between the two. On
+/// poseTopic it publishes geometry_msgs/PoseStamped in the frame map, as f1tenth_simulator does.
 class PerfectOdometry : public f1tenth_sim2d::CarPlugin
 {
 public:
@@ -25,7 +27,9 @@ private:
   OdometryParameters parameters_;
   std::optional<f1tenth_sim2d::CarPluginContext> context_;
   f1tenth_sim2d::TopicPublisher<nav_msgs::Odometry> publisher_;
+  std::optional<f1tenth_sim2d::TopicPublisher<geometry_msgs::PoseStamped>> pose_publisher_;
   nav_msgs::Odometry odometry_;
+  geometry_msgs::PoseStamped pose_;
   geometry_msgs::TransformStamped transform_;
 };
 }  // namespace f1tenth_gazebo_plugins

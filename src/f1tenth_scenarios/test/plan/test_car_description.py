@@ -109,10 +109,15 @@ def test_planner_of_the_car_gets_its_scans_by_the_deputy(planned):
     assert "/robot1/scan" not in names["planner"]
 
 
-def test_planner_of_f1tenth_simulator_gets_the_topics_of_the_car(planned):
-    _, names = loaded(planned(FOREIGN.replace("launch}", "launch, interface: f1tenth}")))
+def test_planner_of_f1tenth_simulator_gets_topics_and_frames_as_there(planned):
+    driver = FOREIGN.replace("launch}", "launch, interface: f1tenth}")
+    parameters, names = loaded(planned(driver))
     assert names["planner"]["/scan"] == "/robot1/deputy/scan"
-    assert names["planner"]["/drive"] == "/robot1/drive"
+    assert names["planner"]["/drive"] == names["planner"]["/nav"] == "/robot1/drive"
+    assert names["planner"]["/gt_pose"] == "/robot1/gt_pose"
+    assert parameters["/sim2d/cars/robot1/frame_prefix"] == ""
+    parameters, _ = loaded(planned(FOREIGN))
+    assert parameters["/sim2d/cars/robot1/frame_prefix"] == "robot1/"
 
 
 def test_bag_has_the_topics_of_the_car(planned):

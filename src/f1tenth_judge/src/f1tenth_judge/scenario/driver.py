@@ -27,7 +27,8 @@ class Driver:
     )
     interface: Interface = key(
         "`native`: the topics of the car's namespace; `f1tenth`: those of f1tenth_simulator and"
-        " f1tenth_gym_ros (`/scan`, `/drive`, `/odom`, `/ego_racecar/odom`, `/opp_scan`, …).",
+        " f1tenth_gym_ros (`/scan`, `/drive`, `/nav`, `/odom`, `/gt_pose`, `/ego_racecar/odom`,"
+        " `/opp_scan`, …).",
         default=Interface.NATIVE,
     )
     arguments: dict[str, str] = key(

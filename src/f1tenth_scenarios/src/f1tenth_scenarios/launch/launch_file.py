@@ -41,8 +41,10 @@ _OPTIONS = (
 F1TENTH_OWN = {
     "/scan": "scan",
     "/drive": "drive",
+    "/nav": "drive",
     "/odom": "perfect_odom",
     "/ego_racecar/odom": "perfect_odom",
+    "/gt_pose": "gt_pose",
 }
 _TWIST = "cmd_vel"  # where the F1/10 car takes geometry_msgs/Twist
 _F1TENTH_OPPONENT = {"/opp_scan": "scan", "/opp_drive": "drive", "/opp_racecar/odom": "perfect_odom"}
@@ -114,6 +116,7 @@ def _car_arguments(plan: Plan, car: Car) -> dict[str, Any]:
     start, topics = plan.cars[car.name].start, car_topics(plan, car)
     return {
         "car_name": car.name,
+        "frame_prefix": f"{frame_prefix(plan, car)}/",
         "x": start.x,
         "y": start.y,
         "yaw": start.yaw,
@@ -130,6 +133,12 @@ def _car_arguments(plan: Plan, car: Car) -> dict[str, Any]:
         "seed": plan.scenario.seed,
         "wheels": plan.watched,
     }
+
+
+def frame_prefix(plan: Plan, car: Car) -> str:
+    """What stands before the frames of a car; nothing, as in f1tenth_simulator, if its driver is alone."""
+    alone = car.driver.interface is Interface.F1TENTH and len(plan.scenario.cars) == 1
+    return "" if alone else car.name
 
 
 def _deputy_arguments(plan: Plan, car: Car) -> dict[str, Any]:

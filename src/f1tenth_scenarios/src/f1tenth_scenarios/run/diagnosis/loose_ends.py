@@ -89,7 +89,7 @@ def why_mute(
         found.append(
             "the car is driven by controllers, which the planner's launch file is to load and to feed"
         )
-    if nodes & set(graph.subscribers.get("/tf", ())):
+    if interface is Interface.NATIVE and nodes & set(graph.subscribers.get("/tf", ())):
         found.append(f"frames of the car in /tf begin with {car}/")
     return found + _ways_out(_remaps(astray, silent, topics), interface)
 

@@ -1,6 +1,7 @@
 """The command lines of make_world, make_goals, make_map and make_centerline."""
 
 import argparse
+import functools
 import sys
 from pathlib import Path
 
@@ -45,8 +46,16 @@ def make_map(arguments=None):
     parser.add_argument(
         "--height", type=float, default=LIDAR_HEIGHT, help="of the section, m (default %(default)s)"
     )
+    parser.add_argument(
+        "--extent",
+        type=float,
+        nargs=4,
+        metavar=("XMIN", "YMIN", "XMAX", "YMAX"),
+        help="of an open world: what to map, m (default: what walls enclose around the origin)",
+    )
     options = parser.parse_args(arguments)
-    return _run(lambda: save_map(world_grid(options.world, options.height), options.output))
+    grid = functools.partial(world_grid, options.world, options.height, options.extent)
+    return _run(lambda: save_map(grid(), options.output))
 
 
 def make_centerline(arguments=None):

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from f1tenth_gazebo.maps.occupancy import FREE, OCCUPIED, UNKNOWN, occupancy_grid
+from f1tenth_gazebo.maps.occupancy import FREE, OCCUPIED, UNKNOWN, occupancy_grid, open_grid
 from f1tenth_judge.errors import CircuitError
 from f1tenth_judge.places.map_file import Grid, save_map
 
@@ -31,6 +31,24 @@ def test_reachable_is_free_solid_is_occupied_and_the_rest_unknown():
     assert pixel(grid, 1.05, 0.01) == OCCUPIED
     assert pixel(grid, 1.3, 0.01) == UNKNOWN
     assert (grid.pixels == FREE).sum() == 40 * 40
+
+
+def test_an_open_world_is_mapped_in_an_extent():
+    grid = open_grid(
+        [rectangle(-9.0, 0.0, -1.0, 1.0), rectangle(20.0, 0.0, 21.0, 1.0)], [(2.0, 0.0, 0.5)], (-2, -1, 4, 3)
+    )
+    assert grid.extent == pytest.approx((-2, 4, -1, 3))
+    assert pixel(grid, -1.5, 0.5) == pixel(grid, 2.01, 0.01) == OCCUPIED
+    assert pixel(grid, 0.01, 0.01) == pixel(grid, 3.9, 2.9) == FREE
+    assert (grid.pixels == UNKNOWN).sum() == 0
+
+
+@pytest.mark.parametrize(
+    "extent", [(0, 0, 0, 1), (1, 0, 0, 1), (0, 0, np.inf, 1), (0, 0, 1000, 1000), (0, 0, np.nan, 1)]
+)
+def test_an_extent_that_is_none_is_refused(extent):
+    with pytest.raises(CircuitError, match="^the extent is .*, must be XMIN YMIN XMAX YMAX"):
+        open_grid([], [], extent)
 
 
 def test_what_is_behind_a_wall_is_unknown():

@@ -11,6 +11,7 @@ from scipy import ndimage
 MARGIN = 0.5
 """Width of the unknown border around everything solid, m."""
 _SAMPLES = 5
+_CELLS_MAX = 100_000_000
 
 OCCUPIED, UNKNOWN, FREE = 0, 205, 254
 """Pixel values, as map_saver writes them."""
@@ -30,17 +31,39 @@ def occupancy_grid(outlines, circles):
     return grid_of(occupied, _reachable(occupied, low), low, RESOLUTION)
 
 
-def occupied_cells(outlines, circles, resolution):
+def open_grid(outlines, circles, extent):
+    """Map what is solid in a rectangle, and all else there as free.
+
+    Args:
+        outlines, circles: as for occupancy_grid.
+        extent: x and y of its lower left corner, x and y of its upper right one, m.
+
+    Raises:
+        CircuitError: no rectangle, or one of too many cells.
+    """
+    low, high = np.array(extent[:2]), np.array(extent[2:])
+    cells = (high - low) / RESOLUTION
+    if not (np.isfinite(cells).all() and cells.min() >= 1.0 and cells.prod() <= _CELLS_MAX):
+        raise CircuitError(
+            f"the extent is {', '.join(f'{each:g}' for each in extent)}, must be XMIN YMIN XMAX YMAX with "
+            f"each maximum above its minimum, of at most {_CELLS_MAX} cells of {RESOLUTION} m"
+        )
+    occupied, low = occupied_cells(outlines, circles, RESOLUTION, (low, high))
+    return grid_of(occupied, ~occupied, low, RESOLUTION)
+
+
+def occupied_cells(outlines, circles, resolution, bounds=None):
     """(which cells something solid reaches into, row 0 at the bottom; the lower left corner of the grid, m).
 
     Args:
         outlines, circles: as for occupancy_grid.
         resolution: edge of a cell, m.
+        bounds: the lower left and the upper right corner, m; default: around everything, with a margin.
 
     Raises:
-        CircuitError: if nothing is solid.
+        CircuitError: if nothing is solid, and there are no bounds.
     """
-    low, high = _bounds(outlines, circles, resolution)
+    low, high = _bounds(outlines, circles, resolution) if bounds is None else bounds
     occupied = np.zeros(tuple(int(n) for n in np.ceil((high - low) / resolution - 1e-9))[::-1], dtype=bool)
     for outline in outlines:
         is_inside = partial(_in_polygon, outline)
@@ -74,6 +97,8 @@ def _fill(occupied, origin, resolution, low, high, contains):
     """Mark the cells between low and high of which a shape contains a sample."""
     first = np.maximum(np.floor((low - origin) / resolution).astype(int), 0)
     last = np.minimum(np.ceil((high - origin) / resolution).astype(int) + 1, occupied.shape[::-1])
+    if (last <= first).any():
+        return
     x, y = (
         origin[i] + (np.arange(first[i] * _SAMPLES, last[i] * _SAMPLES) + 0.5) * (resolution / _SAMPLES)
         for i in (0, 1)
@@ -104,5 +129,5 @@ def _reachable(occupied, low):
     labels, _ = ndimage.label(~occupied)
     reachable = labels == labels[row, column]
     if reachable[[0, -1], :].any() or reachable[:, [0, -1]].any():
-        raise CircuitError("the walls around the start (0.0, 0.0) have a gap")
+        raise CircuitError("the walls around the start (0.0, 0.0) have a gap; --extent maps an open world")
     return reachable

@@ -100,10 +100,11 @@ def test_planner_that_goes_wrong_is_named_with_the_reason(race, how, reason):
     assert reason in result["reason"]
 
 
-def test_last_words_are_kept(race):
+def test_last_words_and_what_was_set_are_kept(race, tmp_path):
     result = race(command("misbehaving", "is_silent"), settings=["limits.silence=1"])
     assert result["culprit"]["log_lines"] == ["waiting for a joystick"]
     assert result["culprit"]["log_file"] == "log/robot1.log"
+    assert "ROS_DOMAIN_ID=" in (tmp_path / "log" / "robot1.env").read_text()
 
 
 def test_planner_that_goes_by_the_wall_clock_is_run_in_real_time_and_that_is_said(race):

@@ -74,10 +74,6 @@ class Connection:
         """How many readers are connected to a topic that is offered."""
         return len(self._writers[topic].get_matched_subscriptions())
 
-    def senders(self, topic: str) -> int:
-        """How many writers are connected to a topic that is requested."""
-        return len(self._readers[topic].get_matched_publications())
-
     def participants(self) -> int:
         """How many participants the domain has besides this one: one per process of a ROS 2 planner."""
         return sum(

@@ -56,11 +56,15 @@ class Ros2Driver:
             self._topics = CarTopics(self._connection, stage, car, grid)
             self._view = PlannerView(self._connection, self._topics, lambda: self._has_ended(stop))
             mark = f"{car} of {plan.folder}"
-            variables = {"PYTHONUNBUFFERED": "1", **child_environment(domain), _MARK: mark}
+            variables = {
+                "PYTHONUNBUFFERED": "1",
+                **variables_of(plan.scenario, os.environ),
+                **child_environment(domain),
+                _MARK: mark,
+            }
             environment_file = plan.log_folder / f"{car}.env"
             environment_file.write_text("".join(f"{name}={value}\n" for name, value in variables.items()))
-            pinned = {**variables_of(plan.scenario, os.environ), **variables}
-            self._tree = ProcessTree(["bash", "-c", _command(plan, car)], self._log, pinned)
+            self._tree = ProcessTree(["bash", "-c", _command(plan, car)], self._log, variables)
             opened.callback(self._tree.stop, _GRACE)
             self._proxy = ProxyDriver(self._view, f"{_MARK}={mark}", self._limits.answer, self._limits.load)
             self._opened = opened.pop_all()

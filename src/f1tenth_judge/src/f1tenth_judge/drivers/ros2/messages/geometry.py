@@ -45,13 +45,6 @@ class Quaternion(IdlStruct, typename="geometry_msgs.msg.dds_.Quaternion_"):
         """Turned to the left by so much, rad."""
         return cls(z=math.sin(yaw / 2), w=math.cos(yaw / 2))
 
-    @property
-    def yaw(self) -> float:
-        """Heading in the plane, rad."""
-        return math.atan2(
-            2 * (self.w * self.z + self.x * self.y), 1 - 2 * (self.y * self.y + self.z * self.z)
-        )
-
 
 @dataclass
 class Pose(IdlStruct, typename="geometry_msgs.msg.dds_.Pose_"):

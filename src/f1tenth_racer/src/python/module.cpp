@@ -4,6 +4,7 @@
 #include <workspace_support/errors.h>
 
 #include "control/path_follower.h"
+#include "driver.h"
 #include "line/race_line_planner.h"
 #include "options.h"
 
@@ -150,5 +151,6 @@ PYBIND11_MODULE(f1tenth_racer_core, module)
   bindPaths(module);
   bindPlanner(module);
   bindFollower(module);
+  bindDriver(module);
 }
 }  // namespace f1tenth_racer

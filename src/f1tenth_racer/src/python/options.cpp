@@ -3,6 +3,7 @@
 #include <move_base/planning/way_planner.h>
 #include "arrays.h"
 #include "control/path_follower.h"
+#include "control/racer_options.h"
 
 namespace py = pybind11;
 
@@ -89,11 +90,21 @@ void bindFollowerOptions(py::module_ & module)
     .def_readwrite("replan_distance", &FollowerOptions::replan_distance, "m")
     .def_readwrite("max_path_deviation", &FollowerOptions::max_path_deviation, "m");
 }
+void bindRacerOptions(py::module_ & module)
+{
+  bindStruct<RacerOptions>(module, "RacerOptions")
+    .def_readwrite("planner", &RacerOptions::planner)
+    .def_readwrite("follower", &RacerOptions::follower)
+    .def_readwrite("free_goal_vel", &RacerOptions::free_goal_vel)
+    .def_readwrite("race_line", &RacerOptions::race_line)
+    .def_readwrite("coast_time", &RacerOptions::coast_time, "s");
+}
 }  // namespace
 
 void bindOptions(py::module_ & module)
 {
   bindPlannerOptions(module);
   bindFollowerOptions(module);
+  bindRacerOptions(module);
 }
 }  // namespace f1tenth_racer

@@ -9,7 +9,7 @@ import pytest
 import yaml
 from PIL import Image
 
-REPOSITORY = Path(__file__).resolve().parents[5]
+REPOSITORY = Path(__file__).resolve().parents[4]
 MAPS = REPOSITORY / "src" / "f1tenth_gazebo" / "maps"
 GOALS = REPOSITORY / "src" / "f1tenth_gazebo" / "goals"
 TRACKS = Path(os.environ.get("F1TENTH_DATA", REPOSITORY.parent / "shared" / "data")) / "tracks"

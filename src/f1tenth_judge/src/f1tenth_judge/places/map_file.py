@@ -76,7 +76,7 @@ def load_map(path, may_be_turned=False):
             float(description.get(key, getattr(Grid, key))) for key in ("free_thresh", "occupied_thresh")
         )
         yaw = sum(map(float, description["origin"][2:3]))
-        grid = Grid(pixels, x, y, resolution, *thresholds, yaw)
+        grid = Grid(pixels, x, y, resolution, *thresholds, yaw=yaw)
     except (OSError, ValueError, KeyError, TypeError, yaml.YAMLError) as error:
         raise MapError(_problem(path, error)) from error
     if yaw and not may_be_turned:

@@ -72,11 +72,11 @@ def load_map(path, may_be_turned=False):
         pixels = _pixels(path.parent / description["image"])
         x, y, resolution = _placement(description)
         pixels = 255 - pixels if description.get("negate") else pixels
-        thresholds = (
+        free, occupied = (
             float(description.get(key, getattr(Grid, key))) for key in ("free_thresh", "occupied_thresh")
         )
         yaw = sum(map(float, description["origin"][2:3]))
-        grid = Grid(pixels, x, y, resolution, *thresholds, yaw=yaw)
+        grid = Grid(pixels, x, y, resolution, free, occupied, yaw)
     except (OSError, ValueError, KeyError, TypeError, yaml.YAMLError) as error:
         raise MapError(_problem(path, error)) from error
     if yaw and not may_be_turned:

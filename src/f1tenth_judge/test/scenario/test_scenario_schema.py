@@ -9,7 +9,7 @@ from scenario_samples import SCENARIO_TEXT
 
 TOP_KEYS = (
     "description, world, cars, limits, expected, seed, culprit, reason, course, start_line, laps,"
-    " time_to_start, lockstep, real_time_factor, localization, boxes, criteria, faults, interventions"
+    " time_to_start, lockstep, pinned, real_time_factor, localization, boxes, criteria, faults, interventions"
 )
 CAR_KEYS = (
     "name, start, ahead, driver, goals, laps, line, speed_max, acceleration_max, description,"
@@ -152,23 +152,27 @@ ANSWERS = {
         "    goals: circuit1",
         "    driver: racer",
         "FILE:5: cars[0].driver must be race, pursuit, commands, gap_follower, or a mapping with the keys"
-        " launch, interface, arguments, ros2, found 'racer'",
+        " launch, interface, arguments, ros2, python, found 'racer'",
     ),
     "driver without a launch file": (
         "    goals: circuit1",
         "    driver: {interface: native}",
-        "FILE:5: cars[0].driver.launch is missing, and so is 'ros2'; one of them is needed",
+        "FILE:5: cars[0].driver.launch is missing; exactly one of launch, ros2, python is needed",
     ),
     "driver of two kinds": (
         "    goals: circuit1",
         "    driver: {launch: my.launch, ros2: ros2 launch my.launch}",
-        "FILE:5: cars[0].driver.launch is given beside 'ros2'; one of them is needed",
+        "FILE:5: cars[0].driver.launch is given beside 'ros2'; exactly one of launch, ros2, python is needed",
+    ),
+    "python driver without a class": (
+        "    goals: circuit1",
+        "    driver: {python: my.py}",
+        "FILE:5: cars[0].driver.python is 'my.py', must be FILE.py:CLASS",
     ),
     "interface of a ROS 2 driver": (
         "    goals: circuit1",
         "    driver: {ros2: my_planner, interface: f1tenth}",
-        "FILE:5: cars[0].driver.interface is for a launch file; with 'ros2' the topics are those of"
-        " f1tenth_gym_ros",
+        "FILE:5: cars[0].driver.interface is for a launch file; 'ros2' has no other topics",
     ),
     "unknown interface": (
         "    goals: circuit1",

@@ -34,7 +34,9 @@ def drivers(scenario):
 @pytest.mark.parametrize("command", ["race", "run"])
 def test_planner_that_is_not_there_is_answered_with_what_is_allowed(folder, capsys, command):
     assert cli.main([command, "circuit1", "--planner", "nonsense"]) == 2
-    allowed = "a launch file, package://PACKAGE/PATH, or one of ours: race, pursuit, gap_follower"
+    allowed = (
+        "a launch file, package://PACKAGE/PATH, FILE.py:CLASS, or one of ours: race, pursuit, gap_follower"
+    )
     wanted = f"scenario: --planner nonsense: no such file: {folder}/nonsense; allowed: {allowed}\n"
     assert capsys.readouterr().err == wanted
 

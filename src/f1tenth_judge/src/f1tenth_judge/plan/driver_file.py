@@ -68,13 +68,16 @@ def find_driver(car: Car, beside: Path) -> DriverFile:
 
 
 def driver_file(driver: Driver, beside: Path) -> DriverFile:
-    """What is known of a driver, its path from `beside`: nothing of a command.
+    """What is known of a driver, its path from `beside`: nothing of a command; a class is told everything.
 
     Raises:
-        ScenarioError: there is no such launch file.
+        ScenarioError: there is no such launch file, or file of a class.
     """
     if driver.ros2:
         return DriverFile(beside, frozenset(), frozenset())
+    if driver.python:
+        file = lookup.file_at(driver.python.rpartition(":")[0], beside)
+        return DriverFile(file, frozenset(_DRIVER_KEYS), frozenset())
     return read_driver_file(lookup.file_at(driver.launch, beside))
 
 

@@ -37,8 +37,17 @@ def program_of(pid: int) -> str:
 class ProcessTree:
     """A child process, in a group of its own, and all its descendants."""
 
-    def __init__(self, command: Sequence[str], log_file: Path, environment: Mapping[str, str]):
-        """Start the process; its output goes to log_file. If this process dies, the child gets a SIGINT."""
+    def __init__(
+        self,
+        command: Sequence[str],
+        log_file: Path,
+        environment: Mapping[str, str],
+        descriptors: Sequence[int] = (),
+    ):
+        """Start the process; its output goes to log_file. If this process dies, the child gets a SIGINT.
+
+        It inherits `descriptors`, files that are open here.
+        """
         self._mark = uuid.uuid4().hex
         self._interrupted_at: Optional[float] = None
         with open(log_file, "wb") as log:
@@ -49,11 +58,17 @@ class ProcessTree:
                 stderr=subprocess.STDOUT,
                 env={**os.environ, **environment, _MARK: self._mark},
                 start_new_session=True,
+                pass_fds=descriptors,
             )
         self._ending = [self._child.pid]  # the processes that are told to end
 
     def exit_code(self) -> Optional[int]:
         """The child's exit code; nothing while it runs."""
+        return self._child.poll()
+
+    def wait(self, patience: float) -> Optional[int]:
+        """The child's exit code as soon as it has ended; nothing if it runs on for a time (wall s)."""
+        wait_for_ends([self._child.pid], time.monotonic() + patience)
         return self._child.poll()
 
     def interrupt(self, pid: Optional[int], patience: float) -> None:

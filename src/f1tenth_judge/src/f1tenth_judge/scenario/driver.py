@@ -1,11 +1,13 @@
-"""Who drives a car: a launch file, and how it is to be started."""
+"""Who drives a car: a launch file, a command or a class, and how it is to be started."""
 
 import dataclasses
 import enum
+import re
 from typing import Any
 
 from f1tenth_judge.yaml_files.schema import Problem, key
 
+_KINDS = ("launch", "ros2", "python")
 _OWN = "package://f1tenth_scenarios/launch/drivers"
 
 
@@ -22,7 +24,7 @@ class Driver:
 
     launch: str = key(
         "Launch file of ROS 1: a path relative to the scenario file, or package://PACKAGE/PATH. It is started"
-        " in the car's namespace. Either this or `ros2` must be given.",
+        " in the car's namespace. One of this, `ros2` and `python` must be given.",
         default="",
     )
     interface: Interface = key(
@@ -32,9 +34,9 @@ class Driver:
         default=Interface.NATIVE,
     )
     arguments: dict[str, str] = key(
-        "Values for arguments of the launch file, or NAME:=VALUE behind the command of `ros2`. One that names"
-        " a file that is there, relative to the scenario file or as package://PACKAGE/PATH, is given as its"
-        " path.",
+        "Values for arguments of the launch file, NAME:=VALUE behind the command of `ros2`, or for `reset` of"
+        " a class. One that names a file that is there, relative to the scenario file or as"
+        " package://PACKAGE/PATH, is given as its path.",
         default={},
     )
     ros2: str = key(
@@ -43,13 +45,22 @@ class Driver:
         default="",
     )
 
+    python: str = key(
+        "FILE.py:CLASS, a planner that is a Python class (f1tenth_judge.planner); the file is relative to the"
+        " scenario file, or package://PACKAGE/PATH.",
+        default="",
+    )
+
     def problem(self) -> Problem:
         """What is wrong between the keys: the key and the text, or nothing."""
-        if bool(self.launch) == bool(self.ros2):
-            found = "given beside" if self.ros2 else "missing, and so is"
-            return "launch", f"is {found} 'ros2'; one of them is needed"
-        if self.ros2 and self.interface is not Interface.NATIVE:
-            return "interface", "is for a launch file; with 'ros2' the topics are those of f1tenth_gym_ros"
+        given = [kind for kind in _KINDS if getattr(self, kind)]
+        if len(given) != 1:
+            found = f"is given beside '{given[1]}'" if given else "is missing"
+            return (given or _KINDS)[0], f"{found}; exactly one of {', '.join(_KINDS)} is needed"
+        if self.python and not re.fullmatch(r".+\.py:\w+", self.python):
+            return "python", f"is '{self.python}', must be FILE.py:CLASS"
+        if not self.launch and self.interface is not Interface.NATIVE:
+            return "interface", f"is for a launch file; '{given[0]}' has no other topics"
         return None
 
     @classmethod
@@ -65,8 +76,8 @@ class Driver:
     def as_dict(self) -> dict[str, Any]:
         """As it is written in a scenario file."""
         launch = {"launch": self.launch, "interface": self.interface.value}
-        entries = {"ros2": self.ros2} if self.ros2 else launch
-        return entries | ({"arguments": dict(self.arguments)} if self.arguments else {})
+        others = {kind: getattr(self, kind) for kind in ("ros2", "python") if getattr(self, kind)}
+        return (others or launch) | ({"arguments": dict(self.arguments)} if self.arguments else {})
 
     @property
     def is_ours(self) -> bool:
@@ -75,6 +86,6 @@ class Driver:
 
     @property
     def name(self) -> str:
-        """The short form, else the launch file or the command."""
+        """The short form, else the launch file, the command or the class."""
         names = (name for name, driver in self.short_forms().items() if driver.launch == self.launch)
-        return self.ros2 or next(names, self.launch)
+        return self.ros2 or self.python or next(names, self.launch)

@@ -1,6 +1,7 @@
 """What several subcommands make of their options."""
 
 import dataclasses
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Optional
@@ -12,6 +13,7 @@ from f1tenth_judge.plan.planner import planner_setting
 from f1tenth_judge.scenario.driver import Driver, Interface
 
 # Drivers that follow given commands need more than a road.
+_CLASS = r".+\.py:\w+"
 OUR_PLANNERS = ", ".join(name for name in Driver.short_forms() if name != "commands")
 
 
@@ -69,7 +71,7 @@ def ros2_planners(commands: Sequence[str], options) -> list[Driver]:
 
 
 def planner_of(name: str, options) -> Driver:
-    """A planner as an option names it: one of ours, or a launch file.
+    """A planner as an option names it: one of ours, a launch file, or FILE.py:CLASS.
 
     Raises:
         ScenarioError: there is no such file, or --arg is not of its form.
@@ -78,9 +80,12 @@ def planner_of(name: str, options) -> Driver:
     interface = Interface(options.interface)
     ours = Driver.short_forms().get(name)
     try:
+        if re.fullmatch(_CLASS, name):
+            file, _, kind = name.rpartition(":")
+            return Driver(python=f"{file_option(file)}:{kind}", arguments=arguments)
         return Driver(ours.launch if ours else file_option(name), interface, arguments)
     except ScenarioError as error:
-        allowed = f"a launch file, package://PACKAGE/PATH, or one of ours: {OUR_PLANNERS}"
+        allowed = f"a launch file, package://PACKAGE/PATH, FILE.py:CLASS, or one of ours: {OUR_PLANNERS}"
         raise ScenarioError(f"--planner {name}: {error}; allowed: {allowed}") from error
 
 

@@ -26,7 +26,7 @@ _ROS2 = (
     "command that starts a planner of ROS 2, which finds the topics of f1tenth_gym_ros; no ROS 1 is started"
 )
 _PLACE = "name of a circuit or world, or the path of a .world file or of the YAML file of a map"
-_PLANNER = f"launch file of a planner, or one of ours ({OUR_PLANNERS})"
+_PLANNER = f"launch file of a planner, FILE.py:CLASS, or one of ours ({OUR_PLANNERS})"
 
 _Subparsers: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
 

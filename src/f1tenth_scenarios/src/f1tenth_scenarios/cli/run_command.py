@@ -65,10 +65,10 @@ def _run_with_ros(plan: Plan, stop: StopRequest, progress: "Progress") -> Result
 
 
 def _run_without_ros(plan: Plan, stop: StopRequest, progress: "Progress") -> Result:
-    from f1tenth_judge.drivers.ros2.starting import drivers_on_dds
+    from f1tenth_judge.drivers.starting import start_drivers
     from f1tenth_judge.run.execute import execute
 
-    return execute(plan, drivers_on_dds(), stop, progress)
+    return execute(plan, start_drivers, stop, progress)
 
 
 def with_report(code: int, options) -> int:

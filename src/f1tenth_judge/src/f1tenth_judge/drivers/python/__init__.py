@@ -1,0 +1,1 @@
+"""Planners that are Python classes, each in a process of its own."""

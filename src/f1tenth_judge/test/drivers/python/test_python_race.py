@@ -1,0 +1,96 @@
+"""Planners that are classes are raced, judged and caught without ROS."""
+
+import json
+from pathlib import Path
+
+import psutil
+import pytest
+from f1tenth_judge.drivers.starting import start_drivers
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.plan.race import Race, plan_race
+from f1tenth_judge.run.execute import execute
+from f1tenth_judge.scenario.driver import Driver
+from f1tenth_judge.stop_request import StopRequest
+
+CLASSES = Path(__file__).with_name("classes.py")
+
+
+@pytest.fixture
+def race(tmp_path):
+    """Races planners around circuit1, and gives what is in result.json."""
+
+    def run(*names, settings=("limits.timeout=40",), arguments=None):
+        planners = [Driver(python=f"{CLASSES}:{name}", arguments=arguments or {}) for name in names]
+        plan = plan_race(Race("circuit1", 1, planners), tmp_path, settings)
+        execute(plan, start_drivers, StopRequest())
+        assert not [each for each in psutil.process_iter() if _is_of(each, tmp_path)]
+        return json.loads((tmp_path / "result.json").read_text(encoding="utf-8"))
+
+    return run
+
+
+def _is_of(process, folder):
+    try:
+        return str(CLASSES) in " ".join(process.cmdline()) and process.cwd() == str(folder)
+    except psutil.Error:
+        return False
+
+
+@pytest.mark.parametrize("name", ["Follower", "Pursuer"])
+def test_a_class_drives_a_lap_and_does_it_again(race, tmp_path, name):
+    result = race(name)
+    assert (result["verdict"], result["lockstep"]) == ("success", True)
+    assert result["times"]["lap_time"] > 5.0
+    assert all((tmp_path / name).is_file() for name in ("trajectory.csv", "trajectory.png", "replay.json.gz"))
+    assert race(name)["trajectory_hash"] == result["trajectory_hash"]
+
+
+def test_two_classes_race_each_other(race):
+    result = race("Follower", "Pursuer", settings=["limits.timeout=1"])
+    assert (result["verdict"], set(result["cars"])) == ("timeout", {"robot1", "robot2"})
+
+
+def test_a_class_is_told_what_a_driver_is_told_and_sees_what_the_car_senses(race, tmp_path):
+    race("Telling", settings=["limits.timeout=0.1"], arguments={"word": "hello"})
+    assert (tmp_path / "log" / "robot1.log").read_text().splitlines() == [
+        "robot1 2 hello perfect",
+        "0.025 0 0 (0.0, 0.0, 0.0) (5, 3)",
+        "(1081,) float32 10",
+    ]
+
+
+WRONG = {
+    "DiesAtOnce": "ended with exit code 1; it raised ValueError: no model weights in /models",
+    "Raises": "ended with exit code 1; it raised AttributeError: 'Scan' object has no attribute 'range'",
+    "Exits": "ended with exit code 3",
+    "Ends": "ended with exit code 1",
+    "ReturnsNothing": "it raised TypeError: plan() returned None, must be Command(speed, steering_angle)",
+    "SaysNan": "sends only commands that the simulator refuses (at 2 s): robot1: commanded speed (m/s) is ",
+    "NeverReturns": "has not answered within 0.5 s of wall time (limits.answer)",
+    "NeverIsReady": "has not answered within 1 s of wall time (limits.load)",
+    "ForksAndExits": "ended with exit code 4",
+    "Absent": "it raised AttributeError: module 'f1tenth_planner' has no attribute 'Absent'",
+}
+
+
+@pytest.mark.parametrize(("name", "reason"), WRONG.items(), ids=list(WRONG))
+def test_a_class_that_goes_wrong_is_named_with_the_reason(race, name, reason):
+    result = race(name, settings=["limits.answer=0.5", "limits.load=1", "limits.timeout=5"])
+    assert (result["verdict"], result["culprit"]["culprit"]) == ("error", "robot1/planner")
+    assert reason in result["reason"]
+
+
+@pytest.mark.parametrize(
+    ("planner", "settings", "problem"),
+    [
+        ("/nowhere/a.py:A", (), "no such file: /nowhere/a.py"),
+        (
+            f"{CLASSES}:Follower",
+            ("localization=amcl",),
+            "'localization: amcl' is for planners that are",
+        ),
+    ],
+)
+def test_what_cannot_be_run_is_refused_before_the_start(tmp_path, planner, settings, problem):
+    with pytest.raises(ScenarioError, match=problem):
+        plan_race(Race("circuit1", 1, [Driver(python=planner)]), tmp_path, settings)

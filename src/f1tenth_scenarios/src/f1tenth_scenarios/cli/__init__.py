@@ -13,15 +13,15 @@ from f1tenth_scenarios.cli.exit_codes import BAD_INPUT
 from f1tenth_scenarios.cli.parser import make_parser
 
 
-def main(arguments: Optional[Sequence[str]] = None) -> int:
-    """Run the command; returns the exit code."""
-    options = make_parser().parse_args(arguments)
+def main(arguments: Optional[Sequence[str]] = None, program: str = "scenario") -> int:
+    """Run the command, which is called `program`; returns the exit code."""
+    options = make_parser(program).parse_args(arguments)
     for folder in filter(None, (options.path, options.search_path)):
         lookup.add_search_path(folder)
     try:
         return options.action(options)
     except ScenarioError as error:
-        print(f"scenario: {error}", file=sys.stderr)
+        print(f"{program}: {error}", file=sys.stderr)
         return BAD_INPUT
     except KeyboardInterrupt:
         return 128 + signal.SIGINT

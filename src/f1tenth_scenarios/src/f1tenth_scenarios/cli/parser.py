@@ -31,11 +31,9 @@ _PLANNER = f"launch file of a planner, FILE.py:CLASS, or one of ours ({OUR_PLANN
 _Subparsers: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
 
 
-def make_parser() -> argparse.ArgumentParser:
+def make_parser(program: str) -> argparse.ArgumentParser:
     """What the command takes; each subcommand has an `action` that takes the options."""
-    parser = argparse.ArgumentParser(
-        prog="scenario", description="Runs and judges scenarios of the F1/10 car."
-    )
+    parser = argparse.ArgumentParser(prog=program, description="Runs and judges scenarios of the F1/10 car.")
     parser.add_argument("--path", type=_folder, metavar="FOLDER", help=_PATH)
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
     _add_shows(commands)

@@ -1,5 +1,6 @@
 #include "render/renderer.h"
 
+#include <utility>
 #include <vector>
 
 #include "render/shading.h"
@@ -16,9 +17,9 @@ void Renderer::draw(
   Picture & picture)
 {
   visibility_.draw(scene, camera, pose);
-  const ShadowMap moving = ShadowMap::ofMoving(scene, pose({kAhead, 0.0, 0.0}));
+  moving_shadows_.showMoving(scene, pose({kAhead, 0.0, 0.0}));
   std::vector<const ShadowMap *> shadows;
-  for (const ShadowMap * const map : {&moving, &shadows_of_fixed}) {
+  for (const ShadowMap * const map : {&std::as_const(moving_shadows_), &shadows_of_fixed}) {
     if (!map->isEmpty()) {
       shadows.push_back(map);
     }

@@ -19,5 +19,6 @@ public:
 
 private:
   Visibility visibility_;
+  ShadowMap moving_shadows_;
 };
 }  // namespace f1tenth_sim2d

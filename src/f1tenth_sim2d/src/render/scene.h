@@ -52,7 +52,7 @@ struct Light
 {
   Vec3 to_sun{0.484, -0.097, 0.870};         ///< unit, in the world
   Colour sun{0.75F, 0.75F, 0.72F};           ///< on a surface that faces it
-  Colour surroundings{0.46F, 0.47F, 0.50F};  ///< from everywhere
+  Colour surroundings{0.52F, 0.53F, 0.56F};  ///< from everywhere
   Colour zenith{0.36F, 0.56F, 0.83F};
   Colour horizon{0.80F, 0.86F, 0.92F};
 };

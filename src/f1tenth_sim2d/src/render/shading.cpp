@@ -7,10 +7,13 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-/// Pixels for which one version of a texture is used.
-constexpr int kPixelsPerLevel = 16;
+/// Pixels side by side that are worked out together, for which one version of a texture is used.
+constexpr int kBlock = 16;
 /// Part of the surroundings' light that comes from above only, so that faces in the shade differ.
 constexpr float kFromAbove = 0.25F;
+
+/// One number for each pixel of a block.
+using Block = std::array<float, kBlock>;
 
 /// A quantity that is linear over the image once it is divided by the depth, along a row.
 struct RowValue
@@ -23,31 +26,66 @@ struct RowValue
   {
   }
   float at(int column, float depth) const { return (start + step * static_cast<float>(column)) * depth; }
+  /// @param first  of the block, from the start
+  void fill(int first, const Block & depths, Block & values) const
+  {
+    for (int i = 0; i < kBlock; ++i) {
+      values[i] = (start + step * static_cast<float>(first + i)) * depths[i];
+    }
+  }
 };
 
-std::uint8_t toByte(float share)
+/// The colours of a block.
+struct Colours
 {
-  return static_cast<std::uint8_t>(std::min(255.0F, std::max(0.0F, share * 255.0F + 0.5F)));
+  Block red;
+  Block green;
+  Block blue;
+
+  void write(int count, std::uint8_t * bytes) const
+  {
+    std::array<std::int32_t, 3 * kBlock> rounded;
+    const auto toByte = [](float share) {
+      return static_cast<std::int32_t>(std::min(255.0F, std::max(0.0F, share * 255.0F + 0.5F)));
+    };
+    for (int i = 0; i < kBlock; ++i) {
+      rounded[i] = toByte(red[i]);
+      rounded[kBlock + i] = toByte(green[i]);
+      rounded[2 * kBlock + i] = toByte(blue[i]);
+    }
+    for (int i = 0; i < count; ++i) {
+      bytes[3 * i] = static_cast<std::uint8_t>(rounded[i]);
+      bytes[3 * i + 1] = static_cast<std::uint8_t>(rounded[kBlock + i]);
+      bytes[3 * i + 2] = static_cast<std::uint8_t>(rounded[2 * kBlock + i]);
+    }
+  }
+};
+
+/// @param sun    how the pixels of a block face the sun
+/// @param above  how they face the sky
+Colours litBy(const Light & light, const Colour & diffuse, const Block & sun, const Block & above)
+{
+  Colours lit;
+  const auto add = [&](Block & channel, float Colour::*part) {
+    const float surroundings = light.surroundings.*part * (diffuse.*part);
+    const float of_sun = light.sun.*part * (diffuse.*part);
+    for (int i = 0; i < kBlock; ++i) {
+      channel[i] = ((1.0F - kFromAbove) + kFromAbove * above[i]) * surroundings + std::max(0.0F, sun[i]) * of_sun;
+    }
+  };
+  add(lit.red, &Colour::red);
+  add(lit.green, &Colour::green);
+  add(lit.blue, &Colour::blue);
+  return lit;
 }
 
-void write(const Colour & colour, std::uint8_t * bytes)
+void glow(const Colour & emission, Colours & colours)
 {
-  bytes[0] = toByte(colour.red);
-  bytes[1] = toByte(colour.green);
-  bytes[2] = toByte(colour.blue);
-}
-
-Colour operator*(const Colour & a, const Colour & b)
-{
-  return {a.red * b.red, a.green * b.green, a.blue * b.blue};
-}
-Colour operator*(float factor, const Colour & a)
-{
-  return {factor * a.red, factor * a.green, factor * a.blue};
-}
-Colour operator+(const Colour & a, const Colour & b)
-{
-  return {a.red + b.red, a.green + b.green, a.blue + b.blue};
+  for (int i = 0; i < kBlock; ++i) {
+    colours.red[i] += emission.red;
+    colours.green[i] += emission.green;
+    colours.blue[i] += emission.blue;
+  }
 }
 
 /// The light that falls on a triangle: how it faces the sun and the sky, from corner to corner.
@@ -105,7 +143,27 @@ public:
     level_ = texture_->levelFor(change(&PixelPlane::x), change(&PixelPlane::y));
   }
 
-  Colour at(int column, float depth) const { return texture_->at(u_.at(column, depth), v_.at(column, depth), level_); }
+  /// Multiplies the colours of a block by those of the texture.
+  void apply(int first, int count, const Block & depths, Colours & colours) const
+  {
+    Block u;
+    Block v;
+    u_.fill(first, depths, u);
+    v_.fill(first, depths, v);
+    std::array<std::uint32_t, kBlock> texels{};
+    for (int i = 0; i < count; ++i) {
+      texels[i] = texture_->texelAt(u[i], v[i], level_);
+    }
+    constexpr float kScale = 1.0F / 255.0F;
+    const auto channel = [](std::uint32_t texel, unsigned shift) {
+      return static_cast<float>(static_cast<std::int32_t>(texel >> shift & 0xff)) * kScale;
+    };
+    for (int i = 0; i < kBlock; ++i) {
+      colours.red[i] *= channel(texels[i], 0);
+      colours.green[i] *= channel(texels[i], 8);
+      colours.blue[i] *= channel(texels[i], 16);
+    }
+  }
 
 private:
   static const Texture * textureOf(const Visibility::Triangle & triangle)
@@ -147,12 +205,20 @@ public:
   {
   }
 
-  float light(int column, float depth) const
+  /// Takes from a block what the shadows leave.
+  void apply(int first, int count, const Block & depths, Block & sun) const
   {
-    const auto at = [&](std::size_t i) {
-      return origin_[i] + (start_[i] + step_[i] * static_cast<float>(column)) * depth;
-    };
-    return map_.light(at(0), at(1), at(2));
+    std::array<Block, 3> at;
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (int i = 0; i < kBlock; ++i) {
+        at[k][i] = origin_[k] + (start_[k] + step_[k] * static_cast<float>(first + i)) * depths[i];
+      }
+    }
+    for (int i = 0; i < count; ++i) {
+      if (sun[i] > 0.0F) {
+        sun[i] *= map_.light(at[0][i], at[1][i], at[2][i]);
+      }
+    }
   }
 
 private:
@@ -190,14 +256,18 @@ void Shading::shadeRow(int row, Picture & picture) const
   float * const depths = &picture.depths[start];
   std::uint8_t * const colours = &picture.colours[3 * start];
   const std::vector<MapRay> rays = mapRays(row);
+  for (int column = 0; column < camera_.width; ++column) {
+    depths[column] = 1.0F / nearness[column];
+  }
   for (int first = 0; first < camera_.width;) {
     const std::uint32_t triangle = triangles[first];
-    int end = first;
-    for (; end < camera_.width && triangles[end] == triangle; ++end) {
-      depths[end] = triangle == Raster::kNothing ? std::numeric_limits<float>::infinity() : 1.0F / nearness[end];
+    int end = first + 1;
+    while (end < camera_.width && triangles[end] == triangle) {
+      ++end;
     }
     const Run run{first, end, row};
     if (triangle == Raster::kNothing) {
+      std::fill(depths + first, depths + end, std::numeric_limits<float>::infinity());
       shadeSky(run, colours);
     } else {
       shadeRun(run, triangle, rays, colours, depths);
@@ -208,11 +278,20 @@ void Shading::shadeRow(int row, Picture & picture) const
 
 void Shading::shadeSky(const Run & run, std::uint8_t * colours) const
 {
-  for (int column = run.first; column < run.end; ++column) {
-    const Vec3 direction = pose_.turned(camera_.ray(column, run.row));
-    const double climb = std::max(0.0, direction.z / norm(direction));
-    const auto share = static_cast<float>(climb * (2.0 - climb));
-    write((1.0F - share) * light_.horizon + share * light_.zenith, colours + 3 * column);
+  const Vec3 start = pose_.turned(camera_.ray(run.first, run.row));
+  const Vec3 step = pose_.turned({0.0, -1.0 / camera_.focal_x, 0.0});
+  for (int first = 0; first < run.end - run.first; first += kBlock) {
+    Colours sky;
+    for (int i = 0; i < kBlock; ++i) {
+      const Vec3 direction = start + static_cast<double>(first + i) * step;
+      const double climb = std::max(0.0, direction.z / norm(direction));
+      const auto share = static_cast<float>(climb * (2.0 - climb));
+      const auto mixed = [share](float low, float high) { return (1.0F - share) * low + share * high; };
+      sky.red[i] = mixed(light_.horizon.red, light_.zenith.red);
+      sky.green[i] = mixed(light_.horizon.green, light_.zenith.green);
+      sky.blue[i] = mixed(light_.horizon.blue, light_.zenith.blue);
+    }
+    sky.write(std::min(kBlock, run.end - run.first - first), colours + 3 * (run.first + first));
   }
 }
 
@@ -227,31 +306,28 @@ void Shading::shadeRun(
   const RowValue to_sun(lighting.to_sun, run.first, run.row);
   const RowValue upwards(lighting.upwards, run.first, run.row);
   TextureRow texture(shown, setup, run.first, run.row);
-  std::vector<ShadowRow> shadows;
-  for (const MapRay & ray : rays) {
-    const Vec3 origin = ray.map->mapFromWorld()(pose_.offset + ray.map->lift() * lighting.normal);
-    shadows.emplace_back(*ray.map, origin, ray.start + static_cast<double>(run.first) * ray.step, ray.step);
-  }
-  for (int column = run.first; column < run.end; ++column) {
-    const int i = column - run.first;
-    const float depth = depths[column];
-    const float above = (1.0F - kFromAbove) + kFromAbove * upwards.at(i, depth);
-    Colour light = above * light_.surroundings;
-    float sun = to_sun.at(i, depth);
-    for (std::size_t k = 0; k < shadows.size() && sun > 0.0F; ++k) {
-      sun *= shadows[k].light(i, depth);
+  for (int column = run.first; column < run.end;) {
+    const int first = column - run.first;
+    const int count = std::min(run.end, (column / kBlock + 1) * kBlock) - column;
+    Block depth{};
+    std::copy_n(depths + column, count, depth.begin());
+    Block sun;
+    Block above;
+    to_sun.fill(first, depth, sun);
+    upwards.fill(first, depth, above);
+    for (const MapRay & ray : rays) {
+      const Vec3 origin = ray.map->mapFromWorld()(pose_.offset + ray.map->lift() * lighting.normal);
+      ShadowRow(*ray.map, origin, ray.start + static_cast<double>(run.first) * ray.step, ray.step)
+        .apply(first, count, depth, sun);
     }
-    if (sun > 0.0F) {
-      light = light + sun * light_.sun;
-    }
-    Colour colour = light * material.diffuse;
+    Colours lit = litBy(light_, material.diffuse, sun, above);
     if (texture) {
-      if (i == 0 || column % kPixelsPerLevel == 0) {
-        texture.chooseLevel(i, depth);
-      }
-      colour = colour * texture.at(i, depth);
+      texture.chooseLevel(first, depth[0]);
+      texture.apply(first, count, depth, lit);
     }
-    write(colour + material.emission, colours + 3 * column);
+    glow(material.emission, lit);
+    lit.write(count, colours + 3 * column);
+    column += count;
   }
 }
 }  // namespace f1tenth_sim2d

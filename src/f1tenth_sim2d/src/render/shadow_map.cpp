@@ -10,10 +10,10 @@ namespace
 {
 constexpr float kDeepest = std::numeric_limits<float>::lowest();
 constexpr double kLiftInTexels = 1.5;
-constexpr int kFixedSide = 2048;        // pixels of the map of all that never moves, at most
-constexpr double kFixedTexel = 0.004;   // m, at least
-constexpr int kMovingSide = 1024;       // pixels
-constexpr double kMovingTexel = 0.012;  // m
+constexpr int kFixedSide = 2048;       // pixels of the map of all that never moves, at most
+constexpr double kFixedTexel = 0.004;  // m, at least
+constexpr int kMovingSide = 512;       // pixels
+constexpr double kMovingTexel = 0.02;  // m
 
 /// Turns the world so that z points to the sun.
 Transform acrossTheLight(const Vec3 & to_sun)
@@ -41,7 +41,7 @@ Vec3 middleOf(const PlacedSurface & placed)
 }
 }  // namespace
 
-ShadowMap ShadowMap::ofFixed(const Scene & scene)
+void ShadowMap::showFixed(const Scene & scene)
 {
   const std::vector<const PlacedSurface *> casters = castersOf(scene, false);
   const Transform turned = acrossTheLight(scene.light.to_sun);
@@ -59,14 +59,15 @@ ShadowMap ShadowMap::ofFixed(const Scene & scene)
     bottom = std::max(bottom, middle.y + radius);
   }
   if (!(left <= right)) {
-    return {scene, {}, {0.0, 0.0, 1.0, 0, 0}};
+    is_empty_ = true;
+    return;
   }
   const double texel = std::max(kFixedTexel, std::max(right - left, bottom - top) / (kFixedSide - 2));
   const auto count = [texel](double extent) { return static_cast<int>(extent / texel) + 2; };
-  return {scene, casters, {left, top, texel, count(right - left), count(bottom - top)}};
+  show(scene, casters, {left, top, texel, count(right - left), count(bottom - top)});
 }
 
-ShadowMap ShadowMap::ofMoving(const Scene & scene, const Vec3 & around)
+void ShadowMap::showMoving(const Scene & scene, const Vec3 & around)
 {
   const Transform turned = acrossTheLight(scene.light.to_sun);
   const Vec3 middle = turned(around);
@@ -82,16 +83,18 @@ ShadowMap ShadowMap::ofMoving(const Scene & scene, const Vec3 & around)
            at.y > window.top + kExtent + radius;
   };
   casters.erase(std::remove_if(casters.begin(), casters.end(), isOutside), casters.end());
-  return {scene, casters, window};
+  show(scene, casters, window);
 }
 
-ShadowMap::ShadowMap(const Scene & scene, const std::vector<const PlacedSurface *> & casters, const Window & window)
-: map_from_world_(acrossTheLight(scene.light.to_sun)), lift_(kLiftInTexels * window.texel)
+void ShadowMap::show(const Scene & scene, const std::vector<const PlacedSurface *> & casters, const Window & window)
 {
+  is_empty_ = casters.empty();
+  lift_ = kLiftInTexels * window.texel;
+  map_from_world_ = acrossTheLight(scene.light.to_sun);
   map_from_world_.rows[0] = (1.0 / window.texel) * map_from_world_.rows[0];
   map_from_world_.rows[1] = (1.0 / window.texel) * map_from_world_.rows[1];
   map_from_world_.offset = {-window.left / window.texel, -window.top / window.texel, 0.0};
-  if (casters.empty()) {
+  if (is_empty_) {
     return;
   }
   raster_.clear(window.columns, window.rows, kDeepest, std::numeric_limits<float>::infinity());
@@ -107,24 +110,5 @@ ShadowMap::ShadowMap(const Scene & scene, const std::vector<const PlacedSurface 
       raster_.draw(corners[a], corners[b], corners[c], true, 0);
     }
   }
-}
-
-float ShadowMap::light(float column, float row, float height) const
-{
-  const bool is_inside = column >= 0.0F && row >= 0.0F && column < static_cast<float>(raster_.width() - 1) &&
-                         row < static_cast<float>(raster_.height() - 1);
-  if (!is_inside) {
-    return 1.0F;
-  }
-  const int left = static_cast<int>(column);
-  const int top = static_cast<int>(row);
-  const float right_share = column - static_cast<float>(left);
-  const float lower_share = row - static_cast<float>(top);
-  const auto lit = [height](float nearest) { return nearest <= height ? 1.0F : 0.0F; };
-  const float * const upper = raster_.nearness(top) + left;
-  const float * const lower = raster_.nearness(top + 1) + left;
-  const float above = lit(upper[0]) + (lit(upper[1]) - lit(upper[0])) * right_share;
-  const float below = lit(lower[0]) + (lit(lower[1]) - lit(lower[0])) * right_share;
-  return above + (below - above) * lower_share;
 }
 }  // namespace f1tenth_sim2d

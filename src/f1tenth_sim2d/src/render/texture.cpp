@@ -1,16 +1,12 @@
 #include "render/texture.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 namespace f1tenth_sim2d
 {
 namespace
 {
-/// Beyond it a texture coordinate, in 256ths of a texel, has lost all digits of a float anyway.
-constexpr float kFarthest = 1e9F;
-
 std::uint32_t powerOfTwo(std::size_t side)
 {
   std::uint32_t power = 1;
@@ -46,13 +42,6 @@ std::uint32_t meanOf(const Image & image, std::size_t left, std::size_t right, s
   return packedTexel(mean(0), mean(1), mean(2));
 }
 
-int roundedDown(float number)
-{
-  const float within = std::max(-kFarthest, std::min(number, kFarthest));
-  const int truncated = static_cast<int>(within);
-  return truncated - (static_cast<float>(truncated) > within ? 1 : 0);
-}
-
 /// Half the logarithm to base two, rounded to a whole number; 0 for what is below 1.
 std::size_t halfLogarithm(float number)
 {
@@ -60,16 +49,6 @@ std::size_t halfLogarithm(float number)
   std::memcpy(&bits, &number, sizeof(bits));
   const int exponent = static_cast<int>(bits >> 23) - 127;
   return exponent > 0 ? static_cast<std::size_t>(exponent + 1) / 2 : 0;
-}
-
-/// Of two texels, each channel; weight is that of b, 0 to 256.
-std::uint32_t blend(std::uint32_t a, std::uint32_t b, std::uint32_t weight)
-{
-  constexpr std::uint32_t kOuter = 0xff00ff;
-  constexpr std::uint32_t kInner = 0x00ff00;
-  const std::uint32_t outer = ((a & kOuter) * (256 - weight) + (b & kOuter) * weight) >> 8 & kOuter;
-  const std::uint32_t inner = ((a & kInner) * (256 - weight) + (b & kInner) * weight) >> 8 & kInner;
-  return outer | inner;
 }
 }  // namespace
 
@@ -125,24 +104,5 @@ std::size_t Texture::levelFor(const std::array<float, 2> & across, const std::ar
   const float b = square(down);
   const float wanted = std::max(std::min(a, b), std::max(a, b) / 4.0F);
   return std::min(levels_.size() - 1, halfLogarithm(wanted));
-}
-
-Colour Texture::at(float u, float v, std::size_t level) const
-{
-  const Level & image = levels_[level];
-  const int x = roundedDown(u * static_cast<float>(image.width * 256)) - 128;
-  const int y = roundedDown((1.0F - v) * static_cast<float>(image.height * 256)) - 128;
-  const auto left = static_cast<std::uint32_t>(x >> 8) & (image.width - 1);
-  const auto right = (left + 1) & (image.width - 1);
-  const std::uint32_t top = (static_cast<std::uint32_t>(y >> 8) & (image.height - 1)) * image.width;
-  const std::uint32_t bottom = (static_cast<std::uint32_t>((y >> 8) + 1) & (image.height - 1)) * image.width;
-  const std::uint32_t weight = static_cast<std::uint32_t>(x) & 0xff;
-  const std::uint32_t upper = blend(image.texels[top + left], image.texels[top + right], weight);
-  const std::uint32_t lower = blend(image.texels[bottom + left], image.texels[bottom + right], weight);
-  const std::uint32_t texel = blend(upper, lower, static_cast<std::uint32_t>(y) & 0xff);
-  constexpr float kScale = 1.0F / 255.0F;
-  return {
-    static_cast<float>(channel(texel, 0)) * kScale, static_cast<float>(channel(texel, 8)) * kScale,
-    static_cast<float>(channel(texel, 16)) * kScale};
 }
 }  // namespace f1tenth_sim2d

@@ -9,7 +9,7 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-constexpr std::uint32_t kColours = 1783539737;
+constexpr std::uint32_t kColours = 2854086569;
 constexpr std::uint32_t kDepths = 229528681;
 
 /// FNV-1a.

@@ -24,7 +24,9 @@ inline void add(
 inline Picture pictureOf(const Scene & scene, const Pose3 & pose, const Pinhole & camera = kCamera)
 {
   Picture picture;
-  Renderer().draw(scene, ShadowMap::ofFixed(scene), camera, toTransform(pose), picture);
+  ShadowMap shadows;
+  shadows.showFixed(scene);
+  Renderer().draw(scene, shadows, camera, toTransform(pose), picture);
   return picture;
 }
 

@@ -20,28 +20,35 @@ Image quarters(std::size_t side)
   return image;
 }
 
+Colour colourAt(const Texture & texture, float u, float v, std::size_t level)
+{
+  const std::uint32_t texel = texture.texelAt(u, v, level);
+  const auto channel = [texel](unsigned shift) { return static_cast<float>(texel >> shift & 0xff) / 255.0F; };
+  return {channel(0), channel(8), channel(16)};
+}
+
 TEST(Texture, HasItsOriginAtTheLowerLeft)
 {
   const Texture texture(quarters(8));
-  EXPECT_FLOAT_EQ(texture.at(0.25F, 0.75F, 0).red, 0.0F);
-  EXPECT_FLOAT_EQ(texture.at(0.75F, 0.75F, 0).green, 1.0F);
-  EXPECT_FLOAT_EQ(texture.at(0.75F, 0.25F, 0).red, 1.0F);
-  EXPECT_FLOAT_EQ(texture.at(0.75F, 0.25F, 0).green, 0.0F);
+  EXPECT_FLOAT_EQ(colourAt(texture, 0.25F, 0.75F, 0).red, 0.0F);
+  EXPECT_FLOAT_EQ(colourAt(texture, 0.75F, 0.75F, 0).green, 1.0F);
+  EXPECT_FLOAT_EQ(colourAt(texture, 0.75F, 0.25F, 0).red, 1.0F);
+  EXPECT_FLOAT_EQ(colourAt(texture, 0.75F, 0.25F, 0).green, 0.0F);
 }
 
 TEST(Texture, RepeatsItselfOnBothSides)
 {
   const Texture texture(quarters(8));
   for (const float turn : {-3.0F, -1.0F, 1.0F, 12.0F}) {
-    EXPECT_FLOAT_EQ(texture.at(0.75F + turn, 0.25F, 0).red, 1.0F);
-    EXPECT_FLOAT_EQ(texture.at(0.25F, 0.75F + turn, 0).red, 0.0F);
+    EXPECT_FLOAT_EQ(colourAt(texture, 0.75F + turn, 0.25F, 0).red, 1.0F);
+    EXPECT_FLOAT_EQ(colourAt(texture, 0.25F, 0.75F + turn, 0).red, 0.0F);
   }
 }
 
 TEST(Texture, BlendsNeighbours)
 {
   const Texture texture(quarters(8));
-  EXPECT_NEAR(texture.at(0.5F, 0.75F, 0).red, 0.5F, 0.01F);
+  EXPECT_NEAR(colourAt(texture, 0.5F, 0.75F, 0).red, 0.5F, 0.01F);
 }
 
 TEST(Texture, TakesTheVersionWhoseTexelsAreAsLargeAsPixels)
@@ -53,14 +60,14 @@ TEST(Texture, TakesTheVersionWhoseTexelsAreAsLargeAsPixels)
   EXPECT_EQ(level(2.0F), 1U);
   EXPECT_EQ(level(8.0F), 3U);
   EXPECT_EQ(level(1e9F), 6U);
-  EXPECT_NEAR(texture.at(0.3F, 0.3F, 6).red, 0.5F, 0.01F);
+  EXPECT_NEAR(colourAt(texture, 0.3F, 0.3F, 6).red, 0.5F, 0.01F);
 }
 
 TEST(Texture, TakesImagesOfAnySize)
 {
   for (const std::size_t side : {1U, 3U, 100U, 5000U}) {
     const Texture texture(Image{side, 1, std::vector<std::uint8_t>(3 * side, 200)});
-    EXPECT_FLOAT_EQ(texture.at(0.3F, 0.9F, 0).blue, 200.0F / 255.0F);
+    EXPECT_FLOAT_EQ(colourAt(texture, 0.3F, 0.9F, 0).blue, 200.0F / 255.0F);
   }
 }
 }  // namespace

@@ -17,38 +17,38 @@ from controller_manager import controller_manager_interface
 from controller_manager.command_line import COMMANDS
 from controller_manager_msgs.srv import ListControllers, ListControllerTypes, SwitchController
 from diagnostic_msgs.msg import DiagnosticArray
-from gazebo_msgs.srv import GetModelState
-from geometry_msgs.msg import Twist
-from nav_msgs.msg import Odometry
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import JointState
-from std_msgs.msg import Float64, Float64MultiArray
+from std_msgs.msg import Float64
 from std_srvs.srv import Empty
-from tf2_msgs.msg import TFMessage
 
 MANAGER = "/racecar/controller_manager/"
 
 
 class Watch:
-    """Keeps the last message of a topic."""
+    """Keeps the messages of a topic, from when it is connected."""
 
     def __init__(self, topic, kind):
         self._changed = threading.Condition()
-        self._message = None
+        self._messages = []
         self._subscriber = rospy.Subscriber(topic, kind, self._keep)
+        while not self._subscriber.get_num_connections():
+            assert not rospy.is_shutdown()
 
     def _keep(self, message):
         with self._changed:
-            self._message = message
+            self._messages.append(message)
             self._changed.notify_all()
 
     def wait_for(self, condition=lambda message: True):
+        """Return the newest message for which the condition holds."""
+
+        def newest():
+            return next((message for message in reversed(self._messages) if condition(message)), None)
+
         with self._changed:
-            done = self._changed.wait_for(
-                lambda: self._message is not None and condition(self._message), LONG
-            )
-            assert done, self._message
-            return self._message
+            assert self._changed.wait_for(lambda: newest() is not None, LONG), self._messages[-1:]
+            return newest()
 
     def close(self):
         self._subscriber.unregister()
@@ -97,8 +97,8 @@ class ControllersTest(unittest.TestCase):
         self.addCleanup(watch.close)
         return watch
 
-    def command(self, controller, kind=Float64, topic="command"):
-        publisher = rospy.Publisher(f"/racecar/{controller}/{topic}", kind, queue_size=1)
+    def command(self, controller):
+        publisher = rospy.Publisher(f"/racecar/{controller}/command", Float64, queue_size=1)
         self.addCleanup(publisher.unregister)
         while not publisher.get_num_connections():
             assert not rospy.is_shutdown()
@@ -125,74 +125,6 @@ class ControllersTest(unittest.TestCase):
         joints.wait_for(turns)
         self.end(spawner)
         assert self.controllers() == {}
-
-    def test_steering_controller_drives_the_car_until_commands_are_old(self):
-        self.start("spawner", "steering")
-        self.wait_until({"steering": "running"})
-        odometry = self.watch("/racecar/steering/odom", Odometry)
-        first = odometry.wait_for()
-        assert (first.header.frame_id, first.child_frame_id) == ("odom", "base_link")
-        assert first.pose.covariance[0] == 0.1
-        assert first.pose.covariance[35] == 0.2
-        twist = Twist()
-        twist.linear.x, twist.angular.z = 9.0, 0.2
-        self.command("steering", Twist, "cmd_vel").publish(twist)
-        # The greatest velocity, and the angle as that of the wheel.
-        turning = math.tan(0.2) / 0.325
-
-        def drives(message):
-            now = message.twist.twist
-            return math.isclose(now.linear.x, 1.0, abs_tol=0.05) and math.isclose(
-                now.angular.z, turning, abs_tol=0.05
-            )
-
-        odometry.wait_for(drives)
-        stopped = odometry.wait_for(lambda message: message.twist.twist.linear.x == 0.0)
-        truth = rospy.ServiceProxy("/gazebo/get_model_state", GetModelState)("racecar", "").pose
-        measured = stopped.pose.pose
-        assert math.dist((truth.position.x, truth.position.y), (0.0, 0.0)) > 0.5
-        # The tyres slip, which the wheels do not know.
-        assert math.isclose(measured.position.x, truth.position.x, abs_tol=0.04)
-        assert math.isclose(measured.position.y, truth.position.y, abs_tol=0.04)
-        assert math.isclose(measured.orientation.z, truth.orientation.z, abs_tol=0.02)
-        self.watch("/tf", TFMessage).wait_for(
-            lambda message: any(
-                transform.child_frame_id == "base_link"
-                and transform.header.frame_id == "odom"
-                and transform.transform.translation.x == measured.position.x
-                for transform in message.transforms
-            )
-        )
-
-    def test_groups_move_several_joints(self):
-        self.start("spawner", "states", "rear_wheels", "front_steering")
-        self.wait_until(dict.fromkeys(("states", "rear_wheels", "front_steering"), "running"))
-        joints = self.watch("/racecar/joint_states", JointState)
-        self.command("rear_wheels", Float64MultiArray).publish(data=[8.0, 12.0])
-        self.command("front_steering", Float64MultiArray).publish(data=[0.2, 0.2])
-
-        def turns(message):
-            velocity = dict(zip(message.name, message.velocity))
-            position = dict(zip(message.name, message.position))
-            return (
-                math.isclose(velocity["rear_wheel_joint"], 10.0, abs_tol=0.5)
-                and math.isclose(position["front_steer_joint"], 0.2, abs_tol=0.02)
-                and velocity["left_rear_wheel_joint"] < velocity["right_rear_wheel_joint"]
-            )
-
-        joints.wait_for(turns)
-
-    def test_commands_for_another_number_of_joints_are_refused(self):
-        diagnostics = self.watch("/diagnostics", DiagnosticArray)
-        self.start("spawner", "rear_wheels")
-        self.wait_until({"rear_wheels": "running"})
-        self.command("rear_wheels", Float64MultiArray).publish(data=[8.0])
-
-        def is_counted(message):
-            status = {status.name: status for status in message.status}["sim2d: commands of racecar"]
-            return "a command has 1 values, must have one for each of 2 joints" in status.message
-
-        diagnostics.wait_for(is_counted)
 
     def test_joint_states_come_once_however_often_their_controller_was_loaded(self):
         times = []
@@ -236,23 +168,33 @@ class ControllersTest(unittest.TestCase):
         assert self.controllers() == {"rear_left": "running"}
 
     def test_wrong_parameters_are_named(self):
-        log = self.watch("/rosout", Log)
+        log = self.watch("/rosout_agg", Log)
         for name, said in {
-            "steering_without_limit": "parameter /racecar/steering_without_limit/linear/x/max_velocity: "
-            "not set, must be a number >= 0",
-            "steering_with_no_radius": "parameter /racecar/steering_with_no_radius/wheel_radius: "
-            "found 0, must be a number > 0",
-            "steering_by_a_wheel": "controller steering_by_a_wheel: "
-            "steer_drive_controller/SteerDriveController cannot move rear_wheel_joint, "
-            "which is a wheel: these take velocities or efforts",
-            "group_without_joints": "parameter /racecar/group_without_joints/joints: "
-            "not set, must be a list of names",
+            "without_joint": "parameter /racecar/without_joint/joint: not set, must be a text that is not empty",
+            "turned_wheel": "controller turned_wheel: position_controllers/JointPositionController cannot move "
+            "left_rear_wheel_joint, which is a wheel: these take velocities or efforts",
         }.items():
             assert self.manager("load", name) == (1, f"Error when loading '{name}'")
             log.wait_for(lambda message, said=said: message.msg == said)
 
+    def test_gains_that_are_not_simulated_are_named(self):
+        log = self.watch("/rosout_agg", Log)
+        assert self.manager("load", "rear_right")[0] == 0
+        said = (
+            "controller rear_right: its pid gains are not simulated, right_rear_wheel_joint follows as fast as "
+            "the car can"
+        )
+        log.wait_for(lambda message: message.msg == said)
+
+    def test_a_controller_claims_its_joint_at_its_interface(self):
+        assert self.manager("load", "rear_left_motor")[0] == 0
+        (motor,) = rospy.ServiceProxy(MANAGER + "list_controllers", ListControllers)().controller
+        assert [(claim.hardware_interface, claim.resources) for claim in motor.claimed_resources] == [
+            ("hardware_interface::EffortJointInterface", ["left_rear_wheel_joint"])
+        ]
+
     def test_controllers_that_cannot_be_are_refused(self):
-        for name in ("turned_wheel", "no_joint", "no_type", "unknown_type", "not_there"):
+        for name in ("no_joint", "no_type", "unknown_type", "not_there"):
             assert self.manager("load", name) == (1, f"Error when loading '{name}'")
         assert self.manager("load", "rear_left")[0] == 0
         assert self.manager("load", "rear_left")[0] == 1
@@ -317,30 +259,16 @@ class ControllersTest(unittest.TestCase):
         assert "No controller manager /car/controller_manager within 0.5 s; " in said
         assert "there are: /racecar/controller_manager" in said
 
-    def test_a_controller_claims_each_joint_at_its_interface(self):
-        assert self.manager("load", "steering")[0] == 0
-        (steering,) = rospy.ServiceProxy(MANAGER + "list_controllers", ListControllers)().controller
-        assert [(claim.hardware_interface, claim.resources) for claim in steering.claimed_resources] == [
-            ("hardware_interface::VelocityJointInterface", ["rear_wheel_joint"]),
-            ("hardware_interface::PositionJointInterface", ["front_steer_joint"]),
-        ]
-
     def test_types_that_can_be_loaded(self):
         types = rospy.ServiceProxy(MANAGER + "list_controller_types", ListControllerTypes)().types
         assert types == [
             "joint_state_controller/JointStateController",
-            "ackermann_steering_controller/AckermannSteeringController",
-            "steer_drive_controller/SteerDriveController",
             "velocity_controllers/JointVelocityController",
             "velocity_controllers/JointPositionController",
-            "velocity_controllers/JointGroupVelocityController",
             "position_controllers/JointPositionController",
-            "position_controllers/JointGroupPositionController",
             "effort_controllers/JointEffortController",
             "effort_controllers/JointVelocityController",
             "effort_controllers/JointPositionController",
-            "effort_controllers/JointGroupEffortController",
-            "effort_controllers/JointGroupPositionController",
         ]
 
 

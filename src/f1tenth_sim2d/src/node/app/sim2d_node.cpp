@@ -107,7 +107,6 @@ Fleet::Surroundings Sim2dNode::surroundings()
     return barrier_ ? barrier_->driverOf(car) : CommandInput::Answered([](const ros::Time &) {});
   };
   return {parameters_.odometry,
-          parameters_.simulate_pid,
           node_,
           simulation_,
           world_,

@@ -94,7 +94,7 @@ OutputList Fleet::makeOutputs(Car & car) const
   if (description.ros_control) {
     CarHandle control = handle;
     control.node = ros::NodeHandle(handle.node, description.ros_control->ros_namespace);
-    outputs.push_back(std::make_unique<RosControl>(control, car.commands, around_.simulates_pid));
+    outputs.push_back(std::make_unique<RosControl>(control, car.commands));
   }
   addPlugins(handle, outputs);
   return outputs;

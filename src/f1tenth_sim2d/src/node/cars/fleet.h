@@ -46,7 +46,6 @@ public:
   struct Surroundings
   {
     OdometryOwner odometry;
-    bool simulates_pid;    ///< of controllers of ros_control
     ros::NodeHandle node;  ///< its callback queue must be served by the simulation's thread
     Simulation & simulation;
     SimulatedWorld & world;

@@ -119,7 +119,6 @@ NodeParameters parseNodeParameters(const std::string & name, const XmlRpc::XmlRp
   parameters.simulation.seed = static_cast<std::uint64_t>(seed);
   reader.readChoice(
     "odometry", parameters.odometry, {{"perfect", OdometryOwner::kPerfect}, {"wheel", OdometryOwner::kWheel}});
-  reader.read("simulate_pid", parameters.simulate_pid);
   reader.read("record", parameters.record_file);
   reader.read("interventions", parameters.interventions_file);
   reader.ignore({"result_file"});  // parseResultFile() has read it

@@ -53,7 +53,6 @@ struct NodeParameters
   double silent_subscriber_timeout_sec{10.0};  ///< wall time
   double clock_rate_hz{200.0};                 ///< of simulated time
   OdometryOwner odometry{OdometryOwner::kPerfect};
-  bool simulate_pid{false};        ///< whether wheels obey the pid gains of their controllers
   std::string record_file;         ///< empty: none
   std::string interventions_file;  ///< empty: none
 };

@@ -147,8 +147,7 @@ TEST(NodeParameters, RefusesUnknownKeysNamingTheAllowedOnes)
     errorFor("wrld", "x"),
     "parameter /sim2d/wrld: unknown; allowed: world, cars, real_time_factor, lockstep, participants, "
     "lockstep_timeout, lockstep_startup_timeout, paused, clock_rate, "
-    "silent_subscriber_timeout, physics_step, control_period, seed, odometry, simulate_pid, record, interventions, "
-    "result_file");
+    "silent_subscriber_timeout, physics_step, control_period, seed, odometry, record, interventions, result_file");
   EXPECT_EQ(
     errorOf([](XmlRpcValue & value) { value["cars"]["robot1"]["z"] = 0.0; }),
     "parameter /sim2d/cars/robot1/z: unknown; allowed: x, y, yaw, relative_to_start, vehicle, "

@@ -17,15 +17,13 @@ struct ControllerSetup
   std::string type;
   const CarHandle & car;    ///< its node in the namespace of the controller manager
   CommandInput & commands;  ///< is told of each command
-  bool simulates_pid;       ///< whether wheels obey their pid gains, or else follow as fast as the car can
 
   ros::NodeHandle node() const { return {car.node, name}; }
   workspace_support::ParameterReader parameters() const { return workspace_support::ParameterReader(node()); }
 
-  /// A joint of the car in the hands of this controller.
-  /// @param gains  where its pid gains are below the parameters of the controller; if there are none, those of
-  ///               gazebo_ros_control count. Gains that are not simulated cause a warning
+  /// The joint of the car that its parameter `joint` names. Gains of a PID controller, which are not simulated, cause
+  /// a warning.
   /// @throws Error for one that the car does not have, or that cannot be moved in this way
-  ControlledJoint joint(const std::string & joint, JointCommand::Kind kind, const std::string & gains) const;
+  const JointDescription & joint(JointCommand::Kind kind) const;
 };
 }  // namespace f1tenth_sim2d

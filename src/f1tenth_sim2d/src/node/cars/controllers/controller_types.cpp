@@ -7,7 +7,6 @@
 #include "f1tenth_sim2d/errors.h"
 #include "node/cars/controllers/joint_controller.h"
 #include "node/cars/controllers/joint_state_controller.h"
-#include "node/cars/controllers/steering_controller.h"
 
 namespace f1tenth_sim2d
 {
@@ -33,18 +32,12 @@ const std::vector<Type> & types()
   static const std::string effort = "hardware_interface::EffortJointInterface";
   static const std::vector<Type> types{
     type<JointStateController>("joint_state_controller/JointStateController"),
-    type<SteeringController>("ackermann_steering_controller/AckermannSteeringController"),
-    type<SteeringController>("steer_drive_controller/SteerDriveController"),
-    type<JointController>("velocity_controllers/JointVelocityController", velocity, Kind::kVelocity, false),
-    type<JointController>("velocity_controllers/JointPositionController", velocity, Kind::kPosition, false),
-    type<JointController>("velocity_controllers/JointGroupVelocityController", velocity, Kind::kVelocity, true),
-    type<JointController>("position_controllers/JointPositionController", position, Kind::kPosition, false),
-    type<JointController>("position_controllers/JointGroupPositionController", position, Kind::kPosition, true),
-    type<JointController>("effort_controllers/JointEffortController", effort, Kind::kEffort, false),
-    type<JointController>("effort_controllers/JointVelocityController", effort, Kind::kVelocity, false),
-    type<JointController>("effort_controllers/JointPositionController", effort, Kind::kPosition, false),
-    type<JointController>("effort_controllers/JointGroupEffortController", effort, Kind::kEffort, true),
-    type<JointController>("effort_controllers/JointGroupPositionController", effort, Kind::kPosition, true),
+    type<JointController>("velocity_controllers/JointVelocityController", velocity, Kind::kVelocity),
+    type<JointController>("velocity_controllers/JointPositionController", velocity, Kind::kPosition),
+    type<JointController>("position_controllers/JointPositionController", position, Kind::kPosition),
+    type<JointController>("effort_controllers/JointEffortController", effort, Kind::kEffort),
+    type<JointController>("effort_controllers/JointVelocityController", effort, Kind::kVelocity),
+    type<JointController>("effort_controllers/JointPositionController", effort, Kind::kPosition),
   };
   return types;
 }

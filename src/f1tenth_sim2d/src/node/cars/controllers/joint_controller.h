@@ -3,35 +3,33 @@
 #include <ros/subscriber.h>
 
 #include <string>
-#include <vector>
 
 #include "node/cars/controllers/controller.h"
 #include "node/cars/controllers/controller_setup.h"
 
 namespace f1tenth_sim2d
 {
-/// A controller of one or several joints, with its topic `NAME/command`. A new one starts from standstill: 0.
+/// A controller of one joint, with its topic `NAME/command` (std_msgs/Float64). A new one starts from standstill: 0.
 class JointController : public Controller
 {
 public:
   /// @param interface  "hardware_interface::VelocityJointInterface"
-  /// @param is_group   several joints and a std_msgs/Float64MultiArray, or else one and a std_msgs/Float64
-  /// @throws Error for joints that this type cannot move
-  JointController(const ControllerSetup & setup, const std::string & interface, JointCommand::Kind kind, bool is_group);
+  /// @throws Error for a joint that this type cannot move
+  JointController(const ControllerSetup & setup, const std::string & interface, JointCommand::Kind kind);
 
-  Claims claims() const override;
-  void start(SimTime now) override;
-  std::vector<JointCommand> update(SimTime now, double dt) override;
+  Claim claim() const override;
+  void start(SimTime /*now*/) override { value_ = 0.0; }
+  std::optional<JointCommand> update(SimTime /*now*/) override { return JointCommand{kind_, joint_, value_}; }
 
 private:
-  void take(const std::vector<double> & values);
-  std::string objectionTo(const std::vector<double> & values) const;
+  void take(double value);
 
   const std::string interface_;
-  const CarHandle car_;
+  const JointCommand::Kind kind_;
+  const JointDescription joint_;
+  const double wheel_radius_;  // m
   CommandInput & commands_;
-  std::vector<ControlledJoint> joints_;
-  std::vector<double> values_;  // of the joints
+  double value_{0.0};
   ros::Subscriber subscriber_;
 };
 }  // namespace f1tenth_sim2d

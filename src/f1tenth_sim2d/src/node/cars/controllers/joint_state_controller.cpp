@@ -19,9 +19,11 @@ JointStateController::JointStateController(const ControllerSetup & setup)
 {
 }
 
-Controller::Claims JointStateController::claims() const
+Controller::Claim JointStateController::claim() const
 {
-  return {claimOf("hardware_interface::JointStateInterface", {})};
+  Claim claim;
+  claim.hardware_interface = "hardware_interface::JointStateInterface";
+  return claim;
 }
 
 void JointStateController::start(SimTime now)
@@ -31,9 +33,9 @@ void JointStateController::start(SimTime now)
     periodOf(output_.rate()), [this](SimTime at) { output_.update(at, false); }, now);
 }
 
-std::vector<JointCommand> JointStateController::update(SimTime now, double /*dt*/)
+std::optional<JointCommand> JointStateController::update(SimTime now)
 {
   schedule_.run(now);
-  return {};
+  return std::nullopt;
 }
 }  // namespace f1tenth_sim2d

@@ -13,9 +13,9 @@ class JointStateController : public Controller
 public:
   explicit JointStateController(const ControllerSetup & setup);
 
-  Claims claims() const override;
+  Claim claim() const override;
   void start(SimTime now) override;
-  std::vector<JointCommand> update(SimTime now, double dt) override;
+  std::optional<JointCommand> update(SimTime now) override;
 
 private:
   JointStatesOutput output_;

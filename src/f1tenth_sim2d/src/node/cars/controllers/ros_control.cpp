@@ -24,16 +24,6 @@ bool isAmong(const std::vector<std::string> & names, const std::string & name)
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The joints that it moves.
-std::vector<std::string> jointsOf(const Controller & controller)
-{
-  std::vector<std::string> joints;
-  for (const auto & claim : controller.claims()) {
-    joints.insert(joints.end(), claim.resources.begin(), claim.resources.end());
-  }
-  return joints;
-}
-
 /// @param answer  takes the request and the response
 template <class Service, class Answer>
 ros::ServiceServer serve(ros::NodeHandle & car, const std::string & name, const Answer & answer)
@@ -68,10 +58,9 @@ void listTypes(controller_manager_msgs::ListControllerTypes::Response & response
 }
 }  // namespace
 
-RosControl::RosControl(CarHandle car, CommandInput & commands, bool simulates_pid)
+RosControl::RosControl(CarHandle car, CommandInput & commands)
 : car_(std::move(car)),
   commands_(commands),
-  simulates_pid_(simulates_pid),
   rate_hz_(1.0 / std::max(kLeastPeriod, car_.description().ros_control->control_period_sec))
 {
   using namespace controller_manager_msgs;
@@ -96,22 +85,21 @@ void RosControl::update(SimTime now, bool /*anyway*/)
       }
     }
   }
-  const double dt = toSeconds(now - last_);
   last_ = now;
-  if (const auto commands = wanted(now, dt); !commands.empty()) {
+  if (const auto commands = wanted(now); !commands.empty()) {
     const auto & simulation = car_.simulation;
     commands_.apply(
       driveCommand(commands, car_.description(), simulation.parameters(car_.id), simulation.state(car_.id).velocity.x));
   }
 }
 
-std::vector<JointCommand> RosControl::wanted(SimTime now, double dt)
+std::vector<JointCommand> RosControl::wanted(SimTime now)
 {
   std::vector<JointCommand> commands;
   for (auto & [name, loaded] : controllers_) {
     if (loaded.runs()) {
-      for (const JointCommand & command : loaded.controller->update(now, dt)) {
-        commands.push_back(command);
+      if (const auto command = loaded.controller->update(now)) {
+        commands.push_back(*command);
       }
     }
   }
@@ -125,7 +113,7 @@ void RosControl::list(controller_manager_msgs::ListControllers::Response & respo
     state.name = name;
     state.state = loaded.state;
     state.type = loaded.type;
-    state.claimed_resources = loaded.controller->claims();
+    state.claimed_resources = {loaded.controller->claim()};
     response.controller.push_back(state);
   }
 }
@@ -135,7 +123,7 @@ void RosControl::load(const std::string & name)
   if (controllers_.count(name) > 0) {
     throw Error("controller " + name + ": is loaded already");
   }
-  ControllerSetup setup{name, "", car_, commands_, simulates_pid_};
+  ControllerSetup setup{name, "", car_, commands_};
   setup.parameters().readRequired("type", setup.type);
   controllers_.emplace(name, Loaded{setup.type, makeController(setup)});
 }
@@ -203,7 +191,7 @@ void RosControl::checkJoints(const Names & start, const Names & stop) const
   std::set<std::string> claimed;
   for (const auto & [name, loaded] : controllers_) {
     if (loaded.runs() && !isAmong(stop, name)) {
-      const Names joints = jointsOf(*loaded.controller);
+      const Names joints = loaded.controller->claim().resources;
       claimed.insert(joints.begin(), joints.end());
     }
   }
@@ -212,7 +200,7 @@ void RosControl::checkJoints(const Names & start, const Names & stop) const
     if (found == controllers_.end() || (found->second.runs() && !isAmong(stop, name))) {
       continue;  // not started, or counted above
     }
-    for (const std::string & joint : jointsOf(*found->second.controller)) {
+    for (const std::string & joint : found->second.controller->claim().resources) {
       if (!claimed.insert(joint).second) {
         throw Error("controller " + name + ": another controller has its joint " + joint);
       }

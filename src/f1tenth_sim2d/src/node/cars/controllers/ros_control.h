@@ -22,8 +22,7 @@ class RosControl : public Output
 public:
   /// @param car       its node in the namespace of the controller manager
   /// @param commands  of the car; takes what the controllers want, and is told of the commands to them
-  /// @param simulates_pid  whether wheels obey their controllers' pid gains, or else follow as fast as the car can
-  RosControl(CarHandle car, CommandInput & commands, bool simulates_pid);
+  RosControl(CarHandle car, CommandInput & commands);
 
   double rate() const override { return rate_hz_; }
   void update(SimTime now, bool anyway) override;
@@ -51,11 +50,10 @@ private:
   void checkSwitch(const Names & start, const Names & stop) const;
   /// Checks that no joint would have two controllers.
   void checkJoints(const Names & start, const Names & stop) const;
-  std::vector<JointCommand> wanted(SimTime now, double dt);
+  std::vector<JointCommand> wanted(SimTime now);
 
   CarHandle car_;
   CommandInput & commands_;
-  const bool simulates_pid_;
   const double rate_hz_;
   SimTime last_{0};
   std::map<std::string, Loaded> controllers_;

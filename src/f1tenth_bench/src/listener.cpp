@@ -1,7 +1,7 @@
 // Subscribes to everything that the simulator publishes about one car, and counts. When it is connected, it lets the
 // car circle, sets the paused simulator going and prints "going". When asked to end (SIGINT), it pauses the simulator,
 // prints "paused", waits until the simulator has ended and prints {"wall_seconds": s, "received": {"topic": messages,
-// ...}}.
+// ...}, "missing": {"topic": messages, ...}}; missing are those that header.seq has skipped.
 //   listener NAMESPACE
 #include <gazebo_msgs/ContactsState.h>
 #include <geometry_msgs/Twist.h>
@@ -74,16 +74,41 @@ public:
 
   void print() const
   {
-    std::printf("{\"wall_seconds\": %.6f, \"received\": ", wall_sec_);
-    const char * separator = "{";
-    for (const auto & [topic, count] : counts_) {
-      std::printf("%s\"%s\": %llu", separator, topic.c_str(), static_cast<unsigned long long>(count));
-      separator = ", ";
-    }
-    std::printf("}}\n");
+    std::printf("{\"wall_seconds\": %.6f", wall_sec_);
+    print("received", &Count::received);
+    print("missing", &Count::missing);
+    std::printf("}\n");
   }
 
 private:
+  struct Count
+  {
+    std::uint64_t received{0};
+    std::uint64_t missing{0};
+    std::uint32_t next{0};  // number of the message that comes next
+  };
+
+  void print(const char * title, std::uint64_t Count::*number) const
+  {
+    std::printf(", \"%s\": ", title);
+    const char * separator = "{";
+    for (const auto & [topic, count] : counts_) {
+      std::printf("%s\"%s\": %llu", separator, topic.c_str(), static_cast<unsigned long long>(count.*number));
+      separator = ", ";
+    }
+    std::printf("}");
+  }
+
+  template <class Message>
+  static void note(const Message & message, Count & count)
+  {
+    ++count.received;
+    if (const std_msgs::Header * header = ros::message_traits::header(message)) {
+      count.missing += header->seq - count.next;
+      count.next = header->seq + 1;
+    }
+  }
+
   static bool isHeard(const ros::Subscriber & subscriber) { return subscriber.getNumPublishers() > 0; }
 
   static void say(const char * what)
@@ -104,14 +129,14 @@ private:
   template <class Message>
   void listen(const std::string & topic)
   {
-    std::uint64_t & count = counts_[node_.resolveName(topic)];
-    subscribers_.push_back(
-      node_.subscribe<Message>(topic, 0, [&count](const typename Message::ConstPtr &) { ++count; }));
+    Count & count = counts_[node_.resolveName(topic)];
+    subscribers_.push_back(node_.subscribe<Message>(
+      topic, 0, [&count](const typename Message::ConstPtr & message) { note(*message, count); }));
   }
 
   ros::NodeHandle node_;
   ros::Publisher command_;
-  std::map<std::string, std::uint64_t> counts_;
+  std::map<std::string, Count> counts_;
   std::list<ros::Subscriber> subscribers_;
   ros::WallTime start_;
   double wall_sec_{0.0};

@@ -61,8 +61,8 @@ void PerfectOdometry::load(
 
 void PerfectOdometry::update(const ros::Time & stamp)
 {
-  const bool subscribed = publisher_.hasSubscribers();
-  const bool poses = pose_publisher_ && pose_publisher_->hasSubscribers();
+  const bool subscribed = publisher_.getNumSubscribers() > 0;
+  const bool poses = pose_publisher_ && pose_publisher_->getNumSubscribers() > 0;
   const bool transforms = context_->owns_odometry_transform && (parameters_.always_on || subscribed);
   if (subscribed || poses || transforms) {
     measure(stamp);

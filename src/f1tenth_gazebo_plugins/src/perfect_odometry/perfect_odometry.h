@@ -26,8 +26,8 @@ private:
 
   OdometryParameters parameters_;
   std::optional<f1tenth_sim2d::CarPluginContext> context_;
-  f1tenth_sim2d::TopicPublisher<nav_msgs::Odometry> publisher_;
-  std::optional<f1tenth_sim2d::TopicPublisher<geometry_msgs::PoseStamped>> pose_publisher_;
+  ros::Publisher publisher_;
+  std::optional<ros::Publisher> pose_publisher_;
   nav_msgs::Odometry odometry_;
   geometry_msgs::PoseStamped pose_;
   geometry_msgs::TransformStamped transform_;

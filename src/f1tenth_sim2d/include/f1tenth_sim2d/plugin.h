@@ -17,7 +17,7 @@ struct CarPluginContext
   const Simulation & simulation;
   CarId car;                ///< valid as long as the plugin lives
   ros::NodeHandle node;     ///< in the car's namespace
-  Advertiser & advertiser;  ///< its topics wait for slow subscribers; a ros::Publisher of your own does not
+  Advertiser & advertiser;
   TransformSender & transforms;
   std::string frame_prefix;      ///< put before every frame id, "robot1/" or ""
   bool owns_odometry_transform;  ///< whether perfect odometry publishes odom -> base_footprint

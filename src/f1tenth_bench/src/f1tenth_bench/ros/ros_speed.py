@@ -32,27 +32,22 @@ def measure_node(world, wall_seconds, lidar=F1TENTH, centre=(0.0, 0.0), **parame
         end(sim2d)
         heard = json.loads(listener.communicate(timeout=LONG)[0])
         result = run.result()
-    received = heard["received"]
-    published = {topic: count for topic, count in result["published"].items() if topic in received}
+    received, missing = (sum(heard[kind].values()) for kind in ("received", "missing"))
     return {
         "simulated_seconds": result["sim_time"],
         "wall_seconds": heard["wall_seconds"],
         "cpu_seconds_per_wall_second": cpu / wall_seconds,
         "resident_mb": resident,
-        "messages": sum(published.values()),
-        "received_percent": 100.0 * sum(received.values()) / sum(published.values()),
-        "problem": _problem(published, received),
+        "messages": received + missing,
+        "received_percent": 100.0 * received / (received + missing),
+        "problem": _problem(heard["missing"]),
     }
 
 
-def _problem(published, received):
+def _problem(missing):
     """Say which messages were not received; "" if all were."""
-    missing = [
-        f"{count - received[topic]} of {topic}"
-        for topic, count in sorted(published.items())
-        if count != received[topic]
-    ]
-    return f"not received: {', '.join(missing)}" if missing else ""
+    found = [f"{count} of {topic}" for topic, count in sorted(missing.items()) if count]
+    return f"not received: {', '.join(found)}" if found else ""
 
 
 def real_time_factor(world, wall_seconds=10.0, **options):

@@ -1,6 +1,5 @@
 #include "node/app/diagnostics_output.h"
 
-#include <boost/algorithm/string/join.hpp>
 #include <cstdio>
 #include <utility>
 
@@ -47,12 +46,10 @@ bool isDisturbed(const TimeControl & before, const TimeControl & after)
 }  // namespace
 
 DiagnosticsOutput::DiagnosticsOutput(
-  TopicPublisher<DiagnosticArray> publisher, const TimeControl & control,
-  std::function<std::vector<Fleet::Driver>()> drivers, FlowControl & flow)
+  ros::Publisher publisher, const TimeControl & control, std::function<std::vector<Fleet::Driver>()> drivers)
 : MessageOutput(std::move(publisher), kRate),
   control_(control),
   drivers_(std::move(drivers)),
-  flow_(flow),
   seen_(control)
 {
 }
@@ -75,7 +72,6 @@ void DiagnosticsOutput::fill(diagnostic_msgs::DiagnosticArray & message, SimTime
   message.header.stamp = toRosTime(now);
   message.status.clear();
   message.status.push_back(timeStatus());
-  message.status.push_back(subscriberStatus());
   for (const auto & driver : drivers_()) {
     message.status.push_back(commandStatus(driver));
   }
@@ -100,21 +96,6 @@ DiagnosticStatus DiagnosticsOutput::timeStatus() const
   if (wanted > 0.0 && *factor_ < kFastEnough * wanted) {
     status.level = DiagnosticStatus::WARN;
     status.message += ", cannot keep up with " + shown(wanted);
-  }
-  return status;
-}
-
-DiagnosticStatus DiagnosticsOutput::subscriberStatus()
-{
-  DiagnosticStatus status;
-  status.name = "sim2d: subscribers";
-  status.hardware_id = "sim2d";
-  status.values = {
-    value("waited_sec", shown(flow_.waitedSec())), value("lost_messages", std::to_string(flow_.lostMessages()))};
-  status.message = "OK";
-  if (const auto slow = flow_.takeSlowSubscribers(); !slow.empty()) {
-    status.level = DiagnosticStatus::WARN;
-    status.message = "cannot keep up: " + boost::algorithm::join(slow, ", ");
   }
   return status;
 }

@@ -13,7 +13,6 @@
 
 #include "node/app/sim2d_node.h"
 #include "node/time/stop_signal.h"
-#include "node/transport/no_delay.h"
 
 namespace f1tenth_sim2d
 {
@@ -67,7 +66,6 @@ private:
     handleStopSignals();
     requireMaster();
     keeps_ros_running_.emplace();
-    sendSmallMessagesAtOnce();
     const auto & name = parameters_.empty() ? ros::this_node::getName() : parameters_;
     const auto all = readParameters(name);
     result_file_ = parseResultFile(name, all);

@@ -23,8 +23,6 @@ nlohmann::ordered_json toJson(const RunResult & result)
     {"periods", result.periods},
     {"trajectory_hash", result.trajectory_hash},
     {"seed", result.seed},
-    {"published", result.published},
-    {"lost", result.lost},
   };
 }
 

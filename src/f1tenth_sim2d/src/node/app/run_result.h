@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
 
 namespace f1tenth_sim2d
@@ -17,8 +16,6 @@ struct RunResult
   std::int64_t periods{0};      ///< control periods
   std::string trajectory_hash;  ///< empty if there was no run
   std::uint64_t seed{0};
-  std::map<std::string, std::uint64_t> published;  ///< messages by topic, of topics that somebody listened to
-  std::uint64_t lost{0};                           ///< messages that subscribers lost because they lagged behind
 };
 
 /// Writes JSON to a temporary file beside the file, then renames it, so that nobody ever reads half a result.

@@ -2,6 +2,8 @@
 
 #include <ros/console.h>
 #include <ros/param.h>
+#include <rosgraph_msgs/Clock.h>
+#include <sim2d_lockstep/participant.h>
 
 #include <utility>
 
@@ -71,15 +73,13 @@ void addCars(const std::vector<CarParameters> & cars, const Pose2 & start, Fleet
 Sim2dNode::Sim2dNode(const NodeParameters & parameters)
 : parameters_(parameters),
   node_(nodeWithQueue("/", queue_)),
-  outbox_(node_),
-  flow_(outbox_, queue_, parameters.silent_subscriber_timeout_sec),
-  transforms_(outbox_, node_),
+  transforms_(advertiser_, node_),
   simulation_(simulationOf(parameters)),
   plugins_(pluginFoldersFromEnvironment()),
   world_(simulation_, transforms_, parameters.control_period_sec, parameters.record_file),
   interventions_(parameters.interventions_file),
   control_(controlOf(parameters)),
-  clock_(outbox_.advertise<rosgraph_msgs::Clock>(node_, "/clock")),
+  clock_(advertiser_.advertise<rosgraph_msgs::Clock>(node_, "/clock")),
   barrier_(makeBarrier()),
   fleet_(surroundings()),
   models_(node_, simulation_, fleet_, interventions_),
@@ -110,7 +110,7 @@ Fleet::Surroundings Sim2dNode::surroundings()
           node_,
           simulation_,
           world_,
-          outbox_,
+          advertiser_,
           transforms_,
           plugins_,
           driver_of};
@@ -120,12 +120,12 @@ OutputList Sim2dNode::globalOutputs()
 {
   OutputList outputs;
   outputs.push_back(std::make_unique<EntityStatesOutput<gazebo_msgs::ModelStates>>(
-    outbox_.advertise<gazebo_msgs::ModelStates>(node_, "/gazebo/model_states"), simulation_, &entities));
+    advertiser_.advertise<gazebo_msgs::ModelStates>(node_, "/gazebo/model_states"), simulation_, &entities));
   outputs.push_back(std::make_unique<EntityStatesOutput<gazebo_msgs::LinkStates>>(
-    outbox_.advertise<gazebo_msgs::LinkStates>(node_, "/gazebo/link_states"), simulation_, &links));
+    advertiser_.advertise<gazebo_msgs::LinkStates>(node_, "/gazebo/link_states"), simulation_, &links));
   outputs.push_back(std::make_unique<DiagnosticsOutput>(
-    outbox_.advertise<diagnostic_msgs::DiagnosticArray>(node_, "/diagnostics"), control_,
-    [this] { return fleet_.drivers(); }, flow_));
+    advertiser_.advertise<diagnostic_msgs::DiagnosticArray>(node_, "/diagnostics"), control_,
+    [this] { return fleet_.drivers(); }));
   return outputs;
 }
 
@@ -138,14 +138,13 @@ void Sim2dNode::addClock()
 
 std::unique_ptr<TimeKeeper> Sim2dNode::makeTimeKeeper()
 {
-  flow_.setWaiting(control_.real_time_factor <= 0.0);
   if (control_.is_lockstep) {
-    return std::make_unique<LockstepTime>(simulation_, world_, queue_, control_, outbox_, flow_, clock_, *barrier_);
+    return std::make_unique<LockstepTime>(simulation_, world_, queue_, control_, advertiser_, clock_, *barrier_);
   }
   if (control_.real_time_factor > 0.0) {
-    return std::make_unique<PacedTime>(world_, queue_, control_, flow_);
+    return std::make_unique<PacedTime>(world_, queue_, control_);
   }
-  return std::make_unique<FreeTime>(world_, queue_, control_, flow_);
+  return std::make_unique<FreeTime>(world_, queue_, control_);
 }
 
 void Sim2dNode::restart()
@@ -178,7 +177,7 @@ void Sim2dNode::run()
   world_.finishPeriod();
   // First of all: on a busy machine whoever asked for the end may lose patience while ROS shuts down.
   world_.flushRecord();
-  flow_.drain();
+  sim2d_lockstep::InboxDrain().drain();
 }
 
 RunResult Sim2dNode::result() const
@@ -189,10 +188,6 @@ RunResult Sim2dNode::result() const
   result.periods = world_.periods();
   result.trajectory_hash = world_.hash();
   result.seed = parameters_.simulation.seed;
-  for (const auto & [topic, counts] : outbox_.counts()) {
-    result.published[topic] = counts->published;
-  }
-  result.lost = flow_.lostMessages();
   return result;
 }
 }  // namespace f1tenth_sim2d

@@ -2,7 +2,6 @@
 
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
-#include <rosgraph_msgs/Clock.h>
 
 #include <memory>
 #include <optional>
@@ -17,8 +16,6 @@
 #include "node/parameters/node_parameters.h"
 #include "node/time/lockstep_barrier.h"
 #include "node/time/time_keeper.h"
-#include "node/transport/flow_control.h"
-#include "node/transport/outbox.h"
 #include "node/world/intervention_log.h"
 #include "node/world/simulated_world.h"
 
@@ -50,15 +47,14 @@ private:
   const NodeParameters parameters_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
-  Outbox outbox_;
-  FlowControl flow_;
+  Advertiser advertiser_;
   TransformBatch transforms_;
   Simulation simulation_;
   PluginHost plugins_;
   SimulatedWorld world_;
   InterventionLog interventions_;
   TimeControl control_;
-  TopicPublisher<rosgraph_msgs::Clock> clock_;
+  ros::Publisher clock_;
   std::unique_ptr<LockstepBarrier> barrier_;  // in lockstep only
   Fleet fleet_;
   std::optional<RunningOutputs> global_outputs_;

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "f1tenth_sim2d/publishing.h"
 #include "node/messages/output.h"
 
 namespace f1tenth_sim2d
@@ -26,7 +27,7 @@ struct CarHandle
   /// A frame id of the description with the car's prefix, which a description for several cars may already contain.
   std::string frame(const std::string & given) const { return frame_prefix + withoutPrefix(given, frame_prefix); }
   template <class Message>
-  TopicPublisher<Message> advertise(const std::string & topic) const
+  ros::Publisher advertise(const std::string & topic) const
   {
     return advertiser.advertise<Message>(node, topic);
   }

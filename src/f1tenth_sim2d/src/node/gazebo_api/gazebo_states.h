@@ -18,7 +18,7 @@ class EntityStatesOutput : public MessageOutput<Message>
 public:
   using List = std::vector<Entity> (*)(const Simulation &);
 
-  EntityStatesOutput(TopicPublisher<Message> publisher, const Simulation & simulation, List list)
+  EntityStatesOutput(ros::Publisher publisher, const Simulation & simulation, List list)
   : MessageOutput<Message>(std::move(publisher), kRate), simulation_(simulation), list_(list)
   {
   }

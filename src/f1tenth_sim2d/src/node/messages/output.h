@@ -1,5 +1,6 @@
 #pragma once
 
+#include <ros/publisher.h>
 #include <ros/time.h>
 #include <rosgraph_msgs/Clock.h>
 
@@ -8,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "f1tenth_sim2d/publishing.h"
 #include "f1tenth_sim2d/simulation.h"
 
 namespace f1tenth_sim2d
@@ -54,7 +54,7 @@ public:
 
   void update(SimTime now, bool anyway) override
   {
-    if (!anyway && !publisher_.hasSubscribers()) {
+    if (!anyway && publisher_.getNumSubscribers() == 0) {
       skip();
       return;
     }
@@ -71,9 +71,7 @@ public:
   }
 
 protected:
-  MessageOutput(TopicPublisher<Message> publisher, double rate_hz) : rate_hz_(rate_hz), publisher_(std::move(publisher))
-  {
-  }
+  MessageOutput(ros::Publisher publisher, double rate_hz) : rate_hz_(rate_hz), publisher_(std::move(publisher)) {}
 
   virtual void fill(Message & message, SimTime now) = 0;
   /// Instead of fill() when nobody subscribes.
@@ -83,7 +81,7 @@ protected:
 
 private:
   const double rate_hz_;
-  const TopicPublisher<Message> publisher_;
+  const ros::Publisher publisher_;
   bool filled_{false};
 };
 }  // namespace f1tenth_sim2d

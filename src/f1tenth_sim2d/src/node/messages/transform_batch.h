@@ -21,7 +21,7 @@ public:
   void publish()
   {
     if (!message_.transforms.empty()) {
-      if (publisher_.hasSubscribers()) {
+      if (publisher_.getNumSubscribers() > 0) {
         publisher_.publish(message_);
       }
       message_.transforms.clear();
@@ -29,7 +29,7 @@ public:
   }
 
 private:
-  TopicPublisher<tf2_msgs::TFMessage> publisher_;
+  ros::Publisher publisher_;
   tf2_msgs::TFMessage message_;
 };
 }  // namespace f1tenth_sim2d

@@ -79,7 +79,6 @@ void readTime(ParameterReader & reader, NodeParameters & parameters)
   reader.read("lockstep_startup_timeout", parameters.lockstep.startup_timeout_sec, patience());
   reader.read("paused", parameters.paused);
   reader.read("clock_rate", parameters.clock_rate_hz, frequency());
-  reader.read("silent_subscriber_timeout", parameters.silent_subscriber_timeout_sec, patience());
 }
 
 void readSteps(ParameterReader & reader, NodeParameters & parameters)

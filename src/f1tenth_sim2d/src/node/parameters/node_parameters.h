@@ -50,7 +50,6 @@ struct NodeParameters
   double control_period_sec{0.025};
   SimulationOptions simulation;
   bool paused{false};                          ///< at the start
-  double silent_subscriber_timeout_sec{10.0};  ///< wall time
   double clock_rate_hz{200.0};                 ///< of simulated time
   OdometryOwner odometry{OdometryOwner::kPerfect};
   std::string record_file;         ///< empty: none

@@ -13,18 +13,15 @@ const ros::WallDuration kStopCheck{0.1};
 
 void FreeTime::advance()
 {
-  const int restarts = control_.restarts;
-  const auto interrupted = [&] { return stopRequested() || control_.paused || control_.restarts != restarts; };
   queue_.callAvailable();
-  flow_.waitForSubscribers(interrupted);
-  if (!interrupted()) {
+  if (!stopRequested() && !control_.paused) {
     world_.advanceTo(world_.periodEnd());
+    drain_.drain();
   }
 }
 
-PacedTime::PacedTime(
-  SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control, FlowControl & flow)
-: world_(world), queue_(queue), control_(control), flow_(flow), pacer_(control.real_time_factor)
+PacedTime::PacedTime(SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control)
+: world_(world), queue_(queue), control_(control), pacer_(control.real_time_factor)
 {
   restart();
 }
@@ -39,7 +36,6 @@ void PacedTime::advance()
   const SimTime next = world_.nextDue();
   if (serveCallbacksUntilDue(next)) {
     world_.advanceTo(next);
-    flow_.waitForSubscribers([] { return false; });
   }
 }
 

@@ -1,20 +1,21 @@
 #pragma once
 
 #include <ros/callback_queue.h>
+#include <sim2d_lockstep/participant.h>
 
 #include "node/time/pacer.h"
 #include "node/time/time_keeper.h"
-#include "node/transport/flow_control.h"
 #include "node/world/simulated_world.h"
 
 namespace f1tenth_sim2d
 {
-/// As fast as possible.
+/// As fast as possible, but no faster than what is published reaches the sockets: a subscriber that keeps up loses
+/// nothing.
 class FreeTime : public TimeKeeper
 {
 public:
-  FreeTime(SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control, FlowControl & flow)
-  : world_(world), queue_(queue), control_(control), flow_(flow)
+  FreeTime(SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control)
+  : world_(world), queue_(queue), control_(control)
   {
   }
   /// By one control period.
@@ -24,14 +25,14 @@ private:
   SimulatedWorld & world_;
   ros::CallbackQueue & queue_;
   const TimeControl & control_;
-  FlowControl & flow_;
+  sim2d_lockstep::InboxDrain drain_;
 };
 
 /// A fixed number of simulated seconds per wall second, if the machine can.
 class PacedTime : public TimeKeeper
 {
 public:
-  PacedTime(SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control, FlowControl & flow);
+  PacedTime(SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control);
   void advance() override;
   void restart() override;
 
@@ -41,7 +42,6 @@ private:
   SimulatedWorld & world_;
   ros::CallbackQueue & queue_;
   const TimeControl & control_;
-  FlowControl & flow_;
   Pacer pacer_;
 };
 }  // namespace f1tenth_sim2d

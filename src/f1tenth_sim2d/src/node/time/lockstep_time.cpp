@@ -9,13 +9,12 @@ namespace f1tenth_sim2d
 {
 LockstepTime::LockstepTime(
   const Simulation & simulation, SimulatedWorld & world, ros::CallbackQueue & queue, const TimeControl & control,
-  Outbox & outbox, FlowControl & flow, const TopicPublisher<rosgraph_msgs::Clock> & clock, LockstepBarrier & barrier)
+  const Advertiser & advertiser, const ros::Publisher & clock, LockstepBarrier & barrier)
 : simulation_(simulation),
   world_(world),
   queue_(queue),
   control_(control),
-  outbox_(outbox),
-  flow_(flow),
+  advertiser_(advertiser),
   clock_(clock),
   barrier_(barrier)
 {
@@ -25,10 +24,8 @@ void LockstepTime::advance()
 {
   const int restarts = control_.restarts;
   const auto restarted = [&] { return control_.restarts != restarts; };
-  const auto interrupted = [&] { return stopRequested() || control_.paused || restarted(); };
   queue_.callAvailable();
-  flow_.waitForSubscribers(interrupted);
-  if (interrupted()) {
+  if (stopRequested() || control_.paused || restarted()) {
     return;
   }
   const SimTime end = world_.periodEnd();
@@ -39,7 +36,7 @@ void LockstepTime::advance()
     }
   }
   barrier_.open(end, world_.periods() + 1);
-  subscribers_ = outbox_.subscriberCount();
+  arrivals_ = advertiser_.arrivals();
   world_.advanceTo(end);
   lookAtCars(begin);
   publishClock();
@@ -99,9 +96,8 @@ void LockstepTime::repeatPeriod()
       world_.repeatForDriver(car);
     }
   }
-  const std::size_t subscribers = outbox_.subscriberCount();
-  if (subscribers != subscribers_) {
-    subscribers_ = subscribers;
+  if (arrivals_ != advertiser_.arrivals()) {
+    arrivals_ = advertiser_.arrivals();
     world_.repeatOthers();
   }
   publishClock();

@@ -31,10 +31,9 @@ protected:
 TEST_F(RunResultTest, WritesAllFieldsAndLeavesNoTemporaryFile)
 {
   const std::string file = folder_ / "result.json";
-  writeResult(
-    file, {"participant_silent", "a \"quoted\" line", "robot1", 1.5, 0.25, 60, "abc", 7, {{"/clock", 300}}, 0});
+  writeResult(file, {"participant_silent", "a \"quoted\" line", "robot1", 1.5, 0.25, 60, "abc", 7});
   const auto json = nlohmann::json::parse(std::ifstream(file));
-  EXPECT_EQ(json.size(), 10u);
+  EXPECT_EQ(json.size(), 8u);
   EXPECT_EQ(json["reason"], "participant_silent");
   EXPECT_EQ(json["error"], "a \"quoted\" line");
   EXPECT_EQ(json["participant"], "robot1");
@@ -43,8 +42,6 @@ TEST_F(RunResultTest, WritesAllFieldsAndLeavesNoTemporaryFile)
   EXPECT_EQ(json["periods"], 60);
   EXPECT_EQ(json["trajectory_hash"], "abc");
   EXPECT_EQ(json["seed"], 7);
-  EXPECT_EQ(json["published"]["/clock"], 300);
-  EXPECT_EQ(json["lost"], 0);
   EXPECT_FALSE(std::filesystem::exists(file + ".tmp"));
 }
 

@@ -3,11 +3,13 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "f1tenth_sim2d/component.h"
 #include "f1tenth_sim2d/geometry.h"
 #include "f1tenth_sim2d/simulation_types.h"
 #include "f1tenth_sim2d/vehicle_parameters.h"
@@ -45,31 +47,6 @@ struct BumperDescription
   std::string frame;
   double rate_hz{50.0};                      ///< 0: at every physics step
   std::vector<std::string> collision_names;  ///< scoped names of Solids of the car
-};
-
-struct ImuDescription
-{
-  std::string name;
-  std::string topic{"imu"};
-  std::string frame{"imu"};
-  Pose3 pose;                             ///< its axes are those of the measurements
-  double rate_hz{100.0};                  ///< 0: at every physics step
-  double yaw_rate_noise_stddev{0.0};      ///< rad/s
-  double acceleration_noise_stddev{0.0};  ///< m/s^2
-};
-
-/// A sonar: the distance to the nearest thing that one of its rays hits. libgazebo_ros_range.so.
-struct SonarDescription
-{
-  std::string name;
-  std::string topic;
-  std::string frame;
-  RayFan rays;                 ///< from the sonar's position; range_max is the sonar's
-  double rate_hz{0.0};         ///< 0: at every physics step
-  double range_min{0.0};       ///< m
-  double noise_stddev{0.0};    ///< m
-  double field_of_view{0.05};  ///< rad, as published; what is seen depends on the rays alone
-  bool is_infrared{false};
 };
 
 /// The true pose of a link as nav_msgs/Odometry: libgazebo_ros_p3d.so.
@@ -173,9 +150,8 @@ struct CarDescription
 
   std::vector<LidarDescription> lidars;
   std::vector<BumperDescription> bumpers;
-  std::optional<ImuDescription> imu;
   std::vector<PoseSensorDescription> pose_sensors;
-  std::vector<SonarDescription> sonars;
+  std::vector<std::shared_ptr<const Component>> components;  ///< all others; a car gets clones of them
   std::optional<DriveDescription> drive;
   std::optional<RosControlDescription> ros_control;
 

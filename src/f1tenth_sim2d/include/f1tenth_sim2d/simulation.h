@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "f1tenth_sim2d/car_model.h"
+#include "f1tenth_sim2d/component.h"
 #include "f1tenth_sim2d/simulation_types.h"
 #include "f1tenth_sim2d/vehicle_parameters.h"
 #include "f1tenth_sim2d/world_model.h"
@@ -90,8 +91,11 @@ public:
 
   CarState state(CarId car) const;
   WheelOdometry wheelOdometry(CarId car) const;
-  /// Noise depends on seed, car and time only, so reading or not reading a sensor changes nothing.
-  ImuSample imu(CarId car) const;
+
+  /// What is mounted on a car: its lidars, the components of its description, then what mount() has added.
+  const std::vector<std::shared_ptr<Component>> & components(CarId car) const;
+  /// Puts one more component on a car, until the car is removed. Its hooks are called from the next step on.
+  void mount(CarId car, std::shared_ptr<Component> component);
 
   /// Ranges of a lidar now, m, +inf where nothing is hit within range_max. Writes beam_count floats; allocates nothing.
   /// A hit nearer than range_min is reported as -inf (REP-117).

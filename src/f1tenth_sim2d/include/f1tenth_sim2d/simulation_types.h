@@ -74,14 +74,6 @@ struct WheelOdometry
   double lateral_speed{0.0};  ///< m/s, to the left; of a planar drive only
 };
 
-/// In the frame of the car, without the rotation of the sensor on it, which is in ImuDescription::pose.
-struct ImuSample
-{
-  double yaw{0.0};       ///< rad
-  double yaw_rate{0.0};  ///< rad/s
-  Vec2 acceleration;     ///< m/s^2, in the frame of the car; z is gravity
-};
-
 /// One contact of a car's collision element with another body, accumulated since the previous control period.
 struct Contact
 {

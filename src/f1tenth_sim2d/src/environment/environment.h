@@ -18,10 +18,10 @@ struct EnvironmentOptions
 {
   std::vector<CarDescription> cars;
   std::optional<Course> course;
-  std::vector<ObservationPart> parts;
-  bool rates{false};           ///< actions are (steering rate, acceleration) instead of (steering angle, speed)
-  double period{0.025};        ///< s, of an action
-  double physics_step{0.001};  ///< s
+  std::vector<std::string> parts;  ///< of an observation, by name
+  bool rates{false};               ///< actions are (steering rate, acceleration) instead of (steering angle, speed)
+  double period{0.025};            ///< s, of an action
+  double physics_step{0.001};      ///< s
 };
 
 /// How a car begins an episode.

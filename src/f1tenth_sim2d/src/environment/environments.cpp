@@ -18,7 +18,7 @@ std::size_t atLeastOne(const char * what, std::size_t number)
   return number;
 }
 
-const LidarDescription & lidarOf(const EnvironmentOptions & options)
+Observation observationOf(const EnvironmentOptions & options)
 {
   if (options.cars.empty()) {
     throw Error("cars: found 0, allowed are 1 or more");
@@ -26,12 +26,7 @@ const LidarDescription & lidarOf(const EnvironmentOptions & options)
   if (options.cars.front().lidars.empty()) {
     throw Error(options.cars.front().name + ": the car has no lidar, allowed are 1 or more");
   }
-  return options.cars.front().lidars.front();
-}
-
-Observation observationOf(const EnvironmentOptions & options)
-{
-  return {options.parts, lidarOf(options), options.cars.size(), options.course ? options.course->length() : 0.0};
+  return {options.parts, options.cars, options.course ? options.course->length() : 0.0};
 }
 }  // namespace
 

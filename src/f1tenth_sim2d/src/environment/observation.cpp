@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <boost/algorithm/string/join.hpp>
-#include <cmath>
 
 #include "f1tenth_sim2d/errors.h"
 
@@ -11,78 +10,156 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-using Bounds = std::pair<float, float>;
+using Bounds = Observation::Bounds;
+using Part = Observation::Part;
+using View = Observation::View;
 
-constexpr std::array<const char *, 8> kNames{"scan",   "pose", "velocity", "steering",
-                                             "course", "laps", "contact",  "others"};
 constexpr Bounds kPlace{-1000.0F, 1000.0F};        // m
 constexpr Bounds kAngle{-3.1415928F, 3.1415928F};  // rad; pi, rounded away from 0
 constexpr Bounds kSpeed{-100.0F, 100.0F};          // m/s, rad/s
 constexpr Bounds kLaps{0.0F, 1.0e6F};
 
-std::array<double, 4> relative(const CarResult & own, const CarResult & other)
+/// What decides how large parts are.
+struct Setting
 {
-  const Pose2 pose =
-    workspace_support::compose(workspace_support::inverse({own.x, own.y, own.yaw}), {other.x, other.y, other.yaw});
-  return {pose.x, pose.y, pose.yaw, other.v_x};
+  const std::vector<CarDescription> & cars;
+  double course_length;
+};
+
+/// Numbers of the car's own result.
+template <std::size_t count>
+Part ofResult(const std::array<Bounds, count> & bounds, std::array<double, count> (*numbers)(const CarResult &))
+{
+  return {{bounds.begin(), bounds.end()}, [numbers](const View & view, float * row) {
+            const auto all = numbers(view.cars[view.own]);
+            std::copy(all.begin(), all.end(), row);
+          }};
+}
+
+/// Ranges of the first lidar, m; 0 below its least range, its greatest range beyond that.
+Part scan(const Setting & setting)
+{
+  const LidarDescription & lidar = setting.cars.front().lidars.front();
+  const Bounds bounds{0.0F, static_cast<float>(lidar.range_max)};
+  return {std::vector<Bounds>(static_cast<std::size_t>(lidar.beam_count), bounds), [](const View & view, float * row) {
+            view.simulation.scan(view.ids[view.own], 0, row);
+          }};
+}
+
+/// x, y, m, and yaw, rad, in the world.
+Part pose(const Setting &)
+{
+  return ofResult<3>({kPlace, kPlace, kAngle}, [](const CarResult & car) {
+    return std::array{car.x, car.y, workspace_support::normalizeAngle(car.yaw)};
+  });
+}
+
+/// Along the car and to its left, m/s, and yaw rate, rad/s.
+Part velocity(const Setting &)
+{
+  return ofResult<3>({kSpeed, kSpeed, kSpeed}, [](const CarResult & car) {
+    return std::array{car.v_x, car.v_y, car.yaw_rate};
+  });
+}
+
+/// Angle, rad.
+Part steering(const Setting &)
+{
+  return ofResult<1>({kAngle}, [](const CarResult & car) { return std::array{car.steering_angle}; });
+}
+
+/// Distance along the course and offset to its left, m, heading from it, rad.
+Part course(const Setting & setting)
+{
+  const Bounds along{0.0F, static_cast<float>(setting.course_length)};
+  return ofResult<3>({along, kPlace, kAngle}, [](const CarResult & car) {
+    return std::array{car.course_distance, car.course_offset, car.course_heading};
+  });
+}
+
+/// Driven since the start.
+Part laps(const Setting &)
+{
+  return ofResult<1>({kLaps}, [](const CarResult & car) { return std::array{car.laps}; });
+}
+
+/// 1 if the car touched something in the step before.
+Part contact(const Setting &)
+{
+  return ofResult<1>({Bounds{0.0F, 1.0F}}, [](const CarResult & car) { return std::array{car.contact}; });
+}
+
+/// Of each other car: x, y, m, yaw, rad, in the frame of the car, speed along itself, m/s.
+Part others(const Setting & setting)
+{
+  std::vector<Bounds> bounds;
+  for (std::size_t i = 1; i < setting.cars.size(); ++i) {
+    bounds.insert(bounds.end(), {kPlace, kPlace, kAngle, kSpeed});
+  }
+  return {bounds, [count = setting.cars.size()](const View & view, float * row) {
+            const CarResult & own = view.cars[view.own];
+            const Pose2 from = workspace_support::inverse({own.x, own.y, own.yaw});
+            for (std::size_t i = 0; i < count; ++i) {
+              if (i != view.own) {
+                const CarResult & other = view.cars[i];
+                const Pose2 seen = workspace_support::compose(from, {other.x, other.y, other.yaw});
+                const std::array numbers{seen.x, seen.y, seen.yaw, other.v_x};
+                row = std::copy(numbers.begin(), numbers.end(), row);
+              }
+            }
+          }};
+}
+
+/// What a component of the car measures.
+/// @param index  among the components that the simulation gives the car
+Part ofComponent(const Component & component, std::size_t index)
+{
+  Part part;
+  for (const Channel & channel : component.channels()) {
+    const Bounds bounds{static_cast<float>(channel.least), static_cast<float>(channel.greatest)};
+    part.bounds.insert(part.bounds.end(), channel.size, bounds);
+  }
+  part.write = [index, size = part.bounds.size()](const View & view, float * row) {
+    const CarId car = view.ids[view.own];
+    std::vector<double> numbers(size);
+    view.simulation.components(car)[index]->sample(view.simulation, car, numbers.data());
+    std::copy(numbers.begin(), numbers.end(), row);
+  };
+  return part;
+}
+
+const std::vector<std::pair<std::string, Part (*)(const Setting &)>> kParts{
+  {"scan", scan},     {"pose", pose}, {"velocity", velocity}, {"steering", steering},
+  {"course", course}, {"laps", laps}, {"contact", contact},   {"others", others}};
+
+Part partOf(const std::string & name, const Setting & setting)
+{
+  std::vector<std::string> allowed;
+  for (const auto & [known, make] : kParts) {
+    if (known == name) {
+      return make(setting);
+    }
+    allowed.push_back(known);
+  }
+  const CarDescription & car = setting.cars.front();
+  for (std::size_t i = 0; i < car.components.size(); ++i) {
+    const Component & component = *car.components[i];
+    if (component.mount().name == name) {
+      return ofComponent(component, car.lidars.size() + i);
+    }
+    allowed.push_back(component.mount().name);
+  }
+  throw Error("observation: found '" + name + "', allowed are " + boost::algorithm::join(allowed, ", "));
 }
 }  // namespace
 
-ObservationPart observationPart(const std::string & name)
-{
-  const auto found = std::find(kNames.begin(), kNames.end(), name);
-  if (found != kNames.end()) {
-    return static_cast<ObservationPart>(found - kNames.begin());
-  }
-  const std::string allowed = boost::algorithm::join(std::vector<std::string>(kNames.begin(), kNames.end()), ", ");
-  throw Error("observation: found '" + name + "', allowed are " + allowed);
-}
-
 Observation::Observation(
-  std::vector<ObservationPart> parts, const LidarDescription & lidar, std::size_t cars, double course_length)
-: parts_(std::move(parts)),
-  beam_count_(static_cast<std::size_t>(lidar.beam_count)),
-  range_max_(static_cast<float>(lidar.range_max)),
-  car_count_(cars)
+  const std::vector<std::string> & parts, const std::vector<CarDescription> & cars, double course_length)
 {
-  for (const ObservationPart part : parts_) {
-    const std::vector<Bounds> more = boundsOf(part, course_length);
-    sizes_.push_back(more.size());
-    bounds_.insert(bounds_.end(), more.begin(), more.end());
-  }
-}
-
-std::vector<Bounds> Observation::boundsOf(ObservationPart part, double course_length) const
-{
-  std::vector<Bounds> bounds;
-  switch (part) {
-    case ObservationPart::kScan:
-      return std::vector<Bounds>(beam_count_, {0.0F, range_max_});
-    case ObservationPart::kPose:
-      return {kPlace, kPlace, kAngle};
-    case ObservationPart::kVelocity:
-      return {kSpeed, kSpeed, kSpeed};
-    case ObservationPart::kSteering:
-      return {kAngle};
-    case ObservationPart::kCourse:
-      return {{0.0F, static_cast<float>(course_length)}, kPlace, kAngle};
-    case ObservationPart::kLaps:
-      return {kLaps};
-    case ObservationPart::kContact:
-      return {{0.0F, 1.0F}};
-    case ObservationPart::kOthers:
-      for (std::size_t i = 1; i < car_count_; ++i) {
-        bounds.insert(bounds.end(), {kPlace, kPlace, kAngle, kSpeed});
-      }
-  }
-  return bounds;
-}
-
-void Observation::writeScan(const Simulation & simulation, CarId car, float * row) const
-{
-  simulation.scan(car, 0, row);
-  for (std::size_t i = 0; i < beam_count_; ++i) {
-    row[i] = std::clamp(row[i], 0.0F, range_max_);
+  for (const std::string & name : parts) {
+    const Part & part = parts_.emplace_back(partOf(name, {cars, course_length}));
+    sizes_.push_back(part.bounds.size());
+    bounds_.insert(bounds_.end(), part.bounds.begin(), part.bounds.end());
   }
 }
 
@@ -90,45 +167,13 @@ void Observation::write(
   const Simulation & simulation, const std::vector<CarId> & ids, const CarResult * cars, std::size_t own,
   float * row) const
 {
-  const CarResult & car = cars[own];
-  std::size_t next = 0;
-  const auto put = [&](double value) {
-    const auto [low, high] = bounds_[next];
-    row[next++] = std::clamp(static_cast<float>(value), low, high);
-  };
-  const auto putAll = [&](std::initializer_list<double> values) { std::for_each(values.begin(), values.end(), put); };
-  for (const ObservationPart part : parts_) {
-    switch (part) {
-      case ObservationPart::kScan:
-        writeScan(simulation, ids[own], row + next);
-        next += beam_count_;
-        break;
-      case ObservationPart::kPose:
-        putAll({car.x, car.y, workspace_support::normalizeAngle(car.yaw)});
-        break;
-      case ObservationPart::kVelocity:
-        putAll({car.v_x, car.v_y, car.yaw_rate});
-        break;
-      case ObservationPart::kSteering:
-        put(car.steering_angle);
-        break;
-      case ObservationPart::kCourse:
-        putAll({car.course_distance, car.course_offset, car.course_heading});
-        break;
-      case ObservationPart::kLaps:
-        put(car.laps);
-        break;
-      case ObservationPart::kContact:
-        put(car.contact);
-        break;
-      case ObservationPart::kOthers:
-        for (std::size_t i = 0; i < car_count_; ++i) {
-          if (i != own) {
-            const std::array<double, 4> seen = relative(car, cars[i]);
-            std::for_each(seen.begin(), seen.end(), put);
-          }
-        }
-    }
+  float * next = row;
+  for (const Part & part : parts_) {
+    part.write({simulation, ids, cars, own}, next);
+    next += part.bounds.size();
+  }
+  for (std::size_t i = 0; i < bounds_.size(); ++i) {
+    row[i] = std::clamp(row[i], bounds_[i].first, bounds_[i].second);
   }
 }
 }  // namespace f1tenth_sim2d

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,22 +11,6 @@
 
 namespace f1tenth_sim2d
 {
-/// What a driver may be told of the car and what is around it.
-enum class ObservationPart
-{
-  kScan,      ///< ranges of the first lidar, m; 0 below its least range, its greatest range beyond that
-  kPose,      ///< x, y, m, and yaw, rad, in the world
-  kVelocity,  ///< along the car and to its left, m/s, and yaw rate, rad/s
-  kSteering,  ///< angle, rad
-  kCourse,    ///< distance along the course and offset to its left, m, heading from it, rad
-  kLaps,      ///< driven since the start
-  kContact,   ///< 1 if the car touched something in the step before
-  kOthers     ///< of each other car: x, y, m, yaw, rad, in the frame of the car, speed along itself, m/s
-};
-
-/// The part of a name. @throws Error that lists the names
-ObservationPart observationPart(const std::string & name);
-
 /// The state of a car after a step.
 struct CarResult
 {
@@ -49,8 +34,10 @@ struct CarResult
 class Observation
 {
 public:
-  Observation(
-    std::vector<ObservationPart> parts, const LidarDescription & lidar, std::size_t cars, double course_length);
+  /// @param parts  names, in order: those of the table in observation.cpp, and those of the components of the cars
+  /// @param cars   all alike
+  /// @throws Error for an unknown part, with the names that there are
+  Observation(const std::vector<std::string> & parts, const std::vector<CarDescription> & cars, double course_length);
 
   std::size_t size() const { return bounds_.size(); }                ///< numbers per car
   const std::vector<std::size_t> & sizes() const { return sizes_; }  ///< of each part
@@ -62,15 +49,24 @@ public:
     const Simulation & simulation, const std::vector<CarId> & ids, const CarResult * cars, std::size_t own,
     float * row) const;
 
-private:
-  std::vector<std::pair<float, float>> boundsOf(ObservationPart part, double course_length) const;
-  void writeScan(const Simulation & simulation, CarId car, float * row) const;
+  /// What a car observes, and of whom.
+  struct View
+  {
+    const Simulation & simulation;
+    const std::vector<CarId> & ids;
+    const CarResult * cars;
+    std::size_t own;
+  };
+  using Bounds = std::pair<float, float>;
+  struct Part
+  {
+    std::vector<Bounds> bounds;                            ///< of its numbers
+    std::function<void(const View &, float * row)> write;  ///< numbers beyond their bounds are brought back
+  };
 
-  std::vector<ObservationPart> parts_;
-  std::size_t beam_count_;
-  float range_max_;
-  std::size_t car_count_;
+private:
+  std::vector<Part> parts_;
   std::vector<std::size_t> sizes_;
-  std::vector<std::pair<float, float>> bounds_;
+  std::vector<Bounds> bounds_;
 };
 }  // namespace f1tenth_sim2d

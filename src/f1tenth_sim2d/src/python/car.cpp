@@ -68,6 +68,19 @@ py::tuple extentOf(const CarDescription & car)
   return py::make_tuple(least.x, greatest.x, least.y, greatest.y);
 }
 
+py::dict componentsOf(const CarDescription & car)
+{
+  py::dict components;
+  for (const auto & component : car.components) {
+    py::dict channels;
+    for (const Channel & channel : component->channels()) {
+      channels[py::str(channel.name)] = channel.size;
+    }
+    components[py::str(component->mount().name)] = channels;
+  }
+  return components;
+}
+
 /// Nothing for a car that does not publish both its wheel odometry and the transform from it.
 std::optional<std::string> odometryTopicOf(const CarDescription & car)
 {
@@ -87,6 +100,9 @@ void bindCar(py::module_ & module)
     .def_readonly("links", &CarDescription::links, "All links of the robot description.")
     .def_readonly("lidars", &CarDescription::lidars)
     .def_readonly("bumpers", &CarDescription::bumpers)
+    .def_property_readonly(
+      "components", &componentsOf,
+      "What else can be sampled: {name: {channel: how many numbers}}; see Simulation.sample.")
     .def_property_readonly(
       "joints", ofEach(&CarDescription::joints, &JointDescription::name),
       "Names of the joints whose state is published.")

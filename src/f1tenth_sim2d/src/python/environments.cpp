@@ -79,10 +79,8 @@ PythonEnvironments * makeEnvironments(
   if (actions != "speed" && actions != "acceleration") {
     throw py::value_error("actions: found '" + actions + "', allowed are speed, acceleration");
   }
-  EnvironmentOptions options{std::move(cars), std::move(course), {}, actions == "acceleration", period, physics_step};
-  for (const std::string & name : observation) {
-    options.parts.push_back(observationPart(name));
-  }
+  EnvironmentOptions options{std::move(cars), std::move(course), observation, actions == "acceleration",
+                             period,          physics_step};
   return new PythonEnvironments(world.prepared(), std::move(options), count, threads);
 }
 
@@ -190,7 +188,7 @@ One thread at a time may call them: a call while another thread is in one raises
     cars: list of Car, for each environment.
     course: a Course, or None.
     observation: names of the parts of an observation, in order: scan, pose, velocity, steering, course, laps, contact,
-        others.
+        others, and names of the components of the cars.
     actions: speed: (steering angle, rad, speed, m/s); acceleration: (steering rate, rad/s, acceleration, m/s^2).
     period: of an action, s.
     physics_step: s.

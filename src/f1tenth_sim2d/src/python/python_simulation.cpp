@@ -67,6 +67,17 @@ py::array scanArray(const py::object & out, const Shape & shape)
 {
   return out.is_none() ? py::array_t<float>(shape) : requireScanArray(out, shape);
 }
+
+py::dict byChannel(const Component & component, const py::array & numbers)
+{
+  py::dict channels;
+  std::size_t begin = 0;
+  for (const Channel & channel : component.channels()) {
+    channels[py::str(channel.name)] = numbers[py::slice(begin, begin + channel.size, 1)];
+    begin += channel.size;
+  }
+  return channels;
+}
 }  // namespace
 
 PythonSimulation::PythonSimulation(PythonWorld & world, double physics_step, std::uint64_t seed, double control_period)
@@ -198,6 +209,20 @@ py::array_t<double> PythonSimulation::castRays(
   py::array_t<double> ranges(cells.shape(0));
   Simulation::castRays(car, fan, ranges.mutable_data());
   return ranges;
+}
+
+py::dict PythonSimulation::sample(CarId car, const std::string & name) const
+{
+  std::string there;
+  for (const auto & component : components(car)) {
+    if (component->mount().name == name) {
+      py::array_t<double> numbers(static_cast<py::ssize_t>(sampleSize(*component)));
+      component->sample(*this, car, numbers.mutable_data());
+      return byChannel(*component, numbers);
+    }
+    there += (there.empty() ? "" : ", ") + component->mount().name;
+  }
+  throw py::value_error("component: found '" + name + "', allowed are " + there);
 }
 
 py::tuple PythonSimulation::modelPose(const std::string & name) const

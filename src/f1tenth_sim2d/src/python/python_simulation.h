@@ -45,6 +45,9 @@ public:
     CarId car, const pybind11::array_t<double> & directions, double x, double y, double height, double yaw,
     double range_max) const;
 
+  /// Numbers of a component by channel.
+  pybind11::dict sample(CarId car, const std::string & component) const;
+
   pybind11::tuple modelPose(const std::string & name) const;
   void removeModel(const std::string & name) { Simulation::removeModel(indexOfModel(name)); }
   void placeModel(const std::string & name, double x, double y, double yaw, double v_x, double v_y, double yaw_rate);

@@ -36,7 +36,7 @@ void bindCarState(py::module_ & module)
     .def_readonly("wheel_speeds", &CarState::wheel_speeds, "The same order; rad/s.");
 }
 
-void bindReadings(py::module_ & module)
+void bindOdometry(py::module_ & module)
 {
   py::class_<WheelOdometry>(module, "WheelOdometry", "Dead reckoning from noisy speed and steering.")
     .def("__repr__", &shown)
@@ -45,13 +45,6 @@ void bindReadings(py::module_ & module)
     .def_property_readonly("yaw", through(&WheelOdometry::pose, &Pose2::yaw), "rad.")
     .def_readonly("speed", &WheelOdometry::speed, "Along the car, m/s.")
     .def_readonly("yaw_rate", &WheelOdometry::yaw_rate, "rad/s.");
-
-  py::class_<ImuSample>(module, "ImuSample", "A reading of the IMU.")
-    .def("__repr__", &shown)
-    .def_readonly("yaw", &ImuSample::yaw, "rad.")
-    .def_readonly("yaw_rate", &ImuSample::yaw_rate, "rad/s.")
-    .def_property_readonly("a_x", through(&ImuSample::acceleration, &Vec2::x), "Along the car, m/s^2.")
-    .def_property_readonly("a_y", through(&ImuSample::acceleration, &Vec2::y), "To its left, m/s^2.");
 }
 
 void bindContact(py::module_ & module)
@@ -80,7 +73,7 @@ void bindContact(py::module_ & module)
 void bindSamples(py::module_ & module)
 {
   bindCarState(module);
-  bindReadings(module);
+  bindOdometry(module);
   bindContact(module);
 }
 }  // namespace f1tenth_sim2d

@@ -111,7 +111,20 @@ void bindReadings(Class & type)
       "poses", inTurn<S>(&S::poses),
       "Poses of all cars in the world: float64 array of shape (len(cars), 3), x, y, yaw.")
     .def("wheel_odometry", inTurn<S>(&S::wheelOdometry), py::arg("car"), "A WheelOdometry, from the start pose.")
-    .def("imu", inTurn<S>(&S::imu), py::arg("car"), "An ImuSample.")
+    .def(
+      "sample", inTurn<S>(&S::sample), py::arg("car"), py::arg("component"),
+      R"(What a component of a car measures now.
+
+Args:
+    car: its id.
+    component: its name, one of Car.components.
+
+Returns:
+    dict of float64 arrays of shape (n,), by channel; all are views of one array.
+
+Raises:
+    ValueError: the car has no such component, with the names of those that it has.
+)")
     .def(
       "contacts", inTurn<S>(&S::contacts), py::arg("car"), "Contacts since the last clear_contacts, ground excluded.")
     .def("clear_contacts", inTurn<S>(&S::clearContacts), py::arg("car"))

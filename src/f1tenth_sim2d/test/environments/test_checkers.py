@@ -13,7 +13,7 @@ with warnings.catch_warnings():
     warnings.simplefilter("ignore")  # of PettingZoo about itself
     from pettingzoo.test import parallel_api_test, parallel_seed_test
 
-ALL_PARTS = ("scan", "pose", "velocity", "steering", "course", "laps", "contact", "others")
+ALL_PARTS = ("scan", "pose", "velocity", "steering", "course", "laps", "contact", "others", "imu")
 DRAWN = {"start": "random", "vehicle": {"mu": (0.8, 1.1)}, "lidar_noise": (0.0, 0.02)}
 
 

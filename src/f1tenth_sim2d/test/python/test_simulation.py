@@ -28,13 +28,9 @@ def test_car_drives_as_commanded(simulation):
 
 def test_what_it_returns_says_what_it_holds(simulation):
     drive(simulation, seconds=0.5)
-    state, odometry, imu = simulation.state(0), simulation.wheel_odometry(0), simulation.imu(0)
+    state, odometry = simulation.state(0), simulation.wheel_odometry(0)
     assert repr(state).startswith(f"CarState(x={state.x!r}, y={state.y!r}, yaw={state.yaw!r}, v_x=")
     assert repr(odometry).endswith(f", speed={odometry.speed!r}, yaw_rate={odometry.yaw_rate!r})")
-    assert (
-        repr(imu)
-        == f"ImuSample(yaw={imu.yaw!r}, yaw_rate={imu.yaw_rate!r}, a_x={imu.a_x!r}, a_y={imu.a_y!r})"
-    )
     assert "mu=0.7, " in repr(with_friction(0.7))
 
 
@@ -127,7 +123,15 @@ def test_clearance_is_the_distance_to_the_nearest_thing(simulation):
 def test_sensors_give_readings(simulation):
     drive(simulation, seconds=0.5)
     assert simulation.wheel_odometry(0).speed == pytest.approx(simulation.state(0).v_x, abs=0.2)
-    assert simulation.imu(0).yaw_rate == pytest.approx(simulation.state(0).yaw_rate, abs=0.1)
+    imu = simulation.sample(0, "imu")
+    assert {name: len(numbers) for name, numbers in imu.items()} == simulation.car(0).components["imu"]
+    assert imu["angular_velocity"][2] == pytest.approx(simulation.state(0).yaw_rate, abs=0.1)
+    assert imu["linear_acceleration"][2] == pytest.approx(9.8)
+
+
+def test_unknown_components_are_refused_with_those_that_there_are(simulation):
+    with pytest.raises(ValueError, match="component: found 'radar', allowed are lidar, imu"):
+        simulation.sample(0, "radar")
 
 
 def test_models_have_poses(simulation):

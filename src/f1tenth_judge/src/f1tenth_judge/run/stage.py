@@ -97,8 +97,8 @@ class Stage:
         names = [each.name for each in self.descriptions[car].lidars]
         return lidar, self._simulation.scan(self._ids[car], names.index(lidar.name))
 
-    def imu_samples(self, car: str) -> list[tuple[float, f1tenth_sim2d.ImuSample]]:
-        """Those of the last period, with their times (s)."""
+    def imu_samples(self, car: str) -> list[tuple[float, f1tenth_sim2d.CarState]]:
+        """What an exact IMU measured in the last period, with the times (s)."""
         return self._imu[car]
 
     def command(self, car: str, command: Command) -> None:
@@ -120,7 +120,7 @@ class Stage:
             time = (self._periods + sample / _SAMPLES) * PERIOD
             self._simulation.advance_to(time)
             for car, number in self._ids.items():
-                self._imu[car].append((time, self._simulation.imu(number)))
+                self._imu[car].append((time, self._simulation.state(number)))
         self._periods += 1
 
     def rows(self) -> list[tuple]:

@@ -57,12 +57,12 @@ WorldSection::WorldSection(const WorldDescription & world, double height)
   }
 }
 
-ScanSpaces & WorldSection::spacesFor(const LidarDescription & lidar) const
+ScanSpaces & WorldSection::spacesFor(const Beams & beams) const
 {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto found =
-    std::find_if(spaces_.begin(), spaces_.end(), [&](const ScanSpaces & spaces) { return spaces.fit(lidar); });
-  return found != spaces_.end() ? *found : spaces_.emplace_back(lidar, walls_.itemCount());
+    std::find_if(spaces_.begin(), spaces_.end(), [&](const ScanSpaces & spaces) { return spaces.beams() == beams; });
+  return found != spaces_.end() ? *found : spaces_.emplace_back(beams, walls_.itemCount());
 }
 
 void WorldSection::drawModels(const MovingPoses & poses, RangeRaster & raster) const
@@ -72,24 +72,20 @@ void WorldSection::drawModels(const MovingPoses & poses, RangeRaster & raster) c
   }
 }
 
-MovingSection LidarScene::sectionOf(const std::vector<Solid> & car) const
+void LidarScene::addCar(CarId id, const std::vector<Solid> & solids)
 {
-  return {car, Pose3(), world_->height()};
+  cars_.push_back({id, MovingSection(solids, Pose3(), height())});
 }
 
-void LidarScene::removeCar(CarId id) noexcept
+void LidarScene::draw(
+  CarId own, const Pose2 & sensor, double range_max, const MovingPoses & poses, ScanSpace & space) const
 {
-  const auto is_it = [id](const SeenCar & car) { return car.id == id; };
-  cars_.erase(std::remove_if(cars_.begin(), cars_.end(), is_it), cars_.end());
-}
-
-void LidarScene::draw(CarId own, const MovingPoses & poses, RangeRaster & raster, DrawnItems & drawn) const
-{
-  world_->walls().draw(raster, drawn);
-  world_->drawModels(poses, raster);
+  space.raster.begin(sensor, range_max);
+  world_->walls().draw(space.raster, space.drawn);
+  world_->drawModels(poses, space.raster);
   for (const SeenCar & car : cars_) {
     if (car.id != own) {
-      car.section.draw(Transform2(poses.ofCar(car.id)), raster);
+      car.section.draw(Transform2(poses.ofCar(car.id)), space.raster);
     }
   }
 }

@@ -45,7 +45,7 @@ public:
   double height() const { return height_; }
   const WallGrid & walls() const { return walls_; }
   /// Where lidars with these beams scan.
-  ScanSpaces & spacesFor(const LidarDescription & lidar) const;
+  ScanSpaces & spacesFor(const Beams & beams) const;
   void drawModels(const MovingPoses & poses, RangeRaster & raster) const;
 
 private:
@@ -69,17 +69,15 @@ public:
   /// @param world  outlives this
   explicit LidarScene(const WorldSection & world) : world_(&world) {}
 
-  const WorldSection & world() const { return *world_; }
+  double height() const { return world_->height(); }
+  void addCar(CarId id, const std::vector<Solid> & solids);
 
-  /// A car as it is seen at this height.
-  MovingSection sectionOf(const std::vector<Solid> & car) const;
-  /// Makes room for one more car, so that adding it cannot fail.
-  void reserveCar() { cars_.reserve(cars_.size() + 1); }
-  void addCar(CarId id, MovingSection && section) noexcept { cars_.push_back({id, std::move(section)}); }
-  void removeCar(CarId id) noexcept;
-
-  /// Draws the world as it is seen from a car, which does not see itself.
-  void draw(CarId own, const MovingPoses & poses, RangeRaster & raster, DrawnItems & drawn) const;
+  /// Working memory for scans with these beams.
+  ScanSpaces::Loan spaceFor(const Beams & beams) const { return world_->spacesFor(beams).borrow(); }
+  /// Draws what is seen from a sensor of a car, which does not see itself.
+  /// @param sensor     in the world
+  /// @param range_max  m
+  void draw(CarId own, const Pose2 & sensor, double range_max, const MovingPoses & poses, ScanSpace & space) const;
 
 private:
   struct SeenCar

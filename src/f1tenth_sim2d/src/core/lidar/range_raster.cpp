@@ -11,22 +11,17 @@ namespace
 constexpr int kFewBeams = 6;  // not worth a call
 // Tolerance of a bound, so that rounding never hides anything.
 constexpr double kSlack = 1e-6;
-
-double beamsPerRadian(const LidarDescription & lidar)
-{
-  return lidar.beam_count > 1 ? (lidar.beam_count - 1) / (lidar.angle_max - lidar.angle_min) : 1.0;
-}
 }  // namespace
 
-RangeRaster::RangeRaster(const LidarDescription & lidar) : inverse_ranges_(lidar.beam_count)
+RangeRaster::RangeRaster(const Beams & beams) : inverse_ranges_(beams.count)
 {
-  view_.angle_min = normalizeAngle(lidar.angle_min);
-  view_.beams_per_radian = beamsPerRadian(lidar);
+  view_.angle_min = normalizeAngle(beams.angle_min);
+  view_.beams_per_radian = beams.perRadian();
   view_.beams_per_turn = 2.0 * M_PI * view_.beams_per_radian;
-  view_.last_beam = lidar.beam_count - 1;
-  cosine_.reserve(lidar.beam_count);
-  sine_.reserve(lidar.beam_count);
-  for (int i = 0; i < lidar.beam_count; ++i) {
+  view_.last_beam = beams.count - 1;
+  cosine_.reserve(beams.count);
+  sine_.reserve(beams.count);
+  for (int i = 0; i < beams.count; ++i) {
     const maths::SineCosine at = maths::sineCosine(view_.angle_min + i / view_.beams_per_radian);
     cosine_.push_back(at.cosine);
     sine_.push_back(at.sine);

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/lidar/beam_kernels.h"
+#include "core/lidar/beams.h"
 #include "core/math/planar_pose.h"
-#include "f1tenth_sim2d/car_model.h"
 #include "f1tenth_sim2d/geometry.h"
 
 namespace f1tenth_sim2d
@@ -20,7 +20,7 @@ namespace f1tenth_sim2d
 class RangeRaster
 {
 public:
-  explicit RangeRaster(const LidarDescription & lidar);
+  explicit RangeRaster(const Beams & beams);
 
   /// Starts a scan from sensor, in the world.
   /// @param range_max  m

@@ -1,30 +1,15 @@
 #include "core/lidar/scan_space.h"
 
-#include <tuple>
-
 namespace f1tenth_sim2d
 {
-namespace
-{
-auto beamsOf(const LidarDescription & lidar)
-{
-  return std::tie(lidar.beam_count, lidar.angle_min, lidar.angle_max);
-}
-}  // namespace
-
-ScanSpace::ScanSpace(const LidarDescription & lidar, std::size_t items)
-: raster(lidar), drawn(items), normal(static_cast<std::size_t>(raster.beamCount()))
+ScanSpace::ScanSpace(const Beams & beams, std::size_t items)
+: raster(beams), drawn(items), normal(static_cast<std::size_t>(beams.count))
 {
 }
 
-ScanSpaces::ScanSpaces(const LidarDescription & lidar, std::size_t items) : lidar_(lidar), items_(items)
+ScanSpaces::ScanSpaces(const Beams & beams, std::size_t items) : beams_(beams), items_(items)
 {
   borrow();
-}
-
-bool ScanSpaces::fit(const LidarDescription & lidar) const
-{
-  return beamsOf(lidar) == beamsOf(lidar_);
 }
 
 ScanSpaces::Loan ScanSpaces::borrow()
@@ -32,7 +17,7 @@ ScanSpaces::Loan ScanSpaces::borrow()
   const std::lock_guard<std::mutex> lock(mutex_);
   if (free_.empty()) {
     free_.reserve(spaces_.size() + 1);
-    free_.push_back(spaces_.emplace_back(std::make_unique<ScanSpace>(lidar_, items_)).get());
+    free_.push_back(spaces_.emplace_back(std::make_unique<ScanSpace>(beams_, items_)).get());
   }
   ScanSpace * space = free_.back();
   free_.pop_back();

@@ -7,7 +7,6 @@
 
 #include "core/lidar/range_raster.h"
 #include "core/lidar/wall_grid.h"
-#include "f1tenth_sim2d/car_model.h"
 
 namespace f1tenth_sim2d
 {
@@ -15,7 +14,7 @@ namespace f1tenth_sim2d
 struct ScanSpace
 {
   /// @param items  of the walls, as WallGrid counts them
-  ScanSpace(const LidarDescription & lidar, std::size_t items);
+  ScanSpace(const Beams & beams, std::size_t items);
 
   RangeRaster raster;
   DrawnItems drawn;
@@ -28,10 +27,9 @@ class ScanSpaces
 {
 public:
   /// Makes the first space.
-  ScanSpaces(const LidarDescription & lidar, std::size_t items);
+  ScanSpaces(const Beams & beams, std::size_t items);
 
-  /// Whether a lidar can scan in these.
-  bool fit(const LidarDescription & lidar) const;
+  const Beams & beams() const { return beams_; }
 
   class GiveBack
   {
@@ -50,7 +48,7 @@ public:
 private:
   void takeBack(ScanSpace * space) noexcept;
 
-  const LidarDescription lidar_;
+  const Beams beams_;
   const std::size_t items_;
   std::mutex mutex_;  ///< guards what follows
   std::vector<std::unique_ptr<ScanSpace>> spaces_;

@@ -14,8 +14,7 @@ namespace f1tenth_sim2d
 enum class NoiseStream : std::uint64_t
 {
   kLidar,
-  kImu,
-  kOdometry,
+  kOdometry = 2,
   kNamedSensor
 };
 

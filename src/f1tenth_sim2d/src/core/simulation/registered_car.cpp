@@ -1,5 +1,9 @@
 #include "core/simulation/registered_car.h"
 
+#include <utility>
+
+#include "core/components/lidar/lidar.h"
+
 namespace f1tenth_sim2d
 {
 RegisteredCar::RegisteredCar(
@@ -11,6 +15,21 @@ RegisteredCar::RegisteredCar(
   car(description, parameters, start, seed, stream),
   body(makeBody(world))
 {
+  for (std::size_t i = 0; i < description.lidars.size(); ++i) {
+    mount(std::make_shared<Lidar>(description.lidars[i], i));
+  }
+  for (const auto & prototype : description.components) {
+    mount(prototype->clone());
+  }
+}
+
+void RegisteredCar::mount(std::shared_ptr<Component> component)
+{
+  acting.reserve(acting.size() + 1);
+  components.push_back(std::move(component));
+  if (components.back()->acts()) {
+    acting.push_back(components.back().get());
+  }
 }
 
 std::unique_ptr<CarBody> RegisteredCar::makeBody(const WorldPieces & world) const

@@ -8,8 +8,8 @@
 #include "core/contacts/car_body.h"
 #include "core/contacts/clearance.h"
 #include "core/contacts/contact_log.h"
-#include "core/lidar/lidar_sensor.h"
 #include "f1tenth_sim2d/car_model.h"
+#include "f1tenth_sim2d/component.h"
 #include "f1tenth_sim2d/simulation_types.h"
 
 namespace f1tenth_sim2d
@@ -31,6 +31,7 @@ struct RegisteredCar
     CarId car_id, std::uint32_t stream, const CarDescription & car_description, const VehicleParameters & parameters,
     const Pose2 & start, std::uint64_t seed, const WorldPieces & world);
 
+  void mount(std::shared_ptr<Component> component);
   std::unique_ptr<CarBody> makeBody(const WorldPieces & world) const;
   PlacedCar placed() const { return {*body, car.centreOfMass()}; }
 
@@ -40,8 +41,9 @@ struct RegisteredCar
   Car car;
   std::unique_ptr<CarBody> body;
   Surroundings surroundings;
-  std::vector<LidarSensor> lidars;
   ContactLog contacts;
+  std::vector<std::shared_ptr<Component>> components;
+  std::vector<Component *> acting;  ///< those that want to be called
 };
 
 using Cars = std::vector<std::unique_ptr<RegisteredCar>>;

@@ -54,9 +54,7 @@ void Simulation::removeCar(CarId id)
   const std::vector<ModelMotion> motions = impl_->collisions->motions();
   auto collisions = impl_->emptyCollisions();
   impl_->registry.remove(id);
-  for (LidarScene & scene : impl_->scenes) {
-    scene.removeCar(id);
-  }
+  impl_->forgetScenes();
   impl_->enter(std::move(collisions));
   impl_->collisions->setMotions(motions);
 }
@@ -99,8 +97,23 @@ SimTime Simulation::stepLength() const
   return impl_->step_length;
 }
 
+const std::vector<std::shared_ptr<Component>> & Simulation::components(CarId car) const
+{
+  return impl_->car(car).components;
+}
+
+void Simulation::mount(CarId car, std::shared_ptr<Component> component)
+{
+  impl_->car(car).mount(std::move(component));
+}
+
 void Simulation::step()
 {
+  for (const auto & car : impl_->cars()) {
+    for (Component * component : car->acting) {
+      component->beforeStep(*this, car->id);
+    }
+  }
   for (const auto & car : impl_->cars()) {
     car->car.predict(impl_->time, impl_->dt);
   }
@@ -111,6 +124,11 @@ void Simulation::step()
   impl_->time += impl_->step_length;
   for (const auto & car : impl_->cars()) {
     car->car.commit(impl_->time, impl_->dt);
+  }
+  for (const auto & car : impl_->cars()) {
+    for (Component * component : car->acting) {
+      component->afterStep(*this, car->id);
+    }
   }
 }
 
@@ -133,6 +151,9 @@ void Simulation::resetPoses()
   for (const auto & car : impl_->cars()) {
     car->car.restart(impl_->time);
     car->contacts.clear();
+    for (const auto & component : car->components) {
+      component->restart();
+    }
   }
   // The same calls in the same order as when built anew, so that Box2D's internal order is the same, too.
   if (impl_->collisions->isPristine()) {

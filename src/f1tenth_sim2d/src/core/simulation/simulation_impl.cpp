@@ -36,17 +36,9 @@ void Simulation::Impl::letIn(std::unique_ptr<RegisteredCar> car)
 {
   registry.reserve();
   collisions->prepareFor(*car->body);
-  car->lidars = makeLidars(*car, *geometry, scenes);
-  std::vector<MovingSection> sections;
-  for (LidarScene & scene : scenes) {
-    scene.reserveCar();
-    sections.push_back(scene.sectionOf(car->description.solids));
-  }
   // Nothing fails from here on, so that a car is added completely or not at all.
   collisions->add(*car->body);
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    scenes[i].addCar(car->id, std::move(sections[i]));
-  }
+  forgetScenes();
   registry.add(std::move(car));
 }
 
@@ -70,19 +62,15 @@ void Simulation::Impl::changeWorld(WorldDescription world, const std::vector<Mod
   auto new_geometry = std::make_shared<const WorldGeometry>(std::move(world));
   auto new_collisions = std::make_unique<CollisionWorld>(new_geometry->world(), new_geometry->pieces());
   std::vector<std::unique_ptr<CarBody>> bodies;
-  std::vector<Lidars> lidars;
-  Scenes new_scenes;
   for (const auto & car : cars()) {
     bodies.push_back(car->makeBody(new_geometry->pieces()));
     new_collisions->prepareFor(*bodies.back());
-    lidars.push_back(makeLidars(*car, *new_geometry, new_scenes));
   }
   // Nothing fails from here on.
   for (std::size_t i = 0; i < cars().size(); ++i) {
     cars()[i]->body.swap(bodies[i]);
-    cars()[i]->lidars.swap(lidars[i]);
   }
-  scenes.swap(new_scenes);
+  forgetScenes();
   enter(std::move(new_collisions));
   collisions->setMotions(motions);
   geometry = std::move(new_geometry);
@@ -135,37 +123,34 @@ std::string Simulation::Impl::nameOf(const Piece & piece) const
   return "model " + withoutCollision(world().models[piece.body].solids[piece.solid].name);
 }
 
-Simulation::Impl::Lidars Simulation::Impl::makeLidars(
-  const RegisteredCar & car, const WorldGeometry & world, Scenes & among) const
+const LidarScene & Simulation::Impl::sceneAt(double height) const
 {
-  Lidars lidars;
-  for (const LidarDescription & lidar : car.description.lidars) {
-    lidars.emplace_back(lidar, sceneAt(lidar.pose.position.z(), cars(), world, among));
-  }
-  return lidars;
-}
-
-const LidarScene & Simulation::Impl::sceneAt(
-  double height, const Cars & seen, const WorldGeometry & world, Scenes & among)
-{
-  const auto found = std::find_if(
-    among.begin(), among.end(), [&](const LidarScene & scene) { return scene.world().height() == height; });
-  if (found != among.end()) {
+  const std::lock_guard<std::mutex> lock(scenes_mutex);
+  const auto found =
+    std::find_if(scenes.begin(), scenes.end(), [&](const LidarScene & scene) { return scene.height() == height; });
+  if (found != scenes.end()) {
     return *found;
   }
-  LidarScene scene(world.sectionAt(height));
-  for (const auto & car : seen) {
-    scene.reserveCar();
-    scene.addCar(car->id, scene.sectionOf(car->description.solids));
+  LidarScene scene(geometry->sectionAt(height));
+  for (const auto & car : cars()) {
+    scene.addCar(car->id, car->description.solids);
   }
-  return among.emplace_back(std::move(scene));
+  return scenes.emplace_back(std::move(scene));
 }
 
 void Simulation::Impl::logContacts()
 {
   for (const auto & car : cars()) {
+    const auto describe_of = [&](const StepContact & step, Contact & report) { describe(*car, step, report); };
+    ContactLog of_step;
     for (const StepContact & contact : car->body->contacts) {
-      car->contacts.add(contact, dt, [&](const StepContact & step, Contact & report) { describe(*car, step, report); });
+      car->contacts.add(contact, dt, describe_of);
+      of_step.add(contact, dt, describe_of);
+    }
+    for (Component * component : car->acting) {
+      for (const Contact & contact : of_step.contacts()) {
+        component->onContact(contact);
+      }
     }
   }
 }

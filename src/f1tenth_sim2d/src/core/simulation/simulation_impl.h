@@ -18,7 +18,6 @@ namespace f1tenth_sim2d
 struct Simulation::Impl : MovingPoses
 {
   using Scenes = std::deque<LidarScene>;
-  using Lidars = std::vector<LidarSensor>;
 
   Impl(std::shared_ptr<const WorldGeometry> world, const SimulationOptions & wanted);
 
@@ -28,9 +27,11 @@ struct Simulation::Impl : MovingPoses
   Pose2 ofModel(std::size_t model) const override;
   Pose2 ofCar(CarId car) const override;
 
-  static const LidarScene & sceneAt(double height, const Cars & seen, const WorldGeometry & world, Scenes & among);
+  /// What is seen at a height, m; made at the first call.
+  const LidarScene & sceneAt(double height) const;
   void scan(CarId id, std::size_t lidar, bool noisy, float * ranges) const;
   void letIn(std::unique_ptr<RegisteredCar> car);
+  void forgetScenes() noexcept { scenes.clear(); }
   void refuseOccupiedPlace(const std::vector<PlacedCar> & places, std::size_t own, const std::string & what) const;
   void refuseTakenName(const std::string & name) const;
   void logContacts();
@@ -49,12 +50,12 @@ struct Simulation::Impl : MovingPoses
   bool models_moved{false};
   std::unique_ptr<CollisionWorld> collisions;
   CarRegistry registry;
-  mutable std::mutex scenes_mutex;  ///< for const functions that add one
-  mutable Scenes scenes;
 
 private:
-  Lidars makeLidars(const RegisteredCar & car, const WorldGeometry & world, Scenes & among) const;
   std::string nameOf(const Piece & piece) const;
   void describe(const RegisteredCar & car, const StepContact & step, Contact & contact) const;
+
+  mutable std::mutex scenes_mutex;  ///< for const functions that add one
+  mutable Scenes scenes;            ///< of the cars and the geometry that are there now
 };
 }  // namespace f1tenth_sim2d

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <limits>
-#include <optional>
 
+#include "core/lidar/beam_kernels.h"
 #include "core/math/noise.h"
 #include "core/math/planar_pose.h"
 #include "core/simulation/simulation_impl.h"
@@ -19,21 +19,6 @@ WheelOdometry Simulation::wheelOdometry(CarId car) const
   return impl_->car(car).car.wheelOdometry();
 }
 
-ImuSample Simulation::imu(CarId id) const
-{
-  const RegisteredCar & own = impl_->car(id);
-  const CarState state = own.car.state();
-  ImuSample sample{state.pose.yaw, state.yaw_rate, state.acceleration};
-  if (const auto & imu = own.description.imu) {
-    const std::uint64_t key =
-      noiseKey(impl_->options.seed, own.noise_stream, NoiseStream::kImu, 0, static_cast<std::uint64_t>(impl_->time));
-    sample.yaw_rate += imu->yaw_rate_noise_stddev * gaussian(key, 0);
-    sample.acceleration.x += imu->acceleration_noise_stddev * gaussian(key, 1);
-    sample.acceleration.y += imu->acceleration_noise_stddev * gaussian(key, 2);
-  }
-  return sample;
-}
-
 void Simulation::scan(CarId car, std::size_t lidar, float * ranges) const
 {
   impl_->scan(car, lidar, true, ranges);
@@ -44,14 +29,26 @@ void Simulation::exactScan(CarId car, std::size_t lidar, float * ranges) const
   impl_->scan(car, lidar, false, ranges);
 }
 
-void Simulation::Impl::scan(CarId id, std::size_t lidar, bool noisy, float * ranges) const
+void Simulation::Impl::scan(CarId id, std::size_t index, bool noisy, float * ranges) const
 {
   const RegisteredCar & own = car(id);
-  std::optional<std::uint64_t> noise_key;
+  const LidarDescription & lidar = own.description.lidars.at(index);
+  const LidarScene & scene = sceneAt(lidar.pose.position.z());
+  const ScanSpaces::Loan space = scene.spaceFor(beamsOf(lidar));
+  scene.draw(id, chain(own.car.pose(), planar(lidar.pose)), lidar.range_max, *this, *space);
   if (noisy) {
-    noise_key = noiseKey(options.seed, own.noise_stream, NoiseStream::kLidar, lidar, static_cast<std::uint64_t>(time));
+    const auto now = static_cast<std::uint64_t>(time);
+    const std::uint64_t key = noiseKey(options.seed, own.noise_stream, NoiseStream::kLidar, index, now);
+    gaussians(key, space->normal.size(), space->normal.data());
   }
-  own.lidars.at(lidar).scan(id, own.car.pose(), *this, noise_key, ranges);
+  const double mean = noisy ? lidar.noise_mean : 0.0;
+  const double stddev = noisy ? lidar.noise_stddev : 0.0;
+  reportRanges(
+    space->raster.inverseRanges(), space->normal.data(), space->normal.size(), mean, stddev,
+    {lidar.range_min, lidar.range_max}, ranges);
+  if (isUpsideDown(lidar)) {
+    std::reverse(ranges, ranges + lidar.beam_count);
+  }
 }
 
 void Simulation::castRays(CarId id, const RayFan & fan, double * ranges) const
@@ -59,17 +56,11 @@ void Simulation::castRays(CarId id, const RayFan & fan, double * ranges) const
   const RegisteredCar & own = impl_->car(id);
   validate(fan, own.description.name);
   const Pose2 origin = chain(own.car.pose(), fan.origin);
-  const LidarScene & scene = [&]() -> const LidarScene & {
-    const std::lock_guard<std::mutex> lock(impl_->scenes_mutex);
-    return impl_->sceneAt(fan.height, impl_->cars(), *impl_->geometry, impl_->scenes);
-  }();
-  LidarDescription ray;
-  ray.beam_count = 1;
+  const LidarScene & scene = impl_->sceneAt(fan.height);
   const double range_max = std::min(kFarthest, fan.range_max);
-  const ScanSpaces::Loan space = scene.world().spacesFor(ray).borrow();
+  const ScanSpaces::Loan space = scene.spaceFor(Beams{});
   for (std::size_t i = 0; i < fan.directions.size(); ++i) {
-    space->raster.begin({origin.x, origin.y, origin.yaw + fan.directions[i]}, range_max);
-    scene.draw(id, *impl_, space->raster, space->drawn);
+    scene.draw(id, {origin.x, origin.y, origin.yaw + fan.directions[i]}, range_max, *impl_, *space);
     const double range = 1.0 / space->raster.inverseRanges()[0];
     ranges[i] = range < fan.range_max ? range : std::numeric_limits<double>::infinity();
   }

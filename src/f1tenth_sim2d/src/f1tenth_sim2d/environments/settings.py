@@ -26,7 +26,8 @@ class Settings:
     cars: int = 1
     """on the road; the first one is the ego car"""
     observation: Sequence[str] = ("scan", "velocity", "steering")
-    """parts of what a car observes: scan, pose, velocity, steering, course, laps, contact, others"""
+    """parts of what a car observes: scan, pose, velocity, steering, course, laps, contact, others, and
+    names of its components: imu"""
     flatten: bool = False
     """one array instead of a dictionary of the parts"""
     actions: str = "speed"

@@ -5,6 +5,12 @@
 
 namespace f1tenth_sim2d
 {
+// Each reads one sensor, in a file of its own, and adds it to the car.
+void readLidar(const SensorElement & element, CarContext & context);
+void readSonar(const SensorElement & element, CarContext & context);
+void readBumper(const SensorElement & element, CarContext & context);
+void readImu(const SensorElement & element, CarContext & context);
+
 namespace
 {
 struct SensorKind

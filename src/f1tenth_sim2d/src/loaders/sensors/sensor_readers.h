@@ -20,12 +20,17 @@ struct SensorElement
   std::string link;  ///< on which it is
 };
 
-/// Each adds one sensor to the car.
-/// @throws LoadError
-void readLidar(const SensorElement & element, CarContext & context);
-void readSonar(const SensorElement & element, CarContext & context);
-void readBumper(const SensorElement & element, CarContext & context);
-void readImu(const SensorElement & element, CarContext & context);
+/// A topic and the frame of a plugin; what it does not say is taken as gazebo_ros takes it, with a warning.
+/// @throws LoadError, as readers do
+std::string topicOf(const Element & plugin, const char * tag, const char * by_default, CarContext & context);
+std::string frameOf(const Element & plugin, CarContext & context);
+/// Name, topic, frame, pose and rate of a sensor whose tags have the usual names: <topicName> and <frameName> of its
+/// plugin, <update_rate> of its own. A reader of a sensor gets it and adds a component to the car.
+/// @param topic  where it publishes by default
+/// @throws LoadError, as readers do
+Mount mountOf(const SensorElement & element, const char * topic, CarContext & context);
+/// Standard deviation of a <noise>; 0 if there is none.
+double stddevOf(const Element & noise);
 
 /// Scoped names of the solids that a contact sensor watches: for each name a collision of the sensor's own link, or
 /// else the only one of another link; for a name with a scope ("LINK::COLLISION") that of the link. A collision may be

@@ -47,10 +47,7 @@ bool isDisturbed(const TimeControl & before, const TimeControl & after)
 
 DiagnosticsOutput::DiagnosticsOutput(
   ros::Publisher publisher, const TimeControl & control, std::function<std::vector<Fleet::Driver>()> drivers)
-: MessageOutput(std::move(publisher), kRate),
-  control_(control),
-  drivers_(std::move(drivers)),
-  seen_(control)
+: MessageOutput(std::move(publisher), kRate), control_(control), drivers_(std::move(drivers)), seen_(control)
 {
 }
 

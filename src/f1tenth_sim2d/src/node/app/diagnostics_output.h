@@ -20,8 +20,7 @@ class DiagnosticsOutput : public MessageOutput<diagnostic_msgs::DiagnosticArray>
 public:
   /// @param control  the requested flow of time
   DiagnosticsOutput(
-    ros::Publisher publisher, const TimeControl & control,
-    std::function<std::vector<Fleet::Driver>()> drivers);
+    ros::Publisher publisher, const TimeControl & control, std::function<std::vector<Fleet::Driver>()> drivers);
   void update(SimTime now, bool anyway) override;
 
 private:

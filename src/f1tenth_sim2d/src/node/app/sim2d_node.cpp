@@ -106,14 +106,7 @@ Fleet::Surroundings Sim2dNode::surroundings()
   const auto driver_of = [this](const std::string & car) {
     return barrier_ ? barrier_->driverOf(car) : CommandInput::Answered([](const ros::Time &) {});
   };
-  return {parameters_.odometry,
-          node_,
-          simulation_,
-          world_,
-          advertiser_,
-          transforms_,
-          plugins_,
-          driver_of};
+  return {parameters_.odometry, node_, simulation_, world_, advertiser_, transforms_, plugins_, driver_of};
 }
 
 OutputList Sim2dNode::globalOutputs()

@@ -27,23 +27,6 @@ void setPlanarVariances(boost::array<double, 36> & covariance, double x, double 
   covariance[35] = yaw;
 }
 
-/// Sets the variances along the axes of the car of a quantity that a sensor measures along its own.
-void setVariances(boost::array<double, 9> & covariance, const Eigen::Vector3d & variances, const Pose3 & sensor)
-{
-  const Eigen::Matrix3d to_sensor = sensor.rotation.conjugate().toRotationMatrix();
-  const Eigen::Matrix3d turned = to_sensor * variances.asDiagonal() * to_sensor.transpose();
-  std::copy_n(turned.data(), covariance.size(), covariance.begin());
-}
-
-geometry_msgs::Vector3 toVector3(const Eigen::Vector3d & vector)
-{
-  geometry_msgs::Vector3 message;
-  message.x = vector.x();
-  message.y = vector.y();
-  message.z = vector.z();
-  return message;
-}
-
 /// The link that a frame id means, which may have the car's name in front of it. end() if there is none.
 auto linkOf(const CarDescription & car, const std::string & frame)
 {
@@ -51,42 +34,6 @@ auto linkOf(const CarDescription & car, const std::string & frame)
   return found == car.link_poses.end() ? car.link_poses.find(withoutPrefix(frame, car.name + "/")) : found;
 }
 }  // namespace
-
-ScanOutput::ScanOutput(const CarHandle & car, std::size_t lidar)
-: SensorOutput(car, car.description().lidars[lidar]), lidar_(lidar)
-{
-  message_.angle_min = static_cast<float>(sensor_.angle_min);
-  message_.angle_max = static_cast<float>(sensor_.angle_max);
-  const int gaps = std::max(1, sensor_.beam_count - 1);
-  message_.angle_increment = static_cast<float>((sensor_.angle_max - sensor_.angle_min) / gaps);
-  message_.scan_time =
-    static_cast<float>(sensor_.rate_hz > 0.0 ? 1.0 / sensor_.rate_hz : toSeconds(car.simulation.stepLength()));
-  message_.range_min = static_cast<float>(sensor_.range_min);
-  message_.range_max = static_cast<float>(sensor_.range_max);
-  message_.ranges.resize(static_cast<std::size_t>(sensor_.beam_count));
-}
-
-void ScanOutput::sample(sensor_msgs::LaserScan & message)
-{
-  car_.simulation.scan(car_.id, lidar_, message.ranges.data());
-}
-
-SonarOutput::SonarOutput(const CarHandle & car, const SonarDescription & sonar)
-: SensorOutput(car, sonar), ranges_(sonar.rays.directions.size())
-{
-  message_.radiation_type = sonar.is_infrared ? sensor_msgs::Range::INFRARED : sensor_msgs::Range::ULTRASOUND;
-  message_.field_of_view = static_cast<float>(sonar.field_of_view);
-  message_.min_range = static_cast<float>(sonar.range_min);
-  message_.max_range = static_cast<float>(sonar.rays.range_max);
-}
-
-void SonarOutput::sample(sensor_msgs::Range & message)
-{
-  car_.simulation.castRays(car_.id, sensor_.rays, ranges_.data());
-  const double noise = sensor_.noise_stddev * car_.simulation.noise(car_.id, sensor_.name, 0);
-  const double nearest = *std::min_element(ranges_.begin(), ranges_.end());
-  message.range = static_cast<float>(std::min(nearest + noise, sensor_.rays.range_max));
-}
 
 OdometryPlace odometryPlace(const CarDescription & car, const VehicleParameters & vehicle)
 {
@@ -175,27 +122,6 @@ void PoseOutput::sample(nav_msgs::Odometry & message)
   const Pose3::Rotation turned = Pose3::rotationOf(rpy.x(), rpy.y(), rpy.z());
   message.pose.pose = toPose(Pose3(pose.position + sensor_.xyz_offset, turned * pose.rotation));
   message.twist.twist = toTwist(velocityAt(velocity, state.yaw_rate, {arm.x(), arm.y()}), state.yaw_rate);
-}
-
-ImuOutput::ImuOutput(const CarHandle & car) : SensorOutput(car, *car.description().imu)
-{
-  const double acceleration_variance = square(sensor_.acceleration_noise_stddev);
-  message_.orientation_covariance = {kExact, 0, 0, 0, kExact, 0, 0, 0, kExact};
-  const double rate_variance = square(sensor_.yaw_rate_noise_stddev);
-  setVariances(message_.angular_velocity_covariance, {kExact, kExact, rate_variance}, sensor_.pose);
-  setVariances(
-    message_.linear_acceleration_covariance, {acceleration_variance, acceleration_variance, kExact}, sensor_.pose);
-}
-
-void ImuOutput::sample(sensor_msgs::Imu & message)
-{
-  const ImuSample sample = car_.simulation.imu(car_.id);
-  const Pose3::Rotation to_sensor = sensor_.pose.rotation.conjugate();
-  const Vec2 & pushed = sample.acceleration;
-  message.orientation = toPose(onGround({0.0, 0.0, sample.yaw}) * sensor_.pose).orientation;
-  message.angular_velocity = toVector3(to_sensor * Eigen::Vector3d(0.0, 0.0, sample.yaw_rate));
-  message.linear_acceleration =
-    toVector3(to_sensor * Eigen::Vector3d(pushed.x, pushed.y, car_.simulation.world().gravity));
 }
 
 JointStatesOutput::JointStatesOutput(

@@ -2,10 +2,7 @@
 
 #include <gazebo_msgs/ContactsState.h>
 #include <nav_msgs/Odometry.h>
-#include <sensor_msgs/Imu.h>
 #include <sensor_msgs/JointState.h>
-#include <sensor_msgs/LaserScan.h>
-#include <sensor_msgs/Range.h>
 
 #include <map>
 #include <set>
@@ -15,33 +12,9 @@
 
 #include "node/cars/sensor_output.h"
 
-/// What a car publishes. Frames and topics come from its description.
+/// What a car publishes besides its components. Frames and topics come from its description.
 namespace f1tenth_sim2d
 {
-class ScanOutput : public SensorOutput<LidarDescription, sensor_msgs::LaserScan>
-{
-public:
-  ScanOutput(const CarHandle & car, std::size_t lidar);
-  bool isAnswered() const override { return true; }
-
-private:
-  void sample(sensor_msgs::LaserScan & message) override;
-
-  const std::size_t lidar_;
-};
-
-/// A sonar, as libgazebo_ros_range.so publishes it: max_range if it sees nothing.
-class SonarOutput : public SensorOutput<SonarDescription, sensor_msgs::Range>
-{
-public:
-  SonarOutput(const CarHandle & car, const SonarDescription & sonar);
-
-private:
-  void sample(sensor_msgs::Range & message) override;
-
-  std::vector<double> ranges_;
-};
-
 /// How wheel odometry is published: as a drive plugin of the description says, or on `odom`.
 struct OdometryPlace
 {
@@ -91,15 +64,6 @@ public:
 
 private:
   void sample(nav_msgs::Odometry & message) override;
-};
-
-class ImuOutput : public SensorOutput<ImuDescription, sensor_msgs::Imu>
-{
-public:
-  explicit ImuOutput(const CarHandle & car);
-
-private:
-  void sample(sensor_msgs::Imu & message) override;
 };
 
 class JointStatesOutput : public MessageOutput<sensor_msgs::JointState>

@@ -24,9 +24,6 @@ public:
   /// @param on_command  called for every message, also for a refused one: the driver has answered
   CommandInput(Simulation & simulation, CarId car, ros::NodeHandle node, Answered on_command);
 
-  /// The command of controllers within the node, step by step; neither counted nor an answer.
-  /// @throws Error for a value that makes no sense
-  void apply(const DriveCommand & command) { simulation_.command(car_, command); }
   /// The driver has sent a command to a controller, which accepted it if there is no objection. Commands to several
   /// joints at the same time count once.
   void noteTold(const std::string & objection);

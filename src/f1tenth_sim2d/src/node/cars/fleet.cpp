@@ -3,13 +3,27 @@
 #include <memory>
 #include <utility>
 
+#include "node/cars/component_outputs.h"
 #include "node/cars/controllers/ros_control.h"
 
 namespace f1tenth_sim2d
 {
 namespace
 {
-/// A plugin among the outputs.
+/// What the controllers of ros_control publish.
+class ControllersOutput : public Output
+{
+public:
+  explicit ControllersOutput(std::shared_ptr<RosControl> control) : control_(std::move(control)) {}
+  double rate() const override { return control_->rate(); }
+  void update(SimTime now, bool /*anyway*/) override { control_->publish(now); }
+  void repeat() override {}
+
+private:
+  const std::shared_ptr<RosControl> control_;
+};
+
+/// What a plugin publishes.
 class PluginOutput : public Output
 {
 public:
@@ -74,19 +88,15 @@ OutputList Fleet::makeOutputs(Car & car) const
   const CarHandle handle = handleOf(car);
   const CarDescription & description = handle.description();
   OutputList outputs;
-  for (std::size_t lidar = 0; lidar < description.lidars.size(); ++lidar) {
-    outputs.push_back(std::make_unique<ScanOutput>(handle, lidar));
+  for (const auto & component : around_.simulation.components(handle.id)) {
+    if (auto output = makeOutput(handle, *component)) {
+      outputs.push_back(std::move(output));
+    }
   }
   for (const BumperDescription & bumper : description.bumpers) {
     outputs.push_back(std::make_unique<BumperOutput>(handle, bumper));
   }
-  for (const SonarDescription & sonar : description.sonars) {
-    outputs.push_back(std::make_unique<SonarOutput>(handle, sonar));
-  }
   addOdometry(handle, outputs);
-  if (description.imu) {
-    outputs.push_back(std::make_unique<ImuOutput>(handle));
-  }
   if (!description.joints.empty()) {
     outputs.push_back(std::make_unique<JointStatesOutput>(
       handle, description.joint_state_topic, description.joint_state_rate_hz, description.joints));
@@ -94,7 +104,9 @@ OutputList Fleet::makeOutputs(Car & car) const
   if (description.ros_control) {
     CarHandle control = handle;
     control.node = ros::NodeHandle(handle.node, description.ros_control->ros_namespace);
-    outputs.push_back(std::make_unique<RosControl>(control, car.commands));
+    const auto controllers = std::make_shared<RosControl>(control, car.commands);
+    around_.simulation.mount(handle.id, controllers);
+    outputs.push_back(std::make_unique<ControllersOutput>(controllers));
   }
   addPlugins(handle, outputs);
   return outputs;
@@ -128,6 +140,7 @@ void Fleet::addPlugins(const CarHandle & car, OutputList & outputs) const
     around_.odometry == OdometryOwner::kPerfect};
   for (const auto & element : car.description().plugins) {
     if (auto plugin = around_.plugins.make(element, context)) {
+      around_.simulation.mount(car.id, plugin);
       outputs.push_back(std::make_unique<PluginOutput>(std::move(plugin)));
     }
   }

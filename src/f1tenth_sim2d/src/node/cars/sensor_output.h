@@ -33,7 +33,7 @@ struct CarHandle
   }
 };
 
-/// A sensor of a car on its topic: its description says where it is and how often it measures, sample() what.
+/// A sensor of a car on its topic: its mount or description says where it is and how often it measures, sample() what.
 template <class Description, class Message>
 class SensorOutput : public MessageOutput<Message>
 {

@@ -49,8 +49,8 @@ struct NodeParameters
   LockstepOptions lockstep;
   double control_period_sec{0.025};
   SimulationOptions simulation;
-  bool paused{false};                          ///< at the start
-  double clock_rate_hz{200.0};                 ///< of simulated time
+  bool paused{false};           ///< at the start
+  double clock_rate_hz{200.0};  ///< of simulated time
   OdometryOwner odometry{OdometryOwner::kPerfect};
   std::string record_file;         ///< empty: none
   std::string interventions_file;  ///< empty: none

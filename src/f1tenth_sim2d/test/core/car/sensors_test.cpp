@@ -105,44 +105,9 @@ TEST(WheelOdometry, IsTheSameWhetherItIsReadOrNot)
     unread.step();
     read.scan(kRobot1, 0, ranges.data());
     read.wheelOdometry(kRobot1);
-    read.imu(kRobot1);
   }
   EXPECT_EQ(read.wheelOdometry(kRobot1).pose.x, unread.wheelOdometry(kRobot1).pose.x);
   EXPECT_EQ(read.wheelOdometry(kRobot1).pose.yaw, unread.wheelOdometry(kRobot1).pose.yaw);
-}
-
-CarDescription carWithImu(double stddev)
-{
-  CarDescription description = car("robot1");
-  description.imu = ImuDescription{};
-  description.imu->yaw_rate_noise_stddev = stddev;
-  description.imu->acceleration_noise_stddev = stddev;
-  return description;
-}
-
-TEST(Imu, MeasuresWhatTheCarDoes)
-{
-  Simulation simulation(world());
-  simulation.addCar(carWithImu(0.0), {}, {});
-  drive(simulation, kRobot1, {2.0, 0.15}, 3.0);
-  const CarState & state = simulation.state(kRobot1);
-  const ImuSample sample = simulation.imu(kRobot1);
-  EXPECT_EQ(sample.yaw, state.pose.yaw);
-  EXPECT_EQ(sample.yaw_rate, state.yaw_rate);
-  EXPECT_NEAR(sample.acceleration.y, state.velocity.x * state.yaw_rate, 0.05);
-}
-
-TEST(Imu, NoiseIsAFunctionOfTime)
-{
-  Simulation simulation(world());
-  simulation.addCar(carWithImu(0.1), {}, {});
-  const double first = simulation.imu(kRobot1).yaw_rate;
-  EXPECT_NE(first, 0.0);
-  EXPECT_NE(simulation.imu(kRobot1).acceleration.x, 0.0);
-  EXPECT_NE(simulation.imu(kRobot1).acceleration.y, 0.0);
-  EXPECT_EQ(simulation.imu(kRobot1).yaw_rate, first);
-  simulation.step();
-  EXPECT_NE(simulation.imu(kRobot1).yaw_rate, first);
 }
 
 TEST(CarState, PoseIsThatOfTheRearAxle)
@@ -206,10 +171,10 @@ TEST(Ackermann, WheelSpeedsAreThoseOfCirclesAboutThatPoint)
   EXPECT_NEAR(speeds[3], yaw_rate * (radius + 0.1) / 0.05, 1e-9);
 }
 
-TEST(Imu, MeasuresAllOfTheAccelerationOfACarThatSlides)
+TEST(CarState, HasAllOfTheAccelerationOfACarThatSlides)
 {
   Simulation simulation(world());
-  simulation.addCar(carWithImu(0.0), {}, {});
+  simulation.addCar(car("robot1"), {}, {});
   simulation.placeCar(kRobot1, {}, {3.0, 1.0}, 2.0);
   const double l_r = VehicleParameters{}.l_r;
   const auto velocityInWorld = [&] {
@@ -226,9 +191,9 @@ TEST(Imu, MeasuresAllOfTheAccelerationOfACarThatSlides)
     const Vec2 after = velocityInWorld();
     const double yaw = simulation.state(kRobot1).pose.yaw;
     const Vec2 change{(after.x - before.x) / 0.001, (after.y - before.y) / 0.001};
-    const ImuSample sample = simulation.imu(kRobot1);
-    ASSERT_NEAR(sample.acceleration.x, std::cos(yaw) * change.x + std::sin(yaw) * change.y, 1e-6);
-    ASSERT_NEAR(sample.acceleration.y, std::cos(yaw) * change.y - std::sin(yaw) * change.x, 1e-6);
+    const Vec2 acceleration = simulation.state(kRobot1).acceleration;
+    ASSERT_NEAR(acceleration.x, std::cos(yaw) * change.x + std::sin(yaw) * change.y, 1e-6);
+    ASSERT_NEAR(acceleration.y, std::cos(yaw) * change.y - std::sin(yaw) * change.x, 1e-6);
   }
 }
 

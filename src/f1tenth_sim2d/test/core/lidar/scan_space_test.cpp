@@ -11,36 +11,35 @@ namespace f1tenth_sim2d::test
 {
 TEST(ScanSpaces, LendTheSameSpaceAgainWhenItHasComeBack)
 {
-  ScanSpaces spaces(lidar(), 4);
+  ScanSpaces spaces(beamsOf(lidar()), 4);
   const ScanSpace * const first = spaces.borrow().get();
   EXPECT_EQ(spaces.borrow().get(), first);
 }
 
 TEST(ScanSpaces, LendEachSpaceToOneOnly)
 {
-  ScanSpaces spaces(lidar(), 4);
+  ScanSpaces spaces(beamsOf(lidar()), 4);
   const ScanSpaces::Loan first = spaces.borrow();
   const ScanSpaces::Loan second = spaces.borrow();
   EXPECT_NE(first.get(), second.get());
   EXPECT_EQ(second->raster.beamCount(), lidar().beam_count);
 }
 
-TEST(ScanSpaces, FitWhoeverHasTheSameBeams)
+TEST(Beams, AreThoseOfWhoeverLooksTheSameWays)
 {
-  const ScanSpaces spaces(lidar(), 4);
   LidarDescription same = lidar();
   same.noise_stddev += 0.1;
   same.range_min += 0.1;
   same.range_max -= 0.1;
   same.pose.position.x() += 1.0;
-  EXPECT_TRUE(spaces.fit(same));
+  EXPECT_TRUE(beamsOf(lidar()) == beamsOf(same));
   const std::vector<std::function<void(LidarDescription &)>> changes{
     [](LidarDescription & other) { --other.beam_count; }, [](LidarDescription & other) { other.angle_min += 0.1; },
     [](LidarDescription & other) { other.angle_max -= 0.1; }};
   for (std::size_t i = 0; i < changes.size(); ++i) {
     LidarDescription other = lidar();
     changes[i](other);
-    EXPECT_FALSE(spaces.fit(other)) << "change " << i;
+    EXPECT_FALSE(beamsOf(lidar()) == beamsOf(other)) << "change " << i;
   }
 }
 }  // namespace f1tenth_sim2d::test

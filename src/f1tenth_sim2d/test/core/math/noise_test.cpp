@@ -83,14 +83,14 @@ TEST(Noise, EveryPartOfTheKeyMatters)
     keys.insert(noiseKey(100, 1, NoiseStream::kLidar, 100 + i, 3));
     keys.insert(noiseKey(100, 1, NoiseStream::kLidar, 2, 100 + i));
   }
-  keys.insert(noiseKey(100, 1, NoiseStream::kImu, 2, 3));
+  keys.insert(noiseKey(100, 1, NoiseStream::kNamedSensor, 2, 3));
   keys.insert(noiseKey(100, 1, NoiseStream::kOdometry, 2, 3));
   EXPECT_EQ(keys.size(), 66u);
 }
 
 TEST(Noise, IsAFunctionOfKeyAndIndexOnly)
 {
-  const std::uint64_t key = noiseKey(5, 6, NoiseStream::kImu, 7, 8);
+  const std::uint64_t key = noiseKey(5, 6, NoiseStream::kNamedSensor, 7, 8);
   const double first = gaussian(key, 3);
   gaussian(key, 4);
   EXPECT_EQ(gaussian(key, 3), first);

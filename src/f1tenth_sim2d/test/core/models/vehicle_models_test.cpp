@@ -218,7 +218,7 @@ TEST(VehicleModels, CarThatIsPlacedAtASpeedFeelsNoJolt)
     EXPECT_NEAR(simulation.state(kRobot1).wheel_speeds[2], 5.0 / 0.05, 1e-9);
     simulation.command(kRobot1, {5.0, 0.0});
     simulation.step();
-    EXPECT_LT(std::abs(simulation.imu(kRobot1).acceleration.x), 1.0);
+    EXPECT_LT(std::abs(simulation.state(kRobot1).acceleration.x), 1.0);
     simulation.advanceTo(20'000'000);
     EXPECT_NEAR(simulation.wheelOdometry(kRobot1).pose.x, simulation.state(kRobot1).pose.x, 1e-4);
   }

@@ -5,7 +5,9 @@
 #include <regex>
 #include <sstream>
 
+#include "core/components/imu/imu.h"
 #include "f1tenth_sim2d/loaders.h"
+#include "only.h"
 #include "temp_folder.h"
 
 namespace f1tenth_sim2d
@@ -195,7 +197,7 @@ TEST_F(CarOfOthers, HasTopicsInTheNamespaceOfTheDescription)
 {
   const CarDescription car = load(racecar());
   EXPECT_EQ(car.lidars.at(0).topic, "/racecar/scan");
-  EXPECT_EQ(car.imu->topic, "/imu/data");
+  EXPECT_EQ(only<Imu>(car).mount().topic, "/imu/data");
   EXPECT_EQ(car.drive->command_topic, "/other/motor");
   EXPECT_EQ(car.drive->odometry_topic, "/other/odom");
 }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "core/components/imu/imu.h"
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
+#include "only.h"
 #include "small_car.h"
 
 namespace f1tenth_sim2d
@@ -113,12 +115,12 @@ TEST(LoadCar, ContactSensorsWatchTheirCollisionWhetherItsLinkIsKeptOrNot)
 TEST(LoadCar, ReadsTheImu)
 {
   const CarDescription car = load(smallCar());
-  ASSERT_TRUE(car.imu.has_value());
-  EXPECT_EQ(car.imu->topic, "imu");
-  EXPECT_EQ(car.imu->frame, "imu");
-  EXPECT_EQ(car.imu->rate_hz, 100.0);
-  EXPECT_EQ(car.imu->yaw_rate_noise_stddev, 0.005);
-  EXPECT_EQ(car.imu->acceleration_noise_stddev, 0.05);
+  const Imu imu = only<Imu>(car);
+  EXPECT_EQ(imu.mount().topic, "imu");
+  EXPECT_EQ(imu.mount().frame, "imu");
+  EXPECT_EQ(imu.mount().rate_hz, 100.0);
+  EXPECT_EQ(imu.noise().yaw_rate_stddev, 0.005);
+  EXPECT_EQ(imu.noise().acceleration_stddev, 0.05);
 }
 
 std::string withImuPlugin(const std::string & plugin)
@@ -140,35 +142,34 @@ TEST(LoadCar, TakesAnImuPluginOfTheModel)
   EXPECT_TRUE(hasLine(
     with_two.warnings, "test.urdf:250: robot[small_car]/gazebo[11]/plugin[old_imu]: is a second IMU and left out"));
   const CarDescription car = load(withImuPlugin(plugin));
-  ASSERT_TRUE(car.imu.has_value());
-  EXPECT_EQ(car.imu->topic, "imu/data");
-  EXPECT_EQ(car.imu->frame, "imu");
-  EXPECT_EQ(car.imu->rate_hz, 50.0);
-  EXPECT_EQ(car.imu->yaw_rate_noise_stddev, 0.01);
+  const Imu imu = only<Imu>(car);
+  EXPECT_EQ(imu.mount().topic, "imu/data");
+  EXPECT_EQ(imu.mount().frame, "imu");
+  EXPECT_EQ(imu.mount().rate_hz, 50.0);
+  EXPECT_EQ(imu.noise().yaw_rate_stddev, 0.01);
   EXPECT_TRUE(car.plugins.size() == 1);
 }
 
 TEST(LoadCar, TakesAnImuPluginOfHector)
 {
   const auto imuWith = [](const std::string & tags) {
-    return load(withImuPlugin(
-                  "<gazebo><plugin name='hector' filename='libhector_gazebo_ros_imu.so'><updateRate>50.0</updateRate>"
-                  "<bodyName>imu</bodyName>" +
-                  tags + "</plugin></gazebo>"))
-      .imu.value();
+    return only<Imu>(load(withImuPlugin(
+      "<gazebo><plugin name='hector' filename='libhector_gazebo_ros_imu.so'><updateRate>50.0</updateRate>"
+      "<bodyName>imu</bodyName>" +
+      tags + "</plugin></gazebo>")));
   };
-  const ImuDescription plain = imuWith("");
-  EXPECT_EQ(plain.topic, "imu");
-  EXPECT_EQ(plain.frame, "imu");
-  EXPECT_EQ(plain.rate_hz, 50.0);
-  EXPECT_EQ(plain.yaw_rate_noise_stddev, 0.0);
-  const ImuDescription noisy = imuWith(
+  const Imu plain = imuWith("");
+  EXPECT_EQ(plain.mount().topic, "imu");
+  EXPECT_EQ(plain.mount().frame, "imu");
+  EXPECT_EQ(plain.mount().rate_hz, 50.0);
+  EXPECT_EQ(plain.noise().yaw_rate_stddev, 0.0);
+  const Imu noisy = imuWith(
     "<topicName>imu/data</topicName><frameId>base_link</frameId><accelGaussianNoise>0.35 0.4 0.3</accelGaussianNoise>"
     "<rateGaussianNoise>0.005</rateGaussianNoise>");
-  EXPECT_EQ(noisy.topic, "imu/data");
-  EXPECT_EQ(noisy.frame, "base_link");
-  EXPECT_EQ(noisy.yaw_rate_noise_stddev, 0.005);
-  EXPECT_EQ(noisy.acceleration_noise_stddev, 0.35);
+  EXPECT_EQ(noisy.mount().topic, "imu/data");
+  EXPECT_EQ(noisy.mount().frame, "base_link");
+  EXPECT_EQ(noisy.noise().yaw_rate_stddev, 0.005);
+  EXPECT_EQ(noisy.noise().acceleration_stddev, 0.35);
   EXPECT_THROW(imuWith("<rateGaussianNoise>-1 -1 -1</rateGaussianNoise>"), LoadError);
 }
 
@@ -195,12 +196,12 @@ TEST(LoadCar, MeasuresAtEveryStepWithARateOfZeroOrNone)
   for (const std::string & xml : {zeros, smallCarWithout({"<update_rate>"})}) {
     const CarDescription car = load(xml);
     EXPECT_EQ(car.lidars.at(0).rate_hz, 0.0);
-    EXPECT_EQ(car.imu->rate_hz, 0.0);
+    EXPECT_EQ(only<Imu>(car).mount().rate_hz, 0.0);
     EXPECT_EQ(car.bumpers.at(0).rate_hz, 0.0);
   }
   EXPECT_EQ(load(zeros).joint_state_rate_hz, 0.0);
   EXPECT_EQ(load(smallCarWith("<updateRate>50</updateRate>", "")).joint_state_rate_hz, 100.0);
-  EXPECT_EQ(load(withImuPlugin(kImuPlugin)).imu->rate_hz, 0.0);
+  EXPECT_EQ(only<Imu>(load(withImuPlugin(kImuPlugin))).mount().rate_hz, 0.0);
 }
 
 TEST(LoadCar, TakesTheDefaultsOfGazeboRosForWhatASensorDoesNotSay)
@@ -208,13 +209,13 @@ TEST(LoadCar, TakesTheDefaultsOfGazeboRosForWhatASensorDoesNotSay)
   const CarDescription car = load(smallCarWithout({"<topicName>", "<frameName>laser", "<frameName>b", "TopicName>"}));
   EXPECT_EQ(car.lidars.at(0).topic, "/world");
   EXPECT_EQ(car.lidars.at(0).frame, "world");
-  EXPECT_EQ(car.imu->topic, "imu_data");
+  EXPECT_EQ(only<Imu>(car).mount().topic, "imu_data");
   EXPECT_EQ(car.bumpers.at(0).topic, "bumper_states");
   EXPECT_EQ(car.bumpers.at(0).frame, "world");
   EXPECT_TRUE(std::any_of(car.warnings.begin(), car.warnings.end(), [](const std::string & warning) {
     return warning.find("lidar_plugin]: has no <topicName>: taken as '/world', as in gazebo_ros") != std::string::npos;
   }));
-  EXPECT_EQ(load(withImuPlugin(kImuPlugin)).imu->topic, "/default_imu");
+  EXPECT_EQ(only<Imu>(load(withImuPlugin(kImuPlugin))).mount().topic, "/default_imu");
   EXPECT_EQ(load(smallCarWith("<samples>1081</samples>", "<samples>1</samples>")).lidars.at(0).beam_count, 1);
 }
 

@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "core/components/imu/imu.h"
 #include "f1tenth_sim2d/loaders.h"
+#include "only.h"
 #include "small_car.h"
 
 // An IMU measures along the axes of the link that carries it, whatever its frame is called.
@@ -19,7 +21,7 @@ double yawOfImu(std::string xml)
 {
   const std::string child = "<child link=\"imu\"/>";
   xml.replace(xml.find(child), child.size(), child + "<origin rpy=\"0 0 1.5707963\"/>");
-  return loadCar(xml, "robot1", "car.urdf").imu.value().pose.yaw();
+  return only<Imu>(loadCar(xml, "robot1", "car.urdf")).mount().pose.yaw();
 }
 
 std::string carWithPlugin(const std::string & library, const std::string & tags)

@@ -4,8 +4,10 @@
 #include <string>
 #include <tuple>
 
+#include "core/components/sonar/sonar.h"
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
+#include "only.h"
 #include "small_car.h"
 
 // Sensors with libgazebo_ros_range.so.
@@ -35,11 +37,9 @@ CarDescription loadSonarCar(const std::string & xml)
   return loadCar(xml, "robot1", "test.urdf", {});
 }
 
-SonarDescription onlySonar(const std::string & xml)
+Sonar onlySonar(const std::string & xml)
 {
-  const CarDescription car = loadSonarCar(xml);
-  EXPECT_EQ(car.sonars.size(), 1u);
-  return car.sonars.at(0);
+  return only<Sonar>(loadSonarCar(xml));
 }
 
 std::string errorOfSonar(const std::string & xml)
@@ -55,11 +55,12 @@ std::string errorOfSonar(const std::string & xml)
 
 TEST(LoadSonar, IsThatOfTheDescription)
 {
-  const SonarDescription sonar = onlySonar(carWithSonar());
-  EXPECT_EQ(sonar.name, "sonar");
-  EXPECT_EQ(sonar.topic, "echo");
-  EXPECT_EQ(sonar.frame, "sonar");
-  EXPECT_EQ(sonar.rate_hz, 20.0);
+  const Sonar loaded = onlySonar(carWithSonar());
+  EXPECT_EQ(loaded.mount().name, "sonar");
+  EXPECT_EQ(loaded.mount().topic, "echo");
+  EXPECT_EQ(loaded.mount().frame, "sonar");
+  EXPECT_EQ(loaded.mount().rate_hz, 20.0);
+  const Sonar::Options & sonar = loaded.options();
   EXPECT_NEAR(sonar.rays.origin.x, -0.1, 1e-9);
   EXPECT_NEAR(std::abs(sonar.rays.origin.yaw), M_PI, 1e-6);
   EXPECT_NEAR(sonar.rays.height, 0.2, 1e-9);
@@ -76,23 +77,23 @@ TEST(LoadSonar, IsThatOfTheDescription)
 
 TEST(LoadSonar, MayHaveOneRayAndBeInfrared)
 {
-  const SonarDescription one = onlySonar(carWithSonar("<samples>3<", "<samples>1<"));
-  EXPECT_EQ(one.rays.directions, std::vector<double>{-0.2});
-  EXPECT_TRUE(onlySonar(carWithSonar("<fov>", "<radiation>infrared</radiation><fov>")).is_infrared);
+  const Sonar one = onlySonar(carWithSonar("<samples>3<", "<samples>1<"));
+  EXPECT_EQ(one.options().rays.directions, std::vector<double>{-0.2});
+  EXPECT_TRUE(onlySonar(carWithSonar("<fov>", "<radiation>infrared</radiation><fov>")).options().is_infrared);
 }
 
 TEST(LoadSonar, MayBeUpsideDown)
 {
-  const SonarDescription turned = onlySonar(carWithSonar("rpy=\"0 0 ", "rpy=\"3.14 0 "));
-  EXPECT_DOUBLE_EQ(turned.rays.directions[0], 0.2);
-  EXPECT_DOUBLE_EQ(turned.rays.directions[2], -0.2);
+  const Sonar turned = onlySonar(carWithSonar("rpy=\"0 0 ", "rpy=\"3.14 0 "));
+  EXPECT_DOUBLE_EQ(turned.options().rays.directions[0], 0.2);
+  EXPECT_DOUBLE_EQ(turned.options().rays.directions[2], -0.2);
 }
 
 TEST(LoadSonar, MeasuresAtTheLowerOfBothRates)
 {
-  EXPECT_EQ(onlySonar(carWithSonar("<updateRate>20</updateRate>", "")).rate_hz, 40.0);
-  EXPECT_EQ(onlySonar(carWithSonar("<updateRate>20<", "<updateRate>90<")).rate_hz, 40.0);
-  EXPECT_EQ(onlySonar(carWithSonar("<update_rate>40<", "<update_rate>0<")).rate_hz, 20.0);
+  EXPECT_EQ(onlySonar(carWithSonar("<updateRate>20</updateRate>", "")).mount().rate_hz, 40.0);
+  EXPECT_EQ(onlySonar(carWithSonar("<updateRate>20<", "<updateRate>90<")).mount().rate_hz, 40.0);
+  EXPECT_EQ(onlySonar(carWithSonar("<update_rate>40<", "<update_rate>0<")).mount().rate_hz, 20.0);
 }
 
 TEST(LoadSonar, MistakesAreNamed)

@@ -44,7 +44,7 @@ def odometry_message(state: f1tenth_sim2d.CarState, time: float, car: str) -> Od
     )
 
 
-def imu_message(sample: f1tenth_sim2d.ImuSample, gravity: float, time: float, car: str) -> Imu:
+def imu_message(sample: f1tenth_sim2d.CarState, gravity: float, time: float, car: str) -> Imu:
     """What an IMU along the axes of a car's base tells at a time (s); `gravity` in m/s^2."""
     return Imu(
         Header(Time.of(time), base_frame(car)),

@@ -22,8 +22,9 @@ public:
   virtual Claim claim() const = 0;
   /// It runs from now on; what came before is forgotten.
   virtual void start(SimTime now) = 0;
+  /// What it asks of its joint while it runs, if it moves one; valid as long as the controller.
+  virtual std::optional<JointCommand> command() const { return std::nullopt; }
   /// To be called at each control period while it runs.
-  /// @return what it asks of its joint, if it moves one; valid until the next call
-  virtual std::optional<JointCommand> update(SimTime now) = 0;
+  virtual void publish(SimTime /*now*/) {}
 };
 }  // namespace f1tenth_sim2d

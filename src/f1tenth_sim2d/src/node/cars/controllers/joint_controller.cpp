@@ -9,8 +9,7 @@ namespace
 constexpr std::uint32_t kJointQueueSize = 10;
 }  // namespace
 
-JointController::JointController(
-  const ControllerSetup & setup, const std::string & interface, JointCommand::Kind kind)
+JointController::JointController(const ControllerSetup & setup, const std::string & interface, JointCommand::Kind kind)
 : interface_(interface),
   kind_(kind),
   joint_(setup.joint(kind)),

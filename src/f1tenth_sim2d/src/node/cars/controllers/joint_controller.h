@@ -19,7 +19,7 @@ public:
 
   Claim claim() const override;
   void start(SimTime /*now*/) override { value_ = 0.0; }
-  std::optional<JointCommand> update(SimTime /*now*/) override { return JointCommand{kind_, joint_, value_}; }
+  std::optional<JointCommand> command() const override { return JointCommand{kind_, joint_, value_}; }
 
 private:
   void take(double value);

@@ -32,10 +32,4 @@ void JointStateController::start(SimTime now)
   schedule_.add(
     periodOf(output_.rate()), [this](SimTime at) { output_.update(at, false); }, now);
 }
-
-std::optional<JointCommand> JointStateController::update(SimTime now)
-{
-  schedule_.run(now);
-  return std::nullopt;
-}
 }  // namespace f1tenth_sim2d

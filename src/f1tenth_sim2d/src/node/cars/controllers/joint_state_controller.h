@@ -15,7 +15,7 @@ public:
 
   Claim claim() const override;
   void start(SimTime now) override;
-  std::optional<JointCommand> update(SimTime now) override;
+  void publish(SimTime now) override { schedule_.run(now); }
 
 private:
   JointStatesOutput output_;

@@ -61,7 +61,7 @@ void listTypes(controller_manager_msgs::ListControllerTypes::Response & response
 RosControl::RosControl(CarHandle car, CommandInput & commands)
 : car_(std::move(car)),
   commands_(commands),
-  rate_hz_(1.0 / std::max(kLeastPeriod, car_.description().ros_control->control_period_sec))
+  period_(fromSeconds(std::max(kLeastPeriod, car_.description().ros_control->control_period_sec)))
 {
   using namespace controller_manager_msgs;
   servers_ = {
@@ -75,32 +75,46 @@ RosControl::RosControl(CarHandle car, CommandInput & commands)
       car_.node, "reload_controller_libraries", [this](auto & wanted) { reload(wanted.force_kill); })};
 }
 
-void RosControl::update(SimTime now, bool /*anyway*/)
+void RosControl::beforeStep(Simulation & simulation, CarId car)
 {
+  const SimTime now = simulation.time();
   if (now < last_) {
-    last_ = now;
-    for (auto & [name, loaded] : controllers_) {
-      if (loaded.runs()) {
-        start(loaded);
-      }
-    }
+    startAnew(now);
+  } else if (now < last_ + period_) {
+    return;
   }
   last_ = now;
-  if (const auto commands = wanted(now); !commands.empty()) {
-    const auto & simulation = car_.simulation;
-    commands_.apply(
-      driveCommand(commands, car_.description(), simulation.parameters(car_.id), simulation.state(car_.id).velocity.x));
+  if (const auto commands = wanted(); !commands.empty()) {
+    const double speed = simulation.state(car).velocity.x;
+    simulation.command(car, driveCommand(commands, simulation.car(car), simulation.parameters(car), speed));
   }
 }
 
-std::vector<JointCommand> RosControl::wanted(SimTime now)
+void RosControl::startAnew(SimTime now)
 {
-  std::vector<JointCommand> commands;
+  last_ = now;
   for (auto & [name, loaded] : controllers_) {
     if (loaded.runs()) {
-      if (const auto command = loaded.controller->update(now)) {
-        commands.push_back(*command);
-      }
+      start(loaded);
+    }
+  }
+}
+
+void RosControl::publish(SimTime now)
+{
+  for (auto & [name, loaded] : controllers_) {
+    if (loaded.runs()) {
+      loaded.controller->publish(now);
+    }
+  }
+}
+
+std::vector<JointCommand> RosControl::wanted() const
+{
+  std::vector<JointCommand> commands;
+  for (const auto & [name, loaded] : controllers_) {
+    if (const auto command = loaded.runs() ? loaded.controller->command() : std::nullopt) {
+      commands.push_back(*command);
     }
   }
   return commands;

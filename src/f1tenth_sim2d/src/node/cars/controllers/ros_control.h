@@ -17,16 +17,20 @@ namespace f1tenth_sim2d
 {
 /// What libgazebo_ros_control.so is in Gazebo: a controller manager with its services, and controllers for the wheels
 /// and steering joints of a car. While a controller of joints runs, the car does what it says.
-class RosControl : public Output
+class RosControl : public Component
 {
 public:
   /// @param car       its node in the namespace of the controller manager
-  /// @param commands  of the car; takes what the controllers want, and is told of the commands to them
+  /// @param commands  of the car; is told of the commands to the controllers
   RosControl(CarHandle car, CommandInput & commands);
 
-  double rate() const override { return rate_hz_; }
-  void update(SimTime now, bool anyway) override;
-  void repeat() override {}
+  bool acts() const override { return true; }
+  /// Commands what the controllers want, at each control period.
+  void beforeStep(Simulation & simulation, CarId car) override;
+
+  double rate() const { return 1.0 / toSeconds(period_); }  ///< Hz, of the control periods
+  /// Publishes what the controllers publish.
+  void publish(SimTime now);
 
 private:
   struct Loaded
@@ -50,11 +54,12 @@ private:
   void checkSwitch(const Names & start, const Names & stop) const;
   /// Checks that no joint would have two controllers.
   void checkJoints(const Names & start, const Names & stop) const;
-  std::vector<JointCommand> wanted(SimTime now);
+  void startAnew(SimTime now);
+  std::vector<JointCommand> wanted() const;
 
   CarHandle car_;
   CommandInput & commands_;
-  const double rate_hz_;
+  const SimTime period_;
   SimTime last_{0};
   std::map<std::string, Loaded> controllers_;
   std::vector<ros::ServiceServer> servers_;

@@ -38,19 +38,15 @@ class Watch:
             self._messages.append(message)
             self._changed.notify_all()
 
-    def heard(self):
-        """Whether there is any."""
-        return bool(self._messages)
+    def newest(self, condition=lambda message: True):
+        """Return the newest message for which the condition holds; None if there is none."""
+        return next((message for message in reversed(self._messages) if condition(message)), None)
 
     def wait_for(self, condition=lambda message: True):
-        """Return the newest message for which the condition holds."""
-
-        def newest():
-            return next((message for message in reversed(self._messages) if condition(message)), None)
-
+        """Wait for a message for which the condition holds, and return the newest."""
         with self._changed:
-            assert self._changed.wait_for(lambda: newest() is not None, LONG), self._messages[-1:]
-            return newest()
+            assert self._changed.wait_for(lambda: self.newest(condition) is not None, LONG), self.newest()
+            return self.newest(condition)
 
     def close(self):
         self._subscriber.unregister()
@@ -102,7 +98,7 @@ class ControllersTest(unittest.TestCase):
     def log(self):
         """What the simulator says, from when it is heard."""
         log = self.watch("/rosout", Log)
-        while not log.heard():
+        while not log.newest(lambda message: "not_there" in message.msg):
             self.manager("load", "not_there")
         return log
 

@@ -225,7 +225,7 @@ std::vector<Model> modelsOf(const std::string & path, ModelReader & reader, Fram
   std::vector<Model> models;
   for (const Element & child : world.children()) {
     if (std::optional<Model> model = reader.readNested(child)) {
-      nestFrames(*model, frames);
+      nestFrames(*model, frames, reader.warnings());
       models.push_back(std::move(*model));
     }
   }

@@ -17,8 +17,10 @@ LIDAR_HEIGHT = 0.16  # m
 BEAMS = 1081
 MAX_ANGLE = 0.75 * math.pi  # rad, to both sides
 RANGE_MAX = 10.0  # m
-# A car that is only a lidar, so that it fits anywhere.
+# A car that is only a lidar, so that it fits anywhere: what it could touch with is far above all walls.
 LIDAR = f"""<sdf version="1.7"><model name="lidar"><link name="base_footprint">
+<collision name="bead"><pose>0 0 50 0 0 0</pose>
+<geometry><sphere><radius>0.001</radius></sphere></geometry></collision>
 <sensor name="lidar" type="ray"><pose>0 0 {LIDAR_HEIGHT} 0 0 0</pose><update_rate>40</update_rate><ray>
   <scan><horizontal>
     <samples>{BEAMS}</samples><min_angle>{-MAX_ANGLE}</min_angle><max_angle>{MAX_ANGLE}</max_angle>

@@ -190,7 +190,7 @@ def test_suites_are_listed(capsys):
         (["roads", "--cases", "x"], "--cases x: found 'x', must be a seed, a whole number"),
         (["roads", "--cases", "1.5"], "--cases 1.5: found '1.5', must be a seed, a whole number"),
         (["roads", "--opponent", FOLLOWER], "--opponent is for the suite 'encounters'"),
-        (["tracks", "--cases", "Circle"], "Circle_centerline.csv: cannot be read"),
+        (["tracks", "--cases", "Circle"], "Circle_centerline.csv: no such file"),
         (["pace", "--set", "laps=0", "--cases", "circuit1"], "laps is 0, must be at least 1"),
     ],
 )

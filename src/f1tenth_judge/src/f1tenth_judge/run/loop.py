@@ -8,7 +8,7 @@ from typing import Callable, Optional, TextIO
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.observations import Failure
 from f1tenth_judge.record.pace import Pace
-from f1tenth_judge.record.record import COLUMNS, read_record
+from f1tenth_judge.record.record import COLUMNS
 from f1tenth_judge.run.driver import Driver
 from f1tenth_judge.run.so_far import SoFar
 from f1tenth_judge.run.stage import PERIOD, Stage
@@ -29,7 +29,7 @@ class Loop:
         self._progress = progress
         self._began = time.monotonic()
         self.pace = Pace()
-        self._so_far = SoFar(plan, lambda: read_record(plan.record_file))
+        self._so_far = SoFar(plan)
 
     def run(self, drivers: Mapping[str, Driver]) -> Optional[Failure]:
         """Return when the run is decided; with a failure if the set-up broke.
@@ -48,7 +48,7 @@ class Loop:
         while True:
             self._stage.advance()
             self._take(record)
-            if self._so_far.is_decided():
+            if self._so_far.is_cut_short() or self._so_far.is_race_over():
                 return None
             if not self._plan.scenario.lockstep:
                 due = max(due + PERIOD / self._plan.scenario.real_time_factor, time.monotonic() - PERIOD)

@@ -1,13 +1,10 @@
 """Following files that another process is still writing."""
 
-from collections.abc import Mapping
 from pathlib import Path
-from typing import Optional
 
-from f1tenth_judge.judge.false_start import FirstMoves
-from f1tenth_judge.judge.progress import TaskProgress
 from f1tenth_judge.record.record import COLUMNS
 from f1tenth_judge.run.log_excerpt import plain
+from f1tenth_judge.run.so_far import SoFar
 
 
 class LineTail:
@@ -32,17 +29,13 @@ class LineTail:
 
 
 class RecordTail:
-    """What the simulator's record says so far: cheap enough to be asked many times a second."""
+    """Hands what the simulator's record says to whoever follows the run."""
 
     _TIME, _CAR, _X, _Y, _YAW, _CONTACTS = map(COLUMNS.index, ("time", "car", "x", "y", "yaw", "contacts"))
 
-    def __init__(self, path: Path, progress: Mapping[str, TaskProgress]):
-        """`progress` of the cars follows what is read."""
+    def __init__(self, path: Path, so_far: SoFar):
         self._tail = LineTail(path)
-        self._progress = progress
-        self.time: Optional[float] = None  # s, of the last period
-        self.touches = 0  # rows with a contact
-        self.moves = FirstMoves()
+        self._so_far = so_far
 
     def poll(self) -> None:
         """Read what has been added."""
@@ -52,9 +45,5 @@ class RecordTail:
                 self._take(cells)
 
     def _take(self, cells: list[str]) -> None:
-        car = cells[self._CAR]
-        self.time, x, y, yaw = (float(cells[each]) for each in (self._TIME, self._X, self._Y, self._YAW))
-        self.touches += bool(cells[self._CONTACTS])
-        self.moves.take(self.time, car, x, y)
-        if car in self._progress:
-            self._progress[car].take(self.time, x, y, yaw)
+        time, *place = (float(cells[each]) for each in (self._TIME, self._X, self._Y, self._YAW))
+        self._so_far.take(time, cells[self._CAR], place, bool(cells[self._CONTACTS]))

@@ -5,18 +5,16 @@ import time
 from typing import TYPE_CHECKING, Callable, Optional
 
 from f1tenth_judge.errors import ScenarioError
-from f1tenth_judge.judge.false_start import find_false_start
 from f1tenth_judge.judge.interventions import forbidden
-from f1tenth_judge.judge.judge import first_collision, is_decided
-from f1tenth_judge.judge.progress import TaskProgress
 from f1tenth_judge.plan.participants import driver_nodes_among
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.interventions import read_interventions
 from f1tenth_judge.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_judge.record.pace import Pace
-from f1tenth_judge.record.record import STAMP_EPSILON, read_record
+from f1tenth_judge.record.record import STAMP_EPSILON
 from f1tenth_judge.run.log_excerpt import LINE_COUNT, last_lines
 from f1tenth_judge.run.processes import ProcessTree
+from f1tenth_judge.run.so_far import SoFar
 from f1tenth_judge.stop_request import StopRequest
 
 from f1tenth_scenarios.run.diagnosis.breakdown import Breakdown
@@ -47,15 +45,12 @@ class Supervisor:
         self._stop = stop
         self._progress = progress
         self._started = time.monotonic()
-        self._progress_of = {
-            car: TaskProgress(task, plan.scenario.criteria) for car, task in plan.tasks.items()
-        }
-        self._record = RecordTail(plan.record_file, self._progress_of)
+        self._so_far = SoFar(plan)
+        self._record = RecordTail(plan.record_file, self._so_far)
         self._interventions_tail = LineTail(plan.interventions_file)
         self._evidence = Evidence(plan.record_file, plan.interventions_file)
         self._launch_log = LaunchLog(plan.launch_log)
         self._breakdown = Breakdown(plan, tree, self._launch_log)
-        self._touches_judged = 0
         self._race_over_at: Optional[float] = None
         self._sound_at = 0.0
         self.sound_until: Optional[float] = None  # s, nothing as long as the set-up is whole
@@ -83,7 +78,7 @@ class Supervisor:
             if failure:
                 self._poll()
                 return failure
-            self._progress(self._record.time, self._elapsed())
+            self._progress(self._so_far.time, self._elapsed())
             time.sleep(_POLL_INTERVAL)
 
     def tampering(self, at_end: bool = True) -> Optional[Failure]:
@@ -91,11 +86,12 @@ class Supervisor:
         problem = self._evidence.problem_at_end() if at_end else self._evidence.problem()
         if not problem:
             return None
-        drivers = [car for car in self._plan.cars if driver_nodes_among(car, self._launch_log.pids)]
-        failure = Failure("runner", f"{problem}; no process of the run does that")
+        reason = f"{problem}; no process of the run does that"
+        started = {car: driver_nodes_among(car, self._launch_log.pids) for car in self._plan.cars}
+        drivers = [(car, nodes) for car, nodes in started.items() if nodes]
+        failure = Failure("runner", reason)
         if len(drivers) == 1:
-            nodes = driver_nodes_among(drivers[0], self._launch_log.pids)
-            failure = failure_of_driver(self._plan, drivers[0], nodes, failure.reason)
+            failure = failure_of_driver(self._plan, *drivers[0], reason)
         return dataclasses.replace(failure, stamp=0.0)
 
     def _broken(self) -> Optional[Failure]:
@@ -103,44 +99,22 @@ class Supervisor:
         standing = self.pace.standing(self._elapsed())
         failure = self._breakdown.failure(self.updates, self._done(), standing)
         if not self._breakdown.is_seen:
-            self._sound_at = self._record.time or 0.0
+            self._sound_at = self._so_far.time or 0.0
         elif self.sound_until is None:
             self.sound_until = self._sound_at
         return failure
 
     def _decided(self) -> bool:
-        simulated = self._record.time
-        return (
-            self._collided()
-            or self._is_disqualified()
-            or self._has_false_start()
-            or (simulated is not None and simulated >= self._plan.scenario.limits.timeout)
-            or self._is_race_over()
-        )
-
-    def _has_false_start(self) -> bool:
-        plan = self._plan
-        return find_false_start(plan.scenario, plan.tasks, self._record.moves, self.updates) is not None
-
-    def _collided(self) -> bool:
-        """Whether a car touched something, and not lightly; reads the whole record after new touches only."""
-        if self._record.touches == self._touches_judged:
-            return False
-        self._touches_judged = self._record.touches
-        scenario = self._plan.scenario
-        return scenario.criteria.light_touch == 0 or (
-            first_collision(scenario, read_record(self._plan.record_file)) is not None
-        )
+        return self._so_far.is_cut_short(self.updates) or self._is_disqualified() or self._is_race_over()
 
     def _is_race_over(self) -> bool:
         """Whether every task is done; outside lockstep the record lags behind what cars say of themselves."""
-        finishes = {car: progress.finish for car, progress in self._progress_of.items()}
-        if not is_decided(self._plan.tasks, self.updates, finishes):
+        if not self._so_far.is_race_over(self.updates):
             return False
         if self._race_over_at is None:
             self._race_over_at = time.monotonic()
         said = max((update.stamp for update in self.updates), default=0.0)
-        shown = self._record.time is not None and self._record.time + STAMP_EPSILON >= said
+        shown = self._so_far.time is not None and self._so_far.time + STAMP_EPSILON >= said
         return shown or time.monotonic() - self._race_over_at > _RECORD_LAG
 
     def _is_disqualified(self) -> bool:
@@ -157,7 +131,7 @@ class Supervisor:
         self.updates += self._watch.take()
         self._record.poll()
         self._launch_log.poll()
-        self.pace.note(self._record.time, self._elapsed())
+        self.pace.note(self._so_far.time, self._elapsed())
 
     def _elapsed(self) -> float:
         return time.monotonic() - self._started
@@ -174,11 +148,11 @@ class Supervisor:
     def _done(self) -> set[str]:
         """The cars that have finished."""
         said = {update.car for update in self.updates if update.state is RaceState.FINISHED}
-        shown = {car for car, progress in self._progress_of.items() if progress.finish is not None}
+        shown = {car for car, finish in self._so_far.finishes().items() if finish is not None}
         return said | {car for car in shown if not self._plan.tasks[car].reports}
 
     def _hang(self) -> Failure:
-        limits, simulated = self._plan.scenario.limits, self._record.time
+        limits, simulated = self._plan.scenario.limits, self._so_far.time
         standing = self.pace.standing(self._elapsed())
         if simulated is not None and standing >= limits.answer:
             culprit = "sim2d"

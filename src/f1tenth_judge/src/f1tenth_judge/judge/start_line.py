@@ -7,37 +7,34 @@ from typing import Optional
 from f1tenth_judge.record.record import CarTrack
 from f1tenth_judge.scenario.scenario import StartLine
 
+_Place = tuple[float, float, float]  # time (s), x, y (m)
+
 
 class _Line:
-    """When a car crosses a line."""
+    """A line, and when a car crosses it."""
 
     def __init__(self, line: StartLine):
         self._line = line
         self._cosine, self._sine = math.cos(line.yaw), math.sin(line.yaw)
-        self._before: Optional[tuple[float, float, float]] = None
-        self.is_behind = False  # whether the car is ahead of crossing the line in its direction
 
-    def crossing(self, time: float, x: float, y: float) -> Optional[float]:
-        """When the line was crossed since the place before, s; nothing if it was not, or beside its ends."""
-        along, across = self._coordinates(x, y)
-        crossing = self._between(time, along, across)
-        self._before = time, along, across
-        self.is_behind = along < 0
-        return crossing
+    def is_ahead(self, place: _Place) -> bool:
+        """Whether a place is beyond the line, in its direction, or on it."""
+        return self._coordinates(place)[0] >= 0
 
-    def _coordinates(self, x, y):
-        """Along the direction of the line's crossing, and to its left, m."""
-        dx, dy = x - self._line.x, y - self._line.y
-        return self._cosine * dx + self._sine * dy, self._cosine * dy - self._sine * dx
-
-    def _between(self, time, along, across) -> Optional[float]:
-        if self._before is None or (self._before[1] >= 0) == (along >= 0):
+    def crossing(self, before: _Place, now: _Place) -> Optional[float]:
+        """When a car crossed between two places, s; nothing if it did not, or beside the line's ends."""
+        (before_along, before_across), (along, across) = map(self._coordinates, (before, now))
+        if (before_along >= 0) == (along >= 0):
             return None
-        before_time, before_along, before_across = self._before
         part = before_along / (before_along - along)
         if abs(before_across + part * (across - before_across)) > self._line.width / 2:
             return None
-        return before_time + part * (time - before_time)
+        return before[0] + part * (now[0] - before[0])
+
+    def _coordinates(self, place: _Place) -> tuple[float, float]:
+        """Along the direction of the line's crossing, and to its left, m."""
+        dx, dy = place[1] - self._line.x, place[2] - self._line.y
+        return self._cosine * dx + self._sine * dy, self._cosine * dy - self._sine * dx
 
 
 class LapCounter:
@@ -54,18 +51,22 @@ class LapCounter:
         self._gates = [_Line(gate) for gate in gates]
         self._passed = 0  # gates since the line
         self._began = start
-        self._level: Optional[int] = None  # laps ahead of the line
+        self._before: Optional[_Place] = None
+        self._level = 0  # laps ahead of the line
         self.lap_times: list[float] = []  # s
 
     def update(self, time: float, x: float, y: float) -> None:
         """Take the place (m) of the car at a time (s)."""
-        self._pass_gates(time, x, y)
-        crossing = self._line.crossing(time, x, y)
-        if self._level is None:
-            self._level = -1 if self._line.is_behind else 0
+        before, now = self._before, (time, x, y)
+        self._before = now
+        if before is None:
+            self._level = 0 if self._line.is_ahead(now) else -1
+            return
+        self._pass_gates(before, now)
+        crossing = self._line.crossing(before, now)
         if crossing is None:
             return
-        if self._line.is_behind:
+        if not self._line.is_ahead(now):
             self._level -= 1
         elif self._level < len(self.lap_times):
             self._level += 1
@@ -75,10 +76,12 @@ class LapCounter:
             self.lap_times.append(crossing - self._began)
             self._began = crossing
 
-    def _pass_gates(self, time, x, y) -> None:
-        for number, gate in enumerate(self._gates):
-            crossed = gate.crossing(time, x, y) is not None and not gate.is_behind
-            self._passed += crossed and number == self._passed
+    def _pass_gates(self, before: _Place, now: _Place) -> None:
+        while self._passed < len(self._gates):
+            gate = self._gates[self._passed]
+            if gate.crossing(before, now) is None or not gate.is_ahead(now):
+                return
+            self._passed += 1
 
 
 def times_of_laps(

@@ -40,18 +40,16 @@ class Course:
         return np.array([each[0] for each in moved]), np.array([each[1] for each in moved])
 
     def _inside(self, x: float, y: float, margin: float) -> tuple[float, float]:
-        part, off_x, off_y = self._nearest(x, y)
-        index = int(np.argmin(np.hypot(off_x, off_y)))
-        is_left = self._ahead()[0][index] * off_y[index] - self._ahead()[1][index] * off_x[index] > 0
+        index, part, off_x, off_y = self._foot(x, y)
+        is_left = self._ahead()[0][index] * off_y - self._ahead()[1][index] * off_x > 0
         width = self._between(self.left if is_left else self.right, part)[index]
-        distance = float(np.hypot(off_x[index], off_y[index]))
+        distance = float(np.hypot(off_x, off_y))
         excess = 1 - min(1.0, max(width - margin, 0.0) / max(distance, 1e-9))
-        return x - excess * off_x[index], y - excess * off_y[index]
+        return x - excess * off_x, y - excess * off_y
 
     def widths(self, x: float, y: float) -> tuple[float, float]:
         """How far the road reaches to the right and to the left of the centreline where it is nearest, m."""
-        part, off_x, off_y = self._nearest(x, y)
-        index = int(np.argmin(np.hypot(off_x, off_y)))
+        index, part, _, _ = self._foot(x, y)
         return float(self._between(self.right, part)[index]), float(self._between(self.left, part)[index])
 
     def reach(self, x: float, y: float, direction: float, most: float) -> float:
@@ -71,17 +69,15 @@ class Course:
 
     def runs_along(self, x: float, y: float, yaw: float) -> bool:
         """Whether a heading (rad) at a point (m) goes with the centreline and not against it."""
-        _, off_x, off_y = self._nearest(x, y)
-        index = int(np.argmin(np.hypot(off_x, off_y)))
+        index = self._foot(x, y)[0]
         ahead_x, ahead_y = self._ahead()
         return bool(ahead_x[index] * math.cos(yaw) + ahead_y[index] * math.sin(yaw) >= 0.0)
 
     def ahead_of(self, x: float, y: float, yaw: float, way: float) -> tuple[float, float, float]:
         """The pose (m, rad) a distance `way` (m) along the centreline from a pose, in its direction."""
-        part, off_x, off_y = self._nearest(x, y)
-        index = int(np.argmin(np.hypot(off_x, off_y)))
+        index, part, _, _ = self._foot(x, y)
         along = self.along()
-        here = along[index] + part[index] * (along[index + 1] - along[index])
+        here = along[index] + part * (along[index + 1] - along[index])
         is_along = self.runs_along(x, y, yaw)
         place = (here + (way if is_along else -way)) % along[-1]
         there_x, there_y, heading = (float(each[0]) for each in self.poses_at(np.array([place])))
@@ -114,6 +110,12 @@ class Course:
         squares = np.maximum(ahead_x**2 + ahead_y**2, 1e-12)
         part = np.clip(((x - self.x) * ahead_x + (y - self.y) * ahead_y) / squares, 0.0, 1.0)
         return part, x - self.x - part * ahead_x, y - self.y - part * ahead_y
+
+    def _foot(self, x: float, y: float) -> tuple[int, float, float, float]:
+        """The place of the centreline nearest to a point: piece, part of it, and from there to x, y (m)."""
+        part, off_x, off_y = self._nearest(x, y)
+        index = int(np.argmin(np.hypot(off_x, off_y)))
+        return index, part[index], off_x[index], off_y[index]
 
     @staticmethod
     def _between(values, part):

@@ -5,20 +5,23 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.plan.participants import DEPUTY
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.scenario.car import Car
 
+from f1tenth_scenarios.launch.bag import RECORDER
+
 # Nodes of the run, of all cars and of each; a test compares them with what the launch files start.
-RUN_NODES = ("sim2d", "map_server", "race_starter", "scenario_recorder")
+RUN_NODES = ("sim2d", "map_server", "race_starter", RECORDER)
 CAR_NODES = (
     "collision_detection",
     "robot_state_publisher",
     "beam_dropper",
     "faulty_inputs",
     "map_to_odom",
-    "deputy",
+    DEPUTY,
 )
-_TIME, _DESCRIPTION = "/use_sim_time", "robot_description"
+_TIME = "/use_sim_time"
 
 
 def check_parameters(plan: Plan, groups: Mapping[str, ElementTree.Element]) -> None:

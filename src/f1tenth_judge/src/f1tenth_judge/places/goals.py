@@ -8,6 +8,7 @@ import numpy as np
 
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.places.course import Course
+from f1tenth_judge.places.numbers import read_lines
 from f1tenth_judge.scenario.car import Pose
 
 _SPACING = 4.0  # m, between goals along a road
@@ -37,12 +38,7 @@ def read_goals(path: Path) -> list[Pose]:
     Raises:
         ScenarioError: with the file, the line and what is wrong there.
     """
-    try:
-        lines = path.read_text(encoding="utf-8-sig").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        raise ScenarioError(f"{path}: cannot be read: {error}") from error
-    entries = [(f"{path}:{number}", line.split("#")[0].split()) for number, line in enumerate(lines, start=1)]
-    entries = [(place, fields) for place, fields in entries if fields]
+    entries = [(place, text.split()) for place, text in read_lines(path)]
     if entries and entries[0][1][0] == _FRAME:
         _check_frame(*entries.pop(0))
     goals = [_goal(place, fields) for place, fields in entries]

@@ -10,18 +10,27 @@ _LEAST_ROWS = 3  # of a closed line
 _WORDS = {4: "four", 7: "seven"}
 
 
+def read_lines(path: Path) -> list[tuple[str, str]]:
+    """The lines that say something, without remarks, each after its place: FILE:LINE.
+
+    Raises:
+        ScenarioError: the file cannot be read.
+    """
+    try:
+        lines = path.read_text(encoding="utf-8-sig").splitlines()
+    except (OSError, UnicodeDecodeError) as error:
+        raise ScenarioError(f"{path}: cannot be read: {error}") from error
+    texts = ((f"{path}:{number}", line.split("#")[0].strip()) for number, line in enumerate(lines, start=1))
+    return [(place, text) for place, text in texts if text]
+
+
 def read_numbers(path: Path, separator: str, columns: str) -> np.ndarray:
     """Read a table of shape (points, columns); `columns` are their names, with the separator between them.
 
     Raises:
         ScenarioError: with the file, the line and what is wrong there.
     """
-    try:
-        lines = path.read_text(encoding="utf-8-sig").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        raise ScenarioError(f"{path}: cannot be read: {error}") from error
-    texts = [(number, line.split("#")[0].strip()) for number, line in enumerate(lines, start=1)]
-    rows = [_row(f"{path}:{number}", text, separator, columns) for number, text in texts if text]
+    rows = [_row(place, text, separator, columns) for place, text in read_lines(path)]
     if len(rows) < _LEAST_ROWS:
         raise ScenarioError(f"{path}: {len(rows)} points, must be at least {_LEAST_ROWS}: {columns}")
     return np.array(rows)

@@ -2,7 +2,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-COMMANDS := help setup installed configure build race report test sanitize tsan coverage lint tidy format bench fuzz wheel clean
+COMMANDS := help setup installed configure build race report test docs sanitize tsan coverage lint tidy format bench fuzz wheel clean
 .PHONY: $(COMMANDS) known-circuit
 
 ifneq ($(words $(CURDIR)),1)
@@ -112,6 +112,11 @@ sanitize: installed ## tests of the simulator's core and loaders under AddressSa
 
 tsan: setup ## the simulator's node and Python module under ThreadSanitizer
 	@tools/sanitize thread $(BUILD_DIR)/tsan
+
+docs: ## the documents as a searchable site, links checked: results/site/index.html
+	@tools/setup --docs $(SETUP)
+	@NO_MKDOCS_2_WARNING=1 "$(VENV)/bin/python3" -m mkdocs build --site-dir "$(OUT)/results/site"
+	@echo "$(OUT)/results/site/index.html"
 
 coverage: setup ## which lines the tests run: results/coverage/
 	@tools/coverage $(BUILD_DIR)/coverage

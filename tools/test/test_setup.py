@@ -140,4 +140,4 @@ def test_what_only_tests_need_is_installed_when_asked_for(machine):
 def test_another_argument_is_refused(machine):
     result = run_setup(machine, "--test")
     assert result.returncode == 2
-    assert "found '--test', allowed: --tests, --yes" in result.stderr
+    assert "found '--test', allowed: --docs, --tests, --yes" in result.stderr

@@ -1,12 +1,19 @@
-"""The blocks of docs/gym.md run as they stand."""
+"""The blocks of the pages for those who learn, or come from f1tenth_gym, run as they stand."""
 
 import re
 from pathlib import Path
 
 import pytest
 
-DOCUMENT = Path(__file__).parents[4] / "docs" / "gym.md"
-BLOCKS = re.findall(r"^```python\n(.*?)^```", DOCUMENT.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+DOCUMENTS = Path(__file__).parents[4] / "docs"
+PAGES = [DOCUMENTS / name for name in ("gym.md", "coming_from_f1tenth_gym.md", "start.md")]
+BLOCKS = [
+    block
+    for page in PAGES
+    for block in re.findall(
+        r"^```python\n(.*?)^```", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL
+    )
+]
 
 
 def test_there_are_blocks():
@@ -16,7 +23,7 @@ def test_there_are_blocks():
 @pytest.mark.parametrize("block", BLOCKS, ids=lambda block: block.splitlines()[0])
 def test_it_runs(block, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    exec(compile(block, str(DOCUMENT), "exec"), {})
+    exec(compile(block, "a page", "exec"), {})
 
 
 def test_every_setting_is_described():
@@ -24,5 +31,5 @@ def test_every_setting_is_described():
 
     from f1tenth_sim2d.environments.settings import Settings
 
-    text = DOCUMENT.read_text(encoding="utf-8")
+    text = (DOCUMENTS / "gym.md").read_text(encoding="utf-8")
     assert [each.name for each in dataclasses.fields(Settings) if f"`{each.name}`" not in text] == []

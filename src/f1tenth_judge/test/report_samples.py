@@ -55,7 +55,9 @@ def result(name, passed=True, commit="0123456789ab", **others):
                 "actual": verdict,
                 "limit": "success",
                 "unit": "",
-                "reason": "as it says",
+                "reason": "every goal was passed in order"
+                if passed
+                else "robot1 touched </script> at 1.000 s",
             },
             {
                 "name": "minimum_clearance",
@@ -76,6 +78,31 @@ def result(name, passed=True, commit="0123456789ab", **others):
         "versions": {"commit": commit, "driver_commits": {"robot1": commit}},
         **others,
     }
+
+
+def race_result(name, **others):
+    """The content of a result.json of two cars."""
+    cars = {
+        "robot1": {**driven_by("/home/me/gap.py:Gap", "Python class"), "lap_times": [9.5], "finish": 9.5},
+        "robot2": {**driven_by("race", "launch file of ROS 1"), "lap_times": [10.75], "finish": 10.75},
+    }
+    winner = {"car": "robot1", "second": "robot2", "ahead": 1.25}
+    return result(name, cars=cars, winner=winner, **others)
+
+
+def driven_by(planner, kind):
+    return {"planner": planner, "driver": kind, "description": "the F1/10 car"}
+
+
+def failed_criteria(name):
+    """The content of a result.json whose verdict is as expected and whose criteria are not met."""
+    content = result(name, passed=False, verdict="success", reason="came as close as 0.076 m")
+    verdict, clearance = content["criteria"]
+    verdict.update(status="passed", actual="success")
+    clearance.update(status="failed", actual=0.0763219, reason="came as close as 0.076 m")
+    lap = {"name": "lap_time", "status": "failed", "actual": 9.5, "limit": 9, "unit": "s"}
+    content["criteria"].append({**lap, "reason": "lap 1 of robot1 took 9.500 s"})
+    return content
 
 
 def contact():

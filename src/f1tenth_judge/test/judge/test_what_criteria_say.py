@@ -311,7 +311,7 @@ def test_every_criterion_stands_in_a_shipped_scenario():
     [
         (0.5, 0.4, "m", "0.5 m, limit 0.4 m"),
         (0.5, 0.4, "", "0.5, limit 0.4"),
-        (62.097934574, 62.09793457417457, "s", "62.0979 s, limit 62.0979 s"),
+        (62.097934574, 62.09793457417457, "s", "62.098 s, limit 62.098 s"),
         (None, 20.0, "s", "none, limit 20 s"),
         ("error", "success", "", "error, limit success"),
     ],

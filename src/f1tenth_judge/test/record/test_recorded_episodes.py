@@ -46,7 +46,7 @@ def test_the_hash_is_that_of_the_simulation(tmp_path):
     drive(tmp_path, 20, (0.125, 2.5), normalized=False)
     place = find_place("circuit1")
     simulation = f1tenth_sim2d.Simulation(place.world, 0.001, 9, 0.025)
-    car = simulation.add_car(load_cars(1, Lidar(20, 4.7, 10.0))[0])
+    car = simulation.add_car(load_cars(["robot1"], Lidar(20, 4.7, 10.0))[0])
     for period in range(20):
         simulation.command(car, 2.5, 0.125)
         simulation.advance_to(0.025 * (period + 1))
@@ -107,8 +107,8 @@ def test_several_drivers_are_recorded_until_the_last_one_ends(tmp_path):
         environment.step(actions)
     environment.close()
     tracks = read_record(tmp_path / "episode_0001" / "trajectory.csv").tracks
-    assert set(tracks) == {"robot1", "robot2"}
-    assert result(tmp_path)["contacts"][0]["car"] == "robot1"
+    assert set(tracks) == {"car_0", "car_1"}
+    assert result(tmp_path)["contacts"][0]["car"] == "car_0"
 
 
 def test_a_folder_with_episodes_is_refused(tmp_path):

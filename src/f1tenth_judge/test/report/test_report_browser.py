@@ -4,8 +4,9 @@ import math
 
 import pytest
 from browser import PATIENCE, chromium
+from f1tenth_judge.report.bundle import bundle
 from f1tenth_judge.report.page import WEB, write_report
-from report_samples import RADIUS, result, write_race, write_run
+from report_samples import RADIUS, failed_criteria, race_result, result, write_race, write_run
 
 pytest.importorskip("selenium", reason="python3-selenium is not installed")
 
@@ -20,12 +21,12 @@ SPEED = 1.5  # m/s
 def report(tmp_path_factory):
     folder = tmp_path_factory.mktemp("report")
     write_run(folder / "results" / "one_lap", result("one_lap"), speed=SPEED)
-    write_run(folder / "results" / "two", result("two", passed=False), speed=SPEED)
+    write_run(folder / "results" / "two", result("two", passed=False, minimum_clearance=0.3), speed=SPEED)
     before = result(
         "two", commit="old", versions={"commit": "old", "driver_commits": {"robot1": "mine-dirty"}}
     )
     write_run(folder / "results" / "two" / "previous", before, speed=1.0)
-    write_race(folder / "results" / "zwei", result("zwei"))
+    write_race(folder / "results" / "zwei", race_result("zwei", minimum_clearance=0.1))
     (folder / "results" / "one_lap" / "log").mkdir()
     write_report(folder / "results", folder / "report.html")
     return (folder / "report.html").as_uri()
@@ -108,6 +109,57 @@ def test_overview_is_filtered_by_verdict(window, report):
         assert shown_rows(window) == rows
 
 
+def names_in_order(window):
+    return [name.text for name in window.find_elements("css selector", "tbody .name a")]
+
+
+def test_overview_is_put_in_order_by_any_column(window, report):
+    window.get(report)
+    head = window.find_element("xpath", "//th[button='clearance']")
+    head.find_element("css selector", "button").click()
+    assert head.get_attribute("aria-sort") == "ascending"
+    assert names_in_order(window) == ["zwei", "one_lap", "two"]
+    head.find_element("css selector", "button").click()
+    assert names_in_order(window) == ["two", "one_lap", "zwei"]
+    window.find_element("xpath", "//th/button[.='run']").click()
+    assert names_in_order(window) == ["one_lap", "two", "zwei"]
+
+
+def test_a_run_is_opened_from_where_the_order_has_put_it(window, report):
+    window.get(report)
+    window.find_element("xpath", "//th/button[.='clearance']").click()
+    find(window, "tbody tr").click()
+    until(window, lambda: window.find_elements("css selector", ".map"))
+    assert find(window, "h1").text.startswith("zwei")
+
+
+def test_everybody_is_told_who_drives_and_who_won(window, report):
+    window.get(report)
+    row = window.find_elements("css selector", "tbody tr")[2].text
+    assert "robot1 gap.py:Gap" in row
+    assert "robot2 race" in row
+    open_run(window, report, "zwei")
+    assert (
+        find(window, "header .reason:last-of-type").text
+        == "robot1 (gap.py:Gap) won; second was robot2 (race), 1.250\u202fs later"
+    )
+
+
+def test_every_criterion_that_failed_is_told(window, tmp_path):
+    write_run(tmp_path / "results" / "criteria", failed_criteria("criteria"))
+    write_report(tmp_path / "results", tmp_path / "report.html")
+    open_run(window, (tmp_path / "report.html").as_uri(), "criteria")
+    told = [each.text for each in window.find_elements("css selector", "header .reason")]
+    assert told == [
+        "success, but 2 criteria failed",
+        "minimum_clearance — came as close as 0.076 m (0.076\u202fm, limit 0.100\u202fm)",
+        "lap_time — lap 1 of robot1 took 9.500 s (9.500\u202fs, limit 9\u202fs)",
+    ]
+    first, second = (row.text for row in window.find_elements("css selector", ".criteria tbody tr.failed"))
+    assert "minimum_clearance" in first
+    assert "lap_time" in second
+
+
 def test_names_can_be_copied_into_a_command(window, report):
     open_run(window, report, "one_lap")
     assert find(window, "h1").text.startswith("one_lap")
@@ -173,7 +225,7 @@ def test_runs_that_are_compared_are_named_by_the_commits_of_workspace_and_driver
     open_run(window, report, "two")
     assert "driver_commits of robot1" in find(window, "body").text
     assert "[object Object]" not in find(window, "body").text
-    assert "old + mine-dir* 01234567" in " ".join(find(window, "body").text.split())
+    assert "before old + mine-dir* now 01234567" in " ".join(find(window, "body").text.split())
 
 
 def test_pixels_change_when_the_car_moves(window, report):
@@ -200,9 +252,7 @@ return [points[0], points[60], points[120]].map(({ x, y, hit }) => [x, y, hit]);
 def test_lidar_meets_walls_models_and_cars(window, report):
     open_run(window, report, "zwei")
     # Seen from the origin, with a wall 2 m ahead, a post 1 m to the left and nothing behind.
-    scripts = WEB
-    code = "".join((scripts / name).read_text(encoding="utf-8") for name in ("lidar.js", "run.js"))
-    hits = window.execute_script(f"{code}{SEEN}")
+    hits = window.execute_script(f"{bundle(WEB / 'data' / 'run.js')}{SEEN}")
     assert hits[0] == [pytest.approx(0.0, abs=1e-9), pytest.approx(-5.0), False]
     assert hits[1] == [pytest.approx(2.0), pytest.approx(0.0, abs=1e-9), True]
     assert hits[2] == [pytest.approx(0.0, abs=1e-9), pytest.approx(1.0), True]
@@ -216,7 +266,7 @@ return [truck, undefined].map((body) => new CarTrack("robot1", {}, body).shape.o
 
 def test_car_is_as_large_as_its_description_says_else_as_the_f1tenth_car(window, report):
     open_run(window, report, "one_lap")
-    code = (WEB / "run.js").read_text(encoding="utf-8")
+    code = bundle(WEB / "data" / "run.js")
     assert window.execute_script(f"{code}{SIZES}") == [[-0.13, 0.57], [-0.1186, 0.4615]]
 
 

@@ -64,12 +64,20 @@ def test_nothing_at_all_can_be_drawn(tmp_path):
     assert WHITE in colours(draw(tmp_path / "picture.png", Record({}), free, goals={}))
 
 
-def test_two_cars_share_one_scale(tmp_path):
+def test_two_cars_have_two_colours_and_a_legend(tmp_path):
     run = record(tmp_path, rows(3.0), rows(3.0, car="robot2", y=1.0, speed=2.0))
-    axes, *others = make_figure("sample", ("success",), run, {}, None).axes
-    assert len(others) == 1
+    names = {"robot1": "robot1 (race)", "robot2": "robot2 (gap.py:Gap)"}
+    (axes,) = make_figure("sample", ("success",), run, {}, None, names).axes
+    paths = [line for line in axes.lines if line.get_linestyle() == "-"]
+    assert len({line.get_color() for line in paths}) == 2
+    assert [text.get_text() for text in axes.get_legend().texts] == list(names.values())
+
+
+def test_one_car_is_coloured_by_its_speed(tmp_path):
+    axes, scale = make_figure("sample", ("success",), record(tmp_path, rows(3.0, speed=2.0)), {}, None).axes
     limits = {(paths.norm.vmin, paths.norm.vmax) for paths in axes.collections if paths.norm.scaled()}
     assert limits == {(0.0, 2.0)}
+    assert scale.get_ylabel() == "speed (m/s)"
 
 
 def test_what_is_a_wall_is_said_by_the_map(tmp_path):

@@ -101,6 +101,16 @@ def test_all_scenarios_are_counted_and_their_cost_is_summed_up(program, tmp_path
     assert json.loads((tmp_path / "circuit2" / "result.json").read_text())["passed"]
 
 
+def test_what_an_interruption_left_out_is_counted(program, tmp_path, capsys, monkeypatch):
+    def interrupted(jobs, stop, _at_once, shown):
+        yield run_job(jobs[0])
+        stop.signal = signal.SIGINT
+
+    monkeypatch.setattr("f1tenth_scenarios.cli.run_command.run_jobs", interrupted)
+    cli.main(["run", "circuit1", "circuit2", "--results", str(tmp_path), "--set", "seed=1"])
+    assert capsys.readouterr().out.splitlines()[-1] == "1 of 2 scenarios passed, 1 not run"
+
+
 def test_a_scenario_that_did_not_pass_is_counted(program, tmp_path, capfd):
     assert cli.main(["run", "circuit1", "circuit2", "--results", str(tmp_path), "--set", "seed=2"]) == 1
     assert "0 of 2 scenarios passed" in capfd.readouterr().out

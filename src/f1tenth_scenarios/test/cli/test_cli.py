@@ -117,6 +117,7 @@ def test_summary_has_all_that_make_race_prints(tmp_path):
         "verdict:           success (expected success)",
         "passed:            yes",
         "reason:            every goal was passed in order",
+        "driver:            race (launch file of ROS 1)",
         "lap time:          3.000 s",
         "reference:         4.497 s (fastest flying lap possible), 0.67 times that from standstill",
         "minimum clearance: 0.500 m",

@@ -17,7 +17,17 @@ def test_success_is_written_with_all_that_was_measured(tmp_path):
     assert result["times"]["start"] == 0.0
     assert result["times"]["finish"] == 3.0
     assert result["times"]["lap_time"] == 3.0
-    assert result["cars"] == {"robot1": {"lap_times": [3.0], "goals_passed": [0.5, 1.5, 2.5]}}
+    assert result["cars"] == {
+        "robot1": {
+            "planner": "race",
+            "driver": "launch file of ROS 1",
+            "description": "the F1/10 car",
+            "lap_times": [3.0],
+            "goals_passed": [0.5, 1.5, 2.5],
+            "finish": 2.5,
+        }
+    }
+    assert result["winner"] is None
     assert result["minimum_clearance"] == 0.5
     assert result["contacts"] == []
     assert 0.1 < result["real_time_factor"] < 20.0

@@ -127,7 +127,9 @@ def test_a_file_that_cannot_be_written_does_not_cost_the_verdict(
     monkeypatch.setattr(writer, fail)
     result = run.execute()
     assert result.not_written == (f"{file}: {reason}",)
-    assert f"not written:       {file}: {reason}" in summary(result, run.plan).splitlines()
+    lines = summary(result, run.plan).splitlines()
+    assert f"not written:       {file}: {reason}" in lines
+    assert any(line.startswith("picture:") for line in lines) == (file != "trajectory.png")
     written = json.loads((run.plan.folder / "result.json").read_text(encoding="utf-8"))
     assert (written["verdict"], written["not_written"]) == ("success", [f"{file}: {reason}"])
     others = {"trajectory.png", "replay.json.gz", "trajectory.csv"} - {file}

@@ -125,7 +125,9 @@ def test_actions(make):
 
 def test_a_step_that_is_refused_does_not_count():
     world = f1tenth_sim2d.empty_world()
-    environments = f1tenth_sim2d.Environments(world, load_cars(1, Lidar(2, 1.0, 10.0)), None, ["pose"])
+    environments = f1tenth_sim2d.Environments(
+        world, load_cars(["robot1"], Lidar(2, 1.0, 10.0)), None, ["pose"]
+    )
     environments.reset(0, 0, [f1tenth_sim2d.VehicleParameters()], np.zeros((1, 4)), [0.0])
     driven = np.ones((1, 1), dtype=bool)
     with pytest.raises(f1tenth_sim2d.Error, match="commanded speed"):

@@ -18,6 +18,7 @@ class Measured:
     lap_times: Mapping[str, Sequence[float]] = dataclasses.field(default_factory=dict)  # s, by car
     real_time_factor: Optional[float] = None
     estimates: Mapping[str, Poses] = dataclasses.field(default_factory=dict)  # of the localization, by car
+    finishes: Mapping[str, Optional[float]] = dataclasses.field(default_factory=dict)  # s, by car with a task
     excursions: Optional[Sequence[Excursion]] = None  # nothing where no road is known
 
 
@@ -48,7 +49,7 @@ class Criterion:
     def _words(self, value: Any) -> str:
         if value is None:
             return "none"
-        number = f"{value:g}" if isinstance(value, float) else str(value)
+        number = f"{round(value, 3):g}" if isinstance(value, float) else str(value)
         return f"{number} {self.unit}".rstrip()
 
 

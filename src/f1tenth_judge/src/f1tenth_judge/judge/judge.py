@@ -17,6 +17,7 @@ from f1tenth_judge.plan.task import Task
 from f1tenth_judge.record.interventions import Intervention
 from f1tenth_judge.record.observations import Failure, Observations, RaceState, RaceUpdate
 from f1tenth_judge.record.record import STAMP_EPSILON, Contact, Record
+from f1tenth_judge.scenario.criteria import Criteria
 from f1tenth_judge.scenario.scenario import Scenario, Verdict
 
 Tasks = Mapping[str, Task]
@@ -92,7 +93,7 @@ def _shown(scenario: Scenario, tasks: Tasks, seen: Observations) -> Iterator[Dec
     yield from _collisions(scenario, seen)
     yield from _disqualifications(scenario, seen)
     yield from _false_starts(scenario, tasks, seen)
-    yield from _tasks_done(tasks, seen.updates, _finishes(scenario, tasks, seen.record))
+    yield from _tasks_done(tasks, seen.updates, finishes(scenario.criteria, tasks, seen.record))
     yield from _timeouts(scenario, tasks, seen)
 
 
@@ -101,9 +102,10 @@ def _is_sound(decision: Decision, seen: Observations) -> bool:
     return seen.sound_until is None or decision.stamp <= seen.sound_until + STAMP_EPSILON
 
 
-def _finishes(scenario, tasks, record) -> dict[str, Optional[float]]:
+def finishes(criteria: Criteria, tasks: Tasks, record: Record) -> dict[str, Optional[float]]:
+    """When the record shows the task of each of its cars to be done, s; nothing where it does not."""
     return {
-        car: finish_of(record.tracks[car], task, scenario.criteria)
+        car: finish_of(record.tracks[car], task, criteria)
         for car, task in tasks.items()
         if car in record.tracks
     }

@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+import time
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ from f1tenth_judge.record.record import read_record
 from f1tenth_judge.record.replay import write_replay
 from f1tenth_judge.record.scene import scene_of
 from f1tenth_judge.report.page import write_report
+from f1tenth_judge.results import versions
 
 
 class Recorder:
@@ -40,21 +42,22 @@ class Recorder:
         self._run.mkdir()
         self._stage.record(self._run / "trajectory.csv")
         self._laps: list = [[] for _ in self._stage.cars]
+        self._started = time.monotonic()
         self._begun = True
 
     def note(self, over: bool) -> None:
         """Take note of a step, and of the end of the episode."""
-        results, time = self._stage.results[0], float(self._stage.times[0])
+        results, now = self._stage.results[0], float(self._stage.times[0])
         for times, laps in zip(self._laps, results["laps"]):
             if laps > len(times):
-                times.append(time - sum(times))
+                times.append(now - sum(times))
         wanted = self._stage.settings.laps
         if not over:
             return
         if wanted and results["laps"][0] >= wanted:
             self.end("success", f"{self._stage.cars[0].name} drove its laps")
         elif self._stage.out_of_time()[0]:
-            self.end("timeout", f"not finished after {time:g} s")
+            self.end("timeout", f"not finished after {now:g} s")
         else:
             self.end("collision", f"{self._stage.cars[0].name} touched something")
 
@@ -98,7 +101,8 @@ class Recorder:
             "times": {
                 "start": 0.0,
                 "finish": record.end,
-                "lap_time": min((time for each in self._laps for time in each), default=None),
+                "lap_time": min((lap for each in self._laps for lap in each), default=None),
+                "wall": round(time.monotonic() - self._started, 3),
             },
             "cars": laps,
             "minimum_clearance": min(
@@ -108,4 +112,5 @@ class Recorder:
                 dataclasses.asdict(contact) for each in tracks.values() for contact in each.contact_list()
             ],
             "trajectory_hash": record.hash_at_end(),
+            "versions": versions.collect({}),
         }

@@ -7,28 +7,11 @@ from typing import Optional
 
 from f1tenth_judge.atomic import replacing
 from f1tenth_judge.errors import writing
+from f1tenth_judge.report.bundle import bundle
 from f1tenth_judge.report.content import RunContent, read_results
 from f1tenth_judge.report.packing import pack
 
 WEB = Path(__file__).parent / "web"  # the style and the scripts
-# In this order, because each uses those before it.
-_SCRIPTS = (
-    "format.js",
-    "elements.js",
-    "decode.js",
-    "lidar.js",
-    "run.js",
-    "player.js",
-    "viewport.js",
-    "painter.js",
-    "view.js",
-    "chart.js",
-    "facts.js",
-    "keyboard.js",
-    "run_page.js",
-    "overview.js",
-    "app.js",
-)
 
 
 def write_report(results: Path, output: Path, against: Optional[Path] = None) -> list[str]:
@@ -82,8 +65,7 @@ def _template(runs: list[RunContent]) -> str:
 
 
 def _scripts() -> str:
-    text = "\n".join(_read(name) for name in _SCRIPTS)
-    return f'<script>\n"use strict";\n(() => {{\n{text}}})();\n</script>'
+    return f'<script>\n"use strict";\n(() => {{\n{bundle(WEB / "app.js")}}})();\n</script>'
 
 
 def _data(name: str, packed: str) -> str:

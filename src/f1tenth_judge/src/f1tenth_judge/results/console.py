@@ -16,6 +16,7 @@ from f1tenth_judge.record.files import PICTURE_FILE, RESULT_FILE
 from f1tenth_judge.record.pace import Pace
 from f1tenth_judge.results.reference_laps import reference_lap
 from f1tenth_judge.results.result import Result
+from f1tenth_judge.results.standing import name_of
 
 _REDRAW_INTERVAL = 0.2  # wall s
 _LINE_WIDTH = 200  # characters, of a log's lines
@@ -87,6 +88,8 @@ def summary(result: Result, plan: Plan) -> str:
         ("passed", "yes" if result.passed else "no"),
         ("reason", result.reason),
         *([("note", result.note)] if result.note else []),
+        *_drivers(plan),
+        *_winner(result),
         *_arguments(plan),
         ("lap time", _unit(result.best_lap_time, "s", 3)),
         *_reference(result, plan),
@@ -97,7 +100,7 @@ def summary(result: Result, plan: Plan) -> str:
         *_failed_criteria(result),
         *_culprit_log(result),
         ("result", str(result.folder / RESULT_FILE)),
-        ("picture", str(result.folder / PICTURE_FILE)),
+        *_picture(result),
         *(("not written", problem) for problem in result.not_written),
     ]
     return "\n".join(f"{name + ':' if name else '':19}{value}" for name, value in lines)
@@ -141,6 +144,26 @@ def _all_laps(result, plan):
         for car in racing:
             times = ", ".join(_unit(time, "s", 3) for time in result.lap_times(car))
             yield f"laps of {car}", times or "none"
+
+
+def _drivers(plan):
+    cars = plan.scenario.cars
+    for car in cars:
+        whose = f" of {car.name}" if len(cars) > 1 else ""
+        yield f"driver{whose}", f"{car.driver.name} ({car.driver.kind})"
+
+
+def _winner(result):
+    if won := result.winner:
+        names = {car.name: name_of(car) for car in result.scenario.cars}
+        behind = "did not finish" if won.ahead is None else f"{_unit(won.ahead, 's', 3)} later"
+        yield "winner", f"{names[won.car]}; {names[won.second]} {behind}"
+
+
+def _picture(result):
+    # What was not written is told with the reason.
+    if not any(problem.startswith(f"{PICTURE_FILE}:") for problem in result.not_written):
+        yield "picture", str(result.folder / PICTURE_FILE)
 
 
 def _failed_criteria(result):

@@ -1,5 +1,6 @@
-"""The picture of a run: path over the map, coloured by speed, with start, goals and contacts."""
+"""The picture of a run: its paths over the map, with starts, goals and contacts."""
 
+import itertools
 import textwrap
 import warnings
 from collections.abc import Mapping, Sequence
@@ -24,6 +25,7 @@ _CHARACTERS_PER_INCH = 13  # of the text, about
 _LEGEND_HEIGHT = 20  # points
 _NAME_DISTANCE = 0.045  # from where a car starts, of the longer side of what is drawn
 _CONTACT_COLOUR = "#d62728"
+_CAR_COLOURS = ("#2f5bea", "#e0582b", "#12957a", "#9333ea")  # as in report.css
 _GOAL_COLOUR = "#1f3b57"
 _GOAL_SIZE = 13.0  # points, with a number in it
 _SMALL_GOAL_SIZE = 4.0  # points
@@ -37,19 +39,21 @@ def write_picture(
     record: Record,
     goals: Mapping[str, Sequence[Pose]],
     track_map: Optional[Grid],
+    names: Optional[Mapping[str, str]] = None,
 ) -> None:
     """Draw a run into a PNG file, which replaces the old one when it is complete.
 
-    The lines are below the title; the map, if there is one, is beneath the run.
+    The lines are below the title; the map, if there is one, is beneath the run; names are the cars' for the
+    legend.
     """
-    figure = make_figure(title, lines, record, goals, track_map)
+    figure = make_figure(title, lines, record, goals, track_map, names)
     with replacing(path) as temporary, warnings.catch_warnings():
         # What is quoted of a node may be in any script, of which the font has not every character.
         warnings.filterwarnings("ignore", "Glyph .* missing")
         figure.savefig(temporary, dpi=_DOTS_PER_INCH, bbox_inches="tight", pad_inches=0.2)
 
 
-def make_figure(title, lines, record, goals, track_map) -> Figure:
+def make_figure(title, lines, record, goals, track_map, names=None) -> Figure:
     """The drawing; arguments as of write_picture."""
     tracks = [track for track in record.tracks.values() if len(track.time)]
     box = _bounding_box(tracks, goals, track_map)
@@ -57,7 +61,10 @@ def make_figure(title, lines, record, goals, track_map) -> Figure:
     FigureCanvasAgg(figure)
     axes = figure.add_subplot()
     _draw_map(axes, track_map)
-    _draw_paths(figure, axes, tracks)
+    if len(tracks) > 1:
+        _draw_race(axes, tracks, names or {})
+    elif tracks:
+        _draw_path(figure, axes, tracks[0])
     _draw_goals(axes, goals, 72.0 * _inches_per_metre(box))
     _draw_contacts(axes, tracks)
     _name_cars(axes, tracks, goals, box)
@@ -105,28 +112,37 @@ def _draw_map(axes, track_map):
     axes.imshow(shades, cmap="gray", vmin=0, vmax=1, interpolation="nearest", **place)
 
 
-def _draw_paths(figure, axes, tracks):
-    if not tracks:
-        return
-    fastest = max(float(track.speed.max()) for track in tracks)
-    scale = matplotlib.colors.Normalize(0.0, max(fastest, 0.1))
-    for track in tracks:
-        lines = _path_lines(track, scale)
-        axes.add_collection(lines)
-        axes.plot(
-            track.x[0],
-            track.y[0],
-            marker=(3, 0, np.degrees(track.yaw[0]) - 90),
-            markersize=11,
-            color="#2ca02c",
-            markeredgecolor="white",
-            linestyle="none",
-            zorder=5,
-            label="start" if track is tracks[0] else None,
-        )
+def _draw_path(figure, axes, track: CarTrack) -> None:
+    """A single path, coloured by speed."""
+    scale = matplotlib.colors.Normalize(0.0, max(float(track.speed.max()), 0.1))
+    lines = _path_lines(track, scale)
+    axes.add_collection(lines)
+    _draw_start(axes, track, "#2ca02c", "start")
     bar = figure.colorbar(lines, ax=axes, fraction=0.046, pad=0.02, shrink=0.85)
     bar.set_label("speed (m/s)")
     bar.outline.set_visible(False)
+
+
+def _draw_race(axes, tracks: Sequence[CarTrack], names: Mapping[str, str]) -> None:
+    """The paths of several cars, a colour for each."""
+    for track, colour in zip(tracks, itertools.cycle(_CAR_COLOURS)):
+        name = names.get(track.car, track.car)
+        axes.plot(track.x, track.y, color=colour, linewidth=1.8, alpha=0.85, zorder=3, label=name)
+        _draw_start(axes, track, colour, None)
+
+
+def _draw_start(axes, track: CarTrack, colour: str, label: Optional[str]) -> None:
+    axes.plot(
+        track.x[0],
+        track.y[0],
+        marker=(3, 0, np.degrees(track.yaw[0]) - 90),
+        markersize=11,
+        color=colour,
+        markeredgecolor="white",
+        linestyle="none",
+        zorder=5,
+        label=label,
+    )
 
 
 def _name_cars(axes, tracks: Sequence[CarTrack], goals, box) -> None:
@@ -258,7 +274,7 @@ def _finish(figure, axes, box, title, lines):
             bbox_to_anchor=(0.0, 1.0),
             borderaxespad=0.1,
             borderpad=0.2,
-            ncols=3,
+            ncols=4,
             fontsize=8.5,
             frameon=False,
             markerscale=0.75,

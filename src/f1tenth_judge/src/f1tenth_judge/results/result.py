@@ -14,6 +14,7 @@ from f1tenth_judge.judge.driving_criteria import least_clearance
 from f1tenth_judge.judge.judge import Judgement
 from f1tenth_judge.plan.pins import machine
 from f1tenth_judge.record.record import COLUMNS, Record
+from f1tenth_judge.results.standing import Winner, who, winner_of
 from f1tenth_judge.scenario.scenario import Scenario
 
 
@@ -55,6 +56,11 @@ class Result:
         return self.measured.lap_times.get(car, ())
 
     @property
+    def winner(self) -> Optional[Winner]:
+        """Who won a race; nothing where only one car had a task, or none was done with it."""
+        return winner_of(self.measured.finishes)
+
+    @property
     def best_lap_time(self) -> Optional[float]:
         """The fastest lap of any car, s; nothing when none was completed."""
         return min((time for times in self.measured.lap_times.values() for time in times), default=None)
@@ -63,7 +69,6 @@ class Result:
 def as_dict(result: Result, versions: Mapping[str, Any], settings: Sequence[str] = ()) -> dict[str, Any]:
     """The content of result.json."""
     decision, record = result.judgement.decision, result.judgement.record
-    laps = {car.name: result.lap_times(car.name) for car in result.scenario.cars}
     return {
         "scenario": result.name,
         "description": result.scenario.description,
@@ -81,13 +86,8 @@ def as_dict(result: Result, versions: Mapping[str, Any], settings: Sequence[str]
             "wall": _stamp(result.wall_time),
             "cost": _stamp(result.cost),
         },
-        "cars": {
-            car: {
-                "lap_times": [_stamp(time) for time in times],
-                "goals_passed": list(passed.times) if (passed := result.judgement.passes.get(car)) else [],
-            }
-            for car, times in laps.items()
-        },
+        "cars": {car.name: {**who(car), **_achieved(result, car.name)} for car in result.scenario.cars},
+        "winner": dataclasses.asdict(result.winner) if result.winner else None,
         "minimum_clearance": least_clearance(result.judgement),
         "off_road": [dataclasses.asdict(each) for each in result.measured.excursions or ()],
         "interventions": [each.as_json() for each in result.judgement.interventions],
@@ -101,6 +101,15 @@ def as_dict(result: Result, versions: Mapping[str, Any], settings: Sequence[str]
         "trajectory_hash": record.hash_at_end(),
         "versions": dict(versions),
         "not_written": list(result.not_written),
+    }
+
+
+def _achieved(result: Result, car: str) -> dict[str, Any]:
+    passes = result.judgement.passes.get(car)
+    return {
+        "lap_times": [_stamp(time) for time in result.lap_times(car)],
+        "goals_passed": list(passes.times) if passes else [],
+        "finish": _stamp(result.measured.finishes.get(car)),
     }
 
 

@@ -8,7 +8,7 @@ from f1tenth_judge.errors import MapError, ScenarioError
 from f1tenth_judge.judge import criteria
 from f1tenth_judge.judge.criterion import Measured
 from f1tenth_judge.judge.driving_criteria import least_clearance
-from f1tenth_judge.judge.judge import judge
+from f1tenth_judge.judge.judge import finishes, judge
 from f1tenth_judge.judge.laps import lap_times, start_of_race
 from f1tenth_judge.judge.road import excursions
 from f1tenth_judge.places.map_file import Grid, load_map
@@ -17,6 +17,7 @@ from f1tenth_judge.record.files import PICTURE_FILE, REPLAY_FILE, TRAJECTORY_FIL
 from f1tenth_judge.record.observations import Observations
 from f1tenth_judge.record.replay import Poses, Replay, write_replay
 from f1tenth_judge.results.result import Result, write_trajectory
+from f1tenth_judge.results.standing import name_of
 from f1tenth_judge.stop_request import StopRequest
 
 Files = Mapping[str, Callable[[Path], None]]  # what writes a file of the results, by its name
@@ -30,11 +31,13 @@ def judged(
 ) -> Result:
     """The result of a run; `estimates`: where localization took the cars to be."""
     judgement = judge(plan.scenario, plan.tasks, seen)
-    deciding = judgement.decision.stamp
+    deciding, scenario = judgement.decision.stamp, plan.scenario
+    racing = {car: task for car, task in plan.tasks.items() if not task.is_empty}
     measured = Measured(
         start=start_of_race(plan.tasks, judgement, seen.updates),
         lap_times=lap_times(plan.scenario, plan.tasks, judgement, seen.updates),
         real_time_factor=real_time_factor,
+        finishes=finishes(scenario.criteria, racing, judgement.record),
         estimates={car: poses.until(deciding) for car, poses in estimates.items()},
         excursions=tuple(excursions(plan.course, judgement.record.tracks.values())) if plan.course else None,
     )
@@ -48,7 +51,8 @@ def files_of_record(plan: Plan, done: Result, picture: Callable) -> Files:
     lines = (f"{done.judgement.decision.verdict.value}: {done.reason}", _facts(done))
 
     def write_picture(path):
-        picture().write_picture(path, plan.name, lines, record, plan.goals, track_map(plan))
+        names = {car.name: name_of(car) for car in plan.scenario.cars}
+        picture().write_picture(path, plan.name, lines, record, plan.goals, track_map(plan), names)
 
     return {TRAJECTORY_FILE: lambda path: write_trajectory(path, record), PICTURE_FILE: write_picture}
 

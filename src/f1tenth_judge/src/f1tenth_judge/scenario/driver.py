@@ -7,7 +7,7 @@ from typing import Any
 
 from f1tenth_judge.yaml_files.schema import Problem, key
 
-_KINDS = ("launch", "ros2", "python")
+_KINDS = {"launch": "launch file of ROS 1", "ros2": "command of ROS 2", "python": "Python class"}
 _OWN = "package://f1tenth_scenarios/launch/drivers"
 
 
@@ -56,7 +56,7 @@ class Driver:
         given = [kind for kind in _KINDS if getattr(self, kind)]
         if len(given) != 1:
             found = f"is given beside '{given[1]}'" if given else "is missing"
-            return (given or _KINDS)[0], f"{found}; exactly one of {', '.join(_KINDS)} is needed"
+            return (given or [*_KINDS])[0], f"{found}; exactly one of {', '.join(_KINDS)} is needed"
         if self.python and not re.fullmatch(r".+\.py:\w+", self.python):
             return "python", f"is '{self.python}', must be FILE.py:CLASS"
         if not self.launch and self.interface is not Interface.NATIVE:
@@ -89,3 +89,13 @@ class Driver:
         """The short form, else the launch file, the command or the class."""
         names = (name for name, driver in self.short_forms().items() if driver.launch == self.launch)
         return self.ros2 or self.python or next(names, self.launch)
+
+    @property
+    def short_name(self) -> str:
+        """The name without the folder of its file."""
+        return self.ros2 or self.name.rpartition("/")[2]
+
+    @property
+    def kind(self) -> str:
+        """What it is, in words."""
+        return next(words for kind, words in _KINDS.items() if getattr(self, kind))

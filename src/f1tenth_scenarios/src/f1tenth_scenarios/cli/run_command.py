@@ -128,8 +128,7 @@ def _run_each(names: Sequence[str], settings: Sequence[str], options) -> int:
                 bar.update(outcome.exit_code == PASSED)
     bar.clear()
     passed = sum(each.exit_code == PASSED for each in outcomes)
-    if not stop.signal:
-        _sum_up(outcomes, left_out, passed, len(jobs))
+    _sum_up(outcomes, left_out, passed, len(jobs))
     return exit_code(passed == len(jobs), stop)
 
 
@@ -162,4 +161,5 @@ def _sum_up(outcomes: Sequence[Outcome], left_out: dict[str, str], passed: int, 
     if costs := {each.job.folder.name: each.result["times"]["cost"] for each in outcomes if each.result}:
         print(cost_of_all(costs))
     others = f", {len(left_out)} not applicable" if left_out else ""
+    others += f", {count - len(outcomes)} not run" if len(outcomes) < count else ""
     print(f"{passed} of {count} scenarios passed{others}")

@@ -18,10 +18,20 @@ class Lidar:
     range_max: float  # m
 
 
-def load_cars(count, lidar):
-    """Return descriptions of cars called robot1, robot2, … as the simulator knows them."""
+def load_cars(names, lidar):
+    """Return descriptions of cars of these names."""
     text = with_lidar(_description(), lidar)
-    return [f1tenth_sim2d.load_car(text, f"robot{i + 1}", "f1tenth.urdf.xacro") for i in range(count)]
+    return [f1tenth_sim2d.load_car(text, name, "f1tenth.urdf.xacro") for name in names]
+
+
+def numbered(count):
+    """Names of cars as the simulator's launch files have them: robot1, robot2, …."""
+    return [f"robot{i + 1}" for i in range(count)]
+
+
+def numbered_agents(count):
+    """Names of cars as PettingZoo has them: car_0, car_1, …."""
+    return [f"car_{i}" for i in range(count)]
 
 
 def with_lidar(text, lidar):

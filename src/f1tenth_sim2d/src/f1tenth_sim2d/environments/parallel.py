@@ -6,6 +6,7 @@ import numpy as np
 from gymnasium.utils import seeding
 from pettingzoo import ParallelEnv
 
+from f1tenth_sim2d.environments.car import numbered_agents
 from f1tenth_sim2d.environments.episode import OPTIONS
 from f1tenth_sim2d.environments.shown import ShownEnv
 from f1tenth_sim2d.environments.view import View
@@ -26,8 +27,8 @@ class F1TenthParallelEnv(ShownEnv, ParallelEnv):
 
     def __init__(self, render_mode=None, record=None, **settings):
         """Load the place; arguments and errors as of F1TenthEnv, but with two cars unless told."""
-        super().__init__(render_mode, record, {"cars": 2, **settings})
-        self.possible_agents = [f"car_{i}" for i in range(self._stage.settings.cars)]
+        super().__init__(render_mode, record, {"cars": 2, **settings}, numbered_agents)
+        self.possible_agents = [car.name for car in self._stage.cars]
         self.agents: list = []
         self.observation_spaces = dict.fromkeys(self.possible_agents, self._stage.car_space)
         self.action_spaces = dict.fromkeys(self.possible_agents, self._stage.action_space)

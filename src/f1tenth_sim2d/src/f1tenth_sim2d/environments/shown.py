@@ -1,5 +1,6 @@
 """What the environments that can be seen and recorded have in common."""
 
+from f1tenth_sim2d.environments.car import numbered
 from f1tenth_sim2d.environments.recording import recorder_into
 from f1tenth_sim2d.environments.stage import Stage
 from f1tenth_sim2d.environments.view import View
@@ -8,9 +9,9 @@ from f1tenth_sim2d.environments.view import View
 class ShownEnv:
     """One simulation, shown and recorded as asked for."""
 
-    def __init__(self, render_mode, record, settings):
+    def __init__(self, render_mode, record, settings, names=numbered):
         self.render_mode = render_mode
-        self._stage = Stage(settings)
+        self._stage = Stage(settings, names=names)
         self._view = View(render_mode, self._stage)
         self._recorder = recorder_into(record, self._stage)
         self._closed = False

@@ -8,7 +8,7 @@ import numpy as np
 from gymnasium import spaces
 
 import f1tenth_sim2d
-from f1tenth_sim2d.environments.car import Lidar, load_cars
+from f1tenth_sim2d.environments.car import Lidar, load_cars, numbered
 from f1tenth_sim2d.environments.episode import begin_episode, draw
 from f1tenth_sim2d.environments.place import find_place
 from f1tenth_sim2d.environments.settings import SPEED_LIMIT, Settings
@@ -27,13 +27,16 @@ class Stage:
         car_space, action_space: of one car.
     """
 
-    def __init__(self, settings: dict, count: int = 1, threads: int = 1):
-        """Load the place and build `count` environments; raises what F1TenthEnv raises."""
+    def __init__(self, settings: dict, count: int = 1, threads: int = 1, names=numbered):
+        """Load the place and build `count` environments; raises what F1TenthEnv raises.
+
+        `names` gives the names of a number of cars.
+        """
         self.settings = _settings(settings)
         self.place = find_place(self.settings.place)
         self._require_course()
         lidar = Lidar(self.settings.beams, self.settings.field_of_view, self.settings.range_max)
-        self.cars = load_cars(self.settings.cars, lidar)
+        self.cars = load_cars(names(self.settings.cars), lidar)
         self._parameters = self.cars[0].parameters
         self._require_vehicle()
         self._require_speeds()

@@ -1,5 +1,11 @@
 // The report: which page is shown, and the data behind it.
 
+import { decodeColumns, unpack } from "./base/decode.js";
+import { Run } from "./data/run.js";
+import { Overview } from "./pages/overview.js";
+import { RunPage } from "./pages/run_page.js";
+import { droveTheSame } from "./pages/words.js";
+
 class Report {
   constructor({ created, runs }) {
     this.created = created;
@@ -31,7 +37,7 @@ function embedded(name) {
   return document.getElementById(name).textContent;
 }
 
-async function start() {
+export async function start() {
   const report = new Report(await unpack(embedded("overview")));
   const main = document.getElementById("page");
   let page = null;

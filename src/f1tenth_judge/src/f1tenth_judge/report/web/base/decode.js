@@ -1,13 +1,13 @@
 // The other end of packing.py.
 
-async function unpack(text) {
+export async function unpack(text) {
   const packed = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Response(stream).json();
 }
 
 // The same with the columns in it, which begin with a number, as Float64Array.
-function decodeColumns(content) {
+export function decodeColumns(content) {
   if (typeof content !== "object") return content;
   if (!Array.isArray(content)) {
     return Object.fromEntries(Object.entries(content).map(([name, each]) => [name, decodeColumns(each)]));

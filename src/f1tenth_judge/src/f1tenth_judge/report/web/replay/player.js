@@ -2,7 +2,7 @@
 
 const SPEEDS = [0.25, 0.5, 1, 2, 4, 8];
 
-class Player {
+export class Player {
   constructor(end, onChange) {
     this.end = end;
     this.onChange = onChange;

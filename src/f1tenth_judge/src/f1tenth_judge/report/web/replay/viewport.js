@@ -2,7 +2,7 @@
 
 const MARGIN = 0.35; // m around what is shown
 
-class Viewport {
+export class Viewport {
   constructor(box) {
     this.box = box;
     this.size = { width: 1, height: 1 };
@@ -25,7 +25,7 @@ class Viewport {
   // Pixels per metre are multiplied by `factor`; the point under the pixel stays there.
   zoom(factor, pixel) {
     const before = this.toMap(pixel);
-    this.scale = Math.min(Math.max(this.scale * factor, 4), 2000);
+    this.scale = Math.min(Math.max(this.scale * factor, 2), 2000);
     const after = this.toMap(pixel);
     this.centre.x += before.x - after.x;
     this.centre.y += before.y - after.y;
@@ -62,7 +62,7 @@ class Viewport {
 }
 
 // The rectangle around walls and paths.
-function boundingBox(run) {
+export function boundingBox(run) {
   const box = { left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity };
   const take = (xs, ys, margin = 0) => {
     for (let index = 0; index < xs.length; ++index) {

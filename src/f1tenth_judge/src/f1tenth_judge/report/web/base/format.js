@@ -1,26 +1,31 @@
 // Numbers and times as text.
 
-const NOTHING = "–";
+export const NOTHING = "–";
 
-function formatNumber(value, digits, unit = "") {
+export function formatNumber(value, digits, unit = "") {
   if (value === null || value === undefined || !Number.isFinite(value)) return NOTHING;
-  return value.toFixed(digits).replace("-", "−") + (unit ? "\u202f" + unit : "");
+  return value.toFixed(digits).replace("-", "−") + (unit ? `\u202f${powers(unit)}` : "");
 }
 
-function formatClock(seconds) {
+// Exponents as they are printed.
+function powers(unit) {
+  return unit.replace("^2", "²");
+}
+
+export function formatClock(seconds) {
   const minutes = Math.floor(seconds / 60);
   const rest = (seconds - 60 * minutes).toFixed(2).padStart(5, "0");
   return `${minutes}:${rest}`;
 }
 
 // Actual values and limits of criteria are numbers, words or nothing.
-function formatValue(value, unit = "") {
+export function formatValue(value, unit = "") {
   if (value === null || value === undefined) return NOTHING;
   if (typeof value !== "number") return String(value);
   const text = Number.isInteger(value) ? String(value) : value.toFixed(3);
-  return text.replace("-", "−") + (unit ? "\u202f" + unit : "");
+  return text.replace("-", "−") + (unit ? `\u202f${powers(unit)}` : "");
 }
 
-function formatDate(iso) {
+export function formatDate(iso) {
   return new Date(iso).toLocaleString(undefined, { dateStyle: "medium", timeStyle: "short" });
 }

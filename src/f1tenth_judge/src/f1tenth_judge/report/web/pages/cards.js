@@ -1,52 +1,32 @@
-// What is said of a run in words and tables.
+// The tables beside a replay.
 
-const MEASURES = [
-  { name: "lap time", unit: "s", digits: 3, of: (result) => result.times?.lap_time, better: "less" },
-  { name: "finish", unit: "s", digits: 3, of: (result) => result.times?.finish },
-  { name: "minimum clearance", unit: "m", digits: 3, of: (result) => result.minimum_clearance, better: "more" },
-  { name: "contacts", unit: "", digits: 0, of: (result) => result.contacts?.length, better: "less" },
-  { name: "real-time factor", unit: "", digits: 1, of: (result) => result.real_time_factor },
-  { name: "wall time", unit: "s", digits: 1, of: (result) => result.times?.wall },
-];
+import { element } from "../base/elements.js";
+import { formatNumber, formatValue } from "../base/format.js";
+import { table } from "../base/table.js";
+import { MEASURES, changeOf, commitName, droveTheSame } from "./words.js";
 
-function badge(result) {
-  const word = result.passed ? "passed" : "failed";
-  return element(`span.badge.${result.passed ? "good" : "bad"}`, {}, word);
-}
-
-function verdictText(result) {
-  const { verdict, expected } = result;
-  return !expected || verdict === expected ? verdict : `${verdict}, expected ${expected}`;
-}
-
-function tiles(result) {
+export function tiles(result) {
   const shown = MEASURES.filter(({ of }) => of(result) !== null && of(result) !== undefined);
   return element("dl.tiles", {}, ...shown.map(({ name, unit, digits, of }) =>
     element("div", {}, element("dt", {}, name), element("dd", {}, formatNumber(of(result), digits, unit)))));
 }
 
-function section(title, ...content) {
+export function section(title, ...content) {
   return element("section.card", {}, element("h2", {}, title), ...content);
 }
 
-function table(columns, rows) {
-  const head = element("tr", {}, ...columns.map((name) => element("th", { scope: "col" }, name)));
-  const body = rows.map(({ cells, kind = "", click }) =>
-    element(kind ? `tr.${kind}` : "tr", { click }, ...cells.map((cell, index) =>
-      element("td", { "data-label": columns[index] }, cell))));
-  return element("table", {}, element("thead", {}, head), element("tbody", {}, ...body));
-}
-
-function criteriaCard(result) {
+// Those that failed first.
+export function criteriaCard(result) {
   if (!result.criteria.length) return null;
-  const rows = result.criteria.map((each) => ({
+  const sorted = result.criteria.toSorted((one, other) => Number(other.status === "failed") - Number(one.status === "failed"));
+  const rows = sorted.map((each) => ({
     kind: each.status.replace(" ", "-"),
     cells: [
-      statusMark(each.status), element("code", {}, ...breakable(each.name)), formatValue(each.actual, each.unit),
-      formatValue(each.limit, each.unit), each.reason,
+      statusMark(each.status), element("div", {}, element("code", {}, ...breakable(each.name)), element("p.why", {}, each.reason)),
+      formatValue(each.actual, each.unit), formatValue(each.limit, each.unit),
     ],
   }));
-  return section("Criteria", table(["", "criterion", "actual", "limit", "reason"], rows));
+  return element("section.card.criteria", {}, element("h2", {}, "Criteria"), table(["", "criterion", "actual", "limit"], rows));
 }
 
 // A name that may be broken after its underscores, and is copied whole.
@@ -56,22 +36,18 @@ function breakable(name) {
 
 function statusMark(status) {
   const mark = { passed: "✓", failed: "✗", "not judged": "·" }[status] ?? status;
-  return element(`span.mark.${status.replace(" ", "-")}`, { title: status, "aria-label": status }, mark);
+  return element(`span.mark.${status.replace(" ", "-")}`, { role: "img", title: status, "aria-label": status }, mark);
 }
 
 // The run against the other one of the same scenario.
-function comparisonCard(result) {
+export function comparisonCard(result) {
   const other = result.previous;
   if (!other) return null;
   const rows = MEASURES.map((measure) => comparisonRow(measure, result, other)).filter(Boolean);
   rows.unshift({ cells: ["verdict", other.verdict, result.verdict, ""] });
   const note = droveTheSame(result) ? "Both drove the same, bit for bit." : "The trajectories differ.";
-  const columns = ["", commitName(other), commitName(result), "change"];
+  const columns = ["", `before ${commitName(other)}`, `now ${commitName(result)}`, "change"];
   return section("Compared with the run before", element("p.note", {}, note), table(columns, rows));
-}
-
-function droveTheSame({ trajectory_hash: hash, previous }) {
-  return Boolean(hash) && hash === previous.trajectory_hash;
 }
 
 function comparisonRow({ name, unit, digits, of, better }, result, other) {
@@ -81,23 +57,7 @@ function comparisonRow({ name, unit, digits, of, better }, result, other) {
   return { cells: [name, formatNumber(before, digits, unit), formatNumber(now, digits, unit), change] };
 }
 
-function changeOf(now, before, digits, unit, better) {
-  if (typeof now !== "number" || typeof before !== "number") return "";
-  const difference = Number((now - before).toFixed(digits));
-  if (difference === 0) return "=";
-  const improved = better && (better === "less") === difference < 0;
-  const kind = better ? (improved ? ".better" : ".worse") : "";
-  return element(`span.change${kind}`, {}, (difference > 0 ? "+" : "") + formatNumber(difference, digits, unit));
-}
-
-// The commit of the workspace, and those of drivers that are from other repositories.
-function commitName({ versions }) {
-  const commits = [versions?.commit, ...Object.values(versions?.driver_commits ?? {})].filter(Boolean);
-  const short = commits.map((commit) => commit.slice(0, 8) + (commit.endsWith("-dirty") ? "*" : ""));
-  return [...new Set(short)].join(" + ") || "unknown";
-}
-
-function lapsCard(result) {
+export function lapsCard(result) {
   const cars = Object.entries(result.cars ?? {}).filter(([, { lap_times: laps }]) => laps?.length);
   if (!cars.length) return null;
   const rows = cars.flatMap(([car, { lap_times: laps }]) =>
@@ -105,7 +65,7 @@ function lapsCard(result) {
   return section("Laps", table(["car", "lap", "time"], rows));
 }
 
-function contactsCard(result, seek) {
+export function contactsCard(result, seek) {
   if (!result.contacts?.length) return null;
   const rows = result.contacts.map((each) => ({
     cells: [
@@ -116,25 +76,25 @@ function contactsCard(result, seek) {
   return section("Contacts", table(["at", "car", "touched", "speed"], rows));
 }
 
-function culpritCard(result) {
+export function culpritCard(result) {
   if (!result.culprit) return null;
   const { culprit, reason, log_lines: lines } = result.culprit;
   return section(`${culprit} ${reason}`, lines.length ? element("pre", {}, lines.join("\n")) : null);
 }
 
 // What could not be read or written.
-function problemsCard({ problems, not_written: unwritten = [] }) {
+export function problemsCard({ problems, not_written: unwritten = [] }) {
   const all = [...problems, ...unwritten];
   return all.length ? section("Missing", element("ul", {}, ...all.map((text) => element("li", {}, text)))) : null;
 }
 
 // The files of the run, relative to the report.
-function linksCard({ links }) {
+export function linksCard({ links }) {
   const rows = Object.entries(links).map(([name, href]) => ({ cells: [name, element("a", { href }, decodeURIComponent(href))] }));
   return rows.length ? section("Files", table(["", ""], rows)) : null;
 }
 
-function versionsCard(result) {
+export function versionsCard(result) {
   const versions = Object.entries(result.versions ?? {}).flatMap(([name, value]) =>
     value instanceof Object ? Object.entries(value).map(([car, each]) => [`${name} of ${car}`, each]) : [[name, value]]);
   const rows = [["seed", result.seed], ["trajectory hash", result.trajectory_hash], ...versions];

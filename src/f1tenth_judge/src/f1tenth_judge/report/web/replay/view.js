@@ -1,10 +1,19 @@
 // The top view: a canvas whose still parts are drawn once and copied under the moving ones.
 
-const TRAIL = 1.5; // s of the path behind a car that is drawn bold
+import { element, themeColours } from "../base/elements.js";
+import { indexAfter } from "../data/geometry.js";
+import { Painter } from "./painter.js";
+import { Viewport, boundingBox } from "./viewport.js";
 
-class View {
+const TRAIL = 1.5; // s of the path behind a car that is drawn bold
+const SMALL = 9; // px, of a car's length that is hard to find
+
+export class View {
+  // `run` has at least one car.
   constructor(run, ghost, contacts) {
-    Object.assign(this, { run, ghost, contacts });
+    this.run = run;
+    this.ghost = ghost;
+    this.contacts = contacts;
     this.shown = { scan: true, plans: true, ghost: true, follow: false };
     this.fastest = Math.max(0.1, ...run.cars.map((car) => car.speed.reduce((most, each) => Math.max(most, each), 0)));
     this.viewport = new Viewport(boundingBox(run));
@@ -27,7 +36,16 @@ class View {
       canvas.height = Math.round(clientHeight * this.ratio);
     }
     this.viewport.resize(clientWidth, clientHeight);
+    this.followWhereSmall();
     this.refresh();
+  }
+
+  // On a long road a car is too small to be seen unless the view follows it.
+  followWhereSmall() {
+    const [car] = this.run.cars;
+    if (this.decided || !this.canvas.clientWidth) return;
+    this.decided = true;
+    this.shown.follow = this.viewport.scale * (car.body.front - car.body.rear) < SMALL;
   }
 
   toggle(part) {
@@ -81,9 +99,15 @@ class View {
     painter.grid({ left, right, bottom, top });
     painter.shape(this.run.walls, this.colours.wall);
     context.globalAlpha = 0.7;
-    for (const car of this.run.cars) painter.path(car, this.fastest, 2.5);
+    if (this.isRace) this.run.cars.forEach((car, index) => painter.strokeLine(car, this.colours.cars[index % 4], 1.5));
+    else painter.path(this.run.cars[0], this.fastest, 2.5);
     context.globalAlpha = 1;
     this.drawMarks(painter);
+  }
+
+  // The paths of several cars are told apart by the colours of the cars, one path shows its speed.
+  get isRace() {
+    return this.run.cars.length > 1;
   }
 
   drawMarks(painter) {
@@ -109,11 +133,11 @@ class View {
     if (shown.ghost && this.ghost) this.drawGhosts(painter);
     run.cars.forEach((car, index) => {
       const last = indexAfter(car.time, time);
-      painter.strokeLine(car, this.colours.cars[index % 4], 3.5, indexAfter(car.time, time - TRAIL), last);
+      painter.strokeLine(car, this.isRace ? this.colours.cars[index % 4] : this.colours.text, 3.5, indexAfter(car.time, time - TRAIL), last);
     });
     run.cars.forEach((car, index) => {
       painter.car(this.states[index], car.body, this.colours.cars[index % 4]);
-      if (run.cars.length > 1) this.drawName(painter, car, index);
+      if (this.isRace) this.drawName(painter, car, index);
     });
   }
 
@@ -145,7 +169,7 @@ class View {
 
   drawName(painter, car, index) {
     const { x, y } = this.states[index];
-    painter.label(x, y, car.name, this.colours.text, 11, -22);
+    painter.label(x, y, car.name, this.colours.text, 11, index % 2 ? 22 : -22); // beside a neighbour on the grid
   }
 
   listen() {

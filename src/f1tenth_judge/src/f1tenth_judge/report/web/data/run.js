@@ -1,10 +1,13 @@
 // A run's data as the views need it. The columns' names are those of replay_columns.py.
 
+import { indexAfter, obstaclesOf, rowsOf, shapeOf } from "./geometry.js";
+import { Lidar } from "./lidar.js";
+
 // The F1/10 car: its ends seen from base_footprint, wheelbase and track, m.
 const F1TENTH = [-0.1186, 0.4615, -0.155, 0.155, 0.33, 0.2];
 const QUANTITIES = ["x", "y", "yaw", "speed", "clearance", "steering", "gap"];
 
-class Run {
+export class Run {
   // `world` is that of the walls; who is only compared with another run needs none.
   constructor({ cars, goals, lidars, bodies, global_plans: globalPlans, local_plans: localPlans, models }, world) {
     this.cars = Object.entries(cars).map(([name, columns]) => new CarTrack(name, columns, bodies[name]));
@@ -12,7 +15,8 @@ class Run {
     this.goals = goals.map(rowsOf);
     this.lidars = this.cars.filter(({ name }) => lidars[name]).map((car) => new Lidar(car, lidars[car.name]));
     this.models = models.map(({ time, poses, shape }) => ({ time, poses: rowsOf(poses), shape: shapeOf(shape) }));
-    Object.assign(this, { globalPlans, localPlans });
+    this.globalPlans = globalPlans;
+    this.localPlans = localPlans;
     if (world) {
       this.walls = shapeOf(world.walls);
       this.still = obstaclesOf(this.walls);
@@ -58,30 +62,4 @@ class CarTrack {
     }
     return state;
   }
-}
-
-// A table's columns of equal length as one object per row.
-function rowsOf(table) {
-  const names = Object.keys(table);
-  return Array.from(table[names[0]], (_, index) => Object.fromEntries(names.map((name) => [name, table[name][index]])));
-}
-
-function shapeOf({ outlines, circles }) {
-  return { outlines, circles: rowsOf(circles) };
-}
-
-// How many of the ascending times are not after a time.
-function indexAfter(times, time) {
-  let [low, high] = [0, times.length];
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (times[middle] <= time + 1e-6) low = middle + 1;
-    else high = middle;
-  }
-  return low;
-}
-
-function transform(pose, point) {
-  const [cosine, sine] = [Math.cos(pose.yaw), Math.sin(pose.yaw)];
-  return { x: pose.x + cosine * point.x - sine * point.y, y: pose.y + sine * point.x + cosine * point.y };
 }

@@ -1,8 +1,18 @@
 // The page of one run: replay, charts, tables.
 
+import { element } from "../base/elements.js";
+import { formatClock, formatNumber } from "../base/format.js";
+import { Chart } from "../charts/chart.js";
+import { comparisonCard, contactsCard, criteriaCard, culpritCard, lapsCard, linksCard, problemsCard, tiles, versionsCard } from "./cards.js";
+import { badge, comparisonText, failedBesides, verdictText, who, winnerText } from "./words.js";
+import { handleKey, keyHelp } from "../replay/keyboard.js";
+import { SPEED_COLOURS } from "../replay/painter.js";
+import { Player } from "../replay/player.js";
+import { View } from "../replay/view.js";
+
 const PARTS = [["scan", "scan"], ["plans", "plans"], ["ghost", "run before"], ["follow", "follow"]];
 
-class RunPage {
+export class RunPage {
   constructor(report, index) {
     this.report = report;
     this.index = index;
@@ -24,8 +34,21 @@ class RunPage {
         this.neighbour(-1, "←"), this.neighbour(1, "→")),
       element("h1", {}, result.scenario, badge(result)),
       element("p.lead", {}, result.description),
-      element(`p.reason.${result.passed ? "good" : "bad"}`, {}, element("b", {}, verdictText(result)), ` — ${result.reason}`),
+      element("p.drivers", {}, ...who(result)),
+      ...this.outcome(),
       tiles(result));
+  }
+
+  // The verdict and why, and every criterion that failed besides.
+  outcome() {
+    const { result } = this;
+    const failed = failedBesides(result);
+    const why = failed.some(({ reason }) => reason === result.reason) ? "" : ` — ${result.reason}`;
+    return [
+      element(`p.reason.${result.passed ? "good" : "bad"}`, {}, element("b", {}, verdictText(result)), why),
+      ...failed.map((each) => element("p.reason.bad", {}, element("b", {}, each.name), ` — ${each.reason} (${comparisonText(each)})`)),
+      result.winner ? element("p.reason", {}, winnerText(result)) : null,
+    ];
   }
 
   neighbour(step, arrow) {
@@ -95,7 +118,7 @@ class RunPage {
     this.toggles = PARTS.filter(([part]) => part !== "ghost" || ghost).map(([part, text]) => this.toggleButton(part, text));
     return element("div.controls", {},
       element("div.transport", {}, this.button, this.slider, this.clock),
-      element("div.toggles", {}, this.speed, ...this.toggles, element("span.spring"), this.legend()));
+      element("div.toggles", {}, this.speed, ...this.toggles, element("span.spring"), this.view.isRace ? null : this.legend()));
   }
 
   // Arrow keys mean the same on the slider as everywhere else on the page.

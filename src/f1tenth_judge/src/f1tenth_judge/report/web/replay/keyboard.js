@@ -1,5 +1,7 @@
 // Keys of a replay.
 
+import { element } from "../base/elements.js";
+
 const KEYS = [
   { keys: [" "], shown: "space", help: "play, pause", act: (page) => page.player.toggle() },
   { keys: ["ArrowLeft"], shown: "←", help: "back 1 s, with shift 0.1 s", act: (page, event) => page.step(-1, event) },
@@ -18,7 +20,7 @@ const KEYS = [
   { keys: ["Escape"], shown: "Esc", help: "all runs", act: () => { location.hash = ""; } },
 ];
 
-function handleKey(page, event) {
+export function handleKey(page, event) {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
   const binding = KEYS.find(({ keys }) => keys.includes(name));
@@ -27,7 +29,7 @@ function handleKey(page, event) {
   binding.act(page, event);
 }
 
-function keyHelp() {
+export function keyHelp() {
   const entries = KEYS.flatMap(({ shown, help }) => [element("dt", {}, element("kbd", {}, shown)), element("dd", {}, help)]);
   return element("details.keys", {}, element("summary", {}, "Keys"), element("dl", {}, ...entries));
 }

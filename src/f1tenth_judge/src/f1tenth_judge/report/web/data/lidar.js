@@ -1,10 +1,16 @@
 // A car's lidar, computed from what stands around it: the walls, the models, the other cars.
 
+import { transform } from "./geometry.js";
+
 const BEAMS = 121;
 
-class Lidar {
+export class Lidar {
   constructor(car, [first, last, x, y, yaw, range]) {
-    Object.assign(this, { car, first, last, range, mount: { x, y, yaw } });
+    this.car = car;
+    this.first = first;
+    this.last = last;
+    this.range = range;
+    this.mount = { x, y, yaw };
   }
 
   // End points in the map frame, seen from a pose. Obstacles: {segments: [[x1, y1, x2, y2], ...], circles}.
@@ -45,16 +51,4 @@ class Lidar {
     }
     return nearest;
   }
-}
-
-// What a shape puts into the way of a beam, seen from the map if it is given in the frame of a pose.
-function obstaclesOf({ outlines, circles }, pose = { x: 0, y: 0, yaw: 0 }) {
-  const segments = outlines.flatMap(({ x, y }) => {
-    const points = Array.from(x, (_, index) => transform(pose, { x: x[index], y: y[index] }));
-    return points.map((point, index) => {
-      const next = points[(index + 1) % points.length];
-      return [point.x, point.y, next.x, next.y];
-    });
-  });
-  return { segments, circles: circles.map((circle) => ({ ...transform(pose, circle), radius: circle.radius })) };
 }

@@ -1,9 +1,10 @@
 // Draws the parts of a run into a context that measures in metres, y upwards; widths are given in pixels.
 
+const LEAST_CAR = 16; // px, of a car's length: a smaller one is drawn larger than it is
 const WHEEL = { diameter: 0.1, width: 0.05 }; // m
-const SPEED_COLOURS = ["#4f6bed", "#7a5be0", "#a94fc6", "#d2489b", "#ec5a6d", "#f57c42", "#f5a524"];
+export const SPEED_COLOURS = ["#4f6bed", "#7a5be0", "#a94fc6", "#d2489b", "#ec5a6d", "#f57c42", "#f5a524"];
 
-class Painter {
+export class Painter {
   constructor(context, scale, colours) {
     this.context = context;
     this.scale = scale;
@@ -100,7 +101,9 @@ class Painter {
 
   car(state, body, colour, alpha = 1) {
     const { context } = this;
+    const enlarged = Math.max(1, LEAST_CAR / ((body.front - body.rear) * this.scale));
     this.inFrame(state, () => {
+      context.scale(enlarged, enlarged);
       context.globalAlpha = alpha;
       for (const [x, turn] of [[0, 0], [body.wheelbase, state.steering]]) {
         for (const side of [-1, 1]) this.wheel(x, (side * (body.track + 0.04)) / 2, turn);

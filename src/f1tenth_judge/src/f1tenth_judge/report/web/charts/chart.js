@@ -1,8 +1,11 @@
 // A quantity over time, with a cursor that can be dragged.
 
+import { element, themeColours } from "../base/elements.js";
+import { formatNumber } from "../base/format.js";
+
 const CHART = { left: 40, right: 10, top: 10, bottom: 20 }; // px around the plot
 
-class Chart {
+export class Chart {
   constructor({ title, unit, quantity, run, ghost, limit, onSeek }) {
     Object.assign(this, { quantity, run, ghost, limit, onSeek });
     this.canvas = element("canvas", { "aria-label": `${title} over time` });

@@ -1,6 +1,6 @@
 // Building the page: element("a.link", {href: "#"}, "text", child, ...).
 
-function element(selector, attributes = {}, ...children) {
+export function element(selector, attributes = {}, ...children) {
   const [tag, ...classes] = selector.split(".");
   const made = document.createElement(tag || "div");
   if (classes.length) made.className = classes.join(" ");
@@ -15,14 +15,14 @@ function setAttribute(target, name, value) {
   else if (value !== false && value !== null && value !== undefined) target.setAttribute(name, value);
 }
 
-function svgElement(tag, attributes) {
+export function svgElement(tag, attributes) {
   const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
   for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
   return made;
 }
 
 // The colours of the style sheet, for canvases; asked anew when the scheme may have changed.
-function themeColours() {
+export function themeColours() {
   const style = getComputedStyle(document.documentElement);
   const colour = (name) => style.getPropertyValue(`--${name}`).trim();
   return {

@@ -119,7 +119,8 @@ def test_summary_has_all_that_make_race_prints(tmp_path):
         "reason:            every goal was passed in order",
         "driver:            race (launch file of ROS 1)",
         "lap time:          3.000 s",
-        "reference:         4.497 s (fastest flying lap possible), 0.67 times that from standstill",
+        "reference:         4.497 s (fastest flying lap possible);"
+        " this lap, from standstill, took 0.67 times as long",
         "minimum clearance: 0.500 m",
         "real-time factor:  none",
         f"cost:              {result.cost:.1f} s besides simulating",
@@ -139,7 +140,7 @@ def test_summary_lists_the_laps_if_there_are_several(tmp_path):
     lines = summary(run.execute(), run.plan).splitlines()
     assert "lap time:          3.500 s" in lines
     assert "laps of robot1:    4.000 s, 3.500 s" in lines
-    assert any(line.endswith("0.78 times that in a flying lap") for line in lines)
+    assert any(line.endswith("the best lap took 0.78 times as long") for line in lines)
 
 
 def test_summary_has_no_reference_for_what_is_no_lap_of_a_circuit(tmp_path):

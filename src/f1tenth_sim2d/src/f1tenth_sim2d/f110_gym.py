@@ -1,4 +1,7 @@
-"""F110Env of f1tenth_gym, as it was before Gymnasium, over this simulator; docs/gym.md says what differs."""
+"""F110Env of f1tenth_gym, as it was before Gymnasium, over this simulator.
+
+docs/coming_from_f1tenth_gym.md says what differs; f1tenth_sim2d.f1tenth_gym is its version 1.0.
+"""
 
 import enum
 import warnings
@@ -48,13 +51,18 @@ class Integrator(enum.Enum):
 
 
 def make(environment="f110_gym:f110-v0", **settings):
-    """Return an F110Env, in place of gym.make.
+    """Return an F110Env, in place of gym.make; that of version 1.0 for its id, or with a `config`.
 
     Raises:
         ValueError: as F110Env, and for another environment.
     """
-    if environment not in _IDS:
-        raise ValueError(f"environment: found {environment!r}, allowed are {', '.join(_IDS)}")
+    from f1tenth_sim2d import f1tenth_gym
+
+    if environment not in (*_IDS, *f1tenth_gym.IDS):
+        allowed = ", ".join((*_IDS, *f1tenth_gym.IDS))
+        raise ValueError(f"environment: found {environment!r}, allowed are {allowed}")
+    if environment in f1tenth_gym.IDS or "config" in settings:
+        return f1tenth_gym.F110Env(**{"config": {}, **settings})
     return F110Env(**settings)
 
 
@@ -78,6 +86,10 @@ class F110Env:
         current_time: s.
         lap_times, lap_counts: arrays of shape (num_agents,).
     """
+
+    _view_mode, _start = "human", "grid"
+    _vehicle: dict[str, str] = {}
+    """Parameters of the cars that `params` does not have."""
 
     def __init__(
         self,
@@ -148,7 +160,7 @@ class F110Env:
         self._near = np.ones(self.num_agents, dtype=bool)
         self._toggles = np.zeros(self.num_agents)
         self.lap_times, self.lap_counts = np.zeros(self.num_agents), np.zeros(self.num_agents)
-        return self.step(np.zeros((self.num_agents, 2)))
+        return self._drive(np.zeros((self.num_agents, 2)))
 
     def step(self, action):
         """Drive for a timestep.
@@ -163,6 +175,9 @@ class F110Env:
         Raises:
             ValueError: another shape, a value that is not finite, or no reset before.
         """
+        return self._drive(action)
+
+    def _drive(self, action):
         if self._starts is None:
             raise ValueError("step before the first reset, which is not allowed")
         action = np.asarray(action, dtype=float)
@@ -221,12 +236,13 @@ class F110Env:
                 "observation": ("scan",),
                 "normalized": False,
                 "period": self.timestep,
-                "vehicle": _vehicle(params),
+                "vehicle": {**_vehicle(params), **self._vehicle},
+                "start": self._start,
                 **_LIDAR,
             }
         )
         self.params = params
-        return _Loaded(stage, View("human", stage), params.get("lr", VehicleParameters().l_r))
+        return _Loaded(stage, View(self._view_mode, stage), params.get("lr", VehicleParameters().l_r))
 
     def _observation(self):
         cars = self._now.stage.results[0]

@@ -4,7 +4,7 @@ import gymnasium
 import numpy as np
 import pytest
 from conftest import straight_on
-from f1tenth_sim2d.environments import ENVIRONMENT
+from f1tenth_sim2d.environments import ENVIRONMENT, register
 from f1tenth_sim2d.environments.car import Lidar, load_cars
 
 import f1tenth_sim2d
@@ -181,3 +181,9 @@ def test_parallel_actions_belong_to_its_cars():
         environment.step({"car_0": straight_on()})
     with pytest.raises(ValueError, match=r"actions\['car_1'\]: found shape \(1,\), allowed is \(2,\)"):
         environment.step({"car_0": straight_on(), "car_1": np.zeros(1)})
+
+
+def test_what_is_not_installed_is_named_with_its_remedy(monkeypatch):
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
+    with pytest.raises(ModuleNotFoundError, match="environments need gymnasium, .* or pip install gymnasium"):
+        register()

@@ -163,8 +163,13 @@ def main():
     except (TypeError, ValueError) as error:
         print(f"drive_lap: {error}", file=sys.stderr)
         return 2
+    ends = rospy.get_param("~ends_launch", False)
+    then = "and the launch ends" if ends else ""
+    rospy.loginfo(
+        "Driving a lap at up to %.1f m/s; then %s.pgm and .yaml are saved %s", options.speed, stem, then
+    )
     code = drive(driver, MapKeeper(), stem)
-    if code == 0 and not rospy.is_shutdown() and rospy.get_param("~ends_launch", False):
+    if code == 0 and not rospy.is_shutdown() and ends:
         end_launch()
         rospy.spin()
     driver.released.set()

@@ -134,8 +134,9 @@ def _reference(result, plan):
     if fastest and result.best_lap_time:
         times = result.best_lap_time / fastest
         several = plan.scenario.laps > 1 or any(task.laps > 1 for task in plan.tasks.values())
-        how = "in a flying lap" if several else "from standstill"
-        yield "reference", f"{fastest:.3f} s (fastest flying lap possible), {times:.2f} times that {how}"
+        lap = "the best lap" if several else "this lap, from standstill,"
+        compared = f"{lap} took {times:.2f} times as long"
+        yield "reference", f"{fastest:.3f} s (fastest flying lap possible); {compared}"
 
 
 def _all_laps(result, plan):

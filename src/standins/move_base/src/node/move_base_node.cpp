@@ -233,7 +233,8 @@ void MoveBaseNode::drive(const ros::Time & now)
   CycleOutput output = navigator_.cycle(input, perception_.costmap());
   if (!input.sensors_current && navigator_.active()) {
     output.trouble =
-      "The car brakes or stands still because " + perception_.stale(now) + " is missing, or is not from now.";
+      "The car brakes or stands still because " + perception_.stale(now) +
+      " is missing, or its stamp is too old or in the future. On a slow machine, start with real_time_factor:=0.5.";
   }
   publish(output, input, now);
   report(output, input, now);

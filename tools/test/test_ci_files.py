@@ -15,8 +15,9 @@ TEMPLATE = "templates/planner_package"
 @pytest.mark.parametrize(
     ("name", "schema", "command"),
     [
-        (".github/workflows/ci.yml", GITHUB, ".ci/run"),
-        (".gitlab-ci.yml", GITLAB, ".ci/run"),
+        (".github/workflows/ci.yml", GITHUB, ".ci/run ${{ matrix.stage }}"),
+        (".github/workflows/nightly.yml", GITHUB, "run: ${{ matrix.command }}"),
+        (".gitlab-ci.yml", GITLAB, ".ci/run $STAGE"),
         (f"{TEMPLATE}/.github/workflows/planner.yml", GITHUB, "ci/test"),
         (f"{TEMPLATE}/.gitlab-ci.yml", GITLAB, "ci/test"),
     ],

@@ -2,6 +2,7 @@
 
 import signal
 import time
+from pathlib import Path
 
 import pytest
 from f1tenth_judge.scenario.criteria import Criteria
@@ -40,7 +41,8 @@ def test_success_is_written_with_all_that_was_measured(tmp_path):
         "timeout",
     ]
     assert {each["status"] for each in result["criteria"]} == {"passed"}
-    assert result["versions"]["f1tenth_scenarios"] == "0.2.0"
+    version = (Path(__file__).parents[4] / "VERSION").read_text().strip()
+    assert result["versions"]["f1tenth_scenarios"] == version
 
 
 def test_cost_is_what_a_run_takes_besides_simulating(tmp_path):

@@ -18,7 +18,7 @@ def write_command(folder, name, script):
 @pytest.fixture
 def machine(tmp_path):
     """Return a PATH on which nothing is installed yet, with nobody's rights and no sudo."""
-    for name in ("bash", "cat", "sed", "sort", "comm", "dirname", "env", "rm"):
+    for name in ("bash", "cat", "sed", "sort", "comm", "dirname", "env", "grep", "ln", "rm"):
         (tmp_path / name).symlink_to(f"/usr/bin/{name}")
     write_command(tmp_path, "dpkg-query", "exit 0")
     write_command(tmp_path, "id", "echo 1000")
@@ -135,6 +135,17 @@ def test_what_only_tests_need_is_installed_when_asked_for(machine):
     assert result.returncode == 1
     assert set(names_in("debian-test-packages.txt")) <= set(result.stderr.split())
     assert "libbox2d-dev" not in result.stderr
+    assert {"nodejs", "npm"} <= set(result.stderr.split())
+
+
+def test_what_comes_from_npm_goes_into_the_virtual_environment(machine):
+    install(machine, *names_in("debian-packages.txt"), *names_in("debian-test-packages.txt"))
+    write_command(machine, "npm", f'echo "$*" >> {machine}/npm_calls')
+    result = run_setup(machine, "--tests")
+    assert result.returncode == 0, result.stderr
+    tools = machine / "venv" / "web-tools"
+    assert f"from npm, into {tools}: {' '.join(names_in('npm-test-packages.txt'))}" in result.stdout
+    assert f"--prefix {tools} " in (machine / "npm_calls").read_text()
 
 
 def test_another_argument_is_refused(machine):

@@ -1,6 +1,7 @@
 // The other end of packing.py.
 
-export async function unpack(text) {
+/** @param {string} text */
+export function unpack(text) {
   const packed = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Response(stream).json();
@@ -15,7 +16,8 @@ export function decodeColumns(content) {
   return typeof content[0] === "number" ? decodeColumn(content) : content.map(decodeColumns);
 }
 
-function decodeColumn([quantum, ...changes]) {
+function decodeColumn(packed) {
+  const [quantum, ...changes] = packed;
   let [value, step] = [0, 0];
   return Float64Array.from(changes, (change) => {
     step += change;

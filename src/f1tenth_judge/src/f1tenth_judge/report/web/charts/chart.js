@@ -6,8 +6,12 @@ import { formatNumber } from "../base/format.js";
 const CHART = { left: 40, right: 10, top: 10, bottom: 20 }; // px around the plot
 
 export class Chart {
-  constructor({ title, unit, quantity, run, ghost, limit, onSeek }) {
-    Object.assign(this, { quantity, run, ghost, limit, onSeek });
+  constructor({ title, unit, quantity, run, ghost, limit = undefined, onSeek }) {
+    this.quantity = quantity;
+    this.run = run;
+    this.ghost = ghost;
+    this.limit = limit;
+    this.onSeek = onSeek;
     this.canvas = element("canvas", { "aria-label": `${title} over time` });
     this.still = document.createElement("canvas");
     this.value = element("span.value");

@@ -1,5 +1,8 @@
 // Tables, shapes and poses.
 
+/** @type {Record<string, number>} */
+const ORIGIN = { x: 0, y: 0, yaw: 0 };
+
 // A table's columns of equal length as one object per row.
 export function rowsOf(table) {
   const names = Object.keys(table);
@@ -27,7 +30,7 @@ export function transform(pose, point) {
 }
 
 // What a shape puts into the way of a beam, seen from the map if it is given in the frame of a pose.
-export function obstaclesOf({ outlines, circles }, pose = { x: 0, y: 0, yaw: 0 }) {
+export function obstaclesOf({ outlines, circles }, pose = ORIGIN) {
   const segments = outlines.flatMap(({ x, y }) => {
     const points = Array.from(x, (_, index) => transform(pose, { x: x[index], y: y[index] }));
     return points.map((point, index) => {

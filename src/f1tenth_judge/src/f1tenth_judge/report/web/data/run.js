@@ -7,6 +7,36 @@ import { Lidar } from "./lidar.js";
 const F1TENTH = [-0.1186, 0.4615, -0.155, 0.155, 0.33, 0.2];
 const QUANTITIES = ["x", "y", "yaw", "speed", "clearance", "steering", "gap"];
 
+class CarTrack {
+  constructor(name, columns, [rear, front, right, left, wheelbase, track] = F1TENTH) {
+    this.name = name;
+    this.time = columns.time ?? new Float64Array();
+    for (const quantity of QUANTITIES) this[quantity] = columns[quantity] ?? new Float64Array();
+    this.end = this.time.length ? this.time[this.time.length - 1] : 0;
+    this.body = { rear, front, right, left, wheelbase, track };
+  }
+
+  get shape() {
+    const { rear, front, right, left } = this.body;
+    return { outlines: [{ x: [rear, front, front, rear], y: [right, right, left, left] }], circles: [] };
+  }
+
+  // The state at a time (s), between two periods by proportion.
+  at(time) {
+    const after = Math.min(indexAfter(this.time, time), this.time.length - 1);
+    const before = Math.max(after - 1, 0);
+    const span = this.time[after] - this.time[before];
+    const part = span > 0 ? Math.min(Math.max((time - this.time[before]) / span, 0), 1) : 0;
+    /** @type {Record<string, number>} */
+    const state = {};
+    for (const quantity of QUANTITIES) {
+      const values = this[quantity];
+      state[quantity] = values[before] + part * (values[after] - values[before]);
+    }
+    return state;
+  }
+}
+
 export class Run {
   // `world` is that of the walls; who is only compared with another run needs none.
   constructor({ cars, goals, lidars, bodies, global_plans: globalPlans, local_plans: localPlans, models }, world) {
@@ -33,33 +63,5 @@ export class Run {
     const others = this.cars.filter((car) => car !== own).map((car) => obstaclesOf(car.shape, car.at(time)));
     const all = [this.still, ...models, ...others];
     return { segments: all.flatMap(({ segments }) => segments), circles: all.flatMap(({ circles }) => circles) };
-  }
-}
-
-class CarTrack {
-  constructor(name, columns, [rear, front, right, left, wheelbase, track] = F1TENTH) {
-    this.name = name;
-    for (const quantity of ["time", ...QUANTITIES]) this[quantity] = columns[quantity] ?? new Float64Array();
-    this.end = this.time.length ? this.time[this.time.length - 1] : 0;
-    this.body = { rear, front, right, left, wheelbase, track };
-  }
-
-  get shape() {
-    const { rear, front, right, left } = this.body;
-    return { outlines: [{ x: [rear, front, front, rear], y: [right, right, left, left] }], circles: [] };
-  }
-
-  // The state at a time (s), between two periods by proportion.
-  at(time) {
-    const after = Math.min(indexAfter(this.time, time), this.time.length - 1);
-    const before = Math.max(after - 1, 0);
-    const span = this.time[after] - this.time[before];
-    const part = span > 0 ? Math.min(Math.max((time - this.time[before]) / span, 0), 1) : 0;
-    const state = {};
-    for (const quantity of QUANTITIES) {
-      const values = this[quantity];
-      state[quantity] = values[before] + part * (values[after] - values[before]);
-    }
-    return state;
   }
 }

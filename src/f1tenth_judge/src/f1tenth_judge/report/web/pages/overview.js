@@ -92,7 +92,7 @@ export class Overview {
       const text = `${run.world} ${row.textContent} ${run.description}`.toLowerCase();
       const kinds = [ALL, run.verdict, run.passed ? "" : FAILED];
       row.hidden = !words.every((word) => text.includes(word)) || !kinds.includes(this.kind.value);
-      shown += !row.hidden;
+      shown += Number(!row.hidden);
     }
     this.none.hidden = shown > 0;
   }

@@ -7,7 +7,7 @@ import { comparisonCard, contactsCard, criteriaCard, culpritCard, lapsCard, link
 import { badge, comparisonText, failedBesides, verdictText, who, winnerText } from "./words.js";
 import { handleKey, keyHelp } from "../replay/keyboard.js";
 import { SPEED_COLOURS } from "../replay/painter.js";
-import { Player } from "../replay/player.js";
+import { Player, SPEEDS } from "../replay/player.js";
 import { View } from "../replay/view.js";
 
 const PARTS = [["scan", "scan"], ["plans", "plans"], ["ghost", "run before"], ["follow", "follow"]];

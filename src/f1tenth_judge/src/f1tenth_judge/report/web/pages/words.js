@@ -3,13 +3,14 @@
 import { element } from "../base/elements.js";
 import { formatNumber, formatValue } from "../base/format.js";
 
+/** @type {{name: string, unit: string, digits: number, of: (result: any) => any, better: string}[]} */
 export const MEASURES = [
   { name: "lap time", unit: "s", digits: 3, of: (result) => result.times?.lap_time, better: "less" },
-  { name: "finish", unit: "s", digits: 3, of: (result) => result.times?.finish },
+  { name: "finish", unit: "s", digits: 3, of: (result) => result.times?.finish, better: "" },
   { name: "minimum clearance", unit: "m", digits: 3, of: (result) => result.minimum_clearance, better: "more" },
   { name: "contacts", unit: "", digits: 0, of: (result) => result.contacts?.length, better: "less" },
-  { name: "real-time factor", unit: "", digits: 1, of: (result) => result.real_time_factor },
-  { name: "wall time", unit: "s", digits: 1, of: (result) => result.times?.wall },
+  { name: "real-time factor", unit: "", digits: 1, of: (result) => result.real_time_factor, better: "" },
+  { name: "wall time", unit: "s", digits: 1, of: (result) => result.times?.wall, better: "" },
 ];
 
 export function badge(result) {

@@ -1,6 +1,6 @@
 // The time that is shown, and how it goes on.
 
-const SPEEDS = [0.25, 0.5, 1, 2, 4, 8];
+export const SPEEDS = [0.25, 0.5, 1, 2, 4, 8];
 
 export class Player {
   constructor(end, onChange) {

@@ -1,5 +1,7 @@
 #include "control/dead_reckoning.h"
 
+#include <workspace_support/maths/exponential.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +17,7 @@ CarState drive(CarState car, const DriveCommand & command, double duration)
 {
   const int steps = std::max(1, static_cast<int>(std::ceil(duration / kReckoningStep - 1e-9)));
   const double step = duration / steps;
-  const double part = 1.0 - std::exp(-step / kSpeedLag);
+  const double part = 1.0 - maths::exp(-step / kSpeedLag);
   for (int i = 0; i < steps; ++i) {
     const double before = car.speed;
     car.speed += part * (command.speed - car.speed);

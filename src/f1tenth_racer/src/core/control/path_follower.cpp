@@ -171,8 +171,8 @@ double PathFollower::steer(const PathPosition & position, double ahead, double s
   const double way = position.reverse ? -1.0 : 1.0;
   const double stretch = std::max(0.2, 1.0 - way * position.curvature * position.lateral);
   const double astray = position.heading_error - handling_.slipOn(position.curvature, speed);
-  return ahead * std::cos(astray) / stretch -
-         way * (position.lateral / (reach * reach) + 2.0 * std::sin(astray) / reach);
+  return ahead * maths::cos(astray) / stretch -
+         way * (position.lateral / (reach * reach) + 2.0 * maths::sin(astray) / reach);
 }
 
 // Curvature of the path where the car will be when its yaw has followed the wheels, at the speeds that it will drive.

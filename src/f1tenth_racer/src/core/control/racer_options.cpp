@@ -2,7 +2,6 @@
 
 #include <workspace_support/option_checks.h>
 
-#include <cmath>
 #include <string>
 
 namespace f1tenth_racer
@@ -16,7 +15,7 @@ void RacerOptions::validate() const
   requireNotNegative("coast_time", coast_time);
   planner.validate();
   follower.validate();
-  const double least = follower.limits.wheelbase / std::tan(follower.limits.max_steering_angle);
+  const double least = follower.limits.wheelbase / maths::tan(follower.limits.max_steering_angle);
   requireOption(
     planner.min_turning_radius >= least, "min_turning_radius", planner.min_turning_radius,
     "at least wheelbase / tan(max_steering_angle) = " + std::to_string(least));

@@ -146,7 +146,7 @@ private:
   // Beside a piece of the gate's tangent, as long as its ends let the heading differ by the tolerance.
   void holdHeading(std::size_t nearest, const Pose2 & gate)
   {
-    const double reach = options_.gate_tolerance / std::tan(options_.gate_yaw_tolerance);
+    const double reach = options_.gate_tolerance / maths::tan(options_.gate_yaw_tolerance);
     for (std::size_t i = 0; i < line_.size(); ++i) {
       const double along = line_[i].s - line_[nearest].s;
       if (std::abs(along) <= reach) {
@@ -189,7 +189,7 @@ private:
     const LinearCurvature curvature = curvatureOf(line_);
     const auto count = static_cast<Eigen::Index>(line_.size());
     const double step = length(line_) / static_cast<double>(count - 1);
-    const double weight = std::pow(kSteeringLength / step, 2);
+    const double weight = kSteeringLength * kSteeringLength / (step * step);
     const Eigen::SparseMatrix<double> change = firstDifferences(count - 2);
     const Eigen::SparseMatrix<double> change_slope = change * curvature.slope;
     const Eigen::SparseMatrix<double> transposed = curvature.slope.transpose();

@@ -187,7 +187,7 @@ void ObstacleTracker::Track::estimateVelocity()
     slower(slope([](auto & s) { return s.low.y; }), slope([](auto & s) { return s.high.y; }))};
   if (norm(velocity_) > (moves() ? kStopsMoving : kStartsMoving)) {
     last_moved_ = lastSeen();
-    heading_ = std::atan2(velocity_.y, velocity_.x);
+    heading_ = maths::atan2(velocity_.y, velocity_.x);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "speed/speed_profile.h"
 
+#include <workspace_support/maths/exponential.h>
 #include <workspace_support/option_checks.h>
 
 #include <algorithm>
@@ -17,6 +18,11 @@ constexpr double kLeastLateral = 0.2;       // of the lateral acceleration, wher
 constexpr double kUnknownReach = 2.5;               // m
 constexpr double kUnknownLateralPart = 0.7;         // of the lateral acceleration
 constexpr double kUnknownFullSpeedClearance = 0.5;  // m
+
+double cube(double x)
+{
+  return x * x * x;
+}
 
 // The speed at which the tyres hold the car in a bend, and the bend leaves the wheels the angle that understeer takes.
 double speedForBend(double curvature, const SpeedLimits & limits)
@@ -110,7 +116,7 @@ double SpeedLimits::deceleration(double speed) const
 double SpeedLimits::brakingDistance(double speed) const
 {
   const double full = std::min(std::abs(speed), braking_power / dec_lim_x);
-  return (std::pow(std::abs(speed), 3) - std::pow(full, 3)) / (3.0 * braking_power) + full * full / (2.0 * dec_lim_x);
+  return (cube(std::abs(speed)) - cube(full)) / (3.0 * braking_power) + full * full / (2.0 * dec_lim_x);
 }
 
 double SpeedLimits::speedInBend(double curvature) const
@@ -128,7 +134,7 @@ double SpeedLimits::speedToStopWithin(double distance) const
 {
   const double full = braking_power / dec_lim_x;
   const double rest = distance - brakingDistance(full);
-  return rest > 0.0 ? std::cbrt(std::pow(full, 3) + 3.0 * braking_power * rest)
+  return rest > 0.0 ? maths::cbrt(cube(full) + 3.0 * braking_power * rest)
                     : std::sqrt(2.0 * dec_lim_x * std::max(distance, 0.0));
 }
 

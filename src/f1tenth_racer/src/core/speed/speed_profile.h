@@ -35,9 +35,9 @@ struct SpeedLimits
   /// The distance in which it stops from a speed, m.
   double brakingDistance(double speed) const;
   /// rad, of the wheels on a curvature, 1/m.
-  double wheelAngle(double curvature) const { return std::atan(wheelbase * curvature); }
+  double wheelAngle(double curvature) const { return maths::atan(wheelbase * curvature); }
   /// 1/m, with the wheels turned as far as they go.
-  double maxCurvature() const { return std::tan(max_steering_angle) / wheelbase; }
+  double maxCurvature() const { return maths::tan(max_steering_angle) / wheelbase; }
   /// The speed, m/s, at which the tyres hold the car in a bend, 1/m; infinite for none.
   double speedInBend(double curvature) const;
   /// Share of an acceleration along the path that is left while the car drives a bend, 1/m: the friction ellipse.

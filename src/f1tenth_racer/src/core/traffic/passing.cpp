@@ -57,8 +57,8 @@ public:
     const Footprint & footprint = request.costmap.footprint();
     const double apart = kApart + kApartTime * request.car.speed;
     reach_ = {footprint.rear() - apart, footprint.front() + apart};
-    swerve_ = std::min(
-      kSwerve, kSwervePart * kLateralPart * request.limits.max_lateral_acceleration / std::pow(request.car.speed, 2));
+    const double lateral = kSwervePart * kLateralPart * request.limits.max_lateral_acceleration;
+    swerve_ = std::min(kSwerve, lateral / (request.car.speed * request.car.speed));
     way_to_start_ = wayToStart(request);
     until_start_ = way_to_start_ / request.car.speed;
   }

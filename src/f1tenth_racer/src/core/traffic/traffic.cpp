@@ -1,5 +1,7 @@
 #include "traffic/traffic.h"
 
+#include <workspace_support/maths/exponential.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,8 +30,8 @@ bool isAhead(const Box & other, const Pose2 & car, const Footprint & footprint)
 Extent extentOf(const Box & outline, const Pose2 & from)
 {
   const Pose2 place = compose(inverse(from), outline.middle);
-  const double c = std::abs(std::cos(place.yaw));
-  const double s = std::abs(std::sin(place.yaw));
+  const double c = std::abs(maths::cos(place.yaw));
+  const double s = std::abs(maths::sin(place.yaw));
   const double length = c * outline.half_length + s * outline.half_width;
   const double width = s * outline.half_length + c * outline.half_width;
   return {{place.x - length, place.x + length}, {place.y - width, place.y + width}};
@@ -69,10 +71,10 @@ std::vector<Moment> driveAlong(
     while (index + 2 < path.size() && path[index + 1].s <= s) {
       ++index;
     }
-    const double offset = departure.lateral * std::exp(-(s - departure.s) / kOffsetLength);
+    const double offset = departure.lateral * maths::exp(-(s - departure.s) / kOffsetLength);
     Pose2 pose = poseAt(path, index, s);
-    pose.x -= offset * std::sin(pose.yaw);
-    pose.y += offset * std::cos(pose.yaw);
+    pose.x -= offset * maths::sin(pose.yaw);
+    pose.y += offset * maths::cos(pose.yaw);
     drive.push_back({time, s, index, pose});
     const double wanted = std::max(std::min(speeds[index], speeds[index + 1]), limits.min_vel_x);
     if (time >= kResponse) {
@@ -95,7 +97,7 @@ std::optional<Touch> firstTouch(
     if (moment.time == 0.0) {
       allowed = std::min(margin, away - kNoise);
     } else if (away < allowed) {
-      const double along = std::cos(normalizeAngle(outline.middle.yaw - moment.pose.yaw));
+      const double along = maths::cos(normalizeAngle(outline.middle.yaw - moment.pose.yaw));
       const double place = transform(inverse(moment.pose), outline.middle.position()).x;
       const bool ahead =
         place > 0.5 * (footprint.rear() + footprint.front()) || isAhead(other.at(0.0), drive.front().pose, footprint);

@@ -1,5 +1,6 @@
 #include "tyres/handling.h"
 
+#include <workspace_support/maths/exponential.h>
 #include <workspace_support/option_checks.h>
 
 #include <algorithm>
@@ -69,7 +70,7 @@ bool Handling::set(const Lags & lags, const Tyres & tyres)
   options_.limits.understeer_gradient = given_.limits.understeer_gradient * tyres.slip;
   options_.yaw_lag = given_.yaw_lag * tyres.slip;
   const double passed_on = tyres.traction < kUsualTraction ? kSpinning * tyres.traction : 1.0;
-  const double grip = std::min(passed_on, std::pow(kUsualSlip / tyres.slip, kSlipPower));
+  const double grip = std::min(passed_on, maths::pow(kUsualSlip / tyres.slip, kSlipPower));
   options_.limits.acc_lim_x = given_.limits.acc_lim_x * grip;
   options_.limits.dec_lim_x = given_.limits.dec_lim_x * grip;
   options_.limits.braking_power = given_.limits.braking_power * grip;
@@ -135,6 +136,6 @@ double Handling::withUndersteer(double curvature, double borne, double speed, do
   const double rear = options_.slip_gradient / (1.0 + shift);
   const double farthest = options_.limits.max_steering_angle;
   const double angle = options_.limits.wheelAngle(curvature) + (front - rear) * lateral;
-  return std::tan(std::clamp(angle, -farthest, farthest)) / options_.limits.wheelbase;
+  return maths::tan(std::clamp(angle, -farthest, farthest)) / options_.limits.wheelbase;
 }
 }  // namespace f1tenth_racer

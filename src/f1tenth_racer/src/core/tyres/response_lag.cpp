@@ -48,7 +48,8 @@ double ResponseLag::lag(double expected) const
 {
   std::vector<double> errors;
   for (std::size_t i = 0; i < kDelays; ++i) {
-    errors.push_back(errors_[i] + expectation_ * std::pow(static_cast<double>(i) - expected / kDelayStep, 2));
+    const double off = static_cast<double>(i) - expected / kDelayStep;
+    errors.push_back(errors_[i] + expectation_ * off * off);
   }
   const auto least = std::min_element(errors.begin() + 1, errors.end() - 1);
   const double before = *(least - 1) - *least;

@@ -34,10 +34,10 @@ void SlipWatch::note(double time, const Pose2 & pose)
     return;
   }
   const Vec2 way = pose.position() - before.pose.position();
-  const double speed = std::hypot(way.x, way.y) / duration;
+  const double speed = maths::hypot(way.x, way.y) / duration;
   const double turn = normalizeAngle(pose.yaw - before.pose.yaw);
   const double acceleration = speed * turn / duration;
-  const double slip = normalizeAngle(before.pose.yaw + 0.5 * turn - std::atan2(way.y, way.x));
+  const double slip = normalizeAngle(before.pose.yaw + 0.5 * turn - maths::atan2(way.y, way.x));
   const bool corners = std::abs(acceleration) >= kLeastAcceleration && std::abs(acceleration) <= kMostAcceleration;
   if (speed < kLeastSpeed || !corners || std::abs(slip) > kGreatestSlip) {
     return;

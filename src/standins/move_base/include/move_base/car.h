@@ -34,6 +34,6 @@ struct DriveCommand
   double yawRate() const { return speed * curvature; }
   /// rad, of the wheels; straight for a car that stops.
   /// @param wheelbase  m
-  double steeringAngle(double wheelbase) const { return speed == 0.0 ? 0.0 : std::atan(wheelbase * curvature); }
+  double steeringAngle(double wheelbase) const { return speed == 0.0 ? 0.0 : maths::atan(wheelbase * curvature); }
 };
 }  // namespace move_base

@@ -3,7 +3,6 @@
 #include <workspace_support/option_checks.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace move_base
 {
@@ -30,9 +29,9 @@ void readSteering(const PlannerSetup & setup, double & wheelbase, double & max_s
   setup.parameters.read(ofPlanner(setup.local_planner, "wheelbase"), wheelbase);
   setup.parameters.read(ofPlanner(setup.local_planner, "min_turning_radius"), radius);
   if (!setup.parameters.read(ofPlanner(setup.local_planner, "max_steering_angle"), max_steering_angle)) {
-    max_steering_angle = std::max(max_steering_angle, std::atan(wheelbase / radius));
+    max_steering_angle = std::max(max_steering_angle, maths::atan(wheelbase / radius));
   }
-  const double least = wheelbase / std::tan(max_steering_angle);
+  const double least = wheelbase / maths::tan(max_steering_angle);
   setup.parameters.check([&] {
     requireOption(
       radius >= least, "min_turning_radius", radius,

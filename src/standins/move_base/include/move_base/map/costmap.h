@@ -1,5 +1,7 @@
 #pragma once
 
+#include <workspace_support/maths/exponential.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -76,7 +78,7 @@ public:
     if (clearance >= free_clearance_) {
       return 0.0;
     }
-    return options_.clearance_weight * std::exp(-options_.cost_scaling_factor * std::max(clearance, 0.0));
+    return options_.clearance_weight * maths::exp(-options_.cost_scaling_factor * std::max(clearance, 0.0));
   }
 
   /// How proximityCost at a pose changes with x and y, 1/m: differences over a cell.

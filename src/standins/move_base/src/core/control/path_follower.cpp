@@ -151,7 +151,7 @@ double PathFollower::pursue(const PathPosition & here, const CarState & car) con
   const Pose2 target = advance(path_[i].pose, way * std::max(0.0, here.s + ahead - path_[i].s), 0.0);
   const Pose2 seen = compose(inverse(car.pose), target);
   const double bend = 2.0 * seen.y / std::max(seen.x * seen.x + seen.y * seen.y, ahead * ahead);
-  const double most = std::tan(options_.max_steering_angle) / options_.wheelbase;
+  const double most = maths::tan(options_.max_steering_angle) / options_.wheelbase;
   return std::clamp(bend, -most, most);
 }
 
@@ -170,10 +170,11 @@ double PathFollower::speedAlong(const PathPosition & here, double way_free) cons
 {
   const double braking = kBrakingPart * options_.acc_lim_x;
   const double stop = std::max(0.0, std::min(here.remaining, way_free - kStopMargin));
-  double squared = std::pow(options_.max_vel_x, 2);
+  double squared = options_.max_vel_x * options_.max_vel_x;
   for (std::size_t i = here.index; i < path_.size() && path_[i].s <= here.s + stop; ++i) {
     const double way = std::max(0.0, path_[i].s - here.s);
-    squared = std::min(squared, std::pow(speedAt(path_[i]), 2) + 2.0 * braking * way);
+    const double speed = speedAt(path_[i]);
+    squared = std::min(squared, speed * speed + 2.0 * braking * way);
   }
   const double most = std::min(std::sqrt(squared), std::sqrt(2.0 * braking * stop));
   return stop > 0.0 ? std::max(most, options_.min_vel_x) : 0.0;

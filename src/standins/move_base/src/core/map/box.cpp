@@ -8,11 +8,11 @@ namespace move_base
 double Box::distanceTo(const Vec2 & point) const
 {
   const Vec2 away = point - middle.position();
-  const double c = std::cos(middle.yaw);
-  const double s = std::sin(middle.yaw);
+  const double c = maths::cos(middle.yaw);
+  const double s = maths::sin(middle.yaw);
   const double along = std::abs(c * away.x + s * away.y) - half_length;
   const double across = std::abs(c * away.y - s * away.x) - half_width;
-  const double outside = std::hypot(std::max(along, 0.0), std::max(across, 0.0));
+  const double outside = maths::hypot(std::max(along, 0.0), std::max(across, 0.0));
   return outside > 0.0 ? outside : std::max(along, across);
 }
 

@@ -69,7 +69,7 @@ void Costmap::makeStamp()
   stamp_reach_ = static_cast<int>(std::ceil(reach / geometry_.resolution));
   for (int dy = -stamp_reach_; dy <= stamp_reach_; ++dy) {
     for (int dx = -stamp_reach_; dx <= stamp_reach_; ++dx) {
-      const double away = std::hypot(dx, dy) * geometry_.resolution;
+      const double away = maths::hypot(dx, dy) * geometry_.resolution;
       stamp_.push_back(away <= reach ? static_cast<float>(away) : HUGE_VALF);
     }
   }
@@ -145,8 +145,8 @@ void Costmap::stamp(const Cell & cell)
 
 double Costmap::clearance(const Pose2 & base) const
 {
-  const double c = std::cos(base.yaw);
-  const double s = std::sin(base.yaw);
+  const double c = maths::cos(base.yaw);
+  const double s = maths::sin(base.yaw);
   double least = HUGE_VAL;
   for (const Disc & disc : footprint_.discs()) {
     const Vec2 & at = disc.centre;

@@ -19,7 +19,7 @@ constexpr double kEndPart = 0.375;  // length of each end in widths of the car
 Disc * coverRectangle(const Vec2 & low, const Vec2 & high, int count, Disc * disc)
 {
   const double part = (high.x - low.x) / count;
-  const double radius = 0.5 * std::hypot(part, high.y - low.y);
+  const double radius = 0.5 * maths::hypot(part, high.y - low.y);
   for (int i = 0; i < count; ++i) {
     *disc++ = {{low.x + (i + 0.5) * part, 0.5 * (low.y + high.y)}, radius};
   }

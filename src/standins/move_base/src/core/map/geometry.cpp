@@ -16,12 +16,12 @@ Pose2 advance(const Pose2 & pose, double length, double curvature)
     return compose(pose, {length, 0.0, 0.0});
   }
   const double turn = length * curvature;
-  return compose(pose, {std::sin(turn) / curvature, (1.0 - std::cos(turn)) / curvature, turn});
+  return compose(pose, {maths::sin(turn) / curvature, (1.0 - maths::cos(turn)) / curvature, turn});
 }
 
 Vec2 leftNormal(const Pose2 & pose)
 {
-  return {-std::sin(pose.yaw), std::cos(pose.yaw)};
+  return {-maths::sin(pose.yaw), maths::cos(pose.yaw)};
 }
 
 Pose2 between(const Pose2 & a, const Pose2 & b, double part)

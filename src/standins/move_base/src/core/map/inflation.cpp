@@ -1,5 +1,7 @@
 #include "move_base/map/inflation.h"
 
+#include <workspace_support/maths/exponential.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,7 +31,7 @@ std::int8_t costAt(double cells_away, double resolution, const Inflation & infla
   if (cells_away > std::ceil(inflation.radius / resolution)) {
     return 0;
   }
-  const double factor = std::exp(-inflation.cost_scaling_factor * (away - inflation.inscribed_radius));
+  const double factor = maths::exp(-inflation.cost_scaling_factor * (away - inflation.inscribed_radius));
   return shown(static_cast<int>(kMostCost * factor));
 }
 }  // namespace

@@ -88,7 +88,7 @@ bool LiveLayer::seesThrough(const LaserScan & scan, const Vec2 & point) const
 {
   const Vec2 relative = point - scan.sensor.position();
   const double range = norm(relative);
-  const double angle = normalizeAngle(std::atan2(relative.y, relative.x) - scan.sensor.yaw);
+  const double angle = normalizeAngle(maths::atan2(relative.y, relative.x) - scan.sensor.yaw);
   const double full_turn = std::round(2.0 * M_PI / std::abs(scan.angle_increment));
   double beam = std::round((angle - scan.angle_min) / scan.angle_increment);
   beam += beam < 0.0 ? full_turn : 0.0;
@@ -109,7 +109,7 @@ std::vector<Vec2> LiveLayer::hits(const LaserScan & scan, const std::vector<floa
       continue;
     }
     const double angle = scan.angle_min + static_cast<double>(i) * scan.angle_increment;
-    const Vec2 hit = transform(scan.sensor, {range * std::cos(angle), range * std::sin(angle)});
+    const Vec2 hit = transform(scan.sensor, {range * maths::cos(angle), range * maths::sin(angle)});
     const Cell cell = geometry_.cellAt(hit);
     if (geometry_.contains(cell) && map_distances[geometry_.index(cell)] > wall_tolerance_) {
       hits.push_back(hit);

@@ -57,7 +57,7 @@ void RollingLayer::observe(const LaserScan & scan)
       continue;
     }
     const double angle = scan.sensor.yaw + scan.angle_min + static_cast<double>(i) * scan.angle_increment;
-    const Vec2 direction{std::cos(angle), std::sin(angle)};
+    const Vec2 direction{maths::cos(angle), maths::sin(angle)};
     clearAlong(scan, direction, range);
     if (range <= std::min(options_.obstacle_range, scan.range_max)) {
       hits.push_back(scan.sensor.position() + range * direction);

@@ -82,12 +82,13 @@ private:
     const Matrix steering = differences(count, {-1.0, 3.0, -3.0, 1.0});
     // The obstacles' cost is stepped explicitly: the inertia must exceed its greatest second derivative.
     const CostmapOptions & options = costmap_.options();
-    const double inertia = spacing_ * options.clearance_weight * std::pow(options.cost_scaling_factor, 2) + 1e-3;
-    Matrix system = 2.0 * kBendingPrice / std::pow(spacing_, 3) * Matrix(bending.transpose() * bending) +
-                    2.0 * kSteeringPrice / std::pow(spacing_, 5) * Matrix(steering.transpose() * steering);
+    const double scaling = options.cost_scaling_factor;
+    const double inertia = spacing_ * options.clearance_weight * scaling * scaling + 1e-3;
+    Matrix system = stiffnessUnit(kBendingPrice, 3) * Matrix(bending.transpose() * bending) +
+                    stiffnessUnit(kSteeringPrice, 5) * Matrix(steering.transpose() * steering);
     Vector stiffness(count);
     for (int i = 0; i < count; ++i) {
-      stiffness[i] = inertia + (pinned_[static_cast<std::size_t>(i)] ? kPinStiffness * stiffnessUnit() : 0.0);
+      stiffness[i] = inertia + (pinned_[static_cast<std::size_t>(i)] ? pull() : 0.0);
     }
     system.diagonal() += stiffness;
     const Eigen::SimplicialLDLT<Matrix> solver(system);
@@ -99,7 +100,15 @@ private:
     return points;
   }
 
-  double stiffnessUnit() const { return 2.0 * kSteeringPrice / std::pow(spacing_, 5); }
+  double stiffnessUnit(double price, int power) const
+  {
+    double unit = 2.0 * price;
+    for (int i = 0; i < power; ++i) {
+      unit /= spacing_;
+    }
+    return unit;
+  }
+  double pull() const { return kPinStiffness * stiffnessUnit(kSteeringPrice, 5); }
 
   std::vector<Vec2> step(
     const std::vector<Vec2> & points, const Eigen::SimplicialLDLT<Matrix> & solver, double inertia) const
@@ -108,10 +117,10 @@ private:
     Vector y(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto row = static_cast<Eigen::Index>(i);
-      const double pull = pinned_[i] ? kPinStiffness * stiffnessUnit() : 0.0;
+      const double back = pinned_[i] ? pull() : 0.0;
       const Vec2 push = pinned_[i] ? Vec2{} : spacing_ * costmap_.proximityGradient(headed(points, i));
-      x[row] = inertia * points[i].x - push.x + pull * given_[i].pose.x;
-      y[row] = inertia * points[i].y - push.y + pull * given_[i].pose.y;
+      x[row] = inertia * points[i].x - push.x + back * given_[i].pose.x;
+      y[row] = inertia * points[i].y - push.y + back * given_[i].pose.y;
     }
     const Vector new_x = solver.solve(x);
     const Vector new_y = solver.solve(y);
@@ -128,7 +137,7 @@ private:
       return given_[i].pose;
     }
     const Vec2 along = points[i + 1] - points[i - 1];
-    const double motion = std::atan2(along.y, along.x);
+    const double motion = maths::atan2(along.y, along.x);
     return {points[i].x, points[i].y, given_[i].reverse ? normalizeAngle(motion + M_PI) : motion};
   }
 

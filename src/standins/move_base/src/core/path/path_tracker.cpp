@@ -22,7 +22,7 @@ PathPosition positionOn(
   position.curvature = a.curvature + part * (b.curvature - a.curvature);
   const Pose2 nearest = between(a.pose, b.pose, part);
   position.heading_error = normalizeAngle(pose.yaw - nearest.yaw);
-  const Vec2 heading{std::cos(nearest.yaw), std::sin(nearest.yaw)};
+  const Vec2 heading{maths::cos(nearest.yaw), maths::sin(nearest.yaw)};
   const double left = cross(heading, pose.position() - nearest.position());
   position.lateral = a.reverse ? -left : left;
   return position;

@@ -1,7 +1,6 @@
 #include "move_base/path/resample.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace move_base
 {
@@ -18,7 +17,7 @@ Path pathThrough(const std::vector<Vec2> & points, const PathPoint & start)
     const Vec2 & before = points[i == 0 ? 0 : i - 1];
     const Vec2 & after = points[std::min(i + 1, points.size() - 1)];
     const Vec2 along = after - before;
-    path[i].pose = {points[i].x, points[i].y, std::atan2(along.y, along.x)};
+    path[i].pose = {points[i].x, points[i].y, maths::atan2(along.y, along.x)};
     path[i].s = i == 0 ? start.s : path[i - 1].s + distance(points[i - 1], points[i]);
     if (i > 0 && i + 1 < points.size()) {
       path[i].curvature = curvatureThrough(before, points[i], after);

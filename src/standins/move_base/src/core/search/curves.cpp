@@ -4,6 +4,7 @@
 #include <ompl/base/spaces/DubinsStateSpace.h>
 #include <ompl/base/spaces/ReedsSheppStateSpace.h>
 
+#include <cmath>
 #include <iterator>
 
 namespace move_base
@@ -14,6 +15,13 @@ namespace ob = ompl::base;
 
 // Dubins words are written with three letters, Reeds-Shepp words with up to five; a length below this is an empty letter.
 constexpr double kEmptyArc = 1e-6;
+// OMPL uses the C library's sine and arc tangent, whose last bits differ between processors. m, far above those bits.
+constexpr double kPrecision = 1e-6;
+
+double rounded(double length)
+{
+  return kPrecision * std::round(length / kPrecision);
+}
 
 ob::ScopedState<ob::SE2StateSpace> stateIn(const ob::StateSpacePtr & space, const Pose2 & pose)
 {
@@ -30,7 +38,7 @@ std::vector<Arc> arcsOf(const Word & word, Letter left, Letter right, double rad
   for (std::size_t i = 0; i < std::size(word.length_); ++i) {
     if (std::abs(word.length_[i]) > kEmptyArc) {
       const double sense = word.type_[i] == left ? 1.0 : word.type_[i] == right ? -1.0 : 0.0;
-      arcs.push_back({word.length_[i] * radius, sense / radius});
+      arcs.push_back({rounded(word.length_[i] * radius), sense / radius});
     }
   }
   return arcs;
@@ -49,7 +57,8 @@ double ShortestCurves::length(const Pose2 & from, const Pose2 & to) const
 {
   const auto start = stateIn(dubins_, from);
   const auto end = stateIn(dubins_, to);
-  return allow_reversing_ ? reeds_shepp_->distance(start.get(), end.get()) : dubins_->distance(start.get(), end.get());
+  return rounded(
+    allow_reversing_ ? reeds_shepp_->distance(start.get(), end.get()) : dubins_->distance(start.get(), end.get()));
 }
 
 std::vector<Arc> ShortestCurves::arcs(const Pose2 & from, const Pose2 & to) const

@@ -1,4 +1,4 @@
-"""What mkdocs shows besides docs/: README, package READMEs and generated pages, at the paths they have in the repository.
+"""Shows README, package READMEs and generated pages at the paths that they have in the repository.
 
 So links between documents are the same in the site and in the repository, and mkdocs checks all of them.
 """
@@ -13,6 +13,7 @@ from mkdocs.structure.files import File
 ROOT = Path(__file__).resolve().parents[2]
 DOCUMENTS = (
     "*.md",
+    "data/README.md",
     "docs/*.md",
     "src/*/README.md",
     "src/*/docs/*.md",

@@ -12,7 +12,8 @@ from PIL import Image
 REPOSITORY = Path(__file__).resolve().parents[4]
 MAPS = REPOSITORY / "src" / "f1tenth_gazebo" / "maps"
 GOALS = REPOSITORY / "src" / "f1tenth_gazebo" / "goals"
-TRACKS = Path(os.environ.get("F1TENTH_DATA", REPOSITORY.parent / "shared" / "data")) / "tracks"
+DATA = Path(os.environ.get("F1TENTH_DATA", REPOSITORY.parent / "shared" / "data"))
+TRACKS = sorted([*(REPOSITORY / "data" / "tracks").iterdir(), *(DATA / "tracks").glob("*")])
 CIRCUITS = sorted(path.stem for path in MAPS.glob("*.yaml"))
 OPTIONS = {"inflation_radius": 0.55, "cost_scaling_factor": 10.0}
 
@@ -64,12 +65,10 @@ def test_half_a_lap_of_a_circuit_is_planned(name):
     assert max(plan.expansions for plan in plans) < 1000
 
 
-@pytest.mark.parametrize("name", ["Austin", "Oschersleben", "Spielberg"])
-def test_half_a_lap_of_a_real_track_is_planned(name):
-    if not TRACKS.is_dir():
-        pytest.skip(f"no {TRACKS}; F1TENTH_DATA says where the data are")
-    costmap = load_map(TRACKS / name / f"{name}_map.yaml")
-    line = np.loadtxt(TRACKS / name / f"{name}_centerline.csv", delimiter=",")[:, :2]
+@pytest.mark.parametrize("track", TRACKS, ids=lambda track: track.name)
+def test_half_a_lap_of_a_track_is_planned(track):
+    costmap = load_map(track / f"{track.name}_map.yaml")
+    line = np.loadtxt(track / f"{track.name}_centerline.csv", delimiter=",")[:, :2]
     ahead = np.roll(line, -1, axis=0) - line
     poses = np.column_stack([line, np.arctan2(ahead[:, 1], ahead[:, 0])])
     plan = check(costmap, poses[0], poses[len(poses) // 2])

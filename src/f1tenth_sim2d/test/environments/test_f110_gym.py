@@ -1,6 +1,5 @@
 """What was written for f1tenth_gym drives here."""
 
-import os
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +8,7 @@ from f1tenth_sim2d.f110_gym import F110Env, Integrator, make
 
 import f1tenth_sim2d
 
-DATA = Path(os.environ.get("F1TENTH_DATA", Path(__file__).parents[5] / "shared" / "data"))
+TRACK = Path(__file__).parents[4] / "data" / "tracks" / "hand_drawn"
 FOLLOWER = Path(__file__).with_name("waypoint_follow.py")
 THEIRS, OURS = "import gym\n", "import f1tenth_sim2d.f110_gym as gym\n"
 KEYS = ["ego_idx", "scans", "poses_x", "poses_y", "poses_theta", "linear_vels_x", "linear_vels_y"]
@@ -24,18 +23,15 @@ def drive(environment, steering, speed, steps):
 
 
 def test_a_waypoint_follower_drives_two_laps_with_one_import_changed():
-    track = DATA / "tracks" / "Spielberg"
-    if not track.is_dir():
-        pytest.skip(f"no {track}; F1TENTH_DATA says where the data are")
     text = FOLLOWER.read_text(encoding="utf-8")
     assert text.count(THEIRS) == 1
     follower: dict = {}
     exec(text.replace(THEIRS, OURS), follower)
-    laptime, last = follower["main"](str(track / "Spielberg_map"), track / "Spielberg_raceline.csv")
+    laptime, last = follower["main"](str(TRACK / "hand_drawn_map"), TRACK / "hand_drawn_raceline.csv")
     assert last["lap_counts"] == [2.0]
     assert last["collisions"] == [0.0]
     assert laptime == pytest.approx(last["lap_times"][0])
-    assert 120.0 < laptime < 150.0
+    assert 41.0 < laptime < 45.0
 
 
 def test_what_is_observed_has_their_names_and_forms():
@@ -134,11 +130,8 @@ def test_what_cannot_be_is_refused(settings, message):
 
 
 def test_a_map_may_be_named_with_its_extension():
-    track = DATA / "tracks" / "Spielberg"
-    if not track.is_dir():
-        pytest.skip(f"no {track}; F1TENTH_DATA says where the data are")
-    environment = make(map=str(track / "Spielberg_map.yaml"), num_agents=1)
-    assert environment.map_name == str(track / "Spielberg_map")
+    environment = make(map=str(TRACK / "hand_drawn_map.yaml"), num_agents=1)
+    assert environment.map_name == str(TRACK / "hand_drawn_map")
 
 
 def test_make_without_a_map_names_it():

@@ -1,4 +1,4 @@
-"""A world that others made of mesh cones: a car sees them, and pushes one away."""
+"""Worlds of mesh cones: a car sees them, and pushes one away."""
 
 import os
 from pathlib import Path
@@ -7,16 +7,15 @@ import pytest
 
 import f1tenth_sim2d
 
-DEFAULT_DATA = Path(__file__).parents[5] / "shared" / "data"
-DATA = Path(os.environ.get("F1TENTH_DATA", DEFAULT_DATA))
-CONES = DATA / "worlds" / "racecar_cones.world"
+ROOT = Path(__file__).parents[4]
+DATA = Path(os.environ.get("F1TENTH_DATA", ROOT.parent / "shared" / "data"))
+WORLDS = [ROOT / "data" / "worlds" / "cones.world", DATA / "worlds" / "racecar_cones.world"]
 
 
-@pytest.mark.skipif(
-    not CONES.exists(), reason=f"there is no {CONES}; F1TENTH_DATA names the folder of data made by others"
-)
-def test_cone_is_seen_where_it_is_and_pushed_away(car):
-    simulation = f1tenth_sim2d.Simulation(f1tenth_sim2d.load_world(str(CONES)))
+@pytest.mark.parametrize("cones", [world for world in WORLDS if world.exists()], ids=lambda world: world.stem)
+def test_cone_is_seen_where_it_is_and_pushed_away(car, cones):
+    world = f1tenth_sim2d.load_world(str(cones), [str(cones.parents[1] / "gazebo_models")])
+    simulation = f1tenth_sim2d.Simulation(world)
     simulation.add_car(car, None, -0.5, 0.0, 0.0)
     (lidar,) = car.lidars
     ahead = lidar.beam_count // 2

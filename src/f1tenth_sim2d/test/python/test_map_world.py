@@ -13,7 +13,9 @@ from shapely.ops import unary_union
 
 import f1tenth_sim2d
 
-DATA = Path(os.environ.get("F1TENTH_DATA", Path(__file__).parents[5] / "shared" / "data"))
+ROOT = Path(__file__).parents[4]
+DATA = Path(os.environ.get("F1TENTH_DATA", ROOT.parent / "shared" / "data"))
+TRACKS = sorted([*(ROOT / "data" / "tracks").iterdir(), *(DATA / "tracks").glob("*")])
 YAML = """image: room.png
 resolution: 0.5
 origin: [-1.0, 2.0, 0.0]
@@ -384,11 +386,9 @@ def test_empty_world_is_the_ground_and_nothing_on_it(car):
     assert np.all(np.isinf(simulation.scan(0)))
 
 
-@pytest.mark.parametrize("track", ["Spielberg", "Austin", "Oschersleben"])
-def test_tracks_load_with_their_start(track, car):
-    folder = DATA / "tracks" / track
-    if not folder.exists():
-        pytest.skip(f"no {folder}; F1TENTH_DATA says where the data are")
+@pytest.mark.parametrize("folder", TRACKS, ids=lambda folder: folder.name)
+def test_tracks_load_with_their_start(folder, car):
+    track = folder.name
     world = f1tenth_sim2d.load_world(str(folder / f"{track}_map.yaml"))
     points = np.loadtxt(folder / f"{track}_centerline.csv", delimiter=",")
     heading = math.atan2(*(points[1, :2] - points[0, :2])[::-1])

@@ -10,9 +10,10 @@ from shapely.geometry import MultiLineString, MultiPoint
 
 import f1tenth_sim2d
 
-DEFAULT_DATA = Path(__file__).parents[5] / "shared" / "data"
-DATA = Path(os.environ.get("F1TENTH_DATA", DEFAULT_DATA))
+ROOT = Path(__file__).parents[4]
+DATA = Path(os.environ.get("F1TENTH_DATA", ROOT.parent / "shared" / "data"))
 MESHES = {
+    "our_cone": ("cone/meshes/cone.stl", 2.0),
     "cafe_table": ("gazebo_models/cafe_table/meshes/cafe_table.dae", 1.0),
     "cardboard_box": ("gazebo_models/cardboard_box/meshes/cardboard_box.dae", 1.25),
     "construction_cone": ("gazebo_models/construction_cone/meshes/construction_cone.dae", 10.0),
@@ -21,6 +22,13 @@ MESHES = {
     "racecar_cone": ("worlds/racecar_description/meshes/cone.dae", 1.0),
 }
 POSES = [((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)), ((1.0, -2.0, 0.1), (0.4, -0.3, 2.0))]
+FOLDERS = (ROOT / "data" / "gazebo_models", DATA)
+FOUND = {
+    name: (folder / file, scale)
+    for name, (file, scale) in MESHES.items()
+    for folder in FOLDERS
+    if (folder / file).exists()
+}
 TOLERANCE = 1e-6  # m; mesh files are read in single precision
 
 
@@ -41,13 +49,11 @@ def heights_within(triangles):
 
 
 @pytest.mark.parametrize("pose", POSES, ids=["upright", "tilted"])
-@pytest.mark.parametrize("name", MESHES)
+@pytest.mark.parametrize("name", FOUND)
 def test_section_is_the_slice_of_the_mesh(name, pose, tmp_path):
-    file, scale = MESHES[name]
-    if not (DATA / file).exists():
-        pytest.skip(f"there is no {DATA / file}; F1TENTH_DATA names the folder of data made by others")
-    world = load_mesh(tmp_path, DATA / file, scale, *pose)
-    triangles = placed(triangles_of(DATA / file), scale, *pose)
+    file, scale = FOUND[name]
+    world = load_mesh(tmp_path, file, scale, *pose)
+    triangles = placed(triangles_of(file), scale, *pose)
     for z in heights_within(triangles):
         outlines, circles = world.section(float(z))
         seen = MultiLineString([np.vstack([outline, outline[:1]]) for outline in outlines])

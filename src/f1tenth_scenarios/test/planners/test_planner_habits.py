@@ -19,7 +19,7 @@ from f1tenth_judge.places.goals import goals_along, goals_text
 from patience import PATIENCE
 
 PLANNERS = lookup.package_path(lookup.PACKAGE) / "test" / "planners" / "nodes"
-ROOT = lookup.workspace_root()
+ROOT = Path(__file__).parents[4]
 OTHERS = Path(os.environ.get("F1TENTH_DATA", ROOT.parent / "shared" / "data")) / "tracks"
 TRACKS = [OTHERS / name for name in ("Oschersleben", "Spielberg") if (OTHERS / name).is_dir()]
 GOALS = 10  # on a track: 4 m from one to the next

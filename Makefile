@@ -21,9 +21,7 @@ DEVEL_DIR = $(OUT)/devel
 VENV = $(OUT)/.venv
 export F1TENTH_VENV = $(VENV)
 export PRE_COMMIT_HOME = $(OUT)/build/pre-commit
-ifneq ($(OUT),$(CURDIR))
 export F1TENTH_RESULTS ?= $(OUT)/results
-endif
 # ROS belongs to the system's Python, whatever stands first on PATH.
 export PATH := $(VENV)/bin:/usr/bin:$(PATH)
 

@@ -54,6 +54,16 @@ function(workspace_python_module name)
   install(TARGETS ${name} LIBRARY DESTINATION ${folder} COMPONENT python)
 endfunction()
 
+# The entry points of this package's Python modules, by which commands and other packages find them: a file of the form
+# that https://packaging.python.org/specifications/entry-points describes.
+function(workspace_entry_points file)
+  set(folder ${CATKIN_GLOBAL_PYTHON_DESTINATION}/${PROJECT_NAME}.dist-info)
+  set(made ${CATKIN_DEVEL_PREFIX}/${folder})
+  file(WRITE ${made}/METADATA "Metadata-Version: 2.1\nName: ${PROJECT_NAME}\nVersion: ${${PROJECT_NAME}_VERSION}\n")
+  configure_file(${file} ${made}/entry_points.txt COPYONLY)
+  install(DIRECTORY ${made} DESTINATION ${CATKIN_GLOBAL_PYTHON_DESTINATION})
+endfunction()
+
 # Run pytest over the files matching PATTERNS, as one test target with a JUnit file; a second one in a package needs a
 # NAME:
 #   workspace_add_pytest()                                 all of test/ and its folders

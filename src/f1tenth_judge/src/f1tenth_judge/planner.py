@@ -47,6 +47,7 @@ class Observation:
     scan: Optional[Scan]  # None if the car has no lidar
     pose: tuple[float, float, float]  # x, y (m), yaw (rad) in `map`
     velocity: tuple[float, float, float]  # ahead, to the left (m/s), yaw rate (rad/s)
+    steering_angle: float  # rad, to the left: where the front wheels are
     imu: np.ndarray  # (n, 3): acceleration ahead and to the left (m/s^2), yaw rate (rad/s); oldest first
 
 

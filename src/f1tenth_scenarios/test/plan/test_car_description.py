@@ -2,10 +2,10 @@
 
 import pytest
 import roslaunch.config
+from f1tenth_judge.batch.inputs import hash_inputs
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.places import lookup
 from f1tenth_judge.plan.planning import make_plan
-from f1tenth_scenarios.batch.inputs import hash_inputs
 from f1tenth_scenarios.launch.launch_file import write_launch_file
 from scenario_samples import SCENARIO_TEXT
 

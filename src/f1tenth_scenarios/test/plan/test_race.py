@@ -8,7 +8,7 @@ from f1tenth_judge.places import lookup
 from f1tenth_judge.plan.planning import make_plan
 from f1tenth_judge.plan.race import Race
 
-from f1tenth_scenarios import cli
+from f1tenth_judge import cli
 
 
 @pytest.fixture
@@ -35,9 +35,10 @@ def drivers(scenario):
 def test_planner_that_is_not_there_is_answered_with_what_is_allowed(folder, capsys, command):
     assert cli.main([command, "circuit1", "--planner", "nonsense"]) == 2
     allowed = (
-        "a launch file, package://PACKAGE/PATH, FILE.py:CLASS, or one of ours: race, pursuit, gap_follower"
+        "a launch file, package://PACKAGE/PATH, FILE.py:CLASS, POLICY.onnx, POLICY.zip of stable-baselines3,"
+        " or one of ours: race, pursuit, gap_follower"
     )
-    wanted = f"scenario: --planner nonsense: no such file: {folder}/nonsense; allowed: {allowed}\n"
+    wanted = f"f1tenth: --planner nonsense: no such file: {folder}/nonsense; allowed: {allowed}\n"
     assert capsys.readouterr().err == wanted
 
 
@@ -51,7 +52,7 @@ class TestArguments:
     def test_that_no_planner_has_are_answered(self, folder, capsys):
         planners = ["--planner", "with.launch", "--planner", "without.launch"]
         assert cli.main(["race", "circuit1", *planners, "--arg", "speed:=1"]) == 2
-        wanted = f"scenario: robot1: {folder}/with.launch has no argument 'speed'; it has: line\n"
+        wanted = f"f1tenth: robot1: {folder}/with.launch has no argument 'speed'; it has: line\n"
         assert capsys.readouterr().err == wanted
 
 
@@ -64,7 +65,7 @@ class TestName:
     def test_that_is_no_name_of_a_folder_is_refused(self, folder, capsys, name):
         assert cli.main(["race", "circuit1", "--name", name]) == 2
         wanted = "must begin with a letter or a digit and have only those and '_', '-' and '.'"
-        assert capsys.readouterr().err == f"scenario: --name {name}: {wanted}\n"
+        assert capsys.readouterr().err == f"f1tenth: --name {name}: {wanted}\n"
 
 
 class TestRepeat:
@@ -88,7 +89,7 @@ class TestRepeat:
     )
     def test_with_options_that_change_nothing_is_refused(self, folder, capsys, options, answer):
         assert cli.main(["race", "circuit1", *options]) == 2
-        assert capsys.readouterr().err == f"scenario: {answer}\n"
+        assert capsys.readouterr().err == f"f1tenth: {answer}\n"
 
 
 class TestSave:

@@ -5,7 +5,7 @@ import json
 import pytest
 from f1tenth_judge.places.packages import package_path
 
-from f1tenth_scenarios import cli
+from f1tenth_judge import cli
 
 CLASSES = package_path("f1tenth_judge") / "test" / "drivers" / "python" / "classes.py"
 NODE = package_path("f1tenth_scenarios") / "test" / "planners" / "nodes" / "class_node.launch"

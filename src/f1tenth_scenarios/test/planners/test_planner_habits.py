@@ -64,7 +64,7 @@ def line_of(course, folder):
 
 
 def verdict(file, folder, expected="success"):
-    command = [sys.executable, "-m", "f1tenth_scenarios", "run", str(file), "--results", str(folder)]
+    command = [sys.executable, "-m", "f1tenth_judge", "run", str(file), "--results", str(folder)]
     done = subprocess.run(command, capture_output=True, text=True, timeout=3 * PATIENCE)
     result = json.loads((folder / file.stem / "result.json").read_text(encoding="utf-8"))
     assert result["lockstep"], result["note"]

@@ -60,7 +60,7 @@ def trajectory(folder, stalls):
     folder.mkdir()
     file = folder / "stalled.yaml"
     file.write_text(yaml.safe_dump(SCENARIO), encoding="utf-8")
-    command = [sys.executable, "-m", "f1tenth_scenarios", "run", str(file), "--results", str(folder)]
+    command = [sys.executable, "-m", "f1tenth_judge", "run", str(file), "--results", str(folder)]
     for who, each in stalls.items():
         threading.Thread(target=stall, args=(folder, who, each), daemon=True).start()
     done = subprocess.run(command, capture_output=True, text=True, timeout=3 * PATIENCE)

@@ -10,7 +10,7 @@ import pytest
 from f1tenth_judge.report.page import write_report
 from report_samples import result, write_long_run, write_run
 
-from f1tenth_scenarios import cli
+from f1tenth_judge import cli
 
 
 def overview(path):
@@ -68,7 +68,7 @@ def test_command_says_where_the_report_is(results, capsys):
 def test_command_needs_results(tmp_path, capsys):
     assert cli.main(["report", "--results", str(tmp_path)]) == 2
     assert (
-        capsys.readouterr().err == f"scenario: {tmp_path}: no results; a run writes NAME/result.json there\n"
+        capsys.readouterr().err == f"f1tenth: {tmp_path}: no results; a run writes NAME/result.json there\n"
     )
 
 
@@ -78,7 +78,7 @@ def test_command_needs_results(tmp_path, capsys):
 def test_broken_result_is_shown_as_such_beside_the_others(results, tmp_path, capsys, content, problem):
     (results / "one" / "result.json").write_text(content, encoding="utf-8")
     assert cli.main(["report", "--results", str(results)]) == 1
-    assert f"scenario: {results}/one/result.json: {problem}" in capsys.readouterr().err
+    assert f"f1tenth: {results}/one/result.json: {problem}" in capsys.readouterr().err
     one, two = overview(results / "report.html")
     assert (one["scenario"], one["verdict"], one["passed"]) == ("one", "unknown", False)
     assert one["reason"] == "result.json cannot be read"
@@ -104,7 +104,7 @@ def test_record_with_a_value_that_is_not_finite_is_left_out_and_named(results, c
     columns[2] = "nan"
     record.write_text(header + ",".join(columns) + "".join(others), encoding="utf-8")
     assert cli.main(["report", "--results", str(results)]) == 1
-    assert f"scenario: {record}: x of robot1 at 0.025" in capsys.readouterr().err
+    assert f"f1tenth: {record}: x of robot1 at 0.025" in capsys.readouterr().err
     one, two = overview(results / "report.html")
     assert (one["problems"], two["verdict"], two["thumbnail"]) == ([], "collision", [])
 
@@ -155,4 +155,4 @@ def test_walls_of_a_world_are_kept_once(results, tmp_path):
 def test_report_that_cannot_be_written_is_named(results, tmp_path, capsys, name, reason):
     output = (tmp_path / name).resolve()
     assert cli.main(["report", "--results", str(results), "--output", str(output)]) == 2
-    assert capsys.readouterr().err == f"scenario: {output}: cannot be written: {reason}\n"
+    assert capsys.readouterr().err == f"f1tenth: {output}: cannot be written: {reason}\n"

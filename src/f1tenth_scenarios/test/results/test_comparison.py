@@ -5,7 +5,7 @@ import xml.etree.ElementTree as ElementTree
 
 import pytest
 
-from f1tenth_scenarios import cli
+from f1tenth_judge import cli
 
 CRITERION = {"name": "collision", "status": "passed", "reason": "nothing touched"}
 
@@ -95,7 +95,7 @@ def test_junit_has_a_case_for_each_scenario(results, tmp_path, capsys):
 def test_a_junit_file_that_cannot_be_written_is_bad_input(results, tmp_path, capsys):
     base, file = results("base", one={}), tmp_path / "none" / "compare.xml"
     assert cli.main(["compare", base, base, "--junit", str(file)]) == 2
-    assert capsys.readouterr().err == f"scenario: {file}: cannot be written: No such file or directory\n"
+    assert capsys.readouterr().err == f"f1tenth: {file}: cannot be written: No such file or directory\n"
 
 
 @pytest.mark.parametrize(
@@ -108,7 +108,7 @@ def test_a_junit_file_that_cannot_be_written_is_bad_input(results, tmp_path, cap
 def test_tolerance_that_is_none_is_answered(results, capsys, options, answer):
     folder = results("base", one={})
     assert cli.main(["compare", folder, folder, *options]) == 2
-    assert capsys.readouterr().err == f"scenario: {answer}\n"
+    assert capsys.readouterr().err == f"f1tenth: {answer}\n"
 
 
 def test_folder_without_results_is_answered(results, tmp_path, capsys):

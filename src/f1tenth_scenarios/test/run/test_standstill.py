@@ -4,8 +4,8 @@ import dataclasses
 
 import pytest
 from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.run.memory import require_memory
 from f1tenth_judge.scenario.scenario import Limits
-from f1tenth_scenarios.launch.system_limits import require_memory
 from fake_run import FakeRun
 from patience import PATIENCE
 from scenario_samples import scenario

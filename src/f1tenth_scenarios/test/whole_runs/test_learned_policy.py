@@ -21,7 +21,7 @@ SEED = 1  # of a race
 
 def race(folder):
     """Race a lap through ROS; return its record."""
-    command = [sys.executable, "-m", "f1tenth_scenarios", "race", "circuit1", "--laps", "1"]
+    command = [sys.executable, "-m", "f1tenth_judge", "race", "circuit1", "--laps", "1"]
     command += ["--planner", str(EXAMPLES / "policy.launch"), "--results", str(folder)]
     done = subprocess.run(command, capture_output=True, text=True, timeout=3 * PATIENCE)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -5,13 +5,14 @@ import os
 import shutil
 import subprocess
 import xml.etree.ElementTree as ElementTree
+from pathlib import Path
 
 import pytest
 import yaml
-from f1tenth_judge.places import lookup
 from patience import PATIENCE
 
-TEMPLATE = lookup.workspace_root() / "templates" / "planner_package"
+ROOT = Path(__file__).parents[4]
+TEMPLATE = ROOT / "templates" / "planner_package"
 SCENARIOS = ("my_lap", "my_race")
 IMAGE_ONLY = "apt-get "  # steps that are for a machine which has nothing yet
 NOTHING_YET = "no results of the main branch yet"
@@ -85,7 +86,7 @@ def test_make_race_finds_the_planner_in_the_overlay_that_is_sourced(repository):
     race = f'race OUT="{out}" PLANNER="$PWD/launch/planner.launch"'
     said = execute(
         repository,
-        f'source overlay/devel/setup.bash && make -C "{lookup.workspace_root()}" -o build {race}',
+        f'source overlay/devel/setup.bash && make -C "{ROOT}" -o build {race}',
         F1TENTH_RESULTS=str(repository / "raced"),
     )
     assert "reason:            every lap was driven" in said

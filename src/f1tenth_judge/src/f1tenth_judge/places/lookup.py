@@ -133,17 +133,8 @@ def map_file(world: Path) -> Optional[Path]:
 
 
 def results_root() -> Path:
-    """Where all results go: $F1TENTH_RESULTS, else results in the workspace's root."""
-    base = os.environ.get("F1TENTH_RESULTS")
-    return (Path(base) if base else workspace_root() / "results").resolve()
-
-
-def workspace_root() -> Path:
-    """The folder that holds the workspace's src; the working directory when this package is installed."""
-    for parent in package_path(PACKAGE).parents:
-        if parent.name == "src":
-            return parent.parent
-    return Path.cwd()
+    """Where all results go: $F1TENTH_RESULTS, else `results` in the working directory."""
+    return Path(os.environ.get("F1TENTH_RESULTS") or "results").resolve()
 
 
 def is_path(name: str) -> bool:

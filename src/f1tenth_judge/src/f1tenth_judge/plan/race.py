@@ -8,7 +8,8 @@ from typing import Any, Optional
 
 import yaml
 
-from f1tenth_judge.errors import FileError, ScenarioError, as_scenario_error
+from f1tenth_judge.atomic import replacing
+from f1tenth_judge.errors import FileError, ScenarioError, as_scenario_error, writing
 from f1tenth_judge.places import lookup
 from f1tenth_judge.places.course import read_course
 from f1tenth_judge.places.place import Place, find_place, firm
@@ -68,6 +69,16 @@ def race_text(race: Race, beside: Optional[Path] = None) -> str:
     if beside:
         scenario = _portable(scenario, beside)
     return yaml.safe_dump(scenario, sort_keys=False, width=110)
+
+
+def save_race(race: Race, file: Path) -> None:
+    """Write the race as a scenario file.
+
+    Raises:
+        ScenarioError: as plan_race, or the file cannot be written.
+    """
+    with writing(file), replacing(file) as temporary:
+        temporary.write_text(race_text(race, file.parent), encoding="utf-8")
 
 
 def _portable(scenario: dict[str, Any], beside: Path) -> dict[str, Any]:

@@ -154,9 +154,7 @@ def _bearers(root: yaml.MappingNode, setting: Setting) -> list[yaml.MappingNode]
     if first in keys(Scenario):
         return [root]
     if first not in keys(Car):
-        allowed = (
-            "the keys that `scenario keys` lists, and driver.arguments.NAME for an argument of a planner"
-        )
+        allowed = "the keys that `f1tenth keys` lists, and driver.arguments.NAME for an argument of a planner"
         raise ScenarioError(f"{setting}: unknown key '{first}'; allowed: {allowed}")
     cars = _cars(root)
     if first != "driver" or not others:

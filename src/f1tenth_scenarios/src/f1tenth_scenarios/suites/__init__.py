@@ -1,1 +1,1 @@
-"""Suites: many cases of one scenario, for any planner."""
+"""Suites that need more than f1tenth_judge: its command finds them by their entry points."""

@@ -2,13 +2,14 @@
 
 from pathlib import Path
 
-from f1tenth_gazebo.roads import RoadError, make_road, write_road
 from f1tenth_judge.errors import ScenarioError
-
-from f1tenth_scenarios.suites.suite import Suite, seeds, with_models
+from f1tenth_judge.suites.suite import Suite, seeds, with_models
 
 
 def _world(seed: int, folder: Path) -> Path:
+    # Imported late: shapely takes longer than all else that listing the suites does.
+    from f1tenth_gazebo.roads import RoadError, make_road, write_road
+
     try:
         *_, world = write_road(make_road(seed), folder / f"seed_{seed}")
     except (OSError, RoadError) as error:

@@ -2,7 +2,6 @@
 
 import contextlib
 import multiprocessing
-import os
 import sys
 import time
 from pathlib import Path
@@ -43,7 +42,6 @@ class PythonDriver:
         with theirs:
             command = [sys.executable, "-m", process.__name__, _planner_of(plan, car)]
             variables = {process.PIPE: str(theirs.fileno()), "PYTHONUNBUFFERED": "1"}
-            variables["PYTHONPATH"] = os.pathsep.join(filter(None, sys.path))
             self._tree = ProcessTree(command, self._log, variables, (theirs.fileno(),))
 
     def begin(self) -> None:
@@ -125,6 +123,7 @@ def observe(stage: Stage, car: str) -> Observation:
         scan=_scan(stage, car),
         pose=(state.x, state.y, state.yaw),
         velocity=(state.v_x, state.v_y, state.yaw_rate),
+        steering_angle=state.steering_angle,
         imu=np.array([(each.a_x, each.a_y, each.yaw_rate) for each in samples]),
     )
 

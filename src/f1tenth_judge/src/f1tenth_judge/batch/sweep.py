@@ -1,0 +1,150 @@
+"""Many variations of a scenario: `f1tenth sweep` and `f1tenth suite`."""
+
+import itertools
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any, Optional
+
+from f1tenth_judge.batch.cluster import run_on_cluster
+from f1tenth_judge.batch.inputs import hash_inputs, hash_software
+from f1tenth_judge.batch.jobs import Job, Outcome, read_result, run_jobs
+from f1tenth_judge.errors import ScenarioError, writing
+from f1tenth_judge.plan.planning import make_plan
+from f1tenth_judge.results.console import CountLine
+from f1tenth_judge.scenario.settings import Setting, folder_name, parse_variation
+from f1tenth_judge.stop_request import StopRequest
+
+_INPUTS_FILE = "inputs.sha256"  # beside a result: what it depends on
+
+
+Cases = Mapping[str, Sequence[Setting]]  # values by the name of a case, which is also that of its folder
+
+
+def combinations(variations: Sequence[str]) -> Cases:
+    """Every combination of values; `variations`: KEY=VALUES, as `parse_variation` reads them.
+
+    Raises:
+        ScenarioError: a key is varied twice, or combinations could not be told apart in folders' names.
+    """
+    varied = [parse_variation(text) for text in variations]
+    keys = [values[0].key for values in varied]
+    for key in keys:
+        if keys.count(key) > 1:
+            raise ScenarioError(f"--vary {key}: is varied more than once")
+    found: dict[str, Sequence[Setting]] = {}
+    for each in itertools.product(*varied):
+        other = found.setdefault(folder_name(each), each)
+        # Values that differ only in characters that no folder's name can have would overwrite each other.
+        if other is not each:
+            values = (" ".join(map(str, settings)) for settings in (other, each))
+            raise ScenarioError(
+                "'{}' and '{}' would both be written to {}".format(*values, folder_name(each))
+            )
+    return found
+
+
+class Sweep:
+    """A scenario with several sets of values."""
+
+    def __init__(self, name: str, cases: Cases, folder: Path, settings: Sequence[str] = ()):
+        """Check everything; nothing is run yet.
+
+        Args:
+            name: of the scenario, or its file
+            cases: what is varied
+            folder: for the folders of the cases
+            settings: KEY=VALUE, the same in all runs
+
+        Raises:
+            NotApplicableError: the scenario says nothing about a planner that the settings name.
+            ScenarioError: bad input.
+        """
+        self.keys = [setting.key for setting in next(iter(cases.values()))]
+        self._software = hash_software()
+        self._inputs: dict[Job, str] = {}
+        for case, values in cases.items():
+            texts = (*settings, *map(str, values))
+            plan = make_plan(name, settings=texts)
+            self._inputs[Job(str(plan.file), texts, str(folder / case))] = hash_inputs(plan, self._software)
+        self.reused: list[Job] = []
+        self.results: dict[Job, dict[str, Any]] = {}
+        self.problems: list[str] = []
+
+    @property
+    def jobs(self) -> list[Job]:
+        """In the order of the values."""
+        return list(self._inputs)
+
+    def run(self, stop: StopRequest, at_once: Optional[int] = None, scheduler: Optional[str] = None) -> None:
+        """Run all jobs except those that have a result of the same inputs.
+
+        Args:
+            stop: tells it to end
+            at_once: local processes; default: one per core
+            scheduler: address of a Dask scheduler to use instead
+
+        Raises:
+            ScenarioError: the scheduler cannot be reached, or an earlier result cannot be replaced.
+        """
+        self.results = {job: old for job in self.jobs if (old := self._old_result(job))}
+        self.reused = list(self.results)
+        left = [job for job in self.jobs if job not in self.results]
+        # What is noted of an earlier result must not hold for the one that takes its place.
+        for file in (job.folder / _INPUTS_FILE for job in left):
+            with writing(file):
+                file.unlink(missing_ok=True)
+        bar = CountLine(f"{Path(self.jobs[0].scenario).stem} swept", len(left))
+        if scheduler and left:
+            outcomes = run_on_cluster(left, stop, scheduler)
+        else:
+            outcomes = run_jobs(left, stop, at_once or os.cpu_count() or 1)
+        for outcome in outcomes:
+            self._take(outcome)
+            bar.update(outcome.exit_code == 0)
+        bar.clear()
+
+    def rows(self) -> Iterator[dict[str, Any]]:
+        """A row of the table for each run that has a result."""
+        return (row for _, row in self.rows_of_jobs())
+
+    def rows_of_jobs(self) -> Iterator[tuple[Job, dict[str, Any]]]:
+        """The same with their jobs."""
+        for job in self.jobs:
+            if job in self.results:
+                result = self.results[job]
+                yield (
+                    job,
+                    {
+                        **{key: dict(each.split("=", 1) for each in job.settings)[key] for key in self.keys},
+                        "verdict": result["verdict"],
+                        "passed": result["passed"],
+                        "lap_time": result["times"]["lap_time"],
+                        "minimum_clearance": result["minimum_clearance"],
+                        "trajectory_hash": result["trajectory_hash"],
+                        "reason": result["reason"],
+                    },
+                )
+
+    def _old_result(self, job: Job) -> Optional[dict[str, Any]]:
+        try:
+            is_same = (job.folder / _INPUTS_FILE).read_text(encoding="utf-8") == self._inputs[job]
+        except OSError:
+            return None
+        return read_result(job.folder) if is_same else None
+
+    def _take(self, outcome: Outcome) -> None:
+        job = outcome.job
+        if outcome.result is None:
+            self.problems.append(outcome.problem)
+            return
+        self.results[job] = outcome.result
+        # If something was changed during a run, nobody knows what it depends on.
+        if hash_software() != self._software:
+            return
+        file = job.folder / _INPUTS_FILE
+        try:
+            with writing(file):
+                file.write_text(self._inputs[job], encoding="utf-8")
+        except ScenarioError as error:
+            self.problems.append(str(error))

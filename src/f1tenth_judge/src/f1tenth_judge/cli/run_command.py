@@ -1,0 +1,165 @@
+"""f1tenth run."""
+
+import dataclasses
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from f1tenth_judge.batch.jobs import Job, Outcome, run_jobs
+from f1tenth_judge.cli.exit_codes import NOT_PASSED, PASSED, exit_code
+from f1tenth_judge.cli.options import check_name, expect_at_least, planner_settings, results_of
+from f1tenth_judge.cli.show_commands import report
+from f1tenth_judge.errors import NotApplicableError, ScenarioError
+from f1tenth_judge.places import lookup
+from f1tenth_judge.plan.plan import Plan
+from f1tenth_judge.plan.planning import make_plan
+from f1tenth_judge.results.console import CountLine, ProgressLine, cost_of_all, summary
+from f1tenth_judge.results.result import Result
+from f1tenth_judge.run.memory import require_memory
+from f1tenth_judge.run.ros import require_runner, ros_runner
+from f1tenth_judge.stop_request import StopRequest
+
+if TYPE_CHECKING:
+    from f1tenth_judge.run.loop import Progress
+
+_REPEAT = "--repeat is for one scenario, and at least 2 times"
+
+
+def run(options) -> int:
+    """Run scenarios."""
+    _check(options)
+    settings = [*options.set, *planner_settings(options)]
+    if options.repeat is not None:
+        if len(options.names) != 1:
+            raise ScenarioError(_REPEAT)
+        check_repeat(options)
+        return run_repeatedly(options.names[0], options, settings, options.jobs)
+    names = lookup.scenario_names() if options.all else options.names
+    if len(names) == 1:
+        name = options.name or lookup.scenario_file(names[0]).stem
+        plan = make_plan(names[0], results_of(options) / name, settings)
+        code = run_plan(dataclasses.replace(plan, name=name, keep_bag=options.bag))
+    else:
+        code = _run_each(names, settings, options)
+    return with_report(code, options)
+
+
+def run_plan(plan: Plan) -> int:
+    """Run one scenario and print the outcome; returns the exit code.
+
+    Raises:
+        ScenarioError: it cannot be run here.
+    """
+    require_memory()
+    require_runner(plan)
+    progress = ProgressLine(plan.name)
+    with StopRequest().listening() as stop:
+        run = ros_runner() if plan.needs_ros else None
+        result = (run or _run_without_ros)(plan, stop, progress.update)
+    progress.clear()
+    print(summary(result, plan), flush=True)
+    return exit_code(result.passed, stop)
+
+
+def _run_without_ros(plan: Plan, stop: StopRequest, progress: "Progress") -> Result:
+    from f1tenth_judge.drivers.starting import start_drivers
+    from f1tenth_judge.run.execute import execute
+
+    return execute(plan, start_drivers, stop, progress)
+
+
+def with_report(code: int, options) -> int:
+    """Write the report afterwards if that is wanted; returns the exit code."""
+    if options.report and code in (PASSED, NOT_PASSED):
+        report(options)
+    return code
+
+
+def run_repeatedly(name: str, options, settings: Sequence[str], at_once: int = 1) -> int:
+    """Run one scenario, which has been checked, --repeat times, and print how much the results differ.
+
+    Returns:
+        The exit code.
+    """
+    from f1tenth_judge.batch.repeat import repeat
+
+    with StopRequest().listening() as stop:
+        steady = repeat(name, options.repeat, results_of(options), settings, stop, at_once)
+    return exit_code(steady, stop)
+
+
+def check_repeat(options) -> None:
+    """Refuse a --repeat of too few times, or with options that would change nothing.
+
+    Raises:
+        ScenarioError: the option that is wrong.
+    """
+    if options.repeat < 2:
+        raise ScenarioError(_REPEAT)
+    for option in ("bag", "report", "attach", "save"):
+        if getattr(options, option, None):
+            raise ScenarioError(f"--{option} is not for --repeat")
+
+
+def _check(options) -> None:
+    expect_at_least(1, options.jobs, "--jobs")
+    check_name(options.name)
+    if options.name and (len(options.names) != 1 or options.repeat is not None):
+        raise ScenarioError("--name is for one run of one scenario")
+    if options.all == bool(options.names):
+        raise ScenarioError("run needs either names of scenarios or --all")
+
+
+def _run_each(names: Sequence[str], settings: Sequence[str], options) -> int:
+    """A process for each, because a process can be a ROS node only once."""
+    _check_folders(names, results_of(options))
+    left_out = _not_applicable(names, settings)
+    files = [lookup.scenario_file(name) for name in names if name not in left_out]
+    extra = ("--bag",) if options.bag else ()
+    jobs = [Job(str(file), tuple(settings), str(results_of(options)), extra) for file in files]
+    outcomes: list[Outcome] = []
+    bar = CountLine("scenarios", len(jobs))
+    with StopRequest().listening() as stop:
+        for outcome in run_jobs(jobs, stop, options.jobs, shown=options.jobs == 1):
+            outcomes.append(outcome)
+            bar.clear()
+            print(outcome.output, end="", flush=True)
+            if options.jobs > 1:
+                bar.update(outcome.exit_code == PASSED)
+    bar.clear()
+    passed = sum(each.exit_code == PASSED for each in outcomes)
+    _sum_up(outcomes, left_out, passed, len(jobs))
+    return exit_code(passed == len(jobs), stop)
+
+
+def _check_folders(names: Sequence[str], results: Path) -> None:
+    """Refuse scenarios that would overwrite each other's results."""
+    known: dict[Path, str] = {}
+    for name in names:
+        folder = results / lookup.scenario_file(name).stem
+        if folder in known:
+            raise ScenarioError(f"'{known[folder]}' and '{name}' would both be written to {folder}")
+        known[folder] = name
+
+
+def _not_applicable(names: Sequence[str], settings: Sequence[str]) -> dict[str, str]:
+    """The scenarios that say nothing about the planner, and why; all others are checked here as well."""
+    found = {}
+    for name in names:
+        try:
+            require_runner(make_plan(name, settings=settings))
+        except NotApplicableError as reason:
+            found[name] = str(reason)
+    if len(found) == len(names):
+        raise ScenarioError("\n".join(found.values()))
+    return found
+
+
+def _sum_up(outcomes: Sequence[Outcome], left_out: dict[str, str], passed: int, count: int) -> None:
+    for name, reason in left_out.items():
+        print(f"{Path(name).stem:24}not applicable: {reason}")
+    if costs := {each.job.folder.name: each.result["times"]["cost"] for each in outcomes if each.result}:
+        print(cost_of_all(costs))
+    others = f", {len(left_out)} not applicable" if left_out else ""
+    others += f", {count - len(outcomes)} not run" if len(outcomes) < count else ""
+    print(f"{passed} of {count} scenarios passed{others}")

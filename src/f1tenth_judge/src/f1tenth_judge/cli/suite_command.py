@@ -1,0 +1,77 @@
+"""f1tenth suite."""
+
+import importlib
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+
+from f1tenth_judge import suites
+from f1tenth_judge.batch.table_file import check_table_file, write_table
+from f1tenth_judge.cli.exit_codes import PASSED, exit_code
+from f1tenth_judge.cli.options import expect_at_least, planner_of, planner_settings, results_of
+from f1tenth_judge.errors import ScenarioError, writing
+from f1tenth_judge.extensions import extensions
+from f1tenth_judge.plan.planner import driver_text
+from f1tenth_judge.stop_request import StopRequest
+from f1tenth_judge.suites.suite import Suite
+
+_TABLE_FILE, _PLACES = "scorecard.csv", "places"
+_OWN = ("encounters", "pace", "safety", "tracks")
+_GROUP = "f1tenth_judge.suites"
+
+
+def suite(options) -> int:
+    """Run the cases of a suite, and print how many were passed and which were the worst."""
+    if options.name is None:
+        for name, each in all_suites().items():
+            print(f"{name:14}{each.text}")
+        return PASSED
+    if options.name not in all_suites():
+        raise ScenarioError(f"no suite '{options.name}'; there are: {', '.join(all_suites())}")
+    settings = [*options.set, *planner_settings(options)]
+    expect_at_least(1, options.workers, "--workers")
+    folder = results_of(options) / "suite" / options.name
+    with writing(folder):
+        (folder / _PLACES).mkdir(parents=True, exist_ok=True)
+    check_table_file(folder / _TABLE_FILE)
+    with StopRequest().listening() as stop:
+        sweep = _sweep(options, settings, folder)
+        sweep.run(stop, options.workers, options.scheduler)
+        for problem in [] if stop.signal else sweep.problems:
+            print(f"f1tenth: {problem}", file=sys.stderr)
+        passed = sum(result["passed"] for result in sweep.results.values())
+        if sweep.results:
+            _write(options.name, sweep, folder, passed)
+    return exit_code(passed == len(sweep.jobs), stop)
+
+
+def all_suites() -> Mapping[str, Suite]:
+    """The suites of this package and of those that build on it, by name."""
+    own = {name: importlib.import_module(f"{suites.__name__}.{name}").SUITE for name in _OWN}
+    return dict(sorted({**own, **extensions(_GROUP)}.items()))
+
+
+def _sweep(options, settings: list[str], folder: Path):
+    from f1tenth_judge.batch.sweep import Sweep
+
+    chosen = all_suites()[options.name]
+    if options.opponent:
+        if chosen.scenario != "encounters":
+            raise ScenarioError("--opponent is for the suite 'encounters'")
+        settings.append(f"cars.robot2.driver={driver_text(planner_of(options.opponent, options))}")
+    scenario = Path(suites.__file__).with_name(f"{chosen.scenario}.yaml")
+    cases = chosen.cases(options.cases or chosen.chosen, folder / _PLACES)
+    return Sweep(str(scenario), cases, folder, settings)
+
+
+def _write(name: str, sweep, folder: Path, passed: int) -> None:
+    # Imported late: scipy takes longer than everything else that the command does.
+    from f1tenth_judge.suites.scorecard import score, scorecard
+
+    rows = [{"case": Path(job.results).name, **row} for job, row in sweep.rows_of_jobs()]
+    table = folder / _TABLE_FILE
+    with writing(table):
+        write_table(table, rows)
+    for key, value in (("suite", name), ("passed", score(passed, len(rows))), ("table", table)):
+        print(f"{key + ':':19}{value}")
+    print(scorecard(rows))

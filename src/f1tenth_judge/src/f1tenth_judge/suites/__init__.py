@@ -1,0 +1,1 @@
+"""Suites: many cases of one scenario, for any planner."""

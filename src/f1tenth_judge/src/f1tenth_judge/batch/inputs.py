@@ -37,7 +37,7 @@ def hash_inputs(plan: Plan, software: str) -> str:
 
 def _workspace_folders() -> list[str]:
     sources = sorted(str(package_path(name)) for name in package_names())
-    modules = [str(Path(module.__file__).parent) for module in (f1tenth_judge, f1tenth_sim2d)]
+    modules = [*f1tenth_judge.__path__, *f1tenth_sim2d.__path__]
     prefixes = filter(None, os.environ.get("CMAKE_PREFIX_PATH", "").split(":"))
     built = [f"{prefix}/lib" for prefix in prefixes]
     return [each for each in [*sources, *modules, *built] if not _is_installed(Path(each))]

@@ -35,9 +35,9 @@ def named_planner(
         if re.fullmatch(_CLASS, name):
             file, _, kind = name.rpartition(":")
             return Driver(python=f"{named_file(file, beside)}:{kind}", arguments=dict(arguments))
-        if kind := _POLICY_CLASSES.get(Path(name).suffix):
+        if policy := _POLICY_CLASSES.get(Path(name).suffix):
             given = {"policy": named_file(name, beside), **arguments}
-            return Driver(python=f"{_POLICIES}:{kind}", arguments=given)
+            return Driver(python=f"{_POLICIES}:{policy}", arguments=given)
         return Driver(ours.launch if ours else named_file(name, beside), interface, dict(arguments))
     except ScenarioError as error:
         raise ScenarioError(f"{name}: {error}; allowed: {ALLOWED}") from error

@@ -124,6 +124,7 @@ class Scenario:
     limits: Limits = key("When the run is over at the latest.")
     expected: Verdict = key("The verdict that makes the scenario pass.")
     seed: int = key("Seed of all noise.", at_least=0, at_most=_GREATEST_PARAMETER)
+    tags: tuple[str, ...] = key("Words by which pytest chooses scenarios, as in `-m fast`.", default=())
     culprit: Optional[str] = key(
         "Node that an expected `error` must name, as in `robot1/move_base`; required then.", default=None
     )
@@ -169,6 +170,8 @@ class Scenario:
             return "cars", "is empty; at least one car is needed"
         if len(set(names)) != len(names):
             return "cars", f"has a name twice: {', '.join(names)}"
+        if not all(tag.isidentifier() for tag in self.tags):
+            return "tags", f"must be words of letters, digits and '_', found: {', '.join(self.tags)}"
         boxes = [box.name for box in self.boxes]
         if len({*boxes, *names}) != len(boxes) + len(names):
             return "boxes", f"has a name twice, or that of a car: {', '.join(boxes)}"

@@ -13,7 +13,7 @@ from f1tenth_judge.run.execute import execute
 from f1tenth_judge.scenario.driver import Driver
 from f1tenth_judge.stop_request import StopRequest
 from f1tenth_sim2d.environments import ENVIRONMENT, register
-from report_samples import driven_by, failed_criteria, race_result, result, write_race, write_run
+from report_samples import contact, driven_by, failed_criteria, race_result, result, write_race, write_run
 
 pytest.importorskip("selenium", reason="python3-selenium is not installed")
 
@@ -62,7 +62,10 @@ def foreign():
     command = f"ros2 launch {'a_package/' * 12}planner.launch.py {SCRIPT}"
     cars = {"robot1": {**driven_by(command, "command of ROS 2"), "lap_times": [], "finish": None}}
     said = {"description": SCRIPT, "reason": f"robot1: {SCRIPT}", "not_written": [f"run.bag: {SCRIPT}"]}
-    return result("foreign", passed=False, verdict="error", culprit=culprit, cars=cars, **said)
+    moved = [{"time": 2.0, "kind": "set_model_state", "caller": SCRIPT, "model": SCRIPT}]
+    touch = {**contact(), "touched": [SCRIPT]}
+    events = {"contacts": [touch], "interventions": moved}
+    return result("foreign", passed=False, verdict="error", culprit=culprit, cars=cars, **said, **events)
 
 
 def driven(folder):

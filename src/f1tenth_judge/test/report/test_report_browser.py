@@ -6,7 +6,7 @@ import pytest
 from browser import PATIENCE, chromium
 from f1tenth_judge.report.bundle import bundle
 from f1tenth_judge.report.page import WEB, write_report
-from report_samples import RADIUS, failed_criteria, race_result, result, write_race, write_run
+from report_samples import RADIUS, contact, failed_criteria, race_result, result, write_race, write_run
 
 pytest.importorskip("selenium", reason="python3-selenium is not installed")
 
@@ -21,7 +21,7 @@ SPEED = 1.5  # m/s
 def report(tmp_path_factory):
     folder = tmp_path_factory.mktemp("report")
     write_run(folder / "results" / "one_lap", result("one_lap"), speed=SPEED)
-    write_run(folder / "results" / "two", result("two", passed=False, minimum_clearance=0.3), speed=SPEED)
+    write_run(folder / "results" / "two", hit("two"), speed=SPEED)
     before = result(
         "two", commit="old", versions={"commit": "old", "driver_commits": {"robot1": "mine-dirty"}}
     )
@@ -30,6 +30,12 @@ def report(tmp_path_factory):
     (folder / "results" / "one_lap" / "log").mkdir()
     write_report(folder / "results", folder / "report.html")
     return (folder / "report.html").as_uri()
+
+
+def hit(name):
+    cheat = {"time": 5.0, "kind": "set_model_state", "caller": "cheat", "model": "robot1"}
+    touch = {**contact(), "start": 2.0, "end": 2.1}
+    return result(name, passed=False, minimum_clearance=0.3, contacts=[touch], interventions=[cheat])
 
 
 @pytest.fixture(scope="module")
@@ -295,11 +301,44 @@ def test_run_before_is_compared(window, report):
     assert find(window, "[data-part=ghost]").get_attribute("aria-pressed") == "true"
 
 
-def test_contact_leads_to_its_moment(window, report):
+def test_contact_leads_to_the_second_before_it(window, report):
     open_run(window, report, "two")
-    press(window, Keys.END)
-    find(window, "button.link").click()
+    for selector in ("button.link", ".mark-at.contact"):
+        press(window, Keys.END)
+        find(window, selector).click()
+        assert time(window) == pytest.approx(1.0)
+    assert find(window, ".mark-at.contact").get_attribute("title") == "robot1 touched Wall_1 at 2.000\u202fs"
+    assert (
+        find(window, ".mark-at.intervention")
+        .get_attribute("title")
+        .startswith("cheat called set_model_state")
+    )
+
+
+def test_the_address_of_a_moment_opens_it(window, report):
+    open_run(window, report, "two?t=3.5")
+    assert time(window) == pytest.approx(3.5)
+    press(window, Keys.ARROW_RIGHT)
+    window.find_element("xpath", "//button[.='link']").click()
+    assert window.current_url.endswith("#two?t=4.500")
+    open_run(window, report, "one_lap?t=wrong")
     assert time(window) == 0.0
+
+
+def test_the_last_second_before_a_contact_is_slow(window, report):
+    code = bundle(WEB / "replay" / "player.js")
+    paces = """
+    const player = new Player(10, [{ from: 1, to: 2 }], () => {});
+    const paces = [0.5, 1, 1.9, 2].map((time) => { player.time = time; return player.pace; });
+    player.inSlowMotion = false;
+    player.time = 1.5;
+    return [...paces, player.pace];
+    """
+    assert window.execute_script(f"{code}{paces}") == [1, 0.25, 0.25, 1, 1]
+    open_run(window, report, "two")
+    button = window.find_element("xpath", "//button[.='slow motion']")
+    button.click()
+    assert button.get_attribute("aria-pressed") == "false"
 
 
 def test_a_reason_of_long_names_stays_in_its_card(window, tmp_path):

@@ -14,6 +14,7 @@ from f1tenth_judge.plan.handover import offered_arguments
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.files import PICTURE_FILE, RESULT_FILE
 from f1tenth_judge.record.pace import Pace
+from f1tenth_judge.results.moment import replay_of
 from f1tenth_judge.results.reference_laps import reference_lap
 from f1tenth_judge.results.result import Result
 from f1tenth_judge.results.standing import name_of
@@ -101,6 +102,7 @@ def summary(result: Result, plan: Plan) -> str:
         *_culprit_log(result),
         ("result", str(result.folder / RESULT_FILE)),
         *_picture(result),
+        *_replay(result),
         *(("not written", problem) for problem in result.not_written),
     ]
     return "\n".join(f"{name + ':' if name else '':19}{value}" for name, value in lines)
@@ -165,6 +167,11 @@ def _picture(result):
     # What was not written is told with the reason.
     if not any(problem.startswith(f"{PICTURE_FILE}:") for problem in result.not_written):
         yield "picture", str(result.folder / PICTURE_FILE)
+
+
+def _replay(result):
+    if not result.passed:
+        yield "replay", f"{replay_of(result)} (once `f1tenth report` has written it)"
 
 
 def _failed_criteria(result):

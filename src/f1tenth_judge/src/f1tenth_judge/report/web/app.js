@@ -37,15 +37,21 @@ function embedded(name) {
   return document.getElementById(name).textContent;
 }
 
-export async function start() {
+export // The address of a moment is #RUN?t=SECONDS.
+function readHash() {
+  const [name, query] = location.hash.slice(1).split("?");
+  return { name: decodeURIComponent(name), time: Number(new URLSearchParams(query).get("t")) || 0 };
+}
+
+async function start() {
   const report = new Report(await unpack(embedded("overview")));
   const main = document.getElementById("page");
   let page = null;
   const show = () => {
-    const name = decodeURIComponent(location.hash.slice(1));
+    const { name, time } = readHash();
     const index = report.runs.findIndex((run) => run.scenario === name);
     page?.close();
-    page = index < 0 ? new Overview(report) : new RunPage(report, index);
+    page = index < 0 ? new Overview(report) : new RunPage(report, index, time);
     document.title = index < 0 ? "Scenario report" : `${name} – scenario report`;
     main.replaceChildren(page.root);
     scrollTo(0, 0);

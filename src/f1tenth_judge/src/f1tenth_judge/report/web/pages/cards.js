@@ -3,6 +3,7 @@
 import { element } from "../base/elements.js";
 import { formatNumber, formatValue } from "../base/format.js";
 import { table } from "../base/table.js";
+import { LEAD } from "../data/events.js";
 import { MEASURES, changeOf, commitName, droveTheSame } from "./words.js";
 
 export function tiles(result) {
@@ -68,12 +69,20 @@ export function lapsCard(result) {
 export function contactsCard(result, seek) {
   if (!result.contacts?.length) return null;
   const rows = result.contacts.map((each) => ({
-    cells: [
-      element("button.link", { click: () => seek(Math.max(each.start - 1, 0)) }, formatNumber(each.start, 3, "s")),
-      each.car, each.touched.join(", "), formatNumber(each.speed, 2, "m/s"),
-    ],
+    cells: [moment(each.start, seek), each.car, each.touched.join(", "), formatNumber(each.speed, 2, "m/s")],
   }));
   return section("Contacts", table(["at", "car", "touched", "speed"], rows));
+}
+
+export function interventionsCard(result, seek) {
+  if (!result.interventions?.length) return null;
+  const rows = result.interventions.map((each) => ({ cells: [moment(each.time, seek), each.caller, each.kind, each.model] }));
+  return section("Interventions", table(["at", "by", "what", "model"], rows));
+}
+
+// Leads to the time before a moment.
+function moment(time, seek) {
+  return element("button.link", { type: "button", click: () => seek(time - LEAD) }, formatNumber(time, 3, "s"));
 }
 
 export function culpritCard(result) {

@@ -1,22 +1,23 @@
 // The page of one run: replay, charts, tables.
 
 import { element } from "../base/elements.js";
-import { formatClock, formatNumber } from "../base/format.js";
 import { Chart } from "../charts/chart.js";
-import { comparisonCard, contactsCard, criteriaCard, culpritCard, lapsCard, linksCard, problemsCard, tiles, versionsCard } from "./cards.js";
+import { comparisonCard, contactsCard, criteriaCard, culpritCard, lapsCard, linksCard, interventionsCard, problemsCard, tiles, versionsCard } from "./cards.js";
 import { badge, comparisonText, failedBesides, verdictText, who, winnerText } from "./words.js";
+import { LEAD, eventsOf } from "../data/events.js";
+import { Controls } from "../replay/controls.js";
 import { handleKey, keyHelp } from "../replay/keyboard.js";
-import { SPEED_COLOURS } from "../replay/painter.js";
-import { Player, SPEEDS } from "../replay/player.js";
+import { Player } from "../replay/player.js";
 import { View } from "../replay/view.js";
 
-const PARTS = [["scan", "scan"], ["plans", "plans"], ["ghost", "run before"], ["follow", "follow"]];
-
 export class RunPage {
-  constructor(report, index) {
+  // `time` (s): what is shown first.
+  constructor(report, index, time) {
     this.report = report;
+    this.time = time;
     this.index = index;
     this.result = report.runs[index];
+    this.events = eventsOf(this.result);
     this.stage = element("section.card.stage", { "aria-busy": "true" }, element("p.note", {}, "Reading the recording…"));
     this.root = element("div.run", {}, this.header(), this.stage, element("div.facts", {}, ...this.cards()));
     this.onResize = () => this.resize();
@@ -66,7 +67,7 @@ export class RunPage {
     };
     return [
       problemsCard(result), culpritCard(result), criteriaCard(result), comparisonCard(result), lapsCard(result),
-      contactsCard(result, seek), linksCard(result), versionsCard(result), keyHelp(),
+      contactsCard(result, seek), interventionsCard(result, seek), linksCard(result), versionsCard(result), keyHelp(),
     ].filter(Boolean);
   }
 
@@ -81,16 +82,18 @@ export class RunPage {
       this.stage.removeAttribute("aria-busy");
       return;
     }
-    this.player = new Player(run.end, () => this.draw());
+    this.player = new Player(run.end, slowParts(this.events), () => this.draw());
     this.view = new View(run, ghost, this.result.contacts ?? []);
     this.charts = this.makeCharts(run, ghost);
-    this.stage.replaceChildren(this.view.canvas, this.controls(ghost), ...this.charts.map(({ root }) => root));
+    this.controls = new Controls({ player: this.player, view: this.view, events: this.events, onLink: () => this.link() });
+    this.stage.replaceChildren(this.view.canvas, this.controls.root, ...this.charts.map(({ root }) => root));
     this.stage.removeAttribute("aria-busy");
     this.view.canvas.style.aspectRatio = Math.min(Math.max(this.view.aspect, 1), 2.4);
     addEventListener("resize", this.onResize);
     addEventListener("keydown", this.onKey);
     this.scheme.addEventListener("change", this.onScheme);
     this.resize();
+    this.player.seek(this.time);
   }
 
   makeCharts(run, ghost) {
@@ -106,41 +109,14 @@ export class RunPage {
     return charts;
   }
 
-  controls(ghost) {
-    this.button = element("button.play", { type: "button", click: () => this.player.toggle() });
-    this.slider = element("input.scrub", {
-      type: "range", min: 0, max: this.player.end, step: 0.025, value: 0, "aria-label": "time",
-      input: () => this.player.seek(Number(this.slider.value)), keydown: (event) => this.keepFromSlider(event),
-    });
-    this.clock = element("output.clock");
-    this.speed = element("select", { "aria-label": "speed", change: () => this.player.setSpeed(Number(this.speed.value)) },
-      ...SPEEDS.map((speed) => element("option", { value: speed }, `${speed}×`)));
-    this.toggles = PARTS.filter(([part]) => part !== "ghost" || ghost).map(([part, text]) => this.toggleButton(part, text));
-    return element("div.controls", {},
-      element("div.transport", {}, this.button, this.slider, this.clock),
-      element("div.toggles", {}, this.speed, ...this.toggles, element("span.spring"), this.view.isRace ? null : this.legend()));
-  }
-
-  // Arrow keys mean the same on the slider as everywhere else on the page.
-  keepFromSlider(event) {
-    if (event.key.startsWith("Arrow") || event.key === "Home" || event.key === "End") event.preventDefault();
-  }
-
-  toggleButton(part, text) {
-    return element("button.toggle", {
-      type: "button", "data-part": part, "aria-pressed": String(this.view.shown[part]), click: () => this.toggle(part),
-    }, text);
-  }
-
-  legend() {
-    const colours = SPEED_COLOURS.join(", ");
-    return element("span.legend", {}, "0", element("span.ramp", { style: `background: linear-gradient(90deg, ${colours})` }),
-      formatNumber(this.view.fastest, 1, "m/s"));
+  // Puts the address of this moment where it can be copied.
+  link() {
+    history.replaceState(null, "", `#${encodeURIComponent(this.result.scenario)}?t=${this.player.time.toFixed(3)}`);
+    navigator.clipboard?.writeText(location.href).catch(() => {});
   }
 
   toggle(part) {
-    this.view.toggle(part);
-    this.draw();
+    this.controls.toggle(part);
   }
 
   step(direction, event) {
@@ -167,12 +143,7 @@ export class RunPage {
     const { player, view } = this;
     view.draw(player.time);
     for (const chart of this.charts) chart.draw(player.time);
-    this.slider.value = player.time;
-    this.clock.textContent = `${formatClock(player.time)} / ${formatClock(player.end)}`;
-    this.speed.value = player.speed;
-    this.button.textContent = player.playing ? "❚❚" : "▶";
-    this.button.setAttribute("aria-label", player.playing ? "pause" : "play");
-    for (const toggle of this.toggles) toggle.setAttribute("aria-pressed", String(view.shown[toggle.dataset.part]));
+    this.controls.draw();
     const [first] = view.states;
     this.stage.dataset.pose = `${first.x.toFixed(3)} ${first.y.toFixed(3)}`;
   }
@@ -184,4 +155,8 @@ export class RunPage {
     removeEventListener("keydown", this.onKey);
     this.scheme.removeEventListener("change", this.onScheme);
   }
+}
+
+function slowParts(events) {
+  return events.filter(({ kind }) => kind === "contact").map(({ time }) => ({ from: time - LEAD, to: time }));
 }

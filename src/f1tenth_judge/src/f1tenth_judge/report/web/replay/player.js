@@ -2,9 +2,14 @@
 
 export const SPEEDS = [0.25, 0.5, 1, 2, 4, 8];
 
+const SLOW = 0.25; // of the speed, in slow motion
+
 export class Player {
-  constructor(end, onChange) {
+  // `slow`: stretches of time {from, to}, s, that are played in slow motion.
+  constructor(end, slow, onChange) {
     this.end = end;
+    this.slow = slow;
+    this.inSlowMotion = true;
     this.onChange = onChange;
     this.time = 0;
     this.speed = 1;
@@ -47,11 +52,17 @@ export class Player {
     this.setSpeed(SPEEDS[Math.min(Math.max(index, 0), SPEEDS.length - 1)]);
   }
 
+  // Seconds per second at this moment.
+  get pace() {
+    const slow = this.inSlowMotion && this.slow.some(({ from, to }) => this.time >= from && this.time < to);
+    return this.speed * (slow ? SLOW : 1);
+  }
+
   advance(now) {
     if (!this.playing) return;
     const elapsed = Math.max(now - this.lastFrame, 0) / 1000;
     this.lastFrame = now;
-    this.time = Math.min(this.time + elapsed * this.speed, this.end);
+    this.time = Math.min(this.time + elapsed * this.pace, this.end);
     if (this.time >= this.end) this.playing = false;
     else this.frame = requestAnimationFrame((next) => this.advance(next));
     this.onChange();

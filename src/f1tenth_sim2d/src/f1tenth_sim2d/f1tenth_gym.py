@@ -4,7 +4,7 @@ from typing import Any, Optional
 
 import numpy as np
 
-from f1tenth_sim2d import f110_gym
+from f1tenth_sim2d import f110_env
 
 IDS = ("f1tenth_gym:f1tenth-v0", "f1tenth-v0")
 _SETTINGS = ("map", "map_ext", "num_agents", "timestep", "params", "seed", "ego_idx", "integrator")
@@ -34,7 +34,7 @@ _PER_CAR = {
 _FEATURES = (*_PER_CAR, "delta", "beta")
 
 
-class F110Env(f110_gym.F110Env):
+class F110Env(f110_env.F110Env):
     """Cars on a map, with the config and the five-value step of f1tenth_gym 1.0.
 
     Attributes:
@@ -94,7 +94,7 @@ class F110Env(f110_gym.F110Env):
         return self._observed(observation), info
 
     def step(self, action):
-        """Drive for a timestep; as in f1tenth_sim2d.f110_gym, with `truncated` (False) before the info."""
+        """Drive for a timestep; as in f1tenth_sim2d.f110_env, with `truncated` (False) before the info."""
         observation, reward, done, info = super().step(action)
         return self._observed(observation), reward, done, False, info
 

@@ -18,19 +18,24 @@ def command_path(name):
     return next(path for path in paths if os.access(path, os.X_OK))
 
 
-def run_until(text, name, *arguments, namespace, before_end=lambda: None):
-    """Start a command, interrupt it when it says the text, and return its exit code and all that it has said.
-
-    Args:
-        before_end: what to do before it is interrupted.
-    """
-    process = subprocess.Popen(
+def start(name, *arguments, namespace):
+    """Start a command whose output is a pipe."""
+    return subprocess.Popen(
         [command_path(name), *arguments],
         env={**os.environ, "ROS_NAMESPACE": namespace, "PYTHONUNBUFFERED": "1"},
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,
     )
+
+
+def run_until(text, name, *arguments, namespace, before_end=lambda: None):
+    """Start a command, interrupt it when it says the text, and return its exit code and all that it has said.
+
+    Args:
+        before_end: what to do before it is interrupted.
+    """
+    process = start(name, *arguments, namespace=namespace)
     said = []
     for line in process.stdout:
         said.append(line)

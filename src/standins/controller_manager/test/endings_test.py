@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """How the commands end when their controller manager ends, too."""
 
+import signal
 import threading
 import unittest
 
 import rospy
 import rostest
-from commands import run_until
+from commands import LONG, run_until, start
 from controller_manager_msgs.srv import LoadController, SwitchController, UnloadController
 
 
@@ -68,6 +69,34 @@ class EndingsTest(unittest.TestCase):
         )
         assert code == 0, said
         assert "Controllers were not started again: " in said
+        assert "Traceback" not in said
+
+    def test_unspawner_interrupted_before_its_manager_answers_starts_again_what_it_stops(self):
+        asked, answers, started = threading.Event(), threading.Event(), []
+
+        def switch(request):
+            started.extend(request.start_controllers)
+            asked.set()
+            return answers.wait(LONG)
+
+        service = rospy.Service("/slow/controller_manager/switch_controller", SwitchController, switch)
+        self.addCleanup(service.shutdown)
+        unspawner = start("unspawner", "wheel", namespace="slow")
+        assert asked.wait(LONG)
+        unspawner.send_signal(signal.SIGINT)
+        answers.set()
+        said, _ = unspawner.communicate(timeout=LONG)
+        assert unspawner.returncode == 0, said
+        assert started == ["wheel"], said
+        assert "Traceback" not in said
+
+    def test_unspawner_of_a_manager_that_fails_says_so(self):
+        manager = EndingManager("failing", None)
+        self.addCleanup(manager.close)
+        unspawner = start("unspawner", "wheel", namespace="failing")
+        said, _ = unspawner.communicate(timeout=LONG)
+        assert unspawner.returncode == 1
+        assert "Controllers were not stopped: " in said
         assert "Traceback" not in said
 
 

@@ -1,7 +1,5 @@
 """spawner: loads and starts controllers, and takes them away when it ends."""
 
-import signal
-import threading
 import time
 
 import rosgraph
@@ -11,6 +9,7 @@ from std_msgs.msg import Bool
 
 from . import controller_manager_interface as manager
 from .command_line import spawner_parser
+from .ending import Ending
 
 EXIT_NO_MANAGER = 1
 EXIT_NOT_LOADED = 2
@@ -31,34 +30,10 @@ def wait_for_manager(timeout):
         rospy.wait_for_service(manager.service_name(service), timeout)
 
 
-class Ending:
-    """Shuts ROS down on SIGINT and SIGTERM: in another thread, not while the main one loads a controller.
-
-    rospy would do it in the signal's handler, and hang if the main thread is logging: both ask the master.
-
-    Args:
-        patience: wall s for the controller that is being loaded.
-
-    """
-
-    def __init__(self, patience):
-        self.has_begun = False
-        self.loading = threading.Lock()
-        self._patience = patience
-        for number in (signal.SIGINT, signal.SIGTERM):
-            signal.signal(number, lambda *_: threading.Thread(target=self._end).start())
-
-    def _end(self):
-        self.has_begun = True
-        if self.loading.acquire(timeout=self._patience):
-            self.loading.release()
-        rospy.signal_shutdown("told to end")
-
-
 def load(controllers, loaded, ending):
     """Load controllers, each of which is then appended to loaded: the end may come meanwhile."""
     for name in controllers:
-        with ending.loading:
+        with ending.working:
             if ending.has_begun:
                 return
             if manager.call("load_controller", LoadController, name).ok:

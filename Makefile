@@ -51,7 +51,7 @@ PYTHON_FILES = $(shell git ls-files '*.py'; git grep -lI '^\#!/usr/bin/\(env pyt
 help: ## list the commands
 	@sed -n 's/^\([a-z]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 16
 	@echo "  Variables: CIRCUIT=$(CIRCUIT), of $(CIRCUITS);"
-	@echo "  PLANNER=LAUNCH FILE, with LAPS=1, INTERFACE=native or f1tenth;"
+	@echo "  PLANNER=LAUNCH FILE, with LAPS=1, INTERFACE=native or f1tenth; WATCH=1 shows it in a browser;"
 	@echo "  JOBS=$(JOBS); TEST_JOBS=$(TEST_JOBS);"
 	@echo "  OUT=FOLDER for everything that is written, when these files are read-only; SETUP=--yes"
 
@@ -88,7 +88,7 @@ RACE = $(if $(PLANNER),race "$(CIRCUIT)" --planner "$(PLANNER)" --laps $(LAPS) $
 # A planner of somebody else may lie in an overlay that has been sourced: --extend leaves it there.
 race: EXTEND = $(if $(PLANNER),--extend)
 race: known-circuit build ## one headless race, judged: make race CIRCUIT=circuit3 PLANNER=my.launch
-	@$(IN_WORKSPACE) exec rosrun f1tenth_scenarios scenario $(RACE) --report
+	@$(IN_WORKSPACE) exec rosrun f1tenth_scenarios scenario $(RACE) --report $(if $(WATCH),--watch)
 
 # Refused before minutes of building. An overlay may bring circuits of its own, which only the command that races can find.
 known-circuit:

@@ -16,6 +16,7 @@ from f1tenth_judge.plan.named_planner import OUR_PLANNERS
 from f1tenth_judge.record.files import REPORT_FILE
 from f1tenth_judge.scenario.driver import Interface
 
+_WATCH = "print an address at which browsers of this machine show the run while it goes on, then its report"
 _SET = "replace a value of the file, as in seed=2, mu=0.3, limits.timeout=20 or driver.arguments.speed=4"
 _VARY = "FIRST:LAST (whole numbers), FIRST:LAST:COUNT or A,B,C; several keys: every combination"
 _TABLE = "one more table of the runs: FILE.parquet keeps types, FILE.csv is text"
@@ -146,6 +147,7 @@ def _add_run_options(command: argparse.ArgumentParser, where: str) -> None:
     command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help=_SET)
     command.add_argument("--bag", action="store_true", help="keep the bag, also of runs that pass")
     command.add_argument("--report", action="store_true", help="write the report afterwards")
+    command.add_argument("--watch", action="store_true", help=_WATCH)
 
 
 def _add_sweep(commands: _Subparsers) -> None:

@@ -12,7 +12,7 @@ from f1tenth_judge.cli.options import (
     results_of,
     ros2_planners,
 )
-from f1tenth_judge.cli.run_command import check_repeat, run_plan, run_repeatedly, with_report
+from f1tenth_judge.cli.run_command import check_repeat, run_repeatedly, run_with_report
 from f1tenth_judge.errors import writing
 from f1tenth_judge.plan.named_planner import named_file
 from f1tenth_judge.plan.race import Race, plan_race, save_race
@@ -35,7 +35,7 @@ def race(options) -> int:
         save_race(wanted, options.save)
         return PASSED
     plan = dataclasses.replace(plan, keep_bag=options.bag, watched=options.attach)
-    return with_report(run_plan(plan), options)
+    return run_with_report(plan, options)
 
 
 def _repeat(wanted: Race, options) -> int:

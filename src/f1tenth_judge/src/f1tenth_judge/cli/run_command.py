@@ -1,6 +1,7 @@
 """f1tenth run."""
 
 import dataclasses
+import urllib.parse
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,6 +14,7 @@ from f1tenth_judge.errors import NotApplicableError, ScenarioError
 from f1tenth_judge.places import lookup
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.planning import make_plan
+from f1tenth_judge.record.files import REPORT_FILE
 from f1tenth_judge.results.console import CountLine, ProgressLine, cost_of_all, summary
 from f1tenth_judge.results.result import Result
 from f1tenth_judge.run.memory import require_memory
@@ -38,10 +40,10 @@ def run(options) -> int:
     if len(names) == 1:
         name = options.name or lookup.scenario_file(names[0]).stem
         plan = make_plan(names[0], results_of(options) / name, settings)
-        code = run_plan(dataclasses.replace(plan, name=name, keep_bag=options.bag))
-    else:
-        code = _run_each(names, settings, options)
-    return with_report(code, options)
+        return run_with_report(dataclasses.replace(plan, name=name, keep_bag=options.bag), options)
+    if options.watch:
+        raise ScenarioError("--watch is for one run of one scenario")
+    return with_report(_run_each(names, settings, options), options)
 
 
 def run_plan(plan: Plan) -> int:
@@ -66,6 +68,20 @@ def _run_without_ros(plan: Plan, stop: StopRequest, progress: "Progress") -> Res
     from f1tenth_judge.run.execute import execute
 
     return execute(plan, start_drivers, stop, progress)
+
+
+def run_with_report(plan: Plan, options) -> int:
+    """Run one scenario, shown in browsers and in the report if that is wanted; returns the exit code."""
+    if not options.watch:
+        return with_report(run_plan(plan), options)
+    from f1tenth_judge.report.live.watching import watched
+
+    options.report = True
+    with watched(plan) as lead_to:
+        code = with_report(run_plan(plan), options)
+        if code in (PASSED, NOT_PASSED):
+            lead_to(f"/{REPORT_FILE}#{urllib.parse.quote(plan.name, safe='')}")
+    return code
 
 
 def with_report(code: int, options) -> int:
@@ -96,7 +112,7 @@ def check_repeat(options) -> None:
     """
     if options.repeat < 2:
         raise ScenarioError(_REPEAT)
-    for option in ("bag", "report", "attach", "save"):
+    for option in ("bag", "report", "attach", "save", "watch"):
         if getattr(options, option, None):
             raise ScenarioError(f"--{option} is not for --repeat")
 

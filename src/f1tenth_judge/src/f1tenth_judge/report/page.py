@@ -2,8 +2,9 @@
 
 import datetime
 import hashlib
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Optional
+from typing import Any, Optional
 
 from f1tenth_judge.atomic import replacing
 from f1tenth_judge.errors import writing
@@ -43,6 +44,13 @@ def write_report(results: Path, output: Path, against: Optional[Path] = None) ->
     return [problem for run in runs for problem in run.summary["problems"]]
 
 
+def live_page(task: Mapping[str, Any]) -> str:
+    """The page of a run that goes on; `task` has `name`, `description` and `cars` as result.json has them."""
+    run = {"scenario": task["name"], "description": task["description"], "cars": task["cars"], "live": True}
+    summary = {**run, "verdict": "driving", "criteria": [], "links": {}, "problems": [], "thumbnail": []}
+    return _filled({"runs": [summary]}).replace("<!-- DATA -->", "")
+
+
 def _world_id(run: RunContent) -> str:
     """Names the walls of a run; equal ones are kept only once."""
     return hashlib.sha256(run.world.encode()).hexdigest()[:12]
@@ -53,6 +61,11 @@ def _template(runs: list[RunContent]) -> str:
         "created": datetime.datetime.now().astimezone().isoformat(timespec="minutes"),
         "runs": [{**run.summary, "world_id": _world_id(run)} for run in runs],
     }
+    return _filled(overview)
+
+
+def _filled(overview: Mapping[str, Any]) -> str:
+    """The page without the data of its runs."""
     parts = {
         "<!-- STYLE -->": f"<style>\n{_read('report.css')}</style>",
         "<!-- OVERVIEW -->": _data("overview", pack(overview)),

@@ -49,7 +49,7 @@ class Stage:
             ScenarioError: the world or a car cannot be used.
         """
         try:
-            self._world = f1tenth_sim2d.load_world(str(plan.run_world), [str(_models())])
+            self._world = f1tenth_sim2d.load_world(str(plan.run_world), [str(models_folder())])
             self._simulation = f1tenth_sim2d.Simulation(
                 self._world, seed=plan.scenario.seed, control_period=PERIOD
             )
@@ -143,7 +143,7 @@ class Stage:
 
     def _add(self, plan: Plan, car: Car) -> int:
         start, own = plan.cars[car.name].start, plan.cars[car.name].description
-        text, source = (own.text, str(own.file)) if own else _own_car()
+        text, source = (own.text, str(own.file)) if own else own_car()
         described = f1tenth_sim2d.load_car(text, car.name, source)
         return self._simulation.add_car(described, _parameters(car, described), start.x, start.y, start.yaw)
 
@@ -158,11 +158,12 @@ def _parameters(car: Car, described: f1tenth_sim2d.Car) -> f1tenth_sim2d.Vehicle
 
 
 @functools.cache
-def _own_car() -> tuple[str, str]:
+def own_car() -> tuple[str, str]:
     """The description of the F1/10 car, and its file."""
     file = package_path("f1tenth_description") / "urdf" / "f1tenth.urdf.xacro"
     return expanded(file), str(file)
 
 
-def _models() -> Path:
+def models_folder() -> Path:
+    """Where models of worlds are found by name."""
     return package_path("f1tenth_gazebo") / "models"

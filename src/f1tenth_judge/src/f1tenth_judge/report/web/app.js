@@ -2,6 +2,7 @@
 
 import { decodeColumns, unpack } from "./base/decode.js";
 import { Run } from "./data/run.js";
+import { LivePage } from "./pages/live_page.js";
 import { Overview } from "./pages/overview.js";
 import { RunPage } from "./pages/run_page.js";
 import { droveTheSame } from "./pages/words.js";
@@ -46,6 +47,7 @@ function readHash() {
 async function start() {
   const report = new Report(await unpack(embedded("overview")));
   const main = document.getElementById("page");
+  if (report.runs[0].live) return showLive(report, main);
   let page = null;
   const show = () => {
     const { name, time } = readHash();
@@ -59,6 +61,13 @@ async function start() {
   };
   addEventListener("hashchange", show);
   return show();
+}
+
+function showLive(report, main) {
+  const page = new LivePage(report, 0, 0);
+  document.title = `${report.runs[0].scenario} – live`;
+  main.replaceChildren(page.root);
+  return page.load();
 }
 
 start();

@@ -19,8 +19,18 @@ export class Chart {
       "figure.chart", {}, element("figcaption", {}, element("span", {}, `${title} (${unit})`), this.value), this.canvas,
     );
     this.time = 0;
-    this.top = niceTop(Math.max(...this.allTracks().map((car) => largest(car[quantity])), limit ?? 0, 0.1));
+    this.measure();
     this.listen();
+  }
+
+  measure() {
+    this.top = niceTop(Math.max(...this.allTracks().map((car) => largest(car[this.quantity])), this.limit ?? 0, 0.1));
+  }
+
+  // The run has become longer.
+  grow() {
+    this.measure();
+    this.refresh();
   }
 
   allTracks() {

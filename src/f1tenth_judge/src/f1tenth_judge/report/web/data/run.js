@@ -12,8 +12,24 @@ class CarTrack {
     this.name = name;
     this.time = columns.time ?? new Float64Array();
     for (const quantity of QUANTITIES) this[quantity] = columns[quantity] ?? new Float64Array();
+    this.yaw = columns.yaw ?? new Float64Array();
     this.end = this.time.length ? this.time[this.time.length - 1] : 0;
     this.body = { rear, front, right, left, wheelbase, track };
+  }
+
+  // For a car whose data is still coming.
+  makeGrowable() {
+    for (const quantity of ["time", ...QUANTITIES]) this[quantity] = [];
+  }
+
+  // `rows` have the values of the columns of these names; angles go on where they were.
+  grow(rows, names) {
+    for (const row of rows) {
+      const before = this.yaw.at(-1);
+      names.forEach((name, column) => this[name].push(row[column]));
+      if (before !== undefined) this.yaw[this.yaw.length - 1] -= 2 * Math.PI * Math.round((this.yaw.at(-1) - before) / (2 * Math.PI));
+    }
+    this.end = this.time.at(-1) ?? 0;
   }
 
   get shape() {

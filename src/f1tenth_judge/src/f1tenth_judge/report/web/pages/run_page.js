@@ -30,14 +30,14 @@ export class RunPage {
     const { result } = this;
     return element("header.run-head", {},
       element("nav", {},
-        element("a", { href: "#" }, "← All runs"),
+        result.live ? null : element("a", { href: "#" }, "← All runs"),
         element("span.spring"),
         this.neighbour(-1, "←"), this.neighbour(1, "→")),
-      element("h1", {}, result.scenario, badge(result)),
+      element("h1", {}, result.scenario, result.live ? null : badge(result)),
       element("p.lead", {}, result.description),
       element("p.drivers", {}, ...who(result)),
       ...this.outcome(),
-      tiles(result));
+      result.live ? null : tiles(result));
   }
 
   // The verdict and why, and every criterion that failed besides.
@@ -71,7 +71,12 @@ export class RunPage {
     ].filter(Boolean);
   }
 
-  async load() {
+  /** @returns {void | Promise<void>} */
+  load() {
+    return this.read();
+  }
+
+  async read() {
     const [run, ghost] = await Promise.all([this.report.replay(this.index), this.report.previous(this.index)]);
     if (!this.closed) this.show(run, ghost);
   }
@@ -150,6 +155,11 @@ export class RunPage {
 
   close() {
     this.closed = true;
+    this.stop();
+  }
+
+  // What a replay keeps going.
+  stop() {
     this.player?.pause();
     removeEventListener("resize", this.onResize);
     removeEventListener("keydown", this.onKey);

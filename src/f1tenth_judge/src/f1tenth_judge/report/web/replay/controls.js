@@ -18,6 +18,7 @@ export class Controls {
     this.clock = element("output.clock");
     this.speed = element("select", { "aria-label": "speed", change: () => player.setSpeed(Number(this.speed.value)) },
       ...SPEEDS.map((speed) => element("option", { value: speed }, `${speed}×`)));
+    this.fastest = element("span");
     this.toggles = PARTS.map(([part, text]) => this.toggleButton(part, text));
     this.root = element("div.controls", {},
       element("div.transport", {}, this.button, element("div.timeline", {}, this.slider, ...this.marks(events)), this.clock),
@@ -64,12 +65,14 @@ export class Controls {
   legend() {
     const colours = SPEED_COLOURS.join(", ");
     return element("span.legend", {}, "0", element("span.ramp", { style: `background: linear-gradient(90deg, ${colours})` }),
-      formatNumber(this.view.fastest, 1, "m/s"));
+      this.fastest);
   }
 
   draw() {
     const { player, view } = this;
+    this.slider.max = player.end;
     this.slider.value = player.time;
+    this.fastest.textContent = formatNumber(view.fastest, 1, "m/s");
     this.clock.textContent = `${formatClock(player.time)} / ${formatClock(player.end)}`;
     this.speed.value = player.speed;
     this.button.textContent = player.playing ? "❚❚" : "▶";

@@ -2,6 +2,7 @@
 
 import { element, themeColours } from "../base/elements.js";
 import { indexAfter } from "../data/geometry.js";
+import { listenToPointers } from "./pointers.js";
 import { Painter } from "./painter.js";
 import { Viewport, boundingBox } from "./viewport.js";
 
@@ -15,12 +16,12 @@ export class View {
     this.ghost = ghost;
     this.contacts = contacts;
     this.shown = { scan: true, plans: true, ghost: true, follow: false };
-    this.fastest = Math.max(0.1, ...run.cars.map((car) => car.speed.reduce((most, each) => Math.max(most, each), 0)));
+    this.measure();
     this.viewport = new Viewport(boundingBox(run));
     this.canvas = element("canvas.map", { tabindex: "0", "aria-label": "Replay, seen from above" });
     this.still = document.createElement("canvas");
     this.time = 0;
-    this.listen();
+    listenToPointers(this.canvas, this);
   }
 
   get aspect() {
@@ -37,6 +38,16 @@ export class View {
     }
     this.viewport.resize(clientWidth, clientHeight);
     this.followWhereSmall();
+    this.refresh();
+  }
+
+  measure() {
+    this.fastest = Math.max(0.1, ...this.run.cars.map((car) => car.speed.reduce((most, each) => Math.max(most, each), 0)));
+  }
+
+  // The run has become longer.
+  grow() {
+    this.measure();
     this.refresh();
   }
 
@@ -172,39 +183,10 @@ export class View {
     painter.label(x, y, car.name, this.colours.text, 11, index % 2 ? 22 : -22); // beside a neighbour on the grid
   }
 
-  listen() {
-    const pointers = new Map();
-    const place = (event) => ({ x: event.offsetX, y: event.offsetY });
-    this.canvas.addEventListener("pointerdown", (event) => {
-      this.canvas.setPointerCapture(event.pointerId);
-      pointers.set(event.pointerId, place(event));
-    });
-    this.canvas.addEventListener("pointermove", (event) => {
-      if (pointers.has(event.pointerId)) this.drag(pointers, event.pointerId, place(event));
-    });
-    for (const end of ["pointerup", "pointercancel"]) {
-      this.canvas.addEventListener(end, (event) => pointers.delete(event.pointerId));
-    }
-    this.canvas.addEventListener("wheel", (event) => {
-      event.preventDefault();
-      this.zoom(Math.exp(-event.deltaY * 0.0015), place(event));
-    }, { passive: false });
-    this.canvas.addEventListener("dblclick", () => this.fit());
-  }
-
-  // One pointer moves the map, two zoom it.
-  drag(pointers, id, now) {
-    const before = pointers.get(id);
-    const other = [...pointers].find(([key]) => key !== id)?.[1];
-    pointers.set(id, now);
+  pan(dx, dy) {
     this.shown.follow = false;
-    if (other) {
-      const distance = (point) => Math.hypot(point.x - other.x, point.y - other.y);
-      this.zoom(distance(now) / Math.max(distance(before), 1), other);
-    } else {
-      this.viewport.pan(now.x - before.x, now.y - before.y);
-      this.refresh();
-    }
+    this.viewport.pan(dx, dy);
+    this.refresh();
   }
 
   zoom(factor, pixel) {

@@ -45,6 +45,10 @@ public:
   explicit Simulation(const PreparedWorld & world, const SimulationOptions & options = {});
   /// In a world of its own. @throws Error likewise, and as PreparedWorld does
   explicit Simulation(const WorldDescription & world, const SimulationOptions & options = {});
+  /// A state of a simulation, to go on from any number of times; never changes. A copy is the same snapshot.
+  class Snapshot;
+  /// As the simulation was when the snapshot was taken.
+  explicit Simulation(const Snapshot & snapshot);
   ~Simulation();
   Simulation(Simulation &&) noexcept;
   Simulation & operator=(Simulation &&) noexcept;
@@ -88,6 +92,11 @@ public:
   /// skid-steer or planar drive takes it as it is; linear_y, m/s to the left, is for planar drives only.
   /// @throws Error likewise, also beyond 1000 rad/s
   void commandTwist(CarId car, double linear_x, double angular_z, double linear_y = 0.0);
+
+  /// What simulations made from it do from then on is what this one does, bit for bit, for the same calls. For that, Box2D's
+  /// memory of contacts starts anew here as it does there: contacts that last are solved as if they had just begun.
+  /// @throws Error if a component cannot be copied (Component::clone)
+  Snapshot snapshot();
 
   CarState state(CarId car) const;
   WheelOdometry wheelOdometry(CarId car) const;
@@ -150,5 +159,12 @@ public:
 private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
+};
+
+class Simulation::Snapshot
+{
+private:
+  friend class Simulation;
+  std::shared_ptr<const Impl> impl_;
 };
 }  // namespace f1tenth_sim2d

@@ -16,6 +16,8 @@ class TrajectoryHash
 {
 public:
   TrajectoryHash();
+  TrajectoryHash(const TrajectoryHash & other);
+  TrajectoryHash & operator=(const TrajectoryHash & other);
 
   void add(const Simulation & simulation);
   /// Digest of everything added so far, 64 hexadecimal digits; more may be added afterwards.

@@ -129,6 +129,39 @@ void Environment::record(const std::string & file)
   }
 }
 
+Episode Environment::snapshot() const
+{
+  refuseRecording();
+  Episode episode{{}, ids_, pedals_, results_, steps_};
+  if (simulation_) {
+    episode.simulation = simulation_->snapshot();
+  }
+  return episode;
+}
+
+void Environment::restore(const Episode & episode)
+{
+  refuseRecording();
+  if (episode.simulation && episode.ids.size() != options_.cars.size()) {
+    throw Error(
+      "an episode of " + std::to_string(episode.ids.size()) + " cars, allowed are " +
+      std::to_string(options_.cars.size()));
+  }
+  auto simulation = episode.simulation ? std::make_unique<Simulation>(*episode.simulation) : nullptr;
+  ids_ = episode.ids;
+  pedals_ = episode.pedals;
+  results_ = episode.results;
+  steps_ = episode.steps;
+  simulation_ = std::move(simulation);
+}
+
+void Environment::refuseRecording() const
+{
+  if (log_) {
+    throw Error("an episode that is recorded cannot be copied or replaced");
+  }
+}
+
 void Environment::log()
 {
   if (!log_) {

@@ -54,6 +54,16 @@ private:
   double steering_angle_{0.0};  ///< rad, likewise
 };
 
+/// An episode at some moment, to go on from; before the first reset there is no simulation.
+struct Episode
+{
+  std::optional<Simulation::Snapshot> simulation;
+  std::vector<CarId> ids;
+  std::vector<Pedals> pedals;
+  std::vector<CarResult> results;
+  std::int64_t steps;
+};
+
 /// One simulation that is driven by actions, period by period, and answers with observations.
 class Environment
 {
@@ -78,6 +88,11 @@ public:
   /// @throws Error before the first reset, or if the file cannot be written
   void record(const std::string & file);
 
+  /// An episode as it stands. @throws Error while it is recorded, or as Simulation::snapshot
+  Episode snapshot() const;
+  /// @throws Error for another number of cars, or while an episode is recorded
+  void restore(const Episode & episode);
+
   const std::vector<CarResult> & cars() const { return results_; }
   double time() const { return simulation_ ? toSeconds(simulation_->time()) : 0.0; }  ///< s
   /// Rows of all cars, one after the other.
@@ -88,6 +103,7 @@ private:
   void look();
   void log();
   void measure(CarResult & car, const CarState & state) const;
+  void refuseRecording() const;
 
   PreparedWorld world_;
   const EnvironmentOptions & options_;

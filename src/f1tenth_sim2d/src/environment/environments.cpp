@@ -50,6 +50,12 @@ void Environments::reset(std::size_t index, std::uint64_t seed, const std::vecto
   publish(index);
 }
 
+void Environments::restore(std::size_t index, const Episode & episode)
+{
+  environments_.at(index).restore(episode);
+  publish(index);
+}
+
 void Environments::step(const Action * actions, const std::uint8_t * driven)
 {
   pool_.run(count(), [&](std::size_t index) {

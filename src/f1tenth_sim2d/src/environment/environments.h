@@ -30,6 +30,11 @@ public:
   /// Writes what the cars of one environment do. @throws Error as Environment::record
   void record(std::size_t index, const std::string & file) { environments_.at(index).record(file); }
 
+  /// The episode of one environment, for any environment of the same options. @throws Error as Environment::snapshot
+  Episode snapshot(std::size_t index) const { return environments_.at(index).snapshot(); }
+  /// @throws Error as Environment::restore
+  void restore(std::size_t index, const Episode & episode);
+
   /// Drives all by one period, except those of which no car is driven.
   /// @param actions  of all cars of all environments
   /// @param driven   likewise; see Environment::step

@@ -52,6 +52,8 @@ void bindCourse(py::module_ & module)
 Raises:
     Error: fewer than three points, one that is not finite or the same as the next.
 )")
+    .def(
+      "__deepcopy__", [](const py::object & course, const py::dict &) { return course; }, py::arg("memo"))
     .def_property_readonly("length", &Course::length, "m.")
     .def(
       "pose",
@@ -107,6 +109,18 @@ void record(PythonEnvironments & environments, std::size_t index, const std::str
 {
   const Turn turn(environments.taken());
   environments.record(index, file);
+}
+
+Episode snapshot(PythonEnvironments & environments, std::size_t index)
+{
+  const Turn turn(environments.taken());
+  return environments.snapshot(index);
+}
+
+void restore(PythonEnvironments & environments, std::size_t index, const Episode & episode)
+{
+  const Turn turn(environments.taken());
+  environments.restore(index, episode);
 }
 
 void step(PythonEnvironments & environments, const Doubles & actions, const Flags & driven)
@@ -173,6 +187,7 @@ void bindEnvironments(py::module_ & module)
   PYBIND11_NUMPY_DTYPE(
     CarResult, x, y, yaw, v_x, v_y, yaw_rate, steering_angle, course_distance, course_offset, course_heading, progress,
     distance, laps, contact);
+  py::class_<Episode>(module, "Episode", "An episode of an environment at some moment; never changes.");
   py::class_<PythonEnvironments> type(
     module, "Environments",
     R"(Simulations of one world, stepped together by several threads, for what learns from many at once.
@@ -222,6 +237,25 @@ Args:
     actions: float64 array of shape (count, cars, 2).
     driven: bool array of shape (count, cars): a car that nobody drives stops, and an environment in which nobody drives
         stands still in time.
+)");
+  type
+    .def(
+      "snapshot", &snapshot, py::arg("index"),
+      R"(The episode of one environment as it is now, for restore; see Simulation.snapshot.
+
+Raises:
+    Error: it is recorded, or a component of a car cannot be copied.
+)")
+    .def(
+      "restore", &restore, py::arg("index"), py::arg("episode"),
+      R"(Go on with an episode in one environment.
+
+Args:
+    index: of the environment.
+    episode: from snapshot, of an environment of the same settings; it serves any number of times.
+
+Raises:
+    Error: an episode of another number of cars, or what goes on there is recorded.
 )");
   type.def(
     "record", &record, py::arg("index"), py::arg("file"),

@@ -89,6 +89,22 @@ PythonSimulation::PythonSimulation(PythonWorld & world, double physics_step, std
   }
 }
 
+PythonSimulation::PythonSimulation(const Snapshot & snapshot)
+: Simulation(snapshot.simulation),
+  control_period_(snapshot.control_period),
+  hash_(snapshot.hash),
+  periods_(snapshot.periods)
+{
+}
+
+void PythonSimulation::restore(const Snapshot & snapshot)
+{
+  Simulation::operator=(Simulation(snapshot.simulation));
+  control_period_ = snapshot.control_period;
+  hash_ = snapshot.hash;
+  periods_ = snapshot.periods;
+}
+
 CarId PythonSimulation::addCar(
   const CarDescription & car, const std::optional<VehicleParameters> & parameters, double x, double y, double yaw)
 {
@@ -102,13 +118,14 @@ void PythonSimulation::placeCar(CarId car, double x, double y, double yaw, doubl
 
 SimTime PythonSimulation::periodEnd() const
 {
-  return fromSeconds(static_cast<double>(log_.periods() + 1) * control_period_);
+  return fromSeconds(static_cast<double>(periods_ + 1) * control_period_);
 }
 
 void PythonSimulation::hashPeriod()
 {
   if (Simulation::time() >= periodEnd()) {
-    log_.endPeriod();
+    hash_.add(*this);
+    ++periods_;
   }
 }
 
@@ -138,7 +155,8 @@ void PythonSimulation::advanceTo(double end)
 void PythonSimulation::reset()
 {
   Simulation::reset();
-  log_.restart();
+  hash_.reset();
+  periods_ = 0;
 }
 
 py::array_t<double> PythonSimulation::poses() const

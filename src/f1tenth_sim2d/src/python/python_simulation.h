@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/simulation/trajectory_log.h"
 #include "f1tenth_sim2d/simulation.h"
+#include "f1tenth_sim2d/trajectory_hash.h"
 #include "python/python_world.h"
 
 namespace f1tenth_sim2d
@@ -19,6 +19,18 @@ class PythonSimulation : public Simulation
 public:
   /// @param control_period  s, of the trajectory hash
   PythonSimulation(PythonWorld & world, double physics_step, std::uint64_t seed, double control_period);
+
+  /// A moment to go back to.
+  struct Snapshot
+  {
+    Simulation::Snapshot simulation;
+    TrajectoryHash hash;
+    std::int64_t periods;
+    double control_period;
+  };
+  explicit PythonSimulation(const Snapshot & snapshot);
+  Snapshot snapshot() { return {Simulation::snapshot(), hash_, periods_, control_period_}; }
+  void restore(const Snapshot & snapshot);
 
   /// For whoever uses this: see Turn.
   std::atomic_flag & taken() { return taken_; }
@@ -32,7 +44,7 @@ public:
   /// The caller has released the GIL. @throws pybind11::error_already_set if a signal arrived that raises
   void advanceTo(double end);
   void reset();
-  std::string trajectoryHash() const { return log_.hash(); }
+  std::string trajectoryHash() const { return hash_.hexDigest(); }
 
   void command(CarId car, double speed, double steering_angle) { Simulation::command(car, {speed, steering_angle}); }
 
@@ -59,7 +71,8 @@ private:
   void scanInto(float * ranges, CarId car, std::size_t lidar, bool exact) const;
 
   double control_period_;  ///< s
-  TrajectoryLog log_{*this, ""};
+  TrajectoryHash hash_;
+  std::int64_t periods_{0};  ///< in the hash
   std::atomic_flag taken_ = ATOMIC_FLAG_INIT;
 };
 }  // namespace f1tenth_sim2d

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "f1tenth_sim2d/simulation.h"
 #include "f1tenth_sim2d/world_model.h"
@@ -12,7 +14,18 @@ namespace f1tenth_sim2d
 class PythonWorld
 {
 public:
-  explicit PythonWorld(WorldDescription description) : loaded_(std::move(description)) {}
+  /// What it is read from; no file for the empty world.
+  struct Source
+  {
+    std::string file;
+    std::optional<std::vector<std::string>> model_path;
+  };
+
+  PythonWorld(WorldDescription description, Source source) : source_(std::move(source)), loaded_(std::move(description))
+  {
+  }
+
+  const Source & source() const { return source_; }
 
   const WorldDescription & description() const { return prepared_ ? prepared_->description() : *loaded_; }
 
@@ -27,6 +40,7 @@ public:
   }
 
 private:
+  Source source_;
   std::optional<WorldDescription> loaded_;  // until it is prepared
   std::optional<PreparedWorld> prepared_;
 };

@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 
 #include <cstdint>
+#include <memory>
 
 #include "python/bindings.h"
 #include "python/python_simulation.h"
@@ -47,6 +48,26 @@ void bindTime(Class & type)
     .def(
       "advance_to", inTurn<S>(&S::advanceTo), py::arg("time"),
       "Step until the simulated time is at least `time`, s. Ctrl-C ends it earlier.", ReleaseGil())
+    .def(
+      "snapshot", inTurn<S>(&S::snapshot),
+      R"(This moment, for restore: with all cars, their commands and components, models, time, noise and hash.
+
+What is restored does from then on what this simulation does, bit for bit, for the same calls. For that, contacts that last
+are solved from here on as if they had just begun, here as there; a drive in which nothing touches is not changed by it.
+
+Raises:
+    Error: a component of a car cannot be copied.
+)")
+    .def(
+      "restore", inTurn<S>(&S::restore), py::arg("snapshot"),
+      "Go back to a moment of this simulation, or on from one of another. A snapshot serves any number of times.")
+    .def(
+      "__deepcopy__",
+      [](S & simulation, const py::dict &) {
+        const Turn turn(simulation.taken());
+        return std::make_unique<S>(simulation.snapshot());
+      },
+      py::arg("memo"))
     .def("reset", inTurn<S>(&S::reset), "Back to time 0, with all cars at their start and the same seed.")
     .def(
       "trajectory_hash", inTurn<S>(&S::trajectoryHash),
@@ -231,6 +252,7 @@ Raises:
 
 void bindSimulation(py::module_ & module)
 {
+  py::class_<S::Snapshot>(module, "Snapshot", "A moment of a Simulation; never changes.");
   Class type(
     module, "Simulation",
     R"(A world with cars in it, advanced in fixed steps. The same calls with the same seed give the same states, bit for

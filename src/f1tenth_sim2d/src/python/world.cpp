@@ -47,8 +47,27 @@ py::tuple sectionOfModel(const ModelDescription & model, double z)
 
 PythonWorld load(const std::filesystem::path & path, const std::optional<std::vector<std::string>> & model_path)
 {
-  return PythonWorld(loadWorld(path.string(), model_path ? SearchPath{*model_path, {}} : searchPathFromEnvironment()));
+  return {
+    loadWorld(path.string(), model_path ? SearchPath{*model_path, {}} : searchPathFromEnvironment()),
+    {std::filesystem::absolute(path).string(), model_path}};
 }
+
+PythonWorld empty()
+{
+  return {emptyWorld(), {}};
+}
+
+py::tuple toPickle(const PythonWorld & world)
+{
+  return py::make_tuple(world.source().file, world.source().model_path);
+}
+
+PythonWorld fromPickle(const py::tuple & source)
+{
+  const auto file = source[0].cast<std::string>();
+  return file.empty() ? empty() : load(file, source[1].cast<std::optional<std::vector<std::string>>>());
+}
+
 /// Reads a member of the description.
 template <typename Member>
 auto part(Member WorldDescription::*member)
@@ -92,7 +111,13 @@ void bindWorld(py::module_ & module)
       "section", &sectionOfModel, py::arg("z"),
       "What a level lidar at height z (m) sees of the model at its start: as World.section, which see.");
 
-  py::class_<PythonWorld>(module, "World", "A world as its file describes it; see load_world.")
+  py::class_<PythonWorld>(module, "World", R"(A world as its file describes it; see load_world.
+
+It never changes, so a copy is the same world. Pickled, it is the name of its file, which is read again.)")
+    .def(py::pickle(&toPickle, &fromPickle))
+    .def("__copy__", [](const py::object & world) { return world; })
+    .def(
+      "__deepcopy__", [](const py::object & world, const py::dict &) { return world; }, py::arg("memo"))
     .def_property_readonly("file", part(&WorldDescription::file), "Path it was read from.")
     .def_property_readonly("name", part(&WorldDescription::name))
     .def_property_readonly("gravity", part(&WorldDescription::gravity), "Downwards, m/s^2.")
@@ -168,7 +193,6 @@ Returns:
 Raises:
     LoadError: malformed text, or something that would make the simulation wrong.
 )");
-  module.def(
-    "empty_world", [] { return PythonWorld(emptyWorld()); }, "The ground and nothing on it.");
+  module.def("empty_world", &empty, "The ground and nothing on it.");
 }
 }  // namespace f1tenth_sim2d

@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 
 #include "core/car/vehicle_dynamics.h"
 #include "core/car/wheel_odometry.h"
+#include "core/math/cloned.h"
 #include "core/math/planar_motion.h"
 #include "f1tenth_sim2d/car_model.h"
 #include "f1tenth_sim2d/simulation_types.h"
@@ -56,7 +56,7 @@ public:
 private:
   VehicleParameters parameters_;
   Pose2 start_;
-  std::unique_ptr<VehicleDynamics> dynamics_;
+  Cloned<VehicleDynamics> dynamics_;
   WheelOdometryIntegrator odometry_;
   BodyState state_;
   BodyState predicted_;

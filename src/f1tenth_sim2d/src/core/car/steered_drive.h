@@ -4,6 +4,7 @@
 
 #include "core/car/actuation.h"
 #include "core/car/vehicle_dynamics.h"
+#include "core/math/cloned.h"
 #include "core/models/steered_model.h"
 
 namespace f1tenth_sim2d
@@ -13,6 +14,7 @@ class SteeredDrive : public VehicleDynamics
 {
 public:
   SteeredDrive(const CarDescription & car, const VehicleParameters & parameters, std::unique_ptr<SteeredModel> model);
+  std::unique_ptr<VehicleDynamics> clone() const override { return std::make_unique<SteeredDrive>(*this); }
 
   void restart() override;
   void place(const BodyState & state) override;
@@ -28,6 +30,6 @@ private:
   const double track_width_;   ///< m
   const double wheel_radius_;  ///< m
   Actuation actuation_;
-  std::unique_ptr<SteeredModel> model_;
+  Cloned<SteeredModel> model_;
 };
 }  // namespace f1tenth_sim2d

@@ -19,6 +19,7 @@ public:
 
   /// @param car  that has such a drive
   TwistDrive(const CarDescription & car, const VehicleParameters & parameters);
+  std::unique_ptr<VehicleDynamics> clone() const override { return std::make_unique<TwistDrive>(*this); }
 
   void restart() override;
   void command(const DriveCommand & command, SimTime now) override;

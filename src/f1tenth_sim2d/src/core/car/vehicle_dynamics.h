@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include "core/models/body_state.h"
 #include "f1tenth_sim2d/car_model.h"
@@ -20,6 +21,7 @@ class VehicleDynamics
 {
 public:
   virtual ~VehicleDynamics() = default;
+  virtual std::unique_ptr<VehicleDynamics> clone() const = 0;
 
   /// Forgets all commands.
   virtual void restart() = 0;

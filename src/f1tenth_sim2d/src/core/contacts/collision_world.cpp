@@ -62,6 +62,7 @@ void CollisionWorld::addBodies()
     const ModelDescription & model = description_.models[i];
     b2Body * body = model.is_static ? static_body_ : addMovable(model, pieces_.bodies()[i]);
     model_bodies_.push_back(body);
+    have_moved_.push_back(false);
     if (!model.is_static) {
       movables_.push_back({{body, outerRadius(wholePieces(i)), {}}, i});
     }
@@ -171,8 +172,13 @@ void CollisionWorld::step(double dt, double travel)
     recorder_.beginSubstep();
     world_.Step(static_cast<float>(dt / substeps), kVelocityIterations, kPositionIterations);
   }
-  is_awake_ = std::any_of(
-    movables_.begin(), movables_.end(), [](const Movable & movable) { return movable.participant.body->IsAwake(); });
+  is_awake_ = false;
+  for (const Movable & movable : movables_) {
+    if (movable.participant.body->IsAwake()) {
+      is_awake_ = true;
+      have_moved_[movable.model] = true;
+    }
+  }
 }
 
 void CollisionWorld::surroundParticipants(double travel)
@@ -258,9 +264,7 @@ Pose2 CollisionWorld::modelPose(std::size_t model) const
     return planar(description.pose);
   }
   const ModelBody & start = pieces_.bodies()[model];
-  if (
-    body.GetAngle() == static_cast<float>(start.frame.yaw) &&
-    body.GetPosition() == toBox(Transform2(start.frame).apply(start.centre_of_mass))) {
+  if (!have_moved_[model]) {
     return start.frame;
   }
   const Vec2 position = fromBox(body.GetPosition());
@@ -286,7 +290,7 @@ void CollisionWorld::placeModel(std::size_t model, const ModelState & state)
   const Vec2 velocity = velocityAt(state.velocity, state.yaw_rate, arm);
   setMotion(
     model, {toBox(state.pose.position() + arm), static_cast<float>(state.pose.yaw), toBox(velocity),
-            static_cast<float>(state.yaw_rate), true, true});
+            static_cast<float>(state.yaw_rate), true, true, true});
 }
 
 std::vector<ModelMotion> CollisionWorld::motions() const
@@ -294,8 +298,14 @@ std::vector<ModelMotion> CollisionWorld::motions() const
   std::vector<ModelMotion> motions(model_bodies_.size());
   for (const Movable & movable : movables_) {
     const b2Body & body = *movable.participant.body;
-    motions[movable.model] = {body.GetPosition(),        body.GetAngle(), body.GetLinearVelocity(),
-                              body.GetAngularVelocity(), body.IsAwake(),  true};
+    motions[movable.model] = {
+      body.GetPosition(),
+      body.GetAngle(),
+      body.GetLinearVelocity(),
+      body.GetAngularVelocity(),
+      body.IsAwake(),
+      have_moved_[movable.model],
+      true};
   }
   return motions;
 }
@@ -313,6 +323,7 @@ void CollisionWorld::setMotion(std::size_t model, const ModelMotion & motion)
 {
   b2Body & body = *model_bodies_[model];
   is_pristine_ = false;
+  have_moved_[model] = motion.moved;
   body.SetTransform(motion.centre, motion.angle);
   body.SetAwake(motion.awake);
   if (motion.awake) {

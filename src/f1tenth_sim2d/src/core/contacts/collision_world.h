@@ -23,6 +23,7 @@ struct ModelMotion
   b2Vec2 velocity{0.0F, 0.0F};
   float yaw_rate{0.0F};
   bool awake{false};
+  bool moved{false};  ///< false: it stands where it started, to the last bit
   bool known{false};  ///< false: as the world says
 };
 
@@ -133,6 +134,7 @@ private:
   b2World world_{b2Vec2_zero};
   b2Body * static_body_;
   std::vector<b2Body *> model_bodies_;  ///< by model; the static body for all static ones
+  std::vector<bool> have_moved_;        ///< by model: whether it was ever anywhere else than where it started
   std::vector<Movable> movables_;
   std::vector<CarBody *> cars_;
   std::vector<Known> known_;  ///< whole solids, then layers in the order in which cars brought them

@@ -10,6 +10,7 @@ class Kinematic : public SteeredModel
 {
 public:
   explicit Kinematic(const VehicleParameters & parameters);
+  std::unique_ptr<SteeredModel> clone() const override { return std::make_unique<Kinematic>(*this); }
 
   void advance(BodyState & state, const SteeredInput & input, double dt) override;
 

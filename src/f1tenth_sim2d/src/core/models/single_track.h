@@ -11,6 +11,7 @@ class SingleTrack : public SteeredModel
 {
 public:
   explicit SingleTrack(const VehicleParameters & parameters);
+  std::unique_ptr<SteeredModel> clone() const override { return std::make_unique<SingleTrack>(*this); }
 
   void restart(const BodyState & state) override;
   void advance(BodyState & state, const SteeredInput & input, double dt) override;

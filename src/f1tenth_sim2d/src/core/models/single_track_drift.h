@@ -15,6 +15,7 @@ class SingleTrackDrift : public SteeredModel
 {
 public:
   explicit SingleTrackDrift(const VehicleParameters & parameters);
+  std::unique_ptr<SteeredModel> clone() const override { return std::make_unique<SingleTrackDrift>(*this); }
 
   void restart(const BodyState & state) override;
   void advance(BodyState & state, const SteeredInput & input, double dt) override;

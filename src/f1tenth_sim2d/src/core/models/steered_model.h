@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include "core/models/body_state.h"
@@ -31,6 +32,7 @@ class SteeredModel
 {
 public:
   virtual ~SteeredModel() = default;
+  virtual std::unique_ptr<SteeredModel> clone() const = 0;
 
   /// The car was put somewhere: the model's own state is set from this one.
   virtual void restart(const BodyState & /*state*/) {}

@@ -24,6 +24,13 @@ std::string text(CarId id)
 }
 }  // namespace
 
+CarRegistry::CarRegistry(const CarRegistry & other) : ids_(other.ids_), next_id_(other.next_id_)
+{
+  for (const auto & car : other.cars_) {
+    cars_.push_back(std::make_unique<RegisteredCar>(*car));
+  }
+}
+
 std::size_t CarRegistry::indexOf(CarId id) const
 {
   const auto found = std::lower_bound(ids_.begin(), ids_.end(), id);

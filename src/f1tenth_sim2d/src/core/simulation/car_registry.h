@@ -13,6 +13,10 @@ namespace f1tenth_sim2d
 class CarRegistry
 {
 public:
+  CarRegistry() = default;
+  /// With copies of the cars.
+  CarRegistry(const CarRegistry & other);
+
   const Cars & cars() const { return cars_; }
   const std::vector<CarId> & ids() const { return ids_; }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/components/lidar/lidar.h"
+#include "f1tenth_sim2d/errors.h"
 
 namespace f1tenth_sim2d
 {
@@ -20,6 +21,23 @@ RegisteredCar::RegisteredCar(
   }
   for (const auto & prototype : description.components) {
     mount(prototype->clone());
+  }
+}
+
+RegisteredCar::RegisteredCar(const RegisteredCar & other)
+: id(other.id),
+  noise_stream(other.noise_stream),
+  description(other.description),
+  car(other.car),
+  body(std::make_unique<CarBody>(*other.body)),
+  contacts(other.contacts)
+{
+  for (const auto & component : other.components) {
+    std::shared_ptr<Component> copy = component->clone();
+    if (!copy) {
+      throw Error(description.name + ": the component " + component->mount().name + " cannot be copied");
+    }
+    mount(std::move(copy));
   }
 }
 

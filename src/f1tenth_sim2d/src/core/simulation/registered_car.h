@@ -30,6 +30,9 @@ struct RegisteredCar
   RegisteredCar(
     CarId car_id, std::uint32_t stream, const CarDescription & car_description, const VehicleParameters & parameters,
     const Pose2 & start, std::uint64_t seed, const WorldPieces & world);
+  /// With a body that no world has, and copies of all components.
+  /// @throws Error for a component that cannot be copied
+  RegisteredCar(const RegisteredCar & other);
 
   void mount(std::shared_ptr<Component> component);
   std::unique_ptr<CarBody> makeBody(const WorldPieces & world) const;

@@ -27,6 +27,8 @@ Simulation::Simulation(const WorldDescription & world, const SimulationOptions &
 {
 }
 
+Simulation::Simulation(const Snapshot & snapshot) : impl_(std::make_unique<Impl>(*snapshot.impl_)) {}
+
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation &&) noexcept = default;
 Simulation & Simulation::operator=(Simulation &&) noexcept = default;
@@ -175,6 +177,14 @@ void Simulation::commandTwist(CarId car, double linear_x, double angular_z, doub
   RegisteredCar & driven = impl_->car(car);
   validateTwist({linear_x, linear_y}, angular_z, driven.description.name);
   driven.car.command(TwistCommand{{linear_x, linear_y}, angular_z}, impl_->time);
+}
+
+Simulation::Snapshot Simulation::snapshot()
+{
+  Snapshot snapshot;
+  snapshot.impl_ = std::make_shared<const Impl>(*impl_);
+  impl_->renewCollisions(*impl_->collisions);
+  return snapshot;
 }
 
 CarState Simulation::state(CarId car) const

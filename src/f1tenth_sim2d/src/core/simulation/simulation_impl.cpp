@@ -32,6 +32,19 @@ Simulation::Impl::Impl(std::shared_ptr<const WorldGeometry> world, const Simulat
   }
 }
 
+Simulation::Impl::Impl(const Impl & other)
+: geometry(other.geometry),
+  options(other.options),
+  step_length(other.step_length),
+  dt(other.dt),
+  time(other.time),
+  start_poses(other.start_poses),
+  models_moved(other.models_moved),
+  registry(other.registry)
+{
+  renewCollisions(*other.collisions);
+}
+
 void Simulation::Impl::letIn(std::unique_ptr<RegisteredCar> car)
 {
   registry.reserve();
@@ -92,6 +105,14 @@ void Simulation::Impl::enter(std::unique_ptr<CollisionWorld> entered) noexcept
     collisions->add(*car->body);
   }
   forgetSurroundings(cars());
+}
+
+void Simulation::Impl::renewCollisions(const CollisionWorld & other)
+{
+  const bool is_pristine = other.isPristine();
+  const std::vector<ModelMotion> motions = is_pristine ? std::vector<ModelMotion>() : other.motions();
+  enter(emptyCollisions());
+  collisions->setMotions(motions);
 }
 
 void Simulation::Impl::returnModels()

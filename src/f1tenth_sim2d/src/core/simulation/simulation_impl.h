@@ -20,6 +20,7 @@ struct Simulation::Impl : MovingPoses
   using Scenes = std::deque<LidarScene>;
 
   Impl(std::shared_ptr<const WorldGeometry> world, const SimulationOptions & wanted);
+  Impl(const Impl & other);
 
   RegisteredCar & car(CarId id) const { return registry.at(id); }
   const Cars & cars() const { return registry.cars(); }
@@ -40,6 +41,8 @@ struct Simulation::Impl : MovingPoses
   std::unique_ptr<CollisionWorld> emptyCollisions() const;
   void enter(std::unique_ptr<CollisionWorld> entered) noexcept;
   void returnModels();
+  /// Begins the rigid-body world anew, with all bodies as in another one; not one as built, which stays so.
+  void renewCollisions(const CollisionWorld & other);
 
   std::shared_ptr<const WorldGeometry> geometry;
   SimulationOptions options;

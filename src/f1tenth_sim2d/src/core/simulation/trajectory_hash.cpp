@@ -30,6 +30,17 @@ TrajectoryHash::TrajectoryHash() : context_(EVP_MD_CTX_new())
   reset();
 }
 
+TrajectoryHash::TrajectoryHash(const TrajectoryHash & other) : context_(EVP_MD_CTX_new())
+{
+  *this = other;
+}
+
+TrajectoryHash & TrajectoryHash::operator=(const TrajectoryHash & other)
+{
+  check(EVP_MD_CTX_copy_ex(context_.get(), other.context_.get()));
+  return *this;
+}
+
 void TrajectoryHash::reset()
 {
   check(EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr));
@@ -45,11 +56,10 @@ void TrajectoryHash::add(const Simulation & simulation)
 // Finalizing ends a digest, so a copy is finalized.
 std::string TrajectoryHash::hexDigest() const
 {
-  const std::unique_ptr<Context, Free> copy(EVP_MD_CTX_new());
-  check(EVP_MD_CTX_copy_ex(copy.get(), context_.get()));
+  const TrajectoryHash copy(*this);
   std::array<std::uint8_t, EVP_MAX_MD_SIZE> digest{};
   unsigned int size = 0;
-  check(EVP_DigestFinal_ex(copy.get(), digest.data(), &size));
+  check(EVP_DigestFinal_ex(copy.context_.get(), digest.data(), &size));
   std::string text;
   boost::algorithm::hex_lower(digest.begin(), digest.begin() + size, std::back_inserter(text));
   return text;

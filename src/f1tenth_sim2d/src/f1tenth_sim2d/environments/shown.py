@@ -16,6 +16,16 @@ class ShownEnv:
         self._recorder = recorder_into(record, self._stage)
         self._closed = False
 
+    def __getstate__(self):
+        """For copy and pickle.
+
+        Raises:
+            TypeError: it is recorded or shown in a window, which two cannot share.
+        """
+        if self._recorder or self.render_mode == "human":
+            raise TypeError("a recorded environment, and one in a window, cannot be copied or pickled")
+        return self.__dict__
+
     def render(self):
         """Return the picture from above: uint8 array of shape (height, width, 3); None unless rgb_array."""
         self._require_open()

@@ -40,15 +40,48 @@ class Stage:
         self._parameters = self.cars[0].parameters
         self._require_vehicle()
         self._require_speeds()
+        self._made_with = (count, threads, names)
+        self._has_begun = False
         self._environments = self._build(count, threads)
+        self._view_memory()
+        self.car_space = self._car_space()
+        self._action_low, self._action_high = self._action_limits()
+        self.action_space = self._action_space()
+
+    def __deepcopy__(self, memo):
+        """Return a stage whose episodes go on as these do, bit for bit.
+
+        Raises:
+            f1tenth_sim2d.Error: an episode is recorded.
+        """
+        other = Stage.__new__(Stage)
+        other.__dict__.update(self.__dict__)
+        other._environments = self._build(*self._made_with[:2])
+        for index in range(self._made_with[0]):
+            other._environments.restore(index, self._environments.snapshot(index))
+        other._view_memory()
+        return other
+
+    def __reduce__(self):
+        """For pickle: the settings.
+
+        Raises:
+            TypeError: an episode has begun; what it is made of has no form outside of memory.
+        """
+        if self._has_begun:
+            raise TypeError(
+                "an episode cannot be pickled: pickle the environment before its first reset, "
+                "or copy it within the process with copy.deepcopy"
+            )
+        settings = {each.name: getattr(self.settings, each.name) for each in dataclasses.fields(Settings)}
+        return Stage, (settings, *self._made_with)
+
+    def _view_memory(self):
         self.results = self._environments.results
         # The same memory as plain numbers: fields of a structured array are slow to access.
         self._names = self.results.dtype.names
         self._numbers = self.results.view(np.float64).reshape(*self.results.shape, -1)
         self.times = self._environments.times
-        self.car_space = self._car_space()
-        self._action_low, self._action_high = self._action_limits()
-        self.action_space = self._action_space()
 
     def _require_course(self):
         needs = [part for part in ("course", "laps") if part in self.settings.observation]
@@ -111,6 +144,7 @@ class Stage:
     def begin(self, index: int, rng: np.random.Generator, options=None):
         """Begin an episode of one environment; see begin_episode."""
         begin_episode(self._environments, index, self, rng, options)
+        self._has_begun = True
 
     def record(self, file):
         """Write what the cars of the first environment do; see Environments.record.

@@ -42,6 +42,18 @@ def test_summary_has_no_reference_for_what_is_no_lap_of_a_circuit(tmp_path):
     assert "reference:" not in summary(run.execute(), run.plan)
 
 
+def test_summary_compares_a_lap_of_a_track_with_the_raceline_beside_it(tmp_path):
+    raceline = tmp_path / "square_raceline.csv"
+    raceline.write_text("".join(f"0; {x}; {y}; 0; 0; 2.0; 0\n" for x, y in ((0, 0), (4, 0), (4, 4), (0, 4))))
+    run = FakeRun(tmp_path, dataclasses.replace(scenario(), world="circuit2")).records(4.0)
+    run.plan = dataclasses.replace(run.plan, place=dataclasses.replace(run.plan.place, raceline=raceline))
+    run.hears(racing(), finished(3.0))
+    assert (
+        "reference:         8.000 s (square_raceline.csv at its speeds);"
+        " this lap, from standstill, took 0.38 times as long"
+    ) in summary(run.execute(), run.plan).splitlines()
+
+
 def test_summary_of_a_failure_quotes_the_culprit(tmp_path):
     run = FakeRun(tmp_path).records(1.0).hears(failure=died())
     lines = summary(run.execute(), run.plan).splitlines()

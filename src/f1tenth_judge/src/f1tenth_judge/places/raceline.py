@@ -24,6 +24,12 @@ class Raceline:
     speed: np.ndarray  # m/s; infinite where the line does not say
     room: float = 0.05  # m, by which a car may leave it: a raceline goes close to walls
 
+    @property
+    def lap_time(self) -> float:
+        """A lap along it at its speeds, s."""
+        way = np.hypot(np.roll(self.x, -1) - self.x, np.roll(self.y, -1) - self.y)
+        return float((2.0 * way / (self.speed + np.roll(self.speed, -1))).sum())
+
 
 def kept_inside(line: Raceline, course: Course) -> Raceline:
     """The line where it is far enough from the road's edges for a car; elsewhere moved towards the middle."""

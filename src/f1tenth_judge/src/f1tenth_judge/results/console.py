@@ -8,8 +8,10 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Optional, TextIO
 
+from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.judge.criterion import Status
 from f1tenth_judge.judge.driving_criteria import least_clearance
+from f1tenth_judge.places.raceline import read_raceline
 from f1tenth_judge.plan.handover import offered_arguments
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.files import PICTURE_FILE, RESULT_FILE
@@ -132,13 +134,22 @@ def _arguments(plan):
 
 
 def _reference(result, plan):
-    fastest = reference_lap(plan.scenario)
+    fastest, what = reference_lap(plan.scenario), "fastest flying lap possible"
+    if fastest is None and plan.place.raceline:
+        fastest, what = _along(plan.place.raceline), f"{plan.place.raceline.name} at its speeds"
     if fastest and result.best_lap_time:
         times = result.best_lap_time / fastest
         several = plan.scenario.laps > 1 or any(task.laps > 1 for task in plan.tasks.values())
         lap = "the best lap" if several else "this lap, from standstill,"
-        compared = f"{lap} took {times:.2f} times as long"
-        yield "reference", f"{fastest:.3f} s (fastest flying lap possible); {compared}"
+        yield "reference", f"{fastest:.3f} s ({what}); {lap} took {times:.2f} times as long"
+
+
+def _along(raceline):
+    """Time of a lap, s; None of a file that cannot be read."""
+    try:
+        return read_raceline(raceline).lap_time
+    except ScenarioError:
+        return None
 
 
 def _all_laps(result, plan):

@@ -12,9 +12,10 @@ import json, pathlib, sys
 arguments = sys.argv[1:]
 folder = pathlib.Path(arguments[arguments.index("--results") + 1])
 settings = [value for option, value in zip(arguments, arguments[1:]) if option == "--set"]
+names = [value for option, value in zip(arguments, arguments[1:]) if option == "--name"]
 root = pathlib.Path(__file__).parent
 with open(root / "log", "a") as log:
-    log.write(folder.name + "\\n")
+    log.write((names or [folder.name])[0] + "\\n")
 if "seed=13" in settings:
     sys.exit("bad luck")
 if (root / "silent").exists():
@@ -24,8 +25,7 @@ lap = 10.0 + float(values.get("mu", 0)) + len((root / "log").read_text()) * (roo
 result = {"verdict": "success", "passed": values.get("seed") != "2", "settings": settings, "culprit": None,
           "times": {"lap_time": lap, "cost": 3.0}, "minimum_clearance": 0.25, "trajectory_hash": str(lap),
           "reason": "ok", "scenario": "sample", "cars": {"robot1": {"lap_times": [lap]}}, "criteria": [],
-          "contacts": [], "interventions": []}
-names = [value for option, value in zip(arguments, arguments[1:]) if option == "--name"]
+          "contacts": [], "interventions": [], "winner": None}
 target = folder / (names or [pathlib.Path(arguments[-1]).stem])[0]
 target.mkdir(parents=True, exist_ok=True)
 (target / "result.json").write_text(json.dumps(result))

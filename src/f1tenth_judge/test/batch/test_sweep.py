@@ -100,7 +100,7 @@ def test_a_changed_run_is_not_taken_for_that_of_the_software_before(program, tmp
 def test_run_without_result_is_named(program, tmp_path, capsys):
     assert not swept(tmp_path, "seed=12:14")
     assert [row["seed"] for row in table(tmp_path)] == ["12", "14"]
-    assert "seed=13/circuit1: exit code 1, no result: bad luck" in capsys.readouterr().err
+    assert "seed=13: exit code 1, no result: bad luck" in capsys.readouterr().err
 
 
 def test_run_whose_inputs_cannot_be_noted_is_named_and_counts(program, tmp_path, monkeypatch, capsys):
@@ -113,7 +113,7 @@ def test_run_whose_inputs_cannot_be_noted_is_named_and_counts(program, tmp_path,
     monkeypatch.setattr(sweep_module, "run_jobs", spoilt)
     assert swept(tmp_path, "seed=1:2")
     assert [row["seed"] for row in table(tmp_path)] == ["1", "2"]
-    assert "seed=1/circuit1/inputs.sha256: cannot be written: Is a directory" in capsys.readouterr().err
+    assert "seed=1/inputs.sha256: cannot be written: Is a directory" in capsys.readouterr().err
 
 
 def test_runs_that_were_told_to_stop_are_no_problems(tmp_path, monkeypatch, capsys):

@@ -8,14 +8,15 @@ from f1tenth_judge.cli.suite_command import all_suites
 from f1tenth_judge.places.course import Course, read_course
 from f1tenth_judge.plan.planning import make_plan
 from f1tenth_judge.scenario.scenario import Verdict
-from f1tenth_judge.suites import encounters, made_places, safety, scorecard, tracks
+from f1tenth_judge.suites import encounters, labs, made_places, safety, scorecard, tracks
 from PIL import Image
 
 from f1tenth_judge import cli
 
 SUITE_FOLDER = Path(encounters.__file__).parent
-SUITES = ("encounters", "pace", "safety", "tracks")
+SUITES = ("encounters", "labs", "pace", "safety", "tracks")
 SQUARE = np.array([(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)])
+CLASSES = Path(__file__).parents[1] / "drivers" / "python" / "classes.py"
 FOLLOWER = "package://f1tenth_scenarios/launch/drivers/gap_follower.launch"
 
 
@@ -41,12 +42,21 @@ def planned(suite, settings, *more):
     return make_plan(str(file), settings=[*map(str, settings), *more])
 
 
-@pytest.mark.parametrize("name", SUITES)
+@pytest.mark.parametrize("name", set(SUITES) - {"labs"})
 @pytest.mark.parametrize("planner", ["", f"planner={{launch: {FOLLOWER}}}"])
 def test_the_scenario_of_a_suite_is_one_on_every_circuit_for_any_planner(name, planner):
     plan = planned(all_suites()[name], ["world=circuit5"], *filter(None, [planner]))
     assert plan.scenario.expected is Verdict.SUCCESS
     assert plan.tasks["robot1"].laps == 0 or not plan.tasks["robot1"].is_empty
+
+
+@pytest.mark.parametrize("name", labs.SUITE.cases("", Path()))
+def test_a_lab_asks_something_of_any_planner(name):
+    file = SUITE_FOLDER / f"{labs.SUITE.scenario.format(case=name)}.yaml"
+    for planner in (f"{{launch: {FOLLOWER}}}", f"{{python: '{CLASSES}:Follower'}}"):
+        plan = make_plan(str(file), settings=[f"cars.robot1.driver={planner}"])
+        assert len(plan.scenario.description) > 200
+        assert not plan.tasks["robot1"].is_empty
 
 
 def test_every_module_of_a_suite_is_offered():
@@ -181,6 +191,7 @@ def test_suites_are_listed(capsys):
 @pytest.mark.parametrize(
     ("arguments", "problem"),
     [
+        (["labs", "--cases", "slalom"], "--cases slalom: found 'slalom', allowed: emergency_braking, "),
         (["safety", "--workers", "0"], "--workers is 0, must be at least 1"),
         (
             ["safety", "--cases", "scan"],
@@ -189,7 +200,7 @@ def test_suites_are_listed(capsys):
         (["encounters", "--cases", "x"], "--cases x: found 'x', must be a seed, a whole number"),
         (["encounters", "--cases", "1.5"], "--cases 1.5: found '1.5', must be a seed, a whole number"),
         (["pace", "--opponent", FOLLOWER], "--opponent is for the suite 'encounters'"),
-        (["laps"], "no suite 'laps'; there are: encounters, pace, "),
+        (["laps"], "no suite 'laps'; there are: encounters, labs, pace, "),
         (["tracks", "--cases", "Circle"], "Circle_centerline.csv: no such file"),
         (["pace", "--set", "laps=0", "--cases", "circuit1"], "laps is 0, must be at least 1"),
     ],

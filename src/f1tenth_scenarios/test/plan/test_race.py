@@ -64,7 +64,7 @@ class TestName:
     @pytest.mark.parametrize("name", ["", "../mine", ".mine", "a b"])
     def test_that_is_no_name_of_a_folder_is_refused(self, folder, capsys, name):
         assert cli.main(["race", "circuit1", "--name", name]) == 2
-        wanted = "must begin with a letter or a digit and have only those and '_', '-' and '.'"
+        wanted = "must begin with a letter or a digit and have only those and '_.=,+-'"
         assert capsys.readouterr().err == f"f1tenth: --name {name}: {wanted}\n"
 
 

@@ -12,7 +12,7 @@ def test_others_are_met_without_a_touch(tmp_path, monkeypatch):
     arguments = ["suite", "encounters", "--cases", "1", "--results", str(tmp_path)]
     assert cli.main(arguments) == 0
     (case,) = (Path(each) for each in os.listdir(tmp_path / "suite" / "encounters") if each.startswith("001"))
-    result = tmp_path / "suite" / "encounters" / case / "encounters" / "result.json"
+    result = tmp_path / "suite" / "encounters" / case / "result.json"
     assert json.loads(result.read_text())["contacts"] == []
 
 

@@ -1,5 +1,6 @@
 """Many variations of a scenario: `f1tenth sweep` and `f1tenth suite`."""
 
+import dataclasses
 import itertools
 import os
 from collections.abc import Iterator, Mapping, Sequence
@@ -12,6 +13,7 @@ from f1tenth_judge.batch.jobs import Job, Outcome, read_result, run_jobs
 from f1tenth_judge.errors import ScenarioError, writing
 from f1tenth_judge.plan.planning import make_plan
 from f1tenth_judge.results.console import CountLine
+from f1tenth_judge.run.ros import require_runner
 from f1tenth_judge.scenario.settings import Setting, folder_name, parse_variation
 from f1tenth_judge.stop_request import StopRequest
 
@@ -19,6 +21,15 @@ _INPUTS_FILE = "inputs.sha256"  # beside a result: what it depends on
 
 
 Cases = Mapping[str, Sequence[Setting]]  # values by the name of a case, which is also that of its folder
+_OUR_PROCESSES = ("runner", "sim2d")  # culprits that are not planners
+
+
+@dataclasses.dataclass(frozen=True)
+class Case:
+    """One run of a sweep."""
+
+    scenario: str  # its name, or its file
+    settings: Sequence[Setting] = ()
 
 
 def combinations(variations: Sequence[str]) -> Cases:
@@ -47,26 +58,28 @@ def combinations(variations: Sequence[str]) -> Cases:
 class Sweep:
     """A scenario with several sets of values."""
 
-    def __init__(self, name: str, cases: Cases, folder: Path, settings: Sequence[str] = ()):
+    def __init__(self, cases: Mapping[str, Case], folder: Path, settings: Sequence[str] = ()):
         """Check everything; nothing is run yet.
 
         Args:
-            name: of the scenario, or its file
-            cases: what is varied
-            folder: for the folders of the cases
+            cases: what is run, by the names of the cases
+            folder: for the folders of the cases, which have their names
             settings: KEY=VALUE, the same in all runs
 
         Raises:
             NotApplicableError: the scenario says nothing about a planner that the settings name.
             ScenarioError: bad input.
         """
-        self.keys = [setting.key for setting in next(iter(cases.values()))]
+        self.keys = [setting.key for setting in next(iter(cases.values())).settings]
+        self._name = folder.name
         self._software = hash_software()
         self._inputs: dict[Job, str] = {}
-        for case, values in cases.items():
-            texts = (*settings, *map(str, values))
-            plan = make_plan(name, settings=texts)
-            self._inputs[Job(str(plan.file), texts, str(folder / case))] = hash_inputs(plan, self._software)
+        for name, case in cases.items():
+            texts = (*settings, *map(str, case.settings))
+            plan = make_plan(case.scenario, settings=texts)
+            require_runner(plan)
+            job = Job(str(plan.file), texts, str(folder), name=name)
+            self._inputs[job] = hash_inputs(plan, self._software)
         self.reused: list[Job] = []
         self.results: dict[Job, dict[str, Any]] = {}
         self.problems: list[str] = []
@@ -94,7 +107,7 @@ class Sweep:
         for file in (job.folder / _INPUTS_FILE for job in left):
             with writing(file):
                 file.unlink(missing_ok=True)
-        bar = CountLine(f"{Path(self.jobs[0].scenario).stem} swept", len(left))
+        bar = CountLine(f"{self._name} swept", len(left))
         if scheduler and left:
             outcomes = run_on_cluster(left, stop, scheduler)
         else:
@@ -138,6 +151,9 @@ class Sweep:
         if outcome.result is None:
             self.problems.append(outcome.problem)
             return
+        if _broke_down(outcome.result):
+            self.problems.append(f"{job.folder}: not counted: {outcome.result['reason']}")
+            return
         self.results[job] = outcome.result
         # If something was changed during a run, nobody knows what it depends on.
         if hash_software() != self._software:
@@ -148,3 +164,8 @@ class Sweep:
                 file.write_text(self._inputs[job], encoding="utf-8")
         except ScenarioError as error:
             self.problems.append(str(error))
+
+
+def _broke_down(result: Mapping[str, Any]) -> bool:
+    """Whether a run says nothing about its planner: what runs it was hung, killed or told to stop."""
+    return result["verdict"] == "error" and (result["culprit"] or {}).get("culprit") in _OUR_PROCESSES

@@ -35,8 +35,8 @@ def check_name(name: Optional[str]) -> None:
     Raises:
         ScenarioError: which characters it may have.
     """
-    if name is not None and not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_.-]*", name):
-        rule = "must begin with a letter or a digit and have only those and '_', '-' and '.'"
+    if name is not None and not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_.=,+-]*", name):
+        rule = "must begin with a letter or a digit and have only those and '_.=,+-'"
         raise ScenarioError(f"--name {name}: {rule}")
 
 

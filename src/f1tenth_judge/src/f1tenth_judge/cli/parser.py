@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Callable, TypeAlias
 
 from f1tenth_judge.cli.compare_command import compare
+from f1tenth_judge.cli.league_command import league
 from f1tenth_judge.cli.race_command import race
 from f1tenth_judge.cli.reference_command import reference
 from f1tenth_judge.cli.run_command import run
@@ -41,6 +42,7 @@ def make_parser(program: str) -> argparse.ArgumentParser:
     _add_race(commands)
     _add_sweep(commands)
     _add_suite(commands)
+    _add_league(commands)
     _add_reference(commands)
     _add_compare(commands)
     _add_verify(commands)
@@ -175,6 +177,14 @@ def _add_suite(commands: _Subparsers) -> None:
     command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help=_SET)
     _add_workers(command)
     _add_results(command, "write to FOLDER/suite/NAME")
+
+
+def _add_league(commands: _Subparsers) -> None:
+    text = "race planners against the clock and each other at many places, and rank them on a page"
+    command = _command(commands, "league", league, text)
+    command.add_argument("file", type=Path, metavar="FILE", help="YAML: planners, places, laps, seeds, pairs")
+    _add_workers(command)
+    _add_results(command, "write to FOLDER/league/NAME")
 
 
 def _add_reference(commands: _Subparsers) -> None:

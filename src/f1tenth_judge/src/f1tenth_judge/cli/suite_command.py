@@ -11,12 +11,13 @@ from f1tenth_judge.cli.exit_codes import PASSED, exit_code
 from f1tenth_judge.cli.options import expect_at_least, planner_of, planner_settings, results_of
 from f1tenth_judge.errors import ScenarioError, writing
 from f1tenth_judge.extensions import extensions
-from f1tenth_judge.plan.planner import driver_text
+from f1tenth_judge.plan.planner import PLANNER, driver_text
 from f1tenth_judge.stop_request import StopRequest
 from f1tenth_judge.suites.suite import Suite
 
 _TABLE_FILE, _PLACES = "scorecard.csv", "places"
-_OWN = ("encounters", "pace", "safety", "tracks")
+_OWN = ("encounters", "labs", "pace", "safety", "tracks")
+_FILES = Path(suites.__file__).parent
 _GROUP = "f1tenth_judge.suites"
 
 
@@ -28,7 +29,9 @@ def suite(options) -> int:
         return PASSED
     if options.name not in all_suites():
         raise ScenarioError(f"no suite '{options.name}'; there are: {', '.join(all_suites())}")
-    settings = [*options.set, *planner_settings(options)]
+    key = all_suites()[options.name].planner_key
+    planners = [each.replace(PLANNER, key, 1) for each in planner_settings(options)]
+    settings = [*options.set, *planners]
     expect_at_least(1, options.workers, "--workers")
     folder = results_of(options) / "suite" / options.name
     with writing(folder):
@@ -52,23 +55,25 @@ def all_suites() -> Mapping[str, Suite]:
 
 
 def _sweep(options, settings: list[str], folder: Path):
-    from f1tenth_judge.batch.sweep import Sweep
+    from f1tenth_judge.batch.sweep import Case, Sweep
 
     chosen = all_suites()[options.name]
     if options.opponent:
         if chosen.scenario != "encounters":
             raise ScenarioError("--opponent is for the suite 'encounters'")
         settings.append(f"cars.robot2.driver={driver_text(planner_of(options.opponent, options))}")
-    scenario = Path(suites.__file__).with_name(f"{chosen.scenario}.yaml")
     cases = chosen.cases(options.cases or chosen.chosen, folder / _PLACES)
-    return Sweep(str(scenario), cases, folder, settings)
+    files = {name: f"{chosen.scenario.format(case=name)}.yaml" for name in cases}
+    return Sweep(
+        {name: Case(str(_FILES / files[name]), values) for name, values in cases.items()}, folder, settings
+    )
 
 
 def _write(name: str, sweep, folder: Path, passed: int) -> None:
     # Imported late: scipy takes longer than everything else that the command does.
     from f1tenth_judge.suites.scorecard import score, scorecard
 
-    rows = [{"case": Path(job.results).name, **row} for job, row in sweep.rows_of_jobs()]
+    rows = [{"case": job.folder.name, **row} for job, row in sweep.rows_of_jobs()]
     table = folder / _TABLE_FILE
     with writing(table):
         write_table(table, rows)

@@ -14,7 +14,7 @@ _TABLE_FILE, _PICTURE_FILE = "sweep.csv", "sweep.png"
 
 def sweep(options) -> int:
     """Run many variations of a scenario; write a table and a picture, and print where they are."""
-    from f1tenth_judge.batch.sweep import Sweep, combinations
+    from f1tenth_judge.batch.sweep import Case, Sweep, combinations
 
     expect_at_least(1, options.workers, "--workers")
     output = options.output.resolve() if options.output else None
@@ -22,7 +22,8 @@ def sweep(options) -> int:
         if output:
             check_table_file(output)
         folder = results_of(options) / "sweep" / lookup.scenario_file(options.name).stem
-        swept = Sweep(options.name, combinations(options.vary), folder)
+        varied = combinations(options.vary)
+        swept = Sweep({name: Case(options.name, values) for name, values in varied.items()}, folder)
         with writing(folder):
             folder.mkdir(parents=True, exist_ok=True)
         check_table_file(folder / _TABLE_FILE)

@@ -18,6 +18,7 @@ from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.planner import PLANNER, with_planner
 from f1tenth_judge.plan.scenario_world import check_boxes
 from f1tenth_judge.plan.source import read_scenario
+from f1tenth_judge.plan.twins import with_twins
 from f1tenth_judge.plan.without_ros import check_without_ros
 from f1tenth_judge.scenario.scenario import Localization, Scenario, Verdict
 from f1tenth_judge.scenario.settings import apply_settings, parse_setting
@@ -63,6 +64,7 @@ def plan_scenario(file: Path, scenario: Scenario, folder: Path) -> Plan:
     Raises:
         ScenarioError: what is wrong.
     """
+    scenario = with_twins(scenario)
     place = find_place(lookup.world_file(scenario.world, file.parent))
     check_boxes(place.world, scenario)
     drivers = {car.name: find_driver(car, file.parent) for car in scenario.cars}

@@ -15,8 +15,9 @@ class Suite:
     """Cases of a scenario. A case is passed if its run ends as the scenario expects."""
 
     text: str  # one line: what a case is
-    scenario: str  # file beside this one, without .yaml
+    scenario: str  # file beside this one, without .yaml; `{case}` in it stands for the name of the case
     cases: Callable[[str, Path], Mapping[str, Sequence[Setting]]]  # of chosen ones; writes places to a folder
+    planner_key: str = "planner"  # of the setting that names the planner
     chosen: str = ""  # the usual ones, as the option --cases names them; empty: all that there are
 
 

@@ -1,0 +1,1 @@
+"""Leagues: many planners at many places, ranked."""

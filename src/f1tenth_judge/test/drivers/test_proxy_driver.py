@@ -58,6 +58,9 @@ class FakeWorld:
     def connections(self):
         return self.states.pop(0) if self.states[1:] else self.states[0]
 
+    def connecting(self):
+        return 0.001
+
     def missing(self):
         return self.looks.pop(0) if self.looks[1:] else self.looks[0]
 
@@ -85,7 +88,7 @@ class FakeWorld:
 @pytest.fixture
 def driver(monkeypatch):
     """Starts a process that plays the driver; everything in the proxy driver goes a little faster."""
-    for name in ("_PACE", "_CONNECTING", "_CONNECTION_INTERVAL"):
+    for name in ("_PACE", "_CONNECTION_INTERVAL"):
         monkeypatch.setattr(proxy_driver, name, 0.001)
     running = []
 

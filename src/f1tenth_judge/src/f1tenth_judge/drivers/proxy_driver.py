@@ -22,7 +22,6 @@ _NOTICING = 0.5  # wall s, for which time stands still when a process has ended,
 EXIT_MISFIT, EXIT_RESTLESS = 4, 5
 # While the driver starts up:
 _PACE = 0.025  # wall s per period at least: nodes that wait by the wall clock are not overtaken
-_CONNECTING = 0.3  # wall s without a change at the master, after which no node is about to connect
 _UNCONNECTED = 4.0  # wall s, after which a connection is given up: its ends differ in type, or one is gone
 _LOADING = 4.0  # wall s without rest, after which a listener gets its scan: one that spins may wait for it
 _SPINNING = 1.0  # wall s without rest after a command, once it has had _LOADING: it spins
@@ -177,7 +176,7 @@ class ProxyDriver:
         while (connections := self._world.connections()) != start.connections and not self._world.is_over():
             start.note_connections(connections)
             self._await_connections(start)
-            self._sleep(_CONNECTING)
+            self._sleep(self._world.connecting())
             self._settle()
 
     def _watch(self, duration: float) -> None:

@@ -49,7 +49,7 @@ def test_environment_names_the_domain_and_the_loopback_interface():
         (["rmw_cyclonedds_cpp", "rmw_fastrtps_cpp"], "", "rmw_cyclonedds_cpp", "0"),
         (["rmw_cyclonedds_cpp", "rmw_fastrtps_cpp"], "rmw_fastrtps_cpp", "rmw_fastrtps_cpp", "1"),
         (["rmw_fastrtps_cpp", "rmw_zenoh_cpp"], "rmw_zenoh_cpp", "rmw_fastrtps_cpp", "1"),
-        ([], "", "rmw_cyclonedds_cpp", "0"),
+        ([], "rmw_zenoh_cpp", "", "1"),
     ],
 )
 def test_middleware_is_one_that_is_installed_and_speaks_dds(

@@ -4,43 +4,15 @@ import shlex
 import sys
 from pathlib import Path
 
-import psutil
 import pytest
-from f1tenth_judge.drivers.ros2.driver import ros2_drivers
 from f1tenth_judge.places import lookup
 from f1tenth_judge.places.map_file import load_map
-from f1tenth_judge.plan.race import Race, plan_race
-from f1tenth_judge.record.files import read_json
-from f1tenth_judge.run.execute import execute
-from f1tenth_judge.scenario.driver import Driver
-from f1tenth_judge.stop_request import StopRequest
 
 PLANNERS = Path(__file__).parent / "planners"
 
 
 def command(file, how):
     return shlex.join([sys.executable, str(PLANNERS / f"{file}.py"), how])
-
-
-def environment_of(process):
-    try:
-        return str(process.environ())
-    except psutil.Error:  # it has ended
-        return ""
-
-
-@pytest.fixture
-def race(tmp_path):
-    """Lets planners race on circuit1; returns what result.json says."""
-
-    def run(*commands, settings=()):
-        planners = [Driver(ros2=each) for each in commands]
-        plan = plan_race(Race("circuit1", 1, planners), tmp_path, ["limits.timeout=5", *settings])
-        execute(plan, ros2_drivers, StopRequest())
-        assert not [each for each in psutil.process_iter() if str(tmp_path) in environment_of(each)]
-        return read_json(tmp_path / "result.json")
-
-    return run
 
 
 def test_planner_drives_a_lap(race):

@@ -1,6 +1,7 @@
 """What one planner's DDS domain is to the judge: its topics, and who is connected to them."""
 
 from typing import Any, NamedTuple
+from uuid import UUID
 
 from cyclonedds.builtin import (
     BuiltinDataReader,
@@ -21,6 +22,7 @@ from f1tenth_judge.drivers.ros2.quality import REQUESTED
 
 _MOST = 1000  # samples that are taken at once
 _PREFIX = "rt/"  # of topics, as ROS 2 names them on DDS
+_CYCLONE = b"\x01\x10"  # the vendor, with which a participant's key begins (RTPS 9.3.1.5)
 
 
 class Endpoint(NamedTuple):
@@ -76,9 +78,16 @@ class Connection:
 
     def participants(self) -> int:
         """How many participants the domain has besides this one: one per process of a ROS 2 planner."""
-        return sum(
-            each.key != self._participant.guid for each in self._participants.read(_MOST) if _lives(each)
-        )
+        return len(self._others())
+
+    def is_all_cyclone(self) -> bool:
+        """Whether all participants are of Cyclone DDS, as this one."""
+        return all(each.bytes.startswith(_CYCLONE) for each in self._others())
+
+    def _others(self) -> list[UUID]:
+        """The keys of the participants besides this one."""
+        found = [each.key for each in self._participants.read(_MOST) if _lives(each)]
+        return [key for key in found if key != self._participant.guid]
 
     def published(self) -> list[Endpoint]:
         """What the planner publishes."""

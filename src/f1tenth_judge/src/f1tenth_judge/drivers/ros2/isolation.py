@@ -77,9 +77,12 @@ def _is_unused(domain: int) -> bool:
 
 
 def _middleware(own: Mapping[str, str]) -> str:
-    """The one that is installed and speaks DDS: others, such as rmw_zenoh, could not be heard."""
+    """The one that is installed and speaks DDS: others, such as rmw_zenoh, could not be heard.
+
+    Where none is found, as before the command sources its workspace, ROS 2's default: it speaks DDS.
+    """
     folders = [Path(each) / "lib" for each in own.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if each]
     wanted = own.get("RMW_IMPLEMENTATION", "")
     preferred = sorted(_MIDDLEWARES, key=lambda name: name != wanted)
     there = (name for name in preferred if any((each / f"lib{name}.so").exists() for each in folders))
-    return next(there, _CYCLONE_S)
+    return next(there, "")

@@ -7,6 +7,10 @@ from f1tenth_judge.drivers.ros2.car_topics import CarTopics
 from f1tenth_judge.drivers.ros2.connection import Connection
 from f1tenth_judge.run.stage import Command
 
+# Wall time (s) without a change, after which no end of a topic is about to connect. Nobody sees whether a
+# planner's have: Fast DDS repeats after 1 s what came before the other side was ready, Cyclone DDS sooner.
+_CONNECTING, _CONNECTING_UNSEEN = 0.3, 2.0
+
 
 class PlannerView:
     """What the proxy driver sees and does on DDS. All is sent when something that publishes returns."""
@@ -27,6 +31,11 @@ class PlannerView:
         """Who is connected to what; equal as long as nothing has changed."""
         ends = (*self._connection.published(), *self._connection.subscribed())
         return sorted(each.key for each in ends), self._connection.participants()
+
+    def connecting(self) -> float:
+        """Wall time (s) without a change, after which no node is about to connect."""
+        is_alone = self._connection.participants() <= 1
+        return _CONNECTING if is_alone and self._connection.is_all_cyclone() else _CONNECTING_UNSEEN
 
     def missing(self) -> set[str]:
         """What should have been heard of a planner by now, and was not: its process, then its topics."""

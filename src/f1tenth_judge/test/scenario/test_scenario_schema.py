@@ -8,7 +8,7 @@ from f1tenth_judge.scenario.scenario import Verdict
 from scenario_samples import SCENARIO_TEXT
 
 TOP_KEYS = (
-    "description, world, cars, limits, expected, seed, culprit, reason, course, start_line, laps,"
+    "description, world, cars, limits, expected, seed, tags, culprit, reason, course, start_line, laps,"
     " time_to_start, lockstep, pinned, real_time_factor, localization, boxes, criteria, faults, interventions"
 )
 CAR_KEYS = (

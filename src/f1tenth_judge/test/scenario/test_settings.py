@@ -84,7 +84,7 @@ def test_goals_and_line_are_those_of_the_world(tmp_path):
         ("mu=9", r"mu=9:1: cars\[0\].mu is 9, must be above 0 and at most 3"),
         (
             "colour=red",
-            "^colour=red: unknown key 'colour'; allowed: the keys that `scenario keys` lists,"
+            "^colour=red: unknown key 'colour'; allowed: the keys that `f1tenth keys` lists,"
             " and driver.arguments.NAME for an argument of a planner$",
         ),
         ("seed.x=1", "seed.x=1: seed holds no keys"),

@@ -144,7 +144,9 @@ void ParameterReader::check(const std::function<void()> & validate) const
   try {
     validate();
   } catch (const OptionError & error) {
-    throw OptionError("parameter " + fullName(error.what()));
+    const std::string text = error.what();
+    const std::size_t end = std::min(text.find(':'), text.size());
+    throw OptionError("parameter " + fullName(placeOf(text.substr(0, end)) + text.substr(end)));
   }
 }
 
@@ -194,6 +196,15 @@ void ParameterReader::note(const ParameterNames & names)
 bool ParameterReader::isKnown(const std::string & name) const
 {
   return std::find(known_.begin(), known_.end(), name) != known_.end();
+}
+
+// Of several places where a parameter may be, the one where it is.
+std::string ParameterReader::placeOf(const std::string & name) const
+{
+  const auto place = std::find_if(known_.begin(), known_.end(), [&](const std::string & known) {
+    return boost::algorithm::ends_with("/" + known, "/" + name) && lookUp(known);
+  });
+  return place == known_.end() ? name : *place;
 }
 
 void ParameterReader::ignore(const std::vector<std::string> & names)

@@ -214,6 +214,18 @@ TEST(ParameterReader, PutsTheFullNameBeforeTheComplaintOfACheck)
   EXPECT_EQ(refusalOf([&] { someReader().check(complain); }), "parameter /node/speed: found 2.5, must be below 2");
 }
 
+TEST(ParameterReader, NamesThePlaceWhereThePlannersParameterIs)
+{
+  XmlRpcValue map;
+  map["planner"]["speed"] = 2.5;
+  map["speed_of_others"] = 1.0;
+  ParameterReader reader("/node", map);
+  double speed = 0.0;
+  reader.read({"planner/speed", "speed"}, speed);
+  const auto complain = [] { throw OptionError("speed: found 2.5, must be below 2"); };
+  EXPECT_EQ(refusalOf([&] { reader.check(complain); }), "parameter /node/planner/speed: found 2.5, must be below 2");
+}
+
 TEST(ParameterReader, TellsWhatNobodyHasAskedFor)
 {
   ParameterReader reader("/node", XmlRpcValue());

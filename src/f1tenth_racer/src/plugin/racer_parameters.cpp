@@ -24,10 +24,8 @@ private:
 
 void readSpeedLimits(const Reader & read, SpeedLimits & limits)
 {
-  read("max_vel_x", limits.max_vel_x);
   read("max_vel_x_backwards", limits.max_vel_x_backwards);
   read("max_vel_theta", limits.max_vel_theta);
-  read("min_vel_x", limits.min_vel_x);
   read("acc_lim_x", limits.acc_lim_x);
   limits.dec_lim_x = limits.acc_lim_x;
   read("dec_lim_x", limits.dec_lim_x);
@@ -69,6 +67,7 @@ RacerOptions readRacer(const PlannerSetup & setup)
   const Reader read(setup);
   RacerOptions options;
   SpeedLimits & limits = options.follower.limits;
+  readSpeeds(setup, limits.max_vel_x, limits.min_vel_x);
   readSpeedLimits(read, limits);
   readSteering(setup, limits.wheelbase, limits.max_steering_angle);
   readFollower(read, options.follower);

@@ -62,7 +62,8 @@ public:
   std::vector<std::string> keys() const;
   std::string fullName(const std::string & name) const { return name_ + "/" + name; }
 
-  /// Calls a check that throws OptionError ("NAME: found X, must be Y"), and puts the full name in front of NAME.
+  /// Calls a check that throws OptionError ("NAME: found X, must be Y"), and puts in the place of NAME the full name under
+  /// which it was read.
   void check(const std::function<void()> & validate) const;
   /// @param allowed  "a text"
   [[noreturn]] void fail(const std::string & name, const std::string & allowed) const;
@@ -83,6 +84,7 @@ private:
   std::optional<Raw> lookUp(const std::string & name) const;
   void note(const ParameterNames & names);
   bool isKnown(const std::string & name) const;
+  std::string placeOf(const std::string & name) const;
   void addUnused(const std::string & prefix, const Raw & map, std::vector<std::string> & names) const;
   template <class Value, class Convert>
   bool readAs(const ParameterNames & names, const std::string & allowed, Value & value, const Convert & convert);

@@ -34,7 +34,7 @@ public:
 
   PlanRequest request(const Situation & situation) const override;
   Reception setPlan(Plan plan, const Situation & situation) override;
-  void noteNoPlan(SearchStatus status, const Costmap & costmap) override { way_.makeRoom(status, costmap); }
+  bool noteNoPlan(SearchStatus status, const Costmap & costmap) override { return way_.makeRoom(status, costmap); }
   const Path & way() const override { return way_.plan().path; }
 
   /// By dead reckoning when nothing has been seen for a while.

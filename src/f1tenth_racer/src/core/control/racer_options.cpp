@@ -2,8 +2,6 @@
 
 #include <workspace_support/option_checks.h>
 
-#include <string>
-
 namespace f1tenth_racer
 {
 void RacerOptions::validate() const
@@ -15,9 +13,6 @@ void RacerOptions::validate() const
   requireNotNegative("coast_time", coast_time);
   planner.validate();
   follower.validate();
-  const double least = follower.limits.wheelbase / maths::tan(follower.limits.max_steering_angle);
-  requireOption(
-    planner.min_turning_radius >= least, "min_turning_radius", planner.min_turning_radius,
-    "at least wheelbase / tan(max_steering_angle) = " + std::to_string(least));
+  planner.requireSteering(follower.limits.wheelbase, follower.limits.max_steering_angle);
 }
 }  // namespace f1tenth_racer

@@ -2,6 +2,7 @@
 
 #include <move_base/planning/way_planner.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace f1tenth_racer
@@ -28,15 +29,12 @@ LocalPlanner::Reception Way::renew(Plan plan, const Scene & scene)
   return LocalPlanner::Reception::kStarted;
 }
 
-void Way::makeRoom(SearchStatus status, const Costmap & costmap)
+bool Way::makeRoom(SearchStatus status, const Costmap & costmap)
 {
-  if (status == SearchStatus::kGoalBlocked && requests_.passes()) {
-    for (const double clearance : clearancesFrom(options_.planner.min_obstacle_dist)) {
-      if (goals_.moveAside(costmap, clearance)) {
-        break;
-      }
-    }
-  }
+  const std::vector<double> clearances = clearancesFrom(options_.planner.min_obstacle_dist);
+  return status == SearchStatus::kGoalBlocked && requests_.passes() &&
+         std::any_of(
+           clearances.begin(), clearances.end(), [&](double each) { return goals_.moveAside(costmap, each); });
 }
 
 void Way::start(Plan plan, const Scene & scene)

@@ -40,7 +40,8 @@ public:
   LocalPlanner::Reception renew(Plan plan, const Scene & scene);
   /// Moves a goal that is only passed to the side when something stands on it.
   /// @param status  of the plan to it
-  void makeRoom(SearchStatus status, const Costmap & costmap);
+  /// @return whether it has been moved
+  bool makeRoom(SearchStatus status, const Costmap & costmap);
   /// Looks for a way past others, if they are in the way.
   void passOthers(const Scene & scene);
 

@@ -118,6 +118,20 @@ TEST(Navigator, movesAGoalAsideAlsoWhereThereIsLittleRoom)
   EXPECT_GT(journey.clearance, 0.02);
 }
 
+TEST(Navigator, passesAGoalWhereTheMapHasACone)
+{
+  OccupancyGrid map = drawRoom(14.0, 3.0);
+  const Pose2 goal{6.0, 1.5, 0.0};
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    const bool cone = distance(map.geometry.centre(map.geometry.cell(i)), {6.4, 1.5}) < 0.1;
+    map.cells[i] = cone ? 100 : map.cells[i];
+  }
+  Journey journey(passingNavigator(), makeCostmap(map), {2.0, 1.5, 0.0});
+  journey.navigator.setGoal(goal, journey.time, {{11.0, 1.5, 0.0}});
+  EXPECT_EQ(journey.untilOutcome().text, "Goal reached.");
+  EXPECT_GT(journey.clearance, 0.02);
+}
+
 TEST(Navigator, stopsAtEachGoalWhenTheirSpeedIsNotFree)
 {
   Journey journey(racingJourney(), makeCostmap(drawOval()), onOval(0.0));

@@ -159,6 +159,7 @@ TEST_P(NavigatorWithoutAWay, abortsAtOnceAndSaysWhy)
     const Vec2 at = map.geometry.centre(map.geometry.cell(i));
     map.cells[i] = inRectangle(at, {8.5, 4.0}, {9.5, 6.0}) ? -1 : map.cells[i];
     map.cells[i] = inRectangle(at, {4.0, 4.2}, {6.0, 5.8}) ? 0 : map.cells[i];
+    map.cells[i] = inRectangle(at, {5.6, 4.2}, {6.0, 5.8}) ? -1 : map.cells[i];
   }
   Journey journey(racingJourney(), makeCostmap(map), onOval(0.0));
   journey.navigator.setGoal(GetParam().goal, journey.time);
@@ -177,7 +178,17 @@ INSTANTIATE_TEST_SUITE_P(
     Unreachable{{9.0, 1.25, 0.0}, "At the goal the car would touch a wall."},
     Unreachable{{30.0, 5.0, 0.0}, "The goal is outside of the map."},
     Unreachable{{9.0, 5.0, 0.0}, "The map is unknown at the goal."},
+    Unreachable{{5.3, 5.0, 0.0}, "At the goal the car would reach into where the map is unknown."},
     Unreachable{{5.0, 5.0, 0.0}, "No way leads to the goal."}));
+
+TEST(Navigator, saysHowToStartElsewhereThanInAWall)
+{
+  Journey journey(racingJourney(), makeCostmap(drawRoom(14.0, 2.0)), {1.0, 0.1, 0.0});
+  journey.navigator.setGoal({11.0, 1.0, 0.0}, journey.time);
+  const std::string trouble = journey.cycle().trouble;
+  EXPECT_NE(trouble.find("The car stands in a wall of the map"), std::string::npos) << trouble;
+  EXPECT_NE(trouble.find("x:= y:= yaw:="), std::string::npos) << trouble;
+}
 
 TEST(Navigator, saysWhatTheLidarSeesInItsWay)
 {

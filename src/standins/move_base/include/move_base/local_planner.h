@@ -80,8 +80,9 @@ public:
   };
   /// @param plan  as asked for, found
   virtual Reception setPlan(Plan plan, const Situation & situation) = 0;
-  /// There is none. May make it easier, such as by moving a goal that is only passed.
-  virtual void noteNoPlan(SearchStatus status, const Costmap & costmap) = 0;
+  /// There is none.
+  /// @return whether that has been made easier, such as by moving a goal that is only passed: then it is asked for again
+  virtual bool noteNoPlan(SearchStatus status, const Costmap & costmap) = 0;
   /// What the car drives along, empty before the first plan.
   virtual const Path & way() const = 0;
 

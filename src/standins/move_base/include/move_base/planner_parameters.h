@@ -19,6 +19,11 @@ inline std::vector<std::string> ofPlanner(const std::string & planner, const std
 /// @throws OptionError
 PlannerOptions readWayPlanner(const PlannerSetup & setup);
 
+/// Reads max_vel_x and min_vel_x, m/s, of the local planner. A least speed of 0 or less, which the original allows, leaves
+/// the planner's own, which is no more than max_vel_x.
+/// @throws OptionError
+void readSpeeds(const PlannerSetup & setup, double & max_vel_x, double & min_vel_x);
+
 /// Reads wheelbase and max_steering_angle of the local planner: without the latter what min_turning_radius needs, as the
 /// original has the radius only.
 /// @throws OptionError

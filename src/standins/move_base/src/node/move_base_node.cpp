@@ -184,7 +184,11 @@ void MoveBaseNode::accept(const geometry_msgs::PoseStamped & target, const ros::
     goal_publisher_.publish(toPoseStamped(goal, headerOf(parameters_.global_frame, now)));
     target_ = target;
     failure_.clear();
-    navigator_.setGoal(goal, now.toSec(), nextGoals());
+    const std::vector<Pose2> next = nextGoals();
+    if (!navigator_.drives()) {
+      warnOfGoals(next);
+    }
+    navigator_.setGoal(goal, now.toSec(), next);
   } catch (const tf2::TransformException & error) {
     abort(
       "Aborting on goal because it cannot be transformed from frame \"" + target.header.frame_id + "\" to \"" +
@@ -215,6 +219,17 @@ std::vector<Pose2> MoveBaseNode::nextGoals() const
   } catch (const tf2::TransformException & error) {
     ROS_WARN("Stopping at the goal, because the goals ahead of it are not known in the map: %s", error.what());
     return {};
+  }
+}
+
+// Before the car sets off, not when it is on its way to them.
+void MoveBaseNode::warnOfGoals(const std::vector<Pose2> & goals) const
+{
+  for (const Pose2 & goal : goals) {
+    const bool is_free = perception_.costmap().clearance(goal) >= 0.0;
+    if (const std::string wrong = is_free ? "" : wrongWith(goal, perception_.costmap()); !wrong.empty()) {
+      ROS_WARN("Of the goals to come, the one at (%.2f, %.2f): %s", goal.x, goal.y, wrong.c_str());
+    }
   }
 }
 

@@ -48,6 +48,7 @@ private:
   void onGoalsAhead(const nav_msgs::Path::ConstPtr & goals);
   /// The goals that a client says to follow the target, in the map.
   std::vector<Pose2> nextGoals() const;
+  void warnOfGoals(const std::vector<Pose2> & goals) const;
   void abort(const std::string & text);
   void drive(const ros::Time & now);
   void publish(const CycleOutput & output, const CycleInput & input, const ros::Time & now);

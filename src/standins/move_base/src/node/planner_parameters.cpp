@@ -1,8 +1,9 @@
 #include "move_base/planner_parameters.h"
 
-#include <workspace_support/option_checks.h>
+#include <ros/console.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace move_base
 {
@@ -23,19 +24,29 @@ PlannerOptions readWayPlanner(const PlannerSetup & setup)
   return planner;
 }
 
+void readSpeeds(const PlannerSetup & setup, double & max_vel_x, double & min_vel_x)
+{
+  std::optional<double> told;
+  setup.parameters.read(ofPlanner(setup.local_planner, "max_vel_x"), max_vel_x);
+  setup.parameters.read(ofPlanner(setup.local_planner, "min_vel_x"), told);
+  if (told && *told > 0.0) {
+    min_vel_x = *told;
+    return;
+  }
+  min_vel_x = std::min(min_vel_x, max_vel_x);
+  if (told) {
+    ROS_WARN("%s: min_vel_x is %g, the least speed is %g m/s", setup.local_planner.c_str(), *told, min_vel_x);
+  }
+}
+
 void readSteering(const PlannerSetup & setup, double & wheelbase, double & max_steering_angle)
 {
-  double radius = PlannerOptions{}.min_turning_radius;
+  PlannerOptions planner;
   setup.parameters.read(ofPlanner(setup.local_planner, "wheelbase"), wheelbase);
-  setup.parameters.read(ofPlanner(setup.local_planner, "min_turning_radius"), radius);
+  setup.parameters.read(ofPlanner(setup.local_planner, "min_turning_radius"), planner.min_turning_radius);
   if (!setup.parameters.read(ofPlanner(setup.local_planner, "max_steering_angle"), max_steering_angle)) {
-    max_steering_angle = std::max(max_steering_angle, maths::atan(wheelbase / radius));
+    max_steering_angle = std::max(max_steering_angle, maths::atan(wheelbase / planner.min_turning_radius));
   }
-  const double least = wheelbase / maths::tan(max_steering_angle);
-  setup.parameters.check([&] {
-    requireOption(
-      radius >= least, "min_turning_radius", radius,
-      "at least wheelbase / tan(max_steering_angle) = " + std::to_string(least));
-  });
+  setup.parameters.check([&] { planner.requireSteering(wheelbase, max_steering_angle); });
 }
 }  // namespace move_base

@@ -49,10 +49,9 @@ PathFollowerOptions readFollower(const PlannerSetup & setup)
   const auto read = [&](const std::string & name, double & value) {
     setup.parameters.read(ofPlanner(setup.local_planner, name), value);
   };
-  read("max_vel_x", options.max_vel_x);
+  readSpeeds(setup, options.max_vel_x, options.min_vel_x);
   read("max_vel_x_backwards", options.max_vel_x_backwards);
   read("max_vel_theta", options.max_vel_theta);
-  read("min_vel_x", options.min_vel_x);
   read("acc_lim_x", options.acc_lim_x);
   read("max_lateral_acceleration", options.max_lateral_acceleration);
   read("tracking_distance", options.tracking_distance);

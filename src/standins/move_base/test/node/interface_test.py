@@ -32,6 +32,13 @@ def with_updates(grid, updates):
     return cells
 
 
+def run_with(parameters):
+    """The node that has ended, because one of these parameters was wrong."""
+    rospy.set_param("wrong", parameters)
+    command = ["rosrun", "move_base", "move_base", "__name:=wrong"]
+    return subprocess.run(command, capture_output=True, text=True, timeout=WALL_PATIENCE, check=False)
+
+
 class InterfaceTest(HallCase):
     def test_the_action_is_up_only_with_all_that_driving_needs(self):
         assert "/move_base/status" not in self.topics_before
@@ -155,18 +162,34 @@ class InterfaceTest(HallCase):
             "max_steering_angle": (0.2, "parameter /wrong/min_turning_radius: found 0.8, must be at least"),
         }
         for name, (value, message) in wrong.items():
-            rospy.set_param("wrong", {name: value})
-            run = subprocess.run(
-                ["rosrun", "move_base", "move_base", "__name:=wrong"],
-                capture_output=True,
-                text=True,
-                timeout=WALL_PATIENCE,
-                check=False,
-            )
+            run = run_with({name: value})
             assert run.returncode == 1, name
             assert message in run.stderr
             assert name in run.stderr
             assert run.stderr.count("move_base: ") == 1, run.stderr
+
+    def test_parameters_of_files_for_the_original_are_taken(self):
+        last = 'for_the_original: found "", must be a list of names'
+        dwa = {"base_local_planner": "dwa_local_planner/DWAPlannerROS"}
+        teb = {"base_local_planner": "teb_local_planner/TebLocalPlannerROS"}
+        files = [
+            (
+                {**dwa, "DWAPlannerROS": {"min_vel_x": 0.0}},
+                "DWAPlannerROS: min_vel_x is 0, the least speed is",
+            ),
+            ({**dwa, "DWAPlannerROS": {"min_vel_x": -0.22, "max_vel_x": 0.1}}, "the least speed is 0.1 m/s"),
+            ({**teb, "TebLocalPlannerROS": {"wheelbase": 0.25, "min_turning_radius": 0.5}}, last),
+        ]
+        for parameters, text in files:
+            # The last parameter that is read ends the node.
+            run = run_with({**parameters, "for_the_original": ""})
+            assert last in run.stderr
+            assert text in run.stderr
+
+    def test_a_message_names_the_parameter_where_it_is(self):
+        parameters = {"TrajectoryPlannerROS": {"max_vel_x": 0.5, "min_vel_x": 0.6}}
+        message = "parameter /wrong/TrajectoryPlannerROS/min_vel_x: found 0.6, must be above 0 and"
+        assert message in run_with(parameters).stderr
 
     def test_make_plan_ends_within_the_tolerance_where_no_way_leads_to_the_goal(self):
         make_plan = rospy.ServiceProxy("move_base/make_plan", GetPlan)

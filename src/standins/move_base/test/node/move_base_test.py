@@ -223,6 +223,16 @@ class MoveBaseTest(HallCase):
             assert abs(self.robot.speed) < 0.06
         self.assert_stands_at(3.5, 5.0)
 
+    def test_goals_where_the_car_does_not_fit_are_told_before_it_sets_off(self):
+        log = Listener("/rosout", Log)
+        self.wait_until(log.connected)
+        self.announce(pose_at(3.0, 1.0), pose_at(4.1, 1.0))
+        self.send(pose_at(3.0, 1.0))
+        text = "Of the goals to come, the one at (4.10, 1.00): The goal is in a wall."
+        log.wait(lambda messages: any(m.msg == text for m in messages))
+        assert self.robot.speed == 0.0
+        self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
+
     def test_a_goal_is_not_passed_because_another_one_was_followed(self):
         self.announce(pose_at(5.0, 1.0), pose_at(6.0, 2.0))
         self.send(pose_at(3.0, 1.0))

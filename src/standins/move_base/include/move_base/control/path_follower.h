@@ -48,7 +48,7 @@ public:
 
   PlanRequest request(const Situation & situation) const override;
   Reception setPlan(Plan plan, const Situation & situation) override;
-  void noteNoPlan(SearchStatus status, const Costmap & costmap) override;
+  bool noteNoPlan(SearchStatus, const Costmap &) override { return false; }
   const Path & way() const override { return path_; }
 
   LocalStep computeVelocityCommands(const Situation & situation, Manner manner) override;

@@ -16,7 +16,8 @@ namespace move_base
 {
 struct CostmapOptions
 {
-  bool allow_unknown{false};         ///< whether unknown cells of the map may be driven on
+  /// Whether unknown cells of the map may be driven on; those of a patch narrower than a car always may.
+  bool allow_unknown{false};
   int lethal_cost_threshold{100};    ///< a cell of the map with at least this occupancy is an obstacle
   double inflation_radius{0.55};     ///< m, obstacles farther away from the car's axis cost nothing
   double cost_scaling_factor{10.0};  ///< 1/m, how fast the cost falls with distance

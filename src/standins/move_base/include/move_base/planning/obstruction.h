@@ -13,6 +13,9 @@ struct Obstruction
   bool lasting{false};  ///< whether the map alone is to blame: nothing that the car may see or do changes it
 };
 
+/// Why the car can never stand at a goal, by the map alone; empty if it can.
+std::string wrongWith(const Pose2 & goal, const Costmap & costmap);
+
 /// @param status  with which planning failed on the costmap
 Obstruction obstructionOf(const Costmap & costmap, const PlanRequest & request, SearchStatus status);
 }  // namespace move_base

@@ -22,6 +22,8 @@ struct PlannerOptions
 
   /// @throws OptionError
   void validate() const;
+  /// That wheels which turn by max_steering_angle, rad, reach the least radius. @throws OptionError
+  void requireSteering(double wheelbase, double max_steering_angle) const;
 };
 
 enum class SearchStatus

@@ -143,12 +143,12 @@ void Navigator::planAhead(const Situation & now, Costmap & costmap, CycleOutput 
 
 void Navigator::takePlan(PlanAnswer answer, const Situation & now, Costmap & costmap, CycleOutput & output)
 {
-  if (!answer.plan.found()) {
-    local_->noteNoPlan(answer.plan.status, costmap);
+  const bool found = answer.plan.found();
+  if (!found && !local_->noteNoPlan(answer.plan.status, costmap)) {
     planFailed(answer.obstruction, now, costmap, output);
     return;
   }
-  const LocalPlanner::Reception reception = local_->setPlan(std::move(answer.plan), now);
+  const auto reception = found ? local_->setPlan(std::move(answer.plan), now) : LocalPlanner::Reception::kRefused;
   if (reception == LocalPlanner::Reception::kRefused) {
     planning_.refused(now.time);
     follow(now, Manner::kBrake, output);

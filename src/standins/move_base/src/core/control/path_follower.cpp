@@ -99,8 +99,6 @@ PathFollower::Reception PathFollower::setPlan(Plan plan, const Situation & situa
   return Reception::kStarted;
 }
 
-void PathFollower::noteNoPlan(SearchStatus, const Costmap &) {}
-
 LocalStep PathFollower::computeVelocityCommands(const Situation & situation, Manner manner)
 {
   LocalStep step;

@@ -14,6 +14,31 @@ namespace
 // Between the centres of four cells, the weighted mean of their distances from the place, in cells, is at most this.
 constexpr double kInterpolationError = 0.7072;
 
+constexpr double kHalfCar = 0.15;  // m, half of what a car needs between two walls
+
+// Which cells are farther than reach, in cells, from all that are marked.
+std::vector<std::uint8_t> farFrom(const std::vector<std::uint8_t> & marked, const GridGeometry & geometry, float reach)
+{
+  const std::vector<float> distances = distanceTransform(marked, geometry.width, geometry.height);
+  std::vector<std::uint8_t> far(marked.size());
+  std::transform(distances.begin(), distances.end(), far.begin(), [&](float each) { return each > reach ? 1 : 0; });
+  return far;
+}
+
+// The parts of unknown patches that are no narrower than a car: specks on a road are where nothing was seen.
+std::vector<std::uint8_t> widePatches(const std::vector<std::uint8_t> & unknown, const GridGeometry & geometry)
+{
+  const auto reach = static_cast<float>(kHalfCar / geometry.resolution);
+  std::vector<std::uint8_t> known(unknown.size());
+  std::transform(unknown.begin(), unknown.end(), known.begin(), [](std::uint8_t each) { return each == 0 ? 1 : 0; });
+  const std::vector<std::uint8_t> outside = farFrom(farFrom(known, geometry, reach), geometry, reach);
+  std::vector<std::uint8_t> wide(unknown.size());
+  std::transform(
+    unknown.begin(), unknown.end(), outside.begin(), wide.begin(),
+    [](std::uint8_t is_unknown, auto is_outside) { return is_unknown != 0 && is_outside == 0 ? 1 : 0; });
+  return wide;
+}
+
 const GridGeometry & checked(const OccupancyGrid & map)
 {
   const GridGeometry & geometry = map.geometry;
@@ -48,10 +73,13 @@ Costmap::Costmap(const OccupancyGrid & map, const CostmapOptions & options, cons
   live_(geometry_, options.live)
 {
   options_.validate();
-  std::vector<std::uint8_t> obstacles(geometry_.size());
+  std::transform(map.cells.begin(), map.cells.end(), unknown_.begin(), [](int cell) { return cell < 0 ? 1 : 0; });
+  std::vector<std::uint8_t> obstacles(geometry_.size(), 0);
+  if (!options.allow_unknown) {
+    obstacles = widePatches(unknown_, geometry_);
+  }
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    unknown_[i] = map.cells[i] < 0 ? 1 : 0;
-    obstacles[i] = unknown_[i] != 0 ? !options.allow_unknown : map.cells[i] >= options.lethal_cost_threshold;
+    obstacles[i] = obstacles[i] != 0 || map.cells[i] >= options.lethal_cost_threshold ? 1 : 0;
   }
   map_distances_ = distanceTransform(obstacles, geometry_.width, geometry_.height);
   for (float & value : map_distances_) {

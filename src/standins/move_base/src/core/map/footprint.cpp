@@ -87,6 +87,15 @@ void Footprint::coverWithDiscs()
   }
 }
 
+double Footprint::distanceTo(const Vec2 & point) const
+{
+  double least = HUGE_VAL;
+  for (const Disc & disc : discs_) {
+    least = std::min(least, distance(disc.centre, point) - disc.radius);
+  }
+  return least;
+}
+
 std::vector<Vec2> defaultFootprint()
 {
   return {{0.455, 0.155}, {-0.125, 0.155}, {-0.125, -0.155}, {0.455, -0.155}};

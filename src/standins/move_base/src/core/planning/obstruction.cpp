@@ -9,34 +9,63 @@ namespace move_base
 {
 namespace
 {
-Obstruction atGoal(const Costmap & map, const Pose2 & goal)
+// Whether a car touches an obstacle of the map, and not only where the map is unknown.
+bool touchesWall(const Costmap & costmap, const Pose2 & car)
 {
+  const GridGeometry & geometry = costmap.geometry();
+  const Disc & around = costmap.footprint().around();
+  const Vec2 middle = transform(car, around.centre);
+  const Cell low = geometry.cellAt(middle - around.radius * Vec2{1.0, 1.0});
+  const Cell high = geometry.cellAt(middle + around.radius * Vec2{1.0, 1.0});
+  for (Cell cell{0, low.y}; cell.y <= high.y; ++cell.y) {
+    for (cell.x = low.x; cell.x <= high.x; ++cell.x) {
+      const Vec2 place = geometry.centre(cell);
+      const bool is_wall =
+        geometry.contains(cell) && !costmap.isUnknown(geometry.index(cell)) && costmap.wallDistance(place) < 0.0;
+      if (is_wall && costmap.footprint().distanceTo(transform(inverse(car), place)) < geometry.resolution) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+}  // namespace
+
+std::string wrongWith(const Pose2 & goal, const Costmap & costmap)
+{
+  Costmap map = costmap;
+  map.forgetAll();
   const GridGeometry & geometry = map.geometry();
   const Cell cell = geometry.cellAt(goal.position());
   if (!geometry.contains(cell)) {
-    return {"The goal is outside of the map.", true};
+    return "The goal is outside of the map.";
   }
-  if (map.isUnknown(geometry.index(cell)) && !map.options().allow_unknown) {
-    return {"The map is unknown at the goal.", true};
+  if (map.clearance(goal) >= 0.0) {
+    return "";
   }
-  if (map.clearance(goal) < 0.0) {
-    const bool inside = map.wallDistance(goal.position()) <= 0.0;
-    return {inside ? "The goal is in a wall." : "At the goal the car would touch a wall.", true};
+  if (map.wallDistance(goal.position()) <= 0.0) {
+    return map.isUnknown(geometry.index(cell)) ? "The map is unknown at the goal." : "The goal is in a wall.";
   }
-  return {"The lidar sees something at the goal.", false};
+  return touchesWall(map, goal) ? "At the goal the car would touch a wall."
+                                : "At the goal the car would reach into where the map is unknown.";
 }
-}  // namespace
 
 Obstruction obstructionOf(const Costmap & costmap, const PlanRequest & request, SearchStatus status)
 {
   if (status == SearchStatus::kStartBlocked) {
-    return {"The car touches something where it stands.", false};
+    const bool in_wall = !wrongWith(request.start, costmap).empty();
+    return {
+      in_wall
+        ? "The car stands in a wall of the map; start it elsewhere, for example with x:= y:= yaw:= of its launch file."
+        : "The car touches something where it stands.",
+      false};
+  }
+  if (status == SearchStatus::kGoalBlocked) {
+    const std::string wrong = wrongWith(request.goal, costmap);
+    return wrong.empty() ? Obstruction{"The lidar sees something at the goal.", false} : Obstruction{wrong, true};
   }
   Costmap map = costmap;
   map.forgetAll();
-  if (status == SearchStatus::kGoalBlocked) {
-    return atGoal(map, request.goal);
-  }
   if (!std::isfinite(CostToGo(map, request.goal.position()).at(request.start.position()))) {
     return {"No way leads to the goal.", true};
   }

@@ -247,6 +247,15 @@ void PlannerOptions::validate() const
   requireOption(max_expansions > 0, "max_expansions", max_expansions, "above 0");
 }
 
+void PlannerOptions::requireSteering(double wheelbase, double max_steering_angle) const
+{
+  constexpr double kRounding = 1e-9;  // the angle may have been taken from this radius
+  const double least = wheelbase / maths::tan(max_steering_angle);
+  requireOption(
+    min_turning_radius >= (1.0 - kRounding) * least, "min_turning_radius", min_turning_radius,
+    "at least wheelbase / tan(max_steering_angle) = " + std::to_string(least));
+}
+
 const char * describe(SearchStatus status)
 {
   switch (status) {

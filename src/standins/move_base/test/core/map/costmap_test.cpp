@@ -166,11 +166,30 @@ TEST(Costmap, nothingIsFarFromTheEdgeOfTheMap)
   EXPECT_FALSE(costmap.isFarFromAll({13.0, 4.5, 0.0}, 0.1));
 }
 
+TEST(Costmap, unknownPatchesNarrowerThanACarDoNotCloseTheRoad)
+{
+  OccupancyGrid map = drawRoom(6.0, 2.0);
+  const auto forget = [&](const Vec2 & low, const Vec2 & high) {
+    for (std::size_t i = 0; i < map.cells.size(); ++i) {
+      const bool inside = inRectangle(map.geometry.centre(map.geometry.cell(i)), low, high);
+      map.cells[i] = inside && map.cells[i] == 0 ? -1 : map.cells[i];
+    }
+  };
+  forget({1.5, 0.9}, {1.6, 1.0});  // a speck
+  forget({3.0, 0.0}, {3.2, 2.0});  // a sliver across the road
+  EXPECT_GT(makeCostmap(map).clearance({1.4, 1.0, 0.0}), 0.5);
+  EXPECT_GT(makeCostmap(map).clearance({3.0, 1.0, 0.0}), 0.5);
+  forget({4.5, 0.5}, {5.0, 1.5});
+  EXPECT_LT(makeCostmap(map).clearance({4.5, 1.0, 0.0}), 0.0) << "wider than a car";
+}
+
 TEST(Costmap, unknownIsAnObstacleUnlessAllowed)
 {
   OccupancyGrid map = drawRoom(6.0, 4.0);
   for (int y = 0; y < map.geometry.height; ++y) {
-    map.cells[map.geometry.index({60, y})] = -1;
+    for (int x = 56; x < 66; ++x) {
+      map.cells[map.geometry.index({x, y})] = -1;
+    }
   }
   EXPECT_LE(makeCostmap(map).obstacleDistance({3.02, 2.0}), 0.0);
   CostmapOptions options;

@@ -283,6 +283,19 @@ TEST(WayPlanner, givesUpWhenItsBudgetIsSpent)
   EXPECT_EQ(planOn(costmap, options, {onOval(4.0), onOval(2.0)}).status, SearchStatus::kBudgetSpent);
 }
 
+TEST(PlannerOptions, takeARadiusThatIsExactlyTheLeast)
+{
+  for (int wheelbase = 20; wheelbase <= 40; ++wheelbase) {
+    for (int part = 11; part <= 40; ++part) {
+      PlannerOptions options;
+      options.min_turning_radius = 0.001 * wheelbase * part;
+      const double angle = maths::atan(0.01 * wheelbase / options.min_turning_radius);
+      EXPECT_NO_THROW(options.requireSteering(0.01 * wheelbase, angle)) << wheelbase << ", " << part;
+      EXPECT_THROW(options.requireSteering(0.01 * wheelbase, 0.99 * angle), OptionError);
+    }
+  }
+}
+
 TEST(PlannerOptions, areChecked)
 {
   PlannerOptions options;

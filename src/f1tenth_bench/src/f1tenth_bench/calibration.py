@@ -36,8 +36,8 @@ class Calibration:
 
 
 REFERENCE = Calibration(arithmetic_s=0.0187, memory_s=0.0141, messages_s=0.0220)
-"""Of a machine of the kind of docs/measured.md (AMD EPYC, 2 cores), least of many runs: slowness 1. Its time for
-messages was not measured there, but follows from one program: see README.md."""
+"""Of a machine of the kind of docs/measured.md (AMD EPYC, 2 cores), least of many runs: slowness 1. Its time
+for messages was not measured there, but follows from one program: see README.md."""
 
 
 def calibrate():

@@ -17,6 +17,7 @@ TEMPLATE = "templates/planner_package"
     [
         (".github/workflows/ci.yml", GITHUB, ".ci/run ${{ matrix.stage }}"),
         (".github/workflows/nightly.yml", GITHUB, "run: ${{ matrix.command }}"),
+        (".github/workflows/release.yml", GITHUB, "tools/make_wheel build/wheel results python3"),
         (".gitlab-ci.yml", GITLAB, ".ci/run $STAGE"),
         (f"{TEMPLATE}/.github/workflows/planner.yml", GITHUB, "ci/test"),
         (f"{TEMPLATE}/.gitlab-ci.yml", GITLAB, "ci/test"),

@@ -284,7 +284,13 @@ def test_race_of_two_shows_the_gap(window, report):
     first, second = chart.find_element("css selector", ".value").text.split()
     assert (float(first), float(second)) == (pytest.approx(0.0), pytest.approx(5.0, abs=0.3))
     open_run(window, report, "one_lap")
-    assert len(window.find_elements("css selector", ".chart")) == 2
+    titles = window.find_elements("css selector", ".chart figcaption span:first-child")
+    assert [each.text for each in titles] == [
+        "Speed (m/s)",
+        "Steering (rad)",
+        "Acceleration (m/s²)",
+        "Clearance (m)",
+    ]
 
 
 def test_files_are_linked(window, report):

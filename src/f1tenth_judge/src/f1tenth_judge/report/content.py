@@ -86,7 +86,10 @@ class _Reader:
             "problems": self._problems,
         }
         return RunContent(
-            summary, pack_run(record, replay), pack_world(replay), pack_tracks(before) if before else None
+            summary,
+            pack_run(record, replay),
+            pack_world(replay),
+            pack_tracks(before, replay.road) if before else None,
         )
 
     def _try(self, read, path: Path):

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from f1tenth_judge.record.record import CarTrack, Record
+from f1tenth_judge.record.record import Record
 
 _SPACING = 0.2  # m, between the places on the road that are told apart
 
@@ -18,7 +18,7 @@ def gaps_to_leader(record: Record, road: Sequence) -> dict[str, np.ndarray]:
     tracks = [track for track in record.tracks.values() if len(track.time)]
     if len(tracks) < 2 or not len(road):
         return {}
-    ways = {track.car: way_along(track, road) for track in tracks}
+    ways = {track.car: way_along(track.x, track.y, road) for track in tracks}
     gaps = {}
     for own in tracks:
         at = [np.interp(own.time, other.time, ways[other.car]) for other in tracks]
@@ -26,8 +26,8 @@ def gaps_to_leader(record: Record, road: Sequence) -> dict[str, np.ndarray]:
     return gaps
 
 
-def way_along(track: CarTrack, road: ArrayLike) -> np.ndarray:
-    """Distance along a road, m, that adds up from lap to lap; it begins at most half a lap away from 0.
+def way_along(xs: np.ndarray, ys: np.ndarray, road: ArrayLike) -> np.ndarray:
+    """How far along a road places (m) are, m; adds up from lap to lap, begins at most half a lap away from 0.
 
     `road` as of gaps_to_leader.
     """
@@ -36,6 +36,6 @@ def way_along(track: CarTrack, road: ArrayLike) -> np.ndarray:
     at = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(closed, axis=0).T))])
     places = np.arange(0.0, at[-1], _SPACING)
     line_x, line_y = (np.interp(places, at, closed[:, column]) for column in (0, 1))
-    nearest = [int(np.argmin(np.hypot(line_x - x, line_y - y))) for x, y in zip(track.x, track.y)]
+    nearest = [int(np.argmin(np.hypot(line_x - x, line_y - y))) for x, y in zip(xs, ys)]
     way = np.unwrap(places[nearest], period=at[-1])
     return way - at[-1] * np.round(way[0] / at[-1])

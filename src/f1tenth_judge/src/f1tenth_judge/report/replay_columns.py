@@ -8,10 +8,11 @@ from numpy.typing import ArrayLike
 
 from f1tenth_judge.record.record import CarTrack, Record
 from f1tenth_judge.record.replay import Replay, Shape, Timed
-from f1tenth_judge.report.gaps import gaps_to_leader
+from f1tenth_judge.report.gaps import gaps_to_leader, way_along
 from f1tenth_judge.report.packing import column, pack
 
 _TIME, _LENGTH, _PLAN, _ANGLE, _SPEED, _FINE = 0.001, 0.01, 0.02, 0.005, 0.02, 0.001  # quanta
+_WAY = 0.05  # m
 _STEP, _GHOST_STEP = 0.05, 0.1  # s, between two places of a car, of this run and of the one before
 _PLAN_STEP = 0.2  # s, between two plans
 _GLOBAL_POINTS, _LOCAL_POINTS = 20, 8  # of a plan, at most
@@ -29,9 +30,9 @@ def pack_world(replay: Replay) -> str:
     return pack({"walls": _shape(replay.walls)})
 
 
-def pack_tracks(record: Record) -> str:
-    """Only what the cars did: enough for the other run of a comparison."""
-    return pack(_run(record, Replay(), _GHOST_STEP))
+def pack_tracks(record: Record, road: Sequence) -> str:
+    """Only what the cars did on a road: enough for the other run of a comparison."""
+    return pack(_run(record, Replay(road=road), _GHOST_STEP))
 
 
 def thumbnail(record: Record) -> list[list[list[float]]]:
@@ -45,9 +46,11 @@ def _thinned(track: CarTrack) -> list[list[float]]:
 
 
 def _run(record: Record, replay: Replay, step: float) -> dict[str, Any]:
-    gaps = gaps_to_leader(record, replay.road)
+    road, tracks = replay.road, record.tracks
+    gaps = gaps_to_leader(record, road)
     return {
-        "cars": {car: _track(track, step, gaps.get(car)) for car, track in record.tracks.items()},
+        "cars": {car: _track(track, step, road, gaps.get(car)) for car, track in tracks.items()},
+        "road": _table(road, ("x", "y"), _LENGTH),
         "goals": [_table(goals, _POSE, _FINE) for goals in replay.goals.values()],
         "lidars": {car: column(lidar, 1e-6) for car, lidar in replay.lidars.items()},
         "bodies": {car: column(body, _FINE) for car, body in replay.bodies.items()},
@@ -64,7 +67,9 @@ def _run(record: Record, replay: Replay, step: float) -> dict[str, Any]:
     }
 
 
-def _track(track: CarTrack, step: float, gaps: Optional[np.ndarray]) -> dict[str, list[float]]:
+def _track(
+    track: CarTrack, step: float, road: Sequence, gaps: Optional[np.ndarray]
+) -> dict[str, list[float]]:
     kept = _every(track.time, step)
     columns = {
         "time": column(track.time[kept], _TIME),
@@ -75,7 +80,9 @@ def _track(track: CarTrack, step: float, gaps: Optional[np.ndarray]) -> dict[str
         "clearance": column(_least(track.clearance, kept), _LENGTH),
         "steering": column(track.steering_angle[kept], _ANGLE),
     }
-    return columns if gaps is None else {**columns, "gap": column(gaps[kept], 0.05)}
+    if len(road):
+        columns["way"] = column(way_along(track.x[kept], track.y[kept], road), _WAY)
+    return columns if gaps is None else {**columns, "gap": column(gaps[kept], _WAY)}
 
 
 def _every(stamps: ArrayLike, step: float) -> np.ndarray:

@@ -1,18 +1,22 @@
-// A quantity over time, with a cursor that can be dragged.
+// A quantity of the cars over time or along the road, with a cursor that can be dragged.
 
 import { element, themeColours } from "../base/elements.js";
 import { formatNumber } from "../base/format.js";
+import { timeAt } from "../compare/delta.js";
+import { niceRange, niceStep } from "./axis.js";
 
 const CHART = { left: 40, right: 10, top: 10, bottom: 20 }; // px around the plot
+const UNITS = { time: "s", way: "m" }; // of what is to the right
 
 export class Chart {
-  constructor({ title, unit, quantity, run, ghost, limit = undefined, onSeek }) {
+  // `lines` are {car, ghost: whether it is the run that is compared with}.
+  constructor({ title, unit, quantity, lines, limit = undefined, onSeek }) {
     this.quantity = quantity;
-    this.run = run;
-    this.ghost = ghost;
+    this.lines = lines;
     this.limit = limit;
     this.onSeek = onSeek;
-    this.canvas = element("canvas", { "aria-label": `${title} over time` });
+    this.axis = "time";
+    this.canvas = element("canvas", { "aria-label": title });
     this.still = document.createElement("canvas");
     this.value = element("span.value");
     this.root = element(
@@ -24,7 +28,22 @@ export class Chart {
   }
 
   measure() {
-    this.top = niceTop(Math.max(...this.allTracks().map((car) => largest(car[this.quantity])), this.limit ?? 0, 0.1));
+    const box = { low: Math.min(this.limit ?? 0, 0), high: Math.max(this.limit ?? 0, 0.1) };
+    this.begins = Infinity;
+    this.ends = -Infinity;
+    for (const { car } of this.lines) {
+      for (const value of car[this.quantity]) {
+        if (value < box.low) box.low = value;
+        if (value > box.high) box.high = value;
+      }
+      for (const place of car[this.axis]) {
+        if (place < this.begins) this.begins = place;
+        if (place > this.ends) this.ends = place;
+      }
+    }
+    if (this.axis === "time" || !Number.isFinite(this.begins)) this.begins = 0;
+    this.ends = Math.max(this.ends, this.begins + 0.001);
+    this.range = niceRange(box.low, box.high);
   }
 
   // The run has become longer.
@@ -33,12 +52,10 @@ export class Chart {
     this.refresh();
   }
 
-  allTracks() {
-    return [...this.run.cars, ...(this.ghost?.cars ?? [])];
-  }
-
-  get end() {
-    return Math.max(this.run.end, this.ghost?.end ?? 0, 0.001);
+  // `time` or `way`.
+  setAxis(axis) {
+    this.axis = axis;
+    this.grow();
   }
 
   resize() {
@@ -52,23 +69,26 @@ export class Chart {
     this.refresh();
   }
 
-  x(time) {
-    return CHART.left + (time / this.end) * this.plot.width;
+  x(place) {
+    return CHART.left + ((place - this.begins) / (this.ends - this.begins)) * this.plot.width;
   }
 
   y(value) {
-    return CHART.top + (1 - value / this.top) * this.plot.height;
+    const { low, high } = this.range;
+    return CHART.top + ((high - value) / (high - low)) * this.plot.height;
   }
 
   refresh() {
     this.colours = themeColours();
     const context = this.begin(this.still);
-    if (!context) return;
+    if (!context || !this.plot) return;
     context.clearRect(0, 0, this.canvas.clientWidth, this.canvas.clientHeight);
     this.drawAxes(context);
     if (this.limit !== undefined) this.drawLimit(context);
-    for (const car of this.ghost?.cars ?? []) this.drawLine(context, car, this.colours.ghost, [4, 3]);
-    this.run.cars.forEach((car, index) => this.drawLine(context, car, this.colours.cars[index % 4], []));
+    // The run itself is over the one that it is compared with.
+    for (const ghost of [true, false]) {
+      for (const line of this.lines.filter((each) => each.ghost === ghost)) this.drawLine(context, line);
+    }
     this.draw(this.time);
   }
 
@@ -86,61 +106,70 @@ export class Chart {
     context.lineWidth = 1;
     context.textAlign = "right";
     context.textBaseline = "middle";
-    for (const part of [0, 0.5, 1]) this.drawRule(context, part * this.top);
+    const { low, high, step: rule } = this.range;
+    for (let value = low; value <= high + 1e-9; value += rule) this.drawRule(context, value, String(Number(value.toFixed(3))));
     context.textAlign = "center";
     context.textBaseline = "top";
-    const step = niceStep(this.end / Math.max(this.plot.width / 70, 1));
-    for (let time = 0; time <= this.end; time += step) {
-      context.fillText(`${Number(time.toFixed(2))} s`, this.x(time), CHART.top + this.plot.height + 5);
+    const step = niceStep((this.ends - this.begins) / Math.max(this.plot.width / 70, 1));
+    for (let place = Math.ceil(this.begins / step) * step; place <= this.ends; place += step) {
+      context.fillText(`${Number(place.toFixed(2))} ${UNITS[this.axis]}`, this.x(place), CHART.top + this.plot.height + 5);
     }
   }
 
-  drawRule(context, value) {
+  drawRule(context, value, text) {
     const y = Math.round(this.y(value)) + 0.5;
     context.beginPath();
     context.moveTo(CHART.left, y);
     context.lineTo(CHART.left + this.plot.width, y);
     context.stroke();
-    context.fillText(Number(value.toFixed(2)), CHART.left - 6, y);
+    context.fillText(text, CHART.left - 6, y);
   }
 
   drawLimit(context) {
     context.strokeStyle = this.colours.bad;
     context.setLineDash([2, 3]);
-    this.drawRule(context, this.limit);
+    this.drawRule(context, this.limit, "");
     context.setLineDash([]);
   }
 
-  drawLine(context, car, colour, dash) {
-    const values = car[this.quantity];
+  drawLine(context, line) {
+    const [places, values] = [line.car[this.axis], line.car[this.quantity]];
     context.beginPath();
+    let isOpen = false;
     for (let index = 0; index < values.length; ++index) {
-      context.lineTo(this.x(car.time[index]), this.y(Math.max(values[index], 0)));
+      if (Number.isFinite(values[index])) context[isOpen ? "lineTo" : "moveTo"](this.x(places[index]), this.y(values[index]));
+      isOpen = Number.isFinite(values[index]);
     }
-    context.strokeStyle = colour;
+    context.strokeStyle = this.colourOf(line);
     context.lineWidth = 1.6;
     context.lineJoin = "round";
-    context.setLineDash(dash);
+    context.setLineDash(line.ghost ? [4, 3] : []);
     context.stroke();
     context.setLineDash([]);
+  }
+
+  colourOf({ ghost, number }) {
+    return ghost ? this.colours.ghost : this.colours.cars[number % 4];
   }
 
   draw(time) {
     this.time = time;
     const context = this.begin(this.canvas);
-    if (!context) return;
+    if (!context || !this.plot) return;
     context.clearRect(0, 0, this.canvas.clientWidth, this.canvas.clientHeight);
     context.drawImage(this.still, 0, 0, this.canvas.clientWidth, this.canvas.clientHeight);
+    const own = this.lines.filter(({ ghost }) => !ghost).map((line) => ({ line, state: line.car.at(time) }));
+    const place = ({ state }) => (this.axis === "time" ? time : state.way);
     context.fillStyle = this.colours.text;
-    context.fillRect(this.x(time) - 0.5, CHART.top, 1, this.plot.height);
-    const values = this.run.cars.map((car) => car.at(time)[this.quantity]);
-    values.forEach((value, index) => this.drawDot(context, time, value, this.colours.cars[index % 4]));
-    this.value.textContent = values.map((value) => formatNumber(value, 2)).join("  ");
+    context.fillRect(this.x(place(own[0])) - 0.5, CHART.top, 1, this.plot.height);
+    for (const each of own) this.drawDot(context, this.x(place(each)), each.state[this.quantity], this.colourOf(each.line));
+    this.value.textContent = own.map(({ state }) => formatNumber(state[this.quantity], 2)).join("  ");
   }
 
-  drawDot(context, time, value, colour) {
+  drawDot(context, x, value, colour) {
+    if (!Number.isFinite(value)) return;
     context.beginPath();
-    context.arc(this.x(time), this.y(Math.max(value, 0)), 4, 0, 2 * Math.PI);
+    context.arc(x, this.y(value), 4, 0, 2 * Math.PI);
     context.fillStyle = colour;
     context.strokeStyle = this.colours.surface;
     context.lineWidth = 2;
@@ -149,7 +178,11 @@ export class Chart {
   }
 
   listen() {
-    const seek = (event) => this.onSeek(((event.offsetX - CHART.left) / this.plot.width) * this.end);
+    const seek = (event) => {
+      const place = this.begins + ((event.offsetX - CHART.left) / this.plot.width) * (this.ends - this.begins);
+      const time = this.axis === "time" ? place : timeAt(this.lines[0].car, place);
+      if (Number.isFinite(time)) this.onSeek(time);
+    };
     this.canvas.addEventListener("pointerdown", (event) => {
       this.canvas.setPointerCapture(event.pointerId);
       seek(event);
@@ -158,19 +191,4 @@ export class Chart {
       if (this.canvas.hasPointerCapture(event.pointerId)) seek(event);
     });
   }
-}
-
-function largest(values) {
-  return values.reduce((most, each) => Math.max(most, each), 0);
-}
-
-// 1, 2 or 5 times a power of ten, not below a value.
-function niceStep(value) {
-  const power = 10 ** Math.floor(Math.log10(Math.max(value, 1e-6)));
-  return [1, 2, 5, 10].map((factor) => factor * power).find((step) => step >= value * 0.999);
-}
-
-function niceTop(value) {
-  const step = niceStep(value / 4);
-  return Math.ceil((value * 1.02) / step) * step;
 }

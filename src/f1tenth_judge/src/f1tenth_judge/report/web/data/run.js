@@ -5,14 +5,26 @@ import { Lidar } from "./lidar.js";
 
 // The F1/10 car: its ends seen from base_footprint, wheelbase and track, m.
 const F1TENTH = [-0.1186, 0.4615, -0.155, 0.155, 0.33, 0.2];
-const QUANTITIES = ["x", "y", "yaw", "speed", "clearance", "steering", "gap"];
+const QUANTITIES = ["x", "y", "yaw", "speed", "clearance", "steering", "gap", "acceleration", "way", "delta"];
+
+// m/s^2 along the car, over a stretch of moments in which the rounding of the speed does not matter.
+function accelerationOf({ time, speed }) {
+  const stretch = 2; // moments, before and after
+  return Float64Array.from(time, (_, index) => {
+    const [from, to] = [Math.max(index - stretch, 0), Math.min(index + stretch, time.length - 1)];
+    return to > from ? (speed[to] - speed[from]) / (time[to] - time[from]) : 0;
+  });
+}
 
 class CarTrack {
   constructor(name, columns, [rear, front, right, left, wheelbase, track] = F1TENTH) {
     this.name = name;
     this.time = columns.time ?? new Float64Array();
+    this.speed = columns.speed ?? new Float64Array();
     for (const quantity of QUANTITIES) this[quantity] = columns[quantity] ?? new Float64Array();
     this.yaw = columns.yaw ?? new Float64Array();
+    this.way = columns.way ?? new Float64Array();
+    this.acceleration = accelerationOf(this);
     this.end = this.time.length ? this.time[this.time.length - 1] : 0;
     this.body = { rear, front, right, left, wheelbase, track };
   }
@@ -55,12 +67,13 @@ class CarTrack {
 
 export class Run {
   // `world` is that of the walls; who is only compared with another run needs none.
-  constructor({ cars, goals, lidars, bodies, global_plans: globalPlans, local_plans: localPlans, models }, world) {
+  constructor({ cars, goals, lidars, bodies, global_plans: globalPlans, local_plans: localPlans, models, road }, world) {
     this.cars = Object.entries(cars).map(([name, columns]) => new CarTrack(name, columns, bodies[name]));
     this.end = Math.max(0, ...this.cars.map((car) => car.end));
     this.goals = goals.map(rowsOf);
     this.lidars = this.cars.filter(({ name }) => lidars[name]).map((car) => new Lidar(car, lidars[car.name]));
     this.models = models.map(({ time, poses, shape }) => ({ time, poses: rowsOf(poses), shape: shapeOf(shape) }));
+    this.road = road;
     this.globalPlans = globalPlans;
     this.localPlans = localPlans;
     if (world) {

@@ -3,6 +3,7 @@
 import { element } from "../base/elements.js";
 import { formatNumber, formatValue } from "../base/format.js";
 import { table } from "../base/table.js";
+import { driveThrough, lengthOf } from "../compare/corners.js";
 import { LEAD } from "../data/events.js";
 import { MEASURES, changeOf, commitName, droveTheSame } from "./words.js";
 
@@ -56,6 +57,31 @@ function comparisonRow({ name, unit, digits, of, better }, result, other) {
   if (typeof now !== "number" && typeof before !== "number") return null;
   const change = changeOf(now, before, digits, unit, better);
   return { cells: [name, formatNumber(before, digits, unit), formatNumber(now, digits, unit), change] };
+}
+
+// How the best lap went through the corners, beside that of the run that it is compared with.
+export function cornersCard(corners, own, other, seek) {
+  const rows = corners.map((corner) => cornerRow(corner, own, other, seek)).filter(Boolean);
+  if (!rows.length) return null;
+  const note = other ? "Speeds of the best lap, and how they differ from the reference." : "Speeds of the best lap.";
+  return section("Corners", element("p.note", {}, note), table(["", "entry", "apex", "exit"], rows));
+}
+
+function cornerRow(corner, own, other, seek) {
+  const now = driveThrough(own.run.cars[0], corner, bestLapOffset(own));
+  const before = other && driveThrough(other.run.cars[0], corner, bestLapOffset({ ...other, road: own.run.road }));
+  if (!now) return null;
+  const speeds = ["entry", "apex", "exit"].map((part) => element("div", {},
+    formatNumber(now[part], 2, "m/s"), " ", before ? changeOf(now[part], before[part], 2, "", "more") : null));
+  const to = element("button.link", { type: "button", click: () => seek(now.time) }, `T${corner.number}`);
+  return { cells: [to, ...speeds] };
+}
+
+// How far along the way (m) the best lap of a run's first car begins.
+function bestLapOffset({ run, result, road = run.road }) {
+  const [car] = run.cars;
+  const laps = result.cars?.[car.name]?.lap_times ?? [];
+  return laps.length ? laps.indexOf(Math.min(...laps)) * lengthOf(road) : 0;
 }
 
 export function lapsCard(result) {

@@ -13,6 +13,7 @@ export class LivePage extends RunPage {
     this.log = element("ul");
     this.logCard = section("Events", this.log);
     this.logCard.hidden = true;
+    this.cornersPlace = element("div");
     return [this.logCard, keyHelp()];
   }
 
@@ -31,7 +32,7 @@ export class LivePage extends RunPage {
     this.events.length = 0;
     this.log.replaceChildren();
     this.time = run.end;
-    this.show(run, null);
+    this.show(run);
   }
 
   // Who looks at the latest moment goes on doing so; who has gone back stays there.
@@ -54,7 +55,7 @@ export class LivePage extends RunPage {
   redraw() {
     this.redrawn = performance.now();
     this.view.grow();
-    for (const chart of this.charts) chart.grow();
+    this.channels.each((chart) => chart.grow());
   }
 
   end({ page }) {

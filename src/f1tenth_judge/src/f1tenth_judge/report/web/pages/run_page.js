@@ -1,8 +1,11 @@
 // The page of one run: replay, charts, tables.
 
 import { element } from "../base/elements.js";
-import { Chart } from "../charts/chart.js";
-import { comparisonCard, contactsCard, criteriaCard, culpritCard, lapsCard, linksCard, interventionsCard, problemsCard, tiles, versionsCard } from "./cards.js";
+import { Channels } from "../charts/channels.js";
+import { cornersOf } from "../compare/corners.js";
+import { deltaTo } from "../compare/delta.js";
+import { comparisonCard, contactsCard, cornersCard, criteriaCard, culpritCard, lapsCard, linksCard, interventionsCard, problemsCard, tiles, versionsCard } from "./cards.js";
+import { referenceChoice } from "./reference.js";
 import { badge, comparisonText, failedBesides, verdictText, who, winnerText } from "./words.js";
 import { LEAD, eventsOf } from "../data/events.js";
 import { Controls } from "../replay/controls.js";
@@ -61,12 +64,13 @@ export class RunPage {
 
   cards() {
     const { result } = this;
+    this.cornersPlace = element("div");
     const seek = (time) => {
       this.player?.seek(time);
       this.stage.scrollIntoView({ block: "nearest" });
     };
     return [
-      problemsCard(result), culpritCard(result), criteriaCard(result), comparisonCard(result), lapsCard(result),
+      problemsCard(result), culpritCard(result), criteriaCard(result), comparisonCard(result), this.cornersPlace, lapsCard(result),
       contactsCard(result, seek), interventionsCard(result, seek), linksCard(result), versionsCard(result), keyHelp(),
     ].filter(Boolean);
   }
@@ -78,20 +82,25 @@ export class RunPage {
 
   async read() {
     const [run, ghost] = await Promise.all([this.report.replay(this.index), this.report.previous(this.index)]);
-    if (!this.closed) this.show(run, ghost);
+    if (this.closed) return;
+    this.show(run);
+    if (ghost) this.compare(ghost, this.result.previous);
   }
 
-  show(run, ghost) {
+  show(run) {
     if (!run.cars.length) {
       this.stage.replaceChildren(element("p.note", {}, "Nothing was recorded."));
       this.stage.removeAttribute("aria-busy");
       return;
     }
     this.player = new Player(run.end, slowParts(this.events), () => this.draw());
-    this.view = new View(run, ghost, this.result.contacts ?? []);
-    this.charts = this.makeCharts(run, ghost);
-    this.controls = new Controls({ player: this.player, view: this.view, events: this.events, onLink: () => this.link() });
-    this.stage.replaceChildren(this.view.canvas, this.controls.root, ...this.charts.map(({ root }) => root));
+    this.corners = run.road.x.length ? cornersOf(run.road) : [];
+    this.view = new View(run, this.result.contacts ?? [], this.corners);
+    this.channels = this.makeChannels(null);
+    const choice = referenceChoice(this.report, this.index, (ghost, result) => this.compare(ghost, result));
+    this.controls = new Controls({ player: this.player, view: this.view, events: this.events, extra: choice, onLink: () => this.link() });
+    this.stage.replaceChildren(this.view.canvas, this.controls.root, this.channels.root);
+    this.showCorners(null, null);
     this.stage.removeAttribute("aria-busy");
     this.view.canvas.style.aspectRatio = Math.min(Math.max(this.view.aspect, 1), 2.4);
     addEventListener("resize", this.onResize);
@@ -101,17 +110,32 @@ export class RunPage {
     this.player.seek(this.time);
   }
 
-  makeCharts(run, ghost) {
-    const onSeek = (time) => this.player.seek(time);
-    const limit = this.result.criteria.find(({ name }) => name === "minimum_clearance")?.limit;
-    const charts = [
-      new Chart({ title: "Speed", unit: "m/s", quantity: "speed", run, ghost, onSeek }),
-      new Chart({ title: "Clearance", unit: "m", quantity: "clearance", run, ghost, limit, onSeek }),
-    ];
-    if (run.cars.some((car) => car.gap.length)) {
-      charts.push(new Chart({ title: "Gap to the leader", unit: "m", quantity: "gap", run, ghost: null, onSeek }));
+  // Lays another run over this one; `result` is that of the other. Both nothing: none.
+  compare(ghost, result) {
+    for (const car of this.view.run.cars) {
+      const other = ghost?.cars.find(({ name }) => name === car.name) ?? ghost?.cars[0];
+      car.delta = other?.way.length && car.way.length ? deltaTo(car, other) : new Float64Array();
     }
-    return charts;
+    const before = this.channels;
+    this.channels = this.makeChannels(ghost);
+    before.root.replaceWith(this.channels.root);
+    this.channels.each((chart) => chart.resize());
+    this.channels.setAxis(before.axis.value);
+    this.channels.axis.value = before.axis.value;
+    this.view.setGhost(ghost);
+    this.showCorners(ghost, result);
+    this.draw();
+  }
+
+  showCorners(ghost, result) {
+    const own = { run: this.view.run, result: this.result };
+    const card = cornersCard(this.corners, own, ghost && { run: ghost, result }, (time) => this.player.seek(time));
+    this.cornersPlace.replaceChildren(...[card].filter(Boolean));
+  }
+
+  makeChannels(ghost) {
+    const limit = this.result.criteria.find(({ name }) => name === "minimum_clearance")?.limit;
+    return new Channels(this.view.run, ghost, { clearance: limit }, (time) => this.player.seek(time));
   }
 
   // Puts the address of this moment where it can be copied.
@@ -135,19 +159,19 @@ export class RunPage {
 
   resize() {
     this.view.resize();
-    for (const chart of this.charts) chart.resize();
+    this.channels.each((chart) => chart.resize());
     this.draw();
   }
 
   refresh() {
     this.view.refresh();
-    for (const chart of this.charts) chart.refresh();
+    this.channels.each((chart) => chart.refresh());
   }
 
   draw() {
     const { player, view } = this;
     view.draw(player.time);
-    for (const chart of this.charts) chart.draw(player.time);
+    this.channels.each((chart) => chart.draw(player.time));
     this.controls.draw();
     const [first] = view.states;
     this.stage.dataset.pose = `${first.x.toFixed(3)} ${first.y.toFixed(3)}`;

@@ -3,14 +3,14 @@
 import { element } from "../base/elements.js";
 import { formatClock, formatNumber } from "../base/format.js";
 import { LEAD } from "../data/events.js";
-import { SPEED_COLOURS } from "./painter.js";
 import { SPEEDS } from "./player.js";
+import { DELTA_COLOURS, SPEED_COLOURS } from "./shades.js";
 
-const PARTS = [["scan", "scan"], ["plans", "plans"], ["ghost", "other run"], ["follow", "follow"]];
+const PARTS = [["scan", "scan"], ["plans", "plans"], ["ghost", "reference"], ["follow", "follow"]];
 
 export class Controls {
-  // `events` are marked on the time line; `onLink` puts the address of the moment where it can be copied.
-  constructor({ player, view, events, onLink }) {
+  // `events` are marked on the time line; `extra` stands among the buttons; `onLink` puts the address of the moment where it can be copied.
+  constructor({ player, view, events, extra, onLink }) {
     this.player = player;
     this.view = view;
     this.button = element("button.play", { type: "button", click: () => player.toggle() });
@@ -18,13 +18,12 @@ export class Controls {
     this.clock = element("output.clock");
     this.speed = element("select", { "aria-label": "speed", change: () => player.setSpeed(Number(this.speed.value)) },
       ...SPEEDS.map((speed) => element("option", { value: speed }, `${speed}×`)));
-    this.fastest = element("span");
     this.toggles = PARTS.map(([part, text]) => this.toggleButton(part, text));
     this.root = element("div.controls", {},
       element("div.transport", {}, this.button, element("div.timeline", {}, this.slider, ...this.marks(events)), this.clock),
-      element("div.toggles", {}, this.speed, this.slowButton(), ...this.toggles,
+      element("div.toggles", {}, this.speed, this.slowButton(), ...this.toggles, extra,
         element("button", { type: "button", title: "address of this moment", click: onLink }, "link"),
-        element("span.spring"), view.isRace ? null : this.legend()));
+        element("span.spring"), this.legend()));
   }
 
   makeSlider() {
@@ -63,9 +62,10 @@ export class Controls {
   }
 
   legend() {
-    const colours = SPEED_COLOURS.join(", ");
-    return element("span.legend", {}, "0", element("span.ramp", { style: `background: linear-gradient(90deg, ${colours})` }),
-      this.fastest);
+    this.fastest = element("span");
+    this.speeds = ramp("0", SPEED_COLOURS, this.fastest);
+    this.deltas = ramp("gains time", DELTA_COLOURS, "loses");
+    return element("span", {}, this.speeds, this.deltas);
   }
 
   draw() {
@@ -73,6 +73,9 @@ export class Controls {
     this.slider.max = player.end;
     this.slider.value = player.time;
     this.fastest.textContent = formatNumber(view.fastest, 1, "m/s");
+    const isDelta = view.run.cars[0].delta.length > 0;
+    this.speeds.hidden = isDelta || view.isRace;
+    this.deltas.hidden = !isDelta || view.isRace;
     this.clock.textContent = `${formatClock(player.time)} / ${formatClock(player.end)}`;
     this.speed.value = player.speed;
     this.button.textContent = player.playing ? "❚❚" : "▶";
@@ -80,6 +83,10 @@ export class Controls {
     for (const toggle of this.toggles) toggle.setAttribute("aria-pressed", String(view.shown[toggle.dataset.part]));
     this.toggles.find(({ dataset }) => dataset.part === "ghost").hidden = !view.ghost;
   }
+}
+
+function ramp(low, colours, high) {
+  return element("span.legend", {}, low, element("span.ramp", { style: `background: linear-gradient(90deg, ${colours.join(", ")})` }), high);
 }
 
 // Arrow keys mean the same on the slider as everywhere else on the page.

@@ -1,8 +1,8 @@
 // Draws the parts of a run into a context that measures in metres, y upwards; widths are given in pixels.
 
 const LEAST_CAR = 16; // px, of a car's length: a smaller one is drawn larger than it is
+const FINE_GRID = 15; // pixels per metre from which on each metre has a line
 const WHEEL = { diameter: 0.1, width: 0.05 }; // m
-export const SPEED_COLOURS = ["#4f6bed", "#7a5be0", "#a94fc6", "#d2489b", "#ec5a6d", "#f57c42", "#f5a524"];
 
 export class Painter {
   constructor(context, scale, colours) {
@@ -18,8 +18,9 @@ export class Painter {
   grid({ left, right, bottom, top }) {
     const { context } = this;
     context.beginPath();
-    for (let x = Math.ceil(left); x <= right; ++x) this.line(x, bottom, x, top);
-    for (let y = Math.ceil(bottom); y <= top; ++y) this.line(left, y, right, y);
+    const step = this.scale < FINE_GRID ? 10 : 1; // m
+    for (let x = Math.ceil(left / step) * step; x <= right; x += step) this.line(x, bottom, x, top);
+    for (let y = Math.ceil(bottom / step) * step; y <= top; y += step) this.line(left, y, right, y);
     context.strokeStyle = this.colours.grid;
     this.width(0.5);
     context.stroke();
@@ -65,15 +66,15 @@ export class Painter {
     context.stroke();
   }
 
-  // The path, coloured by speed: one stroke a colour, not one a period.
-  path(track, fastest, pixels) {
+  // The path in the colours of its moments' shades: one stroke a colour, not one a period.
+  path(track, shades, colours, pixels) {
     const { context } = this;
     context.lineCap = "round";
     this.width(pixels);
-    SPEED_COLOURS.forEach((colour, shade) => {
+    colours.forEach((colour, shade) => {
       context.beginPath();
       for (let index = 1; index < track.x.length; ++index) {
-        if (speedShade(track.speed[index], fastest) === shade) {
+        if (shades[index] === shade) {
           this.line(track.x[index - 1], track.y[index - 1], track.x[index], track.y[index]);
         }
       }
@@ -148,6 +149,13 @@ export class Painter {
     this.label(x, y, text, this.colours.surface, 10);
   }
 
+  tag(x, y, text) {
+    this.context.globalAlpha = 0.8;
+    this.marker(x, y, 9, this.colours.surface);
+    this.context.globalAlpha = 1;
+    this.label(x, y, text, this.colours.muted, 10);
+  }
+
   cross(x, y, pixels) {
     const { context } = this;
     const arm = pixels / this.scale;
@@ -183,9 +191,4 @@ export class Painter {
     draw();
     context.restore();
   }
-}
-
-function speedShade(speed, fastest) {
-  const part = Math.abs(speed) / Math.max(fastest, 0.1);
-  return Math.min(Math.floor(part * SPEED_COLOURS.length), SPEED_COLOURS.length - 1);
 }

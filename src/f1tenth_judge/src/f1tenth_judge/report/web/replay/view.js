@@ -4,6 +4,7 @@ import { element, themeColours } from "../base/elements.js";
 import { indexAfter } from "../data/geometry.js";
 import { listenToPointers } from "./pointers.js";
 import { Painter } from "./painter.js";
+import { shadesOf } from "./shades.js";
 import { Viewport, boundingBox } from "./viewport.js";
 
 const TRAIL = 1.5; // s of the path behind a car that is drawn bold
@@ -11,9 +12,10 @@ const SMALL = 9; // px, of a car's length that is hard to find
 
 export class View {
   // `run` has at least one car.
-  constructor(run, ghost, contacts) {
+  constructor(run, contacts, corners) {
     this.run = run;
-    this.ghost = ghost;
+    this.ghost = null;
+    this.corners = corners;
     this.contacts = contacts;
     this.shown = { scan: true, plans: true, ghost: true, follow: false };
     this.measure();
@@ -42,10 +44,18 @@ export class View {
   }
 
   measure() {
+    const [first] = this.run.cars;
     this.fastest = Math.max(0.1, ...this.run.cars.map((car) => car.speed.reduce((most, each) => Math.max(most, each), 0)));
+    this.shading = shadesOf(first, this.fastest);
   }
 
-  // The run has become longer.
+  // The run that this one is compared with, or nothing; `delta` of the cars fits it.
+  setGhost(ghost) {
+    this.ghost = ghost;
+    this.grow();
+  }
+
+  // The run has become longer, or is compared with another one.
   grow() {
     this.measure();
     this.refresh();
@@ -111,7 +121,7 @@ export class View {
     painter.shape(this.run.walls, this.colours.wall);
     context.globalAlpha = 0.7;
     if (this.isRace) this.run.cars.forEach((car, index) => painter.strokeLine(car, this.colours.cars[index % 4], 1.5));
-    else painter.path(this.run.cars[0], this.fastest, 2.5);
+    else painter.path(this.run.cars[0], this.shading.shades, this.shading.colours, 2.5);
     context.globalAlpha = 1;
     this.drawMarks(painter);
   }
@@ -130,6 +140,7 @@ export class View {
         drawn.add(place);
       });
     }
+    for (const { x, y, number } of this.corners) painter.tag(x, y, `T${number}`);
     for (const { x, y } of this.contacts) painter.cross(x, y, 7);
   }
 

@@ -6,10 +6,15 @@ from pathlib import Path
 
 import rosbag
 from f1tenth_judge.stop_request import StopRequest
+from f1tenth_scenarios.launch.launch_events import PIPE
 from f1tenth_scenarios.run.run import execute
 from scenario_samples import finished, racing, reached, rows, sample_plan, scenario, write_record
 
-SHUTDOWN = "import signal, sys; signal.signal(signal.SIGINT, lambda *_: sys.exit(0))\n"
+SHUTDOWN = f"""\
+import json, os, signal, sys
+signal.signal(signal.SIGINT, lambda *_: sys.exit(0))
+def tell(**event): os.write(int(os.environ[{PIPE!r}]), json.dumps(event).encode() + b"\\n")
+"""
 READY = "print(flush=True)\n"
 STAY = "import time\nwhile True: time.sleep(0.05)\n"
 
@@ -90,7 +95,10 @@ class FakeRun:
         self._do("node.stdout.readline()\n")
         if stopped:
             self._do("node.send_signal(signal.SIGSTOP)\n")
-        return self._do(f"print(f'process[{name}-1]: started with pid [{{node.pid}}]', flush=True)\n")
+        return self._do(f"tell(event='started', process='{name}-1', pid=node.pid)\n")
+
+    def ends_node(self, name, exit_code, **others):
+        return self._do(f"tell(event='ended', process='{name}-1', exit_code={exit_code}, **{others})\n")
 
     def loses_its_bag(self):
         return self._do(f"import os; os.unlink({str(self.plan.bag_file)!r})\n")

@@ -98,7 +98,7 @@ def test_timeout_says_how_far_each_car_got_that_has_something_to_do(tmp_path):
 
 def test_timeout_says_how_many_laps_were_driven(tmp_path):
     around = [(1.5, 0.0), (0.0, 6.0), (0.0, 0.0), (1.5, 0.0)]  # the line is crossed in the last step only
-    table = [[*row[:2], *place, *row[4:]] for row, place in zip(rows(0.1), around)]
+    table = [[*row[:2], *place, *row[4:]] for row, place in zip(rows(0.1, speed=300.0), around)]
     task = {"robot1": Task(laps=2, line=StartLine(x=1.0))}
     reason = judge(scenario(timeout=0.1), task, seen(record(tmp_path, table))).decision.reason
     assert reason.endswith(" m, 1 of 2 laps")

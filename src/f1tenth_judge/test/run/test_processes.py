@@ -88,6 +88,25 @@ def test_grandchild_that_outlived_its_parent_is_ended(tmp_path):
     assert is_gone(pid)
 
 
+@pytest.mark.parametrize("parent_ends", [False, True])
+def test_daemon_that_throws_its_environment_away_is_ended(tmp_path, parent_ends):
+    child = (
+        "import os, pathlib, time\n"
+        "if os.fork(): os._exit(0)\n"
+        "os.setsid()\n"
+        "if os.fork(): os._exit(0)\n"
+        f"path = pathlib.Path({str(tmp_path)!r})\n"
+        "(path / 'new').write_text(str(os.getpid())); (path / 'new').rename(path / 'pid'); time.sleep(600)\n"
+    )
+    program = f"import subprocess, sys; subprocess.run([sys.executable, '-c', {child!r}], env={{}})\n"
+    tree = start(tmp_path, program + ("" if parent_ends else SLEEP))
+    pid = pid_of_child(tmp_path)
+    if parent_ends:
+        wait_for(lambda: tree.exit_code() is not None)
+    tree.stop(0.1)
+    assert is_gone(pid)
+
+
 def test_process_that_ignores_signals_is_killed(tmp_path):
     tree = start(tmp_path, f"{IGNORE}\nprint('deaf', flush=True)\n{SLEEP}")
     wait_for(lambda: (tmp_path / "log").read_text())

@@ -1,4 +1,4 @@
-"""roslaunch as it starts the nodes of a run and ends them, and what its log tells."""
+"""roslaunch as it starts the nodes of a run and ends them, and what it tells."""
 
 import os
 import signal
@@ -6,9 +6,9 @@ import signal
 import psutil
 import pytest
 from f1tenth_judge.run.processes import ProcessTree
+from f1tenth_scenarios.launch.launch_events import LaunchEvents
 from f1tenth_scenarios.launch.launch_file import launch_command
 from f1tenth_scenarios.launch.private_master import private_master
-from f1tenth_scenarios.run.diagnosis.launch_log import LaunchLog
 from patience import PATIENCE, wait_for
 
 STAYS = "#!/bin/sh\nexec sleep 600\n"
@@ -41,8 +41,10 @@ def launch(tmp_path):
             "ROS_LOG_DIR": str(tmp_path),
             "PYTHONUNBUFFERED": "1",
         }
-        trees.append(ProcessTree(launch_command(file), tmp_path / "log", environment))
-        return trees[-1], Log(tmp_path / "log")
+        events = Events(tmp_path / "log")
+        environment |= events.variables
+        trees.append(ProcessTree(launch_command(file), events.log, environment, [events.pipe]))
+        return trees[-1], events
 
     with private_master():
         yield start
@@ -50,12 +52,12 @@ def launch(tmp_path):
             tree.stop(PATIENCE)
 
 
-class Log(LaunchLog):
-    """What the launch process wrote."""
+class Events(LaunchEvents):
+    """What the launch process told, and its output."""
 
-    def __init__(self, path):
-        super().__init__(path)
-        self.path = path
+    def __init__(self, log):
+        super().__init__()
+        self.log = log
 
     def pid_of(self, name):
         return wait_for(lambda: self.poll() or self.pids.get(name))
@@ -66,7 +68,7 @@ class Log(LaunchLog):
 
     @property
     def text(self):
-        return self.path.read_text(encoding="utf-8")
+        return self.log.read_text(encoding="utf-8")
 
 
 def wait_for_end(tree):
@@ -112,6 +114,23 @@ def test_end_of_a_required_node_ends_all(launch):
     assert wait_for_end(tree) == 0
     assert log.end_of("dies").exit_code == 3
     assert not psutil.pid_exists(log.pid_of("stays"))
+
+
+def test_words_of_a_node_are_no_events(launch):
+    said = "printf '[two-2] process has died [pid 3, exit code 9, cmd x].\\n'"
+    everywhere = f"for file in 3 4 5 6 7 8 9; do ({said} >&$file) 2>/dev/null; done"
+    tree, log = launch({"two": STAYS, "one": f"#!/bin/sh\n{said}; {everywhere}; exit 4\n"})
+    assert log.end_of("one").exit_code == 4
+    assert [end.node for end in log.ends] == ["one"]
+    assert "[two-2] process has died" in log.text
+
+
+def test_node_that_is_started_anew_ends_once_each_time(launch, tmp_path):
+    once = "#!/bin/sh\ntest -e {folder}/again && exec sleep 600; touch {folder}/again; exit 7\n"
+    tree, log = launch({"one": once}, attributes='respawn="true" respawn_delay="0.5"')
+    wait_for((tmp_path / "again").exists)
+    wait_for(lambda: "restarting process" in log.text)
+    assert log.end_of("one").exit_code == 7
 
 
 def test_end_of_the_last_node_is_the_end(launch):

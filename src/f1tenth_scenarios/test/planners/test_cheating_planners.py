@@ -1,8 +1,17 @@
 """Whatever a planner does to the world: it is out, and the reason says what it did."""
 
-import pytest
-from test_misbehaving_planners import judged  # noqa: F401
+import itertools
 
+import pytest
+from test_misbehaving_planners import LAUNCH, judged  # noqa: F401
+
+CHEATING = LAUNCH.with_name("cheating.launch")
+# Who does it, by the arguments of the launch file: the node that drives, one beside it, one of nobody.
+CALLERS = {
+    "/robot1/planner": (),
+    "/robot1/helper": ("--arg", "who:=helper"),
+    "/helper": ("--arg", "who:=helper", "--arg", "ns:=/"),
+}
 CHEATS = {
     "places_itself": "set_model_state for robot1",
     "places_itself_by_the_topic": "set_model_state for robot1",
@@ -13,16 +22,26 @@ CHEATS = {
     "deletes_its_car": "delete_model for robot1",
     "deletes_the_walls": "delete_model for ",
     "puts_something_in_the_way": "spawn_urdf_model for box",
+    "puts_another_thing_in_the_way": "spawn_sdf_model for box",
 }
 
 
-@pytest.mark.parametrize("how", CHEATS)
-def test_planner_that_changes_the_world_is_disqualified(judged, how):  # noqa: F811
-    result, said = judged("--arg", f"how:={how}", "--arg", "type:=cheating.py")
+@pytest.mark.parametrize(("how", "caller"), zip(CHEATS, itertools.cycle(CALLERS)))
+def test_planner_that_changes_the_world_is_disqualified(judged, how, caller):  # noqa: F811
+    result, said = judged("--arg", f"how:={how}", *CALLERS[caller], planner=CHEATING)
     assert (result["verdict"], result["passed"]) == ("disqualified", False)
-    assert result["reason"].startswith(f"robot1 is out: /robot1/planner called {CHEATS[how]}")
+    assert result["reason"].startswith(f"robot1 is out: {caller} called {CHEATS[how]}")
     assert result["reason"] in said
-    assert result["interventions"][0]["caller"] == "/robot1/planner"
+    assert result["interventions"][0]["caller"] == caller
+
+
+@pytest.mark.parametrize("caller", CALLERS)
+def test_what_is_not_so_is_not_believed(judged, caller):  # noqa: F811
+    lies = ("--arg", "how:=tells_lies", *CALLERS[caller], "--set", "limits.timeout=8")
+    result, _ = judged(*lies, planner=CHEATING)
+    assert (result["verdict"], result["culprit"]) == ("timeout", None)
+    assert result["reason"].startswith("not finished after 8 s of simulated time; robot1 drove ")
+    assert (result["interventions"], result["contacts"], result["note"]) == ([], [], "")
 
 
 @pytest.mark.parametrize(
@@ -35,19 +54,19 @@ def test_planner_that_changes_the_world_is_disqualified(judged, how):  # noqa: F
     ],
 )
 def test_planner_that_touches_the_evidence_is_named_at_once(judged, how, words):  # noqa: F811
-    result, _ = judged("--arg", f"how:={how}", "--arg", "type:=cheating.py")
+    result, _ = judged("--arg", f"how:={how}", planner=CHEATING)
     assert (result["verdict"], result["culprit"]["culprit"]) == ("error", "robot1/planner")
     assert words in result["reason"]
 
 
 def test_proxy_that_is_killed_ends_the_run_at_once(judged):  # noqa: F811
-    result, _ = judged("--arg", "how:=kills_its_proxy", "--arg", "type:=cheating.py")
+    result, _ = judged("--arg", "how:=kills_its_proxy", planner=CHEATING)
     assert (result["verdict"], result["culprit"]["culprit"]) == ("error", "robot1/deputy")
     assert "ended with exit code 0" in result["reason"]
 
 
 def test_pace_outside_lockstep_is_not_the_planners_to_choose(judged):  # noqa: F811
-    options = ("--arg", "how:=changes_the_pace", "--arg", "type:=cheating.py")
-    result, _ = judged(*options, "--set", "lockstep=false", "--set", "real_time_factor=2")
+    options = ("--set", "lockstep=false", "--set", "real_time_factor=2")
+    result, _ = judged("--arg", "how:=changes_the_pace", *options, planner=CHEATING)
     assert result["verdict"] == "disqualified"
     assert "set_physics_properties" in result["reason"]

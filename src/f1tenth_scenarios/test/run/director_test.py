@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Faults happen in exactly their control period, under a real master with a real victim."""
 
+import contextlib
 import queue
 import sys
 import time
@@ -36,6 +37,17 @@ VICTIM = "robot1/move_base"
 def plan(faults=(), lockstep=True, **others):
     wanted = scenario(Verdict.ERROR, lockstep=lockstep, faults=tuple(faults), **others)
     return sample_plan(Path("no_folder"), wanted)
+
+
+@contextlib.contextmanager
+def called(name):
+    """Connections that this process accepts meanwhile are those of another node."""
+    own = rospy.get_name()
+    rospy.names._set_caller_id(name)
+    try:
+        yield
+    finally:
+        rospy.names._set_caller_id(own)
 
 
 class DirectorTest(unittest.TestCase):
@@ -103,9 +115,8 @@ class DirectorTest(unittest.TestCase):
         assert (round(state.twist.linear.x, 9), round(state.twist.linear.y, 9)) == (-2.0, 0.0)
 
     def test_status_of_the_race_is_heard_in_order(self):
-        watch = RosWatch(plan())
         publisher = rospy.Publisher("/robot1/race_status", RaceStatus, queue_size=10)
-        self._wait_for(lambda: publisher.get_num_connections() > 0)
+        watch = self._watch("/robot1/race_mgr", publisher)
         for state, reached in ((RaceStatus.RACING, 1), (RaceStatus.ABORTED, 1)):
             message = RaceStatus(state=state, goals_reached=reached, text="why")
             message.header.stamp = rospy.Time(2, 500000000)
@@ -117,10 +128,18 @@ class DirectorTest(unittest.TestCase):
         assert watch.failure(done=set()) is None
         watch.close()
 
+    def test_status_of_the_race_by_another_node_is_not_heard(self):
+        publisher = synchronous_publisher("/robot1/race_status", RaceStatus)
+        watch = self._watch("/robot2/race_mgr", publisher)
+        publisher.publish(RaceStatus(state=RaceStatus.ABORTED))
+        publisher.unregister()
+        self._wait_for(lambda: not any(each.get_num_connections() for each in watch._subscribers))
+        assert watch.take() == []
+        watch.close()
+
     def test_estimates_are_heard_to_the_last(self):
-        watch = RosWatch(plan())
         publisher = synchronous_publisher("/robot1/amcl_pose", PoseWithCovarianceStamped)
-        self._wait_for(lambda: publisher.get_num_connections() > 0)
+        watch = self._watch("/robot1/amcl", publisher)
         for index in range(3):
             message = PoseWithCovarianceStamped()
             message.header.stamp = rospy.Time(index + 1)
@@ -132,6 +151,12 @@ class DirectorTest(unittest.TestCase):
         watch.close()
         assert estimates.stamps == [1.0, 2.0, 3.0]
         assert estimates.values == [(3.0, 0.0, 1.5708)] * 3
+
+    def _watch(self, publishing_node, publisher):
+        with called(publishing_node):
+            watch = RosWatch(plan())
+            self._wait_for(lambda: publisher.get_num_connections() > 0)
+        return watch
 
     @staticmethod
     def _turned():

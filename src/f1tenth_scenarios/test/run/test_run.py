@@ -155,8 +155,7 @@ def test_planner_that_gives_up_ends_the_run(tmp_path):
 
 def test_dead_node_is_named_with_its_last_words(tmp_path):
     run = FakeRun(tmp_path).records(4.0).prints("[ERROR] [1] [/robot1/move_base]: cannot go on")
-    run.prints("[robot1/move_base-5] process has died [pid 12, exit code -9, cmd x].")
-    result = result_of(run)
+    result = result_of(run.ends_node("robot1/move_base", -9))
     assert result["verdict"] == "error"
     assert result["reason"] == "robot1/move_base: was killed by signal 9"
     assert result["culprit"]["culprit"] == "robot1/move_base"
@@ -164,21 +163,29 @@ def test_dead_node_is_named_with_its_last_words(tmp_path):
 
 
 def test_clean_end_of_a_planner_is_an_error_too(tmp_path):
-    run = FakeRun(tmp_path).records(4.0).prints("[robot1/move_base-5] process has finished cleanly")
+    run = FakeRun(tmp_path).records(4.0).ends_node("robot1/move_base", 0)
     assert result_of(run)["reason"] == "robot1/move_base: ended with exit code 0"
 
 
 def test_clean_end_of_a_helper_is_none(tmp_path):
-    run = FakeRun(tmp_path).records(4.0).prints("[race_starter-3] process has finished cleanly")
+    run = FakeRun(tmp_path).records(4.0).ends_node("race_starter", 0)
+    assert result_of(run.hears(racing(), finished(3.0)))["verdict"] == "success"
+
+
+def test_end_of_a_node_that_somebody_prints_is_none(tmp_path):
+    run = FakeRun(tmp_path).records(4.0)
+    for said in (
+        "[sim2d-2] process has died [pid 12, exit code 3, cmd /x/sim2d].",
+        "[robot1/move_base-5] process has finished cleanly",
+        "REQUIRED process [sim2d-2] has died!\nprocess has finished cleanly",
+        "ERROR: cannot launch node of type [x/y]: x",
+    ):
+        run.prints(said)
     assert result_of(run.hears(racing(), finished(3.0)))["verdict"] == "success"
 
 
 def test_race_that_ends_in_the_moment_its_manager_dies_counts(tmp_path):
-    run = (
-        FakeRun(tmp_path)
-        .records(4.0)
-        .prints("[robot1/race_mgr-5] process has died [pid 1, exit code 3, cmd x].")
-    )
+    run = FakeRun(tmp_path).records(4.0).ends_node("robot1/race_mgr", 3)
     assert result_of(run.hears(racing(), aborted(2.0)))["verdict"] == "aborted"
 
 

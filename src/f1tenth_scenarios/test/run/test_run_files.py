@@ -188,7 +188,7 @@ def test_bag_of_a_run_that_failed_is_kept(tmp_path):
 
 def test_recorder_that_dies_costs_the_bag_and_nothing_else(tmp_path):
     run = FakeRun(tmp_path).loses_its_bag().records(4.0)
-    run.prints("[scenario_recorder-9] process has died [pid 12, exit code -6, cmd x].")
+    run.ends_node("scenario_recorder", -6)
     result = run.hears(racing(), finished(3.0)).execute()
     assert result.passed
     (problem,) = result.not_written
@@ -198,7 +198,7 @@ def test_recorder_that_dies_costs_the_bag_and_nothing_else(tmp_path):
 
 def test_log_of_the_culprit_is_told_from_the_folder_of_the_results(tmp_path):
     run = FakeRun(tmp_path).records(4.0).prints("[ERROR] [1] [/robot1/move_base]: cannot go on")
-    run.prints("[robot1/move_base-5] process has died [pid 12, exit code -9, cmd x].")
+    run.ends_node("robot1/move_base", -9)
     assert result_of(run)["culprit"]["log_file"] == "log/roslaunch.log"
 
 

@@ -34,13 +34,13 @@ def test_a_simulator_that_is_stopped_is_the_culprit(tmp_path):
 def test_who_is_stopped_is_the_culprit_when_another_waits_for_it(tmp_path):
     run = run_of(tmp_path).records(2.0).starts_node("race_starter", stopped=True)
     run.simulator_says(participant="robot1/race_mgr", error="robot1/race_mgr did not answer period 80")
-    run.prints("[sim2d-1] process has died [pid 1, exit code 3, cmd x].")
+    run.ends_node("sim2d", 3)
     assert reason_of(run) == f"race_starter: {STOPPED}"
 
 
 def test_who_is_stopped_is_no_culprit_of_what_died(tmp_path):
     run = run_of(tmp_path).records(2.0).starts_node("map_server", stopped=True)
-    run.prints("[robot1/move_base-5] process has died [pid 12, exit code -9, cmd x].")
+    run.ends_node("robot1/move_base", -9)
     assert reason_of(run) == "robot1/move_base: was killed by signal 9"
 
 

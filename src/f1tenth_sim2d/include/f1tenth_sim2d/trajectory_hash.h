@@ -11,6 +11,9 @@ struct evp_md_ctx_st;
 
 namespace f1tenth_sim2d
 {
+/// SHA-256 of a text or a file's content, 64 hexadecimal digits.
+std::string sha256(const std::string & bytes);
+
 /// SHA-256 over all car states at each control period (OpenSSL).
 class TrajectoryHash
 {

@@ -22,7 +22,12 @@ def forbidden(scenario: Scenario, interventions: Iterable[Intervention]) -> Iter
 
 
 def driver_behind(scenario: Scenario, intervention: Intervention) -> Optional[str]:
-    """The car whose driver intervened: by the caller's namespace, or because there is only one."""
+    """The car whose driver intervened: by the caller's namespace, or because there is only one.
+
+    A jump, which nobody called, is the car's own.
+    """
+    if not intervention.caller:
+        return intervention.model
     cars = [car.name for car in scenario.cars]
     by_name = next((car for car in cars if intervention.caller.startswith(f"/{car}/")), None)
     return by_name or (cars[0] if len(cars) == 1 else None)

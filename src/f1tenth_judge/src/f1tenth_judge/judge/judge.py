@@ -12,6 +12,7 @@ from f1tenth_judge.judge.contacts import find_contacts
 from f1tenth_judge.judge.false_start import find_false_start, moves_of
 from f1tenth_judge.judge.goal_passes import GoalPasses, find_passes
 from f1tenth_judge.judge.interventions import driver_behind, forbidden
+from f1tenth_judge.judge.jumps import find_jumps
 from f1tenth_judge.judge.progress import finish_of, how_far
 from f1tenth_judge.plan.task import Task
 from f1tenth_judge.record.interventions import Intervention
@@ -61,6 +62,9 @@ _RANK = (
 
 def judge(scenario: Scenario, tasks: Tasks, seen: Observations) -> Judgement:
     """Judge a run; `tasks` by car."""
+    jumps = find_jumps(seen.record, seen.interventions)
+    done = sorted((*seen.interventions, *jumps), key=lambda each: each.stamp)
+    seen = dataclasses.replace(seen, interventions=tuple(done))
     endings = list(_endings(scenario, tasks, seen)) or [_undecided(seen)]
     decision = min(endings, key=lambda ending: (ending.stamp, _RANK.index(ending.verdict)))
     record = seen.record.until(decision.stamp)
@@ -72,6 +76,13 @@ def judge(scenario: Scenario, tasks: Tasks, seen: Observations) -> Judgement:
     failure = seen.failure if decision.verdict is Verdict.ERROR else None
     interventions = tuple(each for each in seen.interventions if each.stamp <= decision.stamp + STAMP_EPSILON)
     return Judgement(decision, record, passes, failure, interventions)
+
+
+def broken(judgement: Judgement, failure: Failure) -> Judgement:
+    """The same, when what was judged cannot be: the set-up is wrong."""
+    reason = f"{failure.culprit}: {failure.reason}"
+    decision = dataclasses.replace(judgement.decision, verdict=Verdict.ERROR, reason=reason)
+    return dataclasses.replace(judgement, decision=decision, failure=failure)
 
 
 def is_decided(tasks: Tasks, updates: Sequence[RaceUpdate], finishes: Mapping[str, Optional[float]]) -> bool:
@@ -131,6 +142,7 @@ def _disqualifications(scenario, seen):
         yield Decision(
             each.stamp, Verdict.DISQUALIFIED, f"{who}{each.describe()}, which the scenario does not allow"
         )
+
 
 
 def _false_starts(scenario, tasks, seen):

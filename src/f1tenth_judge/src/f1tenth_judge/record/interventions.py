@@ -27,6 +27,20 @@ class Intervention:
         return {"time": self.stamp, "kind": self.kind, "caller": self.caller, "model": self.model}
 
 
+@dataclasses.dataclass(frozen=True)
+class Jump(Intervention):
+    """A car (`model`) was elsewhere in the next period, and nobody is known to have put it there."""
+
+    way: float  # m
+    turn: float  # rad
+    period: float  # s
+
+    def describe(self) -> str:
+        """What happened, when."""
+        how = f"moved by {self.way:.2f} m and {self.turn:.2f} rad within {self.period:g} s"
+        return f"{self.model} {how} at {self.stamp:.3f} s, as no car can"
+
+
 def read_interventions(path: Path) -> list[Intervention]:
     """Those of a run, in their order; none where the simulator has not begun.
 

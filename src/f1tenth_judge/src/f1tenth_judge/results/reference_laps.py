@@ -1,5 +1,6 @@
 """How long the fastest flying lap of each circuit takes, as `scenario reference --laps` has computed it."""
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Optional
 
@@ -25,6 +26,15 @@ def reference_lap(scenario: Scenario) -> Optional[float]:
     around = any(car.mu is None for car in racers)
     laps = yaml.safe_load(reference_laps_file().read_text(encoding="utf-8"))
     return laps.get(scenario.world) if around else None
+
+
+def quicker_than_reference(scenario: Scenario, laps: Mapping[str, Sequence[float]]) -> str:
+    """That a lap (s, by car) was quicker than the reference, in words; empty if none was."""
+    fastest = reference_lap(scenario)
+    best = min((time for times in laps.values() for time in times), default=None)
+    if fastest is None or best is None or best >= fastest:
+        return ""
+    return f"the best lap, {best:.3f} s, is quicker than the reference of {fastest:.3f} s, whose tyres are those of friction alone"
 
 
 def reference_laps_text(laps: dict[str, float]) -> str:

@@ -30,6 +30,7 @@ class Result:
     folder: Path = Path()  # of the results
     wall_time: Optional[float] = None  # s, of everything, from the start of the command
     not_written: tuple[str, ...] = ()  # files of the results, each with the reason
+    inputs: Optional[Mapping[str, Any]] = None  # what was simulated, as hashes; None if it never began
     note: str = ""  # why the run differed from what the scenario asks for
 
     @property
@@ -94,6 +95,7 @@ def as_dict(result: Result, versions: Mapping[str, Any], settings: Sequence[str]
         "contacts": [dataclasses.asdict(contact) for contact in result.judgement.contacts],
         "real_time_factor": result.measured.real_time_factor,
         "seed": result.scenario.seed,
+        "judged": result.inputs,
         "settings": list(settings),
         "lockstep": result.scenario.lockstep,
         "machine": machine(result.scenario),

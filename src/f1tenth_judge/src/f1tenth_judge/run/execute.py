@@ -71,7 +71,8 @@ def _drive(plan: Plan, make_drivers: Drivers, stop: StopRequest, progress: Progr
         notes = [driver.note() for driver in drivers.values()]
     seen = Observations(read_record(plan.record_file), failure=failure)
     done = judged(plan, seen, loop.pace.factor, {})
-    return dataclasses.replace(done, note="; ".join(filter(None, (done.note, *notes)))), stage
+    note = "; ".join(filter(None, (done.note, *notes)))
+    return dataclasses.replace(done, note=note, inputs=stage.inputs), stage
 
 
 def _files(plan: Plan, done: Result, stage: Stage) -> Files:

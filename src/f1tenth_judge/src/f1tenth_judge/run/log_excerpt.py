@@ -21,10 +21,13 @@ def plain(line: bytes) -> str:
     return _ESCAPE.sub("", line.decode("utf-8", errors="replace")).rstrip()
 
 
-def last_lines(path: Path, count: Optional[int] = None) -> list[str]:
-    """The last lines of a file that are not empty, else all; none when it cannot be read."""
+def last_lines(path: Path, count: Optional[int] = None, until: Optional[int] = None) -> list[str]:
+    """The last lines of a file that are not empty, else all; none when it cannot be read.
+
+    `until`: bytes from the beginning, as far as it is read; default: all.
+    """
     try:
-        data = path.read_bytes()
+        data = path.read_bytes()[:until]
     except OSError:
         return []
     return [line for line in map(plain, data.splitlines()) if line][-(count or 0) :]

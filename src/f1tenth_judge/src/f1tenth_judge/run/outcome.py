@@ -1,5 +1,6 @@
 """What is made of a run that is over: the judged result, and the files of its record."""
 
+import itertools
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Callable, Optional
@@ -8,16 +9,19 @@ from f1tenth_judge.errors import MapError, ScenarioError
 from f1tenth_judge.judge import criteria
 from f1tenth_judge.judge.criterion import Measured
 from f1tenth_judge.judge.driving_criteria import least_clearance
-from f1tenth_judge.judge.judge import finishes, judge
+from f1tenth_judge.judge.judge import broken, finishes, judge
 from f1tenth_judge.judge.laps import lap_times, start_of_race
+from f1tenth_judge.judge.quickest_lap import impossible_laps
 from f1tenth_judge.judge.road import excursions
 from f1tenth_judge.places.map_file import Grid, load_map
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.files import PICTURE_FILE, REPLAY_FILE, TRAJECTORY_FILE
-from f1tenth_judge.record.observations import Observations
+from f1tenth_judge.record.observations import Failure, Observations
 from f1tenth_judge.record.replay import Poses, Replay, write_replay
+from f1tenth_judge.results.reference_laps import quicker_than_reference
 from f1tenth_judge.results.result import Result, write_trajectory
 from f1tenth_judge.results.standing import name_of
+from f1tenth_judge.scenario.scenario import Verdict
 from f1tenth_judge.stop_request import StopRequest
 
 Files = Mapping[str, Callable[[Path], None]]  # what writes a file of the results, by its name
@@ -33,16 +37,21 @@ def judged(
     judgement = judge(plan.scenario, plan.tasks, seen)
     deciding, scenario = judgement.decision.stamp, plan.scenario
     racing = {car: task for car, task in plan.tasks.items() if not task.is_empty}
+    laps = lap_times(scenario, plan.tasks, judgement, seen.updates)
+    if judgement.decision.verdict is Verdict.SUCCESS:
+        for problem in itertools.islice(impossible_laps(plan, judgement.record, laps), 1):
+            judgement = broken(judgement, Failure("runner", problem))
     measured = Measured(
         start=start_of_race(plan.tasks, judgement, seen.updates),
-        lap_times=lap_times(plan.scenario, plan.tasks, judgement, seen.updates),
+        lap_times=laps,
         real_time_factor=real_time_factor,
         finishes=finishes(scenario.criteria, racing, judgement.record),
         estimates={car: poses.until(deciding) for car, poses in estimates.items()},
         excursions=tuple(excursions(plan.course, judgement.record.tracks.values())) if plan.course else None,
     )
     found = tuple(criteria.evaluate(plan.scenario, judgement, measured))
-    return Result(plan.name, plan.scenario, judgement, found, measured, note=plan.note)
+    note = "; ".join(filter(None, (plan.note, quicker_than_reference(plan.scenario, laps))))
+    return Result(plan.name, plan.scenario, judgement, found, measured, note=note)
 
 
 def files_of_record(plan: Plan, done: Result, picture: Callable) -> Files:

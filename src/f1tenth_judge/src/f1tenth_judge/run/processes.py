@@ -1,6 +1,7 @@
 """Starting a process with everything it will start, and ending all of it on every path."""
 
 import contextlib
+import ctypes
 import os
 import re
 import select
@@ -16,6 +17,9 @@ import psutil
 
 # Every process of a tree inherits this variable: one that left its parent or its group is found as well.
 _MARK = "F1TENTH_SCENARIO_TREE"
+# This process becomes the parent of those that lose theirs (prctl(2), PR_SET_CHILD_SUBREAPER): so one that has
+# thrown the variable away is found, too.
+_ADOPT_ORPHANS = 36
 _INTERPRETER = re.compile(r"(^|/)python[0-9.]*$")
 
 
@@ -25,13 +29,16 @@ def process_start() -> float:
 
 
 def program_of(pid: int) -> str:
-    """What a process runs, PACKAGE/TYPE of a node; empty if it is not there, or is still roslaunch's."""
+    """What a process runs, PACKAGE/TYPE of a node; empty if it is not there."""
     try:
         words = psutil.Process(pid).cmdline()
     except psutil.Error:
         return ""
     program = next((word for word in words if not _INTERPRETER.search(word)), "")
-    return "" if program.endswith("/roslaunch") else "/".join(Path(program).parts[-2:])
+    return "/".join(Path(program).parts[-2:])
+
+
+_started: set[int] = set()  # the children of all trees
 
 
 class ProcessTree:
@@ -50,6 +57,8 @@ class ProcessTree:
         """
         self._mark = uuid.uuid4().hex
         self._interrupted_at: Optional[float] = None
+        ctypes.CDLL(None).prctl(_ADOPT_ORPHANS, 1, 0, 0, 0)
+        self._before = {each.pid for each in psutil.Process().children()}
         with open(log_file, "wb") as log:
             self._child = subprocess.Popen(
                 ["setpriv", "--pdeathsig", "INT", *command],
@@ -60,6 +69,7 @@ class ProcessTree:
                 start_new_session=True,
                 pass_fds=descriptors,
             )
+        _started.add(self._child.pid)
         self._ending = [self._child.pid]  # the processes that are told to end
 
     def exit_code(self) -> Optional[int]:
@@ -114,12 +124,31 @@ class ProcessTree:
 
     def _members(self) -> list[psutil.Process]:
         self._child.poll()  # collects the exit code, so that the child is no zombie
-        return processes_with(_MARK, self._mark)
+        return [*processes_with(_MARK, self._mark), *self._unmarked_orphans()]
+
+    def _unmarked_orphans(self) -> list[psutil.Process]:
+        """What this process has adopted since, and bears no mark of any tree."""
+        known = self._before | _started
+        return [each for each in psutil.Process().children() if each.pid not in known and _is_unmarked(each)]
 
 
 def processes_with(name: str, value: str) -> list[psutil.Process]:
     """All that run with this variable in their environment, which processes inherit."""
     return [each for each in psutil.process_iter() if _has(each, name, value)]
+
+
+def _is_unmarked(process: psutil.Process) -> bool:
+    """Whether a child of this process was started by another one, without our variable; not if it has ended."""
+    try:
+        # What this process starts stays in its session, except for trees, or was there before.
+        if os.getsid(process.pid) == os.getsid(0):
+            return False
+        if process.status() == psutil.STATUS_ZOMBIE:
+            os.waitpid(process.pid, os.WNOHANG)
+            return False
+        return _MARK not in process.environ()
+    except (OSError, psutil.Error):
+        return False
 
 
 def _has(process: psutil.Process, name: str, value: str) -> bool:

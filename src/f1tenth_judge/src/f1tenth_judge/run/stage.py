@@ -2,6 +2,7 @@
 
 import copy
 import functools
+import hashlib
 from pathlib import Path
 from typing import NamedTuple, Optional, Union
 
@@ -16,6 +17,7 @@ from f1tenth_judge.record.scene import lidar_of
 from f1tenth_judge.scenario.car import Car
 
 PERIOD = 0.025  # s, of a scan
+_STEP = 0.001  # s, of the simulation
 _SAMPLES = 5  # of an IMU in a period
 _CLEARANCE_LIMIT = 5.0  # m, as far as the record tells it
 _CHANGES = ("mu", "actuation_latency", "model")  # of a car's parameters that a scenario may make
@@ -51,11 +53,17 @@ class Stage:
         try:
             self._world = f1tenth_sim2d.load_world(str(plan.run_world), [str(models_folder())])
             self._simulation = f1tenth_sim2d.Simulation(
-                self._world, seed=plan.scenario.seed, control_period=PERIOD
+                self._world, _STEP, plan.scenario.seed, PERIOD
             )
             self._ids = {car.name: self._add(plan, car) for car in plan.scenario.cars}
         except f1tenth_sim2d.Error as error:
             raise ScenarioError(str(error)) from error
+        # As the simulator of ROS writes it at its end.
+        self.inputs = {
+            "physics_step": _STEP,
+            "world_sha256": hashlib.sha256(plan.run_world.read_bytes()).hexdigest(),
+            "cars_sha256": {car.name: _digest(plan, car) for car in plan.scenario.cars},
+        }
         self.descriptions = {car: self._simulation.car(number) for car, number in self._ids.items()}
         self._imu: dict[str, list] = {car: [] for car in self._ids}
         self._periods = 0
@@ -142,10 +150,23 @@ class Stage:
         )
 
     def _add(self, plan: Plan, car: Car) -> int:
-        start, own = plan.cars[car.name].start, plan.cars[car.name].description
-        text, source = (own.text, str(own.file)) if own else own_car()
+        start = plan.cars[car.name].start
+        text, source = _description(plan, car)
         described = f1tenth_sim2d.load_car(text, car.name, source)
         return self._simulation.add_car(described, _parameters(car, described), start.x, start.y, start.yaw)
+
+
+def _description(plan: Plan, car: Car) -> tuple[str, str]:
+    """The URDF of a car, and its file."""
+    own = plan.cars[car.name].description
+    return (own.text, str(own.file)) if own else own_car()
+
+
+def _digest(plan: Plan, car: Car) -> str:
+    """Of the description of a car, and what the scenario changes of it."""
+    changes = {name: getattr(car, name) for name in _CHANGES}
+    changed = "".join(f"{name}: {value}\n" for name, value in changes.items() if value is not None)
+    return hashlib.sha256((_description(plan, car)[0] + changed).encode()).hexdigest()
 
 
 def _parameters(car: Car, described: f1tenth_sim2d.Car) -> f1tenth_sim2d.VehicleParameters:

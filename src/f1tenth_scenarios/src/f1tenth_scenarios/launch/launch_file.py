@@ -1,6 +1,7 @@
 """The launch file of a run: one that a person can start again with `roslaunch log/run.launch`."""
 
 import json
+import sys
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Mapping
 from pathlib import Path
@@ -51,8 +52,11 @@ _F1TENTH_OPPONENT = {"/opp_scan": "scan", "/opp_drive": "drive", "/opp_racecar/o
 
 
 def launch_command(file: Path) -> list[str]:
-    """The command that starts the nodes of a launch file, and ends them when it is interrupted."""
-    return ["roslaunch", *_OPTIONS, str(file)]
+    """The command that starts the nodes of a launch file, and ends them when it is interrupted.
+
+    Its environment must have the variables of LaunchEvents.
+    """
+    return [sys.executable, "-m", "f1tenth_scenarios.launch.launcher", *_OPTIONS, str(file)]
 
 
 def write_launch_file(plan: Plan) -> None:

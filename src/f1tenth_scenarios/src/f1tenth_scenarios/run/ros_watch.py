@@ -3,7 +3,8 @@
 import dataclasses
 import queue
 import time
-from typing import Optional
+from collections.abc import Callable
+from typing import Any, Optional
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
@@ -54,6 +55,16 @@ def _time_to_load(plan: Plan) -> float:
     return 0.0 if scenario.lockstep else scenario.limits.load * scenario.real_time_factor
 
 
+def heard_from(node: str, take: Callable[[Any], None]) -> Callable[[Any], None]:
+    """A callback that takes a node's own messages: anybody may publish on its topic."""
+
+    def take_own(message):
+        if message._connection_header["callerid"].strip("/") == node:
+            take(message)
+
+    return take_own
+
+
 class RosWatch:
     """Listens to race_status and collision, and breaks what is to be broken. Needs a running rospy node."""
 
@@ -64,7 +75,8 @@ class RosWatch:
         self._counts: queue.SimpleQueue = queue.SimpleQueue()
         self._commands = CommandWatch(_steady_cars(plan), plan.scenario.limits.silence, _time_to_load(plan))
         self._subscribers = [self._subscribe(car) for car in self._cars]
-        self._subscribers.append(rospy.Subscriber("/diagnostics", DiagnosticArray, self._take_diagnostics))
+        take = heard_from("sim2d", self._take_diagnostics)
+        self._subscribers.append(rospy.Subscriber("/diagnostics", DiagnosticArray, take))
         self._estimates: queue.SimpleQueue = queue.SimpleQueue()
         self._localizations = [self._subscribe_estimate(car) for car in self._cars]
         self._next_look = 0.0
@@ -133,12 +145,8 @@ class RosWatch:
             self._director.close()
 
     def _subscribe(self, car: str) -> rospy.Subscriber:
-        return rospy.Subscriber(
-            f"/{car}/race_status",
-            RaceStatus,
-            lambda message: self._updates.put(to_update(car, message)),
-            tcp_nodelay=True,
-        )
+        take = heard_from(f"{car}/race_mgr", lambda message: self._updates.put(to_update(car, message)))
+        return rospy.Subscriber(f"/{car}/race_status", RaceStatus, take, tcp_nodelay=True)
 
     def _take_diagnostics(self, message: DiagnosticArray) -> None:
         for status in message.status:
@@ -150,4 +158,5 @@ class RosWatch:
             stamp = round(message.header.stamp.to_sec(), 9)
             self._estimates.put((car, stamp, planar(message.pose.pose)))
 
-        return rospy.Subscriber(f"/{car}/amcl_pose", PoseWithCovarianceStamped, take)
+        heard = heard_from(f"{car}/amcl", take)
+        return rospy.Subscriber(f"/{car}/amcl_pose", PoseWithCovarianceStamped, heard)

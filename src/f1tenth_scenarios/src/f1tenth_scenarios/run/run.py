@@ -4,11 +4,11 @@ import contextlib
 import dataclasses
 import time
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Callable, Optional
+from typing import TYPE_CHECKING, Any, Callable, Optional
 
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.plan.plan import Plan
-from f1tenth_judge.record.files import BAG_FILE, REPLAY_FILE
+from f1tenth_judge.record.files import BAG_FILE, REPLAY_FILE, read_json
 from f1tenth_judge.record.interventions import read_interventions
 from f1tenth_judge.record.observations import Failure, Observations
 from f1tenth_judge.record.record import Record, first_record, read_record
@@ -22,6 +22,7 @@ from f1tenth_judge.run.processes import ProcessTree
 from f1tenth_judge.stop_request import StopRequest
 
 from f1tenth_scenarios.launch.bag import RECORDER, read_bag
+from f1tenth_scenarios.launch.launch_events import LaunchEvents
 from f1tenth_scenarios.launch.launch_file import write_launch_file
 from f1tenth_scenarios.run.preparation import Preparation
 from f1tenth_scenarios.run.supervisor import Progress, Supervisor
@@ -32,6 +33,8 @@ if TYPE_CHECKING:  # it needs ROS
 # Wall s, for roslaunch to end its nodes; it takes 3.5 s for those that do not listen, which nobody who has
 # pressed Ctrl-C waits for.
 _SHUTDOWN_GRACE, _HURRIED_GRACE = 4.5, 2.0
+
+_INPUTS = ("physics_step", "world_sha256", "cars_sha256")  # keys of the simulator's result
 
 
 def execute(
@@ -61,8 +64,8 @@ def execute(
     with claimed(plan.folder, plan.log_folder, versions.commits(plan.driver_folders)) as claim:
         _prepare(plan)
         watch = make_watch()
-        with _started(plan, command, environment, stop) as tree:
-            done, preparation, recorder = _drive(plan, tree, watch, stop, progress)
+        with _started(plan, command, environment, stop) as (tree, events):
+            done, preparation, recorder = _drive(plan, tree, events, watch, stop, progress)
             # No run can be compared with one that was told to stop.
             folder = claim.place_of_interrupted() if stop.signal else claim.place_of_results()
             done = dataclasses.replace(done, folder=folder, wall_time=time.monotonic() - started)
@@ -89,32 +92,40 @@ def _prepare(plan: Plan) -> None:
 
 @contextlib.contextmanager
 def _started(plan, command, environment, stop):
-    """All that is started; ended at the end."""
-    tree = ProcessTree(command, plan.launch_log, environment)
-    try:
-        yield tree
-    finally:
-        tree.stop(_grace(stop))
+    """All that is started, ended at the end; and what it tells of its nodes."""
+    with contextlib.closing(LaunchEvents()) as events:
+        tree = ProcessTree(command, plan.launch_log, {**environment, **events.variables}, [events.pipe])
+        try:
+            yield tree, events
+        finally:
+            tree.stop(_grace(stop))
 
 
 def _grace(stop: StopRequest) -> float:
     return _HURRIED_GRACE if stop.signal else _SHUTDOWN_GRACE
 
 
-def _drive(plan, tree, watch, stop, progress) -> tuple[Result, Preparation, Optional[int]]:
+def _drive(plan, tree, events, watch, stop, progress) -> tuple[Result, Preparation, Optional[int]]:
     """The run, judged; what was prepared beside it; and the process that writes the bag, which may go on."""
     with contextlib.closing(watch):
         preparation = Preparation(plan.run_world, watch.descriptions)
-        supervisor = Supervisor(plan, tree, watch, stop, preparation.beside(progress))
+        supervisor = Supervisor(plan, tree, events, watch, stop, preparation.beside(progress))
         failure = supervisor.wait()
         # The others may take their time to end, the simulator completes its record.
         tree.interrupt(supervisor.pid("sim2d"), _grace(stop))
         seen = _observations(plan, supervisor, watch, failure)
         done = judged(plan, seen, supervisor.pace.factor, watch.estimates())
-        done = dataclasses.replace(done, note="; ".join(filter(None, (done.note, supervisor.note()))))
+        note = "; ".join(filter(None, (done.note, supervisor.note())))
+        done = dataclasses.replace(done, note=note, inputs=_inputs(plan))
         if not stop.signal:
             preparation.begin()
     return done, preparation, supervisor.pid(RECORDER)
+
+
+def _inputs(plan: Plan) -> Optional[dict[str, Any]]:
+    """What the simulator says that it has simulated; None if it says nothing."""
+    said = read_json(plan.simulator_result_file)
+    return {key: said[key] for key in _INPUTS} if said.keys() >= {*_INPUTS} else None
 
 
 def _observations(plan, supervisor, watch, failure) -> Observations:

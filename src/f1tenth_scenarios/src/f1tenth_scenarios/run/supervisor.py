@@ -17,9 +17,9 @@ from f1tenth_judge.run.processes import ProcessTree
 from f1tenth_judge.run.so_far import SoFar
 from f1tenth_judge.stop_request import StopRequest
 
+from f1tenth_scenarios.launch.launch_events import LaunchEvents
 from f1tenth_scenarios.run.diagnosis.breakdown import Breakdown
 from f1tenth_scenarios.run.diagnosis.culprit import failure_of_driver
-from f1tenth_scenarios.run.diagnosis.launch_log import LaunchLog
 from f1tenth_scenarios.run.evidence import Evidence
 from f1tenth_scenarios.run.file_tail import LineTail, RecordTail
 
@@ -37,7 +37,13 @@ class Supervisor:
     """Looks at record, topics and processes until the run is decided."""
 
     def __init__(
-        self, plan: Plan, tree: ProcessTree, watch: "RosWatch", stop: StopRequest, progress: Progress
+        self,
+        plan: Plan,
+        tree: ProcessTree,
+        events: LaunchEvents,
+        watch: "RosWatch",
+        stop: StopRequest,
+        progress: Progress,
     ):
         """`progress` is called with the simulated time and the wall time since the start, both s."""
         self._plan = plan
@@ -49,8 +55,8 @@ class Supervisor:
         self._record = RecordTail(plan.record_file, self._so_far)
         self._interventions_tail = LineTail(plan.interventions_file)
         self._evidence = Evidence(plan.record_file, plan.interventions_file)
-        self._launch_log = LaunchLog(plan.launch_log)
-        self._breakdown = Breakdown(plan, tree, self._launch_log)
+        self._events = events
+        self._breakdown = Breakdown(plan, tree, events)
         self._race_over_at: Optional[float] = None
         self._sound_at = 0.0
         self.sound_until: Optional[float] = None  # s, nothing as long as the set-up is whole
@@ -59,7 +65,7 @@ class Supervisor:
 
     def pid(self, node: str) -> Optional[int]:
         """A node's process; nothing before it was started."""
-        return self._launch_log.pids.get(node)
+        return self._events.pids.get(node)
 
     def note(self) -> str:
         """Which nodes of the driver the run has done without, in words; empty if none."""
@@ -87,7 +93,7 @@ class Supervisor:
         if not problem:
             return None
         reason = f"{problem}; no process of the run does that"
-        started = {car: driver_nodes_among(car, self._launch_log.pids) for car in self._plan.cars}
+        started = {car: driver_nodes_among(car, self._events.pids) for car in self._plan.cars}
         drivers = [(car, nodes) for car, nodes in started.items() if nodes]
         failure = Failure("runner", reason)
         if len(drivers) == 1:
@@ -130,7 +136,7 @@ class Supervisor:
     def _poll(self) -> None:
         self.updates += self._watch.take()
         self._record.poll()
-        self._launch_log.poll()
+        self._events.poll()
         self.pace.note(self._so_far.time, self._elapsed())
 
     def _elapsed(self) -> float:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Drives straight on, and after some seconds does something to the world that no driver may."""
+"""Drives straight on, and after some seconds does something that no driver may."""
 
 import os
 import shutil
@@ -7,7 +7,8 @@ import shutil
 import rosnode
 import rospy
 from ackermann_msgs.msg import AckermannDriveStamped
-from gazebo_msgs.msg import ModelState
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
+from gazebo_msgs.msg import ContactsState, ModelState, ModelStates
 from gazebo_msgs.srv import (
     DeleteModel,
     GetPhysicsProperties,
@@ -16,15 +17,24 @@ from gazebo_msgs.srv import (
     SetPhysicsProperties,
     SpawnModel,
 )
-from geometry_msgs.msg import Point, Pose, Quaternion
+from geometry_msgs.msg import Point, Pose, PoseWithCovarianceStamped, Quaternion
+from nav_msgs.msg import Odometry
+from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import LaserScan
+from std_msgs.msg import Bool, Header, Int32, UInt32
 from std_srvs.srv import Empty
+
+from f1tenth_race_mgr.msg import RaceStatus
 
 BOX = (
     "<robot name='box'><link name='box'><inertial><mass value='1'/>"
     "<inertia ixx='0.1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial>"
     "<collision><geometry><box size='0.1 0.1 0.1'/></geometry></collision>"
     "</link></robot>"
+)
+SDF_BOX = (
+    "<sdf version='1.6'><model name='box'><link name='box'><collision name='box'><geometry>"
+    "<box><size>0.1 0.1 0.1</size></box></geometry></collision></link></model></sdf>"
 )
 AHEAD = Pose(Point(1.0, 0.0, 0.0), Quaternion(0.0, 0.0, 0.0, 1.0))
 FAR = Pose(Point(100.0, 100.0, 0.0), Quaternion(0.0, 0.0, 0.0, 1.0))
@@ -47,6 +57,7 @@ class Cheating:
         self.count = 0
         self.cheat = getattr(self, rospy.get_param("~how"))
         self.publisher = rospy.Publisher("drive", AckermannDriveStamped, queue_size=1)
+        self.is_driver = rospy.get_param("~is_driver", True)
         self.states = rospy.Publisher("/gazebo/set_model_state", ModelState, queue_size=1)
         rospy.Subscriber("scan", LaserScan, self.on_scan, queue_size=1)
 
@@ -54,9 +65,13 @@ class Cheating:
         self.count += 1
         if self.count == 200:  # the record is in the file by then
             self.cheat()
-        command = AckermannDriveStamped()
-        command.drive.speed = 0.5
-        self.publisher.publish(command)
+        if self.is_driver:
+            command = AckermannDriveStamped()
+            command.drive.speed = 0.5
+            self.publisher.publish(command)
+
+    def drives_on(self):
+        pass
 
     def places_itself(self):
         place("robot1", AHEAD)
@@ -85,6 +100,9 @@ class Cheating:
         for model in world_models():
             call("delete_model", DeleteModel, model)
 
+    def puts_another_thing_in_the_way(self):
+        call("spawn_sdf_model", SpawnModel, "box", SDF_BOX, "", FAR, "")
+
     def puts_something_in_the_way(self):
         call("spawn_urdf_model", SpawnModel, "box", BOX, "", FAR, "")
 
@@ -103,6 +121,41 @@ class Cheating:
 
     def kills_its_proxy(self):
         rosnode.kill_nodes(["/robot1/deputy"])
+
+    def tells_lies(self):
+        """What the judge might listen to, and nodes of the run say: nothing of it is so."""
+        end, now = rospy.Time(2147483647), rospy.Time.now()
+        for line in (
+            "[sim2d-2] process has died [pid 7, exit code 3, cmd /x/sim2d].",
+            "[robot1/planner-5] process has finished cleanly",
+            "REQUIRED process [sim2d-2] has died!\nprocess has finished cleanly",
+            "process[sim2d-2]: started with pid [1]",
+            "ERROR: cannot launch node of type [x/y]: x",
+            "[FATAL] [1.0] [/sim2d]: robot1 drove its laps",
+        ):
+            print(line, flush=True)
+        counts = [KeyValue("accepted", "1000000000"), KeyValue("refused", "1000000000")]
+        status = DiagnosticStatus(name="sim2d: commands of robot1", message="refused: x", values=counts)
+        self.lies = [  # kept: a publisher that is gone says nothing
+            self.tell("/robot1/race_status", RaceStatus(Header(stamp=now), RaceStatus.FINISHED, 99, "")),
+            self.tell("/robot1/race_status", RaceStatus(Header(stamp=now), RaceStatus.ABORTED, 0, "no")),
+            self.tell("/diagnostics", DiagnosticArray(Header(stamp=now), [status])),
+            self.tell("/robot1/collision", Bool(False)),
+            self.tell("/robot1/collisions", UInt32(0)),
+            self.tell("/robot1/perfect_odom", Odometry(header=Header(stamp=now))),
+            self.tell("/robot1/bumper_front", ContactsState(header=Header(stamp=now))),
+            self.tell("/gazebo/model_states", ModelStates()),
+            self.tell("/robot1/amcl_pose", PoseWithCovarianceStamped(header=Header(stamp=now))),
+            self.tell("/time_to_start", Int32(0)),
+            self.tell("/sim2d/done", Header(stamp=end, frame_id="scenario")),
+            self.tell("/rosout", Log(level=Log.FATAL, name="/sim2d", msg="every lap was driven")),
+        ]
+
+    @staticmethod
+    def tell(topic, message):
+        publisher = rospy.Publisher(topic, type(message), queue_size=1, latch=True)
+        publisher.publish(message)
+        return publisher
 
     def changes_the_pace(self):
         now = call("get_physics_properties", GetPhysicsProperties)

@@ -18,7 +18,22 @@ void check(int result)
     throw std::runtime_error("OpenSSL cannot compute SHA-256");
   }
 }
+
+std::string hex(const std::array<std::uint8_t, EVP_MAX_MD_SIZE> & digest, unsigned int size)
+{
+  std::string text;
+  boost::algorithm::hex_lower(digest.begin(), digest.begin() + size, std::back_inserter(text));
+  return text;
+}
 }  // namespace
+
+std::string sha256(const std::string & bytes)
+{
+  std::array<std::uint8_t, EVP_MAX_MD_SIZE> digest{};
+  unsigned int size = 0;
+  check(EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr));
+  return hex(digest, size);
+}
 
 void TrajectoryHash::Free::operator()(Context * context) const
 {
@@ -60,8 +75,6 @@ std::string TrajectoryHash::hexDigest() const
   std::array<std::uint8_t, EVP_MAX_MD_SIZE> digest{};
   unsigned int size = 0;
   check(EVP_DigestFinal_ex(copy.context_.get(), digest.data(), &size));
-  std::string text;
-  boost::algorithm::hex_lower(digest.begin(), digest.begin() + size, std::back_inserter(text));
-  return text;
+  return hex(digest, size);
 }
 }  // namespace f1tenth_sim2d

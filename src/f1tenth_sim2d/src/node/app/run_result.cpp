@@ -23,6 +23,9 @@ nlohmann::ordered_json toJson(const RunResult & result)
     {"periods", result.periods},
     {"trajectory_hash", result.trajectory_hash},
     {"seed", result.seed},
+    {"physics_step", result.physics_step_sec},
+    {"world_sha256", result.world_sha256},
+    {"cars_sha256", result.cars_sha256},
   };
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 
 namespace f1tenth_sim2d
@@ -16,6 +17,9 @@ struct RunResult
   std::int64_t periods{0};      ///< control periods
   std::string trajectory_hash;  ///< empty if there was no run
   std::uint64_t seed{0};
+  double physics_step_sec{0.0};
+  std::string world_sha256;                        ///< of the world's file
+  std::map<std::string, std::string> cars_sha256;  ///< by car: of its robot_description and its vehicle file
 };
 
 /// Writes JSON to a temporary file beside the file, then renames it, so that nobody ever reads half a result.

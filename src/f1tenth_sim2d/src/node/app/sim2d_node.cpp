@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "f1tenth_sim2d/loaders.h"
+#include "f1tenth_sim2d/trajectory_hash.h"
+#include "loaders/files/files.h"
 #include "node/app/diagnostics_output.h"
 #include "node/gazebo_api/gazebo_states.h"
 #include "node/time/continuous_time.h"
@@ -45,28 +47,40 @@ Simulation simulationOf(const NodeParameters & parameters)
   return Simulation(world, parameters.simulation);
 }
 
-CarDescription describe(const CarParameters & car)
+std::string descriptionParameter(const CarParameters & car)
 {
-  const std::string parameter = "/" + car.name + "/robot_description";
+  return "/" + car.name + "/robot_description";
+}
+
+/// The URDF or SDF text of a car.
+std::string readDescription(const CarParameters & car)
+{
+  const std::string parameter = descriptionParameter(car);
   std::string xml;
   if (!ros::param::get(parameter, xml)) {
     throw Error("parameter " + parameter + ": not set, expected the URDF or SDF text of the car");
   }
-  return loadCar(xml, car.name, parameter, searchPathFromEnvironment());
+  return xml;
 }
 
 /// Puts the cars of the parameters into the fleet; reads their descriptions (/NAME/robot_description) and vehicle
 /// files.
 /// @param start  where the world says that cars without a pose of their own start
-void addCars(const std::vector<CarParameters> & cars, const Pose2 & start, Fleet & fleet)
+/// @return what each car was made of, as a hash
+std::map<std::string, std::string> addCars(const std::vector<CarParameters> & cars, const Pose2 & start, Fleet & fleet)
 {
+  std::map<std::string, std::string> hashes;
   for (const auto & car : cars) {
-    const CarDescription description = describe(car);
+    const std::string xml = readDescription(car);
+    const CarDescription description =
+      loadCar(xml, car.name, descriptionParameter(car), searchPathFromEnvironment());
+    hashes[car.name] = sha256(xml + (car.vehicle_file.empty() ? "" : readFile(car.vehicle_file)));
     warnOnce(description.source, description.warnings);
     const VehicleParameters vehicle =
       car.vehicle_file.empty() ? description.parameters : loadVehicleParameters(car.vehicle_file);
     fleet.add(car, description, vehicle, startPose(car, start));
   }
+  return hashes;
 }
 }  // namespace
 
@@ -77,6 +91,7 @@ Sim2dNode::Sim2dNode(const NodeParameters & parameters)
   simulation_(simulationOf(parameters)),
   plugins_(pluginFoldersFromEnvironment()),
   world_(simulation_, transforms_, parameters.control_period_sec, parameters.record_file),
+  world_sha256_(sha256(readFile(simulation_.world().file))),
   interventions_(parameters.interventions_file),
   control_(controlOf(parameters)),
   clock_(advertiser_.advertise<rosgraph_msgs::Clock>(node_, "/clock")),
@@ -86,7 +101,7 @@ Sim2dNode::Sim2dNode(const NodeParameters & parameters)
   world_services_(
     node_, simulation_, control_, {[this] { restart(); }, [this] { world_.resetPoses(); }}, interventions_)
 {
-  addCars(parameters_.cars, simulation_.world().start, fleet_);
+  cars_sha256_ = addCars(parameters_.cars, simulation_.world().start, fleet_);
   global_outputs_.emplace(world_, globalOutputs());
   addClock();
   if (parameters_.cars.empty()) {
@@ -181,6 +196,9 @@ RunResult Sim2dNode::result() const
   result.periods = world_.periods();
   result.trajectory_hash = world_.hash();
   result.seed = parameters_.simulation.seed;
+  result.physics_step_sec = parameters_.simulation.physics_step;
+  result.world_sha256 = world_sha256_;
+  result.cars_sha256 = cars_sha256_;
   return result;
 }
 }  // namespace f1tenth_sim2d

@@ -3,8 +3,10 @@
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "f1tenth_sim2d/publishing.h"
 #include "node/app/run_result.h"
@@ -52,6 +54,8 @@ private:
   Simulation simulation_;
   PluginHost plugins_;
   SimulatedWorld world_;
+  const std::string world_sha256_;
+  std::map<std::string, std::string> cars_sha256_;
   InterventionLog interventions_;
   TimeControl control_;
   ros::Publisher clock_;

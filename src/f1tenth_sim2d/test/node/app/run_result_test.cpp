@@ -31,9 +31,9 @@ protected:
 TEST_F(RunResultTest, WritesAllFieldsAndLeavesNoTemporaryFile)
 {
   const std::string file = folder_ / "result.json";
-  writeResult(file, {"participant_silent", "a \"quoted\" line", "robot1", 1.5, 0.25, 60, "abc", 7});
+  writeResult(file, {"participant_silent", "a \"quoted\" line", "robot1", 1.5, 0.25, 60, "abc", 7, 0.001, "def", {{"robot1", "0a"}}});
   const auto json = nlohmann::json::parse(std::ifstream(file));
-  EXPECT_EQ(json.size(), 8u);
+  EXPECT_EQ(json.size(), 11u);
   EXPECT_EQ(json["reason"], "participant_silent");
   EXPECT_EQ(json["error"], "a \"quoted\" line");
   EXPECT_EQ(json["participant"], "robot1");
@@ -42,6 +42,9 @@ TEST_F(RunResultTest, WritesAllFieldsAndLeavesNoTemporaryFile)
   EXPECT_EQ(json["periods"], 60);
   EXPECT_EQ(json["trajectory_hash"], "abc");
   EXPECT_EQ(json["seed"], 7);
+  EXPECT_EQ(json["physics_step"], 0.001);
+  EXPECT_EQ(json["world_sha256"], "def");
+  EXPECT_EQ(json["cars_sha256"]["robot1"], "0a");
   EXPECT_FALSE(std::filesystem::exists(file + ".tmp"));
 }
 

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """Paced time, the services of gazebo_ros, the record, and how the node ends."""
 
+import hashlib
 import math
 import signal
 import unittest
+from pathlib import Path
 
 import rospy
 import rostest
@@ -11,7 +13,7 @@ from diagnostic_msgs.msg import DiagnosticArray
 from gazebo_msgs.srv import GetModelState
 from nav_msgs.msg import Odometry
 from rosgraph_msgs.msg import Clock
-from sim2d_process import DATA, LONG, Collector, Driver, Sim2d, Stepper, car_description
+from sim2d_process import DATA, LONG, WORLD, Collector, Driver, Sim2d, Stepper, car_description
 from std_srvs.srv import Empty
 
 SECOND = 1_000_000_000
@@ -201,6 +203,9 @@ class ControlTest(unittest.TestCase):
         result = sim2d.result()
         assert (result["reason"], result["error"], result["seed"]) == ("requested", "", 5)
         assert result["sim_time"] >= 1.0
+        assert result["physics_step"] == 0.001
+        assert result["world_sha256"] == hashlib.sha256(Path(WORLD).read_bytes()).hexdigest()
+        assert result["cars_sha256"] == {"robot1": hashlib.sha256(car_description().encode()).hexdigest()}
         assert f"trajectory hash {result['trajectory_hash']}" in sim2d.stdout
 
     def test_interrupt_ends_with_the_period_under_way(self):

@@ -4,11 +4,12 @@
 import json
 import pathlib
 
+import rosgraph
 import rospy
 import rostest
 from gazebo_api_case import BOX, FIRST, GazeboApiCase, pose
 from gazebo_msgs.msg import ModelState
-from gazebo_msgs.srv import DeleteModel
+from gazebo_msgs.srv import DeleteModel, SpawnModel
 from sim2d_process import Driver, Sim2d, car_description, wait_for_subscriber
 from std_srvs.srv import Empty
 
@@ -17,6 +18,32 @@ WALL_AHEAD = (
     "<robot name='block'><link name='block'><inertial><mass value='500'/>"
     "<inertia ixx='9' ixy='0' ixz='0' iyy='9' iyz='0' izz='9'/></inertial>"
     "<collision><geometry><box size='0.2 4 1'/></geometry></collision></link></robot>"
+)
+
+
+# Services that change something, and those that only tell; a new one needs a place here, and the tests below.
+CHANGES = {
+    "delete_model",
+    "pause_physics",
+    "reset_simulation",
+    "reset_world",
+    "set_model_state",
+    "set_physics_properties",
+    "spawn_sdf_model",
+    "spawn_urdf_model",
+    "unpause_physics",
+}
+QUESTIONS = {
+    "get_link_state",
+    "get_model_properties",
+    "get_model_state",
+    "get_physics_properties",
+    "get_world_properties",
+}
+TOPICS = {"/gazebo/set_model_state", "/robot1/cmd_vel", "/robot1/drive", "/sim2d/done"}
+SDF_BOX = (
+    "<sdf version='1.6'><model name='chest'><link name='chest'><collision name='chest'><geometry>"
+    "<box><size>0.1 0.1 0.1</size></box></geometry></collision></link></model></sdf>"
 )
 
 
@@ -35,6 +62,7 @@ class InterventionsTest(GazeboApiCase):
         driver.drive_to(SECOND, linear_x=0.5)
         assert self.spawn("box", BOX, 2.0, 2.0).success
         assert self.put(model_name="box", pose=pose(2.0, -2.0)).success
+        assert self.call("spawn_sdf_model", SpawnModel, "chest", SDF_BOX, "", pose(4.0, 2.0), "").success
         self.call("pause_physics", Empty)
         self.call("unpause_physics", Empty)
         assert self.call("delete_model", DeleteModel, "box").success
@@ -44,6 +72,7 @@ class InterventionsTest(GazeboApiCase):
         assert [(each["kind"], each["model"]) for each in seen] == [
             ("spawn_urdf_model", "box"),
             ("set_model_state", "box"),
+            ("spawn_sdf_model", "chest"),
             ("pause_physics", ""),
             ("unpause_physics", ""),
             ("delete_model", "box"),
@@ -51,6 +80,13 @@ class InterventionsTest(GazeboApiCase):
             ("reset_simulation", ""),
         ]
         assert {(each["time"], each["caller"]) for each in seen} == {(1.0, rospy.get_name())}
+
+    def test_nothing_that_others_can_call_or_send_is_missing_here(self):
+        self.start_recorded()
+        _, heard, served = rosgraph.Master("/test").getSystemState()
+        services = {name for name, nodes in served if nodes == ["/sim2d"] and name.startswith("/gazebo/")}
+        assert {each.removeprefix("/gazebo/") for each in services} == {*CHANGES, *QUESTIONS}
+        assert {topic for topic, nodes in heard if "/sim2d" in nodes} == TOPICS
 
     def test_place_given_on_the_topic_is_noted_too(self):
         self.start_recorded()

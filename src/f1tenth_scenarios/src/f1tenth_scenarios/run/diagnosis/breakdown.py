@@ -14,10 +14,10 @@ from f1tenth_judge.run.log_excerpt import last_lines
 from f1tenth_judge.run.processes import ProcessTree, program_of
 
 from f1tenth_scenarios.launch.bag import RECORDER
+from f1tenth_scenarios.launch.launch_events import LaunchEvents, NodeEnd
 from f1tenth_scenarios.launch.private_master import master_process
 from f1tenth_scenarios.launch.system_limits import hindered
 from f1tenth_scenarios.run.diagnosis.culprit import Signs, failure_of
-from f1tenth_scenarios.run.diagnosis.launch_log import LaunchLog, NodeEnd
 
 # What was said just before a node ended gets this long (wall s) to arrive.
 _LAST_WORDS = 0.5
@@ -35,10 +35,10 @@ _SECOND_SIMULATOR = (
 class Breakdown:
     """Looks at the processes of a run."""
 
-    def __init__(self, plan: Plan, tree: ProcessTree, log: LaunchLog):
+    def __init__(self, plan: Plan, tree: ProcessTree, events: LaunchEvents):
         self._plan = plan
         self._tree = tree
-        self._log = log
+        self._events = events
         self._seen_at: Optional[float] = None
         self._known: set[int] = set()  # processes that are not simulators
 
@@ -49,7 +49,7 @@ class Breakdown:
 
     def missing_views(self) -> list[str]:
         """Nodes that were to show something or to be steered by hand and are not there, and why."""
-        return [f"{end.node} {end.describe()}" for end in self._log.ends if end.is_for_people]
+        return [f"{end.node} {end.describe()}" for end in self._events.ends if end.is_for_people]
 
     def failure(self, updates: Sequence[RaceUpdate], done: set[str], standing: float) -> Optional[Failure]:
         """Who broke the set-up, as soon as its last words can be there.
@@ -64,7 +64,7 @@ class Breakdown:
         if second := self._second_simulator():
             self._seen_at = time.monotonic()
             return second
-        ends = [end for end in self._log.ends if self._is_fatal(end, done)]
+        ends = [end for end in self._events.ends if self._is_fatal(end, done)]
         lost = [each for each in updates if each.state in (RaceState.LOST, RaceState.STOPPED)]
         exit_code = self._tree.exit_code()
         stuck = self._hindered() if standing >= self._plan.scenario.limits.answer else None
@@ -77,15 +77,15 @@ class Breakdown:
         if words_may_come and not stuck:
             return None
         result = read_json(self._plan.simulator_result_file)
-        signs = Signs(ends, lost, exit_code, result, tuple(self._log.pids), stuck or self._hindered())
+        signs = Signs(ends, lost, exit_code, result, tuple(self._events.pids), stuck or self._hindered())
         return failure_of(self._plan, signs)
 
     def _hindered(self) -> Optional[tuple[str, str]]:
-        return hindered({**self._log.pids, **master_process()})
+        return hindered({**self._events.pids, **master_process()})
 
     def _second_simulator(self) -> Optional[Failure]:
         """A simulator that a planner's launch file brings along, or what spawns a car in one."""
-        for node, pid in self._log.pids.items():
+        for node, pid in self._events.pids.items():
             program = "" if pid in self._known else program_of(pid)
             if node != "sim2d" and program.startswith(_GAZEBO):
                 return Failure(node, _SECOND_SIMULATOR.format(program), str(self._plan.launch_log))
@@ -96,7 +96,7 @@ class Breakdown:
     def _look_for_misfit(self) -> None:
         for car in self._plan.cars:
             deputy = f"{car}/{DEPUTY}"
-            if any((end.node, end.exit_code) == (deputy, EXIT_MISFIT) for end in self._log.ends):
+            if any((end.node, end.exit_code) == (deputy, EXIT_MISFIT) for end in self._events.ends):
                 said = [line for line in last_lines(self._plan.launch_log) if f"[/{deputy}]: " in line]
                 why = said[-1].partition(f"[/{deputy}]: ")[2] if said else "its deputy does not say why"
                 raise MisfitError(f"the driver of {car} does not fit lockstep: {why}")
@@ -119,4 +119,4 @@ class Breakdown:
         return node in named_nodes(self._plan, car) or not self._living(car)
 
     def _living(self, car: str) -> set[str]:
-        return set(driver_nodes_among(car, self._log.pids)) - {end.node for end in self._log.ends}
+        return set(driver_nodes_among(car, self._events.pids)) - {end.node for end in self._events.ends}

@@ -20,7 +20,7 @@ from f1tenth_judge.run.log_excerpt import (
     quoted,
 )
 
-from f1tenth_scenarios.run.diagnosis.launch_log import NodeEnd
+from f1tenth_scenarios.launch.launch_events import NodeEnd
 
 _RESTLESS = "has not come to rest within {:g} s of wall time (limits.answer)"
 _ERROR_WORDS = ("[ERROR]", "[FATAL]", TRACEBACK)
@@ -107,7 +107,7 @@ def _last_words(plan: Plan, end: NodeEnd) -> Iterator[tuple[Path, list[str]]]:
     own_log = _log_file(plan, end)
     own = last_lines(own_log) if own_log else []
     if end.exit_code:
-        yield plan.launch_log, _last_traceback(output, end.node)
+        yield plan.launch_log, _last_traceback(last_lines(plan.launch_log, until=end.said))
     if own_log:
         yield own_log, _from_last_error(own)
     yield plan.launch_log, [line for line in output if f"[/{end.node}]" in line or f"[{end.node}]" in line]
@@ -115,11 +115,9 @@ def _last_words(plan: Plan, end: NodeEnd) -> Iterator[tuple[Path, list[str]]]:
         yield own_log, own
 
 
-def _last_traceback(output: list[str], node: str) -> list[str]:
-    """The last one before roslaunch noticed the end of a node: an uncaught exception goes to its stderr."""
-    died = re.compile(rf"\[{re.escape(node)}-\d+\] process has died")
-    until = next((number for number, line in enumerate(output) if died.search(line)), 0)
-    return last_traceback([line for line in output[:until] if not _SAID_TO_ALL.match(line)])
+def _last_traceback(output: list[str]) -> list[str]:
+    """The last one before the end of a node was noticed: an uncaught exception goes to its stderr."""
+    return last_traceback([line for line in output if not _SAID_TO_ALL.match(line)])
 
 
 def _from_last_error(lines: list[str]) -> list[str]:

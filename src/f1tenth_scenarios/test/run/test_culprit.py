@@ -1,34 +1,9 @@
-"""Reading off roslaunch's output which node ended, and who is to blame."""
+"""Who is to blame for a set-up that broke, and what it said last."""
 
-import pytest
 from f1tenth_judge.record.observations import RaceState, RaceUpdate
+from f1tenth_scenarios.launch.launch_events import NodeEnd
 from f1tenth_scenarios.run.diagnosis.culprit import Signs, failure_of, failure_of_driver
-from f1tenth_scenarios.run.diagnosis.launch_log import LaunchLog, NodeEnd
 from scenario_samples import sample_plan, scenario
-
-# As roslaunch 1.15 prints it.
-DIED = (
-    "\033[31m[robot1/move_base-5] process has died [pid 4711, exit code -9, cmd /x/move_base].\n"
-    "log file: {log}/robot1-move_base-5*.log\033[0m\n"
-)
-REQUIRED = (
-    "\033[31m" + "=" * 80 + "REQUIRED process [sim2d-2] has died!\n"
-    "process has died [pid 4712, exit code 3, cmd /x/sim2d __name:=sim2d].\nlog file: {log}/sim2d-2*.log\n"
-    "Initiating shutdown!\n" + "=" * 80 + "\033[0m\n"
-)
-FINISHED = (
-    "\033[1m[race_starter-3] process has finished cleanly\nlog file: {log}/race_starter-3*.log\033[0m\n"
-)
-REQUIRED_FINISHED = DIED[:5] + "====REQUIRED process [sim2d-2] has died!\nprocess has finished cleanly\n"
-
-
-def ends_of(tmp_path, *texts):
-    path = tmp_path / "roslaunch.log"
-    path.write_text("".join(texts).replace("{log}", str(tmp_path)), encoding="utf-8")
-    log = LaunchLog(path)
-    log.poll()
-    return log.ends
-
 
 def plan(folder):
     made = sample_plan(folder, scenario())
@@ -38,62 +13,6 @@ def plan(folder):
 
 def signs(ends=(), lost=(), exit_code=None, simulator=None):
     return Signs(ends, lost, exit_code, simulator or {})
-
-
-def test_killed_node_is_seen(tmp_path):
-    (end,) = ends_of(tmp_path, DIED)
-    assert end == NodeEnd("robot1/move_base", -9, f"{tmp_path}/robot1-move_base-5*.log", package="x")
-    assert end.describe() == "was killed by signal 9"
-
-
-def test_end_of_a_required_node_is_seen(tmp_path):
-    (end,) = ends_of(tmp_path, REQUIRED)
-    assert end == NodeEnd("sim2d", 3, f"{tmp_path}/sim2d-2*.log", package="x", is_required=True)
-    assert end.describe() == 'ended with exit code 3, and is required="true" in its launch file'
-
-
-def test_end_of_a_node_that_roslaunch_has_not_seen_running_is_seen(tmp_path):
-    ends = ends_of(tmp_path, DIED.replace("4711", "-1"), REQUIRED.replace("4712", "-1"))
-    assert [(end.node, end.exit_code) for end in ends] == [("robot1/move_base", -9), ("sim2d", 3)]
-
-
-def test_clean_ends_are_seen(tmp_path):
-    assert [(end.node, end.exit_code) for end in ends_of(tmp_path, FINISHED, REQUIRED_FINISHED)] == [
-        ("race_starter", 0),
-        ("sim2d", 0),
-    ]
-
-
-def test_clean_end_of_a_required_node_says_why_it_ends_the_run(tmp_path):
-    (end,) = ends_of(tmp_path, REQUIRED_FINISHED)
-    assert end.describe() == 'ended with exit code 0, and is required="true" in its launch file'
-
-
-def test_package_that_is_not_there_is_named(tmp_path):
-    refused = "\033[31mERROR: cannot launch node of type [{0}/{0}_node]: {0}\nROS path [0]=/x\033[0m\n"
-    (end,) = ends_of(tmp_path, refused.format("ekf"))
-    assert (end.node, end.describe()) == ("ekf/ekf_node", "cannot be started: there is no package ekf")
-    assert not end.is_for_people
-    (end,) = ends_of(tmp_path, refused.format("joy"))
-    assert end.is_for_people
-
-
-@pytest.mark.parametrize(
-    ("command", "is_for_people"),
-    [
-        ("/usr/lib/rviz/rviz -d a.rviz", True),
-        ("/opt/ros/noetic/lib/rqt_reconfigure/rqt_reconfigure", True),
-        ("/ws/src/rviz/scripts/planner.py", False),
-        ("bash -c 'sleep 1; /usr/lib/rviz/rviz'", False),
-    ],
-)
-def test_who_only_shows_something_is_told_by_its_package(tmp_path, command, is_for_people):
-    (end,) = ends_of(tmp_path, f"[robot1/view-7] process has died [pid 47, exit code -6, cmd {command}].\n")
-    assert (end.node, end.exit_code, end.is_for_people) == ("robot1/view", -6, is_for_people)
-
-
-def test_words_of_nodes_are_no_ends(tmp_path):
-    assert ends_of(tmp_path, "[ERROR] [1.0] [/robot1/x]: my process has died\n", "process has died\n") == []
 
 
 def test_participant_that_the_simulator_missed_is_the_culprit(tmp_path):
@@ -169,21 +88,19 @@ IndexError: no 9
 
 def test_exception_that_nobody_caught_is_in_the_reason(tmp_path):
     made = plan(tmp_path)
-    died = DIED.replace("robot1/move_base", "robot1/gap").replace("-9", "1")
-    made.launch_log.write_text(TRACEBACK + died, encoding="utf-8")
-    (end,) = ends_of(tmp_path, TRACEBACK, died)
-    failure = failure_of(made, signs([end]))
+    later = TRACEBACK.replace("no 9", "of another node")
+    made.launch_log.write_text(TRACEBACK + later, encoding="utf-8")
+    failure = failure_of(made, signs([NodeEnd("robot1/gap", 1, said=len(TRACEBACK))]))
     assert failure.reason == "ended with exit code 1; it raised IndexError: no 9"
     assert failure.log_lines == tuple(TRACEBACK.splitlines())
 
 
 def test_what_others_say_amid_a_traceback_is_no_part_of_it(tmp_path):
     made = plan(tmp_path)
-    died = DIED.replace("robot1/move_base", "robot1/gap").replace("-9", "1")
     others = "[INFO] [1.0] [/map_server]: Read a map\nprocess[record-9]: started with pid [4]\n"
     amid = TRACEBACK.replace("IndexError", f"{others}IndexError")
-    made.launch_log.write_text(amid + died, encoding="utf-8")
-    failure = failure_of(made, signs([*ends_of(tmp_path, amid, died)]))
+    made.launch_log.write_text(amid, encoding="utf-8")
+    failure = failure_of(made, signs([NodeEnd("robot1/gap", 1)]))
     assert failure.reason == "ended with exit code 1; it raised IndexError: no 9"
     assert failure.log_lines == tuple(TRACEBACK.splitlines())
 

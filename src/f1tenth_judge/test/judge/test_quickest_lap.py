@@ -1,0 +1,93 @@
+"""A lap that no car could drive so quickly shows that the set-up is wrong; one that beats the reference is told."""
+
+import dataclasses
+import math
+
+import pytest
+from f1tenth_judge.judge.quickest_lap import impossible_laps, shortest_way
+from f1tenth_judge.places.place import gates_after, line_across
+from f1tenth_judge.plan.task import Task
+from f1tenth_judge.record.observations import Observations
+from f1tenth_judge.record.record import Record
+from f1tenth_judge.run.outcome import judged
+from f1tenth_judge.scenario.car import Car, Pose
+from f1tenth_judge.scenario.scenario import StartLine, Verdict
+from scenario_samples import PERIOD, record, rows, sample_plan, scenario
+from test_road import RADIUS, ring
+
+MIDDLE = math.tau * RADIUS  # m, a lap in the middle of the road
+
+
+def plan_of(folder, laps=1, task=None):
+    """A run on the round road."""
+    course = ring()
+    line = line_across(course, Pose(0.0, -RADIUS, 0.0))
+    made = sample_plan(folder, scenario(timeout=60.0))
+    lapping = task or Task(laps=laps, line=line, gates=gates_after(course, line))
+    return dataclasses.replace(made, cars={"robot1": dataclasses.replace(made.cars["robot1"], task=lapping)})
+
+
+def around(folder, speed, laps=1.1):
+    """A car that goes round and round from the line on, in the middle of the road."""
+    turn = speed * PERIOD / RADIUS
+    table = []
+    for number, row in enumerate(rows(PERIOD * int(laps * math.tau / turn), speed=speed)):
+        angle = 0.01 + number * turn
+        table.append(
+            [*row[:2], RADIUS * math.sin(angle), -RADIUS * math.cos(angle), angle, speed, 0, turn / PERIOD, *row[8:]]
+        )
+    return record(folder, table)
+
+
+def test_shortest_way_leads_along_the_inner_edge():
+    gates = [StartLine(math.cos(a), math.sin(a), a + math.pi / 2, 1.0) for a in (0.0, math.pi / 2, math.pi)]
+    assert shortest_way(gates) == pytest.approx(2 * math.hypot(0.5, 0.5) + 1.0)
+
+
+def test_shortest_way_is_shorter_than_any_lap_and_no_short_cut():
+    course = ring()
+    line = line_across(course, Pose(0.0, -RADIUS, 0.0))
+    assert 0.7 * MIDDLE < shortest_way([line, *gates_after(course, line)]) < 0.9 * MIDDLE
+
+
+def test_lap_at_the_greatest_speed_of_the_car_is_possible(tmp_path):
+    done = judged(plan_of(tmp_path), Observations(around(tmp_path, 20.0)), 1.0, {})
+    assert done.judgement.decision.verdict is Verdict.SUCCESS
+    assert done.best_lap_time == pytest.approx(MIDDLE / 20.0, rel=0.01)
+
+
+def test_lap_beyond_it_is_an_error_of_the_set_up(tmp_path):
+    done = judged(plan_of(tmp_path), Observations(around(tmp_path, 30.0)), 1.0, {})
+    decision = done.judgement.decision
+    assert decision.verdict is Verdict.ERROR
+    assert decision.reason.startswith("runner: lap 1 of robot1 took 2.0")
+    assert "but the shortest way through the road is" in decision.reason
+    assert done.judgement.failure.culprit == "runner"
+    assert not done.passed
+
+
+def test_each_lap_is_looked_at_and_the_first_may_begin_beyond_the_line(tmp_path):
+    plan, track = plan_of(tmp_path, laps=2), around(tmp_path, 10.0, laps=2.1)
+    assert [*impossible_laps(plan, track, {"robot1": [6.0, 6.0]})] == []
+    (second,) = impossible_laps(plan, track, {"robot1": [6.0, 3.0]})
+    assert second.startswith("lap 2 of robot1 took 3.000 s")
+    half_way = around(tmp_path, 10.0).tracks["robot1"]
+    ahead = dataclasses.replace(half_way, x=half_way.x * 0.0, y=half_way.y * 0.0 + RADIUS)
+    assert len([*impossible_laps(plan, track, {"robot1": [3.2]})]) == 1
+    assert [*impossible_laps(plan, Record({"robot1": ahead}), {"robot1": [3.2]})] == []
+
+
+def test_where_no_road_is_known_nothing_is_said_of_laps(tmp_path):
+    plan = plan_of(tmp_path, task=Task(laps=1, line=StartLine()))
+    assert [*impossible_laps(plan, around(tmp_path, 10.0), {"robot1": [0.1]})] == []
+    assert [*impossible_laps(plan_of(tmp_path), around(tmp_path, 10.0), {"robot1": []})] == []
+
+
+@pytest.mark.parametrize(("speed", "is_told"), [(10.0, False), (16.0, True)])
+def test_lap_that_beats_the_reference_is_told(tmp_path, speed, is_told):
+    plan = plan_of(tmp_path)
+    racing = dataclasses.replace(plan.scenario, cars=(Car("robot1", laps=1),))
+    done = judged(dataclasses.replace(plan, scenario=racing), Observations(around(tmp_path, speed)), 1.0, {})
+    assert done.judgement.decision.verdict is Verdict.SUCCESS
+    told = "s, is quicker than the reference of 4.497 s, whose tyres are those of friction alone"
+    assert (told in done.note) == is_told

@@ -1,11 +1,11 @@
 """Results folders made up for tests of the report."""
 
-import json
 import math
 
 import numpy as np
 from f1tenth_judge.record.files import REPLAY_FILE
 from f1tenth_judge.record.replay import Poses, Replay, Shape, Timed, write_replay
+from f1tenth_judge.results.result_file import write_result
 from scenario_samples import PERIOD, write_record
 
 SQUARE = [(-0.2, -0.2), (0.2, -0.2), (0.2, 0.2), (-0.2, 0.2)]
@@ -68,7 +68,7 @@ def result(name, passed=True, commit="0123456789ab", **others):
                 "reason": "came as close as 0.200 m",
             },
         ],
-        "times": {"start": 0.0, "finish": 10.0, "lap_time": 9.5, "wall": 4.2},
+        "times": {"start": 0.0, "finish": 10.0, "lap_time": 9.5, "wall": 4.2, "cost": 3.4},
         "cars": {"robot1": {"lap_times": [9.5], "goals_passed": [4.0, 8.0]}},
         "minimum_clearance": 0.2,
         "contacts": [] if passed else [contact()],
@@ -120,7 +120,7 @@ def contact():
 def write_run(folder, content, end=10.0, speed=1.5):
     """A results folder of one run."""
     folder.mkdir(parents=True)
-    (folder / "result.json").write_text(json.dumps(content), encoding="utf-8")
+    write_result(folder / "result.json", content)
     write_record(folder / "trajectory.csv", circling(end, speed=speed))
     write_replay(folder / REPLAY_FILE, replay(end))
     return folder

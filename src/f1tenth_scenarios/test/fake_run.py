@@ -8,6 +8,7 @@ import rosbag
 from f1tenth_judge.stop_request import StopRequest
 from f1tenth_scenarios.launch.launch_events import PIPE
 from f1tenth_scenarios.run.run import execute
+from result_schema import valid_result
 from scenario_samples import finished, racing, reached, rows, sample_plan, scenario, write_record
 
 SHUTDOWN = f"""\
@@ -138,4 +139,4 @@ def succeeding(folder):
 def result_of(run, **others):
     """What result.json says when a run is over."""
     run.execute(**others)
-    return json.loads((run.plan.folder / "result.json").read_text(encoding="utf-8"))
+    return valid_result(run.plan.folder / "result.json")

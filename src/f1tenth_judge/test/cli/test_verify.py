@@ -1,17 +1,17 @@
-import json
-
 import pytest
+from f1tenth_judge.results.result_file import write_result
+from report_samples import result
 
 from f1tenth_judge import cli
 
-RESULT = {
-    "scenario": "circuit1",
-    "seed": 3,
-    "settings": ["limits.timeout=70"],
-    "lockstep": True,
-    "trajectory_hash": "a1",
-    "machine": {"architecture": "x86_64", "pinned": True},
-}
+RESULT = result(
+    "circuit1",
+    seed=3,
+    settings=["limits.timeout=70"],
+    lockstep=True,
+    trajectory_hash="a1",
+    machine={"architecture": "x86_64", "pinned": True},
+)
 
 
 @pytest.fixture
@@ -21,12 +21,12 @@ def verify(tmp_path, monkeypatch):
     def run(first, second):
         folder = tmp_path / "first"
         folder.mkdir()
-        (folder / "result.json").write_text(json.dumps(first))
+        write_result(folder / "result.json", first)
 
         def write(plan):
             assert (plan.scenario.seed, plan.scenario.limits.timeout) == (3, 70.0)
             plan.folder.mkdir(parents=True)
-            (plan.folder / "result.json").write_text(json.dumps(second))
+            write_result(plan.folder / "result.json", second)
             return 0
 
         monkeypatch.setattr("f1tenth_judge.cli.verify_command.run_plan", write)
@@ -52,6 +52,11 @@ def test_a_run_that_was_not_in_lockstep_cannot_be_verified(verify, capsys):
     assert "was not in lockstep" in capsys.readouterr().err
 
 
+def test_an_episode_cannot_be_run_again(verify, capsys):
+    assert verify({**RESULT, "machine": None}, RESULT) == 2
+    assert "is of an episode, not of a scenario that could be run again" in capsys.readouterr().err
+
+
 def test_what_is_no_result_is_named(tmp_path, capsys):
     assert cli.main(["verify", str(tmp_path / "none.json")]) == 2
-    assert "none.json: no result of a scenario; it lacks scenario, seed" in capsys.readouterr().err
+    assert "none.json: not a result that can be read: " in capsys.readouterr().err

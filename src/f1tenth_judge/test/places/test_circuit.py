@@ -47,14 +47,23 @@ def test_centreline_turns_in_small_steps_and_keeps_its_radius(tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("corners:", "corner:", f"1: unknown key 'corner'; allowed: {KEYS}"),
+        (
+            "corners:",
+            "corner:",
+            f"1: unknown key 'corner'; allowed: {KEYS}\nFILE:1: missing key 'corners'; allowed: {KEYS}",
+        ),
         (SQUARE, "left_material: Gazebo/Grey", f"1: missing key 'corners'; allowed: {KEYS}"),
         ("radius: 2.0", "radius: 1.1", "2: corners[0].radius is 1.1, must be at least 1.2 m"),
         ("width: 2.0", "width: 1.1", "2: corners[0].width is 1.1, must be at least 1.2 m and at most 2.5 m"),
         ("width: 2.0", "width: 2.6", "2: corners[0].width is 2.6, must be at least 1.2 m and at most 2.5 m"),
         ("width: 2.0", "width: wide", "2: corners[0].width must be a number (m), found 'wide'"),
         ("width: 2.0", "width: .nan", "2: corners[0].width must be a number (m), found '.nan'"),
-        ("width: 2.0", "wide: 2.0", "2: unknown key 'wide' in corners[0]; allowed: at, radius, width"),
+        (
+            "width: 2.0",
+            "wide: 2.0",
+            "2: unknown key 'wide' in corners[0]; allowed: at, radius, width\n"
+            "FILE:2: missing key 'width' in corners[0]; allowed: at, radius, width",
+        ),
         (", width: 2.0", "", "2: missing key 'width' in corners[0]; allowed: at, radius, width"),
         ("width: 2.0", "width: 2.0, z: 1", "2: unknown key 'z' in corners[0]; allowed: at, radius, width"),
         ("[5.0, 0.0]", "[5.0]", "2: corners[0].at must be a list of 2 numbers (x, y), found a list of 1"),

@@ -1,7 +1,5 @@
 """Environments write their episodes down as scenarios do."""
 
-import json
-
 import gymnasium
 import numpy as np
 import pytest
@@ -10,6 +8,7 @@ from f1tenth_judge.record.replay import read_replay
 from f1tenth_sim2d.environments import ENVIRONMENT, recording, register
 from f1tenth_sim2d.environments.car import Lidar, load_cars
 from f1tenth_sim2d.environments.place import find_place
+from result_schema import valid_result
 
 import f1tenth_sim2d
 
@@ -29,7 +28,7 @@ def drive(folder, steps, action=(0.0, -0.4), **settings):
 
 
 def result(folder, number=1):
-    return json.loads((folder / f"episode_{number:04d}" / "result.json").read_text())
+    return valid_result(folder / f"episode_{number:04d}" / "result.json")
 
 
 def test_the_record_is_what_was_driven(tmp_path):

@@ -61,6 +61,27 @@ def test_reads(tmp_path, text, model):
     assert read(tmp_path, text) == model
 
 
+def test_all_faults_of_a_file_are_told_at_once(tmp_path):
+    text = (
+        "open: 1\ncolour: blue\nwheel: {radius: 0, width: 1}\nspare: {}\nwords: {maker: [us], maker: x}\n"
+        "mass: 1\nmass: 2\nname: x\n"
+    )
+    with pytest.raises(FileError) as error:
+        read(tmp_path, text)
+    file = tmp_path / "model.yaml"
+    assert str(error.value).splitlines() == [
+        f"{file}:1: open must be true or false, found '1'",
+        f"{file}:2: colour is 'blue'; allowed: red, dark blue",
+        f"{file}:3: wheel.radius is 0, must be above 0 m",
+        f"{file}:3: unknown key 'width' in wheel; allowed: radius",
+        f"{file}:4: missing key 'radius' in spare; allowed: radius",
+        f"{file}:5: words.maker must be a single value, found a list",
+        f"{file}:5: key 'maker' is given twice, first in line 5",
+        f"{file}:7: key 'mass' is given twice, first in line 6",
+        f"{file}:8: unknown key 'name'; allowed: open, mass, colour, words, wheel, spare",
+    ]
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [

@@ -1,12 +1,12 @@
 """Whatever a planner does wrong: a verdict with the culprit and its last words, and exit code 1."""
 
-import json
 import subprocess
 import sys
 
 import pytest
 from f1tenth_judge.places import lookup
 from patience import PATIENCE
+from result_schema import valid_result
 
 LAUNCH = lookup.package_path(lookup.PACKAGE) / "test" / "planners" / "nodes" / "misbehaving.launch"
 IN_COMPANY = LAUNCH.with_name("in_company.launch")
@@ -37,7 +37,7 @@ def judged(tmp_path):
         )
         assert done.returncode == 1, done.stdout + done.stderr
         assert "Traceback" not in done.stderr
-        result = json.loads((tmp_path / "race_circuit1" / "result.json").read_text(encoding="utf-8"))
+        result = valid_result(tmp_path / "race_circuit1" / "result.json")
         assert result["times"]["finish"] <= SIMULATED
         return result, done.stdout
 

@@ -73,7 +73,8 @@ def test_command_needs_results(tmp_path, capsys):
 
 
 @pytest.mark.parametrize(
-    ("content", "problem"), [("{", "not a result: "), ("[]", "not a result: it has no verdict")]
+    ("content", "problem"),
+    [("{", "not a result that can be read: "), ("[]", "not a result that can be read: its format is None")],
 )
 def test_broken_result_is_shown_as_such_beside_the_others(results, tmp_path, capsys, content, problem):
     (results / "one" / "result.json").write_text(content, encoding="utf-8")

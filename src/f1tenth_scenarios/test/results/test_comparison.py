@@ -1,9 +1,10 @@
 """What has become worse between two results folders, and how `scenario compare` says so."""
 
-import json
 import xml.etree.ElementTree as ElementTree
 
 import pytest
+from f1tenth_judge.results.result_file import write_result
+from report_samples import result
 
 from f1tenth_judge import cli
 
@@ -16,18 +17,10 @@ def results(tmp_path):
 
     def write(name, **scenarios):
         for scenario, changes in scenarios.items():
-            content = {
-                "verdict": "success",
-                "passed": True,
-                "reason": "every goal was passed in order",
-                "times": {"lap_time": 10.0},
-                "minimum_clearance": 0.25,
-                "criteria": [CRITERION],
-                **changes,
-            }
+            good = {"times": {"lap_time": 10.0}, "minimum_clearance": 0.25, "criteria": [CRITERION]}
             folder = tmp_path / name / scenario
             folder.mkdir(parents=True)
-            (folder / "result.json").write_text(json.dumps(content), encoding="utf-8")
+            write_result(folder / "result.json", result(scenario, **good | changes))
         return str(tmp_path / name)
 
     return write

@@ -140,7 +140,7 @@ def test_a_verdict_that_cannot_be_written_is_said(tmp_path, monkeypatch):
     def fail(*_):
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr("f1tenth_judge.results.writing.write_json", fail)
+    monkeypatch.setattr("f1tenth_judge.results.writing.write_result", fail)
     run = succeeding(tmp_path)
     with pytest.raises(ScenarioError) as caught:
         run.execute()

@@ -1,7 +1,6 @@
 """What the report shows: read from a results folder."""
 
 import dataclasses
-import json
 import os
 import urllib.parse
 from collections.abc import Iterator
@@ -20,6 +19,7 @@ from f1tenth_judge.record.files import (
 )
 from f1tenth_judge.record.record import Record, read_record
 from f1tenth_judge.record.replay import Replay, read_replay
+from f1tenth_judge.results.result_file import read_result
 from f1tenth_judge.report.replay_columns import pack_run, pack_tracks, pack_world, thumbnail
 
 _LINKS = {
@@ -101,14 +101,7 @@ class _Reader:
 
 
 def _read_result(folder: Path) -> dict[str, Any]:
-    file = folder / RESULT_FILE
-    try:
-        result = json.loads(file.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise ScenarioError(f"{file}: not a result: {error}") from error
-    if not isinstance(result, dict) or "verdict" not in result:
-        raise ScenarioError(f"{file}: not a result: it has no verdict")
-    return result
+    return read_result(folder / RESULT_FILE)
 
 
 def _unknown_result(name: str) -> dict[str, Any]:

@@ -1,7 +1,6 @@
 """Episodes of an environment, written down as runs of scenarios are, and their report with a replay."""
 
 import dataclasses
-import json
 import time
 from pathlib import Path
 
@@ -14,6 +13,7 @@ from f1tenth_judge.record.replay import write_replay
 from f1tenth_judge.record.scene import scene_of
 from f1tenth_judge.report.page import write_report
 from f1tenth_judge.results import versions
+from f1tenth_judge.results.result_file import write_result
 
 
 class Recorder:
@@ -71,7 +71,7 @@ class Recorder:
         write_replay(self._run / REPLAY_FILE, self._replay())
         result = {**self._result(record), "verdict": verdict, "reason": reason}
         result["passed"] = verdict == result["expected"]
-        (self._run / RESULT_FILE).write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
+        write_result(self._run / RESULT_FILE, result)
 
     def close(self) -> None:
         """Write the report."""
@@ -91,18 +91,21 @@ class Recorder:
 
     def _result(self, record):
         tracks = record.tracks
-        laps = {car.name: {"lap_times": times} for car, times in zip(self._stage.cars, self._laps)}
+        laps = {
+            car.name: {"lap_times": times, "goals_passed": []}
+            for car, times in zip(self._stage.cars, self._laps)
+        }
         return {
             "scenario": self._run.name,
             "description": f"An episode of {len(laps)} car{'s' if len(laps) > 1 else ''}.",
             "world": self._stage.place.name,
             "expected": "success" if self._stage.settings.laps else "timeout",
-            "criteria": [],
             "times": {
                 "start": 0.0,
                 "finish": record.end,
                 "lap_time": min((lap for each in self._laps for lap in each), default=None),
                 "wall": round(time.monotonic() - self._started, 3),
+                "cost": None,
             },
             "cars": laps,
             "minimum_clearance": min(

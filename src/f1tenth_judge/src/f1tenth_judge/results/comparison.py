@@ -1,13 +1,11 @@
 """Two results folders beside each other: what has become worse?"""
 
 import dataclasses
-import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Optional
 
-from f1tenth_judge.errors import ScenarioError
-from f1tenth_judge.record.files import RESULT_FILE
+from f1tenth_judge.results.result_file import read_results
 
 _PASSED, _FAILED = "passed", "failed"
 
@@ -47,7 +45,7 @@ def compare_folders(base: Path, head: Path, tolerance: Tolerance) -> list[Compar
     Raises:
         ScenarioError: a folder has no results, or one of them cannot be read.
     """
-    before, after = _read_all(base), _read_all(head)
+    before, after = read_results(base), read_results(head)
     return [
         Comparison(
             name,
@@ -107,22 +105,6 @@ def _closer(before, after, metres: Optional[float]):
     old, new = before["minimum_clearance"], after["minimum_clearance"]
     if metres is not None and old is not None and new is not None and new < old - metres:
         yield f"clearance {new:.3f} m, {new - old:+.3f} m, may be {-metres:+.3f} m"
-
-
-def _read_all(folder: Path) -> dict[str, dict[str, Any]]:
-    found = {file.parent.name: _read(file) for file in sorted(folder.glob(f"*/{RESULT_FILE}"))}
-    if not found:
-        raise ScenarioError(f"{folder}: no results there: no folder with a {RESULT_FILE}")
-    return found
-
-
-def _read(file: Path) -> dict[str, Any]:
-    try:
-        content = json.loads(file.read_text(encoding="utf-8"))
-        _ = content["times"]["lap_time"], content["minimum_clearance"], content["criteria"], content["passed"]
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise ScenarioError(f"{file}: not a result that can be read: {error!r}") from error
-    return content
 
 
 def _figure(value: Optional[float], unit: str) -> str:

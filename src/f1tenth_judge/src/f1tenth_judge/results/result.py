@@ -1,8 +1,7 @@
-"""A judged run, and what is kept of it: result.json and trajectory.csv."""
+"""A judged run, and what is kept of it: the content of result.json, and trajectory.csv."""
 
 import csv
 import dataclasses
-import json
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -122,12 +121,6 @@ def _culprit(result: Result) -> Optional[dict[str, Any]]:
         return None
     log_file = os.path.relpath(failure.log_file, result.folder) if failure.log_file else None
     return {**dataclasses.asdict(failure), "log_file": log_file}
-
-
-def write_json(path: Path, content: Mapping[str, Any]) -> None:
-    """Write a JSON file, which replaces the old one when it is complete."""
-    with replacing(path) as temporary:
-        temporary.write_text(json.dumps(content, indent=2, allow_nan=False) + "\n", encoding="utf-8")
 
 
 def write_trajectory(path: Path, record: Record) -> None:

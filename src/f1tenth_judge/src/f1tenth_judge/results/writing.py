@@ -10,7 +10,8 @@ from f1tenth_judge.record.files import JUNIT_FILE, RESULT_FILE
 from f1tenth_judge.results import versions
 from f1tenth_judge.results.console import summary
 from f1tenth_judge.results.junit import junit_of, write_junit
-from f1tenth_judge.results.result import Result, as_dict, write_json
+from f1tenth_judge.results.result import Result, as_dict
+from f1tenth_judge.results.result_file import write_result
 
 
 def write_verdict(plan: Plan, result: Result) -> None:
@@ -23,7 +24,7 @@ def write_verdict(plan: Plan, result: Result) -> None:
         write_junit(result.folder / JUNIT_FILE, junit_of(result, summary(result, plan)))
         # Last, because a reader that sees a result.json may rely on it.
         found = versions.collect(plan.driver_folders)
-        write_json(result.folder / RESULT_FILE, as_dict(result, found, plan.settings))
+        write_result(result.folder / RESULT_FILE, as_dict(result, found, plan.settings))
     except OSError as error:
         decision = result.judgement.decision
         raise ScenarioError(

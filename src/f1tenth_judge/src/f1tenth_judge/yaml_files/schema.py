@@ -14,7 +14,7 @@ from typing import Any, Optional, TypeVar
 
 import yaml
 
-from f1tenth_judge.yaml_files.yaml_source import describe, error, items, scalar
+from f1tenth_judge.yaml_files.yaml_source import Faults, describe, error, items, scalar
 
 T = TypeVar("T")
 
@@ -76,8 +76,8 @@ def read(schema: type[T], node: yaml.Node, path: str = "") -> T:
         path: of the node inside the file, as in `cars[0].start`
 
     Raises:
-        FileError: a key is unknown, missing, of the wrong type or out of range, or the schema's own
-            `problem()` finds something.
+        FileError: keys are unknown, missing, of the wrong type or out of range, a line for each of them; or
+            else the schema's own `problem()` finds something.
     """
     shorts = short_forms(schema)
     if isinstance(node, yaml.ScalarNode) and node.value in shorts:
@@ -87,8 +87,11 @@ def read(schema: type[T], node: yaml.Node, path: str = "") -> T:
         raise error(
             node, f"{path} must be {names}a mapping with the keys {_allowed(schema)}, found {describe(node)}"
         )
-    values, nodes = _read_entries(schema, node, path)
-    _require_all(schema, node, path, values)
+    faults = Faults()
+    values, nodes = _read_entries(schema, node, path, faults)
+    with faults.collected():
+        _require_all(schema, node, path, nodes)
+    faults.raise_any()
     result = schema(**values)
     _check_problem(result, node, nodes, path)
     return result
@@ -105,21 +108,22 @@ def keys(schema: type) -> dict[str, Key]:
     return {field.name: field.metadata["key"] for field in fields if "key" in field.metadata}
 
 
-def _read_entries(schema, node, path):
+def _read_entries(schema, node, path, faults):
     hints = typing.get_type_hints(schema)
     known = keys(schema)
     values, nodes = {}, {}
-    for name, key_node, value in items(node):
-        if name not in known:
-            raise error(key_node, f"unknown key '{name}'{_inside(path)}; allowed: {_allowed(schema)}")
-        values[name] = _read_value(hints[name], known[name], value, _join(path, name))
-        nodes[name] = value
+    for name, key_node, value in items(node, faults):
+        with faults.collected():
+            if name not in known:
+                raise error(key_node, f"unknown key '{name}'{_inside(path)}; allowed: {_allowed(schema)}")
+            nodes[name] = value
+            values[name] = _read_value(hints[name], known[name], value, _join(path, name))
     return values, nodes
 
 
-def _require_all(schema, node, path, values):
+def _require_all(schema, node, path, given):
     required = [field.name for field in dataclasses.fields(schema) if is_required(field)]
-    missing = [f"'{name}'" for name in required if name not in values]
+    missing = [f"'{name}'" for name in required if name not in given]
     if missing:
         several = "s" if len(missing) > 1 else ""
         names = ", ".join(missing)
@@ -153,7 +157,12 @@ def _read_value(hint, info, node, path):
 def _read_list(hint, info, node, path):
     if not isinstance(node, yaml.SequenceNode):
         raise error(node, f"{path} must be a list, found {describe(node)}")
-    return tuple(_read_value(hint, info, item, f"{path}[{index}]") for index, item in enumerate(node.value))
+    faults, found = Faults(), []
+    for index, item in enumerate(node.value):
+        with faults.collected():
+            found.append(_read_value(hint, info, item, f"{path}[{index}]"))
+    faults.raise_any()
+    return tuple(found)
 
 
 def _read_numbers(hint, info, node, path):
@@ -168,10 +177,14 @@ def _read_numbers(hint, info, node, path):
 def _read_texts(node, path):
     if not isinstance(node, yaml.MappingNode):
         raise error(node, f"{path} must be a mapping of names to values, found {describe(node)}")
-    for name, _, value in items(node):
-        if not isinstance(value, yaml.ScalarNode):
-            raise error(value, f"{_join(path, name)} must be a single value, found {describe(value)}")
-    return {name: value.value for name, _, value in items(node)}
+    faults, found = Faults(), {}
+    for name, _, value in items(node, faults):
+        if isinstance(value, yaml.ScalarNode):
+            found[name] = value.value
+        else:
+            faults.add(error(value, f"{_join(path, name)} must be a single value, found {describe(value)}"))
+    faults.raise_any()
+    return found
 
 
 def _read_choice(hint, node, path):

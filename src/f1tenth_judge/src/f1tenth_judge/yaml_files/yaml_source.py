@@ -1,5 +1,6 @@
 """YAML text as a tree of nodes that remember their lines, so that an error can name its place."""
 
+import contextlib
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -34,18 +35,42 @@ def compose(path: Path) -> yaml.MappingNode:
     return root
 
 
-def items(node: yaml.MappingNode) -> Iterator[tuple[str, yaml.Node, yaml.Node]]:
+class Faults:
+    """Faults of a file that are found while the rest of it is read on."""
+
+    def __init__(self):
+        self._found: list[FileError] = []
+
+    def add(self, fault: FileError) -> None:
+        """Keep one for later."""
+        self._found.append(fault)
+
+    @contextlib.contextmanager
+    def collected(self) -> Iterator[None]:
+        """Keep a FileError of the block for later."""
+        try:
+            yield
+        except FileError as fault:
+            self.add(fault)
+
+    def raise_any(self) -> None:
+        """Raise what was found as one error: a line each, in the order of the file."""
+        if self._found:
+            raise FileError("\n".join(map(str, self._found)))
+
+
+def items(node: yaml.MappingNode, faults: Faults) -> Iterator[tuple[str, yaml.Node, yaml.Node]]:
     """The entries of a mapping in order: the key's text, the key and the value.
 
-    Raises:
-        FileError: a key is given twice.
+    A key that is given a second time is left out, and among the faults.
     """
     seen: dict[str, yaml.Node] = {}
     for key, value in node.value:
         name = str(key.value)
         if name in seen:
             first = seen[name].start_mark.line + 1
-            raise error(key, f"key '{name}' is given twice, first in line {first}")
+            faults.add(error(key, f"key '{name}' is given twice, first in line {first}"))
+            continue
         seen[name] = key
         yield name, key, value
 

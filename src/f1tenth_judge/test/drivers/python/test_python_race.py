@@ -1,6 +1,5 @@
 """Planners that are classes are raced, judged and caught without ROS."""
 
-import json
 from pathlib import Path
 
 import psutil
@@ -11,6 +10,7 @@ from f1tenth_judge.plan.race import Race, plan_race
 from f1tenth_judge.run.execute import execute
 from f1tenth_judge.scenario.driver import Driver
 from f1tenth_judge.stop_request import StopRequest
+from result_schema import valid_result
 
 CLASSES = Path(__file__).with_name("classes.py")
 
@@ -24,7 +24,7 @@ def race(tmp_path):
         plan = plan_race(Race("circuit1", 1, planners), tmp_path, settings)
         execute(plan, start_drivers, StopRequest())
         assert not [each for each in psutil.process_iter() if _is_of(each, tmp_path)]
-        return json.loads((tmp_path / "result.json").read_text(encoding="utf-8"))
+        return valid_result(tmp_path / "result.json")
 
     return run
 

@@ -4,7 +4,7 @@ import psutil
 import pytest
 from f1tenth_judge.drivers.ros2.driver import ros2_drivers
 from f1tenth_judge.plan.race import Race, plan_race
-from f1tenth_judge.record.files import read_json
+
 from f1tenth_judge.run.execute import execute
 from f1tenth_judge.scenario.driver import Driver
 from f1tenth_judge.stop_request import StopRequest
@@ -26,6 +26,6 @@ def race(tmp_path):
         plan = plan_race(Race("circuit1", 1, planners), tmp_path, ["limits.timeout=5", *settings])
         execute(plan, ros2_drivers, StopRequest())
         assert not [each for each in psutil.process_iter() if str(tmp_path) in environment_of(each)]
-        return read_json(tmp_path / "result.json")
+        return valid_result(tmp_path / "result.json")
 
     return run

@@ -25,11 +25,11 @@ class MapError(FileError):
     """A file is not a map; the text is one line that names it."""
 
 
-class MisfitError(Exception):
+class MismatchError(Exception):
     """A car's driver turned out not to fit lockstep; the message says which and why."""
 
 
-class RestlessError(Exception):
+class NotAtRestError(Exception):
     """A driver that has started up does not come to rest any more."""
 
 

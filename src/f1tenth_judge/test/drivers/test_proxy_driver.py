@@ -11,7 +11,7 @@ import time
 import pytest
 from f1tenth_judge.drivers import proxy_driver
 from f1tenth_judge.drivers.proxy_driver import ProxyDriver
-from f1tenth_judge.errors import MisfitError, RestlessError
+from f1tenth_judge.errors import MismatchError, NotAtRestError
 
 PATIENCE = 1.0  # s, for both
 MARK = "F1TENTH_TEST_DRIVER=robot1 of a test"
@@ -186,7 +186,7 @@ def test_who_waits_for_a_process_just_started_is_not_at_rest(driver, hurried, mo
     one = ProxyDriver(world, MARK, PATIENCE, PATIENCE)
     one.begin()
     make_busy(process)
-    with pytest.raises(MisfitError, match="do not come to rest"):
+    with pytest.raises(MismatchError, match="do not come to rest"):
         one.act(0)
 
 
@@ -196,7 +196,7 @@ def test_who_spins_is_not_given_more_time_for_it_twice(driver, hurried):
     one = ProxyDriver(world, MARK, PATIENCE, PATIENCE)
     began = time.monotonic()
     one.begin()
-    with pytest.raises(MisfitError):
+    with pytest.raises(MismatchError):
         one.act(0)
     assert time.monotonic() - began < PATIENCE + proxy_driver._LOADING
     assert world.done == ["scan"]
@@ -267,13 +267,13 @@ def test_who_sends_commands_while_time_stands_still_does_not_fit(driver):
     one = ProxyDriver(FakeWorld(before=0, after=1), MARK, PATIENCE, PATIENCE)
     one.act(0)
     one.act(1)
-    with pytest.raises(MisfitError, match="by the wall clock, while simulated time stands still"):
+    with pytest.raises(MismatchError, match="by the wall clock, while simulated time stands still"):
         one.act(2)
 
 
 def test_who_never_rests_does_not_fit_once_it_sends_commands(driver, hurried):
     driver(BUSY)
-    with pytest.raises(MisfitError, match="but its threads do not come to rest within 0.2 s; sleep by"):
+    with pytest.raises(MismatchError, match="but its threads do not come to rest within 0.2 s; sleep by"):
         ProxyDriver(FakeWorld(), MARK, PATIENCE, PATIENCE).act("now")
 
 
@@ -292,7 +292,7 @@ def test_who_never_rests_and_sends_before_its_first_period_does_not_fit(driver, 
     driver(BUSY)
     began = time.monotonic()
     with pytest.raises(
-        MisfitError, match="it sends commands, but its threads do not come to rest within 0.2 s"
+        MismatchError, match="it sends commands, but its threads do not come to rest within 0.2 s"
     ):
         ProxyDriver(UnheardWorld(listens=False), MARK, PATIENCE, 30.0).begin()
     assert time.monotonic() - began < 10.0
@@ -310,7 +310,7 @@ def test_who_sends_one_command_and_then_loads_is_waited_for(driver, hurried):
 def test_who_never_rests_gets_a_scan_but_no_time(driver, hurried):
     driver(BUSY)
     world = FakeWorld(before=0)
-    with pytest.raises(MisfitError, match="do not come to rest within 1 s; sleep by simulated time in its "):
+    with pytest.raises(MismatchError, match="do not come to rest within 1 s; sleep by simulated time in its "):
         ProxyDriver(world, MARK, PATIENCE, PATIENCE).act("now")
     assert world.done == ["scan"]
 
@@ -318,7 +318,7 @@ def test_who_never_rests_gets_a_scan_but_no_time(driver, hurried):
 def test_no_scan_is_lost_on_who_has_not_subscribed_yet(driver, hurried):
     driver(BUSY)
     world = FakeWorld(before=0, listens=False)
-    with pytest.raises(MisfitError):
+    with pytest.raises(MismatchError):
         ProxyDriver(world, MARK, PATIENCE, PATIENCE).act("now")
     assert world.done == []
 
@@ -344,7 +344,7 @@ def test_who_drives_and_then_never_rests_is_given_up(driver):
     for period in range(40):
         one.act(period)
     make_busy(process)
-    with pytest.raises(RestlessError, match="the driver has not come to rest within 1 s"):
+    with pytest.raises(NotAtRestError, match="the driver has not come to rest within 1 s"):
         one.act("later")
 
 

@@ -163,7 +163,7 @@ def meeting(folder, *, ours=(1.0, 0.0), theirs=(0.0, 0.0), at=(3.0, 0.0), touche
 
 
 @pytest.mark.parametrize(
-    ("how", "guilty"),
+    ("how", "culprit"),
     [
         ({"ours": (1.0, 0.0), "theirs": (-0.9, 0.0)}, "robot1"),
         ({"ours": (0.9, 0.0), "theirs": (-1.0, 0.0)}, "robot2"),
@@ -173,8 +173,8 @@ def meeting(folder, *, ours=(1.0, 0.0), theirs=(0.0, 0.0), at=(3.0, 0.0), touche
         ({"ours": (3.0, 0.1), "theirs": (-3.0, -0.2), "at": (0.0, 3.0)}, "robot2"),
     ],
 )
-def test_who_came_faster_towards_the_other_is_to_blame(tmp_path, how, guilty):
-    assert [each.car for each in meeting(tmp_path, **how)] == [guilty]
+def test_who_came_faster_towards_the_other_is_to_blame(tmp_path, how, culprit):
+    assert [each.car for each in meeting(tmp_path, **how)] == [culprit]
 
 
 def test_the_other_car_is_not_to_blame_for_a_contact_that_it_does_not_report(tmp_path):
@@ -191,13 +191,13 @@ def test_a_car_that_also_touched_a_wall_reports_for_itself(tmp_path):
 
 
 @pytest.mark.parametrize("touching", [1, 2, 4])
-def test_guilt_is_that_of_the_period_before_the_contact_or_of_the_first(tmp_path, touching):
+def test_blame_is_that_of_the_period_before_the_contact_or_of_the_first(tmp_path, touching):
     stamp = touching * PERIOD
     ours = list(rows(4 * PERIOD, y=0.5, contacts={stamp: "robot2"}))
     theirs = list(rows(4 * PERIOD, y=0.5, car="robot2", contacts={stamp: "robot1"}))
     for number, (mine, other) in enumerate(zip(ours, theirs), 1):
-        guilty = number == max(touching - 1, 1)
-        mine[2], mine[5], other[2], other[5] = 0.0, 1.0, 3.0, -2.0 if guilty else 0.0
+        culprit = number == max(touching - 1, 1)
+        mine[2], mine[5], other[2], other[5] = 0.0, 1.0, 3.0, -2.0 if culprit else 0.0
     (contact,) = find_contacts(record(tmp_path, ours, theirs))
     assert (contact.car, contact.y) == ("robot2", 0.5)
 

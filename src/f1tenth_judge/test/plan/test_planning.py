@@ -6,7 +6,7 @@ import pytest
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.places import lookup
 from f1tenth_judge.plan import participants
-from f1tenth_judge.plan.handover import driver_arguments
+from f1tenth_judge.plan.hand_off import driver_arguments
 from f1tenth_judge.plan.planning import make_plan
 from f1tenth_judge.scenario.car import Pose
 from scenario_samples import SCENARIO_TEXT

@@ -13,8 +13,8 @@ from f1tenth_scenarios.drivers import connections
 from f1tenth_scenarios.drivers.connections import Connections
 from f1tenth_scenarios.launch.private_master import private_master
 
-CALLER = "/robot1/deputy"
-CLOCK = "/robot1/deputy/clock"
+CALLER = "/robot1/proxy_driver"
+CLOCK = "/robot1/proxy_driver/clock"
 
 
 @contextmanager

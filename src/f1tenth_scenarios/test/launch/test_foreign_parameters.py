@@ -40,7 +40,7 @@ def text(name, value, kind="str"):
         ('<rosparam ns="/sim2d">seed: 7</rosparam>', "/sim2d/seed"),
         ('<group ns="/sim2d"><param name="seed" value="7"/></group>', "/sim2d/seed"),
         (text("collision_detection/ground_models", "walls"), "/robot1/collision_detection/ground_models"),
-        (text("deputy/patience", 1000, "double"), "/robot1/deputy/patience"),
+        (text("proxy_driver/patience", 1000, "double"), "/robot1/proxy_driver/patience"),
         (text("/map_server/frame_id", "odom"), "/map_server/frame_id"),
         (text("/use_sim_time", "false", "bool"), "/use_sim_time to False"),
     ],
@@ -73,7 +73,7 @@ def test_all_nodes_of_a_run_are_known(tmp_path):
     nodes = {f"{node.namespace}{node.name}".strip("/") for node in launched(tmp_path).nodes}
     known = {*RUN_NODES, *(f"robot1/{name}" for name in CAR_NODES), "robot1/planner"}
     assert nodes <= known
-    assert {"sim2d", "robot1/collision_detection", "robot1/deputy"} <= nodes
+    assert {"sim2d", "robot1/collision_detection", "robot1/proxy_driver"} <= nodes
 
 
 def test_launch_file_that_cannot_be_read_is_left_for_roslaunch_to_tell(tmp_path):

@@ -102,17 +102,17 @@ def test_faults_concern_the_odometry_that_the_car_has(planned):
     assert names["planner"]["/truck/odom"] == "/robot1/odom_faulty"
 
 
-def test_planner_of_the_car_gets_its_scans_by_the_deputy(planned):
+def test_planner_of_the_car_gets_its_scans_by_the_proxy_driver(planned):
     _, names = loaded(planned(FOREIGN))
-    assert names["deputy"]["scan"] == "/front_laser/scan"
-    assert names["planner"]["/front_laser/scan"] == "/robot1/deputy/scan"
+    assert names["proxy_driver"]["scan"] == "/front_laser/scan"
+    assert names["planner"]["/front_laser/scan"] == "/robot1/proxy_driver/scan"
     assert "/robot1/scan" not in names["planner"]
 
 
 def test_planner_of_f1tenth_simulator_gets_topics_and_frames_as_there(planned):
     driver = FOREIGN.replace("launch}", "launch, interface: f1tenth}")
     parameters, names = loaded(planned(driver))
-    assert names["planner"]["/scan"] == "/robot1/deputy/scan"
+    assert names["planner"]["/scan"] == "/robot1/proxy_driver/scan"
     assert names["planner"]["/drive"] == names["planner"]["/nav"] == "/robot1/drive"
     assert names["planner"]["/gt_pose"] == "/robot1/gt_pose"
     assert parameters["/sim2d/cars/robot1/frame_prefix"] == ""

@@ -65,7 +65,7 @@ def test_launch_file_hands_the_scenario_to_the_simulator(plan):
     assert parameters["/sim2d/participants"] == participants(plan)
     assert parameters["/sim2d/lockstep"] is plan.scenario.lockstep
     limits = plan.scenario.limits
-    timeout = limits.answer + (limits.load if "/robot1/deputy/loading" in parameters else 0.0)
+    timeout = limits.answer + (limits.load if "/robot1/proxy_driver/loading" in parameters else 0.0)
     assert parameters["/sim2d/lockstep_timeout"] == timeout
     assert parameters["/sim2d/lockstep_startup_timeout"] == 60.0 + timeout
     assert parameters["/sim2d/seed"] == plan.scenario.seed

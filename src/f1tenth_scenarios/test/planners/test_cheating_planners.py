@@ -61,7 +61,7 @@ def test_planner_that_touches_the_evidence_is_named_at_once(judged, how, words):
 
 def test_proxy_that_is_killed_ends_the_run_at_once(judged):  # noqa: F811
     result, _ = judged("--arg", "how:=kills_its_proxy", planner=CHEATING)
-    assert (result["verdict"], result["culprit"]["culprit"]) == ("error", "robot1/deputy")
+    assert (result["verdict"], result["culprit"]["culprit"]) == ("error", "robot1/proxy_driver")
     assert "ended with exit code 0" in result["reason"]
 
 

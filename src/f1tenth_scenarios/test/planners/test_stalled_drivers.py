@@ -79,9 +79,9 @@ def undisturbed(tmp_path_factory):
         {"robot1": AS_IT_LOADS},
         {"robot2": AS_IT_CONNECTS_AND_LATER},
         {"sim2d": LATER_THAN_THE_DRIVERS},
-        {"deputy": LATER_THAN_THE_DRIVERS},
+        {"proxy_driver": LATER_THAN_THE_DRIVERS},
     ],
-    ids=["planner", "pursuit", "simulator", "deputy"],
+    ids=["planner", "pursuit", "simulator", "proxy_driver"],
 )
 def test_run_of_who_is_stalled_is_the_same(tmp_path, undisturbed, stalls):
     assert trajectory(tmp_path / "run", stalls) == undisturbed

@@ -1,7 +1,7 @@
 """What is to happen when, and when a period may go on."""
 
 import pytest
-from f1tenth_judge.plan.participants import has_deputy, participants
+from f1tenth_judge.plan.participants import has_proxy_driver, participants
 from f1tenth_judge.scenario.car import STANDING, Command, command_at
 from f1tenth_judge.scenario.scenario import Fault, Localization
 from f1tenth_scenarios.run.events.agenda import Agenda, PeriodGate
@@ -76,12 +76,12 @@ def test_driver_that_answers_scans_takes_part_as_its_car(tmp_path):
 
 
 @pytest.mark.parametrize("named", ["", '<arg name="participants" value=""/>'])
-def test_deputy_takes_part_for_a_driver_that_names_nobody(tmp_path, named):
+def test_proxy_driver_takes_part_for_a_driver_that_names_nobody(tmp_path, named):
     launch = tmp_path / "my.launch"
     launch.write_text(f"<launch>{named}</launch>", encoding="utf-8")
     plan = sample_plan(tmp_path, scenario(), launch=launch)
-    assert participants(plan) == ["robot1/deputy"]
-    assert has_deputy(plan, "robot1")
+    assert participants(plan) == ["robot1/proxy_driver"]
+    assert has_proxy_driver(plan, "robot1")
 
 
 def test_faults_make_the_runner_a_participant(tmp_path):

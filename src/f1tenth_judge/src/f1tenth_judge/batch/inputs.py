@@ -12,7 +12,7 @@ import yaml
 import f1tenth_judge
 import f1tenth_sim2d
 from f1tenth_judge.places.packages import package_names, package_path
-from f1tenth_judge.plan.handover import given_arguments
+from f1tenth_judge.plan.hand_off import given_arguments
 from f1tenth_judge.plan.plan import Plan
 
 # Where the system's packages put theirs; elsewhere below /opt and /usr a workspace may be.

@@ -12,14 +12,14 @@ import time
 from typing import Any, Callable, Optional
 
 from f1tenth_judge.drivers.rest import Rest, has_ended, marked_processes
-from f1tenth_judge.errors import MisfitError, RestlessError
+from f1tenth_judge.errors import MismatchError, NotAtRestError
 
 _LOOK_INTERVAL = 2e-4  # wall s, between two looks at the threads
 _CONNECTION_INTERVAL = 0.01  # wall s, between two looks at its connections
 _SEARCH_INTERVAL = 0.25  # wall s, between two searches for processes
 _NOTICING = 0.5  # wall s, for which time stands still when a process has ended, so that the runner notices it
 # Exit codes of a proxy driver whose driver does not fit, or does not come to rest any more.
-EXIT_MISFIT, EXIT_RESTLESS = 4, 5
+EXIT_MISMATCH, EXIT_NOT_AT_REST = 4, 5
 # While the driver starts up:
 _PACE = 0.025  # wall s per period at least: nodes that wait by the wall clock are not overtaken
 _UNCONNECTED = 4.0  # wall s, after which a connection is given up: its ends differ in type, or one is gone
@@ -28,7 +28,7 @@ _SPINNING = 1.0  # wall s without rest after a command, once it has had _LOADING
 _CALM_PERIODS = 40  # without a command or a new connection, after which it is looked at less closely
 _STEADY_PERIODS = 20  # with commands and without a new connection, after which it has started up
 _LATE_COMMANDS = 3  # sent by a driver at rest, or without rest before the first period: more are no accident
-_RESTLESS = "its threads do not come to rest within {:g} s; sleep by simulated time in its loop"
+_NOT_AT_REST = "its threads do not come to rest within {:g} s; sleep by simulated time in its loop"
 
 
 class ProxyDriver:
@@ -46,7 +46,7 @@ class ProxyDriver:
         """What it waits for, and how long.
 
         Args:
-            world: what it sees and does on the middleware: RosWorld of the script `deputy` in ROS 1.
+            world: what it sees and does on the middleware: RosWorld of the script `proxy_driver` in ROS 1.
             mark: NAME=VALUE in the environment of the driver's processes.
             patience: time within which the driver must come to rest in a period; wall s.
             loading: the same while it starts up.
@@ -59,7 +59,7 @@ class ProxyDriver:
         self._clock = clock
         self._sleep = sleep
         self._began = clock()  # the current period, or the one since which there was no rest
-        self._is_restless = False  # whether the last wait has ended without rest
+        self._is_without_rest = False  # whether the last wait has ended without rest
         self._listening_since: Optional[float] = None  # s, without rest
         self._own = os.getpid()
         self._rest = Rest(threading.get_native_id())
@@ -74,20 +74,20 @@ class ProxyDriver:
         """Let the driver load and connect, before its first period; returns when it has, or spins.
 
         Raises:
-            MisfitError: it does not come to rest.
+            MismatchError: it does not come to rest.
         """
         self._settle(may_spin=True)
-        if self._start and not self._is_restless:
+        if self._start and not self._is_without_rest:
             self._let_connect(self._start)
 
     def act(self, stamp) -> None:
         """Let the driver handle a period; returns when it has.
 
         Raises:
-            MisfitError: while it starts up, the driver does not come to rest, or ignores simulated time.
-            RestlessError: later, it does not come to rest.
+            MismatchError: while it starts up, the driver does not come to rest, or ignores simulated time.
+            NotAtRestError: later, it does not come to rest.
         """
-        if not self._is_restless:
+        if not self._is_without_rest:
             self._began = self._clock()
         self._settle(may_spin=True)
         self._world.publish_scans()
@@ -107,20 +107,20 @@ class ProxyDriver:
 
     def _settle(self, may_spin: bool = False) -> None:
         """Wait until the driver is at rest; or, while it starts up, for a time if it may wait for scans."""
-        self._is_restless = False
+        self._is_without_rest = False
         self._rest.renew()
         while not self._is_at_rest() and not self._world.is_over():
             waited = self._clock() - self._began
             has_listened = self._start is not None and self._has_listened()
             if not self._start and waited > self._patience:
-                raise RestlessError(f"the driver has not come to rest within {self._patience:g} s")
+                raise NotAtRestError(f"the driver has not come to rest within {self._patience:g} s")
             if self._start and waited > _LOADING:
                 self._hear_commands(self._start)
-                self._start.check_restless(self._world.commands(), waited)
+                self._start.check_without_rest(self._world.commands(), waited)
                 if waited > self._loading:
-                    raise MisfitError(_RESTLESS.format(self._loading))
+                    raise MismatchError(_NOT_AT_REST.format(self._loading))
                 if may_spin and has_listened:
-                    self._is_restless = True
+                    self._is_without_rest = True
                     return
             self._sleep(_LOOK_INTERVAL)
         self._listening_since = None
@@ -210,7 +210,7 @@ class _Start:
         """There are others than before."""
         self.connections, self._steady_periods, self._calm_periods = connections, 0, 0
 
-    def check_restless(self, commands: int, waited: float) -> None:
+    def check_without_rest(self, commands: int, waited: float) -> None:
         """The driver has had its time to load, and is not at rest.
 
         Args:
@@ -218,20 +218,20 @@ class _Start:
             waited: in this period, s.
 
         Raises:
-            MisfitError: it does not rest though it sends commands.
+            MismatchError: it does not rest though it sends commands.
         """
         if commands > self._commands and self._sending_since is None:
             self._sending_since, self._sent = waited, commands
         # Before it was given anything, a command may come from a node that is still loading.
         goes_on = self.connections is not None or commands - self._sent >= _LATE_COMMANDS
         if self._sending_since is not None and waited - self._sending_since > _SPINNING and goes_on:
-            raise MisfitError(f"it sends commands, but {_RESTLESS.format(_LOADING)}")
+            raise MismatchError(f"it sends commands, but {_NOT_AT_REST.format(_LOADING)}")
 
     def note(self, at_rest: int, later: int) -> None:
         """How many commands there were when the driver came to rest in a period, and some time later."""
         self._late += later - at_rest
         if self._late >= _LATE_COMMANDS:
-            raise MisfitError("it sends commands by the wall clock, while simulated time stands still")
+            raise MismatchError("it sends commands by the wall clock, while simulated time stands still")
         self._calm_periods = 0 if later > self._commands else self._calm_periods + 1
         self._commands, self._sending_since = later, None
         self._steady_periods += bool(later)

@@ -25,12 +25,12 @@ def _is_told_better(record: Record, contact: Contact, all_contacts: list[Contact
     return any(
         each.car == other and each.touched == (contact.car,) and each.start == contact.start
         for each in all_contacts
-    ) and _guilt(record, contact) < _guilt(
+    ) and _approach(record, contact) < _approach(
         record, dataclasses.replace(contact, car=other, touched=(contact.car,))
     )
 
 
-def _guilt(record: Record, contact: Contact) -> tuple[float, str]:
+def _approach(record: Record, contact: Contact) -> tuple[float, str]:
     """How fast the car came towards the other, m/s; its name decides between equals."""
     own, other = record.tracks[contact.car], record.tracks[contact.touched[0]]
     between = _place(other, contact) - _place(own, contact)

@@ -11,7 +11,7 @@ from f1tenth_judge.places import lookup
 from f1tenth_judge.scenario.car import Car
 from f1tenth_judge.scenario.driver import Driver
 
-# Its value, separated by blanks, names nodes that take part in lockstep; for others a deputy does so.
+# Its value, separated by blanks, names nodes that take part in lockstep; for others a proxy driver does so.
 _PARTICIPANTS = "participants"
 # A driver with this argument waits for the 0 on /time_to_start; with the other it is told when that is.
 _COUNTDOWN, _START = "time_to_start", "start_at"

@@ -8,14 +8,14 @@ from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.scenario.scenario import Localization
 
 DIRECTOR = "scenario"
-DEPUTY = "deputy"
+PROXY_DRIVER = "proxy_driver"
 _STARTER = "race_starter"
 _STANDINS = ("amcl", "move_base")  # of whose nodes the original may be installed, under the same name
 _BESIDE_DRIVER = (
     "amcl",
     "beam_dropper",
     "collision_detection",
-    DEPUTY,
+    PROXY_DRIVER,
     "faulty_inputs",
     "map_to_odom",
     "robot_state_publisher",
@@ -44,14 +44,14 @@ def originals_among(names: Iterable[str]) -> list[str]:
     return [each for each in packages if is_original(each)]
 
 
-def has_deputy(plan: Plan, car: str) -> bool:
-    """Whether a deputy takes part for the car's driver, which knows nothing of lockstep."""
+def has_proxy_driver(plan: Plan, car: str) -> bool:
+    """Whether a proxy driver takes part for the car's driver, which knows nothing of lockstep."""
     return plan.scenario.lockstep and plan.cars[car].driver.participants is None
 
 
 def driver_participants(plan: Plan, car: str) -> list[str]:
     """The participants that answer for the car's driver."""
-    return plan.cars[car].driver.participants_of(car) or [f"{car}/{DEPUTY}"]
+    return plan.cars[car].driver.participants_of(car) or [f"{car}/{PROXY_DRIVER}"]
 
 
 def named_nodes(plan: Plan, car: str) -> set[str]:

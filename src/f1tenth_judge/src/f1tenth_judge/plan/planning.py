@@ -12,7 +12,7 @@ from f1tenth_judge.places.place import Place, find_place
 from f1tenth_judge.plan.car_description import check_car, check_topics
 from f1tenth_judge.plan.car_plan import Surroundings, plan_car
 from f1tenth_judge.plan.driver_file import find_driver
-from f1tenth_judge.plan.handover import driver_arguments
+from f1tenth_judge.plan.hand_off import driver_arguments
 from f1tenth_judge.plan.participants import originals_among, participants
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.planner import PLANNER, with_planner

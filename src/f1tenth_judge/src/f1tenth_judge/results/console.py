@@ -12,7 +12,7 @@ from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.judge.criterion import Status
 from f1tenth_judge.judge.driving_criteria import least_clearance
 from f1tenth_judge.places.raceline import read_raceline
-from f1tenth_judge.plan.handover import offered_arguments
+from f1tenth_judge.plan.hand_off import offered_arguments
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.files import PICTURE_FILE, RESULT_FILE
 from f1tenth_judge.record.pace import Pace

@@ -13,14 +13,14 @@ class Driver(Protocol):
         """Load, before the first period is acted on.
 
         Raises:
-            MisfitError: it cannot go by simulated time.
+            MismatchError: it cannot go by simulated time.
         """
 
     def act(self, stage: Stage) -> None:
         """Handle a period that has passed, and command the car for the next one.
 
         Raises:
-            MisfitError: it cannot go by simulated time.
+            MismatchError: it cannot go by simulated time.
         """
 
     def failure(self, time: float, is_done: bool) -> Optional[Failure]:

@@ -7,7 +7,7 @@ import time
 from collections.abc import Mapping
 from typing import Callable
 
-from f1tenth_judge.errors import MisfitError, ScenarioError
+from f1tenth_judge.errors import MismatchError, ScenarioError
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.planning import in_real_time
 from f1tenth_judge.plan.scenario_world import write_world
@@ -46,8 +46,8 @@ def execute(
             write_world(plan.place.world, plan.scenario, plan.run_world)
         try:
             done, stage = _drive(plan, make_drivers, stop, progress)
-        except MisfitError as misfit:
-            plan = in_real_time(plan, str(misfit))
+        except MismatchError as mismatch:
+            plan = in_real_time(plan, str(mismatch))
             done, stage = _drive(plan, make_drivers, stop, progress)
         # No run can be compared with one that was told to stop.
         folder = claim.place_of_interrupted() if stop.signal else claim.place_of_results()

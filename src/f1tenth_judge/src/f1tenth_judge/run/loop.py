@@ -35,7 +35,7 @@ class Loop:
         """Return when the run is decided; with a failure if the set-up broke.
 
         Raises:
-            MisfitError: a driver cannot go by simulated time.
+            MismatchError: a driver cannot go by simulated time.
         """
         with open(self._plan.record_file, "w", encoding="utf-8", newline="", buffering=1) as record:
             self._write(record, [COLUMNS])

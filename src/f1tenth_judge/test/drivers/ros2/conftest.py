@@ -4,10 +4,10 @@ import psutil
 import pytest
 from f1tenth_judge.drivers.ros2.driver import ros2_drivers
 from f1tenth_judge.plan.race import Race, plan_race
-
 from f1tenth_judge.run.execute import execute
 from f1tenth_judge.scenario.driver import Driver
 from f1tenth_judge.stop_request import StopRequest
+from result_schema import valid_result
 
 
 def environment_of(process):

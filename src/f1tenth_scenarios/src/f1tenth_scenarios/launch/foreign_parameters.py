@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from f1tenth_judge.errors import ScenarioError
-from f1tenth_judge.plan.participants import DEPUTY
+from f1tenth_judge.plan.participants import PROXY_DRIVER
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.scenario.car import Car
 
@@ -19,7 +19,7 @@ CAR_NODES = (
     "beam_dropper",
     "faulty_inputs",
     "map_to_odom",
-    DEPUTY,
+    PROXY_DRIVER,
 )
 _TIME = "/use_sim_time"
 

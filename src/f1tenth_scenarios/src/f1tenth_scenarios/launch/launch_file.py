@@ -10,17 +10,16 @@ from typing import Any
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.places import lookup
 from f1tenth_judge.places.goals import goals_text
-from f1tenth_judge.plan.handover import (
+from f1tenth_judge.plan.hand_off import driver_arguments, opponent_of
+from f1tenth_judge.plan.input_topics import (
     absolute,
-    car_topics,
-    driver_arguments,
     driver_topics,
-    input_topics,
+    filtered_topics,
     odometry,
-    opponent_of,
+    published_topics,
     usual_topics,
 )
-from f1tenth_judge.plan.participants import DEPUTY, driver_participants, has_deputy, participants
+from f1tenth_judge.plan.participants import PROXY_DRIVER, driver_participants, has_proxy_driver, participants
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.scenario_world import write_world
 from f1tenth_judge.scenario.car import Car, Input
@@ -83,8 +82,8 @@ def write_launch_file(plan: Plan) -> None:
         # Before its car: of two values of a parameter, as robot_description, roslaunch takes the later.
         launch.append(drivers[car.name])
         _include(launch, _own("scenario_car.launch"), _car_arguments(plan, car))
-        if has_deputy(plan, car.name):
-            _include(launch, _own("deputy.launch"), _deputy_arguments(plan, car))
+        if has_proxy_driver(plan, car.name):
+            _include(launch, _own("proxy_driver.launch"), _proxy_driver_arguments(plan, car))
     arguments = recorder_arguments(plan.bag_file, list(plan.cars), _topics_of_descriptions(plan))
     ElementTree.SubElement(launch, "node", pkg="rosbag", type="record", name=RECORDER, args=arguments)
     ElementTree.indent(launch)
@@ -111,13 +110,13 @@ def _shared_arguments(plan: Plan) -> dict[str, Any]:
 
 
 def _lockstep_timeout(plan: Plan) -> float:
-    """Longer than a deputy's patience, as it must say what it found before it is given up itself."""
+    """Longer than a proxy driver's patience, as it must say what it found before it is given up itself."""
     limits = plan.scenario.limits
-    return limits.answer + (limits.load if any(has_deputy(plan, car) for car in plan.cars) else 0.0)
+    return limits.answer + (limits.load if any(has_proxy_driver(plan, car) for car in plan.cars) else 0.0)
 
 
 def _car_arguments(plan: Plan, car: Car) -> dict[str, Any]:
-    start, topics = plan.cars[car.name].start, car_topics(plan, car)
+    start, topics = plan.cars[car.name].start, published_topics(plan, car)
     return {
         "car_name": car.name,
         "frame_prefix": f"{frame_prefix(plan, car)}/",
@@ -145,13 +144,13 @@ def frame_prefix(plan: Plan, car: Car) -> str:
     return "" if alone else car.name
 
 
-def _deputy_arguments(plan: Plan, car: Car) -> dict[str, Any]:
+def _proxy_driver_arguments(plan: Plan, car: Car) -> dict[str, Any]:
     return {
         "car_name": car.name,
         "driver_mark": "=".join(_driver_mark(plan, car)),
         "driver_patience": plan.scenario.limits.answer,
         "driver_loading": plan.scenario.limits.load,
-        "scan_topic": input_topics(plan, car)[Input.SCAN],
+        "scan_topic": filtered_topics(plan, car)[Input.SCAN],
         "localization": plan.scenario.localization.value,
     }
 
@@ -200,7 +199,7 @@ def _remappings(plan: Plan, car: Car) -> dict[str, str]:
     """The topics that have other names for the driver of a car."""
     own = f"/{car.name}"
     usual, actual = usual_topics(plan), driver_topics(plan, car)
-    known = usual if car.driver.is_ours else car_topics(plan, car)
+    known = usual if car.driver.is_ours else published_topics(plan, car)
     taken = plan.cars[car.name].driver.arguments
     found = {
         absolute(own, known[each]): absolute(own, actual[each])
@@ -214,10 +213,10 @@ def _remappings(plan: Plan, car: Car) -> dict[str, str]:
     if car.driver.interface is Interface.F1TENTH:
         found |= _by_name(own, F1TENTH_OWN, usual, actual)
         if opponent := opponent_of(plan, car):
-            theirs = car_topics(plan, opponent)
+            theirs = published_topics(plan, opponent)
             found |= _by_name(f"/{opponent.name}", _F1TENTH_OPPONENT, usual, theirs)
-    if has_deputy(plan, car.name):
-        found["/clock"] = f"{own}/{DEPUTY}/clock"
+    if has_proxy_driver(plan, car.name):
+        found["/clock"] = f"{own}/{PROXY_DRIVER}/clock"
     return found
 
 

@@ -4,7 +4,7 @@ import logging
 import os
 from typing import TYPE_CHECKING
 
-from f1tenth_judge.errors import MisfitError
+from f1tenth_judge.errors import MismatchError
 from f1tenth_judge.plan.pins import variables_of
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.planning import in_real_time
@@ -33,8 +33,8 @@ def run_with_ros(plan: Plan, stop: StopRequest, progress: Progress = lambda simu
     """
     try:
         return _run(plan, stop, progress)
-    except MisfitError as misfit:
-        return _run(in_real_time(plan, str(misfit)), stop, progress)
+    except MismatchError as mismatch:
+        return _run(in_real_time(plan, str(mismatch)), stop, progress)
     finally:
         _leave_ros()
 

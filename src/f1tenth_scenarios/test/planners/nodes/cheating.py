@@ -120,7 +120,7 @@ class Cheating:
         self.places_itself()
 
     def kills_its_proxy(self):
-        rosnode.kill_nodes(["/robot1/deputy"])
+        rosnode.kill_nodes(["/robot1/proxy_driver"])
 
     def tells_lies(self):
         """What the judge might listen to, and nodes of the run say: nothing of it is so."""

@@ -11,7 +11,7 @@ import numpy as np
 
 import f1tenth_sim2d
 from f1tenth_judge.drivers.python import process
-from f1tenth_judge.plan.handover import given_arguments, offered_arguments
+from f1tenth_judge.plan.hand_off import given_arguments, offered_arguments
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.planner import Observation, Scan
 from f1tenth_judge.record.observations import Failure

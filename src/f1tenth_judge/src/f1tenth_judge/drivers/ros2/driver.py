@@ -13,9 +13,9 @@ from f1tenth_judge.drivers.ros2.connection import Connection
 from f1tenth_judge.drivers.ros2.isolation import child_environment, private_domain
 from f1tenth_judge.drivers.ros2.planner_view import PlannerView
 from f1tenth_judge.drivers.ros2.why_mute import NO_CLOCK, ignores_clock, mismatched, why_mute
-from f1tenth_judge.errors import MisfitError, RestlessError
+from f1tenth_judge.errors import MismatchError, NotAtRestError
 from f1tenth_judge.places.map_file import Grid
-from f1tenth_judge.plan.handover import given_arguments
+from f1tenth_judge.plan.hand_off import given_arguments
 from f1tenth_judge.plan.pins import variables_of
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.observations import Failure
@@ -27,7 +27,7 @@ from f1tenth_judge.run.stage import Stage
 from f1tenth_judge.stop_request import StopRequest
 
 _MARK = "F1TENTH_DRIVER"  # in the environment of the planner's processes
-_RESTLESS = "has not come to rest within {:g} s of wall time (limits.answer)"
+_NOT_AT_REST = "has not come to rest within {:g} s of wall time (limits.answer)"
 _GRACE = 4.0  # wall s, to end after SIGINT
 _COUNT_INTERVAL = 1.0  # simulated s, between two looks at the commands
 
@@ -48,7 +48,7 @@ class Ros2Driver:
         self._watch = CommandWatch([car], self._limits.silence, _time_to_load(plan))
         self._counted = 0.0  # s, when the commands were looked at last
         self._accepted, self._refused, self._refusal = 0, 0, ""
-        self._restless: Optional[RestlessError] = None
+        self._not_at_rest: Optional[NotAtRestError] = None
         with contextlib.ExitStack() as opened:
             domain = opened.enter_context(private_domain())
             self._connection = Connection(domain)
@@ -72,7 +72,7 @@ class Ros2Driver:
     def begin(self) -> None:
         """Let it load and connect; see Driver."""
         if self._in_lockstep:
-            with self._named_misfit():
+            with self._named_mismatch():
                 self._proxy.begin()
 
     def act(self, stage: Stage) -> None:
@@ -80,10 +80,10 @@ class Ros2Driver:
         self._topics.publish_sensed()
         if self._in_lockstep:
             try:
-                with self._named_misfit():
+                with self._named_mismatch():
                     self._proxy.act(stage.time)
-            except RestlessError as error:
-                self._restless = error
+            except NotAtRestError as error:
+                self._not_at_rest = error
         else:
             self._view.publish_scans()
             self._view.publish_clock(stage.time)
@@ -101,8 +101,8 @@ class Ros2Driver:
         code = self._tree.exit_code()
         if code is not None:
             return self._failed(f"ended with exit code {code}", time)
-        if self._restless:
-            return self._failed(_RESTLESS.format(self._limits.answer), time)
+        if self._not_at_rest:
+            return self._failed(_NOT_AT_REST.format(self._limits.answer), time)
         if time - self._counted >= _COUNT_INTERVAL:
             self._counted = time
             self._watch.take(CommandCount(time, self._car, self._accepted, self._refused, self._refusal))
@@ -124,12 +124,12 @@ class Ros2Driver:
         self._opened.close()
 
     @contextlib.contextmanager
-    def _named_misfit(self) -> Iterator[None]:
+    def _named_mismatch(self) -> Iterator[None]:
         try:
             yield
-        except MisfitError as misfit:
-            why = f"the driver of {self._car} does not fit lockstep: {misfit}"
-            raise MisfitError(why) from misfit
+        except MismatchError as mismatch:
+            why = f"the driver of {self._car} does not fit lockstep: {mismatch}"
+            raise MismatchError(why) from mismatch
 
     def _has_ended(self, stop: StopRequest) -> bool:
         return bool(stop.signal) or self._tree.exit_code() is not None

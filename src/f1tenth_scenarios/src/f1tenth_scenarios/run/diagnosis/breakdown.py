@@ -4,9 +4,9 @@ import time
 from collections.abc import Sequence
 from typing import Optional
 
-from f1tenth_judge.drivers.proxy_driver import EXIT_MISFIT
-from f1tenth_judge.errors import MisfitError
-from f1tenth_judge.plan.participants import DEPUTY, driver_nodes_among, named_nodes
+from f1tenth_judge.drivers.proxy_driver import EXIT_MISMATCH
+from f1tenth_judge.errors import MismatchError
+from f1tenth_judge.plan.participants import PROXY_DRIVER, driver_nodes_among, named_nodes
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.files import read_json
 from f1tenth_judge.record.observations import Failure, RaceState, RaceUpdate
@@ -58,9 +58,9 @@ class Breakdown:
         has not gone on, wall s.
 
         Raises:
-            MisfitError: a car's driver does not fit lockstep.
+            MismatchError: a car's driver does not fit lockstep.
         """
-        self._look_for_misfit()
+        self._look_for_mismatch()
         if second := self._second_simulator():
             self._seen_at = time.monotonic()
             return second
@@ -93,13 +93,13 @@ class Breakdown:
                 self._known.add(pid)
         return None
 
-    def _look_for_misfit(self) -> None:
+    def _look_for_mismatch(self) -> None:
         for car in self._plan.cars:
-            deputy = f"{car}/{DEPUTY}"
-            if any((end.node, end.exit_code) == (deputy, EXIT_MISFIT) for end in self._events.ends):
-                said = [line for line in last_lines(self._plan.launch_log) if f"[/{deputy}]: " in line]
-                why = said[-1].partition(f"[/{deputy}]: ")[2] if said else "its deputy does not say why"
-                raise MisfitError(f"the driver of {car} does not fit lockstep: {why}")
+            proxy = f"{car}/{PROXY_DRIVER}"
+            if any((end.node, end.exit_code) == (proxy, EXIT_MISMATCH) for end in self._events.ends):
+                said = [line for line in last_lines(self._plan.launch_log) if f"[/{proxy}]: " in line]
+                why = said[-1].partition(f"[/{proxy}]: ")[2] if said else "its proxy driver does not say why"
+                raise MismatchError(f"the driver of {car} does not fit lockstep: {why}")
 
     def _is_fatal(self, end: NodeEnd, done: set[str]) -> bool:
         if end.is_required:
@@ -110,9 +110,9 @@ class Breakdown:
         return end.exit_code != 0 or self._must_live(end.node, done)
 
     def _must_live(self, node: str, done: set[str]) -> bool:
-        """Whether a node may not even end in order: simulator, deputy, a driver's named nodes or its last."""
+        """Whether a node may not even end in order: simulator, proxy driver, a driver's named nodes or its last."""
         car, _, name = node.partition("/")
-        if node == "sim2d" or (name == DEPUTY and car not in done):
+        if node == "sim2d" or (name == PROXY_DRIVER and car not in done):
             return True
         if car not in self._plan.cars or car in done or not driver_nodes_among(car, [node]):
             return False

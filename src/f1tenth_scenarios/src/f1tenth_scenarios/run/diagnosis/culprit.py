@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Optional
 
-from f1tenth_judge.drivers.proxy_driver import EXIT_RESTLESS
-from f1tenth_judge.plan.participants import DEPUTY, driver_nodes_among
+from f1tenth_judge.drivers.proxy_driver import EXIT_NOT_AT_REST
+from f1tenth_judge.plan.participants import PROXY_DRIVER, driver_nodes_among
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_judge.run.log_excerpt import (
@@ -22,7 +22,7 @@ from f1tenth_judge.run.log_excerpt import (
 
 from f1tenth_scenarios.launch.launch_events import NodeEnd
 
-_RESTLESS = "has not come to rest within {:g} s of wall time (limits.answer)"
+_NOT_AT_REST = "has not come to rest within {:g} s of wall time (limits.answer)"
 _ERROR_WORDS = ("[ERROR]", "[FATAL]", TRACEBACK)
 
 # Of any node and of roslaunch, which may come between the lines of a traceback.
@@ -45,13 +45,14 @@ def failure_of(plan: Plan, signs: Signs) -> Failure:
     """Name what is stuck, else what the simulator waited for, else the simulator, else what ended first."""
     participant, error = signs.simulator.get("participant"), signs.simulator.get("error")
     by_name = {end.node: end for end in reversed(signs.ends)}
-    restless = next((car for car in plan.cars if _gave_its_driver_up(by_name.get(f"{car}/{DEPUTY}"))), None)
-    dead = not restless and (participant in by_name or (signs.ends and not participant))
+    proxies = {car: by_name.get(f"{car}/{PROXY_DRIVER}") for car in plan.cars}
+    given_up = next((car for car, proxy in proxies.items() if _gave_its_driver_up(proxy)), None)
+    dead = not given_up and (participant in by_name or (signs.ends and not participant))
     if signs.hindered and not dead:
         return _node_failure(plan, NodeEnd(signs.hindered[0], 0), signs.hindered[1])
-    if restless:
-        nodes = driver_nodes_among(restless, signs.started)
-        return failure_of_driver(plan, restless, nodes, _RESTLESS.format(plan.scenario.limits.answer))
+    if given_up:
+        nodes = driver_nodes_among(given_up, signs.started)
+        return failure_of_driver(plan, given_up, nodes, _NOT_AT_REST.format(plan.scenario.limits.answer))
     if participant in by_name:
         return _node_failure(plan, by_name[participant], by_name[participant].describe())
     if participant:
@@ -68,8 +69,8 @@ def failure_of(plan: Plan, signs: Signs) -> Failure:
     return Failure("roslaunch", reason, str(plan.launch_log), tuple(said[-LINE_COUNT:]))
 
 
-def _gave_its_driver_up(deputy: Optional[NodeEnd]) -> bool:
-    return deputy is not None and deputy.exit_code == EXIT_RESTLESS
+def _gave_its_driver_up(proxy: Optional[NodeEnd]) -> bool:
+    return proxy is not None and proxy.exit_code == EXIT_NOT_AT_REST
 
 
 def failure_of_driver(plan: Plan, car: str, nodes: Sequence[str], reason: str) -> Failure:

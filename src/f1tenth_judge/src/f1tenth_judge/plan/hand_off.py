@@ -6,10 +6,9 @@ from typing import Any, Optional
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.places import lookup
 from f1tenth_judge.plan.car_description import CarDescription
-from f1tenth_judge.plan.participants import DEPUTY, has_deputy
+from f1tenth_judge.plan.input_topics import driver_topics, odometry
 from f1tenth_judge.plan.plan import Plan
-from f1tenth_judge.scenario.car import Car, Input
-from f1tenth_judge.scenario.scenario import Localization
+from f1tenth_judge.scenario.car import Car
 
 # s, after which the start signal is surely given: the countdown begins with the first period, not at 0.
 _START_MARGIN = 0.1
@@ -100,43 +99,6 @@ def _described(description: Optional[CarDescription]) -> dict[str, Any]:
         "cmd_vel_steers": description.takes_steering_angle,
         "odom_period": description.odometry_period,
     }
-
-
-def odometry(plan: Plan) -> str:
-    """Which odometry the cars have: `perfect` or `wheel`."""
-    return "wheel" if plan.scenario.localization is Localization.AMCL else "perfect"
-
-
-def usual_topics(plan: Plan) -> dict[Input, str]:
-    """Where drivers of the F1/10 car find their inputs, in the namespace of their car."""
-    odometry_topic = "odom" if odometry(plan) == "wheel" else "perfect_odom"
-    return {Input.SCAN: "scan", Input.ODOM: odometry_topic, Input.TF: "/tf"}
-
-
-def car_topics(plan: Plan, car: Car) -> dict[Input, str]:
-    """The same for one car, which may have a description of its own."""
-    description = plan.cars[car.name].description
-    if description is None:
-        return usual_topics(plan)
-    odometry_topic = description.odometry_topic(plan.scenario.localization)
-    own = {Input.SCAN: description.scan, Input.ODOM: odometry_topic}
-    return usual_topics(plan) | {each: topic for each, topic in own.items() if topic}
-
-
-def input_topics(plan: Plan, car: Car) -> dict[Input, str]:
-    """The same where inputs may fail at times."""
-    topics = car_topics(plan, car) | ({Input.SCAN: "scan_dropped"} if car.dropped_beams else {})
-    return {each: f"{each.value}_faulty" if car.faults_of(each) else topic for each, topic in topics.items()}
-
-
-def driver_topics(plan: Plan, car: Car) -> dict[Input, str]:
-    """The same as the car's driver finds them: a deputy passes on its scans."""
-    return input_topics(plan, car) | ({Input.SCAN: f"{DEPUTY}/scan"} if has_deputy(plan, car.name) else {})
-
-
-def absolute(namespace: str, topic: str) -> str:
-    """The full name of a topic that may be in a namespace."""
-    return topic if topic.startswith("/") else f"{namespace}/{topic}"
 
 
 def opponent_of(plan: Plan, car: Car) -> Optional[Car]:

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Optional
 
 from f1tenth_judge.plan.car_description import CarDescription
-from f1tenth_judge.plan.handover import absolute
+from f1tenth_judge.plan.input_topics import absolute
 from f1tenth_judge.plan.participants import driver_nodes_among
 from f1tenth_judge.scenario.driver import Interface
 

@@ -3,7 +3,7 @@
 import pytest
 from f1tenth_judge.plan.participants import driver_nodes_among
 from f1tenth_judge.scenario.driver import Interface
-from f1tenth_scenarios.run.diagnosis.loose_ends import CarTopics, driver_nodes, shared_topic, why_mute
+from f1tenth_scenarios.run.diagnosis.unconnected_topics import CarTopics, driver_nodes, shared_topic, why_mute
 from f1tenth_scenarios.run.ros_graph import RosGraph
 
 STAMPED, TWIST = "ackermann_msgs/AckermannDriveStamped", "geometry_msgs/Twist"
@@ -97,7 +97,7 @@ def test_driver_s_nodes_are_those_that_send_commands_first():
 
 
 def test_nodes_that_take_part_in_lockstep_for_others_are_no_drivers():
-    nodes = ["robot1/robot1_deputy_lockstep_1795673917733307038", "robot1/deputy", "robot1/wall_follow"]
+    nodes = ["robot1/robot1_proxy_driver_lockstep_1795673917733307038", "robot1/proxy_driver", "robot1/wall_follow"]
     assert driver_nodes_among("robot1", nodes) == ["robot1/wall_follow"]
 
 

@@ -213,8 +213,13 @@ def test_driver_that_fits_has_started_up_after_some_periods(driver):
 
 def calm_proxy_driver(world):
     """One whose driver has neither connected nor sent a command for a while, and how long it sleeps."""
-    slept = []
-    one = ProxyDriver(world, MARK, PATIENCE, PATIENCE, sleep=slept.append)
+    slept, gone = [], []
+
+    def sleep(seconds):
+        slept.append(seconds)
+        gone.append(seconds)
+
+    one = ProxyDriver(world, MARK, PATIENCE, 1e6, lambda: time.monotonic() + sum(gone), sleep)
     one.act(0)  # in which the connections are new
     for period in range(proxy_driver._CALM_PERIODS):
         one.act(period)

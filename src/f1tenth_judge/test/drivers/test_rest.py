@@ -7,7 +7,7 @@ import threading
 import time
 
 import pytest
-from f1tenth_judge.drivers.rest import Rest, marked_processes
+from f1tenth_judge.drivers.rest import ProcessorUse, Rest, marked_processes, processor_use
 from patience import wait_for
 
 # Answers each line after some work, in another thread than the one that reads it.
@@ -85,9 +85,9 @@ def test_processes_are_found_by_their_mark_with_those_that_they_started(start):
 
 def learn(rest, pid):
     """Who polls, from a moment without anything to do."""
-    before, began = rest.counts([pid]), time.monotonic()
+    before, began = processor_use([pid]), time.monotonic()
     time.sleep(0.1)
-    rest.learn(before, rest.counts([pid]), time.monotonic() - began)
+    rest.learn(before, processor_use([pid]), time.monotonic() - began)
 
 
 @pytest.mark.parametrize("program", [WORKER, NAPPER, LIKE_A_RATE, LIKE_A_TIMER])
@@ -103,6 +103,16 @@ def test_answer_is_there_whenever_rest_is_reached(start, program):
         rest.renew()
         assert wait_for(lambda: rest.is_reached([worker.pid]))
         assert worker.stdout.readline() == f"{sum(range(count * 1000))}\n"
+
+
+@pytest.mark.parametrize(
+    ("switches", "waited", "polls"), [(35, 0.0, True), (33, 0.0, False), (8, 0.08, True), (7, 0.09, False)]
+)
+def test_who_polls_is_told_by_how_often_it_could(switches, waited, polls):
+    rest = Rest()
+    begin, end = (ProcessorUse(False, 0, 1.0, 100), ProcessorUse(False, 9, 1.0 + waited, 100 + switches))
+    rest.learn({(1, 2): begin}, {(1, 2): end}, 0.1)
+    assert ((1, 2) in rest._pollers) == polls
 
 
 def test_who_computes_is_not_at_rest(start):

@@ -11,7 +11,8 @@ import threading
 import time
 from typing import Any, Callable, Optional
 
-from f1tenth_judge.drivers.rest import Rest, has_ended, marked_processes
+from f1tenth_judge.drivers.granted_time import GrantedTime
+from f1tenth_judge.drivers.rest import Rest, has_ended, marked_processes, processor_use
 from f1tenth_judge.errors import MismatchError, NotAtRestError
 
 _LOOK_INTERVAL = 2e-4  # wall s, between two looks at the threads
@@ -21,10 +22,11 @@ _NOTICING = 0.5  # wall s, for which time stands still when a process has ended,
 # Exit codes of a proxy driver whose driver does not fit, or does not come to rest any more.
 EXIT_MISMATCH, EXIT_NOT_AT_REST = 4, 5
 # While the driver starts up:
-_PACE = 0.025  # wall s per period at least: nodes that wait by the wall clock are not overtaken
-_UNCONNECTED = 4.0  # wall s, after which a connection is given up: its ends differ in type, or one is gone
-_LOADING = 4.0  # wall s without rest, after which a listener gets its scan: one that spins may wait for it
-_SPINNING = 1.0  # wall s without rest after a command, once it has had _LOADING: it spins
+_PACE = 0.025  # s of granted time per period at least: nodes that wait by the wall clock are not overtaken
+_UNCONNECTED = 4.0  # s of granted time, after which a connection is given up: its ends differ in type, or one is gone
+_LOADING = 4.0  # s of granted time without rest, after which a listener gets its scan: one that spins may wait for it
+_SPINNING = 1.0  # s of granted time without rest after a command, once it has had _LOADING: it spins
+_LOOKS = 10  # in _PACE, for whether it is over on a busy machine
 _CALM_PERIODS = 40  # without a command or a new connection, after which it is looked at less closely
 _STEADY_PERIODS = 20  # with commands and without a new connection, after which it has started up
 _LATE_COMMANDS = 3  # sent by a driver at rest, or without rest before the first period: more are no accident
@@ -48,7 +50,8 @@ class ProxyDriver:
         Args:
             world: what it sees and does on the middleware: RosWorld of the script `proxy_driver` in ROS 1.
             mark: NAME=VALUE in the environment of the driver's processes.
-            patience: time within which the driver must come to rest in a period; wall s.
+            patience: time within which the driver must come to rest in a period; wall s in which its threads
+                have a processor when they want one.
             loading: the same while it starts up.
             clock, sleep: wall time, s.
         """
@@ -58,13 +61,14 @@ class ProxyDriver:
         self._loading = loading
         self._clock = clock
         self._sleep = sleep
-        self._began = clock()  # the current period, or the one since which there was no rest
+        self._own = os.getpid()
+        self._granted = GrantedTime(clock)
+        self._pids: set[int] = set()
+        self._began = self._time()  # the current period, or the one since which there was no rest
         self._is_without_rest = False  # whether the last wait has ended without rest
         self._listening_since: Optional[float] = None  # s, without rest
-        self._own = os.getpid()
         self._rest = Rest(threading.get_native_id())
         self._helpers = world.helpers()
-        self._pids: set[int] = set()
         self._ended: set[int] = set()  # those of them that are gone, and not held for yet
         self._searched: Optional[float] = None
         self._asked: Optional[float] = None  # s, of asking who sends commands, before the first period
@@ -88,7 +92,7 @@ class ProxyDriver:
             NotAtRestError: later, it does not come to rest.
         """
         if not self._is_without_rest:
-            self._began = self._clock()
+            self._began = self._time()
         self._settle(may_spin=True)
         self._world.publish_scans()
         self._settle()
@@ -105,12 +109,16 @@ class ProxyDriver:
         self._pids -= self._ended
         self._ended.clear()
 
+    def _time(self) -> float:
+        """Time that the driver could use, s: what it does within some of it does not depend on the load."""
+        return self._granted.now(self._pids)
+
     def _settle(self, may_spin: bool = False) -> None:
         """Wait until the driver is at rest; or, while it starts up, for a time if it may wait for scans."""
         self._is_without_rest = False
         self._rest.renew()
         while not self._is_at_rest() and not self._world.is_over():
-            waited = self._clock() - self._began
+            waited = self._time() - self._began
             has_listened = self._start is not None and self._has_listened()
             if not self._start and waited > self._patience:
                 raise NotAtRestError(f"the driver has not come to rest within {self._patience:g} s")
@@ -137,8 +145,8 @@ class ProxyDriver:
         if not self._world.has_listener():
             return False
         if self._listening_since is None:
-            self._listening_since = self._clock()
-        return self._clock() - self._listening_since > _LOADING
+            self._listening_since = self._time()
+        return self._time() - self._listening_since > _LOADING
 
     def _is_at_rest(self) -> bool:
         """Whether the driver is, and what it has sent to this process is noted."""
@@ -169,7 +177,7 @@ class ProxyDriver:
         """Keep the time from overtaking a node that is about to connect, or waits by the wall clock."""
         if start.is_calm and self._world.has_node():
             # Which threads poll is known by now; before a node has come up, something is still loading.
-            self._sleep(max(0.0, _PACE - (self._clock() - self._began)))
+            self._sleep(max(0.0, _PACE - (self._time() - self._began)))
         else:
             self._watch(_PACE)
             self._settle()
@@ -181,14 +189,16 @@ class ProxyDriver:
 
     def _watch(self, duration: float) -> None:
         """Learn which threads poll, from what they do while nothing happens."""
-        before, began = self._rest.counts(self._pids), self._clock()
+        before, began, granted = processor_use(self._pids), self._clock(), self._time()
         self._sleep(duration)
-        self._rest.learn(before, self._rest.counts(self._pids), self._clock() - began)
+        while self._time() - granted < duration and not self._world.is_over():
+            self._sleep(duration / _LOOKS)
+        self._rest.learn(before, processor_use(self._pids), self._clock() - began)
 
     def _await_connections(self, start: "_Start") -> None:
-        end = self._clock() + _UNCONNECTED
+        end = self._time() + _UNCONNECTED
         while (missing := self._world.missing() - start.unconnected) and not self._world.is_over():
-            if self._clock() > end:
+            if self._time() > end:
                 start.unconnected |= missing
             self._sleep(_CONNECTION_INTERVAL)
 

@@ -9,8 +9,8 @@ import math
 import os
 import threading
 import time
-from collections.abc import Callable, Iterable, Iterator
-from typing import Optional
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import NamedTuple, Optional
 
 Thread = tuple[int, int]  # ids of the process and of the thread
 Switches = dict[Thread, bytes]  # how often each thread has been switched to: digits
@@ -25,6 +25,15 @@ _LONG_ENOUGH = 0.5  # s, to fall asleep
 _SEARCH_LIMIT = 1 << 16  # bytes of an environment that are looked through
 
 
+class ProcessorUse(NamedTuple):
+    """What a thread has had of the processors."""
+
+    is_ready: bool  # whether it runs, or would if it had one
+    ran: float  # s
+    waited: float  # s, ready to run
+    switches: int  # how often it was switched to
+
+
 def marked_processes(mark: str) -> set[int]:
     """The processes of this user that have NAME=VALUE in their environment: inherited, as a rule."""
     wanted = mark.encode()
@@ -34,6 +43,11 @@ def marked_processes(mark: str) -> set[int]:
 def has_ended(pid: int) -> bool:
     """Whether a process is gone, or waits to be noticed by its parent."""
     return _state_of(f"/proc/{pid}") in (b"", b"Z", b"X")
+
+
+def processor_use(pids: Iterable[int]) -> dict[Thread, ProcessorUse]:
+    """What each thread of some processes has had of the processors so far."""
+    return {(pid, thread): _use_of(pid, thread) for pid in pids for thread in _threads(pid)}
 
 
 class Rest:
@@ -76,16 +90,15 @@ class Rest:
         # that is only about to sleep may still decide otherwise.
         return found == self._look(pids) and None not in map(self._wait_of, found)
 
-    def counts(self, pids: Iterable[int]) -> Switches:
-        """How often each thread has been switched to."""
-        return {each: self._state(*each)[1] for each in self._threads_of(pids)}
-
-    def learn(self, before: Switches, after: Switches, elapsed: float) -> None:
+    def learn(
+        self, before: Mapping[Thread, ProcessorUse], after: Mapping[Thread, ProcessorUse], elapsed: float
+    ) -> None:
         """Note which threads poll, by how often each was switched to in `elapsed` s with nothing new."""
-        least = max(_FEWEST_POLLS, elapsed / _LONGEST_POLL)
-        for thread, count in after.items():
-            if thread in before and int(count or 0) - int(before[thread] or 0) >= least:
-                self._pollers.add(thread)
+        for thread, use in after.items():
+            if thread in before:
+                free = elapsed - (use.waited - before[thread].waited)
+                if use.switches - before[thread].switches >= max(_FEWEST_POLLS, free / _LONGEST_POLL):
+                    self._pollers.add(thread)
 
     def _look(self, pids) -> Optional[Switches]:
         """How often each thread has been switched to; nothing if one of them runs."""
@@ -162,6 +175,13 @@ class _Nap:
 def _wait_of(pid: int, thread: int) -> bytes:
     """The kernel's function in which a thread sleeps, if the kernel tells."""
     return _read(f"/proc/{pid}/task/{thread}/wchan")
+
+
+def _use_of(pid: int, thread: int) -> ProcessorUse:
+    """Nothing where the kernel does not tell; schedstat is in ns."""
+    folder = f"/proc/{pid}/task/{thread}"
+    ran, waited, switches = (_read(f"{folder}/schedstat").split() or (0, 0, 0))[:3]
+    return ProcessorUse(_state_of(folder) == b"R", int(ran) * 1e-9, int(waited) * 1e-9, int(switches))
 
 
 def _tells_waits() -> bool:

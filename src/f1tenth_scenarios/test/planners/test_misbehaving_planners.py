@@ -21,7 +21,7 @@ def judged(tmp_path):
         command = [
             sys.executable,
             "-m",
-            "f1tenth_scenarios",
+            "f1tenth_judge",
             "race",
             "circuit1",
             "--planner",

@@ -196,6 +196,35 @@ def test_silent_participant_is_named(tmp_path):
     assert result["reason"] == "robot1/move_base: robot1/move_base did not answer period 200"
 
 
+def test_run_whose_answers_went_astray_is_told_not_to_be_repeatable(tmp_path):
+    stray = {"participant": "robot1", "period": 40, "time": 1.0}
+    run = FakeRun(tmp_path).records(4.0).simulator_says(stray_answers=[stray])
+    result = result_of(run.hears(racing(), finished(3.0)))
+    assert (result["verdict"], result["lockstep"], result["repeatable"]) == ("success", True, False)
+    assert result["note"] == (
+        "not repeatable, as in period 40 (1.000 s) an answer of robot1 to another scan was taken for the one that"
+        " was missing"
+    )
+
+
+@pytest.mark.parametrize("lockstep", [True, False])
+def test_run_in_lockstep_is_repeatable(tmp_path, lockstep):
+    run = FakeRun(tmp_path, scenario(lockstep=lockstep)).records(4.0)
+    assert result_of(run.hears(racing(), finished(3.0)))["repeatable"] == lockstep
+
+
+@pytest.mark.parametrize("key", ["physics_step", "world_sha256", "cars_sha256"])
+def test_what_was_simulated_is_what_the_simulator_says(tmp_path, key):
+    said = {"physics_step": 0.001, "world_sha256": "0" * 64, "cars_sha256": {"robot1": "1" * 64}}
+    (tmp_path / "whole").mkdir()
+    (tmp_path / "part").mkdir()
+    run = FakeRun(tmp_path / "whole").records(4.0).simulator_says(**said)
+    assert result_of(run.hears(racing(), finished(3.0)))["judged"] == said
+    del said[key]
+    run = FakeRun(tmp_path / "part").records(4.0).simulator_says(**said)
+    assert result_of(run.hears(racing(), finished(3.0)))["judged"] is None
+
+
 def test_launch_that_fails_is_quoted(tmp_path):
     result = result_of(FakeRun(tmp_path).prints("RLException: no such package").ends(1))
     assert result["reason"] == "roslaunch: ended with exit code 1: RLException: no such package"

@@ -23,7 +23,7 @@ def judged(tmp_path):
         command = [
             sys.executable,
             "-m",
-            "f1tenth_scenarios",
+            "f1tenth_judge",
             "run",
             name,
             "--results",

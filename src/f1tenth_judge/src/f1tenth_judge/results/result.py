@@ -30,6 +30,7 @@ class Result:
     wall_time: Optional[float] = None  # s, of everything, from the start of the command
     not_written: tuple[str, ...] = ()  # files of the results, each with the reason
     inputs: Optional[Mapping[str, Any]] = None  # what was simulated, as hashes; None if it never began
+    is_repeatable: bool = True  # whether nothing happened in lockstep that depends on wall time
     note: str = ""  # why the run differed from what the scenario asks for
 
     @property
@@ -97,6 +98,7 @@ def as_dict(result: Result, versions: Mapping[str, Any], settings: Sequence[str]
         "judged": result.inputs,
         "settings": list(settings),
         "lockstep": result.scenario.lockstep,
+        "repeatable": result.scenario.lockstep and result.is_repeatable,
         "machine": machine(result.scenario),
         "note": result.note,
         "trajectory_hash": record.hash_at_end(),

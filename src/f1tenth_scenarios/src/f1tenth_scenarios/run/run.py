@@ -115,16 +115,26 @@ def _drive(plan, tree, events, watch, stop, progress) -> tuple[Result, Preparati
         tree.interrupt(supervisor.pid("sim2d"), _grace(stop))
         seen = _observations(plan, supervisor, watch, failure)
         done = judged(plan, seen, supervisor.pace.factor, watch.estimates())
-        note = "; ".join(filter(None, (done.note, supervisor.note())))
-        done = dataclasses.replace(done, note=note, inputs=_inputs(plan))
+        said = read_json(plan.simulator_result_file)
+        strays = _strays(said)
+        note = "; ".join(filter(None, (done.note, supervisor.note(), *strays)))
+        done = dataclasses.replace(done, note=note, inputs=_inputs(said), is_repeatable=not strays)
         if not stop.signal:
             preparation.begin()
     return done, preparation, supervisor.pid(RECORDER)
 
 
-def _inputs(plan: Plan) -> Optional[dict[str, Any]]:
+def _strays(said: Mapping[str, Any]) -> list[str]:
+    """The answers for which the simulator took others, by which a run is like no second one, in words."""
+    return [
+        f"not repeatable, as in period {each['period']} ({each['time']:.3f} s) an answer of"
+        f" {each['participant']} to another scan was taken for the one that was missing"
+        for each in said.get("stray_answers", ())
+    ]
+
+
+def _inputs(said: Mapping[str, Any]) -> Optional[dict[str, Any]]:
     """What the simulator says that it has simulated; None if it says nothing."""
-    said = read_json(plan.simulator_result_file)
     return {key: said[key] for key in _INPUTS} if said.keys() >= {*_INPUTS} else None
 
 

@@ -14,6 +14,10 @@ namespace
 {
 nlohmann::ordered_json toJson(const RunResult & result)
 {
+  auto strays = nlohmann::ordered_json::array();
+  for (const StrayAnswer & each : result.strays) {
+    strays.push_back({{"participant", each.participant}, {"period", each.period}, {"time", each.time_sec}});
+  }
   return {
     {"reason", result.reason},
     {"error", result.error},
@@ -23,6 +27,7 @@ nlohmann::ordered_json toJson(const RunResult & result)
     {"periods", result.periods},
     {"trajectory_hash", result.trajectory_hash},
     {"seed", result.seed},
+    {"stray_answers", strays},
     {"physics_step", result.physics_step_sec},
     {"world_sha256", result.world_sha256},
     {"cars_sha256", result.cars_sha256},

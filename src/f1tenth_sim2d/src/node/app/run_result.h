@@ -3,6 +3,9 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
+
+#include "node/time/lockstep_barrier.h"
 
 namespace f1tenth_sim2d
 {
@@ -15,6 +18,7 @@ struct RunResult
   double sim_time_sec{0.0};
   double wall_time_sec{0.0};    ///< from the first step on
   std::int64_t periods{0};      ///< control periods
+  std::vector<StrayAnswer> strays;  ///< in lockstep; with one the run cannot be repeated
   std::string trajectory_hash;  ///< empty if there was no run
   std::uint64_t seed{0};
   double physics_step_sec{0.0};

@@ -196,6 +196,9 @@ RunResult Sim2dNode::result() const
   result.periods = world_.periods();
   result.trajectory_hash = world_.hash();
   result.seed = parameters_.simulation.seed;
+  if (barrier_) {
+    result.strays = barrier_->strays();
+  }
   result.physics_step_sec = parameters_.simulation.physics_step;
   result.world_sha256 = world_sha256_;
   result.cars_sha256 = cars_sha256_;

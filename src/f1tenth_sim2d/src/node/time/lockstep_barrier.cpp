@@ -80,6 +80,7 @@ void LockstepBarrier::takeSurplus()
   for (const std::string & name : ledger_.missing(stamp_)) {
     if (surplus_[name] > 0 || late_.count(name) > 0) {
       ROS_WARN("lockstep: an answer of %s came too early or late and is taken for that to another scan", name.c_str());
+      strays_.push_back({name, number_, stamp_.toSec()});
       surplus_[name] = 0;
       ledger_.note(name, stamp_);
     }

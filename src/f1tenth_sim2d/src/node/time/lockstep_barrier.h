@@ -5,6 +5,7 @@
 #include <sim2d_lockstep/done_ledger.h>
 #include <sim2d_lockstep/participant.h>
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <set>
@@ -27,6 +28,15 @@ public:
 
 private:
   std::string participant_;
+};
+
+/// An answer to another scan that was taken for the one that was missing, as nothing else came: what happens then
+/// depends on wall time.
+struct StrayAnswer
+{
+  std::string participant;
+  std::int64_t period{0};
+  double time_sec{0.0};  ///< end of the period, simulated
 };
 
 /// Where the simulation waits until every participant has answered a period; docs/lockstep.md.
@@ -59,6 +69,7 @@ public:
   /// Blocks until everybody has answered and everything sent before has been handled, or interrupted() is true.
   /// @throws ParticipantSilent
   void wait(const Hooks & hooks);
+  const std::vector<StrayAnswer> & strays() const { return strays_; }
   /// A new run from time 0.
   void restart();
 
@@ -77,6 +88,7 @@ private:
   sim2d_lockstep::DoneLedger ledger_;
   ros::Subscriber subscriber_;
   std::map<std::string, int> surplus_;  // commands without a stamp by car, beyond the one in each period
+  std::vector<StrayAnswer> strays_;
   std::set<std::string> late_;          // cars with a command in this period that answers the first
   ros::Time first_;                     // end of the first period, or of the last one that was repeated like it
   ros::Time stamp_;

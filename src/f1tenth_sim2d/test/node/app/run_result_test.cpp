@@ -31,9 +31,10 @@ protected:
 TEST_F(RunResultTest, WritesAllFieldsAndLeavesNoTemporaryFile)
 {
   const std::string file = folder_ / "result.json";
-  writeResult(file, {"participant_silent", "a \"quoted\" line", "robot1", 1.5, 0.25, 60, "abc", 7, 0.001, "def", {{"robot1", "0a"}}});
+  writeResult(file, {"participant_silent", "a \"quoted\" line", "robot1", 1.5, 0.25, 60, {{"robot1", 40, 1.0}}, "abc", 7, 0.001, "def",
+              {{"robot1", "0a"}}});
   const auto json = nlohmann::json::parse(std::ifstream(file));
-  EXPECT_EQ(json.size(), 11u);
+  EXPECT_EQ(json.size(), 12u);
   EXPECT_EQ(json["reason"], "participant_silent");
   EXPECT_EQ(json["error"], "a \"quoted\" line");
   EXPECT_EQ(json["participant"], "robot1");
@@ -41,6 +42,7 @@ TEST_F(RunResultTest, WritesAllFieldsAndLeavesNoTemporaryFile)
   EXPECT_EQ(json["wall_time"], 0.25);
   EXPECT_EQ(json["periods"], 60);
   EXPECT_EQ(json["trajectory_hash"], "abc");
+  EXPECT_EQ(json["stray_answers"].dump(), R"([{"participant":"robot1","period":40,"time":1.0}])");
   EXPECT_EQ(json["seed"], 7);
   EXPECT_EQ(json["physics_step"], 0.001);
   EXPECT_EQ(json["world_sha256"], "def");

@@ -1,6 +1,5 @@
 """What a driver is granted of wall time does not count the time for which others had the processors."""
 
-import os
 import subprocess
 import sys
 import time

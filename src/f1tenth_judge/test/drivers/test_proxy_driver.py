@@ -315,7 +315,9 @@ def test_who_sends_one_command_and_then_loads_is_waited_for(driver, hurried):
 def test_who_never_rests_gets_a_scan_but_no_time(driver, hurried):
     driver(BUSY)
     world = FakeWorld(before=0)
-    with pytest.raises(MismatchError, match="do not come to rest within 1 s; sleep by simulated time in its "):
+    with pytest.raises(
+        MismatchError, match="do not come to rest within 1 s; sleep by simulated time in its "
+    ):
         ProxyDriver(world, MARK, PATIENCE, PATIENCE).act("now")
     assert world.done == ["scan"]
 

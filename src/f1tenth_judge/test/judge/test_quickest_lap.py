@@ -1,4 +1,4 @@
-"""A lap that no car could drive so quickly shows that the set-up is wrong; one that beats the reference is told."""
+"""A lap that no car could drive so quickly is a fault of the set-up; one that beats the reference is told."""
 
 import dataclasses
 import math
@@ -34,7 +34,16 @@ def around(folder, speed, laps=1.1):
     for number, row in enumerate(rows(PERIOD * int(laps * math.tau / turn), speed=speed)):
         angle = 0.01 + number * turn
         table.append(
-            [*row[:2], RADIUS * math.sin(angle), -RADIUS * math.cos(angle), angle, speed, 0, turn / PERIOD, *row[8:]]
+            [
+                *row[:2],
+                RADIUS * math.sin(angle),
+                -RADIUS * math.cos(angle),
+                angle,
+                speed,
+                0,
+                turn / PERIOD,
+                *row[8:],
+            ]
         )
     return record(folder, table)
 

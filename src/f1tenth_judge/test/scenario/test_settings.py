@@ -91,6 +91,7 @@ def test_goals_and_line_are_those_of_the_world(tmp_path):
         ("seed=[1", "seed=.1: not YAML: "),
         ("mu= ", "mu= : must hold a value, found nothing$"),
         ("mu=#1", "mu=#1: must hold a value, found nothing$"),
+        (f"mu={3000 * '['}", r"\[: lists or mappings are nested too deeply$"),
         (
             "boxes=[{name: a, x: 1, y: b}]",
             r"^boxes=\[.*b}\]:1: boxes\[0\].y must be a number \(m\), found 'b'",

@@ -82,6 +82,20 @@ def test_all_faults_of_a_file_are_told_at_once(tmp_path):
     ]
 
 
+@pytest.mark.parametrize("form", ["[", "{a: ", "- "])
+def test_file_that_is_nested_too_deeply_is_refused(tmp_path, form):
+    with pytest.raises(FileError) as error:
+        read(tmp_path, f"words: {3000 * form}")
+    said = str(error.value)
+    assert said.startswith(f"{tmp_path / 'model.yaml'}:")
+    assert "\n" not in said
+
+
+def test_file_that_nobody_has_written_by_hand_is_refused_at_once(tmp_path):
+    with pytest.raises(FileError, match="model.yaml: has 50.0 MB, must have at most 1.0$"):
+        read(tmp_path, "a: b\n" * 10_000_000)
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [

@@ -1,12 +1,14 @@
 """A race that is in no scenario file: its planners, its results folder, the file of --save."""
 
+import math
 import shutil
 
 import pytest
 import yaml
 from f1tenth_judge.places import lookup
 from f1tenth_judge.plan.planning import make_plan
-from f1tenth_judge.plan.race import Race
+from f1tenth_judge.plan.race import Race, plan_race
+from f1tenth_judge.scenario.driver import Driver
 
 from f1tenth_judge import cli
 
@@ -129,3 +131,32 @@ class TestSave:
     def test_rounds_times_up(self, folder):
         limits = saved(folder, "circuit1", "--laps", "2")["limits"]
         assert f"{limits}" == "{'timeout': 94.2, 'wall': 488.4}"
+
+
+def starts(place, count, folder):
+    """Where cars are put, each a tuple of x, y, yaw."""
+    planner = Driver(launch=str(folder / "without.launch"))
+    plan = plan_race(Race(str(place), 1, [planner] * count), folder / "results")
+    return [(car.start.x, car.start.y, car.start.yaw) for car in plan.cars.values()]
+
+
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_cars_start_on_the_line_side_by_side_the_first_on_the_left(folder, count):
+    found = starts("circuit1", count, folder)
+    assert {(x, yaw) for x, _, yaw in found} == {(0.0, 0.0)}
+    assert [y for _, y, _ in found] == pytest.approx(
+        [0.3 * (count - 1) - 0.6 * number for number in range(count)]
+    )
+
+
+def test_cars_start_beside_each_other_whatever_the_heading(folder):
+    world = folder / "turned.world"
+    shutil.copy(lookup.world_file("circuit1", folder), world)
+    corners = ("0.0, -2.0", "0.0, 2.0", "-4.0, 2.0", "-4.0, -2.0")
+    text = "".join(f"{corner}, 1.0, 1.0\n" for corner in corners)
+    (folder / "turned_centerline.csv").write_text(text, encoding="utf-8")
+    (left_x, left_y, left_yaw), (right_x, right_y, right_yaw) = starts(world, 2, folder)
+    assert left_yaw == right_yaw
+    ahead = math.cos(left_yaw), math.sin(left_yaw)
+    assert (right_x - left_x, right_y - left_y) == pytest.approx((0.6 * ahead[1], -0.6 * ahead[0]), abs=1e-6)
+    assert abs(ahead[1]) > 0.5

@@ -5,6 +5,7 @@ from f1tenth_scenarios.launch.launch_events import NodeEnd
 from f1tenth_scenarios.run.diagnosis.culprit import Signs, failure_of, failure_of_driver
 from scenario_samples import sample_plan, scenario
 
+
 def plan(folder):
     made = sample_plan(folder, scenario())
     made.log_folder.mkdir()

@@ -8,6 +8,7 @@ from typing import Optional
 
 from f1tenth_judge.cli.exit_codes import BAD_INPUT
 from f1tenth_judge.cli.parser import make_parser
+from f1tenth_judge.cli.standard_streams import open_standard_streams
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.extensions import extensions
 from f1tenth_judge.places import lookup
@@ -16,6 +17,7 @@ from f1tenth_judge.run.ros import GROUP
 
 def main(arguments: Optional[Sequence[str]] = None, program: str = "f1tenth") -> int:
     """Run the command, which is called `program`; returns the exit code."""
+    open_standard_streams()
     # Loaded first, because with ROS packages are found where ROS finds them.
     extensions(GROUP)
     options = make_parser(program).parse_args(arguments)

@@ -21,11 +21,11 @@ _SEARCH_INTERVAL = 0.25  # wall s, between two searches for processes
 _NOTICING = 0.5  # wall s, for which time stands still when a process has ended, so that the runner notices it
 # Exit codes of a proxy driver whose driver does not fit, or does not come to rest any more.
 EXIT_MISMATCH, EXIT_NOT_AT_REST = 4, 5
-# While the driver starts up:
-_PACE = 0.025  # s of granted time per period at least: nodes that wait by the wall clock are not overtaken
-_UNCONNECTED = 4.0  # s of granted time, after which a connection is given up: its ends differ in type, or one is gone
-_LOADING = 4.0  # s of granted time without rest, after which a listener gets its scan: one that spins may wait for it
-_SPINNING = 1.0  # s of granted time without rest after a command, once it has had _LOADING: it spins
+# While the driver starts up; times without "wall" are granted ones (granted_time.py):
+_PACE = 0.025  # s per period at least: nodes that wait by the wall clock are not overtaken
+_UNCONNECTED = 4.0  # s, after which a connection is given up: its ends differ in type, or one is gone
+_LOADING = 4.0  # s without rest, after which a listener gets its scan: one that spins may wait for it
+_SPINNING = 1.0  # s without rest after a command, once it has had _LOADING: it spins
 _LOOKS = 10  # in _PACE, for whether it is over on a busy machine
 _CALM_PERIODS = 40  # without a command or a new connection, after which it is looked at less closely
 _STEADY_PERIODS = 20  # with commands and without a new connection, after which it has started up

@@ -144,7 +144,6 @@ def _disqualifications(scenario, seen):
         )
 
 
-
 def _false_starts(scenario, tasks, seen):
     found = find_false_start(scenario, tasks, moves_of(seen.record), seen.updates)
     if found:

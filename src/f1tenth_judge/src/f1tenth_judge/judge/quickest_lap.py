@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 
-import f1tenth_sim2d
 import numpy as np
 
+import f1tenth_sim2d
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.task import Task
 from f1tenth_judge.record.record import CarTrack, Record

@@ -77,7 +77,7 @@ def load_map(path, may_be_turned=False):
         )
         yaw = sum(map(float, description["origin"][2:3]))
         grid = Grid(pixels, x, y, resolution, free, occupied, yaw)
-    except (OSError, ValueError, KeyError, TypeError, yaml.YAMLError) as error:
+    except (OSError, ValueError, KeyError, TypeError, RecursionError, yaml.YAMLError) as error:
         raise MapError(_problem(path, error)) from error
     if yaw and not may_be_turned:
         raise MapError(f"{path}: its origin is turned by {yaw:g} rad, must not be turned")

@@ -64,6 +64,10 @@ def plan_scenario(file: Path, scenario: Scenario, folder: Path) -> Plan:
     Raises:
         ScenarioError: what is wrong.
     """
+    if not file.stem.isprintable():
+        raise ScenarioError(
+            f"{file.stem!r} cannot be the name of a run: it has characters that are not printed"
+        )
     scenario = with_twins(scenario)
     place = find_place(lookup.world_file(scenario.world, file.parent))
     check_boxes(place.world, scenario)

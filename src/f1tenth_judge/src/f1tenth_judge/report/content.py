@@ -19,8 +19,8 @@ from f1tenth_judge.record.files import (
 )
 from f1tenth_judge.record.record import Record, read_record
 from f1tenth_judge.record.replay import Replay, read_replay
-from f1tenth_judge.results.result_file import read_result
 from f1tenth_judge.report.replay_columns import pack_run, pack_tracks, pack_world, thumbnail
+from f1tenth_judge.results.result_file import read_result
 
 _LINKS = {
     "log": "log",

@@ -28,8 +28,8 @@ _LINE_WIDTH = 200  # characters, of a log's lines
 class _Line:
     """One line that is drawn over and over; nothing where the output is no terminal."""
 
-    def __init__(self, name: str, stream: TextIO):
-        self._name, self._stream = name, stream
+    def __init__(self, name: str, stream: Optional[TextIO]):
+        self._name, self._stream = name, stream or sys.stderr
 
     def clear(self) -> None:
         """Leave an empty line."""
@@ -44,7 +44,7 @@ class _Line:
 class ProgressLine(_Line):
     """How far a run is."""
 
-    def __init__(self, name: str, stream: TextIO = sys.stderr):
+    def __init__(self, name: str, stream: Optional[TextIO] = None):
         super().__init__(name, stream)
         self._next = 0.0
         self._pace = Pace()
@@ -68,7 +68,7 @@ class CountLine(_Line):
 
     _WIDTH = 30  # characters
 
-    def __init__(self, name: str, count: int, stream: TextIO = sys.stderr):
+    def __init__(self, name: str, count: int, stream: Optional[TextIO] = None):
         super().__init__(name, stream)
         self._count = count
         self._done = self._passed = 0

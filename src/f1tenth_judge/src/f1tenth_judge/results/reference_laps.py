@@ -34,7 +34,8 @@ def quicker_than_reference(scenario: Scenario, laps: Mapping[str, Sequence[float
     best = min((time for times in laps.values() for time in times), default=None)
     if fastest is None or best is None or best >= fastest:
         return ""
-    return f"the best lap, {best:.3f} s, is quicker than the reference of {fastest:.3f} s, whose tyres are those of friction alone"
+    reference = f"the reference of {fastest:.3f} s, whose tyres are those of friction alone"
+    return f"the best lap, {best:.3f} s, is quicker than {reference}"
 
 
 def reference_laps_text(laps: dict[str, float]) -> str:

@@ -17,8 +17,8 @@ import psutil
 
 # Every process of a tree inherits this variable: one that left its parent or its group is found as well.
 _MARK = "F1TENTH_SCENARIO_TREE"
-# This process becomes the parent of those that lose theirs (prctl(2), PR_SET_CHILD_SUBREAPER): so one that has
-# thrown the variable away is found, too.
+# This process becomes the parent of those that lose theirs (prctl(2), PR_SET_CHILD_SUBREAPER): so one that
+# has thrown the variable away is found, too.
 _ADOPT_ORPHANS = 36
 _INTERPRETER = re.compile(r"(^|/)python[0-9.]*$")
 
@@ -138,7 +138,7 @@ def processes_with(name: str, value: str) -> list[psutil.Process]:
 
 
 def _is_unmarked(process: psutil.Process) -> bool:
-    """Whether a child of this process was started by another one, without our variable; not if it has ended."""
+    """Whether a child of this process lives, and was started by another one without our variable."""
     try:
         # What this process starts stays in its session, except for trees, or was there before.
         if os.getsid(process.pid) == os.getsid(0):

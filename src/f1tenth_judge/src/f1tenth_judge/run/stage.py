@@ -52,9 +52,7 @@ class Stage:
         """
         try:
             self._world = f1tenth_sim2d.load_world(str(plan.run_world), [str(models_folder())])
-            self._simulation = f1tenth_sim2d.Simulation(
-                self._world, _STEP, plan.scenario.seed, PERIOD
-            )
+            self._simulation = f1tenth_sim2d.Simulation(self._world, _STEP, plan.scenario.seed, PERIOD)
             self._ids = {car.name: self._add(plan, car) for car in plan.scenario.cars}
         except f1tenth_sim2d.Error as error:
             raise ScenarioError(str(error)) from error

@@ -5,6 +5,7 @@ import io
 import yaml
 
 from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.yaml_files.yaml_source import TOO_DEEP
 
 
 class _NamedText(io.StringIO):
@@ -23,6 +24,8 @@ def compose_text(text: str, name: str) -> yaml.Node:
     """
     try:
         node = yaml.compose(_NamedText(text, name), Loader=yaml.SafeLoader)
+    except RecursionError as error:
+        raise ScenarioError(f"{name}: {TOO_DEEP}") from error
     except yaml.YAMLError as error:
         raise ScenarioError(f"{name}: not YAML: {' '.join(str(error).split())}") from error
     if node is None:  # blanks or a comment

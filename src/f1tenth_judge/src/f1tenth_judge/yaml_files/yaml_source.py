@@ -1,12 +1,16 @@
 """YAML text as a tree of nodes that remember their lines, so that an error can name its place."""
 
 import contextlib
+import os
 from collections.abc import Iterator
 from pathlib import Path
 
 import yaml
 
 from f1tenth_judge.errors import FileError
+
+_LARGEST = 1_000_000  # bytes, of a file that somebody writes by hand
+TOO_DEEP = "lists or mappings are nested too deeply"
 
 
 def error(node: yaml.Node, text: str) -> FileError:
@@ -22,7 +26,10 @@ def compose(path: Path) -> yaml.MappingNode:
     """
     try:
         with open(path, encoding="utf-8") as stream:
+            _check_size(path, os.fstat(stream.fileno()).st_size)
             root = yaml.compose(stream, Loader=yaml.SafeLoader)
+    except RecursionError as problem:
+        raise FileError(f"{path}: {TOO_DEEP}") from problem
     except OSError as problem:
         raise FileError(f"{path}: cannot be read: {problem.strerror}") from problem
     except yaml.MarkedYAMLError as problem:
@@ -57,6 +64,11 @@ class Faults:
         """Raise what was found as one error: a line each, in the order of the file."""
         if self._found:
             raise FileError("\n".join(map(str, self._found)))
+
+
+def _check_size(path: Path, size: int) -> None:
+    if size > _LARGEST:
+        raise FileError(f"{path}: has {size / 1e6:.1f} MB, must have at most {_LARGEST / 1e6:.1f}")
 
 
 def items(node: yaml.MappingNode, faults: Faults) -> Iterator[tuple[str, yaml.Node, yaml.Node]]:

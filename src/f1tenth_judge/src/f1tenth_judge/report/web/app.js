@@ -41,7 +41,16 @@ function embedded(name) {
 export // The address of a moment is #RUN?t=SECONDS.
 function readHash() {
   const [name, query] = location.hash.slice(1).split("?");
-  return { name: decodeURIComponent(name), time: Number(new URLSearchParams(query).get("t")) || 0 };
+  return { name: decoded(name), time: Number(new URLSearchParams(query).get("t")) || 0 };
+}
+
+// Anybody may write an address by hand; no run has the name that cannot be read.
+function decoded(name) {
+  try {
+    return decodeURIComponent(name);
+  } catch {
+    return name;
+  }
 }
 
 async function start() {

@@ -110,7 +110,7 @@ class Breakdown:
         return end.exit_code != 0 or self._must_live(end.node, done)
 
     def _must_live(self, node: str, done: set[str]) -> bool:
-        """Whether a node may not even end in order: simulator, proxy driver, a driver's named nodes or its last."""
+        """Whether a node may not even end in order: simulator, proxy, a driver's named nodes or its last."""
         car, _, name = node.partition("/")
         if node == "sim2d" or (name == PROXY_DRIVER and car not in done):
             return True

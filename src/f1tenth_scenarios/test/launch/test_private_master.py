@@ -81,6 +81,6 @@ def test_child_that_has_ended_does_not_hide_the_master(monkeypatch):
             raise psutil.ZombieProcess(self.pid)
 
     with private_master():
-        children = psutil.Process().children()
+        children = [each for each in psutil.Process().children() if "private_master" in str(each.cmdline())]
         monkeypatch.setattr(psutil.Process, "children", lambda _: [Ended(), *children])
         assert master_process() == {"master": children[0].pid}

@@ -23,6 +23,10 @@ _ADOPT_ORPHANS = 36
 _INTERPRETER = re.compile(r"(^|/)python[0-9.]*$")
 
 
+def _adopt_orphans(does: bool) -> None:
+    ctypes.CDLL(None).prctl(_ADOPT_ORPHANS, int(does), 0, 0, 0)
+
+
 def process_start() -> float:
     """When this process was started, as time.monotonic() counts (s)."""
     return time.monotonic() - (time.time() - psutil.Process().create_time())
@@ -38,7 +42,7 @@ def program_of(pid: int) -> str:
     return "/".join(Path(program).parts[-2:])
 
 
-_started: set[int] = set()  # the children of all trees
+_started: set[int] = set()  # the children of all trees that are not stopped
 
 
 class ProcessTree:
@@ -57,7 +61,7 @@ class ProcessTree:
         """
         self._mark = uuid.uuid4().hex
         self._interrupted_at: Optional[float] = None
-        ctypes.CDLL(None).prctl(_ADOPT_ORPHANS, 1, 0, 0, 0)
+        _adopt_orphans(True)
         self._before = {each.pid for each in psutil.Process().children()}
         with open(log_file, "wb") as log:
             self._child = subprocess.Popen(
@@ -103,6 +107,9 @@ class ProcessTree:
         while killed := self._send(signal.SIGKILL):
             wait_for_ends(killed, time.monotonic() + last_grace)
         self._child.wait()
+        _started.discard(self._child.pid)
+        if not _started:
+            _adopt_orphans(False)
 
     def _interrupt(self) -> float:
         """Tell the child to end, and those that it can no longer tell; only once. Returns when that was."""

@@ -77,7 +77,8 @@ def test_middle_of_a_circuit_is_a_line():
     ("text", "problem"),
     [
         ("1; 2\n", ":1: '1; 2' must be seven numbers: s_m; x_m; "),
-        ("\n1; 2; x; 4; 5; 6; 7\n", ":2: could not convert string to float: ' x'"),
+        ("\n1; 2; x; 4; 5; 6; 7\n", ':2: y_m is not a number: "x"'),
+        ("\n1; inf; 3; 4; 5; 6; 7\n", ":2: x_m is not finite: inf"),
         (HEADER, ": 0 points, must be at least 3: s_m; "),
     ],
 )

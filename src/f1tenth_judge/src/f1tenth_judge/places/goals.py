@@ -8,7 +8,7 @@ import numpy as np
 
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.places.course import Course
-from f1tenth_judge.places.numbers import read_lines
+from f1tenth_judge.places.numbers import read_lines, read_number
 from f1tenth_judge.scenario.car import Pose
 
 _SPACING = 4.0  # m, between goals along a road
@@ -59,7 +59,7 @@ def _goal(place: str, fields: list[str]) -> Pose:
     if len(fields) not in _NAMES:
         wrong = "too few" if len(fields) < 3 else "too many" if len(fields) > 7 else "wrong count of"
         raise ScenarioError(f"{place}: {wrong} numbers: {len(fields)}, expected 3 or 7: {_FORMS}")
-    numbers = [_number(place, *each) for each in zip(_NAMES[len(fields)], fields)]
+    numbers = [read_number(place, *each) for each in zip(_NAMES[len(fields)], fields)]
     if len(numbers) == 3:
         return Pose(*numbers)
     x, y, _, qx, qy, qz, qw = numbers
@@ -70,13 +70,3 @@ def _goal(place: str, fields: list[str]) -> Pose:
             f"{_QUATERNION_TOLERANCE}"
         )
     return Pose(x, y, math.atan2(2 * (qw * qz + qx * qy), 1 - 2 * (qy * qy + qz * qz)))
-
-
-def _number(place: str, name: str, text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError as error:
-        raise ScenarioError(f'{place}: {name} is not a number: "{text}"') from error
-    if not math.isfinite(value):
-        raise ScenarioError(f"{place}: {name} is not finite: {text}")
-    return value

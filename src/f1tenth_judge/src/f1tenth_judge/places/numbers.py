@@ -1,5 +1,6 @@
 """Tables of numbers, as the F1TENTH community keeps its lines: one row per point, `#` before a remark."""
 
+import math
 from pathlib import Path
 
 import numpy as np
@@ -24,6 +25,21 @@ def read_lines(path: Path) -> list[tuple[str, str]]:
     return [(place, text) for place, text in texts if text]
 
 
+def read_number(place: str, name: str, text: str) -> float:
+    """Read a number that stands at a place, FILE:LINE, and is called so.
+
+    Raises:
+        ScenarioError: it is none, or not finite.
+    """
+    try:
+        value = float(text)
+    except ValueError as error:
+        raise ScenarioError(f'{place}: {name} is not a number: "{text}"') from error
+    if not math.isfinite(value):
+        raise ScenarioError(f"{place}: {name} is not finite: {text}")
+    return value
+
+
 def read_numbers(path: Path, separator: str, columns: str) -> np.ndarray:
     """Read a table of shape (points, columns); `columns` are their names, with the separator between them.
 
@@ -37,11 +53,7 @@ def read_numbers(path: Path, separator: str, columns: str) -> np.ndarray:
 
 
 def _row(place: str, text: str, separator: str, columns: str) -> list[float]:
-    try:
-        values = [float(each) for each in text.split(separator)]
-    except ValueError as error:
-        raise ScenarioError(f"{place}: {error}") from error
-    count = columns.count(separator) + 1
-    if len(values) != count or not np.isfinite(values).all():
-        raise ScenarioError(f"{place}: '{text}' must be {_WORDS[count]} numbers: {columns}")
-    return values
+    names, fields = columns.split(separator), text.split(separator)
+    if len(fields) != len(names):
+        raise ScenarioError(f"{place}: '{text}' must be {_WORDS[len(names)]} numbers: {columns}")
+    return [read_number(place, name.strip(), field.strip()) for name, field in zip(names, fields)]

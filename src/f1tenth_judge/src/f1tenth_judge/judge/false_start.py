@@ -37,7 +37,7 @@ def moves_of(record: Record) -> FirstMoves:
 
 
 def race_start(updates: Sequence[RaceUpdate]) -> Optional[float]:
-    """When the first race began, s; nothing when none was heard to begin."""
+    """When the first race began, s; None if none was heard to begin."""
     begun = (each.stamp for each in updates if each.state is RaceState.RACING and not each.goals_reached)
     return min(begun, default=None)
 

@@ -63,7 +63,7 @@ class Result:
 
     @property
     def best_lap_time(self) -> Optional[float]:
-        """The fastest lap of any car, s; nothing when none was completed."""
+        """The fastest lap of any car, s; None if none was completed."""
         return min((time for times in self.measured.lap_times.values() for time in times), default=None)
 
 

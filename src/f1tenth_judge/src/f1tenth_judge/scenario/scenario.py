@@ -154,7 +154,7 @@ class Scenario:
         " on the map.",
         default=Localization.STATIC,
     )
-    boxes: tuple[Box, ...] = key("What lies about besides the world's own models.", default=())
+    boxes: tuple[Box, ...] = key("Other objects besides the world's own models.", default=())
     criteria: Criteria = key("What the run is measured by besides its verdict.", default=Criteria())
     faults: tuple[Fault, ...] = key("What is broken on purpose.", default=())
     interventions: tuple[Permission, ...] = key(

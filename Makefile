@@ -2,7 +2,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-COMMANDS := help setup installed configure build race report test docs sanitize tsan coverage lint tidy format bench fuzz wheel clean
+COMMANDS := help setup installed configure build race report test docs sanitize tsan coverage lint tidy format pictures bench fuzz wheel clean
 .PHONY: $(COMMANDS) known-circuit
 
 ifneq ($(words $(CURDIR)),1)
@@ -129,6 +129,9 @@ format: setup ## format all files
 	@clang-format -i $(CPP_FILES)
 	@ruff check --fix-only -q $(PYTHON_FILES)
 	@ruff format -q $(PYTHON_FILES)
+
+pictures: build ## make the pictures of the documents anew
+	@$(IN_WORKSPACE) exec tools/pictures
 
 bench: build ## measure simulator and planner: results/bench.json; make bench KEYS="core_rtf walls"
 	@cmake --build $(BUILD_DIR) -j $(JOBS) --target f1tenth_bench_programs -- --no-print-directory

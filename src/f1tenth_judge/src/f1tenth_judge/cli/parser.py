@@ -9,7 +9,7 @@ from f1tenth_judge.cli.league_command import league
 from f1tenth_judge.cli.race_command import race
 from f1tenth_judge.cli.reference_command import reference
 from f1tenth_judge.cli.run_command import run
-from f1tenth_judge.cli.show_commands import check, report, show_keys, show_list
+from f1tenth_judge.cli.show_commands import check, export, report, show_keys, show_list
 from f1tenth_judge.cli.suite_command import suite
 from f1tenth_judge.cli.sweep_command import sweep
 from f1tenth_judge.cli.verify_command import verify
@@ -47,6 +47,7 @@ def make_parser(program: str) -> argparse.ArgumentParser:
     _add_compare(commands)
     _add_verify(commands)
     _add_report(commands)
+    _add_export(commands)
     return parser
 
 
@@ -233,6 +234,13 @@ def _add_report(commands: _Subparsers) -> None:
     command.add_argument(
         "--output", type=Path, metavar="FILE", help=f"default: {REPORT_FILE} in the results folder"
     )
+
+
+def _add_export(commands: _Subparsers) -> None:
+    command = _command(commands, "export", export, "draw a run: FILE.svg, .png, .pdf, or .gif, which moves")
+    command.add_argument("run", type=Path, metavar="RUN", help="name of a run, or its folder")
+    command.add_argument("output", type=Path, metavar="FILE", help="what is drawn, by its suffix")
+    _add_results(command, "read FOLDER/RUN")
 
 
 def _add_results(command: argparse.ArgumentParser, text: str) -> None:

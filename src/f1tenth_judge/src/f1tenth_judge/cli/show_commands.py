@@ -54,3 +54,13 @@ def report(options) -> int:
         print(f"f1tenth: {problem}", file=sys.stderr)
     print(f"{'report:':19}{output}")
     return NOT_PASSED if problems else PASSED
+
+
+def export(options) -> int:
+    """Draw a run into a file."""
+    from f1tenth_judge.report.export import export as draw
+
+    run = options.run if options.run.is_dir() else results_of(options) / options.run
+    draw(run, options.output)
+    print(f"{'export:':19}{options.output.resolve()}")
+    return PASSED

@@ -25,7 +25,7 @@ _CHARACTERS_PER_INCH = 13  # of the text, about
 _LEGEND_HEIGHT = 20  # points
 _NAME_DISTANCE = 0.045  # from where a car starts, of the longer side of what is drawn
 _CONTACT_COLOUR = "#d62728"
-_CAR_COLOURS = ("#2f5bea", "#e0582b", "#12957a", "#9333ea")  # as in report.css
+CAR_COLOURS = ("#2f5bea", "#e0582b", "#12957a", "#9333ea")  # as in report.css
 _GOAL_COLOUR = "#1f3b57"
 _GOAL_SIZE = 13.0  # points, with a number in it
 _SMALL_GOAL_SIZE = 4.0  # points
@@ -125,7 +125,7 @@ def _draw_path(figure, axes, track: CarTrack) -> None:
 
 def _draw_race(axes, tracks: Sequence[CarTrack], names: Mapping[str, str]) -> None:
     """The paths of several cars, a colour for each."""
-    for track, colour in zip(tracks, itertools.cycle(_CAR_COLOURS)):
+    for track, colour in zip(tracks, itertools.cycle(CAR_COLOURS)):
         name = names.get(track.car, track.car)
         axes.plot(track.x, track.y, color=colour, linewidth=1.8, alpha=0.85, zorder=3, label=name)
         _draw_start(axes, track, colour, None)

@@ -55,7 +55,7 @@ def test_a_scenario_that_does_not_pass_is_told_with_reason_picture_and_report(pr
             "verdict: success",
             "reason:  ok",
             f"picture: {folder}/good/trajectory.png",
-            f"report:  {folder.as_uri()}/report.html#sample",
+            f"report:  {folder.as_uri()}/report.html#sample?t=0.000",
         ]
     )
     assert "Traceback" not in result.stdout.str()

@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from f1tenth_judge.record.files import PICTURE_FILE, REPORT_FILE, TRAJECTORY_FILE
+from f1tenth_judge.record.files import PICTURE_FILE, TRAJECTORY_FILE
 from f1tenth_judge.record.record import CarTrack, read_record
+from f1tenth_judge.results.moment import address_of, moment_of
 
 # Columns of a trajectory, one row per control period (25 ms), up to what decided the run.
 COLUMNS = {
@@ -83,8 +84,10 @@ class Run:
 
     @property
     def report(self) -> str:
-        """Where the report, once it is written, shows the run."""
-        return f"{(self.folder.parent / REPORT_FILE).as_uri()}#{self.result['scenario']}"
+        """Where the report, once it is written, shows the run; if it did not pass, what went wrong."""
+        contacts = (each["start"] for each in self.result["contacts"])
+        moment = 0.0 if self.passed else moment_of(contacts, self.result["times"]["finish"])
+        return address_of(self.folder, self.result["scenario"], moment)
 
     @functools.cached_property
     def trajectory(self) -> np.ndarray:

@@ -11,7 +11,7 @@ _LEAD = 1.0  # s, before something happened, from which on it is to be seen
 
 
 def moment_of(contacts: Iterable[float], end: float) -> float:
-    """A second before the first contact, or before the run was decided, s; from when contacts and end were."""
+    """A second before the first contact, or else before the end of the run; all in s."""
     return max(min([*contacts, end]) - _LEAD, 0.0)
 
 

@@ -68,3 +68,17 @@ def test_bad_circuit_and_missing_file_are_named(tmp_path):
         read_course(path)
     with pytest.raises(ScenarioError, match="none.csv: no such file"):
         read_course(tmp_path / "none.csv")
+
+
+@pytest.mark.parametrize("name", ["Monza_map.png", "Monza_centerline.csv", "."])
+def test_another_file_of_a_track_or_its_folder_is_answered_with_its_map(tmp_path, name):
+    for each in ("Monza_map.png", "Monza_centerline.csv", "Monza_map.yaml"):
+        (tmp_path / each).touch()
+    answer = f"is no world; name its map: {tmp_path}/Monza_map.yaml"
+    with pytest.raises(ScenarioError, match=answer):
+        lookup.world_file(name, tmp_path)
+
+
+def test_a_folder_without_a_map_is_no_world(tmp_path):
+    with pytest.raises(ScenarioError, match="is no world; there is no X_map.yaml in"):
+        lookup.world_file(".", tmp_path)

@@ -42,7 +42,7 @@ def planned(suite, settings, *more):
     return make_plan(str(file), settings=[*map(str, settings), *more])
 
 
-@pytest.mark.parametrize("name", set(SUITES) - {"labs"})
+@pytest.mark.parametrize("name", sorted({*SUITES} - {"labs"}))
 @pytest.mark.parametrize("planner", ["", f"planner={{launch: {FOLLOWER}}}"])
 def test_the_scenario_of_a_suite_is_one_on_every_circuit_for_any_planner(name, planner):
     plan = planned(all_suites()[name], ["world=circuit5"], *filter(None, [planner]))

@@ -17,6 +17,7 @@ _PACKAGE_URI = "package://"
 _SUFFIXES = {"scenarios": ".yaml", "worlds": ".world", "goals": ".txt", "circuits": ".yaml"}
 _SCENARIOS = ("scenarios", "circuits")  # a circuit's file is a scenario, too: a race of one lap on it
 _WORDS = {"scenarios": "scenario", "worlds": "world", "goals": "goals file", "circuits": "circuit"}
+_BESIDE_MAPS = (".png", ".pgm", ".csv")  # suffixes of the other files of a track
 _PATH_SUFFIXES = (".yaml", ".world", ".txt", ".csv")  # of what is a path even without a slash
 
 
@@ -59,8 +60,27 @@ def _scenario(name: str) -> Path:
 
 
 def world_file(name: str, beside: Path) -> Path:
-    """The file of a world, or a map that is used as one; a path is relative to the folder `beside`."""
-    return _find("worlds", name, beside)
+    """The file of a world, or a map that is used as one; a path is relative to the folder `beside`.
+
+    Raises:
+        ScenarioError: there is none; for a folder or another file of a track, the message names its map.
+    """
+    path = (beside / name).resolve()
+    if path.suffix in _BESIDE_MAPS:
+        raise ScenarioError(f"{path} is no world; {_maps_in(path.parent)}")
+    try:
+        return _find("worlds", name, beside)
+    except ScenarioError:
+        if path.is_dir():
+            raise ScenarioError(f"{path} is no world; {_maps_in(path)}") from None
+        raise
+
+
+def _maps_in(folder: Path) -> str:
+    maps = sorted(map(str, folder.glob("*_map.yaml")))
+    return (
+        f"name the YAML file of its map: {', '.join(maps)}" if maps else f"there is no X_map.yaml in {folder}"
+    )
 
 
 def goals_file(name: str, beside: Path) -> Path:

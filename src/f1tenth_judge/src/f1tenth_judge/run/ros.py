@@ -4,6 +4,7 @@ from typing import Callable, Optional
 
 from f1tenth_judge.errors import NotApplicableError
 from f1tenth_judge.extensions import extensions
+from f1tenth_judge.plan.launched_nodes import check_nodes
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.results.result import Result
 from f1tenth_judge.run.loop import Progress
@@ -28,8 +29,12 @@ def require_runner(plan: Plan) -> None:
 
     Raises:
         NotApplicableError: it needs ROS 1, which is not installed.
+        ScenarioError: the launch file of a planner starts what is not there.
     """
-    if plan.needs_ros and ros_runner() is None:
-        car = next(each for each in plan.scenario.cars if each.driver.launch)
-        why = f"{car.name} is driven by a launch file of ROS 1 ({car.driver.name}), which is not here"
-        raise NotApplicableError(f"{why}; {_REMEDY}")
+    launched = [car for car in plan.scenario.cars if car.driver.launch]
+    if launched and ros_runner() is None:
+        why = f"{launched[0].name} is driven by a launch file of ROS 1 ({launched[0].driver.name})"
+        raise NotApplicableError(f"{why}, which is not here; {_REMEDY}")
+    for car in launched:
+        if not car.driver.is_ours:
+            check_nodes(plan.cars[car.name].driver.path)

@@ -4,7 +4,6 @@ import sys
 
 import pytest
 from f1tenth_judge.batch import jobs
-from f1tenth_judge.run import ros
 
 # `seed=13` is bad luck; a file `silent` keeps runs from writing anything, as if they were interrupted early.
 PROGRAM = """
@@ -62,5 +61,4 @@ def program(tmp_path, monkeypatch):
     (tmp_path / "program").mkdir()
     fake = FakeScenario(tmp_path / "program")
     monkeypatch.setattr(jobs, "PROGRAM", (sys.executable, str(fake.path)))
-    monkeypatch.setattr(ros, "ros_runner", lambda: fake)
     return fake

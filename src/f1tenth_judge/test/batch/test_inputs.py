@@ -121,7 +121,8 @@ def test_a_renamed_file_changes_the_hash(workspace):
     assert hash_software() != before
 
 
-def test_the_workspaces_are_those_that_are_sourced():
+def test_the_workspaces_are_those_that_are_sourced(monkeypatch, tmp_path):
+    monkeypatch.setenv("CMAKE_PREFIX_PATH", f"{tmp_path}:/usr")
     folders = inputs._workspace_folders()
     assert str(lookup.package_path("f1tenth_scenarios")) in folders
     assert not [each for each in folders if each.startswith(("/opt/ros/", "/usr/share/", "/usr/lib/"))]

@@ -129,6 +129,7 @@ def test_runs_that_were_told_to_stop_are_no_problems(tmp_path, monkeypatch, caps
 @pytest.fixture
 def dask(tmp_path):
     """A Dask scheduler and a worker, as people start them; its address."""
+    pytest.importorskip("distributed")
     file = tmp_path / "scheduler.json"
     common = ["--scheduler-file", str(file), "--dashboard-address", "127.0.0.1:0"]
     worker_options = ["--nthreads", "1", "--no-nanny", "--local-directory", str(tmp_path)]
@@ -157,6 +158,7 @@ def test_sweep_on_a_cluster_gives_the_same_as_here(program, tmp_path, dask):
 
 @pytest.mark.parametrize("uri", ["tcp://127.0.0.1:1", "nonsense://x"])
 def test_scheduler_that_is_not_there_is_named(program, tmp_path, monkeypatch, uri):
+    pytest.importorskip("distributed")
     monkeypatch.setattr(cluster, "_CONNECT_TIMEOUT", 0.5)
     with pytest.raises(ScenarioError, match=f"--scheduler {uri}: .*"):
         swept(tmp_path / "r", "seed=1:2", scheduler=uri)

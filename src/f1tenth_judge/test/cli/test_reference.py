@@ -8,6 +8,7 @@ from f1tenth_judge import cli
 
 
 def test_a_centreline_is_read_and_its_race_line_written(tmp_path):
+    pytest.importorskip("trajectory_planning_helpers")
     path = tmp_path / "ring_centerline.csv"
     angle = np.arange(120) * 2 * np.pi / 120
     ring = np.column_stack([5 * np.cos(angle), 5 * np.sin(angle), np.full((120, 2), 0.5)])

@@ -74,7 +74,7 @@ def test_bad_circuit_and_missing_file_are_named(tmp_path):
 def test_another_file_of_a_track_or_its_folder_is_answered_with_its_map(tmp_path, name):
     for each in ("Monza_map.png", "Monza_centerline.csv", "Monza_map.yaml"):
         (tmp_path / each).touch()
-    answer = f"is no world; name its map: {tmp_path}/Monza_map.yaml"
+    answer = f"is no world; name the YAML file of its map: {tmp_path}/Monza_map.yaml"
     with pytest.raises(ScenarioError, match=answer):
         lookup.world_file(name, tmp_path)
 

@@ -121,6 +121,12 @@ def test_the_fixture_gives_runs_with_results_named_after_the_test(project):
 
 def test_processes_of_xdist_share_the_work_and_one_report_is_written(project):
     pytest.importorskip("xdist")
+    scenarios = project.path / "scenarios"
+    for name in ("good", "other"):
+        driver = f"    driver: {{python: '{PLANNER}:Follower'}}\n    laps: 1"
+        text = SCENARIO_TEXT.replace("    goals: circuit1", driver)
+        text = text.replace("timeout: 10.0", "timeout: 0.5")
+        (scenarios / f"{name}.yaml").write_text(text)
     result = project.runpytest_inprocess("-n", "2")
-    assert result.ret in (0, 1)
+    result.assert_outcomes(failed=2)
     result.stdout.fnmatch_lines([f"f1tenth report: {project.path}/results/report.html"])

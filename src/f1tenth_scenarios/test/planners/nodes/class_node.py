@@ -18,7 +18,9 @@ def observed(stamp, scan, odometry):
     ranges = np.array(scan.ranges, dtype=np.float32)
     angles = (scan.angle_min, scan.angle_increment, scan.range_min, scan.range_max)
     yaw = 2 * np.arctan2(turn.z, turn.w)
-    return Observation(stamp, Scan(ranges, *angles), (place.x, place.y, yaw), (0.0, 0.0, 0.0), np.empty(0))
+    return Observation(
+        stamp, Scan(ranges, *angles), (place.x, place.y, yaw), (0.0, 0.0, 0.0), 0.0, np.empty(0)
+    )
 
 
 def main():

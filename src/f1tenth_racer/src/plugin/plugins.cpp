@@ -18,7 +18,7 @@ public:
   {
     const PlannerOptions options = readWayPlanner(setup);
     setup.parameters.check([&] { options.validate(); });
-    return makeRaceLinePlanner(options);
+    return std::make_unique<RaceLinePlanner>(options);
   }
 };
 

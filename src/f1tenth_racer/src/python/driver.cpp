@@ -42,7 +42,7 @@ public:
   {
     costmap_ = given_;
     navigator_ = std::make_unique<Navigator>(
-      NavigatorOptions{}, makeRaceLinePlanner(options_.planner), std::make_unique<Racer>(options_));
+      NavigatorOptions{}, std::make_unique<RaceLinePlanner>(options_.planner), std::make_unique<Racer>(options_));
     time_ = 0.0;
     goal_.reset();
   }

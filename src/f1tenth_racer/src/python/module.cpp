@@ -78,7 +78,11 @@ void bindPaths(py::module_ & module)
 void bindPlanner(py::module_ & module)
 {
   py::class_<GlobalPlanner>(module, "GlobalPlanner", "Plans paths that the car can drive.")
-    .def(py::init(&makeRaceLinePlanner), py::arg("options") = PlannerOptions{}, "Raises OptionError.")
+    .def(
+      py::init([](const PlannerOptions & options) -> std::unique_ptr<GlobalPlanner> {
+        return std::make_unique<RaceLinePlanner>(options);
+      }),
+      py::arg("options") = PlannerOptions{}, "Raises OptionError.")
     .def(
       "plan",
       [](

@@ -42,7 +42,8 @@ class RacingNavigator : public Navigator
 {
 public:
   explicit RacingNavigator(const JourneyOptions & options, PlanWorker worker = {})
-  : Navigator(options, makeRaceLinePlanner(options.planner), std::make_unique<Racer>(options), std::move(worker))
+  : Navigator(
+      options, std::make_unique<RaceLinePlanner>(options.planner), std::make_unique<Racer>(options), std::move(worker))
   {
   }
 };

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <move_base/path/resample.h>
 #include "line/box_qp.h"
 #include "line/corridor.h"
+#include "line/resample.h"
 
 namespace f1tenth_racer
 {

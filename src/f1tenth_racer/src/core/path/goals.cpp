@@ -1,5 +1,6 @@
 #include "path/goals.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace f1tenth_racer
@@ -10,6 +11,16 @@ bool cameNear(const Pose2 & from, const Pose2 & to, const Pose2 & goal, const Go
   const Vec2 nearest = from.position() + part * (to.position() - from.position());
   return distance(nearest, goal.position()) <= tolerance.distance &&
          std::abs(normalizeAngle(to.yaw - goal.yaw)) <= tolerance.yaw;
+}
+
+double placeOnPath(const Path & path, const Pose2 & goal, double near_s)
+{
+  const auto off = [&](const PathPoint & point) {
+    return distance(point.pose, goal) + 0.01 * std::abs(point.s - near_s);
+  };
+  const auto nearest = std::min_element(
+    path.begin(), path.end(), [&](const PathPoint & a, const PathPoint & b) { return off(a) < off(b); });
+  return nearest->s;
 }
 
 bool Goals::moveAside(const Costmap & costmap, double clearance)

@@ -6,6 +6,7 @@
 
 #include <move_base/map/costmap.h>
 #include <move_base/map/geometry.h>
+#include <move_base/path/path.h>
 
 #include "path/terms.h"
 
@@ -21,6 +22,9 @@ struct GoalTolerance
 /// Whether a car that drove straight from one pose to another came near enough to a goal: a fast one may be near it
 /// between two cycles only.
 bool cameNear(const Pose2 & from, const Pose2 & to, const Pose2 & goal, const GoalTolerance & tolerance);
+
+/// How far along the path the goal is, m: at its nearest point, among those near to near_s.
+double placeOnPath(const Path & path, const Pose2 & goal, double near_s);
 
 /// The goal that is pursued, and those that are known to follow it.
 class Goals

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "line/race_line.h"
+#include "path/goals.h"
 #include "traffic/traffic.h"
 
 namespace f1tenth_racer

@@ -222,7 +222,7 @@ TEST(RaceLinePlanner, givesUpAPlanThatIsNotWantedAnyMore)
 {
   PlanRequest request{onOval(0.0), onOval(20.0)};
   request.dropped = std::make_shared<const std::atomic<bool>>(true);
-  const Plan plan = makeRaceLinePlanner(PlannerOptions())->makePlan(makeCostmap(drawOval()), request);
+  const Plan plan = RaceLinePlanner(PlannerOptions()).makePlan(makeCostmap(drawOval()), request);
   EXPECT_FALSE(plan.found());
   EXPECT_LE(plan.expansions, 10);
 }

@@ -27,7 +27,7 @@ Plan planOn(
   PlanRequest request{start, goal, wheels};
   request.extension_length = 6.0;
   request.race_line = racing;
-  return makeRaceLinePlanner(PlannerOptions{})->makePlan(costmap, request);
+  return RaceLinePlanner(PlannerOptions{}).makePlan(costmap, request);
 }
 
 double greatestCurvature(const Path & path)
@@ -206,7 +206,7 @@ TEST(RaceLine, isNotGivenUpWhereTheWayIsNarrow)
     PlanRequest request{{2.0, 1.0, -0.08}, {4.0, 1.0, 0.0}, -0.09};
     request.extension_length = 8.0;
     request.race_line = kRacing;
-    const Plan plan = makeRaceLinePlanner(PlannerOptions{})->makePlan(costmap, request);
+    const Plan plan = RaceLinePlanner(PlannerOptions{}).makePlan(costmap, request);
     ASSERT_TRUE(plan.found()) << gap;
     EXPECT_NEAR(plan.path[1].curvature, -0.09, 0.02) << gap;
     EXPECT_LT(greatestCurvature(plan.path), 0.8) << gap;
@@ -266,7 +266,7 @@ TEST(Lead, staysAsItIsBeforeANewPlan)
   request.start_curvature = request.lead.back().curvature;
   request.goal = onOval(14.0);
   request.race_line = kRacing;
-  const Plan plan = makeRaceLinePlanner(PlannerOptions{})->makePlan(costmap, request);
+  const Plan plan = RaceLinePlanner(PlannerOptions{}).makePlan(costmap, request);
   ASSERT_TRUE(plan.found());
   EXPECT_NEAR(plan.path[4].pose.x, before[14].pose.x, 1e-12);
   EXPECT_NEAR(plan.path.front().s, 0.0, 1e-12);

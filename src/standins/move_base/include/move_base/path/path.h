@@ -34,6 +34,9 @@ bool isForward(const Path & path);
 /// The path that arcs describe. Within one driving direction points are equally far apart, at most spacing, m.
 Path samplePath(const Pose2 & start, const std::vector<Arc> & arcs, double spacing);
 
+/// Signed curvature of the circle through three points, positive when it turns to the left, 1/m.
+double curvatureThrough(const Vec2 & a, const Vec2 & b, const Vec2 & c);
+
 /// Length driven, m.
 double length(const Path & path);
 double length(const std::vector<Arc> & arcs);

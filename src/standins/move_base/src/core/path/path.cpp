@@ -84,6 +84,12 @@ Path samplePath(const Pose2 & start, const std::vector<Arc> & arcs, double spaci
   return path;
 }
 
+double curvatureThrough(const Vec2 & a, const Vec2 & b, const Vec2 & c)
+{
+  const double lengths = distance(a, b) * distance(b, c) * distance(a, c);
+  return lengths > 0.0 ? 2.0 * cross(b - a, c - b) / lengths : 0.0;
+}
+
 double length(const Path & path)
 {
   return path.empty() ? 0.0 : path.back().s - path.front().s;

@@ -1,10 +1,8 @@
-#include "path/path_smoother.h"
+#include "move_base/path/path_smoother.h"
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <vector>
-
-#include "move_base/path/resample.h"
 
 namespace move_base
 {

@@ -1,11 +1,10 @@
-#include "path/path_extension.h"
+#include "line/path_extension.h"
 
 #include <gtest/gtest.h>
 
-#include "move_base/path/path.h"
-#include "rooms.h"
+#include "roads.h"
 
-namespace move_base
+namespace f1tenth_racer
 {
 namespace
 {
@@ -43,4 +42,4 @@ TEST(ExtensionFrom, goesAsFarAsItCan)
   EXPECT_LT(reached, 6.0);
 }
 }  // namespace
-}  // namespace move_base
+}  // namespace f1tenth_racer

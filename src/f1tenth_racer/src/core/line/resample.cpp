@@ -1,15 +1,9 @@
-#include "move_base/path/resample.h"
+#include "line/resample.h"
 
 #include <algorithm>
 
-namespace move_base
+namespace f1tenth_racer
 {
-double curvatureThrough(const Vec2 & a, const Vec2 & b, const Vec2 & c)
-{
-  const double lengths = distance(a, b) * distance(b, c) * distance(a, c);
-  return lengths > 0.0 ? 2.0 * cross(b - a, c - b) / lengths : 0.0;
-}
-
 Path pathThrough(const std::vector<Vec2> & points, const PathPoint & start)
 {
   Path path(points.size());
@@ -48,4 +42,4 @@ Path resampled(const Path & path)
   points.push_back(path.back().pose.position());
   return pathThrough(points, path.front());
 }
-}  // namespace move_base
+}  // namespace f1tenth_racer

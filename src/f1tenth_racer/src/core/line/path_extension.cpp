@@ -1,4 +1,4 @@
-#include "path/path_extension.h"
+#include "line/path_extension.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-namespace move_base
+namespace f1tenth_racer
 {
 namespace
 {
@@ -81,4 +81,4 @@ std::vector<Arc> extensionFrom(
   }
   return ways.front().arcs;
 }
-}  // namespace move_base
+}  // namespace f1tenth_racer

@@ -1,6 +1,10 @@
 #include "options.h"
 
 #include <move_base/planning/way_planner.h>
+
+#include <string>
+#include <type_traits>
+
 #include "arrays.h"
 #include "control/path_follower.h"
 #include "control/racer_options.h"
@@ -61,50 +65,64 @@ void bindPlannerOptions(py::module_ & module)
       "(N, 3) x, y, yaw of the goals that follow, in their order");
 }
 
-void bindFollowerOptions(py::module_ & module)
+// Each option of a struct under its name, with its meaning.
+template <class Options>
+void bindEach(py::class_<Options> & binding)
 {
-  bindStruct<SpeedLimits>(module, "SpeedLimits")
-    .def_readwrite("max_vel_x", &SpeedLimits::max_vel_x, "m/s")
-    .def_readwrite("max_vel_x_backwards", &SpeedLimits::max_vel_x_backwards, "m/s")
-    .def_readwrite("max_vel_theta", &SpeedLimits::max_vel_theta, "rad/s")
-    .def_readwrite("min_vel_x", &SpeedLimits::min_vel_x, "m/s")
-    .def_readwrite("acc_lim_x", &SpeedLimits::acc_lim_x, "m/s^2")
-    .def_readwrite("dec_lim_x", &SpeedLimits::dec_lim_x, "m/s^2")
-    .def_readwrite("braking_power", &SpeedLimits::braking_power, "m^2/s^3")
-    .def_readwrite("max_lateral_acceleration", &SpeedLimits::max_lateral_acceleration, "m/s^2")
-    .def_readwrite("max_steering_angle", &SpeedLimits::max_steering_angle, "rad")
-    .def_readwrite("understeer_gradient", &SpeedLimits::understeer_gradient, "rad per m/s^2")
-    .def_readwrite("max_steering_rate", &SpeedLimits::max_steering_rate, "rad/s")
-    .def_readwrite("wheelbase", &SpeedLimits::wheelbase, "m")
-    .def_readwrite("full_speed_clearance", &SpeedLimits::full_speed_clearance, "m")
-    .def_readwrite("slowest_clearance", &SpeedLimits::slowest_clearance, "m");
-  bindStruct<FollowerOptions>(module, "FollowerOptions")
-    .def_readwrite("limits", &FollowerOptions::limits)
-    .def_readwrite("latency", &FollowerOptions::latency, "s")
-    .def_readwrite("tracking_distance", &FollowerOptions::tracking_distance, "m")
-    .def_readwrite("tracking_time", &FollowerOptions::tracking_time, "s")
-    .def_readwrite("slip_gradient", &FollowerOptions::slip_gradient, "rad per m/s^2")
-    .def_readwrite("load_transfer", &FollowerOptions::load_transfer, "per m/s^2")
-    .def_readwrite("yaw_lag", &FollowerOptions::yaw_lag, "s per m/s")
-    .def_readwrite("stop_clearance", &FollowerOptions::stop_clearance, "m")
-    .def_readwrite("replan_distance", &FollowerOptions::replan_distance, "m")
-    .def_readwrite("max_path_deviation", &FollowerOptions::max_path_deviation, "m");
+  Options defaults;
+  Options::visitEach(defaults, [&](const Option & option, auto & value) {
+    using Value = std::decay_t<decltype(value)>;
+    const std::string name = option.name;
+    const auto get = [name](const Options & options) {
+      Value found{};
+      Options::visitEach(options, [&](const Option & each, const auto & at) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(at)>, Value>) {
+          found = each.name == name ? at : found;
+        }
+      });
+      return found;
+    };
+    const auto set = [name](Options & options, Value wanted) {
+      Options::visitEach(options, [&](const Option & each, auto & at) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(at)>, Value>) {
+          at = each.name == name ? wanted : at;
+        }
+      });
+    };
+    binding.def_property(option.name, get, set, option.meaning);
+  });
 }
+
+// Name, unit, meaning, default and range of each.
+py::list tableOf(const RacerOptions & options)
+{
+  py::list table;
+  RacerOptions::visitEach(options, [&](const Option & option, const auto & value) {
+    const bool is_switch = std::is_same_v<std::decay_t<decltype(value)>, bool>;
+    table.append(py::make_tuple(
+      option.name, option.unit, option.meaning, value, is_switch ? "true or false" : describe(option.range)));
+  });
+  return table;
+}
+
 void bindRacerOptions(py::module_ & module)
 {
-  bindStruct<RacerOptions>(module, "RacerOptions")
-    .def_readwrite("planner", &RacerOptions::planner)
-    .def_readwrite("follower", &RacerOptions::follower)
-    .def_readwrite("free_goal_vel", &RacerOptions::free_goal_vel)
-    .def_readwrite("race_line", &RacerOptions::race_line)
-    .def_readwrite("coast_time", &RacerOptions::coast_time, "s");
+  auto limits = bindStruct<SpeedLimits>(module, "SpeedLimits");
+  bindEach(limits);
+  auto follower = bindStruct<FollowerOptions>(module, "FollowerOptions");
+  follower.def_readwrite("limits", &FollowerOptions::limits);
+  bindEach(follower);
+  auto racer = bindStruct<RacerOptions>(module, "RacerOptions");
+  racer.def_readwrite("planner", &RacerOptions::planner).def_readwrite("follower", &RacerOptions::follower);
+  bindEach(racer);
+  racer.def_static(
+    "table", [] { return tableOf(RacerOptions{}); }, "(name, unit, meaning, default, range) of each option.");
 }
 }  // namespace
 
 void bindOptions(py::module_ & module)
 {
   bindPlannerOptions(module);
-  bindFollowerOptions(module);
   bindRacerOptions(module);
 }
 }  // namespace f1tenth_racer

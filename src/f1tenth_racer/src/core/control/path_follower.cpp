@@ -86,7 +86,7 @@ bool PathFollower::hindered(const CarState & car, const Costmap & costmap, const
 
 OwnWay PathFollower::wayFrom(const PathPosition & here, const CarState & car, const Costmap & costmap) const
 {
-  return {path_, speeds_, options().limits, costmap.footprint(), {here.s, here.lateral, car.speed}};
+  return {path_, speeds_, options().limits, costmap.footprint(), {here.s, here.lateral, car.speed}, options().traffic};
 }
 
 FollowStep PathFollower::step(

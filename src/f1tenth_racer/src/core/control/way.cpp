@@ -130,7 +130,7 @@ std::optional<PassingPlan> Way::lookPast(const Plan & plan, const PathFollower &
   }
   return planPast(
     {scene.costmap, options_.planner, follower.options().limits, plan, request, scene.others,
-     follower.placeOf(scene.car), scene.car});
+     follower.placeOf(scene.car), scene.car, follower.options().traffic});
 }
 
 void Way::swingOut(PassingPlan past, const Costmap & costmap)

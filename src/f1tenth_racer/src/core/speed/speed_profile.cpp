@@ -15,9 +15,7 @@ constexpr std::size_t kSteeringReach = 2;
 constexpr double kSteeringReserve = 0.025;  // rad, of the wheels, to steer back with
 constexpr double kLeastLateral = 0.2;       // of the lateral acceleration, where the wheels have no angle left
 // Near what is not on the map.
-constexpr double kUnknownReach = 2.5;               // m
-constexpr double kUnknownLateralPart = 0.7;         // of the lateral acceleration
-constexpr double kUnknownFullSpeedClearance = 0.5;  // m
+constexpr double kUnknownReach = 2.5;  // m
 
 double cube(double x)
 {
@@ -80,31 +78,18 @@ void limitByAcceleration(const Path & path, const PathStretch & stretch, const S
 SpeedLimits besideUnknown(const SpeedLimits & given, const Caution & caution)
 {
   SpeedLimits careful = given;
-  careful.max_lateral_acceleration *= std::min(caution.lateral_part, kUnknownLateralPart);
-  careful.full_speed_clearance = std::max(given.full_speed_clearance, kUnknownFullSpeedClearance);
+  careful.max_lateral_acceleration *= std::min(caution.lateral_part, given.unknown_lateral_part);
+  careful.full_speed_clearance = std::max(given.full_speed_clearance, given.unknown_full_speed_clearance);
   return careful;
 }
 }  // namespace
 
 void SpeedLimits::validate() const
 {
-  requirePositive("max_vel_x", max_vel_x);
-  requirePositive("max_vel_x_backwards", max_vel_x_backwards);
-  requirePositive("max_vel_theta", max_vel_theta);
-  requirePositive("acc_lim_x", acc_lim_x);
-  requirePositive("dec_lim_x", dec_lim_x);
-  requireOption(braking_power > 0.0, "braking_power", braking_power, "above 0");
-  requirePositive("max_lateral_acceleration", max_lateral_acceleration);
-  requireOption(
-    max_steering_angle > 0.0 && max_steering_angle < 0.5 * M_PI, "max_steering_angle", max_steering_angle,
-    "above 0 and below pi/2");
-  requirePositive("max_steering_rate", max_steering_rate);
-  requireNotNegative("understeer_gradient", understeer_gradient);
-  requirePositive("wheelbase", wheelbase);
-  requireNotNegative("slowest_clearance", slowest_clearance);
+  checkEach(*this);
   requireOption(
     full_speed_clearance > slowest_clearance, "full_speed_clearance", full_speed_clearance, "above slowest_clearance");
-  requireOption(min_vel_x > 0.0 && min_vel_x <= max_vel_x, "min_vel_x", min_vel_x, "above 0 and at most max_vel_x");
+  requireOption(min_vel_x <= max_vel_x, "min_vel_x", min_vel_x, "above 0 and at most max_vel_x");
 }
 
 double SpeedLimits::deceleration(double speed) const

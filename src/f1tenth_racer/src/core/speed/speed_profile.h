@@ -6,26 +6,75 @@
 #include <move_base/map/costmap.h>
 #include <move_base/path/path.h>
 
+#include "options/option.h"
 #include "path/terms.h"
 
 namespace f1tenth_racer
 {
+/// What each means is told by visitEach().
 struct SpeedLimits
 {
-  double max_vel_x{0.4};                 ///< m/s
-  double max_vel_x_backwards{0.2};       ///< m/s
-  double max_vel_theta{0.3};             ///< rad/s
-  double acc_lim_x{0.5};                 ///< m/s^2, speeding up
-  double dec_lim_x{0.5};                 ///< m/s^2, slowing down
-  double braking_power{1000.0};          ///< m^2/s^3, speed times deceleration: braked harder, the tail comes round
-  double max_lateral_acceleration{3.0};  ///< m/s^2
-  double max_steering_angle{0.4189};     ///< rad
-  double max_steering_rate{2.5};         ///< rad/s
-  double understeer_gradient{0.0};    ///< rad per m/s^2, by which the wheels must be turned further than without slip
-  double wheelbase{0.3302};           ///< m
-  double full_speed_clearance{0.35};  ///< m, with less beside the car it drives slower in proportion
-  double slowest_clearance{0.05};     ///< m, with less it drives at the least speed
-  double min_vel_x{0.15};             ///< m/s, least speed beside obstacles and when creeping to the end of a path
+  double max_vel_x{0.4};
+  double max_vel_x_backwards{0.2};
+  double min_vel_x{0.15};
+  double max_vel_theta{0.3};
+  double acc_lim_x{0.5};
+  double dec_lim_x{0.5};
+  double braking_power{1000.0};
+  double max_lateral_acceleration{3.0};
+  double unknown_lateral_part{0.7};
+  double max_steering_angle{0.4189};
+  double max_steering_rate{2.5};
+  double understeer_gradient{0.0};
+  double wheelbase{0.3302};
+  double full_speed_clearance{0.35};
+  double slowest_clearance{0.05};
+  double unknown_full_speed_clearance{0.5};
+
+  template <class Self, class Visit>
+  static void visitEach(Self & self, const Visit & visit)
+  {
+    visit({"max_vel_x", "m/s", "greatest speed", Option::Range::kPositive}, self.max_vel_x);
+    visit(
+      {"max_vel_x_backwards", "m/s", "greatest speed backwards", Option::Range::kPositive}, self.max_vel_x_backwards);
+    visit(
+      {"min_vel_x", "m/s", "least speed beside obstacles and when creeping to the end of a path, at most max_vel_x",
+       Option::Range::kPositive},
+      self.min_vel_x);
+    visit({"max_vel_theta", "rad/s", "greatest rate of turn", Option::Range::kPositive}, self.max_vel_theta);
+    visit({"acc_lim_x", "m/s^2", "speeding up", Option::Range::kPositive}, self.acc_lim_x);
+    visit(
+      {"dec_lim_x", "m/s^2", "slowing down; as a parameter acc_lim_x unless set; harder for an obstacle that appears",
+       Option::Range::kPositive},
+      self.dec_lim_x);
+    visit(
+      {"braking_power", "m^2/s^3", "speed times deceleration: braked harder, the tail comes round",
+       Option::Range::kPositive},
+      self.braking_power);
+    visit({"max_lateral_acceleration", "m/s^2", "in bends", Option::Range::kPositive}, self.max_lateral_acceleration);
+    visit(
+      {"unknown_lateral_part", "", "of max_lateral_acceleration, in bends near what is not on the map",
+       Option::Range::kPart},
+      self.unknown_lateral_part);
+    visit({"max_steering_angle", "rad", "of the wheels", Option::Range::kSteering}, self.max_steering_angle);
+    visit({"max_steering_rate", "rad/s", "of the wheels", Option::Range::kPositive}, self.max_steering_rate);
+    visit(
+      {"understeer_gradient", "rad per m/s^2", "by which the wheels must be turned further than without slip",
+       Option::Range::kNotNegative},
+      self.understeer_gradient);
+    visit({"wheelbase", "m", "from axle to axle", Option::Range::kPositive}, self.wheelbase);
+    visit(
+      {"full_speed_clearance", "m", "with less beside the car it drives slower in proportion; above slowest_clearance",
+       Option::Range::kPositive},
+      self.full_speed_clearance);
+    visit(
+      {"slowest_clearance", "m", "with less it drives at min_vel_x", Option::Range::kNotNegative},
+      self.slowest_clearance);
+    visit(
+      {"unknown_full_speed_clearance", "m", "full_speed_clearance near what is not on the map, if that is more",
+       Option::Range::kNotNegative},
+      self.unknown_full_speed_clearance);
+  }
 
   /// @throws OptionError
   void validate() const;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "options/traffic_options.h"
 #include "traffic/traffic.h"
 
 namespace f1tenth_racer
@@ -15,6 +16,7 @@ struct OwnWay
   const SpeedLimits & limits;
   const Footprint & footprint;
   Departure departure;
+  const TrafficOptions & traffic;
 };
 
 /// Whether another is going to be in the way, other than by driving into the car from behind.
@@ -29,7 +31,7 @@ struct SpeedBehind
 
 /// @param speed         m/s, of the car now
 /// @param deceleration  m/s^2, with which it brakes
-SpeedBehind speedBehind(const Touch & touch, double speed, double deceleration);
+SpeedBehind speedBehind(const Touch & touch, double speed, double deceleration, const TrafficOptions & traffic = {});
 
 /// As fast as those ahead on the way allow, and slow enough to stop behind them if they brake.
 SpeedBehind speedBehindOthers(const OwnWay & way, const std::vector<Forecast> & others);

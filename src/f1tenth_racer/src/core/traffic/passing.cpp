@@ -11,18 +11,16 @@ namespace f1tenth_racer
 {
 namespace
 {
-constexpr double kBeside = 0.15;         // m, wanted between the cars
 constexpr double kBesideAtLeast = 0.08;  // m, in the end
 constexpr double kApart = 0.1;           // m, ahead of and behind the other within which the car stays beside it
 constexpr double kApartTime = 0.06;      // s, the same for each m/s of the car
 
-constexpr double kSwerve = 1.0;       // 1/m, curvature of the way to the side at the start of the line
-constexpr double kSwervePart = 0.8;   // of the lateral acceleration, that this may take
-constexpr double kFallBack = 1.0;     // m/s, slower than the others to get behind them
-constexpr double kLateralPart = 0.7;  // of the lateral acceleration: beside others errors cost most
-constexpr double kSwingWay = 1.0;     // m, behind another until the car is to the side of it
-constexpr double kFallTime = 1.5;     // s, until it is behind them
-constexpr double kLeastPace = 0.5;    // m/s, of either
+constexpr double kSwerve = 1.0;      // 1/m, curvature of the way to the side at the start of the line
+constexpr double kSwervePart = 0.8;  // of the lateral acceleration, that this may take
+constexpr double kFallBack = 1.0;    // m/s, slower than the others to get behind them
+constexpr double kSwingWay = 1.0;    // m, behind another until the car is to the side of it
+constexpr double kFallTime = 1.5;    // s, until it is behind them
+constexpr double kLeastPace = 0.5;   // m/s, of either
 
 enum class Side
 {
@@ -38,9 +36,9 @@ struct Manner
   double gate;
 };
 
-Caution cautionOf(const Manner & manner, double s)
+Caution cautionOf(const PassingRequest & request, const Manner & manner, double s)
 {
-  return {kLateralPart, manner.pace, s + manner.way};
+  return {request.traffic.passing_lateral_part, manner.pace, s + manner.way};
 }
 
 // Along the plan's path until a line begins that leads past others, m.
@@ -58,7 +56,7 @@ public:
     const Footprint & footprint = request.costmap.footprint();
     const double apart = kApart + kApartTime * request.car.speed;
     reach_ = {footprint.rear() - apart, footprint.front() + apart};
-    const double lateral = kSwervePart * kLateralPart * request.limits.max_lateral_acceleration;
+    const double lateral = kSwervePart * request.traffic.passing_lateral_part * request.limits.max_lateral_acceleration;
     swerve_ = std::min(kSwerve, lateral / (request.car.speed * request.car.speed));
     way_to_start_ = wayToStart(request);
     until_start_ = way_to_start_ / request.car.speed;
@@ -87,8 +85,8 @@ public:
 private:
   bool narrow(const Path & line, std::vector<Interval> & corridor) const
   {
-    const std::vector<double> speeds =
-      speedProfile(line, request_.costmap, request_.limits, cautionOf(manner_, line.front().s - way_to_start_));
+    const std::vector<double> speeds = speedProfile(
+      line, request_.costmap, request_.limits, cautionOf(request_, manner_, line.front().s - way_to_start_));
     const std::vector<Moment> drive = driveAlong(
       line, speeds, {line.front().s, 0.0, request_.car.speed}, request_.limits, kForecastTime - until_start_);
     bool way_left = true;
@@ -118,11 +116,13 @@ private:
     const double reach = 0.5 * swerve_ * run * run;
     if (side_ == Side::kLeft) {
       const bool fits = other.high + half + kBesideAtLeast <= room.high;
-      room.low = std::clamp(std::min(other.high + half + kBeside, middle + reach), room.low, room.high);
+      room.low = std::clamp(
+        std::min(other.high + half + request_.traffic.passing_distance, middle + reach), room.low, room.high);
       return fits;
     }
     const bool fits = other.low - half - kBesideAtLeast >= room.low;
-    room.high = std::clamp(std::max(other.low - half - kBeside, middle - reach), room.low, room.high);
+    room.high =
+      std::clamp(std::max(other.low - half - request_.traffic.passing_distance, middle - reach), room.low, room.high);
     return fits;
   }
 
@@ -158,7 +158,7 @@ std::optional<PassingPlan> planIn(const PassingRequest & request, const Manner &
   double farthest = 0.0;
   const Path & lead = request.request.lead;
   for (const Side side : {Side::kLeft, Side::kRight}) {
-    PassingPlan past{request.plan, cautionOf(manner, request.s - lead.front().s)};
+    PassingPlan past{request.plan, cautionOf(request, manner, request.s - lead.front().s)};
     past.plan.path = WayPast(request, manner, side).line();
     if (past.plan.path.empty()) {
       continue;

@@ -5,6 +5,7 @@
 
 #include <move_base/car.h>
 #include <move_base/planning/way_planner.h>
+#include "options/traffic_options.h"
 #include "path/terms.h"
 #include "speed/speed_profile.h"
 #include "traffic/forecast.h"
@@ -22,6 +23,7 @@ struct PassingRequest
   const std::vector<Forecast> & others;
   double s;  ///< m, the car's place on the plan's path
   const CarState & car;
+  TrafficOptions traffic{};
 };
 
 /// A plan that leads past others, and how it is to be driven.

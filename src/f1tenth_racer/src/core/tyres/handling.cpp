@@ -14,29 +14,21 @@ constexpr double kUsualSlip = 1.15;     // times that of the options, up to whic
 constexpr double kSlipPower = 1.5;      // of the slip beyond: on average it is measured before it has built up
 constexpr double kUsualTraction = 0.9;  // of the commanded acceleration, from which the grip is that of a dry road
 constexpr double kSpinning = 0.85;      // of what spinning wheels pass on, while they steer as well
-constexpr double kUnfelt = 0.6;        // of the lateral acceleration planned, until a bend has shown how the tyres slip
-constexpr double kUsualDelay = 0.08;   // s of latency beyond that of the options, that need no reserve
-constexpr double kLateReserve = 4.0;   // 1/s, share of the lateral acceleration for each second of latency beyond
-constexpr double kReserveStep = 0.01;  // by which that must change to be taken into account
-constexpr double kBends = 0.25;        // of the lateral acceleration, from which braking is limited for it
-constexpr double kLeastLeft = 0.35;    // of the acceleration, however hard the car corners
+constexpr double kUsualDelay = 0.08;    // s of latency beyond that of the options, that need no reserve
+constexpr double kLateReserve = 4.0;    // 1/s, share of the lateral acceleration for each second of latency beyond
+constexpr double kReserveStep = 0.01;   // by which that must change to be taken into account
+constexpr double kBends = 0.25;         // of the lateral acceleration, from which braking is limited for it
+constexpr double kLeastLeft = 0.35;     // of the acceleration, however hard the car corners
 }  // namespace
 
 void FollowerOptions::validate() const
 {
   limits.validate();
-  requireNotNegative("latency", latency);
-  requirePositive("tracking_distance", tracking_distance);
-  requireNotNegative("tracking_time", tracking_time);
-  requireNotNegative("slip_gradient", slip_gradient);
+  checkEach(*this);
   const double utmost = 1.0 / std::max(limits.acc_lim_x, limits.dec_lim_x);
   requireOption(
-    load_transfer >= 0.0 && load_transfer < utmost, "load_transfer", load_transfer,
+    load_transfer < utmost, "load_transfer", load_transfer,
     "at least 0 and below 1 / (greater of acc_lim_x and dec_lim_x) = " + std::to_string(utmost));
-  requireNotNegative("yaw_lag", yaw_lag);
-  requireNotNegative("stop_clearance", stop_clearance);
-  requireNotNegative("replan_distance", replan_distance);
-  requirePositive("max_path_deviation", max_path_deviation);
 }
 
 Handling::Handling(const FollowerOptions & options)
@@ -77,7 +69,7 @@ bool Handling::set(const Lags & lags, const Tyres & tyres)
   grip_to_side_ = given_.limits.max_lateral_acceleration * grip;
   const double most = (1.0 - reserve) * grip_to_side_;
   options_.limits.max_lateral_acceleration =
-    tyres.felt ? most : std::min(most, kUnfelt * given_.limits.max_lateral_acceleration);
+    tyres.felt ? most : std::min(most, given_.unfelt_lateral_part * given_.limits.max_lateral_acceleration);
   return true;
 }
 

@@ -1,23 +1,66 @@
 #pragma once
 
 #include <move_base/car.h>
+#include "options/traffic_options.h"
 #include "path/terms.h"
 #include "speed/speed_profile.h"
 
 namespace f1tenth_racer
 {
+/// What each means is told by visitEach().
 struct FollowerOptions
 {
   SpeedLimits limits;
-  double latency{0.05};            ///< s, from measuring a pose to the wheels acting on the command
-  double tracking_distance{0.45};  ///< m, in which a path error is steered out from a standstill
-  double tracking_time{0.12};      ///< s, added to it per m/s
-  double slip_gradient{0.0};       ///< rad per m/s^2 of lateral acceleration, by which the rear axle drifts outwards
-  double load_transfer{0.0};       ///< per m/s^2, share of its load that the rear axle gains and the front one loses
-  double yaw_lag{0.0};             ///< s per m/s, by which the yaw follows the wheels
-  double stop_clearance{0.0};      ///< m, the car stops before it has less on its predicted way
-  double replan_distance{2.5};     ///< m beyond the braking distance, up to which an obstacle on the path is reported
-  double max_path_deviation{0.5};  ///< m, a car farther from its path has lost it
+  TrafficOptions traffic;
+  double latency{0.05};
+  double tracking_distance{0.45};
+  double tracking_time{0.12};
+  double slip_gradient{0.0};
+  double unfelt_lateral_part{0.6};
+  double load_transfer{0.0};
+  double yaw_lag{0.0};
+  double stop_clearance{0.0};
+  double replan_distance{2.5};
+  double max_path_deviation{0.5};
+
+  template <class Self, class Visit>
+  static void visitEach(Self & self, const Visit & visit)
+  {
+    SpeedLimits::visitEach(self.limits, visit);
+    TrafficOptions::visitEach(self.traffic, visit);
+    visit(
+      {"latency", "s",
+       "from measuring a pose to the wheels acting on the command, at least; up to 0.15 s more are measured",
+       Option::Range::kNotNegative},
+      self.latency);
+    visit(
+      {"tracking_distance", "m", "in which a path error is steered out from a standstill", Option::Range::kPositive},
+      self.tracking_distance);
+    visit({"tracking_time", "s", "added to it per m/s", Option::Range::kNotNegative}, self.tracking_time);
+    visit(
+      {"slip_gradient", "rad per m/s^2",
+       "by which the nose points into a bend, until that has been measured; 0: it is not", Option::Range::kNotNegative},
+      self.slip_gradient);
+    visit(
+      {"unfelt_lateral_part", "", "of max_lateral_acceleration, until a bend has shown how the tyres slip",
+       Option::Range::kPart},
+      self.unfelt_lateral_part);
+    visit(
+      {"load_transfer", "per m/s^2", "share of its load that the rear axle gains and the front one loses",
+       Option::Range::kNotNegative},
+      self.load_transfer);
+    visit({"yaw_lag", "s per m/s", "by which the yaw follows the wheels", Option::Range::kNotNegative}, self.yaw_lag);
+    visit(
+      {"stop_clearance", "m", "the car stops before it has less on its predicted way", Option::Range::kNotNegative},
+      self.stop_clearance);
+    visit(
+      {"replan_distance", "m", "beyond the braking distance, up to which an obstacle leads to a new plan",
+       Option::Range::kNotNegative},
+      self.replan_distance);
+    visit(
+      {"max_path_deviation", "m", "a car farther from its path has lost it", Option::Range::kPositive},
+      self.max_path_deviation);
+  }
 
   /// @throws OptionError
   void validate() const;

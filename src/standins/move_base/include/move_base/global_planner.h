@@ -46,7 +46,7 @@ struct PlanRequest
   Pose2 start;
   Pose2 goal;
   double start_curvature{0.0};   ///< 1/m, how the wheels are set at the start
-  double extension_length{0.0};  ///< m, wanted beyond the goal
+  double extension_length{0.0};  ///< m, wanted beyond the goal; the plain planner ends there
   /// For a goal that is passed at speed: make the bends wide instead of keeping to the middle. A planner without race
   /// lines leads past the goals all the same.
   std::optional<RaceLineOptions> race_line{};

@@ -35,6 +35,8 @@ struct SimulationOptions
 {
   double physics_step{0.001};  ///< s
   std::uint64_t seed{0};
+  /// Whether Box2D is spared cars that are far from everything: for one car, and until several touch, a matter of time only.
+  bool spares_far_cars{true};
 };
 
 /// A world with cars in it, advanced in fixed steps. Same calls, same seed: same states, bit for bit.

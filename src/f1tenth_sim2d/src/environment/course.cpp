@@ -67,23 +67,29 @@ CoursePosition Course::locate(const Pose2 & pose, double near, double reach) con
 
 CoursePosition Course::nearest(const Pose2 & pose, std::size_t first, std::size_t count) const
 {
-  CoursePosition best;
-  double best_square = std::numeric_limits<double>::infinity();
+  struct
+  {
+    std::size_t segment{0};
+    double part{0.0};
+    double square{std::numeric_limits<double>::infinity()};
+  } best;
   for (std::size_t i = first; i < first + count; ++i) {
-    const std::size_t segment = i % points_.size();
+    const std::size_t segment = i < points_.size() ? i : i - points_.size();
     const Vec2 along = point(segment + 1) - point(segment);
     const Vec2 there = pose.position() - point(segment);
     const double size = distances_[segment + 1] - distances_[segment];
     const double part = std::clamp(dot(there, along) / (size * size), 0.0, 1.0);
     const Vec2 off = there - part * along;
     const double square = dot(off, off);
-    if (square < best_square) {
-      best_square = square;
-      best.distance = wrapped(distances_[segment] + part * size);
-      best.offset = std::copysign(std::sqrt(square), cross(along, there));
-      best.heading = workspace_support::normalizeAngle(pose.yaw - maths::atan2(along.y, along.x));
+    if (square < best.square) {
+      best = {segment, part, square};
     }
   }
-  return best;
+  const Vec2 along = point(best.segment + 1) - point(best.segment);
+  const Vec2 there = pose.position() - point(best.segment);
+  const double size = distances_[best.segment + 1] - distances_[best.segment];
+  return {
+    wrapped(distances_[best.segment] + best.part * size), std::copysign(std::sqrt(best.square), cross(along, there)),
+    workspace_support::normalizeAngle(pose.yaw - maths::atan2(along.y, along.x))};
 }
 }  // namespace f1tenth_sim2d

@@ -35,7 +35,8 @@ public:
   CoursePosition locate(const Pose2 & pose, double near, double reach) const;
 
 private:
-  const Vec2 & point(std::size_t index) const { return points_[index % points_.size()]; }
+  /// @param index  up to the number of points, which is the first one again
+  const Vec2 & point(std::size_t index) const { return points_[index < points_.size() ? index : 0]; }
   std::size_t segmentAt(double distance) const;
   double wrapped(double distance) const;
   CoursePosition nearest(const Pose2 & pose, std::size_t first, std::size_t count) const;

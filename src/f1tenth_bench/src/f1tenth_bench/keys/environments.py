@@ -1,4 +1,4 @@
-"""env_step_us, env_reset_ms, env_vector, env_steps: the environments to learn in."""
+"""env_step_us, env_reset_ms, env_vector, env_many, env_steps: the environments to learn in."""
 
 import os
 import timeit
@@ -13,6 +13,7 @@ from f1tenth_bench.timing import processor_seconds
 STEPS = 300
 REPEATS = 9
 ENVIRONMENTS, THREADS, VECTOR_STEPS = 64, 2, 50
+MANY, MANY_STEPS = 1024, 10
 STANDSTILL = np.zeros(2, np.float32)
 BEAMS, CARS = (1080, 270, 108), (1, 2, 8)
 
@@ -54,14 +55,15 @@ def env_reset_ms():
 @benchmark("env_vector", "x", at_least=1.8, is_ratio=True)
 def env_vector():
     """Steps/s of 64 environments that do f1tenth_gym's work, by two threads over those by one, wall time."""
-    if len(os.sched_getaffinity(0)) < THREADS:
-        raise NotAvailable(f"{THREADS} threads need as many processors")
-    drives = {threads: _vector_drive(threads) for threads in (1, THREADS)}
-    # In turns, so that what else the machine does falls on both.
-    turns = [[timeit.timeit(drive, number=1) for drive in drives.values()] for _ in range(REPEATS)]
-    spent = dict(zip(drives, map(min, zip(*turns))))
-    steps = {str(threads): ENVIRONMENTS * VECTOR_STEPS / seconds for threads, seconds in spent.items()}
-    return Measured(spent[1] / spent[THREADS], {"steps_per_second": steps})
+    rates = _rates_by_threads(ENVIRONMENTS, VECTOR_STEPS, beams=1080)
+    return Measured(rates[str(THREADS)] / rates["1"], {"steps_per_second": rates})
+
+
+@benchmark("env_many", "steps/s", at_least=60_000)
+def env_many():
+    """Steps/s of f1tenth_gym_jax's work: 1024 environments, 64 beams, 10 m, 10 ms, two threads, wall time."""
+    rates = _rates_by_threads(MANY, MANY_STEPS, beams=64, range_max=10.0)
+    return Measured(rates[str(THREADS)], {"steps_per_second": rates})
 
 
 @benchmark("env_steps", "steps/s", at_least=10_000)
@@ -79,16 +81,27 @@ def _each_us(work, count=STEPS):
     return processor_seconds(all_of_them, REPEATS) / count * 1e6
 
 
-def _vector_drive(threads):
-    settings = {**_f1tenth_gym(), "beams": 1080, "normalized": False}
+def _rates_by_threads(count, steps, **settings):
+    """Steps/s, by the number of threads as text."""
+    if len(os.sched_getaffinity(0)) < THREADS:
+        raise NotAvailable(f"{THREADS} threads need as many processors")
+    drives = {threads: _vector_drive(threads, count, steps, settings) for threads in (1, THREADS)}
+    # In turns, so that what else the machine does falls on both.
+    turns = [[timeit.timeit(drive, number=1) for drive in drives.values()] for _ in range(REPEATS)]
+    spent = dict(zip(drives, map(min, zip(*turns))))
+    return {str(threads): count * steps / seconds for threads, seconds in spent.items()}
+
+
+def _vector_drive(threads, count, steps, settings):
+    settings = {**_f1tenth_gym(), "normalized": False, **settings}
     environments = _gymnasium().make_vec(
-        ENVIRONMENT, ENVIRONMENTS, "vector_entry_point", threads=threads, **settings
+        ENVIRONMENT, count, "vector_entry_point", threads=threads, **settings
     )
     environments.reset(seed=1)
-    actions = np.tile(np.array([0.0, 1.0], np.float32), (ENVIRONMENTS, 1))
+    actions = np.tile(np.array([0.0, 1.0], np.float32), (count, 1))
 
     def drive():
-        for _ in range(VECTOR_STEPS):
+        for _ in range(steps):
             environments.step(actions)
 
     return drive

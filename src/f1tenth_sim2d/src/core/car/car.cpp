@@ -78,7 +78,7 @@ void Car::restart(SimTime now)
 void Car::predict(SimTime now, double dt)
 {
   predicted_ = state_;
-  dynamics_->advance(predicted_, now, dt);
+  dynamics_->advance(predicted_, rolling_speed_, now, dt);
 }
 
 double Car::predictedTravel(double outer_radius) const

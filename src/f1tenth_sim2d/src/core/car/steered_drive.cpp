@@ -36,10 +36,10 @@ void SteeredDrive::command(const TwistCommand & command, SimTime now)
   actuation_.command(commandFromTwist(command.velocity.x, command.yaw_rate, parameters_.wheelbase()), now);
 }
 
-void SteeredDrive::advance(BodyState & state, SimTime now, double dt)
+void SteeredDrive::advance(BodyState & state, double rear_speed, SimTime now, double dt)
 {
   const auto slipping = model_->axleSpeeds();
-  const double speed = slipping ? slipping->driven : bodyVelocity(state).x;
+  const double speed = slipping ? slipping->driven : rear_speed;
   model_->advance(state, actuation_.input(speed, state.delta, now, dt), dt);
 }
 

@@ -20,7 +20,7 @@ public:
   void place(const BodyState & state) override;
   void command(const DriveCommand & command, SimTime now) override;
   void command(const TwistCommand & command, SimTime now) override;
-  void advance(BodyState & state, SimTime now, double dt) override;
+  void advance(BodyState & state, double rear_speed, SimTime now, double dt) override;
 
   bool steers() const override { return true; }
   WheelMotion wheels(const BodyState & state) const override;

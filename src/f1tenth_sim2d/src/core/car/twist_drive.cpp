@@ -85,7 +85,7 @@ Vec2 TwistDrive::approached(const Vec2 & velocity, const Vec2 & wanted, double d
   return {velocity.x + share * change.x, velocity.y + share * change.y};
 }
 
-void TwistDrive::advance(BodyState & state, SimTime now, double dt)
+void TwistDrive::advance(BodyState & state, double /*rear_speed*/, SimTime now, double dt)
 {
   commands_.takeEffect(now);
   const TwistCommand wanted = commands_.isOld(now) ? TwistCommand{} : commands_.active();

@@ -24,7 +24,7 @@ public:
   void restart() override;
   void command(const DriveCommand & command, SimTime now) override;
   void command(const TwistCommand & command, SimTime now) override;
-  void advance(BodyState & state, SimTime now, double dt) override;
+  void advance(BodyState & state, double rear_speed, SimTime now, double dt) override;
 
   bool steers() const override { return false; }
   WheelMotion wheels(const BodyState & state) const override;

@@ -35,7 +35,8 @@ public:
   virtual void command(const TwistCommand & command, SimTime now) = 0;
 
   /// Advances state by a step of dt seconds that starts at now.
-  virtual void advance(BodyState & state, SimTime now, double dt) = 0;
+  /// @param rear_speed  m/s, of the wheels in that state, as wheels() gives it
+  virtual void advance(BodyState & state, double rear_speed, SimTime now, double dt) = 0;
 
   /// Whether the car steers, so that its wheel odometry uses the steering angle and not the difference of two wheels.
   virtual bool steers() const = 0;

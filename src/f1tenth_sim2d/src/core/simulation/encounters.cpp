@@ -14,14 +14,9 @@ constexpr double kLookAhead = 1.0;   // m, farther away need not be told apart
 constexpr int kStepsNear = 10;       // after which a near car checks again
 constexpr double kTravelMax = 10.0;  // m in a step; more means that the motion diverges
 
-double predictedTravel(const RegisteredCar & car)
-{
-  return car.car.predictedTravel(car.body->participant.outer_radius);
-}
-
 double checkedTravel(const RegisteredCar & car, double dt)
 {
-  const double travel = predictedTravel(car);
+  const double travel = car.car.predictedTravel(car.body->participant.outer_radius);
   if (!(travel <= kTravelMax)) {
     throw Error(
       car.description.name + ": would go " + toText(travel) + " m in a step of " + toText(dt) +
@@ -52,12 +47,13 @@ double lookAround(const Cars & cars, const CollisionWorld & world, double dt)
   const double movable_travel = world.movableTravel(dt);
   double car_travel = 0.0;
   for (const auto & car : cars) {
-    car_travel = std::max(car_travel, checkedTravel(*car, dt));
+    car->surroundings.travel = checkedTravel(*car, dt);
+    car_travel = std::max(car_travel, car->surroundings.travel);
   }
   const double others = std::max(movable_travel, cars.size() > 1 ? car_travel : 0.0);
   double near_travel = movable_travel;
   for (std::size_t i = 0; i < cars.size(); ++i) {
-    const double own = predictedTravel(*cars[i]);
+    const double own = cars[i]->surroundings.travel;
     look(cars, world, i, own + others);
     if (cars[i]->surroundings.is_near) {
       near_travel = std::max(near_travel, own);
@@ -74,16 +70,16 @@ void forgetSurroundings(const Cars & cars) noexcept
   }
 }
 
-bool applyContacts(const Cars & cars, CollisionWorld & world, double dt)
+bool applyContacts(const Cars & cars, CollisionWorld & world, double dt, bool spares_far_cars)
 {
   const double travel = std::min(lookAround(cars, world, dt), kTravelMax);
   const bool any_near =
     std::any_of(cars.begin(), cars.end(), [](const auto & car) { return car->surroundings.is_near; });
-  if (!any_near && !world.isAwake()) {
+  if (spares_far_cars && !any_near && !world.isAwake()) {
     return false;
   }
   for (const auto & car : cars) {
-    if (car->surroundings.is_near) {
+    if (car->surroundings.is_near || !spares_far_cars) {
       world.place(*car->body, car->car.predictedMotion());
     } else {
       CollisionWorld::remove(*car->body);
@@ -94,7 +90,7 @@ bool applyContacts(const Cars & cars, CollisionWorld & world, double dt)
   const double struck = world.movableTravel(dt);
   for (const auto & car : cars) {
     car->surroundings.free -= struck;
-    if (car->surroundings.is_near && !car->body->contacts.empty()) {
+    if (!car->body->contacts.empty()) {
       car->car.apply(CollisionWorld::effect(*car->body));
     }
   }

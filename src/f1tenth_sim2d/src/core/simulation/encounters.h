@@ -14,6 +14,7 @@ namespace f1tenth_sim2d
 void forgetSurroundings(const Cars & cars) noexcept;
 
 /// Applies contacts to the predicted motion of all cars in a step of dt seconds.
+/// @param spares_far_cars  see SimulationOptions
 /// @return whether the rigid-body world was advanced
-bool applyContacts(const Cars & cars, CollisionWorld & world, double dt);
+bool applyContacts(const Cars & cars, CollisionWorld & world, double dt, bool spares_far_cars);
 }  // namespace f1tenth_sim2d

@@ -17,8 +17,9 @@ namespace f1tenth_sim2d
 /// How far a car may go before it has to look again whether it could touch something.
 struct Surroundings
 {
-  double free{0.0};   ///< m, within which there can be nothing
-  int steps_left{0};  ///< for which the car counts as near without looking
+  double free{0.0};    ///< m, within which there can be nothing
+  double travel{0.0};  ///< m, the farthest that a point of the car moves in this step
+  int steps_left{0};   ///< for which the car counts as near without looking
   bool is_near{false};
 };
 

@@ -119,7 +119,7 @@ void Simulation::step()
   for (const auto & car : impl_->cars()) {
     car->car.predict(impl_->time, impl_->dt);
   }
-  const bool touched = applyContacts(impl_->cars(), *impl_->collisions, impl_->dt);
+  const bool touched = applyContacts(impl_->cars(), *impl_->collisions, impl_->dt, impl_->options.spares_far_cars);
   if (touched) {
     impl_->logContacts();
   }

@@ -81,6 +81,10 @@ class Stage:
         # The same memory as plain numbers: fields of a structured array are slow to access.
         self._names = self.results.dtype.names
         self._numbers = self.results.view(np.float64).reshape(*self.results.shape, -1)
+        columns = dict(zip(self._names, np.moveaxis(self._numbers, -1, 0)))
+        self._progress, self._contact, self._laps = (
+            columns[name] for name in ("progress", "contact", "laps")
+        )
         self.times = self._environments.times
 
     def _require_course(self):
@@ -200,7 +204,8 @@ class Stage:
             car: index of one car, or a slice of them.
         """
         numbers = self._numbers[index, car].copy()
-        info = {name: each.T for name, each in zip(self._names, numbers.T)}
+        last = numbers.ndim - 1
+        info = dict(zip(self._names, numbers.transpose(last, *range(last))))
         info["time"] = self.times[index].copy()
         return info
 
@@ -208,13 +213,13 @@ class Stage:
         """Of all cars: float64 array of shape (count, cars)."""
         if self.settings.reward is not None:
             return np.array([[float(self.settings.reward(car)) for car in row] for row in self.results])
-        return self.results["progress"] - self.settings.contact_penalty * self.results["contact"]
+        return self._progress - self.settings.contact_penalty * self._contact
 
     def finished(self):
         """Which cars have driven their laps or touched something: bool array of shape (count, cars)."""
-        done = self.results["contact"] > (0.0 if self.settings.contact_ends else np.inf)
+        done = self._contact > (0.0 if self.settings.contact_ends else np.inf)
         if self.settings.laps is not None:
-            done |= self.results["laps"] >= self.settings.laps
+            done |= self._laps >= self.settings.laps
         return done
 
     def out_of_time(self):

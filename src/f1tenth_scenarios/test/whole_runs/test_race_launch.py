@@ -2,12 +2,19 @@
 
 import json
 import os
+import re
 import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 import rosbag
 from f1tenth_scenarios.launch.private_master import private_master
 from patience import PATIENCE
+
+LAYOUT = Path(__file__).parents[2] / "foxglove" / "run.json"
+# The command rosbags-convert, which is not on PATH here.
+CONVERT = [sys.executable, "-c", "from rosbags.convert.cli import main; main()"]
 
 
 @pytest.fixture
@@ -44,6 +51,19 @@ def test_who_looks_on_sees_the_wheels(race, tmp_path):
     with rosbag.Bag(str(file)) as bag:
         frames = {each.child_frame_id for _, said, _ in bag.read_messages("/tf") for each in said.transforms}
     assert {"robot1/front_left_wheel", "robot1/rear_right_wheel"} <= frames
+
+
+def test_bag_is_whole_in_the_tools_of_ros2_and_has_what_the_layout_shows(race, tmp_path):
+    rosbag2 = pytest.importorskip("rosbags.rosbag2")
+    race("planner:=pursuit", options="--bag --set limits.timeout=4")
+    (file,) = (tmp_path / "results").glob("*/run.bag")
+    target = ["--dst", str(tmp_path / "mcap"), "--dst-storage", "mcap", "--dst-typestore", "ros2_humble"]
+    subprocess.run([*CONVERT, "--src", str(file), *target], check=True, timeout=PATIENCE)
+    with rosbag.Bag(str(file)) as bag, rosbag2.Reader(tmp_path / "mcap") as converted:
+        recorded = {name: each.message_count for name, each in bag.get_type_and_topic_info().topics.items()}
+        assert {name: each.msgcount for name, each in converted.topics.items()} == recorded
+    shown = re.findall(r"\"(/[\w/]+)", LAYOUT.read_text(encoding="utf-8"))
+    assert {"/map", "/robot1/scan", "/robot1/drive"} <= set(shown) <= recorded.keys()
 
 
 def test_path_of_a_planner_counts_from_where_roslaunch_was_called(race, tmp_path):

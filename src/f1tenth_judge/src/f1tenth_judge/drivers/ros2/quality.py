@@ -8,14 +8,16 @@ from cyclonedds.qos import Policy, Qos
 _ENDLESS = 2**63 - 1  # ns
 _BLOCKING = 10**8  # ns, for which a write may wait for readers that lag behind
 _XCDR1 = Policy.DataRepresentation(use_cdrv0_representation=True)  # ROS 2's
+# Planners of ROS 2 since Iron look for a hash of the type there, and warn of each topic without any data.
+_NO_HASH = Policy.Userdata(b"f1tenth_judge;")
 _RELIABLE = Policy.Reliability.Reliable(_BLOCKING)
 
 # Reliable offers serve readers that request best effort (sensor data) and those that request reliable (the
 # default of rclpy and rclcpp) alike. Nothing is lost in a period, so the depth is that of the defaults.
-OFFERED = Qos(_RELIABLE, Policy.Durability.Volatile, Policy.History.KeepLast(10), _XCDR1)
-LATCHED = Qos(_RELIABLE, Policy.Durability.TransientLocal, Policy.History.KeepLast(1), _XCDR1)
+OFFERED = Qos(_RELIABLE, Policy.Durability.Volatile, Policy.History.KeepLast(10), _XCDR1, _NO_HASH)
+LATCHED = Qos(_RELIABLE, Policy.Durability.TransientLocal, Policy.History.KeepLast(1), _XCDR1, _NO_HASH)
 # As f1tenth_gym_ros and the drivers of the car request; all are kept, to be counted.
-REQUESTED = Qos(_RELIABLE, Policy.Durability.Volatile, Policy.History.KeepAll, _XCDR1)
+REQUESTED = Qos(_RELIABLE, Policy.Durability.Volatile, Policy.History.KeepAll, _XCDR1, _NO_HASH)
 
 # The kinds of a policy in words, weakest first: a reader may request no more than the writer offers.
 _STRENGTHS: Sequence[tuple[Any, Mapping[str, str]]] = (

@@ -74,6 +74,7 @@ void drive(const CarDescription & description, const VehicleParameters & paramet
     std::vector<float> ranges(static_cast<std::size_t>(description.lidars[lidar].beam_count));
     simulation.scan(car, lidar, ranges.data());
   }
+  static_cast<void>(simulation.viewWarning());  // reads all that cameras see
 }
 }  // namespace
 
@@ -83,6 +84,7 @@ void world(const std::uint8_t * data, std::size_t size)
   loadOrRefuse([&path] {
     Simulation simulation(loadWorld(path));
     simulation.step();
+    static_cast<void>(simulation.viewWarning());
   });
 }
 

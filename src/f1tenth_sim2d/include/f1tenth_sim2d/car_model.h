@@ -139,6 +139,7 @@ struct CarDescription
   std::string ros_namespace;                ///< its own, without slash at either end; usually its name; empty: the root
   std::string source;                       ///< where the description came from, for error messages
   std::vector<Solid> solids;                ///< bumpers among them
+  std::vector<Visual> visuals;              ///< what cameras see of it
   std::vector<std::string> links;           ///< all links of the robot description
   std::map<std::string, Pose3> link_poses;  ///< of all links, joints at zero
 

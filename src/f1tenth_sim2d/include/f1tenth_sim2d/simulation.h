@@ -15,6 +15,8 @@
 namespace f1tenth_sim2d
 {
 class WorldGeometry;
+struct Picture;
+struct Pinhole;
 
 /// A world that is ready to be simulated: its solids cut into the pieces that cars touch and the walls that lidars see.
 /// No simulation changes it, so that any number of them, on any threads, can share one. A copy is the same world.
@@ -123,6 +125,16 @@ public:
   /// Sample `index` of the standard normal noise of a sensor of a car now: a function of seed, car, name of the sensor,
   /// time and index only.
   double noise(CarId car, const std::string & sensor, std::uint64_t index) const;
+  /// The samples 0 to count - 1 of it.
+  void noises(CarId car, const std::string & sensor, std::size_t count, double * samples) const;
+
+  /// Draws what a camera on a car would see now, without noise. The first call reads what the visuals of world and cars
+  /// look like.
+  /// @param pose  of the camera in the frame of the car: it looks along x, z is up
+  void draw(CarId car, const Pinhole & camera, const Pose3 & pose, Picture & picture) const;
+  /// What of world and cars is not drawn as it is described: the first such thing and how many there are; empty for
+  /// none. Reads what the visuals look like.
+  std::string viewWarning() const;
 
   /// Contacts of the car in the physics steps since the last call to clearContacts, ground excluded.
   const std::vector<Contact> & contacts(CarId car) const;

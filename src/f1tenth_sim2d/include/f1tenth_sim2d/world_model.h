@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "f1tenth_sim2d/geometry.h"
+#include "f1tenth_sim2d/visual.h"
 
 /// What the loaders produce and the simulation consumes: plain data, no SDF, no Box2D, no ROS.
 namespace f1tenth_sim2d
@@ -79,6 +80,7 @@ struct ModelDescription
   double inertia_zz{0.0};  ///< kg m^2, about the vertical through the centre of mass
   Vec2 centre_of_mass;     ///< m, seen from above: relative to pose, along its heading and to the left
   std::vector<Solid> solids;
+  std::vector<Visual> visuals;
 };
 
 struct WorldDescription

@@ -3,7 +3,7 @@
 from os import PathLike
 from typing import Any, Final
 
-from numpy import bool_, float32, float64
+from numpy import bool_, float32, float64, uint8
 from numpy.typing import NDArray
 
 class Error(Exception): ...
@@ -110,9 +110,22 @@ class Bumper:
     rate_hz: Final[float]
     topic: Final[str]
 
+class CameraEye:
+    far: Final[float]
+    focal_x: Final[float]
+    focal_y: Final[float]
+    height: Final[int]
+    middle_x: Final[float]
+    middle_y: Final[float]
+    name: Final[str]
+    near: Final[float]
+    pose: Final[tuple]
+    width: Final[int]
+
 class Car:
     base_frame: Final[str]
     bumpers: Final[list[Bumper]]
+    cameras: Final[dict[str, list[CameraEye]]]
     components: Final[dict[str, dict[str, int]]]
     extent: Final[tuple]
     joints: Final[list[str]]
@@ -191,6 +204,7 @@ class Simulation:
     def command(self, car: int, speed: float, steering_angle: float) -> None: ...
     def command_twist(self, car: int, linear_x: float, angular_z: float, linear_y: float = ...) -> None: ...
     def contacts(self, car: int) -> list[Contact]: ...
+    def look(self, car: int, camera: str, eye: str = ...) -> tuple[NDArray[uint8], NDArray[float32]]: ...
     def model_names(self) -> list[str]: ...
     def model_pose(self, name: str) -> tuple: ...
     def parameters(self, car: int) -> VehicleParameters: ...
@@ -233,6 +247,7 @@ class Simulation:
     def wheel_odometry(self, car: int) -> WheelOdometry: ...
     cars: Final[list[int]]
     time: Final[float]
+    view_warning: Final[str]
 
 class Course:
     def __init__(self, points: NDArray[float64]) -> None: ...
@@ -255,6 +270,7 @@ class Environments:
         count: int = ...,
         threads: int = ...,
     ) -> None: ...
+    def look(self, index: int, car: int) -> tuple[NDArray[uint8], NDArray[float32]]: ...
     def record(self, index: int, file: str) -> None: ...
     def reset(
         self,

@@ -1,6 +1,7 @@
 #include "mesh_reader/scene_parts.h"
 
 #include <assimp/config.h>
+#include <assimp/material.h>
 #include <assimp/mesh.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -53,6 +54,7 @@ private:
       const aiVector3D corner = transform * geometry.mVertices[i];
       part.corners.push_back({corner.x, corner.y, corner.z});
     }
+    addLook(geometry, transform, part);
     const bool is_mirrored = transform.Determinant() < 0.0F;
     for (unsigned i = 0; i < geometry.mNumFaces; ++i) {
       const aiFace & face = geometry.mFaces[i];
@@ -64,6 +66,33 @@ private:
         part.triangles.push_back(
           {face.mIndices[0], face.mIndices[is_mirrored ? 2 : 1], face.mIndices[is_mirrored ? 1 : 2]});
       }
+    }
+  }
+
+  void addLook(const aiMesh & geometry, const aiMatrix4x4 & transform, MeshPart & part)
+  {
+    const aiMatrix3x3 normals_from = aiMatrix3x3(transform).Inverse().Transpose();
+    for (unsigned i = 0; geometry.HasNormals() && i < geometry.mNumVertices; ++i) {
+      const aiVector3D normal = normals_from * geometry.mNormals[i];
+      part.normals.push_back({normal.x, normal.y, normal.z});
+    }
+    for (unsigned i = 0; geometry.HasTextureCoords(0) && i < geometry.mNumVertices; ++i) {
+      part.texture_points.push_back({geometry.mTextureCoords[0][i].x, geometry.mTextureCoords[0][i].y});
+    }
+    if (geometry.mMaterialIndex >= scene_.mNumMaterials) {
+      return;
+    }
+    const aiMaterial & material = *scene_.mMaterials[geometry.mMaterialIndex];
+    aiString name;
+    aiColor3D colour;
+    // Assimp gives files without materials one of its own.
+    const bool is_given =
+      material.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS && name != aiString(AI_DEFAULT_MATERIAL_NAME);
+    if (is_given && material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS) {
+      part.colour = {colour.r, colour.g, colour.b};
+    }
+    if (aiString texture; material.GetTexture(aiTextureType_DIFFUSE, 0, &texture) == aiReturn_SUCCESS) {
+      part.textures.emplace_back(texture.C_Str());
     }
   }
 

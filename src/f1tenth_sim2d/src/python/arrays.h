@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "render/camera.h"
+
 namespace f1tenth_sim2d
 {
 /// An array with a row for each item and a column for each of the numbers that an item consists of.
@@ -16,5 +18,14 @@ pybind11::array_t<double> toArray(const std::vector<Item> & items)
   static_assert(std::is_trivially_copyable_v<Item> && alignof(Item) == alignof(double));
   const std::array<std::size_t, 2> shape{items.size(), sizeof(Item) / sizeof(double)};
   return pybind11::array_t<double>(shape, reinterpret_cast<const double *>(items.data()));
+}
+
+/// Colour, of shape (height, width, 3), and depth, of shape (height, width).
+inline pybind11::tuple toArrays(const Picture & picture)
+{
+  namespace py = pybind11;
+  const py::array_t<std::uint8_t> colours({picture.height, picture.width, 3}, picture.colours.data());
+  const py::array_t<float> depths({picture.height, picture.width}, picture.depths.data());
+  return py::make_tuple(colours, depths);
 }
 }  // namespace f1tenth_sim2d

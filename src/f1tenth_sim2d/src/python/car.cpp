@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/components/camera/camera.h"
 #include "f1tenth_sim2d/loaders.h"
 #include "f1tenth_sim2d/section.h"
 #include "python/bindings.h"
@@ -45,6 +46,30 @@ void bindSensors(py::module_ & module)
     .def_readonly("collision_names", &BumperDescription::collision_names, "Scoped names of what it watches.");
 }
 
+void bindCameraEye(py::module_ & module)
+{
+  using Eye = Camera::Eye;
+  const auto of_pinhole = [](auto Pinhole::*part) { return [part](const Eye & eye) { return eye.pinhole.*part; }; };
+  py::class_<Eye>(module, "CameraEye", "A pinhole camera of a car. The middle of the first pixel is (0, 0).")
+    .def("__repr__", &shown)
+    .def_readonly("name", &Eye::name)
+    .def_property_readonly("width", of_pinhole(&Pinhole::width), "Pixels.")
+    .def_property_readonly("height", of_pinhole(&Pinhole::height), "Pixels.")
+    .def_property_readonly("focal_x", of_pinhole(&Pinhole::focal_x), "Pixels.")
+    .def_property_readonly("focal_y", of_pinhole(&Pinhole::focal_y), "Pixels.")
+    .def_property_readonly("middle_x", of_pinhole(&Pinhole::middle_x), "Where the axis is in the image, pixels.")
+    .def_property_readonly("middle_y", of_pinhole(&Pinhole::middle_y), "Likewise.")
+    .def_property_readonly("near", of_pinhole(&Pinhole::near), "What is nearer is not seen, m along the axis.")
+    .def_property_readonly("far", of_pinhole(&Pinhole::far), "What is farther is not seen, m along the axis.")
+    .def_property_readonly(
+      "pose",
+      [](const Eye & eye) {
+        const auto & place = eye.pose.position;
+        return py::make_tuple(place.x(), place.y(), place.z(), eye.pose.yaw());
+      },
+      "(x, y, z, yaw) in base_footprint, m and rad.");
+}
+
 /// Rear, front, right and left end of all that a car can touch something with.
 py::tuple extentOf(const CarDescription & car)
 {
@@ -81,6 +106,17 @@ py::dict componentsOf(const CarDescription & car)
   return components;
 }
 
+py::dict camerasOf(const CarDescription & car)
+{
+  py::dict cameras;
+  for (const auto & component : car.components) {
+    if (const auto * const camera = dynamic_cast<const Camera *>(component.get())) {
+      cameras[py::str(component->mount().name)] = camera->eyes();
+    }
+  }
+  return cameras;
+}
+
 /// Nothing for a car that does not publish both its wheel odometry and the transform from it.
 std::optional<std::string> odometryTopicOf(const CarDescription & car)
 {
@@ -95,6 +131,7 @@ std::optional<std::string> odometryTopicOf(const CarDescription & car)
 void bindCar(py::module_ & module)
 {
   bindSensors(module);
+  bindCameraEye(module);
   py::class_<CarDescription>(module, "Car", "A car as its robot description gives it; see load_car.")
     .def_readonly("name", &CarDescription::name)
     .def_readonly("links", &CarDescription::links, "All links of the robot description.")
@@ -103,6 +140,7 @@ void bindCar(py::module_ & module)
     .def_property_readonly(
       "components", &componentsOf,
       "What else can be sampled: {name: {channel: how many numbers}}; see Simulation.sample.")
+    .def_property_readonly("cameras", &camerasOf, "Its cameras: {name: [CameraEye]}; see Simulation.look.")
     .def_property_readonly(
       "joints", ofEach(&CarDescription::joints, &JointDescription::name),
       "Names of the joints whose state is published.")

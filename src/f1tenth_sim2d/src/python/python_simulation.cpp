@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/components/camera/camera.h"
 #include "python/arrays.h"
 
 namespace f1tenth_sim2d
@@ -34,6 +35,23 @@ void checkSignals()
   if (PyErr_CheckSignals() != 0) {
     throw py::error_already_set();
   }
+}
+
+/// @throws py::value_error naming those of the kind that there are
+template <class Kind>
+const Kind & named(
+  const char * what, const std::vector<std::shared_ptr<Component>> & components, const std::string & name)
+{
+  std::string there;
+  for (const auto & component : components) {
+    const auto * const one = dynamic_cast<const Kind *>(component.get());
+    if (one && component->mount().name == name) {
+      return *one;
+    }
+    there += one ? (there.empty() ? "" : ", ") + component->mount().name : "";
+  }
+  throw py::value_error(
+    what + (": found '" + name + "', ") + (there.empty() ? "there is none" : "allowed are " + there));
 }
 
 using Shape = std::vector<py::ssize_t>;
@@ -231,16 +249,21 @@ py::array_t<double> PythonSimulation::castRays(
 
 py::dict PythonSimulation::sample(CarId car, const std::string & name) const
 {
-  std::string there;
-  for (const auto & component : components(car)) {
-    if (component->mount().name == name) {
-      py::array_t<double> numbers(static_cast<py::ssize_t>(sampleSize(*component)));
-      component->sample(*this, car, numbers.mutable_data());
-      return byChannel(*component, numbers);
-    }
-    there += (there.empty() ? "" : ", ") + component->mount().name;
+  const Component & component = named<Component>("component", components(car), name);
+  py::array_t<double> numbers(static_cast<py::ssize_t>(sampleSize(component)));
+  component.sample(*this, car, numbers.mutable_data());
+  return byChannel(component, numbers);
+}
+
+py::tuple PythonSimulation::look(CarId car, const std::string & name, const std::string & eye) const
+{
+  const Camera & camera = named<Camera>("camera", components(car), name);
+  Picture picture;
+  {
+    const py::gil_scoped_release release;
+    camera.look(*this, car, camera.eye(eye), picture);
   }
-  throw py::value_error("component: found '" + name + "', allowed are " + there);
+  return toArrays(picture);
 }
 
 py::tuple PythonSimulation::modelPose(const std::string & name) const

@@ -60,6 +60,9 @@ public:
   /// Numbers of a component by channel.
   pybind11::dict sample(CarId car, const std::string & component) const;
 
+  /// Colour and depth that an eye of a camera sees.
+  pybind11::tuple look(CarId car, const std::string & camera, const std::string & eye) const;
+
   pybind11::tuple modelPose(const std::string & name) const;
   void removeModel(const std::string & name) { Simulation::removeModel(indexOfModel(name)); }
   void placeModel(const std::string & name, double x, double y, double yaw, double v_x, double v_y, double yaw_rate);

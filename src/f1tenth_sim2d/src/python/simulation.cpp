@@ -147,6 +147,26 @@ Raises:
     ValueError: the car has no such component, with the names of those that it has.
 )")
     .def(
+      "look", inTurn<S>(&S::look), py::arg("car"), py::arg("camera"), py::arg("eye") = "",
+      R"(What a camera of a car sees now. The first look reads the files of all that can be seen.
+
+Args:
+    car: its id.
+    camera: its name, one of Car.cameras.
+    eye: name of one of its eyes; default: the first.
+
+Returns:
+    (colour, depth): uint8 array of shape (height, width, 3), red, green and blue, with the camera's noise; float32 array
+    of shape (height, width), m along the axis of the camera, +inf where nothing is.
+
+Raises:
+    ValueError: the car has no such camera, with the names of those that it has.
+    Error: the camera has no such eye.
+)")
+    .def_property_readonly(
+      "view_warning", inTurn<S>(&S::viewWarning),
+      "What cameras do not see as it is described: the first such thing, and how many more; empty: nothing.")
+    .def(
       "contacts", inTurn<S>(&S::contacts), py::arg("car"), "Contacts since the last clear_contacts, ground excluded.")
     .def("clear_contacts", inTurn<S>(&S::clearContacts), py::arg("car"))
     .def(

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "render/linear.h"
@@ -38,6 +39,13 @@ struct Surface
   std::shared_ptr<const SurfaceMesh> mesh;
   Material material;
   bool casts_shadow{true};
+};
+
+/// What is seen of one thing, in its own frame.
+struct Appearance
+{
+  std::vector<Surface> surfaces;
+  std::string warning;  ///< what is not drawn as described, with its place; empty: nothing
 };
 
 /// A surface where it is drawn.

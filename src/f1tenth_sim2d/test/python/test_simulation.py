@@ -130,7 +130,7 @@ def test_sensors_give_readings(simulation):
 
 
 def test_unknown_components_are_refused_with_those_that_there_are(simulation):
-    with pytest.raises(ValueError, match="component: found 'radar', allowed are lidar, imu"):
+    with pytest.raises(ValueError, match="component: found 'radar', allowed are lidar, camera, imu"):
         simulation.sample(0, "radar")
 
 

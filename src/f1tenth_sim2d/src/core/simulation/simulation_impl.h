@@ -10,6 +10,7 @@
 #include "core/lidar/lidar_scene.h"
 #include "core/simulation/car_registry.h"
 #include "core/simulation/world_geometry.h"
+#include "core/view/view.h"
 #include "f1tenth_sim2d/simulation.h"
 
 namespace f1tenth_sim2d
@@ -31,6 +32,7 @@ struct Simulation::Impl : MovingPoses
   /// What is seen at a height, m; made at the first call.
   const LidarScene & sceneAt(double height) const;
   void scan(CarId id, std::size_t lidar, bool noisy, float * ranges) const;
+  std::uint64_t keyOfNoise(CarId id, const std::string & sensor) const;
   void letIn(std::unique_ptr<RegisteredCar> car);
   void forgetScenes() noexcept { scenes.clear(); }
   void refuseOccupiedPlace(const std::vector<PlacedCar> & places, std::size_t own, const std::string & what) const;
@@ -53,6 +55,8 @@ struct Simulation::Impl : MovingPoses
   bool models_moved{false};
   std::unique_ptr<CollisionWorld> collisions;
   CarRegistry registry;
+  std::mutex view_mutex;  ///< for const functions that draw
+  View view;
 
 private:
   std::string nameOf(const Piece & piece) const;

@@ -66,10 +66,19 @@ void Simulation::castRays(CarId id, const RayFan & fan, double * ranges) const
   }
 }
 
+std::uint64_t Simulation::Impl::keyOfNoise(CarId id, const std::string & sensor) const
+{
+  const auto now = static_cast<std::uint64_t>(time);
+  return noiseKey(options.seed, car(id).noise_stream, NoiseStream::kNamedSensor, hashOf(sensor), now);
+}
+
 double Simulation::noise(CarId id, const std::string & sensor, std::uint64_t index) const
 {
-  const auto now = static_cast<std::uint64_t>(impl_->time);
-  return gaussian(
-    noiseKey(impl_->options.seed, impl_->car(id).noise_stream, NoiseStream::kNamedSensor, hashOf(sensor), now), index);
+  return gaussian(impl_->keyOfNoise(id, sensor), index);
+}
+
+void Simulation::noises(CarId id, const std::string & sensor, std::size_t count, double * samples) const
+{
+  gaussians(impl_->keyOfNoise(id, sensor), count, samples);
 }
 }  // namespace f1tenth_sim2d

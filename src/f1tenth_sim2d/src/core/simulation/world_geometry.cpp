@@ -15,6 +15,15 @@ const WorldSection & WorldGeometry::sectionAt(double height) const
   return found != sections_.end() ? *found : sections_.emplace_back(world_, height);
 }
 
+const WorldLook & WorldGeometry::look() const
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!look_) {
+    look_ = std::make_unique<const WorldLook>(world_);
+  }
+  return *look_;
+}
+
 PreparedWorld::PreparedWorld(WorldDescription world)
 {
   validate(world);

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
 #include "loaders/car/car_mechanism.h"
@@ -61,12 +63,46 @@ void placeFrame(CarContext & context)
   }
 }
 
+/// The joints between a link and the body of the car, from the body outwards.
+std::vector<Hinge> hingesOf(std::string link, const CarContext & context)
+{
+  std::vector<Hinge> hinges;
+  // Every joint once: a description may have a loop of them.
+  for (std::size_t i = 0; i < context.model.joints.size(); ++i) {
+    const auto & joints = context.model.joints;
+    const auto joint = std::find_if(joints.begin(), joints.end(), [&](const JointPart & j) { return j.child == link; });
+    if (joint == joints.end()) {
+      break;
+    }
+    const auto & known = context.car.mechanism;
+    const auto turns = [&](const JointDescription & each) { return each.name == joint->name; };
+    if (const auto found = std::find_if(known.begin(), known.end(), turns); found != known.end()) {
+      const Eigen::Vector3d axis = context.car_in_model.rotation.conjugate() * joint->axis.normalized();
+      hinges.insert(
+        hinges.begin(), {static_cast<std::size_t>(found - known.begin()), context.inCar(joint->pose).position, axis});
+    }
+    link = joint->parent;
+  }
+  return hinges;
+}
+
+void readCarVisuals(CarContext & context)
+{
+  for (const LinkPart & link : context.model.links) {
+    const std::vector<Hinge> hinges = hingesOf(link.name, context);
+    for (const Visual & visual : link.visuals) {
+      context.car.visuals.push_back({context.inCar(visual.pose), hinges, visual.look});
+    }
+  }
+}
+
 void readParts(CarContext & context)
 {
   readCarSolids(context);
   placeFrame(context);
   const std::vector<MechanismJoint> mechanism = findMechanism(context);
   readMechanism(mechanism, context.car);
+  readCarVisuals(context);
   warnOfOtherJoints(mechanism, context);
   readSensors(context);
   readPlugins(mechanism, context);

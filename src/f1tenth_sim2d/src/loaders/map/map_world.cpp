@@ -11,12 +11,17 @@
 #include "loaders/map/map_image.h"
 #include "loaders/map/map_metadata.h"
 #include "loaders/map/map_walls.h"
+#include "loaders/visuals/patterns.h"
+#include "render/scene.h"
+#include "render/solid_mesh.h"
 
 namespace f1tenth_sim2d
 {
 namespace
 {
-constexpr double kWallHeight = 2.5;  // m, above every lidar of a car; a map does not give it
+constexpr double kWallHeight = 2.5;    // m, above every lidar of a car; a map does not give it
+constexpr double kSeenHeight = 0.3;    // m, of the walls that cameras see
+constexpr double kFloorSide = 2000.0;  // m
 
 /// map_server's rule: darker than the threshold is occupied, all else is not.
 bool isOccupied(double brightness, const MapMetadata & metadata)
@@ -39,6 +44,37 @@ CellGrid cellsOf(const MapImage & image, const MapMetadata & metadata)
   }
   return grid;
 }
+
+CellGrid readCells(const MapMetadata & metadata)
+{
+  // As map_server has always done: in trinary mode alpha counts like a colour.
+  return cellsOf(readMapImage(metadata.image, metadata.mode == MapMetadata::Mode::kTrinary), metadata);
+}
+
+/// Walls as low as those of real tracks, and a floor.
+class LookOfMap : public Look
+{
+public:
+  explicit LookOfMap(std::string path) : path_(std::move(path)) {}
+
+private:
+  Appearance read() const override
+  {
+    const MapMetadata metadata = readMapMetadata(path_);
+    const CellGrid grid = readCells(metadata);
+    Appearance seen;
+    Surface & walls = seen.surfaces.emplace_back();
+    walls.mesh = meshOf(wallsOf(grid, metadata.resolution, kSeenHeight), {kPatternSide});
+    walls.material = {{0.80F, 0.78F, 0.72F}, {}, textureOf(Pattern::kSpeckles)};
+    Surface & floor = seen.surfaces.emplace_back();
+    floor.mesh = rectangle(kFloorSide, kFloorSide, {kPatternSide});
+    floor.material = {{0.45F, 0.46F, 0.48F}, {}, textureOf(Pattern::kSpeckles)};
+    floor.casts_shadow = false;
+    return seen;
+  }
+
+  const std::string path_;
+};
 
 std::filesystem::path centrelineOf(const std::filesystem::path & map)
 {
@@ -72,10 +108,8 @@ bool isMapFile(const std::string & path)
 WorldDescription loadMapWorld(const std::string & path)
 {
   const MapMetadata metadata = readMapMetadata(path);
-  // As map_server has always done: in trinary mode alpha counts like a colour.
-  const MapImage image = readMapImage(metadata.image, metadata.mode == MapMetadata::Mode::kTrinary);
-  requireNear(metadata, image.width, image.height, path);
-  const CellGrid grid = cellsOf(image, metadata);
+  const CellGrid grid = readCells(metadata);
+  requireNear(metadata, grid.columns, grid.rows, path);
   WorldDescription world;
   world.file = path;
   world.name = std::filesystem::path(path).stem().string();
@@ -85,6 +119,7 @@ WorldDescription loadMapWorld(const std::string & path)
   map.name = "map";
   map.pose = {metadata.origin.x, metadata.origin.y, 0.0, 0.0, 0.0, metadata.origin.yaw};
   map.is_static = true;
+  map.visuals.push_back({{}, {}, std::make_shared<LookOfMap>(path)});
   Solid & walls = map.solids.emplace_back();
   walls.name = "map::walls::occupied";
   walls.shape = wallsOf(grid, metadata.resolution, kWallHeight);

@@ -16,6 +16,9 @@ void move(Model & model, const Pose3 & pose)
     for (Solid & solid : link.solids) {
       solid.pose = pose * solid.pose;
     }
+    for (Visual & visual : link.visuals) {
+      visual.pose = pose * visual.pose;
+    }
     for (SensorPart & sensor : link.sensors) {
       sensor.pose = pose * sensor.pose;
     }

@@ -28,6 +28,7 @@ struct LinkPart
   Pose3 pose{};
   Inertia inertia{};
   std::vector<Solid> solids{};  ///< their names are those of the <collision> alone
+  std::vector<Visual> visuals{};
   std::vector<SensorPart> sensors{};
 };
 

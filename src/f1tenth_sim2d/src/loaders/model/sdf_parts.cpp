@@ -10,6 +10,7 @@
 #include "loaders/model/known_tags.h"
 #include "loaders/model/read_pose.h"
 #include "loaders/shapes/read_shape.h"
+#include "loaders/visuals/read_visual.h"
 
 namespace f1tenth_sim2d
 {
@@ -134,6 +135,9 @@ void readLink(LinkPart & link, const FrameScope & frames, MeshLibrary & meshes, 
     if (std::optional<Solid> solid = readCollision(collision, link, frames, meshes, warnings)) {
       link.solids.push_back(*std::move(solid));
     }
+  }
+  for (const Element & visual : link.element.children("visual")) {
+    link.visuals.push_back(readVisual(visual, link.name, frames, meshes));
   }
   for (const Element & sensor : link.element.children("sensor")) {
     link.sensors.push_back({sensor, frames.resolved(readPose(sensor, link.name))});

@@ -40,6 +40,17 @@ std::vector<Element> UrdfExtensions::ofLink(const UrdfLink & link) const
   return extensions;
 }
 
+std::string UrdfExtensions::materialOf(const UrdfLink & link) const
+{
+  std::string material;
+  if (const auto own = by_reference_.find(link.name); own != by_reference_.end()) {
+    for (const Element & extension : own->second) {
+      material = extension.textOf("material", material);
+    }
+  }
+  return material;
+}
+
 void UrdfExtensions::append(const UrdfLink & link, std::vector<Element> & extensions) const
 {
   if (const auto own = by_reference_.find(link.name); own != by_reference_.end()) {

@@ -23,6 +23,9 @@ public:
   /// Extensions of a link that stays, and of those that become part of it.
   std::vector<Element> ofLink(const UrdfLink & link) const;
 
+  /// Name of the material that they give all that is seen of a link itself; empty: none.
+  std::string materialOf(const UrdfLink & link) const;
+
   /// Friction and bounce that the extensions of a link give one of its collision elements.
   /// @param solid  whose name is complete
   void apply(const UrdfLink & link, Solid & solid, WarningCollector & warnings) const;

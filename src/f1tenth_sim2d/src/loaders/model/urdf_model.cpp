@@ -10,6 +10,7 @@
 #include "loaders/model/urdf_extensions.h"
 #include "loaders/model/urdf_tree.h"
 #include "loaders/shapes/read_shape.h"
+#include "loaders/visuals/read_visual.h"
 
 namespace f1tenth_sim2d
 {
@@ -117,6 +118,7 @@ private:
     part.inertia = inertia;
     warnOfInertia(link.element, inertia, warnings_);
     addSolids(link, link, part.solids);
+    addVisuals(link, part.visuals);
     for (const Element & extension : extensions_.ofLink(link)) {
       addSensors(extension, part);
     }
@@ -146,6 +148,19 @@ private:
     for (const UrdfLink * const child : link.children) {
       if (child->isJoined()) {
         addSolids(*child, whole, solids);
+      }
+    }
+  }
+
+  /// Likewise what is seen of them.
+  void addVisuals(const UrdfLink & link, std::vector<Visual> & visuals)
+  {
+    for (const Element & visual : link.element.children("visual")) {
+      visuals.push_back(readUrdfVisual(visual, link.pose, extensions_.materialOf(link), meshes_));
+    }
+    for (const UrdfLink * const child : link.children) {
+      if (child->isJoined()) {
+        addVisuals(*child, visuals);
       }
     }
   }

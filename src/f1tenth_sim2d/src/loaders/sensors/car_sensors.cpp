@@ -10,6 +10,7 @@ void readLidar(const SensorElement & element, CarContext & context);
 void readSonar(const SensorElement & element, CarContext & context);
 void readBumper(const SensorElement & element, CarContext & context);
 void readImu(const SensorElement & element, CarContext & context);
+void readCamera(const SensorElement & element, CarContext & context);
 
 namespace
 {
@@ -18,6 +19,7 @@ struct SensorKind
   std::set<std::string> types;
   std::vector<std::string> libraries;  ///< that publish it
   void (*read)(const SensorElement &, CarContext &);
+  bool without_plugin{false};  ///< whether it is of use then
 };
 
 const std::vector<SensorKind> & sensorKinds()
@@ -28,14 +30,32 @@ const std::vector<SensorKind> & sensorKinds()
     {kRayTypes, {"libgazebo_ros_range.so"}, readSonar},
     {{"contact"}, {"libgazebo_ros_bumper.so"}, readBumper},
     {{"imu"}, {"libgazebo_ros_imu_sensor.so", "libgazebo_ros_imu.so"}, readImu},
+    {{"camera", "depth", "depth_camera", "multicamera", "rgbd", "rgbd_camera"},
+     {"libgazebo_ros_camera.so", "libgazebo_ros_multicamera.so", "libgazebo_ros_depth_camera.so",
+      "libgazebo_ros_openni_kinect.so"},
+     readCamera,
+     true},
   };
   return kinds;
 }
 
-/// Types of SDF that are not simulated; those of cameras have "camera" in their names.
+/// Types of SDF that are not simulated.
 const std::set<std::string> kOtherTypes{
-  "air_pressure", "altimeter", "custom", "force_torque", "gps",   "logical_camera",    "magnetometer",
-  "navsat",       "none",      "rfid",   "rfidtag",      "sonar", "wireless_receiver", "wireless_transmitter"};
+  "air_pressure",
+  "altimeter",
+  "custom",
+  "force_torque",
+  "gps",
+  "logical_camera",
+  "magnetometer",
+  "navsat",
+  "none",
+  "rfid",
+  "rfidtag",
+  "sonar",
+  "wideanglecamera",
+  "wireless_receiver",
+  "wireless_transmitter"};
 
 Element findPlugin(const Element & sensor, const std::vector<std::string> & libraries)
 {
@@ -49,9 +69,6 @@ Element findPlugin(const Element & sensor, const std::vector<std::string> & libr
 
 std::string whyLeftOut(const std::string & type)
 {
-  if (type.find("camera") != std::string::npos || type == "depth") {
-    return "a sensor of type " + type + " is left out: in 2-D it has nothing to see";
-  }
   return kOtherTypes.count(type) > 0 ? "a sensor of type " + type + " is left out: not simulated"
                                      : "is no type of sensor of SDF and left out";
 }
@@ -64,7 +81,7 @@ void readSensor(const SensorPart & sensor, const std::string & link, CarContext 
     if (kind.types.count(type) == 0) {
       continue;
     }
-    if (const Element plugin = findPlugin(sensor.element, kind.libraries)) {
+    if (const Element plugin = findPlugin(sensor.element, kind.libraries); plugin || kind.without_plugin) {
       kind.read({sensor.element, plugin, context.inCar(sensor.pose), link}, context);
       return;
     }

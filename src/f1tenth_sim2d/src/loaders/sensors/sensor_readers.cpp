@@ -1,5 +1,6 @@
 #include "loaders/sensors/sensor_readers.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "f1tenth_sim2d/errors.h"
@@ -38,6 +39,13 @@ std::string textOrDefault(const Element & plugin, const char * tag, const char *
   return plugin.requiredText(tag);
 }
 }  // namespace
+
+double publishingRate(const SensorElement & element)
+{
+  const double of_plugin = element.plugin.rate("updateRate", 0.0);
+  const double of_sensor = element.sensor.rate("update_rate", 0.0);
+  return of_plugin > 0.0 && of_sensor > 0.0 ? std::min(of_plugin, of_sensor) : std::max(of_plugin, of_sensor);
+}
 
 double stddevOf(const Element & noise)
 {

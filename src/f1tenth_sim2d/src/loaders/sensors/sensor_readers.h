@@ -29,6 +29,8 @@ std::string frameOf(const Element & plugin, CarContext & context);
 /// @param topic  where it publishes by default
 /// @throws LoadError, as readers do
 Mount mountOf(const SensorElement & element, const char * topic, CarContext & context);
+/// Hz: the lower rate of sensor and plugin, if both are given.
+double publishingRate(const SensorElement & element);
 /// Standard deviation of a <noise>; 0 if there is none.
 double stddevOf(const Element & noise);
 

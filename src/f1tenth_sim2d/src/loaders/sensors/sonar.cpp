@@ -8,14 +8,6 @@ namespace f1tenth_sim2d
 {
 namespace
 {
-/// Hz: the lower rate of sensor and plugin, if both are given.
-double publishingRate(const SensorElement & element)
-{
-  const double of_plugin = element.plugin.rate("updateRate", 0.0);
-  const double of_sensor = element.sensor.rate("update_rate", 0.0);
-  return of_plugin > 0.0 && of_sensor > 0.0 ? std::min(of_plugin, of_sensor) : std::max(of_plugin, of_sensor);
-}
-
 /// rad, from the axis of the sonar, positive to the left.
 std::vector<double> directions(const RayScan & scan)
 {

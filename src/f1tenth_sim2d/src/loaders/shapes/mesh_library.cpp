@@ -61,6 +61,14 @@ std::optional<Mesh> MeshLibrary::read(const Element & element, const std::string
   return Mesh{mesh};
 }
 
+std::shared_ptr<const UriLookup> MeshLibrary::sharedUris()
+{
+  if (!shared_uris_) {
+    shared_uris_ = std::make_shared<const UriLookup>(uris_);
+  }
+  return shared_uris_;
+}
+
 std::string MeshLibrary::find(const Element & element, const std::string & uri) const
 {
   const std::string path = uris_.findFrom(element.document().folder, uri);

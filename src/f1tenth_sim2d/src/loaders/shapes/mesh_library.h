@@ -25,12 +25,16 @@ public:
   /// @throws LoadError
   std::optional<Mesh> read(const Element & element, const std::string & uri, const MeshSelection & selection);
 
+  /// A copy of where files are looked up, shared by all that asks for it.
+  std::shared_ptr<const UriLookup> sharedUris();
+
 private:
   std::string find(const Element & element, const std::string & uri) const;
   std::shared_ptr<const TriangleMesh> readNew(
     const Element & element, const std::string & path, const MeshSelection & selection);
 
   const UriLookup & uris_;
+  std::shared_ptr<const UriLookup> shared_uris_;
   WarningCollector & warnings_;
   std::map<std::string, std::shared_ptr<const TriangleMesh>> known_;
 };

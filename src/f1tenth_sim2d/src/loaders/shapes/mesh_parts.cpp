@@ -53,6 +53,10 @@ std::string packed(const MeshParts & mesh)
     packNames(part.names, bytes);
     pack(part.corners, bytes);
     pack(part.triangles, bytes);
+    pack(part.normals, bytes);
+    pack(part.texture_points, bytes);
+    pack(part.colour, bytes);
+    packNames(part.textures, bytes);
   }
   return bytes;
 }
@@ -64,6 +68,8 @@ MeshParts unpacked(const std::string & bytes)
   while (at < bytes.data() + bytes.size()) {
     MeshPart & part = mesh.parts.emplace_back();
     at = unpack(unpack(unpackNames(at, part.names), part.corners), part.triangles);
+    at = unpack(unpack(unpack(at, part.normals), part.texture_points), part.colour);
+    at = unpackNames(at, part.textures);
   }
   return mesh;
 }

@@ -13,6 +13,10 @@ struct MeshPart
   std::vector<std::string> names;             ///< of the geometry and of all nodes around it
   std::vector<std::array<float, 3>> corners;  ///< m
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::array<float, 3>> normals;         ///< one per corner, or none
+  std::vector<std::array<float, 2>> texture_points;  ///< one per corner, or none
+  std::vector<float> colour;                         ///< red, green and blue, 0 to 1; empty: it has none
+  std::vector<std::string> textures;                 ///< its file as written; empty: it has none
 };
 
 /// What is of use in a mesh file, in its order.

@@ -73,26 +73,6 @@ Polyline readPolylines(const Element & geometry)
   return solid;
 }
 
-std::optional<Mesh> readMesh(const Element & mesh, MeshLibrary & meshes)
-{
-  MeshSelection selection;
-  selection.scale = mesh.vector("scale", Vector3d::Ones());
-  if (const Element submesh = mesh.child("submesh")) {
-    selection.submesh = submesh.requiredText("name");
-    selection.centred = submesh.flag("center", false);
-  }
-  return meshes.read(mesh, mesh.requiredText("uri"), selection);
-}
-
-std::optional<Mesh> readUrdfMesh(const Element & mesh, MeshLibrary & meshes)
-{
-  MeshSelection selection;
-  if (mesh.has("scale")) {
-    selection.scale = mesh.toVector("attribute 'scale'", mesh.attribute("scale"));
-  }
-  return meshes.read(mesh, mesh.requiredAttribute("filename"), selection);
-}
-
 Element onlyShape(const Element & geometry, const char * allowed)
 {
   const std::vector<Element> shapes = geometry.children();
@@ -102,6 +82,26 @@ Element onlyShape(const Element & geometry, const char * allowed)
   return shapes.front();
 }
 }  // namespace
+
+MeshSelection meshSelectionOf(const Element & mesh)
+{
+  MeshSelection selection;
+  selection.scale = mesh.vector("scale", Vector3d::Ones());
+  if (const Element submesh = mesh.child("submesh")) {
+    selection.submesh = submesh.requiredText("name");
+    selection.centred = submesh.flag("center", false);
+  }
+  return selection;
+}
+
+MeshSelection urdfMeshSelectionOf(const Element & mesh)
+{
+  MeshSelection selection;
+  if (mesh.has("scale")) {
+    selection.scale = mesh.toVector("attribute 'scale'", mesh.attribute("scale"));
+  }
+  return selection;
+}
 
 std::optional<Shape> readShape(const Element & geometry, MeshLibrary & meshes, Pose3 & pose)
 {
@@ -130,7 +130,7 @@ std::optional<Shape> readShape(const Element & geometry, MeshLibrary & meshes, P
     return readPlane(shape, pose);
   }
   if (shape.is("mesh")) {
-    return readMesh(shape, meshes);
+    return meshes.read(shape, shape.requiredText("uri"), meshSelectionOf(shape));
   }
   shape.fail(std::string("is not supported as a collision; allowed are ") + kAllowedShapes);
 }
@@ -152,7 +152,7 @@ std::optional<Shape> readUrdfShape(const Element & geometry, MeshLibrary & meshe
     return Sphere{lengthAttribute(shape, "radius")};
   }
   if (shape.is("mesh")) {
-    return readUrdfMesh(shape, meshes);
+    return meshes.read(shape, shape.requiredAttribute("filename"), urdfMeshSelectionOf(shape));
   }
   shape.fail(std::string("is not supported as a collision; allowed are ") + kAllowedUrdfShapes);
 }

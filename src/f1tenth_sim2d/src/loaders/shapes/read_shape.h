@@ -7,6 +7,11 @@
 
 namespace f1tenth_sim2d
 {
+/// What a <mesh> of SDF wants of its file; and of a URDF.
+/// @throws LoadError
+MeshSelection meshSelectionOf(const Element & mesh);
+MeshSelection urdfMeshSelectionOf(const Element & mesh);
+
 /// Shape of a <geometry> of SDF; none, with a warning, for one that a scale of 0 leaves nothing of.
 /// @param pose  of the collision; a plane is turned to its normal
 /// @throws LoadError

@@ -161,6 +161,9 @@ void append(
   description.is_static = stands || std::any_of(model.joints.begin(), model.joints.end(), holdsToTheWorld);
   if (!model.links.empty()) {
     description.solids = solidsOf(model, description.name);
+    for (const LinkPart & link : model.links) {
+      description.visuals.insert(description.visuals.end(), link.visuals.begin(), link.visuals.end());
+    }
     describeInertia(model, description);
     models.push_back(description);
   }

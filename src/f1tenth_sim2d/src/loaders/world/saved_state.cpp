@@ -69,6 +69,7 @@ void scaleLinks(const Element & saved, Model & model, WarningCollector & warning
     warnings.add("a model with a <scale> of 0 has no collisions", saved.fileLine());
     for (LinkPart & link : model.links) {
       link.solids.clear();
+      link.visuals.clear();
     }
     return;
   }
@@ -101,6 +102,9 @@ void moveLink(const Element & saved, const Pose3 & pose, LinkPart & link)
   for (Solid & solid : link.solids) {
     solid.pose = change * solid.pose;
     saved.requireNear(solid.pose.position);
+  }
+  for (Visual & visual : link.visuals) {
+    visual.pose = change * visual.pose;
   }
 }
 

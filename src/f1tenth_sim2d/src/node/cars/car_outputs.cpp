@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "node/cars/joint_state.h"
+#include "core/car/joint_state.h"
 #include "node/messages/conversions.h"
 
 namespace f1tenth_sim2d
@@ -91,7 +91,7 @@ OdometryTransformOutput::OdometryTransformOutput(CarHandle car, const OdometryPl
 void OdometryTransformOutput::update(SimTime now, bool /*anyway*/)
 {
   message_.header.stamp = toRosTime(now);
-  message_.transform = toTransform(onGround(car_.simulation.wheelOdometry(car_.id).pose) * place_.base_pose);
+  message_.transform = toTransformMessage(onGround(car_.simulation.wheelOdometry(car_.id).pose) * place_.base_pose);
   car_.transforms.send(message_);
 }
 

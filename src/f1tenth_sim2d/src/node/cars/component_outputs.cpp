@@ -2,6 +2,7 @@
 
 #include <std_msgs/Float64MultiArray.h>
 
+#include "node/cars/components/camera_output.h"
 #include "node/cars/components/imu_output.h"
 #include "node/cars/components/scan_output.h"
 #include "node/cars/components/sonar_output.h"
@@ -22,6 +23,7 @@ constexpr std::unique_ptr<Output> (*kMessages[])(const CarHandle &, const Compon
   makeIfIs<Lidar, ScanOutput>,
   makeIfIs<Sonar, SonarOutput>,
   makeIfIs<Imu, ImuOutput>,
+  makeIfIs<Camera, CameraOutput>,
 };
 
 /// The numbers of a component of any kind.

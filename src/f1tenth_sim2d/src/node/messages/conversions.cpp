@@ -38,7 +38,7 @@ geometry_msgs::Pose toPose(const Pose3 & pose)
   return workspace_support::toPose(pose.position, pose.rotation);
 }
 
-geometry_msgs::Transform toTransform(const Pose3 & pose)
+geometry_msgs::Transform toTransformMessage(const Pose3 & pose)
 {
   return workspace_support::toTransform(toPose(pose));
 }

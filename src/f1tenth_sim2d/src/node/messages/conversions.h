@@ -12,7 +12,7 @@
 namespace f1tenth_sim2d
 {
 geometry_msgs::Pose toPose(const Pose3 & pose);
-geometry_msgs::Transform toTransform(const Pose3 & pose);
+geometry_msgs::Transform toTransformMessage(const Pose3 & pose);
 /// A pose in the plane as one in space.
 Pose3 onGround(const Pose2 & pose);
 /// @param velocity  m/s, in the frame of the twist

@@ -305,13 +305,20 @@ TEST(LoadCar, TakesAnSdfModel)
   EXPECT_TRUE(car.joints.empty());
 }
 
-TEST(LoadCarWarnings, NameTheCamera)
+TEST(LoadCarWarnings, SayWhichFrameACameraTakes)
 {
   const std::vector<std::string> expected{
-    "test.urdf:231: robot[small_car]/gazebo[base_link]/sensor[camera]: a sensor of type camera is left out: in 2-D it "
-    "has nothing "
-    "to see"};
+    "test.urdf:234: robot[small_car]/gazebo[base_link]/sensor[camera]/plugin[camera_plugin]: has no <frameName>: taken "
+    "as 'world', as in gazebo_ros"};
   EXPECT_EQ(load(smallCar()).warnings, expected);
+}
+
+TEST(LoadCarWarnings, NameACameraThatIsLeftOut)
+{
+  const CarDescription car = load(smallCarWith("<horizontal_fov>1.5", "<horizontal_fov>7"));
+  ASSERT_EQ(car.warnings.size(), 1u);
+  EXPECT_NE(car.warnings[0].find("a camera is left out"), std::string::npos);
+  EXPECT_NE(car.warnings[0].find("<horizontal_fov> is 7, allowed are 0.01 to 3.1"), std::string::npos);
 }
 
 TEST(LoadCarWarnings, NameWheelsThatTurnAboutAnotherAxisAndWhatSteersThem)

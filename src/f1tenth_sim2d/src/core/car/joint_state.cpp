@@ -1,4 +1,4 @@
-#include "node/cars/joint_state.h"
+#include "core/car/joint_state.h"
 
 #include <array>
 

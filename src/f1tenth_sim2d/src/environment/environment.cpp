@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/components/camera/camera.h"
 #include "f1tenth_sim2d/errors.h"
 
 namespace f1tenth_sim2d
@@ -197,6 +198,21 @@ void Environment::measure(CarResult & car, const CarState & state) const
     now.distance = car.distance + now.progress;
   }
   car = now;
+}
+
+void Environment::look(std::size_t car, Picture & picture) const
+{
+  if (!simulation_) {
+    throw Error("an environment shows nothing before its first reset");
+  }
+  const CarId id = ids_.at(car);
+  for (const auto & component : simulation_->components(id)) {
+    if (const auto * const camera = dynamic_cast<const Camera *>(component.get())) {
+      camera->look(*simulation_, id, camera->eyes().front(), picture);
+      return;
+    }
+  }
+  throw Error(simulation_->car(id).name + " has no camera");
 }
 
 void Environment::observe(float * rows) const

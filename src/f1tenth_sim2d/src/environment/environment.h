@@ -97,6 +97,8 @@ public:
   double time() const { return simulation_ ? toSeconds(simulation_->time()) : 0.0; }  ///< s
   /// Rows of all cars, one after the other.
   void observe(float * rows) const;
+  /// What the first eye of the first camera of a car sees. @throws Error before the first reset, or without a camera
+  void look(std::size_t car, Picture & picture) const;
 
 private:
   void command(const Action * actions, const std::uint8_t * driven);

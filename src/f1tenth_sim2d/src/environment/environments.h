@@ -35,6 +35,9 @@ public:
   /// @throws Error as Environment::restore
   void restore(std::size_t index, const Episode & episode);
 
+  /// What a car of one environment sees. @throws Error as Environment::look
+  void look(std::size_t index, std::size_t car, Picture & picture) const { environments_.at(index).look(car, picture); }
+
   /// Drives all by one period, except those of which no car is driven.
   /// @param actions  of all cars of all environments
   /// @param driven   likewise; see Environment::step

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <string>
 
+#include "python/arrays.h"
 #include "python/bindings.h"
 #include "python/python_world.h"
 #include "python/turn.h"
@@ -109,6 +110,14 @@ void record(PythonEnvironments & environments, std::size_t index, const std::str
 {
   const Turn turn(environments.taken());
   environments.record(index, file);
+}
+
+py::tuple look(PythonEnvironments & environments, std::size_t index, std::size_t car)
+{
+  const Turn turn(environments.taken());
+  Picture picture;
+  environments.look(index, car, picture);
+  return toArrays(picture);
 }
 
 Episode snapshot(PythonEnvironments & environments, std::size_t index)
@@ -239,6 +248,17 @@ Args:
         stands still in time.
 )");
   type
+    .def(
+      "look", &look, py::arg("index"), py::arg("car"),
+      R"(What the first eye of the first camera of a car sees now; see Simulation.look.
+
+Args:
+    index: of the environment.
+    car: index of the car.
+
+Raises:
+    Error: the environment has not been reset yet, or the car has no camera.
+)")
     .def(
       "snapshot", &snapshot, py::arg("index"),
       R"(The episode of one environment as it is now, for restore; see Simulation.snapshot.

@@ -1,4 +1,4 @@
-"""The blocks of the pages for those who learn, or come from f1tenth_gym, run as they stand."""
+"""The blocks of the pages for those who use it without ROS run as they stand."""
 
 import re
 from pathlib import Path
@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 DOCUMENTS = Path(__file__).parents[4] / "docs"
-PAGES = [DOCUMENTS / name for name in ("gym.md", "coming_from_f1tenth_gym.md", "start.md")]
+PAGES = [DOCUMENTS / name for name in ("gym.md", "cameras.md", "coming_from_f1tenth_gym.md", "start.md")]
 BLOCKS = [
     block
     for page in PAGES

@@ -164,3 +164,13 @@ def test_a_picture_shows_the_car(make):
     assert first.dtype == np.uint8
     assert first.shape[2] == 3
     assert (first != second).any()
+
+
+def test_a_camera_is_part_of_the_observation(make):
+    environment = make(observation=("velocity", "camera", "depth"))
+    observation, _ = environment.reset(seed=1)
+    assert observation in environment.observation_space
+    assert observation["camera"].shape == (376, 672, 3)
+    later = environment.step(straight_on())[0]
+    assert (later["camera"] != observation["camera"]).any()
+    assert later["depth"].min() > 0.0

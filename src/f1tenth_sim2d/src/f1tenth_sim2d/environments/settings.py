@@ -13,6 +13,8 @@ Range = Union[float, tuple[float, float]]
 """A number, or (least, greatest) of one that is drawn anew for each episode."""
 
 SPEED_LIMIT = 100.0  # m/s, of commands; a simulation refuses more
+PICTURES = ("camera", "depth")
+"""Parts of an observation that a camera makes."""
 _STARTS = ("grid", "random")
 _ACTIONS = ("speed", "acceleration")
 
@@ -26,8 +28,8 @@ class Settings:
     cars: int = 1
     """on the road; the first one is the ego car"""
     observation: Sequence[str] = ("scan", "velocity", "steering")
-    """parts of what a car observes: scan, pose, velocity, steering, course, laps, contact, others, and
-    names of its components: imu"""
+    """parts of what a car observes: scan, pose, velocity, steering, course, laps, contact, others,
+    camera, depth, and names of its components: imu"""
     flatten: bool = False
     """one array instead of a dictionary of the parts"""
     actions: str = "speed"
@@ -72,6 +74,8 @@ class Settings:
             raise ValueError(f"observation: found {self.observation!r}, allowed is a list of names of parts")
         if len(set(self.observation)) != len(self.observation):
             raise ValueError(f"observation: found {list(self.observation)}, allowed is each part once")
+        if self.flatten and set(PICTURES) & set(self.observation):
+            raise ValueError("flatten: found True, allowed is False for observations with camera or depth")
         _require_one_of("actions", self.actions, _ACTIONS)
         _require_one_of("start", self.start, _STARTS)
         require_number("physics_step", self.physics_step, 1e-5, 0.02)

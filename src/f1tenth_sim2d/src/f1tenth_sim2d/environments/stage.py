@@ -11,7 +11,7 @@ import f1tenth_sim2d
 from f1tenth_sim2d.environments.car import Lidar, load_cars, numbered
 from f1tenth_sim2d.environments.episode import begin_episode, draw
 from f1tenth_sim2d.environments.place import find_place
-from f1tenth_sim2d.environments.settings import SPEED_LIMIT, Settings
+from f1tenth_sim2d.environments.settings import PICTURES, SPEED_LIMIT, Settings
 
 
 class Stage:
@@ -128,7 +128,7 @@ class Stage:
                 self.place.world,
                 self.cars,
                 self.place.course,
-                list(self.settings.observation),
+                [part for part in self.settings.observation if part not in PICTURES],
                 actions=self.settings.actions,
                 period=self.settings.period,
                 physics_step=self.settings.physics_step,
@@ -194,7 +194,19 @@ class Stage:
         rows = self._environments.observations[index].copy()
         if self.settings.flatten:
             return rows
-        return {part: rows[..., where] for part, where in self._parts()}
+        return {**{part: rows[..., where] for part, where in self._parts()}, **self._pictures(index)}
+
+    def _pictures(self, index):
+        """What the first eyes of the cars' first cameras see, by the parts that show it."""
+        parts = [part for part in PICTURES if part in self.settings.observation]
+        if not parts:
+            return {}
+        _, cars = self.results.shape
+        which = np.arange(self.results.size).reshape(self.results.shape)[index]
+        looks = [self._environments.look(*divmod(int(each), cars)) for each in which.flat]
+        seen = [np.stack(each) for each in zip(*looks)]
+        seen = [each.reshape(*which.shape, *each.shape[1:]) for each in seen]
+        return {part: seen[PICTURES.index(part)] for part in parts}
 
     def info(self, index, car=slice(None)):
         """What Gymnasium calls info, copies: the results by their names and the time, s.
@@ -228,7 +240,8 @@ class Stage:
 
     def _parts(self):
         end = 0
-        for part, size in zip(self.settings.observation, self._environments.part_sizes):
+        numbers = [part for part in self.settings.observation if part not in PICTURES]
+        for part, size in zip(numbers, self._environments.part_sizes):
             end += size
             yield part, slice(end - size, end)
 
@@ -236,9 +249,19 @@ class Stage:
         low, high = np.array(self._environments.bounds, dtype=np.float32).reshape(-1, 2).T
         if self.settings.flatten:
             return spaces.Box(low, high, dtype=np.float32)
-        return spaces.Dict(
-            {part: spaces.Box(low[at], high[at], dtype=np.float32) for part, at in self._parts()}
-        )
+        parts = {part: spaces.Box(low[at], high[at], dtype=np.float32) for part, at in self._parts()}
+        return spaces.Dict({**parts, **self._picture_spaces()})
+
+    def _picture_spaces(self):
+        if not set(PICTURES) & set(self.settings.observation):
+            return {}
+        eye = next(iter(self.cars[0].cameras.values()))[0]
+        size = (eye.height, eye.width)
+        allowed = {
+            "camera": spaces.Box(0, 255, (*size, 3), np.uint8),
+            "depth": spaces.Box(0.0, np.inf, size, np.float32),
+        }
+        return {part: allowed[part] for part in PICTURES if part in self.settings.observation}
 
     def _action_limits(self):
         if self.settings.actions == "acceleration":
@@ -268,7 +291,7 @@ def repeated(space: spaces.Space, cars: int) -> Any:
     if isinstance(space, spaces.Dict):
         return spaces.Dict({name: repeated(each, cars) for name, each in space.items()})
     assert isinstance(space, spaces.Box)
-    return spaces.Box(np.stack([space.low] * cars), np.stack([space.high] * cars), dtype=np.float32)
+    return spaces.Box(np.stack([space.low] * cars), np.stack([space.high] * cars), dtype=space.dtype)
 
 
 def _settings(given):

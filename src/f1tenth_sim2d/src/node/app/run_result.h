@@ -16,10 +16,10 @@ struct RunResult
   std::string error;        ///< the one line; empty if it ended by request
   std::string participant;  ///< that fell silent
   double sim_time_sec{0.0};
-  double wall_time_sec{0.0};    ///< from the first step on
-  std::int64_t periods{0};      ///< control periods
+  double wall_time_sec{0.0};        ///< from the first step on
+  std::int64_t periods{0};          ///< control periods
   std::vector<StrayAnswer> strays;  ///< in lockstep; with one the run cannot be repeated
-  std::string trajectory_hash;  ///< empty if there was no run
+  std::string trajectory_hash;      ///< empty if there was no run
   std::uint64_t seed{0};
   double physics_step_sec{0.0};
   std::string world_sha256;                        ///< of the world's file

@@ -72,8 +72,7 @@ std::map<std::string, std::string> addCars(const std::vector<CarParameters> & ca
   std::map<std::string, std::string> hashes;
   for (const auto & car : cars) {
     const std::string xml = readDescription(car);
-    const CarDescription description =
-      loadCar(xml, car.name, descriptionParameter(car), searchPathFromEnvironment());
+    const CarDescription description = loadCar(xml, car.name, descriptionParameter(car), searchPathFromEnvironment());
     hashes[car.name] = sha256(xml + (car.vehicle_file.empty() ? "" : readFile(car.vehicle_file)));
     warnOnce(description.source, description.warnings);
     const VehicleParameters vehicle =

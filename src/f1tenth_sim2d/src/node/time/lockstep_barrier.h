@@ -89,8 +89,8 @@ private:
   ros::Subscriber subscriber_;
   std::map<std::string, int> surplus_;  // commands without a stamp by car, beyond the one in each period
   std::vector<StrayAnswer> strays_;
-  std::set<std::string> late_;          // cars with a command in this period that answers the first
-  ros::Time first_;                     // end of the first period, or of the last one that was repeated like it
+  std::set<std::string> late_;  // cars with a command in this period that answers the first
+  ros::Time first_;             // end of the first period, or of the last one that was repeated like it
   ros::Time stamp_;
   std::int64_t number_{0};
   bool started_{false};  // false: the period is repeated

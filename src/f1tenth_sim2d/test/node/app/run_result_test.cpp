@@ -31,8 +31,19 @@ protected:
 TEST_F(RunResultTest, WritesAllFieldsAndLeavesNoTemporaryFile)
 {
   const std::string file = folder_ / "result.json";
-  writeResult(file, {"participant_silent", "a \"quoted\" line", "robot1", 1.5, 0.25, 60, {{"robot1", 40, 1.0}}, "abc", 7, 0.001, "def",
-              {{"robot1", "0a"}}});
+  writeResult(
+    file, {"participant_silent",
+           "a \"quoted\" line",
+           "robot1",
+           1.5,
+           0.25,
+           60,
+           {{"robot1", 40, 1.0}},
+           "abc",
+           7,
+           0.001,
+           "def",
+           {{"robot1", "0a"}}});
   const auto json = nlohmann::json::parse(std::ifstream(file));
   EXPECT_EQ(json.size(), 12u);
   EXPECT_EQ(json["reason"], "participant_silent");

@@ -5,7 +5,8 @@ namespace f1tenth_sim2d
 void Simulation::draw(CarId car, const Pinhole & camera, const Pose3 & pose, Picture & picture) const
 {
   const std::lock_guard<std::mutex> lock(impl_->view_mutex);
-  impl_->view.draw(*this, impl_->geometry, car, camera, pose, picture);
+  const std::shared_ptr<const WorldGeometry> & world = impl_->geometry;
+  impl_->view.draw(*this, {world, &world->look()}, car, camera, pose, picture);
 }
 
 std::string Simulation::viewWarning() const

@@ -26,26 +26,25 @@ Transform turned(const Hinge & hinge, double angle)
 }  // namespace
 
 void View::draw(
-  const Simulation & simulation, const std::shared_ptr<const WorldGeometry> & world, CarId car, const Pinhole & camera,
+  const Simulation & simulation, const std::shared_ptr<const WorldLook> & look, CarId car, const Pinhole & camera,
   const Pose3 & pose, Picture & picture)
 {
-  const WorldLook & look = world->look();
-  if (world_ != world) {
-    world_ = world;
-    scene_ = look.fixed();
+  if (look_ != look) {
+    look_ = look;
+    scene_ = look->fixed();
   }
-  scene_.surfaces.resize(look.fixed().surfaces.size());
+  scene_.surfaces.resize(look->fixed().surfaces.size());
   placeModels(simulation);
   for (const CarId each : simulation.cars()) {
     placeCar(simulation, each);
   }
   const Transform eye = onGround(simulation.state(car).pose) * toTransform(pose);
-  renderer_.draw(scene_, look.shadowsOfFixed(), camera, eye, picture);
+  renderer_.draw(scene_, look->shadowsOfFixed(), camera, eye, picture);
 }
 
 void View::placeModels(const Simulation & simulation)
 {
-  for (const WorldLook::Movable & movable : world_->look().movables()) {
+  for (const WorldLook::Movable & movable : look_->movables()) {
     place(movable.surface, onGround(simulation.modelState(movable.model).pose) * movable.pose);
   }
 }

@@ -1,4 +1,4 @@
-#include "loaders/model/frame_scope.h"
+#include "loaders/frames/frame_scope.h"
 
 namespace f1tenth_sim2d
 {

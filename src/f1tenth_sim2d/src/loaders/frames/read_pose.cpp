@@ -1,4 +1,4 @@
-#include "loaders/model/read_pose.h"
+#include "loaders/frames/read_pose.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "loaders/model/frame_scope.h"
+#include "loaders/frames/frame_scope.h"
 #include "loaders/xml/warning_collector.h"
 
 namespace f1tenth_sim2d

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "f1tenth_sim2d/world_model.h"
-#include "loaders/model/frame_scope.h"
+#include "loaders/frames/frame_scope.h"
 #include "loaders/model/inertia.h"
 #include "loaders/xml/element.h"
 #include "loaders/xml/warning_collector.h"

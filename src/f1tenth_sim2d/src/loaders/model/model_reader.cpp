@@ -7,8 +7,8 @@
 
 #include "f1tenth_sim2d/errors.h"
 #include "loaders/files/files.h"
+#include "loaders/frames/read_pose.h"
 #include "loaders/model/known_tags.h"
-#include "loaders/model/read_pose.h"
 #include "loaders/model/sdf_parts.h"
 #include "loaders/model/urdf_model.h"
 

@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
+#include "loaders/frames/read_pose.h"
 #include "loaders/model/known_tags.h"
-#include "loaders/model/read_pose.h"
 #include "loaders/shapes/read_shape.h"
 #include "loaders/visuals/read_visual.h"
 

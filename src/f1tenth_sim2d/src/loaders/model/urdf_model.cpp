@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "loaders/frames/read_pose.h"
 #include "loaders/model/known_urdf.h"
-#include "loaders/model/read_pose.h"
 #include "loaders/model/sdf_parts.h"
 #include "loaders/model/urdf_extensions.h"
 #include "loaders/model/urdf_tree.h"

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "loaders/model/read_pose.h"
+#include "loaders/frames/read_pose.h"
 
 namespace f1tenth_sim2d
 {

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "f1tenth_sim2d/errors.h"
-#include "loaders/model/read_pose.h"
+#include "loaders/frames/read_pose.h"
 #include "loaders/sensors/sensor_readers.h"
 
 namespace f1tenth_sim2d

@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "f1tenth_sim2d/errors.h"
-#include "loaders/model/read_pose.h"
+#include "loaders/frames/read_pose.h"
 #include "loaders/shapes/read_shape.h"
 #include "loaders/visuals/material.h"
 #include "loaders/visuals/mesh_surfaces.h"

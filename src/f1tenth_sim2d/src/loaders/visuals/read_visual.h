@@ -3,7 +3,7 @@
 #include <string>
 
 #include "f1tenth_sim2d/visual.h"
-#include "loaders/model/frame_scope.h"
+#include "loaders/frames/frame_scope.h"
 #include "loaders/shapes/mesh_library.h"
 
 namespace f1tenth_sim2d

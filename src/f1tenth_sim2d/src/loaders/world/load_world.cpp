@@ -3,10 +3,10 @@
 
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/loaders.h"
+#include "loaders/frames/read_pose.h"
 #include "loaders/map/map_world.h"
 #include "loaders/model/known_tags.h"
 #include "loaders/model/model_reader.h"
-#include "loaders/model/read_pose.h"
 #include "loaders/world/describe_model.h"
 #include "loaders/world/saved_state.h"
 

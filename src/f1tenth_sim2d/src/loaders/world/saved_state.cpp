@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "loaders/model/read_pose.h"
+#include "loaders/frames/read_pose.h"
 
 namespace f1tenth_sim2d
 {

@@ -9,8 +9,8 @@
 #include <sdf/sdf.hh>
 
 #include "../temp_folder.h"
+#include "loaders/frames/read_pose.h"
 #include "loaders/model/model_reader.h"
-#include "loaders/model/read_pose.h"
 #include "random_sdf.h"
 #include "random_urdf.h"
 

@@ -15,6 +15,8 @@ def test_summary_has_all_that_make_race_prints(tmp_path):
         "verdict:           success (expected success)",
         "passed:            yes",
         "reason:            every goal was passed in order",
+        "note:              the best lap, 3.000 s, is quicker than the reference of 4.497 s,"
+        " whose tyres are those of friction alone",
         "driver:            race (launch file of ROS 1)",
         "lap time:          3.000 s",
         "reference:         4.497 s (fastest flying lap possible);"

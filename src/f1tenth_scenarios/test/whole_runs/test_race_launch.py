@@ -68,8 +68,8 @@ def test_bag_is_whole_in_the_tools_of_ros2_and_has_what_the_layout_shows(race, t
 
 def test_path_of_a_planner_counts_from_where_roslaunch_was_called(race, tmp_path):
     (tmp_path / "my.launch").write_text(
-        "<launch><node pkg='rospy' type='none' name='x'/></launch>", encoding="utf-8"
+        "<launch><node pkg='map_server' type='map_saver' name='x' args='--none'/></launch>", encoding="utf-8"
     )
     said, result = race("planner:=my.launch")
-    assert (result["verdict"], result["culprit"]["culprit"]) == ("error", "rospy/none")
+    assert (result["verdict"], result["culprit"]["culprit"]) == ("error", "robot1/x")
     assert "exit code 1" in said

@@ -1,7 +1,9 @@
 """The robot description of a car: what its planner, its launch file and its judge must know of it."""
 
 import dataclasses
+import shutil
 import subprocess
+import sys
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -118,7 +120,11 @@ def _odometry_period(file: Path, text: str) -> Optional[float]:
 
 
 def _expanded(file: Path, arguments: Sequence[str]) -> str:
-    done = subprocess.run(["xacro", str(file), *arguments], capture_output=True, text=True, check=False)
+    # In a virtual environment that is not activated it is no command of PATH.
+    command = shutil.which("xacro") or shutil.which("xacro", path=str(Path(sys.executable).parent))
+    if command is None:
+        raise ScenarioError(f"{file}: xacro is not installed: pip install xacro")
+    done = subprocess.run([command, str(file), *arguments], capture_output=True, text=True, check=False)
     if done.returncode != 0:
         said = " ".join(done.stderr.partition("Check that:")[0].split()).removeprefix("error: ")
         raise ScenarioError(f"{file}: xacro: {said}")

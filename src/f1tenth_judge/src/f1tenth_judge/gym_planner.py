@@ -14,6 +14,7 @@ from collections.abc import Mapping
 from typing import Any, Callable
 
 import numpy as np
+from f1tenth_sim2d.f1tenth_gym_names import PER_CAR
 
 import f1tenth_sim2d
 from f1tenth_judge.planner import Command, Observation
@@ -63,22 +64,8 @@ def features_of(observation: Observation) -> Mapping[str, Any]:
     return {"agent_0": {**seen, **{name: np.float32(value) for name, value in numbers.items()}}}
 
 
-_ORIGINAL = {
-    "scan": "scans",
-    "pose_x": "poses_x",
-    "pose_y": "poses_y",
-    "pose_theta": "poses_theta",
-    "linear_vel_x": "linear_vels_x",
-    "linear_vel_y": "linear_vels_y",
-    "ang_vel_z": "ang_vels_z",
-    "collision": "collisions",
-    "lap_time": "lap_times",
-    "lap_count": "lap_counts",
-}
-
-
 def original_of(observation: Observation) -> Mapping[str, Any]:
     """The original observation: a row for each car, of which there is one."""
     features = features_of(observation)["agent_0"]
-    rows = {plural: np.array([features[name]]) for name, plural in _ORIGINAL.items() if name in features}
+    rows = {plural: np.array([features[name]]) for name, plural in PER_CAR.items() if name in features}
     return {"ego_idx": 0, **rows}

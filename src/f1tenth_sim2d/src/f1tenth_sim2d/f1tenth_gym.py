@@ -5,6 +5,7 @@ from typing import Any, Optional
 import numpy as np
 
 from f1tenth_sim2d import f110_env
+from f1tenth_sim2d.f1tenth_gym_names import PER_CAR
 
 IDS = ("f1tenth_gym:f1tenth-v0", "f1tenth-v0")
 _SETTINGS = ("map", "map_ext", "num_agents", "timestep", "params", "seed", "ego_idx", "integrator")
@@ -18,20 +19,7 @@ _OBSERVATIONS = {
     "dynamic_state": _DYNAMIC,
     "frenet_dynamic_state": (*_DYNAMIC, "linear_vel_y"),
 }
-_PER_CAR = {
-    "scan": "scans",
-    "pose_x": "poses_x",
-    "pose_y": "poses_y",
-    "pose_theta": "poses_theta",
-    "linear_vel_x": "linear_vels_x",
-    "linear_vel_y": "linear_vels_y",
-    "ang_vel_z": "ang_vels_z",
-    "collision": "collisions",
-    "lap_time": "lap_times",
-    "lap_count": "lap_counts",
-}
-"""Their names of a feature, and of the same for all cars in the original observation."""
-_FEATURES = (*_PER_CAR, "delta", "beta")
+_FEATURES = (*PER_CAR, "delta", "beta")
 
 
 class F110Env(f110_env.F110Env):
@@ -118,7 +106,7 @@ class F110Env(f110_env.F110Env):
                 key: value if key == "ego_idx" else np.array(value, dtype=np.float32)
                 for key, value in observation.items()
             }
-        values = {feature: observation[key] for feature, key in _PER_CAR.items()}
+        values = {feature: observation[key] for feature, key in PER_CAR.items()}
         values["delta"] = self._now.stage.results[0]["steering_angle"]
         values["beta"] = np.arctan2(observation["linear_vels_y"], observation["linear_vels_x"])
         return {

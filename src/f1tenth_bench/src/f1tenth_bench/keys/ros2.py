@@ -1,16 +1,13 @@
 """ros2_rtf, ros2_cost: a planner that speaks DDS, as those of ROS 2 do."""
 
-import json
 import shlex
-import shutil
-import subprocess
 import sys
 import tempfile
-from pathlib import Path
 
 from f1tenth_judge.places.lookup import package_path
 
 from f1tenth_bench.benchmark import Measured, NotAvailable, benchmark
+from f1tenth_bench.judged import judged
 
 _LAPS = 5
 _RUNS = 2
@@ -43,15 +40,7 @@ def _planner_of_ros2():
 
 def _race(folder, *options):
     """Times of a race on circuit1: those of its result."""
-    command = shutil.which("f1tenth")
-    if not command:
-        raise NotAvailable("no command f1tenth; source the workspace's setup.bash")
-    done = subprocess.run(
-        [command, "race", "circuit1", *options, "--results", folder, "--name", "race"],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    if done.returncode != 0:
-        raise NotAvailable(f"the race failed: {(done.stderr or done.stdout).strip()}")
-    return json.loads((Path(folder) / "race" / "result.json").read_text(encoding="utf-8"))["times"]
+    result = judged(folder, "race", "race", "circuit1", *options)
+    if not result["passed"]:
+        raise NotAvailable(f"the race failed: {result['reason']}")
+    return result["times"]

@@ -3,26 +3,31 @@
 import dataclasses
 import math
 
+import numpy as np
 import pytest
-from f1tenth_judge.judge.quickest_lap import impossible_laps, shortest_way
+from f1tenth_judge.judge.quickest_lap import greatest_acceleration, impossible_laps, shortest_way
 from f1tenth_judge.places.place import gates_after, line_across
 from f1tenth_judge.plan.task import Task
 from f1tenth_judge.record.observations import Observations
 from f1tenth_judge.record.record import Record
 from f1tenth_judge.run.outcome import judged
-from f1tenth_judge.scenario.car import Car, Pose
+from f1tenth_judge.scenario.car import Car, Pose, VehicleModel
 from f1tenth_judge.scenario.scenario import StartLine, Verdict
+from f1tenth_sim2d.environments.car import Lidar, load_cars
 from scenario_samples import PERIOD, record, rows, sample_plan, scenario
 from test_road import RADIUS, ring
+
+import f1tenth_sim2d
 
 MIDDLE = math.tau * RADIUS  # m, a lap in the middle of the road
 
 
-def plan_of(folder, laps=1, task=None):
-    """A run on the round road."""
+def plan_of(folder, laps=1, task=None, **car):
+    """A run on the round road, of a car with these keys."""
     course = ring()
     line = line_across(course, Pose(0.0, -RADIUS, 0.0))
-    made = sample_plan(folder, scenario(timeout=60.0))
+    wanted = dataclasses.replace(scenario(timeout=60.0), cars=(Car("robot1", goals="circuit1", **car),))
+    made = sample_plan(folder, wanted)
     lapping = task or Task(laps=laps, line=line, gates=gates_after(course, line))
     return dataclasses.replace(made, cars={"robot1": dataclasses.replace(made.cars["robot1"], task=lapping)})
 
@@ -73,6 +78,49 @@ def test_lap_beyond_it_is_an_error_of_the_set_up(tmp_path):
     assert "but the shortest way through the road is" in decision.reason
     assert done.judgement.failure.culprit == "runner"
     assert not done.passed
+
+
+@pytest.mark.parametrize(
+    ("car", "is_possible"),
+    [
+        ({}, True),  # 40 m/s^2, of tyres that are not limited by friction
+        ({"mu": 0.4}, False),
+        ({"model": VehicleModel.KINEMATIC}, True),
+        ({"model": VehicleModel.SINGLE_TRACK_DRIFT}, False),
+        ({"model": VehicleModel.SINGLE_TRACK_DRIFT, "mu": 3.0}, True),
+    ],
+)
+def test_lap_is_no_quicker_than_the_car_can_turn(tmp_path, car, is_possible):
+    track = around(tmp_path, 20.0)
+    found = [*impossible_laps(plan_of(tmp_path, **car), track, {"robot1": [3.1]})]
+    assert [text.startswith("lap 1 of robot1 took 3.100 s") for text in found] == [True] * (not is_possible)
+
+
+@pytest.mark.parametrize("model", [each.value for each in VehicleModel])
+@pytest.mark.parametrize("seed", range(3))
+def test_no_car_exceeds_the_acceleration_that_laps_are_judged_by(model, seed):
+    vehicle, random = f1tenth_sim2d.VehicleParameters(), np.random.default_rng(seed)
+    vehicle.model = model
+    simulation = f1tenth_sim2d.Simulation(f1tenth_sim2d.empty_world())
+    simulation.add_car(load_cars(["robot1"], Lidar(8, 4.7, 10.0))[0], vehicle)
+    velocities = []
+    for period in range(800):
+        if period % 20 == 0:
+            command = random.uniform(-3.0, 20.0), random.choice([-0.4, -0.1, 0.0, 0.1, 0.4])
+        simulation.command(0, *command)
+        simulation.advance_to((period + 1) * PERIOD)
+        state = simulation.state(0)
+        aside = state.v_y + vehicle.l_r * state.yaw_rate  # of the centre of mass
+        velocities.append(complex(state.v_x, aside) * np.exp(1j * state.yaw))
+    found = np.abs(np.diff(velocities)) / PERIOD
+    assert 5.0 < found.max() < greatest_acceleration(vehicle)
+
+
+def test_car_that_touches_something_may_turn_quicker_than_by_itself(tmp_path):
+    track = around(tmp_path, 20.0).tracks["robot1"]
+    touching = dataclasses.replace(track, contacts=("wall", *track.contacts[1:]))
+    plan = plan_of(tmp_path, model=VehicleModel.SINGLE_TRACK_DRIFT)
+    assert [*impossible_laps(plan, Record({"robot1": touching}), {"robot1": [3.1]})] == []
 
 
 def test_each_lap_is_looked_at_and_the_first_may_begin_beyond_the_line(tmp_path):

@@ -23,7 +23,7 @@ def start_drivers(
 
 def _start(plan, stage, stop, car) -> Driver:
     if car.driver.python:
-        return PythonDriver(plan, car.name, stop)
+        return PythonDriver(plan, stage, car.name, stop)
     drivers_on_dds()  # says what is missing, if it is
     from f1tenth_judge.drivers.ros2.driver import Ros2Driver
 

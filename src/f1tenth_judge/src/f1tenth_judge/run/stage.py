@@ -13,6 +13,7 @@ import f1tenth_sim2d
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.places.packages import package_path
 from f1tenth_judge.plan.plan import Plan
+from f1tenth_judge.planner import Eye, Picture
 from f1tenth_judge.record.scene import lidar_of
 from f1tenth_judge.scenario.car import Car
 
@@ -102,6 +103,23 @@ class Stage:
             return None
         names = [each.name for each in self.descriptions[car].lidars]
         return lidar, self._simulation.scan(self._ids[car], names.index(lidar.name))
+
+    def eyes(self, car: str) -> list[Eye]:
+        """Of which the cameras of a car are made, in the order of its description."""
+        cameras = self.descriptions[car].cameras.items()
+        return [
+            Eye(camera, *(getattr(eye, part) for part in Eye._fields[1:]))
+            for camera, eyes in cameras
+            for eye in eyes
+        ]
+
+    def look(self, car: str, eye: Eye) -> Picture:
+        """What an eye of a car sees now. The first look reads the files of all that can be seen."""
+        return Picture(*self._simulation.look(self._ids[car], eye.camera, eye.name))
+
+    def look_warning(self) -> str:
+        """What cameras do not see as it is described; empty: nothing."""
+        return self._simulation.view_warning
 
     def imu_samples(self, car: str) -> list[tuple[float, f1tenth_sim2d.CarState]]:
         """What an exact IMU measured in the last period, with the times (s)."""

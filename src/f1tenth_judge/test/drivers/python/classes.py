@@ -3,6 +3,7 @@
 import os
 import sys
 import time
+import zlib
 
 import numpy as np
 from f1tenth_judge.planner import Command
@@ -52,6 +53,36 @@ class Telling(Follower):
                 f"{observation.scan.range_max:g}",
             )
         return super().plan(observation)
+
+
+class Looker:
+    """Says what it sees in its second period."""
+
+    def reset(self, info):
+        self._eyes = info["eyes"]
+
+    def plan(self, observation):
+        if 0.04 < observation.time < 0.06:
+            print([(eye.camera, eye.name, eye.width, eye.height) for eye in self._eyes])
+            print(observation.camera.shape, observation.camera.dtype, zlib.crc32(observation.camera))
+            print(observation.depth.shape, observation.depth.dtype, zlib.crc32(observation.depth))
+            print(zlib.crc32(observation.look(eye="right").depth))
+        return Command(1.0, 0.2)
+
+
+class LooksElsewhere:
+    def plan(self, observation):
+        return Command(observation.look("roof").depth.max(), 0.0)
+
+
+class LooksBack:
+    last = None
+
+    def plan(self, observation):
+        if self.last:
+            self.last.look()
+        self.last = observation
+        return Command(0.0, 0.0)
 
 
 class DiesAtOnce:

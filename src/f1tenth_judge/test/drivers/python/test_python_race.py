@@ -1,5 +1,6 @@
 """Planners that are classes are raced, judged and caught without ROS."""
 
+import zlib
 from pathlib import Path
 
 import psutil
@@ -8,6 +9,7 @@ from f1tenth_judge.drivers.starting import start_drivers
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.plan.race import Race, plan_race
 from f1tenth_judge.run.execute import execute
+from f1tenth_judge.run.stage import DriveCommand, Stage
 from f1tenth_judge.scenario.driver import Driver
 from f1tenth_judge.stop_request import StopRequest
 from result_schema import valid_result
@@ -59,6 +61,32 @@ def test_a_class_is_told_what_a_driver_is_told_and_sees_what_the_car_senses(race
     ]
 
 
+def test_a_class_sees_through_the_cameras_of_its_car_what_the_simulation_draws(race, tmp_path):
+    race("Looker", settings=["limits.timeout=0.1"])
+    stage = Stage(plan_race(Race("circuit1", 1, [Driver(python=f"{CLASSES}:Looker")]), tmp_path / "again"))
+    for _ in range(2):
+        stage.advance()
+        stage.command("robot1", DriveCommand(1.0, 0.2))
+    left, right = (stage.look("robot1", eye) for eye in stage.eyes("robot1"))
+    assert (tmp_path / "log" / "robot1.log").read_text().splitlines() == [
+        "[('stereo_camera', 'left', 672, 376), ('stereo_camera', 'right', 672, 376)]",
+        f"(376, 672, 3) uint8 {zlib.crc32(left.colour)}",
+        f"(376, 672) float32 {zlib.crc32(left.depth)}",
+        f"{zlib.crc32(right.depth)}",
+    ]
+
+
+@pytest.mark.parametrize(("name", "eyes"), [("Follower", []), ("Looker", ["left", "right"])])
+def test_nothing_is_drawn_that_a_class_does_not_look_at(race, monkeypatch, name, eyes):
+    drawn = []
+    look = Stage.look
+    monkeypatch.setattr(
+        Stage, "look", lambda stage, car, eye: drawn.append(eye.name) or look(stage, car, eye)
+    )
+    race(name, settings=["limits.timeout=0.1"])
+    assert drawn == eyes
+
+
 WRONG = {
     "DiesAtOnce": "ended with exit code 1; it raised ValueError: no model weights in /models",
     "Raises": "ended with exit code 1; it raised AttributeError: 'Scan' object has no attribute 'range'",
@@ -69,13 +97,17 @@ WRONG = {
     "NeverReturns": "has not answered within 0.5 s of wall time (limits.answer)",
     "NeverIsReady": "has not answered within 1 s of wall time (limits.load)",
     "ForksAndExits": "ended with exit code 4",
+    "LooksElsewhere": "the car has no camera roof, there are: stereo_camera left, stereo_camera right",
+    "LooksBack": "it raised LookupError: plan() has returned",
     "Absent": "it raised AttributeError: module 'f1tenth_planner' has no attribute 'Absent'",
 }
 
 
 @pytest.mark.parametrize(("name", "reason"), WRONG.items(), ids=list(WRONG))
 def test_a_class_that_goes_wrong_is_named_with_the_reason(race, name, reason):
-    result = race(name, settings=["limits.answer=0.5", "limits.load=1", "limits.timeout=5"])
+    # Short only where it is waited for: a busy machine needs its time for all others.
+    patience = {"NeverReturns": ["limits.answer=0.5"], "NeverIsReady": ["limits.load=1"]}.get(name, [])
+    result = race(name, settings=[*patience, "limits.timeout=5"])
     assert (result["verdict"], result["culprit"]["culprit"]) == ("error", "robot1/planner")
     assert reason in result["reason"]
 

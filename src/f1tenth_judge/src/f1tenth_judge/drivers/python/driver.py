@@ -2,6 +2,7 @@
 
 import contextlib
 import multiprocessing
+import os
 import sys
 import time
 from pathlib import Path
@@ -11,6 +12,7 @@ import numpy as np
 
 import f1tenth_sim2d
 from f1tenth_judge.drivers.python import process
+from f1tenth_judge.drivers.python.pictures import PictureMemory
 from f1tenth_judge.plan.hand_off import given_arguments, offered_arguments
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.planner import Observation, Scan
@@ -30,19 +32,24 @@ _COUNT_INTERVAL = 1.0  # simulated s, between two looks at the commands
 class PythonDriver:
     """Runs a planner in a process of its own, and asks it once per period."""
 
-    def __init__(self, plan: Plan, car: str, stop: StopRequest):
+    def __init__(self, plan: Plan, stage: Stage, car: str, stop: StopRequest):
         """Start the process of a car's planner; its output goes to CAR.log in the plan's log folder."""
-        self._car, self._limits, self._stop = car, plan.scenario.limits, stop
-        self._info = _info(plan, car)
+        self._stage, self._car, self._limits, self._stop = stage, car, plan.scenario.limits, stop
+        self._eyes = stage.eyes(car)
+        self._info = {**_info(plan, car), "eyes": self._eyes}
         self._log = plan.log_folder / f"{car}.log"
         self._watch = CommandWatch([car], self._limits.silence)
         self._accepted, self._refused, self._refusal, self._counted = 0, 0, "", 0.0
         self._problem = ""
+        self._has_looked = False
         self._pipe, theirs = multiprocessing.Pipe()
-        with theirs:
+        with theirs, open(os.memfd_create("pictures"), "rb+", buffering=0) as memory:
+            self._pictures = PictureMemory(memory.fileno(), self._eyes)
             command = [sys.executable, "-m", process.__name__, _planner_of(plan, car)]
-            variables = {process.PIPE: str(theirs.fileno()), "PYTHONUNBUFFERED": "1"}
-            self._tree = ProcessTree(command, self._log, variables, (theirs.fileno(),))
+            descriptors = {process.PIPE: theirs.fileno(), process.PICTURES: memory.fileno()}
+            variables = {name: str(each) for name, each in descriptors.items()}
+            variables["PYTHONUNBUFFERED"] = "1"
+            self._tree = ProcessTree(command, self._log, variables, tuple(descriptors.values()))
 
     def begin(self) -> None:
         """Let it load; see Driver."""
@@ -71,8 +78,9 @@ class PythonDriver:
         return self._failed(problems[0].text, problems[0].stamp) if problems else None
 
     def note(self) -> str:
-        """Nothing; see Driver."""
-        return ""
+        """What its cameras do not see as it is described; see Driver."""
+        warning = self._stage.look_warning() if self._has_looked else ""
+        return f"{self._car}: camera: {warning}" if warning else ""
 
     def close(self) -> None:
         """End its process, and all that it has started."""
@@ -89,14 +97,27 @@ class PythonDriver:
     def _answer(self, patience: float, limit: str) -> bytes:
         """What it answers; empty if it does not within a time (wall s), or is told to stop."""
         deadline = time.monotonic() + patience
-        while not self._pipe.poll(_LOOK_INTERVAL):
-            if self._tree.exit_code() is not None:  # a process that it has forked may keep the pipe open
+        while not (self._problem or self._stop.signal):
+            if self._pipe.poll(_LOOK_INTERVAL):
+                message = self._pipe.recv_bytes(process.ANSWER.size)
+                if len(message) != process.LOOK.size:
+                    return message
+                self._show(*process.LOOK.unpack(message))
+            elif self._tree.exit_code() is not None:  # a process that it has forked may keep the pipe open
                 raise EOFError
             if time.monotonic() >= deadline:
                 self._problem = f"has not answered within {patience:g} s of wall time (limits.{limit})"
-            if self._problem or self._stop.signal:
-                return b""
-        return self._pipe.recv_bytes(process.ANSWER.size)
+        return b""
+
+    def _show(self, index: int) -> None:
+        """Let it see what an eye sees now."""
+        if index >= len(self._eyes):
+            self._problem = f"has asked for the eye {index}, and the car has {len(self._eyes)}"
+            return
+        eye = self._eyes[index]
+        self._pictures.put(eye, self._stage.look(self._car, eye))
+        self._pipe.send_bytes(process.LOOK.pack(index))
+        self._has_looked = True
 
     @contextlib.contextmanager
     def _noting_its_end(self):

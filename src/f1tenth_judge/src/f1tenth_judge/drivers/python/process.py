@@ -1,14 +1,21 @@
 """The process of a planner: python3 -m f1tenth_judge.drivers.python.process FILE:CLASS."""
 
+import dataclasses
 import importlib.util
 import os
 import struct
 import sys
+from collections.abc import Sequence
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
+from f1tenth_judge.drivers.python.pictures import PictureMemory
+from f1tenth_judge.planner import Eye, Observation, Picture
+
 PIPE = "F1TENTH_PLANNER_PIPE"  # environment variable: the file descriptor
+PICTURES = "F1TENTH_PLANNER_PICTURES"  # likewise, of the memory
+LOOK = struct.Struct("B")  # asks for a picture: index of the eye
 ANSWER = struct.Struct("ff")  # speed (m/s) and steering angle (rad), as an AckermannDrive has them
 READY = b"ready"
 _MODULE = "f1tenth_planner"  # by which name a file is imported
@@ -26,6 +33,36 @@ def load(text: str) -> Any:
     sys.modules[_MODULE] = module
     spec.loader.exec_module(module)
     return getattr(module, kind)()
+
+
+class Looks:
+    """The pictures of one period, each asked for once."""
+
+    def __init__(self, pipe: Connection, memory: PictureMemory, eyes: Sequence[Eye]):
+        """Ask through the pipe."""
+        self._pipe, self._memory, self._eyes = pipe, memory, eyes
+        self._seen: dict[int, Picture] = {}
+        self.is_over = False
+
+    def draw(self, camera: str, name: str) -> Picture:
+        """See Observation.look."""
+        index = self._find(camera, name)
+        if index not in self._seen:
+            if self.is_over:
+                raise LookupError(
+                    "plan() has returned: the car does not see any more what this observation is of"
+                )
+            self._pipe.send_bytes(LOOK.pack(index))
+            self._pipe.recv_bytes()
+            self._seen[index] = self._memory.take(self._eyes[index])
+        return self._seen[index]
+
+    def _find(self, camera: str, name: str) -> int:
+        for index, eye in enumerate(self._eyes):
+            if camera in ("", eye.camera) and name in ("", eye.name):
+                return index
+        there = ", ".join(f"{eye.camera} {eye.name}" for eye in self._eyes) or "none"
+        raise LookupError(f"the car has no camera {camera} {name}".rstrip() + f", there are: {there}")
 
 
 def answer_of(command: Any) -> bytes:
@@ -46,15 +83,19 @@ def main() -> None:
     planner = load(sys.argv[1])
     with Connection(int(os.environ[PIPE])) as pipe:
         info = pipe.recv()
+        memory = PictureMemory(int(os.environ[PICTURES]), info["eyes"])
         if hasattr(planner, "reset"):
             planner.reset(info)
         pipe.send_bytes(READY)
         while True:
             try:
-                observation = pipe.recv()
+                observation: Observation = pipe.recv()
             except EOFError:
                 return
-            pipe.send_bytes(answer_of(planner.plan(observation)))
+            looks = Looks(pipe, memory, info["eyes"])
+            answer = answer_of(planner.plan(dataclasses.replace(observation, draw=looks.draw)))
+            looks.is_over = True
+            pipe.send_bytes(answer)
 
 
 if __name__ == "__main__":

@@ -158,10 +158,6 @@ def test_the_worst_case_is_shown_first():
     assert sum("hit" in line for line in scorecard.scorecard(many).splitlines()) == 12
 
 
-def test_the_rate_has_wilson_s_interval():
-    assert scorecard.score(8, 10) == "8 of 10 (80%; 95 % interval 49% to 94%)"
-
-
 def test_a_suite_is_run_counted_and_not_run_again(program, tmp_path, capsys):
     results = tmp_path / "results"
     arguments = ["suite", "safety", "--cases", "late_tf_1,missing_scan_8", "--results", str(results)]
@@ -179,6 +175,15 @@ def test_cases_that_fail_are_the_exit_code(program, tmp_path, capsys):
     arguments = ["suite", "safety", "--cases", "late_tf_1", "--set", "seed=2", "--results", str(tmp_path)]
     assert cli.main(arguments) == 1
     assert "passed:            0 of 1" in capsys.readouterr().out
+
+
+def test_a_road_never_seen_is_driven_by_a_class(tmp_path, capsys):
+    pytest.importorskip("shapely")
+    arguments = ["suite", "roads", "--cases", "3", "--planner", f"{CLASSES}:Follower", "--workers", "1"]
+    assert cli.main([*arguments, "--set", "limits.timeout=0.2", "--results", str(tmp_path)]) == 1
+    out = capsys.readouterr().out
+    assert "passed:            0 of 2 (0%; 95 % interval 0% to 66%)" in out
+    assert out.count("not finished after 0.2 s of simulated time; robot1 ") == 2
 
 
 def test_suites_are_listed(capsys):

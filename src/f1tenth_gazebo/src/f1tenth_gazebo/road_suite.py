@@ -1,4 +1,4 @@
-"""Laps of random roads."""
+"""Laps of random roads, as a suite of f1tenth_judge."""
 
 from pathlib import Path
 

@@ -1,1 +1,0 @@
-"""Suites that need more than f1tenth_judge: its command finds them by their entry points."""

@@ -144,7 +144,7 @@ fuzz: installed ## fuzz the simulator's loaders: make fuzz FUZZ_SECONDS=60 TARGE
 	@cmake --build $(BUILD_DIR)/fuzz -j $(JOBS) -- --no-print-directory
 	@src/f1tenth_sim2d/fuzz/run $(BUILD_DIR)/fuzz $(FUZZ_SECONDS) $(TARGETS)
 
-wheel: installed ## a wheel of the Python package with its libraries: results/*.whl; make wheel PYTHON=python3.13
+wheel: installed ## wheels of simulator and judge: results/*.whl; make wheel PYTHON=python3.13
 	@tools/make_wheel $(BUILD_DIR)/wheel $(OUT)/results $(PYTHON)
 
 clean: ## remove everything that was built

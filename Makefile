@@ -3,12 +3,22 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 COMMANDS := help setup installed configure build race report test docs sanitize tsan coverage lint tidy format pictures bench fuzz wheel clean
-.PHONY: $(COMMANDS) known-circuit
+.PHONY: $(COMMANDS) judged known-circuit
 
-ifneq ($(words $(CURDIR)),1)
+# Where a command fails, GNU make says `*** Error 1` and ends with 2. A race that did not end as expected is no failure of make:
+# as with `make -q`, which runs only lines that begin with `+`, it ends with 1 because a line is left to be run.
+ifeq ($(MAKECMDGOALS),race)
+MAKEFLAGS += -q
+.PHONY: raced
+race: raced
+	$(if $(filter 1,$(shell cat "$(or $(OUT),.)/build/verdict")),@:)
+raced:
+	+@MAKEFLAGS="$${MAKEFLAGS/q/}" $(MAKE) --no-print-directory judged
+
+else ifneq ($(words $(CURDIR)),1)
 # roslaunch and rostest split paths at blanks: work through a link whose path has none.
 LINK := $(or $(XDG_CACHE_HOME),$(HOME)/.cache)/f1tenth_workspace/$(shell pwd | cksum | cut -d ' ' -f 1)
-$(COMMANDS):
+$(COMMANDS) judged:
 	@mkdir -p $(dir $(LINK)) && ln -sfn "$(CURDIR)" $(LINK)
 	@cd $(LINK) && $(MAKE) --no-print-directory CURDIR=$(LINK) $@
 else
@@ -36,7 +46,7 @@ FUZZ_SECONDS ?= 600
 # Whether sources are compiled several at a time: a fresh build takes a third of the processor time, an incremental one up to
 # twice. Decided when the workspace is first configured: ON for CI and for whoever begins with a race or the tests, OFF for a developer who
 # begins with `make build`; `make configure UNITY=OFF` changes it.
-FRESH_UNITY := $(if $(CI)$(filter race test bench report,$(MAKECMDGOALS)),ON,OFF)
+FRESH_UNITY := $(if $(CI)$(filter race judged test bench report,$(MAKECMDGOALS)),ON,OFF)
 UNITY ?= $(if $(wildcard $(BUILD_DIR)/CMakeCache.txt),,$(FRESH_UNITY))
 # What tools/setup is told: --yes lets it use sudo without asking.
 SETUP ?=
@@ -86,9 +96,13 @@ build: installed $(CONFIGURED) ## build the workspace
 RACE = $(if $(PLANNER),race "$(CIRCUIT)" --planner "$(PLANNER)" --laps $(LAPS) $(addprefix --interface ,$(INTERFACE)),run "$(CIRCUIT)")
 
 # A planner of somebody else may lie in an overlay that has been sourced: --extend leaves it there.
-race: EXTEND = $(if $(PLANNER),--extend)
-race: known-circuit build ## one headless race, judged: make race CIRCUIT=circuit3 PLANNER=my.launch
-	@$(IN_WORKSPACE) exec rosrun f1tenth_scenarios scenario $(RACE) --report $(if $(WATCH),--watch)
+judged: EXTEND = $(if $(PLANNER),--extend)
+judged: known-circuit build
+	@$(IN_WORKSPACE) { rosrun f1tenth_scenarios scenario $(RACE) --report $(if $(WATCH),--watch); echo $$? > "$(BUILD_DIR)/verdict"; } && \
+	  grep -q '^[01]$$' "$(BUILD_DIR)/verdict" || exit 2
+
+race: judged ## one headless race, judged: make race CIRCUIT=circuit3 PLANNER=my.launch
+	@exit $$(cat "$(BUILD_DIR)/verdict")
 
 # Refused before minutes of building. An overlay may bring circuits of its own, which only the command that races can find.
 known-circuit:

@@ -1,14 +1,10 @@
 """Planners of f1tenth_gym as planners of the judge.
 
-    from f1tenth_judge.gym_planner import adapted
-    from my_planner import FollowTheGap
-
-    Judged = adapted(FollowTheGap)  # --planner judged.py:Judged
+    Judged = adapted(FollowTheGap)  # in judged.py, for --planner judged.py:Judged
 
 `plan(obs)` gets the dictionary that `env.step` gives for one car, and answers what `env.step` takes for it.
 """
 
-import functools
 import math
 from collections.abc import Mapping
 from typing import Any, Callable
@@ -22,44 +18,36 @@ from f1tenth_judge.planner import Command, Observation
 _REAR = f1tenth_sim2d.VehicleParameters().l_r  # m, from the rear axle to the centre of mass, whose pose it is
 
 
-def adapted(make: Callable[[], Any], features: bool = False, speed_first: bool = False) -> Callable[[], Any]:
+def adapted(make: Callable[[], Any], features: bool = False, speed_first: bool = False) -> type:
     """What the judge makes a planner of.
 
     Args:
         make: the class of the planner, which is made without arguments
-        features: whether it reads the features of version 1.0, `obs["agent_0"]["scan"]`, rather than the
-            original observation, `obs["scans"][0]`
+        features: whether it reads `obs["agent_0"]["scan"]` of version 1.0, not the original `obs["scans"][0]`
         speed_first: whether it answers (speed, steering angle), as the example waypoint_follow does, rather
             than (steering angle, speed); m/s and rad
     """
-    return functools.partial(_Adapted, make, features_of if features else original_of, speed_first)
 
+    class Adapted:
+        def __init__(self):
+            self._planner = make()
 
-class _Adapted:
-    def __init__(self, make: Callable[[], Any], read: Callable[[Observation], Mapping], speed_first: bool):
-        self._planner, self._read, self._speed_first = make(), read, speed_first
+        def plan(self, observation: Observation) -> Command:
+            seen = features_of(observation) if features else original_of(observation)
+            first, second = np.ravel(self._planner.plan(seen))
+            return Command(first, second) if speed_first else Command(second, first)
 
-    def plan(self, observation: Observation) -> Command:
-        first, second = np.ravel(self._planner.plan(self._read(observation)))
-        return Command(first, second) if self._speed_first else Command(second, first)
+    return Adapted
 
 
 def features_of(observation: Observation) -> Mapping[str, Any]:
     """The features of version 1.0: SI units; nothing was hit where a range is the greatest one."""
     (x, y, yaw), (ahead, left, rate), scan = observation.pose, observation.velocity, observation.scan
-    numbers = {
-        "pose_x": x + _REAR * math.cos(yaw),
-        "pose_y": y + _REAR * math.sin(yaw),
-        "pose_theta": yaw,
-        "linear_vel_x": ahead,
-        "linear_vel_y": left + _REAR * rate,
-        "ang_vel_z": rate,
-        "delta": observation.steering_angle,
-        "beta": math.atan2(left + _REAR * rate, ahead),
-        "collision": 0.0,
-        "lap_time": observation.time,
-        "lap_count": 0.0,
-    }
+    left += _REAR * rate
+    numbers = {"pose_x": x + _REAR * math.cos(yaw), "pose_y": y + _REAR * math.sin(yaw), "pose_theta": yaw}
+    numbers |= {"linear_vel_x": ahead, "linear_vel_y": left, "ang_vel_z": rate}
+    numbers |= {"delta": observation.steering_angle, "beta": math.atan2(left, ahead)}
+    numbers |= {"collision": 0.0, "lap_time": observation.time, "lap_count": 0.0}
     seen = {} if scan is None else {"scan": np.minimum(scan.ranges, np.float32(scan.range_max))}
     return {"agent_0": {**seen, **{name: np.float32(value) for name, value in numbers.items()}}}
 

@@ -109,6 +109,12 @@ class TestSave:
         plan = make_plan(str(folder / name))
         assert plan.cars["robot1"].driver.path == folder / "with.launch"
 
+    def test_names_a_class_from_where_the_file_is(self, folder):
+        (folder / "mine.py").touch()
+        assert drivers(saved(folder, "circuit1", "--planner", "mine.py:Mine")) == [{"python": "mine.py:Mine"}]
+        plan = make_plan(str(folder / "race.yaml"))
+        assert plan.cars["robot1"].driver.path == folder / "mine.py"
+
     def test_names_a_world_that_was_given_by_its_name_by_that(self, folder):
         assert saved(folder, "circuit1")["world"] == "circuit1"
         path = lookup.world_file("circuit1", folder)

@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Optional
@@ -119,11 +120,12 @@ def file_or_text(text: str, beside: Path) -> str:
 def portable(text: str, beside: Path) -> str:
     """The file that a path names as a scenario file on any machine would: in a package, else from `beside`.
 
-    A text that is not the absolute path of a file stays as it is.
+    FILE.py:CLASS is such a path, too. A text that is not the absolute path of a file stays as it is.
     """
-    if not (text.startswith("/") and _is_file(Path(text))):
+    name, kind = re.fullmatch(r"(.*?)((?<=\.py):\w+)?", text, re.DOTALL).groups("")  # type: ignore[union-attr]
+    if not (name.startswith("/") and _is_file(Path(name))):
         return text
-    return _package_uri(Path(text)) or relative(Path(text), beside)
+    return (_package_uri(Path(name)) or relative(Path(name), beside)) + kind
 
 
 def relative(file: Path, beside: Path) -> str:

@@ -14,7 +14,7 @@ _SUITE = "f1tenth compare"
 
 
 def compare(options) -> int:
-    """Compare results with those of another commit."""
+    """Compare results with those of another commit or planner."""
     tolerance = Tolerance(
         _number("--lap-time", options.lap_time, r"\+?(\d+(?:\.\d+)?) ?%", "+N%, as in +2%", 0.01),
         _number("--clearance", options.clearance, r"-?(\d+(?:\.\d+)?)", "-M, as in -0.02", 1.0),

@@ -71,12 +71,13 @@ def _sweep(options, settings: list[str], folder: Path):
 
 def _write(name: str, sweep, folder: Path, passed: int) -> None:
     # Imported late: scipy takes longer than everything else that the command does.
-    from f1tenth_judge.suites.scorecard import score, scorecard
+    from f1tenth_judge.results.intervals import Rate
+    from f1tenth_judge.suites.scorecard import scorecard
 
     rows = [{"case": job.folder.name, **row} for job, row in sweep.rows_of_jobs()]
     table = folder / _TABLE_FILE
     with writing(table):
         write_table(table, rows)
-    for key, value in (("suite", name), ("passed", score(passed, len(rows))), ("table", table)):
+    for key, value in (("suite", name), ("passed", Rate(passed, len(rows))), ("table", table)):
         print(f"{key + ':':19}{value}")
     print(scorecard(rows))

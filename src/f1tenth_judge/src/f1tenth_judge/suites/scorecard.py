@@ -1,18 +1,10 @@
-"""What came out of a suite: how many cases passed, and the worst of them."""
+"""What came out of a suite: its worst cases."""
 
 import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from scipy.stats import binomtest
-
 _SHOWN = 10  # cases
-
-
-def score(passed: int, count: int) -> str:
-    """How many passed, and between which rates the truth is with 95 % confidence (Wilson's interval)."""
-    low, high = binomtest(passed, count).proportion_ci(method="wilson")
-    return f"{passed} of {count} ({passed / count:.0%}; 95 % interval {low:.0%} to {high:.0%})"
 
 
 def worst_first(rows: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:

@@ -114,3 +114,77 @@ def test_broken_result_is_named(results, tmp_path, capsys):
     (tmp_path / "base" / "one" / "result.json").write_text("{", encoding="utf-8")
     assert cli.main(["compare", folder, folder]) == 2
     assert "one/result.json: not a result that can be read: " in capsys.readouterr().err
+
+
+def driven_by(planner):
+    return {"cars": {"robot1": {"planner": planner, "lap_times": [9.5], "goals_passed": []}}}
+
+
+def test_any_two_runs_are_compared_and_their_planners_named(results, capsys):
+    base = results("base", mine=driven_by("/home/me/gap.py:Gap") | lap(10.0))
+    head = results("head", theirs=driven_by("race") | lap(9.0))
+    assert cli.main(["compare", f"{base}/mine", f"{head}/theirs"]) == 0
+    line = capsys.readouterr().out.splitlines()[1]
+    assert line.startswith("mine -> theirs (gap.py:Gap -> race)  success  10.000 s -> 9.000 s  ")
+
+
+def seeds(count, changes=lambda seed: {}):
+    return {f"seed={seed},mu=0.5": {"seed": seed, **changes(seed)} for seed in range(count)}
+
+
+def failing(number):
+    return lambda seed: failed() if seed < number else {}
+
+
+@pytest.mark.parametrize(
+    ("base", "head", "options", "said"),
+    [
+        (failing(0), failing(0), (), None),
+        (failing(0), failing(2), (), None),
+        (failing(0), failing(6), (), "passed 14 of 20 (70%; 95 % interval 48% to 85%) instead of 20 of 20 ("),
+        (failing(6), failing(0), (), None),
+        # A tenth of a second more in each pair, however much the laps of the seeds differ.
+        (lambda seed: lap(10.0 + seed), lambda seed: lap(10.1 + seed), (), None),
+        (lambda seed: lap(10.0 + seed), lambda seed: lap(10.1 + seed), ("--lap-time", "+2%"), None),
+        (
+            lambda seed: lap(10.0 + seed),
+            lambda seed: lap(10.1 + seed),
+            ("--lap-time", "+0%"),
+            "lap time +0.100 s, 95 % interval +0.100 to +0.100 s, may be +0.000 s",
+        ),
+        # Slower on average, but no more than by chance.
+        (lambda seed: lap(10.0), lambda seed: lap(10.1 + (-1) ** seed), ("--lap-time", "+0%"), None),
+        (
+            lambda seed: {},
+            lambda seed: {"minimum_clearance": 0.2 + 0.001 * (seed % 2)},
+            ("--clearance", "-0.02"),
+            "clearance -0.049 m, 95 % interval -0.050 to -0.049 m, may be -0.020 m",
+        ),
+    ],
+)
+def test_runs_of_several_seeds_are_judged_by_intervals(results, capsys, base, head, options, said):
+    before, after = results("base", **seeds(20, base)), results("head", **seeds(20, head))
+    assert cli.main(["compare", before, after, *options]) == (1 if said else 0)
+    out = capsys.readouterr().out
+    assert out.splitlines()[1].startswith("mu=0.5  ")
+    assert (said or "as good") in out
+    assert out.endswith(f"{1 if said else 0} of 1 scenarios became worse\n")
+
+
+def test_other_seeds_are_compared_as_independent_runs(results, capsys):
+    others = {f"seed={seed}": {"seed": seed, **lap(10.0 + 0.1 * (seed % 3))} for seed in range(9)}
+    slower = {f"seed={seed}": {"seed": seed, **lap(11.0 + 0.1 * (seed % 3))} for seed in range(50, 56)}
+    assert (
+        cli.main(["compare", results("base", **others), results("head", **slower), "--lap-time", "+5%"]) == 1
+    )
+    out = capsys.readouterr().out
+    assert "all seeds" in out
+    assert "lap time +1.000 s, 95 % interval +0.897 to +1.103 s, may be +0.505 s" in out
+
+
+def test_one_run_beside_several_is_compared_by_its_rate_alone(results, capsys):
+    assert (
+        cli.main(["compare", results("base", **seeds(1)), results("head", **seeds(5)), "--lap-time", "+0%"])
+        == 0
+    )
+    assert "1 of 1 (100%; 95 % interval 21% to 100%) -> 5 of 5 (100%; " in capsys.readouterr().out

@@ -15,8 +15,9 @@ from f1tenth_judge.places import lookup
 from f1tenth_judge.record.observations import Failure
 from f1tenth_judge.record.record import COLUMNS, Record
 from f1tenth_judge.record.replay import Poses
-from f1tenth_judge.scenario.car import Pose
+from f1tenth_judge.scenario.car import Car, Pose
 from f1tenth_judge.scenario.criteria import Criteria
+from f1tenth_judge.scenario.driver import Driver
 from f1tenth_judge.scenario.scenario import Verdict
 from scenario_samples import record, rows, scenario
 
@@ -114,6 +115,38 @@ def test_criterion_with_a_limit(tmp_path, criterion, limit, measured, said):
     wanted = scenario(criteria=Criteria(**{criterion.__name__: limit}))
     found = criterion(wanted, judged(tmp_path, table), Measured(**measured))
     assert found == Criterion(criterion.__name__, *said)
+
+
+@pytest.mark.parametrize(("driver", "status"), [("race", FAILED), ("pursuit", NOT_JUDGED)])
+def test_limits_of_the_reference_planner_are_for_it_alone(tmp_path, driver, status):
+    limits = Criteria(
+        minimum_clearance=0.6, lap_time=8.0, standstill=0.1, of_reference=("minimum_clearance", "lap_time")
+    )
+    cars = (Car("robot1", driver=Driver.short_forms()[driver]),)
+    wanted = dataclasses.replace(scenario(criteria=limits), cars=cars)
+    run, measured = judged(tmp_path, rows(4.0)), Measured(lap_times={"robot1": [10.4]})
+    found = [each(wanted, run, measured) for each in (driving.minimum_clearance, driving.lap_time)]
+    assert [(each.status, each.actual, each.limit) for each in found] == [
+        (status, 0.5, 0.6),
+        (status, 10.4, 8.0),
+    ]
+    of_reference = (
+        found[1].reason == "lap 1 of robot1 took 10.400 s; the limit is that of the reference planner"
+    )
+    assert of_reference == (status is NOT_JUDGED)
+    assert driving.standstill(wanted, run, measured).status is PASSED
+    assert driving.lap_time(wanted, run, Measured()).status is status
+
+
+def test_one_of_something_is_no_plural():
+    found = [verdict_criteria.collision, verdict_criteria.goals_in_order]
+    run = decided(Verdict.SUCCESS, passes={"robot1": GoalPasses([Pose(0.0, 0.0)], 0.5, 0.8)})
+    assert [each(scenario(), run, Measured()).comparison for each in found] == [
+        "0 contacts, limit 0 contacts",
+        "0 goals, limit 1 goal",
+    ]
+    expected = verdict_criteria.collision(scenario(Verdict.COLLISION), run, Measured())
+    assert expected.comparison == "0 contacts, limit at least 1 contact"
 
 
 def test_clearance_of_nothing():

@@ -209,6 +209,11 @@ ANSWERS = {
         "expected: error",
         "FILE:1: culprit is missing; an expected error must say whose it is",
     ),
+    "limit of the reference that is not given": (
+        "seed: 1",
+        "seed: 1\ncriteria: {lap_time: 8, of_reference: [lap_time, standstill]}",
+        "FILE:10: criteria.of_reference has 'standstill', must be limits that are given: lap_time",
+    ),
     "culprit of no error": (
         "seed: 1",
         "seed: 1\nculprit: robot1/move_base",

@@ -8,7 +8,7 @@ import rospkg
 from f1tenth_judge.places import lookup
 from f1tenth_judge.plan.participants import participants
 from f1tenth_judge.plan.planning import make_plan
-from f1tenth_judge.scenario.scenario import Localization
+from f1tenth_judge.scenario.scenario import Localization, Verdict
 from f1tenth_scenarios.launch.launch_file import launch_command, write_launch_file
 from roslib.packages import find_resource
 
@@ -44,6 +44,12 @@ def test_each_has_its_rostest_file(name):
     (file,) = find_resource(lookup.PACKAGE, f"{name}.test")
     assert rospkg.get_package_name(file) == lookup.PACKAGE
     assert f'args="{name}"' in Path(file).read_text(encoding="utf-8")
+
+
+def test_any_planner_has_the_time_of_a_lap_with_a_metre_per_second(plan):
+    laps = plan.course and plan.scenario.expected is Verdict.SUCCESS and plan.scenario.laps
+    if laps and all(car.goals in (None, plan.scenario.world) for car in plan.scenario.cars):
+        assert plan.scenario.limits.timeout >= 30.0 + laps * plan.course.length / 1.0
 
 
 def test_launch_file_starts_what_the_scenario_says(plan):

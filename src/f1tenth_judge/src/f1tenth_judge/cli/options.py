@@ -59,9 +59,9 @@ def planner_settings(options) -> list[str]:
     check_planner_options(options)
     if options.planner and options.ros2:
         raise ScenarioError("--ros2 is given beside --planner; one planner drives in all scenarios")
-    if options.ros2:
-        return [planner_setting(planner) for planner in ros2_planners([options.ros2], options)]
-    return [planner_setting(planner_of(options.planner, options))] if options.planner else []
+    planners = ros2_planners([options.ros2], options) if options.ros2 else []
+    planners += [planner_of(options.planner, options)] if options.planner else []
+    return [planner_setting(planner) for planner in planners]
 
 
 def ros2_planners(commands: Sequence[str], options) -> list[Driver]:

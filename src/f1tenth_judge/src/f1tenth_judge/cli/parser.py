@@ -82,6 +82,9 @@ def _add_run(commands: _Subparsers) -> None:
     command.add_argument("--planner", metavar="LAUNCH", help=f"drive with it instead of ours: {_PLANNER}")
     command.add_argument("--ros2", metavar="COMMAND", help=f"drive with it instead of ours: {_ROS2}")
     _add_planner(command)
+    command.add_argument(
+        "--reference-limits", action="store_true", help="judge by the limits of our planner, too"
+    )
     _add_run_options(command, "write to FOLDER/NAME")
 
 
@@ -200,10 +203,10 @@ def _add_reference(commands: _Subparsers) -> None:
 
 
 def _add_compare(commands: _Subparsers) -> None:
-    text = "compare results with those of another commit; exit code 1 if something became worse"
+    text = "compare runs with those of another commit or planner; exit code 1 if something became worse"
     command = _command(commands, "compare", compare, text)
-    command.add_argument("base", type=Path, metavar="BASE", help="results folder to compare with")
-    command.add_argument("head", type=Path, metavar="HEAD", help="results folder that is compared")
+    command.add_argument("base", type=Path, metavar="BASE", help="results folder or run to compare with")
+    command.add_argument("head", type=Path, metavar="HEAD", help="results folder or run that is compared")
     command.add_argument(
         "--lap-time", metavar="+N%", help="how much slower the best lap may be; default: not compared"
     )

@@ -31,6 +31,8 @@ def run(options) -> int:
     """Run scenarios."""
     _check(options)
     settings = [*options.set, *planner_settings(options)]
+    if options.reference_limits:
+        settings.append("criteria.of_reference=[]")
     if options.repeat is not None:
         if len(options.names) != 1:
             raise ScenarioError(_REPEAT)

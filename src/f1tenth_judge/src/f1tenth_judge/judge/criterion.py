@@ -9,6 +9,8 @@ from f1tenth_judge.judge.road import Excursion
 from f1tenth_judge.record.replay import Poses
 from f1tenth_judge.scenario.scenario import Scenario, Verdict
 
+_SINGULAR = {"contacts": "contact", "goals": "goal"}
+
 
 @dataclasses.dataclass(frozen=True)
 class Measured:
@@ -50,7 +52,8 @@ class Criterion:
         if value is None:
             return "none"
         number = f"{round(value, 3):g}" if isinstance(value, float) else str(value)
-        return f"{number} {self.unit}".rstrip()
+        unit = _SINGULAR.get(self.unit, self.unit) if number.split()[-1:] == ["1"] else self.unit
+        return f"{number} {unit}".rstrip()
 
 
 def status_of(met: bool) -> Status:
@@ -67,7 +70,9 @@ def compared(
     text: str,
     missing: str = "nothing was recorded",
 ) -> Criterion:
-    """Compare a measure with the limit of its name; not judged where a crash or an error is expected.
+    """Compare a measure with the limit of its name.
+
+    Not judged where a crash or an error is expected, or another planner drives than the one of the limit.
 
     `worst`: the measure, followed by what else `text` names (`{0}` is the measure); None if nothing was
     measured.
@@ -76,6 +81,8 @@ def compared(
     limit, actual = getattr(scenario.criteria, name), worst[0] if worst else None
     if scenario.expected in (Verdict.COLLISION, Verdict.ERROR):
         return Criterion(name, Status.NOT_JUDGED, actual, limit, unit, "a failure is expected")
-    if worst is None:
-        return Criterion(name, Status.FAILED, None, limit, unit, missing)
-    return Criterion(name, status_of(is_met(actual, limit)), actual, limit, unit, text.format(*worst))
+    said = text.format(*worst) if worst else missing
+    if name in scenario.limits_of_reference:
+        said = f"{said}; the limit is that of the reference planner"
+        return Criterion(name, Status.NOT_JUDGED, actual, limit, unit, said)
+    return Criterion(name, status_of(worst is not None and is_met(actual, limit)), actual, limit, unit, said)

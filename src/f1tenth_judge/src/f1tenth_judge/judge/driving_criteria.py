@@ -1,4 +1,4 @@
-"""Criteria of how the cars drove; not judged where a crash or an error is expected."""
+"""Criteria of how the cars drove."""
 
 import operator
 from collections.abc import Iterator

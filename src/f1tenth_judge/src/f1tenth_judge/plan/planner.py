@@ -16,7 +16,6 @@ from f1tenth_judge.scenario.scenario import Scenario, Verdict
 from f1tenth_judge.yaml_files.schema import read
 
 PLANNER = "planner"  # what settings call it
-_OURS = "race"
 
 
 def planner_setting(planner: Driver) -> str:
@@ -44,14 +43,14 @@ def with_planner(scenario: Scenario, node: yaml.Node, beside: Path) -> Scenario:
     _require_sense(scenario, file)
     circuit = _circuit(scenario, beside)
     cars = (
-        _replaced(scenario, car, planner, file, circuit) if car.driver.name == _OURS else car
+        _replaced(scenario, car, planner, file, circuit) if car.driver.is_reference else car
         for car in scenario.cars
     )
     return dataclasses.replace(scenario, cars=tuple(cars))
 
 
 def _require_sense(scenario: Scenario, file: DriverFile) -> None:
-    ours = [car.name for car in scenario.cars if car.driver.name == _OURS]
+    ours = [car.name for car in scenario.cars if car.driver.is_reference]
     if not ours:
         raise NotApplicableError("no car of it is driven by our planner")
     for fault in scenario.faults:

@@ -101,6 +101,7 @@ def summary(result: Result, plan: Plan) -> str:
         ("real-time factor", _unit(result.measured.real_time_factor, "", 1)),
         ("cost", f"{_unit(result.cost, 's', 1)} besides simulating"),
         *_failed_criteria(result),
+        *_limits_of_reference(result),
         *_culprit_log(result),
         ("result", str(result.folder / RESULT_FILE)),
         *_picture(result),
@@ -189,6 +190,12 @@ def _failed_criteria(result):
     for criterion in result.criteria:
         if criterion.status is Status.FAILED:
             yield "failed", f"{criterion.name}: {criterion.comparison}"
+
+
+def _limits_of_reference(result):
+    for criterion in result.criteria:
+        if criterion.name in result.scenario.limits_of_reference:
+            yield "of the reference", f"{criterion.name}: {criterion.comparison}; not judged"
 
 
 def _culprit_log(result):

@@ -3,7 +3,9 @@
 import dataclasses
 from typing import Optional
 
-from f1tenth_judge.yaml_files.schema import key
+from f1tenth_judge.yaml_files.schema import Problem, key
+
+_OF_REFERENCE = ("minimum_clearance", "lap_time", "lateral_acceleration", "standstill")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -57,3 +59,18 @@ class Criteria:
     real_time_factor: Optional[float] = key(
         "Least simulated seconds per wall second; depends on the machine.", above=0, default=None
     )
+    of_reference: tuple[str, ...] = key(
+        "Which of minimum_clearance, lap_time, lateral_acceleration and standstill are those of `race`:"
+        " of another planner they are reported, not judged.",
+        default=(),
+    )
+
+    def problem(self) -> Problem:
+        """What is wrong between the keys: the key and the text, or nothing."""
+        given = [name for name in _OF_REFERENCE if getattr(self, name) is not None]
+        if others := [name for name in self.of_reference if name not in given]:
+            return (
+                "of_reference",
+                f"has '{others[0]}', must be limits that are given: {', '.join(given) or 'none'}",
+            )
+        return None

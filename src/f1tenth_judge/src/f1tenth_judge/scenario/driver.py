@@ -8,6 +8,7 @@ from typing import Any
 from f1tenth_judge.yaml_files.schema import Problem, key
 
 _KINDS = {"launch": "launch file of ROS 1", "ros2": "command of ROS 2", "python": "Python class"}
+REFERENCE = "race"  # the planner that drives where none is named
 _OWN = "package://f1tenth_scenarios/launch/drivers"
 
 
@@ -67,7 +68,7 @@ class Driver:
     def short_forms(cls) -> dict[str, "Driver"]:
         """The drivers that we bring, by the names that stand for them."""
         return {
-            "race": cls(f"{_OWN}/move_base.launch"),
+            REFERENCE: cls(f"{_OWN}/move_base.launch"),
             "pursuit": cls(f"{_OWN}/pure_pursuit.launch"),
             "commands": cls(f"{_OWN}/commands.launch"),
             "gap_follower": cls(f"{_OWN}/gap_follower.launch"),
@@ -83,6 +84,11 @@ class Driver:
     def is_ours(self) -> bool:
         """Whether it is one that we bring: it knows the topics of the F1/10 car, whatever it drives."""
         return self.launch.startswith(_OWN)
+
+    @property
+    def is_reference(self) -> bool:
+        """Whether it is the planner that scenarios are written for."""
+        return self.name == REFERENCE
 
     @property
     def name(self) -> str:

@@ -188,6 +188,11 @@ class Scenario:
         return None
 
     @property
+    def limits_of_reference(self) -> tuple[str, ...]:
+        """Names of the criteria that are only reported, because another planner drives than theirs."""
+        return () if any(car.driver.is_reference for car in self.cars) else self.criteria.of_reference
+
+    @property
     def has_events(self) -> bool:
         """Whether something is to be done during the run."""
         return bool(self.faults) or any(box.pushes for box in self.boxes)

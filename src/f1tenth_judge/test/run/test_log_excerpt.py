@@ -34,6 +34,12 @@ def test_traceback_is_quoted_by_the_last_frame_of_the_planner():
     assert quoted(lines) == ["before", HEAD, *OWN, EXCEPTION, "after"]
 
 
+def test_package_in_a_workspace_of_ros_2_is_the_planners_own():
+    script = frame("/ws/install/my_package/lib/my_package/planner", "sys.exit(load_entry_point(...)())")
+    own = frame("/ws/install/my_package/lib/python3.10/site-packages/my_package/gap.py")
+    assert quoted([HEAD, *script, *NUMPY, *own, *NUMPY, EXCEPTION]) == [HEAD, *own, EXCEPTION]
+
+
 def test_traceback_is_quoted_however_much_is_said_later():
     later = [f"still here {number}" for number in range(20)]
     assert quoted([*later, HEAD, *OWN, EXCEPTION, *later]) == [HEAD, *OWN, EXCEPTION, *later[:6]]

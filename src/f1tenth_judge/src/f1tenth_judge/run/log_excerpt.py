@@ -9,7 +9,8 @@ from typing import Optional
 LINE_COUNT = 10  # at most, of what is quoted
 TRACEBACK = "Traceback (most recent call last)"
 _FRAME = '  File "'
-_NOT_ITS_OWN = re.compile(r'  File "([^"]*/lib/python3[.\d]*/|<frozen )')  # installed packages, and Python's
+# Installed packages, and Python's; but colcon installs a workspace of ROS 2 in its folder install.
+_NOT_ITS_OWN = re.compile(r'  File "((?!/[^"]*/install/)[^"]*/lib/python3[.\d]*/|<frozen )')
 _CHATTER = re.compile(r"\[(rospy\.[\w.]+|xmlrpc)\]\[INFO\] ")  # of rospy about itself
 _EXCEPTION = re.compile(r"[A-Za-z_][\w.]*(: |:?$)")
 _ESCAPE = re.compile(r"\x1b\[[0-9;]*m|\x1b\]2;[^\x07]*\x07")

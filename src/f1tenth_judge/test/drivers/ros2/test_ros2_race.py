@@ -49,7 +49,7 @@ def test_each_planner_hears_its_own_car_and_sees_the_other(race, tmp_path):
 
 
 WRONG = {
-    "ends_at_once": "ended with exit code 0",
+    "ends_at_once": "ended with exit code 0; its last words: nothing to do",
     "dies_at_once": "ended with exit code 1; it raised ValueError: no model weights in /models",
     "raises_in_callback": "exit code 1; it raised AttributeError: 'LaserScan' object has no attribute",
     "is_silent": "has sent no command at all for 2 s of simulated time (limits.silence); no node of it",

@@ -3,7 +3,8 @@
 import contextlib
 import os
 import shlex
-from collections.abc import Iterator
+import textwrap
+from collections.abc import Iterator, Sequence
 from typing import Optional
 
 import f1tenth_sim2d
@@ -11,6 +12,7 @@ from f1tenth_judge.drivers.proxy_driver import ProxyDriver
 from f1tenth_judge.drivers.ros2.car_topics import CarTopics
 from f1tenth_judge.drivers.ros2.connection import Connection
 from f1tenth_judge.drivers.ros2.isolation import child_environment, private_domain
+from f1tenth_judge.drivers.ros2.launch_output import dead_processes, output_of_raiser
 from f1tenth_judge.drivers.ros2.planner_view import PlannerView
 from f1tenth_judge.drivers.ros2.why_mute import NO_CLOCK, ignores_clock, mismatched, why_mute
 from f1tenth_judge.errors import MismatchError, NotAtRestError
@@ -29,6 +31,7 @@ from f1tenth_judge.stop_request import StopRequest
 _MARK = "F1TENTH_DRIVER"  # in the environment of the planner's processes
 _NOT_AT_REST = "has not come to rest within {:g} s of wall time (limits.answer)"
 _GRACE = 4.0  # wall s, to end after SIGINT
+_WIDTH = 200  # characters, of its last words
 _COUNT_INTERVAL = 1.0  # simulated s, between two looks at the commands
 
 
@@ -58,6 +61,9 @@ class Ros2Driver:
             mark = f"{car} of {plan.folder}"
             variables = {
                 "PYTHONUNBUFFERED": "1",
+                "ROS_LOG_DIR": str(plan.log_folder),
+                # `ros2 launch` keeps what a node says from its own output unless the launch file asks for it.
+                "OVERRIDE_LAUNCH_PROCESS_OUTPUT": "screen",
                 **variables_of(plan.scenario, os.environ),
                 **child_environment(domain),
                 _MARK: mark,
@@ -107,14 +113,15 @@ class Ros2Driver:
             self._counted = time
             self._watch.take(CommandCount(time, self._car, self._accepted, self._refused, self._refusal))
         for problem in self._watch.problems(set()):
-            reasons = why_mute(self._connection) if problem.is_mute else []
-            return self._failed("; ".join([problem.text, *reasons]), problem.stamp)
+            clues = why_mute(self._connection) if problem.is_mute else []
+            return self._failed(problem.text, problem.stamp, clues)
         return None
 
     def note(self) -> str:
         """What does not fit, and did not keep it from driving."""
         found = mismatched(self._connection)
         found += [NO_CLOCK] if ignores_clock(self._connection) else []
+        found += dead_processes(last_lines(self._log))
         if self._topics.initial_poses:
             found.append("/initialpose moves no car in a judged run")
         return "; ".join(f"{self._car}: {each}" for each in found)
@@ -134,11 +141,15 @@ class Ros2Driver:
     def _has_ended(self, stop: StopRequest) -> bool:
         return bool(stop.signal) or self._tree.exit_code() is not None
 
-    def _failed(self, reason: str, time: float) -> Failure:
-        lines = last_lines(self._log)
-        raised = exception_in(lines)
-        why = f"{reason}; it raised {raised}" if raised else reason
-        return Failure(f"{self._car}/planner", why, str(self._log), tuple(quoted(lines)), time)
+    def _failed(self, reason: str, time: float, clues: Sequence[str] = ()) -> Failure:
+        lines = output_of_raiser(last_lines(self._log))
+        why = [reason, *dead_processes(lines)]
+        if raised := exception_in(lines):
+            why.append(f"it raised {raised}")
+        elif lines and why == [reason] and self._tree.exit_code() is not None:
+            why.append(f"its last words: {textwrap.shorten(lines[-1], _WIDTH)}")
+        why += clues
+        return Failure(f"{self._car}/planner", "; ".join(why), str(self._log), tuple(quoted(lines)), time)
 
 
 def _time_to_load(plan: Plan) -> float:

@@ -2,8 +2,10 @@
 
 import logging
 import os
+from pathlib import Path
 from typing import TYPE_CHECKING
 
+import rospkg
 from f1tenth_judge.errors import MismatchError
 from f1tenth_judge.plan.pins import variables_of
 from f1tenth_judge.plan.plan import Plan
@@ -44,10 +46,21 @@ def _run(plan: Plan, stop: StopRequest, progress: Progress) -> Result:
         "ROS_LOG_DIR": str(plan.log_folder),
         "ROSCONSOLE_FORMAT": _CONSOLE_FORMAT,
         "PYTHONUNBUFFERED": "1",
+        "ROS_HOME": _ros_home(plan),
         **variables_of(plan.scenario, os.environ),
     }
     command = launch_command(plan.launch_file)
     return execute(plan, command, environment, lambda: _watch(plan), stop, progress, process_start())
+
+
+def _ros_home(plan: Plan) -> str:
+    """The folder in which roslaunch starts nodes: the usual one, unless it cannot be made (a full disk)."""
+    usual = Path(rospkg.get_ros_home())
+    try:
+        usual.mkdir(parents=True, exist_ok=True)
+    except OSError:
+        return str(plan.log_folder)
+    return str(usual)
 
 
 def _watch(plan: Plan) -> "RosWatch":
@@ -57,6 +70,8 @@ def _watch(plan: Plan) -> "RosWatch":
 
     # It would complain of nodes that ended while they asked something.
     logging.getLogger("xmlrpc").addHandler(logging.NullHandler())
+    # Where the others log as well: rospy raises where it cannot make its file.
+    os.environ["ROS_LOG_DIR"] = str(plan.log_folder)
     # Before anything sets use_sim_time, because this node lives in wall time.
     rospy.init_node("scenario", anonymous=True, disable_signals=True, disable_rosout=True)
     return RosWatch(plan)

@@ -26,6 +26,7 @@ def test_success_is_written_with_all_that_was_measured(tmp_path):
             "lap_times": [3.0],
             "goals_passed": [0.5, 1.5, 2.5],
             "finish": 2.5,
+            "channels": {},
         }
     }
     assert result["winner"] is None

@@ -1,4 +1,4 @@
-"""What a replay shows besides trajectories: walls, movable models, lidars, plans; kept as replay.json.gz."""
+"""What a replay shows besides trajectories, as walls, models, lidars and plans; kept as replay.json.gz."""
 
 import dataclasses
 import gzip
@@ -56,6 +56,23 @@ class Poses(Timed):
 
 
 @dataclasses.dataclass(frozen=True)
+class Drawing:
+    """What a planner draws on the ground, in the map frame."""
+
+    colour: str = ""  # #rrggbb; empty: none is asked for
+    lines: Sequence[Sequence[Point]] = ()
+    dots: Sequence[Planar] = ()  # x, y, radius; m
+    texts: Sequence[tuple[float, float, str]] = ()
+
+
+@dataclasses.dataclass(frozen=True)
+class Numbers(Timed):
+    """What a planner of a car published as numbers."""
+
+    car: str = ""
+
+
+@dataclasses.dataclass(frozen=True)
 class Replay:
     """What the replay of a run shows besides its trajectories."""
 
@@ -68,11 +85,14 @@ class Replay:
     global_plans: Mapping[str, Timed] = dataclasses.field(default_factory=dict)
     local_plans: Mapping[str, Timed] = dataclasses.field(default_factory=dict)
     models: Mapping[str, Poses] = dataclasses.field(default_factory=dict)  # by name
+    # By topic, of planners: lists of Drawing, and numbers.
+    drawings: Mapping[str, Timed] = dataclasses.field(default_factory=dict)
+    channels: Mapping[str, Numbers] = dataclasses.field(default_factory=dict)
 
     def with_run(
         self, goals: Mapping[str, Sequence["Pose"]], said: "Replay", road: Sequence[Point] = ()
     ) -> "Replay":
-        """This scene with a run in it; `said` has plans, and where models were."""
+        """This scene with a run in it; `said` has what planners published, and where models were."""
         return dataclasses.replace(
             said,
             walls=self.walls,
@@ -91,7 +111,7 @@ class Replay:
         timed: dict = {
             field.name: {name: each.until(stamp) for name, each in getattr(self, field.name).items()}
             for field in dataclasses.fields(self)
-            if field.name in ("global_plans", "local_plans", "models")
+            if field.name in ("global_plans", "local_plans", "models", "drawings", "channels")
         }
         return dataclasses.replace(self, **timed)
 
@@ -144,6 +164,11 @@ def _from_dict(content: Mapping[str, Any]) -> Replay:
             name: Poses(**{**each, "shape": Shape(**each["shape"])})
             for name, each in content["models"].items()
         },
+        drawings={
+            topic: Timed(each["stamps"], [[Drawing(**one) for one in drawn] for drawn in each["values"]])
+            for topic, each in content.get("drawings", {}).items()
+        },
+        channels={topic: Numbers(**each) for topic, each in content.get("channels", {}).items()},
     )
 
 

@@ -1,13 +1,13 @@
 """A run as columns, in m, rad, s and m/s. Their names are the contract with `run.js`."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from f1tenth_judge.record.record import CarTrack, Record
-from f1tenth_judge.record.replay import Replay, Shape, Timed
+from f1tenth_judge.record.record import STAMP_EPSILON, CarTrack, Record
+from f1tenth_judge.record.replay import Drawing, Numbers, Replay, Shape, Timed
 from f1tenth_judge.report.gaps import gaps_to_leader, way_along
 from f1tenth_judge.report.packing import column, pack
 
@@ -16,6 +16,8 @@ _WAY = 0.05  # m
 _STEP, _GHOST_STEP = 0.05, 0.1  # s, between two places of a car, of this run and of the one before
 _PLAN_STEP = 0.2  # s, between two plans
 _GLOBAL_POINTS, _LOCAL_POINTS = 20, 8  # of a plan, at most
+_DRAWN_POINTS = 20_000  # of what a topic draws, about
+_STEPS = 2000  # between the least and the greatest of a planner's numbers
 _THUMBNAIL_POINTS = 50  # of a car's path, at most
 _POSE = ("x", "y", "yaw")
 
@@ -49,7 +51,13 @@ def _run(record: Record, replay: Replay, step: float) -> dict[str, Any]:
     road, tracks = replay.road, record.tracks
     gaps = gaps_to_leader(record, road)
     return {
-        "cars": {car: _track(track, step, road, gaps.get(car)) for car, track in tracks.items()},
+        "cars": {
+            car: {
+                **_track(track, step, road, gaps.get(car)),
+                **_channels(track, step, replay.channels),
+            }
+            for car, track in tracks.items()
+        },
         "road": _table(road, ("x", "y"), _LENGTH),
         "goals": [_table(goals, _POSE, _FINE) for goals in replay.goals.values()],
         "lidars": {car: column(lidar, 1e-6) for car, lidar in replay.lidars.items()},
@@ -64,6 +72,7 @@ def _run(record: Record, replay: Replay, step: float) -> dict[str, Any]:
             }
             for poses in replay.models.values()
         ],
+        "drawings": {topic: _drawings(each) for topic, each in replay.drawings.items()},
     }
 
 
@@ -83,6 +92,43 @@ def _track(
     if len(road):
         columns["way"] = column(way_along(track.x[kept], track.y[kept], road), _WAY)
     return columns if gaps is None else {**columns, "gap": column(gaps[kept], _WAY)}
+
+
+def _channels(track: CarTrack, step: float, channels: Mapping[str, Numbers]) -> dict[str, list[float]]:
+    """The numbers of a car's planner, by topic, in the moments of the car."""
+    times = track.time[_every(track.time, step)]
+    own = {topic: each for topic, each in channels.items() if each.car == track.car and each.values}
+    return {topic: _held(each, times) for topic, each in own.items()}
+
+
+def _held(numbers: Numbers, times: np.ndarray) -> list[float]:
+    """Each number until the next one."""
+    values = np.asarray(numbers.values, dtype=float)
+    last = np.searchsorted(numbers.stamps, times + STAMP_EPSILON, side="right") - 1
+    span = np.ptp(values) or np.abs(values).max() or 1.0
+    return column(values[last.clip(0)], max(span / _STEPS, np.abs(values).max() * 1e-12))
+
+
+def _drawings(drawn: Timed) -> dict[str, Any]:
+    """What a topic draws, at a rate at which it is not too much."""
+    sizes = np.array([sum(map(_size, each)) for each in drawn.values])
+    kept = _every(drawn.stamps, _PLAN_STEP * max(1.0, sizes.sum() / _DRAWN_POINTS))
+    frames = [[_drawing(one) for one in drawn.values[index]] for index in kept]
+    return {"time": column(np.asarray(drawn.stamps)[kept], _TIME), "frames": frames}
+
+
+def _size(drawing: Drawing) -> int:
+    return sum(map(len, drawing.lines)) + len(drawing.dots) + len(drawing.texts)
+
+
+def _drawing(drawing: Drawing) -> dict[str, Any]:
+    return {
+        "colour": drawing.colour,
+        "lines": _lines(drawing.lines, _PLAN),
+        "dots": _table(drawing.dots, ("x", "y", "radius"), _PLAN),
+        "places": _table([each[:2] for each in drawing.texts], ("x", "y"), _PLAN),
+        "texts": [text for _, _, text in drawing.texts],
+    }
 
 
 def _every(stamps: ArrayLike, step: float) -> np.ndarray:

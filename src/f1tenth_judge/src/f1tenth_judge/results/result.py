@@ -13,6 +13,7 @@ from f1tenth_judge.judge.driving_criteria import least_clearance
 from f1tenth_judge.judge.judge import Judgement
 from f1tenth_judge.plan.pins import machine
 from f1tenth_judge.record.record import COLUMNS, Record
+from f1tenth_judge.record.replay import Replay
 from f1tenth_judge.results.standing import Winner, who, winner_of
 from f1tenth_judge.scenario.scenario import Scenario
 
@@ -32,6 +33,7 @@ class Result:
     inputs: Optional[Mapping[str, Any]] = None  # what was simulated, as hashes; None if it never began
     is_repeatable: bool = True  # whether nothing happened in lockstep that depends on wall time
     note: str = ""  # why the run differed from what the scenario asks for
+    published: Replay = Replay()  # what planners said on topics of their own
 
     @property
     def cost(self) -> Optional[float]:
@@ -113,6 +115,11 @@ def _achieved(result: Result, car: str) -> dict[str, Any]:
         "lap_times": [_stamp(time) for time in result.lap_times(car)],
         "goals_passed": list(passes.times) if passes else [],
         "finish": _stamp(result.measured.finishes.get(car)),
+        "channels": {
+            topic: {"least": min(each.values), "greatest": max(each.values), "last": each.values[-1]}
+            for topic, each in result.published.until(result.judgement.decision.stamp).channels.items()
+            if each.car == car and each.values
+        },
     }
 
 

@@ -25,7 +25,7 @@ from f1tenth_judge.plan.scenario_world import write_world
 from f1tenth_judge.scenario.car import Car, Input
 from f1tenth_judge.scenario.driver import Interface
 
-from f1tenth_scenarios.launch.bag import RECORDER, recorder_arguments
+from f1tenth_scenarios.launch.bag import RECORDER, recorder_parameters
 from f1tenth_scenarios.launch.foreign_parameters import check_parameters
 
 # What takes time and is of no use here is left out; timeouts in wall s, for each node.
@@ -84,8 +84,7 @@ def write_launch_file(plan: Plan) -> None:
         _include(launch, _own("scenario_car.launch"), _car_arguments(plan, car))
         if has_proxy_driver(plan, car.name):
             _include(launch, _own("proxy_driver.launch"), _proxy_driver_arguments(plan, car))
-    arguments = recorder_arguments(plan.bag_file, list(plan.cars), _topics_of_descriptions(plan))
-    ElementTree.SubElement(launch, "node", pkg="rosbag", type="record", name=RECORDER, args=arguments)
+    launch.append(_recorder(plan))
     ElementTree.indent(launch)
     ElementTree.ElementTree(launch).write(plan.launch_file, encoding="utf-8")
 
@@ -226,6 +225,14 @@ def _by_name(
     """Others' names for topics in a car's namespace, with the topics that take their place."""
     topics = {usual[each]: actual[each] for each in Input}
     return {old: absolute(namespace, topics.get(new, new)) for old, new in names.items()}
+
+
+def _recorder(plan: Plan) -> ElementTree.Element:
+    """What writes the bag."""
+    node = ElementTree.Element("node", pkg=lookup.PACKAGE, type="bag_recorder", name=RECORDER)
+    parameters = recorder_parameters(plan.bag_file, list(plan.cars), _topics_of_descriptions(plan))
+    ElementTree.SubElement(node, "rosparam").text = json.dumps(parameters)
+    return node
 
 
 def _topics_of_descriptions(plan: Plan) -> list[str]:

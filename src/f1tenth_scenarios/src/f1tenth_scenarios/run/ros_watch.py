@@ -15,7 +15,7 @@ from f1tenth_judge.run.command_watch import CommandCount, CommandWatch, Problem
 from geometry_msgs.msg import PoseWithCovarianceStamped
 
 from f1tenth_race_mgr.msg import RaceStatus
-from f1tenth_scenarios.launch.bag import planar
+from f1tenth_scenarios.launch.plane import planar
 from f1tenth_scenarios.run.diagnosis.culprit import failure_of_driver
 from f1tenth_scenarios.run.diagnosis.unconnected_topics import driver_nodes, shared_topic, topics_of, why_mute
 from f1tenth_scenarios.run.events.director import Director

@@ -21,7 +21,8 @@ from f1tenth_judge.run.outcome import Files, files_of_record, judged, worth_a_wa
 from f1tenth_judge.run.processes import ProcessTree
 from f1tenth_judge.stop_request import StopRequest
 
-from f1tenth_scenarios.launch.bag import RECORDER, read_bag
+from f1tenth_scenarios.launch.bag import RECORDER, dropped
+from f1tenth_scenarios.launch.bag_reader import read_bag
 from f1tenth_scenarios.launch.launch_events import LaunchEvents
 from f1tenth_scenarios.launch.launch_file import write_launch_file
 from f1tenth_scenarios.run.preparation import Preparation
@@ -75,9 +76,12 @@ def execute(
                 folder, worth_a_wait(files_of_record(plan, done, preparation.picture), stop)
             )
             tree.interrupt(recorder, _grace(stop))
-            problems += write_rest(folder, worth_a_wait(_files_of_bag(plan, done, preparation), stop))
+            bag = _Bag(plan)
+            problems += write_rest(folder, worth_a_wait(bag.files(done, preparation), stop))
+            problems += tuple(bag.left_out)
         plan.bag_file.unlink(missing_ok=True)
-        done = dataclasses.replace(done, wall_time=time.monotonic() - started, not_written=problems)
+        wall_time = time.monotonic() - started
+        done = dataclasses.replace(done, wall_time=wall_time, not_written=problems, published=bag.published)
         with contextlib.suppress(ScenarioError):  # what it wrote before was complete except for the time
             write_verdict(plan, done)
     return done
@@ -151,17 +155,30 @@ def _observations(plan, supervisor, watch, failure) -> Observations:
     )
 
 
-def _files_of_bag(plan: Plan, done: Result, preparation: Preparation) -> Files:
-    """What needs the bag, which is complete when its recorder has ended."""
+class _Bag:
+    """The bag of a run, which is complete when its recorder has ended."""
 
-    def write(path):
-        said = Replay()
-        try:
-            said = read_bag(plan.bag_file, [car.name for car in plan.scenario.cars])
-        finally:
-            write_scene(path, plan, done, preparation.scene(), said)
+    def __init__(self, plan: Plan):
+        self._plan = plan
+        self.left_out: list[str] = []  # what was too much for a file, in words
+        self.published = Replay()
 
-    if done.judgement.record.end is None and not plan.bag_file.exists():
-        return {}  # nothing was started that could be recorded
-    is_kept = plan.keep_bag or not done.passed
-    return {REPLAY_FILE: write, **({BAG_FILE: plan.bag_file.rename} if is_kept else {})}
+    def files(self, done: Result, preparation: Preparation) -> Files:
+        """The files that need it."""
+        if done.judgement.record.end is None and not self._plan.bag_file.exists():
+            return {}  # nothing was started that could be recorded
+
+        def write(path):
+            try:
+                cars = [car.name for car in self._plan.scenario.cars]
+                self.published, too_much = read_bag(self._plan.bag_file, cars)
+                self.left_out += [f"{REPLAY_FILE}: {each}" for each in too_much]
+            finally:
+                write_scene(path, self._plan, done, preparation.scene(), self.published)
+
+        def keep(path):
+            self.left_out += [f"{BAG_FILE}: {each}" for each in dropped(self._plan.bag_file)]
+            self._plan.bag_file.rename(path)
+
+        is_kept = self._plan.keep_bag or not done.passed
+        return {REPLAY_FILE: write, **({BAG_FILE: keep} if is_kept else {})}

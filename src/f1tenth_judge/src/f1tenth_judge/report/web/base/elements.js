@@ -39,6 +39,7 @@ export function themeColours() {
     bad: colour("bad"),
     goal: colour("goal"),
     model: colour("model"),
+    drawing: colour("drawing"),
     ghost: colour("ghost"),
     cars: [1, 2, 3, 4].map((number) => colour(`car-${number}`)),
   };

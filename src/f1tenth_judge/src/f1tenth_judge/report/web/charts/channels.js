@@ -18,7 +18,7 @@ export class Channels {
     const hasRoad = run.cars.every((car) => car.way.length);
     this.axis = element("select", { "aria-label": "charts over", hidden: !hasRoad, change: () => this.setAxis(this.axis.value) },
       element("option", { value: "time" }, "over time"), element("option", { value: "way" }, "over distance"));
-    this.charts = CHANNELS.filter(({ quantity }) => run.cars.some((car) => car[quantity].length))
+    this.charts = [...CHANNELS, ...ownChannels(run)].filter(({ quantity }) => run.cars.some((car) => car[quantity]?.length))
       .map((channel) => new Chart({ ...channel, limit: limits[channel.quantity], lines: linesOf(run, ghost, channel.quantity), onSeek }));
     this.root = element("div.channels", {}, this.axis, ...this.charts.map(({ root }) => root));
   }
@@ -32,10 +32,15 @@ export class Channels {
   }
 }
 
+// The numbers that planners published.
+function ownChannels({ cars }) {
+  return [...new Set(cars.flatMap(({ topics }) => topics))].map((topic) => ({ title: topic, unit: "", quantity: topic }));
+}
+
 // What a chart shows of both runs: gaps and times lost are those of the run itself.
 function linesOf(run, ghost, quantity) {
   const own = run.cars.map((car, number) => ({ car, number, ghost: false }));
-  const others = (ghost?.cars ?? []).filter((car) => car[quantity].length);
+  const others = (ghost?.cars ?? []).filter((car) => car[quantity]?.length);
   const compared = quantity === "gap" || quantity === "delta" ? [] : others;
-  return [...own.filter(({ car }) => car[quantity].length), ...compared.map((car) => ({ car, number: 0, ghost: true }))];
+  return [...own.filter(({ car }) => car[quantity]?.length), ...compared.map((car) => ({ car, number: 0, ghost: true }))];
 }

@@ -20,7 +20,7 @@ export class Chart {
     this.still = document.createElement("canvas");
     this.value = element("span.value");
     this.root = element(
-      "figure.chart", {}, element("figcaption", {}, element("span", {}, `${title} (${unit})`), this.value), this.canvas,
+      "figure.chart", {}, element("figcaption", {}, element("span", {}, unit ? `${title} (${unit})` : title), this.value), this.canvas,
     );
     this.time = 0;
     this.measure();

@@ -5,6 +5,7 @@ import { Lidar } from "./lidar.js";
 
 // The F1/10 car: its ends seen from base_footprint, wheelbase and track, m.
 const F1TENTH = [-0.1186, 0.4615, -0.155, 0.155, 0.33, 0.2];
+const MOST = 20000; // moments of a car whose data is coming: then the older half loses every second one
 const QUANTITIES = ["x", "y", "yaw", "speed", "clearance", "steering", "gap", "acceleration", "way", "delta"];
 
 // m/s^2 along the car, over a stretch of moments in which the rounding of the speed does not matter.
@@ -24,6 +25,9 @@ class CarTrack {
     for (const quantity of QUANTITIES) this[quantity] = columns[quantity] ?? new Float64Array();
     this.yaw = columns.yaw ?? new Float64Array();
     this.way = columns.way ?? new Float64Array();
+    // Numbers that the planner published, under the names of their topics.
+    this.topics = Object.keys(columns).filter((column) => column.startsWith("/"));
+    for (const topic of this.topics) this[topic] = columns[topic];
     this.acceleration = accelerationOf(this);
     this.end = this.time.length ? this.time[this.time.length - 1] : 0;
     this.body = { rear, front, right, left, wheelbase, track };
@@ -42,6 +46,7 @@ class CarTrack {
       if (before !== undefined) this.yaw[this.yaw.length - 1] -= 2 * Math.PI * Math.round((this.yaw.at(-1) - before) / (2 * Math.PI));
     }
     this.end = this.time.at(-1) ?? 0;
+    if (this.time.length > MOST) for (const name of names) this[name] = this[name].filter((_, index) => index % 2 === 0 || index > MOST / 2);
   }
 
   get shape() {
@@ -57,7 +62,7 @@ class CarTrack {
     const part = span > 0 ? Math.min(Math.max((time - this.time[before]) / span, 0), 1) : 0;
     /** @type {Record<string, number>} */
     const state = {};
-    for (const quantity of QUANTITIES) {
+    for (const quantity of [...QUANTITIES, ...this.topics]) {
       const values = this[quantity];
       state[quantity] = values[before] + part * (values[after] - values[before]);
     }
@@ -65,15 +70,20 @@ class CarTrack {
   }
 }
 
+function drawingOf({ colour, lines, dots, places, texts }) {
+  return { colour, lines, dots: rowsOf(dots), texts: rowsOf(places).map((place, index) => ({ ...place, text: texts[index] })) };
+}
+
 export class Run {
   // `world` is that of the walls; who is only compared with another run needs none.
-  constructor({ cars, goals, lidars, bodies, global_plans: globalPlans, local_plans: localPlans, models, road }, world) {
+  constructor({ cars, goals, lidars, bodies, global_plans: globalPlans, local_plans: localPlans, models, road, drawings }, world) {
     this.cars = Object.entries(cars).map(([name, columns]) => new CarTrack(name, columns, bodies[name]));
     this.end = Math.max(0, ...this.cars.map((car) => car.end));
     this.goals = goals.map(rowsOf);
     this.lidars = this.cars.filter(({ name }) => lidars[name]).map((car) => new Lidar(car, lidars[car.name]));
     this.models = models.map(({ time, poses, shape }) => ({ time, poses: rowsOf(poses), shape: shapeOf(shape) }));
     this.road = road;
+    this.drawings = Object.entries(drawings).map(([topic, { time, frames }]) => ({ topic, time, frames: frames.map((frame) => frame.map(drawingOf)) }));
     this.globalPlans = globalPlans;
     this.localPlans = localPlans;
     if (world) {

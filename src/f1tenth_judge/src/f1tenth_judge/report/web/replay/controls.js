@@ -6,7 +6,7 @@ import { LEAD } from "../data/events.js";
 import { SPEEDS } from "./player.js";
 import { DELTA_COLOURS, SPEED_COLOURS } from "./shades.js";
 
-const PARTS = [["scan", "scan"], ["plans", "plans"], ["ghost", "reference"], ["follow", "follow"]];
+const PARTS = [["scan", "scan"], ["plans", "plans"], ["drawings", "markers"], ["ghost", "reference"], ["follow", "follow"]];
 
 export class Controls {
   // `events` are marked on the time line; `extra` stands among the buttons; `onLink` puts the address of the moment where it can be copied.
@@ -81,7 +81,13 @@ export class Controls {
     this.button.textContent = player.playing ? "❚❚" : "▶";
     this.button.setAttribute("aria-label", player.playing ? "pause" : "play");
     for (const toggle of this.toggles) toggle.setAttribute("aria-pressed", String(view.shown[toggle.dataset.part]));
-    this.toggles.find(({ dataset }) => dataset.part === "ghost").hidden = !view.ghost;
+    this.toggleOf("ghost").hidden = !view.ghost;
+    this.toggleOf("drawings").hidden = !view.run.drawings.length;
+    this.toggleOf("drawings").title = view.run.drawings.map(({ topic }) => topic).join(", ");
+  }
+
+  toggleOf(part) {
+    return this.toggles.find(({ dataset }) => dataset.part === part);
   }
 }
 

@@ -13,6 +13,7 @@ const KEYS = [
   { keys: ["f"], shown: "F", help: "follow the car", act: (page) => page.toggle("follow") },
   { keys: ["s"], shown: "S", help: "scan", act: (page) => page.toggle("scan") },
   { keys: ["p"], shown: "P", help: "plans", act: (page) => page.toggle("plans") },
+  { keys: ["m"], shown: "M", help: "the planner's markers", act: (page) => page.toggle("drawings") },
   { keys: ["g"], shown: "G", help: "the run before", act: (page) => page.toggle("ghost") },
   { keys: ["0"], shown: "0", help: "whole map", act: (page) => page.view.fit() },
   { keys: ["j"], shown: "J", help: "next run", act: (page) => page.open(1) },

@@ -137,6 +137,22 @@ export class Painter {
     context.fill();
   }
 
+  // What a planner draws, in its colour.
+  drawing({ colour, lines, dots, texts }) {
+    const { context } = this;
+    const shown = colour || this.colours.drawing;
+    for (const line of lines) this.strokeLine(line, shown, 2);
+    context.beginPath();
+    for (const { x, y, radius } of dots) {
+      const large = Math.max(radius, 1.5 / this.scale);
+      context.moveTo(x + large, y);
+      context.arc(x, y, large, 0, 2 * Math.PI);
+    }
+    context.fillStyle = shown;
+    context.fill();
+    for (const { x, y, text } of texts) this.label(x, y, text, shown, 11);
+  }
+
   marker(x, y, pixels, fill, text = "") {
     const { context } = this;
     context.beginPath();

@@ -17,7 +17,7 @@ export class View {
     this.ghost = null;
     this.corners = corners;
     this.contacts = contacts;
-    this.shown = { scan: true, plans: true, ghost: true, follow: false };
+    this.shown = { scan: true, plans: true, drawings: true, ghost: true, follow: false };
     this.measure();
     this.viewport = new Viewport(boundingBox(run));
     this.canvas = element("canvas.map", { tabindex: "0", "aria-label": "Replay, seen from above" });
@@ -152,6 +152,7 @@ export class View {
       if (pose) painter.inFrame(pose, () => painter.shape(model.shape, this.colours.model));
     }
     if (shown.plans) this.drawPlans(painter);
+    if (shown.drawings) this.drawDrawings(painter);
     if (shown.ghost && this.ghost) this.drawGhosts(painter);
     run.cars.forEach((car, index) => {
       const last = indexAfter(car.time, time);
@@ -176,6 +177,13 @@ export class View {
         const index = indexAfter(time, this.time) - 1;
         if (index >= 0) painter.strokeLine(lines[index], colour, pixels);
       }
+    }
+  }
+
+  drawDrawings(painter) {
+    for (const { time, frames } of this.run.drawings) {
+      const index = indexAfter(time, this.time) - 1;
+      if (index >= 0) frames[index].forEach((drawing) => painter.drawing(drawing));
     }
   }
 

@@ -10,25 +10,35 @@ from pathlib import Path
 
 import pytest
 from browser import PATIENCE, chromium
+from f1tenth_judge.batch.jobs import Job
 from f1tenth_judge.drivers.starting import start_drivers
-from f1tenth_judge.plan.race import Race, plan_race
+from f1tenth_judge.plan.race import Race, plan_race, save_race
 from f1tenth_judge.record.record import read_record
 from f1tenth_judge.report.live.feed import Feed, Place
-from f1tenth_judge.report.live.watching import watched
+from f1tenth_judge.report.live.runs import Runs, Watcher
+from f1tenth_judge.report.live.task import task_of
+from f1tenth_judge.report.live.watching import task_of_job, watched
 from f1tenth_judge.report.page import write_report
+from f1tenth_judge.results.result_file import write_result
 from f1tenth_judge.run.execute import execute
 from f1tenth_judge.scenario.driver import Driver
 from f1tenth_judge.stop_request import StopRequest
+from report_samples import result
 from scenario_samples import rows, write_record
 
 CLASSES = Path(__file__).parents[1] / "drivers" / "python" / "classes.py"
 
 
-def race_plan(folder):
-    planner = Driver(python=f"{CLASSES}:Follower")
-    return plan_race(
-        Race("circuit1", 1, [planner], called="watched"), folder / "watched", ["limits.timeout=6"]
-    )
+def race(name="watched"):
+    return Race("circuit1", 1, [Driver(python=f"{CLASSES}:Follower")], called=name)
+
+
+def race_plan(folder, name="watched"):
+    return plan_race(race(name), folder / name, ["limits.timeout=6"])
+
+
+def watch(plan):
+    return watched([task_of(plan)], plan.name, plan.folder.parent)
 
 
 def drive(plan):
@@ -62,7 +72,7 @@ def connect(address):
 def test_watchers_come_sleep_and_leave_and_the_run_is_the_same(tmp_path, capsys):
     alone = drive(race_plan(tmp_path / "alone"))
     plan, told = race_plan(tmp_path / "seen"), []
-    with watched(plan) as lead_to:
+    with watch(plan) as lead_to:
         address = capsys.readouterr().out.split()[-1]
         watcher = threading.Thread(target=lambda: told.extend(messages(address)))
         watcher.start()
@@ -72,7 +82,7 @@ def test_watchers_come_sleep_and_leave_and_the_run_is_the_same(tmp_path, capsys)
             lead_to("/report.html#watched")
             watcher.join(PATIENCE)
     news = [content for kind, content in told if kind == "news"]
-    assert told[0][0] == "scene"
+    assert [kind for kind, _ in told if kind != "alive"][:3] == ["standing", "standing", "scene"]
     assert [each["begins"] for each in news] == [True] + [False] * (len(news) - 1)
     times = [row[0] for each in news for row in each["cars"]["robot1"]]
     track = read_record(plan.record_file).tracks["robot1"]
@@ -82,7 +92,7 @@ def test_watchers_come_sleep_and_leave_and_the_run_is_the_same(tmp_path, capsys)
 
 
 def test_a_page_from_elsewhere_is_refused(tmp_path, capsys):
-    with watched(race_plan(tmp_path)):
+    with watch(race_plan(tmp_path)):
         address = capsys.readouterr().out.split()[-1]
         request = urllib.request.Request(address, headers={"Host": "elsewhere.example"})
         with pytest.raises(urllib.error.HTTPError, match="403"):
@@ -91,7 +101,7 @@ def test_a_page_from_elsewhere_is_refused(tmp_path, capsys):
 
 def test_the_page_follows_the_run_and_becomes_the_report(tmp_path, capsys):
     plan = race_plan(tmp_path)
-    with chromium() as window, watched(plan) as lead_to:
+    with chromium() as window, watch(plan) as lead_to:
         window.get(capsys.readouterr().out.split()[-1])
         until(window, "return document.querySelector('.note').textContent === 'Reading the recording…'")
         drive(plan)
@@ -101,6 +111,31 @@ def test_the_page_follows_the_run_and_becomes_the_report(tmp_path, capsys):
         lead_to("/report.html#watched")
         until(window, "return document.querySelector('.criteria') && document.querySelector('.map')")
         assert window.current_url.endswith("/report.html#watched")
+        assert window.get_log("browser") == []
+
+
+def test_a_wall_of_runs_shows_each_and_enlarges_one(tmp_path, capsys):
+    plans = [race_plan(tmp_path / name, name) for name in ("first", "second")]
+    tasks = []
+    for plan in plans:
+        file = tmp_path / f"{plan.name}.yaml"
+        save_race(race(plan.name), file)
+        job = Job(str(file), ("limits.timeout=6",), str(plan.folder.parent), name=plan.name)
+        tasks.append(task_of_job(job))
+    with chromium() as window, watched(tasks, "Two races", tmp_path):
+        window.get(capsys.readouterr().out.split()[-1])
+        until(window, "return document.querySelectorAll('.tile[data-state=waiting]').length === 2")
+        drive(plans[0])
+        until(window, "return document.querySelector('.tile[data-state=over] polyline')")
+        assert "timeout" in window.find_element("css selector", ".tile[data-state=over]").text
+        log = plans[1].folder / "log"
+        log.mkdir(parents=True)
+        write_record(log / "record.csv", rows(2.0))
+        until(window, "return document.querySelector('.tile[data-state=driving] canvas')")
+        window.find_element("css selector", ".tile[data-state=driving]").click()
+        until(window, "return document.querySelector('.scrub')?.max > 1.5")
+        write_result(plans[1].folder / "result.json", result("second"))
+        until(window, "return document.querySelector('.reason').textContent === 'Over: success.'")
         assert window.get_log("browser") == []
 
 
@@ -118,7 +153,7 @@ def feed(tmp_path):
 def test_a_late_watcher_is_told_all_in_fewer_rows(feed, tmp_path):
     write_record(tmp_path / "record.csv", rows(200.0))
     feed.poll()
-    told = feed.news(Place(), 0.0)["cars"]["robot1"]
+    told = feed.news(Place())["cars"]["robot1"]
     assert 500 < len(told) <= 1000
     assert (told[0][0], told[-1][0]) == (0.025, pytest.approx(200.0, abs=0.5))
 
@@ -127,13 +162,13 @@ def test_a_watcher_is_told_everything_once(feed, tmp_path):
     place = Place()
     write_record(tmp_path / "record.csv", rows(1.0))
     feed.poll()
-    first = feed.news(place, 0.0)["cars"]["robot1"]
-    assert feed.news(place, 0.0) is None
+    first = feed.news(place)["cars"]["robot1"]
+    assert feed.news(place) is None
     with open(tmp_path / "record.csv", "a", encoding="utf-8") as stream:
         for row in list(rows(2.0))[40:]:
             stream.write(",".join(map(str, row)) + "\n")
     feed.poll()
-    second = feed.news(place, 0.0)
+    second = feed.news(place)
     assert not second["begins"]
     assert len(first) + len(second["cars"]["robot1"]) == 40
 
@@ -143,7 +178,7 @@ def test_contacts_and_interventions_are_events(feed, tmp_path):
     moved = {"time": 0.6, "kind": "set_model_state", "caller": "cheat", "model": "robot1"}
     (tmp_path / "interventions.jsonl").write_text(json.dumps(moved) + "\n", encoding="utf-8")
     feed.poll()
-    events = feed.news(Place(), 0.0)["events"]
+    events = feed.news(Place())["events"]
     assert [each["text"] for each in events] == [
         "robot1 touched Wall_1",
         "cheat called set_model_state for robot1 at 0.600 s",
@@ -154,14 +189,77 @@ def test_a_simulation_that_begins_anew_is_told_from_its_beginning(feed, tmp_path
     place = Place()
     write_record(tmp_path / "record.csv", rows(2.0))
     feed.poll()
-    feed.news(place, 0.0)
+    feed.news(place)
     (tmp_path / "record.csv").rename(tmp_path / "old.csv")
     feed.poll()
     write_record(tmp_path / "record.csv", rows(0.5))
     feed.poll()
-    told = feed.news(place, 0.0)
+    told = feed.news(place)
     assert told["begins"]
     assert told["cars"]["robot1"][-1][0] == 0.475
+
+
+def test_a_run_of_days_stays_small_and_its_path_whole(feed, tmp_path, monkeypatch):
+    monkeypatch.setattr("f1tenth_judge.report.live.feed._KEPT_ROWS", 100)
+    place, told = Place(), []
+    for end in range(10, 200, 10):
+        write_record(tmp_path / "new.csv", rows(float(end)))
+        with open(tmp_path / "record.csv", "w", encoding="utf-8") as stream:
+            stream.write((tmp_path / "new.csv").read_text(encoding="utf-8"))
+        feed.poll()
+        told += feed.news(place)["cars"]["robot1"]
+    kept = feed.news(Place())["cars"]["robot1"]
+    assert len(kept) <= 100
+    assert (kept[0][0], kept[-1][0]) == (0.025, told[-1][0])
+    assert [row[0] for row in told] == sorted({row[0] for row in told})
+
+
+def test_the_latest_events_are_kept(feed, tmp_path, monkeypatch):
+    monkeypatch.setattr("f1tenth_judge.report.live.feed._KEPT_EVENTS", 2)
+    touched = {stamp: f"Wall_{number}" for number, stamp in enumerate((0.1, 0.2, 0.3, 0.4))}
+    write_record(tmp_path / "record.csv", rows(0.25, contacts=touched))
+    feed.poll()
+    place = Place()
+    assert [each["time"] for each in feed.news(place)["events"]] == [0.1, 0.2]
+    write_record(tmp_path / "record.csv", rows(1.0, contacts=touched))
+    feed.poll()
+    assert [each["time"] for each in feed.news(place)["events"]] == [0.3, 0.4]
+
+
+@pytest.fixture
+def job(tmp_path):
+    """A run of a league, and what has been told of it to one watcher."""
+    folder = tmp_path / "one"
+    (folder / "log").mkdir(parents=True)
+    return {"name": "one", "scenario": "one.yaml", "settings": [], "folder": str(folder)}
+
+
+def test_runs_of_a_league_wait_are_driven_and_end(job, tmp_path):
+    runs, watcher = Runs([job, {**job, "name": "two", "folder": str(tmp_path / "two")}]), Watcher()
+    states = [(said["run"], said["state"]) for _, said in runs.news(watcher, 0.0)]
+    assert states == [("one", "waiting"), ("two", "waiting")]
+    write_record(tmp_path / "one" / "log" / "record.csv", rows(1.0))
+    runs.poll()
+    (kind, standing), (news_kind, news) = runs.news(watcher, 0.0)
+    assert (kind, standing["run"], standing["state"]) == ("standing", "one", "driving")
+    assert (news_kind, news["run"], news["begins"]) == ("news", "one", True)
+    write_result(tmp_path / "one" / "result.json", result("one"))
+    runs.poll()
+    ((kind, standing),) = runs.news(watcher, 0.0)
+    assert (standing["state"], standing["result"]["verdict"]) == ("over", "success")
+    assert 1 < len(standing["path"][0]) <= 50
+    assert runs.news(watcher, 0.0) == []
+
+
+def test_a_run_of_an_earlier_league_is_over_until_it_is_driven_again(job, tmp_path):
+    write_record(tmp_path / "one" / "log" / "record.csv", rows(1.0))
+    write_result(tmp_path / "one" / "result.json", result("one"))
+    os.utime(tmp_path / "one" / "log" / "record.csv", (1.0, 1.0))
+    runs, watcher = Runs([job]), Watcher()
+    assert [said["state"] for _, said in runs.news(watcher, 0.0)] == ["over"]
+    write_record(tmp_path / "one" / "log" / "record.csv", rows(1.0))
+    runs.poll()
+    assert [said["state"] for kind, said in runs.news(watcher, 0.0) if kind == "standing"] == ["driving"]
 
 
 def test_what_an_earlier_run_has_left_is_not_told(tmp_path):
@@ -169,4 +267,4 @@ def test_what_an_earlier_run_has_left_is_not_told(tmp_path):
     os.utime(tmp_path / "record.csv", (1.0, 1.0))
     late = Feed(tmp_path / "record.csv", tmp_path / "none")
     late.poll()
-    assert late.news(Place(), 0.0) is None
+    assert late.news(Place()) is None

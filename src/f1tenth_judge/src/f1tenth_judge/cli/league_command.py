@@ -19,6 +19,7 @@ def league(options) -> int:
     from f1tenth_judge.batch.sweep import Sweep
     from f1tenth_judge.league.league_file import read_league
     from f1tenth_judge.league.races import cases_of
+    from f1tenth_judge.report.live.watching import watched_jobs
 
     expect_at_least(1, options.workers, "--workers")
     wanted = read_league(options.file)
@@ -26,8 +27,9 @@ def league(options) -> int:
     cases, left_out = cases_of(wanted, options.file.resolve().parent, folder)
     if not cases:
         raise ScenarioError("\n".join(dict.fromkeys(left_out.values())))
-    with StopRequest().listening() as stop:
-        sweep = Sweep({each.name: case for each, case in cases.items()}, folder)
+    sweep = Sweep({each.name: case for each, case in cases.items()}, folder)
+    title = f"League {options.file.stem}"
+    with StopRequest().listening() as stop, watched_jobs(sweep.jobs, title, folder, options.watch) as lead_to:
         sweep.run(stop, options.workers, options.scheduler)
         for problem in [] if stop.signal else sweep.problems:
             print(f"f1tenth: {problem}", file=sys.stderr)
@@ -35,6 +37,7 @@ def league(options) -> int:
         results = {each: found[each.name] for each in cases if each.name in found}
         if results:
             _write(options.file.stem, wanted, results, left_out, folder)
+            lead_to(f"/{_PAGE_FILE}")
     return exit_code(len(results) == len(cases), stop)
 
 

@@ -17,7 +17,9 @@ from f1tenth_judge.plan.named_planner import OUR_PLANNERS
 from f1tenth_judge.record.files import REPORT_FILE
 from f1tenth_judge.scenario.driver import Interface
 
-_WATCH = "print an address at which browsers of this machine show the run while it goes on, then its report"
+_WATCH = (
+    "print an address at which browsers of this machine show what is run while it goes on, then the report"
+)
 _SET = "replace a value of the file, as in seed=2, mu=0.3, limits.timeout=20 or driver.arguments.speed=4"
 _VARY = "FIRST:LAST (whole numbers), FIRST:LAST:COUNT or A,B,C; several keys: every combination"
 _TABLE = "one more table of the runs: FILE.parquet keeps types, FILE.csv is text"
@@ -153,7 +155,7 @@ def _add_run_options(command: argparse.ArgumentParser, where: str) -> None:
     command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help=_SET)
     command.add_argument("--bag", action="store_true", help="keep the bag, also of runs that pass")
     command.add_argument("--report", action="store_true", help="write the report afterwards")
-    command.add_argument("--watch", action="store_true", help=_WATCH)
+    _add_watch(command)
 
 
 def _add_sweep(commands: _Subparsers) -> None:
@@ -170,6 +172,10 @@ def _add_workers(command: argparse.ArgumentParser) -> None:
     command.add_argument("--scheduler", metavar="URI", help="use this Dask cluster, as in tcp://host:8786")
 
 
+def _add_watch(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--watch", action="store_true", help=_WATCH)
+
+
 def _add_suite(commands: _Subparsers) -> None:
     command = _command(commands, "suite", suite, "run many cases, and say how many a planner passes")
     command.add_argument("name", nargs="?", metavar="NAME", help="default: list the suites")
@@ -180,6 +186,7 @@ def _add_suite(commands: _Subparsers) -> None:
     _add_planner(command)
     command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help=_SET)
     _add_workers(command)
+    _add_watch(command)
     _add_results(command, "write to FOLDER/suite/NAME")
 
 
@@ -188,6 +195,7 @@ def _add_league(commands: _Subparsers) -> None:
     command = _command(commands, "league", league, text)
     command.add_argument("file", type=Path, metavar="FILE", help="YAML: planners, places, laps, seeds, pairs")
     _add_workers(command)
+    _add_watch(command)
     _add_results(command, "write to FOLDER/league/NAME")
 
 

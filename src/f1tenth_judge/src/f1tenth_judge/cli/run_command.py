@@ -2,9 +2,9 @@
 
 import dataclasses
 import urllib.parse
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, Callable
 
 from f1tenth_judge.batch.jobs import Job, Outcome, run_jobs
 from f1tenth_judge.cli.exit_codes import NOT_PASSED, PASSED, exit_code
@@ -43,9 +43,7 @@ def run(options) -> int:
         name = options.name or lookup.scenario_file(names[0]).stem
         plan = make_plan(names[0], results_of(options) / name, settings)
         return run_with_report(dataclasses.replace(plan, name=name, keep_bag=options.bag), options)
-    if options.watch:
-        raise ScenarioError("--watch is for one run of one scenario")
-    return with_report(_run_each(names, settings, options), options)
+    return _run_each(names, settings, options)
 
 
 def run_plan(plan: Plan) -> int:
@@ -76,13 +74,23 @@ def run_with_report(plan: Plan, options) -> int:
     """Run one scenario, shown in browsers and in the report if that is wanted; returns the exit code."""
     if not options.watch:
         return with_report(run_plan(plan), options)
+    from f1tenth_judge.report.live.task import task_of
+
+    return watched_with_report([task_of(plan)], plan.name, options, lambda: run_plan(plan))
+
+
+def watched_with_report(
+    tasks: Sequence[Mapping[str, Any]], title: str, options, act: Callable[[], int]
+) -> int:
+    """Run what is watched, and send the watchers to the report of it; returns the exit code."""
     from f1tenth_judge.report.live.watching import watched
 
     options.report = True
-    with watched(plan) as lead_to:
-        code = with_report(run_plan(plan), options)
+    with watched(tasks, title, results_of(options)) as lead_to:
+        code = with_report(act(), options)
         if code in (PASSED, NOT_PASSED):
-            lead_to(f"/{REPORT_FILE}#{urllib.parse.quote(plan.name, safe='')}")
+            only = f"#{urllib.parse.quote(title, safe='')}" if len(tasks) == 1 else ""
+            lead_to(f"/{REPORT_FILE}{only}")
     return code
 
 
@@ -135,6 +143,15 @@ def _run_each(names: Sequence[str], settings: Sequence[str], options) -> int:
     files = [lookup.scenario_file(name) for name in names if name not in left_out]
     extra = ("--bag",) if options.bag else ()
     jobs = [Job(str(file), tuple(settings), str(results_of(options)), extra) for file in files]
+    if not options.watch:
+        return with_report(_run_jobs(jobs, left_out, options), options)
+    from f1tenth_judge.report.live.watching import task_of_job
+
+    tasks, title = [task_of_job(job) for job in jobs], f"{len(jobs)} scenarios"
+    return watched_with_report(tasks, title, options, lambda: _run_jobs(jobs, left_out, options))
+
+
+def _run_jobs(jobs: Sequence[Job], left_out: dict[str, str], options) -> int:
     outcomes: list[Outcome] = []
     bar = CountLine("scenarios", len(jobs))
     with StopRequest().listening() as stop:

@@ -12,6 +12,7 @@ from f1tenth_judge.cli.options import expect_at_least, planner_of, planner_setti
 from f1tenth_judge.errors import ScenarioError, writing
 from f1tenth_judge.extensions import extensions
 from f1tenth_judge.plan.planner import PLANNER, driver_text
+from f1tenth_judge.record.files import REPORT_FILE
 from f1tenth_judge.stop_request import StopRequest
 from f1tenth_judge.suites.suite import Suite
 
@@ -37,14 +38,21 @@ def suite(options) -> int:
     with writing(folder):
         (folder / _PLACES).mkdir(parents=True, exist_ok=True)
     check_table_file(folder / _TABLE_FILE)
-    with StopRequest().listening() as stop:
-        sweep = _sweep(options, settings, folder)
+    from f1tenth_judge.report.live.watching import watched_jobs
+    from f1tenth_judge.report.page import write_report
+
+    sweep = _sweep(options, settings, folder)
+    title = f"Suite {options.name}"
+    with StopRequest().listening() as stop, watched_jobs(sweep.jobs, title, folder, options.watch) as lead_to:
         sweep.run(stop, options.workers, options.scheduler)
         for problem in [] if stop.signal else sweep.problems:
             print(f"f1tenth: {problem}", file=sys.stderr)
         passed = sum(result["passed"] for result in sweep.results.values())
         if sweep.results:
             _write(options.name, sweep, folder, passed)
+            if options.watch:
+                write_report(folder, folder / REPORT_FILE)
+                lead_to(f"/{REPORT_FILE}")
     return exit_code(passed == len(sweep.jobs), stop)
 
 

@@ -2,7 +2,7 @@
 
 import datetime
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Optional
 
@@ -44,11 +44,11 @@ def write_report(results: Path, output: Path, against: Optional[Path] = None) ->
     return [problem for run in runs for problem in run.summary["problems"]]
 
 
-def live_page(task: Mapping[str, Any]) -> str:
-    """The page of a run that goes on; `task` has `name`, `description` and `cars` as result.json has them."""
-    run = {"scenario": task["name"], "description": task["description"], "cars": task["cars"], "live": True}
-    summary = {**run, "verdict": "driving", "criteria": [], "links": {}, "problems": [], "thumbnail": []}
-    return _filled({"runs": [summary]}).replace("<!-- DATA -->", "")
+def live_page(title: str, runs: Sequence[Mapping[str, Any]]) -> str:
+    """The page of runs that go on; of each there is its `name`, and what else is known of it comes later."""
+    unknown: dict[str, Any] = {"description": "", "cars": {}, "verdict": "", "criteria": [], "links": {}}
+    summaries = [{**unknown, "scenario": run["name"], "problems": [], "live": True} for run in runs]
+    return _filled({"title": title, "runs": summaries}).replace("<!-- DATA -->", "")
 
 
 def _world_id(run: RunContent) -> str:

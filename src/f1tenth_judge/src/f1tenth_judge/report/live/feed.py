@@ -1,9 +1,8 @@
-"""What watchers are told: read from the files that the simulator writes."""
+"""What watchers are told of a run: read from the files that the simulator writes."""
 
 import dataclasses
 import math
 import os
-import threading
 import time
 from pathlib import Path
 from typing import Any, Optional
@@ -14,29 +13,30 @@ from f1tenth_judge.record.record import COLUMNS, STAMP_EPSILON
 
 _STEP = 0.05  # s, between two rows of a car that are told
 _MOST_ROWS = 1000  # of a car, in one message: who is farther behind gets every n-th
-_KEPT = [COLUMNS.index(name) for name in ("time", "x", "y", "yaw", "v_x", "steering_angle", "clearance")]
+# Of a car, as those in live.js: then the older half loses every second one, so that a run may go on for days.
+_KEPT_ROWS = 20_000
+_KEPT_EVENTS = 1000  # the latest
+_SHOWN = [COLUMNS.index(name) for name in ("time", "x", "y", "yaw", "v_x", "steering_angle", "clearance")]
 _CAR, _CONTACTS = COLUMNS.index("car"), COLUMNS.index("contacts")
 
 
 @dataclasses.dataclass
 class Place:
-    """How much of the feed a watcher has been told."""
+    """How much of a feed a watcher has been told."""
 
     beginning: int = -1  # which run of the simulation it belongs to
-    rows: dict[str, int] = dataclasses.field(default_factory=dict)  # by car
+    told: dict[str, float] = dataclasses.field(default_factory=dict)  # time of the last row (s), by car
     events: int = 0
 
 
 class Feed:
-    """Rows and events of a run, in memory once for all watchers; any thread may ask for news."""
+    """Rows and events of a run, in memory once for all watchers. Not for several threads at once."""
 
     def __init__(self, record: Path, interventions: Path):
         self._record, self._interventions = record, interventions
         self._since = time.time()
-        self._changed = threading.Condition()
         self._beginning = 0
         self._clear()
-        self.end: Optional[dict[str, Any]] = None
 
     def _clear(self) -> None:
         self._file: Optional[int] = None  # inode
@@ -44,43 +44,43 @@ class Feed:
         self._rows: dict[str, list[list[float]]] = {}
         self._touching: dict[str, str] = {}
         self._events: list[dict[str, Any]] = []
-        self._noted = 0  # interventions
+        self._forgotten = 0  # events
+        self._noted, self._noted_size = 0, 0  # interventions, and bytes of their file
 
-    def poll(self) -> None:
-        """Read what has been written since the last call."""
-        with self._changed:
-            for line in self._new_lines():
-                self._take(line.split(","))
+    def poll(self) -> bool:
+        """Read what has been written since the last call; returns whether there was anything."""
+        lines = self._new_lines()
+        for line in lines:
+            self._take(line.split(","))
+        if lines:
             self._take_interventions()
-            self._changed.notify_all()
+        return bool(lines)
 
-    def finish(self, end: dict[str, Any]) -> None:
-        """The run is over."""
-        with self._changed:
-            self.end = end
-            self._changed.notify_all()
+    def paths(self, points: int) -> list[list[list[float]]]:
+        """Where the cars have been (m), thinned."""
+        return [[row[1:3] for row in _thinned(rows, points)] for rows in self._rows.values()]
 
-    def news(self, place: Place, patience: float) -> Optional[dict[str, Any]]:
-        """What a watcher has not been told yet, whose place moves on; None if nothing comes in time (s)."""
-        with self._changed:
-            self._changed.wait_for(lambda: self._has_news(place) or self.end is not None, patience)
-            if not self._has_news(place):
-                return None
-            if begins := place.beginning != self._beginning:
-                place.beginning, place.rows, place.events = self._beginning, {}, 0
-            told = {"begins": begins, "cars": self._new_rows(place), "events": self._events[place.events :]}
-            place.rows = {car: len(rows) for car, rows in self._rows.items()}
-            place.events = len(self._events)
-            return told
+    def news(self, place: Place) -> Optional[dict[str, Any]]:
+        """What a watcher has not been told yet, whose place moves on; None if there is nothing."""
+        if not self._has_news(place):
+            return None
+        if begins := place.beginning != self._beginning:
+            place.beginning, place.told, place.events = self._beginning, {}, 0
+        count = self._forgotten + len(self._events)
+        events = self._events[max(place.events - self._forgotten, 0) :]
+        told = {"begins": begins, "cars": self._new_rows(place), "events": events}
+        place.told = {car: rows[-1][0] for car, rows in self._rows.items()}
+        place.events = count
+        return told
 
     def _has_news(self, place: Place) -> bool:
-        if place.beginning != self._beginning or place.events < len(self._events):
+        if place.beginning != self._beginning or place.events < self._forgotten + len(self._events):
             return bool(self._rows)
-        return any(place.rows.get(car, 0) < len(rows) for car, rows in self._rows.items())
+        return any(place.told.get(car) != rows[-1][0] for car, rows in self._rows.items())
 
     def _new_rows(self, place: Place) -> dict[str, list[list[float]]]:
-        new = {car: rows[place.rows.get(car, 0) :] for car, rows in self._rows.items()}
-        return {car: rows[:: -(-len(rows) // _MOST_ROWS) or 1] for car, rows in new.items()}
+        new = {car: _after(rows, place.told.get(car, -math.inf)) for car, rows in self._rows.items()}
+        return {car: _thinned(rows, _MOST_ROWS) for car, rows in new.items()}
 
     def _new_lines(self) -> list[str]:
         """The lines completed since the last call; a file that is begun anew is another run."""
@@ -104,23 +104,45 @@ class Feed:
     def _take(self, cells: list[str]) -> None:
         if len(cells) != len(COLUMNS) or cells[0] == COLUMNS[0]:
             return
-        row = [round(float(cells[index]), 4) for index in _KEPT]
+        row = [round(float(cells[index]), 4) for index in _SHOWN]
         rows = self._rows.setdefault(cells[_CAR], [])
         if all(map(math.isfinite, row)) and (not rows or row[0] >= rows[-1][0] + _STEP - STAMP_EPSILON):
             rows.append(row)
+            if len(rows) > _KEPT_ROWS:
+                del rows[1 : _KEPT_ROWS // 2 : 2]
         names = cells[_CONTACTS]
         if names and names != self._touching.get(cells[_CAR]):
             touched = f"{cells[_CAR]} touched {' and '.join(names.split(';'))}"
-            self._events.append(
-                {"time": row[0], "kind": "contact", "text": touched, "x": row[1], "y": row[2]}
-            )
+            self._note({"time": row[0], "kind": "contact", "text": touched, "x": row[1], "y": row[2]})
         self._touching[cells[_CAR]] = names
 
     def _take_interventions(self) -> None:
         try:
-            found = read_interventions(self._interventions)
-        except ScenarioError:
-            return  # the judge says so
+            size = self._interventions.stat().st_size
+            found = read_interventions(self._interventions) if size > self._noted_size else []
+        except (OSError, ScenarioError):
+            return  # there are none, or the judge says what is wrong
+        self._noted_size = size
         for each in found[self._noted :]:
-            self._events.append({"time": each.stamp, "kind": "intervention", "text": each.describe()})
-        self._noted = len(found)
+            self._note({"time": each.stamp, "kind": "intervention", "text": each.describe()})
+        self._noted = max(self._noted, len(found))
+
+    def _note(self, event: dict[str, Any]) -> None:
+        self._events.append(event)
+        if len(self._events) > _KEPT_EVENTS:
+            del self._events[0]
+            self._forgotten += 1
+
+
+def _after(rows: list[list[float]], time: float) -> list[list[float]]:
+    """The rows after a time (s): few, at the end, of many."""
+    first = len(rows)
+    while first > 0 and rows[first - 1][0] > time:
+        first -= 1
+    return rows[first:]
+
+
+def _thinned(rows: list[list[float]], most: int) -> list[list[float]]:
+    """The first, the last, and every n-th between them, so that there are not more."""
+    kept = rows[:: -(-len(rows) // (most - 1)) or 1]
+    return kept if not rows or kept[-1] is rows[-1] else [*kept, rows[-1]]

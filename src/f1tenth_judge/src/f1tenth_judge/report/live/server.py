@@ -7,7 +7,7 @@ import threading
 from pathlib import Path
 from typing import Any, Callable
 
-from f1tenth_judge.report.live.feed import Feed, Place
+from f1tenth_judge.report.live.runs import Runs, Watcher
 
 _OWN_NAMES = ("127.0.0.1", "localhost")
 _MOST_WATCHERS = 32
@@ -17,14 +17,14 @@ _PATIENCE = 30.0  # s, with a link that takes nothing
 
 
 class Server(http.server.ThreadingHTTPServer):
-    """Serves one run to the browsers of this machine."""
+    """Serves runs to the browsers of this machine."""
 
     daemon_threads = True
 
-    def __init__(self, feed: Feed, page: Callable[[], str], scene: Callable[[], Any], results: Path):
-        """`page` and `scene`: what a watcher gets first; `results`: files served beside."""
+    def __init__(self, runs: Runs, page: Callable[[], str], results: Path):
+        """`page`: what a watcher gets first; `results`: files served beside."""
         super().__init__(("127.0.0.1", 0), functools.partial(_Handler, directory=str(results)))
-        self.feed, self.page, self.scene = feed, page, scene
+        self.runs, self.page = runs, page
         self.watchers = threading.Semaphore(_MOST_WATCHERS)
         self.moving_on = 0  # watchers who were told the end and have not come for the report yet
 
@@ -51,7 +51,7 @@ class _Handler(http.server.SimpleHTTPRequestHandler):
             self._send_events()
         else:
             super().do_GET()
-            self.server.moving_on -= self.path.startswith("/report.html")
+            self.server.moving_on -= self.server.runs.is_last_page(self.path)
 
     def log_message(self, *_) -> None:
         """Nothing."""
@@ -78,17 +78,19 @@ class _Handler(http.server.SimpleHTTPRequestHandler):
         self.send_header("Content-Type", "text/event-stream")
         self.send_header("Cache-Control", "no-store")
         self.end_headers()
-        feed, place, pause = self.server.feed, Place(), threading.Event()
+        runs, watcher, pause = self.server.runs, Watcher(), threading.Event()
         while True:
-            news = feed.news(place, _HEARTBEAT)
-            if news and news["begins"]:
-                self._say("scene", self.server.scene())
-            if news:
-                self._say("news", news)
+            end = runs.end  # before the last news, or that would be lost
+            said = runs.news(watcher, _HEARTBEAT)
+            for kind, content in said:
+                if kind == "news" and content["begins"]:
+                    self._say("scene", {"run": content["run"], **runs.scene(content["run"])})
+                self._say(kind, content)
+            if said:
                 pause.wait(_PAUSE)
-            elif feed.end is not None:
-                self.server.moving_on += bool(feed.end.get("page"))
-                return self._say("end", feed.end)
+            elif end is not None:
+                self.server.moving_on += bool(end.get("page"))
+                return self._say("end", end)
             else:
                 self._say("alive", None)
 

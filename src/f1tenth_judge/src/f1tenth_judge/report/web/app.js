@@ -1,15 +1,18 @@
 // The report: which page is shown, and the data behind it.
 
 import { decodeColumns, unpack } from "./base/decode.js";
+import { LiveRuns } from "./data/live.js";
 import { Run } from "./data/run.js";
 import { LivePage } from "./pages/live_page.js";
 import { Overview } from "./pages/overview.js";
 import { RunPage } from "./pages/run_page.js";
+import { WallPage } from "./pages/wall_page.js";
 import { droveTheSame } from "./pages/words.js";
 
 class Report {
-  constructor({ created, runs }) {
+  constructor({ created, runs, title = "Scenario report" }) {
     this.created = created;
+    this.title = title;
     this.runs = runs;
     this.decoded = new Map();
   }
@@ -55,28 +58,44 @@ function decoded(name) {
 
 async function start() {
   const report = new Report(await unpack(embedded("overview")));
+  const live = report.runs[0].live ? new LiveRuns(report.runs) : null;
   const main = document.getElementById("page");
-  if (report.runs[0].live) return showLive(report, main);
   let page = null;
   const show = () => {
     const { name, time } = readHash();
-    const index = report.runs.findIndex((run) => run.scenario === name);
+    const index = live && report.runs.length === 1 ? 0 : report.runs.findIndex((run) => run.scenario === name);
     page?.close();
-    page = index < 0 ? new Overview(report) : new RunPage(report, index, time);
-    document.title = index < 0 ? "Scenario report" : `${name} – scenario report`;
+    page = live ? livePage(report, index, live) : reportPage(report, index, time);
+    document.title = index < 0 ? report.title : `${report.runs[index].scenario} – ${live ? "live" : "scenario report"}`;
     main.replaceChildren(page.root);
     scrollTo(0, 0);
     return page.load();
   };
   addEventListener("hashchange", show);
+  if (live) listen(live, () => page);
   return show();
 }
 
-function showLive(report, main) {
-  const page = new LivePage(report, 0, 0);
-  document.title = `${report.runs[0].scenario} – live`;
-  main.replaceChildren(page.root);
-  return page.load();
+function reportPage(report, index, time) {
+  return index < 0 ? new Overview(report) : new RunPage(report, index, time);
+}
+
+function livePage(report, index, live) {
+  return index < 0 ? new WallPage(report.title, live) : new LivePage(report, index, live);
+}
+
+// What is new is told to the page that is shown.
+function listen(live, page) {
+  live.watcher = {
+    onState: (name) => page().onState(name),
+    onBegin: (name) => page().onBegin(name),
+    onNews: (name, events) => page().onNews(name, events),
+    onEnd: (end) => {
+      page().onEnd();
+      if (end.page) location.replace(end.page);
+    },
+  };
+  live.listen();
 }
 
 start();

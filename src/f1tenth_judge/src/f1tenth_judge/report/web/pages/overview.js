@@ -1,8 +1,9 @@
 // The page of all runs.
 
-import { element, svgElement } from "../base/elements.js";
+import { element } from "../base/elements.js";
 import { NOTHING, formatDate, formatNumber } from "../base/format.js";
 import { sortableTable } from "../base/table.js";
+import { pathPicture } from "./thumbnail.js";
 import { MEASURES, badge, changeOf, commitName, comparisonText, droveTheSame, failedBesides, verdictText, who } from "./words.js";
 
 const [ALL, FAILED] = ["all runs", "not as expected"];
@@ -60,7 +61,7 @@ export class Overview {
     const [lap, clearance, pace] = [run.times?.lap_time, run.minimum_clearance, run.real_time_factor];
     const drivers = who(run);
     const cells = [
-      thumbnail(run),
+      pathPicture(run.thumbnail, THUMBNAIL),
       element("div.name", {}, element("a", { href }, run.scenario), ...about(run).map((text) => element("p", {}, text))),
       drivers.length ? element("div", {}, ...drivers) : NOTHING,
       element("span", {}, badge(run), ` ${verdictText(run)}`),
@@ -114,22 +115,4 @@ function about(run) {
   const failed = failedBesides(run);
   const why = failed.some(({ reason }) => reason === run.reason) ? [] : [run.reason];
   return [...why, ...failed.map((each) => `${each.name}: ${comparisonText(each)}`)];
-}
-
-// The paths of a run, as large as a thumb.
-function thumbnail(run) {
-  const { width, height, margin } = THUMBNAIL;
-  const points = run.thumbnail.flat();
-  const picture = svgElement("svg", { viewBox: `0 0 ${width} ${height}`, width, height, class: "thumbnail", "aria-hidden": "true" });
-  if (!points.length) return picture;
-  const [xs, ys] = [points.map(([x]) => x), points.map(([, y]) => y)];
-  const [left, top] = [Math.min(...xs), Math.max(...ys)];
-  const [spanX, spanY] = [Math.max(...xs) - left, top - Math.min(...ys)];
-  const scale = Math.min((width - 2 * margin) / Math.max(spanX, 1), (height - 2 * margin) / Math.max(spanY, 1));
-  const shift = [(width - scale * spanX) / 2, (height - scale * spanY) / 2];
-  run.thumbnail.forEach((path, index) => {
-    const place = ([x, y]) => `${(shift[0] + scale * (x - left)).toFixed(1)},${(shift[1] + scale * (top - y)).toFixed(1)}`;
-    picture.append(svgElement("polyline", { points: path.map(place).join(" "), class: `car-${(index % 4) + 1}` }));
-  });
-  return picture;
 }

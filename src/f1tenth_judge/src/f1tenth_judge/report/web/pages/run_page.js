@@ -33,7 +33,7 @@ export class RunPage {
     const { result } = this;
     return element("header.run-head", {},
       element("nav", {},
-        result.live ? null : element("a", { href: "#" }, "← All runs"),
+        result.live && this.report.runs.length === 1 ? null : element("a", { href: "#" }, "← All runs"),
         element("span.spring"),
         this.neighbour(-1, "←"), this.neighbour(1, "→")),
       element("h1", {}, result.scenario, result.live ? null : badge(result)),

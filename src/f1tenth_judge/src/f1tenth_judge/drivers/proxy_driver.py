@@ -184,16 +184,20 @@ class ProxyDriver:
         while (connections := self._world.connections()) != start.connections and not self._world.is_over():
             start.note_connections(connections)
             self._await_connections(start)
-            self._sleep(self._world.connecting())
+            self._let_pass(self._world.connecting())
             self._settle()
 
     def _watch(self, duration: float) -> None:
         """Learn which threads poll, from what they do while nothing happens."""
-        before, began, granted = processor_use(self._pids), self._clock(), self._time()
+        before, began = processor_use(self._pids), self._clock()
+        self._let_pass(duration)
+        self._rest.learn(before, processor_use(self._pids), self._clock() - began)
+
+    def _let_pass(self, duration: float) -> None:
+        granted = self._time()
         self._sleep(duration)
         while self._time() - granted < duration and not self._world.is_over():
             self._sleep(duration / _LOOKS)
-        self._rest.learn(before, processor_use(self._pids), self._clock() - began)
 
     def _await_connections(self, start: "_Start") -> None:
         end = self._time() + _UNCONNECTED

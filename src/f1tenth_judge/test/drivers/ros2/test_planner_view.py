@@ -36,7 +36,7 @@ def test_process_and_then_its_topics_are_waited_for():
 
 
 @pytest.mark.parametrize(
-    ("processes", "is_cyclone", "time"), [(1, True, 0.3), (2, True, 2.0), (1, False, 2.0)]
+    ("processes", "is_cyclone", "time"), [(1, True, 0.3), (2, True, 2.0), (1, False, 2.0), (2, False, 3.5)]
 )
 def test_what_connects_unseen_has_more_time(processes, is_cyclone, time):
     assert view(processes, [], is_cyclone).connecting() == time

@@ -7,9 +7,10 @@ from f1tenth_judge.drivers.ros2.car_topics import CarTopics
 from f1tenth_judge.drivers.ros2.connection import Connection
 from f1tenth_judge.run.stage import Command
 
-# Wall time (s) without a change, after which no end of a topic is about to connect. Nobody sees whether a
-# planner's have: Fast DDS repeats after 1 s what came before the other side was ready, Cyclone DDS sooner.
-_CONNECTING, _CONNECTING_UNSEEN = 0.3, 2.0
+# Time (s) without a change, after which no end of a topic is about to connect. Nobody sees whether those
+# within a planner have: Fast DDS repeats after 1 s what came before the other side was ready, Cyclone DDS
+# sooner; and a process of Fast DDS that another one has missed announces itself again only after 3 s.
+_CONNECTING, _CONNECTING_UNSEEN, _ANNOUNCING = 0.3, 2.0, 3.5
 
 
 class PlannerView:
@@ -33,9 +34,13 @@ class PlannerView:
         return sorted(each.key for each in ends), self._connection.participants()
 
     def connecting(self) -> float:
-        """Wall time (s) without a change, after which no node is about to connect."""
-        is_alone = self._connection.participants() <= 1
-        return _CONNECTING if is_alone and self._connection.is_all_cyclone() else _CONNECTING_UNSEEN
+        """Time (s) without a change, after which no node is about to connect."""
+        alone, among_others = (
+            (_CONNECTING, _CONNECTING_UNSEEN)
+            if self._connection.is_all_cyclone()
+            else (_CONNECTING_UNSEEN, _ANNOUNCING)
+        )
+        return alone if self._connection.participants() <= 1 else among_others
 
     def missing(self) -> set[str]:
         """What should have been heard of a planner by now, and was not: its process, then its topics."""

@@ -4,6 +4,7 @@ import contextlib
 import os
 import shlex
 import textwrap
+import time
 from collections.abc import Iterator, Sequence
 from typing import Optional
 
@@ -14,6 +15,7 @@ from f1tenth_judge.drivers.ros2.connection import Connection
 from f1tenth_judge.drivers.ros2.isolation import child_environment, private_domain
 from f1tenth_judge.drivers.ros2.launch_output import dead_processes, output_of_raiser
 from f1tenth_judge.drivers.ros2.planner_view import PlannerView
+from f1tenth_judge.drivers.ros2.shared_memory import remove_what_is_left
 from f1tenth_judge.drivers.ros2.why_mute import NO_CLOCK, ignores_clock, mismatched, why_mute
 from f1tenth_judge.errors import MismatchError, NotAtRestError
 from f1tenth_judge.places.map_file import Grid
@@ -70,6 +72,7 @@ class Ros2Driver:
             }
             environment_file = plan.log_folder / f"{car}.env"
             environment_file.write_text("".join(f"{name}={value}\n" for name, value in variables.items()))
+            opened.callback(remove_what_is_left, time.time())
             self._tree = ProcessTree(["bash", "-c", _command(plan, car)], self._log, variables)
             opened.callback(self._tree.stop, _GRACE)
             self._proxy = ProxyDriver(self._view, f"{_MARK}={mark}", self._limits.answer, self._limits.load)

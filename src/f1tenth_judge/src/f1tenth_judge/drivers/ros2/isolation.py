@@ -51,8 +51,6 @@ def child_environment(domain: int, own: Mapping[str, str] = os.environ) -> dict[
         "ROS_STATIC_PEERS": "",
         "CYCLONEDDS_URI": _CYCLONE,
         "RMW_IMPLEMENTATION": middleware,
-        # Shared memory would outlive a process that is killed.
-        "FASTDDS_BUILTIN_TRANSPORTS": "UDPv4",
     }
 
 

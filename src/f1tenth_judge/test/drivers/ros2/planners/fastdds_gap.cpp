@@ -63,7 +63,7 @@ private:
   DataWriter * commands_;
 };
 
-// As rmw_fastrtps_cpp makes one with FASTDDS_BUILTIN_TRANSPORTS=UDPv4.
+// As rmw_fastrtps_cpp makes one with ROS_LOCALHOST_ONLY, but for shared memory.
 DomainParticipant * make_participant()
 {
   DomainParticipantQos qos = PARTICIPANT_QOS_DEFAULT;

@@ -1,6 +1,7 @@
 """race.launch is `scenario race` on the master that runs."""
 
 import json
+import operator
 import os
 import re
 import subprocess
@@ -54,16 +55,21 @@ def test_who_looks_on_sees_the_wheels(race, tmp_path):
 
 
 def test_bag_is_whole_in_the_tools_of_ros2_and_has_what_the_layout_shows(race, tmp_path):
-    rosbag2 = pytest.importorskip("rosbags.rosbag2")
+    highlevel = pytest.importorskip("rosbags.highlevel")
     race("planner:=pursuit", options="--bag --set limits.timeout=4")
     (file,) = (tmp_path / "results").glob("*/run.bag")
     target = ["--dst", str(tmp_path / "mcap"), "--dst-storage", "mcap", "--dst-typestore", "ros2_humble"]
     subprocess.run([*CONVERT, "--src", str(file), *target], check=True, timeout=PATIENCE)
-    with rosbag.Bag(str(file)) as bag, rosbag2.Reader(tmp_path / "mcap") as converted:
+    with rosbag.Bag(str(file)) as bag, highlevel.AnyReader([tmp_path / "mcap"]) as converted:
         recorded = {name: each.message_count for name, each in bag.get_type_and_topic_info().topics.items()}
         assert {name: each.msgcount for name, each in converted.topics.items()} == recorded
-    shown = re.findall(r"\"(/[\w/]+)", LAYOUT.read_text(encoding="utf-8"))
+        said = {end.topic: converted.deserialize(each, end.msgtype) for end, _, each in converted.messages()}
+    layout = LAYOUT.read_text(encoding="utf-8")
+    shown = re.findall(r"\"(/[\w/]+)", layout)
     assert {"/map", "/robot1/scan", "/robot1/drive"} <= set(shown) <= recorded.keys()
+    plotted = re.findall(r"\"(/[\w/]+)\.([\w.]+)\"", layout)
+    values = [float(operator.attrgetter(field)(said[topic])) for topic, field in plotted]
+    assert len(values) == 5
 
 
 def test_path_of_a_planner_counts_from_where_roslaunch_was_called(race, tmp_path):

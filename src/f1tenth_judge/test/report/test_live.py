@@ -8,6 +8,8 @@ import urllib.parse
 import urllib.request
 from pathlib import Path
 
+import gymnasium
+import numpy as np
 import pytest
 from browser import PATIENCE, chromium
 from f1tenth_judge.batch.jobs import Job
@@ -23,6 +25,7 @@ from f1tenth_judge.results.result_file import write_result
 from f1tenth_judge.run.execute import execute
 from f1tenth_judge.scenario.driver import Driver
 from f1tenth_judge.stop_request import StopRequest
+from f1tenth_sim2d.environments import ENVIRONMENT, register
 from report_samples import result
 from scenario_samples import rows, write_record
 
@@ -137,6 +140,37 @@ def test_a_wall_of_runs_shows_each_and_enlarges_one(tmp_path, capsys):
         write_result(plans[1].folder / "result.json", result("second"))
         until(window, "return document.querySelector('.reason').textContent === 'Over: success.'")
         assert window.get_log("browser") == []
+
+
+class FakeServing:
+    """In the place of the process that serves."""
+
+    def __init__(self, runs, *_):
+        (self.task,) = runs
+        FakeServing.last = self
+
+    def close(self):
+        pass
+
+
+@pytest.mark.parametrize("make", [gymnasium.make, gymnasium.make_vec], ids=["one", "vectors"])
+def test_episodes_of_an_environment_are_watched_one_after_the_other(monkeypatch, make):
+    register()
+    monkeypatch.setattr("f1tenth_judge.report.live.episodes.Serving", FakeServing)
+    environment = make(ENVIRONMENT, place="circuit1", beams=20, watch=True)
+    task, place = FakeServing.last.task, Place()
+    feed = Feed(Path(task["record"]), Path(task["interventions"]))
+    for _ in range(2):
+        environment.reset(seed=1)
+        for _ in range(15):
+            environment.step(np.zeros_like(environment.action_space.sample()))
+        feed.poll()
+        told = feed.news(place)
+        assert told["begins"]
+        (rows_of_car,) = told["cars"].values()
+        assert rows_of_car[-1][0] == pytest.approx(15 * 0.025, abs=0.05)
+    environment.close()
+    assert not Path(task["record"]).exists()
 
 
 def until(window, script):

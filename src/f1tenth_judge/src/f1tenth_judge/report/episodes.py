@@ -9,11 +9,18 @@ from f1tenth_sim2d.environments.stage import Stage
 
 from f1tenth_judge.record.files import REPLAY_FILE, REPORT_FILE, RESULT_FILE, TRAJECTORY_FILE
 from f1tenth_judge.record.record import read_record
-from f1tenth_judge.record.replay import write_replay
+from f1tenth_judge.record.replay import Replay, write_replay
 from f1tenth_judge.record.scene import scene_of
 from f1tenth_judge.report.page import write_report
 from f1tenth_judge.results import versions
 from f1tenth_judge.results.result_file import write_result
+
+
+def scene_of_stage(stage: Stage) -> Replay:
+    """What stands around the cars of an environment."""
+    scene = scene_of(stage.place.world, {car.name: car for car in stage.cars})
+    road = () if stage.place.centreline is None else stage.place.centreline[:, :2].tolist()
+    return dataclasses.replace(scene, road=road)
 
 
 class Recorder:
@@ -68,7 +75,7 @@ class Recorder:
         self._begun = False
         self._stage.record(None)
         record = read_record(self._run / TRAJECTORY_FILE)
-        write_replay(self._run / REPLAY_FILE, self._replay())
+        write_replay(self._run / REPLAY_FILE, scene_of_stage(self._stage))
         result = {**self._result(record), "verdict": verdict, "reason": reason}
         result["passed"] = verdict == result["expected"]
         write_result(self._run / RESULT_FILE, result)
@@ -82,12 +89,6 @@ class Recorder:
     @property
     def _run(self):
         return self._folder / f"episode_{self._count:04d}"
-
-    def _replay(self):
-        place = self._stage.place
-        scene = scene_of(place.world, {car.name: car for car in self._stage.cars})
-        road = () if place.centreline is None else place.centreline[:, :2].tolist()
-        return dataclasses.replace(scene, road=road)
 
     def _result(self, record):
         tracks = record.tracks

@@ -25,9 +25,9 @@ class F1TenthParallelEnv(ShownEnv, ParallelEnv):
         "is_parallelizable": True,
     }
 
-    def __init__(self, render_mode=None, record=None, **settings):
+    def __init__(self, render_mode=None, record=None, watch=False, **settings):
         """Load the place; arguments and errors as of F1TenthEnv, but with two cars unless told."""
-        super().__init__(render_mode, record, {"cars": 2, **settings}, numbered_agents)
+        super().__init__(render_mode, record, watch, {"cars": 2, **settings}, numbered_agents)
         self.possible_agents = [car.name for car in self._stage.cars]
         self.agents: list = []
         self.observation_spaces = dict.fromkeys(self.possible_agents, self._stage.car_space)
@@ -71,7 +71,7 @@ class F1TenthParallelEnv(ShownEnv, ParallelEnv):
             return {}, {}, {}, {}, {}
         driven = np.array([[agent in self.agents for agent in self.possible_agents]])
         self._stage.step(self._rows(actions), driven)
-        self._view.show()
+        self._show()
         rewards, finished = self._stage.rewards()[0], self._stage.finished()[0]
         late = bool(self._stage.out_of_time()[0])
         answer = (

@@ -1,9 +1,9 @@
-"""What records episodes: f1tenth_judge, which builds on this package and is imported by name."""
+"""What records and shows episodes: f1tenth_judge, which builds on this package and is imported by name."""
 
 import importlib
 from os import PathLike
 
-RECORDER = "f1tenth_judge.report.episodes"
+RECORDER, WATCH = "f1tenth_judge.report.episodes", "f1tenth_judge.report.live.episodes"
 
 
 def recorder_into(folder, stage):
@@ -18,8 +18,20 @@ def recorder_into(folder, stage):
         return None
     if not isinstance(folder, (str, PathLike)):
         raise ValueError(f"record: found {folder!r}, allowed is the path of a folder")
+    return _module("record", RECORDER).Recorder(folder, stage)
+
+
+def watch_of(wanted, stage):
+    """What shows a stage's episodes in a browser, if that is wanted; None if not.
+
+    Raises:
+        ValueError: f1tenth_judge, which has the page, cannot be imported.
+    """
+    return _module("watch", WATCH).Watch(stage) if wanted else None
+
+
+def _module(option, name):
     try:
-        module = importlib.import_module(RECORDER)
+        return importlib.import_module(name)
     except ImportError as error:
-        raise ValueError(f"record: {error}; the report is a part of f1tenth_judge") from error
-    return module.Recorder(folder, stage)
+        raise ValueError(f"{option}: {error}; the report is a part of f1tenth_judge") from error

@@ -20,19 +20,20 @@ class F1TenthEnv(ShownEnv, gymnasium.Env):
 
     metadata = {"render_modes": list(View.MODES), "render_fps": View.FRAMES_PER_SECOND}
 
-    def __init__(self, render_mode=None, record=None, **settings):
+    def __init__(self, render_mode=None, record=None, watch=False, **settings):
         """Load the place; see f1tenth_sim2d.environments.settings.Settings for what there is to choose.
 
         Args:
             render_mode: None, rgb_array or human.
             record: folder for all episodes, and, when the environment is closed, for the report of them.
+            watch: print an address at which browsers of this machine show the episode in progress.
             settings: Settings.
 
         Raises:
             ValueError: settings that are not allowed.
             f1tenth_sim2d.LoadError: a place that cannot be used.
         """
-        super().__init__(render_mode, record, settings)
+        super().__init__(render_mode, record, watch, settings)
         self._cars = self._stage.settings.cars
         self.observation_space = repeated(self._stage.car_space, self._cars)
         self.action_space = repeated(self._stage.action_space, self._cars)
@@ -69,7 +70,7 @@ class F1TenthEnv(ShownEnv, gymnasium.Env):
         if action.shape != self.action_space.shape:
             raise ValueError(f"action: found shape {action.shape}, allowed is {self.action_space.shape}")
         self._stage.step(action.reshape(1, self._cars, 2), self._driven)
-        self._view.show()
+        self._show()
         rewards = self._stage.rewards()[0]
         finished, late = bool(self._stage.finished()[0, 0]), bool(self._stage.out_of_time()[0])
         if self._recorder:

@@ -7,6 +7,7 @@ from gymnasium.utils import seeding
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
+from f1tenth_sim2d.environments.recording import watch_of
 from f1tenth_sim2d.environments.settings import require_number
 from f1tenth_sim2d.environments.stage import Stage, repeated
 
@@ -23,13 +24,14 @@ class F1TenthVectorEnv(VectorEnv):
 
     metadata = {"render_modes": [], "autoreset_mode": AutoresetMode.NEXT_STEP}
 
-    def __init__(self, num_envs=1, threads=None, render_mode=None, **settings):
+    def __init__(self, num_envs=1, threads=None, render_mode=None, watch=False, **settings):
         """Load the place; settings and errors are those of F1TenthEnv.
 
         Args:
             num_envs: how many environments.
             threads: that step them; default: one per available processor.
-            render_mode: None; these environments cannot be seen.
+            render_mode: None; these environments draw no pictures.
+            watch: as of F1TenthEnv; shown is the first environment.
             settings: Settings.
         """
         threads = len(os.sched_getaffinity(0)) if threads is None else threads
@@ -39,6 +41,7 @@ class F1TenthVectorEnv(VectorEnv):
             raise ValueError(f"render_mode: found {render_mode!r}, allowed is None")
         self.render_mode = None
         self._stage = Stage(settings, num_envs, threads)
+        self._watch = watch_of(watch, self._stage)
         cars = self._stage.settings.cars
         self.num_envs = num_envs
         self.single_observation_space = repeated(self._stage.car_space, cars)
@@ -67,7 +70,7 @@ class F1TenthVectorEnv(VectorEnv):
             if mask[i] and each is not None:
                 self._rngs[i], _ = seeding.np_random(each)
         for i in np.flatnonzero(mask):
-            self._stage.begin(int(i), self._rngs[i], options)
+            self._begin(int(i), options)
             self._ended[i], self._begun[i] = False, True
         return self._observation(), self._info(self._stage.rewards())
 
@@ -88,8 +91,10 @@ class F1TenthVectorEnv(VectorEnv):
         restarted = self._ended
         driven = np.repeat(~restarted[:, None], self._stage.settings.cars, axis=1)
         self._stage.step(actions.reshape(*driven.shape, 2), driven)
+        if self._watch and not restarted[0]:
+            self._watch.note()
         for i in np.flatnonzero(restarted):
-            self._stage.begin(int(i), self._rngs[i])
+            self._begin(int(i))
         all_rewards = np.where(restarted[:, None], 0.0, self._stage.rewards())
         finished = self._stage.finished()[:, 0] & ~restarted
         late = self._stage.out_of_time() & ~restarted
@@ -99,6 +104,13 @@ class F1TenthVectorEnv(VectorEnv):
     def close_extras(self, **_):
         """Release everything."""
         del self._stage
+        if self._watch:
+            self._watch.close()
+
+    def _begin(self, i, options=None):
+        self._stage.begin(i, self._rngs[i], options)
+        if i == 0 and self._watch:
+            self._watch.begin()
 
     def _observation(self):
         return self._stage.observation((slice(None), 0) if self._stage.settings.cars == 1 else slice(None))

@@ -16,6 +16,7 @@ _MOST_ROWS = 1000  # of a car, in one message: who is farther behind gets every 
 # Of a car, as those in live.js: then the older half loses every second one, so that a run may go on for days.
 _KEPT_ROWS = 20_000
 _KEPT_EVENTS = 1000  # the latest
+_CLOCKS = 0.1  # s, by which the time of a file may be behind the clock, and more than enough
 _SHOWN = [COLUMNS.index(name) for name in ("time", "x", "y", "yaw", "v_x", "steering_angle", "clearance")]
 _CAR, _CONTACTS = COLUMNS.index("car"), COLUMNS.index("contacts")
 
@@ -34,18 +35,22 @@ class Feed:
 
     def __init__(self, record: Path, interventions: Path):
         self._record, self._interventions = record, interventions
-        self._since = time.time()
+        self._since = time.time() - _CLOCKS
         self._beginning = 0
         self._clear()
 
     def _clear(self) -> None:
         self._file: Optional[int] = None  # inode
         self._offset, self._rest = 0, b""
+        self._noted, self._noted_size = 0, 0  # interventions, and bytes of their file
+        self._forget()
+
+    def _forget(self) -> None:
+        self._beginning += 1
         self._rows: dict[str, list[list[float]]] = {}
         self._touching: dict[str, str] = {}
         self._events: list[dict[str, Any]] = []
         self._forgotten = 0  # events
-        self._noted, self._noted_size = 0, 0  # interventions, and bytes of their file
 
     def poll(self) -> bool:
         """Read what has been written since the last call; returns whether there was anything."""
@@ -91,7 +96,6 @@ class Feed:
                     return []  # of an earlier run
                 if self._file not in (None, status.st_ino) or status.st_size < self._offset:
                     self._clear()
-                    self._beginning += 1
                 self._file = status.st_ino
                 stream.seek(self._offset)
                 data = stream.read()
@@ -104,9 +108,13 @@ class Feed:
     def _take(self, cells: list[str]) -> None:
         if len(cells) != len(COLUMNS) or cells[0] == COLUMNS[0]:
             return
-        row = [round(float(cells[index]), 4) for index in _SHOWN]
+        row: list[Any] = [round(float(cells[index]), 4) if cells[index] else None for index in _SHOWN]
         rows = self._rows.setdefault(cells[_CAR], [])
-        if all(map(math.isfinite, row)) and (not rows or row[0] >= rows[-1][0] + _STEP - STAMP_EPSILON):
+        if rows and row[0] < rows[-1][0]:  # another episode, whose file the system took for the same
+            self._forget()
+            rows = self._rows.setdefault(cells[_CAR], [])
+        is_due = not rows or row[0] >= rows[-1][0] + _STEP - STAMP_EPSILON
+        if is_due and all(each is None or math.isfinite(each) for each in row):
             rows.append(row)
             if len(rows) > _KEPT_ROWS:
                 del rows[1 : _KEPT_ROWS // 2 : 2]

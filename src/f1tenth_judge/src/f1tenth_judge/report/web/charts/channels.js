@@ -18,7 +18,7 @@ export class Channels {
     const hasRoad = run.cars.every((car) => car.way.length);
     this.axis = element("select", { "aria-label": "charts over", hidden: !hasRoad, change: () => this.setAxis(this.axis.value) },
       element("option", { value: "time" }, "over time"), element("option", { value: "way" }, "over distance"));
-    this.charts = [...CHANNELS, ...ownChannels(run)].filter(({ quantity }) => run.cars.some((car) => car[quantity]?.length))
+    this.charts = [...CHANNELS, ...ownChannels(run)].filter(({ quantity }) => run.cars.some((car) => car[quantity]?.some(Number.isFinite)))
       .map((channel) => new Chart({ ...channel, limit: limits[channel.quantity], lines: linesOf(run, ghost, channel.quantity), onSeek }));
     this.root = element("div.channels", {}, this.axis, ...this.charts.map(({ root }) => root));
   }

@@ -42,7 +42,7 @@ class CarTrack {
   grow(rows, names) {
     for (const row of rows) {
       const before = this.yaw.at(-1);
-      names.forEach((name, column) => this[name].push(row[column]));
+      names.forEach((name, column) => this[name].push(row[column] ?? NaN));
       if (before !== undefined) this.yaw[this.yaw.length - 1] -= 2 * Math.PI * Math.round((this.yaw.at(-1) - before) / (2 * Math.PI));
     }
     this.end = this.time.at(-1) ?? 0;

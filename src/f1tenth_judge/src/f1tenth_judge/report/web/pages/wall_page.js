@@ -45,6 +45,7 @@ class Tile {
 
   begin() {
     this.view = new View(this.live.driven.get(this.name), [], []);
+    this.view.decided = true; // all of the map, however small the car is
     this.picture.replaceChildren(this.view.canvas);
     this.view.canvas.tabIndex = -1;
     this.resize();

@@ -1,0 +1,80 @@
+"""Episodes of an environment, watched in a browser while a policy learns."""
+
+import csv
+import os
+import tempfile
+from pathlib import Path
+from typing import Any, Optional, TextIO
+
+from f1tenth_sim2d.environments.stage import Stage
+
+from f1tenth_judge.record.record import COLUMNS, Record
+from f1tenth_judge.report.episodes import scene_of_stage
+from f1tenth_judge.report.live.watching import Serving
+from f1tenth_judge.report.replay_columns import pack_run, pack_world
+
+_FELT = (
+    "x",
+    "y",
+    "yaw",
+    "v_x",
+    "v_y",
+    "yaw_rate",
+    "steering_angle",
+)  # columns of a record, as results call them
+
+
+class Watch:
+    """Serves the episode in progress of the first environment of a stage."""
+
+    def __init__(self, stage: Stage):
+        """Begin to serve; the address is printed."""
+        self._stage = stage
+        self._folder = tempfile.TemporaryDirectory(prefix="f1tenth_watch")
+        self._file = Path(self._folder.name) / "record.csv"
+        self._record: Optional[TextIO] = None
+        task = task_of_stage(stage, self._file)
+        self._serving = Serving([task], task["name"], self._file.parent)
+
+    def begin(self) -> None:
+        """Show a new episode."""
+        self._end()
+        # A file of its own, by which the other side knows.
+        self._record = self._file.with_name("next.csv").open("w", encoding="utf-8", newline="")
+        os.replace(self._record.name, self._file)
+        self._rows = csv.writer(self._record, lineterminator="\n")
+        self._rows.writerow(COLUMNS)
+        self.note()
+
+    def note(self) -> None:
+        """Take note of a step; the simulator's own record comes in bursts, and may be somebody else's."""
+        assert self._record
+        time = float(self._stage.times[0])
+        for car, result in zip(self._stage.cars, self._stage.results[0]):
+            felt = {name: float(result[name]) for name in _FELT}
+            touched = "something" if result["contact"] else ""
+            row = {"time": time, "car": car.name, "contacts": touched, **felt}
+            self._rows.writerow([row.get(name, "") for name in COLUMNS])
+        self._record.flush()
+
+    def close(self) -> None:
+        """Stop serving."""
+        self._end()
+        self._serving.close()
+        self._folder.cleanup()
+
+    def _end(self) -> None:
+        if self._record:
+            self._record.close()
+
+
+def task_of_stage(stage: Stage, record: Path) -> dict[str, Any]:
+    """Of an environment that is recorded into a file."""
+    shown = scene_of_stage(stage)
+    about = {"description": f"The episode in progress in {stage.place.name}.", "cars": {}}
+    return {
+        "name": f"environment {stage.place.name}",
+        "record": str(record),
+        "interventions": str(record.with_name("none")),
+        "scene": {"columns": pack_run(Record({}), shown), "world": pack_world(shown), "about": about},
+    }

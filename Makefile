@@ -2,7 +2,7 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-COMMANDS := help setup installed configure build race report test docs sanitize tsan coverage lint tidy format pictures bench fuzz wheel clean
+COMMANDS := help setup installed configure build race report test docs sanitize tsan aarch64 coverage lint tidy format pictures bench fuzz wheel clean
 .PHONY: $(COMMANDS) judged known-circuit
 
 # Where a command fails, GNU make says `*** Error 1` and ends with 2. A race that did not end as expected is no failure of make:
@@ -59,7 +59,7 @@ PYTHON_FILES = $(shell git ls-files '*.py'; git grep -lI '^\#!/usr/bin/\(env pyt
 .NOTPARALLEL:
 
 help: ## list the commands
-	@sed -n 's/^\([a-z]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 16
+	@sed -n 's/^\([a-z0-9]*\):.*## /  make \1\t/p' $(MAKEFILE_LIST) | expand -t 16
 	@echo "  Variables: CIRCUIT=$(CIRCUIT), of $(CIRCUITS);"
 	@echo "  PLANNER=LAUNCH FILE, with LAPS=1, INTERFACE=native or f1tenth; WATCH=1 shows it in a browser;"
 	@echo "  JOBS=$(JOBS); TEST_JOBS=$(TEST_JOBS);"
@@ -129,6 +129,9 @@ docs: ## the documents as a searchable site, links checked: results/site/index.h
 	@tools/setup --docs $(SETUP)
 	@NO_MKDOCS_2_WARNING=1 "$(VENV)/bin/python3" -m mkdocs build --site-dir "$(OUT)/results/site"
 	@echo "$(OUT)/results/site/index.html"
+
+aarch64: installed ## the same bits on aarch64, which is emulated: trajectories, pictures, judged runs
+	@tools/aarch64 $(BUILD_DIR)/aarch64
 
 coverage: setup ## which lines the tests run: results/coverage/
 	@tools/coverage $(BUILD_DIR)/coverage

@@ -3,7 +3,9 @@
 #include <pybind11/numpy.h>
 
 #include <array>
+#include <memory>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "render/camera.h"
@@ -20,12 +22,15 @@ pybind11::array_t<double> toArray(const std::vector<Item> & items)
   return pybind11::array_t<double>(shape, reinterpret_cast<const double *>(items.data()));
 }
 
-/// Colour, of shape (height, width, 3), and depth, of shape (height, width).
-inline pybind11::tuple toArrays(const Picture & picture)
+/// Colour, of shape (height, width, 3), and depth, of shape (height, width); both keep the picture.
+inline pybind11::tuple toArrays(Picture picture)
 {
   namespace py = pybind11;
-  const py::array_t<std::uint8_t> colours({picture.height, picture.width, 3}, picture.colours.data());
-  const py::array_t<float> depths({picture.height, picture.width}, picture.depths.data());
+  auto kept = std::make_unique<Picture>(std::move(picture));
+  Picture & seen = *kept;
+  const py::capsule owner(kept.release(), [](void * each) { delete static_cast<Picture *>(each); });
+  const py::array_t<std::uint8_t> colours({seen.height, seen.width, 3}, seen.colours.data(), owner);
+  const py::array_t<float> depths({seen.height, seen.width}, seen.depths.data(), owner);
   return py::make_tuple(colours, depths);
 }
 }  // namespace f1tenth_sim2d

@@ -117,7 +117,7 @@ py::tuple look(PythonEnvironments & environments, std::size_t index, std::size_t
   const Turn turn(environments.taken());
   Picture picture;
   environments.look(index, car, picture);
-  return toArrays(picture);
+  return toArrays(std::move(picture));
 }
 
 Episode snapshot(PythonEnvironments & environments, std::size_t index)

@@ -263,7 +263,7 @@ py::tuple PythonSimulation::look(CarId car, const std::string & name, const std:
     const py::gil_scoped_release release;
     camera.look(*this, car, camera.eye(eye), picture);
   }
-  return toArrays(picture);
+  return toArrays(std::move(picture));
 }
 
 py::tuple PythonSimulation::modelPose(const std::string & name) const

@@ -103,12 +103,23 @@ PixelPlane TriangleSetup::interpolated(double a, double b, double c) const
 
 void Raster::clear(int width, int height, float least, float greatest)
 {
+  const bool is_other = width != width_ || height != height_ || least != least_;
   width_ = width;
   height_ = height;
+  least_ = least;
   greatest_ = greatest;
-  const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  nearness_.assign(count, least);
-  triangles_.assign(count, kNothing);
+  if (is_other) {
+    drawn_ = {0, height};
+    nearness_.resize(rowStart(height));
+    triangles_.resize(rowStart(height));
+  }
+  if (drawn_.first < drawn_.end) {
+    const auto first = static_cast<std::ptrdiff_t>(rowStart(drawn_.first));
+    const auto end = static_cast<std::ptrdiff_t>(rowStart(drawn_.end));
+    std::fill(nearness_.begin() + first, nearness_.begin() + end, least);
+    std::fill(triangles_.begin() + first, triangles_.begin() + end, kNothing);
+  }
+  drawn_ = {height, 0};
 }
 
 void Raster::locate(RasterCorner & corner) const
@@ -147,6 +158,7 @@ bool Raster::draw(
   if (!setup.isVisible() || !(with_back || setup.isFront())) {
     return false;
   }
+  drawn_ = {std::min(drawn_.first, rows.first), std::max(drawn_.end, rows.end)};
   const PixelPlane nearness = setup.interpolated(a.q, b.q, c.q);
   const auto step = static_cast<float>(nearness.x);
   Span span(setup.edges(), width_);

@@ -84,6 +84,8 @@ private:
 
   int width_{0};
   int height_{0};
+  Rows drawn_{0, 0};  ///< all others are empty
+  float least_{0.0F};
   float greatest_{0.0F};
   std::vector<float> nearness_;
   std::vector<std::uint32_t> triangles_;

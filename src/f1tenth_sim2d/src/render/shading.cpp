@@ -208,20 +208,31 @@ public:
   /// Takes from a block what the shadows leave.
   void apply(int first, int count, const Block & depths, Block & sun) const
   {
-    std::array<Block, 3> at;
+    const int last = first + count - 1;
+    if (map_.isLit(
+          at(0, first, depths[0]), at(1, first, depths[0]), at(0, last, depths[count - 1]),
+          at(1, last, depths[count - 1]))) {
+      return;
+    }
+    std::array<Block, 3> places;
     for (std::size_t k = 0; k < 3; ++k) {
       for (int i = 0; i < kBlock; ++i) {
-        at[k][i] = origin_[k] + (start_[k] + step_[k] * static_cast<float>(first + i)) * depths[i];
+        places[k][i] = at(k, first + i, depths[i]);
       }
     }
     for (int i = 0; i < count; ++i) {
       if (sun[i] > 0.0F) {
-        sun[i] *= map_.light(at[0][i], at[1][i], at[2][i]);
+        sun[i] *= map_.light(places[0][i], places[1][i], places[2][i]);
       }
     }
   }
 
 private:
+  float at(std::size_t k, int column, float depth) const
+  {
+    return origin_[k] + (start_[k] + step_[k] * static_cast<float>(column)) * depth;
+  }
+
   const ShadowMap & map_;
   std::array<float, 3> origin_;
   std::array<float, 3> start_;

@@ -99,15 +99,45 @@ void ShadowMap::show(const Scene & scene, const std::vector<const PlacedSurface 
   }
   raster_.clear(window.columns, window.rows, kDeepest, std::numeric_limits<float>::infinity());
   std::vector<RasterCorner> corners;
+  double left = window.columns;
+  double right = -1.0;
+  double top = window.rows;
+  double bottom = -1.0;
   for (const PlacedSurface * const caster : casters) {
     const Transform map_from_surface = map_from_world_ * caster->pose;
     corners.clear();
     for (const Vec3 & corner : caster->surface.mesh->corners) {
       const Vec3 at = map_from_surface(corner);
+      left = std::min(left, at.x);
+      right = std::max(right, at.x);
+      top = std::min(top, at.y);
+      bottom = std::max(bottom, at.y);
       raster_.locate(corners.emplace_back(RasterCorner{at.x, at.y, 1.0, at.z}));
     }
     for (const auto & [a, b, c] : caster->surface.mesh->triangles) {
       raster_.draw(corners[a], corners[b], corners[c], true, 0);
+    }
+  }
+  // Where light is interpolated, a pixel reaches as far as the next.
+  const auto within = [](double place, int count) {
+    return static_cast<float>(std::max(0.0, std::min(place, count - 1.0)));
+  };
+  first_column_ = within(left - 1.0, window.columns);
+  last_column_ = within(right + 1.0, window.columns);
+  first_row_ = within(top - 1.0, window.rows);
+  last_row_ = within(bottom + 1.0, window.rows);
+  findHighest();
+}
+
+void ShadowMap::findHighest()
+{
+  highest_.resize(static_cast<std::size_t>(raster_.width()) * static_cast<std::size_t>(raster_.height()));
+  for (int row = static_cast<int>(first_row_); static_cast<float>(row) < last_row_; ++row) {
+    const float * const upper = raster_.nearness(row);
+    const float * const lower = raster_.nearness(row + 1);
+    float * const found = &highest_[static_cast<std::size_t>(row) * static_cast<std::size_t>(raster_.width())];
+    for (int i = static_cast<int>(first_column_); static_cast<float>(i) < last_column_; ++i) {
+      found[i] = std::max(std::max(upper[i], upper[i + 1]), std::max(lower[i], lower[i + 1]));
     }
   }
 }

@@ -13,7 +13,7 @@ PLACES = 20
 REPEATS = 3
 
 
-@benchmark("stereo_ms", "ms", at_most=30)
+@benchmark("stereo_ms", "ms", at_most=20)
 def stereo_ms():
     """Colour and depth of both eyes in circuit_detailed, mean over places along its centreline."""
     world = f1tenth_sim2d.load_world(str(circuit_file("circuit_detailed")))

@@ -235,10 +235,13 @@ std::shared_ptr<const SurfaceMesh> meshOf(const Polyline & polyline, const Textu
   return builder.take();
 }
 
-std::shared_ptr<const SurfaceMesh> rectangle(double width, double depth, const TextureScale & scale)
+std::shared_ptr<const SurfaceMesh> rectangle(
+  double width, double depth, const TextureScale & scale, const Transform & turn)
 {
   MeshBuilder builder(true);
-  builder.face({-0.5 * width, -0.5 * depth, 0.0}, {width, 0.0, 0.0}, {0.0, depth, 0.0}, scale);
+  builder.face(
+    turn.turned({-0.5 * width, -0.5 * depth, 0.0}), turn.turned({width, 0.0, 0.0}), turn.turned({0.0, depth, 0.0}),
+    scale);
   return builder.take();
 }
 

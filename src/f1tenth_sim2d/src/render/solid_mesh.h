@@ -22,9 +22,10 @@ std::shared_ptr<const SurfaceMesh> meshOf(const Capsule & capsule, const Texture
 std::shared_ptr<const SurfaceMesh> meshOf(const Ellipsoid & ellipsoid, const TextureScale & scale);
 std::shared_ptr<const SurfaceMesh> meshOf(const Polyline & polyline, const TextureScale & scale);
 
-/// A rectangle in the plane z = 0, seen from above.
+/// A rectangle in the plane z = 0, seen from above, that is turned then.
 /// @param width, depth  m, along x and y
-std::shared_ptr<const SurfaceMesh> rectangle(double width, double depth, const TextureScale & scale);
+std::shared_ptr<const SurfaceMesh> rectangle(
+  double width, double depth, const TextureScale & scale, const Transform & turn = {});
 
 /// The normals of a mesh that has none: those of its triangles, each of which gets corners of its own.
 void makeFlat(SurfaceMesh & mesh);

@@ -199,6 +199,27 @@ def test_textures_are_read(tmp_path, stereo_car):
     assert right[2] > 2 * right[1]
 
 
+def test_a_script_that_has_changed_is_read_again(tmp_path, stereo_car):
+    script = "<material><script><uri>own.material</uri><name>Own</name></script></material>"
+    for time, colour in enumerate(("1 0 0", "0 1 0")):
+        file = tmp_path / "own.material"
+        file.write_text(f"material Own\n{{\n technique {{\n  pass {{\n diffuse {colour} 1\n }} }} }}\n")
+        os.utime(file, (time, time))
+        simulation = in_world(tmp_path, stereo_car, visual("box", "3 0 0.5 0 0 0", BOX, script))
+        red, green, _ = simulation.look(0, CAMERA)[0][188, 336]
+        assert (red > 90, green > 90) == (time == 0, time == 1)
+
+
+def test_a_plane_faces_its_normal(tmp_path, stereo_car):
+    plane = "<plane><normal>-1 0 0</normal><size>1 0.4</size></plane>"
+    simulation = in_world(tmp_path, stereo_car, visual("plane", "3 0 0.1 0 0 0", plane, RED))
+    eye = simulation.car(0).cameras[CAMERA][0]
+    depth = simulation.look(0, CAMERA)[1][188]
+    seen = depth[np.isfinite(depth)]
+    assert seen == pytest.approx(3.0 - eye.pose[0], abs=1e-4)
+    assert len(seen) == pytest.approx(0.4 * eye.focal_x / seen[0], abs=1.0)
+
+
 def test_the_car_and_all_places_are_drawn_whole(stereo_car):
     for name in circuits():
         assert at_start(find_place(name).world, stereo_car).view_warning == ""

@@ -137,7 +137,8 @@ void readLink(LinkPart & link, const FrameScope & frames, MeshLibrary & meshes, 
     }
   }
   for (const Element & visual : link.element.children("visual")) {
-    link.visuals.push_back(readVisual(visual, link.name, frames, meshes));
+    const auto pose = [&] { return frames.resolved(readPose(visual, link.name)); };
+    link.visuals.push_back(readVisual(visual, pose, meshes));
   }
   for (const Element & sensor : link.element.children("sensor")) {
     link.sensors.push_back({sensor, frames.resolved(readPose(sensor, link.name))});

@@ -156,7 +156,8 @@ private:
   void addVisuals(const UrdfLink & link, std::vector<Visual> & visuals)
   {
     for (const Element & visual : link.element.children("visual")) {
-      visuals.push_back(readUrdfVisual(visual, link.pose, extensions_.materialOf(link), meshes_));
+      const auto pose = [&] { return link.pose * readOrigin(visual); };
+      visuals.push_back(readVisual(visual, pose, meshes_, extensions_.materialOf(link)));
     }
     for (const UrdfLink * const child : link.children) {
       if (child->isJoined()) {

@@ -107,11 +107,13 @@ void applyScript(const MaterialDescription & description, const FileFinder & fil
   }
   for (const std::string & uri : description.scripts) {
     for (const std::string & file : scriptFiles(uri, files)) {
-      if (const auto found = findMaterial(readFile(file), description.script)) {
-        loaded.material.diffuse = found->diffuse;
-        loaded.material.emission = found->emission;
-        if (!found->texture.empty()) {
-          loaded.material.texture = readTexture(findTexture(found->texture, file, description, files));
+      const auto materials = readMaterialScript(file);
+      if (const auto found = materials->find(description.script); found != materials->end()) {
+        const ScriptedMaterial & scripted = found->second;
+        loaded.material.diffuse = scripted.diffuse;
+        loaded.material.emission = scripted.emission;
+        if (!scripted.texture.empty()) {
+          loaded.material.texture = readTexture(findTexture(scripted.texture, file, description, files));
         }
         return;
       }

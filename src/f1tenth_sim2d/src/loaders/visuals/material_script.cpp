@@ -1,7 +1,10 @@
 #include "loaders/visuals/material_script.h"
 
-#include <map>
+#include <filesystem>
+#include <mutex>
 #include <sstream>
+
+#include "loaders/files/files.h"
 
 namespace f1tenth_sim2d
 {
@@ -49,11 +52,10 @@ Heading headingIn(const std::string & line)
   }
   return heading;
 }
-}  // namespace
 
-std::optional<ScriptedMaterial> findMaterial(const std::string & text, const std::string & name)
+ScriptedMaterials materialsIn(const std::string & text)
 {
-  std::map<std::string, ScriptedMaterial> materials;
+  ScriptedMaterials materials;
   ScriptedMaterial * current = nullptr;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -65,7 +67,27 @@ std::optional<ScriptedMaterial> findMaterial(const std::string & text, const std
       readLine(line, *current);
     }
   }
-  const auto found = materials.find(name);
-  return found == materials.end() ? std::nullopt : std::make_optional(found->second);
+  return materials;
+}
+
+struct KnownScript
+{
+  std::filesystem::file_time_type changed;
+  std::shared_ptr<const ScriptedMaterials> materials;
+};
+}  // namespace
+
+std::shared_ptr<const ScriptedMaterials> readMaterialScript(const std::string & path)
+{
+  static std::mutex mutex;
+  static std::map<std::string, KnownScript> known;
+  const std::lock_guard<std::mutex> lock(mutex);
+  std::error_code ignored;
+  const auto changed = std::filesystem::last_write_time(path, ignored);
+  KnownScript & script = known[path];
+  if (!script.materials || script.changed != changed) {
+    script = {changed, std::make_shared<const ScriptedMaterials>(materialsIn(readFile(path)))};
+  }
+  return script.materials;
 }
 }  // namespace f1tenth_sim2d

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <optional>
+#include <map>
+#include <memory>
 #include <string>
 
 #include "render/texture.h"
@@ -15,8 +16,10 @@ struct ScriptedMaterial
   std::string texture;  ///< file; empty: none
 };
 
-/// @param text  of a .material file
-/// @param name  of a material; one that inherits from another of the file begins as that one
-/// @return none if the text does not define it
-std::optional<ScriptedMaterial> findMaterial(const std::string & text, const std::string & name);
+/// Those of a script by their names. One that inherits from another of the file begins as that one.
+using ScriptedMaterials = std::map<std::string, ScriptedMaterial>;
+
+/// What a .material file defines; it is read again only if it has changed. From any thread.
+/// @throws LoadError for a file that cannot be read
+std::shared_ptr<const ScriptedMaterials> readMaterialScript(const std::string & path);
 }  // namespace f1tenth_sim2d

@@ -1,11 +1,11 @@
 #include "loaders/visuals/read_visual.h"
 
+#include <mutex>
 #include <optional>
 #include <utility>
 #include <variant>
 
 #include "f1tenth_sim2d/errors.h"
-#include "loaders/frames/read_pose.h"
 #include "loaders/shapes/read_shape.h"
 #include "loaders/visuals/material.h"
 #include "loaders/visuals/mesh_surfaces.h"
@@ -21,6 +21,7 @@ struct Sheet
 {
   double width;  ///< m, along x
   double depth;  ///< m, along y
+  Pose3 turn;    ///< to its normal
 };
 struct MeshFile
 {
@@ -46,7 +47,7 @@ struct Draw
   std::vector<Surface> operator()(const Shape & shape) const { return std::visit(*this, shape); }
   std::vector<Surface> operator()(const Sheet & sheet) const
   {
-    return single(rectangle(sheet.width, sheet.depth, material.scale));
+    return single(rectangle(sheet.width, sheet.depth, material.scale, toTransform(sheet.turn)));
   }
   std::vector<Surface> operator()(const MeshFile & mesh) const
   {
@@ -71,30 +72,98 @@ struct Draw
   }
 };
 
+Sheet sheetOf(const Element & plane, const Pose3 & turn)
+{
+  constexpr double kByDefault = 1.0;  // m, in SDF
+  constexpr std::size_t kNumbers = 2;
+  const auto size = numbersIn(plane.child("size").text()).value_or(std::vector<double>{});
+  const Sheet sheet = size.size() == kNumbers ? Sheet{size[0], size[1], turn} : Sheet{kByDefault, kByDefault, turn};
+  plane.requireLength("<size>", sheet.width);
+  plane.requireLength("<size>", sheet.depth);
+  return sheet;
+}
+
+std::variant<Shape, Sheet, MeshFile> shapeOf(const Element & geometry, bool is_urdf, const FileFinder & files)
+{
+  if (const Element mesh = geometry.child("mesh")) {
+    return is_urdf ? MeshFile{mesh.requiredAttribute("filename"), urdfMeshSelectionOf(mesh)}
+                   : MeshFile{mesh.requiredText("uri"), meshSelectionOf(mesh)};
+  }
+  WarningCollector of_meshes;
+  MeshLibrary no_meshes(*files.uris, of_meshes);
+  Pose3 turn;
+  const std::optional<Shape> shape =
+    is_urdf ? readUrdfShape(geometry, no_meshes) : readShape(geometry, no_meshes, turn);
+  if (std::holds_alternative<Plane>(*shape)) {
+    return sheetOf(geometry.child("plane"), turn);
+  }
+  return *shape;
+}
+
+/// Reads no file.
+/// @param given  by <gazebo>: name of the material
+VisualDescription described(const Element & visual, const FileFinder & files, const std::string & given)
+{
+  const bool is_urdf = visual.root().is("robot");
+  const Element geometry = visual.child("geometry");
+  if (!geometry) {
+    visual.fail("has no <geometry>");
+  }
+  VisualDescription description;
+  description.place = visual.fileLine();
+  description.files = files;
+  description.shape = shapeOf(geometry, is_urdf, files);
+  description.casts_shadow = visual.flag("cast_shadows", true);
+  if (const Element own = visual.child("material"); own || !given.empty()) {
+    description.material = is_urdf ? readUrdfMaterial(own, given) : readMaterial(own);
+  }
+  return description;
+}
+
+Appearance appearanceOf(const VisualDescription & visual)
+{
+  const LoadedMaterial material = loadMaterial(visual.material.value_or(MaterialDescription{}), visual.files);
+  Appearance seen;
+  seen.warning = material.warning;
+  try {
+    seen.surfaces = std::visit(Draw{material, visual, seen.warning}, visual.shape);
+  } catch (const std::exception & error) {
+    seen.warning = std::string(error.what()) + ": not drawn";
+  }
+  for (Surface & surface : seen.surfaces) {
+    surface.casts_shadow = visual.casts_shadow;
+  }
+  seen.warning = seen.warning.empty() ? "" : visual.place + ": " + seen.warning;
+  return seen;
+}
+
+/// Keeps the document, of which nothing but the pose is read before somebody looks.
 class LookOfVisual : public Look
 {
 public:
-  explicit LookOfVisual(VisualDescription visual) : visual_(std::move(visual)) {}
-
-private:
-  Appearance read() const override
+  LookOfVisual(const Element & visual, FileFinder files, std::string material)
+  : visual_(visual),
+    document_(visual.document().shared_from_this()),
+    files_(std::move(files)),
+    material_(std::move(material))
   {
-    const LoadedMaterial material = loadMaterial(visual_.material.value_or(MaterialDescription{}), visual_.files);
-    Appearance seen;
-    seen.warning = material.warning;
-    try {
-      seen.surfaces = std::visit(Draw{material, visual_, seen.warning}, visual_.shape);
-    } catch (const std::exception & error) {
-      seen.warning = std::string(error.what()) + ": not drawn";
-    }
-    for (Surface & surface : seen.surfaces) {
-      surface.casts_shadow = visual_.casts_shadow;
-    }
-    seen.warning = seen.warning.empty() ? "" : visual_.place + ": " + seen.warning;
-    return seen;
   }
 
-  const VisualDescription visual_;
+private:
+  Appearance read() const override { return appearanceOf(description()); }
+
+  VisualDescription description() const
+  {
+    // tinyxml2 finishes a text when it is read for the first time, and looks may be taken from several threads.
+    static std::mutex mutex;
+    const std::lock_guard<std::mutex> lock(mutex);
+    return described(visual_, files_, material_);
+  }
+
+  const Element visual_;
+  const std::shared_ptr<const XmlDocument> document_;
+  const FileFinder files_;
+  const std::string material_;
 };
 
 class NothingToSee : public Look
@@ -103,92 +172,22 @@ public:
   explicit NothingToSee(std::string why) : why_(std::move(why)) {}
 
 private:
-  Appearance read() const override { return {{}, why_}; }
+  Appearance read() const override { throw Error(why_); }
 
   const std::string why_;
 };
-
-Sheet sheetOf(const Element & plane)
-{
-  constexpr double kByDefault = 1.0;  // m, in SDF
-  constexpr std::size_t kNumbers = 2;
-  const auto size = numbersIn(plane.child("size").text()).value_or(std::vector<double>{});
-  const Sheet sheet = size.size() == kNumbers ? Sheet{size[0], size[1]} : Sheet{kByDefault, kByDefault};
-  plane.requireLength("<size>", sheet.width);
-  plane.requireLength("<size>", sheet.depth);
-  return sheet;
-}
-
-/// @param pose  of the shape, turned to the normal of a plane
-std::variant<Shape, Sheet, MeshFile> readSdfShape(const Element & geometry, MeshLibrary & meshes, Pose3 & pose)
-{
-  if (const Element mesh = geometry.child("mesh")) {
-    return MeshFile{mesh.requiredText("uri"), meshSelectionOf(mesh)};
-  }
-  const std::optional<Shape> shape = readShape(geometry, meshes, pose);
-  if (const Element plane = geometry.child("plane")) {
-    return sheetOf(plane);
-  }
-  return *shape;
-}
-
-std::variant<Shape, Sheet, MeshFile> readUrdf(const Element & geometry, MeshLibrary & meshes)
-{
-  if (const Element mesh = geometry.child("mesh")) {
-    return MeshFile{mesh.requiredAttribute("filename"), urdfMeshSelectionOf(mesh)};
-  }
-  return *readUrdfShape(geometry, meshes);
-}
-
-Element geometryOf(const Element & visual)
-{
-  const Element geometry = visual.child("geometry");
-  if (!geometry) {
-    visual.fail("has no <geometry>");
-  }
-  return geometry;
-}
-
-VisualDescription described(const Element & visual, MeshLibrary & meshes)
-{
-  VisualDescription description;
-  description.place = visual.fileLine();
-  description.files = {meshes.sharedUris(), visual.document().folder};
-  return description;
-}
 }  // namespace
 
-Visual readVisual(const Element & visual, const std::string & link, const FrameScope & frames, MeshLibrary & meshes)
+Visual readVisual(
+  const Element & visual, const std::function<Pose3()> & pose, MeshLibrary & meshes, const std::string & material)
 {
   try {
-    Pose3 turned;
-    VisualDescription description = described(visual, meshes);
-    description.shape = readSdfShape(geometryOf(visual), meshes, turned);
-    description.casts_shadow = visual.flag("cast_shadows", true);
-    if (const Element material = visual.child("material")) {
-      description.material = readMaterial(material);
-    }
-    const Pose3 pose = frames.resolved(readPose(visual, link)) * turned;
-    visual.requireNear(pose.position);
-    return {pose, {}, std::make_shared<LookOfVisual>(std::move(description))};
+    const Pose3 place = pose();
+    visual.requireNear(place.position);
+    FileFinder files{meshes.sharedUris(), visual.document().folder};
+    return {place, {}, std::make_shared<LookOfVisual>(visual, std::move(files), material)};
   } catch (const LoadError & error) {
-    return {{}, {}, std::make_shared<NothingToSee>(std::string(error.what()) + ": not drawn")};
-  }
-}
-
-Visual readUrdfVisual(const Element & visual, const Pose3 & link, const std::string & material, MeshLibrary & meshes)
-{
-  try {
-    VisualDescription description = described(visual, meshes);
-    description.shape = readUrdf(geometryOf(visual), meshes);
-    if (const Element own = visual.child("material"); own || !material.empty()) {
-      description.material = readUrdfMaterial(own, material);
-    }
-    const Pose3 pose = link * readOrigin(visual);
-    visual.requireNear(pose.position);
-    return {pose, {}, std::make_shared<LookOfVisual>(std::move(description))};
-  } catch (const LoadError & error) {
-    return {{}, {}, std::make_shared<NothingToSee>(std::string(error.what()) + ": not drawn")};
+    return {{}, {}, std::make_shared<NothingToSee>(error.what())};
   }
 }
 }  // namespace f1tenth_sim2d

@@ -29,9 +29,9 @@ std::string placeOf(const tinyxml2::XMLDocument & document)
 
 Element XmlDocuments::readFile(const std::string & path, const Element & asked_by)
 {
-  std::unique_ptr<XmlDocument> & document = documents_[path];
+  std::shared_ptr<XmlDocument> & document = documents_[path];
   if (!document) {
-    document = std::make_unique<XmlDocument>();
+    document = std::make_shared<XmlDocument>();
     document->file = path;
     document->folder = std::filesystem::path(path).parent_path().string();
     document->included_by = asked_by ? asked_by.place() : "";
@@ -42,8 +42,8 @@ Element XmlDocuments::readFile(const std::string & path, const Element & asked_b
 
 Element XmlDocuments::readText(const std::string & xml, const std::string & source)
 {
-  std::unique_ptr<XmlDocument> & document = documents_["text " + std::to_string(documents_.size())];
-  document = std::make_unique<XmlDocument>();
+  std::shared_ptr<XmlDocument> & document = documents_["text " + std::to_string(documents_.size())];
+  document = std::make_shared<XmlDocument>();
   document->file = source;
   return read(*document, xml);
 }

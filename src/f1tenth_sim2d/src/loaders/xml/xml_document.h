@@ -12,7 +12,7 @@
 namespace f1tenth_sim2d
 {
 /// An XML text and where it came from.
-struct XmlDocument
+struct XmlDocument : std::enable_shared_from_this<XmlDocument>
 {
   tinyxml2::XMLDocument text;
   std::string file;         ///< what messages call it
@@ -20,7 +20,7 @@ struct XmlDocument
   std::string included_by;  ///< "FILE: ELEMENT PATH" of the <include>; empty: not included
 };
 
-/// The documents of one world or robot description. Elements point into them.
+/// The documents of one world or robot description. Elements point into them; whoever keeps one keeps its document.
 class XmlDocuments
 {
 public:
@@ -40,6 +40,6 @@ private:
   Element read(XmlDocument & document, const std::string & xml);
 
   WarningCollector & warnings_;
-  std::map<std::string, std::unique_ptr<XmlDocument>> documents_;
+  std::map<std::string, std::shared_ptr<XmlDocument>> documents_;
 };
 }  // namespace f1tenth_sim2d

@@ -38,6 +38,12 @@ def test_defaults_are_enough(path):
     assert load(path.name).nodes
 
 
+@pytest.mark.parametrize("name", ["sim_one_car.launch", "sim_two_cars.launch"])
+def test_browsers_look_on_if_that_is_wanted(name):
+    assert "/live" not in node_names(load(name))
+    assert "/live" in node_names(load(name, "live:=true"))
+
+
 @pytest.mark.parametrize("world", [WORLDS[0], WORLDS[-1]])
 def test_a_named_world_brings_its_map(world):
     config = load("sim_one_car.launch", f"world_file_name:={world}")

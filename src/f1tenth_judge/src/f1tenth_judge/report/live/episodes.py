@@ -1,15 +1,14 @@
 """Episodes of an environment, watched in a browser while a policy learns."""
 
-import csv
-import os
 import tempfile
 from pathlib import Path
-from typing import Any, Optional, TextIO
+from typing import Any
 
 from f1tenth_sim2d.environments.stage import Stage
 
-from f1tenth_judge.record.record import COLUMNS, Record
+from f1tenth_judge.record.record import Record
 from f1tenth_judge.report.episodes import scene_of_stage
+from f1tenth_judge.report.live.rows import Rows
 from f1tenth_judge.report.live.watching import Serving
 from f1tenth_judge.report.replay_columns import pack_run, pack_world
 
@@ -32,40 +31,28 @@ class Watch:
         self._stage = stage
         self._folder = tempfile.TemporaryDirectory(prefix="f1tenth_watch")
         self._file = Path(self._folder.name) / "record.csv"
-        self._record: Optional[TextIO] = None
+        self._rows = Rows(self._file)
         task = task_of_stage(stage, self._file)
         self._serving = Serving([task], task["name"], self._file.parent)
 
     def begin(self) -> None:
         """Show a new episode."""
-        self._end()
-        # A file of its own, by which the other side knows.
-        self._record = self._file.with_name("next.csv").open("w", encoding="utf-8", newline="")
-        os.replace(self._record.name, self._file)
-        self._rows = csv.writer(self._record, lineterminator="\n")
-        self._rows.writerow(COLUMNS)
+        self._rows.begin()
         self.note()
 
     def note(self) -> None:
-        """Take note of a step; the simulator's own record comes in bursts, and may be somebody else's."""
-        assert self._record
+        """Take note of a step."""
         time = float(self._stage.times[0])
         for car, result in zip(self._stage.cars, self._stage.results[0]):
             felt = {name: float(result[name]) for name in _FELT}
-            touched = "something" if result["contact"] else ""
-            row = {"time": time, "car": car.name, "contacts": touched, **felt}
-            self._rows.writerow([row.get(name, "") for name in COLUMNS])
-        self._record.flush()
+            self._rows.write(time, car.name, contacts="something" if result["contact"] else "", **felt)
+        self._rows.flush()
 
     def close(self) -> None:
         """Stop serving."""
-        self._end()
+        self._rows.close()
         self._serving.close()
         self._folder.cleanup()
-
-    def _end(self) -> None:
-        if self._record:
-            self._record.close()
 
 
 def task_of_stage(stage: Stage, record: Path) -> dict[str, Any]:

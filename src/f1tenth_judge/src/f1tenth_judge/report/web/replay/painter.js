@@ -106,7 +106,7 @@ export class Painter {
     this.inFrame(state, () => {
       context.scale(enlarged, enlarged);
       context.globalAlpha = alpha;
-      for (const [x, turn] of [[0, 0], [body.wheelbase, state.steering]]) {
+      for (const [x, turn] of [[0, 0], [body.wheelbase, state.steering || 0]]) {
         for (const side of [-1, 1]) this.wheel(x, (side * (body.track + 0.04)) / 2, turn);
       }
       this.body(body, colour);

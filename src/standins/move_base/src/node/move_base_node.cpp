@@ -185,9 +185,8 @@ void MoveBaseNode::accept(const geometry_msgs::PoseStamped & target, const ros::
     target_ = target;
     failure_.clear();
     const std::vector<Pose2> next = nextGoals();
-    if (!navigator_.drives()) {
-      warnOfGoals(next);
-    }
+    warned_of_goals_ = warned_of_goals_ && navigator_.drives();
+    warnOfGoals(next);
     navigator_.setGoal(goal, now.toSec(), next);
   } catch (const tf2::TransformException & error) {
     abort(
@@ -200,7 +199,9 @@ void MoveBaseNode::onGoalsAhead(const nav_msgs::Path::ConstPtr & goals)
 {
   goals_ahead_ = goals;
   if (navigator_.active() && startsWith(*goals, target_)) {
-    navigator_.setNextGoals(nextGoals());
+    const std::vector<Pose2> next = nextGoals();
+    warnOfGoals(next);
+    navigator_.setNextGoals(next);
   }
 }
 
@@ -222,9 +223,12 @@ std::vector<Pose2> MoveBaseNode::nextGoals() const
   }
 }
 
-// Before the car sets off, not when it is on its way to them.
-void MoveBaseNode::warnOfGoals(const std::vector<Pose2> & goals) const
+// When the car sets off, not when it is on its way to them; they and the goal may come in either order.
+void MoveBaseNode::warnOfGoals(const std::vector<Pose2> & goals)
 {
+  if (std::exchange(warned_of_goals_, warned_of_goals_ || !goals.empty())) {
+    return;
+  }
   for (const Pose2 & goal : goals) {
     const bool is_free = perception_.costmap().clearance(goal) >= 0.0;
     if (const std::string wrong = is_free ? "" : wrongWith(goal, perception_.costmap()); !wrong.empty()) {

@@ -48,7 +48,7 @@ private:
   void onGoalsAhead(const nav_msgs::Path::ConstPtr & goals);
   /// The goals that a client says to follow the target, in the map.
   std::vector<Pose2> nextGoals() const;
-  void warnOfGoals(const std::vector<Pose2> & goals) const;
+  void warnOfGoals(const std::vector<Pose2> & goals);
   void abort(const std::string & text);
   void drive(const ros::Time & now);
   void publish(const CycleOutput & output, const CycleInput & input, const ros::Time & now);
@@ -84,6 +84,7 @@ private:
   std::string failure_;                   // of the last goal
   geometry_msgs::PoseStamped target_;     // as it was sent
   nav_msgs::Path::ConstPtr goals_ahead_;  // the latest
+  bool warned_of_goals_{false};           // since the car last set off
   std::optional<ros::Time> now_;
   std::optional<ros::Time> last_cycle_;
 };

@@ -223,15 +223,26 @@ class MoveBaseTest(HallCase):
             assert abs(self.robot.speed) < 0.06
         self.assert_stands_at(3.5, 5.0)
 
-    def test_goals_where_the_car_does_not_fit_are_told_before_it_sets_off(self):
-        log = Listener("/rosout", Log)
-        self.wait_until(log.connected)
-        self.announce(pose_at(3.0, 1.0), pose_at(4.1, 1.0))
-        self.send(pose_at(3.0, 1.0))
-        text = "Of the goals to come, the one at (4.10, 1.00): The goal is in a wall."
-        log.wait(lambda messages: any(m.msg == text for m in messages))
-        assert self.robot.speed == 0.0
-        self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
+    def test_goals_where_the_car_does_not_fit_are_told_when_it_sets_off(self):
+        for begin, x in ((self.announce_and_send, 3.0), (self.send_and_announce, 2.5)):
+            log = self.listen("/rosout", Log)
+            begin(pose_at(x, 1.0), pose_at(4.1, 1.0))
+            text = "Of the goals to come, the one at (4.10, 1.00): The goal is in a wall."
+            log.wait(lambda messages: any(m.msg == text for m in messages))
+            self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
+            assert [m.msg for m in log.messages].count(text) == 1
+            self.robot.put(1.0, 1.0)
+
+    def announce_and_send(self, *goals):
+        self.announce(*goals)
+        self.send(goals[0])
+
+    def send_and_announce(self, *goals):
+        """The goal is followed when those behind it become known."""
+        followed = self.listen("move_base/current_goal", PoseStamped)
+        self.send(goals[0])
+        followed.wait()
+        self.announce(*goals)
 
     def test_a_goal_is_not_passed_because_another_one_was_followed(self):
         self.announce(pose_at(5.0, 1.0), pose_at(6.0, 2.0))

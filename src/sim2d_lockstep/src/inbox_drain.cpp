@@ -1,3 +1,4 @@
+#include <ros/connection_manager.h>
 #include <ros/init.h>
 #include <ros/poll_manager.h>
 
@@ -6,6 +7,7 @@
 #include <cstdint>
 #include <mutex>
 
+#include "no_delay.h"
 #include "sim2d_lockstep/participant.h"
 
 namespace sim2d_lockstep
@@ -24,6 +26,7 @@ public:
   Impl() : poll_manager_(ros::PollManager::instance())
   {
     connection_ = poll_manager_->addPollThreadListener([this] { onRound(); });
+    sendSmallMessagesAtOnce(ros::ConnectionManager::instance()->getTCPPort());
   }
 
   ~Impl() { poll_manager_->removePollThreadListener(connection_); }

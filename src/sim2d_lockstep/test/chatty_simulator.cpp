@@ -21,6 +21,7 @@ int main(int argc, char ** argv)
 {
   ros::init(argc, argv, "chatty_simulator");
   ros::NodeHandle node;
+  sim2d_lockstep::InboxDrain drain;
   ros::Time answered;
   const auto done = node.subscribe<std_msgs::Header>(
     "/sim2d/done", 0, [&](const std_msgs::Header::ConstPtr & message) { answered = message->stamp; },
@@ -40,7 +41,6 @@ int main(int argc, char ** argv)
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
   }
 
-  sim2d_lockstep::InboxDrain drain;
   for (std::uint32_t period = 1; ros::ok(); ++period) {
     std_msgs::UInt32 number;
     number.data = period;

@@ -51,8 +51,7 @@ TEST(InboxDrain, WhatWasSentBeforeTheClockIsThereWhenTheParticipantActs)
   for (int i = 0; i < kTopics; ++i) {
     subscribers.push_back(node.subscribe<std_msgs::UInt32>(
       "topic" + std::to_string(i), 0,
-      [&numbers, i](const std_msgs::UInt32::ConstPtr & message) { numbers[i] = message->data; }, ros::VoidConstPtr(),
-      ros::TransportHints().tcpNoDelay()));
+      [&numbers, i](const std_msgs::UInt32::ConstPtr & message) { numbers[i] = message->data; }));
   }
   sim2d_lockstep::Participant participant("listener");
   const Load load;

@@ -79,7 +79,7 @@ def test_publisher_has_no_queue_and_warns_of_nothing(monkeypatch):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert synchronous_publisher("topic", str, latch=True) == "a publisher"
-    assert made == [(("topic", str), {"queue_size": None, "latch": True})]
+    assert made == [(("topic", str), {"queue_size": None, "tcp_nodelay": True, "latch": True})]
 
 
 def test_publisher_hides_no_other_warning(monkeypatch):

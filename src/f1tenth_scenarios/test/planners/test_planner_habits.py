@@ -94,9 +94,17 @@ def test_it_drives_along_a_track(tmp_path, name, track):
     assert len(result["cars"]["robot1"]["goals_passed"]) == GOALS
 
 
-@pytest.mark.parametrize("how", ["rate", "timer"])
-def test_who_polls_the_time_drives_the_same_again(tmp_path, how):
-    car = {"driver": {"launch": str(PLANNERS / "polling.launch"), "arguments": {"how": how}}, "laps": 1}
-    file = scenario(tmp_path, "circuit5", car, timeout=3.0, expected="timeout")
+@pytest.mark.parametrize(
+    "driver",
+    [
+        {"launch": str(PLANNERS / "polling.launch"), "arguments": {"how": "rate"}},
+        {"launch": str(PLANNERS / "polling.launch"), "arguments": {"how": "timer"}},
+        # Its speed follows the odometry of the same period.
+        {"launch": str(PLANNERS / "disparity_extender.launch")},
+    ],
+    ids=["rate", "timer", "odometry"],
+)
+def test_it_drives_the_same_again(tmp_path, driver):
+    file = scenario(tmp_path, "circuit5", {"driver": driver, "laps": 1}, timeout=3.0, expected="timeout")
     results = [verdict(file, tmp_path / str(run), expected="timeout") for run in range(3)]
     assert len({each["trajectory_hash"] for each in results}) == 1

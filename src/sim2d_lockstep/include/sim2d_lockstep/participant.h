@@ -22,6 +22,8 @@ inline const ros::Time kLeft{2147483647, 0};
 ///  - Before acting on a message: whatever was sent before it, over any connection, has arrived.
 ///  - Before publishing a message that announces others (/clock, done): the others are on their way before it.
 /// A message larger than the sockets' buffers (some MB) may take longer; such messages do not belong in a period.
+/// Connections that are made while there is one, from a publisher of this process, hold no small message back, whether the
+/// subscriber asks for tcpNoDelay or not.
 class InboxDrain
 {
 public:
@@ -43,7 +45,8 @@ private:
 /// A node that is named in the simulator's `participants`.
 /// Listens to /clock and /sim2d/done on a callback queue of its own that is served inside waitForPeriod(), so it needs
 /// no spinner and does not touch the node's own queues. Use an object from one thread at a time.
-/// Subscribe to what must arrive within a period with ros::TransportHints().tcpNoDelay(), or the kernel may delay it.
+/// Subscribe to what must arrive within a period from who does not take part with ros::TransportHints().tcpNoDelay(), or
+/// the kernel may delay it.
 class Participant
 {
 public:

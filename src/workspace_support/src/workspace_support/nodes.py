@@ -57,11 +57,12 @@ def synchronous_publisher(topic, message_type, **options):
     """Return a publisher whose publish() has written to every subscriber's socket when it returns.
 
     With a queue, rospy writes in a thread of its own: the message could be overtaken by the `done` that says
-    it was sent, and could be lost when the node ends. rospy warns of subscribers that would block it.
+    it was sent, and could be lost when the node ends. rospy warns of subscribers that would block it. Without
+    delay, as the kernel may hold back what is written.
     """
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", SyntaxWarning)
-        return rospy.Publisher(topic, message_type, queue_size=None, **options)
+        return rospy.Publisher(topic, message_type, queue_size=None, tcp_nodelay=True, **options)
 
 
 def _check_names(place, values):

@@ -184,7 +184,7 @@ void Sim2dNode::run()
   world_.finishPeriod();
   // First of all: on a busy machine whoever asked for the end may lose patience while ROS shuts down.
   world_.flushRecord();
-  sim2d_lockstep::InboxDrain().drain();
+  drain_.drain();
 }
 
 RunResult Sim2dNode::result() const

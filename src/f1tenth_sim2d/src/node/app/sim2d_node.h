@@ -2,6 +2,7 @@
 
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
+#include <sim2d_lockstep/participant.h>
 
 #include <map>
 #include <memory>
@@ -49,6 +50,7 @@ private:
   const NodeParameters parameters_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
+  sim2d_lockstep::InboxDrain drain_;  // before anything is advertised
   Advertiser advertiser_;
   TransformBatch transforms_;
   Simulation simulation_;

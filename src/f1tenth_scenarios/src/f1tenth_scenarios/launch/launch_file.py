@@ -146,7 +146,7 @@ def frame_prefix(plan: Plan, car: Car) -> str:
 def _proxy_driver_arguments(plan: Plan, car: Car) -> dict[str, Any]:
     return {
         "car_name": car.name,
-        "driver_mark": "=".join(_driver_mark(plan, car)),
+        "driver_mark": driver_mark(plan, car),
         "driver_patience": plan.scenario.limits.answer,
         "driver_loading": plan.scenario.limits.load,
         "scan_topic": filtered_topics(plan, car)[Input.SCAN],
@@ -166,9 +166,9 @@ def _vehicle(plan: Plan, car: Car) -> str:
     return "".join(f"{name}: {value}\n" for name, value in changes.items())
 
 
-def _driver_mark(plan: Plan, car: Car) -> tuple[str, str]:
-    """A variable in the environment of the driver's processes, and a value that no other driver's have."""
-    return "F1TENTH_DRIVER", f"{car.name} of {plan.folder}"
+def driver_mark(plan: Plan, car: Car) -> str:
+    """NAME=VALUE in the environment of the driver's processes, and of no other's."""
+    return f"F1TENTH_DRIVER={car.name} of {plan.folder}"
 
 
 def _faults(car: Car) -> list[dict[str, Any]]:
@@ -185,7 +185,7 @@ def _driver(plan: Plan, car: Car) -> ElementTree.Element:
     """What starts the driver of a car."""
     file = str(plan.cars[car.name].driver.path)
     group = ElementTree.Element("group", ns=car.name)
-    name, value = _driver_mark(plan, car)
+    name, value = driver_mark(plan, car).split("=", 1)
     ElementTree.SubElement(group, "env", name=name, value=value)
     for old, new in _remappings(plan, car).items():
         ElementTree.SubElement(group, "remap", {"from": old, "to": new})

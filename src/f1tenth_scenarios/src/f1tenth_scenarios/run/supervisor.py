@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Callable, Optional
 
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.judge.interventions import forbidden
-from f1tenth_judge.plan.participants import driver_nodes_among
+from f1tenth_judge.plan.participants import driver_nodes_among, has_proxy_driver
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.interventions import read_interventions
 from f1tenth_judge.record.observations import Failure, RaceState, RaceUpdate
@@ -18,6 +18,8 @@ from f1tenth_judge.run.so_far import SoFar
 from f1tenth_judge.stop_request import StopRequest
 
 from f1tenth_scenarios.launch.launch_events import LaunchEvents
+from f1tenth_scenarios.launch.launch_file import driver_mark
+from f1tenth_scenarios.launch.prompt_sockets import PromptSockets
 from f1tenth_scenarios.run.diagnosis.breakdown import Breakdown
 from f1tenth_scenarios.run.diagnosis.culprit import failure_of_driver
 from f1tenth_scenarios.run.evidence import Evidence
@@ -57,6 +59,8 @@ class Supervisor:
         self._evidence = Evidence(plan.record_file, plan.interventions_file)
         self._events = events
         self._breakdown = Breakdown(plan, tree, events)
+        driven = [car for car in plan.scenario.cars if has_proxy_driver(plan, car.name)]
+        self._sockets = PromptSockets(driver_mark(plan, car) for car in driven)
         self._race_over_at: Optional[float] = None
         self._sound_at = 0.0
         self.sound_until: Optional[float] = None  # s, nothing as long as the set-up is whole
@@ -68,9 +72,15 @@ class Supervisor:
         return self._events.pids.get(node)
 
     def note(self) -> str:
-        """Which nodes of the driver the run has done without, in words; empty if none."""
-        missing = self._breakdown.missing_views()
-        return f"without what is for people only: {'; '.join(missing)}" if missing else ""
+        """What the run has done without, in words; empty if nothing."""
+        missing = "; ".join(self._breakdown.missing_views())
+        views = f"without what is for people only: {missing}" if missing else ""
+        delays = (
+            f"messages between nodes of a driver may come late ({self._sockets.refusal})"
+            if self._sockets.refusal
+            else ""
+        )
+        return "; ".join(filter(None, (views, delays)))
 
     def wait(self) -> Optional[Failure]:
         """Return when the run is decided; with a failure if the set-up broke."""
@@ -137,6 +147,7 @@ class Supervisor:
         self.updates += self._watch.take()
         self._record.poll()
         self._events.poll()
+        self._sockets.poll()
         self.pace.note(self._so_far.time, self._elapsed())
 
     def _elapsed(self) -> float:

@@ -4,11 +4,13 @@ Judged by what the kernel says of their threads (man 5 proc). A thread that is w
 that moment on, so work that one thread hands to another is never overlooked.
 """
 
+import contextlib
 import dataclasses
 import math
 import os
 import threading
 import time
+import weakref
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import NamedTuple, Optional
 
@@ -22,6 +24,8 @@ _FEWEST_POLLS = 8
 _NAP = b"nanosleep"  # part of what the kernel calls a sleep for some time
 _NO_WAIT = (b"0", b"")  # of a thread that is not switched off yet, or may not be inspected
 _LONG_ENOUGH = 0.5  # s, to fall asleep
+_LONGEST_LINE = 4096  # bytes
+_MOST_OPEN = 200  # threads, of which files stay open: a process may have 1,024 of them, as a rule
 _SEARCH_LIMIT = 1 << 16  # bytes of an environment that are looked through
 
 
@@ -64,7 +68,8 @@ class Rest:
         self._ignored = ignored_thread
         self._clock = clock
         self._tells_waits = _tells_waits()
-        self._awake: Optional[Thread] = None  # the one that was found running last: it is looked at first
+        self._threads: dict[Thread, _ThreadFiles] = {}  # those that there were last
+        self._awake: Optional[_ThreadFiles] = None  # the one that was found running last: it is looked at first
         self._asleep: Optional[_Asleep] = None  # when all were, first
         self._naps: dict[Thread, _Nap] = {}
         self._pollers: set[Thread] = set()
@@ -75,20 +80,19 @@ class Rest:
 
     def is_reached(self, pids: Iterable[int]) -> bool:
         """Whether at a moment since renew() every thread was asleep, with nothing left to do."""
-        if self._awake and self._state(*self._awake)[0]:
+        if self._awake and self._awake.runs():
             return False
-        found = self._look(pids)
+        if not self._threads:
+            self._list(pids)
+        found = self._look()
         if found is None:
             return False
         if self._asleep is None or not self._asleep.is_same(found):
             if not self._note_naps(found):
                 return False
             self._asleep = _Asleep(self._clock(), found, set(filter(self._may_wake, found)))
-        if not self._has_come_round(self._asleep, found):
-            return False
-        # Those that have not been switched to between two looks have slept all the time between them; but one
-        # that is only about to sleep may still decide otherwise.
-        return found == self._look(pids) and None not in map(self._wait_of, found)
+        # Those that have not been switched to between two looks have slept all the time between them.
+        return self._has_come_round(self._asleep, found) and self._is_still_asleep(pids, found)
 
     def learn(
         self, before: Mapping[Thread, ProcessorUse], after: Mapping[Thread, ProcessorUse], elapsed: float
@@ -100,19 +104,42 @@ class Rest:
                 if use.switches - before[thread].switches >= max(_FEWEST_POLLS, free / _LONGEST_POLL):
                     self._pollers.add(thread)
 
-    def _look(self, pids) -> Optional[Switches]:
-        """How often each thread has been switched to; nothing if one of them runs."""
+    def _look(self) -> Optional[Switches]:
+        """How often each known thread has been switched to; nothing if one of them runs."""
         found = {}
-        for thread in self._threads_of(pids):
-            runs, switches = self._state(*thread)
-            if runs:
-                self._awake = thread
+        for thread, files in self._threads.items():
+            found[thread] = switches = files.switches()
+            if not self._sleeps_on(thread, switches) and files.runs():
+                self._awake = files
                 return None
-            found[thread] = switches
         return found
 
-    def _threads_of(self, pids: Iterable[int]) -> Iterator[Thread]:
-        return ((pid, thread) for pid in pids for thread in _threads(pid) if thread != self._ignored)
+    def _sleeps_on(self, thread: Thread, switches: bytes) -> bool:
+        """Whether a thread was seen asleep, and has not been switched to since: it may only have been woken."""
+        nap = self._naps.get(thread)
+        return self._tells_waits and nap is not None and nap.switches == switches
+
+    def _is_still_asleep(self, pids: Iterable[int], found: Switches) -> bool:
+        """Whether no thread runs, was switched to, has come or gone, or is only about to sleep.
+
+        They are listed anew only now: what they have started before they fell asleep is there by then.
+        """
+        self._list(pids)
+        if self._threads.keys() != found.keys():
+            return False
+        for thread, files in self._threads.items():
+            if files.switches() != found[thread]:
+                return False
+            if files.runs():
+                self._awake = files
+                return False
+        return all(self._sleeps_on(each, found[each]) or self._wait_of(each) is not None for each in found)
+
+    def _list(self, pids: Iterable[int]) -> None:
+        present = [(pid, thread) for pid in pids for thread in _threads(pid) if thread != self._ignored]
+        if self._threads.keys() != set(present):
+            known, few = self._threads, len(present) <= _MOST_OPEN
+            self._threads = {each: known.get(each) or _ThreadFiles(each, few) for each in present}
 
     def _note_naps(self, found: Switches) -> bool:
         """Note which have chosen to sleep since the last time; False if one of them is only about to."""
@@ -140,13 +167,44 @@ class Rest:
         wait = _wait_of(*thread)
         return None if self._tells_waits and wait in _NO_WAIT else wait
 
-    @staticmethod
-    def _state(pid: int, thread: int) -> tuple[bool, bytes]:
-        """Whether a thread runs or wants to, and how often it was switched to; one that is gone is asleep."""
-        folder = f"/proc/{pid}/task/{thread}"
-        switches = _read(f"{folder}/schedstat").split()
-        state = _state_of(folder)
-        return bool(state) and state not in _ASLEEP, switches[-1] if switches else b""
+
+class _ThreadFiles:
+    """What the kernel says of a thread. Opening a file costs more than reading it: they stay open."""
+
+    def __init__(self, thread: Thread, are_kept_open: bool):
+        folder = "/proc/{}/task/{}".format(*thread)
+        self._stat = _KernelFile(f"{folder}/stat", are_kept_open)
+        self._schedstat = _KernelFile(f"{folder}/schedstat", are_kept_open)
+
+    def runs(self) -> bool:
+        """Whether it runs or wants to; one that is gone is asleep."""
+        state = _state_in(self._stat.read())
+        return bool(state) and state not in _ASLEEP
+
+    def switches(self) -> bytes:
+        """How often it was switched to."""
+        return self._schedstat.read().rpartition(b" ")[2]
+
+
+class _KernelFile:
+    """A file that is made anew whenever it is read from its begin."""
+
+    def __init__(self, path: str, is_kept_open: bool):
+        self._path = path
+        self._descriptor: Optional[int] = None
+        with contextlib.suppress(OSError):
+            if is_kept_open:
+                self._descriptor = os.open(path, os.O_RDONLY)
+                weakref.finalize(self, os.close, self._descriptor)
+
+    def read(self) -> bytes:
+        """Its content; empty if what it tells of is gone or belongs to somebody else."""
+        if self._descriptor is None:
+            return _read(self._path)
+        try:
+            return os.pread(self._descriptor, _LONGEST_LINE, 0)
+        except OSError:
+            return b""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -200,7 +258,10 @@ def _tells_waits() -> bool:
 
 def _state_of(folder: str) -> bytes:
     """The letter for the state of a process or thread; empty when it is gone."""
-    stat = _read(f"{folder}/stat")
+    return _state_in(_read(f"{folder}/stat"))
+
+
+def _state_in(stat: bytes) -> bytes:
     return stat[stat.rfind(b")") + 2 :][:1]
 
 
@@ -219,7 +280,7 @@ def _environment(pid: int) -> list[bytes]:
     return _read(f"/proc/{pid}/environ", _SEARCH_LIMIT).split(b"\0")
 
 
-def _read(path: str, limit: int = 4096) -> bytes:
+def _read(path: str, limit: int = _LONGEST_LINE) -> bytes:
     """The content of a file; empty if it is gone or belongs to somebody else."""
     try:
         descriptor = os.open(path, os.O_RDONLY)

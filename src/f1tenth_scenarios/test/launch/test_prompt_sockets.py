@@ -32,7 +32,9 @@ def _as_rospy_has_it():
     socket.setdefaulttimeout(before)
 
 
-@pytest.mark.parametrize(("mark", "told"), [("red", "True True False True"), ("blue", "False False False False")])
+@pytest.mark.parametrize(
+    ("mark", "told"), [("red", "True True False True"), ("blue", "False False False False")]
+)
 def test_what_is_open_and_what_is_accepted_later(mark, told):
     with subprocess.Popen(
         [sys.executable, "-c", PROGRAM],

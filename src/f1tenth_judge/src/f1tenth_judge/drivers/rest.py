@@ -69,7 +69,7 @@ class Rest:
         self._clock = clock
         self._tells_waits = _tells_waits()
         self._threads: dict[Thread, _ThreadFiles] = {}  # those that there were last
-        self._awake: Optional[_ThreadFiles] = None  # the one that was found running last: it is looked at first
+        self._awake: Optional[_ThreadFiles] = None  # found running last: looked at first
         self._asleep: Optional[_Asleep] = None  # when all were, first
         self._naps: dict[Thread, _Nap] = {}
         self._pollers: set[Thread] = set()
@@ -115,7 +115,7 @@ class Rest:
         return found
 
     def _sleeps_on(self, thread: Thread, switches: bytes) -> bool:
-        """Whether a thread was seen asleep, and has not been switched to since: it may only have been woken."""
+        """Whether a thread was seen asleep and has not been switched to since: at most it was woken."""
         nap = self._naps.get(thread)
         return self._tells_waits and nap is not None and nap.switches == switches
 

@@ -1,8 +1,8 @@
 """Sockets of planners that send small messages at once.
 
-TCP holds a small message back as long as the one before it is not acknowledged, which takes the receiver up to 40 ms
+TCP holds a small message back until the one before it is acknowledged, which takes the receiver up to 40 ms
 of wall time (Nagle's algorithm, RFC 896; delayed acknowledgements, RFC 1122). A node that waits for a message
-which is on its way like this is at rest: in lockstep, the period in which it hears of it would depend on the machine.
+on its way like this is at rest: in lockstep, the period in which it hears of it would depend on the machine.
 """
 
 import ctypes
@@ -40,12 +40,13 @@ class PromptSockets:
                 self._reach(pid)
             except OSError as error:
                 if error.errno not in _GONE:
-                    self.refusal = error.strerror
+                    self.refusal = error.strerror or str(error)
 
     def _reach(self, pid: int) -> None:
         folder = f"/proc/{pid}/fd"
         links = {name: _link(f"{folder}/{name}") for name in os.listdir(folder)}
-        new = {name: link for name, link in links.items() if link.startswith("socket:") and link not in self._known}
+        sockets = {name: link for name, link in links.items() if link.startswith("socket:")}
+        new = {name: link for name, link in sockets.items() if link not in self._known}
         if not new:
             return
         process = os.pidfd_open(pid)
@@ -81,6 +82,7 @@ def _send_at_once(process: int, descriptor: int) -> None:
     try:
         is_on = ctypes.c_int(1)
         # It fails for a socket of another kind, which is as it should be.
-        libc.setsockopt(copy, socket.IPPROTO_TCP, socket.TCP_NODELAY, ctypes.byref(is_on), ctypes.sizeof(is_on))
+        size = ctypes.sizeof(is_on)
+        libc.setsockopt(copy, socket.IPPROTO_TCP, socket.TCP_NODELAY, ctypes.byref(is_on), size)
     finally:
         os.close(copy)

@@ -224,10 +224,10 @@ class MoveBaseTest(HallCase):
         self.assert_stands_at(3.5, 5.0)
 
     def test_goals_where_the_car_does_not_fit_are_told_when_it_sets_off(self):
+        text = "Of the goals to come, the one at (4.10, 1.00): The goal is in a wall."
         for begin, x in ((self.announce_and_send, 3.0), (self.send_and_announce, 2.5)):
             log = self.listen("/rosout", Log)
             begin(pose_at(x, 1.0), pose_at(4.1, 1.0))
-            text = "Of the goals to come, the one at (4.10, 1.00): The goal is in a wall."
             log.wait(lambda messages: any(m.msg == text for m in messages))
             self.assert_result(GoalStatus.SUCCEEDED, "Goal reached.")
             assert [m.msg for m in log.messages].count(text) == 1

@@ -1,11 +1,14 @@
 """Results folders made up for tests of the report."""
 
+import base64
+import io
 import math
 
 import numpy as np
 from f1tenth_judge.record.files import REPLAY_FILE
-from f1tenth_judge.record.replay import Poses, Replay, Shape, Timed, write_replay
+from f1tenth_judge.record.replay import Drawing, Numbers, Poses, Replay, Shape, Timed, write_replay
 from f1tenth_judge.results.result_file import write_result
+from PIL import Image
 from scenario_samples import PERIOD, write_record
 
 SQUARE = [(-0.2, -0.2), (0.2, -0.2), (0.2, 0.2), (-0.2, 0.2)]
@@ -32,8 +35,21 @@ def replay(end):
         lidars={"robot1": (-2.35, 2.35, 0.27, 0.0, 0.0, 10.0)},
         global_plans={"robot1": Timed([0.0], [line])},
         local_plans={"robot1": Timed([0.0, 1.0], [line[:10], line[5:20]])},
+        drawings={"/robot1/candidates": Timed([0.0, 5.0], [[candidates()], []])},
+        channels={"/robot1/error": Numbers([0.0, 5.0], [0.25, -0.5], "robot1")},
+        pictures={"/robot1/camera/image_raw": Timed([0.5, 5.0], [picture("red"), picture("blue")])},
         models={"box": Poses([0.0, 1.0], [(2.0, 2.0, 0.0), (2.1, 2.0, 0.1)], Shape([SQUARE]))},
     )
+
+
+def candidates():
+    return Drawing("#00aa00", [[(3.0, 0.0), (3.0, 2.0)]], [(2.0, 3.0, 0.2)], [(1.0, 2.0, "brake")])
+
+
+def picture(colour):
+    stream = io.BytesIO()
+    Image.new("RGB", (160, 120), colour).save(stream, "JPEG")
+    return base64.b64encode(stream.getvalue()).decode("ascii")
 
 
 def result(name, passed=True, commit="0123456789ab", **others):

@@ -222,9 +222,9 @@ def test_scrubbing_moves_the_car_and_the_charts(window, report):
     open_run(window, report, "one_lap")
     find(window, ".chart canvas").click()
     assert 3.0 < time(window) < 7.0
-    before = find(window, ".chart:last-child .value").text
+    before = find(window, ".chart:nth-of-type(4) .value").text
     press(window, Keys.HOME)
-    assert find(window, ".chart:last-child .value").text != before
+    assert find(window, ".chart:nth-of-type(4) .value").text != before
 
 
 def test_runs_that_are_compared_are_named_by_the_commits_of_workspace_and_driver(window, report):
@@ -279,7 +279,7 @@ def test_car_is_as_large_as_its_description_says_else_as_the_f1tenth_car(window,
 def test_race_of_two_shows_the_gap(window, report):
     open_run(window, report, "zwei")
     press(window, Keys.END)
-    chart = window.find_elements("css selector", ".chart")[-1]
+    chart = window.find_elements("css selector", ".chart")[4]
     assert chart.find_element("css selector", "figcaption").text.startswith("Gap to the leader (m)")
     first, second = chart.find_element("css selector", ".value").text.split()
     assert (float(first), float(second)) == (pytest.approx(0.0), pytest.approx(5.0, abs=0.3))
@@ -290,6 +290,7 @@ def test_race_of_two_shows_the_gap(window, report):
         "Steering (rad)",
         "Acceleration (m/s²)",
         "Clearance (m)",
+        "/robot1/error",
     ]
 
 
@@ -367,3 +368,24 @@ def test_phone_shows_every_column_without_scrolling_sideways(report, window):
             labels = phone.find_elements("css selector", "td[data-label]")
             assert all(each.size["width"] <= 390 for each in labels)
         assert phone.get_log("browser") == []
+
+
+def test_what_the_planner_drew_published_and_saw_is_shown(window, report):
+    open_run(window, report, "one_lap?t=1")
+    assert find(window, "[data-part=drawings]").get_attribute("title") == "/robot1/candidates"
+    assert "/robot1/error" in [each.text for each in window.find_elements("css selector", ".chart span")]
+    picture = find(window, ".cameras img")
+    assert picture.get_attribute("alt") == "seen on /robot1/camera/image_raw"
+    first = picture.get_attribute("src")
+    assert first.startswith("data:image/jpeg;base64,")
+    press(window, Keys.END)
+    assert until(window, lambda: picture.get_attribute("src") != first)
+    press(window, Keys.HOME)
+    drawn = map_of(window)
+    press(window, "m")
+    assert find(window, "[data-part=drawings]").get_attribute("aria-pressed") == "false"
+    assert map_of(window) != drawn
+
+
+def map_of(window):
+    return window.execute_script("return document.querySelector('.map').toDataURL()")

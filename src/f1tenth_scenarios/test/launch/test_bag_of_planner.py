@@ -1,13 +1,17 @@
 """What planners draw and publish as numbers, read from a bag."""
 
+import base64
+import io
 import math
 
+import PIL.Image
 import pytest
 import rospy
 from f1tenth_judge.record.replay import Drawing
 from f1tenth_scenarios.launch.bag_reader import read_bag
 from geometry_msgs.msg import Point, Pose, PoseArray, PoseStamped, TransformStamped
 from nav_msgs.msg import Path
+from sensor_msgs.msg import CompressedImage, Image
 from std_msgs.msg import Float32, Float64
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
@@ -150,3 +154,40 @@ def test_what_nodes_of_no_car_publish_is_not_the_planners(bag):
     messages = [("/a", 1.0, Float64(1.0)), ("/b", 1.0, marker(Marker.SPHERE))]
     replay, _ = read_bag(bag(*messages, node="/sim2d"), ["robot1"])
     assert (replay.channels, replay.drawings) == ({}, {})
+
+
+def seen(encoding="rgb8", pixel=(200, 30, 40), width=320, height=240):
+    return Image(
+        height=height,
+        width=width,
+        encoding=encoding,
+        data=bytes(pixel) * width * height,
+        step=len(pixel) * width,
+    )
+
+
+def colour_of(packed):
+    picture = PIL.Image.open(io.BytesIO(base64.b64decode(packed)))
+    assert picture.size == (160, 120)
+    return picture.getpixel((80, 60))
+
+
+def test_what_a_camera_showed_is_kept_small_twice_a_second(bag):
+    topic = "/robot1/camera/image_raw"
+    red, blue = seen(), seen("bgr8", (200, 30, 40))
+    file = bag((topic, 1.0, red), (topic, 1.2, red), (topic, 1.5, blue), node="/sim2d")
+    pictures = read_bag(file, ["robot1"])[0].pictures
+    assert pictures[topic].stamps == [1.0, 1.5]
+    assert [colour_of(each) for each in pictures[topic].values] == [
+        pytest.approx((200, 30, 40), abs=6),
+        pytest.approx((40, 30, 200), abs=6),
+    ]
+
+
+def test_depth_and_broken_pictures_are_not_shown(bag):
+    depth = seen("32FC1", (0, 0, 0, 0))
+    broken = seen()
+    broken.data = broken.data[:100]
+    torn = CompressedImage(format="jpeg", data=b"torn")
+    file = bag(("/robot1/depth", 1.0, depth), ("/robot1/broken", 1.0, broken), ("/robot1/torn", 1.0, torn))
+    assert read_bag(file, ["robot1"])[0].pictures == {}

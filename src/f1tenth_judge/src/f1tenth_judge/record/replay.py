@@ -88,6 +88,8 @@ class Replay:
     # By topic, of planners: lists of Drawing, and numbers.
     drawings: Mapping[str, Timed] = dataclasses.field(default_factory=dict)
     channels: Mapping[str, Numbers] = dataclasses.field(default_factory=dict)
+    # By topic, what planners saw: small JPEG images, in base64.
+    pictures: Mapping[str, Timed] = dataclasses.field(default_factory=dict)
 
     def with_run(
         self, goals: Mapping[str, Sequence["Pose"]], said: "Replay", road: Sequence[Point] = ()
@@ -111,7 +113,7 @@ class Replay:
         timed: dict = {
             field.name: {name: each.until(stamp) for name, each in getattr(self, field.name).items()}
             for field in dataclasses.fields(self)
-            if field.name in ("global_plans", "local_plans", "models", "drawings", "channels")
+            if field.name in ("global_plans", "local_plans", "models", "drawings", "channels", "pictures")
         }
         return dataclasses.replace(self, **timed)
 
@@ -169,6 +171,7 @@ def _from_dict(content: Mapping[str, Any]) -> Replay:
             for topic, each in content.get("drawings", {}).items()
         },
         channels={topic: Numbers(**each) for topic, each in content.get("channels", {}).items()},
+        pictures=_timed(content.get("pictures", {})),
     )
 
 

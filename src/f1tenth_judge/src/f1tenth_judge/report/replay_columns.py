@@ -73,6 +73,10 @@ def _run(record: Record, replay: Replay, step: float) -> dict[str, Any]:
             for poses in replay.models.values()
         ],
         "drawings": {topic: _drawings(each) for topic, each in replay.drawings.items()},
+        "pictures": {
+            topic: {"time": column(each.stamps, _TIME), "images": list(each.values)}
+            for topic, each in replay.pictures.items()
+        },
     }
 
 

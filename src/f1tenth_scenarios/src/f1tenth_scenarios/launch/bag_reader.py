@@ -11,12 +11,15 @@ from f1tenth_judge.record.replay import Drawing, Numbers, Planar, Point, Poses, 
 
 from f1tenth_scenarios.launch.drawings import KINDS, Board
 from f1tenth_scenarios.launch.plane import planar, point
+from f1tenth_scenarios.launch.thumbnails import thumbnail
 
 _PLAN_PERIOD, _MODEL_PERIOD, _NUMBER_PERIOD = 0.2, 0.1, 0.025  # s, between two messages that the replay shows
 _BURST = 0.05  # s, in which single markers make one drawing
 _PLAN_POINTS = 100  # of a plan, about
 _MOST_POINTS = 100_000  # of what a topic draws
 _MOST_TOPICS = 20  # that draw, and that have numbers
+_PICTURE_PERIOD, _MOST_PICTURES, _MOST_CAMERAS = 0.5, 300, 4  # s; of a camera, 1.5 MB; of all cars
+_CAMERAS = ("sensor_msgs/Image", "sensor_msgs/CompressedImage")
 _NUMBERS = ("std_msgs/Float32", "std_msgs/Float64")
 _LAG = 0.1  # s, by which the last transform may be older than a drawing
 
@@ -34,14 +37,16 @@ def read_bag(bag: Path, cars: Sequence[str]) -> tuple[Replay, list[str]]:
         with rosbag.Bag(str(bag)) as opened:
             drawn, too_much = _drawings(opened, cars)
             numbers, more = _channels(opened, cars)
+            seen, even_more = _pictures(opened, cars)
             replay = Replay(
                 global_plans=_plans(opened, cars, "global_plan"),
                 local_plans=_plans(opened, cars, "local_plan"),
                 models=_models(opened, cars),
                 drawings=drawn,
                 channels=numbers,
+                pictures=seen,
             )
-            return replay, [*too_much, *more]
+            return replay, [*too_much, *more, *even_more]
     except (OSError, rosbag.ROSBagException) as error:
         raise ScenarioError(f"{bag}: cannot be read: {error}") from error
 
@@ -126,6 +131,38 @@ def _channels(bag, cars: Sequence[str]) -> tuple[dict[str, Numbers], list[str]]:
         if stamps:
             found[topic] = Numbers(stamps, values, topics[topic][0])
     return found, _crowded_out(topics)
+
+
+def _pictures(bag, cars: Sequence[str]) -> tuple[dict[str, Timed], list[str]]:
+    """What the cameras of cars have shown to somebody: nobody draws them for the bag alone."""
+    kinds = bag.get_type_and_topic_info().topics
+    owned = [topic for topic in kinds if topic.startswith(tuple(f"/{car}/" for car in cars))]
+    topics = [topic for topic in owned if kinds[topic].msg_type in _CAMERAS]
+    found, too_much = {}, []
+    for topic in sorted(topics)[:_MOST_CAMERAS]:
+        seen, until = _seen(bag, topic)
+        if seen.values:
+            found[topic] = seen
+        if until is not None:
+            too_much.append(
+                f"{topic}: from {until:.3f} s on, as there are more than {_MOST_PICTURES} pictures"
+            )
+    left = sorted(topics)[_MOST_CAMERAS:]
+    return found, [*too_much, *(f"{topic}: as there are more than {_MOST_CAMERAS} cameras" for topic in left)]
+
+
+def _seen(bag, topic: str) -> tuple[Timed, Optional[float]]:
+    """What a camera showed, and when (s) it was too much."""
+    stamps: list[float] = []
+    values: list[str] = []
+    for now, message in _messages(bag, topic):
+        is_due = not stamps or now + STAMP_EPSILON >= stamps[-1] + _PICTURE_PERIOD
+        if is_due and (small := thumbnail(message)):
+            if len(values) == _MOST_PICTURES:
+                return Timed(stamps, values), now
+            stamps.append(round(now, 9))
+            values.append(small)
+    return Timed(stamps, values), None
 
 
 def _crowded_out(topics) -> list[str]:

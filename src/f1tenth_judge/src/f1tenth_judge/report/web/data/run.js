@@ -76,13 +76,14 @@ function drawingOf({ colour, lines, dots, places, texts }) {
 
 export class Run {
   // `world` is that of the walls; who is only compared with another run needs none.
-  constructor({ cars, goals, lidars, bodies, global_plans: globalPlans, local_plans: localPlans, models, road, drawings }, world) {
+  constructor({ cars, goals, lidars, bodies, global_plans: globalPlans, local_plans: localPlans, models, road, drawings, pictures }, world) {
     this.cars = Object.entries(cars).map(([name, columns]) => new CarTrack(name, columns, bodies[name]));
     this.end = Math.max(0, ...this.cars.map((car) => car.end));
     this.goals = goals.map(rowsOf);
     this.lidars = this.cars.filter(({ name }) => lidars[name]).map((car) => new Lidar(car, lidars[car.name]));
     this.models = models.map(({ time, poses, shape }) => ({ time, poses: rowsOf(poses), shape: shapeOf(shape) }));
     this.road = road;
+    this.pictures = Object.entries(pictures).map(([topic, each]) => ({ topic, ...each }));
     this.drawings = Object.entries(drawings).map(([topic, { time, frames }]) => ({ topic, time, frames: frames.map((frame) => frame.map(drawingOf)) }));
     this.globalPlans = globalPlans;
     this.localPlans = localPlans;

@@ -8,6 +8,7 @@ import { comparisonCard, contactsCard, cornersCard, criteriaCard, culpritCard, l
 import { referenceChoice } from "./reference.js";
 import { badge, comparisonText, failedBesides, verdictText, who, winnerText } from "./words.js";
 import { LEAD, eventsOf } from "../data/events.js";
+import { Cameras } from "../replay/cameras.js";
 import { Controls } from "../replay/controls.js";
 import { handleKey, keyHelp } from "../replay/keyboard.js";
 import { Player } from "../replay/player.js";
@@ -96,10 +97,11 @@ export class RunPage {
     this.player = new Player(run.end, slowParts(this.events), () => this.draw());
     this.corners = run.road.x.length ? cornersOf(run.road) : [];
     this.view = new View(run, this.result.contacts ?? [], this.corners);
+    this.cameras = new Cameras(run.pictures);
     this.channels = this.makeChannels(null);
     const choice = referenceChoice(this.report, this.index, (ghost, result) => this.compare(ghost, result));
     this.controls = new Controls({ player: this.player, view: this.view, events: this.events, extra: choice, onLink: () => this.link() });
-    this.stage.replaceChildren(this.view.canvas, this.controls.root, this.channels.root);
+    this.stage.replaceChildren(this.view.canvas, this.cameras.root, this.controls.root, this.channels.root);
     this.showCorners(null, null);
     this.stage.removeAttribute("aria-busy");
     this.view.canvas.style.aspectRatio = Math.min(Math.max(this.view.aspect, 1), 2.4);
@@ -171,6 +173,7 @@ export class RunPage {
   draw() {
     const { player, view } = this;
     view.draw(player.time);
+    this.cameras.draw(player.time);
     this.channels.each((chart) => chart.draw(player.time));
     this.controls.draw();
     const [first] = view.states;

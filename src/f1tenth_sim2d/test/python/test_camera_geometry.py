@@ -1,5 +1,8 @@
 """Pictures are those of a calibrated stereo camera: computer vision finds in them where things are."""
 
+import importlib.util
+from pathlib import Path
+
 import numpy as np
 import pytest
 from f1tenth_sim2d.environments.car import Lidar, load_cars
@@ -94,3 +97,15 @@ def test_opencv_measures_the_depths_by_stereo(stereo_car):
         assert is_found.mean() > 0.1
         assert np.median(error) < 0.25
         assert (error < 1.0).mean() > 0.8
+
+
+def test_the_example_of_visual_odometry_hardly_drifts():
+    cv2 = pytest.importorskip("cv2", reason="python3-opencv is not installed")
+    cv2.setRNGSeed(1)
+    example = Path(__file__).parents[2] / "examples" / "stereo_odometry.py"
+    spec = importlib.util.spec_from_file_location(example.stem, example)
+    odometry = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(odometry)
+    way, drift = odometry.drive("circuit_detailed", most=6.0)
+    assert way == pytest.approx(5.9)
+    assert drift < 0.02 * way

@@ -1,5 +1,9 @@
 """What the pictures of the environments show, by the colours of their pixels."""
 
+import signal
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 from conftest import straight_on
@@ -122,3 +126,37 @@ def test_the_window_of_the_drop_in_shows_the_same(tmp_path):
     assert colour(place, picture, (2.0, 0.5)) == ROAD
     assert colour(place, picture, (0.0, 3.0)) == WALL
     environment.close()
+
+
+def test_window_is_closed_by_its_button_and_driving_goes_on(make):
+    pygame = pytest.importorskip("pygame")
+    environment = make(render_mode="human")
+    environment.reset(seed=1)
+    assert pygame.display.get_init()
+    pygame.event.post(pygame.event.Event(pygame.QUIT))
+    for _ in range(2):
+        environment.step(straight_on())
+    assert not pygame.display.get_init()
+    environment.close()
+
+
+PATIENCE = 60.0  # wall s
+ENDLESS = """import gymnasium, f1tenth_sim2d.environments as e
+e.register()
+environment = gymnasium.make(e.ENVIRONMENT, place="circuit1", beams=20, render_mode="human")
+environment.reset(seed=1)
+print("shown", flush=True)
+while True:
+    environment.reset(seed=1)
+"""
+
+
+def test_process_with_a_window_ends_by_sigterm():
+    pytest.importorskip("pygame")
+    with subprocess.Popen([sys.executable, "-c", ENDLESS], stdout=subprocess.PIPE, text=True) as process:
+        try:
+            assert process.stdout.readline().strip().endswith("shown")
+            process.terminate()
+            assert process.wait(PATIENCE) == -signal.SIGTERM
+        finally:
+            process.kill()

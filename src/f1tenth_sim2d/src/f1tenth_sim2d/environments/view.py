@@ -1,5 +1,6 @@
 """What an environment shows of itself."""
 
+import os
 from typing import Optional
 
 import numpy as np
@@ -8,7 +9,7 @@ from f1tenth_sim2d.environments.picture import Picture
 
 
 class Window(Picture):
-    """Shows the picture in a window."""
+    """Shows the picture in a window, until somebody closes that."""
 
     def __init__(self, place):
         """Open the window.
@@ -24,21 +25,28 @@ class Window(Picture):
 
             raise DependencyNotInstalled("render_mode human needs pygame: pip install pygame") from error
         self._pygame = pygame
+        os.environ.setdefault("SDL_NO_SIGNAL_HANDLERS", "1")  # or SIGTERM would be an event that ends nothing
         pygame.display.init()
         pygame.display.set_caption(place.name)
         self._screen = pygame.display.set_mode(self.size)
 
     def draw(self, results, time):
-        """Show the cars now."""
+        """Show the cars now; nothing once the window is closed."""
+        if any(event.type == self._pygame.QUIT for event in self._events()):
+            self.close()
+        if not self._pygame.display.get_init():
+            return None
         image = super().draw(results, time)
         self._screen.blit(self._pygame.surfarray.make_surface(image.swapaxes(0, 1)), (0, 0))
-        self._pygame.event.pump()
         self._pygame.display.flip()
         return image
 
     def close(self):
         """Close the window."""
         self._pygame.display.quit()
+
+    def _events(self):
+        return self._pygame.event.get() if self._pygame.display.get_init() else ()
 
 
 class View:

@@ -2,6 +2,8 @@
 
 #include <workspace_support/maths/trigonometry.h>
 
+#include <array>
+#include <cmath>
 #include <map>
 
 #include "f1tenth_sim2d/errors.h"
@@ -89,6 +91,33 @@ std::string partOf(const std::string & eye)
   return eye;
 }
 
+/// What the plug-in says of the lens, which Gazebo does not draw either.
+void readCalibration(const Element & plugin, Camera::Eye & eye, WarningCollector & warnings)
+{
+  eye.calibration = eye.pinhole;
+  Pinhole & told = eye.calibration;
+  // 0 means: as it is drawn.
+  const auto unlessZero = [&](const char * tag, double fallback) {
+    const double value = plugin.number(tag, 0.0);
+    return value == 0.0 ? fallback : value;
+  };
+  told.middle_x = unlessZero("Cx", told.middle_x);
+  told.middle_y = unlessZero("Cy", told.middle_y);
+  told.focal_x = told.focal_y = unlessZero("focalLength", told.focal_x);
+  constexpr double kRounding = 1e-3;  // pixels
+  if (std::abs(told.focal_x - eye.pinhole.focal_x) > kRounding) {
+    warnings.add(
+      "<focalLength> is " + toText(told.focal_x) + ", but pictures of this width and <horizontal_fov> have " +
+        toText(eye.pinhole.focal_x),
+      plugin.fileLine());
+  }
+  constexpr std::array<const char *, 5> kTags{
+    "distortionK1", "distortionK2", "distortionT1", "distortionT2", "distortionK3"};
+  for (std::size_t i = 0; i < kTags.size(); ++i) {
+    eye.distortion[i] = plugin.number(kTags[i], 0.0);
+  }
+}
+
 /// @param space  in which the topics are: the name of the camera
 void publish(Camera::Eye & eye, const std::string & space, const SensorElement & element, CarContext & context)
 {
@@ -98,6 +127,7 @@ void publish(Camera::Eye & eye, const std::string & space, const SensorElement &
     return context.topic(plugin, name.front() == '/' ? name : space + "/" + name);
   };
   const std::string library = libraryName(plugin);
+  readCalibration(plugin, eye, context.warnings);
   eye.image_topic = topic("imageTopicName", "image_raw");
   eye.info_topic = topic("cameraInfoTopicName", "camera_info");
   eye.baseline = space.find("left") == std::string::npos ? plugin.number("hackBaseline", 0.0) : 0.0;

@@ -55,12 +55,12 @@ struct DestroyPix
 
 sensor_msgs::CameraInfo toCameraInfo(const Camera::Eye & eye)
 {
-  const Pinhole & pinhole = eye.pinhole;
+  const Pinhole & pinhole = eye.calibration;
   sensor_msgs::CameraInfo info;
   info.width = static_cast<std::uint32_t>(pinhole.width);
   info.height = static_cast<std::uint32_t>(pinhole.height);
   info.distortion_model = sensor_msgs::distortion_models::PLUMB_BOB;
-  info.D.assign(5, 0.0);
+  info.D.assign(eye.distortion.begin(), eye.distortion.end());
   info.K = {pinhole.focal_x, 0.0, pinhole.middle_x, 0.0, pinhole.focal_y, pinhole.middle_y, 0.0, 0.0, 1.0};
   info.R = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
   info.P = {

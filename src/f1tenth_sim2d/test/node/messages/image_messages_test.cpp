@@ -21,7 +21,7 @@ Camera::Eye eyeOf(const std::string & format)
 {
   Camera::Eye eye;
   eye.format = format;
-  eye.pinhole = {2, 2, 4.0, 4.0, 0.5, 0.5, 0.1, 100.0};
+  eye.pinhole = eye.calibration = {2, 2, 4.0, 4.0, 0.5, 0.5, 0.1, 100.0};
   eye.points_farthest = 5.0;
   return eye;
 }

@@ -24,6 +24,12 @@ CAMERA = """
       <cameraName>eyes</cameraName>
       <frameName>eyes_optical_frame</frameName>
       <pointCloudCutoffMax>20</pointCloudCutoffMax>
+      <Cx>31.0</Cx>
+      <distortionK1>-0.1</distortionK1>
+      <distortionK2>0.02</distortionK2>
+      <distortionT1>0.001</distortionT1>
+      <distortionT2>0.002</distortionT2>
+      <distortionK3>0.003</distortionK3>
     </plugin>
   </sensor>
 </gazebo>
@@ -65,7 +71,8 @@ class CameraTest(unittest.TestCase):
         image, info, depth = seen["image_raw"], seen["camera_info"], seen["depth/image_raw"]
         assert (image.width, image.height, image.encoding, image.step) == (64, 48, "rgb8", 192)
         assert {message.header.frame_id for message in seen.values()} == {"robot1/eyes_optical_frame"}
-        assert (info.width, info.height, info.K[2], info.K[5]) == (64, 48, 31.5, 23.5)
+        assert (info.width, info.height, info.K[2], info.K[5]) == (64, 48, 31.0, 23.5)
+        assert info.D == (-0.1, 0.02, 0.001, 0.002, 0.003)
         assert abs(info.K[0] - 32 / np.tan(0.6)) < 1e-6
         depths = np.frombuffer(depth.data, np.float32).reshape(48, 64)
         assert seen["image_raw/compressed"].data[:2] == b"\xff\xd8"

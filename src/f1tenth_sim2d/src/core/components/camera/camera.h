@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,11 @@ public:
     std::string name;  ///< unique in the camera
     Pose3 pose;        ///< in the frame of the car: it looks along x, z is up
     Pinhole pinhole;
-    double noise_stddev{0.0};    ///< of each colour, as a share of the greatest
-    std::string format{"rgb8"};  ///< as sensor_msgs/Image calls it
-    double baseline{0.0};        ///< m, from the left eye of a pair to this one: hackBaseline
+    double noise_stddev{0.0};            ///< of each colour, as a share of the greatest
+    std::string format{"rgb8"};          ///< as sensor_msgs/Image calls it
+    double baseline{0.0};                ///< m, from the left eye of a pair to this one: hackBaseline
+    Pinhole calibration{};               ///< what camera_info says of it, which a plug-in may change
+    std::array<double, 5> distortion{};  ///< likewise, k1, k2, t1, t2, k3: told, not drawn
 
     // Where it is published; empty: nowhere.
     std::string image_topic{};

@@ -34,6 +34,13 @@ def test_traceback_is_quoted_by_the_last_frame_of_the_planner():
     assert quoted(lines) == ["before", HEAD, *OWN, EXCEPTION, "after"]
 
 
+def test_a_script_that_cannot_be_parsed_tells_where():
+    place = ['  File "/ws/src/my_stack/scripts/gap.py", line 3', "    def f(:", "          ^"]
+    lines = ["before", *place, "SyntaxError: invalid syntax", "after"]
+    assert exception_in(lines) == "SyntaxError: invalid syntax"
+    assert quoted(lines) == ["before", *place, "SyntaxError: invalid syntax", "after"]
+
+
 def test_package_in_a_workspace_of_ros_2_is_the_planners_own():
     script = frame("/ws/install/my_package/lib/my_package/planner", "sys.exit(load_entry_point(...)())")
     own = frame("/ws/install/my_package/lib/python3.10/site-packages/my_package/gap.py")

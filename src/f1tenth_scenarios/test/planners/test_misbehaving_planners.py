@@ -65,6 +65,11 @@ def judged(tmp_path):
         ),
         ("sends_twists", "; publishes geometry_msgs/Twist on /robot1/drive; the car takes ", ""),
         ("is_silent", "has sent no command at all for 10 s", "waiting for a joystick"),
+        (
+            "hears_another_type",
+            "; hears /map as nav_msgs/Path, but it is nav_msgs/OccupancyGrid",
+            "",
+        ),
         ("says_nan", "sends only commands that the simulator refuses (at ", ""),
         ("floods", " commands per second of simulated time (at ", ""),
         ("hangs_in_callback", "has not come to rest within 6 s of wall time (limits.answer)", ""),

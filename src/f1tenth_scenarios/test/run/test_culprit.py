@@ -26,6 +26,15 @@ def test_participant_that_the_simulator_missed_is_the_culprit(tmp_path):
     )
 
 
+def test_a_driver_that_its_proxy_waits_for_is_the_culprit(tmp_path):
+    error = "lockstep: participant robot1/proxy_driver has not answered period 2 within 15 s"
+    simulator = {"participant": "robot1/proxy_driver", "error": error}
+    seen = Signs([NodeEnd("sim2d", 3)], (), 1, simulator, ("sim2d", "robot1/proxy_driver", "robot1/gap"))
+    failure = failure_of(plan(tmp_path), seen)
+    reason = "does not come to rest: lockstep: it has not answered period 2 within 15 s"
+    assert (failure.culprit, failure.reason) == ("robot1/gap", reason)
+
+
 def test_its_own_end_says_more_than_the_simulator(tmp_path):
     simulator = {"participant": "robot1/move_base", "error": "silent"}
     ends = [NodeEnd("robot1/move_base", -9), NodeEnd("sim2d", 3)]

@@ -28,6 +28,28 @@ def test_commands_that_nobody_hears_are_named(kind):
     assert why([("/nav", kind)])[:2] == [f"publishes {kind} on /nav, which nobody hears", TAKES]
 
 
+def test_a_driver_without_a_publisher_is_told_what_the_car_takes():
+    wanted = f"publishes no command, which the car takes as {TAKES.removeprefix('the car takes ')}"
+    assert why(heard=["/robot1/scan"], offered=["/robot1/scan"]) == [wanted]
+
+
+def test_a_driver_without_a_subscriber_is_told_that_nothing_calls_it():
+    found = why(
+        [("/robot1/drive", STAMPED)],
+        heard=["/robot1/proxy_driver/clock"],
+        offered=["/robot1/proxy_driver/clock"],
+    )
+    assert found == ["hears no topic, so that no callback runs"]
+
+
+def test_a_topic_of_another_type_is_told_with_both():
+    misread = [("/robot1/proxy_driver/scan", "sensor_msgs/PointCloud2", "sensor_msgs/LaserScan")]
+    heard = ["/robot1/proxy_driver/scan"]
+    assert why([("/robot1/drive", STAMPED)], heard, heard, misread=misread) == [
+        "hears /robot1/scan as sensor_msgs/PointCloud2, but it is sensor_msgs/LaserScan"
+    ]
+
+
 def test_topics_that_mean_one_of_the_car_are_told_how_to_get_there():
     (*_, hint) = why([("/cmd_vel", TWIST), ("/nav", STAMPED)], heard=["/scan", "/car/odom", "/key"])
     assert hint == (
@@ -68,15 +90,18 @@ def test_who_only_listens_passes_no_command_on():
 
 
 def test_inputs_that_a_person_gives_in_rviz_are_not_missed():
-    assert why(heard=["/robot1/initialpose", "/move_base_simple/goal", "/tf_static"]) == []
+    heard = ["/robot1/initialpose", "/move_base_simple/goal", "/tf_static"]
+    assert why([("/robot1/drive", STAMPED)], heard) == []
 
 
 def test_inputs_that_nobody_publishes_are_named():
-    assert why(heard=["/joy", "/key"]) == ["hears /joy and /key, which nobody publishes"]
+    assert why([("/robot1/drive", STAMPED)], ["/joy", "/key"]) == [
+        "hears /joy and /key, which nobody publishes"
+    ]
 
 
 def test_who_hears_transforms_is_told_of_their_frames():
-    assert why(heard=["/tf", "/tf_static"], offered=["/tf"]) == [
+    assert why([("/robot1/drive", STAMPED)], ["/tf", "/tf_static"], ["/tf"]) == [
         "frames of the car in /tf begin with robot1/"
     ]
 

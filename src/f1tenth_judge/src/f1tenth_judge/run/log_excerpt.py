@@ -62,6 +62,8 @@ def exception_in(lines: Sequence[str]) -> str:
 def _place_of_last_traceback(lines: Sequence[str]) -> tuple[int, int]:
     """From where to where it is, with the exception; an empty place at the end if there is none."""
     begins = [number for number, line in enumerate(lines) if line.startswith(TRACEBACK)]
+    # A script that cannot be parsed has nothing but the place: no call has led there.
+    begins = begins or [number for number, line in enumerate(lines) if line.startswith(_FRAME)][:1]
     if not begins:
         return len(lines), len(lines)
     after = range(begins[-1] + 1, len(lines))
@@ -70,7 +72,7 @@ def _place_of_last_traceback(lines: Sequence[str]) -> tuple[int, int]:
 
 
 def _shortened(traceback: Sequence[str]) -> list[str]:
-    frames = list(_frames(traceback))
+    frames = list(_frames(traceback[1:]))
     own = [frame for frame in frames if not _NOT_ITS_OWN.match(frame[0])] or frames
     return [*traceback[:1], *own[-1], *traceback[-1:]] if own else list(traceback)
 

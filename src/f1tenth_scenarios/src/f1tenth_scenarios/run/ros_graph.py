@@ -12,6 +12,7 @@ from f1tenth_judge.errors import ScenarioError
 from f1tenth_scenarios.ros_api import ros_api
 
 _CALLER = "/scenario"
+_ANY_TYPE = "*"
 _ERRORS = (OSError, xmlrpc.client.Error, http.client.HTTPException)
 
 Topics = Mapping[str, Sequence[str]]
@@ -47,9 +48,23 @@ def read_graph(patience: float = 1.0) -> RosGraph:
 
 def publications_of(nodes: Iterable[str]) -> Iterator[tuple[str, str]]:
     """The topics that some nodes publish, and their types, as they say: the master knows one type each."""
+    return _ends_of(nodes, "getPublications")
+
+
+def misread_by(nodes: Iterable[str], graph: RosGraph) -> Iterator[tuple[str, str, str]]:
+    """Topics that some nodes hear as another type than that which is published; both types."""
+    heard = {topic: kind for topic, kind in _ends_of(nodes, "getSubscriptions") if kind != _ANY_TYPE}
+    publishers = {node for topic in heard for node in graph.publishers.get(topic, ())}
+    published = dict(publications_of(sorted(publishers)))
+    for topic, kind in sorted(heard.items()):
+        if published.get(topic, kind) not in (kind, _ANY_TYPE):
+            yield topic, kind, published[topic]
+
+
+def _ends_of(nodes: Iterable[str], question: str) -> Iterator[tuple[str, str]]:
     for node in nodes:
         try:
-            yield from ((topic, kind) for topic, kind in ask(node, "getPublications", patience=1.0))
+            yield from ((topic, kind) for topic, kind in ask(node, question, patience=1.0))
         except ScenarioError:
             continue
 

@@ -15,14 +15,17 @@ from f1tenth_judge.run.command_watch import CommandCount, CommandWatch, Problem
 from geometry_msgs.msg import PoseWithCovarianceStamped
 
 from f1tenth_race_mgr.msg import RaceStatus
+from f1tenth_scenarios.launch.launch_file import driver_mark
 from f1tenth_scenarios.launch.plane import planar
 from f1tenth_scenarios.run.diagnosis.culprit import failure_of_driver
+from f1tenth_scenarios.run.diagnosis.endless import computes_without_pause
 from f1tenth_scenarios.run.diagnosis.unconnected_topics import driver_nodes, shared_topic, topics_of, why_mute
 from f1tenth_scenarios.run.events.director import Director
-from f1tenth_scenarios.run.ros_graph import publications_of, read_graph
+from f1tenth_scenarios.run.ros_graph import misread_by, publications_of, read_graph
 
 _PATIENCE, _LOOK_INTERVAL = 2.0, 0.005  # wall s
 _GRAPH_INTERVAL = 0.5  # wall s between two looks at who hears whom
+_ENDLESS = "computes without a pause, as in a loop or callback that never ends"
 _COMMANDS_OF, _REFUSED = "sim2d: commands of ", "refused: "  # in the simulator's diagnostics
 
 
@@ -106,9 +109,11 @@ class RosWatch:
         nodes = driver_nodes(graph, problem.car)
         reasons = [problem.text]
         if problem.is_mute:
-            interfaces = {car.name: car.driver.interface for car in self._plan.scenario.cars}
+            car = next(each for each in self._plan.scenario.cars if each.name == problem.car)
             publications, topics = publications_of(nodes), topics_of(description)
-            reasons += why_mute(graph, problem.car, publications, interfaces[problem.car], topics)
+            misread = misread_by(nodes, graph)
+            reasons += [_ENDLESS] if computes_without_pause(driver_mark(self._plan, car)) else []
+            reasons += why_mute(graph, problem.car, publications, car.driver.interface, topics, misread)
         failure = failure_of_driver(self._plan, problem.car, nodes, "; ".join(reasons))
         return dataclasses.replace(failure, stamp=problem.stamp)
 

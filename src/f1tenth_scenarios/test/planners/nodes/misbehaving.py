@@ -8,6 +8,7 @@ import time
 import rospy
 from ackermann_msgs.msg import AckermannDriveStamped
 from geometry_msgs.msg import Twist
+from nav_msgs.msg import Path
 from sensor_msgs.msg import LaserScan
 
 
@@ -33,6 +34,11 @@ def raises_in_callback(_publisher):
 
 def is_silent(_publisher):
     rospy.logwarn("waiting for a joystick")
+    rospy.spin()
+
+
+def hears_another_type(publisher):
+    rospy.Subscriber("/map", Path, lambda _path: publisher.publish(command()), queue_size=1)
     rospy.spin()
 
 

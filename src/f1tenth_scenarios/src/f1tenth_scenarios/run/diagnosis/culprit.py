@@ -53,6 +53,11 @@ def failure_of(plan: Plan, signs: Signs) -> Failure:
     if given_up:
         nodes = driver_nodes_among(given_up, signs.started)
         return failure_of_driver(plan, given_up, nodes, _NOT_AT_REST.format(plan.scenario.limits.answer))
+    waiting = next((car for car in plan.cars if participant == f"{car}/{PROXY_DRIVER}"), None)
+    if waiting and not proxies[waiting]:
+        why = (error or "fell silent").replace(f"participant {participant}", "it")
+        nodes = driver_nodes_among(waiting, signs.started)
+        return failure_of_driver(plan, waiting, nodes, f"does not come to rest: {why}")
     if participant in by_name:
         return _node_failure(plan, by_name[participant], by_name[participant].describe())
     if participant:

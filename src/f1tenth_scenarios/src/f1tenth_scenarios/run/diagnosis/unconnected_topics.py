@@ -6,7 +6,7 @@ from typing import Optional
 
 from f1tenth_judge.plan.car_description import CarDescription
 from f1tenth_judge.plan.input_topics import absolute
-from f1tenth_judge.plan.participants import driver_nodes_among
+from f1tenth_judge.plan.participants import PROXY_DRIVER, driver_nodes_among
 from f1tenth_judge.scenario.driver import Interface
 
 from f1tenth_scenarios.launch.launch_file import F1TENTH_OWN
@@ -60,10 +60,14 @@ def why_mute(
     publications: Iterable[tuple[str, str]],
     interface: Interface,
     topics: CarTopics = _F1TENTH,
+    misread: Iterable[tuple[str, str, str]] = (),
 ) -> list[str]:
     """Why no command of a car's driver may have arrived, in words.
 
-    `publications`: the topics that its nodes publish, and their types.
+    Args:
+        graph, car, interface, topics: who hears whom, and what the planner and the car know
+        publications: the topics that its nodes publish, and their types
+        misread: topics that its nodes hear as another type than that which is published; both types
     """
     own = {absolute(f"/{car}", name): kind for name, kind in topics.commands.items()}
     published = sorted(set(publications))
@@ -80,11 +84,13 @@ def why_mute(
         for topic, hearers in sorted(graph.subscribers.items())
         if nodes & set(hearers) and not graph.publishers.get(topic) and not _is_optional(topic)
     ]
-    found = list(wrong)
+    found = [f"hears {_usual(topic)} as {kind}, but it is {right}" for topic, kind, right in misread] + wrong
+    if nodes and not wrong:
+        found += _missing_ends(graph, nodes, published, own)
     if silent:
         found.append(f"hears {_listed(silent)}, which nobody publishes")
     if wrong and own:
-        found.append(f"the car takes {_listed([f'{kind} on {topic}' for topic, kind in own.items()], 'or')}")
+        found.append(f"the car takes {_taken(own)}")
     if not own:
         found.append(
             "the car is driven by controllers, which the planner's launch file is to load and to feed"
@@ -92,6 +98,30 @@ def why_mute(
     if interface is Interface.NATIVE and nodes & set(graph.subscribers.get("/tf", ())):
         found.append(f"frames of the car in /tf begin with {car}/")
     return found + _ways_out(_remaps(astray, silent, topics), interface)
+
+
+def _missing_ends(
+    graph: RosGraph, nodes: set[str], published: Sequence[tuple[str, str]], own: Mapping[str, str]
+) -> list[str]:
+    """What a driver lacks that could hear and send: a publisher of commands, any subscriber."""
+    sends = any(kind in _LIKE_COMMANDS for _, kind in published)
+    sends |= any(nodes & set(graph.publishers.get(topic, ())) for topic in own)
+    heard = [topic for topic, hearers in graph.subscribers.items() if nodes & set(hearers)]
+    found = [] if sends or not own else [f"publishes no command, which the car takes as {_taken(own)}"]
+    return (
+        found
+        if any(not topic.endswith("/clock") for topic in heard)
+        else [*found, "hears no topic, so that no callback runs"]
+    )
+
+
+def _usual(topic: str) -> str:
+    """The name by which a planner knows a topic that its proxy driver passes on."""
+    return topic.replace(f"/{PROXY_DRIVER}/", "/")
+
+
+def _taken(own: Mapping[str, str]) -> str:
+    return _listed([f"{kind} on {topic}" for topic, kind in own.items()], "or")
 
 
 def _ways_out(remaps: Mapping[str, str], interface: Interface) -> list[str]:

@@ -1,15 +1,18 @@
 """A run drawn for documents and messages."""
 
+import dataclasses
 import math
 
 import numpy as np
 import pytest
 from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.record.replay import Shape, write_replay
 from f1tenth_judge.report.export import export
 from PIL import Image
-from report_samples import race_result, result, write_race, write_run
+from report_samples import race_result, replay, result, write_race, write_run
 
 BLUE, ORANGE = (47, 91, 234), (224, 88, 43)  # of the first and the second car
+WALL = (70, 83, 106)
 
 
 @pytest.fixture(scope="module")
@@ -50,6 +53,18 @@ def test_svg_of_a_race_names_the_planners(tmp_path):
     race = write_race(tmp_path / "race", race_result("race"))
     export(race, tmp_path / "race.svg")
     assert "robot1 (gap.py:Gap)" in (tmp_path / "race.svg").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("suffix", ["gif", "png"])
+def test_road_in_a_map_of_one_wall_stays_free(tmp_path, suffix):
+    folder = write_run(tmp_path / "run", result("run"), end=1.0)
+    outer, inner = ([(-a, -a), (a, -a), (a, a), (-a, a)] for a in (6.0, 5.0))
+    walls = Shape([outer, inner[::-1]])
+    write_replay(folder / "replay.json.gz", dataclasses.replace(replay(1.0), walls=walls))
+    export(folder, tmp_path / f"run.{suffix}")
+    with Image.open(tmp_path / f"run.{suffix}") as picture:
+        pixels = np.asarray(picture.convert("RGB")).astype(int)
+    assert (np.abs(pixels - WALL).max(axis=2) < 12).mean() < 0.4
 
 
 def test_svg_is_one_with_walls_and_title(run, tmp_path):

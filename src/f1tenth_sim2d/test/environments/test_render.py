@@ -48,7 +48,7 @@ def ring(folder, is_solid, scale=1, has_centreline=True):
 
 def colour(place, picture, point, car=(0.0, 0.0)):
     """Colour of the picture at a point, m; the first car is at `car`."""
-    ground = Ground(place)
+    ground = Ground.of(place)
     corner = ground.corner(*car)
     x, y = ground.pixels(np.array([point]))[0]
     return tuple(int(each) for each in picture[int(y - corner[1]), int(x - corner[0])])

@@ -5,7 +5,7 @@ from PIL import Image, ImageDraw
 
 from f1tenth_sim2d.environments.place import Place
 
-PAPER, ROAD, LINE, WALL = (250, 250, 248), (226, 228, 232), (190, 194, 200), (70, 72, 78)
+PAPER, ROAD, LINE, WALL = (250, 250, 248), (226, 228, 232), (190, 194, 200), (70, 83, 106)
 VIEW = 800
 """Pixels of the longer side of what is shown."""
 _LARGEST = 4000
@@ -24,11 +24,19 @@ class Ground:
         view: (width, height) of what is shown of it at a time, pixels.
     """
 
-    def __init__(self, place: Place):
-        self._place = place
-        self._shapes = _by_size(*place.world.section(_HEIGHT))
+    def __init__(self, outlines, circles, seen, centreline=None):
+        """Draw it.
+
+        Args:
+            outlines: arrays of shape (n, 2), m; holes turn clockwise, as World.section has them.
+            circles: rows of x, y and radius, m.
+            seen: places that must be in the image, m, of shape (n, 2); the first is on the road.
+            centreline: of the road, if it is known, see Place.
+        """
+        self._start, self._centreline = np.asarray(seen)[:1], centreline
+        self._shapes = _by_size(outlines, circles)
         corners = [shape.corners for shape in self._shapes]
-        corners += [place.world.start[:2]] if place.centreline is None else [place.centreline[:, :2]]
+        corners += [seen] if centreline is None else [centreline[:, :2]]
         points = np.concatenate([np.atleast_2d(each) for each in corners])
         self._low = points.min(axis=0) - _MARGIN
         self._size = points.max(axis=0) + _MARGIN - self._low
@@ -36,9 +44,16 @@ class Ground:
         self.scale = max(VIEW / longer, min(_LEAST_SCALE, _LARGEST / longer))
         """Pixels per m."""
         self.image = self._draw(self.scale)
-        if place.centreline is None:
+        if centreline is None:
             self._add_flooded_road()
         self.view = tuple(min(VIEW, each) for each in self.image.size)
+
+    @classmethod
+    def of(cls, place: Place):
+        """That of a place."""
+        start = np.array([place.world.start[:2]])
+        outlines, circles = place.world.section(_HEIGHT)
+        return cls(outlines, circles, start, place.centreline)
 
     def pixels(self, points):
         """Points (m, shape (n, 2)) in the image."""
@@ -53,7 +68,7 @@ class Ground:
     def _draw(self, scale):
         size = tuple(np.ceil(self._size * scale).astype(int).clip(1).tolist())
         image, walls = Image.new("RGB", size, PAPER), Image.new("1", size, 0)
-        if self._place.centreline is not None:
+        if self._centreline is not None:
             self._draw_road(ImageDraw.Draw(image), scale)
         for shape in self._shapes:
             # With its outline, or a hole would eat the thin wall around it.
@@ -62,19 +77,19 @@ class Ground:
         return image
 
     def _draw_road(self, draw, scale):
-        right, left = _edges(self._place.centreline)
+        right, left = _edges(self._centreline)
         for i in range(len(right)):
             draw.polygon(
                 self._pixels(np.array([right[i - 1], right[i], left[i], left[i - 1]]), scale), fill=ROAD
             )
-        middle = np.concatenate([self._place.centreline[:, :2], self._place.centreline[:1, :2]])
+        middle = np.concatenate([self._centreline[:, :2], self._centreline[:1, :2]])
         draw.line(self._pixels(middle, scale), fill=LINE, width=2)
 
     def _add_flooded_road(self):
         """Without a centreline the road is what can be reached from the start, unless that is everything."""
         scale = _FLOODED / self._size.max()
         flooded = self._draw(scale)
-        start = self._pixels(np.array([self._place.world.start[:2]]), scale)[0]
+        start = self._pixels(self._start, scale)[0]
         ImageDraw.floodfill(flooded, tuple(int(each) for each in start), ROAD)
         if flooded.getpixel((0, 0)) == ROAD:
             return

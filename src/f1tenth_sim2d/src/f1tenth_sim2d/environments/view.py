@@ -5,6 +5,7 @@ from typing import Optional
 
 import numpy as np
 
+from f1tenth_sim2d.environments.ground import Ground
 from f1tenth_sim2d.environments.picture import Picture
 
 
@@ -17,7 +18,7 @@ class Window(Picture):
         Raises:
             gymnasium.error.DependencyNotInstalled: there is no pygame.
         """
-        super().__init__(place)
+        super().__init__(Ground.of(place))
         try:
             import pygame
         except ImportError as error:
@@ -85,7 +86,8 @@ class View:
 
     def _opened(self):
         if self._picture is None:
-            self._picture = (Window if self._mode == "human" else Picture)(self._stage.place)
+            place = self._stage.place
+            self._picture = Window(place) if self._mode == "human" else Picture(Ground.of(place))
         return self._picture
 
     def _draw(self):

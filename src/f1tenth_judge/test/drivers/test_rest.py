@@ -45,6 +45,13 @@ print("ready", flush=True)
 for line in sys.stdin:
     inbox.put(int(line))
 """
+# A thread for each line, which ends with it.
+STARTER = """
+import sys, threading
+print("ready", flush=True)
+for line in sys.stdin:
+    threading.Thread(target=lambda: print(sum(range(int(line))), flush=True)).start()
+"""
 LIKE_A_RATE = POLLER.format(wait="time.sleep(0.001)")
 LIKE_A_TIMER = POLLER.format(wait="\n        with never: never.wait(0.001)")
 
@@ -90,7 +97,7 @@ def learn(rest, pid):
     rest.learn(before, processor_use([pid]), time.monotonic() - began)
 
 
-@pytest.mark.parametrize("program", [WORKER, NAPPER, LIKE_A_RATE, LIKE_A_TIMER])
+@pytest.mark.parametrize("program", [WORKER, NAPPER, STARTER, LIKE_A_RATE, LIKE_A_TIMER])
 def test_answer_is_there_whenever_rest_is_reached(start, program):
     worker = start(program)
     assert worker.stdout.readline() == "ready\n"

@@ -89,6 +89,7 @@ class Rest:
             return False
         if self._asleep is None or not self._asleep.is_same(found):
             if not self._note_naps(found):
+                self._list(pids)  # one that has ended sleeps nowhere
                 return False
             self._asleep = _Asleep(self._clock(), found, set(filter(self._may_wake, found)))
         # Those that have not been switched to between two looks have slept all the time between them.

@@ -39,9 +39,6 @@ void bindGoals(py::module_ & module)
   module.def(
     "load_goals_file", &LoadGoalsFile, py::arg("path"), py::arg("known_frames") = std::vector<std::string>{"map"},
     "The goals of a goals file. Raises GoalsFileError, 'FILE:LINE: what is wrong'.");
-  module.def(
-    "save_goals_file", &SaveGoalsFile, py::arg("path"), py::arg("goals"),
-    "Writes a goals file: to a temporary file first, then renames it. Raises GoalsFileError.");
 }
 
 void bindResults(py::module_ & module)

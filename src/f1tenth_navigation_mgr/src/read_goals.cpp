@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "read_goals.h"
+#include "f1tenth_navigation_mgr/goals_file.h"
 
 namespace f1tenth_navigation_mgr
 {
@@ -157,16 +157,11 @@ private:
 };
 }  // namespace
 
-Goals readGoals(std::istream & text, const std::string & name, const std::vector<std::string> & known_frames)
-{
-  return Reader{name, known_frames}.read(text);
-}
-
 Goals LoadGoalsFile(const std::string & path, const std::vector<std::string> & known_frames)
 {
   errno = 0;
   std::ifstream file{path};
   if (!file) throw GoalsFileError{path + ": cannot be read: " + std::strerror(errno)};
-  return readGoals(file, path, known_frames);
+  return Reader{path, known_frames}.read(file);
 }
 }  // namespace f1tenth_navigation_mgr

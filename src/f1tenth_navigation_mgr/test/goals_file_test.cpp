@@ -2,15 +2,10 @@
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
 
 #include <cmath>
-#include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <random>
-#include <sstream>
 
 namespace fs = std::filesystem;
 using namespace f1tenth_navigation_mgr;
@@ -29,38 +24,6 @@ std::string loadErrorOf(const std::string & path)
   return "no error";
 }
 
-std::string saveErrorOf(const std::string & path, const Goals & goals)
-{
-  try {
-    SaveGoalsFile(path, goals);
-  } catch (const GoalsFileError & error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-/// As long as it lives, this process can write nothing into files, as if the disk were full.
-class NoFileMayGrow
-{
-public:
-  NoFileMayGrow()
-  {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit none{0, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &none);
-  }
-  ~NoFileMayGrow()
-  {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-
-private:
-  rlimit before_{};
-  void (*handler_)(int){std::signal(SIGXFSZ, SIG_IGN)};
-};
-
-/// A folder that is gone after the test.
 class GoalsFile : public ::testing::Test
 {
 public:
@@ -215,99 +178,5 @@ TEST_F(GoalsFile, NamesAFileThatCannotBeRead)
 {
   EXPECT_EQ(loadErrorOf(path("no.txt")), path("no.txt") + ": cannot be read: No such file or directory");
   EXPECT_EQ(loadErrorOf(folder_.string()), folder_.string() + ": cannot be read: Is a directory");
-}
-
-TEST_F(GoalsFile, ReadsBackExactlyWhatItSaved)
-{
-  std::mt19937 random{1};
-  std::uniform_real_distribution<double> number{-M_PI, M_PI};
-  Goals goals;
-  for (int i = 0; i < 1000; ++i) goals.push_back(PlanarGoal(number(random), number(random), number(random)));
-  goals.push_back(Goal{"map", 1.0, 2.0, 0.5, 0.5, 0.5, 0.5, 0.5});
-  SaveGoalsFile(path("goals.txt"), goals);
-  EXPECT_EQ(LoadGoalsFile(path("goals.txt")), goals);
-}
-
-TEST_F(GoalsFile, WritesTheShortFormWhereNothingIsLost)
-{
-  SaveGoalsFile(path("goals.txt"), {PlanarGoal(1.5, -2.0, 0.0), Goal{"map", 1.0, 2.0, 0.5, 0.0, 0.0, 0.0, 1.0}});
-  std::ostringstream text;
-  text << std::ifstream{path("goals.txt")}.rdbuf();
-  EXPECT_EQ(text.str(), "frame_id: map\n1.5 -2 0\n1 2 0.5 0 0 0 1\n");
-}
-
-TEST_F(GoalsFile, LeavesNoTemporaryFile)
-{
-  SaveGoalsFile(path("goals.txt"), {PlanarGoal(1, 2, 3)});
-  EXPECT_EQ(std::distance(fs::directory_iterator{folder_}, fs::directory_iterator{}), 1);
-}
-
-TEST_F(GoalsFile, NamesAFileThatCannotBeWritten)
-{
-  const auto inside_nothing = path("no/goals.txt");
-  EXPECT_EQ(
-    saveErrorOf(inside_nothing, {PlanarGoal(1, 2, 3)}),
-    inside_nothing + ": cannot be written: No such file or directory");
-}
-
-TEST_F(GoalsFile, KeepsTheOldFileWhenTheNewOneCannotTakeItsPlace)
-{
-  fs::create_directory(path("goals.txt"));
-  EXPECT_EQ(
-    saveErrorOf(path("goals.txt"), {PlanarGoal(1, 2, 3)}), path("goals.txt") + ": cannot be written: Is a directory");
-  EXPECT_TRUE(fs::is_directory(path("goals.txt")));
-  EXPECT_FALSE(fs::exists(path("goals.txt.tmp")));
-}
-
-TEST_F(GoalsFile, KeepsTheOldFileWhenTheNewOneCannotBeWrittenWhole)
-{
-  SaveGoalsFile(path("goals.txt"), {PlanarGoal(1, 2, 3)});
-  {
-    const NoFileMayGrow limit;
-    EXPECT_EQ(
-      saveErrorOf(path("goals.txt"), {PlanarGoal(4, 5, 6)}), path("goals.txt") + ": cannot be written: File too large");
-  }
-  EXPECT_EQ(LoadGoalsFile(path("goals.txt")), Goals{PlanarGoal(1, 2, 3)});
-  EXPECT_FALSE(fs::exists(path("goals.txt.tmp")));
-}
-
-TEST_F(GoalsFile, RefusesToSaveWhatItCouldNotRead)
-{
-  const auto file = path("goals.txt");
-  EXPECT_EQ(saveErrorOf(file, {PlanarGoal(1, NAN, 3)}), file + ":2: y is not finite: nan");
-  EXPECT_EQ(
-    saveErrorOf(file, {Goal{"map", 1, 2, 0, 0, 0, 0, 2}}),
-    file + ":2: qx qy qz qw is not a unit quaternion: its length is 2, expected 1 within 0.01");
-  EXPECT_EQ(saveErrorOf(file, {PlanarGoal(1, 2, 3, "a#b")}), file + ":1: unknown frame \"a\", expected one of: a#b");
-  EXPECT_FALSE(fs::exists(file));
-}
-
-TEST_F(GoalsFile, SavesWhereALinkLeads)
-{
-  SaveGoalsFile(path("there.txt"), {PlanarGoal(1, 2, 3)});
-  fs::create_symlink("there.txt", path("link.txt"));
-  SaveGoalsFile(path("link.txt"), {PlanarGoal(4, 5, 6)});
-  EXPECT_TRUE(fs::is_symlink(path("link.txt")));
-  EXPECT_EQ(LoadGoalsFile(path("there.txt")).front().x, 4.0);
-}
-
-TEST_F(GoalsFile, RefusesToSaveIntoWhatIsNoFile)
-{
-  ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
-  EXPECT_EQ(saveErrorOf(path("pipe"), {PlanarGoal(1, 2, 3)}), path("pipe") + ": cannot be written: not a regular file");
-  EXPECT_TRUE(fs::is_fifo(path("pipe")));
-}
-
-TEST_F(GoalsFile, RefusesToSaveNothing)
-{
-  EXPECT_EQ(saveErrorOf(path("goals.txt"), {}), path("goals.txt") + ": no goals to save");
-  EXPECT_FALSE(fs::exists(path("goals.txt")));
-}
-
-TEST_F(GoalsFile, RefusesToSaveTwoFrames)
-{
-  EXPECT_EQ(
-    saveErrorOf(path("goals.txt"), {PlanarGoal(1, 2, 3), PlanarGoal(1, 2, 3, "odom")}),
-    path("goals.txt") + ": a goals file has one frame, found \"map\" and \"odom\"");
 }
 }  // namespace

@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """What only the Python module has: names, threads, exceptions, life beside rospy."""
 
-import os
 import subprocess
 import sys
 import tempfile
@@ -47,14 +46,6 @@ def test_goals_are_values():
     goal = nav.Goal(1.0, 2.0, 0.5)
     assert goal == nav.Goal(1.0, 2.0, 0.5, "map")
     assert repr(goal) == "Goal(x=1.0, y=2.0, yaw=0.5, frame_id='map')"
-
-
-def test_goals_files_go_both_ways():
-    goals = [nav.Goal(1.0, 2.0, 0.5), nav.Goal(3.0, 4.0, -0.5)]
-    with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "goals.txt")
-        nav.save_goals_file(path, goals)
-        assert nav.load_goals_file(path) == goals
 
 
 def test_a_wrong_file_raises_goals_file_error_and_loads_nothing(navigation):

@@ -11,7 +11,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// A goals file that cannot be read or written; what() begins with FILE: or FILE:LINE:
+/// A goals file that cannot be read; what() begins with FILE: or FILE:LINE:
 class GoalsFileError : public Error
 {
 public:

@@ -13,9 +13,4 @@ namespace f1tenth_navigation_mgr
 /// @param known_frames  what `frame_id:` may name
 /// @throws GoalsFileError `FILE:LINE: what is wrong` at the first wrong line, also for a file without goals
 Goals LoadGoalsFile(const std::string & path, const std::vector<std::string> & known_frames = {"map"});
-
-/// Writes path.tmp in the same folder first and renames it, so that path never holds half a file.
-/// Goals that were saved read back identically.
-/// @throws GoalsFileError when goals is empty, when its frames differ, and when the file cannot be written
-void SaveGoalsFile(const std::string & path, const Goals & goals);
 }  // namespace f1tenth_navigation_mgr

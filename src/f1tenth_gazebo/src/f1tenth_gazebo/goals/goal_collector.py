@@ -8,6 +8,8 @@ from pathlib import Path
 
 import rospkg
 import rospy
+from f1tenth_judge.atomic import write_all
+from f1tenth_judge.places.goals import goals_text
 from f1tenth_navigation.goal_markers import arrow_marker, goal_markers, text_marker
 from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import OccupancyGrid
@@ -17,7 +19,7 @@ import f1tenth_sim2d
 from f1tenth_gazebo.goals.clicked_goals import ClickedGoals
 from f1tenth_gazebo.goals.road_ahead import road_ahead
 from f1tenth_gazebo.worlds.find_world import WorldError, find_world
-from f1tenth_navigation_mgr import Goal, GoalsFileError, load_goals_file, save_goals_file
+from f1tenth_navigation_mgr import Goal, GoalsFileError, load_goals_file
 
 _HINT = "2D Nav Goal (g): press and drag to add a goal, click on a goal to take it away"
 _GREEN, _GREY = (0.1, 0.6, 0.2), (0.4, 0.45, 0.5)
@@ -45,6 +47,9 @@ class GoalCollector:
             self._publish()
 
     def _on_pose(self, pose):
+        if pose.header.frame_id != "map":
+            rospy.logwarn('a click in frame "%s" is ignored: goals are in "map"', pose.header.frame_id)
+            return
         with self._lock:
             added = self._clicked.take(goal_of(pose))
             self._publish()
@@ -56,10 +61,10 @@ class GoalCollector:
     def _save(self, goals):
         try:
             if goals:
-                save_goals_file(self._path, goals)
+                write_all({Path(self._path).resolve(): goals_text(goals).encode()})
             else:  # An empty file is not a goals file.
                 Path(self._path).unlink(missing_ok=True)
-        except (GoalsFileError, OSError) as error:
+        except OSError as error:
             rospy.logerr("%s", error)
             return
         rospy.loginfo("%s: %d goals", self._path, len(goals))

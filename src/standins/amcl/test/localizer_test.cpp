@@ -28,20 +28,6 @@ LocalizerOptions smallSteps()
   return options;
 }
 
-// As in amcl.yaml of f1tenth_navigation.
-LocalizerOptions asOnTheCar()
-{
-  LocalizerOptions options = smallSteps();
-  options.laser.model = LaserModel::kLikelihoodFieldProb;
-  options.laser.max_beams = 180;
-  options.laser.sigma_hit = 0.15;
-  options.laser.z_hit = 0.9;
-  options.laser.z_rand = 0.1;
-  options.laser.likelihood_max_dist = 0.5;
-  options.max_particles = 2000;
-  return options;
-}
-
 Estimate around(const Pose2 & pose, double deviation, double yaw_deviation)
 {
   const double variance = deviation * deviation;
@@ -126,29 +112,6 @@ TEST(Localizer, MapsMayLieAskew)
   expectNear(localizer->estimate().pose, drive.truth(), 0.04, 0.02);
 }
 
-TEST(Localizer, FindsTheCarAnywhereOnACircuit)
-{
-  const OccupancyGrid map = readMap(AMCL_TEST_MAPS "/circuit_detailed.pgm", {-6.8, -4.8, 0.0});
-  const auto localizer = Localizer::make(map, asOnTheCar(), {});
-  localizer->spreadOut();
-  EXPECT_EQ(localizer->particles().size(), 2000U);
-  Drive drive(map, {0.58, 0.12, -0.16});
-  drive.steps(*localizer, 60, {0.08, 0.0, 0.0});
-  expectNear(localizer->estimate().pose, drive.truth(), 0.1, 0.05);
-}
-
-TEST(Localizer, FindsTheCarFromFarOffIfItWasToldThatItMayBe)
-{
-  const OccupancyGrid map = readMap(AMCL_TEST_MAPS "/circuit_detailed.pgm", {-6.8, -4.8, 0.0});
-  for (const double direction : {1.3, 3.9}) {
-    const auto localizer = Localizer::make(
-      map, asOnTheCar(), around({0.58 + 2.0 * std::cos(direction), 0.12 + 2.0 * std::sin(direction), 0.36}, 2.0, 0.52));
-    Drive drive(map, {0.58, 0.12, -0.16});
-    drive.steps(*localizer, 10, {0.08, 0.0, 0.0});
-    expectNear(localizer->estimate().pose, drive.truth(), 0.2, 0.1);
-  }
-}
-
 TEST(Localizer, IsNoSurerThanItsMap)
 {
   const auto localizer = Localizer::make(room(), smallSteps(), around({-2.0, -0.5, 0.0}, 0.05, 0.05));
@@ -159,28 +122,11 @@ TEST(Localizer, IsNoSurerThanItsMap)
   EXPECT_LT(std::max(estimate.covariance[0], estimate.covariance[4]), 0.05 * 0.05);
 }
 
-TEST(Localizer, SpreadsOnlyWhereTheCarCanHaveGone)
-{
-  OccupancyGrid halves = room();
-  for (int y = 0; y < 100; ++y) {
-    halves.cells[y * 160 + 80] = 100;  // x = 1 m
-  }
-  const auto localizer = Localizer::make(halves, smallSteps(), {});
-  localizer->spreadOut();
-  for (const Pose2 & particle : localizer->particles()) {
-    EXPECT_LT(particle.x, 1.0);
-  }
-  localizer->setPose(around({2.0, 0.0, 0.0}, 0.1, 0.1));
-  localizer->spreadOut();
-  for (const Pose2 & particle : localizer->particles()) {
-    EXPECT_GT(particle.x, 1.05);
-  }
-}
-
 TEST(Localizer, SpreadsOverFreeCellsOnly)
 {
   const auto localizer = Localizer::make(room(), smallSteps(), {});
   localizer->spreadOut();
+  EXPECT_EQ(localizer->particles().size(), 5000U);
   for (const Pose2 & particle : localizer->particles()) {
     const bool in_room = particle.x > -3.0 && particle.x < 5.0 && particle.y > -2.5 && particle.y < 2.5;
     const bool in_pillar = particle.x > 3.06 && particle.x < 3.44 && particle.y > 0.56 && particle.y < 1.44;
@@ -240,20 +186,6 @@ TEST(Localizer, BelievesWhatItIsToldLater)
   const auto localizer = Localizer::make(room(), smallSteps(), around({-2.0, -0.5, 0.0}, 0.05, 0.05));
   localizer->setPose(around({2.0, 1.0, -1.0}, 0.05, 0.05));
   expectNear(localizer->estimate().pose, {2.0, 1.0, -1.0}, 0.01, 0.01);
-}
-
-TEST(Localizer, LostWherePlacesLookAlikeIsAtNoneForCertain)
-{
-  OccupancyGrid map = room();
-  for (int y = 60; y < 80; ++y) {
-    std::fill_n(map.cells.begin() + y * 160 + 120, 10, 0);  // without its pillar it looks the same turned around
-  }
-  const auto localizer = Localizer::make(map, LocalizerOptions{}, {});
-  localizer->spreadOut();
-  localizer->process(scanOn(map, {-1.0, -1.0, 0.7}), {}, {});
-  const auto covariance = localizer->estimate().covariance;
-  EXPECT_GT(std::sqrt(covariance[0] + covariance[4]), 1.0);
-  EXPECT_GT(std::sqrt(covariance[8]), 1.0);
 }
 
 TEST(Localizer, MapOnWhichNothingIsFreeIsNamed)

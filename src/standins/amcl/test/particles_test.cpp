@@ -12,7 +12,7 @@ TEST(DrawAround, HasTheMeanAndTheCovarianceOfTheEstimate)
 {
   maths::Random random(1);
   const Estimate wanted{{1.0, 2.0, 0.3}, {0.04, 0.01, 0.002, 0.01, 0.09, -0.003, 0.002, -0.003, 0.01}};
-  const Estimate drawn = estimateOf(evenly(drawAround(wanted, 50000, random)));
+  const Estimate drawn = heaviestCluster(evenly(drawAround(wanted, 50000, random)));
   EXPECT_NEAR(drawn.pose.x, 1.0, 0.005);
   EXPECT_NEAR(drawn.pose.y, 2.0, 0.005);
   EXPECT_NEAR(drawn.pose.yaw, 0.3, 0.005);

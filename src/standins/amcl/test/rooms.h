@@ -1,9 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <fstream>
-#include <stdexcept>
-#include <string>
 
 #include "amcl/geometry.h"
 
@@ -36,33 +33,6 @@ inline OccupancyGrid room(int width, int height, const Pillar & pillar, const Po
 inline OccupancyGrid room(const Pose2 & origin = {-3.0, -2.5, 0.0})
 {
   return room(160, 100, {120, 130, 60, 80}, origin);
-}
-
-/// A map of this workspace, from its PGM file: 0.05 m per cell.
-inline OccupancyGrid readMap(const std::string & path, const Pose2 & origin)
-{
-  std::ifstream file(path, std::ios::binary);
-  std::string magic;
-  OccupancyGrid grid{{0, 0, 0.05, origin}, {}};
-  int white = 0;
-  std::getline(file, magic);
-  while (file.peek() == '#') {
-    std::string comment;
-    std::getline(file, comment);
-  }
-  file >> grid.geometry.width >> grid.geometry.height >> white;
-  file.get();
-  std::string pixels(static_cast<std::size_t>(grid.geometry.width) * grid.geometry.height, '\0');
-  if (magic != "P5" || !file.read(pixels.data(), static_cast<std::streamsize>(pixels.size()))) {
-    throw std::runtime_error("no map: " + path);
-  }
-  for (int y = grid.geometry.height - 1; y >= 0; --y) {
-    for (int x = 0; x < grid.geometry.width; ++x) {
-      const auto pixel = static_cast<unsigned char>(pixels[y * grid.geometry.width + x]);
-      grid.cells.push_back(pixel == 0 ? 100 : pixel == 254 ? 0 : -1);
-    }
-  }
-  return grid;
 }
 
 /// Whether a place in the map frame is occupied; outside of the map everything is.

@@ -43,10 +43,9 @@ public:
   /// nothing
   virtual Outcome process(const Scan & scan, const Pose2 & lidar, const Pose2 & odometry) = 0;
 
-  /// Mean of the heaviest group of particles, as of the last scan that counted, and its covariance; that of all particles
-  /// as long as a car that was lost is looked for.
+  /// Mean of the heaviest group of particles, as of the last scan that counted, and its covariance.
   virtual Estimate estimate() const = 0;
-  /// The particles, in the map frame; a selection of max_particles while a lost car is looked for.
+  /// In the map frame.
   virtual std::vector<Pose2> particles() const = 0;
 };
 }  // namespace amcl

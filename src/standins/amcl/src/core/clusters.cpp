@@ -91,16 +91,9 @@ Bin binOf(const Pose2 & pose)
     (turn % kBinsPerTurn + kBinsPerTurn) % kBinsPerTurn};
 }
 
-Estimate estimateOf(const std::vector<WeightedPose> & particles)
-{
-  assert(!particles.empty());
-  const double weight = weightOf(particles);
-  const Pose2 mean = meanOf(particles, weight);
-  return {mean, covarianceOf(particles, weight, mean)};
-}
-
 Estimate heaviestCluster(const std::vector<WeightedPose> & particles)
 {
+  assert(!particles.empty());
   Bins bins;
   for (const WeightedPose & particle : particles) {
     bins[binOf(particle.pose)].push_back(particle);
@@ -115,6 +108,7 @@ Estimate heaviestCluster(const std::vector<WeightedPose> & particles)
       heaviest = std::move(group);
     }
   }
-  return estimateOf(heaviest);
+  const Pose2 mean = meanOf(heaviest, greatest);
+  return {mean, covarianceOf(heaviest, greatest, mean)};
 }
 }  // namespace amcl

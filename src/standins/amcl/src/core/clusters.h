@@ -18,9 +18,6 @@ struct WeightedPose
 using Bin = std::array<long, 3>;
 Bin binOf(const Pose2 & pose);
 
-/// Mean and covariance of these. Needs one.
-Estimate estimateOf(const std::vector<WeightedPose> & particles);
-
 /// Mean and covariance of the heaviest group of particles; groups are separated by empty cells. Needs a particle.
 Estimate heaviestCluster(const std::vector<WeightedPose> & particles);
 }  // namespace amcl

@@ -1,5 +1,6 @@
 #include "likelihood_field.h"
 
+#include <workspace_support/distance_transform.h>
 #include <workspace_support/maths/exponential.h>
 #include <workspace_support/option_checks.h>
 
@@ -39,25 +40,6 @@ GridGeometry checked(const OccupancyGrid & grid)
   requireOption(std::isfinite(geometry.origin.yaw), "yaw of the map's origin", geometry.origin.yaw, "a finite number");
   return geometry;
 }
-
-/// Distance in cells from the nearest wall in the same column, of each cell; at most reach.
-std::vector<int> distancesAlongColumns(const OccupancyGrid & map, int reach)
-{
-  const int width = map.geometry.width;
-  std::vector<int> distances(map.cells.size(), reach);
-  const auto pass = [&](int first, int end, int step) {
-    for (int y = first; y != end; y += step) {
-      for (int x = 0; x < width; ++x) {
-        const std::size_t i = map.geometry.index({x, y});
-        const int before = y == first ? reach : distances[map.geometry.index({x, y - step})] + 1;
-        distances[i] = map.cells[i] == kOccupied ? 0 : std::min(distances[i], before);
-      }
-    }
-  };
-  pass(0, map.geometry.height, 1);
-  pass(map.geometry.height - 1, -1, -1);
-  return distances;
-}
 }  // namespace
 
 LikelihoodField::LikelihoodField(const OccupancyGrid & map, const LaserOptions & options)
@@ -71,21 +53,11 @@ LikelihoodField::LikelihoodField(const OccupancyGrid & map, const LaserOptions &
 
 void LikelihoodField::findDistances(const OccupancyGrid & map)
 {
-  const std::vector<int> along_columns = distancesAlongColumns(map, reach_);
-  squares_.reserve(map.cells.size());
-  for (int y = 0; y < geometry_.height; ++y) {
-    for (int x = 0; x < geometry_.width; ++x) {
-      int square = reach_ * reach_;
-      for (int aside = 0; aside * aside < square; ++aside) {
-        for (const int column : {x - aside, x + aside}) {
-          if (column >= 0 && column < geometry_.width) {
-            const int along = along_columns[geometry_.index({column, y})];
-            square = std::min(square, aside * aside + along * along);
-          }
-        }
-      }
-      squares_.push_back(static_cast<std::size_t>(square));
-    }
+  std::vector<std::uint8_t> walls(map.cells.size());
+  std::transform(
+    map.cells.begin(), map.cells.end(), walls.begin(), [](auto cell) { return cell == kOccupied ? 1 : 0; });
+  for (const double away : distanceTransform(walls, geometry_.width, geometry_.height)) {
+    squares_.push_back(static_cast<std::size_t>(std::lround(std::min(away * away, 1.0 * reach_ * reach_))));
   }
 }
 
@@ -137,7 +109,9 @@ double LikelihoodField::logLikelihood(const Beams & seen, const Pose2 & pose) co
 {
   switch (options_.model) {
     case LaserModel::kLikelihoodFieldProb:
-      return static_cast<double>(seen.beams.size()) * meanLog(seen, pose);
+      return sum(seen, pose, [this](const Vec2 & lidar, const Vec2 & direction, double range) {
+        return fits_[squaredDistanceAt(lidar + range * direction)].log;
+      });
     case LaserModel::kLikelihoodField:
       return maths::log(1.0 + sum(seen, pose, [this](const Vec2 & lidar, const Vec2 & direction, double range) {
                           return fits_[squaredDistanceAt(lidar + range * direction)].cube;
@@ -147,14 +121,6 @@ double LikelihoodField::logLikelihood(const Beams & seen, const Pose2 & pose) co
                           return fitOf(range - castInGrid(lidar, direction)).cube;
                         }));
   }
-}
-
-double LikelihoodField::meanLog(const Beams & seen, const Pose2 & pose) const
-{
-  const double total = sum(seen, pose, [this](const Vec2 & lidar, const Vec2 & direction, double range) {
-    return fits_[squaredDistanceAt(lidar + range * direction)].log;
-  });
-  return seen.beams.empty() ? 0.0 : total / static_cast<double>(seen.beams.size());
 }
 
 /// From each place the beam goes on as far as there is certain to be no wall.

@@ -21,8 +21,6 @@ public:
 
   /// Logarithm of the likelihood of what was seen from a pose of the car, by the model of the options.
   double logLikelihood(const Beams & seen, const Pose2 & pose) const;
-  /// Mean logarithm of the likelihood of a beam's end, whatever the model; 0 without beams.
-  double meanLog(const Beams & seen, const Pose2 & pose) const;
 
 private:
   /// Of a beam that ends at some distance from a wall.

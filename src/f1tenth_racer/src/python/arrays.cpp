@@ -43,18 +43,6 @@ std::vector<Pose2> toPoses(const Doubles & array, const std::string & name)
   return poses;
 }
 
-py::array_t<double> fromPoses(const std::vector<Pose2> & poses)
-{
-  py::array_t<double> array({poses.size(), std::size_t{3}});
-  double * value = array.mutable_data();
-  for (const Pose2 & pose : poses) {
-    for (const double number : {pose.x, pose.y, pose.yaw}) {
-      *value++ = number;
-    }
-  }
-  return array;
-}
-
 OccupancyGrid toGrid(const Cells & cells, double resolution, const Vec2 & origin)
 {
   requireShape(cells, "cells", {-1, -1});
@@ -63,21 +51,6 @@ OccupancyGrid toGrid(const Cells & cells, double resolution, const Vec2 & origin
     static_cast<int>(cells.shape(1)), static_cast<int>(cells.shape(0)), resolution, {origin.x, origin.y, 0.0}};
   grid.cells.assign(cells.data(), cells.data() + cells.size());
   return grid;
-}
-
-Path toPath(const Doubles & points, const py::array_t<bool> & reverse)
-{
-  requireShape(points, "points", {-1, 5});
-  requireShape(reverse, "reverse", {points.shape(0)});
-  if (points.shape(0) < 2) {
-    throw OptionError("points: found " + std::to_string(points.shape(0)) + ", must be at least 2");
-  }
-  const auto values = points.unchecked<2>();
-  Path path;
-  for (py::ssize_t i = 0; i < values.shape(0); ++i) {
-    path.push_back({{values(i, 0), values(i, 1), values(i, 2)}, values(i, 3), reverse.at(i), values(i, 4)});
-  }
-  return path;
 }
 
 py::array_t<double> pointsOf(const Path & path)

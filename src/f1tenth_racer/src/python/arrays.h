@@ -12,9 +12,6 @@
 
 #include "path/terms.h"
 
-// A class of its own in Python, not a list.
-PYBIND11_MAKE_OPAQUE(move_base::Path)
-
 /// Between numpy arrays and the core's types.
 namespace f1tenth_racer
 {
@@ -25,13 +22,11 @@ using Cells = pybind11::array_t<std::int8_t, pybind11::array::c_style>;
 Pose2 toPose(const Doubles & array, const std::string & name);
 /// (n, 3). @throws OptionError
 std::vector<Pose2> toPoses(const Doubles & array, const std::string & name);
-pybind11::array_t<double> fromPoses(const std::vector<Pose2> & poses);
 
 /// (height, width), row 0 at the bottom. @throws OptionError
 OccupancyGrid toGrid(const Cells & cells, double resolution, const Vec2 & origin);
 
-/// (n, 5): x, y, yaw, curvature, s; and (n,): whether driven backwards. @throws OptionError
-Path toPath(const Doubles & points, const pybind11::array_t<bool> & reverse);
+/// (n, 5): x, y, yaw, curvature, s; and (n,): whether driven backwards.
 pybind11::array_t<double> pointsOf(const Path & path);
 pybind11::array_t<bool> reverseOf(const Path & path);
 }  // namespace f1tenth_racer

@@ -5,8 +5,6 @@
 #include <string>
 #include <type_traits>
 
-#include "arrays.h"
-#include "control/path_follower.h"
 #include "control/racer_options.h"
 
 namespace py = pybind11;
@@ -42,48 +40,32 @@ void bindPlannerOptions(py::module_ & module)
     .def_readwrite("allow_unknown", &CostmapOptions::allow_unknown)
     .def_readwrite("lethal_cost_threshold", &CostmapOptions::lethal_cost_threshold)
     .def_readwrite("inflation_radius", &CostmapOptions::inflation_radius, "m")
-    .def_readwrite("cost_scaling_factor", &CostmapOptions::cost_scaling_factor, "1/m")
-    .def_readwrite("clearance_weight", &CostmapOptions::clearance_weight);
+    .def_readwrite("cost_scaling_factor", &CostmapOptions::cost_scaling_factor, "1/m");
   bindStruct<PlannerOptions>(module, "PlannerOptions")
     .def_readwrite("min_turning_radius", &PlannerOptions::min_turning_radius, "m")
     .def_readwrite("allow_reversing", &PlannerOptions::allow_reversing)
-    .def_readwrite("reverse_penalty", &PlannerOptions::reverse_penalty)
-    .def_readwrite("direction_penalty", &PlannerOptions::direction_penalty, "m")
-    .def_readwrite("steering_penalty", &PlannerOptions::steering_penalty, "m")
-    .def_readwrite("curvature_penalty", &PlannerOptions::curvature_penalty, "m")
     .def_readwrite("min_obstacle_dist", &PlannerOptions::min_obstacle_dist, "m")
     .def_readwrite("max_expansions", &PlannerOptions::max_expansions);
-  bindStruct<RaceLineOptions>(module, "RaceLineOptions")
-    .def_readwrite("gate_tolerance", &RaceLineOptions::gate_tolerance, "m")
-    .def_readwrite("gate_yaw_tolerance", &RaceLineOptions::gate_yaw_tolerance, "rad")
-    .def_readwrite("slip_gradient", &RaceLineOptions::slip_gradient, "rad per m/s^2")
-    .def_readwrite("lateral_acceleration", &RaceLineOptions::lateral_acceleration, "m/s^2")
-    .def_readwrite("max_speed", &RaceLineOptions::max_speed, "m/s")
-    .def_property(
-      "goals_beyond", [](const RaceLineOptions & options) { return fromPoses(options.goals_beyond); },
-      [](RaceLineOptions & options, const Doubles & poses) { options.goals_beyond = toPoses(poses, "goals_beyond"); },
-      "(N, 3) x, y, yaw of the goals that follow, in their order");
 }
 
-// Each option of a struct under its name, with its meaning.
-template <class Options>
-void bindEach(py::class_<Options> & binding)
+// Each option under its name, with its meaning.
+void bindEach(py::class_<RacerOptions> & binding)
 {
-  Options defaults;
-  Options::visitEach(defaults, [&](const Option & option, auto & value) {
+  RacerOptions defaults;
+  RacerOptions::visitEach(defaults, [&](const Option & option, auto & value) {
     using Value = std::decay_t<decltype(value)>;
     const std::string name = option.name;
-    const auto get = [name](const Options & options) {
+    const auto get = [name](const RacerOptions & options) {
       Value found{};
-      Options::visitEach(options, [&](const Option & each, const auto & at) {
+      RacerOptions::visitEach(options, [&](const Option & each, const auto & at) {
         if constexpr (std::is_same_v<std::decay_t<decltype(at)>, Value>) {
           found = each.name == name ? at : found;
         }
       });
       return found;
     };
-    const auto set = [name](Options & options, Value wanted) {
-      Options::visitEach(options, [&](const Option & each, auto & at) {
+    const auto set = [name](RacerOptions & options, Value wanted) {
+      RacerOptions::visitEach(options, [&](const Option & each, auto & at) {
         if constexpr (std::is_same_v<std::decay_t<decltype(at)>, Value>) {
           at = each.name == name ? wanted : at;
         }
@@ -107,13 +89,8 @@ py::list tableOf(const RacerOptions & options)
 
 void bindRacerOptions(py::module_ & module)
 {
-  auto limits = bindStruct<SpeedLimits>(module, "SpeedLimits");
-  bindEach(limits);
-  auto follower = bindStruct<FollowerOptions>(module, "FollowerOptions");
-  follower.def_readwrite("limits", &FollowerOptions::limits);
-  bindEach(follower);
   auto racer = bindStruct<RacerOptions>(module, "RacerOptions");
-  racer.def_readwrite("planner", &RacerOptions::planner).def_readwrite("follower", &RacerOptions::follower);
+  racer.def_readwrite("planner", &RacerOptions::planner);
   bindEach(racer);
   racer.def_static(
     "table", [] { return tableOf(RacerOptions{}); }, "(name, unit, meaning, default, range) of each option.");

@@ -4,9 +4,11 @@ import re
 from pathlib import Path
 
 import f1tenth_racer_core as core
+import numpy as np
 import pytest
 
 README = Path(__file__).parents[2] / "README.md"
+CELLS = np.zeros((9, 9), np.int8)
 
 
 def shown(value):
@@ -24,11 +26,11 @@ def test_the_readme_tells_all_options_as_they_are():
 
 
 def test_an_option_is_set_under_its_name():
-    options = core.FollowerOptions(follow_distance=1.2, unfelt_lateral_part=0.5)
+    options = core.RacerOptions(follow_distance=1.2, unfelt_lateral_part=0.5)
     assert (options.follow_distance, options.unfelt_lateral_part) == (1.2, 0.5)
-    assert core.FollowerOptions().follow_distance == 0.8
+    assert core.RacerOptions().follow_distance == 0.8
     with pytest.raises(TypeError, match="unexpected option 'follow_dist'"):
-        core.FollowerOptions(follow_dist=1.0)
+        core.RacerOptions(follow_dist=1.0)
 
 
 @pytest.mark.parametrize(
@@ -42,4 +44,4 @@ def test_an_option_is_set_under_its_name():
 )
 def test_a_value_out_of_range_is_refused(name, value, allowed):
     with pytest.raises(core.OptionError, match=f"{name}: found {value:g}, must be {allowed}"):
-        core.PathFollower(core.FollowerOptions(**{name: value}))
+        core.Racer(core.Costmap(CELLS, 0.05), [[0, 0, 0]], core.RacerOptions(**{name: value}))

@@ -18,15 +18,9 @@ PARTS = ("scan", "pose", "velocity")
 def shipped_options():
     """The options of the racer as f1tenth_navigation sets them."""
     values = yaml.safe_load(CONFIG.read_text())["RacerROS"]
-    limits = core.SpeedLimits()
-    follower = core.FollowerOptions()
-    for name, value in values.items():
-        for options in (limits, follower):
-            if name != "limits" and hasattr(options, name):
-                setattr(options, name, value)
-    limits.dec_lim_x = limits.acc_lim_x
-    follower.limits = limits
-    return core.RacerOptions(follower=follower, free_goal_vel=True, race_line=True)
+    names = {name for name, *_ in core.RacerOptions.table()}
+    known = {name: value for name, value in values.items() if name in names}
+    return core.RacerOptions(dec_lim_x=values["acc_lim_x"], **known)
 
 
 def drive(racer, env, seed):

@@ -8,6 +8,7 @@ namespace f1tenth_racer
 namespace
 {
 constexpr double kEndReached = 0.03;      // m
+constexpr double kReplanDistance = 2.5;   // m beyond the braking distance, up to which an obstacle leads to a new plan
 constexpr double kPredictionStep = 0.05;  // s
 constexpr double kPredictionTime = 0.8;   // s beyond the time needed for braking
 constexpr double kBrakingReserve = 1.5;   // of the deceleration of the speed profile, to come down to a slower profile
@@ -96,8 +97,8 @@ FollowStep PathFollower::step(
   noteSent(period);
   FollowStep result;
   result.position = tracker_.moveTo(path_, car.pose);
-  result.lost = std::abs(result.position.lateral) > options().max_path_deviation ||
-                std::abs(result.position.heading_error) > kMaxHeadingError;
+  result.lost =
+    std::abs(result.position.lateral) > kMaxDeviation || std::abs(result.position.heading_error) > kMaxHeadingError;
   result.at_end = tracker_.onLastStretch() && result.position.remaining <= kEndReached;
   const PathPosition predicted = tracker_.locate(path_, afterLatency(car));
 
@@ -254,7 +255,7 @@ double PathFollower::distanceToObstacle(
 
 bool PathFollower::pathBlocked(const PathPosition & position, double speed, const Costmap & costmap) const
 {
-  const double until = position.s + options().replan_distance + options().limits.brakingDistance(speed);
+  const double until = position.s + kReplanDistance + options().limits.brakingDistance(speed);
   const double here = costmap.clearance(path_[position.index].pose);
   for (std::size_t i = position.index; i < path_.size() && path_[i].s <= until; ++i) {
     if (costmap.clearance(path_[i].pose) < std::min(0.0, here - 0.01)) {

@@ -30,6 +30,8 @@ struct FollowStep
 class PathFollower
 {
 public:
+  static constexpr double kMaxDeviation = 0.5;  ///< m, a car farther from its path has lost it
+
   /// @throws OptionError
   explicit PathFollower(const FollowerOptions & options);
 

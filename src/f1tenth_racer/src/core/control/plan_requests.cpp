@@ -60,7 +60,7 @@ bool PlanRequests::canDrive(const Plan & plan, const CarState & car, const Costm
   const std::vector<double> speeds = speedProfile(plan.path, costmap, follower_.options().limits);
   const Vec2 from_path = car.pose.position() - place.position();
   const Vec2 ahead{maths::cos(place.yaw), maths::sin(place.yaw)};
-  const bool on_path = std::abs(cross(ahead, from_path)) <= follower_.options().max_path_deviation;
+  const bool on_path = std::abs(cross(ahead, from_path)) <= PathFollower::kMaxDeviation;
   // Until it becomes slower it drives on for a while.
   const double soon = plan.path[nearest].s + (passes() ? 0.0 : car.speed * follower_.lags().speed);
   const double allowed = speeds[firstBeyond(plan.path, soon, nearest)] + (passes() ? kFarTooFast : kTooFast);

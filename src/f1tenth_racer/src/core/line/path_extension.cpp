@@ -14,7 +14,8 @@ namespace
 {
 constexpr double kExtensionArcLength = 0.3;
 constexpr std::array<double, 5> kExtensionSteering{0.0, -0.3, 0.3, -1.0, 1.0};  // parts of the greatest curvature
-constexpr std::size_t kBeamWidth = 100;                                         // ways kept after each arc
+constexpr double kBendPrice = 0.1;       // of a metre at the least radius, in metres of free road on top
+constexpr std::size_t kBeamWidth = 100;  // ways kept after each arc
 // Of ways that end this near to each other only the cheapest is kept: else all may lead into the same dead end.
 constexpr double kCell = 0.3;         // m
 constexpr double kCellHeading = 0.3;  // rad
@@ -57,7 +58,7 @@ std::vector<Candidate> grow(
       const Arc arc{kExtensionArcLength, steering / options.min_turning_radius};
       const double price = priceOf(costmap, rule, way.end, arc);
       if (price < std::numeric_limits<double>::infinity()) {
-        const double bend = options.curvature_penalty * kExtensionArcLength * std::abs(steering);
+        const double bend = kBendPrice * kExtensionArcLength * std::abs(steering);
         grown.push_back({advance(way.end, arc.length, arc.curvature), way.cost + price + bend, way.arcs});
         grown.back().arcs.push_back(arc);
       }

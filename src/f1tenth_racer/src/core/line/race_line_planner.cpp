@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "line/path_extension.h"
+#include "line/path_smoother.h"
 #include "line/race_line.h"
 #include "path/goals.h"
 
@@ -86,12 +87,12 @@ RaceLinePlanner::Attempt RaceLinePlanner::planWithClearance(
   if (!request.race_line) {
     beginAsLed(path, request);  // lines begin so anyway
   }
-  plan.path = smoothed(path, costmap, way.rule, way.goal_s);
+  const double greatest_curvature = 1.0 / options().min_turning_radius;
+  plan.path = smoothPath(path, costmap, way.rule, greatest_curvature, way.goal_s);
   if (request.race_line && isForward(plan.path)) {
     plan.path.front().curvature = request.start_curvature;
-    plan.path = raceLine(
-      plan.path, costmap, options().min_obstacle_dist, request.goal, 1.0 / options().min_turning_radius,
-      *request.race_line);
+    plan.path =
+      raceLine(plan.path, costmap, options().min_obstacle_dist, request.goal, greatest_curvature, *request.race_line);
   }
   plan.goal_s = placeOnPath(plan.path, request.goal, way.goal_s);
   prepend(request.lead, plan);

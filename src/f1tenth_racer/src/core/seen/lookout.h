@@ -19,7 +19,17 @@ public:
   const std::vector<MovingObstacle> & moving() const { return tracker_.moving(); }
 
 private:
+  /// What may be a standing car: all of it counts as occupied, however little of it the lidar sees.
+  struct Standing
+  {
+    std::vector<Vec2> places;  ///< m, middles of cells
+    Vec2 seen;                 ///< m, a point in it: when the lidar sees through it, all is gone
+  };
+  void hold(const Box & outline, const Vec2 & seen, const Costmap & costmap);
+  void forgetIn(const Box & outline, Costmap & costmap);
+
   ObstacleTracker tracker_;
+  std::vector<Standing> standing_;
 };
 
 /// The least distance from walls, m, on the next 1.2 m of an arc, 1/m.

@@ -4,10 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include <move_base/map/box.h>
-#include <move_base/map/geometry.h>
-
 #include "path/terms.h"
+#include "seen/box.h"
 
 namespace f1tenth_racer
 {

@@ -20,8 +20,6 @@ struct FollowerOptions
   double load_transfer{0.0};
   double yaw_lag{0.0};
   double stop_clearance{0.0};
-  double replan_distance{2.5};
-  double max_path_deviation{0.5};
 
   template <class Self, class Visit>
   static void visitEach(Self & self, const Visit & visit)
@@ -53,13 +51,6 @@ struct FollowerOptions
     visit(
       {"stop_clearance", "m", "the car stops before it has less on its predicted way", Option::Range::kNotNegative},
       self.stop_clearance);
-    visit(
-      {"replan_distance", "m", "beyond the braking distance, up to which an obstacle leads to a new plan",
-       Option::Range::kNotNegative},
-      self.replan_distance);
-    visit(
-      {"max_path_deviation", "m", "a car farther from its path has lost it", Option::Range::kPositive},
-      self.max_path_deviation);
   }
 
   /// @throws OptionError

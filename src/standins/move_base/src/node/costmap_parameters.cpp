@@ -3,7 +3,7 @@
 #include <boost/algorithm/string/predicate.hpp>
 #include <sstream>
 
-#include "parameter_groups.h"
+#include "parameters.h"
 
 namespace move_base
 {
@@ -108,13 +108,7 @@ void readCostmaps(ParameterReader & reader, MoveBaseParameters & parameters)
   reader.read(global.ofStatic("lethal_cost_threshold"), costmap.lethal_cost_threshold);
   reader.read(global.ofInflation("inflation_radius"), costmap.inflation_radius);
   reader.read(global.ofInflation("cost_scaling_factor"), costmap.cost_scaling_factor);
-  const Footprint footprint(parameters.footprint, parameters.footprint_padding);
-  parameters.local_inflation = {costmap.inflation_radius, costmap.cost_scaling_factor, footprint.inscribedRadius()};
-  reader.read(local.ofInflation("inflation_radius"), parameters.local_inflation.radius, atLeast(0.0));
-  reader.read(local.ofInflation("cost_scaling_factor"), parameters.local_inflation.cost_scaling_factor, atLeast(0.0));
-  reader.read("clearance_weight", costmap.clearance_weight);
   reader.read(local.ofObstacle("obstacle_range"), costmap.live.obstacle_range);
   reader.read(local.ofObstacle("raytrace_range"), costmap.live.raytrace_range);
-  reader.read("wall_tolerance", costmap.live.wall_tolerance);
 }
 }  // namespace move_base

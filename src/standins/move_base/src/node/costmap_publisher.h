@@ -23,8 +23,10 @@ public:
   CostmapPublisher(const CostmapPublisher &) = delete;
   CostmapPublisher & operator=(const CostmapPublisher &) = delete;
 
-  bool wanted() const { return whole_.publisher.getNumSubscribers() > 0; }
-  bool due(const ros::Time & stamp) { return whole_.due(stamp) || (newcomer_ && wanted()); }
+  bool due(const ros::Time & stamp)
+  {
+    return whole_.due(stamp) || (newcomer_ && whole_.publisher.getNumSubscribers() > 0);
+  }
   void publish(nav_msgs::OccupancyGrid costs);
   Throttled & footprint() { return footprint_; }
 

@@ -1,6 +1,7 @@
 #include "displays.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "conversions.h"
@@ -42,8 +43,7 @@ Displays::Displays(ros::NodeHandle private_node, const MoveBaseParameters & para
     private_node, {"global_plan", parameters.global_planner + "/plan", parameters.local_planner + "/global_plan"})),
   local_plan_(advertisePlans(private_node, {"local_plan", parameters.local_planner + "/local_plan"})),
   global_costmap_(private_node, "global_costmap", parameters.global_publish_frequency, parameters.global_always_whole),
-  local_costmap_(private_node, "local_costmap", parameters.local_publish_frequency, parameters.local_always_whole),
-  surroundings_(parameters.local_width, parameters.local_height, parameters.local_resolution, parameters.costmap.live)
+  local_costmap_(private_node, "local_costmap", parameters.local_publish_frequency, parameters.local_always_whole)
 {
 }
 
@@ -69,61 +69,49 @@ void Displays::showLocalPlan(const std::vector<Pose2> & prediction, const ros::T
 
 void Displays::showSurroundings(const Pose2 & car, const ros::Time & stamp)
 {
-  if (local_costmap_.wanted()) {
-    watchSurroundings();
-  }
   if (global_costmap_.due(stamp)) {
     showGlobalCostmap(stamp);
-  }
-  if (local_costmap_.due(stamp)) {
-    showLocalCostmap(stamp);
   }
   const std::vector<Vec2> & corners = perception_.costmap().footprint().corners();
   if (Throttled & footprint = global_costmap_.footprint(); footprint.due(stamp)) {
     footprint.publisher.publish(toPolygon(corners, car, headerOf(parameters_.global_frame, stamp)));
   }
-  if (Throttled & footprint = local_costmap_.footprint(); footprint.due(stamp)) {
-    if (const auto map = mapInLocalFrame()) {
-      footprint.publisher.publish(toPolygon(corners, compose(*map, car), headerOf(parameters_.local_frame, stamp)));
-    }
+  const auto map = mapInLocalFrame();
+  if (map && local_costmap_.due(stamp)) {
+    showLocalCostmap(compose(*map, car), *map, stamp);
+  }
+  if (Throttled & footprint = local_costmap_.footprint(); map && footprint.due(stamp)) {
+    footprint.publisher.publish(toPolygon(corners, compose(*map, car), headerOf(parameters_.local_frame, stamp)));
   }
 }
 
 void Displays::showGlobalCostmap(const ros::Time & stamp)
 {
   const Costmap & costmap = perception_.costmap();
-  if (map_number_ != perception_.mapNumber()) {
-    map_number_ = perception_.mapNumber();
-    map_costs_ = inflated(costmap.mapCells(), costmap.geometry(), costmap.inflation());
+  OccupancyGrid costs{costmap.geometry(), {}};
+  for (std::size_t i = 0; i < costs.geometry.size(); ++i) {
+    costs.cells.push_back(costmap.shownCost(i));
   }
-  OccupancyGrid costs{costmap.geometry(), map_costs_};
-  addObstacles(costs, costmap.liveCells(), costmap.inflation());
   global_costmap_.publish(toOccupancyGrid(costs, headerOf(parameters_.global_frame, stamp)));
 }
 
-// Every scan counts: what one sees, the next may not.
-void Displays::watchSurroundings()
+// The same around the car, which is in the middle to within a cell.
+void Displays::showLocalCostmap(const Pose2 & car, const Pose2 & map, const ros::Time & stamp)
 {
-  const sensor_msgs::LaserScan::ConstPtr & scan = perception_.latestScan();
-  if (!scan || scan == last_scan_) {
-    return;
+  const double cell = parameters_.local_resolution;
+  const auto cells = [&](double length) { return std::max(1, static_cast<int>(length / cell + 1e-6)); };
+  OccupancyGrid costs{{cells(parameters_.local_width), cells(parameters_.local_height), cell, {}}, {}};
+  GridGeometry & window = costs.geometry;
+  window.origin = {
+    std::round(car.x / cell - 0.5 * window.width) * cell, std::round(car.y / cell - 0.5 * window.height) * cell, 0.0};
+  const Costmap & costmap = perception_.costmap();
+  const GridGeometry & whole = costmap.geometry();
+  const Pose2 local = inverse(map);
+  for (std::size_t i = 0; i < window.size(); ++i) {
+    const Cell there = whole.cellAt(transform(local, window.centre(window.cell(i))));
+    costs.cells.push_back(whole.contains(there) ? costmap.shownCost(whole.index(there)) : std::int8_t{-1});
   }
-  last_scan_ = scan;
-  try {
-    surroundings_.moveTo(perception_.poseIn(parameters_.local_frame, parameters_.base_frame).position());
-    surroundings_.observe(
-      fromLaserScan(*scan, perception_.poseIn(parameters_.local_frame, scan->header.frame_id, scan->header.stamp)));
-  } catch (const tf2::TransformException &) {
-    // The next scan may have its transforms.
-  }
-}
-
-void Displays::showLocalCostmap(const ros::Time & stamp)
-{
-  const GridGeometry & geometry = surroundings_.geometry();
-  local_costmap_.publish(toOccupancyGrid(
-    {geometry, inflated(surroundings_.cells(), geometry, parameters_.local_inflation)},
-    headerOf(parameters_.local_frame, stamp)));
+  local_costmap_.publish(toOccupancyGrid(costs, headerOf(parameters_.local_frame, stamp)));
 }
 
 std::optional<Pose2> Displays::mapInLocalFrame() const

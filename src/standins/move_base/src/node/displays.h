@@ -6,8 +6,6 @@
 #include <vector>
 
 #include "costmap_publisher.h"
-#include "map/rolling_layer.h"
-#include "move_base/map/inflation.h"
 #include "move_base/path/path.h"
 #include "parameters.h"
 #include "perception.h"
@@ -27,8 +25,7 @@ public:
 
 private:
   void showGlobalCostmap(const ros::Time & stamp);
-  void watchSurroundings();
-  void showLocalCostmap(const ros::Time & stamp);
+  void showLocalCostmap(const Pose2 & car, const Pose2 & map, const ros::Time & stamp);
   /// Pose of the map in the local frame, or nothing while the transform is missing.
   std::optional<Pose2> mapInLocalFrame() const;
 
@@ -38,9 +35,5 @@ private:
   std::vector<ros::Publisher> local_plan_;
   CostmapPublisher global_costmap_;
   CostmapPublisher local_costmap_;
-  std::vector<std::int8_t> map_costs_;
-  unsigned map_number_{0};  // of the map in map_costs_
-  RollingLayer surroundings_;
-  sensor_msgs::LaserScan::ConstPtr last_scan_;  // in surroundings_
 };
 }  // namespace move_base

@@ -5,7 +5,6 @@
 #include <workspace_support/parameter_reader.h>
 
 #include "move_base/planner_parameters.h"
-#include "parameter_groups.h"
 
 namespace move_base
 {

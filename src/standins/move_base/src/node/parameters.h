@@ -37,7 +37,6 @@ struct MoveBaseParameters
   double local_width{10.0};       ///< m
   double local_height{10.0};      ///< m
   double local_resolution{0.05};  ///< m
-  Inflation local_inflation;      ///< of what is shown
   std::vector<Vec2> footprint;
   double footprint_padding{0.01};  ///< m
   CostmapOptions costmap;
@@ -55,4 +54,6 @@ struct MoveBaseSetup
 /// Warns once of parameters that neither this stand-in nor the planners have a use for.
 /// @throws OptionError for a parameter of a wrong type or out of range, or planners that cannot be loaded
 MoveBaseSetup readSetup(const ros::NodeHandle & node, Planners & planners);
+/// The part that the costmaps have. @throws OptionError
+void readCostmaps(workspace_support::ParameterReader & reader, MoveBaseParameters & parameters);
 }  // namespace move_base

@@ -131,7 +131,6 @@ void Perception::onMap(const nav_msgs::OccupancyGrid::ConstPtr & map)
   }
   try {
     costmap_ = std::make_unique<Costmap>(fromUnturnedGrid(*map), parameters_.costmap, footprint_);
-    ++map_number_;
   } catch (const Error & error) {
     ROS_ERROR("%s; it is not used", error.what());
   }

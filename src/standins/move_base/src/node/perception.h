@@ -42,10 +42,6 @@ public:
   Costmap & costmap() { return *costmap_; }
   const Costmap & costmap() const { return *costmap_; }
 
-  /// Rises with every map.
-  unsigned mapNumber() const { return map_number_; }
-  /// The latest scan that got onto the costmap; none before the first.
-  const sensor_msgs::LaserScan::ConstPtr & latestScan() const { return scan_; }
   /// A pose of another frame, by the latest transform. @throws tf2::TransformException
   Pose2 inMap(const geometry_msgs::PoseStamped & pose) const;
   /// Pose of frame in target; time 0: the latest. @throws tf2::TransformException
@@ -62,7 +58,6 @@ private:
   tf2::BufferCore buffer_;
   tf2_ros::TransformListener listener_;
   std::unique_ptr<Costmap> costmap_;
-  unsigned map_number_{0};
   nav_msgs::Odometry::ConstPtr odometry_;
   sensor_msgs::LaserScan::ConstPtr scan_;                 // the latest in the costmap
   std::deque<sensor_msgs::LaserScan::ConstPtr> waiting_;  // those not in the costmap yet

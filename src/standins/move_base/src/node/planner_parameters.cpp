@@ -14,10 +14,6 @@ PlannerOptions readWayPlanner(const PlannerSetup & setup)
     setup.parameters.read(ofPlanner(owner, name), value);
   };
   read(setup.global_planner, "allow_reversing", planner.allow_reversing);
-  read(setup.global_planner, "reverse_penalty", planner.reverse_penalty);
-  read(setup.global_planner, "direction_penalty", planner.direction_penalty);
-  read(setup.global_planner, "steering_penalty", planner.steering_penalty);
-  read(setup.global_planner, "curvature_penalty", planner.curvature_penalty);
   read(setup.global_planner, "max_expansions", planner.max_expansions);
   read(setup.local_planner, "min_turning_radius", planner.min_turning_radius);
   read(setup.local_planner, "min_obstacle_dist", planner.min_obstacle_dist);

@@ -54,11 +54,7 @@ PathFollowerOptions readFollower(const PlannerSetup & setup)
   read("max_vel_theta", options.max_vel_theta);
   read("acc_lim_x", options.acc_lim_x);
   read("max_lateral_acceleration", options.max_lateral_acceleration);
-  read("tracking_distance", options.tracking_distance);
-  read("tracking_time", options.tracking_time);
   read("stop_clearance", options.stop_clearance);
-  read("replan_distance", options.replan_distance);
-  read("max_path_deviation", options.max_path_deviation);
   read("xy_goal_tolerance", options.xy_goal_tolerance);
   read("yaw_goal_tolerance", options.yaw_goal_tolerance);
   readSteering(setup, options.wheelbase, options.max_steering_angle);

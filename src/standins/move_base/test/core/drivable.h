@@ -20,7 +20,7 @@ inline void expectDrivable(const Plan & plan, const Costmap & costmap, const Pla
 {
   // Three points of a path that was rounded give a curvature this much off.
   constexpr double kCurvatureTolerance = 1.02;
-  ASSERT_TRUE(plan.found()) << describe(plan.status);
+  ASSERT_TRUE(plan.found()) << static_cast<int>(plan.status);
   for (std::size_t i = 0; i < plan.path.size(); ++i) {
     const PathPoint & point = plan.path[i];
     EXPECT_LE(std::abs(point.curvature), kCurvatureTolerance / options.min_turning_radius) << i;

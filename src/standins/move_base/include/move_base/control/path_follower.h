@@ -17,11 +17,7 @@ struct PathFollowerOptions
   double max_lateral_acceleration{2.0};  ///< m/s^2
   double max_steering_angle{0.4189};     ///< rad
   double wheelbase{0.3302};              ///< m
-  double tracking_distance{0.45};        ///< m ahead on its path, that the car steers for
-  double tracking_time{0.12};            ///< s, added to it per m/s
   double stop_clearance{0.0};            ///< m, the car stops before a place with less
-  double replan_distance{2.5};           ///< m beyond the braking distance, up to which an obstacle leads to a new plan
-  double max_path_deviation{0.5};        ///< m, a car farther from its path has lost it
   double xy_goal_tolerance{0.2};         ///< m, in which a car stands at its goal
   double yaw_goal_tolerance{0.2};        ///< rad
 

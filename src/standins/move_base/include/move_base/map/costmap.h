@@ -9,7 +9,6 @@
 
 #include "move_base/map/footprint.h"
 #include "move_base/map/geometry.h"
-#include "move_base/map/inflation.h"
 #include "move_base/map/live_layer.h"
 
 namespace move_base
@@ -21,7 +20,6 @@ struct CostmapOptions
   int lethal_cost_threshold{100};    ///< a cell of the map with at least this occupancy is an obstacle
   double inflation_radius{0.55};     ///< m, obstacles farther away from the car's axis cost nothing
   double cost_scaling_factor{10.0};  ///< 1/m, how fast the cost falls with distance
-  double clearance_weight{4.0};      ///< cost of a metre driven with a side touching, in metres of free road
   LiveLayerOptions live;
 
   /// @throws OptionError
@@ -41,14 +39,15 @@ public:
 
   /// What the beams of a scan hit that is not on the map, in their order, m.
   std::vector<Vec2> hits(const LaserScan & scan) const { return live_.hits(scan, map_distances_); }
-  /// Takes a scan into the live layer: clears what its beams pass through, and marks hits.
-  /// @param hits  those that are to be marked
-  void observe(const LaserScan & scan, const std::vector<Vec2> & hits);
+  /// Whether a beam of a scan passes through a place.
+  bool seesThrough(const LaserScan & scan, const Vec2 & place) const { return live_.seesThrough(scan, place); }
+  /// Takes a scan into the live layer: clears what its beams pass through, and marks places on the map.
+  void observe(const LaserScan & scan, const std::vector<Vec2> & places);
   void observe(const LaserScan & scan) { observe(scan, hits(scan)); }
-  /// Marks an outline until the lidar sees through a point in it.
-  void hold(const HeldOutline & held) { changed_ = live_.hold(held) || changed_; }
-  /// Forgets what the lidar saw in an outline. As with hold(), distances change with the next scan.
-  void forgetIn(const Box & outline) { changed_ = live_.forgetIn(outline) || changed_; }
+  /// Whether something is marked at a place on the map.
+  bool isMarked(const Vec2 & place) const { return live_.cells().count(geometry_.index(geometry_.cellAt(place))) > 0; }
+  /// Forgets what the lidar saw where this is true; distances change with the next scan.
+  void forgetIf(const std::function<bool(const Vec2 &)> & is_over) { changed_ = live_.forgetIf(is_over) || changed_; }
   /// Forgets what the lidar saw farther than radius from centre, m.
   void forgetBeyond(const Vec2 & centre, double radius);
   /// Forgets everything that the lidar saw.
@@ -73,27 +72,20 @@ public:
   /// nothing.
   bool isFarFromAll(const Pose2 & base, double margin) const;
 
+  static constexpr double kTouchingPrice = 4.0;  ///< of a metre with a side touching, in metres of free road
   /// What a metre costs beyond its length when the obstacle next to the car's axis is at this clearance, m.
   double proximityCost(double clearance) const
   {
     if (clearance >= free_clearance_) {
       return 0.0;
     }
-    return options_.clearance_weight * maths::exp(-options_.cost_scaling_factor * std::max(clearance, 0.0));
+    return kTouchingPrice * maths::exp(-options_.cost_scaling_factor * std::max(clearance, 0.0));
   }
 
-  /// How proximityCost at a pose changes with x and y, 1/m: differences over a cell.
-  Vec2 proximityGradient(const Pose2 & base) const;
-
-  /// The cells of the map as messages show them: 100 obstacle, 0 free, -1 unknown.
-  std::vector<std::int8_t> mapCells() const;
   /// Where the lidar has seen obstacles that are not on the map.
   const std::vector<Cell> & liveCells() const { return stamped_; }
-  /// Parameters of the costs that are shown.
-  Inflation inflation() const
-  {
-    return {options_.inflation_radius, options_.cost_scaling_factor, footprint_.inscribedRadius()};
-  }
+  /// What a cell costs as messages show it: 100 obstacle, 99 where the car surely touches one, falling to 0; -1 unknown.
+  std::int8_t shownCost(std::size_t index) const;
 
 private:
   double distanceIn(const std::vector<float> & distances, const Vec2 & point) const

@@ -33,8 +33,6 @@ public:
   /// Where the outline ends along the car's axis, m ahead of the base frame; the rear end is behind it.
   double rear() const { return rear_; }
   double front() const { return front_; }
-  /// From the discs to a point in the base frame, m; negative inside.
-  double distanceTo(const Vec2 & point) const;
   /// A disc around all the others.
   const Disc & around() const { return around_; }
 

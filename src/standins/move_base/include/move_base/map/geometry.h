@@ -28,4 +28,6 @@ Pose2 between(const Pose2 & a, const Pose2 & b, double part);
 
 /// Fraction of the straight line from a to b, within [0, 1], at which it is nearest to a point; 0 where a is b.
 double nearestPart(const Vec2 & a, const Vec2 & b, const Vec2 & point);
+/// From a point to the straight line from a to b, m.
+double distanceToLine(const Vec2 & a, const Vec2 & b, const Vec2 & point);
 }  // namespace move_base

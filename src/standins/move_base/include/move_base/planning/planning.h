@@ -1,30 +1,48 @@
 #pragma once
 
+#include <atomic>
+#include <functional>
+#include <future>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "move_base/local_planner.h"
 #include "move_base/planning/navigator_options.h"
-#include "move_base/planning/plan_job.h"
+#include "move_base/planning/obstruction.h"
 
 namespace move_base
 {
-/// Plans for the goal, asked for again and again until there is one or patience is spent.
+/// A plan, or why there is none.
+struct PlanAnswer
+{
+  Plan plan;
+  Obstruction obstruction;  ///< unless a plan was found
+};
+
+/// Runs a job elsewhere, as std::async does.
+using PlanWorker = std::function<std::future<PlanAnswer>(std::function<PlanAnswer()>)>;
+
+/// Plans for the goal, asked for again and again until there is one or patience is spent: made at once, when they are
+/// asked for; or by a worker, on a copy of the costmap, while the car drives on.
 class Planning
 {
 public:
-  /// @param local  says what to ask for
+  /// @param local   says what to ask for
+  /// @param worker  empty: plans are made at once
   Planning(
     const NavigatorOptions & options, const GlobalPlanner & global, const LocalPlanner & local, PlanWorker worker)
-  : options_(options), local_(local), job_(global, std::move(worker))
+  : options_(options), global_(global), local_(local), worker_(std::move(worker))
   {
   }
+  /// Waits for the worker, which gives up soon.
+  ~Planning() { drop(); }
 
   /// Asks at once the next time, and is patient again.
   /// @param time  s
   void startAgain(double time);
   /// What is being planned is no longer wanted.
-  void drop() { job_.drop(); }
+  void drop();
 
   /// The result of planning; a plan is asked for when it is time to.
   std::optional<PlanAnswer> answer(const Situation & situation);
@@ -49,15 +67,23 @@ public:
   void askFrom(double time) { next_plan_ = time; }
   /// Whether plans are made from time to time, and it is time.
   bool isDue(double time) const;
-  /// s, how long a plan may take
-  double timeNeeded() const { return job_.timeNeeded(); }
+  /// How long a plan by a worker may take, s, judging by the last one; 0 for plans that are made at once.
+  double timeNeeded() const { return worker_ ? time_needed_ : 0.0; }
 
 private:
-  bool ask(const Situation & situation);
+  bool isOver() const;
+  bool isIdle();
+  void ask(const Situation & situation);
+  PlanAnswer planOn(const Costmap & costmap, const PlanRequest & request) const;
 
   const NavigatorOptions & options_;
+  const GlobalPlanner & global_;
   const LocalPlanner & local_;
-  PlanJob job_;
+  PlanWorker worker_;
+  std::future<PlanAnswer> future_;
+  std::shared_ptr<std::atomic<bool>> dropped_;
+  double asked_{0.0};
+  double time_needed_{0.1};
   int retries_{0};
   double last_valid_{0.0};
   double next_plan_{0.0};

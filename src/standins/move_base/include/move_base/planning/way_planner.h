@@ -14,7 +14,7 @@ std::vector<double> clearancesFrom(double wanted);
 /// Puts what leads to the start of a plan's path in front of it.
 void prepend(const Path & lead, Plan & plan);
 
-/// Plans ways that the car can drive and that keep to the middle where there is room: hybrid A*, smoothed.
+/// Plans ways that the car can drive and that keep to the middle where there is room: hybrid A*.
 class WayPlanner : public GlobalPlanner
 {
 public:
@@ -43,7 +43,6 @@ protected:
   SearchResult search(
     const Costmap & costmap, const PlanRequest & request, const Pose2 & goal, const ClearanceRule & rule,
     int max_expansions) const;
-  Path smoothed(const Path & path, const Costmap & costmap, const ClearanceRule & rule, double goal_s) const;
   const PlannerOptions & options() const { return options_; }
 
 private:

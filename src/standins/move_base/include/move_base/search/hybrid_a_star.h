@@ -13,10 +13,6 @@ struct PlannerOptions
 {
   double min_turning_radius{0.8};  ///< m, of the base frame's path
   bool allow_reversing{true};      ///< whether plans may drive backwards
-  double reverse_penalty{2.0};     ///< a metre backwards, in metres forwards
-  double direction_penalty{1.0};   ///< a change of driving direction, in metres
-  double steering_penalty{0.05};   ///< steering from straight to the limit, in metres
-  double curvature_penalty{0.1};   ///< a metre at the least radius, in metres on top
   double min_obstacle_dist{0.1};   ///< m, clearance of plans where there is room for it
   int max_expansions{150000};      ///< of all searches for a plan, then it is given up
 
@@ -34,9 +30,6 @@ enum class SearchStatus
   kUnreachable,
   kBudgetSpent,  ///< max_expansions
 };
-
-/// For example "the car would touch an obstacle at the goal".
-const char * describe(SearchStatus status);
 
 struct SearchResult
 {

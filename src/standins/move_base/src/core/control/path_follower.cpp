@@ -15,6 +15,10 @@ constexpr double kEndReached = 0.03;       // m
 constexpr double kStopMargin = 0.1;        // m, left before an obstacle
 constexpr double kStuck = 0.12;            // m, of free way, with which a car does not drive on
 constexpr double kBrakingPart = 0.6;       // of acc_lim_x, that is planned with: a car brakes late
+constexpr double kLookAhead = 0.45;        // m ahead on its path, that the car steers for
+constexpr double kLookAheadTime = 0.12;    // s, added to it per m/s
+constexpr double kReplanDistance = 2.5;    // m beyond the braking distance, up to which an obstacle leads to a new plan
+constexpr double kMaxDeviation = 0.5;      // m, a car farther from its path has lost it
 constexpr double kMaxHeadingError = 1.2;   // rad, beyond it steering back does not work
 constexpr double kCreep = 1e-3;            // m/s; without speed a Twist does not set the wheels
 constexpr double kSpeedSlack = 0.5;        // m/s, by which the speed commanded may differ from the one measured
@@ -34,11 +38,7 @@ void PathFollowerOptions::validate() const
     max_steering_angle > 0.0 && max_steering_angle < 0.5 * M_PI, "max_steering_angle", max_steering_angle,
     "above 0 and below pi/2");
   requirePositive("wheelbase", wheelbase);
-  requirePositive("tracking_distance", tracking_distance);
-  requireNotNegative("tracking_time", tracking_time);
   requireNotNegative("stop_clearance", stop_clearance);
-  requireNotNegative("replan_distance", replan_distance);
-  requirePositive("max_path_deviation", max_path_deviation);
   requirePositive("xy_goal_tolerance", xy_goal_tolerance);
   requirePositive("yaw_goal_tolerance", yaw_goal_tolerance);
 }
@@ -113,10 +113,10 @@ LocalStep PathFollower::computeVelocityCommands(const Situation & situation, Man
   const double way_free = wayFree(here, situation.costmap);
   const double braking = 0.5 * car.speed * car.speed / options_.acc_lim_x;
   const bool at_end = here.remaining <= kEndReached;
-  step.lost = std::abs(here.lateral) > options_.max_path_deviation || std::abs(here.heading_error) > kMaxHeadingError;
+  step.lost = std::abs(here.lateral) > kMaxDeviation || std::abs(here.heading_error) > kMaxHeadingError;
   step.stuck = way_free <= kStuck;
   step.wants_plan =
-    step.lost || way_free <= braking + options_.replan_distance || (at_end && tracker_.onLastStretch() && car.stands());
+    step.lost || way_free <= braking + kReplanDistance || (at_end && tracker_.onLastStretch() && car.stands());
   step.new_way = std::exchange(new_way_, false);
   const bool brake = manner == Manner::kBrake || coasts_;
   const double speed = brake || step.lost || at_end ? 0.0 : speedAlong(here, way_free);
@@ -140,7 +140,7 @@ bool PathFollower::isGoalReached(const CarState & car) const
 // The curvature, 1/m, of the arc to a point ahead on the path; beyond the end of a stretch it goes straight on.
 double PathFollower::pursue(const PathPosition & here, const CarState & car) const
 {
-  const double ahead = options_.tracking_distance + options_.tracking_time * std::abs(car.speed);
+  const double ahead = kLookAhead + kLookAheadTime * std::abs(car.speed);
   const double way = here.reverse ? -1.0 : 1.0;
   std::size_t i = here.index;
   while (i + 1 < path_.size() && path_[i + 1].reverse == here.reverse && path_[i].s < here.s + ahead) {
@@ -183,7 +183,7 @@ double PathFollower::wayFree(const PathPosition & here, const Costmap & costmap)
 {
   const double braking = 0.5 * options_.max_vel_x * options_.max_vel_x / options_.acc_lim_x;
   const double allowed = std::min(options_.stop_clearance, costmap.clearance(path_[here.index].pose) - 0.01);
-  for (std::size_t i = here.index; i < path_.size() && path_[i].s <= here.s + braking + options_.replan_distance; ++i) {
+  for (std::size_t i = here.index; i < path_.size() && path_[i].s <= here.s + braking + kReplanDistance; ++i) {
     if (costmap.clearance(path_[i].pose) < allowed) {
       return std::max(0.0, path_[i].s - here.s);
     }

@@ -1,11 +1,10 @@
 #include "move_base/map/costmap.h"
 
+#include <workspace_support/distance_transform.h>
 #include <workspace_support/option_checks.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "map/distance_transform.h"
 
 namespace move_base
 {
@@ -59,7 +58,6 @@ void CostmapOptions::validate() const
     "1 to 100");
   requirePositive("inflation_radius", inflation_radius);
   requirePositive("cost_scaling_factor", cost_scaling_factor);
-  requireNotNegative("clearance_weight", clearance_weight);
   live.validate();
 }
 
@@ -103,9 +101,9 @@ void Costmap::makeStamp()
   }
 }
 
-void Costmap::observe(const LaserScan & scan, const std::vector<Vec2> & hits)
+void Costmap::observe(const LaserScan & scan, const std::vector<Vec2> & places)
 {
-  if (live_.observe(scan, hits) || changed_) {
+  if (live_.observe(scan, places) || changed_) {
     rebuild();
   }
 }
@@ -119,7 +117,8 @@ bool Costmap::seesUnknown(const Vec2 & point, double reach) const
 
 void Costmap::forgetBeyond(const Vec2 & centre, double radius)
 {
-  if (live_.forgetBeyond(centre, radius)) {
+  forgetIf([&](const Vec2 & cell) { return distance(cell, centre) > radius; });
+  if (changed_) {
     rebuild();
   }
 }
@@ -212,24 +211,21 @@ bool Costmap::isInside(const Vec2 & middle, double room) const
          from_corner.y > room && from_corner.y < geometry_.height * geometry_.resolution - room;
 }
 
-Vec2 Costmap::proximityGradient(const Pose2 & base) const
+std::int8_t Costmap::shownCost(std::size_t index) const
 {
-  const double h = half_cell_;
-  if (isFarFromAll(base, h)) {
-    return {};
+  constexpr std::int8_t kObstacle = 100;
+  constexpr std::int8_t kTouching = 99;
+  constexpr int kMostCost = 252;  // of a costmap_2d::Costmap2D, that is neither; its 1 to 252 become 1 to 98
+  const double away = distances_[index];
+  if (away == 0.0) {
+    return isUnknown(index) && map_distances_[index] == 0.0 ? std::int8_t{-1} : kObstacle;
   }
-  const auto cost = [&](double x, double y) { return proximityCost(clearance({x, y, base.yaw})); };
-  return {
-    (cost(base.x + h, base.y) - cost(base.x - h, base.y)) / (2.0 * h),
-    (cost(base.x, base.y + h) - cost(base.x, base.y - h)) / (2.0 * h)};
-}
-
-std::vector<std::int8_t> Costmap::mapCells() const
-{
-  std::vector<std::int8_t> cells(geometry_.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    cells[i] = isUnknown(i) ? -1 : map_distances_[i] == 0.0F ? 100 : 0;
+  const double beyond = away - footprint_.inscribedRadius();
+  if (beyond <= 0.0 || isUnknown(index)) {
+    return beyond <= 0.0 ? kTouching : std::int8_t{-1};
   }
-  return cells;
+  const int cost = static_cast<int>(kMostCost * maths::exp(-options_.cost_scaling_factor * beyond));
+  const bool is_free = away > options_.inflation_radius || cost == 0;
+  return static_cast<std::int8_t>(is_free ? 0 : 1 + 97 * (cost - 1) / (kMostCost - 1));
 }
 }  // namespace move_base

@@ -35,17 +35,11 @@ double areaOf(const std::vector<Vec2> & corners)
   return 0.5 * std::abs(twice);
 }
 
-// @return m, from the origin to the segment between two corners
-double distanceToEdge(const Vec2 & from, const Vec2 & to)
-{
-  return norm(from + nearestPart(from, to, {}) * (to - from));
-}
-
 double inscribedRadiusOf(const std::vector<Vec2> & corners)
 {
   double radius = HUGE_VAL;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    radius = std::min(radius, distanceToEdge(corners[i], corners[(i + 1) % corners.size()]));
+    radius = std::min(radius, distanceToLine(corners[i], corners[(i + 1) % corners.size()], {}));
   }
   return radius;
 }
@@ -85,15 +79,6 @@ void Footprint::coverWithDiscs()
   for (const Disc & each : discs_) {
     around_.radius = std::max(around_.radius, distance(each.centre, around_.centre) + each.radius);
   }
-}
-
-double Footprint::distanceTo(const Vec2 & point) const
-{
-  double least = HUGE_VAL;
-  for (const Disc & disc : discs_) {
-    least = std::min(least, distance(disc.centre, point) - disc.radius);
-  }
-  return least;
 }
 
 std::vector<Vec2> defaultFootprint()

@@ -35,4 +35,9 @@ double nearestPart(const Vec2 & a, const Vec2 & b, const Vec2 & point)
   const double squared = dot(along, along);
   return squared > 0.0 ? std::clamp(dot(point - a, along) / squared, 0.0, 1.0) : 0.0;
 }
+
+double distanceToLine(const Vec2 & a, const Vec2 & b, const Vec2 & point)
+{
+  return distance(a + nearestPart(a, b, point) * (b - a), point);
+}
 }  // namespace move_base

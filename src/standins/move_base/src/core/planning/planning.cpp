@@ -1,11 +1,18 @@
 #include "move_base/planning/planning.h"
 
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
 namespace move_base
 {
 namespace
 {
 constexpr double kRetryInterval = 0.5;     // s between plans for the same goal: the world changes no faster
 constexpr double kNotTakenInterval = 0.1;  // s, the same when there was one that the car could not switch to
+constexpr double kLeastTime = 0.1;         // s, that a plan by a worker is taken to need
+constexpr double kMostTime = 1.0;          // s, the same
+constexpr double kReserve = 2.0;           // times what the last plan took
 }  // namespace
 
 void Planning::startAgain(double time)
@@ -14,28 +21,67 @@ void Planning::startAgain(double time)
   last_valid_ = next_plan_ = time;
 }
 
-std::optional<PlanAnswer> Planning::answer(const Situation & situation)
+void Planning::drop()
 {
-  if (job_.isIdle() && !ask(situation)) {
-    return std::nullopt;
+  if (future_.valid()) {
+    *dropped_ = true;
   }
-  std::optional<PlanAnswer> answer = job_.answer(situation.time);
-  if (answer) {
-    drive_on_until_ = situation.time;
-  }
-  return answer;
 }
 
-bool Planning::ask(const Situation & situation)
+std::optional<PlanAnswer> Planning::answer(const Situation & situation)
 {
-  if (!mayAsk(situation.time)) {
-    return false;
+  if (isIdle() && mayAsk(situation.time)) {
+    ask(situation);
   }
+  if (isIdle() || *dropped_ || !isOver()) {
+    return std::nullopt;
+  }
+  time_needed_ = std::clamp(kReserve * (situation.time - asked_), kLeastTime, kMostTime);
+  drive_on_until_ = situation.time;
+  return future_.get();
+}
+
+// A plan that is made at once is made when its result is asked for.
+bool Planning::isOver() const
+{
+  return future_.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
+}
+
+// Whether nothing is in progress, not even a plan that is no longer wanted.
+bool Planning::isIdle()
+{
+  if (future_.valid() && *dropped_ && isOver()) {
+    future_ = {};
+  }
+  return !future_.valid();
+}
+
+void Planning::ask(const Situation & situation)
+{
+  PlanRequest request = local_.request(situation);
+  asked_ = situation.time;
   next_plan_ = situation.time + kRetryInterval;
-  const PlanRequest request = local_.request(situation);
   drive_on_until_ = situation.time + request.lead_time;
-  job_.begin(situation.costmap, request, situation.time);
-  return true;
+  dropped_ = std::make_shared<std::atomic<bool>>(false);
+  if (!worker_) {
+    future_ =
+      std::async(std::launch::deferred, [this, &map = situation.costmap, request] { return planOn(map, request); });
+    return;
+  }
+  request.dropped = dropped_;
+  future_ = worker_([this, request = std::move(request), map = std::make_shared<const Costmap>(situation.costmap)] {
+    return planOn(*map, request);
+  });
+}
+
+PlanAnswer Planning::planOn(const Costmap & costmap, const PlanRequest & request) const
+{
+  PlanAnswer answer{global_.makePlan(costmap, request), {}};
+  const bool dropped = request.dropped && *request.dropped;
+  if (!answer.plan.found() && !dropped) {
+    answer.obstruction = obstructionOf(costmap, request, answer.plan.status);
+  }
+  return answer;
 }
 
 void Planning::succeeded(double time, bool taken)

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "move_base/path/path_smoother.h"
-
 namespace move_base
 {
 namespace
@@ -102,11 +100,6 @@ SearchResult WayPlanner::search(
   return searchHybridAStar(costmap, options_, curves_, query, rule);
 }
 
-Path WayPlanner::smoothed(const Path & path, const Costmap & costmap, const ClearanceRule & rule, double goal_s) const
-{
-  return smoothPath(path, costmap, rule, 1.0 / options_.min_turning_radius, goal_s);
-}
-
 WayPlanner::Attempt WayPlanner::planWithClearance(
   const Costmap & costmap, const PlanRequest & request, double clearance, int max_expansions) const
 {
@@ -115,7 +108,7 @@ WayPlanner::Attempt WayPlanner::planWithClearance(
   Attempt attempt{{result.status, {}, 0.0, result.expansions}, true};
   Plan & plan = attempt.plan;
   if (plan.found()) {
-    plan.path = smoothed(samplePath(request.start, result.arcs, kSpacing), costmap, rule, length(result.arcs));
+    plan.path = samplePath(request.start, result.arcs, kSpacing);
     plan.goal_s = length(plan.path);
     prepend(request.lead, plan);
   }

@@ -40,7 +40,7 @@ GridGeometry coarser(const GridGeometry & fine)
 }
 }  // namespace
 
-CostToGo::CostToGo(const Costmap & costmap, const Vec2 & goal, const std::optional<Box> & gate)
+CostToGo::CostToGo(const Costmap & costmap, const Vec2 & goal, const std::optional<Gate> & gate)
 : costmap_(costmap),
   gate_(gate),
   geometry_(coarser(costmap.geometry())),
@@ -109,6 +109,6 @@ double CostToGo::pricePerMetre(std::size_t cell)
 
 bool CostToGo::isClosed(const Vec2 & point, double room) const
 {
-  return room < kPointClearance || (gate_ && gate_->distanceTo(point) <= geometry_.resolution);
+  return room < kPointClearance || (gate_ && distanceToLine(gate_->left, gate_->right, point) <= geometry_.resolution);
 }
 }  // namespace move_base

@@ -5,7 +5,6 @@
 #include <queue>
 #include <vector>
 
-#include "move_base/map/box.h"
 #include "move_base/map/costmap.h"
 
 namespace move_base
@@ -14,13 +13,20 @@ namespace move_base
 /// car's width keeps the lead optimistic.
 constexpr double kPointClearance = 0.1;
 
+/// A bar across a road.
+struct Gate
+{
+  Vec2 left;
+  Vec2 right;
+};
+
 /// What it costs a point to move to the goal: Dijkstra from the goal over a coarse grid, as far as it is asked for.
 /// Steers the search of the hybrid A*, which knows what a car can do.
 class CostToGo
 {
 public:
   /// @param gate  closed in addition to the obstacles
-  CostToGo(const Costmap & costmap, const Vec2 & goal, const std::optional<Box> & gate = {});
+  CostToGo(const Costmap & costmap, const Vec2 & goal, const std::optional<Gate> & gate = {});
 
   /// Cost in metres of free road; infinite where the goal cannot be reached. Continues the search if need be.
   double at(const Vec2 & point);
@@ -39,7 +45,7 @@ private:
   bool isClosed(const Vec2 & point, double room) const;
 
   const Costmap & costmap_;
-  std::optional<Box> gate_;
+  std::optional<Gate> gate_;
   GridGeometry geometry_;
   std::vector<double> costs_;
   std::vector<float> prices_;

@@ -18,6 +18,12 @@ namespace
 {
 constexpr double kArcLength = 0.3;
 constexpr std::array<double, 7> kSteering{-1.0, -0.5, -0.2, 0.0, 0.2, 0.5, 1.0};  // parts of the greatest curvature
+// Prices, in metres of free road forwards: of a metre backwards, of a change of driving direction, of steering from straight
+// to the limit, and of a metre at the least radius on top.
+constexpr double kReversePrice = 2.0;
+constexpr double kDirectionPrice = 1.0;
+constexpr double kSteeringPrice = 0.05;
+constexpr double kBendPrice = 0.1;
 // Within this many least radii of the goal, the length of the shortest curve tells more than the way of a point does.
 constexpr double kCurveRadii = 5.0;
 // Distance from the goal beyond which no curves are tried, m.
@@ -137,10 +143,10 @@ private:
   double weighted(double price, const Arc & before, const Arc & arc) const
   {
     const double radius = options_.min_turning_radius;
-    double cost = arc.length < 0.0 ? options_.reverse_penalty * price : price;
-    cost += options_.curvature_penalty * std::abs(arc.length * arc.curvature) * radius;
-    cost += options_.steering_penalty * std::abs(arc.curvature - before.curvature) * radius;
-    return before.length * arc.length < 0.0 ? cost + options_.direction_penalty : cost;
+    double cost = arc.length < 0.0 ? kReversePrice * price : price;
+    cost += kBendPrice * std::abs(arc.length * arc.curvature) * radius;
+    cost += kSteeringPrice * std::abs(arc.curvature - before.curvature) * radius;
+    return before.length * arc.length < 0.0 ? cost + kDirectionPrice : cost;
   }
 
   void tryCurve(int index)
@@ -196,7 +202,7 @@ std::optional<double> wayToWall(const Costmap & costmap, const Pose2 & from)
 }
 
 // A bar across the road behind the car, from wall to wall.
-std::optional<Box> gateBehind(const Costmap & costmap, const Pose2 & start)
+std::optional<Gate> gateBehind(const Costmap & costmap, const Pose2 & start)
 {
   const Pose2 behind = advance(start, -kGateBehind, 0.0);
   const auto left = wayToWall(costmap, {behind.x, behind.y, behind.yaw + M_PI_2});
@@ -204,8 +210,7 @@ std::optional<Box> gateBehind(const Costmap & costmap, const Pose2 & start)
   if (!left || !right) {
     return std::nullopt;
   }
-  const Vec2 middle = transform(behind, {0.0, 0.5 * (*left - *right)});
-  return Box{{middle.x, middle.y, behind.yaw}, 0.0, 0.5 * (*left + *right)};
+  return Gate{transform(behind, {0.0, *left}), transform(behind, {0.0, -*right})};
 }
 
 // A point's shortest way may lead back from where the car stands, though it takes a car longer to turn around than to
@@ -215,7 +220,7 @@ SearchResult searchAhead(
   const Costmap & costmap, const PlannerOptions & options, const ShortestCurves & curves, const SearchQuery & query,
   const ClearanceRule & rule, double shortest)
 {
-  const std::optional<Box> gate = gateBehind(costmap, query.start);
+  const std::optional<Gate> gate = gateBehind(costmap, query.start);
   if (!gate) {
     return {};
   }
@@ -239,10 +244,6 @@ SearchResult searchAhead(
 void PlannerOptions::validate() const
 {
   requirePositive("min_turning_radius", min_turning_radius);
-  requireOption(reverse_penalty >= 1.0, "reverse_penalty", reverse_penalty, "at least 1");
-  requireNotNegative("direction_penalty", direction_penalty);
-  requireNotNegative("steering_penalty", steering_penalty);
-  requireNotNegative("curvature_penalty", curvature_penalty);
   requireNotNegative("min_obstacle_dist", min_obstacle_dist);
   requireOption(max_expansions > 0, "max_expansions", max_expansions, "above 0");
 }
@@ -254,23 +255,6 @@ void PlannerOptions::requireSteering(double wheelbase, double max_steering_angle
   requireOption(
     min_turning_radius >= (1.0 - kRounding) * least, "min_turning_radius", min_turning_radius,
     "at least wheelbase / tan(max_steering_angle) = " + std::to_string(least));
-}
-
-const char * describe(SearchStatus status)
-{
-  switch (status) {
-    case SearchStatus::kFound:
-      return "found";
-    case SearchStatus::kStartBlocked:
-      return "the car touches an obstacle where it stands";
-    case SearchStatus::kGoalBlocked:
-      return "the car would touch an obstacle at the goal";
-    case SearchStatus::kUnreachable:
-      return "no way leads to the goal";
-    case SearchStatus::kBudgetSpent:
-      return "no way to the goal was found within max_expansions";
-  }
-  return "";
 }
 
 SearchResult searchHybridAStar(

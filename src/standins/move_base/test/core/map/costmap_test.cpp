@@ -138,26 +138,6 @@ TEST(Costmap, forgetsWhatAScanOfPositiveAnglesSeesThrough)
   }
 }
 
-TEST(Costmap, gradientIsThatOfTheCostOverACell)
-{
-  Costmap costmap = makeCostmap(drawRoom(6.0, 4.0));
-  costmap.observe(scanFrom({1.0, 2.0, 0.0}, [](double angle) { return std::abs(angle) < 0.1 ? 2.0 : 20.0; }));
-  constexpr double kHalfCell = 0.5 * kCell;
-  const auto costAt = [&](double x, double y, double yaw) {
-    return costmap.proximityCost(costmap.clearance({x, y, yaw}));
-  };
-  std::mt19937 generator(1);
-  std::uniform_real_distribution<double> part(-0.1, 1.1);
-  for (int i = 0; i < 20000; ++i) {
-    const Pose2 pose{6.0 * part(generator), 4.0 * part(generator), 2.0 * M_PI * part(generator)};
-    const Vec2 gradient = costmap.proximityGradient(pose);
-    const double along_x = costAt(pose.x + kHalfCell, pose.y, pose.yaw) - costAt(pose.x - kHalfCell, pose.y, pose.yaw);
-    const double along_y = costAt(pose.x, pose.y + kHalfCell, pose.yaw) - costAt(pose.x, pose.y - kHalfCell, pose.yaw);
-    EXPECT_DOUBLE_EQ(gradient.x, along_x / kCell) << pose.x << ", " << pose.y;
-    EXPECT_DOUBLE_EQ(gradient.y, along_y / kCell) << pose.x << ", " << pose.y;
-  }
-}
-
 TEST(Costmap, nothingIsFarFromTheEdgeOfTheMap)
 {
   const Costmap costmap = makeCostmap(drawMap(12.0, 9.0, [](const Vec2 &) { return false; }));
@@ -200,7 +180,7 @@ TEST(Costmap, unknownIsAnObstacleUnlessAllowed)
 TEST(Costmap, costFallsWithClearanceToNothingAtTheInflationRadius)
 {
   const Costmap costmap = makeCostmap(drawRoom(6.0, 4.0));
-  EXPECT_DOUBLE_EQ(costmap.proximityCost(-0.1), costmap.options().clearance_weight);
+  EXPECT_DOUBLE_EQ(costmap.proximityCost(-0.1), Costmap::kTouchingPrice);
   EXPECT_GT(costmap.proximityCost(0.1), costmap.proximityCost(0.3));
   EXPECT_EQ(costmap.proximityCost(0.8), 0.0);
 }
@@ -245,10 +225,8 @@ TEST(Costmap, doesNotMarkTheWallsOfTheMap)
 
 TEST(Costmap, takesAHitBesideACellOfAWallForTheWall)
 {
-  CostmapOptions options;
-  options.live.wall_tolerance = 0.0;
-  Costmap costmap = makeCostmap(drawRoom(10.0, 4.0), options);
-  costmap.observe(scanFrom({2.0, 2.0, 0.0}, [](double angle) { return 1.87 / std::abs(std::sin(angle)); }));
+  Costmap costmap = makeCostmap(drawRoom(10.0, 4.0));
+  costmap.observe(scanFrom({2.0, 2.0, 0.0}, [](double angle) { return 1.82 / std::abs(std::sin(angle)); }));
   EXPECT_TRUE(costmap.liveCells().empty());
   costmap.observe(scanFrom({2.0, 2.0, 0.0}, [](double angle) { return 1.77 / std::abs(std::sin(angle)); }));
   EXPECT_FALSE(costmap.liveCells().empty());
@@ -285,15 +263,39 @@ TEST(Costmap, forgetsWhatIsFartherThanTheRadius)
   EXPECT_GT(costmap.obstacleDistance({1.0, 2.0}), 0.5);
 }
 
-TEST(Costmap, showsObstaclesUnknownAndFree)
+TEST(Costmap, showsTheCostsOfTheOriginal)
 {
   OccupancyGrid map = drawRoom(6.0, 4.0);
-  map.cells[map.geometry.index({60, 40})] = -1;
-  const auto cells = makeCostmap(map).mapCells();
-  EXPECT_EQ(cells[map.geometry.index({0, 0})], 100);
-  EXPECT_EQ(cells[map.geometry.index({60, 40})], -1);
-  EXPECT_EQ(cells[map.geometry.index({61, 40})], 0);
-  EXPECT_EQ(cells[map.geometry.index({30, 40})], 0);
+  map.cells[map.geometry.index({60, 40})] = 100;
+  const Footprint footprint(defaultFootprint());
+  ASSERT_NEAR(footprint.inscribedRadius(), 0.125, 1e-12);
+  const Costmap costmap(map, CostmapOptions{}, footprint);
+  const auto at = [&](int x, int y) { return static_cast<int>(costmap.shownCost(costmap.geometry().index({x, y}))); };
+  EXPECT_EQ(at(60, 40), 100);
+  EXPECT_EQ(at(58, 40), 99) << "0.1 m: the car surely touches it";
+  // costmap_2d: 252 exp(-10 (d - 0.125)) cut to a whole number, 1 to 252 shown as 1 to 98.
+  EXPECT_EQ(at(57, 40), 1 + 97 * (196 - 1) / 251) << "0.15 m";
+  EXPECT_EQ(at(56, 40), 1 + 97 * (119 - 1) / 251) << "0.2 m";
+  EXPECT_EQ(at(48, 40), 0) << "0.6 m";
+}
+
+TEST(Costmap, showsUnknownCellsUnlessTheCarTouchesSomethingThere)
+{
+  OccupancyGrid map = drawRoom(6.0, 4.0);
+  map.cells[map.geometry.index({60, 40})] = map.cells[map.geometry.index({60, 2})] = -1;
+  const Costmap costmap = makeCostmap(map);
+  EXPECT_EQ(costmap.shownCost(map.geometry.index({60, 40})), -1);
+  EXPECT_EQ(costmap.shownCost(map.geometry.index({60, 2})), 99);
+}
+
+TEST(Costmap, showsWhatTheLidarSees)
+{
+  Costmap costmap = makeCostmap(drawRoom(10.0, 4.0));
+  const std::size_t there = costmap.geometry().index(costmap.geometry().cellAt({4.0, 2.0}));
+  costmap.observe(scanFrom({2.0, 2.0, 0.0}, [](double angle) { return std::abs(angle) < 0.1 ? 2.01 : kInfinite; }));
+  EXPECT_EQ(costmap.shownCost(there), 100);
+  costmap.forgetAll();
+  EXPECT_EQ(costmap.shownCost(there), 0);
 }
 
 TEST(Costmap, refusesMapsAndOptionsThatCannotBe)

@@ -48,7 +48,7 @@ TEST(WayPlanner, keepsToTheMiddleOfACorridor)
   const Costmap costmap = makeCostmap(drawRoom(12.0, 1.6));
   const Plan plan = planOn(costmap, forwardOnly(), {{1.0, 0.5, 0.0}, {10.0, 0.5, 0.0}});
   expectDrivable(plan, costmap, forwardOnly());
-  EXPECT_NEAR(plan.path[plan.path.size() / 2].pose.y, 0.8, 0.06);
+  EXPECT_NEAR(plan.path[plan.path.size() / 2].pose.y, 0.8, 0.1);
 }
 
 TEST(WayPlanner, takesAHairpinWithinTheTurningRadius)
@@ -193,9 +193,6 @@ TEST(PlannerOptions, areChecked)
   PlannerOptions options;
   options.min_turning_radius = 0.0;
   EXPECT_THROWS_MESSAGE(options.validate(), OptionError, "min_turning_radius: found 0, must be a number above 0");
-  options = {};
-  options.reverse_penalty = 0.5;
-  EXPECT_THROWS_MESSAGE(options.validate(), OptionError, "reverse_penalty: found 0.5, must be at least 1");
   options = {};
   options.max_expansions = 0;
   EXPECT_THROWS_MESSAGE(options.validate(), OptionError, "max_expansions: found 0, must be above 0");

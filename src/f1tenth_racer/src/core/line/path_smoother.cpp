@@ -1,10 +1,10 @@
-#include "move_base/path/path_smoother.h"
+#include "line/path_smoother.h"
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <vector>
 
-namespace move_base
+namespace f1tenth_racer
 {
 namespace
 {
@@ -37,6 +37,19 @@ Matrix differences(int count, const std::vector<double> & stencil)
   Matrix matrix(rows, count);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
+}
+
+// How the cost of being near obstacles changes with x and y, 1/m: differences over a cell.
+Vec2 proximityGradient(const Costmap & costmap, const Pose2 & base)
+{
+  const double h = 0.5 * costmap.geometry().resolution;
+  if (costmap.isFarFromAll(base, h)) {
+    return {};
+  }
+  const auto cost = [&](double x, double y) { return costmap.proximityCost(costmap.clearance({x, y, base.yaw})); };
+  return {
+    (cost(base.x + h, base.y) - cost(base.x - h, base.y)) / (2.0 * h),
+    (cost(base.x, base.y + h) - cost(base.x, base.y - h)) / (2.0 * h)};
 }
 
 class Band
@@ -79,9 +92,8 @@ private:
     const Matrix bending = differences(count, {1.0, -2.0, 1.0});
     const Matrix steering = differences(count, {-1.0, 3.0, -3.0, 1.0});
     // The obstacles' cost is stepped explicitly: the inertia must exceed its greatest second derivative.
-    const CostmapOptions & options = costmap_.options();
-    const double scaling = options.cost_scaling_factor;
-    const double inertia = spacing_ * options.clearance_weight * scaling * scaling + 1e-3;
+    const double scaling = costmap_.options().cost_scaling_factor;
+    const double inertia = spacing_ * Costmap::kTouchingPrice * scaling * scaling + 1e-3;
     Matrix system = stiffnessUnit(kBendingPrice, 3) * Matrix(bending.transpose() * bending) +
                     stiffnessUnit(kSteeringPrice, 5) * Matrix(steering.transpose() * steering);
     Vector stiffness(count);
@@ -116,7 +128,7 @@ private:
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto row = static_cast<Eigen::Index>(i);
       const double back = pinned_[i] ? pull() : 0.0;
-      const Vec2 push = pinned_[i] ? Vec2{} : spacing_ * costmap_.proximityGradient(headed(points, i));
+      const Vec2 push = pinned_[i] ? Vec2{} : spacing_ * proximityGradient(costmap_, headed(points, i));
       x[row] = inertia * points[i].x - push.x + back * given_[i].pose.x;
       y[row] = inertia * points[i].y - push.y + back * given_[i].pose.y;
     }
@@ -200,4 +212,4 @@ Path smoothPath(
   }
   return smooth;
 }
-}  // namespace move_base
+}  // namespace f1tenth_racer

@@ -1,9 +1,9 @@
-#include "move_base/map/box.h"
+#include "seen/box.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace move_base
+namespace f1tenth_racer
 {
 double Box::distanceTo(const Vec2 & point) const
 {
@@ -29,4 +29,4 @@ double clearance(const Box & box, const Footprint & footprint, const Pose2 & bas
   }
   return least;
 }
-}  // namespace move_base
+}  // namespace f1tenth_racer

@@ -1,9 +1,11 @@
 #pragma once
 
-#include "move_base/map/footprint.h"
-#include "move_base/map/geometry.h"
+#include <move_base/map/footprint.h>
+#include <move_base/map/geometry.h>
 
-namespace move_base
+#include "path/terms.h"
+
+namespace f1tenth_racer
 {
 /// A rectangle in the plane.
 struct Box
@@ -22,4 +24,4 @@ Box grown(const Box & box, double margin);
 /// Least distance from the outline of a car at base to the box, m, underestimated by what the discs stick out;
 /// negative on contact.
 double clearance(const Box & box, const Footprint & footprint, const Pose2 & base);
-}  // namespace move_base
+}  // namespace f1tenth_racer

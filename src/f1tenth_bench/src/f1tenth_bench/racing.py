@@ -38,22 +38,11 @@ def load_costmap(path):
 
 
 def race_options():
-    """How the car races: the request for a race line, and the options of the follower."""
-    core = planner_module()
+    """How the car races."""
+    options = planner_module().RacerOptions
     values = _parameters("racer.yaml")["RacerROS"]
-    limits = core.SpeedLimits(
-        **{name: values[name] for name in ("max_vel_x", "acc_lim_x", "max_lateral_acceleration")},
-        dec_lim_x=values["acc_lim_x"],
-        max_vel_theta=values["max_vel_theta"],
-    )
-    follower = core.FollowerOptions(limits=limits, slip_gradient=values["slip_gradient"])
-    line = core.RaceLineOptions(
-        gate_tolerance=0.75 * values["xy_goal_tolerance"],
-        slip_gradient=values["slip_gradient"],
-        lateral_acceleration=values["max_lateral_acceleration"],
-        max_speed=values["max_vel_x"],
-    )
-    return line, follower
+    known = {name: values[name] for name, *_ in options.table() if name in values}
+    return options(dec_lim_x=values["acc_lim_x"], **known)
 
 
 def half_laps(name):

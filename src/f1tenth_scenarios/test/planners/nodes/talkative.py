@@ -55,7 +55,7 @@ class Talkative:
         for name, message in said.items():
             self.publishers[name].publish(message)
         command = AckermannDriveStamped()
-        command.drive.speed = 4.0
+        command.drive.speed = 1.0  # slow, as recording begins a moment after the topics do
         self.drive.publish(command)
 
     @staticmethod

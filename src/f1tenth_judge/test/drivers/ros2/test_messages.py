@@ -49,7 +49,7 @@ def value_of(default, random):
         return filled(type(default), random)
     if isinstance(default, list):
         return [float(each) for each in random.integers(0, 99, len(default) or 3)]
-    return {str: "robot1/läser", int: 7, float: 0.375}[type(default)]
+    return {str: "robot1/läser", int: 7, float: 0.375, bool: True, bytes: b"\x01\x02\xff"}[type(default)]
 
 
 def in_store(store, value):
@@ -67,7 +67,7 @@ def in_store(store, value):
 def as_type(kind, value):
     """A list as the array that rosbags wants, if it wants one."""
     found = re.search(r"dtype\[np\.(\w+)\]", kind)
-    return np.array(value, dtype=found[1]) if found else value
+    return np.array([*value], dtype=found[1]) if found else value
 
 
 @pytest.mark.parametrize("store", STORES, ids=["humble", "jazzy"])

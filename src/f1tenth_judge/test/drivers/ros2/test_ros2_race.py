@@ -106,6 +106,26 @@ def test_map_and_transforms_are_there_for_those_who_come_late(race, tmp_path):
     grid = load_map(lookup.map_file(lookup.world_file("circuit1", tmp_path)))
     assert sorted(told) == [
         "ego_racecar/base_link ego_racecar/laser",
+        "ego_racecar/base_link ego_racecar/stereo_camera/left",
+        "ego_racecar/base_link ego_racecar/stereo_camera/right",
         f"map {grid.cells.shape[1]} {grid.cells.shape[0]} {int(grid.cells.sum())}",
         "map ego_racecar/base_link",
     ]
+
+
+def test_pictures_come_whole_and_are_the_same_every_time(race, tmp_path):
+    told = []
+    for _ in range(2):
+        race(command("telling", "tells_pictures"), settings=["limits.timeout=1"])
+        told.append((tmp_path / "log" / "robot1.log").read_text().splitlines())
+    assert told[0] == told[1]
+    eye = "ego_racecar/stereo_camera/right"
+    for kind in (f"rgb8 672 376 2016 {eye}", f"32FC1 672 376 2688 {eye}", "info 336.268 0.0 335.5"):
+        stamps = [float(line.split()[0]) for line in told[0] if f" {kind} " in line]
+        assert stamps == pytest.approx([n / 20 for n in range(1, 20)])
+    assert any(line.endswith(" 336.268 0.0 335.5 -40.352") for line in told[0])
+
+
+def test_pictures_that_may_be_lost_are_noted(race):
+    result = race(command("telling", "hears_pictures_best_effort"), settings=["limits.timeout=1"])
+    assert "robot1: /stereo_camera/left/image_raw is heard best effort: on a busy" in result["note"]

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from typing import Any, Optional
 
 from f1tenth_judge.drivers.ros2 import sensed
+from f1tenth_judge.drivers.ros2.cameras import Cameras
 from f1tenth_judge.drivers.ros2.connection import Connection
 from f1tenth_judge.drivers.ros2.messages.basic import Clock, Time
 from f1tenth_judge.drivers.ros2.messages.geometry import TFMessage, Twist
@@ -39,14 +40,17 @@ class CarTopics:
         self._car = car
         self._others = [name for name in stage.cars if name != car]
         self._held: list[Any] = []
-        self.initial_poses = 0  # that the planner has sent: they move no car
+        self._initial_poses = 0  # that the planner has sent: they move no car
         offers = OFFERS | (MAP_OFFERS if grid else {}) | (OPPONENT_OFFERS if self._others else {})
         for topic, (kind, qos) in offers.items():
             connection.offer(topic, kind, qos)
         for topic, kind in REQUESTS.items():
             connection.request(topic, kind)
+        self._cameras = Cameras(connection, stage, car)
+        transforms = self._cameras.transforms()
         if lidar := stage.lidar(car):
-            connection.publish(TF_STATIC, sensed.lidar_transform(lidar, EGO))
+            transforms.append(sensed.lidar_transform(lidar, EGO))
+        connection.publish(TF_STATIC, TFMessage(transforms))
         if grid:
             connection.publish(MAP, sensed.map_message(grid))
 
@@ -60,6 +64,7 @@ class CarTopics:
             transforms.append(sensed.pose_transform(states[other], time, OPPONENT))
         self._publish((TF,), TFMessage, transforms)
         self._publish_imu()
+        self._cameras.publish()
         if ranges := self._stage.scan(self._car):
             self._held.append(sensed.scan_message(*ranges, time, EGO))
 
@@ -82,9 +87,14 @@ class CarTopics:
         """Whether somebody has subscribed to scans."""
         return self._connection.hearers(SCAN) > 0
 
+    def note(self) -> list[str]:
+        """What does not fit, in words."""
+        placed = ["/initialpose moves no car in a judged run"] if self._initial_poses else []
+        return [*self._cameras.note(), *placed]
+
     def take_commands(self) -> list[Command]:
         """What the planner has sent since, in order."""
-        self.initial_poses += len(self._connection.take(INITIAL_POSE))
+        self._initial_poses += len(self._connection.take(INITIAL_POSE))
         messages = [each for topic in COMMANDS for each in self._connection.take(topic)]
         messages.sort(key=lambda each: each.sample_info.source_timestamp)
         return [_command(each) for each in messages]

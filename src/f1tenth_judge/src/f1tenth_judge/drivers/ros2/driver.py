@@ -125,8 +125,7 @@ class Ros2Driver:
         found = mismatched(self._connection)
         found += [NO_CLOCK] if ignores_clock(self._connection) else []
         found += dead_processes(last_lines(self._log))
-        if self._topics.initial_poses:
-            found.append("/initialpose moves no car in a judged run")
+        found += self._topics.note()
         return "; ".join(f"{self._car}: {each}" for each in found)
 
     def close(self) -> None:

@@ -47,6 +47,11 @@ _TIMES: Sequence[tuple[Any, str, Callable]] = (
 )
 
 
+def is_reliable(qos: Qos) -> bool:
+    """Whether what is lost is sent again."""
+    return Policy.Reliability in qos and _kind(qos[Policy.Reliability]) == "Reliable"
+
+
 def mismatches(requested: Qos, offered: Qos) -> list[tuple[str, str]]:
     """The policies by which a reader and a writer do not match: what is requested, and what is offered."""
     return [*_too_weak(requested, offered), *_too_late(requested, offered)]

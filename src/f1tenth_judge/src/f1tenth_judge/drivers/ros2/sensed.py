@@ -6,7 +6,6 @@ from f1tenth_judge.drivers.ros2.messages.geometry import (
     Pose,
     PoseWithCovariance,
     Quaternion,
-    TFMessage,
     Transform,
     TransformStamped,
     Twist,
@@ -60,11 +59,11 @@ def pose_transform(state: f1tenth_sim2d.CarState, time: float, car: str) -> Tran
     return TransformStamped(Header(Time.of(time), MAP_FRAME), base_frame(car), transform)
 
 
-def lidar_transform(lidar: f1tenth_sim2d.Lidar, car: str) -> TFMessage:
+def lidar_transform(lidar: f1tenth_sim2d.Lidar, car: str) -> TransformStamped:
     """Where a car's lidar is, for /tf_static."""
     x, y, z, yaw = lidar.pose
     transform = Transform(Vector3(x, y, z), Quaternion.of_yaw(yaw))
-    return TFMessage([TransformStamped(Header(frame_id=base_frame(car)), laser_frame(car), transform)])
+    return TransformStamped(Header(frame_id=base_frame(car)), laser_frame(car), transform)
 
 
 def map_message(grid: Grid) -> OccupancyGrid:

@@ -1,12 +1,13 @@
 """Planners that drive slowly and tell what they hear; the argument names one."""
 
 import sys
+import zlib
 
-from dds_node import LATCHED, Node
+from dds_node import LATCHED, SENSOR_DATA, Node
 from f1tenth_judge.drivers.ros2.messages.driving import AckermannDrive, AckermannDriveStamped
 from f1tenth_judge.drivers.ros2.messages.geometry import TFMessage
 from f1tenth_judge.drivers.ros2.messages.navigation import OccupancyGrid, Odometry
-from f1tenth_judge.drivers.ros2.messages.sensing import LaserScan
+from f1tenth_judge.drivers.ros2.messages.sensing import CameraInfo, Image, LaserScan
 
 
 def slow_node():
@@ -51,6 +52,30 @@ def tells_where_all_is():
     node.subscribe("map", OccupancyGrid, tell_map, LATCHED)
     node.subscribe("tf_static", TFMessage, tell_frames, LATCHED)
     node.subscribe("tf", TFMessage, tell_frames)
+    node.spin()
+
+
+def tells_pictures():
+    """Per picture of the right eye: stamp, size, and a sum over all of it."""
+    node = slow_node()
+
+    def tell(image):
+        words = image.encoding, image.width, image.height, image.step, image.header.frame_id
+        print(image.header.stamp.seconds, *words, zlib.crc32(bytes(image.data)), flush=True)
+
+    def tell_info(info):
+        numbers = (round(each, 3) for each in (*info.k[:3], *info.p[:4]))
+        print(info.header.stamp.seconds, "info", *numbers, flush=True)
+
+    node.subscribe("stereo_camera/right/image_raw", Image, tell)
+    node.subscribe("stereo_camera/right/depth/image_raw", Image, tell)
+    node.subscribe("stereo_camera/right/camera_info", CameraInfo, tell_info)
+    node.spin()
+
+
+def hears_pictures_best_effort():
+    node = slow_node()
+    node.subscribe("stereo_camera/left/image_raw", Image, lambda image: None, SENSOR_DATA)
     node.spin()
 
 

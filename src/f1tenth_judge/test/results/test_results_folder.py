@@ -122,3 +122,18 @@ def test_log_of_a_run_that_was_killed_does_not_take_the_place_of_an_earlier_one(
     (tmp_path / "log" / "seed").write_text("2", encoding="utf-8")
     interrupt(tmp_path, 3)
     assert (seed_of(tmp_path), log_of(tmp_path)) == (1, "1")
+
+
+@pytest.mark.parametrize("is_killed", [False, True])
+def test_results_come_back_if_new_ones_cannot_be_written(tmp_path, is_killed):
+    run(tmp_path, "a", 1)
+    with claimed(tmp_path, tmp_path / "log", {"commit": "a", "driver_commits": {"robot1": "a"}}) as claim:
+        place = claim.place_of_results()
+        assert not (place / "trajectory.csv").exists()
+        claim.close = (lambda: None) if is_killed else claim.close
+    if is_killed:
+        with claimed(tmp_path, tmp_path / "log", COMMITS):
+            pass
+    assert seed_of(tmp_path) == 1
+    assert (tmp_path / "trajectory.csv").read_text(encoding="utf-8") == "1"
+    assert not (tmp_path / ".earlier").exists()

@@ -10,7 +10,7 @@ from f1tenth_judge.batch.jobs import Job, Outcome, run_jobs
 from f1tenth_judge.cli.exit_codes import NOT_PASSED, PASSED, exit_code
 from f1tenth_judge.cli.options import check_name, expect_at_least, planner_settings, results_of
 from f1tenth_judge.cli.show_commands import report
-from f1tenth_judge.errors import NotApplicableError, ScenarioError
+from f1tenth_judge.errors import NotApplicableError, ScenarioError, writing
 from f1tenth_judge.places import lookup
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.planning import make_plan
@@ -168,13 +168,15 @@ def _run_jobs(jobs: Sequence[Job], left_out: dict[str, str], options) -> int:
 
 
 def _check_folders(names: Sequence[str], results: Path) -> None:
-    """Refuse scenarios that would overwrite each other's results."""
+    """Refuse scenarios that would overwrite each other's results, and a folder that cannot be made."""
     known: dict[Path, str] = {}
     for name in names:
         folder = results / lookup.scenario_file(name).stem
         if folder in known:
             raise ScenarioError(f"'{known[folder]}' and '{name}' would both be written to {folder}")
         known[folder] = name
+    with writing(results):
+        results.mkdir(parents=True, exist_ok=True)
 
 
 def _not_applicable(names: Sequence[str], settings: Sequence[str]) -> dict[str, str]:

@@ -7,11 +7,11 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.errors import ScenarioError, writing
 from f1tenth_judge.record.files import PREVIOUS_FOLDER, RESULT_FILE, RUN_FILES, read_json
 
 INTERRUPTED_FOLDER = "interrupted"
-_EARLIER_LOG = ".earlier_log"
+_EARLIER_LOG, _EARLIER = ".earlier_log", ".earlier"
 
 
 @contextlib.contextmanager
@@ -45,8 +45,9 @@ class ResultsFolder:
 
     def __init__(self, folder: Path, log_folder: Path, commits: Mapping[str, Any]):
         self._folder, self._log, self._commits = folder, log_folder, commits
-        self._earlier_log = folder / _EARLIER_LOG
+        self._earlier_log, self._earlier = folder / _EARLIER_LOG, folder / _EARLIER
         self._is_over = False
+        self._keep_or_drop_earlier()  # of a run that was killed
         if self._earlier_log.exists():  # of a run that was killed
             self._restore_log()
         if self._log.exists():
@@ -56,16 +57,19 @@ class ResultsFolder:
     def place_of_results(self) -> Path:
         """Where the results of a run that came to its end are to be written.
 
-        Earlier results are gone then, or in the folder `previous` if they are of another commit than ours (or
-        of a working copy with changes, which may be anything), be it of the workspace or of a driver.
+        Earlier results are in the folder `previous` if they are of another commit than ours (or of a working
+        copy with changes, which may be anything), be it of the workspace or of a driver. Others come back
+        if no result is written, because the disk is full, say.
+
+        Raises:
+            ScenarioError: they cannot be moved.
         """
         self._is_over = True
         shutil.rmtree(self._earlier_log, ignore_errors=True)
         result = self._folder / RESULT_FILE
-        if result.exists() and _is_other(_commits_of(result), self._commits):
-            _move(self._folder, _emptied(self._folder / PREVIOUS_FOLDER))
-        for name in RUN_FILES:
-            (self._folder / name).unlink(missing_ok=True)
+        is_other = result.exists() and _is_other(_commits_of(result), self._commits)
+        with writing(self._folder):
+            _move(self._folder, _emptied(self._folder / PREVIOUS_FOLDER if is_other else self._earlier))
         return self._folder
 
     def place_of_interrupted(self) -> Path:
@@ -75,6 +79,7 @@ class ResultsFolder:
     def close(self) -> None:
         """The run is over."""
         if self._is_over:
+            self._keep_or_drop_earlier()
             return
         interrupted = self._folder / INTERRUPTED_FOLDER
         interrupted.mkdir(exist_ok=True)
@@ -82,6 +87,11 @@ class ResultsFolder:
         with contextlib.suppress(FileNotFoundError):  # somebody removed it
             self._log.rename(interrupted / self._log.name)
         self._restore_log()
+
+    def _keep_or_drop_earlier(self) -> None:
+        if not (self._folder / RESULT_FILE).exists():
+            _move(self._earlier, self._folder)
+        shutil.rmtree(self._earlier, ignore_errors=True)
 
     def _restore_log(self) -> None:
         shutil.rmtree(self._log, ignore_errors=True)

@@ -5,6 +5,7 @@ import time
 from collections.abc import Mapping
 from typing import Callable, Optional, TextIO
 
+from f1tenth_judge.errors import writing
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.observations import Failure
 from f1tenth_judge.record.pace import Pace
@@ -36,8 +37,10 @@ class Loop:
 
         Raises:
             MismatchError: a driver cannot go by simulated time.
+            ScenarioError: the record cannot be written.
         """
-        with open(self._plan.record_file, "w", encoding="utf-8", newline="", buffering=1) as record:
+        file = self._plan.record_file
+        with writing(file), open(file, "w", encoding="utf-8", newline="", buffering=1) as record:
             self._write(record, [COLUMNS])
             for driver in drivers.values():
                 driver.begin()

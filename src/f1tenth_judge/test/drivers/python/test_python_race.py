@@ -7,6 +7,7 @@ import psutil
 import pytest
 from f1tenth_judge.drivers.starting import start_drivers
 from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.race import Race, plan_race
 from f1tenth_judge.run.execute import execute
 from f1tenth_judge.run.stage import DriveCommand, Stage
@@ -45,6 +46,14 @@ def test_a_class_drives_a_lap_and_does_it_again(race, tmp_path, name):
     assert result["times"]["lap_time"] > 5.0
     assert all((tmp_path / name).is_file() for name in ("trajectory.csv", "trajectory.png", "replay.json.gz"))
     assert race(name)["trajectory_hash"] == result["trajectory_hash"]
+
+
+def test_a_record_that_cannot_be_written_is_told_and_earlier_results_stay(race, tmp_path, monkeypatch):
+    before = race("Follower", settings=["limits.timeout=0.1"])
+    monkeypatch.setattr(Plan, "record_file", Path("/dev/full"))
+    with pytest.raises(ScenarioError, match="/dev/full: cannot be written: No space left on device"):
+        race("Follower", settings=["limits.timeout=0.1"])
+    assert valid_result(tmp_path / "result.json") == before
 
 
 def test_two_classes_race_each_other(race):

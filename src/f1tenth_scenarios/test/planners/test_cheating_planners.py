@@ -59,6 +59,56 @@ def test_planner_that_touches_the_evidence_is_named_at_once(judged, how, words):
     assert words in result["reason"]
 
 
+@pytest.mark.parametrize(
+    ("how", "caller", "least"),
+    [
+        ("asks_everybody", "/robot1/planner", 20),
+        ("asks_everybody", "/helper", 20),
+        ("tells_everybody", "/robot1/helper", 20),
+        ("tells_everybody", "/helper", 20),
+        ("changes_parameters", "/robot1/helper", 10),
+        ("turns_the_clock_on", "/helper", 0),
+        ("writes_the_result", "/robot1/planner", 0),
+        ("ends_the_map", "/helper", 0),
+        ("ends_the_referee", "/robot1/planner", 0),
+        ("takes_the_name_of_the_simulator", "/robot1/helper", 0),
+    ],
+)
+def test_nothing_that_anybody_may_do_buys_a_lap(judged, tmp_path, how, caller, least):  # noqa: F811
+    tries = ("--arg", f"how:={how}", *CALLERS[caller], "--set", "limits.timeout=8")
+    result, _ = judged(*tries, planner=CHEATING)
+    assert (result["verdict"], result["passed"], result["contacts"]) == ("timeout", False, [])
+    assert result["reason"].startswith("not finished after 8 s of simulated time; robot1 drove ")
+    said = "".join(path.read_text() for path in (tmp_path / "race_circuit1" / "log").rglob("*stdout.log"))
+    assert said.count("tries /") >= least
+
+
+@pytest.mark.parametrize(
+    ("how", "caller", "culprit"),
+    [
+        ("adds_to_the_record", "/robot1/planner", "robot1/planner"),
+        ("ends_the_simulator", "/robot1/helper", "sim2d"),
+        ("kills_the_simulator", "/helper", "sim2d"),
+        ("stops_the_simulator", "/robot1/planner", "sim2d"),
+        ("takes_the_name_of_the_proxy", "/robot1/planner", "robot1/proxy_driver"),
+    ],
+)
+def test_planner_that_harms_a_node_of_the_run_wins_nothing(judged, how, caller, culprit):  # noqa: F811
+    tries = ("--arg", f"how:={how}", *CALLERS[caller], "--set", "limits.timeout=8", "--set", "limits.wall=60")
+    result, _ = judged(*tries, planner=CHEATING)
+    assert (result["verdict"], result["passed"]) == ("error", False)
+    assert result["culprit"]["culprit"] == culprit
+
+
+def test_planner_that_commands_the_other_car_is_named(judged):  # noqa: F811
+    options = ("--arg", "how:=stops_the_other_car", "--planner", str(CHEATING))
+    result, _ = judged(*options, planner=CHEATING)
+    assert result["verdict"] == "error"
+    car = result["culprit"]["culprit"].removesuffix("/planner")
+    other = {"robot1": "robot2", "robot2": "robot1"}[car]
+    assert result["reason"] == f"{car}/planner: publishes /{other}/drive, and drives another car"
+
+
 def test_proxy_that_is_killed_ends_the_run_at_once(judged):  # noqa: F811
     result, _ = judged("--arg", "how:=kills_its_proxy", planner=CHEATING)
     assert (result["verdict"], result["culprit"]["culprit"]) == ("error", "robot1/proxy_driver")

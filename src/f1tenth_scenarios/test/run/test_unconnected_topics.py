@@ -3,7 +3,13 @@
 import pytest
 from f1tenth_judge.plan.participants import driver_nodes_among
 from f1tenth_judge.scenario.driver import Interface
-from f1tenth_scenarios.run.diagnosis.unconnected_topics import CarTopics, driver_nodes, shared_topic, why_mute
+from f1tenth_scenarios.run.diagnosis.unconnected_topics import (
+    CarTopics,
+    driver_nodes,
+    meddling,
+    shared_topic,
+    why_mute,
+)
 from f1tenth_scenarios.run.ros_graph import RosGraph
 
 STAMPED, TWIST = "ackermann_msgs/AckermannDriveStamped", "geometry_msgs/Twist"
@@ -158,3 +164,42 @@ def test_driver_that_hears_that_of_another_car_is_found():
 )
 def test_what_drivers_may_share_is_not(publishers, hearers, topic):
     assert shared(publishers, hearers, topic) is None
+
+
+def meddler(topic, publisher, car_of=lambda _node: None):
+    publishers = {
+        "/robot1/drive": ["robot1/planner"],
+        "/robot2/scan": ["sim2d"],
+        "/robot2/plan": ["robot2/planner"],
+    }
+    publishers[topic] = [*publishers.get(topic, ()), publisher]
+    heard = {f"/{car}/{name}": ["sim2d"] for car in ("robot1", "robot2") for name in ("drive", "cmd_vel")}
+    return meddling(RosGraph(publishers, heard), ["robot1", "robot2"], car_of)
+
+
+@pytest.mark.parametrize("name", ["drive", "cmd_vel", "scan", "initialpose"])
+def test_driver_that_drives_or_blinds_another_car_is_found(name):
+    topic = f"/robot2/{name}"
+    assert meddler(topic, "robot1/planner") == (
+        "robot1/planner",
+        f"publishes {topic}, and drives another car",
+    )
+
+
+def test_whose_driver_a_node_outside_all_cars_is_tells_its_process():
+    found = [meddler("/robot2/drive", "helper", {"helper": car}.get) for car in ("robot1", "robot2", None)]
+    assert found == [("helper", "publishes /robot2/drive, and drives another car"), None, None]
+
+
+@pytest.mark.parametrize(
+    ("topic", "publisher"),
+    [
+        ("/robot2/drive", "robot2/planner"),
+        ("/robot2/scan", "robot2/faulty_inputs"),
+        ("/robot2/plan", "robot1/planner"),  # between planners
+        ("/robot1/cmd_vel", "robot1/proxy_driver"),
+        ("/tf", "robot1/planner"),
+    ],
+)
+def test_what_is_a_driver_s_own_is_not(topic, publisher):
+    assert meddler(topic, publisher) is None

@@ -8,6 +8,8 @@ from typing import Any, Optional
 
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from f1tenth_judge.drivers.rest import marked_processes
+from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_judge.record.replay import Poses
@@ -19,9 +21,15 @@ from f1tenth_scenarios.launch.launch_file import driver_mark
 from f1tenth_scenarios.launch.plane import planar
 from f1tenth_scenarios.run.diagnosis.culprit import failure_of_driver
 from f1tenth_scenarios.run.diagnosis.endless import computes_without_pause
-from f1tenth_scenarios.run.diagnosis.unconnected_topics import driver_nodes, shared_topic, topics_of, why_mute
+from f1tenth_scenarios.run.diagnosis.unconnected_topics import (
+    driver_nodes,
+    meddling,
+    shared_topic,
+    topics_of,
+    why_mute,
+)
 from f1tenth_scenarios.run.events.director import Director
-from f1tenth_scenarios.run.ros_graph import misread_by, publications_of, read_graph
+from f1tenth_scenarios.run.ros_graph import ask, misread_by, publications_of, read_graph
 
 _PATIENCE, _LOOK_INTERVAL = 2.0, 0.005  # wall s
 _GRAPH_INTERVAL = 0.5  # wall s between two looks at who hears whom
@@ -118,9 +126,21 @@ class RosWatch:
         return dataclasses.replace(failure, stamp=problem.stamp)
 
     def mixed_up(self) -> Optional[Failure]:
-        """Whether a car's driver hears another car's driver: then nothing that has happened counts."""
-        found = shared_topic(read_graph(), self._cars) if len(self._cars) > 1 else None
+        """Whether a car's driver hears another's, or interferes with its car: then nothing counts."""
+        if len(self._cars) < 2:
+            return None
+        graph = read_graph()
+        found = shared_topic(graph, self._cars) or meddling(graph, self._cars, self._car_of)
         return found and Failure(*found, str(self._plan.launch_log), stamp=0.0)
+
+    def _car_of(self, node: str) -> Optional[str]:
+        """Whose driver started a node; nothing if none did, or it does not tell which process it is."""
+        try:
+            pid = ask(node, "getPid", patience=1.0)
+        except ScenarioError:
+            return None
+        cars = self._plan.scenario.cars
+        return next((car.name for car in cars if pid in marked_processes(driver_mark(self._plan, car))), None)
 
     def estimates(self) -> dict[str, Poses]:
         """Where localization took the cars to be.

@@ -1,11 +1,22 @@
 #!/usr/bin/env python3
 """Drives straight on, and after some seconds does something that no driver may."""
 
+import contextlib
 import os
+import random
 import shutil
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from xmlrpc.client import ServerProxy
 
+import genpy
+import rosgraph
+import roslib.message
 import rosnode
 import rospy
+import rosservice
 from ackermann_msgs.msg import AckermannDriveStamped
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 from gazebo_msgs.msg import ContactsState, ModelState, ModelStates
@@ -19,7 +30,7 @@ from gazebo_msgs.srv import (
 )
 from geometry_msgs.msg import Point, Pose, PoseWithCovarianceStamped, Quaternion
 from nav_msgs.msg import Odometry
-from rosgraph_msgs.msg import Log
+from rosgraph_msgs.msg import Clock, Log
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Bool, Header, Int32, UInt32
 from std_srvs.srv import Empty
@@ -36,6 +47,17 @@ SDF_BOX = (
     "<sdf version='1.6'><model name='box'><link name='box'><collision name='box'><geometry>"
     "<box><size>0.1 0.1 0.1</size></box></geometry></collision></link></model></sdf>"
 )
+INTERVENTIONS = {
+    "delete_model",
+    "pause_physics",
+    "reset_simulation",
+    "reset_world",
+    "set_model_state",
+    "set_physics_properties",
+    "spawn_sdf_model",
+    "spawn_urdf_model",
+    "unpause_physics",
+}
 AHEAD = Pose(Point(1.0, 0.0, 0.0), Quaternion(0.0, 0.0, 0.0, 1.0))
 FAR = Pose(Point(100.0, 100.0, 0.0), Quaternion(0.0, 0.0, 0.0, 1.0))
 
@@ -50,6 +72,20 @@ def place(model, pose):
 
 def world_models():
     return [name for name in call("get_world_properties", GetWorldProperties).model_names if name != "robot1"]
+
+
+def at_random(value, chance):
+    """A message, or a part of one, with other numbers and words."""
+    if isinstance(value, genpy.Message):
+        for name in value.__slots__:
+            setattr(value, name, at_random(getattr(value, name), chance))
+    elif isinstance(value, bool):
+        value = chance.choice([False, True])
+    elif isinstance(value, (int, float)):
+        value = type(value)(chance.randrange(100))
+    elif isinstance(value, str):
+        value = chance.choice(["robot1", "scenario", "race_starter", "map", "robot1/base_footprint"])
+    return value
 
 
 class Cheating:
@@ -150,6 +186,91 @@ class Cheating:
             self.tell("/sim2d/done", Header(stamp=end, frame_id="scenario")),
             self.tell("/rosout", Log(level=Log.FATAL, name="/sim2d", msg="every lap was driven")),
         ]
+
+    def asks_everybody(self):
+        """Calls every service that there is and that is no intervention, with an empty request."""
+        master = rosgraph.Master(rospy.get_name())
+        for name in sorted(service for service, _nodes in master.getSystemState()[2]):
+            if name.rpartition("/")[2] not in INTERVENTIONS:
+                self.attempt(name, lambda name=name: rosservice.call_service(name, []))
+
+    def tells_everybody(self):
+        """Publishes on every topic that there is, but for its own commands and the clock, at random."""
+        known = dict(rosgraph.Master(rospy.get_name()).getTopicTypes())
+        rest = {"/clock", "/gazebo/set_model_state", "/robot1/cmd_vel", "/robot1/drive", "/rosout"}
+        chance = random.Random(7)
+        self.lies = []
+        for topic in sorted(known.keys() - rest):
+            message = at_random(roslib.message.get_message_class(known[topic])(), chance)
+            self.attempt(
+                topic, lambda topic=topic, message=message: self.lies.append(self.tell(topic, message))
+            )
+
+    def changes_parameters(self):
+        """Sets what the run has read, or may read yet."""
+        self.attempt("/use_sim_time", lambda: rospy.set_param("/use_sim_time", False))
+        for name in rospy.get_param_names():
+            if name.startswith(("/sim2d", "/robot1/", "/race_starter", "/map_server")):
+                self.attempt(name, lambda name=name: rospy.set_param(name, 0))
+
+    def turns_the_clock_on(self):
+        self.lies = [self.tell("/clock", Clock(rospy.Time.now() + rospy.Duration(1000.0)))]
+
+    def adds_to_the_record(self):
+        """A lap, by the record's own rows."""
+        record = Path(rospy.get_param("/sim2d/record"))
+        rows = record.read_text(encoding="utf-8").splitlines(keepends=True)
+        with record.open("a", encoding="utf-8") as stream:
+            stream.writelines(rows[1:])
+
+    def writes_the_result(self):
+        """What it would like to be judged."""
+        folder = Path(rospy.get_param("/sim2d/record")).parents[1]
+        (folder / "result.json").write_text('{"verdict": "success", "passed": true}', encoding="utf-8")
+        (folder / "trajectory.csv").write_text("time\n", encoding="utf-8")
+
+    def stops_the_other_car(self):
+        other = "robot2" if rospy.get_namespace() == "/robot1/" else "robot1"
+        self.lies = [self.tell(f"/{other}/drive", AckermannDriveStamped())]
+
+    def ends_the_simulator(self):
+        rosnode.kill_nodes(["/sim2d"])
+
+    def kills_the_simulator(self):
+        os.kill(self.pid_of("/sim2d"), signal.SIGKILL)
+
+    def stops_the_simulator(self):
+        os.kill(self.pid_of("/sim2d"), signal.SIGSTOP)
+
+    def ends_the_map(self):
+        rosnode.kill_nodes(["/map_server"])
+
+    def ends_the_referee(self):
+        """The node with which the judge listens."""
+        rosnode.kill_nodes([name for name in rosnode.get_node_names() if name.startswith("/scenario_")])
+
+    def takes_the_name_of_the_simulator(self):
+        self.start_as("sim2d")
+
+    def takes_the_name_of_the_proxy(self):
+        self.start_as("proxy_driver")
+
+    @staticmethod
+    def start_as(name):
+        text = f"import rospy; rospy.init_node({name!r}, disable_signals=True); rospy.spin()"
+        subprocess.Popen([sys.executable, "-c", text])
+
+    @staticmethod
+    def pid_of(node):
+        uri = rosgraph.Master(rospy.get_name()).lookupNode(node)
+        return ServerProxy(uri).getPid(rospy.get_name())[2]
+
+    @staticmethod
+    def attempt(what, act):
+        """Say what is tried; it need not work."""
+        print(f"tries {what}", flush=True)
+        with contextlib.suppress(Exception):
+            act()
 
     @staticmethod
     def tell(topic, message):

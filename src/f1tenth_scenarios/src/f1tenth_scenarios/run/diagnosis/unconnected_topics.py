@@ -2,7 +2,7 @@
 
 import dataclasses
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Optional
+from typing import Callable, Optional
 
 from f1tenth_judge.plan.car_description import CarDescription
 from f1tenth_judge.plan.input_topics import absolute
@@ -23,6 +23,7 @@ class CarTopics:
     sensed: Mapping[str, str]  # by the names that planners use
 
 
+_SIMULATOR = "sim2d"
 # Planners take their odometry for a pose in the map: in f1tenth_simulator it is one, that of wheels is not.
 _EXACT = "perfect_odom"
 _F1TENTH = CarTopics({"drive": _DRIVE, "cmd_vel": _TWIST}, {"scan": "scan", "odom": _EXACT, "imu": "imu"})
@@ -161,6 +162,26 @@ def shared_topic(graph: RosGraph, cars: Sequence[str]) -> Optional[tuple[str, st
                 f"hears {topic} of {publishers[other][0]}, which drives another car: the drivers of"
                 f" {_listed(list(publishers))} share this topic; name it without the leading slash"
             )
+    return None
+
+
+def meddling(
+    graph: RosGraph, cars: Sequence[str], car_of: Callable[[str], Optional[str]]
+) -> Optional[tuple[str, str]]:
+    """A node of a car's driver that publishes what is between simulator and another car; and on which topic.
+
+    Nothing if there is none. `car_of`: whose driver started a node that no car's namespace holds, if any did.
+    """
+    drivers = {node: car for car in cars for node in driver_nodes_among(car, graph.nodes)}
+    for topic, publishers in sorted(graph.publishers.items()):
+        owner = next((car for car in cars if topic.startswith(f"/{car}/")), None)
+        ends = {*publishers, *graph.subscribers.get(topic, ())}
+        if owner is None or not (_SIMULATOR in ends or topic.endswith("/initialpose")):
+            continue
+        for node in set(publishers) - {_SIMULATOR}:
+            is_global = not node.startswith(tuple(f"{car}/" for car in cars))
+            if (car_of(node) if is_global else drivers.get(node, owner)) not in (None, owner):
+                return node, f"publishes {topic}, and drives another car"
     return None
 
 

@@ -11,6 +11,8 @@
 
 namespace f1tenth_scenarios
 {
+constexpr std::uint64_t kMegabyte = 1U << 20;  // bytes
+
 /// Writes what it hears on topics into a bag.
 class BagWriter
 {

@@ -14,10 +14,10 @@
 namespace
 {
 using f1tenth_scenarios::BagWriter;
+using f1tenth_scenarios::kMegabyte;
 using f1tenth_scenarios::NodesByTopic;
 using XmlRpc::XmlRpcValue;
 
-constexpr std::uint64_t kMegabyte = 1U << 20;  // bytes
 constexpr BagWriter::Limits kLimits{64 * kMegabyte, 256 * kMegabyte};
 const ros::WallDuration kPoll{0.02};
 const ros::WallDuration kLookPeriod{0.1};  // between two looks at who publishes what

@@ -8,9 +8,8 @@ namespace f1tenth_scenarios
 {
 namespace
 {
-constexpr std::uint32_t kNoLimit = 0;          // of a subscriber's queue
-constexpr double kPicturePeriod = 0.5;         // s, as the report shows them; whole, they would fill the bag at once
-constexpr std::uint64_t kMegabyte = 1U << 20;  // bytes
+constexpr std::uint32_t kNoLimit = 0;   // of a subscriber's queue
+constexpr double kPicturePeriod = 0.5;  // s, as the report shows them; whole, they would fill the bag at once
 const std::array<const char *, 3> kPictures{
   "sensor_msgs/Image", "sensor_msgs/CompressedImage", "sensor_msgs/PointCloud2"};
 }  // namespace
@@ -83,7 +82,7 @@ bool BagWriter::hasRoom(const std::string & name, Topic & topic, std::uint64_t s
   topic.subscriber.shutdown();
   std::array<char, 100> reason{};
   std::snprintf(
-    reason.data(), reason.size(), ": from %.3f s on, as %s has more than %d MB", now.toSec(),
+    reason.data(), reason.size(), ": left out from %.3f s on, as %s has more than %d MB", now.toSec(),
     is_too_much ? "it" : "all that the planner publishes",
     static_cast<int>((is_too_much ? limits_.topic : limits_.all) / kMegabyte));
   dropped_.push_back(name + reason.data());

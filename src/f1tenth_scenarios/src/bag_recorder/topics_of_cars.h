@@ -22,15 +22,16 @@ inline bool isOfCar(const std::set<std::string> & nodes, const std::vector<std::
 
 /// What the nodes in the namespaces of some cars publish and hear, wherever the topics are.
 ///
-/// Costmaps are left out: they would be most of a bag. So is what the simulator would only publish for the bag, as
-/// pictures of a camera that no planner looks at.
+/// Costmaps are left out: they would be most of a bag. So are the copies that the proxy driver passes on, and what the
+/// simulator would only publish for the bag, as pictures of a camera that no planner looks at.
 inline std::set<std::string> topicsOfCars(
   const NodesByTopic & publishers, const NodesByTopic & subscribers, const std::vector<std::string> & cars)
 {
   std::set<std::string> found;
   for (const NodesByTopic * ends : {&publishers, &subscribers}) {
     for (const auto & [topic, nodes] : *ends) {
-      if (topic.find("costmap") == std::string::npos && isOfCar(nodes, cars)) {
+      const bool is_copy = topic.find("/proxy_driver/") != std::string::npos;
+      if (!is_copy && topic.find("costmap") == std::string::npos && isOfCar(nodes, cars)) {
         found.insert(topic);
       }
     }

@@ -130,8 +130,8 @@ def test_what_is_too_much_is_named(bag, monkeypatch):
     replay, too_much = read_bag(file, ["robot1"])
     assert replay.drawings["/robot1/a"].stamps == [1, 2]
     assert too_much == [
-        "/robot1/a: from 3.000 s on, as it has more than 5 points",
-        "/robot1/b: as there are more than 1 of its kind",
+        "/robot1/a: left out from 3.000 s on, as it has more than 5 points",
+        "/robot1/b: left out, as there are more than 1 of its kind",
     ]
 
 

@@ -41,7 +41,7 @@ def test_bag_holds_what_a_planner_says_of_itself_but_no_costmaps(folder):
 
 def test_topic_that_grows_too_large_ends_early_and_is_named(folder):
     (said,) = valid_result(folder / "result.json")["not_written"]
-    assert said.startswith("run.bag: /robot1/noise: from ")
+    assert said.startswith("run.bag: /robot1/noise: left out from ")
     assert said.endswith(" s on, as it has more than 64 MB")
     with rosbag.Bag(str(folder / "run.bag")) as bag:
         assert 0 < bag.get_message_count("/robot1/noise") <= 16

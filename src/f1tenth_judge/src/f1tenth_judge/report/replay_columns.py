@@ -18,6 +18,7 @@ _PLAN_STEP = 0.2  # s, between two plans
 _GLOBAL_POINTS, _LOCAL_POINTS = 20, 8  # of a plan, at most
 _DRAWN_POINTS = 20_000  # of what a topic draws, about
 _STEPS = 2000  # between the least and the greatest of a planner's numbers
+_GREATEST = 1e300  # of a planner's numbers: their differences are finite
 _THUMBNAIL_POINTS = 50  # of a car's path, at most
 _POSE = ("x", "y", "yaw")
 
@@ -107,7 +108,7 @@ def _channels(track: CarTrack, step: float, channels: Mapping[str, Numbers]) -> 
 
 def _held(numbers: Numbers, times: np.ndarray) -> list[float]:
     """Each number until the next one."""
-    values = np.asarray(numbers.values, dtype=float)
+    values = np.clip(np.asarray(numbers.values, dtype=float), -_GREATEST, _GREATEST)
     last = np.searchsorted(numbers.stamps, times + STAMP_EPSILON, side="right") - 1
     span = np.ptp(values) or np.abs(values).max() or 1.0
     return column(values[last.clip(0)], max(span / _STEPS, np.abs(values).max() * 1e-12))

@@ -87,7 +87,9 @@ def _drawings(bag, cars: Sequence[str]) -> tuple[dict[str, Timed], list[str]]:
         if any(drawn.values):
             found[topic] = drawn
         if until is not None:
-            too_much.append(f"{topic}: from {until:.3f} s on, as it has more than {_MOST_POINTS} points")
+            too_much.append(
+                f"{topic}: left out from {until:.3f} s on, as it has more than {_MOST_POINTS} points"
+            )
     return found, [*too_much, *_crowded_out(topics)]
 
 
@@ -145,10 +147,11 @@ def _pictures(bag, cars: Sequence[str]) -> tuple[dict[str, Timed], list[str]]:
             found[topic] = seen
         if until is not None:
             too_much.append(
-                f"{topic}: from {until:.3f} s on, as there are more than {_MOST_PICTURES} pictures"
+                f"{topic}: left out from {until:.3f} s on, as there are more than {_MOST_PICTURES} pictures"
             )
     left = sorted(topics)[_MOST_CAMERAS:]
-    return found, [*too_much, *(f"{topic}: as there are more than {_MOST_CAMERAS} cameras" for topic in left)]
+    too_much += [f"{topic}: left out, as there are more than {_MOST_CAMERAS} cameras" for topic in left]
+    return found, too_much
 
 
 def _seen(bag, topic: str) -> tuple[Timed, Optional[float]]:
@@ -167,7 +170,7 @@ def _seen(bag, topic: str) -> tuple[Timed, Optional[float]]:
 
 def _crowded_out(topics) -> list[str]:
     return [
-        f"{topic}: as there are more than {_MOST_TOPICS} of its kind"
+        f"{topic}: left out, as there are more than {_MOST_TOPICS} of its kind"
         for topic in sorted(topics)[_MOST_TOPICS:]
     ]
 

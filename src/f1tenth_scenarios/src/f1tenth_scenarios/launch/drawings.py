@@ -89,7 +89,7 @@ def _drawing_of(marker) -> Optional[Drawing]:
 
 
 def _hex(colour) -> str:
-    parts = (min(max(each, 0.0), 1.0) for each in (colour.r, colour.g, colour.b))
+    parts = (min(max(each, 0.0), 1.0) if each == each else 0.0 for each in (colour.r, colour.g, colour.b))
     return "#" + "".join(f"{round(255 * each):02x}" for each in parts)
 
 

@@ -44,5 +44,5 @@ def _raw(message) -> Optional[Image.Image]:
 def _compressed(message) -> Optional[Image.Image]:
     try:
         return Image.open(io.BytesIO(bytes(message.data))).convert("RGB")
-    except OSError:  # of compressed depth, or broken
+    except (OSError, SyntaxError, ValueError, Image.DecompressionBombError):  # of compressed depth, or broken
         return None

@@ -33,9 +33,10 @@ class Place:
 class Feed:
     """Rows and events of a run, in memory once for all watchers. Not for several threads at once."""
 
-    def __init__(self, record: Path, interventions: Path):
+    def __init__(self, record: Path, interventions: Path, since: Optional[float] = None):
+        """`since`: when (Unix time, s) nothing of this run was written yet; none: now."""
         self._record, self._interventions = record, interventions
-        self._since = time.time() - _CLOCKS
+        self._since = time.time() - _CLOCKS if since is None else since
         self._beginning = 0
         self._clear()
 

@@ -122,11 +122,11 @@ class _Run:
         plan = make_plan(self._task["scenario"], Path(self._task["folder"]), self._task["settings"])
         return task_of(plan)
 
-    def _new_feed(self) -> Feed:
+    def _new_feed(self, since: Optional[float] = None) -> Feed:
         if not self._is_job:
             return Feed(Path(self._task["record"]), Path(self._task["interventions"]))
         log = Path(self._task["folder"]) / "log"
-        return Feed(log / "record.csv", log / "interventions.jsonl")
+        return Feed(log / "record.csv", log / "interventions.jsonl", since)
 
     def _end_if_over(self) -> bool:
         """Whether a job has a new result; how a single run ends is told."""
@@ -138,7 +138,8 @@ class _Run:
         self._result = {key: read[key] for key in _SHOWN if key in read}
         self._path = self.feed.paths(_PATH_ROWS)
         self._scene = None
-        self.feed = self._new_feed()
+        # What was written before the result belongs to the run that is over.
+        self.feed = self._new_feed(since=written * 1e-9 if written else None)
         self._change(_OVER)
         return True
 

@@ -9,7 +9,8 @@ import pytest
 from f1tenth_scenarios.launch.prompt_sockets import PromptSockets
 
 PROGRAM = """
-import os, socket, sys
+import os, socket, subprocess, sys
+another = subprocess.Popen(["sleep", "600"])
 listening = socket.create_server(("127.0.0.1", 0))
 def pair():
     one = socket.create_connection(listening.getsockname())
@@ -20,6 +21,7 @@ sys.stdin.readline()
 late = pair()
 print(*(each.getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY) != 0 for each in (*early, *late)))
 print(os.get_blocking(listening.fileno()))
+another.kill()
 """
 
 
@@ -46,7 +48,9 @@ def test_what_is_open_and_what_is_accepted_later(mark, told):
         assert process.stdout.readline() == "ready\n"
         sockets = PromptSockets([f"COLOUR={mark}"])
         sockets.poll()
-        assert not sockets.refusal
+        if sockets.refusal:
+            process.communicate("")
+            pytest.skip(f"the kernel does not give the sockets of other processes: {sockets.refusal}")
         assert process.communicate("go on\n")[0] == f"{told}\nTrue\n"
 
 

@@ -20,10 +20,14 @@ _INTERVAL = 0.1  # wall s: a planner's first period comes 0.3 s after the last o
 
 
 class PromptSockets:
-    """Finds the sockets of some processes, and sets TCP_NODELAY; what a socket accepts inherits it."""
+    """Finds the sockets of planners of several processes, and sets TCP_NODELAY.
+
+    What a socket accepts inherits it. A planner of one process has nobody whom it would keep waiting: the
+    simulator asks for its commands without delay.
+    """
 
     def __init__(self, marks: Iterable[str], clock: Callable[[], float] = time.monotonic):
-        """`marks`: NAME=VALUE, one of which is in the environment of each process; `clock`: wall time, s."""
+        """`marks`: NAME=VALUE in the environment of a planner's processes; `clock`: wall time, s."""
         self._marks = list(marks)
         self._clock = clock
         self._looked = -_INTERVAL
@@ -35,12 +39,18 @@ class PromptSockets:
         if not self._marks or self.refusal or self._clock() - self._looked < _INTERVAL:
             return
         self._looked = self._clock()
-        for pid in set().union(*map(marked_processes, self._marks)):
-            try:
-                self._reach(pid)
-            except OSError as error:
-                if error.errno not in _GONE:
-                    self.refusal = error.strerror or str(error)
+        for pids in map(marked_processes, self._marks):
+            for pid in pids if len(pids) > 1 else ():
+                self._try(pid)
+
+    def _try(self, pid: int) -> None:
+        try:
+            self._reach(pid)
+        except AttributeError:
+            self.refusal = "this Python cannot ask for them"  # built for Linux before 5.3
+        except OSError as error:
+            if error.errno not in _GONE:
+                self.refusal = error.strerror or str(error)
 
     def _reach(self, pid: int) -> None:
         folder = f"/proc/{pid}/fd"

@@ -250,15 +250,15 @@ class Cheating:
         rosnode.kill_nodes([name for name in rosnode.get_node_names() if name.startswith("/scenario_")])
 
     def takes_the_name_of_the_simulator(self):
-        self.start_as("sim2d")
+        self.start_as("sim2d", "/")
 
     def takes_the_name_of_the_proxy(self):
-        self.start_as("proxy_driver")
+        self.start_as("proxy_driver", "/robot1")
 
     @staticmethod
-    def start_as(name):
+    def start_as(name, namespace):
         text = f"import rospy; rospy.init_node({name!r}, disable_signals=True); rospy.spin()"
-        subprocess.Popen([sys.executable, "-c", text])
+        subprocess.Popen([sys.executable, "-c", text], env={**os.environ, "ROS_NAMESPACE": namespace})
 
     @staticmethod
     def pid_of(node):

@@ -1,5 +1,7 @@
 """What a driver is granted of wall time does not count the time for which others had the processors."""
 
+import os
+import signal
 import subprocess
 import sys
 import time
@@ -87,6 +89,14 @@ def test_kernel_tells_how_long_who_shares_a_processor_has_waited():
         for each in spinning:
             each.kill()
             each.wait()
+
+
+def test_who_is_stopped_would_run():
+    with subprocess.Popen(["sleep", "600"]) as process:
+        process.send_signal(signal.SIGSTOP)
+        os.waitpid(process.pid, os.WUNTRACED)
+        assert all(use.is_ready for use in processor_use([process.pid]).values())
+        process.kill()
 
 
 def test_who_is_gone_has_had_nothing():

@@ -18,6 +18,7 @@ Thread = tuple[int, int]  # ids of the process and of the thread
 Switches = dict[Thread, bytes]  # how often each thread has been switched to: digits
 
 _ASLEEP = b"SIZX"  # waiting, idle, or ended
+_READY = (b"R", b"T")  # running, or stopped by a signal
 _MOMENT = 0.015  # s; a sleep that has lasted longer is a long one
 _LONGEST_POLL = 0.003  # s, between two looks of a thread that polls
 _FEWEST_POLLS = 8
@@ -32,7 +33,7 @@ _SEARCH_LIMIT = 1 << 16  # bytes of an environment that are looked through
 class ProcessorUse(NamedTuple):
     """What a thread has had of the processors."""
 
-    is_ready: bool  # whether it runs, or would if it had one
+    is_ready: bool  # whether it runs, or would if it had one or were not stopped
     ran: float  # s
     waited: float  # s, ready to run
     switches: int  # how often it was switched to
@@ -240,7 +241,7 @@ def _use_of(pid: int, thread: int) -> ProcessorUse:
     """Nothing where the kernel does not tell; schedstat is in ns."""
     folder = f"/proc/{pid}/task/{thread}"
     ran, waited, switches = (_read(f"{folder}/schedstat").split() or (0, 0, 0))[:3]
-    return ProcessorUse(_state_of(folder) == b"R", int(ran) * 1e-9, int(waited) * 1e-9, int(switches))
+    return ProcessorUse(_state_of(folder) in _READY, int(ran) * 1e-9, int(waited) * 1e-9, int(switches))
 
 
 def _tells_waits() -> bool:

@@ -123,7 +123,7 @@ def test_planner_of_f1tenth_simulator_gets_topics_and_frames_as_there(planned):
 def test_bag_has_the_topics_of_the_car(planned):
     plan = planned(FOREIGN)
     write_launch_file(plan)
-    assert plan.launch_file.read_text(encoding="utf-8").count(" /front_laser/scan /truck/cmd_vel") == 1
+    assert plan.launch_file.read_text(encoding="utf-8").count('"/front_laser/scan", "/truck/cmd_vel"') == 1
 
 
 TWICE = FOREIGN + "  - name: robot2\n    description: truck.xacro\n" + FOREIGN

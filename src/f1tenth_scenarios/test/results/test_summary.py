@@ -60,7 +60,7 @@ def test_summary_of_a_failure_quotes_the_culprit(tmp_path):
     run = FakeRun(tmp_path).records(1.0).hears(failure=died())
     lines = summary(run.execute(), run.plan).splitlines()
     assert "failed:            verdict: error, limit success" in lines
-    assert "failed:            goals_in_order: 1 goals, limit 3 goals" in lines
+    assert "failed:            goals_in_order: 1 goal, limit 3 goals" in lines
     assert "log:               /log/move_base.log" in lines
     assert "                   last words" in lines
     assert "lap time:          none" in lines

@@ -101,10 +101,15 @@ def _lost_failure(plan, update):
 def _node_failure(plan, end, reason):
     for file, lines in _last_words(plan, end):
         if lines:
-            raised = exception_in(lines) if end.exit_code >= 0 else ""
+            raised = exception_in(lines) if _may_have_raised(end) else ""
             why = f"{reason}; it raised {raised}" if raised else reason
             return Failure(end.node, why, str(file), tuple(quoted(lines)))
     return Failure(end.node, reason, str(plan.launch_log), tuple(last_lines(plan.launch_log, LINE_COUNT)))
+
+
+def _may_have_raised(end: NodeEnd) -> bool:
+    """Whether an exception is why: not if it was killed, or ended well, which rospy's threads may not."""
+    return end.exit_code > 0 or (end.exit_code == 0 and end.said is None)
 
 
 def _last_words(plan: Plan, end: NodeEnd) -> Iterator[tuple[Path, list[str]]]:

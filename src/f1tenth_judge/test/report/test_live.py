@@ -85,7 +85,9 @@ def test_watchers_come_sleep_and_leave_and_the_run_is_the_same(tmp_path, capsys)
             lead_to("/report.html#watched")
             watcher.join(PATIENCE)
     news = [content for kind, content in told if kind == "news"]
-    assert [kind for kind, _ in told if kind != "alive"][:3] == ["standing", "standing", "scene"]
+    kinds = [kind for kind, _ in told if kind != "alive"]
+    # That it waits is told to who was quick enough.
+    assert kinds[: kinds.index("scene")] in (["standing"], ["standing", "standing"])
     assert [each["begins"] for each in news] == [True] + [False] * (len(news) - 1)
     times = [row[0] for each in news for row in each["cars"]["robot1"]]
     track = read_record(plan.record_file).tracks["robot1"]

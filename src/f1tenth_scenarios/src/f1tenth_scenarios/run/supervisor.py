@@ -87,9 +87,10 @@ class Supervisor:
         while True:
             self._poll()
             failure = self._broken()
+            # What somebody changed may be why something broke.
+            if self._is_disqualified() or (self.sound_until is None and self._decided()):
+                return self._watch.mixed_up()
             if self.sound_until is None:
-                if self._decided():
-                    return self._watch.mixed_up()
                 failure = self._failure()
             if failure:
                 self._poll()
@@ -121,7 +122,7 @@ class Supervisor:
         return failure
 
     def _decided(self) -> bool:
-        return self._so_far.is_cut_short(self.updates) or self._is_disqualified() or self._is_race_over()
+        return self._so_far.is_cut_short(self.updates) or self._is_race_over()
 
     def _is_race_over(self) -> bool:
         """Whether every task is done; outside lockstep the record lags behind what cars say of themselves."""

@@ -70,13 +70,19 @@ class FakeRun:
     def records(self, *arguments, **others):
         self._sources += 1
         source = write_record(self.folder / f"source{self._sources}.csv", rows(*arguments, **others))
-        return self._do(f"import shutil; shutil.copy({str(source)!r}, {str(self.plan.record_file)!r})\n")
+        return self._do(self._growing_to(source))
+
+    def _growing_to(self, source):
+        """As the simulator's, the record only grows: a copy would be empty for a moment."""
+        return (
+            f"data = open({str(source)!r}, 'rb').read()\n"
+            f"with open({str(self.plan.record_file)!r}, 'ab') as record: record.write(data[record.tell():])\n"
+        )
 
     def is_killed_while_the_simulator_goes_on(self, *arguments, **others):
         """The process that starts all is killed; a moment later the record goes on to what is given."""
         source = write_record(self.folder / "later.csv", rows(*arguments, **others))
-        copying = f"shutil.copy({str(source)!r}, {str(self.plan.record_file)!r})"
-        later = f"import shutil, time; time.sleep(0.2); {copying}; time.sleep(9)"
+        later = f"import time; time.sleep(0.2)\n{self._growing_to(source)}time.sleep(9)"
         self._do(f"import os, subprocess; subprocess.Popen([sys.executable, '-c', {later!r}])\n")
         return self._do("os.kill(os.getpid(), 9)\n")
 

@@ -1,7 +1,7 @@
 """What the replay shows of a bag: plans, models, and what planners draw and publish as numbers."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Optional
 
@@ -35,9 +35,11 @@ def read_bag(bag: Path, cars: Sequence[str]) -> tuple[Replay, list[str]]:
 
     try:
         with rosbag.Bag(str(bag)) as opened:
-            drawn, too_much = _drawings(opened, cars)
-            numbers, more = _channels(opened, cars)
-            seen, even_more = _pictures(opened, cars)
+            # Asked once: it goes through the index of every message.
+            kinds = {name: each.msg_type for name, each in opened.get_type_and_topic_info().topics.items()}
+            drawn, too_much = _drawings(opened, cars, kinds)
+            numbers, more = _channels(opened, cars, kinds)
+            seen, even_more = _pictures(opened, cars, kinds)
             replay = Replay(
                 global_plans=_plans(opened, cars, "global_plan"),
                 local_plans=_plans(opened, cars, "local_plan"),
@@ -77,13 +79,13 @@ def _models(bag, cars: Sequence[str]) -> dict[str, Poses]:
     return {name: Poses(*kept) for name, kept in found.items() if kept[0]}
 
 
-def _drawings(bag, cars: Sequence[str]) -> tuple[dict[str, Timed], list[str]]:
+def _drawings(bag, cars: Sequence[str], kinds: Mapping[str, str]) -> tuple[dict[str, Timed], list[str]]:
     frames = _Frames(bag)
     shown = [f"/{car}/move_base/{kind}" for car in cars for kind in ("global_plan", "local_plan")]
-    topics = {topic: kind for topic, (_, kind) in _topics_of(bag, cars, KINDS).items() if topic not in shown}
+    topics = [topic for topic in _topics_of(bag, cars, kinds, KINDS) if topic not in shown]
     found, too_much = {}, []
     for topic in sorted(topics)[:_MOST_TOPICS]:
-        drawn, until = _drawn(bag, topic, Board(topics[topic], frames))
+        drawn, until = _drawn(bag, topic, Board(kinds[topic], frames))
         if any(drawn.values):
             found[topic] = drawn
         if until is not None:
@@ -120,8 +122,8 @@ def _size(drawn: Sequence[Drawing]) -> int:
     return sum(sum(map(len, each.lines)) + len(each.dots) + len(each.texts) for each in drawn)
 
 
-def _channels(bag, cars: Sequence[str]) -> tuple[dict[str, Numbers], list[str]]:
-    topics = _topics_of(bag, cars, _NUMBERS)
+def _channels(bag, cars: Sequence[str], kinds: Mapping[str, str]) -> tuple[dict[str, Numbers], list[str]]:
+    topics = _topics_of(bag, cars, kinds, _NUMBERS)
     found = {}
     for topic in sorted(topics)[:_MOST_TOPICS]:
         stamps, values = [], []
@@ -131,15 +133,14 @@ def _channels(bag, cars: Sequence[str]) -> tuple[dict[str, Numbers], list[str]]:
                 stamps.append(round(now, 9))
                 values.append(message.data)
         if stamps:
-            found[topic] = Numbers(stamps, values, topics[topic][0])
+            found[topic] = Numbers(stamps, values, topics[topic])
     return found, _crowded_out(topics)
 
 
-def _pictures(bag, cars: Sequence[str]) -> tuple[dict[str, Timed], list[str]]:
+def _pictures(bag, cars: Sequence[str], kinds: Mapping[str, str]) -> tuple[dict[str, Timed], list[str]]:
     """What the cameras of cars have shown to somebody: nobody draws them for the bag alone."""
-    kinds = bag.get_type_and_topic_info().topics
     owned = [topic for topic in kinds if topic.startswith(tuple(f"/{car}/" for car in cars))]
-    topics = [topic for topic in owned if kinds[topic].msg_type in _CAMERAS]
+    topics = [topic for topic in owned if kinds[topic] in _CAMERAS]
     found, too_much = {}, []
     for topic in sorted(topics)[:_MOST_CAMERAS]:
         seen, until = _seen(bag, topic)
@@ -175,15 +176,15 @@ def _crowded_out(topics) -> list[str]:
     ]
 
 
-def _topics_of(bag, cars: Sequence[str], kinds) -> dict[str, tuple[str, str]]:
-    """The topics of some kinds that nodes of cars publish: by whose nodes, and of which kind."""
+def _topics_of(bag, cars: Sequence[str], kinds: Mapping[str, str], wanted: Collection[str]) -> dict[str, str]:
+    """The topics of the wanted kinds that nodes of cars publish, and of which car."""
     found = {}
-    for topic, each in bag.get_type_and_topic_info().topics.items():
-        if each.msg_type in kinds:
+    for topic, kind in kinds.items():
+        if kind in wanted:
             first = next(bag.read_messages([topic], raw=True, return_connection_header=True))
             car = first.connection_header["callerid"].decode().strip("/").partition("/")[0]
             if car in cars:
-                found[topic] = (car, each.msg_type)
+                found[topic] = car
     return found
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Callable, Optional
 
 import rospy
+from f1tenth_judge.places.goals import yaw_of
 from f1tenth_judge.report.live.rows import Rows
 from f1tenth_judge.report.live.watching import Serving
 from gazebo_msgs.msg import ModelStates
@@ -76,7 +77,7 @@ def task_of(descriptions: Mapping[str, str], world: str, record: Path) -> dict:
 def _columns(pose, twist) -> dict[str, float]:
     """Columns of a record; Gazebo gives velocities in the frame of the world."""
     turn, velocity = pose.orientation, twist.linear
-    yaw = math.atan2(2 * (turn.w * turn.z + turn.x * turn.y), 1 - 2 * (turn.y * turn.y + turn.z * turn.z))
+    yaw = yaw_of(turn.x, turn.y, turn.z, turn.w)
     along = math.cos(yaw) * velocity.x + math.sin(yaw) * velocity.y
     return {"x": pose.position.x, "y": pose.position.y, "yaw": yaw, "v_x": along}
 

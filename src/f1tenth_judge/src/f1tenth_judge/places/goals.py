@@ -69,4 +69,9 @@ def _goal(place: str, fields: list[str]) -> Pose:
             f"{place}: qx qy qz qw is not a unit quaternion: its length is {length:g}, expected 1 within "
             f"{_QUATERNION_TOLERANCE}"
         )
-    return Pose(x, y, math.atan2(2 * (qw * qz + qx * qy), 1 - 2 * (qy * qy + qz * qz)))
+    return Pose(x, y, yaw_of(qx, qy, qz, qw))
+
+
+def yaw_of(x: float, y: float, z: float, w: float) -> float:
+    """The heading that a unit quaternion means in the plane, rad."""
+    return math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))

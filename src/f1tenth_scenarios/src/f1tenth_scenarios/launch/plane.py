@@ -2,14 +2,14 @@
 
 import math
 
+from f1tenth_judge.places.goals import yaw_of
 from f1tenth_judge.record.replay import Planar, Point
 
 
 def planar(pose) -> Planar:
     """A geometry_msgs/Pose in the plane."""
     turn = pose.orientation
-    yaw = math.atan2(2 * (turn.w * turn.z + turn.x * turn.y), 1 - 2 * (turn.y * turn.y + turn.z * turn.z))
-    return (*point(pose.position), round(yaw, 4))
+    return (*point(pose.position), round(yaw_of(turn.x, turn.y, turn.z, turn.w), 4))
 
 
 def point(position) -> Point:

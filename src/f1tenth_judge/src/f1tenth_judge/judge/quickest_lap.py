@@ -96,9 +96,7 @@ def _vehicle(plan: Plan, car: str) -> f1tenth_sim2d.VehicleParameters:
     """The car's parameters, as the simulator has them."""
     vehicle, description = f1tenth_sim2d.VehicleParameters(), plan.cars[car].description
     named = next(each for each in plan.scenario.cars if each.name == car)
-    changes: dict[str, object] = dict(description.dynamics) if description else {}
-    changes |= {"model": named.model.value} if named.model else {}
-    changes |= {"mu": named.mu} if named.mu else {}
+    changes = (description.dynamics if description else {}) | named.vehicle_changes()
     for name, value in changes.items():
         setattr(vehicle, name, value)
     return vehicle

@@ -21,7 +21,6 @@ PERIOD = 0.025  # s, of a scan
 _STEP = 0.001  # s, of the simulation
 _SAMPLES = 5  # of an IMU in a period
 _CLEARANCE_LIMIT = 5.0  # m, as far as the record tells it
-_CHANGES = ("mu", "actuation_latency", "model")  # of a car's parameters that a scenario may make
 
 
 class DriveCommand(NamedTuple):
@@ -180,17 +179,14 @@ def _description(plan: Plan, car: Car) -> tuple[str, str]:
 
 def _digest(plan: Plan, car: Car) -> str:
     """Of the description of a car, and what the scenario changes of it."""
-    changes = {name: getattr(car, name) for name in _CHANGES}
-    changed = "".join(f"{name}: {value}\n" for name, value in changes.items() if value is not None)
+    changed = "".join(f"{name}: {getattr(car, name)}\n" for name in car.vehicle_changes())
     return hashlib.sha256((_description(plan, car)[0] + changed).encode()).hexdigest()
 
 
 def _parameters(car: Car, described: f1tenth_sim2d.Car) -> f1tenth_sim2d.VehicleParameters:
     parameters = copy.copy(described.parameters)
-    for name in _CHANGES:
-        value = getattr(car, name)
-        if value is not None:
-            setattr(parameters, name, getattr(value, "value", value))
+    for name, value in car.vehicle_changes().items():
+        setattr(parameters, name, value)
     return parameters
 
 

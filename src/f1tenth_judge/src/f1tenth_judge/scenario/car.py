@@ -5,7 +5,7 @@ import enum
 import re
 from bisect import bisect_right
 from collections.abc import Sequence
-from typing import Optional
+from typing import Any, Optional
 
 from f1tenth_judge.scenario.driver import Driver
 from f1tenth_judge.yaml_files.schema import Problem, key
@@ -169,6 +169,12 @@ class Car:
         if times != sorted(set(times)):
             return "commands", "must be in order of time ('at'), each time once"
         return self._problem_of_inputs()
+
+    def vehicle_changes(self) -> dict[str, Any]:
+        """What the scenario changes of the parameters of its vehicle, by their names there."""
+        model = None if self.model is None else self.model.value
+        named = {"mu": self.mu, "actuation_latency": self.actuation_latency, "model": model}
+        return {name: value for name, value in named.items() if value is not None}
 
     def faults_of(self, name: Input) -> list[InputFault]:
         """What befalls an input, in order of time."""

@@ -156,9 +156,7 @@ def _proxy_driver_arguments(plan: Plan, car: Car) -> dict[str, Any]:
 
 def _vehicle(plan: Plan, car: Car) -> str:
     """What the scenario changes of the car's parameters, as their YAML file; empty if nothing."""
-    model = None if car.model is None else car.model.value
-    named: dict[str, Any] = {"mu": car.mu, "actuation_latency": car.actuation_latency, "model": model}
-    changes = {name: value for name, value in named.items() if value is not None}
+    changes = car.vehicle_changes()
     description = plan.cars[car.name].description
     if changes and description:
         # What such a file does not say is the F1/10 car's, whatever the description says.

@@ -9,9 +9,9 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
-from scipy.stats import binomtest
 
 from f1tenth_judge.atomic import replacing
+from f1tenth_judge.results.intervals import Rate
 from f1tenth_judge.scenario.settings import unit_of
 
 _MOST_TICKS = 8
@@ -72,10 +72,9 @@ def _places(groups) -> tuple[dict[str, float], bool]:
 def _draw_rates(axes, groups):
     places, _ = _places(groups)
     for name, rows in groups.items():
-        passed = sum(row["passed"] for row in rows)
-        low, high = binomtest(passed, len(rows)).proportion_ci(method="wilson")
+        rate, low, high = Rate(sum(row["passed"] for row in rows), len(rows)).interval
         axes.plot([places[name]] * 2, [low, high], color="#9db2f5", linewidth=5, solid_capstyle="round")
-        axes.plot(places[name], passed / len(rows), "o", color="#2f5bea")
+        axes.plot(places[name], rate, "o", color="#2f5bea")
     axes.set_ylim(-0.04, 1.04)
     _decorate(axes)
 

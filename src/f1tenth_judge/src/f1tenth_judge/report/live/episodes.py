@@ -6,21 +6,13 @@ from typing import Any
 
 from f1tenth_sim2d.environments.stage import Stage
 
-from f1tenth_judge.record.record import Record
+from f1tenth_judge.record.record import COLUMNS, Record
 from f1tenth_judge.report.episodes import scene_of_stage
 from f1tenth_judge.report.live.rows import Rows
 from f1tenth_judge.report.live.watching import Serving
 from f1tenth_judge.report.replay_columns import pack_run, pack_world
 
-_FELT = (
-    "x",
-    "y",
-    "yaw",
-    "v_x",
-    "v_y",
-    "yaw_rate",
-    "steering_angle",
-)  # columns of a record, as results call them
+_FELT = COLUMNS[COLUMNS.index("x") : COLUMNS.index("clearance")]  # as results call them, too
 
 
 class Watch:

@@ -99,7 +99,7 @@ def result(name, passed=True, commit="0123456789ab", **others):
 def race_result(name, **others):
     """The content of a result.json of two cars."""
     cars = {
-        "robot1": {**driven_by("/home/me/gap.py:Gap", "Python class"), "lap_times": [9.5], "finish": 9.5},
+        "robot1": {**driven_by("/robots/gap.py:Gap", "Python class"), "lap_times": [9.5], "finish": 9.5},
         "robot2": {**driven_by("race", "launch file of ROS 1"), "lap_times": [10.75], "finish": 10.75},
     }
     winner = {"car": "robot1", "second": "robot2", "ahead": 1.25}

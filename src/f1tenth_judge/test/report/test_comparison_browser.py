@@ -20,7 +20,7 @@ FAST, SLOW = 1.5, 1.0  # m/s
 def report(tmp_path_factory):
     folder = tmp_path_factory.mktemp("comparison")
     for name, speed in (("fast", FAST), ("slow", SLOW)):
-        cars = {"robot1": {**driven_by(f"/home/me/{name}.py:Planner", "Python class"), "lap_times": []}}
+        cars = {"robot1": {**driven_by(f"/robots/{name}.py:Planner", "Python class"), "lap_times": []}}
         write_run(folder / "results" / name, result(name, cars=cars), speed=speed, end=20.0)
     write_report(folder / "results", folder / "report.html")
     return (folder / "report.html").as_uri()

@@ -121,7 +121,7 @@ def driven_by(planner):
 
 
 def test_any_two_runs_are_compared_and_their_planners_named(results, capsys):
-    base = results("base", mine=driven_by("/home/me/gap.py:Gap") | lap(10.0))
+    base = results("base", mine=driven_by("/robots/gap.py:Gap") | lap(10.0))
     head = results("head", theirs=driven_by("race") | lap(9.0))
     assert cli.main(["compare", f"{base}/mine", f"{head}/theirs"]) == 0
     line = capsys.readouterr().out.splitlines()[1]

@@ -21,9 +21,9 @@ def test_nobody_wins_alone_in_a_tie_or_when_none_finished():
 
 
 def test_a_planner_is_told_with_its_kind_and_its_car():
-    mine = Car("robot1", driver=Driver(python="/home/me/gap.py:Gap"), description="truck.urdf")
+    mine = Car("robot1", driver=Driver(python="/robots/gap.py:Gap"), description="truck.urdf")
     assert who(mine) == {
-        "planner": "/home/me/gap.py:Gap",
+        "planner": "/robots/gap.py:Gap",
         "driver": "Python class",
         "description": "truck.urdf",
     }

@@ -1,5 +1,7 @@
 """When processes are at rest: all that they were given is handled."""
 
+import itertools
+import math
 import os
 import subprocess
 import sys
@@ -120,6 +122,37 @@ def test_who_polls_is_told_by_how_often_it_could(switches, waited, polls):
     begin, end = (ProcessorUse(False, 0, 1.0, 100), ProcessorUse(False, 9, 1.0 + waited, 100 + switches))
     rest.learn({(1, 2): begin}, {(1, 2): end}, 0.1)
     assert ((1, 2) in rest._pollers) == polls
+
+
+class Told:
+    """What the kernel tells of a thread; each question takes a moment."""
+
+    def __init__(self, moments):
+        self._moments = moments
+        self.woken = self.works = math.inf  # moments; its work takes none
+
+    def runs(self):
+        return self.woken <= next(self._moments) < self.works
+
+    def switches(self):
+        return b"8" if next(self._moments) >= self.works else b"7"
+
+
+@pytest.mark.parametrize("works", range(12))
+@pytest.mark.parametrize("later", range(1, 5))
+def test_work_that_is_handed_on_between_two_questions_is_not_overlooked(monkeypatch, works, later):
+    moments, rest = itertools.count(), Rest()
+    first, second = Told(moments), Told(moments)
+    monkeypatch.setattr(rest, "_list", lambda pids: None)
+    monkeypatch.setattr(rest, "_wait_of", lambda thread: b"futex_wait_queue")
+    rest._threads = {(1, 1): second, (1, 2): first}
+    assert rest.is_reached([1])
+    rest.renew()
+    first.woken = next(moments)
+    first.works = second.woken = first.woken + works
+    second.works = second.woken + later
+    assert any(rest.is_reached([1]) for _ in range(20))
+    assert next(moments) > second.works
 
 
 def test_who_computes_is_not_at_rest(start):

@@ -130,12 +130,15 @@ class Rest:
         if self._threads.keys() != found.keys():
             return False
         for thread, files in self._threads.items():
-            if files.switches() != found[thread]:
-                return False
+            # Its switches last: one that is woken, works and sleeps again between two questions has others.
             if files.runs():
                 self._awake = files
                 return False
-        return all(self._sleeps_on(each, found[each]) or self._wait_of(each) is not None for each in found)
+            if not self._sleeps_on(thread, found[thread]) and self._wait_of(thread) is None:
+                return False
+            if files.switches() != found[thread]:
+                return False
+        return True
 
     def _list(self, pids: Iterable[int]) -> None:
         present = [(pid, thread) for pid in pids for thread in _threads(pid) if thread != self._ignored]

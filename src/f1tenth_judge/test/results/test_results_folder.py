@@ -125,15 +125,27 @@ def test_log_of_a_run_that_was_killed_does_not_take_the_place_of_an_earlier_one(
 
 
 @pytest.mark.parametrize("is_killed", [False, True])
-def test_results_come_back_if_new_ones_cannot_be_written(tmp_path, is_killed):
+@pytest.mark.parametrize("driver", ["a", "b"])
+def test_results_come_back_with_their_log_if_new_ones_cannot_be_written(tmp_path, is_killed, driver):
     run(tmp_path, "a", 1)
-    with claimed(tmp_path, tmp_path / "log", {"commit": "a", "driver_commits": {"robot1": "a"}}) as claim:
+    commits = {"commit": "a", "driver_commits": {"robot1": driver}}
+    with claimed(tmp_path, tmp_path / "log", commits) as claim:
+        (tmp_path / "log" / "seed").write_text("2", encoding="utf-8")
         place = claim.place_of_results()
         assert not (place / "trajectory.csv").exists()
         claim.close = (lambda: None) if is_killed else claim.close
     if is_killed:
-        with claimed(tmp_path, tmp_path / "log", COMMITS):
-            pass
-    assert seed_of(tmp_path) == 1
+        interrupt(tmp_path, 2)
+    assert (seed_of(tmp_path), log_of(tmp_path), log_of(tmp_path / "interrupted")) == (1, "1", "2")
     assert (tmp_path / "trajectory.csv").read_text(encoding="utf-8") == "1"
-    assert not (tmp_path / ".earlier").exists()
+    assert not list(tmp_path.glob(".earlier*"))
+
+
+def test_run_that_is_killed_when_its_result_is_written_has_its_own_log(tmp_path):
+    run(tmp_path, "a", 1)
+    with claimed(tmp_path, tmp_path / "log", {"commit": "b", "driver_commits": {}}) as claim:
+        (tmp_path / "log" / "seed").write_text("2", encoding="utf-8")
+        (claim.place_of_results() / "result.json").write_text('{"seed": 2}', encoding="utf-8")
+        claim.close = lambda: None
+    interrupt(tmp_path, 3)
+    assert (seed_of(tmp_path), log_of(tmp_path), seed_of(tmp_path / "previous")) == (2, "2", 1)

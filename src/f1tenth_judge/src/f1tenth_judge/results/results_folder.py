@@ -3,7 +3,7 @@
 import contextlib
 import fcntl
 import shutil
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -18,8 +18,8 @@ _EARLIER_LOG, _EARLIER = ".earlier_log", ".earlier"
 def claimed(folder: Path, log_folder: Path, commits: Mapping[str, Any]) -> Iterator["ResultsFolder"]:
     """Keep other runs out while the block runs; log_folder is there and empty.
 
-    If the block does not ask for the place of the final results, everything is as it was before, and
-    what was written to log_folder is in the folder `interrupted`.
+    If no final result is written, everything is as it was before, and what was written to log_folder is in
+    the folder `interrupted`.
 
     Args:
         folder: for the results
@@ -46,10 +46,7 @@ class ResultsFolder:
     def __init__(self, folder: Path, log_folder: Path, commits: Mapping[str, Any]):
         self._folder, self._log, self._commits = folder, log_folder, commits
         self._earlier_log, self._earlier = folder / _EARLIER_LOG, folder / _EARLIER
-        self._is_over = False
-        self._keep_or_drop_earlier()  # of a run that was killed
-        if self._earlier_log.exists():  # of a run that was killed
-            self._restore_log()
+        self._end_run()  # one that was killed
         if self._log.exists():
             self._log.rename(self._earlier_log)
         self._log.mkdir()
@@ -57,19 +54,15 @@ class ResultsFolder:
     def place_of_results(self) -> Path:
         """Where the results of a run that came to its end are to be written.
 
-        Earlier results are in the folder `previous` if they are of another commit than ours (or of a working
-        copy with changes, which may be anything), be it of the workspace or of a driver. Others come back
-        if no result is written, because the disk is full, say.
+        When they are, earlier ones are in the folder `previous` if they are of another commit than ours (or of
+        a working copy with changes, which may be anything), be it of the workspace or of a driver.
 
         Raises:
-            ScenarioError: they cannot be moved.
+            ScenarioError: earlier results cannot be moved.
         """
-        self._is_over = True
-        shutil.rmtree(self._earlier_log, ignore_errors=True)
-        result = self._folder / RESULT_FILE
-        is_other = result.exists() and _is_other(_commits_of(result), self._commits)
         with writing(self._folder):
-            _move(self._folder, _emptied(self._folder / PREVIOUS_FOLDER if is_other else self._earlier))
+            _move(RUN_FILES, self._folder, _emptied(self._earlier))
+            _move([_EARLIER_LOG], self._folder, self._earlier)
         return self._folder
 
     def place_of_interrupted(self) -> Path:
@@ -78,25 +71,33 @@ class ResultsFolder:
 
     def close(self) -> None:
         """The run is over."""
-        if self._is_over:
-            self._keep_or_drop_earlier()
-            return
-        interrupted = self._folder / INTERRUPTED_FOLDER
-        interrupted.mkdir(exist_ok=True)
-        shutil.rmtree(interrupted / self._log.name, ignore_errors=True)
-        with contextlib.suppress(FileNotFoundError):  # somebody removed it
-            self._log.rename(interrupted / self._log.name)
-        self._restore_log()
+        if not self._has_result():
+            interrupted = self._folder / INTERRUPTED_FOLDER
+            interrupted.mkdir(exist_ok=True)
+            shutil.rmtree(interrupted / self._log.name, ignore_errors=True)
+            with contextlib.suppress(FileNotFoundError):  # somebody removed it
+                self._log.rename(interrupted / self._log.name)
+        self._end_run()
 
-    def _keep_or_drop_earlier(self) -> None:
-        if not (self._folder / RESULT_FILE).exists():
-            _move(self._earlier, self._folder)
+    def _has_result(self) -> bool:
+        """Whether there is one of the run in progress: earlier results are out of its way by then."""
+        return self._earlier.exists() and (self._folder / RESULT_FILE).exists()
+
+    def _end_run(self) -> None:
+        """Let earlier results go, or come back."""
+        if self._has_result():
+            shutil.rmtree(self._earlier / _EARLIER_LOG, ignore_errors=True)
+            result = self._earlier / RESULT_FILE
+            if result.exists() and _is_other(_commits_of(result), self._commits):
+                previous = self._folder / PREVIOUS_FOLDER
+                shutil.rmtree(previous, ignore_errors=True)
+                self._earlier.rename(previous)
+        else:
+            _move([*RUN_FILES, _EARLIER_LOG], self._earlier, self._folder)
+            if self._earlier_log.exists():
+                shutil.rmtree(self._log, ignore_errors=True)
+                self._earlier_log.rename(self._log)
         shutil.rmtree(self._earlier, ignore_errors=True)
-
-    def _restore_log(self) -> None:
-        shutil.rmtree(self._log, ignore_errors=True)
-        with contextlib.suppress(FileNotFoundError):
-            self._earlier_log.rename(self._log)
 
 
 def _lock(folder, lock):
@@ -112,8 +113,8 @@ def _emptied(folder: Path) -> Path:
     return folder
 
 
-def _move(source: Path, target: Path) -> None:
-    for name in RUN_FILES:
+def _move(names: Iterable[str], source: Path, target: Path) -> None:
+    for name in names:
         with contextlib.suppress(FileNotFoundError):
             (source / name).rename(target / name)
 

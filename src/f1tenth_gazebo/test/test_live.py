@@ -10,7 +10,11 @@ from geometry_msgs.msg import Pose, Twist
 
 from f1tenth_gazebo import live
 
-PARAMETERS = {"/robot1/robot_description": "<robot/>", "/sim2d/world": "/worlds/mine.world"}
+PARAMETERS = {
+    "/robot1/robot_description": "<robot/>",
+    "/robot2/robot_description": "<robot/>",
+    "/sim2d/world": "/worlds/mine.world",
+}
 
 
 class FakeServing:
@@ -20,6 +24,9 @@ class FakeServing:
 
     def __init__(self, runs, *_):
         FakeServing.tasks += runs
+
+    def say(self, task):
+        FakeServing.tasks.append(task)
 
     def close(self):
         pass
@@ -65,6 +72,24 @@ def test_simulation_that_is_reset_begins_anew(shown):
     news = feed.news(place)
     assert news["begins"]
     assert [row[0] for row in news["cars"]["robot1"]] == [0.1]
+
+
+def test_car_that_is_spawned_later_is_shown_with_all_that_was_before(shown):
+    shown.take(states(1.0), 0.1)
+    spawned = states(2.0)
+    spawned.name.append("robot2")
+    spawned.pose.append(Pose())
+    spawned.twist.append(Twist())
+    place = Place()
+    feed = Feed(Path(FakeServing.tasks[0]["record"]), Path(FakeServing.tasks[0]["interventions"]))
+    feed.poll()
+    feed.news(place)
+    shown.take(spawned, 0.2)
+    assert [list(task["descriptions"]) for task in FakeServing.tasks] == [["robot1"], ["robot1", "robot2"]]
+    feed.poll()
+    news = feed.news(place)
+    assert news["begins"]
+    assert {car: len(rows) for car, rows in news["cars"].items()} == {"robot1": 2, "robot2": 1}
 
 
 def test_nothing_is_served_before_there_is_a_car(shown):

@@ -29,7 +29,8 @@ class Live:
         self._parameter = parameter
         self._rows = Rows(self._file)
         self._serving: Optional[Serving] = None
-        self._cars: list[str] = []
+        self._models: set[str] = set()  # those that were asked for, cars or not
+        self._cars: dict[str, str] = {}  # robot_description by name
         self._time = math.inf
 
     def close(self) -> None:
@@ -40,8 +41,8 @@ class Live:
 
     def take(self, states, now: float) -> None:
         """Show gazebo_msgs/ModelStates at a time (s); one that goes back begins anew."""
-        if self._serving is None:
-            self._begin_to_serve(states.name)
+        if not self._models.issuperset(states.name):
+            self._look_for_cars(states.name)
         if now < self._time:
             self._rows.begin()
         self._time = now
@@ -50,13 +51,16 @@ class Live:
                 self._rows.write(now, name, **_columns(pose, twist))
         self._rows.flush()
 
-    def _begin_to_serve(self, models) -> None:
-        texts = {name: self._parameter(f"/{name}/robot_description") for name in models}
-        cars = {name: text for name, text in texts.items() if text}
-        if cars:
-            self._cars = list(cars)
-            task = task_of(cars, self._parameter("/sim2d/world"), self._file)
-            self._serving = Serving([task], _NAME, self._file.parent)
+    def _look_for_cars(self, models) -> None:
+        new = {name: self._parameter(f"/{name}/robot_description") for name in {*models} - self._models}
+        self._models.update(models)
+        if cars := {name: text for name, text in new.items() if text}:
+            self._cars.update(cars)
+            task = task_of(self._cars, self._parameter("/sim2d/world"), self._file)
+            if self._serving:
+                self._serving.say(task)
+            else:
+                self._serving = Serving([task], _NAME, self._file.parent)
 
 
 def task_of(descriptions: Mapping[str, str], world: str, record: Path) -> dict:

@@ -298,6 +298,35 @@ def test_a_run_of_an_earlier_league_is_over_until_it_is_driven_again(job, tmp_pa
     assert [said["state"] for kind, said in runs.news(watcher, 0.0) if kind == "standing"] == ["driving"]
 
 
+def test_damaged_record_is_told_as_far_as_it_can_be_read(feed, tmp_path):
+    file = tmp_path / "record.csv"
+    write_record(file, rows(1.0))
+    header, *lines = file.read_bytes().splitlines(keepends=True)
+    cut = lines[3].replace(b",", b";")
+    wrong = [line.replace(line.split(b",")[2], each) for line, each in zip(lines, (b"x", b"nan", b"\xff\0"))]
+    file.write_bytes(header + b"".join([*wrong, cut, b"\0" * 100 + b"\n", *lines[4:]]))
+    feed.poll()
+    assert len(feed.news(Place())["cars"]["robot1"]) >= 18
+
+
+def test_record_that_cannot_be_read_is_no_news(tmp_path):
+    (tmp_path / "record.csv").mkdir()
+    assert not Feed(tmp_path / "record.csv", tmp_path / "none").poll()
+
+
+def test_car_that_comes_later_is_in_the_scene_from_then_on(tmp_path):
+    before = task_of(race_plan(tmp_path))
+    runs, watcher = Runs([before]), Watcher()
+    Path(before["record"]).parent.mkdir(parents=True)
+    write_record(Path(before["record"]), rows(1.0))
+    runs.poll()
+    runs.news(watcher, 0.0)
+    runs.renew({**before, "descriptions": {**before["descriptions"], "robot2": None}})
+    _, news = runs.news(watcher, 0.0)[-1]
+    assert (news["begins"], len(news["cars"]["robot1"])) == (True, 20)
+    assert runs.scene("watched")["columns"] != Runs([before]).scene("watched")["columns"]
+
+
 def test_what_an_earlier_run_has_left_is_not_told(tmp_path):
     write_record(tmp_path / "record.csv", rows(2.0))
     os.utime(tmp_path / "record.csv", (1.0, 1.0))

@@ -1,7 +1,8 @@
 """Serves runs that other processes drive: python3 -m f1tenth_judge.report.live, which watching.py starts.
 
-The first line of the standard input is the task; the second, if there is one, the page that the watchers are
-sent to at the end. The address is written to the standard output. Ends with the runs.
+The first line of the standard input is the task. Others are the task of a run in which there are other cars now,
+or the last one, the page that the watchers are sent to at the end. The address is written to the standard output.
+Ends with the runs.
 """
 
 import json
@@ -10,6 +11,7 @@ import sys
 import threading
 import time
 from pathlib import Path
+from typing import Any
 
 from f1tenth_judge.report.live.runs import Runs
 from f1tenth_judge.report.live.server import Server
@@ -35,9 +37,16 @@ def main() -> None:
 
 
 def _wait_for_end(runs: Runs) -> None:
-    last = sys.stdin.readline()
+    end: dict[str, Any] = {}
+    for line in sys.stdin:
+        said = json.loads(line)
+        if "name" in said:
+            runs.renew(said)
+        else:
+            end = said
+            break
     runs.poll()
-    runs.finish(json.loads(last) if last else {})
+    runs.finish(end)
 
 
 def _say_goodbye(server: Server) -> None:

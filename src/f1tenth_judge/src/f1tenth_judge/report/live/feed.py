@@ -62,6 +62,10 @@ class Feed:
             self._take_interventions()
         return bool(lines)
 
+    def tell_again(self) -> None:
+        """Tell everybody all from the beginning: there is another car."""
+        self._beginning += 1
+
     def paths(self, points: int) -> list[list[list[float]]]:
         """Where the cars have been (m), thinned."""
         return [[row[1:3] for row in _thinned(rows, points)] for rows in self._rows.values()]
@@ -100,22 +104,24 @@ class Feed:
                 self._file = status.st_ino
                 stream.seek(self._offset)
                 data = stream.read()
-        except FileNotFoundError:
-            return []
+        except OSError:
+            return []  # not there yet, or the judge says what is wrong
         self._offset += len(data)
         *lines, self._rest = (self._rest + data).split(b"\n")
         return [line.decode("utf-8", "replace") for line in lines]
 
     def _take(self, cells: list[str]) -> None:
-        if len(cells) != len(COLUMNS) or cells[0] == COLUMNS[0]:
+        row = _shown(cells)
+        if row is None:
             return
-        row: list[Any] = [round(float(cells[index]), 4) if cells[index] else None for index in _SHOWN]
+        if cells[_CAR] not in self._rows:
+            self.tell_again()
         rows = self._rows.setdefault(cells[_CAR], [])
         if rows and row[0] < rows[-1][0]:  # another episode, whose file the system took for the same
             self._forget()
             rows = self._rows.setdefault(cells[_CAR], [])
         is_due = not rows or row[0] >= rows[-1][0] + _STEP - STAMP_EPSILON
-        if is_due and all(each is None or math.isfinite(each) for each in row):
+        if is_due:
             rows.append(row)
             if len(rows) > _KEPT_ROWS:
                 del rows[1 : _KEPT_ROWS // 2 : 2]
@@ -141,6 +147,17 @@ class Feed:
         if len(self._events) > _KEPT_EVENTS:
             del self._events[0]
             self._forgotten += 1
+
+
+def _shown(cells: list[str]) -> Optional[list[Any]]:
+    """What is told of a row of a record; None if it is none, which the judge will say."""
+    if len(cells) != len(COLUMNS):
+        return None
+    try:
+        row = [round(float(cells[index]), 4) if cells[index] else None for index in _SHOWN]
+    except ValueError:
+        return None
+    return row if row[0] is not None and all(each is None or math.isfinite(each) for each in row) else None
 
 
 def _after(rows: list[list[float]], time: float) -> list[list[float]]:

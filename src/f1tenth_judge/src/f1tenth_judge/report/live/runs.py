@@ -46,6 +46,12 @@ class Runs:
             if any(news):
                 self._changed.notify_all()
 
+    def renew(self, task: Mapping[str, Any]) -> None:
+        """There are other cars in a run, as its task says."""
+        with self._changed:
+            self._runs[task["name"]].renew(task)
+            self._changed.notify_all()
+
     def finish(self, end: dict[str, Any]) -> None:
         """All is over."""
         with self._changed:
@@ -104,6 +110,12 @@ class _Run:
                 self._change(_DRIVING)
             return True
         return self.state == _DRIVING and self._end_if_over()
+
+    def renew(self, task: Mapping[str, Any]) -> None:
+        """Tell all anew, with what another task of its says."""
+        with self._lock:
+            self._task, self._scene = task, task.get("scene")
+        self.feed.tell_again()
 
     def standing(self) -> dict[str, Any]:
         """In what state it is, and what came out."""

@@ -100,6 +100,9 @@ class Planner(Protocol):
 
     What it prints goes to a log. If it raises, ends, or takes longer than the scenario allows
     (`limits.answer`, wall time), the verdict is `error`, and the reason says so.
+
+    If it has an attribute `notes`, a dictionary, the report shows what is in there after each plan(): numbers
+    as charts, points (x, y) and lines of them, m in `map`, on the map.
     """
 
     def reset(self, info: Mapping[str, Any]) -> None:

@@ -7,7 +7,8 @@ import math
 import PIL.Image
 import pytest
 import rospy
-from f1tenth_judge.record.replay import Drawing
+from f1tenth_judge.record.replay import Drawing, Timed
+from f1tenth_judge.said import said as limits
 from f1tenth_scenarios.launch.bag_reader import read_bag
 from geometry_msgs.msg import Point, Pose, PoseArray, PoseStamped, TransformStamped
 from nav_msgs.msg import Path
@@ -15,8 +16,6 @@ from sensor_msgs.msg import CompressedImage, Image
 from std_msgs.msg import Float32, Float64
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
-
-from f1tenth_scenarios.launch import bag_reader
 
 GREEN = "#00ff00"
 
@@ -103,7 +102,7 @@ def test_markers_in_the_frame_of_a_car_are_drawn_where_it_was(bag):
     lost = marker(Marker.POINTS, (1, 0), frame="nowhere", number=1)
     file = bag(transform(1.0, 1.0), transform(2.0, 2.0), ("/robot1/a", 1.5, said), ("/robot1/b", 1.5, lost))
     assert read_bag(file, ["robot1"])[0].drawings == {
-        "/robot1/a": bag_reader.Timed([1.5], [[drawing(dots=[(1.5, 1.0, 0.2)])]])
+        "/robot1/a": Timed([1.5], [[drawing(dots=[(1.5, 1.0, 0.2)])]])
     }
 
 
@@ -123,8 +122,8 @@ def test_what_cannot_be_seen_is_not_drawn(bag):
 
 
 def test_what_is_too_much_is_named(bag, monkeypatch):
-    monkeypatch.setattr(bag_reader, "_MOST_POINTS", 5)
-    monkeypatch.setattr(bag_reader, "_MOST_TOPICS", 1)
+    monkeypatch.setattr(limits, "_MOST_POINTS", 5)
+    monkeypatch.setattr(limits, "_MOST_TOPICS", 1)
     line = marker(Marker.LINE_STRIP, (0, 0), (1, 0), (2, 0))
     file = bag(*(("/robot1/a", stamp, line) for stamp in (1, 2, 3, 4)), ("/robot1/b", 1, line))
     replay, too_much = read_bag(file, ["robot1"])

@@ -54,8 +54,8 @@ class ResultsFolder:
     def place_of_results(self) -> Path:
         """Where the results of a run that came to its end are to be written.
 
-        When they are, earlier ones are in the folder `previous` if they are of another commit than ours (or of
-        a working copy with changes, which may be anything), be it of the workspace or of a driver.
+        When they are, earlier ones are in the folder `previous` if they are of another commit than ours (or
+        of a working copy with changes, which may be anything), be it of the workspace or of a driver.
 
         Raises:
             ScenarioError: earlier results cannot be moved.

@@ -14,7 +14,6 @@ from f1tenth_judge.plan.scenario_world import write_world
 from f1tenth_judge.record.files import REPLAY_FILE
 from f1tenth_judge.record.observations import Observations
 from f1tenth_judge.record.record import read_record
-from f1tenth_judge.record.replay import Replay
 from f1tenth_judge.record.scene import scene_of
 from f1tenth_judge.results import versions
 from f1tenth_judge.results.result import Result
@@ -55,6 +54,7 @@ def execute(
         # First, because whatever else cannot be written must not cost the verdict.
         write_verdict(plan, done)
         problems = write_rest(folder, worth_a_wait(_files(plan, done, stage), stop))
+        problems += tuple(f"{REPLAY_FILE}: {each}" for each in stage.said.left_out)
         done = dataclasses.replace(done, wall_time=time.monotonic() - started, not_written=problems)
         with contextlib.suppress(ScenarioError):  # what it wrote before was complete except for the time
             write_verdict(plan, done)
@@ -72,11 +72,11 @@ def _drive(plan: Plan, make_drivers: Drivers, stop: StopRequest, progress: Progr
     seen = Observations(read_record(plan.record_file), failure=failure)
     done = judged(plan, seen, loop.pace.factor, {})
     note = "; ".join(filter(None, (done.note, *notes)))
-    return dataclasses.replace(done, note=note, inputs=stage.inputs), stage
+    return dataclasses.replace(done, note=note, inputs=stage.inputs, published=stage.said.replay()), stage
 
 
 def _files(plan: Plan, done: Result, stage: Stage) -> Files:
     # The module imports matplotlib.
     files = files_of_record(plan, done, lambda: importlib.import_module("f1tenth_judge.results.picture"))
     scene = scene_of(stage.world, stage.descriptions)
-    return {**files, REPLAY_FILE: lambda path: write_scene(path, plan, done, scene, Replay())}
+    return {**files, REPLAY_FILE: lambda path: write_scene(path, plan, done, scene, done.published)}

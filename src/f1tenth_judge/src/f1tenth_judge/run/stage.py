@@ -8,6 +8,7 @@ from typing import NamedTuple, Optional, Union
 
 import numpy as np
 from f1tenth_sim2d.environments.xacro_file import expanded
+from PIL import Image
 
 import f1tenth_sim2d
 from f1tenth_judge.errors import ScenarioError
@@ -15,6 +16,8 @@ from f1tenth_judge.places.packages import package_path
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.planner import Eye, Picture
 from f1tenth_judge.record.scene import lidar_of
+from f1tenth_judge.said.said import Said
+from f1tenth_judge.said.thumbnails import small
 from f1tenth_judge.scenario.car import Car
 
 PERIOD = 0.025  # s, of a scan
@@ -63,6 +66,7 @@ class Stage:
             "cars_sha256": {car.name: _digest(plan, car) for car in plan.scenario.cars},
         }
         self.descriptions = {car: self._simulation.car(number) for car, number in self._ids.items()}
+        self.said = Said()  # by planners, besides their commands
         self._imu: dict[str, list] = {car: [] for car in self._ids}
         self._periods = 0
 
@@ -115,6 +119,11 @@ class Stage:
     def look(self, car: str, eye: Eye) -> Picture:
         """What an eye of a car sees now. The first look reads the files of all that can be seen."""
         return Picture(*self._simulation.look(self._ids[car], eye.camera, eye.name))
+
+    def show(self, car: str, eye: Eye, colour: np.ndarray) -> None:
+        """Keep what a planner has been shown of an eye, small, for the replay."""
+        topic = f"/{car}/{eye.camera}/{eye.name}"
+        self.said.picture(topic, self.time, lambda: small(Image.fromarray(colour)))
 
     def look_warning(self) -> str:
         """What cameras do not see as it is described; empty: nothing."""

@@ -55,6 +55,25 @@ class Telling(Follower):
         return super().plan(observation)
 
 
+class Noting(Follower):
+    """Shows what it thinks of."""
+
+    def plan(self, observation):
+        x, y, _ = observation.pose
+        ahead = np.array([(x, y), (x + 1.0, y), (np.nan, y)])
+        self.notes = {
+            "turn": np.float32(observation.time > 0.3) / 2,
+            "target": (x + 1.0, y),
+            "way": ahead,
+            "none": [],
+        }
+        return super().plan(observation)
+
+
+class NotesWords(Follower):
+    notes = {"state": "braking"}
+
+
 class Looker:
     """Says what it sees in its second period."""
 

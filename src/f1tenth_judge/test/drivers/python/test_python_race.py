@@ -9,6 +9,7 @@ from f1tenth_judge.drivers.starting import start_drivers
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.race import Race, plan_race
+from f1tenth_judge.record.replay import Drawing, read_replay
 from f1tenth_judge.run.execute import execute
 from f1tenth_judge.run.stage import DriveCommand, Stage
 from f1tenth_judge.scenario.driver import Driver
@@ -85,6 +86,27 @@ def test_a_class_sees_through_the_cameras_of_its_car_what_the_simulation_draws(r
     ]
 
 
+def test_what_a_class_notes_is_in_the_replay_and_its_numbers_in_the_result(race, tmp_path):
+    result = race("Noting", settings=["limits.timeout=0.5"])
+    (channel,) = result["cars"]["robot1"]["channels"].items()
+    assert channel == ("/robot1/turn", {"least": 0.0, "greatest": 0.5, "last": 0.5})
+    drawn = read_replay(tmp_path / "replay.json.gz").drawings
+    assert {topic: each.values[0] for topic, each in drawn.items()} == {
+        "/robot1/target": [Drawing("", [], [[1.0, 0.0, 0.05]], [[1.0, 0.0, "target"]])],
+        "/robot1/way": [Drawing("", [[[0.0, 0.0], [1.0, 0.0]]], [], [[1.0, 0.0, "way"]])],
+    }
+    assert drawn["/robot1/way"].stamps == [0.025, 0.225, 0.425]
+
+
+def test_what_a_class_has_looked_at_is_in_the_replay(race, tmp_path):
+    race("Looker", settings=["limits.timeout=0.1"])
+    pictures = read_replay(tmp_path / "replay.json.gz").pictures
+    assert {topic: each.stamps for topic, each in pictures.items()} == {
+        "/robot1/stereo_camera/left": [0.05],
+        "/robot1/stereo_camera/right": [0.05],
+    }
+
+
 @pytest.mark.parametrize(("name", "eyes"), [("Follower", []), ("Looker", ["left", "right"])])
 def test_nothing_is_drawn_that_a_class_does_not_look_at(race, monkeypatch, name, eyes):
     drawn = []
@@ -106,6 +128,7 @@ WRONG = {
     "NeverReturns": "has not answered within 0.5 s of wall time (limits.answer)",
     "NeverIsReady": "has not answered within 1 s of wall time (limits.load)",
     "ForksAndExits": "ended with exit code 4",
+    "NotesWords": "it raised TypeError: notes are {'state': 'braking'}, each must be a number, a point",
     "LooksElsewhere": "the car has no camera roof, there are: stereo_camera left, stereo_camera right",
     "LooksBack": "it raised LookupError: plan() has returned",
     "Absent": "it raised AttributeError: module 'f1tenth_planner' has no attribute 'Absent'",

@@ -7,6 +7,10 @@ from pathlib import Path
 import pytest
 from f1tenth_judge.places import lookup
 from f1tenth_judge.places.map_file import load_map
+from f1tenth_judge.plan.race import Race, plan_race
+from f1tenth_judge.record.replay import Drawing, read_replay
+from f1tenth_judge.run.stage import Stage
+from f1tenth_judge.scenario.driver import Driver
 
 PLANNERS = Path(__file__).parent / "planners"
 
@@ -111,6 +115,21 @@ def test_map_and_transforms_are_there_for_those_who_come_late(race, tmp_path):
         f"map {grid.cells.shape[1]} {grid.cells.shape[0]} {int(grid.cells.sum())}",
         "map ego_racecar/base_link",
     ]
+
+
+def test_what_a_planner_draws_and_counts_is_in_the_replay(race, tmp_path):
+    result = race(command("telling", "draws"), settings=["limits.timeout=3"])
+    beams = {"least": 1081.0, "greatest": 1081.0, "last": 1081.0}
+    assert result["cars"]["robot1"]["channels"] == {"/debug/beams": beams}
+    assert "cannot be read" not in result["note"]
+    drawn = read_replay(tmp_path / "replay.json.gz").drawings
+    assert drawn["/way"].values == [[Drawing("", [[[0.0, 1.0], [2.0, 1.0]]], [], [])]]
+    (target,) = drawn["/debug/target"].values[0]
+    ((x, y, radius),) = target.dots
+    lidar = Stage(plan_race(Race("circuit1", 1, [Driver(ros2="none")]), tmp_path / "other")).lidar("robot1")
+    assert target.colour == "#ff0000"
+    assert (x, y, radius) == (pytest.approx(lidar.pose[0], abs=0.7), pytest.approx(0.0, abs=0.1), 0.1)
+    assert len(drawn["/debug/target"].stamps) > 5
 
 
 def test_pictures_come_whole_and_are_the_same_every_time(race, tmp_path):

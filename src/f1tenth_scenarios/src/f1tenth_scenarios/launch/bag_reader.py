@@ -1,5 +1,7 @@
 """What the replay shows of a bag: plans, models, and what planners draw and publish as numbers."""
 
+import dataclasses
+import functools
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from pathlib import Path
@@ -7,18 +9,14 @@ from typing import Any, Optional
 
 from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.record.record import STAMP_EPSILON
-from f1tenth_judge.record.replay import Drawing, Numbers, Planar, Point, Poses, Replay, Timed
+from f1tenth_judge.record.replay import Planar, Point, Poses, Replay, Timed
+from f1tenth_judge.said.drawings import KINDS, Board
+from f1tenth_judge.said.plane import planar, point
+from f1tenth_judge.said.said import Said
+from f1tenth_judge.said.thumbnails import thumbnail
 
-from f1tenth_scenarios.launch.drawings import KINDS, Board
-from f1tenth_scenarios.launch.plane import planar, point
-from f1tenth_scenarios.launch.thumbnails import thumbnail
-
-_PLAN_PERIOD, _MODEL_PERIOD, _NUMBER_PERIOD = 0.2, 0.1, 0.025  # s, between two messages that the replay shows
-_BURST = 0.05  # s, in which single markers make one drawing
+_PLAN_PERIOD, _MODEL_PERIOD = 0.2, 0.1  # s, between two messages that the replay shows
 _PLAN_POINTS = 100  # of a plan, about
-_MOST_POINTS = 100_000  # of what a topic draws
-_MOST_TOPICS = 20  # that draw, and that have numbers
-_PICTURE_PERIOD, _MOST_PICTURES, _MOST_CAMERAS = 0.5, 300, 4  # s; of a camera, 1.5 MB; of all cars
 _CAMERAS = ("sensor_msgs/Image", "sensor_msgs/CompressedImage")
 _NUMBERS = ("std_msgs/Float32", "std_msgs/Float64")
 _LAG = 0.1  # s, by which the last transform may be older than a drawing
@@ -37,18 +35,16 @@ def read_bag(bag: Path, cars: Sequence[str]) -> tuple[Replay, list[str]]:
         with rosbag.Bag(str(bag)) as opened:
             # Asked once: it goes through the index of every message.
             kinds = {name: each.msg_type for name, each in opened.get_type_and_topic_info().topics.items()}
-            drawn, too_much = _drawings(opened, cars, kinds)
-            numbers, more = _channels(opened, cars, kinds)
-            seen, even_more = _pictures(opened, cars, kinds)
-            replay = Replay(
+            said = Said()
+            for read in (_drawings, _channels, _pictures):
+                read(opened, cars, kinds, said)
+            replay = dataclasses.replace(
+                said.replay(),
                 global_plans=_plans(opened, cars, "global_plan"),
                 local_plans=_plans(opened, cars, "local_plan"),
                 models=_models(opened, cars),
-                drawings=drawn,
-                channels=numbers,
-                pictures=seen,
             )
-            return replay, [*too_much, *more, *even_more]
+            return replay, said.left_out
     except (OSError, rosbag.ROSBagException) as error:
         raise ScenarioError(f"{bag}: cannot be read: {error}") from error
 
@@ -79,38 +75,15 @@ def _models(bag, cars: Sequence[str]) -> dict[str, Poses]:
     return {name: Poses(*kept) for name, kept in found.items() if kept[0]}
 
 
-def _drawings(bag, cars: Sequence[str], kinds: Mapping[str, str]) -> tuple[dict[str, Timed], list[str]]:
+def _drawings(bag, cars: Sequence[str], kinds: Mapping[str, str], said: Said) -> None:
     frames = _Frames(bag)
     shown = [f"/{car}/move_base/{kind}" for car in cars for kind in ("global_plan", "local_plan")]
-    topics = [topic for topic in _topics_of(bag, cars, kinds, KINDS) if topic not in shown]
-    found, too_much = {}, []
-    for topic in sorted(topics)[:_MOST_TOPICS]:
-        drawn, until = _drawn(bag, topic, Board(kinds[topic], frames))
-        if any(drawn.values):
-            found[topic] = drawn
-        if until is not None:
-            too_much.append(
-                f"{topic}: left out from {until:.3f} s on, as it has more than {_MOST_POINTS} points"
-            )
-    return found, [*too_much, *_crowded_out(topics)]
-
-
-def _drawn(bag, topic: str, board: Board) -> tuple[Timed, Optional[float]]:
-    """What a topic draws, and when (s) it was too much."""
-    stamps: list[float] = []
-    values: list[list[Drawing]] = []
-    points = 0
-    for now, message in _messages(bag, topic):
-        board.take(message, now)
-        if stamps and now < stamps[-1] + _BURST:
-            values[-1] = board.shown(now)
-        elif not stamps or now + STAMP_EPSILON >= stamps[-1] + _PLAN_PERIOD:
-            points += _size(values[-1]) if values else 0
-            if points > _MOST_POINTS:
-                return Timed(stamps, values), now
-            stamps.append(round(now, 9))
-            values.append(board.shown(now))
-    return Timed(stamps, values), None
+    for topic in sorted(_topics_of(bag, cars, kinds, KINDS)):
+        board = Board(kinds[topic], frames)
+        for now, message in _messages(bag, topic) if topic not in shown else ():
+            board.take(message, now)
+            if not said.draw(topic, now, board.shown):
+                break
 
 
 def _messages(bag, topic: str) -> Iterator[tuple[float, Any]]:
@@ -118,62 +91,20 @@ def _messages(bag, topic: str) -> Iterator[tuple[float, Any]]:
         yield heard.to_sec(), message
 
 
-def _size(drawn: Sequence[Drawing]) -> int:
-    return sum(sum(map(len, each.lines)) + len(each.dots) + len(each.texts) for each in drawn)
-
-
-def _channels(bag, cars: Sequence[str], kinds: Mapping[str, str]) -> tuple[dict[str, Numbers], list[str]]:
-    topics = _topics_of(bag, cars, kinds, _NUMBERS)
-    found = {}
-    for topic in sorted(topics)[:_MOST_TOPICS]:
-        stamps, values = [], []
+def _channels(bag, cars: Sequence[str], kinds: Mapping[str, str], said: Said) -> None:
+    for topic, car in sorted(_topics_of(bag, cars, kinds, _NUMBERS).items()):
         for now, message in _messages(bag, topic):
-            is_due = not stamps or now + STAMP_EPSILON >= stamps[-1] + _NUMBER_PERIOD
-            if is_due and math.isfinite(message.data):
-                stamps.append(round(now, 9))
-                values.append(message.data)
-        if stamps:
-            found[topic] = Numbers(stamps, values, topics[topic])
-    return found, _crowded_out(topics)
+            if not said.number(topic, now, message.data, car):
+                break
 
 
-def _pictures(bag, cars: Sequence[str], kinds: Mapping[str, str]) -> tuple[dict[str, Timed], list[str]]:
+def _pictures(bag, cars: Sequence[str], kinds: Mapping[str, str], said: Said) -> None:
     """What the cameras of cars have shown to somebody: nobody draws them for the bag alone."""
     owned = [topic for topic in kinds if topic.startswith(tuple(f"/{car}/" for car in cars))]
-    topics = [topic for topic in owned if kinds[topic] in _CAMERAS]
-    found, too_much = {}, []
-    for topic in sorted(topics)[:_MOST_CAMERAS]:
-        seen, until = _seen(bag, topic)
-        if seen.values:
-            found[topic] = seen
-        if until is not None:
-            too_much.append(
-                f"{topic}: left out from {until:.3f} s on, as there are more than {_MOST_PICTURES} pictures"
-            )
-    left = sorted(topics)[_MOST_CAMERAS:]
-    too_much += [f"{topic}: left out, as there are more than {_MOST_CAMERAS} cameras" for topic in left]
-    return found, too_much
-
-
-def _seen(bag, topic: str) -> tuple[Timed, Optional[float]]:
-    """What a camera showed, and when (s) it was too much."""
-    stamps: list[float] = []
-    values: list[str] = []
-    for now, message in _messages(bag, topic):
-        is_due = not stamps or now + STAMP_EPSILON >= stamps[-1] + _PICTURE_PERIOD
-        if is_due and (small := thumbnail(message)):
-            if len(values) == _MOST_PICTURES:
-                return Timed(stamps, values), now
-            stamps.append(round(now, 9))
-            values.append(small)
-    return Timed(stamps, values), None
-
-
-def _crowded_out(topics) -> list[str]:
-    return [
-        f"{topic}: left out, as there are more than {_MOST_TOPICS} of its kind"
-        for topic in sorted(topics)[_MOST_TOPICS:]
-    ]
+    for topic in sorted(topic for topic in owned if kinds[topic] in _CAMERAS):
+        for now, message in _messages(bag, topic):
+            if not said.picture(topic, now, functools.partial(thumbnail, message)):
+                break
 
 
 def _topics_of(bag, cars: Sequence[str], kinds: Mapping[str, str], wanted: Collection[str]) -> dict[str, str]:

@@ -14,11 +14,11 @@ from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_judge.record.replay import Poses
 from f1tenth_judge.run.command_watch import CommandCount, CommandWatch, Problem
+from f1tenth_judge.said.plane import planar
 from geometry_msgs.msg import PoseWithCovarianceStamped
 
 from f1tenth_race_mgr.msg import RaceStatus
 from f1tenth_scenarios.launch.launch_file import driver_mark
-from f1tenth_scenarios.launch.plane import planar
 from f1tenth_scenarios.run.diagnosis.culprit import failure_of_driver
 from f1tenth_scenarios.run.diagnosis.endless import computes_without_pause
 from f1tenth_scenarios.run.diagnosis.unconnected_topics import (

@@ -3,6 +3,7 @@
 import contextlib
 import multiprocessing
 import os
+import struct
 import sys
 import time
 from pathlib import Path
@@ -21,6 +22,7 @@ from f1tenth_judge.run.command_watch import CommandCount, CommandWatch
 from f1tenth_judge.run.log_excerpt import exception_in, last_lines, quoted
 from f1tenth_judge.run.processes import ProcessTree
 from f1tenth_judge.run.stage import DriveCommand, Stage
+from f1tenth_judge.said import notes
 from f1tenth_judge.stop_request import StopRequest
 
 _GRACE = 1.0  # wall s, to end after SIGINT
@@ -99,10 +101,14 @@ class PythonDriver:
         deadline = time.monotonic() + patience
         while not (self._problem or self._stop.signal):
             if self._pipe.poll(_LOOK_INTERVAL):
-                message = self._pipe.recv_bytes(process.ANSWER.size)
-                if len(message) != process.LOOK.size:
+                message = self._pipe.recv_bytes(len(process.NOTES) + notes.MOST)
+                if len(message) == process.LOOK.size:
+                    self._show(*process.LOOK.unpack(message))
+                elif message.startswith(process.NOTES):
+                    text = message[len(process.NOTES) :]
+                    notes.keep(self._stage.said, self._car, self._stage.time, text)
+                else:
                     return message
-                self._show(*process.LOOK.unpack(message))
             elif self._tree.exit_code() is not None:  # a process that it has forked may keep the pipe open
                 raise EOFError
             if time.monotonic() >= deadline:
@@ -115,7 +121,9 @@ class PythonDriver:
             self._problem = f"has asked for the eye {index}, and the car has {len(self._eyes)}"
             return
         eye = self._eyes[index]
-        self._pictures.put(eye, self._stage.look(self._car, eye))
+        picture = self._stage.look(self._car, eye)
+        self._stage.show(self._car, eye, picture.colour)
+        self._pictures.put(eye, picture)
         self._pipe.send_bytes(process.LOOK.pack(index))
         self._has_looked = True
 
@@ -127,6 +135,8 @@ class PythonDriver:
         except (EOFError, OSError):
             code = self._tree.wait(_END_INTERVAL)
             self._problem = "has closed its pipe" if code is None else f"ended with exit code {code}"
+        except struct.error:
+            self._problem = "has sent what is no answer"
 
     def _failed(self, reason: str, stamp: float) -> Failure:
         lines = last_lines(self._log)

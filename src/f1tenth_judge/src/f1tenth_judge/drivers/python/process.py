@@ -12,12 +12,14 @@ from typing import Any
 
 from f1tenth_judge.drivers.python.pictures import PictureMemory
 from f1tenth_judge.planner import Eye, Observation, Picture
+from f1tenth_judge.said import notes
 
 PIPE = "F1TENTH_PLANNER_PIPE"  # environment variable: the file descriptor
 PICTURES = "F1TENTH_PLANNER_PICTURES"  # likewise, of the memory
 LOOK = struct.Struct("B")  # asks for a picture: index of the eye
 ANSWER = struct.Struct("ff")  # speed (m/s) and steering angle (rad), as an AckermannDrive has them
 READY = b"ready"
+NOTES = b"notes of a period: "  # longer than an answer; notes follow
 _MODULE = "f1tenth_planner"  # by which name a file is imported
 
 
@@ -95,6 +97,8 @@ def main() -> None:
             looks = Looks(pipe, memory, info["eyes"])
             answer = answer_of(planner.plan(dataclasses.replace(observation, draw=looks.draw)))
             looks.is_over = True
+            if noted := getattr(planner, "notes", None):
+                pipe.send_bytes(NOTES + notes.text_of(noted))
             pipe.send_bytes(answer)
 
 

@@ -13,12 +13,12 @@ from cyclonedds.core import InstanceState
 from cyclonedds.domain import Domain, DomainParticipant
 from cyclonedds.internal import InvalidSample
 from cyclonedds.pub import DataWriter
-from cyclonedds.qos import Qos
+from cyclonedds.qos import Policy, Qos
 from cyclonedds.sub import DataReader
 from cyclonedds.topic import Topic
 
 from f1tenth_judge.drivers.ros2.isolation import domain_configuration
-from f1tenth_judge.drivers.ros2.quality import REQUESTED
+from f1tenth_judge.drivers.ros2.quality import HEARD, REQUESTED
 
 _MOST = 1000  # samples that are taken at once
 _MOST_PATIENCE = 10 * 10**9  # ns, as long as a process that is gone counts as there
@@ -63,6 +63,13 @@ class Connection:
         """Begin to take what a planner publishes on a topic."""
         self._readers[topic] = DataReader(self._participant, self._topic(topic, kind), REQUESTED)
         self._requested[topic] = Endpoint("", topic, type_in_ros(kind), REQUESTED)
+
+    def listen(self, end: Endpoint, kind: type) -> None:
+        """Begin to take what is published at an end, as it is offered there: as much as has been kept."""
+        kept = [end.qos[policy] for policy in (Policy.Reliability, Policy.Durability) if policy in end.qos]
+        self._readers[end.topic] = DataReader(
+            self._participant, self._topic(end.topic, kind), HEARD + Qos(*kept)
+        )
 
     def publish(self, topic: str, message: Any) -> None:
         """Send a message; it has left this process when this returns."""

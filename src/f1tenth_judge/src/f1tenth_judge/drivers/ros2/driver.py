@@ -14,6 +14,7 @@ from f1tenth_judge.drivers.ros2.car_topics import CarTopics
 from f1tenth_judge.drivers.ros2.connection import Connection
 from f1tenth_judge.drivers.ros2.isolation import child_environment, private_domain
 from f1tenth_judge.drivers.ros2.launch_output import dead_processes, output_of_raiser
+from f1tenth_judge.drivers.ros2.own_topics import OwnTopics
 from f1tenth_judge.drivers.ros2.planner_view import PlannerView
 from f1tenth_judge.drivers.ros2.shared_memory import remove_what_is_left
 from f1tenth_judge.drivers.ros2.why_mute import NO_CLOCK, ignores_clock, mismatched, why_mute
@@ -59,6 +60,7 @@ class Ros2Driver:
             self._connection = Connection(domain)
             opened.callback(self._connection.close)
             self._topics = CarTopics(self._connection, stage, car, grid)
+            self._own_topics = OwnTopics(self._connection, stage, car)
             self._view = PlannerView(self._connection, self._topics, lambda: self._has_ended(stop))
             mark = f"{car} of {plan.folder}"
             variables = {
@@ -102,6 +104,7 @@ class Ros2Driver:
                 self._accepted += 1
             except f1tenth_sim2d.Error as error:
                 self._refused, self._refusal = self._refused + 1, str(error)
+        self._own_topics.take()
 
     def failure(self, time: float, is_done: bool) -> Optional[Failure]:
         """Why it is of no use; see Driver."""
@@ -125,7 +128,7 @@ class Ros2Driver:
         found = mismatched(self._connection)
         found += [NO_CLOCK] if ignores_clock(self._connection) else []
         found += dead_processes(last_lines(self._log))
-        found += self._topics.note()
+        found += [*self._topics.note(), *self._own_topics.note()]
         return "; ".join(f"{self._car}: {each}" for each in found)
 
     def close(self) -> None:

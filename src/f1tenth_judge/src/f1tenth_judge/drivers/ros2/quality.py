@@ -18,6 +18,8 @@ OFFERED = Qos(_RELIABLE, Policy.Durability.Volatile, Policy.History.KeepLast(10)
 LATCHED = Qos(_RELIABLE, Policy.Durability.TransientLocal, Policy.History.KeepLast(1), _XCDR1, _NO_HASH)
 # As f1tenth_gym_ros and the drivers of the car request; all are kept, to be counted.
 REQUESTED = Qos(_RELIABLE, Policy.Durability.Volatile, Policy.History.KeepAll, _XCDR1, _NO_HASH)
+# Of what is only shown: nobody waits for it.
+HEARD = Qos(Policy.History.KeepLast(100), _XCDR1, _NO_HASH)
 
 # The kinds of a policy in words, weakest first: a reader may request no more than the writer offers.
 _STRENGTHS: Sequence[tuple[Any, Mapping[str, str]]] = (

@@ -1,8 +1,8 @@
 """Serves runs that other processes drive: python3 -m f1tenth_judge.report.live, which watching.py starts.
 
-The first line of the standard input is the task. Others are the task of a run in which there are other cars now,
-or the last one, the page that the watchers are sent to at the end. The address is written to the standard output.
-Ends with the runs.
+The first line of the standard input is the task. Others are the task of a run in which there are other cars
+now, or, at last, the page that the watchers are sent to at the end. The address is written to the standard
+output. Ends with the runs.
 """
 
 import json

@@ -53,7 +53,7 @@ class Node:
                     callback(message)
 
     def _tick(self, clock):
-        self.now = clock.clock.seconds
+        self.now = clock.clock.to_sec()
         for timer in self.timers:
             period, due, callback = timer
             if due is None or self.now >= due - 1e-9:

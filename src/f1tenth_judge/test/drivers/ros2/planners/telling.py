@@ -4,8 +4,17 @@ import sys
 import zlib
 
 from dds_node import LATCHED, SENSOR_DATA, Node
+from f1tenth_judge.drivers.ros2.messages.basic import Header
+from f1tenth_judge.drivers.ros2.messages.drawing import (
+    ColorRGBA,
+    Float32,
+    Marker,
+    MarkerArray,
+    Path,
+    PoseStamped,
+)
 from f1tenth_judge.drivers.ros2.messages.driving import AckermannDrive, AckermannDriveStamped
-from f1tenth_judge.drivers.ros2.messages.geometry import TFMessage
+from f1tenth_judge.drivers.ros2.messages.geometry import Pose, TFMessage, Vector3
 from f1tenth_judge.drivers.ros2.messages.navigation import OccupancyGrid, Odometry
 from f1tenth_judge.drivers.ros2.messages.sensing import CameraInfo, Image, LaserScan
 
@@ -23,10 +32,10 @@ def tells_both():
     node, own = slow_node(), {}
 
     def note(odometry):
-        own[odometry.header.stamp.seconds] = odometry.pose.pose.position.y
+        own[odometry.header.stamp.to_sec()] = odometry.pose.pose.position.y
 
     def tell(odometry):
-        stamp = odometry.header.stamp.seconds
+        stamp = odometry.header.stamp.to_sec()
         print(stamp, own[stamp], odometry.pose.pose.position.y, flush=True)
 
     node.subscribe("ego_racecar/odom", Odometry, note)
@@ -61,11 +70,11 @@ def tells_pictures():
 
     def tell(image):
         words = image.encoding, image.width, image.height, image.step, image.header.frame_id
-        print(image.header.stamp.seconds, *words, zlib.crc32(bytes(image.data)), flush=True)
+        print(image.header.stamp.to_sec(), *words, zlib.crc32(bytes(image.data)), flush=True)
 
     def tell_info(info):
         numbers = (round(each, 3) for each in (*info.k[:3], *info.p[:4]))
-        print(info.header.stamp.seconds, "info", *numbers, flush=True)
+        print(info.header.stamp.to_sec(), "info", *numbers, flush=True)
 
     node.subscribe("stereo_camera/right/image_raw", Image, tell)
     node.subscribe("stereo_camera/right/depth/image_raw", Image, tell)
@@ -76,6 +85,25 @@ def tells_pictures():
 def hears_pictures_best_effort():
     node = slow_node()
     node.subscribe("stereo_camera/left/image_raw", Image, lambda image: None, SENSOR_DATA)
+    node.spin()
+
+
+def draws():
+    """A path in the map, latched and only once; then a point ahead of the car, and a number."""
+    node = slow_node()
+    path = Path(Header(frame_id="map"), [PoseStamped(pose=Pose.planar(x, 1.0, 0.0)) for x in (0.0, 2.0)])
+    lead = node.publisher("way", Path, LATCHED)
+    lead(path)
+    mark, tell = node.publisher("debug/target", MarkerArray), node.publisher("debug/beams", Float32)
+    target = Marker(
+        Header(frame_id="ego_racecar/laser"), type=2, scale=Vector3(0.2), color=ColorRGBA(r=1.0, a=1.0)
+    )
+
+    def show(scan):
+        mark(MarkerArray([target]))
+        tell(Float32(len(scan.ranges)))
+
+    node.subscribe("scan", LaserScan, show)
     node.spin()
 
 

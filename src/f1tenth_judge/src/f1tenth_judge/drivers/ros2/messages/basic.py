@@ -20,10 +20,19 @@ class Time(IdlStruct, typename="builtin_interfaces.msg.dds_.Time_"):
         """The nearest nanosecond."""
         return cls(*divmod(round(seconds * _NANOSECONDS), _NANOSECONDS))
 
-    @property
-    def seconds(self) -> float:
-        """In s."""
+    def to_sec(self) -> float:
+        """In s; called as in ROS 1, so that one function reads messages of both."""
         return self.sec + self.nanosec / _NANOSECONDS
+
+
+@dataclass
+class Duration(IdlStruct, typename="builtin_interfaces.msg.dds_.Duration_"):
+    """Of simulated time."""
+
+    sec: int32 = 0
+    nanosec: uint32 = 0
+
+    to_sec = Time.to_sec
 
 
 @dataclass

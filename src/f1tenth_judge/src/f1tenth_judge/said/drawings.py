@@ -1,12 +1,11 @@
-"""What planners draw for rviz: markers, paths and poses, flat, as the replay draws them."""
+"""What planners draw for rviz: markers, paths and poses of ROS 1 and 2, flat, as the replay draws them."""
 
 import math
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, Optional
 
 from f1tenth_judge.record.replay import Drawing, Planar, Point
-
-from f1tenth_scenarios.launch.plane import placed, planar, point
+from f1tenth_judge.said.plane import placed, planar, point
 
 # Where a frame is in the map at a stamp (s); nothing if nobody has said.
 Frames = Callable[[str, float], Optional[Planar]]

@@ -22,8 +22,11 @@ _MODES = {
 def thumbnail(message) -> Optional[str]:
     """A sensor_msgs/Image or CompressedImage as JPEG in base64; nothing if it is no picture, as of depth."""
     picture = _compressed(message) if hasattr(message, "format") else _raw(message)
-    if picture is None:
-        return None
+    return small(picture) if picture else None
+
+
+def small(picture: Image.Image) -> str:
+    """A picture as JPEG in base64."""
     picture.thumbnail(_SIZE)
     stream = io.BytesIO()
     picture.convert("RGB").save(stream, "JPEG", quality=_QUALITY)

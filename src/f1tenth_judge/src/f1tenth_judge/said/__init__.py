@@ -1,0 +1,1 @@
+"""What planners say besides their commands: drawings, numbers, pictures."""

@@ -24,8 +24,9 @@ lap = 10.0 + float(values.get("mu", 0)) + len((root / "log").read_text()) * (roo
 result = {"verdict": "success", "passed": values.get("seed") != "2", "settings": settings, "culprit": None,
           "times": {"finish": 1.0, "lap_time": lap, "cost": 3.0}, "minimum_clearance": 0.25,
           "trajectory_hash": str(lap),
-          "reason": "ok", "scenario": "sample", "cars": {"robot1": {"lap_times": [lap]}}, "criteria": [],
-          "contacts": [], "interventions": [], "winner": None}
+          "reason": "ok", "scenario": "sample", "criteria": [],
+          "cars": {"robot1": {"planner": "race", "driver": "launch file", "lap_times": [lap]}},
+          "contacts": [], "interventions": [], "winner": None, "versions": {"driver_commits": {}}}
 target = folder / (names or [pathlib.Path(arguments[-1]).stem])[0]
 target.mkdir(parents=True, exist_ok=True)
 (target / "result.json").write_text(json.dumps(result))

@@ -24,22 +24,17 @@ sys.exit(code)
 """
 
 
-def meet(monkeypatch, folder, needed, codes, at_once, stop=None, shown=False):
+def meet(monkeypatch, folder, needed, codes, at_once, stop=None):
     folder.mkdir()
     monkeypatch.setattr(jobs, "PROGRAM", (sys.executable, "-c", MEETING, str(folder), str(needed)))
     wanted = [Job("/x/a.yaml", (f"seed={code}",), str(folder / "r")) for code in codes]
-    found = run_jobs(wanted, stop or StopRequest(), at_once, shown)
+    found = run_jobs(wanted, stop or StopRequest(), at_once)
     return sorted((each.exit_code, each.output) for each in found)
 
 
 def test_jobs_run_at_the_same_time_and_their_output_is_kept_apart(tmp_path, monkeypatch):
     found = meet(monkeypatch, tmp_path / "m", 3, [0, 1, 7], at_once=3)
     assert found == [(0, "code 0\n"), (1, "code 1\n"), (7, "code 7\n")]
-
-
-def test_jobs_that_are_shown_write_where_this_process_writes(tmp_path, monkeypatch, capfd):
-    assert meet(monkeypatch, tmp_path / "m", 1, [0, 3], at_once=1, shown=True) == [(0, ""), (3, "")]
-    assert capfd.readouterr().out == "code 0\ncode 3\n"
 
 
 def test_signal_ends_those_that_run_and_starts_no_more(tmp_path, monkeypatch):
@@ -95,14 +90,17 @@ def test_all_scenarios_are_counted_and_their_cost_is_summed_up(program, tmp_path
     arguments = ["run", "circuit1", "circuit2", "--results", str(tmp_path), "--jobs", "2", "--set", "seed=1"]
     assert cli.main(arguments) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert sum(line.endswith("ran") for line in lines) == 2
+    assert [line[:11] for line in lines[:2]] == ["   1 of 2  ", "   2 of 2  "]
+    ended = sorted(line[11:] for line in lines[:2])
+    assert ended[0] == f"{'circuit1':32}passed  success        10.000 s   0.250 m"
+    assert not any(line.endswith("ran") for line in lines)
     assert lines[-2].startswith("cost besides simulating: median 3.0 s, at most 3.0 s (circuit")
     assert lines[-1] == "2 of 2 scenarios passed"
     assert json.loads((tmp_path / "circuit2" / "result.json").read_text())["passed"]
 
 
 def test_what_an_interruption_left_out_is_counted(program, tmp_path, capsys, monkeypatch):
-    def interrupted(jobs, stop, _at_once, shown):
+    def interrupted(jobs, stop, _at_once):
         yield run_job(jobs[0])
         stop.signal = signal.SIGINT
 
@@ -111,15 +109,35 @@ def test_what_an_interruption_left_out_is_counted(program, tmp_path, capsys, mon
     assert capsys.readouterr().out.splitlines()[-1] == "1 of 2 scenarios passed, 1 not run"
 
 
-def test_a_scenario_that_did_not_pass_is_counted(program, tmp_path, capfd):
+def test_scenarios_that_did_not_pass_are_told_in_detail_at_the_end(program, tmp_path, capfd):
     assert cli.main(["run", "circuit1", "circuit2", "--results", str(tmp_path), "--set", "seed=2"]) == 1
-    assert "0 of 2 scenarios passed" in capfd.readouterr().out
+    lines = capfd.readouterr().out.splitlines()
+    assert [" FAILED " in line for line in lines[:2]] == [True, True]
+    assert [line.endswith("ran") for line in lines[2:6]] == [False, True, False, True]
+    assert lines[-1] == "0 of 2 scenarios passed"
+
+
+def test_a_scenario_is_run_with_each_of_several_seeds(program, tmp_path, capsys):
+    arguments = ["run", "circuit1", "--seeds", "1:3", "--jobs", "3", "--results", str(tmp_path)]
+    assert cli.main(arguments) == 1
+    assert capsys.readouterr().out.splitlines()[-1] == "2 of 3 runs passed"
+    names = ["circuit1,seed=1", "circuit1,seed=2", "circuit1,seed=3"]
+    assert sorted(program.runs()) == names
+    assert json.loads((tmp_path / names[2] / "result.json").read_text())["settings"] == ["seed=3"]
+
+
+def test_a_race_is_run_with_each_of_several_seeds(program, tmp_path):
+    arguments = ["race", "circuit1", "--seeds", "4,5", "--set", "mu=2", "--results", str(tmp_path)]
+    assert cli.main(arguments) == 0
+    assert sorted(program.runs()) == ["race_circuit1,seed=4", "race_circuit1,seed=5"]
 
 
 @pytest.mark.parametrize(
     ("arguments", "answer"),
     [
         (["circuit1", "--jobs", "0"], "--jobs is 0, must be at least 1"),
+        (["circuit1", "--seeds", "a"], "--seeds a: found 'a', must be a seed, a whole number"),
+        (["circuit1", "--seeds", "1:2", "--repeat", "2"], "--seeds is not for --repeat"),
         ([], "run needs either names of scenarios or --all"),
         (["--all", "circuit1"], "run needs either names of scenarios or --all"),
     ],

@@ -138,7 +138,7 @@ def test_progress_is_silent_elsewhere():
 @pytest.mark.parametrize(
     ("arguments", "answer"),
     [
-        (["sweep", "circuit1", "--vary", "seed=1:2", "--workers", "0"], "--workers is 0, must be at least 1"),
+        (["sweep", "circuit1", "--vary", "seed=1:2", "--workers", "0"], "--jobs is 0, must be at least 1"),
         (
             ["sweep", "circuit1", "--vary", "seed=1:2", "--scheduler", "here"],
             "--scheduler here: must be an address, as in tcp://host:8786",

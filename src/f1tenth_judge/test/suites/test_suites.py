@@ -1,5 +1,6 @@
 """Suites: their cases, the places that they make, and the command; most runs are made up."""
 
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import numpy as np
@@ -145,6 +146,7 @@ def row(case, passed=True, clearance=0.3):
         "passed": passed,
         "minimum_clearance": clearance,
         "lap_time": None,
+        "of_reference": None,
         "reason": "why",
     }
 
@@ -164,11 +166,25 @@ def test_a_suite_is_run_counted_and_not_run_again(program, tmp_path, capsys):
     assert cli.main(arguments) == 0
     out = capsys.readouterr().out
     assert "passed:            2 of 2 (100%" in out
-    table = (results / "suite" / "safety" / "scorecard.csv").read_text().splitlines()
+    folder = results / "suite" / "safety"
+    page = (folder / "index.html").read_text()
+    assert '<a href="report.html#late_tf_1">late_tf_1</a>' in page
+    assert "<td>planner</td><td>race (launch file)</td>" in page
+    assert (folder / "report.html").is_file()
+    cases = ElementTree.parse(folder / "junit.xml").getroot().iter("testcase")
+    assert [each.get("name") for each in cases] == ["test_late_tf_1", "test_missing_scan_8"]
+    table = (folder / "scorecard.csv").read_text().splitlines()
     assert [line.split(",")[0] for line in table] == ["case", "late_tf_1", "missing_scan_8"]
     ran = len(program.runs())
     assert cli.main(arguments) == 0
     assert len(program.runs()) == ran == 2
+
+
+def test_each_case_is_run_with_each_of_several_seeds(program, tmp_path, capsys):
+    arguments = ["suite", "safety", "--cases", "late_tf_1,missing_scan_8", "--seeds", "2,3", "--jobs", "4"]
+    assert cli.main([*arguments, "--results", str(tmp_path)]) == 1
+    assert "passed:            2 of 4 (50%" in capsys.readouterr().out
+    assert sorted(program.runs())[:2] == ["late_tf_1,seed=2", "late_tf_1,seed=3"]
 
 
 def test_cases_that_fail_are_the_exit_code(program, tmp_path, capsys):
@@ -197,7 +213,7 @@ def test_suites_are_listed(capsys):
     ("arguments", "problem"),
     [
         (["labs", "--cases", "slalom"], "--cases slalom: found 'slalom', allowed: emergency_braking, "),
-        (["safety", "--workers", "0"], "--workers is 0, must be at least 1"),
+        (["safety", "--workers", "0"], "--jobs is 0, must be at least 1"),
         (
             ["safety", "--cases", "scan"],
             "--cases scan: found 'scan', allowed: missing_scan_1, ",

@@ -50,7 +50,7 @@ class Outcome:
 
     job: Job
     exit_code: int
-    output: str  # empty if it was written where this process writes
+    output: str
     result: Optional[dict[str, Any]]  # what is in its result.json; nothing unless this run wrote one
 
     @property
@@ -60,23 +60,20 @@ class Outcome:
         return f"{self.job.folder}: exit code {self.exit_code}, no result: {last}"
 
 
-def run_jobs(
-    jobs: Sequence[Job], stop: StopRequest, at_once: int = 1, shown: bool = False
-) -> Iterator[Outcome]:
+def run_jobs(jobs: Sequence[Job], stop: StopRequest, at_once: int = 1) -> Iterator[Outcome]:
     """Run jobs; yields their outcomes in the order in which they end.
 
     Args:
         jobs: what to run
         stop: once it has a signal, those that run are sent it and no more are started
         at_once: how many run at the same time
-        shown: whether they write where this process does, instead of into their outcome
     """
     waiting = list(reversed(jobs))
     running: list[_Running] = []
     told = False
     while running or (waiting and not stop.signal):
         while waiting and len(running) < at_once and not stop.signal:
-            running.append(_Running(waiting.pop(), shown))
+            running.append(_Running(waiting.pop()))
         if stop.signal and not told:
             told = True
             for each in running:
@@ -101,25 +98,21 @@ def read_result(folder: Path) -> Optional[dict[str, Any]]:
 class _Running:
     """A job that has been started."""
 
-    def __init__(self, job: Job, shown: bool):
+    def __init__(self, job: Job):
         self._job = job
         self._result_before = _identity(job.folder / RESULT_FILE)
         # A pipe that nobody reads would stop the run.
-        self._output = None if shown else tempfile.TemporaryFile("w+", encoding="utf-8")  # noqa: SIM115
+        self._output = tempfile.TemporaryFile("w+", encoding="utf-8")  # noqa: SIM115
         self.process = subprocess.Popen(
-            job.command,
-            stdin=subprocess.DEVNULL,
-            stdout=self._output,
-            stderr=None if shown else subprocess.STDOUT,
+            job.command, stdin=subprocess.DEVNULL, stdout=self._output, stderr=subprocess.STDOUT
         )
 
     def outcome(self) -> Outcome:
         """To be called once, when it has ended."""
-        code, text = self.process.returncode, ""
-        if self._output is not None:
-            with self._output as output:
-                output.seek(0)
-                text = output.read()
+        code = self.process.returncode
+        with self._output as output:
+            output.seek(0)
+            text = output.read()
         # A run that broke off early leaves the result of an earlier one where it is.
         is_new = _identity(self._job.folder / RESULT_FILE) != self._result_before
         result = read_result(self._job.folder) if code in _JUDGED and is_new else None

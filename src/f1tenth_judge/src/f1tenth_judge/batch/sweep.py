@@ -11,6 +11,7 @@ from f1tenth_judge.batch.cluster import run_on_cluster
 from f1tenth_judge.batch.inputs import hash_inputs, hash_software
 from f1tenth_judge.batch.jobs import Job, Outcome, read_result, run_jobs
 from f1tenth_judge.errors import ScenarioError, writing
+from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.planning import make_plan
 from f1tenth_judge.results.console import CountLine
 from f1tenth_judge.run.ros import require_runner
@@ -58,13 +59,16 @@ def combinations(variations: Sequence[str]) -> Cases:
 class Sweep:
     """A scenario with several sets of values."""
 
-    def __init__(self, cases: Mapping[str, Case], folder: Path, settings: Sequence[str] = ()):
+    def __init__(
+        self, cases: Mapping[str, Case], folder: Path, settings: Sequence[str] = (), bag: bool = False
+    ):
         """Check everything; nothing is run yet.
 
         Args:
             cases: what is run, by the names of the cases
             folder: for the folders of the cases, which have their names
             settings: KEY=VALUE, the same in all runs
+            bag: keep the bags of all runs
 
         Raises:
             NotApplicableError: the scenario says nothing about a planner that the settings name.
@@ -74,12 +78,14 @@ class Sweep:
         self._name = folder.name
         self._software = hash_software()
         self._inputs: dict[Job, str] = {}
+        self.plans: dict[Job, Plan] = {}
         for name, case in cases.items():
             texts = (*settings, *map(str, case.settings))
             plan = make_plan(case.scenario, settings=texts)
             require_runner(plan)
-            job = Job(str(plan.file), texts, str(folder), name=name)
+            job = Job(str(plan.file), texts, str(folder), ("--bag",) if bag else (), name=name)
             self._inputs[job] = hash_inputs(plan, self._software)
+            self.plans[job] = plan
         self.reused: list[Job] = []
         self.results: dict[Job, dict[str, Any]] = {}
         self.problems: list[str] = []

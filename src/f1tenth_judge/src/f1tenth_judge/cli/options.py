@@ -12,6 +12,7 @@ from f1tenth_judge.plan.driver_file import driver_file
 from f1tenth_judge.plan.named_planner import named_planner
 from f1tenth_judge.plan.planner import planner_setting
 from f1tenth_judge.scenario.driver import Driver, Interface
+from f1tenth_judge.suites.suite import seeds
 
 
 def results_of(options) -> Path:
@@ -38,6 +39,15 @@ def check_name(name: Optional[str]) -> None:
     if name is not None and not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_.=,+-]*", name):
         rule = "must begin with a letter or a digit and have only those and '_.=,+-'"
         raise ScenarioError(f"--name {name}: {rule}")
+
+
+def seed_settings(options) -> list[tuple[str, ...]]:
+    """The settings of each of the --seeds; without them the one run that has none.
+
+    Raises:
+        ScenarioError: one is not a whole number.
+    """
+    return [(f"seed={each}",) for each in seeds(options.seeds, "--seeds")] if options.seeds else [()]
 
 
 def check_planner_options(options) -> None:

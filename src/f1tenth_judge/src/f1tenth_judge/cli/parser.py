@@ -21,6 +21,7 @@ _WATCH = (
     "print an address at which browsers of this machine show what is run while it goes on, then the report"
 )
 _SET = "replace a value of the file, as in seed=2, mu=0.3, limits.timeout=20 or driver.arguments.speed=4"
+_BAG = "keep the bag, also of runs that pass"
 _VARY = "FIRST:LAST (whole numbers), FIRST:LAST:COUNT or A,B,C; several keys: every combination"
 _TABLE = "one more table of the runs: FILE.parquet keeps types, FILE.csv is text"
 _AGAINST = "results to compare with; default: those of the commit before, which each run keeps"
@@ -50,6 +51,7 @@ def make_parser(program: str) -> argparse.ArgumentParser:
     _add_verify(commands)
     _add_report(commands)
     _add_export(commands)
+    _add_watch_command(commands)
     return parser
 
 
@@ -78,7 +80,6 @@ def _add_run(commands: _Subparsers) -> None:
     command = _command(commands, "run", run, "run scenarios; exit code 0 if each ended as expected")
     command.add_argument("names", nargs="*", metavar="NAME", help="scenario or file")
     command.add_argument("--all", action="store_true", help="run all scenarios")
-    command.add_argument("--jobs", type=int, default=1, metavar="N", help="run N at a time; default: 1")
     _add_repeat(command)
     _add_name(command, "that of the scenario")
     command.add_argument("--planner", metavar="LAUNCH", help=f"drive with it instead of ours: {_PLANNER}")
@@ -127,6 +128,24 @@ def _add_repeat(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--repeat", type=int, metavar="N", help="run N times and say how much the results differ"
     )
+    _add_seeds(command)
+    _add_jobs(command, "1")
+
+
+def _add_seeds(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--seeds", metavar="A:B", help="run with each of these seeds, as in 1:20 or 3,5")
+
+
+def _add_jobs(command: argparse.ArgumentParser, default: str) -> None:
+    # The second name is that of earlier versions.
+    command.add_argument(
+        "--jobs",
+        "--workers",
+        dest="workers",
+        type=int,
+        metavar="N",
+        help=f"run N at a time; default: {default}",
+    )
 
 
 def _add_name(command: argparse.ArgumentParser, default: str) -> None:
@@ -153,7 +172,7 @@ def _add_planner(command: argparse.ArgumentParser) -> None:
 def _add_run_options(command: argparse.ArgumentParser, where: str) -> None:
     _add_results(command, where)
     command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help=_SET)
-    command.add_argument("--bag", action="store_true", help="keep the bag, also of runs that pass")
+    command.add_argument("--bag", action="store_true", help=_BAG)
     command.add_argument("--report", action="store_true", help="write the report afterwards")
     _add_watch(command)
 
@@ -168,7 +187,7 @@ def _add_sweep(commands: _Subparsers) -> None:
 
 
 def _add_workers(command: argparse.ArgumentParser) -> None:
-    command.add_argument("--workers", type=int, metavar="N", help="local processes; default: one per core")
+    _add_jobs(command, "one per core")
     command.add_argument("--scheduler", metavar="URI", help="use this Dask cluster, as in tcp://host:8786")
 
 
@@ -184,9 +203,8 @@ def _add_suite(commands: _Subparsers) -> None:
     command.add_argument("--ros2", metavar="COMMAND", help=f"drive with it instead of ours: {_ROS2}")
     command.add_argument("--opponent", metavar="LAUNCH", help="drives the other car of 'encounters'")
     _add_planner(command)
-    command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help=_SET)
-    _add_workers(command)
-    _add_watch(command)
+    _add_seeds(command)
+    _add_many(command)
     _add_results(command, "write to FOLDER/suite/NAME")
 
 
@@ -194,9 +212,15 @@ def _add_league(commands: _Subparsers) -> None:
     text = "race planners against the clock and each other at many places, and rank them on a page"
     command = _command(commands, "league", league, text)
     command.add_argument("file", type=Path, metavar="FILE", help="YAML: planners, places, laps, seeds, pairs")
+    _add_many(command)
+    _add_results(command, "write to FOLDER/league/NAME")
+
+
+def _add_many(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help=_SET)
+    command.add_argument("--bag", action="store_true", help=_BAG)
     _add_workers(command)
     _add_watch(command)
-    _add_results(command, "write to FOLDER/league/NAME")
 
 
 def _add_reference(commands: _Subparsers) -> None:
@@ -252,6 +276,23 @@ def _add_export(commands: _Subparsers) -> None:
     command.add_argument("run", type=Path, metavar="RUN", help="name of a run, or its folder")
     command.add_argument("output", type=Path, metavar="FILE", help="what is drawn, by its suffix")
     _add_results(command, "read FOLDER/RUN")
+
+
+def _add_watch_command(commands: _Subparsers) -> None:
+    text = "show in browsers what another command runs while it goes on, as its option --watch does"
+    command = _command(commands, "watch", _watch_command, text)
+    command.add_argument(
+        "command",
+        nargs=argparse.REMAINDER,
+        metavar="COMMAND",
+        help="race, run, suite or league, with its options",
+    )
+
+
+def _watch_command(options) -> int:
+    from f1tenth_judge.cli import main  # which needs this module
+
+    return main([*options.command, "--watch"])
 
 
 def _add_results(command: argparse.ArgumentParser, text: str) -> None:

@@ -12,7 +12,7 @@ from f1tenth_judge.cli.options import (
     results_of,
     ros2_planners,
 )
-from f1tenth_judge.cli.run_command import check_repeat, run_repeatedly, run_with_report
+from f1tenth_judge.cli.run_command import check_repeat, run_each, run_repeatedly, run_with_report
 from f1tenth_judge.errors import writing
 from f1tenth_judge.plan.named_planner import named_file
 from f1tenth_judge.plan.race import Race, plan_race, save_race
@@ -22,6 +22,7 @@ from f1tenth_judge.scenario.driver import Driver
 def race(options) -> int:
     """Run and judge a race that is in no scenario file."""
     expect_at_least(1, options.laps, "--laps")
+    expect_at_least(1, options.workers, "--jobs")
     check_name(options.name)
     check_planner_options(options)
     planners = [*planners_of(options.planner, options), *ros2_planners(options.ros2, options)]
@@ -29,8 +30,8 @@ def race(options) -> int:
     description = options.description and named_file(options.description, Path.cwd())
     wanted = Race(options.place, options.laps, planners, options.timeout, description, options.name)
     plan = plan_race(wanted, results_of(options) / wanted.name, options.set)
-    if options.repeat is not None:
-        return _repeat(wanted, options)
+    if options.repeat is not None or options.seeds:
+        return _several(wanted, options)
     if options.save:
         save_race(wanted, options.save)
         return PASSED
@@ -38,10 +39,13 @@ def race(options) -> int:
     return run_with_report(plan, options)
 
 
-def _repeat(wanted: Race, options) -> int:
-    check_repeat(options)
-    file = results_of(options) / "repeat" / f"{wanted.name}.yaml"
+def _several(wanted: Race, options) -> int:
+    file = results_of(options) / "races" / f"{wanted.name}.yaml"
+    if options.repeat is not None:
+        check_repeat(options)
     with writing(file):
         file.parent.mkdir(parents=True, exist_ok=True)
     save_race(wanted, file)
-    return run_repeatedly(str(file), options, options.set)
+    if options.repeat is not None:
+        return run_repeatedly(str(file), options, options.set)
+    return run_each([str(file)], options.set, options)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Callable
 
 from f1tenth_judge.batch.jobs import Job, Outcome, run_jobs
 from f1tenth_judge.cli.exit_codes import NOT_PASSED, PASSED, exit_code
-from f1tenth_judge.cli.options import check_name, expect_at_least, planner_settings, results_of
+from f1tenth_judge.cli.options import check_name, expect_at_least, planner_settings, results_of, seed_settings
 from f1tenth_judge.cli.show_commands import report
 from f1tenth_judge.errors import NotApplicableError, ScenarioError, writing
 from f1tenth_judge.places import lookup
@@ -37,13 +37,13 @@ def run(options) -> int:
         if len(options.names) != 1:
             raise ScenarioError(_REPEAT)
         check_repeat(options)
-        return run_repeatedly(options.names[0], options, settings, options.jobs)
+        return run_repeatedly(options.names[0], options, settings)
     names = lookup.scenario_names() if options.all else options.names
-    if len(names) == 1:
+    if len(names) == 1 and not options.seeds:
         name = options.name or lookup.scenario_file(names[0]).stem
         plan = make_plan(names[0], results_of(options) / name, settings)
         return run_with_report(dataclasses.replace(plan, name=name, keep_bag=options.bag), options)
-    return _run_each(names, settings, options)
+    return run_each(names, settings, options)
 
 
 def run_plan(plan: Plan) -> int:
@@ -101,7 +101,7 @@ def with_report(code: int, options) -> int:
     return code
 
 
-def run_repeatedly(name: str, options, settings: Sequence[str], at_once: int = 1) -> int:
+def run_repeatedly(name: str, options, settings: Sequence[str]) -> int:
     """Run one scenario, which has been checked, --repeat times, and print how much the results differ.
 
     Returns:
@@ -110,7 +110,7 @@ def run_repeatedly(name: str, options, settings: Sequence[str], at_once: int = 1
     from f1tenth_judge.batch.repeat import repeat
 
     with StopRequest().listening() as stop:
-        steady = repeat(name, options.repeat, results_of(options), settings, stop, at_once)
+        steady = repeat(name, options.repeat, results_of(options), settings, stop, options.workers or 1)
     return exit_code(steady, stop)
 
 
@@ -122,27 +122,41 @@ def check_repeat(options) -> None:
     """
     if options.repeat < 2:
         raise ScenarioError(_REPEAT)
-    for option in ("bag", "report", "attach", "save", "watch"):
+    for option in ("bag", "report", "attach", "save", "seeds", "watch"):
         if getattr(options, option, None):
             raise ScenarioError(f"--{option} is not for --repeat")
 
 
 def _check(options) -> None:
-    expect_at_least(1, options.jobs, "--jobs")
+    expect_at_least(1, options.workers, "--jobs")
     check_name(options.name)
-    if options.name and (len(options.names) != 1 or options.repeat is not None):
+    if options.name and (len(options.names) != 1 or options.repeat is not None or options.seeds):
         raise ScenarioError("--name is for one run of one scenario")
     if options.all == bool(options.names):
         raise ScenarioError("run needs either names of scenarios or --all")
 
 
-def _run_each(names: Sequence[str], settings: Sequence[str], options) -> int:
-    """A process for each, because a process can be a ROS node only once."""
+def run_each(names: Sequence[str], settings: Sequence[str], options) -> int:
+    """Run scenarios, with each of the seeds, a process for each run; returns the exit code.
+
+    Raises:
+        ScenarioError: bad input, or results would be written to one folder.
+    """
     _check_folders(names, results_of(options))
     left_out = _not_applicable(names, settings)
     files = [lookup.scenario_file(name) for name in names if name not in left_out]
     extra = ("--bag",) if options.bag else ()
-    jobs = [Job(str(file), tuple(settings), str(results_of(options)), extra) for file in files]
+    jobs = [
+        Job(
+            str(file),
+            (*settings, *seed),
+            str(results_of(options)),
+            extra,
+            name=",".join([file.stem, *seed]) if seed else "",
+        )
+        for file in files
+        for seed in seed_settings(options)
+    ]
     if not options.watch:
         return with_report(_run_jobs(jobs, left_out, options), options)
     from f1tenth_judge.report.live.watching import task_of_job
@@ -153,18 +167,25 @@ def _run_each(names: Sequence[str], settings: Sequence[str], options) -> int:
 
 def _run_jobs(jobs: Sequence[Job], left_out: dict[str, str], options) -> int:
     outcomes: list[Outcome] = []
-    bar = CountLine("scenarios", len(jobs))
+    bar = CountLine("runs" if options.seeds else "scenarios", len(jobs))
     with StopRequest().listening() as stop:
-        for outcome in run_jobs(jobs, stop, options.jobs, shown=options.jobs == 1):
+        for outcome in run_jobs(jobs, stop, options.workers or 1):
             outcomes.append(outcome)
             bar.clear()
-            print(outcome.output, end="", flush=True)
-            if options.jobs > 1:
-                bar.update(outcome.exit_code == PASSED)
+            print(f"{len(outcomes):4} of {len(jobs)}  {_line(outcome)}", flush=True)
+            bar.update(outcome.exit_code == PASSED)
     bar.clear()
-    passed = sum(each.exit_code == PASSED for each in outcomes)
-    _sum_up(outcomes, left_out, passed, len(jobs))
-    return exit_code(passed == len(jobs), stop)
+    _sum_up(outcomes, left_out, len(jobs), "runs" if options.seeds else "scenarios")
+    return exit_code(len(jobs) == sum(each.exit_code == PASSED for each in outcomes), stop)
+
+
+def _line(outcome: Outcome) -> str:
+    head = f"{outcome.job.folder.name:32}{'passed' if outcome.exit_code == PASSED else 'FAILED':8}"
+    if not (result := outcome.result):
+        return f"{head}no result"
+    figures = ((result["times"]["lap_time"], "s"), (result["minimum_clearance"], "m"))
+    texts = ("" if value is None else f"{value:.3f} {unit}" for value, unit in figures)
+    return f"{head}{result['verdict']:13}{next(texts):>10}{next(texts):>10}".rstrip()
 
 
 def _check_folders(names: Sequence[str], results: Path) -> None:
@@ -192,11 +213,18 @@ def _not_applicable(names: Sequence[str], settings: Sequence[str]) -> dict[str, 
     return found
 
 
-def _sum_up(outcomes: Sequence[Outcome], left_out: dict[str, str], passed: int, count: int) -> None:
+def _sum_up(outcomes: Sequence[Outcome], left_out: dict[str, str], count: int, what: str) -> None:
+    """Those that failed in detail, and how many passed."""
+    passed = sum(each.exit_code == PASSED for each in outcomes)
+    for each in outcomes:
+        if each.exit_code != PASSED:
+            print(f"\n{each.output}", end="")
+    if passed < len(outcomes):
+        print()
     for name, reason in left_out.items():
         print(f"{Path(name).stem:24}not applicable: {reason}")
     if costs := {each.job.folder.name: each.result["times"]["cost"] for each in outcomes if each.result}:
         print(cost_of_all(costs))
     others = f", {len(left_out)} not applicable" if left_out else ""
     others += f", {count - len(outcomes)} not run" if len(outcomes) < count else ""
-    print(f"{passed} of {count} scenarios passed{others}")
+    print(f"{passed} of {count} {what} passed{others}")

@@ -4,15 +4,21 @@ import importlib
 import sys
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from f1tenth_judge import suites
+from f1tenth_judge.atomic import replacing
+from f1tenth_judge.batch.jobs import Job
 from f1tenth_judge.batch.table_file import check_table_file, write_table
 from f1tenth_judge.cli.exit_codes import PASSED, exit_code
-from f1tenth_judge.cli.options import expect_at_least, planner_of, planner_settings, results_of
+from f1tenth_judge.cli.options import expect_at_least, planner_of, planner_settings, results_of, seed_settings
 from f1tenth_judge.errors import ScenarioError, writing
 from f1tenth_judge.extensions import extensions
 from f1tenth_judge.plan.planner import PLANNER, driver_text
-from f1tenth_judge.record.files import REPORT_FILE
+from f1tenth_judge.record.files import JUNIT_FILE, PAGE_FILE, REPORT_FILE
+from f1tenth_judge.results.reference_laps import reference_of
+from f1tenth_judge.results.standing import planner_text
+from f1tenth_judge.scenario.settings import parse_setting
 from f1tenth_judge.stop_request import StopRequest
 from f1tenth_judge.suites.suite import Suite
 
@@ -33,13 +39,12 @@ def suite(options) -> int:
     key = all_suites()[options.name].planner_key
     planners = [each.replace(PLANNER, key, 1) for each in planner_settings(options)]
     settings = [*options.set, *planners]
-    expect_at_least(1, options.workers, "--workers")
+    expect_at_least(1, options.workers, "--jobs")
     folder = results_of(options) / "suite" / options.name
     with writing(folder):
         (folder / _PLACES).mkdir(parents=True, exist_ok=True)
     check_table_file(folder / _TABLE_FILE)
     from f1tenth_judge.report.live.watching import watched_jobs
-    from f1tenth_judge.report.page import write_report
 
     sweep = _sweep(options, settings, folder)
     title = f"Suite {options.name}"
@@ -49,10 +54,8 @@ def suite(options) -> int:
             print(f"f1tenth: {problem}", file=sys.stderr)
         passed = sum(result["passed"] for result in sweep.results.values())
         if sweep.results:
-            _write(options.name, sweep, folder, passed)
-            if options.watch:
-                write_report(folder, folder / REPORT_FILE)
-                lead_to(f"/{REPORT_FILE}")
+            _write(options.name, sweep, folder)
+            lead_to(f"/{PAGE_FILE}")
     return exit_code(passed == len(sweep.jobs), stop)
 
 
@@ -70,22 +73,47 @@ def _sweep(options, settings: list[str], folder: Path):
         if chosen.scenario != "encounters":
             raise ScenarioError("--opponent is for the suite 'encounters'")
         settings.append(f"cars.robot2.driver={driver_text(planner_of(options.opponent, options))}")
+    seeds = seed_settings(options)
     cases = chosen.cases(options.cases or chosen.chosen, folder / _PLACES)
     files = {name: f"{chosen.scenario.format(case=name)}.yaml" for name in cases}
     return Sweep(
-        {name: Case(str(_FILES / files[name]), values) for name, values in cases.items()}, folder, settings
+        {
+            ",".join([name, *seed]): Case(str(_FILES / files[name]), [*values, *map(parse_setting, seed)])
+            for name, values in cases.items()
+            for seed in seeds
+        },
+        folder,
+        settings,
+        options.bag,
     )
 
 
-def _write(name: str, sweep, folder: Path, passed: int) -> None:
+def _write(name: str, sweep, folder: Path) -> None:
     # Imported late: scipy takes longer than everything else that the command does.
+    from f1tenth_judge.report.page import write_report
     from f1tenth_judge.results.intervals import Rate
-    from f1tenth_judge.suites.scorecard import scorecard
+    from f1tenth_judge.results.junit import junit_of_cases, write_junit
+    from f1tenth_judge.suites.scorecard import scorecard, scorecard_page
 
-    rows = [{"case": job.folder.name, **row} for job, row in sweep.rows_of_jobs()]
-    table = folder / _TABLE_FILE
-    with writing(table):
+    rows = [_row(job, row, sweep) for job, row in sweep.rows_of_jobs()]
+    facts = {
+        "suite": name,
+        "planner": ", ".join(dict.fromkeys(row["planner"] for row in rows)),
+        "passed": str(Rate(sum(row["passed"] for row in rows), len(rows))),
+    }
+    table, page = folder / _TABLE_FILE, folder / PAGE_FILE
+    write_report(folder, folder / REPORT_FILE)
+    with writing(folder), replacing(page) as temporary:
+        temporary.write_text(scorecard_page(f"Suite {name}", facts, rows), encoding="utf-8")
         write_table(table, rows)
-    for key, value in (("suite", name), ("passed", Rate(passed, len(rows))), ("table", table)):
+        write_junit(folder / JUNIT_FILE, junit_of_cases(f"suite_{name}", rows))
+    for key, value in (*facts.items(), ("table", table), ("page", page)):
         print(f"{key + ':':19}{value}")
     print(scorecard(rows))
+
+
+def _row(job: Job, row: Mapping[str, Any], sweep) -> dict[str, Any]:
+    result, reference = sweep.results[job], reference_of(sweep.plans[job])
+    drivers = [planner_text(result, car) for car in result["cars"]]
+    ratio = row["lap_time"] / reference.time if reference and row["lap_time"] else None
+    return {"case": job.folder.name, "planner": drivers[0], **row, "of_reference": ratio}

@@ -16,7 +16,7 @@ def sweep(options) -> int:
     """Run many variations of a scenario; write a table and a picture, and print where they are."""
     from f1tenth_judge.batch.sweep import Case, Sweep, combinations
 
-    expect_at_least(1, options.workers, "--workers")
+    expect_at_least(1, options.workers, "--jobs")
     output = options.output.resolve() if options.output else None
     with StopRequest().listening() as stop:
         if output:

@@ -9,7 +9,7 @@ TRAJECTORY_FILE, PICTURE_FILE = "trajectory.csv", "trajectory.png"
 REPLAY_FILE, BAG_FILE = "replay.json.gz", "run.bag"
 RUN_FILES = (RESULT_FILE, JUNIT_FILE, TRAJECTORY_FILE, PICTURE_FILE, REPLAY_FILE, BAG_FILE)
 PREVIOUS_FOLDER = "previous"
-REPORT_FILE = "report.html"
+REPORT_FILE, PAGE_FILE = "report.html", "index.html"  # the second: of tables of a suite or league
 
 
 def read_json(path: Path) -> dict[str, Any]:

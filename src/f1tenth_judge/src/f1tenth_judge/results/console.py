@@ -8,16 +8,14 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Optional, TextIO
 
-from f1tenth_judge.errors import ScenarioError
 from f1tenth_judge.judge.criterion import Status
 from f1tenth_judge.judge.driving_criteria import least_clearance
-from f1tenth_judge.places.raceline import read_raceline
 from f1tenth_judge.plan.hand_off import offered_arguments
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.files import PICTURE_FILE, RESULT_FILE
 from f1tenth_judge.record.pace import Pace
 from f1tenth_judge.results.moment import replay_of
-from f1tenth_judge.results.reference_laps import reference_lap
+from f1tenth_judge.results.reference_laps import reference_of
 from f1tenth_judge.results.result import Result
 from f1tenth_judge.results.standing import name_of
 
@@ -135,22 +133,12 @@ def _arguments(plan):
 
 
 def _reference(result, plan):
-    fastest, what = reference_lap(plan.scenario), "fastest flying lap possible"
-    if fastest is None and plan.place.raceline:
-        fastest, what = _along(plan.place.raceline), f"{plan.place.raceline.name} at its speeds"
-    if fastest and result.best_lap_time:
-        times = result.best_lap_time / fastest
+    reference = reference_of(plan)
+    if reference and result.best_lap_time:
+        times = result.best_lap_time / reference.time
         several = plan.scenario.laps > 1 or any(task.laps > 1 for task in plan.tasks.values())
         lap = "the best lap" if several else "this lap, from standstill,"
-        yield "reference", f"{fastest:.3f} s ({what}); {lap} took {times:.2f} times as long"
-
-
-def _along(raceline):
-    """Time of a lap, s; None of a file that cannot be read."""
-    try:
-        return read_raceline(raceline).lap_time
-    except ScenarioError:
-        return None
+        yield "reference", f"{reference.time:.3f} s ({reference.what}); {lap} took {times:.2f} times as long"
 
 
 def _all_laps(result, plan):

@@ -1,7 +1,9 @@
 """JUnit files: the verdict and each criterion apart."""
 
 import xml.etree.ElementTree as ElementTree
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from f1tenth_judge.atomic import replacing
 from f1tenth_judge.judge.criterion import Criterion, Status
@@ -26,6 +28,16 @@ def junit_of_error(name: str, message: str) -> ElementTree.Element:
     """A test suite with one test case, the verdict, that has failed: the run could not even begin."""
     suite = ElementTree.Element("testsuite", name=f"{PACKAGE}.{name}")
     _add_text(_case(suite, name, "verdict"), "failure", f"verdict error: {message}")
+    return _counted(suite)
+
+
+def junit_of_cases(name: str, rows: Sequence[Mapping[str, Any]]) -> ElementTree.Element:
+    """A test suite with a test case for each run; a row has `case`, `verdict`, `passed`, `reason`."""
+    suite = ElementTree.Element("testsuite", name=f"{PACKAGE}.{name}")
+    for row in rows:
+        case = _case(suite, name, row["case"])
+        if not row["passed"]:
+            _add_text(case, "failure", f"verdict {row['verdict']}: {row['reason']}")
     return _counted(suite)
 
 

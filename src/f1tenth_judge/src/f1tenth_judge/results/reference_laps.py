@@ -1,11 +1,15 @@
 """How long the fastest flying lap of each circuit takes, as `scenario reference --laps` has computed it."""
 
+import contextlib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Optional
+from typing import NamedTuple, Optional
 
 import yaml
 
+from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.places.raceline import read_raceline
+from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.scenario.scenario import Scenario
 
 _HEAD = "# Fastest flying laps (s); made by: rosrun f1tenth_scenarios scenario reference --laps FILE\n"
@@ -26,6 +30,32 @@ def reference_lap(scenario: Scenario) -> Optional[float]:
     around = any(car.mu is None for car in racers)
     laps = yaml.safe_load(reference_laps_file().read_text(encoding="utf-8"))
     return laps.get(scenario.world) if around else None
+
+
+class Reference(NamedTuple):
+    """What a lap is compared with."""
+
+    time: float  # s
+    what: str  # in words
+
+
+def reference_of(plan: Plan) -> Optional[Reference]:
+    """What laps of a run are compared with; nothing where nobody drives laps of a road."""
+    if fastest := reference_lap(plan.scenario):
+        return Reference(fastest, "fastest flying lap possible")
+    if plan.place.raceline:
+        with contextlib.suppress(ScenarioError):  # of a file that cannot be read
+            line = read_raceline(plan.place.raceline)
+            return Reference(line.lap_time, f"{plan.place.raceline.name} at its speeds")
+    if not (plan.course and any(task.laps for task in plan.tasks.values())):
+        return None
+    # Imported late: scipy takes longer than all else that a command does before a run.
+    from f1tenth_judge.reference.car_limits import read_limits
+    from f1tenth_judge.reference.middle_lap import middle_lap
+
+    return Reference(
+        middle_lap(plan.course, read_limits()), "the middle of the road at the limit of friction"
+    )
 
 
 def quicker_than_reference(scenario: Scenario, laps: Mapping[str, Sequence[float]]) -> str:

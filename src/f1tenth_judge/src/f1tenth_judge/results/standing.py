@@ -2,7 +2,7 @@
 
 import dataclasses
 from collections.abc import Mapping
-from typing import Optional
+from typing import Any, Optional
 
 from f1tenth_judge.scenario.car import Car
 
@@ -38,3 +38,10 @@ def who(car: Car) -> dict[str, str]:
 def name_of(car: Car) -> str:
     """A car with its planner, as a line says it: without the folders of files."""
     return f"{car.name} ({car.driver.short_name})"
+
+
+def planner_text(result: Mapping[str, Any], car: str) -> str:
+    """Who drove a car, as result.json says it: its planner without the folders, its kind and its commit."""
+    about = result["cars"][car]
+    commit = result["versions"]["driver_commits"].get(car)
+    return f"{about['planner'].rpartition('/')[2]} ({about['driver']}{f', {commit}' if commit else ''})"

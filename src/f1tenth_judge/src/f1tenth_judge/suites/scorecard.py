@@ -1,36 +1,51 @@
-"""What came out of a suite: its worst cases."""
+"""What came out of a suite, its worst cases first: as text and as a page."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from html import escape
 from typing import Any
 
-_SHOWN = 10  # cases
+from f1tenth_judge.report.tables import number, page, run_link, table, verdict
+
+Row = Mapping[str, Any]
+_SHOWN = 10  # cases, in the text
+_HEADS = ("case", "verdict", "clearance", "best lap", "of reference", "reason")
 
 
-def worst_first(rows: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+def worst_first(rows: Sequence[Row]) -> list[Row]:
     """Cases that failed before those that passed, and then by clearance."""
     return sorted(rows, key=lambda row: (row["passed"], _or_infinite(row["minimum_clearance"]), row["case"]))
 
 
-def scorecard(rows: Sequence[Mapping[str, Any]]) -> str:
+def scorecard(rows: Sequence[Row]) -> str:
     """All cases that failed, or the worst of those that passed, a line each."""
-    worst = worst_first(rows)
     shown = max(_SHOWN, sum(not row["passed"] for row in rows))
-    lines = [f"{'case':32}{'verdict':12}{'clearance':>11}{'best lap':>11}  reason"]
-    lines += [_line(row) for row in worst[:shown]]
-    return "\n".join(lines)
+    lines = [_HEADS, *(_cells(row) for row in worst_first(rows)[:shown])]
+    return "\n".join(
+        f"{case:32}{what:12}{near:>11}{lap:>11}{ratio:>14}  {reason}"
+        for case, what, near, lap, ratio, reason in lines
+    )
 
 
-def _line(row: Mapping[str, Any]) -> str:
-    clearance, lap = (_with_unit(row[key], unit) for key, unit in _MEASURED.items())
-    return f"{row['case']:32}{row['verdict']:12}{clearance:>11}{lap:>11}  {row['reason']}"
+def scorecard_page(title: str, facts: Mapping[str, str], rows: Sequence[Row]) -> str:
+    """The facts about the suite, and all its cases with links to their replays."""
+    about = table((), ((escape(name), escape(value)) for name, value in facts.items()))
+    note = (
+        "<p>Of reference: over the fastest lap of the circuit, of its raceline, or of the road's middle.</p>"
+    )
+    return page(title, [about, table(_HEADS, _linked(rows)), note])
 
 
-_MEASURED = {"minimum_clearance": "m", "lap_time": "s"}
+def _linked(rows: Sequence[Row]) -> Iterator[list[str]]:
+    for row in worst_first(rows):
+        case, what, *others = _cells(row)
+        yield [run_link(case, case), verdict(what, row["passed"]), *map(escape, others)]
 
 
-def _with_unit(value, unit):
-    return "none" if value is None else f"{value:.3f} {unit}"
+def _cells(row: Row) -> tuple[str, ...]:
+    near, lap = number(row["minimum_clearance"], "m"), number(row["lap_time"], "s")
+    ratio = number(row["of_reference"])
+    return row["case"], row["verdict"], near, lap, ratio, row["reason"]
 
 
 def _or_infinite(value):

@@ -21,16 +21,16 @@ class Suite:
     chosen: str = ""  # the usual ones, as the option --cases names them; empty: all that there are
 
 
-def seeds(text: str) -> list[int]:
-    """The seeds that --cases names: `0:59`, `3` or `1,5`.
+def seeds(text: str, option: str = "--cases") -> list[int]:
+    """The seeds that an option names: `0:59`, `3` or `1,5`.
 
     Raises:
         ScenarioError: one is not a whole number.
     """
     found = []
-    for setting in parse_variation(f"--cases={text}"):
+    for setting in parse_variation(f"{option}={text}"):
         if not setting.value.isdecimal():
-            raise ScenarioError(f"--cases {text}: found '{setting.value}', must be a seed, a whole number")
+            raise ScenarioError(f"{option} {text}: found '{setting.value}', must be a seed, a whole number")
         found.append(int(setting.value))
     return found
 

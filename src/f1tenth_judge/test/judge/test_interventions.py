@@ -12,7 +12,7 @@ from f1tenth_judge.scenario.scenario import Box, Push, Verdict
 from scenario_samples import TASKS, finished, record, rows, scenario
 
 KINDS = [*(kind.value for kind in InterventionKind), "reset_simulation"]
-CALLERS = ["/robot1/planner", "/planner", "/robot1", "/scenario_1"]
+CALLERS = ["/robot1/planner", "/planner", "/robot1", "/scenario"]
 
 
 def intervention(stamp=1.0, kind="set_model_state", caller="/robot1/planner", model="robot1"):
@@ -49,8 +49,14 @@ def test_permission_is_for_its_node_and_its_kinds_only():
 
 def test_each_push_of_a_box_accounts_for_one_change_of_that_box():
     pushed = Box("crate", 1.0, 1.0, movable=True, pushes=(Push(1.0, 2.0), Push(2.0, 2.0)))
-    done = [intervention(model="crate", caller="/scenario_1") for _ in range(3)]
+    done = [intervention(model="crate", caller="/scenario") for _ in range(3)]
     assert list(forbidden(scenario(boxes=(pushed,)), [*done, intervention()])) == [done[2], intervention()]
+
+
+def test_nobody_but_the_director_pushes_a_box():
+    pushed = Box("crate", 1.0, 1.0, movable=True, pushes=(Push(1.0, 2.0),))
+    done = [intervention(model="crate"), intervention(model="crate", caller="/scenario")]
+    assert list(forbidden(scenario(boxes=(pushed,)), done)) == done[:1]
 
 
 @pytest.mark.parametrize(

@@ -26,7 +26,13 @@ class PursuitStartTest(unittest.TestCase):
         # Latched: the node may connect later.
         self._odometry = rospy.Publisher("perfect_odom", Odometry, queue_size=None, latch=True)
         self._scan = rospy.Publisher("scan", LaserScan, queue_size=None, latch=True)
-        self._countdown = rospy.Publisher("/time_to_start", Int32, queue_size=None, latch=True)
+        self._countdown = self._say("/race_starter")
+
+    @staticmethod
+    def _say(node):
+        """Connections made to this publisher are those of a node."""
+        header = {"callerid": node}
+        return rospy.Publisher("/time_to_start", Int32, queue_size=None, latch=True, headers=header)
 
     def test_it_drives_off_after_both(self):
         assert self._speed_at(1.0) == 0.0

@@ -101,6 +101,13 @@ def test_planner_that_harms_a_node_of_the_run_wins_nothing(judged, how, caller, 
     assert result["culprit"]["culprit"] == culprit
 
 
+def test_planner_that_moves_the_start_is_named(judged):  # noqa: F811
+    """There is a countdown because the other driver waits for it."""
+    result, _ = judged("--arg", "how:=starts_the_race", "--planner", "race", planner=CHEATING)
+    assert result["verdict"] == "error"
+    assert result["reason"].endswith("/planner: publishes /time_to_start, which is the race_starter's")
+
+
 def test_planner_that_commands_the_other_car_is_named(judged):  # noqa: F811
     options = ("--arg", "how:=stops_the_other_car", "--planner", str(CHEATING))
     result, _ = judged(*options, planner=CHEATING)

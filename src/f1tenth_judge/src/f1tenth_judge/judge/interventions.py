@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 from typing import Optional
 
 from f1tenth_judge.record.interventions import Intervention
-from f1tenth_judge.scenario.interventions import PUSH
+from f1tenth_judge.scenario.interventions import DIRECTOR, PUSH
 from f1tenth_judge.scenario.scenario import Scenario
 
 
@@ -15,7 +15,8 @@ def forbidden(scenario: Scenario, interventions: Iterable[Intervention]) -> Iter
     for each in interventions:
         if any(permission.allows(each.caller, each.kind) for permission in scenario.interventions):
             continue
-        if each.kind == PUSH.value and pushes[each.model] > 0:
+        is_push = each.kind == PUSH.value and each.caller.strip("/") == DIRECTOR
+        if is_push and pushes[each.model] > 0:
             pushes[each.model] -= 1
             continue
         yield each

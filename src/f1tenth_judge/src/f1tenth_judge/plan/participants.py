@@ -5,11 +5,11 @@ from collections.abc import Iterable
 
 from f1tenth_judge.places.packages import is_original
 from f1tenth_judge.plan.plan import Plan
+from f1tenth_judge.scenario.interventions import DIRECTOR
 from f1tenth_judge.scenario.scenario import Localization
 
-DIRECTOR = "scenario"
 PROXY_DRIVER = "proxy_driver"
-_STARTER = "race_starter"
+STARTER = "race_starter"
 _STANDINS = ("amcl", "move_base")  # of whose nodes the original may be installed, under the same name
 _BESIDE_DRIVER = (
     "amcl",
@@ -32,7 +32,7 @@ def participants(plan: Plan) -> list[str]:
     names = [f"{car.name}/amcl" for car in scenario.cars if scenario.localization is Localization.AMCL]
     names += [name for car in scenario.cars for name in _of_car(plan, car)]
     if plan.has_countdown:
-        names.append(_STARTER)
+        names.append(STARTER)
     if scenario.has_events:
         names.append(DIRECTOR)
     return names

@@ -19,7 +19,8 @@ class InterventionKind(enum.Enum):
     SET_PHYSICS_PROPERTIES = "set_physics_properties"
 
 
-PUSH = InterventionKind.SET_MODEL_STATE  # how a box is pushed
+DIRECTOR = "scenario"  # the node that does what the scenario wants done
+PUSH = InterventionKind.SET_MODEL_STATE  # how it pushes a box
 
 
 @dataclasses.dataclass(frozen=True)

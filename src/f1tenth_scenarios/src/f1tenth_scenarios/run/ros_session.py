@@ -12,6 +12,7 @@ from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.plan.planning import in_real_time
 from f1tenth_judge.results.result import Result
 from f1tenth_judge.run.processes import process_start
+from f1tenth_judge.scenario.interventions import DIRECTOR
 from f1tenth_judge.stop_request import StopRequest
 
 from f1tenth_scenarios.launch.launch_file import launch_command
@@ -72,8 +73,9 @@ def _watch(plan: Plan) -> "RosWatch":
     logging.getLogger("xmlrpc").addHandler(logging.NullHandler())
     # Where the others log as well: rospy raises where it cannot make its file.
     os.environ["ROS_LOG_DIR"] = str(plan.log_folder)
-    # Before anything sets use_sim_time, because this node lives in wall time.
-    rospy.init_node("scenario", anonymous=True, disable_signals=True, disable_rosout=True)
+    # Before anything sets use_sim_time, because this node lives in wall time. Not called as a rostest
+    # is: pushes count only from a node of this name.
+    rospy.init_node(DIRECTOR, argv=[], disable_signals=True, disable_rosout=True)
     return RosWatch(plan)
 
 

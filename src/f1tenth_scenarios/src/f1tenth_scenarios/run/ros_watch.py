@@ -10,12 +10,14 @@ import rospy
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from f1tenth_judge.drivers.rest import marked_processes
 from f1tenth_judge.errors import ScenarioError
+from f1tenth_judge.plan.participants import STARTER
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.observations import Failure, RaceState, RaceUpdate
 from f1tenth_judge.record.replay import Poses
 from f1tenth_judge.run.command_watch import CommandCount, CommandWatch, Problem
 from f1tenth_judge.said.plane import planar
 from geometry_msgs.msg import PoseWithCovarianceStamped
+from std_msgs.msg import Int32
 
 from f1tenth_race_mgr.msg import RaceStatus
 from f1tenth_scenarios.launch.launch_file import driver_mark
@@ -66,11 +68,16 @@ def _time_to_load(plan: Plan) -> float:
     return 0.0 if scenario.lockstep else scenario.limits.load * scenario.real_time_factor
 
 
+def sender(message: Any) -> str:
+    """The node that published what was heard."""
+    return message._connection_header["callerid"].strip("/")
+
+
 def heard_from(node: str, take: Callable[[Any], None]) -> Callable[[Any], None]:
     """A callback that takes a node's own messages: anybody may publish on its topic."""
 
     def take_own(message):
-        if message._connection_header["callerid"].strip("/") == node:
+        if sender(message) == node:
             take(message)
 
     return take_own
@@ -90,6 +97,9 @@ class RosWatch:
         self._subscribers.append(rospy.Subscriber("/diagnostics", DiagnosticArray, take))
         self._estimates: queue.SimpleQueue = queue.SimpleQueue()
         self._localizations = [self._subscribe_estimate(car) for car in self._cars]
+        self._early: Optional[Failure] = None
+        if plan.has_countdown:
+            self._subscribers.append(rospy.Subscriber("/time_to_start", Int32, self._take_start))
         self._next_look = 0.0
         self._director = Director(plan) if plan.scenario.has_events else None
 
@@ -126,9 +136,9 @@ class RosWatch:
         return dataclasses.replace(failure, stamp=problem.stamp)
 
     def mixed_up(self) -> Optional[Failure]:
-        """Whether a car's driver hears another's, or interferes with its car: then nothing counts."""
-        if len(self._cars) < 2:
-            return None
+        """Whether a driver hears another's, touches its car or moves the start: then nothing counts."""
+        if self._early or len(self._cars) < 2:
+            return self._early
         graph = read_graph()
         found = shared_topic(graph, self._cars) or meddling(graph, self._cars, self._car_of)
         return found and Failure(*found, str(self._plan.launch_log), stamp=0.0)
@@ -172,6 +182,12 @@ class RosWatch:
     def _subscribe(self, car: str) -> rospy.Subscriber:
         take = heard_from(f"{car}/race_mgr", lambda message: self._updates.put(to_update(car, message)))
         return rospy.Subscriber(f"/{car}/race_status", RaceStatus, take, tcp_nodelay=True)
+
+    def _take_start(self, message: Int32) -> None:
+        node = sender(message)
+        if node != STARTER and not self._early:
+            reason = f"publishes /time_to_start, which is the {STARTER}'s"
+            self._early = Failure(node, reason, str(self._plan.launch_log), stamp=0.0)
 
     def _take_diagnostics(self, message: DiagnosticArray) -> None:
         for status in message.status:

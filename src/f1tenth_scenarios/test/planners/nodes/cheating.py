@@ -229,6 +229,9 @@ class Cheating:
         (folder / "result.json").write_text('{"verdict": "success", "passed": true}', encoding="utf-8")
         (folder / "trajectory.csv").write_text("time\n", encoding="utf-8")
 
+    def starts_the_race(self):
+        self.lies = [self.tell("/time_to_start", Int32(0))]
+
     def stops_the_other_car(self):
         other = "robot2" if rospy.get_namespace() == "/robot1/" else "robot1"
         self.lies = [self.tell(f"/{other}/drive", AckermannDriveStamped())]
@@ -247,7 +250,7 @@ class Cheating:
 
     def ends_the_referee(self):
         """The node with which the judge listens."""
-        rosnode.kill_nodes([name for name in rosnode.get_node_names() if name.startswith("/scenario_")])
+        rosnode.kill_nodes(["/scenario"])
 
     def takes_the_name_of_the_simulator(self):
         self.start_as("sim2d", "/")

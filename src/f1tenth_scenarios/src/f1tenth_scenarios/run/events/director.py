@@ -6,9 +6,10 @@ from typing import Optional
 
 import rospy
 from f1tenth_judge.errors import ScenarioError
-from f1tenth_judge.plan.participants import DIRECTOR, participants
+from f1tenth_judge.plan.participants import participants
 from f1tenth_judge.plan.plan import Plan
 from f1tenth_judge.record.observations import Failure
+from f1tenth_judge.scenario.interventions import DIRECTOR
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Header
 

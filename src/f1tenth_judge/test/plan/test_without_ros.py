@@ -18,6 +18,9 @@ def test_planner_of_ros2_needs_no_ros(tmp_path):
     plan = plan_of(tmp_path, ROS2)
     assert not plan.needs_ros
     assert plan.driver_folders == {"robot1": tmp_path}
+    assert not plan_of(
+        tmp_path, ROS2.replace("my_planner", "my_planner, interface: f1tenth_gym_ros")
+    ).needs_ros
     assert plan_of(tmp_path, SCENARIO_TEXT).needs_ros
 
 

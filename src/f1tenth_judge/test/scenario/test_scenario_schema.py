@@ -172,12 +172,12 @@ ANSWERS = {
     "interface of a ROS 2 driver": (
         "    goals: circuit1",
         "    driver: {ros2: my_planner, interface: f1tenth}",
-        "FILE:5: cars[0].driver.interface is for a launch file; 'ros2' has no other topics",
+        "FILE:5: cars[0].driver.interface is 'f1tenth', may be f1tenth_gym_ros for 'ros2'",
     ),
     "unknown interface": (
         "    goals: circuit1",
         "    driver: {launch: my.launch, interface: ros2}",
-        "FILE:5: cars[0].driver.interface is 'ros2'; allowed: native, f1tenth",
+        "FILE:5: cars[0].driver.interface is 'ros2'; allowed: native, f1tenth, f1tenth_gym_ros",
     ),
     "arguments that are none": (
         "    goals: circuit1",

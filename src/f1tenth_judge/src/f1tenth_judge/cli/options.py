@@ -80,7 +80,7 @@ def ros2_planners(commands: Sequence[str], options) -> list[Driver]:
     Raises:
         ScenarioError: --interface, or an --arg that is not of its form.
     """
-    if commands and options.interface != Interface.NATIVE.value:
+    if commands and Interface(options.interface) not in (Interface.NATIVE, Interface.F1TENTH_GYM_ROS):
         raise ScenarioError(
             "--interface is for a --planner; with --ros2 the topics are those of f1tenth_gym_ros"
         )

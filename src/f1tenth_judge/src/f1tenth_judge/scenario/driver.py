@@ -17,6 +17,15 @@ class Interface(enum.Enum):
 
     NATIVE = "native"
     F1TENTH = "f1tenth"
+    F1TENTH_GYM_ROS = "f1tenth_gym_ros"
+
+
+# What a driver of each kind may name: the first one is what it has anyway.
+_INTERFACES = {
+    "launch": (Interface.NATIVE, Interface.F1TENTH),
+    "ros2": (Interface.NATIVE, Interface.F1TENTH_GYM_ROS),
+    "python": (Interface.NATIVE,),
+}
 
 
 @dataclasses.dataclass(frozen=True)
@@ -31,7 +40,7 @@ class Driver:
     interface: Interface = key(
         "`native`: the topics of the car's namespace; `f1tenth`: those of f1tenth_simulator and"
         " f1tenth_gym_ros (`/scan`, `/drive`, `/nav`, `/odom`, `/gt_pose`, `/ego_racecar/odom`,"
-        " `/opp_scan`, …).",
+        " `/opp_scan`, …). `f1tenth_gym_ros`: what a command of ROS 2 finds, whether it is named or not.",
         default=Interface.NATIVE,
     )
     arguments: dict[str, str] = key(
@@ -60,8 +69,10 @@ class Driver:
             return (given or [*_KINDS])[0], f"{found}; exactly one of {', '.join(_KINDS)} is needed"
         if self.python and not re.fullmatch(r".+\.py:\w+", self.python):
             return "python", f"is '{self.python}', must be FILE.py:CLASS"
-        if not self.launch and self.interface is not Interface.NATIVE:
-            return "interface", f"is for a launch file; '{given[0]}' has no other topics"
+        if self.interface not in _INTERFACES[given[0]]:
+            allowed = [each.value for each in _INTERFACES[given[0]][1:]] or ["none"]
+            found = f"is '{self.interface.value}', may be {' or '.join(allowed)} for '{given[0]}'"
+            return "interface", found
         return None
 
     @classmethod

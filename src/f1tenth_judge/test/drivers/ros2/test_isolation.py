@@ -1,11 +1,44 @@
 """Runs side by side do not hear each other, whatever the user's environment says."""
 
+import os
+import shlex
 import socket
+import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 from f1tenth_judge.drivers.ros2 import isolation
 from f1tenth_judge.drivers.ros2.isolation import child_environment, private_domain
 from f1tenth_judge.errors import ScenarioError
+from result_schema import valid_result
+
+PLANNERS = Path(__file__).parent / "planners"
+HOSTILE = {
+    "ROS_DOMAIN_ID": "0",
+    "ROS_LOCALHOST_ONLY": "0",
+    "ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET",
+    "CYCLONEDDS_URI": "file:///nowhere.xml",
+    "RMW_IMPLEMENTATION": "rmw_zenoh_cpp",
+}
+
+
+def test_runs_side_by_side_drive_as_each_does_alone(race, tmp_path):
+    drives, stands = (
+        shlex.join([sys.executable, str(PLANNERS / f"{file}.py"), how])
+        for file, how in (("gap", "by_subscription"), ("misbehaving", "hears_latched_odometry"))
+    )
+    words = (sys.executable, "-m", "f1tenth_judge.drivers.ros2", "circuit1", "--set", "limits.timeout=5")
+    folders = [tmp_path / "one", tmp_path / "other"]
+    runs = [
+        subprocess.Popen([*words, "--results", folder, planner], env=os.environ | HOSTILE)
+        for folder, planner in zip(folders, (drives, stands))
+    ]
+    assert [run.wait() for run in runs] == [1, 1]
+    one, other = (valid_result(folder / "race_circuit1" / "result.json") for folder in folders)
+    assert (one["verdict"], other["verdict"], one["lockstep"]) == ("timeout", "timeout", True)
+    assert one["trajectory_hash"] != other["trajectory_hash"]
+    assert one["trajectory_hash"] == race(drives)["trajectory_hash"]
 
 
 def test_domain_is_somebody_elses_only_when_it_is_given_back():

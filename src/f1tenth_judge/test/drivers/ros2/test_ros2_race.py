@@ -1,5 +1,6 @@
 """Planners on DDS alone, judged as those of ROS 2 are: the same drive every time, or what is wrong."""
 
+import csv
 import shlex
 import sys
 from pathlib import Path
@@ -50,6 +51,29 @@ def test_each_planner_hears_its_own_car_and_sees_the_other(race, tmp_path):
     assert {line.split()[0]: line.split()[1] for line in first} == {
         line.split()[0]: line.split()[2] for line in second
     }
+
+
+def test_what_was_sensed_comes_before_the_scan_and_the_time_last(race, tmp_path):
+    result = race(command("telling", "tells_what_it_hears"), settings=["limits.timeout=2"])
+    assert (result["verdict"], result["lockstep"]) == ("timeout", True)
+    told = (tmp_path / "log" / "robot1.log").read_text().splitlines()
+    heard = {"scan": [], "clock": [], "imu": [], "odom": [], "ego_racecar/odom": []}
+    for place, line in enumerate(told):
+        stamp, topic = line.split()
+        heard[topic].append((float(stamp), place))
+    periods = [round(stamp, 9) for stamp, _ in heard["clock"]]
+    assert periods == pytest.approx([n / 40 for n in range(1, len(periods) + 1)])
+    assert len(periods) > 75
+    for topic in ("odom", "ego_racecar/odom", "scan"):
+        assert [round(stamp, 9) for stamp, _ in heard[topic]] == periods
+    assert len(heard["imu"]) == 5 * len(periods)
+    for number, (_, clock) in enumerate(heard["clock"]):
+        scan = heard["scan"][number][1]
+        sensed = [heard["odom"][number], heard["ego_racecar/odom"][number], heard["imu"][5 * number + 4]]
+        assert max(place for _, place in sensed) < scan < clock
+    with (tmp_path / "trajectory.csv").open() as record:
+        last = list(csv.DictReader(record))[-1]
+    assert float(last["v_x"]) == pytest.approx(0.5, abs=0.05)
 
 
 WRONG = {

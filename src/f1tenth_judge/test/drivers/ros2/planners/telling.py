@@ -4,7 +4,7 @@ import sys
 import zlib
 
 from dds_node import LATCHED, SENSOR_DATA, Node
-from f1tenth_judge.drivers.ros2.messages.basic import Header
+from f1tenth_judge.drivers.ros2.messages.basic import Clock, Header
 from f1tenth_judge.drivers.ros2.messages.drawing import (
     ColorRGBA,
     Float32,
@@ -14,9 +14,9 @@ from f1tenth_judge.drivers.ros2.messages.drawing import (
     PoseStamped,
 )
 from f1tenth_judge.drivers.ros2.messages.driving import AckermannDrive, AckermannDriveStamped
-from f1tenth_judge.drivers.ros2.messages.geometry import Pose, TFMessage, Vector3
+from f1tenth_judge.drivers.ros2.messages.geometry import Pose, TFMessage, Twist, Vector3
 from f1tenth_judge.drivers.ros2.messages.navigation import OccupancyGrid, Odometry
-from f1tenth_judge.drivers.ros2.messages.sensing import CameraInfo, Image, LaserScan
+from f1tenth_judge.drivers.ros2.messages.sensing import CameraInfo, Image, Imu, LaserScan
 
 
 def slow_node():
@@ -40,6 +40,23 @@ def tells_both():
 
     node.subscribe("ego_racecar/odom", Odometry, note)
     node.subscribe("opp_racecar/odom", Odometry, tell)
+    node.spin()
+
+
+def tells_what_it_hears():
+    """In the order in which it comes, and when it was sensed (s); drives by velocities."""
+    node = Node()
+    publish = node.publisher("cmd_vel", Twist)
+
+    def hear(topic, kind, when=lambda message: message.header.stamp):
+        node.subscribe(topic, kind, lambda message: print(when(message).seconds, topic, flush=True))
+
+    hear("imu", Imu)
+    hear("odom", Odometry)
+    hear("ego_racecar/odom", Odometry)
+    hear("scan", LaserScan)
+    hear("clock", Clock, lambda message: message.clock)
+    node.subscribe("scan", LaserScan, lambda scan: publish(Twist(linear=Vector3(0.5))))
     node.spin()
 
 

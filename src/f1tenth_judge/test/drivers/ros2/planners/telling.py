@@ -49,7 +49,7 @@ def tells_what_it_hears():
     publish = node.publisher("cmd_vel", Twist)
 
     def hear(topic, kind, when=lambda message: message.header.stamp):
-        node.subscribe(topic, kind, lambda message: print(when(message).seconds, topic, flush=True))
+        node.subscribe(topic, kind, lambda message: print(when(message).to_sec(), topic, flush=True))
 
     hear("imu", Imu)
     hear("odom", Odometry)

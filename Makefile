@@ -93,12 +93,12 @@ build: installed $(CONFIGURED) ## build the workspace
 	@cmake --build $(BUILD_DIR) -j $(JOBS) -- --no-print-directory
 
 # Without a planner, ours drives from goal to goal.
-RACE = $(if $(PLANNER),race "$(CIRCUIT)" --planner "$(PLANNER)" --laps $(LAPS) $(addprefix --interface ,$(INTERFACE)),run "$(CIRCUIT)")
+RACE = $(if $(PLANNER),race "$(CIRCUIT)" --planner "$(PLANNER)" --laps $(LAPS),run "$(CIRCUIT)") $(addprefix --interface ,$(INTERFACE))
 
 # A planner of somebody else may lie in an overlay that has been sourced: --extend leaves it there.
 judged: EXTEND = $(if $(PLANNER),--extend)
 judged: known-circuit build
-	@$(IN_WORKSPACE) { rosrun f1tenth_scenarios scenario $(RACE) --report $(if $(WATCH),--watch); echo $$? > "$(BUILD_DIR)/verdict"; } && \
+	@$(IN_WORKSPACE) { F1TENTH_TYPED=make rosrun f1tenth_scenarios scenario $(RACE) --report $(if $(WATCH),--watch); echo $$? > "$(BUILD_DIR)/verdict"; } && \
 	  grep -q '^[01]$$' "$(BUILD_DIR)/verdict" || exit 2
 
 race: judged ## one headless race, judged: make race CIRCUIT=circuit3 PLANNER=my.launch

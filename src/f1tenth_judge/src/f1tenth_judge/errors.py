@@ -1,6 +1,8 @@
 """The exceptions of this package."""
 
 import contextlib
+import os
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -31,6 +33,20 @@ class MismatchError(Exception):
 
 class NotAtRestError(Exception):
     """A driver that has started up does not come to rest any more."""
+
+
+def as_typed(text: str) -> str:
+    """What is said of options, for whoever typed `make race`: INTERFACE=f1tenth, not --interface f1tenth.
+
+    The Makefile says by F1TENTH_TYPED that this is the case.
+    """
+    if os.environ.get("F1TENTH_TYPED") != "make":
+        return text
+    return re.sub(
+        r"--(planner|interface|laps)\b( (?!is )(?=\S))?",
+        lambda found: found[1].upper() + ("=" if found[2] else ""),
+        text,
+    )
 
 
 @contextlib.contextmanager

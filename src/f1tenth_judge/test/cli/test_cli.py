@@ -138,6 +138,25 @@ def test_progress_is_silent_elsewhere():
 @pytest.mark.parametrize(
     ("arguments", "answer"),
     [
+        (["race", "circuit1", "--laps", "0"], "LAPS is 0, must be at least 1"),
+        (["run", "circuit1", "--interface", "f1tenth"], "INTERFACE is for a PLANNER"),
+        (["race", "circuit1", "--planner", "my.launch"], "PLANNER=my.launch: no such file"),
+    ],
+)
+def test_who_typed_make_is_answered_in_its_words(monkeypatch, capsys, arguments, answer):
+    monkeypatch.setenv("F1TENTH_TYPED", "make")
+    assert cli.main(arguments) == 2
+    assert answer in capsys.readouterr().err
+
+
+def test_watch_is_the_option_of_the_command_that_follows(capsys):
+    assert cli.main(["watch", "run", "circuit1", "--repeat", "2"]) == 2
+    assert "--watch is not for --repeat" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "answer"),
+    [
         (["sweep", "circuit1", "--vary", "seed=1:2", "--workers", "0"], "--jobs is 0, must be at least 1"),
         (
             ["sweep", "circuit1", "--vary", "seed=1:2", "--scheduler", "here"],

@@ -112,10 +112,15 @@ def test_who_hears_transforms_is_told_of_their_frames():
     ]
 
 
+def test_who_typed_make_is_told_what_make_takes(monkeypatch):
+    monkeypatch.setenv("F1TENTH_TYPED", "make")
+    assert "use INTERFACE=f1tenth" in why(heard=["/scan"])
+
+
 @pytest.mark.parametrize(("interface", "is_told"), [(Interface.NATIVE, True), (Interface.F1TENTH, False)])
 def test_names_of_f1tenth_simulator_are_known(interface, is_told):
-    assert ("see --interface f1tenth" in why(heard=["/scan"], interface=interface)) == is_told
-    assert ("see --interface f1tenth" in why([("/drive", STAMPED)], interface=interface)) == is_told
+    assert ("use --interface f1tenth" in why(heard=["/scan"], interface=interface)) == is_told
+    assert ("use --interface f1tenth" in why([("/drive", STAMPED)], interface=interface)) == is_told
 
 
 def test_driver_s_nodes_are_those_that_send_commands_first():

@@ -36,7 +36,7 @@ _Subparsers: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
 
 
 def make_parser(program: str) -> argparse.ArgumentParser:
-    """What the command takes; each subcommand has an `action` that takes the options."""
+    """What the command takes; an `action` that takes the options, or a `command` that is watched."""
     parser = argparse.ArgumentParser(prog=program, description="Runs and judges scenarios of the F1/10 car.")
     parser.add_argument("--path", type=_folder, metavar="FOLDER", help=_PATH)
     commands = parser.add_subparsers(metavar="COMMAND", required=True)
@@ -280,19 +280,13 @@ def _add_export(commands: _Subparsers) -> None:
 
 def _add_watch_command(commands: _Subparsers) -> None:
     text = "show in browsers what another command runs while it goes on, as its option --watch does"
-    command = _command(commands, "watch", _watch_command, text)
+    command = commands.add_parser("watch", help=text, description=text)
     command.add_argument(
         "command",
         nargs=argparse.REMAINDER,
         metavar="COMMAND",
         help="race, run, suite or league, with its options",
     )
-
-
-def _watch_command(options) -> int:
-    from f1tenth_judge.cli import main  # which needs this module
-
-    return main([*options.command, "--watch"])
 
 
 def _add_results(command: argparse.ArgumentParser, text: str) -> None:

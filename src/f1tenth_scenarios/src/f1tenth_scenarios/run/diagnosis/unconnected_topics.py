@@ -4,6 +4,7 @@ import dataclasses
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Callable, Optional
 
+from f1tenth_judge.errors import as_typed
 from f1tenth_judge.plan.car_description import CarDescription
 from f1tenth_judge.plan.input_topics import absolute
 from f1tenth_judge.plan.participants import PROXY_DRIVER, driver_nodes_among
@@ -128,7 +129,7 @@ def _taken(own: Mapping[str, str]) -> str:
 def _ways_out(remaps: Mapping[str, str], interface: Interface) -> list[str]:
     """How topics that lead nowhere get to those of the car."""
     if interface is Interface.NATIVE and remaps and F1TENTH_OWN.keys() >= remaps.keys():
-        return ["see --interface f1tenth"]
+        return [as_typed("use --interface f1tenth")]
     if not remaps:
         return []
     lines = "".join(f'<remap from="{topic}" to="{name}"/>' for topic, name in remaps.items())

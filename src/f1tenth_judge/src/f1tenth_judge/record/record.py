@@ -173,7 +173,7 @@ def _build(path, rows):
 
 def _track(car, rows):
     columns = dict(zip(COLUMNS, zip(*rows)))
-    numbers = {name: np.array(columns[name], dtype=float) for name in _NUMBERS}
+    numbers = {name: np.fromiter(map(float, columns[name]), float, len(rows)) for name in _NUMBERS}
     for name, values in numbers.items():
         _require_finite(f"{name} of {car}", values, columns["time"])
     return CarTrack(car=car, contacts=columns["contacts"], hash=columns["hash"], rows=tuple(rows), **numbers)

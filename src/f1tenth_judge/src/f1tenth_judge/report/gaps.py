@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 from f1tenth_judge.record.record import Record
 
 _SPACING = 0.2  # m, between the places on the road that are told apart
+_AT_ONCE = 256  # places that are looked for, so that memory for their distances is small
 
 
 def gaps_to_leader(record: Record, road: Sequence) -> dict[str, np.ndarray]:
@@ -36,6 +37,9 @@ def way_along(xs: np.ndarray, ys: np.ndarray, road: ArrayLike) -> np.ndarray:
     at = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(closed, axis=0).T))])
     places = np.arange(0.0, at[-1], _SPACING)
     line_x, line_y = (np.interp(places, at, closed[:, column]) for column in (0, 1))
-    nearest = [int(np.argmin(np.hypot(line_x - x, line_y - y))) for x, y in zip(xs, ys)]
-    way = np.unwrap(places[nearest], period=at[-1])
+    nearest = [
+        np.argmin((line_x - x[:, None]) ** 2 + (line_y - y[:, None]) ** 2, axis=1)
+        for x, y in zip(*(np.split(each, range(_AT_ONCE, len(each), _AT_ONCE)) for each in (xs, ys)))
+    ]
+    way = np.unwrap(places[np.concatenate(nearest)], period=at[-1])
     return way - at[-1] * np.round(way[0] / at[-1])

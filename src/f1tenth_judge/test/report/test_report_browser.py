@@ -389,3 +389,10 @@ def test_what_the_planner_drew_published_and_saw_is_shown(window, report):
 
 def map_of(window):
     return window.execute_script("return document.querySelector('.map').toDataURL()")
+
+
+def test_contacts_are_told_with_the_corner(window, report):
+    open_run(window, report, "two")
+    (row,) = window.find_elements("xpath", "//section[h2='Contacts']//tbody/tr")
+    assert row.text.split()[-4:] == ["in", "T1", "1.50", "m/s"]
+    assert find(window, ".reason").text.endswith("in T1")

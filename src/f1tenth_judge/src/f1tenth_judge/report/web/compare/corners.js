@@ -28,6 +28,14 @@ export function driveThrough(car, { from, to }, offset) {
   return { time: entry, entry: first, apex: Math.min(first, last, ...inside), exit: last };
 }
 
+// Where a distance (m) along a road of this length is, in words; "" where there are no corners.
+export function whereOf(corners, length, way) {
+  if (!corners.length || !Number.isFinite(way)) return "";
+  const place = way - length * Math.floor(way / length);
+  const corner = corners.find(({ to }) => place <= to) ?? corners[0];
+  return `${place >= corner.from && place <= corner.to ? "in" : "before"} T${corner.number}`;
+}
+
 export function lengthOf(road) {
   return along(road).at(-1);
 }

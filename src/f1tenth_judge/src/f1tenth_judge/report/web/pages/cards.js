@@ -92,12 +92,13 @@ export function lapsCard(result) {
   return section("Laps", table(["car", "lap", "time"], rows));
 }
 
-export function contactsCard(result, seek) {
+// `where`: tells it in words, of a contact.
+export function contactsCard(result, seek, where) {
   if (!result.contacts?.length) return null;
   const rows = result.contacts.map((each) => ({
-    cells: [moment(each.start, seek), each.car, each.touched.join(", "), formatNumber(each.speed, 2, "m/s")],
+    cells: [moment(each.start, seek), each.car, each.touched.join(", "), where(each), formatNumber(each.speed, 2, "m/s")],
   }));
-  return section("Contacts", table(["at", "car", "touched", "speed"], rows));
+  return section("Contacts", table(["at", "car", "touched", "where", "speed"], rows));
 }
 
 export function interventionsCard(result, seek) {
@@ -134,6 +135,6 @@ export function versionsCard(result) {
     value instanceof Object ? Object.entries(value).map(([car, each]) => [`${name} of ${car}`, each]) : [[name, value]]);
   const rows = [["seed", result.seed], ["trajectory hash", result.trajectory_hash], ...versions];
   return section("Made with", table(["", ""], rows.map(([name, value]) => ({
-    cells: [name, element("code", {}, formatValue(value))],
+    cells: [element("span", {}, ...breakable(name)), element("code", {}, formatValue(value))],
   }))));
 }

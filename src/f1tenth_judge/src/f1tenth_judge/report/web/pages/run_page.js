@@ -2,7 +2,7 @@
 
 import { element } from "../base/elements.js";
 import { Channels } from "../charts/channels.js";
-import { cornersOf } from "../compare/corners.js";
+import { cornersOf, lengthOf, whereOf } from "../compare/corners.js";
 import { deltaTo } from "../compare/delta.js";
 import { comparisonCard, contactsCard, cornersCard, criteriaCard, culpritCard, lapsCard, linksCard, interventionsCard, problemsCard, tiles, versionsCard } from "./cards.js";
 import { referenceChoice } from "./reference.js";
@@ -66,15 +66,17 @@ export class RunPage {
   cards() {
     const { result } = this;
     this.cornersPlace = element("div");
-    const seek = (time) => {
-      this.player?.seek(time);
-      this.stage.scrollIntoView({ block: "nearest" });
-    };
+    this.contactsPlace = element("div", {}, contactsCard(result, this.seek, () => ""));
     return [
       problemsCard(result), culpritCard(result), criteriaCard(result), comparisonCard(result), this.cornersPlace, lapsCard(result),
-      contactsCard(result, seek), interventionsCard(result, seek), linksCard(result), versionsCard(result), keyHelp(),
+      this.contactsPlace, interventionsCard(result, this.seek), linksCard(result), versionsCard(result), keyHelp(),
     ].filter(Boolean);
   }
+
+  seek = (time) => {
+    this.player?.seek(time);
+    this.stage.scrollIntoView({ block: "nearest" });
+  };
 
   /** @returns {void | Promise<void>} */
   load() {
@@ -103,6 +105,7 @@ export class RunPage {
     this.controls = new Controls({ player: this.player, view: this.view, events: this.events, extra: choice, onLink: () => this.link() });
     this.stage.replaceChildren(this.view.canvas, this.cameras.root, this.controls.root, this.channels.root);
     this.showCorners(null, null);
+    this.showPlaces();
     this.stage.removeAttribute("aria-busy");
     this.view.canvas.style.aspectRatio = Math.min(Math.max(this.view.aspect, 1), 2.4);
     addEventListener("resize", this.onResize);
@@ -133,6 +136,18 @@ export class RunPage {
     const own = { run: this.view.run, result: this.result };
     const card = cornersCard(this.corners, own, ghost && { run: ghost, result }, (time) => this.player.seek(time));
     this.cornersPlace.replaceChildren(...[card].filter(Boolean));
+  }
+
+  // Says in which corner something was touched, and in that of the verdict as well.
+  showPlaces() {
+    const { run } = this.view;
+    const where = ({ car: name, start }) => {
+      const car = run.cars.find((each) => each.name === name);
+      return car ? whereOf(this.corners, lengthOf(run.road), car.at(start).way) : "";
+    };
+    this.contactsPlace?.replaceChildren(...[contactsCard(this.result, this.seek, where)].filter(Boolean));
+    const [first] = this.result.verdict === "collision" ? this.result.contacts ?? [] : [];
+    if (first) this.root.querySelector(".reason").append(` ${where(first)}`);
   }
 
   makeChannels(ghost) {

@@ -1,34 +1,35 @@
+#!/usr/bin/env python3
 """Visual odometry by the stereo camera of the car: a small one, on OpenCV (python3-opencv).
 
-python3 stereo_odometry.py [PLACE] follows the centreline of a place for a lap, and prints the drift.
+A node that hears `image_raw` and `camera_info` of `camera/left` and `camera/right`, and publishes on
+`visual_odom` where the car has come to since the first pair of pictures.
 """
 
-import sys
+import threading
 
 import cv2
 import numpy as np
-from f1tenth_sim2d.environments.car import Lidar, load_cars
-from f1tenth_sim2d.environments.place import find_place
+import rospy
+import tf2_ros
+from geometry_msgs.msg import Point, Quaternion
+from nav_msgs.msg import Odometry
+from sensor_msgs.msg import CameraInfo, Image
+from tf.transformations import quaternion_matrix
 
-import f1tenth_sim2d
-
-CAMERA = "stereo_camera"
-STEP = 0.1  # m, between two pictures: 30 Hz at 3 m/s
 NEAREST, FARTHEST = 0.4, 8.0  # m, of points that are used: the car sees itself, too
 FEATURES = 800
+LEAST = 12  # points that tell a motion: with fewer, the last one is taken to go on
 
 
 class StereoOdometry:
     """Adds up how the camera has moved from one pair of pictures to the next."""
 
-    def __init__(self, left, right):
-        """`left` and `right` are eyes of a camera, see Car.cameras."""
-        self._focal, self._middle = left.focal_x, (left.middle_x, left.middle_y)
-        self._baseline = left.pose[1] - right.pose[1]
-        self._matrix = np.array(
-            [[left.focal_x, 0, left.middle_x], [0, left.focal_y, left.middle_y], [0, 0, 1]], float
-        )
+    def __init__(self, focal, middle, baseline):
+        """Focal length and middle in pixels, distance of the eyes in m."""
+        self._focal, self._middle, self._baseline = focal, middle, baseline
+        self._matrix = np.array([[focal, 0, middle[0]], [0, focal, middle[1]], [0, 0, 1]], float)
         self._last = None
+        self._turn, self._shift = np.zeros((3, 1)), np.zeros((3, 1))  # from the last pair but one to the last
         self.pose = np.eye(4)  # of the left eye where it began: z ahead, x to the right
 
     def take(self, left, right):
@@ -37,13 +38,24 @@ class StereoOdometry:
         if self._last is not None:
             pixels, points = self._last
             seen, is_seen = tracked(self._left, left, pixels)
-            _, turn, shift, _ = cv2.solvePnPRansac(
-                points[is_seen], seen[is_seen], self._matrix, None, reprojectionError=0.7, iterationsCount=200
-            )
+            if is_seen.sum() >= LEAST:
+                self._measure(points[is_seen], seen[is_seen])
             change = np.eye(4)
-            change[:3, :3], change[:3, 3] = cv2.Rodrigues(turn)[0], shift.ravel()
+            change[:3, :3], change[:3, 3] = cv2.Rodrigues(self._turn)[0], self._shift.ravel()
             self.pose = self.pose @ np.linalg.inv(change)
         self._left, self._last = left, self._points(left, right)
+
+    def _measure(self, points, pixels):
+        """How the camera has moved, by where it sees points of the space before."""
+        is_found, _, _, inliers = cv2.solvePnPRansac(
+            points, pixels, self._matrix, None, reprojectionError=0.7, iterationsCount=200
+        )
+        if is_found and len(inliers) >= LEAST:
+            # From the last motion: points on one wall have a second solution, far from it.
+            agreeing = inliers.ravel()
+            self._turn, self._shift = cv2.solvePnPRefineLM(
+                points[agreeing], pixels[agreeing], self._matrix, None, self._turn, self._shift
+            )
 
     def _points(self, left, right):
         """Pixels of the left picture, and where in space they are."""
@@ -65,53 +77,60 @@ def tracked(before, after, pixels):
     return there, is_found.ravel().astype(bool) & is_back.ravel().astype(bool) & is_same
 
 
-def lap_of(line):
-    """Poses (x, y, yaw) along a closed line, STEP apart."""
-    ends = np.vstack([line, line[:1]])
-    way = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(ends, axis=0).T))])
-    at = np.arange(0.0, way[-1], STEP)
-    x, y = (np.interp(at, way, ends[:, i]) for i in (0, 1))
-    ahead = [np.interp((at + 0.3) % way[-1], way, ends[:, i]) for i in (0, 1)]
-    return np.column_stack([x, y, np.arctan2(ahead[1] - y, ahead[0] - x)])
+class Node:
+    """From the topics of the camera to `visual_odom`."""
+
+    def __init__(self):
+        self._base = rospy.get_param("~base_frame", "base_footprint")
+        self._transforms = tf2_ros.Buffer()
+        self._listener = tf2_ros.TransformListener(self._transforms)
+        self._odometry = None
+        self._base_from_eye = None
+        self._heard, self._lock = {}, threading.Lock()
+        self._publisher = rospy.Publisher("visual_odom", Odometry, queue_size=10)
+        for eye in ("left", "right"):
+            rospy.Subscriber(f"camera/{eye}/camera_info", CameraInfo, self._hear, f"{eye} info")
+            rospy.Subscriber(f"camera/{eye}/image_raw", Image, self._hear, eye, buff_size=1 << 24)
+
+    def _hear(self, message, name):
+        with self._lock:
+            self._heard[name] = message
+            eyes = [self._heard.get(eye) for eye in ("left", "right")]
+            if len(self._heard) == 4 and eyes[0].header.stamp == eyes[1].header.stamp:
+                del self._heard["left"], self._heard["right"]
+                self._take(*eyes)
+
+    def _take(self, left, right):
+        if self._odometry is None and not self._begin(left.header.frame_id):
+            return
+        self._odometry.take(*(pixels_of(image) for image in (left, right)))
+        pose = self._base_from_eye @ self._odometry.pose @ np.linalg.inv(self._base_from_eye)
+        half = 0.5 * np.arctan2(pose[1, 0], pose[0, 0])
+        message = Odometry(child_frame_id=self._base)
+        message.header.stamp, message.header.frame_id = left.header.stamp, "visual_odom"
+        message.pose.pose.position = Point(*pose[:3, 3])
+        message.pose.pose.orientation = Quaternion(0.0, 0.0, np.sin(half), np.cos(half))
+        self._publisher.publish(message)
+
+    def _begin(self, frame):
+        """Return whether the place of the eye is known by now."""
+        if not self._transforms.can_transform(self._base, frame, rospy.Time()):
+            return False
+        at = self._transforms.lookup_transform(self._base, frame, rospy.Time()).transform
+        self._base_from_eye = quaternion_matrix([at.rotation.x, at.rotation.y, at.rotation.z, at.rotation.w])
+        self._base_from_eye[:3, 3] = at.translation.x, at.translation.y, at.translation.z
+        left, right = self._heard["left info"], self._heard["right info"]
+        self._odometry = StereoOdometry(left.K[0], (left.K[2], left.K[5]), -right.P[3] / right.P[0])
+        return True
 
 
-def drive(name, most=np.inf):
-    """Follow the centreline of a place, at most so far (m).
-
-    Returns:
-        How far the car has come, and how far from there the odometry says that it is, m.
-    """
-    place = find_place(name)
-    (car,) = load_cars(["robot1"], Lidar(2, 1.0, 1.0))
-    left, right = car.cameras[CAMERA]
-    simulation = f1tenth_sim2d.Simulation(place.world)
-    poses = lap_of(place.centreline[:, :2])[: int(min(most, 1e6) / STEP)]
-    simulation.add_car(car, None, *poses[0])
-    odometry = StereoOdometry(left, right)
-    for pose in poses:
-        simulation.place_car(0, *map(float, pose))
-        odometry.take(*(simulation.look(0, CAMERA, eye.name)[0] for eye in (left, right)))
-    begin, end = (place_of(left, pose) for pose in (poses[0], poses[-1]))
-    yaw, (ahead, to_right) = poses[0][2], odometry.pose[[2, 0], 3]
-    found = begin + along(yaw, ahead, -to_right)
-    return STEP * (len(poses) - 1), float(np.hypot(*(found - end)))
-
-
-def place_of(eye, pose):
-    """(x, y) of an eye of a car."""
-    return pose[:2] + along(pose[2], *eye.pose[:2])
-
-
-def along(yaw, ahead, left):
-    """A vector in the world."""
-    return np.array([np.cos(yaw) * ahead - np.sin(yaw) * left, np.sin(yaw) * ahead + np.cos(yaw) * left])
-
-
-def main():
-    """Print the drift after a lap."""
-    way, drift = drive((sys.argv[1:] or ["circuit_detailed"])[0])
-    print(f"{way:.1f} m, drift {drift:.3f} m, {100 * drift / way:.2f} % of the way")
+def pixels_of(image):
+    """Rows of pixels of a sensor_msgs/Image in rgb8."""
+    return np.frombuffer(image.data, np.uint8).reshape(image.height, image.width, 3)
 
 
 if __name__ == "__main__":
-    main()
+    rospy.init_node("stereo_odometry")
+    cv2.setNumThreads(1)  # one process of many: more threads than processors only wait for each other
+    node = Node()
+    rospy.spin()

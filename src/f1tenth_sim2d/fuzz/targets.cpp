@@ -106,6 +106,17 @@ void map(const std::uint8_t * data, std::size_t size)
   loadOrRefuse([&path] { loadWorld(path); });
 }
 
+void texture(const std::uint8_t * data, std::size_t size)
+{
+  written("texture.png", data, size);
+  const std::string world =
+    "<sdf version='1.6'><world name='w'><model name='m'><static>1</static><link name='l'><visual name='v'>"
+    "<geometry><box><size>1 1 1</size></box></geometry><material><pbr><metal><albedo_map>texture.png</albedo_map>"
+    "</metal></pbr></material></visual></link></model></world></sdf>";
+  const std::string path = written("texture.world", reinterpret_cast<const std::uint8_t *>(world.data()), world.size());
+  static_cast<void>(Simulation(loadWorld(path)).viewWarning());
+}
+
 void vehicle(const std::uint8_t * data, std::size_t size)
 {
   const std::string path = written("car.yaml", data, size);

@@ -17,4 +17,6 @@ void car(const std::uint8_t * data, std::size_t size);
 void map(const std::uint8_t * data, std::size_t size);
 /// The YAML file of a car's parameters, with which a car is then driven.
 void vehicle(const std::uint8_t * data, std::size_t size);
+/// An image as the texture of a box.
+void texture(const std::uint8_t * data, std::size_t size);
 }  // namespace f1tenth_sim2d::fuzz

@@ -156,6 +156,7 @@ MEASURES = {
         0.5,
     ),
     "localization_yaw_error": (0.2, {"estimates": {"robot1": Poses([1.0], [(1, 1, 6.2831853 - 0.1)])}}, 0.1),
+    "odometry_drift": (0.3, {"estimates": {"robot1": Poses([1.0, 2.0], [(0, 0, 0), (1, 0.2, 0)])}}, 0.2),
     "real_time_factor": (10.0, {"real_time_factor": 12.0}, 12.0),
 }
 # With a test of its own.

@@ -225,6 +225,18 @@ def test_localization_error_is_that_at_the_stamp_of_the_estimate_across_half_a_t
     assert 0.03 < run_criteria.localization_yaw_error(wanted, judgement, measured).actual < 0.09
 
 
+def test_odometry_drift_is_that_of_the_way_it_led_along(tmp_path):
+    # It began at another place, with another heading, than the car, which drove 2 m along x.
+    estimates = {"robot1": Poses([1.0, 2.0, 3.0], [(5, 5, math.pi / 2), (5, 6, 1.5), (5.03, 7.04, 1.5)])}
+    wanted = scenario(criteria=Criteria(odometry_drift=0.02))
+    judgement = judged(tmp_path, rows(4.0))
+    found = run_criteria.odometry_drift(wanted, judgement, Measured(estimates=estimates))
+    assert (found.status, found.actual) == (FAILED, pytest.approx(0.025))
+    assert found.reason == "0.050 m after 2.0 m"
+    silent = run_criteria.odometry_drift(wanted, judgement, Measured())
+    assert (silent.status, silent.reason) == (FAILED, "no odometry (visual_odom) was heard")
+
+
 @pytest.mark.parametrize(("expected", "status"), [(Verdict.SUCCESS, FAILED), (Verdict.TIMEOUT, PASSED)])
 def test_verdict(expected, status):
     found = verdict_criteria.verdict(scenario(expected), decided(Verdict.TIMEOUT), Measured())

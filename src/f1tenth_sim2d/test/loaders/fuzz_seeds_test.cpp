@@ -48,6 +48,11 @@ TEST(FuzzSeeds, MapsAreLoadedOrRefused)
   feed("map", fuzz::map);
 }
 
+TEST(FuzzSeeds, TexturesAreReadOrLeftOut)
+{
+  feed("texture", fuzz::texture);
+}
+
 TEST(FuzzSeeds, VehicleFilesAreLoadedOrRefused)
 {
   feed("vehicle", fuzz::vehicle);

@@ -23,6 +23,7 @@ _WITH_LIMIT = (
     driving_criteria.slows_to,
     run_criteria.localization_error,
     run_criteria.localization_yaw_error,
+    run_criteria.odometry_drift,
     run_criteria.real_time_factor,
 )
 

@@ -19,7 +19,7 @@ class Measured:
     start: Optional[float] = None  # s, when the race began; nothing without a race
     lap_times: Mapping[str, Sequence[float]] = dataclasses.field(default_factory=dict)  # s, by car
     real_time_factor: Optional[float] = None
-    estimates: Mapping[str, Poses] = dataclasses.field(default_factory=dict)  # of the localization, by car
+    estimates: Mapping[str, Poses] = dataclasses.field(default_factory=dict)  # of the car's pose, by car
     finishes: Mapping[str, Optional[float]] = dataclasses.field(default_factory=dict)  # s, by car with a task
     excursions: Optional[Sequence[Excursion]] = None  # nothing where no road is known
 

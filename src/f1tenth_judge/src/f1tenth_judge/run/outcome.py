@@ -33,7 +33,7 @@ def judged(
     real_time_factor: Optional[float],
     estimates: Mapping[str, Poses],
 ) -> Result:
-    """The result of a run; `estimates`: where localization took the cars to be."""
+    """The result of a run; `estimates`: where localization or odometry took the cars to be."""
     judgement = judge(plan.scenario, plan.tasks, seen)
     deciding, scenario = judgement.decision.stamp, plan.scenario
     racing = {car: task for car, task in plan.tasks.items() if not task.is_empty}

@@ -56,6 +56,12 @@ class Criteria:
         above=0,
         default=None,
     )
+    odometry_drift: Optional[float] = key(
+        "Where `visual_odom` leads to, from its first pose to its last, may be farther from the truth by at"
+        " most this share of the way.",
+        above=0,
+        default=None,
+    )
     real_time_factor: Optional[float] = key(
         "Least simulated seconds per wall second; depends on the machine.", above=0, default=None
     )

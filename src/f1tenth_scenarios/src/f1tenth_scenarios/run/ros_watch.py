@@ -17,6 +17,7 @@ from f1tenth_judge.record.replay import Poses
 from f1tenth_judge.run.command_watch import CommandCount, CommandWatch, Problem
 from f1tenth_judge.said.plane import planar
 from geometry_msgs.msg import PoseWithCovarianceStamped
+from nav_msgs.msg import Odometry
 from std_msgs.msg import Int32
 
 from f1tenth_race_mgr.msg import RaceStatus
@@ -153,7 +154,7 @@ class RosWatch:
         return next((car.name for car in cars if pid in marked_processes(driver_mark(self._plan, car))), None)
 
     def estimates(self) -> dict[str, Poses]:
-        """Where localization took the cars to be.
+        """Where localization, or visual odometry that is to be judged, took the cars to be.
 
         They are complete if the localizations end within some time.
         """
@@ -199,5 +200,7 @@ class RosWatch:
             stamp = round(message.header.stamp.to_sec(), 9)
             self._estimates.put((car, stamp, planar(message.pose.pose)))
 
+        if self._plan.scenario.criteria.odometry_drift is not None:
+            return rospy.Subscriber(f"/{car}/visual_odom", Odometry, take)
         heard = heard_from(f"{car}/amcl", take)
         return rospy.Subscriber(f"/{car}/amcl_pose", PoseWithCovarianceStamped, heard)

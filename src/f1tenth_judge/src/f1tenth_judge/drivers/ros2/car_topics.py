@@ -81,7 +81,7 @@ class CarTopics:
 
     def publish_clock(self, time: float) -> None:
         """Tell the time (s)."""
-        self._connection.publish(CLOCK, Clock(Time.of(time)))
+        self._publish((CLOCK,), Clock, Time.of(time))
 
     def is_scan_heard(self) -> bool:
         """Whether somebody has subscribed to scans."""

@@ -54,12 +54,6 @@ void TrajectoryLog::restart()
   beginRecord();
 }
 
-void TrajectoryLog::flush()
-{
-  record_.flush();
-  requireGood();
-}
-
 void TrajectoryLog::beginRecord()
 {
   if (record_file_.empty()) {
@@ -105,6 +99,7 @@ void TrajectoryLog::writeRecord()
     }
     record_ << ',' << boost::algorithm::join(touch.models, ";") << ',' << touch.speed << ',' << hash << '\n';
   }
+  record_.flush();
   requireGood();
 }
 

@@ -12,7 +12,8 @@
 namespace f1tenth_sim2d
 {
 /// What is kept of a run, control period by control period: the hash, and the record if there is one. That is a CSV
-/// file with one row per car and period, with all digits of every number. Columns: docs/contracts.md.
+/// file with one row per car and period, with all digits of every number, complete after each period for who reads it
+/// meanwhile. Columns: docs/contracts.md.
 class TrajectoryLog
 {
 public:
@@ -25,8 +26,6 @@ public:
   void endPeriod();
   /// Begins anew. The record so far, with what was touched since its last period, is kept as FILE.before_reset_1, _2, ...
   void restart();
-  /// Leaves nothing of the record in memory.
-  void flush();
 
   std::int64_t periods() const { return periods_; }
   std::string hash() const { return hash_.hexDigest(); }

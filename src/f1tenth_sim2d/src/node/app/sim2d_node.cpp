@@ -181,9 +181,8 @@ void Sim2dNode::run()
     }
     seen = control_;
   }
-  world_.finishPeriod();
   // First of all: on a busy machine whoever asked for the end may lose patience while ROS shuts down.
-  world_.flushRecord();
+  world_.finishPeriod();
   drain_.drain();
 }
 

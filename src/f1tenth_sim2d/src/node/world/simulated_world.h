@@ -53,7 +53,6 @@ public:
   void restart();
   /// Cars and models back to where they started; time goes on.
   void resetPoses();
-  void flushRecord() { log_.flush(); }
 
 private:
   struct Running

@@ -84,7 +84,6 @@ TEST_F(TrajectoryLogTest, TouchStandsInItsPeriodOnlyAndWithItsCarOnly)
   log.note(test::kRobot1, contactWith("walls", 1.0));
   passPeriod(log);
   passPeriod(log);
-  log.flush();
   const auto found = rows(file_);
   ASSERT_EQ(found.size(), 6U);
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -106,7 +105,6 @@ TEST_F(TrajectoryLogTest, RestartKeepsWhatWasAndTheTouchOfTheUnfinishedPeriod)
   passPeriod(log);
   log.restart();
   simulation_.reset();
-  log.flush();
   const auto first = rows(folder_ / "record.csv.before_reset_1");
   ASSERT_EQ(first.size(), 4U);
   EXPECT_EQ(first[3].at("contacts"), "walls");

@@ -9,7 +9,7 @@ from f1tenth_judge.record.record import COLUMNS
 
 
 class Rows:
-    """Writes the columns that are known, at once: the simulator's own record comes in bursts."""
+    """Writes the columns that are known, at once."""
 
     def __init__(self, file: Path):
         """Write nothing yet."""

@@ -19,7 +19,7 @@ def intervention(stamp=1.0, kind="set_model_state", caller="/robot1/planner", mo
     return Intervention(stamp, kind, caller, model)
 
 
-@pytest.mark.parametrize(("kind", "caller"), itertools.product(KINDS, CALLERS))
+@pytest.mark.parametrize(("kind", "caller"), [*itertools.product(KINDS, CALLERS)])
 def test_whoever_does_anything_that_is_not_allowed_is_disqualified(tmp_path, kind, caller):
     seen = Observations(
         record(tmp_path, rows(4.0)), (finished(3.0),), interventions=(intervention(2.0, kind, caller),)

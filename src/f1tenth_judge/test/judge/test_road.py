@@ -120,7 +120,7 @@ def test_car_that_stays_on_the_road_has_no_excursions(tmp_path):
     assert list(excursions(ring(points=4000), [driven(tmp_path, LAP)])) == []
 
 
-@pytest.mark.parametrize(("yaw", "side"), itertools.product((0.0, math.pi / 2), (-1, 1)))
+@pytest.mark.parametrize(("yaw", "side"), [*itertools.product((0.0, math.pi / 2), (-1, 1))])
 def test_start_line_reaches_both_edges_of_the_road_also_in_a_corner(yaw, side):
     """The corner of a corridor 2 m wide: at 45 degrees the road is wider than at its centreline's vertex."""
     course = Course(*np.array([[0, 20, 20, 0], [0, 0, 20, 20], [1] * 4, [1] * 4], dtype=float))

@@ -35,7 +35,7 @@ def participant():
         del domain
 
 
-@pytest.mark.parametrize(("requested", "offered"), itertools.product(QUALITIES, repeat=2))
+@pytest.mark.parametrize(("requested", "offered"), [*itertools.product(QUALITIES, repeat=2)])
 def test_mismatch_is_found_where_dds_finds_one(participant, requested, offered):
     topic = Topic(participant, "clock", Clock)
     writer, reader = DataWriter(participant, topic, offered), DataReader(participant, topic, requested)

@@ -243,7 +243,7 @@ def test_bad_value_is_answered_before_anything_runs(tmp_path, capsys):
 def test_no_workers_are_refused(tmp_path, capsys):
     arguments = ["sweep", "circuit1", "--vary", "seed=1:2", "--results", str(tmp_path), "--workers", "0"]
     assert cli.main(arguments) == 2
-    assert "--workers is 0, must be at least 1" in capsys.readouterr().err
+    assert "--jobs is 0, must be at least 1" in capsys.readouterr().err
 
 
 def test_key_is_varied_once(tmp_path, capsys):

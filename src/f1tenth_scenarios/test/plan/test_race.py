@@ -77,7 +77,7 @@ class TestRepeat:
         assert program.runs() == ["001", "002"]
         assert (folder / "r" / "repeat" / "race_circuit1" / "002" / "race_circuit1" / "result.json").exists()
         assert "trajectories:      all the same, bit for bit" in capsys.readouterr().out
-        plan = make_plan(str(folder / "r" / "repeat" / "race_circuit1.yaml"))
+        plan = make_plan(str(folder / "r" / "races" / "race_circuit1.yaml"))
         assert plan.cars["robot1"].driver.path == folder / "with.launch"
 
     @pytest.mark.parametrize(

@@ -208,7 +208,7 @@ void Environment::look(std::size_t car, Picture & picture) const
   const CarId id = ids_.at(car);
   for (const auto & component : simulation_->components(id)) {
     if (const auto * const camera = dynamic_cast<const Camera *>(component.get())) {
-      camera->look(*simulation_, id, camera->eyes().front(), picture);
+      camera->look(*simulation_, id, {&camera->eyes().front()}, {&picture});
       return;
     }
   }

@@ -261,7 +261,7 @@ py::tuple PythonSimulation::look(CarId car, const std::string & name, const std:
   Picture picture;
   {
     const py::gil_scoped_release release;
-    camera.look(*this, car, camera.eye(eye), picture);
+    camera.look(*this, car, {&camera.eye(eye)}, {&picture});
   }
   return toArrays(std::move(picture));
 }

@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "render/lens.h"
 #include "small_scene.h"
 
 /// Compiled with several sets of options: each has to give the same bits.
@@ -11,6 +12,8 @@ namespace
 {
 constexpr std::uint32_t kColours = 2854086569;
 constexpr std::uint32_t kDepths = 229528681;
+constexpr std::uint32_t kBentColours = 2419257105;
+constexpr std::uint32_t kBentDepths = 2993445971;
 
 /// FNV-1a.
 std::uint32_t hashOf(const void * data, std::size_t size)
@@ -42,9 +45,12 @@ Scene everything()
 
 TEST(Golden, PicturesHaveTheSameBitsEverywhere)
 {
-  const Picture picture = pictureOf(everything(), Pose3(0, 0, 0.6, 0.02, 0.1, 0.05));
+  Picture picture = pictureOf(everything(), Pose3(0, 0, 0.6, 0.02, 0.1, 0.05));
   EXPECT_EQ(hashOf(picture.colours.data(), picture.colours.size()), kColours);
   EXPECT_EQ(hashOf(picture.depths.data(), picture.depths.size() * sizeof(float)), kDepths);
+  Lens(kCamera, {-0.2, 0.02, 0.002, -0.003, 0.001}, true).bend(picture);
+  EXPECT_EQ(hashOf(picture.colours.data(), picture.colours.size()), kBentColours);
+  EXPECT_EQ(hashOf(picture.depths.data(), picture.depths.size() * sizeof(float)), kBentDepths);
 }
 }  // namespace
 }  // namespace f1tenth_sim2d

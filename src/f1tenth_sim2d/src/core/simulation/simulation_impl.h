@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <deque>
 #include <memory>
 #include <mutex>
@@ -55,8 +56,13 @@ struct Simulation::Impl : MovingPoses
   bool models_moved{false};
   std::unique_ptr<CollisionWorld> collisions;
   CarRegistry registry;
-  std::mutex view_mutex;  ///< for const functions that draw
-  View view;
+  /// For const functions that draw, on two threads at once.
+  struct Viewer
+  {
+    std::mutex mutex;
+    View view;
+  };
+  std::array<Viewer, 2> viewers;
 
 private:
   std::string nameOf(const Piece & piece) const;

@@ -4,9 +4,14 @@ namespace f1tenth_sim2d
 {
 void Simulation::draw(CarId car, const Pinhole & camera, const Pose3 & pose, Picture & picture) const
 {
-  const std::lock_guard<std::mutex> lock(impl_->view_mutex);
+  auto & [first, second] = impl_->viewers;
+  std::unique_lock<std::mutex> lock(first.mutex, std::try_to_lock);
+  View & view = lock ? first.view : second.view;
+  if (!lock) {
+    lock = std::unique_lock<std::mutex>(second.mutex);
+  }
   const std::shared_ptr<const WorldGeometry> & world = impl_->geometry;
-  impl_->view.draw(*this, {world, &world->look()}, car, camera, pose, picture);
+  view.draw(*this, {world, &world->look()}, car, camera, pose, picture);
 }
 
 std::string Simulation::viewWarning() const

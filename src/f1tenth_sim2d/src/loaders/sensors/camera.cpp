@@ -2,9 +2,12 @@
 
 #include <workspace_support/maths/trigonometry.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <set>
 
 #include "f1tenth_sim2d/errors.h"
 #include "loaders/frames/read_pose.h"
@@ -17,6 +20,7 @@ namespace
 constexpr double kFovLeast = 0.01;  // rad
 constexpr double kFovMost = 3.1;    // rad, of a pinhole camera
 constexpr double kSideMax = 8192;   // pixels
+constexpr double kSameLens = 1e-6;  // many cars of others tell 1e-8 where they mean nothing
 
 /// How sensor_msgs/Image calls the formats of SDF.
 const std::map<std::string, std::string> kFormats{
@@ -30,6 +34,9 @@ const std::map<std::string, std::string> kFormats{
   {"BAYER_BGGR8", "bayer_bggr8"},
   {"BAYER_GBRG8", "bayer_gbrg8"},
   {"BAYER_GRBG8", "bayer_grbg8"}};
+
+const std::set<std::string> kTriggered{"libgazebo_ros_triggered_camera.so", "libgazebo_ros_triggered_multicamera.so"};
+const std::set<std::string> kWithDepth{"libgazebo_ros_depth_camera.so", "libgazebo_ros_openni_kinect.so"};
 
 double within(const Element & camera, const char * tag, double fallback, double least, double most)
 {
@@ -66,6 +73,24 @@ std::string formatOf(const Element & camera, CarContext & context)
   return found == kFormats.end() ? "rgb8" : found->second;
 }
 
+/// Null where it would change nothing.
+std::shared_ptr<const Lens> readLens(
+  const Element & camera, const Element & plugin, const Pinhole & pinhole, WarningCollector & warnings)
+{
+  const Element element = camera.child("distortion");
+  constexpr double kMost = 1e4;
+  const auto of = [&](const char * tag) { return within(element, tag, 0.0, -kMost, kMost); };
+  const Distortion distortion = element ? Distortion{of("k1"), of("k2"), of("p1"), of("p2"), of("k3")} : Distortion{};
+  if (distortion == Distortion{}) {
+    return nullptr;
+  }
+  const std::string centre = element.textOf("center", "0.5 0.5");
+  if (centre != "0.5 0.5") {
+    warnings.add("<center> " + centre + " of the lens is left out: it is taken as the middle", element.fileLine());
+  }
+  return std::make_shared<const Lens>(pinhole, distortion, plugin.flag("borderCrop", true));
+}
+
 Camera::Eye readEye(const Element & camera, const SensorElement & element, CarContext & context)
 {
   Camera::Eye eye;
@@ -74,8 +99,9 @@ Camera::Eye readEye(const Element & camera, const SensorElement & element, CarCo
   eye.pinhole = readPinhole(camera);
   eye.noise_stddev = stddevOf(camera.child("noise"));
   eye.format = formatOf(camera, context);
-  if (const Element distortion = camera.child("distortion")) {
-    context.warnings.add("<distortion> is left out: cameras are pinholes", distortion.fileLine());
+  eye.lens = readLens(camera, element.plugin, eye.pinhole, context.warnings);
+  if (eye.lens) {
+    eye.pinhole = eye.lens->bent();
   }
   return eye;
 }
@@ -91,7 +117,7 @@ std::string partOf(const std::string & eye)
   return eye;
 }
 
-/// What the plug-in says of the lens, which Gazebo does not draw either.
+/// What the plug-in says of the lens, which is drawn as the sensor says.
 void readCalibration(const Element & plugin, Camera::Eye & eye, WarningCollector & warnings)
 {
   eye.calibration = eye.pinhole;
@@ -111,10 +137,22 @@ void readCalibration(const Element & plugin, Camera::Eye & eye, WarningCollector
         toText(eye.pinhole.focal_x),
       plugin.fileLine());
   }
-  constexpr std::array<const char *, 5> kTags{
-    "distortionK1", "distortionK2", "distortionT1", "distortionT2", "distortionK3"};
-  for (std::size_t i = 0; i < kTags.size(); ++i) {
-    eye.distortion[i] = plugin.number(kTags[i], 0.0);
+  if (plugin.number("CxPrime", 0.0) != 0.0) {
+    warnings.add("<CxPrime> changes nothing, as in gazebo_ros", plugin.fileLine());
+  }
+  const Distortion drawn = eye.lens ? eye.lens->distortion() : Distortion{};
+  if (plugin.flag("autoDistortion", false)) {
+    eye.distortion = drawn;
+    return;
+  }
+  const auto of = [&](const char * tag) { return plugin.number(tag, 0.0); };
+  eye.distortion = {of("distortionK1"), of("distortionK2"), of("distortionT1"), of("distortionT2"), of("distortionK3")};
+  const auto differs = [](double one, double other) { return std::abs(one - other) > kSameLens; };
+  if (std::mismatch(drawn.begin(), drawn.end(), eye.distortion.begin(), std::not_fn(differs)).first != drawn.end()) {
+    warnings.add(
+      "camera_info tells another lens (<distortionK1> and the like) than is drawn (<distortion>);"
+      " <autoDistortion>true</autoDistortion> tells that which is drawn",
+      plugin.fileLine());
   }
 }
 
@@ -131,7 +169,10 @@ void publish(Camera::Eye & eye, const std::string & space, const SensorElement &
   eye.image_topic = topic("imageTopicName", "image_raw");
   eye.info_topic = topic("cameraInfoTopicName", "camera_info");
   eye.baseline = space.find("left") == std::string::npos ? plugin.number("hackBaseline", 0.0) : 0.0;
-  if (library == "libgazebo_ros_depth_camera.so" || library == "libgazebo_ros_openni_kinect.so") {
+  if (kTriggered.count(library) > 0) {
+    eye.trigger_topic = topic("triggerTopicName", "image_trigger");
+  }
+  if (kWithDepth.count(library) > 0) {
     eye.depth_topic = topic("depthImageTopicName", "depth/image_raw");
     eye.depth_info_topic = topic("depthImageCameraInfoTopicName", "depth/camera_info");
     eye.points_topic = topic("pointCloudTopicName", "points");

@@ -32,7 +32,7 @@ const std::vector<SensorKind> & sensorKinds()
     {{"imu"}, {"libgazebo_ros_imu_sensor.so", "libgazebo_ros_imu.so"}, readImu},
     {{"camera", "depth", "depth_camera", "multicamera", "rgbd", "rgbd_camera"},
      {"libgazebo_ros_camera.so", "libgazebo_ros_multicamera.so", "libgazebo_ros_depth_camera.so",
-      "libgazebo_ros_openni_kinect.so"},
+      "libgazebo_ros_openni_kinect.so", "libgazebo_ros_triggered_camera.so", "libgazebo_ros_triggered_multicamera.so"},
      readCamera,
      true},
   };

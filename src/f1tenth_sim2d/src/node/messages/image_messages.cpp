@@ -152,10 +152,9 @@ void fillPoints(const Picture & picture, const Camera::Eye & eye, sensor_msgs::P
   for (std::size_t i = 0; i < picture.depths.size(); ++i, ++place, ++colour) {
     const float depth = picture.depths[i];
     const bool is_there = depth > eye.points_nearest && depth < eye.points_farthest;
-    const auto column = static_cast<double>(i % points.width);
-    const auto row = static_cast<double>(i / points.width);
-    place[0] = is_there ? static_cast<float>(depth * (column - eye.pinhole.middle_x) / eye.pinhole.focal_x) : kNone;
-    place[1] = is_there ? static_cast<float>(depth * (row - eye.pinhole.middle_y) / eye.pinhole.focal_y) : kNone;
+    const Vec3 ray = eye.ray(i);
+    place[0] = is_there ? static_cast<float>(-depth * ray.y) : kNone;
+    place[1] = is_there ? static_cast<float>(-depth * ray.z) : kNone;
     place[2] = is_there ? depth : kNone;
     for (int channel = 0; channel < 3; ++channel) {
       colour[channel] = picture.colours[3 * i + 2 - static_cast<std::size_t>(channel)];  // blue is the lowest byte

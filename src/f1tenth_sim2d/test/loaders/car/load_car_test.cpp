@@ -313,6 +313,23 @@ TEST(LoadCarWarnings, SayWhichFrameACameraTakes)
   EXPECT_EQ(load(smallCar()).warnings, expected);
 }
 
+TEST(LoadCarWarnings, NameTagsOfACameraThatSayAnotherLens)
+{
+  const std::string lens = "<camera><distortion><k1>-0.1</k1><center>0.4 0.5</center></distortion>";
+  const CarDescription car = load(smallCarWith("<camera>", lens));
+  ASSERT_EQ(car.warnings.size(), 3u);
+  EXPECT_NE(car.warnings[0].find("<center> 0.4 0.5 of the lens is left out"), std::string::npos);
+  EXPECT_NE(car.warnings[1].find("camera_info tells another lens"), std::string::npos);
+  EXPECT_EQ(load(smallCarWith("<camera>", "<camera><distortion/>")).warnings.size(), 1u);
+}
+
+TEST(LoadCarWarnings, NameACameraWhoseLensIsAbsurd)
+{
+  const CarDescription car = load(smallCarWith("<camera>", "<camera><distortion><k1>1e9</k1></distortion>"));
+  ASSERT_EQ(car.warnings.size(), 1u);
+  EXPECT_NE(car.warnings[0].find("<k1> is 1e+09, allowed are -10000 to 10000"), std::string::npos);
+}
+
 TEST(LoadCarWarnings, NameACameraThatIsLeftOut)
 {
   const CarDescription car = load(smallCarWith("<horizontal_fov>1.5", "<horizontal_fov>7"));

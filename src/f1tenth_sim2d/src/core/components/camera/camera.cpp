@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 
 #include "f1tenth_sim2d/errors.h"
 #include "f1tenth_sim2d/simulation.h"
@@ -20,12 +21,34 @@ const Camera::Eye & Camera::eye(const std::string & name) const
   throw Error("the camera " + mount().name + " has no eye '" + name + "', there are: " + names);
 }
 
-void Camera::look(const Simulation & simulation, CarId car, const Eye & eye, Picture & picture) const
+void Camera::look(
+  const Simulation & simulation, CarId car, const std::vector<const Eye *> & eyes,
+  const std::vector<Picture *> & pictures) const
 {
-  simulation.draw(car, eye.pinhole, eye.pose, picture);
-  if (eye.noise_stddev == 0.0) {
-    return;
+  const auto look_through_every_second = [&](std::size_t first) {
+    for (std::size_t i = first; i < eyes.size(); i += 2) {
+      const Eye & eye = *eyes[i];
+      simulation.draw(car, eye.lens ? eye.lens->straight() : eye.pinhole, eye.pose, *pictures[i]);
+      if (eye.lens) {
+        eye.lens->bend(*pictures[i]);
+      }
+      if (eye.noise_stddev > 0.0) {
+        addNoise(simulation, car, eye, *pictures[i]);
+      }
+    }
+  };
+  std::future<void> others;
+  if (eyes.size() > 1) {
+    others = std::async(std::launch::async, look_through_every_second, 1);
   }
+  look_through_every_second(0);
+  if (others.valid()) {
+    others.get();
+  }
+}
+
+void Camera::addNoise(const Simulation & simulation, CarId car, const Eye & eye, Picture & picture) const
+{
   constexpr double kGreatest = 255.0;
   std::vector<double> noise(picture.colours.size());
   simulation.noises(car, mount().name + "/" + eye.name, noise.size(), noise.data());

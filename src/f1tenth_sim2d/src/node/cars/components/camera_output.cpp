@@ -8,6 +8,12 @@ CameraOutput::CameraOutput(const CarHandle & car, const Camera & camera) : car_(
 {
   for (const Camera::Eye & eye : camera.eyes()) {
     eyes_.emplace_back(car, eye, car.frame(camera.mount().frame));
+    if (!eye.trigger_topic.empty()) {
+      ros::NodeHandle node = car.node;
+      triggers_.push_back(node.subscribe<std_msgs::Empty>(
+        eye.trigger_topic, 1, [this](const std_msgs::Empty::ConstPtr &) { is_triggered_ = true; }, ros::VoidConstPtr(),
+        ros::TransportHints().tcpNoDelay()));
+    }
   }
 }
 
@@ -32,8 +38,13 @@ bool CameraOutput::Eye::needsPicture() const
 
 void CameraOutput::update(SimTime now, bool /*anyway*/)
 {
+  if (!triggers_.empty() && !is_triggered_) {
+    return;
+  }
+  is_triggered_ = false;
+  look();
   for (Eye & eye : eyes_) {
-    if (eye.needsPicture()) {
+    if (eye.is_looking) {
       publishPicture(eye, now);
     }
     for (auto * const info : {&eye.info, &eye.depth_info}) {
@@ -44,28 +55,44 @@ void CameraOutput::update(SimTime now, bool /*anyway*/)
   }
 }
 
-void CameraOutput::publishPicture(Eye & eye, SimTime now)
+void CameraOutput::look()
 {
-  camera_.look(car_.simulation, car_.id, eye.eye, picture_);
+  std::vector<const Camera::Eye *> looking;
+  std::vector<Picture *> pictures;
+  for (Eye & eye : eyes_) {
+    eye.is_looking = eye.needsPicture();
+    if (eye.is_looking) {
+      looking.push_back(&eye.eye);
+      pictures.push_back(&eye.picture);
+    }
+  }
+  if (looking.empty()) {
+    return;
+  }
+  camera_.look(car_.simulation, car_.id, looking, pictures);
   if (!has_warned_) {
     has_warned_ = true;
     const std::string warning = car_.simulation.viewWarning();
     warnOnce(camera_.mount().name, warning.empty() ? std::vector<std::string>{} : std::vector{warning});
   }
+}
+
+void CameraOutput::publishPicture(Eye & eye, SimTime now)
+{
   if (eye.image.isWanted()) {
-    fillImage(picture_, eye.eye, eye.image.message);
+    fillImage(eye.picture, eye.eye, eye.image.message);
     eye.image.publish(now);
   }
   if (eye.jpeg.isWanted()) {
-    fillJpeg(picture_, eye.jpeg.message);
+    fillJpeg(eye.picture, eye.jpeg.message);
     eye.jpeg.publish(now);
   }
   if (eye.depth.isWanted()) {
-    fillDepth(picture_, eye.eye, eye.depth.message);
+    fillDepth(eye.picture, eye.eye, eye.depth.message);
     eye.depth.publish(now);
   }
   if (eye.points.isWanted()) {
-    fillPoints(picture_, eye.eye, eye.points.message);
+    fillPoints(eye.picture, eye.eye, eye.points.message);
     eye.points.publish(now);
   }
 }

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <ros/subscriber.h>
+#include <std_msgs/Empty.h>
+
 #include <deque>
 #include <string>
+#include <vector>
 
 #include "node/cars/sensor_output.h"
 #include "node/messages/image_messages.h"
@@ -40,13 +44,13 @@ private:
 };
 
 /// The cameras of gazebo_ros. An eye draws only while somebody subscribes to a topic with pixels; all its topics have
-/// the same stamp.
+/// the same stamp. A triggered one looks at the step after a message that asks for it, instead of at a rate.
 class CameraOutput : public Output
 {
 public:
   CameraOutput(const CarHandle & car, const Camera & camera);
 
-  double rate() const override { return camera_.mount().rate_hz; }
+  double rate() const override { return triggers_.empty() ? camera_.mount().rate_hz : 0.0; }
   void update(SimTime now, bool anyway) override;
   void repeat() override;
 
@@ -63,13 +67,17 @@ private:
     CameraTopic<sensor_msgs::Image> depth;
     CameraTopic<sensor_msgs::CameraInfo> depth_info;
     CameraTopic<sensor_msgs::PointCloud2> points;
+    bool is_looking{false};
+    Picture picture{};
   };
-  void publishPicture(Eye & eye, SimTime now);
+  void look();
+  static void publishPicture(Eye & eye, SimTime now);
 
   const CarHandle car_;
   const Camera & camera_;
   std::deque<Eye> eyes_;
-  Picture picture_;
+  std::vector<ros::Subscriber> triggers_;
+  bool is_triggered_{false};
   bool has_warned_{false};
 };
 }  // namespace f1tenth_sim2d
